@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "base/files.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "base/error.h"
+
+namespace strobe {
+
+namespace fs = std::filesystem;
+
+std::string readText(const Path& file) {
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored)) throw Error("is a folder, not a file", {displayPath(file)});
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw Error(fmt::format("cannot be read: {}", std::strerror(errno)), {displayPath(file)});
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (stream.bad()) throw Error("reading failed", {displayPath(file)});
+  return std::move(text).str();
+}
+
+std::vector<uint8_t> readBytes(const Path& file) {
+  std::string text = readText(file);
+  return {text.begin(), text.end()};
+}
+
+static void writeAll(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) throw std::system_error(errno, std::generic_category());
+    bytes.remove_prefix(static_cast<size_t>(written));
+  }
+}
+
+void writeFileAtomically(const Path& file, std::string_view bytes) {
+  Path temporary = file;
+  temporary += fmt::format(".{}.part", ::getpid());
+  int descriptor = -1;
+  try {
+    if (file.has_parent_path()) fs::create_directories(file.parent_path());
+    descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    if (descriptor < 0) throw std::system_error(errno, std::generic_category());
+    writeAll(descriptor, bytes);
+    if (::fsync(descriptor) != 0 && errno != EINVAL) throw std::system_error(errno, std::generic_category());
+    if (::close(std::exchange(descriptor, -1)) != 0) throw std::system_error(errno, std::generic_category());
+    fs::rename(temporary, file);
+  } catch (const std::system_error& error) {
+    if (descriptor >= 0) ::close(descriptor);
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    throw Error(fmt::format("cannot be written: {}", error.code().message()), {file.string()});
+  }
+}
+
+void writeFileAtomically(const Path& file, const std::vector<uint8_t>& bytes) {
+  writeFileAtomically(file, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+Path homeFolder() {
+  const char* home = std::getenv("STROBE_HOME");
+  return home && *home ? Path(home) : Path(STROBE_SOURCE_DIR);
+}
+
+std::optional<Path> dataFolder() {
+  const char* data = std::getenv("STROBE_DATA");
+  Path folder = data && *data ? Path(data) : homeFolder().parent_path() / "shared";
+  std::error_code ignored;
+  if (fs::is_directory(folder, ignored)) return folder;
+  return std::nullopt;
+}
+
+std::string displayPath(const Path& file) {
+  std::error_code failed;
+  Path relative = fs::relative(file, homeFolder(), failed);
+  bool inside = !failed && !relative.empty() && *relative.begin() != "..";
+  return inside ? relative.string() : file.string();
+}
+
+}  // namespace strobe

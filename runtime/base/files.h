@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Files: whole reads, and the one routine through which every output is written.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace strobe {
+
+using Path = std::filesystem::path;
+
+// The whole file. Throws `Error` naming the file and the system's reason.
+std::string readText(const Path& file);
+std::vector<uint8_t> readBytes(const Path& file);
+
+// Writes to a temporary name beside `file`, flushes to disk and renames: the file is either whole or as it was.
+// Creates missing folders. Throws `Error` with the system's reason (no permission, disk full) and leaves nothing behind.
+void writeFileAtomically(const Path& file, std::string_view bytes);
+void writeFileAtomically(const Path& file, const std::vector<uint8_t>& bytes);
+
+// The folder that holds passes/, shaders/ and scripts/: STROBE_HOME, else the source tree the program was built from.
+Path homeFolder();
+
+// Shared test data: STROBE_DATA, else `shared` beside the home folder; empty when there is none.
+std::optional<Path> dataFolder();
+
+// `file` relative to the home folder where it lies inside it, else unchanged: what errors and records show.
+std::string displayPath(const Path& file);
+
+}  // namespace strobe

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+// JSON whose keys keep the order in which they were written.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+namespace strobe {
+using Json = nlohmann::ordered_json;
+}

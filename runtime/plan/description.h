@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// What Lua hands over: passes and a pipeline as plain data, each field with the place where it was written.
+// `fromJson` reads the canonical form (docs/canonical.md); `toJson` writes it back, key for key.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/error.h"
+#include "base/json.h"
+
+namespace strobe::plan {
+
+// A parameter's value: bool, integer, number, or the name of a choice.
+using Value = std::variant<bool, int64_t, double, std::string>;
+
+Json toJson(const Value& value);
+Value valueFromJson(const Json& json);
+
+// One declaration that feeds validation, the GLSL parameter block, the command line, panels, sweeps and the record.
+struct ParamDesc {
+  enum class Type { Bool, Int, Float, Choice };
+  std::string name;
+  Type type = Type::Float;
+  Value default_value;
+  std::optional<double> min, max;    // of Int and Float, inclusive
+  std::vector<std::string> choices;  // of Choice
+  std::string unit;                  // "px", "m", ... or ""
+  std::string doc;
+  bool variant = false;  // compiled into the shader instead of passed to it (always so for Choice and Bool)
+  Place place;
+};
+
+// Throws `Error` (with `where` as its place) if `value` is of another type or out of range; an integer is accepted
+// where a number is wanted, and text as typed on a command line is converted.
+Value checkValue(const ParamDesc& param, const Value& value, const Place& where);
+
+// An image port of a pass.
+struct PortDesc {
+  std::string name;
+  std::string doc;
+  std::string format;     // of writes and updates: "r32f", "rgba16f", "rg32ui", ...; "" for reads
+  bool uint = false;      // reads: the texels are unsigned integers
+  bool optional = false;  // reads: may be left unwired; the shader then sees HAS_<name> 0
+  bool linear = false;    // reads: sampled with a linear filter instead of texel fetches
+  Place place;
+};
+
+// Sizes of what a pass writes.
+struct SizeDesc {
+  enum class Kind { Frame, Port, Fixed };
+  Kind kind = Kind::Frame;
+  std::string port;               // Kind::Port: as large as the image wired to this read
+  std::string divide;             // ... divided (rounding up) by this integer parameter of the pass, or ""
+  int width = 0, height = 0;      // Kind::Fixed
+};
+
+struct CounterDesc {
+  std::string name;
+  std::string doc;
+};
+
+struct PassDesc {
+  enum class Kind { Raster, Compute, Trace };
+  std::string name;
+  Kind kind = Kind::Compute;
+  std::string shader;  // below shaders/; of a raster pass "<shader>.vert.glsl" and "<shader>.frag.glsl"
+  std::string doc;
+  SizeDesc size;
+  bool scene = false;  // the shader sees the scene's buffers, textures and acceleration structures
+  std::vector<PortDesc> reads;    // images it samples
+  std::vector<PortDesc> writes;   // images it fills; every pixel is written
+  std::vector<PortDesc> updates;  // images it reads and writes; zero before the first execution in a frame
+  std::vector<ParamDesc> params;
+  std::vector<CounterDesc> counters;  // 32-bit event counts, read back into the run record
+  Place place;
+};
+
+// A node's parameter is a value, or follows a parameter of the pipeline.
+struct Binding {
+  std::optional<Value> value;
+  std::string follows;  // name of a pipeline parameter, or ""
+  Place place;
+};
+
+// One use of a pass.
+struct NodeDesc {
+  std::string name;  // unique: the pass's name, or what `as` gave it
+  std::string pass;
+  std::vector<std::pair<std::string, std::string>> inputs;  // read port -> "node.port"
+  std::vector<std::pair<std::string, Binding>> params;
+  std::string time = "capture";  // pose of the scene it sees: "capture", "open", "close" or "sample" (its loop's)
+  std::string loop;              // name of the loop it is repeated in, or ""
+  Place place;
+};
+
+// Nodes repeated for k = 0 .. count-1, each time with its own scene times.
+struct LoopDesc {
+  std::string name;
+  Binding count;
+  Binding times;   // choice "midpoint" | "stratified"
+  Binding slices;  // scene times per iteration among which a pixel may draw one; 1 for midpoint times
+  std::string until;  // "node.port" of a 1x1 r32f image in the loop, non-zero to stop early; or ""
+  Place place;
+};
+
+struct PipelineDesc {
+  std::string name;  // "hybrid"
+  std::string file;  // as shown to people
+  std::string doc;
+  std::vector<ParamDesc> params;
+  std::vector<std::pair<std::string, Value>> values;  // every pipeline parameter, resolved, in declaration order
+  std::vector<PassDesc> passes;                       // each pass in use once
+  std::vector<NodeDesc> nodes;                        // in the order of the calls
+  std::vector<LoopDesc> loops;
+  std::vector<std::pair<std::string, std::string>> outputs;  // output -> "node.port"
+};
+
+PipelineDesc pipelineFromJson(const Json& json);
+Json toJson(const PipelineDesc& pipeline);
+
+}  // namespace strobe::plan

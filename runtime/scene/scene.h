@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// A scene on the CPU: meshes, materials, textures, lights, cameras and how they move. Positions are metres (or the
+// file's unit), y up, right-handed; times are seconds; transforms are double (target-from-source, column vectors).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/json.h"
+#include "math/geometry.h"
+
+namespace strobe::scene {
+
+struct Vertex {
+  vec3 position;
+  vec3 normal;  // unit
+  vec2 uv0 = vec2(0);
+  vec2 uv1 = vec2(0);
+  vec4 color = vec4(1);  // linear factor of the base colour
+};
+
+// Triangles of one material.
+struct Geometry {
+  std::vector<Vertex> vertices;
+  std::vector<uint32_t> indices;  // three per triangle
+  int material = 0;
+};
+
+// Positions are relative to `origin`, which poses add back in double (a mesh may lie far from its node's origin).
+struct Mesh {
+  std::string name;
+  std::vector<Geometry> geometries;
+  dvec3 origin = dvec3(0);
+};
+
+struct Texture {
+  enum class Format { Rgba8Srgb, Rgba8Unorm, Rgba32f };
+  enum class Wrap { Repeat, Mirror, Clamp };
+  std::string name;
+  Format format = Format::Rgba8Srgb;
+  int width = 0, height = 0;
+  std::vector<std::vector<uint8_t>> levels;  // level 0 first, each of size max(1, size >> level), top row first
+  Wrap wrap_u = Wrap::Repeat, wrap_v = Wrap::Repeat;
+  bool nearest = false;  // point sampling of level 0, for scenes whose pictures have a closed form
+};
+
+// A texture as a material uses it: uv' = matrix * (u, v, 1).
+struct TextureUse {
+  int texture = -1;  // index into Scene::textures, -1 for none
+  int uv_set = 0;
+  glm::dmat3x2 uv_transform = glm::dmat3x2(1);  // three columns of two: u, v, offset
+};
+
+// Metallic-roughness as glTF 2.0 defines it.
+struct Material {
+  std::string name;
+  vec4 base_color = vec4(1);
+  TextureUse base_color_texture;
+  float metallic = 0, roughness = 1;
+  TextureUse metallic_roughness_texture;
+  TextureUse normal_texture;
+  float normal_scale = 1;
+  vec3 emissive = vec3(0);  // strength included
+  TextureUse emissive_texture;
+  bool unlit = false;
+  bool alpha_mask = false;
+  float alpha_cutoff = 0.5f;
+};
+
+struct Light {
+  enum class Type { Directional, Point, Spot };
+  std::string name;
+  Type type = Type::Point;
+  vec3 intensity = vec3(1);  // colour times candela (point, spot) or lux (directional)
+  double range = 0;          // metres, 0 for unlimited
+  double inner_cone = 0, outer_cone = 0.785398;  // spot: half angles, radians
+  bool shadow = true;
+};
+
+struct Camera {
+  std::string name;
+  bool orthographic = false;
+  double vertical_fov = 0.8;    // perspective: full angle, radians
+  double half_height = 1;       // orthographic: half the height of the view, metres
+  std::optional<double> aspect;  // stated by the file; the picture's own aspect is used, this is only reported
+  double near = 0.01;           // metres along the view direction; nothing nearer is seen
+};
+
+// A keyed channel of a node's transform.
+struct Track {
+  enum class Target { Translation, Rotation, Scale };
+  enum class Interpolation { Step, Linear, CubicSpline };
+  int node = -1;
+  Target target = Target::Translation;
+  Interpolation interpolation = Interpolation::Linear;
+  std::vector<double> times;    // seconds, increasing
+  std::vector<dvec4> values;    // xyz or quaternion xyzw; CubicSpline: in-tangent, value, out-tangent per key
+};
+
+struct Animation {
+  std::string name;
+  std::vector<Track> tracks;
+  double duration = 0;  // seconds; time past the end repeats from the start
+};
+
+// Rigid motion at a constant rate, in world axes: of `--move`, `--spin` and of scenes described in Lua.
+// Per second; the node is at rest at `rest_time`.
+struct ConstantMotion {
+  int node = -1;
+  dvec3 velocity = dvec3(0);          // metres per second
+  dvec3 axis = dvec3(0, 1, 0);        // unit
+  double angular_velocity = 0;        // radians per second about `axis` through the node's origin (pivot)
+  double rest_time = 0;               // seconds
+};
+
+struct Node {
+  std::string name;
+  int parent = -1;
+  dvec3 translation = dvec3(0);
+  dquat rotation = dquat(1, 0, 0, 0);
+  dvec3 scale = dvec3(1);
+  std::optional<dmat4> matrix;  // instead of the three above
+  int mesh = -1, camera = -1, light = -1;
+  std::vector<dmat4> instances;  // of EXT_mesh_gpu_instancing: node-from-instance; empty means one, identity
+};
+
+// Radiance of rays that leave the scene, and the light that reaches surfaces from everywhere:
+// blends from `ground` (down) to `sky` (up) with the height of the direction. Linear radiance.
+struct Environment {
+  vec3 sky = vec3(0);
+  vec3 ground = vec3(0);
+  std::optional<vec3> background;  // what a ray that misses sees, if not the above
+};
+
+struct Scene {
+  std::string name;
+  std::vector<Node> nodes;  // a parent may stand after its child
+  std::vector<Mesh> meshes;
+  std::vector<Material> materials;  // at least one
+  std::vector<Texture> textures;
+  std::vector<Camera> cameras;
+  std::vector<Light> lights;
+  std::vector<Animation> animations;
+  std::vector<ConstantMotion> motions;
+  Environment environment;
+  std::vector<std::string> warnings;    // what was not understood, naming the node
+  std::vector<std::string> assumptions; // defaults supplied for what the file lacks, for the run record
+  Json attribution;                     // licence and author where the file or its folder states them
+};
+
+// One drawable: a mesh at a node. Its index is its instance id.
+struct Instance {
+  int node = -1;
+  int mesh = -1;
+  dmat4 node_from_instance = dmat4(1);
+  bool mirrored = false;
+};
+
+// The drawables in a fixed order (node order, then instance order).
+std::vector<Instance> instancesOf(const Scene& scene);
+
+// Where everything is at one time, in world space.
+struct Pose {
+  std::vector<dmat4> world_from_instance;  // one per instance, the mesh's `origin` already included
+  std::vector<dmat4> world_from_light;     // one per light node, see `lightsOf`
+  dmat4 world_from_camera = dmat4(1);      // camera looks along -z, y up; unit scale
+};
+
+// Light nodes: indices into Scene::nodes, in order.
+std::vector<int> lightsOf(const Scene& scene);
+
+// The node of the camera called `name` ("" for the first). Throws `Error` listing the cameras when there is none.
+int cameraNode(const Scene& scene, const std::string& name);
+
+// True poses at `time_s`: animations of `animation` ("all", "none" or a clip's name), then constant motions.
+// Throws `Error` for an unknown clip, naming the nearest.
+class Poser {
+ public:
+  Poser(const Scene& scene, int camera_node, const std::string& animation = "all");
+  Pose at(double time_s) const;
+
+ private:
+  const Scene& scene_;
+  std::vector<Instance> instances_;
+  std::vector<int> lights_;
+  int camera_node_;
+  std::vector<const Animation*> clips_;
+};
+
+}  // namespace strobe::scene
