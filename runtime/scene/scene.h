@@ -176,11 +176,17 @@ std::vector<int> lightsOf(const Scene& scene);
 int cameraNode(const Scene& scene, const std::string& name);
 
 // True poses at `time_s`: animations of `animation` ("all", "none" or a clip's name), then constant motions.
-// Throws `Error` for an unknown clip, naming the nearest.
+// A clip is at its first keys before them, and repeats from time 0 when the time is past its duration; where several
+// clips drive one channel, the last listed wins. Throws `Error` for an unknown clip, naming the nearest, and for nodes
+// that are their own ancestors. `scene` must outlive the poser.
 class Poser {
  public:
   Poser(const Scene& scene, int camera_node, const std::string& animation = "all");
   Pose at(double time_s) const;
+  // The same with STEP channels as they are at `held_time_s`: poses of one frame in which a jump leaves no streak.
+  Pose at(double time_s, double held_time_s) const;
+  // World from node, of every node.
+  std::vector<dmat4> nodesAt(double time_s, double held_time_s) const;
 
  private:
   const Scene& scene_;
@@ -188,6 +194,7 @@ class Poser {
   std::vector<int> lights_;
   int camera_node_;
   std::vector<const Animation*> clips_;
+  std::vector<int> order_;  // parents before children
 };
 
 }  // namespace strobe::scene

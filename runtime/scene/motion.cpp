@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include "scene/motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace strobe::scene {
+
+dmat4 Transform::matrix() const {
+  dmat4 matrix = glm::mat4_cast(rotation);
+  matrix[0] *= scale.x;
+  matrix[1] *= scale.y;
+  matrix[2] *= scale.z;
+  matrix[3] = dvec4(translation, 1);
+  return matrix;
+}
+
+dmat4 restMatrix(const Node& node) {
+  if (node.matrix) return *node.matrix;
+  return Transform{node.translation, node.rotation, node.scale}.matrix();
+}
+
+static dquat quaternion(const dvec4& xyzw) { return dquat(xyzw.w, xyzw.x, xyzw.y, xyzw.z); }
+
+static dvec4 unitIfRotation(const Track& track, const dvec4& value) {
+  if (track.target != Track::Target::Rotation) return value;
+  double length = glm::length(value);
+  return length > 0 ? value / length : dvec4(0, 0, 0, 1);
+}
+
+// Hermite segment of glTF 2.0, appendix C: p0, m0 the out-tangent of the first key, p1, m1 the in-tangent of the second.
+static dvec4 hermite(const dvec4& p0, const dvec4& m0, const dvec4& p1, const dvec4& m1, double t, double length) {
+  double t2 = t * t, t3 = t2 * t;
+  return (2 * t3 - 3 * t2 + 1) * p0 + length * (t3 - 2 * t2 + t) * m0 + (-2 * t3 + 3 * t2) * p1 +
+         length * (t3 - t2) * m1;
+}
+
+// Along the shorter arc; nearly equal rotations are mixed, where the arc's sine would divide by zero.
+static dvec4 slerp(const dvec4& a, dvec4 b, double t) {
+  double cosine = glm::dot(a, b);
+  if (cosine < 0) b = -b, cosine = -cosine;
+  if (cosine > 1 - 1e-12) return glm::normalize(glm::mix(a, b, t));
+  double angle = std::acos(std::min(cosine, 1.0));
+  return (std::sin((1 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle);
+}
+
+dvec4 valueAt(const Track& track, double time_s) {
+  const bool cubic = track.interpolation == Track::Interpolation::CubicSpline;
+  auto value = [&](size_t key) { return track.values[cubic ? 3 * key + 1 : key]; };
+  size_t after = std::upper_bound(track.times.begin(), track.times.end(), time_s) - track.times.begin();
+  if (after == 0) return unitIfRotation(track, value(0));
+  size_t key = after - 1;
+  if (after == track.times.size() || track.interpolation == Track::Interpolation::Step) {
+    return unitIfRotation(track, value(key));
+  }
+  double length = track.times[after] - track.times[key];
+  double t = (time_s - track.times[key]) / length;
+  if (cubic) {
+    dvec4 out_tangent = track.values[3 * key + 2], in_tangent = track.values[3 * after];
+    return unitIfRotation(track, hermite(value(key), out_tangent, value(after), in_tangent, t, length));
+  }
+  if (track.target != Track::Target::Rotation) return glm::mix(value(key), value(after), t);
+  return slerp(unitIfRotation(track, value(key)), unitIfRotation(track, value(after)), t);
+}
+
+double clipTime(double time_s, double duration_s) {
+  if (time_s <= duration_s) return time_s;
+  return duration_s > 0 ? std::fmod(time_s, duration_s) : 0;
+}
+
+std::vector<int> hierarchyOrder(const Scene& scene) {
+  enum { New, Open, Done };
+  std::vector<int> state(scene.nodes.size(), New), order, chain;
+  for (size_t start = 0; start < scene.nodes.size(); ++start) {
+    for (int node = int(start); node >= 0 && state[node] != Done; node = scene.nodes[node].parent) {
+      STROBE_ASSERT(scene.nodes[node].parent < int(scene.nodes.size()), "node {}", node);
+      if (state[node] == Open) {
+        throw Error(fmt::format("{}: node '{}' is its own ancestor", scene.name, scene.nodes[node].name));
+      }
+      state[node] = Open;
+      chain.push_back(node);
+    }
+    for (; !chain.empty(); chain.pop_back()) {
+      order.push_back(chain.back());
+      state[chain.back()] = Done;
+    }
+  }
+  return order;
+}
+
+static std::vector<dmat4> worldsOf(const Scene& scene, const std::vector<int>& order, const std::vector<dmat4>& own) {
+  std::vector<dmat4> worlds(own.size());
+  for (int node : order) {
+    int parent = scene.nodes[node].parent;
+    worlds[node] = parent < 0 ? own[node] : worlds[parent] * own[node];
+  }
+  return worlds;
+}
+
+std::vector<dmat4> restWorlds(const Scene& scene) {
+  std::vector<dmat4> own;
+  for (const Node& node : scene.nodes) own.push_back(restMatrix(node));
+  return worldsOf(scene, hierarchyOrder(scene), own);
+}
+
+dmat4 movedBy(const ConstantMotion& motion, const dmat4& world, double time_s) {
+  double elapsed_s = time_s - motion.rest_time;
+  dvec3 pivot = dvec3(world[3]);
+  dmat4 moved = world;
+  if (motion.angular_velocity != 0) {
+    dmat4 turn = glm::mat4_cast(glm::angleAxis(motion.angular_velocity * elapsed_s, glm::normalize(motion.axis)));
+    moved = turn * dmat4(world[0], world[1], world[2], dvec4(0, 0, 0, 1));
+  }
+  moved[3] = dvec4(pivot + motion.velocity * elapsed_s, 1);
+  return moved;
+}
+
+std::vector<Instance> instancesOf(const Scene& scene) {
+  std::vector<dmat4> worlds = restWorlds(scene);
+  std::vector<Instance> instances;
+  for (size_t i = 0; i < scene.nodes.size(); ++i) {
+    const Node& node = scene.nodes[i];
+    if (node.mesh < 0) continue;
+    std::vector<dmat4> copies = node.instances.empty() ? std::vector<dmat4>{dmat4(1)} : node.instances;
+    for (const dmat4& copy : copies) {
+      bool mirrored = glm::determinant(dmat3(worlds[i]) * dmat3(copy)) < 0;
+      instances.push_back({int(i), node.mesh, copy, mirrored});
+    }
+  }
+  return instances;
+}
+
+std::vector<int> lightsOf(const Scene& scene) {
+  std::vector<int> lights;
+  for (size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (scene.nodes[i].light >= 0) lights.push_back(int(i));
+  }
+  return lights;
+}
+
+int cameraNode(const Scene& scene, const std::string& name) {
+  std::vector<std::string> names;
+  for (size_t i = 0; i < scene.nodes.size(); ++i) {
+    const Node& node = scene.nodes[i];
+    if (node.camera < 0) continue;
+    const std::string& camera = scene.cameras[node.camera].name;
+    if (name.empty() || name == camera || name == node.name) return int(i);
+    names.push_back(camera.empty() ? node.name : camera);
+  }
+  if (names.empty()) throw Error(fmt::format("{} has no camera", scene.name));
+  throw Error(fmt::format("{} has no camera '{}'{}; it has {}", scene.name, name, didYouMean(name, names),
+                          fmt::join(names, ", ")));
+}
+
+static std::vector<const Animation*> clipsOf(const Scene& scene, const std::string& animation) {
+  std::vector<const Animation*> clips;
+  std::vector<std::string> names = {"all", "none"};
+  for (const Animation& clip : scene.animations) {
+    if (animation == "all" || animation == clip.name) clips.push_back(&clip);
+    names.push_back(clip.name);
+  }
+  if (!clips.empty() || animation == "all" || animation == "none") return clips;
+  throw Error(fmt::format("{} has no animation '{}'{}; it has {}", scene.name, animation,
+                          didYouMean(animation, names), fmt::join(names, ", ")));
+}
+
+Poser::Poser(const Scene& scene, int camera_node, const std::string& animation)
+    : scene_(scene),
+      instances_(instancesOf(scene)),
+      lights_(lightsOf(scene)),
+      camera_node_(camera_node),
+      clips_(clipsOf(scene, animation)),
+      order_(hierarchyOrder(scene)) {}
+
+static void applyTrack(const Track& track, double time_s, Transform& transform) {
+  dvec4 value = valueAt(track, time_s);
+  switch (track.target) {
+    case Track::Target::Translation: transform.translation = dvec3(value); break;
+    case Track::Target::Rotation: transform.rotation = quaternion(value); break;
+    case Track::Target::Scale: transform.scale = dvec3(value); break;
+  }
+}
+
+std::vector<dmat4> Poser::nodesAt(double time_s, double held_time_s) const {
+  std::vector<Transform> transforms;
+  std::vector<char> keyed(scene_.nodes.size());
+  for (const Node& node : scene_.nodes) transforms.push_back({node.translation, node.rotation, node.scale});
+  for (const Animation* clip : clips_) {
+    for (const Track& track : clip->tracks) {
+      bool step = track.interpolation == Track::Interpolation::Step;
+      applyTrack(track, clipTime(step ? held_time_s : time_s, clip->duration), transforms[track.node]);
+      keyed[track.node] = true;
+    }
+  }
+
+  std::vector<dmat4> worlds(scene_.nodes.size());
+  std::vector<std::vector<const ConstantMotion*>> motions(scene_.nodes.size());
+  for (const ConstantMotion& motion : scene_.motions) motions[motion.node].push_back(&motion);
+  for (int node : order_) {
+    int parent = scene_.nodes[node].parent;
+    dmat4 own = keyed[node] ? transforms[node].matrix() : restMatrix(scene_.nodes[node]);
+    worlds[node] = parent < 0 ? own : worlds[parent] * own;
+    for (const ConstantMotion* motion : motions[node]) worlds[node] = movedBy(*motion, worlds[node], time_s);
+  }
+  return worlds;
+}
+
+// The view direction is kept, the up direction made square to it, scale and mirroring dropped.
+static dmat4 unitFrame(const dmat4& world, const std::string& name) {
+  dvec3 z = dvec3(world[2]), y = dvec3(world[1]);
+  dvec3 x = glm::cross(y, z);
+  if (glm::length(z) == 0 || glm::length(x) == 0) throw Error(fmt::format("camera node '{}' has scale 0", name));
+  z = glm::normalize(z);
+  x = glm::normalize(x);
+  return dmat4(dvec4(x, 0), dvec4(glm::cross(z, x), 0), dvec4(z, 0), world[3]);
+}
+
+Pose Poser::at(double time_s) const { return at(time_s, time_s); }
+
+Pose Poser::at(double time_s, double held_time_s) const {
+  std::vector<dmat4> worlds = nodesAt(time_s, held_time_s);
+  Pose pose;
+  for (const Instance& instance : instances_) {
+    dmat4 world = worlds[instance.node] * instance.node_from_instance;
+    pose.world_from_instance.push_back(glm::translate(world, scene_.meshes[instance.mesh].origin));
+  }
+  for (int light : lights_) pose.world_from_light.push_back(worlds[light]);
+  if (camera_node_ >= 0) pose.world_from_camera = unitFrame(worlds[camera_node_], scene_.nodes[camera_node_].name);
+  return pose;
+}
+
+int nodeByName(const Scene& scene, const std::string& name) {
+  std::vector<std::string> names;
+  for (size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (scene.nodes[i].name == name) return int(i);
+    names.push_back(scene.nodes[i].name);
+  }
+  throw Error(fmt::format("{} has no node '{}'{}", scene.name, name, didYouMean(name, names)));
+}
+
+}  // namespace strobe::scene

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// `--move` and `--spin` (motion.h).
+#include <charconv>
+#include <cmath>
+
+#include "scene/motion.h"
+
+namespace strobe::scene {
+
+static std::optional<double> numberIn(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  double value = 0;
+  auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+  bool whole = failure == std::errc() && end == text.data() + text.size();
+  return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+struct Asked {
+  int node;
+  std::vector<double> numbers;
+};
+
+// `NODE=a,b,...` with exactly `count` numbers; the name may itself hold '='.
+static Asked parse(const Scene& scene, const std::string& text, const std::string& form, size_t count) {
+  size_t equals = text.rfind('=');
+  if (equals == std::string::npos || equals == 0) throw Error(fmt::format("'{}' is not {}", text, form), {}, 2);
+  std::vector<double> numbers;
+  for (size_t at = equals + 1; at <= text.size();) {
+    size_t comma = std::min(text.find(',', at), text.size());
+    std::optional<double> number = numberIn(std::string_view(text).substr(at, comma - at));
+    if (!number) throw Error(fmt::format("'{}' is not {}", text, form), {}, 2);
+    numbers.push_back(*number);
+    at = comma + 1;
+  }
+  if (numbers.size() != count) {
+    throw Error(fmt::format("'{}' has {} numbers, not {}: {}", text, numbers.size(), count, form), {}, 2);
+  }
+  return {nodeByName(scene, text.substr(0, equals)), numbers};
+}
+
+ConstantMotion moveFromOption(const Scene& scene, const std::string& text, double fps, double rest_time_s) {
+  Asked asked = parse(scene, text, "NODE=dx,dy,dz", 3);
+  ConstantMotion motion;
+  motion.node = asked.node;
+  motion.velocity = dvec3(asked.numbers[0], asked.numbers[1], asked.numbers[2]) * fps;
+  motion.rest_time = rest_time_s;
+  return motion;
+}
+
+ConstantMotion spinFromOption(const Scene& scene, const std::string& text, double fps, double rest_time_s) {
+  Asked asked = parse(scene, text, "NODE=ax,ay,az,degrees", 4);
+  dvec3 axis(asked.numbers[0], asked.numbers[1], asked.numbers[2]);
+  double largest = std::max({std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)});
+  if (largest == 0) throw Error(fmt::format("'{}': the axis is 0,0,0", text), {}, 2);
+  ConstantMotion motion;
+  motion.node = asked.node;
+  motion.axis = glm::normalize(axis / largest);
+  motion.angular_velocity = glm::radians(asked.numbers[3]) * fps;
+  motion.rest_time = rest_time_s;
+  return motion;
+}
+
+}  // namespace strobe::scene

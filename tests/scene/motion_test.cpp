@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// Poses against closed forms that do not share the code: polynomials, angles, products of matrices written out.
+#include "scene/motion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace strobe::scene {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+// Double arithmetic of a few operations on numbers of size one.
+constexpr double kTiny = 1e-12;
+
+void expectNear(const dvec3& got, const dvec3& want, double tolerance = kTiny) {
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(got[i], want[i], tolerance) << "component " << i;
+}
+
+Track track(Track::Target target, Track::Interpolation how, std::vector<double> times, std::vector<dvec4> values) {
+  return {0, target, how, std::move(times), std::move(values)};
+}
+
+Node named(const std::string& name, int parent = -1) {
+  Node node;
+  node.name = name;
+  node.parent = parent;
+  return node;
+}
+
+// One drawable at the origin of node 0, camera in the last node.
+Scene sceneWithCamera(std::vector<Node> nodes) {
+  Scene scene;
+  scene.name = "test";
+  scene.nodes = std::move(nodes);
+  scene.meshes.resize(1);
+  scene.cameras.resize(1);
+  scene.cameras[0].name = "main";
+  Node camera = named("eye");
+  camera.camera = 0;
+  scene.nodes.push_back(camera);
+  return scene;
+}
+
+TEST(Track, LinearIsTheChord) {
+  Track t = track(Track::Target::Translation, Track::Interpolation::Linear, {1, 3}, {{0, 1, 2, 0}, {4, 1, -2, 0}});
+  expectNear(dvec3(valueAt(t, 1.5)), {1, 1, 1});
+  expectNear(dvec3(valueAt(t, 0)), {0, 1, 2});
+  expectNear(dvec3(valueAt(t, 9)), {4, 1, -2});
+}
+
+TEST(Track, StepJumpsAtItsKeyOnly) {
+  Track t = track(Track::Target::Scale, Track::Interpolation::Step, {0, 1, 2}, {{1, 1, 1, 0}, {2, 2, 2, 0}, {3, 3, 3, 0}});
+  EXPECT_EQ(valueAt(t, std::nextafter(1.0, 0.0)).x, 1);
+  EXPECT_EQ(valueAt(t, 1).x, 2);
+  EXPECT_EQ(valueAt(t, std::nextafter(2.0, 0.0)).x, 2);
+  EXPECT_EQ(valueAt(t, 2).x, 3);
+}
+
+// A cubic is its own Hermite interpolant: x(s) = s^3 - 2s + 1 on [1, 4], with its derivative as tangents.
+TEST(Track, CubicSplineReproducesACubic) {
+  auto x = [](double s) { return s * s * s - 2 * s + 1; };
+  auto slope = [](double s) { return 3 * s * s - 2; };
+  std::vector<dvec4> values;
+  for (double key : {1.0, 2.5, 4.0}) {
+    for (double v : {slope(key), x(key), slope(key)}) values.push_back(dvec4(v, 2 * v, 0, 0));
+  }
+  Track t = track(Track::Target::Translation, Track::Interpolation::CubicSpline, {1, 2.5, 4}, values);
+  for (double s = 1; s <= 4; s += 0.125) EXPECT_NEAR(valueAt(t, s).y, 2 * x(s), 1e-10) << s;
+}
+
+TEST(Track, RotationTurnsAtConstantRateAlongTheShorterArc) {
+  double half = kPi / 3;  // 120 degrees about z, the second key with the sign that a naive mix takes the long way for
+  Track t = track(Track::Target::Rotation, Track::Interpolation::Linear, {0, 1},
+                  {{0, 0, 0, 1}, {0, 0, -std::sin(half), -std::cos(half)}});
+  for (double s : {0.0, 0.1, 0.25, 0.5, 0.9, 1.0}) {
+    dvec4 q = valueAt(t, s);
+    EXPECT_NEAR(std::abs(q.z), std::sin(half * s), kTiny);
+    EXPECT_NEAR(std::abs(q.w), std::cos(half * s), kTiny);
+    EXPECT_NEAR(glm::length(q), 1, kTiny);
+  }
+}
+
+TEST(Track, ClipsRepeatPastTheirEnd) {
+  EXPECT_EQ(clipTime(-1, 2), -1);
+  EXPECT_EQ(clipTime(2, 2), 2);
+  EXPECT_EQ(clipTime(2.5, 2), 0.5);
+  EXPECT_EQ(clipTime(7, 0), 0);
+}
+
+TEST(Poser, HierarchyInAnyOrder) {
+  Node child = named("child", 1);  // its parent stands after it
+  child.translation = {1, 0, 0};
+  child.mesh = 0;
+  Node parent = named("parent");
+  parent.translation = {0, 5, 0};
+  parent.rotation = glm::angleAxis(kPi / 2, dvec3(0, 0, 1));
+  parent.scale = {2, 2, 2};
+  Scene scene = sceneWithCamera({child, parent});
+  scene.meshes[0].origin = {0, 1, 0};
+  Pose pose = Poser(scene, cameraNode(scene, "")).at(0);
+  // (1,0,0)+(0,1,0) doubled, turned a quarter about z, lifted by 5: (2,2,0) -> (-2,2,0) -> (-2,7,0).
+  expectNear(dvec3(pose.world_from_instance.at(0)[3]), {-2, 7, 0});
+}
+
+TEST(Poser, CyclesAreRefusedByName) {
+  Scene scene = sceneWithCamera({named("a", 1), named("b", 0)});
+  try {
+    Poser poser(scene, -1);
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("its own ancestor"), std::string::npos);
+  }
+}
+
+TEST(Poser, ConstantMotionInWorldAxesUnderATurnedParent) {
+  Node parent = named("parent");
+  parent.rotation = glm::angleAxis(0.7, glm::normalize(dvec3(1, 2, 3)));
+  Node child = named("child", 0);
+  child.translation = {3, 0, 0};
+  child.mesh = 0;
+  Scene scene = sceneWithCamera({parent, child});
+  scene.meshes[0].origin = {0, 0, 2};
+  ConstantMotion motion;
+  motion.node = 1;
+  motion.velocity = {1, 0, -2};
+  motion.axis = {0, 1, 0};
+  motion.angular_velocity = kPi;
+  motion.rest_time = 10;
+  scene.motions.push_back(motion);
+
+  Poser poser(scene, 2);
+  dvec3 pivot = glm::mat3_cast(parent.rotation) * dvec3(3, 0, 0);
+  dvec3 arm = glm::mat3_cast(parent.rotation) * dvec3(0, 0, 2);
+  expectNear(dvec3(poser.at(10).world_from_instance[0][3]), pivot + arm);
+  // Half a second: a quarter turn about world y takes (x, y, z) to (z, y, -x).
+  expectNear(dvec3(poser.at(10.5).world_from_instance[0][3]), pivot + dvec3(arm.z, arm.y, -arm.x) + dvec3(0.5, 0, -1));
+}
+
+TEST(Poser, ChildrenFollowAMovingParent) {
+  Node parent = named("parent");
+  Node child = named("child", 0);
+  child.translation = {1, 0, 0};
+  child.mesh = 0;
+  Scene scene = sceneWithCamera({parent, child});
+  ConstantMotion motion;
+  motion.axis = {0, 0, 1};
+  motion.angular_velocity = kPi / 2;
+  motion.velocity = {2, 0, 0};
+  motion.node = 0;
+  scene.motions.push_back(motion);
+  expectNear(dvec3(Poser(scene, 2).at(1).world_from_instance[0][3]), {2, 1, 0});
+}
+
+TEST(Poser, AnimationDrivesOnlyItsChannels) {
+  Node box = named("box");
+  box.scale = {2, 3, 4};
+  box.translation = {9, 9, 9};
+  box.mesh = 0;
+  Scene scene = sceneWithCamera({box});
+  Animation clip;
+  clip.name = "slide";
+  clip.duration = 2;
+  clip.tracks.push_back(
+      track(Track::Target::Translation, Track::Interpolation::Linear, {0, 2}, {{0, 0, 0, 0}, {2, 0, 0, 0}}));
+  scene.animations.push_back(clip);
+  Poser poser(scene, 1);
+  expectNear(dvec3(poser.at(0.5).world_from_instance[0] * dvec4(1, 1, 1, 1)), {2.5, 3, 4});
+  expectNear(dvec3(poser.at(2.5).world_from_instance[0][3]), {0.5, 0, 0});  // again from its start
+  expectNear(dvec3(poser.at(-3).world_from_instance[0][3]), {0, 0, 0});
+  expectNear(dvec3(Poser(scene, 1, "none").at(0.5).world_from_instance[0][3]), {9, 9, 9});
+  EXPECT_THROW(Poser(scene, 1, "slid"), Error);
+}
+
+TEST(Poser, HeldStepLeavesNoStreak) {
+  Node box = named("box");
+  box.mesh = 0;
+  Scene scene = sceneWithCamera({box});
+  Animation clip;
+  clip.duration = 2;
+  clip.tracks.push_back(
+      track(Track::Target::Translation, Track::Interpolation::Step, {0, 1, 2}, {{0, 0, 0, 0}, {5, 0, 0, 0}, {6, 0, 0, 0}}));
+  scene.animations.push_back(clip);
+  Poser poser(scene, 1);
+  EXPECT_EQ(poser.at(0.99).world_from_instance[0][3].x, 0);
+  EXPECT_EQ(poser.at(1.01).world_from_instance[0][3].x, 5);
+  EXPECT_EQ(poser.at(0.99, 1.01).world_from_instance[0][3].x, 5);
+}
+
+TEST(Poser, CameraFrameHasUnitScaleAndIsNotMirrored) {
+  Scene scene = sceneWithCamera({named("box")});
+  scene.nodes[1].scale = {-3, 3, 3};
+  scene.nodes[1].translation = {1, 2, 3};
+  dmat4 frame = Poser(scene, 1).at(0).world_from_camera;
+  EXPECT_NEAR(glm::determinant(dmat3(frame)), 1, kTiny);
+  expectNear(dvec3(frame[2]), {0, 0, 1});
+  expectNear(dvec3(frame[1]), {0, 1, 0});
+  expectNear(dvec3(frame[3]), {1, 2, 3});
+}
+
+TEST(Instances, OfGpuInstancingAndMirroring) {
+  Node node = named("many");
+  node.mesh = 0;
+  node.scale = {-1, 1, 1};
+  node.instances = {glm::translate(dmat4(1), dvec3(1, 0, 0)), glm::scale(dmat4(1), dvec3(1, -1, 1))};
+  Scene scene = sceneWithCamera({named("empty"), node});
+  std::vector<Instance> instances = instancesOf(scene);
+  ASSERT_EQ(instances.size(), 2u);
+  EXPECT_EQ(instances[0].node, 1);
+  EXPECT_TRUE(instances[0].mirrored);
+  EXPECT_FALSE(instances[1].mirrored);
+  expectNear(dvec3(Poser(scene, 2).at(0).world_from_instance[0][3]), {-1, 0, 0});
+}
+
+TEST(Cameras, UnknownNameListsThem) {
+  Scene scene = sceneWithCamera({named("box")});
+  EXPECT_EQ(cameraNode(scene, "main"), 1);
+  EXPECT_EQ(cameraNode(scene, "eye"), 1);
+  try {
+    cameraNode(scene, "mian");
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean 'main'?"), std::string::npos);
+  }
+}
+
+TEST(MotionOptions, ArePerFrameAndNamed) {
+  Scene scene = sceneWithCamera({named("vase"), named("a=b")});
+  ConstantMotion move = moveFromOption(scene, "vase=0.5,0,-1e-1", 24, 2);
+  EXPECT_EQ(move.node, 0);
+  expectNear(move.velocity, {12, 0, -2.4});
+  EXPECT_EQ(move.rest_time, 2);
+  ConstantMotion spin = spinFromOption(scene, "a=b=0,2,0,90", 10, 0);
+  EXPECT_EQ(spin.node, 1);
+  expectNear(spin.axis, {0, 1, 0});
+  EXPECT_NEAR(spin.angular_velocity, 5 * kPi, kTiny);
+}
+
+TEST(MotionOptions, MistakesAreExplained) {
+  Scene scene = sceneWithCamera({named("vase")});
+  for (const char* bad : {"vase", "=1,2,3", "vase=1,2", "vase=1,2,x", "vase=1,2,3,4", "vase=1,2,inf", "vase=", "vsae=1,2,3"}) {
+    EXPECT_THROW(moveFromOption(scene, bad, 24, 0), Error) << bad;
+  }
+  EXPECT_THROW(spinFromOption(scene, "vase=0,0,0,5", 24, 0), Error);
+  try {
+    moveFromOption(scene, "vsae=1,2,3", 24, 0);
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean 'vase'?"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace strobe::scene
