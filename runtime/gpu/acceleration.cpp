@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/acceleration.h"
+
+#include <algorithm>
+
+namespace strobe::gpu {
+
+Acceleration makeAcceleration(const Device& device, const std::string& name, VkAccelerationStructureTypeKHR type,
+                              VkDeviceSize size) {
+  Acceleration result;
+  result.storage_ = Buffer(device, name, size,
+                           VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT,
+                           Buffer::Memory::Device);
+  VkAccelerationStructureCreateInfoKHR info{VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_CREATE_INFO_KHR};
+  info.buffer = result.storage_.handle();
+  info.size = size;
+  info.type = type;
+  VkAccelerationStructureKHR handle = VK_NULL_HANDLE;
+  check(device.vk().CreateAccelerationStructureKHR(device.handle(), &info, nullptr, &handle), "creating " + name);
+  result.structure_ = {device, handle, [](const Device& d, VkAccelerationStructureKHR a) {
+                         d.vk().DestroyAccelerationStructureKHR(d.handle(), a, nullptr);
+                       }};
+  device.setName(VK_OBJECT_TYPE_ACCELERATION_STRUCTURE_KHR, uint64_t(handle), name);
+  VkAccelerationStructureDeviceAddressInfoKHR address{VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_DEVICE_ADDRESS_INFO_KHR};
+  address.accelerationStructure = handle;
+  result.address_ = device.vk().GetAccelerationStructureDeviceAddressKHR(device.handle(), &address);
+  return result;
+}
+
+static VkAccelerationStructureBuildSizesInfoKHR buildSizes(const Device& device,
+                                                           const VkAccelerationStructureBuildGeometryInfoKHR& info,
+                                                           const std::vector<uint32_t>& counts) {
+  VkAccelerationStructureBuildSizesInfoKHR sizes{VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_SIZES_INFO_KHR};
+  device.vk().GetAccelerationStructureBuildSizesKHR(device.handle(), VK_ACCELERATION_STRUCTURE_BUILD_TYPE_DEVICE_KHR,
+                                                    &info, counts.data(), &sizes);
+  return sizes;
+}
+
+static Buffer scratchBuffer(const Device& device, const std::string& name, VkDeviceSize size) {
+  return Buffer(device, name + ".scratch", size + device.scratchAlignment(),
+                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT, Buffer::Memory::Device);
+}
+
+static VkDeviceAddress alignedScratch(const Device& device, const Buffer& scratch) {
+  VkDeviceAddress alignment = device.scratchAlignment();
+  return (scratch.address() + alignment - 1) / alignment * alignment;
+}
+
+Acceleration buildBottomLevel(const Device& device, const std::string& name,
+                              const std::vector<TriangleGeometry>& geometries) {
+  std::vector<VkAccelerationStructureGeometryKHR> described;
+  std::vector<VkAccelerationStructureBuildRangeInfoKHR> ranges;
+  std::vector<uint32_t> counts;
+  for (const TriangleGeometry& source : geometries) {
+    VkAccelerationStructureGeometryKHR geometry{VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR};
+    geometry.geometryType = VK_GEOMETRY_TYPE_TRIANGLES_KHR;
+    geometry.flags = source.opaque ? VK_GEOMETRY_OPAQUE_BIT_KHR : VK_GEOMETRY_NO_DUPLICATE_ANY_HIT_INVOCATION_BIT_KHR;
+    auto& triangles = geometry.geometry.triangles;
+    triangles.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_TRIANGLES_DATA_KHR;
+    triangles.vertexFormat = VK_FORMAT_R32G32B32_SFLOAT;
+    triangles.vertexData.deviceAddress = source.vertices;
+    triangles.vertexStride = source.vertex_stride;
+    triangles.maxVertex = source.vertex_count ? source.vertex_count - 1 : 0;
+    triangles.indexType = VK_INDEX_TYPE_UINT32;
+    triangles.indexData.deviceAddress = source.indices;
+    described.push_back(geometry);
+    VkAccelerationStructureBuildRangeInfoKHR range{};
+    range.primitiveCount = source.triangle_count;
+    ranges.push_back(range);
+    counts.push_back(source.triangle_count);
+  }
+
+  VkAccelerationStructureBuildGeometryInfoKHR info{VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_GEOMETRY_INFO_KHR};
+  info.type = VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR;
+  info.flags = VK_BUILD_ACCELERATION_STRUCTURE_PREFER_FAST_TRACE_BIT_KHR;
+  info.mode = VK_BUILD_ACCELERATION_STRUCTURE_MODE_BUILD_KHR;
+  info.geometryCount = uint32_t(described.size());
+  info.pGeometries = described.data();
+  auto sizes = buildSizes(device, info, counts);
+  Acceleration result = makeAcceleration(device, name, info.type, sizes.accelerationStructureSize);
+  Buffer scratch = scratchBuffer(device, name, sizes.buildScratchSize);
+  info.dstAccelerationStructure = result.handle();
+  info.scratchData.deviceAddress = alignedScratch(device, scratch);
+  const VkAccelerationStructureBuildRangeInfoKHR* range_pointer = ranges.data();
+  device.submit([&](VkCommandBuffer commands) {
+    device.vk().CmdBuildAccelerationStructuresKHR(commands, 1, &info, &range_pointer);
+  });
+  return result;
+}
+
+VkAccelerationStructureBuildGeometryInfoKHR TopLevel::buildInfo(VkAccelerationStructureGeometryKHR& geometry) const {
+  geometry = {VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR};
+  geometry.geometryType = VK_GEOMETRY_TYPE_INSTANCES_KHR;
+  geometry.geometry.instances.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_INSTANCES_DATA_KHR;
+  geometry.geometry.instances.data.deviceAddress = instances_.address();
+  VkAccelerationStructureBuildGeometryInfoKHR info{VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_GEOMETRY_INFO_KHR};
+  info.type = VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR;
+  info.flags = VK_BUILD_ACCELERATION_STRUCTURE_PREFER_FAST_TRACE_BIT_KHR;
+  info.mode = VK_BUILD_ACCELERATION_STRUCTURE_MODE_BUILD_KHR;
+  info.geometryCount = 1;
+  info.pGeometries = &geometry;
+  return info;
+}
+
+TopLevel::TopLevel(const Device& device, const std::string& name, uint32_t capacity) : device_(&device) {
+  size_t bytes = std::max(1u, capacity) * sizeof(VkAccelerationStructureInstanceKHR);
+  instances_ = Buffer(device, name + ".instances", bytes,
+                      VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR |
+                          VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT,
+                      Buffer::Memory::Host);
+  VkAccelerationStructureGeometryKHR geometry;
+  auto sizes = buildSizes(device, buildInfo(geometry), {std::max(1u, capacity)});
+  structure_ = makeAcceleration(device, name, VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR,
+                                sizes.accelerationStructureSize);
+  scratch_ = scratchBuffer(device, name, sizes.buildScratchSize);
+}
+
+void TopLevel::recordBuild(VkCommandBuffer commands, uint32_t count) const {
+  VkAccelerationStructureGeometryKHR geometry;
+  VkAccelerationStructureBuildGeometryInfoKHR info = buildInfo(geometry);
+  info.dstAccelerationStructure = structure_.handle();
+  info.scratchData.deviceAddress = alignedScratch(*device_, scratch_);
+  VkAccelerationStructureBuildRangeInfoKHR range{};
+  range.primitiveCount = count;
+  const VkAccelerationStructureBuildRangeInfoKHR* ranges = &range;
+  device_->vk().CmdBuildAccelerationStructuresKHR(commands, 1, &info, &ranges);
+
+  VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+  barrier.srcStageMask = VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR;
+  barrier.srcAccessMask = VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR;
+  barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+  barrier.dstAccessMask = VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR;
+  VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+  dependency.memoryBarrierCount = 1;
+  dependency.pMemoryBarriers = &barrier;
+  device_->vk().CmdPipelineBarrier2(commands, &dependency);
+}
+
+}  // namespace strobe::gpu

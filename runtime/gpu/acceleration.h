@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Acceleration structures: one bottom level per mesh, top levels rebuilt for every pose a frame asks for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gpu/resources.h"
+
+namespace strobe::gpu {
+
+struct TriangleGeometry {
+  VkDeviceAddress vertices = 0;  // address of the first vertex; the position stands first in a vertex
+  uint32_t vertex_count = 0;
+  uint32_t vertex_stride = 0;
+  VkDeviceAddress indices = 0;  // uint32, relative to the first vertex
+  uint32_t triangle_count = 0;
+  bool opaque = true;  // false: hits are offered to the shader, which may refuse them
+};
+
+class Acceleration {
+ public:
+  Acceleration() = default;
+  VkAccelerationStructureKHR handle() const { return structure_.get(); }
+  VkDeviceAddress address() const { return address_; }
+
+ private:
+  friend Acceleration makeAcceleration(const Device&, const std::string&, VkAccelerationStructureTypeKHR, VkDeviceSize);
+  Buffer storage_;
+  Owned<VkAccelerationStructureKHR> structure_;
+  VkDeviceAddress address_ = 0;
+};
+
+// Builds and waits. At least one triangle in all.
+Acceleration buildBottomLevel(const Device& device, const std::string& name,
+                              const std::vector<TriangleGeometry>& geometries);
+
+// A top level over `capacity` instances, rebuilt in place by `recordBuild`.
+class TopLevel {
+ public:
+  TopLevel() = default;
+  TopLevel(const Device& device, const std::string& name, uint32_t capacity);
+  VkAccelerationStructureKHR handle() const { return structure_.handle(); }
+  // What the next build reads; host-visible, filled by the caller before the commands run.
+  VkAccelerationStructureInstanceKHR* instances() {
+    return static_cast<VkAccelerationStructureInstanceKHR*>(instances_.mapped());
+  }
+  // Records the build of the first `count` instances and the barrier that lets every later stage trace.
+  void recordBuild(VkCommandBuffer commands, uint32_t count) const;
+
+ private:
+  VkAccelerationStructureBuildGeometryInfoKHR buildInfo(VkAccelerationStructureGeometryKHR& geometry) const;
+  const Device* device_ = nullptr;
+  Acceleration structure_;
+  Buffer instances_, scratch_;
+};
+
+}  // namespace strobe::gpu

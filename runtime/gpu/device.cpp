@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/device.h"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <cctype>
+#include <mutex>
+#include <utility>
+
+#include "gpu/features.h"
+
+namespace strobe::gpu {
+
+struct MessageSink {
+  std::mutex mutex;
+  std::vector<std::string> texts;
+};
+
+static const char* resultName(VkResult result) {
+  switch (result) {
+    case VK_ERROR_OUT_OF_HOST_MEMORY: return "out of host memory";
+    case VK_ERROR_OUT_OF_DEVICE_MEMORY: return "out of device memory";
+    case VK_ERROR_INITIALIZATION_FAILED: return "initialization failed";
+    case VK_ERROR_DEVICE_LOST: return "the device was lost";
+    case VK_ERROR_LAYER_NOT_PRESENT: return "a layer is not present";
+    case VK_ERROR_EXTENSION_NOT_PRESENT: return "an extension is not present";
+    case VK_ERROR_FEATURE_NOT_PRESENT: return "a feature is not present";
+    case VK_ERROR_INCOMPATIBLE_DRIVER: return "no compatible driver";
+    case VK_ERROR_FORMAT_NOT_SUPPORTED: return "the format is not supported";
+    case VK_TIMEOUT: return "timed out";
+    default: return nullptr;
+  }
+}
+
+void check(VkResult result, const std::string& what) {
+  if (result == VK_SUCCESS) return;
+  const char* name = resultName(result);
+  throw Error(fmt::format("Vulkan: {}: {}", what, name ? name : fmt::format("result {}", int(result))));
+}
+
+// The loader is opened at run time: a machine without Vulkan gets an error message, not a link failure.
+static PFN_vkGetInstanceProcAddr openLoader(void** library) {
+  *library = ::dlopen("libvulkan.so.1", RTLD_NOW | RTLD_LOCAL);
+  if (!*library) return nullptr;
+  return reinterpret_cast<PFN_vkGetInstanceProcAddr>(::dlsym(*library, "vkGetInstanceProcAddr"));
+}
+
+static const char* kNoDevice =
+    "no Vulkan device: install a driver (Debian: mesa-vulkan-drivers gives a software device) or check VK_DRIVER_FILES";
+
+static VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+                                                const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
+  std::string text = data->pMessage ? data->pMessage : "";
+  // All images stay in the GENERAL layout by design; this is a performance hint about it.
+  bool general_layout_hint = text.find("VK_IMAGE_LAYOUT_GENERAL") != std::string::npos &&
+                             text.find("UNASSIGNED-CoreValidation-DrawState-InvalidImageLayout") == std::string::npos &&
+                             text.find("VUID") == std::string::npos;
+  if (general_layout_hint) return VK_FALSE;
+  auto* sink = static_cast<MessageSink*>(user);
+  std::lock_guard lock(sink->mutex);
+  sink->texts.push_back(text);
+  return VK_FALSE;
+}
+
+Device::Device(const DeviceOptions& options) : messages_(std::make_unique<MessageSink>()) {
+  try {
+    createInstance(options.validation);
+    choosePhysicalDevice(options.device);
+    createDevice();
+    createCommandPool();
+  } catch (...) {
+    destroy();
+    throw;
+  }
+}
+
+Device::~Device() { destroy(); }
+
+void Device::destroy() {
+  if (device_) {
+    vk_.DeviceWaitIdle(device_);
+    if (fence_) vk_.DestroyFence(device_, fence_, nullptr);
+    if (command_pool_) vk_.DestroyCommandPool(device_, command_pool_, nullptr);
+    vk_.DestroyDevice(device_, nullptr);
+  }
+  if (messenger_) vk_.DestroyDebugUtilsMessengerEXT(instance_, messenger_, nullptr);
+  if (instance_) vk_.DestroyInstance(instance_, nullptr);
+}
+
+namespace {
+
+struct Loader {
+  void* library = nullptr;
+  PFN_vkGetInstanceProcAddr get = nullptr;
+  std::vector<std::string> layers, extensions;
+
+  Loader() {
+    get = openLoader(&library);
+    if (!get) throw Error(kNoDevice);
+    auto list_layers = reinterpret_cast<PFN_vkEnumerateInstanceLayerProperties>(
+        get(nullptr, "vkEnumerateInstanceLayerProperties"));
+    auto list_extensions = reinterpret_cast<PFN_vkEnumerateInstanceExtensionProperties>(
+        get(nullptr, "vkEnumerateInstanceExtensionProperties"));
+    uint32_t count = 0;
+    list_layers(&count, nullptr);
+    std::vector<VkLayerProperties> layer_properties(count);
+    list_layers(&count, layer_properties.data());
+    for (const auto& layer : layer_properties) layers.push_back(layer.layerName);
+    list_extensions(nullptr, &count, nullptr);
+    std::vector<VkExtensionProperties> extension_properties(count);
+    list_extensions(nullptr, &count, extension_properties.data());
+    for (const auto& extension : extension_properties) extensions.push_back(extension.extensionName);
+  }
+
+  static bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  }
+
+  VkInstance create(bool validation) const {
+    VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
+    application.pApplicationName = "strobe";
+    application.apiVersion = VK_API_VERSION_1_3;
+    std::vector<const char*> used_layers, used_extensions;
+    if (validation) used_layers.push_back("VK_LAYER_KHRONOS_validation");
+    if (contains(extensions, VK_EXT_DEBUG_UTILS_EXTENSION_NAME) || validation)
+      used_extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    VkValidationFeatureEnableEXT synchronization = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
+    VkValidationFeaturesEXT features{VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT};
+    features.enabledValidationFeatureCount = 1;
+    features.pEnabledValidationFeatures = &synchronization;
+    VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
+    info.pNext = validation ? &features : nullptr;
+    info.pApplicationInfo = &application;
+    info.enabledLayerCount = uint32_t(used_layers.size());
+    info.ppEnabledLayerNames = used_layers.data();
+    info.enabledExtensionCount = uint32_t(used_extensions.size());
+    info.ppEnabledExtensionNames = used_extensions.data();
+    auto create_instance = reinterpret_cast<PFN_vkCreateInstance>(get(nullptr, "vkCreateInstance"));
+    VkInstance instance = VK_NULL_HANDLE;
+    VkResult result = create_instance(&info, nullptr, &instance);
+    if (result == VK_ERROR_LAYER_NOT_PRESENT)
+      throw Error("Vulkan's validation layer is not installed (Debian: vulkan-validationlayers)");
+    if (result == VK_ERROR_INCOMPATIBLE_DRIVER) throw Error(kNoDevice);
+    check(result, "creating the instance");
+    return instance;
+  }
+};
+
+void loadInstanceCalls(Dispatch& vk, PFN_vkGetInstanceProcAddr get, VkInstance instance) {
+#define X(name) vk.name = reinterpret_cast<PFN_vk##name>(get(instance, "vk" #name));
+  STROBE_INSTANCE_CALLS(X)
+  STROBE_OPTIONAL_INSTANCE_CALLS(X)
+#undef X
+}
+
+void loadDeviceCalls(Dispatch& vk, VkDevice device) {
+#define X(name) vk.name = reinterpret_cast<PFN_vk##name>(vk.GetDeviceProcAddr(device, "vk" #name));
+  STROBE_DEVICE_CALLS(X)
+  STROBE_RAY_CALLS(X)
+#undef X
+}
+
+std::vector<VkPhysicalDevice> physicalDevices(const Dispatch& vk, VkInstance instance) {
+  uint32_t count = 0;
+  vk.EnumeratePhysicalDevices(instance, &count, nullptr);
+  std::vector<VkPhysicalDevice> devices(count);
+  vk.EnumeratePhysicalDevices(instance, &count, devices.data());
+  devices.resize(count);
+  return devices;
+}
+
+std::vector<std::string> deviceExtensions(const Dispatch& vk, VkPhysicalDevice device) {
+  uint32_t count = 0;
+  vk.EnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr);
+  std::vector<VkExtensionProperties> properties(count);
+  vk.EnumerateDeviceExtensionProperties(device, nullptr, &count, properties.data());
+  std::vector<std::string> names;
+  for (const auto& property : properties) names.push_back(property.extensionName);
+  return names;
+}
+
+DeviceInfo describe(const Dispatch& vk, VkPhysicalDevice device) {
+  VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
+  VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &driver};
+  vk.GetPhysicalDeviceProperties2(device, &properties);
+  DeviceInfo info;
+  const VkPhysicalDeviceProperties& core = properties.properties;
+  info.name = core.deviceName;
+  info.driver = fmt::format("{} {}", driver.driverName, driver.driverInfo);
+  info.api = fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(core.apiVersion), VK_API_VERSION_MINOR(core.apiVersion),
+                         VK_API_VERSION_PATCH(core.apiVersion));
+  info.software = core.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+
+  // A device older than Vulkan 1.3 does not know the structures below: everything counts as absent.
+  std::vector<std::string> extensions = deviceExtensions(vk, device);
+  FeatureChain chain;
+  if (core.apiVersion >= VK_API_VERSION_1_3) vk.GetPhysicalDeviceFeatures2(device, chain.chain(extensions));
+  for (const WantedFeature& wanted : wantedFeatures())
+    info.features.push_back({wanted.name, wanted.provides, wanted.required, wanted.in(chain) == VK_TRUE});
+  auto present = [&info](const char* name) {
+    return std::any_of(info.features.begin(), info.features.end(),
+                       [name](const Feature& feature) { return feature.name == name && feature.present; });
+  };
+  info.ray_pipeline = present("rayTracingPipeline");
+  info.ray_query = present("rayQuery");
+  return info;
+}
+
+// Real GPUs that suffice first, then software devices that suffice, then the rest.
+int rank(const DeviceInfo& info) {
+  int suffices = info.missing().empty() ? 0 : 4;
+  return suffices + (info.software ? 2 : 0);
+}
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  return text;
+}
+
+}  // namespace
+
+std::string DeviceInfo::missing() const {
+  std::string names;
+  for (const Feature& feature : features) {
+    if (!feature.required || feature.present) continue;
+    names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", feature.name, feature.provides);
+  }
+  if (names.empty() && !tracesRays()) names = "rayTracingPipeline or rayQuery (shadows, revealed backgrounds, truth)";
+  return names;
+}
+
+std::vector<DeviceInfo> listDevices() {
+  std::vector<DeviceInfo> infos;
+  try {
+    Loader loader;
+    VkInstance instance = loader.create(false);
+    Dispatch vk;
+    loadInstanceCalls(vk, loader.get, instance);
+    for (VkPhysicalDevice device : physicalDevices(vk, instance)) infos.push_back(describe(vk, device));
+    vk.DestroyInstance(instance, nullptr);
+  } catch (const Error&) {
+    return {};
+  }
+  std::stable_sort(infos.begin(), infos.end(),
+                   [](const DeviceInfo& a, const DeviceInfo& b) { return rank(a) < rank(b); });
+  return infos;
+}
+
+void Device::createInstance(bool validation) {
+  Loader loader;
+  library_ = loader.library;
+  instance_ = loader.create(validation);
+  loadInstanceCalls(vk_, loader.get, instance_);
+  if (!validation) return;
+  VkDebugUtilsMessengerCreateInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
+  info.messageSeverity =
+      VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+  info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;
+  info.pfnUserCallback = onMessage;
+  info.pUserData = messages_.get();
+  check(vk_.CreateDebugUtilsMessengerEXT(instance_, &info, nullptr, &messenger_), "creating the messenger");
+}
+
+void Device::choosePhysicalDevice(const std::string& wanted) {
+  std::vector<std::pair<DeviceInfo, VkPhysicalDevice>> found;
+  for (VkPhysicalDevice device : physicalDevices(vk_, instance_)) found.push_back({describe(vk_, device), device});
+  if (found.empty()) throw Error(kNoDevice);
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return rank(a.first) < rank(b.first); });
+
+  size_t chosen = 0;
+  bool is_index = !wanted.empty() && std::all_of(wanted.begin(), wanted.end(), [](unsigned char c) { return std::isdigit(c); });
+  if (is_index) {
+    chosen = std::stoul(wanted);
+    if (chosen >= found.size())
+      throw Error(fmt::format("--device {}: there are {} devices, counted from 0", wanted, found.size()), {}, 2);
+  } else if (!wanted.empty()) {
+    auto match = std::find_if(found.begin(), found.end(), [&wanted](const auto& candidate) {
+      return lower(candidate.first.name).find(lower(wanted)) != std::string::npos;
+    });
+    std::string names;
+    for (const auto& candidate : found) names += fmt::format("{}'{}'", names.empty() ? "" : ", ", candidate.first.name);
+    if (match == found.end()) throw Error(fmt::format("--device '{}' matches none of {}", wanted, names), {}, 2);
+    chosen = size_t(match - found.begin());
+  }
+  info_ = found[chosen].first;
+  physical_ = found[chosen].second;
+  std::string missing = info_.missing();
+  if (!missing.empty())
+    throw Error(fmt::format("device '{}' ({}) lacks {}; Mesa 25's software device and GPUs with ray tracing have them",
+                            info_.name, info_.driver, missing));
+}
+
+void Device::createDevice() {
+  uint32_t family_count = 0;
+  vk_.GetPhysicalDeviceQueueFamilyProperties(physical_, &family_count, nullptr);
+  std::vector<VkQueueFamilyProperties> families(family_count);
+  vk_.GetPhysicalDeviceQueueFamilyProperties(physical_, &family_count, families.data());
+  const VkQueueFlags wanted = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+  for (queue_family_ = 0; queue_family_ < family_count; ++queue_family_)
+    if ((families[queue_family_].queueFlags & wanted) == wanted) break;
+  if (queue_family_ == family_count) throw Error(fmt::format("device '{}' has no graphics and compute queue", info_.name));
+
+  // Ask what is there, then turn on what the table wants and nothing else.
+  std::vector<std::string> available = deviceExtensions(vk_, physical_);
+  std::vector<const char*> extensions = wantedExtensions(available);
+  std::vector<std::string> enabled(extensions.begin(), extensions.end());
+  FeatureChain present, use;
+  vk_.GetPhysicalDeviceFeatures2(physical_, present.chain(enabled));
+  VkPhysicalDeviceFeatures2* features = use.chain(enabled);
+  for (const WantedFeature& feature : wantedFeatures()) feature.in(use) = feature.in(present);
+
+  float priority = 1;
+  VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
+  queue.queueFamilyIndex = queue_family_;
+  queue.queueCount = 1;
+  queue.pQueuePriorities = &priority;
+  VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, features};
+  info.queueCreateInfoCount = 1;
+  info.pQueueCreateInfos = &queue;
+  info.enabledExtensionCount = uint32_t(extensions.size());
+  info.ppEnabledExtensionNames = extensions.data();
+  check(vk_.CreateDevice(physical_, &info, nullptr, &device_), fmt::format("creating device '{}'", info_.name));
+  loadDeviceCalls(vk_, device_);
+  vk_.GetDeviceQueue(device_, queue_family_, 0, &queue_);
+  vk_.GetPhysicalDeviceMemoryProperties(physical_, &memory_);
+
+  VkPhysicalDeviceAccelerationStructurePropertiesKHR acceleration{
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR};
+  ray_properties_ = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_TRACING_PIPELINE_PROPERTIES_KHR};
+  if (info_.ray_pipeline) acceleration.pNext = &ray_properties_;
+  VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &acceleration};
+  vk_.GetPhysicalDeviceProperties2(physical_, &properties);
+  scratch_alignment_ = std::max(1u, acceleration.minAccelerationStructureScratchOffsetAlignment);
+  timestamp_period_ns_ = properties.properties.limits.timestampPeriod;
+}
+
+void Device::createCommandPool() {
+  VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+  pool.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
+  pool.queueFamilyIndex = queue_family_;
+  check(vk_.CreateCommandPool(device_, &pool, nullptr, &command_pool_), "creating the command pool");
+  VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+  allocate.commandPool = command_pool_;
+  allocate.commandBufferCount = 1;
+  check(vk_.AllocateCommandBuffers(device_, &allocate, &command_buffer_), "allocating the command buffer");
+  VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+  check(vk_.CreateFence(device_, &fence, nullptr, &fence_), "creating the fence");
+}
+
+uint32_t Device::memoryType(uint32_t type_bits, VkMemoryPropertyFlags wanted) const {
+  return memoryType(type_bits, wanted, 0);
+}
+
+uint32_t Device::memoryType(uint32_t type_bits, VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags preferred) const {
+  for (VkMemoryPropertyFlags flags : {wanted | preferred, wanted}) {
+    for (uint32_t i = 0; i < memory_.memoryTypeCount; ++i) {
+      bool fits = (type_bits >> i & 1) && (memory_.memoryTypes[i].propertyFlags & flags) == flags;
+      if (fits) return i;
+    }
+  }
+  throw Error(fmt::format("device '{}' has no memory of the wanted kind", info_.name));
+}
+
+void Device::setName(VkObjectType type, uint64_t handle, const std::string& name) const {
+  if (!vk_.SetDebugUtilsObjectNameEXT) return;
+  VkDebugUtilsObjectNameInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT};
+  info.objectType = type;
+  info.objectHandle = handle;
+  info.pObjectName = name.c_str();
+  vk_.SetDebugUtilsObjectNameEXT(device_, &info);
+}
+
+void Device::submit(const std::function<void(VkCommandBuffer)>& record) const {
+  check(vk_.ResetCommandPool(device_, command_pool_, 0), "resetting the command pool");
+  VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+  begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+  check(vk_.BeginCommandBuffer(command_buffer_, &begin), "beginning commands");
+  record(command_buffer_);
+  check(vk_.EndCommandBuffer(command_buffer_), "ending commands");
+
+  VkCommandBufferSubmitInfo buffer{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
+  buffer.commandBuffer = command_buffer_;
+  VkSubmitInfo2 submit{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
+  submit.commandBufferInfoCount = 1;
+  submit.pCommandBufferInfos = &buffer;
+  check(vk_.QueueSubmit2(queue_, 1, &submit, fence_), "submitting commands");
+  check(vk_.WaitForFences(device_, 1, &fence_, VK_TRUE, UINT64_MAX), "waiting for the device");
+  check(vk_.ResetFences(device_, 1, &fence_), "resetting the fence");
+}
+
+std::vector<std::string> Device::takeMessages() const {
+  std::lock_guard lock(messages_->mutex);
+  return std::exchange(messages_->texts, {});
+}
+
+}  // namespace strobe::gpu

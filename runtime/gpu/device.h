@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// A Vulkan device with one queue, and what it can do.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "gpu/dispatch.h"
+
+namespace strobe::gpu {
+
+struct DeviceOptions {
+  std::string device;       // index or part of a name; "" takes the best
+  bool validation = false;  // core and synchronization validation; messages are collected, not printed
+};
+
+// One row of the features the runtime can use (`strobe doctor` prints them).
+struct Feature {
+  std::string name;      // as Vulkan spells it
+  std::string provides;  // what the user gets from it
+  bool required = false;
+  bool present = false;
+};
+
+struct DeviceInfo {
+  std::string name;
+  std::string driver;  // name and version
+  std::string api;     // "1.4.305"
+  bool software = false;
+  bool ray_pipeline = false;  // VK_KHR_ray_tracing_pipeline
+  bool ray_query = false;     // VK_KHR_ray_query
+  std::vector<Feature> features;
+
+  bool tracesRays() const { return ray_pipeline || ray_query; }
+  // The required features it lacks, as one sentence; "" when it suffices.
+  std::string missing() const;
+};
+
+// Every device the loader offers, best first, with no device created. Empty without a loader or driver.
+std::vector<DeviceInfo> listDevices();
+
+struct MessageSink;
+
+// Owns instance, device and queue. Everything made from a Device must be destroyed before it.
+// Work is submitted and waited for: when `submit` returns, the GPU is idle.
+class Device {
+ public:
+  // Throws `Error` when there is no device, none of that name, or it lacks a required feature (each is named with
+  // what provides it).
+  explicit Device(const DeviceOptions& options = {});
+  ~Device();
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  const DeviceInfo& info() const { return info_; }
+  const Dispatch& vk() const { return vk_; }
+  Dispatch& vkForFaults() { return vk_; }
+  VkDevice handle() const { return device_; }
+  const VkPhysicalDeviceRayTracingPipelinePropertiesKHR& rayProperties() const { return ray_properties_; }
+  uint32_t scratchAlignment() const { return scratch_alignment_; }
+  double timestampPeriodNs() const { return timestamp_period_ns_; }
+  bool debugLabels() const { return vk_.CmdBeginDebugUtilsLabelEXT != nullptr; }
+
+  // The memory type with all of `wanted` among `type_bits`; throws `Error` if there is none.
+  uint32_t memoryType(uint32_t type_bits, VkMemoryPropertyFlags wanted) const;
+  // As above, but prefers types that also have `preferred`.
+  uint32_t memoryType(uint32_t type_bits, VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags preferred) const;
+
+  void setName(VkObjectType type, uint64_t handle, const std::string& name) const;
+
+  // Records with `record`, submits and waits. Throws `Error` on device loss.
+  void submit(const std::function<void(VkCommandBuffer)>& record) const;
+
+  // Validation messages since the last call; always empty without validation.
+  std::vector<std::string> takeMessages() const;
+
+ private:
+  void createInstance(bool validation);
+  void choosePhysicalDevice(const std::string& wanted);
+  void createDevice();
+  void createCommandPool();
+  void destroy();
+
+  std::unique_ptr<MessageSink> messages_;
+  void* library_ = nullptr;
+  Dispatch vk_;
+  DeviceInfo info_;
+  VkInstance instance_ = VK_NULL_HANDLE;
+  VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+  VkPhysicalDevice physical_ = VK_NULL_HANDLE;
+  VkDevice device_ = VK_NULL_HANDLE;
+  VkQueue queue_ = VK_NULL_HANDLE;
+  uint32_t queue_family_ = 0;
+  VkCommandPool command_pool_ = VK_NULL_HANDLE;
+  VkCommandBuffer command_buffer_ = VK_NULL_HANDLE;
+  VkFence fence_ = VK_NULL_HANDLE;
+  VkPhysicalDeviceMemoryProperties memory_{};
+  VkPhysicalDeviceRayTracingPipelinePropertiesKHR ray_properties_{};
+  uint32_t scratch_alignment_ = 256;
+  double timestamp_period_ns_ = 1;
+};
+
+// Throws `Error` naming `what` and the result unless `result` is VK_SUCCESS.
+void check(VkResult result, const std::string& what);
+
+}  // namespace strobe::gpu

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The one table through which every Vulkan call goes, so that a test can replace an entry and inject a fault.
+#pragma once
+
+#define VK_NO_PROTOTYPES
+#include <vulkan/vulkan.h>
+
+namespace strobe::gpu {
+
+#define STROBE_INSTANCE_CALLS(X)                                                                                \
+  X(DestroyInstance) X(EnumeratePhysicalDevices) X(GetPhysicalDeviceProperties2) X(GetPhysicalDeviceFeatures2)  \
+  X(GetPhysicalDeviceMemoryProperties) X(GetPhysicalDeviceQueueFamilyProperties)                                \
+  X(GetPhysicalDeviceFormatProperties) X(EnumerateDeviceExtensionProperties) X(CreateDevice) X(GetDeviceProcAddr)
+
+// Absent (null) where the layer or extension is not there.
+#define STROBE_OPTIONAL_INSTANCE_CALLS(X) \
+  X(CreateDebugUtilsMessengerEXT) X(DestroyDebugUtilsMessengerEXT) X(SetDebugUtilsObjectNameEXT) \
+  X(CmdBeginDebugUtilsLabelEXT) X(CmdEndDebugUtilsLabelEXT)
+
+#define STROBE_DEVICE_CALLS(X)                                                                                   \
+  X(DestroyDevice) X(GetDeviceQueue) X(DeviceWaitIdle) X(QueueSubmit2) X(CreateFence) X(DestroyFence)            \
+  X(WaitForFences) X(ResetFences) X(CreateCommandPool) X(DestroyCommandPool) X(AllocateCommandBuffers)           \
+  X(BeginCommandBuffer) X(EndCommandBuffer) X(ResetCommandPool) X(AllocateMemory) X(FreeMemory) X(MapMemory)     \
+  X(CreateBuffer) X(DestroyBuffer) X(GetBufferMemoryRequirements) X(BindBufferMemory) X(GetBufferDeviceAddress)  \
+  X(CreateImage) X(DestroyImage) X(GetImageMemoryRequirements) X(BindImageMemory) X(CreateImageView)             \
+  X(DestroyImageView) X(CreateSampler) X(DestroySampler) X(CreateShaderModule) X(DestroyShaderModule)            \
+  X(CreateDescriptorSetLayout) X(DestroyDescriptorSetLayout) X(CreatePipelineLayout) X(DestroyPipelineLayout)    \
+  X(CreateComputePipelines) X(CreateGraphicsPipelines) X(DestroyPipeline) X(CreateDescriptorPool)                \
+  X(DestroyDescriptorPool) X(AllocateDescriptorSets) X(UpdateDescriptorSets) X(CreateQueryPool)                  \
+  X(DestroyQueryPool) X(GetQueryPoolResults) X(CmdPipelineBarrier2) X(CmdBindPipeline) X(CmdBindDescriptorSets)  \
+  X(CmdDispatch) X(CmdBeginRendering) X(CmdEndRendering) X(CmdSetViewport) X(CmdSetScissor)                      \
+  X(CmdBindIndexBuffer) X(CmdDrawIndexed) X(CmdCopyBuffer) X(CmdCopyBufferToImage) X(CmdCopyImageToBuffer)       \
+  X(CmdClearColorImage) X(CmdFillBuffer) X(CmdResetQueryPool) X(CmdWriteTimestamp2)
+
+// Absent (null) on a device without ray tracing.
+#define STROBE_RAY_CALLS(X)                                                                                    \
+  X(CreateAccelerationStructureKHR) X(DestroyAccelerationStructureKHR) X(GetAccelerationStructureBuildSizesKHR) \
+  X(GetAccelerationStructureDeviceAddressKHR) X(CmdBuildAccelerationStructuresKHR)                             \
+  X(CreateRayTracingPipelinesKHR) X(GetRayTracingShaderGroupHandlesKHR) X(CmdTraceRaysKHR)
+
+struct Dispatch {
+#define X(name) PFN_vk##name name = nullptr;
+  STROBE_INSTANCE_CALLS(X)
+  STROBE_OPTIONAL_INSTANCE_CALLS(X)
+  STROBE_DEVICE_CALLS(X)
+  STROBE_RAY_CALLS(X)
+#undef X
+};
+
+}  // namespace strobe::gpu

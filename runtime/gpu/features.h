@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The table of device features the runtime wants, walked once to see what is there and once to turn it on.
+#pragma once
+
+#include <vector>
+
+#include "gpu/device.h"
+
+namespace strobe::gpu {
+
+// The feature structures, chained; `chain()` is the head for a query or for device creation.
+struct FeatureChain {
+  VkPhysicalDeviceFeatures2 core{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
+  VkPhysicalDeviceVulkan12Features v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
+  VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+  VkPhysicalDeviceAccelerationStructureFeaturesKHR acceleration{
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR};
+  VkPhysicalDeviceRayTracingPipelineFeaturesKHR ray_pipeline{
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_TRACING_PIPELINE_FEATURES_KHR};
+  VkPhysicalDeviceRayQueryFeaturesKHR ray_query{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR};
+
+  // Links the structures whose extensions are named in `extensions`.
+  VkPhysicalDeviceFeatures2* chain(const std::vector<std::string>& extensions);
+};
+
+struct WantedFeature {
+  const char* name;
+  const char* provides;
+  const char* extension;  // "" for core
+  bool required;
+  VkBool32& (*in)(FeatureChain&);
+};
+
+const std::vector<WantedFeature>& wantedFeatures();
+
+// The extensions to enable among `available`: those some wanted feature needs, with what they depend on.
+std::vector<const char*> wantedExtensions(const std::vector<std::string>& available);
+
+}  // namespace strobe::gpu

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Pipelines from SPIR-V, with the descriptor layouts they share.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gpu/resources.h"
+
+namespace strobe::gpu {
+
+using Spirv = std::vector<uint32_t>;
+
+Owned<VkDescriptorSetLayout> makeSetLayout(const Device& device, const std::string& name,
+                                           const std::vector<VkDescriptorSetLayoutBinding>& bindings);
+
+// A pool that serves exactly `sets` sets made of `bindings` each, freed together.
+Owned<VkDescriptorPool> makeDescriptorPool(const Device& device, const std::string& name,
+                                           const std::vector<VkDescriptorSetLayoutBinding>& bindings, uint32_t sets);
+VkDescriptorSet allocateSet(const Device& device, VkDescriptorPool pool, VkDescriptorSetLayout layout);
+
+struct RasterShaders {
+  Spirv vertex, fragment;
+  std::vector<VkFormat> color_formats;
+};
+
+struct TraceShaders {
+  Spirv raygen, miss, closest_hit, any_hit;
+};
+
+// A pipeline with its layout; of a ray tracing pipeline also the shader binding table.
+class Pipeline {
+ public:
+  Pipeline() = default;
+  VkPipeline handle() const { return pipeline_.get(); }
+  VkPipelineLayout layout() const { return layout_.get(); }
+  VkPipelineBindPoint bindPoint() const { return bind_point_; }
+
+  static Pipeline compute(const Device& device, const std::string& name, const Spirv& code,
+                          const std::vector<VkDescriptorSetLayout>& sets);
+  // Triangles without culling, depth test GREATER_OR_EQUAL on D32 (reversed), dynamic viewport and scissor.
+  static Pipeline raster(const Device& device, const std::string& name, const RasterShaders& shaders,
+                         const std::vector<VkDescriptorSetLayout>& sets);
+  // One ray generation, one miss and one hit group.
+  static Pipeline trace(const Device& device, const std::string& name, const TraceShaders& shaders,
+                        const std::vector<VkDescriptorSetLayout>& sets);
+
+  void recordTrace(VkCommandBuffer commands, uint32_t width, uint32_t height) const;
+
+ private:
+  static Pipeline withLayout(const Device& device, const std::string& name,
+                             const std::vector<VkDescriptorSetLayout>& sets, VkPipelineBindPoint bind_point);
+  void own(const Device& device, VkPipeline pipeline, const std::string& name);
+  void makeBindingTable(const Device& device, const std::string& name);
+
+  const Device* device_ = nullptr;
+  Owned<VkPipelineLayout> layout_;
+  Owned<VkPipeline> pipeline_;
+  VkPipelineBindPoint bind_point_ = VK_PIPELINE_BIND_POINT_COMPUTE;
+  Buffer binding_table_;
+  VkStridedDeviceAddressRegionKHR raygen_{}, miss_{}, hit_{}, callable_{};
+};
+
+// GPU time stamps of a frame's steps.
+class Timer {
+ public:
+  Timer() = default;
+  Timer(const Device& device, uint32_t capacity);
+  void recordReset(VkCommandBuffer commands);
+  // Returns the index of the stamp, or -1 when the capacity is used up.
+  int recordStamp(VkCommandBuffer commands);
+  // Milliseconds since the first stamp, one per stamp recorded since the reset.
+  std::vector<double> readMs() const;
+
+ private:
+  const Device* device_ = nullptr;
+  Owned<VkQueryPool> pool_;
+  uint32_t capacity_ = 0, used_ = 0;
+};
+
+}  // namespace strobe::gpu

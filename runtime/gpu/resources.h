@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// Buffers, images and samplers as move-only types; each is named at birth, and the name shows in validation messages.
+#pragma once
+
+#include <cstring>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gpu/device.h"
+
+namespace strobe::gpu {
+
+// Owns one Vulkan object and how to destroy it.
+template <class Handle>
+class Owned {
+ public:
+  using Destroy = void (*)(const Device&, Handle);
+  Owned() = default;
+  Owned(const Device& device, Handle handle, Destroy destroy) : device_(&device), handle_(handle), destroy_(destroy) {}
+  Owned(Owned&& other) noexcept { *this = std::move(other); }
+  Owned& operator=(Owned&& other) noexcept {
+    std::swap(device_, other.device_);
+    std::swap(handle_, other.handle_);
+    std::swap(destroy_, other.destroy_);
+    return *this;
+  }
+  ~Owned() {
+    if (handle_) destroy_(*device_, handle_);
+  }
+  Handle get() const { return handle_; }
+  explicit operator bool() const { return handle_ != Handle{}; }
+
+ private:
+  const Device* device_ = nullptr;
+  Handle handle_ = {};
+  Destroy destroy_ = nullptr;
+};
+
+// A storage buffer. Host memory is mapped for its whole life and coherent; device memory is filled through `upload`.
+class Buffer {
+ public:
+  enum class Memory { Host, Device };
+  Buffer() = default;
+  // `size` in bytes, at least 4 are allocated so that an empty array can be bound.
+  Buffer(const Device& device, const std::string& name, size_t size, VkBufferUsageFlags usage, Memory memory);
+
+  VkBuffer handle() const { return buffer_.get(); }
+  size_t size() const { return size_; }
+  VkDeviceAddress address() const { return address_; }
+  void* mapped() const { return mapped_; }
+
+  template <class T>
+  void write(const std::vector<T>& values) {
+    STROBE_ASSERT(mapped_ && values.size() * sizeof(T) <= size_, "{} bytes into {}", values.size() * sizeof(T), size_);
+    if (!values.empty()) std::memcpy(mapped_, values.data(), values.size() * sizeof(T));
+  }
+
+ private:
+  Owned<VkDeviceMemory> memory_;
+  Owned<VkBuffer> buffer_;
+  size_t size_ = 0;
+  VkDeviceAddress address_ = 0;
+  void* mapped_ = nullptr;
+};
+
+// A device-local buffer holding `size` bytes from `data`; waits for the copy.
+Buffer uploadBuffer(const Device& device, const std::string& name, const void* data, size_t size,
+                    VkBufferUsageFlags usage);
+
+struct ImageDesc {
+  VkFormat format = VK_FORMAT_UNDEFINED;
+  uint32_t width = 1, height = 1, levels = 1;
+  VkImageUsageFlags usage = 0;
+};
+
+// A 2-D image in device memory. Every image stays in the GENERAL layout once it left UNDEFINED.
+class Image {
+ public:
+  Image() = default;
+  Image(const Device& device, const std::string& name, const ImageDesc& desc);
+  VkImage handle() const { return image_.get(); }
+  VkImageView view() const { return view_.get(); }
+  const ImageDesc& desc() const { return desc_; }
+
+ private:
+  ImageDesc desc_;
+  Owned<VkDeviceMemory> memory_;
+  Owned<VkImage> image_;
+  Owned<VkImageView> view_;
+};
+
+// UNDEFINED to GENERAL, for an image nothing has touched yet.
+void recordFirstLayout(const Device& device, VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect);
+
+// An image with all `levels` filled (level l is max(1, size >> l)); waits for the copies.
+Image uploadImage(const Device& device, const std::string& name, ImageDesc desc,
+                  const std::vector<std::vector<uint8_t>>& levels);
+
+struct SamplerDesc {
+  bool linear = false;
+  VkSamplerAddressMode wrap_u = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  VkSamplerAddressMode wrap_v = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+};
+Owned<VkSampler> makeSampler(const Device& device, const std::string& name, const SamplerDesc& desc);
+
+// Bytes per texel and VkFormat of the format names of a pass ("rgba16f"); throws `Error` for an unknown name.
+struct FormatInfo {
+  VkFormat vk;
+  const char* glsl;  // image layout qualifier
+  int channels;
+  int bytes;
+  bool uint;
+};
+const FormatInfo& formatInfo(const std::string& name);
+
+}  // namespace strobe::gpu
