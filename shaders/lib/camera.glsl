@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Pixels to rays and points to pixels. Pixel coordinates: x right, y down, the first pixel's centre at (0.5, 0.5).
+#ifndef STROBE_CAMERA_GLSL
+#define STROBE_CAMERA_GLSL
+#include "lib/hit.glsl"
+
+// Position in [-1, 1] (x right, y up) of a pixel coordinate.
+vec2 ndcOf(vec2 position_px) {
+  vec2 unit = position_px / vec2(frame.size);
+  return vec2(2.0 * unit.x - 1.0, 1.0 - 2.0 * unit.y);
+}
+
+// The ray through a pixel coordinate; its parameter is the view depth in metres.
+Ray cameraRay(uint slice, vec2 position_px) {
+  SceneCamera camera = scene_cameras[slice];
+  vec2 offset = ndcOf(position_px) * camera.half_extent;
+  vec3 sideways = camera.right * offset.x + camera.up * offset.y;
+  if (camera.orthographic != 0u) return Ray(camera.position + sideways, camera.forward);
+  return Ray(camera.position, camera.forward + sideways);
+}
+
+// The sample position of a pixel of this frame.
+vec2 samplePosition(ivec2 pixel) { return vec2(pixel) + 0.5 + frame.subpixel; }
+
+// View space: x right, y up, z the view depth (positive in front).
+vec3 viewFromWorld(uint slice, vec3 position_ws) {
+  SceneCamera camera = scene_cameras[slice];
+  vec3 offset = position_ws - camera.position;
+  return vec3(dot(offset, camera.right), dot(offset, camera.up), dot(offset, camera.forward));
+}
+
+vec2 pixelFromView(uint slice, vec3 position_vs) {
+  SceneCamera camera = scene_cameras[slice];
+  float scale = camera.orthographic != 0u ? 1.0 : position_vs.z;
+  vec2 ndc = position_vs.xy / (scale * camera.half_extent);
+  return vec2(0.5 + 0.5 * ndc.x, 0.5 - 0.5 * ndc.y) * vec2(frame.size);
+}
+
+// Screen displacement, px, from a point at the capture to the same point at another slice. Where it passes behind the
+// near plane on the way, the path up to there is extrapolated to its full length: the divide never sees depths <= 0.
+vec2 pathFromCapture(vec3 capture_vs, uint slice, vec3 other_vs) {
+  vec2 start = pixelFromView(SLICE_CAPTURE, capture_vs);
+  float near = scene_cameras[slice].near * 1.001;
+  bool in_front = scene_cameras[slice].orthographic != 0u || other_vs.z >= near || capture_vs.z <= near;
+  if (in_front) {
+    if (scene_cameras[slice].orthographic == 0u) other_vs.z = max(other_vs.z, near);
+    return pixelFromView(slice, other_vs) - start;
+  }
+  float s = (capture_vs.z - near) / (capture_vs.z - other_vs.z);
+  return (pixelFromView(slice, mix(capture_vs, other_vs, s)) - start) / s;
+}
+
+#endif

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// From a hit to the surface there, at any slice of time.
+#ifndef STROBE_SURFACE_GLSL
+#define STROBE_SURFACE_GLSL
+#include "lib/camera.glsl"
+
+struct Triangle {
+  uint index[3];
+};
+
+Triangle triangleOf(SceneGeometry geometry, uint primitive) {
+  Triangle triangle;
+  for (uint corner = 0u; corner < 3u; ++corner)
+    triangle.index[corner] = geometry.first_vertex + scene_indices[geometry.first_index + 3u * primitive + corner];
+  return triangle;
+}
+
+SceneGeometry geometryOf(uint instance, uint geometry) {
+  return scene_geometries[scene_instances[instance].first_geometry + geometry];
+}
+
+SceneTransform transformOf(uint slice, uint instance) {
+  return scene_transforms[slice * frame.instance_count + instance];
+}
+
+vec3 worldFromObject(SceneTransform transform, vec3 position_os) {
+  vec4 p = vec4(position_os, 1);
+  return vec3(dot(transform.row_x, p), dot(transform.row_y, p), dot(transform.row_z, p));
+}
+
+// Normals go with the cofactors of the matrix: right under non-uniform scale and mirroring, no inverse needed.
+vec3 normalFromObject(SceneTransform transform, vec3 normal_os) {
+  vec3 x = transform.row_x.xyz, y = transform.row_y.xyz, z = transform.row_z.xyz;
+  vec3 c0 = cross(y, z), c1 = cross(z, x), c2 = cross(x, y);
+  float flip = dot(x, c0) < 0.0 ? -1.0 : 1.0;
+  return flip * vec3(dot(c0, normal_os), dot(c1, normal_os), dot(c2, normal_os));
+}
+
+// Unit length whatever the scale (lengths are divided by their largest component first).
+vec3 unitOr(vec3 v, vec3 fallback) {
+  float largest = max(abs(v.x), max(abs(v.y), abs(v.z)));
+  if (!(largest > 0.0) || isinf(largest)) return fallback;
+  v /= largest;
+  return v * inversesqrt(dot(v, v));
+}
+
+vec3 cornerWeights(vec2 barycentrics) { return vec3(1.0 - barycentrics.x - barycentrics.y, barycentrics); }
+
+// World position at `slice` of the point a hit names.
+vec3 positionOf(uint slice, Hit hit) {
+  Triangle triangle = triangleOf(geometryOf(hit.instance, hit.geometry), hit.primitive);
+  vec3 weights = cornerWeights(hit.barycentrics);
+  vec3 position_os = vec3(0);
+  for (uint corner = 0u; corner < 3u; ++corner)
+    position_os += weights[corner] * scene_vertices[triangle.index[corner]].position;
+  return worldFromObject(transformOf(slice, hit.instance), position_os);
+}
+
+struct Surface {
+  vec3 position_ws;
+  vec3 face_normal_ws;  // unit, of the triangle, on the side that is seen
+  vec3 normal_ws;       // unit, interpolated, on the side that is seen
+  vec2 uv0, uv1;
+  vec4 color;
+  vec3 edge1_ws, edge2_ws;      // corner 1 - corner 0, corner 2 - corner 0
+  vec2 uv0_edge1, uv0_edge2, uv1_edge1, uv1_edge2;
+  uint material;
+};
+
+// The point a hit names, posed at `slice`.
+Surface surfaceOf(uint slice, Hit hit) {
+  SceneGeometry geometry = geometryOf(hit.instance, hit.geometry);
+  SceneTransform transform = transformOf(slice, hit.instance);
+  Triangle triangle = triangleOf(geometry, hit.primitive);
+  SceneVertex a = scene_vertices[triangle.index[0]];
+  SceneVertex b = scene_vertices[triangle.index[1]];
+  SceneVertex c = scene_vertices[triangle.index[2]];
+  vec3 weights = cornerWeights(hit.barycentrics);
+
+  Surface surface;
+  vec3 position_os = weights.x * a.position + weights.y * b.position + weights.z * c.position;
+  surface.position_ws = worldFromObject(transform, position_os);
+  float side = hit.front ? 1.0 : -1.0;
+  vec3 face_os = cross(b.position - a.position, c.position - a.position);
+  surface.face_normal_ws = side * unitOr(normalFromObject(transform, face_os), vec3(0, 1, 0));
+  vec3 normal_os = weights.x * a.normal + weights.y * b.normal + weights.z * c.normal;
+  vec3 normal_ws = unitOr(normalFromObject(transform, normal_os), side * surface.face_normal_ws);
+  // Meshes whose normals disagree with their winding exist: the face decides which side is seen.
+  if (dot(normal_ws, surface.face_normal_ws) < 0.0) normal_ws = -normal_ws;
+  surface.normal_ws = normal_ws;
+  surface.uv0 = weights.x * a.uv0 + weights.y * b.uv0 + weights.z * c.uv0;
+  surface.uv1 = weights.x * a.uv1 + weights.y * b.uv1 + weights.z * c.uv1;
+  surface.color = weights.x * unpackUnorm4x8(a.color) + weights.y * unpackUnorm4x8(b.color) +
+                  weights.z * unpackUnorm4x8(c.color);
+  surface.edge1_ws = worldFromObject(transform, b.position) - worldFromObject(transform, a.position);
+  surface.edge2_ws = worldFromObject(transform, c.position) - worldFromObject(transform, a.position);
+  surface.uv0_edge1 = b.uv0 - a.uv0;
+  surface.uv0_edge2 = c.uv0 - a.uv0;
+  surface.uv1_edge1 = b.uv1 - a.uv1;
+  surface.uv1_edge2 = c.uv1 - a.uv1;
+  surface.material = geometry.material;
+  return surface;
+}
+
+// Screen displacement over the exposure, px: where the point is at the window's end minus where it was at its start.
+vec2 displacementOf(Hit hit) {
+  vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, positionOf(SLICE_CAPTURE, hit));
+  vec3 open_vs = viewFromWorld(SLICE_OPEN, positionOf(SLICE_OPEN, hit));
+  vec3 close_vs = viewFromWorld(SLICE_CLOSE, positionOf(SLICE_CLOSE, hit));
+  return pathFromCapture(capture_vs, SLICE_CLOSE, close_vs) - pathFromCapture(capture_vs, SLICE_OPEN, open_vs);
+}
+
+// The same for what lies infinitely far along a camera's ray: it moves with the camera's rotation alone.
+vec2 displacementOfSky(vec3 direction_ws) {
+  if (scene_cameras[SLICE_CAPTURE].orthographic != 0u) return vec2(0);
+  vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, scene_cameras[SLICE_CAPTURE].position + direction_ws);
+  vec3 open_vs = viewFromWorld(SLICE_OPEN, scene_cameras[SLICE_OPEN].position + direction_ws);
+  vec3 close_vs = viewFromWorld(SLICE_CLOSE, scene_cameras[SLICE_CLOSE].position + direction_ws);
+  return pathFromCapture(capture_vs, SLICE_CLOSE, close_vs) - pathFromCapture(capture_vs, SLICE_OPEN, open_vs);
+}
+
+// Where the camera's ray meets the plane of a known triangle: what raster found, made exact. Points that the raster's
+// rounding put just outside of the triangle are moved to its border.
+Hit hitOnTriangle(uint slice, Ray ray, uint instance, uint geometry_index, uint primitive) {
+  SceneTransform transform = transformOf(slice, instance);
+  Triangle triangle = triangleOf(geometryOf(instance, geometry_index), primitive);
+  vec3 a = worldFromObject(transform, scene_vertices[triangle.index[0]].position);
+  vec3 edge1 = worldFromObject(transform, scene_vertices[triangle.index[1]].position) - a;
+  vec3 edge2 = worldFromObject(transform, scene_vertices[triangle.index[2]].position) - a;
+  vec3 p = cross(ray.direction, edge2);
+  float determinant = dot(edge1, p);
+  vec3 from_corner = ray.origin - a;
+  vec3 q = cross(from_corner, edge1);
+  vec2 barycentrics = vec2(dot(from_corner, p), dot(ray.direction, q)) / determinant;
+  if (any(isnan(barycentrics)) || any(isinf(barycentrics))) barycentrics = vec2(1.0 / 3.0);
+  vec3 weights = max(cornerWeights(barycentrics), vec3(0));
+  weights /= weights.x + weights.y + weights.z;
+  vec3 position_ws = a + weights.y * edge1 + weights.z * edge2;
+  // A mirroring transform turns the winding around.
+  float handed = dot(transform.row_x.xyz, cross(transform.row_y.xyz, transform.row_z.xyz));
+  bool front = (determinant > 0.0) == (handed >= 0.0);
+  return Hit(instance, geometry_index, primitive, weights.yz, viewFromWorld(slice, position_ws).z, front);
+}
+
+#endif

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The scene's bindings (set 0), as the runtime fills them. Included by the generated preamble of a pass that sees the
+// scene; a shader never includes it.
+#ifndef STROBE_BINDINGS_GLSL
+#define STROBE_BINDINGS_GLSL
+#include "shared/scene.h"
+
+layout(set = 0, binding = 1, scalar) readonly buffer SceneVertices { SceneVertex scene_vertices[]; };
+layout(set = 0, binding = 2, scalar) readonly buffer SceneIndices { uint scene_indices[]; };
+layout(set = 0, binding = 3, scalar) readonly buffer SceneGeometries { SceneGeometry scene_geometries[]; };
+layout(set = 0, binding = 4, scalar) readonly buffer SceneInstances { SceneInstance scene_instances[]; };
+layout(set = 0, binding = 5, scalar) readonly buffer SceneDraws { SceneDraw scene_draws[]; };
+layout(set = 0, binding = 6, scalar) readonly buffer SceneMaterials { SceneMaterial scene_materials[]; };
+layout(set = 0, binding = 7, scalar) readonly buffer SceneLights { SceneLight scene_lights[]; };          // per slice
+layout(set = 0, binding = 8, scalar) readonly buffer SceneTransforms { SceneTransform scene_transforms[]; };  // per slice
+layout(set = 0, binding = 9, scalar) readonly buffer SceneCameras { SceneCamera scene_cameras[]; };      // per slice
+layout(set = 0, binding = 10) uniform sampler2D scene_textures[];
+#ifdef STROBE_TRACES
+layout(set = 0, binding = 11) uniform accelerationStructureEXT scene_top_levels[STROBE_SLICES];  // per slice
+#endif
+#endif

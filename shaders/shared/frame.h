@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// What every pass knows of the frame it is in.
+#ifndef STROBE_SHARED_FRAME_H
+#define STROBE_SHARED_FRAME_H
+#include "shared/types.h"
+STROBE_SHARED_BEGIN
+
+#define ANCHOR_CLOSE 0u   // the exposure ends at the capture:      t in [-1, 0]
+#define ANCHOR_CENTRE 1u  // the capture is in its middle:          t in [-1/2, 1/2]
+#define ANCHOR_OPEN 2u    // the exposure starts at the capture:    t in [0, 1]
+
+struct FrameData {
+  uvec2 size;           // pixels
+  vec2 subpixel;        // offset of the sample from the pixel's centre, px
+  vec2 shutter;         // (open, close) relative to the capture, in exposures
+  uint anchor;          // ANCHOR_*
+  uint frame;           // number of the frame
+  uint seed;
+  uint iteration;       // of the loop a pass is in, else 0
+  uint iteration_count; // of that loop, else 1
+  uint slice_count;     // scene times among which a pixel of this iteration may draw, else 1
+  uint instance_count;
+  uint light_count;
+  vec3 sky;             // radiance from above,
+  vec3 ground;          // from below,
+  vec4 background;      // rgb and 1 if rays that miss see this instead of the two above
+};
+
+STROBE_SHARED_END
+#ifdef __cplusplus
+static_assert(sizeof(strobe::shared::FrameData) == 96);
+#endif
+#endif

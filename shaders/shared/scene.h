@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// The scene as shaders see it. Positions are relative to the frame's origin (the camera at capture, rounded), so that
+// single precision is spent on what the camera sees. A *slice* is one time at which the scene is posed.
+#ifndef STROBE_SHARED_SCENE_H
+#define STROBE_SHARED_SCENE_H
+#include "shared/types.h"
+STROBE_SHARED_BEGIN
+
+#define SLICE_CAPTURE 0u
+#define SLICE_OPEN 1u
+#define SLICE_CLOSE 2u
+#define SLICE_SAMPLE 3u  // first of a loop's sample times
+#define NO_INSTANCE 0xffffffffu
+
+struct SceneVertex {
+  vec3 position;  // first: acceleration structures read it
+  vec3 normal;
+  vec2 uv0;
+  vec2 uv1;
+  uint color;     // rgba8 unorm, linear
+};
+
+struct SceneInstance {
+  uint first_geometry;
+  uint geometry_count;
+};
+
+struct SceneGeometry {
+  uint first_index;
+  uint first_vertex;
+  uint triangle_count;
+  uint material;
+};
+
+// A draw of the raster path, one per geometry of each instance.
+struct SceneDraw {
+  uint instance;
+  uint geometry;  // within the instance
+};
+
+struct SceneTextureUse {
+  int texture;    // -1 for none
+  uint uv_set;
+  vec2 u, v, offset;  // uv' = u * uv.x + v * uv.y + offset
+};
+
+#define MATERIAL_UNLIT 1u
+#define MATERIAL_ALPHA_MASK 2u
+
+struct SceneMaterial {
+  vec4 base_color;
+  vec3 emissive;
+  float metallic;
+  float roughness;
+  float alpha_cutoff;
+  float normal_scale;
+  uint flags;
+  SceneTextureUse base_color_use, metallic_roughness_use, normal_use, emissive_use;
+};
+
+#define LIGHT_DIRECTIONAL 0u
+#define LIGHT_POINT 1u
+#define LIGHT_SPOT 2u
+
+struct SceneLight {
+  vec3 position;
+  uint type;
+  vec3 direction;   // unit, from the light
+  float range;      // 0 unlimited
+  vec3 intensity;   // candela (point, spot) or lux (directional), in the renderer's radiance units
+  uint shadow;
+  float cos_inner, cos_outer;
+};
+
+// World-from-object as three rows.
+struct SceneTransform {
+  vec4 row_x, row_y, row_z;
+};
+
+struct SceneCamera {
+  vec3 position;
+  float near;
+  vec3 right, up, forward;  // unit
+  vec2 half_extent;         // perspective: tangents of the half angles; orthographic: metres
+  uint orthographic;
+};
+
+STROBE_SHARED_END
+#ifdef __cplusplus
+static_assert(sizeof(strobe::shared::SceneVertex) == 44);
+static_assert(sizeof(strobe::shared::SceneTextureUse) == 32);
+static_assert(sizeof(strobe::shared::SceneMaterial) == 176);
+static_assert(sizeof(strobe::shared::SceneLight) == 56);
+static_assert(sizeof(strobe::shared::SceneTransform) == 48);
+static_assert(sizeof(strobe::shared::SceneCamera) == 64);
+#endif
+#endif

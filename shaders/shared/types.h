@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// One spelling for structures that C++ fills and GLSL reads (scalar layout on both sides).
+#ifndef STROBE_SHARED_TYPES_H
+#define STROBE_SHARED_TYPES_H
+#ifdef __cplusplus
+#include <cstdint>
+#include "math/geometry.h"
+namespace strobe::shared {
+using uint = uint32_t;
+}
+#define STROBE_SHARED_BEGIN namespace strobe::shared {
+#define STROBE_SHARED_END }
+#else
+#define STROBE_SHARED_BEGIN
+#define STROBE_SHARED_END
+#endif
+#endif
