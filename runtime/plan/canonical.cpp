@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#include "plan/canonical.h"
+
+#include <map>
+
+#include "base/hash.h"
+
+namespace strobe::plan {
+namespace {
+
+const char* kindName(Step::Kind kind) {
+  switch (kind) {
+    case Step::Kind::ClearImage: return "clear_image";
+    case Step::Kind::ClearCounters: return "clear_counters";
+    case Step::Kind::Pass: return "pass";
+    case Step::Kind::Loop: return "loop";
+    case Step::Kind::ReadImage: return "read_image";
+    case Step::Kind::ReadCounters: return "read_counters";
+  }
+  return "";
+}
+
+const char* kindName(PassDesc::Kind kind) {
+  switch (kind) {
+    case PassDesc::Kind::Raster: return "raster";
+    case PassDesc::Kind::Compute: return "compute";
+    case PassDesc::Kind::Trace: return "trace";
+  }
+  return "";
+}
+
+const char* hazardName(Hazard hazard) {
+  switch (hazard) {
+    case Hazard::ReadAfterWrite: return "read after write";
+    case Hazard::WriteAfterRead: return "write after read";
+    case Hazard::WriteAfterWrite: return "write after write";
+  }
+  return "";
+}
+
+Json bitNames(uint32_t bits, const std::vector<const char*>& names) {
+  Json list = Json::array();
+  for (size_t i = 0; i < names.size(); ++i) {
+    if (bits & (1u << i)) list.push_back(names[i]);
+  }
+  return list;
+}
+
+Json stageNames(uint32_t stages) {
+  return bitNames(stages, {"compute", "trace", "fragment", "depth", "color", "transfer", "host"});
+}
+
+Json accessNames(uint32_t access) {
+  return bitNames(access, {"sampled_read", "storage_read", "storage_write", "color_write", "depth_read", "depth_write",
+                           "transfer_read", "transfer_write", "host_read"});
+}
+
+Json usageNames(uint32_t usage) {
+  return bitNames(usage, {"sampled", "storage", "color_attachment", "depth_attachment", "transfer_source",
+                          "transfer_target"});
+}
+
+const std::string& nodeName(const Plan& plan, int node) { return plan.pipeline.nodes[plan.nodes[node].node].name; }
+
+const PassDesc& passOf(const Plan& plan, int node) { return plan.pipeline.passes[plan.nodes[node].pass]; }
+
+const std::string& loopName(const Plan& plan, int loop) { return plan.pipeline.loops[plan.loops[loop].loop].name; }
+
+std::string stepName(const Plan& plan, const Step& step) {
+  bool image = step.kind == Step::Kind::ClearImage || step.kind == Step::Kind::ReadImage;
+  if (image) return plan.images[step.index].name;
+  return step.kind == Step::Kind::Loop ? loopName(plan, step.index) : nodeName(plan, step.index);
+}
+
+Json portsJson(const Plan& plan, const std::vector<PortDesc>& ports, const std::vector<int>& images) {
+  Json json = Json::object();
+  for (size_t i = 0; i < ports.size(); ++i) {
+    json[ports[i].name] = images[i] < 0 ? Json() : Json(plan.images[images[i]].name);
+  }
+  return json;
+}
+
+Json nodeJson(const Plan& plan, int index) {
+  const PlanNode& node = plan.nodes[index];
+  const PassDesc& pass = passOf(plan, index);
+  Json json;
+  json["name"] = nodeName(plan, index);
+  json["pass"] = pass.name;
+  json["kind"] = kindName(pass.kind);
+  json["shader"] = pass.shader;
+  json["size"] = {node.width, node.height};
+  json["time"] = plan.pipeline.nodes[node.node].time;
+  json["loop"] = node.loop < 0 ? "" : loopName(plan, node.loop);
+  json["params"] = Json::object();
+  for (const auto& [name, value] : node.params) json["params"][name] = toJson(value);
+  json["reads"] = portsJson(plan, pass.reads, node.reads);
+  json["writes"] = portsJson(plan, pass.writes, node.writes);
+  json["updates"] = portsJson(plan, pass.updates, node.updates);
+  return json;
+}
+
+Json loopJson(const Plan& plan, int index) {
+  const PlanLoop& loop = plan.loops[index];
+  Json json;
+  json["name"] = loopName(plan, index);
+  json["count"] = loop.count;
+  json["times"] = loop.times;
+  json["slices"] = loop.slices;
+  json["until"] = loop.until < 0 ? "" : plan.images[loop.until].name;
+  return json;
+}
+
+Json imageJson(const VirtualImage& image) {
+  Json json;
+  json["name"] = image.name;
+  json["format"] = image.format;
+  json["size"] = {image.width, image.height};
+  json["usage"] = usageNames(image.usage);
+  json["life"] = {image.first, image.last};
+  json["slot"] = image.slot;
+  return json;
+}
+
+Json slotJson(const Slot& slot) {
+  Json json;
+  json["format"] = slot.format;
+  json["size"] = {slot.width, slot.height};
+  json["usage"] = usageNames(slot.usage);
+  json["bytes"] = slot.bytes;
+  return json;
+}
+
+Json barrierJson(const Plan& plan, const Barrier& barrier) {
+  Json json;
+  bool slot = barrier.resource.kind == Resource::Kind::Slot;
+  if (slot) json["slot"] = barrier.resource.index;
+  json[slot ? "image" : "counters"] =
+      slot ? plan.images[barrier.image].name : nodeName(plan, barrier.resource.index);
+  json["src"] = {stageNames(barrier.src_stages), accessNames(barrier.src_access)};
+  json["dst"] = {stageNames(barrier.dst_stages), accessNames(barrier.dst_access)};
+  json["hazard"] = hazardName(barrier.hazard);
+  json["carried"] = barrier.carried;
+  json["discard"] = barrier.discard;
+  return json;
+}
+
+Json barriersJson(const Plan& plan, const std::vector<Barrier>& barriers) {
+  Json list = Json::array();
+  for (const Barrier& barrier : barriers) list.push_back(barrierJson(plan, barrier));
+  return list;
+}
+
+Json stepsJson(const Plan& plan, const std::vector<Step>& steps, bool in_loop) {
+  Json list = Json::array();
+  for (const Step& step : steps) {
+    Json json;
+    json["kind"] = kindName(step.kind);
+    json["of"] = stepName(plan, step);
+    json["barriers"] = barriersJson(plan, step.barriers);
+    if (in_loop) json["barriers_next"] = barriersJson(plan, step.barriers_next);
+    if (step.kind == Step::Kind::Loop) json["body"] = stepsJson(plan, step.body, true);
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+Json namedImages(const Plan& plan, const std::vector<std::pair<std::string, int>>& named) {
+  Json json = Json::object();
+  for (const auto& [name, image] : named) json[name] = plan.images[image].name;
+  return json;
+}
+
+std::string megabytes(uint64_t bytes) { return fmt::format("{:.1f} MiB", bytes / (1024.0 * 1024.0)); }
+
+std::string portText(const Plan& plan, const std::string& port, int image_index) {
+  const VirtualImage& image = plan.images[image_index];
+  std::string marks = image.kept ? ", kept" : image.read ? "" : ", never read";
+  return fmt::format("{} {} (slot {}{})", port, image.format, image.slot, marks);
+}
+
+std::string nodeText(const Plan& plan, int index, const std::string& indent) {
+  const PlanNode& node = plan.nodes[index];
+  const PassDesc& pass = passOf(plan, index);
+  const NodeDesc& desc = plan.pipeline.nodes[node.node];
+  std::string text = fmt::format("{}{:<24} {:<8} {}x{}", indent, desc.name, kindName(pass.kind), node.width, node.height);
+  if (desc.name != pass.name) text += "  pass " + pass.name;
+  if (desc.time != "capture") text += "  time " + desc.time;
+  text += "\n";
+  auto line = [&](const char* what, const std::string& rest) {
+    text += fmt::format("{}    {:<8}{}\n", indent, what, rest);
+  };
+  for (size_t i = 0; i < pass.reads.size(); ++i) {
+    std::string source = node.reads[i] < 0 ? "(not wired)" : plan.images[node.reads[i]].name;
+    line("reads", fmt::format("{} = {}", pass.reads[i].name, source));
+  }
+  for (size_t i = 0; i < pass.writes.size(); ++i) line("writes", portText(plan, pass.writes[i].name, node.writes[i]));
+  for (size_t i = 0; i < pass.updates.size(); ++i) {
+    line("updates", portText(plan, pass.updates[i].name, node.updates[i]));
+  }
+  std::string params;
+  for (const auto& [name, value] : node.params) params += fmt::format(" {}={}", name, toJson(value).dump());
+  if (!params.empty()) line("params", params.substr(1));
+  return text;
+}
+
+std::string orderText(const Plan& plan) {
+  std::string text;
+  for (const Step& step : plan.steps) {
+    if (step.kind == Step::Kind::Pass) text += nodeText(plan, step.index, "  ");
+    if (step.kind != Step::Kind::Loop) continue;
+    const PlanLoop& loop = plan.loops[step.index];
+    text += fmt::format("  loop {}: {} times, {} times of the scene, {} per iteration{}\n", loopName(plan, step.index),
+                        loop.count, loop.times, loop.slices,
+                        loop.until < 0 ? "" : ", until " + plan.images[loop.until].name);
+    for (const Step& inner : step.body) {
+      if (inner.kind == Step::Kind::Pass) text += nodeText(plan, inner.index, "    ");
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+Json toJson(const Plan& plan) {
+  Json json;
+  json["pipeline"] = plan.pipeline.name;
+  json["size"] = {plan.width, plan.height};
+  json["values"] = Json::object();
+  for (const auto& [name, value] : plan.pipeline.values) json["values"][name] = toJson(value);
+  json["nodes"] = Json::array();
+  for (size_t i = 0; i < plan.nodes.size(); ++i) json["nodes"].push_back(nodeJson(plan, static_cast<int>(i)));
+  json["loops"] = Json::array();
+  for (size_t i = 0; i < plan.loops.size(); ++i) json["loops"].push_back(loopJson(plan, static_cast<int>(i)));
+  json["outputs"] = namedImages(plan, plan.outputs);
+  json["taps"] = namedImages(plan, plan.taps);
+  json["culled"] = Json::object();
+  for (const CulledNode& node : plan.culled) json["culled"][node.name] = node.reason;
+  json["images"] = Json::array();
+  for (const VirtualImage& image : plan.images) json["images"].push_back(imageJson(image));
+  json["slots"] = Json::array();
+  for (const Slot& slot : plan.slots) json["slots"].push_back(slotJson(slot));
+  json["steps"] = stepsJson(plan, plan.steps, false);
+  return json;
+}
+
+std::string hashOf(const Plan& plan) { return hashText(toJson(plan).dump()); }
+
+std::string describe(const Plan& plan) {
+  std::string text = fmt::format("pipeline {} at {}x{}\n", plan.pipeline.name, plan.width, plan.height);
+  for (const auto& [name, value] : plan.pipeline.values) text += fmt::format("  {} = {}\n", name, toJson(value).dump());
+  text += fmt::format("\n{} nodes in order\n", plan.nodes.size()) + orderText(plan);
+
+  text += "\noutputs\n";
+  for (const auto& [name, image] : plan.outputs) text += fmt::format("  {} = {}\n", name, plan.images[image].name);
+  for (const auto& [name, image] : plan.taps) text += fmt::format("  {} (tap)\n", name);
+
+  text += fmt::format("\nculled: {}\n", plan.culled.empty() ? "nothing" : std::to_string(plan.culled.size()));
+  for (const CulledNode& node : plan.culled) text += fmt::format("  {}: {}\n", node.name, node.reason);
+
+  text += fmt::format("\nimages: {} in {} slots, {} instead of {}\n", plan.images.size(), plan.slots.size(),
+                      megabytes(bytesAliased(plan)), megabytes(bytesUnaliased(plan)));
+  text += fmt::format("barriers: {} per frame\n", barrierCount(plan));
+  return text + "hash: " + hashOf(plan) + "\n";
+}
+
+}  // namespace strobe::plan

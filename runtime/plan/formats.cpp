@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "plan/formats.h"
+
+namespace strobe::plan {
+
+const std::vector<Format>& portFormats() {
+  static const std::vector<Format> formats = {
+      {"r8_unorm", 1, 1, false}, {"rgba8_unorm", 4, 4, false}, {"r32f", 1, 4, false},  {"rg16f", 2, 4, false},
+      {"rg32f", 2, 8, false},    {"rgba16f", 4, 8, false},     {"rgba32f", 4, 16, false},
+      {"r32ui", 1, 4, true},     {"rg32ui", 2, 8, true},       {"rgba32ui", 4, 16, true}};
+  return formats;
+}
+
+const Format* findFormat(const std::string& name) {
+  static const Format depth{"d32f", 1, 4, false};
+  if (name == depth.name) return &depth;
+  for (const Format& format : portFormats()) {
+    if (format.name == name) return &format;
+  }
+  return nullptr;
+}
+
+}  // namespace strobe::plan

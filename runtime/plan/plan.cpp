@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: MIT
+#include "plan/plan.h"
+
+#include <algorithm>
+
+#include "plan/formats.h"
+#include "plan/order.h"
+#include "plan/slots.h"
+#include "plan/wiring.h"
+
+namespace strobe::plan {
+namespace {
+
+class Compiler {
+ public:
+  Compiler(const PipelineDesc& pipeline, const CompileOptions& options)
+      : options_(options), wiring_(wire(pipeline, options)) {
+    plan_.pipeline = pipeline;
+    plan_.pipeline.values = wiring_.values;
+    plan_.width = options.width;
+    plan_.height = options.height;
+  }
+
+  Plan compile() {
+    std::vector<bool> needed = neededNodes(wiring_);
+    std::vector<Unit> units = orderNodes(plan_.pipeline, wiring_, needed);
+    for (size_t i = 0; i < needed.size(); ++i) {
+      if (!needed[i]) plan_.culled.push_back({plan_.pipeline.nodes[i].name, "not needed by any output"});
+    }
+    makeNodes(units);
+    keepImages();
+    addClears();
+    for (const Unit& unit : units) addUnit(unit);
+    addReadBacks();
+
+    assignSlots(plan_);
+    for (Step& step : plan_.steps) fillSlots(step);
+    addBarriers(plan_);
+    return std::move(plan_);
+  }
+
+ private:
+  void makeNodes(const std::vector<Unit>& units) {
+    of_desc_.assign(wiring_.nodes.size(), -1);
+    for (const Unit& unit : units) {
+      int loop = unit.loop < 0 ? -1 : addLoop(unit.loop);
+      for (int index : unit.nodes) addNode(index, loop);
+      if (loop >= 0 && wiring_.loops[unit.loop].until.node >= 0) {
+        plan_.loops[loop].until = untilImage(wiring_.loops[unit.loop].until, unit.loop);
+      }
+    }
+  }
+
+  int addLoop(int index) {
+    const WiredLoop& wired = wiring_.loops[index];
+    plan_.loops.push_back({index, wired.count, wired.times, wired.slices, -1});
+    return static_cast<int>(plan_.loops.size()) - 1;
+  }
+
+  int untilImage(const Source& source, int loop) {
+    int image = imageOf(source);
+    const VirtualImage& until = plan_.images[image];
+    if (until.width == 1 && until.height == 1) return image;
+    throw Error(fmt::format("loop '{}' stops on '{}', which is {}x{} instead of 1x1", plan_.pipeline.loops[loop].name,
+                            until.name, until.width, until.height),
+                plan_.pipeline.loops[loop].place);
+  }
+
+  void addNode(int index, int loop) {
+    const WiredNode& wired = wiring_.nodes[index];
+    const PassDesc& pass = plan_.pipeline.passes[wired.pass];
+    PlanNode node;
+    node.node = index;
+    node.pass = wired.pass;
+    node.loop = loop;
+    node.params = wired.params;
+    node.counters = !pass.counters.empty();
+    for (const Source& source : wired.reads) node.reads.push_back(source.node < 0 ? -1 : imageOf(source));
+    setSize(node, pass);
+
+    bool raster = pass.kind == PassDesc::Kind::Raster;
+    uint32_t usage = raster ? kUsageColorAttachment : kUsageStorage;
+    for (const PortDesc& port : pass.writes) node.writes.push_back(addImage(node, port.name, port.format, usage));
+    for (const PortDesc& port : pass.updates) {
+      int image = addImage(node, port.name, port.format, kUsageStorage | kUsageTransferTarget);
+      plan_.images[image].update = true;
+      node.updates.push_back(image);
+    }
+    if (raster) node.depth = addImage(node, "@depth", "d32f", kUsageDepthAttachment);
+    for (int image : node.reads) markRead(image);
+
+    of_desc_[index] = static_cast<int>(plan_.nodes.size());
+    plan_.nodes.push_back(std::move(node));
+  }
+
+  void setSize(PlanNode& node, const PassDesc& pass) {
+    const SizeDesc& size = pass.size;
+    node.width = size.kind == SizeDesc::Kind::Fixed ? size.width : plan_.width;
+    node.height = size.kind == SizeDesc::Kind::Fixed ? size.height : plan_.height;
+    if (size.kind != SizeDesc::Kind::Port) return;
+    const NodeDesc& desc = plan_.pipeline.nodes[node.node];
+    int image = readNamed(node, pass, size.port);
+    if (image < 0) {
+      throw Error(fmt::format("node '{}' is as large as its input '{}', which is not wired", desc.name, size.port),
+                  desc.place);
+    }
+    int divide = size.divide.empty() ? 1 : divisor(node, size.divide);
+    node.width = (plan_.images[image].width + divide - 1) / divide;
+    node.height = (plan_.images[image].height + divide - 1) / divide;
+  }
+
+  static int readNamed(const PlanNode& node, const PassDesc& pass, const std::string& port) {
+    for (size_t i = 0; i < pass.reads.size(); ++i) {
+      if (pass.reads[i].name == port) return node.reads[i];
+    }
+    return -1;
+  }
+
+  int divisor(const PlanNode& node, const std::string& param) {
+    constexpr int64_t kLargest = 1 << 20;  // keeps the sum of a side and a divisor in range
+    for (const auto& [name, value] : node.params) {
+      if (name != param) continue;
+      int64_t number = std::get<int64_t>(value);
+      if (number >= 1) return static_cast<int>(std::min(number, kLargest));
+      const NodeDesc& desc = plan_.pipeline.nodes[node.node];
+      throw Error(fmt::format("node '{}' divides its size by {} = {}", desc.name, param, number), desc.place);
+    }
+    return 1;
+  }
+
+  int addImage(const PlanNode& node, const std::string& port, const std::string& format, uint32_t usage) {
+    VirtualImage image;
+    image.name = plan_.pipeline.nodes[node.node].name + "." + port;
+    image.format = format;
+    image.width = node.width;
+    image.height = node.height;
+    image.usage = usage;
+    plan_.images.push_back(std::move(image));
+    return static_cast<int>(plan_.images.size()) - 1;
+  }
+
+  void markRead(int image) {
+    if (image < 0) return;
+    plan_.images[image].read = true;
+    plan_.images[image].usage |= kUsageSampled;
+  }
+
+  int imageOf(const Source& source) const {
+    const PlanNode& node = plan_.nodes[of_desc_[source.node]];
+    size_t writes = node.writes.size();
+    size_t port = source.port;
+    return port < writes ? node.writes[port] : node.updates[port - writes];
+  }
+
+  void keepImages() {
+    for (size_t i = 0; i < wiring_.outputs.size(); ++i) {
+      plan_.outputs.emplace_back(plan_.pipeline.outputs[i].first, keep(wiring_.outputs[i]));
+    }
+    for (size_t i = 0; i < wiring_.taps.size(); ++i) {
+      plan_.taps.emplace_back(options_.taps[i], keep(wiring_.taps[i]));
+    }
+    for (const PlanLoop& loop : plan_.loops) {
+      if (loop.until >= 0) plan_.images[loop.until].usage |= kUsageTransferSource;
+    }
+  }
+
+  int keep(const Source& source) {
+    int image = imageOf(source);
+    plan_.images[image].kept = true;
+    plan_.images[image].usage |= kUsageTransferSource;
+    return image;
+  }
+
+  // Slots are not known yet: `fillSlots` puts them in.
+  static Use imageUse(int image, uint32_t stages, uint32_t access) { return {{}, image, stages, access}; }
+  static Use counterUse(int node, uint32_t stages, uint32_t access) {
+    return {{Resource::Kind::Counters, node}, -1, stages, access};
+  }
+
+  void addClears() {
+    for (size_t i = 0; i < plan_.images.size(); ++i) {
+      if (!plan_.images[i].update) continue;
+      int image = static_cast<int>(i);
+      addStep(plan_.steps, Step::Kind::ClearImage, image, {imageUse(image, kStageTransfer, kAccessTransferWrite)});
+    }
+    for (size_t i = 0; i < plan_.nodes.size(); ++i) {
+      if (!plan_.nodes[i].counters) continue;
+      int node = static_cast<int>(i);
+      addStep(plan_.steps, Step::Kind::ClearCounters, node, {counterUse(node, kStageTransfer, kAccessTransferWrite)});
+    }
+  }
+
+  void addUnit(const Unit& unit) {
+    if (unit.loop < 0) return addPass(plan_.steps, of_desc_[unit.nodes.front()]);
+    int loop = plan_.nodes[of_desc_[unit.nodes.front()]].loop;
+    addStep(plan_.steps, Step::Kind::Loop, loop, {});
+    std::vector<Step>& body = plan_.steps.back().body;
+    for (int index : unit.nodes) addPass(body, of_desc_[index]);
+    int until = plan_.loops[loop].until;
+    if (until >= 0) addStep(body, Step::Kind::ReadImage, until, {imageUse(until, kStageTransfer, kAccessTransferRead)});
+  }
+
+  void addPass(std::vector<Step>& steps, int index) {
+    const PlanNode& node = plan_.nodes[index];
+    PassDesc::Kind kind = plan_.pipeline.passes[node.pass].kind;
+    uint32_t shader = kStageCompute;
+    if (kind == PassDesc::Kind::Raster) shader = kStageFragment;
+    if (kind == PassDesc::Kind::Trace) shader = options_.trace_stage;
+
+    std::vector<Use> uses;
+    for (int image : node.reads) {
+      bool seen = std::any_of(uses.begin(), uses.end(), [&](const Use& use) { return use.image == image; });
+      if (image >= 0 && !seen) uses.push_back(imageUse(image, shader, kAccessSampledRead));
+    }
+    for (int image : node.writes) {
+      bool raster = kind == PassDesc::Kind::Raster;
+      uses.push_back(raster ? imageUse(image, kStageColor, kAccessColorWrite)
+                            : imageUse(image, shader, kAccessStorageWrite));
+    }
+    uint32_t read_write = kAccessStorageRead | kAccessStorageWrite;
+    for (int image : node.updates) uses.push_back(imageUse(image, shader, read_write));
+    if (node.depth >= 0) uses.push_back(imageUse(node.depth, kStageDepth, kAccessDepthRead | kAccessDepthWrite));
+    if (node.counters) uses.push_back(counterUse(index, shader, read_write));
+    addStep(steps, Step::Kind::Pass, index, std::move(uses));
+  }
+
+  // Each kept image once, however many names it has.
+  void addReadBacks() {
+    for (size_t i = 0; i < plan_.images.size(); ++i) {
+      if (!plan_.images[i].kept) continue;
+      int image = static_cast<int>(i);
+      addStep(plan_.steps, Step::Kind::ReadImage, image, {imageUse(image, kStageTransfer, kAccessTransferRead)});
+    }
+    for (size_t i = 0; i < plan_.nodes.size(); ++i) {
+      if (!plan_.nodes[i].counters) continue;
+      int node = static_cast<int>(i);
+      addStep(plan_.steps, Step::Kind::ReadCounters, node, {counterUse(node, kStageHost, kAccessHostRead)});
+    }
+  }
+
+  static void addStep(std::vector<Step>& steps, Step::Kind kind, int index, std::vector<Use> uses) {
+    Step step;
+    step.kind = kind;
+    step.index = index;
+    step.uses = std::move(uses);
+    steps.push_back(std::move(step));
+  }
+
+  void fillSlots(Step& step) {
+    for (Use& use : step.uses) {
+      if (use.image >= 0) use.resource = {Resource::Kind::Slot, plan_.images[use.image].slot};
+    }
+    for (Step& inner : step.body) fillSlots(inner);
+  }
+
+  const CompileOptions& options_;
+  Wiring wiring_;
+  Plan plan_;
+  std::vector<int> of_desc_;  // index into `plan_.nodes` by index into the description, -1 where culled
+};
+
+}  // namespace
+
+Plan compile(const PipelineDesc& pipeline, const CompileOptions& options) {
+  return Compiler(pipeline, options).compile();
+}
+
+int findImage(const Plan& plan, const std::string& name) {
+  for (size_t i = 0; i < plan.images.size(); ++i) {
+    if (plan.images[i].name == name) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+uint64_t bytesAliased(const Plan& plan) {
+  uint64_t bytes = 0;
+  for (const Slot& slot : plan.slots) bytes += slot.bytes;
+  return bytes;
+}
+
+uint64_t bytesUnaliased(const Plan& plan) {
+  uint64_t bytes = 0;
+  for (const VirtualImage& image : plan.images) bytes += plan.slots[image.slot].bytes;
+  return bytes;
+}
+
+}  // namespace strobe::plan

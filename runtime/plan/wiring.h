@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// A description with its names resolved to indices and its parameters to values, checked: the first half of `compile`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plan/plan.h"
+
+namespace strobe::plan {
+
+// A port that holds an image: index of a node, and of a port among the pass's writes followed by its updates.
+struct Source {
+  int node = -1;
+  int port = -1;
+};
+
+struct WiredNode {
+  int pass = -1;
+  int loop = -1;
+  std::vector<Source> reads;  // per read port of the pass; node -1 where not wired
+  std::vector<std::pair<std::string, Value>> params;
+};
+
+struct WiredLoop {
+  int count = 1;
+  std::string times = "midpoint";
+  int slices = 1;
+  Source until;
+};
+
+struct Wiring {
+  std::vector<std::pair<std::string, Value>> values;  // of the pipeline's parameters
+  std::vector<WiredNode> nodes;                       // as in the description
+  std::vector<WiredLoop> loops;
+  std::vector<Source> outputs;
+  std::vector<Source> taps;
+};
+
+// The port that `source` means.
+const PortDesc& portOf(const PipelineDesc& pipeline, const Wiring& wiring, const Source& source);
+
+// Throws `Error` with every unknown name, mismatch and value out of range.
+Wiring wire(const PipelineDesc& pipeline, const CompileOptions& options);
+
+}  // namespace strobe::plan
