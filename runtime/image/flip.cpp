@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: MIT
+#include "image/flip.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <future>
+#include <numeric>
+#include <vector>
+
+#include "base/error.h"
+#include "image/magma.h"
+
+namespace strobe::image {
+namespace {
+
+using Vec3 = std::array<float, 3>;
+constexpr double kPi = 3.14159265358979323846;
+
+struct Plane {
+  int width, height;
+  std::vector<float> values;
+
+  Plane(int w, int h) : width(w), height(h), values(size_t(w) * h, 0.0f) {}
+  float* row(int y) { return &values[size_t(y) * width]; }
+  const float* row(int y) const { return &values[size_t(y) * width]; }
+};
+
+// ---- colour -------------------------------------------------------------------------------------------------------
+
+constexpr Vec3 kWhite = {0.950428545f, 1.0f, 1.088900371f};  // D65 of the XYZ matrix below
+
+// CIE XYZ divided by the white point, so that white is (1,1,1).
+Vec3 xyzFromLinear(const Vec3& rgb) {
+  float x = 10135552 / 24577794.0f * rgb[0] + 8788810 / 24577794.0f * rgb[1] + 4435075 / 24577794.0f * rgb[2];
+  float y = 2613072 / 12288897.0f * rgb[0] + 8788810 / 12288897.0f * rgb[1] + 887015 / 12288897.0f * rgb[2];
+  float z = 1425312 / 73733382.0f * rgb[0] + 8788810 / 73733382.0f * rgb[1] + 70074185 / 73733382.0f * rgb[2];
+  return {x / kWhite[0], y / kWhite[1], z / kWhite[2]};
+}
+
+// The inverse, clamped to what a display can show.
+Vec3 linearFromXyz(const Vec3& relative) {
+  float x = relative[0] * kWhite[0], y = relative[1] * kWhite[1], z = relative[2] * kWhite[2];
+  auto clamped = [](float v) { return std::min(std::max(v, 0.0f), 1.0f); };
+  return {clamped(3.241003275f * x - 1.537398934f * y - 0.498615861f * z),
+          clamped(-0.969224334f * x + 1.875930071f * y + 0.041554224f * z),
+          clamped(0.055639423f * x - 0.204011202f * y + 1.057148933f * z)};
+}
+
+float labCurve(float v) {
+  constexpr float delta = 6 / 29.0f;
+  return v > delta * delta * delta ? std::cbrt(v) : v / (3 * delta * delta) + 4 / 29.0f;
+}
+
+// CIELab with the Hunt effect: dark colours differ less in chroma.
+Vec3 huntLabFromLinear(const Vec3& rgb) {
+  Vec3 xyz = xyzFromLinear(rgb);
+  float x = labCurve(xyz[0]), y = labCurve(xyz[1]), z = labCurve(xyz[2]);
+  float lightness = 116 * y - 16;
+  return {lightness, 0.01f * lightness * 500 * (x - y), 0.01f * lightness * 200 * (y - z)};
+}
+
+float hybridDistance(const Vec3& p, const Vec3& q) {
+  return std::abs(p[0] - q[0]) + std::hypot(p[1] - q[1], p[2] - q[2]);
+}
+
+// ---- filters ------------------------------------------------------------------------------------------------------
+
+// Borders repeat the outermost pixel.
+Plane alongRows(const Plane& in, const std::vector<float>& taps) {
+  int radius = static_cast<int>(taps.size()) / 2;
+  Plane out(in.width, in.height);
+  std::vector<float> padded(size_t(in.width) + 2 * radius);
+  for (int y = 0; y < in.height; ++y) {
+    const float* from = in.row(y);
+    for (int i = 0; i < int(padded.size()); ++i) padded[i] = from[std::clamp(i - radius, 0, in.width - 1)];
+    float* to = out.row(y);
+    for (size_t k = 0; k < taps.size(); ++k)
+      for (int x = 0; x < in.width; ++x) to[x] += taps[k] * padded[x + k];
+  }
+  return out;
+}
+
+Plane alongColumns(const Plane& in, const std::vector<float>& taps) {
+  int radius = static_cast<int>(taps.size()) / 2;
+  Plane out(in.width, in.height);
+  for (int y = 0; y < in.height; ++y) {
+    float* to = out.row(y);
+    for (int k = 0; k < int(taps.size()); ++k) {
+      const float* from = in.row(std::clamp(y + k - radius, 0, in.height - 1));
+      for (int x = 0; x < in.width; ++x) to[x] += taps[k] * from[x];
+    }
+  }
+  return out;
+}
+
+Plane blurred(const Plane& in, const std::vector<float>& taps) { return alongColumns(alongRows(in, taps), taps); }
+
+// One Gaussian term a sqrt(pi/b) exp(-pi^2 r^2 / b) of a contrast sensitivity function, r in degrees: its normalised
+// taps, and its integral over the image, by which the terms of a sum are weighed.
+struct Sensitivity {
+  std::vector<float> taps;
+  double integral;
+};
+
+Sensitivity sensitivity(double a, double b, double pixels_per_degree) {
+  // Every filter has the radius of the widest: three standard deviations of b = 0.04.
+  int radius = static_cast<int>(std::ceil(3 * std::sqrt(0.04 / (2 * kPi * kPi)) * pixels_per_degree));
+  std::vector<double> weights;
+  for (int i = -radius; i <= radius; ++i) {
+    double degrees = i / pixels_per_degree;
+    weights.push_back(std::exp(-kPi * kPi * degrees * degrees / b));
+  }
+  double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  Sensitivity result{{}, a * std::sqrt(kPi / b) * sum * sum};
+  for (double weight : weights) result.taps.push_back(static_cast<float>(weight / sum));
+  return result;
+}
+
+// Gaussian, first and second derivative as wide as a visible feature; each lobe of a derivative sums to 1 or -1.
+struct FeatureTaps {
+  std::vector<float> gaussian, edge, point;
+};
+
+std::vector<float> normaliseLobes(const std::vector<double>& weights) {
+  double positive = 0, negative = 0;
+  for (double weight : weights) (weight > 0 ? positive : negative) += std::abs(weight);
+  std::vector<float> taps;
+  for (double weight : weights) taps.push_back(static_cast<float>(weight / (weight > 0 ? positive : negative)));
+  return taps;
+}
+
+FeatureTaps featureTaps(double pixels_per_degree) {
+  double sigma = 0.5 * 0.082 * pixels_per_degree;
+  int radius = static_cast<int>(std::ceil(3 * sigma));
+  std::vector<double> gaussian, edge, point;
+  for (int i = -radius; i <= radius; ++i) {
+    double g = std::exp(-i * i / (2 * sigma * sigma));
+    gaussian.push_back(g);
+    edge.push_back(-i * g);
+    point.push_back((i * i / (sigma * sigma) - 1) * g);
+  }
+  return {normaliseLobes(gaussian), normaliseLobes(edge), normaliseLobes(point)};
+}
+
+// ---- one image as it is seen --------------------------------------------------------------------------------------
+
+struct Seen {
+  std::vector<Vec3> colour;  // Hunt-adjusted CIELab after the eye's blur
+  Plane edge, point;         // strength of features
+};
+
+Plane lengthOf(const Plane& x, const Plane& y) {
+  Plane out(x.width, x.height);
+  for (size_t i = 0; i < out.values.size(); ++i)
+    out.values[i] = std::sqrt(x.values[i] * x.values[i] + y.values[i] * y.values[i]);
+  return out;
+}
+
+Plane greyOf(const Plane& luminance) {
+  Plane grey = luminance;
+  for (float& value : grey.values) value = (value + 16) / 116;
+  return grey;
+}
+
+// The blue-yellow sensitivity is the sum of two Gaussians.
+Plane blurBlueYellow(const Plane& in, double ppd) {
+  Sensitivity narrow = sensitivity(34.1, 0.04, ppd), wide = sensitivity(13.5, 0.025, ppd);
+  Plane out = blurred(in, narrow.taps), other = blurred(in, wide.taps);
+  float share = static_cast<float>(narrow.integral / (narrow.integral + wide.integral));
+  for (size_t i = 0; i < out.values.size(); ++i)
+    out.values[i] = share * out.values[i] + (1 - share) * other.values[i];
+  return out;
+}
+
+std::vector<Vec3> seenColours(const Plane& y, const Plane& cx, const Plane& cz) {
+  std::vector<Vec3> colours(y.values.size());
+  for (size_t i = 0; i < colours.size(); ++i) {
+    float luminance = (y.values[i] + 16) / 116;
+    Vec3 xyz = {luminance + cx.values[i] / 500, luminance, luminance - cz.values[i] / 200};
+    colours[i] = huntLabFromLinear(linearFromXyz(xyz));
+  }
+  return colours;
+}
+
+// `image` holds linear RGB in [0,1], three channels.
+Seen see(const Image& image, double ppd) {
+  Plane y(image.width, image.height), cx = y, cz = y;
+  for (size_t i = 0; i < y.values.size(); ++i) {
+    Vec3 xyz = xyzFromLinear({image.values[3 * i], image.values[3 * i + 1], image.values[3 * i + 2]});
+    y.values[i] = 116 * xyz[1] - 16;
+    cx.values[i] = 500 * (xyz[0] - xyz[1]);
+    cz.values[i] = 200 * (xyz[1] - xyz[2]);
+  }
+  FeatureTaps taps = featureTaps(ppd);
+  Plane grey = greyOf(y);
+  Plane smooth_rows = alongRows(grey, taps.gaussian), smooth_columns = alongColumns(grey, taps.gaussian);
+  Plane edge = lengthOf(alongRows(smooth_columns, taps.edge), alongColumns(smooth_rows, taps.edge));
+  Plane point = lengthOf(alongRows(smooth_columns, taps.point), alongColumns(smooth_rows, taps.point));
+  Plane seen_y = blurred(y, sensitivity(1, 0.0047, ppd).taps);
+  Plane seen_cx = blurred(cx, sensitivity(1, 0.0053, ppd).taps);
+  return {seenColours(seen_y, seen_cx, blurBlueYellow(cz, ppd)), std::move(edge), std::move(point)};
+}
+
+// ---- their difference ---------------------------------------------------------------------------------------------
+
+constexpr float kColourExponent = 0.7f;
+
+float largestColourError() {
+  return std::pow(hybridDistance(huntLabFromLinear({0, 1, 0}), huntLabFromLinear({0, 0, 1})), kColourExponent);
+}
+
+// Differences up to 0.4 of the largest fill [0,0.95]; the rest is squeezed into what is left.
+float remapColourError(float error, float largest) {
+  float knee = 0.4f * largest;
+  if (error < knee) return 0.95f / knee * error;
+  return 0.95f + (error - knee) / (largest - knee) * 0.05f;
+}
+
+Image differenceOf(const Seen& test, const Seen& reference) {
+  static const float largest = largestColourError();
+  Image map(test.edge.width, test.edge.height, 1);
+  for (size_t i = 0; i < map.values.size(); ++i) {
+    float colour = std::pow(hybridDistance(test.colour[i], reference.colour[i]), kColourExponent);
+    float edge = std::abs(test.edge.values[i] - reference.edge.values[i]);
+    float point = std::abs(test.point.values[i] - reference.point.values[i]);
+    float feature = std::sqrt(std::max(edge, point) * std::sqrt(0.5f));
+    map.values[i] = std::pow(remapColourError(colour, largest), 1 - feature);
+  }
+  return map;
+}
+
+// `test` and `reference` in [0,1], three channels. The two images are seen at the same time on two cores.
+Image flipOfDisplayable(const Image& test, const Image& reference, double ppd) {
+  auto seen_test = std::async(std::launch::async, [&] { return see(test, ppd); });
+  Seen seen_reference = see(reference, ppd);
+  return differenceOf(seen_test.get(), seen_reference);
+}
+
+// ---- exposures ----------------------------------------------------------------------------------------------------
+
+// (k0 x^2 + k1 x + k2) / (k3 x^2 + k4 x + k5)
+using Rational = std::array<double, 6>;
+
+// ACES: Narkowicz's fit with its input scaled by 0.6.
+Rational coefficients(FlipCurve curve) {
+  if (curve == FlipCurve::aces) return {0.36 * 2.51, 0.6 * 0.03, 0, 0.36 * 2.43, 0.6 * 0.59, 0.14};
+  if (curve == FlipCurve::hable) return {0.231683, 0.013791, 0, 0.18, 0.3, 0.018};
+  return {0, 1, 0, 0, 1, 1};
+}
+
+// Where the curve reaches `level`: the larger root of a quadratic.
+double inputFor(const Rational& k, double level) {
+  double a = k[0] - level * k[3], b = k[1] - level * k[4], c = k[2] - level * k[5];
+  if (a == 0) return -c / b;
+  double middle = -0.5 * b / a;
+  return middle + std::sqrt(middle * middle - c / a);
+}
+
+float luminanceOf(const float* rgb) { return 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2]; }
+
+Vec3 bend(const float* rgb, float scale, const Rational& k, FlipCurve curve) {
+  Vec3 in = {rgb[0] * scale, rgb[1] * scale, rgb[2] * scale}, out;
+  float divisor = 1 + luminanceOf(in.data());
+  for (int c = 0; c < 3; ++c) {
+    double x = in[c];
+    double bent = (x * (k[0] * x + k[1]) + k[2]) / (x * (k[3] * x + k[4]) + k[5]);
+    float value = curve == FlipCurve::reinhard ? in[c] / divisor : static_cast<float>(bent);
+    out[c] = std::min(std::max(value, 0.0f), 1.0f);
+  }
+  return out;
+}
+
+Image exposed(const Image& image, double stops, FlipCurve curve) {
+  Rational k = coefficients(curve);
+  float scale = static_cast<float>(std::exp2(stops));
+  Image out(image.width, image.height, 3);
+  for (size_t i = 0; i < out.values.size(); i += 3) {
+    Vec3 bent = bend(&image.values[i], scale, k, curve);
+    std::copy(bent.begin(), bent.end(), &out.values[i]);
+  }
+  return out;
+}
+
+Image threeChannels(const Image& image) {
+  STROBE_ASSERT(image.channels == 1 || image.channels >= 3, "{} channels", image.channels);
+  if (image.channels == 3) return image;
+  Image out(image.width, image.height, 3);
+  for (size_t i = 0; i < out.values.size(); ++i)
+    out.values[i] = image.values[i / 3 * image.channels + (image.channels == 1 ? 0 : i % 3)];
+  return out;
+}
+
+void assertAlike(const Image& test, const Image& reference) {
+  STROBE_ASSERT(test.width == reference.width && test.height == reference.height && !test.empty(), "{}x{} and {}x{}",
+                test.width, test.height, reference.width, reference.height);
+}
+
+std::vector<float> luminances(const Image& image) {
+  Image rgb = threeChannels(image);
+  std::vector<float> values;
+  for (size_t i = 0; i < rgb.values.size(); i += 3) values.push_back(luminanceOf(&rgb.values[i]));
+  return values;
+}
+
+Image clampUnit(Image image) {
+  for (float& value : image.values) value = std::min(std::max(value, 0.0f), 1.0f);
+  return image;
+}
+
+}  // namespace
+
+Image ldrFlip(const Image& test, const Image& reference, double pixels_per_degree) {
+  assertAlike(test, reference);
+  return flipOfDisplayable(clampUnit(threeChannels(test)), clampUnit(threeChannels(reference)), pixels_per_degree);
+}
+
+const char* exposureSourceName(Exposures::Source source) {
+  switch (source) {
+    case Exposures::Source::given: return "given";
+    case Exposures::Source::reference: return "reference";
+    case Exposures::Source::positive: return "reference, smallest positive luminance for its median of 0";
+    case Exposures::Source::test: return "test image, because the reference is black";
+    case Exposures::Source::none: break;
+  }
+  return "none, because both images are black";
+}
+
+Exposures automaticExposures(const Image& test, const Image& reference, FlipCurve curve) {
+  Exposures result{0, 0, 2, Exposures::Source::reference};
+  std::vector<float> values = luminances(reference);
+  auto black = [&] { return *std::max_element(values.begin(), values.end()) <= 0; };
+  if (black()) values = luminances(test), result.source = Exposures::Source::test;
+  if (black()) return {0, 0, 2, Exposures::Source::none};
+
+  std::sort(values.begin(), values.end());
+  double largest = values.back(), median = values[values.size() / 2];
+  if (median <= 0) {
+    median = *std::upper_bound(values.begin(), values.end(), 0.0f);
+    if (result.source == Exposures::Source::reference) result.source = Exposures::Source::positive;
+  }
+  double target = inputFor(coefficients(curve), 0.85);
+  result.start = std::log2(target / largest);
+  result.stop = std::log2(target / median);
+  result.count = std::max(2, static_cast<int>(std::ceil(result.stop - result.start)));
+  return result;
+}
+
+HdrFlip hdrFlip(const Image& test, const Image& reference, const HdrFlipOptions& options) {
+  assertAlike(test, reference);
+  Image x = threeChannels(test), r = threeChannels(reference);
+  HdrFlip result;
+  result.exposures = options.exposures ? *options.exposures : automaticExposures(x, r, options.curve);
+  const Exposures& range = result.exposures;
+  STROBE_ASSERT(range.count >= 1 && range.start <= range.stop, "{} to {} in {}", range.start, range.stop, range.count);
+  double step = range.count > 1 ? (range.stop - range.start) / (range.count - 1) : 0;
+  // One constant exposure need not be looked at twice.
+  int looks = step > 0 ? range.count : 1;
+  for (int i = 0; i < looks; ++i) {
+    double stops = range.start + i * step;
+    Image map = flipOfDisplayable(exposed(x, stops, options.curve), exposed(r, stops, options.curve),
+                                  options.pixels_per_degree);
+    if (i == 0) result.map = map;
+    for (size_t p = 0; p < map.values.size(); ++p)
+      result.map.values[p] = std::max(result.map.values[p], map.values[p]);
+  }
+  return result;
+}
+
+Image flipColours(const Image& map) {
+  Image display(map.width, map.height, 3);
+  for (size_t i = 0; i < map.values.size(); ++i) {
+    Colour colour = magma(map.values[i]);
+    std::copy(colour.begin(), colour.end(), &display.values[3 * i]);
+  }
+  return display;
+}
+
+double weightedPercentile(const Image& map, double fraction) {
+  std::vector<float> values = map.values;
+  std::sort(values.begin(), values.end());
+  double total = std::accumulate(values.begin(), values.end(), 0.0), sum = 0;
+  for (float value : values)
+    if ((sum += value) >= fraction * total) return value;
+  return values.empty() ? 0 : values.back();
+}
+
+}  // namespace strobe::image

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// 8-bit PNG files of display images (sRGB-encoded values in [0,1], see tone.h).
+#pragma once
+
+#include <string>
+
+#include "base/files.h"
+#include "image/image.h"
+
+namespace strobe::image {
+
+// `display` has 1, 3 or 4 channels; values are clamped and rounded to the nearest of 256 levels. The bytes depend on
+// nothing but the values: fixed settings, no date. 1 channel is written as grey.
+std::string encodePng(const Image& display);
+void writePng(const Path& file, const Image& display);
+
+// 3 channels, or 4 when the file has transparency; grey and palettes become RGB, 16 bits become 8.
+// Throws `Error` naming the file when it is missing, cut short or not a PNG.
+Image readPng(const Path& file);
+
+}  // namespace strobe::image
