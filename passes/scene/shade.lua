@@ -1,0 +1,16 @@
+-- SPDX-License-Identifier: MIT
+-- Deferred shading of what each pixel sees, with traced shadows.
+local pass = require "strobe.pass"
+
+return pass.trace {
+  name   = "shade",
+  shader = "scene/shade",
+  doc    = "Colour of what each pixel sees, posed at the capture; lights cast traced shadows",
+  size   = { of = "hit" },
+  reads  = { hit = { uint = true, doc = "instance + 1 (0 = sky), geometry, primitive" } },
+  writes = { color = { format = "rgba32f", doc = "linear radiance; alpha 1" } },
+  params = {
+    shading = pass.choice { "frozen", "full", default = "frozen",
+      doc = "pose at which points are shaded: the capture's, or the node's own time" },
+  },
+}

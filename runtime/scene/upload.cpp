@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+#include "scene/upload.h"
+
+#include <glm/gtc/packing.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace strobe::scene {
+
+using gpu::Buffer;
+using namespace shared;
+
+static constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+static constexpr VkBufferUsageFlags kBuildInput =
+    VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
+
+template <class T>
+static Buffer uploadArray(const gpu::Device& device, const std::string& name, const std::vector<T>& values,
+                          VkBufferUsageFlags usage) {
+  return gpu::uploadBuffer(device, name, values.data(), values.size() * sizeof(T), usage);
+}
+
+GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slices)
+    : device_(device),
+      scene_(scene),
+      slices_(std::max(slices, 3u)),
+      instances_(instancesOf(scene)),
+      light_nodes_(lightsOf(scene)) {
+  uploadGeometry(scene);
+  uploadMaterials(scene);
+  uploadTextures(scene);
+  buildStructures(scene);
+  auto host_array = [&](const char* name, size_t bytes, VkBufferUsageFlags usage) {
+    return Buffer(device_, name, bytes, usage, Buffer::Memory::Host);
+  };
+  frame_ = host_array("frame", sizeof(FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+  lights_ = host_array("scene.lights", slices_ * light_nodes_.size() * sizeof(SceneLight), kStorage);
+  transforms_ = host_array("scene.transforms", slices_ * instances_.size() * sizeof(SceneTransform), kStorage);
+  cameras_ = host_array("scene.cameras", slices_ * sizeof(SceneCamera), kStorage);
+  makeSet();
+}
+
+void GpuScene::uploadGeometry(const Scene& scene) {
+  std::vector<SceneVertex> vertices;
+  std::vector<uint32_t> indices;
+  for (const Mesh& mesh : scene.meshes) {
+    first_geometry_.push_back(uint32_t(geometries_.size()));
+    for (const Geometry& source : mesh.geometries) {
+      SceneGeometry geometry;
+      geometry.first_index = uint32_t(indices.size());
+      geometry.first_vertex = uint32_t(vertices.size());
+      geometry.triangle_count = uint32_t(source.indices.size() / 3);
+      geometry.material = uint32_t(source.material);
+      geometries_.push_back(geometry);
+      for (const Vertex& v : source.vertices)
+        vertices.push_back({v.position, v.normal, v.uv0, v.uv1, glm::packUnorm4x8(v.color)});
+      indices.insert(indices.end(), source.indices.begin(), source.indices.end());
+    }
+  }
+
+  std::vector<SceneInstance> instance_data;
+  std::vector<SceneDraw> draw_data;
+  for (size_t i = 0; i < instances_.size(); ++i) {
+    const Mesh& mesh = scene.meshes[size_t(instances_[i].mesh)];
+    uint32_t first = first_geometry_[size_t(instances_[i].mesh)];
+    instance_data.push_back({first, uint32_t(mesh.geometries.size())});
+    for (uint32_t g = 0; g < mesh.geometries.size(); ++g) {
+      const SceneGeometry& geometry = geometries_[first + g];
+      draws_.push_back({geometry.first_index, 3 * geometry.triangle_count, int32_t(geometry.first_vertex)});
+      draw_data.push_back({uint32_t(i), g});
+    }
+  }
+  vertices_ = uploadArray(device_, "scene.vertices", vertices, kStorage | kBuildInput);
+  indices_ = uploadArray(device_, "scene.indices", indices, kStorage | kBuildInput | VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  geometry_buffer_ = uploadArray(device_, "scene.geometries", geometries_, kStorage);
+  instance_buffer_ = uploadArray(device_, "scene.instances", instance_data, kStorage);
+  draw_buffer_ = uploadArray(device_, "scene.draws", draw_data, kStorage);
+}
+
+static SceneTextureUse textureUse(const TextureUse& use) {
+  const auto& m = use.uv_transform;
+  return {use.texture, uint32_t(use.uv_set), vec2(m[0]), vec2(m[1]), vec2(m[2])};
+}
+
+void GpuScene::uploadMaterials(const Scene& scene) {
+  std::vector<SceneMaterial> materials;
+  for (const Material& source : scene.materials) {
+    SceneMaterial material;
+    material.base_color = source.base_color;
+    material.emissive = source.emissive;
+    material.metallic = source.metallic;
+    material.roughness = source.roughness;
+    material.alpha_cutoff = source.alpha_cutoff;
+    material.normal_scale = source.normal_scale;
+    material.flags = (source.unlit ? MATERIAL_UNLIT : 0) | (source.alpha_mask ? MATERIAL_ALPHA_MASK : 0);
+    material.base_color_use = textureUse(source.base_color_texture);
+    material.metallic_roughness_use = textureUse(source.metallic_roughness_texture);
+    material.normal_use = textureUse(source.normal_texture);
+    material.emissive_use = textureUse(source.emissive_texture);
+    materials.push_back(material);
+  }
+  materials_ = uploadArray(device_, "scene.materials", materials, kStorage);
+}
+
+static VkFormat vulkanFormat(Texture::Format format) {
+  switch (format) {
+    case Texture::Format::Rgba8Srgb: return VK_FORMAT_R8G8B8A8_SRGB;
+    case Texture::Format::Rgba8Unorm: return VK_FORMAT_R8G8B8A8_UNORM;
+    case Texture::Format::Rgba32f: return VK_FORMAT_R32G32B32A32_SFLOAT;
+  }
+  return VK_FORMAT_UNDEFINED;
+}
+
+static VkSamplerAddressMode vulkanWrap(Texture::Wrap wrap) {
+  switch (wrap) {
+    case Texture::Wrap::Repeat: return VK_SAMPLER_ADDRESS_MODE_REPEAT;
+    case Texture::Wrap::Mirror: return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
+    case Texture::Wrap::Clamp: return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  }
+  return VK_SAMPLER_ADDRESS_MODE_REPEAT;
+}
+
+void GpuScene::uploadTextures(const Scene& scene) {
+  // A white texel stands in where a scene has none, so that the array is never empty.
+  Texture white;
+  white.name = "white";
+  white.width = white.height = 1;
+  white.levels = {{255, 255, 255, 255}};
+  std::vector<const Texture*> sources;
+  for (const Texture& texture : scene.textures) sources.push_back(&texture);
+  if (sources.empty()) sources.push_back(&white);
+  for (const Texture* source : sources) {
+    gpu::ImageDesc desc;
+    desc.format = vulkanFormat(source->format);
+    desc.width = uint32_t(source->width);
+    desc.height = uint32_t(source->height);
+    desc.levels = uint32_t(source->levels.size());
+    textures_.push_back(gpu::uploadImage(device_, "scene.texture." + source->name, desc, source->levels));
+    samplers_.push_back(gpu::makeSampler(device_, "scene.sampler." + source->name,
+                                         {!source->nearest, vulkanWrap(source->wrap_u), vulkanWrap(source->wrap_v)}));
+  }
+}
+
+void GpuScene::buildStructures(const Scene& scene) {
+  for (size_t m = 0; m < scene.meshes.size(); ++m) {
+    const Mesh& mesh = scene.meshes[m];
+    std::vector<gpu::TriangleGeometry> described;
+    uint32_t triangles = 0;
+    for (size_t g = 0; g < mesh.geometries.size(); ++g) {
+      const SceneGeometry& geometry = geometries_[first_geometry_[m] + g];
+      gpu::TriangleGeometry d;
+      d.vertices = vertices_.address() + geometry.first_vertex * sizeof(SceneVertex);
+      d.vertex_count = uint32_t(mesh.geometries[g].vertices.size());
+      d.vertex_stride = sizeof(SceneVertex);
+      d.indices = indices_.address() + geometry.first_index * sizeof(uint32_t);
+      d.triangle_count = geometry.triangle_count;
+      d.opaque = !scene.materials[geometry.material].alpha_mask;
+      described.push_back(d);
+      triangles += d.triangle_count;
+    }
+    bottom_levels_.push_back(triangles ? gpu::buildBottomLevel(device_, "scene.mesh." + mesh.name, described)
+                                       : gpu::Acceleration());
+  }
+  for (uint32_t i = 0; i < slices_ - 2; ++i)
+    top_levels_.emplace_back(device_, fmt::format("scene.top_level.{}", i), uint32_t(instances_.size()));
+}
+
+void GpuScene::makeSet() {
+  const VkShaderStageFlags all = VK_SHADER_STAGE_ALL;
+  std::vector<VkDescriptorSetLayoutBinding> bindings = {{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, all, nullptr}};
+  const Buffer* arrays[] = {&vertices_,    &indices_,   &geometry_buffer_, &instance_buffer_, &draw_buffer_,
+                            &materials_, &lights_, &transforms_,      &cameras_};
+  for (uint32_t i = 1; i <= 9; ++i) bindings.push_back({i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, all, nullptr});
+  uint32_t texture_count = uint32_t(textures_.size());
+  bindings.push_back({10, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, texture_count, all, nullptr});
+  bindings.push_back({11, VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR, slices_, all, nullptr});
+  set_layout_ = gpu::makeSetLayout(device_, "scene", bindings);
+  pool_ = gpu::makeDescriptorPool(device_, "scene", bindings, 1);
+  set_ = gpu::allocateSet(device_, pool_.get(), set_layout_.get());
+
+  std::vector<VkDescriptorBufferInfo> buffers = {{frame_.handle(), 0, VK_WHOLE_SIZE}};
+  for (const Buffer* array : arrays) buffers.push_back({array->handle(), 0, VK_WHOLE_SIZE});
+  std::vector<VkDescriptorImageInfo> images;
+  for (uint32_t i = 0; i < texture_count; ++i)
+    images.push_back({samplers_[i].get(), textures_[i].view(), VK_IMAGE_LAYOUT_GENERAL});
+  std::vector<VkAccelerationStructureKHR> structures;
+  for (uint32_t slice = 0; slice < slices_; ++slice)
+    structures.push_back(slice == 1 || slice == 2 ? top_levels_[0].handle() : topLevel(slice).handle());
+  VkWriteDescriptorSetAccelerationStructureKHR structure_info{
+      VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR};
+  structure_info.accelerationStructureCount = slices_;
+  structure_info.pAccelerationStructures = structures.data();
+
+  std::vector<VkWriteDescriptorSet> writes;
+  for (const auto& binding : bindings) {
+    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+    write.dstSet = set_;
+    write.dstBinding = binding.binding;
+    write.descriptorType = binding.descriptorType;
+    write.descriptorCount = binding.descriptorCount;
+    if (binding.binding < 10) write.pBufferInfo = &buffers[binding.binding];
+    if (binding.binding == 10) write.pImageInfo = images.data();
+    if (binding.binding == 11) write.pNext = &structure_info;
+    writes.push_back(write);
+  }
+  device_.vk().UpdateDescriptorSets(device_.handle(), uint32_t(writes.size()), writes.data(), 0, nullptr);
+}
+
+void GpuScene::setFrame(const FrameData& frame) { std::memcpy(frame_.mapped(), &frame, sizeof frame); }
+
+static SceneCamera cameraData(const Pose& pose, const Camera& camera, double aspect, const dvec3& origin) {
+  const dmat4& m = pose.world_from_camera;
+  SceneCamera data;
+  data.position = vec3(dvec3(m[3]) - origin);
+  data.near = float(camera.near);
+  data.right = vec3(glm::normalize(dvec3(m[0])));
+  data.up = vec3(glm::normalize(dvec3(m[1])));
+  data.forward = vec3(-glm::normalize(dvec3(m[2])));
+  double half_height = camera.orthographic ? camera.half_height : std::tan(camera.vertical_fov / 2);
+  data.half_extent = vec2(half_height * aspect, half_height);
+  data.orthographic = camera.orthographic ? 1 : 0;
+  return data;
+}
+
+static SceneTransform transformData(const dmat4& world_from_instance, const dvec3& origin) {
+  dmat4 m = world_from_instance;
+  m[3] -= dvec4(origin, 0);
+  auto row = [&m](int r) { return vec4(m[0][r], m[1][r], m[2][r], m[3][r]); };
+  return {row(0), row(1), row(2)};
+}
+
+static SceneLight lightData(const Light& light, const dmat4& world_from_light, const dvec3& origin) {
+  SceneLight data;
+  data.position = vec3(dvec3(world_from_light[3]) - origin);
+  data.type = light.type == Light::Type::Directional ? LIGHT_DIRECTIONAL
+              : light.type == Light::Type::Point     ? LIGHT_POINT
+                                                     : LIGHT_SPOT;
+  data.direction = vec3(-glm::normalize(dvec3(world_from_light[2])));
+  data.range = float(light.range);
+  data.intensity = light.intensity;
+  data.shadow = light.shadow ? 1 : 0;
+  data.cos_inner = float(std::cos(light.inner_cone));
+  data.cos_outer = float(std::cos(light.outer_cone));
+  return data;
+}
+
+void GpuScene::setPose(uint32_t slice, const Pose& pose, const Camera& camera, double aspect, const dvec3& origin) {
+  STROBE_ASSERT(slice < slices_ && pose.world_from_instance.size() == instances_.size(), "slice {}", slice);
+  static_cast<SceneCamera*>(cameras_.mapped())[slice] = cameraData(pose, camera, aspect, origin);
+  auto* transforms = static_cast<SceneTransform*>(transforms_.mapped()) + slice * instances_.size();
+  for (size_t i = 0; i < instances_.size(); ++i) transforms[i] = transformData(pose.world_from_instance[i], origin);
+  auto* lights = static_cast<SceneLight*>(lights_.mapped()) + slice * light_nodes_.size();
+  for (size_t i = 0; i < light_nodes_.size(); ++i) {
+    const Light& light = scene_.lights[size_t(scene_.nodes[size_t(light_nodes_[i])].light)];
+    lights[i] = lightData(light, pose.world_from_light[i], origin);
+  }
+  if (slice == SLICE_OPEN || slice == SLICE_CLOSE) return;
+
+  VkAccelerationStructureInstanceKHR* structures = topLevel(slice).instances();
+  for (size_t i = 0; i < instances_.size(); ++i) {
+    VkAccelerationStructureInstanceKHR instance{};
+    static_assert(sizeof instance.transform == sizeof(SceneTransform));
+    std::memcpy(&instance.transform, &transforms[i], sizeof instance.transform);
+    instance.mask = 0xff;
+    instance.flags = VK_GEOMETRY_INSTANCE_TRIANGLE_FACING_CULL_DISABLE_BIT_KHR;
+    const gpu::Acceleration& mesh = bottom_levels_[size_t(instances_[i].mesh)];
+    instance.accelerationStructureReference = mesh.handle() ? mesh.address() : 0;
+    structures[i] = instance;
+  }
+}
+
+void GpuScene::recordBuild(VkCommandBuffer commands, uint32_t slice) const {
+  STROBE_ASSERT(slice != SLICE_OPEN && slice != SLICE_CLOSE, "slice {}", slice);
+  top_levels_[slice == 0 ? 0 : slice - 2].recordBuild(commands, uint32_t(instances_.size()));
+}
+
+}  // namespace strobe::scene

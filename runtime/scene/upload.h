@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// A scene on the device: static buffers, textures and bottom-level structures once, and what moves for each slice of
+// time a frame asks for. The structures are those of shaders/shared/scene.h.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gpu/acceleration.h"
+#include "gpu/pipeline.h"
+#include "scene/scene.h"
+#include "shared/frame.h"
+#include "shared/scene.h"
+
+namespace strobe::scene {
+
+// Owns descriptor set 0, which every pass is bound to: the frame's uniform block and the scene's arrays.
+class GpuScene {
+ public:
+  // `slices`: how many times the scene can be posed at once, at least 3 (capture, open, close).
+  GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slices);
+
+  VkDescriptorSetLayout setLayout() const { return set_layout_.get(); }
+  VkDescriptorSet set() const { return set_; }
+  uint32_t slices() const { return slices_; }
+  uint32_t instanceCount() const { return uint32_t(instances_.size()); }
+  uint32_t lightCount() const { return uint32_t(light_nodes_.size()); }
+  VkBuffer indexBuffer() const { return indices_.handle(); }
+
+  struct Draw {
+    uint32_t first_index, index_count;
+    int32_t first_vertex;
+  };
+  // In the order of instances, then geometries; `gl_InstanceIndex` of draw i is i.
+  const std::vector<Draw>& draws() const { return draws_; }
+
+  // The frame's block; the device must be idle.
+  void setFrame(const shared::FrameData& frame);
+  // Poses slice `slice`; positions become relative to `origin`. The device must be idle. `aspect` is width / height.
+  void setPose(uint32_t slice, const Pose& pose, const Camera& camera, double aspect, const dvec3& origin);
+  // Builds the top-level structure of a posed slice; slices 1 and 2 are never traced and have none.
+  void recordBuild(VkCommandBuffer commands, uint32_t slice) const;
+
+ private:
+  void uploadGeometry(const Scene& scene);
+  void uploadMaterials(const Scene& scene);
+  void uploadTextures(const Scene& scene);
+  void buildStructures(const Scene& scene);
+  void makeSet();
+  gpu::TopLevel& topLevel(uint32_t slice) { return top_levels_[slice == 0 ? 0 : slice - 2]; }
+
+  const gpu::Device& device_;
+  const Scene& scene_;
+  uint32_t slices_;
+  std::vector<Instance> instances_;
+  std::vector<int> light_nodes_;
+  std::vector<Draw> draws_;
+  std::vector<shared::SceneGeometry> geometries_;
+  std::vector<uint32_t> first_geometry_;  // of each mesh
+  gpu::Buffer frame_, vertices_, indices_, geometry_buffer_, instance_buffer_, draw_buffer_, materials_, lights_,
+      transforms_, cameras_;
+  std::vector<gpu::Image> textures_;
+  std::vector<gpu::Owned<VkSampler>> samplers_;
+  std::vector<gpu::Acceleration> bottom_levels_;  // of each mesh, empty where it has no triangles
+  std::vector<gpu::TopLevel> top_levels_;
+  gpu::Owned<VkDescriptorSetLayout> set_layout_;
+  gpu::Owned<VkDescriptorPool> pool_;
+  VkDescriptorSet set_ = VK_NULL_HANDLE;
+};
+
+}  // namespace strobe::scene

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "shader/compiler.h"
+
+#include <glslang/SPIRV/GlslangToSpv.h>
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+
+#include <algorithm>
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace strobe::shader {
+
+namespace {
+
+Path shadersFolder() { return homeFolder() / "shaders"; }
+
+// Beside the including file, then in the shaders folder; empty if in neither.
+Path findInclude(const std::string& name, const Path& from) {
+  for (const Path& folder : {from.parent_path(), shadersFolder()}) {
+    Path candidate = (folder / name).lexically_normal();
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(candidate, ignored)) return candidate;
+  }
+  return {};
+}
+
+void addOnce(std::vector<Path>& files, const Path& file) {
+  if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+}
+
+class Includer : public glslang::TShader::Includer {
+ public:
+  explicit Includer(std::vector<Path>& files) : files_(files) {}
+
+  IncludeResult* includeLocal(const char* name, const char* includer, size_t) override { return load(name, includer); }
+  IncludeResult* includeSystem(const char* name, const char* includer, size_t) override { return load(name, includer); }
+  void releaseInclude(IncludeResult* result) override {
+    if (!result) return;
+    delete static_cast<std::string*>(result->userData);
+    delete result;
+  }
+
+ private:
+  IncludeResult* load(const char* name, const char* includer) {
+    Path file = findInclude(name, Path(includer));
+    if (file.empty()) return nullptr;
+    addOnce(files_, file);
+    auto* text = new std::string(readText(file));
+    return new IncludeResult(file.string(), text->data(), text->size(), text);
+  }
+  std::vector<Path>& files_;
+};
+
+EShLanguage language(Stage stage) {
+  switch (stage) {
+    case Stage::Vertex: return EShLangVertex;
+    case Stage::Fragment: return EShLangFragment;
+    case Stage::Compute: return EShLangCompute;
+    case Stage::RayGeneration: return EShLangRayGen;
+    case Stage::Miss: return EShLangMiss;
+    case Stage::ClosestHit: return EShLangClosestHit;
+    case Stage::AnyHit: return EShLangAnyHit;
+  }
+  return EShLangCompute;
+}
+
+// glslang says "ERROR: file:line: 'token' : message"; users read "file:line: 'token': message", paths as they know them.
+std::string readable(const std::string& log, const Path& file) {
+  static const std::regex form("^ERROR: (.*?):(\\d+): (.*)$");
+  std::set<std::string> seen;
+  std::string text;
+  std::istringstream lines(log);
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch match;
+    if (line.rfind("ERROR:", 0) != 0 || line.find("compilation errors") != std::string::npos) continue;
+    std::string message;
+    if (std::regex_match(line, match, form)) {
+      message = fmt::format("{}:{}: {}", displayPath(Path(match[1].str())), match[2].str(), match[3].str());
+    } else {
+      message = fmt::format("{}: {}", displayPath(file), line.substr(std::min<size_t>(7, line.size())));
+    }
+    if (!seen.insert(message).second) continue;
+    text += (text.empty() ? "" : "\n") + message;
+  }
+  return text.empty() ? displayPath(file) + ": " + log : text;
+}
+
+void startOnce() {
+  static const bool started = glslang::InitializeProcess();
+  STROBE_ASSERT(started, "glslang");
+}
+
+}  // namespace
+
+Compiled compile(const Source& source, Stage stage) {
+  startOnce();
+  Compiled result;
+  result.files.push_back(source.file);
+  std::string body = readText(source.file);
+  std::string end = "\n" + source.epilogue;
+  std::string name = source.file.string();
+  const char* strings[] = {source.preamble.c_str(), body.c_str(), end.c_str()};
+  const char* names[] = {"generated declarations", name.c_str(), "generated code"};
+
+  glslang::TShader shader(language(stage));
+  shader.setStringsWithLengthsAndNames(strings, nullptr, names, 3);
+  shader.setEnvInput(glslang::EShSourceGlsl, language(stage), glslang::EShClientVulkan, 460);
+  shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_3);
+  shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);
+  auto rules = EShMessages(EShMsgSpvRules | EShMsgVulkanRules | EShMsgCascadingErrors | EShMsgDebugInfo);
+  Includer includer(result.files);
+  if (!shader.parse(GetDefaultResources(), 460, false, rules, includer))
+    throw Error(readable(shader.getInfoLog(), source.file));
+  glslang::TProgram program;
+  program.addShader(&shader);
+  if (!program.link(rules)) throw Error(readable(program.getInfoLog(), source.file));
+  glslang::SpvOptions options;
+  options.disableOptimizer = true;
+  glslang::GlslangToSpv(*program.getIntermediate(language(stage)), result.spirv, &options);
+  return result;
+}
+
+static void appendText(const Path& file, std::vector<Path>& files, std::string& text) {
+  if (std::find(files.begin(), files.end(), file) != files.end()) return;
+  files.push_back(file);
+  std::string own = readText(file);
+  text += own;
+  static const std::regex include("#include\\s+[\"<]([^\">]+)[\">]");
+  for (std::sregex_iterator it(own.begin(), own.end(), include), none; it != none; ++it) {
+    Path found = findInclude((*it)[1].str(), file);
+    if (!found.empty()) appendText(found, files, text);
+  }
+}
+
+std::string textWithIncludes(const Path& file, std::vector<Path>* files) {
+  std::vector<Path> reached;
+  std::string text;
+  appendText(file, reached, text);
+  if (files) *files = reached;
+  return text;
+}
+
+}  // namespace strobe::shader

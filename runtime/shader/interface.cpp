@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "shader/interface.h"
+
+#include <regex>
+#include <sstream>
+
+namespace strobe::shader {
+
+const char* backendName(Backend backend) {
+  switch (backend) {
+    case Backend::Pipeline: return "pipeline";
+    case Backend::Query: return "query";
+    case Backend::None: break;
+  }
+  return "none";
+}
+
+static std::string header(const Interface& in, Stage stage) {
+  std::string text = "#version 460\n";
+  for (const char* extension : {"GL_EXT_scalar_block_layout", "GL_EXT_nonuniform_qualifier", "GL_GOOGLE_include_directive",
+                                "GL_EXT_control_flow_attributes"})
+    text += fmt::format("#extension {} : require\n", extension);
+  bool ray_stage = stage == Stage::RayGeneration || stage == Stage::Miss || stage == Stage::ClosestHit || stage == Stage::AnyHit;
+  if (ray_stage) text += "#extension GL_EXT_ray_tracing : require\n#define STROBE_BACKEND_PIPELINE\n#define STROBE_TRACES\n";
+  bool query = stage == Stage::Compute && in.backend == Backend::Query;
+  if (query) text += "#extension GL_EXT_ray_query : require\n#define STROBE_BACKEND_QUERY\n#define STROBE_TRACES\n";
+  return text + fmt::format("#define STROBE_SLICES {}\n#define TIME_SLICE {}u\n", in.slices, in.time_slice);
+}
+
+static std::string variantText(const Interface& in) {
+  std::string text;
+  for (const auto& variant : in.variants) {
+    text += fmt::format("#define PARAM_{} {}\n", variant.name, variant.index);
+    for (size_t i = 0; i < variant.choices.size(); ++i)
+      text += fmt::format("#define {}_{} {}\n", variant.name, variant.choices[i], i);
+  }
+  for (const auto& read : in.reads) text += fmt::format("#define HAS_{} {}\n", read.name, int(read.wired));
+  return text;
+}
+
+static std::string frameText(const Interface& in) {
+  std::string text = "#include \"shared/frame.h\"\n";
+  text += "layout(set = 0, binding = 0, scalar) uniform Frame { FrameData frame; };\n";
+  if (in.scene) text += "#include \"shared/bindings.glsl\"\n";
+  return text;
+}
+
+static std::string resourceText(const Interface& in, Stage stage) {
+  std::string text;
+  if (!in.params.empty()) {
+    text += fmt::format("layout(set = 1, binding = {}, scalar) uniform Params {{\n", Interface::kParamsBinding);
+    for (const auto& param : in.params) text += fmt::format("  {} {};\n", param.integer ? "int" : "float", param.name);
+    text += "} params;\n";
+  }
+  if (!in.counters.empty()) {
+    text += fmt::format("layout(set = 1, binding = {}, scalar) buffer Counters {{ uint values[{}]; }} counters_;\n",
+                        Interface::kCountersBinding, in.counters.size());
+    for (size_t i = 0; i < in.counters.size(); ++i)
+      text += fmt::format("void count_{}(uint n) {{ atomicAdd(counters_.values[{}], n); }}\n", in.counters[i], i);
+  }
+  for (size_t i = 0; i < in.reads.size(); ++i)
+    text += fmt::format("layout(set = 1, binding = {}) uniform {}sampler2D {}_tex;\n", in.readBinding(i),
+                        in.reads[i].uint ? "u" : "", in.reads[i].name);
+  for (size_t i = 0; i < in.writes.size(); ++i) {
+    const auto& write = in.writes[i];
+    if (in.raster && stage == Stage::Fragment)
+      text += fmt::format("layout(location = {}) out {}vec4 {}_out;\n", i, write.uint ? "u" : "", write.name);
+    if (in.raster) continue;
+    text += fmt::format("layout(set = 1, binding = {}, {}) uniform {} {}image2D {}_img;\n", in.writeBinding(i),
+                        write.format, write.update ? "" : "writeonly", write.uint ? "u" : "", write.name);
+  }
+  if (!in.raster && !in.writes.empty())
+    text += fmt::format("ivec2 pass_size() {{ return imageSize({}_img); }}\n", in.writes[0].name);
+  return text;
+}
+
+std::string preamble(const Interface& in, Stage stage) {
+  std::string text = header(in, stage) + variantText(in) + frameText(in);
+  bool hit_stage = stage == Stage::Miss || stage == Stage::ClosestHit || stage == Stage::AnyHit;
+  if (!hit_stage) text += resourceText(in, stage);
+  if (stage == Stage::Compute)
+    text += fmt::format("layout(local_size_x = {0}, local_size_y = {0}) in;\n", kGroupSize);
+  return text;
+}
+
+std::string epilogue(const Interface& in, Stage stage) {
+  if (stage != Stage::Compute && stage != Stage::RayGeneration) return "";
+  std::string pixel = stage == Stage::Compute ? "gl_GlobalInvocationID.xy" : "gl_LaunchIDEXT.xy";
+  std::string text = fmt::format("void main() {{\n  ivec2 pixel_ = ivec2({});\n", pixel);
+  text += "  if (any(greaterThanEqual(pixel_, pass_size()))) return;\n  run(pixel_);\n";
+  if (in.backend != Backend::None) {
+    text += "#ifdef STROBE_TRACE_GLSL\n";
+    text += fmt::format("  count_rays_{}(launched_rays);\n#endif\n", backendName(in.backend));
+  }
+  return text + "}\n";
+}
+
+std::vector<std::string> unusedNames(const Interface& in, const std::vector<Path>& shader_files) {
+  std::string text;
+  for (const Path& file : shader_files) text += textWithIncludes(file);
+  std::vector<std::string> problems;
+  auto expect = [&](const std::string& spelled, const char* kind, const std::string& name) {
+    if (std::regex_search(text, std::regex("\\b" + spelled + "\\b"))) return;
+    problems.push_back(fmt::format("{}: pass '{}' declares the {} '{}', but {} never uses {}", in.place, in.pass, kind, name,
+                                   displayPath(shader_files.front()), std::regex_replace(spelled, std::regex("\\\\"), "")));
+  };
+  for (const auto& read : in.reads) expect(read.name + "_tex", "read", read.name);
+  for (const auto& write : in.writes) expect(write.name + (in.raster ? "_out" : "_img"), write.update ? "update" : "write", write.name);
+  for (const auto& param : in.params) expect("params\\." + param.name, "parameter", param.name);
+  for (const auto& variant : in.variants) expect("PARAM_" + variant.name, "parameter", variant.name);
+  for (const std::string& counter : in.counters)
+    if (counter.rfind("rays_", 0) != 0) expect("count_" + counter, "counter", counter);
+  return problems;
+}
+
+static std::vector<std::string> declaredNames(const Interface& in) {
+  std::vector<std::string> names;
+  for (const auto& read : in.reads) names.push_back(read.name + "_tex");
+  for (const auto& write : in.writes) names.push_back(write.name + (in.raster ? "_out" : "_img"));
+  for (const std::string& counter : in.counters) names.push_back("count_" + counter);
+  for (const auto& variant : in.variants) names.push_back("PARAM_" + variant.name);
+  return names;
+}
+
+// Adds to each complaint about an unknown name what the pass declares instead.
+static std::string withDeclarations(const Interface& in, const std::string& log) {
+  static const std::regex unknown("'(\\w+)' : (undeclared identifier|no matching overloaded function found)");
+  static const std::regex member("'(\\w+)' : no such field in structure");
+  std::string text;
+  std::istringstream lines(log);
+  std::vector<std::string> params;
+  for (const auto& param : in.params) params.push_back(param.name);
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch match;
+    if (std::regex_search(line, match, unknown)) {
+      std::string name = match[1];
+      bool generated = name.ends_with("_tex") || name.ends_with("_img") || name.ends_with("_out") || name.starts_with("count_");
+      if (generated) line += fmt::format(": pass '{}' ({}) declares no such name{}", in.pass, in.place, didYouMean(name, declaredNames(in)));
+    } else if (std::regex_search(line, match, member)) {
+      line += fmt::format(": pass '{}' ({}) declares no parameter '{}'{}", in.pass, in.place, match[1].str(), didYouMean(match[1].str(), params));
+    }
+    text += (text.empty() ? "" : "\n") + line;
+  }
+  return text;
+}
+
+Compiled compilePass(const Interface& in, const Path& file, Stage stage) {
+  try {
+    return compile({preamble(in, stage), file, epilogue(in, stage)}, stage);
+  } catch (const Error& error) {
+    throw Error(withDeclarations(in, error.what()));
+  }
+}
+
+}  // namespace strobe::shader

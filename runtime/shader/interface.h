@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// From a pass's declared names to the GLSL its shader starts with, so that shaders name things and number nothing.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shader/compiler.h"
+
+namespace strobe::shader {
+
+// How rays are traced.
+enum class Backend { None, Pipeline, Query };
+const char* backendName(Backend backend);
+
+// What a shader can name, with the binding numbers of set 1: params 0, counters 1, then reads, then images.
+struct Interface {
+  struct Read {
+    std::string name;
+    bool uint = false;
+    bool wired = true;  // false: an optional read left open; HAS_<name> is 0 and nothing may be fetched
+  };
+  struct Write {
+    std::string name;
+    std::string format;  // layout qualifier: "rgba16f", "r8", ...
+    bool uint = false;
+    bool update = false;  // read and written
+  };
+  struct Param {
+    std::string name;
+    bool integer = false;
+  };
+  // A value compiled in: `#define PARAM_<name> <index>` and `#define <name>_<choice> <i>` for each choice; of a bool the
+  // index is 0 or 1 and there are no choices.
+  struct Variant {
+    std::string name;
+    std::vector<std::string> choices;
+    int64_t index = 0;
+  };
+  std::string pass;
+  std::string place;  // of the pass's declaration, for errors
+  bool raster = false;
+  bool scene = false;
+  Backend backend = Backend::None;
+  uint32_t slices = 1;      // poses the scene's arrays hold
+  uint32_t time_slice = 0;  // the one this node sees
+  std::vector<Read> reads;
+  std::vector<Write> writes;
+  std::vector<Param> params;  // 4 bytes each, in this order
+  std::vector<Variant> variants;
+  std::vector<std::string> counters;  // a trace pass has "rays_pipeline" or "rays_query" added by the caller
+
+  static constexpr uint32_t kParamsBinding = 0, kCountersBinding = 1, kFirstImageBinding = 2;
+  uint32_t readBinding(size_t index) const { return kFirstImageBinding + uint32_t(index); }
+  uint32_t writeBinding(size_t index) const { return kFirstImageBinding + uint32_t(reads.size() + index); }
+};
+
+// Side of a compute work group, px.
+constexpr uint32_t kGroupSize = 8;
+
+std::string preamble(const Interface& interface, Stage stage);
+std::string epilogue(const Interface& interface, Stage stage);
+
+// Names declared in Lua that the shader's text never uses, each as one line with both places; empty when all are used.
+std::vector<std::string> unusedNames(const Interface& interface, const std::vector<Path>& shader_files);
+
+// Compiles `file` as `stage` of the pass; errors about unknown names say what the pass declares.
+Compiled compilePass(const Interface& interface, const Path& file, Stage stage);
+
+}  // namespace strobe::shader

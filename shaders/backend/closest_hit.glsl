@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// Ray tracing pipeline: names the nearest accepted hit; nothing is shaded here.
+#include "lib/trace_payload.glsl"
+layout(location = 0) rayPayloadInEXT TracePayload payload;
+hitAttributeEXT vec2 barycentrics;
+void main() {
+  payload.instance = uint(gl_InstanceID);
+  payload.geometry = uint(gl_GeometryIndexEXT);
+  payload.primitive = uint(gl_PrimitiveID);
+  payload.barycentrics = barycentrics;
+  payload.t = gl_HitTEXT;
+}

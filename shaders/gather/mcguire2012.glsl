@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// McGuire, Hennessy, Bukowski, Osman 2012, "A Reconstruction Filter for Plausible Motion Blur", section 2.3.
+// In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure), dominant (the same, per tile);
+//      valid (> 1/2: the layer has a texel there; absent: everywhere);
+//      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere).
+// Out: blurred, colour times alpha and alpha.
+// Samples: t_i = lerp(-1, 1, (i + jitter + 1) / (S + 1)), along the tile's dominant displacement d. With the capture in
+//   the middle of the exposure, as in the paper, taps lie at X + d/2 * t_i, a pixel spreads over |d|/2, and the one tap on
+//   the pixel itself (which only an odd S has) is left out for the centre sample stands for it. With the capture at an end
+//   taps lie at X + d * (t_i + 1)/2 (exposure before the capture; mirrored for after), a pixel spreads over |d|, and all S
+//   taps count (Tan, Cui, Bhojan 2020).
+// Weights: f*cone(D, rY) + b*cone(D, rX) + 2*cylinder(D, rY)*cylinder(D, rX), centre 1/rX, divided by their sum.
+//   f and b compare depths as shares of the depth instead of metres: no scale is built in.
+// Alpha: 1, unless something was revealed behind the pixel. Then the result is the foreground alone, to be laid over the
+//   blurred background: alpha = its share of all weights. A tap is foreground to the degree that it is in front of what
+//   was revealed at X (else it is a sample of that background, which the revealed layer knows better) and that its own
+//   motion covers the distance to X (else it says nothing of what passes over X, however near it is: a floor that
+//   slopes up to the viewer). The centre sample is foreground if it is in front.
+// Fails: opaque inside of silhouettes (6/7 where 1/2 is true), a step at them, ramps that are no straight lines, opacity
+//   that depends on S; one direction per tile.
+#include "lib/blur.glsl"
+#include "lib/jitter.glsl"
+#include "lib/sanitise.glsl"
+
+struct Tap {
+  vec3 color;
+  float depth;
+  float radius;  // px
+};
+
+Tap tapAt(ivec2 pixel, float reach) {
+  float limit_px = params.limit * float(frame.size.x);
+  vec2 d = clampLength(finiteDisplacement(texelFetch(velocity_tex, pixel, 0)), limit_px);
+  vec3 color = finiteColor(texelFetch(color_tex, pixel, 0));
+  return Tap(color, saneDepth(texelFetch(depth_tex, pixel, 0).x), max(reach * lengthOf(d), 0.5));
+}
+
+bool isValid(ivec2 pixel) {
+#if HAS_valid
+  return texelFetch(valid_tex, pixel, 0).x > 0.5;
+#else
+  return true;
+#endif
+}
+
+bool hasBehind(ivec2 pixel) {
+#if HAS_behind_valid
+  return texelFetch(behind_valid_tex, pixel, 0).x > 0.5;
+#else
+  return false;
+#endif
+}
+
+float behindDepth(ivec2 pixel) {
+#if HAS_behind_depth
+  return saneDepth(texelFetch(behind_depth_tex, pixel, 0).x);
+#else
+  return 0.0;
+#endif
+}
+
+float tapWeight(Tap here, Tap tap, float distance_px) {
+  float in_front = softDepth(here.depth, tap.depth, params.depth_extent);
+  float at_back = softDepth(tap.depth, here.depth, params.depth_extent);
+  return in_front * cone(distance_px, tap.radius) + at_back * cone(distance_px, here.radius) +
+         2.0 * cylinder(distance_px, tap.radius) * cylinder(distance_px, here.radius);
+}
+
+void run(ivec2 pixel) {
+  if (!isValid(pixel)) {
+    imageStore(blurred_img, pixel, vec4(0));
+    return;
+  }
+  vec2 d = vec2(texelFetch(dominant_tex, pixel / params.tile, 0));
+  float reach = reachFactor(frame.shutter);
+  if (reach * lengthOf(d) <= kStillRadius) {
+    imageStore(blurred_img, pixel, vec4(vec3(texelFetch(color_tex, pixel, 0)), 1));
+    return;
+  }
+
+  ivec2 size = textureSize(color_tex, 0);
+  bool over = hasBehind(pixel);
+  float behind = behindDepth(pixel);
+  float jitter = jitterOf(pixel);
+  int skipped = isCentred(frame.shutter) && params.samples % 2 == 1 ? (params.samples - 1) / 2 : -1;
+
+  Tap here = tapAt(pixel, reach);
+  float all = 1.0 / here.radius;
+  float front = all * (over ? inFrontOf(here.depth, behind, params.depth_extent) : 1.0);
+  vec3 sum = here.color * front;
+
+  for (int i = 0; i < params.samples; ++i) {
+    if (i == skipped) continue;
+    float along = (float(i) + jitter + 1.0) / float(params.samples + 1);  // (t_i + 1) / 2
+    ivec2 at = clampToImage(pixel + roundSymmetric(tapOffset(d, timeAt(1.0 - along, frame.shutter))), size);
+    if (!isValid(at)) continue;
+
+    Tap tap = tapAt(at, reach);
+    float distance_px = length(vec2(at - pixel));
+    float weight = tapWeight(here, tap, distance_px);
+    all += weight;
+    if (over) weight *= inFrontOf(tap.depth, behind, params.depth_extent) * cylinder(distance_px, tap.radius);
+    front += weight;
+    sum += weight * tap.color;
+  }
+  imageStore(blurred_img, pixel, vec4(sum / all, over ? front / all : 1.0));
+}

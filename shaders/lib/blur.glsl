@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Pure functions that blur filters share. Displacements d are in px over the exposure, x right, y down; time t is in
+// exposures, 0 at the capture. A point now at y is at y + d*t, so pixel X sees at time t what is now at X - d*t.
+#ifndef STROBE_BLUR_GLSL
+#define STROBE_BLUR_GLSL
+
+// Slowest motion that blurs: a shift of half a pixel reaches no other pixel's centre. The slack keeps motion of exactly
+// half a pixel, as rounded by any projection, on the still side.
+const float kStillRadius = 0.5 + 1e-4;
+
+// --- Lengths and places ------------------------------------------------------------------------------------------------
+
+// Length, with the largest component divided out first, so that no square underflows or overflows.
+float lengthOf(vec2 d) {
+  float largest = max(abs(d.x), abs(d.y));
+  return largest > 0.0 ? largest * length(d / largest) : 0.0;
+}
+
+// `d`, shortened to `limit` if it is longer; bit for bit `d` if it is not.
+vec2 clampLength(vec2 d, float limit) {
+  float d_length = lengthOf(d);
+  if (d_length <= limit) return d;
+  float largest = max(abs(d.x), abs(d.y));
+  vec2 scaled = d / largest;
+  return scaled * (limit / length(scaled));
+}
+
+// To the nearest integer, halves away from zero: mirrored offsets stay mirrored.
+ivec2 roundSymmetric(vec2 offset) { return ivec2(sign(offset) * floor(abs(offset) + 0.5)); }
+
+ivec2 clampToImage(ivec2 pixel, ivec2 size) { return clamp(pixel, ivec2(0), size - 1); }
+
+bool isInside(ivec2 pixel, ivec2 size) {
+  return pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.x && pixel.y < size.y;
+}
+
+// --- The exposure window -----------------------------------------------------------------------------------------------
+
+// Time at the fraction tau in (0, 1) of the window.
+float timeAt(float tau, vec2 shutter) { return mix(shutter.x, shutter.y, tau); }
+
+// Midpoint of the i-th of n equal parts of the window, moved by a jitter in [-1/2, 1/2] of a part.
+float sampleTime(int i, int n, float jitter, vec2 shutter) {
+  return timeAt((float(i) + 0.5 + jitter) / float(n), shutter);
+}
+
+// How far a displacement of length 1 moves to its farther side within the window: 1 one-sided, 1/2 centred.
+float reachFactor(vec2 shutter) { return max(abs(shutter.x), abs(shutter.y)); }
+
+bool isCentred(vec2 shutter) { return shutter.x < 0.0 && shutter.y > 0.0; }
+
+// Where, relative to the pixel, the surface that moves by d and is at the pixel at time t is now.
+vec2 tapOffset(vec2 d, float t) { return -d * t; }
+
+// Does the surface now at `offset` from a pixel pass over that pixel within the window? Rounding of the tap and of the
+// path may each put it half a pixel off: across its path 3/4 px pass (the diagonal of both, nearly), along it 1/2.
+bool motionReaches(vec2 offset, vec2 d, vec2 shutter) {
+  float d_length = lengthOf(d);
+  if (d_length < 0.5) return lengthOf(offset) < 0.5;
+  vec2 direction = d / d_length;
+  float travelled = dot(-offset, direction);
+  float aside = abs(offset.x * direction.y - offset.y * direction.x);
+  return aside <= 0.75 && travelled >= d_length * shutter.x - 0.5 && travelled <= d_length * shutter.y + 0.5;
+}
+
+// --- Weights (distance and radius in px) -------------------------------------------------------------------------------
+
+// Share of a point spread over `radius` px to either side. McGuire 2012.
+float cone(float distance_px, float radius_px) { return clamp(1.0 - distance_px / radius_px, 0.0, 1.0); }
+
+// 1 within the radius, 0 outside, soft over 10 % of it. McGuire 2012.
+float cylinder(float distance_px, float radius_px) {
+  return 1.0 - smoothstep(0.95 * radius_px, 1.05 * radius_px, distance_px);
+}
+
+// --- Depths (view depth, positive, larger is farther, +inf is sky) -----------------------------------------------------
+
+// By which share of the farther depth two depths differ, in [0, 1]: free of scale and of inf - inf.
+float relativeGap(float za, float zb) { return za == zb ? 0.0 : 1.0 - min(za, zb) / max(za, zb); }
+
+// 1 if zb is nearer than za or equal, falling to 0 where it is farther by the share `extent`. McGuire's softDepthCompare,
+// with his fixed length replaced by a share of the depth.
+float softDepth(float za, float zb, float extent) {
+  return zb <= za ? 1.0 : clamp(1.0 - relativeGap(za, zb) / extent, 0.0, 1.0);
+}
+
+// 0 if z is at `behind` or farther, rising to 1 where it is nearer by the share `extent`.
+float inFrontOf(float z, float behind, float extent) { return 1.0 - softDepth(z, behind, extent); }
+
+// From -1 (zy is nearer than zx by the share `extent` or more) over 0 (equal) to 1 (farther).
+float depthOrder(float zx, float zy, float extent) {
+  float gap = clamp(relativeGap(zx, zy) / extent, 0.0, 1.0);
+  return zy > zx ? gap : -gap;
+}
+
+#endif

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// THE shading function, used alike for what raster sees, what rays reveal and what truth integrates: colour of a point
+// of a surface as a function of that point and of the pose of the scene, whatever ray found it. So a point that raster
+// and a ray both see has one colour, and differences between methods are differences of visibility and filtering.
+//
+// Metallic-roughness as glTF 2.0 defines it: Lambert plus GGX (Smith, height-correlated; Schlick's Fresnel) under
+// punctual lights with traced shadows, plus light from everywhere, blended from ground to sky by the normal.
+#ifndef STROBE_SHADE_GLSL
+#define STROBE_SHADE_GLSL
+#include "lib/trace.glsl"
+
+const float kPi = 3.14159265358979;
+// Longest stretch of texels blended along the direction in which a surface recedes.
+const int kMaxAnisotropy = 4;
+
+// Radiance that arrives from far outside of the scene.
+vec3 skyLight(vec3 direction_unit) { return mix(frame.ground, frame.sky, 0.5 + 0.5 * direction_unit.y); }
+
+// What a ray that leaves the scene sees.
+vec3 environment(vec3 direction_ws) {
+  if (frame.background.w != 0.0) return frame.background.rgb;
+  return skyLight(unitOr(direction_ws, vec3(0, 1, 0)));
+}
+
+// Change of world position on the surface's plane per pixel to the right (x) and down (y), from the camera at `slice`.
+// A function of the surface point alone. Grazing planes are taken to recede no faster than 1:16.
+mat2x3 footprintOf(uint slice, Surface surface) {
+  SceneCamera camera = scene_cameras[slice];
+  vec2 pixel = 2.0 * camera.half_extent / vec2(frame.size);
+  vec3 right = camera.right * pixel.x, down = -camera.up * pixel.y;
+  if (camera.orthographic == 0u) {
+    float depth = max(dot(surface.position_ws - camera.position, camera.forward), camera.near);
+    right *= depth;
+    down *= depth;
+  }
+  vec3 view = camera.orthographic != 0u ? camera.forward : unitOr(surface.position_ws - camera.position, camera.forward);
+  vec3 n = surface.face_normal_ws;
+  float facing = dot(n, view);
+  facing = abs(facing) < 0.0625 ? (facing < 0.0 ? -0.0625 : 0.0625) : facing;
+  return mat2x3(right - view * (dot(n, right) / facing), down - view * (dot(n, down) / facing));
+}
+
+// Texture coordinates per metre along two directions of the triangle's plane, by least squares on its edges.
+vec2 uvAlong(Surface surface, vec3 direction_ws, vec2 uv_edge1, vec2 uv_edge2) {
+  vec3 e1 = surface.edge1_ws, e2 = surface.edge2_ws;
+  // Edges are divided by their largest component first: their squares then stay within range at any scene scale.
+  float scale = max(max(abs(e1.x), max(abs(e1.y), abs(e1.z))), max(abs(e2.x), max(abs(e2.y), abs(e2.z))));
+  if (!(scale > 0.0)) return vec2(0);
+  e1 /= scale;
+  e2 /= scale;
+  vec3 d = direction_ws / scale;
+  float a = dot(e1, e1), b = dot(e1, e2), c = dot(e2, e2);
+  float determinant = a * c - b * b;
+  if (!(determinant > 1e-12 * a * c)) return vec2(0);
+  float p = dot(e1, d), q = dot(e2, d);
+  return ((p * c - q * b) * uv_edge1 + (q * a - p * b) * uv_edge2) / determinant;
+}
+
+// Filtered texel of a use, footprint from the surface: taps along the longer axis, mip level from the shorter.
+vec4 sampleTexture(SceneTextureUse use, Surface surface, mat2x3 footprint_ws) {
+  if (use.texture < 0) return vec4(1);
+  vec2 uv = transformedUv(use, surface.uv0, surface.uv1);
+  vec2 edge1 = use.uv_set == 0u ? surface.uv0_edge1 : surface.uv1_edge1;
+  vec2 edge2 = use.uv_set == 0u ? surface.uv0_edge2 : surface.uv1_edge2;
+  edge1 = use.u * edge1.x + use.v * edge1.y;
+  edge2 = use.u * edge2.x + use.v * edge2.y;
+  vec2 size = vec2(textureSize(scene_textures[nonuniformEXT(use.texture)], 0));
+  vec2 uv_right = uvAlong(surface, footprint_ws[0], edge1, edge2);
+  vec2 uv_down = uvAlong(surface, footprint_ws[1], edge1, edge2);
+  float right_texels = length(uv_right * size), down_texels = length(uv_down * size);
+  bool right_longer = right_texels >= down_texels;
+  float longer = max(right_texels, down_texels), shorter = min(right_texels, down_texels);
+  vec2 axis = right_longer ? uv_right : uv_down;
+  int taps = clamp(int(ceil(longer / max(shorter, 1.0))), 1, kMaxAnisotropy);
+  float level = log2(max(longer / float(taps), 1e-6));
+  if (taps == 1) return textureLod(scene_textures[nonuniformEXT(use.texture)], uv, level);
+  vec4 sum = vec4(0);
+  for (int i = 0; i < taps; ++i) {
+    vec2 tap = uv + axis * ((float(i) + 0.5) / float(taps) - 0.5);
+    sum += textureLod(scene_textures[nonuniformEXT(use.texture)], tap, level);
+  }
+  return sum / float(taps);
+}
+
+// Tangent-space normal map, its frame from the triangle's texture gradients.
+vec3 bumpedNormal(SceneMaterial material, Surface surface, mat2x3 footprint_ws) {
+  if (material.normal_use.texture < 0) return surface.normal_ws;
+  vec3 n = sampleTexture(material.normal_use, surface, footprint_ws).xyz * 2.0 - 1.0;
+  n.xy *= material.normal_scale;
+  vec2 d1 = material.normal_use.uv_set == 0u ? surface.uv0_edge1 : surface.uv1_edge1;
+  vec2 d2 = material.normal_use.uv_set == 0u ? surface.uv0_edge2 : surface.uv1_edge2;
+  float determinant = d1.x * d2.y - d1.y * d2.x;
+  if (determinant == 0.0) return surface.normal_ws;
+  vec3 tangent = (surface.edge1_ws * d2.y - surface.edge2_ws * d1.y) * sign(determinant);
+  vec3 bitangent = (surface.edge2_ws * d1.x - surface.edge1_ws * d2.x) * sign(determinant);
+  tangent = unitOr(tangent - surface.normal_ws * dot(surface.normal_ws, tangent), vec3(0));
+  bitangent = unitOr(bitangent - surface.normal_ws * dot(surface.normal_ws, bitangent), vec3(0));
+  // Texture v runs downwards: green points against it.
+  return unitOr(tangent * n.x - bitangent * n.y + surface.normal_ws * max(n.z, 1e-3), surface.normal_ws);
+}
+
+struct Reflectance {
+  vec3 diffuse;   // albedo
+  vec3 specular;  // at normal incidence
+  float alpha;    // GGX width
+};
+
+// Diffuse and specular response times the cosine to the light.
+vec3 reflected(Reflectance r, vec3 n, vec3 view, vec3 light) {
+  float n_l = dot(n, light);
+  if (n_l <= 0.0) return vec3(0);
+  float n_v = max(dot(n, view), 1e-3);
+  vec3 halfway = unitOr(view + light, n);
+  float n_h = max(dot(n, halfway), 0.0), v_h = max(dot(view, halfway), 0.0);
+  float a2 = r.alpha * r.alpha;
+  float bell = n_h * n_h * (a2 - 1.0) + 1.0;
+  float distribution = a2 / (kPi * bell * bell);
+  float visibility = 0.5 / (n_l * sqrt(n_v * n_v * (1.0 - a2) + a2) + n_v * sqrt(n_l * n_l * (1.0 - a2) + a2));
+  vec3 fresnel = r.specular + (1.0 - r.specular) * pow(1.0 - v_h, 5.0);
+  return (r.diffuse / kPi * (1.0 - fresnel) + fresnel * distribution * visibility) * n_l;
+}
+
+// Distances at which single precision can no longer tell a surface from its own shadow ray: 2^-14 of the distance to the
+// origin of the frame or to the light, never an absolute length.
+vec3 shadowOrigin(Surface surface, float extent) {
+  vec3 p = abs(surface.position_ws);
+  float reach = max(max(p.x, max(p.y, p.z)), extent);
+  return surface.position_ws + surface.face_normal_ws * (reach * 6.1e-5);
+}
+
+// Light of one punctual light at a surface: direction towards it and irradiance at normal incidence, shadow included.
+vec3 incident(uint slice, SceneLight light, Surface surface, out vec3 towards) {
+  vec3 offset = light.position - surface.position_ws;
+  float squared = dot(offset, offset);
+  vec3 irradiance = light.intensity;
+  float t_max = 1.0;
+  vec3 target = offset;
+  if (light.type == LIGHT_DIRECTIONAL) {
+    towards = -light.direction;
+    vec3 p = abs(surface.position_ws);
+    target = towards;
+    t_max = 3.0e38;
+  } else {
+    towards = unitOr(offset, surface.normal_ws);
+    float distance = length(offset);
+    irradiance /= squared;
+    if (light.range > 0.0) {
+      float q = distance / light.range;
+      float window = clamp(1.0 - q * q * q * q, 0.0, 1.0);
+      irradiance *= window;
+    }
+    if (light.type == LIGHT_SPOT) {
+      float cosine = dot(-towards, light.direction);
+      float cone = clamp((cosine - light.cos_outer) / max(light.cos_inner - light.cos_outer, 1e-4), 0.0, 1.0);
+      irradiance *= cone * cone;
+    }
+  }
+  bool lit = dot(towards, surface.normal_ws) > 0.0 && any(greaterThan(irradiance, vec3(0)));
+  if (!lit) return vec3(0);
+  if (dot(towards, surface.face_normal_ws) <= 0.0) return vec3(0);
+  if (light.shadow == 0u) return irradiance;
+  vec3 origin = shadowOrigin(surface, light.type == LIGHT_DIRECTIONAL ? 0.0 : length(offset));
+  vec3 direction = light.type == LIGHT_DIRECTIONAL ? target : light.position - origin;
+  return isBlocked(slice, Ray(origin, direction), 0.0, t_max) ? vec3(0) : irradiance;
+}
+
+// Radiance of the point a hit names towards the camera, with the scene posed at `slice`; linear, scene-referred.
+vec3 shade(uint slice, Hit hit) {
+  Surface surface = surfaceOf(slice, hit);
+  SceneMaterial material = scene_materials[surface.material];
+  mat2x3 footprint_ws = footprintOf(slice, surface);
+  vec3 base = material.base_color.rgb * surface.color.rgb *
+              sampleTexture(material.base_color_use, surface, footprint_ws).rgb;
+  if ((material.flags & MATERIAL_UNLIT) != 0u) return base;
+
+  vec3 metallic_roughness = sampleTexture(material.metallic_roughness_use, surface, footprint_ws).rgb;
+  float metallic = clamp(material.metallic * metallic_roughness.b, 0.0, 1.0);
+  float roughness = clamp(material.roughness * metallic_roughness.g, 0.05, 1.0);
+  Reflectance r;
+  r.diffuse = base * (1.0 - metallic);
+  r.specular = mix(vec3(0.04), base, metallic);
+  r.alpha = roughness * roughness;
+
+  surface.normal_ws = bumpedNormal(material, surface, footprint_ws);
+  SceneCamera camera = scene_cameras[slice];
+  vec3 view = camera.orthographic != 0u ? -camera.forward : unitOr(camera.position - surface.position_ws, -camera.forward);
+  vec3 radiance = material.emissive * sampleTexture(material.emissive_use, surface, footprint_ws).rgb;
+  for (uint i = 0u; i < frame.light_count; ++i) {
+    vec3 towards;
+    vec3 irradiance = incident(slice, scene_lights[slice * frame.light_count + i], surface, towards);
+    radiance += irradiance * reflected(r, surface.normal_ws, view, towards);
+  }
+  // From everywhere: diffuse by the normal, specular by the mirror direction, dimmer for rough surfaces.
+  vec3 mirror = reflect(-view, surface.normal_ws);
+  float edge = pow(1.0 - clamp(dot(surface.normal_ws, view), 0.0, 1.0), 5.0);
+  vec3 fresnel = r.specular + (max(vec3(1.0 - roughness), r.specular) - r.specular) * edge;
+  radiance += r.diffuse * skyLight(surface.normal_ws) + fresnel * skyLight(mirror);
+  return radiance;
+}
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Displaced-position test (Tan, Cui, Bhojan 2020, Ray Mask): may this pixel show what is behind it while it moves away?
+// In:  depth (view depth, sky +inf), id (instance + 1, 0 = sky), velocity (px over the exposure).
+// Out: candidate, 1 if the pixel moves by min_displacement or more and where its surface points to, displaced against the
+//   exposure (X + d for an exposure before the capture, X - d after, both halves around it), is another instance, farther
+//   by more than depth_margin of this pixel's depth. Displaced off the picture it is a candidate too (nobody knows
+//   better) and counted. Sky is nobody's foreground.
+// Fails: one tap jumps over gaps (spokes of a fan); blind to self-occlusion of one instance and to the background's motion.
+#include "lib/blur.glsl"
+#include "lib/sanitise.glsl"
+
+bool isCandidate(ivec2 pixel, vec2 d, float t) {
+  if (t == 0.0) return false;
+  ivec2 displaced = pixel + roundSymmetric(tapOffset(d, t));
+  if (!isInside(displaced, textureSize(depth_tex, 0))) {
+    count_off_screen(1u);
+    return true;
+  }
+  if (texelFetch(id_tex, displaced, 0).x == texelFetch(id_tex, pixel, 0).x) return false;
+  float depth = saneDepth(texelFetch(depth_tex, pixel, 0).x);
+  return saneDepth(texelFetch(depth_tex, displaced, 0).x) - depth > params.depth_margin * depth;
+}
+
+void run(ivec2 pixel) {
+  vec2 d = finiteDisplacement(texelFetch(velocity_tex, pixel, 0));
+  d = clampLength(d, params.limit * float(frame.size.x));
+  bool candidate = false;
+  if (texelFetch(id_tex, pixel, 0).x != 0u && lengthOf(d) >= params.min_displacement) {
+    bool at_open = isCandidate(pixel, d, frame.shutter.x);
+    bool at_close = isCandidate(pixel, d, frame.shutter.y);
+    candidate = at_open || at_close;
+  }
+  imageStore(candidate_img, pixel, vec4(candidate ? 1 : 0));
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Output: hit = (instance + 1, geometry, primitive, 0). Cut-out texels are discarded by the same test as rays use.
+#include "lib/trace_payload.glsl"
+
+layout(location = 0) flat in uvec2 draw;
+layout(location = 1) in vec2 uv0;
+layout(location = 2) in vec2 uv1;
+layout(location = 3) in float alpha;
+
+void main() {
+  SceneGeometry geometry = scene_geometries[scene_instances[draw.x].first_geometry + draw.y];
+  SceneMaterial material = scene_materials[geometry.material];
+  if ((material.flags & MATERIAL_ALPHA_MASK) != 0u) {
+    float coverage = alpha * material.base_color.a;
+    int texture_index = material.base_color_use.texture;
+    if (texture_index >= 0) {
+      vec2 uv = transformedUv(material.base_color_use, uv0, uv1);
+      coverage *= textureLod(scene_textures[nonuniformEXT(texture_index)], uv, 0.0).a;
+    }
+    if (coverage < material.alpha_cutoff) discard;
+  }
+  hit_out = uvec4(draw.x + 1u, draw.y, uint(gl_PrimitiveID), 0u);
+}

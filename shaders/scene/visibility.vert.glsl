@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Vertices of the scene at the node's slice of time, vertex fetch by index; infinite reversed depth.
+#include "lib/surface.glsl"
+
+layout(location = 0) flat out uvec2 draw;  // instance, geometry
+layout(location = 1) out vec2 uv0;
+layout(location = 2) out vec2 uv1;
+layout(location = 3) out float alpha;
+
+void main() {
+  SceneDraw self = scene_draws[gl_InstanceIndex];
+  SceneVertex vertex = scene_vertices[gl_VertexIndex];
+  SceneCamera camera = scene_cameras[TIME_SLICE];
+  vec3 p = viewFromWorld(TIME_SLICE, worldFromObject(transformOf(TIME_SLICE, self.instance), vertex.position));
+  draw = uvec2(self.instance, self.geometry);
+  uv0 = vertex.uv0;
+  uv1 = vertex.uv1;
+  alpha = unpackUnorm4x8(vertex.color).a;
+
+  // The sample offset moves the picture the other way. Depth is near / z, of an orthographic camera 1 - z / 1024 of
+  // half its height: nearer is larger in both.
+  vec2 shift = vec2(-2, -2) * frame.subpixel / vec2(frame.size);
+  if (camera.orthographic != 0u) {
+    vec2 ndc = p.xy / camera.half_extent;
+    float scale = camera.half_extent.y * 1024.0;
+    gl_Position = vec4(vec2(ndc.x, -ndc.y) + shift, 1.0 - (p.z - camera.near) / scale, 1.0);
+  } else {
+    vec2 xy = p.xy / camera.half_extent;
+    gl_Position = vec4(vec2(xy.x, -xy.y) + shift * p.z, camera.near, p.z);
+  }
+}

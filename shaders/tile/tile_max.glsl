@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Per tile, the longest displacement in it (McGuire 2012, TileMax), shortened to the limit.
+// In:  velocity (px over the exposure), valid (> 1/2: the texel counts; absent: all count);
+//      extra_velocity and extra_valid: a second layer over the same pixels, its texels count as well.
+// Out: longest (px over the exposure, at most limit * image width long). Of equal lengths the first in raster order wins,
+//      and of the two layers the first. A tile without texels that count holds 0. The last tiles may be partial.
+// Fails: one vector stands for a tile; crossing motions in it are lost.
+#include "lib/blur.glsl"
+#include "lib/sanitise.glsl"
+
+struct Longest {
+  vec2 d;
+  float d_length;
+  uint clamped;  // texels longer than the limit
+};
+
+Longest longestOf(Longest so_far, vec2 d, float limit_px) {
+  float d_length = lengthOf(d);
+  uint clamped = so_far.clamped + (d_length > limit_px ? 1u : 0u);
+  if (d_length > so_far.d_length) return Longest(d, d_length, clamped);
+  return Longest(so_far.d, so_far.d_length, clamped);
+}
+
+bool counts(ivec2 pixel) {
+#if HAS_valid
+  return texelFetch(valid_tex, pixel, 0).x > 0.5;
+#else
+  return true;
+#endif
+}
+
+bool extraCounts(ivec2 pixel) {
+#if HAS_extra_valid
+  return texelFetch(extra_valid_tex, pixel, 0).x > 0.5;
+#else
+  return true;
+#endif
+}
+
+void run(ivec2 pixel) {
+  ivec2 size = textureSize(velocity_tex, 0);
+  ivec2 first = pixel * params.tile;
+  ivec2 end = min(first + params.tile, size);
+  float limit_px = params.limit * float(size.x);
+
+  Longest longest = Longest(vec2(0), 0.0, 0u);
+  for (int y = first.y; y < end.y; ++y) {
+    for (int x = first.x; x < end.x; ++x) {
+      ivec2 p = ivec2(x, y);
+      if (counts(p)) longest = longestOf(longest, finiteDisplacement(texelFetch(velocity_tex, p, 0)), limit_px);
+#if HAS_extra_velocity
+      if (extraCounts(p)) {
+        longest = longestOf(longest, finiteDisplacement(texelFetch(extra_velocity_tex, p, 0)), limit_px);
+      }
+#endif
+    }
+  }
+
+  if (longest.clamped > 0u) count_clamped(longest.clamped);
+  imageStore(longest_img, pixel, vec4(clampLength(longest.d, limit_px), 0, 0));
+}
