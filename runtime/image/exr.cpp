@@ -195,7 +195,7 @@ void setSize(ExrFile& content, int width, int height) {
 }
 
 std::string channelName(const std::string& layer, const std::string& component) {
-  return layer.empty() ? component : layer + "." + component;
+  return layer.empty() ? component : fmt::format("{}.{}", layer, component);
 }
 
 }  // namespace
@@ -291,8 +291,9 @@ static std::vector<std::string> colourChannels(const ExrFile& content, const std
   for (const char* component : {"R", "G", "B"}) colour.push_back(channelName(layer, component));
   auto present = [&](const std::string& name) { return content.find(name) != nullptr; };
   if (std::all_of(colour.begin(), colour.end(), present)) return colour;
+  // With an X beside it, Y is a direction, not a luminance.
   std::string grey = channelName(layer, "Y");
-  if (present(grey)) return {grey, grey, grey};
+  if (present(grey) && !present(channelName(layer, "X"))) return {grey, grey, grey};
   std::vector<std::string> own;
   for (const std::string& name : channelNames(content))
     if (layerOf(name) == layer) own.push_back(name);

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "app/compare.h"
+
+#include <fmt/core.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "base/error.h"
+#include "image/comparison.h"
+#include "image/exr.h"
+#include "image/png.h"
+
+namespace strobe::app {
+namespace {
+
+struct Request {
+  std::string test, reference, mask, layer, flip_map;
+  bool json = false;
+  double pixels_per_degree = image::kPixelsPerDegree;
+  std::string curve = "aces";
+  image::Exposures exposures;
+  bool given_exposures = false;
+};
+
+const std::map<std::string, image::FlipCurve> kCurves = {{"aces", image::FlipCurve::aces},
+                                                         {"hable", image::FlipCurve::hable},
+                                                         {"reinhard", image::FlipCurve::reinhard}};
+
+std::string shown(const std::optional<double>& value) { return value ? fmt::format("{:.6g}", *value) : "-"; }
+
+void printTable(const image::Comparison& result) {
+  fmt::print("MSE       {}\nRMSE      {}\n", shown(result.mse), shown(result.rmse));
+  fmt::print("PSNR      {} dB   (clamped, sRGB-encoded)\n", shown(result.psnr));
+  fmt::print("relMSE    {}   (without the worst 0.1 %: {})\n", shown(result.relmse), shown(result.relmse_trimmed));
+  fmt::print("SMAPE     {}\n", shown(result.smape));
+  fmt::print("SSIM      {}   (clamped, sRGB-encoded)\nMS-SSIM   {}\n", shown(result.ssim), shown(result.ms_ssim));
+  fmt::print("LDR-FLIP  {}   (largest {})\n", shown(result.ldr_flip), shown(result.ldr_flip_max));
+  if (result.hdr_flip)
+    fmt::print("HDR-FLIP  {}   (largest {}; {} exposures, {:.4f} to {:.4f}, from {})\n", shown(result.hdr_flip),
+               shown(result.hdr_flip_max), result.exposures.count, result.exposures.start, result.exposures.stop,
+               image::exposureSourceName(result.exposures.source));
+  fmt::print("{} pixels\n", result.pixels);
+}
+
+// The HDR map where there is one. A name that ends in .exr gets the values, any other the picture in magma.
+void writeMap(const Path& file, const image::Comparison& result) {
+  const image::Image& map = result.hdr_flip ? result.hdr_map : result.ldr_map;
+  if (file.extension() != ".exr") return image::writePng(file, image::flipColours(map));
+  image::ExrFile content;
+  content.add("", {"Y"}, map);
+  image::writeExr(file, content);
+}
+
+void compare(const Request& request) {
+  if (request.exposures.start > request.exposures.stop) throw Error("--start is above --stop", {}, 2);
+  image::Picture test = image::readPicture(request.test, request.layer);
+  image::Picture reference = image::readPicture(request.reference, request.layer);
+  image::Image mask = request.mask.empty() ? image::Image() : image::readMask(request.mask);
+  image::CompareOptions options;
+  options.hdr = test.hdr && reference.hdr;
+  options.flip.curve = kCurves.at(request.curve);
+  options.flip.pixels_per_degree = request.pixels_per_degree;
+  if (request.given_exposures) options.flip.exposures = request.exposures;
+  image::Comparison result = image::compareImages(test.linear, reference.linear, mask, options);
+  if (!request.flip_map.empty()) writeMap(request.flip_map, result);
+  if (!request.json) return printTable(result);
+  fmt::print("{}\n", image::comparisonJson(result).dump(2));
+}
+
+}  // namespace
+
+void registerCompare(CLI::App& program) {
+  auto request = std::make_shared<Request>();
+  CLI::App* command = program.add_subcommand("compare", "error metrics of two images (PNG or OpenEXR)");
+  command->footer(
+      "PNG values are decoded from sRGB. PSNR and SSIM are measured on clamped, sRGB-encoded values.\n"
+      "HDR-FLIP needs two OpenEXR files. JSON: null is \"not measured\", \"inf\" the PSNR of equal images.");
+  command->add_option("test", request->test, "the image to judge")->required()->type_name("FILE");
+  command->add_option("reference", request->reference, "what it should be")->required()->type_name("FILE");
+  command->add_option("--mask", request->mask, "count only pixels where this image is at least 0.5")->type_name("FILE");
+  command->add_option("--layer", request->layer, "compare this layer of OpenEXR files")->type_name("NAME");
+  command->add_option("--flip-map", request->flip_map, "write the error map: .png in colour, .exr as values")
+      ->type_name("FILE");
+  command->add_flag("--json", request->json, "print JSON");
+  command->add_option("--ppd", request->pixels_per_degree, "pixels per degree of the viewer's sight")
+      ->check(CLI::Range(1.0, 1000.0))
+      ->capture_default_str();
+  command->add_option("--flip-curve", request->curve, "tone curve of HDR-FLIP: aces, hable or reinhard")
+      ->check(CLI::IsMember(kCurves))
+      ->type_name("NAME")
+      ->capture_default_str();
+  CLI::Option* start = command->add_option("--start", request->exposures.start, "first exposure of HDR-FLIP, in stops");
+  CLI::Option* stop = command->add_option("--stop", request->exposures.stop, "its last exposure");
+  CLI::Option* count = command->add_option("--exposures", request->exposures.count, "how many exposures")
+                           ->check(CLI::Range(1, 1000));
+  start->needs(stop)->needs(count);
+  stop->needs(start);
+  count->needs(start);
+  command->callback([request, start] {
+    request->given_exposures = start->count() > 0;
+    compare(*request);
+  });
+}
+
+}  // namespace strobe::app

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "image/comparison.h"
+
+#include <cmath>
+#include <cstring>
+
+#include "base/error.h"
+#include "image/exr.h"
+#include "image/metrics.h"
+#include "image/png.h"
+#include "image/tone.h"
+
+namespace strobe::image {
+
+enum class FileKind { png, exr };
+
+static FileKind kindOf(const Path& file) {
+  std::vector<uint8_t> bytes = readBytes(file);
+  if (bytes.size() >= 8 && std::memcmp(bytes.data(), "\x89PNG\r\n\x1a\n", 8) == 0) return FileKind::png;
+  if (bytes.size() >= 4 && std::memcmp(bytes.data(), "\x76\x2f\x31\x01", 4) == 0) return FileKind::exr;
+  throw Error("is neither a PNG nor an OpenEXR file", {displayPath(file)});
+}
+
+static void requireFinite(const Image& image, const Path& file) {
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < image.channels; ++c)
+        if (!std::isfinite(image.at(x, y, c)))
+          throw Error(fmt::format("pixel {},{} is not finite ({})", x, y, image.at(x, y, c)), {displayPath(file)});
+}
+
+static Image withoutAlpha(const Image& image) {
+  if (image.channels == 3) return image;
+  Image rgb(image.width, image.height, 3);
+  for (size_t i = 0; i < rgb.values.size(); ++i) rgb.values[i] = image.values[i / 3 * image.channels + i % 3];
+  return rgb;
+}
+
+Picture readPicture(const Path& file, const std::string& layer) {
+  if (kindOf(file) == FileKind::exr) {
+    Image linear = colourOf(readExr(file), layer, file);
+    requireFinite(linear, file);
+    return {linear, true};
+  }
+  if (!layer.empty()) throw Error(fmt::format("is a PNG and has no layer '{}'", layer), {displayPath(file)});
+  return {decodeSrgb(withoutAlpha(readPng(file))), false};
+}
+
+Image readMask(const Path& file) {
+  Image colour = kindOf(file) == FileKind::exr ? colourOf(readExr(file), "", file) : readPng(file);
+  Image mask(colour.width, colour.height, 1);
+  for (size_t i = 0; i < mask.values.size(); ++i) mask.values[i] = colour.values[i * colour.channels];
+  return mask;
+}
+
+static void requireComparable(const Image& test, const Image& reference, const Image& mask) {
+  auto refuse = [&](const char* what, const Image& other) {
+    throw Error(fmt::format("the {} has {}x{} pixels, the test image {}x{}", what, other.width, other.height,
+                            test.width, test.height));
+  };
+  if (reference.width != test.width || reference.height != test.height) refuse("reference", reference);
+  if (mask.empty()) return;
+  if (mask.width != test.width || mask.height != test.height) refuse("mask", mask);
+  if (countedPixels(test, mask) == 0) throw Error("the mask is empty: no pixel of it is 0.5 or more");
+}
+
+Comparison compareImages(const Image& test, const Image& reference, const Image& mask, const CompareOptions& options) {
+  requireComparable(test, reference, mask);
+  Comparison result;
+  result.pixels = countedPixels(test, mask);
+  result.mse = meanSquaredError(test, reference, mask);
+  result.rmse = std::sqrt(result.mse);
+  result.psnr = psnr(test, reference, mask);
+  result.relmse = relativeMse(test, reference, mask);
+  result.relmse_trimmed = trimmedRelativeMse(test, reference, mask);
+  result.smape = smape(test, reference, mask);
+  result.ssim = ssim(test, reference, mask);
+  if (mask.empty()) result.ms_ssim = multiScaleSsim(test, reference);
+
+  result.ldr_map = ldrFlip(test, reference, options.flip.pixels_per_degree);
+  result.ldr_flip = meanOf(result.ldr_map, mask);
+  result.ldr_flip_max = largestOf(result.ldr_map, mask);
+  if (!options.hdr) return result;
+  HdrFlip hdr = hdrFlip(test, reference, options.flip);
+  result.hdr_flip = meanOf(hdr.map, mask);
+  result.hdr_flip_max = largestOf(hdr.map, mask);
+  result.exposures = hdr.exposures;
+  result.hdr_map = std::move(hdr.map);
+  return result;
+}
+
+// JSON has no infinity, and null means "not measured".
+static Json number(const std::optional<double>& value) {
+  if (!value || std::isnan(*value)) return nullptr;
+  if (std::isinf(*value)) return *value > 0 ? "inf" : "-inf";
+  return *value;
+}
+
+Json comparisonJson(const Comparison& comparison) {
+  Json json;
+  json["mse"] = number(comparison.mse);
+  json["rmse"] = number(comparison.rmse);
+  json["psnr"] = number(comparison.psnr);
+  json["relmse"] = number(comparison.relmse);
+  json["relmse_trimmed"] = number(comparison.relmse_trimmed);
+  json["smape"] = number(comparison.smape);
+  json["ssim"] = number(comparison.ssim);
+  json["ms_ssim"] = number(comparison.ms_ssim);
+  json["ldr_flip"] = number(comparison.ldr_flip);
+  json["ldr_flip_max"] = number(comparison.ldr_flip_max);
+  json["hdr_flip"] = number(comparison.hdr_flip);
+  json["hdr_flip_max"] = number(comparison.hdr_flip_max);
+  if (comparison.hdr_flip) {
+    json["hdr_flip_start"] = comparison.exposures.start;
+    json["hdr_flip_stop"] = comparison.exposures.stop;
+    json["hdr_flip_exposures"] = comparison.exposures.count;
+    json["hdr_flip_source"] = exposureSourceName(comparison.exposures.source);
+  }
+  json["pixels"] = comparison.pixels;
+  return json;
+}
+
+}  // namespace strobe::image

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "image/draw.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+
+namespace strobe::image {
+
+static Rectangle cutTo(const Image& image, Rectangle area) {
+  int left = std::clamp(area.x, 0, image.width), right = std::clamp(area.x + area.width, left, image.width);
+  int top = std::clamp(area.y, 0, image.height), bottom = std::clamp(area.y + area.height, top, image.height);
+  return {left, top, right - left, bottom - top};
+}
+
+Image filled(int width, int height, const Colour& colour) {
+  Image image(width, height, 3);
+  fill(image, {0, 0, width, height}, colour);
+  return image;
+}
+
+Image crop(const Image& image, Rectangle area) {
+  Rectangle inside = cutTo(image, area);
+  if (inside.width == 0 || inside.height == 0)
+    throw Error(fmt::format("the crop {}x{} at {},{} lies outside the image of {}x{}", area.width, area.height, area.x,
+                            area.y, image.width, image.height));
+  Image result(inside.width, inside.height, image.channels);
+  for (int y = 0; y < inside.height; ++y)
+    std::copy_n(image.pixel(inside.x, inside.y + y), size_t(inside.width) * image.channels, result.pixel(0, y));
+  return result;
+}
+
+Image magnify(const Image& image, int factor) {
+  STROBE_ASSERT(factor >= 1, "{}", factor);
+  Image result(image.width * factor, image.height * factor, image.channels);
+  for (int y = 0; y < result.height; ++y)
+    for (int x = 0; x < result.width; ++x)
+      std::copy_n(image.pixel(x / factor, y / factor), image.channels, result.pixel(x, y));
+  return result;
+}
+
+void fill(Image& onto, Rectangle area, const Colour& colour) {
+  STROBE_ASSERT(onto.channels == 3, "{} channels", onto.channels);
+  Rectangle inside = cutTo(onto, area);
+  for (int y = inside.y; y < inside.y + inside.height; ++y)
+    for (int x = inside.x; x < inside.x + inside.width; ++x) std::copy_n(colour.begin(), 3, onto.pixel(x, y));
+}
+
+void paste(Image& onto, const Image& what, int x, int y) {
+  STROBE_ASSERT(onto.channels == 3 && (what.channels == 1 || what.channels >= 3), "{} onto {} channels", what.channels,
+                onto.channels);
+  Rectangle inside = cutTo(onto, {x, y, what.width, what.height});
+  for (int py = inside.y; py < inside.y + inside.height; ++py)
+    for (int px = inside.x; px < inside.x + inside.width; ++px)
+      for (int c = 0; c < 3; ++c) onto.at(px, py, c) = what.at(px - x, py - y, what.channels == 1 ? 0 : c);
+}
+
+void outline(Image& onto, Rectangle area, const Colour& colour, int thickness) {
+  int t = std::min({thickness, area.width, area.height});
+  fill(onto, {area.x, area.y, area.width, t}, colour);
+  fill(onto, {area.x, area.y + area.height - t, area.width, t}, colour);
+  fill(onto, {area.x, area.y, t, area.height}, colour);
+  fill(onto, {area.x + area.width - t, area.y, t, area.height}, colour);
+}
+
+Image contactSheet(const std::vector<Cell>& cells, const SheetStyle& style) {
+  STROBE_ASSERT(!cells.empty() && style.columns >= 1, "{} cells in {} columns", cells.size(), style.columns);
+  int width = 1, height = 1;
+  for (const Cell& cell : cells) {
+    width = std::max(width, cell.picture.width);
+    height = std::max(height, cell.picture.height);
+  }
+  int columns = std::min(style.columns, static_cast<int>(cells.size()));
+  int rows = (static_cast<int>(cells.size()) + columns - 1) / columns;
+  int label = static_cast<int>(style.text_px * 1.25f);
+  int pitch_x = width + style.gap_px, pitch_y = height + label + style.gap_px;
+
+  Image sheet = filled(columns * pitch_x + style.gap_px, rows * pitch_y + style.gap_px, style.background);
+  for (size_t i = 0; i < cells.size(); ++i) {
+    int x = style.gap_px + static_cast<int>(i) % columns * pitch_x;
+    int y = style.gap_px + static_cast<int>(i) / columns * pitch_y;
+    if (!cells[i].label.empty()) drawText(sheet, x, y, cells[i].label, style.text_px, style.text);
+    paste(sheet, cells[i].picture, x, y + label);
+  }
+  return sheet;
+}
+
+}  // namespace strobe::image

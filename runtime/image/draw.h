@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Composing pictures for people: contact sheets, insets, labels. Everything here takes and gives display images
+// (sRGB-encoded values in [0,1], tone.h makes them) of three channels. Pixels outside an image are skipped.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+#include "image/magma.h"
+
+namespace strobe::image {
+
+struct Rectangle {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+};
+
+Image filled(int width, int height, const Colour& colour);
+
+// The part of `image` inside `area`, which is first cut to the image; any channel count. Throws `Error` when nothing
+// is left.
+Image crop(const Image& image, Rectangle area);
+
+// Every pixel becomes a square of factor x factor equal ones; any channel count.
+Image magnify(const Image& image, int factor);
+
+void fill(Image& onto, Rectangle area, const Colour& colour);
+void paste(Image& onto, const Image& what, int x, int y);  // top left corner of `what` at (x, y)
+
+// A frame just inside `area`.
+void outline(Image& onto, Rectangle area, const Colour& colour, int thickness = 1);
+
+// One line of text in DejaVu Sans, the top of its line box at (x, y); `size_px` is the height of that box. UTF-8.
+// Throws `Error` saying what to install when the font is absent.
+void drawText(Image& onto, int x, int y, const std::string& text, float size_px, const Colour& colour);
+int textWidth(const std::string& text, float size_px);
+
+// Equal cells in reading order, each a label above its picture; smaller pictures sit top left in their cell.
+struct Cell {
+  std::string label;
+  Image picture;
+};
+struct SheetStyle {
+  int columns = 3;
+  int gap_px = 8;
+  float text_px = 16;
+  Colour background = {0.12f, 0.12f, 0.12f};
+  Colour text = {0.92f, 0.92f, 0.92f};
+};
+Image contactSheet(const std::vector<Cell>& cells, const SheetStyle& style = {});
+
+}  // namespace strobe::image

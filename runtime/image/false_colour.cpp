@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "image/false_colour.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace strobe::image {
+namespace {
+
+constexpr float kPi = 3.14159265f;
+
+// colourAt(i) for every pixel i in reading order.
+template <class ColourAt>
+Image painted(int width, int height, ColourAt colourAt) {
+  Image display(width, height, 3);
+  for (size_t i = 0; i < display.values.size() / 3; ++i) {
+    Colour colour = colourAt(i);
+    std::copy(colour.begin(), colour.end(), &display.values[3 * i]);
+  }
+  return display;
+}
+
+float unit(float value) { return value > 0 ? std::min(value, 1.0f) : 0.0f; }
+
+void assertAlike(const Image& a, const Image& b) {
+  STROBE_ASSERT(a.width == b.width && a.height == b.height, "{}x{} and {}x{}", a.width, a.height, b.width, b.height);
+}
+
+// Channel `c` of three, whatever the image has.
+float colourOf(const Image& image, size_t i, int c) {
+  return image.values[i * image.channels + std::min(c, image.channels - 1)];
+}
+
+// hue in [0,1), full saturation.
+Colour pureHue(float hue) {
+  auto ramp = [](float h) { return unit(std::abs(6 * (h - std::floor(h)) - 3) - 1); };
+  return {ramp(hue), ramp(hue + 2 / 3.0f), ramp(hue + 1 / 3.0f)};
+}
+
+// `t` of the way from `from` to `to`.
+Colour mix(const Colour& from, const Colour& to, float t) {
+  Colour result;
+  for (int c = 0; c < 3; ++c) result[c] = from[c] + t * (to[c] - from[c]);
+  return result;
+}
+
+// Spreads neighbouring ids over all 32 bits (an invertible multiply-xorshift).
+uint32_t scatter(uint32_t id) {
+  id = (id ^ id >> 16) * 0x7feb352du;
+  id = (id ^ id >> 15) * 0x846ca68bu;
+  return id ^ id >> 16;
+}
+
+}  // namespace
+
+Image absoluteDifference(const Image& a, const Image& b, float gain) {
+  assertAlike(a, b);
+  return painted(a.width, a.height, [&](size_t i) {
+    Colour colour;
+    for (int c = 0; c < 3; ++c) colour[c] = unit(gain * std::abs(colourOf(a, i, c) - colourOf(b, i, c)));
+    return colour;
+  });
+}
+
+Image signedDifference(const Image& a, const Image& b, float gain) {
+  assertAlike(a, b);
+  return painted(a.width, a.height, [&](size_t i) {
+    float sum = 0;
+    for (int c = 0; c < 3; ++c) sum += colourOf(a, i, c) - colourOf(b, i, c);
+    Colour end = sum > 0 ? Colour{0.75f, 0.05f, 0.1f} : Colour{0.05f, 0.2f, 0.75f};
+    return mix({1, 1, 1}, end, unit(gain * std::abs(sum) / 3));
+  });
+}
+
+Image differenceHeat(const Image& a, const Image& b, float gain) {
+  assertAlike(a, b);
+  return painted(a.width, a.height, [&](size_t i) {
+    float sum = 0;
+    for (int c = 0; c < 3; ++c) sum += std::abs(colourOf(a, i, c) - colourOf(b, i, c));
+    return magma(gain * sum / 3);
+  });
+}
+
+Image heatMap(const Image& scalar, float low, float high) {
+  STROBE_ASSERT(high > low, "{} to {}", low, high);
+  return painted(scalar.width, scalar.height,
+                 [&](size_t i) { return magma((scalar.values[i * scalar.channels] - low) / (high - low)); });
+}
+
+Image velocityColours(const Image& velocity, float full_px) {
+  STROBE_ASSERT(velocity.channels >= 2 && full_px > 0, "{} channels, {} px", velocity.channels, full_px);
+  return painted(velocity.width, velocity.height, [&](size_t i) {
+    float x = velocity.values[i * velocity.channels], y = velocity.values[i * velocity.channels + 1];
+    float length = std::hypot(x, y) / full_px;
+    if (!(length > 0)) return Colour{0, 0, 0};
+    Colour hue = pureHue(std::atan2(y, x) / (2 * kPi));
+    if (length <= 1) return mix({0, 0, 0}, hue, length);
+    return mix(hue, {1, 1, 1}, 1 - 1 / length);
+  });
+}
+
+Image idColours(const UintImage& ids, int channel) {
+  return painted(ids.width, ids.height, [&](size_t i) {
+    uint32_t id = ids.values[i * ids.channels + channel];
+    if (id == 0) return Colour{0, 0, 0};
+    uint32_t bits = scatter(id);
+    Colour hue = pureHue((bits & 0xffff) / 65536.0f);
+    float paleness = 0.6f * (bits >> 16 & 255) / 255, brightness = 0.55f + 0.45f * (bits >> 24) / 255;
+    return mix({0, 0, 0}, mix(hue, {1, 1, 1}, paleness), brightness);
+  });
+}
+
+Image depthColours(const Image& depth, float near_m, float far_m) {
+  if (far_m <= near_m) {
+    near_m = INFINITY, far_m = 0;
+    for (size_t i = 0; i < depth.values.size(); i += depth.channels) {
+      float value = depth.values[i];
+      if (!std::isfinite(value) || value <= 0) continue;
+      near_m = std::min(near_m, value), far_m = std::max(far_m, value);
+    }
+  }
+  // The darkest tenth of magma is left to "nothing there".
+  float span = std::max(std::log(far_m / near_m), 1e-6f);
+  return painted(depth.width, depth.height, [&](size_t i) {
+    float value = depth.values[i * depth.channels];
+    if (!std::isfinite(value) || value <= 0) return Colour{0, 0, 0};
+    return magma(1 - 0.9f * unit(std::log(value / near_m) / span));
+  });
+}
+
+}  // namespace strobe::image
