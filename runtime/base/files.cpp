@@ -22,7 +22,8 @@ std::string readText(const Path& file) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) throw Error("is a folder, not a file", {displayPath(file)});
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw Error(fmt::format("cannot be read: {}", std::strerror(errno)), {displayPath(file)});
+  int reason = errno;  // displayPath() asks the system too
+  if (!stream) throw Error(fmt::format("cannot be read: {}", std::strerror(reason)), {displayPath(file)});
   std::ostringstream text;
   text << stream.rdbuf();
   if (stream.bad()) throw Error("reading failed", {displayPath(file)});
