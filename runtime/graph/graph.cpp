@@ -1,0 +1,477 @@
+// SPDX-License-Identifier: MIT
+#include "graph/graph.h"
+
+#include <glm/gtc/packing.hpp>
+
+#include <algorithm>
+
+#include "math/sampling.h"
+
+namespace strobe::graph {
+
+using plan::PassDesc;
+using plan::Plan;
+using plan::PlanNode;
+using plan::Step;
+
+static VkImageUsageFlags vulkanUsage(uint32_t usage) {
+  VkImageUsageFlags flags = 0;
+  if (usage & plan::kUsageSampled) flags |= VK_IMAGE_USAGE_SAMPLED_BIT;
+  if (usage & plan::kUsageStorage) flags |= VK_IMAGE_USAGE_STORAGE_BIT;
+  if (usage & plan::kUsageColorAttachment) flags |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+  if (usage & plan::kUsageDepthAttachment) flags |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+  if (usage & plan::kUsageTransferSource) flags |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+  if (usage & plan::kUsageTransferTarget) flags |= VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+  return flags;
+}
+
+static VkFormat vulkanFormat(const std::string& format) {
+  return format == "d32f" ? VK_FORMAT_D32_SFLOAT : gpu::formatInfo(format).vk;
+}
+
+uint32_t Graph::sampleSlices(const Plan& plan) {
+  uint32_t slices = 0;
+  for (const auto& loop : plan.loops) slices = std::max(slices, uint32_t(loop.slices));
+  return slices;
+}
+
+Graph::Graph(const gpu::Device& device, PipelineCache& cache, const Plan& plan, scene::GpuScene& scene, Backend backend)
+    : device_(device), plan_(plan), scene_(scene), backend_(backend), nodes_(plan.nodes.size()) {
+  STROBE_ASSERT(scene.slices() >= SLICE_SAMPLE + sampleSlices(plan), "{} slices", scene.slices());
+  nearest_ = gpu::makeSampler(device, "nearest", {false});
+  linear_ = gpu::makeSampler(device, "linear", {true});
+  makeImages();
+  std::vector<std::string> problems;
+  for (size_t i = 0; i < plan.nodes.size(); ++i) {
+    const PassDesc& pass = plan.pipeline.passes[size_t(plan.nodes[i].pass)];
+    traces_ |= pass.kind == PassDesc::Kind::Trace;
+    try {
+      nodes_[i].pipeline = cache.get(interfaceOf(plan, plan.nodes[i], backend, scene.slices()), pass, scene.setLayout());
+    } catch (const Error& error) {
+      problems.push_back(error.what());
+      continue;
+    }
+    makeNode(plan.nodes[i], nodes_[i]);
+  }
+  throwIfAny(problems);
+  timer_ = gpu::Timer(device, uint32_t(2 * plan.nodes.size() + 2));
+}
+
+void Graph::makeImages() {
+  for (size_t i = 0; i < plan_.slots.size(); ++i) {
+    const plan::Slot& slot = plan_.slots[i];
+    gpu::ImageDesc desc;
+    desc.format = vulkanFormat(slot.format);
+    desc.width = uint32_t(slot.width);
+    desc.height = uint32_t(slot.height);
+    desc.usage = vulkanUsage(slot.usage);
+    std::string name = fmt::format("slot {}", i);
+    for (const auto& image : plan_.images)
+      if (image.slot == int(i)) name = image.name;
+    slots_.emplace_back(device_, name, desc);
+  }
+  gpu::ImageDesc one;
+  one.usage = VK_IMAGE_USAGE_SAMPLED_BIT;
+  one.format = VK_FORMAT_R32_SFLOAT;
+  unwired_ = gpu::Image(device_, "unwired", one);
+  one.format = VK_FORMAT_R32_UINT;
+  unwired_uint_ = gpu::Image(device_, "unwired uint", one);
+  device_.submit([&](VkCommandBuffer commands) {
+    for (size_t i = 0; i < slots_.size(); ++i) {
+      bool depth = slots_[i].desc().format == VK_FORMAT_D32_SFLOAT;
+      gpu::recordFirstLayout(device_, commands, slots_[i].handle(), depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT);
+    }
+    for (const gpu::Image* image : {&unwired_, &unwired_uint_})
+      gpu::recordFirstLayout(device_, commands, image->handle(), VK_IMAGE_ASPECT_COLOR_BIT);
+  });
+  auto keep = [this](int image) {
+    const plan::VirtualImage& kept = plan_.images[size_t(image)];
+    size_t bytes = size_t(kept.width) * kept.height * gpu::formatInfo(kept.format).bytes;
+    read_back_[image] = gpu::Buffer(device_, kept.name + ".read_back", bytes, 0, gpu::Buffer::Memory::Host);
+  };
+  for (const auto& [name, image] : plan_.outputs) keep(image);
+  for (const auto& [name, image] : plan_.taps) keep(image);
+  for (const auto& loop : plan_.loops)
+    if (loop.until >= 0) keep(loop.until);
+}
+
+const gpu::Image& Graph::imageOf(int virtual_image) const {
+  return slots_[size_t(plan_.images[size_t(virtual_image)].slot)];
+}
+
+void Graph::makeNode(const PlanNode& planned, Node& node) {
+  const shader::Interface& in = node.pipeline->interface;
+  const std::string& name = plan_.pipeline.nodes[size_t(planned.node)].name;
+  if (!in.params.empty())
+    node.params = gpu::Buffer(device_, name + ".params", in.params.size() * 4, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+                              gpu::Buffer::Memory::Host);
+  if (!in.counters.empty()) {
+    node.counters = gpu::Buffer(device_, name + ".counters", in.counters.size() * 4, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                                gpu::Buffer::Memory::Host);
+    std::memset(node.counters.mapped(), 0, node.counters.size());
+  }
+  node.pool = gpu::makeDescriptorPool(device_, name, node.pipeline->bindings, 1);
+  node.set = gpu::allocateSet(device_, node.pool.get(), node.pipeline->set_layout.get());
+  writeParams(planned, node);
+  fillSet(planned, node);
+}
+
+void Graph::writeParams(const PlanNode& planned, Node& node) {
+  std::vector<uint32_t> words;
+  for (const auto& param : node.pipeline->interface.params) {
+    auto found = std::find_if(planned.params.begin(), planned.params.end(), [&](const auto& p) { return p.first == param.name; });
+    STROBE_ASSERT(found != planned.params.end(), "{}", param.name);
+    const plan::Value& value = found->second;
+    double number = std::holds_alternative<double>(value) ? std::get<double>(value) : double(std::get<int64_t>(value));
+    uint32_t word;
+    if (param.integer) {
+      int32_t integer = int32_t(number);
+      std::memcpy(&word, &integer, 4);
+    } else {
+      float single = float(number);
+      std::memcpy(&word, &single, 4);
+    }
+    words.push_back(word);
+  }
+  if (!words.empty()) node.params.write(words);
+}
+
+void Graph::fillSet(const PlanNode& planned, Node& node) {
+  const shader::Interface& in = node.pipeline->interface;
+  const PassDesc& pass = plan_.pipeline.passes[size_t(planned.pass)];
+  std::vector<VkDescriptorBufferInfo> buffers(2);
+  std::vector<VkDescriptorImageInfo> images;
+  images.reserve(in.reads.size() + in.writes.size());
+  std::vector<VkWriteDescriptorSet> writes;
+  auto add = [&](uint32_t binding, VkDescriptorType type) -> VkWriteDescriptorSet& {
+    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+    write.dstSet = node.set;
+    write.dstBinding = binding;
+    write.descriptorCount = 1;
+    write.descriptorType = type;
+    writes.push_back(write);
+    return writes.back();
+  };
+  if (!in.params.empty()) {
+    buffers[0] = {node.params.handle(), 0, VK_WHOLE_SIZE};
+    add(shader::Interface::kParamsBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER).pBufferInfo = &buffers[0];
+  }
+  if (!in.counters.empty()) {
+    buffers[1] = {node.counters.handle(), 0, VK_WHOLE_SIZE};
+    add(shader::Interface::kCountersBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER).pBufferInfo = &buffers[1];
+  }
+  for (size_t i = 0; i < in.reads.size(); ++i) {
+    const gpu::Image& unwired = in.reads[i].uint ? unwired_uint_ : unwired_;
+    VkImageView view = planned.reads[i] >= 0 ? imageOf(planned.reads[i]).view() : unwired.view();
+    images.push_back({pass.reads[i].linear ? linear_.get() : nearest_.get(), view, VK_IMAGE_LAYOUT_GENERAL});
+    add(in.readBinding(i), VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER).pImageInfo = &images.back();
+  }
+  std::vector<int> written = planned.writes;
+  written.insert(written.end(), planned.updates.begin(), planned.updates.end());
+  for (size_t i = 0; i < in.writes.size() && !in.raster; ++i) {
+    images.push_back({VK_NULL_HANDLE, imageOf(written[i]).view(), VK_IMAGE_LAYOUT_GENERAL});
+    add(in.writeBinding(i), VK_DESCRIPTOR_TYPE_STORAGE_IMAGE).pImageInfo = &images.back();
+  }
+  device_.vk().UpdateDescriptorSets(device_.handle(), uint32_t(writes.size()), writes.data(), 0, nullptr);
+}
+
+shared::FrameData Graph::frameData(const FrameSetup& setup) const {
+  shared::FrameData frame{};
+  frame.size = uvec2(plan_.width, plan_.height);
+  frame.subpixel = setup.subpixel;
+  frame.shutter = setup.anchor == ANCHOR_CLOSE ? vec2(-1, 0) : setup.anchor == ANCHOR_OPEN ? vec2(0, 1) : vec2(-0.5f, 0.5f);
+  frame.anchor = setup.anchor;
+  frame.frame = setup.frame;
+  frame.seed = setup.seed;
+  frame.iteration_count = frame.slice_count = 1;
+  frame.instance_count = scene_.instanceCount();
+  frame.light_count = scene_.lightCount();
+  frame.sky = setup.environment.sky;
+  frame.ground = setup.environment.ground;
+  if (setup.environment.background) frame.background = vec4(*setup.environment.background, 1);
+  return frame;
+}
+
+// One origin for every pose of the frame: the camera at the capture.
+static dvec3 frameOrigin(const FrameSetup& setup) { return dvec3(setup.pose_at(setup.capture_s).world_from_camera[3]); }
+
+static double aspect(const Plan& plan) { return double(plan.width) / plan.height; }
+
+void Graph::poseFixedSlices(const FrameSetup& setup) {
+  dvec3 origin = frameOrigin(setup);
+  const double times[] = {setup.capture_s, setup.open_s, setup.close_s};
+  for (uint32_t slice : {SLICE_CAPTURE, SLICE_OPEN, SLICE_CLOSE})
+    scene_.setPose(slice, setup.pose_at(times[slice]), setup.camera, aspect(plan_), origin);
+}
+
+void Graph::poseSamples(const FrameSetup& setup, const plan::PlanLoop& loop, int iteration) {
+  dvec3 origin = frameOrigin(setup);
+  for (int q = 0; q < loop.slices; ++q) {
+    // Midpoint of the stratum, or a random time in each of its parts.
+    double in_stratum = 0.5;
+    if (loop.times == "stratified") {
+      uint32_t index = uint32_t(iteration) * uint32_t(loop.slices) + uint32_t(q);
+      in_stratum = (q + hashUniform(setup.seed, setup.frame, index, 0)) / loop.slices;
+    }
+    double time_s = setup.open_s + (setup.close_s - setup.open_s) * ((iteration + in_stratum) / loop.count);
+    scene_.setPose(SLICE_SAMPLE + uint32_t(q), setup.pose_at(time_s), setup.camera, aspect(plan_), origin);
+  }
+}
+
+FrameResult Graph::run(const FrameSetup& setup, const std::function<void(int, int)>& on_iteration) {
+  FrameResult result;
+  gpu_ms_ = 0;
+  for (Node& node : nodes_) {
+    node.gpu_ms = node.executions = 0;
+    node.counts.assign(node.pipeline->interface.counters.size(), 0);
+  }
+  poseFixedSlices(setup);
+  shared::FrameData frame = frameData(setup);
+  scene_.setFrame(frame);
+
+  // Steps between loops go to the device together; each iteration of a loop is a submission of its own, because the
+  // host poses the scene anew in between.
+  bool first = true;
+  std::vector<const Step*> pending;
+  auto flush = [&] {
+    submit(pending, 0, 0, first && traces_ ? 1 : 0);
+    first = false;
+    pending.clear();
+  };
+  for (const Step& step : plan_.steps) {
+    if (step.kind != Step::Kind::Loop) {
+      pending.push_back(&step);
+      continue;
+    }
+    flush();
+    runLoop(setup, step, frame, result, on_iteration);
+    scene_.setFrame(frame);
+  }
+  flush();
+  collect(result);
+  return result;
+}
+
+void Graph::runLoop(const FrameSetup& setup, const Step& step, shared::FrameData frame, FrameResult& result,
+                    const std::function<void(int, int)>& on_iteration) {
+  const plan::PlanLoop& loop = plan_.loops[size_t(step.index)];
+  std::vector<const Step*> body;
+  for (const Step& inner : step.body) body.push_back(&inner);
+  frame.iteration_count = uint32_t(loop.count);
+  frame.slice_count = uint32_t(loop.slices);
+  int iteration = 0;
+  bool stop = false;
+  while (iteration < loop.count && !stop) {
+    poseSamples(setup, loop, iteration);
+    frame.iteration = uint32_t(iteration);
+    scene_.setFrame(frame);
+    submit(body, iteration, SLICE_SAMPLE, traces_ ? uint32_t(loop.slices) : 0);
+    ++iteration;
+    if (loop.until >= 0) stop = static_cast<const float*>(read_back_.at(loop.until).mapped())[0] != 0;
+    if (on_iteration) on_iteration(iteration, loop.count);
+  }
+  result.iterations.push_back({plan_.pipeline.loops[size_t(loop.loop)].name, iteration});
+}
+
+void Graph::submit(const std::vector<const Step*>& steps, int iteration, uint32_t first_slice, uint32_t slice_count) {
+  stamps_.clear();
+  device_.submit([&](VkCommandBuffer commands) {
+    timer_.recordReset(commands);
+    timer_.recordStamp(commands);
+    for (uint32_t i = 0; i < slice_count; ++i) scene_.recordBuild(commands, first_slice + i);
+    for (const Step* step : steps) record(commands, *step, iteration);
+    timer_.recordStamp(commands);
+    VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+    barrier.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
+    barrier.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
+    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    dependency.memoryBarrierCount = 1;
+    dependency.pMemoryBarriers = &barrier;
+    device_.vk().CmdPipelineBarrier2(commands, &dependency);
+  });
+  std::vector<double> ms = timer_.readMs();
+  gpu_ms_ += ms.back();
+  for (const PendingStamp& stamp : stamps_) {
+    nodes_[size_t(stamp.node)].gpu_ms += ms[size_t(stamp.end)] - ms[size_t(stamp.begin)];
+    ++nodes_[size_t(stamp.node)].executions;
+  }
+  for (Node& node : nodes_) takeCounts(node);
+}
+
+// Moves what the device counted into 64 bits, so that a long loop does not overflow.
+void Graph::takeCounts(Node& node) {
+  auto* counted = static_cast<uint32_t*>(node.counters.mapped());
+  for (size_t c = 0; c < node.counts.size(); ++c) node.counts[c] += std::exchange(counted[c], 0u);
+}
+
+static VkPipelineStageFlags2 vulkanStages(uint32_t stages) {
+  VkPipelineStageFlags2 flags = 0;
+  if (stages & plan::kStageCompute) flags |= VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+  if (stages & plan::kStageTrace) flags |= VK_PIPELINE_STAGE_2_RAY_TRACING_SHADER_BIT_KHR;
+  if (stages & plan::kStageFragment) flags |= VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT;
+  if (stages & plan::kStageDepth)
+    flags |= VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
+  if (stages & plan::kStageColor) flags |= VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
+  if (stages & plan::kStageTransfer) flags |= VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
+  if (stages & plan::kStageHost) flags |= VK_PIPELINE_STAGE_2_HOST_BIT;
+  return flags;
+}
+
+static VkAccessFlags2 vulkanAccess(uint32_t access) {
+  VkAccessFlags2 flags = 0;
+  if (access & plan::kAccessSampledRead) flags |= VK_ACCESS_2_SHADER_SAMPLED_READ_BIT;
+  if (access & plan::kAccessStorageRead) flags |= VK_ACCESS_2_SHADER_STORAGE_READ_BIT;
+  if (access & plan::kAccessStorageWrite) flags |= VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
+  if (access & plan::kAccessColorWrite) flags |= VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
+  if (access & plan::kAccessDepthRead) flags |= VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT;
+  if (access & plan::kAccessDepthWrite) flags |= VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT;
+  if (access & plan::kAccessTransferRead) flags |= VK_ACCESS_2_TRANSFER_READ_BIT;
+  if (access & plan::kAccessTransferWrite) flags |= VK_ACCESS_2_TRANSFER_WRITE_BIT;
+  if (access & plan::kAccessHostRead) flags |= VK_ACCESS_2_HOST_READ_BIT;
+  return flags;
+}
+
+void Graph::recordBarriers(VkCommandBuffer commands, const std::vector<plan::Barrier>& barriers) {
+  std::vector<VkMemoryBarrier2> memory;
+  for (const plan::Barrier& barrier : barriers) {
+    VkMemoryBarrier2 dependency{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    dependency.srcStageMask = vulkanStages(barrier.src_stages);
+    dependency.srcAccessMask = vulkanAccess(barrier.src_access);
+    dependency.dstStageMask = vulkanStages(barrier.dst_stages);
+    dependency.dstAccessMask = vulkanAccess(barrier.dst_access);
+    memory.push_back(dependency);
+  }
+  if (memory.empty()) return;
+  VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+  dependency.memoryBarrierCount = uint32_t(memory.size());
+  dependency.pMemoryBarriers = memory.data();
+  device_.vk().CmdPipelineBarrier2(commands, &dependency);
+}
+
+void Graph::record(VkCommandBuffer commands, const Step& step, int iteration) {
+  recordBarriers(commands, iteration == 0 ? step.barriers : step.barriers_next);
+  switch (step.kind) {
+    case Step::Kind::ClearImage: return recordClear(commands, step.index);
+    case Step::Kind::Pass: return recordPass(commands, step.index);
+    case Step::Kind::ReadImage: return recordRead(commands, step.index);
+    // Counters live in host memory: the host clears them before the frame and reads them after it.
+    case Step::Kind::ClearCounters:
+    case Step::Kind::ReadCounters: return;
+    case Step::Kind::Loop: STROBE_ASSERT(false, "loops do not nest");
+  }
+}
+
+void Graph::recordClear(VkCommandBuffer commands, int image) {
+  VkClearColorValue zero{};
+  VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+  device_.vk().CmdClearColorImage(commands, imageOf(image).handle(), VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &range);
+}
+
+void Graph::recordRead(VkCommandBuffer commands, int image) {
+  const plan::VirtualImage& source = plan_.images[size_t(image)];
+  VkBufferImageCopy copy{};
+  copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+  copy.imageExtent = {uint32_t(source.width), uint32_t(source.height), 1};
+  device_.vk().CmdCopyImageToBuffer(commands, imageOf(image).handle(), VK_IMAGE_LAYOUT_GENERAL,
+                                    read_back_.at(image).handle(), 1, &copy);
+}
+
+void Graph::recordPass(VkCommandBuffer commands, int node_index) {
+  const auto& vk = device_.vk();
+  const PlanNode& planned = plan_.nodes[size_t(node_index)];
+  const Node& node = nodes_[size_t(node_index)];
+  const gpu::Pipeline& pipeline = node.pipeline->pipeline;
+  if (device_.debugLabels()) {
+    VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
+    label.pLabelName = plan_.pipeline.nodes[size_t(planned.node)].name.c_str();
+    vk.CmdBeginDebugUtilsLabelEXT(commands, &label);
+  }
+  int begin = timer_.recordStamp(commands);
+  VkDescriptorSet sets[] = {scene_.set(), node.set};
+  vk.CmdBindPipeline(commands, pipeline.bindPoint(), pipeline.handle());
+  vk.CmdBindDescriptorSets(commands, pipeline.bindPoint(), pipeline.layout(), 0, 2, sets, 0, nullptr);
+  uint32_t width = uint32_t(planned.width), height = uint32_t(planned.height);
+  if (node.pipeline->interface.raster) {
+    recordRaster(commands, planned);
+  } else if (node.pipeline->interface.backend == Backend::Pipeline) {
+    pipeline.recordTrace(commands, width, height);
+  } else {
+    const uint32_t group = shader::kGroupSize;
+    vk.CmdDispatch(commands, (width + group - 1) / group, (height + group - 1) / group, 1);
+  }
+  int end = timer_.recordStamp(commands);
+  if (begin >= 0 && end >= 0) stamps_.push_back({node_index, begin, end});
+  if (device_.debugLabels()) vk.CmdEndDebugUtilsLabelEXT(commands);
+}
+
+void Graph::recordRaster(VkCommandBuffer commands, const PlanNode& planned) {
+  const auto& vk = device_.vk();
+  auto attachment = [this](int image) {
+    VkRenderingAttachmentInfo info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+    info.imageView = imageOf(image).view();
+    info.imageLayout = VK_IMAGE_LAYOUT_GENERAL;
+    info.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+    info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    return info;
+  };
+  std::vector<VkRenderingAttachmentInfo> colors;
+  for (int image : planned.writes) colors.push_back(attachment(image));
+  VkRenderingAttachmentInfo depth = attachment(planned.depth);
+  VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
+  info.renderArea.extent = {uint32_t(planned.width), uint32_t(planned.height)};
+  info.layerCount = 1;
+  info.colorAttachmentCount = uint32_t(colors.size());
+  info.pColorAttachments = colors.data();
+  info.pDepthAttachment = &depth;
+  vk.CmdBeginRendering(commands, &info);
+  VkViewport viewport{0, 0, float(planned.width), float(planned.height), 0, 1};
+  vk.CmdSetViewport(commands, 0, 1, &viewport);
+  vk.CmdSetScissor(commands, 0, 1, &info.renderArea);
+  vk.CmdBindIndexBuffer(commands, scene_.indexBuffer(), 0, VK_INDEX_TYPE_UINT32);
+  const auto& draws = scene_.draws();
+  for (uint32_t i = 0; i < draws.size(); ++i)
+    if (draws[i].index_count) vk.CmdDrawIndexed(commands, draws[i].index_count, 1, draws[i].first_index, draws[i].first_vertex, i);
+  vk.CmdEndRendering(commands);
+}
+
+static float unpackHalf(uint16_t bits) { return glm::unpackHalf1x16(bits); }
+
+ReadImage Graph::fetch(int image) const {
+  const plan::VirtualImage& source = plan_.images[size_t(image)];
+  const gpu::FormatInfo& format = gpu::formatInfo(source.format);
+  const void* data = read_back_.at(image).mapped();
+  size_t count = size_t(source.width) * source.height * format.channels;
+  ReadImage read;
+  read.format = source.format;
+  if (format.uint) {
+    read.uints = {source.width, source.height, format.channels, std::vector<uint32_t>(count)};
+    std::memcpy(read.uints.values.data(), data, count * 4);
+    return read;
+  }
+  read.floats = image::Image(source.width, source.height, format.channels);
+  int bytes_per_channel = format.bytes / format.channels;
+  for (size_t i = 0; i < count; ++i) {
+    float& value = read.floats.values[i];
+    if (bytes_per_channel == 4) value = static_cast<const float*>(data)[i];
+    if (bytes_per_channel == 2) value = unpackHalf(static_cast<const uint16_t*>(data)[i]);
+    if (bytes_per_channel == 1) value = static_cast<const uint8_t*>(data)[i] / 255.0f;
+  }
+  return read;
+}
+
+void Graph::collect(FrameResult& result) const {
+  for (const auto& [name, image] : plan_.outputs) result.outputs[name] = fetch(image);
+  for (const auto& [name, image] : plan_.taps) result.taps[name] = fetch(image);
+  for (size_t i = 0; i < nodes_.size(); ++i) {
+    const std::string& name = plan_.pipeline.nodes[size_t(plan_.nodes[i].node)].name;
+    const auto& counters = nodes_[i].pipeline->interface.counters;
+    for (size_t c = 0; c < counters.size(); ++c)
+      result.counters.push_back({name + "." + counters[c], nodes_[i].counts[c]});
+    result.times.push_back({name, nodes_[i].gpu_ms, nodes_[i].executions});
+  }
+  result.gpu_ms = gpu_ms_;
+}
+
+}  // namespace strobe::graph

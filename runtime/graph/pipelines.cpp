@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "graph/pipelines.h"
+
+#include <algorithm>
+
+#include "base/hash.h"
+#include "shared/scene.h"
+
+namespace strobe::graph {
+
+using plan::ParamDesc;
+using plan::PassDesc;
+using shader::Stage;
+
+static bool isVariant(const ParamDesc& param) {
+  return param.variant || param.type == ParamDesc::Type::Bool || param.type == ParamDesc::Type::Choice;
+}
+
+static shader::Interface::Variant variantOf(const ParamDesc& param, const plan::Value& value) {
+  shader::Interface::Variant variant{param.name, param.choices, 0};
+  if (const bool* flag = std::get_if<bool>(&value)) variant.index = *flag;
+  if (const int64_t* number = std::get_if<int64_t>(&value)) variant.index = *number;
+  if (const std::string* choice = std::get_if<std::string>(&value))
+    variant.index = std::find(param.choices.begin(), param.choices.end(), *choice) - param.choices.begin();
+  return variant;
+}
+
+static uint32_t timeSlice(const std::string& time) {
+  if (time == "open") return SLICE_OPEN;
+  if (time == "close") return SLICE_CLOSE;
+  if (time == "sample") return SLICE_SAMPLE;
+  return SLICE_CAPTURE;
+}
+
+shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node, Backend backend, uint32_t slices) {
+  const PassDesc& pass = plan.pipeline.passes[size_t(node.pass)];
+  shader::Interface in;
+  in.pass = pass.name;
+  in.place = pass.place.text();
+  in.raster = pass.kind == PassDesc::Kind::Raster;
+  in.scene = pass.scene || pass.kind != PassDesc::Kind::Compute;
+  in.backend = pass.kind == PassDesc::Kind::Trace ? backend : Backend::None;
+  in.slices = slices;
+  in.time_slice = timeSlice(plan.pipeline.nodes[size_t(node.node)].time);
+  for (size_t i = 0; i < pass.reads.size(); ++i)
+    in.reads.push_back({pass.reads[i].name, pass.reads[i].uint, node.reads[i] >= 0});
+  auto add_write = [&in](const plan::PortDesc& port, bool update) {
+    const gpu::FormatInfo& format = gpu::formatInfo(port.format);
+    in.writes.push_back({port.name, format.glsl, format.uint, update});
+  };
+  for (const auto& port : pass.writes) add_write(port, false);
+  for (const auto& port : pass.updates) add_write(port, true);
+  for (size_t i = 0; i < pass.params.size(); ++i) {
+    const ParamDesc& param = pass.params[i];
+    if (isVariant(param)) in.variants.push_back(variantOf(param, node.params[i].second));
+    else in.params.push_back({param.name, param.type == ParamDesc::Type::Int});
+  }
+  for (const auto& counter : pass.counters) in.counters.push_back(counter.name);
+  if (in.backend != Backend::None) in.counters.push_back(fmt::format("rays_{}", backendName(in.backend)));
+  return in;
+}
+
+static Path shaderFile(const PassDesc& pass, const char* suffix) {
+  return homeFolder() / "shaders" / (pass.shader + suffix);
+}
+
+std::vector<Path> shaderFiles(const PassDesc& pass) {
+  if (pass.kind == PassDesc::Kind::Raster) return {shaderFile(pass, ".vert.glsl"), shaderFile(pass, ".frag.glsl")};
+  return {shaderFile(pass, ".glsl")};
+}
+
+static void requireFiles(const PassDesc& pass) {
+  for (const Path& file : shaderFiles(pass)) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored))
+      throw Error(fmt::format("pass '{}': there is no shader {}", pass.name, displayPath(file)), pass.place);
+  }
+}
+
+static Path backendFile(const char* name) { return homeFolder() / "shaders" / "backend" / name; }
+
+// The SPIR-V of a pass's stages, in the order in which `make` and `checkShaders` want them.
+static std::vector<shader::Compiled> compileStages(const shader::Interface& in, const PassDesc& pass) {
+  requireFiles(pass);
+  if (in.raster)
+    return {compilePass(in, shaderFile(pass, ".vert.glsl"), Stage::Vertex),
+            compilePass(in, shaderFile(pass, ".frag.glsl"), Stage::Fragment)};
+  Path file = shaderFile(pass, ".glsl");
+  if (in.backend != Backend::Pipeline) return {compilePass(in, file, Stage::Compute)};
+  return {compilePass(in, file, Stage::RayGeneration), compilePass(in, backendFile("miss.glsl"), Stage::Miss),
+          compilePass(in, backendFile("closest_hit.glsl"), Stage::ClosestHit),
+          compilePass(in, backendFile("any_hit.glsl"), Stage::AnyHit)};
+}
+
+void checkShaders(const plan::Plan& plan, Backend backend) {
+  std::vector<std::string> problems;
+  for (const plan::PlanNode& node : plan.nodes) {
+    const PassDesc& pass = plan.pipeline.passes[size_t(node.pass)];
+    shader::Interface in = interfaceOf(plan, node, backend, SLICE_SAMPLE + 1);
+    try {
+      compileStages(in, pass);
+      for (std::string& line : unusedNames(in, shaderFiles(pass))) problems.push_back(std::move(line));
+    } catch (const Error& error) {
+      problems.push_back(error.what());
+    }
+  }
+  std::sort(problems.begin(), problems.end());
+  problems.erase(std::unique(problems.begin(), problems.end()), problems.end());
+  throwIfAny(problems);
+}
+
+static std::string contentKey(const shader::Interface& in, const PassDesc& pass) {
+  std::string key = fmt::format("{}|{}|{}|", pass.shader, int(pass.kind), backendName(in.backend));
+  Stage stage = in.raster ? Stage::Fragment : in.backend == Backend::Pipeline ? Stage::RayGeneration : Stage::Compute;
+  key += preamble(in, stage);
+  for (const auto& write : in.writes) key += write.format + ",";
+  for (const Path& file : shaderFiles(pass)) key += shader::textWithIncludes(file);
+  if (in.backend == Backend::Pipeline)
+    for (const char* name : {"miss.glsl", "closest_hit.glsl", "any_hit.glsl"})
+      key += shader::textWithIncludes(backendFile(name));
+  return hashText(key);
+}
+
+std::shared_ptr<const NodePipeline> PipelineCache::get(const shader::Interface& in, const PassDesc& pass,
+                                                       VkDescriptorSetLayout scene_layout) {
+  requireFiles(pass);
+  // Pipelines bound to another scene's layout are others.
+  std::string key = fmt::format("{}|{}", contentKey(in, pass), uint64_t(scene_layout));
+  auto found = made_.find(key);
+  if (found != made_.end()) return found->second;
+  auto made = make(in, pass, scene_layout);
+  made_[key] = made;
+  ++compilations_;
+  return made;
+}
+
+static std::vector<VkDescriptorSetLayoutBinding> bindingsOf(const shader::Interface& in) {
+  std::vector<VkDescriptorSetLayoutBinding> bindings;
+  auto add = [&bindings](uint32_t binding, VkDescriptorType type) {
+    bindings.push_back({binding, type, 1, VK_SHADER_STAGE_ALL, nullptr});
+  };
+  if (!in.params.empty()) add(shader::Interface::kParamsBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
+  if (!in.counters.empty()) add(shader::Interface::kCountersBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+  for (size_t i = 0; i < in.reads.size(); ++i) add(in.readBinding(i), VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
+  for (size_t i = 0; i < in.writes.size() && !in.raster; ++i) add(in.writeBinding(i), VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
+  return bindings;
+}
+
+std::shared_ptr<const NodePipeline> PipelineCache::make(const shader::Interface& in, const PassDesc& pass,
+                                                        VkDescriptorSetLayout scene_layout) const {
+  throwIfAny(unusedNames(in, shaderFiles(pass)));
+  std::vector<shader::Compiled> stages = compileStages(in, pass);
+  auto made = std::make_shared<NodePipeline>();
+  made->interface = in;
+  for (const auto& stage : stages) made->files.insert(made->files.end(), stage.files.begin(), stage.files.end());
+  made->bindings = bindingsOf(in);
+  made->set_layout = gpu::makeSetLayout(device_, pass.name, made->bindings);
+  std::vector<VkDescriptorSetLayout> sets = {scene_layout, made->set_layout.get()};
+  if (in.raster) {
+    gpu::RasterShaders shaders{stages[0].spirv, stages[1].spirv, {}};
+    for (const auto& port : pass.writes) shaders.color_formats.push_back(gpu::formatInfo(port.format).vk);
+    made->pipeline = gpu::Pipeline::raster(device_, pass.name, shaders, sets);
+  } else if (in.backend == Backend::Pipeline) {
+    gpu::TraceShaders shaders{stages[0].spirv, stages[1].spirv, stages[2].spirv, stages[3].spirv};
+    made->pipeline = gpu::Pipeline::trace(device_, pass.name, shaders, sets);
+  } else {
+    made->pipeline = gpu::Pipeline::compute(device_, pass.name, stages[0].spirv, sets);
+  }
+  return made;
+}
+
+}  // namespace strobe::graph

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// A pass's pipeline for the variants, formats and backend of one node, made once per distinct content.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "gpu/pipeline.h"
+#include "plan/plan.h"
+#include "shader/interface.h"
+
+namespace strobe::graph {
+
+using shader::Backend;
+
+struct NodePipeline {
+  gpu::Owned<VkDescriptorSetLayout> set_layout;
+  std::vector<VkDescriptorSetLayoutBinding> bindings;
+  gpu::Pipeline pipeline;
+  shader::Interface interface;
+  std::vector<Path> files;  // its shaders and what they include
+};
+
+// The interface a node's shader is compiled against.
+shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node, Backend backend, uint32_t slices);
+
+// The shader files of a pass, main file first.
+std::vector<Path> shaderFiles(const plan::PassDesc& pass);
+
+// Compiles every node's shaders without a device; throws `Error` with all problems of all passes.
+void checkShaders(const plan::Plan& plan, Backend backend);
+
+// Pipelines by the content they come from: the same text compiled the same way is the same pipeline, so nothing stale
+// can be served and nothing is compiled twice.
+class PipelineCache {
+ public:
+  explicit PipelineCache(const gpu::Device& device) : device_(device) {}
+  std::shared_ptr<const NodePipeline> get(const shader::Interface& interface, const plan::PassDesc& pass,
+                                          VkDescriptorSetLayout scene_layout);
+  // Pipelines made since the cache exists.
+  int compilations() const { return compilations_; }
+
+ private:
+  std::shared_ptr<const NodePipeline> make(const shader::Interface& interface, const plan::PassDesc& pass,
+                                           VkDescriptorSetLayout scene_layout) const;
+  const gpu::Device& device_;
+  std::map<std::string, std::shared_ptr<const NodePipeline>> made_;
+  int compilations_ = 0;
+};
+
+}  // namespace strobe::graph

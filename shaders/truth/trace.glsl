@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Distributed ray tracing in time (Cook, Porter, Carpenter 1984): each pixel draws one of the iteration's scene times,
+// traces the scene as it truly stands then, and adds the colour. Nothing is clamped, and no displacement is used.
+// Regions, with f the instance seen at the capture:
+//   inner   some sample sees a farther, different instance than f;
+//   outer   some sample sees a nearer, different instance than f;
+//   hidden  some sample sees a point that was occluded at the capture.
+#include "lib/shade.glsl"
+#include "lib/random.glsl"
+
+const float kFar = 3.0e38;
+const uint kInner = 1u, kHidden = 2u, kOuter = 4u;
+
+bool sameTransform(SceneTransform a, SceneTransform b) {
+  return a.row_x == b.row_x && a.row_y == b.row_y && a.row_z == b.row_z;
+}
+
+bool cameraIsStill(uint slice) {
+  SceneCamera a = scene_cameras[slice], b = scene_cameras[SLICE_CAPTURE];
+  return a.position == b.position && a.right == b.right && a.up == b.up && a.forward == b.forward;
+}
+
+// Was the point hidden from the capture's camera? The last 2^-12 of the way is the point's own surface.
+bool wasOccluded(vec3 position_ws) {
+  SceneCamera camera = scene_cameras[SLICE_CAPTURE];
+  vec3 position_vs = viewFromWorld(SLICE_CAPTURE, position_ws);
+  if (position_vs.z <= camera.near) return true;
+  Ray ray = cameraRay(SLICE_CAPTURE, pixelFromView(SLICE_CAPTURE, position_vs));
+  return isBlocked(SLICE_CAPTURE, ray, camera.near, position_vs.z * (1.0 - 1.0 / 4096.0));
+}
+
+uint regionsOf(ivec2 pixel, Hit hit, vec3 capture_ws, uint known) {
+  uvec4 seen = texelFetch(hit_tex, pixel, 0);
+  uint id = isHit(hit) ? hit.instance + 1u : 0u;
+  uint found = 0u;
+  if (id != seen.x) {
+    float before = kFar;
+    if (seen.x != 0u)
+      before = hitOnTriangle(SLICE_CAPTURE, cameraRay(SLICE_CAPTURE, samplePosition(pixel)), seen.x - 1u, seen.y, seen.z).t;
+    float now = isHit(hit) ? hit.t : kFar;
+    if (now > before) found |= kInner;
+    if (now < before) found |= kOuter;
+  }
+  if (isHit(hit) && (known & kHidden) == 0u && wasOccluded(capture_ws)) found |= kHidden;
+  return known | found;
+}
+
+void run(ivec2 pixel) {
+  uint index = uint(pixel.y) * frame.size.x + uint(pixel.x);
+  uint slice = TIME_SLICE;
+  if (frame.slice_count > 1u) slice += randomUint(index, frame.iteration, 0u) % frame.slice_count;
+  vec2 position_px = samplePosition(pixel);
+#if PARAM_pixel == pixel_box
+  position_px = vec2(pixel) + stratified2(index, frame.iteration);
+#endif
+  Ray ray = cameraRay(slice, position_px);
+  Hit hit = traceNearest(slice, ray, scene_cameras[slice].near, kFar);
+  vec4 still = imageLoad(still_img, pixel);
+  vec3 capture_ws = vec3(0);
+  vec3 color;
+
+  // What stands still before a camera that stands still has one colour at every time: it is shaded once.
+  bool is_still = PARAM_shading == shading_frozen && PARAM_pixel == pixel_centre && cameraIsStill(slice) &&
+                  (!isHit(hit) || sameTransform(transformOf(slice, hit.instance), transformOf(SLICE_CAPTURE, hit.instance)));
+  if (isHit(hit)) capture_ws = positionOf(SLICE_CAPTURE, hit);
+  if (is_still && still.a != 0.0) {
+    color = still.rgb;
+  } else {
+    color = isHit(hit) ? shade(PARAM_shading == shading_frozen ? SLICE_CAPTURE : slice, hit) : environment(ray.direction);
+    if (is_still) imageStore(still_img, pixel, vec4(color, 1));
+  }
+  vec4 added = vec4(color, 1);
+  if ((frame.iteration & 1u) == 0u) imageStore(sum_a_img, pixel, imageLoad(sum_a_img, pixel) + added);
+  else imageStore(sum_b_img, pixel, imageLoad(sum_b_img, pixel) + added);
+
+#if PARAM_mark_regions
+  uint known = imageLoad(regions_img, pixel).r;
+  uint regions = regionsOf(pixel, hit, capture_ws, known);
+  if (regions != known) imageStore(regions_img, pixel, uvec4(regions, 0u, 0u, 0u));
+#endif
+  imageStore(sample_id_img, pixel, isHit(hit) ? uvec4(hit.instance + 1u, hit.geometry + 1u, 0u, 0u) : uvec4(0u));
+  imageStore(sample_position_img, pixel, isHit(hit) ? vec4(capture_ws, 1) : vec4(0));
+}
