@@ -85,12 +85,8 @@ class Wirer {
   static const char* plural(std::string_view what) { return what.ends_with("s") ? "es" : "s"; }
 
   void checkPass(const PassDesc& pass) {
-    std::set<std::string> names;
-    for (const auto* ports : {&pass.reads, &pass.writes, &pass.updates}) {
-      for (const PortDesc& port : *ports) {
-        if (!names.insert(port.name).second) problem(port.place, "pass '{}' has two ports '{}'", pass.name, port.name);
-      }
-    }
+    checkPorts(pass, namesOf(pass.reads), "reads");
+    checkPorts(pass, producedPorts(pass), "writes");
     if (pass.writes.empty() && pass.updates.empty()) problem(pass.place, "pass '{}' writes nothing", pass.name);
     if (pass.kind == PassDesc::Kind::Raster && !pass.updates.empty()) {
       problem(pass.place, "raster pass '{}' has updates; only compute and trace passes can", pass.name);
@@ -103,6 +99,14 @@ class Wirer {
       problem(port.place, "read '{}' of pass '{}' is both uint and linear", port.name, pass.name);
     }
     checkSize(pass);
+  }
+
+  // A read and a write may share a name.
+  void checkPorts(const PassDesc& pass, const std::vector<std::string>& names, const char* does) {
+    std::set<std::string> seen;
+    for (const std::string& name : names) {
+      if (!seen.insert(name).second) problem(pass.place, "pass '{}' {} '{}' twice", pass.name, does, name);
+    }
   }
 
   void checkFormat(const PassDesc& pass, const PortDesc& port) {

@@ -1,0 +1,456 @@
+// SPDX-License-Identifier: MIT
+// Order, culling, sizes, memory, parameters, canonical form and refusals of a compiled pipeline.
+#include "plan/plan.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "plan/builder.h"
+#include "plan/canonical.h"
+#include "plan/formats.h"
+#include "plan/random_pipeline.h"
+
+namespace strobe::plan::test {
+namespace {
+
+CompileOptions optionsOf(int width, int height) {
+  CompileOptions options;
+  options.width = width, options.height = height;
+  return options;
+}
+
+Plan compiled(const PipelineDesc& pipeline) { return compile(pipeline, optionsOf(64, 32)); }
+
+std::vector<std::string> order(const Plan& plan) {
+  std::vector<std::string> names;
+  for (const PlanNode& node : plan.nodes) names.push_back(plan.pipeline.nodes[node.node].name);
+  return names;
+}
+
+const VirtualImage& image(const Plan& plan, const std::string& name) { return plan.images.at(findImage(plan, name)); }
+
+std::string refusal(const PipelineDesc& pipeline, const CompileOptions& options = optionsOf(64, 32)) {
+  try {
+    compile(pipeline, options);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+using Names = std::vector<std::string>;
+
+// first -> second -> third -> color
+Builder chain() {
+  Builder b;
+  b.compute("first", {}, {"x"});
+  b.compute("second", {{"x", "first.x"}}, {"y"});
+  b.compute("third", {{"y", "second.y"}}, {"z"});
+  b.output("color", "third.z");
+  return b;
+}
+
+TEST(Order, FollowsTheDataThenTheCalls) {
+  Builder b;
+  b.compute("late", {{"x", "early.x"}}, {"y"});
+  b.compute("other", {}, {"x"});
+  b.compute("early", {}, {"x"});
+  b.compute("end", {{"a", "late.y"}, {"b", "other.x"}}, {"z"});
+  b.output("color", "end.z");
+  EXPECT_EQ(order(compiled(b.pipeline)), (Names{"other", "early", "late", "end"}));
+}
+
+TEST(Order, KeepsALoopTogether) {
+  Builder b;
+  b.beginLoop("shutter", 5);
+  b.compute("a", {}, {"x"});
+  b.endLoop();
+  b.compute("outside", {}, {"x"});
+  b.loop = "shutter";
+  b.compute("b", {{"x", "a.x"}, {"o", "outside.x"}}, {}, {"sum"});
+  b.endLoop();
+  b.output("color", "b.sum");
+  Plan plan = compiled(b.pipeline);
+  EXPECT_EQ(order(plan), (Names{"outside", "a", "b"}));
+  ASSERT_EQ(plan.steps.size(), 4u);  // clear, outside, loop, read-back
+  EXPECT_EQ(plan.steps[2].kind, Step::Kind::Loop);
+  EXPECT_EQ(plan.steps[2].body.size(), 2u);
+  EXPECT_EQ(plan.loops.at(0).count, 5);
+  EXPECT_EQ(plan.loops.at(0).times, "midpoint");
+}
+
+TEST(Order, PrintsACycleAsAPath) {
+  Builder b;
+  b.compute("a", {{"in", "c.x"}}, {"x"});
+  b.compute("b", {{"in", "a.x"}}, {"x"});
+  b.compute("c", {{"in", "b.x"}}, {"x"});
+  b.compute("free", {}, {"x"});
+  b.output("color", "free.x");
+  EXPECT_EQ(refusal(b.pipeline), "test.lua:1: cycle: a -> b -> c -> a");
+}
+
+TEST(Order, RefusesANodeThatReadsItself) {
+  Builder b;
+  b.compute("a", {{"in", "a.x"}}, {"x"});
+  b.output("color", "a.x");
+  EXPECT_EQ(refusal(b.pipeline), "test.lua:1: cycle: a -> a");
+}
+
+TEST(Order, RefusesACycleThroughALoop) {
+  Builder b;
+  b.beginLoop("shutter", 2);
+  b.compute("a", {}, {"x"});
+  b.endLoop();
+  b.compute("outside", {{"x", "a.x"}}, {"x"});
+  b.loop = "shutter";
+  b.compute("b", {{"o", "outside.x"}}, {}, {"sum"});
+  b.endLoop();
+  b.output("color", "b.sum");
+  EXPECT_EQ(refusal(b.pipeline),
+            "test.lua:1: cycle through a loop, whose nodes run together: loop shutter -> outside -> loop shutter");
+}
+
+TEST(Culling, LeavesOutWhatNoOutputNeeds) {
+  Builder b = chain();
+  b.compute("spare", {{"x", "first.x"}}, {"y"});
+  b.compute("spare_too", {{"y", "spare.y"}}, {"z"});
+  Plan plan = compiled(b.pipeline);
+  EXPECT_EQ(order(plan), (Names{"first", "second", "third"}));
+  ASSERT_EQ(plan.culled.size(), 2u);
+  EXPECT_EQ(plan.culled[0].name, "spare");
+  EXPECT_EQ(plan.culled[0].reason, "not needed by any output");
+  EXPECT_EQ(findImage(plan, "spare.y"), -1);
+}
+
+TEST(Culling, ATapKeepsWhatItNeeds) {
+  Builder b = chain();
+  b.compute("spare", {{"x", "first.x"}}, {"y"});
+  CompileOptions options = optionsOf(64, 32);
+  options.taps = {"spare.y"};
+  Plan plan = compile(b.pipeline, options);
+  EXPECT_TRUE(plan.culled.empty());
+  EXPECT_TRUE(image(plan, "spare.y").kept);
+  EXPECT_EQ(plan.taps.at(0).second, findImage(plan, "spare.y"));
+}
+
+TEST(Culling, ALoopKeepsItsStopCondition) {
+  Builder b;
+  b.beginLoop("shutter", 8, "measure.done");
+  b.compute("add", {}, {}, {"sum"});
+  PassDesc& measure = b.compute("measure", {{"sum", "add.sum"}}, {"done"});
+  measure.size.kind = SizeDesc::Kind::Fixed;
+  measure.size.width = measure.size.height = 1;
+  b.compute("unused", {}, {"x"});
+  b.endLoop();
+  b.output("color", "add.sum");
+  Plan plan = compiled(b.pipeline);
+  EXPECT_EQ(order(plan), (Names{"add", "measure"}));
+  EXPECT_EQ(plan.loops.at(0).until, findImage(plan, "measure.done"));
+  EXPECT_EQ(plan.steps.at(1).body.back().kind, Step::Kind::ReadImage);
+}
+
+TEST(Culling, ALoopWithoutNeededNodesIsGone) {
+  Builder b = chain();
+  b.beginLoop("shutter", 8);
+  b.compute("add", {}, {}, {"sum"});
+  b.endLoop();
+  EXPECT_TRUE(compiled(b.pipeline).loops.empty());
+}
+
+TEST(Sizes, FrameFixedPortAndDividedRoundingUp) {
+  Builder b;
+  b.compute("first", {}, {"x"});
+  PassDesc& tiles = b.compute("tiles", {{"x", "first.x"}}, {"max"});
+  tiles.size.kind = SizeDesc::Kind::Port;
+  tiles.size.port = "x";
+  tiles.size.divide = "tile";
+  tiles.params = {intParam("tile", 20, 1, 256)};
+  PassDesc& near = b.compute("near", {{"max", "tiles.max"}}, {"max"});
+  near.size.kind = SizeDesc::Kind::Port;
+  near.size.port = "max";
+  PassDesc& one = b.compute("one", {{"max", "near.max"}}, {"x"});
+  one.size.kind = SizeDesc::Kind::Fixed;
+  one.size.width = 3, one.size.height = 2;
+  b.compute("last", {{"x", "one.x"}}, {"color"});
+  b.output("color", "last.color");
+  Plan plan = compile(b.pipeline, optionsOf(1920, 1081));
+  auto size = [&](const char* name) { return std::pair(image(plan, name).width, image(plan, name).height); };
+  EXPECT_EQ(size("first.x"), std::pair(1920, 1081));
+  EXPECT_EQ(size("tiles.max"), std::pair(96, 55));
+  EXPECT_EQ(size("near.max"), std::pair(96, 55));
+  EXPECT_EQ(size("one.x"), std::pair(3, 2));
+  EXPECT_EQ(size("last.color"), std::pair(1920, 1081));
+}
+
+TEST(Params, DefaultThenBindingThenPipelineThenOverride) {
+  Builder b;
+  b.compute("first", {}, {"x"}).params = {intParam("a", 1, 0, 99), intParam("b", 2, 0, 99), intParam("c", 3, 0, 99),
+                                          intParam("d", 4, 0, 99)};
+  b.node("first").params = {{"b", bound(int64_t{20})}, {"c", following("live")}, {"d", following("live")}};
+  b.pipeline.params = {intParam("live", 30, 0, 99)};
+  b.output("color", "first.x");
+
+  auto values = [](const Plan& plan) {
+    std::vector<int64_t> list;
+    for (const auto& [name, value] : plan.nodes.at(0).params) list.push_back(std::get<int64_t>(value));
+    return list;
+  };
+  EXPECT_EQ(values(compiled(b.pipeline)), (std::vector<int64_t>{1, 20, 30, 30}));
+  b.pipeline.values = {{"live", int64_t{31}}};
+  EXPECT_EQ(values(compiled(b.pipeline)), (std::vector<int64_t>{1, 20, 31, 31}));
+  CompileOptions options = optionsOf(64, 32);
+  options.set = {{"live", int64_t{32}}, {"first.d", int64_t{44}}};
+  Plan plan = compile(b.pipeline, options);
+  EXPECT_EQ(values(plan), (std::vector<int64_t>{1, 20, 32, 44}));
+  EXPECT_EQ(std::get<int64_t>(plan.pipeline.values.at(0).second), 32);
+}
+
+TEST(Params, LoopsFollowThePipeline) {
+  Builder b;
+  b.beginLoop("shutter", 1);
+  b.compute("add", {}, {}, {"sum"});
+  b.endLoop();
+  b.output("color", "add.sum");
+  b.pipeline.params = {intParam("samples", 16, 1, 1024)};
+  b.pipeline.loops[0].count = following("samples");
+  b.pipeline.loops[0].times = bound(std::string("stratified"));
+  b.pipeline.loops[0].slices = bound(int64_t{4});
+  CompileOptions options = optionsOf(64, 32);
+  options.set = {{"samples", int64_t{7}}};
+  Plan plan = compile(b.pipeline, options);
+  EXPECT_EQ(plan.loops.at(0).count, 7);
+  EXPECT_EQ(plan.loops.at(0).times, "stratified");
+  EXPECT_EQ(plan.loops.at(0).slices, 4);
+}
+
+TEST(Memory, AliasesAChain) {
+  Builder b;
+  b.compute("n0", {}, {"x"});
+  for (int i = 1; i < 8; ++i) {
+    b.compute(fmt::format("n{}", i), {{"x", fmt::format("n{}.x", i - 1)}}, {"x"});
+  }
+  b.output("color", "n7.x");
+  Plan plan = compiled(b.pipeline);
+  EXPECT_EQ(plan.images.size(), 8u);
+  EXPECT_EQ(plan.slots.size(), 3u);  // two in turns, and the output by itself
+  EXPECT_EQ(bytesUnaliased(plan), 8u * 64 * 32 * 4);
+  EXPECT_EQ(bytesAliased(plan), 3u * 64 * 32 * 4);
+}
+
+TEST(Memory, OtherFormatsAndSizesDoNotShare) {
+  Builder b;
+  b.compute("a", {}, {"x r32f"});
+  b.compute("b", {{"x", "a.x"}}, {"x rg16f"});
+  PassDesc& half = b.compute("c", {{"x", "b.x"}}, {"x r32f"});
+  half.size.kind = SizeDesc::Kind::Fixed;
+  half.size.width = 32, half.size.height = 64;
+  b.compute("d", {{"x", "c.x"}}, {"x r32ui"});
+  b.compute("e", {{"x", "d.x"}}, {"x rgba32f"});
+  b.output("color", "e.x");
+  Plan plan = compiled(b.pipeline);
+  EXPECT_EQ(plan.slots.size(), plan.images.size());
+}
+
+TEST(Memory, UsageFollowsFromThePorts) {
+  Builder b;
+  b.raster("draw", {}, {"x"});
+  b.compute("add", {{"x", "draw.x"}}, {"y"}, {"sum"});
+  b.output("color", "add.sum");
+  Plan plan = compiled(b.pipeline);
+  EXPECT_EQ(image(plan, "draw.x").usage, kUsageColorAttachment | kUsageSampled);
+  EXPECT_EQ(image(plan, "draw.@depth").usage, uint32_t{kUsageDepthAttachment});
+  EXPECT_EQ(image(plan, "draw.@depth").format, "d32f");
+  EXPECT_EQ(image(plan, "add.y").usage, uint32_t{kUsageStorage});
+  EXPECT_EQ(image(plan, "add.sum").usage, kUsageStorage | kUsageTransferTarget | kUsageTransferSource);
+}
+
+TEST(Memory, ATapMovesNothingElse) {
+  Builder b = chain();
+  CompileOptions options = optionsOf(64, 32);
+  options.taps = {"first.x", "second.y"};
+  Plan plan = compile(b.pipeline, options);
+  EXPECT_EQ(order(plan), order(compiled(b.pipeline)));
+  EXPECT_EQ(plan.slots.size(), 3u);
+  EXPECT_EQ(image(plan, "first.x").last, static_cast<int>(plan.steps.size()) - 1);
+}
+
+// From the lifetimes' own definition: no two images in one slot are alive in one step.
+TEST(Memory, RandomPipelinesNeverOverlap) {
+  int shared = 0;
+  for (uint32_t seed = 0; seed < 500; ++seed) {
+    RandomPipeline random = randomPipeline(seed);
+    Plan plan = compile(random.pipeline, random.options);
+    for (size_t i = 0; i < plan.images.size(); ++i) {
+      for (size_t j = i + 1; j < plan.images.size(); ++j) {
+        const VirtualImage& a = plan.images[i];
+        const VirtualImage& b = plan.images[j];
+        if (a.slot != b.slot) continue;
+        ++shared;
+        EXPECT_TRUE(a.last < b.first || b.last < a.first) << "seed " << seed << ": " << a.name << ", " << b.name;
+        EXPECT_TRUE(a.format == b.format && a.width == b.width && a.height == b.height) << a.name << ", " << b.name;
+        EXPECT_FALSE(a.kept || b.kept || a.update || b.update) << "seed " << seed << ": " << a.name << ", " << b.name;
+      }
+    }
+  }
+  EXPECT_GT(shared, 500);
+}
+
+TEST(Canonical, IsTheSameForTheSame) {
+  for (uint32_t seed = 0; seed < 50; ++seed) {
+    RandomPipeline random = randomPipeline(seed);
+    std::string first = toJson(compile(random.pipeline, random.options)).dump();
+    EXPECT_EQ(first, toJson(compile(random.pipeline, random.options)).dump());
+  }
+  EXPECT_EQ(hashOf(compiled(chain().pipeline)), hashOf(compiled(chain().pipeline)));
+}
+
+TEST(Canonical, TellsPlansApart) {
+  Builder b = chain();
+  std::string hash = hashOf(compiled(b.pipeline));
+  EXPECT_NE(hash, hashOf(compile(b.pipeline, optionsOf(64, 33))));
+  b.pipeline.passes[1].params = {intParam("n", 1, 0, 9)};
+  std::string with_param = hashOf(compiled(b.pipeline));
+  EXPECT_NE(hash, with_param);
+  b.node("second").params = {{"n", bound(int64_t{2})}};
+  EXPECT_NE(with_param, hashOf(compiled(b.pipeline)));
+}
+
+// Documentation and places are not part of what is executed.
+TEST(Canonical, IgnoresTextsForPeople) {
+  Builder b = chain();
+  std::string hash = hashOf(compiled(b.pipeline));
+  b.pipeline.doc = "other";
+  b.pipeline.passes[0].doc = "other";
+  b.node("first").place.line = 77;
+  EXPECT_EQ(hash, hashOf(compiled(b.pipeline)));
+}
+
+TEST(Canonical, DescriptionSaysWhatMatters) {
+  Builder b = chain();
+  b.compute("spare", {{"x", "first.x"}}, {"y"});
+  std::string text = describe(compiled(b.pipeline));
+  for (const char* part : {"pipeline test at 64x32", "3 nodes in order", "culled: 1", "spare: not needed by any output",
+                           "images: 3 in 3 slots", "barriers: 3 per frame", "color = third.z", "64x32"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  }
+}
+
+TEST(Formats, AreTheOnesADescriptionMayName) {
+  std::vector<std::string> names;
+  for (const Format& format : portFormats()) names.push_back(format.name);
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()),
+            std::set<std::string>(formatNames().begin(), formatNames().end()));
+}
+
+TEST(Refusals, UnknownNodeAndPort) {
+  Builder b = chain();
+  b.node("third").inputs = {{"y", "secnd.y"}};
+  EXPECT_EQ(refusal(b.pipeline),
+            "test.lua:3: node 'third' reads 'secnd.y', but there is no node 'secnd'; did you mean 'second'?");
+  b.node("third").inputs = {{"y", "second.yy"}};
+  EXPECT_EQ(refusal(b.pipeline),
+            "test.lua:3: node 'third' reads 'second.yy', but pass 'second' does not write 'yy'; did you mean 'y'?");
+  b.node("third").inputs = {{"why", "second.y"}, {"y", "second.y"}};
+  EXPECT_EQ(refusal(b.pipeline), "test.lua:3: pass 'third' has no input 'why'; did you mean 'y'?");
+  b.node("third").inputs = {};
+  EXPECT_EQ(refusal(b.pipeline), "test.lua:3: node 'third' lacks the input 'y' of pass 'third'");
+}
+
+TEST(Refusals, ReadBeforeWritten) {
+  Builder b = chain();
+  b.node("third").inputs = {{"y", "second.x"}};
+  EXPECT_EQ(refusal(b.pipeline),
+            "test.lua:3: node 'third' reads 'second.x' before it is written: node 'second' only reads it");
+}
+
+TEST(Refusals, NumbersReadAsUnsignedAndBack) {
+  Builder b;
+  b.compute("first", {}, {"x r32ui"});
+  b.compute("second", {{"x", "first.x"}}, {"y"});
+  b.output("color", "second.y");
+  EXPECT_EQ(refusal(b.pipeline), "accepted");
+  b.pipeline.passes[1].reads[0].uint = false;
+  b.pipeline.passes[0].writes[0].place = {"passes/first.lua", 4};
+  EXPECT_EQ(refusal(b.pipeline),
+            "test.lua:2: node 'second' reads 'x' as numbers, but 'first.x' is r32ui (passes/first.lua:4)");
+}
+
+TEST(Refusals, OptionalInputsMayBeLeftOutButNotAsASize) {
+  Builder b = chain();
+  b.pipeline.passes[2].reads[0].optional = true;
+  b.node("third").inputs = {};
+  Plan plan = compiled(b.pipeline);
+  EXPECT_EQ(order(plan), (Names{"third"}));
+  EXPECT_EQ(plan.nodes.at(0).reads, std::vector<int>{-1});
+  b.pipeline.passes[2].size.kind = SizeDesc::Kind::Port;
+  b.pipeline.passes[2].size.port = "y";
+  EXPECT_EQ(refusal(b.pipeline), "test.lua:3: node 'third' is as large as its input 'y', which is not wired");
+}
+
+TEST(Refusals, TwoWriters) {
+  Builder b = chain();
+  b.pipeline.nodes[1].name = "first";
+  EXPECT_EQ(refusal(b.pipeline), "test.lua: two nodes named 'first'");
+  Builder c = chain();
+  c.pipeline.passes[0].updates.push_back(c.pipeline.passes[0].writes[0]);
+  EXPECT_EQ(refusal(c.pipeline), "passes/first.lua:1: pass 'first' writes 'x' twice");
+}
+
+TEST(Refusals, Parameters) {
+  Builder b = chain();
+  b.pipeline.passes[0].params = {intParam("tile", 20, 1, 256)};
+  b.node("first").params = {{"tle", bound(int64_t{1})}};
+  EXPECT_EQ(refusal(b.pipeline), "pass 'first' has no parameter 'tle'; did you mean 'tile'?");
+  b.node("first").params = {{"tile", following("sice")}};
+  b.pipeline.values = {{"size", int64_t{4}}};
+  EXPECT_EQ(refusal(b.pipeline), "pipeline 'test' has no parameter 'sice'; did you mean 'size'?");
+  b.node("first").params = {{"tile", bound(int64_t{257})}};
+  EXPECT_NE(refusal(b.pipeline).find("'tile' = 257"), std::string::npos) << refusal(b.pipeline);
+  b.node("first").params = {};
+  CompileOptions options = optionsOf(64, 32);
+  options.set = {{"first.tille", int64_t{1}}};
+  EXPECT_EQ(refusal(b.pipeline, options),
+            "pipeline 'test' has no parameter 'first.tille'; did you mean 'first.tile'?");
+}
+
+TEST(Refusals, Loops) {
+  Builder b;
+  b.beginLoop("shutter", 0);
+  b.compute("add", {}, {}, {"sum"});
+  b.endLoop();
+  b.output("color", "add.sum");
+  EXPECT_NE(refusal(b.pipeline).find("count of loop 'shutter' must be an integer from 1"), std::string::npos);
+  b.pipeline.loops[0].count = bound(int64_t{2});
+  b.pipeline.loops[0].until = "add.sum";
+  EXPECT_EQ(refusal(b.pipeline), "test.lua:100: loop 'shutter' stops on 'add.sum', which is 64x32 instead of 1x1");
+  b.pipeline.loops[0].until = "";
+  b.node("add").loop = "shuter";
+  EXPECT_EQ(refusal(b.pipeline), "test.lua:1: node 'add' is in unknown loop 'shuter'; did you mean 'shutter'?");
+  b.node("add").loop = "";
+  b.node("add").time = "sample";
+  EXPECT_EQ(refusal(b.pipeline), "test.lua:1: node 'add' has time 'sample' but is in no loop");
+}
+
+TEST(Refusals, SizesAndOutputs) {
+  Builder b = chain();
+  EXPECT_NE(refusal(b.pipeline, optionsOf(0, 32)), "accepted");
+  EXPECT_NE(refusal(b.pipeline, optionsOf(64, 1 << 20)), "accepted");
+  CompileOptions options = optionsOf(64, 32);
+  options.taps = {"first.y"};
+  EXPECT_NE(refusal(b.pipeline, options), "accepted");
+  b.pipeline.outputs = {{"depth", "third.z"}};
+  EXPECT_EQ(refusal(b.pipeline), "test.lua: pipeline 'test' has no output 'color'");
+}
+
+TEST(Refusals, AllAtOnce) {
+  Builder b = chain();
+  b.node("second").inputs = {{"x", "frist.x"}};
+  b.node("third").inputs = {{"y", "secnd.y"}};
+  std::string text = refusal(b.pipeline);
+  EXPECT_NE(text.find("'frist.x'"), std::string::npos);
+  EXPECT_NE(text.find("'secnd.y'"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace strobe::plan::test
