@@ -118,7 +118,15 @@ struct PipelineDesc {
   std::vector<std::pair<std::string, std::string>> outputs;  // output -> "node.port"
 };
 
+// Both read what another process wrote and so trust nothing: names, references, types and ranges are checked, and
+// `Error` is thrown at the place of the first mistake.
 PipelineDesc pipelineFromJson(const Json& json);
+PassDesc passFromJson(const Json& json);
+
 Json toJson(const PipelineDesc& pipeline);
+Json toJson(const PassDesc& pass);
+
+// The image formats a pass may write.
+const std::vector<std::string>& formatNames();
 
 }  // namespace strobe::plan

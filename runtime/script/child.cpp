@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// The child's side: limits first, then one evaluation, then the answer on stdout.
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+
+#include "script/evaluate.h"
+#include "script/sandbox.h"
+
+namespace strobe::script {
+
+namespace {
+
+// For the signal handler and the hook it sets, which take no argument.
+Sandbox* g_sandbox = nullptr;
+double g_cpu_s = 0;
+
+std::string readAll(int descriptor) {
+  std::string text;
+  char buffer[65536];
+  for (;;) {
+    ssize_t got = ::read(descriptor, buffer, sizeof buffer);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return text;
+    text.append(buffer, static_cast<size_t>(got));
+  }
+}
+
+[[noreturn]] void answer(const Json& json) {
+  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  for (size_t done = 0; done < text.size();) {
+    ssize_t written = ::write(STDOUT_FILENO, text.data() + done, text.size() - done);
+    if (written < 0 && errno != EINTR) break;
+    if (written > 0) done += static_cast<size_t>(written);
+  }
+  ::_exit(0);
+}
+
+Json filesJson(const Sandbox& sandbox) {
+  Json files = Json::array();
+  for (const Dependency& file : sandbox.files()) {
+    files.push_back({{"path", file.path.string()}, {"shown", file.shown}, {"hash", file.hash}});
+  }
+  return files;
+}
+
+Json problemJson(const Problem& problem) {
+  return {{"file", problem.place.file}, {"line", problem.place.line}, {"message", problem.message}};
+}
+
+// Runs as a Lua hook, at an instruction of the script, once its processor time is used up.
+void stopEndlessScript(lua_State* lua, lua_Debug*) {
+  Problem problem{Sandbox::userPlace(lua, 0),
+                  fmt::format("stopped: more than {} s of processor time (the limit for a script); endless loop?", g_cpu_s)};
+  answer({{"errors", {problemJson(problem)}}, {"files", filesJson(*g_sandbox)}});
+}
+
+void onTimer(int) {
+  lua_sethook(g_sandbox->state(), stopEndlessScript, LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT, 1);
+}
+
+void limit(int resource, rlim_t soft, rlim_t hard) {
+  rlimit limits{soft, hard};
+  ::setrlimit(resource, &limits);
+}
+
+// The timer gives an error with a line; the processor limit behind it stops what never returns to Lua's loop
+// (a long library call, a finalizer).
+void applyLimits(double cpu_s, int memory_mb) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  auto seconds = static_cast<rlim_t>(std::ceil(cpu_s + 0.25));
+  limit(RLIMIT_CPU, seconds, seconds + 1);
+  limit(RLIMIT_CORE, 0, 0);
+#ifndef __SANITIZE_ADDRESS__
+  rlim_t bytes = static_cast<rlim_t>(memory_mb) << 21;
+  limit(RLIMIT_AS, bytes, bytes);
+#endif
+}
+
+void startTimer(double cpu_s) {
+  struct sigaction action {};
+  action.sa_handler = onTimer;
+  action.sa_flags = SA_RESTART;
+  ::sigaction(SIGPROF, &action, nullptr);
+  itimerval timer{};
+  timer.it_value.tv_sec = static_cast<time_t>(cpu_s);
+  timer.it_value.tv_usec = static_cast<suseconds_t>((cpu_s - std::floor(cpu_s)) * 1e6);
+  ::setitimer(ITIMER_PROF, &timer, nullptr);
+}
+
+void evaluate(const Json& request) {
+  double cpu_s = request.at("cpu_s").get<double>();
+  int memory_mb = request.at("memory_mb").get<int>();
+  applyLimits(cpu_s, memory_mb);
+
+  Sandbox::Options options;
+  options.home = request.at("home").get<std::string>();
+  options.main = request.at("main").get<std::string>();
+  options.shown = request.at("shown").get<std::string>();
+  options.own_folder = request.at("own_folder").get<bool>();
+  options.memory_bytes = static_cast<size_t>(memory_mb) << 20;
+  static Sandbox sandbox(std::move(options));
+  g_sandbox = &sandbox;
+  g_cpu_s = cpu_s;
+  startTimer(cpu_s);
+
+  Json result;
+  if (sandbox.run(request.at("function").get<std::string>(), request.at("argument"), result)) {
+    answer({{"result", std::move(result)}, {"files", filesJson(sandbox)}});
+  }
+  std::vector<Problem> problems = sandbox.problems();
+  if (sandbox.outOfMemory()) {
+    std::string message = fmt::format("stopped: more than {} MB of memory (the limit for a script)", memory_mb);
+    problems = {{{request.at("shown").get<std::string>()}, message}};
+  }
+  Json errors = Json::array();
+  for (const Problem& problem : problems) errors.push_back(problemJson(problem));
+  answer({{"errors", errors}, {"files", filesJson(sandbox)}});
+}
+
+}  // namespace
+
+void runScriptChild() {
+  try {
+    evaluate(Json::parse(readAll(STDIN_FILENO)));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "script child: %s\n", error.what());
+  }
+  ::_exit(3);
+}
+
+}  // namespace strobe::script

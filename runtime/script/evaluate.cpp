@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "script/evaluate.h"
+
+#include <signal.h>
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+
+#include "base/hash.h"
+#include "script/process.h"
+
+namespace strobe::script {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// The file an evaluation begins with.
+struct Main {
+  Path file;          // absolute
+  std::string shown;
+  std::string name;   // without folder and ".lua"
+  bool own_folder = false;
+};
+
+std::vector<std::string> namesIn(const Path& folder) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.path().extension() == ".lua" && entry.is_regular_file(ignored)) names.push_back(entry.path().stem());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Main mainFile(const std::string& path) {
+  Main main;
+  main.file = fs::absolute(path).lexically_normal();
+  Path relative = main.file.lexically_relative(fs::absolute(homeFolder()).lexically_normal());
+  bool inside = !relative.empty() && *relative.begin() != "..";
+  main.shown = inside ? relative.string() : path;
+  main.name = main.file.stem();
+  main.own_folder = true;
+  if (!fs::is_regular_file(main.file)) throw Error("there is no such file", {path});
+  return main;
+}
+
+// `what` is "pipeline" or "scene", kept in scripts/<what>s.
+Main mainOf(const std::string& name_or_path, const std::string& what) {
+  bool is_path = name_or_path.ends_with(".lua") || name_or_path.find('/') != std::string::npos;
+  if (is_path) return mainFile(name_or_path);
+  Path folder = homeFolder() / "scripts" / (what + "s");
+  std::vector<std::string> names = namesIn(folder);
+  if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
+    throw Error(fmt::format("there is no {} '{}'{}", what, name_or_path, didYouMean(name_or_path, names)));
+  }
+  Main main = mainFile((folder / (name_or_path + ".lua")).string());
+  main.own_folder = false;
+  return main;
+}
+
+std::string endedBy(const ChildResult& child, const Limits& limits) {
+  if (child.timed_out) return fmt::format("stopped: more than {} s (the limit for a script)", limits.wall_s);
+  if (child.too_long) return "stopped: the script describes more than fits in 64 MB";
+  if (child.signal == SIGXCPU || child.signal == SIGKILL) {
+    return fmt::format("stopped: more than {} s of processor time (the limit for a script); endless loop?", limits.cpu_s);
+  }
+  if (child.signal) return fmt::format("the script's process ended by signal {} ({})", child.signal, ::strsignal(child.signal));
+  return fmt::format("the script's process ended with status {} and no answer", child.exit_status);
+}
+
+std::vector<Dependency> dependenciesOf(const Json& files) {
+  std::vector<Dependency> dependencies;
+  for (const Json& file : files) {
+    dependencies.push_back({file.at("path").get<std::string>(), file.at("shown").get<std::string>(),
+                            file.at("hash").get<std::string>()});
+  }
+  return dependencies;
+}
+
+// On one line, without anything that steers a terminal.
+std::string plain(std::string text) {
+  std::replace_if(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  return text;
+}
+
+// One mistake keeps its place apart; several are joined, each with its own in front.
+[[noreturn]] void throwProblems(const Json& errors) {
+  std::vector<Error> problems;
+  for (const Json& error : errors) {
+    Place place{plain(error.at("file").get<std::string>()), error.at("line").get<int>()};
+    problems.emplace_back(plain(error.at("message").get<std::string>()), place);
+  }
+  if (problems.size() == 1) throw problems.front();
+  std::vector<std::string> messages;
+  for (const Error& problem : problems) messages.emplace_back(problem.what());
+  throwIfAny(messages);
+  throw Error("a script failed without saying why");
+}
+
+Json requestOf(const Main& main, const std::string& function, const Json& argument, const Limits& limits) {
+  return {{"function", function},           {"argument", argument},
+          {"home", fs::absolute(homeFolder()).lexically_normal().string()},
+          {"main", main.file.string()},     {"shown", main.shown},
+          {"own_folder", main.own_folder},  {"cpu_s", limits.cpu_s},
+          {"memory_mb", limits.memory_mb}};
+}
+
+// Bytes that are no UTF-8 (in a file name, in a setting) become replacement characters.
+std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+// What run.lua's `function` returns. The answer comes from a process that ran a stranger's script: nothing in it is
+// taken on trust.
+Json evaluate(const Main& main, const std::string& function, const Json& argument,
+              std::vector<Dependency>* dependencies, const Limits& limits) {
+  if (dependencies) *dependencies = {};
+  if (dependencies && !main.file.empty()) *dependencies = {{main.file, main.shown, hashText(readText(main.file))}};
+  ChildResult child = runChild(textOf(requestOf(main, function, argument, limits)), limits.wall_s);
+  bool answered = !child.timed_out && !child.too_long && !child.signal && child.exit_status == 0;
+  Json answer = answered ? Json::parse(child.output, nullptr, false) : Json();
+  if (!answer.is_object()) throw Error(endedBy(child, limits), {main.shown});
+  try {
+    if (dependencies) *dependencies = dependenciesOf(answer.at("files"));
+    if (answer.contains("errors")) throwProblems(answer["errors"]);
+    return answer.at("result");
+  } catch (const Json::exception&) {
+    throw Error("the script's process gave an answer in a wrong form", {main.shown});
+  }
+}
+
+Json settingsJson(const Settings& sets) {
+  Json list = Json::array();
+  for (const auto& [name, value] : sets) list.push_back({{"name", name}, {"value", value}});
+  return list;
+}
+
+// A name used twice is set to its last value.
+Settings lastOfEach(const Settings& sets, bool of_scene) {
+  const std::string prefix = "scene.";
+  Settings last;
+  for (const auto& [name, value] : sets) {
+    if (name.starts_with(prefix) != of_scene) continue;
+    std::string plain = of_scene ? name.substr(prefix.size()) : name;
+    auto earlier = std::find_if(last.begin(), last.end(), [&](const auto& set) { return set.first == plain; });
+    if (earlier != last.end()) earlier->second = value;
+    if (earlier == last.end()) last.emplace_back(plain, value);
+  }
+  return last;
+}
+
+}  // namespace
+
+plan::PipelineDesc evaluatePipeline(const PipelineRequest& request, std::vector<Dependency>* dependencies,
+                                    const Limits& limits) {
+  Main main = mainOf(request.name_or_path, "pipeline");
+  Json argument = {{"name", main.name}, {"file", main.shown}, {"sets", settingsJson(lastOfEach(request.sets, false))}};
+  Json result = evaluate(main, "pipeline", argument, dependencies, limits);
+  try {
+    return plan::pipelineFromJson(result);
+  } catch (const Json::exception&) {
+    throw Error("the description of the pipeline has a wrong form", {main.shown});
+  }
+}
+
+Json evaluateScene(const std::string& name_or_path, const Settings& sets, std::vector<Dependency>* dependencies,
+                   const Limits& limits) {
+  Main main = mainOf(name_or_path, "scene");
+  Json argument = {{"file", main.shown}, {"sets", settingsJson(lastOfEach(sets, true))}};
+  return evaluate(main, "scene", argument, dependencies, limits);
+}
+
+Json evaluateData(const std::string& path, const Json& arguments, std::vector<Dependency>* dependencies,
+                  const Limits& limits) {
+  Main main = mainFile(path);
+  return evaluate(main, "data", {{"file", main.shown}, {"arguments", arguments}}, dependencies, limits);
+}
+
+std::vector<plan::PassDesc> evaluateAllPasses(std::vector<Dependency>* dependencies, const Limits& limits) {
+  Path folder = homeFolder() / "passes";
+  std::vector<std::string> modules;
+  std::error_code ignored;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, ignored)) {
+    if (entry.path().extension() != ".lua") continue;
+    std::string name = entry.path().lexically_relative(homeFolder()).replace_extension();
+    std::replace(name.begin(), name.end(), '/', '.');
+    modules.push_back(name);
+  }
+  std::sort(modules.begin(), modules.end());
+
+  Main main;
+  main.shown = "passes";
+  Json result = evaluate(main, "passes", {{"modules", modules}}, dependencies, limits);
+  std::vector<plan::PassDesc> passes;
+  for (const Json& pass : result) passes.push_back(plan::passFromJson(pass));
+  return passes;
+}
+
+std::vector<std::string> pipelineNames() { return namesIn(homeFolder() / "scripts/pipelines"); }
+std::vector<std::string> sceneNames() { return namesIn(homeFolder() / "scripts/scenes"); }
+
+}  // namespace strobe::script

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Lua files to plain data. Every call evaluates in a fresh child process (the program starting itself) with limits on
+// processor time, memory and wall clock; what comes back is validated before anything uses it. Drawing needs no Lua.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "plan/description.h"
+
+namespace strobe::script {
+
+// `--set NAME=VALUE` as typed, in order; of two for one name the later counts.
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+// A file an evaluation read: what a record names and what a reload watches.
+struct Dependency {
+  Path path;          // absolute
+  std::string shown;  // relative to the home folder where it lies inside it
+  std::string hash;   // of its content
+};
+
+struct Limits {
+  double cpu_s = 5;     // processor time
+  double wall_s = 10;   // until the child is killed, whatever it does
+  int memory_mb = 256;  // of Lua's heap; the address space of the child is limited to twice that
+};
+
+struct PipelineRequest {
+  std::string name_or_path;  // "x" for scripts/pipelines/x.lua, or a path that ends in ".lua"
+  // "PARAM" of the pipeline or "NODE.PARAM"; names that begin with "scene." are left to `evaluateScene`.
+  Settings sets;
+};
+
+// All of these throw `Error` with the places of the user's lines, all mistakes of one table at once; `dependencies`
+// is filled on failure too, so that a reload can wait for the next save.
+plan::PipelineDesc evaluatePipeline(const PipelineRequest& request, std::vector<Dependency>* dependencies = nullptr,
+                                    const Limits& limits = {});
+
+// The plain data a scene file returns, keys sorted; an empty table is an empty array. `name_or_path` as above, of
+// scripts/scenes. Those of `sets` that begin with "scene." are in the global `scene_params` (without that prefix);
+// one that the scene never reads is an error.
+Json evaluateScene(const std::string& name_or_path, const Settings& sets,
+                   std::vector<Dependency>* dependencies = nullptr, const Limits& limits = {});
+
+// The plain data any other file returns (experiments, demos); `arguments` is what `...` holds in its main chunk.
+Json evaluateData(const std::string& path, const Json& arguments = {}, std::vector<Dependency>* dependencies = nullptr,
+                  const Limits& limits = {});
+
+// Every pass below passes/, by name.
+std::vector<plan::PassDesc> evaluateAllPasses(std::vector<Dependency>* dependencies = nullptr,
+                                              const Limits& limits = {});
+
+// Names of the files in scripts/pipelines and scripts/scenes, sorted.
+std::vector<std::string> pipelineNames();
+std::vector<std::string> sceneNames();
+
+// What `strobe --script-child` does: reads a request from stdin, writes the answer to stdout. Ends the process.
+[[noreturn]] void runScriptChild();
+
+}  // namespace strobe::script

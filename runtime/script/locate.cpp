@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "script/locate.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace strobe::script {
+
+namespace {
+
+struct Token {
+  std::string_view text;  // of a string its content
+  int line;
+  bool word;  // a name or keyword
+};
+
+class Lexer {
+ public:
+  explicit Lexer(std::string_view source) : source_(source) {}
+
+  std::vector<Token> tokens() {
+    while (skipBlank(), at_ < source_.size()) step();
+    return std::move(tokens_);
+  }
+
+ private:
+  char peek(size_t ahead = 0) const { return at_ + ahead < source_.size() ? source_[at_ + ahead] : '\0'; }
+
+  void skipBlank() {
+    for (; at_ < source_.size() && std::isspace(static_cast<unsigned char>(peek())); ++at_) line_ += peek() == '\n';
+  }
+
+  void step() {
+    if (peek() == '-' && peek(1) == '-') return comment();
+    if (peek() == '"' || peek() == '\'') return quoted();
+    if (peek() == '[' && longLevel() >= 0) return longText(true);
+    size_t start = at_;
+    auto wordly = [&] { return std::isalnum(static_cast<unsigned char>(peek())) || peek() == '_'; };
+    bool word = wordly();
+    while (word && wordly()) ++at_;
+    if (!word) at_ += pairAhead() ? 2 : 1;
+    tokens_.push_back({source_.substr(start, at_ - start), line_, word});
+  }
+
+  // "==" and the like must not look like the "=" of a field.
+  bool pairAhead() const { return peek(1) == '=' && std::string_view("=~<>").find(peek()) != std::string_view::npos; }
+
+  void comment() {
+    at_ += 2;
+    if (peek() == '[' && longLevel() >= 0) return longText(false);
+    while (at_ < source_.size() && peek() != '\n') ++at_;
+  }
+
+  void quoted() {
+    char quote = peek();
+    int line = line_;
+    size_t start = ++at_;
+    for (; at_ < source_.size() && peek() != quote; ++at_) {
+      if (peek() == '\\') ++at_;
+      line_ += peek() == '\n';
+    }
+    at_ = std::min(at_, source_.size());
+    tokens_.push_back({source_.substr(start, at_ - start), line, false});
+    ++at_;
+  }
+
+  // Of "[==[" the number of "="; -1 where no long bracket opens.
+  int longLevel() const {
+    size_t level = 0;
+    while (peek(1 + level) == '=') ++level;
+    return peek(1 + level) == '[' ? static_cast<int>(level) : -1;
+  }
+
+  void longText(bool keep) {
+    std::string close = "]" + std::string(static_cast<size_t>(longLevel()), '=') + "]";
+    size_t end = std::min(source_.find(close, at_), source_.size());
+    if (keep) tokens_.push_back({source_.substr(at_, end - at_), line_, false});
+    line_ += static_cast<int>(std::count(source_.begin() + at_, source_.begin() + end, '\n'));
+    at_ = end + close.size();
+  }
+
+  std::string_view source_;
+  size_t at_ = 0;
+  int line_ = 1;
+  std::vector<Token> tokens_;
+};
+
+bool opens(const Token& token) {
+  if (!token.word) return token.text == "{" || token.text == "(" || token.text == "[";
+  return token.text == "function" || token.text == "if" || token.text == "do" || token.text == "repeat";
+}
+
+bool closes(const Token& token) {
+  if (!token.word) return token.text == "}" || token.text == ")" || token.text == "]";
+  return token.text == "end" || token.text == "until";
+}
+
+// Whether a field begins at `i`; `value` is then the token behind its "=".
+bool fieldAt(const std::vector<Token>& tokens, size_t i, const std::string& key, size_t& value) {
+  auto is = [&](size_t at, const char* text) { return at < tokens.size() && tokens[at].text == text; };
+  if (!is(i - 1, "{") && !is(i - 1, ",") && !is(i - 1, ";")) return false;
+  value = is(i, "[") ? i + 4 : i + 2;
+  return is(i, "[") ? is(i + 1, key.c_str()) && is(i + 3, "=") : is(i, key.c_str()) && is(i + 1, "=");
+}
+
+// The table that opens at tokens[open]: the line of the key at the end of `path`, or 0.
+int searchTable(const std::vector<Token>& tokens, size_t open, const std::vector<std::string>& path, size_t done) {
+  int depth = 1;
+  for (size_t i = open + 1; i < tokens.size() && depth > 0; ++i) {
+    size_t value = 0;
+    if (depth == 1 && fieldAt(tokens, i, path[done], value)) {
+      if (done + 1 == path.size()) return tokens[i].line;
+      while (value < tokens.size() && tokens[value].text != "{" && tokens[value].text != ",") ++value;
+      bool nested = value < tokens.size() && tokens[value].text == "{";
+      return nested ? searchTable(tokens, value, path, done + 1) : 0;
+    }
+    depth += opens(tokens[i]) - closes(tokens[i]);
+  }
+  return 0;
+}
+
+}  // namespace
+
+int lineOfKey(std::string_view source, int line, const std::vector<std::string>& path) {
+  std::vector<Token> tokens = Lexer(source).tokens();
+  for (size_t i = 0; i < tokens.size() && tokens[i].line <= line + 1 && !path.empty(); ++i) {
+    if (tokens[i].line < line || tokens[i].text != "{") continue;
+    if (int found = searchTable(tokens, i, path, 0)) return found;
+  }
+  return line;
+}
+
+int lineOfReturn(std::string_view source, int first, int last, const std::vector<std::string>& path) {
+  std::vector<Token> tokens = Lexer(source).tokens();
+  int best = 0;
+  for (size_t i = 0; i < tokens.size(); ++i) {
+    if (!tokens[i].word || tokens[i].text != "return" || tokens[i].line < first || tokens[i].line > last) continue;
+    best = tokens[i].line;
+    bool table = !path.empty() && i + 1 < tokens.size() && tokens[i + 1].text == "{";
+    int found = table ? searchTable(tokens, i + 1, path, 0) : 0;
+    if (found) best = found;
+  }
+  return best;
+}
+
+}  // namespace strobe::script

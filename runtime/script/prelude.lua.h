@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// The part of the sandbox that is simplest in Lua: library functions whose results would differ from process to
+// process (order of keys, addresses, unseeded random numbers), and the refusal of globals.
+#pragma once
+
+namespace strobe::script {
+
+inline constexpr const char* kPrelude = R"lua(
+local native = ...
+local raw_next, raw_format, raw_tostring, sort = next, string.format, tostring, table.sort
+local type, error, pcall, rawget, rawset, getmetatable = type, error, pcall, rawget, rawset, getmetatable
+local setmetatable, select, unpack, find, stderr_write = setmetatable, select, table.unpack, string.find, native.write
+
+local function before(a, b)
+  if type(a) == type(b) and type(a) ~= "boolean" then return a < b end
+  return raw_tostring(type(a)) .. raw_tostring(a) < raw_tostring(type(b)) .. raw_tostring(b)
+end
+
+local function ordered_keys(t)
+  local keys = {}
+  for key in raw_next, t do
+    local kind = type(key)
+    if kind ~= "number" and kind ~= "string" and kind ~= "boolean" then
+      error("keys of type " .. kind .. " have no fixed order; keep a list beside the table", 3)
+    end
+    keys[#keys + 1] = key
+  end
+  sort(keys, before)
+  return keys
+end
+
+local safe = {}
+
+function safe.pairs(t)
+  local meta = getmetatable(t)
+  if type(meta) == "table" and meta.__pairs then return meta.__pairs(t) end
+  if type(t) ~= "table" then error("pairs wants a table, got " .. type(t), 2) end
+  local keys, i = ordered_keys(t), 0
+  return function()
+    local value
+    repeat
+      i = i + 1
+      if keys[i] == nil then return nil end
+      value = rawget(t, keys[i])
+    until value ~= nil
+    return keys[i], value
+  end, t, nil
+end
+
+function safe.next(t, key)
+  if type(t) ~= "table" then error("next wants a table, got " .. type(t), 2) end
+  if key ~= nil then error("next tells only whether a table is empty; walk it with pairs", 2) end
+  if raw_next(t) == nil then return nil end
+  local first = ordered_keys(t)[1]
+  return first, rawget(t, first)
+end
+
+function safe.tostring(value)
+  local kind = type(value)
+  if kind == "string" or kind == "number" or kind == "boolean" or kind == "nil" then return raw_tostring(value) end
+  local meta = getmetatable(value)
+  if type(meta) == "table" and meta.__tostring then return raw_tostring(value) end
+  return kind
+end
+
+function safe.format(text, ...)
+  local arguments, count = { ... }, select("#", ...)
+  for i = 1, count do
+    local kind = type(arguments[i])
+    if kind ~= "number" and kind ~= "string" and kind ~= "boolean" then arguments[i] = safe.tostring(arguments[i]) end
+  end
+  if type(text) == "string" and find(text, "%%%-?%d*p") then error("%p would print an address", 2) end
+  local good, result = pcall(raw_format, text, unpack(arguments, 1, count))
+  if not good then error(result, 2) end
+  return result
+end
+
+function safe.print(...)
+  local line = ""
+  for i = 1, select("#", ...) do line = line .. (i > 1 and "\t" or "") .. safe.tostring((select(i, ...))) end
+  stderr_write(line .. "\n")
+end
+
+local raw_randomseed = math.randomseed
+raw_randomseed(0)
+local function randomseed(seed, ...)
+  if type(seed) ~= "number" then error("math.randomseed wants a number", 2) end
+  raw_randomseed(seed, ...)
+end
+
+string.format, string.dump = safe.format, nil
+math.randomseed = randomseed
+
+local env = {
+  _VERSION = _VERSION, assert = assert, error = error, getmetatable = getmetatable, ipairs = ipairs, math = math,
+  next = safe.next, pairs = safe.pairs, pcall = pcall, print = safe.print, rawequal = rawequal, rawget = rawget,
+  rawlen = rawlen, select = select, setmetatable = setmetatable, string = string, table = table, tonumber = tonumber,
+  tostring = safe.tostring, type = type, utf8 = utf8, require = native.require, caller_place = native.caller_place,
+}
+
+local function names()
+  local list = {}
+  for key in raw_next, env do list[#list + 1] = key end
+  sort(list)
+  return list
+end
+
+function env.rawset(t, key, value)
+  if t == env then error("a global cannot be set", 2) end
+  return rawset(t, key, value)
+end
+
+function native.define(name, value) rawset(env, name, value) end
+
+return setmetatable(env, {
+  __metatable = false,
+  __index = function(_, name)
+    error("there is no global '" .. safe.tostring(name) .. "'" .. native.nearest(safe.tostring(name), names()), 2)
+  end,
+  __newindex = function(_, name)
+    name = safe.tostring(name)
+    error("global '" .. name .. "' is assigned but not declared; write 'local " .. name .. "'", 2)
+  end,
+})
+)lua";
+
+}  // namespace strobe::script

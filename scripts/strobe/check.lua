@@ -1,0 +1,103 @@
+-- SPDX-License-Identifier: MIT
+-- Collects the mistakes of one table and raises them together, each at the user's line.
+local native = require "strobe.native"
+
+local check = {}
+
+local Problems = {}
+Problems.__index = Problems
+
+function check.problems()
+  return setmetatable({ list = {} }, Problems)
+end
+
+-- Adds a mistake at `place`; text and values as for string.format.
+function Problems:add(place, text, ...)
+  self.list[#self.list + 1] = { place = { file = place.file, line = place.line }, message = text:format(...) }
+end
+
+function Problems:raise()
+  if #self.list > 0 then error({ problems = self.list }, 0) end
+end
+
+-- One mistake alone.
+function check.fail(place, text, ...)
+  local problems = check.problems()
+  problems:add(place, text, ...)
+  problems:raise()
+end
+
+function check.is_name(value)
+  return type(value) == "string" and #value <= 64 and value:find("^[a-z][a-z0-9_]*$") ~= nil
+end
+
+function check.contains(list, value)
+  for _, item in ipairs(list) do
+    if item == value then return true end
+  end
+  return false
+end
+
+-- The string keys of a table, sorted.
+function check.names(t)
+  local names = {}
+  for key in pairs(t) do
+    if type(key) == "string" then names[#names + 1] = key end
+  end
+  return names
+end
+
+function check.quoted(value)
+  return type(value) == "string" and ("'%s'"):format(value) or tostring(value)
+end
+
+-- Reports every key of `t` that is not in `known`. `path` leads from the call at `place` to `t`.
+function check.keys(problems, t, known, place, what, path)
+  path = path or {}
+  for key in pairs(t) do
+    if not check.contains(known, key) then
+      local where = native.key_place(place, table.unpack(check.joined(path, key)))
+      local near = type(key) == "string" and native.nearest(key, known) or ""
+      problems:add(where, "%s has no field %s%s", what, check.quoted(key), near)
+    end
+  end
+end
+
+function check.joined(path, key)
+  local longer = { table.unpack(path) }
+  longer[#longer + 1] = key
+  return longer
+end
+
+-- Reports `t[key]` unless it is of the type named; true where it is.
+function check.field(problems, t, key, kind, place, what, path)
+  if type(t[key]) == kind then return true end
+  local where = native.key_place(place, table.unpack(check.joined(path or {}, key)))
+  local article = kind == "function" and "a function" or (kind == "string" and "a text" or "a " .. kind)
+  if t[key] == nil then
+    problems:add(where, "%s has no '%s'; it wants %s", what, key, article)
+  else
+    problems:add(where, "'%s' of %s is a %s instead of %s", key, what, type(t[key]), article)
+  end
+  return false
+end
+
+-- Text that tells a person what something is: not empty.
+function check.doc(problems, t, place, what, path)
+  if type(t.doc) == "string" and t.doc:find("%S") then return t.doc end
+  local where = native.key_place(place, table.unpack(path or {}))
+  problems:add(where, "%s has no 'doc' that says what it means", what)
+  return ""
+end
+
+-- Makes reading an unknown field of a module an error at the line that reads it.
+function check.closed(module, name)
+  local meta = getmetatable(module) or {}
+  meta.__index = native.at_caller(function(place, t, key)
+    local near = type(key) == "string" and native.nearest(key, check.names(t)) or ""
+    check.fail(place, "the module %s has no %s%s", name, check.quoted(key), near)
+  end)
+  return setmetatable(module, meta)
+end
+
+return check

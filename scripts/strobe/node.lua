@@ -1,0 +1,235 @@
+-- SPDX-License-Identifier: MIT
+-- Nodes: what calling a pass inside a pipeline's `build` makes, and the values that wire one to the next.
+local check  = require "strobe.check"
+local native = require "strobe.native"
+local param  = require "strobe.param"
+
+local node = {}
+
+node.times = { "capture", "open", "close", "sample" }
+
+-- The pipeline being built: { nodes, passes, loop = name or nil, params }. Nil outside of a `build`.
+node.graph = nil
+
+-- ---- values
+
+local Value = {}  -- a port of a node: { node = , port = , format = }
+local Ports = {}  -- the result of a call; its fields are values
+
+Value.__index = native.at_caller(function(place, value, key)
+  check.fail(place, "'%s.%s' is an image; it has no field %s", rawget(value, "node"), rawget(value, "port"),
+             check.quoted(key))
+end)
+
+function node.is_value(value)
+  return getmetatable(value) == Value
+end
+
+function node.source(value)
+  return ("%s.%s"):format(rawget(value, "node"), rawget(value, "port"))
+end
+
+-- What is wrong with a thing that was passed where an image is wanted.
+local function not_a_value(value)
+  if getmetatable(value) == Ports then
+    local ports = rawget(value, "names")
+    return ("is all that %s yields; say which image: %s"):format(rawget(value, "node"), table.concat(ports, ", "))
+  end
+  if node.is_reference(value) then return ("is the parameter '%s' instead of an image"):format(value.name) end
+  return ("is a %s instead of an image"):format(type(value))
+end
+node.not_a_value = not_a_value
+
+Ports.__index = native.at_caller(function(place, ports, key)
+  local values, names, name = rawget(ports, "values"), rawget(ports, "names"), rawget(ports, "node")
+  rawget(ports, "record").used = true
+  if values[key] then return values[key] end
+  local near = type(key) == "string" and native.nearest(key, names) or ""
+  if near == "" then near = "; it has " .. table.concat(names, ", ") end
+  check.fail(place, "%s has no output %s%s", name, check.quoted(key), near)
+end)
+
+Ports.__newindex = native.at_caller(function(place, ports, key)
+  check.fail(place, "%s cannot be given a field %s", rawget(ports, "node"), check.quoted(key))
+end)
+
+-- A result with the fields `values`; `record.used` is set at the first use of one.
+function node.ports(name, values, record)
+  return setmetatable({ node = name, values = values, names = check.names(values), record = record }, Ports)
+end
+
+-- ---- parameters
+
+local Reference = {}  -- p.x: a parameter of the pipeline: { name = , declaration = , value = }
+Reference.__call = function(reference) return reference.value end
+Reference.__tostring = function(reference) return ("parameter '%s'"):format(reference.name) end
+
+function node.reference(declaration, value)
+  return setmetatable({ name = declaration.name, declaration = declaration, value = value }, Reference)
+end
+
+function node.is_reference(value)
+  return getmetatable(value) == Reference
+end
+
+-- Why `wanted` cannot follow the pipeline's parameter `source`, or nil.
+local function cannot_follow(wanted, source)
+  local same = wanted.type == source.type or (wanted.type == "float" and source.type == "int")
+  if not same then return ("is %s, but '%s' of the pipeline is %s"):format(wanted.type, source.name, source.type) end
+  if wanted.unit ~= "" and source.unit ~= "" and wanted.unit ~= source.unit then
+    return ("is in %s, but '%s' of the pipeline in %s"):format(wanted.unit, source.name, source.unit)
+  end
+  for _, choice in ipairs(source.choices or {}) do
+    if not check.contains(wanted.choices, choice) then
+      local near = native.nearest(choice, wanted.choices)
+      return ("has no choice '%s' as '%s' of the pipeline has%s"):format(choice, source.name, near)
+    end
+  end
+  local outside = wanted.min and (source.min < wanted.min or source.max > wanted.max)
+  if not outside then return nil end
+  return ("is from %s to %s, but '%s' of the pipeline from %s to %s"):format(wanted.min, wanted.max, source.name,
+                                                                              source.min, source.max)
+end
+
+-- The binding of the parameter `wanted` to what was given: a literal, p.x, or nil for its default.
+function node.bind(problems, wanted, given, place, owner)
+  if given == nil then return { value = wanted.default, place = wanted.place } end
+  if node.is_reference(given) then
+    local reason = cannot_follow(wanted, given.declaration)
+    if reason then problems:add(place, "parameter '%s' of %s %s", wanted.name, owner, reason) end
+    return { follows = given.name, place = place }
+  end
+  if type(given) == "table" or type(given) == "function" then
+    problems:add(place, "parameter '%s' of %s is given a %s instead of a value", wanted.name, owner, type(given))
+    return nil
+  end
+  local value, wrong = native.check_value(wanted, given)
+  if wrong then problems:add(place, "%s: %s", owner, wrong) end
+  return { value = value, place = place }
+end
+
+-- ---- calls
+
+local function check_argument_names(problems, pass, arguments, place)
+  local known = { "as", "time" }
+  for _, list in ipairs { pass.reads, pass.params } do
+    for _, one in ipairs(list) do known[#known + 1] = one.name end
+  end
+  for key in pairs(arguments) do
+    if not check.contains(known, key) then
+      local near = type(key) == "string" and native.nearest(key, known) or "; name the port: port = image"
+      local at = native.key_place(place, key)
+      problems:add(at, "pass '%s' has no input or parameter %s%s", pass.name, check.quoted(key), near)
+    end
+  end
+end
+
+local function wire(problems, pass, read, value, at)
+  local what = ("read '%s' of pass '%s'"):format(read.name, pass.name)
+  if not node.is_value(value) then
+    problems:add(at, "%s %s", what, not_a_value(value))
+    return nil
+  end
+  if rawget(value, "graph") ~= node.graph then
+    problems:add(at, "%s is an image of another pipeline", what)
+    return nil
+  end
+  local format = rawget(value, "format")
+  local is_uint = format:find("ui$") ~= nil
+  if is_uint ~= read.uint then
+    local wants = read.uint and "unsigned integers" or "numbers"
+    problems:add(at, "%s wants %s, but '%s' is %s", what, wants, node.source(value), format)
+  end
+  return node.source(value)
+end
+
+local function wire_reads(problems, pass, arguments, place)
+  local inputs = {}
+  for _, read in ipairs(pass.reads) do
+    local value = arguments[read.name]
+    local at = native.key_place(place, read.name)
+    if value ~= nil then
+      inputs[read.name] = wire(problems, pass, read, value, at)
+    elseif not read.optional then
+      problems:add(place, "read '%s' of pass '%s' is not given (%s)", read.name, pass.name, read.doc)
+    end
+  end
+  return inputs
+end
+
+local function choose_name(problems, pass, arguments, place)
+  local name = arguments.as == nil and pass.name or arguments.as
+  local at = native.key_place(place, "as")
+  if not check.is_name(name) or name == "scene" then
+    problems:add(at, "%s cannot name a node (a-z, then a-z, 0-9 and _, but not 'scene')", check.quoted(name))
+    return nil
+  end
+  for _, other in ipairs(node.graph.nodes) do
+    if other.name == name then
+      local hint = arguments.as == nil and "; name this one with as = \"...\"" or ""
+      problems:add(at, "there is a node '%s' already, from %s:%d%s", name, other.place.file, other.place.line, hint)
+    end
+  end
+  return name
+end
+
+local function choose_time(problems, pass, arguments, place)
+  local time = arguments.time
+  if time == nil then return "capture" end
+  local at = native.key_place(place, "time")
+  if not check.contains(node.times, time) then
+    local near = type(time) == "string" and native.nearest(time, node.times) or ""
+    problems:add(at, "time = %s is not one of %s%s", check.quoted(time), table.concat(node.times, ", "), near)
+  elseif time == "sample" and not node.graph.loop then
+    problems:add(at, "time = \"sample\" exists inside the body of a pipeline.loop only")
+  elseif not pass.scene then
+    problems:add(at, "pass '%s' does not see the scene, so a time has no effect on it", pass.name)
+  end
+  return time
+end
+
+-- Two different passes of one name cannot share a pipeline.
+local function note_pass(problems, pass, place)
+  local known = node.graph.passes[pass.name]
+  node.graph.passes[pass.name] = known or pass
+  if known and known ~= pass then
+    problems:add(place, "two passes are called '%s': %s:%d and %s:%d", pass.name, known.place.file, known.place.line,
+                 pass.place.file, pass.place.line)
+  end
+end
+
+-- Makes the node of a call at `place`; raises all that is wrong with it.
+function node.create(place, pass, arguments)
+  if not node.graph then check.fail(place, "pass '%s' is called outside of a pipeline's build", pass.name) end
+  if type(arguments) ~= "table" or getmetatable(arguments) ~= nil then
+    check.fail(place, "pass '%s' wants a table: %s { port = image, parameter = value }", pass.name, pass.name)
+  end
+  local problems = check.problems()
+  check_argument_names(problems, pass, arguments, place)
+  note_pass(problems, pass, place)
+  local made = { pass = pass.name, place = place, params = {}, loop = node.graph.loop or "" }
+  made.name = choose_name(problems, pass, arguments, place)
+  made.time = choose_time(problems, pass, arguments, place)
+  made.inputs = wire_reads(problems, pass, arguments, place)
+  local owner = ("pass '%s'"):format(pass.name)
+  for _, wanted in ipairs(pass.params) do
+    local at = native.key_place(place, wanted.name)
+    made.params[wanted.name] = node.bind(problems, wanted, arguments[wanted.name], at, owner)
+  end
+  problems:raise()
+
+  local nodes = node.graph.nodes
+  nodes[#nodes + 1] = made
+  local record = { name = made.name, place = place, used = next(pass.counters) ~= nil }
+  node.graph.records[#nodes] = record
+  local values = {}
+  for _, list in ipairs { pass.writes, pass.updates } do
+    for _, port in ipairs(list) do
+      local value = { node = made.name, port = port.name, format = port.format, graph = node.graph, loop = made.loop }
+      values[port.name] = setmetatable(value, Value)
+    end
+  end
+  return node.ports(("pass '%s'"):format(pass.name), values, record)
+end
+
+return node

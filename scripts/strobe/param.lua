@@ -1,0 +1,144 @@
+-- SPDX-License-Identifier: MIT
+-- Parameter declarations, the same for passes and pipelines: `int { 20, min = 1, max = 256, unit = "px", doc = "..." }`.
+-- The constructors only note what was written and where; `declare` checks it once the name is known.
+local check  = require "strobe.check"
+local native = require "strobe.native"
+
+local param = {}
+
+param.keys = {
+  bool   = { 1, "default", "doc", "unit" },
+  int    = { 1, "default", "min", "max", "unit", "doc", "variant" },
+  float  = { 1, "default", "min", "max", "unit", "doc", "variant" },
+  choice = { "default", "doc", "unit" },  -- and the choices as 1, 2, 3 ...
+}
+
+-- Words a GLSL parameter block or #define cannot have as a name.
+param.reserved = {
+  "active", "asm", "bool", "break", "buffer", "case", "cast", "class", "common", "const", "continue", "default",
+  "discard", "do", "double", "else", "enum", "extern", "external", "false", "filter", "fixed", "flat", "float", "for",
+  "goto", "half", "if", "in", "inline", "inout", "input", "int", "interface", "invariant", "layout", "long",
+  "namespace", "noinline", "out", "output", "packed", "partition", "patch", "precise", "precision", "public",
+  "resource", "restrict", "return", "sample", "shared", "short", "sizeof", "smooth", "static", "struct", "subroutine",
+  "superp", "switch", "template", "this", "true", "typedef", "uint", "uniform", "union", "unsigned", "using",
+  "varying", "void", "volatile", "while",
+}
+
+local Param = {}
+
+local function constructor(kind)
+  return native.at_caller(function(place, given)
+    if type(given) ~= "table" then check.fail(place, "%s wants a table: %s { ... }", kind, kind) end
+    return param.new(kind, place, given)
+  end)
+end
+
+function param.new(kind, place, given)
+  return setmetatable({ type = kind, given = given, place = place }, Param)
+end
+
+param.bool, param.int = constructor "bool", constructor "int"
+param.float, param.choice = constructor "float", constructor "choice"
+
+function param.is_param(value)
+  return getmetatable(value) == Param
+end
+
+local function check_choices(problems, given, place, what)
+  local choices = {}
+  for i, name in ipairs(given) do
+    if type(name) ~= "string" or not name:find("^[a-z0-9_]+$") then
+      problems:add(place, "choice %d of %s is %s, not a name of a-z, 0-9 and _", i, what, check.quoted(name))
+    elseif check.contains(choices, name) then
+      problems:add(place, "%s has the choice '%s' twice", what, name)
+    else
+      choices[#choices + 1] = name
+    end
+  end
+  if #given == 0 then problems:add(place, "%s has no choices", what) end
+  return choices
+end
+
+local function check_bounds(problems, result, given, place, what)
+  for _, key in ipairs { "min", "max" } do
+    local bound = given[key]
+    local where = native.key_place(place, key)
+    local finite = type(bound) == "number" and bound == bound and math.abs(bound) < math.huge
+    if bound == nil then
+      problems:add(where, "%s has no '%s'; every number has a range", what, key)
+    elseif not finite then
+      problems:add(where, "'%s' of %s is %s, not a number", key, what, check.quoted(bound))
+    elseif result.type == "int" and not math.tointeger(bound) then
+      problems:add(where, "'%s' = %s of %s is not an integer", key, bound, what)
+    else
+      result[key] = result.type == "int" and math.tointeger(bound) or bound + 0.0
+    end
+  end
+  if result.min and result.max and result.min > result.max then
+    problems:add(native.key_place(place, "min"), "%s has min %s above max %s", what, given.min, given.max)
+  end
+end
+
+-- The checked declaration of the parameter `name`, or nil after mistakes. `at` is where the name was written.
+function param.declare(problems, name, declared, at, owner)
+  local before = #problems.list
+  if not check.is_name(name) then
+    problems:add(at, "%s is not a name for a parameter (a-z, then a-z, 0-9 and _)", check.quoted(name))
+    return nil
+  end
+  local what = ("parameter '%s' of %s"):format(name, owner)
+  if not param.is_param(declared) then
+    problems:add(at, "%s is a %s; declare it with int { }, float { }, bool { } or choice { }", what, type(declared))
+    return nil
+  end
+  local given, place, kind = declared.given, declared.place, declared.type
+  if check.contains(param.reserved, name) then problems:add(place, "'%s' is a reserved word of GLSL", name) end
+
+  local known = { table.unpack(param.keys[kind]) }
+  for i = 1, kind == "choice" and #given or 0 do known[#known + 1] = i end
+  check.keys(problems, given, known, place, what)
+
+  local result = { name = name, type = kind, place = place, unit = "", variant = kind == "bool" or kind == "choice" }
+  result.doc = check.doc(problems, given, place, what)
+  if given.unit ~= nil and check.field(problems, given, "unit", "string", place, what) then result.unit = given.unit end
+  if given.variant ~= nil and check.field(problems, given, "variant", "boolean", place, what) then
+    result.variant = given.variant
+  end
+  if kind == "choice" then result.choices = check_choices(problems, given, place, what) end
+  if kind == "int" or kind == "float" then check_bounds(problems, result, given, place, what) end
+  if #problems.list > before then return nil end
+
+  result.default = given.default
+  if result.default == nil then result.default = given[1] end
+  if result.default == nil then
+    problems:add(place, "%s has no default", what)
+    return nil
+  end
+  local value, wrong = native.check_value(result, result.default)
+  if wrong then
+    problems:add(native.key_place(place, "default"), "default of %s: %s", what, wrong)
+    return nil
+  end
+  result.default = value
+  return result
+end
+
+-- All parameters of a table, by name in order.
+function param.declare_all(problems, declared, place, owner)
+  local list = {}
+  for name, one in pairs(declared) do
+    local at = native.key_place(place, "params", name)
+    list[#list + 1] = param.declare(problems, name, one, at, owner)
+  end
+  return list
+end
+
+-- The declaration named `name` in a list, or nil.
+function param.find(list, name)
+  for _, one in ipairs(list) do
+    if one.name == name then return one end
+  end
+  return nil
+end
+
+return param

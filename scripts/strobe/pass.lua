@@ -1,0 +1,221 @@
+-- SPDX-License-Identifier: MIT
+-- Passes: `pass.compute { ... }`, `pass.raster { ... }`, `pass.trace { ... }` check a description and return something
+-- that a pipeline calls with values to make a node.
+local check  = require "strobe.check"
+local native = require "strobe.native"
+local param  = require "strobe.param"
+
+local pass = { int = param.int, float = param.float, bool = param.bool, choice = param.choice }
+
+pass.keys = {
+  "name", "shader", "doc", "size", "scene", "reads", "writes", "updates", "params", "counters",
+}
+pass.read_keys  = { "doc", "uint", "optional", "linear" }
+pass.write_keys = { "doc", "format" }
+pass.size_keys  = { "of", "divide", 1, 2 }
+pass.call_keys  = { "as", "time" }  -- of a call in a pipeline, so no port or parameter may be called this
+
+local MAX_SIDE = 32768
+local formats = native.formats()
+
+local function port_names(list)
+  local names = {}
+  for i, port in ipairs(list) do names[i] = port.name end
+  return names
+end
+
+local function is_port_table(problems, name, port, place, what)
+  if not check.is_name(name) then
+    problems:add(place, "%s is not a name for %s (a-z, then a-z, 0-9 and _)", check.quoted(name), what)
+    return false
+  end
+  if check.contains(pass.call_keys, name) then
+    problems:add(place, "%s cannot be called '%s', which has a meaning in every call", what, name)
+  end
+  if type(port) ~= "table" then
+    problems:add(place, "%s '%s' is a %s instead of a table like { doc = \"...\" }", what, name, type(port))
+    return false
+  end
+  return true
+end
+
+local function declare_reads(problems, t, place, owner)
+  local list = {}
+  for name, port in pairs(t.reads or {}) do
+    local at = native.key_place(place, "reads", name)
+    if is_port_table(problems, name, port, at, "a read of " .. owner) then
+      local what = ("read '%s' of %s"):format(name, owner)
+      check.keys(problems, port, pass.read_keys, place, what, { "reads", name })
+      local result = { name = name, place = at, doc = check.doc(problems, port, place, what, { "reads", name }) }
+      for _, key in ipairs { "uint", "optional", "linear" } do
+        result[key] = port[key] or false
+        if port[key] ~= nil then check.field(problems, port, key, "boolean", place, what, { "reads", name }) end
+      end
+      if port.uint and port.linear then problems:add(at, "%s cannot be both uint and linear", what) end
+      list[#list + 1] = result
+    end
+  end
+  return list
+end
+
+local function declare_writes(problems, t, key, place, owner)
+  local list = {}
+  for name, port in pairs(t[key] or {}) do
+    local at = native.key_place(place, key, name)
+    if is_port_table(problems, name, port, at, ("%s of %s"):format(key, owner)) then
+      local what = ("'%s' of the %s of %s"):format(name, key, owner)
+      check.keys(problems, port, pass.write_keys, place, what, { key, name })
+      local doc = check.doc(problems, port, place, what, { key, name })
+      if not check.contains(formats, port.format) then
+        local near = type(port.format) == "string" and native.nearest(port.format, formats) or ""
+        if near == "" then near = "; formats are " .. table.concat(formats, ", ") end
+        local where = native.key_place(place, key, name, "format")
+        problems:add(where, "%s has no known format: %s%s", what, check.quoted(port.format), near)
+      end
+      list[#list + 1] = { name = name, place = at, doc = doc, format = port.format }
+    end
+  end
+  return list
+end
+
+local function declare_counters(problems, t, place, owner)
+  local list = {}
+  for name, doc in pairs(t.counters or {}) do
+    local at = native.key_place(place, "counters", name)
+    if not check.is_name(name) then problems:add(at, "%s is not a name for a counter", check.quoted(name)) end
+    if type(doc) ~= "string" or not doc:find("%S") then
+      problems:add(at, "counter %s of %s wants a text that says what it counts", check.quoted(name), owner)
+    end
+    list[#list + 1] = { name = name, doc = doc }
+  end
+  return list
+end
+
+local function check_divide(problems, size, params, declared, at, owner)
+  local names = {}
+  for i, one in ipairs(params) do names[i] = one.name end
+  local divide = type(size.divide) == "string" and param.find(params, size.divide)
+  if not divide and declared and declared[size.divide] ~= nil then return end  -- a mistake of that parameter
+  if not divide then
+    local near = type(size.divide) == "string" and native.nearest(size.divide, names) or ""
+    problems:add(at, "size of %s divides by %s, which is no parameter of it%s", owner, check.quoted(size.divide), near)
+  elseif divide.type ~= "int" or divide.min < 1 then
+    problems:add(at, "size of %s divides by '%s', which is not an int of at least 1", owner, size.divide)
+  end
+end
+
+local function size_of_port(problems, size, result, declared, at, owner)
+  local read
+  for _, port in ipairs(result.reads) do
+    if port.name == size.of then read = port end
+  end
+  if not read then
+    local near = type(size.of) == "string" and native.nearest(size.of, port_names(result.reads)) or ""
+    problems:add(at, "size of %s is that of %s, which is no read of it%s", owner, check.quoted(size.of), near)
+  elseif read.optional then
+    problems:add(at, "size of %s is that of '%s', which is optional and may not be there", owner, size.of)
+  end
+  if size.divide ~= nil then check_divide(problems, size, result.params, declared, at, owner) end
+  return { kind = "port", port = size.of, divide = size.divide }
+end
+
+local function declare_size(problems, t, place, result, owner)
+  local size = t.size
+  local at = native.key_place(place, "size")
+  if size == nil or size == "frame" then return { kind = "frame" } end
+  if type(size) ~= "table" then
+    problems:add(at, "size of %s is %s; it is \"frame\", { of = \"<read>\" } or { width, height }", owner, check.quoted(size))
+    return { kind = "frame" }
+  end
+  check.keys(problems, size, pass.size_keys, place, "size of " .. owner, { "size" })
+  if size.of ~= nil and size[1] == nil and size[2] == nil then
+    return size_of_port(problems, size, result, t.params, at, owner)
+  end
+  local width, height = math.tointeger(size[1]), math.tointeger(size[2])
+  local fits = width and height and width >= 1 and height >= 1 and width <= MAX_SIDE and height <= MAX_SIDE
+  if size.of ~= nil or size.divide ~= nil or not fits then
+    problems:add(at, "size of %s is neither { of = \"<read>\" } nor { width, height } from 1 to %d", owner, MAX_SIDE)
+  end
+  return { kind = "fixed", width = width, height = height }
+end
+
+-- Reads and parameters share the braces of a call, writes and updates the fields of its result.
+local function check_twins(problems, result, owner)
+  local seen = {}
+  for _, list in ipairs { result.reads, result.params } do
+    for _, one in ipairs(list) do
+      if seen[one.name] then problems:add(one.place, "%s has a read and a parameter called '%s'", owner, one.name) end
+      seen[one.name] = true
+    end
+  end
+  seen = {}
+  for _, list in ipairs { result.writes, result.updates } do
+    for _, one in ipairs(list) do
+      if seen[one.name] then problems:add(one.place, "%s both writes and updates '%s'", owner, one.name) end
+      seen[one.name] = true
+    end
+  end
+  if next(result.writes) == nil and next(result.updates) == nil then
+    problems:add(result.place, "%s writes nothing", owner)
+  end
+end
+
+local function check_shader(problems, t, place, owner)
+  if not check.field(problems, t, "shader", "string", place, owner) then return end
+  local plain = t.shader:find("^[%w_][%w_%-./]*$") and not t.shader:find("..", 1, true)
+  local at = native.key_place(place, "shader")
+  if not plain then problems:add(at, "shader '%s' of %s is not a path below shaders/", t.shader, owner) end
+  if t.shader:find("%.glsl$") then
+    problems:add(at, "shader '%s' of %s is written without its ending .glsl", t.shader, owner)
+  end
+end
+
+local Pass = {}
+
+local function declare(kind, place, t)
+  if type(t) ~= "table" then check.fail(place, "pass.%s wants a table: pass.%s { ... }", kind, kind) end
+  local problems = check.problems()
+  local owner = ("pass '%s'"):format(tostring(t.name))
+  check.keys(problems, t, pass.keys, place, owner)
+  if check.field(problems, t, "name", "string", place, "the pass") and not check.is_name(t.name) then
+    problems:add(native.key_place(place, "name"), "'%s' is not a name (a-z, then a-z, 0-9 and _)", t.name)
+  end
+  check_shader(problems, t, place, owner)
+  for _, key in ipairs { "reads", "writes", "updates", "params", "counters" } do
+    if t[key] ~= nil then check.field(problems, t, key, "table", place, owner) end
+  end
+  if t.scene ~= nil then check.field(problems, t, "scene", "boolean", place, owner) end
+  if kind ~= "compute" and t.scene == false then
+    problems:add(native.key_place(place, "scene"), "%s is a %s pass, which always sees the scene", owner, kind)
+  end
+  local doc = check.doc(problems, t, place, owner)
+  problems:raise()
+
+  local result = { name = t.name, kind = kind, shader = t.shader, doc = doc, place = place }
+  result.scene    = kind ~= "compute" or t.scene == true
+  result.params   = param.declare_all(problems, t.params or {}, place, owner)
+  result.reads    = declare_reads(problems, t, place, owner)
+  result.writes   = declare_writes(problems, t, "writes", place, owner)
+  result.updates  = declare_writes(problems, t, "updates", place, owner)
+  result.counters = declare_counters(problems, t, place, owner)
+  result.size     = declare_size(problems, t, place, result, owner)
+  check_twins(problems, result, owner)
+  problems:raise()
+  return setmetatable({ description = result, params = t.params or {} }, Pass)
+end
+
+for _, kind in ipairs { "compute", "raster", "trace" } do
+  pass[kind] = native.at_caller(function(place, t) return declare(kind, place, t) end)
+end
+
+Pass.__call = native.at_caller(function(place, self, arguments)
+  return require("strobe.node").create(place, self.description, arguments)
+end)
+
+function pass.is_pass(value)
+  return getmetatable(value) == Pass
+end
+
+check.closed(pass, "pass")
+
+return pass

@@ -1,0 +1,329 @@
+-- SPDX-License-Identifier: MIT
+-- Pipelines: `pipeline { doc, params, presets, default_preset, build = function(p) ... end }`. The build calls passes and
+-- returns named images; `describe` runs it once and returns the graph as plain data.
+local check  = require "strobe.check"
+local native = require "strobe.native"
+local node   = require "strobe.node"
+local param  = require "strobe.param"
+
+local pipeline = { int = param.int, float = param.float, bool = param.bool, choice = param.choice }
+
+pipeline.keys      = { "doc", "params", "presets", "default_preset", "build" }
+pipeline.loop_keys = { "name", "count", "times", "slices", "until_", "body" }
+
+local Pipeline = {}
+
+-- ---- declaration
+
+-- The choice parameter `preset` that presets add.
+local function preset_parameter(problems, t, place)
+  local names = check.names(t.presets)
+  local default = t.default_preset
+  if default == nil then
+    table.insert(names, 1, "none")
+    default = "none"
+  end
+  local at = native.key_place(place, "presets")
+  local given = { default = default, doc = "named set of values, which single settings override" }
+  for i, name in ipairs(names) do given[i] = name end
+  if t.default_preset ~= nil and not check.contains(names, default) then
+    local near = native.nearest(default, names)
+    problems:add(native.key_place(place, "default_preset"), "there is no preset %s%s", check.quoted(default), near)
+    given.default = names[1]
+  end
+  return param.declare(problems, "preset", param.new("choice", at, given), at, "the pipeline")
+end
+
+local function check_presets(problems, t, params, place)
+  local names = {}
+  for i, one in ipairs(params) do names[i] = one.name end
+  for preset, values in pairs(t.presets) do
+    local at = native.key_place(place, "presets", preset)
+    if type(values) ~= "table" then
+      problems:add(at, "preset %s is a %s instead of a table of values", check.quoted(preset), type(values))
+      values = {}
+    end
+    for name, value in pairs(values) do
+      local where = native.key_place(place, "presets", preset, name)
+      local declared = param.find(params, name)
+      local _, wrong
+      if declared then _, wrong = native.check_value(declared, value) end
+      if wrong then problems:add(where, "preset '%s': %s", preset, wrong) end
+      if not declared then
+        local near = type(name) == "string" and native.nearest(name, names) or ""
+        problems:add(where, "preset '%s' sets %s, which is no parameter%s", preset, check.quoted(name), near)
+      end
+    end
+  end
+end
+
+local function declare(place, t)
+  if type(t) ~= "table" then check.fail(place, "pipeline wants a table: pipeline { ... }") end
+  local problems = check.problems()
+  check.keys(problems, t, pipeline.keys, place, "the pipeline")
+  check.field(problems, t, "build", "function", place, "the pipeline")
+  local doc = check.doc(problems, t, place, "the pipeline")
+  for _, key in ipairs { "params", "presets" } do
+    if t[key] ~= nil then check.field(problems, t, key, "table", place, "the pipeline") end
+  end
+  if t.default_preset ~= nil and t.presets == nil then
+    problems:add(native.key_place(place, "default_preset"), "default_preset without presets")
+  end
+  problems:raise()
+
+  local params = param.declare_all(problems, t.params or {}, place, "the pipeline")
+  if t.presets and t.params and t.params.preset then
+    problems:add(native.key_place(place, "params", "preset"), "parameter 'preset' would hide the one that presets add")
+  end
+  problems:raise()
+  if t.presets then
+    check_presets(problems, t, params, place)
+    params[#params + 1] = preset_parameter(problems, t, place)
+    table.sort(params, function(a, b) return a.name < b.name end)
+  end
+  problems:raise()
+  return setmetatable({ doc = doc, params = params, presets = t.presets or {}, build = t.build, place = place }, Pipeline)
+end
+
+setmetatable(pipeline, { __call = native.at_caller(function(place, _, t) return declare(place, t) end) })
+check.closed(pipeline, "pipeline")
+
+function pipeline.is_pipeline(value)
+  return getmetatable(value) == Pipeline
+end
+
+-- ---- loops
+
+local function whole(name, max)
+  return { name = name, type = "int", min = 1, max = max, unit = "", default = 1 }
+end
+local count_parameter, slices_parameter = whole("count", 1 << 20), whole("slices", 1024)
+local times_parameter = { name = "times", type = "choice", choices = { "midpoint", "stratified" }, unit = "",
+                          default = "midpoint" }
+
+local function check_results(problems, results, place)
+  if type(results) ~= "table" or getmetatable(results) ~= nil then
+    problems:add(place, "the body of a loop returns a table of images: return { sum = s.sum }")
+    return
+  end
+  for name, value in pairs(results) do
+    if not check.is_name(name) then problems:add(place, "%s is not a name for a result", check.quoted(name)) end
+    if not node.is_value(value) then
+      problems:add(place, "result %s of the loop %s", check.quoted(name), node.not_a_value(value))
+    end
+  end
+end
+
+-- The port whose one texel stops the loop early.
+local function check_until(problems, t, loop, results, place)
+  local value = t.until_
+  if type(value) == "function" then value = value(results) end
+  if not node.is_value(value) then
+    problems:add(place, "until_ of loop '%s' %s", loop.name, node.not_a_value(value))
+  elseif rawget(value, "format") ~= "r32f" or rawget(value, "loop") ~= loop.name then
+    problems:add(place, "until_ of loop '%s' is no r32f image written inside it", loop.name)
+  else
+    return node.source(value)
+  end
+  return ""
+end
+
+local function check_loop(problems, t, place)
+  check.keys(problems, t, pipeline.loop_keys, place, "the loop")
+  check.field(problems, t, "body", "function", place, "the loop")
+  if check.field(problems, t, "name", "string", place, "the loop") and not check.is_name(t.name) then
+    problems:add(native.key_place(place, "name"), "'%s' is not a name (a-z, then a-z, 0-9 and _)", t.name)
+  end
+  if t.count == nil then problems:add(place, "the loop has no 'count'") end
+  if node.graph.loop then problems:add(place, "loop '%s' is inside loop '%s'", tostring(t.name), node.graph.loop) end
+  for _, other in ipairs(node.graph.loops) do
+    if other.name == t.name then
+      problems:add(native.key_place(place, "name"), "there is a loop '%s' already, from %s:%d", t.name,
+                   other.place.file, other.place.line)
+    end
+  end
+end
+
+pipeline.loop = native.at_caller(function(place, t)
+  if not node.graph then check.fail(place, "pipeline.loop is called outside of a pipeline's build") end
+  if type(t) ~= "table" then check.fail(place, "pipeline.loop wants a table") end
+  local problems = check.problems()
+  check_loop(problems, t, place)
+  problems:raise()
+
+  local owner = ("loop '%s'"):format(t.name)
+  local loop = { name = t.name, place = place, ["until"] = "" }
+  loop.count  = node.bind(problems, count_parameter, t.count, native.key_place(place, "count"), owner)
+  loop.times  = node.bind(problems, times_parameter, t.times, native.key_place(place, "times"), owner)
+  loop.slices = node.bind(problems, slices_parameter, t.slices, native.key_place(place, "slices"), owner)
+  problems:raise()
+  for _, key in ipairs { "count", "times", "slices" } do loop[key].place = loop[key].place or place end
+  node.graph.loops[#node.graph.loops + 1] = loop
+
+  node.graph.loop = t.name
+  local results = t.body()
+  check_results(problems, results, native.return_place(t.body))
+  problems:raise()
+  local ports = node.ports(owner, results, {})
+  if t.until_ ~= nil then loop["until"] = check_until(problems, t, loop, ports, native.key_place(place, "until_")) end
+  node.graph.loop = nil
+  problems:raise()
+  return ports
+end)
+
+-- ---- evaluation
+
+-- Values of all parameters: default < preset < set. Names that no parameter has are left in `unknown`.
+local function resolve(problems, self, sets)
+  local values, unknown, explicit = {}, {}, {}
+  for _, set in ipairs(sets) do
+    local declared = param.find(self.params, set.name)
+    if declared then
+      local value, wrong = native.check_value(declared, set.value)
+      if wrong then problems:add(set.place, "%s", wrong) end
+      explicit[set.name] = value
+    elseif not set.name:find(".", 1, true) then
+      unknown[#unknown + 1] = set
+    end
+  end
+  problems:raise()
+  for _, one in ipairs(self.params) do values[one.name] = one.default end
+  local preset = explicit.preset or values.preset
+  for name, value in pairs(self.presets[preset] or {}) do
+    values[name] = native.check_value(param.find(self.params, name), value)
+  end
+  for name, value in pairs(explicit) do values[name] = value end
+  return values, unknown
+end
+
+-- The `p` of a build.
+local function parameters(self, values, used)
+  local names = {}
+  for i, one in ipairs(self.params) do names[i] = one.name end
+  return setmetatable({}, {
+    __index = native.at_caller(function(place, _, name)
+      local declared = param.find(self.params, name)
+      if not declared then
+        local near = type(name) == "string" and native.nearest(name, names) or ""
+        check.fail(place, "the pipeline has no parameter %s%s", check.quoted(name), near)
+      end
+      used[name] = true
+      return node.reference(declared, values[name])
+    end),
+    __newindex = native.at_caller(function(place, _, name)
+      check.fail(place, "parameter %s cannot be assigned", check.quoted(name))
+    end),
+  })
+end
+
+local function check_outputs(problems, outputs, build)
+  local place = native.return_place(build)
+  if type(outputs) ~= "table" or getmetatable(outputs) ~= nil then
+    problems:add(place, "build returns a table of images: return { color = x.color }")
+    return {}
+  end
+  local sources = {}
+  for name, value in pairs(outputs) do
+    local at = native.return_place(build, name)
+    if not check.is_name(name) then
+      problems:add(at, "%s is not a name for an output", check.quoted(name))
+    elseif not node.is_value(value) then
+      problems:add(at, "output '%s' %s", name, node.not_a_value(value))
+    else
+      sources[name] = node.source(value)
+      if name == "color" and not rawget(value, "format"):find("^rgba%d+f$") then
+        problems:add(at, "output 'color' is '%s' of format %s; it wants rgba16f or rgba32f", sources[name],
+                     rawget(value, "format"))
+      end
+    end
+  end
+  if outputs.color == nil then
+    local near = native.nearest("color", check.names(outputs))
+    problems:add(place, "build returns no output 'color', which every pipeline has%s", near)
+  end
+  return sources
+end
+
+local function check_unused(problems, self, graph, used)
+  for _, one in ipairs(self.params) do
+    if not used[one.name] and one.name ~= "preset" then
+      problems:add(one.place, "parameter '%s' of the pipeline is not used by its build", one.name)
+    end
+  end
+  for _, record in ipairs(graph.records) do
+    if not record.used then problems:add(record.place, "the result of node '%s' is never used", record.name) end
+  end
+end
+
+local function settable_names(self, graph)
+  local names = {}
+  for _, one in ipairs(self.params) do names[#names + 1] = one.name end
+  for _, made in ipairs(graph.nodes) do
+    for name in pairs(made.params) do names[#names + 1] = made.name .. "." .. name end
+  end
+  return names
+end
+
+-- `--set tile=...` where only nodes have a `tile`.
+local function nodes_with(graph, name)
+  local found = {}
+  for _, made in ipairs(graph.nodes) do
+    if made.params[name] then found[#found + 1] = ("'%s.%s'"):format(made.name, name) end
+  end
+  return #found > 0 and "; nodes have it: " .. table.concat(found, ", ") or nil
+end
+
+-- `--set node.param=value` replaces whatever the build bound.
+local function apply_node_sets(problems, self, graph, sets, unknown)
+  for _, set in ipairs(unknown) do
+    local hint = nodes_with(graph, set.name) or native.nearest(set.name, settable_names(self, graph))
+    problems:add(set.place, "the pipeline has no parameter '%s'%s", set.name, hint)
+  end
+  for _, set in ipairs(sets) do
+    local node_name, name = set.name:match("^([^.]*)%.(.*)$")
+    local made
+    for _, one in ipairs(graph.nodes) do
+      if one.name == node_name then made = one end
+    end
+    local wanted = made and param.find(graph.passes[made.pass].params, name)
+    if wanted then
+      local value, wrong = native.check_value(wanted, set.value)
+      if wrong then problems:add(set.place, "node '%s': %s", node_name, wrong) end
+      made.params[name] = { value = value, place = set.place }
+    elseif node_name then
+      local what = made and ("node '%s' has no parameter '%s'"):format(node_name, name)
+      what = what or ("there is no node '%s'"):format(node_name)
+      problems:add(set.place, "%s%s", what, native.nearest(set.name, settable_names(self, graph)))
+    end
+  end
+end
+
+local function in_order(by_name)
+  local list = {}
+  for _, item in pairs(by_name) do list[#list + 1] = item end
+  return list
+end
+
+-- The graph of a pipeline for some settings { { name = , value = }, ... }.
+function pipeline.describe(self, name, file, sets)
+  for _, set in ipairs(sets) do set.place = { file = ("--set %s=%s"):format(set.name, set.value), line = 0 } end
+  local problems = check.problems()
+  local values, unknown = resolve(problems, self, sets)
+
+  local graph = { nodes = {}, passes = {}, loops = {}, records = {} }
+  local used = {}
+  node.graph = graph
+  local outputs = self.build(parameters(self, values, used))
+  node.graph = nil
+
+  local sources = check_outputs(problems, outputs, self.build)
+  apply_node_sets(problems, self, graph, sets, unknown)
+  if #problems.list == 0 then check_unused(problems, self, graph, used) end
+  problems:raise()
+  return {
+    name = name, file = file, doc = self.doc, params = self.params, values = values, passes = in_order(graph.passes),
+    nodes = graph.nodes, loops = graph.loops, outputs = sources,
+  }
+end
+
+return pipeline

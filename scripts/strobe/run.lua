@@ -1,0 +1,89 @@
+-- SPDX-License-Identifier: MIT
+-- What a script child evaluates: each function gets the request as a table and returns plain data.
+local check    = require "strobe.check"
+local native   = require "strobe.native"
+local pass     = require "strobe.pass"
+local pipeline = require "strobe.pipeline"
+
+local run = {}
+
+function run.pipeline(request)
+  local result = native.main()
+  if not pipeline.is_pipeline(result) then
+    local what = pass.is_pass(result) and "a pass" or "a " .. type(result)
+    check.fail({ file = request.file, line = 0 }, "returns %s instead of a pipeline { ... }", what)
+  end
+  return pipeline.describe(result, request.name, request.file, request.sets)
+end
+
+-- A value as typed: true, false, a number, else text.
+local function typed(text)
+  if text == "true" then return true end
+  if text == "false" then return false end
+  return tonumber(text) or text
+end
+
+-- `scene_params.x` is the value set on the command line, or nil: `local count = scene_params.count or 5`.
+local function scene_params(sets, asked)
+  local values = {}
+  for _, set in ipairs(sets) do values[set.name] = typed(set.value) end
+  return setmetatable({}, {
+    __index = function(_, name)
+      asked[name] = true
+      return values[name]
+    end,
+    __newindex = function() error("scene_params cannot be assigned", 2) end,
+  })
+end
+
+function run.scene(request)
+  local asked, problems = {}, check.problems()
+  native.define("scene_params", scene_params(request.sets, asked))
+  local result = native.main()
+  for _, set in ipairs(request.sets) do
+    if not asked[set.name] then
+      local place = { file = ("--set scene.%s=%s"):format(set.name, set.value), line = 0 }
+      problems:add(place, "the scene has no parameter '%s'%s", set.name, native.nearest(set.name, check.names(asked)))
+    end
+  end
+  problems:raise()
+  if result == nil then check.fail({ file = request.file, line = 0 }, "returns nothing; it should end in 'return'") end
+  return result
+end
+
+function run.data(request)
+  local result = native.main(request.arguments)
+  if result == nil then check.fail({ file = request.file, line = 0 }, "returns nothing; it should end in 'return'") end
+  return result
+end
+
+-- All mistakes of all files.
+function run.passes(request)
+  local problems, passes, by_name = check.problems(), {}, {}
+  for _, module in ipairs(request.modules) do
+    local good, result = pcall(require, module)
+    local file = { file = module:gsub("%.", "/") .. ".lua", line = 0 }
+    if not good and type(result) == "table" and result.problems then
+      for _, problem in ipairs(result.problems) do problems:add(problem.place, "%s", problem.message) end
+    elseif not good then
+      local name, line, text = tostring(result):match("^(.-):(%d+): (.*)$")
+      local place = name and { file = name, line = math.tointeger(line) } or file
+      problems:add(place, "%s", text or tostring(result))
+    elseif not pass.is_pass(result) then
+      problems:add(file, "returns a %s instead of a pass", type(result))
+    else
+      local description = result.description
+      local other = by_name[description.name]
+      if other then
+        problems:add(description.place, "another pass is called '%s': %s:%d", description.name, other.place.file,
+                     other.place.line)
+      end
+      by_name[description.name] = description
+    end
+  end
+  problems:raise()
+  for _, description in pairs(by_name) do passes[#passes + 1] = description end
+  return passes
+end
+
+return run

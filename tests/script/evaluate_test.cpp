@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+#include "script/evaluate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "home.h"
+
+namespace strobe::script {
+
+static const char* kPipeline = R"(local pipeline = require "strobe.pipeline"
+local base    = require "passes.base"
+local largest = require "passes.tile.largest"
+local smear   = require "passes.smear"
+local add     = require "passes.add"
+
+return pipeline {
+  doc = "everything a pipeline can have",
+  params = {
+    method  = pipeline.choice { "smear", "truth", default = "smear", doc = "which" },
+    samples = pipeline.int { 16, min = 1, max = 1024, doc = "times" },
+    times   = pipeline.choice { "midpoint", "stratified", doc = "where in the exposure" },
+    tile    = pipeline.int { 32, min = 2, max = 64, unit = "px", doc = "side of a tile" },
+  },
+  presets = { coarse = { tile = 64 }, fine = { tile = 4, samples = 64 } },
+  default_preset = "fine",
+  build = function(p)
+    local samples, times, tile = p.samples, p.times, p.tile
+    if p.method() == "truth" then
+      local l = pipeline.loop {
+        name = "shutter", count = samples, times = times, slices = 4,
+        until_ = function(r) return r.done end,
+        body = function()
+          local a = add { time = "sample" }
+          return { sum = a.sum, done = a.done }
+        end,
+      }
+      return { color = l.sum }
+    end
+    local g = base {}
+    local far = largest { velocity = g.velocity, id = g.id, tile = tile, as = "far", bias = 1 }
+    local near = largest { velocity = far.max, as = "near", order = "rows", fast = false }
+    return { color = smear { color = g.color, max = near.max }.color, depth = g.depth, max = far.max }
+  end,
+}
+)";
+
+class Evaluate : public testing::Test {
+ protected:
+  void SetUp() override { home_.write("scripts/pipelines/sample.lua", kPipeline); }
+
+  plan::PipelineDesc evaluate(const Settings& sets = {}) { return evaluatePipeline({"sample", sets}); }
+
+  std::string failure(const Settings& sets) {
+    try {
+      evaluate(sets);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  TestHome home_;
+};
+
+static const plan::NodeDesc& nodeOf(const plan::PipelineDesc& pipeline, const std::string& name) {
+  for (const plan::NodeDesc& node : pipeline.nodes) {
+    if (node.name == name) return node;
+  }
+  throw Error("no node " + name);
+}
+
+static const plan::Binding& bindingOf(const plan::NodeDesc& node, const std::string& name) {
+  for (const auto& [key, binding] : node.params) {
+    if (key == name) return binding;
+  }
+  throw Error("no parameter " + name);
+}
+
+static Json valuesOf(const plan::PipelineDesc& pipeline) { return toJson(pipeline)["values"]; }
+
+TEST_F(Evaluate, DescribesNodesInTheOrderOfTheCalls) {
+  plan::PipelineDesc p = evaluate();
+  EXPECT_EQ(p.name, "sample");
+  EXPECT_EQ(p.file, "scripts/pipelines/sample.lua");
+  ASSERT_EQ(p.nodes.size(), 4u);
+  EXPECT_EQ(p.nodes[0].name, "base");
+  EXPECT_EQ(p.nodes[1].name, "far");
+  EXPECT_EQ(p.nodes[2].name, "near");
+  EXPECT_EQ(p.nodes[3].name, "smear");
+  EXPECT_EQ(p.nodes[1].place.text(), "scripts/pipelines/sample.lua:31");
+  std::vector<std::pair<std::string, std::string>> wired = {{"id", "base.id"}, {"velocity", "base.velocity"}};
+  EXPECT_EQ(p.nodes[1].inputs, wired);
+  std::vector<std::pair<std::string, std::string>> outputs = {
+      {"color", "smear.color"}, {"depth", "base.depth"}, {"max", "far.max"}};
+  EXPECT_EQ(p.outputs, outputs);
+  EXPECT_EQ(p.passes.size(), 3u);
+}
+
+TEST_F(Evaluate, BindsLiteralsDefaultsAndPipelineParameters) {
+  plan::PipelineDesc p = evaluate();
+  const plan::NodeDesc& far = nodeOf(p, "far");
+  EXPECT_EQ(bindingOf(far, "tile").follows, "tile");
+  EXPECT_EQ(std::get<double>(*bindingOf(far, "bias").value), 1.0);  // an integer written for a number is a number
+  EXPECT_EQ(std::get<std::string>(*bindingOf(far, "order").value), "columns");
+  EXPECT_EQ(std::get<bool>(*bindingOf(nodeOf(p, "near"), "fast").value), false);
+  EXPECT_EQ(std::get<int64_t>(*bindingOf(nodeOf(p, "near"), "tile").value), 20);
+}
+
+TEST_F(Evaluate, KeepsThePlaceOfEveryField) {
+  plan::PipelineDesc p = evaluate();
+  EXPECT_EQ(p.params[0].place.text(), "scripts/pipelines/sample.lua:10");
+  const plan::PassDesc& largest = p.passes[1];
+  EXPECT_EQ(largest.name, "largest");
+  EXPECT_EQ(largest.place.text(), "passes/tile/largest.lua:2");
+  EXPECT_EQ(largest.reads[0].name, "id");
+  EXPECT_EQ(largest.reads[0].place.line, 7);
+  EXPECT_EQ(largest.writes[0].place.line, 9);
+  EXPECT_EQ(largest.params[0].place.line, 12);
+  EXPECT_EQ(bindingOf(nodeOf(p, "near"), "order").place.line, 32);
+}
+
+TEST_F(Evaluate, LoopHoldsTheNodesOfItsBody) {
+  plan::PipelineDesc p = evaluate({{"method", "truth"}});
+  ASSERT_EQ(p.loops.size(), 1u);
+  const plan::LoopDesc& loop = p.loops[0];
+  EXPECT_EQ(loop.name, "shutter");
+  EXPECT_EQ(loop.count.follows, "samples");
+  EXPECT_EQ(loop.times.follows, "times");
+  EXPECT_EQ(std::get<int64_t>(*loop.slices.value), 4);
+  EXPECT_EQ(loop.until, "add.done");
+  EXPECT_EQ(p.nodes.size(), 1u);
+  EXPECT_EQ(p.nodes[0].loop, "shutter");
+  EXPECT_EQ(p.nodes[0].time, "sample");
+  EXPECT_EQ(p.passes[0].updates[0].format, "rgba32f");
+}
+
+TEST_F(Evaluate, SetBeatsPresetBeatsDefault) {
+  EXPECT_EQ(valuesOf(evaluate())["tile"], 4);
+  EXPECT_EQ(valuesOf(evaluate())["samples"], 64);
+  EXPECT_EQ(valuesOf(evaluate({{"preset", "coarse"}}))["tile"], 64);
+  EXPECT_EQ(valuesOf(evaluate({{"preset", "coarse"}}))["samples"], 16);
+  EXPECT_EQ(valuesOf(evaluate({{"preset", "coarse"}, {"tile", "8"}}))["tile"], 8);
+  EXPECT_EQ(valuesOf(evaluate({{"tile", "8"}, {"preset", "coarse"}}))["tile"], 8);
+  EXPECT_EQ(valuesOf(evaluate({{"tile", "8"}, {"tile", "9"}}))["tile"], 9);
+  EXPECT_EQ(valuesOf(evaluate({{"preset", "coarse"}}))["preset"], "coarse");
+}
+
+TEST_F(Evaluate, NodeSettingsReplaceBindings) {
+  plan::PipelineDesc p = evaluate({{"far.tile", "100"}, {"near.bias", "0.25"}, {"near.fast", "true"}});
+  EXPECT_EQ(std::get<int64_t>(*bindingOf(nodeOf(p, "far"), "tile").value), 100);
+  EXPECT_TRUE(bindingOf(nodeOf(p, "far"), "tile").follows.empty());
+  EXPECT_EQ(std::get<double>(*bindingOf(nodeOf(p, "near"), "bias").value), 0.25);
+  EXPECT_EQ(std::get<bool>(*bindingOf(nodeOf(p, "near"), "fast").value), true);
+}
+
+TEST_F(Evaluate, WrongSettingsAreRefusedWithTheNearestName) {
+  EXPECT_EQ(failure({{"smaples", "3"}}), "--set smaples=3: the pipeline has no parameter 'smaples'; did you mean 'samples'?");
+  EXPECT_EQ(failure({{"samples", "0"}}), "--set samples=0: 'samples' = '0' is below min 1 (range 1 to 1024)");
+  EXPECT_EQ(failure({{"samples", "2.5"}}), "--set samples=2.5: 'samples' = '2.5' is not an integer");
+  EXPECT_EQ(failure({{"tile", "x"}}), "--set tile=x: 'tile' = 'x' is not an integer");
+  EXPECT_EQ(failure({{"method", "smaer"}}),
+            "--set method=smaer: 'method' = 'smaer' is not one of smear, truth; did you mean 'smear'?");
+  EXPECT_EQ(failure({{"preset", "corse"}}),
+            "--set preset=corse: 'preset' = 'corse' is not one of coarse, fine; did you mean 'coarse'?");
+  EXPECT_EQ(failure({{"bias", "1"}}),
+            "--set bias=1: the pipeline has no parameter 'bias'; nodes have it: 'far.bias', 'near.bias'");
+  EXPECT_EQ(failure({{"far.tiel", "1"}}),
+            "--set far.tiel=1: node 'far' has no parameter 'tiel'; did you mean 'far.tile'?");
+  EXPECT_EQ(failure({{"fra.tile", "1"}}), "--set fra.tile=1: there is no node 'fra'; did you mean 'far.tile'?");
+  EXPECT_EQ(failure({{"far.tile", "1000"}}),
+            "--set far.tile=1000: node 'far': 'tile' = '1000' is above max 256 (range 1 to 256 px)");
+  EXPECT_EQ(failure({{"a", "1"}, {"far.b", "1"}}),
+            "--set a=1: the pipeline has no parameter 'a'\n--set far.b=1: node 'far' has no parameter 'b'");
+}
+
+TEST_F(Evaluate, NamesAndPaths) {
+  home_.write("scripts/pipelines/other.lua", kPipeline);
+  home_.write("scripts/scenes/ball.lua", "return {}");
+  EXPECT_EQ(pipelineNames(), (std::vector<std::string>{"other", "sample"}));
+  EXPECT_EQ(sceneNames(), (std::vector<std::string>{"ball"}));
+  try {
+    evaluatePipeline({"smaple", {}});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "there is no pipeline 'smaple'; did you mean 'sample'?");
+  }
+  EXPECT_THROW(evaluatePipeline({"nowhere/x.lua", {}}), Error);
+}
+
+TEST_F(Evaluate, AFileOfTheUsersOwnFindsItsNeighbours) {
+  std::string own = kPipeline;
+  std::string name = "require \"passes.smear\"";
+  own.replace(own.find(name), name.size(), "require \"lib.mine\"");
+  std::string smear = samplePasses().at("passes/smear.lua");
+  home_.write("mine/own.lua", own);
+  home_.write("mine/lib/mine.lua", smear.replace(smear.find("\"smear\""), 7, "\"mine\""));
+  std::vector<Dependency> files;
+  plan::PipelineDesc p = evaluatePipeline({(home_.folder() / "mine/own.lua").string(), {}}, &files);
+  EXPECT_EQ(p.name, "own");
+  EXPECT_EQ(p.nodes[3].name, "mine");
+  EXPECT_EQ(p.passes[2].place.text(), "mine/lib/mine.lua:2");
+}
+
+TEST_F(Evaluate, DependenciesAreReportedOnSuccessAndOnFailure) {
+  std::vector<Dependency> files;
+  evaluatePipeline({"sample", {}}, &files);
+  std::set<std::string> shown;
+  for (const Dependency& file : files) {
+    shown.insert(file.shown);
+    EXPECT_EQ(file.hash.size(), 32u);
+    EXPECT_TRUE(std::filesystem::exists(file.path)) << file.path;
+  }
+  EXPECT_TRUE(shown.contains("scripts/pipelines/sample.lua"));
+  EXPECT_TRUE(shown.contains("passes/tile/largest.lua"));
+  EXPECT_TRUE(shown.contains("scripts/strobe/pipeline.lua"));
+
+  home_.write("passes/smear.lua", "return nil +");
+  EXPECT_THROW(evaluatePipeline({"sample", {}}, &files), Error);
+  EXPECT_TRUE(std::any_of(files.begin(), files.end(), [](auto& file) { return file.shown == "passes/smear.lua"; }));
+}
+
+TEST_F(Evaluate, TwentyEvaluationsGiveTheSameBytes) {
+  std::string first = toJson(evaluate()).dump();
+  for (int i = 0; i < 20; ++i) ASSERT_EQ(toJson(evaluate()).dump(), first);
+}
+
+TEST_F(Evaluate, CanonicalFormReadsBackAsItWasWritten) {
+  for (const Settings& sets : {Settings{}, Settings{{"method", "truth"}}, Settings{{"far.tile", "7"}}}) {
+    Json json = toJson(evaluate(sets));
+    EXPECT_EQ(toJson(plan::pipelineFromJson(Json::parse(json.dump()))).dump(), json.dump());
+  }
+}
+
+TEST_F(Evaluate, AllPassesByName) {
+  std::vector<plan::PassDesc> passes = evaluateAllPasses();
+  ASSERT_EQ(passes.size(), 4u);
+  EXPECT_EQ(passes[0].name, "add");
+  EXPECT_EQ(passes[3].name, "smear");
+
+  home_.write("passes/a.lua", "local x = = 1");
+  home_.write("passes/b.lua", "return 1");
+  std::string smear = samplePasses().at("passes/smear.lua");
+  home_.write("passes/c.lua", smear);
+  try {
+    evaluateAllPasses();
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "passes/a.lua:1: unexpected symbol near '='\n"
+                 "passes/b.lua: returns a number instead of a pass\n"
+                 "passes/smear.lua:2: another pass is called 'smear': passes/c.lua:2");
+  }
+}
+
+TEST_F(Evaluate, SceneIsPlainDataWithParameters) {
+  home_.write("scripts/scenes/ball.lua",
+              "local n = scene_params.count or 3\nlocal list = {}\nfor i = 1, n do list[i] = { x = i / 2 } end\n"
+              "return { balls = list, name = scene_params.name or 'none', none = {}, turn = scene_params.turn }\n");
+  EXPECT_EQ(evaluateScene("ball", {}).dump(), R"({"balls":[{"x":0.5},{"x":1.0},{"x":1.5}],"name":"none","none":[]})");
+  Json set = evaluateScene("ball", {{"scene.count", "1"}, {"tile", "3"}, {"scene.name", "a b"}, {"scene.turn", "0.1"}});
+  EXPECT_EQ(set.dump(), R"({"balls":[{"x":0.5}],"name":"a b","none":[],"turn":0.1})");
+  try {
+    evaluateScene("ball", {{"scene.cuont", "1"}});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "--set scene.cuont=1: the scene has no parameter 'cuont'; did you mean 'count'?");
+  }
+}
+
+TEST_F(Evaluate, SceneMayHoldPlainDataOnly) {
+  auto failureOf = [&](const std::string& text) -> std::string {
+    home_.write("scripts/scenes/odd.lua", text);
+    try {
+      evaluateScene("odd", {});
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_EQ(failureOf("return { a = { b = print } }"), "scripts/scenes/odd.lua: 'a.b' is a function, not plain data");
+  EXPECT_EQ(failureOf("return { a = 1 / 0 }"), "scripts/scenes/odd.lua: 'a' is not a finite number");
+  EXPECT_EQ(failureOf("return { a = { 1, x = 2 } }"),
+            "scripts/scenes/odd.lua: 'a' has keys that are neither names nor 1, 2, 3 ...");
+  EXPECT_EQ(failureOf("local t = {}\nt[1] = t\nreturn t").find("scripts/scenes/odd.lua: '[1]"), 0u);
+  EXPECT_EQ(failureOf("return"), "scripts/scenes/odd.lua: returns nothing; it should end in 'return'");
+}
+
+TEST_F(Evaluate, DataGetsItsArguments) {
+  home_.write("x/demo.lua", "local arguments = ...\nreturn { twice = arguments.n * 2, half = arguments.n / 2 }");
+  Json result = evaluateData((home_.folder() / "x/demo.lua").string(), {{"n", 3}});
+  EXPECT_EQ(result.dump(), R"({"half":1.5,"twice":6})");
+}
+
+}  // namespace strobe::script

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "script/locate.h"
+
+namespace strobe::script {
+
+static const char* kSource = R"(local pass = require "strobe.pass"
+-- reads = { depth = 1 }
+return pass.compute {
+  name = "x", doc = [[
+  reads = { depth = 2 } ]],
+  size = { of = "depth" },
+  reads = {
+    normal = { doc = "n" },
+    ["depth"] = { doc = "a = { depth = 3 }" },
+  },
+  build = function(p)
+    if p == 1 then p, params = 1, 2 end
+    return { color = p,
+             depth = p }
+  end,
+  params = { a = pass.int { 1,
+                            min = 2 } },
+}
+)";
+
+TEST(Place, FindsTheLineOfAField) {
+  EXPECT_EQ(lineOfKey(kSource, 3, {"name"}), 4);
+  EXPECT_EQ(lineOfKey(kSource, 3, {"size"}), 6);
+  EXPECT_EQ(lineOfKey(kSource, 3, {"reads", "normal"}), 8);
+  EXPECT_EQ(lineOfKey(kSource, 3, {"reads", "depth"}), 9);
+  EXPECT_EQ(lineOfKey(kSource, 3, {"params"}), 16);
+  EXPECT_EQ(lineOfKey(kSource, 3, {"params", "a", "min"}), 17);
+}
+
+TEST(Place, StaysAtTheCallWhereThereIsNoSuchField) {
+  EXPECT_EQ(lineOfKey(kSource, 3, {"reads", "colour"}), 3);
+  EXPECT_EQ(lineOfKey(kSource, 3, {"nothing"}), 3);
+  EXPECT_EQ(lineOfKey("", 3, {"nothing"}), 3);
+  EXPECT_EQ(lineOfKey("{ \"unfinished", 1, {"a", "b"}), 1);
+  EXPECT_EQ(lineOfKey("{ a = ", 1, {"a", "b"}), 1);
+  EXPECT_EQ(lineOfKey("{ [", 1, {"a"}), 1);
+  EXPECT_EQ(lineOfKey("--[==[", 1, {"a"}), 1);
+}
+
+TEST(Place, FindsTheLastReturnOfAFunction) {
+  EXPECT_EQ(lineOfReturn(kSource, 11, 15, {}), 13);
+  EXPECT_EQ(lineOfReturn(kSource, 11, 15, {"depth"}), 14);
+  EXPECT_EQ(lineOfReturn(kSource, 11, 15, {"other"}), 13);
+  EXPECT_EQ(lineOfReturn(kSource, 16, 17, {}), 0);
+}
+
+}  // namespace strobe::script
