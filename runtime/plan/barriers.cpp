@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "base/error.h"
 #include "plan/plan.h"
 
 namespace strobe::plan {
@@ -47,11 +48,6 @@ class Tracker {
     pending.carried = false;
   }
 
-  // Weakens the states to what holds whether this or `other` happened.
-  void join(const Tracker& other) {
-    for (size_t i = 0; i < states_.size(); ++i) joinOne(states_[i], other.states_[i]);
-  }
-
   void markCarried(bool carried) {
     for (Pending& pending : states_) pending.carried = carried;
   }
@@ -86,18 +82,6 @@ class Tracker {
     return reads_too && pending.image == use.image ? Hazard::ReadAfterWrite : Hazard::WriteAfterWrite;
   }
 
-  static void joinOne(Pending& a, const Pending& b) {
-    for (int s = 0; s < kStageCount; ++s) {
-      if (!a.write_stages) a.visible[s] = b.visible[s];
-      else if (b.write_stages) a.visible[s] &= b.visible[s];
-    }
-    a.write_stages |= b.write_stages;
-    a.write_access |= b.write_access;
-    a.read_stages |= b.read_stages;
-    if (a.image < 0) a.image = b.image;
-    a.carried = a.carried || b.carried;
-  }
-
   size_t slot_count_;
   std::vector<Pending> states_;
 };
@@ -110,27 +94,17 @@ void iterate(std::vector<Step>& body, Tracker& tracker, std::vector<Barrier> Ste
   }
 }
 
-// Later iterations start from what any earlier one may have left: the states are joined until nothing changes.
+// What an iteration leaves does not depend on what it found: of memory it writes, its own last write and the reads after
+// it; of memory it only reads, one more reader. So all iterations but the first need the same barriers, and what comes
+// after the loop does not care after which iteration it ended.
 void addLoopBarriers(Step& loop, Tracker& tracker) {
   iterate(loop.body, tracker, &Step::barriers);
   Tracker after_first = tracker;
-  Tracker start = tracker;
-  start.markCarried(true);
-  while (true) {
-    Tracker end = start;
-    iterate(loop.body, end, &Step::barriers_next);
-    Tracker joined = start;
-    Tracker carried = end;
-    carried.markCarried(true);
-    joined.join(carried);
-    if (joined == start) {
-      tracker = after_first;
-      tracker.join(end);  // the loop may have ended after any iteration
-      tracker.markCarried(false);
-      return;
-    }
-    start = joined;
-  }
+  tracker.markCarried(true);
+  iterate(loop.body, tracker, &Step::barriers_next);
+  tracker.markCarried(false);
+  after_first.markCarried(false);
+  STROBE_ASSERT(tracker == after_first, "loop {}", loop.index);
 }
 
 }  // namespace
