@@ -49,8 +49,8 @@ double cone(double distance, double radius);
 double cylinder(double distance, double radius);
 double softDepth(double za, double zb, double extent);
 
-// --- Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare", as its public descendants do
-// it ---
+// --- Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare" ---
+// As its public descendants implement it.
 
 struct Paired {
   int samples = 16;    // even; pairs lie at equal distance to either side of the pixel
