@@ -67,7 +67,7 @@ Image contactSheet(const std::vector<Cell>& cells, const SheetStyle& style) {
   STROBE_ASSERT(!cells.empty() && style.columns >= 1, "{} cells in {} columns", cells.size(), style.columns);
   int width = 1, height = 1;
   for (const Cell& cell : cells) {
-    width = std::max(width, cell.picture.width);
+    width = std::max({width, cell.picture.width, cell.label.empty() ? 0 : textWidth(cell.label, style.text_px)});
     height = std::max(height, cell.picture.height);
   }
   int columns = std::min(style.columns, static_cast<int>(cells.size()));

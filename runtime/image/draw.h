@@ -38,7 +38,8 @@ void outline(Image& onto, Rectangle area, const Colour& colour, int thickness = 
 void drawText(Image& onto, int x, int y, const std::string& text, float size_px, const Colour& colour);
 int textWidth(const std::string& text, float size_px);
 
-// Equal cells in reading order, each a label above its picture; smaller pictures sit top left in their cell.
+// Equal cells in reading order, as wide as the widest picture or label, each a label above its picture; smaller
+// pictures sit top left in their cell.
 struct Cell {
   std::string label;
   Image picture;

@@ -107,15 +107,18 @@ void readAttributes(const Imf::Header& header, ExrFile& content) {
     content.ndc_from_world = fromExr(matrix->value());
 }
 
-// A file's header may claim any size; refuse before memory is asked for.
-void checkSize(const Imath::Box2i& window, size_t channel_count) {
+// A file's header may claim any size; refuse before memory is asked for. Even a constant image in OpenEXR's densest
+// compression (256 lines to a block) stays below a factor of 65536.
+void checkSize(const Imath::Box2i& window, size_t channel_count, size_t file_bytes) {
   int64_t width = int64_t(window.max.x) - window.min.x + 1;
   int64_t height = int64_t(window.max.y) - window.min.y + 1;
-  constexpr int64_t kMaxSide = 65536, kMaxBytes = int64_t(16) << 30;
+  constexpr int64_t kMaxSide = 65536, kMaxBytes = int64_t(16) << 30, kMaxFactor = 65536;
   if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide)
     throw std::runtime_error(fmt::format("its size is {}x{}", width, height));
-  if (width * height * 4 * int64_t(channel_count) > kMaxBytes)
-    throw std::runtime_error("it holds more than 16 GiB of pixels");
+  int64_t bytes = width * height * 4 * int64_t(channel_count);
+  if (bytes > kMaxBytes) throw std::runtime_error("it holds more than 16 GiB of pixels");
+  if (bytes / kMaxFactor > int64_t(file_bytes))
+    throw std::runtime_error(fmt::format("its size of {}x{} does not fit in {} bytes", width, height, file_bytes));
 }
 
 ExrChannel emptyChannel(const std::string& name, const Imf::Channel& described, size_t pixels) {
@@ -144,7 +147,7 @@ ExrFile decode(const std::string& bytes) {
   Imath::Box2i window = header.dataWindow();
   size_t channel_count = 0;
   for (auto it = header.channels().begin(); it != header.channels().end(); ++it) ++channel_count;
-  checkSize(window, channel_count);
+  checkSize(window, channel_count, bytes.size());
 
   ExrFile content;
   content.width = window.max.x - window.min.x + 1;

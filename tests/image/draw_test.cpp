@@ -98,7 +98,7 @@ TEST(Draw, TextStaysInItsBox) {
 }
 
 TEST(Draw, SheetHoldsEveryPicture) {
-  std::vector<Cell> cells = {{"one", filled(20, 10, kWhite)}, {"two", filled(16, 12, {1, 0, 0})}, {"", numbered(2, 2)}};
+  std::vector<Cell> cells = {{"1", filled(20, 10, kWhite)}, {"2", filled(16, 12, {1, 0, 0})}, {"", numbered(2, 2)}};
   SheetStyle style;
   style.columns = 2;
   Image sheet = contactSheet(cells, style);
@@ -107,6 +107,9 @@ TEST(Draw, SheetHoldsEveryPicture) {
   EXPECT_EQ(colourAt(sheet, 8, 8 + 20), kWhite);
   EXPECT_EQ(colourAt(sheet, 8 + 28, 8 + 20), (Colour{1, 0, 0}));
   EXPECT_EQ(colourAt(sheet, 9, 8 + 40 + 20 + 1), colourAt(cells[2].picture, 1, 1));
+
+  cells[1].label = "a label wider than its picture";
+  EXPECT_EQ(contactSheet(cells, style).width, 2 * (textWidth(cells[1].label, style.text_px) + 8) + 8);
 }
 
 TEST(FalseColour, Differences) {
