@@ -8,8 +8,11 @@
 
 #include <cerrno>
 #include <cmath>
+#include <cstdio>
+#include <new>
 
 #include "script/evaluate.h"
+#include "script/process.h"
 #include "script/sandbox.h"
 
 namespace strobe::script {
@@ -55,8 +58,8 @@ Json problemJson(const Problem& problem) {
 
 // Runs as a Lua hook, at an instruction of the script, once its processor time is used up.
 void stopEndlessScript(lua_State* lua, lua_Debug*) {
-  Problem problem{Sandbox::userPlace(lua, 0),
-                  fmt::format("stopped: more than {} s of processor time (the limit for a script); endless loop?", g_cpu_s)};
+  const char* text = "stopped: more than {} s of processor time (the limit for a script); endless loop?";
+  Problem problem{Sandbox::userPlace(lua, 0), fmt::format(fmt::runtime(text), g_cpu_s)};
   answer({{"errors", {problemJson(problem)}}, {"files", filesJson(*g_sandbox)}});
 }
 
@@ -104,7 +107,7 @@ void evaluate(const Json& request) {
   options.shown = request.at("shown").get<std::string>();
   options.own_folder = request.at("own_folder").get<bool>();
   options.memory_bytes = static_cast<size_t>(memory_mb) << 20;
-  static Sandbox sandbox(std::move(options));
+  static Sandbox sandbox(options);
   g_sandbox = &sandbox;
   g_cpu_s = cpu_s;
   startTimer(cpu_s);
@@ -113,25 +116,23 @@ void evaluate(const Json& request) {
   if (sandbox.run(request.at("function").get<std::string>(), request.at("argument"), result)) {
     answer({{"result", std::move(result)}, {"files", filesJson(sandbox)}});
   }
-  std::vector<Problem> problems = sandbox.problems();
-  if (sandbox.outOfMemory()) {
-    std::string message = fmt::format("stopped: more than {} MB of memory (the limit for a script)", memory_mb);
-    problems = {{{request.at("shown").get<std::string>()}, message}};
-  }
+  if (sandbox.outOfMemory()) answer({{"out_of_memory", true}, {"files", filesJson(sandbox)}});
   Json errors = Json::array();
-  for (const Problem& problem : problems) errors.push_back(problemJson(problem));
+  for (const Problem& problem : sandbox.problems()) errors.push_back(problemJson(problem));
   answer({{"errors", errors}, {"files", filesJson(sandbox)}});
 }
 
 }  // namespace
 
 void runScriptChild() {
+  // At the limit of the address space even destructors may fail to find memory: end at once.
+  std::set_new_handler([] { ::_exit(kOutOfMemory); });
   try {
     evaluate(Json::parse(readAll(STDIN_FILENO)));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "script child: %s\n", error.what());
   }
-  ::_exit(3);
+  ::_exit(1);
 }
 
 }  // namespace strobe::script

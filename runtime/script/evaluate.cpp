@@ -60,13 +60,19 @@ Main mainOf(const std::string& name_or_path, const std::string& what) {
   return main;
 }
 
+std::string outOfMemory(const Limits& limits) {
+  return fmt::format("stopped: more than {} MB of memory (the limit for a script)", limits.memory_mb);
+}
+
 std::string endedBy(const ChildResult& child, const Limits& limits) {
   if (child.timed_out) return fmt::format("stopped: more than {} s (the limit for a script)", limits.wall_s);
   if (child.too_long) return "stopped: the script describes more than fits in 64 MB";
   if (child.signal == SIGXCPU || child.signal == SIGKILL) {
-    return fmt::format("stopped: more than {} s of processor time (the limit for a script); endless loop?", limits.cpu_s);
+    const char* text = "stopped: more than {} s of processor time (the limit for a script); endless loop?";
+    return fmt::format(fmt::runtime(text), limits.cpu_s);
   }
-  if (child.signal) return fmt::format("the script's process ended by signal {} ({})", child.signal, ::strsignal(child.signal));
+  if (child.exit_status == kOutOfMemory) return outOfMemory(limits);
+  if (child.signal) return fmt::format("the script's process ended: {}", ::strsignal(child.signal));
   return fmt::format("the script's process ended with status {} and no answer", child.exit_status);
 }
 
@@ -122,6 +128,7 @@ Json evaluate(const Main& main, const std::string& function, const Json& argumen
   if (!answer.is_object()) throw Error(endedBy(child, limits), {main.shown});
   try {
     if (dependencies) *dependencies = dependenciesOf(answer.at("files"));
+    if (answer.contains("out_of_memory")) throw Error(outOfMemory(limits), {main.shown});
     if (answer.contains("errors")) throwProblems(answer["errors"]);
     return answer.at("result");
   } catch (const Json::exception&) {

@@ -103,31 +103,46 @@ bool fieldAt(const std::vector<Token>& tokens, size_t i, const std::string& key,
   return is(i, "[") ? is(i + 1, key.c_str()) && is(i + 3, "=") : is(i, key.c_str()) && is(i + 1, "=");
 }
 
-// The table that opens at tokens[open]: the line of the key at the end of `path`, or 0.
-int searchTable(const std::vector<Token>& tokens, size_t open, const std::vector<std::string>& path, size_t done) {
+struct Found {
+  size_t keys = 0;  // of the path
+  int line = 0;     // of the last of them
+};
+
+// Follows `path` from its key number `done` on through the table that opens at tokens[open].
+Found searchTable(const std::vector<Token>& tokens, size_t open, const std::vector<std::string>& path, size_t done) {
+  Found found{done, tokens[open].line};
   int depth = 1;
   for (size_t i = open + 1; i < tokens.size() && depth > 0; ++i) {
     size_t value = 0;
     if (depth == 1 && fieldAt(tokens, i, path[done], value)) {
-      if (done + 1 == path.size()) return tokens[i].line;
+      found = {done + 1, tokens[i].line};
+      if (found.keys == path.size()) return found;
       while (value < tokens.size() && tokens[value].text != "{" && tokens[value].text != ",") ++value;
       bool nested = value < tokens.size() && tokens[value].text == "{";
-      return nested ? searchTable(tokens, value, path, done + 1) : 0;
+      Found below = nested ? searchTable(tokens, value, path, done + 1) : found;
+      return below.keys > found.keys ? below : found;
     }
     depth += opens(tokens[i]) - closes(tokens[i]);
   }
-  return 0;
+  return found;
 }
 
 }  // namespace
 
 int lineOfKey(std::string_view source, int line, const std::vector<std::string>& path) {
   std::vector<Token> tokens = Lexer(source).tokens();
-  for (size_t i = 0; i < tokens.size() && tokens[i].line <= line + 1 && !path.empty(); ++i) {
-    if (tokens[i].line < line || tokens[i].text != "{") continue;
-    if (int found = searchTable(tokens, i, path, 0)) return found;
+  auto isTable = [](const Token& token) { return !token.word && token.text == "{"; };
+  auto opensOn = [&](int on) {
+    return std::any_of(tokens.begin(), tokens.end(), [&](const Token& t) { return t.line == on && isTable(t); });
+  };
+  int table_line = opensOn(line) ? line : line + 1;
+  Found best{0, line};
+  for (size_t i = 0; i < tokens.size() && !path.empty(); ++i) {
+    if (tokens[i].line != table_line || !isTable(tokens[i])) continue;
+    Found found = searchTable(tokens, i, path, 0);
+    if (found.keys > best.keys) best = found;
   }
-  return line;
+  return best.line;
 }
 
 int lineOfReturn(std::string_view source, int first, int last, const std::vector<std::string>& path) {
@@ -137,8 +152,8 @@ int lineOfReturn(std::string_view source, int first, int last, const std::vector
     if (!tokens[i].word || tokens[i].text != "return" || tokens[i].line < first || tokens[i].line > last) continue;
     best = tokens[i].line;
     bool table = !path.empty() && i + 1 < tokens.size() && tokens[i + 1].text == "{";
-    int found = table ? searchTable(tokens, i + 1, path, 0) : 0;
-    if (found) best = found;
+    Found found = table ? searchTable(tokens, i + 1, path, 0) : Found{};
+    if (found.keys > 0) best = found.line;
   }
   return best;
 }

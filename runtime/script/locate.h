@@ -8,8 +8,8 @@
 
 namespace strobe::script {
 
-// `path` {"reads", "depth"} is the field `depth` of the field `reads` of the table that opens on or soon after `line`.
-// The line of its last key, or `line` itself where the source does not show it.
+// `path` {"reads", "depth"} is the field `depth` of the field `reads` of the table that opens on `line` or the next.
+// The line of its last key, or of the last one that the source shows, or `line` itself.
 int lineOfKey(std::string_view source, int line, const std::vector<std::string>& path);
 
 // The same for the table behind the last `return` on the lines first..last; without a path the line of that `return`,

@@ -6,6 +6,9 @@
 
 namespace strobe::script {
 
+// Exit status of a child that found no memory for its answer.
+inline constexpr int kOutOfMemory = 4;
+
 struct ChildResult {
   std::string output;
   int exit_status = 0;  // where it ended by itself

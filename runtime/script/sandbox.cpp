@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <new>
 
 #include "base/hash.h"
 #include "script/locate.h"
@@ -142,8 +141,11 @@ struct Sandbox::Callbacks {
     luaL_checktype(lua, 2, LUA_TTABLE);
     Sandbox& sandbox = self(lua);
     sandbox.guarded([&] {
-      Json names = jsonAt(lua, 2);
-      sandbox.text_ = didYouMean(name, names.get<std::vector<std::string>>());
+      std::vector<std::string> names;
+      for (const Json& item : jsonAt(lua, 2)) {
+        if (item.is_string()) names.push_back(item.get<std::string>());
+      }
+      sandbox.text_ = didYouMean(name, names);
     });
     lua_pushlstring(lua, sandbox.text_.data(), sandbox.text_.size());
     return 1;
@@ -432,10 +434,10 @@ bool Sandbox::run(const std::string& function, const Json& request, Json& result
   try {
     if (status == LUA_OK) result = jsonAt(lua_, -1);
     if (status != LUA_OK && !out_of_memory_) collectProblems();
-  } catch (const std::bad_alloc&) {
-    out_of_memory_ = true;
   } catch (const Error& error) {
     addProblem(error.message());
+  } catch (const Json::exception&) {
+    addProblem("the error is a table of a wrong form");
   }
   return !out_of_memory_ && problems_.empty();
 }

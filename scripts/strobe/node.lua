@@ -61,11 +61,16 @@ end
 -- ---- parameters
 
 local Reference = {}  -- p.x: a parameter of the pipeline: { name = , declaration = , value = }
-Reference.__call = function(reference) return reference.value end
+-- Calling a parameter lets the graph's shape depend on it.
+Reference.__call = function(reference)
+  reference.used.shaped = true
+  return reference.value
+end
 Reference.__tostring = function(reference) return ("parameter '%s'"):format(reference.name) end
 
-function node.reference(declaration, value)
-  return setmetatable({ name = declaration.name, declaration = declaration, value = value }, Reference)
+-- `used.shaped` is set when the parameter is called.
+function node.reference(declaration, value, used)
+  return setmetatable({ name = declaration.name, declaration = declaration, value = value, used = used }, Reference)
 end
 
 function node.is_reference(value)
@@ -100,10 +105,11 @@ function node.bind(problems, wanted, given, place, owner)
     return { follows = given.name, place = place }
   end
   if type(given) == "table" or type(given) == "function" then
-    problems:add(place, "parameter '%s' of %s is given a %s instead of a value", wanted.name, owner, type(given))
+    local what = node.is_value(given) and ("the image '%s'"):format(node.source(given)) or "a " .. type(given)
+    problems:add(place, "parameter '%s' of %s is given %s instead of a value", wanted.name, owner, what)
     return nil
   end
-  local value, wrong = native.check_value(wanted, given)
+  local value, wrong = param.check(wanted, given)
   if wrong then problems:add(place, "%s: %s", owner, wrong) end
   return { value = value, place = place }
 end

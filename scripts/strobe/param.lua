@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Parameter declarations, the same for passes and pipelines: `int { 20, min = 1, max = 256, unit = "px", doc = "..." }`.
+-- Parameter declarations of passes and pipelines alike: `int { 20, min = 1, max = 256, unit = "px", doc = "..." }`.
 -- The constructors only note what was written and where; `declare` checks it once the name is known.
 local check  = require "strobe.check"
 local native = require "strobe.native"
@@ -114,13 +114,21 @@ function param.declare(problems, name, declared, at, owner)
     problems:add(place, "%s has no default", what)
     return nil
   end
-  local value, wrong = native.check_value(result, result.default)
+  local value, wrong = param.check(result, result.default)
   if wrong then
     problems:add(native.key_place(place, "default"), "default of %s: %s", what, wrong)
     return nil
   end
   result.default = value
   return result
+end
+
+-- The value in canonical form, or nil and what is wrong. Unlike a setting as typed, a text is no number here.
+function param.check(declared, value)
+  if type(value) == "string" and declared.type ~= "choice" then
+    return nil, ("'%s' = '%s' is a text instead of a value of type %s"):format(declared.name, value, declared.type)
+  end
+  return native.check_value(declared, value)
 end
 
 -- All parameters of a table, by name in order.

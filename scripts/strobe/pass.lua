@@ -124,7 +124,8 @@ local function declare_size(problems, t, place, result, owner)
   local at = native.key_place(place, "size")
   if size == nil or size == "frame" then return { kind = "frame" } end
   if type(size) ~= "table" then
-    problems:add(at, "size of %s is %s; it is \"frame\", { of = \"<read>\" } or { width, height }", owner, check.quoted(size))
+    problems:add(at, "size of %s is %s; it is \"frame\", { of = \"<read>\" } or { width, height }", owner,
+                 check.quoted(size))
     return { kind = "frame" }
   end
   check.keys(problems, size, pass.size_keys, place, "size of " .. owner, { "size" })

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Pipelines: `pipeline { doc, params, presets, default_preset, build = function(p) ... end }`. The build calls passes and
--- returns named images; `describe` runs it once and returns the graph as plain data.
+-- Pipelines: `pipeline { doc, params, presets, default_preset, build = function(p) ... end }`. The build calls passes
+-- and returns named images; `describe` runs it once and returns the graph as plain data.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 local node   = require "strobe.node"
@@ -47,7 +47,7 @@ local function check_presets(problems, t, params, place)
       local where = native.key_place(place, "presets", preset, name)
       local declared = param.find(params, name)
       local _, wrong
-      if declared then _, wrong = native.check_value(declared, value) end
+      if declared then _, wrong = param.check(declared, value) end
       if wrong then problems:add(where, "preset '%s': %s", preset, wrong) end
       if not declared then
         local near = type(name) == "string" and native.nearest(name, names) or ""
@@ -82,7 +82,8 @@ local function declare(place, t)
     table.sort(params, function(a, b) return a.name < b.name end)
   end
   problems:raise()
-  return setmetatable({ doc = doc, params = params, presets = t.presets or {}, build = t.build, place = place }, Pipeline)
+  local result = { doc = doc, params = params, presets = t.presets or {}, build = t.build, place = place }
+  return setmetatable(result, Pipeline)
 end
 
 setmetatable(pipeline, { __call = native.at_caller(function(place, _, t) return declare(place, t) end) })
@@ -190,7 +191,7 @@ local function resolve(problems, self, sets)
   for _, one in ipairs(self.params) do values[one.name] = one.default end
   local preset = explicit.preset or values.preset
   for name, value in pairs(self.presets[preset] or {}) do
-    values[name] = native.check_value(param.find(self.params, name), value)
+    values[name] = param.check(param.find(self.params, name), value)
   end
   for name, value in pairs(explicit) do values[name] = value end
   return values, unknown
@@ -208,7 +209,7 @@ local function parameters(self, values, used)
         check.fail(place, "the pipeline has no parameter %s%s", check.quoted(name), near)
       end
       used[name] = true
-      return node.reference(declared, values[name])
+      return node.reference(declared, values[name], used)
     end),
     __newindex = native.at_caller(function(place, _, name)
       check.fail(place, "parameter %s cannot be assigned", check.quoted(name))
@@ -244,9 +245,11 @@ local function check_outputs(problems, outputs, build)
   return sources
 end
 
+-- A parameter that this graph does not use may be another shape's: where a called parameter decides the shape, only
+-- a pipeline of one shape is held to using all of them.
 local function check_unused(problems, self, graph, used)
   for _, one in ipairs(self.params) do
-    if not used[one.name] and one.name ~= "preset" then
+    if not used[one.name] and one.name ~= "preset" and not used.shaped then
       problems:add(one.place, "parameter '%s' of the pipeline is not used by its build", one.name)
     end
   end

@@ -10,7 +10,7 @@ local run = {}
 function run.pipeline(request)
   local result = native.main()
   if not pipeline.is_pipeline(result) then
-    local what = pass.is_pass(result) and "a pass" or "a " .. type(result)
+    local what = pass.is_pass(result) and "a pass" or (result == nil and "nothing" or "a " .. type(result))
     check.fail({ file = request.file, line = 0 }, "returns %s instead of a pipeline { ... }", what)
   end
   return pipeline.describe(result, request.name, request.file, request.sets)

@@ -157,7 +157,8 @@ TEST_F(Evaluate, NodeSettingsReplaceBindings) {
 }
 
 TEST_F(Evaluate, WrongSettingsAreRefusedWithTheNearestName) {
-  EXPECT_EQ(failure({{"smaples", "3"}}), "--set smaples=3: the pipeline has no parameter 'smaples'; did you mean 'samples'?");
+  EXPECT_EQ(failure({{"smaples", "3"}}),
+            "--set smaples=3: the pipeline has no parameter 'smaples'; did you mean 'samples'?");
   EXPECT_EQ(failure({{"samples", "0"}}), "--set samples=0: 'samples' = '0' is below min 1 (range 1 to 1024)");
   EXPECT_EQ(failure({{"samples", "2.5"}}), "--set samples=2.5: 'samples' = '2.5' is not an integer");
   EXPECT_EQ(failure({{"tile", "x"}}), "--set tile=x: 'tile' = 'x' is not an integer");

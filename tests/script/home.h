@@ -69,7 +69,8 @@ class TestHome {
   TestHome() {
     static int count = 0;
     namespace fs = std::filesystem;
-    folder_ = fs::temp_directory_path() / ("strobe_script_" + std::to_string(::getpid()) + "_" + std::to_string(count++));
+    std::string name = "strobe_script_" + std::to_string(::getpid()) + "_" + std::to_string(count++);
+    folder_ = fs::temp_directory_path() / name;
     fs::create_directories(folder_ / "scripts/pipelines");
     fs::create_directories(folder_ / "scripts/scenes");
     fs::copy(Path(STROBE_SOURCE_DIR) / "scripts/strobe", folder_ / "scripts/strobe");

@@ -35,7 +35,9 @@ TEST(Place, FindsTheLineOfAField) {
 }
 
 TEST(Place, StaysAtTheCallWhereThereIsNoSuchField) {
-  EXPECT_EQ(lineOfKey(kSource, 3, {"reads", "colour"}), 3);
+  EXPECT_EQ(lineOfKey(kSource, 3, {"reads", "colour"}), 7);
+  EXPECT_EQ(lineOfKey(kSource, 8, {"doc", "colour"}), 8);
+  EXPECT_EQ(lineOfKey(kSource, 8, {"colour"}), 8);
   EXPECT_EQ(lineOfKey(kSource, 3, {"nothing"}), 3);
   EXPECT_EQ(lineOfKey("", 3, {"nothing"}), 3);
   EXPECT_EQ(lineOfKey("{ \"unfinished", 1, {"a", "b"}), 1);

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The words of the canonical form, for its reader and its writer; in the order of the enumerations.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace strobe::plan {
+
+inline const std::vector<std::string> kParamTypes = {"bool", "int", "float", "choice"};
+inline const std::vector<std::string> kPassKinds = {"raster", "compute", "trace"};
+inline const std::vector<std::string> kSizeKinds = {"frame", "port", "fixed"};
+inline const std::vector<std::string> kNodeTimes = {"capture", "open", "close", "sample"};
+inline const std::vector<std::string> kSampleTimes = {"midpoint", "stratified"};
+
+// "a, b, c".
+std::string listed(const std::vector<std::string>& words);
+
+}  // namespace strobe::plan

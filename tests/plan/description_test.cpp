@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// Descriptions come from another process: what is malformed must be refused, and nothing else.
+#include "plan/description.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace strobe::plan {
+
+static const char* kCanonical = R"({"name":"p","file":"p.lua","doc":"d",
+ "params":[{"name":"mode","type":"choice","default":"a","choices":["a","b"],"unit":"","doc":"m","variant":true,
+            "place":{"file":"p.lua","line":3}},
+           {"name":"n","type":"int","default":4,"min":1,"max":9,"unit":"px","doc":"n","variant":false,
+            "place":{"file":"p.lua","line":4}}],
+ "values":{"mode":"b","n":5},
+ "passes":[{"name":"source","kind":"raster","shader":"s/source","doc":"s","size":{"kind":"frame"},"scene":true,
+            "reads":[],"writes":[{"name":"color","doc":"c","format":"rgba16f","place":{"file":"s.lua","line":2}},
+                                 {"name":"id","doc":"i","format":"r32ui","place":{"file":"s.lua","line":3}}],
+            "updates":[],"params":[],"counters":[],"place":{"file":"s.lua","line":1}},
+           {"name":"blur","kind":"compute","shader":"blur","doc":"b",
+            "size":{"kind":"port","port":"image","divide":"by"},"scene":false,
+            "reads":[{"name":"id","doc":"i","uint":true,"optional":true,"linear":false,
+                      "place":{"file":"b.lua","line":2}},
+                     {"name":"image","doc":"i","uint":false,"optional":false,"linear":true,
+                      "place":{"file":"b.lua","line":3}}],
+            "writes":[{"name":"out","doc":"o","format":"r32f","place":{"file":"b.lua","line":4}}],
+            "updates":[{"name":"sum","doc":"o","format":"rgba32f","place":{"file":"b.lua","line":5}}],
+            "params":[{"name":"by","type":"int","default":2,"min":1,"max":8,"unit":"px","doc":"b","variant":false,
+                       "place":{"file":"b.lua","line":6}},
+                      {"name":"k","type":"float","default":0.1,"min":0.0,"max":1.0,"unit":"","doc":"k","variant":false,
+                       "place":{"file":"b.lua","line":7}}],
+            "counters":[{"name":"hits","doc":"h"}],"place":{"file":"b.lua","line":1}}],
+ "nodes":[{"name":"source","pass":"source","inputs":{},"params":{},"time":"capture","loop":"",
+           "place":{"file":"p.lua","line":8}},
+          {"name":"far","pass":"blur","inputs":{"image":"source.color","id":"source.id"},
+           "params":{"by":{"follows":"n","place":{"file":"p.lua","line":9}},
+                     "k":{"value":0.25,"place":{"file":"p.lua","line":9}}},
+           "time":"sample","loop":"l","place":{"file":"p.lua","line":9}}],
+ "loops":[{"name":"l","count":{"follows":"n","place":{"file":"p.lua","line":7}},
+           "times":{"value":"stratified","place":{"file":"p.lua","line":7}},
+           "slices":{"value":4,"place":{"file":"p.lua","line":7}},"until":"far.out",
+           "place":{"file":"p.lua","line":7}}],
+ "outputs":{"color":"far.sum","raw":"source.color"}})";
+
+static Json canonical() { return Json::parse(kCanonical); }
+
+static std::string refusal(const Json& json) {
+  try {
+    pipelineFromJson(json);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(Description, IsWrittenBackKeyForKey) {
+  EXPECT_EQ(toJson(pipelineFromJson(canonical())).dump(), canonical().dump());
+}
+
+TEST(Description, KeepsEveryField) {
+  PipelineDesc p = pipelineFromJson(canonical());
+  EXPECT_EQ(p.params[1].type, ParamDesc::Type::Int);
+  EXPECT_EQ(std::get<int64_t>(p.values[1].second), 5);
+  EXPECT_EQ(p.passes[1].size.kind, SizeDesc::Kind::Port);
+  EXPECT_EQ(p.passes[1].size.divide, "by");
+  EXPECT_TRUE(p.passes[1].reads[0].uint);
+  EXPECT_TRUE(p.passes[1].reads[1].linear);
+  EXPECT_EQ(p.nodes[1].place.text(), "p.lua:9");
+  EXPECT_EQ(p.loops[0].until, "far.out");
+  EXPECT_EQ(p.outputs[0].second, "far.sum");
+}
+
+// Each removal, each value replaced by something of another type: refused or harmless, never a crash or another
+// exception than Error.
+static void damageAll(const Json& whole, Json& part, int& refused, int& tried) {
+  static const Json odd[] = {nullptr, true, -1, 1e300, 18446744073709551615u, "\x01", Json::array({Json::array()}),
+                             {{"name", 3}}};
+  if (!part.is_structured()) return;
+  for (auto it = part.begin(); it != part.end(); ++it) {
+    Json kept = *it;
+    for (const Json& other : odd) {
+      *it = other;
+      ++tried;
+      EXPECT_NO_FATAL_FAILURE(refused += refusal(whole) != "none");
+    }
+    *it = kept;
+    damageAll(whole, *it, refused, tried);
+  }
+}
+
+TEST(Description, DamageIsRefusedByErrorAlone) {
+  Json json = canonical();
+  int refused = 0, tried = 0;
+  damageAll(json, json, refused, tried);
+  EXPECT_GT(tried, 1000);
+  EXPECT_GT(refused, tried * 8 / 10);  // the rest are texts, flags and places that may be anything of their type
+}
+
+TEST(Description, MissingKeysAreRefused) {
+  for (const char* key : {"name", "file"}) {
+    Json json = canonical();
+    json.erase(key);
+    EXPECT_NE(refusal(json).find(key), std::string::npos);
+  }
+  Json json = canonical();
+  json["outputs"].erase("color");
+  EXPECT_EQ(refusal(json), "p.lua: pipeline: output 'color' is missing");
+  EXPECT_EQ(refusal(Json::array()), "pipeline is not an object");
+  EXPECT_EQ(refusal(nullptr), "pipeline is not an object");
+}
+
+struct Change {
+  const char* pointer;
+  Json value;
+  const char* error;
+};
+
+TEST(Description, ReferencesAndRangesAreChecked) {
+  const Change changes[] = {
+      {"/nodes/1/inputs/image", "source.colour", "p.lua:9: \"source.colour\" is no port of an earlier node"},
+      {"/nodes/1/inputs/image", "far.sum", "p.lua:9: \"far.sum\" is no port of an earlier node"},
+      {"/nodes/1/inputs/image", "source", "p.lua:9: \"source\" is no port of an earlier node"},
+      {"/nodes/1/inputs/image", "source.id", "p.lua:9: 'image' of 'far' cannot read r32ui"},
+      {"/nodes/1/inputs/id", "source.color", "p.lua:9: 'id' of 'far' cannot read rgba16f"},
+      {"/nodes/1/inputs", Json::object(), "p.lua:9: 'image' of 'far' is not wired"},
+      {"/nodes/1/pass", "blurr", "p.lua:9: node: there is no pass 'blurr'"},
+      {"/nodes/1/name", "source", "p.lua:9: node: two nodes are named 'source'"},
+      {"/nodes/1/name", "Far", "p.lua:9: node: 'Far' is not a name (a-z, then a-z, 0-9 and _)"},
+      {"/nodes/1/loop", "m", "p.lua:9: node: there is no loop 'm'"},
+      {"/nodes/1/loop", "", "p.lua:9: node: time 'sample' exists inside a loop only"},
+      {"/nodes/1/time", "now", "p.lua:9: node: 'time' = 'now' is not one of capture, open, close, sample"},
+      {"/nodes/1/params/k/value", 2, "p.lua:9: 'k' = 2 is above max 1 (range 0 to 1)"},
+      {"/nodes/1/params/by/follows", "mode", "p.lua:9: 'by' = 'b' is not an integer"},
+      {"/nodes/1/params/by/follows", "m", "p.lua:9: the pipeline has no parameter 'm'; did you mean 'n'?"},
+      {"/nodes/1/params/by", {{"value", 1}, {"follows", "n"}},
+       "parameter 'by': wants either 'value' or 'follows'"},
+      {"/nodes/1/colour", 1, "node: unknown key 'colour'"},
+      {"/values/n", 10, "p.lua:4: 'n' = 10 is above max 9 (range 1 to 9 px)"},
+      {"/values/m", 1, "p.lua: there are values of unknown parameters"},
+      {"/params/0/default", "c", "p.lua:3: 'mode' = 'c' is not one of a, b"},
+      {"/params/1/min", 20, "p.lua:4: parameter: min of 'n' is above max"},
+      {"/passes/1/name", "source", "p.lua: pipeline: two passes are named 'source'"},
+      {"/passes/1/shader", "../../etc/passwd", "b.lua:1: pass: '../../etc/passwd' is not a path below shaders/"},
+      {"/passes/1/shader", "/etc/passwd", "b.lua:1: pass: '/etc/passwd' is not a path below shaders/"},
+      {"/passes/1/writes/0/format", "rgb9", "b.lua:4: write: 'format' = 'rgb9' is not one of"},
+      {"/passes/1/size/port", "id", "b.lua:1: size of pass 'blur': 'id' is not a read that is always wired"},
+      {"/passes/1/size/divide", "k", "b.lua:1: size of pass 'blur': 'k' is not an integer parameter of at least 1"},
+      {"/passes/1/size", {{"kind", "fixed"}, {"width", 0}, {"height", 1}},
+       "b.lua:1: size of pass 'blur': 'width' is not an integer from 1 to 32768"},
+      {"/passes/0/writes", Json::array(), "s.lua:1: pass: 'source' writes nothing"},
+      {"/loops/0/count", {{"value", 0}}, "'count' = 0 is below min 1"},
+      {"/loops/0/until", "source.color", "p.lua:7: 'source.color' is no r32f image written in loop 'l'"},
+      {"/outputs/raw", "source.raw", "p.lua: \"source.raw\" is no port of an earlier node"},
+      {"/outputs/raw", 3, "p.lua: 3 is no port of an earlier node"},
+  };
+  for (const Change& change : changes) {
+    Json json = canonical();
+    json[Json::json_pointer(change.pointer)] = change.value;
+    EXPECT_EQ(refusal(json).substr(0, std::string(change.error).size()), change.error) << change.pointer;
+  }
+}
+
+static ParamDesc param(ParamDesc::Type type) {
+  ParamDesc p;
+  p.name = "x";
+  p.type = type;
+  p.min = -1;
+  p.max = 10;
+  p.choices = {"red", "green"};
+  return p;
+}
+
+TEST(CheckValue, ConvertsWhatIsTypedOnACommandLine) {
+  EXPECT_EQ(checkValue(param(ParamDesc::Type::Int), std::string("7"), {}), Value(int64_t{7}));
+  EXPECT_EQ(checkValue(param(ParamDesc::Type::Int), std::string("7.0"), {}), Value(int64_t{7}));
+  EXPECT_EQ(checkValue(param(ParamDesc::Type::Int), 7.0, {}), Value(int64_t{7}));
+  EXPECT_EQ(checkValue(param(ParamDesc::Type::Float), int64_t{7}, {}), Value(7.0));
+  EXPECT_EQ(checkValue(param(ParamDesc::Type::Float), std::string("1e-3"), {}), Value(0.001));
+  EXPECT_EQ(checkValue(param(ParamDesc::Type::Bool), std::string("true"), {}), Value(true));
+  EXPECT_EQ(checkValue(param(ParamDesc::Type::Choice), std::string("red"), {}), Value(std::string("red")));
+  EXPECT_FALSE(std::signbit(std::get<double>(checkValue(param(ParamDesc::Type::Float), -0.0, {}))));
+}
+
+TEST(CheckValue, RefusesOtherTypesAndValuesOutOfRange) {
+  const double kNan = std::numeric_limits<double>::quiet_NaN();
+  const Value wrong_ints[] = {2.5, true, std::string("2.5"), std::string(" 2"), std::string("2x"), std::string(""),
+                              int64_t{11}, int64_t{-2}, INT64_MAX, kNan, 1e300};
+  for (const Value& value : wrong_ints) EXPECT_THROW(checkValue(param(ParamDesc::Type::Int), value, {}), Error);
+  const Value wrong_numbers[] = {true, std::string("nan"), std::string("inf"), std::string("1,5"), 10.001, -1.001,
+                                 kNan};
+  for (const Value& value : wrong_numbers) EXPECT_THROW(checkValue(param(ParamDesc::Type::Float), value, {}), Error);
+  const Value wrong_flags[] = {int64_t{1}, 1.0, std::string("yes"), std::string("1")};
+  for (const Value& value : wrong_flags) EXPECT_THROW(checkValue(param(ParamDesc::Type::Bool), value, {}), Error);
+  try {
+    checkValue(param(ParamDesc::Type::Choice), std::string("gren"), {"f.lua", 3});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "f.lua:3: 'x' = 'gren' is not one of red, green; did you mean 'green'?");
+  }
+}
+
+}  // namespace strobe::plan
