@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// The rules of the house hold in the project; and each rule finds a sample that breaks it.
+#include "repo/lint.h"
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "base/files.h"
+
+namespace strobe::repo {
+namespace {
+
+const std::vector<Source>& project() {
+  static const std::vector<Source> sources = readSources(homeFolder());
+  return sources;
+}
+
+Floors floors() { return parseFloors(readText(homeFolder() / "runtime/floors.txt")); }
+
+std::string joined(const Findings& findings) {
+  std::string text;
+  for (const std::string& finding : findings) text += finding + "\n";
+  return text;
+}
+
+TEST(Project, IsRead) {
+  EXPECT_GT(project().size(), 50u);
+  auto has = [](const std::string& path) {
+    return std::any_of(project().begin(), project().end(), [&](const Source& source) { return source.path == path; });
+  };
+  for (const char* path : {"strobe", ".ci/run", "CMakeLists.txt", "runtime/base/error.h", "tests/repo/lint_test.cpp"}) {
+    EXPECT_TRUE(has(path)) << path;
+  }
+}
+
+TEST(Project, EveryRoomHasAFloor) {
+  Floors known = floors();
+  for (const auto& entry : std::filesystem::directory_iterator(homeFolder() / "runtime")) {
+    if (entry.is_directory()) EXPECT_TRUE(known.count(entry.path().filename().string())) << entry.path();
+  }
+}
+
+TEST(Project, IncludesFollowTheFloors) { EXPECT_EQ(joined(lintFloors(project(), floors())), ""); }
+TEST(Project, ForeignHeadersStayInTheirRooms) { EXPECT_EQ(joined(lintForeignHeaders(project())), ""); }
+TEST(Project, CppNamesNoTechnique) { EXPECT_EQ(joined(lintTechniques(project())), ""); }
+TEST(Project, EverySourceSaysItsLicence) { EXPECT_EQ(joined(lintLicences(project())), ""); }
+TEST(Project, NothingBelongsToAMachine) { EXPECT_EQ(joined(lintMachines(project())), ""); }
+
+TEST(Lint, FindsIncludesOfAFloorAbove) {
+  Floors three = parseFloors("# comment\n0 base\n1 math\n1 image\n2 plan not image\n");
+  auto lint = [&](const char* path, const char* text) { return joined(lintFloors({{path, text}}, three)); };
+  EXPECT_EQ(lint("runtime/math/a.h", "#include <vector>\n#include \"base/b.h\"\n#include \"math/c.h\"\n"), "");
+  EXPECT_EQ(lint("runtime/base/a.h", "// x\n#include \"math/b.h\"\n"),
+            "runtime/base/a.h:2: 'math/b.h' is not on a lower floor\n");
+  EXPECT_EQ(lint("runtime/math/a.cpp", "  # include \"image/b.h\"\n"),
+            "runtime/math/a.cpp:1: 'image/b.h' is not on a lower floor\n");
+  EXPECT_EQ(lint("runtime/plan/a.cpp", "#include \"image/b.h\"\n"),
+            "runtime/plan/a.cpp:1: plan may not know image ('image/b.h')\n");
+  EXPECT_EQ(lint("runtime/plan/a.cpp", "#include \"b.h\"\n"), "runtime/plan/a.cpp:1: 'b.h' does not say its folder\n");
+  EXPECT_EQ(lint("runtime/plan/a.cpp", "#include \"cellar/b.h\"\n"),
+            "runtime/plan/a.cpp:1: 'cellar/b.h' is in no room\n");
+  EXPECT_EQ(lint("runtime/cellar/a.cpp", ""), "runtime/cellar/a.cpp:1: is on no floor\n");
+}
+
+TEST(Lint, FindsIncludesOfAnotherFamily) {
+  auto lint = [](const char* text) { return joined(lintFloors({{"shaders/edge/a.glsl", text}}, {})); };
+  EXPECT_EQ(lint("#include \"lib/a.glsl\"\n#include \"shared/b.h\"\n#include \"edge/c.glsl\"\n"), "");
+  EXPECT_EQ(lint("#include \"tile/a.glsl\"\n"), "shaders/edge/a.glsl:1: includes 'tile/a.glsl' of another family\n");
+}
+
+TEST(Lint, RefusesABadTableOfFloors) {
+  EXPECT_THROW(parseFloors("base 0\n"), Error);
+  EXPECT_THROW(parseFloors("0 base\n1 base\n"), Error);
+  EXPECT_THROW(parseFloors("0 base but math\n"), Error);
+}
+
+TEST(Lint, FindsForeignHeadersElsewhere) {
+  auto count = [](const std::vector<Source>& sources) { return lintForeignHeaders(sources).size(); };
+  EXPECT_EQ(count({{"runtime/gpu/a.h", "#include <vulkan/vulkan.h>\n"}}), 0u);
+  EXPECT_EQ(count({{"runtime/plan/a.h", "#include <vulkan/vulkan.h>\n"}}), 1u);
+  EXPECT_EQ(count({{"runtime/graph/a.cpp", "#include \"vulkan/vulkan_core.h\"\n"}}), 1u);
+  std::string twice = "#include <vulkan/vulkan.h>\n#include <vulkan/vulkan_xlib.h>\n";
+  EXPECT_EQ(count({{"runtime/live/a.cpp", twice}}), 0u);
+  EXPECT_EQ(count({{"runtime/live/a.cpp", twice}, {"runtime/live/b.cpp", twice}}), 2u);
+  EXPECT_EQ(count({{"runtime/script/a.cpp", "#include <lua.h>\n"}}), 0u);
+  EXPECT_EQ(count({{"runtime/lab/a.cpp", "extern \"C\" {\n#include <lua5.4/lauxlib.h>\n}\n#include <lua.hpp>\n"}}), 2u);
+}
+
+TEST(Lint, FindsTechniquesInCpp) {
+  for (const char* text : {"int SobelEdge;", "// the ray mask: ray_mask", "RayReveal r;", "tileMax(v)", "// McGuire"}) {
+    EXPECT_EQ(lintTechniques({{"runtime/graph/a.cpp", text}}).size(), 1u) << text;
+    EXPECT_EQ(lintTechniques({{"shaders/edge/a.glsl", text}}).size(), 0u) << text;
+  }
+  EXPECT_EQ(lintTechniques({{"runtime/graph/a.cpp", "maximum of a tile; array masks\n"}}).size(), 0u);
+}
+
+TEST(Lint, FindsSourcesWithoutLicence) {
+  std::string line = "SPDX-License-Identifier: MIT\n";
+  EXPECT_TRUE(lintLicences({{"a.lua", "-- " + line}, {"strobe", "#!/bin/sh\n# " + line}, {"a.md", "text"}}).empty());
+  EXPECT_EQ(lintLicences({{"a.lua", ""}, {"b.cpp", "//\n//\n// " + line}, {"x/CMakeLists.txt", "x\n"}}).size(), 3u);
+}
+
+TEST(Lint, FindsMachines) {
+  auto count = [](const std::string& text) { return lintMachines({{"docs/a.md", text}}).size(); };
+  for (const char* folder : {"wor" "k", "hom" "e", "roo" "t"}) {
+    EXPECT_EQ(count(std::string("see /") + folder + "/somebody/x") , 1u) << folder;
+    EXPECT_EQ(count(std::string("see other/") + folder + "/x"), 0u) << folder;
+  }
+  EXPECT_EQ(count(std::string("from deb.debian.") + "org"), 1u);
+}
+
+}  // namespace
+}  // namespace strobe::repo
