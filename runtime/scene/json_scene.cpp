@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#include "scene/json_scene.h"
+
+#include <algorithm>
+#include <map>
+
+#include "scene/json_parts.h"
+#include "scene/motion.h"
+#include "scene/textures.h"
+
+namespace strobe::scene {
+
+namespace {
+
+constexpr size_t kMostNodes = 100000;
+constexpr size_t kMostVertices = 20000000;
+constexpr int kDeepest = 100;
+
+class Builder {
+ public:
+  Builder(const std::string& file) : file_{file} {}
+
+  Scene build(const Json& json) {
+    Fields fields(json, "scene", file_, problems_);
+    if (!isKind(json, "scene")) fields.problem("a scene file returns scene { ... } of strobe.scene");
+    scene_.materials.push_back(plain());
+    scene_.name = fields.text("name", file_.file);
+    if (const Json* environment = fields.find("environment")) readEnvironment(*environment, fields.place());
+    if (const Json* nodes = fields.need("nodes")) readNodes(*nodes, -1, fields, 0);
+    if (const Json* animations = fields.find("animations")) {
+      for (const Json& animation : listIn(*animations, "animations", fields)) readAnimation(animation, fields.place());
+    }
+    fields.finish();
+    problems_.throwIfAny();
+    return std::move(scene_);
+  }
+
+ private:
+  static Material plain() {
+    Material material;
+    material.name = "default";
+    material.base_color = vec4(0.6f, 0.6f, 0.6f, 1);
+    return material;
+  }
+
+  // A list, or nothing with a mistake. A table with string keys is no list.
+  const Json& listIn(const Json& json, const std::string& key, Fields& fields) {
+    static const Json kNone = Json::array();
+    bool empty = json.is_structured() && json.empty();
+    if (json.is_array() || empty) return json.is_array() ? json : kNone;
+    fields.problem(fmt::format("'{}' must be a list", key));
+    return kNone;
+  }
+
+  void readEnvironment(const Json& json, const Place& outer) {
+    Fields fields(json, "environment", outer, problems_);
+    scene_.environment.sky = vec3(fields.color("sky", vec4(0), 1e6));
+    scene_.environment.ground = vec3(fields.color("ground", vec4(scene_.environment.sky, 1), 1e6));
+    if (fields.has("background")) scene_.environment.background = vec3(fields.color("background", std::nullopt, 1e6));
+    fields.finish();
+  }
+
+  void readNodes(const Json& json, int parent, Fields& outer, int depth) {
+    std::string key = parent < 0 ? "nodes" : "children";
+    if (depth > kDeepest) return outer.problem(fmt::format("'{}' are nested deeper than {}", key, kDeepest));
+    for (const Json& node : listIn(json, key, outer)) {
+      if (scene_.nodes.size() >= kMostNodes) return outer.problem(fmt::format("more than {} nodes", kMostNodes));
+      readNode(node, parent, outer.place(), depth);
+    }
+  }
+
+  void readNode(const Json& json, int parent, const Place& outer, int depth) {
+    Fields fields(json, "node", outer, problems_);
+    if (!isKind(json, "node")) return fields.problem("is not a node; write scene.node { ... }");
+    int index = int(scene_.nodes.size());
+    Node node;
+    node.parent = parent;
+    node.name = fields.text("name", fmt::format("node_{}", index));
+    fields.rename(fmt::format("node '{}'", node.name));
+    if (!names_.emplace(node.name, index).second) fields.problem("another node has this name");
+    Placement placement = readPlacement(fields);
+    node.translation = placement.translation;
+    node.rotation = placement.rotation;
+    node.scale = placement.scale;
+    node.mesh = readMesh(fields, json, node.name);
+    if (const Json* light = fields.find("light")) {
+      node.light = int(scene_.lights.size());
+      scene_.lights.push_back(readLight(*light, fields.place(), problems_));
+      if (scene_.lights.back().name.empty()) scene_.lights.back().name = node.name;
+    }
+    if (const Json* camera = fields.find("camera")) {
+      node.camera = int(scene_.cameras.size());
+      scene_.cameras.push_back(readCamera(*camera, fields.place(), problems_));
+      if (scene_.cameras.back().name.empty()) scene_.cameras.back().name = node.name;
+    }
+    if (const Json* motion = fields.find("motion")) readMotion(*motion, index, fields);
+    scene_.nodes.push_back(std::move(node));
+    if (const Json* children = fields.find("children")) readNodes(*children, index, fields, depth + 1);
+    fields.finish();
+  }
+
+  void readMotion(const Json& json, int node, Fields& outer) {
+    Fields fields(json, "motion", outer.place(), problems_);
+    ConstantMotion motion;
+    motion.node = node;
+    motion.velocity = fields.vector3("velocity", dvec3(0));
+    dvec3 axis = fields.vector3("axis", dvec3(0, 1, 0));
+    if (glm::length(axis) == 0) fields.problem("'axis' is 0, 0, 0");
+    else motion.axis = glm::normalize(axis);
+    motion.angular_velocity = glm::radians(fields.number("degrees_per_second", 0));
+    motion.rest_time = fields.number("rest_time", 0);
+    fields.finish();
+    scene_.motions.push_back(motion);
+  }
+
+  // `shape` and `material`, or `parts` of several; -1 for neither. Shapes of a part may have a placement of their own.
+  int readMesh(Fields& fields, const Json& json, const std::string& name) {
+    const Json *shape = fields.find("shape"), *material = fields.find("material"), *parts = fields.find("parts");
+    if (material && !shape) fields.problem("has 'material' but no 'shape'");
+    if (shape && parts) fields.problem("has both 'shape' and 'parts'");
+    if (!shape && !parts) return -1;
+    Json key = parts ? *parts : Json::array({*shape, material ? *material : Json()});
+    auto [known, is_new] = meshes_.emplace(contentOf(key), int(scene_.meshes.size()));
+    if (!is_new) return known->second;
+
+    std::vector<Part> made;
+    if (shape) made.push_back({readShape(*shape, fields.place(), problems_), materialIndex(material, fields.place())});
+    if (parts) {
+      for (const Json& part : listIn(json["parts"], "parts", fields)) made.push_back(readPart(part, fields.place()));
+    }
+    for (const Part& part : made) vertices_ += part.shape.points.size();
+    if (vertices_ > kMostVertices) {
+      fields.problem(fmt::format("the scene has more than {} vertices", kMostVertices));
+      made.clear();
+    }
+    scene_.meshes.push_back(meshOf(name, made));
+    return known->second;
+  }
+
+  Part readPart(const Json& json, const Place& outer) {
+    Fields fields(json, "part", outer, problems_);
+    Part part;
+    const Json* shape = fields.need("shape");
+    part.material = materialIndex(fields.find("material"), fields.place());
+    Placement at = readPlacement(fields);
+    fields.finish();
+    if (!shape) return part;
+    part.shape = transformed(readShape(*shape, fields.place(), problems_),
+                             Transform{at.translation, at.rotation, at.scale}.matrix());
+    return part;
+  }
+
+  int materialIndex(const Json* json, const Place& outer) {
+    if (!json || json->is_null()) return 0;
+    auto [known, is_new] = materials_.emplace(contentOf(*json), int(scene_.materials.size()));
+    if (!is_new) return known->second;
+    scene_.materials.push_back(readMaterial(*json, outer));
+    return known->second;
+  }
+
+  Material readMaterial(const Json& json, const Place& outer) {
+    Fields fields(json, "material", outer, problems_);
+    Material material;
+    if (!isKind(json, "material")) {
+      fields.problem("is not a material; write scene.material { ... }");
+      return material;
+    }
+    material.name = fields.text("name");
+    if (!material.name.empty()) fields.rename(fmt::format("material '{}'", material.name));
+    material.base_color = fields.color("color", vec4(1), 1e6);
+    material.metallic = float(fields.number("metallic", 0, 0, 1));
+    material.roughness = float(fields.number("roughness", 0.7, 0, 1));
+    material.normal_scale = float(fields.number("normal_scale", 1, -100, 100));
+    material.emissive = vec3(fields.color("emissive", vec4(0), 1e6));
+    material.unlit = fields.boolean("unlit", false);
+    material.alpha_mask = fields.has("alpha_cutoff");
+    material.alpha_cutoff = float(fields.number("alpha_cutoff", 0.5, 0, 1));
+    material.base_color_texture = readUse(fields, "color_texture", true);
+    material.emissive_texture = readUse(fields, "emissive_texture", true);
+    material.metallic_roughness_texture = readUse(fields, "metallic_roughness_texture", false);
+    material.normal_texture = readUse(fields, "normal_texture", false);
+    fields.finish();
+    return material;
+  }
+
+  // A texture, or scene.use { texture = ... } with its placement. What holds no colours is stored as it is.
+  TextureUse readUse(Fields& outer, const std::string& key, bool is_color) {
+    TextureUse use;
+    const Json* json = outer.find(key);
+    if (!json) return use;
+    if (!isKind(*json, "use")) {
+      use.texture = textureIndex(*json, outer.place(), is_color);
+      return use;
+    }
+    Fields fields(*json, "use", outer.place(), problems_);
+    const Json* texture = fields.need("texture");
+    dvec2 scale = fields.vector2("scale", dvec2(1)), offset = fields.vector2("offset", dvec2(0));
+    double rotation = glm::radians(fields.number("rotation", 0));
+    fields.finish();
+    if (texture) use.texture = textureIndex(*texture, fields.place(), is_color);
+    use.uv_transform = uvTransform(offset, rotation, scale);
+    return use;
+  }
+
+  int textureIndex(const Json& json, const Place& outer, bool is_color) {
+    auto [known, is_new] = textures_.emplace(contentOf(json) + (is_color ? "" : "#"), int(scene_.textures.size()));
+    if (!is_new) return known->second;
+    Texture texture = readTexture(json, outer, problems_);
+    if (!is_color && texture.format == Texture::Format::Rgba8Srgb) texture.format = Texture::Format::Rgba8Unorm;
+    scene_.textures.push_back(std::move(texture));
+    return known->second;
+  }
+
+  void readAnimation(const Json& json, const Place& outer) {
+    Fields fields(json, "animation", outer, problems_);
+    if (!isKind(json, "animation")) return fields.problem("is not an animation; write scene.animation { ... }");
+    Animation animation;
+    animation.name = fields.text("name", std::nullopt);
+    const Json* tracks = fields.need("tracks");
+    if (tracks) {
+      for (const Json& track : listIn(*tracks, "tracks", fields)) readTrack(track, fields.place(), animation);
+    }
+    animation.duration = fields.number("duration", animation.duration, animation.duration);
+    fields.finish();
+    scene_.animations.push_back(std::move(animation));
+  }
+
+  void readTrack(const Json& json, const Place& outer, Animation& animation) {
+    Fields fields(json, "track", outer, problems_);
+    if (!isKind(json, "track")) return fields.problem("is not a track; write scene.track { ... }");
+    Track track;
+    std::string name = fields.text("node", std::nullopt);
+    auto node = names_.find(name);
+    if (node != names_.end()) track.node = node->second;
+    else fields.problem(fmt::format("no node is called '{}'{}", name, didYouMean(name, nodeNames())));
+    std::string target = fields.choice("target", "translation", {"translation", "rotation", "scale"});
+    track.target = target == "translation" ? Track::Target::Translation
+                                           : target == "rotation" ? Track::Target::Rotation : Track::Target::Scale;
+    std::string how = fields.choice("interpolation", "linear", {"linear", "step", "cubic"});
+    track.interpolation = how == "linear" ? Track::Interpolation::Linear
+                                          : how == "step" ? Track::Interpolation::Step
+                                                          : Track::Interpolation::CubicSpline;
+    track.times = fields.numbers("times", 1, 100000);
+    size_t components = target == "rotation" ? 4 : 3;
+    for (const auto& row : fields.rows("values", components, 1, 300000)) {
+      track.values.push_back(dvec4(row[0], row[1], row[2], components == 4 ? row[3] : 0));
+    }
+    fields.finish();
+    for (size_t i = 1; i < track.times.size(); ++i) {
+      if (!(track.times[i] > track.times[i - 1])) return fields.problem("'times' do not increase");
+    }
+    size_t wanted = track.times.size() * (how == "cubic" ? 3 : 1);
+    if (track.values.size() != wanted) {
+      return fields.problem(fmt::format("{} times need {} values, got {}", track.times.size(), wanted, track.values.size()));
+    }
+    animation.duration = std::max(animation.duration, track.times.back());
+    animation.tracks.push_back(std::move(track));
+  }
+
+  std::vector<std::string> nodeNames() const {
+    std::vector<std::string> names;
+    for (const auto& [name, index] : names_) names.push_back(name);
+    return names;
+  }
+
+  Place file_;
+  Problems problems_;
+  Scene scene_;
+  std::map<std::string, int> names_, meshes_, materials_, textures_;
+  size_t vertices_ = 0;
+};
+
+}  // namespace
+
+Scene sceneFromJson(const Json& description, const std::string& file) { return Builder(file).build(description); }
+
+}  // namespace strobe::scene

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "scene/textures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+namespace strobe::scene {
+
+double linearFromSrgb(double encoded) {
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+double srgbFromLinear(double linear) {
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+namespace {
+
+struct SrgbTables {
+  std::array<float, 256> linear;
+  std::array<float, 255> between;   // linear light halfway (in code) between i and i + 1
+  std::array<uint8_t, 4097> guess;  // code of i / 4096
+  SrgbTables() {
+    for (int i = 0; i < 256; ++i) linear[i] = float(linearFromSrgb(i / 255.0));
+    for (int i = 0; i < 255; ++i) between[i] = float(linearFromSrgb((i + 0.5) / 255));
+    for (int i = 0; i <= 4096; ++i) guess[i] = uint8_t(std::lround(srgbFromLinear(i / 4096.0) * 255));
+  }
+  uint8_t encode(float value) const {
+    value = std::clamp(value, 0.0f, 1.0f);
+    int code = guess[size_t(value * 4096)];
+    while (code < 255 && value >= between[code]) ++code;
+    while (code > 0 && value < between[code - 1]) --code;
+    return uint8_t(code);
+  }
+};
+
+const SrgbTables& srgb() {
+  static const SrgbTables tables;
+  return tables;
+}
+
+uint8_t encodeUnorm(float value) { return uint8_t(std::lround(std::clamp(value, 0.0f, 1.0f) * 255)); }
+
+std::vector<vec4> decode(const Texture& texture) {
+  std::vector<vec4> texels(size_t(texture.width) * texture.height);
+  const std::vector<uint8_t>& bytes = texture.levels[0];
+  for (size_t i = 0; i < texels.size(); ++i) {
+    if (texture.format == Texture::Format::Rgba32f) {
+      std::memcpy(&texels[i], &bytes[16 * i], 16);
+      continue;
+    }
+    for (int c = 0; c < 4; ++c) {
+      bool as_srgb = texture.format == Texture::Format::Rgba8Srgb && c < 3;
+      texels[i][c] = as_srgb ? srgb().linear[bytes[4 * i + c]] : bytes[4 * i + c] / 255.0f;
+    }
+  }
+  return texels;
+}
+
+std::vector<uint8_t> encode(const std::vector<vec4>& texels, Texture::Format format) {
+  if (format == Texture::Format::Rgba32f) {
+    std::vector<uint8_t> bytes(16 * texels.size());
+    std::memcpy(bytes.data(), texels.data(), bytes.size());
+    return bytes;
+  }
+  std::vector<uint8_t> bytes(4 * texels.size());
+  for (size_t i = 0; i < texels.size(); ++i) {
+    for (int c = 0; c < 4; ++c) {
+      bool as_srgb = format == Texture::Format::Rgba8Srgb && c < 3;
+      bytes[4 * i + c] = as_srgb ? srgb().encode(texels[i][c]) : encodeUnorm(texels[i][c]);
+    }
+  }
+  return bytes;
+}
+
+// One axis of the reduction: source texels and their shares that make up each smaller texel (an odd size gives three).
+struct Share {
+  int from;
+  int count;
+  float weights[3];
+};
+
+std::vector<Share> shares(int size, int smaller) {
+  std::vector<Share> result;
+  double ratio = double(size) / smaller;
+  for (int i = 0; i < smaller; ++i) {
+    double low = i * ratio, high = (i + 1) * ratio;
+    Share share{int(low), 0, {}};
+    for (int k = share.from; k < size && k < high - 1e-9 && share.count < 3; ++k) {
+      double overlap = std::min(high, k + 1.0) - std::max(low, double(k));
+      share.weights[share.count++] = float(overlap / ratio);
+    }
+    result.push_back(share);
+  }
+  return result;
+}
+
+// `by_alpha` weights colours with alpha, so that what is transparent does not bleed into what is not.
+std::vector<vec4> halved(const std::vector<vec4>& texels, ivec2 size, ivec2 smaller, bool by_alpha) {
+  std::vector<Share> columns = shares(size.x, smaller.x), lines = shares(size.y, smaller.y);
+  std::vector<vec4> result(size_t(smaller.x) * smaller.y);
+  for (int y = 0; y < smaller.y; ++y) {
+    for (int x = 0; x < smaller.x; ++x) {
+      vec4 sum(0), weighted(0);
+      for (int j = 0; j < lines[y].count; ++j) {
+        for (int i = 0; i < columns[x].count; ++i) {
+          float weight = lines[y].weights[j] * columns[x].weights[i];
+          const vec4& texel = texels[size_t(lines[y].from + j) * size.x + columns[x].from + i];
+          sum += weight * texel;
+          weighted += weight * texel.w * texel;
+        }
+      }
+      vec4& out = result[size_t(y) * smaller.x + x];
+      out = by_alpha && sum.w > 0 ? vec4(vec3(weighted) / sum.w, sum.w) : sum;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+void buildLevels(Texture& texture) {
+  texture.levels.resize(1);
+  std::vector<vec4> texels = decode(texture);
+  ivec2 size(texture.width, texture.height);
+  while (size.x > 1 || size.y > 1) {
+    ivec2 smaller = glm::max(size / 2, ivec2(1));
+    texels = halved(texels, size, smaller, texture.format == Texture::Format::Rgba8Srgb);
+    texture.levels.push_back(encode(texels, texture.format));
+    size = smaller;
+  }
+}
+
+Texture paint(int width, int height, int samples, const std::function<vec4(dvec2 uv)>& color_at) {
+  std::vector<vec4> texels(size_t(width) * height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      vec4 sum(0);
+      for (int j = 0; j < samples; ++j) {
+        for (int i = 0; i < samples; ++i) {
+          sum += color_at({(x + (i + 0.5) / samples) / width, (y + (j + 0.5) / samples) / height});
+        }
+      }
+      texels[size_t(y) * width + x] = sum / float(samples * samples);
+    }
+  }
+  Texture texture;
+  texture.width = width;
+  texture.height = height;
+  texture.levels = {encode(texels, texture.format)};
+  buildLevels(texture);
+  return texture;
+}
+
+Texture texelTexture(int width, int height, const std::vector<vec4>& texels) {
+  Texture texture;
+  texture.format = Texture::Format::Rgba32f;
+  texture.width = width;
+  texture.height = height;
+  texture.nearest = true;
+  texture.levels = {encode(texels, texture.format)};
+  return texture;
+}
+
+glm::dmat3x2 uvTransform(dvec2 offset, double rotation, dvec2 scale) {
+  double c = std::cos(rotation), s = std::sin(rotation);
+  return glm::dmat3x2(dvec2(c, -s) * scale.x, dvec2(s, c) * scale.y, offset);
+}
+
+}  // namespace strobe::scene

@@ -1,0 +1,114 @@
+-- SPDX-License-Identifier: MIT
+-- Constructors of scenes. Each returns its table as plain data, with what it is and where it was written; keys are
+-- checked when the scene is built, all mistakes at once. Vertices and texels are made by the program, not here.
+-- Lengths in metres, angles in degrees, times in seconds, y up; colours are linear { r, g, b } or { r, g, b, a }.
+local scene = {}
+local type_of = type
+
+-- Globals of the sandbox; absent where the file is read by a plain interpreter.
+local caller_place = rawget(_ENV, "caller_place")
+
+-- The file and line of whoever called the constructor.
+local function place()
+  return caller_place and caller_place(1) or nil
+end
+
+local function constructor(kind, type)
+  return function(fields)
+    if fields == nil then fields = {} end
+    local name = type or kind
+    if type_of(fields) ~= "table" then error(name .. " takes a table, got a " .. type_of(fields), 2) end
+    local result = {}
+    for key, value in pairs(fields) do result[key] = value end
+    result.kind, result.type, result.place = kind, type, place()
+    return result
+  end
+end
+
+-- Shapes, centred on their origin unless said:
+-- quad { size = {w, h}, segments, tile }              faces +z; `tile` metres per repeat of the texture (0: one repeat)
+-- box { size = {x, y, z}, radius, segments, tile }    edges rounded by `radius`
+-- sphere { radius, segments }
+-- torus { radius, tube_radius, segments, tube_segments }
+-- superellipsoid { size, north, east, segments }      1 ellipsoid, near 0 box, 2 octahedron
+-- cylinder { radius, top_radius, height, segments, bevel }
+-- lathe { profile = { {radius, y}, ... }, segments, smooth, crease }   from the bottom up, outside to the right
+-- tube { path = { {x, y, z}, ... }, radius | radii, segments, smooth, flatten, up }
+-- cushion { size, pinch, quilt, quilt_depth, segments }   in the xy plane
+-- cloth { size = {w, h, depth}, folds, flare, thickness, segments, segments_down }
+-- triangles { positions, normals, uvs, indices }      indices from 1; without them every three positions
+for _, name in ipairs { "quad", "box", "sphere", "torus", "superellipsoid", "cylinder", "lathe", "tube", "cushion",
+                        "cloth", "triangles" } do
+  scene[name] = constructor("shape", name)
+end
+
+-- Textures. All: size = {w, h}, wrap = "repeat" | "mirror" | "clamp", name. Patterns: colors = { ... }, count (or
+-- {u, v}), widths, amount, line, seed. texels { width, height, texels = { {r, g, b [, a]}, ... } } is sampled without
+-- any filter, top row first.
+scene.texture = {}
+for _, name in ipairs { "stripes", "checker", "quilt", "rug", "wood", "noise", "weave", "spine", "painting", "gradient",
+                        "leaf", "texels" } do
+  scene.texture[name] = constructor("texture", name)
+end
+
+-- use { texture, scale = {u, v}, offset = {u, v}, rotation }: a texture placed on a material.
+scene.use = constructor "use"
+
+-- material { name, color, color_texture, metallic, roughness, metallic_roughness_texture, normal_texture, normal_scale,
+--            emissive, emissive_texture, unlit, alpha_cutoff }
+scene.material = constructor "material"
+
+-- point_light { color, intensity, range, shadow, name }  candela; spot_light adds inner_cone, outer_cone (half angles);
+-- directional_light: lux. Lights shine along the node's -z.
+scene.point_light = constructor("light", "point")
+scene.spot_light = constructor("light", "spot")
+scene.directional_light = constructor("light", "directional")
+
+-- camera { name, fov, near } (vertical angle); orthographic_camera { name, half_height, near }
+scene.camera = constructor("camera", "perspective")
+scene.orthographic_camera = constructor("camera", "orthographic")
+
+-- node { name, position, rotation = {x, y, z} | look_at = {x, y, z}, scale, shape, material | parts, light, camera,
+--        motion = { velocity, axis, degrees_per_second, rest_time }, children }
+-- parts: a list of { shape, material, position, rotation, look_at, scale }, drawn as one object.
+-- Rotations turn about z, then x, then y. Motion is in world axes, the spin about the node's own origin.
+scene.node = constructor "node"
+
+-- animation { name, tracks, duration }
+-- track { node, target = "translation" | "rotation" | "scale", interpolation = "linear" | "step" | "cubic",
+--         times, values }      rotations as quaternions {x, y, z, w}; cubic: in-tangent, value, out-tangent per key
+scene.animation = constructor "animation"
+scene.track = constructor "track"
+
+-- Linear { r, g, b } of an sRGB colour written "#rrggbb", times `factor`.
+function scene.srgb(text, factor)
+  local r, g, b = tostring(text):match "^#(%x%x)(%x%x)(%x%x)$"
+  if not r then error("srgb takes a colour like '#c08040', got '" .. tostring(text) .. "'", 2) end
+  local function linear(hex)
+    local c = tonumber(hex, 16) / 255
+    return (c <= 0.04045 and c / 12.92 or ((c + 0.055) / 1.055) ^ 2.4) * (factor or 1)
+  end
+  return { linear(r), linear(g), linear(b) }
+end
+
+-- A number, text or boolean of the scene that `--set scene.NAME=VALUE` may replace; `default` also says its type.
+function scene.param(name, default)
+  local given = rawget(_ENV, "scene_params") and scene_params[name]
+  if given == nil then return default end
+  local wanted = type(default)
+  local value = given
+  if wanted == "number" then value = tonumber(given) end
+  if wanted == "boolean" and type(given) ~= "boolean" then value = ({ ["true"] = true, ["false"] = false })[given] end
+  if wanted == "string" then value = tostring(given) end
+  if value == nil then error(("scene.%s = '%s' is not a %s"):format(name, tostring(given), wanted), 2) end
+  return value
+end
+
+-- scene { name, nodes, environment = { sky, ground, background }, animations }
+return setmetatable(scene, { __call = function(_, fields)
+  if type(fields) ~= "table" then error("scene takes a table, got a " .. type(fields), 2) end
+  local result = {}
+  for key, value in pairs(fields) do result[key] = value end
+  result.kind, result.place = "scene", place()
+  return result
+end })

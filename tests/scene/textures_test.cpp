@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "scene/textures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+namespace strobe::scene {
+namespace {
+
+TEST(Srgb, IsItsOwnInverse) {
+  for (int i = 0; i < 256; ++i) EXPECT_NEAR(srgbFromLinear(linearFromSrgb(i / 255.0)), i / 255.0, 1e-7);
+  EXPECT_NEAR(linearFromSrgb(0.5), 0.21404114, 1e-7);  // published value of the transfer curve
+}
+
+TEST(Levels, AverageInLinearLight) {
+  Texture texture;
+  texture.width = 2;
+  texture.height = 1;
+  texture.levels = {{0, 0, 0, 255, 255, 255, 255, 255}};
+  buildLevels(texture);
+  ASSERT_EQ(texture.levels.size(), 2u);
+  EXPECT_EQ(texture.levels[1], (std::vector<uint8_t>{188, 188, 188, 255}));  // half of the light, encoded
+  texture.format = Texture::Format::Rgba8Unorm;
+  buildLevels(texture);
+  EXPECT_EQ(texture.levels[1][0], 128);
+}
+
+TEST(Levels, TransparentTexelsDoNotBleed) {
+  Texture texture;
+  texture.width = 2;
+  texture.height = 1;
+  texture.levels = {{200, 10, 10, 255, 0, 255, 0, 0}};
+  buildLevels(texture);
+  EXPECT_EQ(texture.levels[1], (std::vector<uint8_t>{200, 10, 10, 128}));
+}
+
+// Whatever the size, the mean of a level is that of the image: every texel counts once.
+TEST(Levels, OddSizesKeepTheMean) {
+  for (ivec2 size : {ivec2(5, 3), ivec2(7, 1), ivec2(1, 9), ivec2(13, 11)}) {
+    std::vector<vec4> texels;
+    for (int i = 0; i < size.x * size.y; ++i) texels.push_back(vec4(float(i * 7919 % 101), 0, 0, 1));
+    double mean = 0;
+    for (const vec4& t : texels) mean += t.x / texels.size();
+    Texture texture = texelTexture(size.x, size.y, texels);
+    buildLevels(texture);
+    vec4 last;
+    std::memcpy(&last, texture.levels.back().data(), 16);
+    EXPECT_NEAR(last.x, mean, 1e-4 * mean) << size.x << "x" << size.y;
+    for (size_t level = 0; level < texture.levels.size(); ++level) {
+      size_t wanted = 16 * std::max(1, size.x >> level) * std::max(1, size.y >> level);
+      EXPECT_EQ(texture.levels[level].size(), wanted);
+    }
+  }
+}
+
+TEST(Patterns, StripesHaveTheirShares) {
+  Pattern pattern;
+  pattern.type = "stripes";
+  pattern.width = 64;
+  pattern.height = 2;
+  pattern.colors = {vec3(1), vec3(0)};
+  pattern.widths = {3, 1};
+  pattern.count = {4, 1};
+  Texture texture = paintPattern(pattern);
+  for (int x = 0; x < 64; ++x) EXPECT_EQ(texture.levels[0][4 * x], x % 16 < 12 ? 255 : 0) << x;
+  EXPECT_NEAR(linearFromSrgb(texture.levels.back()[0] / 255.0), 0.75, 0.005);
+}
+
+TEST(Patterns, AllPaintTheSameTwice) {
+  for (const std::string& type : patternNames()) {
+    Pattern pattern;
+    pattern.type = type;
+    pattern.width = 48;
+    pattern.height = 32;
+    for (size_t i = 0; i < patternColors(type); ++i) pattern.colors.push_back(vec3(0.1f + 0.15f * i, 0.5f, 0.3f));
+    Texture texture = paintPattern(pattern);
+    EXPECT_EQ(texture.levels.size(), 6u) << type;
+    EXPECT_EQ(texture.levels, paintPattern(pattern).levels) << type;
+  }
+}
+
+// The example of KHR_texture_transform's text: offset, rotation, scale as matrices.
+TEST(UvTransform, ComposesScaleRotationOffset) {
+  double angle = 0.3;
+  glm::dmat3x2 m = uvTransform({0.1, 0.2}, angle, {2, 3});
+  dvec2 uv(0.4, 0.7), scaled = uv * dvec2(2, 3);
+  dvec2 got = m * dvec3(uv, 1);
+  EXPECT_NEAR(got.x, std::cos(angle) * scaled.x + std::sin(angle) * scaled.y + 0.1, 1e-12);
+  EXPECT_NEAR(got.y, -std::sin(angle) * scaled.x + std::cos(angle) * scaled.y + 0.2, 1e-12);
+}
+
+}  // namespace
+}  // namespace strobe::scene
