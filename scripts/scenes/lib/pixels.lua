@@ -1,0 +1,61 @@
+-- SPDX-License-Identifier: MIT
+-- What the oracle scenes share: an orthographic camera under which one unit is one pixel of a `width` x `height`
+-- picture, and rectangles placed in pixels (x right, y down, from the top left corner). Everything is unlit.
+local scene = require "strobe.scene"
+
+local pixels = {}
+
+-- The parameters every oracle has: picture size, frames per second and exposure for which displacements are meant.
+function pixels.picture(width, height)
+  return {
+    width = scene.param("width", width), height = scene.param("height", height),
+    fps = scene.param("fps", 24), exposure = scene.param("exposure", 0.5),
+  }
+end
+
+-- The motion that displaces by `dx`, `dy` pixels over the exposure; at rest, as placed, at the time of frame 0.
+function pixels.motion(picture, dx, dy)
+  local per_second = picture.fps / picture.exposure
+  return { velocity = { dx * per_second, -(dy or 0) * per_second, 0 } }
+end
+
+-- A rectangle of [left, right) x [top, bottom) pixels at depth `z` (larger is nearer).
+function pixels.rectangle(picture, name, edges, z, material, motion)
+  local left, top, right, bottom = edges[1], edges[2], edges[3], edges[4]
+  return scene.node {
+    name = name, motion = motion, material = material,
+    position = { (left + right) / 2 - picture.width / 2, picture.height / 2 - (top + bottom) / 2, z },
+    shape = scene.quad { size = { right - left, bottom - top } },
+  }
+end
+
+function pixels.flat(name, color)
+  return scene.material { name = name, color = { color, color, color }, unlit = true }
+end
+
+-- Texels of one row (or rows) sampled without a filter.
+function pixels.textured(name, width, height, texels)
+  local texture = scene.texture.texels { width = width, height = height, texels = texels, wrap = "clamp" }
+  return scene.material { name = name, color_texture = texture, unlit = true }
+end
+
+-- `count` grey texels that alternate between `a` and `b` every `period` texels.
+function pixels.stripes(count, period, a, b)
+  local texels = {}
+  for i = 0, count - 1 do
+    local value = i // period % 2 == 0 and a or b
+    texels[#texels + 1] = { value, value, value }
+  end
+  return texels
+end
+
+function pixels.scene(picture, name, nodes, background)
+  nodes[#nodes + 1] = scene.node {
+    name = "camera", position = { 0, 0, 100 },
+    camera = scene.orthographic_camera { name = "main", half_height = picture.height / 2, near = 1 },
+  }
+  local sky = background or 0
+  return scene { name = name, nodes = nodes, environment = { background = { sky, sky, sky } } }
+end
+
+return pixels

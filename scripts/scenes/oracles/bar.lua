@@ -1,0 +1,20 @@
+-- SPDX-License-Identifier: MIT
+-- A bar [left, right) of constant colour that moves `d_f` pixels over the exposure, over a constant background
+-- (spec: motion-blur 1.5 and 10.2). Its ends lie outside of the picture.
+local scene = require "strobe.scene"
+local pixels = require "scripts.scenes.lib.pixels"
+
+local picture = pixels.picture(256, 32)
+local left = scene.param("left", 96)
+local right = scene.param("right", 160)
+local d_f = scene.param("d_f", 20)
+local foreground = scene.param("foreground", 1)
+local background = scene.param("background", 0)
+
+local beyond = 2 * math.abs(d_f) + picture.width
+return pixels.scene(picture, "bar", {
+  pixels.rectangle(picture, "background", { -beyond, -8, picture.width + beyond, picture.height + 8 }, -10,
+    pixels.flat("background", background)),
+  pixels.rectangle(picture, "bar", { left, -8, right, picture.height + 8 }, 0,
+    pixels.flat("bar", foreground), pixels.motion(picture, d_f)),
+})

@@ -1,0 +1,19 @@
+-- SPDX-License-Identifier: MIT
+-- A half-plane x < edge of constant colour that moves over a constant background (spec: motion-blur 10.2).
+-- The edge stands at `edge` pixels at frame 0 and moves `d_f` pixels over the exposure.
+local scene = require "strobe.scene"
+local pixels = require "scripts.scenes.lib.pixels"
+
+local picture = pixels.picture(160, 32)
+local edge = scene.param("edge", 80)
+local d_f = scene.param("d_f", 20)
+local foreground = scene.param("foreground", 1)
+local background = scene.param("background", 0)
+
+local beyond = 2 * math.abs(d_f) + picture.width -- so that only one edge is ever seen
+return pixels.scene(picture, "half_plane", {
+  pixels.rectangle(picture, "background", { -beyond, -8, picture.width + beyond, picture.height + 8 }, -10,
+    pixels.flat("background", background)),
+  pixels.rectangle(picture, "foreground", { -beyond, -8, edge, picture.height + 8 }, 0,
+    pixels.flat("foreground", foreground), pixels.motion(picture, d_f)),
+})
