@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/log.h"
 #include "math/sampling.h"
 
 namespace strobe::graph {
@@ -273,23 +274,56 @@ void Graph::runLoop(const FrameSetup& setup, const Step& step, shared::FrameData
   result.iterations.push_back({plan_.pipeline.loops[size_t(loop.loop)].name, iteration});
 }
 
+// Makes what shaders wrote to host memory visible to the host.
+static void recordHostBarrier(const gpu::Device& device, VkCommandBuffer commands) {
+  VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+  barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+  barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+  barrier.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
+  barrier.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
+  VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+  dependency.memoryBarrierCount = 1;
+  dependency.pMemoryBarriers = &barrier;
+  device.vk().CmdPipelineBarrier2(commands, &dependency);
+}
+
 void Graph::submit(const std::vector<const Step*>& steps, int iteration, uint32_t first_slice, uint32_t slice_count) {
+  auto record_builds = [&](VkCommandBuffer commands) {
+    for (uint32_t i = 0; i < slice_count; ++i) scene_.recordBuild(commands, first_slice + i);
+  };
+  if (device_.info().software) submitStepwise(steps, iteration, record_builds);
+  else submitStamped(steps, iteration, record_builds);
+  for (Node& node : nodes_) takeCounts(node);
+}
+
+// A software device executes when something waits, whatever its time stamps say: one submission per step, by the clock.
+void Graph::submitStepwise(const std::vector<const Step*>& steps, int iteration, const Record& record_builds) {
+  double start_s = clockSeconds();
+  device_.submit(record_builds);
+  gpu_ms_ += 1000 * (clockSeconds() - start_s);
+  for (const Step* step : steps) {
+    start_s = clockSeconds();
+    device_.submit([&](VkCommandBuffer commands) {
+      record(commands, *step, iteration);
+      recordHostBarrier(device_, commands);
+    });
+    double ms = 1000 * (clockSeconds() - start_s);
+    gpu_ms_ += ms;
+    if (step->kind != Step::Kind::Pass) continue;
+    nodes_[size_t(step->index)].gpu_ms += ms;
+    ++nodes_[size_t(step->index)].executions;
+  }
+}
+
+void Graph::submitStamped(const std::vector<const Step*>& steps, int iteration, const Record& record_builds) {
   stamps_.clear();
   device_.submit([&](VkCommandBuffer commands) {
     timer_.recordReset(commands);
     timer_.recordStamp(commands);
-    for (uint32_t i = 0; i < slice_count; ++i) scene_.recordBuild(commands, first_slice + i);
+    record_builds(commands);
     for (const Step* step : steps) record(commands, *step, iteration);
     timer_.recordStamp(commands);
-    VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
-    barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-    barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
-    barrier.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
-    barrier.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
-    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-    dependency.memoryBarrierCount = 1;
-    dependency.pMemoryBarriers = &barrier;
-    device_.vk().CmdPipelineBarrier2(commands, &dependency);
+    recordHostBarrier(device_, commands);
   });
   std::vector<double> ms = timer_.readMs();
   gpu_ms_ += ms.back();
@@ -297,7 +331,6 @@ void Graph::submit(const std::vector<const Step*>& steps, int iteration, uint32_
     nodes_[size_t(stamp.node)].gpu_ms += ms[size_t(stamp.end)] - ms[size_t(stamp.begin)];
     ++nodes_[size_t(stamp.node)].executions;
   }
-  for (Node& node : nodes_) takeCounts(node);
 }
 
 // Moves what the device counted into 64 bits, so that a long loop does not overflow.
@@ -388,7 +421,8 @@ void Graph::recordPass(VkCommandBuffer commands, int node_index) {
     label.pLabelName = plan_.pipeline.nodes[size_t(planned.node)].name.c_str();
     vk.CmdBeginDebugUtilsLabelEXT(commands, &label);
   }
-  int begin = timer_.recordStamp(commands);
+  bool stamped = !device_.info().software;
+  int begin = stamped ? timer_.recordStamp(commands) : -1;
   VkDescriptorSet sets[] = {scene_.set(), node.set};
   vk.CmdBindPipeline(commands, pipeline.bindPoint(), pipeline.handle());
   vk.CmdBindDescriptorSets(commands, pipeline.bindPoint(), pipeline.layout(), 0, 2, sets, 0, nullptr);
@@ -401,7 +435,7 @@ void Graph::recordPass(VkCommandBuffer commands, int node_index) {
     const uint32_t group = shader::kGroupSize;
     vk.CmdDispatch(commands, (width + group - 1) / group, (height + group - 1) / group, 1);
   }
-  int end = timer_.recordStamp(commands);
+  int end = stamped ? timer_.recordStamp(commands) : -1;
   if (begin >= 0 && end >= 0) stamps_.push_back({node_index, begin, end});
   if (device_.debugLabels()) vk.CmdEndDebugUtilsLabelEXT(commands);
 }

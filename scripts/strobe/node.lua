@@ -61,16 +61,11 @@ end
 -- ---- parameters
 
 local Reference = {}  -- p.x: a parameter of the pipeline: { name = , declaration = , value = }
--- Calling a parameter lets the graph's shape depend on it.
-Reference.__call = function(reference)
-  reference.used.shaped = true
-  return reference.value
-end
+Reference.__call = function(reference) return reference.value end
 Reference.__tostring = function(reference) return ("parameter '%s'"):format(reference.name) end
 
--- `used.shaped` is set when the parameter is called.
-function node.reference(declaration, value, used)
-  return setmetatable({ name = declaration.name, declaration = declaration, value = value, used = used }, Reference)
+function node.reference(declaration, value)
+  return setmetatable({ name = declaration.name, declaration = declaration, value = value }, Reference)
 end
 
 function node.is_reference(value)

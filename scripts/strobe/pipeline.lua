@@ -209,7 +209,7 @@ local function parameters(self, values, used)
         check.fail(place, "the pipeline has no parameter %s%s", check.quoted(name), near)
       end
       used[name] = true
-      return node.reference(declared, values[name], used)
+      return node.reference(declared, values[name])
     end),
     __newindex = native.at_caller(function(place, _, name)
       check.fail(place, "parameter %s cannot be assigned", check.quoted(name))
@@ -245,11 +245,11 @@ local function check_outputs(problems, outputs, build)
   return sources
 end
 
--- A parameter that this graph does not use may be another shape's: where a called parameter decides the shape, only
--- a pipeline of one shape is held to using all of them.
+-- A parameter that this graph does not use may be another shape's: it counts as used where any file loaded says
+-- `p.name`, in a branch that was taken or not.
 local function check_unused(problems, self, graph, used)
   for _, one in ipairs(self.params) do
-    if not used[one.name] and one.name ~= "preset" and not used.shaped then
+    if not used[one.name] and one.name ~= "preset" and not native.reads_field(one.name) then
       problems:add(one.place, "parameter '%s' of the pipeline is not used by its build", one.name)
     end
   end

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "app/inspect.h"
+
+#include <cstdio>
+#include <memory>
+
+#include "app/shot_options.h"
+#include "graph/pipelines.h"
+#include "lab/workbench.h"
+#include "plan/canonical.h"
+#include "scene/json_scene.h"
+
+namespace strobe::app {
+
+namespace {
+
+// Runs `step`, keeping what it complains about.
+template <class Step>
+void collect(std::vector<std::string>& problems, const Step& step) {
+  try {
+    step();
+  } catch (const Error& error) {
+    problems.push_back(error.what());
+  }
+}
+
+plan::PipelineDesc checkPipeline(const std::string& name, const script::Settings& sets) {
+  plan::PipelineDesc pipeline = script::evaluatePipeline({name, sets});
+  lab::Shot shot;
+  shot.width = 64;
+  shot.height = 36;
+  for (graph::Backend backend : {graph::Backend::Query, graph::Backend::Pipeline})
+    graph::checkShaders(lab::planOf(shot, pipeline, backend), backend);
+  return pipeline;
+}
+
+// Every preset of a pipeline is a graph of its own.
+void checkPresets(const std::string& name, std::vector<std::string>& problems) {
+  collect(problems, [&] {
+    plan::PipelineDesc pipeline = checkPipeline(name, {});
+    for (const auto& param : pipeline.params) {
+      if (param.name != "preset") continue;
+      for (const std::string& choice : param.choices)
+        collect(problems, [&] { checkPipeline(name, {{"preset", choice}}); });
+    }
+  });
+}
+
+void check(const std::vector<std::string>& files, bool json) {
+  std::vector<std::string> problems;
+  std::vector<std::string> pipelines = files.empty() ? script::pipelineNames() : files;
+  std::vector<std::string> scenes;
+  if (files.empty()) {
+    collect(problems, [] { script::evaluateAllPasses(); });
+    scenes = script::sceneNames();
+  }
+  for (const std::string& name : pipelines) checkPresets(name, problems);
+  for (const std::string& name : scenes)
+    collect(problems, [&] { scene::sceneFromJson(script::evaluateScene(name, {}), name); });
+  if (json) {
+    Json report;
+    report["pipelines"] = pipelines;
+    report["scenes"] = scenes;
+    report["problems"] = problems;
+    std::printf("%s\n", report.dump(2).c_str());
+    if (!problems.empty()) throw Error(fmt::format("{} problems", problems.size()));
+    return;
+  }
+  throwIfAny(problems);
+  std::printf("%zu pipelines and %zu scenes are sound\n", pipelines.size(), scenes.size());
+}
+
+struct PlanOptions {
+  ShotOptions shot;
+  bool json = false;
+};
+
+void plan(const PlanOptions& options) {
+  lab::Shot shot = options.shot.resolve();
+  if (shot.width == 0) shot.width = 960, shot.height = 540;
+  plan::PipelineDesc pipeline = script::evaluatePipeline({shot.pipeline, shot.sets});
+  graph::Backend backend = shot.backend == "pipeline" ? graph::Backend::Pipeline : graph::Backend::Query;
+  plan::Plan planned = lab::planOf(shot, pipeline, backend);
+  std::string text = options.json ? plan::toJson(planned).dump(2) + "\n" : plan::describe(planned);
+  std::fputs(text.c_str(), stdout);
+}
+
+Json deviceJson(const gpu::DeviceInfo& info) {
+  Json json = {{"name", info.name}, {"driver", info.driver}, {"api", info.api}, {"software", info.software}};
+  json["backends"] = Json::array();
+  if (info.ray_pipeline) json["backends"].push_back("pipeline");
+  if (info.ray_query) json["backends"].push_back("query");
+  json["missing"] = info.missing();
+  for (const auto& feature : info.features)
+    json["features"].push_back({{"name", feature.name}, {"provides", feature.provides}, {"required", feature.required},
+                                {"present", feature.present}});
+  return json;
+}
+
+void doctor(bool json) {
+  std::vector<gpu::DeviceInfo> devices = gpu::listDevices();
+  Json report;
+  report["strobe"] = STROBE_VERSION;
+  report["devices"] = Json::array();
+  for (const auto& info : devices) report["devices"].push_back(deviceJson(info));
+  auto data = dataFolder();
+  report["shared_data"] = data ? Json(data->string()) : Json(nullptr);
+  bool suffices = !devices.empty() && devices.front().missing().empty();
+  report["suffices"] = suffices;
+  if (json) {
+    std::printf("%s\n", report.dump(2).c_str());
+  } else {
+    std::printf("strobe %s\n", STROBE_VERSION);
+    for (size_t i = 0; i < devices.size(); ++i) {
+      const auto& info = devices[i];
+      std::printf("device %zu: %s (%s, Vulkan %s)%s\n", i, info.name.c_str(), info.driver.c_str(), info.api.c_str(),
+                  info.software ? ", software: pictures are right, timings are not a GPU's" : "");
+      for (const auto& feature : info.features)
+        std::printf("  %s %-44s %s\n", feature.present ? "yes" : feature.required ? "NO " : "no ", feature.name.c_str(),
+                    feature.provides.c_str());
+      std::string missing = info.missing();
+      std::printf("  %s\n", missing.empty() ? "suffices" : ("lacks " + missing).c_str());
+    }
+    std::printf("shared data: %s\n", data ? data->c_str() : "none (STROBE_DATA names its folder); tests that need it skip");
+  }
+  if (devices.empty())
+    throw Error("no Vulkan device: install a driver (Debian: mesa-vulkan-drivers gives a software device)");
+  if (!suffices) throw Error("no device suffices; Mesa 25's software device (Debian: bookworm-backports) does");
+}
+
+}  // namespace
+
+void registerCheck(CLI::App& program) {
+  auto files = std::make_shared<std::vector<std::string>>();
+  auto json = std::make_shared<bool>(false);
+  CLI::App* command = program.add_subcommand("check", "Validate scripts and shaders; needs no device");
+  command->add_option("pipelines", *files, "names or .lua files (default: everything that ships)");
+  command->add_flag("--json", *json, "report as JSON");
+  command->callback([files, json] { check(*files, *json); });
+}
+
+void registerPlan(CLI::App& program) {
+  auto options = std::make_shared<PlanOptions>();
+  CLI::App* command = program.add_subcommand("plan", "Print what a pipeline runs, in which order, on which memory");
+  command->add_option("pipeline", options->shot.shot.pipeline, "a name of scripts/pipelines or a .lua file")->required();
+  command->add_flag("--json", options->json, "the plan as data");
+  options->shot.addTo(*command);
+  command->callback([options] { plan(*options); });
+}
+
+void registerDoctor(CLI::App& program) {
+  auto json = std::make_shared<bool>(false);
+  CLI::App* command = program.add_subcommand("doctor", "What this machine can do and what is missing");
+  command->add_flag("--json", *json, "report as JSON");
+  command->callback([json] { doctor(*json); });
+}
+
+}  // namespace strobe::app

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "app/shot_options.h"
+
+#include <cstdlib>
+
+namespace strobe::app {
+
+void ShotOptions::addTo(CLI::App& command) {
+  command.add_option("--scene", shot.scene, "a name of scripts/scenes, a .lua, .glb or .gltf file")->capture_default_str();
+  command.add_option("--size", size, "WIDTHxHEIGHT in pixels (default: the scene's, else 960x540)");
+  command.add_option("--fps", shot.fps, "frames per second (default: the scene's, else 24)");
+  command.add_option("--frame", shot.frame, "the capture is at FRAME/FPS seconds (default: the scene's, else 1)");
+  command.add_option("--exposure", shot.exposure, "shutter time in frame intervals (default: the scene's, else 0.5)");
+  command.add_option("--anchor", shot.anchor, "exposure window: close, centre or open")->capture_default_str();
+  command.add_option("--camera", shot.camera, "a camera of the scene (default: its first)");
+  command.add_option("--animation", shot.animation, "a clip of the scene, all or none")->capture_default_str();
+  command.add_option("--move", shot.moves, "NODE=dx,dy,dz: metres per frame in world axes")->allow_extra_args(false);
+  command.add_option("--spin", shot.spins, "NODE=ax,ay,az,deg: degrees per frame about an axis")->allow_extra_args(false);
+  command.add_option("--aa", shot.aa, "sub-pixel samples, each a full run of the pipeline")->capture_default_str();
+  command.add_option("--samples", samples, "short for --set samples=N");
+  command.add_option("--shading", shading, "short for --set shading=frozen|full");
+  command.add_option("--set", sets, "PARAM=VALUE of the pipeline, NODE.PARAM=VALUE of a pass, scene.PARAM=VALUE")
+      ->allow_extra_args(false);
+  command.add_option("--tap", shot.taps, "NODE.PORT to write as well")->allow_extra_args(false);
+  command.add_option("--seed", shot.seed, "of every random number")->capture_default_str();
+  command.add_option("--device", shot.device, "index or part of the name of a Vulkan device");
+  command.add_option("--backend", shot.backend, "how rays are traced: pipeline, query or auto")->capture_default_str();
+}
+
+std::pair<std::string, std::string> parseSetting(const std::string& text) {
+  size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) throw Error(fmt::format("--set '{}' is not NAME=VALUE", text), {}, 2);
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+lab::Shot ShotOptions::resolve() const {
+  lab::Shot resolved = shot;
+  if (!size.empty()) {
+    auto [width, height] = lab::parseSize(size);
+    resolved.width = width;
+    resolved.height = height;
+  }
+  if (samples) resolved.sets.push_back({"samples", std::to_string(samples)});
+  if (!shading.empty()) resolved.sets.push_back({"shading", shading});
+  for (const std::string& set : sets) resolved.sets.push_back(parseSetting(set));
+  return resolved;
+}
+
+bool validationWanted() {
+  const char* value = std::getenv("STROBE_VALIDATION");
+  return value && *value && std::string(value) != "0";
+}
+
+void refuseMessages(const gpu::Device& device) {
+  std::vector<std::string> messages = device.takeMessages();
+  for (std::string& message : messages) message = "Vulkan validation: " + message;
+  throwIfAny(messages);
+}
+
+}  // namespace strobe::app

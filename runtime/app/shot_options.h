@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The options that every command taking a picture shares: one spelling each.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "gpu/device.h"
+#include "lab/shot.h"
+
+namespace strobe::app {
+
+// Text of options that need converting after parsing; `resolve` fills the shot from it.
+struct ShotOptions {
+  lab::Shot shot;
+  std::string size, shading;
+  std::vector<std::string> sets;
+  int samples = 0;
+
+  void addTo(CLI::App& command);
+  // Throws `Error` with exit code 2 for text that does not parse.
+  lab::Shot resolve() const;
+};
+
+// "NAME=VALUE" into its halves.
+std::pair<std::string, std::string> parseSetting(const std::string& text);
+
+// Validation is on when STROBE_VALIDATION is set to anything but 0.
+bool validationWanted();
+
+// Throws `Error` with the messages the validation layer gave, if any.
+void refuseMessages(const gpu::Device& device);
+
+}  // namespace strobe::app

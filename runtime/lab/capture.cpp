@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "lab/capture.h"
+
+#include "image/png.h"
+
+namespace strobe::lab {
+
+const graph::ReadImage& outputOf(const Picture& picture, const std::string& name) {
+  auto found = picture.frame.outputs.find(name);
+  STROBE_ASSERT(found != picture.frame.outputs.end(), "{}", name);
+  return found->second;
+}
+
+image::Image colorOf(const Picture& picture) {
+  const image::Image& rgba = outputOf(picture, "color").floats;
+  image::Image rgb(rgba.width, rgba.height, 3);
+  for (int y = 0; y < rgba.height; ++y)
+    for (int x = 0; x < rgba.width; ++x)
+      for (int c = 0; c < 3; ++c) rgb.at(x, y, c) = rgba.at(x, y, std::min(c, rgba.channels - 1));
+  return rgb;
+}
+
+// How an output is called in a file: layer and components.
+struct LayerName {
+  std::string layer;
+  std::vector<std::string> components;
+};
+
+static LayerName layerName(const std::string& output, int channels) {
+  if (output == "color" && channels >= 3) return {"", {"R", "G", "B", "A"}};
+  if (output == "depth" && channels == 1) return {"", {"Z"}};
+  if (output == "normal") return {"N", {"X", "Y", "Z", "W"}};
+  if (output == "id") return {"", {"id", "geometry", "primitive", "unused"}};
+  if (channels == 1) return {output, {"Y"}};
+  if (channels == 2) return {output, {"X", "Y"}};
+  return {output, {"R", "G", "B", "A"}};
+}
+
+static void addLayer(image::ExrFile& file, const std::string& output, const graph::ReadImage& read, bool half) {
+  bool uint = !read.uints.values.empty();
+  int channels = uint ? read.uints.channels : read.floats.channels;
+  LayerName name = layerName(output, channels);
+  name.components.resize(size_t(channels));
+  if (uint) file.add(name.layer, name.components, read.uints);
+  else file.add(name.layer, name.components, read.floats, half ? image::ExrKind::half : image::ExrKind::real);
+}
+
+image::ExrFile exrOf(const Picture& picture, bool half) {
+  image::ExrFile file;
+  const image::Image& color = outputOf(picture, "color").floats;
+  file.width = color.width;
+  file.height = color.height;
+  for (const auto& [name, read] : picture.frame.outputs) {
+    int width = std::max(read.floats.width, read.uints.width);
+    if (width == file.width) addLayer(file, name, read, half);
+  }
+  for (const auto& [name, read] : picture.frame.taps) {
+    int width = std::max(read.floats.width, read.uints.width);
+    if (width == file.width) addLayer(file, name, read, half);
+  }
+  const Json& shot = picture.record["shot"];
+  double fps = shot["fps"].get<double>(), exposure = shot["exposure"].get<double>();
+  file.frames_per_second = std::array<int, 2>{int(std::lround(fps * 1000)), 1000};
+  file.shutter_angle = float(360 * exposure);
+  file.exposure_s = float(exposure / fps);
+  file.texts["strobe"] = picture.record.dump();
+  return file;
+}
+
+void checkPictureName(const Path& file) {
+  std::string ending = file.extension().string();
+  if (ending == ".exr" || ending == ".png") return;
+  throw Error(fmt::format("--out '{}' ends in neither .exr nor .png", file.string()), {}, 2);
+}
+
+std::vector<Path> writePicture(const Picture& picture, const Path& file, bool half) {
+  checkPictureName(file);
+  auto beside = [&file](const char* ending) {
+    Path other = file;
+    return other.replace_extension(ending);
+  };
+  if (file.extension() == ".exr") image::writeExr(file, exrOf(picture, half));
+  else image::writePng(file, image::toneMap(colorOf(picture)));
+  std::vector<Path> written = {file, beside(".record.json"), beside(".timings.json")};
+  writeFileAtomically(written[1], picture.record.dump(2) + "\n");
+  writeFileAtomically(written[2], picture.timings.dump(2) + "\n");
+  return written;
+}
+
+}  // namespace strobe::lab

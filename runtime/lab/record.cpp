@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "lab/record.h"
+
+#include <set>
+
+#include "base/hash.h"
+#include "plan/canonical.h"
+
+namespace strobe::lab {
+
+std::string hashOf(const graph::ReadImage& read) {
+  const auto& f = read.floats;
+  const auto& u = read.uints;
+  std::string head = fmt::format("{} {}x{} {}x{}|", read.format, f.width, f.height, u.width, u.height);
+  std::string floats = hashBytes(f.values.data(), f.values.size() * sizeof(float));
+  std::string uints = hashBytes(u.values.data(), u.values.size() * sizeof(uint32_t));
+  return hashText(head + floats + uints);
+}
+
+// Shader files of all nodes, with what they include, by the path people know.
+static Json shaderHashes(const plan::Plan& plan) {
+  std::set<Path> files;
+  for (const auto& node : plan.nodes) {
+    for (const Path& file : graph::shaderFiles(plan.pipeline.passes[size_t(node.pass)])) {
+      std::vector<Path> reached;
+      shader::textWithIncludes(file, &reached);
+      files.insert(reached.begin(), reached.end());
+    }
+  }
+  Json json = Json::object();
+  for (const Path& file : files) json[displayPath(file)] = hashText(readText(file));
+  return json;
+}
+
+Json makeRecord(const RecordContext& c, const graph::FrameResult& frame) {
+  Json record;
+  record["strobe"] = STROBE_VERSION;
+  record["shot"] = toJson(c.shot);
+  Json& pipeline = record["pipeline"];
+  pipeline["name"] = c.plan.pipeline.name;
+  for (const auto& [name, value] : c.plan.pipeline.values) pipeline["values"][name] = plan::toJson(value);
+  for (const auto& node : c.plan.nodes)
+    for (const auto& [name, value] : node.params)
+      pipeline["nodes"][c.plan.pipeline.nodes[size_t(node.node)].name][name] = plan::toJson(value);
+  pipeline["plan"] = plan::hashOf(c.plan);
+  record["scene"]["hash"] = hashText(c.scene.description.dump());
+  record["scene"]["warnings"] = c.scene.scene.warnings;
+  record["scene"]["assumptions"] = c.scene.scene.assumptions;
+  if (!c.scene.scene.attribution.is_null()) record["scene"]["attribution"] = c.scene.scene.attribution;
+  for (const auto& dependency : c.dependencies) record["scripts"][dependency.shown] = dependency.hash;
+  record["shaders"] = shaderHashes(c.plan);
+  record["device"] = {{"name", c.device.name}, {"driver", c.device.driver}, {"api", c.device.api},
+                      {"software", c.device.software}, {"backend", backendName(c.backend)}};
+  for (const auto& [name, count] : frame.counters) record["counters"][name] = count;
+  for (const auto& [name, count] : frame.iterations) record["iterations"][name] = count;
+  for (const auto& [name, image] : frame.outputs) record["outputs"][name] = hashOf(image);
+  for (const auto& [name, image] : frame.taps) record["taps"][name] = hashOf(image);
+  return record;
+}
+
+Json makeTimings(const plan::Plan&, const graph::FrameResult& frame, const gpu::DeviceInfo& device, double prepare_s,
+                 double draw_s) {
+  Json json;
+  json["device"] = device.name;
+  json["note"] = device.software ? "software device: not comparable with a GPU" : "one frame, clocks not locked";
+  json["prepare_s"] = prepare_s;
+  json["draw_s"] = draw_s;
+  json["gpu_ms"] = frame.gpu_ms;
+  for (const auto& step : frame.times)
+    json["passes"].push_back({{"node", step.name}, {"gpu_ms", step.gpu_ms}, {"executions", step.executions}});
+  return json;
+}
+
+}  // namespace strobe::lab

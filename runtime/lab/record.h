@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The run record: what it takes to make a picture again, and the hash of each image it gave. Timings stand apart.
+#pragma once
+
+#include "lab/workbench.h"
+
+namespace strobe::lab {
+
+struct RecordContext {
+  const Shot& shot;
+  const LoadedScene& scene;
+  const plan::Plan& plan;
+  const gpu::DeviceInfo& device;
+  graph::Backend backend;
+  const std::vector<script::Dependency>& dependencies;
+};
+
+Json makeRecord(const RecordContext& context, const graph::FrameResult& frame);
+
+// Milliseconds per pass and for the frame (GPU), seconds of preparation and drawing (wall clock).
+Json makeTimings(const plan::Plan& plan, const graph::FrameResult& frame, const gpu::DeviceInfo& device, double prepare_s,
+                 double draw_s);
+
+// Hash of an image's format, size and texels.
+std::string hashOf(const graph::ReadImage& image);
+
+}  // namespace strobe::lab

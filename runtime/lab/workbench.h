@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// A device, the scenes it holds and the pipelines made on it: the object every command drives.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "graph/graph.h"
+#include "lab/shot.h"
+#include "plan/plan.h"
+
+namespace strobe::lab {
+
+// A scene with the moves of a shot applied and what it lacked supplied.
+struct LoadedScene {
+  scene::Scene scene;
+  Json description;  // what identifies it: the Lua data, or the name and hash of the file
+  std::vector<script::Dependency> dependencies;
+};
+
+// Reads the scene, fills in what the shot left open from it (size, fps, frame, exposure), applies --move and --spin.
+LoadedScene loadScene(Shot& shot);
+
+// One picture, its record and its timings.
+struct Picture {
+  graph::FrameResult frame;  // of several sub-pixel samples: floats averaged, integers of the first
+  Json record;
+  Json timings;
+  std::vector<std::string> warnings;
+};
+
+class Workbench {
+ public:
+  // Throws `Error` without a sufficient device.
+  Workbench(const std::string& device, bool validation);
+  ~Workbench();
+
+  const gpu::Device& device() const { return device_; }
+
+  // Renders; loads the scene unless the last picture was of the same. `progress` (may be empty): iterations done, of.
+  Picture render(Shot shot, const std::function<void(int, int)>& progress = {});
+
+  // Pipelines compiled since the workbench exists.
+  int compilations() const { return cache_.compilations(); }
+
+ private:
+  void useScene(Shot& shot);
+  graph::Backend chooseBackend(const std::string& wanted) const;
+
+  gpu::Device device_;
+  graph::PipelineCache cache_;
+  std::string scene_key_;
+  Shot scene_defaults_;
+  std::unique_ptr<LoadedScene> scene_;
+  std::map<uint32_t, std::unique_ptr<scene::GpuScene>> gpu_scenes_;  // by slices
+};
+
+// The plan of a shot's pipeline at its size.
+plan::Plan planOf(const Shot& shot, const plan::PipelineDesc& pipeline, graph::Backend backend);
+
+}  // namespace strobe::lab
