@@ -72,7 +72,8 @@ class Lexer {
   }
 
   void longText(bool keep) {
-    std::string close = "]" + std::string(static_cast<size_t>(longLevel()), '=') + "]";
+    std::string close(1, ']');
+    close.append(static_cast<size_t>(longLevel()), '=').append(1, ']');
     size_t end = std::min(source_.find(close, at_), source_.size());
     if (keep) tokens_.push_back({source_.substr(at_, end - at_), line_, false});
     line_ += static_cast<int>(std::count(source_.begin() + at_, source_.begin() + end, '\n'));
@@ -156,6 +157,16 @@ int lineOfReturn(std::string_view source, int first, int last, const std::vector
     if (found.keys > 0) best = found.line;
   }
   return best;
+}
+
+bool readsField(std::string_view source, std::string_view name) {
+  std::vector<Token> tokens = Lexer(source).tokens();
+  for (size_t i = 1; i < tokens.size(); ++i) {
+    bool named = tokens[i].word && tokens[i].text == name;
+    bool of_something = tokens[i - 1].text == "." && (i < 2 || tokens[i - 2].text != ".");
+    if (named && of_something) return true;
+  }
+  return false;
 }
 
 }  // namespace strobe::script

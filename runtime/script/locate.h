@@ -16,4 +16,7 @@ int lineOfKey(std::string_view source, int line, const std::vector<std::string>&
 // 0 when there is none.
 int lineOfReturn(std::string_view source, int first, int last, const std::vector<std::string>& path);
 
+// Whether the source reads a field `name` of anything: x.name.
+bool readsField(std::string_view source, std::string_view name);
+
 }  // namespace strobe::script

@@ -60,17 +60,22 @@ static void pushPlace(lua_State* lua, const char* file, int line) {
   lua_setfield(lua, -2, "line");
 }
 
+// `otherwise` is the file to name where no line of the user's is running.
+static void pushUserPlace(lua_State* lua, int level, const char* otherwise) {
+  lua_Debug ar;
+  bool found = userFrame(lua, level, ar);
+  pushPlace(lua, found ? ar.source + 1 : otherwise, found ? ar.currentline : 0);
+}
+
 // ---- what Lua calls
 
 struct Sandbox::Callbacks {
   // native.at_caller(f): a function that calls f(place, ...), `place` being the line that called it. As a C function
   // it keeps that line even where it is the last call of a `return`.
   static int callWithPlace(lua_State* lua) {
-    lua_Debug ar;
-    bool found = userFrame(lua, 1, ar);
     lua_pushvalue(lua, lua_upvalueindex(1));
     lua_insert(lua, 1);
-    pushPlace(lua, found ? ar.source + 1 : "?", found ? ar.currentline : 0);
+    pushUserPlace(lua, 1, self(lua).options_.shown.c_str());
     lua_insert(lua, 2);
     lua_call(lua, lua_gettop(lua) - 1, LUA_MULTRET);
     return lua_gettop(lua);
@@ -86,9 +91,7 @@ struct Sandbox::Callbacks {
   // caller_place(level): 1 is the function that asks, 2 its caller. Frames of C and of the library are skipped; a
   // caller that ended in `return f()` is gone, so constructors are better made with `native.at_caller`.
   static int callerPlace(lua_State* lua) {
-    lua_Debug ar;
-    bool found = userFrame(lua, static_cast<int>(luaL_optinteger(lua, 1, 1)), ar);
-    pushPlace(lua, found ? ar.source + 1 : "?", found ? ar.currentline : 0);
+    pushUserPlace(lua, static_cast<int>(luaL_optinteger(lua, 1, 1)), self(lua).options_.shown.c_str());
     return 1;
   }
 
@@ -132,6 +135,21 @@ struct Sandbox::Callbacks {
       if (found) line = found;
     });
     pushPlace(lua, file, line);
+    return 1;
+  }
+
+  // native.reads_field(name): whether a file of the user's reads a field `name` of anything, run or not.
+  static int readsFieldAnywhere(lua_State* lua) {
+    const char* name = luaL_checkstring(lua, 1);
+    bool found = false;
+    Sandbox& sandbox = self(lua);
+    sandbox.guarded([&] {
+      for (const auto& [shown, source] : sandbox.sources_) {
+        bool library = shown.starts_with(kLibrary + 1);
+        found = found || (!library && readsField(source, name));
+      }
+    });
+    lua_pushboolean(lua, found);
     return 1;
   }
 
@@ -386,6 +404,7 @@ void Sandbox::loadPrelude() {
                                        {"caller_place", Callbacks::callerPlace},
                                        {"key_place", Callbacks::keyPlace},
                                        {"return_place", Callbacks::returnPlace},
+                                       {"reads_field", Callbacks::readsFieldAnywhere},
                                        {"nearest", Callbacks::nearest},
                                        {"check_value", Callbacks::checkValue},
                                        {"formats", Callbacks::formats},

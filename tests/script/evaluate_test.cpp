@@ -27,10 +27,10 @@ return pipeline {
   presets = { coarse = { tile = 64 }, fine = { tile = 4, samples = 64 } },
   default_preset = "fine",
   build = function(p)
-    local samples, times, tile = p.samples, p.times, p.tile
+    local tile = p.tile
     if p.method() == "truth" then
       local l = pipeline.loop {
-        name = "shutter", count = samples, times = times, slices = 4,
+        name = "shutter", count = p.samples, times = p.times, slices = 4,
         until_ = function(r) return r.done end,
         body = function()
           local a = add { time = "sample" }

@@ -12,6 +12,7 @@
 namespace strobe::script {
 
 static const Limits kShort{.cpu_s = 0.3, .wall_s = 4, .memory_mb = 64};
+static const Limits kSmall{.cpu_s = 10, .wall_s = 30, .memory_mb = 64};
 
 static std::string failureOf(const TestHome& home, const std::string& name, const std::string& text,
                              const Limits& limits = kShort) {
@@ -77,11 +78,11 @@ TEST(Limits, AMemoryBombIsStopped) {
   int number = 0;
   for (const char* text : bombs) {
     std::string name = "bomb" + std::to_string(number++);
-    EXPECT_EQ(failureOf(home, name, text),
+    EXPECT_EQ(failureOf(home, name, text, kSmall),
               "scripts/scenes/" + name + ".lua: stopped: more than 64 MB of memory (the limit for a script)");
   }
   // As data its copies outgrow the address space before the script outgrows its heap.
-  std::string wide = failureOf(home, "wide", "local a = {} for i = 1, 20 do a = { a, a } end return a");
+  std::string wide = failureOf(home, "wide", "local a = {} for i = 1, 20 do a = { a, a } end return a", kSmall);
   EXPECT_NE(wide.find("scripts/scenes/wide.lua: "), std::string::npos) << wide;
 }
 

@@ -53,4 +53,13 @@ TEST(Place, FindsTheLastReturnOfAFunction) {
   EXPECT_EQ(lineOfReturn(kSource, 16, 17, {}), 0);
 }
 
+TEST(Place, TellsWhetherAFieldIsRead) {
+  EXPECT_TRUE(readsField("x = p.tile", "tile"));
+  EXPECT_TRUE(readsField("x = p . tile()", "tile"));
+  EXPECT_FALSE(readsField("x = { tile = 1 } -- p.tile", "tile"));
+  EXPECT_FALSE(readsField("x = a..tile", "tile"));
+  EXPECT_FALSE(readsField("x = 'p.tile'", "tile"));
+  EXPECT_FALSE(readsField("x = p.tiles", "tile"));
+}
+
 }  // namespace strobe::script

@@ -1,0 +1,145 @@
+---@meta
+-- SPDX-License-Identifier: MIT
+-- What editors complete and check passes and pipelines with. No code: nothing loads this file.
+-- A test compares the fields below with the ones that the checks in scripts/strobe accept.
+
+---@alias strobe.Format
+---| "r8_unorm" | "rgba8_unorm" | "r32f" | "rg16f" | "rg32f" | "rgba16f" | "rgba32f" | "r32ui" | "rg32ui" | "rgba32ui"
+
+---@alias strobe.Time "capture" | "open" | "close" | "sample"
+
+---@class strobe.Param A declared parameter.
+
+---A number or true/false: the default first, `{ 20, min = 1, max = 256, unit = "px", doc = "side of a tile" }`.
+---@class strobe.ParamTable
+---@field [1]? boolean|integer|number the default value
+---@field default? boolean|integer|number the default value, by name
+---@field min? number smallest value; every int and float has one
+---@field max? number largest value; every int and float has one
+---@field unit? string "px", "m", "image widths"
+---@field doc string what it means
+---@field variant? boolean compiled into the shader instead of passed to it (int and float)
+
+---The choices in order, `{ "a", "b", default = "b", doc = "which" }`; the first is the default of the default.
+---@class strobe.ChoiceTable
+---@field [integer] string the choices
+---@field default? string one of them
+---@field unit? string
+---@field doc string what it means
+
+---@class strobe.Read
+---@field doc string meaning, unit, range
+---@field uint? boolean the texels are unsigned integers
+---@field optional? boolean may be left unwired; the shader sees HAS_<name> 0
+---@field linear? boolean sampled with a linear filter instead of fetched
+
+---@class strobe.Write
+---@field format strobe.Format
+---@field doc string meaning, unit, range
+
+---@class strobe.Size
+---@field of? string as large as the image wired to this read
+---@field divide? string ... divided, rounding up, by this int parameter
+---@field [1]? integer width
+---@field [2]? integer height
+
+---@class strobe.PassTable
+---@field name string unique; nodes are called this unless `as` says otherwise
+---@field shader string below shaders/, without .glsl (of a raster pass without .vert.glsl and .frag.glsl)
+---@field doc string what it computes
+---@field size? "frame"|strobe.Size of what it writes; default "frame"
+---@field scene? boolean (compute) the shader sees the scene; raster and trace passes always do
+---@field reads? table<string, strobe.Read> images it samples
+---@field writes? table<string, strobe.Write> images of which it fills every pixel
+---@field updates? table<string, strobe.Write> images it reads and writes; zero at the first execution in a frame
+---@field params? table<string, strobe.Param>
+---@field counters? table<string, string> counts of events: what each counts
+
+---An image port of a node, to be wired to a read.
+---@class strobe.Image
+
+---What the call of a pass yields: its writes and updates by name.
+---@class strobe.Ports
+---@field [string] strobe.Image
+
+---A call: reads get images; parameters get a literal or a pipeline's parameter.
+---@class strobe.CallTable
+---@field as? string name of the node
+---@field time? strobe.Time pose of the scene that it sees
+---@field [string] strobe.Image|strobe.Parameter|boolean|number|string
+
+---@class strobe.Pass
+---@field params table<string, strobe.Param> its declarations, for use in a pipeline
+---@overload fun(arguments: strobe.CallTable): strobe.Ports
+
+---@class strobe.pass
+local pass = {}
+---@param t strobe.PassTable
+---@return strobe.Pass
+function pass.compute(t) end
+---@param t strobe.PassTable
+---@return strobe.Pass
+function pass.raster(t) end
+---@param t strobe.PassTable
+---@return strobe.Pass
+function pass.trace(t) end
+---@param t strobe.ParamTable
+---@return strobe.Param
+function pass.bool(t) end
+---@param t strobe.ParamTable
+---@return strobe.Param
+function pass.int(t) end
+---@param t strobe.ParamTable
+---@return strobe.Param
+function pass.float(t) end
+---@param t strobe.ChoiceTable
+---@return strobe.Param
+function pass.choice(t) end
+
+---A parameter of a pipeline inside its build: passed on it stays live, called it yields its value now.
+---@class strobe.Parameter
+---@overload fun(): boolean|integer|number|string
+
+---@class strobe.PipelineTable
+---@field doc string what it computes, and whose method it is
+---@field params? table<string, strobe.Param>
+---@field presets? table<string, table<string, boolean|number|string>> values by parameter; adds the parameter `preset`
+---@field default_preset? string without it the default is "none"
+---@field build fun(p: table<string, strobe.Parameter>): table<string, strobe.Image> the images; `color` is required
+
+---@class strobe.Pipeline
+
+---@class strobe.LoopTable
+---@field name string
+---@field count integer|strobe.Parameter how often
+---@field times? "midpoint"|"stratified"|strobe.Parameter where in the exposure an iteration is; default "midpoint"
+---@field slices? integer|strobe.Parameter scene times among which a pixel draws one; default 1
+---@field until_? strobe.Image|fun(results: strobe.Ports): strobe.Image 1x1 r32f image that ends the loop when not zero
+---@field body fun(): table<string, strobe.Image> runs once to make the nodes that are repeated
+
+---@class strobe.pipeline
+---@overload fun(t: strobe.PipelineTable): strobe.Pipeline
+local pipeline = {}
+---@param t strobe.LoopTable
+---@return strobe.Ports
+function pipeline.loop(t) end
+---@param t strobe.ParamTable
+---@return strobe.Param
+function pipeline.bool(t) end
+---@param t strobe.ParamTable
+---@return strobe.Param
+function pipeline.int(t) end
+---@param t strobe.ParamTable
+---@return strobe.Param
+function pipeline.float(t) end
+---@param t strobe.ChoiceTable
+---@return strobe.Param
+function pipeline.choice(t) end
+
+---The values of `--set scene.NAME=VALUE` while a scene is evaluated; nil where there is none.
+---@type table<string, boolean|number|string>
+scene_params = {}
+
+---@param level? integer 1 is the function that asks, 2 its caller
+---@return { file: string, line: integer }
+function caller_place(level) end
