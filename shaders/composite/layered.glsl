@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Per-time layered composite: for each time sample, the nearest surface of any layer that really is at the pixel then.
 // In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure), dominant (the same, per tile) of
-//      what raster saw; revealed_color, revealed_depth, revealed_velocity, revealed_valid (> 1/2) of what lies behind it;
-//      revealed_dominant: longest displacements of the revealed layer, where its tiles are separate.
+//      what raster saw; second (per tile): another displacement found around; revealed_color, revealed_depth,
+//      revealed_velocity, revealed_valid (> 1/2) of what lies behind; revealed_dominant: where that layer has its own.
 // Out: blurred (linear, alpha 1).
-// For t_i at the midpoints (i + 1/2 + jitter)/N of the exposure: each candidate displacement g says where a surface that is
-//   at X at t_i would be now, Y = X - t_i*g. A texel Y of a layer is at X then if |Y + t_i*d(Y) - X| <= max(3/4, |g|/(2N))
-//   (3/4 px: the rounding of Y). The nearest such texel is what X shows at t_i; of equal depths the earlier candidate and
-//   the raster layer win. The mean over i is the result: weights add up to 1 by construction, order in depth and
-//   correlation of movements come out right.
-// Candidates: the tile's displacement(s), those of X in both layers, and those met at the taps along the tile's in both
-//   layers that differ from all before by more than half a pixel; kMaxCandidates in all. Without the last kind the slower
-//   of two moving surfaces is missed.
+// For t_i at the midpoints (i + 1/2 + jitter)/N of the exposure: each candidate displacement g says where a surface
+//   that is at X at t_i would be now, Y = X - t_i*g. A texel Y of a layer is at X then if |Y + t_i*d(Y) - X| <=
+//   max(3/4, |g|/(2N)) (3/4 px: the rounding of Y). The nearest such texel is what X shows at t_i; of equal depths the
+//   earlier candidate and the raster layer win. The mean over i is the result: weights add up to 1 by construction,
+//   order in depth and correlation of movements come out right.
+// Candidates: the tile's displacements (dominant, second, revealed), those of X in both layers, and those met in both
+//   layers at the taps along dominant and second, as far as they differ by more than half a pixel from all before;
+//   kMaxCandidates in all. Without the last kind the slower of two moving surfaces is missed, without `second` one that
+//   comes from elsewhere than the dominant one.
 // If no layer has anything at X at t_i, it is what was revealed at X, else what raster saw there (counter `fallback`).
-// Fails: surfaces hidden at the capture and not revealed (second layer and beyond); motion that bends or magnifies by more
-//   than the tolerance within the distance moved; more motions at one pixel than candidates.
+// Fails: surfaces hidden at the capture and not revealed (second layer and beyond); motion that bends or magnifies by
+//   more than the tolerance within the distance moved; more motions at one pixel than candidates.
 #include "lib/blur.glsl"
 #include "lib/jitter.glsl"
 #include "lib/sanitise.glsl"
@@ -94,7 +95,10 @@ Best seenAt(ivec2 pixel, Candidates candidates, float t) {
 
 void run(ivec2 pixel) {
   vec2 d = vec2(texelFetch(dominant_tex, pixel / params.tile, 0));
-  vec2 d_revealed = d;
+  vec2 d_second = d, d_revealed = d;
+#if HAS_second
+  d_second = vec2(texelFetch(second_tex, pixel / params.tile, 0));
+#endif
 #if HAS_revealed_dominant
   d_revealed = vec2(texelFetch(revealed_dominant_tex, pixel / params.tile, 0));
 #endif
@@ -108,10 +112,12 @@ void run(ivec2 pixel) {
   Candidates candidates;
   candidates.count = 0;
   candidates = withCandidate(candidates, d);
+  candidates = withCandidate(candidates, d_second);
   candidates = withCandidate(candidates, d_revealed);
   candidates = withBothLayers(candidates, pixel);
 #if PARAM_harvest
   candidates = harvested(candidates, pixel, d, jitter);
+  candidates = harvested(candidates, pixel, d_second, jitter);
 #endif
 
   vec3 sum = vec3(0);

@@ -5,19 +5,19 @@
 //      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere).
 // Out: blurred, colour times alpha and alpha.
 // Samples: t_i = lerp(-1, 1, (i + jitter + 1) / (S + 1)), along the tile's dominant displacement d. With the capture in
-//   the middle of the exposure, as in the paper, taps lie at X + d/2 * t_i, a pixel spreads over |d|/2, and the one tap on
-//   the pixel itself (which only an odd S has) is left out for the centre sample stands for it. With the capture at an end
-//   taps lie at X + d * (t_i + 1)/2 (exposure before the capture; mirrored for after), a pixel spreads over |d|, and all S
-//   taps count (Tan, Cui, Bhojan 2020).
+//   the middle of the exposure, as in the paper, taps lie at X + d/2 * t_i, a pixel spreads over |d|/2, and the one
+//   tap on the pixel itself (which only an odd S has) is left out: the centre sample stands for it. With the
+//   capture at an end taps lie at X + d * (t_i + 1)/2 (exposure before the capture; mirrored for after), a pixel
+//   spreads over |d|, and all S taps count (Tan, Cui, Bhojan 2020).
 // Weights: f*cone(D, rY) + b*cone(D, rX) + 2*cylinder(D, rY)*cylinder(D, rX), centre 1/rX, divided by their sum.
 //   f and b compare depths as shares of the depth instead of metres: no scale is built in.
-// Alpha: 1, unless something was revealed behind the pixel. Then the result is the foreground alone, to be laid over the
-//   blurred background: alpha = its share of all weights. A tap is foreground to the degree that it is in front of what
-//   was revealed at X (else it is a sample of that background, which the revealed layer knows better) and that its own
-//   motion covers the distance to X (else it says nothing of what passes over X, however near it is: a floor that
-//   slopes up to the viewer). The centre sample is foreground if it is in front.
-// Fails: opaque inside of silhouettes (6/7 where 1/2 is true), a step at them, ramps that are no straight lines, opacity
-//   that depends on S; one direction per tile.
+// Alpha: 1, unless something was revealed behind the pixel. Then the result is the foreground alone, to be laid over
+//   the blurred background: alpha = its share of all weights. A tap is foreground to the degree that it is in front of
+//   what was revealed at X (else it is a sample of that background, which the revealed layer knows better) and that
+//   its own motion covers the distance to X (else it says nothing of what passes over X, however near it is: a floor
+//   that slopes up to the viewer). The centre sample is foreground if it is in front.
+// Fails: opaque inside of silhouettes (6/7 where 1/2 is true), a step at them, ramps that are no straight lines,
+//   opacity that depends on S; one direction per tile.
 #include "lib/blur.glsl"
 #include "lib/jitter.glsl"
 #include "lib/sanitise.glsl"

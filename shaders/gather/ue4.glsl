@@ -3,12 +3,12 @@
 // Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare", with its mirrored background.
 // In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure), dominant (the same, per tile).
 // Out: blurred, linear, alpha 1.
-// Taps: with the capture in the middle of the exposure, pairs at +-(i + 1/2 + jitter) steps of |d|/N (an odd N is rounded
-//   up); with the capture at an end, N single taps at (i + 1/2 + jitter) steps of |d|/N.
+// Taps: with the capture in the middle of the exposure, pairs at +-(i + 1/2 + jitter) steps of |d|/N (an odd N is
+//   rounded up); with the capture at an end, N single taps at (i + 1/2 + jitter) steps of |d|/N.
 // Weights, of a tap Y that is s = i + 1/2 + jitter steps away, u steps to a pixel, r the distance a pixel spreads:
-//   w = back * clamp(u*r(X) - max(s - 1, 0), 0, 1) + front * clamp(u*r(Y) - max(s - 1, 0), 0, 1), where back + front = 1 by
-//   the order of the depths (1/2 each where equal). Of a pair the nearer and faster tap gives both their weight (the
-//   mirror); both comparisons are strict, so that ties give a mirrored picture a mirrored result.
+//   w = back * clamp(u*r(X) - max(s - 1, 0), 0, 1) + front * clamp(u*r(Y) - max(s - 1, 0), 0, 1), where back + front =
+//   1 by the order of the depths (1/2 each where equal). Of a pair the nearer and faster tap gives both their weight
+//   (the mirror); both comparisons are strict, so that ties give a mirrored picture a mirrored result.
 //   Result: sum of w*C / N, the rest of the exposure goes to the pixel itself.
 // Fails: what it shows behind a moving object inside its silhouette is the picture from outside of it, so that edges
 //   there appear a second time; outside, the background under the object comes from the opposite side.

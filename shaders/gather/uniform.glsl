@@ -10,9 +10,9 @@
 //   motion passes over X within the exposure. Its weight is 1/N of the exposure, times |d|/|d(Y)|: a slower surface is
 //   met by fewer of the taps but passes over X for the whole of the exposure. alpha = sum of the weights, at most 1.
 // Background: if something was revealed, none: the result is the foreground alone, to be laid over the blurred revealed
-//   layer. Else alpha becomes 1 by adding (1 - alpha) times the mean of the other taps that X or they themselves reach: the
-//   taps at X's own depth whose motion passes over X, and farther ones no farther away than X's own surface moves, which
-//   stand in for what it uncovers. If there are none, of X itself.
+//   layer. Else alpha becomes 1 by adding (1 - alpha) times the mean of the other taps that X or they themselves
+//   reach: the taps at X's own depth whose motion passes over X, and farther ones no farther away than X's own surface
+//   moves, which stand in for what it uncovers. If there are none, of X itself.
 // Fails: without revealed layer the background inside of a silhouette is that from outside of it; background that
 //   moves is uncorrelated in time with what covers it (a product of two means); one direction per tile.
 #include "lib/blur.glsl"

@@ -8,7 +8,8 @@
 // half a pixel, as rounded by any projection, on the still side.
 const float kStillRadius = 0.5 + 1e-4;
 
-// --- Lengths and places ------------------------------------------------------------------------------------------------
+// --- Lengths and places
+// ------------------------------------------------------------------------------------------------
 
 // Length, with the largest component divided out first, so that no square underflows or overflows.
 float lengthOf(vec2 d) {
@@ -34,7 +35,8 @@ bool isInside(ivec2 pixel, ivec2 size) {
   return pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.x && pixel.y < size.y;
 }
 
-// --- The exposure window -----------------------------------------------------------------------------------------------
+// --- The exposure window
+// -----------------------------------------------------------------------------------------------
 
 // Time at the fraction tau in (0, 1) of the window.
 float timeAt(float tau, vec2 shutter) { return mix(shutter.x, shutter.y, tau); }
@@ -63,7 +65,8 @@ bool motionReaches(vec2 offset, vec2 d, vec2 shutter) {
   return aside <= 0.75 && travelled >= d_length * shutter.x - 0.5 && travelled <= d_length * shutter.y + 0.5;
 }
 
-// --- Weights (distance and radius in px) -------------------------------------------------------------------------------
+// --- Weights (distance and radius in px)
+// -------------------------------------------------------------------------------
 
 // Share of a point spread over `radius` px to either side. McGuire 2012.
 float cone(float distance_px, float radius_px) { return clamp(1.0 - distance_px / radius_px, 0.0, 1.0); }
@@ -73,13 +76,14 @@ float cylinder(float distance_px, float radius_px) {
   return 1.0 - smoothstep(0.95 * radius_px, 1.05 * radius_px, distance_px);
 }
 
-// --- Depths (view depth, positive, larger is farther, +inf is sky) -----------------------------------------------------
+// --- Depths (view depth, positive, larger is farther, +inf is sky)
+// -----------------------------------------------------
 
 // By which share of the farther depth two depths differ, in [0, 1]: free of scale and of inf - inf.
 float relativeGap(float za, float zb) { return za == zb ? 0.0 : 1.0 - min(za, zb) / max(za, zb); }
 
-// 1 if zb is nearer than za or equal, falling to 0 where it is farther by the share `extent`. McGuire's softDepthCompare,
-// with his fixed length replaced by a share of the depth.
+// 1 if zb is nearer than za or equal, falling to 0 where it is farther by the share `extent`. McGuire's
+// softDepthCompare, with his fixed length replaced by a share of the depth.
 float softDepth(float za, float zb, float extent) {
   return zb <= za ? 1.0 : clamp(1.0 - relativeGap(za, zb) / extent, 0.0, 1.0);
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Displaced-position test (Tan, Cui, Bhojan 2020, Ray Mask): may this pixel show what is behind it while it moves away?
 // In:  depth (view depth, sky +inf), id (instance + 1, 0 = sky), velocity (px over the exposure).
-// Out: candidate, 1 if the pixel moves by min_displacement or more and where its surface points to, displaced against the
-//   exposure (X + d for an exposure before the capture, X - d after, both halves around it), is another instance, farther
-//   by more than depth_margin of this pixel's depth. Displaced off the picture it is a candidate too (nobody knows
-//   better) and counted. Sky is nobody's foreground.
-// Fails: one tap jumps over gaps (spokes of a fan); blind to self-occlusion of one instance and to the background's motion.
+// Out: candidate, 1 if the pixel moves by min_displacement or more and where its surface points to, displaced against
+//   the exposure (X + d for an exposure before the capture, X - d after, both halves around it), is another instance,
+//   farther by more than depth_margin of this pixel's depth. Displaced off the picture it is a candidate too (nobody
+//   knows better) and counted. Sky is nobody's foreground.
+// Fails: one tap jumps over gaps (spokes of a fan); blind to self-occlusion of one instance and to motion of the
+//   background.
 #include "lib/blur.glsl"
 #include "lib/sanitise.glsl"
 

@@ -5,7 +5,7 @@
 // Out: motions_0 .. motions_3 (two displacements each, px over the exposure; kNoMotion where there are fewer).
 // Two displacements are distinct if they differ by more than a pixel and by more than a tenth of the longer one. Tiles
 // are asked as far as two surfaces can part within the exposure, 2 * limit * width * reach px.
-// Fails: in a picture of more than eight movements the far ones are lost.
+// Fails: of more than eight movements the far ones are lost, and of those equally far the last in raster order.
 #include "lib/blur.glsl"
 #include "lib/motions.glsl"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Range check (Tan, Cui, Bhojan 2020, Ray Mask): every moving pixel from which an edge lies within its displacement.
 // In:  edge (> 1/2 on an edge), id (instance + 1), velocity (px over the exposure).
-// Out: mask, 1 if the pixel itself or a pixel on the segment it is displaced along is an edge: [X, X + d] for an exposure
-//   before the capture, [X - d, X] after, both halves around it. `taps` steps per side, 0 = one per pixel of the length;
-//   a detected edge may be one pixel wide, so longer steps miss it. With own_edge, the first edge met must
+// Out: mask, 1 if the pixel itself or a pixel on the segment it is displaced along is an edge: [X, X + d] for an
+//   exposure before the capture, [X - d, X] after, both halves around it. `taps` steps per side, 0 = one per pixel of
+//   the length; a detected edge may be one pixel wide, so longer steps miss it. With own_edge, the first edge met must
 //   belong to the pixel's own instance.
 // Fails: marks by the pixel's own motion, where the motion relative to what is behind decides.
 #include "lib/blur.glsl"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Per tile, two displacements that stand for all in it: the longest one, a, and the one that differs most from a. A tile
-// with two movements yields both, whatever they are.
+// Per tile, two displacements that stand for all in it: the longest one, a, and the one that differs most from a. A
+// tile with two movements yields both, whatever they are.
 // In:  velocity (px over the exposure).  Out: motions (xy a, zw the other; px over the exposure, within the limit).
 // Ties go to the first in raster order. Fails: the third of three movements in a tile.
 #include "lib/blur.glsl"

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Per tile, the longest displacement of the tiles around it that can matter (McGuire 2012, NeighborMax).
-// In:  longest (px over the exposure, per tile).  Out: dominant (px over the exposure, per tile).
-// Tiles up to ceil(limit * width * reach / tile) away are asked, reach = 1 one-sided, 1/2 centred. Rule `all` accepts every
-// one of them. Rule `reach` accepts a tile only if its box, swept along its own vector over the exposure window, overlaps
-// this tile: for vectors no longer than a tile that is the sign rule of Guertin et al. 2014 (off-axis tiles count only if
-// they move towards this one), for either anchor and any distance. Of equal lengths the first in raster order wins.
-// Fails: a tile is judged by its longest vector; a slower pixel in it that comes this way while the longest does not is
-// lost.
+// Per tile, the longest displacement of the tiles around it that can matter (McGuire 2012, NeighborMax), and a second
+// one that differs from it.
+// In:  longest (px over the exposure, per tile); motions (xy, zw: two displacements that stand for all in a tile;
+//      absent: longest is all there is).
+// Out: dominant, the longest accepted; second, the one accepted that differs most from it and is not at rest (dominant
+//      again if there is none): what else moves here. Both px over the exposure.
+// Tiles up to ceil(limit * width * reach / tile) away are asked, reach = 1 one-sided, 1/2 centred. Rule `all` accepts
+// each of them. Rule `reach` accepts a displacement only if its tile's box, swept along it over the exposure window,
+// overlaps this tile: for displacements no longer than a tile that is the sign rule of Guertin et al. 2014 (off-axis
+// tiles count only if they move towards this one), for any anchor and any distance. Ties go to the first in raster
+// order.
+// Fails: dominant judges a tile by its longest displacement; a slower pixel in it that comes this way while the longest
+// does not is lost.
 #include "lib/blur.glsl"
 
-// Open interval of times at which a tile `offset` tiles away that moves by d (px along one axis) overlaps this tile along
-// that axis: |offset * tile + d * t| < tile.
+// Open interval of times at which a tile `offset` tiles away that moves by d (px along one axis) overlaps this tile
+// along that axis: |offset * tile + d * t| < tile.
 vec2 overlapTimes(int offset, float d, float tile_px) {
   if (d == 0.0) return offset == 0 ? vec2(-1e30, 1e30) : vec2(1.0, -1.0);
   float a = (-tile_px - float(offset) * tile_px) / d;
@@ -34,6 +39,12 @@ bool accepts(ivec2 offset, vec2 d) {
 #endif
 }
 
+// The better of `second` and d as the displacement that differs most from `dominant`.
+vec2 otherThan(vec2 dominant, vec2 second, vec2 d, ivec2 offset) {
+  if (lengthOf(d) <= 0.5 || lengthOf(d - dominant) <= lengthOf(second - dominant)) return second;
+  return accepts(offset, d) ? d : second;
+}
+
 void run(ivec2 pixel) {
   ivec2 size = textureSize(longest_tex, 0);
   float reach_px = params.limit * float(frame.size.x) * reachFactor(frame.shutter);
@@ -52,5 +63,19 @@ void run(ivec2 pixel) {
       dominant_length = d_length;
     }
   }
+
+  vec2 second = dominant;
+  for (int y = first.y; y <= last.y; ++y) {
+    for (int x = first.x; x <= last.x; ++x) {
+      ivec2 offset = ivec2(x, y) - pixel;
+      second = otherThan(dominant, second, vec2(texelFetch(longest_tex, ivec2(x, y), 0)), offset);
+#if HAS_motions
+      vec4 pair = texelFetch(motions_tex, ivec2(x, y), 0);
+      second = otherThan(dominant, second, vec2(pair.x, pair.y), offset);
+      second = otherThan(dominant, second, vec2(pair.z, pair.w), offset);
+#endif
+    }
+  }
   imageStore(dominant_img, pixel, vec4(dominant, 0, 0));
+  imageStore(second_img, pixel, vec4(second, 0, 0));
 }

@@ -2,8 +2,8 @@
 // Per tile, the longest displacement in it (McGuire 2012, TileMax), shortened to the limit.
 // In:  velocity (px over the exposure), valid (> 1/2: the texel counts; absent: all count);
 //      extra_velocity and extra_valid: a second layer over the same pixels, its texels count as well.
-// Out: longest (px over the exposure, at most limit * image width long). Of equal lengths the first in raster order wins,
-//      and of the two layers the first. A tile without texels that count holds 0. The last tiles may be partial.
+// Out: longest (px over the exposure, at most limit * image width long). Of equal lengths the first in raster order
+//      wins, and of the two layers the first. A tile without texels that count holds 0. The last tiles may be partial.
 // Fails: one vector stands for a tile; crossing motions in it are lost.
 #include "lib/blur.glsl"
 #include "lib/sanitise.glsl"

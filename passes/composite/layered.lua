@@ -1,0 +1,32 @@
+-- SPDX-License-Identifier: MIT
+-- Per-time layered composite of what raster saw and what was revealed behind it.
+local pass = require "strobe.pass"
+
+return pass.compute {
+  name   = "layered",
+  shader = "composite/layered",
+  doc    = "For each time sample, the nearest surface of any layer that is at the pixel then",
+  size   = { of = "color" },
+  reads  = {
+    color             = { doc = "linear" },
+    depth             = { doc = "linear view depth, metres, sky = +inf" },
+    velocity          = { doc = "px over the exposure" },
+    dominant          = { doc = "px over the exposure, per tile" },
+    second            = { optional = true, doc = "another displacement found around, px over the exposure, per tile" },
+    revealed_color    = { doc = "linear" },
+    revealed_depth    = { doc = "linear view depth, metres, sky = +inf" },
+    revealed_velocity = { doc = "px over the exposure" },
+    revealed_valid    = { doc = "above 1/2 where something was revealed" },
+    revealed_dominant = { optional = true, doc = "px over the exposure, per tile, of that layer alone" },
+  },
+  writes = { blurred = { format = "rgba32f", doc = "linear; alpha 1" } },
+  params = {
+    samples = pass.int { 16, min = 1, max = 1024, doc = "time samples" },
+    tile    = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
+    limit   = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
+    harvest = pass.bool { true, doc = "also try the displacements met along the dominant one" },
+    jitter  = pass.choice { "none", "ign", "hash", default = "none",
+      doc = "shift of the samples by up to half their distance: none, interleaved gradient noise, or by the seed" },
+  },
+  counters = { fallback = "time samples at which no layer had anything to show" },
+}

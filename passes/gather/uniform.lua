@@ -1,0 +1,30 @@
+-- SPDX-License-Identifier: MIT
+-- Time-uniform gather: a tap counts as 1/N of the exposure if its own motion passes over the pixel, else not at all.
+local pass = require "strobe.pass"
+
+return pass.compute {
+  name   = "gather_uniform",
+  shader = "gather/uniform",
+  doc    = "Blur along the dominant displacement, each tap an equal share of the exposure",
+  size   = { of = "color" },
+  reads  = {
+    color        = { doc = "linear" },
+    depth        = { doc = "linear view depth, metres, sky = +inf" },
+    velocity     = { doc = "px over the exposure" },
+    dominant     = { doc = "px over the exposure, per tile" },
+    valid        = { optional = true, doc = "above 1/2 where the layer holds something; absent: everywhere" },
+    behind_depth = { optional = true, doc = "linear view depth of what was revealed behind each pixel" },
+    behind_valid = { optional = true, doc = "above 1/2 where something was; absent: nowhere" },
+  },
+  writes = { blurred = { format = "rgba32f",
+    doc = "linear, times alpha; alpha below 1 only over something revealed" } },
+  params = {
+    samples      = pass.int { 16, min = 1, max = 1024, doc = "taps along the displacement" },
+    tile         = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
+    limit        = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
+    depth_extent = pass.float { 0.01, min = 1e-6, max = 1,
+      doc = "share of the depth over which two depths count as one" },
+    jitter       = pass.choice { "none", "ign", "hash", default = "none",
+      doc = "shift of the taps by up to half their distance: none, interleaved gradient noise, or by the seed" },
+  },
+}

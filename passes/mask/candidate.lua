@@ -1,0 +1,23 @@
+-- SPDX-License-Identifier: MIT
+-- Pixels that, displaced by their motion, lie on another and farther instance. Tan, Cui and Bhojan 2020, Ray Mask.
+local pass = require "strobe.pass"
+
+return pass.compute {
+  name   = "mask_candidate",
+  shader = "mask/candidate",
+  doc    = "Pixels whose displaced position is another instance, farther away",
+  size   = { of = "depth" },
+  reads  = {
+    depth    = { doc = "linear view depth, metres, sky = +inf" },
+    id       = { uint = true, doc = "instance + 1; sky = 0" },
+    velocity = { doc = "px over the exposure" },
+  },
+  writes = { candidate = { format = "r8_unorm", doc = "1 on a candidate" } },
+  params = {
+    min_displacement = pass.float { 0.5, min = 0, max = 1000, unit = "px", doc = "slower pixels are at rest" },
+    depth_margin     = pass.float { 0.01, min = 0, max = 1, doc = "share of the depth by which farther is farther" },
+    limit            = pass.float { 0.1, min = 0, max = 10, unit = "image widths",
+      doc = "longest displacement handled" },
+  },
+  counters = { off_screen = "displaced positions outside of the picture, taken as candidates" },
+}

@@ -1,0 +1,23 @@
+-- SPDX-License-Identifier: MIT
+-- The distinct displacements around each tile; second step of the relative mask.
+local pass = require "strobe.pass"
+
+local function pair(doc) return { format = "rgba32f", doc = doc } end
+
+return pass.compute {
+  name   = "mask_near_motions",
+  shader = "mask/near_motions",
+  doc    = "Up to eight distinct displacements around each tile, nearest first",
+  size   = { of = "motions" },
+  reads  = { motions = { doc = "two displacements per tile, px over the exposure" } },
+  writes = {
+    motions_0 = pair "first and second displacement, px over the exposure; 1e9 = none",
+    motions_1 = pair "third and fourth",
+    motions_2 = pair "fifth and sixth",
+    motions_3 = pair "seventh and eighth",
+  },
+  params = {
+    tile  = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
+    limit = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
+  },
+}

@@ -1,0 +1,23 @@
+-- SPDX-License-Identifier: MIT
+-- Moving pixels from which an edge lies within their displacement. Tan, Cui and Bhojan 2020, Ray Mask.
+local pass = require "strobe.pass"
+
+return pass.compute {
+  name   = "mask_range_check",
+  shader = "mask/range_check",
+  doc    = "Pixels that meet an edge along their displacement",
+  size   = { of = "edge" },
+  reads  = {
+    edge     = { doc = "above 1/2 on an edge" },
+    id       = { uint = true, doc = "instance + 1; sky = 0" },
+    velocity = { doc = "px over the exposure" },
+  },
+  writes = { mask = { format = "r8_unorm", doc = "1 where something is to be revealed" } },
+  params = {
+    min_displacement = pass.float { 0.5, min = 0, max = 1000, unit = "px", doc = "slower pixels are at rest" },
+    limit            = pass.float { 0.1, min = 0, max = 10, unit = "image widths",
+      doc = "longest displacement handled" },
+    taps             = pass.int { 0, min = 0, max = 1024, doc = "steps along the displacement; 0 = one per pixel" },
+    own_edge         = pass.bool { true, doc = "the first edge met must belong to the pixel's own instance" },
+  },
+}

@@ -1,0 +1,27 @@
+-- SPDX-License-Identifier: MIT
+-- Pixels that hide something which the exposure uncovers, by the motion of foreground and background to each other.
+local pass = require "strobe.pass"
+
+local motions = { doc = "two displacements per tile, px over the exposure; 1e9 = none" }
+
+return pass.compute {
+  name   = "mask_relative",
+  shader = "mask/relative",
+  doc    = "Pixels that leave their silhouette, relative to what is beyond it, within the exposure",
+  size   = { of = "depth" },
+  reads  = {
+    depth     = { doc = "linear view depth, metres, sky = +inf" },
+    id        = { uint = true, doc = "instance + 1; sky = 0" },
+    velocity  = { doc = "px over the exposure" },
+    motions_0 = motions, motions_1 = motions, motions_2 = motions, motions_3 = motions,
+  },
+  writes = { mask = { format = "r8_unorm", doc = "1 where something is to be revealed" } },
+  params = {
+    tile   = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
+    limit  = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
+    match  = pass.float { 0.25, min = 0, max = 10,
+      doc = "share of the relative motion by which a background may differ" },
+    margin = pass.int { 1, min = 0, max = 64, unit = "px", doc = "how much farther than the relative motion to look" },
+  },
+  counters = { off_screen = "paths that left the picture, taken as uncovering nothing" },
+}

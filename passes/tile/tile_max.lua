@@ -1,0 +1,22 @@
+-- SPDX-License-Identifier: MIT
+-- The longest displacement of each tile, of one layer or of the union of two. McGuire et al. 2012, section 2.2.
+local pass = require "strobe.pass"
+
+return pass.compute {
+  name   = "tile_max",
+  shader = "tile/tile_max",
+  doc    = "Longest displacement of each tile, shortened to what the filters handle",
+  size   = { of = "velocity", divide = "tile" },
+  reads  = {
+    velocity       = { doc = "px over the exposure" },
+    valid          = { optional = true, doc = "above 1/2 where velocity counts; absent: everywhere" },
+    extra_velocity = { optional = true, doc = "px over the exposure, of a second layer over the same pixels" },
+    extra_valid    = { optional = true, doc = "above 1/2 where extra_velocity counts; absent: everywhere" },
+  },
+  writes = { longest = { format = "rg32f", doc = "px over the exposure; of equal lengths the first in raster order" } },
+  params = {
+    tile  = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
+    limit = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement filters handle" },
+  },
+  counters = { clamped = "pixels (of either layer) that move farther than the limit" },
+}

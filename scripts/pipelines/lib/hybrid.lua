@@ -1,0 +1,75 @@
+-- SPDX-License-Identifier: MIT
+-- The parts of the hybrid: its parameters and its composites.
+local pipeline   = require "strobe.pipeline"
+local alpha_over = require "passes.composite.alpha_over"
+local layered    = require "passes.composite.layered"
+local edges      = require "scripts.pipelines.lib.edges"
+local gathers    = require "scripts.pipelines.lib.gathers"
+local options    = require "scripts.pipelines.lib.options"
+local tiles      = require "scripts.pipelines.lib.tiles"
+
+local hybrid = {}
+
+function hybrid.params()
+  local choice, bool = pipeline.choice, pipeline.bool
+  local edge_names = { default = "sobel", doc = "edge detector of the mask `seed`" }
+  for _, name in ipairs(edges.names) do edge_names[#edge_names + 1] = name end
+  return options.with(options.blur(40, 0.1), {
+    mask        = choice { "none", "seed", "relative", "all", default = "relative",
+      doc = "pixels to reveal behind: by their own motion, or by motion relative to what is beyond their silhouette" },
+    edge        = choice(edge_names),
+    own_edge    = bool { true, doc = "an edge met along the motion must belong to the pixel's own instance" },
+    termination = choice { "luminance", "geometry", "instance", default = "instance",
+      doc = "what tells the background from more of the foreground along a ray" },
+    advance     = choice { "origin_kept", "restart", default = "origin_kept", doc = "how a ray goes on past a hit" },
+    max_layers  = pipeline.int { 8, min = 1, max = 31, doc = "hits a ray may pass" },
+    on_cap      = choice { "fallback", "last_hit", default = "fallback", doc = "what if there are more" },
+    tiles       = choice { "separate", "union", default = "union", doc = "dominant motion per layer, or of both" },
+    weights     = choice { "mcguire2012", "uniform", default = "uniform", doc = "of the taps, under alpha_over" },
+    composite   = choice { "alpha_over", "layered", default = "layered",
+      doc = "blur both layers and lay one over the other, or look at both per time sample" },
+  })
+end
+
+local seed = {
+  mask = "seed", edge = "sobel", own_edge = false, termination = "luminance", advance = "restart", on_cap = "last_hit",
+  tiles = "separate", weights = "mcguire2012", composite = "alpha_over",
+}
+local seed_linear = options.with(options.with({}, seed), { weights = "uniform" })
+local best = {
+  mask = "relative", termination = "instance", advance = "origin_kept", on_cap = "fallback",
+  tiles = "union", weights = "uniform", composite = "layered",
+}
+hybrid.presets = { seed = seed, seed_linear = seed_linear, best = best }
+
+-- Displacements per tile for the raster layer and for the revealed one; `motions` as for tiles.dominant.
+function hybrid.dominant(p, seen, revealed, motions)
+  if p.tiles() == "union" then
+    local both = tiles.dominant(p, seen, { extra = revealed, motions = motions })
+    return both, both
+  end
+  return tiles.dominant(p, seen, { motions = motions, prefix = "raster_" }),
+         tiles.dominant(p, revealed, { prefix = "revealed_" })
+end
+
+hybrid.composites = {}
+
+function hybrid.composites.alpha_over(p, seen, revealed)
+  local on_top, below = hybrid.dominant(p, seen, revealed)
+  local front = gathers.blurred(p, p.weights(), seen, on_top.dominant, revealed, "gather_raster")
+  local back = gathers.blurred(p, p.weights(), revealed, below.dominant, nil, "gather_revealed")
+  return alpha_over { front = front, back = back, as = "composite" }.color
+end
+
+function hybrid.composites.layered(p, seen, revealed)
+  local on_top, below = hybrid.dominant(p, seen, revealed, tiles.motions(p, seen))
+  return layered {
+    color = seen.color, depth = seen.depth, velocity = seen.velocity,
+    dominant = on_top.dominant, second = on_top.second,
+    revealed_color = revealed.color, revealed_depth = revealed.depth, revealed_velocity = revealed.velocity,
+    revealed_valid = revealed.valid, revealed_dominant = p.tiles() == "separate" and below.dominant or nil,
+    samples = p.samples, tile = p.tile, limit = p.limit, jitter = p.jitter, as = "composite",
+  }.blurred
+end
+
+return hybrid

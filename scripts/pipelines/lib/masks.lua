@@ -1,0 +1,34 @@
+-- SPDX-License-Identifier: MIT
+-- Which pixels to reveal something behind. Each is a function of the pipeline's parameters and what raster saw.
+local candidate    = require "passes.mask.candidate"
+local constant     = require "passes.mask.constant"
+local near_motions = require "passes.mask.near_motions"
+local range_check  = require "passes.mask.range_check"
+local relative     = require "passes.mask.relative"
+local edges        = require "scripts.pipelines.lib.edges"
+local tiles        = require "scripts.pipelines.lib.tiles"
+
+local masks = {}
+
+masks["none"] = function() return constant { everywhere = false, as = "mask" }.mask end
+masks["all"]  = function() return constant { everywhere = true, as = "mask" }.mask end
+
+-- Tan, Cui and Bhojan 2020: displaced position, edges there, everything from which such an edge is in range.
+masks["seed"] = function(p, seen)
+  local where = candidate { depth = seen.depth, id = seen.id, velocity = seen.velocity, limit = p.limit }.candidate
+  return range_check {
+    edge = edges.detected(p.edge(), seen, where), id = seen.id, velocity = seen.velocity,
+    limit = p.limit, own_edge = p.own_edge, as = "mask",
+  }.mask
+end
+
+-- Motion relative to the background decides.
+masks["relative"] = function(p, seen)
+  local near = near_motions { motions = tiles.motions(p, seen), tile = p.tile, limit = p.limit }
+  return relative {
+    depth = seen.depth, id = seen.id, velocity = seen.velocity, tile = p.tile, limit = p.limit, as = "mask",
+    motions_0 = near.motions_0, motions_1 = near.motions_1, motions_2 = near.motions_2, motions_3 = near.motions_3,
+  }.mask
+end
+
+return masks

@@ -1,0 +1,27 @@
+-- SPDX-License-Identifier: MIT
+-- Parameters that blur pipelines share, so that a name means the same in each.
+local pipeline = require "strobe.pipeline"
+
+local options = {}
+
+-- `tile` and `limit` are defaults; the rest is equal everywhere, so that methods are compared alike.
+function options.blur(tile, limit)
+  return {
+    samples      = pipeline.int { 16, min = 1, max = 1024, doc = "samples along the motion" },
+    tile         = pipeline.int { tile, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
+    limit        = pipeline.float { limit, min = 0, max = 10, unit = "image widths",
+      doc = "longest displacement handled; longer ones are shortened and counted" },
+    depth_extent = pipeline.float { 0.01, min = 1e-6, max = 1,
+      doc = "share of the depth over which two depths count as one" },
+    jitter       = pipeline.choice { "none", "ign", "hash", default = "none", doc = "shift of the samples per pixel" },
+    tile_rule    = pipeline.choice { "reach", "all", default = "reach",
+      doc = "tiles around that count: those that can reach, or all in range" },
+  }
+end
+
+function options.with(base, more)
+  for name, param in pairs(more) do base[name] = param end
+  return base
+end
+
+return options

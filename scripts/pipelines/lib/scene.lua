@@ -1,0 +1,26 @@
+-- SPDX-License-Identifier: MIT
+-- What every pipeline starts from: what the pixels see at the capture, and its colour.
+local visibility = require "passes.scene.visibility"
+local gbuffer    = require "passes.scene.gbuffer"
+local shade      = require "passes.scene.shade"
+
+local scene = {}
+
+-- depth, normal, id, velocity, color and hit of what raster sees.
+function scene.captured()
+  local hit = visibility {}.hit
+  local g = gbuffer { hit = hit }
+  return {
+    hit = hit, depth = g.depth, normal = g.normal, id = g.id, velocity = g.velocity,
+    color = shade { hit = hit }.color,
+  }
+end
+
+-- The outputs every pipeline has, and those given.
+function scene.outputs(seen, more)
+  local outputs = { depth = seen.depth, normal = seen.normal, velocity = seen.velocity, id = seen.id }
+  for name, value in pairs(more) do outputs[name] = value end
+  return outputs
+end
+
+return scene

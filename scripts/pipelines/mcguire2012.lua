@@ -1,0 +1,20 @@
+-- SPDX-License-Identifier: MIT
+-- Post-process blur of McGuire, Hennessy, Bukowski and Osman 2012, for any anchor.
+local pipeline = require "strobe.pipeline"
+local scene    = require "scripts.pipelines.lib.scene"
+local options  = require "scripts.pipelines.lib.options"
+local tiles    = require "scripts.pipelines.lib.tiles"
+local gathers  = require "scripts.pipelines.lib.gathers"
+
+return pipeline {
+  doc = "McGuire et al. 2012: a gather along the dominant displacement of the tiles around",
+  params = options.with(options.blur(40, 0.1), {
+    weights = pipeline.choice { "mcguire2012", "uniform", default = "mcguire2012",
+      doc = "weights of the taps: as published, or each tap an equal share of the exposure" },
+  }),
+  build = function(p)
+    local seen = scene.captured()
+    local dominant = tiles.dominant(p, seen).dominant
+    return scene.outputs(seen, { color = gathers.blurred(p, p.weights(), seen, dominant, nil, "gather") })
+  end,
+}

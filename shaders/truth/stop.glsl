@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Are the time samples enough? Standard error of the mean = rms(mean a - mean b) / 2 over pixels and channels.
+// In:  spread (per block: sum of squares, number of pixels; 0 pixels: not known yet).
+// Out: stop, one pixel: 1 if at least min_samples iterations have run and the standard error is at most `tolerance`.
+void run(ivec2 pixel) {
+  ivec2 size = textureSize(spread_tex, 0);
+  float sum = 0.0;
+  float pixels = 0.0;
+  bool known = true;
+  for (int y = 0; y < size.y; ++y) {
+    for (int x = 0; x < size.x; ++x) {
+      vec4 block = texelFetch(spread_tex, ivec2(x, y), 0);
+      known = known && block.y > 0.0;
+      sum += block.x;
+      pixels += block.y;
+    }
+  }
+  bool enough = known && int(frame.iteration) + 1 >= params.min_samples;
+  float error = 0.5 * sqrt(sum / max(3.0 * pixels, 1.0));
+  imageStore(stop_img, pixel, vec4(enough && error <= params.tolerance ? 1 : 0));
+}
