@@ -189,6 +189,7 @@ shared::FrameData Graph::frameData(const FrameSetup& setup) const {
   frame.light_count = scene_.lightCount();
   frame.sky = setup.environment.sky;
   frame.ground = setup.environment.ground;
+  frame.reach = ivec4(setup.reach.x0, setup.reach.y0, setup.reach.x1, setup.reach.y1);
   if (setup.environment.background) frame.background = vec4(*setup.environment.background, 1);
   return frame;
 }

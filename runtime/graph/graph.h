@@ -9,6 +9,7 @@
 
 #include "graph/pipelines.h"
 #include "image/image.h"
+#include "scene/facts.h"
 #include "scene/upload.h"
 
 namespace strobe::graph {
@@ -24,6 +25,7 @@ struct FrameSetup {
   uint32_t seed = 0;
   vec2 subpixel = vec2(0);        // sample position relative to the pixel's centre, px
   scene::Environment environment;
+  scene::PixelArea reach;         // where anything that moves can be seen
 };
 
 // What was read back of one image: floats, or unsigned integers.

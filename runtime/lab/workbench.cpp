@@ -152,6 +152,8 @@ Picture Workbench::render(Shot shot, const std::function<void(int, int)>& progre
   setup.frame = uint32_t(shot.frame);
   setup.seed = shot.seed;
   setup.environment = scene_->scene.environment;
+  setup.reach = scene::reachOfMotion(scene_->scene, setup.camera, setup.pose_at, setup.capture_s, setup.open_s,
+                                     setup.close_s, shot.width, shot.height);
 
   Picture picture;
   double ready_s = clockSeconds();

@@ -19,6 +19,7 @@ using glm::dvec3;
 using glm::dvec4;
 using glm::ivec2;
 using glm::ivec3;
+using glm::ivec4;
 using glm::mat3;
 using glm::mat4;
 using glm::uvec2;

@@ -22,12 +22,13 @@ struct FrameData {
   uint instance_count;
   uint light_count;
   vec3 sky;             // radiance from above,
-  vec3 ground;          // from below,
+  vec3 ground;          // from below
   vec4 background;      // rgb and 1 if rays that miss see this instead of the two above
+  ivec4 reach;          // pixels [x, z) x [y, w) in which anything that moves can be seen
 };
 
 STROBE_SHARED_END
 #ifdef __cplusplus
-static_assert(sizeof(strobe::shared::FrameData) == 96);
+static_assert(sizeof(strobe::shared::FrameData) == 112);
 #endif
 #endif

@@ -29,24 +29,43 @@ bool wasOccluded(vec3 position_ws) {
   return isBlocked(SLICE_CAPTURE, ray, camera.near, position_vs.z * (1.0 - 1.0 / 4096.0));
 }
 
-uint regionsOf(ivec2 pixel, Hit hit, vec3 capture_ws, uint known) {
+// `is_still`: nothing about the sample has moved, so the capture's own ray tells what was hidden behind what.
+uint regionsOf(ivec2 pixel, Hit hit, vec3 capture_ws, bool is_still, uint known) {
   uvec4 seen = texelFetch(hit_tex, pixel, 0);
   uint id = isHit(hit) ? hit.instance + 1u : 0u;
   uint found = 0u;
+  bool farther = false;
   if (id != seen.x) {
     float before = kFar;
     if (seen.x != 0u)
       before = hitOnTriangle(SLICE_CAPTURE, cameraRay(SLICE_CAPTURE, samplePosition(pixel)), seen.x - 1u, seen.y, seen.z).t;
     float now = isHit(hit) ? hit.t : kFar;
-    if (now > before) found |= kInner;
+    farther = now > before;
+    if (farther) found |= kInner;
     if (now < before) found |= kOuter;
   }
+  if (is_still) return known | found | (farther ? kHidden : 0u);
   if (isHit(hit) && (known & kHidden) == 0u && wasOccluded(capture_ws)) found |= kHidden;
   return known | found;
 }
 
+// Even and odd iterations are summed apart: their difference tells how far off their mean can be.
+void addSample(ivec2 pixel, vec3 color) {
+  vec4 added = vec4(color, 1);
+  if ((frame.iteration & 1u) == 0u) imageStore(sum_a_img, pixel, imageLoad(sum_a_img, pixel) + added);
+  else imageStore(sum_b_img, pixel, imageLoad(sum_b_img, pixel) + added);
+}
+
 void run(ivec2 pixel) {
   uint index = uint(pixel.y) * frame.size.x + uint(pixel.x);
+  vec4 still = imageLoad(still_img, pixel);
+  bool caches = PARAM_shading == shading_frozen && PARAM_pixel == pixel_centre;
+  // Where nothing that moves can be seen, every sample is the first one.
+  bool reached = all(greaterThanEqual(pixel, frame.reach.xy)) && all(lessThan(pixel, frame.reach.zw));
+  if (caches && !reached && still.a != 0.0) {
+    addSample(pixel, still.rgb);
+    return;
+  }
   uint slice = TIME_SLICE;
   if (frame.slice_count > 1u) slice += randomUint(index, frame.iteration, 0u) % frame.slice_count;
   vec2 position_px = samplePosition(pixel);
@@ -55,12 +74,11 @@ void run(ivec2 pixel) {
 #endif
   Ray ray = cameraRay(slice, position_px);
   Hit hit = traceNearest(slice, ray, scene_cameras[slice].near, kFar);
-  vec4 still = imageLoad(still_img, pixel);
   vec3 capture_ws = vec3(0);
   vec3 color;
 
   // What stands still before a camera that stands still has one colour at every time: it is shaded once.
-  bool is_still = PARAM_shading == shading_frozen && PARAM_pixel == pixel_centre && cameraIsStill(slice) &&
+  bool is_still = caches && cameraIsStill(slice) &&
                   (!isHit(hit) || sameTransform(transformOf(slice, hit.instance), transformOf(SLICE_CAPTURE, hit.instance)));
   if (isHit(hit)) capture_ws = positionOf(SLICE_CAPTURE, hit);
   if (is_still && still.a != 0.0) {
@@ -69,13 +87,11 @@ void run(ivec2 pixel) {
     color = isHit(hit) ? shade(PARAM_shading == shading_frozen ? SLICE_CAPTURE : slice, hit) : environment(ray.direction);
     if (is_still) imageStore(still_img, pixel, vec4(color, 1));
   }
-  vec4 added = vec4(color, 1);
-  if ((frame.iteration & 1u) == 0u) imageStore(sum_a_img, pixel, imageLoad(sum_a_img, pixel) + added);
-  else imageStore(sum_b_img, pixel, imageLoad(sum_b_img, pixel) + added);
+  addSample(pixel, color);
 
 #if PARAM_mark_regions
   uint known = imageLoad(regions_img, pixel).r;
-  uint regions = regionsOf(pixel, hit, capture_ws, known);
+  uint regions = regionsOf(pixel, hit, capture_ws, is_still, known);
   if (regions != known) imageStore(regions_img, pixel, uvec4(regions, 0u, 0u, 0u));
 #endif
   imageStore(sample_id_img, pixel, isHit(hit) ? uvec4(hit.instance + 1u, hit.geometry + 1u, 0u, 0u) : uvec4(0u));

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "scene/facts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace strobe::scene {
+
+using Corners = std::array<dvec3, 8>;
+
+// Corners of a mesh's bounding box, nothing for a mesh without vertices.
+static std::optional<Corners> boundsOf(const Mesh& mesh) {
+  dvec3 low(INFINITY), high(-INFINITY);
+  for (const Geometry& geometry : mesh.geometries) {
+    for (const Vertex& vertex : geometry.vertices) {
+      low = glm::min(low, dvec3(vertex.position));
+      high = glm::max(high, dvec3(vertex.position));
+    }
+  }
+  if (!(low.x <= high.x)) return std::nullopt;
+  Corners corners;
+  for (int i = 0; i < 8; ++i)
+    corners[size_t(i)] = dvec3(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z);
+  return corners;
+}
+
+// Pixel coordinates of a world position, nothing when it is not clearly in front of the camera.
+static std::optional<dvec2> project(const dmat4& camera_from_world, const Camera& camera, const dvec3& position_ws,
+                                    int width, int height) {
+  dvec3 p = dvec3(camera_from_world * dvec4(position_ws, 1));
+  double depth = -p.z;
+  if (!camera.orthographic && depth < 2 * camera.near) return std::nullopt;
+  double half_height = camera.orthographic ? camera.half_height : std::tan(camera.vertical_fov / 2) * depth;
+  double pixels = height / (2 * half_height);
+  return dvec2(0.5 * width + p.x * pixels, 0.5 * height - p.y * pixels);
+}
+
+namespace {
+
+// Grows around what one instance covers over time.
+struct Area {
+  dvec2 low{INFINITY}, high{-INFINITY};
+  double step_px = 0;  // the farthest a corner goes between two times
+
+  void add(const std::array<dvec2, 8>& now, const std::array<dvec2, 8>* before) {
+    for (size_t i = 0; i < 8; ++i) {
+      low = glm::min(low, now[i]);
+      high = glm::max(high, now[i]);
+      if (before) step_px = std::max(step_px, glm::length(now[i] - (*before)[i]));
+    }
+  }
+};
+
+}  // namespace
+
+PixelArea reachOfMotion(const Scene& scene, const Camera& camera, const std::function<Pose(double)>& pose_at,
+                        double capture_s, double open_s, double close_s, int width, int height) {
+  constexpr int kTimes = 33;
+  const PixelArea everywhere = {0, 0, width, height};
+  std::vector<Instance> instances = instancesOf(scene);
+  Pose capture = pose_at(capture_s);
+  std::vector<Pose> poses;
+  for (int i = 0; i < kTimes; ++i) poses.push_back(pose_at(open_s + (close_s - open_s) * i / (kTimes - 1)));
+  for (const Pose& pose : poses)
+    if (pose.world_from_camera != capture.world_from_camera) return everywhere;
+  dmat4 camera_from_world = glm::inverse(capture.world_from_camera);
+
+  PixelArea reach;
+  for (size_t i = 0; i < instances.size(); ++i) {
+    const dmat4& at_capture = capture.world_from_instance[i];
+    bool moves = std::any_of(poses.begin(), poses.end(), [&](const Pose& p) { return p.world_from_instance[i] != at_capture; });
+    std::optional<Corners> corners = moves ? boundsOf(scene.meshes[size_t(instances[i].mesh)]) : std::nullopt;
+    if (!corners) continue;
+    poses.push_back(capture);
+    Area area;
+    std::array<dvec2, 8> before{};
+    for (size_t k = 0; k < poses.size(); ++k) {
+      std::array<dvec2, 8> now;
+      for (size_t c = 0; c < 8; ++c) {
+        dvec3 position_ws = dvec3(poses[k].world_from_instance[i] * dvec4((*corners)[c], 1));
+        std::optional<dvec2> pixel = project(camera_from_world, camera, position_ws, width, height);
+        if (!pixel) return everywhere;
+        now[c] = *pixel;
+      }
+      bool consecutive = k > 0 && k + 1 < poses.size();
+      area.add(now, consecutive ? &before : nullptr);
+      before = now;
+    }
+    poses.pop_back();
+    double margin = area.step_px + 2;
+    PixelArea own = {int(std::floor(std::clamp(area.low.x - margin, 0.0, double(width)))),
+                     int(std::floor(std::clamp(area.low.y - margin, 0.0, double(height)))),
+                     int(std::ceil(std::clamp(area.high.x + margin, 0.0, double(width)))),
+                     int(std::ceil(std::clamp(area.high.y + margin, 0.0, double(height))))};
+    if (own.empty()) continue;
+    if (reach.empty()) reach = own;
+    reach = {std::min(reach.x0, own.x0), std::min(reach.y0, own.y0), std::max(reach.x1, own.x1), std::max(reach.y1, own.y1)};
+  }
+  return reach;
+}
+
+}  // namespace strobe::scene
