@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// The launcher's decisions, with nothing installed and nothing built: its functions read into a shell.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+
+#include "base/files.h"
+
+namespace strobe::repo {
+namespace {
+
+struct Outcome {
+  int code = -1;
+  std::string text;  // of both streams
+};
+
+// Runs `script` after the launcher has been read.
+Outcome launcher(const std::string& script) {
+  std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();  // tests may run side by side
+  std::string file = testing::TempDir() + "launcher_" + test + ".sh";
+  writeFileAtomically(file, "source '" + (homeFolder() / "strobe").string() + "'; " + script);
+  std::string command = "bash '" + file + "' 2>&1 </dev/null";
+  FILE* pipe = popen(command.c_str(), "r");
+  Outcome outcome;
+  char part[4096];
+  while (size_t count = fread(part, 1, sizeof part, pipe)) outcome.text.append(part, count);
+  int status = pclose(pipe);
+  std::filesystem::remove(file);
+  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return outcome;
+}
+
+std::string written(const std::string& name, const std::string& text) {
+  std::string file = testing::TempDir() + name;
+  writeFileAtomically(file, text);
+  return file;
+}
+
+TEST(Launcher, AddsASuiteInTheStyleOfAOneLineEntry) {
+  std::string file = written("machine.list",
+                             "# comment\n"
+                             "deb http://mirror/debian trixie main contrib\n"
+                             "deb [arch=amd64 signed-by=/keys/a.gpg] http://mirror/debian/ trixie main # ours\n");
+  EXPECT_EQ(launcher("entry_for '" + file + ":2' new").text, "deb http://mirror/debian new main\n");
+  EXPECT_EQ(launcher("entry_for '" + file + ":3' new").text,
+            "deb [arch=amd64 signed-by=/keys/a.gpg] http://mirror/debian/ new main\n");
+}
+
+TEST(Launcher, AddsASuiteInTheStyleOfAStanza) {
+  std::string file = written("machine.sources",
+                             "# the first\n"
+                             "Types: deb\nURIs: http://other/\nSuites: x\nComponents: main\n"
+                             "\n"
+                             "Types: deb deb-src\n# comment\nURIs: http://mirror/debian\n"
+                             "Suites: trixie\n trixie-updates\nComponents: main contrib\n"
+                             "Signed-By:\n -----BEGIN\n .\n key\n");
+  EXPECT_EQ(launcher("entry_for '" + file + ":2' new").text,
+            "Types: deb\nURIs: http://mirror/debian\nSuites: new\nComponents: main\nSigned-By:\n -----BEGIN\n .\n key\n");
+  EXPECT_EQ(launcher("entry_for '" + file + ":1' new").text,
+            "Types: deb\nURIs: http://other/\nSuites: new\nComponents: main\n");
+}
+
+// A device suffices if it has acceleration structures and one way to trace; two halves in two devices are none.
+TEST(Launcher, KnowsADeviceThatSuffices) {
+  auto code = [](const std::string& lines) {
+    return launcher("vulkaninfo() { printf '" + lines + "'; }; device_suffices").code;
+  };
+  std::string structure = "\\tVK_KHR_acceleration_structure : extension revision 13\\n";
+  std::string query = "\\tVK_KHR_ray_query : extension revision 1\\n";
+  std::string pipeline = "\\tVK_KHR_ray_tracing_pipeline : extension revision 1\\n";
+  EXPECT_EQ(code("GPU0:\\n" + structure + query), 0);
+  EXPECT_EQ(code("GPU0:\\nGPU1:\\n" + structure + pipeline), 0);
+  EXPECT_EQ(code("GPU0:\\n" + structure), 1);
+  EXPECT_EQ(code("GPU0:\\n" + structure + "GPU1:\\n" + query), 1);
+  EXPECT_EQ(code(""), 1);
+  EXPECT_EQ(launcher("vulkaninfo() { return 1; }; device_suffices").code, 1);
+}
+
+TEST(Launcher, ListsWhatIsNeededWithoutApt) {
+  Outcome outcome = launcher(
+      "command() { [[ $2 != apt-get ]] && builtin command \"$@\"; }; build=/nowhere; packages build; echo went on");
+  EXPECT_EQ(outcome.code, 1);
+  for (const char* part : {"g++", "libvulkan-dev", "mesa-vulkan-drivers", "--no-install"}) {
+    EXPECT_NE(outcome.text.find(part), std::string::npos) << outcome.text;
+  }
+  EXPECT_EQ(outcome.text.find("went on"), std::string::npos) << outcome.text;
+}
+
+TEST(Launcher, LooksForPackagesOncePerList) {
+  std::string stubs =
+      "install_missing() { echo looked; }; install_driver() { :; }; build=\"$(mktemp -d)\"; "
+      "packages build; packages build; build_packages+=(another); packages build; rm -r \"$build\"";
+  EXPECT_EQ(launcher(stubs).text, "looked\nlooked\n");
+}
+
+TEST(Launcher, InstallsOnlyWhatIsMissingAndOffered) {
+  std::string stubs =
+      "installed() { [[ $1 == here ]]; }; offered() { [[ $1 != unknown ]]; }; "
+      "apt_get() { echo \"apt: $*\"; }; say() { :; }; ";
+  EXPECT_EQ(launcher(stubs + "install_missing all here").text, "");
+  EXPECT_EQ(launcher(stubs + "install_missing some here there unknown").text,
+            "apt: update\napt: install --no-install-recommends there\n");
+  EXPECT_EQ(launcher(stubs + "install_missing all unknown").text,
+            "apt: update\napt: install --no-install-recommends unknown\n");
+}
+
+TEST(Launcher, AddsBackportsOnlyWhereTheyAreNeededAndMissing) {
+  std::string stubs =
+      "apt_get() { echo \"apt: $*\"; }; as_root() { echo \"root: $*\" >&2; cat >&2; }; say() { :; }; "
+      "apt-get() { printf \"$known\"; }; entry_for() { echo \"entry: $*\"; }; ";
+  std::string release = "Packages|http://mirror/debian/|r|r|/etc/apt/sources.list:1\\n";
+  std::string there = "Packages|http://mirror/debian/|r-backports|r-backports|/etc/apt/sources.list:2\\n";
+  EXPECT_EQ(launcher(stubs + "known='" + release + there + "'; add_backports r").text, "apt: update\n");
+  EXPECT_EQ(launcher(stubs + "known='" + release + "'; add_backports r").text,
+            "apt: update\n"
+            "root: tee /etc/apt/sources.list.d/strobe-backports.list\n"
+            "entry: /etc/apt/sources.list:1 r-backports\n"
+            "apt: update\n");
+  EXPECT_EQ(launcher("device_suffices() { true; }; apt_get() { echo called; }; install_driver").text, "");
+  Outcome none = launcher(stubs + "known=''; add_backports r; echo went on");
+  EXPECT_EQ(none.code, 1);
+  EXPECT_EQ(none.text, "apt: update\n");
+}
+
+}  // namespace
+}  // namespace strobe::repo
