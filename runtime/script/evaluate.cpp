@@ -24,11 +24,14 @@ struct Main {
   bool own_folder = false;
 };
 
+// Names of the Lua files below `folder` ("bar", "oracles/bar"); modules in folders called lib are not among them.
 std::vector<std::string> namesIn(const Path& folder) {
   std::vector<std::string> names;
   std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-    if (entry.path().extension() == ".lua" && entry.is_regular_file(ignored)) names.push_back(entry.path().stem());
+  for (const auto& entry : fs::recursive_directory_iterator(folder, ignored)) {
+    bool module = entry.path().parent_path().filename() == "lib";
+    if (entry.path().extension() != ".lua" || module || !entry.is_regular_file(ignored)) continue;
+    names.push_back(entry.path().lexically_relative(folder).replace_extension());
   }
   std::sort(names.begin(), names.end());
   return names;
@@ -48,7 +51,7 @@ Main mainFile(const std::string& path) {
 
 // `what` is "pipeline" or "scene", kept in scripts/<what>s.
 Main mainOf(const std::string& name_or_path, const std::string& what) {
-  bool is_path = name_or_path.ends_with(".lua") || name_or_path.find('/') != std::string::npos;
+  bool is_path = name_or_path.ends_with(".lua");
   if (is_path) return mainFile(name_or_path);
   Path folder = homeFolder() / "scripts" / (what + "s");
   std::vector<std::string> names = namesIn(folder);
