@@ -8,12 +8,8 @@
 #include "base/log.h"
 #include "lab/record.h"
 #include "plan/canonical.h"
-#if __has_include("scene/defaults.h")
 #include "scene/defaults.h"
 #include "scene/gltf.h"
-#else
-namespace strobe::scene { static void supplyDefaults(Scene&) {} static Scene loadGltf(const std::string&) { return {}; } }
-#endif
 #include "scene/json_scene.h"
 #include "scene/motion.h"
 
