@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "scene/defaults.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/motion.h"
+
+namespace strobe::scene {
+
+static Bounds boundsOf(const Mesh& mesh) {
+  Bounds bounds{dvec3(HUGE_VAL), dvec3(-HUGE_VAL)};
+  for (const Geometry& geometry : mesh.geometries) {
+    for (uint32_t index : geometry.indices) {
+      dvec3 position = mesh.origin + dvec3(geometry.vertices[index].position);
+      bounds.low = glm::min(bounds.low, position);
+      bounds.high = glm::max(bounds.high, position);
+    }
+  }
+  return bounds;
+}
+
+Bounds boundsOf(const Scene& scene) {
+  std::vector<dmat4> worlds = restWorlds(scene);
+  std::vector<Bounds> meshes;
+  for (const Mesh& mesh : scene.meshes) meshes.push_back(boundsOf(mesh));
+  Bounds all{dvec3(HUGE_VAL), dvec3(-HUGE_VAL)};
+  for (const Instance& instance : instancesOf(scene)) {
+    const Bounds& own = meshes[instance.mesh];
+    if (own.empty()) continue;
+    dmat4 world = worlds[instance.node] * instance.node_from_instance;
+    for (int corner = 0; corner < 8; ++corner) {
+      dvec3 at(corner & 1 ? own.high.x : own.low.x, corner & 2 ? own.high.y : own.low.y,
+               corner & 4 ? own.high.z : own.low.z);
+      at = dvec3(world * dvec4(at, 1));
+      all.low = glm::min(all.low, at);
+      all.high = glm::max(all.high, at);
+    }
+  }
+  return all;
+}
+
+static bool hasCamera(const Scene& scene) {
+  return std::any_of(scene.nodes.begin(), scene.nodes.end(), [](const Node& node) { return node.camera >= 0; });
+}
+
+// The least distance at which all corners of the bounds are within the angle, in a picture of 16:9.
+static double framingDistance(const Bounds& bounds, const dmat3& world_from_camera, double vertical_fov) {
+  double up = std::tan(vertical_fov / 2), right = up * 16 / 9, distance = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    dvec3 side(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+    dvec3 seen = glm::transpose(world_from_camera) * (side * (bounds.high - bounds.low) * 0.5);
+    distance = std::max({distance, seen.z + std::abs(seen.y) / up, seen.z + std::abs(seen.x) / right});
+  }
+  return distance * 1.08;
+}
+
+static void addCamera(Scene& scene) {
+  Bounds bounds = boundsOf(scene);
+  if (bounds.empty()) bounds = {dvec3(-1), dvec3(1)};
+  Camera camera;
+  camera.name = "default";
+  camera.vertical_fov = glm::radians(40.0);
+
+  Node node;
+  node.name = "default camera";
+  node.rotation = glm::angleAxis(glm::radians(20.0), dvec3(0, 1, 0)) * glm::angleAxis(glm::radians(-15.0), dvec3(1, 0, 0));
+  dmat3 world_from_camera = glm::mat3_cast(node.rotation);
+  double distance = framingDistance(bounds, world_from_camera, camera.vertical_fov);
+  if (distance <= 0) distance = 1;
+  node.translation = bounds.middle() + world_from_camera[2] * distance;
+  node.camera = int(scene.cameras.size());
+  camera.near = distance * 1e-3;
+  scene.cameras.push_back(camera);
+  scene.nodes.push_back(node);
+  scene.assumptions.push_back("no camera in the scene: one that frames its bounds, vertical angle 40 degrees");
+}
+
+static bool needsLight(const Scene& scene) {
+  for (const Node& node : scene.nodes) {
+    if (node.mesh < 0) continue;
+    for (const Geometry& geometry : scene.meshes[node.mesh].geometries) {
+      if (!scene.materials[geometry.material].unlit) return true;
+    }
+  }
+  return false;
+}
+
+static void addLight(Scene& scene, int camera) {
+  Light light;
+  light.name = "default light";
+  light.type = Light::Type::Directional;
+  light.intensity = vec3(1.9f, 1.8f, 1.65f);
+  light.shadow = false;
+  Node node;
+  node.name = "default light";
+  node.parent = camera;
+  node.rotation = glm::angleAxis(glm::radians(-20.0), dvec3(0, 1, 0)) * glm::angleAxis(glm::radians(-20.0), dvec3(1, 0, 0));
+  node.light = int(scene.lights.size());
+  scene.lights.push_back(light);
+  scene.nodes.push_back(node);
+  scene.assumptions.push_back("no light in the scene: a directional light of 1.9 1.8 1.65 lux at the camera, no shadow");
+}
+
+void supplyDefaults(Scene& scene, const std::string& camera) {
+  if (!hasCamera(scene)) addCamera(scene);
+  if (!lightsOf(scene).empty() || !needsLight(scene)) return;
+  addLight(scene, cameraNode(scene, camera));
+  Environment& environment = scene.environment;
+  if (environment.sky != vec3(0) || environment.ground != vec3(0)) return;
+  environment.sky = vec3(0.50f, 0.54f, 0.60f);
+  environment.ground = vec3(0.26f, 0.24f, 0.22f);
+  scene.assumptions.push_back("no environment in the scene: a sky of .50 .54 .60 over a ground of .26 .24 .22");
+}
+
+void moderateLights(Scene& scene) {
+  std::vector<int> nodes = lightsOf(scene);
+  Bounds bounds = boundsOf(scene);
+  if (nodes.empty() || bounds.empty()) return;
+  std::vector<dmat4> worlds = restWorlds(scene);
+  double least = std::max(bounds.radius() * 0.1, 1e-9), lux = 0;
+  for (int node : nodes) {
+    const Light& light = scene.lights[scene.nodes[node].light];
+    double strength = 0.2126 * light.intensity.x + 0.7152 * light.intensity.y + 0.0722 * light.intensity.z;
+    double distance = std::max(least, glm::distance(dvec3(worlds[node][3]), bounds.middle()));
+    lux += light.type == Light::Type::Directional ? strength : strength / (distance * distance);
+  }
+  if (!(lux > 0) || !std::isfinite(lux) || (lux >= 0.3 && lux <= 10)) return;
+  double factor = 3.14159265358979323846 / lux;
+  for (Light& light : scene.lights) light.intensity *= float(factor);
+  scene.assumptions.push_back(fmt::format("its lights give about {:.4g} lux: all multiplied by {:.4g}", lux, factor));
+}
+
+}  // namespace strobe::scene

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// What a scene lacks: a camera, light, light of a strength that a picture of exposure 1 can show.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace strobe::scene {
+
+// World bounds of everything drawn, at rest. `empty()` when nothing is.
+struct Bounds {
+  dvec3 low = dvec3(1), high = dvec3(-1);
+  bool empty() const { return low.x > high.x; }
+  dvec3 middle() const { return (low + high) * 0.5; }
+  double radius() const { return glm::length(high - low) * 0.5; }
+};
+Bounds boundsOf(const Scene& scene);
+
+// Adds, each with a line in `assumptions`:
+// - no camera: a camera "default" that looks at the whole scene from the front, a little from the right and above, with
+//   a vertical angle of 40 degrees;
+// - no light, and something that needs it: a directional light without shadow that moves with the camera `camera` (""
+//   for the first), 20 degrees from its left and above, of 1.9, 1.8, 1.65 lux; and where the environment is black too,
+//   a sky of .50 .54 .60 over a ground of .26 .24 .22.
+// A scene that has all of it is left as it is.
+void supplyDefaults(Scene& scene, const std::string& camera = "");
+
+// For lights in physical units, which may be of any size: estimates what they send to the middle of the bounds
+// (candela over the squared distance, at least a tenth of the bounds' radius; lux as it is). Outside of 0.3 to 10 lux,
+// all lights are multiplied by one factor that makes it pi: a white surface there is then as bright as the display's
+// white. The factor is noted in `assumptions`.
+void moderateLights(Scene& scene);
+
+}  // namespace strobe::scene

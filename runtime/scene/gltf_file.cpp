@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: MIT
+#include "scene/gltf_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace strobe::scene {
+
+namespace {
+
+const Json kNoList = Json::array();
+const Json kNoObject = Json::object();
+
+// More elements than any accessor of a sensible file, so that a short file cannot ask for much memory.
+constexpr size_t kMostElements = size_t(1) << 26;
+
+uint32_t word(const std::vector<uint8_t>& bytes, size_t at) {
+  uint32_t value;  // little endian, as this program's machines are
+  std::memcpy(&value, bytes.data() + at, 4);
+  return value;
+}
+
+size_t componentSize(int type) {
+  switch (type) {
+    case 5120: case 5121: return 1;
+    case 5122: case 5123: return 2;
+    case 5125: case 5126: return 4;
+  }
+  return 0;
+}
+
+int componentsOf(const std::string& type) {
+  if (type == "SCALAR") return 1;
+  if (type == "VEC2") return 2;
+  if (type == "VEC3") return 3;
+  if (type == "VEC4") return 4;
+  return type == "MAT4" ? 16 : 0;
+}
+
+template <class T>
+double loaded(const uint8_t* at) {
+  T value;
+  std::memcpy(&value, at, sizeof value);
+  return double(value);
+}
+
+double component(const uint8_t* at, int type, bool normalized) {
+  switch (type) {
+    case 5120: return normalized ? std::max(loaded<int8_t>(at) / 127, -1.0) : loaded<int8_t>(at);
+    case 5121: return normalized ? loaded<uint8_t>(at) / 255 : loaded<uint8_t>(at);
+    case 5122: return normalized ? std::max(loaded<int16_t>(at) / 32767, -1.0) : loaded<int16_t>(at);
+    case 5123: return normalized ? loaded<uint16_t>(at) / 65535 : loaded<uint16_t>(at);
+    case 5125: return loaded<uint32_t>(at);
+  }
+  return loaded<float>(at);
+}
+
+std::optional<std::vector<uint8_t>> fromBase64(std::string_view text) {
+  std::vector<uint8_t> bytes;
+  uint32_t bits = 0;
+  int held = 0;
+  while (!text.empty() && text.back() == '=') text.remove_suffix(1);
+  for (char c : text) {
+    static constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    size_t digit = kDigits.find(c);
+    if (digit == std::string_view::npos) return std::nullopt;
+    bits = bits << 6 | uint32_t(digit);
+    held += 6;
+    if (held < 8) continue;
+    held -= 8;
+    bytes.push_back(uint8_t(bits >> held));
+  }
+  return bytes;
+}
+
+std::string percentDecoded(const std::string& uri) {
+  std::string text;
+  for (size_t i = 0; i < uri.size(); ++i) {
+    bool escape = uri[i] == '%' && i + 2 < uri.size() && std::isxdigit(uint8_t(uri[i + 1])) &&
+                  std::isxdigit(uint8_t(uri[i + 2]));
+    text += escape ? char(std::stoi(uri.substr(i + 1, 2), nullptr, 16)) : uri[i];
+    if (escape) i += 2;
+  }
+  return text;
+}
+
+}  // namespace
+
+GltfFile::GltfFile(const Path& file, const std::vector<std::string>& supported) : path_(file) {
+  readContainer();
+  checkVersion(supported);
+  readBuffers();
+}
+
+void GltfFile::refuse(const std::string& where, const std::string& text) const {
+  throw Error(where.empty() ? text : where + ": " + text, {displayPath(path_)});
+}
+
+void GltfFile::readContainer() {
+  std::vector<uint8_t> bytes = readBytes(path_);
+  size_t json_at = 0, json_size = bytes.size();
+  if (bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0) {
+    if (bytes.size() < 20) refuse("", fmt::format("is cut short: {} bytes are no GLB header", bytes.size()));
+    if (word(bytes, 4) != 2) refuse("", fmt::format("is GLB version {}, not 2", word(bytes, 4)));
+    size_t length = word(bytes, 8);
+    if (length > bytes.size()) refuse("", fmt::format("is cut short: {} of {} bytes", bytes.size(), length));
+    json_at = 20;
+    json_size = word(bytes, 12);
+    if (word(bytes, 16) != 0x4E4F534A) refuse("", "its first chunk is not JSON");
+    if (length < 20 || json_size > length - 20) refuse("", "its JSON chunk is longer than the file");
+    size_t next = json_at + json_size;
+    if (next + 8 <= length && word(bytes, next + 4) == 0x004E4942) {
+      size_t size = word(bytes, next);
+      if (size > length - next - 8) refuse("", "its binary chunk is longer than the file");
+      binary_chunk_.assign(bytes.begin() + next + 8, bytes.begin() + next + 8 + size);
+      has_binary_chunk_ = true;
+    }
+  }
+  // Nesting is bounded because copying and printing such values recurse.
+  auto shallow = [&](int depth, Json::parse_event_t, Json&) {
+    if (depth > 200) refuse("", "its JSON is nested deeper than 200");
+    return true;
+  };
+  try {
+    json_ = Json::parse(bytes.begin() + json_at, bytes.begin() + json_at + json_size, shallow);
+  } catch (const Json::parse_error& error) {
+    refuse("", fmt::format("is not valid JSON at byte {} of it", error.byte));
+  }
+  if (!json_.is_object()) refuse("", "is not a glTF asset: its JSON is no object");
+}
+
+void GltfFile::checkVersion(const std::vector<std::string>& supported) const {
+  std::string version = text(object(json_, "asset", ""), "version");
+  if (version.empty()) refuse("", "is not a glTF asset: asset.version is missing");
+  if (!version.starts_with("2.")) refuse("", fmt::format("is glTF {}, not 2.0", version));
+  std::vector<std::string> missing;
+  for (const Json& name : list(json_, "extensionsRequired", "")) {
+    std::string extension = name.is_string() ? name.get<std::string>() : name.dump();
+    if (std::find(supported.begin(), supported.end(), extension) == supported.end()) missing.push_back(extension);
+  }
+  if (!missing.empty()) refuse("", fmt::format("requires {}, which is not supported", fmt::join(missing, ", ")));
+}
+
+void GltfFile::readBuffers() {
+  const Json& buffers = list(json_, "buffers", "");
+  for (size_t i = 0; i < buffers.size(); ++i) {
+    std::string where = fmt::format("buffers[{}]", i), uri = text(buffers[i], "uri");
+    size_t length = size(buffers[i], "byteLength", std::nullopt, where);
+    if (uri.empty() && !(i == 0 && has_binary_chunk_)) refuse(where, "has no uri and there is no binary chunk");
+    buffers_.push_back(uri.empty() ? std::move(binary_chunk_) : uriBytes(uri, where));
+    if (buffers_.back().size() < length) {
+      refuse(where, fmt::format("is cut short: {} of {} bytes", buffers_.back().size(), length));
+    }
+    buffers_.back().resize(length);
+  }
+}
+
+std::vector<uint8_t> GltfFile::uriBytes(const std::string& uri, const std::string& where) const {
+  if (uri.starts_with("data:")) {
+    size_t comma = uri.find(";base64,");
+    if (comma == std::string::npos) refuse(where, "its data URI is not base64");
+    auto bytes = fromBase64(std::string_view(uri).substr(comma + 8));
+    if (!bytes) refuse(where, "its data URI is not valid base64");
+    return *bytes;
+  }
+  Path relative = percentDecoded(uri);
+  bool has_scheme = uri.find(':') != std::string::npos;
+  if (has_scheme || relative.is_absolute()) refuse(where, fmt::format("'{}' is not a relative path", uri));
+  try {
+    return readBytes(path_.parent_path() / relative);
+  } catch (const Error& error) {
+    refuse(where, fmt::format("'{}' {}", uri, error.message()));
+  }
+}
+
+GltfFile::View GltfFile::view(int view_index, const std::string& where) const {
+  const Json& json = list(json_, "bufferViews", "").at(view_index);
+  std::string name = fmt::format("{}: bufferViews[{}]", where, view_index);
+  int buffer = index(json, "buffer", "buffers", name);
+  if (buffer < 0) refuse(name, "names no buffer");
+  size_t offset = size(json, "byteOffset", 0, name), length = size(json, "byteLength", std::nullopt, name);
+  size_t available = buffers_[buffer].size();
+  if (offset > available || length > available - offset) {
+    refuse(name, fmt::format("{} bytes at {} do not lie in a buffer of {}", length, offset, available));
+  }
+  size_t stride = size(json, "byteStride", 0, name);
+  if (stride > 252) refuse(name, fmt::format("byteStride is {}, above 252", stride));
+  return {buffers_[buffer].data() + offset, length, stride};
+}
+
+// The first element of an accessor (or of a part of a sparse one) after checking that all of them lie in the view.
+const uint8_t* GltfFile::elements(const Json& json, size_t count, size_t element_size, size_t& stride,
+                                  const std::string& where) const {
+  View source = view(index(json, "bufferView", "bufferViews", where), where);
+  stride = source.stride ? source.stride : element_size;
+  size_t offset = size(json, "byteOffset", 0, where);
+  if (stride < element_size) refuse(where, fmt::format("byteStride {} is below its element's {}", stride, element_size));
+  size_t needed = stride * (count - 1) + element_size;
+  if (offset > source.size || needed > source.size - offset) {
+    refuse(where, fmt::format("{} elements do not lie in its buffer view of {} bytes", count, source.size));
+  }
+  return source.data + offset;
+}
+
+Values GltfFile::accessor(int accessor_index, const std::string& asked, const std::vector<std::string>& types) const {
+  const Json& json = list(json_, "accessors", "").at(accessor_index);
+  std::string where = fmt::format("{}: accessors[{}]", asked, accessor_index), type = text(json, "type");
+  int component_type = int(size(json, "componentType", std::nullopt, where));
+  size_t component_size = componentSize(component_type);
+  if (component_size == 0) refuse(where, fmt::format("componentType {} is unknown", component_type));
+  if (std::find(types.begin(), types.end(), type) == types.end()) {
+    refuse(where, fmt::format("type is '{}', not {}", type, fmt::join(types, " or ")));
+  }
+  if (type == "MAT4" && component_type != 5126) refuse(where, "is a matrix of integers");
+  Values values;
+  values.width = componentsOf(type);
+  values.count = size(json, "count", std::nullopt, where);
+  if (values.count == 0 || values.count > kMostElements) refuse(where, fmt::format("count is {}", values.count));
+
+  bool normalized = flag(json, "normalized");
+  bool has_view = index(json, "bufferView", "bufferViews", where) >= 0;
+  size_t stride = 0;
+  const uint8_t* at = has_view ? elements(json, values.count, component_size * values.width, stride, where) : nullptr;
+  values.numbers.assign(values.count * values.width, 0.0);
+  for (size_t i = 0; at && i < values.count; ++i, at += stride) {
+    for (int c = 0; c < values.width; ++c) {
+      values.numbers[i * values.width + c] = component(at + c * component_size, component_type, normalized);
+    }
+  }
+  if (json.contains("sparse")) applySparse(json, values, component_type, normalized, where + ".sparse");
+  return values;
+}
+
+void GltfFile::applySparse(const Json& accessor, Values& values, int component_type, bool normalized,
+                           const std::string& where) const {
+  const Json& sparse = object(accessor, "sparse", where);
+  size_t count = size(sparse, "count", std::nullopt, where);
+  if (count == 0 || count > values.count) refuse(where, fmt::format("count is {} of {}", count, values.count));
+  const Json &indices = object(sparse, "indices", where), &replacing = object(sparse, "values", where);
+  for (const Json* part : {&indices, &replacing}) {
+    if (index(*part, "bufferView", "bufferViews", where) < 0) refuse(where, "names no bufferView");
+  }
+  int index_type = int(size(indices, "componentType", std::nullopt, where));
+  if (index_type != 5121 && index_type != 5123 && index_type != 5125) {
+    refuse(where, fmt::format("indices have componentType {}", index_type));
+  }
+  size_t index_stride = 0, stride = 0, width = componentSize(component_type);
+  const uint8_t* index_at = elements(indices, count, componentSize(index_type), index_stride, where + ".indices");
+  const uint8_t* at = elements(replacing, count, width * values.width, stride, where + ".values");
+  double before = -1;
+  for (size_t i = 0; i < count; ++i) {
+    double element = component(index_at + i * index_stride, index_type, false);
+    if (element <= before || element >= double(values.count)) {
+      refuse(where, fmt::format("index {} is out of order or beyond {}", element, values.count));
+    }
+    before = element;
+    for (int c = 0; c < values.width; ++c) {
+      double number = component(at + i * stride + c * width, component_type, normalized);
+      values.numbers[size_t(element) * values.width + c] = number;
+    }
+  }
+}
+
+std::vector<uint32_t> GltfFile::indices(int accessor_index, const std::string& where) const {
+  Values values = accessor(accessor_index, where, {"SCALAR"});
+  int type = int(size(list(json_, "accessors", "").at(accessor_index), "componentType", std::nullopt, where));
+  if (type != 5121 && type != 5123 && type != 5125) {
+    refuse(where, fmt::format("indices have componentType {}, not an unsigned integer", type));
+  }
+  return {values.numbers.begin(), values.numbers.end()};
+}
+
+Decoded GltfFile::image(int image_index) const {
+  const Json& json = list(json_, "images", "").at(image_index);
+  std::string where = fmt::format("images[{}]", image_index), uri = text(json, "uri");
+  int view_index = index(json, "bufferView", "bufferViews", where);
+  if (uri.empty() && view_index < 0) refuse(where, "has neither uri nor bufferView");
+  std::optional<Decoded> decoded;
+  if (view_index >= 0) {
+    View source = view(view_index, where);
+    decoded = decodeImage(source.data, source.size);
+  } else {
+    std::vector<uint8_t> bytes = uriBytes(uri, where);
+    decoded = decodeImage(bytes.data(), bytes.size());
+  }
+  if (!decoded) refuse(where, fmt::format("{}is not a readable PNG or JPEG", uri.size() < 100 ? uri + " " : ""));
+  return *std::move(decoded);
+}
+
+const Json& GltfFile::list(const Json& object, const std::string& key, const std::string& where) const {
+  if (!object.is_object() || !object.contains(key)) return kNoList;
+  if (!object[key].is_array()) refuse(where, fmt::format("'{}' is not a list", key));
+  return object[key];
+}
+
+const Json& GltfFile::object(const Json& object, const std::string& key, const std::string& where) const {
+  if (!object.is_object() || !object.contains(key)) return kNoObject;
+  if (!object[key].is_object()) refuse(where, fmt::format("'{}' is not an object", key));
+  return object[key];
+}
+
+const Json& GltfFile::extension(const Json& json, const std::string& name, bool* present) const {
+  const Json& extensions = object(json, "extensions", "");
+  if (present) *present = extensions.contains(name);
+  return object(extensions, name, "extensions");
+}
+
+int GltfFile::index(const Json& object, const std::string& key, const std::string& list_name,
+                    const std::string& where) const {
+  if (!object.is_object() || !object.contains(key)) return -1;
+  const Json& value = object[key];
+  size_t count = list(json_, list_name, "").size();
+  bool valid = value.is_number_unsigned() && value.get<uint64_t>() < count;
+  std::string got = value.is_number() ? value.dump() : value.type_name();
+  if (!valid) refuse(where, fmt::format("'{}' is {}, but the file has {} {}", key, got, count, list_name));
+  return value.get<int>();
+}
+
+double GltfFile::number(const Json& object, const std::string& key, double fallback, const std::string& where) const {
+  if (!object.is_object() || !object.contains(key)) return fallback;
+  if (!object[key].is_number()) refuse(where, fmt::format("'{}' is not a number", key));
+  double value = object[key].get<double>();
+  if (!std::isfinite(value)) refuse(where, fmt::format("'{}' is not finite", key));
+  return value;
+}
+
+std::vector<double> GltfFile::numbers(const Json& object, const std::string& key, std::vector<double> fallback,
+                                      const std::string& where) const {
+  const Json& values = list(object, key, where);
+  if (values.empty()) return fallback;
+  if (values.size() != fallback.size()) refuse(where, fmt::format("'{}' has not {} numbers", key, fallback.size()));
+  for (size_t i = 0; i < values.size(); ++i) {
+    bool finite = values[i].is_number() && std::isfinite(values[i].get<double>());
+    if (!finite) refuse(where, fmt::format("'{}' holds what is not a finite number", key));
+    fallback[i] = values[i].get<double>();
+  }
+  return fallback;
+}
+
+std::string GltfFile::text(const Json& object, const std::string& key) const {
+  if (!object.is_object() || !object.contains(key) || !object[key].is_string()) return "";
+  return object[key].get<std::string>();
+}
+
+bool GltfFile::flag(const Json& object, const std::string& key) const {
+  return object.is_object() && object.contains(key) && object[key].is_boolean() && object[key].get<bool>();
+}
+
+size_t GltfFile::size(const Json& object, const std::string& key, std::optional<size_t> fallback,
+                      const std::string& where) const {
+  bool present = object.is_object() && object.contains(key);
+  if (!present && fallback) return *fallback;
+  if (!present) refuse(where, fmt::format("'{}' is missing", key));
+  if (!object[key].is_number_unsigned()) refuse(where, fmt::format("'{}' is not a whole number", key));
+  uint64_t value = object[key].get<uint64_t>();
+  if (value > uint64_t(1) << 40) refuse(where, fmt::format("'{}' is {}", key, value));
+  return size_t(value);
+}
+
+}  // namespace strobe::scene

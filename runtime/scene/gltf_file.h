@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The container of a glTF 2.0 asset: its JSON, its buffers and the values of its accessors. Nothing in the file is
+// trusted: every index, size and type is checked before it is used, and what does not hold is refused in one line.
+#pragma once
+
+#include "base/files.h"
+#include "scene/image_decode.h"
+#include "scene/scene.h"
+
+namespace strobe::scene {
+
+// Numbers of an accessor: `count` elements of `width` components, normalised integers already divided.
+struct Values {
+  size_t count = 0;
+  int width = 0;
+  std::vector<double> numbers;
+  double at(size_t element, int component) const { return numbers[element * width + component]; }
+  dvec2 vector2(size_t i) const { return {at(i, 0), at(i, 1)}; }
+  dvec3 vector3(size_t i) const { return {at(i, 0), at(i, 1), at(i, 2)}; }
+  dvec4 vector4(size_t i) const { return {at(i, 0), at(i, 1), at(i, 2), at(i, 3)}; }
+};
+
+class GltfFile {
+ public:
+  // Reads a .glb or .gltf with all its buffers. Throws `Error` for a file that is missing, cut short, of another
+  // version, or that requires an extension which is not in `supported`.
+  GltfFile(const Path& file, const std::vector<std::string>& supported);
+
+  const Json& json() const { return json_; }
+  const Path& path() const { return path_; }
+
+  // `where` says in errors what asked: "meshes[2].primitives[0]". `types` are the accepted accessor types.
+  Values accessor(int index, const std::string& where, const std::vector<std::string>& types) const;
+  std::vector<uint32_t> indices(int index, const std::string& where) const;
+  Decoded image(int index) const;
+
+  // Throws: "file: where: text".
+  [[noreturn]] void refuse(const std::string& where, const std::string& text) const;
+
+  // Members of JSON objects, checked. A missing list is empty, a missing index -1.
+  const Json& list(const Json& object, const std::string& key, const std::string& where) const;
+  const Json& object(const Json& object, const std::string& key, const std::string& where) const;
+  // The extension's object, or an empty one; `present` tells them apart.
+  const Json& extension(const Json& object, const std::string& name, bool* present = nullptr) const;
+  int index(const Json& object, const std::string& key, const std::string& list_name, const std::string& where) const;
+  double number(const Json& object, const std::string& key, double fallback, const std::string& where) const;
+  std::vector<double> numbers(const Json& object, const std::string& key, std::vector<double> fallback,
+                              const std::string& where) const;
+  std::string text(const Json& object, const std::string& key) const;
+  bool flag(const Json& object, const std::string& key) const;
+  size_t size(const Json& object, const std::string& key, std::optional<size_t> fallback,
+              const std::string& where) const;
+
+ private:
+  struct View {
+    const uint8_t* data = nullptr;
+    size_t size = 0;
+    size_t stride = 0;  // 0: tightly packed
+  };
+  void readContainer();
+  void checkVersion(const std::vector<std::string>& supported) const;
+  void readBuffers();
+  std::vector<uint8_t> uriBytes(const std::string& uri, const std::string& where) const;
+  View view(int index, const std::string& where) const;
+  const uint8_t* elements(const Json& accessor, size_t count, size_t element_size, size_t& stride,
+                          const std::string& where) const;
+  void applySparse(const Json& accessor, Values& values, int component_type, bool normalized,
+                   const std::string& where) const;
+
+  Path path_;
+  Json json_;
+  std::vector<uint8_t> binary_chunk_;
+  bool has_binary_chunk_ = false;
+  std::vector<std::vector<uint8_t>> buffers_;
+};
+
+}  // namespace strobe::scene

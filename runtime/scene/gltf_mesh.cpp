@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "scene/gltf_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/shapes.h"
+
+namespace strobe::scene {
+
+namespace {
+
+// Positions beyond this overflow squared lengths in single precision.
+constexpr double kFarthest = 1e18;
+
+struct Primitive {
+  std::vector<dvec3> positions;
+  std::vector<Vertex> vertices;  // all but the position
+  std::vector<uint32_t> indices;
+  bool has_normals = false;
+  int material = 0;
+};
+
+bool usable(const dvec3& p) {
+  return std::abs(p.x) < kFarthest && std::abs(p.y) < kFarthest && std::abs(p.z) < kFarthest;  // false for NaN
+}
+
+bool finite(const vec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
+
+class MeshReader {
+ public:
+  MeshReader(const GltfFile& file, std::vector<std::string>& warnings) : file_(file), warnings_(warnings) {}
+
+  Mesh read(int index, int default_material) {
+    const Json& json = file_.list(file_.json(), "meshes", "").at(index);
+    where_ = fmt::format("meshes[{}]", index);
+    Mesh mesh;
+    mesh.name = file_.text(json, "name");
+    if (mesh.name.empty()) mesh.name = fmt::format("mesh_{}", index);
+    const Json& list = file_.list(json, "primitives", where_);
+    std::vector<Primitive> primitives;
+    for (size_t i = 0; i < list.size(); ++i) {
+      where_ = fmt::format("meshes[{}].primitives[{}]", index, i);
+      std::optional<Primitive> primitive = readPrimitive(list[i], default_material);
+      if (primitive && !primitive->indices.empty()) primitives.push_back(*std::move(primitive));
+    }
+    recentre(primitives, mesh);
+    return mesh;
+  }
+
+ private:
+  void warn(const std::string& text) { warnings_.push_back(where_ + ": " + text); }
+
+  std::optional<Primitive> readPrimitive(const Json& json, int default_material) {
+    size_t mode = file_.size(json, "mode", 4, where_);
+    if (mode < 4) {
+      warn(mode == 0 ? "points are not drawn" : "lines are not drawn");
+      return std::nullopt;
+    }
+    if (mode > 6) file_.refuse(where_, fmt::format("mode {} is unknown", mode));
+    const Json& attributes = file_.object(json, "attributes", where_);
+    Primitive primitive;
+    int material = file_.index(json, "material", "materials", where_);
+    primitive.material = material < 0 ? default_material : material;
+    if (!readPositions(attributes, primitive)) return std::nullopt;
+    readAttributes(attributes, primitive);
+    readIndices(json, int(mode), primitive);
+    dropBadTriangles(primitive);
+    if (!primitive.has_normals) facet(primitive);
+    return primitive;
+  }
+
+  bool readPositions(const Json& attributes, Primitive& primitive) {
+    int index = file_.index(attributes, "POSITION", "accessors", where_);
+    if (index < 0) {
+      warn("has no positions and is not drawn");
+      return false;
+    }
+    Values values = file_.accessor(index, where_, {"VEC3"});
+    primitive.vertices.resize(values.count);
+    for (size_t i = 0; i < values.count; ++i) primitive.positions.push_back(values.vector3(i));
+    return true;
+  }
+
+  std::optional<Values> attribute(const Json& attributes, const std::string& name, size_t count,
+                                  const std::vector<std::string>& types) {
+    int index = file_.index(attributes, name, "accessors", where_);
+    if (index < 0) return std::nullopt;
+    Values values = file_.accessor(index, where_, types);
+    if (values.count != count) file_.refuse(where_, fmt::format("{} has {} elements, not {}", name, values.count, count));
+    return values;
+  }
+
+  void readAttributes(const Json& attributes, Primitive& primitive) {
+    std::vector<Vertex>& vertices = primitive.vertices;
+    size_t count = vertices.size();
+    if (auto normals = attribute(attributes, "NORMAL", count, {"VEC3"})) {
+      primitive.has_normals = true;
+      for (size_t i = 0; i < count; ++i) {
+        dvec3 normal = normals->vector3(i);
+        double length = glm::length(normal);
+        vertices[i].normal = length > 1e-12 && std::isfinite(length) ? vec3(normal / length) : vec3(0);
+      }
+    }
+    for (int set = 0; set < 2; ++set) {
+      auto uvs = attribute(attributes, fmt::format("TEXCOORD_{}", set), count, {"VEC2"});
+      for (size_t i = 0; uvs && i < count; ++i) {
+        vec2 uv(uvs->vector2(i));
+        (set == 0 ? vertices[i].uv0 : vertices[i].uv1) = finite(uv) ? uv : vec2(0);
+      }
+    }
+    auto colors = attribute(attributes, "COLOR_0", count, {"VEC3", "VEC4"});
+    for (size_t i = 0; colors && i < count; ++i) {
+      vec4 color(colors->vector3(i), colors->width == 4 ? colors->at(i, 3) : 1.0);
+      bool sound = color.x >= 0 && color.y >= 0 && color.z >= 0 && color.w >= 0 && color.x + color.y + color.z < 1e9f;
+      vertices[i].color = sound ? color : vec4(1);
+    }
+  }
+
+  void readIndices(const Json& json, int mode, Primitive& primitive) {
+    int index = file_.index(json, "indices", "accessors", where_);
+    std::vector<uint32_t> listed;
+    if (index >= 0) listed = file_.indices(index, where_);
+    for (size_t i = 0; index < 0 && i < primitive.positions.size(); ++i) listed.push_back(uint32_t(i));
+    for (uint32_t i : listed) {
+      if (i >= primitive.positions.size()) {
+        file_.refuse(where_, fmt::format("index {} of {} vertices", i, primitive.positions.size()));
+      }
+    }
+    if (mode == 4 && listed.size() % 3 != 0) warn(fmt::format("{} indices are not whole triangles", listed.size()));
+    std::vector<uint32_t>& indices = primitive.indices;
+    for (size_t i = 0; i + 2 < listed.size(); i += mode == 4 ? 3 : 1) {
+      uint32_t a = listed[i], b = listed[i + 1], c = listed[i + 2];
+      if (mode == 5 && i % 2 == 1) std::swap(a, b);  // every other triangle of a strip is wound the other way
+      if (mode == 6) a = listed[0];
+      indices.insert(indices.end(), {a, b, c});
+    }
+  }
+
+  void dropBadTriangles(Primitive& primitive) {
+    std::vector<uint32_t> kept;
+    const std::vector<uint32_t>& all = primitive.indices;
+    for (size_t i = 0; i + 2 < all.size(); i += 3) {
+      bool good = usable(primitive.positions[all[i]]) && usable(primitive.positions[all[i + 1]]) &&
+                  usable(primitive.positions[all[i + 2]]);
+      if (good) kept.insert(kept.end(), {all[i], all[i + 1], all[i + 2]});
+    }
+    if (kept.size() != all.size()) {
+      warn(fmt::format("{} triangles have positions that are not finite and are left out", (all.size() - kept.size()) / 3));
+    }
+    for (dvec3& p : primitive.positions) {
+      if (!usable(p)) p = dvec3(0);
+    }
+    primitive.indices = std::move(kept);
+    repairNormals(primitive);
+  }
+
+  // Normals of no length take that of a facet beside them.
+  void repairNormals(Primitive& primitive) {
+    if (!primitive.has_normals) return;
+    for (size_t i = 0; i < primitive.indices.size(); ++i) {
+      Vertex& vertex = primitive.vertices[primitive.indices[i]];
+      if (vertex.normal == vec3(0)) vertex.normal = facetNormal(primitive, i / 3);
+    }
+    for (Vertex& vertex : primitive.vertices) {
+      if (vertex.normal == vec3(0)) vertex.normal = vec3(0, 1, 0);
+    }
+  }
+
+  static vec3 facetNormal(const Primitive& primitive, size_t triangle) {
+    dvec3 a = primitive.positions[primitive.indices[3 * triangle]];
+    dvec3 b = primitive.positions[primitive.indices[3 * triangle + 1]];
+    dvec3 c = primitive.positions[primitive.indices[3 * triangle + 2]];
+    dvec3 normal = glm::cross(b - a, c - a);
+    double length = glm::length(normal);
+    return length > 0 && std::isfinite(length) ? vec3(normal / length) : vec3(0, 1, 0);
+  }
+
+  // One vertex per corner, with its facet's normal.
+  static void facet(Primitive& primitive) {
+    Primitive flat;
+    flat.material = primitive.material;
+    for (size_t i = 0; i < primitive.indices.size(); ++i) {
+      uint32_t corner = primitive.indices[i];
+      flat.positions.push_back(primitive.positions[corner]);
+      flat.vertices.push_back(primitive.vertices[corner]);
+      flat.vertices.back().normal = facetNormal(primitive, i / 3);
+      flat.indices.push_back(uint32_t(i));
+    }
+    primitive = std::move(flat);
+  }
+
+  static void recentre(std::vector<Primitive>& primitives, Mesh& mesh) {
+    dvec3 low(HUGE_VAL), high(-HUGE_VAL);
+    for (const Primitive& primitive : primitives) {
+      for (uint32_t i : primitive.indices) {
+        low = glm::min(low, primitive.positions[i]);
+        high = glm::max(high, primitive.positions[i]);
+      }
+    }
+    if (low.x <= high.x) mesh.origin = originFor(low, high);
+    for (Primitive& primitive : primitives) {
+      for (size_t i = 0; i < primitive.vertices.size(); ++i) {
+        primitive.vertices[i].position = vec3(primitive.positions[i] - mesh.origin);
+      }
+      mesh.geometries.push_back({std::move(primitive.vertices), std::move(primitive.indices), primitive.material});
+    }
+  }
+
+  const GltfFile& file_;
+  std::vector<std::string>& warnings_;
+  std::string where_;
+};
+
+}  // namespace
+
+Mesh readMesh(const GltfFile& file, int index, int default_material, std::vector<std::string>& warnings) {
+  return MeshReader(file, warnings).read(index, default_material);
+}
+
+}  // namespace strobe::scene

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// PNG and JPEG bytes to texels.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace strobe::scene {
+
+struct Decoded {
+  int width = 0, height = 0;
+  std::vector<uint8_t> rgba;  // 8 bits per channel, top row first
+};
+
+// Nothing when the bytes are no image, are cut short in their header, or claim more than 16384 texels a side.
+std::optional<Decoded> decodeImage(const uint8_t* bytes, size_t size);
+
+}  // namespace strobe::scene
