@@ -43,6 +43,7 @@ const std::vector<WantedFeature>& wantedFeatures() {
        IN(v12, shaderSampledImageArrayNonUniformIndexing)},
       {"synchronization2", "barriers between passes", "", true, IN(v13, synchronization2)},
       {"dynamicRendering", "raster passes", "", true, IN(v13, dynamicRendering)},
+      {"maintenance4", "compute passes in SPIR-V 1.6", "", true, IN(v13, maintenance4)},
       {"accelerationStructure", "shadows, revealed backgrounds and ground truth",
        VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME, true, IN(acceleration, accelerationStructure)},
       {"rayTracingPipeline", "tracing backend 'pipeline'", VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME, false,
