@@ -1,14 +1,33 @@
 -- SPDX-License-Identifier: MIT
 -- Truth: the mean over true poses at many times of the exposure. Never clamped, no tiles, no layers.
-local pipeline = require "strobe.pipeline"
-local mean     = require "passes.truth.mean"
-local regions  = require "passes.truth.regions"
-local spread   = require "passes.truth.spread"
-local stop     = require "passes.truth.stop"
-local trace    = require "passes.truth.trace"
-local scene    = require "scripts.pipelines.lib.scene"
+local pipeline   = require "strobe.pipeline"
+local shade      = require "passes.scene.shade"
+local visibility = require "passes.scene.visibility"
+local accumulate = require "passes.truth.accumulate"
+local mean       = require "passes.truth.mean"
+local regions    = require "passes.truth.regions"
+local spread     = require "passes.truth.spread"
+local stop       = require "passes.truth.stop"
+local trace      = require "passes.truth.trace"
+local scene      = require "scripts.pipelines.lib.scene"
 
 local bool, choice, float, int = pipeline.bool, pipeline.choice, pipeline.float, pipeline.int
+
+-- One time sample: how it is taken, by mode. Yields sum_a, sum_b and, if it can tell, regions.
+local samples = {}
+
+function samples.rays(p, seen)
+  return trace { hit = seen.hit, shading = p.shading, pixel = p.pixel, mark_regions = p.mark_regions, time = "sample" }
+end
+
+-- The same by the raster pipeline, which shares no visibility with rays: to check one against the other.
+function samples.raster(p)
+  if p.pixel() == "box" then error("mode = raster samples pixel centres only: pixel = box needs mode = rays", 0) end
+  if p.slices() > 1 then error("mode = raster draws one time per iteration: slices > 1 needs mode = rays", 0) end
+  local hit = visibility { time = "sample", as = "sample_visibility" }.hit
+  local color = shade { hit = hit, shading = p.shading, time = "sample", as = "sample_shade" }.color
+  return accumulate { color = color }
+end
 
 local function stop_test(p, sums)
   local blocks = spread { sum_a = sums.sum_a, sum_b = sums.sum_b }.spread
@@ -16,8 +35,10 @@ local function stop_test(p, sums)
 end
 
 return pipeline {
-  doc = "Distributed ray tracing over the exposure: what every method is compared to",
+  doc = "The scene at many times of the exposure, each as it truly stands: what every method is compared to",
   params = {
+    mode         = choice { "rays", "raster", default = "rays",
+      doc = "what finds the nearest surface at each time; only rays tell regions" },
     samples      = int { 1024, min = 1, max = 65536, doc = "time samples, at most" },
     times        = choice { "midpoint", "stratified", default = "midpoint", doc = "where a sample is in its stratum" },
     slices       = int { 1, min = 1, max = 64, doc = "scene times per iteration; a pixel draws one of them" },
@@ -27,19 +48,19 @@ return pipeline {
     tolerance    = float { 0, min = 0, max = 1e6, doc = "stop at this standard error of the mean; 0 = never" },
   },
   build = function(p)
-    local seen, stops = scene.captured(), p.tolerance() > 0
+    local seen, stops, rays = scene.captured(), p.tolerance() > 0, p.mode() == "rays"
     local sums = pipeline.loop {
       name = "shutter", count = p.samples, times = p.times, slices = p.slices,
       until_ = stops and function(results) return results.stop end or nil,
       body = function()
-        local s = trace {
-          hit = seen.hit, shading = p.shading, pixel = p.pixel, mark_regions = p.mark_regions, time = "sample",
+        local s = samples[p.mode()](p, seen)
+        return {
+          sum_a = s.sum_a, sum_b = s.sum_b, regions = rays and s.regions or nil, stop = stops and stop_test(p, s) or nil,
         }
-        return { sum_a = s.sum_a, sum_b = s.sum_b, regions = s.regions, stop = stops and stop_test(p, s) or nil }
       end,
     }
     local result = mean { sum_a = sums.sum_a, sum_b = sums.sum_b }
-    local where = regions { regions = sums.regions }
+    local where = rays and regions { regions = sums.regions } or {}
     return scene.outputs(seen, {
       color = result.color, error = result.error, inner = where.inner, hidden = where.hidden, outer = where.outer,
     })
