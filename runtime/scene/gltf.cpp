@@ -392,8 +392,8 @@ class Loader {
     node.matrix.reset();
   }
 
-  // A skin's vertices stand in its joints, not in the node that shows it: the mesh is put where the first joint's bind
-  // pose has it, and moves with that joint. For a skin of one joint that is exact.
+  // A skin's vertices stand in its joints, not in the node that shows it: the mesh is put where the bind pose of the
+  // joint of most weight has it, and moves with that joint. Where that joint has all the weight this is exact.
   void placeSkins() {
     const Json& nodes = all("nodes");
     std::set<int> animated, parents;
@@ -404,31 +404,56 @@ class Loader {
     for (size_t i = 0; i < nodes.size(); ++i) {
       std::string where = fmt::format("nodes[{}]", i);
       int skin_index = file_.index(nodes[i], "skin", "skins", where);
-      if (skin_index < 0 || scene_.nodes[i].mesh < 0) continue;
+      Node& node = scene_.nodes[i];
+      if (skin_index < 0 || node.mesh < 0) continue;
       const Json& skin = all("skins").at(skin_index);
       const Json& joints = file_.list(skin, "joints", where);
-      Node& node = scene_.nodes[i];
-      if (joints.size() != 1) {
-        warn(fmt::format("node '{}': bending by its skin is not supported; it is shown rigid", node.name));
-      }
-      if (joints.empty() || animated.count(int(i)) || parents.count(int(i))) continue;
-      Json holder = {{"joint", joints[0]}};
+      std::vector<double> weights = jointWeights(node.mesh, joints.size());
+      size_t heaviest = std::max_element(weights.begin(), weights.end()) - weights.begin();
+      double total = 0;
+      for (double weight : weights) total += weight;
+      bool exact = heaviest < weights.size() && weights[heaviest] >= 0.999 * total;
+      if (!exact) warn(fmt::format("node '{}': bending by its skin is not supported; it is shown rigid", node.name));
+      if (weights.empty() || animated.count(int(i)) || parents.count(int(i))) continue;
+      Json holder = {{"joint", joints[heaviest]}};
       int joint = file_.index(holder, "joint", "nodes", fmt::format("skins[{}]", skin_index));
       if (joint == int(i)) continue;
       node.parent = joint;
-      node.matrix = inverseBind(skin, joints.size(), fmt::format("skins[{}]", skin_index));
+      node.matrix = inverseBind(skin, heaviest, joints.size(), fmt::format("skins[{}]", skin_index));
     }
   }
 
-  dmat4 inverseBind(const Json& skin, size_t joints, const std::string& where) {
+  // The weight of each joint, summed over the mesh's vertices.
+  std::vector<double> jointWeights(int mesh, size_t joints) {
+    std::vector<double> sums(joints, 0.0);
+    for (const Json& primitive : file_.list(all("meshes").at(mesh), "primitives", "")) {
+      std::string where = fmt::format("meshes[{}]", mesh);
+      const Json& attributes = file_.object(primitive, "attributes", where);
+      int index = file_.index(attributes, "JOINTS_0", "accessors", where);
+      int weight = file_.index(attributes, "WEIGHTS_0", "accessors", where);
+      if (index < 0 || weight < 0) continue;
+      Values indices = file_.accessor(index, where, {"VEC4"}), weights = file_.accessor(weight, where, {"VEC4"});
+      for (size_t i = 0; i < std::min(indices.count, weights.count); ++i) {
+        for (int c = 0; c < 4; ++c) {
+          double joint = indices.at(i, c), amount = weights.at(i, c);
+          if (!(amount > 0) || !std::isfinite(amount)) continue;
+          if (!(joint >= 0 && joint < double(joints))) file_.refuse(where, fmt::format("joint {} of {}", joint, joints));
+          sums[size_t(joint)] += amount;
+        }
+      }
+    }
+    return sums;
+  }
+
+  dmat4 inverseBind(const Json& skin, size_t joint, size_t joints, const std::string& where) {
     int index = file_.index(skin, "inverseBindMatrices", "accessors", where);
     if (index < 0) return dmat4(1);
     Values values = file_.accessor(index, where, {"MAT4"});
     if (values.count < joints) file_.refuse(where, fmt::format("{} joints have {} matrices", joints, values.count));
     dmat4 matrix;
     for (int k = 0; k < 16; ++k) {
-      matrix[k / 4][k % 4] = values.at(0, k);
-      if (!std::isfinite(values.at(0, k))) file_.refuse(where, "an inverse bind matrix is not finite");
+      matrix[k / 4][k % 4] = values.at(joint, k);
+      if (!std::isfinite(values.at(joint, k))) file_.refuse(where, "an inverse bind matrix is not finite");
     }
     return matrix;
   }

@@ -8,9 +8,9 @@
 namespace strobe::scene {
 
 // The file's default scene (else its first, else all of it): meshes, metallic-roughness and unlit materials, textures
-// with all levels, cameras, punctual lights (see `moderateLights`), rigid animation. Nodes keep the file's order and names
-// (unnamed ones are "node_N"; of equal names the later get "#2", "#3"...). A mesh of a skin of one joint moves with it;
-// other skins and morph targets are shown unbent, blended materials as cut-outs, each with a warning.
+// with all levels, cameras, punctual lights (see `moderateLights`), rigid animation. Nodes keep the file's order and
+// names (unnamed ones are "node_N"; of equal names the later get "#2", "#3"...). A skinned mesh moves with its joint of
+// most weight, unbent; it, morph targets (base mesh) and blended materials (cut-outs) each give a warning.
 // Throws `Error` in one line for a file that is missing, cut short, inconsistent, or needs an unsupported extension.
 Scene loadGltf(const Path& file);
 
