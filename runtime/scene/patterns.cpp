@@ -26,10 +26,10 @@ double hash(int x, int y, int seed) {
 double noise(dvec2 p, ivec2 period, int seed) {
   dvec2 cell = glm::floor(p), t = p - cell;
   t = t * t * (3.0 - 2.0 * t);
-  auto at = [&](int dx, int dy) {
-    int x = int(cell.x) + dx, y = int(cell.y) + dy;
-    return hash(((x % period.x) + period.x) % period.x, ((y % period.y) + period.y) % period.y, seed);
-  };
+  ivec2 low = ivec2(cell) % period;
+  low = low + period * ivec2(glm::lessThan(low, ivec2(0)));
+  ivec2 high = low + 1 - period * ivec2(glm::equal(low + 1, period));
+  auto at = [&](int dx, int dy) { return hash(dx ? high.x : low.x, dy ? high.y : low.y, seed); };
   return glm::mix(glm::mix(at(0, 0), at(1, 0), t.x), glm::mix(at(0, 1), at(1, 1), t.x), t.y);
 }
 
@@ -184,7 +184,7 @@ size_t patternColors(const std::string& type) { return known().at(type).colors; 
 Texture paintPattern(const Pattern& pattern) {
   const Known& painter = known().at(pattern.type);
   STROBE_ASSERT(pattern.colors.size() >= painter.colors, "{} {}", pattern.type, pattern.colors.size());
-  Texture texture = paint(pattern.width, pattern.height, 3,
+  Texture texture = paint(pattern.width, pattern.height, 2,
                           [&](dvec2 uv) { return vec4(glm::clamp(painter.color_at(pattern, uv), 0.0f, 1.0f), 1); });
   texture.name = pattern.type;
   return texture;

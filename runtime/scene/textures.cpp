@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <thread>
 
 namespace strobe::scene {
 
@@ -135,17 +136,26 @@ void buildLevels(Texture& texture) {
 
 Texture paint(int width, int height, int samples, const std::function<vec4(dvec2 uv)>& color_at) {
   std::vector<vec4> texels(size_t(width) * height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      vec4 sum(0);
-      for (int j = 0; j < samples; ++j) {
-        for (int i = 0; i < samples; ++i) {
-          sum += color_at({(x + (i + 0.5) / samples) / width, (y + (j + 0.5) / samples) / height});
-        }
+  auto texel = [&](int x, int y) {
+    vec4 sum(0);
+    for (int j = 0; j < samples; ++j) {
+      for (int i = 0; i < samples; ++i) {
+        sum += color_at({(x + (i + 0.5) / samples) / width, (y + (j + 0.5) / samples) / height});
       }
-      texels[size_t(y) * width + x] = sum / float(samples * samples);
     }
+    return sum / float(samples * samples);
+  };
+  // Rows are dealt to threads; each texel is the same whoever paints it.
+  unsigned count = std::max(1u, std::min(std::thread::hardware_concurrency(), unsigned(height) / 16));
+  std::vector<std::jthread> threads;
+  for (unsigned k = 0; k < count; ++k) {
+    threads.emplace_back([&, k] {
+      for (int y = int(k); y < height; y += int(count)) {
+        for (int x = 0; x < width; ++x) texels[size_t(y) * width + x] = texel(x, y);
+      }
+    });
   }
+  threads.clear();
   Texture texture;
   texture.width = width;
   texture.height = height;
