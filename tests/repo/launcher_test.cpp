@@ -97,12 +97,22 @@ TEST(Launcher, LooksForPackagesOncePerList) {
 TEST(Launcher, InstallsOnlyWhatIsMissingAndOffered) {
   std::string stubs =
       "installed() { [[ $1 == here ]]; }; offered() { [[ $1 != unknown ]]; }; "
-      "apt_get() { echo \"apt: $*\"; }; say() { :; }; ";
+      "apt_get() { echo \"apt: $*\"; }; dpkg-query() { :; }; say() { :; }; ";
   EXPECT_EQ(launcher(stubs + "install_missing all here").text, "");
   EXPECT_EQ(launcher(stubs + "install_missing some here there unknown").text,
             "apt: update\napt: install --no-install-recommends there\n");
   EXPECT_EQ(launcher(stubs + "install_missing all unknown").text,
             "apt: update\napt: install --no-install-recommends unknown\n");
+}
+
+// Once Mesa is from backports, other binaries of the same sources have to be as well.
+TEST(Launcher, KeepsToBackportsForWhatIsFromThere) {
+  std::string stubs =
+      "dpkg-query() { printf 'mesa 25.0.7-2~bpo12+1 installed\\nbash 5.2 installed\\nold 1~bpo12 config-files\\n'; }; "
+      "apt_get() { echo \"${@:3}\"; cat \"${2#*=}\"; }; ";
+  EXPECT_EQ(launcher(stubs + "install_packages thing").text,
+            "install --no-install-recommends thing\n"
+            "\nPackage: src:mesa \nPin: release n=*-backports\nPin-Priority: 990\n");
 }
 
 TEST(Launcher, AddsBackportsOnlyWhereTheyAreNeededAndMissing) {
