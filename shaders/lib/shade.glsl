@@ -56,10 +56,13 @@ vec2 uvAlong(Surface surface, vec3 direction_ws, vec2 uv_edge1, vec2 uv_edge2) {
   return ((p * c - q * b) * uv_edge1 + (q * a - p * b) * uv_edge2) / determinant;
 }
 
-// Filtered texel of a use, footprint from the surface: taps along the longer axis, mip level from the shorter.
+// Filtered texel of a use, footprint from the surface: taps along the longer axis, mip level from the shorter. A texture
+// of a single level is looked up as it is.
 vec4 sampleTexture(SceneTextureUse use, Surface surface, mat2x3 footprint_ws) {
   if (use.texture < 0) return vec4(1);
   vec2 uv = transformedUv(use, surface.uv0, surface.uv1);
+  if (textureQueryLevels(scene_textures[nonuniformEXT(use.texture)]) == 1)
+    return textureLod(scene_textures[nonuniformEXT(use.texture)], uv, 0.0);
   vec2 edge1 = use.uv_set == 0u ? surface.uv0_edge1 : surface.uv1_edge1;
   vec2 edge2 = use.uv_set == 0u ? surface.uv0_edge2 : surface.uv1_edge2;
   edge1 = use.u * edge1.x + use.v * edge1.y;
