@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -15,6 +17,16 @@
 static int report(const std::string& text, int exit_code) {
   std::fprintf(stderr, "strobe: %s\n", text.c_str());
   return exit_code;
+}
+
+// CLI11 says that a command is missing where one is misspelt: name it and the nearest.
+static std::string usageText(const CLI::App& program, const CLI::ParseError& error, int argc, char** argv) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
+  bool unknown = argc > 1 && argv[1][0] != '-' && std::find(names.begin(), names.end(), argv[1]) == names.end();
+  if (!unknown) return error.what();
+  std::string listed = fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format("there is no command '{}'{}; there are {}", argv[1], strobe::didYouMean(argv[1], names), listed);
 }
 
 int main(int argc, char** argv) {
@@ -33,7 +45,7 @@ int main(int argc, char** argv) {
     return 0;
   } catch (const CLI::ParseError& error) {
     bool asked_for_help = error.get_exit_code() == 0;
-    return asked_for_help ? program.exit(error) : report(error.what(), 2);
+    return asked_for_help ? program.exit(error) : report(usageText(program, error, argc, argv), 2);
   } catch (const strobe::Error& error) {
     return report(error.what(), error.exitCode());
   } catch (const std::exception& error) {

@@ -32,7 +32,8 @@ void addOnce(std::vector<Path>& files, const Path& file) {
 
 class Includer : public glslang::TShader::Includer {
  public:
-  explicit Includer(std::vector<Path>& files) : files_(files) {}
+  // `files` already holds the file that is compiled.
+  explicit Includer(std::vector<Path>& files) : main_(files.front()), files_(files) {}
 
   IncludeResult* includeLocal(const char* name, const char* includer, size_t) override { return load(name, includer); }
   IncludeResult* includeSystem(const char* name, const char* includer, size_t) override { return load(name, includer); }
@@ -44,12 +45,16 @@ class Includer : public glslang::TShader::Includer {
 
  private:
   IncludeResult* load(const char* name, const char* includer) {
-    Path file = findInclude(name, Path(includer));
+    // glslang knows the names of included files, not that of the first.
+    std::error_code ignored;
+    bool included = std::filesystem::is_regular_file(includer, ignored);
+    Path file = findInclude(name, included ? Path(includer) : main_);
     if (file.empty()) return nullptr;
     addOnce(files_, file);
     auto* text = new std::string(readText(file));
     return new IncludeResult(file.string(), text->data(), text->size(), text);
   }
+  Path main_;
   std::vector<Path>& files_;
 };
 

@@ -126,14 +126,18 @@ static std::vector<std::string> declaredNames(const Interface& in) {
 static std::string withDeclarations(const Interface& in, const std::string& log) {
   static const std::regex unknown("'(\\w+)' : (undeclared identifier|no matching overloaded function found)");
   static const std::regex member("'(\\w+)' : no such field in structure");
-  std::string text;
+  std::string text, last_unknown_place;
   std::istringstream lines(log);
   std::vector<std::string> params;
   for (const auto& param : in.params) params.push_back(param.name);
   for (std::string line; std::getline(lines, line);) {
     std::smatch match;
+    std::string place = line.substr(0, line.find(": "));
     if (std::regex_search(line, match, unknown)) {
       std::string name = match[1];
+      // What was called with the unknown name is only its consequence.
+      if (place == last_unknown_place && match[2] != "undeclared identifier") continue;
+      last_unknown_place = place;
       bool generated = name.ends_with("_tex") || name.ends_with("_img") || name.ends_with("_out") || name.starts_with("count_");
       if (generated) line += fmt::format(": pass '{}' ({}) declares no such name{}", in.pass, in.place, didYouMean(name, declaredNames(in)));
     } else if (std::regex_search(line, match, member)) {

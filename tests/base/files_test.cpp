@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "base/files.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <cstdlib>
+
+#include "base/error.h"
+
+namespace strobe {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Files : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "strobe_files_XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  Path folder_;
+};
+
+TEST_F(Files, AWrittenFileIsWhole) {
+  writeFileAtomically(folder_ / "new" / "file.txt", std::string_view("first"));
+  writeFileAtomically(folder_ / "new" / "file.txt", std::string_view("second"));
+  EXPECT_EQ(readText(folder_ / "new" / "file.txt"), "second");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "new"), fs::directory_iterator()), 1);
+}
+
+// A limit on file sizes stands in for a full disk: the write fails half way.
+TEST_F(Files, AFailedWriteKeepsTheOldFileAndLeavesNothingElse) {
+  writeFileAtomically(folder_ / "file.txt", std::string_view("old"));
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before;
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  rlimit small = {1024, before.rlim_max};
+  ::setrlimit(RLIMIT_FSIZE, &small);
+  std::string message;
+  try {
+    writeFileAtomically(folder_ / "file.txt", std::string_view(std::string(100000, 'x')));
+  } catch (const Error& error) {
+    message = error.what();
+  }
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_NE(message.find("file.txt: cannot be written: "), std::string::npos) << message;
+  EXPECT_EQ(readText(folder_ / "file.txt"), "old");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+}
+
+TEST_F(Files, AMissingFileIsNamed) {
+  try {
+    readText(folder_ / "absent.txt");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("absent.txt: cannot be read: No such file"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Names, TheNearestIsAMisspellingOnly) {
+  std::vector<std::string> names = {"depth", "normal", "velocity"};
+  EXPECT_EQ(nearestName("dept", names), "depth");
+  EXPECT_EQ(nearestName("veloctiy", names), "velocity");
+  EXPECT_EQ(nearestName("zzzzzz", names), "");
+}
+
+}  // namespace
+}  // namespace strobe

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/device.h"
+
+#include <gtest/gtest.h>
+
+#include "gpu/resources.h"
+
+namespace strobe::gpu {
+namespace {
+
+DeviceInfo sufficient() {
+  DeviceInfo info;
+  info.features = {{"scalarBlockLayout", "shared structures", true, true}, {"rayQuery", "queries", false, true}};
+  info.ray_query = true;
+  return info;
+}
+
+TEST(DeviceInfo, NamesWhatIsMissingAndWhatItIsFor) {
+  EXPECT_EQ(sufficient().missing(), "");
+  DeviceInfo without_layout = sufficient();
+  without_layout.features[0].present = false;
+  EXPECT_EQ(without_layout.missing(), "scalarBlockLayout (shared structures)");
+  DeviceInfo without_rays = sufficient();
+  without_rays.ray_query = false;
+  EXPECT_NE(without_rays.missing().find("rayTracingPipeline or rayQuery"), std::string::npos);
+}
+
+TEST(Device, CopiesWhatItIsGivenWithoutAMessage) {
+  Device device({.validation = true});
+  std::vector<uint32_t> values = {1, 2, 3, 5, 8};
+  Buffer uploaded = uploadBuffer(device, "values", values.data(), values.size() * 4, 0);
+  Buffer back(device, "back", values.size() * 4, 0, Buffer::Memory::Host);
+  device.submit([&](VkCommandBuffer commands) {
+    VkBufferCopy copy{0, 0, back.size()};
+    device.vk().CmdCopyBuffer(commands, uploaded.handle(), back.handle(), 1, &copy);
+  });
+  EXPECT_EQ(std::memcmp(back.mapped(), values.data(), values.size() * 4), 0);
+  EXPECT_TRUE(device.takeMessages().empty());
+}
+
+// Validation that says nothing about a mistake would make every test of it worthless.
+TEST(Device, ValidationSeesAMistake) {
+  Device device({.validation = true});
+  Buffer small(device, "small", 16, 0, Buffer::Memory::Host);
+  device.submit([&](VkCommandBuffer commands) {
+    VkBufferCopy copy{0, 8, 16};
+    device.vk().CmdCopyBuffer(commands, small.handle(), small.handle(), 1, &copy);
+  });
+  EXPECT_FALSE(device.takeMessages().empty());
+}
+
+TEST(Device, UnknownNamesAreRefusedWithThoseThereAre) {
+  try {
+    Device device({.device = "nonesuch"});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exitCode(), 2);
+    EXPECT_NE(std::string(error.what()).find("matches none of"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace strobe::gpu

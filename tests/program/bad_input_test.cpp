@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// What a user gets for a mistake: one line that names it, exit code 1 or 2, and no file.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "program/run.h"
+
+namespace strobe::testing {
+namespace {
+
+// Runs `arguments` with an output in an empty folder and expects a refusal that mentions `wanted`.
+void expectRefusal(const std::string& arguments, int exit_code, const std::string& wanted,
+                   const std::string& environment = "STROBE_VALIDATION=0") {
+  TemporaryFolder folder;
+  Outcome outcome = run(arguments + " -o " + (folder / "picture.exr"), environment);
+  EXPECT_EQ(outcome.exit_code, exit_code) << arguments << "\n" << outcome.err;
+  EXPECT_NE(outcome.err.find(wanted), std::string::npos) << arguments << "\nsaid: " << outcome.err << "expected: " << wanted;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_TRUE(fs::is_empty(folder.path())) << arguments << " left a file behind";
+}
+
+const std::string kScene = " --scene oracles/bar --size 64x32";
+
+TEST(BadInput, NamesAreRefusedWithTheNearest) {
+  expectRefusal("render hybrd" + kScene, 1, "did you mean 'hybrid'?");
+  expectRefusal("render hybrid" + kScene + " --set compsite=layered", 1, "did you mean 'composite'?");
+  expectRefusal("render hybrid" + kScene + " --set tile_max.tle=4", 1, "did you mean 'tile_max.tile'?");
+  expectRefusal("render hybrid" + kScene + " --tap composite.blurrd", 1, "did you mean 'blurred'?");
+  expectRefusal("render none --scene oracles/bra --size 64x32", 1, "did you mean 'oracles/bar'?");
+  expectRefusal("render none" + kScene + " --move bra=1,0,0", 1, "did you mean 'bar'?");
+  expectRefusal("render none" + kScene + " --camera mian", 1, "no camera 'mian'");
+  expectRefusal("rendr none" + kScene, 2, "did you mean 'render'?");
+}
+
+TEST(BadInput, ValuesAreRefusedWithTheirRange) {
+  expectRefusal("render hybrid" + kScene + " --set samples=0", 1, "range 1 to 1024");
+  expectRefusal("render hybrid" + kScene + " --set samples=many", 1, "not an integer");
+  expectRefusal("render hybrid" + kScene + " --set mask=sead", 1, "did you mean 'seed'?");
+  expectRefusal("render none" + kScene + " --exposure -2", 2, "--exposure");
+  expectRefusal("render none" + kScene + " --anchor middle", 2, "close, centre, open");
+  expectRefusal("render none" + kScene + " --aa 0", 2, "--aa");
+  expectRefusal("render none" + kScene + " --move bar=1,0", 2, "bar=1,0");
+  expectRefusal("render none --scene oracles/bar --size 64", 2, "WIDTHxHEIGHT");
+  expectRefusal("render none" + kScene + " --set nonsense", 2, "NAME=VALUE");
+}
+
+TEST(BadInput, ScenesThatAreMissingOrCutShort) {
+  expectRefusal("render none --scene missing.glb --size 64x32", 1, "missing.glb");
+  TemporaryFolder folder;
+  writeText(folder / "short.glb", "glTF\x02");
+  expectRefusal("render none --size 64x32 --scene " + (folder / "short.glb"), 1, "short.glb");
+  writeText(folder / "typo.lua", "local scene = require 'strobe.scene'\nreturn scene { name = 'x', nodes = {}, enviroment = {} }\n");
+  expectRefusal("render none --size 64x32 --scene " + (folder / "typo.lua"), 1, "did you mean 'environment'?");
+}
+
+TEST(BadInput, ScriptsThatDoNotEnd) {
+  TemporaryFolder folder;
+  writeText(folder / "endless.lua", "while true do end\n");
+  expectRefusal("render " + (folder / "endless.lua") + kScene, 1, "processor time");
+  writeText(folder / "hungry.lua", "local t = {}\nfor i = 1, 1e9 do t[i] = ('x'):rep(1000) .. i end\n");
+  expectRefusal("render " + (folder / "hungry.lua") + kScene, 1, "of memory");
+}
+
+// A home of its own with one shader broken.
+TEST(BadInput, ShaderErrorsNameTheUsersLine) {
+  TemporaryFolder home;
+  for (const char* part : {"passes", "shaders", "scripts"})
+    fs::copy(homeFolder() / part, home.path() / part, fs::copy_options::recursive);
+  fs::path shader = home.path() / "shaders/scene/shade.glsl";
+  std::string text = contentOf(shader);
+  auto lines = std::count(text.begin(), text.end(), '\n');
+  writeText(shader, text + "float broken() { return missing_name; }\n");
+  expectRefusal("render none" + kScene, 1, fmt::format("shaders/scene/shade.glsl:{}: 'missing_name'", lines + 1),
+                "STROBE_HOME=" + home.path().string());
+  writeText(shader, text + "float broken() { return texelFetch(hti_tex, ivec2(0), 0).x; }\n");
+  expectRefusal("render none" + kScene, 1, "did you mean 'hit_tex'?", "STROBE_HOME=" + home.path().string());
+}
+
+TEST(BadInput, MachinesThatCannot) {
+  expectRefusal("render none" + kScene, 1, "no Vulkan device", "VK_DRIVER_FILES=/nonexistent.json");
+  expectRefusal("render none" + kScene + " --device nonesuch", 2, "nonesuch");
+}
+
+TEST(BadInput, OutputsThatCannotBeWritten) {
+  Outcome outcome = run("render none" + kScene + " -o /proc/none/picture.exr");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("cannot be written"), std::string::npos) << outcome.err;
+  outcome = run("render none" + kScene + " -o picture.jpg");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find(".exr nor .png"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace strobe::testing

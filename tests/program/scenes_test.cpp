@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Every scene among the shared data ends with a picture or a clear refusal, never a crash.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "base/files.h"
+#include "program/run.h"
+
+namespace strobe::testing {
+namespace {
+
+std::vector<fs::path> sceneFiles() {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(*dataFolder() / "scenes")) {
+    std::string ending = entry.path().extension().string();
+    if (ending == ".glb" || ending == ".gltf") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+TEST(SharedScenes, EachRendersOrIsRefused) {
+  if (!dataFolder()) GTEST_SKIP() << "no shared data: STROBE_DATA names its folder";
+  TemporaryFolder folder;
+  int rendered = 0;
+  for (const fs::path& file : sceneFiles()) {
+    Outcome outcome = run("render none --size 64x36 --scene '" + file.string() + "' -o " + (folder / "picture.exr"),
+                          "STROBE_VALIDATION=0");
+    bool picture = outcome.exit_code == 0 && fs::exists(folder / "picture.exr");
+    bool refusal = outcome.exit_code == 1 && outcome.err.find(file.filename().string()) != std::string::npos;
+    EXPECT_TRUE(picture || refusal) << file << ": exit code " << outcome.exit_code << "\n" << outcome.err;
+    rendered += picture;
+    fs::remove(folder / "picture.exr");
+  }
+  EXPECT_GT(rendered, 0);
+}
+
+}  // namespace
+}  // namespace strobe::testing

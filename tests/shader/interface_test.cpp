@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "shader/interface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+namespace strobe::shader {
+namespace {
+
+class Shaders : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (std::filesystem::temp_directory_path() / "strobe_shader_XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+    interface_.pass = "scale";
+    interface_.place = "passes/scale.lua:3";
+    interface_.reads = {{"depth", false, true}};
+    interface_.writes = {{"result", "r32f", false, false}};
+    interface_.params = {{"factor", false}};
+    interface_.variants = {{"mode", {"plain", "double"}, 1}};
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  Path write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+    return folder_ / name;
+  }
+
+  std::string errorOf(const std::string& text) {
+    Path file = write("scale.glsl", text);
+    try {
+      compilePass(interface_, file, Stage::Compute);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  Path folder_;
+  Interface interface_;
+};
+
+const char* kGood =
+    "void run(ivec2 p) {\n"
+    "  float f = params.factor;\n"
+    "#if PARAM_mode == mode_double\n"
+    "  f *= 2.0;\n"
+    "#endif\n"
+    "  imageStore(result_img, p, f * texelFetch(depth_tex, p, 0));\n"
+    "}\n";
+
+TEST_F(Shaders, NamesNeedNoNumbers) {
+  EXPECT_EQ(errorOf(kGood), "");
+  EXPECT_TRUE(unusedNames(interface_, {folder_ / "scale.glsl"}).empty());
+}
+
+TEST_F(Shaders, ErrorsHaveTheUsersLineAndBothPlaces) {
+  std::string error = errorOf("void run(ivec2 p) {\n  imageStore(result_img, p, texelFetch(dept_tex, p, 0));\n}\n");
+  EXPECT_NE(error.find("scale.glsl:2: "), std::string::npos) << error;
+  EXPECT_NE(error.find("passes/scale.lua:3"), std::string::npos) << error;
+  EXPECT_NE(error.find("did you mean 'depth_tex'?"), std::string::npos) << error;
+  error = errorOf("void run(ivec2 p) {\n\n  imageStore(result_img, p, vec4(params.facto));\n}\n");
+  EXPECT_NE(error.find("scale.glsl:3: "), std::string::npos) << error;
+  EXPECT_NE(error.find("did you mean 'factor'?"), std::string::npos) << error;
+}
+
+TEST_F(Shaders, AllErrorsAreReportedAtOnce) {
+  std::string error = errorOf("void run(ivec2 p) {\n  float a = one;\n  float b = two;\n}\n");
+  EXPECT_NE(error.find("'one'"), std::string::npos) << error;
+  EXPECT_NE(error.find("'two'"), std::string::npos) << error;
+}
+
+TEST_F(Shaders, ErrorsInsideAnIncludeNameTheInclude) {
+  write("part.glsl", "float part() {\n  return absent;\n}\n");
+  std::string error = errorOf(std::string("#include \"part.glsl\"\n") + kGood);
+  EXPECT_NE(error.find("part.glsl:2: "), std::string::npos) << error;
+}
+
+TEST_F(Shaders, WhatIsDeclaredMustBeUsed) {
+  Path file = write("scale.glsl", "void run(ivec2 p) { imageStore(result_img, p, vec4(1)); }\n");
+  std::vector<std::string> problems = unusedNames(interface_, {file});
+  EXPECT_EQ(problems.size(), 3u);  // the read, the parameter and the variant
+  for (const std::string& problem : problems) EXPECT_NE(problem.find("passes/scale.lua:3"), std::string::npos) << problem;
+}
+
+TEST_F(Shaders, EveryFileThatWasReadIsReported) {
+  write("part.glsl", "float part() { return 1.0; }\n");
+  Path file = write("scale.glsl", std::string("#include \"part.glsl\"\n") + kGood);
+  Compiled compiled = compilePass(interface_, file, Stage::Compute);
+  EXPECT_NE(std::find(compiled.files.begin(), compiled.files.end(), folder_ / "part.glsl"), compiled.files.end());
+  EXPECT_EQ(compiled.files.front(), file);
+}
+
+}  // namespace
+}  // namespace strobe::shader
