@@ -25,6 +25,7 @@ class Builder {
     if (!isKind(json, "scene")) fields.problem("a scene file returns scene { ... } of strobe.scene");
     scene_.materials.push_back(plain());
     scene_.name = fields.text("name", file_.file);
+    if (const Json* shot = fields.find("shot")) checkShot(*shot, fields.place());
     if (const Json* environment = fields.find("environment")) readEnvironment(*environment, fields.place());
     if (const Json* nodes = fields.need("nodes")) readNodes(*nodes, -1, fields, 0);
     if (const Json* animations = fields.find("animations")) {
@@ -50,6 +51,17 @@ class Builder {
     if (json.is_array() || empty) return json.is_array() ? json : kNone;
     fields.problem(fmt::format("'{}' must be a list", key));
     return kNone;
+  }
+
+  // What the scene suggests for a picture of it; whoever takes the picture reads it from the description.
+  void checkShot(const Json& json, const Place& outer) {
+    Fields fields(json, "shot", outer, problems_);
+    fields.integer("width", 960, 1, 16384);
+    fields.integer("height", 540, 1, 16384);
+    fields.integer("frame", 1, 0, 1000000);
+    fields.number("fps", 24, 1e-3, 1e6);
+    fields.number("exposure", 0.5, 0, 1000);
+    fields.finish();
   }
 
   void readEnvironment(const Json& json, const Place& outer) {

@@ -150,7 +150,7 @@ Shape lathe(const std::vector<dvec2>& given, int segments, int smooth, double cr
   Shape shape;
   double sharp = std::cos(glm::radians(crease_deg));
   auto cornerNormal = [&](size_t span, size_t neighbour) {
-    if (neighbour + 1 >= profile.size()) return spanNormal(profile, span);
+    if (neighbour >= profile.size() - 1) return spanNormal(profile, span);  // also of the one before the first
     dvec2 a = spanNormal(profile, span), b = spanNormal(profile, neighbour);
     return glm::dot(a, b) > sharp ? glm::normalize(a + b) : a;
   };

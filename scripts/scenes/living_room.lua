@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- A living room in low evening sun. A vase with twigs slides past a striped cushion: by `pixels` pixels over the
--- exposure, in a picture of `height` lines at `fps` and `exposure`. Camera "main" stands still; camera "tracking" goes
+-- exposure at frame 0, in a picture of `height` lines at `fps` and `exposure`. Camera "main" stands still; camera "tracking" goes
 -- with the vase while the room goes by.
 local scene = require "strobe.scene"
 local furniture = require "scripts.scenes.lib.furniture"
@@ -9,13 +9,13 @@ local texture, use, material, node, srgb = scene.texture, scene.use, scene.mater
 
 local pixels = scene.param("pixels", 40)
 local fps, exposure = scene.param("fps", 24), scene.param("exposure", 0.5)
-local height = scene.param("height", 540)
+local width, height = scene.param("width", 960), scene.param("height", 540)
 
 -- ---- camera and motion
 
-local fov = 34
-local eye, aim = { 0.62, 1.16, 2.35 }, { 0.02, 0.80, -0.9 }
-local vase_at = { 0.12, 0.42, -0.35 }
+local fov = 31
+local eye, aim = { 0.66, 0.98, 2.15 }, { 0.06, 0.80, -0.9 }
+local vase_at = { 0.17, 0.42, -0.35 }
 
 -- Distance of a point along the view direction.
 local function view_depth(point)
@@ -239,9 +239,9 @@ end
 
 -- ---- light and cameras
 
-add { name = "sun", rotation = { -21.8, -112, 0 },
+add { name = "sun", rotation = { -21.8, -68, 0 },
       light = scene.directional_light { color = srgb "#ffd29a", intensity = 7.5 } }
-add { name = "fill", position = { 1.5, 2.3, 2.6 }, light = scene.point_light { color = srgb "#c4d8ff", intensity = 9 } }
+add { name = "fill", position = { 1.5, 2.3, 2.6 }, light = scene.point_light { color = srgb "#c4d8ff", intensity = 24 } }
 add { name = "main_camera", position = eye, look_at = aim, camera = scene.camera { name = "main", fov = fov, near = 0.05 } }
 add {
   name = "dolly", motion = motion,
@@ -250,6 +250,6 @@ add {
 }
 
 return scene {
-  name = "living_room", nodes = nodes,
-  environment = { sky = { 0.30, 0.33, 0.38 }, ground = { 0.20, 0.165, 0.13 }, background = { 1.15, 1.25, 1.4 } },
+  name = "living_room", nodes = nodes, shot = { width = width, height = height, fps = fps, frame = 0, exposure = exposure },
+  environment = { sky = { 0.42, 0.45, 0.50 }, ground = { 0.30, 0.25, 0.20 }, background = { 1.15, 1.25, 1.4 } },
 }

@@ -89,6 +89,7 @@ TEST(JsonScene, AllMistakesAtOnceWithTheirPlaces) {
 TEST(JsonScene, WrongKindsAreRefused) {
   for (const char* bad :
        {"null", "[]", "{}", "3", R"({"kind":"scene"})", R"({"kind":"scene","nodes":3})",
+        R"({"kind":"scene","nodes":[],"shot":{"with":3}})", R"({"kind":"scene","nodes":[],"shot":{"fps":0}})",
         R"({"kind":"scene","nodes":[null]})", R"({"kind":"scene","nodes":[[]]})",
         R"({"kind":"scene","nodes":[{"kind":"node","shape":{"kind":"shape","type":"lathe","profile":[[0,0]]}}]})",
         R"({"kind":"scene","nodes":[{"kind":"node","shape":{"kind":"shape","type":"box","size":[0,1,1]}}]})",

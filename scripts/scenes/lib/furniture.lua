@@ -99,7 +99,7 @@ local function lamp(prefix, at, shade_height, radius, given, intensity)
 end
 
 function furniture.floor_lamp(given)
-  local nodes = lamp(given.name, given.position, 1.5, 0.21, given, 1.5)
+  local nodes = lamp(given.name, given.position, 1.5, 0.21, given, 2.2)
   nodes[#nodes + 1] = node {
     name = given.name .. "_stem", position = given.position,
     parts = {
@@ -113,7 +113,7 @@ end
 -- A round table with a lamp on it.
 function furniture.side_lamp(given)
   local top = 0.52
-  local nodes = lamp("side_lamp", plus(given.position, { 0, top, 0 }), 0.44, 0.17, given, 0.9)
+  local nodes = lamp("side_lamp", plus(given.position, { 0, top, 0 }), 0.44, 0.17, given, 1.3)
   nodes[#nodes + 1] = node {
     name = "side_lamp_body", material = given.body, position = plus(given.position, { 0, top, 0 }),
     shape = scene.lathe {

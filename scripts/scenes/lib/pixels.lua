@@ -55,7 +55,10 @@ function pixels.scene(picture, name, nodes, background)
     camera = scene.orthographic_camera { name = "main", half_height = picture.height / 2, near = 1 },
   }
   local sky = background or 0
-  return scene { name = name, nodes = nodes, environment = { background = { sky, sky, sky } } }
+  return scene {
+    name = name, nodes = nodes, environment = { background = { sky, sky, sky } },
+    shot = { width = picture.width, height = picture.height, fps = picture.fps, frame = 0, exposure = picture.exposure },
+  }
 end
 
 return pixels
