@@ -15,7 +15,7 @@ local width, height = scene.param("width", 960), scene.param("height", 540)
 
 local fov = 31
 local eye, aim = { 0.66, 0.98, 2.15 }, { 0.06, 0.80, -0.9 }
-local vase_at = { 0.17, 0.42, -0.35 }
+local vase_at = { 0.26, 0.42, -0.35 }
 
 -- Distance of a point along the view direction.
 local function view_depth(point)
@@ -162,7 +162,7 @@ for _, part in ipairs(furniture.coffee_table { position = { 0.1, 0, -0.35 }, siz
   nodes[#nodes + 1] = part
 end
 add {
-  name = "vase", position = vase_at, material = glaze, motion = motion,
+  name = "vase", position = vase_at, scale = 1.2, material = glaze, motion = motion,
   shape = scene.lathe {
     segments = 56, smooth = 5, crease = 50,
     profile = {
@@ -245,7 +245,7 @@ add { name = "fill", position = { 1.5, 2.3, 2.6 }, light = scene.point_light { c
 add { name = "main_camera", position = eye, look_at = aim, camera = scene.camera { name = "main", fov = fov, near = 0.05 } }
 add {
   name = "dolly", motion = motion,
-  children = { node { name = "tracking_camera", position = { 0.22, 0.98, 1.35 }, look_at = { 0.14, 0.66, -0.9 },
+  children = { node { name = "tracking_camera", position = { 0.34, 0.98, 1.42 }, look_at = { 0.24, 0.70, -0.9 },
                       camera = scene.camera { name = "tracking", fov = fov, near = 0.05 } } },
 }
 

@@ -113,7 +113,7 @@ end
 -- A round table with a lamp on it.
 function furniture.side_lamp(given)
   local top = 0.52
-  local nodes = lamp("side_lamp", plus(given.position, { 0, top, 0 }), 0.44, 0.17, given, 1.3)
+  local nodes = lamp("side_lamp", plus(given.position, { 0, top, 0 }), 0.44, 0.17, given, 0.8)
   nodes[#nodes + 1] = node {
     name = "side_lamp_body", material = given.body, position = plus(given.position, { 0, top, 0 }),
     shape = scene.lathe {
