@@ -10,9 +10,9 @@
 //   earlier candidate and the raster layer win. The mean over i is the result: weights add up to 1 by construction,
 //   order in depth and correlation of movements come out right.
 // Candidates: the tile's displacements (dominant, second, revealed), those of X in both layers, and those met in both
-//   layers at the taps along dominant and second, as far as they differ by more than half a pixel from all before;
-//   kMaxCandidates in all. Without the last kind the slower of two moving surfaces is missed, without `second` one that
-//   comes from elsewhere than the dominant one.
+//   layers at the taps X - t_i*d along d = dominant and second, and at X + t_i*d, as far as they differ by more than half
+//   a pixel from all before; kMaxCandidates in all. Without the taps the slower of two moving surfaces is missed, without
+//   those to the other side one that moves against the dominant one and is slower, without `second` one that crosses it.
 // If no layer has anything at X at t_i, it is what was revealed at X, else what raster saw there (counter `fallback`).
 // Fails: surfaces hidden at the capture and not revealed (second layer and beyond); motion that bends or magnifies by
 //   more than the tolerance within the distance moved; more motions at one pixel than candidates.
@@ -54,10 +54,12 @@ Candidates withBothLayers(Candidates candidates, ivec2 at) {
 }
 
 Candidates harvested(Candidates candidates, ivec2 pixel, vec2 d, float jitter) {
+  ivec2 size = textureSize(color_tex, 0);
+  bool one_sided = !isCentred(frame.shutter);  // else the taps lie to both sides already
   for (int i = 0; i < params.samples && candidates.count < kMaxCandidates; ++i) {
-    float t = sampleTime(i, params.samples, jitter, frame.shutter);
-    ivec2 at = pixel + roundSymmetric(tapOffset(d, t));
-    if (isInside(at, textureSize(color_tex, 0))) candidates = withBothLayers(candidates, at);
+    ivec2 offset = roundSymmetric(tapOffset(d, sampleTime(i, params.samples, jitter, frame.shutter)));
+    if (isInside(pixel + offset, size)) candidates = withBothLayers(candidates, pixel + offset);
+    if (one_sided && isInside(pixel - offset, size)) candidates = withBothLayers(candidates, pixel - offset);
   }
   return candidates;
 }
@@ -117,7 +119,7 @@ void run(ivec2 pixel) {
   candidates = withBothLayers(candidates, pixel);
 #if PARAM_harvest
   candidates = harvested(candidates, pixel, d, jitter);
-  candidates = harvested(candidates, pixel, d_second, jitter);
+  if (lengthOf(d_second - d) > 0.5) candidates = harvested(candidates, pixel, d_second, jitter);
 #endif
 
   vec3 sum = vec3(0);
