@@ -8,6 +8,7 @@
 #include <exception>
 
 #include "app/compare.h"
+#include "app/demo.h"
 #include "app/inspect.h"
 #include "app/render.h"
 #include "base/error.h"
@@ -35,6 +36,7 @@ int main(int argc, char** argv) {
   program.set_version_flag("--version", "strobe " STROBE_VERSION);
   program.require_subcommand(1);
   program.set_help_all_flag("--help-all", "help of every command");
+  strobe::app::registerDemo(program);
   strobe::app::registerRender(program);
   strobe::app::registerCheck(program);
   strobe::app::registerPlan(program);
