@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <set>
 
 #include "app/shot_options.h"
 #include "graph/pipelines.h"
@@ -24,24 +25,24 @@ void collect(std::vector<std::string>& problems, const Step& step) {
   }
 }
 
-plan::PipelineDesc checkPipeline(const std::string& name, const script::Settings& sets) {
+plan::PipelineDesc checkPipeline(const std::string& name, const script::Settings& sets, std::set<std::string>& checked) {
   plan::PipelineDesc pipeline = script::evaluatePipeline({name, sets});
   lab::Shot shot;
   shot.width = 64;
   shot.height = 36;
   for (graph::Backend backend : {graph::Backend::Query, graph::Backend::Pipeline})
-    graph::checkShaders(lab::planOf(shot, pipeline, backend), backend);
+    graph::checkShaders(lab::planOf(shot, pipeline, backend), backend, checked);
   return pipeline;
 }
 
 // Every preset of a pipeline is a graph of its own.
-void checkPresets(const std::string& name, std::vector<std::string>& problems) {
+void checkPresets(const std::string& name, std::set<std::string>& checked, std::vector<std::string>& problems) {
   collect(problems, [&] {
-    plan::PipelineDesc pipeline = checkPipeline(name, {});
+    plan::PipelineDesc pipeline = checkPipeline(name, {}, checked);
     for (const auto& param : pipeline.params) {
       if (param.name != "preset") continue;
       for (const std::string& choice : param.choices)
-        collect(problems, [&] { checkPipeline(name, {{"preset", choice}}); });
+        collect(problems, [&] { checkPipeline(name, {{"preset", choice}}, checked); });
     }
   });
 }
@@ -54,7 +55,8 @@ void check(const std::vector<std::string>& files, bool json) {
     collect(problems, [] { script::evaluateAllPasses(); });
     scenes = script::sceneNames();
   }
-  for (const std::string& name : pipelines) checkPresets(name, problems);
+  std::set<std::string> checked;
+  for (const std::string& name : pipelines) checkPresets(name, checked, problems);
   for (const std::string& name : scenes)
     collect(problems, [&] { scene::sceneFromJson(script::evaluateScene(name, {}), name); });
   if (json) {

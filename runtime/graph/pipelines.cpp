@@ -92,23 +92,6 @@ static std::vector<shader::Compiled> compileStages(const shader::Interface& in, 
           compilePass(in, backendFile("any_hit.glsl"), Stage::AnyHit)};
 }
 
-void checkShaders(const plan::Plan& plan, Backend backend) {
-  std::vector<std::string> problems;
-  for (const plan::PlanNode& node : plan.nodes) {
-    const PassDesc& pass = plan.pipeline.passes[size_t(node.pass)];
-    shader::Interface in = interfaceOf(plan, node, backend, SLICE_SAMPLE + 1);
-    try {
-      compileStages(in, pass);
-      for (std::string& line : unusedNames(in, shaderFiles(pass))) problems.push_back(std::move(line));
-    } catch (const Error& error) {
-      problems.push_back(error.what());
-    }
-  }
-  std::sort(problems.begin(), problems.end());
-  problems.erase(std::unique(problems.begin(), problems.end()), problems.end());
-  throwIfAny(problems);
-}
-
 static std::string contentKey(const shader::Interface& in, const PassDesc& pass) {
   std::string key = fmt::format("{}|{}|{}|", pass.shader, int(pass.kind), backendName(in.backend));
   Stage stage = in.raster ? Stage::Fragment : in.backend == Backend::Pipeline ? Stage::RayGeneration : Stage::Compute;
@@ -119,6 +102,25 @@ static std::string contentKey(const shader::Interface& in, const PassDesc& pass)
     for (const char* name : {"miss.glsl", "closest_hit.glsl", "any_hit.glsl"})
       key += shader::textWithIncludes(backendFile(name));
   return hashText(key);
+}
+
+void checkShaders(const plan::Plan& plan, Backend backend, std::set<std::string>& checked) {
+  std::vector<std::string> problems;
+  for (const plan::PlanNode& node : plan.nodes) {
+    const PassDesc& pass = plan.pipeline.passes[size_t(node.pass)];
+    shader::Interface in = interfaceOf(plan, node, backend, SLICE_SAMPLE + 1);
+    try {
+      requireFiles(pass);
+      if (!checked.insert(contentKey(in, pass)).second) continue;
+      compileStages(in, pass);
+      for (std::string& line : unusedNames(in, shaderFiles(pass))) problems.push_back(std::move(line));
+    } catch (const Error& error) {
+      problems.push_back(error.what());
+    }
+  }
+  std::sort(problems.begin(), problems.end());
+  problems.erase(std::unique(problems.begin(), problems.end()), problems.end());
+  throwIfAny(problems);
 }
 
 std::shared_ptr<const NodePipeline> PipelineCache::get(const shader::Interface& in, const PassDesc& pass,

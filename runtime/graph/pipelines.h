@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "gpu/pipeline.h"
@@ -28,8 +29,9 @@ shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node
 // The shader files of a pass, main file first.
 std::vector<Path> shaderFiles(const plan::PassDesc& pass);
 
-// Compiles every node's shaders without a device; throws `Error` with all problems of all passes.
-void checkShaders(const plan::Plan& plan, Backend backend);
+// Compiles every node's shaders without a device; throws `Error` with all problems of all passes. `checked` remembers
+// what has been looked at, by content, from call to call.
+void checkShaders(const plan::Plan& plan, Backend backend, std::set<std::string>& checked);
 
 // Pipelines by the content they come from: the same text compiled the same way is the same pipeline, so nothing stale
 // can be served and nothing is compiled twice.
