@@ -20,10 +20,7 @@ static Bounds boundsOf(const Mesh& mesh) {
   return bounds;
 }
 
-Bounds boundsOf(const Scene& scene) {
-  std::vector<dmat4> worlds = restWorlds(scene);
-  std::vector<Bounds> meshes;
-  for (const Mesh& mesh : scene.meshes) meshes.push_back(boundsOf(mesh));
+static Bounds boundsOf(const Scene& scene, const std::vector<Bounds>& meshes, const std::vector<dmat4>& worlds) {
   Bounds all{dvec3(HUGE_VAL), dvec3(-HUGE_VAL)};
   for (const Instance& instance : instancesOf(scene)) {
     const Bounds& own = meshes[instance.mesh];
@@ -36,6 +33,31 @@ Bounds boundsOf(const Scene& scene) {
       all.low = glm::min(all.low, at);
       all.high = glm::max(all.high, at);
     }
+  }
+  return all;
+}
+
+static std::vector<Bounds> meshBounds(const Scene& scene) {
+  std::vector<Bounds> meshes;
+  for (const Mesh& mesh : scene.meshes) meshes.push_back(boundsOf(mesh));
+  return meshes;
+}
+
+Bounds boundsOf(const Scene& scene) { return boundsOf(scene, meshBounds(scene), restWorlds(scene)); }
+
+// Of all poses of the scene's animations, by samples over the longest clip.
+static Bounds boundsInTime(const Scene& scene) {
+  double duration_s = 0;
+  for (const Animation& clip : scene.animations) duration_s = std::max(duration_s, clip.duration);
+  std::vector<Bounds> meshes = meshBounds(scene);
+  Poser poser(scene, -1);
+  Bounds all{dvec3(HUGE_VAL), dvec3(-HUGE_VAL)};
+  int samples = duration_s > 0 ? 16 : 1;
+  for (int i = 0; i < samples; ++i) {
+    double time_s = samples > 1 ? duration_s * i / (samples - 1) : 0;
+    Bounds at_time = boundsOf(scene, meshes, poser.nodesAt(time_s, time_s));
+    all.low = glm::min(all.low, at_time.low);
+    all.high = glm::max(all.high, at_time.high);
   }
   return all;
 }
@@ -56,7 +78,7 @@ static double framingDistance(const Bounds& bounds, const dmat3& world_from_came
 }
 
 static void addCamera(Scene& scene) {
-  Bounds bounds = boundsOf(scene);
+  Bounds bounds = boundsInTime(scene);
   if (bounds.empty()) bounds = {dvec3(-1), dvec3(1)};
   Camera camera;
   camera.name = "default";
@@ -90,7 +112,7 @@ static void addLight(Scene& scene, int camera) {
   Light light;
   light.name = "default light";
   light.type = Light::Type::Directional;
-  light.intensity = vec3(1.9f, 1.8f, 1.65f);
+  light.intensity = vec3(1.6f, 1.52f, 1.4f);
   light.shadow = false;
   Node node;
   node.name = "default light";
@@ -99,7 +121,7 @@ static void addLight(Scene& scene, int camera) {
   node.light = int(scene.lights.size());
   scene.lights.push_back(light);
   scene.nodes.push_back(node);
-  scene.assumptions.push_back("no light in the scene: a directional light of 1.9 1.8 1.65 lux at the camera, no shadow");
+  scene.assumptions.push_back("no light in the scene: a directional light of 1.6 1.52 1.4 lux at the camera, no shadow");
 }
 
 void supplyDefaults(Scene& scene, const std::string& camera) {
@@ -108,9 +130,9 @@ void supplyDefaults(Scene& scene, const std::string& camera) {
   addLight(scene, cameraNode(scene, camera));
   Environment& environment = scene.environment;
   if (environment.sky != vec3(0) || environment.ground != vec3(0)) return;
-  environment.sky = vec3(0.50f, 0.54f, 0.60f);
-  environment.ground = vec3(0.26f, 0.24f, 0.22f);
-  scene.assumptions.push_back("no environment in the scene: a sky of .50 .54 .60 over a ground of .26 .24 .22");
+  environment.sky = vec3(0.42f, 0.45f, 0.50f);
+  environment.ground = vec3(0.22f, 0.20f, 0.18f);
+  scene.assumptions.push_back("no environment in the scene: a sky of .42 .45 .50 over a ground of .22 .20 .18");
 }
 
 void moderateLights(Scene& scene) {

@@ -16,11 +16,11 @@ struct Bounds {
 Bounds boundsOf(const Scene& scene);
 
 // Adds, each with a line in `assumptions`:
-// - no camera: a camera "default" that looks at the whole scene from the front, a little from the right and above, with
-//   a vertical angle of 40 degrees;
+// - no camera: a camera "default" that looks at all of the scene, wherever its animations take it, from the front, a
+//   little from the right and above, with a vertical angle of 40 degrees;
 // - no light, and something that needs it: a directional light without shadow that moves with the camera `camera` (""
-//   for the first), 20 degrees from its left and above, of 1.9, 1.8, 1.65 lux; and where the environment is black too,
-//   a sky of .50 .54 .60 over a ground of .26 .24 .22.
+//   for the first), 20 degrees from its left and above, of 1.6, 1.52, 1.4 lux; and where the environment is black too,
+//   a sky of .42 .45 .50 over a ground of .22 .20 .18.
 // A scene that has all of it is left as it is.
 void supplyDefaults(Scene& scene, const std::string& camera = "");
 
