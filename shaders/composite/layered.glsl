@@ -22,6 +22,9 @@
 
 const int kMaxCandidates = 4;
 
+// Rays and raster find one surface at depths that differ by rounding: nearer by less than this share is equal.
+const float kSameDepth = 1.0 - 1.0 / 65536.0;
+
 struct Candidates {
   vec2 d[kMaxCandidates];
   int count;
@@ -71,7 +74,7 @@ bool isAt(ivec2 pixel, ivec2 now, vec2 d, float t, float tolerance_px) {
 Best nearerRaster(Best best, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
   if (!isAt(pixel, now, limited(texelFetch(velocity_tex, now, 0)), t, tolerance_px)) return best;
   float depth = saneDepth(texelFetch(depth_tex, now, 0).x);
-  if (best.found && depth >= best.depth) return best;
+  if (best.found && depth >= best.depth * kSameDepth) return best;
   return Best(finiteColor(texelFetch(color_tex, now, 0)), depth, true);
 }
 
@@ -79,7 +82,7 @@ Best nearerRevealed(Best best, ivec2 pixel, ivec2 now, float t, float tolerance_
   if (!isRevealed(now)) return best;
   if (!isAt(pixel, now, limited(texelFetch(revealed_velocity_tex, now, 0)), t, tolerance_px)) return best;
   float depth = saneDepth(texelFetch(revealed_depth_tex, now, 0).x);
-  if (best.found && depth >= best.depth) return best;
+  if (best.found && depth >= best.depth * kSameDepth) return best;
   return Best(finiteColor(texelFetch(revealed_color_tex, now, 0)), depth, true);
 }
 
