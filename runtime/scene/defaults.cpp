@@ -86,7 +86,8 @@ static void addCamera(Scene& scene) {
 
   Node node;
   node.name = "default camera";
-  node.rotation = glm::angleAxis(glm::radians(20.0), dvec3(0, 1, 0)) * glm::angleAxis(glm::radians(-15.0), dvec3(1, 0, 0));
+  node.rotation =
+      glm::angleAxis(glm::radians(20.0), dvec3(0, 1, 0)) * glm::angleAxis(glm::radians(-15.0), dvec3(1, 0, 0));
   dmat3 world_from_camera = glm::mat3_cast(node.rotation);
   double distance = framingDistance(bounds, world_from_camera, camera.vertical_fov);
   if (distance <= 0) distance = 1;
@@ -117,11 +118,13 @@ static void addLight(Scene& scene, int camera) {
   Node node;
   node.name = "default light";
   node.parent = camera;
-  node.rotation = glm::angleAxis(glm::radians(-20.0), dvec3(0, 1, 0)) * glm::angleAxis(glm::radians(-20.0), dvec3(1, 0, 0));
+  node.rotation =
+      glm::angleAxis(glm::radians(-20.0), dvec3(0, 1, 0)) * glm::angleAxis(glm::radians(-20.0), dvec3(1, 0, 0));
   node.light = int(scene.lights.size());
   scene.lights.push_back(light);
   scene.nodes.push_back(node);
-  scene.assumptions.push_back("no light in the scene: a directional light of 1.6 1.52 1.4 lux at the camera, no shadow");
+  scene.assumptions.push_back(
+      "no light in the scene: a directional light of 1.6 1.52 1.4 lux at the camera, no shadow");
 }
 
 void supplyDefaults(Scene& scene, const std::string& camera) {

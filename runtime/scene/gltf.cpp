@@ -97,7 +97,8 @@ class Loader {
     if (mode != "MASK" && mode != "BLEND") file_.refuse(where, fmt::format("alphaMode '{}' is unknown", mode));
     material.alpha_mask = true;
     material.alpha_cutoff = mode == "MASK" ? float(file_.number(json, "alphaCutoff", 0.5, where)) : 0.5f;
-    if (mode == "BLEND") warn(fmt::format("{} '{}': blending is shown as a cut-out at alpha 0.5", where, material.name));
+    if (mode == "BLEND")
+      warn(fmt::format("{} '{}': blending is shown as a cut-out at alpha 0.5", where, material.name));
   }
 
   TextureUse readUse(const Json& owner, const char* key, bool is_color, const std::string& where) {
@@ -120,7 +121,8 @@ class Loader {
 
   Texture::Wrap wrapOf(const Json& sampler, const char* key, const std::string& where) {
     size_t mode = file_.size(sampler, key, 10497, where);
-    if (mode != 10497 && mode != 33071 && mode != 33648) file_.refuse(where, fmt::format("{} {} is unknown", key, mode));
+    if (mode != 10497 && mode != 33071 && mode != 33648)
+      file_.refuse(where, fmt::format("{} {} is unknown", key, mode));
     return mode == 33071 ? Texture::Wrap::Clamp : mode == 33648 ? Texture::Wrap::Mirror : Texture::Wrap::Repeat;
   }
 
@@ -166,7 +168,8 @@ class Loader {
       Camera camera;
       camera.name = file_.text(cameras[i], "name");
       camera.orthographic = type == "orthographic";
-      if (type != "orthographic" && type != "perspective") file_.refuse(where, fmt::format("type '{}' is unknown", type));
+      if (type != "orthographic" && type != "perspective")
+        file_.refuse(where, fmt::format("type '{}' is unknown", type));
       const Json& lens = file_.object(cameras[i], type, where);
       camera.near = std::max(file_.number(lens, "znear", 0.01, where), 1e-6);
       if (camera.orthographic) {
@@ -388,7 +391,9 @@ class Loader {
     node.scale = {glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])};
     if (glm::determinant(linear) < 0) node.scale.x = -node.scale.x;
     bool flat = node.scale.x == 0 || node.scale.y == 0 || node.scale.z == 0;
-    if (!flat) node.rotation = glm::quat_cast(dmat3(linear[0] / node.scale.x, linear[1] / node.scale.y, linear[2] / node.scale.z));
+    if (!flat)
+      node.rotation =
+          glm::quat_cast(dmat3(linear[0] / node.scale.x, linear[1] / node.scale.y, linear[2] / node.scale.z));
     node.matrix.reset();
   }
 
@@ -437,7 +442,8 @@ class Loader {
         for (int c = 0; c < 4; ++c) {
           double joint = indices.at(i, c), amount = weights.at(i, c);
           if (!(amount > 0) || !std::isfinite(amount)) continue;
-          if (!(joint >= 0 && joint < double(joints))) file_.refuse(where, fmt::format("joint {} of {}", joint, joints));
+          if (!(joint >= 0 && joint < double(joints)))
+            file_.refuse(where, fmt::format("joint {} of {}", joint, joints));
           sums[size_t(joint)] += amount;
         }
       }
@@ -477,7 +483,8 @@ class Loader {
     }
     Path beside = file_.path().parent_path() / "ATTRIBUTION.txt";
     std::error_code missing;
-    bool small = std::filesystem::is_regular_file(beside, missing) && std::filesystem::file_size(beside, missing) < 65536;
+    bool small =
+        std::filesystem::is_regular_file(beside, missing) && std::filesystem::file_size(beside, missing) < 65536;
     if (small) scene_.attribution["text"] = readText(beside);
   }
 

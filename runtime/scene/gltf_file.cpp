@@ -195,7 +195,8 @@ const uint8_t* GltfFile::elements(const Json& json, size_t count, size_t element
   View source = view(index(json, "bufferView", "bufferViews", where), where);
   stride = source.stride ? source.stride : element_size;
   size_t offset = size(json, "byteOffset", 0, where);
-  if (stride < element_size) refuse(where, fmt::format("byteStride {} is below its element's {}", stride, element_size));
+  if (stride < element_size)
+    refuse(where, fmt::format("byteStride {} is below its element's {}", stride, element_size));
   size_t needed = stride * (count - 1) + element_size;
   if (offset > source.size || needed > source.size - offset) {
     refuse(where, fmt::format("{} elements do not lie in its buffer view of {} bytes", count, source.size));

@@ -87,7 +87,8 @@ class MeshReader {
     int index = file_.index(attributes, name, "accessors", where_);
     if (index < 0) return std::nullopt;
     Values values = file_.accessor(index, where_, types);
-    if (values.count != count) file_.refuse(where_, fmt::format("{} has {} elements, not {}", name, values.count, count));
+    if (values.count != count)
+      file_.refuse(where_, fmt::format("{} has {} elements, not {}", name, values.count, count));
     return values;
   }
 
@@ -146,7 +147,8 @@ class MeshReader {
       if (good) kept.insert(kept.end(), {all[i], all[i + 1], all[i + 2]});
     }
     if (kept.size() != all.size()) {
-      warn(fmt::format("{} triangles have positions that are not finite and are left out", (all.size() - kept.size()) / 3));
+      warn(fmt::format("{} triangles have positions that are not finite and are left out",
+                       (all.size() - kept.size()) / 3));
     }
     for (dvec3& p : primitive.positions) {
       if (!usable(p)) p = dvec3(0);

@@ -159,7 +159,8 @@ static Shape readTriangles(Fields& f) {
   }
   for (size_t i = 0; !listed && i < positions.size(); ++i) indices.push_back(uint32_t(i));
   if (indices.size() % 3 != 0) f.problem(fmt::format("{} corners are not whole triangles", indices.size()));
-  bool fits = (normals.empty() || normals.size() == positions.size()) && (uvs.empty() || uvs.size() == positions.size());
+  bool fits =
+      (normals.empty() || normals.size() == positions.size()) && (uvs.empty() || uvs.size() == positions.size());
   return fits ? triangles(positions, normals, uvs, indices) : Shape();
 }
 
@@ -170,9 +171,12 @@ static std::string typeOf(const Json& json) {
 Shape readShape(const Json& json, const Place& place, Problems& problems) {
   using Reader = Shape (*)(Fields&);
   static const std::map<std::string, Reader> readers = {
-      {"quad", readQuad},         {"box", readBox},   {"sphere", readSphere},   {"torus", readTorus},
-      {"lathe", readLathe},       {"tube", readTube}, {"cylinder", readCylinder}, {"superellipsoid", readSuperellipsoid},
-      {"cushion", readCushion},   {"cloth", readCloth}, {"triangles", readTriangles}};
+      {"quad", readQuad},          {"box", readBox},
+      {"sphere", readSphere},      {"torus", readTorus},
+      {"lathe", readLathe},        {"tube", readTube},
+      {"cylinder", readCylinder},  {"superellipsoid", readSuperellipsoid},
+      {"cushion", readCushion},    {"cloth", readCloth},
+      {"triangles", readTriangles}};
   std::string type = typeOf(json);
   auto reader = readers.find(type);
   Fields fields(json, reader == readers.end() ? "shape" : type, place, problems);

@@ -263,7 +263,8 @@ class Builder {
     }
     size_t wanted = track.times.size() * (how == "cubic" ? 3 : 1);
     if (track.values.size() != wanted) {
-      return fields.problem(fmt::format("{} times need {} values, got {}", track.times.size(), wanted, track.values.size()));
+      return fields.problem(
+          fmt::format("{} times need {} values, got {}", track.times.size(), wanted, track.values.size()));
     }
     animation.duration = std::max(animation.duration, track.times.back());
     animation.tracks.push_back(std::move(track));

@@ -28,7 +28,8 @@ static dvec4 unitIfRotation(const Track& track, const dvec4& value) {
   return length > 0 ? value / length : dvec4(0, 0, 0, 1);
 }
 
-// Hermite segment of glTF 2.0, appendix C: p0, m0 the out-tangent of the first key, p1, m1 the in-tangent of the second.
+// Hermite segment of glTF 2.0, appendix C: p0, m0 the out-tangent of the first key, p1, m1 the in-tangent of the
+// second.
 static dvec4 hermite(const dvec4& p0, const dvec4& m0, const dvec4& p1, const dvec4& m1, double t, double length) {
   double t2 = t * t, t3 = t2 * t;
   return (2 * t3 - 3 * t2 + 1) * p0 + length * (t3 - 2 * t2 + t) * m0 + (-2 * t3 + 3 * t2) * p1 +

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- A living room in low evening sun. A vase with twigs slides past a striped cushion: by `pixels` pixels over the
--- exposure at frame 0, in a picture of `height` lines at `fps` and `exposure`. Camera "main" stands still; camera "tracking" goes
+-- exposure at frame 0, in a picture of `height` lines at `fps` and `exposure`. Camera "main" stands still; camera
+-- "tracking" goes
 -- with the vase while the room goes by.
 local scene = require "strobe.scene"
 local furniture = require "scripts.scenes.lib.furniture"
@@ -93,13 +94,15 @@ local rust = material {
 local glaze = material {
   name = "glazed vase", roughness = 0.22,
   color_texture = use {
-    texture = texture.quilt { colors = { srgb "#14707a", srgb "#eadfc4", srgb "#d9a24a" }, count = { 8, 4 }, line = 0.1 },
+    texture = texture.quilt { colors = { srgb "#14707a", srgb "#eadfc4", srgb "#d9a24a" }, count = { 8, 4 },
+      line = 0.1 },
     scale = { 1, 1 },
   },
 }
 local knit = material {
   name = "knitted pouf", roughness = 1,
-  color_texture = texture.weave { size = { 256, 256 }, colors = { srgb "#5d7078", srgb "#4c5d65" }, count = { 48, 24 } },
+  color_texture = texture.weave { size = { 256, 256 }, colors = { srgb "#5d7078", srgb "#4c5d65" },
+    count = { 48, 24 } },
 }
 
 -- ---- the room
@@ -107,11 +110,16 @@ local knit = material {
 local nodes = {}
 local function add(fields) nodes[#nodes + 1] = node(fields) end
 
-add { name = "floor", shape = scene.box { size = { 6.2, 0.1, 6.4 }, tile = 2.2 }, material = oak, position = { 0, -0.05, 0.7 } }
-add { name = "ceiling", shape = scene.box { size = { 6.2, 0.1, 6.4 } }, material = white_paint, position = { 0, 2.75, 0.7 } }
-add { name = "back_wall", shape = scene.box { size = { 6.2, 2.7, 0.1 }, tile = 2 }, material = sage, position = { 0, 1.35, -2.45 } }
-add { name = "front_wall", shape = scene.box { size = { 6.2, 2.7, 0.1 }, tile = 2 }, material = plaster, position = { 0, 1.35, 3.85 } }
-add { name = "right_wall", shape = scene.box { size = { 0.1, 2.7, 6.2 }, tile = 2 }, material = plaster, position = { 3.05, 1.35, 0.7 } }
+add { name = "floor", shape = scene.box { size = { 6.2, 0.1, 6.4 }, tile = 2.2 }, material = oak,
+  position = { 0, -0.05, 0.7 } }
+add { name = "ceiling", shape = scene.box { size = { 6.2, 0.1, 6.4 } }, material = white_paint,
+  position = { 0, 2.75, 0.7 } }
+add { name = "back_wall", shape = scene.box { size = { 6.2, 2.7, 0.1 }, tile = 2 }, material = sage,
+  position = { 0, 1.35, -2.45 } }
+add { name = "front_wall", shape = scene.box { size = { 6.2, 2.7, 0.1 }, tile = 2 }, material = plaster,
+  position = { 0, 1.35, 3.85 } }
+add { name = "right_wall", shape = scene.box { size = { 0.1, 2.7, 6.2 }, tile = 2 }, material = plaster,
+  position = { 3.05, 1.35, 0.7 } }
 -- The window: z from -1.1 to 1.5, y from 0.75 to 2.3.
 add {
   name = "window_wall", position = { -3.05, 0, 0 },
@@ -122,20 +130,26 @@ add {
     { shape = scene.box { size = { 0.1, 1.55, 2.3 }, tile = 2 }, material = plaster, position = { 0, 1.525, 2.65 } },
   },
 }
-add(furniture.window { name = "window_frame", position = { -3.02, 1.525, 0.2 }, size = { 2.6, 1.55 }, material = white_paint })
-add { name = "window_sill", shape = scene.box { size = { 0.24, 0.04, 2.8 }, radius = 0.01 }, material = white_paint, position = { -2.92, 0.74, 0.2 } }
+add(furniture.window { name = "window_frame", position = { -3.02, 1.525, 0.2 }, size = { 2.6, 1.55 },
+  material = white_paint })
+add { name = "window_sill", shape = scene.box { size = { 0.24, 0.04, 2.8 }, radius = 0.01 }, material = white_paint,
+  position = { -2.92, 0.74, 0.2 } }
 add { name = "skirting", parts = {
-  { shape = scene.box { size = { 6, 0.1, 0.02 }, radius = 0.005 }, material = white_paint, position = { 0, 0.05, -2.39 } },
-  { shape = scene.box { size = { 0.02, 0.1, 6 }, radius = 0.005 }, material = white_paint, position = { 2.99, 0.05, 0.7 } },
+  { shape = scene.box { size = { 6, 0.1, 0.02 }, radius = 0.005 }, material = white_paint,
+    position = { 0, 0.05, -2.39 } },
+  { shape = scene.box { size = { 0.02, 0.1, 6 }, radius = 0.005 }, material = white_paint,
+    position = { 2.99, 0.05, 0.7 } },
 } }
-add { name = "curtain_rod", shape = scene.tube { path = { { 0, 0, -1.9 }, { 0, 0, 2.2 } }, radius = 0.014 }, material = brass, position = { -2.88, 2.42, 0 } }
+add { name = "curtain_rod", shape = scene.tube { path = { { 0, 0, -1.9 }, { 0, 0, 2.2 } }, radius = 0.014 },
+  material = brass, position = { -2.88, 2.42, 0 } }
 for i, z in ipairs { -1.42, 1.78 } do
   add {
     name = "curtain_" .. i, position = { -2.88, 1.24, z }, rotation = { 0, 90, 0 }, material = curtain,
     shape = scene.cloth { size = { 0.75, 2.34, 0.13 }, folds = 6, segments = 120 },
   }
 end
-add { name = "rug", shape = scene.box { size = { 2.9, 0.014, 2.0 }, radius = 0.004 }, material = rug, position = { 0.05, 0.007, -0.25 } }
+add { name = "rug", shape = scene.box { size = { 2.9, 0.014, 2.0 }, radius = 0.004 }, material = rug,
+  position = { 0.05, 0.007, -0.25 } }
 
 -- ---- sofa and cushions
 
@@ -177,7 +191,8 @@ add {
   name = "bowl", position = { -0.28, 0.42, -0.28 }, material = stoneware,
   shape = scene.lathe {
     segments = 48, smooth = 4,
-    profile = { { 0, 0 }, { 0.05, 0 }, { 0.055, 0.012 }, { 0.11, 0.045 }, { 0.14, 0.085 }, { 0.134, 0.086 }, { 0.1, 0.05 },
+    profile = { { 0, 0 }, { 0.05, 0 }, { 0.055, 0.012 }, { 0.11, 0.045 }, { 0.14, 0.085 }, { 0.134, 0.086 },
+      { 0.1, 0.05 },
                 { 0.04, 0.022 }, { 0, 0.02 } },
   },
 }
@@ -193,7 +208,8 @@ add {
   parts = {
     { material = white_paint, shape = scene.lathe { segments = 36, smooth = 3, profile = { { 0, 0 }, { 0.03, 0 },
       { 0.038, 0.03 }, { 0.041, 0.08 }, { 0.037, 0.08 }, { 0.034, 0.03 }, { 0, 0.01 } } } },
-    { material = white_paint, shape = scene.torus { radius = 0.022, tube_radius = 0.005, segments = 24, tube_segments = 8 },
+    { material = white_paint, shape = scene.torus { radius = 0.022, tube_radius = 0.005, segments = 24,
+      tube_segments = 8 },
       position = { 0.045, 0.042, 0 }, rotation = { 90, 0, 0 } },
   },
 }
@@ -211,11 +227,13 @@ add {
 
 -- ---- lamps, shelf, plants, pictures
 
-for _, part in ipairs(furniture.floor_lamp { name = "floor_lamp", position = { 1.32, 0, -1.85 }, metal = brass, shade = shade,
+for _, part in ipairs(furniture.floor_lamp { name = "floor_lamp", position = { 1.32, 0, -1.85 }, metal = brass,
+  shade = shade,
                                              bulb = bulb }) do
   nodes[#nodes + 1] = part
 end
-for _, part in ipairs(furniture.side_lamp { position = { -1.62, 0, -1.75 }, wood = walnut, body = terracotta, shade = shade,
+for _, part in ipairs(furniture.side_lamp { position = { -1.62, 0, -1.75 }, wood = walnut, body = terracotta,
+  shade = shade,
                                             bulb = bulb }) do
   nodes[#nodes + 1] = part
 end
@@ -227,11 +245,14 @@ for _, part in ipairs(furniture.plant { name = "plant", position = { -2.35, 0, -
                                         leaves = 17, size = 1.15, seed = 7 }) do
   nodes[#nodes + 1] = part
 end
-for _, part in ipairs(furniture.picture { name = "painting", position = { -0.35, 1.62, -2.385 }, size = { 1.05, 0.68 }, frame = walnut,
-                                          seed = 3, colors = { "#8fb7c9", "#f3c67a", "#6f8f9b", "#4a6b5d", "#2d3f3a" } }) do
+for _, part in ipairs(furniture.picture { name = "painting", position = { -0.35, 1.62, -2.385 },
+  size = { 1.05, 0.68 }, frame = walnut,
+                                          seed = 3, colors = { "#8fb7c9", "#f3c67a", "#6f8f9b", "#4a6b5d",
+                                            "#2d3f3a" } }) do
   nodes[#nodes + 1] = part
 end
-for _, part in ipairs(furniture.picture { name = "small_painting", position = { 0.58, 1.58, -2.385 }, size = { 0.42, 0.56 },
+for _, part in ipairs(furniture.picture { name = "small_painting", position = { 0.58, 1.58, -2.385 },
+  size = { 0.42, 0.56 },
                                           frame = black_steel, seed = 8,
                                           colors = { "#e9c9a0", "#d9604a", "#a8584a", "#70404a", "#33263a" } }) do
   nodes[#nodes + 1] = part
@@ -241,8 +262,10 @@ end
 
 add { name = "sun", rotation = { -21.8, -68, 0 },
       light = scene.directional_light { color = srgb "#ffd29a", intensity = 7.5 } }
-add { name = "fill", position = { 1.5, 2.3, 2.6 }, light = scene.point_light { color = srgb "#c4d8ff", intensity = 24 } }
-add { name = "main_camera", position = eye, look_at = aim, camera = scene.camera { name = "main", fov = fov, near = 0.05 } }
+add { name = "fill", position = { 1.5, 2.3, 2.6 },
+  light = scene.point_light { color = srgb "#c4d8ff", intensity = 24 } }
+add { name = "main_camera", position = eye, look_at = aim,
+  camera = scene.camera { name = "main", fov = fov, near = 0.05 } }
 add {
   name = "dolly", motion = motion,
   children = { node { name = "tracking_camera", position = { 0.34, 0.98, 1.42 }, look_at = { 0.24, 0.70, -0.9 },
@@ -250,6 +273,7 @@ add {
 }
 
 return scene {
-  name = "living_room", nodes = nodes, shot = { width = width, height = height, fps = fps, frame = 0, exposure = exposure },
+  name = "living_room", nodes = nodes, shot = { width = width, height = height, fps = fps, frame = 0,
+    exposure = exposure },
   environment = { sky = { 0.42, 0.45, 0.50 }, ground = { 0.30, 0.25, 0.20 }, background = { 1.15, 1.25, 1.4 } },
 }

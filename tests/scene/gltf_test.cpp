@@ -70,7 +70,8 @@ struct Asset {
   template <class T>
   int add(const std::vector<T>& values, const char* type, int components, int component_type, bool normalized = false) {
     int view = int(json["bufferViews"].size());
-    json["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", values.size() * sizeof(T)}});
+    json["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", values.size() * sizeof(T)}});
     json["accessors"].push_back({{"bufferView", view}, {"componentType", component_type},
                                  {"count", values.size() / components}, {"type", type}, {"normalized", normalized}});
     const uint8_t* data = reinterpret_cast<const uint8_t*>(values.data());
@@ -171,25 +172,51 @@ TEST_F(Gltf, DamageIsRefusedInOneLine) {
     Json value;
   };
   const std::vector<Damage> damages = {
-      {"/asset/version", "1.0"}, {"/asset", 3}, {"/scene", 4}, {"/scenes/0/nodes/0", 9}, {"/nodes/0/mesh", 1},
-      {"/nodes/0/mesh", -1}, {"/nodes/0/mesh", 0.5}, {"/nodes/0/children", Json::array({0})},
-      {"/nodes/0/children", Json::array({7})}, {"/nodes/0/rotation", Json::array({0, 0, 0, 0})},
-      {"/nodes/0/matrix", Json::array({1, 2})}, {"/nodes/0/translation", Json::array({"x", 0, 0})},
-      {"/meshes/0/primitives/0/attributes/POSITION", 5}, {"/meshes/0/primitives/0/mode", 9},
-      {"/meshes/0/primitives/0/indices", 0}, {"/meshes/0/primitives/0/material", 0}, {"/meshes", 1},
-      {"/accessors/0/count", 4}, {"/accessors/0/count", 0}, {"/accessors/0/count", 4000000000u},
-      {"/accessors/0/count", -1}, {"/accessors/0/componentType", 5127}, {"/accessors/0/componentType", 5130},
-      {"/accessors/0/type", "VEC2"}, {"/accessors/0/type", "MAT4"}, {"/accessors/0/byteOffset", 4},
-      {"/accessors/0/byteOffset", 18446744073709551615u}, {"/accessors/0/bufferView", 3},
-      {"/bufferViews/0/buffer", 2}, {"/bufferViews/0/byteOffset", 40}, {"/bufferViews/0/byteLength", 1000},
-      {"/bufferViews/0/byteStride", 4}, {"/bufferViews/0/byteStride", 400}, {"/buffers/0/byteLength", 1000},
-      {"/buffers/0/uri", "data:nonsense"}, {"/buffers/0/uri", "missing.bin"}, {"/buffers/0/uri", "http://x/y.bin"},
-      {"/buffers/0/uri", "/etc/hostname"}, {"/buffers/0/uri", "data:;base64,!!"},
+      {"/asset/version", "1.0"},
+      {"/asset", 3},
+      {"/scene", 4},
+      {"/scenes/0/nodes/0", 9},
+      {"/nodes/0/mesh", 1},
+      {"/nodes/0/mesh", -1},
+      {"/nodes/0/mesh", 0.5},
+      {"/nodes/0/children", Json::array({0})},
+      {"/nodes/0/children", Json::array({7})},
+      {"/nodes/0/rotation", Json::array({0, 0, 0, 0})},
+      {"/nodes/0/matrix", Json::array({1, 2})},
+      {"/nodes/0/translation", Json::array({"x", 0, 0})},
+      {"/meshes/0/primitives/0/attributes/POSITION", 5},
+      {"/meshes/0/primitives/0/mode", 9},
+      {"/meshes/0/primitives/0/indices", 0},
+      {"/meshes/0/primitives/0/material", 0},
+      {"/meshes", 1},
+      {"/accessors/0/count", 4},
+      {"/accessors/0/count", 0},
+      {"/accessors/0/count", 4000000000u},
+      {"/accessors/0/count", -1},
+      {"/accessors/0/componentType", 5127},
+      {"/accessors/0/componentType", 5130},
+      {"/accessors/0/type", "VEC2"},
+      {"/accessors/0/type", "MAT4"},
+      {"/accessors/0/byteOffset", 4},
+      {"/accessors/0/byteOffset", 18446744073709551615u},
+      {"/accessors/0/bufferView", 3},
+      {"/bufferViews/0/buffer", 2},
+      {"/bufferViews/0/byteOffset", 40},
+      {"/bufferViews/0/byteLength", 1000},
+      {"/bufferViews/0/byteStride", 4},
+      {"/bufferViews/0/byteStride", 400},
+      {"/buffers/0/byteLength", 1000},
+      {"/buffers/0/uri", "data:nonsense"},
+      {"/buffers/0/uri", "missing.bin"},
+      {"/buffers/0/uri", "http://x/y.bin"},
+      {"/buffers/0/uri", "/etc/hostname"},
+      {"/buffers/0/uri", "data:;base64,!!"},
       {"/extensionsRequired", Json::array({"KHR_draco_mesh_compression"})},
       {"/cameras", Json::array({{{"type", "fisheye"}}})},
       {"/materials", Json::array({{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}})},
       {"/materials", Json::array({{{"alphaMode", "SOMETIMES"}}})},
-      {"/animations", Json::array({{{"channels", Json::array({{{"sampler", 0}, {"target", {{"node", 0}, {"path", "scale"}}}}})}}})},
+      {"/animations",
+       Json::array({{{"channels", Json::array({{{"sampler", 0}, {"target", {{"node", 0}, {"path", "scale"}}}}})}}})},
   };
   for (const Damage& damage : damages) {
     Json json = triangle().whole();

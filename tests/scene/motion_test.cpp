@@ -51,7 +51,8 @@ TEST(Track, LinearIsTheChord) {
 }
 
 TEST(Track, StepJumpsAtItsKeyOnly) {
-  Track t = track(Track::Target::Scale, Track::Interpolation::Step, {0, 1, 2}, {{1, 1, 1, 0}, {2, 2, 2, 0}, {3, 3, 3, 0}});
+  Track t =
+      track(Track::Target::Scale, Track::Interpolation::Step, {0, 1, 2}, {{1, 1, 1, 0}, {2, 2, 2, 0}, {3, 3, 3, 0}});
   EXPECT_EQ(valueAt(t, std::nextafter(1.0, 0.0)).x, 1);
   EXPECT_EQ(valueAt(t, 1).x, 2);
   EXPECT_EQ(valueAt(t, std::nextafter(2.0, 0.0)).x, 2);
@@ -179,8 +180,8 @@ TEST(Poser, HeldStepLeavesNoStreak) {
   Scene scene = sceneWithCamera({box});
   Animation clip;
   clip.duration = 2;
-  clip.tracks.push_back(
-      track(Track::Target::Translation, Track::Interpolation::Step, {0, 1, 2}, {{0, 0, 0, 0}, {5, 0, 0, 0}, {6, 0, 0, 0}}));
+  clip.tracks.push_back(track(Track::Target::Translation, Track::Interpolation::Step, {0, 1, 2},
+                              {{0, 0, 0, 0}, {5, 0, 0, 0}, {6, 0, 0, 0}}));
   scene.animations.push_back(clip);
   Poser poser(scene, 1);
   EXPECT_EQ(poser.at(0.99).world_from_instance[0][3].x, 0);
@@ -239,7 +240,8 @@ TEST(MotionOptions, ArePerFrameAndNamed) {
 
 TEST(MotionOptions, MistakesAreExplained) {
   Scene scene = sceneWithCamera({named("vase")});
-  for (const char* bad : {"vase", "=1,2,3", "vase=1,2", "vase=1,2,x", "vase=1,2,3,4", "vase=1,2,inf", "vase=", "vsae=1,2,3"}) {
+  for (const char* bad :
+       {"vase", "=1,2,3", "vase=1,2", "vase=1,2,x", "vase=1,2,3,4", "vase=1,2,inf", "vase=", "vsae=1,2,3"}) {
     EXPECT_THROW(moveFromOption(scene, bad, 24, 0), Error) << bad;
   }
   EXPECT_THROW(spinFromOption(scene, "vase=0,0,0,5", 24, 0), Error);

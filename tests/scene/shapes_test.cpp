@@ -137,7 +137,8 @@ TEST(Shapes, CylinderAndConeAreExactPrisms) {
 }
 
 TEST(Shapes, LatheOfAVesselIsClosed) {
-  std::vector<dvec2> profile = {{0, 0}, {0.5, 0}, {0.8, 0.6}, {0.3, 1.2}, {0.25, 1.2}, {0.7, 0.6}, {0.4, 0.1}, {0, 0.1}};
+  std::vector<dvec2> profile = {{0, 0},      {0.5, 0},   {0.8, 0.6}, {0.3, 1.2},
+                                {0.25, 1.2}, {0.7, 0.6}, {0.4, 0.1}, {0, 0.1}};
   Shape shape = lathe(profile, 48, 4);
   EXPECT_EQ(euler(shape), 2);
   EXPECT_GT(volume(shape), 0);

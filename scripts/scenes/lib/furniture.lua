@@ -30,7 +30,8 @@ function furniture.sofa(given)
   local legs = {}
   for i = 0, 3 do
     legs[i + 1] = {
-      shape = scene.cylinder { radius = 0.018, top_radius = 0.028, height = 0.14, segments = 20 }, material = given.wood,
+      shape = scene.cylinder { radius = 0.018, top_radius = 0.028, height = 0.14, segments = 20 },
+        material = given.wood,
       position = { (i % 2 * 2 - 1) * (width / 2 - 0.1), 0.07, (i // 2 * 2 - 1) * 0.34 },
     }
   end
@@ -44,7 +45,8 @@ function furniture.sofa(given)
   for i = -1, 1 do
     local x = i * inner / 3
     nodes[#nodes + 1] = piece("seat_" .. i + 2, { inner / 3 - 0.008, 0.16, 0.66 }, { x, 0.42, 0.08 }, 0.05)
-    nodes[#nodes + 1] = piece("back_" .. i + 2, { inner / 3 - 0.012, 0.42, 0.17 }, { x, 0.68, -0.2 }, 0.075, { -11, 0, 0 })
+    nodes[#nodes + 1] = piece("back_" .. i + 2, { inner / 3 - 0.012, 0.42, 0.17 }, { x, 0.68, -0.2 }, 0.075,
+      { -11, 0, 0 })
   end
   return nodes
 end
@@ -73,7 +75,8 @@ function furniture.window(given)
   local width, height = given.size[1], given.size[2]
   local parts = {}
   local function bar(size, position)
-    parts[#parts + 1] = { shape = scene.box { size = size, radius = 0.006 }, material = given.material, position = position }
+    parts[#parts + 1] = { shape = scene.box { size = size, radius = 0.006 }, material = given.material,
+      position = position }
   end
   for _, side in ipairs { -1, 1 } do
     bar({ 0.09, 0.07, width }, { 0, side * (height / 2 - 0.035), 0 })
@@ -86,7 +89,8 @@ end
 
 -- An open shade, a bulb with its light in it, a stem and a foot.
 local function lamp(prefix, at, shade_height, radius, given, intensity)
-  local profile = { { radius, -0.13 }, { radius * 0.72, 0.13 }, { radius * 0.72 - 0.004, 0.13 }, { radius - 0.004, -0.13 },
+  local profile = { { radius, -0.13 }, { radius * 0.72, 0.13 }, { radius * 0.72 - 0.004, 0.13 },
+    { radius - 0.004, -0.13 },
                     { radius, -0.13 } }
   return {
     node { name = prefix .. "_shade", material = given.shade, position = plus(at, { 0, shade_height, 0 }),
@@ -103,8 +107,10 @@ function furniture.floor_lamp(given)
   nodes[#nodes + 1] = node {
     name = given.name .. "_stem", position = given.position,
     parts = {
-      { shape = scene.cylinder { radius = 0.14, height = 0.024, bevel = 0.008 }, material = given.metal, position = { 0, 0.012, 0 } },
-      { shape = scene.cylinder { radius = 0.011, height = 1.42, segments = 20 }, material = given.metal, position = { 0, 0.73, 0 } },
+      { shape = scene.cylinder { radius = 0.14, height = 0.024, bevel = 0.008 }, material = given.metal,
+        position = { 0, 0.012, 0 } },
+      { shape = scene.cylinder { radius = 0.011, height = 1.42, segments = 20 }, material = given.metal,
+        position = { 0, 0.73, 0 } },
     },
   }
   return nodes
@@ -118,29 +124,35 @@ function furniture.side_lamp(given)
     name = "side_lamp_body", material = given.body, position = plus(given.position, { 0, top, 0 }),
     shape = scene.lathe {
       smooth = 4, segments = 40,
-      profile = { { 0, 0 }, { 0.06, 0 }, { 0.066, 0.01 }, { 0.085, 0.09 }, { 0.06, 0.19 }, { 0.018, 0.26 }, { 0.012, 0.36 },
+      profile = { { 0, 0 }, { 0.06, 0 }, { 0.066, 0.01 }, { 0.085, 0.09 }, { 0.06, 0.19 }, { 0.018, 0.26 },
+        { 0.012, 0.36 },
                   { 0, 0.362 } },
     },
   }
   nodes[#nodes + 1] = node {
     name = "side_table", position = given.position,
     parts = {
-      { shape = scene.cylinder { radius = 0.25, height = 0.028, bevel = 0.01, segments = 56 }, material = given.wood, position = { 0, top - 0.014, 0 } },
-      { shape = scene.cylinder { radius = 0.025, height = top - 0.04 }, material = given.wood, position = { 0, top / 2, 0 } },
-      { shape = scene.cylinder { radius = 0.17, top_radius = 0.15, height = 0.03, bevel = 0.008 }, material = given.wood, position = { 0, 0.015, 0 } },
+      { shape = scene.cylinder { radius = 0.25, height = 0.028, bevel = 0.01, segments = 56 }, material = given.wood,
+        position = { 0, top - 0.014, 0 } },
+      { shape = scene.cylinder { radius = 0.025, height = top - 0.04 }, material = given.wood,
+        position = { 0, top / 2, 0 } },
+      { shape = scene.cylinder { radius = 0.17, top_radius = 0.15, height = 0.03, bevel = 0.008 },
+        material = given.wood, position = { 0, 0.015, 0 } },
     },
   }
   return nodes
 end
 
-local spines = { "#7c2d2a", "#27405e", "#2f5d50", "#c9a25a", "#5a4636", "#8a8f94", "#b5573a", "#e0d5bd", "#41304f", "#6f7f4a" }
+local spines = { "#7c2d2a", "#27405e", "#2f5d50", "#c9a25a", "#5a4636", "#8a8f94", "#b5573a", "#e0d5bd", "#41304f",
+  "#6f7f4a" }
 
 -- Open shelves against a wall at -z, filled with books of drawn sizes and a few objects.
 function furniture.bookshelf(given)
   local at, width, height, depth, boards = given.position, 1.0, 1.9, 0.3, 5
   local parts = {}
   local function board(size, position)
-    parts[#parts + 1] = { shape = scene.box { size = size, radius = 0.004, tile = 0.8 }, material = given.wood, position = position }
+    parts[#parts + 1] = { shape = scene.box { size = size, radius = 0.004, tile = 0.8 }, material = given.wood,
+      position = position }
   end
   for _, side in ipairs { -1, 1 } do board({ 0.03, height, depth }, { side * width / 2, height / 2, 0 }) end
   local gap = (height - 0.1) / (boards - 1)
@@ -157,7 +169,8 @@ function furniture.bookshelf(given)
       count = count + 1
       local cover = spines[1 + math.floor(random() * #spines)]
       nodes[#nodes + 1] = node {
-        name = ("book_%d_%d"):format(shelf + 1, count), shape = scene.box { size = { thick - 0.002, tall, deep }, radius = 0.003, segments = 2 },
+        name = ("book_%d_%d"):format(shelf + 1, count),
+          shape = scene.box { size = { thick - 0.002, tall, deep }, radius = 0.003, segments = 2 },
         position = plus(at, { x + thick / 2, y + tall / 2, 0.02 }),
         material = scene.material {
           name = "book", roughness = 0.7,
@@ -179,13 +192,16 @@ function furniture.bookshelf(given)
     { shape = scene.sphere { radius = 0.11, segments = 32 }, position = { 0, 0.15, 0 },
       material = scene.material { name = "globe", roughness = 0.4, color_texture = scene.texture.noise {
         size = { 256, 128 }, colors = { srgb "#2c5f80", srgb "#c2a86a" }, count = { 8, 4 }, amount = 1, seed = 21 } } },
-    { shape = scene.cylinder { radius = 0.06, top_radius = 0.015, height = 0.05 }, material = given.brass, position = { 0, 0.025, 0 } },
+    { shape = scene.cylinder { radius = 0.06, top_radius = 0.015, height = 0.05 }, material = given.brass,
+      position = { 0, 0.025, 0 } },
   } }
   nodes[#nodes + 1] = node { name = "shelf_jar", position = on(0, 0.3), material = given.glaze, shape = scene.lathe {
-    smooth = 4, profile = { { 0, 0 }, { 0.05, 0 }, { 0.09, 0.07 }, { 0.085, 0.16 }, { 0.045, 0.22 }, { 0.055, 0.25 }, { 0.045, 0.245 }, { 0.035, 0.22 }, { 0, 0.2 } } } }
+    smooth = 4, profile = { { 0, 0 }, { 0.05, 0 }, { 0.09, 0.07 }, { 0.085, 0.16 }, { 0.045, 0.22 }, { 0.055, 0.25 },
+      { 0.045, 0.245 }, { 0.035, 0.22 }, { 0, 0.2 } } } }
   nodes[#nodes + 1] = node { name = "shelf_box", position = plus(on(2, 0.27), { 0, 0.06, 0 }), material = given.wood,
                              shape = scene.box { size = { 0.24, 0.12, 0.18 }, radius = 0.008 } }
-  for _, part in ipairs(furniture.plant { name = "shelf_plant", position = on(3, -0.25), pot = given.pot, leaf = given.leaf,
+  for _, part in ipairs(furniture.plant { name = "shelf_plant", position = on(3, -0.25), pot = given.pot,
+    leaf = given.leaf,
                                           leaves = 9, size = 0.32, seed = 5 }) do
     nodes[#nodes + 1] = part
   end
@@ -208,7 +224,8 @@ function furniture.plant(given)
     leaves[i] = {
       material = given.leaf,
       shape = scene.tube {
-        path = { at(0.02, 0), at(0.05 + 0.1 * lean, tall * 0.45), at(0.08 + 0.42 * lean, tall * 0.82), at(0.1 + 0.85 * lean, tall * (1 - 0.28 * lean)) },
+        path = { at(0.02, 0), at(0.05 + 0.1 * lean, tall * 0.45), at(0.08 + 0.42 * lean, tall * 0.82),
+          at(0.1 + 0.85 * lean, tall * (1 - 0.28 * lean)) },
         radii = { size * 0.008, size * 0.02, wide, size * 0.004 }, flatten = 0.08, segments = 10, smooth = 5,
         up = { x * 0.35, 1, z * 0.35 },
       },
@@ -216,7 +233,8 @@ function furniture.plant(given)
   end
   return {
     node { name = given.name .. "_pot", position = given.position, material = given.pot, shape = scene.lathe {
-      segments = 40, profile = { { 0, 0 }, { pot * 0.72, 0 }, { pot, pot * 1.7 }, { pot * 1.06, pot * 1.7 }, { pot * 1.06, pot * 1.95 },
+      segments = 40, profile = { { 0, 0 }, { pot * 0.72, 0 }, { pot, pot * 1.7 }, { pot * 1.06, pot * 1.7 },
+        { pot * 1.06, pot * 1.95 },
                                  { pot * 0.94, pot * 1.95 }, { pot * 0.9, pot * 1.7 }, { 0, pot * 1.7 } } } },
     node { name = given.name .. "_leaves", position = plus(given.position, { 0, pot * 1.6, 0 }), parts = leaves },
   }
@@ -228,15 +246,20 @@ function furniture.picture(given)
   for i, color in ipairs(given.colors) do colors[i] = srgb(color) end
   local bars = {}
   for _, side in ipairs { -1, 1 } do
-    bars[#bars + 1] = { shape = scene.box { size = { w + 0.05, 0.028, 0.03 }, radius = 0.006 }, material = given.frame, position = { 0, side * (h / 2 + 0.011), 0 } }
-    bars[#bars + 1] = { shape = scene.box { size = { 0.028, h + 0.05, 0.03 }, radius = 0.006 }, material = given.frame, position = { side * (w / 2 + 0.011), 0, 0 } }
+    bars[#bars + 1] = { shape = scene.box { size = { w + 0.05, 0.028, 0.03 }, radius = 0.006 },
+      material = given.frame, position = { 0, side * (h / 2 + 0.011), 0 } }
+    bars[#bars + 1] = { shape = scene.box { size = { 0.028, h + 0.05, 0.03 }, radius = 0.006 },
+      material = given.frame, position = { side * (w / 2 + 0.011), 0, 0 } }
   end
   local mount = scene.material { name = "mount", color = srgb "#efe8d8", roughness = 0.9 }
   return {
     node { name = given.name .. "_frame", position = given.position, parts = bars },
-    node { name = given.name .. "_mount", position = plus(given.position, { 0, 0, -0.004 }), material = mount, shape = scene.quad { size = { w, h } } },
-    node { name = given.name, position = plus(given.position, { 0, 0, 0.001 }), shape = scene.quad { size = { w - 0.14, h - 0.14 } },
-           material = scene.material { name = given.name, roughness = 0.8, color_texture = scene.texture.painting { size = { 512, 384 }, colors = colors, seed = given.seed } } },
+    node { name = given.name .. "_mount", position = plus(given.position, { 0, 0, -0.004 }), material = mount,
+      shape = scene.quad { size = { w, h } } },
+    node { name = given.name, position = plus(given.position, { 0, 0, 0.001 }),
+      shape = scene.quad { size = { w - 0.14, h - 0.14 } },
+           material = scene.material { name = given.name, roughness = 0.8,
+             color_texture = scene.texture.painting { size = { 512, 384 }, colors = colors, seed = given.seed } } },
   }
 end
 
@@ -258,7 +281,8 @@ function furniture.twigs(given)
       local point = at(t)
       local turn = random() * 6.283
       parts[#parts + 1] = { material = berry, shape = scene.sphere { radius = 0.006 + 0.003 * random(), segments = 10 },
-                            position = { point[1] + 0.009 * math.cos(turn), point[2], point[3] + 0.009 * math.sin(turn) } }
+                            position = { point[1] + 0.009 * math.cos(turn), point[2],
+                              point[3] + 0.009 * math.sin(turn) } }
     end
   end
   return node { name = given.name, position = given.position, parts = parts }

@@ -57,7 +57,8 @@ function pixels.scene(picture, name, nodes, background)
   local sky = background or 0
   return scene {
     name = name, nodes = nodes, environment = { background = { sky, sky, sky } },
-    shot = { width = picture.width, height = picture.height, fps = picture.fps, frame = 0, exposure = picture.exposure },
+    shot = { width = picture.width, height = picture.height, fps = picture.fps, frame = 0,
+      exposure = picture.exposure },
   }
 end
 
