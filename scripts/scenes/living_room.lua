@@ -1,8 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- A living room in low evening sun. A vase with twigs slides past a striped cushion: by `pixels` pixels over the
 -- exposure at frame 0, in a picture of `height` lines at `fps` and `exposure`. Camera "main" stands still; camera
--- "tracking" goes
--- with the vase while the room goes by.
+-- "tracking" goes with the vase while the room goes by.
 local scene = require "strobe.scene"
 local furniture = require "scripts.scenes.lib.furniture"
 

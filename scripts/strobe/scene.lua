@@ -105,8 +105,7 @@ function scene.param(name, default)
 end
 
 -- scene { name, nodes, environment = { sky, ground, background }, animations,
---         shot = { width, height, fps, frame, exposure } }     what a picture of it has where the command line is
--- silent
+--         shot = { width, height, fps, frame, exposure } }   of its pictures, where the command line is silent
 return setmetatable(scene, { __call = function(_, fields)
   if type(fields) ~= "table" then error("scene takes a table, got a " .. type(fields), 2) end
   local result = {}
