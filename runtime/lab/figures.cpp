@@ -117,9 +117,10 @@ static std::string markdownTable(const Table& table) {
   return text;
 }
 
-static std::string regionsText(const Group& group) {
+static std::string regionsText(const Exhibition& exhibition, const Group& group) {
   std::vector<std::string> parts;
-  for (const auto& [region, pixels] : group.pixels) parts.push_back(fmt::format("{} {} px", region, pixels));
+  for (const std::string& region : exhibition.demo->regions)
+    parts.push_back(fmt::format("{} {} px", region, group.pixels.at(region)));
   return fmt::format("anchor {}; {}", group.anchor, fmt::join(parts, ", "));
 }
 
@@ -133,7 +134,7 @@ std::string tablesText(const Exhibition& exhibition) {
     }
     text += describeShot(result) + "\n";
     for (const Group& group : result.groups)
-      text += regionsText(group) + "\n" + alignedText(tableOf(exhibition, result, group)) + "\n";
+      text += regionsText(exhibition, group) + "\n" + alignedText(tableOf(exhibition, result, group)) + "\n";
     if (std::string contrast = describeContrast(result); !contrast.empty()) text += contrast + "\n";
     if (result.verdict) text += result.verdict->text + "\n";
     text += "\n";
@@ -152,7 +153,7 @@ std::string tablesMarkdown(const Exhibition& exhibition) {
     if (!result.shot->note.empty()) text += result.shot->note + "\n\n";
     text += describeShot(result) + ".\n";
     for (const Group& group : result.groups)
-      text += "\nRegions: " + regionsText(group) + ".\n\n" + markdownTable(tableOf(exhibition, result, group));
+      text += "\nRegions: " + regionsText(exhibition, group) + ".\n\n" + markdownTable(tableOf(exhibition, result, group));
     if (std::string contrast = describeContrast(result); !contrast.empty()) text += "\n" + contrast + "\n";
     if (result.verdict) text += "\n" + result.verdict->text + ".\n";
     if (!result.attribution.empty()) text += "\n" + result.attribution + "\n";

@@ -21,12 +21,12 @@ button { font: inherit; font-size: .92rem; padding: .25rem .8rem; border: 1px so
   background: var(--paper); color: var(--ink); cursor: pointer; }
 button:hover { border-color: var(--accent); } button[aria-pressed=true] { background: var(--accent); border-color: var(--accent); color: var(--paper); }
 .stage { position: relative; cursor: ew-resize; touch-action: pan-y; background: #000; line-height: 0; }
-.stage img { width: 100%; display: block; } .stage .method { position: absolute; inset: 0; height: 100%; }
+.stage img { width: 100%; height: auto; display: block; } .stage .method { position: absolute; inset: 0; height: 100%; }
 .stage .edge { position: absolute; top: 0; bottom: 0; width: 2px; margin-left: -1px; background: #fff; mix-blend-mode: difference; pointer-events: none; }
 .stage .tag { position: absolute; bottom: .6rem; line-height: 1.3; font-size: .85rem; padding: .15rem .6rem; color: #fff; background: #000a; border-radius: 4px; pointer-events: none; }
 .tag.left { left: .6rem; } .tag.right { right: .6rem; }
-.grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 14rem), 1fr)); gap: .8rem; margin: .4rem 0 1rem; }
-figure { margin: 0; } figure img { width: 100%; display: block; border-radius: 4px; } figcaption { font-size: .85rem; color: var(--soft); margin-top: .15rem; }
+.grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 24rem), 1fr)); gap: .8rem; margin: .4rem 0 1rem; }
+figure { margin: 0; } figure img { width: 100%; height: auto; display: block; border-radius: 4px; } figcaption { font-size: .85rem; color: var(--soft); margin-top: .15rem; }
 .crop img { image-rendering: pixelated; }
 .reference { display: grid; place-items: center; aspect-ratio: 16/9; background: var(--panel); border-radius: 4px; color: var(--soft); }
 .scroll { overflow-x: auto; } table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; margin: .3rem 0 .6rem; }

@@ -146,12 +146,14 @@ void addCrop(Sheet& sheet, const ShotResult& result, const std::vector<const Ent
 }
 
 // Truth has no difference from itself; its place says what its own error is.
-Image truthNote(const Entry& truth, int width, int height) {
+Image truthNote(const Demo& demo, const Entry& truth, int width, int height) {
   Image cell = image::filled(width, height, kEmpty);
-  int y = height / 2 - 40;
+  int y = height / 2 - 66;
   drawFitted(cell, 20, y, "the reference", 24, width - 40, kInk);
-  for (const auto& [region, errors] : truth.errors)
-    drawFitted(cell, 20, y += 27, fmt::format("its standard error, {}: {}", region, shownError(errors.rmse)), 16, width - 40, kSoft);
+  y += 8;
+  for (const std::string& region : demo.regions)
+    drawFitted(cell, 20, y += 24, fmt::format("its standard error, {}: {}", region, shownError(truth.errors.at(region).rmse)), 16,
+               width - 40, kSoft);
   return cell;
 }
 
@@ -159,7 +161,6 @@ void addDifferences(Sheet& sheet, const Exhibition& exhibition, const ShotResult
   const Group& group = result.groups.front();
   double gain = exhibition.demo->difference_gain;
   int height = 0;
-  Image first;
   for (size_t i = 0; i < entries.size(); ++i) {
     Image difference = differenceFromTruth(*entries[i], group, gain);
     int width = std::min(difference.width, kCell);
@@ -167,7 +168,7 @@ void addDifferences(Sheet& sheet, const Exhibition& exhibition, const ShotResult
     drawCrops(cell, result, double(cell.width) / difference.width);
     height = std::max(height, cell.height);
     bool truth = entries[i]->column->role == DemoColumn::Role::truth;
-    sheet.picture(cellX(i), truth ? truthNote(*entries[i], cell.width, cell.height) : cell);
+    sheet.picture(cellX(i), truth ? truthNote(*exhibition.demo, *entries[i], cell.width, cell.height) : cell);
   }
   sheet.skip(height + kGap);
 }
