@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// A picture is a function of its description: not of the path rays take, of the run, or of what else is looked at.
+#include <fmt/format.h>
+
+#include "oracle/render.h"
+
+namespace strobe::oracle {
+namespace {
+
+class RenderBackends : public RenderTest {
+ protected:
+  static lab::Shot crowd(const std::string& pipeline, const std::vector<std::string>& settings = {}) {
+    return with(shotOf("crowd", 64, 40), pipeline, settings);
+  }
+  static Json outputs(const lab::Picture& picture) { return picture.record["outputs"]; }
+  static uint64_t raysOf(const lab::Picture& picture, const std::string& node, const std::string& backend) {
+    std::string name = fmt::format("{}.rays_{}", node, backend);
+    for (const auto& [counter, count] : picture.frame.counters)
+      if (counter == name) return count;
+    return 0;
+  }
+};
+
+TEST_F(RenderBackends, PipelineAndQueryGiveTheSamePictures) {
+  const gpu::DeviceInfo& info = bench().device().info();
+  if (!info.ray_pipeline || !info.ray_query)
+    GTEST_SKIP() << info.name << " has no " << (info.ray_pipeline ? "ray queries" : "ray tracing pipelines");
+  struct Traced {
+    std::string node;
+    lab::Shot shot;
+  };
+  const Traced cases[] = {
+      {"shade", crowd("none")},
+      {"reveal", crowd("hybrid", {"preset=best", "tile=8", "limit=0.25"})},
+      {"reveal", crowd("hybrid", {"preset=seed", "tile=8", "limit=0.25"})},
+      {"reveal", crowd("hybrid", {"mask=all", "termination=geometry"})},
+      {"truth_trace", crowd("ground_truth", {"samples=12"})},
+      {"truth_trace", crowd("ground_truth", {"samples=12", "shading=full", "pixel=box", "times=stratified", "slices=4"})},
+      {"sample_shade", crowd("ground_truth", {"samples=6", "mode=raster"})},
+  };
+  for (Traced traced : cases) {
+    traced.shot.backend = "query";
+    lab::Picture query = render(traced.shot);
+    traced.shot.backend = "pipeline";
+    lab::Picture pipeline = render(traced.shot);
+    EXPECT_EQ(outputs(query), outputs(pipeline)) << traced.node;
+    // Each took its own path, and asked as many rays.
+    EXPECT_GT(raysOf(query, traced.node, "query"), 0u) << traced.node;
+    EXPECT_EQ(raysOf(query, traced.node, "query"), raysOf(pipeline, traced.node, "pipeline")) << traced.node;
+    EXPECT_EQ(raysOf(query, traced.node, "pipeline") + raysOf(pipeline, traced.node, "query"), 0u) << traced.node;
+  }
+}
+
+TEST_F(RenderBackends, TenRunsGiveOneHash) {
+  for (const lab::Shot& shot : {crowd("hybrid", {"preset=best", "jitter=hash"}), crowd("hybrid", {"preset=seed"}),
+                                crowd("ground_truth", {"samples=4", "times=stratified"})}) {
+    Json first = outputs(render(shot));
+    for (int run = 1; run < 10; ++run) EXPECT_EQ(outputs(render(shot)), first) << shot.pipeline << " run " << run;
+  }
+}
+
+TEST_F(RenderBackends, SeedsMatterOnlyWhereTheyAreUsed) {
+  lab::Shot shot = crowd("hybrid", {"jitter=hash"});
+  Json first = outputs(render(shot));
+  shot.seed = 1;
+  EXPECT_NE(outputs(render(shot))["color"], first["color"]);
+  lab::Shot plain = crowd("hybrid");
+  first = outputs(render(plain));
+  plain.seed = 1;
+  EXPECT_EQ(outputs(render(plain)), first);
+}
+
+// What is looked at keeps its memory to itself: a picture that changes with it would have read what it may not.
+TEST_F(RenderBackends, LookingChangesNothing) {
+  for (lab::Shot shot : {crowd("hybrid", {"preset=best"}), crowd("hybrid", {"preset=seed"})}) {
+    Json without = outputs(render(shot));
+    for (const std::vector<std::string>& taps : {std::vector<std::string>{"mask.mask"}, {"visibility.hit", "reveal.depth"},
+                                                 {"gbuffer.velocity", "reveal.velocity", "reveal.valid", "shade.color"}}) {
+      shot.taps = taps;
+      lab::Picture picture = render(shot);
+      EXPECT_EQ(outputs(picture), without) << fmt::format("{}", fmt::join(taps, " "));
+      for (const std::string& tap : taps) EXPECT_EQ(picture.frame.taps.count(tap), 1u) << tap;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace strobe::oracle
