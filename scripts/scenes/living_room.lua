@@ -174,18 +174,20 @@ for _, part in ipairs(furniture.coffee_table { position = { 0.1, 0, -0.35 }, siz
                                                metal = black_steel }) do
   nodes[#nodes + 1] = part
 end
-add {
-  name = "vase", position = vase_at, scale = 1.2, material = glaze, motion = motion,
-  shape = scene.lathe {
-    segments = 56, smooth = 5, crease = 50,
-    profile = {
-      { 0, 0 }, { 0.055, 0 }, { 0.062, 0.008 }, { 0.085, 0.06 }, { 0.108, 0.14 }, { 0.106, 0.22 }, { 0.078, 0.29 },
-      { 0.046, 0.335 }, { 0.036, 0.37 }, { 0.042, 0.40 }, { 0.056, 0.418 }, { 0.052, 0.421 }, { 0.036, 0.40 },
-      { 0.030, 0.37 }, { 0.040, 0.335 }, { 0.070, 0.29 }, { 0.096, 0.20 }, { 0.06, 0.03 }, { 0, 0.02 },
+-- Vase and twigs move as one: they are one object, so that what is behind the one is never the other.
+local vase_parts = furniture.twigs { position = { 0, 0.34, 0 }, seed = 4 }
+table.insert(vase_parts, 1, {
+  material = glaze,
+    shape = scene.lathe {
+      segments = 56, smooth = 5, crease = 50,
+      profile = {
+        { 0, 0 }, { 0.055, 0 }, { 0.062, 0.008 }, { 0.085, 0.06 }, { 0.108, 0.14 }, { 0.106, 0.22 }, { 0.078, 0.29 },
+        { 0.046, 0.335 }, { 0.036, 0.37 }, { 0.042, 0.40 }, { 0.056, 0.418 }, { 0.052, 0.421 }, { 0.036, 0.40 },
+        { 0.030, 0.37 }, { 0.040, 0.335 }, { 0.070, 0.29 }, { 0.096, 0.20 }, { 0.06, 0.03 }, { 0, 0.02 },
+      },
     },
-  },
-  children = { furniture.twigs { name = "twigs", position = { 0, 0.34, 0 }, seed = 4 } },
-}
+})
+add { name = "vase", position = vase_at, scale = 1.2, motion = motion, parts = vase_parts }
 add {
   name = "bowl", position = { -0.28, 0.42, -0.28 }, material = stoneware,
   shape = scene.lathe {

@@ -263,7 +263,7 @@ function furniture.picture(given)
   }
 end
 
--- A few thin branches with berries, growing from the origin.
+-- Parts of a few thin branches with berries, growing from `given.position`.
 function furniture.twigs(given)
   local random = generator(given.seed)
   local bark = scene.material { name = "bark", color = srgb "#5b3d28", roughness = 0.9 }
@@ -273,7 +273,7 @@ function furniture.twigs(given)
     local angle = (i * 72 + 40 * random()) * math.pi / 180
     local lean, tall = 0.10 + 0.12 * random(), 0.34 + 0.16 * random()
     local x, z = math.cos(angle) * lean, math.sin(angle) * lean
-    local function at(t) return { x * t * t, tall * t, z * t * t + 0.012 * math.sin(7 * t + i) } end
+    local function at(t) return plus(given.position, { x * t * t, tall * t, z * t * t + 0.012 * math.sin(7 * t + i) }) end
     parts[#parts + 1] = { material = bark, shape = scene.tube {
       path = { at(0), at(0.35), at(0.7), at(1) }, radii = { 0.0045, 0.004, 0.003, 0.0018 }, segments = 7, smooth = 5 } }
     for k = 1, 7 do
@@ -285,7 +285,7 @@ function furniture.twigs(given)
                               point[3] + 0.009 * math.sin(turn) } }
     end
   end
-  return node { name = given.name, position = given.position, parts = parts }
+  return parts
 end
 
 return furniture
