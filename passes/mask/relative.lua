@@ -22,6 +22,8 @@ return pass.compute {
     match  = pass.float { 0.25, min = 0, max = 10,
       doc = "share of the relative motion by which a background may differ" },
     margin = pass.int { 1, min = 0, max = 64, unit = "px", doc = "how much farther than the relative motion to look" },
+    occluder = pass.float { 0.02, min = 0, max = 1,
+      doc = "what is nearer by more than this share of the depth stands in front and ends no silhouette" },
   },
   counters = { off_screen = "paths that left the picture, taken as uncovering nothing" },
 }

@@ -60,7 +60,7 @@ Vec3 huntLabFromLinear(const Vec3& rgb) {
   return {lightness, 0.01f * lightness * 500 * (x - y), 0.01f * lightness * 200 * (y - z)};
 }
 
-float hybridDistance(const Vec3& p, const Vec3& q) {
+float hyabDistance(const Vec3& p, const Vec3& q) {
   return std::abs(p[0] - q[0]) + std::hypot(p[1] - q[1], p[2] - q[2]);
 }
 
@@ -207,7 +207,7 @@ Seen see(const Image& image, double ppd) {
 constexpr float kColourExponent = 0.7f;
 
 float largestColourError() {
-  return std::pow(hybridDistance(huntLabFromLinear({0, 1, 0}), huntLabFromLinear({0, 0, 1})), kColourExponent);
+  return std::pow(hyabDistance(huntLabFromLinear({0, 1, 0}), huntLabFromLinear({0, 0, 1})), kColourExponent);
 }
 
 // Differences up to 0.4 of the largest fill [0,0.95]; the rest is squeezed into what is left.
@@ -221,7 +221,7 @@ Image differenceOf(const Seen& test, const Seen& reference) {
   static const float largest = largestColourError();
   Image map(test.edge.width, test.edge.height, 1);
   for (size_t i = 0; i < map.values.size(); ++i) {
-    float colour = std::pow(hybridDistance(test.colour[i], reference.colour[i]), kColourExponent);
+    float colour = std::pow(hyabDistance(test.colour[i], reference.colour[i]), kColourExponent);
     float edge = std::abs(test.edge.values[i] - reference.edge.values[i]);
     float point = std::abs(test.point.values[i] - reference.point.values[i]);
     float feature = std::sqrt(std::max(edge, point) * std::sqrt(0.5f));

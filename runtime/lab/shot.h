@@ -14,7 +14,7 @@ namespace strobe::lab {
 
 struct Shot {
   std::string scene = "living_room";   // a name below scripts/scenes, a .lua, .glb or .gltf file
-  std::string pipeline = "hybrid";     // a name below scripts/pipelines or a .lua file
+  std::string pipeline;                // a name below scripts/pipelines or a .lua file
   script::Settings sets;               // `--set`, in order
   int width = 0, height = 0;           // pixels; 0: what the scene asks for, else 960x540
   double fps = 0;                      // 0: what the scene asks for, else 24

@@ -50,7 +50,7 @@ LoadedScene loadScene(Shot& shot) {
     loaded.scene.motions.push_back(scene::moveFromOption(loaded.scene, move, shot.fps, shot.captureTime()));
   for (const std::string& spin : shot.spins)
     loaded.scene.motions.push_back(scene::spinFromOption(loaded.scene, spin, shot.fps, shot.captureTime()));
-  scene::supplyDefaults(loaded.scene);
+  scene::supplyDefaults(loaded.scene, shot.camera);
   return loaded;
 }
 
@@ -79,7 +79,7 @@ graph::Backend Workbench::chooseBackend(const std::string& wanted) const {
 
 // Scenes are loaded anew only when what they are made of changed.
 void Workbench::useScene(Shot& shot) {
-  std::string key = shot.scene + "|" + std::to_string(shot.fps) + "|" + std::to_string(shot.frame);
+  std::string key = shot.scene + "|" + shot.camera + "|" + std::to_string(shot.fps) + "|" + std::to_string(shot.frame);
   for (const auto& part : {shot.moves, shot.spins})
     for (const std::string& text : part) key += "|" + text;
   for (const auto& [name, value] : shot.sets)
@@ -139,7 +139,8 @@ Picture Workbench::render(Shot shot, const std::function<void(int, int)>& progre
   int camera_node = scene::cameraNode(scene_->scene, shot.camera);
   scene::Poser poser(scene_->scene, camera_node, shot.animation);
   graph::FrameSetup setup;
-  setup.pose_at = [&poser](double time_s) { return poser.at(time_s); };
+  // Stepped channels stay as they are at the capture: a jump is no motion and must not blur.
+  setup.pose_at = [&](double time_s) { return poser.at(time_s, shot.captureTime()); };
   setup.camera = scene_->scene.cameras[size_t(scene_->scene.nodes[size_t(camera_node)].camera)];
   setup.capture_s = shot.captureTime();
   setup.open_s = shot.window()[0];

@@ -107,7 +107,7 @@ struct LoopDesc {
 };
 
 struct PipelineDesc {
-  std::string name;  // "hybrid"
+  std::string name;  // "none"
   std::string file;  // as shown to people
   std::string doc;
   std::vector<ParamDesc> params;

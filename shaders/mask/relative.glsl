@@ -8,8 +8,8 @@
 //
 // In:  depth (view depth, sky +inf), id (instance + 1, 0 = sky), velocity (px over the exposure);
 //      motions_0 .. motions_3: displacements found around each tile, the candidates for b.
-// Out: mask, 1 if for one candidate b the path meets a pixel q of another instance, farther than the last pixel of y's
-//   own instance met, that does move by about b (within a pixel, or match * |d - b|). If q moves otherwise the path is
+// Out: mask, 1 if for one candidate b the path meets a pixel q of another instance, not nearer (by `occluder`) than the last
+//   pixel of y's own instance met, that does move by about b (within a pixel, or match * |d - b|). If q moves otherwise the path is
 //   walked once more with q's own displacement for b. Candidates are rough where a background's motion varies; q's is
 //   exact. One step per pixel of the path, plus `margin` px: an overmarked pixel costs a ray, a missed one an error.
 //   Paths that leave the picture end there: nobody knows what is outside (counter off_screen).
@@ -51,7 +51,9 @@ Walk walked(ivec2 pixel, vec2 d, vec2 b, float t) {
       own_depth = depth;
       continue;
     }
-    if (depth <= own_depth) continue;  // an occluder: the foreground may go on behind it
+    // An occluder: the foreground may go on behind it. A background that slants, as the ground an object stands on, is
+    // nearer by a little where the path ends, though it is farther at the pixel itself.
+    if (depth < own_depth * (1.0 - params.occluder)) continue;
     vec2 d_beyond = displacementAt(at);
     if (lengthOf(d_beyond - b) <= matching_px) {
       walk.crosses = true;
