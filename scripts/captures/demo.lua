@@ -24,8 +24,8 @@ return demo {
   },
   shots = {
     { title = "An object in motion", scene = "living_room", camera = "main", truth = { samples = 256 },
-      crops = { "inner" } },
-    { title = "A tracking shot", scene = "living_room", camera = "tracking", truth = { samples = 96 },
-      crops = { "inner" } },
+      crops = { { 480, 232, 120, 68 }, "inner" } },
+    { title = "A tracking shot", scene = "living_room", camera = "tracking", truth = { samples = 64 },
+      crops = { { 400, 195, 120, 68 }, "inner" } },
   },
 }

@@ -61,7 +61,8 @@ function Checker:at(path) return native.key_place(self.place, table.unpack(path)
 function Checker:add(path, ...) self.problems:add(self:at(path), ...) end
 
 function Checker:fields(t, kind, path)
-  local what = kind == "demo" and "the demo" or "a " .. kind
+  local number_of = type(path[2]) == "number" and " " .. path[2] or ""
+  local what = kind == "demo" and "the demo" or (number_of ~= "" and kind .. number_of or "the " .. kind)
   if type(t) ~= "table" then
     self:add(path, "%s is a table, got a %s", what, type(t))
     return {}

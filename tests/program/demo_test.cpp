@@ -71,18 +71,18 @@ TEST(Demo, MistakesAreOneLineAndWriteNothing) {
   expectRefusal("hybrid", "exposre = 0.5", "out", "did you mean 'exposure'?");
   expectRefusal("hybrid", "anchor = \"center\"", "out", "did you mean 'centre'?");
   expectRefusal("hybrd", "", "out", "did you mean 'hybrid'?");
-  expectRefusal("hybrid", "camera = 3", "out", "'camera' of a shot");
+  expectRefusal("hybrid", "camera = 3", "out", "'camera' of shot 1");
   expectRefusal("hybrid", "spins = { card = { 0, 1, 0 } }", "out", "wants 4 numbers");
   expectRefusal("hybrid", "", "scene.lua/out", "is not a folder");
 }
 
-// The mistake is shown where it was written.
+// A mistake in a list is shown at the list's line, with its number.
 TEST(Demo, MistakesHaveTheirLine) {
   TemporaryFolder folder;
   writeText(folder / "scene.lua", kScene);
   writeText(folder / "demo.lua", demoText(folder, "hybrid", "exposre = 0.5"));
   Outcome outcome = run("demo " + (folder / "demo.lua") + " -o " + (folder / "out"), "STROBE_VALIDATION=0");
-  EXPECT_NE(outcome.err.find("demo.lua:14"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("demo.lua:13: shot 1 has no field 'exposre'"), std::string::npos) << outcome.err;
 }
 
 // What a browser makes of the page, or an empty image where there is none.
