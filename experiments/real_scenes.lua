@@ -8,7 +8,7 @@
 local demo = require "strobe.demo"
 
 local baselines = { "McGuire 2012", "UE4-style" }
-local truth, full = { samples = 256 }, { shading = "full" }
+local truth, full = { samples = 256 }, { shading = "full", samples = 64 }
 
 -- The same motion for several nodes that belong together.
 local function together(motion, nodes)
