@@ -37,6 +37,22 @@ Hit revealByLuminance(Ray ray, Hit front, out bool capped) {
   return hit;
 }
 
+// The first hit behind `front` on another instance that moves otherwise on the screen: what goes along with the
+// foreground (a load on a truck, an arm before its body) hides the same background as the foreground does.
+Hit revealByMotion(Ray ray, Hit front, out bool capped) {
+  vec2 d_front = displacementOf(front);
+  float depth = front.t;
+  capped = false;
+  for (int layer = 0; layer < params.max_layers; ++layer) {
+    Hit hit = traceExcept(SLICE_CAPTURE, ray, justBehind(depth), kFar, front.instance, NO_INSTANCE);
+    if (!isHit(hit)) return hit;
+    if (distance(displacementOf(hit), d_front) > params.same_motion) return hit;
+    depth = hit.t;
+  }
+  capped = true;
+  return noHit();
+}
+
 void run(ivec2 pixel) {
   uvec4 seen = texelFetch(hit_tex, pixel, 0);
   bool wanted = texelFetch(mask_tex, pixel, 0).r > 0.5 && seen.x != 0u;
@@ -50,6 +66,8 @@ void run(ivec2 pixel) {
     bool capped = false;
 #if PARAM_termination == termination_luminance
     Hit hit = revealByLuminance(ray, front, capped);
+#elif PARAM_termination == termination_motion
+    Hit hit = revealByMotion(ray, front, capped);
 #elif PARAM_termination == termination_geometry
     Hit hit = traceExcept(SLICE_CAPTURE, ray, front.t, kFar, front.instance, front.geometry);
 #else
@@ -60,6 +78,8 @@ void run(ivec2 pixel) {
       valid = 1.0;
       count_revealed(1u);
       if (isHit(hit)) {
+        // Where on the triangle: as raster computes it, which does not depend on the device.
+        hit = hitOnTriangle(SLICE_CAPTURE, ray, hit.instance, hit.geometry, hit.primitive);
         color = vec4(shade(SLICE_CAPTURE, hit), 1);
         depth = hit.t;
         id = uvec2(hit.instance, hit.geometry) + 1u;
