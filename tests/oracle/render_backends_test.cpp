@@ -33,10 +33,7 @@ TEST_F(RenderBackends, PipelineAndQueryGiveTheSamePictures) {
       {"shade", crowd("none")},
       {"reveal", crowd("hybrid", {"preset=best", "tile=8", "limit=0.25"})},
       {"reveal", crowd("hybrid", {"preset=seed", "tile=8", "limit=0.25"})},
-      {"reveal", crowd("hybrid", {"mask=all", "termination=geometry"})},
-      {"truth_trace", crowd("ground_truth", {"samples=12"})},
-      {"truth_trace", crowd("ground_truth", {"samples=12", "shading=full", "pixel=box", "times=stratified", "slices=4"})},
-      {"sample_shade", crowd("ground_truth", {"samples=6", "mode=raster"})},
+      {"truth_trace", crowd("ground_truth", {"samples=12", "pixel=box", "times=stratified", "slices=4"})},
   };
   for (Traced traced : cases) {
     traced.shot.backend = "query";
