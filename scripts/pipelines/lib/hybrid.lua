@@ -19,7 +19,7 @@ function hybrid.params()
       doc = "pixels to reveal behind: by their own motion, or by motion relative to what is beyond their silhouette" },
     edge        = choice(edge_names),
     own_edge    = bool { true, doc = "an edge met along the motion must belong to the pixel's own instance" },
-    termination = choice { "luminance", "geometry", "instance", default = "instance",
+    termination = choice { "luminance", "geometry", "instance", "motion", default = "instance",
       doc = "what tells the background from more of the foreground along a ray" },
     advance     = choice { "origin_kept", "restart", default = "origin_kept", doc = "how a ray goes on past a hit" },
     max_layers  = pipeline.int { 8, min = 1, max = 31, doc = "hits a ray may pass" },
