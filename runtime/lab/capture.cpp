@@ -63,6 +63,8 @@ image::ExrFile exrOf(const Picture& picture, bool half) {
   file.frames_per_second = std::array<int, 2>{int(std::lround(fps * 1000)), 1000};
   file.shutter_angle = float(360 * exposure);
   file.exposure_s = float(exposure / fps);
+  file.camera_from_world = picture.camera_from_world;
+  file.ndc_from_world = picture.ndc_from_world;
   file.texts["strobe"] = picture.record.dump();
   return file;
 }

@@ -36,6 +36,8 @@ static void fillShot(Shot& shot, const Json& description) {
 LoadedScene loadScene(Shot& shot) {
   LoadedScene loaded;
   if (isGltf(shot.scene)) {
+    for (const auto& [name, value] : shot.sets)
+      if (name.starts_with("scene.")) throw Error(fmt::format("--set {}={}: a glTF scene has no parameters", name, value));
     loaded.scene = scene::loadGltf(shot.scene);
     loaded.description["file"] = Path(shot.scene).filename().string();
     std::string bytes = readText(shot.scene);
@@ -103,6 +105,23 @@ static vec2 subpixelOffset(int i, int n) {
   return vec2(x, y - std::floor(y) - 0.5);
 }
 
+// The projection a compositing program wants to know: near plane at 0, infinitely far at 1.
+static dmat4 ndcFromCamera(const scene::Camera& camera, double aspect) {
+  double half_height = camera.orthographic ? camera.half_height : std::tan(camera.vertical_fov / 2);
+  dmat4 m(0);
+  m[0][0] = 1 / (half_height * aspect);
+  m[1][1] = 1 / half_height;
+  if (camera.orthographic) {
+    m[2][2] = -1;
+    m[3][2] = -camera.near;
+    m[3][3] = 1;
+  } else {
+    m[2][2] = m[2][3] = -1;
+    m[3][2] = -camera.near;
+  }
+  return m;
+}
+
 static void accumulate(graph::FrameResult& sum, const graph::FrameResult& added) {
   auto add = [](std::map<std::string, graph::ReadImage>& into, const std::map<std::string, graph::ReadImage>& from) {
     for (auto& [name, read] : into) {
@@ -166,6 +185,9 @@ Picture Workbench::render(Shot shot, const std::function<void(int, int)>& progre
   if (shot.aa > 1) divide(picture.frame, shot.aa);
   double done_s = clockSeconds();
 
+  dmat4 camera_from_world = glm::inverse(setup.pose_at(setup.capture_s).world_from_camera);
+  picture.camera_from_world = mat4(camera_from_world);
+  picture.ndc_from_world = mat4(ndcFromCamera(setup.camera, double(shot.width) / shot.height) * camera_from_world);
   dependencies.insert(dependencies.end(), scene_->dependencies.begin(), scene_->dependencies.end());
   picture.record = makeRecord({shot, *scene_, plan, device_.info(), backend, dependencies}, picture.frame);
   picture.timings = makeTimings(plan, picture.frame, device_.info(), ready_s - started_s, done_s - ready_s);

@@ -27,6 +27,8 @@ struct Picture {
   Json record;
   Json timings;
   std::vector<std::string> warnings;
+  mat4 camera_from_world = mat4(1);  // at the capture; the camera looks along -z, y up
+  mat4 ndc_from_world = mat4(1);     // x and y in [-1, 1], y up
 };
 
 class Workbench {
