@@ -32,9 +32,15 @@ static Json shaderHashes(const plan::Plan& plan) {
   return json;
 }
 
+// The revision of the program: the hash of its own file, whatever it was built from.
+static std::string programHash() {
+  static const std::string hash = hashText(readText("/proc/self/exe"));
+  return hash;
+}
+
 Json makeRecord(const RecordContext& c, const graph::FrameResult& frame) {
   Json record;
-  record["strobe"] = STROBE_VERSION;
+  record["strobe"] = {{"version", STROBE_VERSION}, {"program", programHash()}};
   record["shot"] = toJson(c.shot);
   Json& pipeline = record["pipeline"];
   pipeline["name"] = c.plan.pipeline.name;
