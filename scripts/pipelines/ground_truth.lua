@@ -55,7 +55,8 @@ return pipeline {
       body = function()
         local s = samples[p.mode()](p, seen)
         return {
-          sum_a = s.sum_a, sum_b = s.sum_b, regions = rays and s.regions or nil, stop = stops and stop_test(p, s) or nil,
+          sum_a = s.sum_a, sum_b = s.sum_b, regions = rays and s.regions or nil,
+          stop = stops and stop_test(p, s) or nil,
         }
       end,
     }

@@ -11,9 +11,10 @@
 //   over i is the result: weights add up to 1 by construction, order in depth and correlation of movements come out
 //   right.
 // Candidates: the tile's displacements (dominant, second, revealed), those of X in both layers, and those met in both
-//   layers at the taps X - t_i*d along d = dominant and second, and at X + t_i*d, as far as they differ by more than half
-//   a pixel from all before; kMaxCandidates in all. Without the taps the slower of two moving surfaces is missed, without
-//   those to the other side one that moves against the dominant one and is slower, without `second` one that crosses it.
+//   layers at the taps X - t_i*d along d = dominant and second, and at X + t_i*d, as far as they differ by more than
+//   half a pixel from all before; kMaxCandidates in all. Without the taps the slower of two moving surfaces is missed,
+//   without those to the other side a slower one that moves against the dominant one, without `second` one that
+//   crosses it.
 // If no layer has anything at X at t_i, it is what was revealed at X, else what raster saw there (counter `fallback`).
 // Fails: surfaces hidden at the capture and not revealed (second layer and beyond); motion that bends or magnifies by
 //   more than the tolerance within the distance moved; more motions at one pixel than candidates.

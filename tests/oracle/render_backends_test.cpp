@@ -71,8 +71,10 @@ TEST_F(RenderBackends, SeedsMatterOnlyWhereTheyAreUsed) {
 TEST_F(RenderBackends, LookingChangesNothing) {
   for (lab::Shot shot : {crowd("hybrid", {"preset=best"}), crowd("hybrid", {"preset=seed"})}) {
     Json without = outputs(render(shot));
-    for (const std::vector<std::string>& taps : {std::vector<std::string>{"mask.mask"}, {"visibility.hit", "reveal.depth"},
-                                                 {"gbuffer.velocity", "reveal.velocity", "reveal.valid", "shade.color"}}) {
+    for (const std::vector<std::string>& taps :
+         {std::vector<std::string>{"mask.mask"},
+          {"visibility.hit", "reveal.depth"},
+          {"gbuffer.velocity", "reveal.velocity", "reveal.valid", "shade.color"}}) {
       shot.taps = taps;
       lab::Picture picture = render(shot);
       EXPECT_EQ(outputs(picture), without) << fmt::format("{}", fmt::join(taps, " "));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The filters in the renderer against the same filters along one row in double precision, pixel by pixel with the
-// pixel's own jitter, and their means over jitters against the numbers in docs/derivations.md. The jitter is interleaved
-// gradient noise: down 160 rows of a column it is as even as 160 numbers can be.
+// pixel's own jitter, and their means over jitters against the numbers in docs/derivations.md. The jitter is
+// interleaved gradient noise: down 160 rows of a column it is as even as 160 numbers can be.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -70,7 +70,8 @@ class RenderFilters : public RenderTest {
     EXPECT_EQ(counterOf(picture, "tile_max.clamped"), 0u) << filter.what;
     expectPerPixel(filter, colorOf(picture));
     for (int x = filter.first; x < filter.last; ++x)
-      EXPECT_NEAR(columnMean(colorOf(picture), x), meanOverJitters(filter, x), mean_tolerance) << filter.what << " " << x;
+      EXPECT_NEAR(columnMean(colorOf(picture), x), meanOverJitters(filter, x), mean_tolerance)
+          << filter.what << " " << x;
     return picture;
   }
 };
@@ -87,14 +88,13 @@ TEST_F(RenderFilters, McGuireReproducesItsTable) {
     int offset;
     double s15, s31;
   };
-  const Line table[] = {{-10, 1, 1},         {-6, .9775, .9785}, {-4, .9459, .9494}, {-1, .8576, .8642},
-                        {0, .6355, .6404},   {2, .5259, .5343},  {5, .2810, .3082},  {8, .0335, .0499}};
+  const Line table[] = {{-10, 1, 1},       {-6, .9775, .9785}, {-4, .9459, .9494}, {-1, .8576, .8642},
+                        {0, .6355, .6404}, {2, .5259, .5343},  {5, .2810, .3082},  {8, .0335, .0499}};
   Row row = rasterise(kWhiteBar, 256);
   for (int samples : {15, 31}) {
-    FilterCase filter{fmt::format("S = {}", samples),
-                      whiteBar("mcguire2012", "centre", {fmt::format("samples={}", samples)}),
-                      [&](int x, double jitter) { return mcguireAt(row, 20, x, {.samples = samples, .jitter = jitter}); },
-                      140, 180};
+    FilterCase filter{
+        fmt::format("S = {}", samples), whiteBar("mcguire2012", "centre", {fmt::format("samples={}", samples)}),
+        [&](int x, double jitter) { return mcguireAt(row, 20, x, {.samples = samples, .jitter = jitter}); }, 140, 180};
     lab::Picture picture = check(filter, .01);
     for (const Line& line : table)
       EXPECT_NEAR(columnMean(colorOf(picture), 160 + line.offset), samples == 15 ? line.s15 : line.s31, .01)
@@ -107,7 +107,8 @@ TEST_F(RenderFilters, OneSidedMcGuireReproducesItsRow) {
     int x;
     double value;
   };
-  const Line table[] = {{145, .984}, {150, .919}, {155, .707}, {159, .007}, {81, .229}, {86, .523}, {91, .706}, {95, .789}};
+  const Line table[] = {{145, .984}, {150, .919}, {155, .707}, {159, .007},
+                        {81, .229},  {86, .523},  {91, .706},  {95, .789}};
   Row row = rasterise(kWhiteBar, 256);
   McGuire options{.samples = 15, .one_sided = true};
   FilterCase filter{"one-sided", whiteBar("mcguire2012", "close", {"samples=15"}),
@@ -126,7 +127,8 @@ TEST_F(RenderFilters, PairedFilterReproducesItsTable) {
                                           {0, .4746},   {2, .3750},  {5, .2246},  {8, .0752}};
   Row row = rasterise(kWhiteBar, 256);
   FilterCase filter{"paired", whiteBar("ue4", "centre", {"samples=16"}),
-                    [&](int x, double jitter) { return pairedAt(row, 20, x, {.samples = 16, .jitter = jitter}); }, 130, 190};
+                    [&](int x, double jitter) { return pairedAt(row, 20, x, {.samples = 16, .jitter = jitter}); }, 130,
+                    190};
   lab::Picture picture = check(filter, .01);
   for (const auto& [offset, value] : table)
     EXPECT_NEAR(columnMean(colorOf(picture), 160 + offset), value, .01) << offset;
@@ -138,11 +140,13 @@ TEST_F(RenderFilters, PairedFilterInventsAnEdge) {
   Row row = rasterise(strips, 480);
   for (Texel& texel : row) texel.depth = texel.surface == 0 ? 1 : 2;  // white and black are one surface
   for (bool mirror : {true, false}) {
-    lab::Shot shot = with(shotOf("hidden_white", 480, kRows), "ue4",
-                          {"samples=32", "tile=20", "limit=0.1", "jitter=ign", fmt::format("mirror={}", mirror)}, "centre");
-    FilterCase filter{fmt::format("mirror {}", mirror), shot, [&](int x, double jitter) {
-                        return pairedAt(row, 40, x, {.samples = 32, .jitter = jitter, .mirror = mirror});
-                      }, 260, 320};
+    lab::Shot shot =
+        with(shotOf("hidden_white", 480, kRows), "ue4",
+             {"samples=32", "tile=20", "limit=0.1", "jitter=ign", fmt::format("mirror={}", mirror)}, "centre");
+    FilterCase filter{
+        fmt::format("mirror {}", mirror), shot,
+        [&](int x, double jitter) { return pairedAt(row, 40, x, {.samples = 32, .jitter = jitter, .mirror = mirror}); },
+        260, 320};
     lab::Picture picture = check(filter, .01);
     const std::pair<int, double> implied[] = {{0, .4099}, {5, .5512}, {10, .8413}, {12, 1}};
     for (const auto& [s, value] : implied) {
@@ -159,12 +163,14 @@ TEST_F(RenderFilters, PairedFilterInventsAnEdge) {
 TEST_F(RenderFilters, UniformGatherIsExactOverABackgroundAtRest) {
   for (int samples : {16, 32}) {
     for (const Anchor& anchor : anchors()) {
-      lab::Shot shot = with(shotOf("bar", 256, 20), "mcguire2012",
-                            {"weights=uniform", "tile=20", "limit=0.1", fmt::format("samples={}", samples)}, anchor.name);
+      lab::Shot shot =
+          with(shotOf("bar", 256, 20), "mcguire2012",
+               {"weights=uniform", "tile=20", "limit=0.1", fmt::format("samples={}", samples)}, anchor.name);
       lab::Picture picture = render(shot);
-      expectWithin(colorOf(picture), [&](int x, int) { return exposeCentre(kWhiteBar, anchor.window, x); },
-                   [&](const Exposure& e) { return e.variation * (1. / (2 * samples)) + 1e-4; },
-                   fmt::format("{} N {}", anchor.name, samples));
+      expectWithin(
+          colorOf(picture), [&](int x, int) { return exposeCentre(kWhiteBar, anchor.window, x); },
+          [&](const Exposure& e) { return e.variation * (1. / (2 * samples)) + 1e-4; },
+          fmt::format("{} N {}", anchor.name, samples));
     }
   }
 }

@@ -18,8 +18,8 @@ struct Method {
   std::string name() const { return fmt::format("{} {}", pipeline, fmt::join(settings, " ")); }
 };
 const std::vector<Method> kMethods = {
-    {"mcguire2012", {}},          {"mcguire2012", {"weights=uniform"}},    {"ue4", {}},
-    {"hybrid", {"preset=seed"}},  {"hybrid", {"preset=seed_linear"}},      {"hybrid", {"preset=best"}},
+    {"mcguire2012", {}},         {"mcguire2012", {"weights=uniform"}}, {"ue4", {}},
+    {"hybrid", {"preset=seed"}}, {"hybrid", {"preset=seed_linear"}},   {"hybrid", {"preset=best"}},
 };
 
 // Tiles that divide the picture, and nothing that reaches the limit (16 px).
