@@ -21,15 +21,16 @@ return pass.trace {
   },
   params = {
     termination = pass.choice { "luminance", "geometry", "instance", "motion", default = "instance",
-      doc = "what counts as another object: another luminance (as published), geometry or instance, or an instance that moves otherwise" },
+      doc = "what counts as another object: another luminance (as published), geometry or instance, or an instance " ..
+            "that moves otherwise" },
     advance = pass.choice { "origin_kept", "restart", default = "origin_kept",
       doc = "luminance only: keep the ray and raise its lower bound, or start a new ray at the hit (as published)" },
-    max_layers = pass.int { 8, min = 1, max = 31, doc = "luminance and motion: most hits behind the foreground that are tried" },
+    max_layers = pass.int { 8, min = 1, max = 31, doc = "luminance and motion: most hits behind the foreground tried" },
     on_cap = pass.choice { "fallback", "last_hit", default = "fallback",
       doc = "at the cap: reveal nothing and count it, or take the last hit" },
     same_motion = pass.float { 1, min = 0, max = 1000, unit = "px",
-      doc = "motion only: displacements that differ by no more belong together" },
-    tolerance = pass.float { 0.01, min = 0, max = 1, doc = "luminance only: relative difference that ends the advance" },
+      doc = "motion only: a surface that goes no farther from where the foreground would carry it belongs to it" },
+    tolerance = pass.float { 0.01, min = 0, max = 1, doc = "luminance only: relative difference that ends it" },
   },
   counters = {
     revealed = "pixels with a revealed surface or sky",

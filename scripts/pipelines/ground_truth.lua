@@ -3,6 +3,7 @@
 local pipeline   = require "strobe.pipeline"
 local shade      = require "passes.scene.shade"
 local visibility = require "passes.scene.visibility"
+local traced     = require "passes.scene.visibility_traced"
 local accumulate = require "passes.truth.accumulate"
 local mean       = require "passes.truth.mean"
 local regions    = require "passes.truth.regions"
@@ -48,7 +49,8 @@ return pipeline {
     tolerance    = float { 0, min = 0, max = 1e6, doc = "stop at this standard error of the mean; 0 = never" },
   },
   build = function(p)
-    local seen, stops, rays = scene.captured(), p.tolerance() > 0, p.mode() == "rays"
+    local stops, rays = p.tolerance() > 0, p.mode() == "rays"
+    local seen = scene.captured(rays and traced or visibility)
     local sums = pipeline.loop {
       name = "shutter", count = p.samples, times = p.times, slices = p.slices,
       until_ = stops and function(results) return results.stop end or nil,

@@ -7,9 +7,9 @@
 // For t_i at the midpoints (i + 1/2 + jitter)/N of the exposure: each candidate displacement g says where a surface
 //   that is at X at t_i would be now, Y = X - t_i*g. A texel Y of a layer is at X then if |Y + t_i*d(Y) - X| <=
 //   max(3/4, |g|/(2N)) (3/4 px: the rounding of Y); one that is not leads to a second guess, by its own d. The nearest
-//   texel that is there is what X shows at t_i; of equal depths the earlier candidate and the raster layer win. The mean
-//   over i is the result: weights add up to 1 by construction, order in depth and correlation of movements come out
-//   right.
+//   texel that is there is what X shows at t_i; of equal depths the earlier candidate and the raster layer win. The
+//   mean over i is the result: weights add up to 1 by construction, order in depth and correlation of movements come
+//   out right.
 // Candidates: the tile's displacements (dominant, second, revealed), those of X in both layers, and those met in both
 //   layers at the taps X - t_i*d along d = dominant and second, and at X + t_i*d, as far as they differ by more than
 //   half a pixel from all before; kMaxCandidates in all. Without the taps the slower of two moving surfaces is missed,
@@ -74,7 +74,7 @@ bool isAt(ivec2 pixel, ivec2 now, vec2 d, float t, float tolerance_px) {
 }
 
 // Where, of a guess, what the texel there says instead: motion that varies over a surface (perspective, turning) is met
-// by asking once more from where the first guess led. Any texel that passes `isAt` is at the pixel, however it was found.
+// by asking once more from where the first guess led. A texel that passes `isAt` is at the pixel, however it was found.
 ivec2 asked(ivec2 pixel, vec2 d, float t) { return pixel + roundSymmetric(tapOffset(d, t)); }
 
 Best nearerRaster(Best best, ivec2 pixel, ivec2 now, float t, float tolerance_px) {

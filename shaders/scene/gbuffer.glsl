@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // In:  hit_tex (instance + 1, geometry, primitive).
-// Out: depth (view depth, m, +inf for sky), normal (unit, world), id (instance + 1, geometry + 1), velocity (px over the
-//      exposure from the true poses at both of its ends).
+// Out: depth (view depth, m, +inf for sky), normal (unit, world), id (instance + 1, geometry + 1), velocity (px over
+//      the exposure from the true poses at both of its ends).
 #include "lib/surface.glsl"
 
 void run(ivec2 pixel) {

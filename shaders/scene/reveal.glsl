@@ -37,16 +37,33 @@ Hit revealByLuminance(Ray ray, Hit front, out bool capped) {
   return hit;
 }
 
-// The first hit behind `front` on another instance that moves otherwise on the screen: what goes along with the
-// foreground (a load on a truck, an arm before its body) hides the same background as the foreground does.
+// Where a point would be at `slice` if it had been fixed to an instance at the capture.
+vec3 carriedBy(uint instance, uint slice, vec3 position_ws) {
+  SceneTransform m = transformOf(SLICE_CAPTURE, instance);
+  mat3 rows = mat3(m.row_x.xyz, m.row_y.xyz, m.row_z.xyz);
+  vec3 position_os = inverse(transpose(rows)) * (position_ws - vec3(m.row_x.w, m.row_y.w, m.row_z.w));
+  return worldFromObject(transformOf(slice, instance), position_os);
+}
+
+// Does the surface move as if it were fixed to the foreground: on the screen, at both ends of the exposure?
+bool goesAlong(Hit hit, uint instance) {
+  vec3 capture_ws = positionOf(SLICE_CAPTURE, hit);
+  for (uint slice = SLICE_OPEN; slice <= SLICE_CLOSE; ++slice) {
+    vec2 own = pixelFromView(slice, viewFromWorld(slice, positionOf(slice, hit)));
+    vec2 carried = pixelFromView(slice, viewFromWorld(slice, carriedBy(instance, slice, capture_ws)));
+    if (!(distance(own, carried) <= params.same_motion)) return false;
+  }
+  return true;
+}
+
+// The first hit behind `front` that does not go along with it: what does (a load on a truck, a lamp in its shade)
+// hides the same background as the foreground.
 Hit revealByMotion(Ray ray, Hit front, out bool capped) {
-  vec2 d_front = displacementOf(front);
   float depth = front.t;
   capped = false;
   for (int layer = 0; layer < params.max_layers; ++layer) {
     Hit hit = traceExcept(SLICE_CAPTURE, ray, justBehind(depth), kFar, front.instance, NO_INSTANCE);
-    if (!isHit(hit)) return hit;
-    if (distance(displacementOf(hit), d_front) > params.same_motion) return hit;
+    if (!isHit(hit) || !goesAlong(hit, front.instance)) return hit;
     depth = hit.t;
   }
   capped = true;

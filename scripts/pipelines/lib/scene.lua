@@ -6,9 +6,9 @@ local shade      = require "passes.scene.shade"
 
 local scene = {}
 
--- depth, normal, id, velocity, color and hit of what raster sees.
-function scene.captured()
-  local hit = visibility {}.hit
+-- depth, normal, id, velocity, color and hit of what raster sees, or what another pass finds visible.
+function scene.captured(visible)
+  local hit = (visible or visibility) {}.hit
   local g = gbuffer { hit = hit }
   return {
     hit = hit, depth = g.depth, normal = g.normal, id = g.id, velocity = g.velocity,

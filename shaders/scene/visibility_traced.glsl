@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+// Out: hit = (instance + 1, geometry, primitive, 0), as the raster pass `visibility` writes it.
+#include "lib/trace.glsl"
+
+void run(ivec2 pixel) {
+  Ray ray = cameraRay(TIME_SLICE, samplePosition(pixel));
+  Hit hit = traceNearest(TIME_SLICE, ray, scene_cameras[TIME_SLICE].near, 3.0e38);
+  imageStore(hit_img, pixel, isHit(hit) ? uvec4(hit.instance + 1u, hit.geometry, hit.primitive, 0u) : uvec4(0u));
+}
