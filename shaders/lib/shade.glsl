@@ -137,11 +137,8 @@ vec3 incident(uint slice, SceneLight light, Surface surface, out vec3 towards) {
   float squared = dot(offset, offset);
   vec3 irradiance = light.intensity;
   float t_max = 1.0;
-  vec3 target = offset;
   if (light.type == LIGHT_DIRECTIONAL) {
     towards = -light.direction;
-    vec3 p = abs(surface.position_ws);
-    target = towards;
     t_max = 3.0e38;
   } else {
     towards = unitOr(offset, surface.normal_ws);
@@ -163,7 +160,7 @@ vec3 incident(uint slice, SceneLight light, Surface surface, out vec3 towards) {
   if (dot(towards, surface.face_normal_ws) <= 0.0) return vec3(0);
   if (light.shadow == 0u) return irradiance;
   vec3 origin = shadowOrigin(surface, light.type == LIGHT_DIRECTIONAL ? 0.0 : length(offset));
-  vec3 direction = light.type == LIGHT_DIRECTIONAL ? target : light.position - origin;
+  vec3 direction = light.type == LIGHT_DIRECTIONAL ? towards : light.position - origin;
   return isBlocked(slice, Ray(origin, direction), 0.0, t_max) ? vec3(0) : irradiance;
 }
 

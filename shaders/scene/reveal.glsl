@@ -2,9 +2,9 @@
 // The surface behind the foreground, along the same ray as the raster's sample (Tan, Cui, Bhojan 2020, "Ray Reveal").
 // In:  hit_tex (foreground), mask_tex (> 0.5: reveal).
 // Out: color, depth, id, velocity, valid as the G-buffer encodes them; everything 0 where nothing is revealed.
-// Instance and geometry termination skip the foreground within one traversal and meet no cap. Luminance termination
-// advances hit by hit: it stops inside an object whose back is lit differently, and passes through a background of
-// the same luminance.
+// Instance and geometry termination skip the foreground within one traversal and meet no cap. Motion and luminance
+// termination advance hit by hit; the latter stops inside an object whose back is lit differently, and passes through
+// a background of the same luminance.
 #include "lib/shade.glsl"
 
 float luminance(vec3 color) { return dot(color, vec3(0.2126, 0.7152, 0.0722)); }
@@ -60,14 +60,15 @@ bool goesAlong(Hit hit, uint instance) {
 // hides the same background as the foreground.
 Hit revealByMotion(Ray ray, Hit front, out bool capped) {
   float depth = front.t;
+  Hit hit = noHit();
   capped = false;
   for (int layer = 0; layer < params.max_layers; ++layer) {
-    Hit hit = traceExcept(SLICE_CAPTURE, ray, justBehind(depth), kFar, front.instance, NO_INSTANCE);
+    hit = traceExcept(SLICE_CAPTURE, ray, justBehind(depth), kFar, front.instance, NO_INSTANCE);
     if (!isHit(hit) || !goesAlong(hit, front.instance)) return hit;
     depth = hit.t;
   }
   capped = true;
-  return noHit();
+  return hit;
 }
 
 void run(ivec2 pixel) {

@@ -5,11 +5,11 @@
 //   inner   some sample sees a farther, different instance than f;
 //   outer   some sample sees a nearer, different instance than f;
 //   hidden  some sample sees a point that was occluded at the capture.
-#include "lib/shade.glsl"
 #include "lib/random.glsl"
+#include "lib/regions.glsl"
+#include "lib/shade.glsl"
 
 const float kFar = 3.0e38;
-const uint kInner = 1u, kHidden = 2u, kOuter = 4u;
 
 bool sameTransform(SceneTransform a, SceneTransform b) {
   return a.row_x == b.row_x && a.row_y == b.row_y && a.row_z == b.row_z;
@@ -41,11 +41,11 @@ uint regionsOf(ivec2 pixel, Hit hit, vec3 capture_ws, bool is_still, uint known)
       before = hitOnTriangle(SLICE_CAPTURE, cameraRay(SLICE_CAPTURE, samplePosition(pixel)), seen.x - 1u, seen.y, seen.z).t;
     float now = isHit(hit) ? hit.t : kFar;
     farther = now > before;
-    if (farther) found |= kInner;
-    if (now < before) found |= kOuter;
+    if (farther) found |= kRegionInner;
+    if (now < before) found |= kRegionOuter;
   }
-  if (is_still) return known | found | (farther ? kHidden : 0u);
-  if (isHit(hit) && (known & kHidden) == 0u && wasOccluded(capture_ws)) found |= kHidden;
+  if (is_still) return known | found | (farther ? kRegionHidden : 0u);
+  if (isHit(hit) && (known & kRegionHidden) == 0u && wasOccluded(capture_ws)) found |= kRegionHidden;
   return known | found;
 }
 
