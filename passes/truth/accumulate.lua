@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- One time sample of ground truth that raster has drawn, added to two interleaved halves; repeated over the shutter by a
--- loop.
+-- One time sample of ground truth that raster has drawn, added to two interleaved halves; repeated over the shutter by
+-- a loop.
 local pass = require "strobe.pass"
 
 local function half(which)

@@ -13,18 +13,21 @@ return pass.trace {
   },
   writes = {
     sample_id       = { format = "rg32ui", doc = "instance + 1, geometry + 1 this iteration's ray hit; sky = 0" },
-    sample_position = { format = "rgba32f", doc = "where that point is at the capture, relative to the capture's camera, metres; a = 1 on a hit" },
+    sample_position = { format = "rgba32f",
+      doc = "where that point is at the capture, world axes, from the capture's camera, metres; a = 1 on a hit" },
   },
   updates = {
     sum_a   = { format = "rgba32f", doc = "radiance of even iterations; a = their number" },
     sum_b   = { format = "rgba32f", doc = "radiance of odd iterations; a = their number" },
     regions = { format = "r32ui", doc = "bits: 1 inner, 2 hidden, 4 outer" },
-    still   = { format = "rgba32f", doc = "colour of what stands still behind everything that moves; a = 1 once known" },
+    still   = { format = "rgba32f",
+      doc = "colour of what stands still behind everything that moves; a = 1 once known" },
   },
   params = {
     shading = pass.choice { "frozen", "full", default = "frozen",
       doc = "pose at which points are shaded: the capture's (what a blur filter can reach), or the sample's own time" },
-    pixel   = pass.choice { "centre", "box", default = "centre", doc = "sample positions: the centre, or all over the pixel" },
+    pixel   = pass.choice { "centre", "box", default = "centre",
+      doc = "sample positions: the centre, or all over the pixel" },
     mark_regions = pass.bool { true, doc = "find the regions in which methods differ; one more ray per sample" },
   },
 }

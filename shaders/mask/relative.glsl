@@ -8,11 +8,11 @@
 //
 // In:  depth (view depth, sky +inf), id (instance + 1, 0 = sky), velocity (px over the exposure);
 //      motions_0 .. motions_3: displacements found around each tile, the candidates for b.
-// Out: mask, 1 if for one candidate b the path meets a pixel q of another instance, not nearer (by `occluder`) than the last
-//   pixel of y's own instance met, that does move by about b (within a pixel, or match * |d - b|). If q moves otherwise the path is
-//   walked once more with q's own displacement for b. Candidates are rough where a background's motion varies; q's is
-//   exact. One step per pixel of the path, plus `margin` px: an overmarked pixel costs a ray, a missed one an error.
-//   Paths that leave the picture end there: nobody knows what is outside (counter off_screen).
+// Out: mask, 1 if for one candidate b the path meets a pixel q of another instance, not nearer (by `occluder`) than the
+//   last pixel of y's own instance met, that does move by about b (within a pixel, or match * |d - b|). If q moves
+//   otherwise the path is walked once more with q's own displacement for b. Candidates are rough where a background's
+//   motion varies; q's is exact. One step per pixel of the path, plus `margin` px: an overmarked pixel costs a ray, a
+//   missed one an error. Paths that leave the picture end there: nobody knows what is outside (counter off_screen).
 // Fails: background whose motion is visible nowhere near; self-occlusion of one instance; more than eight movements.
 #include "lib/blur.glsl"
 #include "lib/motions.glsl"
