@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Properties every blur has, whatever the picture (spec: motion-blur 11.1), on lit cards that move in all directions.
+// Properties every blur has, whatever the picture, on lit cards that move in all directions.
 #include <fmt/format.h>
 
 #include <cmath>

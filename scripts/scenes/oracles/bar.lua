@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- A bar [left, right) of constant colour that moves `d_f` pixels over the exposure, over a constant background
--- (spec: motion-blur 1.5 and 10.2). Its ends lie outside of the picture.
+-- (docs/derivations.md). Its ends lie outside of the picture.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 

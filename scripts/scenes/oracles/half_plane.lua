@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- A half-plane x < edge of constant colour that moves over a constant background (spec: motion-blur 10.2).
+-- A half-plane x < edge of constant colour that moves over a constant background (docs/derivations.md).
 -- The edge stands at `edge` pixels at frame 0 and moves `d_f` pixels over the exposure.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"

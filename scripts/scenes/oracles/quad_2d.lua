@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- A rectangle that moves `d_x`, `d_y` pixels over the exposure, over a checker of `cell` pixels whose cell at the top
--- left corner is `b_light` (spec: motion-blur 10.2, four linear inequalities in time per pixel centre).
+-- left corner is `b_light` (docs/derivations.md: four inequalities linear in time per pixel centre).
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 

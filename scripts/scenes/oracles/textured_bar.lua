@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- A striped bar over a striped background, both moving (spec: motion-blur 10.2, piecewise-constant intervals in time).
+-- A striped bar over a striped background, both moving (docs/derivations.md: piecewise constant in time).
 -- At frame 0 texel i of the bar covers pixel column left + i and texel i of the background column i - margin, exactly.
 -- Stripes start at `left` (bar) and at column 0 (background) with the lighter colour.
 local scene = require "strobe.scene"

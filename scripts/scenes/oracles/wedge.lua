@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- A wedge that turns about its tip at the centre of the picture, anticlockwise by `degrees` over the exposure, over a
--- constant background (spec: motion-blur 9 and 10.2). At frame 0 it covers the directions from `from` to `to` degrees
+-- constant background (docs/derivations.md). At frame 0 it covers the directions from `from` to `to` degrees
 -- (anticlockwise from +x, y up); it reaches beyond the picture.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
