@@ -157,6 +157,11 @@ class Wirer {
       if (node.time == "sample" && node.loop.empty()) {
         problem(node.place, "node '{}' has time 'sample' but is in no loop", node.name);
       }
+      bool traces = wired.pass >= 0 && pipeline_.passes[wired.pass].kind == PassDesc::Kind::Trace;
+      if (traces && (node.time == "open" || node.time == "close")) {
+        problem(node.place, "trace node '{}' has time '{}'; rays see the capture or, in a loop, the sample", node.name,
+                node.time);
+      }
       wiring_.nodes.push_back(std::move(wired));
     }
   }
@@ -328,7 +333,12 @@ class Wirer {
   void resolveOutputs() {
     Place place{pipeline_.file};
     for (const auto& [name, text] : pipeline_.outputs) {
-      wiring_.outputs.push_back(sourceOf(text, fmt::format("output '{}'", name), place));
+      Source source = sourceOf(text, fmt::format("output '{}'", name), place);
+      wiring_.outputs.push_back(source);
+      if (name != "color" || source.node < 0) continue;
+      const PortDesc& port = portOf(pipeline_, wiring_, source);
+      if (!findFormat(port.format)->uint) continue;
+      problem(place, "output 'color' of pipeline '{}' is '{}', which is {}", pipeline_.name, text, port.format);
     }
     bool has_color = findKey(pipeline_.outputs, "color") != pipeline_.outputs.end();
     if (!has_color) problem(place, "pipeline '{}' has no output 'color'", pipeline_.name);

@@ -443,6 +443,22 @@ TEST(Refusals, SizesAndOutputs) {
   EXPECT_EQ(refusal(b.pipeline), "test.lua: pipeline 'test' has no output 'color'");
 }
 
+TEST(Refusals, ColorOfIntegers) {
+  Builder b;
+  b.compute("ids", {}, {"id rg32ui"});
+  b.output("color", "ids.id");
+  EXPECT_EQ(refusal(b.pipeline), "test.lua: output 'color' of pipeline 'test' is 'ids.id', which is rg32ui");
+}
+
+TEST(Refusals, RaysAtTimesNobodyBuildsAStructureFor) {
+  Builder b;
+  b.trace("rays", {}, {"hit"});
+  b.output("color", "rays.hit");
+  b.node("rays").time = "open";
+  EXPECT_EQ(refusal(b.pipeline),
+            "test.lua:1: trace node 'rays' has time 'open'; rays see the capture or, in a loop, the sample");
+}
+
 TEST(Refusals, AllAtOnce) {
   Builder b = chain();
   b.node("second").inputs = {{"x", "frist.x"}};
