@@ -8,9 +8,13 @@ namespace strobe::app {
 void ShotOptions::addTo(CLI::App& command) {
   command.add_option("--scene", shot.scene, "a name of scripts/scenes, a .lua, .glb or .gltf file")->capture_default_str();
   command.add_option("--size", size, "WIDTHxHEIGHT in pixels (default: the scene's, else 960x540)");
-  command.add_option("--fps", shot.fps, "frames per second (default: the scene's, else 24)");
-  command.add_option("--frame", shot.frame, "the capture is at FRAME/FPS seconds (default: the scene's, else 1)");
-  command.add_option("--exposure", shot.exposure, "shutter time in frame intervals (default: the scene's, else 0.5)");
+  // Ranges are checked here: what a shot leaves to its scene is stored as values outside of them.
+  command.add_option("--fps", shot.fps, "frames per second (default: the scene's, else 24)")
+      ->check(CLI::Range(1e-3, 1e6));
+  command.add_option("--frame", shot.frame, "the capture is at FRAME/FPS seconds (default: the scene's, else 1)")
+      ->check(CLI::Range(0, 1000000));
+  command.add_option("--exposure", shot.exposure, "shutter time in frame intervals (default: the scene's, else 0.5)")
+      ->check(CLI::Range(0.0, 1000.0));
   command.add_option("--anchor", shot.anchor, "exposure window: close, centre or open")->capture_default_str();
   command.add_option("--camera", shot.camera, "a camera of the scene (default: its first)");
   command.add_option("--animation", shot.animation, "a clip of the scene, all or none")->capture_default_str();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lab/capture.h"
 
+#include "base/log.h"
 #include "image/png.h"
 
 namespace strobe::lab {
@@ -50,13 +51,13 @@ image::ExrFile exrOf(const Picture& picture, bool half) {
   const image::Image& color = outputOf(picture, "color").floats;
   file.width = color.width;
   file.height = color.height;
-  for (const auto& [name, read] : picture.frame.outputs) {
-    int width = std::max(read.floats.width, read.uints.width);
-    if (width == file.width) addLayer(file, name, read, half);
-  }
-  for (const auto& [name, read] : picture.frame.taps) {
-    int width = std::max(read.floats.width, read.uints.width);
-    if (width == file.width) addLayer(file, name, read, half);
+  for (const auto* images : {&picture.frame.outputs, &picture.frame.taps}) {
+    for (const auto& [name, read] : *images) {
+      int width = std::max(read.floats.width, read.uints.width);
+      int height = std::max(read.floats.height, read.uints.height);
+      if (width == file.width && height == file.height) addLayer(file, name, read, half);
+      else warn(fmt::format("'{}' is {}x{}, not as large as the color, and is left out of the file", name, width, height));
+    }
   }
   const Json& shot = picture.record["shot"];
   double fps = shot["fps"].get<double>(), exposure = shot["exposure"].get<double>();

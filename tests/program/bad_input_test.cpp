@@ -39,7 +39,8 @@ TEST(BadInput, ValuesAreRefusedWithTheirRange) {
   expectRefusal("render hybrid" + kScene + " --set samples=0", 1, "range 1 to 1024");
   expectRefusal("render hybrid" + kScene + " --set samples=many", 1, "not an integer");
   expectRefusal("render hybrid" + kScene + " --set mask=sead", 1, "did you mean 'seed'?");
-  expectRefusal("render none" + kScene + " --exposure -2", 2, "--exposure");
+  for (const char* option : {"--exposure -2", "--exposure -1", "--frame -1", "--fps 0"})
+    expectRefusal("render none" + kScene + " " + option, 2, std::string(option).substr(0, 5));
   expectRefusal("render none" + kScene + " --anchor middle", 2, "close, centre, open");
   expectRefusal("render none" + kScene + " --aa 0", 2, "--aa");
   expectRefusal("render none" + kScene + " --move bar=1,0", 2, "bar=1,0");
