@@ -271,7 +271,7 @@ void Device::choosePhysicalDevice(const std::string& wanted) {
   size_t chosen = 0;
   bool is_index = !wanted.empty() && std::all_of(wanted.begin(), wanted.end(), [](unsigned char c) { return std::isdigit(c); });
   if (is_index) {
-    chosen = std::stoul(wanted);
+    chosen = wanted.size() < 9 ? std::stoul(wanted) : found.size();
     if (chosen >= found.size())
       throw Error(fmt::format("--device {}: there are {} devices, counted from 0", wanted, found.size()), {}, 2);
   } else if (!wanted.empty()) {
@@ -346,10 +346,6 @@ void Device::createCommandPool() {
   check(vk_.AllocateCommandBuffers(device_, &allocate, &command_buffer_), "allocating the command buffer");
   VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
   check(vk_.CreateFence(device_, &fence, nullptr, &fence_), "creating the fence");
-}
-
-uint32_t Device::memoryType(uint32_t type_bits, VkMemoryPropertyFlags wanted) const {
-  return memoryType(type_bits, wanted, 0);
 }
 
 uint32_t Device::memoryType(uint32_t type_bits, VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags preferred) const {

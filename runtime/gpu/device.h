@@ -64,9 +64,7 @@ class Device {
   double timestampPeriodNs() const { return timestamp_period_ns_; }
   bool debugLabels() const { return vk_.CmdBeginDebugUtilsLabelEXT != nullptr; }
 
-  // The memory type with all of `wanted` among `type_bits`; throws `Error` if there is none.
-  uint32_t memoryType(uint32_t type_bits, VkMemoryPropertyFlags wanted) const;
-  // As above, but prefers types that also have `preferred`.
+  // A memory type with all of `wanted` among `type_bits`, if possible with `preferred` too; throws `Error` without one.
   uint32_t memoryType(uint32_t type_bits, VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags preferred) const;
 
   void setName(VkObjectType type, uint64_t handle, const std::string& name) const;

@@ -155,7 +155,6 @@ const FormatInfo& formatInfo(const std::string& name) {
   static const std::map<std::string, FormatInfo> table = {
       {"r8_unorm", {VK_FORMAT_R8_UNORM, "r8", 1, 1, false}},
       {"rgba8_unorm", {VK_FORMAT_R8G8B8A8_UNORM, "rgba8", 4, 4, false}},
-      {"r16f", {VK_FORMAT_R16_SFLOAT, "r16f", 1, 2, false}},
       {"rg16f", {VK_FORMAT_R16G16_SFLOAT, "rg16f", 2, 4, false}},
       {"rgba16f", {VK_FORMAT_R16G16B16A16_SFLOAT, "rgba16f", 4, 8, false}},
       {"r32f", {VK_FORMAT_R32_SFLOAT, "r32f", 1, 4, false}},

@@ -64,8 +64,7 @@ Json makeRecord(const RecordContext& c, const graph::FrameResult& frame) {
   return record;
 }
 
-Json makeTimings(const plan::Plan&, const graph::FrameResult& frame, const gpu::DeviceInfo& device, double prepare_s,
-                 double draw_s) {
+Json makeTimings(const graph::FrameResult& frame, const gpu::DeviceInfo& device, double prepare_s, double draw_s) {
   Json json;
   json["device"] = device.name;
   json["note"] = device.software ? "software device: not comparable with a GPU" : "one frame, clocks not locked";

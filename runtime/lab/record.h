@@ -18,8 +18,7 @@ struct RecordContext {
 Json makeRecord(const RecordContext& context, const graph::FrameResult& frame);
 
 // Milliseconds per pass and for the frame (GPU), seconds of preparation and drawing (wall clock).
-Json makeTimings(const plan::Plan& plan, const graph::FrameResult& frame, const gpu::DeviceInfo& device, double prepare_s,
-                 double draw_s);
+Json makeTimings(const graph::FrameResult& frame, const gpu::DeviceInfo& device, double prepare_s, double draw_s);
 
 // Hash of an image's format, size and texels.
 std::string hashOf(const graph::ReadImage& image);

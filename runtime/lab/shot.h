@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a frame is taken of and how: the options every command shares (docs/command-line.md), with their defaults.
+// What a frame is taken of and how: the options every command shares (app/shot_options.cpp), with their defaults.
 #pragma once
 
 #include <array>

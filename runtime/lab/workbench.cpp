@@ -132,7 +132,10 @@ static void accumulate(graph::FrameResult& sum, const graph::FrameResult& added)
   add(sum.outputs, added.outputs);
   add(sum.taps, added.taps);
   for (size_t i = 0; i < sum.counters.size(); ++i) sum.counters[i].second += added.counters[i].second;
-  for (size_t i = 0; i < sum.times.size(); ++i) sum.times[i].gpu_ms += added.times[i].gpu_ms;
+  for (size_t i = 0; i < sum.times.size(); ++i) {
+    sum.times[i].gpu_ms += added.times[i].gpu_ms;
+    sum.times[i].executions += added.times[i].executions;
+  }
   sum.gpu_ms += added.gpu_ms;
 }
 
@@ -190,7 +193,7 @@ Picture Workbench::render(Shot shot, const std::function<void(int, int)>& progre
   picture.ndc_from_world = mat4(ndcFromCamera(setup.camera, double(shot.width) / shot.height) * camera_from_world);
   dependencies.insert(dependencies.end(), scene_->dependencies.begin(), scene_->dependencies.end());
   picture.record = makeRecord({shot, *scene_, plan, device_.info(), backend, dependencies}, picture.frame);
-  picture.timings = makeTimings(plan, picture.frame, device_.info(), ready_s - started_s, done_s - ready_s);
+  picture.timings = makeTimings(picture.frame, device_.info(), ready_s - started_s, done_s - ready_s);
   picture.warnings = scene_->scene.warnings;
   return picture;
 }

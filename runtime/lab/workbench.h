@@ -52,7 +52,6 @@ class Workbench {
   gpu::Device device_;
   graph::PipelineCache cache_;
   std::string scene_key_;
-  Shot scene_defaults_;
   std::unique_ptr<LoadedScene> scene_;
   std::map<uint32_t, std::unique_ptr<scene::GpuScene>> gpu_scenes_;  // by slices
 };

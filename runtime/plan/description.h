@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What Lua hands over: passes and a pipeline as plain data, each field with the place where it was written.
-// `fromJson` reads the canonical form (docs/canonical.md); `toJson` writes it back, key for key.
+// `fromJson` reads the canonical form (what scripts/strobe/run.lua hands over); `toJson` writes it back, key for key.
 #pragma once
 
 #include <optional>

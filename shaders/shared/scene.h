@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scene as shaders see it. Positions are relative to the frame's origin (the camera at capture, rounded), so that
+// The scene as shaders see it. Positions are relative to the frame's origin (the camera at the capture), so that
 // single precision is spent on what the camera sees. A *slice* is one time at which the scene is posed.
 #ifndef STROBE_SHARED_SCENE_H
 #define STROBE_SHARED_SCENE_H
