@@ -8,7 +8,7 @@
 local demo = require "strobe.demo"
 
 local baselines = { "McGuire 2012", "UE4-style" }
-local truth, full = { samples = 256 }, { shading = "full", samples = 64 }
+local truth, full = { samples = 128 }, { shading = "full", samples = 16 }
 
 -- The same motion for several nodes that belong together.
 local function together(motion, nodes)
@@ -37,6 +37,7 @@ return demo {
     { label = "hybrid (as published)", pipeline = "hybrid", set = { preset = "seed" } },
     { label = "hybrid (as published, uniform weights)", pipeline = "hybrid", set = { preset = "seed_linear" }, shown = false },
     { label = "hybrid (best)", pipeline = "hybrid", set = { preset = "best" } },
+    { label = "hybrid (best, termination motion)", pipeline = "hybrid", set = { termination = "motion" }, shown = false },
     { label = "truth, 16 samples", pipeline = "ground_truth", role = "floor", shown = false,
       set = { samples = 16, times = "midpoint" } },
     { label = "ground truth", pipeline = "ground_truth", role = "truth", set = { times = "midpoint" } },
@@ -44,7 +45,11 @@ return demo {
   shots = {
     { title = "Living room", note = "The vase and its twigs slide past the cushions.", scene = "living_room",
       camera = "main", truth = truth, full_shading = full, crops = { "inner" } },
-    { title = "Country kitchen", note = "The mug slides over the edge of the worktop, before chairs and floor.",
+    { title = "Country kitchen, pot",
+      note = "The steel pot slides along the picture plane, behind the saucepan, before tiles and hood.",
+      scene = kitchen, exposure = 0.5, moves = { Mesh080_SteelPot = { 0.4, 0, -0.195 } },
+      truth = truth, full_shading = full, crops = { "inner" }, attribution = kitchen_by },
+    { title = "Country kitchen, mug", note = "The mug slides over the edge of the worktop, before chairs and floor.",
       scene = kitchen, exposure = 0.5, moves = { Mesh036_WhitePot = { 0.34, 0, 0 } },
       truth = truth, full_shading = full, crops = { "inner" }, attribution = kitchen_by },
     { title = "Country kitchen, lamp",
@@ -54,7 +59,7 @@ return demo {
       truth = truth, full_shading = full, crops = { "inner" }, attribution = kitchen_by },
     { title = "Modern living room", note = "The small red bowl slides over the table before two vases.",
       scene = "shared:scenes/modern_living_room_partial/modern_living_room_partial.glb", exposure = 0.5,
-      moves = { Mesh017_Glass = { -0.28, 0, 0 } }, truth = truth, full_shading = full, crops = { "inner" },
+      moves = { Mesh017_Glass = { -0.25, 0, -0.122 } }, truth = truth, full_shading = full, crops = { "inner" },
       attribution = "\"The Modern Living Room\" by Wig42, CC BY 3.0, tungsten version by Benedikt Bitterli; 28 of 35 meshes" },
   },
 }

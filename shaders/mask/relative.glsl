@@ -11,9 +11,9 @@
 // Out: mask, 1 if for one candidate b the path meets a pixel q of another instance, not nearer (by `occluder`) than the
 //   last pixel of y's own instance met, that does move by about b (within a pixel, or match * |d - b|). If q moves
 //   otherwise the path is walked once more with q's own displacement for b. Candidates are rough where a background's
-//   motion varies; q's is exact. A path of something faster than b that ends behind an occluder counts as well. One
-//   step per pixel of the path, plus `margin` px: an overmarked pixel costs a ray, a missed one an error. Paths that
-//   leave the picture end there: nobody knows what is outside (counter off_screen).
+//   motion varies; q's is exact. A path that ends behind an occluder goes on to where that ends. One step per pixel
+//   of the path, plus `margin` px: an overmarked pixel costs a ray, a missed one an error. Paths that leave the picture
+//   end there: nobody knows what is outside (counter off_screen).
 // Fails: background whose motion is visible nowhere near; self-occlusion of one instance; more than eight movements.
 #include "lib/blur.glsl"
 #include "lib/motions.glsl"
@@ -41,8 +41,10 @@ Walk walked(ivec2 pixel, vec2 d, vec2 b, float t) {
   float own_depth = saneDepth(texelFetch(depth_tex, pixel, 0).x);
   float matching_px = max(1.0, params.match * lengthOf(d - b));
   int steps = int(ceil(whole_px)) + params.margin;
+  // Behind what stands in front the silhouette may end unseen: the walk goes on to where that ends.
+  int longest = steps + int(ceil(params.limit * float(frame.size.x)));
   bool occluded = false;
-  for (int i = 1; i <= steps; ++i) {
+  for (int i = 1; i <= steps || (occluded && i <= longest); ++i) {
     ivec2 at = pixel + roundSymmetric(whole * (float(i) / whole_px));
     if (!isInside(at, textureSize(id_tex, 0))) {
       walk.off_screen = true;
@@ -50,6 +52,7 @@ Walk walked(ivec2 pixel, vec2 d, vec2 b, float t) {
     }
     float depth = saneDepth(texelFetch(depth_tex, at, 0).x);
     if (texelFetch(id_tex, at, 0).x == own) {
+      if (i > steps) return walk;
       own_depth = depth;
       occluded = false;
       continue;
@@ -66,8 +69,6 @@ Walk walked(ivec2 pixel, vec2 d, vec2 b, float t) {
     if (!walk.meets) walk.d_beyond = d_beyond;
     walk.meets = true;
   }
-  // Behind what stands in front, the silhouette of what moves may end unseen: taken as ended.
-  if (occluded && lengthOf(d) > lengthOf(b)) walk.crosses = true;
   return walk;
 }
 
