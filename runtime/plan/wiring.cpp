@@ -333,12 +333,7 @@ class Wirer {
   void resolveOutputs() {
     Place place{pipeline_.file};
     for (const auto& [name, text] : pipeline_.outputs) {
-      Source source = sourceOf(text, fmt::format("output '{}'", name), place);
-      wiring_.outputs.push_back(source);
-      if (name != "color" || source.node < 0) continue;
-      const PortDesc& port = portOf(pipeline_, wiring_, source);
-      if (!findFormat(port.format)->uint) continue;
-      problem(place, "output 'color' of pipeline '{}' is '{}', which is {}", pipeline_.name, text, port.format);
+      wiring_.outputs.push_back(sourceOf(text, fmt::format("output '{}'", name), place));
     }
     bool has_color = findKey(pipeline_.outputs, "color") != pipeline_.outputs.end();
     if (!has_color) problem(place, "pipeline '{}' has no output 'color'", pipeline_.name);

@@ -443,13 +443,6 @@ TEST(Refusals, SizesAndOutputs) {
   EXPECT_EQ(refusal(b.pipeline), "test.lua: pipeline 'test' has no output 'color'");
 }
 
-TEST(Refusals, ColorOfIntegers) {
-  Builder b;
-  b.compute("ids", {}, {"id rg32ui"});
-  b.output("color", "ids.id");
-  EXPECT_EQ(refusal(b.pipeline), "test.lua: output 'color' of pipeline 'test' is 'ids.id', which is rg32ui");
-}
-
 TEST(Refusals, RaysAtTimesNobodyBuildsAStructureFor) {
   Builder b;
   b.trace("rays", {}, {"hit"});

@@ -18,9 +18,7 @@ class Maker {
       moveLoop(i);
       addNode("n" + std::to_string(i));
     }
-    builder_.endLoop();
-    builder_.compute("last", {{"in", any(sources_)}}, {"color"});
-    builder_.output("color", "last.color");
+    builder_.output("color", any(sources_));
     for (int i = below(2); i > 0; --i) builder_.output("more" + std::to_string(i), any(sources_));
 
     RandomPipeline result;
