@@ -80,6 +80,9 @@ struct PlanOptions {
 void plan(const PlanOptions& options) {
   lab::Shot shot = options.shot.resolve();
   if (shot.width == 0) shot.width = 960, shot.height = 540;
+  if (shot.fps == 0) shot.fps = 24;
+  if (shot.exposure == -1) shot.exposure = 0.5;
+  lab::checkShot(shot);
   plan::PipelineDesc pipeline = script::evaluatePipeline({shot.pipeline, shot.sets});
   graph::Backend backend = shot.backend == "pipeline" ? graph::Backend::Pipeline : graph::Backend::Query;
   plan::Plan planned = lab::planOf(shot, pipeline, backend);

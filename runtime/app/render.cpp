@@ -27,6 +27,8 @@ void printCounters(const Json& record) {
 void render(const Options& options) {
   lab::checkPictureName(options.out);
   lab::Shot shot = options.shot.resolve();
+  if (!shot.taps.empty() && Path(options.out).extension() != ".exr")
+    throw Error("--tap needs an .exr file: a .png holds the color alone", {}, 2);
   lab::Workbench bench(shot.device, validationWanted());
   std::unique_ptr<Progress> progress;
   lab::Picture picture = bench.render(shot, [&](int, int of) {

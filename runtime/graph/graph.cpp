@@ -292,16 +292,19 @@ void Graph::submit(const std::vector<const Step*>& steps, int iteration, uint32_
   auto record_builds = [&](VkCommandBuffer commands) {
     for (uint32_t i = 0; i < slice_count; ++i) scene_.recordBuild(commands, first_slice + i);
   };
-  if (device_.info().software) submitStepwise(steps, iteration, record_builds);
+  if (device_.info().software) submitStepwise(steps, iteration, slice_count, record_builds);
   else submitStamped(steps, iteration, record_builds);
   for (Node& node : nodes_) takeCounts(node);
 }
 
 // A software device executes when something waits, whatever its time stamps say: one submission per step, by the clock.
-void Graph::submitStepwise(const std::vector<const Step*>& steps, int iteration, const Record& record_builds) {
+void Graph::submitStepwise(const std::vector<const Step*>& steps, int iteration, uint32_t slice_count,
+                           const Record& record_builds) {
   double start_s = clockSeconds();
-  device_.submit(record_builds);
-  gpu_ms_ += 1000 * (clockSeconds() - start_s);
+  if (slice_count > 0) {
+    device_.submit(record_builds);
+    gpu_ms_ += 1000 * (clockSeconds() - start_s);
+  }
   for (const Step* step : steps) {
     start_s = clockSeconds();
     device_.submit([&](VkCommandBuffer commands) {

@@ -85,7 +85,8 @@ class Graph {
   void poseSamples(const FrameSetup& setup, const plan::PlanLoop& loop, int iteration);
   void submit(const std::vector<const plan::Step*>& steps, int iteration, uint32_t first_slice, uint32_t slice_count);
   using Record = std::function<void(VkCommandBuffer)>;
-  void submitStepwise(const std::vector<const plan::Step*>& steps, int iteration, const Record& record_builds);
+  void submitStepwise(const std::vector<const plan::Step*>& steps, int iteration, uint32_t slice_count,
+                      const Record& record_builds);
   void submitStamped(const std::vector<const plan::Step*>& steps, int iteration, const Record& record_builds);
   void record(VkCommandBuffer commands, const plan::Step& step, int iteration);
   static void takeCounts(Node& node);

@@ -161,6 +161,15 @@ uint64_t clampedPixels(const Json& record) {
   return most;
 }
 
+// What a scene's file says of its author: its copyright, else the first line of the text beside it.
+std::string attributionOf(const Json& scene) {
+  if (!scene.contains("attribution") || !scene["attribution"].is_object()) return "";
+  const Json& said = scene["attribution"];
+  if (said.contains("copyright") && said["copyright"].is_string()) return said["copyright"].get<std::string>();
+  std::string text = said.contains("text") && said["text"].is_string() ? said["text"].get<std::string>() : "";
+  return text.substr(0, text.find('\n'));
+}
+
 Contrast contrastOf(const image::Image& front, const image::Image& back, const image::Image& valid,
                     const image::Image& inner) {
   Contrast contrast;
@@ -320,9 +329,7 @@ void Hall::describe(ShotResult& result, const Picture& truth) {
   result.resolved.exposure = shot["exposure"].get<double>();
   result.displacement_px = medianDisplacement(truth);
   result.attribution = result.shot->attribution;
-  const Json& scene = truth.record["scene"];
-  if (result.attribution.empty() && scene.contains("attribution") && scene["attribution"].is_string())
-    result.attribution = scene["attribution"].get<std::string>();
+  if (result.attribution.empty()) result.attribution = attributionOf(truth.record["scene"]);
 }
 
 void Hall::keepBackground(const Picture& picture) {
@@ -393,15 +400,20 @@ std::optional<Verdict> Hall::verdict(const ShotResult& result) const {
   auto rmse = [&](const Entry& entry) { return entry.errors.at(e.region).rmse; };
   double own = rmse(*group.find(e.column)), floor = rmse(*group.floor()), best_baseline = INFINITY;
   for (const std::string& name : e.baselines) best_baseline = std::min(best_baseline, rmse(*group.find(name)));
+  if (result.contrast->pixels == 0) return std::nullopt;
   double contrast = result.contrast->deviation / result.contrast->difference;
+  // No claim rests on displacements that were shortened.
+  uint64_t clamped = group.find(e.column)->clamped;
+  for (const std::string& name : e.baselines) clamped += group.find(name)->clamped;
   Verdict verdict;
-  verdict.applies = contrast >= e.contrast;
+  verdict.applies = contrast >= e.contrast && clamped == 0;
   verdict.holds = own <= e.share * best_baseline && own <= e.floor * floor;
   verdict.text = fmt::format(
       "{}, {}: RMSE {:.5f} is {:.3f} of the best baseline's (expected at most {:.3g}) and {:.2f} of the floor's "
-      "(at most {:.3g}); the background deviates by {:.2f} of its difference from the front ({} {:.3g}): {}",
+      "(at most {:.3g}); the background deviates by {:.2f} of its difference from the front ({} {:.3g}); {} pixels "
+      "clamped: {}",
       e.column, e.region, own, own / best_baseline, e.share, own / floor, e.floor, contrast,
-      verdict.applies ? "at least" : "less than", e.contrast,
+      contrast >= e.contrast ? "at least" : "less than", e.contrast, clamped,
       !verdict.applies ? "does not apply" : verdict.holds ? "holds" : "does not hold");
   return verdict;
 }

@@ -67,7 +67,7 @@ Json makeRecord(const RecordContext& c, const graph::FrameResult& frame) {
 Json makeTimings(const graph::FrameResult& frame, const gpu::DeviceInfo& device, double prepare_s, double draw_s) {
   Json json;
   json["device"] = device.name;
-  json["note"] = device.software ? "software device: not comparable with a GPU" : "one frame, clocks not locked";
+  json["note"] = device.software ? "software device: not comparable with a GPU; each step is submitted and waited for on its own" : "one frame, clocks not locked";
   json["prepare_s"] = prepare_s;
   json["draw_s"] = draw_s;
   json["gpu_ms"] = frame.gpu_ms;

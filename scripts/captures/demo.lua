@@ -20,7 +20,7 @@ return demo {
     { label = "hybrid (best)", pipeline = "hybrid", set = { preset = "best" } },
     { label = "ray-traced, 16 samples", pipeline = "ground_truth", role = "floor", shown = false,
       set = { samples = 16, times = "midpoint" } },
-    { label = "ground truth", pipeline = "ground_truth", role = "truth", set = { times = "midpoint" } },
+    { label = "ground truth", pipeline = "ground_truth", role = "truth", set = { times = "stratified" } },
   },
   shots = {
     { title = "An object in motion", scene = "living_room", camera = "main", truth = { samples = 256 },

@@ -44,7 +44,7 @@ uint regionsOf(ivec2 pixel, Hit hit, vec3 capture_ws, bool is_still, uint known)
     if (farther) found |= kRegionInner;
     if (now < before) found |= kRegionOuter;
   }
-  if (is_still) return known | found | (farther ? kRegionHidden : 0u);
+  if (is_still) return known | found | (farther && isHit(hit) ? kRegionHidden : 0u);
   if (isHit(hit) && (known & kRegionHidden) == 0u && wasOccluded(capture_ws)) found |= kRegionHidden;
   return known | found;
 }

@@ -16,10 +16,10 @@ class Maker {
     int count = 4 + below(14);
     for (int i = 0; i < count; ++i) {
       moveLoop(i);
-      addNode("n" + std::to_string(i));
+      addNode(fmt::format("n{}", i));
     }
     builder_.output("color", any(sources_));
-    for (int i = below(2); i > 0; --i) builder_.output("more" + std::to_string(i), any(sources_));
+    for (int i = below(2); i > 0; --i) builder_.output(fmt::format("more{}", i), any(sources_));
 
     RandomPipeline result;
     result.options.width = 40, result.options.height = 24;
