@@ -33,6 +33,20 @@ static void fillShot(Shot& shot, const Json& description) {
   if (shot.exposure == -1) shot.exposure = suggested(description, "exposure", 0.5);
 }
 
+// Identity of meshes and textures, wherever a file keeps them.
+static std::string contentHash(const scene::Scene& scene) {
+  std::string hashes;
+  for (const scene::Mesh& mesh : scene.meshes) {
+    for (const scene::Geometry& geometry : mesh.geometries) {
+      hashes += hashBytes(geometry.vertices.data(), geometry.vertices.size() * sizeof(scene::Vertex));
+      hashes += hashBytes(geometry.indices.data(), geometry.indices.size() * sizeof(uint32_t));
+    }
+  }
+  for (const scene::Texture& texture : scene.textures)
+    for (const auto& level : texture.levels) hashes += hashBytes(level.data(), level.size());
+  return hashText(hashes);
+}
+
 LoadedScene loadScene(Shot& shot) {
   LoadedScene loaded;
   if (isGltf(shot.scene)) {
@@ -40,8 +54,8 @@ LoadedScene loadScene(Shot& shot) {
       if (name.starts_with("scene.")) throw Error(fmt::format("--set {}={}: a glTF scene has no parameters", name, value));
     loaded.scene = scene::loadGltf(shot.scene);
     loaded.description["file"] = Path(shot.scene).filename().string();
-    std::string bytes = readText(shot.scene);
-    loaded.description["hash"] = hashText(bytes);
+    loaded.description["hash"] = hashText(readText(shot.scene));
+    loaded.description["content"] = contentHash(loaded.scene);
   } else {
     loaded.description = script::evaluateScene(shot.scene, shot.sets, &loaded.dependencies);
     loaded.scene = scene::sceneFromJson(loaded.description, shot.scene);
