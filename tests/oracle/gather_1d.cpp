@@ -55,9 +55,14 @@ struct Composite {
       int y = tapAt(x, -g * t);
       double tolerance = std::max(0.75, std::abs(g) / (2 * options->samples));
       for (const Row* layer : layers) {
-        const Texel* found = texel(*layer, y);
-        if (found && std::abs(y + found->d * t - x) <= tolerance && (!nearest || found->depth < nearest->depth))
-          nearest = found;
+        int at = y;
+        const Texel* found = texel(*layer, at);
+        auto here = [&] { return found && std::abs(at + found->d * t - x) <= tolerance; };
+        if (options->ask_twice && found && !here()) {
+          at = tapAt(x, -found->d * t);
+          found = texel(*layer, at);
+        }
+        if (here() && (!nearest || found->depth < nearest->depth)) nearest = found;
       }
     }
     return nearest;

@@ -80,6 +80,7 @@ struct Layered {
   int tile = 20;
   bool harvest = true;     // also consider the displacements met at the taps along the dominant one
   bool both_ways = false;  // ... and at the taps in the opposite direction
+  bool ask_twice = false;  // a texel that is not at the pixel leads to a second guess, by its own displacement
   std::size_t candidates = 4;
 };
 
