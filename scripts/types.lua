@@ -26,6 +26,7 @@
 ---@field default? string one of them
 ---@field unit? string
 ---@field doc string what it means
+---@field values? table<string, string> what each choice does, and where it fails
 
 ---@class strobe.Read
 ---@field doc string meaning, unit, range
@@ -37,6 +38,11 @@
 ---@field format strobe.Format
 ---@field doc string meaning, unit, range
 
+---@class strobe.Update
+---@field format strobe.Format
+---@field doc string meaning, unit, range
+---@field history? boolean kept from frame to frame (zero in the first) instead of zero at the start of each
+
 ---@class strobe.Size
 ---@field of? string as large as the image wired to this read
 ---@field divide? string ... divided, rounding up, by this int parameter
@@ -47,11 +53,12 @@
 ---@field name string unique; nodes are called this unless `as` says otherwise
 ---@field shader string below shaders/, without .glsl (of a raster pass without .vert.glsl and .frag.glsl)
 ---@field doc string what it computes
+---@field fails? string when its result is wrong, and how
 ---@field size? "frame"|strobe.Size of what it writes; default "frame"
 ---@field scene? boolean (compute) the shader sees the scene; raster and trace passes always do
 ---@field reads? table<string, strobe.Read> images it samples
 ---@field writes? table<string, strobe.Write> images of which it fills every pixel
----@field updates? table<string, strobe.Write> images it reads and writes; zero at the first execution in a frame
+---@field updates? table<string, strobe.Update> images it reads and writes; zero at the first execution in a frame
 ---@field params? table<string, strobe.Param>
 ---@field counters? table<string, string> counts of events: what each counts
 
@@ -83,6 +90,18 @@ function pass.raster(t) end
 ---@param t strobe.PassTable
 ---@return strobe.Pass
 function pass.trace(t) end
+---@param folder string below passes/
+---@return string[] names of its files, sorted
+function pass.family(folder) end
+---@param folder string below passes/
+---@param name string a file of it
+---@return strobe.Pass
+function pass.member(folder, name) end
+---@param called strobe.Pass
+---@param images table<string, strobe.Image> by name
+---@param arguments? strobe.CallTable more arguments, which win
+---@return strobe.CallTable those of the images that the pass reads, and the arguments
+function pass.wired(called, images, arguments) end
 ---@param t strobe.ParamTable
 ---@return strobe.Param
 function pass.bool(t) end

@@ -22,6 +22,9 @@ std::vector<uint8_t> readBytes(const Path& file);
 void writeFileAtomically(const Path& file, std::string_view bytes);
 void writeFileAtomically(const Path& file, const std::vector<uint8_t>& bytes);
 
+// Names of the files in `folder` that end in `extension` (".lua"), without it, sorted; empty where there is no folder.
+std::vector<std::string> namesIn(const Path& folder, std::string_view extension);
+
 // The folder that holds passes/, shaders/ and scripts/: STROBE_HOME, else the source tree the program was built from.
 Path homeFolder();
 

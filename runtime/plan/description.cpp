@@ -154,6 +154,7 @@ static Json paramJson(const ParamDesc& param) {
   if (param.min) json["min"] = boundJson(param, *param.min);
   if (param.max) json["max"] = boundJson(param, *param.max);
   if (param.type == ParamDesc::Type::Choice) json["choices"] = param.choices;
+  for (const auto& [name, text] : param.values) json["values"][name] = text;
   json["unit"] = param.unit;
   json["doc"] = param.doc;
   json["variant"] = param.variant;
@@ -167,7 +168,9 @@ static Json readJson(const PortDesc& port) {
 }
 
 static Json writeJson(const PortDesc& port) {
-  return {{"name", port.name}, {"doc", port.doc}, {"format", port.format}, {"place", placeJson(port.place)}};
+  Json json = {{"name", port.name}, {"doc", port.doc}, {"format", port.format}, {"place", placeJson(port.place)}};
+  if (port.history) json["history"] = true;
+  return json;
 }
 
 static Json sizeJson(const SizeDesc& size) {
@@ -183,6 +186,7 @@ static Json counterJson(const CounterDesc& counter) { return {{"name", counter.n
 Json toJson(const PassDesc& pass) {
   Json json = {{"name", pass.name}, {"kind", kPassKinds[static_cast<size_t>(pass.kind)]}, {"shader", pass.shader}};
   json["doc"] = pass.doc;
+  json["fails"] = pass.fails;
   json["size"] = sizeJson(pass.size);
   json["scene"] = pass.scene;
   json["reads"] = listOf(pass.reads, readJson);

@@ -27,6 +27,7 @@ struct ParamDesc {
   Value default_value;
   std::optional<double> min, max;    // of Int and Float, inclusive
   std::vector<std::string> choices;  // of Choice
+  std::vector<std::pair<std::string, std::string>> values;  // of Choice: what a choice does and where it fails
   std::string unit;                  // "px", "m", ... or ""
   std::string doc;
   bool variant = false;  // compiled into the shader instead of passed to it (always so for Choice and Bool)
@@ -45,6 +46,7 @@ struct PortDesc {
   bool uint = false;      // reads: the texels are unsigned integers
   bool optional = false;  // reads: may be left unwired; the shader then sees HAS_<name> 0
   bool linear = false;    // reads: sampled with a linear filter instead of texel fetches
+  bool history = false;   // updates: kept from frame to frame instead of zero at the start of each
   Place place;
 };
 
@@ -68,11 +70,12 @@ struct PassDesc {
   Kind kind = Kind::Compute;
   std::string shader;  // below shaders/; of a raster pass "<shader>.vert.glsl" and "<shader>.frag.glsl"
   std::string doc;
+  std::string fails;   // when what it computes is wrong, and how; or ""
   SizeDesc size;
   bool scene = false;  // the shader sees the scene's buffers, textures and acceleration structures
   std::vector<PortDesc> reads;    // images it samples
   std::vector<PortDesc> writes;   // images it fills; every pixel is written
-  std::vector<PortDesc> updates;  // images it reads and writes; zero before the first execution in a frame
+  std::vector<PortDesc> updates;  // images it reads and writes; zero before the first execution in a frame, or ever
   std::vector<ParamDesc> params;
   std::vector<CounterDesc> counters;  // 32-bit event counts, read back into the run record
   Place place;

@@ -149,9 +149,21 @@ std::vector<std::string> choicesOf(const Reader& reader) {
   return choices;
 }
 
+std::vector<std::pair<std::string, std::string>> choiceTexts(const Reader& reader, const Json& json) {
+  std::vector<std::pair<std::string, std::string>> texts;
+  auto found = json.find("values");
+  if (found == json.end() || found->empty()) return texts;
+  if (!found->is_object()) reader.fail("'values' is no table of texts");
+  for (const auto& [name, text] : found->items()) {
+    if (!text.is_string()) reader.fail("a choice is described by something else than a text");
+    texts.emplace_back(name, text.get<std::string>());
+  }
+  return texts;
+}
+
 ParamDesc readParam(const Json& json) {
   Reader reader(json, "parameter",
-                {"name", "type", "default", "min", "max", "choices", "unit", "doc", "variant", "place"});
+                {"name", "type", "default", "min", "max", "choices", "values", "unit", "doc", "variant", "place"});
   ParamDesc param;
   param.place = reader.place();
   reader.setPlace(param.place);
@@ -162,6 +174,7 @@ ParamDesc readParam(const Json& json) {
   bool crossed = param.min && param.max && *param.min > *param.max;
   if (crossed) reader.fail(fmt::format("min of '{}' is above max", param.name));
   param.choices = choicesOf(reader);
+  param.values = choiceTexts(reader, json);
   param.unit = reader.text("unit", "");
   param.doc = reader.text("doc", "");
   bool compiled_in = param.type == ParamDesc::Type::Bool || param.type == ParamDesc::Type::Choice;
@@ -184,13 +197,14 @@ PortDesc readRead(const Json& json) {
 }
 
 PortDesc readWrite(const Json& json) {
-  Reader reader(json, "write", {"name", "doc", "format", "place"});
+  Reader reader(json, "write", {"name", "doc", "format", "history", "place"});
   PortDesc port;
   port.place = reader.place();
   reader.setPlace(port.place);
   port.name = nameOf(reader);
   port.doc = reader.text("doc", "");
   port.format = formatNames()[reader.oneOf("format", formatNames())];
+  port.history = reader.flag("history");
   return port;
 }
 
@@ -232,7 +246,7 @@ void checkShaderPath(const Reader& reader, const std::string& shader) {
 
 PassDesc passFromJson(const Json& json) {
   Reader reader(json, "pass",
-                {"name", "kind", "shader", "doc", "size", "scene", "reads", "writes", "updates", "params", "counters",
+                {"name", "kind", "shader", "doc", "fails", "size", "scene", "reads", "writes", "updates", "params", "counters",
                  "place"});
   PassDesc pass;
   pass.place = reader.place();
@@ -242,6 +256,7 @@ PassDesc passFromJson(const Json& json) {
   pass.shader = reader.text("shader");
   checkShaderPath(reader, pass.shader);
   pass.doc = reader.text("doc", "");
+  pass.fails = reader.text("fails", "");
   pass.scene = reader.flag("scene");
   pass.reads = itemsOf(reader.list("reads"), readRead);
   pass.writes = itemsOf(reader.list("writes"), readWrite);

@@ -106,6 +106,7 @@ void evaluate(const Json& request) {
   options.main = request.at("main").get<std::string>();
   options.shown = request.at("shown").get<std::string>();
   options.own_folder = request.at("own_folder").get<bool>();
+  options.texts = request.at("texts").get<std::map<std::string, std::string>>();
   options.memory_bytes = static_cast<size_t>(memory_mb) << 20;
   static Sandbox sandbox(options);
   g_sandbox = &sandbox;

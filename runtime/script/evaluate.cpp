@@ -25,7 +25,7 @@ struct Main {
 };
 
 // Names of the Lua files below `folder` ("bar", "oracles/bar"); modules in folders called lib are not among them.
-std::vector<std::string> namesIn(const Path& folder) {
+std::vector<std::string> namesBelow(const Path& folder) {
   std::vector<std::string> names;
   std::error_code ignored;
   for (const auto& entry : fs::recursive_directory_iterator(folder, ignored)) {
@@ -37,7 +37,7 @@ std::vector<std::string> namesIn(const Path& folder) {
   return names;
 }
 
-Main mainFile(const std::string& path) {
+Main mainFile(const std::string& path, const Texts& texts = {}) {
   Main main;
   main.file = fs::absolute(path).lexically_normal();
   Path relative = main.file.lexically_relative(fs::absolute(homeFolder()).lexically_normal());
@@ -45,20 +45,22 @@ Main mainFile(const std::string& path) {
   main.shown = inside ? relative.string() : path;
   main.name = main.file.stem();
   main.own_folder = true;
-  if (!fs::is_regular_file(main.file)) throw Error("there is no such file", {path});
+  if (!texts.count(main.file) && !fs::is_regular_file(main.file)) throw Error("there is no such file", {path});
   return main;
 }
 
 // `what` is "pipeline" or "scene", kept in scripts/<what>s.
-Main mainOf(const std::string& name_or_path, const std::string& what) {
+Main mainOf(const std::string& name_or_path, const std::string& what, const Texts& texts) {
   bool is_path = name_or_path.ends_with(".lua");
-  if (is_path) return mainFile(name_or_path);
+  if (is_path) return mainFile(name_or_path, texts);
   Path folder = homeFolder() / "scripts" / (what + "s");
-  std::vector<std::string> names = namesIn(folder);
-  if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
+  Path file = folder / (name_or_path + ".lua");
+  std::vector<std::string> names = namesBelow(folder);
+  bool known = std::find(names.begin(), names.end(), name_or_path) != names.end();
+  if (!known && !texts.count(fs::absolute(file).lexically_normal())) {
     throw Error(fmt::format("there is no {} '{}'{}", what, name_or_path, didYouMean(name_or_path, names)));
   }
-  Main main = mainFile((folder / (name_or_path + ".lua")).string());
+  Main main = mainFile(file.string(), texts);
   main.own_folder = false;
   return main;
 }
@@ -108,12 +110,13 @@ std::string plain(std::string text) {
   throw Error("a script failed without saying why");
 }
 
-Json requestOf(const Main& main, const std::string& function, const Json& argument, const Limits& limits) {
+Json requestOf(const Main& main, const std::string& function, const Json& argument, const Limits& limits,
+               const Texts& texts) {
   return {{"function", function},           {"argument", argument},
           {"home", fs::absolute(homeFolder()).lexically_normal().string()},
           {"main", main.file.string()},     {"shown", main.shown},
           {"own_folder", main.own_folder},  {"cpu_s", limits.cpu_s},
-          {"memory_mb", limits.memory_mb}};
+          {"memory_mb", limits.memory_mb},  {"texts", Json(texts)}};
 }
 
 // Bytes that are no UTF-8 (in a file name, in a setting) become replacement characters.
@@ -122,10 +125,10 @@ std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::er
 // What run.lua's `function` returns. The answer comes from a process that ran a stranger's script: nothing in it is
 // taken on trust.
 Json evaluate(const Main& main, const std::string& function, const Json& argument,
-              std::vector<Dependency>* dependencies, const Limits& limits) {
+              std::vector<Dependency>* dependencies, const Limits& limits, const Texts& texts = {}) {
   if (dependencies) *dependencies = {};
-  if (dependencies && !main.file.empty()) *dependencies = {{main.file, main.shown, hashText(readText(main.file))}};
-  ChildResult child = runChild(textOf(requestOf(main, function, argument, limits)), limits.wall_s);
+  if (dependencies && !main.file.empty()) *dependencies = {{main.file, main.shown, hashOfPath(main.file)}};
+  ChildResult child = runChild(textOf(requestOf(main, function, argument, limits, texts)), limits.wall_s);
   bool answered = !child.timed_out && !child.too_long && !child.signal && child.exit_status == 0;
   Json answer = answered ? Json::parse(child.output, nullptr, false) : Json();
   if (!answer.is_object()) throw Error(endedBy(child, limits), {main.shown});
@@ -159,14 +162,36 @@ Settings lastOfEach(const Settings& sets, bool of_scene) {
   return last;
 }
 
+std::vector<DroppedSetting> droppedSettings(const Json& list) {
+  std::vector<DroppedSetting> dropped;
+  for (const Json& one : list) {
+    dropped.push_back({one.at("name").get<std::string>(), one.at("value").get<std::string>(),
+                       plain(one.at("reason").get<std::string>())});
+  }
+  return dropped;
+}
+
 }  // namespace
 
-plan::PipelineDesc evaluatePipeline(const PipelineRequest& request, std::vector<Dependency>* dependencies,
-                                    const Limits& limits) {
-  Main main = mainOf(request.name_or_path, "pipeline");
-  Json argument = {{"name", main.name}, {"file", main.shown}, {"sets", settingsJson(lastOfEach(request.sets, false))}};
-  Json result = evaluate(main, "pipeline", argument, dependencies, limits);
+std::string hashOfPath(const Path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return hashText(fmt::format("{}", fmt::join(namesIn(path, ".lua"), "\n")));
   try {
+    return hashText(readText(path));
+  } catch (const Error&) {
+    return "";
+  }
+}
+
+plan::PipelineDesc evaluatePipeline(const PipelineRequest& request, std::vector<Dependency>* dependencies,
+                                    const Limits& limits, std::vector<DroppedSetting>* dropped) {
+  Main main = mainOf(request.name_or_path, "pipeline", request.texts);
+  Json argument = {{"name", main.name}, {"file", main.shown}, {"sets", settingsJson(lastOfEach(request.sets, false))},
+                   {"lenient", dropped != nullptr}};
+  Json result = evaluate(main, "pipeline", argument, dependencies, limits, request.texts);
+  try {
+    if (dropped) *dropped = droppedSettings(result.at("dropped"));
+    result.erase("dropped");
     return plan::pipelineFromJson(result);
   } catch (const Json::exception&) {
     throw Error("the description of the pipeline has a wrong form", {main.shown});
@@ -174,10 +199,10 @@ plan::PipelineDesc evaluatePipeline(const PipelineRequest& request, std::vector<
 }
 
 Json evaluateScene(const std::string& name_or_path, const Settings& sets, std::vector<Dependency>* dependencies,
-                   const Limits& limits) {
-  Main main = mainOf(name_or_path, "scene");
+                   const Limits& limits, const Texts& texts) {
+  Main main = mainOf(name_or_path, "scene", texts);
   Json argument = {{"file", main.shown}, {"sets", settingsJson(lastOfEach(sets, true))}};
-  return evaluate(main, "scene", argument, dependencies, limits);
+  return evaluate(main, "scene", argument, dependencies, limits, texts);
 }
 
 Json evaluateData(const std::string& path, const Json& arguments, std::vector<Dependency>* dependencies,
@@ -206,7 +231,7 @@ std::vector<plan::PassDesc> evaluateAllPasses(std::vector<Dependency>* dependenc
   return passes;
 }
 
-std::vector<std::string> pipelineNames() { return namesIn(homeFolder() / "scripts/pipelines"); }
-std::vector<std::string> sceneNames() { return namesIn(homeFolder() / "scripts/scenes"); }
+std::vector<std::string> pipelineNames() { return namesBelow(homeFolder() / "scripts/pipelines"); }
+std::vector<std::string> sceneNames() { return namesBelow(homeFolder() / "scripts/scenes"); }
 
 }  // namespace strobe::script

@@ -3,6 +3,7 @@
 // processor time, memory and wall clock; what comes back is validated before anything uses it. Drawing needs no Lua.
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,12 +17,18 @@ namespace strobe::script {
 // `--set NAME=VALUE` as typed, in order; of two for one name the later counts.
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-// A file an evaluation read: what a record names and what a reload watches.
+// A file an evaluation read, or a folder it listed: what a record names and what a reload watches.
 struct Dependency {
   Path path;          // absolute
   std::string shown;  // relative to the home folder where it lies inside it
   std::string hash;   // of its content
 };
+
+// Of the file's text, or of the names in a folder; "" where there is neither.
+std::string hashOfPath(const Path& path);
+
+// Texts to evaluate instead of what the files of these absolute paths hold now.
+using Texts = std::map<std::string, std::string>;
 
 struct Limits {
   double cpu_s = 5;     // processor time
@@ -33,18 +40,26 @@ struct PipelineRequest {
   std::string name_or_path;  // "x" for scripts/pipelines/x.lua, or a path that ends in ".lua"
   // "PARAM" of the pipeline or "NODE.PARAM"; names that begin with "scene." are left to `evaluateScene`.
   Settings sets;
+  Texts texts = {};
 };
 
+// A setting that names nothing (any more) or has a value that does not fit.
+struct DroppedSetting {
+  std::string name, value, reason;
+};
+
+// With `dropped`, settings that do not fit are left out and listed there instead of being errors.
 // All of these throw `Error` with the places of the user's lines, all mistakes of one table at once; `dependencies`
 // is filled on failure too, so that a reload can wait for the next save.
 plan::PipelineDesc evaluatePipeline(const PipelineRequest& request, std::vector<Dependency>* dependencies = nullptr,
-                                    const Limits& limits = {});
+                                    const Limits& limits = {}, std::vector<DroppedSetting>* dropped = nullptr);
 
 // The plain data a scene file returns, keys sorted; an empty table is an empty array. `name_or_path` as above, of
 // scripts/scenes. Those of `sets` that begin with "scene." are in the global `scene_params` (without that prefix);
 // one that the scene never reads is an error.
 Json evaluateScene(const std::string& name_or_path, const Settings& sets,
-                   std::vector<Dependency>* dependencies = nullptr, const Limits& limits = {});
+                   std::vector<Dependency>* dependencies = nullptr, const Limits& limits = {},
+                   const Texts& texts = {});
 
 // The plain data any other file returns (experiments, demos); `arguments` is what `...` holds in its main chunk.
 Json evaluateData(const std::string& path, const Json& arguments = {}, std::vector<Dependency>* dependencies = nullptr,

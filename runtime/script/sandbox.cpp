@@ -281,6 +281,25 @@ struct Sandbox::Callbacks {
     lua_rawset(lua, 2);
   }
 
+  // native.files(folder): names of the Lua files in a folder of the home folder, sorted. Which there are decides the
+  // result, so the folder is a dependency.
+  static int files(lua_State* lua) {
+    const char* folder = luaL_checkstring(lua, 1);
+    Sandbox& sandbox = self(lua);
+    if (!sandbox.guarded([&] { sandbox.list(folder); })) return lua_error(pushText(lua, sandbox.text_));
+    lua_newtable(lua);
+    for (size_t i = 0; i < sandbox.names_.size(); ++i) {
+      lua_pushlstring(lua, sandbox.names_[i].data(), sandbox.names_[i].size());
+      lua_rawseti(lua, -2, lua_Integer(i) + 1);
+    }
+    return 1;
+  }
+
+  static lua_State* pushText(lua_State* lua, const std::string& text) {
+    lua_pushlstring(lua, text.data(), text.size());
+    return lua;
+  }
+
   // native.main(...): runs the file that was asked for.
   static int main(lua_State* lua) {
     Sandbox& sandbox = self(lua);
@@ -315,10 +334,24 @@ static bool isModuleName(const std::string& name) {
 }
 
 void Sandbox::read(const Path& file, const std::string& shown) {
-  source_ = readText(file);
+  auto given = options_.texts.find(file.string());
+  source_ = given == options_.texts.end() ? readText(file) : given->second;
   chunk_ = "@" + shown;
   if (!sources_.emplace(shown, source_).second) return;
   files_.push_back({file, shown, hashText(source_)});
+}
+
+void Sandbox::list(const std::string& folder) {
+  Path path = (options_.home / folder).lexically_normal();
+  if (folder.find("..") != std::string::npos || !fs::is_directory(path))
+    throw Error(fmt::format("there is no folder '{}'", folder));
+  names_ = namesIn(path, ".lua");
+  auto listed = std::find_if(files_.begin(), files_.end(), [&](const Dependency& file) { return file.path == path; });
+  if (listed == files_.end()) files_.push_back({path, folder, hashOfPath(path)});
+}
+
+bool Sandbox::isThere(const Path& file) const {
+  return options_.texts.count(file.string()) || fs::is_regular_file(file);
 }
 
 // Where `require` looks: the library, passes and scripts of the home folder, then the folder of the user's own file.
@@ -333,9 +366,9 @@ void Sandbox::resolve(const std::string& module) {
   if (root == "strobe") relative = "scripts/" + relative;
 
   bool in_home = root == "strobe" || root == "passes" || root == "scripts";
-  if (in_home && fs::is_regular_file(options_.home / relative)) return read(options_.home / relative, relative);
+  if (in_home && isThere(options_.home / relative)) return read(options_.home / relative, relative);
   Path own = options_.main.parent_path() / relative;
-  if (options_.own_folder && fs::is_regular_file(own)) {
+  if (options_.own_folder && isThere(own)) {
     Path shown = Path(options_.shown).parent_path() / relative;
     return read(own, shown.string());
   }
@@ -408,6 +441,7 @@ void Sandbox::loadPrelude() {
                                        {"nearest", Callbacks::nearest},
                                        {"check_value", Callbacks::checkValue},
                                        {"formats", Callbacks::formats},
+                                       {"files", Callbacks::files},
                                        {"write", Callbacks::write},
                                        {"require", Callbacks::require},
                                        {"main", Callbacks::main},

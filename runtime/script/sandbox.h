@@ -32,6 +32,7 @@ class Sandbox {
     std::string shown;  // how errors name it
     bool own_folder = false;  // its folder is searched by `require` too
     size_t memory_bytes = size_t{256} << 20;
+    std::map<std::string, std::string> texts;  // read instead of the files of these absolute paths
   };
 
   explicit Sandbox(Options options);
@@ -59,6 +60,8 @@ class Sandbox {
   bool guarded(const std::function<void()>& work);
   void resolve(const std::string& module);
   void read(const Path& file, const std::string& shown);
+  void list(const std::string& folder);
+  bool isThere(const Path& file) const;
   std::vector<std::string> modulesNear(const Path& folder) const;
   void collectProblems();
   void addProblem(const std::string& message);
@@ -73,6 +76,7 @@ class Sandbox {
   std::vector<Problem> problems_;
   std::string text_;    // a callback's result or failure
   plan::Value value_;   // a callback's result
+  std::vector<std::string> names_;  // a callback's result
   std::string source_;  // of the module that `resolve` or `read` found
   std::string chunk_;   // "@" and its shown name
 };

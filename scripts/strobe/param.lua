@@ -10,7 +10,7 @@ param.keys = {
   bool   = { 1, "default", "doc", "unit" },
   int    = { 1, "default", "min", "max", "unit", "doc", "variant" },
   float  = { 1, "default", "min", "max", "unit", "doc", "variant" },
-  choice = { "default", "doc", "unit" },  -- and the choices as 1, 2, 3 ...
+  choice = { "default", "doc", "unit", "values" },  -- and the choices as 1, 2, 3 ...
 }
 
 -- Words a GLSL parameter block or #define cannot have as a name.
@@ -59,6 +59,24 @@ local function check_choices(problems, given, place, what)
   return choices
 end
 
+-- What each choice does and where it fails: `values = { name = "text" }`.
+local function check_values(problems, given, choices, place, what)
+  local values = {}
+  if given.values == nil or not check.field(problems, given, "values", "table", place, what) then return values end
+  for name, text in pairs(given.values) do
+    local at = native.key_place(place, "values", name)
+    if not check.contains(choices, name) then
+      local near = type(name) == "string" and native.nearest(name, choices) or ""
+      problems:add(at, "values of %s describes %s, which is no choice%s", what, check.quoted(name), near)
+    elseif type(text) ~= "string" or not text:find("%S") then
+      problems:add(at, "choice '%s' of %s is described by %s instead of a text", name, what, check.quoted(text))
+    else
+      values[name] = text
+    end
+  end
+  return values
+end
+
 local function check_bounds(problems, result, given, place, what)
   for _, key in ipairs { "min", "max" } do
     local bound = given[key]
@@ -104,7 +122,10 @@ function param.declare(problems, name, declared, at, owner)
   if given.variant ~= nil and check.field(problems, given, "variant", "boolean", place, what) then
     result.variant = given.variant
   end
-  if kind == "choice" then result.choices = check_choices(problems, given, place, what) end
+  if kind == "choice" then
+    result.choices = check_choices(problems, given, place, what)
+    result.values = check_values(problems, given, result.choices, place, what)
+  end
   if kind == "int" or kind == "float" then check_bounds(problems, result, given, place, what) end
   if #problems.list > before then return nil end
 

@@ -8,10 +8,11 @@ local param  = require "strobe.param"
 local pass = { int = param.int, float = param.float, bool = param.bool, choice = param.choice }
 
 pass.keys = {
-  "name", "shader", "doc", "size", "scene", "reads", "writes", "updates", "params", "counters",
+  "name", "shader", "doc", "fails", "size", "scene", "reads", "writes", "updates", "params", "counters",
 }
 pass.read_keys  = { "doc", "uint", "optional", "linear" }
 pass.write_keys = { "doc", "format" }
+pass.update_keys = { "doc", "format", "history" }
 pass.size_keys  = { "of", "divide", 1, 2 }
 pass.call_keys  = { "as", "time" }  -- of a call in a pipeline, so no port or parameter may be called this
 
@@ -64,7 +65,8 @@ local function declare_writes(problems, t, key, place, owner)
     local at = native.key_place(place, key, name)
     if is_port_table(problems, name, port, at, ("%s of %s"):format(key, owner)) then
       local what = ("'%s' of the %s of %s"):format(name, key, owner)
-      check.keys(problems, port, pass.write_keys, place, what, { key, name })
+      check.keys(problems, port, key == "updates" and pass.update_keys or pass.write_keys, place, what, { key, name })
+      if port.history ~= nil then check.field(problems, port, "history", "boolean", place, what, { key, name }) end
       local doc = check.doc(problems, port, place, what, { key, name })
       if not check.contains(formats, port.format) then
         local near = type(port.format) == "string" and native.nearest(port.format, formats) or ""
@@ -72,7 +74,7 @@ local function declare_writes(problems, t, key, place, owner)
         local where = native.key_place(place, key, name, "format")
         problems:add(where, "%s has no known format: %s%s", what, check.quoted(port.format), near)
       end
-      list[#list + 1] = { name = name, place = at, doc = doc, format = port.format }
+      list[#list + 1] = { name = name, place = at, doc = doc, format = port.format, history = port.history }
     end
   end
   return list
@@ -190,9 +192,10 @@ local function declare(kind, place, t)
     problems:add(native.key_place(place, "scene"), "%s is a %s pass, which always sees the scene", owner, kind)
   end
   local doc = check.doc(problems, t, place, owner)
+  if t.fails ~= nil then check.field(problems, t, "fails", "string", place, owner) end
   problems:raise()
 
-  local result = { name = t.name, kind = kind, shader = t.shader, doc = doc, place = place }
+  local result = { name = t.name, kind = kind, shader = t.shader, doc = doc, fails = t.fails or "", place = place }
   result.scene    = kind ~= "compute" or t.scene == true
   result.params   = param.declare_all(problems, t.params or {}, place, owner)
   result.reads    = declare_reads(problems, t, place, owner)
@@ -215,6 +218,26 @@ end)
 
 function pass.is_pass(value)
   return getmetatable(value) == Pass
+end
+
+-- Alternatives for one job are files of one folder of passes/. Their names, sorted; a new file is a new alternative.
+function pass.family(folder)
+  return native.files("passes/" .. folder)
+end
+
+-- The pass in the file `name` of passes/`folder`.
+function pass.member(folder, name)
+  return require(("passes.%s.%s"):format(folder, name))
+end
+
+-- The arguments among `images` (by name) that a pass reads: `sobel(pass.wired(sobel, seen, { as = "edge" }))`.
+function pass.wired(called, images, arguments)
+  local result = {}
+  for key, value in pairs(arguments or {}) do result[key] = value end
+  for _, read in ipairs(called.description.reads) do
+    if result[read.name] == nil then result[read.name] = images[read.name] end
+  end
+  return result
 end
 
 check.closed(pass, "pass")

@@ -174,14 +174,20 @@ end)
 
 -- ---- evaluation
 
+-- A setting that cannot be used: a mistake, or where settings may be dropped one more of those.
+local function refuse(problems, dropped, set, text, ...)
+  if not dropped then return problems:add(set.place, text, ...) end
+  dropped[#dropped + 1] = { name = set.name, value = tostring(set.value), reason = text:format(...) }
+end
+
 -- Values of all parameters: default < preset < set. Names that no parameter has are left in `unknown`.
-local function resolve(problems, self, sets)
+local function resolve(problems, self, sets, dropped)
   local values, unknown, explicit = {}, {}, {}
   for _, set in ipairs(sets) do
     local declared = param.find(self.params, set.name)
     if declared then
       local value, wrong = native.check_value(declared, set.value)
-      if wrong then problems:add(set.place, "%s", wrong) end
+      if wrong then refuse(problems, dropped, set, "%s", wrong) end
       explicit[set.name] = value
     elseif not set.name:find(".", 1, true) then
       unknown[#unknown + 1] = set
@@ -277,10 +283,10 @@ local function nodes_with(graph, name)
 end
 
 -- `--set node.param=value` replaces whatever the build bound.
-local function apply_node_sets(problems, self, graph, sets, unknown)
+local function apply_node_sets(problems, self, graph, sets, unknown, dropped)
   for _, set in ipairs(unknown) do
     local hint = nodes_with(graph, set.name) or native.nearest(set.name, settable_names(self, graph))
-    problems:add(set.place, "the pipeline has no parameter '%s'%s", set.name, hint)
+    refuse(problems, dropped, set, "the pipeline has no parameter '%s'%s", set.name, hint)
   end
   for _, set in ipairs(sets) do
     local node_name, name = set.name:match("^([^.]*)%.(.*)$")
@@ -291,12 +297,12 @@ local function apply_node_sets(problems, self, graph, sets, unknown)
     local wanted = made and param.find(graph.passes[made.pass].params, name)
     if wanted then
       local value, wrong = native.check_value(wanted, set.value)
-      if wrong then problems:add(set.place, "node '%s': %s", node_name, wrong) end
-      made.params[name] = { value = value, place = set.place }
+      if wrong then refuse(problems, dropped, set, "node '%s': %s", node_name, wrong) end
+      if not wrong then made.params[name] = { value = value, place = set.place } end
     elseif node_name then
       local what = made and ("node '%s' has no parameter '%s'"):format(node_name, name)
       what = what or ("there is no node '%s'"):format(node_name)
-      problems:add(set.place, "%s%s", what, native.nearest(set.name, settable_names(self, graph)))
+      refuse(problems, dropped, set, "%s%s", what, native.nearest(set.name, settable_names(self, graph)))
     end
   end
 end
@@ -307,11 +313,13 @@ local function in_order(by_name)
   return list
 end
 
--- The graph of a pipeline for some settings { { name = , value = }, ... }.
-function pipeline.describe(self, name, file, sets)
+-- The graph of a pipeline for some settings { { name = , value = }, ... }. `lenient` leaves out those that do not fit
+-- and lists them in `dropped`.
+function pipeline.describe(self, name, file, sets, lenient)
   for _, set in ipairs(sets) do set.place = { file = ("--set %s=%s"):format(set.name, set.value), line = 0 } end
   local problems = check.problems()
-  local values, unknown = resolve(problems, self, sets)
+  local dropped = lenient and {} or nil
+  local values, unknown = resolve(problems, self, sets, dropped)
 
   local graph = { nodes = {}, passes = {}, loops = {}, records = {} }
   local used = {}
@@ -320,12 +328,12 @@ function pipeline.describe(self, name, file, sets)
   node.graph = nil
 
   local sources = check_outputs(problems, outputs, self.build)
-  apply_node_sets(problems, self, graph, sets, unknown)
+  apply_node_sets(problems, self, graph, sets, unknown, dropped)
   if #problems.list == 0 then check_unused(problems, self, graph, used) end
   problems:raise()
   return {
     name = name, file = file, doc = self.doc, params = self.params, values = values, passes = in_order(graph.passes),
-    nodes = graph.nodes, loops = graph.loops, outputs = sources,
+    nodes = graph.nodes, loops = graph.loops, outputs = sources, dropped = dropped or {},
   }
 end
 

@@ -13,7 +13,7 @@ function run.pipeline(request)
     local what = pass.is_pass(result) and "a pass" or (result == nil and "nothing" or "a " .. type(result))
     check.fail({ file = request.file, line = 0 }, "returns %s instead of a pipeline { ... }", what)
   end
-  return pipeline.describe(result, request.name, request.file, request.sets)
+  return pipeline.describe(result, request.name, request.file, request.sets, request.lenient)
 end
 
 -- A value as typed: true, false, a number, else text.
