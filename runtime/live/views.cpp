@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: MIT
+#include "live/views.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "image/draw.h"
+#include "image/false_colour.h"
+#include "image/tone.h"
+#include "live/legend.h"
+
+namespace strobe::live {
+
+using graph::ReadImage;
+using image::Colour;
+using image::Image;
+
+namespace {
+
+constexpr Colour kNan = {1, 0, 1}, kInfinite = {1, 1, 0}, kTint = {1.0f, 0.50f, 0.08f};
+
+// What "auto" needs to know of a port: its own name, without the node's.
+std::string nameOf(const std::string& port) { return port.substr(port.rfind('.') + 1); }
+
+bool has(const std::string& name, const char* part) { return name.find(part) != std::string::npos; }
+
+bool isUint(const ReadImage& image) { return !image.uints.values.empty(); }
+
+int channelsOf(const ReadImage& image) { return isUint(image) ? image.uints.channels : image.floats.channels; }
+
+// The smallest and largest finite value of `valueAt(i)` for all texels.
+struct Range {
+  float low = INFINITY, high = -INFINITY;
+};
+
+template <class ValueAt>
+Range rangeOf(const Image& image, ValueAt valueAt) {
+  Range range;
+  for (size_t i = 0; i < image.values.size() / size_t(image.channels); ++i) {
+    float value = valueAt(&image.values[i * size_t(image.channels)]);
+    if (!std::isfinite(value)) continue;
+    range.low = std::min(range.low, value), range.high = std::max(range.high, value);
+  }
+  return range;
+}
+
+// Texel of the image for each pixel of the frame, along one axis; -1 outside of an image of fixed size.
+std::vector<int> texelsAlong(int texels, int divide, int pixels, double scale) {
+  std::vector<int> at(size_t(pixels), -1);
+  int offset = divide > 0 ? 0 : int((pixels - texels * scale) / 2);
+  for (int i = 0; i < pixels; ++i) {
+    int texel = divide > 0 ? std::min(i / divide, texels - 1) : int(std::floor((i - offset) / scale));
+    at[size_t(i)] = texel >= 0 && texel < texels ? texel : -1;
+  }
+  return at;
+}
+
+// Each pixel of the frame looks up the texel it lies in.
+Image placed(const Image& image, int divide, int width, int height) {
+  if (image.width == width && image.height == height && divide <= 1) return image;
+  double fit = std::min(double(width) / image.width, double(height) / image.height);
+  double scale = fit >= 1 ? std::floor(fit) : fit;
+  std::vector<int> xs = texelsAlong(image.width, divide, width, scale);
+  std::vector<int> ys = texelsAlong(image.height, divide, height, scale);
+  Image result(width, height, image.channels);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      if (xs[size_t(x)] >= 0 && ys[size_t(y)] >= 0)
+        std::copy_n(image.pixel(xs[size_t(x)], ys[size_t(y)]), image.channels, result.pixel(x, y));
+  return result;
+}
+
+// Paints what is not finite, judged by the first `channels` channels of the data.
+void shout(Image& display, const Image& data, int channels, bool sky = false) {
+  for (size_t i = 0; i < display.values.size() / 3; ++i) {
+    const float* value = &data.values[i * size_t(data.channels)];
+    bool nan = false, infinite = false;
+    for (int c = 0; c < std::min(channels, data.channels); ++c) {
+      nan = nan || std::isnan(value[c]);
+      infinite = infinite || (std::isinf(value[c]) && !(sky && value[c] > 0));
+    }
+    if (nan || infinite) std::copy_n((nan ? kNan : kInfinite).begin(), 3, &display.values[3 * i]);
+  }
+}
+
+// Three channels whatever the image has. A sum of samples (alpha: how many) is shown as their mean.
+Image threeChannels(const Image& image, bool sum) {
+  Image rgb(image.width, image.height, 3);
+  for (size_t i = 0; i < rgb.values.size() / 3; ++i) {
+    const float* from = &image.values[i * size_t(image.channels)];
+    float scale = sum && image.channels == 4 && from[3] > 0 ? 1 / from[3] : 1;
+    for (int c = 0; c < 3; ++c) rgb.values[3 * i + size_t(c)] = scale * from[std::min(c, image.channels - 1)];
+  }
+  return rgb;
+}
+
+// The exact curve at 4096 points per unit of the square root, where its rounding is far below one of 256 levels.
+float encodeFast(float linear) {
+  static const std::vector<float> table = [] {
+    std::vector<float> made(4097);
+    for (size_t i = 0; i < made.size(); ++i) made[i] = image::encodeSrgb(float(i * i) / (4096.0f * 4096.0f));
+    return made;
+  }();
+  return table[size_t(linear > 0 ? std::lround(4096 * std::sqrt(std::min(linear, 1.0f))) : 0)];
+}
+
+Image colourView(const Image& image, bool sum, double stops) {
+  Image display = threeChannels(image, sum);
+  float scale = float(std::exp2(stops));
+  for (float& value : display.values) value = encodeFast(value * scale);
+  shout(display, image, 3);
+  return display;
+}
+
+Image normalView(const Image& image) {
+  Image display(image.width, image.height, 3);
+  for (size_t i = 0; i < display.values.size() / 3; ++i) {
+    const float* n = &image.values[i * size_t(image.channels)];
+    if (n[0] == 0 && n[1] == 0 && n[2] == 0) continue;
+    for (int c = 0; c < 3; ++c) display.values[3 * i + size_t(c)] = std::clamp(n[c] * 0.5f + 0.5f, 0.0f, 1.0f);
+  }
+  shout(display, image, 3);
+  return display;
+}
+
+// A round length that all but one in 200 of the displacements stay below, so that few outliers do not darken the rest.
+double fullLength(const Image& image, double wanted) {
+  if (wanted > 0) return wanted;
+  std::vector<float> lengths;
+  for (size_t i = 0; i < image.values.size(); i += size_t(image.channels)) {
+    float length = std::hypot(image.values[i], image.values[i + 1]);
+    if (std::isfinite(length) && length > 1e-3f) lengths.push_back(length);
+  }
+  if (lengths.empty()) return 1;
+  auto chosen = lengths.begin() + ptrdiff_t((lengths.size() - 1) * 199 / 200);
+  std::nth_element(lengths.begin(), chosen, lengths.end());
+  return niceCeiling(*chosen);
+}
+
+// One value of a texel: the length of a displacement, the mean of a colour.
+float scalarOf(const float* texel, int channels) {
+  if (channels == 1) return texel[0];
+  return channels == 2 ? std::hypot(texel[0], texel[1]) : (texel[0] + texel[1] + texel[2]) / 3;
+}
+
+Range scaleOf(Range found, const ViewOptions& options) {
+  if (options.high > options.low) return {float(options.low), float(options.high)};
+  if (!(found.high >= found.low)) return {0, 1};
+  float widened = std::max(std::abs(found.high) * 1e-3f, 1e-6f);
+  return found.high > found.low ? found : Range{found.low, found.low + widened};
+}
+
+Image scalarView(const Image& image, Range range) {
+  Image values(image.width, image.height, 1);
+  for (size_t i = 0; i < values.values.size(); ++i)
+    values.values[i] = scalarOf(&image.values[i * size_t(image.channels)], image.channels);
+  Image display = image::heatMap(values, range.low, range.high);
+  shout(display, image, 3);
+  return display;
+}
+
+Range depthScale(const Image& image, const ViewOptions& options) {
+  if (options.high > options.low && options.low > 0) return {float(options.low), float(options.high)};
+  Range found = rangeOf(image, [](const float* depth) { return *depth > 0 ? *depth : INFINITY; });
+  return found.high > 0 ? found : Range{1, 2};
+}
+
+Image depthView(const Image& image, Range range) {
+  float far_m = std::max(range.high, range.low * 1.0001f);
+  Image display = image::depthColours(image, range.low, far_m);
+  shout(display, image, 1, true);
+  return display;
+}
+
+float luminance(const Colour& c) { return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]; }
+
+// The colour beneath, as displayed; black without one.
+Image beneath(const Image* under, int width, int height, const ViewOptions& options) {
+  if (!under || !options.over) return Image(width, height, 3);
+  return placed(colourView(*under, false, options.exposure_stops), 1, width, height);
+}
+
+// A dimmed, greyish picture; where the mask is set, orange that keeps the picture's light and dark.
+Image maskView(const Image& mask, Image display, bool over) {
+  for (size_t i = 0; i < display.values.size() / 3; ++i) {
+    float* pixel = &display.values[3 * i];
+    float raw = mask.values[i * size_t(mask.channels)], m = raw > 0 ? std::min(raw, 1.0f) : 0.0f;
+    float light = luminance({pixel[0], pixel[1], pixel[2]});
+    for (size_t c = 0; c < 3; ++c) {
+      float dim = 0.45f * (0.6f * light + 0.4f * pixel[c]);
+      float tint = kTint[c] * (0.55f + 0.45f * light);
+      pixel[c] = over ? dim + m * (tint - dim) : m;
+    }
+  }
+  shout(display, mask, 1);
+  return display;
+}
+
+// Arrows are true to length where that can be read, else to a power of two.
+double arrowScale(double longest_px, double step) {
+  if (!(longest_px > 0)) return 1;
+  double scale = 1;
+  while (longest_px * scale > 3 * step) scale /= 2;
+  while (longest_px * scale * 2 <= step && scale < 1024) scale *= 2;
+  return scale;
+}
+
+Colour hueOf(vec2 unit) {
+  Image vector(1, 1, 2);
+  vector.values = {unit.x, unit.y};
+  Image colour = image::velocityColours(vector, 1);
+  return {colour.values[0], colour.values[1], colour.values[2]};
+}
+
+std::string scaleText(double scale) {
+  if (scale == 1) return "arrows: displacement, true length";
+  return fmt::format("arrows: displacement × {}{:g}", scale < 1 ? "1/" : "", scale < 1 ? 1 / scale : scale);
+}
+
+Image arrowView(const Image& vectors, Image display, const ViewOptions& options) {
+  for (float& value : display.values) value *= 0.55f;
+  double full = fullLength(vectors, options.high);
+  int step = std::clamp(display.width / 40, 10, 40);
+  double scale = arrowScale(full, step);
+  for (int y = step / 2; y < display.height; y += step)
+    for (int x = step / 2; x < display.width; x += step) {
+      vec2 v(vectors.at(x, y, 0), vectors.at(x, y, 1));
+      float length = glm::length(v);
+      if (!std::isfinite(length) || length * scale < 1) continue;
+      vec2 from(x + 0.5f, y + 0.5f), to = from + v * float(std::min(scale, 4096.0 / length));
+      drawArrow(display, from, to, std::max(1.5f, step / 14.0f), hueOf(v / length));
+    }
+  shout(display, vectors, 2);
+  drawCaption(display, scaleText(scale));
+  return display;
+}
+
+std::string metres(float value) { return fmt::format("{:.3g} m", value); }
+
+// A legend of what the bar's ends stand for; the middle says what it measures.
+void drawScale(Image& display, Range range, int channels) {
+  std::string what = channels == 1 ? "" : channels == 2 ? "length" : "mean of channels";
+  drawBar(display, [](float t) { return image::magma(t); }, fmt::format("{:.3g}", range.low), what,
+          fmt::format("{:.3g}", range.high));
+}
+
+void drawDepthScale(Image& display, Range range) {
+  drawBar(display, [](float t) { return image::magma(1 - 0.9f * t); }, metres(range.low),
+          metres(std::sqrt(range.low * range.high)), metres(range.high));
+}
+
+Image floatsShown(const Image& data, const std::string& kind, const std::string& name, int divide, int width, int height,
+                  const ViewOptions& options, const Image* under) {
+  if (kind == "mask") return maskView(placed(data, divide, width, height), beneath(under, width, height, options), options.over);
+  if (kind == "arrows")
+    return arrowView(placed(data, divide, width, height), beneath(under, width, height, options), options);
+  if (kind == "normal") return placed(normalView(data), divide, width, height);
+  if (kind == "velocity") {
+    double full = fullLength(data, options.high);
+    Image display = image::velocityColours(data, float(full));
+    shout(display, data, 2);
+    display = placed(display, divide, width, height);
+    drawWheel(display, full);
+    return display;
+  }
+  if (kind == "depth") {
+    Range range = depthScale(data, options);
+    Image display = placed(depthView(data, range), divide, width, height);
+    drawDepthScale(display, range);
+    return display;
+  }
+  if (kind == "scalar") {
+    Range range = scaleOf(rangeOf(data, [&](const float* t) { return scalarOf(t, data.channels); }), options);
+    Image display = placed(scalarView(data, range), divide, width, height);
+    drawScale(display, range, data.channels);
+    return display;
+  }
+  return placed(colourView(data, name.starts_with("sum"), options.exposure_stops), divide, width, height);
+}
+
+}  // namespace
+
+std::string automaticKind(const ReadImage& image, const std::string& port) {
+  std::string name = nameOf(port);
+  if (isUint(image)) return "id";
+  int channels = channelsOf(image);
+  if (channels == 1 && (has(name, "depth") || name == "Z")) return "depth";
+  if (channels == 1) return image.format == "r8_unorm" ? "mask" : "scalar";
+  if (channels == 2) return "velocity";
+  if (has(name, "normal")) return "normal";
+  return has(name, "motion") || has(name, "velocity") ? "velocity" : "colour";
+}
+
+std::vector<std::string> viewKinds(const ReadImage& image) {
+  if (isUint(image)) return {"auto", "id", "numbers"};
+  int channels = channelsOf(image);
+  if (channels == 1) return {"auto", "scalar", "mask", "depth", "colour", "numbers"};
+  if (channels == 2) return {"auto", "velocity", "arrows", "scalar", "numbers"};
+  return {"auto", "colour", "normal", "velocity", "arrows", "scalar", "numbers"};
+}
+
+Image shown(const ReadImage& image, const std::string& port, int divide, int width, int height,
+            const ViewOptions& options, const Image* under) {
+  if (isUint(image)) return placed(image::idColours(image.uints), divide, width, height);
+  if (image.floats.empty()) return Image(width, height, 3);
+  std::vector<std::string> kinds = viewKinds(image);
+  bool known = std::find(kinds.begin(), kinds.end(), options.kind) != kinds.end();
+  bool automatic = !known || options.kind == "auto" || options.kind == "numbers";
+  std::string kind = automatic ? automaticKind(image, port) : options.kind;
+  return floatsShown(image.floats, kind, nameOf(port), divide, width, height, options, under);
+}
+
+Image wiped(const Image& a, const Image& b, double at) {
+  STROBE_ASSERT(a.width == b.width && a.height == b.height && a.channels == 3 && b.channels == 3, "{}x{}x{} and {}x{}x{}",
+                a.width, a.height, a.channels, b.width, b.height, b.channels);
+  Image result = a;
+  int split = int(std::lround(std::clamp(at, 0.0, 1.0) * a.width));
+  for (int y = 0; y < a.height; ++y)
+    for (int x = split; x < a.width; ++x) std::copy_n(b.pixel(x, y), 3, result.pixel(x, y));
+  if (split == 0 || split == a.width) return result;
+  int line = std::max(1, a.width / 640);
+  image::fill(result, {split - line, 0, 2 * line, a.height}, {0, 0, 0});
+  image::fill(result, {split - (line + 1) / 2, 0, std::max(1, line), a.height}, {1, 1, 1});
+  return result;
+}
+
+Image difference(const Image& linear_a, const Image& linear_b, double gain) {
+  STROBE_ASSERT(gain > 0, "{}", gain);
+  Image display = image::differenceHeat(linear_a, linear_b, float(gain));
+  shout(display, linear_a, 3);
+  shout(display, linear_b, 3);
+  drawBar(display, [](float t) { return image::magma(t); }, "0", "mean |a - b|", fmt::format("{:.3g}", 1 / gain));
+  return display;
+}
+
+}  // namespace strobe::live

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Any image of a frame as a picture for people. Pure CPU. Results are display images (image/tone.h) of three channels.
+// Loud everywhere: NaN is magenta, infinity yellow (but +infinity in a depth is "nothing there" and black).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graph/graph.h"
+#include "image/image.h"
+
+namespace strobe::live {
+
+// How an image is shown.
+struct ViewOptions {
+  // "auto" chooses by name, format and channels; so does a kind that the image cannot be shown as, and "numbers", whose
+  // texels the window prints itself.
+  //   colour   linear radiance times 2^exposure_stops, sRGB-encoded
+  //   depth    metres on a logarithmic scale, near pale, far dark
+  //   normal   n / 2 + 1 / 2; no normal (0) is black
+  //   velocity direction as hue, length as brightness, with the wheel that says which and how long
+  //   arrows   displacements drawn on a grid, to a stated scale
+  //   id       a colour of its own for every id
+  //   mask     orange where set, over the dimmed colour
+  //   scalar   magma with a labelled bar; the length of two channels, the mean of three
+  std::string kind = "auto";
+  double exposure_stops = 0;
+  double low = 0, high = 0;  // ends of a scale (depth m, velocity and arrows px: high alone); equal: from the image
+  bool over = true;          // masks and arrows over the colour instead of black
+};
+
+// The kind that "auto" stands for; `port` is "node.port" or the name of an output.
+std::string automaticKind(const graph::ReadImage& image, const std::string& port);
+
+// The kinds that make sense for an image, "auto" first: a menu.
+std::vector<std::string> viewKinds(const graph::ReadImage& image);
+
+// `divide` is how many frame pixels a texel covers per axis; 0: an image of fixed size, which is fitted into the frame.
+// `under` (may be null) is the linear colour beneath masks and arrows, of the frame's size.
+image::Image shown(const graph::ReadImage& image, const std::string& port, int divide, int width, int height,
+                   const ViewOptions& options, const image::Image* under);
+
+// `a` left of `at` (0 to 1 of the width), `b` right of it, a line between.
+image::Image wiped(const image::Image& a, const image::Image& b, double at);
+
+// Mean absolute difference of the colours in magma, its upper end at 1 / gain.
+image::Image difference(const image::Image& linear_a, const image::Image& linear_b, double gain);
+
+}  // namespace strobe::live
