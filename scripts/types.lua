@@ -142,6 +142,12 @@ local pipeline = {}
 ---@param t strobe.LoopTable
 ---@return strobe.Ports
 function pipeline.loop(t) end
+---What `body` returns; the names of the nodes made in it start with `prefix`. For a part of a graph that is made twice.
+---@generic T
+---@param prefix string
+---@param body fun(): T
+---@return T
+function pipeline.prefixed(prefix, body) end
 ---@param t strobe.ParamTable
 ---@return strobe.Param
 function pipeline.bool(t) end

@@ -18,6 +18,11 @@ return pass.compute {
     revealed_velocity = { doc = "px over the exposure" },
     revealed_valid    = { doc = "above 1/2 where something was revealed" },
     revealed_dominant = { optional = true, doc = "px over the exposure, per tile, of that layer alone" },
+    after_velocity = { optional = true, doc = "px over the exposure, at times after the capture; absent: velocity" },
+    after_dominant = { optional = true, doc = "px over the exposure, per tile, at times after the capture" },
+    after_second   = { optional = true, doc = "second at times after the capture" },
+    revealed_after_velocity = { optional = true, doc = "revealed_velocity at times after the capture" },
+    revealed_after_dominant = { optional = true, doc = "revealed_dominant at times after the capture" },
   },
   writes = { blurred = { format = "rgba32f", doc = "linear; alpha 1" } },
   params = {

@@ -12,6 +12,8 @@ return pass.compute {
     depth        = { doc = "linear view depth, metres, sky = +inf" },
     velocity     = { doc = "px over the exposure" },
     dominant     = { doc = "px over the exposure, per tile" },
+    after_velocity = { optional = true, doc = "px over the exposure, at times after the capture; absent: velocity" },
+    after_dominant = { optional = true, doc = "px over the exposure, per tile, at times after the capture" },
     valid        = { optional = true, doc = "above 1/2 where the layer holds something; absent: everywhere" },
     behind_depth = { optional = true, doc = "linear view depth of what was revealed behind each pixel" },
     behind_valid = { optional = true, doc = "above 1/2 where something was; absent: nowhere" },

@@ -15,4 +15,15 @@ return pass.compute {
     id       = { format = "rg32ui", doc = "instance + 1, geometry + 1; sky = 0" },
     velocity = { format = "rg32f", doc = "displacement over the exposure, px, x right, y down; never clamped" },
   },
+  params = {
+    displacement = pass.choice { "window", "extrapolated", default = "window",
+      doc = "what the displacement over the exposure is taken from",
+      values = {
+        window = "The true poses at both ends of the exposure. Fails where the motion bends within it.",
+        extrapolated = "The path since the frame before the capture, times the exposure in frames: all that a renderer " ..
+                       "knows that keeps one frame. Fails where the velocity changes from frame to frame, and at the " ..
+                       "first frame of a clip.",
+      } },
+  },
+  fails  = "One displacement per pixel: motion that bends within the exposure is taken for a straight line.",
 }

@@ -1,7 +1,8 @@
 -- SPDX-License-Identifier: MIT
 -- What lies behind: a ray through each masked pixel, advanced past the object in front until another one is hit.
 -- Source: Tan, Cui, Bhojan, "Hybrid MBlur", SIGGRAPH '20 Posters, section "Ray Reveal".
-local pass = require "strobe.pass"
+local pass    = require "strobe.pass"
+local gbuffer = require "passes.scene.gbuffer"
 
 return pass.trace {
   name   = "reveal",
@@ -20,6 +21,7 @@ return pass.trace {
     valid    = { format = "r8_unorm", doc = "1 where something is revealed" },
   },
   params = {
+    displacement = gbuffer.params.displacement,
     termination = pass.choice { "luminance", "geometry", "instance", "motion", default = "instance",
       doc = "what counts as another object: another luminance (as published), geometry or instance, or an instance " ..
             "that moves otherwise" },

@@ -190,6 +190,7 @@ shared::FrameData Graph::frameData(const FrameSetup& setup) const {
   frame.sky = setup.environment.sky;
   frame.ground = setup.environment.ground;
   frame.reach = ivec4(setup.reach.x0, setup.reach.y0, setup.reach.x1, setup.reach.y1);
+  frame.exposure = float((setup.close_s - setup.open_s) / setup.frame_s);
   if (setup.environment.background) frame.background = vec4(*setup.environment.background, 1);
   return frame;
 }
@@ -201,8 +202,8 @@ static double aspect(const Plan& plan) { return double(plan.width) / plan.height
 
 void Graph::poseFixedSlices(const FrameSetup& setup) {
   dvec3 origin = frameOrigin(setup);
-  const double times[] = {setup.capture_s, setup.open_s, setup.close_s};
-  for (uint32_t slice : {SLICE_CAPTURE, SLICE_OPEN, SLICE_CLOSE})
+  const double times[] = {setup.capture_s, setup.open_s, setup.close_s, setup.capture_s - setup.frame_s};
+  for (uint32_t slice : {SLICE_CAPTURE, SLICE_OPEN, SLICE_CLOSE, SLICE_PREVIOUS})
     scene_.setPose(slice, setup.pose_at(times[slice]), setup.camera, aspect(plan_), origin);
 }
 

@@ -20,6 +20,7 @@ struct FrameSetup {
   scene::Camera camera;
   double capture_s = 0;           // scene time of the capture
   double open_s = 0, close_s = 0;  // the exposure window
+  double frame_s = 0;             // time from frame to frame
   uint32_t anchor = 0;            // ANCHOR_* of shaders/shared/frame.h
   uint32_t frame = 0;
   uint32_t seed = 0;

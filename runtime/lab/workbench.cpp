@@ -181,6 +181,7 @@ Picture Workbench::render(Shot shot, const std::function<void(int, int)>& progre
   setup.capture_s = shot.captureTime();
   setup.open_s = shot.window()[0];
   setup.close_s = shot.window()[1];
+  setup.frame_s = 1 / shot.fps;
   setup.anchor = anchorCode(shot.anchor);
   setup.frame = uint32_t(shot.frame);
   setup.seed = shot.seed;

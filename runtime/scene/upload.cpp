@@ -24,7 +24,7 @@ static Buffer uploadArray(const gpu::Device& device, const std::string& name, co
 GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slices)
     : device_(device),
       scene_(scene),
-      slices_(std::max(slices, 3u)),
+      slices_(std::max(slices, SLICE_SAMPLE)),
       instances_(instancesOf(scene)),
       light_nodes_(lightsOf(scene)) {
   uploadGeometry(scene);
@@ -162,7 +162,7 @@ void GpuScene::buildStructures(const Scene& scene) {
     bottom_levels_.push_back(triangles ? gpu::buildBottomLevel(device_, "scene.mesh." + mesh.name, described)
                                        : gpu::Acceleration());
   }
-  for (uint32_t i = 0; i < slices_ - 2; ++i)
+  for (uint32_t i = 0; i < slices_ - SLICE_SAMPLE + 1; ++i)
     top_levels_.emplace_back(device_, fmt::format("scene.top_level.{}", i), uint32_t(instances_.size()));
 }
 
@@ -186,7 +186,7 @@ void GpuScene::makeSet() {
     images.push_back({samplers_[i].get(), textures_[i].view(), VK_IMAGE_LAYOUT_GENERAL});
   std::vector<VkAccelerationStructureKHR> structures;
   for (uint32_t slice = 0; slice < slices_; ++slice)
-    structures.push_back(slice == 1 || slice == 2 ? top_levels_[0].handle() : topLevel(slice).handle());
+    structures.push_back(top_levels_[topLevelOf(slice)].handle());
   VkWriteDescriptorSetAccelerationStructureKHR structure_info{
       VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR};
   structure_info.accelerationStructureCount = slices_;
@@ -255,9 +255,9 @@ void GpuScene::setPose(uint32_t slice, const Pose& pose, const Camera& camera, d
     const Light& light = scene_.lights[size_t(scene_.nodes[size_t(light_nodes_[i])].light)];
     lights[i] = lightData(light, pose.world_from_light[i], origin);
   }
-  if (slice == SLICE_OPEN || slice == SLICE_CLOSE) return;
+  if (!isTraced(slice)) return;
 
-  VkAccelerationStructureInstanceKHR* structures = topLevel(slice).instances();
+  VkAccelerationStructureInstanceKHR* structures = top_levels_[topLevelOf(slice)].instances();
   for (size_t i = 0; i < instances_.size(); ++i) {
     VkAccelerationStructureInstanceKHR instance{};
     static_assert(sizeof instance.transform == sizeof(SceneTransform));
@@ -271,8 +271,8 @@ void GpuScene::setPose(uint32_t slice, const Pose& pose, const Camera& camera, d
 }
 
 void GpuScene::recordBuild(VkCommandBuffer commands, uint32_t slice) const {
-  STROBE_ASSERT(slice != SLICE_OPEN && slice != SLICE_CLOSE, "slice {}", slice);
-  top_levels_[slice == 0 ? 0 : slice - 2].recordBuild(commands, uint32_t(instances_.size()));
+  STROBE_ASSERT(isTraced(slice), "slice {}", slice);
+  top_levels_[topLevelOf(slice)].recordBuild(commands, uint32_t(instances_.size()));
 }
 
 }  // namespace strobe::scene

@@ -17,7 +17,7 @@ namespace strobe::scene {
 // Owns descriptor set 0, which every pass is bound to: the frame's uniform block and the scene's arrays.
 class GpuScene {
  public:
-  // `slices`: how many times the scene can be posed at once, at least 3 (capture, open, close).
+  // `slices`: how many times the scene can be posed at once, at least SLICE_SAMPLE (the capture and its neighbours).
   GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slices);
 
   VkDescriptorSetLayout setLayout() const { return set_layout_.get(); }
@@ -38,7 +38,8 @@ class GpuScene {
   void setFrame(const shared::FrameData& frame);
   // Poses slice `slice`; positions become relative to `origin`. The device must be idle. `aspect` is width / height.
   void setPose(uint32_t slice, const Pose& pose, const Camera& camera, double aspect, const dvec3& origin);
-  // Builds the top-level structure of a posed slice; slices 1 and 2 are never traced and have none.
+  // Builds the top-level structure of a posed slice; those between the capture and the samples are
+  // never traced and have none.
   void recordBuild(VkCommandBuffer commands, uint32_t slice) const;
 
  private:
@@ -47,7 +48,9 @@ class GpuScene {
   void uploadTextures(const Scene& scene);
   void buildStructures(const Scene& scene);
   void makeSet();
-  gpu::TopLevel& topLevel(uint32_t slice) { return top_levels_[slice == 0 ? 0 : slice - 2]; }
+  static bool isTraced(uint32_t slice) { return slice == SLICE_CAPTURE || slice >= SLICE_SAMPLE; }
+  static size_t topLevelOf(uint32_t slice) { return slice < SLICE_SAMPLE ? 0 : slice - SLICE_SAMPLE + 1; }
+
 
   const gpu::Device& device_;
   const Scene& scene_;

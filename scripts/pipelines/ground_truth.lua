@@ -50,7 +50,7 @@ return pipeline {
   },
   build = function(p)
     local stops, rays = p.tolerance() > 0, p.mode() == "rays"
-    local seen = scene.captured(rays and traced or visibility)
+    local seen = scene.captured(nil, rays and traced or visibility)
     local sums = pipeline.loop {
       name = "shutter", count = p.samples, times = p.times, slices = p.slices,
       until_ = stops and function(results) return results.stop end or nil,

@@ -4,6 +4,7 @@ local pipeline = require "strobe.pipeline"
 local reveal   = require "passes.scene.reveal"
 local hybrid   = require "scripts.pipelines.lib.hybrid"
 local masks    = require "scripts.pipelines.lib.masks"
+local ranges   = require "scripts.pipelines.lib.ranges"
 local scene    = require "scripts.pipelines.lib.scene"
 
 return pipeline {
@@ -12,14 +13,19 @@ return pipeline {
   presets = hybrid.presets,
   default_preset = "best",
   build = function(p)
-    local seen = scene.captured()
-    local mask = masks[p.mask()](p, seen)
+    local seen = scene.captured(p)
+    local moving = ranges.divided(p, seen, "halves")
+    local mask = ranges.mask(p, moving, masks[p.mask()])
     local revealed = reveal {
-      hit = seen.hit, mask = mask,
+      hit = seen.hit, mask = mask, displacement = p.displacement,
       termination = p.termination, advance = p.advance, max_layers = p.max_layers, on_cap = p.on_cap,
     }
+    local behind = ranges.divided(p, {
+      color = revealed.color, depth = revealed.depth, id = revealed.id, velocity = revealed.velocity,
+      valid = revealed.valid,
+    }, "revealed_halves")
     return scene.outputs(seen, {
-      color = hybrid.composites[p.composite()](p, seen, revealed), mask = mask,
+      color = hybrid.composites[p.composite()](p, moving, behind), mask = mask,
       revealed = revealed.color, revealed_depth = revealed.depth, revealed_velocity = revealed.velocity,
       revealed_id = revealed.id, revealed_valid = revealed.valid,
     })

@@ -3,6 +3,7 @@
 local pipeline = require "strobe.pipeline"
 local scene    = require "scripts.pipelines.lib.scene"
 local options  = require "scripts.pipelines.lib.options"
+local ranges   = require "scripts.pipelines.lib.ranges"
 local tiles    = require "scripts.pipelines.lib.tiles"
 local gathers  = require "scripts.pipelines.lib.gathers"
 
@@ -11,10 +12,12 @@ return pipeline {
   params = options.with(options.blur(40, 0.1), {
     weights = pipeline.choice { "mcguire2012", "uniform", default = "mcguire2012",
       doc = "weights of the taps: as published, or each tap an equal share of the exposure" },
+    range = ranges.param,
   }),
   build = function(p)
-    local seen = scene.captured()
-    local dominant = tiles.dominant(p, seen).dominant
-    return scene.outputs(seen, { color = gathers.blurred(p, p.weights(), seen, dominant, nil, "gather") })
+    local seen = scene.captured(p)
+    local moving = ranges.divided(p, seen, "halves")
+    local dominant = tiles.dominant(p, moving)
+    return scene.outputs(seen, { color = gathers.blurred(p, p.weights(), moving, dominant, nil, "gather") })
   end,
 }

@@ -12,7 +12,7 @@ return pipeline {
     mirror = pipeline.bool { true, doc = "the nearer and faster tap of a pair gives both their weight" },
   }),
   build = function(p)
-    local seen = scene.captured()
+    local seen = scene.captured(p)
     local dominant = tiles.dominant(p, seen).dominant
     local blurred = gather {
       color = seen.color, depth = seen.depth, velocity = seen.velocity, dominant = dominant,

@@ -161,6 +161,7 @@ end
 local function choose_name(problems, pass, arguments, place)
   local name = arguments.as == nil and pass.name or arguments.as
   local at = native.key_place(place, "as")
+  if type(name) == "string" then name = (node.graph.prefix or "") .. name end
   if not check.is_name(name) or name == "scene" then
     problems:add(at, "%s cannot name a node (a-z, then a-z, 0-9 and _, but not 'scene')", check.quoted(name))
     return nil

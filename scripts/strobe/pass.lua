@@ -240,6 +240,14 @@ function pass.wired(called, images, arguments)
   return result
 end
 
+-- Has a pass the read `name`?
+function pass.reads(called, name)
+  for _, read in ipairs(called.description.reads) do
+    if read.name == name then return true end
+  end
+  return false
+end
+
 check.closed(pass, "pass")
 
 return pass

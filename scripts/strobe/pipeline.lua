@@ -172,6 +172,18 @@ pipeline.loop = native.at_caller(function(place, t)
   return ports
 end)
 
+-- What `body` returns; the names of the nodes made in it start with `prefix`. For a part of a graph that is made twice.
+pipeline.prefixed = native.at_caller(function(place, prefix, body)
+  if not node.graph then check.fail(place, "pipeline.prefixed is called outside of a pipeline's build") end
+  if not check.is_name(prefix) then check.fail(place, "%s cannot start the name of a node", check.quoted(prefix)) end
+  if type(body) ~= "function" then check.fail(place, "pipeline.prefixed wants a function, got a %s", type(body)) end
+  local outer = node.graph.prefix
+  node.graph.prefix = (outer or "") .. prefix
+  local result = body()
+  node.graph.prefix = outer
+  return result
+end)
+
 -- ---- evaluation
 
 -- A setting that cannot be used: a mistake, or where settings may be dropped one more of those.

@@ -2,7 +2,9 @@
 // Per-time layered composite: for each time sample, the nearest surface of any layer that really is at the pixel then.
 // In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure), dominant (the same, per tile) of
 //      what raster saw; second (per tile): another displacement found around; revealed_color, revealed_depth,
-//      revealed_velocity, revealed_valid (> 1/2) of what lies behind; revealed_dominant: where that layer has its own.
+//      revealed_velocity, revealed_valid (> 1/2) of what lies behind; revealed_dominant: where that layer has its own;
+//      after_*, revealed_after_*: the same displacements for the times after the capture, where the exposure is split
+//      there (absent: motion is linear throughout). d(Y) and the candidates are then those of the part that t_i is in.
 // Out: blurred (linear, alpha 1).
 // For t_i at the midpoints (i + 1/2 + jitter)/N of the exposure: each candidate displacement g says where a surface
 //   that is at X at t_i would be now, Y = X - t_i*g. A texel Y of a layer is at X then if |Y + t_i*d(Y) - X| <=
@@ -52,19 +54,34 @@ Candidates withCandidate(Candidates candidates, vec2 d) {
   return candidates;
 }
 
-Candidates withBothLayers(Candidates candidates, ivec2 at) {
-  candidates = withCandidate(candidates, limited(texelFetch(velocity_tex, at, 0)));
-  if (isRevealed(at)) candidates = withCandidate(candidates, limited(texelFetch(revealed_velocity_tex, at, 0)));
+// Displacements of the two layers in the part of the exposure after the capture, or before it.
+vec2 displacementAt(ivec2 pixel, bool after) {
+#if HAS_after_velocity
+  if (after) return limited(texelFetch(after_velocity_tex, pixel, 0));
+#endif
+  return limited(texelFetch(velocity_tex, pixel, 0));
+}
+
+vec2 revealedDisplacementAt(ivec2 pixel, bool after) {
+#if HAS_revealed_after_velocity
+  if (after) return limited(texelFetch(revealed_after_velocity_tex, pixel, 0));
+#endif
+  return limited(texelFetch(revealed_velocity_tex, pixel, 0));
+}
+
+Candidates withBothLayers(Candidates candidates, ivec2 at, bool after) {
+  candidates = withCandidate(candidates, displacementAt(at, after));
+  if (isRevealed(at)) candidates = withCandidate(candidates, revealedDisplacementAt(at, after));
   return candidates;
 }
 
-Candidates harvested(Candidates candidates, ivec2 pixel, vec2 d, float jitter) {
+Candidates harvested(Candidates candidates, ivec2 pixel, vec2 d, float jitter, bool after) {
   ivec2 size = textureSize(color_tex, 0);
   bool one_sided = !isCentred(frame.shutter);  // else the taps lie to both sides already
   for (int i = 0; i < params.samples && candidates.count < kMaxCandidates; ++i) {
     ivec2 offset = roundSymmetric(tapOffset(d, sampleTime(i, params.samples, jitter, frame.shutter)));
-    if (isInside(pixel + offset, size)) candidates = withBothLayers(candidates, pixel + offset);
-    if (one_sided && isInside(pixel - offset, size)) candidates = withBothLayers(candidates, pixel - offset);
+    if (isInside(pixel + offset, size)) candidates = withBothLayers(candidates, pixel + offset, after);
+    if (one_sided && isInside(pixel - offset, size)) candidates = withBothLayers(candidates, pixel - offset, after);
   }
   return candidates;
 }
@@ -78,11 +95,12 @@ bool isAt(ivec2 pixel, ivec2 now, vec2 d, float t, float tolerance_px) {
 ivec2 asked(ivec2 pixel, vec2 d, float t) { return pixel + roundSymmetric(tapOffset(d, t)); }
 
 Best nearerRaster(Best best, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
-  vec2 d = limited(texelFetch(velocity_tex, now, 0));
+  bool after = t > 0.0;
+  vec2 d = displacementAt(now, after);
   if (!isAt(pixel, now, d, t, tolerance_px)) {
     now = asked(pixel, d, t);
     if (!isInside(now, textureSize(color_tex, 0))) return best;
-    if (!isAt(pixel, now, limited(texelFetch(velocity_tex, now, 0)), t, tolerance_px)) return best;
+    if (!isAt(pixel, now, displacementAt(now, after), t, tolerance_px)) return best;
   }
   float depth = saneDepth(texelFetch(depth_tex, now, 0).x);
   if (best.found && depth >= best.depth * kSameDepth) return best;
@@ -91,11 +109,12 @@ Best nearerRaster(Best best, ivec2 pixel, ivec2 now, float t, float tolerance_px
 
 Best nearerRevealed(Best best, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
   if (!isRevealed(now)) return best;
-  vec2 d = limited(texelFetch(revealed_velocity_tex, now, 0));
+  bool after = t > 0.0;
+  vec2 d = revealedDisplacementAt(now, after);
   if (!isAt(pixel, now, d, t, tolerance_px)) {
     now = asked(pixel, d, t);
     if (!isInside(now, textureSize(color_tex, 0)) || !isRevealed(now)) return best;
-    if (!isAt(pixel, now, limited(texelFetch(revealed_velocity_tex, now, 0)), t, tolerance_px)) return best;
+    if (!isAt(pixel, now, revealedDisplacementAt(now, after), t, tolerance_px)) return best;
   }
   float depth = saneDepth(texelFetch(revealed_depth_tex, now, 0).x);
   if (best.found && depth >= best.depth * kSameDepth) return best;
@@ -114,37 +133,77 @@ Best seenAt(ivec2 pixel, Candidates candidates, float t) {
   return best;
 }
 
-void run(ivec2 pixel) {
-  vec2 d = vec2(texelFetch(dominant_tex, pixel / params.tile, 0));
-  vec2 d_second = d, d_revealed = d;
+// The displacements of the tile.
+struct Dominant {
+  vec2 d, second, revealed;
+};
+
+Dominant dominantBefore(ivec2 tile) {
+  vec2 d = vec2(texelFetch(dominant_tex, tile, 0));
+  Dominant dominant = Dominant(d, d, d);
 #if HAS_second
-  d_second = vec2(texelFetch(second_tex, pixel / params.tile, 0));
+  dominant.second = vec2(texelFetch(second_tex, tile, 0));
 #endif
 #if HAS_revealed_dominant
-  d_revealed = vec2(texelFetch(revealed_dominant_tex, pixel / params.tile, 0));
+  dominant.revealed = vec2(texelFetch(revealed_dominant_tex, tile, 0));
 #endif
-  float fastest = max(lengthOf(d), lengthOf(d_revealed));
+  return dominant;
+}
+
+Dominant dominantAfter(ivec2 tile) {
+#if HAS_after_dominant
+  vec2 d = vec2(texelFetch(after_dominant_tex, tile, 0));
+  Dominant dominant = Dominant(d, d, d);
+#if HAS_after_second
+  dominant.second = vec2(texelFetch(after_second_tex, tile, 0));
+#endif
+#if HAS_revealed_after_dominant
+  dominant.revealed = vec2(texelFetch(revealed_after_dominant_tex, tile, 0));
+#endif
+  return dominant;
+#else
+  return dominantBefore(tile);
+#endif
+}
+
+float fastestOf(Dominant dominant) { return max(lengthOf(dominant.d), lengthOf(dominant.revealed)); }
+
+Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool after) {
+  Candidates candidates;
+  candidates.count = 0;
+  candidates = withCandidate(candidates, dominant.d);
+  candidates = withCandidate(candidates, dominant.second);
+  candidates = withCandidate(candidates, dominant.revealed);
+  candidates = withBothLayers(candidates, pixel, after);
+#if PARAM_harvest
+  candidates = harvested(candidates, pixel, dominant.d, jitter, after);
+  if (lengthOf(dominant.second - dominant.d) > 0.5) {
+    candidates = harvested(candidates, pixel, dominant.second, jitter, after);
+  }
+#endif
+  return candidates;
+}
+
+void run(ivec2 pixel) {
+  ivec2 tile = pixel / params.tile;
+  Dominant dominant = dominantBefore(tile), dominant_after = dominantAfter(tile);
+  float fastest = max(fastestOf(dominant), fastestOf(dominant_after));
   if (reachFactor(frame.shutter) * fastest <= kStillRadius) {
     imageStore(blurred_img, pixel, vec4(vec3(texelFetch(color_tex, pixel, 0)), 1));
     return;
   }
 
   float jitter = jitterOf(pixel);
-  Candidates candidates;
-  candidates.count = 0;
-  candidates = withCandidate(candidates, d);
-  candidates = withCandidate(candidates, d_second);
-  candidates = withCandidate(candidates, d_revealed);
-  candidates = withBothLayers(candidates, pixel);
-#if PARAM_harvest
-  candidates = harvested(candidates, pixel, d, jitter);
-  if (lengthOf(d_second - d) > 0.5) candidates = harvested(candidates, pixel, d_second, jitter);
+  Candidates before = candidatesOf(pixel, dominant, jitter, false), after = before;
+#if HAS_after_velocity
+  after = candidatesOf(pixel, dominant_after, jitter, true);
 #endif
 
   vec3 sum = vec3(0);
   uint fallbacks = 0u;
   for (int i = 0; i < params.samples; ++i) {
-    Best best = seenAt(pixel, candidates, sampleTime(i, params.samples, jitter, frame.shutter));
+    float t = sampleTime(i, params.samples, jitter, frame.shutter);
+    Best best = seenAt(pixel, t > 0.0 ? after : before, t);
     if (best.found) {
       sum += best.color;
       continue;

@@ -3,12 +3,19 @@
 // or does not. Straight ramps; coverage of a moving object over anything at rest is exact up to sampling.
 // In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure), dominant (the same, per tile);
 //      valid (> 1/2: the layer has a texel there; absent: everywhere);
+//      after_velocity, after_dominant: the same two for the times after the capture, where the exposure is split there
+//      (absent: motion is linear throughout);
 //      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere).
 // Out: blurred, colour times alpha and alpha.
 // Taps: N at the midpoints (i + 1/2 + jitter)/N of the exposure, Y = X - d*t.
 // Foreground: a tap in front of what lies behind X (what was revealed there, else the surface X itself shows) whose own
 //   motion passes over X within the exposure. Its weight is 1/N of the exposure, times |d|/|d(Y)|: a slower surface is
 //   met by fewer of the taps but passes over X for the whole of the exposure. alpha = sum of the weights, at most 1.
+// Split: taps before the capture follow the displacements before it, taps after it those after. A tap's surface counts
+//   by its own path in the part that the tap is in. Where the dominant motion goes on in about the same direction it may
+//   also pass in the other part, the wrong way round: the taps of that part lie to the other side and do not meet it.
+//   Where the dominant motion turns back both parts have their taps on one side, and it is met in both: taps of opposing
+//   direction need not be thrown away.
 // Background: if something was revealed, none: the result is the foreground alone, to be laid over the blurred revealed
 //   layer. Else alpha becomes 1 by adding (1 - alpha) times the mean of the other taps that X or they themselves
 //   reach: the taps at X's own depth whose motion passes over X, and farther ones no farther away than X's own surface
@@ -22,13 +29,17 @@
 struct Tap {
   vec3 color;
   float depth;
-  vec2 d;  // px over the exposure
+  vec2 d, d_after;  // px over the exposure, before and after the capture
 };
 
+vec2 limited(vec4 texel) { return clampLength(finiteDisplacement(texel), params.limit * float(frame.size.x)); }
+
 Tap tapAt(ivec2 pixel) {
-  float limit_px = params.limit * float(frame.size.x);
-  vec2 d = clampLength(finiteDisplacement(texelFetch(velocity_tex, pixel, 0)), limit_px);
-  return Tap(finiteColor(texelFetch(color_tex, pixel, 0)), saneDepth(texelFetch(depth_tex, pixel, 0).x), d);
+  vec2 d = limited(texelFetch(velocity_tex, pixel, 0)), d_after = d;
+#if HAS_after_velocity
+  d_after = limited(texelFetch(after_velocity_tex, pixel, 0));
+#endif
+  return Tap(finiteColor(texelFetch(color_tex, pixel, 0)), saneDepth(texelFetch(depth_tex, pixel, 0).x), d, d_after);
 }
 
 bool isValid(ivec2 pixel) {
@@ -54,18 +65,30 @@ float behindDepth(ivec2 pixel, float otherwise) {
   return otherwise;
 }
 
-// Share of the exposure that a tap stands for which passes over the pixel.
-float timeShare(Tap tap, float dominant_px) {
-  return dominant_px / (float(params.samples) * clamp(lengthOf(tap.d), 0.5, dominant_px));
+// How fast, in px over the exposure, a tap taken at `offset` for time t passes over the pixel; below 0 if it does not.
+float passingSpeed(Tap tap, ivec2 offset, bool after, bool turns_back) {
+#if HAS_after_velocity
+  vec2 own = after ? tap.d_after : tap.d, other = after ? tap.d : tap.d_after;
+  vec2 before_part = partBefore(frame.shutter), after_part = partAfter(frame.shutter);
+  if (motionReaches(vec2(offset), own, after ? after_part : before_part)) return lengthOf(own);
+  if (turns_back) return -1.0;
+  return motionReaches(vec2(offset), other, after ? before_part : after_part) ? lengthOf(other) : -1.0;
+#else
+  return motionReaches(vec2(offset), tap.d, frame.shutter) ? lengthOf(tap.d) : -1.0;
+#endif
 }
 
-// Is a tap that is not foreground a sample of the pixel's background?
-float backgroundWeight(Tap here, Tap tap, ivec2 offset, float reach) {
+// Share of the exposure that a tap stands for which passes over the pixel at `speed`.
+float timeShare(float speed, float dominant_px) {
+  return dominant_px / (float(params.samples) * clamp(speed, 0.5, dominant_px));
+}
+
+// Is a tap that is not foreground a sample of the pixel's background? `spread_px`: how far the pixel's surface moves.
+float backgroundWeight(Tap here, Tap tap, ivec2 offset, float spread_px, bool passes) {
   float same = softDepth(tap.depth, here.depth, params.depth_extent) *
                softDepth(here.depth, tap.depth, params.depth_extent);
-  float spread = length(vec2(offset)) <= max(reach * lengthOf(here.d), 0.5) + 0.5 ? 1.0 : 0.0;
-  float passes = motionReaches(vec2(offset), tap.d, frame.shutter) ? 1.0 : 0.0;
-  return mix(tap.depth > here.depth ? spread : 0.0, passes, same);
+  float spread = length(vec2(offset)) <= max(spread_px, 0.5) + 0.5 ? 1.0 : 0.0;
+  return mix(tap.depth > here.depth ? spread : 0.0, passes ? 1.0 : 0.0, same);
 }
 
 void run(ivec2 pixel) {
@@ -73,10 +96,12 @@ void run(ivec2 pixel) {
     imageStore(blurred_img, pixel, vec4(0));
     return;
   }
-  vec2 d = vec2(texelFetch(dominant_tex, pixel / params.tile, 0));
+  vec2 d = vec2(texelFetch(dominant_tex, pixel / params.tile, 0)), d_after = d;
+#if HAS_after_dominant
+  d_after = vec2(texelFetch(after_dominant_tex, pixel / params.tile, 0));
+#endif
   float reach = reachFactor(frame.shutter);
-  float dominant_px = lengthOf(d);
-  if (reach * dominant_px <= kStillRadius) {
+  if (reach * max(lengthOf(d), lengthOf(d_after)) <= kStillRadius) {
     imageStore(blurred_img, pixel, vec4(vec3(texelFetch(color_tex, pixel, 0)), 1));
     return;
   }
@@ -85,22 +110,26 @@ void run(ivec2 pixel) {
   Tap here = tapAt(pixel);
   float behind = behindDepth(pixel, here.depth);
   float jitter = jitterOf(pixel);
+  bool turns_back = dot(d, d_after) <= 0.0;
   vec3 front_sum = vec3(0), back_sum = vec3(0);
   float front = 0.0, back = 0.0;
 
   for (int i = 0; i < params.samples; ++i) {
     float t = sampleTime(i, params.samples, jitter, frame.shutter);
-    ivec2 at = clampToImage(pixel + roundSymmetric(tapOffset(d, t)), size);
+    bool after = t > 0.0;
+    vec2 along = after ? d_after : d;
+    ivec2 at = clampToImage(pixel + roundSymmetric(tapOffset(along, t)), size);
     if (!isValid(at)) continue;
 
     Tap tap = tapAt(at);
     float in_front = inFrontOf(tap.depth, behind, params.depth_extent);
-    float passes = motionReaches(vec2(at - pixel), tap.d, frame.shutter) ? 1.0 : 0.0;
-    float weight = in_front * passes * timeShare(tap, dominant_px);
+    float speed = passingSpeed(tap, at - pixel, after, turns_back);
+    float weight = speed < 0.0 ? 0.0 : in_front * timeShare(speed, max(lengthOf(along), 0.5));
     front += weight;
     front_sum += weight * tap.color;
 
-    float back_weight = (1.0 - in_front) * backgroundWeight(here, tap, at - pixel, reach);
+    float spread_px = reach * lengthOf(after ? here.d_after : here.d);
+    float back_weight = (1.0 - in_front) * backgroundWeight(here, tap, at - pixel, spread_px, speed >= 0.0);
     back += back_weight;
     back_sum += back_weight * tap.color;
   }

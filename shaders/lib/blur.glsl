@@ -51,6 +51,11 @@ float reachFactor(vec2 shutter) { return max(abs(shutter.x), abs(shutter.y)); }
 
 bool isCentred(vec2 shutter) { return shutter.x < 0.0 && shutter.y > 0.0; }
 
+// The parts of the window before and after the capture; empty where the anchor has none.
+vec2 partBefore(vec2 shutter) { return vec2(shutter.x, min(shutter.y, 0.0)); }
+
+vec2 partAfter(vec2 shutter) { return vec2(max(shutter.x, 0.0), shutter.y); }
+
 // Where, relative to the pixel, the surface that moves by d and is at the pixel at time t is now.
 vec2 tapOffset(vec2 d, float t) { return -d * t; }
 

@@ -56,6 +56,14 @@ vec3 positionOf(uint slice, Hit hit) {
   return worldFromObject(transformOf(slice, hit.instance), position_os);
 }
 
+// Where a point would be at `slice` if it had been fixed to an instance at the capture.
+vec3 carriedBy(uint instance, uint slice, vec3 position_ws) {
+  SceneTransform m = transformOf(SLICE_CAPTURE, instance);
+  mat3 rows = mat3(m.row_x.xyz, m.row_y.xyz, m.row_z.xyz);
+  vec3 position_os = inverse(transpose(rows)) * (position_ws - vec3(m.row_x.w, m.row_y.w, m.row_z.w));
+  return worldFromObject(transformOf(slice, instance), position_os);
+}
+
 struct Surface {
   vec3 position_ws;
   vec3 face_normal_ws;  // unit, of the triangle, on the side that is seen
@@ -102,21 +110,37 @@ Surface surfaceOf(uint slice, Hit hit) {
   return surface;
 }
 
-// Screen displacement over the exposure, px: where the point is at the window's end minus where it was at its start.
-vec2 displacementOf(Hit hit) {
+// Screen path, px, of the point a hit names, from the capture to the pose of `slice`.
+vec2 pathOf(uint slice, Hit hit) {
   vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, positionOf(SLICE_CAPTURE, hit));
-  vec3 open_vs = viewFromWorld(SLICE_OPEN, positionOf(SLICE_OPEN, hit));
-  vec3 close_vs = viewFromWorld(SLICE_CLOSE, positionOf(SLICE_CLOSE, hit));
-  return pathFromCapture(capture_vs, SLICE_CLOSE, close_vs) - pathFromCapture(capture_vs, SLICE_OPEN, open_vs);
+  return pathFromCapture(capture_vs, slice, viewFromWorld(slice, positionOf(slice, hit)));
 }
 
-// The same for what lies infinitely far along a camera's ray: it moves with the camera's rotation alone.
-vec2 displacementOfSky(vec3 direction_ws) {
+// The same of what lies infinitely far along a camera's ray: it moves with the camera's rotation alone.
+vec2 pathOfSky(uint slice, vec3 direction_ws) {
   if (scene_cameras[SLICE_CAPTURE].orthographic != 0u) return vec2(0);
   vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, scene_cameras[SLICE_CAPTURE].position + direction_ws);
-  vec3 open_vs = viewFromWorld(SLICE_OPEN, scene_cameras[SLICE_OPEN].position + direction_ws);
-  vec3 close_vs = viewFromWorld(SLICE_CLOSE, scene_cameras[SLICE_CLOSE].position + direction_ws);
-  return pathFromCapture(capture_vs, SLICE_CLOSE, close_vs) - pathFromCapture(capture_vs, SLICE_OPEN, open_vs);
+  vec3 other_vs = viewFromWorld(slice, scene_cameras[slice].position + direction_ws);
+  return pathFromCapture(capture_vs, slice, other_vs);
+}
+
+// Screen displacement over the exposure, px: where the point is at the window's end minus where it was at its start.
+// In a pass with the choice parameter `displacement` = window | extrapolated, the latter takes the path since the frame
+// before the capture for all there is: as long a part of it as the exposure is of a frame, whatever the anchor.
+vec2 displacementOf(Hit hit) {
+#if defined(PARAM_displacement) && PARAM_displacement == displacement_extrapolated
+  return -frame.exposure * pathOf(SLICE_PREVIOUS, hit);
+#else
+  return pathOf(SLICE_CLOSE, hit) - pathOf(SLICE_OPEN, hit);
+#endif
+}
+
+vec2 displacementOfSky(vec3 direction_ws) {
+#if defined(PARAM_displacement) && PARAM_displacement == displacement_extrapolated
+  return -frame.exposure * pathOfSky(SLICE_PREVIOUS, direction_ws);
+#else
+  return pathOfSky(SLICE_CLOSE, direction_ws) - pathOfSky(SLICE_OPEN, direction_ws);
+#endif
 }
 
 // Where the camera's ray meets the plane of a known triangle: what raster found, made exact. Points that the raster's

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // In:  hit_tex (instance + 1, geometry, primitive).
 // Out: depth (view depth, m, +inf for sky), normal (unit, world), id (instance + 1, geometry + 1), velocity (px over
-//      the exposure from the true poses at both of its ends).
+//      the exposure: `displacement`).
+// Fails: one displacement per pixel, a straight line whatever the motion within the exposure.
 #include "lib/surface.glsl"
 
 void run(ivec2 pixel) {

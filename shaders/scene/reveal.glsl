@@ -37,14 +37,6 @@ Hit revealByLuminance(Ray ray, Hit front, out bool capped) {
   return hit;
 }
 
-// Where a point would be at `slice` if it had been fixed to an instance at the capture.
-vec3 carriedBy(uint instance, uint slice, vec3 position_ws) {
-  SceneTransform m = transformOf(SLICE_CAPTURE, instance);
-  mat3 rows = mat3(m.row_x.xyz, m.row_y.xyz, m.row_z.xyz);
-  vec3 position_os = inverse(transpose(rows)) * (position_ws - vec3(m.row_x.w, m.row_y.w, m.row_z.w));
-  return worldFromObject(transformOf(slice, instance), position_os);
-}
-
 // Does the surface move as if it were fixed to the foreground: on the screen, at both ends of the exposure?
 bool goesAlong(Hit hit, uint instance) {
   vec3 capture_ws = positionOf(SLICE_CAPTURE, hit);

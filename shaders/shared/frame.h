@@ -25,10 +25,11 @@ struct FrameData {
   vec3 ground;          // from below
   vec4 background;      // rgb and 1 if rays that miss see this instead of the two above
   ivec4 reach;          // pixels [x, z) x [y, w) in which anything that moves can be seen
+  float exposure;       // length of the exposure, in frames
 };
 
 STROBE_SHARED_END
 #ifdef __cplusplus
-static_assert(sizeof(strobe::shared::FrameData) == 112);
+static_assert(sizeof(strobe::shared::FrameData) == 116);
 #endif
 #endif

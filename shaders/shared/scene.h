@@ -9,7 +9,8 @@ STROBE_SHARED_BEGIN
 #define SLICE_CAPTURE 0u
 #define SLICE_OPEN 1u
 #define SLICE_CLOSE 2u
-#define SLICE_SAMPLE 3u  // first of a loop's sample times
+#define SLICE_PREVIOUS 3u  // one frame before the capture
+#define SLICE_SAMPLE 4u    // first of a loop's sample times
 #define NO_INSTANCE 0xffffffffu
 
 struct SceneVertex {

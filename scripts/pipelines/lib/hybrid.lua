@@ -6,6 +6,7 @@ local layered    = require "passes.composite.layered"
 local edges      = require "scripts.pipelines.lib.edges"
 local gathers    = require "scripts.pipelines.lib.gathers"
 local options    = require "scripts.pipelines.lib.options"
+local ranges     = require "scripts.pipelines.lib.ranges"
 local tiles      = require "scripts.pipelines.lib.tiles"
 
 local hybrid = {}
@@ -25,6 +26,7 @@ function hybrid.params()
     max_layers  = pipeline.int { 8, min = 1, max = 31, doc = "hits a ray may pass" },
     on_cap      = choice { "fallback", "last_hit", default = "fallback", doc = "what if there are more" },
     tiles       = choice { "separate", "union", default = "union", doc = "dominant motion per layer, or of both" },
+    range       = ranges.param,
     weights     = choice { "mcguire2012", "uniform", default = "uniform", doc = "of the taps, under alpha_over" },
     composite   = choice { "alpha_over", "layered", default = "layered",
       doc = "blur both layers and lay one over the other, or look at both per time sample" },
@@ -42,13 +44,13 @@ local best = {
 }
 hybrid.presets = { seed = seed, seed_linear = seed_linear, best = best }
 
--- Displacements per tile for the raster layer and for the revealed one; `motions` as for tiles.dominant.
-function hybrid.dominant(p, seen, revealed, motions)
+-- Displacements per tile for the raster layer and for the revealed one; `second` as for tiles.dominant.
+function hybrid.dominant(p, seen, revealed, second)
   if p.tiles() == "union" then
-    local both = tiles.dominant(p, seen, { extra = revealed, motions = motions })
+    local both = tiles.dominant(p, seen, { extra = revealed, second = second })
     return both, both
   end
-  return tiles.dominant(p, seen, { motions = motions, prefix = "raster_" }),
+  return tiles.dominant(p, seen, { second = second, prefix = "raster_" }),
          tiles.dominant(p, revealed, { prefix = "revealed_" })
 end
 
@@ -56,18 +58,22 @@ hybrid.composites = {}
 
 function hybrid.composites.alpha_over(p, seen, revealed)
   local on_top, below = hybrid.dominant(p, seen, revealed)
-  local front = gathers.blurred(p, p.weights(), seen, on_top.dominant, revealed, "gather_raster")
-  local back = gathers.blurred(p, p.weights(), revealed, below.dominant, nil, "gather_revealed")
+  local front = gathers.blurred(p, p.weights(), seen, on_top, revealed, "gather_raster")
+  local back = gathers.blurred(p, p.weights(), revealed, below, nil, "gather_revealed")
   return alpha_over { front = front, back = back, as = "composite" }.color
 end
 
 function hybrid.composites.layered(p, seen, revealed)
-  local on_top, below = hybrid.dominant(p, seen, revealed, tiles.motions(p, seen))
+  local on_top, below = hybrid.dominant(p, seen, revealed, true)
+  local separate = p.tiles() == "separate"
   return layered {
     color = seen.color, depth = seen.depth, velocity = seen.velocity,
     dominant = on_top.dominant, second = on_top.second,
     revealed_color = revealed.color, revealed_depth = revealed.depth, revealed_velocity = revealed.velocity,
-    revealed_valid = revealed.valid, revealed_dominant = p.tiles() == "separate" and below.dominant or nil,
+    revealed_valid = revealed.valid, revealed_dominant = separate and below.dominant or nil,
+    after_velocity = seen.after_velocity, after_dominant = on_top.after_dominant, after_second = on_top.after_second,
+    revealed_after_velocity = revealed.after_velocity,
+    revealed_after_dominant = separate and below.after_dominant or nil,
     samples = p.samples, tile = p.tile, limit = p.limit, jitter = p.jitter, as = "composite",
   }.blurred
 end

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Parameters that blur pipelines share, so that a name means the same in each.
 local pipeline = require "strobe.pipeline"
+local gbuffer  = require "passes.scene.gbuffer"
 
 local options = {}
 
@@ -14,6 +15,7 @@ function options.blur(tile, limit)
     depth_extent = pipeline.float { 0.01, min = 1e-6, max = 1,
       doc = "share of the depth over which two depths count as one" },
     jitter       = pipeline.choice { "none", "ign", "hash", default = "none", doc = "shift of the samples per pixel" },
+    displacement = gbuffer.params.displacement,
     tile_rule    = pipeline.choice { "reach", "all", default = "reach",
       doc = "tiles around that count: those that can reach, or all in range" },
   }

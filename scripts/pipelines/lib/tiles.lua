@@ -1,27 +1,44 @@
 -- SPDX-License-Identifier: MIT
 -- Displacements per tile.
+local pipeline      = require "strobe.pipeline"
 local neighbour_max = require "passes.tile.neighbour_max"
 local tile_max      = require "passes.tile.tile_max"
 local tile_motions  = require "passes.mask.tile_motions"
+local ranges        = require "scripts.pipelines.lib.ranges"
 
 local tiles = {}
 
--- `layer` has velocity and may have valid. Options: `extra`, a second layer united with it; `motions`, to look for a
--- second displacement among; `prefix`, to tell the nodes of several uses apart. Yields dominant and second.
-function tiles.dominant(p, layer, given)
-  given = given or {}
+local function in_one_part(p, layer, given)
   local prefix, extra = given.prefix or "", given.extra or {}
   local longest = tile_max {
     velocity = layer.velocity, valid = layer.valid, extra_velocity = extra.velocity, extra_valid = extra.valid,
     tile = p.tile, limit = p.limit, as = prefix .. "tile_max",
   }.longest
-  return neighbour_max {
-    longest = longest, motions = given.motions, tile = p.tile, limit = p.limit, rule = p.tile_rule,
+  local motions = given.second and tiles.motions(p, layer) or nil
+  local around = neighbour_max {
+    longest = longest, motions = motions, tile = p.tile, limit = p.limit, rule = p.tile_rule,
     as = prefix .. "neighbour_max",
   }
+  return { dominant = around.dominant, second = around.second }
 end
 
--- Two displacements that stand for all in each tile of what raster saw; made once.
+-- `layer` has velocity and may have valid. Options: `extra`, a second layer united with it; `second` = true, to look for
+-- a second displacement too; `prefix`, to tell the nodes of several uses apart. Yields dominant and second, and for a
+-- layer that moves otherwise after the capture (ranges.divided) after_dominant and after_second.
+function tiles.dominant(p, layer, given)
+  given = given or {}
+  local result = in_one_part(p, layer, given)
+  if not layer.after_velocity then return result end
+  local extra = given.extra and ranges.after(given.extra)
+  local given_after = { extra = extra, second = given.second, prefix = given.prefix }
+  local after = pipeline.prefixed("after_", function()
+    return in_one_part(p, ranges.after(layer), given_after)
+  end)
+  result.after_dominant, result.after_second = after.dominant, after.second
+  return result
+end
+
+-- Two displacements that stand for all in each tile of a layer; made once.
 function tiles.motions(p, seen)
   seen.motions = seen.motions or tile_motions { velocity = seen.velocity, tile = p.tile, limit = p.limit }.motions
   return seen.motions

@@ -17,7 +17,7 @@ return pipeline {
   doc = "Layered composite with candidates from the dominant displacement and the taps only",
   params = params,
   build = function(p)
-    local seen = scene.captured()
+    local seen = scene.captured(p)
     local revealed = reveal { hit = seen.hit, mask = masks["relative"](p, seen) }
     local blurred = layered {
       color = seen.color, depth = seen.depth, velocity = seen.velocity,
