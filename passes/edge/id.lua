@@ -1,16 +1,15 @@
 -- SPDX-License-Identifier: MIT
 -- Silhouettes between instances, on their nearer side.
-local pass = require "strobe.pass"
+local pass       = require "strobe.pass"
+local edge_ports = require "scripts.pipelines.lib.edge_ports"
 
 return pass.compute {
   name   = "edge_id",
   shader = "edge/id",
   doc    = "Pixels beside another instance that is farther",
+  fails  = "Blind to self-occlusion of one instance. Where resting parts touch or intersect it marks the contact " ..
+           "too, which costs rays but is no error.",
   size   = { of = "depth" },
-  reads  = {
-    depth = { doc = "linear view depth, metres, sky = +inf" },
-    id    = { uint = true, doc = "instance + 1; sky = 0" },
-    where = { optional = true, doc = "above 1/2 where to look; absent: everywhere" },
-  },
-  writes = { edge = { format = "r8_unorm", doc = "1 on an edge" } },
+  reads  = edge_ports.reads("depth", "id"),
+  writes = { edge = edge_ports.edge },
 }

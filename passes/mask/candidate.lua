@@ -6,6 +6,9 @@ return pass.compute {
   name   = "mask_candidate",
   shader = "mask/candidate",
   doc    = "Pixels whose displaced position is another instance, farther away",
+  fails  = "With one tap a thin gap or background that the displacement jumps over is missed (spokes of a fan); " ..
+           "more taps find what is as wide as their distance. Blind to self-occlusion of one instance, to motion of " ..
+           "the background, and to gaps of depth smaller than depth_margin.",
   size   = { of = "depth" },
   reads  = {
     depth    = { doc = "linear view depth, metres, sky = +inf" },
@@ -18,6 +21,7 @@ return pass.compute {
     depth_margin     = pass.float { 0.01, min = 0, max = 1, doc = "share of the depth by which farther is farther" },
     limit            = pass.float { 0.1, min = 0, max = 10, unit = "image widths",
       doc = "longest displacement handled" },
+    taps             = pass.int { 1, min = 1, max = 64, doc = "positions along the displacement that are tested" },
   },
   counters = { off_screen = "displaced positions outside of the picture, taken as candidates" },
 }

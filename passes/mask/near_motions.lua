@@ -8,6 +8,8 @@ return pass.compute {
   name   = "mask_near_motions",
   shader = "mask/near_motions",
   doc    = "Up to eight distinct displacements around each tile, nearest first",
+  fails  = "Of more than eight movements near a tile the far ones are lost, and of those equally far the last in " ..
+           "raster order.",
   size   = { of = "motions" },
   reads  = { motions = { doc = "two displacements per tile, px over the exposure" } },
   writes = {

@@ -6,6 +6,9 @@ return pass.compute {
   name   = "mask_range_check",
   shader = "mask/range_check",
   doc    = "Pixels that meet an edge along their displacement",
+  fails  = "It marks by the motion of the pixel itself, where its motion relative to what is behind decides: too " ..
+           "little over a background that moves against it, nothing for a foreground at rest before a moving " ..
+           "background, too much where both move together. Steps longer than an edge is wide miss it.",
   size   = { of = "edge" },
   reads  = {
     edge     = { doc = "above 1/2 on an edge" },

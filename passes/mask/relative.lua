@@ -8,6 +8,9 @@ return pass.compute {
   name   = "mask_relative",
   shader = "mask/relative",
   doc    = "Pixels that leave their silhouette, relative to what is beyond it, within the exposure",
+  fails  = "Background whose motion is visible nowhere near is not looked for. Blind to self-occlusion of one " ..
+           "instance, to what comes into the picture from outside, and to the ninth and further movements near a " ..
+           "tile.",
   size   = { of = "depth" },
   reads  = {
     depth     = { doc = "linear view depth, metres, sky = +inf" },

@@ -6,6 +6,7 @@ return pass.compute {
   name   = "mask_tile_motions",
   shader = "mask/tile_motions",
   doc    = "The longest displacement of each tile and the one that differs most from it",
+  fails  = "The third of three movements in a tile is lost.",
   size   = { of = "velocity", divide = "tile" },
   reads  = { velocity = { doc = "px over the exposure" } },
   writes = { motions = { format = "rgba32f", doc = "two displacements, px over the exposure" } },

@@ -1,18 +1,38 @@
 -- SPDX-License-Identifier: MIT
--- Edge detectors: a name is a file of passes/edge that writes `edge` and reads the ports listed and `where` (to look).
-local detectors = {
-  sobel = { "depth", "normal" },
-  id    = { "depth", "id" },
-}
+-- Edge detectors: each file of passes/edge, a pass that writes `edge`. It reads what it names of what raster saw
+-- (depth, normal, id, ...) and `where` (to look); anything else it reads is made by a function of `prepared`.
+local pass     = require "strobe.pass"
+local gradient = require "passes.canny.gradient"
+local thin     = require "passes.canny.thin"
 
-local edges = { names = {} }
-for name in pairs(detectors) do edges.names[#edges.names + 1] = name end
-table.sort(edges.names)
+local edges = { names = pass.family "edge" }
 
+-- Images that steps before a detector make, by detector.
+local prepared = {}
+
+-- Thresholds are parameters of the node edge_gradient, their ratio of edge_thin.
+function prepared.canny(seen)
+  local steepest = gradient { depth = seen.depth, normal = seen.normal, as = "edge_gradient" }.gradient
+  return { ridge = thin { gradient = steepest, as = "edge_thin" }.ridge }
+end
+
+-- `where` may be nil: everywhere.
 function edges.detected(name, seen, where)
-  local arguments = { where = where, as = "edge" }
-  for _, port in ipairs(detectors[name]) do arguments[port] = seen[port] end
-  return require("passes.edge." .. name)(arguments).edge
+  local detector = pass.member("edge", name)
+  local images = prepared[name] and prepared[name](seen) or {}
+  for port, image in pairs(seen) do images[port] = image end
+  images.where = where
+  return detector(pass.wired(detector, images, { as = "edge" })).edge
+end
+
+-- What each does and where it fails, for the menu of a pipeline.
+function edges.texts()
+  local texts = {}
+  for _, name in ipairs(edges.names) do
+    local description = pass.member("edge", name).description
+    texts[name] = ("%s. %s"):format(description.doc, description.fails)
+  end
+  return texts
 end
 
 return edges

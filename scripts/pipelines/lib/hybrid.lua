@@ -11,13 +11,29 @@ local tiles      = require "scripts.pipelines.lib.tiles"
 
 local hybrid = {}
 
+hybrid.mask_texts = {
+  none     = "Nothing is revealed: the raster layer blurred alone. Fails at every silhouette that uncovers " ..
+             "something: its background is taken from beside it.",
+  seed     = "Displaced position, edges there, pixels in range of such an edge (Tan, Cui and Bhojan 2020). Fails " ..
+             "when the background moves: it marks by the foreground's own motion, too little where they move " ..
+             "against each other and nothing where only the background moves.",
+  relative = "Motion relative to what is beyond the silhouette decides. Fails when that motion is visible nowhere " ..
+             "near, and on self-occlusion of one instance.",
+  moving   = "Everything that moves or that something may move over. Fails to save rays: most of what it marks " ..
+             "uncovers nothing.",
+  all      = "Every pixel. Fails to save any rays; it is what other masks are compared with.",
+}
+
 function hybrid.params()
   local choice, bool = pipeline.choice, pipeline.bool
-  local edge_names = { default = "sobel", doc = "edge detector of the mask `seed`" }
+  local edge_names = { default = "sobel", doc = "edge detector of the mask `seed`", values = edges.texts() }
   for _, name in ipairs(edges.names) do edge_names[#edge_names + 1] = name end
   return options.with(options.blur(40, 0.1), {
-    mask        = choice { "none", "seed", "relative", "all", default = "relative",
-      doc = "pixels to reveal behind: by their own motion, or by motion relative to what is beyond their silhouette" },
+    mask        = choice { "none", "seed", "relative", "moving", "all", default = "relative",
+      doc = "pixels to reveal behind: by their own motion, or by motion relative to what is beyond their silhouette",
+      values = hybrid.mask_texts },
+    mask_taps   = pipeline.int { 1, min = 1, max = 64,
+      doc = "positions along the displacement at which the mask `seed` looks for something farther" },
     edge        = choice(edge_names),
     own_edge    = bool { true, doc = "an edge met along the motion must belong to the pixel's own instance" },
     termination = choice { "luminance", "geometry", "instance", "motion", default = "instance",

@@ -2,6 +2,7 @@
 -- Which pixels to reveal something behind. Each is a function of the pipeline's parameters and what raster saw.
 local candidate    = require "passes.mask.candidate"
 local constant     = require "passes.mask.constant"
+local moving       = require "passes.mask.moving"
 local near_motions = require "passes.mask.near_motions"
 local range_check  = require "passes.mask.range_check"
 local relative     = require "passes.mask.relative"
@@ -15,7 +16,9 @@ masks["all"]  = function() return constant { everywhere = true, as = "mask" }.ma
 
 -- Tan, Cui and Bhojan 2020: displaced position, edges there, everything from which such an edge is in range.
 masks["seed"] = function(p, seen)
-  local where = candidate { depth = seen.depth, id = seen.id, velocity = seen.velocity, limit = p.limit }.candidate
+  local where = candidate {
+    depth = seen.depth, id = seen.id, velocity = seen.velocity, limit = p.limit, taps = p.mask_taps,
+  }.candidate
   return range_check {
     edge = edges.detected(p.edge(), seen, where), id = seen.id, velocity = seen.velocity,
     limit = p.limit, own_edge = p.own_edge, as = "mask",
@@ -29,6 +32,12 @@ masks["relative"] = function(p, seen)
     depth = seen.depth, id = seen.id, velocity = seen.velocity, tile = p.tile, limit = p.limit, as = "mask",
     motions_0 = near.motions_0, motions_1 = near.motions_1, motions_2 = near.motions_2, motions_3 = near.motions_3,
   }.mask
+end
+
+-- All but what is still.
+masks["moving"] = function(p, seen)
+  local dominant = tiles.dominant(p, seen, { prefix = "mask_" }).dominant
+  return moving { velocity = seen.velocity, dominant = dominant, tile = p.tile, as = "mask" }.mask
 end
 
 return masks

@@ -1,0 +1,21 @@
+-- SPDX-License-Identifier: MIT
+-- Pixels that move, or near which something moves.
+local pass = require "strobe.pass"
+
+return pass.compute {
+  name   = "mask_moving",
+  shader = "mask/moving",
+  doc    = "Every pixel that is not still, or that something else may move over",
+  fails  = "It marks whole tiles around everything that moves, most of which uncover nothing: rays are wasted, but " ..
+           "nothing is missed that moves by less than the limit.",
+  size   = { of = "velocity" },
+  reads  = {
+    velocity = { doc = "px over the exposure" },
+    dominant = { doc = "longest displacement that reaches each tile, px over the exposure" },
+  },
+  writes = { mask = { format = "r8_unorm", doc = "1 where something is to be revealed" } },
+  params = {
+    tile             = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
+    min_displacement = pass.float { 0.5, min = 0, max = 1000, unit = "px", doc = "slower pixels are at rest" },
+  },
+}

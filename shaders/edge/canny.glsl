@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Hysteresis: strong ridges, and the weak ones that are connected to them; last step of the edge detector canny (Canny
+// 1986).
+// In:  ridge (1 strong, 1/2 weak; canny/thin), where (> 1/2: mark here; absent: everywhere).
+// Out: edge, 1 on an edge, one pixel wide.
+// A flood from each weak pixel along ridges (to eight neighbours), within reach px to either side: it ends at a strong
+//   one or where nothing is left. A set of pixels is a bit per column in a word per row.
+// Fails: connections longer than reach px along x or y, or by a detour out of that square, are not found: the weak part
+//   of such an edge ends reach px from its strong one.
+#include "lib/blur.glsl"
+#include "lib/edge.glsl"
+
+const int kMostSide = 31;  // 2 * the largest reach + 1
+
+float ridgeAt(ivec2 pixel) {
+  return isInside(pixel, textureSize(ridge_tex, 0)) ? texelFetch(ridge_tex, pixel, 0).x : 0.0;
+}
+
+bool meetsStrong(ivec2 pixel) {
+  int side = 2 * params.reach + 1;
+  uint ridge[kMostSide], strong[kMostSide], found[kMostSide];
+  for (int y = 0; y < side; ++y) {
+    ridge[y] = strong[y] = found[y] = 0u;
+    for (int x = 0; x < side; ++x) {
+      float value = ridgeAt(pixel + ivec2(x, y) - params.reach);
+      ridge[y] |= value > 0.25 ? 1u << x : 0u;
+      strong[y] |= value > 0.75 ? 1u << x : 0u;
+    }
+  }
+  found[params.reach] = 1u << params.reach;
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (int y = 0; y < side; ++y) {
+      uint beside = found[y] | (y > 0 ? found[y - 1] : 0u) | (y + 1 < side ? found[y + 1] : 0u);
+      uint now = (beside | beside << 1 | beside >> 1) & ridge[y];
+      if ((now & strong[y]) != 0u) return true;
+      grows = grows || now != found[y];
+      found[y] = now;
+    }
+  }
+  return false;
+}
+
+void run(ivec2 pixel) {
+  float ridge = ridgeAt(pixel);
+  bool edge = isWanted(pixel) && (ridge > 0.75 || (ridge > 0.25 && meetsStrong(pixel)));
+  markEdge(pixel, edge);
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Gradients of depth and normal by small kernels. For passes that have the parameter norm besides those of
+// lib/edge_steps.glsl. Every kernel answers a step of 1 along an axis with 1.
+#ifndef STROBE_EDGE_GRADIENT_GLSL
+#define STROBE_EDGE_GRADIENT_GLSL
+#include "lib/edge.glsl"
+#include "lib/edge_features.glsl"
+#include "lib/edge_steps.glsl"
+
+float sizeOf(float a, float b) {
+#if PARAM_norm == norm_l1
+  return abs(a) + abs(b);
+#else
+  return length(vec2(a, b));
+#endif
+}
+
+// Of the differences in two directions at right angles: that of the depth, and that of all components of the normal.
+bool isStep(vec4 a, vec4 b) {
+  return combined(sizeOf(a.w, b.w), sizeOf(length(vec3(a)), length(vec3(b)))) > 1.0;
+}
+
+vec4 difference(ivec2 pixel, ivec2 along, ivec2 across, float depth, float middle, float side) {
+  vec4 ahead = side * featureAt(pixel + along - across, depth) + middle * featureAt(pixel + along, depth) +
+               side * featureAt(pixel + along + across, depth);
+  vec4 behind = side * featureAt(pixel - along - across, depth) + middle * featureAt(pixel - along, depth) +
+                side * featureAt(pixel - along + across, depth);
+  return ahead - behind;
+}
+
+// Kernel [side middle side]^T [-1 0 1] and its transpose; 2 * side + middle = 1.
+bool isStepBy(ivec2 pixel, float middle, float side) {
+  float depth = depthAt(pixel);
+  if (!isWanted(pixel) || !isSurface(depth)) return false;
+  vec4 in_x = difference(pixel, ivec2(1, 0), ivec2(0, 1), depth, middle, side);
+  vec4 in_y = difference(pixel, ivec2(0, 1), ivec2(1, 0), depth, middle, side);
+  return isStep(in_x, in_y);
+}
+
+#endif
