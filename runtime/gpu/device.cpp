@@ -65,9 +65,9 @@ static VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagB
 
 Device::Device(const DeviceOptions& options) : messages_(std::make_unique<MessageSink>()) {
   try {
-    createInstance(options.validation);
+    createInstance(options);
     choosePhysicalDevice(options.device);
-    createDevice();
+    createDevice(options.device_extensions);
     createCommandPool();
   } catch (...) {
     destroy();
@@ -117,7 +117,7 @@ struct Loader {
     return std::find(names.begin(), names.end(), name) != names.end();
   }
 
-  VkInstance create(bool validation) const {
+  VkInstance create(bool validation, const std::vector<std::string>& more_extensions = {}) const {
     VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
     application.pApplicationName = "strobe";
     application.apiVersion = VK_API_VERSION_1_3;
@@ -125,6 +125,10 @@ struct Loader {
     if (validation) used_layers.push_back("VK_LAYER_KHRONOS_validation");
     if (contains(extensions, VK_EXT_DEBUG_UTILS_EXTENSION_NAME) || validation)
       used_extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    for (const std::string& name : more_extensions) {
+      if (!contains(extensions, name)) throw Error(fmt::format("no Vulkan driver here has {}, which a window needs", name));
+      used_extensions.push_back(name.c_str());
+    }
     VkValidationFeatureEnableEXT synchronization = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
     VkValidationFeaturesEXT features{VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT};
     features.enabledValidationFeatureCount = 1;
@@ -158,6 +162,7 @@ void loadDeviceCalls(Dispatch& vk, VkDevice device) {
 #define X(name) vk.name = reinterpret_cast<PFN_vk##name>(vk.GetDeviceProcAddr(device, "vk" #name));
   STROBE_DEVICE_CALLS(X)
   STROBE_RAY_CALLS(X)
+  STROBE_WINDOW_CALLS(X)
 #undef X
 }
 
@@ -247,12 +252,12 @@ std::vector<DeviceInfo> listDevices() {
   return infos;
 }
 
-void Device::createInstance(bool validation) {
+void Device::createInstance(const DeviceOptions& options) {
   Loader loader;
   library_ = loader.library;
-  instance_ = loader.create(validation);
+  instance_ = loader.create(options.validation, options.instance_extensions);
   loadInstanceCalls(vk_, loader.get, instance_);
-  if (!validation) return;
+  if (!options.validation) return;
   VkDebugUtilsMessengerCreateInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
   info.messageSeverity =
       VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
@@ -291,7 +296,7 @@ void Device::choosePhysicalDevice(const std::string& wanted) {
                             info_.name, info_.driver, missing));
 }
 
-void Device::createDevice() {
+void Device::createDevice(const std::vector<std::string>& more_extensions) {
   uint32_t family_count = 0;
   vk_.GetPhysicalDeviceQueueFamilyProperties(physical_, &family_count, nullptr);
   std::vector<VkQueueFamilyProperties> families(family_count);
@@ -305,6 +310,11 @@ void Device::createDevice() {
   std::vector<std::string> available = deviceExtensions(vk_, physical_);
   std::vector<const char*> extensions = wantedExtensions(available);
   std::vector<std::string> enabled(extensions.begin(), extensions.end());
+  for (const std::string& name : more_extensions) {
+    if (std::find(available.begin(), available.end(), name) == available.end())
+      throw Error(fmt::format("device '{}' has no {}, which a window needs", info_.name, name));
+    extensions.push_back(name.c_str());
+  }
   FeatureChain present, use;
   vk_.GetPhysicalDeviceFeatures2(physical_, present.chain(enabled));
   VkPhysicalDeviceFeatures2* features = use.chain(enabled);

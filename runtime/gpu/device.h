@@ -15,6 +15,8 @@ namespace strobe::gpu {
 struct DeviceOptions {
   std::string device;       // index or part of a name; "" takes the best
   bool validation = false;  // core and synchronization validation; messages are collected, not printed
+  // What a window needs besides (`VK_KHR_surface`, ...; `VK_KHR_swapchain`); refused by name where it is missing.
+  std::vector<std::string> instance_extensions = {}, device_extensions = {};
 };
 
 // One row of the features the runtime can use (`strobe doctor` prints them).
@@ -59,6 +61,10 @@ class Device {
   const Dispatch& vk() const { return vk_; }
   Dispatch& vkForFaults() { return vk_; }
   VkDevice handle() const { return device_; }
+  VkInstance instance() const { return instance_; }
+  VkPhysicalDevice physical() const { return physical_; }
+  VkQueue queue() const { return queue_; }
+  uint32_t queueFamily() const { return queue_family_; }
   const VkPhysicalDeviceRayTracingPipelinePropertiesKHR& rayProperties() const { return ray_properties_; }
   uint32_t scratchAlignment() const { return scratch_alignment_; }
   double timestampPeriodNs() const { return timestamp_period_ns_; }
@@ -76,9 +82,9 @@ class Device {
   std::vector<std::string> takeMessages() const;
 
  private:
-  void createInstance(bool validation);
+  void createInstance(const DeviceOptions& options);
   void choosePhysicalDevice(const std::string& wanted);
-  void createDevice();
+  void createDevice(const std::vector<std::string>& more_extensions);
   void createCommandPool();
   void destroy();
 

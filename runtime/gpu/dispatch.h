@@ -15,7 +15,9 @@ namespace strobe::gpu {
 // Absent (null) where the layer or extension is not there.
 #define STROBE_OPTIONAL_INSTANCE_CALLS(X) \
   X(CreateDebugUtilsMessengerEXT) X(DestroyDebugUtilsMessengerEXT) X(SetDebugUtilsObjectNameEXT) \
-  X(CmdBeginDebugUtilsLabelEXT) X(CmdEndDebugUtilsLabelEXT)
+  X(CmdBeginDebugUtilsLabelEXT) X(CmdEndDebugUtilsLabelEXT)                                     \
+  X(DestroySurfaceKHR) X(GetPhysicalDeviceSurfaceSupportKHR) X(GetPhysicalDeviceSurfaceCapabilitiesKHR) \
+  X(GetPhysicalDeviceSurfaceFormatsKHR)
 
 #define STROBE_DEVICE_CALLS(X)                                                                                   \
   X(DestroyDevice) X(GetDeviceQueue) X(DeviceWaitIdle) X(QueueSubmit2) X(CreateFence) X(DestroyFence)            \
@@ -29,7 +31,7 @@ namespace strobe::gpu {
   X(DestroyDescriptorPool) X(AllocateDescriptorSets) X(UpdateDescriptorSets) X(CreateQueryPool)                  \
   X(DestroyQueryPool) X(GetQueryPoolResults) X(CmdPipelineBarrier2) X(CmdBindPipeline) X(CmdBindDescriptorSets)  \
   X(CmdDispatch) X(CmdBeginRendering) X(CmdEndRendering) X(CmdSetViewport) X(CmdSetScissor)                      \
-  X(CmdBindIndexBuffer) X(CmdDrawIndexed) X(CmdCopyBuffer) X(CmdCopyBufferToImage) X(CmdCopyImageToBuffer)       \
+  X(CmdBindVertexBuffers) X(CmdBindIndexBuffer) X(CmdPushConstants) X(CmdDrawIndexed) X(CmdCopyBuffer) X(CmdCopyBufferToImage) X(CmdCopyImageToBuffer)       \
   X(CmdClearColorImage) X(CmdFillBuffer) X(CmdResetQueryPool) X(CmdWriteTimestamp2)
 
 // Absent (null) on a device without ray tracing.
@@ -38,12 +40,18 @@ namespace strobe::gpu {
   X(GetAccelerationStructureDeviceAddressKHR) X(CmdBuildAccelerationStructuresKHR)                             \
   X(CreateRayTracingPipelinesKHR) X(GetRayTracingShaderGroupHandlesKHR) X(CmdTraceRaysKHR)
 
+// Absent (null) on a device that was made without a window.
+#define STROBE_WINDOW_CALLS(X)                                                        \
+  X(CreateSwapchainKHR) X(DestroySwapchainKHR) X(GetSwapchainImagesKHR)               \
+  X(AcquireNextImageKHR) X(QueuePresentKHR)
+
 struct Dispatch {
 #define X(name) PFN_vk##name name = nullptr;
   STROBE_INSTANCE_CALLS(X)
   STROBE_OPTIONAL_INSTANCE_CALLS(X)
   STROBE_DEVICE_CALLS(X)
   STROBE_RAY_CALLS(X)
+  STROBE_WINDOW_CALLS(X)
 #undef X
 };
 

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "live/camera.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace strobe::live {
+
+static const dvec3 kUp(0, 1, 0);
+static const double kSteepest = glm::radians(89.5);
+
+// A unit direction as angles: yaw 0 along -z, growing to the right; pitch above the horizon.
+struct Heading {
+  double yaw = 0, pitch = 0;
+};
+
+static Heading headingOf(const dvec3& direction) {
+  return {std::atan2(direction.x, -direction.z), std::asin(std::clamp(direction.y, -1.0, 1.0))};
+}
+
+static dvec3 directionOf(const Heading& heading) {
+  return {std::sin(heading.yaw) * std::cos(heading.pitch), std::sin(heading.pitch),
+          -std::cos(heading.yaw) * std::cos(heading.pitch)};
+}
+
+static double distanceOf(const Viewpoint& view) { return glm::length(view.target - view.eye); }
+
+static dvec3 turnedDirection(const Viewpoint& view, double yaw, double pitch) {
+  Heading heading = headingOf(forwardOf(view));
+  heading.yaw += yaw;
+  heading.pitch = std::clamp(heading.pitch + pitch, -kSteepest, kSteepest);
+  return directionOf(heading);
+}
+
+Viewpoint viewpointOf(const dmat4& world_from_camera, double distance_m) {
+  dvec3 eye(world_from_camera[3]);
+  return {eye, eye - glm::normalize(dvec3(world_from_camera[2])) * distance_m};
+}
+
+std::string toText(const Viewpoint& view) {
+  return fmt::format("{},{},{},{},{},{}", view.eye.x, view.eye.y, view.eye.z, view.target.x, view.target.y, view.target.z);
+}
+
+dvec3 forwardOf(const Viewpoint& view) { return glm::normalize(view.target - view.eye); }
+
+dvec3 rightOf(const Viewpoint& view) {
+  dvec3 right = glm::cross(forwardOf(view), kUp);
+  double length = glm::length(right);
+  return length > 1e-9 ? right / length : dvec3(1, 0, 0);
+}
+
+dvec3 upOf(const Viewpoint& view) { return glm::cross(rightOf(view), forwardOf(view)); }
+
+// Going to the right round the target, the eye looks ever more to the left.
+Viewpoint orbited(const Viewpoint& view, double yaw, double pitch) {
+  return {view.target - turnedDirection(view, -yaw, -pitch) * distanceOf(view), view.target};
+}
+
+Viewpoint turned(const Viewpoint& view, double yaw, double pitch) {
+  return {view.eye, view.eye + turnedDirection(view, yaw, pitch) * distanceOf(view)};
+}
+
+Viewpoint panned(const Viewpoint& view, double dx_px, double dy_px, double height_px, double vertical_fov) {
+  double metres_per_px = 2 * std::tan(vertical_fov / 2) * distanceOf(view) / height_px;
+  dvec3 by = (upOf(view) * dy_px - rightOf(view) * dx_px) * metres_per_px;
+  return {view.eye + by, view.target + by};
+}
+
+Viewpoint dollied(const Viewpoint& view, double factor) {
+  double distance = std::max(distanceOf(view) * factor, 1e-3);
+  return {view.target - forwardOf(view) * distance, view.target};
+}
+
+Viewpoint flown(const Viewpoint& view, const dvec3& by_m) {
+  dvec3 by = rightOf(view) * by_m.x + kUp * by_m.y + forwardOf(view) * by_m.z;
+  return {view.eye + by, view.target + by};
+}
+
+}  // namespace strobe::live

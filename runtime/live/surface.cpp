@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: MIT
+#include "live/surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "shader/compiler.h"
+
+namespace strobe::live {
+
+namespace {
+
+// The push constants of shaders/live/panel.vert.glsl.
+struct WindowConstants {
+  float clip_per_px[2], origin_clip[2];
+};
+
+const std::vector<VkDescriptorSetLayoutBinding> kBindings = {
+    {0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr}};
+
+gpu::Owned<VkShaderModule> makeModule(const gpu::Device& device, const char* file, shader::Stage stage) {
+  std::vector<uint32_t> code = shader::compile({"#version 460\n", homeFolder() / "shaders/live" / file, ""}, stage).spirv;
+  VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+  info.codeSize = code.size() * sizeof(uint32_t);
+  info.pCode = code.data();
+  VkShaderModule module = VK_NULL_HANDLE;
+  gpu::check(device.vk().CreateShaderModule(device.handle(), &info, nullptr, &module), "shader module of the panels");
+  return {device, module, [](const gpu::Device& d, VkShaderModule m) {
+            d.vk().DestroyShaderModule(d.handle(), m, nullptr);
+          }};
+}
+
+gpu::Owned<VkPipelineLayout> makeLayout(const gpu::Device& device, VkDescriptorSetLayout sets) {
+  VkPushConstantRange constants{VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(WindowConstants)};
+  VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
+  info.setLayoutCount = 1;
+  info.pSetLayouts = &sets;
+  info.pushConstantRangeCount = 1;
+  info.pPushConstantRanges = &constants;
+  VkPipelineLayout layout = VK_NULL_HANDLE;
+  gpu::check(device.vk().CreatePipelineLayout(device.handle(), &info, nullptr, &layout), "pipeline layout of the panels");
+  return {device, layout, [](const gpu::Device& d, VkPipelineLayout l) {
+            d.vk().DestroyPipelineLayout(d.handle(), l, nullptr);
+          }};
+}
+
+VkImageMemoryBarrier2 imageBarrier(VkImage image, VkImageLayout from, VkImageLayout to) {
+  VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+  barrier.oldLayout = from;
+  barrier.newLayout = to;
+  barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  barrier.image = image;
+  barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+  return barrier;
+}
+
+void recordBarrier(const gpu::Device& device, VkCommandBuffer commands, const VkImageMemoryBarrier2& barrier) {
+  VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+  dependency.imageMemoryBarrierCount = 1;
+  dependency.pImageMemoryBarriers = &barrier;
+  device.vk().CmdPipelineBarrier2(commands, &dependency);
+}
+
+std::vector<uint8_t> toRgba8(const image::Image& display) {
+  STROBE_ASSERT(display.channels == 3, "{} channels", display.channels);
+  size_t pixels = size_t(display.width) * size_t(display.height);
+  std::vector<uint8_t> rgba(pixels * 4, 255);
+  for (size_t i = 0; i < pixels; ++i)
+    for (size_t c = 0; c < 3; ++c)
+      rgba[i * 4 + c] = uint8_t(std::lround(std::clamp(display.values[i * 3 + c], 0.0f, 1.0f) * 255));
+  return rgba;
+}
+
+}  // namespace
+
+Surface::Surface(const gpu::Device& device, VkSurfaceKHR surface, int width, int height)
+    : device_(device), swapchain_(device, surface) {
+  swapchain_.resize(uint32_t(width), uint32_t(height));
+  set_layout_ = gpu::makeSetLayout(device, "panels", kBindings);
+  layout_ = makeLayout(device, set_layout_.get());
+  nearest_ = gpu::makeSampler(device, "panels.nearest", {});
+  linear_ = gpu::makeSampler(device, "panels.linear", {.linear = true});
+  makePipeline();
+  makeFont();
+}
+
+void Surface::makePipeline() {
+  gpu::Owned<VkShaderModule> vertex = makeModule(device_, "panel.vert.glsl", shader::Stage::Vertex);
+  gpu::Owned<VkShaderModule> fragment = makeModule(device_, "panel.frag.glsl", shader::Stage::Fragment);
+  VkPipelineShaderStageCreateInfo stages[2] = {{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO},
+                                               {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO}};
+  stages[0].stage = VK_SHADER_STAGE_VERTEX_BIT;
+  stages[0].module = vertex.get();
+  stages[1].stage = VK_SHADER_STAGE_FRAGMENT_BIT;
+  stages[1].module = fragment.get();
+  stages[0].pName = stages[1].pName = "main";
+
+  VkVertexInputBindingDescription binding{0, sizeof(ImDrawVert), VK_VERTEX_INPUT_RATE_VERTEX};
+  VkVertexInputAttributeDescription attributes[] = {
+      {0, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(ImDrawVert, pos)},
+      {1, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(ImDrawVert, uv)},
+      {2, 0, VK_FORMAT_R8G8B8A8_UNORM, offsetof(ImDrawVert, col)},
+  };
+  VkPipelineVertexInputStateCreateInfo input{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+  input.vertexBindingDescriptionCount = 1;
+  input.pVertexBindingDescriptions = &binding;
+  input.vertexAttributeDescriptionCount = 3;
+  input.pVertexAttributeDescriptions = attributes;
+  VkPipelineInputAssemblyStateCreateInfo assembly{VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
+  assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+  VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
+  viewport.viewportCount = viewport.scissorCount = 1;
+  VkPipelineRasterizationStateCreateInfo rasterization{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
+  rasterization.lineWidth = 1;
+  VkPipelineMultisampleStateCreateInfo multisample{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
+  multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+
+  VkPipelineColorBlendAttachmentState over{};
+  over.blendEnable = VK_TRUE;
+  over.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+  over.dstColorBlendFactor = over.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+  over.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+  over.colorBlendOp = over.alphaBlendOp = VK_BLEND_OP_ADD;
+  over.colorWriteMask = 0xf;
+  VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
+  blend.attachmentCount = 1;
+  blend.pAttachments = &over;
+  VkDynamicState dynamic_states[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+  VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
+  dynamic.dynamicStateCount = 2;
+  dynamic.pDynamicStates = dynamic_states;
+  VkFormat format = swapchain_.format();
+  VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
+  rendering.colorAttachmentCount = 1;
+  rendering.pColorAttachmentFormats = &format;
+
+  VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, &rendering};
+  info.stageCount = 2;
+  info.pStages = stages;
+  info.pVertexInputState = &input;
+  info.pInputAssemblyState = &assembly;
+  info.pViewportState = &viewport;
+  info.pRasterizationState = &rasterization;
+  info.pMultisampleState = &multisample;
+  info.pColorBlendState = &blend;
+  info.pDynamicState = &dynamic;
+  info.layout = layout_.get();
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  gpu::check(device_.vk().CreateGraphicsPipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+             "creating the pipeline of the panels");
+  pipeline_ = {device_, pipeline, [](const gpu::Device& d, VkPipeline p) { d.vk().DestroyPipeline(d.handle(), p, nullptr); }};
+}
+
+std::unique_ptr<Texture> Surface::makeTexture(const std::string& name, uint32_t width, uint32_t height,
+                                              VkSampler sampler) {
+  auto texture = std::make_unique<Texture>();
+  VkImageUsageFlags usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+  texture->image_ = gpu::Image(device_, name, {VK_FORMAT_R8G8B8A8_UNORM, width, height, 1, usage});
+  texture->staging_ = gpu::Buffer(device_, name + ".staging", size_t(width) * height * 4, 0, gpu::Buffer::Memory::Host);
+  texture->pool_ = gpu::makeDescriptorPool(device_, name, kBindings, 1);
+  texture->set_ = gpu::allocateSet(device_, texture->pool_.get(), set_layout_.get());
+  VkDescriptorImageInfo image{sampler, texture->image_.view(), VK_IMAGE_LAYOUT_GENERAL};
+  VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+  write.dstSet = texture->set_;
+  write.descriptorCount = 1;
+  write.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+  write.pImageInfo = &image;
+  device_.vk().UpdateDescriptorSets(device_.handle(), 1, &write, 0, nullptr);
+  return texture;
+}
+
+void Surface::fill(Texture& texture, const void* rgba) {
+  std::memcpy(texture.staging_.mapped(), rgba, texture.staging_.size());
+  device_.submit([&](VkCommandBuffer commands) {
+    VkImageMemoryBarrier2 before =
+        imageBarrier(texture.image_.handle(), VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);
+    before.srcStageMask = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+    before.dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
+    before.dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+    recordBarrier(device_, commands, before);
+    VkBufferImageCopy copy{};
+    copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    copy.imageExtent = {texture.image_.desc().width, texture.image_.desc().height, 1};
+    device_.vk().CmdCopyBufferToImage(commands, texture.staging_.handle(), texture.image_.handle(),
+                                      VK_IMAGE_LAYOUT_GENERAL, 1, &copy);
+    VkImageMemoryBarrier2 after =
+        imageBarrier(texture.image_.handle(), VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_GENERAL);
+    after.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
+    after.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+    after.dstStageMask = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+    after.dstAccessMask = VK_ACCESS_2_SHADER_SAMPLED_READ_BIT;
+    recordBarrier(device_, commands, after);
+  });
+}
+
+void Surface::upload(std::unique_ptr<Texture>& texture, const std::string& name, const image::Image& display, bool smooth) {
+  bool fits = texture && texture->width() == display.width && texture->height() == display.height;
+  VkSampler sampler = smooth ? linear_.get() : nearest_.get();
+  if (!fits) texture = makeTexture(name, uint32_t(display.width), uint32_t(display.height), sampler);
+  fill(*texture, toRgba8(display).data());
+}
+
+// ImGui asks for its font by what it was told here.
+void Surface::makeFont() {
+  unsigned char* pixels = nullptr;
+  int width = 0, height = 0;
+  ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+  font_ = makeTexture("panels.font", uint32_t(width), uint32_t(height), linear_.get());
+  fill(*font_, pixels);
+  ImGui::GetIO().Fonts->SetTexID(font_->id());
+}
+
+// All lists one after the other in one buffer of vertices and one of indices, which grow and never shrink.
+void Surface::takeGeometry(const ImDrawData& frame) {
+  size_t vertex_bytes = size_t(frame.TotalVtxCount) * sizeof(ImDrawVert);
+  size_t index_bytes = size_t(frame.TotalIdxCount) * sizeof(ImDrawIdx);
+  auto grow = [this](gpu::Buffer& buffer, const char* name, size_t bytes, VkBufferUsageFlags usage) {
+    if (!buffer.mapped() || buffer.size() < bytes)
+      buffer = gpu::Buffer(device_, name, bytes * 3 / 2, usage, gpu::Buffer::Memory::Host);
+  };
+  grow(vertices_, "panels.vertices", vertex_bytes, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+  grow(indices_, "panels.indices", index_bytes, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  auto* vertex = static_cast<ImDrawVert*>(vertices_.mapped());
+  auto* index = static_cast<ImDrawIdx*>(indices_.mapped());
+  for (int i = 0; i < frame.CmdListsCount; ++i) {
+    const ImDrawList& list = *frame.CmdLists[i];
+    vertex = std::copy(list.VtxBuffer.begin(), list.VtxBuffer.end(), vertex);
+    index = std::copy(list.IdxBuffer.begin(), list.IdxBuffer.end(), index);
+  }
+}
+
+void Surface::recordCommand(VkCommandBuffer commands, const ImDrawData& frame, const ImDrawCmd& command,
+                            uint32_t first_index, int32_t first_vertex) const {
+  // The clip rectangle in pixels of the window, cut to it.
+  float x0 = std::max(0.0f, command.ClipRect.x - frame.DisplayPos.x);
+  float y0 = std::max(0.0f, command.ClipRect.y - frame.DisplayPos.y);
+  float x1 = std::min(float(swapchain_.extent().width), command.ClipRect.z - frame.DisplayPos.x);
+  float y1 = std::min(float(swapchain_.extent().height), command.ClipRect.w - frame.DisplayPos.y);
+  if (x1 <= x0 || y1 <= y0) return;
+  VkRect2D scissor{{int32_t(x0), int32_t(y0)}, {uint32_t(x1 - x0), uint32_t(y1 - y0)}};
+  const gpu::Dispatch& vk = device_.vk();
+  vk.CmdSetScissor(commands, 0, 1, &scissor);
+  const auto* texture = (const Texture*)(intptr_t)command.GetTexID();
+  vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_.get(), 0, 1, &texture->set_, 0, nullptr);
+  vk.CmdDrawIndexed(commands, command.ElemCount, 1, first_index + command.IdxOffset,
+                    first_vertex + int32_t(command.VtxOffset), 0);
+}
+
+void Surface::recordLists(VkCommandBuffer commands, const ImDrawData& frame) const {
+  const gpu::Dispatch& vk = device_.vk();
+  VkExtent2D extent = swapchain_.extent();
+  vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.get());
+  VkViewport viewport{0, 0, float(extent.width), float(extent.height), 0, 1};
+  vk.CmdSetViewport(commands, 0, 1, &viewport);
+  WindowConstants constants;
+  constants.clip_per_px[0] = 2 / float(extent.width);
+  constants.clip_per_px[1] = 2 / float(extent.height);
+  constants.origin_clip[0] = -1 - frame.DisplayPos.x * constants.clip_per_px[0];
+  constants.origin_clip[1] = -1 - frame.DisplayPos.y * constants.clip_per_px[1];
+  vk.CmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(constants), &constants);
+  if (frame.TotalIdxCount == 0) return;
+  VkBuffer vertices = vertices_.handle();
+  VkDeviceSize start = 0;
+  vk.CmdBindVertexBuffers(commands, 0, 1, &vertices, &start);
+  vk.CmdBindIndexBuffer(commands, indices_.handle(), 0,
+                        sizeof(ImDrawIdx) == 2 ? VK_INDEX_TYPE_UINT16 : VK_INDEX_TYPE_UINT32);
+  uint32_t first_index = 0;
+  int32_t first_vertex = 0;
+  for (int i = 0; i < frame.CmdListsCount; ++i) {
+    const ImDrawList& list = *frame.CmdLists[i];
+    for (const ImDrawCmd& command : list.CmdBuffer)
+      if (!command.UserCallback) recordCommand(commands, frame, command, first_index, first_vertex);
+    first_index += uint32_t(list.IdxBuffer.Size);
+    first_vertex += list.VtxBuffer.Size;
+  }
+}
+
+void Surface::record(VkCommandBuffer commands, const ImDrawData& frame, const gpu::Swapchain::Target& target,
+                     const gpu::Buffer* shot) const {
+  const gpu::Dispatch& vk = device_.vk();
+  VkImageMemoryBarrier2 begin =
+      imageBarrier(target.image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+  begin.srcStageMask = begin.dstStageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
+  begin.dstAccessMask = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT;
+  recordBarrier(device_, commands, begin);
+
+  VkRenderingAttachmentInfo color{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+  color.imageView = target.view;
+  color.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+  color.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+  color.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+  color.clearValue.color = {{0, 0, 0, 1}};
+  VkRenderingInfo rendering{VK_STRUCTURE_TYPE_RENDERING_INFO};
+  rendering.renderArea = {{0, 0}, swapchain_.extent()};
+  rendering.layerCount = 1;
+  rendering.colorAttachmentCount = 1;
+  rendering.pColorAttachments = &color;
+  vk.CmdBeginRendering(commands, &rendering);
+  recordLists(commands, frame);
+  vk.CmdEndRendering(commands);
+
+  VkImageMemoryBarrier2 end =
+      imageBarrier(target.image, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR);
+  end.srcStageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
+  end.srcAccessMask = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
+  if (shot) {
+    end.newLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+    end.dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
+    end.dstAccessMask = VK_ACCESS_2_TRANSFER_READ_BIT;
+    recordBarrier(device_, commands, end);
+    VkBufferImageCopy copy{};
+    copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    copy.imageExtent = {swapchain_.extent().width, swapchain_.extent().height, 1};
+    vk.CmdCopyImageToBuffer(commands, target.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, shot->handle(), 1, &copy);
+    end = imageBarrier(target.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR);
+    end.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
+  }
+  recordBarrier(device_, commands, end);
+}
+
+image::Image Surface::imageFrom(const gpu::Buffer& pixels) const {
+  image::Image image(int(swapchain_.extent().width), int(swapchain_.extent().height), 3);
+  const auto* bytes = static_cast<const uint8_t*>(pixels.mapped());
+  bool blue_first = swapchain_.format() == VK_FORMAT_B8G8R8A8_UNORM;
+  for (size_t i = 0; i < image.values.size() / 3; ++i)
+    for (size_t c = 0; c < 3; ++c) image.values[i * 3 + c] = float(bytes[i * 4 + (blue_first ? 2 - c : c)]) / 255;
+  return image;
+}
+
+bool Surface::show(const ImDrawData& frame, int width, int height, image::Image* shot) {
+  VkExtent2D extent = swapchain_.extent();
+  if (outdated_ || int(extent.width) != width || int(extent.height) != height) {
+    swapchain_.resize(uint32_t(width), uint32_t(height));
+    outdated_ = false;
+  }
+  auto target = swapchain_.acquire();
+  outdated_ = !target;
+  if (!target) return false;
+  if (shot && !swapchain_.canBeRead()) throw Error("this window's pictures cannot be read back on this device");
+
+  takeGeometry(frame);
+  gpu::Buffer pixels;
+  size_t bytes = size_t(swapchain_.extent().width) * swapchain_.extent().height * 4;
+  if (shot) pixels = gpu::Buffer(device_, "window.shot", bytes, 0, gpu::Buffer::Memory::Host);
+  device_.submit([&](VkCommandBuffer commands) { record(commands, frame, *target, shot ? &pixels : nullptr); });
+  if (shot) *shot = imageFrom(pixels);
+  outdated_ = !swapchain_.present();
+  return true;
+}
+
+}  // namespace strobe::live

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "live/window.h"
+
+#define GLFW_INCLUDE_NONE
+// GLFW declares its Vulkan calls where Vulkan is declared before it.
+#include <GLFW/glfw3.h>
+
+namespace strobe::live {
+
+static std::string lastError() {
+  const char* text = nullptr;
+  glfwGetError(&text);
+  return text ? text : "no reason given";
+}
+
+Window& Window::of(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
+
+Window::Window(int width, int height, const std::string& title) {
+  if (!glfwInit())
+    throw Error(fmt::format("no window can be opened here ({}); 'strobe render' needs none, and 'xvfb-run strobe live' "
+                            "brings a display of its own", lastError()));
+  glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+  window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+  if (!window_) {
+    std::string reason = lastError();
+    glfwTerminate();
+    throw Error(fmt::format("a window of {}x{} cannot be opened: {}", width, height, reason));
+  }
+  glfwSetWindowUserPointer(window_, this);
+  // Panels are told by callbacks that are set later and call these.
+  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int mods) {
+    of(window).stirred_ = true;
+    if (action == GLFW_RELEASE) return;
+    of(window).pressed_.push_back({key, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0});
+  });
+  glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned) { of(window).stirred_ = true; });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double, double) { of(window).stirred_ = true; });
+  glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int) { of(window).stirred_ = true; });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int, int) { of(window).stirred_ = true; });
+  glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double) { of(window).stirred_ = true; });
+  glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { of(window).stirred_ = true; });
+  glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { of(window).stirred_ = true; });
+  glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int) { of(window).stirred_ = true; });
+}
+
+Window::~Window() {
+  glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+gpu::DeviceOptions Window::extensions() const {
+  uint32_t count = 0;
+  const char** names = glfwGetRequiredInstanceExtensions(&count);
+  if (!names) throw Error(fmt::format("this display cannot show what Vulkan draws: {}", lastError()));
+  gpu::DeviceOptions options;
+  options.instance_extensions.assign(names, names + count);
+  options.device_extensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME};
+  return options;
+}
+
+VkSurfaceKHR Window::makeSurface(const gpu::Device& device) const {
+  VkSurfaceKHR surface = VK_NULL_HANDLE;
+  gpu::check(glfwCreateWindowSurface(device.instance(), window_, nullptr, &surface), "making the window's surface");
+  return surface;
+}
+
+void Window::takeEvents(double timeout_s) {
+  stirred_ = false;
+  pressed_.clear();
+  if (timeout_s > 0) glfwWaitEventsTimeout(timeout_s);
+  else glfwPollEvents();
+}
+
+bool Window::isDown(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
+bool Window::closing() const { return glfwWindowShouldClose(window_); }
+
+std::pair<int, int> Window::size() const {
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window_, &width, &height);
+  return {width, height};
+}
+
+void Window::setTitle(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
+void Window::setClipboard(const std::string& text) { glfwSetClipboardString(window_, text.c_str()); }
+
+}  // namespace strobe::live
