@@ -47,9 +47,17 @@ void checkPresets(const std::string& name, std::set<std::string>& checked, std::
   });
 }
 
+// Everything in scripts/pipelines by name, and what looks into a picture, in scripts/inspect, by path.
+std::vector<std::string> shippedPipelines() {
+  std::vector<std::string> names = script::pipelineNames();
+  Path folder = homeFolder() / "scripts/inspect";
+  for (const std::string& name : namesIn(folder, ".lua")) names.push_back((folder / (name + ".lua")).string());
+  return names;
+}
+
 void check(const std::vector<std::string>& files, bool json) {
   std::vector<std::string> problems;
-  std::vector<std::string> pipelines = files.empty() ? script::pipelineNames() : files;
+  std::vector<std::string> pipelines = files.empty() ? shippedPipelines() : files;
   std::vector<std::string> scenes;
   if (files.empty()) {
     collect(problems, [] { script::evaluateAllPasses(); });

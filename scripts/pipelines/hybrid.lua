@@ -1,7 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- Raster and ray-revealed background, blurred and composited. Tan, Cui and Bhojan 2020, "Hybrid MBlur".
 local pipeline = require "strobe.pipeline"
-local reveal   = require "passes.scene.reveal"
 local hybrid   = require "scripts.pipelines.lib.hybrid"
 local masks    = require "scripts.pipelines.lib.masks"
 local ranges   = require "scripts.pipelines.lib.ranges"
@@ -16,16 +15,9 @@ return pipeline {
     local seen = scene.captured(p)
     local moving = ranges.divided(p, seen, "halves")
     local mask = ranges.mask(p, moving, masks[p.mask()])
-    local revealed = reveal {
-      hit = seen.hit, mask = mask, displacement = p.displacement,
-      termination = p.termination, advance = p.advance, max_layers = p.max_layers, on_cap = p.on_cap,
-    }
-    local behind = ranges.divided(p, {
-      color = revealed.color, depth = revealed.depth, id = revealed.id, velocity = revealed.velocity,
-      valid = revealed.valid,
-    }, "revealed_halves")
+    local revealed = hybrid.revealed(p, seen, mask)
     return scene.outputs(seen, {
-      color = hybrid.composites[p.composite()](p, moving, behind), mask = mask,
+      color = hybrid.composited(p, moving, hybrid.divided(p, revealed)), mask = mask,
       revealed = revealed.color, revealed_depth = revealed.depth, revealed_velocity = revealed.velocity,
       revealed_id = revealed.id, revealed_valid = revealed.valid,
     })

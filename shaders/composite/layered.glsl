@@ -86,10 +86,6 @@ Candidates harvested(Candidates candidates, ivec2 pixel, vec2 d, float jitter, b
   return candidates;
 }
 
-bool isAt(ivec2 pixel, ivec2 now, vec2 d, float t, float tolerance_px) {
-  return lengthOf(vec2(now - pixel) + t * d) <= tolerance_px;
-}
-
 // Where, of a guess, what the texel there says instead: motion that varies over a surface (perspective, turning) is met
 // by asking once more from where the first guess led. A texel that passes `isAt` is at the pixel, however it was found.
 ivec2 asked(ivec2 pixel, vec2 d, float t) { return pixel + roundSymmetric(tapOffset(d, t)); }

@@ -59,6 +59,11 @@ vec2 partAfter(vec2 shutter) { return vec2(max(shutter.x, 0.0), shutter.y); }
 // Where, relative to the pixel, the surface that moves by d and is at the pixel at time t is now.
 vec2 tapOffset(vec2 d, float t) { return -d * t; }
 
+// Is what is now at the texel `now`, and moves by d, at the pixel at time t?
+bool isAt(ivec2 pixel, ivec2 now, vec2 d, float t, float tolerance_px) {
+  return lengthOf(vec2(now - pixel) + t * d) <= tolerance_px;
+}
+
 // Does the surface now at `offset` from a pixel pass over that pixel within the window? Rounding of the tap and of the
 // path may each put it half a pixel off: across its path 3/4 px pass (the diagonal of both, nearly), along it 1/2.
 bool motionReaches(vec2 offset, vec2 d, vec2 shutter) {

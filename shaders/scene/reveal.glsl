@@ -2,43 +2,24 @@
 // The surface behind the foreground, along the same ray as the raster's sample (Tan, Cui, Bhojan 2020, "Ray Reveal").
 // In:  hit_tex (foreground), mask_tex (> 0.5: reveal).
 // Out: color, depth, id, velocity, valid as the G-buffer encodes them; everything 0 where nothing is revealed.
-// Instance and geometry termination skip the foreground within one traversal and meet no cap. Motion and luminance
-// termination advance hit by hit; the latter stops inside an object whose back is lit differently, and passes through
-// a background of the same luminance.
+//      With `divide` = 2 a texel stands for a square of 2x2 pixels, and its ray is that of sourcePixel().
+// Goes from hit to hit by `advance` until `termination` holds or `max_layers` hits did not end it (counter `capped`).
+// Under instance_filter the foreground is passed over within the traversal: instance and geometry termination then end
+// at the first hit and meet no cap. A surface within 4 representable numbers of the one before reads as one with it
+// (restart: within 1e-5 of its depth; offset: within 1/32768 of it).
+// Fails: luminance stops inside an object whose back is lit differently, passes through a background of the same
+//   luminance, and makes the picture depend on brightness (no linear filter); instance and geometry never see a
+//   foreground that covers itself, nor that several instances are one object; motion sees the latter.
+#include "lib/advance.glsl"
 #include "lib/shade.glsl"
+#include "lib/square.glsl"
 
 float luminance(vec3 color) { return dot(color, vec3(0.2126, 0.7152, 0.0722)); }
 
-const float kFar = 3.0e38;
-
-// Four representable numbers further: the hit itself is not found again, and no true layer is passed over.
-float justBehind(float t) { return uintBitsToFloat(floatBitsToUint(t) + 4u); }
-
-// The first hit behind `front` whose luminance differs from it; `capped` when none did within the cap.
-Hit revealByLuminance(Ray ray, Hit front, out bool capped) {
-  float reference = luminance(shade(SLICE_CAPTURE, front));
-  float depth = front.t;
-  Hit hit = noHit();
-  capped = false;
-  for (int layer = 0; layer < params.max_layers; ++layer) {
-#if PARAM_advance == advance_restart
-    Ray onward = Ray(ray.origin + ray.direction * depth, ray.direction);
-    hit = traceNearest(SLICE_CAPTURE, onward, 1e-5 * depth, kFar);
-    hit.t += depth;
-#else
-    hit = traceNearest(SLICE_CAPTURE, ray, justBehind(depth), kFar);
-#endif
-    if (!isHit(hit)) return hit;
-    depth = hit.t;
-    float here = luminance(shade(SLICE_CAPTURE, hit));
-    if (abs(here - reference) > params.tolerance * max(here, reference)) return hit;
-  }
-  capped = true;
-  return hit;
-}
-
-// Does the surface move as if it were fixed to the foreground: on the screen, at both ends of the exposure?
+// Does the surface move as if it were fixed to the foreground: on the screen, at both ends of the exposure? What does
+// (a load on a truck, a lamp in its shade) hides the same background as the foreground.
 bool goesAlong(Hit hit, uint instance) {
+  if (hit.instance == instance) return true;
   vec3 capture_ws = positionOf(SLICE_CAPTURE, hit);
   for (uint slice = SLICE_OPEN; slice <= SLICE_CLOSE; ++slice) {
     vec2 own = pixelFromView(slice, viewFromWorld(slice, positionOf(slice, hit)));
@@ -48,62 +29,112 @@ bool goesAlong(Hit hit, uint instance) {
   return true;
 }
 
-// The first hit behind `front` that does not go along with it: what does (a load on a truck, a lamp in its shade)
-// hides the same background as the foreground.
-Hit revealByMotion(Ray ray, Hit front, out bool capped) {
-  float depth = front.t;
-  Hit hit = noHit();
-  capped = false;
-  for (int layer = 0; layer < params.max_layers; ++layer) {
-    hit = traceExcept(SLICE_CAPTURE, ray, justBehind(depth), kFar, front.instance, NO_INSTANCE);
-    if (!isHit(hit) || !goesAlong(hit, front.instance)) return hit;
-    depth = hit.t;
-  }
-  capped = true;
-  return hit;
+Hit nextHit(Ray ray, Hit front, Hit last) {
+#if PARAM_advance == advance_restart
+  return nextFromHit(ray, last);
+#elif PARAM_advance == advance_offset
+  return nextFromFarSide(ray, last);
+#elif PARAM_advance == advance_instance_filter && PARAM_termination == termination_geometry
+  return nextAlong(ray, last, front.instance, front.geometry);
+#elif PARAM_advance == advance_instance_filter
+  return nextAlong(ray, last, front.instance, NO_INSTANCE);
+#else
+  return nextAlong(ray, last, NO_INSTANCE, NO_INSTANCE);
+#endif
 }
 
-void run(ivec2 pixel) {
-  uvec4 seen = texelFetch(hit_tex, pixel, 0);
-  bool wanted = texelFetch(mask_tex, pixel, 0).r > 0.5 && seen.x != 0u;
-  vec4 color = vec4(0);
-  float depth = 0.0, valid = 0.0;
-  uvec2 id = uvec2(0);
-  vec2 velocity = vec2(0);
-  if (wanted) {
-    Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(pixel));
-    Hit front = hitOnTriangle(SLICE_CAPTURE, ray, seen.x - 1u, seen.y, seen.z);
-    bool capped = false;
+// Is a hit another object than the foreground, whose luminance is `reference`?
+bool isOther(Hit hit, Hit front, float reference) {
 #if PARAM_termination == termination_luminance
-    Hit hit = revealByLuminance(ray, front, capped);
+  float here = luminance(shade(SLICE_CAPTURE, hit));
+  return abs(here - reference) > params.tolerance * max(here, reference) + 1e-4;
 #elif PARAM_termination == termination_motion
-    Hit hit = revealByMotion(ray, front, capped);
+  return !goesAlong(hit, front.instance);
 #elif PARAM_termination == termination_geometry
-    Hit hit = traceExcept(SLICE_CAPTURE, ray, front.t, kFar, front.instance, front.geometry);
+  return hit.instance != front.instance || hit.geometry != front.geometry;
 #else
-    Hit hit = traceExcept(SLICE_CAPTURE, ray, front.t, kFar, front.instance, NO_INSTANCE);
+  return hit.instance != front.instance;
 #endif
-    if (capped) count_capped(1u);
-    if (!capped || PARAM_on_cap == on_cap_last_hit) {
-      valid = 1.0;
-      count_revealed(1u);
-      if (isHit(hit)) {
-        // Where on the triangle: as raster computes it, which does not depend on the device.
-        hit = hitOnTriangle(SLICE_CAPTURE, ray, hit.instance, hit.geometry, hit.primitive);
-        color = vec4(shade(SLICE_CAPTURE, hit), 1);
-        depth = hit.t;
-        id = uvec2(hit.instance, hit.geometry) + 1u;
-        velocity = displacementOf(hit);
-      } else {
-        color = vec4(environment(ray.direction), 1);
-        depth = uintBitsToFloat(0x7f800000u);
-        velocity = displacementOfSky(ray.direction);
-      }
+}
+
+// The first hit behind `front` that is another object, a miss if there is none; or the last one tried at the cap.
+Hit firstBehind(Ray ray, Hit front, out bool capped) {
+  float reference = 0.0;
+#if PARAM_termination == termination_luminance
+  reference = luminance(shade(SLICE_CAPTURE, front));
+#endif
+  Hit last = front;
+  int layer = 0;
+  uint met_again = 0u;
+  while (layer < params.max_layers && met_again < 8u) {
+    Hit hit = nextHit(ray, front, last);
+    bool again = isSameTriangle(hit, last);
+    last = hit;
+    if (again) {
+      ++met_again;
+      continue;
     }
+    if (!isHit(hit) || isOther(hit, front, reference)) break;
+    ++layer;
   }
-  imageStore(color_img, pixel, color);
-  imageStore(depth_img, pixel, vec4(depth));
-  imageStore(id_img, pixel, uvec4(id, 0u, 0u));
-  imageStore(velocity_img, pixel, vec4(velocity, 0, 0));
-  imageStore(valid_img, pixel, vec4(valid));
+  capped = layer == params.max_layers || met_again == 8u;
+  if (met_again > 0u) count_met_again(met_again);
+  return last;
+}
+
+// What `reveal_velocity` says the surface is displaced by, px over the exposure.
+vec2 givenDisplacement(vec2 own, Hit front) {
+#if PARAM_reveal_velocity == reveal_velocity_foreground
+  return displacementOf(front);
+#elif PARAM_reveal_velocity == reveal_velocity_zero
+  return vec2(0);
+#else
+  return own;
+#endif
+}
+
+struct Revealed {
+  vec4 color;
+  float depth;
+  uvec2 id;
+  vec2 velocity;
+  bool valid;
+};
+
+const Revealed kNothing = Revealed(vec4(0), 0.0, uvec2(0), vec2(0), false);
+
+Revealed surfaceSeen(Ray ray, Hit hit, Hit front) {
+  // Where on the triangle: as raster computes it, which does not depend on the device.
+  hit = hitOnTriangle(SLICE_CAPTURE, ray, hit.instance, hit.geometry, hit.primitive);
+  return Revealed(vec4(shade(SLICE_CAPTURE, hit), 1), hit.t, uvec2(hit.instance, hit.geometry) + 1u,
+                  givenDisplacement(displacementOf(hit), front), true);
+}
+
+Revealed skySeen(Ray ray, Hit front) {
+  return Revealed(vec4(environment(ray.direction), 1), uintBitsToFloat(0x7f800000u), uvec2(0),
+                  givenDisplacement(displacementOfSky(ray.direction), front), true);
+}
+
+Revealed revealedBehind(ivec2 pixel) {
+  uvec4 seen = texelFetch(hit_tex, pixel, 0);
+  Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(pixel));
+  Hit front = hitOnTriangle(SLICE_CAPTURE, ray, seen.x - 1u, seen.y, seen.z);
+  bool capped = false;
+  Hit hit = firstBehind(ray, front, capped);
+  if (capped) count_capped(1u);
+  if (capped && PARAM_on_cap == on_cap_fallback) return kNothing;
+  count_revealed(1u);
+  if (!isHit(hit)) return skySeen(ray, front);
+  return surfaceSeen(ray, hit, front);
+}
+
+void run(ivec2 texel) {
+  ivec2 pixel = sourcePixel(texel, params.divide);
+  Revealed revealed = kNothing;
+  if (pixel.x >= 0) revealed = revealedBehind(pixel);
+  imageStore(color_img, texel, revealed.color);
+  imageStore(depth_img, texel, vec4(revealed.depth));
+  imageStore(id_img, texel, uvec4(revealed.id, 0u, 0u));
+  imageStore(velocity_img, texel, vec4(revealed.velocity, 0, 0));
+  imageStore(valid_img, texel, vec4(revealed.valid ? 1.0 : 0.0));
 }

@@ -1,13 +1,14 @@
 -- SPDX-License-Identifier: MIT
 -- The parts of the hybrid: its parameters and its composites.
-local pipeline   = require "strobe.pipeline"
-local alpha_over = require "passes.composite.alpha_over"
-local layered    = require "passes.composite.layered"
-local edges      = require "scripts.pipelines.lib.edges"
-local gathers    = require "scripts.pipelines.lib.gathers"
-local options    = require "scripts.pipelines.lib.options"
-local ranges     = require "scripts.pipelines.lib.ranges"
-local tiles      = require "scripts.pipelines.lib.tiles"
+local pass            = require "strobe.pass"
+local pipeline        = require "strobe.pipeline"
+local reveal          = require "passes.scene.reveal"
+local reveal_upsample = require "passes.scene.reveal_upsample"
+local edges           = require "scripts.pipelines.lib.edges"
+local gathers         = require "scripts.pipelines.lib.gathers"
+local options         = require "scripts.pipelines.lib.options"
+local ranges          = require "scripts.pipelines.lib.ranges"
+local tiles           = require "scripts.pipelines.lib.tiles"
 
 local hybrid = {}
 
@@ -24,6 +25,21 @@ hybrid.mask_texts = {
   all      = "Every pixel. Fails to save any rays; it is what other masks are compared with.",
 }
 
+-- A file of passes/composite is a value.
+local function composite_choice()
+  local declared = pass.family("composite")
+  declared.default, declared.doc = "layered", "how the two layers become one picture"
+  declared.values = {
+    alpha_over = "Both layers are blurred apart and laid over each other, as published. Wrong where a textured " ..
+                 "background moves under a moving silhouette.",
+    in_gather  = "One gather along the foreground's motion whose background taps read the revealed layer. Misses " ..
+                 "surfaces that move neither like the fastest one around nor like the pixel's own.",
+    layered    = "For each time sample the nearest surface of either layer that is at the pixel then. Misses what is " ..
+                 "hidden behind two layers.",
+  }
+  return declared
+end
+
 function hybrid.params()
   local choice, bool = pipeline.choice, pipeline.bool
   local edge_names = { default = "sobel", doc = "edge detector of the mask `seed`", values = edges.texts() }
@@ -36,16 +52,23 @@ function hybrid.params()
       doc = "positions along the displacement at which the mask `seed` looks for something farther" },
     edge        = choice(edge_names),
     own_edge    = bool { true, doc = "an edge met along the motion must belong to the pixel's own instance" },
-    termination = choice { "luminance", "geometry", "instance", "motion", default = "instance",
-      doc = "what tells the background from more of the foreground along a ray" },
-    advance     = choice { "origin_kept", "restart", default = "origin_kept", doc = "how a ray goes on past a hit" },
-    max_layers  = pipeline.int { 8, min = 1, max = 31, doc = "hits a ray may pass" },
-    on_cap      = choice { "fallback", "last_hit", default = "fallback", doc = "what if there are more" },
+    termination = reveal.params.termination,
+    tolerance   = reveal.params.tolerance,
+    same_motion = reveal.params.same_motion,
+    advance     = reveal.params.advance,
+    max_layers  = reveal.params.max_layers,
+    on_cap      = reveal.params.on_cap,
+    reveal_velocity   = reveal.params.reveal_velocity,
+    reveal_resolution = choice { "full", "half", default = "full", doc = "rays per masked pixel",
+      values = {
+        full = "One ray per masked pixel.",
+        half = "One ray per square of 2x2 pixels of which any is masked, shared out by ids and depths. Smooths what " ..
+               "is revealed, and moves silhouettes in it by up to a pixel.",
+      } },
     tiles       = choice { "separate", "union", default = "union", doc = "dominant motion per layer, or of both" },
     range       = ranges.param,
     weights     = choice { "mcguire2012", "uniform", default = "uniform", doc = "of the taps, under alpha_over" },
-    composite   = choice { "alpha_over", "layered", default = "layered",
-      doc = "blur both layers and lay one over the other, or look at both per time sample" },
+    composite   = choice(composite_choice()),
   })
 end
 
@@ -55,43 +78,89 @@ local seed = {
 }
 local seed_linear = options.with(options.with({}, seed), { weights = "uniform" })
 local best = {
-  mask = "relative", termination = "instance", advance = "origin_kept", on_cap = "fallback",
+  mask = "relative", termination = "instance", advance = "instance_filter", on_cap = "fallback",
   tiles = "union", weights = "uniform", composite = "layered",
 }
 hybrid.presets = { seed = seed, seed_linear = seed_linear, best = best }
 
--- Displacements per tile for the raster layer and for the revealed one; `second` as for tiles.dominant.
+-- What lies behind the masked pixels: the ports of the pass `reveal`.
+function hybrid.revealed(p, seen, mask)
+  local half = p.reveal_resolution() == "half"
+  local rays = reveal {
+    hit = seen.hit, mask = mask, displacement = p.displacement, divide = half and 2 or 1, as = "reveal",
+    termination = p.termination, tolerance = p.tolerance, same_motion = p.same_motion, advance = p.advance,
+    max_layers = p.max_layers, on_cap = p.on_cap, reveal_velocity = p.reveal_velocity,
+  }
+  if not half then return rays end
+  return reveal_upsample {
+    hit = seen.hit, mask = mask, front_depth = seen.depth, color = rays.color, depth = rays.depth, id = rays.id,
+    velocity = rays.velocity, valid = rays.valid, depth_extent = p.depth_extent,
+  }
+end
+
+-- The revealed layer as filters see it (ranges.divided). A displacement that is not its own stays one for both parts.
+function hybrid.divided(p, revealed)
+  local layer = {
+    color = revealed.color, depth = revealed.depth, id = revealed.id, velocity = revealed.velocity,
+    valid = revealed.valid,
+  }
+  if p.reveal_velocity() == "own" then return ranges.divided(p, layer, "revealed_halves") end
+  if ranges.are_split(p) then layer.after_velocity = layer.velocity end
+  return layer
+end
+
+-- Displacements per tile for the raster layer, united with the revealed one's if `tiles` says so; `second` as for
+-- tiles.dominant.
 function hybrid.dominant(p, seen, revealed, second)
-  if p.tiles() == "union" then
-    local both = tiles.dominant(p, seen, { extra = revealed, second = second })
-    return both, both
+  if p.tiles() == "union" then return tiles.dominant(p, seen, { extra = revealed, second = second }) end
+  return tiles.dominant(p, seen, { second = second, prefix = "raster_" })
+end
+
+-- The same of the revealed layer; `united` is what hybrid.dominant gave.
+function hybrid.revealed_dominant(p, revealed, united)
+  if p.tiles() == "union" then return united end
+  return tiles.dominant(p, revealed, { prefix = "revealed_" })
+end
+
+-- The two layers blurred apart, for composites that lay one over the other.
+local function blurred(p, seen, revealed)
+  local on_top = hybrid.dominant(p, seen, revealed)
+  local below = hybrid.revealed_dominant(p, revealed, on_top)
+  return {
+    front = gathers.blurred(p, p.weights(), seen, on_top, revealed, "gather_raster"),
+    back = gathers.blurred(p, p.weights(), revealed, below, nil, "gather_revealed"),
+  }
+end
+
+local function put(images, prefix, layer)
+  for name, image in pairs(layer) do images[prefix .. name] = image end
+end
+
+-- The two layers as they are, with displacements per tile, for composites that blur by themselves. What a composite
+-- reads as x, of the revealed layer it reads as revealed_x.
+local function layers(p, seen, revealed, composite)
+  ranges.require_parts(seen, composite, "composite = " .. p.composite())
+  local images = {}
+  put(images, "", seen)
+  put(images, "revealed_", revealed)
+  put(images, "", hybrid.dominant(p, seen, revealed, pass.reads(composite, "second")))
+  if p.tiles() == "separate" and pass.reads(composite, "revealed_dominant") then
+    put(images, "revealed_", hybrid.revealed_dominant(p, revealed))
   end
-  return tiles.dominant(p, seen, { second = second, prefix = "raster_" }),
-         tiles.dominant(p, revealed, { prefix = "revealed_" })
+  return images
 end
 
-hybrid.composites = {}
-
-function hybrid.composites.alpha_over(p, seen, revealed)
-  local on_top, below = hybrid.dominant(p, seen, revealed)
-  local front = gathers.blurred(p, p.weights(), seen, on_top, revealed, "gather_raster")
-  local back = gathers.blurred(p, p.weights(), revealed, below, nil, "gather_revealed")
-  return alpha_over { front = front, back = back, as = "composite" }.color
-end
-
-function hybrid.composites.layered(p, seen, revealed)
-  local on_top, below = hybrid.dominant(p, seen, revealed, true)
-  local separate = p.tiles() == "separate"
-  return layered {
-    color = seen.color, depth = seen.depth, velocity = seen.velocity,
-    dominant = on_top.dominant, second = on_top.second,
-    revealed_color = revealed.color, revealed_depth = revealed.depth, revealed_velocity = revealed.velocity,
-    revealed_valid = revealed.valid, revealed_dominant = separate and below.dominant or nil,
-    after_velocity = seen.after_velocity, after_dominant = on_top.after_dominant, after_second = on_top.after_second,
-    revealed_after_velocity = revealed.after_velocity,
-    revealed_after_dominant = separate and below.after_dominant or nil,
-    samples = p.samples, tile = p.tile, limit = p.limit, jitter = p.jitter, as = "composite",
-  }.blurred
+-- The picture, by the composite chosen: a pass that reads blurred layers (front, back) or the layers themselves.
+function hybrid.composited(p, seen, revealed)
+  local composite = pass.member("composite", p.composite())
+  local apart = pass.reads(composite, "front")
+  local images = apart and blurred(p, seen, revealed) or layers(p, seen, revealed, composite)
+  local arguments = { as = "composite" }
+  for _, name in ipairs { "samples", "tile", "limit", "depth_extent", "jitter" } do
+    if composite.params[name] then arguments[name] = p[name] end
+  end
+  local made = composite(pass.wired(composite, images, arguments))
+  return apart and made.color or made.blurred
 end
 
 return hybrid

@@ -1,0 +1,40 @@
+-- SPDX-License-Identifier: MIT
+-- One gather over both layers: taps that stand for the background read the revealed layer where raster saw something in
+-- front of it.
+local pass = require "strobe.pass"
+
+return pass.compute {
+  name   = "in_gather",
+  shader = "composite/in_gather",
+  doc    = "One gather whose background taps read the revealed layer where the foreground hides them",
+  fails  = "A surface in front that moves neither like the fastest one around nor like what the pixel itself sees may " ..
+           "be missed, above all if it moves against them. The background is taken to move as it does at the pixel: " ..
+           "wrong where two backgrounds meet or where it turns. One layer behind the first, no more.",
+  size   = { of = "color" },
+  reads  = {
+    color             = { doc = "linear" },
+    depth             = { doc = "linear view depth, metres, sky = +inf" },
+    id                = { uint = true, doc = "instance + 1, geometry + 1; sky = 0" },
+    velocity          = { doc = "px over the exposure" },
+    dominant          = { doc = "px over the exposure, per tile" },
+    revealed_color    = { doc = "linear" },
+    revealed_depth    = { doc = "linear view depth, metres, sky = +inf" },
+    revealed_id       = { uint = true, doc = "instance + 1, geometry + 1; sky = 0" },
+    revealed_velocity = { doc = "px over the exposure" },
+    revealed_valid    = { doc = "above 1/2 where something was revealed" },
+    after_velocity = { optional = true, doc = "px over the exposure, at times after the capture; absent: velocity" },
+    after_dominant = { optional = true, doc = "px over the exposure, per tile, at times after the capture" },
+    revealed_after_velocity = { optional = true, doc = "revealed_velocity at times after the capture" },
+  },
+  writes = { blurred = { format = "rgba32f", doc = "linear; alpha 1" } },
+  params = {
+    samples      = pass.int { 16, min = 1, max = 1024, doc = "time samples" },
+    tile         = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
+    limit        = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
+    depth_extent = pass.float { 0.01, min = 1e-6, max = 1,
+      doc = "share of the depth over which two depths count as one" },
+    jitter       = pass.choice { "none", "ign", "hash", default = "none",
+      doc = "shift of the samples by up to half their distance: none, interleaved gradient noise, or by the seed" },
+  },
+  counters = { fallback = "time samples whose background neither layer had; that at the pixel stands in" },
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Every hit of one camera ray at the capture, nearest first: texel k is the k-th. The ray keeps its origin; its lower
+// bound is raised by 4 representable numbers, and the triangle just left is not counted again.
+// Out: hit (instance + 1, geometry + 1, primitive, 1 if the front is seen; 0: no more), where (view depth, m; unit
+//      normal), velocity (px over the exposure), color (linear; alpha 1 on a hit).
+// Fails: of two surfaces in one place only one is listed.
+#include "lib/advance.glsl"
+#include "lib/shade.glsl"
+
+// The hit number `wanted`, from 0; a miss if there are fewer.
+Hit hitNumber(Ray ray, int wanted) {
+  Hit last = traceNearest(SLICE_CAPTURE, ray, scene_cameras[SLICE_CAPTURE].near, kFar);
+  int number = 0;
+  while (number < wanted && isHit(last)) {
+    Hit next = nextAlong(ray, last, NO_INSTANCE, NO_INSTANCE);
+    if (!isSameTriangle(next, last)) ++number;
+    last = next;
+  }
+  return last;
+}
+
+void run(ivec2 texel) {
+  Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(ivec2(params.pixel_x, params.pixel_y)));
+  Hit hit = hitNumber(ray, texel.x);
+  uvec4 name = uvec4(0);
+  vec4 where = vec4(0), color = vec4(0);
+  vec2 velocity = vec2(0);
+  if (isHit(hit)) {
+    hit = hitOnTriangle(SLICE_CAPTURE, ray, hit.instance, hit.geometry, hit.primitive);
+    name = uvec4(hit.instance + 1u, hit.geometry + 1u, hit.primitive, hit.front ? 1u : 0u);
+    where = vec4(hit.t, surfaceOf(SLICE_CAPTURE, hit).normal_ws);
+    velocity = displacementOf(hit);
+    color = vec4(shade(SLICE_CAPTURE, hit), 1);
+  }
+  imageStore(hit_img, texel, name);
+  imageStore(where_img, texel, where);
+  imageStore(velocity_img, texel, vec4(velocity, 0, 0));
+  imageStore(color_img, texel, color);
+}
