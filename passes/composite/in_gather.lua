@@ -7,9 +7,9 @@ return pass.compute {
   name   = "in_gather",
   shader = "composite/in_gather",
   doc    = "One gather whose background taps read the revealed layer where the foreground hides them",
-  fails  = "A surface in front that moves neither like the fastest one around nor like what the pixel itself sees may " ..
-           "be missed, above all if it moves against them. The background is taken to move as it does at the pixel: " ..
-           "wrong where two backgrounds meet or where it turns. One layer behind the first, no more.",
+  fails  = "A surface in front that moves neither like the fastest one around nor like what the pixel itself sees " ..
+           "may be missed, above all if it moves against them. The background is taken to move as it does at the " ..
+           "pixel: wrong where two backgrounds meet or where it turns. One layer behind the first, no more.",
   size   = { of = "color" },
   reads  = {
     color             = { doc = "linear" },

@@ -6,9 +6,9 @@ return pass.compute {
   name   = "layered",
   shader = "composite/layered",
   doc    = "For each time sample, the nearest surface of any layer that is at the pixel then",
-  fails  = "A surface hidden at the capture and not revealed (a second layer behind, or outside of the mask) is missing. " ..
-           "Motion that bends or magnifies by more than about a pixel within the distance moved puts edges wrong. Where " ..
-           "more than 4 different motions meet at a pixel some are left out.",
+  fails  = "A surface hidden at the capture and not revealed (a second layer behind, or outside of the mask) is " ..
+           "missing. Motion that bends or magnifies by more than about a pixel within the distance moved puts " ..
+           "edges wrong. Where more than 4 different motions meet at a pixel some are left out.",
   size   = { of = "color" },
   reads  = {
     color             = { doc = "linear" },

@@ -20,44 +20,51 @@ return pass.trace {
     velocity = { format = "rg32f", doc = "its displacement over the exposure, px" },
     valid    = { format = "r8_unorm", doc = "1 where something is revealed" },
   },
-  fails  = "A second layer behind the revealed one stays hidden. Of two surfaces in one place (within 4 representable " ..
-           "numbers of depth, more under restart and offset) the second is lost. Glass is revealed as if it were opaque.",
+  fails  = "A second layer behind the revealed one stays hidden. Of two surfaces in one place (within 4 " ..
+           "representable numbers of depth, more under restart and offset) the second is lost. Glass is revealed " ..
+           "as if it were opaque.",
   params = {
     displacement = gbuffer.params.displacement,
     termination = pass.choice { "luminance", "geometry", "instance", "motion", default = "instance",
       doc = "what counts as another object than the one in front",
       values = {
-        luminance = "The first hit whose luminance differs from that of the surface in front, as published. Passes " ..
-                    "through a background of equal luminance, stops inside an object whose back is lit or painted " ..
-                    "differently, and never stops in the dark. The picture is no linear function of the light.",
-        geometry  = "The first hit on another geometry (a part of a mesh with its own material) or another instance. " ..
-                    "Stops at the next part of the same object, which moves along and is not what gets uncovered.",
+        luminance = "The first hit whose luminance differs from that of the surface in front, as published. " ..
+                    "Passes through a background of equal luminance, stops inside an object whose back is lit or " ..
+                    "painted differently, and never stops in the dark. The picture is no linear function of the " ..
+                    "light.",
+        geometry  = "The first hit on another geometry (a part of a mesh with its own material) or another " ..
+                    "instance. Stops at the next part of the same object, which moves along and is not what gets " ..
+                    "uncovered.",
         instance  = "The first hit on another instance. Takes an object made of several instances for several " ..
                     "objects, and never sees one that covers itself.",
-        motion    = "The first hit that does not move as if fixed to the surface in front. Misses a background that " ..
-                    "happens to move alike, which would be uncovered only later than the exposure.",
+        motion    = "The first hit that does not move as if fixed to the surface in front. Misses a background " ..
+                    "that happens to move alike, which would be uncovered only later than the exposure.",
       } },
     advance = pass.choice { "instance_filter", "origin_kept", "restart", "offset", default = "instance_filter",
       doc = "how a ray goes on past a hit",
       values = {
         instance_filter = "One traversal of the same ray that ignores the instance in front (under geometry " ..
-                          "termination: that geometry of it). Instance and geometry termination need one ray and meet " ..
-                          "no cap; luminance and motion go from hit to hit among the other instances. Luminance then " ..
-                          "never stops at the object's own back.",
+                          "termination: that geometry of it). Instance and geometry termination need one ray and " ..
+                          "meet no cap; luminance and motion go from hit to hit among the other instances. " ..
+                          "Luminance then never stops at the object's own back.",
         origin_kept     = "Hit by hit along the same ray, whose lower bound is raised by 4 representable numbers. " ..
-                          "Loses no layer but one in the same place as another; a ray per layer, so it may meet the cap.",
-        restart         = "Hit by hit, a new ray from the hit that starts 0.00001 of the depth later, as published. " ..
-                          "Loses layers closer together than that, and far from the origin may find the same hit again.",
+                          "Loses no layer but one in the same place as another; a ray per layer, so it may meet " ..
+                          "the cap.",
+        restart         = "Hit by hit, a new ray from the hit that starts 0.00001 of the depth later, as " ..
+                          "published. Loses layers closer together than that, and far from the origin may find " ..
+                          "the same hit again.",
         offset          = "Hit by hit, a new ray from a point moved off the surface to its far side (Waechter and " ..
                           "Binder 2019, with the constants scaled to the point's distance). Loses layers closer " ..
                           "together than about 0.00003 of the distance, and shifts the ray sideways by as much.",
       } },
-    max_layers = pass.int { 8, min = 1, max = 31, doc = "most hits behind the foreground that do not end the search" },
+    max_layers = pass.int { 8, min = 1, max = 31, doc = "most hits tried that are no other object" },
     on_cap = pass.choice { "fallback", "last_hit", default = "fallback",
       doc = "what is revealed at the cap on layers",
       values = {
-        fallback = "Nothing: the pixel is blurred as without rays. A background behind more layers than the cap is missed.",
-        last_hit = "The last hit. Where the foreground has more layers than the cap that is still the foreground itself.",
+        fallback = "Nothing: the pixel is blurred as without rays. A background behind more layers than the cap " ..
+                   "is missed.",
+        last_hit = "The last hit. Where the foreground has more layers than the cap that is still the foreground " ..
+                   "itself.",
       } },
     same_motion = pass.float { 1, min = 0, max = 1000, unit = "px",
       doc = "motion only: a surface that goes no farther from where the foreground would carry it belongs to it" },

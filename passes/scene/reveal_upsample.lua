@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- Joint upsampling of a revealed layer that has one ray per 2x2 pixels.
--- Source: Kopf, Cohen, Lischinski, Uyttendaele, "Joint Bilateral Upsampling", SIGGRAPH 2007, with ids and depths as guide.
+-- Source: Kopf, Cohen, Lischinski, Uyttendaele, "Joint Bilateral Upsampling", SIGGRAPH 2007; guided by ids and depths.
 local pass = require "strobe.pass"
 
 return pass.compute {
@@ -25,8 +25,8 @@ return pass.compute {
     velocity = { format = "rg32f", doc = "its displacement over the exposure, px" },
     valid    = { format = "r8_unorm", doc = "1 where something is revealed" },
   },
-  fails  = "Detail of the revealed surface finer than 2 pixels is smoothed or missed, and silhouettes in it move by up " ..
-           "to a pixel. Foregrounds narrower than 2 pixels may have no ray of their own.",
+  fails  = "Detail of the revealed surface finer than 2 pixels is smoothed or missed, and silhouettes in it move " ..
+           "by up to a pixel. Foregrounds narrower than 2 pixels may have no ray of their own.",
   params = {
     depth_extent = pass.float { 0.01, min = 1e-6, max = 1,
       doc = "share of the depth over which two depths count as one surface" },

@@ -34,8 +34,8 @@ local function composite_choice()
                  "background moves under a moving silhouette.",
     in_gather  = "One gather along the foreground's motion whose background taps read the revealed layer. Misses " ..
                  "surfaces that move neither like the fastest one around nor like the pixel's own.",
-    layered    = "For each time sample the nearest surface of either layer that is at the pixel then. Misses what is " ..
-                 "hidden behind two layers.",
+    layered    = "For each time sample the nearest surface of either layer that is at the pixel then. Misses what " ..
+                 "is hidden behind two layers.",
   }
   return declared
 end
