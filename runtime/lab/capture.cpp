@@ -37,6 +37,12 @@ static LayerName layerName(const std::string& output, int channels) {
   return {output, {"R", "G", "B", "A"}};
 }
 
+std::vector<std::string> componentNames(const std::string& output, int channels) {
+  std::vector<std::string> names = layerName(output, channels).components;
+  names.resize(size_t(channels));
+  return names;
+}
+
 static void addLayer(image::ExrFile& file, const std::string& output, const graph::ReadImage& read, bool half) {
   bool uint = !read.uints.values.empty();
   int channels = uint ? read.uints.channels : read.floats.channels;

@@ -14,6 +14,9 @@ image::Image colorOf(const Picture& picture);
 // A named output as an image; asserts that it is there.
 const graph::ReadImage& outputOf(const Picture& picture, const std::string& name);
 
+// Names of an image's channels: R G B A, X Y, Z of a depth, id and its companions.
+std::vector<std::string> componentNames(const std::string& output, int channels);
+
 // Every output and tap as layers: colour R G B A, depth Z, velocity.X/Y, normal N.X/Y/Z, id; others by their names.
 image::ExrFile exrOf(const Picture& picture, bool half);
 

@@ -199,7 +199,6 @@ Image maskView(const Image& mask, Image display, bool over) {
 
 // Arrows are true to length where that can be read, else to a power of two.
 double arrowScale(double longest_px, double step) {
-  if (!(longest_px > 0)) return 1;
   double scale = 1;
   while (longest_px * scale > 3 * step) scale /= 2;
   while (longest_px * scale * 2 <= step && scale < 1024) scale *= 2;
@@ -221,15 +220,16 @@ std::string scaleText(double scale) {
 Image arrowView(const Image& vectors, Image display, const ViewOptions& options) {
   for (float& value : display.values) value *= 0.55f;
   double full = fullLength(vectors, options.high);
-  int step = std::clamp(display.width / 40, 10, 40);
-  double scale = arrowScale(full, step);
-  for (int y = step / 2; y < display.height; y += step)
-    for (int x = step / 2; x < display.width; x += step) {
+  double fine = std::clamp(display.width / 40, 10, 40), scale = arrowScale(full, fine);
+  // Wide enough that one arrow ends before the next begins, rows staggered so that thin things are met too.
+  int step = int(std::clamp(1.15 * full * scale, 1.4 * fine, 2 * fine)), pitch = step / 2, row = 0;
+  for (int y = pitch / 2; y < display.height; y += pitch, ++row)
+    for (int x = row % 2 ? step : step / 2; x < display.width; x += step) {
       vec2 v(vectors.at(x, y, 0), vectors.at(x, y, 1));
       float length = glm::length(v);
       if (!std::isfinite(length) || length * scale < 1) continue;
       vec2 from(x + 0.5f, y + 0.5f), to = from + v * float(std::min(scale, 4096.0 / length));
-      drawArrow(display, from, to, std::max(1.5f, step / 14.0f), hueOf(v / length));
+      drawArrow(display, from, to, std::max(1.5f, float(fine) / 12), hueOf(v / length));
     }
   shout(display, vectors, 2);
   drawCaption(display, scaleText(scale));

@@ -212,20 +212,20 @@ TEST(Views, SmallPicturesHaveNoLegend) {
     for (int x = 0; x < 64; ++x) EXPECT_EQ(at(picture, x, y), at(picture, 0, 0));
 }
 
-// A displacement of 20 px to the right on a grid of 10 px: an arrow from the middle of a cell, its length as it is.
+// A displacement of 20 px to the right where the second arrow of the first row stands (20 px apart from 10, 5).
 TEST(Views, ArrowsPointAlongTheDisplacement) {
   Image velocity(100, 60, 2);
-  velocity.at(25, 25, 0) = 20;
+  velocity.at(30, 5, 0) = 20;
   ViewOptions options;
   options.kind = "arrows";
   options.high = 20;
   Image picture = shown(floats("rg32f", velocity), "gbuffer.velocity", 1, 100, 60, options, nullptr);
-  EXPECT_GT(at(picture, 35, 25)[0], 0.8f) << "red is to the right";
-  EXPECT_LT(at(picture, 35, 25)[1], 0.2f);
-  EXPECT_GT(at(picture, 43, 25)[0], 0.5f);
-  EXPECT_EQ(at(picture, 15, 25), kBlack);
-  EXPECT_EQ(at(picture, 50, 25), kBlack);
-  EXPECT_EQ(at(picture, 35, 40), kBlack);
+  EXPECT_GT(at(picture, 40, 5)[0], 0.8f) << "red is to the right";
+  EXPECT_LT(at(picture, 40, 5)[1], 0.2f);
+  EXPECT_GT(at(picture, 48, 5)[0], 0.5f);
+  EXPECT_EQ(at(picture, 20, 5), kBlack);
+  EXPECT_EQ(at(picture, 55, 5), kBlack);
+  EXPECT_EQ(at(picture, 40, 25), kBlack);
 }
 
 TEST(Views, WipeTakesLeftFromOneAndRightFromTheOther) {
