@@ -1,7 +1,8 @@
 -- SPDX-License-Identifier: MIT
 -- One gather over both layers: taps that stand for the background read the revealed layer where raster saw something in
 -- front of it.
-local pass = require "strobe.pass"
+local pass   = require "strobe.pass"
+local jitter = require "scripts.pipelines.lib.jitter"
 
 return pass.compute {
   name   = "in_gather",
@@ -33,8 +34,8 @@ return pass.compute {
     limit        = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
     depth_extent = pass.float { 0.01, min = 1e-6, max = 1,
       doc = "share of the depth over which two depths count as one" },
-    jitter       = pass.choice { "none", "ign", "hash", default = "none",
-      doc = "shift of the samples by up to half their distance: none, interleaved gradient noise, or by the seed" },
+    jitter       = jitter.jitter,
+    jitter_frame = jitter.jitter_frame,
   },
   counters = { fallback = "time samples whose background neither layer had; that at the pixel stands in" },
 }

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Per-time layered composite of what raster saw and what was revealed behind it.
-local pass = require "strobe.pass"
+local pass   = require "strobe.pass"
+local jitter = require "scripts.pipelines.lib.jitter"
 
 return pass.compute {
   name   = "layered",
@@ -29,12 +30,12 @@ return pass.compute {
   },
   writes = { blurred = { format = "rgba32f", doc = "linear; alpha 1" } },
   params = {
-    samples = pass.int { 16, min = 1, max = 1024, doc = "time samples" },
-    tile    = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
-    limit   = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
-    harvest = pass.bool { true, doc = "also try the displacements met along the dominant one" },
-    jitter  = pass.choice { "none", "ign", "hash", default = "none",
-      doc = "shift of the samples by up to half their distance: none, interleaved gradient noise, or by the seed" },
+    samples      = pass.int { 16, min = 1, max = 1024, doc = "time samples" },
+    tile         = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
+    limit        = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
+    harvest      = pass.bool { true, doc = "also try the displacements met along the dominant one" },
+    jitter       = jitter.jitter,
+    jitter_frame = jitter.jitter_frame,
   },
   counters = { fallback = "time samples at which no layer had anything to show" },
 }

@@ -1,17 +1,22 @@
 -- SPDX-License-Identifier: MIT
 -- McGuire, Hennessy, Bukowski and Osman 2012, "A Reconstruction Filter for Plausible Motion Blur", for any anchor.
-local pass = require "strobe.pass"
+local pass   = require "strobe.pass"
+local jitter = require "scripts.pipelines.lib.jitter"
 
 return pass.compute {
   name   = "gather_mcguire2012",
   shader = "gather/mcguire2012",
   doc    = "Blur along the dominant displacement, weighted by cones and cylinders",
+  fails  = "It is too opaque inside silhouettes (6/7 where 1/2 is true), shows a step at them, and its ramps are no "
+    .. "straight lines; opacity grows with the number of samples. Background inside a silhouette is the picture from "
+    .. "outside. Motions that cross the dominant one are blurred along it.",
   size   = { of = "color" },
   reads  = {
     color        = { doc = "linear" },
     depth        = { doc = "linear view depth, metres, sky = +inf" },
     velocity     = { doc = "px over the exposure" },
     dominant     = { doc = "px over the exposure, per tile" },
+    second       = { optional = true, doc = "what else moves around, px over the exposure, per tile" },
     valid        = { optional = true, doc = "above 1/2 where the layer holds something; absent: everywhere" },
     behind_depth = { optional = true, doc = "linear view depth of what was revealed behind each pixel" },
     behind_valid = { optional = true, doc = "above 1/2 where something was; absent: nowhere" },
@@ -20,11 +25,17 @@ return pass.compute {
     doc = "linear, times alpha; alpha below 1 only over something revealed" } },
   params = {
     samples      = pass.int { 16, min = 1, max = 1024, doc = "taps along the displacement" },
+    directions   = pass.choice { "one", "two", default = "one", doc = "along how many directions taps are taken",
+      values = {
+        one = "All along the dominant displacement, as published. Fails where things cross it: they blur along it.",
+        two = "Every other one along the pixel's own, or across the dominant one where the pixel is at rest. Fails "
+          .. "by spreading what moves one way along the other, since weights know distances, not directions.",
+      } },
     tile         = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
     limit        = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
     depth_extent = pass.float { 0.01, min = 1e-6, max = 1,
       doc = "share of the depth over which two depths count as one" },
-    jitter       = pass.choice { "none", "ign", "hash", default = "none",
-      doc = "shift of the taps by up to half their distance: none, interleaved gradient noise, or by the seed" },
+    jitter       = jitter.jitter,
+    jitter_frame = jitter.jitter_frame,
   },
 }

@@ -1,11 +1,15 @@
 -- SPDX-License-Identifier: MIT
 -- Time-uniform gather: a tap counts as 1/N of the exposure if its own motion passes over the pixel, else not at all.
-local pass = require "strobe.pass"
+local pass   = require "strobe.pass"
+local jitter = require "scripts.pipelines.lib.jitter"
 
 return pass.compute {
   name   = "gather_uniform",
   shader = "gather/uniform",
   doc    = "Blur along the dominant displacement, each tap an equal share of the exposure",
+  fails  = "Without a revealed layer the background inside a silhouette is the picture from outside. Where background "
+    .. "moves under a moving silhouette the product of two means is not the mean of the product. Motions that cross "
+    .. "the dominant one by more than 3/4 px are not found.",
   size   = { of = "color" },
   reads  = {
     color        = { doc = "linear" },
@@ -26,7 +30,7 @@ return pass.compute {
     limit        = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
     depth_extent = pass.float { 0.01, min = 1e-6, max = 1,
       doc = "share of the depth over which two depths count as one" },
-    jitter       = pass.choice { "none", "ign", "hash", default = "none",
-      doc = "shift of the taps by up to half their distance: none, interleaved gradient noise, or by the seed" },
+    jitter       = jitter.jitter,
+    jitter_frame = jitter.jitter_frame,
   },
 }

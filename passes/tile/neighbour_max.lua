@@ -7,6 +7,8 @@ return pass.compute {
   name   = "neighbour_max",
   shader = "tile/neighbour_max",
   doc    = "Longest displacement among the tiles around that can reach each tile within the exposure",
+  fails  = "A tile is judged by its longest displacement: a slower pixel of it that comes this way, while the longest "
+    .. "does not, is lost. Where the dominant displacement changes, borders of tiles show.",
   size   = { of = "longest" },
   reads  = {
     longest = { doc = "px over the exposure, longest of each tile" },
@@ -19,7 +21,13 @@ return pass.compute {
   params = {
     tile  = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
     limit = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement filters handle" },
-    rule  = pass.choice { "reach", "all", default = "reach",
-      doc = "reach: only tiles that move over this one within the exposure; all: every tile in range (McGuire 2012)" },
+    rule  = pass.choice { "reach", "sign", "all", default = "reach", doc = "which of the tiles around count",
+      values = {
+        reach = "Those whose box moves over this one within the exposure. Fails for a slow pixel of a tile whose "
+          .. "longest displacement passes by.",
+        sign = "Those that point here, on every axis on which they lie off (Guertin et al. 2014). Fails as reach "
+          .. "does, and lets distant tiles dominate that stop short of this one.",
+        all = "Every tile in range (McGuire et al. 2012). Fails by letting motion dominate that never comes here.",
+      } },
   },
 }

@@ -6,6 +6,7 @@ return pass.compute {
   name   = "tile_max",
   shader = "tile/tile_max",
   doc    = "Longest displacement of each tile, shortened to what the filters handle",
+  fails  = "One displacement stands for a tile: slower ones, and others of equal length, are lost.",
   size   = { of = "velocity", divide = "tile" },
   reads  = {
     velocity       = { doc = "px over the exposure" },

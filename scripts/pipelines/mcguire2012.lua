@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Post-process blur of McGuire, Hennessy, Bukowski and Osman 2012, for any anchor.
 local pipeline = require "strobe.pipeline"
+local gather   = require "passes.gather.mcguire2012"
 local scene    = require "scripts.pipelines.lib.scene"
 local options  = require "scripts.pipelines.lib.options"
 local ranges   = require "scripts.pipelines.lib.ranges"
@@ -12,12 +13,15 @@ return pipeline {
   params = options.with(options.blur(40, 0.1), {
     weights = pipeline.choice { "mcguire2012", "uniform", default = "mcguire2012",
       doc = "weights of the taps: as published, or each tap an equal share of the exposure" },
+    directions = gather.params.directions,
     range = ranges.param,
   }),
   build = function(p)
     local seen = scene.captured(p)
     local moving = ranges.divided(p, seen, "halves")
-    local dominant = tiles.dominant(p, moving)
-    return scene.outputs(seen, { color = gathers.blurred(p, p.weights(), moving, dominant, nil, "gather") })
+    local images = gathers.images(moving, tiles.dominant(p, moving))
+    return scene.outputs(seen, {
+      color = gathers.blurred(p, p.weights(), images, "gather", { directions = p.directions }),
+    })
   end,
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // McGuire, Hennessy, Bukowski, Osman 2012, "A Reconstruction Filter for Plausible Motion Blur", section 2.3.
 // In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure), dominant (the same, per tile);
+//      second (per tile): what else moves around, for the second direction of pixels at rest;
 //      valid (> 1/2: the layer has a texel there; absent: everywhere);
 //      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere).
 // Out: blurred, colour times alpha and alpha.
@@ -8,7 +9,8 @@
 //   the middle of the exposure, as in the paper, taps lie at X + d/2 * t_i, a pixel spreads over |d|/2, and the one
 //   tap on the pixel itself (which only an odd S has) is left out: the centre sample stands for it. With the
 //   capture at an end taps lie at X + d * (t_i + 1)/2 (exposure before the capture; mirrored for after), a pixel
-//   spreads over |d|, and all S taps count (Tan, Cui, Bhojan 2020).
+//   spreads over |d|, and all S taps count (Tan, Cui, Bhojan 2020). With two directions odd samples lie as far along
+//   the second one of lib/directions.glsl, if there is one, gamma = 3/2 px (not in the paper; later code has them).
 // Weights: f*cone(D, rY) + b*cone(D, rX) + 2*cylinder(D, rY)*cylinder(D, rX), centre 1/rX, divided by their sum.
 //   f and b compare depths as shares of the depth instead of metres: no scale is built in.
 // Alpha: 1, unless something was revealed behind the pixel. Then the result is the foreground alone, to be laid over
@@ -18,9 +20,9 @@
 //   that slopes up to the viewer). The centre sample is foreground if it is in front.
 // Fails: opaque inside of silhouettes (6/7 where 1/2 is true), a step at them, ramps that are no straight lines,
 //   opacity that depends on S; one direction per tile.
-#include "lib/blur.glsl"
+#include "lib/directions.glsl"
 #include "lib/jitter.glsl"
-#include "lib/sanitise.glsl"
+#include "lib/layer.glsl"
 
 struct Tap {
   vec3 color;
@@ -29,34 +31,8 @@ struct Tap {
 };
 
 Tap tapAt(ivec2 pixel, float reach) {
-  float limit_px = params.limit * float(frame.size.x);
-  vec2 d = clampLength(finiteDisplacement(texelFetch(velocity_tex, pixel, 0)), limit_px);
-  vec3 color = finiteColor(texelFetch(color_tex, pixel, 0));
-  return Tap(color, saneDepth(texelFetch(depth_tex, pixel, 0).x), max(reach * lengthOf(d), 0.5));
-}
-
-bool isValid(ivec2 pixel) {
-#if HAS_valid
-  return texelFetch(valid_tex, pixel, 0).x > 0.5;
-#else
-  return true;
-#endif
-}
-
-bool hasBehind(ivec2 pixel) {
-#if HAS_behind_valid
-  return texelFetch(behind_valid_tex, pixel, 0).x > 0.5;
-#else
-  return false;
-#endif
-}
-
-float behindDepth(ivec2 pixel) {
-#if HAS_behind_depth
-  return saneDepth(texelFetch(behind_depth_tex, pixel, 0).x);
-#else
-  return 0.0;
-#endif
+  Texel texel = texelAt(pixel);
+  return Tap(texel.color, texel.depth, max(reach * lengthOf(texel.d), 0.5));
 }
 
 float tapWeight(Tap here, Tap tap, float distance_px) {
@@ -80,19 +56,22 @@ void run(ivec2 pixel) {
 
   ivec2 size = textureSize(color_tex, 0);
   bool over = hasBehind(pixel);
-  float behind = behindDepth(pixel);
   float jitter = jitterOf(pixel);
   int skipped = isCentred(frame.shutter) && params.samples % 2 == 1 ? (params.samples - 1) / 2 : -1;
 
   Tap here = tapAt(pixel, reach);
+  float behind = behindDepth(pixel, here.depth);
   float all = 1.0 / here.radius;
   float front = all * (over ? inFrontOf(here.depth, behind, params.depth_extent) : 1.0);
   vec3 sum = here.color * front;
 
+  vec2 second = secondAt(pixel, pixel / params.tile, d, here.radius, 1.5);
+  vec2 second_d = second == vec2(0) ? d : lengthOf(d) * second;
   for (int i = 0; i < params.samples; ++i) {
     if (i == skipped) continue;
     float along = (float(i) + jitter + 1.0) / float(params.samples + 1);  // (t_i + 1) / 2
-    ivec2 at = clampToImage(pixel + roundSymmetric(tapOffset(d, timeAt(1.0 - along, frame.shutter))), size);
+    vec2 offset = tapOffset(isAlongSecond(i, params.samples / 2) ? second_d : d, timeAt(1.0 - along, frame.shutter));
+    ivec2 at = clampToImage(pixel + roundSymmetric(offset), size);
     if (!isValid(at)) continue;
 
     Tap tap = tapAt(at, reach);

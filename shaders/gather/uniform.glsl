@@ -22,9 +22,8 @@
 //   moves, which stand in for what it uncovers. If there are none, of X itself.
 // Fails: without revealed layer the background inside of a silhouette is that from outside of it; background that
 //   moves is uncorrelated in time with what covers it (a product of two means); one direction per tile.
-#include "lib/blur.glsl"
 #include "lib/jitter.glsl"
-#include "lib/sanitise.glsl"
+#include "lib/layer.glsl"
 
 struct Tap {
   vec3 color;
@@ -32,37 +31,13 @@ struct Tap {
   vec2 d, d_after;  // px over the exposure, before and after the capture
 };
 
-vec2 limited(vec4 texel) { return clampLength(finiteDisplacement(texel), params.limit * float(frame.size.x)); }
-
 Tap tapAt(ivec2 pixel) {
-  vec2 d = limited(texelFetch(velocity_tex, pixel, 0)), d_after = d;
+  Texel texel = texelAt(pixel);
+  vec2 d_after = texel.d;
 #if HAS_after_velocity
   d_after = limited(texelFetch(after_velocity_tex, pixel, 0));
 #endif
-  return Tap(finiteColor(texelFetch(color_tex, pixel, 0)), saneDepth(texelFetch(depth_tex, pixel, 0).x), d, d_after);
-}
-
-bool isValid(ivec2 pixel) {
-#if HAS_valid
-  return texelFetch(valid_tex, pixel, 0).x > 0.5;
-#else
-  return true;
-#endif
-}
-
-bool hasBehind(ivec2 pixel) {
-#if HAS_behind_valid
-  return texelFetch(behind_valid_tex, pixel, 0).x > 0.5;
-#else
-  return false;
-#endif
-}
-
-float behindDepth(ivec2 pixel, float otherwise) {
-#if HAS_behind_depth
-  if (hasBehind(pixel)) return saneDepth(texelFetch(behind_depth_tex, pixel, 0).x);
-#endif
-  return otherwise;
+  return Tap(texel.color, texel.depth, texel.d, d_after);
 }
 
 // How fast, in px over the exposure, a tap taken at `offset` for time t passes over the pixel; below 0 if it does not.

@@ -56,6 +56,11 @@ vec2 partBefore(vec2 shutter) { return vec2(shutter.x, min(shutter.y, 0.0)); }
 
 vec2 partAfter(vec2 shutter) { return vec2(max(shutter.x, 0.0), shutter.y); }
 
+// How many tiles away something may be that comes here: displacements up to limit_px, tiles of tile_px, `tiles` in all.
+int tilesInReach(float limit_px, int tile_px, vec2 shutter, ivec2 tiles) {
+  return min(int(ceil(limit_px * reachFactor(shutter) / float(tile_px))), max(tiles.x, tiles.y));
+}
+
 // Where, relative to the pixel, the surface that moves by d and is at the pixel at time t is now.
 vec2 tapOffset(vec2 d, float t) { return -d * t; }
 

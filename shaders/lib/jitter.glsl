@@ -1,17 +1,37 @@
 // SPDX-License-Identifier: MIT
-// The jitter of a pass with the choice parameter `jitter` = none | ign | hash: in [-1/2, 1/2] of the distance between
-// two samples, one value per pixel.
+// The jitter of a pass with the choice parameters `jitter` and `jitter_frame` (scripts/pipelines/lib/jitter.lua): in
+// [-1/2, 1/2] of the distance between two samples, one value per pixel. Per frame, `hash` draws anew and the others are
+// shifted by the golden ratio, which spreads successive frames evenly over the range.
 #ifndef STROBE_JITTER_GLSL
 #define STROBE_JITTER_GLSL
 #include "lib/noise.glsl"
 
+// In [0, 1): fract(frame / golden ratio), as 32-bit fixed point.
+float frameShift() { return float((frame.frame * 2654435769u) >> 8u) / 16777216.0; }
+
 float jitterOf(ivec2 pixel) {
-#if PARAM_jitter == jitter_ign
-  return gradientNoise(pixel) - 0.5;
+#if PARAM_jitter == jitter_none
+  return 0.0;
 #elif PARAM_jitter == jitter_hash
+#if PARAM_jitter_frame == jitter_frame_per_frame
   return hashNoise(pixel, frame.frame, frame.seed) - 0.5;
 #else
-  return 0.0;
+  return hashNoise(pixel, 0u, frame.seed) - 0.5;
+#endif
+#else
+#if PARAM_jitter == jitter_ign
+  float value = gradientNoise(pixel);
+#elif PARAM_jitter == jitter_r2
+  float value = latticeNoise(pixel);
+#elif PARAM_jitter == jitter_blue
+  float value = rankNoise(pixel, frame.seed);
+#else
+  float value = (pixel.x + pixel.y) % 2 == 0 ? 0.25 : 0.75;
+#endif
+#if PARAM_jitter_frame == jitter_frame_per_frame
+  value = fract(value + frameShift());
+#endif
+  return value - 0.5;
 #endif
 }
 

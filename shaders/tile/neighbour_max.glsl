@@ -6,10 +6,11 @@
 // Out: dominant, the longest accepted; second, the one accepted that differs most from it and is not at rest (dominant
 //      again if there is none): what else moves here. Both px over the exposure.
 // Tiles up to ceil(limit * width * reach / tile) away are asked, reach = 1 one-sided, 1/2 centred. Rule `all` accepts
-// each of them. Rule `reach` accepts a displacement only if its tile's box, swept along it over the exposure window,
-// overlaps this tile: for displacements no longer than a tile that is the sign rule of Guertin et al. 2014 (off-axis
-// tiles count only if they move towards this one), for any anchor and any distance. Ties go to the first in raster
-// order.
+// each of them. Rule `sign` is that of Guertin et al. 2014: a displacement must have a component along each axis on
+// which its tile lies off this one, both or neither pointing here; for one-sided exposures all of them must bring it
+// here. Rule `reach` accepts a displacement only if its tile's box, swept along it over the exposure window,
+// overlaps this tile: never more than `sign` accepts, and exact for boxes at any distance. Ties go to the first in
+// raster order.
 // Fails: dominant judges a tile by its longest displacement; a slower pixel in it that comes this way while the longest
 // does not is lost.
 #include "lib/blur.glsl"
@@ -31,9 +32,21 @@ bool reaches(ivec2 offset, vec2 d) {
   return first < last && first < frame.shutter.y && last > frame.shutter.x;
 }
 
+// For the anchor `close` what is now at `offset` and was here before moves along +offset, for `open` what will be here
+// along -offset; with the capture in the middle either will do.
+bool pointsHere(ivec2 offset, vec2 d) {
+  ivec2 signs = ivec2(sign(vec2(offset)) * sign(d));
+  int needed = abs(sign(offset.x)) + abs(sign(offset.y));
+  int found = signs.x + signs.y;
+  if (isCentred(frame.shutter)) return abs(found) == needed;
+  return found == (frame.shutter.x < 0.0 ? needed : -needed);
+}
+
 bool accepts(ivec2 offset, vec2 d) {
 #if PARAM_rule == rule_reach
   return reaches(offset, d);
+#elif PARAM_rule == rule_sign
+  return pointsHere(offset, d);
 #else
   return true;
 #endif
@@ -47,8 +60,7 @@ vec2 otherThan(vec2 dominant, vec2 second, vec2 d, ivec2 offset) {
 
 void run(ivec2 pixel) {
   ivec2 size = textureSize(longest_tex, 0);
-  float reach_px = params.limit * float(frame.size.x) * reachFactor(frame.shutter);
-  int radius = min(int(ceil(reach_px / float(params.tile))), max(size.x, size.y));
+  int radius = tilesInReach(params.limit * float(frame.size.x), params.tile, frame.shutter, size);
   ivec2 first = max(pixel - radius, ivec2(0));
   ivec2 last = min(pixel + radius, size - 1);
 

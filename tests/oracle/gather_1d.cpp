@@ -146,22 +146,92 @@ double mcguireAt(const Row& row, double dominant, int x, const McGuire& options)
   return sum / weight;
 }
 
+double guertinAt(const Row& row, double dominant, int x, const Guertin& options) {
+  bool centred = options.window.open < 0 && options.window.close > 0;
+  double share = centred ? 0.5 : 1;
+  double length = std::abs(dominant) * share;
+  if (length <= 0.505) return row[x].colour;
+  auto sign = [](double d) { return double(d > 0) - double(d < 0); };
+  auto spread = [&](double d) { return std::max(std::abs(d) * share, 0.5); };
+  double radius = spread(row[x].d);
+  double own = radius > 0.5 ? sign(row[x].d) : 0;  // v_c; across the row there is nothing
+
+  double weight = options.samples / (options.kappa * radius);
+  double sum = weight * row[x].colour;
+  for (int i = 0; i < options.samples; ++i) {
+    if (centred && options.samples % 2 == 1 && i == options.samples / 2) continue;
+    // One-sided samples are counted from the pixel outwards; after the capture the jitter runs the other way.
+    bool after = options.window.open >= 0;
+    double t = -1 + 2 * (i + (after ? -1 : 1) * options.eta * options.jitter + 1) / (options.samples + 1);
+    bool along_own = options.two && i % 2 == 1;
+    double direction = along_own ? own : sign(dominant);
+    if (direction == 0) continue;
+    double along = centred ? t * length : (t + 1) / 2 * length * (after ? -1 : 1);
+    int y = tapAt(x, along * direction);
+    const Texel& tap = clampedAt(row, y);
+    double tap_d = options.uniform ? dominant : tap.d;
+    double tap_radius = spread(tap_d);
+    double distance = options.rounded_distance ? std::abs(y - x) : std::abs(along);
+
+    double w_a = std::abs(own * direction), w_b = std::abs(sign(tap_d) * direction);
+    double in_front = softDepth(row[x].depth, tap.depth, options.soft_extent);
+    double behind = softDepth(tap.depth, row[x].depth, options.soft_extent);
+    double both = std::min(radius, tap_radius);
+    double covers = options.hard_cylinder ? double(distance < both) : cylinder(distance, both);
+    double w = in_front * cone(distance, tap_radius) * w_b + behind * cone(distance, radius) * w_a +
+               2 * covers * std::max(w_a, w_b);
+    weight += w;
+    sum += w * tap.colour;
+  }
+  return sum / weight;
+}
+
+namespace {
+
+// The weight of a tap `offset` px (before rounding) and `s` steps away, in Jimenez' filter.
+double rampWeight(const Texel& here, const Texel& tap, double dominant, double offset, double s,
+                  const Paired& options) {
+  bool centred = options.window.open < 0 && options.window.close > 0;
+  double steps_per_pixel = options.samples / std::abs(dominant);
+  auto spread = [&](double d) {
+    return saturate(steps_per_pixel * std::abs(d) * (centred ? 0.5 : 1) - std::max(s - 1, 0.0));
+  };
+  double facing = 1;
+  if (options.facing == Facing::kProjected) facing = std::min(std::abs(tap.d / dominant), 1.0);
+  bool leaves = tap.d * offset * (options.window.open + options.window.close) > 0;
+  if (options.facing == Facing::kOpposing && leaves) facing = 0;
+  // Relative depths are far apart here, so the soft comparison is a hard one with ties in the middle.
+  double behind = saturate(0.5 + 1000 * (tap.depth - here.depth));
+  return behind * spread(here.d) + (1 - behind) * spread(tap.d) * facing;
+}
+
+double oneSidedRampAt(const Row& row, double dominant, int x, const Paired& options) {
+  double sum = 0, weight = 0;
+  for (int i = 0; i < options.samples; ++i) {
+    double s = i + 0.5 + options.jitter;
+    double offset = (options.window.open < 0 ? 1 : -1) * dominant * s / options.samples;
+    const Texel& tap = clampedAt(row, tapAt(x, offset));
+    double w = rampWeight(row[x], tap, dominant, offset, s, options);
+    sum += w * tap.colour;
+    weight += w;
+  }
+  return sum / options.samples + (1 - weight / options.samples) * row[x].colour;
+}
+
+}  // namespace
+
 double pairedAt(const Row& row, double dominant, int x, const Paired& options) {
-  if (std::abs(dominant) <= 0.5) return row[x].colour;
-  double step = dominant / options.samples;
-  double steps_per_pixel = 1 / std::abs(step);
-  auto spread = [&](double d, double s) { return saturate(steps_per_pixel * std::abs(d) / 2 - std::max(s - 1, 0.0)); };
+  bool centred = options.window.open < 0 && options.window.close > 0;
+  if (std::abs(dominant) * (centred ? 0.5 : 1) <= 0.5) return row[x].colour;
+  if (!centred) return oneSidedRampAt(row, dominant, x, options);
 
   double sum = 0, weight = 0;
   for (int i = 0; i < options.samples / 2; ++i) {
     double s = i + 0.5 + options.jitter;
-    std::array<const Texel*, 2> taps{&clampedAt(row, tapAt(x, s * step)), &clampedAt(row, tapAt(x, -s * step))};
-    std::array<double, 2> w;
-    for (int k = 0; k < 2; ++k) {
-      // Relative depths are far apart here, so the soft comparison is a hard one with ties in the middle.
-      double behind = saturate(0.5 + 1000 * (taps[k]->depth - row[x].depth));
-      w[k] = behind * spread(row[x].d, s) + (1 - behind) * spread(taps[k]->d, s);
-    }
+    double offset = dominant * s / options.samples;
+    std::array<const Texel*, 2> taps{&clampedAt(row, tapAt(x, offset)), &clampedAt(row, tapAt(x, -offset))};
+    std::array<double, 2> w{rampWeight(row[x], *taps[0], dominant, offset, s, options),
+                            rampWeight(row[x], *taps[1], dominant, -offset, s, options)};
     bool nearer = taps[0]->depth > taps[1]->depth;
     bool faster = std::abs(taps[1]->d) > std::abs(taps[0]->d);
     if (options.mirror && nearer && faster) w[0] = w[1];

@@ -49,13 +49,41 @@ double cone(double distance, double radius);
 double cylinder(double distance, double radius);
 double softDepth(double za, double zb, double extent);
 
+// --- Guertin, McGuire and Nowrouzezahrai 2014, "A Fast and Stable Feature-Aware Motion Blur Filter" ---
+// Along one row there is nothing to look at across it: where a pixel is at rest every other sample is left out.
+
+struct Guertin {
+  int samples = 16;
+  double jitter = 0;  // in [-1/2, 1/2]
+  Window window = kCentreAnchor;
+  bool two = true;    // every other sample along the pixel's own direction
+  double kappa = 40;  // the pixel itself weighs samples / (kappa * spread)
+  double eta = 0.95;  // share of the jitter that is used
+  double soft_extent = 0.1;
+  bool uniform = false;  // all are taken to move like the dominant displacement
+  // The edits of McGuire's filter that preceded it: a cylinder without soft border, distances between pixels.
+  bool hard_cylinder = false;
+  bool rounded_distance = false;
+};
+double guertinAt(const Row& row, double dominant, int x, const Guertin& options);
+
 // --- Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare" ---
 // As its public descendants implement it.
+
+enum class Facing {
+  kAny,
+  kProjected,  // what a tap spreads counts by its displacement along the dominant one, as a share of that
+  kOpposing,   // ... not at all if it never comes here
+};
 
 struct Paired {
   int samples = 16;    // even; pairs lie at equal distance to either side of the pixel
   double jitter = 0;   // in [-1/2, 1/2], in steps
   bool mirror = true;  // the nearer and faster side decides the weight of both
+  Facing facing = Facing::kAny;
+  // With the capture in the middle of the window. Else single taps lie on the one side, and a point spreads over all of
+  // its displacement instead of half of it to either side.
+  Window window = kCentreAnchor;
 };
 double pairedAt(const Row& row, double dominant, int x, const Paired& options);
 

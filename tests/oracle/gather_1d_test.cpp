@@ -76,6 +76,46 @@ TEST(Gather, McGuireJustInsideAnEdgeTendsToSixSevenths) {
   EXPECT_NEAR(mcguireAt(row, 4000, 19999, {.samples = 3001}), 6.0 / 7, 2e-3);
 }
 
+// The weights of Guertin et al. 2014 before directions, with the edits their code made to McGuire's filter.
+TEST(Gather, McGuireWithTheCentreWeightAndCylinderOfItsSuccessor) {
+  const std::pair<int, double> table[] = {{-10, 1.0000}, {-6, .9775}, {-4, .9458}, {-1, .8572},
+                                          {0, .8228},    {2, .7469},  {5, .5087},  {8, .0827}};
+  Row row = rasterise(whiteBar(), 320);
+  Guertin edited{.samples = 15, .two = false, .eta = 1, .hard_cylinder = true, .rounded_distance = true};
+  for (const auto& [offset, expected] : table) {
+    double value = overJitters([&](double j) {
+      edited.jitter = j;
+      return guertinAt(row, 20, 160 + offset, edited);
+    });
+    EXPECT_NEAR(value, expected, kFourDigits) << offset;
+  }
+}
+
+// Just outside the edge the mean weight of a quarter of the samples is 1, and the pixel itself, which spreads over
+// 1/2 px, weighs N / 20: 5/6 of what is seen is foreground, whatever N. Beside McGuire's (N/4) / (N/4 + 2).
+TEST(Gather, GuertinsOpacityDoesNotDependOnTheNumberOfSamples) {
+  Strips strips{{0, 20000, 4000, {1}}, {-kInfinity, kInfinity, 0, {0}}};
+  Row row = rasterise(strips, 24000);
+  for (int samples : {64, 256, 1024}) {
+    EXPECT_NEAR(guertinAt(row, 4000, 20000, {.samples = samples, .two = false}), 5.0 / 6, 8e-3) << samples;
+    // At rest the pixel leaves the samples across the motion out: half of them remain.
+    EXPECT_NEAR(guertinAt(row, 4000, 20000, {.samples = samples}), 5.0 / 7, 8e-3) << samples;
+  }
+}
+
+// Over a constant background the weights of Jimenez' filter are exact coverage.
+TEST(Gather, RampsOverAConstantBackgroundAreExactCoverage) {
+  Strips strips = whiteBar();
+  Row row = rasterise(strips, 320);
+  for (Window window : {kCloseAnchor, kCentreAnchor, kOpenAnchor})
+    for (int x = 60; x < 200; ++x) {
+      double value = overJitters([&](double j) {
+        return pairedAt(row, 20, x, {.samples = 16, .jitter = j, .window = window});
+      });
+      EXPECT_NEAR(value, exposePixel(strips, window, x).colour, 1e-3) << x << " from " << window.open;
+    }
+}
+
 TEST(Gather, OneSidedMcGuireOnTheWhiteBar) {
   struct {
     int x;

@@ -18,8 +18,16 @@ struct Method {
   std::string name() const { return fmt::format("{} {}", pipeline, fmt::join(settings, " ")); }
 };
 const std::vector<Method> kMethods = {
-    {"mcguire2012", {}},         {"mcguire2012", {"weights=uniform"}}, {"ue4", {}},
-    {"hybrid", {"preset=seed"}}, {"hybrid", {"preset=seed_linear"}},   {"hybrid", {"preset=best"}},
+    {"mcguire2012", {}},
+    {"mcguire2012", {"weights=uniform"}},
+    {"mcguire2012", {"directions=two"}},
+    {"ue4", {}},
+    {"jimenez2014", {"count=adaptive", "direction=projected"}},
+    {"guertin2014", {"second_share=variance", "tile_rule=sign"}},
+    {"hybrid", {"preset=seed"}},
+    {"hybrid", {"preset=seed", "weights=guertin2014", "directions=two"}},
+    {"hybrid", {"preset=seed_linear"}},
+    {"hybrid", {"preset=best"}},
 };
 
 // Tiles that divide the picture, and nothing that reaches the limit (16 px).
@@ -110,6 +118,9 @@ TEST_F(RenderInvariants, WithoutRaysTheHybridIsItsPostProcess) {
       {{"hybrid", {"preset=seed", "mask=none"}}, {"mcguire2012", {}}},
       {{"hybrid", {"preset=seed_linear", "mask=none"}}, {"mcguire2012", {"weights=uniform"}}},
       {{"hybrid", {"preset=seed_linear", "mask=none", "tiles=union"}}, {"mcguire2012", {"weights=uniform"}}},
+      {{"hybrid", {"preset=seed", "mask=none", "weights=jimenez2014"}}, {"jimenez2014", {"cheap=false"}}},
+      {{"hybrid", {"preset=seed", "mask=none", "weights=guertin2014"}},
+       {"guertin2014", {"directions=one", "uniform_path=false"}}},
   };
   for (const auto& [hybrid, post_process] : pairs)
     for (const Anchor& anchor : anchors())

@@ -1,24 +1,45 @@
 -- SPDX-License-Identifier: MIT
 -- Blur of one layer.
+local pass   = require "strobe.pass"
 local ranges = require "scripts.pipelines.lib.ranges"
 
 local gathers = {}
 
--- `weights` names a file of passes/gather. `layer` has color, depth, velocity and may have valid; `dominant` is what
--- tiles.dominant yields for it; `behind`, if given, is the layer revealed behind it (depth, valid).
-function gathers.blurred(p, weights, layer, dominant, behind, name)
-  local gather = require("passes.gather." .. weights)
-  ranges.require_parts(layer, gather, "weights = " .. weights)
-  local arguments = {
-    color = layer.color, depth = layer.depth, velocity = layer.velocity, dominant = dominant.dominant, as = name,
-    samples = p.samples, tile = p.tile, limit = p.limit, depth_extent = p.depth_extent, jitter = p.jitter,
-  }
-  if layer.after_velocity then
-    arguments.after_velocity, arguments.after_dominant = layer.after_velocity, dominant.after_dominant
+-- The choice among the files of passes/gather.
+function gathers.choice(default, doc)
+  local declared = pass.family("gather")
+  declared.default, declared.doc, declared.values = default, doc, {}
+  for _, name in ipairs(declared) do
+    local gather = pass.member("gather", name).description
+    declared.values[name] = ("%s. Fails: %s"):format(gather.doc, gather.fails)
   end
-  if layer.valid then arguments.valid = layer.valid end
-  if behind then arguments.behind_depth, arguments.behind_valid = behind.depth, behind.valid end
-  return gather(arguments).blurred
+  return declared
+end
+
+-- `weights` names a file of passes/gather. `images` are by the names of its reads, as gathers.images lists them.
+-- `settings` are parameters for those gathers that have them.
+function gathers.blurred(p, weights, images, name, settings)
+  local gather = pass.member("gather", weights)
+  ranges.require_parts(images, gather, "weights = " .. weights)
+  local arguments = {
+    as = name, samples = p.samples, tile = p.tile, limit = p.limit, depth_extent = p.depth_extent,
+    jitter = p.jitter, jitter_frame = p.jitter_frame,
+  }
+  for setting, value in pairs(settings or {}) do
+    if gather.params[setting] then arguments[setting] = value end
+  end
+  return gather(pass.wired(gather, images, arguments)).blurred
+end
+
+-- A layer (color, depth, velocity, perhaps valid), what tiles.dominant yields for it and, if something was revealed
+-- behind it, that layer.
+function gathers.images(layer, around, behind)
+  return {
+    color = layer.color, depth = layer.depth, velocity = layer.velocity, valid = layer.valid,
+    after_velocity = layer.after_velocity,
+    dominant = around.dominant, second = around.second, after_dominant = around.after_dominant,
+    behind_depth = behind and behind.depth, behind_valid = behind and behind.valid,
+  }
 end
 
 return gathers

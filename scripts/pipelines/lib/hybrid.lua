@@ -2,6 +2,7 @@
 -- The parts of the hybrid: its parameters and its composites.
 local pass            = require "strobe.pass"
 local pipeline        = require "strobe.pipeline"
+local mcguire2012     = require "passes.gather.mcguire2012"
 local reveal          = require "passes.scene.reveal"
 local reveal_upsample = require "passes.scene.reveal_upsample"
 local edges           = require "scripts.pipelines.lib.edges"
@@ -67,7 +68,8 @@ function hybrid.params()
       } },
     tiles       = choice { "separate", "union", default = "union", doc = "dominant motion per layer, or of both" },
     range       = ranges.param,
-    weights     = choice { "mcguire2012", "uniform", default = "uniform", doc = "of the taps, under alpha_over" },
+    weights     = choice(gathers.choice("uniform", "of the taps, under alpha_over")),
+    directions  = mcguire2012.params.directions,
     composite   = choice(composite_choice()),
   })
 end
@@ -126,9 +128,10 @@ end
 local function blurred(p, seen, revealed)
   local on_top = hybrid.dominant(p, seen, revealed)
   local below = hybrid.revealed_dominant(p, revealed, on_top)
+  local settings = { directions = p.directions }
   return {
-    front = gathers.blurred(p, p.weights(), seen, on_top, revealed, "gather_raster"),
-    back = gathers.blurred(p, p.weights(), revealed, below, nil, "gather_revealed"),
+    front = gathers.blurred(p, p.weights(), gathers.images(seen, on_top, revealed), "gather_raster", settings),
+    back = gathers.blurred(p, p.weights(), gathers.images(revealed, below), "gather_revealed", settings),
   }
 end
 
@@ -156,7 +159,7 @@ function hybrid.composited(p, seen, revealed)
   local apart = pass.reads(composite, "front")
   local images = apart and blurred(p, seen, revealed) or layers(p, seen, revealed, composite)
   local arguments = { as = "composite" }
-  for _, name in ipairs { "samples", "tile", "limit", "depth_extent", "jitter" } do
+  for _, name in ipairs { "samples", "tile", "limit", "depth_extent", "jitter", "jitter_frame" } do
     if composite.params[name] then arguments[name] = p[name] end
   end
   local made = composite(pass.wired(composite, images, arguments))

@@ -2,6 +2,7 @@
 -- Parameters that blur pipelines share, so that a name means the same in each.
 local pipeline = require "strobe.pipeline"
 local gbuffer  = require "passes.scene.gbuffer"
+local jitter   = require "scripts.pipelines.lib.jitter"
 
 local options = {}
 
@@ -14,10 +15,11 @@ function options.blur(tile, limit)
       doc = "longest displacement handled; longer ones are shortened and counted" },
     depth_extent = pipeline.float { 0.01, min = 1e-6, max = 1,
       doc = "share of the depth over which two depths count as one" },
-    jitter       = pipeline.choice { "none", "ign", "hash", default = "none", doc = "shift of the samples per pixel" },
+    jitter       = jitter.jitter,
+    jitter_frame = jitter.jitter_frame,
     displacement = gbuffer.params.displacement,
-    tile_rule    = pipeline.choice { "reach", "all", default = "reach",
-      doc = "tiles around that count: those that can reach, or all in range" },
+    tile_rule    = pipeline.choice { "reach", "sign", "all", default = "reach",
+      doc = "tiles around that count: those that can reach, those that point here, or all in range" },
   }
 end
 

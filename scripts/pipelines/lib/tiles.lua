@@ -2,8 +2,11 @@
 -- Displacements per tile.
 local pipeline      = require "strobe.pipeline"
 local neighbour_max = require "passes.tile.neighbour_max"
+local neighbour_min = require "passes.tile.neighbour_min"
 local tile_max      = require "passes.tile.tile_max"
+local tile_min      = require "passes.tile.tile_min"
 local tile_motions  = require "passes.mask.tile_motions"
+local variance      = require "passes.tile.variance"
 local ranges        = require "scripts.pipelines.lib.ranges"
 
 local tiles = {}
@@ -19,12 +22,12 @@ local function in_one_part(p, layer, given)
     longest = longest, motions = motions, tile = p.tile, limit = p.limit, rule = p.tile_rule,
     as = prefix .. "neighbour_max",
   }
-  return { dominant = around.dominant, second = around.second }
+  return { dominant = around.dominant, second = around.second, longest = longest }
 end
 
 -- `layer` has velocity and may have valid. Options: `extra`, a second layer united with it; `second` = true, to look for
--- a second displacement too; `prefix`, to tell the nodes of several uses apart. Yields dominant and second, and for a
--- layer that moves otherwise after the capture (ranges.divided) after_dominant and after_second.
+-- a second displacement too; `prefix`, to tell the nodes of several uses apart. Yields dominant, second and longest, for a
+-- layer that moves otherwise after the capture (ranges.divided) also after_dominant and after_second.
 function tiles.dominant(p, layer, given)
   given = given or {}
   local result = in_one_part(p, layer, given)
@@ -36,6 +39,17 @@ function tiles.dominant(p, layer, given)
   end)
   result.after_dominant, result.after_second = after.dominant, after.second
   return result
+end
+
+-- Per tile, the length of the shortest displacement around.
+function tiles.slowest(p, layer)
+  local shortest = tile_min { velocity = layer.velocity, valid = layer.valid, tile = p.tile, limit = p.limit }.shortest
+  return neighbour_min { shortest = shortest, tile = p.tile, limit = p.limit }.slowest
+end
+
+-- Per tile, how much the directions around differ; `around` is from tiles.dominant.
+function tiles.variance(around)
+  return variance { longest = around.longest, dominant = around.dominant }.variance
 end
 
 -- Two displacements that stand for all in each tile of a layer; made once.

@@ -25,6 +25,7 @@ return pipeline {
       revealed_color = revealed.color, revealed_depth = revealed.depth, revealed_velocity = revealed.velocity,
       revealed_valid = revealed.valid, harvest = p.harvest,
       samples = p.samples, tile = p.tile, limit = p.limit, jitter = p.jitter,
+      jitter_frame = p.jitter_frame,
     }.blurred
     return scene.outputs(seen, { color = blurred })
   end,

@@ -1,0 +1,59 @@
+-- SPDX-License-Identifier: MIT
+-- Guertin, McGuire and Nowrouzezahrai 2014, "A Fast and Stable Feature-Aware Motion Blur Filter", for any anchor.
+local pass   = require "strobe.pass"
+local jitter = require "scripts.pipelines.lib.jitter"
+
+return pass.compute {
+  name   = "gather_guertin2014",
+  shader = "gather/guertin2014",
+  doc    = "Blur along the dominant displacement and a second direction, weighed by how motions are aligned with them",
+  fails  = "Like McGuire's filter it is too opaque inside silhouettes, its ramps are no straight lines and the "
+    .. "background in them is the picture from outside. Things that move along neither of the two directions stay "
+    .. "sharp or leave noise, and half of the samples see each direction.",
+  size   = { of = "color" },
+  reads  = {
+    color        = { doc = "linear" },
+    depth        = { doc = "linear view depth, metres, sky = +inf" },
+    velocity     = { doc = "px over the exposure" },
+    dominant     = { doc = "px over the exposure, per tile" },
+    second       = { optional = true, doc = "what else moves around, px over the exposure, per tile" },
+    variance     = { optional = true, doc = "0 (alike) to 1, of directions, per tile; absent: half of the samples" },
+    slowest      = { optional = true, doc = "px over the exposure, shortest around, per tile; absent: no uniform path" },
+    valid        = { optional = true, doc = "above 1/2 where the layer holds something; absent: everywhere" },
+    behind_depth = { optional = true, doc = "linear view depth of what was revealed behind each pixel" },
+    behind_valid = { optional = true, doc = "above 1/2 where something was; absent: nowhere" },
+  },
+  writes = { blurred = { format = "rgba32f",
+    doc = "linear, times alpha; alpha below 1 only over something revealed" } },
+  params = {
+    samples      = pass.int { 16, min = 1, max = 1024, doc = "taps along both directions together" },
+    directions   = pass.choice { "one", "two", default = "two", doc = "along how many directions taps are taken",
+      values = {
+        one = "All along the dominant displacement. Fails where things cross it: they stay sharp.",
+        two = "Every other one along a second direction: the pixel's own, or across the dominant one where the pixel "
+          .. "is at rest. Fails by halving the samples of each.",
+      } },
+    tile         = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
+    limit        = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
+    depth_extent = pass.float { 0.01, min = 1e-6, max = 1,
+      doc = "share of the depth over which two depths count as one" },
+    kappa        = pass.float { 40, min = 1e-3, max = 1e6,
+      doc = "the pixel itself weighs samples / (kappa * its radius): larger hides what is at rest under blur" },
+    gamma        = pass.float { 1.5, min = 1e-3, max = 1024, unit = "px",
+      doc = "radius above 1/2 px at which the second direction has become the pixel's own" },
+    eta          = pass.float { 0.95, min = 0, max = 1, doc = "share of the jitter that is used" },
+    tile_jitter  = pass.choice { "none", "angle", "axis", default = "none", doc = "in which tile a pixel looks",
+      values = {
+        none = "In its own. Fails with borders of tiles that show where the dominant displacement changes.",
+        angle = "In that of a point a quarter of a tile away, in a direction of its own. Fails as noise near borders, "
+          .. "and where the other tile's displacement does not reach this one.",
+        axis = "In that of a point up to a quarter of a tile away, sideways or up and down by tile. Fails as angle.",
+      } },
+    jitter       = jitter.jitter,
+    jitter_frame = jitter.jitter_frame,
+  },
+  counters = {
+    copied  = "pixels that were copied, since nothing around moves",
+    uniform = "pixels at which all around was taken to move alike",
+  },
+}

@@ -1,0 +1,60 @@
+-- SPDX-License-Identifier: MIT
+-- Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare", for any anchor.
+local pass   = require "strobe.pass"
+local jitter = require "scripts.pipelines.lib.jitter"
+
+return pass.compute {
+  name   = "gather_jimenez2014",
+  shader = "gather/jimenez2014",
+  doc    = "Blur in pairs of taps whose nearer and faster side weighs both",
+  fails  = "Inside a silhouette it shows the picture from outside of it as background, so that edges there appear a "
+    .. "second time; outside, the background under a blurred object comes from the opposite side. Motions that cross "
+    .. "the dominant one are blurred along it.",
+  size   = { of = "color" },
+  reads  = {
+    color        = { doc = "linear" },
+    depth        = { doc = "linear view depth, metres, sky = +inf" },
+    velocity     = { doc = "px over the exposure" },
+    dominant     = { doc = "px over the exposure, per tile" },
+    slowest      = { optional = true, doc = "px over the exposure, shortest around, per tile; absent: no cheap path" },
+    valid        = { optional = true, doc = "above 1/2 where the layer holds something; absent: everywhere" },
+    behind_depth = { optional = true, doc = "linear view depth of what was revealed behind each pixel" },
+    behind_valid = { optional = true, doc = "above 1/2 where something was; absent: nowhere" },
+  },
+  writes = { blurred = { format = "rgba32f",
+    doc = "linear, times alpha; alpha below 1 only over something revealed" } },
+  params = {
+    samples      = pass.int { 16, min = 1, max = 1024, doc = "taps along the displacement, at most" },
+    count        = pass.choice { "fixed", "adaptive", default = "fixed", doc = "how many of them are taken",
+      values = {
+        fixed = "All of them at every pixel. Fails by reading pixels several times where the displacement is short.",
+        adaptive = "The largest even number of pixels in the displacement, at least 2. Fails for displacements of a "
+          .. "few pixels, which 2 taps show as copies.",
+      } },
+    tile         = pass.int { 16, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
+    limit        = pass.float { 0.05, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
+    depth_extent = pass.float { 0.01, min = 1e-6, max = 1, doc = "share of the depth over which order is undecided" },
+    mirror       = pass.bool { true, doc = "the nearer and faster tap of a pair gives both their weight" },
+    direction    = pass.choice { "none", "projected", "cosine", "opposing", default = "none",
+      doc = "what a tap spreads counts by how it moves relative to the dominant displacement",
+      values = {
+        none = "All of it. Fails where things cross: they are blurred along the dominant displacement.",
+        projected = "By the length of its displacement along the dominant one, as a share of that. Fails for slower "
+          .. "surfaces that move alongside: they spread too thinly.",
+        cosine = "By the cosine between the two. Fails as none does for slow crossings at acute angles.",
+        opposing = "Not at all if it moves away from the pixel. No difference with the capture in the middle of the "
+          .. "exposure, where all motion is to both sides; fails like none for motions across.",
+      } },
+    copy_below   = pass.float { 0.5, min = 0, max = 16, unit = "px",
+      doc = "where nothing around spreads farther than this the picture is copied" },
+    cheap_ratio  = pass.float { 0.9, min = 0, max = 1,
+      doc = "where the slowest displacement around is longer than this share of the dominant one, taps are averaged" },
+    jitter       = jitter.jitter,
+    jitter_frame = jitter.jitter_frame,
+  },
+  counters = {
+    copied = "pixels that were copied, since nothing around moves",
+    cheap  = "pixels that are the plain mean of their taps, since all around moves alike",
+    full   = "pixels whose taps were weighed",
+  },
+}

@@ -1,0 +1,17 @@
+-- SPDX-License-Identifier: MIT
+-- The length of the shortest displacement around each tile. Guertin et al. 2014; Jimenez 2014.
+local pass = require "strobe.pass"
+
+return pass.compute {
+  name   = "neighbour_min",
+  shader = "tile/neighbour_min",
+  doc    = "Length of the shortest displacement among the tiles around, whether it reaches this one or not",
+  fails  = "One pixel at rest in range makes the whole neighbourhood slow.",
+  size   = { of = "shortest" },
+  reads  = { shortest = { doc = "px over the exposure, shortest of each tile" } },
+  writes = { slowest = { format = "r32f", doc = "px over the exposure" } },
+  params = {
+    tile  = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
+    limit = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement filters handle" },
+  },
+}

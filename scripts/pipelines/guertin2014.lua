@@ -1,0 +1,39 @@
+-- SPDX-License-Identifier: MIT
+-- Post-process blur of Guertin, McGuire and Nowrouzezahrai 2014, for any anchor.
+local pipeline = require "strobe.pipeline"
+local gather   = require "passes.gather.guertin2014"
+local gathers  = require "scripts.pipelines.lib.gathers"
+local options  = require "scripts.pipelines.lib.options"
+local scene    = require "scripts.pipelines.lib.scene"
+local tiles    = require "scripts.pipelines.lib.tiles"
+
+return pipeline {
+  doc = "Guertin et al. 2014: a gather along the dominant displacement and a second direction",
+  params = options.with(options.blur(40, 0.1), {
+    directions   = gather.params.directions,
+    second_share = pipeline.choice { "half", "variance", default = "half", doc = "how many samples see the second direction",
+      values = {
+        half = "Every other sample, everywhere. Fails by losing them where everything moves one way.",
+        variance = "By how much the directions of the tiles around differ. Fails where motions cross within a tile.",
+      } },
+    kappa        = gather.params.kappa,
+    gamma        = gather.params.gamma,
+    eta          = gather.params.eta,
+    tile_jitter  = gather.params.tile_jitter,
+    uniform_path = pipeline.bool { true,
+      doc = "where the shortest displacement around is at least 0.65 of the dominant one, all are taken to be that" },
+  }),
+  build = function(p)
+    local seen = scene.captured(p)
+    local two = p.directions() == "two"
+    local around = tiles.dominant(p, seen, { second = two })
+    local images = gathers.images(seen, around)
+    if p.uniform_path() then images.slowest = tiles.slowest(p, seen) end
+    if p.second_share() == "variance" then images.variance = tiles.variance(around) end
+    return scene.outputs(seen, {
+      color = gathers.blurred(p, "guertin2014", images, "gather", {
+        directions = p.directions, kappa = p.kappa, gamma = p.gamma, eta = p.eta, tile_jitter = p.tile_jitter,
+      }),
+    })
+  end,
+}

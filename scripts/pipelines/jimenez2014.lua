@@ -1,0 +1,31 @@
+-- SPDX-License-Identifier: MIT
+-- Post-process blur of Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare", any anchor.
+local pipeline = require "strobe.pipeline"
+local gather   = require "passes.gather.jimenez2014"
+local gathers  = require "scripts.pipelines.lib.gathers"
+local options  = require "scripts.pipelines.lib.options"
+local scene    = require "scripts.pipelines.lib.scene"
+local tiles    = require "scripts.pipelines.lib.tiles"
+
+return pipeline {
+  doc = "Jimenez 2014: pairs of taps along the dominant displacement, straight ramps, mirrored background",
+  params = options.with(options.blur(20, 0.1), {
+    mirror      = gather.params.mirror,
+    count       = gather.params.count,
+    direction   = gather.params.direction,
+    copy_below  = gather.params.copy_below,
+    cheap_ratio = gather.params.cheap_ratio,
+    cheap       = pipeline.bool { true, doc = "where all around moves alike, taps are averaged instead of weighed" },
+  }),
+  build = function(p)
+    local seen = scene.captured(p)
+    local images = gathers.images(seen, tiles.dominant(p, seen))
+    if p.cheap() then images.slowest = tiles.slowest(p, seen) end
+    return scene.outputs(seen, {
+      color = gathers.blurred(p, "jimenez2014", images, "gather", {
+        mirror = p.mirror, count = p.count, direction = p.direction, copy_below = p.copy_below,
+        cheap_ratio = p.cheap_ratio,
+      }),
+    })
+  end,
+}

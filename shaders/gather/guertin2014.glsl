@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// Guertin, McGuire, Nowrouzezahrai 2014, "A Fast and Stable Feature-Aware Motion Blur Filter" (HPG), for any anchor.
+// In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure), dominant (the same, per tile);
+//      second (per tile): what else moves around; variance (per tile, 0 to 1: how much directions differ; absent: half
+//      of the samples go along the second direction); slowest (px over the exposure, the shortest displacement around,
+//      per tile; absent: no path for uniform motion);
+//      valid (> 1/2: the layer has a texel there; absent: everywhere);
+//      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere).
+// Out: blurred, colour times alpha and alpha.
+// Samples: t_i = lerp(-1, 1, (i + eta*jitter + 1) / (N + 1)) of the length r_N that the dominant displacement spreads
+//   over: |d|/2 to both sides with the capture in the middle of the exposure (where the tap on the pixel itself, which
+//   only an odd N has, is left out), |d| to the one side, (t_i + 1)/2, with the capture at an end. Along the dominant
+//   direction, and every other one along the second direction v_c of lib/directions.glsl. With `variance`, the number
+//   of those is round(N/2 * smoothstep(0, 1/2, variance)). They are left out where there is no such direction.
+// Weights, D = |t_i| r_N, e the direction sampled, r what X and Y spread over, at least 1/2 px:
+//   f*cone(D, rY)*wB + b*cone(D, rX)*wA + 2*cylinder(D, min(rX, rY))*max(wA, wB), wA = |v_c . e|, wB = |direction of
+//   d(Y) . e|; of the pixel itself N / (kappa*rX); divided by their sum. f and b compare depths as shares of the depth.
+// Paths: nothing around spreads over more than 0.505 px: copied. The shortest displacement around is at least 0.65 of
+//   the dominant one and spreads over 4 px: d(Y) is taken to be the dominant one and not read. Counters tell how many.
+// Alpha: as in McGuire's gather (mcguire2012.glsl): 1, or, where something was revealed behind the pixel, the share of
+//   all weights that is in front of it and whose own motion, along the direction sampled, covers the distance to X.
+// Fails: as McGuire's filter opaque inside of silhouettes (no straight ramps), with background from outside of them;
+//   thin things across the two directions; noise and gaps where many directions meet.
+#include "lib/directions.glsl"
+#include "lib/jitter.glsl"
+#include "lib/layer.glsl"
+#include "lib/tile_lookup.glsl"
+
+const float kCopiedRadius = 0.505;   // px
+const float kUniformShare = 0.65;    // of the dominant displacement
+const float kUniformRadius = 4.0;    // px
+
+struct Tap {
+  vec3 color;
+  float depth;
+  float radius;    // px
+  vec2 direction;  // unit, 0 at rest
+};
+
+Tap tapFrom(Texel texel, vec2 d, float reach) {
+  return Tap(texel.color, texel.depth, max(reach * lengthOf(d), 0.5), unitOf(d));
+}
+
+struct Sample {
+  ivec2 offset;
+  float distance_px;
+  vec2 direction;  // unit
+};
+
+Sample sampleAt(int i, vec2 d, vec2 second, bool along_second, float jitter) {
+  float along = (float(i) + params.eta * jitter + 1.0) / float(params.samples + 1);  // (t_i + 1) / 2
+  float t = timeAt(1.0 - along, frame.shutter);
+  vec2 sampled = along_second ? lengthOf(d) * second : d;
+  return Sample(roundSymmetric(tapOffset(sampled, t)), abs(t) * lengthOf(d), along_second ? second : unitOf(d));
+}
+
+// How many samples go along the second direction.
+int secondCount(ivec2 tile) {
+#if HAS_variance
+  float share = smoothstep(0.0, 0.5, texelFetch(variance_tex, tile, 0).x);
+  return int(floor(0.5 * float(params.samples) * share + 0.5));
+#else
+  return params.samples / 2;
+#endif
+}
+
+bool movesAsOne(ivec2 tile, vec2 d, float reach) {
+#if HAS_slowest
+  float slowest = texelFetch(slowest_tex, tile, 0).x;
+  return slowest >= kUniformShare * lengthOf(d) && reach * slowest >= kUniformRadius;
+#else
+  return false;
+#endif
+}
+
+float tapWeight(Tap here, Tap tap, Sample taken, vec2 second) {
+  float along_here = abs(dot(second, taken.direction));
+  float along_tap = abs(dot(tap.direction, taken.direction));
+  float in_front = softDepth(here.depth, tap.depth, params.depth_extent);
+  float at_back = softDepth(tap.depth, here.depth, params.depth_extent);
+  return in_front * cone(taken.distance_px, tap.radius) * along_tap +
+         at_back * cone(taken.distance_px, here.radius) * along_here +
+         2.0 * cylinder(taken.distance_px, min(here.radius, tap.radius)) * max(along_here, along_tap);
+}
+
+// How far a tap's own motion covers the pixel.
+float covers(Tap tap, Sample taken) {
+  float along_tap = tap.radius > 0.5 ? abs(dot(tap.direction, taken.direction)) : 1.0;
+  return cylinder(taken.distance_px, tap.radius) * along_tap;
+}
+
+void run(ivec2 pixel) {
+  if (!isValid(pixel)) {
+    imageStore(blurred_img, pixel, vec4(0));
+    return;
+  }
+  ivec2 tile = lookupTile(pixel, textureSize(dominant_tex, 0));
+  vec2 d = vec2(texelFetch(dominant_tex, tile, 0));
+  float reach = reachFactor(frame.shutter);
+  if (reach * lengthOf(d) <= kCopiedRadius) {
+    count_copied(1u);
+    imageStore(blurred_img, pixel, vec4(vec3(texelFetch(color_tex, pixel, 0)), 1));
+    return;
+  }
+
+  ivec2 size = textureSize(color_tex, 0);
+  bool uniform_motion = movesAsOne(tile, d, reach);
+  if (uniform_motion) count_uniform(1u);
+  Texel own = texelAt(pixel);
+  Tap here = tapFrom(own, own.d, reach);
+  vec2 second = secondAt(pixel, tile, d, here.radius, params.gamma);
+  int second_count = secondCount(tile);
+  int skipped = isCentred(frame.shutter) && params.samples % 2 == 1 ? (params.samples - 1) / 2 : -1;
+  bool over = hasBehind(pixel);
+  float behind = behindDepth(pixel, here.depth);
+  float jitter = jitterOf(pixel);
+
+  float all = float(params.samples) / (params.kappa * here.radius);
+  float front = all * (over ? inFrontOf(here.depth, behind, params.depth_extent) : 1.0);
+  vec3 sum = here.color * front;
+  for (int i = 0; i < params.samples; ++i) {
+    if (i == skipped) continue;
+    bool along_second = isAlongSecond(i, second_count);
+    if (along_second && second == vec2(0)) continue;
+    Sample taken = sampleAt(i, d, second, along_second, jitter);
+    ivec2 at = clampToImage(pixel + taken.offset, size);
+    if (!isValid(at)) continue;
+
+    Texel texel = texelAt(at);
+    Tap tap = tapFrom(texel, uniform_motion ? d : texel.d, reach);
+    float weight = tapWeight(here, tap, taken, second);
+    all += weight;
+    if (over) weight *= inFrontOf(tap.depth, behind, params.depth_extent) * covers(tap, taken);
+    front += weight;
+    sum += weight * tap.color;
+  }
+  imageStore(blurred_img, pixel, vec4(sum / all, over ? front / all : 1.0));
+}

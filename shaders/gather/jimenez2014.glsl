@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare" (SIGGRAPH course), as its public
+// descendants implement it: taps in pairs, weights that are straight ramps, mirrored background.
+// In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure), dominant (the same, per tile);
+//      slowest (px over the exposure, the shortest displacement around, per tile; absent: no cheap path);
+//      valid (> 1/2: the layer has a texel there; absent: everywhere);
+//      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere).
+// Out: blurred, colour times alpha and alpha.
+// Paths: copy where nothing around spreads farther than copy_below; cheap, the plain mean of the taps, where the slowest
+//   displacement around is longer than cheap_ratio times the dominant one; else full. Counters tell how many took each.
+// Taps: with the capture in the middle of the exposure, pairs at +-(i + 1/2 + jitter) steps of |d|/N (an odd N is
+//   rounded up); with the capture at an end, N single taps at (i + 1/2 + jitter) steps of |d|/N. count = adaptive
+//   takes no more of them than d has pixels (an even number, at least 2).
+// Weights, of a tap Y that is s = i + 1/2 + jitter steps away, u steps to a pixel, r the distance a pixel spreads:
+//   w = back * clamp(u*r(X) - max(s - 1, 0), 0, 1) + front * clamp(u*r(Y) - max(s - 1, 0), 0, 1), where back + front =
+//   1 by the order of the depths (1/2 each where equal). Of a pair the nearer and faster tap gives both their weight
+//   (the mirror); both comparisons are strict, so that ties give a mirrored picture a mirrored result. `direction`
+//   scales what Y spreads by how far it moves along d.
+//   Result: sum of w*C / N, the rest of the exposure goes to the pixel itself.
+// Alpha: 1, unless something was revealed behind the pixel. Then the result is the foreground alone, to be laid over
+//   the blurred background: every tap counts as far as it is in front of what was revealed and spreads over X, the rest
+//   of the exposure as far as X itself is in front.
+// Fails: what it shows behind a moving object inside its silhouette is the picture from outside of it, so that edges
+//   there appear a second time; outside, the background under the object comes from the opposite side. One direction.
+#include "lib/jitter.glsl"
+#include "lib/layer.glsl"
+
+struct Tap {
+  vec3 color;
+  float depth;
+  vec2 d;        // px over the exposure
+  float radius;  // px
+};
+
+// What is being gathered at one pixel.
+struct Gather {
+  Tap here;
+  vec2 d;             // dominant, px over the exposure
+  float reach;
+  float step_length;  // px
+  bool over;          // something was revealed behind
+  float behind;
+};
+
+// Sums over taps: weighted colours and weights of what is shown, and all weights.
+struct Sums {
+  vec4 shown;
+  float all;
+};
+
+Tap tapAt(ivec2 pixel, float reach) {
+  Texel texel = texelAt(pixel);
+  return Tap(texel.color, texel.depth, texel.d, reach * lengthOf(texel.d));
+}
+
+// How much of what a tap spreads along its own motion falls along the dominant one.
+float alongDominant(Gather gather, Tap tap, ivec2 offset) {
+#if PARAM_direction == direction_projected
+  float longest = lengthOf(gather.d);
+  return min(abs(dot(tap.d / longest, gather.d / longest)), 1.0);
+#elif PARAM_direction == direction_cosine
+  return tap.radius > 0.0 ? min(abs(dot(tap.d / lengthOf(tap.d), gather.d / lengthOf(gather.d))), 1.0) : 1.0;
+#elif PARAM_direction == direction_opposing
+  return dot(tap.d, vec2(offset)) * (frame.shutter.x + frame.shutter.y) <= 0.0 ? 1.0 : 0.0;
+#else
+  return 1.0;
+#endif
+}
+
+// Share of a step that something which spreads over `radius` px covers, `steps` away.
+float spreadOver(Gather gather, float radius, float steps) {
+  return clamp(radius / gather.step_length - max(steps - 1.0, 0.0), 0.0, 1.0);
+}
+
+float tapWeight(Gather gather, Tap tap, float steps, ivec2 offset) {
+  float back = 0.5 + 0.5 * depthOrder(gather.here.depth, tap.depth, params.depth_extent);
+  float spread_here = spreadOver(gather, gather.here.radius, steps);
+  float spread_tap = spreadOver(gather, tap.radius, steps) * alongDominant(gather, tap, offset);
+  return back * spread_here + (1.0 - back) * spread_tap;
+}
+
+vec2 mirrored(Tap a, Tap b, vec2 weights) {
+  if (a.depth > b.depth && b.radius > a.radius) return vec2(weights.y, weights.y);
+  if (b.depth > a.depth && a.radius > b.radius) return vec2(weights.x, weights.x);
+  return weights;
+}
+
+// The part of a tap's weight that is foreground, where the background is known from elsewhere.
+float frontShare(Gather gather, Tap tap, float steps) {
+  return inFrontOf(tap.depth, gather.behind, params.depth_extent) * spreadOver(gather, tap.radius, steps);
+}
+
+Sums withPair(Sums sums, Gather gather, ivec2 pixel, ivec2 offset, float steps) {
+  ivec2 size = textureSize(color_tex, 0);
+  ivec2 at_a = clampToImage(pixel + offset, size), at_b = clampToImage(pixel - offset, size);
+  Tap a = tapAt(at_a, gather.reach), b = tapAt(at_b, gather.reach);
+  vec2 weights = vec2(tapWeight(gather, a, steps, offset), tapWeight(gather, b, steps, -offset));
+#if PARAM_mirror
+  if (isValid(at_a) && isValid(at_b)) weights = mirrored(a, b, weights);
+#endif
+  if (!isValid(at_a)) weights.x = 0.0;
+  if (!isValid(at_b)) weights.y = 0.0;
+  sums.all += weights.x + weights.y;
+  if (gather.over) weights *= vec2(frontShare(gather, a, steps), frontShare(gather, b, steps));
+  sums.shown += vec4(weights.x * a.color + weights.y * b.color, weights.x + weights.y);
+  return sums;
+}
+
+Sums withTap(Sums sums, Gather gather, ivec2 pixel, ivec2 offset, float steps) {
+  ivec2 at = clampToImage(pixel + offset, textureSize(color_tex, 0));
+  if (!isValid(at)) return sums;
+  Tap tap = tapAt(at, gather.reach);
+  float weight = tapWeight(gather, tap, steps, offset);
+  sums.all += weight;
+  if (gather.over) weight *= frontShare(gather, tap, steps);
+  sums.shown += vec4(weight * tap.color, weight);
+  return sums;
+}
+
+// An even number where taps come in pairs.
+int sampleCount(vec2 d) {
+  int most = isCentred(frame.shutter) ? (params.samples + 1) / 2 * 2 : params.samples;
+#if PARAM_count == count_adaptive
+  return min(max(int(lengthOf(d)) / 2 * 2, 2), most);
+#else
+  return most;
+#endif
+}
+
+// Does everything around move nearly as fast as the dominant displacement?
+bool movesAsOne(ivec2 pixel, vec2 d) {
+#if HAS_slowest
+  return texelFetch(slowest_tex, pixel / params.tile, 0).x > params.cheap_ratio * lengthOf(d);
+#else
+  return false;
+#endif
+}
+
+// To the farther side of the window, where it has only one.
+vec2 farEnd(vec2 d) { return tapOffset(d, frame.shutter.x < 0.0 ? frame.shutter.x : frame.shutter.y); }
+
+vec3 plainMean(ivec2 pixel, vec2 d, int count, float jitter) {
+  ivec2 size = textureSize(color_tex, 0);
+  vec3 sum = vec3(0);
+  int taken = isCentred(frame.shutter) ? count / 2 : count;
+  for (int i = 0; i < taken; ++i) {
+    vec2 along = isCentred(frame.shutter) ? d : farEnd(d);
+    ivec2 offset = roundSymmetric(along * ((float(i) + 0.5 + jitter) / float(count)));
+    sum += texelAt(clampToImage(pixel + offset, size)).color;
+    if (isCentred(frame.shutter)) sum += texelAt(clampToImage(pixel - offset, size)).color;
+  }
+  return sum / float(count);
+}
+
+vec4 fullGather(ivec2 pixel, Gather gather, int count, float jitter) {
+  Sums sums = Sums(vec4(0), 0.0);
+  vec2 far_end = farEnd(gather.d);
+  int taken = isCentred(frame.shutter) ? count / 2 : count;
+  for (int i = 0; i < taken; ++i) {
+    float steps = float(i) + 0.5 + jitter;
+    if (isCentred(frame.shutter)) {
+      sums = withPair(sums, gather, pixel, roundSymmetric(gather.d * (steps / float(count))), steps);
+    } else {
+      sums = withTap(sums, gather, pixel, roundSymmetric(far_end * (steps / float(count))), steps);
+    }
+  }
+  vec4 shown = sums.shown / float(count);
+  float rest = 1.0 - sums.all / float(count);
+  if (!gather.over) return vec4(vec3(shown) + rest * gather.here.color, 1);
+  rest *= inFrontOf(gather.here.depth, gather.behind, params.depth_extent);
+  return vec4(vec3(shown) + rest * gather.here.color, shown.w + rest);
+}
+
+void run(ivec2 pixel) {
+  if (!isValid(pixel)) {
+    imageStore(blurred_img, pixel, vec4(0));
+    return;
+  }
+  vec2 d = vec2(texelFetch(dominant_tex, pixel / params.tile, 0));
+  float reach = reachFactor(frame.shutter);
+  if (reach * lengthOf(d) <= params.copy_below + (kStillRadius - 0.5)) {
+    count_copied(1u);
+    imageStore(blurred_img, pixel, vec4(vec3(texelFetch(color_tex, pixel, 0)), 1));
+    return;
+  }
+
+  int count = sampleCount(d);
+  float jitter = jitterOf(pixel);
+  bool over = hasBehind(pixel);
+  if (!over && movesAsOne(pixel, d)) {
+    count_cheap(1u);
+    imageStore(blurred_img, pixel, vec4(plainMean(pixel, d, count, jitter), 1));
+    return;
+  }
+
+  count_full(1u);
+  Tap here = tapAt(pixel, reach);
+  Gather gather = Gather(here, d, reach, lengthOf(d) / float(count), over, behindDepth(pixel, here.depth));
+  imageStore(blurred_img, pixel, fullGather(pixel, gather, count, jitter));
+}

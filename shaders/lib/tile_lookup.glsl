@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Which tile a pixel looks its dominant displacement up in, for passes with the parameter `tile` and the choice
+// `tile_jitter`: the pixel's own, or that of a point up to a quarter of a tile away, so that the borders of tiles, where
+// the dominant displacement changes, turn to noise. Guertin et al. 2014; as ports of it do it.
+#ifndef STROBE_TILE_LOOKUP_GLSL
+#define STROBE_TILE_LOOKUP_GLSL
+#include "lib/blur.glsl"
+#include "lib/noise.glsl"
+
+const float kTwoPi = 6.28318530718;
+
+// In tiles.
+vec2 lookupShift(ivec2 pixel) {
+#if PARAM_tile_jitter == tile_jitter_angle
+  float angle = kTwoPi * gradientNoise(pixel + ivec2(2, 0));
+  return 0.25 * vec2(cos(angle), sin(angle));
+#elif PARAM_tile_jitter == tile_jitter_axis
+  ivec2 tile = pixel / params.tile;
+  float shift = 0.5 * gradientNoise(pixel) - 0.25;
+  return (tile.x + tile.y) % 2 == 0 ? vec2(shift, 0) : vec2(0, shift);
+#else
+  return vec2(0);
+#endif
+}
+
+ivec2 lookupTile(ivec2 pixel, ivec2 tiles) {
+#if PARAM_tile_jitter == tile_jitter_none
+  return pixel / params.tile;
+#else
+  vec2 place = (vec2(pixel) + 0.5) / float(params.tile) + lookupShift(pixel);
+  return clampToImage(ivec2(floor(place)), tiles);
+#endif
+}
+
+#endif
