@@ -13,6 +13,6 @@ return pass.compute {
     depth  = { doc = "linear view depth, metres, sky = +inf" },
     normal = { doc = "unit, world space; sky = 0" },
   },
-  writes = { gradient = { format = "rg32f", doc = "along the steepest direction; length 1 at the lower threshold" } },
+  writes = { gradient = { format = "rg32f", doc = "along the steepest direction; length 1 at the threshold" } },
   params = edge_ports.steps(),
 }

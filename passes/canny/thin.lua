@@ -8,7 +8,7 @@ return pass.compute {
   doc    = "Pixels whose gradient exceeds that of both neighbours across the edge",
   fails  = "Where three edges meet, one may be cut off a pixel before the others.",
   size   = { of = "gradient" },
-  reads  = { gradient = { doc = "along the steepest direction; length 1 at the lower threshold" } },
+  reads  = { gradient = { doc = "along the steepest direction; length 1 at the threshold" } },
   writes = { ridge = { format = "r8_unorm", doc = "1 strong, 1/2 weak, 0 none" } },
-  params = { ratio = pass.float { 2, min = 1, max = 100, doc = "the upper threshold, as a multiple of the lower" } },
+  params = { ratio = pass.float { 2, min = 1, max = 100, doc = "the threshold of strong edges, as a multiple of that of weak ones" } },
 }

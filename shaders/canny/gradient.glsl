@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Gradients of depth and normal of the smoothed picture; first step of the edge detector canny (Canny 1986).
 // In:  depth (view depth, sky +inf), normal (unit, world; sky 0).
-// Out: gradient: as long as the answer (1 at the lower threshold), along the steepest direction, px x right, y down;
+// Out: gradient: as long as the answer (1 at the threshold), along the steepest direction, px x right, y down;
 //   of the two directions along that line the one with x > 0, or x = 0 and y > 0.
 // A Gaussian of standard deviation 1 px (5 x 5), then Sobel's kernel, here in one kernel of 7 x 7, scaled so that a
 //   unit step responds 1 beside it. Depths as in edge/sobel, relative to the pixel's own: of the two pixels at a step

@@ -28,7 +28,7 @@ end
 function edge_ports.steps(more)
   local params = {
     depth_threshold  = edge_ports.depth_threshold(0.05),
-    normal_threshold = pass.float { 0.8, min = 1e-6, max = 4, doc = "length of the normal step of an edge" },
+    normal_threshold = pass.float { 0.8, min = 1e-6, max = 16, doc = "length of the normal step of an edge" },
     combine          = pass.choice { "max", "sum", "and", default = "max",
       doc = "either, both added, or both at once",
       values = {

@@ -10,7 +10,7 @@ local edges = { names = pass.family "edge" }
 -- Images that steps before a detector make, by detector.
 local prepared = {}
 
--- Thresholds are parameters of the node edge_gradient, their ratio of edge_thin.
+-- Thresholds of strong edges are parameters of the node edge_gradient; those of weak ones are a ratio in edge_thin.
 function prepared.canny(seen)
   local steepest = gradient { depth = seen.depth, normal = seen.normal, as = "edge_gradient" }.gradient
   return { ridge = thin { gradient = steepest, as = "edge_thin" }.ridge }

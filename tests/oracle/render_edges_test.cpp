@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: MIT
+// The edge detectors in the renderer: pixel by pixel against their formulas in double precision, on the depths, normals
+// and ids that the renderer found; and the properties each is chosen for, on depths that are formulas.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "oracle/render.h"
+
+namespace strobe::oracle {
+namespace {
+
+const std::vector<std::string> kDetectors = {"canny",   "id",     "laplacian",  "plane", "prewitt",
+                                             "roberts", "scharr", "silhouette", "sobel"};
+
+lab::Shot detected(lab::Shot shot, const std::string& edge, std::vector<std::string> settings = {}) {
+  settings.push_back("edge=" + edge);
+  return with(shot, std::string(STROBE_SOURCE_DIR) + "/tests/oracle/pipelines/edges_alone.lua", settings);
+}
+
+// --- What a detector answers, in double precision: above 1 is an edge
+
+using Kernel = std::array<std::array<double, 3>, 3>;
+
+// A picture's depth, normal and id; its border goes on outside.
+class Seen {
+ public:
+  explicit Seen(const lab::Picture& picture)
+      : width(imageOf(picture, "depth").width), height(imageOf(picture, "depth").height),
+        depth_(imageOf(picture, "depth")), normal_(imageOf(picture, "normal")),
+        id_(picture.frame.outputs.at("id").uints) {}
+
+  double depth(int x, int y) const { return depth_.at(column(x), row(y), 0); }
+  dvec3 normal(int x, int y) const {
+    const float* n = normal_.pixel(column(x), row(y));
+    return dvec3(n[0], n[1], n[2]);
+  }
+  uint32_t id(int x, int y) const { return id_.at(column(x), row(y), 0); }
+  bool isInside(int x, int y) const { return x >= 0 && y >= 0 && x < width && y < height; }
+  bool isSurface(int x, int y) const { return std::isfinite(depth(x, y)); }
+
+  const int width, height;
+
+ private:
+  int column(int x) const { return std::clamp(x, 0, width - 1); }
+  int row(int y) const { return std::clamp(y, 0, height - 1); }
+  image::Image depth_, normal_;
+  image::UintImage id_;
+};
+
+constexpr double kDepthThreshold = .05, kNormalThreshold = .8, kPlaneThreshold = .02;
+
+// Lengths of the steps of depth and normal that two kernels answer, given as functions of the offset.
+using Weight = std::function<double(int x, int y)>;
+struct Steps {
+  double depth = 0, normal = 0;
+  double answer() const { return std::max(depth / kDepthThreshold, normal / kNormalThreshold); }
+};
+
+Steps gradientAt(const Seen& seen, int x, int y, int radius, const Weight& in_x, const Weight& in_y) {
+  double own = seen.depth(x, y), depth[2] = {0, 0};
+  dvec3 normal[2] = {dvec3(0), dvec3(0)};
+  for (int j = -radius; j <= radius; ++j)
+    for (int i = -radius; i <= radius; ++i)
+      for (int axis = 0; axis < 2; ++axis) {
+        double weight = axis == 0 ? in_x(i, j) : in_y(i, j);
+        depth[axis] += weight * std::min(seen.depth(x + i, y + j) / own, 16.);
+        normal[axis] += weight * seen.normal(x + i, y + j);
+      }
+  return {std::hypot(depth[0], depth[1]), std::hypot(length(normal[0]), length(normal[1]))};
+}
+
+double byKernel(const Seen& seen, int x, int y, const Kernel& kernel) {
+  auto in_x = [&](int i, int j) { return kernel[size_t(j + 1)][size_t(i + 1)]; };
+  return gradientAt(seen, x, y, 1, in_x, [&](int i, int j) { return in_x(j, i); }).answer();
+}
+
+Kernel scaled(Kernel kernel, double factor) {
+  for (auto& row : kernel)
+    for (double& value : row) value *= factor;
+  return kernel;
+}
+const Kernel kSobel = scaled({{{-1, 0, 1}, {-2, 0, 2}, {-1, 0, 1}}}, 1. / 4);
+const Kernel kPrewitt = scaled({{{-1, 0, 1}, {-1, 0, 1}, {-1, 0, 1}}}, 1. / 3);
+const Kernel kScharr = scaled({{{-3, 0, 3}, {-10, 0, 10}, {-3, 0, 3}}}, 1. / 16);
+
+double byRoberts(const Seen& seen, int x, int y) {
+  auto down = [](int i, int j) { return i == j && i >= 0 ? (i == 1 ? 1 : -1) * std::sqrt(.5) : 0; };
+  auto up = [](int i, int j) { return i + j == 1 && i >= 0 && j >= 0 ? (i == 1 ? 1 : -1) * std::sqrt(.5) : 0; };
+  return gradientAt(seen, x, y, 1, down, up).answer();
+}
+
+// Second differences of the inverse depth; `radius` px.
+double byLaplacian(const Seen& seen, int x, int y, int radius, const Weight& weight) {
+  double own = seen.depth(x, y), depth = 0, unit = 0;
+  dvec3 normal(0);
+  for (int j = -radius; j <= radius; ++j)
+    for (int i = -radius; i <= radius; ++i) {
+      if (i > 0) unit += weight(i, j);
+      if (!seen.isInside(x + i, y + j) || !seen.isInside(x - i, y - j)) continue;
+      depth += weight(i, j) * (std::min(own / seen.depth(x + i, y + j), 16.) - 1);
+      normal += weight(i, j) * (seen.normal(x + i, y + j) - seen.normal(x, y));
+    }
+  return Steps{std::abs(depth / unit), length(normal / unit)}.answer();
+}
+
+double offPlane(const Seen& seen, int x, int y, int i, int j) {
+  if (!seen.isInside(x + i, y + j) || !seen.isInside(x - i, y - j)) return 0;
+  double own = seen.depth(x, y);
+  double ahead = std::min(own / seen.depth(x + i, y + j), 16.), behind = std::min(own / seen.depth(x - i, y - j), 16.);
+  return std::abs(ahead + behind - 2) / kPlaneThreshold;
+}
+
+double byPlane(const Seen& seen, int x, int y) {
+  double answer = std::max(offPlane(seen, x, y, 1, 0), offPlane(seen, x, y, 0, 1));
+  for (auto [i, j] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}})
+    answer = std::max(answer, length(seen.normal(x + i, y + j) - seen.normal(x, y)) / kNormalThreshold);
+  return answer;
+}
+
+// With `stands_off` the neighbour must be off the plane as well.
+double bySilhouette(const Seen& seen, int x, int y, bool stands_off) {
+  double answer = 0;
+  for (auto [i, j] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+    bool beyond = seen.id(x + i, y + j) != seen.id(x, y) && seen.depth(x + i, y + j) > seen.depth(x, y);
+    if (beyond) answer = std::max(answer, stands_off ? offPlane(seen, x, y, i, j) : kInfinity);
+  }
+  return answer;
+}
+
+double answerOf(const std::string& detector, const Seen& seen, int x, int y) {
+  auto all_but_centre = [](int i, int j) { return i == 0 && j == 0 ? 0. : 1.; };
+  auto four = [](int i, int j) { return std::abs(i) + std::abs(j) == 1 ? 1. : 0.; };
+  auto log = [](int i, int j) { return (i * i + j * j - 2) * std::exp(-.5 * (i * i + j * j)); };
+  if (!seen.isSurface(x, y)) return 0;
+  if (detector == "sobel") return byKernel(seen, x, y, kSobel);
+  if (detector == "prewitt") return byKernel(seen, x, y, kPrewitt);
+  if (detector == "scharr") return byKernel(seen, x, y, kScharr);
+  if (detector == "roberts") return byRoberts(seen, x, y);
+  if (detector == "laplacian four") return byLaplacian(seen, x, y, 1, four);
+  if (detector == "laplacian eight") return byLaplacian(seen, x, y, 1, all_but_centre);
+  if (detector == "laplacian log") return byLaplacian(seen, x, y, 3, log);
+  if (detector == "plane") return byPlane(seen, x, y);
+  if (detector == "silhouette") return bySilhouette(seen, x, y, true);
+  return bySilhouette(seen, x, y, false);
+}
+
+constexpr double kNear = 105;  // the reliefs' steps are from 100 to 110
+
+// --- Pixel by pixel
+
+class RenderEdges : public RenderTest {
+ protected:
+  static image::Image edgesOf(const lab::Shot& shot) { return imageOf(render(shot), "edge"); }
+  // Pixels that are edges of all, or in one column or row of them.
+  static int count(const image::Image& edges) {
+    int sum = 0;
+    for (float value : edges.values) sum += value > .5f;
+    return sum;
+  }
+  // The largest answer to depth on near pixels, 5 px or more from the border, is `expected`: with a threshold just
+  // below there are edges, just above there are none.
+  static void expectAnswer(const lab::Shot& shot, const std::string& detector, double expected, double tolerance,
+                           std::vector<std::string> settings = {}) {
+    std::string node = detector == "canny" ? "edge_gradient" : "edge";
+    if (detector == "canny") settings.push_back("edge_thin.ratio=1");
+    if (detector != "silhouette") settings.push_back(node + ".normal_threshold=16");
+    for (double factor : {1 - tolerance, 1 + tolerance}) {
+      std::vector<std::string> at = settings;
+      at.push_back(fmt::format("{}.depth_threshold={:.9g}", node, expected * factor));
+      lab::Picture picture = render(detected(shot, detector, at));
+      int edges = 0;
+      for (int y = 5; y < shot.height - 5; ++y)
+        for (int x = 5; x < shot.width - 5; ++x)
+          edges += imageOf(picture, "edge").at(x, y, 0) > .5f && imageOf(picture, "depth").at(x, y, 0) < kNear;
+      EXPECT_EQ(edges > 0, factor < 1) << detector << " " << fmt::format("{}", fmt::join(at, " "));
+    }
+  }
+};
+
+// Single precision decides differently only where the answer is 1 within 1e-4: depths have 7 digits, and their
+// differences are not below a hundredth of them.
+TEST_F(RenderEdges, EachIsItsFormula) {
+  for (const std::string& scene : {"crowd", "solids"}) {
+    for (std::string name : {"sobel", "prewitt", "scharr", "roberts", "laplacian four", "laplacian eight",
+                             "laplacian log", "plane", "silhouette", "id"}) {
+      size_t space = name.find(' ');
+      std::vector<std::string> settings;
+      if (space != std::string::npos) settings = {"edge.kernel=" + name.substr(space + 1)};
+      lab::Picture picture = render(detected(shotOf(scene, 64, 40), name.substr(0, space), settings));
+      Seen seen(picture);
+      int wrong = 0, edges = 0;
+      for (int y = 0; y < seen.height; ++y)
+        for (int x = 0; x < seen.width; ++x) {
+          double answer = answerOf(name, seen, x, y);
+          bool edge = imageOf(picture, "edge").at(x, y, 0) > .5f;
+          edges += edge;
+          wrong += edge != (answer > 1) && !(std::abs(answer - 1) <= 1e-4);
+        }
+      EXPECT_EQ(wrong, 0) << scene << " " << name;
+      EXPECT_GE(edges, 100) << scene << " " << name;
+    }
+  }
+}
+
+// --- Steps of known height
+
+// A step from 100 to 110: the near side sees 1/10 of its depth, in inverse depth 1 - 10/11. .001 tells apart neighbouring
+// weights of every kernel; single precision is good to 1e-5.
+TEST_F(RenderEdges, AUnitStepAnswersOne) {
+  lab::Shot step = shotOf("relief", 32, 32, {{"field", 1}, {"step", .1}});
+  for (const char* detector : {"sobel", "prewitt", "scharr", "roberts", "canny"}) expectAnswer(step, detector, .1, .001);
+  for (const char* kernel : {"four", "eight"})
+    expectAnswer(step, "laplacian", 1 - 1 / 1.1, .001, {fmt::format("edge.kernel={}", kernel)});
+  expectAnswer(step, "laplacian", (1 - 1 / 1.1) * 1.00504, .001, {"edge.kernel=log"});  // the second pixel answers more
+  expectAnswer(step, "plane", 1 - 1 / 1.1, .001);
+  expectAnswer(step, "roberts", .1, .001, {"edge.norm=l1"});
+}
+
+// Sums of the kernels by hand: a side's two weights, along both axes.
+TEST_F(RenderEdges, ADiagonalStepAnswersWhatTheKernelAddsUpTo) {
+  lab::Shot step = shotOf("relief", 32, 32, {{"field", 1}, {"step", .1}, {"angle", 45}});
+  expectAnswer(step, "sobel", .1 * std::sqrt(2.) * 3 / 4, .001);
+  expectAnswer(step, "prewitt", .1 * std::sqrt(2.) * 2 / 3, .001);
+  expectAnswer(step, "scharr", .1 * std::sqrt(2.) * 13 / 16, .001);
+  expectAnswer(step, "roberts", .1 / std::sqrt(2.), .001);
+  expectAnswer(step, "laplacian", 2 * (1 - 1 / 1.1), .001, {"edge.kernel=four"});
+  expectAnswer(step, "laplacian", 1 - 1 / 1.1, .001, {"edge.kernel=eight"});
+}
+
+// Transfer of [side middle side] x [-1 0 1] at a wave of k rad/px along an axis and along a diagonal: Scharr answers both
+// alike within 1 %, Sobel within 3 %, Prewitt within 6 %. .002: the phase that a pixel sees is off the steepest by .042 at
+// most (.0009), and the depth there by 2 % (.0002).
+TEST_F(RenderEdges, ScharrDependsLeastOnDirection) {
+  const double k = .85, height = .02;
+  const std::pair<const char*, double> sides[] = {{"scharr", 3. / 16}, {"sobel", 1. / 4}, {"prewitt", 1. / 3}};
+  double worst = 0;
+  for (auto [detector, side] : sides) {
+    double axis = 2 * std::sin(k), along = k / std::sqrt(2.);
+    double diagonal = 2 * std::sqrt(2.) * std::sin(along) * (1 - 2 * side + 2 * side * std::cos(along));
+    for (bool turned : {false, true}) {
+      lab::Shot wave = shotOf("relief", 64, 64, {{"angle", turned ? 45 : 0}, {"k", k}, {"step", height}});
+      expectAnswer(wave, detector, height * (turned ? diagonal : axis), .002);
+    }
+    EXPECT_GE(std::abs(1 - diagonal / axis), 2 * worst) << detector;
+    worst = std::abs(1 - diagonal / axis);
+  }
+}
+
+// --- What each marks of a bar [96, 160)
+
+std::vector<int> columnsOf(const image::Image& edges) {
+  std::vector<int> columns;
+  for (int x = 0; x < edges.width; ++x)
+    if (edges.at(x, edges.height / 2, 0) > .5f) columns.push_back(x);
+  return columns;
+}
+
+TEST_F(RenderEdges, WhichPixelsOfAStepAreMarked) {
+  const std::vector<int> near = {96, 159}, both = {95, 96, 159, 160}, wide = {94, 95, 96, 97, 158, 159, 160, 161};
+  lab::Shot bar = shotOf("bar", 256, 16);
+  for (const char* detector : {"id", "silhouette", "canny"})
+    EXPECT_EQ(columnsOf(edgesOf(detected(bar, detector, {}))), near) << detector;
+  for (const char* detector : {"sobel", "prewitt", "scharr", "laplacian", "plane"})
+    EXPECT_EQ(columnsOf(edgesOf(detected(bar, detector))), both) << detector;
+  EXPECT_EQ(columnsOf(edgesOf(detected(bar, "laplacian", {"edge.kernel=log"}))), wide);
+  // Half a pixel to the right and below: the left edge falls on the background.
+  EXPECT_EQ(columnsOf(edgesOf(detected(bar, "roberts"))), (std::vector<int>{95, 159}));
+}
+
+// Parallel surfaces have one normal: `and` finds no step between them.
+TEST_F(RenderEdges, DepthAndNormalCombine) {
+  lab::Shot bar = shotOf("bar", 256, 16);
+  for (const char* detector : {"sobel", "laplacian", "plane"}) {
+    EXPECT_EQ(count(edgesOf(detected(bar, detector, {"edge.combine=and"}))), 0) << detector;
+    EXPECT_EQ(count(edgesOf(detected(bar, detector, {"edge.combine=sum"}))), 64) << detector;
+  }
+}
+
+// --- Planes
+
+// The floor of `solids` without the rows beside the horizon (below which a pixel's two rows are a fifth apart) and
+// without everything within 4 px of another instance: nothing there is an edge.
+TEST_F(RenderEdges, AFloorIsNoEdgeToWhatKnowsPlanes) {
+  for (std::string name : {"plane", "plane distance", "laplacian", "laplacian log", "silhouette", "sobel"}) {
+    size_t space = name.find(' ');
+    std::vector<std::string> settings;
+    if (name == "plane distance") settings = {"edge.measure=distance"};
+    if (name == "laplacian log") settings = {"edge.kernel=log"};
+    lab::Picture picture = render(detected(shotOf("solids", 96, 64), name.substr(0, space), settings));
+    Seen seen(picture);
+    int floor = 0, marked = 0;
+    for (int y = 33; y < seen.height; ++y)
+      for (int x = 0; x < seen.width; ++x) {
+        bool alone = true;
+        for (int j = -4; j <= 4; ++j)
+          for (int i = -4; i <= 4; ++i) alone = alone && seen.id(x + i, y + j) == 1;
+        floor += alone;
+        marked += alone && imageOf(picture, "edge").at(x, y, 0) > .5f;
+      }
+    EXPECT_GE(floor, 1000);
+    if (name == "sobel") {
+      EXPECT_GE(marked, floor / 2) << "rows change by 2 / y of their depth, above .05 within 40 px of the horizon";
+    } else {
+      EXPECT_EQ(marked, 0) << name;
+    }
+  }
+}
+
+// The tangent plane at the ball's outline runs along the line of sight, and so past what is behind it.
+TEST_F(RenderEdges, TheDistanceFromAPlaneMissesOutlinesOfABall) {
+  lab::Shot solids = shotOf("solids", 96, 64);
+  const std::string threshold = "edge.depth_threshold=0.2";  // the wall is .44 of its depth behind the ball
+  lab::Picture picture = render(detected(solids, "id"));
+  Seen seen(picture);
+  image::Image by_distance = edgesOf(detected(solids, "silhouette", {"edge.measure=distance", threshold}));
+  image::Image by_depth = edgesOf(detected(solids, "silhouette", {threshold}));
+  int missed_by_distance = 0, missed_by_depth = 0;
+  for (int y = 0; y < seen.height; ++y)
+    for (int x = 0; x < seen.width; ++x) {
+      if (seen.id(x, y) != 4 || imageOf(picture, "edge").at(x, y, 0) < .5f) continue;
+      missed_by_distance += by_distance.at(x, y, 0) < .5f;
+      missed_by_depth += by_depth.at(x, y, 0) < .5f;
+    }
+  EXPECT_EQ(missed_by_depth, 0);
+  EXPECT_GE(missed_by_distance, 1);
+}
+
+// The floor before the box is farther than the box's lower edge by less than a row's depth: id sees an edge, which is
+// none once the floor's plane counts.
+TEST_F(RenderEdges, WhereABoxTouchesTheFloorIsNoSilhouette) {
+  lab::Shot solids = shotOf("solids", 96, 64);
+  int contact = count(edgesOf(detected(solids, "id"))), standing = count(edgesOf(detected(solids, "silhouette")));
+  EXPECT_LT(standing, contact);
+}
+
+// --- Canny
+
+TEST_F(RenderEdges, CannyIsOnePixelThin) {
+  for (const std::string& scene : {"crowd", "slanted_quad", "solids"}) {
+    image::Image edges = edgesOf(detected(shotOf(scene, 72, 56), "canny"));
+    int blocks = 0;
+    for (int y = 0; y + 1 < edges.height; ++y)
+      for (int x = 0; x + 1 < edges.width; ++x) {
+        auto edge = [&](int i, int j) { return edges.at(x + i, y + j, 0) > .5f; };
+        blocks += edge(0, 0) && edge(1, 0) && edge(0, 1) && edge(1, 1);
+      }
+    EXPECT_EQ(blocks, 0) << scene;
+    EXPECT_GE(count(edges), 60) << scene;
+  }
+}
+
+// Column 19 is strong down to about row 25, where the step is .1, and weak from there; column 43 is weak throughout.
+TEST_F(RenderEdges, CannyKeepsWeakEdgesThatMeetStrongOnes) {
+  lab::Shot relief = shotOf("relief", 64, 64, {{"field", 2}, {"step", .3}, {"weak", .07}});
+  relief = with(relief, "", {"edge_gradient.depth_threshold=0.1", "edge_gradient.normal_threshold=16"});
+  auto lastRow = [&](const std::string& setting) {
+    image::Image edges = edgesOf(detected(relief, "canny", {setting}));
+    int last = -1;
+    for (int y = 0; y < 64; ++y) {
+      EXPECT_LT(edges.at(43, y, 0), .5f) << y;
+      if (edges.at(19, y, 0) > .5f) {
+        EXPECT_EQ(last, y - 1);
+        last = y;
+      }
+    }
+    return last;
+  };
+  int strong = lastRow("edge.reach=0");
+  EXPECT_NEAR(strong, 4 + 24 * .2 / .23, 2);
+  EXPECT_EQ(lastRow("edge.reach=5"), strong + 5);
+  EXPECT_EQ(lastRow("edge.reach=15"), strong + 15);
+  // With a threshold below both everything is strong.
+  image::Image all = edgesOf(detected(relief, "canny", {"edge_gradient.depth_threshold=0.05"}));
+  EXPECT_GT(all.at(19, 60, 0), .5f);
+  EXPECT_GT(all.at(43, 60, 0), .5f);
+}
+
+// --- Scale
+
+TEST_F(RenderEdges, PowersOfTwoChangeNothing) {
+  std::map<std::string, image::Image> at_one;
+  for (double scale : {1., 1. / 4096, 1024.})
+    for (const std::string& detector : kDetectors) {
+      image::Image edges = edgesOf(detected(shotOf("crowd", 64, 40, {{"scale", scale}}), detector));
+      EXPECT_TRUE(identical(at_one.emplace(detector, edges).first->second, edges)) << detector << " " << scale;
+    }
+}
+
+}  // namespace
+}  // namespace strobe::oracle
