@@ -10,5 +10,7 @@ return pass.compute {
   size   = { of = "gradient" },
   reads  = { gradient = { doc = "along the steepest direction; length 1 at the threshold" } },
   writes = { ridge = { format = "r8_unorm", doc = "1 strong, 1/2 weak, 0 none" } },
-  params = { ratio = pass.float { 2, min = 1, max = 100, doc = "the threshold of strong edges, as a multiple of that of weak ones" } },
+  params = {
+    ratio = pass.float { 2, min = 1, max = 100, doc = "threshold of strong edges, as a multiple of that of weak ones" },
+  },
 }

@@ -2,7 +2,8 @@
 // Ridges of a gradient, one pixel wide; second step of the edge detector canny (Canny 1986).
 // In:  gradient (its length is the answer, 1 at the threshold of strong edges; along the steepest direction).
 // Out: ridge: 1 where the answer is above 1, 1/2 where it is above 1 / ratio, 0 elsewhere and where one of the
-//   neighbours across the edge (the nearest of eight directions) answers more. Of equal ones the right or lower one goes.
+//   neighbours across the edge (the nearest of eight directions) answers more. Of equal ones the right or lower one
+//   goes.
 // Fails: where three edges meet one may be cut off a pixel before the others.
 #include "lib/blur.glsl"
 

@@ -207,11 +207,12 @@ TEST_F(RenderEdges, EachIsItsFormula) {
 
 // --- Steps of known height
 
-// A step from 100 to 110: the near side sees 1/10 of its depth, in inverse depth 1 - 10/11. .001 tells apart neighbouring
-// weights of every kernel; single precision is good to 1e-5.
+// A step from 100 to 110: the near side sees 1/10 of its depth, in inverse depth 1 - 10/11. .001 tells apart
+// neighbouring weights of every kernel; single precision is good to 1e-5.
 TEST_F(RenderEdges, AUnitStepAnswersOne) {
   lab::Shot step = shotOf("relief", 32, 32, {{"field", 1}, {"step", .1}});
-  for (const char* detector : {"sobel", "prewitt", "scharr", "roberts", "canny"}) expectAnswer(step, detector, .1, .001);
+  for (const char* detector : {"sobel", "prewitt", "scharr", "roberts", "canny"})
+    expectAnswer(step, detector, .1, .001);
   for (const char* kernel : {"four", "eight"})
     expectAnswer(step, "laplacian", 1 - 1 / 1.1, .001, {fmt::format("edge.kernel={}", kernel)});
   expectAnswer(step, "laplacian", (1 - 1 / 1.1) * 1.00504, .001, {"edge.kernel=log"});  // the second pixel answers more
@@ -230,9 +231,9 @@ TEST_F(RenderEdges, ADiagonalStepAnswersWhatTheKernelAddsUpTo) {
   expectAnswer(step, "laplacian", 1 - 1 / 1.1, .001, {"edge.kernel=eight"});
 }
 
-// Transfer of [side middle side] x [-1 0 1] at a wave of k rad/px along an axis and along a diagonal: Scharr answers both
-// alike within 1 %, Sobel within 3 %, Prewitt within 6 %. .002: the phase that a pixel sees is off the steepest by .042 at
-// most (.0009), and the depth there by 2 % (.0002).
+// Transfer of [side middle side] x [-1 0 1] at a wave of k rad/px along an axis and along a diagonal: Scharr answers
+// both alike within 1 %, Sobel within 3 %, Prewitt within 6 %. .002: the phase that a pixel sees is off the steepest by
+// .042 at most (.0009), and the depth there by 2 % (.0002).
 TEST_F(RenderEdges, ScharrDependsLeastOnDirection) {
   const double k = .85, height = .02;
   const std::pair<const char*, double> sides[] = {{"scharr", 3. / 16}, {"sobel", 1. / 4}, {"prewitt", 1. / 3}};

@@ -23,7 +23,8 @@ hybrid.mask_texts = {
              "near, and on self-occlusion of one instance.",
   moving   = "Everything that moves or that something may move over. Fails to save rays: most of what it marks " ..
              "uncovers nothing.",
-  all      = "Every pixel. Fails to save any rays; it is what other masks are compared with.",
+  all      = "Every pixel. Fails to save any rays, and is no upper bound: where several things move, what it reveals " ..
+             "needlessly can be taken for what is visible.",
 }
 
 -- A file of passes/composite is a value.
@@ -41,18 +42,24 @@ local function composite_choice()
   return declared
 end
 
-function hybrid.params()
-  local choice, bool = pipeline.choice, pipeline.bool
+-- What the functions of lib/masks ask for.
+function hybrid.mask_params()
   local edge_names = { default = "sobel", doc = "edge detector of the mask `seed`", values = edges.texts() }
   for _, name in ipairs(edges.names) do edge_names[#edge_names + 1] = name end
-  return options.with(options.blur(40, 0.1), {
-    mask        = choice { "none", "seed", "relative", "moving", "all", default = "relative",
+  return {
+    mask      = pipeline.choice { "none", "seed", "relative", "moving", "all", default = "relative",
       doc = "pixels to reveal behind: by their own motion, or by motion relative to what is beyond their silhouette",
       values = hybrid.mask_texts },
-    mask_taps   = pipeline.int { 1, min = 1, max = 64,
+    mask_taps = pipeline.int { 1, min = 1, max = 64,
       doc = "positions along the displacement at which the mask `seed` looks for something farther" },
-    edge        = choice(edge_names),
-    own_edge    = bool { true, doc = "an edge met along the motion must belong to the pixel's own instance" },
+    edge      = pipeline.choice(edge_names),
+    own_edge  = pipeline.bool { true, doc = "an edge met along the motion must belong to the pixel's own instance" },
+  }
+end
+
+function hybrid.params()
+  local choice = pipeline.choice
+  return options.with(options.with(options.blur(40, 0.1), hybrid.mask_params()), {
     termination = reveal.params.termination,
     tolerance   = reveal.params.tolerance,
     same_motion = reveal.params.same_motion,

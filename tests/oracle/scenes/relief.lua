@@ -32,7 +32,9 @@ end
 for row = 0, picture.height do
   for column = 0, picture.width do
     local corner = row * columns + column + 1
-    for _, offset in ipairs { 0, columns, columns + 1, 0, columns + 1, 1 } do indices[#indices + 1] = corner + offset end
+    for _, offset in ipairs { 0, columns, columns + 1, 0, columns + 1, 1 } do
+      indices[#indices + 1] = corner + offset
+    end
   end
 end
 
