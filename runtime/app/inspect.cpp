@@ -155,9 +155,8 @@ void registerCheck(CLI::App& program) {
 void registerPlan(CLI::App& program) {
   auto options = std::make_shared<PlanOptions>();
   CLI::App* command = program.add_subcommand("plan", "Print what a pipeline runs, in which order, on which memory");
-  command->add_option("pipeline", options->shot.shot.pipeline, "a name of scripts/pipelines or a .lua file")->required();
   command->add_flag("--json", options->json, "the plan as data");
-  options->shot.addTo(*command);
+  options->shot.addWithPipeline(*command);
   command->callback([options] { plan(*options); });
 }
 

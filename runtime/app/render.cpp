@@ -52,11 +52,10 @@ void render(const Options& options) {
 void registerRender(CLI::App& program) {
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("render", "Render one picture of a scene with a pipeline");
-  command->add_option("pipeline", options->shot.shot.pipeline, "a name of scripts/pipelines or a .lua file")->required();
   command->add_option("-o,--out", options->out, "picture to write, .exr or .png; record and timings go beside it")->required();
   command->add_flag("--half", options->half, "EXR in 16-bit floats (rounds more than the errors measured here)");
   command->add_flag("--json", options->json, "print the run record instead of the files written");
-  options->shot.addTo(*command);
+  options->shot.addWithPipeline(*command);
   command->callback([options] { render(*options); });
 }
 

@@ -5,7 +5,14 @@
 
 namespace strobe::app {
 
+void ShotOptions::addWithPipeline(CLI::App& command) {
+  command.add_option("pipeline", shot.pipeline, "a name of scripts/pipelines or a .lua file");
+  addTo(command);
+  command.add_option("--record", record, "a run record: its shot instead of the defaults; options given beside it win");
+}
+
 void ShotOptions::addTo(CLI::App& command) {
+  command_ = &command;
   command.add_option("--scene", shot.scene, "a name of scripts/scenes, a .lua, .glb or .gltf file")->capture_default_str();
   command.add_option("--size", size, "WIDTHxHEIGHT in pixels (default: the scene's, else 960x540)");
   // Ranges are checked here: what a shot leaves to its scene is stored as values outside of them.
@@ -17,9 +24,12 @@ void ShotOptions::addTo(CLI::App& command) {
       ->check(CLI::Range(0.0, 1000.0));
   command.add_option("--anchor", shot.anchor, "exposure window: close, centre or open")->capture_default_str();
   command.add_option("--camera", shot.camera, "a camera of the scene (default: its first)");
+  command.add_option("--view", view, "EX,EY,EZ,TX,TY,TZ: camera at E, looking at T, instead of its pose in the scene");
   command.add_option("--animation", shot.animation, "a clip of the scene, all or none")->capture_default_str();
   command.add_option("--move", shot.moves, "NODE=dx,dy,dz: metres per frame in world axes")->allow_extra_args(false);
   command.add_option("--spin", shot.spins, "NODE=ax,ay,az,deg: degrees per frame about an axis")->allow_extra_args(false);
+  command.add_option("--rest-frame", shot.rest_frame, "frame at which --move and --spin are at rest (default: --frame)")
+      ->check(CLI::Range(0, 1000000));
   command.add_option("--aa", shot.aa, "sub-pixel samples, each a full run of the pipeline")->capture_default_str();
   command.add_option("--samples", samples, "short for --set samples=N");
   command.add_option("--shading", shading, "short for --set shading=frozen|full");
@@ -37,8 +47,33 @@ std::pair<std::string, std::string> parseSetting(const std::string& text) {
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
+// The record's shot with what the command line gives put over it.
+lab::Shot ShotOptions::recorded() const {
+  lab::Shot resolved = lab::shotFromRecord(record);
+  auto given = [this](const char* option) { return command_->count(option) > 0; };
+  if (!shot.pipeline.empty()) resolved.pipeline = shot.pipeline;
+  if (given("--scene")) resolved.scene = shot.scene;
+  if (given("--fps")) resolved.fps = shot.fps;
+  if (given("--frame")) resolved.frame = shot.frame;
+  if (given("--exposure")) resolved.exposure = shot.exposure;
+  if (given("--anchor")) resolved.anchor = shot.anchor;
+  if (given("--camera")) resolved.camera = shot.camera;
+  if (given("--animation")) resolved.animation = shot.animation;
+  if (given("--move")) resolved.moves = shot.moves;
+  if (given("--spin")) resolved.spins = shot.spins;
+  if (given("--rest-frame")) resolved.rest_frame = shot.rest_frame;
+  if (given("--aa")) resolved.aa = shot.aa;
+  if (given("--seed")) resolved.seed = shot.seed;
+  if (given("--backend")) resolved.backend = shot.backend;
+  resolved.taps = shot.taps;
+  resolved.device = shot.device;
+  return resolved;
+}
+
 lab::Shot ShotOptions::resolve() const {
-  lab::Shot resolved = shot;
+  lab::Shot resolved = record.empty() ? shot : recorded();
+  if (resolved.pipeline.empty()) throw Error("a pipeline is required, or --record FILE", {}, 2);
+  if (!view.empty()) resolved.view = lab::parseView(view);
   if (!size.empty()) {
     auto [width, height] = lab::parseSize(size);
     resolved.width = width;

@@ -12,13 +12,20 @@ namespace strobe::app {
 // Text of options that need converting after parsing; `resolve` fills the shot from it.
 struct ShotOptions {
   lab::Shot shot;
-  std::string size, shading;
+  std::string size, shading, view, record;
   std::vector<std::string> sets;
   int samples = 0;
 
   void addTo(CLI::App& command);
-  // Throws `Error` with exit code 2 for text that does not parse.
+  // The same with the pipeline as first argument, and `--record FILE`, a run record whose shot is taken instead of the
+  // defaults: what is given beside it wins.
+  void addWithPipeline(CLI::App& command);
+  // Throws `Error` with exit code 2 for text that does not parse, or without a pipeline.
   lab::Shot resolve() const;
+
+ private:
+  lab::Shot recorded() const;
+  CLI::App* command_ = nullptr;
 };
 
 // "NAME=VALUE" into its halves.

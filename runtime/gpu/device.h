@@ -75,8 +75,13 @@ class Device {
 
   void setName(VkObjectType type, uint64_t handle, const std::string& name) const;
 
-  // Records with `record`, submits and waits. Throws `Error` on device loss.
-  void submit(const std::function<void(VkCommandBuffer)>& record) const;
+  // Records with `record`, submits and waits. Throws `Error` on device loss. `what` names the work, should it never end.
+  void submit(const std::function<void(VkCommandBuffer)>& record, const std::string& what = "") const;
+
+  // Work that takes longer than `seconds` ends in `on_overrun(what)`, which must not return: a shader that never ends
+  // cannot be aborted, so neither can the device be used or destroyed any more. 0 waits for ever.
+  using OnOverrun = std::function<void(const std::string& what)>;
+  void setTimeLimit(double seconds, OnOverrun on_overrun);
 
   // Validation messages since the last call; always empty without validation.
   std::vector<std::string> takeMessages() const;
@@ -105,6 +110,8 @@ class Device {
   VkPhysicalDeviceRayTracingPipelinePropertiesKHR ray_properties_{};
   uint32_t scratch_alignment_ = 256;
   double timestamp_period_ns_ = 1;
+  double time_limit_s_ = 0;
+  OnOverrun on_overrun_;
 };
 
 // Throws `Error` naming `what` and the result unless `result` is VK_SUCCESS.

@@ -72,6 +72,7 @@ struct ImageDesc {
   VkFormat format = VK_FORMAT_UNDEFINED;
   uint32_t width = 1, height = 1, levels = 1;
   VkImageUsageFlags usage = 0;
+  bool operator==(const ImageDesc&) const = default;
 };
 
 // A 2-D image in device memory. Every image stays in the GENERAL layout once it left UNDEFINED.

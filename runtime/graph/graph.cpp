@@ -37,40 +37,124 @@ uint32_t Graph::sampleSlices(const Plan& plan) {
 }
 
 Graph::Graph(const gpu::Device& device, PipelineCache& cache, const Plan& plan, scene::GpuScene& scene, Backend backend)
-    : device_(device), plan_(plan), scene_(scene), backend_(backend), nodes_(plan.nodes.size()) {
-  STROBE_ASSERT(scene.slices() >= SLICE_SAMPLE + sampleSlices(plan), "{} slices", scene.slices());
-  nearest_ = gpu::makeSampler(device, "nearest", {false});
-  linear_ = gpu::makeSampler(device, "linear", {true});
-  makeImages();
-  std::vector<std::string> problems;
-  for (size_t i = 0; i < plan.nodes.size(); ++i) {
-    const PassDesc& pass = plan.pipeline.passes[size_t(plan.nodes[i].pass)];
-    traces_ |= pass.kind == PassDesc::Kind::Trace;
-    try {
-      nodes_[i].pipeline = cache.get(interfaceOf(plan, plan.nodes[i], backend, scene.slices()), pass, scene.setLayout());
-    } catch (const Error& error) {
-      problems.push_back(error.what());
-      continue;
-    }
-    makeNode(plan.nodes[i], nodes_[i]);
-  }
-  throwIfAny(problems);
-  timer_ = gpu::Timer(device, uint32_t(2 * plan.nodes.size() + 2));
+    : device_(device), cache_(cache), plan_(&plan), scene_(scene), backend_(backend), nodes_(plan.nodes.size()) {
+  findPipelines(nullptr, nullptr);
+  makeAll(nullptr);
 }
 
-void Graph::makeImages() {
-  for (size_t i = 0; i < plan_.slots.size(); ++i) {
-    const plan::Slot& slot = plan_.slots[i];
+Graph::Graph(const gpu::Device& device, PipelineCache& cache, const Plan& plan, scene::GpuScene& scene, Backend backend,
+             Graph& previous, std::vector<std::string>& problems)
+    : device_(device), cache_(cache), plan_(&plan), scene_(scene), backend_(backend), nodes_(plan.nodes.size()) {
+  findPipelines(&previous, &problems);
+  makeAll(&previous);
+}
+
+// The pipeline, where it was made for the same names and types; else null.
+static std::shared_ptr<const NodePipeline> ifItServes(const std::shared_ptr<const NodePipeline>& held,
+                                                      const shader::Interface& wanted) {
+  return held && textOf(held->interface) == textOf(wanted) ? held : nullptr;
+}
+
+void Graph::findPipelines(Graph* previous, std::vector<std::string>* problems) {
+  STROBE_ASSERT(scene_.slices() >= SLICE_SAMPLE + sampleSlices(*plan_), "{} slices", scene_.slices());
+  double started_s = clockSeconds();
+  std::vector<std::string> fatal;
+  for (size_t i = 0; i < nodes_.size(); ++i) {
+    const PlanNode& planned = plan_->nodes[i];
+    const PassDesc& pass = plan_->pipeline.passes[size_t(planned.pass)];
+    traces_ |= pass.kind == PassDesc::Kind::Trace;
+    shader::Interface wanted = interfaceOf(*plan_, planned, backend_, scene_.slices());
+    try {
+      nodes_[i].pipeline = cache_.get(wanted, pass, scene_);
+    } catch (const Error& error) {
+      const std::string& name = plan_->pipeline.nodes[size_t(planned.node)].name;
+      int before = previous ? previous->nodeNamed(name) : -1;
+      if (before >= 0) nodes_[i].pipeline = ifItServes(previous->nodes_[size_t(before)].pipeline, wanted);
+      (nodes_[i].pipeline ? *problems : fatal).push_back(error.what());
+    }
+  }
+  compile_ms_ = 1000 * (clockSeconds() - started_s);
+  // Passes that fail the same way are one mistake.
+  for (auto* list : {&fatal, problems}) {
+    if (!list) continue;
+    std::sort(list->begin(), list->end());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  throwIfAny(fatal);
+}
+
+void Graph::makeAll(Graph* previous) {
+  nearest_ = gpu::makeSampler(device_, "nearest", {false});
+  linear_ = gpu::makeSampler(device_, "linear", {true});
+  makeImages(previous);
+  for (size_t i = 0; i < nodes_.size(); ++i) makeNode(plan_->nodes[i], nodes_[i]);
+  timer_ = gpu::Timer(device_, uint32_t(2 * nodes_.size() + 2));
+}
+
+int Graph::nodeNamed(const std::string& name) const {
+  for (size_t i = 0; i < nodes_.size(); ++i)
+    if (plan_->pipeline.nodes[size_t(plan_->nodes[i].node)].name == name) return int(i);
+  return -1;
+}
+
+std::map<std::string, std::shared_ptr<const NodePipeline>> Graph::pipelines() const {
+  std::map<std::string, std::shared_ptr<const NodePipeline>> pipelines;
+  for (size_t i = 0; i < nodes_.size(); ++i)
+    pipelines[plan_->pipeline.nodes[size_t(plan_->nodes[i].node)].name] = nodes_[i].pipeline;
+  return pipelines;
+}
+
+void Graph::setParams(const Plan& plan) {
+  STROBE_ASSERT(plan.nodes.size() == nodes_.size(), "{} nodes", plan.nodes.size());
+  plan_ = &plan;
+  for (size_t i = 0; i < nodes_.size(); ++i) writeParams(plan.nodes[i], nodes_[i]);
+}
+
+std::vector<std::string> Graph::histories(bool taken_over) const {
+  std::vector<std::string> names;
+  for (const auto& [image, earlier] : history_) {
+    const std::string& name = plan_->images[size_t(image)].name;
+    if (bool(taken_over_.count(name)) == taken_over) names.push_back(name);
+  }
+  return names;
+}
+
+void Graph::forgetHistories() {
+  for (auto& [image, earlier] : history_) earlier = false;
+}
+
+// The image of a slot described alike, moved out of `previous`; an empty one if there is none.
+gpu::Image Graph::takeOver(const plan::VirtualImage& image, const gpu::ImageDesc& desc, Graph& previous) {
+  for (size_t i = 0; i < previous.plan_->images.size(); ++i) {
+    const plan::VirtualImage& other = previous.plan_->images[i];
+    gpu::Image& held = previous.slots_[size_t(other.slot)];
+    if (other.name != image.name || other.history != image.history || !held.handle() || !(held.desc() == desc)) continue;
+    auto history = previous.history_.find(int(i));
+    if (image.history && history != previous.history_.end() && history->second) taken_over_.insert(image.name);
+    return std::move(held);
+  }
+  return {};
+}
+
+void Graph::makeImages(Graph* previous) {
+  std::vector<bool> fresh;
+  for (size_t i = 0; i < plan_->slots.size(); ++i) {
+    const plan::Slot& slot = plan_->slots[i];
     gpu::ImageDesc desc;
     desc.format = vulkanFormat(slot.format);
     desc.width = uint32_t(slot.width);
     desc.height = uint32_t(slot.height);
     desc.usage = vulkanUsage(slot.usage);
-    std::string name = fmt::format("slot {}", i);
-    for (const auto& image : plan_.images)
-      if (image.slot == int(i)) name = image.name;
-    slots_.emplace_back(device_, name, desc);
+    const plan::VirtualImage* held = nullptr;
+    for (const auto& image : plan_->images)
+      if (image.slot == int(i)) held = &image;
+    gpu::Image taken = held && previous ? takeOver(*held, desc, *previous) : gpu::Image();
+    fresh.push_back(!taken.handle());
+    if (fresh.back()) taken = gpu::Image(device_, held ? held->name : fmt::format("slot {}", i), desc);
+    slots_.push_back(std::move(taken));
   }
+  for (size_t i = 0; i < plan_->images.size(); ++i)
+    if (plan_->images[i].history) history_[int(i)] = taken_over_.count(plan_->images[i].name) > 0;
   gpu::ImageDesc one;
   one.usage = VK_IMAGE_USAGE_SAMPLED_BIT;
   one.format = VK_FORMAT_R32_SFLOAT;
@@ -79,6 +163,7 @@ void Graph::makeImages() {
   unwired_uint_ = gpu::Image(device_, "unwired uint", one);
   device_.submit([&](VkCommandBuffer commands) {
     for (size_t i = 0; i < slots_.size(); ++i) {
+      if (!fresh[i]) continue;
       bool depth = slots_[i].desc().format == VK_FORMAT_D32_SFLOAT;
       gpu::recordFirstLayout(device_, commands, slots_[i].handle(), depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT);
     }
@@ -86,23 +171,23 @@ void Graph::makeImages() {
       gpu::recordFirstLayout(device_, commands, image->handle(), VK_IMAGE_ASPECT_COLOR_BIT);
   });
   auto keep = [this](int image) {
-    const plan::VirtualImage& kept = plan_.images[size_t(image)];
+    const plan::VirtualImage& kept = plan_->images[size_t(image)];
     size_t bytes = size_t(kept.width) * kept.height * gpu::formatInfo(kept.format).bytes;
     read_back_[image] = gpu::Buffer(device_, kept.name + ".read_back", bytes, 0, gpu::Buffer::Memory::Host);
   };
-  for (const auto& [name, image] : plan_.outputs) keep(image);
-  for (const auto& [name, image] : plan_.taps) keep(image);
-  for (const auto& loop : plan_.loops)
+  for (const auto& [name, image] : plan_->outputs) keep(image);
+  for (const auto& [name, image] : plan_->taps) keep(image);
+  for (const auto& loop : plan_->loops)
     if (loop.until >= 0) keep(loop.until);
 }
 
 const gpu::Image& Graph::imageOf(int virtual_image) const {
-  return slots_[size_t(plan_.images[size_t(virtual_image)].slot)];
+  return slots_[size_t(plan_->images[size_t(virtual_image)].slot)];
 }
 
 void Graph::makeNode(const PlanNode& planned, Node& node) {
   const shader::Interface& in = node.pipeline->interface;
-  const std::string& name = plan_.pipeline.nodes[size_t(planned.node)].name;
+  const std::string& name = plan_->pipeline.nodes[size_t(planned.node)].name;
   if (!in.params.empty())
     node.params = gpu::Buffer(device_, name + ".params", in.params.size() * 4, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
                               gpu::Buffer::Memory::Host);
@@ -139,7 +224,7 @@ void Graph::writeParams(const PlanNode& planned, Node& node) {
 
 void Graph::fillSet(const PlanNode& planned, Node& node) {
   const shader::Interface& in = node.pipeline->interface;
-  const PassDesc& pass = plan_.pipeline.passes[size_t(planned.pass)];
+  const PassDesc& pass = plan_->pipeline.passes[size_t(planned.pass)];
   std::vector<VkDescriptorBufferInfo> buffers(2);
   std::vector<VkDescriptorImageInfo> images;
   images.reserve(in.reads.size() + in.writes.size());
@@ -178,7 +263,7 @@ void Graph::fillSet(const PlanNode& planned, Node& node) {
 
 shared::FrameData Graph::frameData(const FrameSetup& setup) const {
   shared::FrameData frame{};
-  frame.size = uvec2(plan_.width, plan_.height);
+  frame.size = uvec2(plan_->width, plan_->height);
   frame.subpixel = setup.subpixel;
   frame.shutter = setup.anchor == ANCHOR_CLOSE ? vec2(-1, 0) : setup.anchor == ANCHOR_OPEN ? vec2(0, 1) : vec2(-0.5f, 0.5f);
   frame.anchor = setup.anchor;
@@ -204,7 +289,7 @@ void Graph::poseFixedSlices(const FrameSetup& setup) {
   dvec3 origin = frameOrigin(setup);
   const double times[] = {setup.capture_s, setup.open_s, setup.close_s, setup.capture_s - setup.frame_s};
   for (uint32_t slice : {SLICE_CAPTURE, SLICE_OPEN, SLICE_CLOSE, SLICE_PREVIOUS})
-    scene_.setPose(slice, setup.pose_at(times[slice]), setup.camera, aspect(plan_), origin);
+    scene_.setPose(slice, setup.pose_at(times[slice]), setup.camera, aspect(*plan_), origin);
 }
 
 void Graph::poseSamples(const FrameSetup& setup, const plan::PlanLoop& loop, int iteration) {
@@ -217,13 +302,14 @@ void Graph::poseSamples(const FrameSetup& setup, const plan::PlanLoop& loop, int
       in_stratum = (q + hashUniform(setup.seed, setup.frame, index, 0)) / loop.slices;
     }
     double time_s = setup.open_s + (setup.close_s - setup.open_s) * ((iteration + in_stratum) / loop.count);
-    scene_.setPose(SLICE_SAMPLE + uint32_t(q), setup.pose_at(time_s), setup.camera, aspect(plan_), origin);
+    scene_.setPose(SLICE_SAMPLE + uint32_t(q), setup.pose_at(time_s), setup.camera, aspect(*plan_), origin);
   }
 }
 
 FrameResult Graph::run(const FrameSetup& setup, const std::function<void(int, int)>& on_iteration) {
   FrameResult result;
   gpu_ms_ = 0;
+  wanted_ = setup.wanted;
   for (Node& node : nodes_) {
     node.gpu_ms = node.executions = 0;
     node.counts.assign(node.pipeline->interface.counters.size(), 0);
@@ -241,7 +327,7 @@ FrameResult Graph::run(const FrameSetup& setup, const std::function<void(int, in
     first = false;
     pending.clear();
   };
-  for (const Step& step : plan_.steps) {
+  for (const Step& step : plan_->steps) {
     if (step.kind != Step::Kind::Loop) {
       pending.push_back(&step);
       continue;
@@ -251,13 +337,14 @@ FrameResult Graph::run(const FrameSetup& setup, const std::function<void(int, in
     scene_.setFrame(frame);
   }
   flush();
+  for (auto& [image, earlier] : history_) earlier = true;
   collect(result);
   return result;
 }
 
 void Graph::runLoop(const FrameSetup& setup, const Step& step, shared::FrameData frame, FrameResult& result,
                     const std::function<void(int, int)>& on_iteration) {
-  const plan::PlanLoop& loop = plan_.loops[size_t(step.index)];
+  const plan::PlanLoop& loop = plan_->loops[size_t(step.index)];
   std::vector<const Step*> body;
   for (const Step& inner : step.body) body.push_back(&inner);
   frame.iteration_count = uint32_t(loop.count);
@@ -273,7 +360,7 @@ void Graph::runLoop(const FrameSetup& setup, const Step& step, shared::FrameData
     if (loop.until >= 0) stop = static_cast<const float*>(read_back_.at(loop.until).mapped())[0] != 0;
     if (on_iteration) on_iteration(iteration, loop.count);
   }
-  result.iterations.push_back({plan_.pipeline.loops[size_t(loop.loop)].name, iteration});
+  result.iterations.push_back({plan_->pipeline.loops[size_t(loop.loop)].name, iteration});
 }
 
 // Makes what shaders wrote to host memory visible to the host.
@@ -298,6 +385,11 @@ void Graph::submit(const std::vector<const Step*>& steps, int iteration, uint32_
   for (Node& node : nodes_) takeCounts(node);
 }
 
+// Of the node that a step runs, "" for other steps.
+std::string Graph::nameOf(const Step& step) const {
+  return step.kind == Step::Kind::Pass ? plan_->pipeline.nodes[size_t(plan_->nodes[size_t(step.index)].node)].name : "";
+}
+
 // A software device executes when something waits, whatever its time stamps say: one submission per step, by the clock.
 void Graph::submitStepwise(const std::vector<const Step*>& steps, int iteration, uint32_t slice_count,
                            const Record& record_builds) {
@@ -308,10 +400,11 @@ void Graph::submitStepwise(const std::vector<const Step*>& steps, int iteration,
   }
   for (const Step* step : steps) {
     start_s = clockSeconds();
-    device_.submit([&](VkCommandBuffer commands) {
+    auto record_step = [&](VkCommandBuffer commands) {
       record(commands, *step, iteration);
       recordHostBarrier(device_, commands);
-    });
+    };
+    device_.submit(record_step, nameOf(*step));
     double ms = 1000 * (clockSeconds() - start_s);
     gpu_ms_ += ms;
     if (step->kind != Step::Kind::Pass) continue;
@@ -322,14 +415,18 @@ void Graph::submitStepwise(const std::vector<const Step*>& steps, int iteration,
 
 void Graph::submitStamped(const std::vector<const Step*>& steps, int iteration, const Record& record_builds) {
   stamps_.clear();
-  device_.submit([&](VkCommandBuffer commands) {
+  std::string names;
+  for (const Step* step : steps)
+    if (step->kind == Step::Kind::Pass) names += (names.empty() ? "" : ", ") + nameOf(*step);
+  auto record_all = [&](VkCommandBuffer commands) {
     timer_.recordReset(commands);
     timer_.recordStamp(commands);
     record_builds(commands);
     for (const Step* step : steps) record(commands, *step, iteration);
     timer_.recordStamp(commands);
     recordHostBarrier(device_, commands);
-  });
+  };
+  device_.submit(record_all, names);
   std::vector<double> ms = timer_.readMs();
   gpu_ms_ += ms.back();
   for (const PendingStamp& stamp : stamps_) {
@@ -347,7 +444,7 @@ void Graph::takeCounts(Node& node) {
 static float unpackHalf(uint16_t bits) { return glm::unpackHalf1x16(bits); }
 
 ReadImage Graph::fetch(int image) const {
-  const plan::VirtualImage& source = plan_.images[size_t(image)];
+  const plan::VirtualImage& source = plan_->images[size_t(image)];
   const gpu::FormatInfo& format = gpu::formatInfo(source.format);
   const void* data = read_back_.at(image).mapped();
   size_t count = size_t(source.width) * source.height * format.channels;
@@ -369,11 +466,22 @@ ReadImage Graph::fetch(int image) const {
   return read;
 }
 
+bool Graph::wants(int image) const {
+  for (const auto& loop : plan_->loops)
+    if (loop.until == image) return true;
+  for (const auto* named : {&plan_->outputs, &plan_->taps})
+    for (const auto& [name, kept] : *named)
+      if (kept == image && wants(name)) return true;
+  return false;
+}
+
 void Graph::collect(FrameResult& result) const {
-  for (const auto& [name, image] : plan_.outputs) result.outputs[name] = fetch(image);
-  for (const auto& [name, image] : plan_.taps) result.taps[name] = fetch(image);
+  for (const auto& [name, image] : plan_->outputs)
+    if (wants(name)) result.outputs[name] = fetch(image);
+  for (const auto& [name, image] : plan_->taps)
+    if (wants(name)) result.taps[name] = fetch(image);
   for (size_t i = 0; i < nodes_.size(); ++i) {
-    const std::string& name = plan_.pipeline.nodes[size_t(plan_.nodes[i].node)].name;
+    const std::string& name = plan_->pipeline.nodes[size_t(plan_->nodes[i].node)].name;
     const auto& counters = nodes_[i].pipeline->interface.counters;
     for (size_t c = 0; c < counters.size(); ++c)
       result.counters.push_back({name + "." + counters[c], nodes_[i].counts[c]});

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct FrameSetup {
   vec2 subpixel = vec2(0);        // sample position relative to the pixel's centre, px
   scene::Environment environment;
   scene::PixelArea reach;         // where anything that moves can be seen
+  const std::set<std::string>* wanted = nullptr;  // outputs and taps to read back; null: all
 };
 
 // What was read back of one image: floats, or unsigned integers.
@@ -57,8 +59,26 @@ class Graph {
   // Throws `Error` for shaders that do not compile or do not match their declarations.
   Graph(const gpu::Device& device, PipelineCache& cache, const plan::Plan& plan, scene::GpuScene& scene, Backend backend);
 
+  // Takes the place of `previous`, from which it takes over the images and histories that are described alike. A shader
+  // that does not compile keeps the pipeline of the node of that name, if that serves the same interface; what was wrong
+  // is added to `problems`. Throws where nothing serves, and `previous` is as it was.
+  Graph(const gpu::Device& device, PipelineCache& cache, const plan::Plan& plan, scene::GpuScene& scene, Backend backend,
+        Graph& previous, std::vector<std::string>& problems);
+
   // Draws one frame and waits for it. `on_iteration` (may be empty) is called after each iteration of a loop.
   FrameResult run(const FrameSetup& setup, const std::function<void(int done, int of)>& on_iteration = {});
+
+  // Goes on with a plan that differs in parameters which are not compiled in, and in nothing else.
+  void setParams(const plan::Plan& plan);
+
+  // What the nodes execute, by name.
+  std::map<std::string, std::shared_ptr<const NodePipeline>> pipelines() const;
+  // Milliseconds it took to find and compile them.
+  double compileMs() const { return compile_ms_; }
+  // "node.port" of the images kept from frame to frame that were taken over, and those that begin anew.
+  std::vector<std::string> histories(bool taken_over) const;
+  // The next frame begins with empty histories.
+  void forgetHistories();
 
   // The sample slices per iteration the plan's loops need, 0 without loops.
   static uint32_t sampleSlices(const plan::Plan& plan);
@@ -77,7 +97,10 @@ class Graph {
     int node, begin, end;
   };
 
-  void makeImages();
+  void findPipelines(Graph* previous, std::vector<std::string>* problems);
+  void makeImages(Graph* previous);
+  gpu::Image takeOver(const plan::VirtualImage& image, const gpu::ImageDesc& desc, Graph& previous);
+  void makeAll(Graph* previous);
   void makeNode(const plan::PlanNode& planned, Node& node);
   void fillSet(const plan::PlanNode& planned, Node& node);
   void writeParams(const plan::PlanNode& planned, Node& node);
@@ -102,8 +125,14 @@ class Graph {
   ReadImage fetch(int image) const;
   void collect(FrameResult& result) const;
 
+  std::string nameOf(const plan::Step& step) const;
+  bool wants(const std::string& name) const { return !wanted_ || wanted_->count(name); }
+  bool wants(int image) const;
+  int nodeNamed(const std::string& name) const;
+
   const gpu::Device& device_;
-  const plan::Plan& plan_;
+  PipelineCache& cache_;
+  const plan::Plan* plan_;
   scene::GpuScene& scene_;
   Backend backend_;
   bool traces_ = false;
@@ -113,9 +142,13 @@ class Graph {
   gpu::Owned<VkSampler> nearest_, linear_;
   std::vector<Node> nodes_;
   std::map<int, gpu::Buffer> read_back_;  // by virtual image
+  std::map<int, bool> history_;           // by virtual image: holds an earlier frame
+  std::set<std::string> taken_over_;      // histories of a previous graph
+  const std::set<std::string>* wanted_ = nullptr;  // of the frame being drawn
   gpu::Timer timer_;
   std::vector<PendingStamp> stamps_;
   double gpu_ms_ = 0;
+  double compile_ms_ = 0;
 };
 
 }  // namespace strobe::graph

@@ -12,10 +12,6 @@ using plan::ParamDesc;
 using plan::PassDesc;
 using shader::Stage;
 
-static bool isVariant(const ParamDesc& param) {
-  return param.variant || param.type == ParamDesc::Type::Bool || param.type == ParamDesc::Type::Choice;
-}
-
 static shader::Interface::Variant variantOf(const ParamDesc& param, const plan::Value& value) {
   shader::Interface::Variant variant{param.name, param.choices, 0};
   if (const bool* flag = std::get_if<bool>(&value)) variant.index = *flag;
@@ -52,7 +48,7 @@ shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node
   for (const auto& port : pass.updates) add_write(port, true);
   for (size_t i = 0; i < pass.params.size(); ++i) {
     const ParamDesc& param = pass.params[i];
-    if (isVariant(param)) in.variants.push_back(variantOf(param, node.params[i].second));
+    if (isCompiledIn(param)) in.variants.push_back(variantOf(param, node.params[i].second));
     else in.params.push_back({param.name, param.type == ParamDesc::Type::Int});
   }
   for (const auto& counter : pass.counters) in.counters.push_back(counter.name);
@@ -92,11 +88,15 @@ static std::vector<shader::Compiled> compileStages(const shader::Interface& in, 
           compilePass(in, backendFile("any_hit.glsl"), Stage::AnyHit)};
 }
 
-static std::string contentKey(const shader::Interface& in, const PassDesc& pass) {
-  std::string key = fmt::format("{}|{}|{}|", pass.shader, int(pass.kind), backendName(in.backend));
+std::string textOf(const shader::Interface& in) {
   Stage stage = in.raster ? Stage::Fragment : in.backend == Backend::Pipeline ? Stage::RayGeneration : Stage::Compute;
-  key += preamble(in, stage);
-  for (const auto& write : in.writes) key += write.format + ",";
+  std::string text = fmt::format("{}|{}", backendName(in.backend), preamble(in, stage));
+  for (const auto& write : in.writes) text += write.format + ",";
+  return text;
+}
+
+static std::string contentKey(const shader::Interface& in, const PassDesc& pass) {
+  std::string key = fmt::format("{}|{}|{}", pass.shader, int(pass.kind), textOf(in));
   for (const Path& file : shaderFiles(pass)) key += shader::textWithIncludes(file);
   if (in.backend == Backend::Pipeline)
     for (const char* name : {"miss.glsl", "closest_hit.glsl", "any_hit.glsl"})
@@ -124,13 +124,13 @@ void checkShaders(const plan::Plan& plan, Backend backend, std::set<std::string>
 }
 
 std::shared_ptr<const NodePipeline> PipelineCache::get(const shader::Interface& in, const PassDesc& pass,
-                                                       VkDescriptorSetLayout scene_layout) {
+                                                       const scene::GpuScene& scene) {
   requireFiles(pass);
-  // Pipelines bound to another scene's layout are others.
-  std::string key = fmt::format("{}|{}", contentKey(in, pass), uint64_t(scene_layout));
+  // Scenes whose sets are laid out alike share pipelines.
+  std::string key = contentKey(in, pass) + "|" + scene.layoutText();
   auto found = made_.find(key);
   if (found != made_.end()) return found->second;
-  auto made = make(in, pass, scene_layout);
+  auto made = make(in, pass, scene.setLayout());
   made_[key] = made;
   ++compilations_;
   return made;

@@ -9,6 +9,7 @@
 
 #include "gpu/pipeline.h"
 #include "plan/plan.h"
+#include "scene/upload.h"
 #include "shader/interface.h"
 
 namespace strobe::graph {
@@ -26,6 +27,9 @@ struct NodePipeline {
 // The interface a node's shader is compiled against.
 shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node, Backend backend, uint32_t slices);
 
+// What tells two interfaces apart, as text.
+std::string textOf(const shader::Interface& interface);
+
 // The shader files of a pass, main file first.
 std::vector<Path> shaderFiles(const plan::PassDesc& pass);
 
@@ -39,7 +43,7 @@ class PipelineCache {
  public:
   explicit PipelineCache(const gpu::Device& device) : device_(device) {}
   std::shared_ptr<const NodePipeline> get(const shader::Interface& interface, const plan::PassDesc& pass,
-                                          VkDescriptorSetLayout scene_layout);
+                                          const scene::GpuScene& scene);
   // Pipelines made since the cache exists.
   int compilations() const { return compilations_; }
 

@@ -64,14 +64,29 @@ void Graph::record(VkCommandBuffer commands, const Step& step, int iteration) {
   }
 }
 
+// What an earlier frame left in an image, made visible to whatever comes.
+static void recordHistoryBarrier(const gpu::Device& device, VkCommandBuffer commands) {
+  VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+  barrier.srcStageMask = barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+  barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+  barrier.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
+  VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+  dependency.memoryBarrierCount = 1;
+  dependency.pMemoryBarriers = &barrier;
+  device.vk().CmdPipelineBarrier2(commands, &dependency);
+}
+
 void Graph::recordClear(VkCommandBuffer commands, int image) {
+  auto history = history_.find(image);
+  if (history != history_.end() && history->second) return recordHistoryBarrier(device_, commands);
   VkClearColorValue zero{};
   VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
   device_.vk().CmdClearColorImage(commands, imageOf(image).handle(), VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &range);
 }
 
 void Graph::recordRead(VkCommandBuffer commands, int image) {
-  const plan::VirtualImage& source = plan_.images[size_t(image)];
+  if (wanted_ && !wants(image)) return;
+  const plan::VirtualImage& source = plan_->images[size_t(image)];
   VkBufferImageCopy copy{};
   copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
   copy.imageExtent = {uint32_t(source.width), uint32_t(source.height), 1};
@@ -81,12 +96,12 @@ void Graph::recordRead(VkCommandBuffer commands, int image) {
 
 void Graph::recordPass(VkCommandBuffer commands, int node_index) {
   const auto& vk = device_.vk();
-  const PlanNode& planned = plan_.nodes[size_t(node_index)];
+  const PlanNode& planned = plan_->nodes[size_t(node_index)];
   const Node& node = nodes_[size_t(node_index)];
   const gpu::Pipeline& pipeline = node.pipeline->pipeline;
   if (device_.debugLabels()) {
     VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
-    label.pLabelName = plan_.pipeline.nodes[size_t(planned.node)].name.c_str();
+    label.pLabelName = plan_->pipeline.nodes[size_t(planned.node)].name.c_str();
     vk.CmdBeginDebugUtilsLabelEXT(commands, &label);
   }
   bool stamped = !device_.info().software;

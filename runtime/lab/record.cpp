@@ -48,7 +48,7 @@ Json makeRecord(const RecordContext& c, const graph::FrameResult& frame) {
   for (const auto& node : c.plan.nodes)
     for (const auto& [name, value] : node.params)
       pipeline["nodes"][c.plan.pipeline.nodes[size_t(node.node)].name][name] = plan::toJson(value);
-  pipeline["plan"] = plan::hashOf(c.plan);
+  pipeline["plan"] = c.plan_hash;
   record["scene"]["hash"] = hashText(c.scene.description.dump());
   record["scene"]["warnings"] = c.scene.scene.warnings;
   record["scene"]["assumptions"] = c.scene.scene.assumptions;

@@ -10,6 +10,7 @@ struct RecordContext {
   const Shot& shot;
   const LoadedScene& scene;
   const plan::Plan& plan;
+  const std::string& plan_hash;  // of the plan without taps
   const gpu::DeviceInfo& device;
   graph::Backend backend;
   const std::vector<script::Dependency>& dependencies;

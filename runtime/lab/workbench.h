@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 
 #include "graph/graph.h"
@@ -21,6 +22,12 @@ struct LoadedScene {
 // Reads the scene, fills in what the shot left open from it (size, fps, frame, exposure), applies --move and --spin.
 LoadedScene loadScene(Shot& shot);
 
+// A loaded scene and its copies on the device, one for each number of times it is posed at once.
+struct HeldScene {
+  LoadedScene loaded;
+  std::map<uint32_t, std::unique_ptr<scene::GpuScene>> on_device;
+};
+
 // One picture, its record and its timings.
 struct Picture {
   graph::FrameResult frame;  // of several sub-pixel samples: floats averaged, integers of the first
@@ -34,26 +41,32 @@ struct Picture {
 class Workbench {
  public:
   // Throws `Error` without a sufficient device.
-  Workbench(const std::string& device, bool validation);
+  Workbench(const gpu::DeviceOptions& device);
+  Workbench(const std::string& device, bool validation) : Workbench(gpu::DeviceOptions{device, validation}) {}
   ~Workbench();
 
+  gpu::Device& device() { return device_; }
   const gpu::Device& device() const { return device_; }
+  graph::PipelineCache& pipelines() { return cache_; }
 
   // Renders; loads the scene unless the last picture was of the same. `progress` (may be empty): iterations done, of.
-  Picture render(Shot shot, const std::function<void(int, int)>& progress = {});
+  Picture render(const Shot& shot, const std::function<void(int, int)>& progress = {});
+
+  // The scene of a shot, whose gaps it fills. It is loaded unless it is held already; with `fresh` also if a file it was
+  // made of changed. It is held until another is asked for, and as long as somebody keeps it.
+  std::shared_ptr<HeldScene> scene(Shot& shot, bool fresh = false);
+
+  // How rays are traced; throws `Error` where the device cannot do what is wanted.
+  graph::Backend chooseBackend(const std::string& wanted) const;
 
   // Pipelines compiled since the workbench exists.
   int compilations() const { return cache_.compilations(); }
 
  private:
-  void useScene(Shot& shot);
-  graph::Backend chooseBackend(const std::string& wanted) const;
-
   gpu::Device device_;
   graph::PipelineCache cache_;
   std::string scene_key_;
-  std::unique_ptr<LoadedScene> scene_;
-  std::map<uint32_t, std::unique_ptr<scene::GpuScene>> gpu_scenes_;  // by slices
+  std::shared_ptr<HeldScene> scene_;
 };
 
 // The plan of a shot's pipeline at its size.

@@ -118,6 +118,7 @@ Json imageJson(const VirtualImage& image) {
   json["usage"] = usageNames(image.usage);
   json["life"] = {image.first, image.last};
   json["slot"] = image.slot;
+  if (image.history) json["history"] = true;
   return json;
 }
 
@@ -244,6 +245,17 @@ Json toJson(const Plan& plan) {
 }
 
 std::string hashOf(const Plan& plan) { return hashText(toJson(plan).dump()); }
+
+std::string shapeOf(const Plan& plan) {
+  Json json = toJson(plan);
+  json.erase("values");
+  for (size_t i = 0; i < plan.nodes.size(); ++i) {
+    for (const ParamDesc& param : passOf(plan, static_cast<int>(i)).params)
+      if (!isCompiledIn(param)) json["nodes"][i]["params"].erase(param.name);
+    json["nodes"][i]["place"] = passOf(plan, static_cast<int>(i)).place.file;
+  }
+  return hashText(json.dump());
+}
 
 std::string describe(const Plan& plan) {
   std::string text = fmt::format("pipeline {} at {}x{}\n", plan.pipeline.name, plan.width, plan.height);

@@ -34,6 +34,11 @@ struct ParamDesc {
   Place place;
 };
 
+// Whether a value of it makes another shader.
+inline bool isCompiledIn(const ParamDesc& param) {
+  return param.variant || param.type == ParamDesc::Type::Bool || param.type == ParamDesc::Type::Choice;
+}
+
 // Throws `Error` (with `where` as its place) if `value` is of another type or out of range; an integer is accepted
 // where a number is wanted, and text as typed on a command line is converted.
 Value checkValue(const ParamDesc& param, const Value& value, const Place& where);

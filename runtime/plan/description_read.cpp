@@ -177,8 +177,8 @@ ParamDesc readParam(const Json& json) {
   param.values = choiceTexts(reader, json);
   param.unit = reader.text("unit", "");
   param.doc = reader.text("doc", "");
-  bool compiled_in = param.type == ParamDesc::Type::Bool || param.type == ParamDesc::Type::Choice;
-  param.variant = compiled_in || reader.flag("variant");
+  param.variant = reader.flag("variant");
+  param.variant = isCompiledIn(param);
   param.default_value = checkValue(param, valueFromJson(reader.at("default")), param.place);
   return param;
 }

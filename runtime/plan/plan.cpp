@@ -84,6 +84,7 @@ class Compiler {
     for (const PortDesc& port : pass.updates) {
       int image = addImage(node, port.name, port.format, kUsageStorage | kUsageTransferTarget);
       plan_.images[image].update = true;
+      plan_.images[image].history = port.history;
       node.updates.push_back(image);
     }
     if (raster) node.depth = addImage(node, "@depth", "d32f", kUsageDepthAttachment);
@@ -97,6 +98,7 @@ class Compiler {
     const SizeDesc& size = pass.size;
     node.width = size.kind == SizeDesc::Kind::Fixed ? size.width : plan_.width;
     node.height = size.kind == SizeDesc::Kind::Fixed ? size.height : plan_.height;
+    node.divide = size.kind == SizeDesc::Kind::Fixed ? 0 : 1;
     if (size.kind != SizeDesc::Kind::Port) return;
     const NodeDesc& desc = plan_.pipeline.nodes[node.node];
     int image = readNamed(node, pass, size.port);
@@ -107,6 +109,7 @@ class Compiler {
     int divide = size.divide.empty() ? 1 : divisor(node, size.divide);
     node.width = (plan_.images[image].width + divide - 1) / divide;
     node.height = (plan_.images[image].height + divide - 1) / divide;
+    node.divide = plan_.images[image].divide * divide;
   }
 
   static int readNamed(const PlanNode& node, const PassDesc& pass, const std::string& port) {
@@ -134,6 +137,7 @@ class Compiler {
     image.format = format;
     image.width = node.width;
     image.height = node.height;
+    image.divide = node.divide;
     image.usage = usage;
     plan_.images.push_back(std::move(image));
     return static_cast<int>(plan_.images.size()) - 1;

@@ -29,7 +29,9 @@ struct VirtualImage {
   std::string format;
   int width = 0, height = 0;
   uint32_t usage = 0;          // of this image alone
+  int divide = 1;              // pixels of the frame per texel along an axis (tiles); 0: not a picture of the frame
   bool update = false;         // cleared to zero at the start of the frame, then read and written
+  bool history = false;        // an updated image that is cleared before its first frame only
   bool kept = false;           // an output or a tap: whole and unchanged at the end of the frame
   int first = 0, last = 0;     // lifetime, inclusive: positions in `Plan::steps`
   bool read = false;           // some node samples it
@@ -50,6 +52,7 @@ struct PlanNode {
   int pass = 0;  // index into `pipeline.passes`
   int loop = -1;  // index into `Plan::loops`, or -1
   int width = 0, height = 0;  // of everything it writes
+  int divide = 1;             // of everything it writes
   std::vector<std::pair<std::string, Value>> params;  // resolved, in the order of the pass's declaration
   std::vector<int> reads;    // image per read port; -1 where an optional port is not wired
   std::vector<int> writes;   // image per write port

@@ -275,4 +275,6 @@ void GpuScene::recordBuild(VkCommandBuffer commands, uint32_t slice) const {
   top_levels_[topLevelOf(slice)].recordBuild(commands, uint32_t(instances_.size()));
 }
 
+std::string GpuScene::layoutText() const { return fmt::format("{} slices, {} textures", slices_, textures_.size()); }
+
 }  // namespace strobe::scene

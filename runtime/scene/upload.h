@@ -21,6 +21,8 @@ class GpuScene {
   GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slices);
 
   VkDescriptorSetLayout setLayout() const { return set_layout_.get(); }
+  // What decides the layout of the set: scenes that say the same have compatible layouts.
+  std::string layoutText() const;
   VkDescriptorSet set() const { return set_; }
   uint32_t slices() const { return slices_; }
   uint32_t instanceCount() const { return uint32_t(instances_.size()); }

@@ -132,18 +132,21 @@ static void appendText(const Path& file, std::vector<Path>& files, std::string& 
   files.push_back(file);
   std::string own = readText(file);
   text += own;
-  static const std::regex include("#include\\s+[\"<]([^\">]+)[\">]");
-  for (std::sregex_iterator it(own.begin(), own.end(), include), none; it != none; ++it) {
-    Path found = findInclude((*it)[1].str(), file);
+  for (size_t at = 0; (at = own.find("#include", at)) != std::string::npos; ++at) {
+    size_t open = own.find_first_of("\"<\n", at);
+    size_t close = open == std::string::npos ? open : own.find_first_of("\">\n", open + 1);
+    if (close == std::string::npos || own[open] == '\n' || own[close] == '\n') continue;
+    Path found = findInclude(own.substr(open + 1, close - open - 1), file);
     if (!found.empty()) appendText(found, files, text);
   }
 }
 
 std::string textWithIncludes(const Path& file, std::vector<Path>* files) {
-  std::vector<Path> reached;
+  std::vector<Path> local;
+  std::vector<Path>& reached = files ? *files : local;
+  reached.clear();
   std::string text;
   appendText(file, reached, text);
-  if (files) *files = reached;
   return text;
 }
 

@@ -1,0 +1,613 @@
+// SPDX-License-Identifier: MIT
+#include "lab/session.h"
+
+#include <algorithm>
+#include <future>
+
+#include "base/hash.h"
+#include "base/log.h"
+#include "lab/record.h"
+#include "plan/canonical.h"
+#include "scene/motion.h"
+
+namespace strobe::lab {
+
+struct Session::Version {
+  std::shared_ptr<HeldScene> scene;
+  graph::Backend backend = graph::Backend::None;
+  std::unique_ptr<plan::Plan> plan;
+  std::string shape;
+  std::string plan_hash;
+  std::vector<script::Dependency> scripts;
+  script::Texts texts;  // of the scripts, as they were evaluated
+  std::unique_ptr<graph::Graph> graph;
+};
+
+struct Session::Evaluated {
+  plan::PipelineDesc pipeline;
+  std::vector<script::Dependency> scripts;  // that were read; after a failure, those it read until then
+  script::Texts texts;                      // of the scripts
+  std::vector<script::DroppedSetting> dropped;
+  std::vector<std::string> problems;
+  bool usable = false;
+  double ms = 0;
+};
+
+struct Session::Changes {
+  std::vector<std::string> files;  // as people know them
+  bool scripts = false, scene = false;
+  double ms = 0;
+};
+
+struct Session::Pending {
+  Changes changes;
+  std::future<Evaluated> evaluated;  // its destructor waits
+};
+
+// ---- evaluation
+
+// The texts of files, where they still are what was evaluated.
+static script::Texts textsOf(const std::vector<script::Dependency>& files, const script::Texts& given) {
+  script::Texts texts;
+  for (const auto& file : files) {
+    auto held = given.find(file.path);
+    if (held != given.end()) {
+      texts.insert(*held);
+      continue;
+    }
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file.path, ignored)) continue;
+    try {
+      texts[file.path] = readText(file.path);
+    } catch (const Error&) {
+      continue;  // gone since: the next look at the files finds out
+    }
+  }
+  return texts;
+}
+
+Session::Evaluated Session::evaluate(const Shot& shot, const script::Texts& texts, bool lenient) {
+  Evaluated evaluated;
+  double started_s = clockSeconds();
+  try {
+    script::PipelineRequest request{shot.pipeline, shot.sets, texts};
+    evaluated.pipeline = script::evaluatePipeline(request, &evaluated.scripts, {}, lenient ? &evaluated.dropped : nullptr);
+    evaluated.texts = textsOf(evaluated.scripts, texts);
+    evaluated.usable = true;
+  } catch (const Error& error) {
+    evaluated.problems.push_back(error.what());
+  }
+  evaluated.ms = 1000 * (clockSeconds() - started_s);
+  return evaluated;
+}
+
+// Of the files with a good text, those that say something else now.
+static script::Texts changedTexts(const script::Texts& good) {
+  script::Texts changed;
+  for (const auto& [file, text] : good)
+    if (script::hashOfPath(file) != hashText(text)) changed[file] = text;
+  return changed;
+}
+
+// The newest files; where they fail, as many of them as work: files are put back to their last good text, those an
+// error names first.
+Session::Evaluated Session::evaluateAround(const Shot& shot, const script::Texts& good) {
+  Evaluated newest = evaluate(shot, {}, true);
+  if (newest.usable || good.empty()) return newest;
+  script::Texts changed = changedTexts(good), put_back;
+  std::vector<std::string> problems = newest.problems;
+  double ms = newest.ms;
+  while (put_back.size() < changed.size()) {
+    size_t before = put_back.size();
+    for (const auto& [file, text] : changed)
+      if (problems.back().find(displayPath(file)) != std::string::npos) put_back[file] = text;
+    if (put_back.size() == before) put_back = changed;
+    if (put_back.size() == changed.size()) break;  // nothing new is left to try
+    Evaluated around = evaluate(shot, put_back, true);
+    ms += around.ms;
+    problems.insert(problems.end(), around.problems.begin(), around.problems.end());
+    if (!around.usable) continue;
+    around.problems = problems;
+    around.scripts.insert(around.scripts.end(), newest.scripts.begin(), newest.scripts.end());
+    around.ms = ms;
+    return around;
+  }
+  newest.problems = problems;
+  newest.ms = ms;
+  return newest;
+}
+
+// ---- versions
+
+std::unique_ptr<Session::Version> Session::build(const Shot& shot, Evaluated evaluated, std::vector<std::string>* problems) {
+  auto version = std::make_unique<Version>();
+  Shot filled = shot;
+  version->scene = bench_.scene(filled);
+  version->backend = bench_.chooseBackend(shot.backend);
+  version->scripts = std::move(evaluated.scripts);
+  version->texts = std::move(evaluated.texts);
+  version->plan = std::make_unique<plan::Plan>(planOf(filled, evaluated.pipeline, version->backend));
+  version->shape = plan::shapeOf(*version->plan);
+  Shot untapped = filled;
+  untapped.taps.clear();
+  version->plan_hash = shot.taps.empty() ? plan::hashOf(*version->plan)
+                                         : plan::hashOf(planOf(untapped, evaluated.pipeline, version->backend));
+
+  uint32_t slices = SLICE_SAMPLE + graph::Graph::sampleSlices(*version->plan);
+  auto& on_device = version->scene->on_device[slices];
+  if (!on_device) on_device = std::make_unique<scene::GpuScene>(bench_.device(), version->scene->loaded.scene, slices);
+
+  bool same_shape = !problems && running_ && running_->shape == version->shape && running_->scene == version->scene &&
+                    running_->backend == version->backend;
+  if (same_shape) {
+    version->graph = std::move(running_->graph);
+    version->graph->setParams(*version->plan);
+    return version;
+  }
+  std::vector<std::string> kept_going;
+  if (running_) {
+    version->graph = std::make_unique<graph::Graph>(bench_.device(), bench_.pipelines(), *version->plan, *on_device,
+                                                    version->backend, *running_->graph, problems ? *problems : kept_going);
+  } else {
+    version->graph = std::make_unique<graph::Graph>(bench_.device(), bench_.pipelines(), *version->plan, *on_device,
+                                                    version->backend);
+  }
+  return version;
+}
+
+Session::Session(Workbench& bench, const Shot& shot, const std::string& origin)
+    : bench_(bench), shot_(shot), given_by_(origin) {
+  Evaluated evaluated;
+  evaluated.pipeline = script::evaluatePipeline({shot.pipeline, shot.sets}, &evaluated.scripts);
+  evaluated.texts = textsOf(evaluated.scripts, {});
+  bench_.scene(shot_);
+  rememberFiles(evaluated.scripts);
+  running_ = build(shot_, std::move(evaluated), nullptr);
+  rememberFiles(running_->scripts);
+  for (const auto& [name, value] : shot.sets) origins_[name] = origin;
+}
+
+Session::~Session() = default;
+
+Workbench& Session::bench() const { return bench_; }
+const Shot& Session::shot() const { return shot_; }
+const plan::Plan& Session::plan() const { return *running_->plan; }
+const scene::Scene& Session::scene() const { return running_->scene->loaded.scene; }
+graph::Backend Session::backend() const { return running_->backend; }
+std::string Session::planHash() const { return running_->plan_hash; }
+const std::vector<std::string>& Session::problems() const { return problems_; }
+
+// ---- values
+
+// The declaration of a shot's option with the choices that a scene gives it.
+static plan::ParamDesc declarationOf(const ShotOption& option, const scene::Scene& scene) {
+  plan::ParamDesc declared = option.declaration;
+  if (declared.name == "camera") {
+    for (const auto& node : scene.nodes)
+      if (node.camera >= 0) declared.choices.push_back(node.name);
+  }
+  if (declared.name == "animation") {
+    declared.choices = {"all", "none"};
+    for (const auto& animation : scene.animations) declared.choices.push_back(animation.name);
+  }
+  return declared;
+}
+
+static const ShotOption* findOption(const std::string& name) {
+  for (const ShotOption& option : shotOptions())
+    if (option.declaration.name == name) return &option;
+  return nullptr;
+}
+
+// Goes on with `shot`, on the scripts as they were when they were last good: a value has nothing to do with edits.
+void Session::apply(const Shot& shot) {
+  Evaluated evaluated = evaluate(shot, running_->texts, false);
+  if (!evaluated.usable) throw Error(evaluated.problems.front());
+  Shot filled = shot;
+  bench_.scene(filled);
+  running_ = build(filled, std::move(evaluated), nullptr);
+  shot_ = filled;
+  rememberFiles({});
+}
+
+void Session::set(const std::string& name, const std::string& value, const std::string& origin) {
+  Shot shot = shot_;
+  if (const ShotOption* option = findOption(name)) {
+    plan::ParamDesc declared = declarationOf(*option, scene());
+    option->set(shot, plan::checkValue(declared, plan::Value(value), {}));
+  } else if (name == "size") {
+    auto [width, height] = parseSize(value);
+    shot.width = width;
+    shot.height = height;
+  } else if (name == "view") {
+    shot.view.reset();
+    if (!value.empty()) shot.view = parseView(value);
+  } else {
+    putSetting(shot.sets, name, value);
+  }
+  apply(shot);
+  origins_[name] = origin;
+}
+
+void Session::unset(const std::string& name) {
+  Shot shot = shot_, fresh;
+  std::erase_if(shot.sets, [&](const auto& set) { return set.first == name; });
+  fresh.fps = 0;
+  if (const ShotOption* option = findOption(name)) {
+    // What the scene suggests, else the default.
+    fresh.scene = shot.scene;
+    fresh.sets = shot.sets;
+    bench_.scene(fresh);
+    option->set(shot, option->get(fresh));
+  } else if (name == "view") {
+    shot.view.reset();
+  }
+  apply(shot);
+  origins_.erase(name);
+}
+
+void Session::tap(const std::vector<std::string>& ports) {
+  Shot shot = shot_;
+  shot.taps = ports;
+  if (shot.taps != shot_.taps) apply(shot);
+}
+
+std::vector<std::string> Session::ports() const {
+  const plan::Plan& plan = *running_->plan;
+  std::vector<std::string> names;
+  for (const auto& node : plan.nodes)
+    for (const auto* images : {&node.writes, &node.updates})
+      for (int image : *images) names.push_back(plan.images[size_t(image)].name);
+  return names;
+}
+
+std::vector<Control> Session::controls() const {
+  std::vector<Control> controls;
+  auto origin_of = [this](const std::string& name) {
+    auto found = origins_.find(name);
+    return found == origins_.end() ? "" : found->second;
+  };
+  Shot defaults;
+  for (const ShotOption& option : shotOptions()) {
+    Control control{declarationOf(option, scene()), option.get(shot_), "shot", origin_of(option.declaration.name), "", false};
+    control.set = !control.origin.empty();
+    bool first_camera = option.declaration.name == "camera" && shot_.camera.empty() && !control.declaration.choices.empty();
+    if (first_camera) control.value = scene().nodes[size_t(scene::cameraNode(scene(), ""))].name;
+    if (!control.set) control.origin = option.get(shot_) == option.get(defaults) ? "default" : given_by_ + " or scene";
+    controls.push_back(control);
+  }
+
+  const plan::PipelineDesc& pipeline = running_->plan->pipeline;
+  std::string preset;
+  for (const auto& [name, value] : pipeline.values)
+    if (name == "preset") preset = std::get<std::string>(value);
+  for (size_t i = 0; i < pipeline.params.size(); ++i) {
+    const plan::ParamDesc& declared = pipeline.params[i];
+    auto value = std::find_if(pipeline.values.begin(), pipeline.values.end(), [&](const auto& v) { return v.first == declared.name; });
+    Control control{declared, value->second, "pipeline", origin_of(declared.name), declared.place.text(), false};
+    control.set = !control.origin.empty();
+    bool by_preset = !preset.empty() && !(value->second == declared.default_value);
+    if (!control.set) control.origin = by_preset ? "preset " + preset : "default";
+    controls.push_back(control);
+  }
+  for (const auto& node : running_->plan->nodes) {
+    const plan::NodeDesc& described = pipeline.nodes[size_t(node.node)];
+    const plan::PassDesc& pass = pipeline.passes[size_t(node.pass)];
+    for (size_t i = 0; i < pass.params.size(); ++i) {
+      Control control{pass.params[i], node.params[i].second, described.name, "", pass.params[i].place.text(), false};
+      control.declaration.name = described.name + "." + pass.params[i].name;
+      control.origin = origin_of(control.declaration.name);
+      control.set = !control.origin.empty();
+      auto bound = std::find_if(described.params.begin(), described.params.end(), [&](const auto& b) { return b.first == pass.params[i].name; });
+      if (!control.set && bound != described.params.end() && !bound->second.follows.empty())
+        control.origin = "follows " + bound->second.follows;
+      else if (!control.set)
+        control.origin = control.value == pass.params[i].default_value ? "default" : pipeline.file;
+      controls.push_back(control);
+    }
+  }
+  return controls;
+}
+
+// ---- reload
+
+// Of a file that is known already, what was noted when it was last tried stands: it may have changed since.
+static void noteFile(std::map<Path, std::string>& tried, const Path& file) {
+  if (!tried.count(file)) tried[file] = script::hashOfPath(file);
+}
+
+// Notes the state of all files that what runs (and what was tried) was made of, so that the next change is seen.
+void Session::rememberFiles(const std::vector<script::Dependency>& more) {
+  for (const auto& file : more) tried_[file.path] = file.hash;
+  if (!running_) return;
+  for (const auto& node : running_->plan->nodes) {
+    for (const Path& file : graph::shaderFiles(running_->plan->pipeline.passes[size_t(node.pass)])) {
+      std::vector<Path> reached = {file};
+      try {
+        shader::textWithIncludes(file, &reached);
+      } catch (const Error&) {
+        // Reported where it is compiled.
+      }
+      for (const Path& one : reached) noteFile(tried_, one);
+    }
+  }
+  for (const auto& [node, pipeline] : running_->graph->pipelines())
+    for (const Path& file : pipeline->files) noteFile(tried_, file);
+  for (const auto& file : running_->scene->loaded.dependencies) tried_.emplace(file.path, file.hash);
+}
+
+Session::Changes Session::lookAtFiles() {
+  Changes changes;
+  double started_s = clockSeconds();
+  auto is_of_scene = [this](const Path& path) {
+    const auto& files = running_->scene->loaded.dependencies;
+    return std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.path == path; });
+  };
+  for (auto& [path, hash] : tried_) {
+    std::string now = script::hashOfPath(path);
+    if (now == hash) continue;
+    hash = now;
+    changes.files.push_back(displayPath(path));
+    bool scene = is_of_scene(path);
+    changes.scene |= scene;
+    changes.scripts |= path.extension() != ".glsl" && path.extension() != ".h" && !scene;
+  }
+  changes.ms = 1000 * (clockSeconds() - started_s);
+  return changes;
+}
+
+std::optional<Reload> Session::reload(bool wait) {
+  bool first = !watch_;
+  if (first) {
+    watch_ = std::make_unique<Watch>();
+    for (const char* folder : {"passes", "shaders", "scripts"}) watch_->add(homeFolder() / folder);
+    for (const auto* files : {&running_->scripts, &running_->scene->loaded.dependencies})
+      for (const auto& file : *files) watch_->add(file.path.parent_path());
+  }
+  if (pending_) {
+    bool done = wait || pending_->evaluated.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    if (!done) return std::nullopt;
+    std::unique_ptr<Pending> pending = std::move(pending_);
+    return replace(shot_, pending->evaluated.get(), std::move(pending->changes));
+  }
+  bool event = watch_->changed();
+  if (!event && !first && !wait) return std::nullopt;
+  Changes changes = lookAtFiles();
+  // After a failure a file that nothing could name yet may have appeared.
+  bool retry = event && !problems_.empty();
+  if (changes.files.empty() && !retry) return std::nullopt;
+  changes.scripts |= script_problem_;
+  if (!changes.scripts) {
+    Evaluated same;
+    same.pipeline = running_->plan->pipeline;
+    same.scripts = running_->scripts;
+    same.texts = running_->texts;
+    same.usable = true;
+    return replace(shot_, std::move(same), std::move(changes));
+  }
+  if (wait) return replace(shot_, evaluateAround(shot_, running_->texts), std::move(changes));
+  auto evaluation = [shot = shot_, texts = running_->texts] { return evaluateAround(shot, texts); };
+  pending_ = std::make_unique<Pending>(Pending{std::move(changes), std::async(std::launch::async, evaluation)});
+  return std::nullopt;
+}
+
+// The scene as its files are now; where they fail, the one that runs.
+std::shared_ptr<HeldScene> Session::reloadedScene(Shot& shot, std::vector<std::string>& problems) {
+  try {
+    return bench_.scene(shot, true);
+  } catch (const Error& error) {
+    problems.push_back(error.what());
+    return running_->scene;
+  }
+}
+
+static bool contains(const std::vector<std::string>& list, const std::string& item) {
+  return std::find(list.begin(), list.end(), item) != list.end();
+}
+
+// Puts a new version in the place of the running one, as far as it is sound, and tells what became of everything.
+Reload Session::replace(Shot shot, Evaluated evaluated, Changes changes) {
+  Reload told;
+  told.changed = changes.files;
+  told.notice_ms = changes.ms;
+  told.evaluate_ms = evaluated.ms;
+  told.problems = evaluated.problems;
+  script_problem_ = !evaluated.problems.empty();
+  std::vector<script::Dependency> tried = evaluated.scripts;
+  if (!evaluated.usable) {
+    evaluated.pipeline = running_->plan->pipeline;
+    evaluated.scripts = running_->scripts;
+    evaluated.texts = running_->texts;
+    evaluated.dropped.clear();
+  }
+  for (const auto& dropped : evaluated.dropped) {
+    std::erase_if(shot.sets, [&](const auto& set) { return set.first == dropped.name; });
+    told.reset.push_back(fmt::format("{} = {}: {}", dropped.name, dropped.value, dropped.reason));
+  }
+
+  int compiled_before = bench_.compilations();
+  double started_s = clockSeconds();
+  std::map<std::string, std::shared_ptr<const graph::NodePipeline>> before = running_->graph->pipelines();
+  std::vector<std::string> histories;
+  for (const auto& image : running_->plan->images)
+    if (image.history) histories.push_back(image.name);
+  std::vector<std::string> problems;
+  try {
+    if (changes.scene) reloadedScene(shot, problems);
+    auto version = build(shot, std::move(evaluated), &problems);
+    for (const auto& [node, pipeline] : version->graph->pipelines()) {
+      auto old = before.find(node);
+      if (old == before.end() || old->second != pipeline) told.rebuilt.push_back(node);
+    }
+    bool new_scene = version->scene != running_->scene;
+    bool new_plan = version->plan_hash != running_->plan_hash;
+    running_ = std::move(version);
+    shot_ = shot;
+    told.swapped = new_scene || new_plan || !told.rebuilt.empty();
+  } catch (const Error& error) {
+    problems.push_back(error.what());
+    told.reset.clear();
+  }
+  told.problems.insert(told.problems.end(), problems.begin(), problems.end());
+  double spent_ms = 1000 * (clockSeconds() - started_s);
+  told.compilations = bench_.compilations() - compiled_before;
+  told.compile_ms = running_->graph->compileMs();
+  told.build_ms = spent_ms - told.compile_ms;
+
+  for (const auto& [name, value] : shot_.sets) told.kept.push_back(name + " = " + value);
+  std::vector<std::string> kept = running_->graph->histories(true);
+  for (const std::string& name : histories) {
+    if (contains(kept, name)) told.kept.push_back("history " + name);
+    else if (told.swapped) told.reset.push_back("history " + name + ": described differently");
+  }
+  for (const auto& name : told.reset) origins_.erase(name.substr(0, name.find(" = ")));
+  problems_ = told.problems;
+  rememberFiles(tried);
+  return told;
+}
+
+Reload Session::usePipeline(const std::string& name_or_path) {
+  Shot shot = shot_;
+  shot.pipeline = name_or_path;
+  shot.taps.clear();
+  Evaluated evaluated = evaluate(shot, {}, true);
+  if (!evaluated.usable) throw Error(evaluated.problems.front());
+  Reload told;
+  for (const auto& dropped : evaluated.dropped) {
+    std::erase_if(shot.sets, [&](const auto& set) { return set.first == dropped.name; });
+    told.reset.push_back(fmt::format("{} = {}: {}", dropped.name, dropped.value, dropped.reason));
+    origins_.erase(dropped.name);
+  }
+  std::vector<script::Dependency> tried = evaluated.scripts;
+  running_ = build(shot, std::move(evaluated), nullptr);
+  shot_ = shot;
+  for (const auto& [name, value] : shot_.sets) told.kept.push_back(name + " = " + value);
+  told.swapped = true;
+  problems_.clear();
+  script_problem_ = false;
+  rememberFiles(tried);
+  return told;
+}
+
+// ---- frames
+
+// A camera at rest that looks from one point at another, y up (z where it looks along y).
+static dmat4 worldFromView(const std::array<double, 6>& view) {
+  dvec3 eye(view[0], view[1], view[2]), target(view[3], view[4], view[5]);
+  dvec3 back = glm::normalize(eye - target);
+  dvec3 up = std::abs(back.y) > 0.9999 ? dvec3(0, 0, 1) : dvec3(0, 1, 0);
+  dvec3 right = glm::normalize(glm::cross(up, back));
+  return dmat4(dvec4(right, 0), dvec4(glm::cross(back, right), 0), dvec4(back, 0), dvec4(eye, 1));
+}
+
+graph::FrameSetup Session::setup() const {
+  const scene::Scene& scene = this->scene();
+  int camera_node = scene::cameraNode(scene, shot_.camera);
+  auto poser = std::make_shared<scene::Poser>(scene, camera_node, shot_.animation);
+  graph::FrameSetup setup;
+  // Stepped channels stay as they are at the capture: a jump is no motion and must not blur.
+  setup.pose_at = [poser, view = shot_.view, capture_s = shot_.captureTime()](double time_s) {
+    scene::Pose pose = poser->at(time_s, capture_s);
+    if (view) pose.world_from_camera = worldFromView(*view);
+    return pose;
+  };
+  setup.camera = scene.cameras[size_t(scene.nodes[size_t(camera_node)].camera)];
+  setup.capture_s = shot_.captureTime();
+  setup.open_s = shot_.window()[0];
+  setup.close_s = shot_.window()[1];
+  setup.frame_s = 1 / shot_.fps;
+  setup.anchor = anchorCode(shot_.anchor);
+  setup.frame = uint32_t(shot_.frame);
+  setup.seed = shot_.seed;
+  setup.environment = scene.environment;
+  setup.reach = scene::reachOfMotion(scene, setup.camera, setup.pose_at, setup.capture_s, setup.open_s, setup.close_s,
+                                     shot_.width, shot_.height);
+  return setup;
+}
+
+graph::FrameResult Session::draw(const std::set<std::string>* wanted, const std::function<void(int, int)>& progress) {
+  graph::FrameSetup frame = setup();
+  frame.wanted = wanted;
+  return running_->graph->run(frame, progress);
+}
+// Offset of sub-pixel sample i of n from the pixel's centre: a rank-1 lattice, one sample is the centre.
+static vec2 subpixelOffset(int i, int n) {
+  if (n == 1) return vec2(0);
+  double x = (i + 0.5) / n - 0.5;
+  double y = (i + 0.5) * 0.6180339887498949;
+  return vec2(x, y - std::floor(y) - 0.5);
+}
+
+// The projection a compositing program wants to know: near plane at 0, infinitely far at 1.
+static dmat4 ndcFromCamera(const scene::Camera& camera, double aspect) {
+  double half_height = camera.orthographic ? camera.half_height : std::tan(camera.vertical_fov / 2);
+  dmat4 m(0);
+  m[0][0] = 1 / (half_height * aspect);
+  m[1][1] = 1 / half_height;
+  if (camera.orthographic) {
+    m[2][2] = -1;
+    m[3][2] = -camera.near;
+    m[3][3] = 1;
+  } else {
+    m[2][2] = m[2][3] = -1;
+    m[3][2] = -camera.near;
+  }
+  return m;
+}
+
+static void accumulate(graph::FrameResult& sum, const graph::FrameResult& added) {
+  auto add = [](std::map<std::string, graph::ReadImage>& into, const std::map<std::string, graph::ReadImage>& from) {
+    for (auto& [name, read] : into) {
+      const auto& values = from.at(name).floats.values;
+      for (size_t i = 0; i < values.size(); ++i) read.floats.values[i] += values[i];
+    }
+  };
+  add(sum.outputs, added.outputs);
+  add(sum.taps, added.taps);
+  for (size_t i = 0; i < sum.counters.size(); ++i) sum.counters[i].second += added.counters[i].second;
+  for (size_t i = 0; i < sum.times.size(); ++i) {
+    sum.times[i].gpu_ms += added.times[i].gpu_ms;
+    sum.times[i].executions += added.times[i].executions;
+  }
+  sum.gpu_ms += added.gpu_ms;
+}
+
+static void divide(graph::FrameResult& sum, int n) {
+  for (auto* images : {&sum.outputs, &sum.taps})
+    for (auto& [name, read] : *images)
+      for (float& value : read.floats.values) value /= float(n);
+}
+
+Picture Session::capture(const std::function<void(int, int)>& progress) {
+  double started_s = clockSeconds();
+  graph::FrameSetup frame_setup = setup();
+  Picture picture;
+  double ready_s = clockSeconds();
+  for (int i = 0; i < shot_.aa; ++i) {
+    frame_setup.subpixel = subpixelOffset(i, shot_.aa);
+    auto advance = [&](int done, int of) {
+      if (progress) progress(i * of + done, shot_.aa * of);
+    };
+    running_->graph->forgetHistories();
+    graph::FrameResult frame = running_->graph->run(frame_setup, advance);
+    if (i == 0) picture.frame = std::move(frame);
+    else accumulate(picture.frame, frame);
+  }
+  if (shot_.aa > 1) divide(picture.frame, shot_.aa);
+  double done_s = clockSeconds();
+
+  dmat4 camera_from_world = glm::inverse(frame_setup.pose_at(frame_setup.capture_s).world_from_camera);
+  picture.camera_from_world = mat4(camera_from_world);
+  picture.ndc_from_world = mat4(ndcFromCamera(frame_setup.camera, double(shot_.width) / shot_.height) * camera_from_world);
+  std::vector<script::Dependency> dependencies = running_->scripts;
+  const auto& of_scene = running_->scene->loaded.dependencies;
+  dependencies.insert(dependencies.end(), of_scene.begin(), of_scene.end());
+  RecordContext context{shot_, running_->scene->loaded, *running_->plan, running_->plan_hash, bench_.device().info(),
+                        running_->backend, dependencies};
+  picture.record = makeRecord(context, picture.frame);
+  picture.timings = makeTimings(picture.frame, bench_.device().info(), ready_s - started_s, done_s - ready_s);
+  picture.warnings = scene().warnings;
+  return picture;
+}
+
+}  // namespace strobe::lab
