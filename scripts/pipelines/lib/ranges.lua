@@ -11,20 +11,20 @@ local ranges = {}
 ranges.param = pipeline.choice { "whole", "split", default = "whole",
   doc = "displacements: one for the exposure, or one for each side of the capture (matters to the anchor centre alone)",
   values = {
-    whole = "One displacement over the exposure; a point moves along a straight line at an even pace. Fails where motion " ..
-            "bends: one that turns back at the capture is taken for rest.",
-    split = "Times before the capture use the displacement from the start of the exposure to the capture, times after " ..
-            "it that from the capture to the end, each from true poses. With the anchors close and open, which have one " ..
-            "part only, and with displacement = extrapolated, which knows one displacement only, it is the same as " ..
-            "whole. Twice the tiles and masks. Fails where motion bends elsewhere than at the capture.",
+    whole = "One displacement over the exposure: a point moves along a straight line at an even pace. Fails where " ..
+            "motion bends: what turns back at the capture is taken for something at rest.",
+    split = "Times before the capture use the displacement from the start of the exposure to the capture, times " ..
+            "after it that from the capture to the end, each from true poses. Costs a second set of tiles and a " ..
+            "second mask. The anchors close and open have one part only, and displacement = extrapolated knows one " ..
+            "displacement only: there it is the same as whole. Fails where motion bends elsewhere than at the capture.",
   } }
 
 function ranges.are_split(p)
   return p.range() == "split" and p.displacement() == "window"
 end
 
--- What `layer` (a plain table: depth, id, velocity and whatever else) is to a filter: if the range is split, its velocity becomes that
--- before the capture and it gets an after_velocity. `name` names the node.
+-- What `layer` (a plain table: depth, id, velocity and whatever else) is to a filter: if the range is split, its
+-- velocity becomes that before the capture and it gets an after_velocity. `name` names the node.
 function ranges.divided(p, layer, name)
   if not ranges.are_split(p) then return layer end
   local parts = halves { depth = layer.depth, id = layer.id, velocity = layer.velocity, as = name }

@@ -6,8 +6,8 @@ local shade      = require "passes.scene.shade"
 
 local scene = {}
 
--- depth, normal, id, velocity, color and hit of what raster sees, or what another pass finds visible. `p`: parameters of
--- a blur (options.blur); without them the displacement is that of the window.
+-- depth, normal, id, velocity, color and hit of what raster sees, or what another pass finds visible. `p`: parameters
+-- of a blur (options.blur); without them the displacement is that of the window.
 function scene.captured(p, visible)
   local hit = (visible or visibility) {}.hit
   local g = gbuffer { hit = hit, displacement = p and p.displacement }

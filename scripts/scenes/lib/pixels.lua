@@ -49,14 +49,14 @@ function pixels.stripes(count, period, a, b)
   return texels
 end
 
-function pixels.scene(picture, name, nodes, background)
+function pixels.scene(picture, name, nodes, background, animations)
   nodes[#nodes + 1] = scene.node {
     name = "camera", position = { 0, 0, 100 },
     camera = scene.orthographic_camera { name = "main", half_height = picture.height / 2, near = 1 },
   }
   local sky = background or 0
   return scene {
-    name = name, nodes = nodes, environment = { background = { sky, sky, sky } },
+    name = name, nodes = nodes, animations = animations, environment = { background = { sky, sky, sky } },
     shot = { width = picture.width, height = picture.height, fps = picture.fps, frame = 0,
       exposure = picture.exposure },
   }

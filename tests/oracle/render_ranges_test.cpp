@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: MIT
+// Sampling ranges: every anchor against the exact exposures of all, the exposure split at the capture where motion
+// bends there, and displacements extrapolated from the frame before.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "oracle/render.h"
+
+namespace strobe::oracle {
+namespace {
+
+constexpr int kWidth = 96, kHeight = 20, kSamples = 16;
+
+// The scene `bent`, with its numbers (pixels, over the exposure).
+struct Bent {
+  double before = 20, after = 20, before_y = 0, after_y = 0, bend = 0, d_back = 0;
+  double light = .4, dark = .1, top = -8, bottom = 40;
+
+  std::string name() const {
+    return fmt::format("({}, {}) ({}, {}) over {}", before, before_y, after, after_y, d_back);
+  }
+  lab::Shot shot() const {
+    return shotOf("bent", kWidth, kHeight,
+                  {{"before", before}, {"after", after}, {"before_y", before_y}, {"after_y", after_y}, {"bend", bend},
+                   {"d_b", d_back}, {"light", light}, {"dark", dark}, {"top", top}, {"bottom", bottom}});
+  }
+  // Linear motion as in the part before the capture, or as in that after it.
+  MovingPolygon part(bool is_after) const {
+    return {{{30, top}, {62, top}, {62, bottom}, {30, bottom}},
+            is_after ? Point{after, after_y} : Point{before, before_y},
+            {.9}, {d_back, 0}, {light, dark, 8, 0, 0}};
+  }
+  // Centred: half of the exposure each.
+  Exposure exactAt(int x, int y) const {
+    Exposure first = exposeCentre(part(false), {-.5, 0}, x, y), second = exposeCentre(part(true), {0, .5}, x, y);
+    Exposure both;
+    both.colour = (first.colour + second.colour) / 2;
+    both.changes = first.changes + second.changes;
+    both.jump = std::max(first.jump, second.jump);
+    both.variation = first.variation + second.variation;
+    return both;
+  }
+};
+
+using ExactExposure = std::function<Exposure(int x, int y)>;
+
+// Away from the left and right border, beyond which no filter knows anything.
+double rmsTo(const image::Image& color, const ExactExposure& exact) {
+  constexpr int kMargin = 16;
+  double sum = 0;
+  for (int y = 0; y < color.height; ++y)
+    for (int x = kMargin; x < color.width - kMargin; ++x) sum += std::pow(color.at(x, y, 0) - exact(x, y).colour, 2);
+  return std::sqrt(sum / (color.height * (color.width - 2 * kMargin)));
+}
+
+// Over something at rest and of one colour.
+const std::vector<Bent> kPlain = {
+    {.before = 20, .after = -20, .light = .1},
+    {.before = 0, .after = 18, .light = .1},
+    {.before = -8, .after = 19, .light = .1},
+    {.before = 12, .after = 20, .light = .1},
+};
+// Over a checker, which moves.
+const std::vector<Bent> kTextured = {
+    {.before = 19, .after = -17},
+    {.before = 0, .after = 18, .d_back = -12},
+    {.before = 14, .after = 3, .before_y = 2, .after_y = 11, .d_back = 6, .top = 5, .bottom = 15},
+};
+
+struct Method {
+  std::string pipeline;
+  std::vector<std::string> settings;
+
+  std::string name() const { return fmt::format("{} {}", pipeline, fmt::join(settings, " ")); }
+};
+const Method kUniform{"mcguire2012", {"weights=uniform"}}, kLinear{"hybrid", {"preset=seed_linear"}},
+    kBest{"hybrid", {"preset=best"}};
+const std::vector<Method> kSplitting = {kUniform, kLinear, kBest};
+
+class RenderRanges : public RenderTest {
+ protected:
+  lab::Picture pictureBy(const Method& method, const lab::Shot& shot, const std::vector<std::string>& more = {},
+                         const std::string& anchor = "centre") {
+    lab::Shot set = with(shot, method.pipeline, method.settings, anchor);
+    set = with(set, method.pipeline, {"tile=16", "limit=0.4"});
+    return render(with(set, method.pipeline, more));
+  }
+  image::Image colorBy(const Method& method, const lab::Shot& shot, const std::vector<std::string>& more = {},
+                       const std::string& anchor = "centre") {
+    return colorOf(pictureBy(method, shot, more, anchor));
+  }
+};
+
+lab::Shot crowd(const Numbers& numbers = {}) { return shotOf("crowd", 64, 40, numbers); }
+
+// --- Every anchor has its own truth
+// ------------------------------------------------------------------------------------
+
+TEST_F(RenderRanges, EachAnchorIsNearestToItsOwnExposure) {
+  Strips bar{{36, 68, 14, {1}}, {-kInfinity, kInfinity, 0, {0}}};
+  lab::Shot shot = shotOf("bar", kWidth, 4, {{"left", 36}, {"right", 68}, {"d_f", 14}});
+  const std::vector<Method> methods = {{"mcguire2012", {}}, kUniform, {"ue4", {}}, {"hybrid", {"preset=seed"}}, kLinear,
+                                       kBest};
+  for (const Method& method : methods) {
+    for (const Anchor& anchor : anchors()) {
+      image::Image color = colorBy(method, shot, {}, anchor.name);
+      auto distance_to = [&](const Anchor& truth) {
+        return rmsTo(color, [&](int x, int) { return exposeCentre(bar, truth.window, x); });
+      };
+      for (const Anchor& other : anchors()) {
+        if (other.name == anchor.name) continue;
+        EXPECT_LE(distance_to(anchor), .8 * distance_to(other))
+            << method.name() << " " << anchor.name << " " << other.name;
+      }
+    }
+  }
+}
+
+// --- Split at the capture
+// ----------------------------------------------------------------------------------------------
+
+TEST_F(RenderRanges, TruthFollowsMotionThatBends) {
+  constexpr int kTimes = 128;
+  for (const Bent& bent : {kPlain[0], kTextured[2]}) {
+    std::vector<std::string> settings = {fmt::format("samples={}", kTimes), "mark_regions=false"};
+    lab::Shot shot = with(bent.shot(), "ground_truth", settings, "centre");
+    expectWithin(
+        colorOf(render(shot)), [&](int x, int y) { return bent.exactAt(x, y); },
+        [](const Exposure& e) { return e.variation / (2 * kTimes) + 1e-4; }, bent.name());
+  }
+}
+
+// Over a background at rest each tap counts as 1/N of the exposure: as good as N time samples of the exact picture.
+TEST_F(RenderRanges, SplitGatherIsExactWhereMotionBends) {
+  for (const Bent& bent : kPlain) {
+    auto exact = [&](int x, int y) { return bent.exactAt(x, y); };
+    image::Image split = colorBy(kUniform, bent.shot(), {"range=split"});
+    auto bound = [](const Exposure& e) { return e.variation / (2 * kSamples) + 1e-4; };
+    expectWithin(split, exact, bound, bent.name());
+    EXPECT_GE(rmsTo(colorBy(kUniform, bent.shot()), exact), 4 * rmsTo(split, exact)) << bent.name();
+  }
+}
+
+// Time samples, and edges placed to within 3/4 px of the path (7.4 of the specification). Borders of the picture, where
+// what moves in is not known, are left out.
+TEST_F(RenderRanges, SplitCompositeIsExactWhereMotionBends) {
+  for (const std::vector<Bent>& scenes : {std::vector<Bent>{kPlain[0], kPlain[2]}, kTextured}) {
+    for (const Bent& bent : scenes) {
+      auto exact = [&](int x, int y) { return bent.exactAt(x, y); };
+      image::Image split = colorBy(kBest, bent.shot(), {"range=split"});
+      double fastest = std::max(std::hypot(bent.before, bent.before_y), std::hypot(bent.after, bent.after_y));
+      auto bound = [&](const Exposure& e) { return e.variation * (1. / (2 * kSamples) + .75 / fastest) + 1e-4; };
+      for (int x : {0, kWidth - 16})
+        for (int y = 0; y < kHeight; ++y)
+          for (int i = 0; i < 16; ++i) split.at(x + i, y, 0) = float(exact(x + i, y).colour);
+      expectWithin(split, exact, bound, bent.name());
+      EXPECT_GE(rmsTo(colorBy(kBest, bent.shot()), exact), 4 * rmsTo(split, exact)) << bent.name();
+    }
+  }
+}
+
+TEST_F(RenderRanges, OneSidedExposuresHaveOnePart) {
+  lab::Shot shot = kTextured[0].shot();
+  for (const Method& method : kSplitting)
+    for (const char* anchor : {"close", "open"}) {
+      image::Image whole = colorBy(method, shot, {}, anchor), split = colorBy(method, shot, {"range=split"}, anchor);
+      EXPECT_TRUE(identical(whole, split)) << method.name() << " " << anchor;
+    }
+}
+
+int countDifferent(const image::Image& a, const image::Image& b) {
+  int count = 0;
+  for (size_t i = 0; i < a.values.size(); i += 4) count += std::abs(double(a.values[i]) - b.values[i]) > 1e-5;
+  return count;
+}
+
+// The two displacements differ from the one by rounding, which may put a tap on the other side of half a pixel: paths
+// here end on no border of pixels.
+TEST_F(RenderRanges, LinearMotionIsTheSameSplitOrWhole) {
+  for (const Method& method : kSplitting)
+    for (const lab::Shot& shot : {Bent{.d_back = -7.3}.shot(), crowd()}) {
+      image::Image whole = colorBy(method, shot), split = colorBy(method, shot, {"range=split"});
+      EXPECT_LE(countDifferent(whole, split), 4) << method.name() << " " << shot.scene;
+    }
+}
+
+TEST_F(RenderRanges, SplitRunsBothWaysInTime) {
+  for (const Method& method : kSplitting) {
+    Bent there{.before = -8.25, .after = 19.125, .d_back = 5}, back{.before = -19.125, .after = 8.25, .d_back = -5};
+    image::Image forward = colorBy(method, there.shot(), {"range=split"});
+    image::Image backward = colorBy(method, back.shot(), {"range=split"});
+    EXPECT_LE(countDifferent(forward, backward), 0) << method.name();
+  }
+}
+
+TEST_F(RenderRanges, NothingThatMovesIsNothingThatChanges) {
+  image::Image still = colorOf(render(with(crowd({{"speed", 0}}), "none")));
+  image::Image sharp = colorOf(render(with(crowd(), "none")));
+  lab::Shot instant = crowd();
+  instant.exposure = 0;
+  for (const Method& method : kSplitting)
+    for (const char* setting : {"range=split", "displacement=extrapolated"}) {
+      image::Image unmoved = colorBy(method, crowd({{"speed", 0}}), {setting});
+      EXPECT_TRUE(identical(unmoved, still)) << method.name() << " " << setting;
+      EXPECT_TRUE(identical(colorBy(method, instant, {setting}), sharp)) << method.name() << " " << setting;
+    }
+}
+
+TEST_F(RenderRanges, PublishedWeightsKnowNoParts) {
+  for (const char* weights : {"mcguire2012", "uniform"}) {
+    std::string setting = fmt::format("weights={}", weights);
+    bool refused = false;
+    try {
+      colorBy({"mcguire2012", {setting}}, crowd(), {"range=split"});
+    } catch (const Error& error) {
+      refused = std::string(error.what()).find("range = split: weights = mcguire2012") != std::string::npos;
+    }
+    EXPECT_EQ(refused, std::string(weights) == "mcguire2012");
+  }
+}
+
+// --- Extrapolated from the frame before
+// --------------------------------------------------------------------------------
+
+using At = std::function<vec2(int x, int y)>;
+
+// The largest distance between a velocity image and the closed form, over pixels where `counts`.
+double farthest(const image::Image& velocity, const At& exact, const std::function<bool(int x, int y)>& counts) {
+  double largest = 0;
+  int count = 0;
+  for (int y = 0; y < velocity.height; ++y)
+    for (int x = 0; x < velocity.width; ++x) {
+      if (!counts(x, y)) continue;
+      ++count;
+      vec2 d(velocity.at(x, y, 0), velocity.at(x, y, 1));
+      largest = std::max(largest, double(glm::length(d - exact(x, y))));
+    }
+  EXPECT_GE(count, 50);
+  return largest;
+}
+
+// At x = v t + bend t^2 / 2 (t in exposures) the window yields v + bend (open + close) / 2, and the frame before, 1/T
+// exposures earlier, v - bend / (2 T).
+TEST_F(RenderRanges, ExtrapolationMissesWhatAcceleratesByThePredictedAmount) {
+  Bent bent{.before = 12, .after = 12, .bend = 5};
+  const double exposure = .5;  // T
+  auto on_bar = [](int x, int) { return x >= 30 && x < 62; };
+  auto beside = [](int x, int) { return x < 30 || x >= 62; };
+  for (const char* pipeline : {"mcguire2012", "ue4", "hybrid"}) {
+    for (const Anchor& anchor : anchors()) {
+      auto velocity = [&](const char* displacement) {
+        Method method{pipeline, {fmt::format("displacement={}", displacement)}};
+        return imageOf(pictureBy(method, bent.shot(), {}, anchor.name), "velocity");
+      };
+      double in_window = 12 + 5 * (anchor.window.open + anchor.window.close) / 2, before = 12 - 5 / (2 * exposure);
+      image::Image window = velocity("window"), extrapolated = velocity("extrapolated");
+      EXPECT_LE(farthest(window, [&](int, int) { return vec2(in_window, 0); }, on_bar), 1e-3) << anchor.name;
+      EXPECT_LE(farthest(extrapolated, [&](int, int) { return vec2(before, 0); }, on_bar), 1e-3) << anchor.name;
+      EXPECT_LE(farthest(extrapolated, [](int, int) { return vec2(0); }, beside), 1e-3) << anchor.name;
+    }
+  }
+}
+
+TEST_F(RenderRanges, UniformMotionIsExtrapolatedExactly) {
+  for (const Anchor& anchor : anchors()) {
+    for (const char* output : {"velocity", "revealed_velocity"}) {
+      image::Image window = imageOf(pictureBy(kBest, crowd(), {}, anchor.name), output);
+      image::Image other = imageOf(pictureBy(kBest, crowd(), {"displacement=extrapolated"}, anchor.name), output);
+      EXPECT_LE(largestDifference(window, other), 1e-3) << anchor.name << " " << output;
+    }
+  }
+}
+
+constexpr double kFocal = 64;  // px, of the scene `crowd`
+
+// Where, from the principal point in px, a camera that turned by `angle` to its left sees what was at `p` before.
+vec2 turned(vec2 p, double angle) {
+  double x = p.x / kFocal, y = p.y / kFocal;
+  double depth = std::cos(angle) - x * std::sin(angle);
+  return float(kFocal) * vec2((x * std::cos(angle) + std::sin(angle)) / depth, y / depth);
+}
+
+TEST_F(RenderRanges, SkyMovesWithTheTurningCamera) {
+  const double per_frame = 8 * std::numbers::pi / 180, exposure = .5;
+  for (const Anchor& anchor : anchors()) {
+    for (const char* displacement : {"window", "extrapolated"}) {
+      lab::Shot shot = crowd();
+      shot.spins = {"camera=0,1,0,8"};
+      std::string setting = fmt::format("displacement={}", displacement);
+      lab::Picture picture = pictureBy({"mcguire2012", {}}, shot, {setting}, anchor.name);
+      auto exact = [&](int x, int y) {
+        vec2 p(x + .5 - 32, y + .5 - 20);
+        if (displacement == std::string("extrapolated")) return vec2(exposure) * (p - turned(p, -per_frame));
+        double over_window = per_frame * exposure;
+        return turned(p, over_window * anchor.window.close) - turned(p, over_window * anchor.window.open);
+      };
+      const image::UintImage& id = picture.frame.outputs.at("id").uints;
+      auto sky = [&](int x, int y) { return id.values[(size_t(y) * 64 + size_t(x)) * size_t(id.channels)] == 0; };
+      EXPECT_LE(farthest(imageOf(picture, "velocity"), exact, sky), 1e-3) << anchor.name << " " << displacement;
+    }
+  }
+}
+
+// Focal length times the camera's path over the depth, whatever the anchor; the sky stands still.
+TEST_F(RenderRanges, PicturePansWithTheMovingCamera) {
+  for (const Anchor& anchor : anchors()) {
+    for (const char* displacement : {"window", "extrapolated"}) {
+      lab::Shot shot = crowd({{"speed", 0}});
+      shot.moves = {"camera=2,-1,0"};
+      std::string setting = fmt::format("displacement={}", displacement);
+      lab::Picture picture = pictureBy({"mcguire2012", {}}, shot, {setting}, anchor.name);
+      auto exact = [&](int x, int y) {
+        float depth = imageOf(picture, "depth").at(x, y, 0);
+        return std::isinf(depth) ? vec2(0) : vec2(.5 * kFocal / depth) * vec2(-2, -1);
+      };
+      EXPECT_LE(farthest(imageOf(picture, "velocity"), exact, [](int, int) { return true; }), 1e-3)
+          << anchor.name << " " << displacement;
+    }
+  }
+}
+
+// The camera was 30 m further ahead a frame ago: what is nearer than that was behind it. The path up to the near plane
+// is extrapolated to its full length; nothing is divided by a depth below it.
+TEST_F(RenderRanges, WhatWasBehindTheCameraIsExtrapolatedFromTheNearPlane) {
+  lab::Shot shot = crowd({{"speed", 0}});
+  shot.moves = {"camera=0,0,30"};
+  lab::Picture picture = pictureBy({"mcguire2012", {}}, shot, {"displacement=extrapolated"}, "open");
+  const image::Image &depth = imageOf(picture, "depth"), &velocity = imageOf(picture, "velocity");
+  const double near = .5 * 1.001, exposure = .5;
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 64; ++x) {
+      double z = depth.at(x, y, 0);
+      if (!(z < 30)) continue;
+      double share = (z - near) / 30;
+      double expected = -exposure * (x + .5 - 32) * (z / near - 1) / share;
+      EXPECT_NEAR(velocity.at(x, y, 0), expected, 1e-3 * std::abs(expected) + 1e-3) << x << " " << y;
+    }
+}
+
+}  // namespace
+}  // namespace strobe::oracle
