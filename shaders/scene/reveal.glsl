@@ -16,12 +16,19 @@
 
 float luminance(vec3 color) { return dot(color, vec3(0.2126, 0.7152, 0.0722)); }
 
-// Does the surface move as if it were fixed to the foreground: on the screen, at both ends of the exposure? What does
-// (a load on a truck, a lamp in its shade) hides the same background as the foreground.
+// The poses that tell how things move: both ends of the exposure, or all that is known.
+#if PARAM_displacement == displacement_extrapolated
+const uint kFirstPose = SLICE_PREVIOUS, kLastPose = SLICE_PREVIOUS;
+#else
+const uint kFirstPose = SLICE_OPEN, kLastPose = SLICE_CLOSE;
+#endif
+
+// Does the surface move as if it were fixed to the foreground: on the screen, at each of these poses? What does (a load
+// on a truck, a lamp in its shade) hides the same background as the foreground.
 bool goesAlong(Hit hit, uint instance) {
   if (hit.instance == instance) return true;
   vec3 capture_ws = positionOf(SLICE_CAPTURE, hit);
-  for (uint slice = SLICE_OPEN; slice <= SLICE_CLOSE; ++slice) {
+  for (uint slice = kFirstPose; slice <= kLastPose; ++slice) {
     vec2 own = pixelFromView(slice, viewFromWorld(slice, positionOf(slice, hit)));
     vec2 carried = pixelFromView(slice, viewFromWorld(slice, carriedBy(instance, slice, capture_ws)));
     if (!(distance(own, carried) <= params.same_motion)) return false;
