@@ -7,6 +7,8 @@
 // Fails: where three edges meet one may be cut off a pixel before the others.
 #include "lib/blur.glsl"
 
+const float kSector = 1.2071068;  // 1 / (2 tan 22.5 deg): diagonals begin halfway between axes and diagonals
+
 float answerAt(ivec2 pixel) {
   if (!isInside(pixel, textureSize(gradient_tex, 0))) return 0.0;
   return length(vec2(texelFetch(gradient_tex, pixel, 0)));
@@ -17,7 +19,7 @@ void run(ivec2 pixel) {
   float answer = answerAt(pixel);
   float ridge = 0.0;
   if (answer > 1.0 / params.ratio) {
-    ivec2 across = roundSymmetric(gradient / max(abs(gradient.x), abs(gradient.y)));
+    ivec2 across = roundSymmetric(kSector * gradient / max(abs(gradient.x), abs(gradient.y)));
     bool is_ridge = answer > answerAt(pixel - across) && answer >= answerAt(pixel + across);
     if (is_ridge) ridge = answer > 1.0 ? 1.0 : 0.5;
   }

@@ -3,6 +3,7 @@
 // and ids that the renderer found; and the properties each is chosen for, on depths that are formulas.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -147,6 +148,80 @@ double answerOf(const std::string& detector, const Seen& seen, int x, int y) {
   return bySilhouette(seen, x, y, false);
 }
 
+// --- Canny, as he describes it: smooth, differentiate, keep ridges, then flood
+
+// The direction is the principal axis of the summed outer products of all components over their thresholds.
+struct Slope {
+  double answer = 0, angle = 0;
+};
+
+Slope slopeAt(const Seen& seen, int x, int y) {
+  if (!seen.isInside(x, y) || !seen.isSurface(x, y)) return {};
+  double sum = 0;
+  for (int i = -2; i <= 2; ++i) sum += std::exp(-.5 * i * i);
+  auto gauss = [&](int i) { return std::abs(i) > 2 ? 0 : std::exp(-.5 * i * i) / sum; };
+  double unit = gauss(0) + gauss(1);  // a step after smoothing, between two pixels either side
+  auto smoothed = [&](const Kernel& sobel, int i, int j) {
+    double weight = 0;
+    for (int b = -1; b <= 1; ++b)
+      for (int a = -1; a <= 1; ++a) weight += sobel[size_t(b + 1)][size_t(a + 1)] * gauss(i - a) * gauss(j - b);
+    return weight / unit;
+  };
+  double own = seen.depth(x, y), xx = 0, xy = 0, yy = 0;
+  std::array<std::array<double, 2>, 4> slope{};
+  for (int j = -3; j <= 3; ++j)
+    for (int i = -3; i <= 3; ++i) {
+      dvec3 n = seen.normal(x + i, y + j);
+      const double feature[4] = {n.x / kNormalThreshold, n.y / kNormalThreshold, n.z / kNormalThreshold,
+                                 std::min(seen.depth(x + i, y + j) / own, 16.) / kDepthThreshold};
+      for (size_t c = 0; c < 4; ++c) {
+        slope[c][0] += smoothed(kSobel, i, j) * feature[c];
+        slope[c][1] += smoothed(kSobel, j, i) * feature[c];
+      }
+    }
+  double normal = 0;
+  for (size_t c = 0; c < 4; ++c) {
+    xx += slope[c][0] * slope[c][0];
+    xy += slope[c][0] * slope[c][1];
+    yy += slope[c][1] * slope[c][1];
+    if (c < 3) normal = std::hypot(normal, slope[c][0], slope[c][1]);
+  }
+  return {std::max(std::hypot(slope[3][0], slope[3][1]), normal), .5 * std::atan2(2 * xy, xx - yy)};
+}
+
+// 2 strong, 1 weak, 0 none.
+int ridgeAt(const Seen& seen, int x, int y) {
+  Slope slope = slopeAt(seen, x, y);
+  const int dx[] = {0, 1, 1, 1, 0}, dy[] = {-1, -1, 0, 1, 1};
+  int sector = int(std::lround(slope.angle / (std::acos(-1.) / 4))) + 2;
+  if (slope.answer <= .5) return 0;
+  bool is_ridge = slope.answer > slopeAt(seen, x - dx[sector], y - dy[sector]).answer &&
+                  slope.answer >= slopeAt(seen, x + dx[sector], y + dy[sector]).answer;
+  return is_ridge ? (slope.answer > 1 ? 2 : 1) : 0;
+}
+
+// Edges, flooded from the strong ones along weak ones; nothing in these pictures is farther than the flood reaches.
+std::vector<bool> cannyOf(const Seen& seen) {
+  std::vector<int> ridge;
+  for (int y = 0; y < seen.height; ++y)
+    for (int x = 0; x < seen.width; ++x) ridge.push_back(ridgeAt(seen, x, y));
+  std::vector<bool> edge(ridge.size());
+  std::vector<int> open;
+  for (size_t i = 0; i < ridge.size(); ++i)
+    if (ridge[i] == 2) open.push_back(int(i));
+  while (!open.empty()) {
+    int at = open.back(), x = at % seen.width, y = at / seen.width;
+    open.pop_back();
+    if (edge[size_t(at)]) continue;
+    edge[size_t(at)] = true;
+    for (int j = -1; j <= 1; ++j)
+      for (int i = -1; i <= 1; ++i)
+        if (int beside = at + j * seen.width + i; seen.isInside(x + i, y + j) && ridge[size_t(beside)])
+          open.push_back(beside);
+  }
+  return edge;
+}
+
 constexpr double kNear = 105;  // the reliefs' steps are from 100 to 110
 
 // --- Pixel by pixel
@@ -202,6 +277,20 @@ TEST_F(RenderEdges, EachIsItsFormula) {
       EXPECT_EQ(wrong, 0) << scene << " " << name;
       EXPECT_GE(edges, 100) << scene << " " << name;
     }
+  }
+}
+
+// No answer in these pictures is so near a threshold, a neighbour's answer or a sector's border that rounding decides.
+TEST_F(RenderEdges, CannyIsItsFourSteps) {
+  for (const std::string& scene : {"crowd", "solids"}) {
+    lab::Picture picture = render(detected(shotOf(scene, 64, 40), "canny"));
+    Seen seen(picture);
+    std::vector<bool> expected = cannyOf(seen);
+    int wrong = 0;
+    for (int i = 0; i < seen.width * seen.height; ++i)
+      wrong += expected[size_t(i)] != (imageOf(picture, "edge").values[size_t(i)] > .5f);
+    EXPECT_EQ(wrong, 0) << scene;
+    EXPECT_GE(std::count(expected.begin(), expected.end(), true), 100) << scene;
   }
 }
 

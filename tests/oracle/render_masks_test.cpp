@@ -59,20 +59,26 @@ class RenderMasks : public RenderTest {
 };
 
 // A bar [96, 160) that moves by 20 px: the band [R - d, R), and a pixel more where the silhouette is reached at the
-// very end of the exposure. An edge that is wider than a pixel on the near side is reached a pixel earlier.
-TEST_F(RenderMasks, WithEveryDetectorTheBarIsMarkedByItsMotion) {
-  for (const char* detector :
-       {"canny", "id", "laplacian", "plane", "prewitt", "roberts", "scharr", "silhouette", "sobel"}) {
-    std::string edge = fmt::format("edge={}", detector);
-    lab::Shot right = shotOf("bar", 256, 16, {{"d_f", 20}}), left = shotOf("bar", 256, 16, {{"d_f", -20}});
-    EXPECT_EQ(markedIn(marked(right, "seed", {edge})), range(139, 160)) << detector;
-    // What Roberts answers for is half a pixel to the right: a left silhouette falls on the background.
-    Columns expected = std::string(detector) == "roberts" ? Columns() : range(96, 117);
-    EXPECT_EQ(markedIn(marked(left, "seed", {edge})), expected) << detector;
-  }
-  lab::Shot bar = shotOf("bar", 256, 16, {{"d_f", 20}});
-  EXPECT_EQ(markedIn(marked(bar, "seed", {"edge=sobel", "own_edge=false"})), range(139, 160));
-  EXPECT_EQ(markedIn(marked(bar, "seed", {"edge=laplacian", "edge.kernel=log"})), range(138, 160));
+// very end of the exposure.
+TEST_F(RenderMasks, TheBarIsMarkedByItsMotion) {
+  lab::Shot right = shotOf("bar", 256, 16, {{"d_f", 20}}), left = shotOf("bar", 256, 16, {{"d_f", -20}});
+  for (const char* own : {"own_edge=true", "own_edge=false"})
+    EXPECT_EQ(markedIn(marked(right, "seed", {"edge=sobel", own})), range(139, 160)) << own;
+  EXPECT_EQ(markedIn(marked(left, "seed", {"edge=sobel"})), range(96, 117));
+  EXPECT_EQ(markedIn(marked(right, "relative")), range(139, 160));
+  // Edges of two pixels on the near side are reached a pixel earlier.
+  EXPECT_EQ(markedIn(marked(right, "seed", {"edge=laplacian", "edge.kernel=log"})), range(138, 160));
+}
+
+// Half of 40 px to either side: both bands. What Roberts answers for is half a pixel to the right: a left silhouette
+// falls on the background, where the mask does not look.
+TEST_F(RenderMasks, EveryDetectorLeadsToTheSameMask) {
+  lab::Shot bar = shotOf("bar", 256, 16, {{"d_f", 40}});
+  Columns both = range(96, 117), right = range(139, 160);
+  both.insert(both.end(), right.begin(), right.end());
+  for (const char* detector : {"canny", "id", "laplacian", "plane", "prewitt", "scharr", "silhouette", "sobel"})
+    EXPECT_EQ(markedIn(marked(bar, "seed", {fmt::format("edge={}", detector)}, "centre")), both) << detector;
+  EXPECT_EQ(markedIn(marked(bar, "seed", {"edge=roberts"}, "centre")), right);
 }
 
 TEST_F(RenderMasks, OverABackgroundAtRestEveryMaskReachesTheBound) {

@@ -23,8 +23,8 @@ hybrid.mask_texts = {
              "near, and on self-occlusion of one instance.",
   moving   = "Everything that moves or that something may move over. Fails to save rays: most of what it marks " ..
              "uncovers nothing.",
-  all      = "Every pixel. Fails to save any rays, and is no upper bound: where several things move, what it reveals " ..
-             "needlessly can be taken for what is visible.",
+  all      = "Every pixel. Fails to save any rays, and is no upper bound: where several things move, what it " ..
+             "reveals needlessly can be taken for what is visible.",
 }
 
 -- A file of passes/composite is a value.
