@@ -74,8 +74,10 @@ return pass.trace {
       doc = "displacement that the revealed surface is given",
       values = {
         own        = "Its own, from its true poses. Nothing to fail: it is what raster would say.",
-        foreground = "That of the surface in front, for renderers that know no other at the pixel. Smears a " ..
-                     "background at rest along the foreground's motion.",
+        foreground = "That of the surface in front, for renderers that know no other at the pixel. A background at " ..
+                     "rest is smeared along the foreground's motion, but not under the composite layered, where a " ..
+                     "surface that goes along with what hides it is never uncovered and what was revealed at the " ..
+                     "pixel stands in. Wrong under all of them when the background moves.",
         zero       = "None: the revealed surface is taken to be at rest on the screen. Wrong when it moves or the " ..
                      "camera does.",
       } },

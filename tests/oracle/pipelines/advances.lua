@@ -1,0 +1,28 @@
+-- SPDX-License-Identifier: MIT
+-- What each way of advancing reveals with a cap of 1 to 4 layers, when the last hit counts and when it does not.
+local pipeline = require "strobe.pipeline"
+local constant = require "passes.mask.constant"
+local reveal   = require "passes.scene.reveal"
+local scene    = require "scripts.pipelines.lib.scene"
+
+return pipeline {
+  doc = "The depth revealed by each way of advancing, for each cap",
+  params = {},
+  build = function()
+    local seen = scene.captured()
+    local mask = constant { everywhere = true }.mask
+    local outputs = { color = seen.color }
+    local function revealed(name, advance, most, on_cap)
+      local found = reveal {
+        hit = seen.hit, mask = mask, advance = advance, max_layers = most, on_cap = on_cap, as = name,
+      }
+      outputs[name] = found.depth
+    end
+    for _, advance in ipairs { "origin_kept", "restart", "offset", "instance_filter" } do
+      for most = 1, 4 do revealed(("%s_%d"):format(advance, most), advance, most, "last_hit") end
+      revealed(advance .. "_all", advance, 31, "fallback")
+      revealed(advance .. "_few", advance, 2, "fallback")
+    end
+    return scene.outputs(seen, outputs)
+  end,
+}
