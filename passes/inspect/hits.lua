@@ -9,7 +9,7 @@ return pass.trace {
   fails  = "Of two surfaces in one place, within 4 representable numbers of depth, only one is listed.",
   size   = { 16, 1 },
   writes = {
-    hit      = { format = "rgba32ui", doc = "instance + 1, geometry + 1, primitive, 1 if seen from the front; 0: no more" },
+    hit      = { format = "rgba32ui", doc = "instance + 1, geometry + 1, primitive, 1 if front is seen; 0: no more" },
     where    = { format = "rgba32f", doc = "linear view depth, metres; unit normal, world space, towards the camera" },
     velocity = { format = "rg32f", doc = "displacement over the exposure, px, x right, y down" },
     color    = { format = "rgba32f", doc = "linear radiance towards the camera; alpha 1 on a hit" },

@@ -158,7 +158,8 @@ TEST_F(RenderReveal, LuminanceEndsAsItsFormulaSays) {
 TEST_F(RenderReveal, InspectorListsTheLayers) {
   Planes planes{.slope = .3, .split = 1, .values = {.1, .2, .3, .4}};
   constexpr int kX = 11, kY = 2;
-  lab::Picture listed = render(with(planes.shot(), kHits, {fmt::format("pixel_x={}", kX), fmt::format("pixel_y={}", kY)}));
+  lab::Picture listed =
+      render(with(planes.shot(), kHits, {fmt::format("pixel_x={}", kX), fmt::format("pixel_y={}", kY)}));
   const image::Image &where = imageOf(listed, "where"), &color = colorOf(listed);
   ASSERT_EQ(color.width, 16);
   ASSERT_EQ(color.height, 1);
@@ -314,9 +315,9 @@ TEST_F(RenderReveal, InGatherIsExactOverABackgroundAtRest) {
 }
 
 // Bar and background move together, all of it in stripes: what covers and what is covered are as correlated as can be.
-// Looking at both layers per time sample gives the exact picture, up to 32 samples (the table of docs/derivations.md has
-// .0069/.016) and edges placed by pixels. The product of two means is off by .15 even with perfect layers, and alpha_over
-// blurs of the background only what was revealed, where the exact mean goes on beyond the silhouette.
+// Looking at both layers per time sample gives the exact picture, up to 32 samples (docs/derivations.md has .0069/.016)
+// and edges placed by pixels. The product of two means is off by .15 even with perfect layers, and alpha_over blurs of
+// the background only what was revealed, where the exact mean goes on beyond the silhouette.
 TEST_F(RenderReveal, CompositesOnCorrelatedStripes) {
   Striped scene{20, 20};
   auto errorOf = [&](const char* composite) {

@@ -16,7 +16,8 @@ return pipeline {
     local mask = constant { everywhere = true }.mask
     local function revealed(name, tolerance)
       return reveal {
-        hit = seen.hit, mask = mask, termination = "luminance", advance = "origin_kept", tolerance = tolerance, as = name,
+        hit = seen.hit, mask = mask, termination = "luminance", advance = "origin_kept", tolerance = tolerance,
+        as = name,
       }.color
     end
     return scene.outputs(seen, { color = seen.color, a = revealed("with_a", p.a), b = revealed("with_b", p.b) })

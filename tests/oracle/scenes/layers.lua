@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- Parallel planes behind each other, for a pinhole camera at the origin that looks along -z, `height` / 2 px of focal
--- length. Plane k meets the axis at depth 10 * scale * (1 + k * gap) and recedes to the right: depth = that + slope * x.
+-- length. Plane k meets the axis at depth 10 * scale * (1 + k * gap) and recedes to the right: that depth + slope * x.
 -- Behind them, at twice that depth, a wall of brightness 1. split = 1: every plane is an instance of its own, of
 -- brightness v0 to v3; split = 0: all of them are one instance.
 local scene = require "strobe.scene"
