@@ -117,8 +117,8 @@ lab::Shot crowd(const Numbers& numbers = {}) { return shotOf("crowd", 64, 40, nu
 TEST_F(RenderRanges, EachAnchorIsNearestToItsOwnExposure) {
   Strips bar{{36, 68, 14, {1}}, {-kInfinity, kInfinity, 0, {0}}};
   lab::Shot shot = shotOf("bar", kWidth, 4, {{"left", 36}, {"right", 68}, {"d_f", 14}});
-  const std::vector<Method> methods = {{"mcguire2012", {}}, kUniform, {"ue4", {}}, {"hybrid", {"preset=seed"}}, kLinear,
-                                       kBest};
+  const std::vector<Method> methods = {{"mcguire2012", {}}, kUniform, {"ue4", {}}, {"guertin2014", {}}, {"jimenez2014", {}},
+                                       {"hybrid", {"preset=seed"}}, kLinear, kBest};
   for (const Method& method : methods) {
     for (const Anchor& anchor : anchors()) {
       image::Image color = colorBy(method, shot, {}, anchor.name);
@@ -251,7 +251,7 @@ TEST_F(RenderRanges, ExtrapolationMissesWhatAcceleratesByThePredictedAmount) {
   const double exposure = .5;  // T
   auto on_bar = [](int x, int) { return x >= 30 && x < 62; };
   auto beside = [](int x, int) { return x < 30 || x >= 62; };
-  for (const char* pipeline : {"mcguire2012", "ue4", "hybrid"}) {
+  for (const char* pipeline : {"mcguire2012", "guertin2014", "jimenez2014", "ue4", "hybrid"}) {
     for (const Anchor& anchor : anchors()) {
       auto velocity = [&](const char* displacement) {
         Method method{pipeline, {fmt::format("displacement={}", displacement)}};
