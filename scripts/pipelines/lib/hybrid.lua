@@ -21,10 +21,10 @@ hybrid.mask_texts = {
              "against each other and nothing where only the background moves.",
   relative = "Motion relative to what is beyond the silhouette decides. Fails when that motion is visible nowhere " ..
              "near, and on self-occlusion of one instance.",
-  moving   = "Everything that moves or that something may move over. Fails to save rays: most of what it marks " ..
-             "uncovers nothing.",
-  all      = "Every pixel. Fails to save any rays, and is no upper bound: where several things move, what it " ..
-             "reveals needlessly can be taken for what is visible.",
+  moving   = "Everything that moves or that something may move over. Fails to save rays, most of what it marks " ..
+             "uncovers nothing, and at the picture's border as all does.",
+  all      = "Every pixel. Fails to save any rays, and at the picture's border: where something comes in from " ..
+             "outside, which no layer has, the surface revealed behind it is taken.",
 }
 
 -- A file of passes/composite is a value.
