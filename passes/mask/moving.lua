@@ -7,8 +7,8 @@ return pass.compute {
   shader = "mask/moving",
   doc    = "Every pixel that is not still, or that something else may move over",
   fails  = "It marks whole tiles around everything that moves, most of which uncover nothing: rays are wasted, but " ..
-           "nothing is missed that moves by less than the limit. At the picture's border what it reveals is taken for " ..
-           "what comes in from outside.",
+           "nothing is missed that moves by less than the limit. At the picture's border what it reveals is taken " ..
+           "for what comes in from outside.",
   size   = { of = "velocity" },
   reads  = {
     velocity = { doc = "px over the exposure" },

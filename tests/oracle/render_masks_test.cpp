@@ -144,8 +144,8 @@ TEST_F(RenderMasks, WhatIsStillIsNotMarked) {
 }
 
 // Cards that move across each other. Without a mask the error is .33 rms; .063 with the seed's, .057 with the relative
-// one, .070 with those that mark more: all of that in the 36 pixels at the left border through which the band comes into
-// the picture. No layer has it there, so that what is revealed behind is taken instead of a fallback.
+// one, .070 with those that mark more: 36 pixels are worse, most of all those at the left border through which the band
+// comes into the picture. No layer has it there, so that what is revealed behind is taken instead of a fallback.
 TEST_F(RenderMasks, RevealingIsWorthMoreThanRevealingEverything) {
   lab::Shot crowd = shotOf("crowd", 64, 40);
   image::Image exact = truth(crowd);
