@@ -8,47 +8,12 @@
 
 #include "oracle/gather_1d.h"
 #include "oracle/render.h"
+#include "oracle/row_case.h"
 
 namespace strobe::oracle {
 namespace {
 
 constexpr int kRows = 160;
-
-double ignJitter(int x, int y) {
-  double inner = 0.06711056 * x + 0.00583715 * y;
-  double outer = 52.9829189 * (inner - std::floor(inner));
-  return outer - std::floor(outer) - 0.5;
-}
-
-// The row of the picture, and the filter at one pixel of it for a given jitter.
-struct FilterCase {
-  std::string what;
-  lab::Shot shot;
-  std::function<double(int x, double jitter)> expected;
-  int first, last;  // columns
-};
-
-// A tap that lies within single precision of the border of two pixels may go to either: one of three jitters must fit.
-double distanceToExpected(const FilterCase& filter, double value, int x, int y) {
-  double jitter = ignJitter(x, y), nearest = kInfinity;
-  for (double shift : {0.0, -2e-4, 2e-4})
-    nearest = std::min(nearest, std::abs(value - filter.expected(x, jitter + shift)));
-  return nearest;
-}
-
-void expectPerPixel(const FilterCase& filter, const image::Image& color) {
-  double worst = 0;
-  std::string place;
-  for (int y = 0; y < color.height; ++y) {
-    for (int x = filter.first; x < filter.last; ++x) {
-      double error = distanceToExpected(filter, color.at(x, y, 0), x, y);
-      if (error <= worst) continue;
-      worst = error;
-      place = fmt::format("({}, {}) is {}, expected {}", x, y, color.at(x, y, 0), filter.expected(x, ignJitter(x, y)));
-    }
-  }
-  EXPECT_LE(worst, 2e-3) << filter.what << " " << place;
-}
 
 double columnMean(const image::Image& color, int x) {
   double sum = 0;
@@ -56,7 +21,7 @@ double columnMean(const image::Image& color, int x) {
   return sum;
 }
 
-double meanOverJitters(const FilterCase& filter, int x) {
+double meanOverJitters(const RowCase& filter, int x) {
   double sum = 0;
   for (double jitter : meanJitters()) sum += filter.expected(x, jitter) / 64;
   return sum;
@@ -65,7 +30,7 @@ double meanOverJitters(const FilterCase& filter, int x) {
 class RenderFilters : public RenderTest {
  protected:
   // Per pixel against the row's filter; then the means of columns against the mean over jitters.
-  lab::Picture check(const FilterCase& filter, double mean_tolerance) {
+  lab::Picture check(const RowCase& filter, double mean_tolerance) {
     lab::Picture picture = render(filter.shot);
     EXPECT_EQ(counterOf(picture, "tile_max.clamped"), 0u) << filter.what;
     expectPerPixel(filter, colorOf(picture));
@@ -92,7 +57,7 @@ TEST_F(RenderFilters, McGuireReproducesItsTable) {
                         {0, .6355, .6404}, {2, .5259, .5343},  {5, .2810, .3082},  {8, .0335, .0499}};
   Row row = rasterise(kWhiteBar, 256);
   for (int samples : {15, 31}) {
-    FilterCase filter{
+    RowCase filter{
         fmt::format("S = {}", samples), whiteBar("mcguire2012", "centre", {fmt::format("samples={}", samples)}),
         [&](int x, double jitter) { return mcguireAt(row, 20, x, {.samples = samples, .jitter = jitter}); }, 140, 180};
     lab::Picture picture = check(filter, .01);
@@ -111,7 +76,7 @@ TEST_F(RenderFilters, OneSidedMcGuireReproducesItsRow) {
                         {81, .229},  {86, .523},  {91, .706},  {95, .789}};
   Row row = rasterise(kWhiteBar, 256);
   McGuire options{.samples = 15, .one_sided = true};
-  FilterCase filter{"one-sided", whiteBar("mcguire2012", "close", {"samples=15"}),
+  RowCase filter{"one-sided", whiteBar("mcguire2012", "close", {"samples=15"}),
                     [&](int x, double jitter) {
                       options.jitter = jitter;
                       return mcguireAt(row, 20, x, options);
@@ -126,7 +91,7 @@ TEST_F(RenderFilters, PairedFilterReproducesItsTable) {
   const std::pair<int, double> table[] = {{-10, .9746}, {-6, .7754}, {-4, .6748}, {-1, .5254},
                                           {0, .4746},   {2, .3750},  {5, .2246},  {8, .0752}};
   Row row = rasterise(kWhiteBar, 256);
-  FilterCase filter{"paired", whiteBar("ue4", "centre", {"samples=16"}),
+  RowCase filter{"paired", whiteBar("ue4", "centre", {"samples=16"}),
                     [&](int x, double jitter) { return pairedAt(row, 20, x, {.samples = 16, .jitter = jitter}); }, 130,
                     190};
   lab::Picture picture = check(filter, .01);
@@ -143,7 +108,7 @@ TEST_F(RenderFilters, PairedFilterInventsAnEdge) {
     lab::Shot shot =
         with(shotOf("hidden_white", 480, kRows), "ue4",
              {"samples=32", "tile=20", "limit=0.1", "jitter=ign", fmt::format("mirror={}", mirror)}, "centre");
-    FilterCase filter{
+    RowCase filter{
         fmt::format("mirror {}", mirror), shot,
         [&](int x, double jitter) { return pairedAt(row, 40, x, {.samples = 32, .jitter = jitter, .mirror = mirror}); },
         260, 320};

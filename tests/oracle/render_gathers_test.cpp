@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: MIT
+// The gathers of Guertin 2014 and Jimenez 2014 in the renderer: against the same filters in double precision, pixel by
+// pixel; their tiles and paths on scenes where these can be counted; and what holds of any filter.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "oracle/gather_1d.h"
+#include "oracle/gather_2d.h"
+#include "oracle/render.h"
+#include "oracle/row_case.h"
+
+namespace strobe::oracle {
+namespace {
+
+constexpr int kWidth = 256, kRows = 24;
+
+const Strips kWhiteBar{{96, 160, 20, {1}}, {-kInfinity, kInfinity, 0, {0}}};
+
+Strips stripes(double d_front, double d_back) {
+  return {{96, 160, d_front, {.9, .6, 8, 96}}, {-kInfinity, kInfinity, d_back, {.4, .1, 8, 0}}};
+}
+
+lab::Shot rowShot(const std::string& scene, const std::string& pipeline, const std::string& anchor,
+                  std::vector<std::string> settings, const Numbers& numbers = {}) {
+  settings.insert(settings.begin(), {"tile=20", "limit=0.1", "jitter=ign"});
+  return with(shotOf(scene, kWidth, kRows, numbers), pipeline, settings, anchor);
+}
+
+Numbers motions(double d_front, double d_back) { return {{"d_f", d_front}, {"d_b", d_back}}; }
+
+class RenderGathers : public RenderTest {
+ protected:
+  void checkRow(const RowCase& filter) {
+    lab::Picture picture = render(filter.shot);
+    EXPECT_EQ(counterOf(picture, "tile_max.clamped"), 0u) << filter.what;
+    expectPerPixel(filter, colorOf(picture));
+  }
+};
+
+// --- Against the filter along a row
+
+TEST_F(RenderGathers, GuertinAlongARow) {
+  struct Case {
+    std::string scene;
+    double d_front, d_back;
+    std::vector<std::string> settings;
+    Guertin options;
+  };
+  const Case cases[] = {
+      {"bar", 20, 0, {}, {}},
+      {"bar", 20, 0, {"directions=one", "kappa=10", "samples=15"}, {.samples = 15, .two = false, .kappa = 10}},
+      {"textured_bar", 20, 3, {}, {}},
+      {"textured_bar", 20, 16, {}, {.uniform = true}},
+      {"textured_bar", 20, 16, {"uniform_path=false", "eta=0.5"}, {.eta = .5}},
+  };
+  for (const Case& c : cases)
+    for (const Anchor& anchor : anchors()) {
+      Strips strips = c.scene == "bar" ? kWhiteBar : stripes(c.d_front, c.d_back);
+      Row row = rasterise(strips, kWidth);
+      auto dominant = dominantDisplacement({&row}, 20, anchor.window);
+      Guertin options = c.options;
+      options.window = anchor.window;
+      Numbers numbers = c.scene == "bar" ? Numbers{} : motions(c.d_front, c.d_back);
+      checkRow({fmt::format("{} {} {}", c.scene, fmt::join(c.settings, " "), anchor.name),
+                rowShot(c.scene, "guertin2014", anchor.name, c.settings, numbers),
+                [&](int x, double jitter) {
+                  options.jitter = jitter;
+                  return guertinAt(row, dominant[x], x, options);
+                },
+                100, 160});  // tiles that the bar reaches whatever the anchor
+    }
+}
+
+TEST_F(RenderGathers, JimenezAlongARow) {
+  struct Case {
+    std::string scene;
+    double d_front, d_back;
+    std::vector<std::string> settings;
+    Paired options;
+  };
+  const Case cases[] = {
+      {"bar", 20, 0, {}, {}},
+      {"textured_bar", 20, 8, {"direction=projected"}, {.facing = Facing::kProjected}},
+      {"textured_bar", 20, -8, {"direction=opposing", "mirror=false"}, {.mirror = false, .facing = Facing::kOpposing}},
+      {"textured_bar", 9, 0, {"count=adaptive", "limit=0.05"}, {.samples = 8}},
+      {"textured_bar", 20, 19, {"cheap=false"}, {}},
+  };
+  for (const Case& c : cases)
+    for (const Anchor& anchor : anchors()) {
+      Row row = rasterise(c.scene == "bar" ? kWhiteBar : stripes(c.d_front, c.d_back), kWidth);
+      Paired options = c.options;
+      options.window = anchor.window;
+      Numbers numbers = c.scene == "bar" ? Numbers{} : motions(c.d_front, c.d_back);
+      checkRow({fmt::format("{} {} {}", c.scene, fmt::join(c.settings, " "), anchor.name),
+                rowShot(c.scene, "jimenez2014", anchor.name, c.settings, numbers),
+                [&](int x, double jitter) {
+                  options.jitter = jitter;
+                  return pairedAt(row, c.d_front, x, options);
+                },
+                100, 160});
+    }
+}
+
+// The cheap path is the plain mean of the taps, at whatever depths they are.
+TEST_F(RenderGathers, JimenezAveragesWhereAllMovesAlike) {
+  Row row = rasterise(stripes(20, 19), kWidth);
+  for (const Anchor& anchor : anchors()) {
+    bool centred = anchor.name == "centre";
+    auto mean = [&](int x, double jitter) {
+      double sum = 0;
+      for (int i = 0; i < 16; ++i) {
+        double side = centred ? (i < 8 ? 1 : -1) : (anchor.name == "close" ? 1 : -1);
+        sum += row[tapAt(x, side * 20 * ((centred ? i % 8 : i) + .5 + jitter) / 16)].colour;
+      }
+      return sum / 16;
+    };
+    checkRow({"cheap " + anchor.name, rowShot("textured_bar", "jimenez2014", anchor.name, {}, motions(20, 19)), mean,
+              100, 160});
+  }
+}
+
+// Every jitter, frozen and per frame. In frame 1 the bar stands two displacements farther on (exposure 1/2).
+TEST_F(RenderGathers, JittersAreTheirDefinitions) {
+  Row row = rasterise(kWhiteBar, kWidth);
+  auto at_jitter = [&](int x, double jitter) { return pairedAt(row, 20, x, {.jitter = jitter}); };
+  for (bool per_frame : {false, true}) {
+    for (const auto& [name, jitter] : jittersOf(per_frame ? 1 : 0)) {
+      lab::Shot shot = rowShot("bar", "jimenez2014", "centre",
+                               {"jitter=" + name, fmt::format("jitter_frame={}", per_frame ? "per_frame" : "frozen")},
+                               {{"left", 96 - 40}, {"right", 160 - 40}});
+      shot.frame = 1;
+      checkRow({fmt::format("{} {}", name, per_frame), shot, at_jitter, 130, 190, jitter});
+    }
+  }
+}
+
+TEST_F(RenderGathers, FrozenJitterStandsStill) {
+  for (const char* pipeline : {"guertin2014", "mcguire2012", "hybrid"})
+    for (bool per_frame : {false, true}) {
+      image::Image frames[2];
+      for (int frame : {0, 1}) {
+        double left = 96 - 40 * frame;
+        lab::Shot shot = rowShot("bar", pipeline, "close",
+                                 {"jitter=hash", fmt::format("jitter_frame={}", per_frame ? "per_frame" : "frozen")},
+                                 {{"left", left}, {"right", left + 64}});
+        shot.frame = frame;
+        frames[frame] = colorOf(render(shot));
+      }
+      // The bar is where it was up to rounding, which may put a tap on the pixel beside.
+      if (per_frame) EXPECT_GT(rmsDifference(frames[0], frames[1]), 1e-3) << pipeline;
+      if (!per_frame) EXPECT_LT(rmsDifference(frames[0], frames[1]), 1e-4) << pipeline;
+    }
+}
+
+// --- In the plane
+
+// The renderer's own color, depth, velocity and tiles, gathered again in double precision. Taps within single precision
+// of the border of two pixels may go to either, along x and along y: one pixel in 200 may have one.
+TEST_F(RenderGathers, GuertinInThePlane) {
+  EXPECT_NEAR(secondDirection({10, 0}, {0, 0}, {0, 3}, .5, 1.5).y, 1, 1e-12);   // at rest: across, to the other's side
+  EXPECT_NEAR(secondDirection({10, 0}, {0, -9}, {}, 9, 1.5).y, -1, 1e-12);      // fast: its own
+  Vec2d between = secondDirection({10, 0}, {-1, 1}, {}, 1.25, 1.5);             // half of each: (-.354, .854), scaled
+  EXPECT_NEAR(between.x / between.y, -.5 * std::sqrt(.5) / (.5 + .5 * std::sqrt(.5)), 1e-12);
+
+  Numbers numbers = {{"b_left", 16}, {"b_top", 24}, {"b_x", 2.25}, {"b_y", 11.5}, {"a_left", 24}, {"a_top", 40}};
+  lab::Shot scene = shotOf("crossing", 96, 96, numbers);
+  image::Image color = colorOf(render(with(scene, "none")));
+  for (const char* share : {"half", "variance"})
+    for (const Anchor& anchor : anchors()) {
+      lab::Shot shot = with(scene, "guertin2014",
+                            {"tile=16", "limit=0.2", "jitter=ign", fmt::format("second_share={}", share)}, anchor.name);
+      shot.taps = {"neighbour_max.dominant", "neighbour_max.second"};
+      bool by_variance = share == std::string("variance");
+      if (by_variance) shot.taps.push_back("tile_variance.variance");
+      lab::Picture picture = render(shot);
+      auto tapped = [&](const std::string& name) { return &picture.frame.taps.at(name).floats; };
+      Plane plane{&color, &imageOf(picture, "depth"), &imageOf(picture, "velocity"), tapped(shot.taps[0]),
+                  tapped(shot.taps[1]), by_variance ? tapped(shot.taps[2]) : nullptr, 16};
+      int off = 0, blurred = 0;
+      for (int y = 0; y < 96; ++y)
+        for (int x = 0; x < 96; ++x) {
+          double value = colorOf(picture).at(x, y, 0), nearest = kInfinity;
+          for (double shift : {0., -2e-4, 2e-4}) {
+            PlaneGuertin options{.jitter = ignJitter(x, y) + shift, .window = anchor.window};
+            nearest = std::min(nearest, std::abs(value - guertinAt(plane, x, y, options)));
+          }
+          off += nearest > 2e-3;
+          blurred += std::abs(value - color.at(x, y, 0)) > .01;
+        }
+      EXPECT_LE(off, 96 * 96 / 200) << share << " " << anchor.name;
+      EXPECT_GE(blurred, 500) << share << " " << anchor.name;
+    }
+}
+
+// --- Tiles
+
+// One tile of 32 px that moves by u, seen from its neighbour at the opposite of `offset`.
+TEST_F(RenderGathers, TilesCountByTheSignsOfTheirMotion) {
+  struct Case {
+    int offset_x, offset_y;
+    double u_x, u_y;
+    bool centre, close, open;
+  };
+  const Case cases[] = {
+      {-1, -1, 6, -12, false, false, false},  // published: rejected
+      {-1, -1, -6, -12, true, true, false},   // published: accepted
+      {-1, -1, 6, 12, true, false, true},     {-1, 0, 6, -12, true, false, true},
+      {-1, 0, -6, 12, true, true, false},     {-1, 0, 0, 12, false, false, false},
+      {0, -1, 6, 12, true, false, true},      {0, 1, 6, 12, true, true, false},
+      {1, -1, 12, -6, true, true, false},     {1, -1, 12, 6, false, false, false},
+      {0, 0, 6, 12, true, true, true},
+  };
+  for (const Case& c : cases)
+    for (const Anchor& anchor : anchors()) {
+      Numbers numbers = {{"a_left", 32 * (1 + c.offset_x)}, {"a_top", 32 * (1 + c.offset_y)}, {"a_x", c.u_x},
+                         {"a_y", c.u_y}, {"b_y", 0}};
+      bool expected = anchor.name == "centre" ? c.centre : anchor.name == "close" ? c.close : c.open;
+      for (const char* rule : {"sign", "reach"}) {
+        lab::Shot shot = with(shotOf("crossing", 96, 96, numbers), "mcguire2012",
+                              {"tile=32", "limit=0.3", fmt::format("tile_rule={}", rule)}, anchor.name);
+        shot.taps = {"neighbour_max.dominant"};
+        lab::Picture picture = render(shot);
+        double length = std::hypot(picture.frame.taps.at("neighbour_max.dominant").floats.at(1, 1, 0),
+                                   picture.frame.taps.at("neighbour_max.dominant").floats.at(1, 1, 1));
+        EXPECT_NEAR(length, expected ? std::hypot(c.u_x, c.u_y) : 0, 1e-3)
+            << rule << " " << anchor.name << " " << c.offset_x << " " << c.offset_y << " " << c.u_x << " " << c.u_y;
+      }
+    }
+}
+
+// Two tiles side by side move, seven are at rest: 1 - (1 + |cos|) / 2 for the two, and for those at rest beside both.
+TEST_F(RenderGathers, TileVarianceIsOneMinusTheMeanAlignment) {
+  struct Case {
+    double x, y, cosine;
+  };
+  for (const Case& c : {Case{0, 10, 0}, Case{7, 7, std::sqrt(.5)}, Case{-10, 0, 1}, Case{6, -8, .6}}) {
+    lab::Shot shot = with(shotOf("crossing", 96, 96, {{"b_x", c.x}, {"b_y", c.y}}), "guertin2014",
+                          {"tile=32", "limit=0.3", "tile_rule=all", "second_share=variance"});
+    shot.taps = {"tile_variance.variance"};
+    image::Image variance = render(shot).frame.taps.at("tile_variance.variance").floats;
+    double both = 1 - (1 + c.cosine) / 2;
+    // The right column is beside b alone, the bottom row beside neither.
+    const double expected[3][3] = {{both, both, 0}, {both, both, 0}, {0, 0, 0}};
+    for (int y = 0; y < 3; ++y)
+      for (int x = 0; x < 3; ++x)
+        EXPECT_NEAR(variance.at(x, y, 0), expected[y][x], 1e-5) << c.x << " " << c.y << " at " << x << " " << y;
+  }
+}
+
+// --- Paths
+
+// The bar's tiles are the columns [80, 160), so that within the exposure it may be seen in [60, 180). Only for the tile
+// [120, 140) all tiles around move alike, whatever the background does.
+TEST_F(RenderGathers, PathsAreTakenByAsManyPixelsAsCounted) {
+  struct Case {
+    std::string pipeline, scene;
+    Numbers numbers;
+    std::vector<std::pair<std::string, int>> columns;
+  };
+  const Case cases[] = {
+      {"jimenez2014", "bar", {}, {{"copied", 136}, {"cheap", 20}, {"full", 100}}},
+      {"jimenez2014", "textured_bar", motions(20, 19), {{"copied", 0}, {"cheap", 256}, {"full", 0}}},
+      {"jimenez2014", "textured_bar", motions(20, 17), {{"copied", 0}, {"cheap", 156}, {"full", 100}}},
+      {"guertin2014", "bar", {}, {{"copied", 136}, {"uniform", 20}}},
+      {"guertin2014", "textured_bar", motions(20, 16), {{"copied", 0}, {"uniform", 256}}},
+      {"guertin2014", "textured_bar", motions(7, 7), {{"copied", 0}, {"uniform", 0}}},  // 3.5 px: too short
+      {"guertin2014", "textured_bar", motions(1, 1), {{"copied", 256}, {"uniform", 0}}},
+  };
+  for (const Case& c : cases) {
+    lab::Picture picture = render(rowShot(c.scene, c.pipeline, "centre", {}, c.numbers));
+    for (const auto& [path, columns] : c.columns)
+      EXPECT_EQ(counterOf(picture, "gather." + path), uint64_t(columns * kRows)) << c.pipeline << " " << path;
+  }
+}
+
+// --- What holds of any filter
+
+// A pan: everything moves alike, so the picture is a box filter of what is there. Steps are N to the exposure.
+TEST_F(RenderGathers, JimenezOfAPanIsABoxFilter) {
+  for (const Anchor& anchor : anchors())
+    for (const char* cheap : {"true", "false"}) {
+      lab::Shot shot = with(rowShot("textured_bar", "jimenez2014", anchor.name, {"samples=20"}, motions(20, 20)),
+                            "jimenez2014", {"jitter=none", fmt::format("cheap={}", cheap)});
+      image::Image color = colorOf(render(shot));
+      Strips strips = stripes(20, 20);
+      for (int x = 40; x < 216; ++x) {
+        Exposure truth = exposeCentre(strips, anchor.window, x);
+        EXPECT_NEAR(color.at(x, 0, 0), truth.colour, truth.variation / 40 + 1e-4) << anchor.name << " " << cheap << x;
+      }
+    }
+}
+
+TEST_F(RenderGathers, AreLinearInTheColours) {
+  for (const char* pipeline : {"jimenez2014", "guertin2014"}) {
+    auto color = [&](double front, double back) {
+      return colorOf(render(rowShot("bar", pipeline, "close", {}, {{"foreground", front}, {"background", back}})));
+    };
+    image::Image front = color(1, 0), back = color(0, .25), both = color(1, .25), half = color(.5, .125);
+    for (size_t i = 0; i < both.values.size(); ++i) {
+      if (i % 4 == 3) continue;
+      ASSERT_NEAR(front.values[i] + back.values[i], both.values[i], 1e-6) << pipeline;
+      ASSERT_NEAR(half.values[i] * 2, both.values[i], 1e-6) << pipeline;
+      ASSERT_GE(both.values[i], .25 - 1e-6) << pipeline;
+      ASSERT_LE(both.values[i], 1 + 1e-6) << pipeline;
+    }
+  }
+}
+
+// --- Against truth
+
+// Over a constant background Jimenez' weights are exact, McGuire's too opaque inside, Guertin's opaque outside too.
+// Without samples along the pixel's own direction what crosses the dominant motion stays sharp.
+TEST_F(RenderGathers, OrderAgainstTruth) {
+  auto bar_error = [&](const std::string& pipeline, const std::vector<std::string>& settings) {
+    image::Image color = colorOf(render(rowShot("bar", pipeline, "centre", settings)));
+    double sum = 0;
+    for (int x = 60; x < 200; ++x)
+      sum += std::pow(color.at(x, 0, 0) - exposeCentre(kWhiteBar, kCentreAnchor, x).colour, 2);
+    return std::sqrt(sum / 140);
+  };
+  double jimenez = bar_error("jimenez2014", {}), mcguire = bar_error("mcguire2012", {});
+  EXPECT_LT(jimenez, .2 * mcguire);
+  EXPECT_LT(mcguire, bar_error("guertin2014", {}));
+
+  Numbers numbers = {{"b_left", 24}, {"b_top", 24}, {"b_y", 11}, {"a_left", 40}, {"a_top", 24}, {"a_width", 8},
+                     {"a_height", 64}, {"a_x", 14}};
+  lab::Shot scene = shotOf("crossing", 96, 96, numbers);
+  image::Image truth = colorOf(render(with(scene, "ground_truth", {"samples=64", "mark_regions=false"}, "close")));
+  auto error = [&](const char* directions) {
+    lab::Shot shot = with(scene, "guertin2014", {"tile=16", "limit=0.2", fmt::format("directions={}", directions)});
+    return rmsDifference(colorOf(render(with(shot, "guertin2014", {}, "close"))), truth);
+  };
+  EXPECT_LT(error("two"), .9 * error("one"));  // .073 and .101
+}
+
+}  // namespace
+}  // namespace strobe::oracle

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// A picture whose lines all show the same row, against a filter along that row in double precision, pixel by pixel with
+// each pixel's own jitter.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "oracle/jitters.h"
+#include "oracle/render.h"
+
+namespace strobe::oracle {
+
+// The row of the picture, and the filter at one pixel of it for a given jitter.
+struct RowCase {
+  std::string what;
+  lab::Shot shot;
+  std::function<double(int x, double jitter)> expected;
+  int first, last;  // columns
+  JitterAt jitter = ignJitter;
+};
+
+// Within 2e-3: single precision moves a weight by less, and a tap that changes pixels is accounted for.
+void expectPerPixel(const RowCase& filter, const image::Image& color);
+
+}  // namespace strobe::oracle
