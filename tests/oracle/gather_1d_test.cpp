@@ -76,6 +76,20 @@ TEST(Gather, McGuireJustInsideAnEdgeTendsToSixSevenths) {
   EXPECT_NEAR(mcguireAt(row, 4000, 19999, {.samples = 3001}), 6.0 / 7, 2e-3);
 }
 
+TEST(Gather, GuertinOnTheWhiteBar) {
+  struct {
+    int offset;
+    double one, two;
+  } constexpr kTable[] = {{-10, 1, 1},       {-6, .9797, .9797}, {-4, .9526, .9526}, {-1, .8717, .8717},
+                          {0, .8265, .7011}, {2, .7479, .5684},  {5, .5092, .3687},  {8, .0929, .0929}};
+  Row row = rasterise(whiteBar(), 320);
+  for (auto [offset, one, two] : kTable)
+    for (bool both : {false, true}) {
+      double value = overJitters([&](double j) { return guertinAt(row, 20, 160 + offset, {.jitter = j, .two = both}); });
+      EXPECT_NEAR(value, both ? two : one, kFourDigits) << offset;
+    }
+}
+
 // The weights of Guertin et al. 2014 before directions, with the edits their code made to McGuire's filter.
 TEST(Gather, McGuireWithTheCentreWeightAndCylinderOfItsSuccessor) {
   const std::pair<int, double> table[] = {{-10, 1.0000}, {-6, .9775}, {-4, .9458}, {-1, .8572},
