@@ -33,6 +33,7 @@ TEST_F(RenderBackends, PipelineAndQueryGiveTheSamePictures) {
       {"shade", crowd("none")},
       {"reveal", crowd("hybrid", {"preset=best", "tile=8", "limit=0.25"})},
       {"reveal", crowd("hybrid", {"preset=seed", "tile=8", "limit=0.25"})},
+      {"reveal", crowd("hybrid", {"mask=all", "advance=offset", "tile=8", "limit=0.25"})},
       {"truth_trace", crowd("ground_truth", {"samples=12", "pixel=box", "times=stratified", "slices=4"})},
   };
   for (Traced traced : cases) {

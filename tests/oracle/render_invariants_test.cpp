@@ -28,6 +28,7 @@ const std::vector<Method> kMethods = {
     {"hybrid", {"preset=seed", "weights=guertin2014", "directions=two"}},
     {"hybrid", {"preset=seed_linear"}},
     {"hybrid", {"preset=best"}},
+    {"hybrid", {"composite=in_gather"}},
 };
 
 // Tiles that divide the picture, and nothing that reaches the limit (16 px).

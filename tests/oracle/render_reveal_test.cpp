@@ -61,6 +61,10 @@ double expectedByLuminance(const std::vector<double>& values, double tolerance) 
   return 1;  // the wall
 }
 
+const image::UintImage& uintsOf(const lab::Picture& picture, const std::string& output) {
+  return picture.frame.outputs.at(output).uints;
+}
+
 std::string raysOf(const lab::Picture& picture, const std::string& node) {
   return fmt::format("{}.rays_{}", node, picture.record["device"]["backend"].get<std::string>());
 }
@@ -186,6 +190,10 @@ TEST_F(RenderReveal, InspectorAndPassAgree) {
     lab::Picture listed = render(with(shot, kHits, {fmt::format("pixel_x={}", x), "pixel_y=1"}));
     EXPECT_EQ(imageOf(listed, "where").at(1, 0, 0), imageOf(revealed, "revealed_depth").at(x, 1, 0)) << x;
     EXPECT_EQ(colorOf(listed).at(1, 0, 0), imageOf(revealed, "revealed").at(x, 1, 0)) << x;
+    for (int part = 0; part < 2; ++part)  // instance, geometry
+      EXPECT_EQ(uintsOf(listed, "hit").at(1, 0, part), uintsOf(revealed, "revealed_id").at(x, 1, part)) << x;
+    EXPECT_NE(uintsOf(listed, "hit").at(0, 0, 0), uintsOf(listed, "hit").at(1, 0, 0)) << x;
+    EXPECT_EQ(uintsOf(listed, "hit").at(2, 0, 0), 0u) << x;  // behind the background there is nothing
     EXPECT_EQ(imageOf(listed, "velocity").at(1, 0, 0), imageOf(revealed, "revealed_velocity").at(x, 1, 0)) << x;
     EXPECT_NEAR(imageOf(listed, "velocity").at(0, 0, 0), 12, 1e-3) << x;
     EXPECT_NEAR(imageOf(listed, "velocity").at(1, 0, 0), -7, 1e-3) << x;
@@ -222,6 +230,21 @@ struct Striped {
     return with(shot(), "hybrid", more);
   }
 };
+
+// What goes along with the surface in front to within 1 px is passed: then there is only the sky behind the bar.
+TEST_F(RenderReveal, MotionPassesWhatGoesAlong) {
+  const std::pair<double, bool> cases[] = {{12, false}, {11.2, false}, {10.8, true}, {-12, true}, {0, true}};
+  for (const auto& [d_back, is_other] : cases) {
+    Striped scene{12, d_back};
+    lab::Picture picture = render(scene.hybrid({"mask=all", "termination=motion"}));
+    for (int x : {50, 70, 94}) {
+      double depth = imageOf(picture, "revealed_depth").at(x, 1, 0);
+      EXPECT_EQ(std::isfinite(depth), is_other) << d_back << " " << depth;
+      EXPECT_EQ(imageOf(picture, "revealed_valid").at(x, 1, 0), 1) << d_back;
+    }
+    EXPECT_EQ(counterOf(picture, "reveal.capped"), 0u) << d_back;
+  }
+}
 
 // A background that moves wants its own displacement; one at rest has none.
 TEST_F(RenderReveal, OwnDisplacementIsTheRightOne) {
