@@ -11,7 +11,8 @@ return pipeline {
   doc = "Guertin et al. 2014: a gather along the dominant displacement and a second direction",
   params = options.with(options.blur(40, 0.1), {
     directions   = gather.params.directions,
-    second_share = pipeline.choice { "half", "variance", default = "half", doc = "how many samples see the second direction",
+    second_share = pipeline.choice { "half", "variance", default = "half",
+      doc = "how many samples see the second direction",
       values = {
         half = "Every other sample, everywhere. Fails by losing them where everything moves one way.",
         variance = "By how much the directions of the tiles around differ. Fails where motions cross within a tile.",

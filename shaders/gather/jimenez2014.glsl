@@ -6,8 +6,8 @@
 //      valid (> 1/2: the layer has a texel there; absent: everywhere);
 //      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere).
 // Out: blurred, colour times alpha and alpha.
-// Paths: copy where nothing around spreads farther than copy_below; cheap, the plain mean of the taps, where the slowest
-//   displacement around is longer than cheap_ratio times the dominant one; else full. Counters tell how many took each.
+// Paths: copy where nothing around spreads farther than copy_below; cheap, the plain mean of the taps, where the
+//   slowest displacement around is longer than cheap_ratio times the dominant one; else full. Counters tell how many took each.
 // Taps: with the capture in the middle of the exposure, pairs at +-(i + 1/2 + jitter) steps of |d|/N (an odd N is
 //   rounded up); with the capture at an end, N single taps at (i + 1/2 + jitter) steps of |d|/N. count = adaptive
 //   takes no more of them than d has pixels (an even number, at least 2).

@@ -85,7 +85,9 @@ TEST(Gather, GuertinOnTheWhiteBar) {
   Row row = rasterise(whiteBar(), 320);
   for (auto [offset, one, two] : kTable)
     for (bool both : {false, true}) {
-      double value = overJitters([&](double j) { return guertinAt(row, 20, 160 + offset, {.jitter = j, .two = both}); });
+      double value = overJitters([&](double j) {
+        return guertinAt(row, 20, 160 + offset, {.jitter = j, .two = both});
+      });
       EXPECT_NEAR(value, both ? two : one, kFourDigits) << offset;
     }
 }

@@ -17,7 +17,9 @@ Vec2d unitOf(Vec2d a) { return lengthOf(a) > 0 ? scaled(a, 1 / lengthOf(a)) : Ve
 Vec2d vectorAt(const image::Image& image, int x, int y) { return {image.at(x, y, 0), image.at(x, y, 1)}; }
 
 // 1 where b is nearer than a or equal, 0 where it is farther by `extent` of its depth.
-double softShare(double a, double b, double extent) { return b <= a ? 1 : std::clamp(1 - (1 - a / b) / extent, 0., 1.); }
+double softShare(double a, double b, double extent) {
+  return b <= a ? 1 : std::clamp(1 - (1 - a / b) / extent, 0., 1.);
+}
 
 double smooth(double t) { return t * t * (3 - 2 * t); }
 

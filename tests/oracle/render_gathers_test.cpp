@@ -306,6 +306,28 @@ TEST_F(RenderGathers, AreLinearInTheColours) {
   }
 }
 
+// --- Over a revealed layer
+
+// Under alpha_over a gather gives the foreground alone where something was revealed. Over a background at rest the
+// composite of exact coverage is exact: to 16 samples in the inner band, of taps rounded to pixels. Weights that are
+// too opaque stay so.
+TEST_F(RenderGathers, TellForegroundFromWhatWasRevealed) {
+  Strips strips = stripes(20, 0);
+  auto inner_error = [&](const std::string& weights) {
+    lab::Shot shot = with(shotOf("textured_bar", kWidth, 8), "hybrid",
+                          {"preset=seed_linear", "mask=relative", "tile=20", "limit=0.1", "weights=" + weights}, "close");
+    image::Image color = colorOf(render(shot));
+    double worst = 0;
+    for (int x = 140; x < 160; ++x)
+      worst = std::max(worst, std::abs(color.at(x, 4, 0) - exposeCentre(strips, kCloseAnchor, x).colour));
+    return worst;
+  };
+  double exact = inner_error("jimenez2014"), opaque = inner_error("guertin2014");
+  EXPECT_LE(exact, .8 / 32 + 1e-4);  // changes of .8 at most: stripes and the edge
+  EXPECT_GT(opaque, 5 * exact);
+  EXPECT_LT(opaque, .3);  // opaque by up to .5 too much, over a background darker by .5 in the mean
+}
+
 // --- Against truth
 
 // Over a constant background Jimenez' weights are exact, McGuire's too opaque inside, Guertin's opaque outside too.

@@ -5,9 +5,9 @@ local ranges = require "scripts.pipelines.lib.ranges"
 
 local gathers = {}
 
--- The choice among the files of passes/gather.
-function gathers.choice(default, doc)
-  local declared = pass.family("gather")
+-- The choice among the files of passes/gather, or those named.
+function gathers.choice(default, doc, names)
+  local declared = names or pass.family("gather")
   declared.default, declared.doc, declared.values = default, doc, {}
   for _, name in ipairs(declared) do
     local gather = pass.member("gather", name).description

@@ -1,8 +1,9 @@
 -- SPDX-License-Identifier: MIT
 -- Parameters that blur pipelines share, so that a name means the same in each.
-local pipeline = require "strobe.pipeline"
-local gbuffer  = require "passes.scene.gbuffer"
-local jitter   = require "scripts.pipelines.lib.jitter"
+local pipeline      = require "strobe.pipeline"
+local gbuffer       = require "passes.scene.gbuffer"
+local neighbour_max = require "passes.tile.neighbour_max"
+local jitter        = require "scripts.pipelines.lib.jitter"
 
 local options = {}
 
@@ -18,8 +19,7 @@ function options.blur(tile, limit)
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
     displacement = gbuffer.params.displacement,
-    tile_rule    = pipeline.choice { "reach", "sign", "all", default = "reach",
-      doc = "tiles around that count: those that can reach, those that point here, or all in range" },
+    tile_rule    = neighbour_max.params.rule,
   }
 end
 

@@ -26,7 +26,7 @@ local function in_one_part(p, layer, given)
 end
 
 -- `layer` has velocity and may have valid. Options: `extra`, a second layer united with it; `second` = true, to look
--- for a second displacement too; `prefix`, to tell the nodes of several uses apart. Yields dominant, second and longest,
+-- for a second displacement too; `prefix`, to tell the nodes of several uses apart. Yields dominant, second, longest,
 -- and for a layer that moves otherwise after the capture (ranges.divided) after_dominant and after_second.
 function tiles.dominant(p, layer, given)
   given = given or {}
