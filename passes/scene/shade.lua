@@ -11,6 +11,11 @@ return pass.trace {
   writes = { color = { format = "rgba32f", doc = "linear radiance; alpha 1" } },
   params = {
     shading = pass.choice { "frozen", "full", default = "frozen",
-      doc = "pose at which points are shaded: the capture's, or the node's own time" },
+      doc = "pose at which points are shaded: the capture's, or the node's own time",
+      values = {
+        frozen = "As at the capture, whenever the point is seen: what filters of one picture can know. Fails where " ..
+                 "light, shadows or highlights move within the exposure: they stand still.",
+        full   = "As at the time at which the point is seen. Nothing to fail: light, shadows and highlights move too.",
+      } },
   },
 }

@@ -9,6 +9,7 @@
 
 #include "app/compare.h"
 #include "app/demo.h"
+#include "app/help.h"
 #include "app/inspect.h"
 #include "app/render.h"
 #include "base/error.h"
@@ -38,6 +39,7 @@ int main(int argc, char** argv) {
   program.set_help_all_flag("--help-all", "help of every command");
   strobe::app::registerDemo(program);
   strobe::app::registerRender(program);
+  strobe::app::registerHelp(program);
   strobe::app::registerCheck(program);
   strobe::app::registerPlan(program);
   strobe::app::registerCompare(program);

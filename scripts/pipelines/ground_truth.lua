@@ -39,12 +39,28 @@ return pipeline {
   doc = "The scene at many times of the exposure, each as it truly stands: what every method is compared to",
   params = {
     mode         = choice { "rays", "raster", default = "rays",
-      doc = "what finds the nearest surface at each time; only rays tell regions" },
+      doc = "what finds the nearest surface at each time; only rays tell regions",
+      values = {
+        rays   = "Rays: whole pixels or their centres, several times at once, and regions.",
+        raster = "Raster, one time after another: a check of the rays that shares none of their traversal. Fails to " ..
+                 "tell regions, and samples pixel centres only.",
+      } },
     samples      = int { 1024, min = 1, max = 65536, doc = "time samples, at most" },
-    times        = choice { "midpoint", "stratified", default = "midpoint", doc = "where a sample is in its stratum" },
+    times        = choice { "midpoint", "stratified", default = "midpoint", doc = "where a sample is in its stratum",
+      values = {
+        midpoint   = "In its middle: half a sample off per silhouette at most. Fails with bands where samples are few.",
+        stratified = "At a random time of it, of which each pixel draws one where there are several slices: right " ..
+                     "on average, with noise instead of bands. Fails by up to twice the error at each silhouette.",
+      } },
     slices       = int { 1, min = 1, max = 64, doc = "scene times per iteration; a pixel draws one of them" },
-    shading      = choice { "frozen", "full", default = "frozen", doc = "shaded as at the capture, or at its time" },
-    pixel        = choice { "centre", "box", default = "centre", doc = "where in the pixel a sample is" },
+    shading      = shade.params.shading,
+    pixel        = choice { "centre", "box", default = "centre", doc = "where in the pixel a sample is",
+      values = {
+        centre = "In its centre, as the methods see it: differences are those of the blur. Fails with stairs at " ..
+                 "silhouettes that rest.",
+        box    = "Anywhere in it, evenly spread: what a pixel as a square sees. Fails as the measure of methods " ..
+                 "that sample centres, which differ from it at every silhouette.",
+      } },
     mark_regions = bool { true, doc = "find the regions in which methods differ; one more ray per sample" },
     tolerance    = float { 0, min = 0, max = 1e6, doc = "stop at this standard error of the mean; 0 = never" },
   },

@@ -73,7 +73,13 @@ function hybrid.params()
         half = "One ray per square of 2x2 pixels of which any is masked, shared out by ids and depths. Smooths what " ..
                "is revealed, and moves silhouettes in it by up to a pixel.",
       } },
-    tiles       = choice { "separate", "union", default = "union", doc = "dominant motion per layer, or of both" },
+    tiles       = choice { "separate", "union", default = "union", doc = "dominant motion per layer, or of both",
+      values = {
+        separate = "Each layer has the longest displacements of its own, as published. Fails where only the " ..
+                   "revealed layer moves: what is in front of it is not blurred along that motion.",
+        union = "One for both layers, the longest of either. Fails by letting the longer motion of one layer decide " ..
+                "where the other is sampled.",
+      } },
     range       = ranges.param,
     weights     = choice(gathers.choice("uniform", "of the taps, under alpha_over")),
     directions  = mcguire2012.params.directions,

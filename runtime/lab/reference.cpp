@@ -1,0 +1,460 @@
+// SPDX-License-Identifier: MIT
+#include "lab/reference.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "script/evaluate.h"
+
+namespace strobe::lab {
+
+namespace {
+
+using plan::ParamDesc;
+using plan::PassDesc;
+using plan::PipelineDesc;
+using plan::PortDesc;
+using plan::Value;
+
+const char* const kNote =
+    "<!-- Written by `strobe help --write docs/reference` from the declarations; edit those. -->\n\n";
+
+// --- Markdown
+
+// Text of a cell: a bar would end it.
+std::string cell(const std::string& text) {
+  std::string result;
+  for (char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c == '\n' ? ' ' : c);
+  return result;
+}
+
+std::string code(const std::string& text) { return "`" + text + "`"; }
+
+std::string row(const std::vector<std::string>& cells) {
+  std::string text = "|";
+  for (const std::string& one : cells) text += " " + cell(one) + (one.empty() ? "|" : " |");
+  return text + "\n";
+}
+
+// A table, without the columns that are empty in every row; nothing where there are no rows.
+class Table {
+ public:
+  explicit Table(std::vector<std::string> head) : rows_{std::move(head)} {}
+  void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+  std::string text() const {
+    if (rows_.size() < 2) return "";
+    std::string result = row(kept(rows_.front()));
+    result += row(std::vector<std::string>(kept(rows_.front()).size(), "---"));
+    for (size_t i = 1; i < rows_.size(); ++i) result += row(kept(rows_[i]));
+    return result + "\n";
+  }
+
+ private:
+  bool isUsed(size_t column) const {
+    return std::any_of(rows_.begin() + 1, rows_.end(), [&](const auto& cells) { return !cells[column].empty(); });
+  }
+  std::vector<std::string> kept(const std::vector<std::string>& cells) const {
+    std::vector<std::string> result;
+    for (size_t i = 0; i < cells.size(); ++i)
+      if (isUsed(i)) result.push_back(cells[i]);
+    return result;
+  }
+  std::vector<std::vector<std::string>> rows_;
+};
+
+// Begins with a capital and ends in a full stop.
+std::string sentence(std::string text) {
+  bool word = text.size() > 1 && std::islower(static_cast<unsigned char>(text[1]));
+  if (word) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  bool ended = text.ends_with(".") || text.ends_with("!") || text.ends_with("?");
+  return ended ? text : text + ".";
+}
+
+std::string section(const std::string& title, const std::string& text) {
+  return text.empty() ? "" : fmt::format("## {}\n\n{}", title, text);
+}
+
+// --- Parameters
+
+std::string shown(const Value& value) {
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  if (const auto* whole = std::get_if<int64_t>(&value)) return fmt::format("{}", *whole);
+  if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
+  return std::get<std::string>(value);
+}
+
+const char* typeName(ParamDesc::Type type) {
+  switch (type) {
+    case ParamDesc::Type::Bool: return "bool";
+    case ParamDesc::Type::Int: return "int";
+    case ParamDesc::Type::Float: return "float";
+    case ParamDesc::Type::Choice: return "choice";
+  }
+  return "";
+}
+
+std::string rangeOf(const ParamDesc& param) {
+  if (param.min && param.max) return fmt::format("{} to {}", *param.min, *param.max);
+  if (param.min) return fmt::format("at least {}", *param.min);
+  if (param.max) return fmt::format("at most {}", *param.max);
+  std::vector<std::string> choices;
+  for (const std::string& choice : param.choices) choices.push_back(code(choice));
+  return fmt::format("{}", fmt::join(choices, ", "));
+}
+
+std::string paramInGlsl(const ParamDesc& param) {
+  if (!plan::isCompiledIn(param)) return code("params." + param.name);
+  if (param.type != ParamDesc::Type::Choice) return code("PARAM_" + param.name);
+  return code(fmt::format("PARAM_{0} == {0}_{1}", param.name, param.choices.front()));
+}
+
+std::string paramTable(const std::vector<ParamDesc>& params, bool in_glsl) {
+  Table table({"name", "type", "default", "range", "unit", "what it sets", "in GLSL"});
+  for (const ParamDesc& param : params)
+    table.add({code(param.name), typeName(param.type), shown(param.default_value), rangeOf(param), param.unit,
+               param.doc, in_glsl ? paramInGlsl(param) : ""});
+  return table.text();
+}
+
+// The described choices, in the order of the choices. `link` gives the page of a choice that is a pass, or "".
+template <class Link>
+std::string valueTable(const ParamDesc& param, const Link& link) {
+  Table table({"value", "what it does and where it fails"});
+  for (const std::string& choice : param.choices) {
+    auto is_it = [&](const auto& value) { return value.first == choice; };
+    auto found = std::find_if(param.values.begin(), param.values.end(), is_it);
+    std::string page = link(param, choice);
+    std::string name = page.empty() ? code(choice) : fmt::format("[`{}`]({})", choice, page);
+    bool listed = !param.values.empty() || !page.empty();
+    if (listed) table.add({name, found == param.values.end() ? "" : found->second});
+  }
+  return table.text();
+}
+
+std::string noLink(const ParamDesc&, const std::string&) { return ""; }
+
+template <class Link>
+std::string paramsText(const std::vector<ParamDesc>& params, bool in_glsl, const Link& link) {
+  std::string text = paramTable(params, in_glsl);
+  for (const ParamDesc& param : params) {
+    std::string values = valueTable(param, link);
+    if (!values.empty()) text += fmt::format("### Values of `{}`\n\n{}", param.name, values);
+  }
+  return text;
+}
+
+// --- Passes
+
+std::string kindText(const PassDesc& pass) {
+  switch (pass.kind) {
+    case PassDesc::Kind::Raster: return "A raster pass: draws the scene's triangles";
+    case PassDesc::Kind::Trace: return "A trace pass: sends rays from every pixel";
+    case PassDesc::Kind::Compute: break;
+  }
+  return pass.scene ? "A compute pass that sees the scene" : "A compute pass";
+}
+
+std::string sizeText(const plan::SizeDesc& size) {
+  switch (size.kind) {
+    case plan::SizeDesc::Kind::Frame: return "as large as the frame";
+    case plan::SizeDesc::Kind::Fixed: return fmt::format("{} x {} pixels large", size.width, size.height);
+    case plan::SizeDesc::Kind::Port: break;
+  }
+  std::string divided = size.divide.empty() ? "" : fmt::format(" divided by `{}`, rounded up", size.divide);
+  return fmt::format("as large as `{}`{}", size.port, divided);
+}
+
+std::string filesText(const PassDesc& pass) {
+  std::string shader = "shaders/" + pass.shader;
+  bool raster = pass.kind == PassDesc::Kind::Raster;
+  std::string files = raster ? fmt::format("`{0}.vert.glsl`, `{0}.frag.glsl`", shader) : code(shader + ".glsl");
+  return fmt::format("`{}`, {}", pass.place.file, files);
+}
+
+std::string readsText(const PassDesc& pass) {
+  Table table({"name", "what it is", "", "in GLSL"});
+  for (const PortDesc& read : pass.reads) {
+    std::vector<std::string> notes;
+    if (read.uint) notes.push_back("unsigned integers");
+    if (read.linear) notes.push_back("filtered");
+    if (read.optional) notes.push_back(fmt::format("optional: `HAS_{}`", read.name));
+    std::string texel = read.linear ? "textureLod({}_tex, uv, 0)" : "texelFetch({}_tex, p, 0)";
+    table.add({code(read.name), read.doc, fmt::format("{}", fmt::join(notes, "; ")),
+               code(fmt::format(fmt::runtime(texel), read.name))});
+  }
+  return table.text();
+}
+
+std::string outputInGlsl(const PassDesc& pass, const PortDesc& port, bool updated) {
+  if (pass.kind == PassDesc::Kind::Raster) return code(port.name + "_out");
+  std::string store = code(fmt::format("imageStore({}_img, p, v)", port.name));
+  return updated ? code(fmt::format("imageLoad({}_img, p)", port.name)) + ", " + store : store;
+}
+
+std::string outputsText(const PassDesc& pass, const std::vector<PortDesc>& ports, bool updated) {
+  Table table({"name", "format", "what it is", "", "in GLSL"});
+  for (const PortDesc& port : ports)
+    table.add({code(port.name), code(port.format), port.doc, port.history ? "kept from frame to frame" : "",
+               outputInGlsl(pass, port, updated)});
+  return table.text();
+}
+
+std::string countersText(const PassDesc& pass) {
+  Table table({"name", "what it counts", "in GLSL"});
+  for (const auto& counter : pass.counters)
+    table.add({code(counter.name), counter.doc, code(fmt::format("count_{}(n)", counter.name))});
+  return table.text();
+}
+
+// "tile/largest" of passes/tile/largest.lua.
+std::string memberOf(const PassDesc& pass) {
+  Path file = Path(pass.place.file).lexically_relative("passes").replace_extension();
+  return file.generic_string();
+}
+
+std::string stemOf(const PassDesc& pass) { return Path(pass.place.file).stem().generic_string(); }
+
+std::string familyOf(const PassDesc& pass) { return Path(memberOf(pass)).parent_path().generic_string(); }
+
+std::string pathOf(const PassDesc& pass) { return "passes/" + memberOf(pass) + ".md"; }
+
+std::vector<PassDesc> allPasses() {
+  std::vector<PassDesc> passes = script::evaluateAllPasses();
+  std::sort(passes.begin(), passes.end(), [](const auto& a, const auto& b) { return memberOf(a) < memberOf(b); });
+  return passes;
+}
+
+// --- Pipelines
+
+Presets presetsOf(const PipelineDesc& pipeline) {
+  Presets presets;
+  for (const ParamDesc& param : pipeline.params) {
+    if (param.name != "preset") continue;
+    for (const std::string& choice : param.choices)
+      presets.push_back({choice, script::evaluatePipeline({pipeline.name, {{"preset", choice}}})});
+  }
+  return presets;
+}
+
+std::string valueIn(const PipelineDesc& pipeline, const std::string& name) {
+  for (const auto& [other, value] : pipeline.values)
+    if (other == name) return shown(value);
+  return "";
+}
+
+// What the presets set: parameters of which any preset has another value than the declared default.
+std::string presetsText(const PipelineDesc& pipeline, const Presets& presets) {
+  std::vector<std::string> head = {"parameter", "default"};
+  for (const auto& [name, preset] : presets) head.push_back(code(name));
+  Table table(head);
+  for (const ParamDesc& param : pipeline.params) {
+    std::vector<std::string> cells = {code(param.name), shown(param.default_value)};
+    for (const auto& [name, preset] : presets) cells.push_back(valueIn(preset, param.name));
+    bool differs = std::any_of(cells.begin() + 2, cells.end(), [&](const auto& value) { return value != cells[1]; });
+    if (differs && param.name != "preset") table.add(cells);
+  }
+  return table.text();
+}
+
+// Parameters of a node that follow none of the pipeline: only `--set node.param=...` changes them.
+std::string ownParams(const plan::NodeDesc& node) {
+  std::vector<std::string> names;
+  for (const auto& [name, binding] : node.params)
+    if (binding.follows.empty()) names.push_back(code(node.name + "." + name));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string nodesText(const PipelineDesc& pipeline, const std::vector<PassDesc>& passes) {
+  Table table({"node", "pass", "repeated by", "parameters of its own"});
+  for (const auto& node : pipeline.nodes) {
+    std::string pass = code(node.pass);
+    for (const PassDesc& one : passes)
+      if (one.name == node.pass) pass = fmt::format("[`{}`](../{})", node.pass, pathOf(one));
+    table.add({code(node.name), pass, node.loop.empty() ? "" : code(node.loop), ownParams(node)});
+  }
+  return table.text();
+}
+
+std::string outputsText(const PipelineDesc& pipeline) {
+  Table table({"output", "image"});
+  for (const auto& [name, source] : pipeline.outputs) table.add({code(name), code(source)});
+  return table.text();
+}
+
+// The folder of passes that the choices are files of: called like the parameter, or one that has all of them.
+std::string familyOf(const ParamDesc& param, const std::vector<PassDesc>& passes) {
+  std::map<std::string, size_t> found;
+  for (const PassDesc& pass : passes)
+    found[familyOf(pass)] += std::count(param.choices.begin(), param.choices.end(), stemOf(pass));
+  if (found.count(param.name)) return param.name;
+  for (const auto& [family, count] : found)
+    if (count > 0 && count == param.choices.size()) return family;
+  return "";
+}
+
+// The page of the pass that a choice stands for.
+auto linkToMembers(const std::vector<PassDesc>& passes) {
+  return [&passes](const ParamDesc& param, const std::string& choice) -> std::string {
+    std::string member = familyOf(param, passes) + "/" + choice;
+    for (const PassDesc& pass : passes)
+      if (memberOf(pass) == member) return "../" + pathOf(pass);
+    return "";
+  };
+}
+
+std::string pathOf(const PipelineDesc& pipeline) { return "pipelines/" + pipeline.name + ".md"; }
+
+// --- All of them
+
+std::vector<PipelineDesc> allPipelines() {
+  std::vector<PipelineDesc> pipelines;
+  for (const std::string& name : script::pipelineNames()) pipelines.push_back(script::evaluatePipeline({name, {}}));
+  return pipelines;
+}
+
+std::map<std::string, std::vector<const PassDesc*>> families(const std::vector<PassDesc>& passes) {
+  std::map<std::string, std::vector<const PassDesc*>> result;
+  for (const PassDesc& pass : passes) result[familyOf(pass)].push_back(&pass);
+  return result;
+}
+
+std::string indexPage(const std::vector<PipelineDesc>& pipelines, const std::vector<PassDesc>& passes) {
+  std::string text = "# Reference\n\nWhat every pipeline and every pass declares. `strobe help NAME` prints a page, "
+                     "`strobe help NAME.PARAM` one parameter.\n\n## Pipelines\n\n";
+  Table listed({"name", "what it is"});
+  for (const PipelineDesc& one : pipelines) listed.add({fmt::format("[`{}`]({})", one.name, pathOf(one)), one.doc});
+  text += listed.text();
+  for (const auto& [family, members] : families(passes)) {
+    Table table({"name", "what it computes"});
+    for (const PassDesc* pass : members) table.add({fmt::format("[`{}`]({})", pass->name, pathOf(*pass)), pass->doc});
+    text += fmt::format("## passes/{}\n\n{}", family, table.text());
+  }
+  return text;
+}
+
+// --- Topics
+
+const ParamDesc* findParam(const std::vector<ParamDesc>& params, const std::string& name) {
+  for (const ParamDesc& param : params)
+    if (param.name == name) return &param;
+  return nullptr;
+}
+
+// By its name, its folder and file, or its file alone where that is the only one of the name.
+const PassDesc* findPass(const std::vector<PassDesc>& passes, const std::string& name) {
+  std::vector<const PassDesc*> alike;
+  for (const PassDesc& pass : passes) {
+    if (pass.name == name || memberOf(pass) == name) return &pass;
+    if (stemOf(pass) == name) alike.push_back(&pass);
+  }
+  return alike.size() == 1 ? alike.front() : nullptr;
+}
+
+[[noreturn]] void refuse(const std::string& topic, const std::vector<std::string>& known) {
+  std::string hint = didYouMean(topic, known);
+  if (hint.empty()) hint = "; strobe help lists the topics";
+  throw Error(fmt::format("there is no help on '{}'{}", topic, hint), {}, 2);
+}
+
+std::string helpOnParam(const std::string& topic, const std::string& owner, const std::vector<ParamDesc>& params,
+                        bool in_glsl) {
+  std::vector<std::string> known;
+  for (const ParamDesc& param : params) known.push_back(owner + "." + param.name);
+  const ParamDesc* param = findParam(params, topic.substr(owner.size() + 1));
+  if (!param) refuse(topic, known);
+  return fmt::format("# {}\n\n{}", topic, paramsText({*param}, in_glsl, noLink));
+}
+
+std::string listed(const std::string& title, const std::vector<std::pair<std::string, std::string>>& entries) {
+  std::string text = title + "\n";
+  for (const auto& [name, doc] : entries) text += fmt::format("  {:<26} {}\n", name, doc);
+  return text;
+}
+
+}  // namespace
+
+std::string passPage(const PassDesc& pass) {
+  std::string text = fmt::format("# {}\n\n{}\n\n", pass.name, sentence(pass.doc));
+  text += fmt::format("{}; what it writes is {}.\n\nFiles: {}.\n\n", kindText(pass), sizeText(pass.size), filesText(pass));
+  text += section("Where it fails", pass.fails.empty() ? "" : sentence(pass.fails) + "\n\n");
+  text += section("Reads", readsText(pass));
+  text += section("Writes", outputsText(pass, pass.writes, false));
+  text += section("Updates", outputsText(pass, pass.updates, true));
+  text += section("Parameters", paramsText(pass.params, true, noLink));
+  text += section("Counters", countersText(pass));
+  text.pop_back();
+  return text;
+}
+
+std::string pipelinePage(const PipelineDesc& pipeline, const Presets& presets, const std::vector<PassDesc>& passes) {
+  std::string text = fmt::format("# {}\n\n{}\n\nFile: `{}`.\n\n", pipeline.name, sentence(pipeline.doc), pipeline.file);
+  text += section("Presets", presetsText(pipeline, presets));
+  text += section("Parameters", paramsText(pipeline.params, false, linkToMembers(passes)));
+  text += section("What runs with its defaults", nodesText(pipeline, passes));
+  text += section("Outputs with its defaults", outputsText(pipeline));
+  text.pop_back();
+  return text;
+}
+
+std::vector<ReferencePage> referencePages() {
+  std::vector<PassDesc> passes = allPasses();
+  std::vector<PipelineDesc> pipelines = allPipelines();
+  std::vector<ReferencePage> pages = {{"README.md", kNote + indexPage(pipelines, passes)}};
+  pages.front().text.pop_back();
+  for (const PassDesc& pass : passes) pages.push_back({pathOf(pass), kNote + passPage(pass)});
+  for (const PipelineDesc& one : pipelines)
+    pages.push_back({pathOf(one), kNote + pipelinePage(one, presetsOf(one), passes)});
+  return pages;
+}
+
+void writeReference(const Path& folder) {
+  std::vector<ReferencePage> pages = referencePages();
+  std::set<std::string> current;
+  for (const ReferencePage& page : pages) {
+    writeFileAtomically(folder / page.path, page.text);
+    current.insert(page.path);
+  }
+  std::vector<Path> gone;
+  for (const char* part : {"passes", "pipelines"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / part)) {
+      bool known = current.count(entry.path().lexically_relative(folder).generic_string()) > 0;
+      bool ours = entry.is_regular_file() && readText(entry.path()).starts_with(kNote);
+      if (ours && !known) gone.push_back(entry.path());
+    }
+  for (const Path& file : gone) std::filesystem::remove(file);
+}
+
+std::string helpTopics() {
+  std::vector<PassDesc> passes = allPasses();
+  std::vector<std::pair<std::string, std::string>> entries;
+  for (const PipelineDesc& one : allPipelines()) entries.push_back({one.name, one.doc});
+  std::string text = "strobe help NAME prints the page of one of these, NAME.PARAM one parameter of it.\n\n";
+  text += listed("pipelines", entries);
+  for (const auto& [family, members] : families(passes)) {
+    entries.clear();
+    for (const PassDesc* pass : members) entries.push_back({pass->name, pass->doc});
+    text += "\n" + listed("passes/" + family, entries);
+  }
+  return text + "\nOptions of commands: strobe COMMAND --help\n";
+}
+
+std::string helpOn(const std::string& topic) {
+  std::string owner = topic.substr(0, topic.find('.'));
+  bool of_param = owner.size() < topic.size();
+  std::vector<std::string> known = script::pipelineNames();
+  std::vector<PassDesc> passes = allPasses();
+  if (std::find(known.begin(), known.end(), owner) != known.end()) {
+    PipelineDesc pipeline = script::evaluatePipeline({owner, {}});
+    if (of_param) return helpOnParam(topic, owner, pipeline.params, false);
+    return pipelinePage(pipeline, presetsOf(pipeline), passes);
+  }
+  const PassDesc* pass = findPass(passes, owner);
+  if (pass) return of_param ? helpOnParam(topic, owner, pass->params, true) : passPage(*pass);
+  for (const PassDesc& one : passes) known.insert(known.end(), {one.name, memberOf(one), stemOf(one)});
+  refuse(owner, known);
+}
+
+}  // namespace strobe::lab

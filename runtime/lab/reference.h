@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Reference pages, in Markdown, from what passes and pipelines declare: the files below docs/reference and what
+// `strobe help` prints.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/files.h"
+#include "plan/description.h"
+
+namespace strobe::lab {
+
+struct ReferencePage {
+  std::string path;  // "passes/tile/largest.md", relative to the folder of the pages
+  std::string text;
+};
+
+// The page of a pass: what it computes, where it fails, what it reads and writes, its parameters, names in GLSL.
+std::string passPage(const plan::PassDesc& pass);
+
+// The page of a pipeline; `presets` are the same pipeline for each of its presets, by name. `passes` are all there are.
+using Presets = std::vector<std::pair<std::string, plan::PipelineDesc>>;
+std::string pipelinePage(const plan::PipelineDesc& pipeline, const Presets& presets,
+                         const std::vector<plan::PassDesc>& passes);
+
+// Every pass, every pipeline and the index, of the home folder as it is. Throws `Error` for what is unsound.
+std::vector<ReferencePage> referencePages();
+
+// Writes them below `folder`; removes pages there whose pass or pipeline is gone.
+void writeReference(const Path& folder);
+
+// The command that brings the pages that ship up to date.
+inline const char* const kReferenceCommand = "strobe help --write docs/reference";
+
+// All topics, a line each.
+std::string helpTopics();
+
+// On a pass ("tile_largest", "tile/largest" or "largest"), a pipeline, or a parameter of either ("tile_largest.tile").
+// Throws `Error` with exit code 2 and the nearest topic for anything else.
+std::string helpOn(const std::string& topic);
+
+}  // namespace strobe::lab

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// The reference pages: those in the tree are those the declarations make, and no alternative leaves out where it fails.
+#include "lab/reference.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "script/evaluate.h"
+
+namespace strobe::lab {
+namespace {
+
+namespace fs = std::filesystem;
+
+// --- Of a declaration
+
+plan::PassDesc largest() {
+  plan::PassDesc pass;
+  pass.name = "tile_largest";
+  pass.shader = "tile/largest";
+  pass.doc = "longest | velocity";
+  pass.fails = "never";
+  pass.place = {"passes/tile/largest.lua", 4};
+  pass.size = {plan::SizeDesc::Kind::Port, "velocity", "tile"};
+  pass.reads = {{.name = "velocity", .doc = "px"}, {.name = "id", .doc = "instance", .uint = true, .optional = true}};
+  pass.updates = {{.name = "max", .doc = "px", .format = "rg32f", .history = true}};
+  plan::ParamDesc tile{.name = "tile", .type = plan::ParamDesc::Type::Int, .default_value = int64_t(20), .min = 1,
+                       .max = 256, .unit = "px", .doc = "side"};
+  plan::ParamDesc order{.name = "order", .type = plan::ParamDesc::Type::Choice, .default_value = std::string("rows"),
+                        .choices = {"rows", "columns"}, .values = {{"columns", "By columns."}}, .doc = "which first"};
+  pass.params = {tile, order};
+  pass.counters = {{"clamped", "tiles that were clamped"}};
+  return pass;
+}
+
+TEST(ReferencePage, OfAPassSaysAllItDeclares) {
+  EXPECT_EQ(passPage(largest()), R"(# tile_largest
+
+Longest | velocity.
+
+A compute pass; what it writes is as large as `velocity` divided by `tile`, rounded up.
+
+Files: `passes/tile/largest.lua`, `shaders/tile/largest.glsl`.
+
+## Where it fails
+
+Never.
+
+## Reads
+
+| name | what it is | | in GLSL |
+| --- | --- | --- | --- |
+| `velocity` | px | | `texelFetch(velocity_tex, p, 0)` |
+| `id` | instance | unsigned integers; optional: `HAS_id` | `texelFetch(id_tex, p, 0)` |
+
+## Updates
+
+| name | format | what it is | | in GLSL |
+| --- | --- | --- | --- | --- |
+| `max` | `rg32f` | px | kept from frame to frame | `imageLoad(max_img, p)`, `imageStore(max_img, p, v)` |
+
+## Parameters
+
+| name | type | default | range | unit | what it sets | in GLSL |
+| --- | --- | --- | --- | --- | --- | --- |
+| `tile` | int | 20 | 1 to 256 | px | side | `params.tile` |
+| `order` | choice | rows | `rows`, `columns` | | which first | `PARAM_order == order_rows` |
+
+### Values of `order`
+
+| value | what it does and where it fails |
+| --- | --- |
+| `rows` | |
+| `columns` | By columns. |
+
+## Counters
+
+| name | what it counts | in GLSL |
+| --- | --- | --- |
+| `clamped` | tiles that were clamped | `count_clamped(n)` |
+)");
+}
+
+TEST(ReferencePage, ABarInACellIsEscaped) {
+  plan::PassDesc pass = largest();
+  pass.reads.front().doc = "a | b";
+  EXPECT_NE(passPage(pass).find("| `velocity` | a \\| b | |"), std::string::npos);
+}
+
+// --- In the tree
+
+std::set<std::string> filesBelow(const Path& folder) {
+  std::set<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) files.insert(entry.path().lexically_relative(folder).generic_string());
+  return files;
+}
+
+TEST(ReferencePages, InTheTreeAreUpToDate) {
+  Path folder = homeFolder() / "docs/reference";
+  std::set<std::string> committed = filesBelow(folder), current;
+  std::vector<std::string> differ;
+  for (const ReferencePage& page : referencePages()) {
+    current.insert(page.path);
+    if (!committed.count(page.path) || readText(folder / page.path) != page.text) differ.push_back(page.path);
+  }
+  for (const std::string& path : committed)
+    if (!current.count(path)) differ.push_back(path);
+  EXPECT_TRUE(differ.empty()) << fmt::format("{}\nregenerate with: {}", fmt::join(differ, "\n"), kReferenceCommand);
+}
+
+// Every link of a page leads to a page.
+TEST(ReferencePages, LinksLeadToPages) {
+  std::vector<ReferencePage> pages = referencePages();
+  std::set<std::string> known;
+  for (const ReferencePage& page : pages) known.insert(page.path);
+  for (const ReferencePage& page : pages)
+    for (size_t at = page.text.find("]("); at != std::string::npos; at = page.text.find("](", at + 1)) {
+      std::string link = page.text.substr(at + 2, page.text.find(')', at) - at - 2);
+      EXPECT_TRUE(known.count((Path(page.path).parent_path() / link).lexically_normal().generic_string()))
+          << page.path << ": " << link;
+    }
+}
+
+// --- What alternatives must say
+
+const std::set<std::string> kFamilies = {"edge", "mask", "gather", "composite"};
+
+bool isAlternative(const plan::PassDesc& pass) {
+  Path file = pass.place.file;
+  return kFamilies.count(file.parent_path().filename()) || file == "passes/scene/reveal.lua";
+}
+
+// Each choice is described, unless the choices are files of the folder of passes that is called like the parameter
+// (their pages serve), or those are presets (the page of the pipeline lists them).
+std::vector<std::string> undescribed(const std::string& owner, const std::vector<plan::ParamDesc>& params) {
+  std::vector<std::string> missing;
+  for (const plan::ParamDesc& param : params) {
+    for (const std::string& choice : param.choices) {
+      auto is_it = [&](const auto& value) { return value.first == choice; };
+      bool described = std::any_of(param.values.begin(), param.values.end(), is_it);
+      bool has_page = fs::exists(homeFolder() / "passes" / param.name / (choice + ".lua"));
+      if (!described && !has_page && param.name != "preset")
+        missing.push_back(fmt::format("{}.{} = {} ({})", owner, param.name, choice, param.place.text()));
+    }
+  }
+  return missing;
+}
+
+TEST(Alternatives, EachPassSaysWhereItFails) {
+  int alternatives = 0;
+  for (const plan::PassDesc& pass : script::evaluateAllPasses()) {
+    alternatives += isAlternative(pass);
+    if (isAlternative(pass)) EXPECT_FALSE(pass.fails.empty()) << pass.place.text() << " has no 'fails'";
+  }
+  EXPECT_GE(alternatives, 20);
+}
+
+TEST(Alternatives, EachChoiceIsDescribed) {
+  std::vector<std::string> missing;
+  auto look = [&](const std::string& owner, const std::vector<plan::ParamDesc>& params) {
+    for (const std::string& one : undescribed(owner, params)) missing.push_back(one);
+  };
+  for (const plan::PassDesc& pass : script::evaluateAllPasses())
+    if (isAlternative(pass)) look(pass.name, pass.params);
+  for (const std::string& name : script::pipelineNames()) look(name, script::evaluatePipeline({name, {}}).params);
+  EXPECT_TRUE(missing.empty()) << fmt::format("{}", fmt::join(missing, "\n"));
+}
+
+}  // namespace
+}  // namespace strobe::lab

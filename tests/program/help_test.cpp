@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// `strobe help` from outside.
+#include <gtest/gtest.h>
+
+#include "lab/reference.h"
+#include "program/run.h"
+
+namespace strobe::testing {
+namespace {
+
+TEST(Help, ListsTopicsAndPrintsPages) {
+  Outcome topics = run("help");
+  EXPECT_EQ(topics.exit_code, 0) << topics.err;
+  for (const char* topic : {"\n  hybrid ", "\npasses/edge\n", "\n  edge_sobel "})
+    EXPECT_NE(topics.out.find(topic), std::string::npos) << topic;
+  Outcome page = run("help edge_sobel");
+  EXPECT_EQ(page.out.rfind("# edge_sobel\n\n", 0), 0u) << page.out;
+  EXPECT_EQ(run("help edge/sobel").out, page.out);
+  EXPECT_EQ(run("help sobel").out, page.out);
+  EXPECT_NE(page.out.find("| `depth_threshold` | float |"), std::string::npos);
+  Outcome param = run("help hybrid.mask");
+  EXPECT_EQ(param.out.rfind("# hybrid.mask\n\n", 0), 0u) << param.out;
+  EXPECT_EQ(param.out.find("mask_taps"), std::string::npos) << "other parameters are left out";
+}
+
+TEST(Help, UnknownTopicsAreRefusedWithTheNearest) {
+  for (auto [topic, nearest] : {std::pair("edge_sobl", "edge_sobel"), {"hybrd", "hybrid"},
+                                {"hybrid.compsite", "hybrid.composite"}, {"edge_sobel.nrm", "edge_sobel.norm"}}) {
+    Outcome outcome = run(std::string("help ") + topic);
+    EXPECT_EQ(outcome.exit_code, 2) << topic;
+    std::string expected = fmt::format("strobe: there is no help on '{}'; did you mean '{}'?\n", topic, nearest);
+    EXPECT_EQ(outcome.err, expected);
+    EXPECT_EQ(outcome.out, "");
+  }
+  EXPECT_NE(run("help zzzzzzzz").err.find("strobe help lists the topics"), std::string::npos);
+}
+
+// Pages whose pass is gone go; what somebody else wrote stays.
+TEST(Help, WritesEveryPage) {
+  TemporaryFolder folder;
+  ASSERT_EQ(run("help --write " + (folder / "pages")).exit_code, 0);
+  for (const lab::ReferencePage& page : lab::referencePages())
+    EXPECT_EQ(contentOf(folder.path() / "pages" / page.path), page.text) << page.path;
+  fs::path old = folder.path() / "pages/passes/edge/old.md", own = folder.path() / "pages/passes/edge/own.md";
+  fs::copy(folder.path() / "pages/passes/edge/sobel.md", old);
+  writeText(own, "# own\n");
+  ASSERT_EQ(run("help --write " + (folder / "pages")).exit_code, 0);
+  EXPECT_FALSE(fs::exists(old));
+  EXPECT_TRUE(fs::exists(own));
+}
+
+}  // namespace
+}  // namespace strobe::testing
