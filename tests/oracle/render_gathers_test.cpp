@@ -247,6 +247,41 @@ TEST_F(RenderGathers, TileVarianceIsOneMinusTheMeanAlignment) {
   }
 }
 
+// Displacements are looked up at most a quarter of a tile away: only pixels as near to a border of a tile can change.
+TEST_F(RenderGathers, TileJitterStaysWithinAQuarterOfATile) {
+  auto color = [&](const std::string& tile_jitter) {
+    return colorOf(render(rowShot("bar", "guertin2014", "close", {"jitter=none", "tile_jitter=" + tile_jitter})));
+  };
+  image::Image own = color("none");
+  for (const char* choice : {"angle", "axis"}) {
+    image::Image other = color(choice);
+    int changed = 0;
+    for (int y = 0; y < kRows; ++y)
+      for (int x = 0; x < kWidth; ++x) {
+        if (other.at(x, y, 0) == own.at(x, y, 0)) continue;
+        ++changed;
+        double to_border = std::abs(x + .5 - 20 * std::round((x + .5) / 20));
+        EXPECT_LE(to_border, 5) << choice << " " << x;
+      }
+    EXPECT_GT(changed, 0) << choice;
+  }
+}
+
+// Beside a rectangle that moves up and down, while the dominant motion (of another one, out of reach) is sideways: what
+// the taps meet there never comes to the pixel.
+TEST_F(RenderGathers, DirectionsTellWhatMovesAcross) {
+  lab::Shot scene = shotOf("crossing", 96, 96,
+                           {{"b_left", 24}, {"b_top", 24}, {"b_y", 11}, {"a_left", 40}, {"a_top", 24}, {"a_width", 8},
+                            {"a_height", 64}, {"a_x", 14}});
+  auto beside = [&](const std::string& direction) {
+    lab::Shot shot = with(scene, "jimenez2014", {"tile=16", "limit=0.2", "direction=" + direction}, "close");
+    return colorOf(render(shot)).at(22, 40, 0);
+  };
+  EXPECT_GT(beside("none"), .3);
+  EXPECT_NEAR(beside("cosine"), .2, 1e-6);
+  EXPECT_NEAR(beside("projected"), .2, 1e-6);
+}
+
 // --- Paths
 
 // The bar's tiles are the columns [80, 160), so that within the exposure it may be seen in [60, 180). Only for the tile
