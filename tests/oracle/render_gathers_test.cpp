@@ -350,7 +350,8 @@ TEST_F(RenderGathers, TellForegroundFromWhatWasRevealed) {
   Strips strips = stripes(20, 0);
   auto inner_error = [&](const std::string& weights) {
     lab::Shot shot = with(shotOf("textured_bar", kWidth, 8), "hybrid",
-                          {"preset=seed_linear", "mask=relative", "tile=20", "limit=0.1", "weights=" + weights}, "close");
+                          {"preset=seed_linear", "mask=relative", "tile=20", "limit=0.1", "weights=" + weights},
+                          "close");
     image::Image color = colorOf(render(shot));
     double worst = 0;
     for (int x = 140; x < 160; ++x)
