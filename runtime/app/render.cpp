@@ -7,6 +7,8 @@
 #include "app/shot_options.h"
 #include "base/log.h"
 #include "lab/capture.h"
+#include "lab/tev.h"
+#include "lab/trail.h"
 
 namespace strobe::app {
 
@@ -14,7 +16,7 @@ namespace {
 
 struct Options {
   ShotOptions shot;
-  std::string out;
+  std::string out, pixel, tev;
   bool half = false, json = false;
 };
 
@@ -24,27 +26,61 @@ void printCounters(const Json& record) {
     if (count.get<uint64_t>() != 0) note(fmt::format("  {} {}", name, count.get<uint64_t>()));
 }
 
-void render(const Options& options) {
-  lab::checkPictureName(options.out);
-  lab::Shot shot = options.shot.resolve();
-  if (!shot.taps.empty() && Path(options.out).extension() != ".exr")
+void checkOptions(const Options& options, const lab::Shot& shot) {
+  if (!options.out.empty()) lab::checkPictureName(options.out);
+  if (options.out.empty() && options.pixel.empty() && options.tev.empty())
+    throw Error("render makes nothing without --out FILE, --pixel X,Y or --tev HOST:PORT", {}, 2);
+  bool file_for_taps = options.out.empty() || Path(options.out).extension() == ".exr";
+  if (!shot.taps.empty() && !(file_for_taps && (!options.out.empty() || !options.tev.empty())))
     throw Error("--tap needs an .exr file: a .png holds the color alone", {}, 2);
-  lab::Workbench bench(shot.device, validationWanted());
+}
+
+// The picture; with `--pixel` also what every pass left there.
+lab::Picture renderedBy(lab::Workbench& bench, const Options& options, const lab::Shot& shot, lab::Trail& trail) {
   std::unique_ptr<Progress> progress;
-  lab::Picture picture = bench.render(shot, [&](int, int of) {
+  auto advance = [&](int, int of) {
     if (!progress) progress = std::make_unique<Progress>(shot.pipeline, of);
     progress->advance();
-  });
-  progress.reset();
-  refuseMessages(bench.device());
-  for (const std::string& warning : picture.warnings) warn(warning);
-  std::vector<Path> files = lab::writePicture(picture, options.out, options.half);
+  };
+  if (options.pixel.empty()) return bench.render(shot, advance);
+  auto [x, y] = lab::parsePixel(options.pixel);
+  lab::Followed followed = lab::follow(bench, shot, x, y, advance);
+  trail = std::move(followed.trail);
+  return std::move(followed.picture);
+}
+
+void sendTo(lab::Tev& viewer, const lab::Picture& picture) {
+  for (const auto* images : {&picture.frame.outputs, &picture.frame.taps})
+    for (const auto& [name, read] : *images)
+      if (!viewer.send(name, read)) return;
+}
+
+void print(const Options& options, const lab::Picture& picture, const lab::Trail& trail, const std::vector<Path>& files) {
+  bool pixel = !options.pixel.empty();
   if (options.json) {
-    std::printf("%s\n", picture.record.dump(2).c_str());
+    std::printf("%s\n", (pixel ? lab::toJson(trail) : picture.record).dump(2).c_str());
     return;
   }
+  if (pixel) std::printf("%s%s", lab::tableOf(trail).c_str(), files.empty() ? "" : "\n");
   printCounters(picture.record);
   for (const Path& file : files) std::printf("%s\n", file.c_str());
+}
+
+void render(const Options& options) {
+  lab::Shot shot = options.shot.resolve();
+  checkOptions(options, shot);
+  std::unique_ptr<lab::Tev> viewer;
+  if (!options.tev.empty()) viewer = std::make_unique<lab::Tev>(lab::parseTevAddress(options.tev));
+  if (!options.pixel.empty()) lab::parsePixel(options.pixel);
+  lab::Workbench bench(shot.device, validationWanted());
+  lab::Trail trail;
+  lab::Picture picture = renderedBy(bench, options, shot, trail);
+  refuseMessages(bench.device());
+  for (const std::string& warning : picture.warnings) warn(warning);
+  std::vector<Path> files;
+  if (!options.out.empty()) files = lab::writePicture(picture, options.out, options.half);
+  if (viewer) sendTo(*viewer, picture);
+  print(options, picture, trail, files);
 }
 
 }  // namespace
@@ -52,9 +88,11 @@ void render(const Options& options) {
 void registerRender(CLI::App& program) {
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("render", "Render one picture of a scene with a pipeline");
-  command->add_option("-o,--out", options->out, "picture to write, .exr or .png; record and timings go beside it")->required();
+  command->add_option("-o,--out", options->out, "picture to write, .exr or .png; record and timings go beside it");
+  command->add_option("--pixel", options->pixel, "X,Y from the top left: print what every pass left there and what its ray meets");
+  addTev(*command, options->tev);
   command->add_flag("--half", options->half, "EXR in 16-bit floats (rounds more than the errors measured here)");
-  command->add_flag("--json", options->json, "print the run record instead of the files written");
+  command->add_flag("--json", options->json, "print the run record (with --pixel: the trail) instead of the files written");
   options->shot.addWithPipeline(*command);
   command->callback([options] { render(*options); });
 }

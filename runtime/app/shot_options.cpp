@@ -85,6 +85,16 @@ lab::Shot ShotOptions::resolve() const {
   return resolved;
 }
 
+void addTev(CLI::App& command, std::string& address) {
+  auto take = [&address](const std::vector<std::string>& given) {
+    bool bare = given.empty() || given[0].empty();
+    address = bare ? "localhost:14158" : given[0];
+    return true;
+  };
+  command.add_option("--tev", take, "send outputs and taps to the viewer tev, if it runs there (default: localhost:14158)")
+      ->expected(0, 1)->type_name("[HOST:PORT]");
+}
+
 bool validationWanted() {
   const char* value = std::getenv("STROBE_VALIDATION");
   return value && *value && std::string(value) != "0";

@@ -31,6 +31,9 @@ struct ShotOptions {
 // "NAME=VALUE" into its halves.
 std::pair<std::string, std::string> parseSetting(const std::string& text);
 
+// `--tev [HOST:PORT]`: leaves "" in `address` when it is not given, what was given or the viewer's own port otherwise.
+void addTev(CLI::App& command, std::string& address);
+
 // Validation is on when STROBE_VALIDATION is set to anything but 0.
 bool validationWanted();
 

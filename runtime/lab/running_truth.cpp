@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "lab/running_truth.h"
+
+#include <cmath>
+#include <limits>
+
+#include "lab/capture.h"
+
+namespace strobe::lab {
+
+// Seeds of steps lie far apart: a pipeline may use the seeds next to its own as well.
+constexpr uint32_t kSeedStride = 0x9e3779b9u;
+
+RunningTruth::RunningTruth(Workbench& bench, std::string pipeline, int samples_per_step)
+    : bench_(bench), pipeline_(std::move(pipeline)), samples_per_step_(samples_per_step) {
+  STROBE_ASSERT(samples_per_step >= 1, "{}", samples_per_step);
+}
+
+void RunningTruth::restart(const Shot& shot) {
+  shot_ = std::make_unique<Shot>(shot);
+  shot_->pipeline = pipeline_;
+  shot_->aa = 1;
+  shot_->taps.clear();
+  std::erase_if(shot_->sets, [](const auto& set) { return !set.first.starts_with("scene."); });
+  shot_->sets.push_back({"samples", std::to_string(samples_per_step_)});
+  shot_->sets.push_back({"times", "stratified"});
+  shot_->sets.push_back({"mark_regions", "false"});
+  steps_ = 0;
+  sum_.clear(), squares_.clear();
+  mean_ = {};
+}
+
+bool RunningTruth::step() {
+  if (!shot_) return false;
+  Shot shot = *shot_;
+  shot.seed += uint32_t(steps_) * kSeedStride;
+  add(colorOf(bench_.render(shot)));
+  return true;
+}
+
+// Welford's sums: no difference of large numbers.
+void RunningTruth::add(const image::Image& color) {
+  if (steps_ == 0) {
+    mean_ = image::Image(color.width, color.height, color.channels);
+    sum_.assign(color.values.size(), 0);
+    squares_.assign(color.values.size(), 0);
+  }
+  ++steps_;
+  for (size_t i = 0; i < color.values.size(); ++i) {
+    double value = color.values[i], before = steps_ > 1 ? sum_[i] / (steps_ - 1) : value;
+    sum_[i] += value;
+    squares_[i] += (value - before) * (value - sum_[i] / steps_);
+    mean_.values[i] = float(sum_[i] / steps_);
+  }
+}
+
+double RunningTruth::standardError() const {
+  if (steps_ < 2) return std::numeric_limits<double>::infinity();
+  double sum = 0;
+  for (double squares : squares_) sum += squares / (steps_ - 1) / steps_;
+  return std::sqrt(sum / double(squares_.size()));
+}
+
+}  // namespace strobe::lab

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Truth that gets better while one looks: steps of a few samples each, averaged in double precision.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lab/workbench.h"
+
+namespace strobe::lab {
+
+class RunningTruth {
+ public:
+  // `pipeline` takes `samples`, `times` and `mark_regions`; its output is "color". The bench must outlive this.
+  explicit RunningTruth(Workbench& bench, std::string pipeline = "ground_truth", int samples_per_step = 4);
+
+  // Forgets everything and starts on another shot (its pipeline's settings are not taken, the scene's are).
+  void restart(const Shot& shot);
+
+  // Takes one step, with random numbers of its own that depend on the shot's seed and the number of the step alone.
+  // False before a shot is given. Throws `Error` where the pipeline cannot be drawn.
+  bool step();
+
+  // Linear colour of three channels; empty before the first step.
+  const image::Image& mean() const { return mean_; }
+  int samples() const { return steps_ * samples_per_step_; }
+
+  // Of the mean: root mean square over pixels and channels, from how the steps differ; infinite before the second.
+  double standardError() const;
+
+ private:
+  void add(const image::Image& color);
+
+  Workbench& bench_;
+  std::string pipeline_;
+  int samples_per_step_ = 0;
+  std::unique_ptr<Shot> shot_;
+  int steps_ = 0;
+  std::vector<double> sum_, squares_;  // of the steps' colours, and of their differences from the mean so far
+  image::Image mean_;
+};
+
+}  // namespace strobe::lab

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+#include "lab/trail.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+#include "plan/canonical.h"
+
+namespace strobe::lab {
+
+namespace {
+
+std::string shortest(double value) { return fmt::format("{}", float(value)); }
+
+template <class Numbers>
+std::string joined(const Numbers& numbers, const char* between = "  ") {
+  std::vector<std::string> texts;
+  for (auto number : numbers) texts.push_back(shortest(number));
+  return fmt::format("{}", fmt::join(texts, between));
+}
+
+std::string joined(const vec3& v) { return joined(std::vector<double>{v.x, v.y, v.z}, " "); }
+
+// The port called `name` of a pass.
+const plan::PortDesc& portOf(const plan::PassDesc& pass, const std::string& name) {
+  for (const auto* ports : {&pass.writes, &pass.updates})
+    for (const plan::PortDesc& port : *ports)
+      if (port.name == name) return port;
+  assertFailed("port", __FILE__, __LINE__, pass.name + "." + name);
+}
+
+// Calls `visit(node, image)` for each image that a pass fills, in the order of execution.
+template <class Visit>
+void forImages(const plan::Plan& plan, Visit visit) {
+  for (const plan::PlanNode& node : plan.nodes)
+    for (const auto* images : {&node.writes, &node.updates})
+      for (int image : *images) visit(node, plan.images[size_t(image)]);
+}
+
+void takeTexel(TrailRow& row, const graph::ReadImage& read) {
+  if (row.divide == 0 && (row.width > 1 || row.height > 1)) return;
+  const auto& floats = read.floats;
+  for (int c = 0; c < floats.channels; ++c) row.values.push_back(floats.at(row.x, row.y, c));
+  for (int c = 0; c < read.uints.channels; ++c) row.integers.push_back(read.uints.at(row.x, row.y, c));
+}
+
+TrailRow rowOf(const plan::PassDesc& pass, const plan::VirtualImage& image, const graph::ReadImage& read, int x, int y) {
+  TrailRow row;
+  size_t dot = image.name.rfind('.');
+  row.node = image.name.substr(0, dot);
+  row.port = image.name.substr(dot + 1);
+  row.format = image.format;
+  row.doc = portOf(pass, row.port).doc;
+  row.width = image.width, row.height = image.height, row.divide = image.divide;
+  if (row.divide > 0) row.x = x / row.divide, row.y = y / row.divide;
+  takeTexel(row, read);
+  return row;
+}
+
+std::string instanceName(const scene::Scene& scene, const std::vector<scene::Instance>& instances, uint32_t id) {
+  if (id >= instances.size()) return fmt::format("instance {}", id);
+  int node = instances[id].node;
+  const std::string& name = scene.nodes[size_t(node)].name;
+  return name.empty() ? fmt::format("node {}", node) : name;
+}
+
+// What `render` would have said: without the taps that only the trail asked for.
+void forget(Picture& picture, const std::vector<std::string>& wanted, const std::string& plan_hash) {
+  std::erase_if(picture.frame.taps, [&](const auto& tap) {
+    return std::find(wanted.begin(), wanted.end(), tap.first) == wanted.end();
+  });
+  Json taps = Json::object();
+  for (const auto& [name, read] : picture.frame.taps) taps[name] = picture.record["taps"][name];
+  if (taps.empty()) picture.record.erase("taps");
+  else picture.record["taps"] = taps;
+  picture.record["pipeline"]["plan"] = plan_hash;
+}
+
+// The ray of the pixel's centre, whatever the pipeline.
+std::vector<TrailHit> hitsAt(Workbench& bench, Shot shot, const scene::Scene& scene, int x, int y) {
+  std::erase_if(shot.sets, [](const auto& set) { return !set.first.starts_with("scene."); });
+  shot.sets.push_back({"pixel_x", std::to_string(x)});
+  shot.sets.push_back({"pixel_y", std::to_string(y)});
+  shot.pipeline = (homeFolder() / "scripts/inspect/hits.lua").string();
+  shot.aa = 1;
+  shot.taps.clear();
+  return hitsOf(scene, bench.render(shot).frame);
+}
+
+void requireInside(const Shot& shot, int x, int y) {
+  if (x >= 0 && y >= 0 && x < shot.width && y < shot.height) return;
+  throw Error(fmt::format("--pixel {},{} is outside of the picture of {}x{} (0,0 to {},{})", x, y, shot.width, shot.height,
+                          shot.width - 1, shot.height - 1),
+              {}, 2);
+}
+
+// Rows of text with their columns aligned; the last column as long as it is.
+std::string aligned(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<size_t> widths;
+  for (const auto& row : rows)
+    for (size_t c = 0; c < row.size(); ++c) {
+      if (widths.size() <= c) widths.push_back(0);
+      widths[c] = std::max(widths[c], row[c].size());
+    }
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line;
+    for (size_t c = 0; c < row.size(); ++c) line += fmt::format("{:<{}}", row[c], c + 1 < row.size() ? widths[c] + 2 : 0);
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+std::string texelText(const TrailRow& row) {
+  if (row.divide == 1) return "";
+  if (row.divide == 0) return fmt::format("whole image, {}x{}", row.width, row.height);
+  return fmt::format("tile {},{} of {}x{} px", row.x, row.y, row.divide, row.divide);
+}
+
+std::string valueText(const TrailRow& row) {
+  if (!row.integers.empty()) return fmt::format("{}", fmt::join(row.integers, "  "));
+  return row.values.empty() ? "-" : joined(row.values);
+}
+
+std::vector<std::vector<std::string>> hitRows(const Trail& trail) {
+  std::vector<std::vector<std::string>> rows = {
+      {"layer", "instance", "geometry", "primitive", "side", "depth [m]", "normal [world]", "displacement [px]", "color [linear]"}};
+  for (const TrailHit& hit : trail.hits)
+    rows.push_back({std::to_string(hit.layer), hit.instance, std::to_string(hit.geometry), std::to_string(hit.primitive),
+                    hit.front ? "front" : "back", shortest(hit.depth), joined(hit.normal),
+                    joined(std::vector<double>{hit.velocity.x, hit.velocity.y}, " "), joined(hit.color)});
+  return rows;
+}
+
+// The shortest text of the float as a number: what reads back to the same float.
+Json numberJson(double value) {
+  if (!std::isfinite(value)) return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
+  return std::strtod(shortest(value).c_str(), nullptr);
+}
+
+template <class Numbers>
+Json numbersJson(const Numbers& numbers) {
+  Json json = Json::array();
+  for (auto number : numbers) json.push_back(numberJson(number));
+  return json;
+}
+
+Json vectorJson(const vec3& v) { return numbersJson(std::vector<double>{v.x, v.y, v.z}); }
+
+Json toJson(const TrailRow& row) {
+  Json json = {{"node", row.node}, {"port", row.port}, {"format", row.format}, {"doc", row.doc}};
+  json["size"] = {row.width, row.height};
+  json["pixels_per_texel"] = row.divide;
+  if (row.divide > 0) json["texel"] = {row.x, row.y};
+  if (!row.integers.empty()) json["values"] = row.integers;
+  else if (!row.values.empty()) json["values"] = numbersJson(row.values);
+  return json;
+}
+
+Json toJson(const TrailHit& hit) {
+  Json json = {{"layer", hit.layer}, {"instance", hit.instance}, {"geometry", hit.geometry}, {"primitive", hit.primitive}};
+  json["side"] = hit.front ? "front" : "back";
+  json["depth_m"] = numberJson(hit.depth);
+  json["normal"] = vectorJson(hit.normal);
+  json["displacement_px"] = numbersJson(std::vector<double>{hit.velocity.x, hit.velocity.y});
+  json["color"] = vectorJson(hit.color);
+  return json;
+}
+
+}  // namespace
+
+std::array<int, 2> parsePixel(const std::string& text) {
+  int x = 0, y = 0;
+  const char* end = text.data() + text.size();
+  auto [after_x, x_error] = std::from_chars(text.data(), end, x);
+  bool good = x_error == std::errc() && after_x != end && *after_x == ',';
+  if (good) {
+    auto [after_y, y_error] = std::from_chars(after_x + 1, end, y);
+    good = y_error == std::errc() && after_y == end;
+  }
+  if (!good) throw Error(fmt::format("--pixel '{}' is not X,Y in pixels from the top left", text), {}, 2);
+  return {x, y};
+}
+
+std::vector<std::string> portsOf(const plan::Plan& plan) {
+  std::vector<std::string> ports;
+  forImages(plan, [&](const plan::PlanNode&, const plan::VirtualImage& image) { ports.push_back(image.name); });
+  return ports;
+}
+
+Trail trailOf(const plan::Plan& plan, const graph::FrameResult& frame, int x, int y) {
+  STROBE_ASSERT(x >= 0 && y >= 0 && x < plan.width && y < plan.height, "{},{} of {}x{}", x, y, plan.width, plan.height);
+  Trail trail = {plan.pipeline.name, x, y, plan.width, plan.height, {}, {}};
+  forImages(plan, [&](const plan::PlanNode& node, const plan::VirtualImage& image) {
+    auto tap = frame.taps.find(image.name);
+    if (tap == frame.taps.end()) return;
+    trail.rows.push_back(rowOf(plan.pipeline.passes[size_t(node.pass)], image, tap->second, x, y));
+  });
+  return trail;
+}
+
+std::vector<TrailHit> hitsOf(const scene::Scene& scene, const graph::FrameResult& frame) {
+  const auto& ids = frame.outputs.at("hit").uints;
+  const auto& where = frame.outputs.at("where").floats;
+  const auto& velocity = frame.outputs.at("velocity").floats;
+  const auto& color = frame.outputs.at("color").floats;
+  std::vector<scene::Instance> instances = scene::instancesOf(scene);
+  std::vector<TrailHit> hits;
+  for (int i = 0; i < ids.width && ids.at(i, 0, 0) != 0; ++i) {
+    TrailHit hit;
+    hit.layer = i;
+    hit.instance = instanceName(scene, instances, ids.at(i, 0, 0) - 1);
+    hit.geometry = ids.at(i, 0, 1) - 1;
+    hit.primitive = ids.at(i, 0, 2);
+    hit.front = ids.at(i, 0, 3) != 0;
+    hit.depth = where.at(i, 0, 0);
+    hit.normal = vec3(where.at(i, 0, 1), where.at(i, 0, 2), where.at(i, 0, 3));
+    hit.velocity = vec2(velocity.at(i, 0, 0), velocity.at(i, 0, 1));
+    hit.color = vec3(color.at(i, 0, 0), color.at(i, 0, 1), color.at(i, 0, 2));
+    hits.push_back(hit);
+  }
+  return hits;
+}
+
+Followed follow(Workbench& bench, Shot shot, int x, int y, const std::function<void(int, int)>& progress) {
+  LoadedScene loaded = loadScene(shot);
+  requireInside(shot, x, y);
+  plan::PipelineDesc pipeline = script::evaluatePipeline({shot.pipeline, shot.sets}, nullptr);
+  Shot tapped = shot;
+  tapped.taps = portsOf(planOf(shot, pipeline, graph::Backend::Query));
+
+  Followed result;
+  result.picture = bench.render(tapped, progress);
+  bool query = result.picture.record["device"]["backend"] == graph::backendName(graph::Backend::Query);
+  graph::Backend backend = query ? graph::Backend::Query : graph::Backend::Pipeline;
+  result.trail = trailOf(planOf(tapped, pipeline, backend), result.picture.frame, x, y);
+  result.trail.hits = hitsAt(bench, shot, loaded.scene, x, y);
+  forget(result.picture, shot.taps, plan::hashOf(planOf(shot, pipeline, backend)));
+  return result;
+}
+
+Json toJson(const Trail& trail) {
+  Json json = {{"pipeline", trail.pipeline}, {"pixel", {trail.x, trail.y}}, {"size", {trail.width, trail.height}}};
+  json["passes"] = Json::array();
+  for (const TrailRow& row : trail.rows) json["passes"].push_back(toJson(row));
+  json["hits"] = Json::array();
+  for (const TrailHit& hit : trail.hits) json["hits"].push_back(toJson(hit));
+  return json;
+}
+
+std::string tableOf(const Trail& trail) {
+  std::vector<std::vector<std::string>> rows = {{"pass", "image", "format", "texel", "value", "meaning"}};
+  for (const TrailRow& row : trail.rows)
+    rows.push_back({row.node, row.port, row.format, texelText(row), valueText(row), row.doc});
+  std::string text = fmt::format("pixel {},{} of {}x{}, pipeline {}: what every pass left there, in their order\n\n",
+                                 trail.x, trail.y, trail.width, trail.height, trail.pipeline);
+  text += aligned(rows) + "\n";
+  if (trail.hits.empty()) return text + "its ray meets nothing\n";
+  return text + "what its ray meets, nearest first\n\n" + aligned(hitRows(trail));
+}
+
+}  // namespace strobe::lab

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Truth in steps against truth at once.
+#include "lab/running_truth.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "oracle/render.h"
+
+using namespace strobe;
+using namespace strobe::lab;
+
+namespace {
+
+class RunningTruthTest : public oracle::RenderTest {
+ protected:
+  // An edge that moves by 20 px over the exposure, in the middle of 48 px.
+  static Shot shot() { return oracle::shotOf("half_plane", 48, 4, {{"edge", 24}, {"d_f", 20}}); }
+
+  static void take(RunningTruth& truth, int steps) {
+    for (int i = 0; i < steps; ++i) ASSERT_TRUE(truth.step());
+  }
+};
+
+}  // namespace
+
+// The error against 512 samples at once (whose own is 1/512 at most) is what the spread of the steps says: neither
+// more than three times as large nor, or the statement were worthless, more than three times smaller.
+TEST_F(RunningTruthTest, ErrorIsAsStated) {
+  Picture reference = render(oracle::with(shot(), "ground_truth", {"samples=512", "mark_regions=false"}));
+  RunningTruth truth(bench(), "ground_truth", 4);
+  truth.restart(shot());
+  EXPECT_TRUE(std::isinf(truth.standardError()));
+  double before = 0;
+  for (int steps : {2, 8, 24}) {
+    take(truth, steps - truth.samples() / 4);
+    double error = oracle::rmsDifference(truth.mean(), oracle::colorOf(reference));
+    EXPECT_LE(error, 3 * truth.standardError()) << steps;
+    EXPECT_GE(error, truth.standardError() / 3) << steps;
+    if (steps > 8) EXPECT_LT(truth.standardError(), before);
+    before = truth.standardError();
+  }
+  EXPECT_EQ(truth.samples(), 96);
+}
+
+TEST_F(RunningTruthTest, RestartForgets) {
+  RunningTruth truth(bench(), "ground_truth", 2);
+  EXPECT_FALSE(truth.step()) << "no shot yet";
+  truth.restart(shot());
+  take(truth, 3);
+  image::Image first = truth.mean();
+  Shot other = shot();
+  other.anchor = "open";
+  truth.restart(other);
+  EXPECT_EQ(truth.samples(), 0);
+  EXPECT_TRUE(truth.mean().empty());
+  take(truth, 3);
+  EXPECT_FALSE(oracle::identical(truth.mean(), first));
+  truth.restart(shot());
+  take(truth, 3);
+  EXPECT_TRUE(oracle::identical(truth.mean(), first)) << "the same steps give the same bits";
+}
+
+// A seed of the shot's own gives other steps; steps differ from each other.
+TEST_F(RunningTruthTest, StepsHaveSeedsOfTheirOwn) {
+  RunningTruth truth(bench(), "ground_truth", 1);
+  truth.restart(shot());
+  take(truth, 1);
+  image::Image one = truth.mean();
+  take(truth, 1);
+  EXPECT_FALSE(oracle::identical(truth.mean(), one));
+  EXPECT_GT(truth.standardError(), 0);
+  Shot seeded = shot();
+  seeded.seed = 7;
+  truth.restart(seeded);
+  take(truth, 1);
+  EXPECT_FALSE(oracle::identical(truth.mean(), one));
+}
+
+// The settings of the pipeline that is looked at mean nothing to truth.
+TEST_F(RunningTruthTest, TakesNoSettingsOfOtherPipelines) {
+  RunningTruth truth(bench(), "ground_truth", 1);
+  truth.restart(oracle::with(shot(), "hybrid", {"preset=seed"}));
+  take(truth, 1);
+  EXPECT_EQ(truth.samples(), 1);
+}

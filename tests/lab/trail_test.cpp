@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// The trail of a pixel against the layers of an EXR file of the same shot, and against where its surfaces are.
+#include "lab/trail.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+
+#include "lab/capture.h"
+#include "oracle/render.h"
+
+using namespace strobe;
+using namespace strobe::lab;
+
+namespace {
+
+class TrailTest : public oracle::RenderTest {};
+
+// "gbuffer.velocity" of two channels is velocity.X and .Y in a file, below the node's name.
+std::vector<const image::ExrChannel*> layerOf(const image::ExrFile& file, const std::string& layer) {
+  std::vector<const image::ExrChannel*> channels;
+  for (const std::string& component : {"R", "G", "B", "A", "X", "Y", "Z", "W"})
+    if (const auto* channel = file.find(layer + "." + component)) channels.push_back(channel);
+  return channels;
+}
+
+bool sameBits(double value, float stored) {
+  float single = float(value);
+  return std::memcmp(&single, &stored, sizeof stored) == 0;
+}
+
+// The pixel of every layer that the file has, as the row has it; how many rows the file has no layer for.
+int compareWithFile(const Trail& trail, const image::ExrFile& file) {
+  int absent = 0;
+  for (const TrailRow& row : trail.rows) {
+    std::vector<const image::ExrChannel*> channels = layerOf(file, row.node + "." + row.port);
+    absent += channels.empty();
+    if (channels.empty()) continue;
+    size_t i = size_t(trail.y) * size_t(trail.width) + size_t(trail.x);
+    EXPECT_EQ(channels.size(), std::max(row.values.size(), row.integers.size())) << row.node << "." << row.port;
+    for (size_t c = 0; c < row.values.size(); ++c)
+      EXPECT_TRUE(sameBits(row.values[c], channels[c]->values[i])) << row.node << "." << row.port;
+    for (size_t c = 0; c < row.integers.size(); ++c) EXPECT_EQ(row.integers[c], channels[c]->ids[i]) << row.node;
+  }
+  return absent;
+}
+
+// The shot with everything tapped, by way of a file.
+image::ExrFile fileOf(const Picture& picture) {
+  Path file = std::filesystem::temp_directory_path() / fmt::format("strobe_trail_{}.exr", getpid());
+  image::writeExr(file, exrOf(picture, false));
+  image::ExrFile read = image::readExr(file);
+  std::filesystem::remove(file);
+  return read;
+}
+
+TrailRow rowOf(const std::string& format, std::vector<double> values) {
+  TrailRow row;
+  row.node = "blur", row.port = "blurred", row.format = format, row.doc = "linear";
+  row.width = 64, row.height = 40;
+  row.values = std::move(values);
+  return row;
+}
+
+}  // namespace
+
+struct TrailCase {
+  const char* pipeline;
+  std::vector<std::string> settings;
+  int tiles;  // at least so many images are not as large as the frame and so in no file
+};
+
+TEST_F(TrailTest, IsWhatTheFileHoldsAndChangesNothing) {
+  for (const TrailCase& one : {TrailCase{"hybrid", {"preset=best"}, 2}, TrailCase{"hybrid", {"preset=seed"}, 2},
+                               TrailCase{"mcguire2012", {}, 2}}) {
+    SCOPED_TRACE(one.pipeline);
+    Shot shot = oracle::with(oracle::shotOf("crowd", 64, 40), one.pipeline, one.settings);
+    Picture alone = render(shot);
+    Followed followed = follow(bench(), shot, 23, 14);
+    EXPECT_EQ(followed.picture.record.dump(), alone.record.dump());
+    EXPECT_TRUE(followed.picture.frame.taps.empty());
+    for (const auto& [name, read] : alone.frame.outputs)
+      EXPECT_TRUE(oracle::identical(read.floats, followed.picture.frame.outputs.at(name).floats)) << name;
+
+    Shot tapped = shot;
+    for (const TrailRow& row : followed.trail.rows) tapped.taps.push_back(row.node + "." + row.port);
+    Picture everything = render(tapped);
+    EXPECT_GE(compareWithFile(followed.trail, fileOf(everything)), one.tiles);
+    for (const TrailRow& row : followed.trail.rows) {
+      const image::Image& image = everything.frame.taps.at(row.node + "." + row.port).floats;
+      for (size_t c = 0; c < row.values.size(); ++c)
+        EXPECT_TRUE(sameBits(row.values[c], image.at(row.x, row.y, int(c)))) << row.node << "." << row.port;
+      if (row.divide > 1) EXPECT_EQ(row.x, 23 / row.divide) << row.node;
+    }
+  }
+}
+
+// What was asked for besides the pixel stays.
+TEST_F(TrailTest, KeepsTheTapsThatWereAskedFor) {
+  Shot shot = oracle::with(oracle::shotOf("crowd", 64, 40), "mcguire2012");
+  shot.taps = {"gbuffer.depth"};
+  Followed followed = follow(bench(), shot, 0, 39);
+  EXPECT_EQ(followed.picture.record.dump(), render(shot).record.dump());
+  EXPECT_EQ(followed.picture.frame.taps.size(), 1u);
+}
+
+// The last row is the picture; nodes stand in the order of execution.
+TEST_F(TrailTest, EndsInThePicture) {
+  Shot shot = oracle::with(oracle::shotOf("crowd", 64, 40), "mcguire2012");
+  Followed followed = follow(bench(), shot, 23, 14);
+  const image::Image& color = oracle::colorOf(followed.picture);
+  ASSERT_FALSE(followed.trail.rows.empty());
+  const TrailRow& last = followed.trail.rows.back();
+  ASSERT_EQ(last.values.size(), 4u);
+  for (int c = 0; c < 3; ++c) EXPECT_TRUE(sameBits(last.values[size_t(c)], color.at(23, 14, c)));
+  EXPECT_FALSE(last.doc.empty());
+}
+
+// Pixel 20,13 lies in the card "high", 16 m away, that moves by (9.125, 3.25) px; the wall behind it, 32 m away, rests
+// (scenes/crowd.lua). Single precision of positions relative to the camera: 1e-5 of the depth; displacements 1e-3 px.
+TEST_F(TrailTest, HitsAreTheSurfacesAlongTheRay) {
+  Shot shot = oracle::with(oracle::shotOf("crowd", 64, 40), "none");
+  std::vector<TrailHit> hits = follow(bench(), shot, 20, 13).trail.hits;
+  ASSERT_EQ(hits.size(), 2u);
+  EXPECT_EQ(hits[0].instance, "high");
+  EXPECT_NEAR(hits[0].depth, 16, 1.6e-4);
+  EXPECT_NEAR(hits[0].velocity.x, 9.125, 1e-3);
+  EXPECT_NEAR(hits[0].velocity.y, 3.25, 1e-3);
+  EXPECT_NEAR(hits[0].normal.z, 1, 1e-6);
+  EXPECT_TRUE(hits[0].front);
+  EXPECT_EQ(hits[1].instance, "wall");
+  EXPECT_EQ(hits[1].layer, 1);
+  EXPECT_NEAR(hits[1].depth, 32, 3.2e-4);
+  EXPECT_NEAR(hits[1].velocity.x, 0, 1e-3);
+}
+
+TEST_F(TrailTest, PixelsOutsideAreRefused) {
+  Shot shot = oracle::with(oracle::shotOf("crowd", 64, 40), "none");
+  for (auto [x, y] : {std::pair(64, 0), std::pair(0, 40), std::pair(-1, 0)}) {
+    try {
+      follow(bench(), shot, x, y);
+      ADD_FAILURE() << x << "," << y;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.exitCode(), 2);
+      EXPECT_NE(std::string(error.what()).find("64x40"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(Trail, PixelsAsTyped) {
+  EXPECT_EQ(parsePixel("12,7"), (std::array<int, 2>{12, 7}));
+  for (const char* text : {"", "12", "12,", ",7", "12,7,3", "12.5,7", "a,b", "12, 7", "99999999999,1"})
+    EXPECT_THROW(parsePixel(text), Error) << text;
+}
+
+TEST(Trail, NumbersReadBackToTheSameFloat) {
+  std::vector<double> values;
+  for (float value : {0.1f, 1.0f / 3, 1e-38f, 3.4e38f, 1e-45f, 16777217.0f, -0.0f, 2.5f}) values.push_back(value);
+  Trail trail = {"p", 0, 0, 64, 40, {rowOf("rgba32f", values)}, {}};
+  Json read = Json::parse(toJson(trail).dump())["passes"][0]["values"];
+  for (size_t i = 0; i < values.size(); ++i) EXPECT_TRUE(sameBits(read[i].get<double>(), float(values[i]))) << values[i];
+  EXPECT_NE(tableOf(trail).find("0.1  0.33333334  1e-38"), std::string::npos) << tableOf(trail);
+}
+
+TEST(Trail, WhatIsNotFiniteIsNamed) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  Trail trail = {"p", 0, 0, 64, 40, {rowOf("rgba32f", {NAN, inf, -inf})}, {}};
+  EXPECT_EQ(toJson(trail)["passes"][0]["values"], Json::parse(R"(["nan", "inf", "-inf"])"));
+  EXPECT_NE(tableOf(trail).find("nan  inf  -inf"), std::string::npos);
+  EXPECT_NE(tableOf(trail).find("meets nothing"), std::string::npos);
+}

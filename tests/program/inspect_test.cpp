@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// `render --pixel` and `--tev` from outside.
+#include <gtest/gtest.h>
+
+#include "base/json.h"
+#include "program/run.h"
+
+namespace strobe::testing {
+namespace {
+
+const std::string kShot = " --scene oracles/bar --size 64x32";
+
+TEST(Inspect, PixelPrintsATable) {
+  Outcome outcome = run("render mcguire2012" + kShot + " --pixel 30,12");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* wanted : {"pixel 30,12 of 64x32", "gbuffer", "velocity", "tile", "depth [m]", "metres"})
+    EXPECT_NE(outcome.out.find(wanted), std::string::npos) << wanted << "\n" << outcome.out;
+}
+
+// Looking changes neither the picture nor its record.
+TEST(Inspect, PixelChangesNoFile) {
+  TemporaryFolder folder;
+  EXPECT_EQ(run("render hybrid" + kShot + " -o " + (folder / "a.exr")).exit_code, 0);
+  Outcome looked = run("render hybrid" + kShot + " --pixel 30,12 --json -o " + (folder / "b.exr"));
+  EXPECT_EQ(looked.exit_code, 0) << looked.err;
+  EXPECT_EQ(contentOf(folder / "a.exr"), contentOf(folder / "b.exr"));
+  EXPECT_EQ(contentOf(folder / "a.record.json"), contentOf(folder / "b.record.json"));
+  Json trail = Json::parse(looked.out);
+  EXPECT_EQ(trail["pixel"], Json::parse("[30, 12]"));
+  EXPECT_GT(trail["passes"].size(), 5u);
+  EXPECT_FALSE(trail["hits"].empty());
+}
+
+TEST(Inspect, MistakesAreUsageErrors) {
+  for (const auto& [options, wanted] : {std::pair<std::string, std::string>{"--pixel 64,0", "outside of the picture of 64x32"},
+                                        {"--pixel 3", "is not X,Y"},
+                                        {"--tev nowhere", "is not HOST:PORT"},
+                                        {"", "makes nothing without"}}) {
+    Outcome outcome = run("render none" + kShot + " " + options, "STROBE_VALIDATION=0");
+    EXPECT_EQ(outcome.exit_code, 2) << options;
+    EXPECT_NE(outcome.err.find(wanted), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  }
+}
+
+// Nobody listens on port 9 of this machine (discard; long out of use).
+TEST(Inspect, NoViewerIsNoError) {
+  TemporaryFolder folder;
+  Outcome outcome = run("render none" + kShot + " --tev localhost:9 -o " + (folder / "a.png"), "STROBE_VALIDATION=0");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+}
+
+}  // namespace
+}  // namespace strobe::testing
