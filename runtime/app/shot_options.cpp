@@ -86,7 +86,7 @@ lab::Shot ShotOptions::resolve() const {
 }
 
 void addTev(CLI::App& command, std::string& address) {
-  auto take = [&address](const std::vector<std::string>& given) {
+  CLI::callback_t take = [&address](const std::vector<std::string>& given) {
     bool bare = given.empty() || given[0].empty();
     address = bare ? "localhost:14158" : given[0];
     return true;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "lab/capture.h"
+#include "lab/session.h"
 
 namespace strobe::lab {
 
@@ -16,25 +17,32 @@ RunningTruth::RunningTruth(Workbench& bench, std::string pipeline, int samples_p
   STROBE_ASSERT(samples_per_step >= 1, "{}", samples_per_step);
 }
 
+RunningTruth::~RunningTruth() = default;
+
 void RunningTruth::restart(const Shot& shot) {
-  shot_ = std::make_unique<Shot>(shot);
-  shot_->pipeline = pipeline_;
-  shot_->aa = 1;
-  shot_->taps.clear();
-  std::erase_if(shot_->sets, [](const auto& set) { return !set.first.starts_with("scene."); });
-  shot_->sets.push_back({"samples", std::to_string(samples_per_step_)});
-  shot_->sets.push_back({"times", "stratified"});
-  shot_->sets.push_back({"mark_regions", "false"});
   steps_ = 0;
-  sum_.clear(), squares_.clear();
   mean_ = {};
+  session_.reset();
+  Shot truth = shot;
+  truth.pipeline = pipeline_;
+  truth.aa = 1;
+  truth.taps.clear();
+  std::erase_if(truth.sets, [](const auto& set) { return !set.first.starts_with("scene."); });
+  truth.sets.push_back({"samples", std::to_string(samples_per_step_)});
+  truth.sets.push_back({"times", "stratified"});
+  truth.sets.push_back({"mark_regions", "false"});
+  session_ = std::make_unique<Session>(bench_, truth, "running truth");
+  seed_ = shot.seed;
 }
 
 bool RunningTruth::step() {
-  if (!shot_) return false;
-  Shot shot = *shot_;
-  shot.seed += uint32_t(steps_) * kSeedStride;
-  add(colorOf(bench_.render(shot)));
+  if (!session_) return false;
+  static const std::set<std::string> wanted = {"color"};
+  uint32_t seed = seed_ + uint32_t(steps_) * kSeedStride;
+  if (session_->shot().seed != seed) session_->set("seed", std::to_string(seed), "running truth");
+  Picture picture;
+  picture.frame = session_->draw(&wanted);
+  add(colorOf(picture));
   return true;
 }
 

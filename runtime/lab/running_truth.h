@@ -10,16 +10,20 @@
 
 namespace strobe::lab {
 
+class Session;
+
 class RunningTruth {
  public:
   // `pipeline` takes `samples`, `times` and `mark_regions`; its output is "color". The bench must outlive this.
   explicit RunningTruth(Workbench& bench, std::string pipeline = "ground_truth", int samples_per_step = 4);
+  ~RunningTruth();
 
   // Forgets everything and starts on another shot (its pipeline's settings are not taken, the scene's are).
+  // Throws `Error` where the pipeline cannot be drawn.
   void restart(const Shot& shot);
 
   // Takes one step, with random numbers of its own that depend on the shot's seed and the number of the step alone.
-  // False before a shot is given. Throws `Error` where the pipeline cannot be drawn.
+  // False before a shot is given.
   bool step();
 
   // Linear colour of three channels; empty before the first step.
@@ -35,7 +39,8 @@ class RunningTruth {
   Workbench& bench_;
   std::string pipeline_;
   int samples_per_step_ = 0;
-  std::unique_ptr<Shot> shot_;
+  std::unique_ptr<Session> session_;
+  uint32_t seed_ = 0;
   int steps_ = 0;
   std::vector<double> sum_, squares_;  // of the steps' colours, and of their differences from the mean so far
   image::Image mean_;

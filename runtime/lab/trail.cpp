@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "plan/canonical.h"
+#include "lab/session.h"
 
 namespace strobe::lab {
 
@@ -66,8 +66,8 @@ std::string instanceName(const scene::Scene& scene, const std::vector<scene::Ins
   return name.empty() ? fmt::format("node {}", node) : name;
 }
 
-// What `render` would have said: without the taps that only the trail asked for.
-void forget(Picture& picture, const std::vector<std::string>& wanted, const std::string& plan_hash) {
+// What `render` would have given: without the taps that only the trail asked for.
+void forget(Picture& picture, const std::vector<std::string>& wanted) {
   std::erase_if(picture.frame.taps, [&](const auto& tap) {
     return std::find(wanted.begin(), wanted.end(), tap.first) == wanted.end();
   });
@@ -75,18 +75,6 @@ void forget(Picture& picture, const std::vector<std::string>& wanted, const std:
   for (const auto& [name, read] : picture.frame.taps) taps[name] = picture.record["taps"][name];
   if (taps.empty()) picture.record.erase("taps");
   else picture.record["taps"] = taps;
-  picture.record["pipeline"]["plan"] = plan_hash;
-}
-
-// The ray of the pixel's centre, whatever the pipeline.
-std::vector<TrailHit> hitsAt(Workbench& bench, Shot shot, const scene::Scene& scene, int x, int y) {
-  std::erase_if(shot.sets, [](const auto& set) { return !set.first.starts_with("scene."); });
-  shot.sets.push_back({"pixel_x", std::to_string(x)});
-  shot.sets.push_back({"pixel_y", std::to_string(y)});
-  shot.pipeline = (homeFolder() / "scripts/inspect/hits.lua").string();
-  shot.aa = 1;
-  shot.taps.clear();
-  return hitsOf(scene, bench.render(shot).frame);
 }
 
 void requireInside(const Shot& shot, int x, int y) {
@@ -184,10 +172,15 @@ std::array<int, 2> parsePixel(const std::string& text) {
   return {x, y};
 }
 
-std::vector<std::string> portsOf(const plan::Plan& plan) {
-  std::vector<std::string> ports;
-  forImages(plan, [&](const plan::PlanNode&, const plan::VirtualImage& image) { ports.push_back(image.name); });
-  return ports;
+std::vector<TrailHit> hitsAt(const Session& looked_at, int x, int y) {
+  Shot shot = looked_at.shot();
+  std::erase_if(shot.sets, [](const auto& set) { return !set.first.starts_with("scene."); });
+  shot.sets.push_back({"pixel_x", std::to_string(x)});
+  shot.sets.push_back({"pixel_y", std::to_string(y)});
+  shot.pipeline = (homeFolder() / "scripts/inspect/hits.lua").string();
+  shot.taps.clear();
+  Session rays(looked_at.bench(), shot, "pixel");
+  return hitsOf(rays.scene(), rays.draw());
 }
 
 Trail trailOf(const plan::Plan& plan, const graph::FrameResult& frame, int x, int y) {
@@ -224,20 +217,15 @@ std::vector<TrailHit> hitsOf(const scene::Scene& scene, const graph::FrameResult
   return hits;
 }
 
-Followed follow(Workbench& bench, Shot shot, int x, int y, const std::function<void(int, int)>& progress) {
-  LoadedScene loaded = loadScene(shot);
-  requireInside(shot, x, y);
-  plan::PipelineDesc pipeline = script::evaluatePipeline({shot.pipeline, shot.sets}, nullptr);
-  Shot tapped = shot;
-  tapped.taps = portsOf(planOf(shot, pipeline, graph::Backend::Query));
-
+Followed follow(Workbench& bench, const Shot& shot, int x, int y, const std::function<void(int, int)>& progress) {
+  Session session(bench, shot);
+  requireInside(session.shot(), x, y);
+  session.tap(session.ports());
   Followed result;
-  result.picture = bench.render(tapped, progress);
-  bool query = result.picture.record["device"]["backend"] == graph::backendName(graph::Backend::Query);
-  graph::Backend backend = query ? graph::Backend::Query : graph::Backend::Pipeline;
-  result.trail = trailOf(planOf(tapped, pipeline, backend), result.picture.frame, x, y);
-  result.trail.hits = hitsAt(bench, shot, loaded.scene, x, y);
-  forget(result.picture, shot.taps, plan::hashOf(planOf(shot, pipeline, backend)));
+  result.picture = session.capture(progress);
+  result.trail = trailOf(session.plan(), result.picture.frame, x, y);
+  result.trail.hits = hitsAt(session, x, y);
+  forget(result.picture, shot.taps);
   return result;
 }
 

@@ -10,6 +10,8 @@
 
 namespace strobe::lab {
 
+class Session;
+
 // The texel of one image that covers the pixel.
 struct TrailRow {
   std::string node, port, format;
@@ -43,14 +45,14 @@ struct Trail {
 // "X,Y" in pixels from the top left. Throws `Error` with exit code 2.
 std::array<int, 2> parsePixel(const std::string& text);
 
-// Every "node.port" of a plan, in the order of execution.
-std::vector<std::string> portsOf(const plan::Plan& plan);
-
 // The rows alone, of a frame in which all ports of the plan are tapped; those that are not are left out.
 Trail trailOf(const plan::Plan& plan, const graph::FrameResult& frame, int x, int y);
 
 // The hits in a frame of scripts/inspect/hits.lua.
 std::vector<TrailHit> hitsOf(const scene::Scene& scene, const graph::FrameResult& frame);
+
+// What the ray of a pixel's centre meets in the scene that a session draws, as it stands.
+std::vector<TrailHit> hitsAt(const Session& session, int x, int y);
 
 // Renders the shot and follows the pixel. The picture and its record are what `render` gives for the same shot.
 // Throws `Error` with exit code 2 for a pixel outside of the picture.
@@ -58,7 +60,7 @@ struct Followed {
   Picture picture;
   Trail trail;
 };
-Followed follow(Workbench& bench, Shot shot, int x, int y, const std::function<void(int, int)>& progress = {});
+Followed follow(Workbench& bench, const Shot& shot, int x, int y, const std::function<void(int, int)>& progress = {});
 
 // Numbers that are not finite are the texts "nan", "inf" and "-inf"; all others read back to the same 32-bit float.
 Json toJson(const Trail& trail);

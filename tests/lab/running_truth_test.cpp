@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "lab/capture.h"
 #include "oracle/render.h"
 
 using namespace strobe;
@@ -28,17 +29,17 @@ class RunningTruthTest : public oracle::RenderTest {
 // The error against 512 samples at once (whose own is 1/512 at most) is what the spread of the steps says: neither
 // more than three times as large nor, or the statement were worthless, more than three times smaller.
 TEST_F(RunningTruthTest, ErrorIsAsStated) {
-  Picture reference = render(oracle::with(shot(), "ground_truth", {"samples=512", "mark_regions=false"}));
+  image::Image reference = lab::colorOf(render(oracle::with(shot(), "ground_truth", {"samples=512", "mark_regions=false"})));
   RunningTruth truth(bench(), "ground_truth", 4);
   truth.restart(shot());
   EXPECT_TRUE(std::isinf(truth.standardError()));
-  double before = 0;
+  double before = 1;
   for (int steps : {2, 8, 24}) {
     take(truth, steps - truth.samples() / 4);
-    double error = oracle::rmsDifference(truth.mean(), oracle::colorOf(reference));
+    double error = oracle::rmsDifference(truth.mean(), reference);
     EXPECT_LE(error, 3 * truth.standardError()) << steps;
     EXPECT_GE(error, truth.standardError() / 3) << steps;
-    if (steps > 8) EXPECT_LT(truth.standardError(), before);
+    EXPECT_LT(truth.standardError(), before);
     before = truth.standardError();
   }
   EXPECT_EQ(truth.samples(), 96);
