@@ -30,9 +30,8 @@ void checkOptions(const Options& options, const lab::Shot& shot) {
   if (!options.out.empty()) lab::checkPictureName(options.out);
   if (options.out.empty() && options.pixel.empty() && options.tev.empty())
     throw Error("render makes nothing without --out FILE, --pixel X,Y or --tev HOST:PORT", {}, 2);
-  bool file_for_taps = options.out.empty() || Path(options.out).extension() == ".exr";
-  if (!shot.taps.empty() && !(file_for_taps && (!options.out.empty() || !options.tev.empty())))
-    throw Error("--tap needs an .exr file: a .png holds the color alone", {}, 2);
+  bool held = Path(options.out).extension() == ".exr" || !options.tev.empty();
+  if (!shot.taps.empty() && !held) throw Error("--tap needs an .exr file: a .png holds the color alone", {}, 2);
 }
 
 // The picture; with `--pixel` also what every pass left there.
@@ -55,7 +54,8 @@ void sendTo(lab::Tev& viewer, const lab::Picture& picture) {
       if (!viewer.send(name, read)) return;
 }
 
-void print(const Options& options, const lab::Picture& picture, const lab::Trail& trail, const std::vector<Path>& files) {
+void print(const Options& options, const lab::Picture& picture, const lab::Trail& trail,
+           const std::vector<Path>& files) {
   bool pixel = !options.pixel.empty();
   if (options.json) {
     std::printf("%s\n", (pixel ? lab::toJson(trail) : picture.record).dump(2).c_str());
@@ -89,10 +89,12 @@ void registerRender(CLI::App& program) {
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("render", "Render one picture of a scene with a pipeline");
   command->add_option("-o,--out", options->out, "picture to write, .exr or .png; record and timings go beside it");
-  command->add_option("--pixel", options->pixel, "X,Y from the top left: print what every pass left there and what its ray meets");
+  command->add_option("--pixel", options->pixel,
+                      "X,Y from the top left: print what every pass left there and what its ray meets");
   addTev(*command, options->tev);
   command->add_flag("--half", options->half, "EXR in 16-bit floats (rounds more than the errors measured here)");
-  command->add_flag("--json", options->json, "print the run record (with --pixel: the trail) instead of the files written");
+  command->add_flag("--json", options->json,
+                    "print the run record (with --pixel: the trail) instead of the files written");
   options->shot.addWithPipeline(*command);
   command->callback([options] { render(*options); });
 }

@@ -91,7 +91,7 @@ void addTev(CLI::App& command, std::string& address) {
     address = bare ? "localhost:14158" : given[0];
     return true;
   };
-  command.add_option("--tev", take, "send outputs and taps to the viewer tev, if it runs there (default: localhost:14158)")
+  command.add_option("--tev", take, "send outputs and taps to the viewer tev, if it runs (default: localhost:14158)")
       ->expected(0, 1)->type_name("[HOST:PORT]");
 }
 

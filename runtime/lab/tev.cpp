@@ -52,7 +52,8 @@ std::string finished(std::string packet) {
 image::Image asFloats(const graph::ReadImage& read) {
   if (read.uints.values.empty()) return read.floats;
   image::Image image(read.uints.width, read.uints.height, read.uints.channels);
-  std::transform(read.uints.values.begin(), read.uints.values.end(), image.values.begin(), [](uint32_t v) { return float(v); });
+  std::transform(read.uints.values.begin(), read.uints.values.end(), image.values.begin(),
+                 [](uint32_t v) { return float(v); });
   return image;
 }
 
@@ -90,7 +91,8 @@ TevAddress parseTevAddress(const std::string& text) {
   const char* from = colon == std::string::npos ? end : text.data() + colon + 1;
   auto [after, error] = std::from_chars(from, end, port);
   if (host.empty() || spaces || error != std::errc() || after != end || port < 1 || port > 65535)
-    throw Error(fmt::format("--tev '{}' is not HOST:PORT with a port of 1 to 65535, like localhost:14158", text), {}, 2);
+    throw Error(fmt::format("--tev '{}' is not HOST:PORT with a port of 1 to 65535, like localhost:14158", text), {},
+                2);
   return {host, port};
 }
 
@@ -101,7 +103,8 @@ std::string tevCreatePacket(const std::string& name, int width, int height, cons
   return finished(std::move(packet));
 }
 
-std::string tevUpdatePacket(const std::string& name, const std::vector<std::string>& channels, const image::Image& image) {
+std::string tevUpdatePacket(const std::string& name, const std::vector<std::string>& channels,
+                            const image::Image& image) {
   STROBE_ASSERT(int(channels.size()) == image.channels, "{} names for {} channels", channels.size(), image.channels);
   std::string packet = begun(kUpdate, name);
   put(packet, int32_t(image.channels));

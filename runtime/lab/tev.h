@@ -24,7 +24,8 @@ std::string tevCreatePacket(const std::string& name, int width, int height, cons
 
 // Type 6: bool grab focus, name, int32 channels, their names, int32 x, y, width, height, int64 offset of each channel,
 // int64 stride of each channel (both in floats), floats as they lie in the image.
-std::string tevUpdatePacket(const std::string& name, const std::vector<std::string>& channels, const image::Image& image);
+std::string tevUpdatePacket(const std::string& name, const std::vector<std::string>& channels,
+                            const image::Image& image);
 
 // Nobody need listen: a viewer that is not there, closes or is too slow is no error, and costs at most `patience_s`.
 class Tev {

@@ -46,7 +46,8 @@ void takeTexel(TrailRow& row, const graph::ReadImage& read) {
   for (int c = 0; c < read.uints.channels; ++c) row.integers.push_back(read.uints.at(row.x, row.y, c));
 }
 
-TrailRow rowOf(const plan::PassDesc& pass, const plan::VirtualImage& image, const graph::ReadImage& read, int x, int y) {
+TrailRow rowOf(const plan::PassDesc& pass, const plan::VirtualImage& image, const graph::ReadImage& read, int x,
+               int y) {
   TrailRow row;
   size_t dot = image.name.rfind('.');
   row.node = image.name.substr(0, dot);
@@ -79,8 +80,8 @@ void forget(Picture& picture, const std::vector<std::string>& wanted) {
 
 void requireInside(const Shot& shot, int x, int y) {
   if (x >= 0 && y >= 0 && x < shot.width && y < shot.height) return;
-  throw Error(fmt::format("--pixel {},{} is outside of the picture of {}x{} (0,0 to {},{})", x, y, shot.width, shot.height,
-                          shot.width - 1, shot.height - 1),
+  throw Error(fmt::format("--pixel {},{} is outside of the picture of {}x{} (0,0 to {},{})", x, y, shot.width,
+                          shot.height, shot.width - 1, shot.height - 1),
               {}, 2);
 }
 
@@ -95,7 +96,8 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows) {
   std::string text;
   for (const auto& row : rows) {
     std::string line;
-    for (size_t c = 0; c < row.size(); ++c) line += fmt::format("{:<{}}", row[c], c + 1 < row.size() ? widths[c] + 2 : 0);
+    for (size_t c = 0; c < row.size(); ++c)
+      line += fmt::format("{:<{}}", row[c], c + 1 < row.size() ? widths[c] + 2 : 0);
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
   return text;
@@ -113,12 +115,13 @@ std::string valueText(const TrailRow& row) {
 }
 
 std::vector<std::vector<std::string>> hitRows(const Trail& trail) {
-  std::vector<std::vector<std::string>> rows = {
-      {"layer", "instance", "geometry", "primitive", "side", "depth [m]", "normal [world]", "displacement [px]", "color [linear]"}};
+  std::vector<std::vector<std::string>> rows = {{"layer", "instance", "geometry", "primitive", "side", "depth [m]",
+                                                 "normal [world]", "displacement [px]", "color [linear]"}};
   for (const TrailHit& hit : trail.hits)
-    rows.push_back({std::to_string(hit.layer), hit.instance, std::to_string(hit.geometry), std::to_string(hit.primitive),
-                    hit.front ? "front" : "back", shortest(hit.depth), joined(hit.normal),
-                    joined(std::vector<double>{hit.velocity.x, hit.velocity.y}, " "), joined(hit.color)});
+    rows.push_back({std::to_string(hit.layer), hit.instance, std::to_string(hit.geometry),
+                    std::to_string(hit.primitive), hit.front ? "front" : "back", shortest(hit.depth),
+                    joined(hit.normal), joined(std::vector<double>{hit.velocity.x, hit.velocity.y}, " "),
+                    joined(hit.color)});
   return rows;
 }
 
@@ -148,7 +151,8 @@ Json toJson(const TrailRow& row) {
 }
 
 Json toJson(const TrailHit& hit) {
-  Json json = {{"layer", hit.layer}, {"instance", hit.instance}, {"geometry", hit.geometry}, {"primitive", hit.primitive}};
+  Json json = {
+      {"layer", hit.layer}, {"instance", hit.instance}, {"geometry", hit.geometry}, {"primitive", hit.primitive}};
   json["side"] = hit.front ? "front" : "back";
   json["depth_m"] = numberJson(hit.depth);
   json["normal"] = vectorJson(hit.normal);

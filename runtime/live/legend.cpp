@@ -55,7 +55,8 @@ void drawPlate(Image& onto, const Rectangle& area) {
   float round = std::min(6.0f, std::min(area.width, area.height) * 0.25f);
   for (int y = area.y; y < area.y + area.height; ++y)
     for (int x = area.x; x < area.x + area.width; ++x)
-      blend(onto, x, y, kBorder, 0.72f * std::clamp(0.5f - distanceToPlate({x + 0.5f, y + 0.5f}, area, round), 0.0f, 1.0f));
+      blend(onto, x, y, kBorder,
+            0.72f * std::clamp(0.5f - distanceToPlate({x + 0.5f, y + 0.5f}, area, round), 0.0f, 1.0f));
 }
 
 int padOf(float text) { return int(std::lround(text * 0.55f)); }
@@ -136,7 +137,8 @@ void drawWheel(Image& onto, double full_px) {
   for (int y = -r; y <= r; ++y)
     for (int x = -r; x <= r; ++x) {
       const float* colour = colours.pixel(x + r, y + r);
-      blend(onto, wheel.x + x, wheel.y + y, {colour[0], colour[1], colour[2]}, r + 0.5f - std::hypot(float(x), float(y)));
+      blend(onto, wheel.x + x, wheel.y + y, {colour[0], colour[1], colour[2]},
+            r + 0.5f - std::hypot(float(x), float(y)));
     }
   std::string label = fmt::format("{:g} px", full_px);
   write(onto, wheel.x - widthOf(label, text) / 2, wheel.y + r + int(text * 0.35f), label, text, kInk);
@@ -156,7 +158,8 @@ void drawArrow(Image& onto, vec2 from, vec2 to, float thickness, const Colour& c
   float head = std::min(thickness * 3.6f, length);
   vec2 neck = to - along * head, a = neck + across * head * 0.5f, b = neck - across * head * 0.5f;
   float border = std::max(1.0f, thickness * 0.55f), reach = std::max(head, thickness) + border + 1;
-  int left = int(std::max(0.0f, std::min(from.x, to.x) - reach)), top = int(std::max(0.0f, std::min(from.y, to.y) - reach));
+  int left = int(std::max(0.0f, std::min(from.x, to.x) - reach)),
+      top = int(std::max(0.0f, std::min(from.y, to.y) - reach));
   int right = int(std::min(float(onto.width), std::max(from.x, to.x) + reach));
   int bottom = int(std::min(float(onto.height), std::max(from.y, to.y) + reach));
   for (int y = top; y < bottom; ++y)

@@ -250,9 +250,10 @@ void drawDepthScale(Image& display, Range range) {
           metres(std::sqrt(range.low * range.high)), metres(range.high));
 }
 
-Image floatsShown(const Image& data, const std::string& kind, const std::string& name, int divide, int width, int height,
-                  const ViewOptions& options, const Image* under) {
-  if (kind == "mask") return maskView(placed(data, divide, width, height), beneath(under, width, height, options), options.over);
+Image floatsShown(const Image& data, const std::string& kind, const std::string& name, int divide, int width,
+                  int height, const ViewOptions& options, const Image* under) {
+  if (kind == "mask")
+    return maskView(placed(data, divide, width, height), beneath(under, width, height, options), options.over);
   if (kind == "arrows")
     return arrowView(placed(data, divide, width, height), beneath(under, width, height, options), options);
   if (kind == "normal") return placed(normalView(data), divide, width, height);
@@ -312,8 +313,8 @@ Image shown(const ReadImage& image, const std::string& port, int divide, int wid
 }
 
 Image wiped(const Image& a, const Image& b, double at) {
-  STROBE_ASSERT(a.width == b.width && a.height == b.height && a.channels == 3 && b.channels == 3, "{}x{}x{} and {}x{}x{}",
-                a.width, a.height, a.channels, b.width, b.height, b.channels);
+  STROBE_ASSERT(a.width == b.width && a.height == b.height && a.channels == 3 && b.channels == 3,
+                "{}x{}x{} and {}x{}x{}", a.width, a.height, a.channels, b.width, b.height, b.channels);
   Image result = a;
   int split = int(std::lround(std::clamp(at, 0.0, 1.0) * a.width));
   for (int y = 0; y < a.height; ++y)

@@ -29,7 +29,8 @@ class RunningTruthTest : public oracle::RenderTest {
 // The error against 512 samples at once (whose own is 1/512 at most) is what the spread of the steps says: neither
 // more than three times as large nor, or the statement were worthless, more than three times smaller.
 TEST_F(RunningTruthTest, ErrorIsAsStated) {
-  image::Image reference = lab::colorOf(render(oracle::with(shot(), "ground_truth", {"samples=512", "mark_regions=false"})));
+  image::Image reference =
+      lab::colorOf(render(oracle::with(shot(), "ground_truth", {"samples=512", "mark_regions=false"})));
   RunningTruth truth(bench(), "ground_truth", 4);
   truth.restart(shot());
   EXPECT_TRUE(std::isinf(truth.standardError()));

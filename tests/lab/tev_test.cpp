@@ -259,8 +259,8 @@ TEST(Tev, Addresses) {
   EXPECT_EQ(parseTevAddress("localhost:14158").host, "localhost");
   EXPECT_EQ(parseTevAddress("10.0.0.7:80").port, 80);
   EXPECT_EQ(parseTevAddress("[::1]:14158").host, "::1");
-  for (const char* text : {"", ":", "localhost", "localhost:", ":14158", "localhost:0", "localhost:65536", "localhost:80x",
-                           "::1:14158", "a b:80", "http://localhost:80", "localhost:-1"}) {
+  for (const char* text : {"", ":", "localhost", "localhost:", ":14158", "localhost:0", "localhost:65536",
+                           "localhost:80x", "::1:14158", "a b:80", "http://localhost:80", "localhost:-1"}) {
     try {
       parseTevAddress(text);
       ADD_FAILURE() << text;

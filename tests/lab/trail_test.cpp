@@ -170,7 +170,8 @@ TEST(Trail, NumbersReadBackToTheSameFloat) {
   for (float value : {0.1f, 1.0f / 3, 1e-38f, 3.4e38f, 1e-45f, 16777217.0f, -0.0f, 2.5f}) values.push_back(value);
   Trail trail = {"p", 0, 0, 64, 40, {rowOf("rgba32f", values)}, {}};
   Json read = Json::parse(toJson(trail).dump())["passes"][0]["values"];
-  for (size_t i = 0; i < values.size(); ++i) EXPECT_TRUE(sameBits(read[i].get<double>(), float(values[i]))) << values[i];
+  for (size_t i = 0; i < values.size(); ++i)
+    EXPECT_TRUE(sameBits(read[i].get<double>(), float(values[i]))) << values[i];
   EXPECT_NE(tableOf(trail).find("0.1  0.33333334  1e-38"), std::string::npos) << tableOf(trail);
 }
 

@@ -182,7 +182,8 @@ TEST(Views, FixedSizesAreFitted) {
   EXPECT_EQ(at(picture, 92, 12), image::magma(0));
   EXPECT_EQ(at(picture, 50, 6), kBlack);
   EXPECT_EQ(at(picture, 50, 13), kBlack);
-  EXPECT_EQ(at(shown(floats("r32f", Image(64, 64, 1, 1)), "node.row", 0, 32, 16, options, nullptr), 16, 8), image::magma(1));
+  EXPECT_EQ(at(shown(floats("r32f", Image(64, 64, 1, 1)), "node.row", 0, 32, 16, options, nullptr), 16, 8),
+            image::magma(1));
 }
 
 // The wheel says which colour stands for which displacement: those of the picture.

@@ -32,10 +32,11 @@ TEST(Inspect, PixelChangesNoFile) {
 }
 
 TEST(Inspect, MistakesAreUsageErrors) {
-  for (const auto& [options, wanted] : {std::pair<std::string, std::string>{"--pixel 64,0", "outside of the picture of 64x32"},
-                                        {"--pixel 3", "is not X,Y"},
-                                        {"--tev nowhere", "is not HOST:PORT"},
-                                        {"", "makes nothing without"}}) {
+  for (const auto& [options, wanted] :
+       {std::pair<std::string, std::string>{"--pixel 64,0", "outside of the picture of 64x32"},
+        {"--pixel 3", "is not X,Y"},
+        {"--tev nowhere", "is not HOST:PORT"},
+        {"", "makes nothing without"}}) {
     Outcome outcome = run("render none" + kShot + " " + options, "STROBE_VALIDATION=0");
     EXPECT_EQ(outcome.exit_code, 2) << options;
     EXPECT_NE(outcome.err.find(wanted), std::string::npos) << outcome.err;
