@@ -98,6 +98,9 @@ std::string textOf(const shader::Interface& in) {
 static std::string contentKey(const shader::Interface& in, const PassDesc& pass) {
   std::string key = fmt::format("{}|{}|{}", pass.shader, int(pass.kind), textOf(in));
   for (const Path& file : shaderFiles(pass)) key += shader::textWithIncludes(file);
+  // What the generated declarations include.
+  const Path shared = homeFolder() / "shaders/shared";
+  key += shader::textWithIncludes(shared / (in.scene ? "bindings.glsl" : "frame.h"));
   if (in.backend == Backend::Pipeline)
     for (const char* name : {"miss.glsl", "closest_hit.glsl", "any_hit.glsl"})
       key += shader::textWithIncludes(backendFile(name));

@@ -66,12 +66,13 @@ static script::Texts textsOf(const std::vector<script::Dependency>& files, const
   return texts;
 }
 
-Session::Evaluated Session::evaluate(const Shot& shot, const script::Texts& texts, bool lenient) {
+Session::Evaluated Session::evaluate(const Shot& shot, const script::Texts& texts, const script::Limits& limits,
+                                     bool lenient) {
   Evaluated evaluated;
   double started_s = clockSeconds();
   try {
     script::PipelineRequest request{shot.pipeline, shot.sets, texts};
-    evaluated.pipeline = script::evaluatePipeline(request, &evaluated.scripts, {}, lenient ? &evaluated.dropped : nullptr);
+    evaluated.pipeline = script::evaluatePipeline(request, &evaluated.scripts, limits, lenient ? &evaluated.dropped : nullptr);
     evaluated.texts = textsOf(evaluated.scripts, texts);
     evaluated.usable = true;
   } catch (const Error& error) {
@@ -91,8 +92,8 @@ static script::Texts changedTexts(const script::Texts& good) {
 
 // The newest files; where they fail, as many of them as work: files are put back to their last good text, those an
 // error names first.
-Session::Evaluated Session::evaluateAround(const Shot& shot, const script::Texts& good) {
-  Evaluated newest = evaluate(shot, {}, true);
+Session::Evaluated Session::evaluateAround(const Shot& shot, const script::Texts& good, const script::Limits& limits) {
+  Evaluated newest = evaluate(shot, {}, limits, true);
   if (newest.usable || good.empty()) return newest;
   script::Texts changed = changedTexts(good), put_back;
   std::vector<std::string> problems = newest.problems;
@@ -103,7 +104,7 @@ Session::Evaluated Session::evaluateAround(const Shot& shot, const script::Texts
       if (problems.back().find(displayPath(file)) != std::string::npos) put_back[file] = text;
     if (put_back.size() == before) put_back = changed;
     if (put_back.size() == changed.size()) break;  // nothing new is left to try
-    Evaluated around = evaluate(shot, put_back, true);
+    Evaluated around = evaluate(shot, put_back, limits, true);
     ms += around.ms;
     problems.insert(problems.end(), around.problems.begin(), around.problems.end());
     if (!around.usable) continue;
@@ -158,7 +159,7 @@ std::unique_ptr<Session::Version> Session::build(const Shot& shot, Evaluated eva
 Session::Session(Workbench& bench, const Shot& shot, const std::string& origin)
     : bench_(bench), shot_(shot), given_by_(origin) {
   Evaluated evaluated;
-  evaluated.pipeline = script::evaluatePipeline({shot.pipeline, shot.sets}, &evaluated.scripts);
+  evaluated.pipeline = script::evaluatePipeline({shot.pipeline, shot.sets}, &evaluated.scripts, bench.limits);
   evaluated.texts = textsOf(evaluated.scripts, {});
   bench_.scene(shot_);
   rememberFiles(evaluated.scripts);
@@ -201,7 +202,7 @@ static const ShotOption* findOption(const std::string& name) {
 
 // Goes on with `shot`, on the scripts as they were when they were last good: a value has nothing to do with edits.
 void Session::apply(const Shot& shot) {
-  Evaluated evaluated = evaluate(shot, running_->texts, false);
+  Evaluated evaluated = evaluate(shot, running_->texts, bench_.limits, false);
   if (!evaluated.usable) throw Error(evaluated.problems.front());
   Shot filled = shot;
   bench_.scene(filled);
@@ -385,8 +386,10 @@ std::optional<Reload> Session::reload(bool wait) {
     same.usable = true;
     return replace(shot_, std::move(same), std::move(changes));
   }
-  if (wait) return replace(shot_, evaluateAround(shot_, running_->texts), std::move(changes));
-  auto evaluation = [shot = shot_, texts = running_->texts] { return evaluateAround(shot, texts); };
+  if (wait) return replace(shot_, evaluateAround(shot_, running_->texts, bench_.limits), std::move(changes));
+  auto evaluation = [shot = shot_, texts = running_->texts, limits = bench_.limits] {
+    return evaluateAround(shot, texts, limits);
+  };
   pending_ = std::make_unique<Pending>(Pending{std::move(changes), std::async(std::launch::async, evaluation)});
   return std::nullopt;
 }
@@ -470,7 +473,7 @@ Reload Session::usePipeline(const std::string& name_or_path) {
   Shot shot = shot_;
   shot.pipeline = name_or_path;
   shot.taps.clear();
-  Evaluated evaluated = evaluate(shot, {}, true);
+  Evaluated evaluated = evaluate(shot, {}, bench_.limits, true);
   if (!evaluated.usable) throw Error(evaluated.problems.front());
   Reload told;
   for (const auto& dropped : evaluated.dropped) {

@@ -89,8 +89,8 @@ class Session {
   struct Changes;    // which of the files differ from what was last tried
   struct Pending;    // an evaluation in the background
 
-  static Evaluated evaluate(const Shot& shot, const script::Texts& texts, bool lenient);
-  static Evaluated evaluateAround(const Shot& shot, const script::Texts& good);
+  static Evaluated evaluate(const Shot& shot, const script::Texts& texts, const script::Limits& limits, bool lenient);
+  static Evaluated evaluateAround(const Shot& shot, const script::Texts& good, const script::Limits& limits);
   std::unique_ptr<Version> build(const Shot& shot, Evaluated evaluated, std::vector<std::string>* problems);
   std::shared_ptr<HeldScene> reloadedScene(Shot& shot, std::vector<std::string>& problems);
   void apply(const Shot& shot);

@@ -59,6 +59,9 @@ class Workbench {
   // How rays are traced; throws `Error` where the device cannot do what is wanted.
   graph::Backend chooseBackend(const std::string& wanted) const;
 
+  // What scripts may use.
+  script::Limits limits;
+
   // Pipelines compiled since the workbench exists.
   int compilations() const { return cache_.compilations(); }
 

@@ -25,12 +25,15 @@ function edges.detected(name, seen, where)
   return detector(pass.wired(detector, images, { as = "edge" })).edge
 end
 
--- What each does and where it fails, for the menu of a pipeline.
+-- What each does and where it fails, for the menu of a pipeline. A file that is not sound (yet) is its own problem,
+-- once it is chosen.
 function edges.texts()
   local texts = {}
   for _, name in ipairs(edges.names) do
-    local description = pass.member("edge", name).description
-    texts[name] = ("%s. %s"):format(description.doc, description.fails)
+    local sound, detector = pcall(pass.member, "edge", name)
+    if sound and pass.is_pass(detector) then
+      texts[name] = ("%s. %s"):format(detector.description.doc, detector.description.fails)
+    end
   end
   return texts
 end

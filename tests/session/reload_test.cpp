@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: MIT
+// Files edited while a shot runs: every way of saving, every kind of mistake, and what must survive it.
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <regex>
+#include <thread>
+
+#include "session/home.h"
+
+namespace strobe::session {
+namespace {
+
+using lab::Reload;
+using lab::Session;
+
+const char* const kGather = "shaders/gather/mcguire2012.glsl";
+
+class ReloadTest : public SessionTest {
+ protected:
+  // What runs equals what a session that starts now would run.
+  void expectColdStart(Session& session, const std::string& what) {
+    Session cold(bench(), session.shot());
+    EXPECT_EQ(session.planHash(), cold.planHash()) << what;
+    EXPECT_EQ(hashes(session.draw()), hashes(cold.draw())) << what;
+  }
+};
+
+// Waits for a reload in the background, as a window does.
+Reload awaited(Session& session) {
+  for (int i = 0; i < 2000; ++i) {
+    if (auto told = session.reload(false)) return *told;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  ADD_FAILURE() << "nothing was reloaded within 10 s";
+  return {};
+}
+
+TEST_F(ReloadTest, EveryWayOfSavingIsSeen) {
+  Session session(bench(), smallShot("mcguire2012"));
+  EXPECT_FALSE(session.reload(false));
+  std::string before = colorHash(session);
+  int n = 0;
+  for (Save save : {Save::InPlace, Save::Rename, Save::Twice}) {
+    ++n;
+    std::string now = fmt::format("float all = {}.0 / here.radius;", n + 1);
+    home_.edit(kGather, n == 1 ? "float all = 1.0 / here.radius;" : fmt::format("float all = {}.0 / here.radius;", n), now, save);
+    Reload told = awaited(session);
+    EXPECT_TRUE(told.swapped) << joined(told.problems);
+    EXPECT_EQ(joined(told.rebuilt), "gather");
+    EXPECT_EQ(told.compilations, 1);
+    EXPECT_EQ(told.evaluate_ms, 0) << "no Lua changed";
+    std::string after = colorHash(session);
+    EXPECT_NE(after, before);
+    before = after;
+  }
+  expectColdStart(session, "after three saves");
+  EXPECT_FALSE(session.reload(false));
+  home_.write(kGather, home_.read(kGather));
+  EXPECT_FALSE(session.reload(true)) << "the same text is no change";
+}
+
+TEST_F(ReloadTest, AFileStillBeingWrittenIsLeftAlone) {
+  Session session(bench(), smallShot("mcguire2012"));
+  session.reload(false);
+  std::string text = home_.read(kGather);
+  int file = ::open(home_.path(kGather).c_str(), O_WRONLY | O_TRUNC);
+  ASSERT_GE(file, 0);
+  ASSERT_GT(::write(file, text.data(), text.size() / 2), 0);
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_FALSE(session.reload(false));
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  std::string rest = text.substr(text.size() / 2) + "// more\n";
+  ASSERT_GT(::write(file, rest.data(), rest.size()), 0);
+  ::close(file);
+  EXPECT_TRUE(awaited(session).swapped);
+}
+
+TEST_F(ReloadTest, ABrokenShaderKeepsThePicture) {
+  Session session(bench(), smallShot("mcguire2012"));
+  session.reload(false);
+  std::string before = colorHash(session), good = home_.read(kGather);
+  home_.edit(kGather, "tapWeight(here, tap", "tapWeigth(here, tap");
+  Reload told = awaited(session);
+  EXPECT_FALSE(told.swapped);
+  std::string problem = joined(session.problems());
+  EXPECT_TRUE(std::regex_search(problem, std::regex("shaders/gather/mcguire2012.glsl:[0-9]+: .*tapWeigth"))) << problem;
+  EXPECT_EQ(colorHash(session), before);
+  // Values can still be changed, and changed back.
+  session.set("samples", "5", "window");
+  EXPECT_NE(colorHash(session), before);
+  session.set("samples", "16", "window");
+  EXPECT_EQ(colorHash(session), before);
+  home_.write(kGather, good + "// mended\n");
+  told = awaited(session);
+  EXPECT_TRUE(session.problems().empty()) << joined(session.problems());
+  EXPECT_EQ(colorHash(session), before);
+  expectColdStart(session, "after mending");
+}
+
+TEST_F(ReloadTest, ADeletedIncludeKeepsThePictureUntilItIsBack) {
+  Session session(bench(), smallShot("mcguire2012"));
+  session.reload(false);
+  std::string before = colorHash(session), text = home_.read("shaders/lib/blur.glsl");
+  home_.remove("shaders/lib/blur.glsl");
+  awaited(session);
+  EXPECT_NE(joined(session.problems()).find("blur.glsl"), std::string::npos) << joined(session.problems());
+  EXPECT_EQ(colorHash(session), before);
+  home_.write("shaders/lib/blur.glsl", text);
+  awaited(session);
+  EXPECT_TRUE(session.problems().empty()) << joined(session.problems());
+  EXPECT_EQ(colorHash(session), before);
+}
+
+TEST_F(ReloadTest, ABrokenScriptKeepsThePicture) {
+  Session session(bench(), smallShot("hybrid"));
+  bench().limits.cpu_s = 0.3;
+  session.reload(false);
+  std::string before = colorHash(session);
+  const char* file = "scripts/pipelines/lib/hybrid.lua";
+  std::string good = home_.read(file);
+  struct Mistake {
+    std::string from, to, says;
+  };
+  for (const Mistake& mistake : {Mistake{"local hybrid = {}", "local hybrid = {", "hybrid.lua"},
+                                 Mistake{"local hybrid = {}", "local hybrid = {} while true do end", "endless loop"},
+                                 Mistake{"return hybrid", "return 3", "hybrid"},
+                                 Mistake{"color = seen.color", "colour = seen.color", "did you mean 'color'"}}) {
+    home_.edit(file, mistake.from, mistake.to);
+    Reload told = awaited(session);
+    EXPECT_FALSE(told.swapped) << mistake.to;
+    EXPECT_NE(joined(told.problems).find(mistake.says), std::string::npos) << joined(told.problems);
+    EXPECT_EQ(colorHash(session), before);
+    // A graph of another shape is built from the scripts as they were when they were good.
+    session.set("preset", "seed", "window");
+    EXPECT_NE(colorHash(session), before);
+    session.unset("preset");
+    EXPECT_EQ(colorHash(session), before);
+    home_.write(file, good);
+    awaited(session);
+    EXPECT_TRUE(session.problems().empty()) << joined(session.problems());
+  }
+  bench().limits = {};
+  expectColdStart(session, "after the last good edit");
+}
+
+TEST_F(ReloadTest, OneBrokenPassDoesNotStopOthers) {
+  Session session(bench(), smallShot("hybrid"));
+  session.reload(false);
+  // GLSL: one shader broken, another changed.
+  std::string good = home_.read("shaders/mask/relative.glsl"), before = colorHash(session);
+  home_.write("shaders/mask/relative.glsl", "void run(ivec2 pixel) { nonsense }");
+  home_.edit("shaders/composite/layered.glsl", "imageStore(blurred_img, pixel, vec4(sum / float(params.samples), 1))",
+             "imageStore(blurred_img, pixel, vec4(0.5 * sum / float(params.samples), 1))");
+  auto told = session.reload(true);
+  ASSERT_TRUE(told);
+  EXPECT_EQ(joined(told->rebuilt), "composite");
+  EXPECT_NE(joined(told->problems).find("shaders/mask/relative.glsl:1"), std::string::npos) << joined(told->problems);
+  EXPECT_NE(colorHash(session), before);
+  home_.write("shaders/mask/relative.glsl", good);
+  told = session.reload(true);
+  EXPECT_TRUE(session.problems().empty()) << joined(session.problems());
+  expectColdStart(session, "GLSL");
+
+  // Lua: one pass broken, another with a new parameter.
+  good = home_.read("passes/mask/relative.lua");
+  home_.write("passes/mask/relative.lua", "return nothing at all");
+  home_.edit("passes/composite/layered.lua", "harvest =", "dimmed = pass.float { 1, min = 0, max = 1, doc = \"of the result\" },\n    harvest =");
+  home_.edit("shaders/composite/layered.glsl", "vec4(0.5 * sum", "vec4(params.dimmed * sum");
+  told = session.reload(true);
+  ASSERT_TRUE(told);
+  EXPECT_NE(joined(told->problems).find("passes/mask/relative.lua:1"), std::string::npos) << joined(told->problems);
+  EXPECT_TRUE(told->swapped);
+  session.set("composite.dimmed", "0.25", "window");
+  home_.write("passes/mask/relative.lua", good);
+  told = session.reload(true);
+  EXPECT_TRUE(session.problems().empty()) << joined(session.problems());
+  EXPECT_NE(joined(told->kept).find("composite.dimmed = 0.25"), std::string::npos);
+  expectColdStart(session, "Lua");
+}
+
+TEST_F(ReloadTest, ARenamedOrRetypedBindingIsRefusedByTheNameOfItsPass) {
+  Session session(bench(), smallShot("mcguire2012"));
+  session.reload(false);
+  std::string before = colorHash(session);
+  struct Case {
+    std::string file, from, to, says;
+  };
+  for (const Case& one :
+       {Case{"passes/gather/mcguire2012.lua", "dominant     = {", "prevailing   = {", "pass 'gather_mcguire2012' has no input"},
+        Case{"passes/gather/mcguire2012.lua", "velocity     = { doc", "velocity     = { uint = true, doc",
+             "read 'velocity' of pass 'gather_mcguire2012' wants unsigned integers"},
+        Case{"passes/gather/mcguire2012.lua", "depth_extent = pass", "depth_range = pass", "gather_mcguire2012"},
+        Case{"shaders/gather/mcguire2012.glsl", "dominant_tex", "prevailing_tex", "gather_mcguire2012"}}) {
+    std::string good = home_.read(one.file);
+    home_.edit(one.file, one.from, one.to);
+    auto told = session.reload(true);
+    ASSERT_TRUE(told) << one.to;
+    EXPECT_FALSE(told->swapped) << one.to;
+    EXPECT_NE(joined(told->problems).find(one.says), std::string::npos) << joined(told->problems);
+    EXPECT_EQ(colorHash(session), before) << one.to;
+    home_.write(one.file, good);
+    session.reload(true);
+    EXPECT_TRUE(session.problems().empty()) << joined(session.problems());
+  }
+}
+
+TEST_F(ReloadTest, ValuesSurviveByNameAndType) {
+  Session session(bench(), smallShot("mcguire2012"));
+  session.reload(false);
+  session.set("samples", "8", "window");
+  session.set("depth_extent", "0.05", "window");
+  session.set("tile", "20", "window");
+  const char* file = "scripts/pipelines/lib/options.lua";
+  home_.edit(file, "samples      = pipeline.int { 16", "samples      = pipeline.int { 12");
+  home_.edit(file, "min = 1e-6, max = 1,", "min = 0.1, max = 1,");
+  home_.edit(file, "{ 0.01, min = 0.1", "{ 0.2, min = 0.1");
+  auto told = session.reload(true);
+  ASSERT_TRUE(told && told->swapped) << joined(told->problems);
+  EXPECT_NE(joined(told->kept).find("samples = 8"), std::string::npos);
+  EXPECT_NE(joined(told->kept).find("tile = 20"), std::string::npos);
+  EXPECT_NE(joined(told->reset).find("depth_extent = 0.05: "), std::string::npos) << joined(told->reset);
+  expectColdStart(session, "values");
+}
+
+TEST_F(ReloadTest, ANewFileOfAFamilyIsANewChoice) {
+  Session session(bench(), smallShot("hybrid"));
+  session.reload(false);
+  std::string text = home_.read("passes/edge/id.lua");
+  text.replace(text.find("edge_id"), 7, "edge_twin");
+  home_.write("passes/edge/twin.lua", text);
+  auto told = session.reload(true);
+  ASSERT_TRUE(told && told->problems.empty()) << joined(told->problems);
+  session.set("mask", "seed", "window");
+  session.set("edge", "id", "window");
+  std::string by_id = colorHash(session);
+  session.set("edge", "twin", "window");
+  EXPECT_EQ(colorHash(session), by_id);
+  // Its file goes: so does the choice, and the value with it.
+  home_.remove("passes/edge/twin.lua");
+  told = session.reload(true);
+  ASSERT_TRUE(told);
+  EXPECT_NE(joined(told->reset).find("edge = twin: "), std::string::npos) << joined(told->reset) << joined(told->problems);
+  expectColdStart(session, "family");
+}
+
+TEST_F(ReloadTest, AnUnfinishedFileOfAFamilyDisturbsNobody) {
+  Session session(bench(), smallShot("hybrid"));
+  session.reload(false);
+  std::string before = colorHash(session);
+  home_.write("passes/edge/half.lua", "local pass = require \"strobe.pass\"\nreturn pass.compute {");
+  session.reload(true);
+  EXPECT_EQ(colorHash(session), before);
+  EXPECT_TRUE(session.problems().empty()) << joined(session.problems());
+  home_.edit("scripts/pipelines/lib/options.lua", "samples      = pipeline.int { 16", "samples      = pipeline.int { 4");
+  session.reload(true);
+  EXPECT_NE(colorHash(session), before);
+}
+
+TEST_F(ReloadTest, AnEditedSceneIsTakenOver) {
+  home_.write("scripts/scenes/mine.lua", "return require \"scripts.scenes.oracles.textured_bar\"");
+  home_.write("scripts/scenes/mine.lua", home_.read("scripts/scenes/oracles/textured_bar.lua"));
+  lab::Shot shot = smallShot("hybrid");
+  shot.scene = "mine";
+  Session session(bench(), shot);
+  session.reload(false);
+  std::string before = colorHash(session), good = home_.read("scripts/scenes/mine.lua");
+  home_.write("scripts/scenes/mine.lua", "return {");
+  auto told = session.reload(true);
+  ASSERT_TRUE(told);
+  EXPECT_NE(joined(told->problems).find("scripts/scenes/mine.lua"), std::string::npos) << joined(told->problems);
+  EXPECT_EQ(colorHash(session), before);
+  home_.write("scripts/scenes/mine.lua", good);
+  home_.edit("scripts/scenes/mine.lua", "\"f_light\", 0.9", "\"f_light\", 0.7");
+  told = session.reload(true);
+  ASSERT_TRUE(told && told->swapped) << joined(told->problems);
+  EXPECT_EQ(told->compilations, 0) << "a scene is no reason to compile";
+  EXPECT_NE(colorHash(session), before);
+  expectColdStart(session, "scene");
+}
+
+// The files a shader reaches, found without the compiler.
+void reachedFrom(const EditableHome& home, const std::string& file, std::set<std::string>& files) {
+  if (!files.insert(file).second) return;
+  std::string text = home.read(file);
+  static const std::regex include("#include \"([^\"]+)\"");
+  for (std::sregex_iterator it(text.begin(), text.end(), include), none; it != none; ++it)
+    reachedFrom(home, "shaders/" + (*it)[1].str(), files);
+}
+
+TEST_F(ReloadTest, CompilesWhatDependsOnTheEditAndNothingElse) {
+  Session session(bench(), smallShot("hybrid"));
+  session.reload(false);
+  for (const char* file : {"shaders/lib/blur.glsl", "shaders/lib/sanitise.glsl", "shaders/lib/camera.glsl",
+                           "shaders/mask/relative.glsl", "shaders/shared/bindings.glsl", "shaders/lib/jitter.glsl"}) {
+    std::set<std::string> closure;
+    const plan::Plan& plan = session.plan();
+    for (const auto& node : plan.nodes) {
+      const auto& pass = plan.pipeline.passes[size_t(node.pass)];
+      std::set<std::string> files;
+      bool raster = pass.kind == plan::PassDesc::Kind::Raster;
+      for (const char* end : {".glsl", ".vert.glsl", ".frag.glsl"})
+        if (raster != (std::string(end) == ".glsl")) reachedFrom(home_, "shaders/" + pass.shader + end, files);
+      bool sees_scene = pass.scene || pass.kind != plan::PassDesc::Kind::Compute;
+      if (sees_scene) reachedFrom(home_, "shaders/shared/bindings.glsl", files);
+      if (files.count(file)) closure.insert(plan.pipeline.nodes[size_t(node.node)].name);
+    }
+    home_.write(file, home_.read(file) + "// touched\n");
+    auto told = session.reload(true);
+    ASSERT_TRUE(told) << file;
+    EXPECT_EQ(std::set<std::string>(told->rebuilt.begin(), told->rebuilt.end()), closure) << file;
+    EXPECT_LE(told->compilations, int(closure.size())) << file;
+    EXPECT_GE(told->compilations, closure.empty() ? 0 : 1) << file;
+  }
+}
+
+}  // namespace
+}  // namespace strobe::session

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// A running shot: what changing values and looking at pictures does and does not do.
+#include "session/home.h"
+
+#include "lab/record.h"
+
+namespace strobe::session {
+namespace {
+
+using lab::Session;
+using lab::Shot;
+
+const lab::Control& controlOf(const std::vector<lab::Control>& controls, const std::string& name) {
+  for (const auto& control : controls)
+    if (control.declaration.name == name) return control;
+  ADD_FAILURE() << "no control " << name;
+  return controls.front();
+}
+
+std::string shownValue(const Session& session, const std::string& name) {
+  return plan::toJson(controlOf(session.controls(), name).value).dump();
+}
+
+TEST_F(SessionTest, DrawsWhatRenderDraws) {
+  Session session(bench(), smallShot("hybrid"));
+  EXPECT_EQ(hashes(session.draw()), hashes(bench().render(smallShot("hybrid")).frame));
+  EXPECT_EQ(hashes(session.draw()), hashes(session.capture().frame));
+}
+
+TEST_F(SessionTest, AValueCanBeSetAndGivenBack) {
+  Session session(bench(), smallShot("hybrid"));
+  std::string before = colorHash(session), plan = session.planHash();
+  int compiled = bench().compilations();
+  session.set("samples", "5", "window");
+  EXPECT_NE(colorHash(session), before);
+  EXPECT_NE(session.planHash(), plan);
+  EXPECT_EQ(bench().compilations(), compiled) << "a number is no reason to compile";
+  EXPECT_EQ(controlOf(session.controls(), "samples").origin, "window");
+  EXPECT_EQ(controlOf(session.controls(), "composite.samples").origin, "follows samples");
+  EXPECT_EQ(shownValue(session, "composite.samples"), "5");
+  session.unset("samples");
+  EXPECT_EQ(colorHash(session), before);
+  EXPECT_EQ(session.planHash(), plan);
+  EXPECT_EQ(controlOf(session.controls(), "samples").origin, "default");
+}
+
+TEST_F(SessionTest, OptionsOfTheShotAreValuesToo) {
+  Session session(bench(), smallShot("mcguire2012"));
+  std::string before = colorHash(session);
+  session.set("exposure", "0.25", "window");
+  EXPECT_NE(colorHash(session), before);
+  session.set("exposure", "0.5", "window");
+  EXPECT_EQ(colorHash(session), before);
+  session.set("anchor", "open", "window");
+  EXPECT_NE(colorHash(session), before);
+  session.set("size", "32x18", "window");
+  EXPECT_EQ(session.draw().outputs.at("color").floats.width, 32);
+}
+
+TEST_F(SessionTest, AShapeCanBeChangedAndChangedBack) {
+  Session session(bench(), smallShot("hybrid"));
+  std::string best = colorHash(session);
+  session.set("preset", "seed", "window");
+  std::string seed = colorHash(session);
+  EXPECT_NE(seed, best);
+  EXPECT_EQ(controlOf(session.controls(), "mask").origin, "preset seed");
+  session.set("preset", "best", "window");
+  EXPECT_EQ(colorHash(session), best);
+  int compiled = bench().compilations();
+  session.set("preset", "seed", "window");
+  EXPECT_EQ(colorHash(session), seed);
+  EXPECT_EQ(bench().compilations(), compiled) << "what was compiled once is kept";
+}
+
+TEST_F(SessionTest, WhatIsRefusedChangesNothing) {
+  Session session(bench(), smallShot("hybrid"));
+  std::string before = colorHash(session), plan = session.planHash();
+  auto refusal = [&](const std::string& name, const std::string& value) -> std::string {
+    try {
+      session.set(name, value, "window");
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "taken";
+  };
+  EXPECT_NE(refusal("sample", "8").find("did you mean 'samples'"), std::string::npos) << refusal("sample", "8");
+  EXPECT_NE(refusal("samples", "0").find("min"), std::string::npos) << refusal("samples", "0");
+  EXPECT_NE(refusal("exposure", "-1").find("min"), std::string::npos) << refusal("exposure", "-1");
+  EXPECT_NE(refusal("anchor", "clos").find("close"), std::string::npos);
+  EXPECT_NE(refusal("backend", "x").find("auto"), std::string::npos);
+  EXPECT_NE(refusal("size", "3").find("WIDTHxHEIGHT"), std::string::npos);
+  EXPECT_NE(refusal("composite.sampels", "3").find("did you mean"), std::string::npos);
+  EXPECT_EQ(colorHash(session), before);
+  EXPECT_EQ(session.planHash(), plan);
+}
+
+TEST_F(SessionTest, LookingChangesNothing) {
+  Session session(bench(), smallShot("hybrid"));
+  std::map<std::string, std::string> before = hashes(session.draw());
+  std::string plan = session.planHash();
+  Json record = session.capture().record;
+  session.tap(session.ports());
+  graph::FrameResult frame = session.draw();
+  EXPECT_EQ(hashes(frame), before);
+  EXPECT_EQ(session.planHash(), plan);
+  EXPECT_EQ(session.capture().record["pipeline"], record["pipeline"]);
+  EXPECT_EQ(frame.taps.size(), session.ports().size());
+  EXPECT_GT(frame.taps.size(), 10u);
+  std::set<std::string> wanted = {"gbuffer.depth"};
+  graph::FrameResult one = session.draw(&wanted);
+  EXPECT_TRUE(one.outputs.empty());
+  ASSERT_EQ(one.taps.size(), 1u);
+  EXPECT_EQ(lab::hashOf(one.taps.at("gbuffer.depth")), lab::hashOf(frame.taps.at("gbuffer.depth")));
+}
+
+TEST_F(SessionTest, AnotherPipelineKeepsTheValuesItShares) {
+  Session session(bench(), smallShot("hybrid"));
+  session.set("samples", "7", "window");
+  session.set("mask", "all", "window");
+  lab::Reload told = session.usePipeline("mcguire2012");
+  EXPECT_NE(joined(told.kept).find("samples = 7"), std::string::npos);
+  EXPECT_NE(joined(told.reset).find("mask = all: the pipeline has no parameter 'mask'"), std::string::npos) << joined(told.reset);
+  EXPECT_EQ(shownValue(session, "samples"), "7");
+  Shot cold = smallShot("mcguire2012");
+  cold.sets.push_back({"samples", "7"});
+  EXPECT_EQ(colorHash(session), lab::hashOf(bench().render(cold).frame.outputs.at("color")));
+}
+
+TEST_F(SessionTest, ARecordAndACommandLineMakeThePictureAgain) {
+  Shot shot = smallShot("hybrid");
+  shot.sets.push_back({"samples", "9"});
+  shot.view = {1, 2, 40, 0, 0, 0};
+  shot.exposure = 0.3;
+  Session session(bench(), shot);
+  lab::Picture picture = session.capture();
+  Path file = home_.path("x.record.json");
+  writeFileAtomically(file, picture.record.dump());
+  Session again(bench(), lab::shotFromRecord(file));
+  EXPECT_EQ(again.planHash(), session.planHash());
+  EXPECT_EQ(hashes(again.draw()), hashes(picture.frame));
+  std::string command = lab::commandOf(session.shot());
+  EXPECT_NE(command.find("strobe render hybrid --scene oracles/textured_bar --size 64x36"), std::string::npos) << command;
+  for (const char* part : {"--exposure 0.3", "--view 1,2,40,0,0,0", "--set samples=9"})
+    EXPECT_NE(command.find(part), std::string::npos) << command;
+}
+
+TEST_F(SessionTest, AnImageIsKeptFromFrameToFrame) {
+  home_.write("passes/test/running_mean.lua", R"(local pass = require "strobe.pass"
+return pass.compute {
+  name = "running_mean", shader = "test/running_mean", doc = "mean of all frames so far",
+  reads = { color = { doc = "linear" } },
+  writes = { color = { format = "rgba32f", doc = "mean" } },
+  updates = { sum = { format = "rgba32f", doc = "sum; a = weight of the frames", history = true } },
+  params = { weight = pass.float { 1, min = 0, max = 10, doc = "of every frame" } },
+}
+)");
+  home_.write("shaders/test/running_mean.glsl", R"(void run(ivec2 pixel) {
+  vec4 color = texelFetch(color_tex, pixel, 0);
+  vec4 sum = imageLoad(sum_img, pixel) + params.weight * vec4(color.rgb, 1);
+  imageStore(sum_img, pixel, sum);
+  imageStore(color_img, pixel, vec4(sum.rgb / max(sum.a, 1e-6), 1));
+}
+)");
+  home_.write("scripts/pipelines/running_mean.lua",
+              readText(Path(STROBE_SOURCE_DIR) / "tests/session/pipelines/running_mean.lua"));
+  Session session(bench(), smallShot("running_mean"));
+  auto weight = [&] { return session.draw().outputs.at("sum").floats.values[3]; };
+  EXPECT_EQ(weight(), 1);
+  EXPECT_EQ(weight(), 2);
+  session.set("weight", "2", "window");
+  EXPECT_EQ(weight(), 4) << "a value keeps what was gathered";
+  session.reload(true);
+  home_.edit("shaders/test/running_mean.glsl", "1e-6", "1e-5");
+  auto told = session.reload(true);
+  ASSERT_TRUE(told && told->swapped);
+  EXPECT_NE(joined(told->kept).find("history mean.sum"), std::string::npos) << joined(told->kept);
+  EXPECT_EQ(weight(), 6) << "an edit keeps what is described as it was";
+  home_.edit("passes/test/running_mean.lua", "format = \"rgba32f\", doc = \"sum;", "format = \"rgba16f\", doc = \"sum;");
+  told = session.reload(true);
+  ASSERT_TRUE(told && told->swapped) << joined(told->problems);
+  EXPECT_NE(joined(told->reset).find("history mean.sum"), std::string::npos) << joined(told->reset);
+  EXPECT_EQ(weight(), 2) << "what is described differently begins anew";
+  // A captured picture is that of one frame, whatever was drawn before.
+  EXPECT_EQ(session.capture().frame.outputs.at("sum").floats.values[3], 2);
+}
+
+}  // namespace
+}  // namespace strobe::session
