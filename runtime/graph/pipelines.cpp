@@ -153,8 +153,8 @@ static std::vector<VkDescriptorSetLayoutBinding> bindingsOf(const shader::Interf
 
 std::shared_ptr<const NodePipeline> PipelineCache::make(const shader::Interface& in, const PassDesc& pass,
                                                         VkDescriptorSetLayout scene_layout) const {
-  throwIfAny(unusedNames(in, shaderFiles(pass)));
   std::vector<shader::Compiled> stages = compileStages(in, pass);
+  throwIfAny(unusedNames(in, shaderFiles(pass)));
   auto made = std::make_shared<NodePipeline>();
   made->interface = in;
   for (const auto& stage : stages) made->files.insert(made->files.end(), stage.files.begin(), stage.files.end());

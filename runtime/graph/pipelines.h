@@ -22,6 +22,7 @@ struct NodePipeline {
   gpu::Pipeline pipeline;
   shader::Interface interface;
   std::vector<Path> files;  // its shaders and what they include
+  mutable bool ran = false;  // software devices compile when it runs first
 };
 
 // The interface a node's shader is compiled against.

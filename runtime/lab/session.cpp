@@ -211,10 +211,19 @@ void Session::apply(const Shot& shot) {
   rememberFiles({});
 }
 
+// Options that only say how a frame sees the scene: neither the scene nor the plan depends on them.
+static bool concernsTheFrameAlone(const std::string& name) {
+  static const std::set<std::string> names = {"frame", "exposure", "anchor", "seed", "aa", "animation", "view"};
+  return names.count(name) > 0;
+}
+
 void Session::set(const std::string& name, const std::string& value, const std::string& origin) {
   Shot shot = shot_;
   if (const ShotOption* option = findOption(name)) {
     plan::ParamDesc declared = declarationOf(*option, scene());
+    // Nodes that the shot moves stay at rest where they were.
+    bool moves = !shot.moves.empty() || !shot.spins.empty();
+    if (name == "frame" && moves && shot.rest_frame < 0) shot.rest_frame = shot.frame;
     option->set(shot, plan::checkValue(declared, plan::Value(value), {}));
   } else if (name == "size") {
     auto [width, height] = parseSize(value);
@@ -226,7 +235,8 @@ void Session::set(const std::string& name, const std::string& value, const std::
   } else {
     putSetting(shot.sets, name, value);
   }
-  apply(shot);
+  if (concernsTheFrameAlone(name)) shot_ = shot;
+  else apply(shot);
   origins_[name] = origin;
 }
 

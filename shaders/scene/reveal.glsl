@@ -50,12 +50,14 @@ Hit nextHit(Ray ray, Hit front, Hit last) {
 #endif
 }
 
-// Is a hit another object than the foreground, whose luminance is `reference`?
-bool isOther(Hit hit, Hit front, float reference) {
-#if PARAM_termination == termination_luminance
-  float here = luminance(shade(SLICE_CAPTURE, hit));
-  return abs(here - reference) > params.tolerance * max(here, reference) + 1e-4;
-#elif PARAM_termination == termination_motion
+// Where on its triangle the ray meets a hit: as raster computes it, which does not depend on the device.
+Hit exactly(Ray ray, Hit hit) {
+  return hitOnTriangle(SLICE_CAPTURE, ray, hit.instance, hit.geometry, hit.primitive);
+}
+
+// Is a hit another object than the foreground, by anything but its luminance?
+bool isOther(Hit hit, Hit front) {
+#if PARAM_termination == termination_motion
   return !goesAlong(hit, front.instance);
 #elif PARAM_termination == termination_geometry
   return hit.instance != front.instance || hit.geometry != front.geometry;
@@ -64,29 +66,49 @@ bool isOther(Hit hit, Hit front, float reference) {
 #endif
 }
 
+struct Found {
+  Hit hit;
+  vec3 color;  // of the hit, where luminance ends the search
+  bool capped;
+};
+
 // The first hit behind `front` that is another object, a miss if there is none; or the last one tried at the cap.
-Hit firstBehind(Ray ray, Hit front, out bool capped) {
+// Luminance looks at the foreground in a round of its own, so that shading stands here once: each copy of it takes
+// seconds to compile.
+Found firstBehind(Ray ray, Hit front) {
+  Found found = Found(front, vec3(0), false);
+  bool under_way = PARAM_termination != termination_luminance;
   float reference = 0.0;
-#if PARAM_termination == termination_luminance
-  reference = luminance(shade(SLICE_CAPTURE, front));
-#endif
-  Hit last = front;
   int layer = 0;
   uint met_again = 0u;
   while (layer < params.max_layers && met_again < 8u) {
-    Hit hit = nextHit(ray, front, last);
-    bool again = isSameTriangle(hit, last);
-    last = hit;
-    if (again) {
-      ++met_again;
+    if (under_way) {
+      Hit hit = nextHit(ray, front, found.hit);
+      bool again = isSameTriangle(hit, found.hit);
+      found.hit = hit;
+      if (again) {
+        ++met_again;
+        continue;
+      }
+      if (!isHit(hit)) break;
+    }
+#if PARAM_termination == termination_luminance
+    found.color = shade(SLICE_CAPTURE, exactly(ray, found.hit));
+    float here = luminance(found.color);
+    if (!under_way) {
+      reference = here;
+      under_way = true;
       continue;
     }
-    if (!isHit(hit) || isOther(hit, front, reference)) break;
+    if (abs(here - reference) > params.tolerance * max(here, reference) + 1e-4) break;
+#else
+    if (isOther(found.hit, front)) break;
+#endif
     ++layer;
   }
-  capped = layer == params.max_layers || met_again == 8u;
+  found.capped = layer == params.max_layers || met_again == 8u;
   if (met_again > 0u) count_met_again(met_again);
-  return last;
+  return found;
 }
 
 // What `reveal_velocity` says the surface is displaced by, px over the exposure.
@@ -110,10 +132,14 @@ struct Revealed {
 
 const Revealed kNothing = Revealed(vec4(0), 0.0, uvec2(0), vec2(0), false);
 
-Revealed surfaceSeen(Ray ray, Hit hit, Hit front) {
-  // Where on the triangle: as raster computes it, which does not depend on the device.
-  hit = hitOnTriangle(SLICE_CAPTURE, ray, hit.instance, hit.geometry, hit.primitive);
-  return Revealed(vec4(shade(SLICE_CAPTURE, hit), 1), hit.t, uvec2(hit.instance, hit.geometry) + 1u,
+Revealed surfaceSeen(Ray ray, Found found, Hit front) {
+  Hit hit = exactly(ray, found.hit);
+#if PARAM_termination == termination_luminance
+  vec3 color = found.color;
+#else
+  vec3 color = shade(SLICE_CAPTURE, hit);
+#endif
+  return Revealed(vec4(color, 1), hit.t, uvec2(hit.instance, hit.geometry) + 1u,
                   givenDisplacement(displacementOf(hit), front), true);
 }
 
@@ -126,13 +152,11 @@ Revealed revealedBehind(ivec2 pixel) {
   uvec4 seen = texelFetch(hit_tex, pixel, 0);
   Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(pixel));
   Hit front = hitOnTriangle(SLICE_CAPTURE, ray, seen.x - 1u, seen.y, seen.z);
-  bool capped = false;
-  Hit hit = firstBehind(ray, front, capped);
-  if (capped) count_capped(1u);
-  if (capped && PARAM_on_cap == on_cap_fallback) return kNothing;
+  Found found = firstBehind(ray, front);
+  if (found.capped) count_capped(1u);
+  if (found.capped && PARAM_on_cap == on_cap_fallback) return kNothing;
   count_revealed(1u);
-  if (!isHit(hit)) return skySeen(ray, front);
-  return surfaceSeen(ray, hit, front);
+  return isHit(found.hit) ? surfaceSeen(ray, found, front) : skySeen(ray, front);
 }
 
 void run(ivec2 texel) {
