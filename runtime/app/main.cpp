@@ -11,6 +11,7 @@
 #include "app/demo.h"
 #include "app/help.h"
 #include "app/inspect.h"
+#include "app/live.h"
 #include "app/render.h"
 #include "base/error.h"
 #include "script/evaluate.h"
@@ -40,6 +41,7 @@ int main(int argc, char** argv) {
   strobe::app::registerDemo(program);
   strobe::app::registerRender(program);
   strobe::app::registerHelp(program);
+  strobe::app::registerLive(program);
   strobe::app::registerCheck(program);
   strobe::app::registerPlan(program);
   strobe::app::registerCompare(program);

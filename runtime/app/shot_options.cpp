@@ -41,9 +41,9 @@ void ShotOptions::addTo(CLI::App& command) {
   command.add_option("--backend", shot.backend, "how rays are traced: pipeline, query or auto")->capture_default_str();
 }
 
-std::pair<std::string, std::string> parseSetting(const std::string& text) {
+std::pair<std::string, std::string> parseSetting(const std::string& text, const std::string& option) {
   size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0) throw Error(fmt::format("--set '{}' is not NAME=VALUE", text), {}, 2);
+  if (equals == std::string::npos || equals == 0) throw Error(fmt::format("{} '{}' is not NAME=VALUE", option, text), {}, 2);
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 

@@ -29,7 +29,7 @@ struct ShotOptions {
 };
 
 // "NAME=VALUE" into its halves.
-std::pair<std::string, std::string> parseSetting(const std::string& text);
+std::pair<std::string, std::string> parseSetting(const std::string& text, const std::string& option = "--set");
 
 // `--tev [HOST:PORT]`: leaves "" in `address` when it is not given, what was given or the viewer's own port otherwise.
 void addTev(CLI::App& command, std::string& address);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/files.h"
 #include "image/image.h"
 #include "image/magma.h"
 
@@ -33,8 +34,10 @@ void paste(Image& onto, const Image& what, int x, int y);  // top left corner of
 // A frame just inside `area`.
 void outline(Image& onto, Rectangle area, const Colour& colour, int thickness = 1);
 
+// DejaVu Sans, the font of everything the program draws. Throws `Error` saying what to install when it is absent.
+Path fontFile();
+
 // One line of text in DejaVu Sans, the top of its line box at (x, y); `size_px` is the height of that box. UTF-8.
-// Throws `Error` saying what to install when the font is absent.
 void drawText(Image& onto, int x, int y, const std::string& text, float size_px, const Colour& colour);
 int textWidth(const std::string& text, float size_px);
 

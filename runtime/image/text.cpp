@@ -17,7 +17,6 @@
 #pragma GCC diagnostic pop
 
 namespace strobe::image {
-namespace {
 
 Path fontFile() {
   for (const char* candidate :
@@ -26,6 +25,8 @@ Path fontFile() {
     if (*candidate && std::filesystem::is_regular_file(candidate)) return candidate;
   throw Error("the font DejaVuSans.ttf is not installed (Debian package fonts-dejavu-core)");
 }
+
+namespace {
 
 struct Font {
   std::vector<uint8_t> bytes;

@@ -9,6 +9,9 @@
 
 namespace strobe::live {
 
+// Of a drag in the window: half a turn in some 500 pixels.
+constexpr double kRadiansPerPixel = 0.006;
+
 // What the option --view takes. The eye is never at the target.
 struct Viewpoint {
   dvec3 eye = dvec3(0, 0, 1);

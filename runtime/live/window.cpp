@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "live/window.h"
 
+#include <cctype>
+
 #define GLFW_INCLUDE_NONE
 // GLFW declares its Vulkan calls where Vulkan is declared before it.
 #include <GLFW/glfw3.h>
@@ -28,12 +30,15 @@ Window::Window(int width, int height, const std::string& title) {
   }
   glfwSetWindowUserPointer(window_, this);
   // Panels are told by callbacks that are set later and call these.
-  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int mods) {
+  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
     of(window).stirred_ = true;
-    if (action == GLFW_RELEASE) return;
-    of(window).pressed_.push_back({key, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0});
+    bool prints = key < GLFW_KEY_ESCAPE;  // comes as a character, whatever the layout of the keyboard
+    if (action != GLFW_RELEASE && !prints) of(window).pressed_.push_back(key);
   });
-  glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned) { of(window).stirred_ = true; });
+  glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned character) {
+    of(window).stirred_ = true;
+    of(window).pressed_.push_back(character < 128 ? std::tolower(int(character)) : int(character));
+  });
   glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double, double) { of(window).stirred_ = true; });
   glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int) { of(window).stirred_ = true; });
   glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int, int) { of(window).stirred_ = true; });
@@ -80,6 +85,7 @@ std::pair<int, int> Window::size() const {
   return {width, height};
 }
 
+void Window::resize(int width, int height) { glfwSetWindowSize(window_, width, height); }
 void Window::setTitle(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 void Window::setClipboard(const std::string& text) { glfwSetClipboardString(window_, text.c_str()); }
 

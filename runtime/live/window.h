@@ -12,11 +12,6 @@ struct GLFWwindow;
 
 namespace strobe::live {
 
-struct KeyPress {
-  int key = 0;  // as GLFW counts them; letters and digits are their ASCII codes
-  bool shift = false, control = false;
-};
-
 class Window {
  public:
   // Throws `Error` where there is no display.
@@ -33,12 +28,14 @@ class Window {
   void takeEvents(double timeout_s);
   // Whether anything happened in the last `takeEvents`.
   bool stirred() const { return stirred_; }
-  const std::vector<KeyPress>& pressed() const { return pressed_; }  // in the last `takeEvents`
-  bool isDown(int key) const;
+  // Keys pressed in the last `takeEvents`, as keys.h counts them.
+  const std::vector<int>& pressed() const { return pressed_; }
+  bool isDown(int key) const;  // by GLFW's code
   bool closing() const;
 
   // In pixels.
   std::pair<int, int> size() const;
+  void resize(int width, int height);
   void setTitle(const std::string& title);
   void setClipboard(const std::string& text);
   GLFWwindow* handle() const { return window_; }
@@ -48,7 +45,7 @@ class Window {
 
   GLFWwindow* window_ = nullptr;
   bool stirred_ = true;
-  std::vector<KeyPress> pressed_;
+  std::vector<int> pressed_;
 };
 
 }  // namespace strobe::live

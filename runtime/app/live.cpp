@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "app/live.h"
+
+#include <memory>
+
+#include "app/shot_options.h"
+#include "live/live.h"
+
+namespace strobe::app {
+
+namespace {
+
+struct Options {
+  ShotOptions shot;
+  std::string versus, truth = "ground_truth", out = "out/live", window = "1400x900", drive, tev;
+  std::vector<std::string> versus_sets;
+};
+
+void live(const Options& options) {
+  live::LiveOptions wanted;
+  wanted.desk.shot = options.shot.resolve();
+  wanted.desk.versus = options.versus;
+  for (const std::string& set : options.versus_sets) wanted.desk.versus_sets.push_back(parseSetting(set, "--vs-set"));
+  if (options.versus.empty() && !options.versus_sets.empty()) throw Error("--vs-set needs --vs", {}, 2);
+  wanted.desk.truth = options.truth;
+  wanted.desk.out = options.out;
+  auto [width, height] = lab::parseSize(options.window);
+  wanted.width = width;
+  wanted.height = height;
+  wanted.size_given = wanted.desk.shot.width != 0;
+  wanted.drive = options.drive;
+  if (!options.tev.empty()) wanted.tev = lab::parseTevAddress(options.tev);
+  wanted.validation = validationWanted();
+  live::runLive(wanted);
+}
+
+}  // namespace
+
+void registerLive(CLI::App& program) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("live", "Show a pipeline in a window; edits of scripts and shaders are taken in");
+  options->shot.addWithPipeline(*command);
+  command->add_option("--vs", options->versus, "a second pipeline to compare with, under the same clock and camera");
+  command->add_option("--vs-set", options->versus_sets, "PARAM=VALUE of that pipeline, NODE.PARAM=VALUE of a pass")
+      ->allow_extra_args(false);
+  command->add_option("--truth", options->truth, "the pipeline that errors are measured against")->capture_default_str();
+  command->add_option("--window", options->window, "WIDTHxHEIGHT of the window in pixels")->capture_default_str();
+  command->add_option("-o,--out", options->out, "folder for what is saved")->capture_default_str();
+  command->add_option("--drive", options->drive, "a file of commands that drives the window");
+  addTev(*command, options->tev);
+  command->callback([options] { live(*options); });
+}
+
+}  // namespace strobe::app

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+// `strobe live PIPELINE --scene S`: a window.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace strobe::app {
+void registerLive(CLI::App& program);
+}

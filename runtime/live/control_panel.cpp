@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "live/control_panel.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "live/widgets.h"
+
+namespace strobe::live {
+
+namespace {
+
+// A change that takes longer waits until the widget is let go.
+constexpr double kPatience_s = 0.25;
+
+struct Edit {
+  bool changed = false;  // the widget has a new value
+  std::string text;
+};
+
+Edit checkbox(const plan::Value& value) {
+  bool on = std::get<bool>(value);
+  bool changed = ImGui::Checkbox("##value", &on);
+  return {changed, on ? "true" : "false"};
+}
+
+Edit menu(const plan::ParamDesc& declaration, const plan::Value& value) {
+  Edit edit;
+  std::string current = textOf(value);
+  if (!ImGui::BeginCombo("##value", current.c_str(), ImGuiComboFlags_HeightLarge)) return edit;
+  for (const std::string& choice : declaration.choices) {
+    if (ImGui::Selectable(choice.c_str(), choice == current)) edit = {choice != current, choice};
+    for (const auto& [name, meaning] : declaration.values)
+      if (name == choice) tooltip(meaning);
+  }
+  ImGui::EndCombo();
+  return edit;
+}
+
+Edit integer(const Widget& widget, const plan::Value& value) {
+  int64_t whole = std::get<int64_t>(value), low = int64_t(widget.low), high = int64_t(widget.high);
+  ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | (widget.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  std::string format = widget.format;
+  format.replace(format.find("%d"), 2, "%lld");
+  bool slider = widget.kind == Widget::Kind::IntSlider, limited = widget.low < widget.high;
+  bool changed = slider ? ImGui::SliderScalar("##value", ImGuiDataType_S64, &whole, &low, &high, format.c_str(), flags)
+                        : ImGui::DragScalar("##value", ImGuiDataType_S64, &whole, 0.2f, limited ? &low : nullptr,
+                                            limited ? &high : nullptr, format.c_str(), flags);
+  return {changed, std::to_string(whole)};
+}
+
+Edit number(const Widget& widget, const plan::Value& value) {
+  double shown = std::get<double>(value), low = widget.low, high = widget.high;
+  ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | (widget.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  bool slider = widget.kind == Widget::Kind::FloatSlider, limited = widget.low < widget.high;
+  float speed = float(std::max(1e-3, std::abs(shown) * 0.005));
+  bool changed = slider ? ImGui::SliderScalar("##value", ImGuiDataType_Double, &shown, &low, &high, widget.format.c_str(), flags)
+                        : ImGui::DragScalar("##value", ImGuiDataType_Double, &shown, speed, limited ? &low : nullptr,
+                                            limited ? &high : nullptr, widget.format.c_str(), flags);
+  return {changed, textOf(shown)};
+}
+
+Edit line(const plan::Value& value) {
+  char buffer[512];
+  std::string current = textOf(value);
+  std::snprintf(buffer, sizeof(buffer), "%s", current.c_str());
+  bool changed = ImGui::InputText("##value", buffer, sizeof(buffer), ImGuiInputTextFlags_EnterReturnsTrue);
+  return {changed && buffer != current, buffer};
+}
+
+Edit showWidget(const lab::Control& control) {
+  Widget widget = widgetOf(control.declaration);
+  ImGui::SetNextItemWidth(-1);
+  switch (widget.kind) {
+    case Widget::Kind::Checkbox: return checkbox(control.value);
+    case Widget::Kind::Combo: return menu(control.declaration, control.value);
+    case Widget::Kind::IntSlider:
+    case Widget::Kind::IntDrag: return integer(widget, control.value);
+    case Widget::Kind::FloatSlider:
+    case Widget::Kind::FloatDrag: return number(widget, control.value);
+    case Widget::Kind::Text: return line(control.value);
+  }
+  return {};
+}
+
+// The value a widget is being dragged to, until it is let go.
+struct Held {
+  std::string name, text;
+  bool of_b = false;
+};
+Held& held() {
+  static Held value;
+  return value;
+}
+
+ImU32 nameColour(const lab::Control& control) {
+  if (control.set) return colours::kAccent;
+  return control.origin == "default" ? colours::kText : colours::kOther;
+}
+
+lab::Control asHeld(lab::Control control, bool of_b) {
+  if (held().name != control.declaration.name || held().of_b != of_b) return control;
+  try {
+    control.value = plan::checkValue(control.declaration, plan::Value(held().text), {});
+  } catch (const Error&) {
+    held() = {};
+  }
+  return control;
+}
+
+void takeEdit(Desk& desk, PanelState& state, const lab::Control& control, const Edit& edit) {
+  const std::string& name = control.declaration.name;
+  bool of_b = state.controls_of_b;
+  auto apply = [&](const std::string& text) { attempt(state, [&] { desk.set(name, text, "window", of_b); }); };
+  bool dear = desk.costOf(name) > kPatience_s;
+  if (edit.changed && dear && ImGui::IsItemActive()) held() = {name, edit.text, of_b};
+  else if (edit.changed) apply(edit.text);
+  bool let_go = held().name == name && held().of_b == of_b && !ImGui::IsItemActive();
+  if (!let_go) return;
+  std::string text = held().text;
+  held() = {};
+  apply(text);
+}
+
+void drawControl(const Fonts& fonts, Desk& desk, PanelState& state, const lab::Control& control) {
+  const std::string& name = control.declaration.name;
+  bool of_b = state.controls_of_b;
+  ImGui::PushID(name.c_str());
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::AlignTextToFramePadding();
+  textIn(fonts.text, nameColour(control), shortName(control));
+  tooltip(tooltipOf(control));
+  ImGui::TableNextColumn();
+  Edit edit = showWidget(asHeld(control, of_b));
+  takeEdit(desk, state, control, edit);
+  bool plain = control.declaration.values.empty();
+  tooltip(plain ? control.declaration.doc : "");
+  ImGui::TableNextColumn();
+  if (control.set && quietButton("\u21ba", "give it back to preset, scene or default (now: " + control.origin + ")"))
+    attempt(state, [&] { desk.unset(name, of_b); });
+
+  std::string refused = desk.refusalOf(name, of_b);
+  bool quiet = refused.empty() && (control.origin == "default" || control.origin.empty());
+  if (!quiet) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TableNextColumn();
+    ImGui::PushFont(fonts.small);
+    ImGui::PushTextWrapPos(0);
+    ImGui::PushStyleColor(ImGuiCol_Text, refused.empty() ? colours::kDim : colours::kBad);
+    ImGui::TextUnformatted(refused.empty() ? control.origin.c_str() : refused.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+  }
+  ImGui::PopID();
+}
+
+void searchBox(PanelState& state) {
+  char buffer[128];
+  std::snprintf(buffer, sizeof(buffer), "%s", state.search.c_str());
+  if (state.focus_search) ImGui::SetKeyboardFocusHere();
+  state.focus_search = false;
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::InputTextWithHint("##search", "find a control  ( / )", buffer, sizeof(buffer))) state.search = buffer;
+}
+
+void sideChoice(const Fonts& fonts, Desk& desk, PanelState& state) {
+  if (!desk.b()) state.controls_of_b = false;
+  if (!desk.b()) return;
+  auto button = [&](const char* label, bool of_b) {
+    bool lit = state.controls_of_b == of_b;
+    ImGui::PushStyleColor(ImGuiCol_Button, lit ? IM_COL32(70, 74, 82, 255) : IM_COL32(40, 43, 47, 255));
+    ImGui::PushStyleColor(ImGuiCol_Text, of_b ? colours::kOther : colours::kAccent);
+    float width = (ImGui::GetContentRegionAvail().x - (of_b ? 0 : 4)) / (of_b ? 1 : 2);
+    if (ImGui::Button(label, ImVec2(width, 0))) state.controls_of_b = of_b;
+    ImGui::PopStyleColor(2);
+  };
+  ImGui::PushFont(fonts.text);
+  button(fmt::format("A  {}", desk.a().session->shot().pipeline).c_str(), false);
+  ImGui::SameLine(0, 4);
+  button(fmt::format("B  {}", desk.b()->session->shot().pipeline).c_str(), true);
+  ImGui::PopFont();
+}
+
+}  // namespace
+
+void drawControls(const Fonts& fonts, Desk& desk, PanelState& state) {
+  searchBox(state);
+  sideChoice(fonts, desk, state);
+  lab::Session& session = state.controls_of_b ? *desk.b()->session : *desk.a().session;
+  std::vector<lab::Control> controls = session.controls();
+  std::erase_if(controls, [&](const lab::Control& control) { return !isFound(control, state.search); });
+  ImGui::BeginChild("controls");
+  if (controls.empty()) textIn(fonts.text, colours::kDim, "no control has that in name or description");
+  for (size_t i = 0; i < controls.size();) {
+    const std::string& group = controls[i].group;
+    size_t end = i;
+    while (end < controls.size() && controls[end].group == group) ++end;
+    bool of_b_shot = state.controls_of_b && group == "shot";
+    bool open = group == "pipeline" || group == "shot" || !state.search.empty();
+    if (!state.search.empty()) ImGui::SetNextItemOpen(true);
+    ImGui::PushFont(fonts.bold);
+    bool shown = ImGui::CollapsingHeader(group.c_str(), open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+    ImGui::PopFont();
+    if (of_b_shot && shown) textIn(fonts.small, colours::kDim, "as A has it");
+    if (shown && !of_b_shot && ImGui::BeginTable(group.c_str(), 3)) {
+      ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 118);
+      ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
+      ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed, 22);
+      for (size_t k = i; k < end; ++k) drawControl(fonts, desk, state, controls[k]);
+      ImGui::EndTable();
+    }
+    i = end;
+  }
+  ImGui::EndChild();
+}
+
+}  // namespace strobe::live

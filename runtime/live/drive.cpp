@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "live/drive.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace strobe::live {
+
+const std::vector<CommandForm>& commandForms() {
+  static const std::vector<CommandForm> forms = {
+      {"set", "NAME VALUE", "change a value, as --set or an option of the shot would"},
+      {"unset", "NAME", "give it back to preset, scene or default"},
+      {"pipeline", "NAME", "run another pipeline"},
+      {"replace", "FILE BY", "overwrite the text of FILE by that of BY, as an editor saves"},
+      {"reloaded", "", "wait until edited files run or are refused, 20 s at most"},
+      {"wait", "N", "let N frames of the window pass"},
+      {"frame", "N", "go to frame N"},
+      {"play", "on|off", "play from here, one frame number per frame drawn"},
+      {"orbit", "DX DY", "drag the picture by pixels of the window: the camera goes round what it looks at"},
+      {"view", "PORT", "show an output or NODE.PORT"},
+      {"kind", "NAME", "show it as colour, depth, ...; auto chooses"},
+      {"mode", "MODE", "single, wipe, flicker, difference or error"},
+      {"wipe", "AT", "put the line of the wipe at AT of the width, 0 to 1"},
+      {"zoom", "Z X Y", "magnify the fitted picture Z times with pixel (X, Y) in the middle"},
+      {"point", "[X] [Y]", "put the pointer on a pixel, or away from the picture"},
+      {"inspect", "X Y", "pin the trail of a pixel"},
+      {"key", "KEY", "press a key as the help spells it"},
+      {"search", "[TEXT]", "show only the controls that have TEXT in name or description"},
+      {"panels", "on|off", "show or hide everything but the picture"},
+      {"help", "on|off", "show or hide the keys"},
+      {"resize", "WxH", "give the window another size"},
+      {"screenshot", "FILE.png", "write what the window shows"},
+      {"capture", "FILE.exr", "write the picture as 'strobe render' would"},
+      {"trail", "FILE.json", "write the trail of the pinned pixel"},
+      {"truth", "N", "wait until the truth in the background has N samples, 60 s at most"},
+      {"expect", "NAME VALUE", "fail unless the control has this value"},
+      {"problems", "yes|no", "fail unless there are problems, or none"},
+      {"quit", "", "close the window"},
+  };
+  return forms;
+}
+
+namespace {
+
+bool tooManyOrFew(const CommandForm& form, size_t count) {
+  std::istringstream words(form.arguments);
+  size_t least = 0, most = 0;
+  for (std::string word; words >> word; ++most) least += word[0] != '[';
+  return count < least || count > most;
+}
+
+// The words of a line; `problem` says what is wrong with it.
+std::vector<std::string> wordsOf(const std::string& line, std::string& problem) {
+  std::vector<std::string> words;
+  size_t at = 0;
+  while (true) {
+    at = line.find_first_not_of(" \t\r", at);
+    if (at == std::string::npos || line[at] == '#') return words;
+    bool quoted = line[at] == '"';
+    size_t end = quoted ? line.find('"', at + 1) : line.find_first_of(" \t\r#", at);
+    if (quoted && end == std::string::npos) {
+      problem = "a quotation mark is not closed";
+      return words;
+    }
+    size_t begin = at + quoted;
+    words.push_back(line.substr(begin, end == std::string::npos ? end : end - begin));
+    at = end == std::string::npos ? line.size() : end + quoted;
+  }
+}
+
+std::string mistakeIn(const std::vector<std::string>& words) {
+  std::vector<std::string> names;
+  for (const CommandForm& form : commandForms()) {
+    names.push_back(form.name);
+    if (words[0] != form.name) continue;
+    if (!tooManyOrFew(form, words.size() - 1)) return "";
+    return fmt::format("'{}' takes {}, got {} argument{}", form.name, *form.arguments ? form.arguments : "nothing",
+                       words.size() - 1, words.size() == 2 ? "" : "s");
+  }
+  return fmt::format("there is no command '{}'{}", words[0], didYouMean(words[0], names));
+}
+
+}  // namespace
+
+std::vector<Command> parseDrive(const std::string& text, const std::string& file) {
+  std::vector<Command> commands;
+  std::vector<std::string> problems;
+  std::istringstream lines(text);
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    std::string problem;
+    std::vector<std::string> words = wordsOf(line, problem);
+    if (problem.empty() && words.empty()) continue;
+    if (problem.empty()) problem = mistakeIn(words);
+    Place place{file, number};
+    if (!problem.empty()) problems.push_back(fmt::format("{}: {}", place.text(), problem));
+    else commands.push_back({words[0], {words.begin() + 1, words.end()}, place});
+  }
+  throwIfAny(problems);
+  return commands;
+}
+
+double numberOf(const Command& command, size_t argument) {
+  const std::string& text = command.arguments.at(argument);
+  std::istringstream stream(text);
+  double value = 0;
+  if (!(stream >> value) || !stream.eof() || !std::isfinite(value))
+    throw Error(fmt::format("'{}': '{}' is not a number", command.name, text), command.place);
+  return value;
+}
+
+int integerOf(const Command& command, size_t argument) {
+  double value = numberOf(command, argument);
+  if (value != std::floor(value) || std::abs(value) > 1e9)
+    throw Error(fmt::format("'{}': '{}' is not a whole number", command.name, command.arguments[argument]), command.place);
+  return int(value);
+}
+
+Drive::Drive(std::vector<Command> commands, std::map<std::string, Handler> handlers)
+    : commands_(std::move(commands)), handlers_(std::move(handlers)) {
+  for (const CommandForm& form : commandForms()) STROBE_ASSERT(handlers_.count(form.name), "no handler of {}", form.name);
+  STROBE_ASSERT(handlers_.size() == commandForms().size(), "{} handlers", handlers_.size());
+}
+
+void Drive::advance() {
+  while (!done()) {
+    const Command& command = commands_[next_];
+    try {
+      if (!handlers_.at(command.name)(command)) return;
+    } catch (const Error& error) {
+      bool placed = error.place().file == command.place.file && error.place().line == command.place.line;
+      if (placed) throw;
+      throw Error(fmt::format("'{}' failed: {}", command.name, error.what()), command.place);
+    }
+    ++next_;
+  }
+}
+
+}  // namespace strobe::live

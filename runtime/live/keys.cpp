@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "live/keys.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "base/error.h"
+
+namespace strobe::live {
+
+const std::vector<Key>& keys() {
+  static const std::vector<Key> table = {
+      {"Space", ' ', Action::TogglePlay, "play or pause"},
+      {"Left", GLFW_KEY_LEFT, Action::StepBack, "one frame back"},
+      {"Right", GLFW_KEY_RIGHT, Action::StepAhead, "one frame ahead"},
+      {"Home", GLFW_KEY_HOME, Action::FirstFrame, "the frame the window was opened with"},
+      {"C", 'c', Action::CameraBack, "give the camera back to the scene"},
+      {"F", 'f', Action::FitPicture, "fit the picture into the window"},
+      {"1", '1', Action::ShowSingle, "the picture alone"},
+      {"2", '2', Action::ShowWipe, "wipe between A and B"},
+      {"3", '3', Action::ShowFlicker, "A and B in turns"},
+      {"4", '4', Action::ShowDifference, "difference of A and B"},
+      {"5", '5', Action::ShowError, "error against the truth, which gathers in the background"},
+      {"Up", GLFW_KEY_UP, Action::PreviousView, "view the image before this one"},
+      {"Down", GLFW_KEY_DOWN, Action::NextView, "view the next image of the frame"},
+      {"V", 'v', Action::ViewColor, "view the colour again"},
+      {"Escape", GLFW_KEY_ESCAPE, Action::Unpin, "close the help, or let the pinned pixel go"},
+      {"F2", GLFW_KEY_F2, Action::Save, "save the picture with its run record"},
+      {"F3", GLFW_KEY_F3, Action::Screenshot, "save what the window shows"},
+      {"F4", GLFW_KEY_F4, Action::CopyCommand, "copy the command that makes this picture"},
+      {"/", '/', Action::Search, "find a control"},
+      {"Tab", GLFW_KEY_TAB, Action::TogglePanels, "the picture alone, without panels"},
+      {"?", '?', Action::ToggleHelp, "this help"},
+      {"F10", GLFW_KEY_F10, Action::Quit, "close the window"},
+  };
+  return table;
+}
+
+const std::vector<HeldKey>& heldKeys() {
+  static const std::vector<HeldKey> table = {
+      {"W", GLFW_KEY_W, 0, 0, 0.5, "fly ahead (with Shift four times as fast)"},
+      {"S", GLFW_KEY_S, 0, 0, -0.5, "fly back"},
+      {"A", GLFW_KEY_A, -0.5, 0, 0, "fly to the left"},
+      {"D", GLFW_KEY_D, 0.5, 0, 0, "fly to the right"},
+      {"E", GLFW_KEY_E, 0, 0.5, 0, "fly up"},
+      {"Q", GLFW_KEY_Q, 0, -0.5, 0, "fly down"},
+  };
+  return table;
+}
+
+const std::vector<Gesture>& gestures() {
+  static const std::vector<Gesture> table = {
+      {"drag", "orbit round what the camera looks at; of a wipe, its line"},
+      {"right drag", "look around"},
+      {"Shift + drag", "move the camera sideways"},
+      {"wheel", "go nearer or farther"},
+      {"Ctrl + drag", "move the picture in the window"},
+      {"Ctrl + wheel", "magnify the picture at the pointer"},
+      {"click", "pin the trail of a pixel"},
+  };
+  return table;
+}
+
+Action actionOf(int code) {
+  for (const Key& key : keys())
+    if (key.code == code) return key.action;
+  return Action::None;
+}
+
+Action actionNamed(const std::string& shown) {
+  std::vector<std::string> names;
+  for (const Key& key : keys()) {
+    if (shown == key.shown) return key.action;
+    names.push_back(key.shown);
+  }
+  throw Error(fmt::format("no key is called '{}'{}", shown, didYouMean(shown, names)));
+}
+
+}  // namespace strobe::live

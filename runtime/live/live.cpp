@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: MIT
+#include "live/live.h"
+
+#include <imgui.h>
+#include <backends/imgui_impl_glfw.h>
+
+#include <cstdio>
+
+#include "base/log.h"
+#include "image/png.h"
+#include "lab/capture.h"
+#include "live/drive.h"
+#include "live/picture_view.h"
+#include "live/surface.h"
+#include "live/window.h"
+
+namespace strobe::live {
+
+namespace {
+
+constexpr double kTimeLimit_s = 10;     // for what the device is given at once
+constexpr double kReloadLimit_s = 20;   // for 'reloaded'
+constexpr double kTruthLimit_s = 60;    // for 'truth'
+constexpr double kIdle_s = 0.1;         // between looks at edited files while nothing happens
+constexpr int kSettle = 3;              // frames that panels need to come to rest after an event
+constexpr int kSoftwareWidth = 320, kSoftwareHeight = 180;
+
+// ImGui with its fonts and its view of the window's mouse and keyboard.
+class Gui {
+ public:
+  explicit Gui(Window& window) {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;
+    fonts_ = applyStyle();
+    ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
+  }
+  ~Gui() {
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+  }
+  Gui(const Gui&) = delete;
+  Gui& operator=(const Gui&) = delete;
+  const Fonts& fonts() const { return fonts_; }
+
+ private:
+  Fonts fonts_;
+};
+
+gpu::DeviceOptions deviceOptions(const Window& window, const LiveOptions& options) {
+  gpu::DeviceOptions device = window.extensions();
+  device.device = options.desk.shot.device;
+  device.validation = options.validation;
+  return device;
+}
+
+// A picture that a software device draws several times a second, unless a size was asked for.
+DeskOptions deskOptions(const lab::Workbench& bench, const LiveOptions& options) {
+  DeskOptions desk = options.desk;
+  if (options.size_given || !bench.device().info().software) return desk;
+  desk.shot.width = kSoftwareWidth;
+  desk.shot.height = kSoftwareHeight;
+  return desk;
+}
+
+class Live {
+ public:
+  explicit Live(const LiveOptions& options);
+  void run();
+
+ private:
+  void watch();
+  void turn();
+  void drawWindow();
+  void takeKeys();
+  void perform(Action action);
+  void stepView(int by);
+  void sendToTev();
+  void pointAsDriven();
+  std::map<std::string, Handler> handlers();
+  void addShotHandlers(std::map<std::string, Handler>& handlers);
+  void addLookHandlers(std::map<std::string, Handler>& handlers);
+  void addWaitHandlers(std::map<std::string, Handler>& handlers);
+  void addFileHandlers(std::map<std::string, Handler>& handlers);
+  Handler afterFrames(int frames, std::function<void(const Command&)> then);
+
+  LiveOptions options_;
+  Window window_;
+  Gui gui_;
+  lab::Workbench bench_;
+  Surface surface_;
+  Desk desk_;
+  PanelState state_;
+  PictureView view_;
+  std::unique_ptr<Texture> picture_;
+  std::unique_ptr<Drive> drive_;
+  std::unique_ptr<lab::Tev> tev_;
+  std::string title_;
+  std::optional<Path> screenshot_;
+  int settle_ = kSettle;
+  bool quit_ = false;
+  // What the drive file waits for.
+  std::optional<int> wait_from_;
+  std::optional<double> wait_since_s_;
+  int reloads_seen_ = 0;
+  bool shot_asked_ = false;
+  std::optional<dvec2> pointed_;  // pixel of the picture
+};
+
+Live::Live(const LiveOptions& options)
+    : options_(options),
+      window_(options.width, options.height, "strobe live"),
+      gui_(window_),
+      bench_(deviceOptions(window_, options)),
+      surface_(bench_.device(), window_.makeSurface(bench_.device()), options.width, options.height),
+      desk_(bench_, deskOptions(bench_, options)) {
+  watch();
+  if (options.tev) tev_ = std::make_unique<lab::Tev>(*options.tev);
+  if (!options.drive.empty())
+    drive_ = std::make_unique<Drive>(parseDrive(readText(options.drive), options.drive), handlers());
+}
+
+// A shader that never ends cannot be stopped: say which, keep what was asked for, and leave the device as it is.
+void Live::watch() {
+  bench_.device().setTimeLimit(kTimeLimit_s, [this](const std::string& what) {
+    Path file = options_.desk.out / "overrun.record.json";
+    std::string kept;
+    try {
+      Json record;
+      record["shot"] = lab::toJson(desk_.a().session->shot());
+      writeFileAtomically(file, record.dump(2) + "\n");
+      kept = fmt::format("; the shot is kept in {}: open it with --record", file.string());
+    } catch (const Error& error) {
+      kept = fmt::format("; the shot could not be kept: {}", error.what());
+    }
+    std::fprintf(stderr, "strobe: '%s' ran for more than %g s on the device%s\n", what.c_str(), kTimeLimit_s, kept.c_str());
+    std::fflush(stderr);
+    std::_Exit(1);
+  });
+}
+
+// ---- keys and buttons
+
+void Live::stepView(int by) {
+  std::vector<std::string> names = desk_.viewable();
+  auto found = std::find(names.begin(), names.end(), desk_.look().port);
+  int at = found == names.end() ? 0 : int(found - names.begin());
+  desk_.viewPort(names[size_t((at + by + int(names.size())) % int(names.size()))]);
+}
+
+void Live::perform(Action action) {
+  switch (action) {
+    case Action::None: return;
+    case Action::TogglePlay: desk_.playing = !desk_.playing; return;
+    case Action::StepBack: return desk_.goToFrame(desk_.frame() - 1);
+    case Action::StepAhead: return desk_.goToFrame(desk_.frame() + 1);
+    case Action::FirstFrame: return desk_.goToFrame(desk_.firstFrame());
+    case Action::CameraBack: return desk_.giveCameraBack();
+    case Action::FitPicture: state_.magnification = {}; return;
+    case Action::ShowSingle: return desk_.setMode(Mode::Single);
+    case Action::ShowWipe: return desk_.setMode(Mode::Wipe);
+    case Action::ShowFlicker: return desk_.setMode(Mode::Flicker);
+    case Action::ShowDifference: return desk_.setMode(Mode::Difference);
+    case Action::ShowError: return desk_.setMode(Mode::Error);
+    case Action::PreviousView: return stepView(-1);
+    case Action::NextView: return stepView(1);
+    case Action::ViewColor: return desk_.viewPort("color");
+    case Action::Unpin:
+      if (!state_.help) desk_.unpin();
+      state_.help = false;
+      return;
+    case Action::Save: return state_.say("saved " + desk_.save().front().string());
+    case Action::Screenshot: screenshot_ = desk_.freeName(".window.png"); return;
+    case Action::CopyCommand:
+      window_.setClipboard(desk_.command());
+      return state_.say("copied: " + desk_.command());
+    case Action::Search: state_.focus_search = state_.panels = true; return;
+    case Action::TogglePanels: state_.panels = !state_.panels; return;
+    case Action::ToggleHelp: state_.help = !state_.help; return;
+    case Action::Quit: quit_ = true; return;
+  }
+}
+
+void Live::takeKeys() {
+  if (!ImGui::GetIO().WantTextInput)
+    for (int key : window_.pressed()) state_.requests.push_back(actionOf(key));
+  for (Action action : std::exchange(state_.requests, {})) attempt(state_, [&] { perform(action); });
+}
+
+// ---- a turn
+
+void Live::sendToTev() {
+  if (!tev_) return;
+  for (const auto& [name, image] : desk_.a().frame.outputs) tev_->send(name, image);
+}
+
+// A driven window does not depend on where the mouse happens to be.
+void Live::pointAsDriven() {
+  dvec2 at = pointed_ ? view_.inWindow(*pointed_ + dvec2(0.5)) : dvec2(-1e6);
+  ImGui::GetIO().MousePos = ImVec2(float(at.x), float(at.y));
+}
+
+void Live::drawWindow() {
+  const image::Image& shown = desk_.picture(state_.window_frame);
+  ++state_.window_frame;
+  auto [width, height] = window_.size();
+  if (width == 0 || height == 0) return;
+  // A picture made smaller needs its pixels mixed; one enlarged shows them as they are.
+  bool smooth = shown.width > width || shown.height > height;
+  surface_.upload(picture_, "picture", shown, smooth);
+
+  ImGui_ImplGlfw_NewFrame();
+  if (drive_) pointAsDriven();
+  ImGui::NewFrame();
+  Area area = drawPanels(gui_.fonts(), desk_, state_);
+  view_.interact(desk_, state_, area, window_);
+  view_.draw(gui_.fonts(), desk_, state_, area, *picture_);
+  drawOverlays(gui_.fonts(), desk_, state_, area);
+  ImGui::Render();
+  image::Image shot;
+  bool done = surface_.show(*ImGui::GetDrawData(), width, height, screenshot_ ? &shot : nullptr);
+  if (!screenshot_ || !done) return;
+  image::writePng(*screenshot_, shot);
+  if (!drive_) state_.say("saved " + screenshot_->string());
+  screenshot_.reset();
+}
+
+void Live::turn() {
+  bool spoke = state_.speaks();
+  bool awake = settle_ > 0 || desk_.busy() || (drive_ && !drive_->done());
+  window_.takeEvents(awake ? 0 : kIdle_s);
+  if (window_.stirred() || spoke != state_.speaks()) settle_ = kSettle;
+  if (drive_) drive_->advance();
+  bool news = desk_.turn();
+  if (news) sendToTev();
+  if (news) settle_ = kSettle;
+  bool draws = settle_ > 0 || desk_.pictureChanged(state_.window_frame) || screenshot_ || (drive_ && !drive_->done());
+  if (!draws) return;
+  drawWindow();
+  takeKeys();
+  --settle_;
+  std::string title = fmt::format("{} - strobe live", desk_.a().session->shot().pipeline);
+  if (title != title_) window_.setTitle(title_ = title);
+}
+
+void Live::run() {
+  while (!quit_ && !window_.closing()) turn();
+  std::vector<std::string> messages = bench_.device().takeMessages();
+  for (std::string& message : messages) message = "Vulkan validation: " + message;
+  throwIfAny(messages);
+}
+
+// ---- the drive file
+
+// Carries out `then` when that many frames of the window have passed.
+Handler Live::afterFrames(int frames, std::function<void(const Command&)> then) {
+  return [this, frames, then](const Command& command) {
+    if (!wait_from_) wait_from_ = state_.window_frame;
+    if (state_.window_frame < *wait_from_ + frames) return false;
+    then(command);
+    wait_from_.reset();
+    return true;
+  };
+}
+
+bool onOff(const Command& command) {
+  const std::string& word = command.arguments[0];
+  if (word != "on" && word != "off") throw Error(fmt::format("'{}' takes on or off", command.name), command.place);
+  return word == "on";
+}
+
+void Live::addShotHandlers(std::map<std::string, Handler>& handlers) {
+  handlers["set"] = [this](const Command& c) { return desk_.set(c.arguments[0], c.arguments[1], "drive"), true; };
+  handlers["unset"] = [this](const Command& c) { return desk_.unset(c.arguments[0]), true; };
+  handlers["pipeline"] = [this](const Command& c) { return desk_.usePipeline(c.arguments[0]), true; };
+  handlers["frame"] = [this](const Command& c) { return desk_.goToFrame(integerOf(c, 0)), true; };
+  handlers["play"] = [this](const Command& c) { return desk_.playing = onOff(c), true; };
+  handlers["orbit"] = [this](const Command& c) {
+    desk_.setViewpoint(orbited(desk_.viewpoint(), -numberOf(c, 0) * kRadiansPerPixel, numberOf(c, 1) * kRadiansPerPixel));
+    return true;
+  };
+  handlers["expect"] = [this](const Command& c) {
+    for (const lab::Control& control : desk_.a().session->controls()) {
+      if (control.declaration.name != c.arguments[0]) continue;
+      if (textOf(control.value) == c.arguments[1]) return true;
+      throw Error(fmt::format("{} is {}, expected {}", c.arguments[0], textOf(control.value), c.arguments[1]), c.place);
+    }
+    throw Error(fmt::format("there is no control '{}'", c.arguments[0]), c.place);
+  };
+}
+
+void Live::addLookHandlers(std::map<std::string, Handler>& handlers) {
+  handlers["view"] = [this](const Command& c) { return desk_.viewPort(c.arguments[0]), true; };
+  handlers["kind"] = [this](const Command& c) { return desk_.look().view.kind = c.arguments[0], true; };
+  handlers["mode"] = [this](const Command& c) { return desk_.setMode(modeNamed(c.arguments[0])), true; };
+  handlers["wipe"] = [this](const Command& c) { return desk_.look().wipe = numberOf(c, 0), true; };
+  handlers["zoom"] = [this](const Command& c) {
+    const lab::Shot& shot = desk_.a().session->shot();
+    dvec2 centre((numberOf(c, 1) + 0.5) / shot.width, (numberOf(c, 2) + 0.5) / shot.height);
+    state_.magnification = {std::max(0.1, numberOf(c, 0)), centre};
+    return true;
+  };
+  handlers["point"] = [this](const Command& c) {
+    pointed_.reset();
+    if (c.arguments.size() == 2) pointed_ = dvec2(integerOf(c, 0), integerOf(c, 1));
+    return true;
+  };
+  handlers["inspect"] = [this](const Command& c) { return desk_.pin(integerOf(c, 0), integerOf(c, 1)), true; };
+  handlers["key"] = [this](const Command& c) { return perform(actionNamed(c.arguments[0])), true; };
+  handlers["search"] = [this](const Command& c) {
+    state_.search = c.arguments.empty() ? "" : c.arguments[0];
+    return true;
+  };
+  handlers["panels"] = [this](const Command& c) { return state_.panels = onOff(c), true; };
+  handlers["help"] = [this](const Command& c) { return state_.help = onOff(c), true; };
+  handlers["resize"] = [this](const Command& c) {
+    auto [width, height] = lab::parseSize(c.arguments[0]);
+    window_.resize(width, height);
+    return true;
+  };
+}
+
+void Live::addWaitHandlers(std::map<std::string, Handler>& handlers) {
+  handlers["wait"] = [this](const Command& c) { return afterFrames(integerOf(c, 0), [](const Command&) {})(c); };
+  handlers["reloaded"] = [this](const Command& c) {
+    if (!wait_since_s_) wait_since_s_ = clockSeconds();
+    if (clockSeconds() - *wait_since_s_ > kReloadLimit_s) throw Error("no edited file was noticed", c.place);
+    if (desk_.reloads() == reloads_seen_) return false;
+    wait_since_s_.reset();
+    reloads_seen_ = desk_.reloads();
+    return true;
+  };
+  handlers["truth"] = [this](const Command& c) {
+    if (!wait_since_s_) wait_since_s_ = clockSeconds();
+    desk_.wantTruth(integerOf(c, 0));
+    if (clockSeconds() - *wait_since_s_ > kTruthLimit_s)
+      throw Error(fmt::format("the truth has {} samples", desk_.truthSamples()), c.place);
+    if (desk_.truthSamples() < integerOf(c, 0)) return false;
+    wait_since_s_.reset();
+    desk_.wantTruth(0);
+    return true;
+  };
+  handlers["problems"] = [this](const Command& c) {
+    if (c.arguments[0] != "yes" && c.arguments[0] != "no") throw Error("'problems' takes yes or no", c.place);
+    std::vector<std::string> problems = desk_.problems();
+    if (problems.empty() != (c.arguments[0] == "no"))
+      throw Error(problems.empty() ? "there are no problems" : problems.front(), c.place);
+    return true;
+  };
+  handlers["quit"] = [this](const Command&) { return quit_ = true; };
+}
+
+void Live::addFileHandlers(std::map<std::string, Handler>& handlers) {
+  handlers["replace"] = [](const Command& c) { return writeFileAtomically(c.arguments[0], readText(c.arguments[1])), true; };
+  handlers["screenshot"] = [this](const Command& c) {
+    if (!wait_from_) wait_from_ = state_.window_frame;
+    // What was changed a moment ago is drawn and at rest first.
+    if (!shot_asked_ && state_.window_frame >= *wait_from_ + kSettle) {
+      screenshot_ = c.arguments[0];
+      shot_asked_ = true;
+    }
+    if (!shot_asked_ || screenshot_) return false;
+    shot_asked_ = false;
+    wait_from_.reset();
+    return true;
+  };
+  handlers["capture"] = [this](const Command& c) { return desk_.capture(c.arguments[0]), true; };
+  handlers["trail"] = [this](const Command& c) {
+    writeFileAtomically(c.arguments[0], desk_.trailJson().dump(2) + "\n");
+    return true;
+  };
+}
+
+std::map<std::string, Handler> Live::handlers() {
+  std::map<std::string, Handler> handlers;
+  addShotHandlers(handlers);
+  addLookHandlers(handlers);
+  addWaitHandlers(handlers);
+  addFileHandlers(handlers);
+  return handlers;
+}
+
+}  // namespace
+
+void runLive(const LiveOptions& options) {
+  Live live(options);
+  live.run();
+}
+
+}  // namespace strobe::live

@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: MIT
+#include "live/panels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/log.h"
+#include "live/control_panel.h"
+
+namespace strobe::live {
+
+namespace {
+
+constexpr float kSide = 340, kTop = 40, kBottom = 74;
+constexpr double kMessage_s = 4;  // a bad one twice as long
+
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
+
+void beginPanel(const char* name, float x, float y, float width, float height) {
+  ImGui::SetNextWindowPos(ImVec2(x, y));
+  ImGui::SetNextWindowSize(ImVec2(width, height));
+  ImGui::Begin(name, nullptr, kFixed);
+}
+
+// A menu of names; true where another was chosen.
+bool combo(const char* id, const std::string& current, const std::vector<std::string>& names, std::string& chosen) {
+  bool changed = false;
+  if (!ImGui::BeginCombo(id, current.c_str(), ImGuiComboFlags_HeightLarge)) return false;
+  for (const std::string& name : names) {
+    if (!ImGui::Selectable(name.c_str(), name == current)) continue;
+    chosen = name;
+    changed = name != current;
+  }
+  ImGui::EndCombo();
+  return changed;
+}
+
+std::vector<std::string> withOwn(std::vector<std::string> names, const std::string& own) {
+  if (std::find(names.begin(), names.end(), own) == names.end()) names.insert(names.begin(), own);
+  return names;
+}
+
+// A name and what stands beside it, in a panel's two columns.
+void row(const char* name) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%s", name);
+  ImGui::SameLine(96);
+  ImGui::SetNextItemWidth(-1);
+}
+
+// ---- top
+
+void topBar(const Fonts& fonts, Desk& desk, PanelState& state, float width) {
+  beginPanel("top", 0, 0, width, kTop);
+  const lab::Session& session = *desk.a().session;
+  ImGui::AlignTextToFramePadding();
+  textIn(fonts.bold, colours::kAccent, "strobe");
+  ImGui::SameLine(0, 18);
+  ImGui::SetNextItemWidth(190);
+  std::string chosen, current = session.shot().pipeline;
+  if (combo("##pipeline", current, withOwn(script::pipelineNames(), current), chosen))
+    attempt(state, [&] { desk.usePipeline(chosen); });
+  tooltip("pipeline of A\n" + session.plan().pipeline.doc);
+  ImGui::SameLine(0, 14);
+  const gpu::DeviceInfo& device = session.bench().device().info();
+  std::string backend = session.backend() == graph::Backend::Query ? "ray queries" : "ray tracing pipelines";
+  textIn(fonts.text, colours::kDim,
+         fmt::format("{}  ·  {} x {}  ·  {}{}  ·  {}", session.shot().scene, session.shot().width, session.shot().height,
+                     device.name.substr(0, device.name.find(" (")), device.software ? " (software)" : "", backend));
+  ImGui::SameLine(width - 92);
+  if (quietButton("help  ?", "all keys", state.help)) state.requests.push_back(Action::ToggleHelp);
+  ImGui::End();
+}
+
+// ---- right: view
+
+void viewPart(const Fonts& fonts, Desk& desk, PanelState& state) {
+  heading(fonts, "View");
+  Look& look = desk.look();
+  std::string chosen;
+  row("image");
+  if (combo("##port", look.port, desk.viewable(), chosen)) attempt(state, [&] { desk.viewPort(chosen); });
+  tooltip("any output of any pass; Up and Down go through them");
+  row("as");
+  std::vector<std::string> kinds = desk.viewKindsHere();
+  if (combo("##kind", look.view.kind, kinds, chosen)) look.view.kind = chosen;
+  float stops = float(look.view.exposure_stops);
+  row("brightness");
+  if (ImGui::SliderFloat("##stops", &stops, -6, 6, "%+.1f stops")) look.view.exposure_stops = stops;
+  tooltip("of the picture in this window; saved pictures are not touched");
+  float range[2] = {float(look.view.low), float(look.view.high)};
+  row("scale");
+  if (ImGui::DragFloat2("##range", range, 0.01f, 0, 0, "%.4g")) {
+    look.view.low = range[0];
+    look.view.high = range[1];
+  }
+  tooltip("ends of the scale of depths, velocities and other numbers; two equal ends: from the image");
+}
+
+// ---- right: comparison
+
+void versusChoice(Desk& desk, PanelState& state) {
+  row("B");
+  const Side* b = desk.b();
+  std::string current = b ? b->session->shot().pipeline : "none chosen", chosen;
+  if (combo("##versus", current, withOwn(script::pipelineNames(), current), chosen))
+    attempt(state, [&] {
+      desk.usePipeline(chosen, true);
+      if (desk.look().mode == Mode::Single) desk.setMode(Mode::Wipe);
+    });
+  tooltip("a second pipeline under the same clock, camera and seed");
+}
+
+void modeButtons(Desk& desk, PanelState& state) {
+  for (size_t i = 0; i < modeNames().size(); ++i) {
+    if (i) ImGui::SameLine(0, 2);
+    Mode mode = Mode(i);
+    bool needs_b = mode == Mode::Wipe || mode == Mode::Flicker || mode == Mode::Difference;
+    ImGui::BeginDisabled(needs_b && !desk.b());
+    bool lit = desk.look().mode == mode;
+    ImGui::PushStyleColor(ImGuiCol_Button, lit ? IM_COL32(92, 72, 44, 255) : IM_COL32(44, 47, 52, 255));
+    ImGui::PushID(int(i));
+    if (ImGui::Button(modeNames()[i].c_str())) attempt(state, [&] { desk.setMode(mode); });
+    ImGui::PopID();
+    ImGui::PopStyleColor();
+    tooltip(keys()[size_t(Action::ShowSingle) - 1 + i].doc);
+    ImGui::EndDisabled();
+  }
+}
+
+std::string errorText(const std::optional<double>& error) { return error ? fmt::format("{:.5f}", *error) : "-"; }
+
+void errorTable(const Fonts& fonts, Desk& desk) {
+  if (!ImGui::BeginTable("errors", 3, ImGuiTableFlags_SizingStretchProp)) return;
+  auto side = [&](const char* name, ImU32 color, const Side& of) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    textIn(fonts.bold, color, name);
+    ImGui::TableNextColumn();
+    textIn(fonts.text, colours::kText, of.session->shot().pipeline);
+    ImGui::TableNextColumn();
+    textIn(fonts.mono, colours::kText, errorText(desk.errorOf(of)));
+    tooltip("root of the mean squared error of the linear colour against the truth so far");
+  };
+  side("A", colours::kAccent, desk.a());
+  if (desk.b()) side("B", colours::kOther, *desk.b());
+  ImGui::EndTable();
+  if (desk.truthSamples() > 0)
+    textIn(fonts.small, colours::kDim, fmt::format("RMSE against {} of {} samples", desk.options().truth, desk.truthSamples()));
+}
+
+// What is set differently on the two sides.
+void differences(const Fonts& fonts, Desk& desk) {
+  if (!desk.b() || !ImGui::TreeNodeEx("what differs", ImGuiTreeNodeFlags_SpanAvailWidth)) return;
+  std::map<std::string, std::string> of_b;
+  for (const lab::Control& control : desk.b()->session->controls()) of_b[control.declaration.name] = textOf(control.value);
+  int shown = 0;
+  for (const lab::Control& control : desk.a().session->controls()) {
+    auto found = of_b.find(control.declaration.name);
+    std::string value = textOf(control.value);
+    if (found == of_b.end() || found->second == value) continue;
+    textIn(fonts.small, colours::kText, fmt::format("{}: {} | {}", control.declaration.name, value, found->second));
+    ++shown;
+  }
+  if (shown == 0) textIn(fonts.small, colours::kDim, "no value that both have");
+  ImGui::TreePop();
+}
+
+void comparePart(const Fonts& fonts, Desk& desk, PanelState& state) {
+  heading(fonts, "Compare");
+  versusChoice(desk, state);
+  modeButtons(desk, state);
+  Look& look = desk.look();
+  if (look.mode == Mode::Difference || look.mode == Mode::Error) {
+    float gain = float(look.gain);
+    row("gain");
+    if (ImGui::SliderFloat("##gain", &gain, 0.5f, 256, "%.3g x", ImGuiSliderFlags_Logarithmic)) look.gain = gain;
+    tooltip("full scale of the colours is 1 / gain of linear radiance");
+  }
+  if (look.mode == Mode::Single && desk.b()) {
+    bool other = look.single_b;
+    if (ImGui::Checkbox("show B", &other)) look.single_b = other;
+  }
+  if (desk.b() || look.mode == Mode::Error) errorTable(fonts, desk);
+  differences(fonts, desk);
+}
+
+// ---- right: times
+
+// A line of bars, newest at the right; a void frame leaves a gap.
+void sparkline(const TimeHistory::Row& times, float width, float height) {
+  ImVec2 at = ImGui::GetCursorScreenPos();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  float highest = 0;
+  for (float ms : times.ms) highest = std::isnan(ms) ? highest : std::max(highest, ms);
+  float step = width / float(TimeHistory::kFrames);
+  float x = at.x + width - step * float(times.ms.size());
+  for (float ms : times.ms) {
+    float tall = std::isnan(ms) || highest <= 0 ? 0 : std::max(1.0f, height * ms / highest);
+    if (tall > 0) list->AddRectFilled(ImVec2(x, at.y + height - tall), ImVec2(x + std::max(1.0f, step - 0.5f), at.y + height),
+                                      IM_COL32(116, 150, 178, 255));
+    x += step;
+  }
+  ImGui::Dummy(ImVec2(width, height));
+}
+
+std::string msText(const std::optional<double>& ms) {
+  if (!ms) return "-";
+  return *ms >= 100 ? fmt::format("{:.0f}", *ms) : *ms >= 10 ? fmt::format("{:.1f}", *ms) : fmt::format("{:.2f}", *ms);
+}
+
+void timeRow(const Fonts& fonts, const TimeHistory::Row& times, ImU32 color) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  textIn(fonts.small, color, times.name);
+  ImGui::TableNextColumn();
+  textIn(fonts.mono, color, fmt::format("{:>7}", msText(times.median())));
+  tooltip(fmt::format("{}\nlast frame {} ms, median of the frames at the right {} ms\na void frame (its pipelines were new) "
+                      "is not counted", times.name, msText(times.latest()), msText(times.median())));
+  ImGui::TableNextColumn();
+  sparkline(times, 96, 14);
+}
+
+void timesPart(const Fonts& fonts, const char* title, const Side& side) {
+  heading(fonts, title);
+  if (!ImGui::BeginTable("times", 3, ImGuiTableFlags_SizingFixedFit)) return;
+  ImGui::TableSetupColumn("pass", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("ms", ImGuiTableColumnFlags_WidthFixed, 58);
+  ImGui::TableSetupColumn("history", ImGuiTableColumnFlags_WidthFixed, 96);
+  timeRow(fonts, side.times.total(), colours::kText);
+  for (const TimeHistory::Row& pass : side.times.passes()) timeRow(fonts, pass, colours::kDim);
+  ImGui::EndTable();
+}
+
+// ---- right: the pinned pixel
+
+void trailPart(const Fonts& fonts, Desk& desk, PanelState& state) {
+  if (!desk.pinned()) return;
+  auto [x, y] = *desk.pinned();
+  heading(fonts, fmt::format("Pixel {}, {}", x, y).c_str());
+  if (ImGui::Button("copy as JSON")) {
+    ImGui::SetClipboardText(desk.trailJson().dump(2).c_str());
+    state.say("copied the trail of the pixel");
+  }
+  ImGui::SameLine();
+  if (ImGui::Button("let go")) return desk.unpin();
+  ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollY;
+  if (!ImGui::BeginTable("trail", 2, flags, ImVec2(0, 240))) return;
+  ImGui::TableSetupColumn("image", ImGuiTableColumnFlags_WidthFixed, 140);
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
+  for (const TrailLine& line : desk.trailLines()) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    textIn(fonts.small, line.heading ? colours::kAccent : colours::kDim, line.name);
+    tooltip(line.doc);
+    ImGui::TableNextColumn();
+    textIn(fonts.small, colours::kText, line.value);
+    tooltip(line.value);
+  }
+  ImGui::EndTable();
+}
+
+void rightPanel(const Fonts& fonts, Desk& desk, PanelState& state, float x, float height) {
+  beginPanel("right", x, kTop, kSide, height);
+  viewPart(fonts, desk, state);
+  comparePart(fonts, desk, state);
+  trailPart(fonts, desk, state);
+  timesPart(fonts, desk.b() ? "GPU time of A, ms" : "GPU time, ms", desk.a());
+  if (desk.b()) {
+    ImGui::PushID("b");
+    timesPart(fonts, "GPU time of B, ms", *desk.b());
+    ImGui::PopID();
+  }
+  ImGui::End();
+}
+
+// ---- bottom
+
+void bottomBar(const Fonts& fonts, Desk& desk, PanelState& state, float width, float y) {
+  beginPanel("bottom", 0, y, width, kBottom);
+  auto press = [&](const char* label, const char* explanation, Action action, bool lit = false) {
+    if (quietButton(label, explanation, lit)) state.requests.push_back(action);
+    ImGui::SameLine(0, 2);
+  };
+  press("\u25c0##back", "one frame back", Action::StepBack);
+  press(desk.playing ? "\u275a\u275a##play" : "\u25b6##play", "play or pause (Space)", Action::TogglePlay, desk.playing);
+  press("\u25b6\u2759##ahead", "one frame ahead", Action::StepAhead);
+  int frame = desk.frame(), last = std::max(desk.lastFrame(), frame);
+  ImGui::SetNextItemWidth(std::max(120.0f, width - 520));
+  if (ImGui::SliderInt("##frame", &frame, 0, last, "frame %d")) attempt(state, [&] { desk.goToFrame(frame); });
+  ImGui::SameLine(0, 14);
+  press("save", "the picture with its run record (F2)", Action::Save);
+  press("copy command", "that makes this picture (F4)", Action::CopyCommand);
+  press("camera back", "to the scene's (C)", Action::CameraBack, desk.cameraIsMoved());
+  press("fit", "the picture into the window (F)", Action::FitPicture);
+  ImGui::NewLine();
+  textIn(fonts.mono, colours::kDim, desk.command());
+  tooltip(desk.command());
+  ImGui::End();
+}
+
+}  // namespace
+
+void PanelState::say(const std::string& text, bool bad) {
+  message = text;
+  message_is_bad = bad;
+  message_until_s = clockSeconds() + (bad ? 2 : 1) * kMessage_s;
+}
+
+bool PanelState::speaks() const { return !message.empty() && clockSeconds() < message_until_s; }
+
+void attempt(PanelState& state, const std::function<void()>& change) {
+  try {
+    change();
+  } catch (const Error& error) {
+    state.say(error.what(), true);
+  }
+}
+
+Area drawPanels(const Fonts& fonts, Desk& desk, PanelState& state) {
+  ImVec2 size = ImGui::GetIO().DisplaySize;
+  if (!state.panels) return {0, 0, size.x, size.y};
+  float middle = std::max(50.0f, size.y - kTop - kBottom);
+  topBar(fonts, desk, state, size.x);
+  beginPanel("left", 0, kTop, kSide, middle);
+  drawControls(fonts, desk, state);
+  ImGui::End();
+  rightPanel(fonts, desk, state, size.x - kSide, middle);
+  bottomBar(fonts, desk, state, size.x, kTop + middle);
+  return {kSide + 1, kTop + 1, std::max(50.0, double(size.x) - 2 * kSide - 2), double(middle) - 2};
+}
+
+// ---- overlays
+
+namespace {
+
+void drawProblems(const Fonts& fonts, const std::vector<std::string>& problems, const Area& area) {
+  ImDrawList* list = ImGui::GetBackgroundDrawList();
+  list->AddRectFilled(ImVec2(float(area.x), float(area.y)), ImVec2(float(area.x + area.width), float(area.y + area.height)),
+                      IM_COL32(10, 8, 8, 170));
+  float width = float(std::min(area.width - 40, 860.0));
+  ImGui::SetNextWindowPos(ImVec2(float(area.x + (area.width - width) / 2), float(area.y + 28)));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 60), ImVec2(width, float(area.height - 60)));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(40, 24, 24, 245));
+  ImGui::Begin("problems", nullptr, (kFixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus) | ImGuiWindowFlags_AlwaysAutoResize |
+                                        ImGuiWindowFlags_NoFocusOnAppearing);
+  textIn(fonts.bold, colours::kBad, problems.size() == 1 ? "A problem" : fmt::format("{} problems", problems.size()));
+  ImGui::SameLine();
+  textIn(fonts.small, colours::kDim, "below is the last good version; the next good save goes on");
+  ImGui::Dummy(ImVec2(0, 2));
+  ImGui::PushFont(fonts.mono);
+  ImGui::PushTextWrapPos(width - 24);
+  for (const std::string& problem : problems) ImGui::TextUnformatted(problem.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopFont();
+  ImGui::End();
+  ImGui::PopStyleColor();
+}
+
+void keyRow(const Fonts& fonts, const char* key, const char* doc) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  textIn(fonts.mono, colours::kAccent, key);
+  ImGui::TableNextColumn();
+  textIn(fonts.text, colours::kText, doc);
+}
+
+void drawHelp(const Fonts& fonts, const Area& area) {
+  ImGui::SetNextWindowPos(ImVec2(float(area.x + area.width / 2), float(area.y + area.height / 2)), 0, ImVec2(0.5f, 0.5f));
+  ImGui::SetNextWindowSize(ImVec2(600, 0));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(20, 14));
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(6, 1));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(26, 28, 31, 248));
+  ImGui::Begin("help", nullptr, kFixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus);
+  ImGui::SetWindowFocus();
+  heading(fonts, "Keys");
+  if (ImGui::BeginTable("keys", 2)) {
+    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 110);
+    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
+    for (const Key& key : keys()) keyRow(fonts, key.shown, key.doc);
+    for (const HeldKey& key : heldKeys()) keyRow(fonts, key.shown, key.doc);
+    ImGui::EndTable();
+  }
+  heading(fonts, "Over the picture");
+  if (ImGui::BeginTable("gestures", 2)) {
+    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 110);
+    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
+    for (const Gesture& gesture : gestures()) keyRow(fonts, gesture.shown, gesture.doc);
+    ImGui::EndTable();
+  }
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(2);
+}
+
+void drawMessage(const Fonts& fonts, const PanelState& state, const Area& area) {
+  ImGui::SetNextWindowPos(ImVec2(float(area.x + area.width / 2), float(area.y + area.height - 14)), 0, ImVec2(0.5f, 1));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(float(area.width - 40), 200));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, state.message_is_bad ? IM_COL32(58, 28, 26, 240) : IM_COL32(38, 41, 46, 240));
+  ImGui::Begin("message", nullptr, (kFixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus) | ImGuiWindowFlags_AlwaysAutoResize |
+                                       ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::PushFont(fonts.text);
+  ImGui::PushTextWrapPos(float(area.width - 64));
+  ImGui::TextUnformatted(state.message.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopFont();
+  ImGui::End();
+  ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+void drawOverlays(const Fonts& fonts, const Desk& desk, PanelState& state, const Area& area) {
+  std::vector<std::string> problems = desk.problems();
+  if (!problems.empty()) drawProblems(fonts, problems, area);
+  if (state.speaks()) drawMessage(fonts, state, area);
+  if (state.help) drawHelp(fonts, area);
+}
+
+}  // namespace strobe::live

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "live/picture_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace strobe::live {
+
+static const double kClick = 4;                // a press that moves less is a click, pixels
+static const double kNumbersFrom = 46;         // pixels of the window per texel in which three numbers can be read
+static const double kWipeGrip = 7;             // reach of the wipe's line, pixels
+
+static ImVec2 toIm(const dvec2& at) { return ImVec2(float(at.x), float(at.y)); }
+static dvec2 fromIm(const ImVec2& at) { return {at.x, at.y}; }
+
+static bool inside(const Area& area, const dvec2& at) {
+  return at.x >= area.x && at.y >= area.y && at.x < area.x + area.width && at.y < area.y + area.height;
+}
+
+static bool wipes(const Desk& desk) {
+  Mode mode = desk.look().mode;
+  return desk.hasB() && (mode == Mode::Wipe || mode == Mode::Error);
+}
+
+static std::string valueText(const PixelValue& value, const char* between) {
+  std::string text;
+  for (double number : value.values)
+    text += (text.empty() ? "" : between) + (value.integers ? fmt::format("{:.0f}", number) : fmt::format("{:.4g}", number));
+  return text;
+}
+
+void PictureView::draw(const Fonts& fonts, Desk& desk, const PanelState& state, const Area& area, const Texture& picture) {
+  width_ = picture.width();
+  height_ = picture.height();
+  placement_ = placed(area, width_, height_, state.magnification);
+  ImDrawList* list = ImGui::GetBackgroundDrawList();
+  ImVec2 low(float(area.x), float(area.y)), high(float(area.x + area.width), float(area.y + area.height));
+  list->AddRectFilled(low, high, colours::kBackground);
+  list->PushClipRect(low, high);
+  list->AddImage(picture.id(), toIm(placement_.toWindow({0, 0})), toIm(placement_.toWindow({width_, height_})));
+  if (placement_.scale >= kNumbersFrom) drawNumbers(fonts, desk, area);
+  if (wipes(desk)) drawWipe(fonts, desk, area);
+  if (desk.pinned()) {
+    dvec2 at(desk.pinned()->first, desk.pinned()->second);
+    dvec2 corner = placement_.toWindow(at), opposite = placement_.toWindow(at + dvec2(1));
+    list->AddRect(toIm(corner - dvec2(4)), toIm(opposite + dvec2(4)), IM_COL32(0, 0, 0, 200), 2, 0, 4);
+    list->AddRect(toIm(corner - dvec2(4)), toIm(opposite + dvec2(4)), colours::kAccent, 2, 0, 2);
+  }
+  list->PopClipRect();
+  bool free = !ImGui::GetIO().WantCaptureMouse && inside(area, fromIm(ImGui::GetIO().MousePos)) && grip_ == Grip::None;
+  if (free) drawPointed(fonts, desk);
+}
+
+void PictureView::drawWipe(const Fonts& fonts, const Desk& desk, const Area& area) const {
+  ImDrawList* list = ImGui::GetBackgroundDrawList();
+  double x = placement_.toWindow({desk.look().wipe * width_, 0}).x;
+  double top = std::max(area.y, placement_.origin.y);
+  auto label = [&](const char* name, ImU32 color, double at) {
+    list->AddRectFilled(ImVec2(float(at - 6), float(top + 8)), ImVec2(float(at + 16), float(top + 28)), IM_COL32(10, 10, 12, 190), 3);
+    list->AddText(fonts.bold, fonts.bold->FontSize, ImVec2(float(at), float(top + 11)), color, name);
+  };
+  label("A", colours::kAccent, x - 26);
+  label("B", colours::kOther, x + 16);
+  double middle = std::clamp(placement_.toWindow({0, height_ / 2.0}).y, area.y, area.y + area.height);
+  list->AddCircleFilled(ImVec2(float(x), float(middle)), 7, IM_COL32(255, 255, 255, 230));
+  list->AddCircle(ImVec2(float(x), float(middle)), 7, IM_COL32(0, 0, 0, 160));
+}
+
+// The values of texels large enough to hold them.
+void PictureView::drawNumbers(const Fonts& fonts, const Desk& desk, const Area& area) const {
+  ImDrawList* list = ImGui::GetBackgroundDrawList();
+  dvec2 first = glm::floor(placement_.toPicture({area.x, area.y})), last = placement_.toPicture({area.x + area.width, area.y + area.height});
+  for (int y = std::max(0, int(first.y)); y < std::min(height_, int(last.y) + 1); ++y)
+    for (int x = std::max(0, int(first.x)); x < std::min(width_, int(last.x) + 1); ++x) {
+      auto value = desk.valueAt(x, y);
+      if (!value) continue;
+      std::string text = valueText(*value, "\n");
+      dvec2 at = placement_.toWindow(dvec2(x, y)) + dvec2(4, 3);
+      list->AddText(fonts.small, 12, toIm(at + dvec2(1)), IM_COL32(0, 0, 0, 255), text.c_str());
+      list->AddText(fonts.small, 12, toIm(at), IM_COL32(255, 255, 255, 255), text.c_str());
+    }
+}
+
+void PictureView::drawPointed(const Fonts& fonts, const Desk& desk) const {
+  dvec2 pixel = glm::floor(placement_.toPicture(fromIm(ImGui::GetIO().MousePos)));
+  auto value = desk.valueAt(int(pixel.x), int(pixel.y));
+  if (!value) return;
+  std::string where = fmt::format("{}, {}   {}   {}", int(pixel.x), int(pixel.y), value->port, value->format);
+  ImGui::BeginTooltip();
+  ImGui::PushFont(fonts.small);
+  ImGui::TextDisabled("%s", where.c_str());
+  ImGui::PopFont();
+  ImGui::PushFont(fonts.mono);
+  ImGui::TextUnformatted(valueText(*value, "  ").c_str());
+  ImGui::PopFont();
+  ImGui::EndTooltip();
+}
+
+PictureView::Grip PictureView::gripAt(const Desk& desk, bool right, bool control, bool shift) const {
+  double line = placement_.toWindow({desk.look().wipe * width_, 0}).x;
+  bool on_line = std::abs(ImGui::GetIO().MousePos.x - line) < kWipeGrip;
+  if (right) return Grip::Look;
+  if (control) return Grip::Picture;
+  if (shift) return Grip::Pan;
+  return wipes(desk) && on_line ? Grip::Wipe : Grip::Orbit;
+}
+
+void PictureView::drag(Desk& desk, PanelState& state, const Area& area, const dvec2& by) {
+  dragged_ += glm::length(by);
+  if (by == dvec2(0) || dragged_ < kClick) return;
+  if (grip_ == Grip::Wipe)
+    desk.look().wipe = std::clamp(placement_.toPicture(fromIm(ImGui::GetIO().MousePos)).x / width_, 0.0, 1.0);
+  if (grip_ == Grip::Picture) state.magnification = dragged(state.magnification, by, area, width_, height_);
+  dvec2 turn = by * kRadiansPerPixel;
+  double shown_height = height_ * placement_.scale;
+  attempt(state, [&] {
+    if (grip_ == Grip::Orbit) desk.setViewpoint(orbited(desk.viewpoint(), -turn.x, turn.y));
+    if (grip_ == Grip::Look) desk.setViewpoint(turned(desk.viewpoint(), turn.x, -turn.y));
+    if (grip_ == Grip::Pan) desk.setViewpoint(panned(desk.viewpoint(), by.x, by.y, shown_height, desk.verticalFov()));
+  });
+}
+
+void PictureView::fly(Desk& desk, PanelState& state, const Window& window, double seconds) {
+  dvec3 by(0);
+  for (const HeldKey& key : heldKeys())
+    if (window.isDown(key.code)) by += dvec3(key.right, key.up, key.ahead);
+  if (by == dvec3(0)) return;
+  attempt(state, [&] {
+    Viewpoint view = desk.viewpoint();
+    double speed = glm::length(view.target - view.eye) * (ImGui::GetIO().KeyShift ? 4 : 1);
+    desk.setViewpoint(flown(view, by * speed * seconds));
+  });
+}
+
+void PictureView::interact(Desk& desk, PanelState& state, const Area& area, const Window& window) {
+  ImGuiIO& io = ImGui::GetIO();
+  dvec2 pointer = fromIm(io.MousePos);
+  bool over = !io.WantCaptureMouse && inside(area, pointer);
+  bool left = ImGui::IsMouseClicked(ImGuiMouseButton_Left), right = ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+  if (over && (left || right)) {
+    grip_ = gripAt(desk, right, io.KeyCtrl, io.KeyShift);
+    dragged_ = 0;
+  }
+  if (grip_ != Grip::None) drag(desk, state, area, fromIm(io.MouseDelta));
+  bool released = grip_ != Grip::None && !ImGui::IsMouseDown(ImGuiMouseButton_Left) && !ImGui::IsMouseDown(ImGuiMouseButton_Right);
+  if (released && dragged_ < kClick && grip_ != Grip::Look) {
+    dvec2 pixel = glm::floor(placement_.toPicture(pointer));
+    bool in_picture = pixel.x >= 0 && pixel.y >= 0 && pixel.x < width_ && pixel.y < height_;
+    if (in_picture) attempt(state, [&] { desk.pin(int(pixel.x), int(pixel.y)); });
+  }
+  if (released) grip_ = Grip::None;
+
+  if (over && io.MouseWheel != 0 && io.KeyCtrl)
+    state.magnification = magnified(state.magnification, std::pow(1.2, io.MouseWheel), pointer, area, width_, height_);
+  else if (over && io.MouseWheel != 0)
+    attempt(state, [&] { desk.setViewpoint(dollied(desk.viewpoint(), std::pow(0.9, io.MouseWheel))); });
+  if (!io.WantCaptureKeyboard && !io.WantTextInput) fly(desk, state, window, std::min(0.1, double(io.DeltaTime)));
+}
+
+}  // namespace strobe::live

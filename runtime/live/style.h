@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// How the window looks: fonts, colours, and the few shapes panels share.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+
+namespace strobe::live {
+
+struct Fonts {
+  ImFont* text = nullptr;
+  ImFont* small = nullptr;
+  ImFont* bold = nullptr;
+  ImFont* mono = nullptr;
+};
+
+namespace colours {
+constexpr ImU32 kBackground = IM_COL32(20, 21, 23, 255);  // behind the picture
+constexpr ImU32 kPanel = IM_COL32(29, 31, 34, 255);
+constexpr ImU32 kLine = IM_COL32(48, 51, 56, 255);
+constexpr ImU32 kText = IM_COL32(222, 224, 228, 255);
+constexpr ImU32 kDim = IM_COL32(138, 143, 152, 255);
+constexpr ImU32 kAccent = IM_COL32(240, 170, 80, 255);   // what was set by hand; A
+constexpr ImU32 kOther = IM_COL32(104, 178, 230, 255);   // what follows something; B
+constexpr ImU32 kGood = IM_COL32(126, 196, 130, 255);
+constexpr ImU32 kBad = IM_COL32(240, 104, 96, 255);
+}  // namespace colours
+
+// Sets ImGui's fonts and style. Throws `Error` where the font is not installed.
+Fonts applyStyle();
+
+// Text in a font and colour, cut at the right end of the region with three dots.
+void textIn(ImFont* font, ImU32 color, const std::string& text);
+
+// A heading of a part of a panel, with a line under it.
+void heading(const Fonts& fonts, const char* text);
+
+// The tooltip of the last item, wrapped; shown after a moment.
+void tooltip(const std::string& text);
+
+// A small button without a frame.
+bool quietButton(const char* label, const std::string& explanation, bool lit = false);
+
+}  // namespace strobe::live

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// The file that drives the window: what is read, what is refused, in which order it runs.
+#include "live/drive.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace strobe::live {
+namespace {
+
+std::string refusalOf(const std::string& text) {
+  try {
+    parseDrive(text, "a.drive");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Drive, LinesBecomeCommandsWithTheirPlaces) {
+  auto commands = parseDrive("# a comment\n\n set exposure 0.5 # more\nquit\r\n", "a.drive");
+  ASSERT_EQ(commands.size(), 2u);
+  EXPECT_EQ(commands[0].name, "set");
+  EXPECT_EQ(commands[0].arguments, (std::vector<std::string>{"exposure", "0.5"}));
+  EXPECT_EQ(commands[0].place.text(), "a.drive:3");
+  EXPECT_EQ(commands[1].name, "quit");
+  EXPECT_EQ(commands[1].place.line, 4);
+}
+
+TEST(Drive, QuotationMarksHoldWordsTogether) {
+  auto commands = parseDrive("set scene \"my scene #2.lua\"\nsearch\nset name \"\"\n", "a");
+  EXPECT_EQ(commands[0].arguments[1], "my scene #2.lua");
+  EXPECT_TRUE(commands[1].arguments.empty());
+  EXPECT_EQ(commands[2].arguments[1], "");
+}
+
+TEST(Drive, MistakesAreNamedWithTheirLineAllAtOnce) {
+  EXPECT_EQ(refusalOf("viev color\n"), "a.drive:1: there is no command 'viev'; did you mean 'view'?");
+  EXPECT_EQ(refusalOf("set exposure\n"), "a.drive:1: 'set' takes NAME VALUE, got 1 argument");
+  EXPECT_EQ(refusalOf("quit now\n"), "a.drive:1: 'quit' takes nothing, got 1 argument");
+  EXPECT_EQ(refusalOf("search \"a\n"), "a.drive:1: a quotation mark is not closed");
+  EXPECT_EQ(refusalOf("wait 3\nnonsense_word\nzoom 1\n"),
+            "a.drive:2: there is no command 'nonsense_word'\na.drive:3: 'zoom' takes Z X Y, got 1 argument");
+}
+
+TEST(Drive, NumbersAreChecked) {
+  auto commands = parseDrive("wait 2.5\nwait x\nwait 3x\nwait 1e3\nwait inf\n", "a.drive");
+  EXPECT_DOUBLE_EQ(numberOf(commands[0], 0), 2.5);
+  EXPECT_THROW(integerOf(commands[0], 0), Error);
+  EXPECT_THROW(numberOf(commands[1], 0), Error);
+  EXPECT_THROW(numberOf(commands[2], 0), Error);
+  EXPECT_EQ(integerOf(commands[3], 0), 1000);
+  EXPECT_THROW(numberOf(commands[4], 0), Error);
+}
+
+TEST(Drive, EveryCommandIsInTheTableOnce) {
+  std::set<std::string> names;
+  for (const CommandForm& form : commandForms()) {
+    EXPECT_TRUE(names.insert(form.name).second) << form.name;
+    EXPECT_NE(std::string(form.doc), "");
+  }
+}
+
+std::map<std::string, Handler> handlersFor(const Handler& handler) {
+  std::map<std::string, Handler> handlers;
+  for (const CommandForm& form : commandForms()) handlers[form.name] = handler;
+  return handlers;
+}
+
+TEST(Drive, RunsInOrderAndWaitsWhereAskedTo) {
+  std::vector<std::string> ran;
+  int waits = 2;
+  Drive drive(parseDrive("play on\nwait 1\nquit\n", "a"), handlersFor([&](const Command& command) {
+                if (command.name == "wait" && waits-- > 0) return false;
+                ran.push_back(command.name);
+                return true;
+              }));
+  drive.advance();
+  EXPECT_EQ(ran, (std::vector<std::string>{"play"}));
+  drive.advance();
+  EXPECT_EQ(ran.size(), 1u);
+  EXPECT_FALSE(drive.done());
+  drive.advance();
+  EXPECT_EQ(ran, (std::vector<std::string>{"play", "wait", "quit"}));
+  EXPECT_TRUE(drive.done());
+}
+
+TEST(Drive, AFailureNamesTheLine) {
+  Drive drive(parseDrive("\nplay on\n", "a.drive"), handlersFor([](const Command&) -> bool { throw Error("no reel"); }));
+  try {
+    drive.advance();
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "a.drive:2: 'play' failed: no reel");
+  }
+}
+
+}  // namespace
+}  // namespace strobe::live

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Where the picture lies: fits, stays under the pointer, follows a drag.
+#include "live/placement.h"
+
+#include <gtest/gtest.h>
+
+namespace strobe::live {
+namespace {
+
+const Area kArea{100, 50, 800, 600};
+
+TEST(Placement, AFittedPictureFillsOneSideAndIsCentred) {
+  Placement wide = placed(kArea, 1600, 400, {});
+  EXPECT_DOUBLE_EQ(wide.scale, 0.5);
+  EXPECT_EQ(wide.toWindow({0, 0}), dvec2(100, 250));
+  EXPECT_EQ(wide.toWindow({1600, 400}), dvec2(900, 450));
+}
+
+TEST(Placement, EnlargedPixelsAreAlike) {
+  Placement place = placed(kArea, 320, 180, {});
+  EXPECT_DOUBLE_EQ(place.scale, 2);
+  EXPECT_EQ(place.toWindow({160, 90}), dvec2(500, 350));
+}
+
+TEST(Placement, WindowAndPictureAreInverse) {
+  Placement place = placed(kArea, 320, 180, {3.7, {0.2, 0.8}});
+  dvec2 back = place.toPicture(place.toWindow({12.5, 170.25}));
+  EXPECT_NEAR(back.x, 12.5, 1e-12);
+  EXPECT_NEAR(back.y, 170.25, 1e-12);
+}
+
+TEST(Placement, WhatIsUnderThePointerStays) {
+  Magnification from{1.5, {0.4, 0.6}};
+  dvec2 pointer(300, 500);
+  dvec2 pixel = placed(kArea, 320, 180, from).toPicture(pointer);
+  Magnification to = magnified(from, 4, pointer, kArea, 320, 180);
+  EXPECT_DOUBLE_EQ(to.zoom, 6);
+  dvec2 after = placed(kArea, 320, 180, to).toPicture(pointer);
+  // Origins are rounded to whole pixels of the window: half of one each way, at 3 and 12 of them per pixel.
+  EXPECT_NEAR(after.x, pixel.x, 0.5 / 3 + 0.5 / 12);
+  EXPECT_NEAR(after.y, pixel.y, 0.5 / 3 + 0.5 / 12);
+}
+
+TEST(Placement, ADragMovesByItsLength) {
+  Magnification from{2, {0.5, 0.5}};
+  Placement before = placed(kArea, 320, 180, from);
+  Placement after = placed(kArea, 320, 180, dragged(from, {17, -9}, kArea, 320, 180));
+  EXPECT_EQ(after.origin - before.origin, dvec2(17, -9));
+}
+
+TEST(Placement, ZoomHasEnds) {
+  EXPECT_DOUBLE_EQ(magnified({}, 1e9, {500, 350}, kArea, 320, 180).zoom, 256);
+  EXPECT_DOUBLE_EQ(magnified({}, 1e-9, {500, 350}, kArea, 320, 180).zoom, 0.25);
+}
+
+}  // namespace
+}  // namespace strobe::live

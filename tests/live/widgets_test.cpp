@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// From a declaration to a widget: every type, ranges and scales, what is said and what is found.
+#include "live/widgets.h"
+
+#include <gtest/gtest.h>
+
+namespace strobe::live {
+namespace {
+
+using plan::ParamDesc;
+using Kind = Widget::Kind;
+
+ParamDesc number(ParamDesc::Type type, std::optional<double> min, std::optional<double> max, const char* unit = "") {
+  ParamDesc declaration;
+  declaration.name = "x";
+  declaration.type = type;
+  declaration.min = min;
+  declaration.max = max;
+  declaration.unit = unit;
+  declaration.doc = "a number";
+  return declaration;
+}
+
+ParamDesc choice(std::vector<std::string> choices) {
+  ParamDesc declaration;
+  declaration.type = ParamDesc::Type::Choice;
+  declaration.choices = std::move(choices);
+  return declaration;
+}
+
+TEST(Widgets, EveryTypeHasOne) {
+  ParamDesc toggle;
+  toggle.type = ParamDesc::Type::Bool;
+  EXPECT_EQ(widgetOf(toggle).kind, Kind::Checkbox);
+  EXPECT_EQ(widgetOf(choice({"a", "b"})).kind, Kind::Combo);
+  EXPECT_EQ(widgetOf(choice({})).kind, Kind::Text);
+  EXPECT_EQ(widgetOf(number(ParamDesc::Type::Int, 1, 64)).kind, Kind::IntSlider);
+  EXPECT_EQ(widgetOf(number(ParamDesc::Type::Float, 0, 1)).kind, Kind::FloatSlider);
+  EXPECT_EQ(widgetOf(number(ParamDesc::Type::Int, 1, {})).kind, Kind::IntDrag);
+  EXPECT_EQ(widgetOf(number(ParamDesc::Type::Float, {}, {})).kind, Kind::FloatDrag);
+}
+
+TEST(Widgets, WideRangesAreLogarithmic) {
+  auto logarithmic = [](double min, double max) { return widgetOf(number(ParamDesc::Type::Float, min, max)).logarithmic; };
+  EXPECT_FALSE(logarithmic(0.001, 1));
+  EXPECT_TRUE(logarithmic(0.001, 1.1));
+  EXPECT_FALSE(logarithmic(0, 1000));
+  EXPECT_TRUE(logarithmic(0, 1001));
+  EXPECT_FALSE(logarithmic(-5000, 5000)) << "no logarithm of negative values";
+}
+
+TEST(Widgets, AnEndlessRangeHasNoSlider) {
+  Widget widget = widgetOf(number(ParamDesc::Type::Int, 0, 4294967295.0));
+  EXPECT_EQ(widget.kind, Kind::IntDrag);
+  EXPECT_EQ(widget.high, 4294967295.0);
+}
+
+TEST(Widgets, FormatsHaveTheUnit) {
+  EXPECT_EQ(widgetOf(number(ParamDesc::Type::Float, 0, 1, "px")).format, "%.4g px");
+  EXPECT_EQ(widgetOf(number(ParamDesc::Type::Int, 0, 1)).format, "%d");
+  EXPECT_EQ(widgetOf(number(ParamDesc::Type::Float, 0, 1, "%")).format, "%.4g %%");
+}
+
+TEST(Widgets, TextReadsBackAsTheValue) {
+  EXPECT_EQ(textOf(true), "true");
+  EXPECT_EQ(textOf(int64_t(-3)), "-3");
+  EXPECT_EQ(textOf(std::string("closest")), "closest");
+  for (double value : {0.1, 1.0 / 3, 1e-30, 12345678.9}) EXPECT_EQ(std::stod(textOf(value)), value);
+}
+
+lab::Control sample() {
+  lab::Control control;
+  control.declaration = choice({"near", "far"});
+  control.declaration.name = "edges.reach";
+  control.declaration.doc = "How far it looks";
+  control.declaration.values = {{"near", "one pixel"}, {"far", "a tile"}};
+  control.value = std::string("far");
+  control.group = "edges";
+  control.origin = "preset best";
+  control.place = "passes/x.lua:12";
+  return control;
+}
+
+TEST(Widgets, TheTooltipSaysAllThatIsDeclared) {
+  std::string text = tooltipOf(sample());
+  for (const char* part : {"edges.reach", "How far it looks", "near: one pixel", "far: a tile", "preset best: far",
+                           "passes/x.lua:12"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+  lab::Control ranged = sample();
+  ranged.declaration = number(ParamDesc::Type::Float, 0.5, 2, "m");
+  ranged.value = 1.5;
+  EXPECT_NE(tooltipOf(ranged).find("0.5 to 2 m"), std::string::npos);
+}
+
+TEST(Widgets, SearchFindsWordsAnywhere) {
+  EXPECT_TRUE(isFound(sample(), ""));
+  EXPECT_TRUE(isFound(sample(), "REACH edges"));
+  EXPECT_TRUE(isFound(sample(), "far it"));
+  EXPECT_FALSE(isFound(sample(), "reach nothing"));
+}
+
+TEST(Widgets, NamesAreShortInTheirGroup) {
+  EXPECT_EQ(shortName(sample()), "reach");
+  lab::Control control = sample();
+  control.group = "pipeline";
+  EXPECT_EQ(shortName(control), "edges.reach");
+}
+
+}  // namespace
+}  // namespace strobe::live

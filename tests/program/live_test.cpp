@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// `strobe live` from outside, on a display of its own (Xvfb), driven by files, with Vulkan's validation on. What the
+// window showed stays in live_pictures/ below the folder the tests run in.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "image/png.h"
+#include "program/run.h"
+
+namespace strobe::testing {
+namespace {
+
+// A red card that moves 6 px per frame before a checker.
+const char* const kScene = R"lua(
+local scene = require "strobe.scene"
+local red = scene.material { color = { 0.8, 0.1, 0.1 }, unlit = true }
+local checker = scene.texture.checker { colors = { { 0.9, 0.9, 0.9 }, { 0.1, 0.1, 0.4 } }, count = 8 }
+local wall = scene.material { color_texture = checker, unlit = true }
+return scene { name = "small", nodes = {
+  scene.node { name = "card", shape = scene.quad { size = { 1, 1 } }, material = red },
+  scene.node { name = "wall", shape = scene.quad { size = { 8, 8 } }, material = wall, position = { 0, 0, -1 } },
+  scene.node { name = "eye", camera = scene.camera { name = "main", fov = 60 }, position = { 0, 0, 2 } },
+} }
+)lua";
+
+// The same with the card in green.
+std::string greenScene() {
+  std::string text = kScene;
+  text.replace(text.find("0.8, 0.1, 0.1"), 13, "0.1, 0.8, 0.1");
+  return text;
+}
+
+constexpr int kWidth = 1100, kHeight = 700;  // of the window, which fills its display
+
+class Live : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::system("command -v xvfb-run >/dev/null 2>&1") != 0) GTEST_SKIP() << "no Xvfb to open a window on";
+    writeText(folder_ / "scene.lua", kScene);
+    fs::create_directories(pictures_);
+  }
+
+  std::string shotOptions() const { return "--scene " + (folder_ / "scene.lua") + " --size 64x36 --move card=0.6,0,0"; }
+
+  std::string command(const std::string& drive, const std::string& options) {
+    writeText(folder_ / "a.drive", drive);
+    return fmt::format("'{}' live {} {} --window {}x{} --out {} --drive {}", programPath(), options, shotOptions(), kWidth,
+                       kHeight, folder_ / "out", folder_ / "a.drive");
+  }
+
+  // A shell's line on a display of its own.
+  Outcome onDisplay(const std::string& line) {
+    writeText(folder_ / "line.sh", line);
+    std::string shell = fmt::format("STROBE_VALIDATION=1 timeout 120 xvfb-run -a -s '-screen 0 {}x{}x24 -noreset' sh {} >{} 2>{}",
+                                    kWidth, kHeight, folder_ / "line.sh", folder_ / "stdout", folder_ / "stderr");
+    int status = std::system(shell.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contentOf(folder_ / "stdout"),
+            contentOf(folder_ / "stderr")};
+  }
+
+  Outcome drive(const std::string& commands, const std::string& options = "hybrid") {
+    return onDisplay(command(commands, options));
+  }
+
+  std::string picture(const std::string& name) const { return (pictures_ / name).string(); }
+
+  TemporaryFolder folder_;
+  fs::path pictures_ = fs::current_path() / "live_pictures";
+};
+
+// Pixels in the middle of the window, between the panels, that satisfy a test of their colour.
+template <class Test>
+size_t countPixels(const image::Image& window, Test test) {
+  size_t count = 0;
+  for (int y = 50; y < window.height - 90; ++y)
+    for (int x = 350; x < window.width - 350; ++x) count += test(window.at(x, y, 0), window.at(x, y, 1), window.at(x, y, 2));
+  return count;
+}
+
+size_t redPixels(const image::Image& window) {
+  return countPixels(window, [](float r, float g, float b) { return r > 0.7f && g < 0.6f && b < 0.6f; });
+}
+
+size_t greenPixels(const image::Image& window) {
+  return countPixels(window, [](float r, float g, float b) { return g > 0.7f && r < 0.6f && b < 0.6f; });
+}
+
+// The window's own screenshot against what the display holds at that time, by a program that knows neither.
+TEST_F(Live, AScreenshotIsWhatIsSeen) {
+  if (std::system("command -v import >/dev/null 2>&1") != 0) GTEST_SKIP() << "no ImageMagick to look at the display";
+  std::string shot = picture("start.png"), seen = folder_ / "seen.png";
+  fs::remove(shot);
+  std::string line = command("wait 3\nscreenshot " + shot + "\nwait 150\nquit\n", "hybrid") + " &\npid=$!\n" +
+                     "for i in $(seq 300); do test -f " + shot + " && break; sleep 0.1; done\nsleep 0.3\n" +
+                     "import -window root " + seen + "\nwait $pid\n";
+  Outcome outcome = onDisplay(line);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  image::Image window = image::readPng(shot), display = image::readPng(seen);
+  ASSERT_EQ(window.width, kWidth);
+  ASSERT_EQ(window.height, kHeight);
+  ASSERT_EQ(display.width, kWidth);
+  size_t differ = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      for (int c = 0; c < 3; ++c) differ += window.at(x, y, c) != display.at(x, y, c);
+  EXPECT_EQ(differ, 0u);
+  EXPECT_GT(redPixels(window), 500u) << "the card is nowhere to be seen";
+}
+
+// A saved picture is what `render` makes of the command that the window shows, whatever was looked at before.
+TEST_F(Live, ACaptureIsWhatRenderMakes) {
+  std::string capture = folder_ / "capture.exr", again = folder_ / "again.exr";
+  Outcome outcome = drive("set exposure 0.75\nset edge prewitt\nview gbuffer.velocity\nwait 2\nkind arrows\nwait 2\n"
+                          "expect exposure 0.75\nexpect edge prewitt\norbit 20 10\nkey C\ninspect 32 18\ntrail " +
+                          (folder_ / "trail.json") + "\ncapture " + capture + "\nquit\n");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  Outcome rendered = run("render hybrid " + shotOptions() + " --exposure 0.75 --set edge=prewitt -o " + again);
+  ASSERT_EQ(rendered.exit_code, 0) << rendered.err;
+  Json of_window = Json::parse(contentOf(folder_ / "capture.record.json"));
+  Json of_render = Json::parse(contentOf(folder_ / "again.record.json"));
+  ASSERT_FALSE(of_window["outputs"].empty());
+  EXPECT_EQ(of_window["outputs"], of_render["outputs"]);
+  Json trail = Json::parse(contentOf(folder_ / "trail.json"));
+  EXPECT_EQ(trail["pixel"], Json({32, 18}));
+  EXPECT_GT(trail["passes"].size(), 5u);
+}
+
+TEST_F(Live, EditsAreTakenInAndMistakesShownOverTheLastGoodFrame) {
+  writeText(folder_ / "green.lua", greenScene());
+  writeText(folder_ / "broken.lua", std::string(kScene) + "\nthis is no Lua\n");
+  std::string scene = folder_ / "scene.lua", green = folder_ / "green.lua", broken = folder_ / "broken.lua";
+  Outcome outcome = drive("problems no\nreplace " + scene + " " + green + "\nreloaded\nwait 2\nproblems no\nscreenshot " +
+                          picture("green.png") + "\nreplace " + scene + " " + broken + "\nreloaded\nproblems yes\nscreenshot " +
+                          picture("broken.png") + "\nreplace " + scene + " " + green + "\nreloaded\nproblems no\nscreenshot " +
+                          picture("mended.png") + "\nquit\n");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  image::Image edited = image::readPng(picture("green.png")), dimmed = image::readPng(picture("broken.png"));
+  image::Image mended = image::readPng(picture("mended.png"));
+  EXPECT_GT(greenPixels(edited), 500u);
+  EXPECT_EQ(redPixels(edited), 0u);
+  EXPECT_EQ(greenPixels(dimmed), 0u) << "the last good frame is dimmed";
+  EXPECT_EQ(greenPixels(mended), greenPixels(edited));
+}
+
+TEST_F(Live, TwoPipelinesAreComparedUnderOneClock) {
+  std::string names[] = {"wipe", "difference", "error"};
+  std::string commands = "frame 2\n";
+  for (const std::string& name : names)
+    commands += "mode " + name + "\n" + (name == "error" ? "truth 16\n" : "") + "screenshot " + picture(name + ".png") + "\n";
+  commands += "mode flicker\nwait 15\nmode single\nplay on\nwait 4\nplay off\nexpect frame 6\nframe 1\nhelp on\nscreenshot " + picture("help.png") +
+              "\nhelp off\nresize 900x600\nwait 4\npanels off\nscreenshot " + picture("alone.png") + "\nkey F10\n";
+  Outcome outcome = drive(commands, "hybrid --vs hybrid --vs-set edge=id");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const std::string& name : names) EXPECT_EQ(image::readPng(picture(name + ".png")).width, kWidth);
+  image::Image alone = image::readPng(picture("alone.png"));
+  EXPECT_EQ(alone.width, 900);
+  EXPECT_EQ(alone.height, 600);
+  EXPECT_GT(redPixels(alone), 500u);
+}
+
+TEST_F(Live, AFailedCommandEndsWithItsLine) {
+  Outcome outcome = drive("wait 1\nexpect exposure 0.123\nquit\n");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("a.drive:2: exposure is 0.5, expected 0.123"), std::string::npos) << outcome.err;
+  outcome = drive("set edge sobell\n");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("a.drive:1: 'set' failed: "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("did you mean 'sobel'?"), std::string::npos) << outcome.err;
+}
+
+TEST(LiveWithoutDisplay, SaysWhatItNeeds) {
+  Outcome outcome = run("live hybrid", "DISPLAY= WAYLAND_DISPLAY=");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("no window can be opened here"), std::string::npos) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+}  // namespace
+}  // namespace strobe::testing
