@@ -36,9 +36,11 @@ plan::PipelineDesc checkPipeline(const std::string& name, const script::Settings
 }
 
 // Every preset of a pipeline is a graph of its own.
-void checkPresets(const std::string& name, std::set<std::string>& checked, std::vector<std::string>& problems) {
+void checkPresets(const std::string& name, const script::Settings& sets, std::set<std::string>& checked,
+                  std::vector<std::string>& problems) {
   collect(problems, [&] {
-    plan::PipelineDesc pipeline = checkPipeline(name, {}, checked);
+    plan::PipelineDesc pipeline = checkPipeline(name, sets, checked);
+    if (!sets.empty()) return;
     for (const auto& param : pipeline.params) {
       if (param.name != "preset") continue;
       for (const std::string& choice : param.choices)
@@ -55,7 +57,16 @@ std::vector<std::string> shippedPipelines() {
   return names;
 }
 
-void check(const std::vector<std::string>& files, bool json) {
+struct CheckOptions {
+  std::vector<std::string> files, sets;
+  bool json = false;
+};
+
+void check(const CheckOptions& options) {
+  const std::vector<std::string>& files = options.files;
+  if (files.empty() && !options.sets.empty()) throw Error("--set needs a pipeline to set it in", {}, 2);
+  script::Settings sets;
+  for (const std::string& set : options.sets) sets.push_back(parseSetting(set));
   std::vector<std::string> problems;
   std::vector<std::string> pipelines = files.empty() ? shippedPipelines() : files;
   std::vector<std::string> scenes;
@@ -64,10 +75,10 @@ void check(const std::vector<std::string>& files, bool json) {
     scenes = script::sceneNames();
   }
   std::set<std::string> checked;
-  for (const std::string& name : pipelines) checkPresets(name, checked, problems);
+  for (const std::string& name : pipelines) checkPresets(name, sets, checked, problems);
   for (const std::string& name : scenes)
     collect(problems, [&] { scene::sceneFromJson(script::evaluateScene(name, {}), name); });
-  if (json) {
+  if (options.json) {
     Json report;
     report["pipelines"] = pipelines;
     report["scenes"] = scenes;
@@ -144,12 +155,13 @@ void doctor(bool json) {
 }  // namespace
 
 void registerCheck(CLI::App& program) {
-  auto files = std::make_shared<std::vector<std::string>>();
-  auto json = std::make_shared<bool>(false);
+  auto options = std::make_shared<CheckOptions>();
   CLI::App* command = program.add_subcommand("check", "Validate scripts and shaders; needs no device");
-  command->add_option("pipelines", *files, "names or .lua files (default: everything that ships)");
-  command->add_flag("--json", *json, "report as JSON");
-  command->callback([files, json] { check(*files, *json); });
+  command->add_option("pipelines", options->files, "names or .lua files (default: everything that ships)");
+  command->add_option("--set", options->sets, "PARAM=VALUE: the pipeline with this instead of each of its presets")
+      ->allow_extra_args(false);
+  command->add_flag("--json", options->json, "report as JSON");
+  command->callback([options] { check(*options); });
 }
 
 void registerPlan(CLI::App& program) {

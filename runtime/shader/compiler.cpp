@@ -73,7 +73,7 @@ EShLanguage language(Stage stage) {
 
 // glslang says "ERROR: file:line: 'token' : message"; users read "file:line: 'token': message", paths as they know them.
 std::string readable(const std::string& log, const Path& file) {
-  static const std::regex form("^ERROR: (.*?):(\\d+): (.*)$");
+  static const std::regex form("^ERROR: (.*?):(\\d+): (.*?)\\s*$");
   std::set<std::string> seen;
   std::string text;
   std::istringstream lines(log);
