@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "app/inspect.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <set>
 
 #include "app/shot_options.h"
 #include "graph/pipelines.h"
+#include "lab/demo.h"
 #include "lab/workbench.h"
 #include "plan/canonical.h"
 #include "scene/json_scene.h"
@@ -21,7 +24,8 @@ void collect(std::vector<std::string>& problems, const Step& step) {
   try {
     step();
   } catch (const Error& error) {
-    problems.push_back(error.what());
+    bool known = std::find(problems.begin(), problems.end(), error.what()) != problems.end();
+    if (!known) problems.push_back(error.what());
   }
 }
 
@@ -35,16 +39,31 @@ plan::PipelineDesc checkPipeline(const std::string& name, const script::Settings
   return pipeline;
 }
 
-// Every preset of a pipeline is a graph of its own.
-void checkPresets(const std::string& name, const script::Settings& sets, std::set<std::string>& checked,
-                  std::vector<std::string>& problems) {
+// Does it choose among the files of a folder of passes?
+bool choosesPasses(const plan::ParamDesc& param) {
+  std::error_code ignored;
+  for (const auto& folder : std::filesystem::directory_iterator(homeFolder() / "passes", ignored)) {
+    std::vector<std::string> files = namesIn(folder.path(), ".lua");
+    auto is_file = [&](const auto& choice) { return std::find(files.begin(), files.end(), choice) != files.end(); };
+    if (std::count_if(param.choices.begin(), param.choices.end(), is_file) > 1) return true;
+  }
+  return false;
+}
+
+// Every preset of a pipeline is a graph of its own, and in each of them every pass that can be chosen.
+void checkShapes(const std::string& name, std::set<std::string>& checked, std::vector<std::string>& problems) {
   collect(problems, [&] {
-    plan::PipelineDesc pipeline = checkPipeline(name, sets, checked);
-    if (!sets.empty()) return;
-    for (const auto& param : pipeline.params) {
-      if (param.name != "preset") continue;
+    plan::PipelineDesc pipeline = checkPipeline(name, {}, checked);
+    std::vector<script::Settings> presets;
+    for (const auto& param : pipeline.params)
       for (const std::string& choice : param.choices)
-        collect(problems, [&] { checkPipeline(name, {{"preset", choice}}, checked); });
+        if (param.name == "preset") presets.push_back({{"preset", choice}});
+    if (presets.empty()) presets.push_back({});
+    for (const script::Settings& preset : presets) {
+      collect(problems, [&] { checkPipeline(name, preset, checked); });
+      for (const auto& param : pipeline.params)
+        for (const std::string& choice : choosesPasses(param) ? param.choices : std::vector<std::string>())
+          collect(problems, [&] { checkPipeline(name, lab::joined(preset, {{param.name, choice}}), checked); });
     }
   });
 }
@@ -75,7 +94,10 @@ void check(const CheckOptions& options) {
     scenes = script::sceneNames();
   }
   std::set<std::string> checked;
-  for (const std::string& name : pipelines) checkPresets(name, sets, checked, problems);
+  for (const std::string& name : pipelines) {
+    if (sets.empty()) checkShapes(name, checked, problems);
+    else collect(problems, [&] { checkPipeline(name, sets, checked); });
+  }
   for (const std::string& name : scenes)
     collect(problems, [&] { scene::sceneFromJson(script::evaluateScene(name, {}), name); });
   if (options.json) {
@@ -158,7 +180,7 @@ void registerCheck(CLI::App& program) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = program.add_subcommand("check", "Validate scripts and shaders; needs no device");
   command->add_option("pipelines", options->files, "names or .lua files (default: everything that ships)");
-  command->add_option("--set", options->sets, "PARAM=VALUE: the pipeline with this instead of each of its presets")
+  command->add_option("--set", options->sets, "PARAM=VALUE: the pipeline with this alone, not with each preset and pass")
       ->allow_extra_args(false);
   command->add_flag("--json", options->json, "report as JSON");
   command->callback([options] { check(*options); });

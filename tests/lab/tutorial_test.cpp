@@ -246,7 +246,7 @@ TEST_F(Following, CheckFindsTheMistake) {
   const Tutorial::Mistake& mistake = tutorial_.mistakes.front();
   write(mistake.file, withLine(tutorial_.files.at(mistake.file), mistake.number, mistake.line));
   Outcome outcome = strobe::testing::run("check hybrid --set mask=seed --set edge=dilation",
-                                 "STROBE_HOME=" + folder_.path().string());
+                                         "STROBE_HOME=" + folder_.path().string());
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.err, "strobe: " + mistake.error + "\n");
 }

@@ -65,11 +65,15 @@ TEST(BadInput, ScriptsThatDoNotEnd) {
   expectRefusal("render " + (folder / "hungry.lua") + kScene, 1, "of memory");
 }
 
+void copyHome(const TemporaryFolder& home) {
+  for (const char* part : {"passes", "shaders", "scripts"})
+    fs::copy(homeFolder() / part, home.path() / part, fs::copy_options::recursive);
+}
+
 // A home of its own with one shader broken.
 TEST(BadInput, ShaderErrorsNameTheUsersLine) {
   TemporaryFolder home;
-  for (const char* part : {"passes", "shaders", "scripts"})
-    fs::copy(homeFolder() / part, home.path() / part, fs::copy_options::recursive);
+  copyHome(home);
   fs::path shader = home.path() / "shaders/scene/shade.glsl";
   std::string text = contentOf(shader);
   auto lines = std::count(text.begin(), text.end(), '\n');
@@ -78,6 +82,22 @@ TEST(BadInput, ShaderErrorsNameTheUsersLine) {
                 "STROBE_HOME=" + home.path().string());
   writeText(shader, text + "float broken() { return texelFetch(hti_tex, ivec2(0), 0).x; }\n");
   expectRefusal("render none" + kScene, 1, "did you mean 'hit_tex'?", "STROBE_HOME=" + home.path().string());
+}
+
+// `check` compiles passes that can be chosen but are not by default; told what to set, that graph alone.
+TEST(BadInput, CheckFindsWhatIsNotInUse) {
+  TemporaryFolder home;
+  copyHome(home);
+  std::string environment = "STROBE_HOME=" + home.path().string();
+  fs::path shader = home.path() / "shaders/gather/uniform.glsl";
+  writeText(shader, contentOf(shader) + "float broken() { return missing_name; }\n");
+  Outcome outcome = run("check mcguire2012", environment);
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("shaders/gather/uniform.glsl"), std::string::npos) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_EQ(run("check mcguire2012 --set weights=mcguire2012", environment).exit_code, 0);
+  EXPECT_EQ(run("check mcguire2012 --set weights=uniform", environment).exit_code, 1);
+  EXPECT_EQ(run("check --set weights=uniform", environment).exit_code, 2);
 }
 
 TEST(BadInput, MachinesThatCannot) {
