@@ -14,6 +14,7 @@ struct Options {
   ShotOptions shot;
   std::string versus, truth = "ground_truth", out = "out/live", window = "1400x900", drive, tev;
   std::vector<std::string> versus_sets;
+  double time_limit_s = 10;
 };
 
 void live(const Options& options) {
@@ -30,6 +31,7 @@ void live(const Options& options) {
   wanted.size_given = wanted.desk.shot.width != 0;
   wanted.drive = options.drive;
   if (!options.tev.empty()) wanted.tev = lab::parseTevAddress(options.tev);
+  wanted.time_limit_s = options.time_limit_s;
   wanted.validation = validationWanted();
   live::runLive(wanted);
 }
@@ -38,15 +40,20 @@ void live(const Options& options) {
 
 void registerLive(CLI::App& program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("live", "Show a pipeline in a window; edits of scripts and shaders are taken in");
+  CLI::App* command =
+      program.add_subcommand("live", "Show a pipeline in a window; edits of scripts and shaders are taken in");
   options->shot.addWithPipeline(*command);
   command->add_option("--vs", options->versus, "a second pipeline to compare with, under the same clock and camera");
   command->add_option("--vs-set", options->versus_sets, "PARAM=VALUE of that pipeline, NODE.PARAM=VALUE of a pass")
       ->allow_extra_args(false);
-  command->add_option("--truth", options->truth, "the pipeline that errors are measured against")->capture_default_str();
+  command->add_option("--truth", options->truth, "the pipeline that errors are measured against")
+      ->capture_default_str();
   command->add_option("--window", options->window, "WIDTHxHEIGHT of the window in pixels")->capture_default_str();
   command->add_option("-o,--out", options->out, "folder for what is saved")->capture_default_str();
   command->add_option("--drive", options->drive, "a file of commands that drives the window");
+  command->add_option("--time-limit", options->time_limit_s, "seconds that work on the device may take; 0: any")
+      ->check(CLI::Range(0.0, 86400.0))
+      ->capture_default_str();
   addTev(*command, options->tev);
   command->callback([options] { live(*options); });
 }

@@ -126,7 +126,8 @@ struct Loader {
     if (contains(extensions, VK_EXT_DEBUG_UTILS_EXTENSION_NAME) || validation)
       used_extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     for (const std::string& name : more_extensions) {
-      if (!contains(extensions, name)) throw Error(fmt::format("no Vulkan driver here has {}, which a window needs", name));
+      if (!contains(extensions, name))
+        throw Error(fmt::format("no Vulkan driver here has {}, which a window needs", name));
       used_extensions.push_back(name.c_str());
     }
     VkValidationFeatureEnableEXT synchronization = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
@@ -271,10 +272,12 @@ void Device::choosePhysicalDevice(const std::string& wanted) {
   std::vector<std::pair<DeviceInfo, VkPhysicalDevice>> found;
   for (VkPhysicalDevice device : physicalDevices(vk_, instance_)) found.push_back({describe(vk_, device), device});
   if (found.empty()) throw Error(kNoDevice);
-  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return rank(a.first) < rank(b.first); });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return rank(a.first) < rank(b.first); });
 
   size_t chosen = 0;
-  bool is_index = !wanted.empty() && std::all_of(wanted.begin(), wanted.end(), [](unsigned char c) { return std::isdigit(c); });
+  bool is_index =
+      !wanted.empty() && std::all_of(wanted.begin(), wanted.end(), [](unsigned char c) { return std::isdigit(c); });
   if (is_index) {
     chosen = wanted.size() < 9 ? std::stoul(wanted) : found.size();
     if (chosen >= found.size())
@@ -304,7 +307,8 @@ void Device::createDevice(const std::vector<std::string>& more_extensions) {
   const VkQueueFlags wanted = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
   for (queue_family_ = 0; queue_family_ < family_count; ++queue_family_)
     if ((families[queue_family_].queueFlags & wanted) == wanted) break;
-  if (queue_family_ == family_count) throw Error(fmt::format("device '{}' has no graphics and compute queue", info_.name));
+  if (queue_family_ == family_count)
+    throw Error(fmt::format("device '{}' has no graphics and compute queue", info_.name));
 
   // Ask what is there, then turn on what the table wants and nothing else.
   std::vector<std::string> available = deviceExtensions(vk_, physical_);

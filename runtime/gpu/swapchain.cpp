@@ -31,12 +31,14 @@ Swapchain::Swapchain(const Device& device, VkSurfaceKHR surface)
 void Swapchain::chooseFormat() {
   uint32_t count = 0;
   const Dispatch& vk = device_.vk();
-  check(vk.GetPhysicalDeviceSurfaceFormatsKHR(device_.physical(), surface_.get(), &count, nullptr), "formats of the window");
+  check(vk.GetPhysicalDeviceSurfaceFormatsKHR(device_.physical(), surface_.get(), &count, nullptr),
+        "formats of the window");
   std::vector<VkSurfaceFormatKHR> formats(count);
   check(vk.GetPhysicalDeviceSurfaceFormatsKHR(device_.physical(), surface_.get(), &count, formats.data()),
         "formats of the window");
   for (VkFormat wanted : {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R8G8B8A8_UNORM}) {
-    auto found = std::find_if(formats.begin(), formats.end(), [&](const auto& offered) { return offered.format == wanted; });
+    auto found =
+        std::find_if(formats.begin(), formats.end(), [&](const auto& offered) { return offered.format == wanted; });
     if (found == formats.end()) continue;
     format_ = *found;
     return;
@@ -106,7 +108,8 @@ std::optional<Swapchain::Target> Swapchain::acquire() {
   if (views_.empty()) return {};
   const Dispatch& vk = device_.vk();
   VkFence fence = acquired_.get();
-  VkResult result = vk.AcquireNextImageKHR(device_.handle(), swapchain_.get(), UINT64_MAX, VK_NULL_HANDLE, fence, &current_);
+  VkResult result =
+      vk.AcquireNextImageKHR(device_.handle(), swapchain_.get(), UINT64_MAX, VK_NULL_HANDLE, fence, &current_);
   if (result == VK_ERROR_OUT_OF_DATE_KHR) return {};
   if (result != VK_SUBOPTIMAL_KHR) check(result, "getting an image of the window");
   check(vk.WaitForFences(device_.handle(), 1, &fence, VK_TRUE, UINT64_MAX), "waiting for the window");

@@ -40,7 +40,8 @@ Viewpoint viewpointOf(const dmat4& world_from_camera, double distance_m) {
 }
 
 std::string toText(const Viewpoint& view) {
-  return fmt::format("{},{},{},{},{},{}", view.eye.x, view.eye.y, view.eye.z, view.target.x, view.target.y, view.target.z);
+  return fmt::format("{},{},{},{},{},{}", view.eye.x, view.eye.y, view.eye.z, view.target.x, view.target.y,
+                     view.target.z);
 }
 
 dvec3 forwardOf(const Viewpoint& view) { return glm::normalize(view.target - view.eye); }

@@ -54,9 +54,10 @@ Edit number(const Widget& widget, const plan::Value& value) {
   ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | (widget.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
   bool slider = widget.kind == Widget::Kind::FloatSlider, limited = widget.low < widget.high;
   float speed = float(std::max(1e-3, std::abs(shown) * 0.005));
-  bool changed = slider ? ImGui::SliderScalar("##value", ImGuiDataType_Double, &shown, &low, &high, widget.format.c_str(), flags)
-                        : ImGui::DragScalar("##value", ImGuiDataType_Double, &shown, speed, limited ? &low : nullptr,
-                                            limited ? &high : nullptr, widget.format.c_str(), flags);
+  bool changed =
+      slider ? ImGui::SliderScalar("##value", ImGuiDataType_Double, &shown, &low, &high, widget.format.c_str(), flags)
+             : ImGui::DragScalar("##value", ImGuiDataType_Double, &shown, speed, limited ? &low : nullptr,
+                                 limited ? &high : nullptr, widget.format.c_str(), flags);
   return {changed, textOf(shown)};
 }
 
@@ -95,7 +96,7 @@ Held& held() {
 
 ImU32 nameColour(const lab::Control& control) {
   if (control.set) return colours::kAccent;
-  return control.origin == "default" ? colours::kText : colours::kOther;
+  return control.origin == "default" || control.group == "shot" ? colours::kText : colours::kOther;
 }
 
 lab::Control asHeld(lab::Control control, bool of_b) {
@@ -141,7 +142,9 @@ void drawControl(const Fonts& fonts, Desk& desk, PanelState& state, const lab::C
     attempt(state, [&] { desk.unset(name, of_b); });
 
   std::string refused = desk.refusalOf(name, of_b);
-  bool quiet = refused.empty() && (control.origin == "default" || control.origin.empty());
+  // What a shot has from the command line or its scene is the rule, not the exception.
+  bool expected = control.origin.empty() || control.origin == "default" || (control.group == "shot" && !control.set);
+  bool quiet = refused.empty() && expected;
   if (!quiet) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();

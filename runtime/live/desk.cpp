@@ -37,7 +37,8 @@ static const graph::ReadImage* readImage(const graph::FrameResult& frame, const 
 }
 
 static bool isOutput(const plan::Plan& plan, const std::string& port) {
-  return std::any_of(plan.outputs.begin(), plan.outputs.end(), [&](const auto& output) { return output.first == port; });
+  return std::any_of(plan.outputs.begin(), plan.outputs.end(),
+                     [&](const auto& output) { return output.first == port; });
 }
 
 static int divideOf(const plan::Plan& plan, const std::string& port) {
@@ -182,7 +183,8 @@ void Desk::goToFrame(int frame) { set("frame", std::to_string(std::max(0, frame)
 
 int Desk::lastFrame() const {
   double seconds = 0;
-  for (const scene::Animation& animation : a_.session->scene().animations) seconds = std::max(seconds, animation.duration);
+  for (const scene::Animation& animation : a_.session->scene().animations)
+    seconds = std::max(seconds, animation.duration);
   if (seconds == 0) seconds = 2;
   return first_frame_ + std::max(1, int(seconds * a_.session->shot().fps));
 }
@@ -253,7 +255,8 @@ void Desk::viewPort(const std::string& port) {
 void Desk::setMode(Mode mode) {
   bool wants_b = mode == Mode::Wipe || mode == Mode::Flicker || mode == Mode::Difference;
   if (wants_b) sessionOf(true);
-  if (mode == Mode::Error && options_.truth.empty()) throw Error("there is no truth to compare with: start with --truth");
+  if (mode == Mode::Error && options_.truth.empty())
+    throw Error("there is no truth to compare with: start with --truth");
   look_.mode = mode;
 }
 
@@ -268,7 +271,8 @@ std::optional<PixelValue> Desk::valueAt(int x, int y) const {
   const lab::Shot& shot = side.session->shot();
   if (!read || x < 0 || y < 0 || x >= shot.width || y >= shot.height) return {};
   bool integers = !read->uints.values.empty();
-  int width = integers ? read->uints.width : read->floats.width, height = integers ? read->uints.height : read->floats.height;
+  int width = integers ? read->uints.width : read->floats.width,
+      height = integers ? read->uints.height : read->floats.height;
   int channels = integers ? read->uints.channels : read->floats.channels;
   int divide = divideOf(side.session->plan(), side.drawn_port);
   PixelValue value{side.drawn_port, read->format};
@@ -277,7 +281,8 @@ std::optional<PixelValue> Desk::valueAt(int x, int y) const {
   value.y = divide > 0 ? y / divide : y * height / shot.height;
   if (value.x >= width || value.y >= height) return {};
   for (int c = 0; c < channels; ++c)
-    value.values.push_back(integers ? double(read->uints.at(value.x, value.y, c)) : double(read->floats.at(value.x, value.y, c)));
+    value.values.push_back(integers ? double(read->uints.at(value.x, value.y, c))
+                                    : double(read->floats.at(value.x, value.y, c)));
   return value;
 }
 
@@ -445,14 +450,16 @@ std::vector<TrailLine> Desk::trailLines() const {
   for (const lab::TrailRow& row : trail_->rows) {
     std::vector<double> values = row.values;
     if (values.empty()) values.assign(row.integers.begin(), row.integers.end());
-    std::string doc = fmt::format("{}.{}, {}, {}x{}, texel {}, {}\n{}", row.node, row.port, row.format, row.width, row.height,
-                                  row.x, row.y, row.doc);
+    std::string doc = fmt::format("{}.{}, {}, {}x{}, texel {}, {}\n{}", row.node, row.port, row.format, row.width,
+                                  row.height, row.x, row.y, row.doc);
     lines.push_back({false, row.node + "." + row.port, numbersText(values), doc});
   }
   for (const lab::TrailHit& hit : trail_->hits) {
-    lines.push_back({true, fmt::format("{}. {}", hit.layer, hit.instance), fmt::format("{:.4g} m", hit.depth),
-                     fmt::format("geometry {}, triangle {}, {} side", hit.geometry, hit.primitive, hit.front ? "front" : "back")});
-    lines.push_back({false, "  velocity px", numbersText({hit.velocity.x, hit.velocity.y}), "over the exposure, y down"});
+    lines.push_back(
+        {true, fmt::format("{}. {}", hit.layer, hit.instance), fmt::format("{:.4g} m", hit.depth),
+         fmt::format("geometry {}, triangle {}, {} side", hit.geometry, hit.primitive, hit.front ? "front" : "back")});
+    lines.push_back(
+        {false, "  velocity px", numbersText({hit.velocity.x, hit.velocity.y}), "over the exposure, y down"});
     lines.push_back({false, "  normal", numbersText({hit.normal.x, hit.normal.y, hit.normal.z}), "world space"});
     lines.push_back({false, "  colour", numbersText({hit.color.x, hit.color.y, hit.color.z}), "linear radiance"});
   }
@@ -470,8 +477,8 @@ image::Image Desk::shownSide(const Side& side) const {
   const lab::Shot& shot = side.session->shot();
   const graph::ReadImage* read = readImage(side.frame, side.drawn_port);
   if (!read) return image::Image(shot.width, shot.height, 3);
-  return shown(*read, side.drawn_port, divideOf(side.session->plan(), side.drawn_port), shot.width, shot.height, look_.view,
-               side.color.empty() ? nullptr : &side.color);
+  return shown(*read, side.drawn_port, divideOf(side.session->plan(), side.drawn_port), shot.width, shot.height,
+               look_.view, side.color.empty() ? nullptr : &side.color);
 }
 
 static bool sameLook(const Look& a, const Look& b) {
@@ -507,7 +514,8 @@ std::string Desk::command() const { return lab::commandOf(a_.session->shot()); }
 
 Path Desk::freeName(const std::string& ending) const {
   const lab::Shot& shot = a_.session->shot();
-  std::string stem = fmt::format("{}_{}_f{}", Path(shot.pipeline).stem().string(), Path(shot.scene).stem().string(), shot.frame);
+  std::string stem =
+      fmt::format("{}_{}_f{}", Path(shot.pipeline).stem().string(), Path(shot.scene).stem().string(), shot.frame);
   for (int i = 1;; ++i) {
     Path file = options_.out / fmt::format("{}_{:03}{}", stem, i, ending);
     if (!std::filesystem::exists(file)) return file;

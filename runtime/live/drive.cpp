@@ -112,13 +112,15 @@ double numberOf(const Command& command, size_t argument) {
 int integerOf(const Command& command, size_t argument) {
   double value = numberOf(command, argument);
   if (value != std::floor(value) || std::abs(value) > 1e9)
-    throw Error(fmt::format("'{}': '{}' is not a whole number", command.name, command.arguments[argument]), command.place);
+    throw Error(fmt::format("'{}': '{}' is not a whole number", command.name, command.arguments[argument]),
+                command.place);
   return int(value);
 }
 
 Drive::Drive(std::vector<Command> commands, std::map<std::string, Handler> handlers)
     : commands_(std::move(commands)), handlers_(std::move(handlers)) {
-  for (const CommandForm& form : commandForms()) STROBE_ASSERT(handlers_.count(form.name), "no handler of {}", form.name);
+  for (const CommandForm& form : commandForms())
+    STROBE_ASSERT(handlers_.count(form.name), "no handler of {}", form.name);
   STROBE_ASSERT(handlers_.size() == commandForms().size(), "{} handlers", handlers_.size());
 }
 

@@ -25,8 +25,8 @@ struct Command {
   Place place;
 };
 
-// Words are separated by spaces; "double quotes" hold one together; '#' outside of them begins a comment. Throws `Error`
-// with every mistake of the text, each at its line, unknown commands with the nearest.
+// Words are separated by spaces; "double quotes" hold one together; '#' outside of them begins a comment. Throws
+// `Error` with every mistake of the text, each at its line, unknown commands with the nearest.
 std::vector<Command> parseDrive(const std::string& text, const std::string& file);
 
 // A number in an argument; throw `Error` at the command's place.

@@ -18,7 +18,6 @@ namespace strobe::live {
 
 namespace {
 
-constexpr double kTimeLimit_s = 10;     // for what the device is given at once
 constexpr double kReloadLimit_s = 20;   // for 'reloaded'
 constexpr double kTruthLimit_s = 60;    // for 'truth'
 constexpr double kIdle_s = 0.1;         // between looks at edited files while nothing happens
@@ -122,7 +121,7 @@ Live::Live(const LiveOptions& options)
 
 // A shader that never ends cannot be stopped: say which, keep what was asked for, and leave the device as it is.
 void Live::watch() {
-  bench_.device().setTimeLimit(kTimeLimit_s, [this](const std::string& what) {
+  bench_.device().setTimeLimit(options_.time_limit_s, [this](const std::string& what) {
     Path file = options_.desk.out / "overrun.record.json";
     std::string kept;
     try {
@@ -133,7 +132,8 @@ void Live::watch() {
     } catch (const Error& error) {
       kept = fmt::format("; the shot could not be kept: {}", error.what());
     }
-    std::fprintf(stderr, "strobe: '%s' ran for more than %g s on the device%s\n", what.c_str(), kTimeLimit_s, kept.c_str());
+    std::fprintf(stderr, "strobe: '%s' ran for more than %g s on the device (--time-limit)%s\n", what.c_str(), options_.time_limit_s,
+                 kept.c_str());
     std::fflush(stderr);
     std::_Exit(1);
   });
@@ -276,7 +276,8 @@ void Live::addShotHandlers(std::map<std::string, Handler>& handlers) {
   handlers["frame"] = [this](const Command& c) { return desk_.goToFrame(integerOf(c, 0)), true; };
   handlers["play"] = [this](const Command& c) { return desk_.playing = onOff(c), true; };
   handlers["orbit"] = [this](const Command& c) {
-    desk_.setViewpoint(orbited(desk_.viewpoint(), -numberOf(c, 0) * kRadiansPerPixel, numberOf(c, 1) * kRadiansPerPixel));
+    desk_.setViewpoint(
+        orbited(desk_.viewpoint(), -numberOf(c, 0) * kRadiansPerPixel, numberOf(c, 1) * kRadiansPerPixel));
     return true;
   };
   handlers["expect"] = [this](const Command& c) {
@@ -351,7 +352,9 @@ void Live::addWaitHandlers(std::map<std::string, Handler>& handlers) {
 }
 
 void Live::addFileHandlers(std::map<std::string, Handler>& handlers) {
-  handlers["replace"] = [](const Command& c) { return writeFileAtomically(c.arguments[0], readText(c.arguments[1])), true; };
+  handlers["replace"] = [](const Command& c) {
+    return writeFileAtomically(c.arguments[0], readText(c.arguments[1])), true;
+  };
   handlers["screenshot"] = [this](const Command& c) {
     if (!wait_from_) wait_from_ = state_.window_frame;
     // What was changed a moment ago is drawn and at rest first.

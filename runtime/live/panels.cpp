@@ -66,9 +66,10 @@ void topBar(const Fonts& fonts, Desk& desk, PanelState& state, float width) {
   ImGui::SameLine(0, 14);
   const gpu::DeviceInfo& device = session.bench().device().info();
   std::string backend = session.backend() == graph::Backend::Query ? "ray queries" : "ray tracing pipelines";
-  textIn(fonts.text, colours::kDim,
-         fmt::format("{}  ·  {} x {}  ·  {}{}  ·  {}", session.shot().scene, session.shot().width, session.shot().height,
-                     device.name.substr(0, device.name.find(" (")), device.software ? " (software)" : "", backend));
+  textIn(
+      fonts.text, colours::kDim,
+      fmt::format("{}  ·  {} x {}  ·  {}{}  ·  {}", session.shot().scene, session.shot().width, session.shot().height,
+                  device.name.substr(0, device.name.find(" (")), device.software ? " (software)" : "", backend));
   ImGui::SameLine(width - 92);
   if (quietButton("help  ?", "all keys", state.help)) state.requests.push_back(Action::ToggleHelp);
   ImGui::End();
@@ -148,14 +149,16 @@ void errorTable(const Fonts& fonts, Desk& desk) {
   if (desk.b()) side("B", colours::kOther, *desk.b());
   ImGui::EndTable();
   if (desk.truthSamples() > 0)
-    textIn(fonts.small, colours::kDim, fmt::format("RMSE against {} of {} samples", desk.options().truth, desk.truthSamples()));
+    textIn(fonts.small, colours::kDim,
+           fmt::format("RMSE against {} of {} samples", desk.options().truth, desk.truthSamples()));
 }
 
 // What is set differently on the two sides.
 void differences(const Fonts& fonts, Desk& desk) {
   if (!desk.b() || !ImGui::TreeNodeEx("what differs", ImGuiTreeNodeFlags_SpanAvailWidth)) return;
   std::map<std::string, std::string> of_b;
-  for (const lab::Control& control : desk.b()->session->controls()) of_b[control.declaration.name] = textOf(control.value);
+  for (const lab::Control& control : desk.b()->session->controls())
+    of_b[control.declaration.name] = textOf(control.value);
   int shown = 0;
   for (const lab::Control& control : desk.a().session->controls()) {
     auto found = of_b.find(control.declaration.name);
@@ -199,8 +202,9 @@ void sparkline(const TimeHistory::Row& times, float width, float height) {
   float x = at.x + width - step * float(times.ms.size());
   for (float ms : times.ms) {
     float tall = std::isnan(ms) || highest <= 0 ? 0 : std::max(1.0f, height * ms / highest);
-    if (tall > 0) list->AddRectFilled(ImVec2(x, at.y + height - tall), ImVec2(x + std::max(1.0f, step - 0.5f), at.y + height),
-                                      IM_COL32(116, 150, 178, 255));
+    if (tall > 0)
+      list->AddRectFilled(ImVec2(x, at.y + height - tall), ImVec2(x + std::max(1.0f, step - 0.5f), at.y + height),
+                          IM_COL32(116, 150, 178, 255));
     x += step;
   }
   ImGui::Dummy(ImVec2(width, height));
@@ -217,8 +221,10 @@ void timeRow(const Fonts& fonts, const TimeHistory::Row& times, ImU32 color) {
   textIn(fonts.small, color, times.name);
   ImGui::TableNextColumn();
   textIn(fonts.mono, color, fmt::format("{:>7}", msText(times.median())));
-  tooltip(fmt::format("{}\nlast frame {} ms, median of the frames at the right {} ms\na void frame (its pipelines were new) "
-                      "is not counted", times.name, msText(times.latest()), msText(times.median())));
+  tooltip(fmt::format(
+      "{}\nlast frame {} ms, median of the frames at the right {} ms\na void frame (its pipelines were new) "
+      "is not counted",
+      times.name, msText(times.latest()), msText(times.median())));
   ImGui::TableNextColumn();
   sparkline(times, 96, 14);
 }
@@ -285,7 +291,8 @@ void bottomBar(const Fonts& fonts, Desk& desk, PanelState& state, float width, f
     ImGui::SameLine(0, 2);
   };
   press("\u25c0##back", "one frame back", Action::StepBack);
-  press(desk.playing ? "\u275a\u275a##play" : "\u25b6##play", "play or pause (Space)", Action::TogglePlay, desk.playing);
+  press(desk.playing ? "\u275a\u275a##play" : "\u25b6##play", "play or pause (Space)", Action::TogglePlay,
+        desk.playing);
   press("\u25b6\u2759##ahead", "one frame ahead", Action::StepAhead);
   int frame = desk.frame(), last = std::max(desk.lastFrame(), frame);
   ImGui::SetNextItemWidth(std::max(120.0f, width - 520));
@@ -338,14 +345,15 @@ namespace {
 
 void drawProblems(const Fonts& fonts, const std::vector<std::string>& problems, const Area& area) {
   ImDrawList* list = ImGui::GetBackgroundDrawList();
-  list->AddRectFilled(ImVec2(float(area.x), float(area.y)), ImVec2(float(area.x + area.width), float(area.y + area.height)),
-                      IM_COL32(10, 8, 8, 170));
+  list->AddRectFilled(ImVec2(float(area.x), float(area.y)),
+                      ImVec2(float(area.x + area.width), float(area.y + area.height)), IM_COL32(10, 8, 8, 170));
   float width = float(std::min(area.width - 40, 860.0));
   ImGui::SetNextWindowPos(ImVec2(float(area.x + (area.width - width) / 2), float(area.y + 28)));
   ImGui::SetNextWindowSizeConstraints(ImVec2(width, 60), ImVec2(width, float(area.height - 60)));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(40, 24, 24, 245));
-  ImGui::Begin("problems", nullptr, (kFixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus) | ImGuiWindowFlags_AlwaysAutoResize |
-                                        ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::Begin("problems", nullptr,
+               (kFixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus) | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoFocusOnAppearing);
   textIn(fonts.bold, colours::kBad, problems.size() == 1 ? "A problem" : fmt::format("{} problems", problems.size()));
   ImGui::SameLine();
   textIn(fonts.small, colours::kDim, "below is the last good version; the next good save goes on");
@@ -368,7 +376,8 @@ void keyRow(const Fonts& fonts, const char* key, const char* doc) {
 }
 
 void drawHelp(const Fonts& fonts, const Area& area) {
-  ImGui::SetNextWindowPos(ImVec2(float(area.x + area.width / 2), float(area.y + area.height / 2)), 0, ImVec2(0.5f, 0.5f));
+  ImGui::SetNextWindowPos(ImVec2(float(area.x + area.width / 2), float(area.y + area.height / 2)), 0,
+                          ImVec2(0.5f, 0.5f));
   ImGui::SetNextWindowSize(ImVec2(600, 0));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(20, 14));
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(6, 1));
@@ -398,9 +407,11 @@ void drawHelp(const Fonts& fonts, const Area& area) {
 void drawMessage(const Fonts& fonts, const PanelState& state, const Area& area) {
   ImGui::SetNextWindowPos(ImVec2(float(area.x + area.width / 2), float(area.y + area.height - 14)), 0, ImVec2(0.5f, 1));
   ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(float(area.width - 40), 200));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, state.message_is_bad ? IM_COL32(58, 28, 26, 240) : IM_COL32(38, 41, 46, 240));
-  ImGui::Begin("message", nullptr, (kFixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus) | ImGuiWindowFlags_AlwaysAutoResize |
-                                       ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg,
+                        state.message_is_bad ? IM_COL32(58, 28, 26, 240) : IM_COL32(38, 41, 46, 240));
+  ImGui::Begin("message", nullptr,
+               (kFixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus) | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::PushFont(fonts.text);
   ImGui::PushTextWrapPos(float(area.width - 64));
   ImGui::TextUnformatted(state.message.c_str());

@@ -25,11 +25,13 @@ static bool wipes(const Desk& desk) {
 static std::string valueText(const PixelValue& value, const char* between) {
   std::string text;
   for (double number : value.values)
-    text += (text.empty() ? "" : between) + (value.integers ? fmt::format("{:.0f}", number) : fmt::format("{:.4g}", number));
+    text += (text.empty() ? "" : between) +
+            (value.integers ? fmt::format("{:.0f}", number) : fmt::format("{:.4g}", number));
   return text;
 }
 
-void PictureView::draw(const Fonts& fonts, Desk& desk, const PanelState& state, const Area& area, const Texture& picture) {
+void PictureView::draw(const Fonts& fonts, Desk& desk, const PanelState& state, const Area& area,
+                       const Texture& picture) {
   width_ = picture.width();
   height_ = picture.height();
   placement_ = placed(area, width_, height_, state.magnification);
@@ -56,7 +58,8 @@ void PictureView::drawWipe(const Fonts& fonts, const Desk& desk, const Area& are
   double x = placement_.toWindow({desk.look().wipe * width_, 0}).x;
   double top = std::max(area.y, placement_.origin.y);
   auto label = [&](const char* name, ImU32 color, double at) {
-    list->AddRectFilled(ImVec2(float(at - 6), float(top + 8)), ImVec2(float(at + 16), float(top + 28)), IM_COL32(10, 10, 12, 190), 3);
+    list->AddRectFilled(ImVec2(float(at - 6), float(top + 8)), ImVec2(float(at + 16), float(top + 28)),
+                        IM_COL32(10, 10, 12, 190), 3);
     list->AddText(fonts.bold, fonts.bold->FontSize, ImVec2(float(at), float(top + 11)), color, name);
   };
   label("A", colours::kAccent, x - 26);
@@ -69,7 +72,8 @@ void PictureView::drawWipe(const Fonts& fonts, const Desk& desk, const Area& are
 // The values of texels large enough to hold them.
 void PictureView::drawNumbers(const Fonts& fonts, const Desk& desk, const Area& area) const {
   ImDrawList* list = ImGui::GetBackgroundDrawList();
-  dvec2 first = glm::floor(placement_.toPicture({area.x, area.y})), last = placement_.toPicture({area.x + area.width, area.y + area.height});
+  dvec2 first = glm::floor(placement_.toPicture({area.x, area.y})),
+        last = placement_.toPicture({area.x + area.width, area.y + area.height});
   for (int y = std::max(0, int(first.y)); y < std::min(height_, int(last.y) + 1); ++y)
     for (int x = std::max(0, int(first.x)); x < std::min(width_, int(last.x) + 1); ++x) {
       auto value = desk.valueAt(x, y);
@@ -142,7 +146,8 @@ void PictureView::interact(Desk& desk, PanelState& state, const Area& area, cons
     dragged_ = 0;
   }
   if (grip_ != Grip::None) drag(desk, state, area, fromIm(io.MouseDelta));
-  bool released = grip_ != Grip::None && !ImGui::IsMouseDown(ImGuiMouseButton_Left) && !ImGui::IsMouseDown(ImGuiMouseButton_Right);
+  bool released =
+      grip_ != Grip::None && !ImGui::IsMouseDown(ImGuiMouseButton_Left) && !ImGui::IsMouseDown(ImGuiMouseButton_Right);
   if (released && dragged_ < kClick && grip_ != Grip::Look) {
     dvec2 pixel = glm::floor(placement_.toPicture(pointer));
     bool in_picture = pixel.x >= 0 && pixel.y >= 0 && pixel.x < width_ && pixel.y < height_;

@@ -24,7 +24,8 @@ Placement placed(const Area& area, int width, int height, const Magnification& m
   return result;
 }
 
-Magnification magnified(const Magnification& from, double factor, const dvec2& window, const Area& area, int width, int height) {
+Magnification magnified(const Magnification& from, double factor, const dvec2& window, const Area& area, int width,
+                        int height) {
   Magnification result = from;
   result.zoom = std::clamp(from.zoom * factor, kLeast, kMost);
   dvec2 middle(area.x + area.width / 2, area.y + area.height / 2);

@@ -29,7 +29,8 @@ struct Placement {
 Placement placed(const Area& area, int width, int height, const Magnification& magnification);
 
 // `factor` times as large, and what is at `window` stays there.
-Magnification magnified(const Magnification& from, double factor, const dvec2& window, const Area& area, int width, int height);
+Magnification magnified(const Magnification& from, double factor, const dvec2& window, const Area& area, int width,
+                        int height);
 
 // Moved by a drag in the window.
 Magnification dragged(const Magnification& from, const dvec2& by_window, const Area& area, int width, int height);

@@ -20,7 +20,8 @@ const std::vector<VkDescriptorSetLayoutBinding> kBindings = {
     {0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr}};
 
 gpu::Owned<VkShaderModule> makeModule(const gpu::Device& device, const char* file, shader::Stage stage) {
-  std::vector<uint32_t> code = shader::compile({"#version 460\n", homeFolder() / "shaders/live" / file, ""}, stage).spirv;
+  std::vector<uint32_t> code =
+      shader::compile({"#version 460\n", homeFolder() / "shaders/live" / file, ""}, stage).spirv;
   VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
   info.codeSize = code.size() * sizeof(uint32_t);
   info.pCode = code.data();
@@ -39,7 +40,8 @@ gpu::Owned<VkPipelineLayout> makeLayout(const gpu::Device& device, VkDescriptorS
   info.pushConstantRangeCount = 1;
   info.pPushConstantRanges = &constants;
   VkPipelineLayout layout = VK_NULL_HANDLE;
-  gpu::check(device.vk().CreatePipelineLayout(device.handle(), &info, nullptr, &layout), "pipeline layout of the panels");
+  gpu::check(device.vk().CreatePipelineLayout(device.handle(), &info, nullptr, &layout),
+             "pipeline layout of the panels");
   return {device, layout, [](const gpu::Device& d, VkPipelineLayout l) {
             d.vk().DestroyPipelineLayout(d.handle(), l, nullptr);
           }};
@@ -149,7 +151,8 @@ void Surface::makePipeline() {
   VkPipeline pipeline = VK_NULL_HANDLE;
   gpu::check(device_.vk().CreateGraphicsPipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
              "creating the pipeline of the panels");
-  pipeline_ = {device_, pipeline, [](const gpu::Device& d, VkPipeline p) { d.vk().DestroyPipeline(d.handle(), p, nullptr); }};
+  pipeline_ = {device_, pipeline,
+               [](const gpu::Device& d, VkPipeline p) { d.vk().DestroyPipeline(d.handle(), p, nullptr); }};
 }
 
 std::unique_ptr<Texture> Surface::makeTexture(const std::string& name, uint32_t width, uint32_t height,
@@ -194,7 +197,8 @@ void Surface::fill(Texture& texture, const void* rgba) {
   });
 }
 
-void Surface::upload(std::unique_ptr<Texture>& texture, const std::string& name, const image::Image& display, bool smooth) {
+void Surface::upload(std::unique_ptr<Texture>& texture, const std::string& name, const image::Image& display,
+                     bool smooth) {
   bool fits = texture && texture->width() == display.width && texture->height() == display.height;
   VkSampler sampler = smooth ? linear_.get() : nearest_.get();
   if (!fits) texture = makeTexture(name, uint32_t(display.width), uint32_t(display.height), sampler);

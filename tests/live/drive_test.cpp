@@ -87,7 +87,8 @@ TEST(Drive, RunsInOrderAndWaitsWhereAskedTo) {
 }
 
 TEST(Drive, AFailureNamesTheLine) {
-  Drive drive(parseDrive("\nplay on\n", "a.drive"), handlersFor([](const Command&) -> bool { throw Error("no reel"); }));
+  Drive drive(parseDrive("\nplay on\n", "a.drive"),
+              handlersFor([](const Command&) -> bool { throw Error("no reel"); }));
   try {
     drive.advance();
     FAIL();

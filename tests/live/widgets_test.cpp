@@ -41,7 +41,9 @@ TEST(Widgets, EveryTypeHasOne) {
 }
 
 TEST(Widgets, WideRangesAreLogarithmic) {
-  auto logarithmic = [](double min, double max) { return widgetOf(number(ParamDesc::Type::Float, min, max)).logarithmic; };
+  auto logarithmic = [](double min, double max) {
+    return widgetOf(number(ParamDesc::Type::Float, min, max)).logarithmic;
+  };
   EXPECT_FALSE(logarithmic(0.001, 1));
   EXPECT_TRUE(logarithmic(0.001, 1.1));
   EXPECT_FALSE(logarithmic(0, 1000));

@@ -50,15 +50,16 @@ class Live : public ::testing::Test {
 
   std::string command(const std::string& drive, const std::string& options) {
     writeText(folder_ / "a.drive", drive);
-    return fmt::format("'{}' live {} {} --window {}x{} --out {} --drive {}", programPath(), options, shotOptions(), kWidth,
-                       kHeight, folder_ / "out", folder_ / "a.drive");
+    return fmt::format("'{}' live {} {} --window {}x{} --out {} --drive {}", programPath(), options, shotOptions(),
+                       kWidth, kHeight, folder_ / "out", folder_ / "a.drive");
   }
 
   // A shell's line on a display of its own.
   Outcome onDisplay(const std::string& line) {
     writeText(folder_ / "line.sh", line);
-    std::string shell = fmt::format("STROBE_VALIDATION=1 timeout 120 xvfb-run -a -s '-screen 0 {}x{}x24 -noreset' sh {} >{} 2>{}",
-                                    kWidth, kHeight, folder_ / "line.sh", folder_ / "stdout", folder_ / "stderr");
+    std::string shell =
+        fmt::format("STROBE_VALIDATION=1 timeout 120 xvfb-run -a -s '-screen 0 {}x{}x24 -noreset' sh {} >{} 2>{}",
+                    kWidth, kHeight, folder_ / "line.sh", folder_ / "stdout", folder_ / "stderr");
     int status = std::system(shell.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contentOf(folder_ / "stdout"),
             contentOf(folder_ / "stderr")};
@@ -79,7 +80,8 @@ template <class Test>
 size_t countPixels(const image::Image& window, Test test) {
   size_t count = 0;
   for (int y = 50; y < window.height - 90; ++y)
-    for (int x = 350; x < window.width - 350; ++x) count += test(window.at(x, y, 0), window.at(x, y, 1), window.at(x, y, 2));
+    for (int x = 350; x < window.width - 350; ++x)
+      count += test(window.at(x, y, 0), window.at(x, y, 1), window.at(x, y, 2));
   return count;
 }
 
@@ -135,10 +137,11 @@ TEST_F(Live, EditsAreTakenInAndMistakesShownOverTheLastGoodFrame) {
   writeText(folder_ / "green.lua", greenScene());
   writeText(folder_ / "broken.lua", std::string(kScene) + "\nthis is no Lua\n");
   std::string scene = folder_ / "scene.lua", green = folder_ / "green.lua", broken = folder_ / "broken.lua";
-  Outcome outcome = drive("problems no\nreplace " + scene + " " + green + "\nreloaded\nwait 2\nproblems no\nscreenshot " +
-                          picture("green.png") + "\nreplace " + scene + " " + broken + "\nreloaded\nproblems yes\nscreenshot " +
-                          picture("broken.png") + "\nreplace " + scene + " " + green + "\nreloaded\nproblems no\nscreenshot " +
-                          picture("mended.png") + "\nquit\n");
+  Outcome outcome =
+      drive("problems no\nreplace " + scene + " " + green + "\nreloaded\nwait 2\nproblems no\nscreenshot " +
+            picture("green.png") + "\nreplace " + scene + " " + broken + "\nreloaded\nproblems yes\nscreenshot " +
+            picture("broken.png") + "\nreplace " + scene + " " + green + "\nreloaded\nproblems no\nscreenshot " +
+            picture("mended.png") + "\nquit\n");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   image::Image edited = image::readPng(picture("green.png")), dimmed = image::readPng(picture("broken.png"));
   image::Image mended = image::readPng(picture("mended.png"));
@@ -152,9 +155,12 @@ TEST_F(Live, TwoPipelinesAreComparedUnderOneClock) {
   std::string names[] = {"wipe", "difference", "error"};
   std::string commands = "frame 2\n";
   for (const std::string& name : names)
-    commands += "mode " + name + "\n" + (name == "error" ? "truth 16\n" : "") + "screenshot " + picture(name + ".png") + "\n";
-  commands += "mode flicker\nwait 15\nmode single\nplay on\nwait 4\nplay off\nexpect frame 6\nframe 1\nhelp on\nscreenshot " + picture("help.png") +
-              "\nhelp off\nresize 900x600\nwait 4\npanels off\nscreenshot " + picture("alone.png") + "\nkey F10\n";
+    commands +=
+        "mode " + name + "\n" + (name == "error" ? "truth 16\n" : "") + "screenshot " + picture(name + ".png") + "\n";
+  commands +=
+      "mode flicker\nwait 15\nmode single\nplay on\nwait 4\nplay off\nexpect frame 6\nframe 1\nhelp on\nscreenshot " +
+      picture("help.png") + "\nhelp off\nresize 900x600\nwait 4\npanels off\nscreenshot " + picture("alone.png") +
+      "\nkey F10\n";
   Outcome outcome = drive(commands, "hybrid --vs hybrid --vs-set edge=id");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const std::string& name : names) EXPECT_EQ(image::readPng(picture(name + ".png")).width, kWidth);
@@ -172,6 +178,28 @@ TEST_F(Live, AFailedCommandEndsWithItsLine) {
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.err.find("a.drive:1: 'set' failed: "), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("did you mean 'sobel'?"), std::string::npos) << outcome.err;
+}
+
+// A pass that never ends: named, with the shot kept so that it can be opened again.
+TEST_F(Live, AnEndlessShaderIsNamedAndTheShotIsKept) {
+  fs::path home = folder_.path() / "home";
+  fs::create_directories(home);
+  for (const char* part : {"passes", "scripts", "shaders"})
+    fs::copy(homeFolder() / part, home / part, fs::copy_options::recursive);
+  fs::path shader = home / "shaders/tile/tile_max.glsl";
+  std::string text = contentOf(shader), head = "void run(ivec2 pixel) {\n";
+  ASSERT_NE(text.find(head), std::string::npos);
+  text.insert(text.find(head) + head.size(),
+              "  while (texelFetch(velocity_tex, pixel, 0).x < 1e30) imageStore(longest_img, pixel, vec4(1));\n");
+  writeText(shader, text);
+  std::string line = "export STROBE_HOME=" + home.string() + "\n" + command("wait 2\nquit\n", "hybrid --time-limit 1");
+  Outcome outcome = onDisplay(line);
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("ran for more than 1 s"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("tile_max"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(fs::exists(folder_ / "out/overrun.record.json"));
+  Outcome again = run("render --record " + (folder_ / "out/overrun.record.json") + " -o " + (folder_ / "x.exr"));
+  EXPECT_EQ(again.exit_code, 0) << again.err;
 }
 
 TEST(LiveWithoutDisplay, SaysWhatItNeeds) {
