@@ -132,8 +132,8 @@ void Live::watch() {
     } catch (const Error& error) {
       kept = fmt::format("; the shot could not be kept: {}", error.what());
     }
-    std::fprintf(stderr, "strobe: '%s' ran for more than %g s on the device (--time-limit)%s\n", what.c_str(), options_.time_limit_s,
-                 kept.c_str());
+    std::fprintf(stderr, "strobe: '%s' ran for more than %g s on the device (--time-limit)%s\n", what.c_str(),
+                 options_.time_limit_s, kept.c_str());
     std::fflush(stderr);
     std::_Exit(1);
   });

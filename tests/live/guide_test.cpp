@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The guide of the window names every key and every command of a drive file, in the words of the program.
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "base/files.h"
+#include "live/drive.h"
+#include "live/keys.h"
+
+namespace strobe::live {
+namespace {
+
+// Rows of the guide's tables as "first cell | second cell", without escapes.
+std::string guide() { return std::regex_replace(readText(homeFolder() / "docs/live.md"), std::regex(R"(\\\|)"), "|"); }
+
+TEST(Guide, HasEveryKey) {
+  std::string text = guide();
+  for (const Key& key : keys())
+    EXPECT_NE(text.find(fmt::format("| `{}` | {} |", key.shown, key.doc)), std::string::npos) << key.shown;
+  for (const HeldKey& key : heldKeys())
+    EXPECT_NE(text.find(fmt::format("`{}`", key.shown)), std::string::npos) << key.shown;
+}
+
+TEST(Guide, HasEveryCommand) {
+  std::string text = guide();
+  for (const CommandForm& form : commandForms()) {
+    std::string call = std::string(form.name) + (*form.arguments ? " " : "") + form.arguments;
+    EXPECT_NE(text.find(fmt::format("| `{}` | {} |", call, form.doc)), std::string::npos) << call;
+  }
+}
+
+}  // namespace
+}  // namespace strobe::live
