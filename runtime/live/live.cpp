@@ -31,6 +31,8 @@ class Gui {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
+    // Surface draws lists of more than 65536 vertices: values written on thousands of pixels are as many.
+    ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     fonts_ = applyStyle();
     ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
   }
@@ -197,6 +199,9 @@ void Live::sendToTev() {
 // A driven window does not depend on where the mouse happens to be.
 void Live::pointAsDriven() {
   dvec2 at = pointed_ ? view_.inWindow(*pointed_ + dvec2(0.5)) : dvec2(-1e6);
+#if IMGUI_VERSION_NUM >= 18700  // from here on, positions are events
+  ImGui::GetIO().AddMousePosEvent(float(at.x), float(at.y));
+#endif
   ImGui::GetIO().MousePos = ImVec2(float(at.x), float(at.y));
 }
 
