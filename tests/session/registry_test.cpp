@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: MIT
+// Walks every parameter of every pipeline that ships and of every pass they use: each must change some picture, and must
+// mean the same whoever sets it. A new parameter is covered without a new test; one that matters only together with
+// others needs a line in `kContexts`.
+#include <random>
+
+#include "lab/demo.h"
+#include "lab/record.h"
+#include "plan/canonical.h"
+#include "session/home.h"
+
+namespace strobe::session {
+namespace {
+
+using lab::Session;
+using lab::Shot;
+using Settings = std::vector<std::string>;  // "name=value"
+
+// Settings of which all parameters are tried that no earlier context had, and those listed after them once more.
+// "scene", "frame" and "anchor" belong to the shot.
+struct Context {
+  Settings settings;
+  std::vector<std::string> again;
+};
+
+// Of gathers: what only motion that bends at the capture, another frame or a fast path shows.
+const Context kJitter = {{"jitter=hash", "frame=1"}, {"jitter_frame"}};
+const Context kBent = {{"scene=bent", "anchor=centre"}, {"displacement"}};
+
+const std::map<std::string, std::vector<Context>> kContexts = {
+    {"none", {{{}, {}}}},
+    {"mcguire2012",
+     {{{}, {}}, kJitter, kBent, {{"scene=bent", "weights=uniform", "anchor=centre"}, {"range"}}, {{"weights=uniform"}, {}}}},
+    {"guertin2014",
+     {{{}, {}}, kJitter, kBent, {{"tile=8"}, {"tile_rule", "second_share", "tile_jitter", "tile_variance.rule"}},
+      {{"jitter=hash"}, {"eta"}}, {{"tile=8", "scene=solids", "limit=1"}, {"uniform_path"}}, {{"anchor=centre"}, {"uniform_ratio", "uniform_speed"}}}},
+    {"jimenez2014",
+     {{{}, {}}, kJitter, kBent, {{"tile=8"}, {"tile_rule"}}, {{"anchor=centre"}, {"mirror"}}, {{"tile=8", "scene=solids", "limit=1"}, {"cheap", "cheap_ratio"}}}},
+    {"ue4", {{{}, {}}, kJitter, kBent, {{"tile=8"}, {"tile_rule"}}, {{"anchor=centre"}, {"mirror"}}}},
+    {"hybrid",
+     {{{}, {}},
+      {{"preset=seed"}, {"edge", "own_edge", "mask_taps", "weights", "termination", "tolerance", "advance", "max_layers",
+                         "on_cap", "depth_extent", "directions"}},
+      kJitter,
+      kBent,
+      {{"scene=bent", "anchor=centre", "mask=all"}, {"range"}},
+      {{"termination=luminance", "advance=origin_kept", "mask=all"}, {"tolerance", "max_layers", "advance"}},
+      {{"termination=motion", "advance=origin_kept", "mask=all"}, {"same_motion"}},
+      {{"termination=luminance", "advance=origin_kept", "mask=all", "max_layers=1", "tolerance=0.5"}, {"on_cap"}},
+      {{"mask=seed", "scene=solids"}, {"edge_sobel.normal_threshold", "edge_sobel.combine", "edge_sobel.norm", "own_edge"}},
+      {{"mask=seed", "edge=canny", "scene=solids"}, {}},
+      {{"mask=seed", "edge=plane", "scene=solids"}, {}},
+      {{"mask=seed", "edge=laplacian", "scene=solids"}, {}},
+      {{"mask=seed", "edge=prewitt", "scene=solids"}, {}},
+      {{"mask=seed", "edge=scharr", "scene=solids"}, {}},
+      {{"mask=seed", "edge=roberts", "scene=solids"}, {}},
+      {{"mask=seed", "edge=silhouette", "scene=solids"}, {}},
+      {{"mask=seed", "edge=id"}, {}},
+      {{"mask=moving"}, {}},
+      {{"composite=in_gather"}, {}},
+      {{"composite=alpha_over"}, {"weights", "depth_extent"}},
+      {{"composite=alpha_over", "weights=mcguire2012"}, {"directions"}},
+      {{"composite=alpha_over", "weights=guertin2014", "jitter=hash"}, {}},
+      {{"composite=alpha_over", "weights=jimenez2014", "anchor=centre"}, {}},
+      {{"reveal_resolution=half"}, {}},
+      {{"tile=8"}, {"tile_rule", "tiles"}}}},
+    {"ground_truth",
+     {{{"samples=8"}, {}}, {{"samples=8", "times=stratified"}, {"slices"}}, {{"samples=4", "mode=raster"}, {}},
+      {{"samples=256", "tolerance=0.1"}, {"tolerance"}}}},
+};
+
+// Parameters that change how a picture comes about and never the picture, with the reason.
+const std::map<std::string, std::string> kNoPicture = {
+    {"shade.shading", "at the capture both ways of shading are the same; truth shades at other times"},
+    {"truth_stop.min_samples", "keeps truth from stopping on few samples; the tolerance decides after that"},
+};
+
+Shot shotIn(const std::string& pipeline, const Settings& context) {
+  Shot shot;
+  shot.pipeline = pipeline;
+  shot.scene = (Path(STROBE_SOURCE_DIR) / "tests/oracle/scenes/crowd.lua").string();
+  shot.width = 64;
+  shot.height = 40;
+  shot.frame = 0;
+  for (const std::string& setting : context) {
+    size_t equals = setting.find('=');
+    std::string name = setting.substr(0, equals), value = setting.substr(equals + 1);
+    if (name == "scene") shot.scene = (Path(STROBE_SOURCE_DIR) / "tests/oracle/scenes" / (value + ".lua")).string();
+    else if (name == "frame") shot.frame = std::stoi(value);
+    else if (name == "anchor") shot.anchor = value;
+    else shot.sets.push_back({name, value});
+  }
+  if (shot.scene.ends_with("bent.lua"))
+    for (const char* size : {"width=64", "height=40", "before=20", "after=4"}) {
+      std::string one = size;
+      shot.sets.push_back({"scene." + one.substr(0, one.find('=')), one.substr(one.find('=') + 1)});
+    }
+  if (shot.scene.ends_with("solids.lua")) shot.moves = {"ball=0.7,0.2,0", "box=0.6,0,0.3", "wall=-0.8,0,0", "camera=0.5,0,0"};
+  return shot;
+}
+
+std::string text(const plan::Value& value) {
+  if (const auto* name = std::get_if<std::string>(&value)) return *name;
+  return plan::toJson(value).dump();
+}
+
+// Values to try, those most likely to show first; none of them makes a frame expensive.
+std::vector<std::string> otherValues(const lab::Control& control) {
+  const plan::ParamDesc& param = control.declaration;
+  std::vector<std::string> values;
+  using Type = plan::ParamDesc::Type;
+  if (param.type == Type::Bool) values = {text(control.value) == "true" ? "false" : "true"};
+  if (param.type == Type::Choice) values = param.choices;
+  if (param.type == Type::Int || param.type == Type::Float) {
+    double now = param.type == Type::Int ? double(std::get<int64_t>(control.value)) : std::get<double>(control.value);
+    for (double wanted : {now * 2 + (now == 0), now / 2, *param.min, now * 8 + 1, std::min(*param.max, now * 64 + 64)}) {
+      double value = std::clamp(wanted, *param.min, *param.max);
+      if (param.type == Type::Int) value = std::round(value);
+      values.push_back(fmt::format("{}", value));
+    }
+  }
+  std::erase(values, text(control.value));
+  return values;
+}
+
+std::string outputsOf(Session& session) {
+  std::string all;
+  for (const auto& [name, hash] : hashes(session.draw())) all += name + hash;
+  return all;
+}
+
+struct Alive {
+  std::string pipeline, name, value;
+  Settings context;
+};
+
+class Registry : public SessionTest {
+ protected:
+  // Looks for a value of each parameter that changes a picture, in the contexts of a pipeline.
+  std::vector<Alive> aliveIn(const std::string& pipeline, std::set<std::string>& dead) {
+    std::map<std::string, Alive> alive;  // by "parameter" or "pass.parameter"
+    std::set<std::string> seen;
+    for (const auto& [context, again] : kContexts.at(pipeline)) {
+      Session session(bench(), shotIn(pipeline, context));
+      std::string before = outputsOf(session);
+      for (const lab::Control& control : session.controls()) {
+        if (control.group == "shot" || control.origin.starts_with("follows ")) continue;
+        std::string key = keyOf(session, control);
+        bool wanted = seen.insert(key).second || std::find(again.begin(), again.end(), key) != again.end();
+        if (alive.count(key) || kNoPicture.count(key) || !wanted) continue;
+        for (const std::string& value : otherValues(control)) {
+          if (!changes(session, control, value, before)) continue;
+          alive[key] = {pipeline, control.declaration.name, value, context};
+          break;
+        }
+        if (!alive.count(key)) dead.insert(key);
+      }
+    }
+    for (const auto& [key, where] : alive) dead.erase(key);
+    std::vector<Alive> list;
+    for (auto& [key, one] : alive) list.push_back(one);
+    return list;
+  }
+
+  // Nodes are known by their pass: two uses of one pass share its parameters.
+  static std::string keyOf(const Session& session, const lab::Control& control) {
+    if (control.group == "pipeline") return control.declaration.name;
+    const plan::PipelineDesc& pipeline = session.plan().pipeline;
+    for (const auto& node : pipeline.nodes)
+      if (node.name == control.group) return node.pass + control.declaration.name.substr(control.group.size());
+    return control.declaration.name;
+  }
+
+  static bool changes(Session& session, const lab::Control& control, const std::string& value, const std::string& before) {
+    const std::string& name = control.declaration.name;
+    std::string given;
+    for (const auto& [set, to] : session.shot().sets)
+      if (set == name) given = to;
+    bool changed = false;
+    try {
+      session.set(name, value, "window");
+      changed = outputsOf(session) != before;
+    } catch (const Error&) {
+      return false;  // a value that the context refuses
+    }
+    if (given.empty()) session.unset(name);
+    else session.set(name, given, "window");
+    return changed;
+  }
+
+  plan::Plan planOf(const Shot& shot) {
+    Shot filled = shot;
+    bench().scene(filled);
+    plan::PipelineDesc pipeline = script::evaluatePipeline({filled.pipeline, filled.sets});
+    return lab::planOf(filled, pipeline, bench().chooseBackend("auto"));
+  }
+
+  // Shots with a value set in the four ways that there are.
+  std::map<std::string, Shot> inEveryWay(const Alive& one) {
+    std::map<std::string, Shot> shots;
+    Session session(bench(), shotIn(one.pipeline, one.context));
+    session.set(one.name, one.value, "window");
+    shots["window"] = session.shot();
+
+    Shot typed = shotIn(one.pipeline, one.context);
+    typed.sets.push_back({one.name, one.value});
+    shots["command line"] = typed;
+
+    Path file = home_.path("way.record.json");
+    writeFileAtomically(file, Json{{"shot", lab::toJson(session.shot())}}.dump());
+    shots["record"] = lab::shotFromRecord(file);
+
+    Shot scripted = shotIn(one.pipeline, one.context);
+    std::string sets;
+    lab::putSetting(scripted.sets, one.name, one.value);
+    for (const auto& [name, value] : scripted.sets)
+      if (!name.starts_with("scene.")) sets += fmt::format("[\"{}\"] = {}, ", name, asLua(value));
+    home_.write("way.lua", "return require \"strobe.demo\" { title = \"t\", shots = { { title = \"s\", scene = \"living_room\" } },\n"
+                           "columns = { { label = \"l\", pipeline = \"" + one.pipeline + "\", set = { " + sets + "} },\n"
+                           "{ label = \"truth\", pipeline = \"ground_truth\", role = \"truth\" } } }\n");
+    lab::Demo demo = lab::readDemo(home_.path("way.lua").string());
+    std::erase_if(scripted.sets, [](const auto& set) { return !set.first.starts_with("scene."); });
+    for (const auto& set : demo.columns.front().sets) scripted.sets.push_back(set);
+    shots["Lua"] = scripted;
+    return shots;
+  }
+
+  static std::string asLua(const std::string& value) {
+    bool plain = value == "true" || value == "false" || value.find_first_not_of("0123456789.e+-") == std::string::npos;
+    return plain ? value : "\"" + value + "\"";
+  }
+
+  void walk(const std::string& pipeline, unsigned seed) {
+    std::set<std::string> dead;
+    std::vector<Alive> alive = aliveIn(pipeline, dead);
+    for (const std::string& name : dead) ADD_FAILURE() << pipeline << ": no value of '" << name << "' changes any image";
+    for (const Alive& one : alive) {
+      std::set<std::string> plans;
+      for (const auto& [way, shot] : inEveryWay(one)) plans.insert(plan::hashOf(planOf(shot)));
+      EXPECT_EQ(plans.size(), 1u) << pipeline << ": " << one.name << " = " << one.value;
+      EXPECT_NE(*plans.begin(), plan::hashOf(planOf(shotIn(pipeline, one.context)))) << pipeline << ": " << one.name;
+    }
+    std::mt19937 random(seed);
+    for (int i = 0; i < 2 && !alive.empty(); ++i) {
+      const Alive& one = alive[random() % alive.size()];
+      std::set<std::string> images;
+      for (const auto& [way, shot] : inEveryWay(one)) {
+        Session session(bench(), shot);
+        images.insert(outputsOf(session));
+      }
+      EXPECT_EQ(images.size(), 1u) << pipeline << ": " << one.name << " = " << one.value;
+      Session otherwise(bench(), shotIn(pipeline, one.context));
+      EXPECT_NE(*images.begin(), outputsOf(otherwise)) << pipeline << ": " << one.name;
+    }
+  }
+};
+
+TEST_F(Registry, KnowsEveryPipelineThatShips) {
+  for (const std::string& name : script::pipelineNames()) EXPECT_TRUE(kContexts.count(name)) << name << " is walked by no test";
+}
+
+// Two drawn by seed from each of six pipelines: a dozen in all.
+TEST_F(Registry, McGuire2012) { walk("mcguire2012", 1); }
+TEST_F(Registry, Guertin2014) { walk("guertin2014", 2); }
+TEST_F(Registry, Jimenez2014) { walk("jimenez2014", 3); }
+TEST_F(Registry, Ue4) { walk("ue4", 4); }
+TEST_F(Registry, Hybrid) { walk("hybrid", 5); }
+TEST_F(Registry, GroundTruth) { walk("ground_truth", 6); }
+
+TEST_F(Registry, OptionsOfTheShotChangeThePicture) {
+  Session session(bench(), shotIn("mcguire2012", {"jitter=hash", "jitter_frame=per_frame"}));
+  session.set("camera", session.scene().nodes[size_t(scene::cameraNode(session.scene(), ""))].name, "window");
+  std::string before = outputsOf(session);
+  for (const auto& [name, value] : std::map<std::string, std::string>{{"frame", "3"}, {"fps", "12"}, {"exposure", "0.2"},
+                                                                     {"anchor", "open"}, {"width", "32"}, {"height", "20"},
+                                                                     {"seed", "7"}}) {
+    std::string given;
+    for (const auto& control : session.controls())
+      if (control.declaration.name == name) given = text(control.value);
+    session.set(name, value, "window");
+    EXPECT_NE(outputsOf(session), before) << name;
+    session.set(name, given, "window");
+    EXPECT_EQ(outputsOf(session), before) << name;
+  }
+}
+
+}  // namespace
+}  // namespace strobe::session
