@@ -7,6 +7,7 @@
 #include <cstring>
 #include <exception>
 
+#include "app/bench.h"
 #include "app/compare.h"
 #include "app/demo.h"
 #include "app/help.h"
@@ -45,6 +46,7 @@ int main(int argc, char** argv) {
   strobe::app::registerCheck(program);
   strobe::app::registerPlan(program);
   strobe::app::registerCompare(program);
+  strobe::app::registerBench(program);
   strobe::app::registerDoctor(program);
   try {
     program.parse(argc, argv);

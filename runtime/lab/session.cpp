@@ -176,6 +176,9 @@ const plan::Plan& Session::plan() const { return *running_->plan; }
 const scene::Scene& Session::scene() const { return running_->scene->loaded.scene; }
 graph::Backend Session::backend() const { return running_->backend; }
 std::string Session::planHash() const { return running_->plan_hash; }
+std::map<std::string, std::shared_ptr<const graph::NodePipeline>> Session::pipelines() const {
+  return running_->graph->pipelines();
+}
 const std::vector<std::string>& Session::problems() const { return problems_; }
 
 // ---- values
@@ -200,12 +203,28 @@ static const ShotOption* findOption(const std::string& name) {
   return nullptr;
 }
 
+static bool hasPort(const plan::PipelineDesc& pipeline, const std::string& source) {
+  size_t dot = source.find('.');
+  auto node = std::find_if(pipeline.nodes.begin(), pipeline.nodes.end(), [&](const auto& n) { return n.name == source.substr(0, dot); });
+  if (dot == std::string::npos || node == pipeline.nodes.end()) return false;
+  auto pass = std::find_if(pipeline.passes.begin(), pipeline.passes.end(), [&](const auto& p) { return p.name == node->pass; });
+  auto named = [&](const auto& port) { return port.name == source.substr(dot + 1); };
+  return std::any_of(pass->writes.begin(), pass->writes.end(), named) ||
+         std::any_of(pass->updates.begin(), pass->updates.end(), named);
+}
+
+// Looking never stops a change: what a graph of another shape does not have is not looked at any more.
+static void dropLostTaps(Shot& shot, const plan::PipelineDesc& pipeline) {
+  std::erase_if(shot.taps, [&](const std::string& tap) { return !hasPort(pipeline, tap); });
+}
+
 // Goes on with `shot`, on the scripts as they were when they were last good: a value has nothing to do with edits.
 void Session::apply(const Shot& shot) {
   Evaluated evaluated = evaluate(shot, running_->texts, bench_.limits, false);
   if (!evaluated.usable) throw Error(evaluated.problems.front());
   Shot filled = shot;
   bench_.scene(filled);
+  dropLostTaps(filled, evaluated.pipeline);
   running_ = build(filled, std::move(evaluated), nullptr);
   shot_ = filled;
   rememberFiles({});
@@ -260,6 +279,9 @@ void Session::unset(const std::string& name) {
 void Session::tap(const std::vector<std::string>& ports) {
   Shot shot = shot_;
   shot.taps = ports;
+  for (const std::string& port : ports)
+    if (!hasPort(running_->plan->pipeline, port))
+      throw Error(fmt::format("there is no image '{}'{}", port, didYouMean(port, this->ports())));
   if (shot.taps != shot_.taps) apply(shot);
 }
 
@@ -447,6 +469,7 @@ Reload Session::replace(Shot shot, Evaluated evaluated, Changes changes) {
   std::vector<std::string> problems;
   try {
     if (changes.scene) reloadedScene(shot, problems);
+    dropLostTaps(shot, evaluated.pipeline);
     auto version = build(shot, std::move(evaluated), &problems);
     for (const auto& [node, pipeline] : version->graph->pipelines()) {
       auto old = before.find(node);

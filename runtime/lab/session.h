@@ -55,6 +55,8 @@ class Session {
   graph::Backend backend() const;
   // Identity of what runs: the same whatever is tapped or looked at.
   std::string planHash() const;
+  // What the nodes execute, by name.
+  std::map<std::string, std::shared_ptr<const graph::NodePipeline>> pipelines() const;
   // Every value that can be changed, the shot's first, then the pipeline's, then the nodes' own.
   std::vector<Control> controls() const;
   // What keeps the newest files from running; empty while all of them run.

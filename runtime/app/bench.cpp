@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "app/bench.h"
+
+#include <cstdio>
+#include <memory>
+
+#include "app/shot_options.h"
+#include "base/log.h"
+#include "lab/reload_bench.h"
+
+namespace strobe::app {
+
+namespace {
+
+struct Options {
+  ShotOptions shot;
+  int repeats = 15;
+  bool json = false;
+};
+
+void reload(const Options& options) {
+  lab::Shot shot = options.shot.resolve();
+  if (shot.width == 0) shot.width = 160, shot.height = 90;
+  lab::Workbench bench(shot.device, validationWanted());
+  std::vector<lab::ReloadTiming> timings = lab::benchReload(bench, shot, options.repeats);
+  if (options.json) {
+    Json json;
+    json["device"] = bench.device().info().name;
+    json["shot"] = lab::toJson(shot);
+    for (const auto& t : timings)
+      json["reload"].push_back({{"edited", t.edit}, {"watch_ms", t.watch}, {"evaluate_ms", t.evaluate},
+                                {"compile_ms", t.compile}, {"build_ms", t.build}, {"first_frame_ms", t.first_frame},
+                                {"later_frame_ms", t.later_frame}, {"added_ms", t.added()}});
+    std::printf("%s\n", json.dump(2).c_str());
+    return;
+  }
+  std::printf("%s at %dx%d on %s, milliseconds, medians of %d\n\n%s", shot.pipeline.c_str(), shot.width, shot.height,
+              bench.device().info().name.c_str(), options.repeats, lab::tableOf(timings).c_str());
+}
+
+}  // namespace
+
+void registerBench(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("bench", "Measure what the program itself costs");
+  command->require_subcommand(1);
+  auto options = std::make_shared<Options>();
+  CLI::App* of_reload = command->add_subcommand("reload", "From saving a file to the first picture made of it");
+  of_reload->add_option("--repeats", options->repeats, "edits of each kind")->check(CLI::Range(1, 1000))->capture_default_str();
+  of_reload->add_flag("--json", options->json, "report as JSON");
+  options->shot.addWithPipeline(*of_reload);
+  of_reload->callback([options] { reload(*options); });
+}
+
+}  // namespace strobe::app

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "lab/reload_bench.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <thread>
+
+#include "base/log.h"
+
+namespace strobe::lab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// A copy of what scripts and shaders are read from, gone with the object.
+class HomeCopy {
+ public:
+  HomeCopy() : folder_(fs::temp_directory_path() / fmt::format("strobe_bench_{}", ::getpid())) {
+    for (const char* part : {"passes", "shaders", "scripts"}) {
+      fs::create_directories(folder_ / part);
+      fs::copy(homeFolder() / part, folder_ / part, fs::copy_options::recursive);
+    }
+    ::setenv("STROBE_HOME", folder_.c_str(), 1);
+  }
+  ~HomeCopy() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+
+ private:
+  Path folder_;
+};
+
+// Puts a number that nobody has used before into a file.
+struct Kind {
+  std::string what;
+  std::string file;
+  std::string line;   // {} is the number
+  std::string after;  // what it is put behind, "" for the end of the file
+};
+
+std::vector<Kind> kindsFor(const Session& session) {
+  // The last pass of the plan, the library that most of its shaders share, the script of that pass and of the pipeline.
+  const plan::Plan& plan = session.plan();
+  const plan::PassDesc& last = plan.pipeline.passes[size_t(plan.nodes.back().pass)];
+  std::map<std::string, int> uses;
+  for (const auto& [node, pipeline] : session.pipelines())
+    for (const Path& file : pipeline->files)
+      if (displayPath(file).starts_with("shaders/lib/")) ++uses[displayPath(file)];
+  auto most = std::max_element(uses.begin(), uses.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  std::vector<Kind> kinds = {{"shader of one pass", displayPath(graph::shaderFiles(last).front()), "\n  if (frame.frame == {}u) return;\n", ") {"}};
+  if (most != uses.end())
+    kinds.push_back({fmt::format("shader library of {} passes", most->second), most->first, "\nconst int kTouched = {};\n", "#define"});
+  kinds.push_back({"declaration of a pass", last.place.file, "\n-- {}\n", ""});
+  kinds.push_back({"pipeline", plan.pipeline.file, "\n-- {}\n", ""});
+  return kinds;
+}
+
+ReloadTiming once(Session& session, const Kind& kind, int number) {
+  Path file = homeFolder() / kind.file;
+  std::string good = readText(file);
+  std::string line = fmt::format(fmt::runtime(kind.line), number);
+  // The last function of a shader is its `run`; of a library the line behind the first #define.
+  size_t at = kind.after.empty() ? good.size() : kind.after == "#define" ? good.find('\n', good.find(kind.after))
+                                                                        : good.find(kind.after, good.rfind("void run(")) + 3;
+  writeFileAtomically(file, std::string(good).insert(at, line));
+  double saved_s = clockSeconds();
+  std::optional<Reload> told;
+  while (!(told = session.reload(false))) std::this_thread::sleep_for(std::chrono::microseconds(500));
+  double told_s = clockSeconds();
+  if (!told->problems.empty()) throw Error(told->problems.front());
+  std::set<std::string> wanted = {"color"};
+  session.draw(&wanted);
+  double first_s = clockSeconds();
+  session.draw(&wanted);
+  double second_s = clockSeconds();
+  writeFileAtomically(file, good);
+  session.reload(true);
+  session.draw(&wanted);
+
+  ReloadTiming timing{kind.what, 0, told->evaluate_ms, told->compile_ms, told->build_ms, 1000 * (first_s - told_s),
+                      1000 * (second_s - first_s)};
+  timing.watch = 1000 * (told_s - saved_s) - told->evaluate_ms - told->compile_ms - told->build_ms;
+  return timing;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+ReloadTiming medianOf(const std::vector<ReloadTiming>& all) {
+  ReloadTiming result = all.front();
+  for (double ReloadTiming::* part : {&ReloadTiming::watch, &ReloadTiming::evaluate, &ReloadTiming::compile, &ReloadTiming::build,
+                                      &ReloadTiming::first_frame, &ReloadTiming::later_frame}) {
+    std::vector<double> values;
+    for (const ReloadTiming& one : all) values.push_back(one.*part);
+    result.*part = median(values);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<ReloadTiming> benchReload(Workbench& bench, const Shot& shot, int repeats) {
+  HomeCopy home;
+  Session session(bench, shot);
+  session.reload(true);
+  session.draw();
+  std::vector<ReloadTiming> timings;
+  // Numbers that another run did not use: what a driver kept on disk from it would make the first frame too short.
+  int number = int(::getpid()) * 1000;
+  for (const Kind& kind : kindsFor(session)) {
+    std::vector<ReloadTiming> all;
+    for (int i = 0; i < repeats; ++i) all.push_back(once(session, kind, ++number % 2000000000));
+    timings.push_back(medianOf(all));
+  }
+  return timings;
+}
+
+std::string tableOf(const std::vector<ReloadTiming>& timings) {
+  std::string text = "| edited | watch | evaluate | compile | build | first frame | later frame | added |\n";
+  text += "|---|---|---|---|---|---|---|---|\n";
+  for (const ReloadTiming& t : timings)
+    text += fmt::format("| {} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | **{:.1f}** |\n", t.edit, t.watch,
+                        t.evaluate, t.compile, t.build, t.first_frame, t.later_frame, t.added());
+  return text;
+}
+
+}  // namespace strobe::lab
