@@ -113,7 +113,7 @@ TEST_F(SessionTest, LookingChangesNothing) {
   EXPECT_EQ(lab::hashOf(one.taps.at("gbuffer.depth")), lab::hashOf(frame.taps.at("gbuffer.depth")));
   EXPECT_THROW(session.tap({"gbuffer.dept"}), Error);
   // A graph that has not all of it can be had all the same.
-  session.set("mask", "all", "window");
+  session.set("preset", "seed", "window");
   EXPECT_EQ(session.draw().taps.count("mask_tile_motions.motions"), 0u);
 }
 
