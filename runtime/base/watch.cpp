@@ -4,8 +4,6 @@
 #include <sys/inotify.h>
 #include <unistd.h>
 
-#include <algorithm>
-
 namespace strobe {
 
 namespace fs = std::filesystem;
@@ -20,20 +18,23 @@ Watch::~Watch() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-void Watch::addOne(const Path& folder) {
-  auto known = std::find_if(folders_.begin(), folders_.end(), [&](const auto& held) { return held.second == folder; });
-  if (known != folders_.end()) return;
-  int watch = ::inotify_add_watch(descriptor_, folder.c_str(), kEvents);
-  if (watch >= 0) folders_[watch] = folder;
+// The system knows a folder that is watched already, whatever it was called when it was added.
+void Watch::addOne(const Folder& folder) {
+  int watch = ::inotify_add_watch(descriptor_, folder.path.c_str(), kEvents);
+  if (watch < 0) return;
+  Folder& held = folders_[watch];
+  held = {folder.path, held.deep || folder.deep};
 }
+
+void Watch::addFlat(const Path& folder) { addOne({folder, false}); }
 
 void Watch::add(const Path& folder) {
   std::error_code ignored;
   if (descriptor_ < 0 || !fs::is_directory(folder, ignored)) return;
-  addOne(folder);
+  addOne({folder, true});
   for (auto it = fs::recursive_directory_iterator(folder, ignored); it != fs::recursive_directory_iterator();
        it.increment(ignored))
-    if (it->is_directory(ignored)) addOne(it->path());
+    if (it->is_directory(ignored)) addOne({it->path(), true});
 }
 
 bool Watch::changed() {
@@ -47,7 +48,8 @@ bool Watch::changed() {
       bool folder = event.mask & IN_ISDIR;
       bool appeared = event.mask & (IN_CREATE | IN_MOVED_TO);
       auto parent = folders_.find(event.wd);
-      if (folder && appeared && parent != folders_.end()) add(Path(parent->second) / event.name);
+      if (folder && appeared && parent != folders_.end() && parent->second.deep)
+        add(Path(parent->second.path) / event.name);
       if (event.mask & (IN_DELETE_SELF | IN_IGNORED) && parent != folders_.end()) folders_.erase(parent);
       changed |= folder || !(event.mask & IN_CREATE);
     }

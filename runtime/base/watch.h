@@ -17,16 +17,22 @@ class Watch {
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  // `folder` and all below it; nothing happens for one that is watched already or does not exist.
+  // `folder` and all below it; nothing happens for one that does not exist.
   void add(const Path& folder);
+  // `folder` alone: what lies around a user's own file may be a whole disk.
+  void addFlat(const Path& folder);
   // Whether anything happened since the last call. Does not block.
   bool changed();
 
  private:
-  void addOne(const Path& folder);
+  struct Folder {
+    Path path;
+    bool deep = false;  // what appears in it is watched as well
+  };
+  void addOne(const Folder& folder);
 
   int descriptor_ = -1;
-  std::map<int, Path> folders_;  // by watch descriptor
+  std::map<int, Folder> folders_;  // by watch descriptor
 };
 
 }  // namespace strobe

@@ -46,7 +46,12 @@ Graph::Graph(const gpu::Device& device, PipelineCache& cache, const Plan& plan, 
              Graph& previous, std::vector<std::string>& problems)
     : device_(device), cache_(cache), plan_(&plan), scene_(scene), backend_(backend), nodes_(plan.nodes.size()) {
   findPipelines(&previous, &problems);
-  makeAll(&previous);
+  try {
+    makeAll(&previous);
+  } catch (...) {
+    giveBack(previous);
+    throw;
+  }
 }
 
 // The pipeline, where it was made for the same names and types; else null.
@@ -128,12 +133,19 @@ gpu::Image Graph::takeOver(const plan::VirtualImage& image, const gpu::ImageDesc
   for (size_t i = 0; i < previous.plan_->images.size(); ++i) {
     const plan::VirtualImage& other = previous.plan_->images[i];
     gpu::Image& held = previous.slots_[size_t(other.slot)];
-    if (other.name != image.name || other.history != image.history || !held.handle() || !(held.desc() == desc)) continue;
+    bool alike = other.name == image.name && other.history == image.history && held.desc() == desc;
+    if (!alike || !held.handle()) continue;
     auto history = previous.history_.find(int(i));
     if (image.history && history != previous.history_.end() && history->second) taken_over_.insert(image.name);
+    taken_slots_.push_back({slots_.size(), size_t(other.slot)});
     return std::move(held);
   }
   return {};
+}
+
+void Graph::giveBack(Graph& previous) {
+  for (auto [slot, from] : taken_slots_)
+    if (slot < slots_.size()) previous.slots_[from] = std::move(slots_[slot]);
 }
 
 void Graph::makeImages(Graph* previous) {
@@ -165,7 +177,8 @@ void Graph::makeImages(Graph* previous) {
     for (size_t i = 0; i < slots_.size(); ++i) {
       if (!fresh[i]) continue;
       bool depth = slots_[i].desc().format == VK_FORMAT_D32_SFLOAT;
-      gpu::recordFirstLayout(device_, commands, slots_[i].handle(), depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT);
+      VkImageAspectFlags aspect = depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+      gpu::recordFirstLayout(device_, commands, slots_[i].handle(), aspect);
     }
     for (const gpu::Image* image : {&unwired_, &unwired_uint_})
       gpu::recordFirstLayout(device_, commands, image->handle(), VK_IMAGE_ASPECT_COLOR_BIT);
@@ -205,7 +218,8 @@ void Graph::makeNode(const PlanNode& planned, Node& node) {
 void Graph::writeParams(const PlanNode& planned, Node& node) {
   std::vector<uint32_t> words;
   for (const auto& param : node.pipeline->interface.params) {
-    auto found = std::find_if(planned.params.begin(), planned.params.end(), [&](const auto& p) { return p.first == param.name; });
+    auto found = std::find_if(planned.params.begin(), planned.params.end(),
+                              [&](const auto& p) { return p.first == param.name; });
     STROBE_ASSERT(found != planned.params.end(), "{}", param.name);
     const plan::Value& value = found->second;
     double number = std::holds_alternative<double>(value) ? std::get<double>(value) : double(std::get<int64_t>(value));
@@ -265,7 +279,9 @@ shared::FrameData Graph::frameData(const FrameSetup& setup) const {
   shared::FrameData frame{};
   frame.size = uvec2(plan_->width, plan_->height);
   frame.subpixel = setup.subpixel;
-  frame.shutter = setup.anchor == ANCHOR_CLOSE ? vec2(-1, 0) : setup.anchor == ANCHOR_OPEN ? vec2(0, 1) : vec2(-0.5f, 0.5f);
+  frame.shutter = setup.anchor == ANCHOR_CLOSE  ? vec2(-1, 0)
+                  : setup.anchor == ANCHOR_OPEN ? vec2(0, 1)
+                                                : vec2(-0.5f, 0.5f);
   frame.anchor = setup.anchor;
   frame.frame = setup.frame;
   frame.seed = setup.seed;
@@ -361,88 +377,6 @@ void Graph::runLoop(const FrameSetup& setup, const Step& step, shared::FrameData
     if (on_iteration) on_iteration(iteration, loop.count);
   }
   result.iterations.push_back({plan_->pipeline.loops[size_t(loop.loop)].name, iteration});
-}
-
-// Makes what shaders wrote to host memory visible to the host.
-static void recordHostBarrier(const gpu::Device& device, VkCommandBuffer commands) {
-  VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
-  barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-  barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
-  barrier.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
-  barrier.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
-  VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-  dependency.memoryBarrierCount = 1;
-  dependency.pMemoryBarriers = &barrier;
-  device.vk().CmdPipelineBarrier2(commands, &dependency);
-}
-
-void Graph::submit(const std::vector<const Step*>& steps, int iteration, uint32_t first_slice, uint32_t slice_count) {
-  auto record_builds = [&](VkCommandBuffer commands) {
-    for (uint32_t i = 0; i < slice_count; ++i) scene_.recordBuild(commands, first_slice + i);
-  };
-  if (device_.info().software) submitStepwise(steps, iteration, slice_count, record_builds);
-  else submitStamped(steps, iteration, record_builds);
-  for (Node& node : nodes_) takeCounts(node);
-}
-
-// Of the node that a step runs, "" for other steps.
-std::string Graph::nameOf(const Step& step) const {
-  return step.kind == Step::Kind::Pass ? plan_->pipeline.nodes[size_t(plan_->nodes[size_t(step.index)].node)].name : "";
-}
-
-// A software device compiles a shader when it first runs, which may take ten times as long as it may run.
-static constexpr double kCompilePatience = 10;
-
-// A software device executes when something waits, whatever its time stamps say: one submission per step, by the clock.
-void Graph::submitStepwise(const std::vector<const Step*>& steps, int iteration, uint32_t slice_count,
-                           const Record& record_builds) {
-  double start_s = clockSeconds();
-  if (slice_count > 0) {
-    device_.submit(record_builds);
-    gpu_ms_ += 1000 * (clockSeconds() - start_s);
-  }
-  for (const Step* step : steps) {
-    start_s = clockSeconds();
-    auto record_step = [&](VkCommandBuffer commands) {
-      record(commands, *step, iteration);
-      recordHostBarrier(device_, commands);
-    };
-    bool compiles = step->kind == Step::Kind::Pass && !std::exchange(nodes_[size_t(step->index)].pipeline->ran, true);
-    device_.submit(record_step, nameOf(*step), compiles ? kCompilePatience : 1);
-    double ms = 1000 * (clockSeconds() - start_s);
-    gpu_ms_ += ms;
-    if (step->kind != Step::Kind::Pass) continue;
-    nodes_[size_t(step->index)].gpu_ms += ms;
-    ++nodes_[size_t(step->index)].executions;
-  }
-}
-
-void Graph::submitStamped(const std::vector<const Step*>& steps, int iteration, const Record& record_builds) {
-  stamps_.clear();
-  std::string names;
-  for (const Step* step : steps)
-    if (step->kind == Step::Kind::Pass) names += (names.empty() ? "" : ", ") + nameOf(*step);
-  auto record_all = [&](VkCommandBuffer commands) {
-    timer_.recordReset(commands);
-    timer_.recordStamp(commands);
-    record_builds(commands);
-    for (const Step* step : steps) record(commands, *step, iteration);
-    timer_.recordStamp(commands);
-    recordHostBarrier(device_, commands);
-  };
-  device_.submit(record_all, names);
-  std::vector<double> ms = timer_.readMs();
-  gpu_ms_ += ms.back();
-  for (const PendingStamp& stamp : stamps_) {
-    nodes_[size_t(stamp.node)].gpu_ms += ms[size_t(stamp.end)] - ms[size_t(stamp.begin)];
-    ++nodes_[size_t(stamp.node)].executions;
-  }
-}
-
-// Moves what the device counted into 64 bits, so that a long loop does not overflow.
-void Graph::takeCounts(Node& node) {
-  auto* counted = static_cast<uint32_t*>(node.counters.mapped());
-  for (size_t c = 0; c < node.counts.size(); ++c) node.counts[c] += std::exchange(counted[c], 0u);
 }
 
 static float unpackHalf(uint16_t bits) { return glm::unpackHalf1x16(bits); }

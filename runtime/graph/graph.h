@@ -57,13 +57,14 @@ struct FrameResult {
 class Graph {
  public:
   // Throws `Error` for shaders that do not compile or do not match their declarations.
-  Graph(const gpu::Device& device, PipelineCache& cache, const plan::Plan& plan, scene::GpuScene& scene, Backend backend);
+  Graph(const gpu::Device& device, PipelineCache& cache, const plan::Plan& plan, scene::GpuScene& scene,
+        Backend backend);
 
-  // Takes the place of `previous`, from which it takes over the images and histories that are described alike. A shader
-  // that does not compile keeps the pipeline of the node of that name, if that serves the same interface; what was wrong
-  // is added to `problems`. Throws where nothing serves, and `previous` is as it was.
-  Graph(const gpu::Device& device, PipelineCache& cache, const plan::Plan& plan, scene::GpuScene& scene, Backend backend,
-        Graph& previous, std::vector<std::string>& problems);
+  // Takes the place of `previous`, from which it takes over the images and histories that are described alike. A
+  // shader that does not compile keeps the pipeline of the node of that name, if that serves the same interface; what
+  // was wrong is added to `problems`. Throws where nothing serves or memory runs out, and `previous` is as it was.
+  Graph(const gpu::Device& device, PipelineCache& cache, const plan::Plan& plan, scene::GpuScene& scene,
+        Backend backend, Graph& previous, std::vector<std::string>& problems);
 
   // Draws one frame and waits for it. `on_iteration` (may be empty) is called after each iteration of a loop.
   FrameResult run(const FrameSetup& setup, const std::function<void(int done, int of)>& on_iteration = {});
@@ -100,6 +101,7 @@ class Graph {
   void findPipelines(Graph* previous, std::vector<std::string>* problems);
   void makeImages(Graph* previous);
   gpu::Image takeOver(const plan::VirtualImage& image, const gpu::ImageDesc& desc, Graph& previous);
+  void giveBack(Graph& previous);
   void makeAll(Graph* previous);
   void makeNode(const plan::PlanNode& planned, Node& node);
   void fillSet(const plan::PlanNode& planned, Node& node);
@@ -144,6 +146,7 @@ class Graph {
   std::map<int, gpu::Buffer> read_back_;  // by virtual image
   std::map<int, bool> history_;           // by virtual image: holds an earlier frame
   std::set<std::string> taken_over_;      // histories of a previous graph
+  std::vector<std::pair<size_t, size_t>> taken_slots_;  // this one's, and that of a previous graph it came from
   const std::set<std::string>* wanted_ = nullptr;  // of the frame being drawn
   gpu::Timer timer_;
   std::vector<PendingStamp> stamps_;

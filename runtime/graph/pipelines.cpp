@@ -132,11 +132,28 @@ std::shared_ptr<const NodePipeline> PipelineCache::get(const shader::Interface& 
   // Scenes whose sets are laid out alike share pipelines.
   std::string key = contentKey(in, pass) + "|" + scene.layoutText();
   auto found = made_.find(key);
-  if (found != made_.end()) return found->second;
-  auto made = make(in, pass, scene.setLayout());
-  made_[key] = made;
-  ++compilations_;
-  return made;
+  if (found == made_.end()) {
+    found = made_.emplace(key, Held{make(in, pass, scene.setLayout())}).first;
+    ++compilations_;
+  }
+  found->second.asked = ++questions_;
+  std::shared_ptr<const NodePipeline> pipeline = found->second.pipeline;
+  forgetOldest();
+  return pipeline;
+}
+
+// Hours of edits would fill the memory: every one leaves pipelines behind.
+void PipelineCache::forgetOldest() {
+  constexpr size_t kMost = 512;  // more than all presets of all pipelines have
+  while (made_.size() > kMost) {
+    auto oldest = made_.end();
+    for (auto it = made_.begin(); it != made_.end(); ++it) {
+      bool used = it->second.pipeline.use_count() > 1;
+      if (!used && (oldest == made_.end() || it->second.asked < oldest->second.asked)) oldest = it;
+    }
+    if (oldest == made_.end()) return;
+    made_.erase(oldest);
+  }
 }
 
 static std::vector<VkDescriptorSetLayoutBinding> bindingsOf(const shader::Interface& in) {

@@ -39,7 +39,7 @@ std::vector<Path> shaderFiles(const plan::PassDesc& pass);
 void checkShaders(const plan::Plan& plan, Backend backend, std::set<std::string>& checked);
 
 // Pipelines by the content they come from: the same text compiled the same way is the same pipeline, so nothing stale
-// can be served and nothing is compiled twice.
+// can be served and nothing is compiled twice. Of those nobody uses any more, the last few hundred are kept.
 class PipelineCache {
  public:
   explicit PipelineCache(const gpu::Device& device) : device_(device) {}
@@ -51,8 +51,15 @@ class PipelineCache {
  private:
   std::shared_ptr<const NodePipeline> make(const shader::Interface& interface, const plan::PassDesc& pass,
                                            VkDescriptorSetLayout scene_layout) const;
+  void forgetOldest();
+
+  struct Held {
+    std::shared_ptr<const NodePipeline> pipeline;
+    uint64_t asked = 0;  // at which of all the questions it was asked for last
+  };
   const gpu::Device& device_;
-  std::map<std::string, std::shared_ptr<const NodePipeline>> made_;
+  std::map<std::string, Held> made_;
+  uint64_t questions_ = 0;
   int compilations_ = 0;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How a plan's steps become commands.
+// How a plan's steps become commands, and how those reach the device.
 #include "graph/graph.h"
+
+#include "base/log.h"
 
 namespace strobe::graph {
 
@@ -11,7 +13,8 @@ static VkPipelineStageFlags2 vulkanStages(uint32_t stages) {
   VkPipelineStageFlags2 flags = 0;
   if (stages & plan::kStageCompute) flags |= VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
   if (stages & plan::kStageTrace) flags |= VK_PIPELINE_STAGE_2_RAY_TRACING_SHADER_BIT_KHR;
-  if (stages & plan::kStageFragment) flags |= VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT;
+  if (stages & plan::kStageFragment)
+    flags |= VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT;
   if (stages & plan::kStageDepth)
     flags |= VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
   if (stages & plan::kStageColor) flags |= VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
@@ -149,8 +152,91 @@ void Graph::recordRaster(VkCommandBuffer commands, const PlanNode& planned) {
   vk.CmdBindIndexBuffer(commands, scene_.indexBuffer(), 0, VK_INDEX_TYPE_UINT32);
   const auto& draws = scene_.draws();
   for (uint32_t i = 0; i < draws.size(); ++i)
-    if (draws[i].index_count) vk.CmdDrawIndexed(commands, draws[i].index_count, 1, draws[i].first_index, draws[i].first_vertex, i);
+    if (draws[i].index_count)
+      vk.CmdDrawIndexed(commands, draws[i].index_count, 1, draws[i].first_index, draws[i].first_vertex, i);
   vk.CmdEndRendering(commands);
+}
+
+// Makes what shaders wrote to host memory visible to the host.
+static void recordHostBarrier(const gpu::Device& device, VkCommandBuffer commands) {
+  VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+  barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+  barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+  barrier.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
+  barrier.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
+  VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+  dependency.memoryBarrierCount = 1;
+  dependency.pMemoryBarriers = &barrier;
+  device.vk().CmdPipelineBarrier2(commands, &dependency);
+}
+
+void Graph::submit(const std::vector<const Step*>& steps, int iteration, uint32_t first_slice, uint32_t slice_count) {
+  auto record_builds = [&](VkCommandBuffer commands) {
+    for (uint32_t i = 0; i < slice_count; ++i) scene_.recordBuild(commands, first_slice + i);
+  };
+  if (device_.info().software) submitStepwise(steps, iteration, slice_count, record_builds);
+  else submitStamped(steps, iteration, record_builds);
+  for (Node& node : nodes_) takeCounts(node);
+}
+
+// Of the node that a step runs, "" for other steps.
+std::string Graph::nameOf(const Step& step) const {
+  return step.kind == Step::Kind::Pass ? plan_->pipeline.nodes[size_t(plan_->nodes[size_t(step.index)].node)].name : "";
+}
+
+// A software device compiles a shader when it first runs, which may take ten times as long as it may run.
+static constexpr double kCompilePatience = 10;
+
+// A software device executes when something waits, whatever its time stamps say: one submission per step, by the clock.
+void Graph::submitStepwise(const std::vector<const Step*>& steps, int iteration, uint32_t slice_count,
+                           const Record& record_builds) {
+  double start_s = clockSeconds();
+  if (slice_count > 0) {
+    device_.submit(record_builds);
+    gpu_ms_ += 1000 * (clockSeconds() - start_s);
+  }
+  for (const Step* step : steps) {
+    start_s = clockSeconds();
+    auto record_step = [&](VkCommandBuffer commands) {
+      record(commands, *step, iteration);
+      recordHostBarrier(device_, commands);
+    };
+    bool compiles = step->kind == Step::Kind::Pass && !std::exchange(nodes_[size_t(step->index)].pipeline->ran, true);
+    device_.submit(record_step, nameOf(*step), compiles ? kCompilePatience : 1);
+    double ms = 1000 * (clockSeconds() - start_s);
+    gpu_ms_ += ms;
+    if (step->kind != Step::Kind::Pass) continue;
+    nodes_[size_t(step->index)].gpu_ms += ms;
+    ++nodes_[size_t(step->index)].executions;
+  }
+}
+
+void Graph::submitStamped(const std::vector<const Step*>& steps, int iteration, const Record& record_builds) {
+  stamps_.clear();
+  std::string names;
+  for (const Step* step : steps)
+    if (step->kind == Step::Kind::Pass) names += (names.empty() ? "" : ", ") + nameOf(*step);
+  auto record_all = [&](VkCommandBuffer commands) {
+    timer_.recordReset(commands);
+    timer_.recordStamp(commands);
+    record_builds(commands);
+    for (const Step* step : steps) record(commands, *step, iteration);
+    timer_.recordStamp(commands);
+    recordHostBarrier(device_, commands);
+  };
+  device_.submit(record_all, names);
+  std::vector<double> ms = timer_.readMs();
+  gpu_ms_ += ms.back();
+  for (const PendingStamp& stamp : stamps_) {
+    nodes_[size_t(stamp.node)].gpu_ms += ms[size_t(stamp.end)] - ms[size_t(stamp.begin)];
+    ++nodes_[size_t(stamp.node)].executions;
+  }
+}
+
+// Moves what the device counted into 64 bits, so that a long loop does not overflow.
+void Graph::takeCounts(Node& node) {
+  auto* counted = static_cast<uint32_t*>(node.counters.mapped());
+  for (size_t c = 0; c < node.counts.size(); ++c) node.counts[c] += std::exchange(counted[c], 0u);
 }
 
 }  // namespace strobe::graph
