@@ -14,6 +14,7 @@ namespace strobe::lab {
 
 struct Session::Version {
   std::shared_ptr<HeldScene> scene;
+  std::shared_ptr<scene::GpuScene> on_device;
   graph::Backend backend = graph::Backend::None;
   std::unique_ptr<plan::Plan> plan;
   std::string shape;
@@ -27,6 +28,7 @@ struct Session::Evaluated {
   plan::PipelineDesc pipeline;
   std::vector<script::Dependency> scripts;  // that were read; after a failure, those it read until then
   script::Texts texts;                      // of the scripts
+  std::vector<script::Dependency> refused;  // newest files that failed, where older texts took their place
   std::vector<script::DroppedSetting> dropped;
   std::vector<std::string> problems;
   bool usable = false;
@@ -41,12 +43,13 @@ struct Session::Changes {
 
 struct Session::Pending {
   Changes changes;
+  Shot shot;                         // as it was when the evaluation began
   std::future<Evaluated> evaluated;  // its destructor waits
 };
 
 // ---- evaluation
 
-// The texts of files, where they still are what was evaluated.
+// The texts of files, where they still are what was evaluated; others changed since, and the next look finds out.
 static script::Texts textsOf(const std::vector<script::Dependency>& files, const script::Texts& given) {
   script::Texts texts;
   for (const auto& file : files) {
@@ -58,9 +61,10 @@ static script::Texts textsOf(const std::vector<script::Dependency>& files, const
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file.path, ignored)) continue;
     try {
-      texts[file.path] = readText(file.path);
+      std::string text = readText(file.path);
+      if (hashText(text) == file.hash) texts[file.path] = std::move(text);
     } catch (const Error&) {
-      continue;  // gone since: the next look at the files finds out
+      continue;
     }
   }
   return texts;
@@ -72,10 +76,11 @@ Session::Evaluated Session::evaluate(const Shot& shot, const script::Texts& text
   double started_s = clockSeconds();
   try {
     script::PipelineRequest request{shot.pipeline, shot.sets, texts};
-    evaluated.pipeline = script::evaluatePipeline(request, &evaluated.scripts, limits, lenient ? &evaluated.dropped : nullptr);
+    auto* dropped = lenient ? &evaluated.dropped : nullptr;
+    evaluated.pipeline = script::evaluatePipeline(request, &evaluated.scripts, limits, dropped);
     evaluated.texts = textsOf(evaluated.scripts, texts);
     evaluated.usable = true;
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {  // an `Error`, or a folder that goes while it is listed
     evaluated.problems.push_back(error.what());
   }
   evaluated.ms = 1000 * (clockSeconds() - started_s);
@@ -109,7 +114,7 @@ Session::Evaluated Session::evaluateAround(const Shot& shot, const script::Texts
     problems.insert(problems.end(), around.problems.begin(), around.problems.end());
     if (!around.usable) continue;
     around.problems = problems;
-    around.scripts.insert(around.scripts.end(), newest.scripts.begin(), newest.scripts.end());
+    around.refused = newest.scripts;
     around.ms = ms;
     return around;
   }
@@ -120,7 +125,8 @@ Session::Evaluated Session::evaluateAround(const Shot& shot, const script::Texts
 
 // ---- versions
 
-std::unique_ptr<Session::Version> Session::build(const Shot& shot, Evaluated evaluated, std::vector<std::string>* problems) {
+std::unique_ptr<Session::Version> Session::build(const Shot& shot, Evaluated evaluated,
+                                                 std::vector<std::string>* problems) {
   auto version = std::make_unique<Version>();
   Shot filled = shot;
   version->scene = bench_.scene(filled);
@@ -135,8 +141,7 @@ std::unique_ptr<Session::Version> Session::build(const Shot& shot, Evaluated eva
                                          : plan::hashOf(planOf(untapped, evaluated.pipeline, version->backend));
 
   uint32_t slices = SLICE_SAMPLE + graph::Graph::sampleSlices(*version->plan);
-  auto& on_device = version->scene->on_device[slices];
-  if (!on_device) on_device = std::make_unique<scene::GpuScene>(bench_.device(), version->scene->loaded.scene, slices);
+  version->on_device = version->scene->onDevice(bench_.device(), slices);
 
   bool same_shape = !problems && running_ && running_->shape == version->shape && running_->scene == version->scene &&
                     running_->backend == version->backend;
@@ -145,12 +150,13 @@ std::unique_ptr<Session::Version> Session::build(const Shot& shot, Evaluated eva
     version->graph->setParams(*version->plan);
     return version;
   }
-  std::vector<std::string> kept_going;
+  const gpu::Device& device = bench_.device();
+  std::vector<std::string> known;  // told when they were found
   if (running_) {
-    version->graph = std::make_unique<graph::Graph>(bench_.device(), bench_.pipelines(), *version->plan, *on_device,
-                                                    version->backend, *running_->graph, problems ? *problems : kept_going);
+    version->graph = std::make_unique<graph::Graph>(device, bench_.pipelines(), *version->plan, *version->on_device,
+                                                    version->backend, *running_->graph, problems ? *problems : known);
   } else {
-    version->graph = std::make_unique<graph::Graph>(bench_.device(), bench_.pipelines(), *version->plan, *on_device,
+    version->graph = std::make_unique<graph::Graph>(device, bench_.pipelines(), *version->plan, *version->on_device,
                                                     version->backend);
   }
   return version;
@@ -256,18 +262,18 @@ void Session::set(const std::string& name, const std::string& value, const std::
   }
   if (concernsTheFrameAlone(name)) shot_ = shot;
   else apply(shot);
-  origins_[name] = origin;
+  for (const char* side : {"width", "height"})
+    if (name == "size") origins_[side] = origin;
+  if (name != "size") origins_[name] = origin;
 }
 
 void Session::unset(const std::string& name) {
   Shot shot = shot_, fresh;
   std::erase_if(shot.sets, [&](const auto& set) { return set.first == name; });
-  fresh.fps = 0;
   if (const ShotOption* option = findOption(name)) {
     // What the scene suggests, else the default.
     fresh.scene = shot.scene;
-    fresh.sets = shot.sets;
-    bench_.scene(fresh);
+    fillShot(fresh, running_->scene->loaded.description);
     option->set(shot, option->get(fresh));
   } else if (name == "view") {
     shot.view.reset();
@@ -302,9 +308,10 @@ std::vector<Control> Session::controls() const {
   };
   Shot defaults;
   for (const ShotOption& option : shotOptions()) {
-    Control control{declarationOf(option, scene()), option.get(shot_), "shot", origin_of(option.declaration.name), "", false};
+    const std::string& name = option.declaration.name;
+    Control control{declarationOf(option, scene()), option.get(shot_), "shot", origin_of(name), "", false};
     control.set = !control.origin.empty();
-    bool first_camera = option.declaration.name == "camera" && shot_.camera.empty() && !control.declaration.choices.empty();
+    bool first_camera = name == "camera" && shot_.camera.empty() && !control.declaration.choices.empty();
     if (first_camera) control.value = scene().nodes[size_t(scene::cameraNode(scene(), ""))].name;
     if (!control.set) control.origin = option.get(shot_) == option.get(defaults) ? "default" : given_by_ + " or scene";
     controls.push_back(control);
@@ -313,10 +320,11 @@ std::vector<Control> Session::controls() const {
   const plan::PipelineDesc& pipeline = running_->plan->pipeline;
   std::string preset;
   for (const auto& [name, value] : pipeline.values)
-    if (name == "preset") preset = std::get<std::string>(value);
+    if (const auto* text = std::get_if<std::string>(&value); text && name == "preset") preset = *text;
   for (size_t i = 0; i < pipeline.params.size(); ++i) {
     const plan::ParamDesc& declared = pipeline.params[i];
-    auto value = std::find_if(pipeline.values.begin(), pipeline.values.end(), [&](const auto& v) { return v.first == declared.name; });
+    auto value = std::find_if(pipeline.values.begin(), pipeline.values.end(),
+                              [&](const auto& v) { return v.first == declared.name; });
     Control control{declared, value->second, "pipeline", origin_of(declared.name), declared.place.text(), false};
     control.set = !control.origin.empty();
     bool by_preset = !preset.empty() && !(value->second == declared.default_value);
@@ -331,7 +339,8 @@ std::vector<Control> Session::controls() const {
       control.declaration.name = described.name + "." + pass.params[i].name;
       control.origin = origin_of(control.declaration.name);
       control.set = !control.origin.empty();
-      auto bound = std::find_if(described.params.begin(), described.params.end(), [&](const auto& b) { return b.first == pass.params[i].name; });
+      auto bound = std::find_if(described.params.begin(), described.params.end(),
+                                [&](const auto& b) { return b.first == pass.params[i].name; });
       if (!control.set && bound != described.params.end() && !bound->second.follows.empty())
         control.origin = "follows " + bound->second.follows;
       else if (!control.set)
@@ -353,6 +362,7 @@ static void noteFile(std::map<Path, std::string>& tried, const Path& file) {
 void Session::rememberFiles(const std::vector<script::Dependency>& more) {
   for (const auto& file : more) tried_[file.path] = file.hash;
   if (!running_) return;
+  for (const auto& file : running_->scripts) tried_.emplace(file.path, file.hash);
   for (const auto& node : running_->plan->nodes) {
     for (const Path& file : graph::shaderFiles(running_->plan->pipeline.passes[size_t(node.pass)])) {
       std::vector<Path> reached = {file};
@@ -367,6 +377,13 @@ void Session::rememberFiles(const std::vector<script::Dependency>& more) {
   for (const auto& [node, pipeline] : running_->graph->pipelines())
     for (const Path& file : pipeline->files) noteFile(tried_, file);
   for (const auto& file : running_->scene->loaded.dependencies) tried_.emplace(file.path, file.hash);
+  if (watch_) watchFolders();
+}
+
+void Session::watchFolders() {
+  for (const char* folder : {"passes", "shaders", "scripts"}) watch_->add(homeFolder() / folder);
+  for (const auto* files : {&running_->scripts, &running_->scene->loaded.dependencies})
+    for (const auto& file : *files) watch_->addFlat(file.path.parent_path());
 }
 
 Session::Changes Session::lookAtFiles() {
@@ -393,15 +410,19 @@ std::optional<Reload> Session::reload(bool wait) {
   bool first = !watch_;
   if (first) {
     watch_ = std::make_unique<Watch>();
-    for (const char* folder : {"passes", "shaders", "scripts"}) watch_->add(homeFolder() / folder);
-    for (const auto* files : {&running_->scripts, &running_->scene->loaded.dependencies})
-      for (const auto& file : *files) watch_->add(file.path.parent_path());
+    watchFolders();
   }
   if (pending_) {
     bool done = wait || pending_->evaluated.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
     if (!done) return std::nullopt;
     std::unique_ptr<Pending> pending = std::move(pending_);
-    return replace(shot_, pending->evaluated.get(), std::move(pending->changes));
+    Evaluated evaluated = pending->evaluated.get();
+    // Values set in the meantime are not in what was evaluated.
+    bool overtaken = shot_.pipeline != pending->shot.pipeline || shot_.sets != pending->shot.sets;
+    if (!overtaken) return replace(shot_, std::move(evaluated), std::move(pending->changes));
+    if (wait) return replace(shot_, evaluateAround(shot_, running_->texts, bench_.limits), std::move(pending->changes));
+    evaluateInBackground(std::move(pending->changes));
+    return std::nullopt;
   }
   bool event = watch_->changed();
   if (!event && !first && !wait) return std::nullopt;
@@ -419,20 +440,24 @@ std::optional<Reload> Session::reload(bool wait) {
     return replace(shot_, std::move(same), std::move(changes));
   }
   if (wait) return replace(shot_, evaluateAround(shot_, running_->texts, bench_.limits), std::move(changes));
-  auto evaluation = [shot = shot_, texts = running_->texts, limits = bench_.limits] {
-    return evaluateAround(shot, texts, limits);
-  };
-  pending_ = std::make_unique<Pending>(Pending{std::move(changes), std::async(std::launch::async, evaluation)});
+  evaluateInBackground(std::move(changes));
   return std::nullopt;
 }
 
-// The scene as its files are now; where they fail, the one that runs.
-std::shared_ptr<HeldScene> Session::reloadedScene(Shot& shot, std::vector<std::string>& problems) {
+void Session::evaluateInBackground(Changes changes) {
+  auto evaluation = [shot = shot_, texts = running_->texts, limits = bench_.limits] {
+    return evaluateAround(shot, texts, limits);
+  };
+  pending_ = std::make_unique<Pending>(
+      Pending{std::move(changes), shot_, std::async(std::launch::async, evaluation)});
+}
+
+// Has the bench hold the scene as its files are now; where they fail, it goes on holding the one that runs.
+void Session::reloadScene(Shot& shot, std::vector<std::string>& problems) {
   try {
-    return bench_.scene(shot, true);
+    bench_.scene(shot, true);
   } catch (const Error& error) {
     problems.push_back(error.what());
-    return running_->scene;
   }
 }
 
@@ -449,6 +474,7 @@ Reload Session::replace(Shot shot, Evaluated evaluated, Changes changes) {
   told.problems = evaluated.problems;
   script_problem_ = !evaluated.problems.empty();
   std::vector<script::Dependency> tried = evaluated.scripts;
+  tried.insert(tried.end(), evaluated.refused.begin(), evaluated.refused.end());
   if (!evaluated.usable) {
     evaluated.pipeline = running_->plan->pipeline;
     evaluated.scripts = running_->scripts;
@@ -468,7 +494,7 @@ Reload Session::replace(Shot shot, Evaluated evaluated, Changes changes) {
     if (image.history) histories.push_back(image.name);
   std::vector<std::string> problems;
   try {
-    if (changes.scene) reloadedScene(shot, problems);
+    if (changes.scene) reloadScene(shot, problems);
     dropLostTaps(shot, evaluated.pipeline);
     auto version = build(shot, std::move(evaluated), &problems);
     for (const auto& [node, pipeline] : version->graph->pipelines()) {
@@ -515,11 +541,11 @@ Reload Session::usePipeline(const std::string& name_or_path) {
     origins_.erase(dropped.name);
   }
   std::vector<script::Dependency> tried = evaluated.scripts;
-  running_ = build(shot, std::move(evaluated), nullptr);
+  running_ = build(shot, std::move(evaluated), &told.problems);
   shot_ = shot;
   for (const auto& [name, value] : shot_.sets) told.kept.push_back(name + " = " + value);
   told.swapped = true;
-  problems_.clear();
+  problems_ = told.problems;
   script_problem_ = false;
   rememberFiles(tried);
   return told;
@@ -566,6 +592,7 @@ graph::FrameResult Session::draw(const std::set<std::string>* wanted, const std:
   frame.wanted = wanted;
   return running_->graph->run(frame, progress);
 }
+
 // Offset of sub-pixel sample i of n from the pixel's centre: a rank-1 lattice, one sample is the centre.
 static vec2 subpixelOffset(int i, int n) {
   if (n == 1) return vec2(0);
@@ -634,7 +661,8 @@ Picture Session::capture(const std::function<void(int, int)>& progress) {
 
   dmat4 camera_from_world = glm::inverse(frame_setup.pose_at(frame_setup.capture_s).world_from_camera);
   picture.camera_from_world = mat4(camera_from_world);
-  picture.ndc_from_world = mat4(ndcFromCamera(frame_setup.camera, double(shot_.width) / shot_.height) * camera_from_world);
+  double aspect = double(shot_.width) / shot_.height;
+  picture.ndc_from_world = mat4(ndcFromCamera(frame_setup.camera, aspect) * camera_from_world);
   std::vector<script::Dependency> dependencies = running_->scripts;
   const auto& of_scene = running_->scene->loaded.dependencies;
   dependencies.insert(dependencies.end(), of_scene.begin(), of_scene.end());

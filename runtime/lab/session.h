@@ -93,12 +93,14 @@ class Session {
 
   static Evaluated evaluate(const Shot& shot, const script::Texts& texts, const script::Limits& limits, bool lenient);
   static Evaluated evaluateAround(const Shot& shot, const script::Texts& good, const script::Limits& limits);
+  void evaluateInBackground(Changes changes);
   std::unique_ptr<Version> build(const Shot& shot, Evaluated evaluated, std::vector<std::string>* problems);
-  std::shared_ptr<HeldScene> reloadedScene(Shot& shot, std::vector<std::string>& problems);
+  void reloadScene(Shot& shot, std::vector<std::string>& problems);
   void apply(const Shot& shot);
   Reload replace(Shot shot, Evaluated evaluated, Changes changes);
   Changes lookAtFiles();
   void rememberFiles(const std::vector<script::Dependency>& tried);
+  void watchFolders();
   graph::FrameSetup setup() const;
 
   Workbench& bench_;

@@ -21,7 +21,7 @@ static double suggested(const Json& description, const char* name, double otherw
   return description["shot"][name].get<double>();
 }
 
-static void fillShot(Shot& shot, const Json& description) {
+void fillShot(Shot& shot, const Json& description) {
   if (shot.width == 0) {
     shot.width = int(suggested(description, "width", 960));
     shot.height = int(suggested(description, "height", 540));
@@ -67,6 +67,16 @@ LoadedScene loadScene(Shot& shot) {
     loaded.scene.motions.push_back(scene::spinFromOption(loaded.scene, spin, shot.fps, shot.restTime()));
   scene::supplyDefaults(loaded.scene, shot.camera);
   return loaded;
+}
+
+// A copy is as large as the scene: a dragged slider that asks for one number after the other must not leave them all.
+std::shared_ptr<scene::GpuScene> HeldScene::onDevice(const gpu::Device& device, uint32_t slices) {
+  std::shared_ptr<scene::GpuScene>& wanted = on_device[slices];
+  if (!wanted) wanted = std::make_shared<scene::GpuScene>(device, loaded.scene, slices);
+  std::shared_ptr<scene::GpuScene> copy = wanted;
+  for (auto it = on_device.begin(); it != on_device.end() && on_device.size() > 2;)
+    it = it->second.use_count() == 1 ? on_device.erase(it) : std::next(it);
+  return copy;
 }
 
 plan::Plan planOf(const Shot& shot, const plan::PipelineDesc& pipeline, graph::Backend backend) {

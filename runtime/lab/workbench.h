@@ -22,10 +22,16 @@ struct LoadedScene {
 // Reads the scene, fills in what the shot left open from it (size, fps, frame, exposure), applies --move and --spin.
 LoadedScene loadScene(Shot& shot);
 
-// A loaded scene and its copies on the device, one for each number of times it is posed at once.
+// Fills in what the shot left open (size, fps, frame, exposure) from what describes its scene.
+void fillShot(Shot& shot, const Json& description);
+
+// A loaded scene and its copies on the device, by how many times they can be posed at once. A copy must not outlive it.
 struct HeldScene {
   LoadedScene loaded;
-  std::map<uint32_t, std::unique_ptr<scene::GpuScene>> on_device;
+  std::map<uint32_t, std::shared_ptr<scene::GpuScene>> on_device;
+
+  // The copy for so many poses, made unless it is there. Copies that nobody uses go, but for one.
+  std::shared_ptr<scene::GpuScene> onDevice(const gpu::Device& device, uint32_t slices);
 };
 
 // One picture, its record and its timings.

@@ -151,6 +151,20 @@ TEST_F(Live, EditsAreTakenInAndMistakesShownOverTheLastGoodFrame) {
   EXPECT_EQ(greenPixels(mended), greenPixels(edited));
 }
 
+// The trail of a pixel is followed on the newest files, which may be broken.
+TEST_F(Live, ABrokenScriptUnderAPinnedPixelDoesNotCloseTheWindow) {
+  std::string own = folder_ / "own.lua", good = folder_ / "good.lua", broken = folder_ / "broken.lua";
+  std::string text = readText(homeFolder() / "scripts/pipelines/mcguire2012.lua");
+  writeText(own, text);
+  writeText(good, text + "\n-- mended\n");
+  writeText(broken, text + "\nthis is no Lua\n");
+  Outcome outcome =
+      drive("inspect 3 3\nproblems no\nreplace " + own + " " + broken + "\nreloaded\nframe 2\nwait 3\nproblems yes\n" +
+                "replace " + own + " " + good + "\nreloaded\nframe 1\nwait 3\nproblems no\nquit\n",
+            own);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
 TEST_F(Live, TwoPipelinesAreComparedUnderOneClock) {
   std::string names[] = {"wipe", "difference", "error"};
   std::string commands = "frame 2\n";

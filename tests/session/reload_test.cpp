@@ -224,6 +224,38 @@ TEST_F(ReloadTest, ValuesSurviveByNameAndType) {
   expectColdStart(session, "values");
 }
 
+TEST_F(ReloadTest, WhatIsSetWhileAnEditIsEvaluatedStays) {
+  Session session(bench(), smallShot("mcguire2012"));
+  session.reload(false);
+  const char* file = "scripts/pipelines/lib/options.lua";
+  home_.edit(file, "samples      = pipeline.int { 16", "samples      = pipeline.int { 12");
+  EXPECT_FALSE(session.reload(false)) << "it is evaluated in the background";
+  session.set("samples", "8", "window");
+  std::string of_eight = colorHash(session);
+  awaited(session);
+  EXPECT_EQ(colorHash(session), of_eight);
+  expectColdStart(session, "a value");
+  // Another pipeline is not taken back either.
+  home_.edit(file, "samples      = pipeline.int { 12", "samples      = pipeline.int { 10");
+  EXPECT_FALSE(session.reload(false));
+  session.usePipeline("ue4");
+  awaited(session);
+  EXPECT_EQ(session.plan().pipeline.name, "ue4");
+  expectColdStart(session, "a pipeline");
+}
+
+TEST_F(ReloadTest, AFileOutsideOfTheHomeIsWatchedToo) {
+  Session session(bench(), smallShot("mcguire2012"));
+  session.reload(false);
+  home_.write("own/mine.lua", home_.read("scripts/pipelines/mcguire2012.lua"));
+  session.usePipeline(home_.path("own/mine.lua").string());
+  std::string before = session.plan().pipeline.doc;
+  EXPECT_FALSE(session.reload(false));
+  home_.edit("own/mine.lua", before, "Another text.");
+  awaited(session);
+  EXPECT_EQ(session.plan().pipeline.doc, "Another text.");
+}
+
 TEST_F(ReloadTest, ANewFileOfAFamilyIsANewChoice) {
   Session session(bench(), smallShot("hybrid"));
   session.reload(false);
