@@ -87,15 +87,20 @@ void Desk::changed(Side& side, int compilations_before) {
 
 static bool isOfShot(const lab::Control& control) { return control.group == "shot"; }
 
-// B has its own pipeline and that pipeline's values; everything else is A's.
+// B has its own pipeline and that pipeline's values; everything else is A's, as far as B can have it.
 void Desk::follow() {
   if (!b_.session) return;
   std::map<std::string, plan::Value> values_b;
   for (const lab::Control& control : b_.session->controls()) values_b[control.declaration.name] = control.value;
   int compiled = bench_.compilations();
   auto take = [&](const std::string& name, const std::string& value) {
-    b_.session->set(name, value, "A");
-    b_.stale = true;
+    try {
+      b_.session->set(name, value, "A");
+      refusals_.erase({true, name});
+      b_.stale = true;
+    } catch (const Error& error) {
+      refuse(true, name, error.what());
+    }
   };
   for (const lab::Control& control : a_.session->controls()) {
     auto found = values_b.find(control.declaration.name);
@@ -292,11 +297,13 @@ void Desk::pin(int x, int y) {
     throw Error(fmt::format("pixel {} {} lies outside of {}x{}", x, y, shot.width, shot.height));
   pinned_ = {x, y};
   refreshTrail();
+  if (!trail_problem_.empty()) throw Error(trail_problem_);
 }
 
 void Desk::unpin() {
   pinned_.reset();
   trail_.reset();
+  trail_problem_.clear();
 }
 
 // ---- turns
@@ -365,6 +372,7 @@ std::vector<std::string> Desk::problems() const {
   std::vector<std::string> all = a_.session->problems();
   if (!a_.problem.empty()) all.push_back(a_.problem);
   if (!truth_problem_.empty() && gathersTruth()) all.push_back("truth: " + truth_problem_);
+  if (!trail_problem_.empty()) all.push_back("trail: " + trail_problem_);
   if (!b_.session) return all;
   std::vector<std::string> more = b_.session->problems();
   if (!b_.problem.empty()) more.push_back(b_.problem);
@@ -390,14 +398,15 @@ std::string Desk::truthKey() const { return lab::toJson(truthShot(a_.session->sh
 int Desk::truthSamples() const { return truth_key_ == truthKey() ? truth_.samples() : 0; }
 
 bool Desk::gatherTruth() {
-  if (truthKey() != truth_key_) {
-    truth_.restart(a_.session->shot());
-    truth_problem_.clear();
-    truth_key_ = truthKey();
-  }
-  if (truthSamples() >= kTruthSamples || !truth_problem_.empty()) return false;
+  bool anew = truthKey() != truth_key_;
+  if (!anew && (truthSamples() >= kTruthSamples || !truth_problem_.empty())) return false;
   double started_s = clockSeconds();
   try {
+    if (anew) {
+      truth_problem_.clear();
+      truth_key_ = truthKey();
+      truth_.restart(a_.session->shot());
+    }
     while (truth_.step() && clockSeconds() - started_s < kTruthBudget_s) continue;
   } catch (const Error& error) {
     truth_problem_ = error.what();
@@ -415,12 +424,18 @@ std::optional<double> Desk::errorOf(const Side& side) const {
   return image::rootMeanSquaredError(side.color, truth_.mean());
 }
 
+// A value that B refuses, or a frame that could not be drawn, leaves the two with pictures of different sizes.
+static bool sameFrame(const Side& a, const Side& b) {
+  const lab::Shot &of_a = a.session->shot(), &of_b = b.session->shot();
+  return of_a.width == of_b.width && of_a.height == of_b.height;
+}
+
 image::Image Desk::errorPicture() const {
   const image::Image& mean = truth_.mean();
   auto errors = [&](const Side& side) {
     return sameSize(side.color, mean) ? difference(side.color, mean, look_.gain) : shownSide(side);
   };
-  if (!b_.session) return errors(a_);
+  if (!b_.session || !sameFrame(a_, b_)) return errors(a_);
   return wiped(errors(a_), errors(b_), look_.wipe);
 }
 
@@ -430,11 +445,17 @@ void Desk::refreshTrail() {
   auto [x, y] = *pinned_;
   const lab::Shot& shot = a_.session->shot();
   if (x >= shot.width || y >= shot.height) return unpin();
-  trail_ = lab::follow(bench_, shot, x, y).trail;
+  trail_.reset();
+  trail_problem_.clear();
+  try {
+    trail_ = lab::follow(bench_, shot, x, y).trail;
+  } catch (const Error& error) {
+    trail_problem_ = error.what();
+  }
 }
 
 Json Desk::trailJson() const {
-  if (!trail_) throw Error("no pixel is pinned");
+  if (!trail_) throw Error(trail_problem_.empty() ? "no pixel is pinned" : trail_problem_);
   return lab::toJson(*trail_);
 }
 
@@ -502,8 +523,10 @@ const image::Image& Desk::picture(int window_frame) {
 
 image::Image Desk::compose(int window_frame) const {
   bool both = b_.session && !a_.color.empty() && !b_.color.empty();
-  if (look_.mode == Mode::Wipe && both) return wiped(shownSide(a_), shownSide(b_), look_.wipe);
-  if (look_.mode == Mode::Difference && both) return difference(a_.color, b_.color, look_.gain);
+  if (look_.mode == Mode::Wipe && both && sameFrame(a_, b_))
+    return wiped(shownSide(a_), shownSide(b_), look_.wipe);
+  if (look_.mode == Mode::Difference && both && sameSize(a_.color, b_.color))
+    return difference(a_.color, b_.color, look_.gain);
   if (look_.mode == Mode::Error) return errorPicture();
   return shownSide(flickering(window_frame));
 }

@@ -167,6 +167,7 @@ class Desk {
   std::string truth_key_, truth_problem_;
   int truth_wanted_ = 0;
   std::optional<lab::Trail> trail_;
+  std::string trail_problem_;
   std::optional<std::pair<int, int>> pinned_;
   std::optional<lab::Reload> last_reload_;
   int reloads_ = 0;

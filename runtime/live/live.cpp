@@ -225,9 +225,12 @@ void Live::drawWindow() {
   image::Image shot;
   bool done = surface_.show(*ImGui::GetDrawData(), width, height, screenshot_ ? &shot : nullptr);
   if (!screenshot_ || !done) return;
-  image::writePng(*screenshot_, shot);
-  if (!drive_) state_.say("saved " + screenshot_->string());
-  screenshot_.reset();
+  Path file = *std::exchange(screenshot_, {});
+  if (drive_) return image::writePng(file, shot);
+  attempt(state_, [&] {
+    image::writePng(file, shot);
+    state_.say("saved " + file.string());
+  });
 }
 
 void Live::turn() {

@@ -246,10 +246,11 @@ void trailPart(const Fonts& fonts, Desk& desk, PanelState& state) {
   if (!desk.pinned()) return;
   auto [x, y] = *desk.pinned();
   heading(fonts, fmt::format("Pixel {}, {}", x, y).c_str());
-  if (ImGui::Button("copy as JSON")) {
-    ImGui::SetClipboardText(desk.trailJson().dump(2).c_str());
-    state.say("copied the trail of the pixel");
-  }
+  if (ImGui::Button("copy as JSON"))
+    attempt(state, [&] {
+      ImGui::SetClipboardText(desk.trailJson().dump(2).c_str());
+      state.say("copied the trail of the pixel");
+    });
   ImGui::SameLine();
   if (ImGui::Button("let go")) return desk.unpin();
   ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollY;

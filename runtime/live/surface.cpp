@@ -64,6 +64,19 @@ void recordBarrier(const gpu::Device& device, VkCommandBuffer commands, const Vk
   device.vk().CmdPipelineBarrier2(commands, &dependency);
 }
 
+// Makes what was copied to host memory visible to the host.
+void recordHostRead(const gpu::Device& device, VkCommandBuffer commands) {
+  VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+  barrier.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
+  barrier.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+  barrier.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
+  barrier.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
+  VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+  dependency.memoryBarrierCount = 1;
+  dependency.pMemoryBarriers = &barrier;
+  device.vk().CmdPipelineBarrier2(commands, &dependency);
+}
+
 std::vector<uint8_t> toRgba8(const image::Image& display) {
   STROBE_ASSERT(display.channels == 3, "{} channels", display.channels);
   size_t pixels = size_t(display.width) * size_t(display.height);
@@ -158,6 +171,7 @@ void Surface::makePipeline() {
 std::unique_ptr<Texture> Surface::makeTexture(const std::string& name, uint32_t width, uint32_t height,
                                               VkSampler sampler) {
   auto texture = std::make_unique<Texture>();
+  texture->sampler_ = sampler;
   VkImageUsageFlags usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
   texture->image_ = gpu::Image(device_, name, {VK_FORMAT_R8G8B8A8_UNORM, width, height, 1, usage});
   texture->staging_ = gpu::Buffer(device_, name + ".staging", size_t(width) * height * 4, 0, gpu::Buffer::Memory::Host);
@@ -199,8 +213,9 @@ void Surface::fill(Texture& texture, const void* rgba) {
 
 void Surface::upload(std::unique_ptr<Texture>& texture, const std::string& name, const image::Image& display,
                      bool smooth) {
-  bool fits = texture && texture->width() == display.width && texture->height() == display.height;
   VkSampler sampler = smooth ? linear_.get() : nearest_.get();
+  bool fits = texture && texture->width() == display.width && texture->height() == display.height &&
+              texture->sampler_ == sampler;
   if (!fits) texture = makeTexture(name, uint32_t(display.width), uint32_t(display.height), sampler);
   fill(*texture, toRgba8(display).data());
 }
@@ -317,6 +332,7 @@ void Surface::record(VkCommandBuffer commands, const ImDrawData& frame, const gp
     copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
     copy.imageExtent = {swapchain_.extent().width, swapchain_.extent().height, 1};
     vk.CmdCopyImageToBuffer(commands, target.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, shot->handle(), 1, &copy);
+    recordHostRead(device_, commands);
     end = imageBarrier(target.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR);
     end.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
   }

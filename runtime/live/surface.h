@@ -29,6 +29,7 @@ class Texture {
   friend class Surface;
   gpu::Image image_;
   gpu::Buffer staging_;
+  VkSampler sampler_ = VK_NULL_HANDLE;  // the surface's
   gpu::Owned<VkDescriptorPool> pool_;
   VkDescriptorSet set_ = VK_NULL_HANDLE;
 };
@@ -38,8 +39,8 @@ class Surface {
   // Takes over `surface`. An ImGui context with its fonts must be current. Throws `Error`.
   Surface(const gpu::Device& device, VkSurfaceKHR surface, int width, int height);
 
-  // Puts a display image (sRGB-encoded, three channels) into `texture`, making it anew where the size is another.
-  // `smooth`: enlarged with a linear filter instead of as squares.
+  // Puts a display image (sRGB-encoded, three channels) into `texture`, making it anew where size or filter is another.
+  // `smooth`: scaled with a linear filter instead of as squares.
   void upload(std::unique_ptr<Texture>& texture, const std::string& name, const image::Image& display, bool smooth);
 
   // Draws ImGui's frame and shows it. With `shot`, that becomes what the window shows. False where nothing could be
