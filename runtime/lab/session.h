@@ -62,8 +62,8 @@ class Session {
   // What keeps the newest files from running; empty while all of them run.
   const std::vector<std::string>& problems() const;
 
-  // Changes a value: an option of the shot, PARAM of the pipeline, NODE.PARAM or scene.PARAM, as typed on a command line.
-  // Throws `Error` (unknown name with the nearest, wrong value, a graph that cannot be built); then nothing changed.
+  // Changes a value: an option of the shot, PARAM of the pipeline, NODE.PARAM or scene.PARAM, as typed on a command
+  // line. Throws `Error` (unknown name with the nearest, wrong value, a graph that cannot be built); then nothing changed.
   void set(const std::string& name, const std::string& value, const std::string& origin);
   // Gives the value back to preset, scene or default.
   void unset(const std::string& name);
@@ -74,9 +74,9 @@ class Session {
   // Every "node.port" the plan holds, in order of execution.
   std::vector<std::string> ports() const;
 
-  // Looks whether files changed and brings what is sound up to date. Without `wait`, Lua is evaluated in the background:
-  // nothing is returned until a later call finds it done. Nothing is returned when nothing changed. Never throws for what
-  // users write.
+  // Looks whether files changed and brings what is sound up to date. Without `wait`, Lua is evaluated in the
+  // background: nothing is returned until a later call finds it done, on the values as they are then. Nothing is
+  // returned when nothing changed. Never throws for what users write.
   std::optional<Reload> reload(bool wait);
 
   // Draws the frame as it stands, reading back the outputs ("color") and taps ("node.port") named; null: all.
