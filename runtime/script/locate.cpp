@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 
 namespace strobe::script {
 
@@ -109,6 +110,16 @@ struct Found {
   int line = 0;     // of the last of them
 };
 
+// Of a source once, however often it is asked about: a script child looks up hundreds of fields in a few dozen files.
+const std::vector<Token>& tokensOf(std::string_view source) {
+  static std::map<std::string, std::vector<Token>, std::less<>> known;
+  auto found = known.find(source);
+  if (found != known.end()) return found->second;
+  auto added = known.emplace(source, std::vector<Token>()).first;
+  added->second = Lexer(added->first).tokens();
+  return added->second;
+}
+
 // Follows `path` from its key number `done` on through the table that opens at tokens[open].
 Found searchTable(const std::vector<Token>& tokens, size_t open, const std::vector<std::string>& path, size_t done) {
   Found found{done, tokens[open].line};
@@ -131,7 +142,7 @@ Found searchTable(const std::vector<Token>& tokens, size_t open, const std::vect
 }  // namespace
 
 int lineOfKey(std::string_view source, int line, const std::vector<std::string>& path) {
-  std::vector<Token> tokens = Lexer(source).tokens();
+  const std::vector<Token>& tokens = tokensOf(source);
   auto isTable = [](const Token& token) { return !token.word && token.text == "{"; };
   auto opensOn = [&](int on) {
     return std::any_of(tokens.begin(), tokens.end(), [&](const Token& t) { return t.line == on && isTable(t); });
@@ -147,7 +158,7 @@ int lineOfKey(std::string_view source, int line, const std::vector<std::string>&
 }
 
 int lineOfReturn(std::string_view source, int first, int last, const std::vector<std::string>& path) {
-  std::vector<Token> tokens = Lexer(source).tokens();
+  const std::vector<Token>& tokens = tokensOf(source);
   int best = 0;
   for (size_t i = 0; i < tokens.size(); ++i) {
     if (!tokens[i].word || tokens[i].text != "return" || tokens[i].line < first || tokens[i].line > last) continue;
@@ -160,7 +171,7 @@ int lineOfReturn(std::string_view source, int first, int last, const std::vector
 }
 
 bool readsField(std::string_view source, std::string_view name) {
-  std::vector<Token> tokens = Lexer(source).tokens();
+  const std::vector<Token>& tokens = tokensOf(source);
   for (size_t i = 1; i < tokens.size(); ++i) {
     bool named = tokens[i].word && tokens[i].text == name;
     bool of_something = tokens[i - 1].text == "." && (i < 2 || tokens[i - 2].text != ".");
