@@ -379,8 +379,7 @@ void Session::watchFolders() {
 Session::Changes Session::lookAtFiles() {
   Changes changes;
   double started_s = clockSeconds();
-  auto is_of_scene = [this](const Path& path) {
-    const auto& files = running_->scene->loaded.dependencies;
+  auto is_among = [](const std::vector<script::Dependency>& files, const Path& path) {
     return std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.path == path; });
   };
   for (auto& [path, hash] : tried_) {
@@ -388,9 +387,11 @@ Session::Changes Session::lookAtFiles() {
     if (now == hash) continue;
     hash = now;
     changes.files.push_back(displayPath(path));
-    bool scene = is_of_scene(path);
+    // The library is of both; what is of neither was part of an attempt that failed.
+    bool scene = is_among(running_->scene->loaded.dependencies, path);
+    bool shader = path.extension() == ".glsl" || path.extension() == ".h";
     changes.scene |= scene;
-    changes.scripts |= path.extension() != ".glsl" && path.extension() != ".h" && !scene;
+    changes.scripts |= is_among(running_->scripts, path) || (!scene && !shader);
   }
   changes.ms = 1000 * (clockSeconds() - started_s);
   return changes;
