@@ -13,7 +13,7 @@ void registerHelp(CLI::App& program) {
   auto topic = std::make_shared<std::string>();
   auto folder = std::make_shared<std::string>();
   CLI::App* command = program.add_subcommand("help", "What a pass, a pipeline or a parameter does and where it fails");
-  const char* topics = "PASS, PIPELINE, PASS.PARAM or PIPELINE.PARAM (default: lists them)";
+  const char* topics = "PASS, PIPELINE, PASS.PARAM, PIPELINE.PARAM or PARAM (default: lists them)";
   CLI::Option* named = command->add_option("topic", *topic, topics);
   command->add_option("--write", *folder, "write every page below this folder")->type_name("DIR")->excludes(named);
   command->callback([topic, folder] {

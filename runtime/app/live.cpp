@@ -25,7 +25,7 @@ void live(const Options& options) {
   if (options.versus.empty() && !options.versus_sets.empty()) throw Error("--vs-set needs --vs", {}, 2);
   wanted.desk.truth = options.truth;
   wanted.desk.out = options.out;
-  auto [width, height] = lab::parseSize(options.window);
+  auto [width, height] = lab::parseSize(options.window, "--window");
   wanted.width = width;
   wanted.height = height;
   wanted.size_given = wanted.desk.shot.width != 0;

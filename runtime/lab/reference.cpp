@@ -431,7 +431,9 @@ std::string helpTopics() {
   std::vector<PassDesc> passes = allPasses();
   std::vector<std::pair<std::string, std::string>> entries;
   for (const PipelineDesc& one : allPipelines()) entries.push_back({one.name, one.doc});
-  std::string text = "strobe help NAME prints the page of one of these, NAME.PARAM one parameter of it.\n\n";
+  std::string text =
+      "strobe help NAME prints the page of one of these, NAME.PARAM one parameter of it, PARAM that of all "
+      "pipelines.\n\n";
   text += listed("pipelines", entries);
   for (const auto& [family, members] : families(passes)) {
     entries.clear();
@@ -439,6 +441,16 @@ std::string helpTopics() {
     text += "\n" + listed("passes/" + family, entries);
   }
   return text + "\nOptions of commands: strobe COMMAND --help\n";
+}
+
+// A bare parameter, `edge`: what it means in each pipeline that has it; empty where none has.
+static std::string helpOnParamOfPipelines(const std::string& name) {
+  std::string text;
+  for (const PipelineDesc& pipeline : allPipelines())
+    if (findParam(pipeline.params, name))
+      text += (text.empty() ? "" : "\n") +
+              helpOnParam(pipeline.name + "." + name, pipeline.name, pipeline.params, false);
+  return text;
 }
 
 std::string helpOn(const std::string& topic) {
@@ -453,6 +465,8 @@ std::string helpOn(const std::string& topic) {
   }
   const PassDesc* pass = findPass(passes, owner);
   if (pass) return of_param ? helpOnParam(topic, owner, pass->params, true) : passPage(*pass);
+  std::string anywhere = of_param ? "" : helpOnParamOfPipelines(topic);
+  if (!anywhere.empty()) return anywhere;
   for (const PassDesc& one : passes) known.insert(known.end(), {one.name, memberOf(one), stemOf(one)});
   refuse(owner, known);
 }

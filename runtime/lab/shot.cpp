@@ -211,7 +211,7 @@ uint32_t anchorCode(const std::string& anchor) {
   return anchor == "centre" ? ANCHOR_CENTRE : ANCHOR_OPEN;
 }
 
-std::array<int, 2> parseSize(const std::string& text) {
+std::array<int, 2> parseSize(const std::string& text, const std::string& option) {
   int width = 0, height = 0;
   const char* end = text.data() + text.size();
   auto [after_width, first_error] = std::from_chars(text.data(), end, width);
@@ -221,7 +221,7 @@ std::array<int, 2> parseSize(const std::string& text) {
     ok = second_error == std::errc() && after_height == end;
   }
   ok = ok && width >= 1 && height >= 1 && width <= 16384 && height <= 16384;
-  if (!ok) throw Error(fmt::format("--size '{}' is not WIDTHxHEIGHT with 1 to 16384 pixels each", text), {}, 2);
+  if (!ok) throw Error(fmt::format("{} '{}' is not WIDTHxHEIGHT with 1 to 16384 pixels each", option, text), {}, 2);
   return {width, height};
 }
 

@@ -71,6 +71,6 @@ std::string viewText(const std::array<double, 6>& view);
 uint32_t anchorCode(const std::string& anchor);
 
 // "WxH" in pixels, each 1 to 16384.
-std::array<int, 2> parseSize(const std::string& text);
+std::array<int, 2> parseSize(const std::string& text, const std::string& option = "--size");
 
 }  // namespace strobe::lab

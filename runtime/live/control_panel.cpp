@@ -209,7 +209,8 @@ void drawControls(const Fonts& fonts, Desk& desk, PanelState& state) {
     ImGui::PopFont();
     if (of_b_shot && shown) textIn(fonts.small, colours::kDim, "as A has it");
     if (shown && !of_b_shot && ImGui::BeginTable(group.c_str(), 3)) {
-      ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 118);
+      float room = ImGui::GetContentRegionAvail().x;
+      ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, std::min(118.0f, 0.4f * room));
       ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
       ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed, 22);
       for (size_t k = i; k < end; ++k) drawControl(fonts, desk, state, controls[k]);

@@ -433,7 +433,7 @@ static bool sameFrame(const Side& a, const Side& b) {
 image::Image Desk::errorPicture() const {
   const image::Image& mean = truth_.mean();
   auto errors = [&](const Side& side) {
-    return sameSize(side.color, mean) ? difference(side.color, mean, look_.gain) : shownSide(side);
+    return sameSize(side.color, mean) ? difference(side.color, mean, look_.gain, "mean |x - truth|") : shownSide(side);
   };
   if (!b_.session || !sameFrame(a_, b_)) return errors(a_);
   return wiped(errors(a_), errors(b_), look_.wipe);

@@ -323,7 +323,7 @@ void Live::addLookHandlers(std::map<std::string, Handler>& handlers) {
   handlers["panels"] = [this](const Command& c) { return state_.panels = onOff(c), true; };
   handlers["help"] = [this](const Command& c) { return state_.help = onOff(c), true; };
   handlers["resize"] = [this](const Command& c) {
-    auto [width, height] = lab::parseSize(c.arguments[0]);
+    auto [width, height] = lab::parseSize(c.arguments[0], "resize");
     window_.resize(width, height);
     return true;
   };
@@ -360,7 +360,8 @@ void Live::addWaitHandlers(std::map<std::string, Handler>& handlers) {
 }
 
 void Live::addFileHandlers(std::map<std::string, Handler>& handlers) {
-  handlers["replace"] = [](const Command& c) {
+  handlers["replace"] = [this](const Command& c) {
+    reloads_seen_ = desk_.reloads();  // 'reloaded' waits for this edit, not for one before it
     return writeFileAtomically(c.arguments[0], readText(c.arguments[1])), true;
   };
   handlers["screenshot"] = [this](const Command& c) {

@@ -11,7 +11,7 @@ namespace strobe::live {
 
 namespace {
 
-constexpr float kSide = 340, kTop = 40, kBottom = 74;
+constexpr float kSide = 340, kLeastSide = 190, kTop = 40, kBottom = 74, kHelpWidth = 92;
 constexpr double kMessage_s = 4;  // a bad one twice as long
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
@@ -50,6 +50,9 @@ void row(const char* name) {
   ImGui::SetNextItemWidth(-1);
 }
 
+// Wide panels in a wide window; a small one leaves nearly half of itself to the picture.
+float sideWidth(float window) { return std::clamp(std::floor(0.28f * window), kLeastSide, kSide); }
+
 // ---- top
 
 void topBar(const Fonts& fonts, Desk& desk, PanelState& state, float width) {
@@ -68,9 +71,11 @@ void topBar(const Fonts& fonts, Desk& desk, PanelState& state, float width) {
   std::string backend = session.backend() == graph::Backend::Query ? "ray queries" : "ray tracing pipelines";
   textIn(
       fonts.text, colours::kDim,
-      fmt::format("{}  ·  {} x {}  ·  {}{}  ·  {}", session.shot().scene, session.shot().width, session.shot().height,
-                  device.name.substr(0, device.name.find(" (")), device.software ? " (software)" : "", backend));
-  ImGui::SameLine(width - 92);
+      fmt::format("{}  ·  {} x {}  ·  {}{}  ·  {}", Path(session.shot().scene).filename().string(),
+                  session.shot().width, session.shot().height,
+                  device.name.substr(0, device.name.find(" (")), device.software ? " (software)" : "", backend),
+      kHelpWidth);
+  ImGui::SameLine(width - kHelpWidth);
   if (quietButton("help  ?", "all keys", state.help)) state.requests.push_back(Action::ToggleHelp);
   ImGui::End();
 }
@@ -116,7 +121,9 @@ void versusChoice(Desk& desk, PanelState& state) {
 
 void modeButtons(Desk& desk, PanelState& state) {
   for (size_t i = 0; i < modeNames().size(); ++i) {
+    float wide = ImGui::CalcTextSize(modeNames()[i].c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
     if (i) ImGui::SameLine(0, 2);
+    if (i && ImGui::GetContentRegionAvail().x < wide) ImGui::NewLine();
     Mode mode = Mode(i);
     bool needs_b = mode == Mode::Wipe || mode == Mode::Flicker || mode == Mode::Difference;
     ImGui::BeginDisabled(needs_b && !desk.b());
@@ -226,15 +233,16 @@ void timeRow(const Fonts& fonts, const TimeHistory::Row& times, ImU32 color) {
       "is not counted",
       times.name, msText(times.latest()), msText(times.median())));
   ImGui::TableNextColumn();
-  sparkline(times, 96, 14);
+  sparkline(times, ImGui::GetContentRegionAvail().x, 14);
 }
 
 void timesPart(const Fonts& fonts, const char* title, const Side& side) {
   heading(fonts, title);
   if (!ImGui::BeginTable("times", 3, ImGuiTableFlags_SizingFixedFit)) return;
+  float history = std::clamp(ImGui::GetContentRegionAvail().x - 220, 10.0f, 96.0f);
   ImGui::TableSetupColumn("pass", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("ms", ImGuiTableColumnFlags_WidthFixed, 58);
-  ImGui::TableSetupColumn("history", ImGuiTableColumnFlags_WidthFixed, 96);
+  ImGui::TableSetupColumn("history", ImGuiTableColumnFlags_WidthFixed, history);
   timeRow(fonts, side.times.total(), colours::kText);
   for (const TimeHistory::Row& pass : side.times.passes()) timeRow(fonts, pass, colours::kDim);
   ImGui::EndTable();
@@ -269,8 +277,8 @@ void trailPart(const Fonts& fonts, Desk& desk, PanelState& state) {
   ImGui::EndTable();
 }
 
-void rightPanel(const Fonts& fonts, Desk& desk, PanelState& state, float x, float height) {
-  beginPanel("right", x, kTop, kSide, height);
+void rightPanel(const Fonts& fonts, Desk& desk, PanelState& state, float x, float width, float height) {
+  beginPanel("right", x, kTop, width, height);
   viewPart(fonts, desk, state);
   comparePart(fonts, desk, state);
   trailPart(fonts, desk, state);
@@ -332,12 +340,13 @@ Area drawPanels(const Fonts& fonts, Desk& desk, PanelState& state) {
   if (!state.panels) return {0, 0, size.x, size.y};
   float middle = std::max(50.0f, size.y - kTop - kBottom);
   topBar(fonts, desk, state, size.x);
-  beginPanel("left", 0, kTop, kSide, middle);
+  float side = sideWidth(size.x);
+  beginPanel("left", 0, kTop, side, middle);
   drawControls(fonts, desk, state);
   ImGui::End();
-  rightPanel(fonts, desk, state, size.x - kSide, middle);
+  rightPanel(fonts, desk, state, size.x - side, side, middle);
   bottomBar(fonts, desk, state, size.x, kTop + middle);
-  return {kSide + 1, kTop + 1, std::max(50.0, double(size.x) - 2 * kSide - 2), double(middle) - 2};
+  return {side + 1, kTop + 1, std::max(50.0, double(size.x) - 2 * side - 2), double(middle) - 2};
 }
 
 // ---- overlays
@@ -376,9 +385,10 @@ void keyRow(const Fonts& fonts, const char* key, const char* doc) {
   textIn(fonts.text, colours::kText, doc);
 }
 
-void drawHelp(const Fonts& fonts, const Area& area) {
-  ImGui::SetNextWindowPos(ImVec2(float(area.x + area.width / 2), float(area.y + area.height / 2)), 0,
-                          ImVec2(0.5f, 0.5f));
+void drawHelp(const Fonts& fonts) {
+  ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos(ImVec2(window.x / 2, window.y / 2), 0, ImVec2(0.5f, 0.5f));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(window.x - 20, window.y - 20));
   ImGui::SetNextWindowSize(ImVec2(600, 0));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(20, 14));
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(6, 1));
@@ -428,7 +438,7 @@ void drawOverlays(const Fonts& fonts, const Desk& desk, PanelState& state, const
   std::vector<std::string> problems = desk.problems();
   if (!problems.empty()) drawProblems(fonts, problems, area);
   if (state.speaks()) drawMessage(fonts, state, area);
-  if (state.help) drawHelp(fonts, area);
+  if (state.help) drawHelp(fonts);
 }
 
 }  // namespace strobe::live

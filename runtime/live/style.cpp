@@ -79,11 +79,11 @@ Fonts applyStyle() {
   return fonts;
 }
 
-void textIn(ImFont* font, ImU32 color, const std::string& text) {
+void textIn(ImFont* font, ImU32 color, const std::string& text, float margin) {
   ImGui::PushFont(font);
   ImGui::PushStyleColor(ImGuiCol_Text, color);
   std::string shown = text;
-  float room = ImGui::GetContentRegionAvail().x;
+  float room = ImGui::GetContentRegionAvail().x - margin;
   if (ImGui::CalcTextSize(shown.c_str()).x > room) {
     while (!shown.empty() && ImGui::CalcTextSize((shown + "...").c_str()).x > room) shown.pop_back();
     shown += "...";

@@ -31,7 +31,7 @@ constexpr ImU32 kBad = IM_COL32(240, 104, 96, 255);
 Fonts applyStyle();
 
 // Text in a font and colour, cut at the right end of the region with three dots.
-void textIn(ImFont* font, ImU32 color, const std::string& text);
+void textIn(ImFont* font, ImU32 color, const std::string& text, float margin = 0);
 
 // A heading of a part of a panel, with a line under it.
 void heading(const Fonts& fonts, const char* text);

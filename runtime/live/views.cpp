@@ -326,12 +326,12 @@ Image wiped(const Image& a, const Image& b, double at) {
   return result;
 }
 
-Image difference(const Image& linear_a, const Image& linear_b, double gain) {
+Image difference(const Image& linear_a, const Image& linear_b, double gain, const std::string& title) {
   STROBE_ASSERT(gain > 0, "{}", gain);
   Image display = image::differenceHeat(linear_a, linear_b, float(gain));
   shout(display, linear_a, 3);
   shout(display, linear_b, 3);
-  drawBar(display, [](float t) { return image::magma(t); }, "0", "mean |a - b|", fmt::format("{:.3g}", 1 / gain));
+  drawBar(display, [](float t) { return image::magma(t); }, "0", title, fmt::format("{:.3g}", 1 / gain));
   return display;
 }
 

@@ -44,6 +44,7 @@ image::Image shown(const graph::ReadImage& image, const std::string& port, int d
 image::Image wiped(const image::Image& a, const image::Image& b, double at);
 
 // Mean absolute difference of the colours in magma, its upper end at 1 / gain.
-image::Image difference(const image::Image& linear_a, const image::Image& linear_b, double gain);
+image::Image difference(const image::Image& linear_a, const image::Image& linear_b, double gain,
+                        const std::string& title = "mean |A - B|");
 
 }  // namespace strobe::live

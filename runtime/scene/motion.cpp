@@ -230,13 +230,22 @@ Pose Poser::at(double time_s, double held_time_s) const {
   return pose;
 }
 
+// The first names of a list, and how many more there are.
+static std::string firstOf(std::vector<std::string> names, size_t count) {
+  size_t more = names.size() > count ? names.size() - count : 0;
+  names.resize(names.size() - more);
+  return fmt::format("{}{}", fmt::join(names, ", "), more ? fmt::format(" and {} more", more) : "");
+}
+
 int nodeByName(const Scene& scene, const std::string& name) {
   std::vector<std::string> names;
   for (size_t i = 0; i < scene.nodes.size(); ++i) {
     if (scene.nodes[i].name == name) return int(i);
     names.push_back(scene.nodes[i].name);
   }
-  throw Error(fmt::format("{} has no node '{}'{}", scene.name, name, didYouMean(name, names)));
+  std::string hint = didYouMean(name, names);
+  if (hint.empty()) hint = "; it has " + firstOf(names, 12);
+  throw Error(fmt::format("{} has no node '{}'{}", scene.name, name, hint));
 }
 
 }  // namespace strobe::scene

@@ -21,6 +21,9 @@ TEST(Help, ListsTopicsAndPrintsPages) {
   Outcome param = run("help hybrid.mask");
   EXPECT_EQ(param.out.rfind("# hybrid.mask\n\n", 0), 0u) << param.out;
   EXPECT_EQ(param.out.find("mask_taps"), std::string::npos) << "other parameters are left out";
+  Outcome bare = run("help limit");
+  for (const char* heading : {"# hybrid.limit\n", "# mcguire2012.limit\n"})
+    EXPECT_NE(bare.out.find(heading), std::string::npos) << "a bare parameter: every pipeline that has it";
 }
 
 TEST(Help, UnknownTopicsAreRefusedWithTheNearest) {

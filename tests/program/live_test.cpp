@@ -188,6 +188,8 @@ TEST_F(Live, AFailedCommandEndsWithItsLine) {
   Outcome outcome = drive("wait 1\nexpect exposure 0.123\nquit\n");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.err.find("a.drive:2: exposure is 0.5, expected 0.123"), std::string::npos) << outcome.err;
+  outcome = drive("resize 12\n");
+  EXPECT_NE(outcome.err.find("resize '12' is not WIDTHxHEIGHT"), std::string::npos) << outcome.err;
   outcome = drive("set edge sobell\n");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.err.find("a.drive:1: 'set' failed: "), std::string::npos) << outcome.err;

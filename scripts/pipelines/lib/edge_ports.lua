@@ -14,7 +14,9 @@ local docs = {
 -- What a detector reads: those named, and where to look.
 function edge_ports.reads(...)
   local reads = { where = docs.where }
-  for _, name in ipairs { ... } do reads[name] = docs[name] end
+  for _, name in ipairs { ... } do
+    reads[name] = docs[name] or error(("a detector reads depth, normal or id, not '%s'"):format(name), 2)
+  end
   return reads
 end
 
