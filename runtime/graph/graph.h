@@ -118,6 +118,9 @@ class Graph {
   static void takeCounts(Node& node);
   void recordBarriers(VkCommandBuffer commands, const std::vector<plan::Barrier>& barriers);
   void recordPass(VkCommandBuffer commands, int node_index);
+  void bindNode(VkCommandBuffer commands, const Node& node);
+  void recordWork(VkCommandBuffer commands, const Node& node, uint32_t width, uint32_t height);
+  double compileBeforeUse(const plan::Step& step);
   void recordRaster(VkCommandBuffer commands, const plan::PlanNode& planned);
   void recordClear(VkCommandBuffer commands, int image);
   void recordRead(VkCommandBuffer commands, int image);

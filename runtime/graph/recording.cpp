@@ -97,11 +97,25 @@ void Graph::recordRead(VkCommandBuffer commands, int image) {
                                     read_back_.at(image).handle(), 1, &copy);
 }
 
+void Graph::bindNode(VkCommandBuffer commands, const Node& node) {
+  const gpu::Pipeline& pipeline = node.pipeline->pipeline;
+  VkDescriptorSet sets[] = {scene_.set(), node.set};
+  device_.vk().CmdBindPipeline(commands, pipeline.bindPoint(), pipeline.handle());
+  device_.vk().CmdBindDescriptorSets(commands, pipeline.bindPoint(), pipeline.layout(), 0, 2, sets, 0, nullptr);
+}
+
+// A compute or trace pass over this many pixels.
+void Graph::recordWork(VkCommandBuffer commands, const Node& node, uint32_t width, uint32_t height) {
+  if (node.pipeline->interface.backend == Backend::Pipeline)
+    return node.pipeline->pipeline.recordTrace(commands, width, height);
+  const uint32_t group = shader::kGroupSize;
+  device_.vk().CmdDispatch(commands, (width + group - 1) / group, (height + group - 1) / group, 1);
+}
+
 void Graph::recordPass(VkCommandBuffer commands, int node_index) {
   const auto& vk = device_.vk();
   const PlanNode& planned = plan_->nodes[size_t(node_index)];
   const Node& node = nodes_[size_t(node_index)];
-  const gpu::Pipeline& pipeline = node.pipeline->pipeline;
   if (device_.debugLabels()) {
     VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
     label.pLabelName = plan_->pipeline.nodes[size_t(planned.node)].name.c_str();
@@ -109,18 +123,9 @@ void Graph::recordPass(VkCommandBuffer commands, int node_index) {
   }
   bool stamped = !device_.info().software;
   int begin = stamped ? timer_.recordStamp(commands) : -1;
-  VkDescriptorSet sets[] = {scene_.set(), node.set};
-  vk.CmdBindPipeline(commands, pipeline.bindPoint(), pipeline.handle());
-  vk.CmdBindDescriptorSets(commands, pipeline.bindPoint(), pipeline.layout(), 0, 2, sets, 0, nullptr);
-  uint32_t width = uint32_t(planned.width), height = uint32_t(planned.height);
-  if (node.pipeline->interface.raster) {
-    recordRaster(commands, planned);
-  } else if (node.pipeline->interface.backend == Backend::Pipeline) {
-    pipeline.recordTrace(commands, width, height);
-  } else {
-    const uint32_t group = shader::kGroupSize;
-    vk.CmdDispatch(commands, (width + group - 1) / group, (height + group - 1) / group, 1);
-  }
+  bindNode(commands, node);
+  if (node.pipeline->interface.raster) recordRaster(commands, planned);
+  else recordWork(commands, node, uint32_t(planned.width), uint32_t(planned.height));
   int end = stamped ? timer_.recordStamp(commands) : -1;
   if (begin >= 0 && end >= 0) stamps_.push_back({node_index, begin, end});
   if (device_.debugLabels()) vk.CmdEndDebugUtilsLabelEXT(commands);
@@ -184,8 +189,22 @@ std::string Graph::nameOf(const Step& step) const {
   return step.kind == Step::Kind::Pass ? plan_->pipeline.nodes[size_t(plan_->nodes[size_t(step.index)].node)].name : "";
 }
 
-// A software device compiles a shader when it first runs, which may take ten times as long as it may run.
+// A software device compiles a shader when it is first used, which may take ten times as long as it may run. Work on no
+// pixels at all compiles it and runs nothing, so that one that never ends is known as such. Drawing has no such thing.
 static constexpr double kCompilePatience = 10;
+
+double Graph::compileBeforeUse(const Step& step) {
+  if (step.kind != Step::Kind::Pass) return 1;
+  const Node& node = nodes_[size_t(step.index)];
+  if (std::exchange(node.pipeline->ran, true)) return 1;
+  if (node.pipeline->interface.raster) return kCompilePatience;
+  auto record_nothing = [&](VkCommandBuffer commands) {
+    bindNode(commands, node);
+    recordWork(commands, node, 0, 0);
+  };
+  device_.submit(record_nothing, nameOf(step), kCompilePatience);
+  return 1;
+}
 
 // A software device executes when something waits, whatever its time stamps say: one submission per step, by the clock.
 void Graph::submitStepwise(const std::vector<const Step*>& steps, int iteration, uint32_t slice_count,
@@ -196,13 +215,13 @@ void Graph::submitStepwise(const std::vector<const Step*>& steps, int iteration,
     gpu_ms_ += 1000 * (clockSeconds() - start_s);
   }
   for (const Step* step : steps) {
+    double patience = compileBeforeUse(*step);
     start_s = clockSeconds();
     auto record_step = [&](VkCommandBuffer commands) {
       record(commands, *step, iteration);
       recordHostBarrier(device_, commands);
     };
-    bool compiles = step->kind == Step::Kind::Pass && !std::exchange(nodes_[size_t(step->index)].pipeline->ran, true);
-    device_.submit(record_step, nameOf(*step), compiles ? kCompilePatience : 1);
+    device_.submit(record_step, nameOf(*step), patience);
     double ms = 1000 * (clockSeconds() - start_s);
     gpu_ms_ += ms;
     if (step->kind != Step::Kind::Pass) continue;
