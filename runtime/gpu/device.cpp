@@ -387,7 +387,7 @@ void Device::setTimeLimit(double seconds, OnOverrun on_overrun) {
 }
 
 void Device::submit(const std::function<void(VkCommandBuffer)>& record, const std::string& what,
-                    double patience) const {
+                    double allowance_s) const {
   check(vk_.ResetCommandPool(device_, command_pool_, 0), "resetting the command pool");
   VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
@@ -401,7 +401,7 @@ void Device::submit(const std::function<void(VkCommandBuffer)>& record, const st
   submit.commandBufferInfoCount = 1;
   submit.pCommandBufferInfos = &buffer;
   check(vk_.QueueSubmit2(queue_, 1, &submit, fence_), "submitting commands");
-  uint64_t limit_ns = time_limit_s_ > 0 ? uint64_t(time_limit_s_ * patience * 1e9) : UINT64_MAX;
+  uint64_t limit_ns = time_limit_s_ > 0 ? uint64_t((time_limit_s_ + allowance_s) * 1e9) : UINT64_MAX;
   VkResult waited = vk_.WaitForFences(device_, 1, &fence_, VK_TRUE, limit_ns);
   if (waited == VK_TIMEOUT) on_overrun_(what);
   check(waited, "waiting for the device");

@@ -76,9 +76,9 @@ class Device {
   void setName(VkObjectType type, uint64_t handle, const std::string& name) const;
 
   // Records with `record`, submits and waits. Throws `Error` on device loss. `what` names the work, should it never
-  // end; `patience` multiplies its time limit.
+  // end; `allowance_s` is added to its time limit.
   void submit(const std::function<void(VkCommandBuffer)>& record, const std::string& what = "",
-              double patience = 1) const;
+              double allowance_s = 0) const;
 
   // Work that takes longer than `seconds` ends in `on_overrun(what)`, which must not return: a shader that never ends
   // cannot be aborted, so neither can the device be used or destroyed any more. 0 waits for ever.

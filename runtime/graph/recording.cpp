@@ -189,21 +189,21 @@ std::string Graph::nameOf(const Step& step) const {
   return step.kind == Step::Kind::Pass ? plan_->pipeline.nodes[size_t(plan_->nodes[size_t(step.index)].node)].name : "";
 }
 
-// A software device compiles a shader when it is first used, which may take ten times as long as it may run. Work on no
+// A software device compiles a shader when it is first used, which is not counted as its running. Work on no
 // pixels at all compiles it and runs nothing, so that one that never ends is known as such. Drawing has no such thing.
-static constexpr double kCompilePatience = 10;
+static constexpr double kCompileAllowance_s = 120;
 
 double Graph::compileBeforeUse(const Step& step) {
-  if (step.kind != Step::Kind::Pass) return 1;
+  if (step.kind != Step::Kind::Pass) return 0;
   const Node& node = nodes_[size_t(step.index)];
-  if (std::exchange(node.pipeline->ran, true)) return 1;
-  if (node.pipeline->interface.raster) return kCompilePatience;
+  if (std::exchange(node.pipeline->ran, true)) return 0;
+  if (node.pipeline->interface.raster) return kCompileAllowance_s;
   auto record_nothing = [&](VkCommandBuffer commands) {
     bindNode(commands, node);
     recordWork(commands, node, 0, 0);
   };
-  device_.submit(record_nothing, nameOf(step), kCompilePatience);
-  return 1;
+  device_.submit(record_nothing, nameOf(step), kCompileAllowance_s);
+  return 0;
 }
 
 // A software device executes when something waits, whatever its time stamps say: one submission per step, by the clock.
@@ -215,13 +215,13 @@ void Graph::submitStepwise(const std::vector<const Step*>& steps, int iteration,
     gpu_ms_ += 1000 * (clockSeconds() - start_s);
   }
   for (const Step* step : steps) {
-    double patience = compileBeforeUse(*step);
+    double allowance_s = compileBeforeUse(*step);
     start_s = clockSeconds();
     auto record_step = [&](VkCommandBuffer commands) {
       record(commands, *step, iteration);
       recordHostBarrier(device_, commands);
     };
-    device_.submit(record_step, nameOf(*step), patience);
+    device_.submit(record_step, nameOf(*step), allowance_s);
     double ms = 1000 * (clockSeconds() - start_s);
     gpu_ms_ += ms;
     if (step->kind != Step::Kind::Pass) continue;

@@ -535,11 +535,23 @@ Reload Session::usePipeline(const std::string& name_or_path) {
   running_ = build(shot, std::move(evaluated), &told.problems);
   shot_ = shot;
   for (const auto& [name, value] : shot_.sets) told.kept.push_back(name + " = " + value);
+  told.changed = {running_->plan->pipeline.file};
   told.swapped = true;
   problems_ = told.problems;
   script_problem_ = false;
   rememberFiles(tried);
   return told;
+}
+
+std::string textOf(const Reload& reload) {
+  std::string files = fmt::format("{}", fmt::join(reload.changed, ", "));
+  double ms = reload.evaluate_ms + reload.compile_ms + reload.build_ms;
+  const char* what = reload.swapped ? "reloaded" : reload.problems.empty() ? "nothing new in" : "kept the last good";
+  std::string text = fmt::format("{} {} ({} compiled, {:.0f} ms)", what, files, reload.compilations, ms);
+  for (const std::string& problem : reload.problems) text += "\n  " + problem;
+  for (const std::string& kept : reload.kept) text += "\n  kept " + kept;
+  for (const std::string& reset : reload.reset) text += "\n  reset " + reset;
+  return text;
 }
 
 }  // namespace strobe::lab

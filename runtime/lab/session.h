@@ -41,6 +41,9 @@ struct Reload {
   double build_ms = 0;     // plan, images, descriptor sets
 };
 
+// For the terminal: what was taken or refused, why, what was kept and what was reset; one line each.
+std::string textOf(const Reload& reload);
+
 class Session {
  public:
   // Loads, plans and compiles; throws `Error` where that fails. `origin` says who set the values of the shot.

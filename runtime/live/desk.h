@@ -132,6 +132,8 @@ class Desk {
 
   std::vector<std::string> problems() const;
   const std::optional<lab::Reload>& lastReload() const { return last_reload_; }
+  // What the last reload has to say in the window; once.
+  std::string takeMessage() { return std::exchange(message_, ""); }
   int reloads() const { return reloads_; }  // edits that were swapped in or refused
 
   // ---- results
@@ -146,6 +148,7 @@ class Desk {
   void changed(Side& side, int compilations_before);
   void follow();
   void refuse(bool of_b, const std::string& name, const std::string& text);
+  void tell(const Side& side, const lab::Reload& reload);
   bool lookAtFiles(Side& side);
   void draw(Side& side);
   std::string truthKey() const;
@@ -170,6 +173,7 @@ class Desk {
   std::string trail_problem_;
   std::optional<std::pair<int, int>> pinned_;
   std::optional<lab::Reload> last_reload_;
+  std::string message_;  // of a reload, until it is taken
   int reloads_ = 0;
   double looked_at_files_s_ = 0;
   image::Image picture_;

@@ -240,6 +240,7 @@ void Live::turn() {
   if (window_.stirred() || spoke != state_.speaks()) settle_ = kSettle;
   if (drive_) drive_->advance();
   bool news = desk_.turn();
+  if (std::string message = desk_.takeMessage(); !message.empty()) state_.say(message);
   if (news) sendToTev();
   if (news) settle_ = kSettle;
   bool draws = settle_ > 0 || desk_.pictureChanged(state_.window_frame) || screenshot_ || (drive_ && !drive_->done());

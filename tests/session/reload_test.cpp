@@ -221,6 +221,10 @@ TEST_F(ReloadTest, ValuesSurviveByNameAndType) {
   EXPECT_NE(joined(told->kept).find("samples = 8"), std::string::npos);
   EXPECT_NE(joined(told->kept).find("tile = 20"), std::string::npos);
   EXPECT_NE(joined(told->reset).find("depth_extent = 0.05: "), std::string::npos) << joined(told->reset);
+  std::string text = lab::textOf(*told);
+  EXPECT_NE(text.find("reloaded scripts/pipelines/lib/options.lua ("), std::string::npos) << text;
+  EXPECT_NE(text.find("\n  kept samples = 8"), std::string::npos) << text;
+  EXPECT_NE(text.find("\n  reset depth_extent = 0.05: "), std::string::npos) << text;
   expectColdStart(session, "values");
 }
 
