@@ -77,6 +77,9 @@ local function check_values(problems, given, choices, place, what)
   return values
 end
 
+-- What a shader can hold: 32-bit integers, single-precision numbers.
+local LARGEST = { int = 2147483647, float = 3.4028234e38 }
+
 local function check_bounds(problems, result, given, place, what)
   for _, key in ipairs { "min", "max" } do
     local bound = given[key]
@@ -88,6 +91,9 @@ local function check_bounds(problems, result, given, place, what)
       problems:add(where, "'%s' of %s is %s, not a number", key, what, check.quoted(bound))
     elseif result.type == "int" and not math.tointeger(bound) then
       problems:add(where, "'%s' = %s of %s is not an integer", key, bound, what)
+    elseif math.abs(bound) > LARGEST[result.type] then
+      problems:add(where, "'%s' = %s of %s is more than a shader's %s can hold (%s)", key, bound, what, result.type,
+                   LARGEST[result.type])
     else
       result[key] = result.type == "int" and math.tointeger(bound) or bound + 0.0
     end
