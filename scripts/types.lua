@@ -34,12 +34,17 @@
 ---@field optional? boolean may be left unwired; the shader sees HAS_<name> 0
 ---@field linear? boolean sampled with a linear filter instead of fetched
 
+---A format that a choice parameter of the pass decides: `{ by = "precision", fp32 = "rg32f", fp16 = "rg16f" }`.
+---@class strobe.ChosenFormat
+---@field by string name of the parameter
+---@field [string] strobe.Format one for each of its choices
+
 ---@class strobe.Write
----@field format strobe.Format
+---@field format strobe.Format|strobe.ChosenFormat
 ---@field doc string meaning, unit, range
 
 ---@class strobe.Update
----@field format strobe.Format
+---@field format strobe.Format|strobe.ChosenFormat
 ---@field doc string meaning, unit, range
 ---@field history? boolean kept from frame to frame (zero in the first) instead of zero at the start of each
 

@@ -21,6 +21,13 @@ static shader::Interface::Variant variantOf(const ParamDesc& param, const plan::
   return variant;
 }
 
+static bool decidesAFormat(const PassDesc& pass, const std::string& param) {
+  for (const auto* ports : {&pass.writes, &pass.updates})
+    for (const auto& port : *ports)
+      if (port.format_by == param) return true;
+  return false;
+}
+
 static uint32_t timeSlice(const std::string& time) {
   if (time == "open") return SLICE_OPEN;
   if (time == "close") return SLICE_CLOSE;
@@ -40,16 +47,21 @@ shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node
   in.time_slice = timeSlice(plan.pipeline.nodes[size_t(node.node)].time);
   for (size_t i = 0; i < pass.reads.size(); ++i)
     in.reads.push_back({pass.reads[i].name, pass.reads[i].uint, node.reads[i] >= 0});
-  auto add_write = [&in](const plan::PortDesc& port, bool update) {
-    const gpu::FormatInfo& format = gpu::formatInfo(port.format);
-    in.writes.push_back({port.name, format.glsl, format.uint, update});
+  auto add_write = [&](const plan::PortDesc& port, bool update) {
+    const std::string& name = formatOf(port, node.params);
+    const gpu::FormatInfo& format = gpu::formatInfo(name);
+    in.writes.push_back({port.name, format.glsl, format.uint, update, name});
   };
   for (const auto& port : pass.writes) add_write(port, false);
   for (const auto& port : pass.updates) add_write(port, true);
   for (size_t i = 0; i < pass.params.size(); ++i) {
     const ParamDesc& param = pass.params[i];
-    if (isCompiledIn(param)) in.variants.push_back(variantOf(param, node.params[i].second));
-    else in.params.push_back({param.name, param.type == ParamDesc::Type::Int});
+    if (!isCompiledIn(param)) {
+      in.params.push_back({param.name, param.type == ParamDesc::Type::Int});
+      continue;
+    }
+    in.variants.push_back(variantOf(param, node.params[i].second));
+    in.variants.back().decides_format = decidesAFormat(pass, param.name);
   }
   for (const auto& counter : pass.counters) in.counters.push_back(counter.name);
   if (in.backend != Backend::None) in.counters.push_back(fmt::format("rays_{}", backendName(in.backend)));
@@ -180,7 +192,7 @@ std::shared_ptr<const NodePipeline> PipelineCache::make(const shader::Interface&
   std::vector<VkDescriptorSetLayout> sets = {scene_layout, made->set_layout.get()};
   if (in.raster) {
     gpu::RasterShaders shaders{stages[0].spirv, stages[1].spirv, {}};
-    for (const auto& port : pass.writes) shaders.color_formats.push_back(gpu::formatInfo(port.format).vk);
+    for (const auto& write : in.writes) shaders.color_formats.push_back(gpu::formatInfo(write.texels).vk);
     made->pipeline = gpu::Pipeline::raster(device_, pass.name, shaders, sets);
   } else if (in.backend == Backend::Pipeline) {
     gpu::TraceShaders shaders{stages[0].spirv, stages[1].spirv, stages[2].spirv, stages[3].spirv};

@@ -194,10 +194,18 @@ std::string outputInGlsl(const PassDesc& pass, const PortDesc& port, bool update
   return updated ? code(fmt::format("imageLoad({}_img, p)", port.name)) + ", " + store : store;
 }
 
+std::string formatText(const PortDesc& port) {
+  if (port.format_by.empty()) return code(port.format);
+  std::vector<std::string> cases;
+  for (const auto& [choice, format] : port.formats)
+    cases.push_back(fmt::format("{} (`{} = {}`)", code(format), port.format_by, choice));
+  return fmt::format("{}", fmt::join(cases, ", "));
+}
+
 std::string outputsText(const PassDesc& pass, const std::vector<PortDesc>& ports, bool updated) {
   Table table({"name", "format", "what it is", "", "in GLSL"});
   for (const PortDesc& port : ports)
-    table.add({code(port.name), code(port.format), port.doc, port.history ? "kept from frame to frame" : "",
+    table.add({code(port.name), formatText(port), port.doc, port.history ? "kept from frame to frame" : "",
                outputInGlsl(pass, port, updated)});
   return table.text();
 }

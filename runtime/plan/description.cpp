@@ -130,6 +130,20 @@ Value checkValue(const ParamDesc& param, const Value& value, const Place& where)
   return *number;
 }
 
+// ---- formats
+
+const std::string& formatOf(const PortDesc& port, const std::vector<std::pair<std::string, Value>>& params) {
+  if (port.format_by.empty()) return port.format;
+  auto named = [](const auto& list, const std::string& name) {
+    return std::find_if(list.begin(), list.end(), [&](const auto& entry) { return entry.first == name; });
+  };
+  auto param = named(params, port.format_by);
+  const std::string* choice = param == params.end() ? nullptr : std::get_if<std::string>(&param->second);
+  if (!choice) return port.format;
+  auto chosen = named(port.formats, *choice);
+  return chosen == port.formats.end() ? port.format : chosen->second;
+}
+
 // ---- writing
 
 template <class Item, class Write>
@@ -169,6 +183,8 @@ static Json readJson(const PortDesc& port) {
 
 static Json writeJson(const PortDesc& port) {
   Json json = {{"name", port.name}, {"doc", port.doc}, {"format", port.format}, {"place", placeJson(port.place)}};
+  if (!port.format_by.empty()) json["format_by"] = port.format_by;
+  for (const auto& [choice, format] : port.formats) json["formats"][choice] = format;
   if (port.history) json["history"] = true;
   return json;
 }

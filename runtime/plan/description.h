@@ -48,12 +48,19 @@ struct PortDesc {
   std::string name;
   std::string doc;
   std::string format;     // of writes and updates: "r32f", "rgba16f", "rg32ui", ...; "" for reads
+  // Writes and updates whose format a choice parameter of the pass decides: its name and a format for each choice, all
+  // of them unsigned integers or none. `format` is then the one of its default; ask `formatOf` for a node's.
+  std::string format_by;
+  std::vector<std::pair<std::string, std::string>> formats;
   bool uint = false;      // reads: the texels are unsigned integers
   bool optional = false;  // reads: may be left unwired; the shader then sees HAS_<name> 0
   bool linear = false;    // reads: sampled with a linear filter instead of texel fetches
   bool history = false;   // updates: kept from frame to frame instead of zero at the start of each
   Place place;
 };
+
+// The format that a write or update has in a node with these values of the pass's parameters.
+const std::string& formatOf(const PortDesc& port, const std::vector<std::pair<std::string, Value>>& params);
 
 // Sizes of what a pass writes.
 struct SizeDesc {

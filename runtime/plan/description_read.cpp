@@ -149,13 +149,14 @@ std::vector<std::string> choicesOf(const Reader& reader) {
   return choices;
 }
 
-std::vector<std::pair<std::string, std::string>> choiceTexts(const Reader& reader, const Json& json) {
+// A text for each of some choices.
+std::vector<std::pair<std::string, std::string>> choiceTexts(const Reader& reader, const Json& json, const char* key) {
   std::vector<std::pair<std::string, std::string>> texts;
-  auto found = json.find("values");
+  auto found = json.find(key);
   if (found == json.end() || found->empty()) return texts;
-  if (!found->is_object()) reader.fail("'values' is no table of texts");
+  if (!found->is_object()) reader.fail(fmt::format("'{}' is no table of texts", key));
   for (const auto& [name, text] : found->items()) {
-    if (!text.is_string()) reader.fail("a choice is described by something else than a text");
+    if (!text.is_string()) reader.fail(fmt::format("'{}' has something else than a text for a choice", key));
     texts.emplace_back(name, text.get<std::string>());
   }
   return texts;
@@ -174,7 +175,7 @@ ParamDesc readParam(const Json& json) {
   bool crossed = param.min && param.max && *param.min > *param.max;
   if (crossed) reader.fail(fmt::format("min of '{}' is above max", param.name));
   param.choices = choicesOf(reader);
-  param.values = choiceTexts(reader, json);
+  param.values = choiceTexts(reader, json, "values");
   param.unit = reader.text("unit", "");
   param.doc = reader.text("doc", "");
   param.variant = reader.flag("variant");
@@ -197,15 +198,39 @@ PortDesc readRead(const Json& json) {
 }
 
 PortDesc readWrite(const Json& json) {
-  Reader reader(json, "write", {"name", "doc", "format", "history", "place"});
+  Reader reader(json, "write", {"name", "doc", "format", "format_by", "formats", "history", "place"});
   PortDesc port;
   port.place = reader.place();
   reader.setPlace(port.place);
   port.name = nameOf(reader);
   port.doc = reader.text("doc", "");
   port.format = formatNames()[reader.oneOf("format", formatNames())];
+  port.format_by = reader.text("format_by", "");
+  port.formats = choiceTexts(reader, json, "formats");
   port.history = reader.flag("history");
   return port;
+}
+
+bool isUint(const std::string& format) { return format.ends_with("ui"); }
+
+// A port whose format a parameter decides has one for each choice, of one kind of texels.
+void checkFormats(const Reader& reader, const PortDesc& port, const PassDesc& pass) {
+  if (port.format_by.empty() && port.formats.empty()) return;
+  auto wrong = [&](const std::string& reason) {
+    reader.fail(fmt::format("the format of '{}' is chosen by '{}', {}", port.name, port.format_by, reason));
+  };
+  const ParamDesc* by = find(pass.params, port.format_by);
+  if (!by || by->type != ParamDesc::Type::Choice) wrong("which is no choice parameter of it");
+  if (by->choices.size() != port.formats.size()) wrong("but there is not one format for each of its choices");
+  for (const auto& [choice, format] : port.formats) {
+    bool is_choice = std::find(by->choices.begin(), by->choices.end(), choice) != by->choices.end();
+    if (!is_choice) wrong(fmt::format("which has no choice '{}'{}", choice, didYouMean(choice, by->choices)));
+    bool known = std::find(formatNames().begin(), formatNames().end(), format) != formatNames().end();
+    if (!known) wrong(fmt::format("but there is no format '{}'{}", format, didYouMean(format, formatNames())));
+    if (isUint(format) != isUint(port.format)) wrong("but mixes unsigned integers and numbers");
+    bool is_default = Value(choice) == by->default_value;
+    if (is_default && format != port.format) wrong(fmt::format("whose default is not {}", port.format));
+  }
 }
 
 CounterDesc readCounter(const Json& json) {
@@ -269,6 +294,7 @@ PassDesc passFromJson(const Json& json) {
   outputs.insert(outputs.end(), pass.updates.begin(), pass.updates.end());
   if (outputs.empty()) reader.fail(fmt::format("'{}' writes nothing", pass.name));
   refuseTwins(outputs, reader, "writes");
+  for (const PortDesc& port : outputs) checkFormats(reader, port, pass);
   refuseTwins(pass.reads, reader, "reads");
   refuseTwins(pass.params, reader, "parameters");
   refuseTwins(pass.counters, reader, "counters");
@@ -323,8 +349,7 @@ void readInputs(const Json& json, const PipelineDesc& pipeline, const PassDesc& 
     const PortDesc* read = find(pass.reads, name);
     if (!read) throw Error(fmt::format("pass '{}' has no read '{}'", pass.name, name), node.place);
     const PortDesc& port = checkSource(pipeline, source, node.place);
-    bool unsigned_texels = port.format.ends_with("ui");
-    if (unsigned_texels != read->uint) {
+    if (isUint(port.format) != read->uint) {
       throw Error(fmt::format("'{}' of '{}' cannot read {}", name, node.name, port.format), node.place);
     }
     node.inputs.emplace_back(name, source.get<std::string>());
@@ -398,7 +423,9 @@ void checkUntil(const PipelineDesc& pipeline, const LoopDesc& loop) {
   if (loop.until.empty()) return;
   const PortDesc& port = checkSource(pipeline, loop.until, loop.place);
   const NodeDesc* node = find(pipeline.nodes, loop.until.substr(0, loop.until.find('.')));
-  bool inside = node->loop == loop.name && port.format == "r32f";
+  bool fits = port.format == "r32f";
+  for (const auto& [choice, format] : port.formats) fits &= format == "r32f";
+  bool inside = node->loop == loop.name && fits;
   if (inside) return;
   throw Error(fmt::format("'{}' is no r32f image written in loop '{}'", loop.until, loop.name), loop.place);
 }

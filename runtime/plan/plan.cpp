@@ -80,9 +80,11 @@ class Compiler {
 
     bool raster = pass.kind == PassDesc::Kind::Raster;
     uint32_t usage = raster ? kUsageColorAttachment : kUsageStorage;
-    for (const PortDesc& port : pass.writes) node.writes.push_back(addImage(node, port.name, port.format, usage));
+    for (const PortDesc& port : pass.writes) {
+      node.writes.push_back(addImage(node, port.name, formatOf(port, node.params), usage));
+    }
     for (const PortDesc& port : pass.updates) {
-      int image = addImage(node, port.name, port.format, kUsageStorage | kUsageTransferTarget);
+      int image = addImage(node, port.name, formatOf(port, node.params), kUsageStorage | kUsageTransferTarget);
       plan_.images[image].update = true;
       plan_.images[image].history = port.history;
       node.updates.push_back(image);

@@ -110,9 +110,36 @@ class Wirer {
   }
 
   void checkFormat(const PassDesc& pass, const PortDesc& port) {
-    if (indexOf(portFormats(), port.format) >= 0) return;
-    problem(port.place, "port '{}' of pass '{}' has unknown format '{}'{}", port.name, pass.name, port.format,
-            didYouMean(port.format, namesOf(portFormats())));
+    checkFormatName(pass, port, port.format);
+    if (!port.format_by.empty()) checkChosenFormats(pass, port);
+  }
+
+  void checkFormatName(const PassDesc& pass, const PortDesc& port, const std::string& format) {
+    if (indexOf(portFormats(), format) >= 0) return;
+    problem(port.place, "port '{}' of pass '{}' has unknown format '{}'{}", port.name, pass.name, format,
+            didYouMean(format, namesOf(portFormats())));
+  }
+
+  void checkChosenFormats(const PassDesc& pass, const PortDesc& port) {
+    int by = indexOf(pass.params, port.format_by);
+    if (by < 0) {
+      problem(port.place, "the format of port '{}' of pass '{}' is chosen by '{}', which is no parameter of it{}",
+              port.name, pass.name, port.format_by, didYouMean(port.format_by, namesOf(pass.params)));
+      return;
+    }
+    for (const std::string& choice : pass.params[by].choices) {
+      if (findKey(port.formats, choice) != port.formats.end()) continue;
+      problem(port.place, "port '{}' of pass '{}' has no format for '{}' = '{}'", port.name, pass.name, port.format_by,
+              choice);
+    }
+    for (const auto& [choice, format] : port.formats) {
+      checkFormatName(pass, port, format);
+      const Format* known = findFormat(format);
+      const Format* usual = findFormat(port.format);
+      if (!known || !usual || known->uint == usual->uint) continue;
+      problem(port.place, "the formats of port '{}' of pass '{}' mix unsigned integers and numbers: {} and {}", port.name,
+              pass.name, port.format, format);
+    }
   }
 
   void checkSize(const PassDesc& pass) {
@@ -324,7 +351,8 @@ class Wirer {
     if (pipeline_.nodes[source.node].loop != loop.name) {
       problem(loop.place, "loop '{}' stops on '{}', which is not in the loop", loop.name, loop.until);
     }
-    if (portOf(pipeline_, wiring_, source).format != "r32f") {
+    const PortDesc& port = portOf(pipeline_, wiring_, source);
+    if (formatOf(port, wiring_.nodes[source.node].params) != "r32f") {
       problem(loop.place, "loop '{}' stops on '{}', which is not r32f", loop.name, loop.until);
     }
     return source;

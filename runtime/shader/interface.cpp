@@ -107,7 +107,8 @@ std::vector<std::string> unusedNames(const Interface& in, const std::vector<Path
   for (const auto& read : in.reads) expect(read.name + "_tex", "read", read.name);
   for (const auto& write : in.writes) expect(write.name + (in.raster ? "_out" : "_img"), write.update ? "update" : "write", write.name);
   for (const auto& param : in.params) expect("params\\." + param.name, "parameter", param.name);
-  for (const auto& variant : in.variants) expect("PARAM_" + variant.name, "parameter", variant.name);
+  for (const auto& variant : in.variants)
+    if (!variant.decides_format) expect("PARAM_" + variant.name, "parameter", variant.name);
   for (const std::string& counter : in.counters)
     if (counter.rfind("rays_", 0) != 0) expect("count_" + counter, "counter", counter);
   return problems;

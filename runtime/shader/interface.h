@@ -27,6 +27,7 @@ struct Interface {
     std::string format;  // layout qualifier: "rgba16f", "r8", ...
     bool uint = false;
     bool update = false;  // read and written
+    std::string texels = {};  // the format by the name used in Lua: "r8_unorm"
   };
   struct Param {
     std::string name;
@@ -38,6 +39,7 @@ struct Interface {
     std::string name;
     std::vector<std::string> choices;
     int64_t index = 0;
+    bool decides_format = false;  // of an image the pass writes: the shader need not name it
   };
   std::string pass;
   std::string place;  // of the pass's declaration, for errors

@@ -13,7 +13,7 @@ node.graph = nil
 
 -- ---- values
 
-local Value = {}  -- a port of a node: { node = , port = , format = }
+local Value = {}  -- a port of a node: { node = , port = , format = , formats = by choice or nil }
 local Ports = {}  -- the result of a call; its fields are values
 
 Value.__index = native.at_caller(function(place, value, key)
@@ -27,6 +27,14 @@ end
 
 function node.source(value)
   return ("%s.%s"):format(rawget(value, "node"), rawget(value, "port"))
+end
+
+-- The format of an image that is `wanted` (a pattern) whatever is chosen, or nil and one that is not.
+function node.has_format(value, wanted)
+  for _, format in pairs(rawget(value, "formats") or { rawget(value, "format") }) do
+    if not format:find(wanted) then return nil, format end
+  end
+  return rawget(value, "format")
 end
 
 -- What is wrong with a thing that was passed where an image is wanted.
@@ -227,7 +235,8 @@ function node.create(place, pass, arguments)
   local values = {}
   for _, list in ipairs { pass.writes, pass.updates } do
     for _, port in ipairs(list) do
-      local value = { node = made.name, port = port.name, format = port.format, graph = node.graph, loop = made.loop }
+      local value = { node = made.name, port = port.name, format = port.format, formats = port.formats }
+      value.graph, value.loop = node.graph, made.loop
       values[port.name] = setmetatable(value, Value)
     end
   end

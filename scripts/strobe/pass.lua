@@ -13,6 +13,7 @@ pass.keys = {
 pass.read_keys  = { "doc", "uint", "optional", "linear" }
 pass.write_keys = { "doc", "format" }
 pass.update_keys = { "doc", "format", "history" }
+pass.format_keys = { "by" }  -- and the choices of that parameter
 pass.size_keys  = { "of", "divide", 1, 2 }
 pass.call_keys  = { "as", "time" }  -- of a call in a pipeline, so no port or parameter may be called this
 
@@ -59,7 +60,76 @@ local function declare_reads(problems, t, place, owner)
   return list
 end
 
-local function declare_writes(problems, t, key, place, owner)
+local function is_format(problems, format, at, what)
+  if check.contains(formats, format) then return true end
+  local near = type(format) == "string" and native.nearest(format, formats) or ""
+  if near == "" then near = "; formats are " .. table.concat(formats, ", ") end
+  problems:add(at, "%s has no known format: %s%s", what, check.quoted(format), near)
+  return false
+end
+
+-- The choice parameter that `format.by` names, or nil and a problem.
+local function deciding_parameter(problems, format, params, declared, at, what)
+  local by = type(format.by) == "string" and param.find(params, format.by)
+  if by and by.type == "choice" then return by end
+  if not by and declared and format.by ~= nil and declared[format.by] ~= nil then return nil end  -- a mistake of its own
+  local names = {}
+  for i, one in ipairs(params) do names[i] = one.name end
+  local near = type(format.by) == "string" and not by and native.nearest(format.by, names) or ""
+  local reason = by and "which is no choice" or "which is no parameter of it"
+  problems:add(at, "the format of %s is chosen by %s, %s%s", what, check.quoted(format.by), reason, near)
+  return nil
+end
+
+local function is_uint(format)
+  return format:find("ui$") ~= nil
+end
+
+-- `format = { by = "parameter", choice = "format", ... }`: a format for each choice. Yields the one of the default, the
+-- parameter's name and all of them; nil where it has mistakes.
+local function chosen_format(problems, format, params, declared, path, place, what)
+  local function at(key) return native.key_place(place, table.unpack(check.joined(path, key))) end
+  local by = deciding_parameter(problems, format, params, declared, at("by"), what)
+  if not by then return nil end
+  local by_choice, first, sound = {}, nil, true
+  for choice in pairs(format) do
+    if choice ~= "by" and not check.contains(by.choices, choice) then
+      local near = type(choice) == "string" and native.nearest(choice, by.choices) or ""
+      problems:add(at(choice), "%s has a format for %s, which is no choice of '%s'%s", what, check.quoted(choice), by.name,
+                   near)
+      sound = false
+    end
+  end
+  for _, choice in ipairs(by.choices) do
+    local one = format[choice]
+    if choice == "by" then
+      problems:add(by.place, "'by' of '%s' cannot choose a format of %s: it has a meaning there", by.name, what)
+      sound = false
+    elseif one == nil then
+      problems:add(at("by"), "%s has no format for '%s' = '%s'", what, by.name, choice)
+      sound = false
+    elseif not is_format(problems, one, at(choice), what) then
+      sound = false
+    elseif first and is_uint(one) ~= is_uint(first) then
+      problems:add(at(choice), "the formats of %s mix unsigned integers and numbers: %s and %s", what, first, one)
+      sound = false
+    end
+    first = first or (sound and one or nil)
+    by_choice[choice] = one
+  end
+  if not sound then return nil end
+  return by_choice[by.default], by.name, by_choice
+end
+
+local function format_of(problems, port, params, declared, path, place, what)
+  if type(port.format) == "table" then
+    return chosen_format(problems, port.format, params, declared, path, place, what)
+  end
+  is_format(problems, port.format, native.key_place(place, table.unpack(path)), what)
+  return port.format
+end
+
+local function declare_writes(problems, t, key, params, place, owner)
   local list = {}
   for name, port in pairs(t[key] or {}) do
     local at = native.key_place(place, key, name)
@@ -67,14 +137,11 @@ local function declare_writes(problems, t, key, place, owner)
       local what = ("'%s' of the %s of %s"):format(name, key, owner)
       check.keys(problems, port, key == "updates" and pass.update_keys or pass.write_keys, place, what, { key, name })
       if port.history ~= nil then check.field(problems, port, "history", "boolean", place, what, { key, name }) end
-      local doc = check.doc(problems, port, place, what, { key, name })
-      if not check.contains(formats, port.format) then
-        local near = type(port.format) == "string" and native.nearest(port.format, formats) or ""
-        if near == "" then near = "; formats are " .. table.concat(formats, ", ") end
-        local where = native.key_place(place, key, name, "format")
-        problems:add(where, "%s has no known format: %s%s", what, check.quoted(port.format), near)
-      end
-      list[#list + 1] = { name = name, place = at, doc = doc, format = port.format, history = port.history }
+      local result = { name = name, place = at, doc = check.doc(problems, port, place, what, { key, name }) }
+      result.history = port.history
+      result.format, result.format_by, result.formats =
+        format_of(problems, port, params, t.params, { key, name, "format" }, place, what)
+      list[#list + 1] = result
     end
   end
   return list
@@ -199,8 +266,8 @@ local function declare(kind, place, t)
   result.scene    = kind ~= "compute" or t.scene == true
   result.params   = param.declare_all(problems, t.params or {}, place, owner)
   result.reads    = declare_reads(problems, t, place, owner)
-  result.writes   = declare_writes(problems, t, "writes", place, owner)
-  result.updates  = declare_writes(problems, t, "updates", place, owner)
+  result.writes   = declare_writes(problems, t, "writes", result.params, place, owner)
+  result.updates  = declare_writes(problems, t, "updates", result.params, place, owner)
   result.counters = declare_counters(problems, t, place, owner)
   result.size     = declare_size(problems, t, place, result, owner)
   check_twins(problems, result, owner)

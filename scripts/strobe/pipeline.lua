@@ -121,7 +121,7 @@ local function check_until(problems, t, loop, results, place)
   if type(value) == "function" then value = value(results) end
   if not node.is_value(value) then
     problems:add(place, "until_ of loop '%s' %s", loop.name, node.not_a_value(value))
-  elseif rawget(value, "format") ~= "r32f" or rawget(value, "loop") ~= loop.name then
+  elseif not node.has_format(value, "^r32f$") or rawget(value, "loop") ~= loop.name then
     problems:add(place, "until_ of loop '%s' is no r32f image written inside it", loop.name)
   else
     return node.source(value)
@@ -250,9 +250,9 @@ local function check_outputs(problems, outputs, build)
       problems:add(at, "output '%s' %s", name, node.not_a_value(value))
     else
       sources[name] = node.source(value)
-      if name == "color" and not rawget(value, "format"):find("^rgba%d+f$") then
-        problems:add(at, "output 'color' is '%s' of format %s; it wants rgba16f or rgba32f", sources[name],
-                     rawget(value, "format"))
+      local fits, other = node.has_format(value, "^rgba%d+f$")
+      if name == "color" and not fits then
+        problems:add(at, "output 'color' is '%s' of format %s; it wants rgba16f or rgba32f", sources[name], other)
       end
     end
   end

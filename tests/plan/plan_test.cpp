@@ -252,6 +252,117 @@ TEST(Memory, OtherFormatsAndSizesDoNotShare) {
   EXPECT_EQ(plan.slots.size(), plan.images.size());
 }
 
+ParamDesc choiceParam(const std::string& name, const std::vector<std::string>& choices) {
+  ParamDesc param;
+  param.name = name;
+  param.type = ParamDesc::Type::Choice;
+  param.choices = choices;
+  param.default_value = choices.front();
+  return param;
+}
+
+// Two nodes of one pass, whose image is rg32f for `full` and rg16f for `half`; then one that reads both.
+Builder twoFormats(const std::string& second) {
+  Builder b;
+  PassDesc& pass = b.compute("store", {}, {"v rg32f"});
+  pass.params = {choiceParam("precision", {"full", "half"})};
+  pass.writes[0].format_by = "precision";
+  pass.writes[0].formats = {{"full", "rg32f"}, {"half", "rg16f"}};
+  NodeDesc again = b.node("store");
+  again.name = "again";
+  again.params = {{"precision", bound(second)}};
+  b.pipeline.nodes.push_back(again);
+  b.compute("use", {{"a", "store.v"}, {"b", "again.v"}}, {"x"});
+  b.output("color", "use.x");
+  return b;
+}
+
+TEST(ChosenFormats, AreEachNodesOwn) {
+  Plan plan = compiled(twoFormats("half").pipeline);
+  EXPECT_EQ(image(plan, "store.v").format, "rg32f");
+  EXPECT_EQ(image(plan, "again.v").format, "rg16f");
+  uint64_t texels = 64 * 32;
+  EXPECT_EQ(bytesUnaliased(plan), texels * (8 + 4 + 4));  // 8 of rg32f, 4 of rg16f, 4 of the r32f that is read
+  EXPECT_NE(image(plan, "store.v").slot, image(plan, "again.v").slot);
+  std::string text = describe(plan);
+  EXPECT_NE(text.find("v rg32f"), std::string::npos) << text;
+  EXPECT_NE(text.find("v rg16f"), std::string::npos) << text;
+  EXPECT_EQ(toJson(plan)["images"][1]["format"], "rg16f");
+}
+
+TEST(ChosenFormats, FollowThePipelineAndWhatIsSet) {
+  Builder b = twoFormats("full");
+  std::string full = hashOf(compiled(b.pipeline));
+  EXPECT_NE(full, hashOf(compiled(twoFormats("half").pipeline)));
+  b.pipeline.params = {choiceParam("precision", {"full", "half"})};
+  b.node("store").params = {{"precision", following("precision")}};
+  EXPECT_EQ(image(compiled(b.pipeline), "store.v").format, "rg32f");
+  CompileOptions options = optionsOf(64, 32);
+  options.set = {{"precision", std::string("half")}};
+  EXPECT_EQ(image(compile(b.pipeline, options), "store.v").format, "rg16f");
+  options.set = {{"again.precision", std::string("half")}};
+  Plan plan = compile(b.pipeline, options);
+  EXPECT_EQ(image(plan, "store.v").format, "rg32f");
+  EXPECT_EQ(image(plan, "again.v").format, "rg16f");
+}
+
+// A chain in which every node writes what the one before the last wrote: two slots of a format in turns.
+TEST(ChosenFormats, ShareMemoryWithTheirLikeAlone) {
+  for (bool mixed : {false, true}) {
+    Builder b;
+    for (int i = 0; i < 6; ++i) {
+      Wires inputs;
+      if (i > 0) inputs = {{"x", fmt::format("n{}.x", i - 1)}};
+      PassDesc& pass = b.compute(fmt::format("n{}", i), inputs, {"x rg32f"});
+      pass.params = {choiceParam("precision", {"full", "half"})};
+      pass.writes[0].format_by = "precision";
+      pass.writes[0].formats = {{"full", "rg32f"}, {"half", "rg16f"}};
+      bool half = mixed && i % 2 == 1;
+      b.pipeline.nodes.back().params = {{"precision", bound(std::string(half ? "half" : "full"))}};
+    }
+    b.compute("last", {{"x", "n5.x"}}, {"x"});
+    b.output("color", "last.x");
+    Plan plan = compiled(b.pipeline);
+    EXPECT_EQ(plan.slots.size(), 3u) << mixed;
+    EXPECT_EQ(bytesAliased(plan), 64u * 32 * (mixed ? 8 + 4 + 4 : 8 + 8 + 4)) << mixed;
+  }
+}
+
+TEST(ChosenFormats, MistakesAreRefused) {
+  auto refused = [](auto change) {
+    Builder b = twoFormats("half");
+    b.pipeline.passes[0].writes[0].place = {"passes/store.lua", 4};
+    change(b.pipeline.passes[0].writes[0]);
+    return refusal(b.pipeline);
+  };
+  EXPECT_EQ(refused([](PortDesc& port) { port.format_by = "precison"; }),
+            "passes/store.lua:4: the format of port 'v' of pass 'store' is chosen by 'precison', which is no parameter "
+            "of it; did you mean 'precision'?");
+  EXPECT_EQ(refused([](PortDesc& port) { port.formats.pop_back(); }),
+            "passes/store.lua:4: port 'v' of pass 'store' has no format for 'precision' = 'half'");
+  EXPECT_EQ(refused([](PortDesc& port) { port.formats[1].second = "rg16"; }),
+            "passes/store.lua:4: port 'v' of pass 'store' has unknown format 'rg16'; did you mean 'rg16f'?");
+  EXPECT_EQ(refused([](PortDesc& port) { port.formats[1].second = "rg32ui"; }),
+            "passes/store.lua:4: the formats of port 'v' of pass 'store' mix unsigned integers and numbers: rg32f and "
+            "rg32ui");
+}
+
+TEST(ChosenFormats, ALoopStopsOnTheFormatThatIsChosen) {
+  Builder b;
+  b.beginLoop("shutter", 8, "measure.done");
+  PassDesc& measure = b.compute("measure", {}, {"done"});
+  measure.size.kind = SizeDesc::Kind::Fixed;
+  measure.size.width = measure.size.height = 1;
+  measure.params = {choiceParam("precision", {"full", "half"})};
+  measure.writes[0].format_by = "precision";
+  measure.writes[0].formats = {{"full", "r32f"}, {"half", "rg16f"}};
+  b.endLoop();
+  b.output("color", "measure.done");
+  EXPECT_EQ(refusal(b.pipeline), "accepted");
+  b.node("measure").params = {{"precision", bound(std::string("half"))}};
+  EXPECT_NE(refusal(b.pipeline).find("stops on 'measure.done', which is not r32f"), std::string::npos);
+}
+
 TEST(Memory, UsageFollowsFromThePorts) {
   Builder b;
   b.raster("draw", {}, {"x"});

@@ -57,6 +57,14 @@ TEST_F(Shaders, NamesNeedNoNumbers) {
   EXPECT_TRUE(unusedNames(interface_, {folder_ / "scale.glsl"}).empty());
 }
 
+TEST_F(Shaders, AParameterThatDecidesAFormatNeedNotBeNamed) {
+  interface_.variants.push_back({"precision", {"full", "half"}, 0});
+  EXPECT_EQ(errorOf(kGood), "");
+  EXPECT_EQ(unusedNames(interface_, {folder_ / "scale.glsl"}).size(), 1u);
+  interface_.variants.back().decides_format = true;
+  EXPECT_TRUE(unusedNames(interface_, {folder_ / "scale.glsl"}).empty());
+}
+
 TEST_F(Shaders, ErrorsHaveTheUsersLineAndBothPlaces) {
   std::string error = errorOf("void run(ivec2 p) {\n  imageStore(result_img, p, texelFetch(dept_tex, p, 0));\n}\n");
   EXPECT_NE(error.find("scale.glsl:2: "), std::string::npos) << error;
