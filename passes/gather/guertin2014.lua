@@ -2,6 +2,7 @@
 -- Guertin, McGuire and Nowrouzezahrai 2014, "A Fast and Stable Feature-Aware Motion Blur Filter", for any anchor.
 local pass   = require "strobe.pass"
 local jitter = require "scripts.pipelines.lib.jitter"
+local stored = require "scripts.pipelines.lib.stored"
 
 return pass.compute {
   name   = "gather_guertin2014",
@@ -24,7 +25,7 @@ return pass.compute {
     behind_depth = { optional = true, doc = "linear view depth of what was revealed behind each pixel" },
     behind_valid = { optional = true, doc = "above 1/2 where something was; absent: nowhere" },
   },
-  writes = { blurred = { format = "rgba32f",
+  writes = { blurred = { format = stored.color,
     doc = "linear, times alpha; alpha below 1 only over something revealed" } },
   params = {
     samples      = pass.int { 16, min = 1, max = 1024, doc = "taps along both directions together" },
@@ -52,8 +53,10 @@ return pass.compute {
       } },
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
+    color_format = stored.color_format,
   },
   counters = {
+    color_clamped = stored.counters.color_clamped,
     copied  = "pixels that were copied, since nothing around moves",
     uniform = "pixels at which all around was taken to move alike",
   },

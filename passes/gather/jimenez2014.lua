@@ -2,6 +2,7 @@
 -- Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare", for any anchor.
 local pass   = require "strobe.pass"
 local jitter = require "scripts.pipelines.lib.jitter"
+local stored = require "scripts.pipelines.lib.stored"
 
 return pass.compute {
   name   = "gather_jimenez2014",
@@ -21,7 +22,7 @@ return pass.compute {
     behind_depth = { optional = true, doc = "linear view depth of what was revealed behind each pixel" },
     behind_valid = { optional = true, doc = "above 1/2 where something was; absent: nowhere" },
   },
-  writes = { blurred = { format = "rgba32f",
+  writes = { blurred = { format = stored.color,
     doc = "linear, times alpha; alpha below 1 only over something revealed" } },
   params = {
     samples      = pass.int { 16, min = 1, max = 1024, doc = "taps along the displacement, at most" },
@@ -51,8 +52,10 @@ return pass.compute {
       doc = "where the slowest displacement around is longer than this share of the dominant one, taps are averaged" },
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
+    color_format = stored.color_format,
   },
   counters = {
+    color_clamped = stored.counters.color_clamped,
     copied = "pixels that were copied, since nothing around moves",
     cheap  = "pixels that are the plain mean of their taps, since all around moves alike",
     full   = "pixels whose taps were weighed",

@@ -2,6 +2,7 @@
 -- McGuire, Hennessy, Bukowski and Osman 2012, "A Reconstruction Filter for Plausible Motion Blur", for any anchor.
 local pass   = require "strobe.pass"
 local jitter = require "scripts.pipelines.lib.jitter"
+local stored = require "scripts.pipelines.lib.stored"
 
 return pass.compute {
   name   = "gather_mcguire2012",
@@ -21,7 +22,7 @@ return pass.compute {
     behind_depth = { optional = true, doc = "linear view depth of what was revealed behind each pixel" },
     behind_valid = { optional = true, doc = "above 1/2 where something was; absent: nowhere" },
   },
-  writes = { blurred = { format = "rgba32f",
+  writes = { blurred = { format = stored.color,
     doc = "linear, times alpha; alpha below 1 only over something revealed" } },
   params = {
     samples      = pass.int { 16, min = 1, max = 1024, doc = "taps along the displacement" },
@@ -37,5 +38,7 @@ return pass.compute {
       doc = "share of the depth over which two depths count as one" },
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
+    color_format = stored.color_format,
   },
+  counters = { color_clamped = stored.counters.color_clamped },
 }

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- The geometry buffer, derived from what each pixel sees by the functions that rays use too.
-local pass = require "strobe.pass"
+local pass   = require "strobe.pass"
+local stored = require "scripts.pipelines.lib.stored"
 
 return pass.compute {
   name   = "gbuffer",
@@ -13,9 +14,11 @@ return pass.compute {
     depth    = { format = "r32f", doc = "linear view depth, metres; sky = +inf" },
     normal   = { format = "rgba32f", doc = "unit, world space, towards the camera; sky = 0" },
     id       = { format = "rg32ui", doc = "instance + 1, geometry + 1; sky = 0" },
-    velocity = { format = "rg32f", doc = "displacement over the exposure, px, x right, y down; never clamped" },
+    velocity = { format = stored.velocity, doc = "displacement over the exposure, px, x right, y down; never clamped" },
   },
   params = {
+    velocity_format = stored.velocity_format,
+    depth_encoding  = stored.depth_encoding,
     displacement = pass.choice { "window", "extrapolated", default = "window",
       doc = "what the displacement over the exposure is taken from",
       values = {
@@ -25,5 +28,6 @@ return pass.compute {
                        "first frame of a clip.",
       } },
   },
+  counters = { velocity_clamped = stored.counters.velocity_clamped, depth_lost = stored.counters.depth_lost },
   fails  = "One displacement per pixel: motion that bends within the exposure is taken for a straight line.",
 }

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- The two-sided split of a layer's motion: its displacements before and after the capture.
-local pass = require "strobe.pass"
+local pass   = require "strobe.pass"
+local stored = require "scripts.pipelines.lib.stored"
 
 return pass.compute {
   name   = "halves",
@@ -14,10 +15,12 @@ return pass.compute {
     velocity = { doc = "displacement over the exposure, px" },
   },
   writes = {
-    before = { format = "rg32f", doc = "px over the exposure at the pace of the part before the capture; if it has " ..
+    before = { format = stored.velocity, doc = "px over the exposure at the pace of the part before the capture; if it has " ..
       "none, as after it" },
-    after  = { format = "rg32f", doc = "px over the exposure at the pace of the part after the capture; if it has " ..
+    after  = { format = stored.velocity, doc = "px over the exposure at the pace of the part after the capture; if it has " ..
       "none, as before it" },
   },
+  params = { velocity_format = stored.velocity_format },
+  counters = { velocity_clamped = stored.counters.velocity_clamped },
   fails  = "Motion that bends elsewhere than at the capture is still taken for straight lines.",
 }

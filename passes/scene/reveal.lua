@@ -3,6 +3,7 @@
 -- Source: Tan, Cui, Bhojan, "Hybrid MBlur", SIGGRAPH '20 Posters, section "Ray Reveal".
 local pass    = require "strobe.pass"
 local gbuffer = require "passes.scene.gbuffer"
+local stored  = require "scripts.pipelines.lib.stored"
 
 return pass.trace {
   name   = "reveal",
@@ -14,10 +15,10 @@ return pass.trace {
     mask = { doc = "1 where a ray is wanted" },
   },
   writes = {
-    color    = { format = "rgba32f", doc = "linear radiance of what is revealed; 0 where nothing is" },
+    color    = { format = stored.color, doc = "linear radiance of what is revealed; 0 where nothing is" },
     depth    = { format = "r32f", doc = "its linear view depth, metres; sky = +inf, 0 where nothing is revealed" },
     id       = { format = "rg32ui", doc = "its instance + 1, geometry + 1; 0 for sky and where nothing is" },
-    velocity = { format = "rg32f", doc = "its displacement over the exposure, px" },
+    velocity = { format = stored.velocity, doc = "its displacement over the exposure, px" },
     valid    = { format = "r8_unorm", doc = "1 where something is revealed" },
   },
   fails  = "A second layer behind the revealed one stays hidden. Of two surfaces in one place (within 4 " ..
@@ -25,6 +26,9 @@ return pass.trace {
            "as if it were opaque.",
   params = {
     displacement = gbuffer.params.displacement,
+    velocity_format = stored.velocity_format,
+    color_format    = stored.color_format,
+    depth_encoding  = stored.depth_encoding,
     termination = pass.choice { "luminance", "geometry", "instance", "motion", default = "instance",
       doc = "what counts as another object than the one in front",
       values = {
@@ -87,5 +91,8 @@ return pass.trace {
     revealed  = "rays that revealed a surface or sky",
     capped    = "rays that met the cap on layers",
     met_again = "hits on the triangle just left, which are no layers",
+    velocity_clamped = stored.counters.velocity_clamped,
+    color_clamped    = stored.counters.color_clamped,
+    depth_lost       = stored.counters.depth_lost,
   },
 }

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Deferred shading of what each pixel sees, with traced shadows.
-local pass = require "strobe.pass"
+local pass   = require "strobe.pass"
+local stored = require "scripts.pipelines.lib.stored"
 
 return pass.trace {
   name   = "shade",
@@ -8,8 +9,9 @@ return pass.trace {
   doc    = "Colour of what each pixel sees, posed at the capture; lights cast traced shadows",
   size   = { of = "hit" },
   reads  = { hit = { uint = true, doc = "instance + 1 (0 = sky), geometry, primitive" } },
-  writes = { color = { format = "rgba32f", doc = "linear radiance; alpha 1" } },
+  writes = { color = { format = stored.color, doc = "linear radiance; alpha 1" } },
   params = {
+    color_format = stored.color_format,
     shading = pass.choice { "frozen", "full", default = "frozen",
       doc = "pose at which points are shaded: the capture's, or the node's own time",
       values = {
@@ -18,4 +20,5 @@ return pass.trace {
         full   = "As at the time at which the point is seen. Nothing to fail: light, shadows and highlights move too.",
       } },
   },
+  counters = { color_clamped = stored.counters.color_clamped },
 }

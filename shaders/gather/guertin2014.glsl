@@ -24,6 +24,7 @@
 #include "lib/directions.glsl"
 #include "lib/jitter.glsl"
 #include "lib/layer.glsl"
+#include "lib/stored.glsl"
 #include "lib/tile_lookup.glsl"
 
 const float kCopiedRadius = 0.505;   // px
@@ -99,7 +100,7 @@ void run(ivec2 pixel) {
   float reach = reachFactor(frame.shutter);
   if (reach * lengthOf(d) <= kCopiedRadius) {
     count_copied(1u);
-    imageStore(blurred_img, pixel, vec4(vec3(texelFetch(color_tex, pixel, 0)), 1));
+    imageStore(blurred_img, pixel, storedColor(vec4(vec3(texelFetch(color_tex, pixel, 0)), 1)));
     return;
   }
 
@@ -134,5 +135,5 @@ void run(ivec2 pixel) {
     front += weight;
     sum += weight * tap.color;
   }
-  imageStore(blurred_img, pixel, vec4(sum / all, over ? front / all : 1.0));
+  imageStore(blurred_img, pixel, storedColor(vec4(sum / all, over ? front / all : 1.0)));
 }

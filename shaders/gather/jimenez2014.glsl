@@ -24,6 +24,7 @@
 //   there appear a second time; outside, the background under the object comes from the opposite side. One direction.
 #include "lib/jitter.glsl"
 #include "lib/layer.glsl"
+#include "lib/stored.glsl"
 
 struct Tap {
   vec3 color;
@@ -180,7 +181,7 @@ void run(ivec2 pixel) {
   float reach = reachFactor(frame.shutter);
   if (reach * lengthOf(d) <= params.copy_below + (kStillRadius - 0.5)) {
     count_copied(1u);
-    imageStore(blurred_img, pixel, vec4(vec3(texelFetch(color_tex, pixel, 0)), 1));
+    imageStore(blurred_img, pixel, storedColor(vec4(vec3(texelFetch(color_tex, pixel, 0)), 1)));
     return;
   }
 
@@ -189,12 +190,12 @@ void run(ivec2 pixel) {
   bool over = hasBehind(pixel);
   if (!over && movesAsOne(pixel, d)) {
     count_cheap(1u);
-    imageStore(blurred_img, pixel, vec4(plainMean(pixel, d, count, jitter), 1));
+    imageStore(blurred_img, pixel, storedColor(vec4(plainMean(pixel, d, count, jitter), 1)));
     return;
   }
 
   count_full(1u);
   Tap here = tapAt(pixel, reach);
   Gather gather = Gather(here, d, reach, lengthOf(d) / float(count), over, behindDepth(pixel, here.depth));
-  imageStore(blurred_img, pixel, fullGather(pixel, gather, count, jitter));
+  imageStore(blurred_img, pixel, storedColor(fullGather(pixel, gather, count, jitter)));
 }

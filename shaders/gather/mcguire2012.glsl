@@ -23,6 +23,7 @@
 #include "lib/directions.glsl"
 #include "lib/jitter.glsl"
 #include "lib/layer.glsl"
+#include "lib/stored.glsl"
 
 struct Tap {
   vec3 color;
@@ -50,7 +51,7 @@ void run(ivec2 pixel) {
   vec2 d = vec2(texelFetch(dominant_tex, pixel / params.tile, 0));
   float reach = reachFactor(frame.shutter);
   if (reach * lengthOf(d) <= kStillRadius) {
-    imageStore(blurred_img, pixel, vec4(vec3(texelFetch(color_tex, pixel, 0)), 1));
+    imageStore(blurred_img, pixel, storedColor(vec4(vec3(texelFetch(color_tex, pixel, 0)), 1)));
     return;
   }
 
@@ -82,5 +83,5 @@ void run(ivec2 pixel) {
     front += weight;
     sum += weight * tap.color;
   }
-  imageStore(blurred_img, pixel, vec4(sum / all, over ? front / all : 1.0));
+  imageStore(blurred_img, pixel, storedColor(vec4(sum / all, over ? front / all : 1.0)));
 }

@@ -24,6 +24,7 @@
 //   moves is uncorrelated in time with what covers it (a product of two means); one direction per tile.
 #include "lib/jitter.glsl"
 #include "lib/layer.glsl"
+#include "lib/stored.glsl"
 
 struct Tap {
   vec3 color;
@@ -77,7 +78,7 @@ void run(ivec2 pixel) {
 #endif
   float reach = reachFactor(frame.shutter);
   if (reach * max(lengthOf(d), lengthOf(d_after)) <= kStillRadius) {
-    imageStore(blurred_img, pixel, vec4(vec3(texelFetch(color_tex, pixel, 0)), 1));
+    imageStore(blurred_img, pixel, storedColor(vec4(vec3(texelFetch(color_tex, pixel, 0)), 1)));
     return;
   }
 
@@ -114,9 +115,9 @@ void run(ivec2 pixel) {
     front = 1.0;
   }
   if (hasBehind(pixel)) {
-    imageStore(blurred_img, pixel, vec4(front_sum, front));
+    imageStore(blurred_img, pixel, storedColor(vec4(front_sum, front)));
     return;
   }
   vec3 background = back > 0.0 ? back_sum / back : here.color;
-  imageStore(blurred_img, pixel, vec4(front_sum + (1.0 - front) * background, 1));
+  imageStore(blurred_img, pixel, storedColor(vec4(front_sum + (1.0 - front) * background, 1)));
 }

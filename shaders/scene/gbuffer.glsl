@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // In:  hit_tex (instance + 1, geometry, primitive).
 // Out: depth (view depth, m, +inf for sky), normal (unit, world), id (instance + 1, geometry + 1), velocity (px over
-//      the exposure: `displacement`).
+//      the exposure: `displacement`); depth and velocity as memory keeps them (lib/stored.glsl).
 // Fails: one displacement per pixel, a straight line whatever the motion within the exposure.
+#include "lib/stored.glsl"
 #include "lib/surface.glsl"
 
 void run(ivec2 pixel) {
@@ -19,8 +20,8 @@ void run(ivec2 pixel) {
     id = uvec2(seen.x, seen.y + 1u);
     velocity = displacementOf(hit);
   }
-  imageStore(depth_img, pixel, vec4(depth));
+  imageStore(depth_img, pixel, vec4(storedDepth(depth)));
   imageStore(normal_img, pixel, vec4(normal, 0));
   imageStore(id_img, pixel, uvec4(id, 0u, 0u));
-  imageStore(velocity_img, pixel, vec4(velocity, 0, 0));
+  imageStore(velocity_img, pixel, vec4(storedVelocity(velocity), 0, 0));
 }

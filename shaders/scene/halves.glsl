@@ -6,8 +6,9 @@
 // Out: before, after (px over the exposure, at the pace of that part: a point now at y is at y + before*t for t < 0 and
 //      at y + after*t for t > 0). An exposure that has one of the parts only has `velocity` for both.
 // Fails: motion that bends elsewhere than at the capture.
-#include "lib/surface.glsl"
 #include "lib/blur.glsl"
+#include "lib/stored.glsl"
+#include "lib/surface.glsl"
 
 // Of the point of an instance that is at `position_ws` at the capture.
 vec2 pathOfPoint(uint slice, uint instance, vec3 position_ws) {
@@ -29,6 +30,6 @@ void run(ivec2 pixel) {
     before = pathOfTexel(SLICE_OPEN, ray, id, depth) / frame.shutter.x;
     after = pathOfTexel(SLICE_CLOSE, ray, id, depth) / frame.shutter.y;
   }
-  imageStore(before_img, pixel, vec4(before, 0, 0));
-  imageStore(after_img, pixel, vec4(after, 0, 0));
+  imageStore(before_img, pixel, vec4(storedVelocity(before), 0, 0));
+  imageStore(after_img, pixel, vec4(storedVelocity(after), 0, 0));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The surface behind the foreground, along the same ray as the raster's sample (Tan, Cui, Bhojan 2020, "Ray Reveal").
 // In:  hit_tex (foreground), mask_tex (> 0.5: reveal).
-// Out: color, depth, id, velocity, valid as the G-buffer encodes them; everything 0 where nothing is revealed.
+// Out: color, depth, id, velocity, valid as the G-buffer has them; everything 0 where nothing is revealed.
 //      With `divide` = 2 a texel stands for a square of 2x2 pixels, and its ray is that of sourcePixel().
 // Goes from hit to hit by `advance` until `termination` holds or `max_layers` hits did not end it (counter `capped`).
 // Under instance_filter the foreground is passed over within the traversal: instance and geometry termination then end
@@ -13,6 +13,7 @@
 #include "lib/advance.glsl"
 #include "lib/shade.glsl"
 #include "lib/square.glsl"
+#include "lib/stored.glsl"
 
 float luminance(vec3 color) { return dot(color, vec3(0.2126, 0.7152, 0.0722)); }
 
@@ -163,9 +164,9 @@ void run(ivec2 texel) {
   ivec2 pixel = sourcePixel(texel, params.divide);
   Revealed revealed = kNothing;
   if (pixel.x >= 0) revealed = revealedBehind(pixel);
-  imageStore(color_img, texel, revealed.color);
-  imageStore(depth_img, texel, vec4(revealed.depth));
+  imageStore(color_img, texel, storedColor(revealed.color));
+  imageStore(depth_img, texel, vec4(storedDepth(revealed.depth)));
   imageStore(id_img, texel, uvec4(revealed.id, 0u, 0u));
-  imageStore(velocity_img, texel, vec4(revealed.velocity, 0, 0));
+  imageStore(velocity_img, texel, vec4(storedVelocity(revealed.velocity), 0, 0));
   imageStore(valid_img, texel, vec4(revealed.valid ? 1.0 : 0.0));
 }

@@ -13,6 +13,7 @@
 #include "lib/blur.glsl"
 #include "lib/sanitise.glsl"
 #include "lib/square.glsl"
+#include "lib/stored.glsl"
 
 struct Sample {
   ivec2 square;
@@ -85,9 +86,9 @@ void run(ivec2 pixel) {
     if (best.weight > 0.0) revealed = blended(samples, best);
     else count_unmatched(1u);
   }
-  imageStore(color_img, pixel, revealed.color);
-  imageStore(depth_img, pixel, vec4(revealed.depth));
+  imageStore(color_img, pixel, storedColor(revealed.color));
+  imageStore(depth_img, pixel, vec4(storedDepth(revealed.depth)));
   imageStore(id_img, pixel, uvec4(best.id, 0u, 0u));
-  imageStore(velocity_img, pixel, vec4(revealed.velocity, 0, 0));
+  imageStore(velocity_img, pixel, vec4(storedVelocity(revealed.velocity), 0, 0));
   imageStore(valid_img, pixel, vec4(best.weight > 0.0 ? 1.0 : 0.0));
 }

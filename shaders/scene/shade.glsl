@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// In:  hit_tex. Out: color (linear radiance).
+// In:  hit_tex. Out: color (linear radiance), as memory keeps it (lib/stored.glsl).
 #include "lib/shade.glsl"
+#include "lib/stored.glsl"
 
 void run(ivec2 pixel) {
   uvec4 seen = texelFetch(hit_tex, pixel, 0);
@@ -12,5 +13,5 @@ void run(ivec2 pixel) {
     uint pose = PARAM_shading == shading_frozen ? SLICE_CAPTURE : TIME_SLICE;
     color = shade(pose, hitOnTriangle(TIME_SLICE, ray, seen.x - 1u, seen.y, seen.z));
   }
-  imageStore(color_img, pixel, vec4(color, 1));
+  imageStore(color_img, pixel, storedColor(vec4(color, 1)));
 }

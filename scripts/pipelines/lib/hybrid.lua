@@ -105,11 +105,13 @@ function hybrid.revealed(p, seen, mask)
     hit = seen.hit, mask = mask, displacement = p.displacement, divide = half and 2 or 1, as = "reveal",
     termination = p.termination, tolerance = p.tolerance, same_motion = p.same_motion, advance = p.advance,
     max_layers = p.max_layers, on_cap = p.on_cap, reveal_velocity = p.reveal_velocity,
+    velocity_format = p.velocity_format, color_format = p.color_format, depth_encoding = p.depth_encoding,
   }
   if not half then return rays end
   return reveal_upsample {
     hit = seen.hit, mask = mask, front_depth = seen.depth, color = rays.color, depth = rays.depth, id = rays.id,
     velocity = rays.velocity, valid = rays.valid, depth_extent = p.depth_extent,
+    velocity_format = p.velocity_format, color_format = p.color_format, depth_encoding = p.depth_encoding,
   }
 end
 
@@ -141,7 +143,7 @@ end
 local function blurred(p, seen, revealed)
   local on_top = hybrid.dominant(p, seen, revealed)
   local below = hybrid.revealed_dominant(p, revealed, on_top)
-  local settings = { directions = p.directions }
+  local settings = { directions = p.directions, color_format = p.color_format }
   return {
     front = gathers.blurred(p, p.weights(), gathers.images(seen, on_top, revealed), "gather_raster", settings),
     back = gathers.blurred(p, p.weights(), gathers.images(revealed, below), "gather_revealed", settings),

@@ -4,6 +4,7 @@ local pipeline      = require "strobe.pipeline"
 local gbuffer       = require "passes.scene.gbuffer"
 local neighbour_max = require "passes.tile.neighbour_max"
 local jitter        = require "scripts.pipelines.lib.jitter"
+local stored        = require "scripts.pipelines.lib.stored"
 
 local options = {}
 
@@ -20,6 +21,9 @@ function options.blur(tile, limit)
     jitter_frame = jitter.jitter_frame,
     displacement = gbuffer.params.displacement,
     tile_rule    = neighbour_max.params.rule,
+    velocity_format = stored.velocity_format,
+    color_format    = stored.color_format,
+    depth_encoding  = stored.depth_encoding,
   }
 end
 

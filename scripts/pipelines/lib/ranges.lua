@@ -27,7 +27,9 @@ end
 -- velocity becomes that before the capture and it gets an after_velocity. `name` names the node.
 function ranges.divided(p, layer, name)
   if not ranges.are_split(p) then return layer end
-  local parts = halves { depth = layer.depth, id = layer.id, velocity = layer.velocity, as = name }
+  local parts = halves {
+    depth = layer.depth, id = layer.id, velocity = layer.velocity, velocity_format = p.velocity_format, as = name,
+  }
   local divided = {}
   for key, value in pairs(layer) do divided[key] = value end
   divided.velocity, divided.after_velocity = parts.before, parts.after

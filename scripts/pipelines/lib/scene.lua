@@ -7,17 +7,21 @@ local shade      = require "passes.scene.shade"
 local scene = {}
 
 -- depth, normal, id, velocity, color and hit of what raster sees, or what another pass finds visible. `p`: parameters
--- of a blur (options.blur); without them the displacement is that of the window.
+-- of a blur (options.blur); without them the displacement is that of the window, and all is kept as it was computed.
 function scene.captured(p, visible)
+  p = p or {}
   local hit = (visible or visibility) {}.hit
-  local g = gbuffer { hit = hit, displacement = p and p.displacement }
+  local g = gbuffer {
+    hit = hit, displacement = p.displacement, velocity_format = p.velocity_format, depth_encoding = p.depth_encoding,
+  }
   return {
     hit = hit, depth = g.depth, normal = g.normal, id = g.id, velocity = g.velocity,
-    color = shade { hit = hit }.color,
+    color = shade { hit = hit, color_format = p.color_format }.color,
   }
 end
 
--- The outputs every pipeline has, and those given.
+-- The outputs every pipeline has, and those given. Depth and velocity are what filters read, after whatever formats did
+-- to them.
 function scene.outputs(seen, more)
   local outputs = { depth = seen.depth, normal = seen.normal, velocity = seen.velocity, id = seen.id }
   for name, value in pairs(more) do outputs[name] = value end

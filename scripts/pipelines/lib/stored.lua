@@ -1,0 +1,52 @@
+-- SPDX-License-Identifier: MIT
+-- How colours, displacements and depths are kept between passes: parameters, formats and counters of whatever includes
+-- lib/stored.glsl, for passes and pipelines alike.
+local param = require "strobe.param"
+
+local stored = {}
+
+stored.velocity_format = param.choice {
+  "fp32", "fp16", default = "fp32",
+  doc = "numbers in which displacements are kept between passes",
+  values = {
+    fp32 = "Single precision, 8 bytes per pixel. Nothing to fail: displacements are as they were computed.",
+    fp16 = "Half floats, 4 bytes per pixel, rounded to the nearest. Fails by up to 1/2048 of the displacement (1/32 px "
+      .. "from 64 to 128 px), which moves samples across silhouettes, and beyond 65504 px, where displacements are "
+      .. "shortened and counted.",
+  },
+}
+
+stored.color_format = param.choice {
+  "fp32", "fp16", default = "fp32",
+  doc = "numbers in which colours are kept between passes; the picture that comes out is always fp32",
+  values = {
+    fp32 = "Single precision, 16 bytes per pixel. Nothing to fail: colours are as they were computed.",
+    fp16 = "Half floats, 8 bytes per pixel, rounded to the nearest. Fails by up to 1/2048 of each channel, and beyond "
+      .. "65504, where channels are clamped and counted.",
+  },
+}
+
+stored.depth_encoding = param.choice {
+  "linear", "reversed", "inverse", "unorm24", default = "linear",
+  doc = "number that the depth buffer holds; filters read what comes back from it as linear view depth",
+  values = {
+    linear = "The view depth itself in single precision. Nothing to fail: depths are as they were computed.",
+    reversed = "Near distance / view depth in single precision, sky 0 (reversed z). Fails by about 1e-7 of the depth, "
+      .. "so that surfaces closer together than that may swap or tie.",
+    inverse = "1 / view depth in single precision, sky 0. Fails as reversed does.",
+    unorm24 = "1 - near distance / view depth in 24 bits, sky 1 (the standard z of old). Fails in the distance: by up "
+      .. "to depth / (near distance * 2^25) of the depth, and everything farther than 2^25 near distances is sky, "
+      .. "which is counted.",
+  },
+}
+
+stored.velocity = { by = "velocity_format", fp32 = "rg32f", fp16 = "rg16f" }
+stored.color    = { by = "color_format", fp32 = "rgba32f", fp16 = "rgba16f" }
+
+stored.counters = {
+  velocity_clamped = "pixels whose displacement, beyond the 65504 px of a half float, was shortened to that",
+  color_clamped    = "pixels with a channel beyond the 65504 of a half float, which was clamped to that",
+  depth_lost       = "pixels so far away that the depth encoding cannot tell them from the sky, which they became",
+}
+
+return stored
