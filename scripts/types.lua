@@ -54,6 +54,10 @@
 ---@field [1]? integer width
 ---@field [2]? integer height
 
+---@class strobe.Counter
+---@field doc string what it counts
+---@field limit? string what was done to the picture there and what to do about it: a warning where the count is not 0
+
 ---@class strobe.PassTable
 ---@field name string unique; nodes are called this unless `as` says otherwise
 ---@field shader string below shaders/, without .glsl (of a raster pass without .vert.glsl and .frag.glsl)
@@ -65,7 +69,7 @@
 ---@field writes? table<string, strobe.Write> images of which it fills every pixel
 ---@field updates? table<string, strobe.Update> images it reads and writes; zero at the first execution in a frame
 ---@field params? table<string, strobe.Param>
----@field counters? table<string, string> counts of events: what each counts
+---@field counters? table<string, string|strobe.Counter> counts of events: what each counts
 
 ---An image port of a node, to be wired to a read.
 ---@class strobe.Image
@@ -82,6 +86,7 @@
 
 ---@class strobe.Pass
 ---@field params table<string, strobe.Param> its declarations, for use in a pipeline
+---@field counters table<string, string|strobe.Counter> the same of its counters, for use in another pass
 ---@overload fun(arguments: strobe.CallTable): strobe.Ports
 
 ---@class strobe.pass

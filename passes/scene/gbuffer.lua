@@ -28,6 +28,24 @@ return pass.compute {
                        "first frame of a clip.",
       } },
   },
-  counters = { velocity_clamped = stored.counters.velocity_clamped, depth_lost = stored.counters.depth_lost },
+  counters = {
+    near_plane = {
+      doc   = "pixels whose surface is behind the near plane at some time of the exposure",
+      limit = "their displacement is the path up to that plane, extrapolated to its full length: no straight line tells " ..
+              "where they go. Truth does not share this. Shorten the exposure, or bring the near plane nearer",
+    },
+    not_finite = {
+      doc   = "pixels whose displacement is not a finite number",
+      limit = "it was replaced by 0: they are not blurred. Look at the transforms of what they show: lengths beyond " ..
+              "single precision",
+    },
+    stretched = {
+      doc   = "pixels whose displacement is the path of one frame, stretched over an exposure of more than one",
+      limit = "the motion is taken to have gone on as before the frame that is known. Take displacement = window, or an " ..
+              "exposure of at most 1",
+    },
+    velocity_clamped = stored.counters.velocity_clamped,
+    depth_lost       = stored.counters.depth_lost,
+  },
   fails  = "One displacement per pixel: motion that bends within the exposure is taken for a straight line.",
 }

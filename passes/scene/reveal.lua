@@ -3,6 +3,7 @@
 -- Source: Tan, Cui, Bhojan, "Hybrid MBlur", SIGGRAPH '20 Posters, section "Ray Reveal".
 local pass    = require "strobe.pass"
 local gbuffer = require "passes.scene.gbuffer"
+local shade   = require "passes.scene.shade"
 local stored  = require "scripts.pipelines.lib.stored"
 
 return pass.trace {
@@ -89,7 +90,12 @@ return pass.trace {
   },
   counters = {
     revealed  = "rays that revealed a surface or sky",
-    capped    = "rays that met the cap on layers",
+    capped    = {
+      doc   = "rays that met the cap on layers",
+      limit = "what is behind more layers than `max_layers` was not found; `on_cap` says what stands in. Raise " ..
+              "`max_layers`, or take advance = instance_filter, which passes over the object in front at once",
+    },
+    not_finite = shade.counters.not_finite,
     met_again = "hits on the triangle just left, which are no layers",
     velocity_clamped = stored.counters.velocity_clamped,
     color_clamped    = stored.counters.color_clamped,

@@ -10,6 +10,13 @@ return pass.trace {
   size   = { of = "hit" },
   reads  = { hit = { uint = true, doc = "instance + 1 (0 = sky), geometry, primitive" } },
   writes = { color = { format = stored.color, doc = "linear radiance; alpha 1" } },
+  counters = {
+    not_finite = {
+      doc   = "radiances that were not finite numbers",
+      limit = "NaN became 0 and infinity 65504. Look at textures, lights and normals of what is there",
+    },
+    color_clamped = stored.counters.color_clamped,
+  },
   params = {
     color_format = stored.color_format,
     shading = pass.choice { "frozen", "full", default = "frozen",
@@ -20,5 +27,4 @@ return pass.trace {
         full   = "As at the time at which the point is seen. Nothing to fail: light, shadows and highlights move too.",
       } },
   },
-  counters = { color_clamped = stored.counters.color_clamped },
 }

@@ -19,5 +19,9 @@ return pass.compute {
     tile  = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
     limit = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement filters handle" },
   },
-  counters = { clamped = "pixels (of either layer) that move farther than the limit" },
+  counters = { clamped = {
+    doc   = "pixels (of either layer) that move farther than the limit",
+    limit = "the filter shortened their displacement to the limit: their blur is shorter than it should be, which truth " ..
+            "does not share. Raise `limit`, or shorten the exposure",
+  } },
 }

@@ -1,7 +1,8 @@
 -- SPDX-License-Identifier: MIT
 -- One time sample of ground truth per pixel, added to two interleaved halves; repeated over the shutter by a loop.
 -- Source: Cook, Porter, Carpenter, "Distributed Ray Tracing", SIGGRAPH '84.
-local pass = require "strobe.pass"
+local pass  = require "strobe.pass"
+local shade = require "passes.scene.shade"
 
 return pass.trace {
   name   = "truth_trace",
@@ -23,6 +24,7 @@ return pass.trace {
     still   = { format = "rgba32f",
       doc = "colour of what stands still behind everything that moves; a = 1 once known" },
   },
+  counters = { not_finite = shade.counters.not_finite },
   params = {
     shading = pass.choice { "frozen", "full", default = "frozen",
       doc = "pose at which points are shaded: the capture's (what a blur filter can reach), or the sample's own time" },

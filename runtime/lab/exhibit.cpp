@@ -246,6 +246,7 @@ class Hall {
   double scale_x_, scale_y_;
   Pace& pace_;
   image::Image back_, back_valid_;  // of the shot at hand
+  std::set<std::string> told_;      // warnings
 };
 
 Picture Hall::frame(const DemoShot& shot, const Task& task, const script::Settings& more, int aa, bool counted) {
@@ -273,6 +274,8 @@ Entry Hall::entryOf(const DemoShot& shot, const Task& task, Picture& picture) {
   picture = frame(shot, task, {}, 1, true);
   if (timed) entry.ms = picture.frame.gpu_ms;
   entry.clamped = clampedPixels(picture.record);
+  for (const std::string& warning : picture.warnings)
+    if (told_.insert(warning).second) warn(fmt::format("{}, {}: {}", shot.title, task.column->label, warning));
   entry.color = colorOf(picture);
   entry.shown = entry.color;
   if (shot.shot.aa > 1) {
@@ -350,7 +353,6 @@ Group Hall::groupOf(ShotResult& result, const DemoShot& shot, const std::string&
   Task truth_task = taskOf(shot, demo_.truth(), anchor);
   Entry reference = entryOf(shot, truth_task, truth);
   if (!result.resolved.fps) describe(result, truth);
-  for (const std::string& warning : result.groups.empty() ? truth.warnings : std::vector<std::string>()) warn(warning);
   image::Image full;
   if (shot.full_shading) full = colorOf(frame(shot, truth_task, *shot.full_shading, 1, true));
   std::map<std::string, double> sigma;

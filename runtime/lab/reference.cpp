@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "base/limits.h"
 #include "script/evaluate.h"
 
 namespace strobe::lab {
@@ -211,9 +212,10 @@ std::string outputsText(const PassDesc& pass, const std::vector<PortDesc>& ports
 }
 
 std::string countersText(const PassDesc& pass) {
-  Table table({"name", "what it counts", "in GLSL"});
+  Table table({"name", "what it counts", "where it is not 0", "in GLSL"});
   for (const auto& counter : pass.counters)
-    table.add({code(counter.name), counter.doc, code(fmt::format("count_{}(n)", counter.name))});
+    table.add({code(counter.name), counter.doc, counter.limit.empty() ? "" : "a warning: " + counter.limit,
+               code(fmt::format("count_{}(n)", counter.name))});
   return table.text();
 }
 
@@ -331,7 +333,8 @@ std::map<std::string, std::vector<const PassDesc*>> families(const std::vector<P
 
 std::string indexPage(const std::vector<PipelineDesc>& pipelines, const std::vector<PassDesc>& passes) {
   std::string text = "# Reference\n\nWhat every pipeline and every pass declares. `strobe help NAME` prints a page, "
-                     "`strobe help NAME.PARAM` one parameter.\n\n## Pipelines\n\n";
+                     "`strobe help NAME.PARAM` one parameter. What none of them can do: [limits](limits.md).\n\n"
+                     "## Pipelines\n\n";
   Table listed({"name", "what it is"});
   for (const PipelineDesc& one : pipelines) listed.add({fmt::format("[`{}`]({})", one.name, pathOf(one)), one.doc});
   text += listed.text();
@@ -340,6 +343,38 @@ std::string indexPage(const std::vector<PipelineDesc>& pipelines, const std::vec
     for (const PassDesc* pass : members) table.add({fmt::format("[`{}`]({})", pass->name, pathOf(*pass)), pass->doc});
     text += fmt::format("## passes/{}\n\n{}", family, table.text());
   }
+  return text;
+}
+
+// --- Limits
+
+std::string linkOf(const PassDesc& pass) { return fmt::format("[`{}`]({})", pass.name, pathOf(pass)); }
+
+std::string limitsOfPasses(const std::vector<PassDesc>& passes) {
+  Table table({"pass", "count", "when it is met", "what is done, and what to do about it"});
+  for (const PassDesc& pass : passes)
+    for (const auto& counter : pass.counters)
+      if (!counter.limit.empty())
+        table.add({linkOf(pass), code(counter.name), sentence(counter.doc), sentence(counter.limit)});
+  return table.text();
+}
+
+std::string limitsOfProgram(bool refused) {
+  Table table({"name", "when it is met", "what is done, and what to do about it"});
+  for (const Limit& limit : limits())
+    if (limit.refused == refused) table.add({code(limit.name), sentence(limit.met), sentence(limit.result)});
+  return table.text();
+}
+
+std::string limitsPage(const std::vector<PassDesc>& passes) {
+  std::string text = "# Limits\n\nWithin these, no scene and no parameter gives a wrong picture without a word. Where one "
+                     "is met, Strobe says so: in `warnings` of the run record and on the terminal, or with an error before "
+                     "anything is drawn. Truth shares those of the program and none of the filters'.\n\n";
+  text += "## Of passes\n\nCounted per pixel (or as said) while the picture is made. Declared in the pass, beside its "
+          "counters.\n\n" + limitsOfPasses(passes);
+  text += "## Of the program, with a warning\n\nDeclared in `runtime/base/limits.cpp`.\n\n" + limitsOfProgram(false);
+  text += section("Of the program, refused", limitsOfProgram(true));
+  text.pop_back();
   return text;
 }
 
@@ -412,6 +447,7 @@ std::vector<ReferencePage> referencePages() {
   std::vector<PipelineDesc> pipelines = allPipelines();
   std::vector<ReferencePage> pages = {{"README.md", kNote + indexPage(pipelines, passes)}};
   pages.front().text.pop_back();
+  pages.push_back({"limits.md", kNote + limitsPage(passes)});
   for (const PassDesc& pass : passes) pages.push_back({pathOf(pass), kNote + passPage(pass)});
   for (const PipelineDesc& one : pipelines)
     pages.push_back({pathOf(one), kNote + pipelinePage(one, presetsOf(one), passes)});

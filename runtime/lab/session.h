@@ -85,6 +85,8 @@ class Session {
   // Draws the frame as it stands, reading back the outputs ("color") and taps ("node.port") named; null: all.
   graph::FrameResult draw(const std::set<std::string>* wanted = nullptr,
                           const std::function<void(int done, int of)>& progress = {});
+  // The limits that a frame met as it was drawn, a line each: its shot's, then its passes'.
+  std::vector<std::string> limitsMet(const graph::FrameResult& frame) const;
   // The frame with sub-pixel samples, run record and timings: what `strobe render` writes.
   Picture capture(const std::function<void(int done, int of)>& progress = {});
 

@@ -5,6 +5,7 @@
 #include "base/log.h"
 #include "lab/record.h"
 #include "lab/session_version.h"
+#include "lab/warnings.h"
 #include "scene/motion.h"
 
 namespace strobe::lab {
@@ -47,6 +48,12 @@ graph::FrameResult Session::draw(const std::set<std::string>* wanted, const std:
   graph::FrameSetup frame = setup();
   frame.wanted = wanted;
   return running_->graph->run(frame, progress);
+}
+
+std::vector<std::string> Session::limitsMet(const graph::FrameResult& frame) const {
+  std::vector<std::string> met = lab::limitsMet(shot_, scene());
+  for (std::string& one : lab::limitsMet(*running_->plan, frame)) met.push_back(std::move(one));
+  return met;
 }
 
 // Offset of sub-pixel sample i of n from the pixel's centre: a rank-1 lattice, one sample is the centre.
@@ -124,9 +131,11 @@ Picture Session::capture(const std::function<void(int, int)>& progress) {
   dependencies.insert(dependencies.end(), of_scene.begin(), of_scene.end());
   RecordContext context{shot_, running_->scene->loaded, *running_->plan, running_->plan_hash, bench_.device().info(),
                         running_->backend, dependencies};
-  picture.record = makeRecord(context, picture.frame);
-  picture.timings = makeTimings(picture.frame, bench_.device().info(), ready_s - started_s, done_s - ready_s);
   picture.warnings = scene().warnings;
+  for (std::string& met : limitsMet(picture.frame)) picture.warnings.push_back(std::move(met));
+  picture.record = makeRecord(context, picture.frame);
+  picture.record["warnings"] = picture.warnings;
+  picture.timings = makeTimings(picture.frame, bench_.device().info(), ready_s - started_s, done_s - ready_s);
   return picture;
 }
 

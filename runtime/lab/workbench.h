@@ -39,7 +39,7 @@ struct Picture {
   graph::FrameResult frame;  // of several sub-pixel samples: floats averaged, integers of the first
   Json record;
   Json timings;
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings;  // of the scene, and the limits that were met
   mat4 camera_from_world = mat4(1);  // at the capture; the camera looks along -z, y up
   mat4 ndc_from_world = mat4(1);     // x and y in [-1, 1], y up
 };

@@ -346,6 +346,7 @@ void Desk::draw(Side& side) {
     std::string port = there ? look_.port : kColor;
     std::set<std::string> wanted = {kColor, port};
     graph::FrameResult frame = side.session->draw(&wanted);
+    side.warnings = side.session->limitsMet(frame);
     side.frame = std::move(frame);
     side.drawn_port = port;
     side.color = threeChannels(side.frame.outputs.at(kColor).floats);

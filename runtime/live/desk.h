@@ -49,6 +49,7 @@ struct Side {
   image::Image color;          // linear, three channels; empty before the first frame
   std::string drawn_port;      // the image of `frame` that is looked at: "color" where it has no other
   std::string problem;         // why the last frame could not be drawn, or ""
+  std::vector<std::string> warnings;  // limits the frame met
   TimeHistory times;
   bool stale = true;           // values changed since the frame was drawn
   int frames_drawn = 0;

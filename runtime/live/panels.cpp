@@ -248,6 +248,20 @@ void timesPart(const Fonts& fonts, const char* title, const Side& side) {
   ImGui::EndTable();
 }
 
+// ---- right: limits that the frame met
+
+void limitsPart(const Fonts& fonts, const char* title, const Side& side) {
+  if (side.warnings.empty()) return;
+  heading(fonts, title);
+  ImGui::PushFont(fonts.small);
+  ImGui::PushStyleColor(ImGuiCol_Text, colours::kBad);
+  ImGui::PushTextWrapPos(0);
+  for (const std::string& warning : side.warnings) ImGui::TextUnformatted(warning.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+}
+
 // ---- right: the pinned pixel
 
 void trailPart(const Fonts& fonts, Desk& desk, PanelState& state) {
@@ -282,6 +296,8 @@ void rightPanel(const Fonts& fonts, Desk& desk, PanelState& state, float x, floa
   viewPart(fonts, desk, state);
   comparePart(fonts, desk, state);
   trailPart(fonts, desk, state);
+  limitsPart(fonts, desk.b() ? "Limits met by A" : "Limits met", desk.a());
+  if (desk.b()) limitsPart(fonts, "Limits met by B", *desk.b());
   timesPart(fonts, desk.b() ? "GPU time of A, ms" : "GPU time, ms", desk.a());
   if (desk.b()) {
     ImGui::PushID("b");

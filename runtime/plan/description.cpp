@@ -197,7 +197,11 @@ static Json sizeJson(const SizeDesc& size) {
   return json;
 }
 
-static Json counterJson(const CounterDesc& counter) { return {{"name", counter.name}, {"doc", counter.doc}}; }
+static Json counterJson(const CounterDesc& counter) {
+  Json json = {{"name", counter.name}, {"doc", counter.doc}};
+  if (!counter.limit.empty()) json["limit"] = counter.limit;
+  return json;
+}
 
 Json toJson(const PassDesc& pass) {
   Json json = {{"name", pass.name}, {"kind", kPassKinds[static_cast<size_t>(pass.kind)]}, {"shader", pass.shader}};

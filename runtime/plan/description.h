@@ -74,6 +74,7 @@ struct SizeDesc {
 struct CounterDesc {
   std::string name;
   std::string doc;
+  std::string limit;  // what was done to the picture where it counted, and what to do about it; or "": just an event
 };
 
 struct PassDesc {

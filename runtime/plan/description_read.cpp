@@ -234,8 +234,8 @@ void checkFormats(const Reader& reader, const PortDesc& port, const PassDesc& pa
 }
 
 CounterDesc readCounter(const Json& json) {
-  Reader reader(json, "counter", {"name", "doc"});
-  return {nameOf(reader), reader.text("doc", "")};
+  Reader reader(json, "counter", {"name", "doc", "limit"});
+  return {nameOf(reader), reader.text("doc", ""), reader.text("limit", "")};
 }
 
 SizeDesc readSize(const Json& json, const PassDesc& pass) {

@@ -14,6 +14,7 @@ pass.read_keys  = { "doc", "uint", "optional", "linear" }
 pass.write_keys = { "doc", "format" }
 pass.update_keys = { "doc", "format", "history" }
 pass.format_keys = { "by" }  -- and the choices of that parameter
+pass.counter_keys = { "doc", "limit" }
 pass.size_keys  = { "of", "divide", 1, 2 }
 pass.call_keys  = { "as", "time" }  -- of a call in a pipeline, so no port or parameter may be called this
 
@@ -147,15 +148,24 @@ local function declare_writes(problems, t, key, params, place, owner)
   return list
 end
 
+local function has_text(value)
+  return type(value) == "string" and value:find("%S") ~= nil
+end
+
+-- A counter is the text that says what it counts, or a table of that and of the limit that the picture met there.
 local function declare_counters(problems, t, place, owner)
   local list = {}
-  for name, doc in pairs(t.counters or {}) do
+  for name, given in pairs(t.counters or {}) do
     local at = native.key_place(place, "counters", name)
+    local what = ("counter %s of %s"):format(check.quoted(name), owner)
+    local counter = type(given) == "table" and given or { doc = given }
     if not check.is_name(name) then problems:add(at, "%s is not a name for a counter", check.quoted(name)) end
-    if type(doc) ~= "string" or not doc:find("%S") then
-      problems:add(at, "counter %s of %s wants a text that says what it counts", check.quoted(name), owner)
+    if type(given) == "table" then check.keys(problems, given, pass.counter_keys, place, what, { "counters", name }) end
+    if not has_text(counter.doc) then problems:add(at, "%s wants a text that says what it counts", what) end
+    if counter.limit ~= nil and not has_text(counter.limit) then
+      problems:add(at, "limit of %s wants a text: what was done to the picture, and what to do about it", what)
     end
-    list[#list + 1] = { name = name, doc = doc }
+    list[#list + 1] = { name = name, doc = counter.doc, limit = counter.limit }
   end
   return list
 end
@@ -272,7 +282,7 @@ local function declare(kind, place, t)
   result.size     = declare_size(problems, t, place, result, owner)
   check_twins(problems, result, owner)
   problems:raise()
-  return setmetatable({ description = result, params = t.params or {} }, Pass)
+  return setmetatable({ description = result, params = t.params or {}, counters = t.counters or {} }, Pass)
 end
 
 for _, kind in ipairs { "compute", "raster", "trace" } do

@@ -36,6 +36,9 @@ vec2 pixelFromView(uint slice, vec3 position_vs) {
   return vec2(0.5 + 0.5 * ndc.x, 0.5 - 0.5 * ndc.y) * vec2(frame.size);
 }
 
+// Has this invocation extrapolated a path from the near plane?
+bool met_near_plane = false;
+
 // Screen displacement, px, from a point at the capture to the same point at another slice. Where it passes behind the
 // near plane on the way, the path up to there is extrapolated to its full length: the divide never sees depths <= 0.
 vec2 pathFromCapture(vec3 capture_vs, uint slice, vec3 other_vs) {
@@ -46,6 +49,7 @@ vec2 pathFromCapture(vec3 capture_vs, uint slice, vec3 other_vs) {
     if (scene_cameras[slice].orthographic == 0u) other_vs.z = max(other_vs.z, near);
     return pixelFromView(slice, other_vs) - start;
   }
+  met_near_plane = true;
   float s = (capture_vs.z - near) / (capture_vs.z - other_vs.z);
   return (pixelFromView(slice, mix(capture_vs, other_vs, s)) - start) / s;
 }

@@ -7,6 +7,7 @@
 // punctual lights with traced shadows, plus light from everywhere, blended from ground to sky by the normal.
 #ifndef STROBE_SHADE_GLSL
 #define STROBE_SHADE_GLSL
+#include "lib/sanitise.glsl"
 #include "lib/trace.glsl"
 
 const float kPi = 3.14159265358979;
@@ -164,8 +165,17 @@ vec3 incident(uint slice, SceneLight light, Surface surface, out vec3 towards) {
   return isBlocked(slice, Ray(origin, direction), 0.0, t_max) ? vec3(0) : irradiance;
 }
 
-// Radiance of the point a hit names towards the camera, with the scene posed at `slice`; linear, scene-referred.
-vec3 shade(uint slice, Hit hit) {
+// Radiances this invocation has replaced because they were not finite.
+uint replaced_radiances = 0u;
+
+// NaN to 0 and infinity to 65504, so that one texel or light does not take the whole mean of a pixel with it.
+vec3 finiteRadiance(vec3 radiance) {
+  vec3 sound = finiteColor(vec4(radiance, 0));
+  if (sound != radiance) ++replaced_radiances;
+  return sound;
+}
+
+vec3 radianceOf(uint slice, Hit hit) {
   Surface surface = surfaceOf(slice, hit);
   SceneMaterial material = scene_materials[surface.material];
   mat2x3 footprint_ws = footprintOf(slice, surface);
@@ -197,5 +207,8 @@ vec3 shade(uint slice, Hit hit) {
   radiance += r.diffuse * skyLight(surface.normal_ws) + fresnel * skyLight(mirror);
   return radiance;
 }
+
+// Radiance of the point a hit names towards the camera, with the scene posed at `slice`; linear, scene-referred, finite.
+vec3 shade(uint slice, Hit hit) { return finiteRadiance(radianceOf(slice, hit)); }
 
 #endif

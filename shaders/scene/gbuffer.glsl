@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // In:  hit_tex (instance + 1, geometry, primitive).
 // Out: depth (view depth, m, +inf for sky), normal (unit, world), id (instance + 1, geometry + 1), velocity (px over
-//      the exposure: `displacement`); depth and velocity as memory keeps them (lib/stored.glsl).
+//      the exposure: `displacement`; 0 where that is not finite); depth and velocity as memory keeps them
+//      (lib/stored.glsl).
 // Fails: one displacement per pixel, a straight line whatever the motion within the exposure.
 #include "lib/stored.glsl"
 #include "lib/surface.glsl"
@@ -12,13 +13,23 @@ void run(ivec2 pixel) {
   float depth = uintBitsToFloat(0x7f800000u);
   vec3 normal = vec3(0);
   uvec2 id = uvec2(0);
-  vec2 velocity = displacementOfSky(ray.direction);
-  if (seen.x != 0u) {
+  vec2 velocity;
+  if (seen.x == 0u) {
+    velocity = displacementOfSky(ray.direction);
+  } else {
     Hit hit = hitOnTriangle(TIME_SLICE, ray, seen.x - 1u, seen.y, seen.z);
     depth = hit.t;
     normal = surfaceOf(TIME_SLICE, hit).normal_ws;
     id = uvec2(seen.x, seen.y + 1u);
     velocity = displacementOf(hit);
+  }
+#if PARAM_displacement == displacement_extrapolated
+  if (frame.exposure > 1.0 && velocity != vec2(0)) count_stretched(1u);
+#endif
+  if (met_near_plane) count_near_plane(1u);
+  if (any(isnan(velocity)) || any(isinf(velocity))) {
+    count_not_finite(1u);
+    velocity = vec2(0);
   }
   imageStore(depth_img, pixel, vec4(storedDepth(depth)));
   imageStore(normal_img, pixel, vec4(normal, 0));

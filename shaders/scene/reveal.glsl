@@ -164,6 +164,7 @@ void run(ivec2 texel) {
   ivec2 pixel = sourcePixel(texel, params.divide);
   Revealed revealed = kNothing;
   if (pixel.x >= 0) revealed = revealedBehind(pixel);
+  if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
   imageStore(color_img, texel, storedColor(revealed.color));
   imageStore(depth_img, texel, vec4(storedDepth(revealed.depth)));
   imageStore(id_img, texel, uvec4(revealed.id, 0u, 0u));

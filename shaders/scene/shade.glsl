@@ -13,5 +13,6 @@ void run(ivec2 pixel) {
     uint pose = PARAM_shading == shading_frozen ? SLICE_CAPTURE : TIME_SLICE;
     color = shade(pose, hitOnTriangle(TIME_SLICE, ray, seen.x - 1u, seen.y, seen.z));
   }
+  if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
   imageStore(color_img, pixel, storedColor(vec4(color, 1)));
 }

@@ -87,6 +87,7 @@ void run(ivec2 pixel) {
     color = isHit(hit) ? shade(PARAM_shading == shading_frozen ? SLICE_CAPTURE : slice, hit) : environment(ray.direction);
     if (is_still) imageStore(still_img, pixel, vec4(color, 1));
   }
+  if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
   addSample(pixel, color);
 
 #if PARAM_mark_regions

@@ -33,7 +33,7 @@ TEST(Types, NameTheFieldsThatTheChecksAccept) {
   home.write("x/keys.lua", R"(
 local param, pass, pipeline = require "strobe.param", require "strobe.pass", require "strobe.pipeline"
 local keys = { ParamTable = param.keys.float, ChoiceTable = param.keys.choice, Read = pass.read_keys,
-               Write = pass.write_keys, Update = pass.update_keys, Size = pass.size_keys,
+               Write = pass.write_keys, Update = pass.update_keys, Size = pass.size_keys, Counter = pass.counter_keys,
                ChosenFormat = pass.format_keys, PassTable = pass.keys, CallTable = pass.call_keys,
                PipelineTable = pipeline.keys, LoopTable = pipeline.loop_keys }
 local result = {}

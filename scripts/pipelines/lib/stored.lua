@@ -44,9 +44,19 @@ stored.velocity = { by = "velocity_format", fp32 = "rg32f", fp16 = "rg16f" }
 stored.color    = { by = "color_format", fp32 = "rgba32f", fp16 = "rgba16f" }
 
 stored.counters = {
-  velocity_clamped = "pixels whose displacement, beyond the 65504 px of a half float, was shortened to that",
-  color_clamped    = "pixels with a channel beyond the 65504 of a half float, which was clamped to that",
-  depth_lost       = "pixels so far away that the depth encoding cannot tell them from the sky, which they became",
+  velocity_clamped = {
+    doc   = "pixels whose displacement is beyond the 65504 px of a half float",
+    limit = "it was shortened to that, in its direction. Take velocity_format = fp32, or shorten the exposure",
+  },
+  color_clamped = {
+    doc   = "pixels with a channel beyond the 65504 of a half float",
+    limit = "it was clamped to that: what is as bright blurs darker than it should. Take color_format = fp32, or scale " ..
+            "the lights down",
+  },
+  depth_lost = {
+    doc   = "pixels so far away that the depth encoding cannot tell them from the sky",
+    limit = "they became sky, at infinite depth. Take another depth_encoding, or move the near plane away from the camera",
+  },
 }
 
 return stored

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// What Strobe cannot do, whatever the pipeline: one table, which messages and the reference page quote. The limits of
+// passes are declared with their counters (docs/writing-passes.md).
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace strobe {
+
+struct Limit {
+  std::string name;
+  bool refused = false;  // an error before anything is drawn; else a warning, and the picture is made
+  std::string met;       // when it is met
+  std::string result;    // what is done then, and what to do about it
+};
+
+const std::vector<Limit>& limits();
+
+// "`facts`; RESULT", for an error or a warning. A name that is not in the table is our own mistake.
+std::string limitText(const std::string& name, const std::string& facts);
+
+}  // namespace strobe

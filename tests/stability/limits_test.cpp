@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// A limit that is met is said in the run record, and one that is not met is not.
+#include <algorithm>
+
+#include "base/limits.h"
+#include "oracle/render.h"
+
+namespace strobe::stability {
+namespace {
+
+using oracle::shotOf;
+using oracle::with;
+
+class Limits : public oracle::RenderTest {
+ protected:
+  static std::vector<std::string> warningsOf(const lab::Shot& shot) {
+    lab::Picture picture = render(shot);
+    EXPECT_EQ(picture.record["warnings"].get<std::vector<std::string>>(), picture.warnings);
+    return picture.warnings;
+  }
+  // The one warning of a shot, which has no other.
+  static std::string warningOf(const lab::Shot& shot) {
+    std::vector<std::string> warnings = warningsOf(shot);
+    EXPECT_EQ(warnings.size(), 1u) << fmt::format("{}", fmt::join(warnings, "\n"));
+    return warnings.empty() ? "" : warnings.front();
+  }
+};
+
+lab::Shot crowd(const std::string& pipeline, const std::vector<std::string>& settings = {}) {
+  return with(shotOf("crowd", 32, 20, {{"speed", .25}}), pipeline, settings);
+}
+
+TEST_F(Limits, NoneIsMetByAnOrdinaryShot) {
+  for (const char* pipeline : {"none", "mcguire2012", "hybrid"})
+    EXPECT_EQ(warningsOf(crowd(pipeline)), std::vector<std::string>()) << pipeline;
+}
+
+// The count is that of the velocity image: pixels whose displacement is longer than limit * width.
+TEST_F(Limits, ShortenedDisplacementsAreCountedAndSaid) {
+  lab::Picture picture = render(crowd("mcguire2012", {"limit=0.05"}));
+  const image::Image& velocity = oracle::imageOf(picture, "velocity");
+  int longer = 0;
+  for (size_t i = 0; i < velocity.values.size(); i += 2)
+    longer += std::hypot(velocity.values[i], velocity.values[i + 1]) > .05f * 32;
+  ASSERT_GT(longer, 20);
+  EXPECT_EQ(oracle::counterOf(picture, "tile_max.clamped"), uint64_t(longer));
+  ASSERT_EQ(picture.warnings.size(), 1u);
+  std::string begin = fmt::format("tile_max: {} pixels (of either layer) that move farther than the limit; the filter", longer);
+  EXPECT_TRUE(picture.warnings[0].starts_with(begin)) << picture.warnings[0];
+}
+
+TEST_F(Limits, PathsExtrapolatedFromTheNearPlaneAreSaid) {
+  lab::Shot shot = with(crowd("mcguire2012"), "mcguire2012", {"limit=10"}, "close");
+  shot.moves = {"camera=0,0,30"};
+  std::vector<std::string> warnings = warningsOf(shot);  // such paths are long as well
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_TRUE(warnings[0].starts_with("gbuffer: ")) << warnings[0];
+  EXPECT_NE(warnings[0].find("behind the near plane"), std::string::npos) << warnings[0];
+}
+
+TEST_F(Limits, MotionExtrapolatedBeyondItsFrameIsSaid) {
+  lab::Shot shot = crowd("mcguire2012", {"displacement=extrapolated", "limit=10"});
+  shot.exposure = 1;
+  EXPECT_EQ(warningsOf(shot), std::vector<std::string>());
+  shot.exposure = 1.5;
+  EXPECT_NE(warningOf(shot).find("of more than one; the motion is taken"), std::string::npos);
+}
+
+// The clip of `bent` has keys from -8 to 8 exposures, which are 1/48 s each, and does not end as it begins again.
+TEST_F(Limits, ExposuresThatLeaveAClipAreSaid) {
+  lab::Shot shot = with(shotOf("bent", 32, 8), "none", {}, "close");
+  const double exposure_s = 1. / 48;
+  auto warningsAt = [&](double frames_per_second, int frame) {
+    shot.fps = frames_per_second;
+    shot.exposure = exposure_s * shot.fps;
+    shot.frame = frame;
+    return warningsOf(shot);
+  };
+  EXPECT_TRUE(warningsAt(24, 3).empty());
+  std::vector<std::string> seam = warningsAt(1000, 170);  // 0.17 s: 8 exposures end at 0.1667 s
+  ASSERT_EQ(seam.size(), 1u);
+  EXPECT_NE(seam[0].find("spans the end of 'bent' at 0.166667 s; what is keyed jumps back"), std::string::npos) << seam[0];
+  EXPECT_TRUE(warningsAt(1000, 160).empty());
+}
+
+TEST(LimitTable, SaysEveryLimitOnce) {
+  std::string sources;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(Path(STROBE_SOURCE_DIR) / "runtime"))
+    if (entry.path().extension() == ".cpp") sources += readText(entry.path());
+  for (const Limit& limit : limits()) {
+    EXPECT_NE(sources.find("limitText(\"" + limit.name + "\""), std::string::npos) << limit.name << " is never met";
+    EXPECT_GT(limit.met.size(), 20u);
+    EXPECT_GT(limit.result.size(), 20u);
+  }
+}
+
+}  // namespace
+}  // namespace strobe::stability
