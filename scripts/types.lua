@@ -8,6 +8,11 @@
 
 ---@alias strobe.Time "capture" | "open" | "close" | "sample"
 
+---Properties that every blur should have (docs/invariants.md).
+---@alias strobe.Invariant
+---| "constant" | "still" | "brief" | "mirrored" | "shifted" | "reversed" | "convex" | "uniform" | "linear" | "scaled"
+---| "converging" | "unmasked" | "finite" | "permuted"
+
 ---@class strobe.Param A declared parameter.
 
 ---A number or true/false: the default first, `{ 20, min = 1, max = 256, unit = "px", doc = "side of a tile" }`.
@@ -27,6 +32,7 @@
 ---@field unit? string
 ---@field doc string what it means
 ---@field values? table<string, string> what each choice does, and where it fails
+---@field breaks? table<string, table<strobe.Invariant, string>> invariants that a choice breaks, each with the reason
 
 ---@class strobe.Read
 ---@field doc string meaning, unit, range
@@ -63,6 +69,7 @@
 ---@field shader string below shaders/, without .glsl (of a raster pass without .vert.glsl and .frag.glsl)
 ---@field doc string what it computes
 ---@field fails? string when its result is wrong, and how
+---@field breaks? table<strobe.Invariant, string> invariants that do not hold where it is used, each with the reason
 ---@field size? "frame"|strobe.Size of what it writes; default "frame"
 ---@field scene? boolean (compute) the shader sees the scene; raster and trace passes always do
 ---@field reads? table<string, strobe.Read> images it samples
@@ -134,7 +141,15 @@ function pass.choice(t) end
 ---@field params? table<string, strobe.Param>
 ---@field presets? table<string, table<string, boolean|number|string>> values by parameter; adds the parameter `preset`
 ---@field default_preset? string without it the default is "none"
+---@field breaks? table<strobe.Invariant, string> invariants that do not hold, whatever its values, each with the reason
+---@field compare_with? string a pipeline that is no nearer to the truth than this one
+---@field equals? strobe.EqualTable[] values under which another pipeline gives the same picture, bit for bit
 ---@field build fun(p: table<string, strobe.Parameter>): table<string, strobe.Image> the images; `color` is required
+
+---@class strobe.EqualTable
+---@field when table<string, boolean|number|string> values of parameters
+---@field pipeline string the other pipeline
+---@field set? table<string, boolean|number|string> its values
 
 ---@class strobe.Pipeline
 

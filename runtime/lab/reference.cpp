@@ -135,6 +135,17 @@ std::string valueTable(const ParamDesc& param, const Link& link) {
   return table.text();
 }
 
+// Which of the properties that every blur should have do not hold, by parameter and value where it has some.
+std::string breaksText(const plan::Breaks& own, const std::vector<ParamDesc>& params) {
+  Table table({"with", "invariant", "why it does not hold"});
+  for (const auto& [invariant, reason] : own) table.add({"", invariant, reason});
+  for (const ParamDesc& param : params)
+    for (const auto& [value, breaks] : param.breaks)
+      for (const auto& [invariant, reason] : breaks)
+        table.add({code(param.name + " = " + value), invariant, reason});
+  return table.text();
+}
+
 std::string noLink(const ParamDesc&, const std::string&) { return ""; }
 
 template <class Link>
@@ -428,6 +439,7 @@ std::string passPage(const PassDesc& pass) {
   text += section("Updates", outputsText(pass, pass.updates, true));
   text += section("Parameters", paramsText(pass.params, true, noLink));
   text += section("Counters", countersText(pass));
+  text += section("Invariants it breaks", breaksText(pass.breaks, pass.params));
   text.pop_back();
   return text;
 }
@@ -436,6 +448,7 @@ std::string pipelinePage(const PipelineDesc& pipeline, const Presets& presets, c
   std::string text = fmt::format("# {}\n\n{}\n\nFile: `{}`.\n\n", pipeline.name, sentence(pipeline.doc), pipeline.file);
   text += section("Presets", presetsText(pipeline, presets));
   text += section("Parameters", paramsText(pipeline.params, false, linkToMembers(passes)));
+  text += section("Invariants it breaks", breaksText(pipeline.breaks, pipeline.params));
   text += section("What runs with its defaults", nodesText(pipeline, passes));
   text += section("Outputs with its defaults", outputsText(pipeline));
   text.pop_back();

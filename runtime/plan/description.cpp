@@ -19,6 +19,13 @@ const std::vector<std::string>& formatNames() {
   return names;
 }
 
+const std::vector<std::string>& invariantNames() {
+  static const std::vector<std::string> names = {"constant", "still",   "brief",    "mirrored", "shifted",
+                                                 "reversed", "convex",  "uniform",  "linear",   "scaled",
+                                                 "converging", "unmasked", "finite", "permuted"};
+  return names;
+}
+
 // ---- values
 
 Json toJson(const Value& value) {
@@ -156,6 +163,12 @@ static Json listOf(const std::vector<Item>& items, Write write) {
 static Json placeJson(const Place& place) { return {{"file", place.file}, {"line", place.line}}; }
 
 
+static Json breaksJson(const Breaks& breaks) {
+  Json json = Json::object();
+  for (const auto& [invariant, reason] : breaks) json[invariant] = reason;
+  return json;
+}
+
 // A bound is written as an integer where the parameter is one.
 static Json boundJson(const ParamDesc& param, double bound) {
   if (param.type == ParamDesc::Type::Int) return static_cast<int64_t>(bound);
@@ -169,6 +182,7 @@ static Json paramJson(const ParamDesc& param) {
   if (param.max) json["max"] = boundJson(param, *param.max);
   if (param.type == ParamDesc::Type::Choice) json["choices"] = param.choices;
   for (const auto& [name, text] : param.values) json["values"][name] = text;
+  for (const auto& [value, breaks] : param.breaks) json["breaks"][value] = breaksJson(breaks);
   json["unit"] = param.unit;
   json["doc"] = param.doc;
   json["variant"] = param.variant;
@@ -207,6 +221,7 @@ Json toJson(const PassDesc& pass) {
   Json json = {{"name", pass.name}, {"kind", kPassKinds[static_cast<size_t>(pass.kind)]}, {"shader", pass.shader}};
   json["doc"] = pass.doc;
   json["fails"] = pass.fails;
+  if (!pass.breaks.empty()) json["breaks"] = breaksJson(pass.breaks);
   json["size"] = sizeJson(pass.size);
   json["scene"] = pass.scene;
   json["reads"] = listOf(pass.reads, readJson);
@@ -247,11 +262,23 @@ static Json loopJson(const LoopDesc& loop) {
           {"place", placeJson(loop.place)}};
 }
 
+static Json valuesJson(const std::vector<std::pair<std::string, Value>>& values) {
+  Json json = Json::object();
+  for (const auto& [name, value] : values) json[name] = toJson(value);
+  return json;
+}
+
+static Json equalJson(const EqualDesc& equal) {
+  return {{"when", valuesJson(equal.when)}, {"pipeline", equal.pipeline}, {"set", valuesJson(equal.set)}};
+}
+
 Json toJson(const PipelineDesc& pipeline) {
   Json json = {{"name", pipeline.name}, {"file", pipeline.file}, {"doc", pipeline.doc}};
+  if (!pipeline.breaks.empty()) json["breaks"] = breaksJson(pipeline.breaks);
+  if (!pipeline.compare_with.empty()) json["compare_with"] = pipeline.compare_with;
+  if (!pipeline.equals.empty()) json["equals"] = listOf(pipeline.equals, equalJson);
   json["params"] = listOf(pipeline.params, paramJson);
-  json["values"] = Json::object();
-  for (const auto& [name, value] : pipeline.values) json["values"][name] = toJson(value);
+  json["values"] = valuesJson(pipeline.values);
   json["passes"] = listOf(pipeline.passes, [](const PassDesc& pass) { return toJson(pass); });
   json["nodes"] = listOf(pipeline.nodes, nodeJson);
   json["loops"] = listOf(pipeline.loops, loopJson);

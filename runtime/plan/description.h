@@ -19,6 +19,12 @@ using Value = std::variant<bool, int64_t, double, std::string>;
 Json toJson(const Value& value);
 Value valueFromJson(const Json& json);
 
+// Properties that every blur should have, by name (docs/invariants.md), in the order of their numbers.
+const std::vector<std::string>& invariantNames();
+
+// Invariants that do not hold, by name, each with the reason.
+using Breaks = std::vector<std::pair<std::string, std::string>>;
+
 // One declaration that feeds validation, the GLSL parameter block, the command line, panels, sweeps and the record.
 struct ParamDesc {
   enum class Type { Bool, Int, Float, Choice };
@@ -28,6 +34,7 @@ struct ParamDesc {
   std::optional<double> min, max;    // of Int and Float, inclusive
   std::vector<std::string> choices;  // of Choice
   std::vector<std::pair<std::string, std::string>> values;  // of Choice: what a choice does and where it fails
+  std::vector<std::pair<std::string, Breaks>> breaks;       // of Choice and Bool: what a value breaks
   std::string unit;                  // "px", "m", ... or ""
   std::string doc;
   bool variant = false;  // compiled into the shader instead of passed to it (always so for Choice and Bool)
@@ -84,6 +91,7 @@ struct PassDesc {
   std::string shader;  // below shaders/; of a raster pass "<shader>.vert.glsl" and "<shader>.frag.glsl"
   std::string doc;
   std::string fails;   // when what it computes is wrong, and how; or ""
+  Breaks breaks;       // invariants that do not hold where it is used
   SizeDesc size;
   bool scene = false;  // the shader sees the scene's buffers, textures and acceleration structures
   std::vector<PortDesc> reads;    // images it samples
@@ -122,10 +130,19 @@ struct LoopDesc {
   Place place;
 };
 
+// Where the values of `when` are set, the picture is bit for bit that of another pipeline with the values of `set`.
+struct EqualDesc {
+  std::vector<std::pair<std::string, Value>> when, set;
+  std::string pipeline;
+};
+
 struct PipelineDesc {
   std::string name;  // "none"
   std::string file;  // as shown to people
   std::string doc;
+  Breaks breaks;                  // invariants that do not hold, whatever its values
+  std::string compare_with;       // a pipeline to which the truth is no nearer than to this one; or ""
+  std::vector<EqualDesc> equals;
   std::vector<ParamDesc> params;
   std::vector<std::pair<std::string, Value>> values;  // every pipeline parameter, resolved, in declaration order
   std::vector<PassDesc> passes;                       // each pass in use once

@@ -162,9 +162,34 @@ std::vector<std::pair<std::string, std::string>> choiceTexts(const Reader& reade
   return texts;
 }
 
+Breaks breaksOf(const Reader& reader, const Json& json) {
+  if (!json.is_object()) reader.fail("'breaks' is no table of invariants");
+  Breaks breaks;
+  for (const auto& [invariant, reason] : json.items()) {
+    const auto& known = invariantNames();
+    bool is_known = std::find(known.begin(), known.end(), invariant) != known.end();
+    if (!is_known) reader.fail(fmt::format("there is no invariant '{}'{}", invariant, didYouMean(invariant, known)));
+    if (!reason.is_string()) reader.fail(fmt::format("the reason that '{}' is broken is not a text", invariant));
+    breaks.emplace_back(invariant, reason.get<std::string>());
+  }
+  return breaks;
+}
+
+// By value of a parameter.
+std::vector<std::pair<std::string, Breaks>> valueBreaks(const Reader& reader, const ParamDesc& param) {
+  std::vector<std::pair<std::string, Breaks>> result;
+  if (!reader.has("breaks")) return result;
+  for (const auto& [value, breaks] : reader.object("breaks").items()) {
+    checkValue(param, Value(value), param.place);
+    result.emplace_back(value, breaksOf(reader, breaks));
+  }
+  return result;
+}
+
 ParamDesc readParam(const Json& json) {
   Reader reader(json, "parameter",
-                {"name", "type", "default", "min", "max", "choices", "values", "unit", "doc", "variant", "place"});
+                {"name", "type", "default", "min", "max", "choices", "values", "breaks", "unit", "doc", "variant",
+                 "place"});
   ParamDesc param;
   param.place = reader.place();
   reader.setPlace(param.place);
@@ -180,6 +205,7 @@ ParamDesc readParam(const Json& json) {
   param.doc = reader.text("doc", "");
   param.variant = reader.flag("variant");
   param.variant = isCompiledIn(param);
+  param.breaks = valueBreaks(reader, param);
   param.default_value = checkValue(param, valueFromJson(reader.at("default")), param.place);
   return param;
 }
@@ -271,7 +297,7 @@ void checkShaderPath(const Reader& reader, const std::string& shader) {
 
 PassDesc passFromJson(const Json& json) {
   Reader reader(json, "pass",
-                {"name", "kind", "shader", "doc", "fails", "size", "scene", "reads", "writes", "updates", "params", "counters",
+                {"name", "kind", "shader", "doc", "fails", "breaks", "size", "scene", "reads", "writes", "updates", "params", "counters",
                  "place"});
   PassDesc pass;
   pass.place = reader.place();
@@ -282,6 +308,7 @@ PassDesc passFromJson(const Json& json) {
   checkShaderPath(reader, pass.shader);
   pass.doc = reader.text("doc", "");
   pass.fails = reader.text("fails", "");
+  if (reader.has("breaks")) pass.breaks = breaksOf(reader, reader.object("breaks"));
   pass.scene = reader.flag("scene");
   pass.reads = itemsOf(reader.list("reads"), readRead);
   pass.writes = itemsOf(reader.list("writes"), readWrite);
@@ -438,11 +465,31 @@ void readValues(const Json& json, PipelineDesc& pipeline) {
   if (json.size() != pipeline.params.size()) throw Error("there are values of unknown parameters", {pipeline.file});
 }
 
+std::vector<std::pair<std::string, Value>> settingsOf(const Json& json) {
+  std::vector<std::pair<std::string, Value>> settings;
+  for (const auto& [name, value] : json.items()) settings.emplace_back(name, valueFromJson(value));
+  return settings;
+}
+
+// The other pipeline is known once it is evaluated; so are its parameters.
+EqualDesc readEqual(const Json& json, const PipelineDesc& pipeline) {
+  Reader reader(json, "equal", {"when", "pipeline", "set"});
+  reader.setPlace({pipeline.file});
+  EqualDesc equal{settingsOf(reader.object("when")), settingsOf(reader.object("set")), reader.text("pipeline")};
+  for (const auto& [name, value] : equal.when) {
+    const ParamDesc* param = find(pipeline.params, name);
+    if (!param) reader.fail(fmt::format("there is no parameter '{}'", name));
+    checkValue(*param, value, {pipeline.file});
+  }
+  return equal;
+}
+
 }  // namespace
 
 PipelineDesc pipelineFromJson(const Json& json) {
   Reader reader(json, "pipeline",
-                {"name", "file", "doc", "params", "values", "passes", "nodes", "loops", "outputs"});
+                {"name", "file", "doc", "breaks", "compare_with", "equals", "params", "values", "passes", "nodes",
+                 "loops", "outputs"});
   PipelineDesc pipeline;
   pipeline.name = reader.text("name");
   pipeline.file = reader.text("file");
@@ -451,6 +498,9 @@ PipelineDesc pipelineFromJson(const Json& json) {
   pipeline.params = itemsOf(reader.list("params"), readParam);
   refuseTwins(pipeline.params, reader, "parameters");
   readValues(reader.object("values"), pipeline);
+  if (reader.has("breaks")) pipeline.breaks = breaksOf(reader, reader.object("breaks"));
+  pipeline.compare_with = reader.text("compare_with", "");
+  pipeline.equals = itemsOf(reader.list("equals"), [&](const Json& equal) { return readEqual(equal, pipeline); });
   pipeline.passes = itemsOf(reader.list("passes"), passFromJson);
   refuseTwins(pipeline.passes, reader, "passes");
   pipeline.loops = itemsOf(reader.list("loops"), [&](const Json& loop) { return readLoop(loop, pipeline); });

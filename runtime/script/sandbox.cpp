@@ -207,15 +207,19 @@ struct Sandbox::Callbacks {
     return param;
   }
 
-  static int formats(lua_State* lua) {
+  static int pushNames(lua_State* lua, const std::vector<std::string>& names) {
     lua_newtable(lua);
     lua_Integer count = 0;
-    for (const std::string& name : plan::formatNames()) {
+    for (const std::string& name : names) {
       lua_pushstring(lua, name.c_str());
       lua_rawseti(lua, -2, ++count);
     }
     return 1;
   }
+
+  static int formats(lua_State* lua) { return pushNames(lua, plan::formatNames()); }
+
+  static int invariants(lua_State* lua) { return pushNames(lua, plan::invariantNames()); }
 
   static int write(lua_State* lua) {
     size_t size = 0;
@@ -441,6 +445,7 @@ void Sandbox::loadPrelude() {
                                        {"nearest", Callbacks::nearest},
                                        {"check_value", Callbacks::checkValue},
                                        {"formats", Callbacks::formats},
+                                       {"invariants", Callbacks::invariants},
                                        {"files", Callbacks::files},
                                        {"write", Callbacks::write},
                                        {"require", Callbacks::require},

@@ -90,6 +90,31 @@ function check.doc(problems, t, place, what, path)
   return ""
 end
 
+-- Invariants that do not hold, `breaks = { invariant = "reason" }`, found at `path` from the call at `place`; nil where
+-- there are none.
+function check.breaks(problems, given, place, what, path)
+  if given == nil then return nil end
+  local at = native.key_place(place, table.unpack(path))
+  if type(given) ~= "table" then
+    problems:add(at, "'breaks' of %s is a %s instead of a table { invariant = \"reason\" }", what, type(given))
+    return nil
+  end
+  local known, result = native.invariants(), {}
+  for name, reason in pairs(given) do
+    local where = native.key_place(place, table.unpack(check.joined(path, name)))
+    if not check.contains(known, name) then
+      local near = type(name) == "string" and native.nearest(name, known) or ""
+      if near == "" then near = "; there are " .. table.concat(known, ", ") end
+      problems:add(where, "%s breaks %s, which is no invariant%s", what, check.quoted(name), near)
+    elseif type(reason) ~= "string" or not reason:find("%S") then
+      problems:add(where, "%s breaks '%s' without a text that says why", what, name)
+    else
+      result[name] = reason
+    end
+  end
+  return next(result) and result or nil
+end
+
 -- Makes reading an unknown field of a module an error at the line that reads it.
 function check.closed(module, name)
   local meta = getmetatable(module) or {}

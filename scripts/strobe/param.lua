@@ -7,10 +7,10 @@ local native = require "strobe.native"
 local param = {}
 
 param.keys = {
-  bool   = { 1, "default", "doc", "unit" },
+  bool   = { 1, "default", "doc", "unit", "breaks" },
   int    = { 1, "default", "min", "max", "unit", "doc", "variant" },
   float  = { 1, "default", "min", "max", "unit", "doc", "variant" },
-  choice = { "default", "doc", "unit", "values" },  -- and the choices as 1, 2, 3 ...
+  choice = { "default", "doc", "unit", "values", "breaks" },  -- and the choices as 1, 2, 3 ...
 }
 
 -- Words a GLSL parameter block or #define cannot have as a name.
@@ -80,6 +80,23 @@ end
 -- What a shader can hold: 32-bit integers, single-precision numbers.
 local LARGEST = { int = 2147483647, float = 3.4028234e38 }
 
+-- Invariants that a value breaks: `breaks = { value = { invariant = "reason" } }`. Of a bool, `value` is "true" or
+-- "false".
+local function check_breaks(problems, given, choices, place, what)
+  if given.breaks == nil or not check.field(problems, given, "breaks", "table", place, what) then return nil end
+  local breaks = {}
+  for value, list in pairs(given.breaks) do
+    if not check.contains(choices, value) then
+      local near = type(value) == "string" and native.nearest(value, choices) or ""
+      local at = native.key_place(place, "breaks", value)
+      problems:add(at, "'breaks' of %s is about %s, which is no value of it%s", what, check.quoted(value), near)
+    else
+      breaks[value] = check.breaks(problems, list, place, ("'%s' of %s"):format(value, what), { "breaks", value })
+    end
+  end
+  return next(breaks) and breaks or nil
+end
+
 local function check_bounds(problems, result, given, place, what)
   for _, key in ipairs { "min", "max" } do
     local bound = given[key]
@@ -131,6 +148,9 @@ function param.declare(problems, name, declared, at, owner)
   if kind == "choice" then
     result.choices = check_choices(problems, given, place, what)
     result.values = check_values(problems, given, result.choices, place, what)
+  end
+  if kind == "choice" or kind == "bool" then
+    result.breaks = check_breaks(problems, given, result.choices or { "true", "false" }, place, what)
   end
   if kind == "int" or kind == "float" then check_bounds(problems, result, given, place, what) end
   if #problems.list > before then return nil end

@@ -8,7 +8,7 @@ local param  = require "strobe.param"
 local pass = { int = param.int, float = param.float, bool = param.bool, choice = param.choice }
 
 pass.keys = {
-  "name", "shader", "doc", "fails", "size", "scene", "reads", "writes", "updates", "params", "counters",
+  "name", "shader", "doc", "fails", "breaks", "size", "scene", "reads", "writes", "updates", "params", "counters",
 }
 pass.read_keys  = { "doc", "uint", "optional", "linear" }
 pass.write_keys = { "doc", "format" }
@@ -279,6 +279,7 @@ local function declare(kind, place, t)
   result.writes   = declare_writes(problems, t, "writes", result.params, place, owner)
   result.updates  = declare_writes(problems, t, "updates", result.params, place, owner)
   result.counters = declare_counters(problems, t, place, owner)
+  result.breaks   = check.breaks(problems, t.breaks, place, owner, { "breaks" })
   result.size     = declare_size(problems, t, place, result, owner)
   check_twins(problems, result, owner)
   problems:raise()

@@ -8,7 +8,8 @@ local param  = require "strobe.param"
 
 local pipeline = { int = param.int, float = param.float, bool = param.bool, choice = param.choice }
 
-pipeline.keys      = { "doc", "params", "presets", "default_preset", "build" }
+pipeline.keys      = { "doc", "params", "presets", "default_preset", "build", "breaks", "compare_with", "equals" }
+pipeline.equal_keys = { "when", "pipeline", "set" }
 pipeline.loop_keys = { "name", "count", "times", "slices", "until_", "body" }
 
 local Pipeline = {}
@@ -57,15 +58,52 @@ local function check_presets(problems, t, params, place)
   end
 end
 
+local function check_condition(problems, params, when, i, place)
+  local names = {}
+  for k, one in ipairs(params) do names[k] = one.name end
+  for name, value in pairs(when) do
+    local at = native.key_place(place, "equals", i, "when", name)
+    local declared = param.find(params, name)
+    local _, wrong
+    if declared then _, wrong = param.check(declared, value) end
+    if wrong then problems:add(at, "equal %d: %s", i, wrong) end
+    if not declared then
+      local near = type(name) == "string" and native.nearest(name, names) or ""
+      problems:add(at, "equal %d asks for %s, which is no parameter%s", i, check.quoted(name), near)
+    end
+  end
+end
+
+-- Values under which another pipeline gives the same picture: `{ when = { mask = "none" }, pipeline = "x", set = {} }`.
+local function check_equals(problems, t, params, place)
+  local result = {}
+  for i, equal in ipairs(t.equals or {}) do
+    local what = ("equal %d of the pipeline"):format(i)
+    local at = native.key_place(place, "equals", i)
+    if type(equal) ~= "table" then
+      problems:add(at, "%s is a %s instead of { when = {}, pipeline = \"name\", set = {} }", what, type(equal))
+    else
+      check.keys(problems, equal, pipeline.equal_keys, place, what, { "equals", i })
+      check.field(problems, equal, "pipeline", "string", place, what, { "equals", i })
+      if check.field(problems, equal, "when", "table", place, what, { "equals", i }) then
+        check_condition(problems, params, equal.when, i, place)
+      end
+      result[i] = { when = equal.when, pipeline = equal.pipeline, set = equal.set or {} }
+    end
+  end
+  return result
+end
+
 local function declare(place, t)
   if type(t) ~= "table" then check.fail(place, "pipeline wants a table: pipeline { ... }") end
   local problems = check.problems()
   check.keys(problems, t, pipeline.keys, place, "the pipeline")
   check.field(problems, t, "build", "function", place, "the pipeline")
   local doc = check.doc(problems, t, place, "the pipeline")
-  for _, key in ipairs { "params", "presets" } do
+  for _, key in ipairs { "params", "presets", "equals" } do
     if t[key] ~= nil then check.field(problems, t, key, "table", place, "the pipeline") end
   end
+  if t.compare_with ~= nil then check.field(problems, t, "compare_with", "string", place, "the pipeline") end
   if t.default_preset ~= nil and t.presets == nil then
     problems:add(native.key_place(place, "default_preset"), "default_preset without presets")
   end
@@ -81,8 +119,11 @@ local function declare(place, t)
     params[#params + 1] = preset_parameter(problems, t, place)
     table.sort(params, function(a, b) return a.name < b.name end)
   end
-  problems:raise()
   local result = { doc = doc, params = params, presets = t.presets or {}, build = t.build, place = place }
+  result.breaks = check.breaks(problems, t.breaks, place, "the pipeline", { "breaks" })
+  result.equals = check_equals(problems, t, params, place)
+  result.compare_with = t.compare_with
+  problems:raise()
   return setmetatable(result, Pipeline)
 end
 
@@ -344,7 +385,8 @@ function pipeline.describe(self, name, file, sets, lenient)
   if #problems.list == 0 then check_unused(problems, self, graph, used) end
   problems:raise()
   return {
-    name = name, file = file, doc = self.doc, params = self.params, values = values, passes = in_order(graph.passes),
+    name = name, file = file, doc = self.doc, breaks = self.breaks, compare_with = self.compare_with,
+    equals = self.equals, params = self.params, values = values, passes = in_order(graph.passes),
     nodes = graph.nodes, loops = graph.loops, outputs = sources, dropped = dropped or {},
   }
 end

@@ -23,6 +23,7 @@ plan::PassDesc largest() {
   pass.shader = "tile/largest";
   pass.doc = "longest | velocity";
   pass.fails = "never";
+  pass.breaks = {{"scaled", "by a length of 1 m"}};
   pass.place = {"passes/tile/largest.lua", 4};
   pass.size = {plan::SizeDesc::Kind::Port, "velocity", "tile"};
   pass.reads = {{.name = "velocity", .doc = "px"}, {.name = "id", .doc = "instance", .uint = true, .optional = true}};
@@ -30,7 +31,8 @@ plan::PassDesc largest() {
   plan::ParamDesc tile{.name = "tile", .type = plan::ParamDesc::Type::Int, .default_value = int64_t(20), .min = 1,
                        .max = 256, .unit = "px", .doc = "side"};
   plan::ParamDesc order{.name = "order", .type = plan::ParamDesc::Type::Choice, .default_value = std::string("rows"),
-                        .choices = {"rows", "columns"}, .values = {{"columns", "By columns."}}, .doc = "which first"};
+                        .choices = {"rows", "columns"}, .values = {{"columns", "By columns."}},
+                        .breaks = {{"rows", {{"mirrored", "rows go right"}}}}, .doc = "which first"};
   pass.params = {tile, order};
   pass.counters = {{"clamped", "tiles that were clamped"}};
   return pass;
@@ -81,6 +83,13 @@ Never.
 | name | what it counts | in GLSL |
 | --- | --- | --- |
 | `clamped` | tiles that were clamped | `count_clamped(n)` |
+
+## Invariants it breaks
+
+| with | invariant | why it does not hold |
+| --- | --- | --- |
+| | scaled | by a length of 1 m |
+| `order = rows` | mirrored | rows go right |
 )");
 }
 

@@ -9,13 +9,14 @@
 
 namespace strobe::plan {
 
-static const char* kCanonical = R"({"name":"p","file":"p.lua","doc":"d",
- "params":[{"name":"mode","type":"choice","default":"a","choices":["a","b"],"values":{"b":"t"},"unit":"","doc":"m","variant":true,
+static const char* kCanonical = R"({"name":"p","file":"p.lua","doc":"d","breaks":{"linear":"r"},"compare_with":"q",
+ "equals":[{"when":{"mode":"a"},"pipeline":"q","set":{"tile":8}}],
+ "params":[{"name":"mode","type":"choice","default":"a","choices":["a","b"],"values":{"b":"t"},"breaks":{"a":{"still":"r"}},"unit":"","doc":"m","variant":true,
             "place":{"file":"p.lua","line":3}},
            {"name":"n","type":"int","default":4,"min":1,"max":9,"unit":"px","doc":"n","variant":false,
             "place":{"file":"p.lua","line":4}}],
  "values":{"mode":"b","n":5},
- "passes":[{"name":"source","kind":"raster","shader":"s/source","doc":"s","fails":"f","size":{"kind":"frame"},"scene":true,
+ "passes":[{"name":"source","kind":"raster","shader":"s/source","doc":"s","fails":"f","breaks":{"scaled":"r"},"size":{"kind":"frame"},"scene":true,
             "reads":[],"writes":[{"name":"color","doc":"c","format":"rgba16f","place":{"file":"s.lua","line":2}},
                                  {"name":"id","doc":"i","format":"r32ui","place":{"file":"s.lua","line":3}}],
             "updates":[],"params":[],"counters":[],"place":{"file":"s.lua","line":1}},
