@@ -14,6 +14,7 @@
 #include "app/inspect.h"
 #include "app/live.h"
 #include "app/render.h"
+#include "app/stability.h"
 #include "base/error.h"
 #include "script/evaluate.h"
 
@@ -47,6 +48,7 @@ int main(int argc, char** argv) {
   strobe::app::registerPlan(program);
   strobe::app::registerCompare(program);
   strobe::app::registerBench(program);
+  strobe::app::registerStability(program);
   strobe::app::registerDoctor(program);
   try {
     program.parse(argc, argv);

@@ -19,30 +19,31 @@ static dmat4 worldFromView(const std::array<double, 6>& view) {
   return dmat4(dvec4(right, 0), dvec4(glm::cross(back, right), 0), dvec4(back, 0), dvec4(eye, 1));
 }
 
-graph::FrameSetup Session::setup() const {
-  const scene::Scene& scene = this->scene();
-  int camera_node = scene::cameraNode(scene, shot_.camera);
-  auto poser = std::make_shared<scene::Poser>(scene, camera_node, shot_.animation);
+graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene) {
+  int camera_node = scene::cameraNode(scene, shot.camera);
+  auto poser = std::make_shared<scene::Poser>(scene, camera_node, shot.animation);
   graph::FrameSetup setup;
   // Stepped channels stay as they are at the capture: a jump is no motion and must not blur.
-  setup.pose_at = [poser, view = shot_.view, capture_s = shot_.captureTime()](double time_s) {
+  setup.pose_at = [poser, view = shot.view, capture_s = shot.captureTime()](double time_s) {
     scene::Pose pose = poser->at(time_s, capture_s);
     if (view) pose.world_from_camera = worldFromView(*view);
     return pose;
   };
   setup.camera = scene.cameras[size_t(scene.nodes[size_t(camera_node)].camera)];
-  setup.capture_s = shot_.captureTime();
-  setup.open_s = shot_.window()[0];
-  setup.close_s = shot_.window()[1];
-  setup.frame_s = 1 / shot_.fps;
-  setup.anchor = anchorCode(shot_.anchor);
-  setup.frame = uint32_t(shot_.frame);
-  setup.seed = shot_.seed;
+  setup.capture_s = shot.captureTime();
+  setup.open_s = shot.window()[0];
+  setup.close_s = shot.window()[1];
+  setup.frame_s = 1 / shot.fps;
+  setup.anchor = anchorCode(shot.anchor);
+  setup.frame = uint32_t(shot.frame);
+  setup.seed = shot.seed;
   setup.environment = scene.environment;
   setup.reach = scene::reachOfMotion(scene, setup.camera, setup.pose_at, setup.capture_s, setup.open_s, setup.close_s,
-                                     shot_.width, shot_.height);
+                                     shot.width, shot.height);
   return setup;
 }
+
+graph::FrameSetup Session::setup() const { return frameSetup(shot_, scene()); }
 
 graph::FrameResult Session::draw(const std::set<std::string>* wanted, const std::function<void(int, int)>& progress) {
   graph::FrameSetup frame = setup();

@@ -78,6 +78,9 @@ class Workbench {
   std::shared_ptr<HeldScene> scene_;
 };
 
+// How the frame of a shot sees the scene, which must outlive what is returned.
+graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene);
+
 // The plan of a shot's pipeline at its size.
 plan::Plan planOf(const Shot& shot, const plan::PipelineDesc& pipeline, graph::Backend backend);
 

@@ -6,11 +6,24 @@ local masks    = require "scripts.pipelines.lib.masks"
 local ranges   = require "scripts.pipelines.lib.ranges"
 local scene    = require "scripts.pipelines.lib.scene"
 
+-- Without rays the hybrid is the post-process that its layers are blurred by.
+local function without_rays(weights, other, set)
+  local when = { mask = "none", composite = "alpha_over", weights = weights, directions = "one" }
+  return { when = when, pipeline = other, set = set }
+end
+
 return pipeline {
   doc = "What raster sees and what rays reveal behind it, blurred and composited (Tan, Cui and Bhojan 2020)",
   params = hybrid.params(),
   presets = hybrid.presets,
   default_preset = "best",
+  compare_with = "mcguire2012",
+  equals = {
+    without_rays("mcguire2012", "mcguire2012", { weights = "mcguire2012" }),
+    without_rays("uniform", "mcguire2012", { weights = "uniform" }),
+    without_rays("jimenez2014", "jimenez2014", { cheap = false }),
+    without_rays("guertin2014", "guertin2014", { uniform_path = false }),
+  },
   build = function(p)
     local seen = scene.captured(p)
     local moving = ranges.divided(p, seen, "halves")

@@ -98,8 +98,9 @@ Surface surfaceOf(uint slice, Hit hit) {
   surface.normal_ws = normal_ws;
   surface.uv0 = weights.x * a.uv0 + weights.y * b.uv0 + weights.z * c.uv0;
   surface.uv1 = weights.x * a.uv1 + weights.y * b.uv1 + weights.z * c.uv1;
-  surface.color = weights.x * unpackUnorm4x8(a.color) + weights.y * unpackUnorm4x8(b.color) +
-                  weights.z * unpackUnorm4x8(c.color);
+  // By differences: corners of one colour give just that, as weights that are rounded would not.
+  vec4 color = unpackUnorm4x8(a.color);
+  surface.color = color + weights.y * (unpackUnorm4x8(b.color) - color) + weights.z * (unpackUnorm4x8(c.color) - color);
   surface.edge1_ws = worldFromObject(transform, b.position) - worldFromObject(transform, a.position);
   surface.edge2_ws = worldFromObject(transform, c.position) - worldFromObject(transform, a.position);
   surface.uv0_edge1 = b.uv0 - a.uv0;

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "app/stability.h"
+
+#include <cstdio>
+#include <memory>
+
+#include "app/shot_options.h"
+#include "stability/suite.h"
+
+namespace strobe::app {
+
+namespace {
+
+struct StabilityOptions {
+  std::vector<std::string> pipelines;
+  stability::Options suite;
+  std::string device, write;
+  bool json = false;
+};
+
+// Told only where everything was tried: fewer invariants or variants leave declarations without a case.
+std::vector<stability::Declaration> staleIn(const StabilityOptions& options, const std::vector<stability::Report>& reports) {
+  bool all = options.suite.invariants.empty() && options.suite.only.empty();
+  return all ? stability::stale(reports) : std::vector<stability::Declaration>();
+}
+
+Json jsonOf(const std::vector<stability::Report>& reports, const std::vector<stability::Declaration>& stale) {
+  Json json;
+  for (const auto& report : reports) json["pipelines"].push_back(stability::toJson(report));
+  json["stale"] = Json::array();
+  for (const auto& one : stale) json["stale"].push_back({{"with", one.where}, {"invariant", one.invariant}});
+  return json;
+}
+
+void run(const StabilityOptions& options) {
+  for (const std::string& name : options.suite.invariants) stability::invariantNamed(name);
+  lab::Workbench bench(options.device, validationWanted());
+  stability::Renderer renderer(bench);
+  std::vector<std::string> pipelines = options.pipelines.empty() ? script::pipelineNames() : options.pipelines;
+  std::vector<stability::Report> reports;
+  int failed = 0;
+  for (const std::string& pipeline : pipelines) {
+    reports.push_back(stability::check(renderer, pipeline, options.suite));
+    failed += reports.back().total().failed;
+    if (!options.json) std::fputs(stability::textOf(reports.back()).c_str(), stdout), std::fflush(stdout);
+  }
+  refuseMessages(bench.device());
+  std::vector<stability::Declaration> stale = staleIn(options, reports);
+  if (options.json) std::printf("%s\n", jsonOf(reports, stale).dump(2).c_str());
+  if (!options.write.empty()) writeFileAtomically(options.write, stability::pageOf(reports, options.suite));
+  for (const auto& one : stale)
+    if (!options.json)
+      std::printf("declared, but it holds in all %d cases: %s breaks %s\n", one.used, one.where.c_str(), one.invariant.c_str());
+  if (failed || !stale.empty())
+    throw Error(fmt::format("{} cases break an invariant, {} declared breaks do not show", failed, stale.size()));
+}
+
+}  // namespace
+
+void registerStability(CLI::App& program) {
+  auto options = std::make_shared<StabilityOptions>();
+  CLI::App* command = program.add_subcommand("stability", "Check properties that every blur has on generated scenes");
+  command->add_option("pipelines", options->pipelines, "names or .lua files (default: every pipeline that ships)");
+  command->add_option("--cases", options->suite.cases, "cases of each variant and invariant")->check(CLI::Range(1, 100000));
+  command->add_option("--seed", options->suite.seed, "what the cases are drawn by");
+  command->add_option("--invariant", options->suite.invariants, "NAME: this one alone (may be given again)")
+      ->allow_extra_args(false);
+  command->add_option("--variant", options->suite.only, "only variants whose name contains this");
+  command->add_option("--device", options->device, "number or part of the name of a device");
+  command->add_flag("--json", options->json, "report as JSON");
+  command->add_option("--write", options->write, "write the table of counts")->type_name("FILE");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace strobe::app

@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: MIT
+#include "stability/invariants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "base/hash.h"
+#include "stability/box_filter.h"
+#include "stability/pictures.h"
+
+namespace strobe::stability {
+
+Random Subject::draw(const char* what) const { return Random(uint64_t(knob(shot, "seed", 1)), what); }
+
+bool blurs(Renderer& renderer, const lab::Shot& shot) {
+  return rmsDifference(*renderer.color(shot), *renderer.color(by(shot, kSharp))) > 1e-3;
+}
+
+namespace {
+
+Window windowOf(const lab::Shot& shot) {
+  if (shot.anchor == "centre") return {-.5, .5};
+  return shot.anchor == "open" ? Window{0, 1} : Window{-1, 0};
+}
+
+bool has(const plan::PipelineDesc& pipeline, const std::string& name) {
+  return std::any_of(pipeline.params.begin(), pipeline.params.end(), [&](const auto& p) { return p.name == name; });
+}
+
+lab::Shot without(lab::Shot shot, std::initializer_list<const char*> knobs) {
+  for (const char* name : knobs) shot = with(shot, std::string("scene.") + name, 0);
+  return shot;
+}
+
+// Another size with the same limit in pixels.
+lab::Shot resized(const Subject& subject, const lab::Shot& shot, int width, int height) {
+  lab::Shot result = sized(shot, width, height);
+  if (!has(subject.pipeline, "limit")) return result;
+  double limit = numberOf(subject.pipeline, "limit", 0);
+  for (const auto& [name, value] : shot.sets)
+    if (name == "limit") limit = std::stod(value);
+  return with(result, "limit", limit * shot.width / width);
+}
+
+int roundedUp(int value, int step) { return (value + step - 1) / step * step; }
+
+Finding none() {
+  Finding finding;
+  finding.applies = false;
+  return finding;
+}
+
+Finding worse(Finding a, Finding b) {
+  if (a.holds != b.holds) return a.holds ? b : a;
+  return b.excess > a.excess ? b : a;
+}
+
+// ---- I1
+
+Finding constant(const Subject& subject) {
+  Random draw = subject.draw("constant");
+  const double values[] = {.7, 1.0 / 3, 6e4, 1e-20, 1e-40, 1e30};
+  float value = float(values[draw.whole(0, 5)]);
+  lab::Shot shot = with(subject.shot, "scene.value", value);
+  if (value > 1e6f) shot = with(with(shot, "scene.wall", 1), "scene.perspective", 0);  // no sky is as bright
+  double samples = std::max(subject.samples(), 1.0);
+  // Numbers below the smallest normal one may be flushed to 0.
+  double ulp = std::max<double>(std::nextafter(value, std::numeric_limits<float>::infinity()) - value, 0);
+  double tolerance = value < 1e-30f ? 1e-7 * 1e-30 : 2 * ulp * samples;
+  return compare(*subject.renderer.color(shot), [&](int, int, int) { return exactly(value, tolerance); }, {shot});
+}
+
+// ---- I2, I3
+
+Finding same(const Subject& subject, const lab::Shot& shot, const lab::Shot& right, double tolerance) {
+  Picture picture = subject.renderer.color(shot), wanted = subject.renderer.color(right);
+  auto at = [&](int x, int y, int c) { return exactly(wanted->at(x, y, c), tolerance); };
+  return compare(*picture, at, {shot, right});
+}
+
+Finding still(const Subject& subject) {
+  lab::Shot at_rest = with(subject.shot, "scene.speed", 0);
+  lab::Shot closed = subject.shot;
+  closed.exposure = 0;
+  return worse(same(subject, at_rest, by(at_rest, kSharp), 0), same(subject, closed, by(closed, kSharp), 0));
+}
+
+// Smallest and largest value around a pixel.
+std::optional<Right> rangeAround(const std::vector<Picture>& pictures, int x, int y, int c, int radius, double tolerance) {
+  Right right{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), tolerance};
+  for (const Picture& picture : pictures)
+    for (int v = std::max(y - radius, 0); v <= std::min(y + radius, picture->height - 1); ++v)
+      for (int u = std::max(x - radius, 0); u <= std::min(x + radius, picture->width - 1); ++u) {
+        right.low = std::min<double>(right.low, picture->at(u, v, c));
+        right.high = std::max<double>(right.high, picture->at(u, v, c));
+      }
+  return right;
+}
+
+Finding brief(const Subject& subject) {
+  lab::Shot shot = without(subject.shot, {"lit", "boxes", "balls", "spin"});
+  double reach = knob(shot, "reach", 10);
+  lab::Shot hardly = shot, little = shot;
+  hardly.exposure = shot.exposure * (1.0 / 16) / reach;
+  little.exposure = shot.exposure * .4 / reach;
+  lab::Shot sharp = by(shot, kSharp);
+  Picture right = subject.renderer.color(sharp), picture = subject.renderer.color(little);
+  auto around = [&](int x, int y, int c) { return rangeAround({right}, x, y, c, 1, 1e-5); };
+  return worse(same(subject, hardly, sharp, 1e-5), compare(*picture, around, {little, sharp}));
+}
+
+// ---- I4 to I6
+
+Finding mirrored(const Subject& subject) {
+  Random draw = subject.draw("mirrored");
+  lab::Shot shot = without(subject.shot, {"balls", "spin"});
+  int grid = gridOf(subject.pipeline), sides = draw.whole(0, 3);
+  bool ties = draw.chance(.4) && 32 % grid == 0;
+  if (ties) shot = with(with(resized(subject, shot, 64, 32), "scene.ties", 1), "scene.perspective", 0);
+  if (ties) shot = with(with(shot, "scene.lit", 0), "scene.boxes", 0);
+  if (ties && has(subject.pipeline, "samples")) shot = with(shot, "samples", draw.whole(7, 8));
+  bool turn = sides == 3;
+  int width = roundedUp(shot.width, grid), height = roundedUp(shot.height, grid);
+  if (turn) width = height = ties ? 64 : std::max(width, height);
+  shot = resized(subject, shot, width, height);
+  lab::Shot other = shot;
+  if (sides != 1) other = with(other, "scene.mirror", -1);
+  if (sides == 1 || sides == 2) other = with(other, "scene.flip", -1);
+  if (turn) other = with(other, "scene.turn", 1);
+
+  Picture one = subject.renderer.color(shot), two = subject.renderer.color(other);
+  double tolerance = 1e-5 * std::max(1.0, largestColor(*one));
+  auto at = [&](int x, int y, int c) {
+    if (sides != 1) x = width - 1 - x;
+    if (sides == 1 || sides == 2) y = height - 1 - y;
+    return exactly(turn ? two->at(y, width - 1 - x, c) : two->at(x, y, c), tolerance);
+  };
+  return compare(*one, at, {shot, other});
+}
+
+Finding shifted(const Subject& subject) {
+  Random draw = subject.draw("shifted");
+  lab::Shot shot = with(without(subject.shot, {"perspective", "lit", "boxes", "balls", "spin"}), "scene.wall", 1);
+  if (has(subject.pipeline, "tile")) shot = with(shot, "tile", draw.whole(0, 1) ? 8 : 4);
+  const Evaluated& now = subject.renderer.evaluate(shot.pipeline, shot.sets);
+  if (!now.pipeline) throw Error(now.refusal);
+  int grid = gridOf(*now.pipeline);
+  bool any = grid == 1;
+  int by_x = (any ? 5 : grid) * (draw.chance(.5) ? 1 : -1), by_y = (any ? 3 : grid) * draw.whole(-1, 1);
+  int room = std::max(std::abs(by_x), std::abs(by_y)) + 1;
+  shot = resized(subject, shot, 128, 64);  // powers of two, so that places in the picture are exact
+  shot = with(with(shot, "scene.inside", room), "scene.reach", std::min(knob(shot, "reach", 10), 8.0));
+  lab::Shot other = with(with(shot, "scene.shift_x", by_x), "scene.shift_y", by_y);
+  Picture one = subject.renderer.color(shot), two = subject.renderer.color(other);
+  auto at = [&](int x, int y, int c) -> std::optional<Right> {
+    int u = x + by_x, v = y + by_y;
+    if (u < 0 || v < 0 || u >= two->width || v >= two->height) return std::nullopt;
+    return exactly(two->at(u, v, c), 0);
+  };
+  return compare(*one, at, {shot, other});
+}
+
+Finding reversed(const Subject& subject) {
+  lab::Shot shot = subject.shot, other = with(subject.shot, "scene.speed", -1);
+  other.anchor = shot.anchor == "close" ? "open" : shot.anchor == "open" ? "close" : "centre";
+  Picture right = subject.renderer.color(other);
+  return same(subject, shot, other, 1e-5 * std::max(1.0, largestColor(*right)));
+}
+
+// ---- I7, I8
+
+Finding convex(const Subject& subject) {
+  lab::Shot shot = without(subject.shot, {"lit"});
+  lab::Shot layer = by(shot, kSharp);
+  std::vector<Picture> layers;
+  int objects = 1 + int(knob(shot, "cards", 5) + knob(shot, "boxes", 0) + knob(shot, "balls", 0));
+  for (int peel = 0; peel <= objects; ++peel) layers.push_back(subject.renderer.color(with(layer, "scene.peel", peel)));
+  int radius = int(std::ceil(knob(shot, "reach", 10))) + 3;
+  double tolerance = 1e-5 * std::max(1.0, largestColor(*layers.front()));
+  auto at = [&](int x, int y, int c) { return rangeAround(layers, x, y, c, radius, tolerance); };
+  return compare(*subject.renderer.color(shot), at, {shot});
+}
+
+Finding uniform(const Subject& subject) {
+  Random draw = subject.draw("uniform");
+  lab::Shot shot = with(without(subject.shot, {"perspective", "lit", "speed", "spin"}), "scene.wall", 1);
+  double reach = knob(shot, "reach", 10), angle = draw.unit() * 6.283185307;
+  double length = reach * (.5 + .5 * draw.unit());
+  double dx = std::round(16 * length * std::cos(angle)) / 16, dy = std::round(16 * length * std::sin(angle)) / 16;
+  shot = with(with(shot, "scene.pan_x", dx), "scene.pan_y", dy);
+  if (has(subject.pipeline, "samples")) shot = with(shot, "samples", draw.whole(16, 33));
+  const Evaluated& now = subject.renderer.evaluate(shot.pipeline, shot.sets);
+  if (!now.pipeline) throw Error(now.refusal);
+  Window window = windowOf(shot);
+  double along = std::max(std::abs(dx), std::abs(dy));
+  double samples = std::min(numberOf(*now.pipeline, "samples", along), std::max(2.0, 2 * std::floor(along / 2)));
+  double share = 1 / samples + .5 / along;
+  Picture sharp = subject.renderer.color(by(shot, kSharp));
+  auto at = [&](int x, int y, int c) -> std::optional<Right> {
+    Mean mean = meanAlong(*sharp, x, y, dx, dy, window);
+    if (!mean.inside) return std::nullopt;
+    return exactly(mean.color[size_t(c)], mean.variation[size_t(c)] * share + 1e-4);
+  };
+  return compare(*subject.renderer.color(shot), at, {shot, by(shot, kSharp)});
+}
+
+// ---- I9, I10
+
+Finding linear(const Subject& subject) {
+  lab::Shot shot = without(subject.shot, {"lit"});
+  if (subject.draw("linear").chance(.3)) {
+    lab::Shot bright = with(shot, "scene.brightness", 3);
+    Picture one = subject.renderer.color(shot);
+    auto at = [&](int x, int y, int c) { return exactly(3.0 * one->at(x, y, c), 1e-6 * 6); };
+    return compare(*subject.renderer.color(bright), at, {bright, shot});
+  }
+  lab::Shot first = with(shot, "scene.second", 0), second = with(shot, "scene.first", 0);
+  Picture a = subject.renderer.color(first), b = subject.renderer.color(second);
+  auto at = [&](int x, int y, int c) { return exactly(double(a->at(x, y, c)) + b->at(x, y, c), 2e-6); };
+  return compare(*subject.renderer.color(shot), at, {shot, first, second});
+}
+
+Finding scaled(const Subject& subject) {
+  Random draw = subject.draw("scaled");
+  bool exact = draw.chance(.6);
+  double scale = exact ? std::exp2(draw.whole(-20, 20)) : std::pow(10, draw.unit() * 12 - 6);
+  lab::Shot shot = subject.shot, other = with(shot, "scene.scale", scale);
+  if (exact) return same(subject, other, shot, 0);
+  Picture one = subject.renderer.color(shot), two = subject.renderer.color(other);
+  double tolerance = 1e-5 * std::max(1.0, largestColor(*one));
+  int different = countDifferent(*one, *two, tolerance), allowed = std::max(1, one->width * one->height / 1000);
+  if (different <= allowed) return {};
+  Finding finding = same(subject, other, shot, tolerance);
+  finding.excess = different - allowed;
+  finding.text += fmt::format(", and {} pixels differ where {} may", different, allowed);
+  return finding;
+}
+
+// ---- I11, I12
+
+double errorOf(const Subject& subject, const lab::Shot& shot, const std::vector<lab::Shot>& scenes) {
+  double sum = 0;
+  for (const lab::Shot& scene : scenes) {
+    lab::Shot here = shot;
+    here = with(here, "scene.seed", knob(scene, "seed", 1));
+    lab::Shot truth = with(by(here, kTruth), "samples", 96);
+    sum += rmsDifference(*subject.renderer.color(here), *subject.renderer.color(truth));
+  }
+  return sum / double(scenes.size());
+}
+
+// The values both have in common, and those of `set`.
+lab::Shot inCommon(const Subject& subject, lab::Shot shot, const std::string& pipeline,
+                   const std::vector<std::pair<std::string, plan::Value>>& set) {
+  const Evaluated& other = subject.renderer.evaluate(pipeline, {});
+  if (!other.pipeline) throw Error(other.refusal);
+  const Evaluated& now = subject.renderer.evaluate(shot.pipeline, shot.sets);
+  if (!now.pipeline) throw Error(now.refusal);
+  lab::Shot result = by(shot, pipeline);
+  for (const auto& [name, value] : now.pipeline->values)
+    if (name != "preset" && has(*other.pipeline, name)) result = with(result, name, textOf(value));
+  for (const auto& [name, value] : set) result = with(result, name, textOf(value));
+  return result;
+}
+
+Finding moreErrorThan(double error, double bound, const std::string& text, const std::vector<lab::Shot>& shots) {
+  Finding finding;
+  finding.shots = shots;
+  finding.excess = error - bound;
+  finding.holds = !(error > bound);
+  finding.text = fmt::format("{}: error {:.5f} where {:.5f} is allowed", text, error, bound);
+  return finding;
+}
+
+Finding converging(const Subject& subject) {
+  if (!has(subject.pipeline, "samples")) return none();
+  lab::Shot shot = without(subject.shot, {"lit", "spin"});
+  shot = with(shot, "scene.wall", 1);
+  double seed = knob(shot, "seed", 1);
+  std::vector<lab::Shot> scenes = {shot, with(shot, "scene.seed", seed + 1)};
+  lab::Shot few = with(shot, "samples", 4), many = with(shot, "samples", 32);
+  double coarse = errorOf(subject, few, scenes), fine = errorOf(subject, many, scenes);
+  Finding finding = moreErrorThan(fine, 1.05 * coarse + 1e-3, "32 samples against 4", {many, few});
+  if (subject.pipeline.compare_with.empty() || !subject.is_base) return finding;
+  lab::Shot other = inCommon(subject, many, subject.pipeline.compare_with, {});
+  double theirs = errorOf(subject, other, scenes);
+  return worse(finding, moreErrorThan(fine, 1.05 * theirs + 1e-3, "against " + subject.pipeline.compare_with, {many, other}));
+}
+
+bool isSet(const lab::Shot& shot, const std::string& name, const std::string& value) {
+  return std::any_of(shot.sets.begin(), shot.sets.end(), [&](const auto& s) { return s.first == name && s.second != value; });
+}
+
+Finding unmasked(const Subject& subject) {
+  Finding worst = none();
+  for (const plan::EqualDesc& equal : subject.pipeline.equals) {
+    lab::Shot shot = subject.shot;
+    bool against = false;  // what the variant is about is what the equality sets
+    for (const auto& [name, value] : equal.when) {
+      against = against || isSet(shot, name, textOf(value));
+      shot = with(shot, name, textOf(value));
+    }
+    for (const auto& [name, value] : equal.set) against = against || isSet(shot, name, textOf(value));
+    if (against || !subject.renderer.evaluate(shot.pipeline, shot.sets).pipeline) continue;
+    lab::Shot other = inCommon(subject, shot, equal.pipeline, equal.set);
+    if (!subject.renderer.evaluate(other.pipeline, other.sets).pipeline) continue;
+    Finding finding = same(subject, shot, other, 0);
+    worst = worst.applies ? worse(worst, finding) : finding;
+  }
+  return worst;
+}
+
+// ---- I13, I14
+
+Finding finite(const Subject& subject) {
+  const double radiances[] = {2e38, 3e38, 1e39, 1e39};
+  const double factors[] = {1, 1, 1, 0};  // the last is infinity times 0
+  int which = subject.draw("finite").whole(0, 3);
+  lab::Shot shot = with(without(subject.shot, {"lit"}), "scene.hot", radiances[which]);
+  shot = with(shot, "scene.hot_scale", factors[which]);
+  Picture sharp = subject.renderer.color(by(shot, kSharp));
+  auto at = [&](int x, int y, int c) -> std::optional<Right> {
+    if (!std::isfinite(sharp->at(x, y, c))) return std::nullopt;
+    double largest = std::numeric_limits<float>::max();
+    return Right{-largest, largest, 0};
+  };
+  return compare(*subject.renderer.color(shot), at, {shot});
+}
+
+Finding permuted(const Subject& subject) {
+  lab::Shot other = with(subject.shot, "scene.order", subject.draw("permuted").whole(1, 99));
+  return same(subject, subject.shot, other, 0);
+}
+
+}  // namespace
+
+const std::vector<Invariant>& invariants() {
+  static const std::vector<Invariant> list = {
+      {"constant", "a picture of one colour stays that colour, whatever moves in it",
+       "2 units in the last place for each sample: each adds one rounding of a weight and one of the sum; numbers below "
+       "the smallest normal one may become 0", constant},
+      {"still", "where nothing moves, or the shutter does not open, the picture is bit for bit the sharp one",
+       "none: nothing is computed", still},
+      {"brief", "as the exposure goes to 0 the picture becomes the sharp one: with displacements of 1/16 px, less than "
+       "any silhouette is off a pixel's centre, it is the sharp one; with 0.4 px no pixel leaves the range of the eight "
+       "around it", "0.00001: the rounding of a mean", brief},
+      {"mirrored", "a scene mirrored, flipped, turned by a half or a quarter gives the mirrored picture",
+       "0.00001 of the brightest colour: light and projection are rounded otherwise", mirrored},
+      {"shifted", "a scene moved by whole tiles (by any pixels where there are none) gives the moved picture",
+       "none: every length in the scene is a sum of few powers of two", shifted},
+      {"reversed", "time run backwards, with the capture at the other end of the exposure, gives the same picture",
+       "0.00001 of the brightest colour: sums are added up in the other order", reversed},
+      {"convex", "no colour leaves the range of the colours of all layers in reach",
+       "0.00001 of the brightest colour: weights add up to 1 but for rounding", convex},
+      {"uniform", "where everything moves alike the picture is the exact mean of the sharp one along the motion",
+       "per pixel, (1 / samples + 0.5 / displacement) of the sum of the steps along the motion: a sample stands for its "
+       "share of the exposure, jittered by up to half of it, and a pixel for what is within half a pixel. No more samples "
+       "count than the displacement has pixels", uniform},
+      {"linear", "the picture of a sum of two lights is the sum of their pictures; three times the light, three times "
+       "the picture", "0.000002: three roundings of colours up to 3", linear},
+      {"scaled", "a scene enlarged or shrunk as a whole gives the same picture, bit for bit if by a power of two",
+       "other factors: 0.1 % of the pixels may differ by more than 0.00001, silhouettes that fall on pixel centres", scaled},
+      {"converging", "with 32 samples instead of 4 the error against the truth does not grow, in the mean of two scenes; "
+       "and it is not larger than that of the pipeline it is to be compared with",
+       "5 % and 0.001: where a few samples meet a silhouette is chance", converging},
+      {"unmasked", "with values that the pipeline declares to make it equal to another one it is equal, bit for bit",
+       "none: the same is computed", unmasked},
+      {"finite", "radiance up to the largest number, infinite or not a number leaves every pixel finite that is finite in "
+       "the sharp picture", "none", finite},
+      {"permuted", "the order of objects and triangles changes nothing",
+       "none: no two surfaces are equally far away", permuted},
+  };
+  return list;
+}
+
+const Invariant& invariantNamed(const std::string& name) {
+  for (const Invariant& one : invariants())
+    if (one.name == name) return one;
+  throw Error(fmt::format("there is no invariant '{}'{}; there are {}", name, didYouMean(name, plan::invariantNames()),
+                          fmt::join(plan::invariantNames(), ", ")), {}, 2);
+}
+
+}  // namespace strobe::stability

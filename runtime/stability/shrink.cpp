@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "stability/shrink.h"
+
+#include <algorithm>
+
+namespace strobe::stability {
+
+// Values a setting is tried with, simplest first. "" takes the setting away.
+static const std::vector<std::pair<std::string, std::vector<std::string>>> kSimple = {
+    {"scene.cards", {"0", "1", "2", "3", "4"}}, {"scene.boxes", {"", "1"}},  {"scene.balls", {""}},
+    {"scene.lit", {"0"}},                       {"scene.textured", {"0"}},   {"scene.perspective", {"0"}},
+    {"scene.wall", {"", "0"}},                  {"samples", {"1", "2", "3", "4", "8"}},
+    {"scene.reach", {"3", "4", "6", "8"}},      {"tile", {"1", "2", "4", "8"}}};
+
+static bool contains(const script::Settings& sets, const std::string& name) {
+  return std::any_of(sets.begin(), sets.end(), [&](const auto& set) { return set.first == name; });
+}
+
+static lab::Shot without(lab::Shot shot, const std::string& name) {
+  std::erase_if(shot.sets, [&](const auto& set) { return set.first == name; });
+  return shot;
+}
+
+// Everything that is one step simpler, most helpful first.
+static std::vector<lab::Shot> simpler(const lab::Shot& shot, const script::Settings& kept) {
+  std::vector<lab::Shot> list;
+  if (shot.anchor != "close") list.push_back(shot), list.back().anchor = "close";
+  for (const auto& [name, value] : shot.sets) {
+    bool drawn = !name.starts_with("scene.") && !contains(kept, name);
+    bool named = name == "samples" || name == "tile" || name == "limit";
+    if (drawn && !named) list.push_back(without(shot, name));
+  }
+  for (const auto& [name, values] : kSimple) {
+    bool of_scene = name.starts_with("scene.");
+    if (contains(kept, name) || (!of_scene && !contains(shot.sets, name))) continue;
+    for (const std::string& value : values) {
+      lab::Shot one = value.empty() ? without(shot, name) : with(shot, name, value);
+      if (one.sets == shot.sets) break;  // the values that follow are less simple than the present one
+      list.push_back(one);
+    }
+  }
+  for (int size : {16, 24, 32, 48})
+    if (size < std::max(shot.width, shot.height)) list.push_back(sized(shot, size, size));
+  return list;
+}
+
+lab::Shot shrunk(lab::Shot shot, const script::Settings& kept, const StillFails& still_fails, int tries) {
+  auto fails = [&](const lab::Shot& candidate) {
+    try {
+      return still_fails(candidate);
+    } catch (const Error&) {
+      return false;
+    }
+  };
+  for (bool progress = true; progress;) {
+    progress = false;
+    for (const lab::Shot& candidate : simpler(shot, kept)) {
+      if (tries-- <= 0) return shot;
+      if (!fails(candidate)) continue;
+      shot = candidate;
+      progress = true;
+      break;
+    }
+  }
+  return shot;
+}
+
+}  // namespace strobe::stability

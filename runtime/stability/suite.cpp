@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include "stability/suite.h"
+
+#include <algorithm>
+
+#include "stability/shrink.h"
+
+namespace strobe::stability {
+
+namespace {
+
+std::vector<const Invariant*> wanted(const Options& options) {
+  std::vector<const Invariant*> list;
+  for (const Invariant& one : invariants()) {
+    bool named = std::find(options.invariants.begin(), options.invariants.end(), one.name) != options.invariants.end();
+    if (options.invariants.empty() || named) list.push_back(&one);
+  }
+  for (const std::string& name : options.invariants) invariantNamed(name);
+  return list;
+}
+
+// One pipeline's run.
+class Suite {
+ public:
+  Suite(Renderer& renderer, const std::string& pipeline, const Options& options)
+      : renderer_(renderer), options_(options), invariants_(wanted(options)) {
+    report_.pipeline = pipeline;
+  }
+
+  Report run() {
+    int before = renderer_.rendered();
+    Walk found = walk(renderer_, report_.pipeline);
+    report_.refused = found.refused;
+    report_.same = found.same;
+    int number = 0;
+    for (const Variant& variant : found.variants) {
+      if (number++ % options_.shards != options_.shard) continue;
+      if (variant.name().find(options_.only) == std::string::npos) continue;
+      report_.variants.push_back({variant.name(), {}});
+      for (int i = 0; i < options_.cases; ++i) checkCase(variant, i);
+      renderer_.forgetPicturesOf(variant.pipeline);
+    }
+    report_.pictures = renderer_.rendered() - before;
+    return std::move(report_);
+  }
+
+ private:
+  void checkCase(const Variant& variant, int index) {
+    lab::Shot shot = generated(variant, options_.seed, index + caseOf(variant));
+    const Evaluated& evaluated = renderer_.evaluate(shot.pipeline, shot.sets);
+    for (const Invariant* invariant : invariants_) {
+      Count& count = report_.variants.back().second[invariant->name];
+      if (!evaluated.pipeline) ++count.refused;
+      else checkOne(variant, *invariant, shot, *evaluated.pipeline, count);
+    }
+    ++report_.drawn;
+    if (evaluated.pipeline) report_.blurred += blurs(renderer_, shot);
+  }
+
+  // Variants take turns with the scenes.
+  static int caseOf(const Variant& variant) { return Random(0, variant.name()).whole(0, 7); }
+
+  Finding findingOf(const Invariant& invariant, const Variant& variant, const lab::Shot& shot) {
+    const Evaluated& evaluated = renderer_.evaluate(shot.pipeline, shot.sets);
+    if (!evaluated.pipeline) throw Error(evaluated.refusal);
+    return invariant.check({renderer_, *evaluated.pipeline, variant.isBase(), shot});
+  }
+
+  void checkOne(const Variant& variant, const Invariant& invariant, const lab::Shot& shot,
+                const plan::PipelineDesc& pipeline, Count& count) {
+    Finding finding;
+    try {
+      finding = findingOf(invariant, variant, shot);
+    } catch (const Error& error) {
+      ++count.refused;
+      report_.refused.push_back({variant.name() + ", " + invariant.name, error.what()});
+      return;
+    }
+    if (!finding.applies) return;
+    std::vector<Declared> declared = declaredBreaks(pipeline, invariant.name);
+    for (const Declared& one : declared) {
+      Declaration& known = report_.declarations[one.key];
+      known.where = one.where;
+      known.invariant = invariant.name;
+      known.reason = one.reason;
+      ++known.used;
+      known.seen += !finding.holds;
+    }
+    if (finding.holds) ++count.held;
+    else if (!declared.empty()) ++count.broken;
+    else fail(variant, invariant, shot, count);
+  }
+
+  void fail(const Variant& variant, const Invariant& invariant, const lab::Shot& shot, Count& count) {
+    ++count.failed;
+    auto still_fails = [&](const lab::Shot& candidate) {
+      Finding finding = findingOf(invariant, variant, candidate);
+      return finding.applies && !finding.holds;
+    };
+    bool enough = report_.failures.size() >= 8;  // shrinking takes time; the rest is told as found
+    lab::Shot small = enough ? shot : shrunk(shot, variant.sets, still_fails);
+    Finding finding = findingOf(invariant, variant, small);
+    Failure failure{variant.name(), invariant.name, finding.text, {}};
+    for (const lab::Shot& one : finding.shots) failure.commands.push_back(lab::commandOf(one));
+    report_.failures.push_back(failure);
+  }
+
+  Renderer& renderer_;
+  Options options_;
+  std::vector<const Invariant*> invariants_;
+  Report report_;
+};
+
+}  // namespace
+
+Report check(Renderer& renderer, const std::string& pipeline, const Options& options) {
+  return Suite(renderer, pipeline, options).run();
+}
+
+Count Report::total(const std::string& invariant) const {
+  Count sum;
+  for (const auto& [variant, counts] : variants)
+    for (const auto& [name, count] : counts) {
+      if (!invariant.empty() && name != invariant) continue;
+      sum.held += count.held;
+      sum.broken += count.broken;
+      sum.failed += count.failed;
+      sum.refused += count.refused;
+    }
+  return sum;
+}
+
+static std::map<std::string, Declaration> merged(const std::vector<Report>& reports) {
+  std::map<std::string, Declaration> all;
+  for (const Report& report : reports)
+    for (const auto& [key, one] : report.declarations) {
+      Declaration& sum = all[key];
+      int used = sum.used + one.used, seen = sum.seen + one.seen;
+      sum = one;
+      sum.used = used;
+      sum.seen = seen;
+    }
+  return all;
+}
+
+std::vector<Declaration> stale(const std::vector<Report>& reports) {
+  std::vector<Declaration> list;
+  for (const auto& [key, one] : merged(reports))
+    if (one.seen == 0) list.push_back(one);
+  return list;
+}
+
+// ---- as text
+
+std::string textOf(const Report& report) {
+  Count sum = report.total();
+  std::string text = fmt::format(
+      "{}: {} variants, {} values that change nothing, {} refused; {} cases hold, {} break as declared, {} refused, "
+      "{} failed ({} pictures)\n",
+      report.pipeline, report.variants.size(), report.same, report.refused.size(), sum.held, sum.broken, sum.refused,
+      sum.failed, report.pictures);
+  for (const Failure& failure : report.failures) {
+    text += fmt::format("  FAILED {} with {}\n    {}\n", failure.invariant, failure.variant, failure.text);
+    for (const std::string& command : failure.commands) text += "    " + command + "\n";
+  }
+  return text;
+}
+
+static std::string cellOf(const Count& count) {
+  std::string text;
+  if (count.held) text += fmt::format("{}", count.held);
+  if (count.broken) text += fmt::format("{}{} b", text.empty() ? "" : ", ", count.broken);
+  if (count.refused) text += fmt::format("{}{} r", text.empty() ? "" : ", ", count.refused);
+  if (count.failed) text += fmt::format("{}**{} f**", text.empty() ? "" : ", ", count.failed);
+  return text;
+}
+
+static std::string row(const std::vector<std::string>& cells) {
+  std::string text = "|";
+  for (const std::string& one : cells) text += " " + one + (one.empty() ? "|" : " |");
+  return text + "\n";
+}
+
+static std::string tableOf(const Report& report) {
+  std::vector<std::string> head = {"variant"};
+  for (const Invariant& one : invariants()) head.push_back(one.name);
+  std::string text = row(head) + row(std::vector<std::string>(head.size(), "---"));
+  auto add = [&](const std::string& name, const std::map<std::string, Count>& counts) {
+    std::vector<std::string> cells = {name};
+    for (const Invariant& one : invariants())
+      cells.push_back(counts.count(one.name) ? cellOf(counts.at(one.name)) : "");
+    text += row(cells);
+  };
+  std::map<std::string, Count> sums;
+  for (const Invariant& one : invariants()) sums[one.name] = report.total(one.name);
+  add("all", sums);
+  for (const auto& [variant, counts] : report.variants) add("`" + variant + "`", counts);
+  return text + "\n";
+}
+
+std::string pageOf(const std::vector<Report>& reports, const Options& options) {
+  std::string text = "<!-- Written by `strobe stability --write docs/stability.md`; do not edit. -->\n\n# Invariants held\n\n";
+  text += fmt::format(
+      "Cases of each variant and invariant ([what they are](invariants.md)), {} each, seed {}: how many hold; b: broken as "
+      "declared; r: refused by the pipeline; f: failed.\n\n", options.cases, options.seed);
+  for (const Report& report : reports) {
+    Count sum = report.total();
+    text += fmt::format("## {}\n\n{} variants: {} cases hold, {} break as declared, {} refused, {} failed. {} more values "
+                        "change nothing where they were tried.\n\n",
+                        report.pipeline, report.variants.size(), sum.held, sum.broken, sum.refused, sum.failed, report.same);
+    text += tableOf(report);
+    std::map<std::string, std::string> reasons;
+    for (const Refused& one : report.refused) reasons.emplace(one.name, one.reason);
+    if (!reasons.empty()) text += "Refused:\n\n";
+    for (const auto& [name, reason] : reasons) text += fmt::format("- `{}`: {}\n", name, reason);
+    if (!reasons.empty()) text += "\n";
+  }
+  text += "## Declared breaks\n\n" + row({"with", "invariant", "seen in", "why"}) + row({"---", "---", "---", "---"});
+  for (const auto& [key, one] : merged(reports))
+    text += row({"`" + one.where + "`", one.invariant, fmt::format("{} of {} cases", one.seen, one.used), one.reason});
+  return text;
+}
+
+Json toJson(const Report& report) {
+  Json json;
+  json["pipeline"] = report.pipeline;
+  json["same"] = report.same;
+  for (const auto& [variant, counts] : report.variants)
+    for (const auto& [invariant, count] : counts)
+      json["variants"][variant][invariant] = {
+          {"held", count.held}, {"broken", count.broken}, {"refused", count.refused}, {"failed", count.failed}};
+  json["refused"] = Json::array();
+  for (const Refused& one : report.refused) json["refused"].push_back({{"what", one.name}, {"reason", one.reason}});
+  json["declared"] = Json::array();
+  for (const auto& [key, one] : report.declarations)
+    json["declared"].push_back({{"with", one.where}, {"invariant", one.invariant}, {"reason", one.reason},
+                                {"cases", one.used}, {"seen", one.seen}});
+  json["failures"] = Json::array();
+  for (const Failure& one : report.failures)
+    json["failures"].push_back({{"variant", one.variant}, {"invariant", one.invariant}, {"text", one.text},
+                                {"commands", one.commands}});
+  return json;
+}
+
+}  // namespace strobe::stability

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "stability/variants.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+#include "plan/canonical.h"
+
+namespace strobe::stability {
+
+using plan::ParamDesc;
+using plan::PassDesc;
+using plan::PipelineDesc;
+
+std::string textOf(const plan::Value& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  return plan::toJson(value).dump();
+}
+
+bool Variant::isBase() const {
+  return sets.empty() || (sets.size() == 1 && sets.front().first == "preset");
+}
+
+std::string Variant::name() const {
+  std::string text;
+  for (const auto& [name, value] : sets) text += (text.empty() ? "" : " ") + name + "=" + value;
+  return text.empty() ? "defaults" : text;
+}
+
+static const PassDesc& passOf(const PipelineDesc& pipeline, const plan::NodeDesc& node) {
+  return *std::find_if(pipeline.passes.begin(), pipeline.passes.end(), [&](const auto& p) { return p.name == node.pass; });
+}
+
+static const plan::Value* valueOf(const PipelineDesc& pipeline, const std::string& param) {
+  for (const auto& [name, value] : pipeline.values)
+    if (name == param) return &value;
+  return nullptr;
+}
+
+static const plan::Value& resolved(const PipelineDesc& pipeline, const plan::Binding& binding) {
+  return binding.value ? *binding.value : *valueOf(pipeline, binding.follows);
+}
+
+// ---- the walk
+
+// Every value of what decides the shader; of numbers that are compiled in the ends and the default.
+static std::vector<std::string> valuesOf(const ParamDesc& param) {
+  if (param.type == ParamDesc::Type::Bool) return {"false", "true"};
+  if (param.type == ParamDesc::Type::Choice) return param.choices;
+  std::set<std::string> values = {textOf(param.default_value)};
+  for (const auto& bound : {param.min, param.max})
+    if (bound) values.insert(fmt::format("{}", *bound));
+  return {values.begin(), values.end()};
+}
+
+// A value to try.
+struct Try {
+  std::string name, value;
+};
+
+static std::vector<Try> triesOf(const std::string& name, const ParamDesc& param, const plan::Value& now) {
+  std::vector<Try> tries;
+  if (!plan::isCompiledIn(param)) return tries;
+  for (const std::string& value : valuesOf(param))
+    if (value != textOf(now)) tries.push_back({name, value});
+  return tries;
+}
+
+// "node pass": where a value puts another pass into a node, that is another node.
+static std::set<std::string> nodesOf(const PipelineDesc& pipeline) {
+  std::set<std::string> names;
+  for (const auto& node : pipeline.nodes) names.insert(node.name + " " + node.pass);
+  return names;
+}
+
+// Values of the pipeline's parameters, and of nodes' own ones, as far as they are not of nodes in `known`.
+static std::vector<Try> triesIn(const PipelineDesc& pipeline, const std::set<std::string>& known) {
+  std::vector<Try> tries;
+  auto add = [&tries](const std::vector<Try>& more) { tries.insert(tries.end(), more.begin(), more.end()); };
+  std::set<std::string> follow;  // parameters of the pipeline that nodes which are not known follow
+  for (const auto& node : pipeline.nodes) {
+    if (known.count(node.name + " " + node.pass)) continue;
+    const PassDesc& pass = passOf(pipeline, node);
+    for (const auto& [name, binding] : node.params) {
+      if (!binding.follows.empty()) follow.insert(binding.follows);
+      auto is_it = [&name = name](const auto& p) { return p.name == name; };
+      const ParamDesc& param = *std::find_if(pass.params.begin(), pass.params.end(), is_it);
+      if (binding.follows.empty()) add(triesOf(node.name + "." + name, param, *binding.value));
+    }
+  }
+  for (const ParamDesc& param : pipeline.params)
+    if (param.name != "preset" && (known.empty() || follow.count(param.name)))
+      add(triesOf(param.name, param, *valueOf(pipeline, param.name)));
+  return tries;
+}
+
+namespace {
+
+class Walker {
+ public:
+  Walker(Renderer& renderer, const std::string& pipeline) : renderer_(renderer), pipeline_(pipeline) {}
+
+  Walk run() {
+    const Evaluated& plain = renderer_.evaluate(pipeline_, {});
+    if (!plain.pipeline) throw Error(plain.refusal);
+    std::vector<script::Settings> bases;
+    for (const ParamDesc& param : plain.pipeline->params)
+      for (const std::string& choice : param.choices)
+        if (param.name == "preset") bases.push_back({{"preset", choice}});
+    if (bases.empty()) bases.push_back({});
+    for (const script::Settings& base : bases) walkBase(base);
+    return std::move(walk_);
+  }
+
+ private:
+  void walkBase(const script::Settings& base) {
+    const Evaluated* evaluated = take(base);
+    if (!evaluated) return;
+    std::set<std::string> known = nodesOf(*evaluated->pipeline);
+    for (const Try& one : triesIn(*evaluated->pipeline, {})) {
+      script::Settings sets = base;
+      sets.push_back({one.name, one.value});
+      if (const Evaluated* changed = take(sets)) walkNew(sets, *changed->pipeline, known, one.name);
+    }
+  }
+
+  // What only this value brought into the graph.
+  void walkNew(const script::Settings& sets, const PipelineDesc& pipeline, const std::set<std::string>& known,
+               const std::string& changed) {
+    std::set<std::string> more = nodesOf(pipeline);
+    if (std::includes(known.begin(), known.end(), more.begin(), more.end())) return;
+    for (const Try& one : triesIn(pipeline, known)) {
+      script::Settings further = sets;
+      further.push_back({one.name, one.value});
+      if (one.name != changed) take(further);
+    }
+  }
+
+  // Notes the variant, unless it is refused or known under another name.
+  const Evaluated* take(const script::Settings& sets) {
+    const Evaluated& evaluated = renderer_.evaluate(pipeline_, sets);
+    Variant variant{pipeline_, sets, evaluated.pipeline};
+    if (!evaluated.pipeline) {
+      walk_.refused.push_back({variant.name(), evaluated.refusal});
+      return nullptr;
+    }
+    lab::Shot shot;
+    shot.width = shot.height = 64;
+    bool is_new = seen_.insert(identityOf(lab::planOf(shot, *evaluated.pipeline, graph::Backend::Query))).second;
+    if (is_new) walk_.variants.push_back(variant);
+    else ++walk_.same;
+    return &evaluated;
+  }
+
+  Renderer& renderer_;
+  std::string pipeline_;
+  Walk walk_;
+  std::set<std::string> seen_;
+};
+
+}  // namespace
+
+Walk walk(Renderer& renderer, const std::string& pipeline) { return Walker(renderer, pipeline).run(); }
+
+// ---- what is declared
+
+static void addBreaks(std::vector<Declared>& found, const plan::Breaks& breaks, const std::string& invariant,
+                      const std::string& where, const std::string& owner) {
+  for (const auto& [name, reason] : breaks)
+    if (name == invariant) found.push_back({where, reason, owner + ": " + invariant});
+}
+
+static void addValueBreaks(std::vector<Declared>& found, const ParamDesc& param, const plan::Value& value,
+                           const std::string& invariant) {
+  for (const auto& [choice, breaks] : param.breaks) {
+    if (choice != textOf(value)) continue;
+    std::string what = param.name + " = " + choice;
+    addBreaks(found, breaks, invariant, what, what);
+  }
+}
+
+// Does what follows the parameter declare what it breaks? A parameter that is a pass's counts where that pass runs.
+static bool isOfAPass(const ParamDesc& param) { return param.place.file.starts_with("passes/"); }
+
+std::vector<Declared> declaredBreaks(const PipelineDesc& pipeline, const std::string& invariant) {
+  std::vector<Declared> found;
+  addBreaks(found, pipeline.breaks, invariant, "pipeline " + pipeline.name, "pipeline " + pipeline.name);
+  for (const ParamDesc& param : pipeline.params)
+    if (!isOfAPass(param)) addValueBreaks(found, param, *valueOf(pipeline, param.name), invariant);
+  for (const auto& node : pipeline.nodes) {
+    const PassDesc& pass = passOf(pipeline, node);
+    addBreaks(found, pass.breaks, invariant, "pass " + pass.name, "pass " + pass.name);
+    for (const auto& [name, binding] : node.params)
+      for (const ParamDesc& param : pass.params)
+        if (param.name == name) addValueBreaks(found, param, resolved(pipeline, binding), invariant);
+  }
+  std::set<std::string> keys;
+  std::erase_if(found, [&](const Declared& one) { return !keys.insert(one.key).second; });
+  return found;
+}
+
+double numberOf(const PipelineDesc& pipeline, const std::string& param, double otherwise) {
+  const plan::Value* value = valueOf(pipeline, param);
+  if (!value) return otherwise;
+  if (const auto* whole = std::get_if<int64_t>(value)) return double(*whole);
+  if (const auto* number = std::get_if<double>(value)) return *number;
+  return otherwise;
+}
+
+int gridOf(const PipelineDesc& pipeline) {
+  int grid = 1;
+  for (const auto& node : pipeline.nodes) {
+    const plan::SizeDesc& size = passOf(pipeline, node).size;
+    for (const auto& [name, binding] : node.params)
+      if (name == size.divide) grid = std::lcm(grid, int(std::get<int64_t>(resolved(pipeline, binding))));
+  }
+  return grid;
+}
+
+}  // namespace strobe::stability
