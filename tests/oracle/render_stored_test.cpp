@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// Formats and depth encodings in the pipelines: every image that holds a displacement, a colour or a depth between
+// passes follows them, at the precision that the formats have by definition, and nothing else changes.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "oracle/render.h"
+#include "plan/canonical.h"
+#include "plan/formats.h"
+#include "script/evaluate.h"
+
+namespace strobe::oracle {
+namespace {
+
+constexpr double kHalf = 0x1p-11;         // relative error of half floats, rounded to the nearest
+constexpr double kTwoDivisions = 5 * 0x1p-23;  // 2.5 units in the last place each, on any device
+
+struct Kept {
+  std::string port;
+  std::string kind;  // "velocity", "color", "depth"
+};
+
+// What a pipeline keeps between passes, in settings that need it.
+struct Keeper {
+  std::string pipeline;
+  std::vector<std::string> settings;
+  std::vector<Kept> kept;
+};
+
+const std::vector<Kept> kSeen = {{"gbuffer.velocity", "velocity"}, {"gbuffer.depth", "depth"}, {"shade.color", "color"}};
+const std::vector<Kept> kRevealed = {{"reveal.velocity", "velocity"}, {"reveal.depth", "depth"}, {"reveal.color", "color"}};
+
+std::vector<Kept> joined(std::vector<Kept> list, const std::vector<Kept>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+  return list;
+}
+
+std::vector<Keeper> keepers() {
+  std::vector<Kept> halved = {{"reveal_upsample.velocity", "velocity"}, {"reveal_upsample.depth", "depth"},
+                              {"reveal_upsample.color", "color"}};
+  std::vector<Kept> parts = {{"halves.before", "velocity"}, {"halves.after", "velocity"},
+                             {"revealed_halves.before", "velocity"}, {"revealed_halves.after", "velocity"}};
+  std::vector<Kept> blurred = {{"gather_raster.blurred", "color"}, {"gather_revealed.blurred", "color"}};
+  std::vector<Keeper> list = {
+      {"mcguire2012", {}, kSeen},
+      {"guertin2014", {}, kSeen},
+      {"jimenez2014", {}, kSeen},
+      {"ue4", {}, kSeen},
+      {"hybrid", {"mask=all"}, joined(kSeen, kRevealed)},
+      {"hybrid", {"mask=all", "range=split"}, joined(kSeen, parts)},
+      {"hybrid", {"mask=all", "reveal_resolution=half"}, joined(kSeen, halved)},
+  };
+  for (const char* weights : {"uniform", "mcguire2012", "guertin2014", "jimenez2014"})
+    list.push_back({"hybrid", {"mask=all", "composite=alpha_over", fmt::format("weights={}", weights)}, blurred});
+  return list;
+}
+
+lab::Shot crowd(const Keeper& keeper, std::vector<std::string> more) {
+  lab::Shot shot = shotOf("crowd", 48, 32);
+  shot.sets.clear();
+  more.insert(more.end(), keeper.settings.begin(), keeper.settings.end());
+  shot = with(shot, keeper.pipeline, more, "centre");
+  for (const Kept& one : keeper.kept) shot.taps.push_back(one.port);
+  return shot;
+}
+
+std::string name(const Keeper& keeper) { return fmt::format("{} {}", keeper.pipeline, fmt::join(keeper.settings, " ")); }
+
+class RenderStored : public RenderTest {
+ protected:
+  static plan::Plan planOf(lab::Shot shot) {
+    bench().scene(shot);
+    plan::PipelineDesc pipeline = script::evaluatePipeline({shot.pipeline, shot.sets});
+    return lab::planOf(shot, pipeline, bench().chooseBackend("auto"));
+  }
+};
+
+// Relative to the larger component: a displacement's small component may be the difference of large ones.
+void expectClose(const image::Image& exact, const image::Image& stored, double relative, const std::string& what) {
+  ASSERT_EQ(exact.values.size(), stored.values.size()) << what;
+  double worst = 0;
+  for (size_t i = 0; i < exact.values.size(); ++i) {
+    if (std::isinf(exact.values[i])) ASSERT_EQ(exact.values[i], stored.values[i]) << what;
+    else worst = std::max(worst, std::abs(double(stored.values[i]) - exact.values[i]) -
+                                     relative * std::abs(double(exact.values[i])));
+  }
+  EXPECT_LE(worst, 0x1p-25) << what;  // half a step of the half floats below 2^-14
+}
+
+// The images of the passes that shade and project: rounded once from what fp32 holds.
+TEST_F(RenderStored, WhatIsSeenAndRevealedIsRoundedOnce) {
+  for (const Keeper& keeper : keepers()) {
+    if (name(keeper).find('=') != std::string::npos && name(keeper) != "hybrid mask=all") continue;
+    lab::Picture exact = render(crowd(keeper, {}));
+    lab::Picture half = render(crowd(keeper, {"velocity_format=fp16", "color_format=fp16", "depth_encoding=reversed"}));
+    for (const Kept& one : keeper.kept)
+      expectClose(exact.frame.taps.at(one.port).floats, half.frame.taps.at(one.port).floats,
+                  one.kind == "depth" ? kTwoDivisions : kHalf, name(keeper) + " " + one.port);
+  }
+}
+
+TEST_F(RenderStored, EveryImageOnTheWayFollowsAndIsHalfTheSize) {
+  for (const Keeper& keeper : keepers()) {
+    plan::Plan exact = planOf(crowd(keeper, {}));
+    plan::Plan half = planOf(crowd(keeper, {"velocity_format=fp16", "color_format=fp16"}));
+    for (const Kept& one : keeper.kept) {
+      std::string full_format = one.kind == "velocity" ? "rg32f" : one.kind == "color" ? "rgba32f" : "r32f";
+      std::string half_format = one.kind == "velocity" ? "rg16f" : one.kind == "color" ? "rgba16f" : "r32f";
+      EXPECT_EQ(exact.images.at(size_t(plan::findImage(exact, one.port))).format, full_format) << name(keeper);
+      EXPECT_EQ(half.images.at(size_t(plan::findImage(half, one.port))).format, half_format) << name(keeper);
+    }
+    EXPECT_LT(plan::bytesAliased(half), plan::bytesAliased(exact)) << name(keeper);
+    const std::string& picture = half.images[size_t(half.outputs.front().second)].format;
+    EXPECT_EQ(half.outputs.front().first, "color");
+    EXPECT_EQ(picture, "rgba32f") << name(keeper);
+  }
+}
+
+// No image of full resolution holds four or two floats of 32 bits but normals (which no parameter is about) and the
+// picture: whoever adds a pass that keeps colours or displacements in fp32 regardless is told here.
+TEST_F(RenderStored, NothingElseIsKeptInSinglePrecision) {
+  for (const Keeper& keeper : keepers()) {
+    plan::Plan plan = planOf(crowd(keeper, {"velocity_format=fp16", "color_format=fp16"}));
+    int picture = plan.outputs.front().second;
+    for (size_t i = 0; i < plan.images.size(); ++i) {
+      const plan::VirtualImage& image = plan.images[i];
+      bool wide = image.format == "rgba32f" || image.format == "rg32f";
+      bool known = int(i) == picture || image.name == "gbuffer.normal";
+      EXPECT_TRUE(known || !wide || image.divide != 1) << name(keeper) << ": " << image.name << " is " << image.format;
+    }
+  }
+}
+
+TEST_F(RenderStored, SkySurvivesEveryEncoding) {
+  for (const char* encoding : {"linear", "reversed", "inverse", "unorm24"}) {
+    lab::Shot shot = crowd({"hybrid", {"mask=all"}, kRevealed}, {fmt::format("depth_encoding={}", encoding)});
+    lab::Picture picture = render(shot);
+    const image::Image& depth = imageOf(picture, "depth");
+    const auto& id = picture.frame.outputs.at("id").uints;
+    size_t skies = 0;
+    for (size_t i = 0; i < depth.values.size(); ++i) {
+      bool sky = id.values[2 * i] == 0;
+      skies += sky;
+      ASSERT_EQ(std::isinf(depth.values[i]), sky) << encoding;
+    }
+    EXPECT_GT(skies, 0u);
+    const image::Image& valid = imageOf(picture, "revealed_valid");
+    const image::Image& behind = imageOf(picture, "revealed_depth");
+    size_t nothing = 0;
+    for (size_t i = 0; i < valid.values.size(); ++i) {
+      nothing += valid.values[i] < 0.5f;
+      ASSERT_EQ(behind.values[i] == 0, valid.values[i] < 0.5f) << encoding;
+    }
+    EXPECT_GT(nothing, 0u);
+    EXPECT_EQ(counterOf(picture, "gbuffer.depth_lost"), 0u) << encoding;
+  }
+}
+
+// A bar moves by d: by definition of half floats, 100.03 px become 100 (steps of 1/16), and 600.2 px 600 (of 1/2).
+TEST_F(RenderStored, DisplacementsHaveTheStepsOfHalfFloats) {
+  for (auto [d, expected] : {std::pair{100.03, 100.0}, {100.04, 100.0625}, {600.2, 600.0}, {600.3, 600.5}, {0.3, 0.300048828125}}) {
+    lab::Picture picture = render(with(shotOf("bar", 64, 4, {{"d_f", d}, {"left", 16}, {"right", 48}}), "mcguire2012",
+                                       {"velocity_format=fp16"}));
+    EXPECT_EQ(imageOf(picture, "velocity").at(32, 2, 0), float(expected)) << d;
+  }
+}
+
+TEST_F(RenderStored, OverflowIsClampedAndCounted) {
+  lab::Shot fast = shotOf("bar", 64, 4, {{"d_f", 100000}, {"left", 16}, {"right", 48}, {"foreground", 100000}});
+  lab::Picture exact = render(with(fast, "mcguire2012"));
+  EXPECT_NEAR(imageOf(exact, "velocity").at(32, 2, 0), 100000, 1);
+  EXPECT_EQ(counterOf(exact, "gbuffer.velocity_clamped") + counterOf(exact, "shade.color_clamped"), 0u);
+  lab::Shot half = with(fast, "mcguire2012", {"velocity_format=fp16", "color_format=fp16"});
+  half.taps = {"shade.color"};
+  lab::Picture picture = render(half);
+  EXPECT_EQ(imageOf(picture, "velocity").at(32, 2, 0), 65504);
+  EXPECT_EQ(picture.frame.taps.at("shade.color").floats.at(32, 2, 0), 65504);
+  EXPECT_EQ(counterOf(picture, "gbuffer.velocity_clamped"), 32u * 4);
+  EXPECT_EQ(counterOf(picture, "shade.color_clamped"), 32u * 4);
+}
+
+// The bar, 110 from the camera whose near distance is 1, over a background at 120 and later so far that 24 bits end.
+TEST_F(RenderStored, DepthsOfAnOrthographicCameraGoThroughTheSameFormulas) {
+  lab::Shot shot = shotOf("bar", 64, 4, {{"left", 16}, {"right", 48}});
+  const image::Image exact = imageOf(render(with(shot, "mcguire2012")), "depth");
+  for (auto [encoding, relative] : {std::pair{"reversed", kTwoDivisions}, {"inverse", kTwoDivisions}, {"unorm24", 110 * 0x1p-25 + 3 * kTwoDivisions}}) {
+    const image::Image stored = imageOf(render(with(shot, "mcguire2012", {fmt::format("depth_encoding={}", encoding)})), "depth");
+    expectClose(exact, stored, relative, encoding);
+  }
+}
+
+// Colours: the blur is a mean of taps, so rounding each by at most 2^-11 of itself moves no pixel by more than that of
+// the brightest tap; depths and displacements as they were.
+TEST_F(RenderStored, ThePictureMovesByNoMoreThanItsColours) {
+  for (const char* pipeline : {"mcguire2012", "guertin2014", "jimenez2014", "ue4", "hybrid"}) {
+    Keeper keeper{pipeline, {}, {}};
+    lab::Picture full = render(crowd(keeper, {})), half = render(crowd(keeper, {"color_format=fp16"}));
+    double brightest = 0;
+    for (float value : colorOf(full).values) brightest = std::max(brightest, double(value));
+    EXPECT_GT(rmsDifference(colorOf(full), colorOf(half)), 0) << pipeline;
+    EXPECT_LE(largestDifference(colorOf(full), colorOf(half)), kHalf * brightest * 2) << pipeline;
+    EXPECT_TRUE(identical(imageOf(full, "velocity"), imageOf(half, "velocity"))) << pipeline;
+    EXPECT_TRUE(identical(imageOf(full, "depth"), imageOf(half, "depth"))) << pipeline;
+  }
+}
+
+// What is at rest is copied: with half floats the picture is what was stored, bit for bit.
+TEST_F(RenderStored, StillPicturesAreWhatWasStored) {
+  for (const char* pipeline : {"mcguire2012", "guertin2014", "jimenez2014", "ue4", "hybrid"}) {
+    lab::Shot shot = crowd({pipeline, {}, {{"shade.color", "color"}}}, {"velocity_format=fp16", "color_format=fp16"});
+    shot.exposure = 0;
+    lab::Picture picture = render(shot);
+    EXPECT_TRUE(identical(colorOf(picture), picture.frame.taps.at("shade.color").floats)) << pipeline;
+  }
+}
+
+}  // namespace
+}  // namespace strobe::oracle
