@@ -49,7 +49,8 @@ void values(const Options& options) {
   image::Image reference;
   if (!options.against.empty()) reference = image::readPicture(options.against, "").linear;
   bool fits = options.against.empty() || (reference.width == shot.width && reference.height == shot.height);
-  if (!fits) throw Error(fmt::format("{} is not a picture of {}x{} pixels", options.against, shot.width, shot.height), {}, 2);
+  if (!fits)
+    throw Error(fmt::format("{} is not a picture of {}x{} pixels", options.against, shot.width, shot.height), {}, 2);
   std::vector<lab::ValueCost> costs = lab::benchValues(bench, shot, options.tries, options.repeats, reference);
   refuseMessages(bench.device());
   const std::string& device = bench.device().info().name;
@@ -75,11 +76,14 @@ void registerBench(CLI::App& program) {
   of_reload->callback([options] { reload(*options); });
 
   auto tried = std::make_shared<Options>();
-  CLI::App* of_values = command->add_subcommand("values", "What values of parameters change in the picture, and their cost");
+  const char* what = "What values of parameters change in the picture, and their cost";
+  CLI::App* of_values = command->add_subcommand("values", what);
   of_values->add_option("--try", tried->tries, "NAME=VALUE[,NAME=VALUE...] to draw instead of the shot as it is")
       ->required()->allow_extra_args(false);
-  of_values->add_option("--against", tried->against, "a picture (of truth, say): tell each one's distance from it")->type_name("FILE");
-  of_values->add_option("--repeats", tried->repeats, "frames of each")->check(CLI::Range(1, 1000))->capture_default_str();
+  of_values->add_option("--against", tried->against, "a picture (of truth, say): tell each one's distance from it")
+      ->type_name("FILE");
+  of_values->add_option("--repeats", tried->repeats, "frames of each")
+      ->check(CLI::Range(1, 1000))->capture_default_str();
   of_values->add_flag("--json", tried->json, "report as JSON");
   tried->shot.addWithPipeline(*of_values);
   of_values->callback([tried] { values(*tried); });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a renderer's memory would keep of colours, displacements and depths. For passes with the parameters
-// velocity_format, color_format or depth_encoding of scripts/pipelines/lib/stored.lua and the counters that go with them.
+// velocity_format, color_format or depth_encoding of scripts/pipelines/lib/stored.lua and the counters to them.
 // In:  linear colours; displacements, px over the exposure; linear view depths, m (sky +inf, 0 where there is nothing).
 // Out: the same as they come back from memory. With fp32 and linear: bit for bit what was given, without arithmetic.
 // Half floats: to the nearest, ties to even, here and not by the store, which may truncate. Beyond 65504 a colour's

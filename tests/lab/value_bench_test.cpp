@@ -21,8 +21,8 @@ TEST_F(ValueBench, SettingsAreTakenApart) {
 }
 
 TEST_F(ValueBench, TellsBytesDifferencesAndLimits) {
-  Shot shot = oracle::with(oracle::shotOf("bar", 48, 8, {{"d_f", 5.03}, {"left", 16}, {"right", 32}, {"foreground", 70000}}),
-                           "mcguire2012", {"limit=10"});
+  oracle::Numbers bar = {{"d_f", 5.03}, {"left", 16}, {"right", 32}, {"foreground", 70000}};
+  Shot shot = oracle::with(oracle::shotOf("bar", 48, 8, bar), "mcguire2012", {"limit=10"});
   Picture plain = render(shot), half = render(oracle::with(shot, "mcguire2012", {"color_format=fp16"}));
   image::Image reference = oracle::colorOf(half);
   auto costs = benchValues(bench(), shot, {"velocity_format=fp16", "color_format=fp16", "limit=10"}, 2, reference);

@@ -13,7 +13,7 @@
 namespace strobe::oracle {
 namespace {
 
-constexpr double kHalf = 0x1p-11;         // relative error of half floats, rounded to the nearest
+constexpr double kHalf = 0x1p-11;              // relative error of half floats, rounded to the nearest
 constexpr double kTwoDivisions = 5 * 0x1p-23;  // 2.5 units in the last place each, on any device
 
 // All at once: every shader of the hybrid is compiled for these and for the defaults alone.
@@ -31,8 +31,10 @@ struct Keeper {
   std::vector<Kept> kept;
 };
 
-const std::vector<Kept> kSeen = {{"gbuffer.velocity", "velocity"}, {"gbuffer.depth", "depth"}, {"shade.color", "color"}};
-const std::vector<Kept> kRevealed = {{"reveal.velocity", "velocity"}, {"reveal.depth", "depth"}, {"reveal.color", "color"}};
+const std::vector<Kept> kSeen = {{"gbuffer.velocity", "velocity"}, {"gbuffer.depth", "depth"},
+                                 {"shade.color", "color"}};
+const std::vector<Kept> kRevealed = {{"reveal.velocity", "velocity"}, {"reveal.depth", "depth"},
+                                     {"reveal.color", "color"}};
 
 std::vector<Kept> joined(std::vector<Kept> list, const std::vector<Kept>& more) {
   list.insert(list.end(), more.begin(), more.end());
@@ -68,7 +70,9 @@ lab::Shot crowd(const Keeper& keeper, std::vector<std::string> more) {
   return shot;
 }
 
-std::string name(const Keeper& keeper) { return fmt::format("{} {}", keeper.pipeline, fmt::join(keeper.settings, " ")); }
+std::string name(const Keeper& keeper) {
+  return fmt::format("{} {}", keeper.pipeline, fmt::join(keeper.settings, " "));
+}
 
 class RenderStored : public RenderTest {
  protected:
@@ -150,7 +154,8 @@ void expectSkyWhereNothingIs(const lab::Picture& picture, const std::string& wha
 
 TEST_F(RenderStored, SkySurvivesEveryEncoding) {
   for (const char* encoding : {"linear", "reversed", "inverse", "unorm24"})
-    expectSkyWhereNothingIs(render(crowd({"mcguire2012", {}, {}}, {fmt::format("depth_encoding={}", encoding)})), encoding);
+    expectSkyWhereNothingIs(render(crowd({"mcguire2012", {}, {}}, {fmt::format("depth_encoding={}", encoding)})),
+                            encoding);
 }
 
 TEST_F(RenderStored, NothingRevealedStaysNothing) {
@@ -168,7 +173,8 @@ TEST_F(RenderStored, NothingRevealedStaysNothing) {
 
 // A bar moves by d: by definition of half floats, 100.03 px become 100 (steps of 1/16), and 600.2 px 600 (of 1/2).
 TEST_F(RenderStored, DisplacementsHaveTheStepsOfHalfFloats) {
-  for (auto [d, expected] : {std::pair{100.03, 100.0}, {100.04, 100.0625}, {600.2, 600.0}, {600.3, 600.5}, {0.3, 0.300048828125}}) {
+  for (auto [d, expected] : {std::pair{100.03, 100.0}, {100.04, 100.0625}, {600.2, 600.0}, {600.3, 600.5},
+                             {0.3, 0.300048828125}}) {
     lab::Picture picture = render(with(shotOf("bar", 64, 4, {{"d_f", d}, {"left", 16}, {"right", 48}}), "mcguire2012",
                                        {"velocity_format=fp16"}));
     EXPECT_EQ(imageOf(picture, "velocity").at(32, 2, 0), float(expected)) << d;
@@ -189,13 +195,16 @@ TEST_F(RenderStored, OverflowIsClampedAndCounted) {
   EXPECT_EQ(counterOf(picture, "shade.color_clamped"), 32u * 4);
 }
 
-// The bar, 110 from the camera whose near distance is 1, over a background at 120 and later so far that 24 bits end.
+// The bar is 100 units from a camera whose near distance is 1, the background 110: 1 - n/z is right to half a step.
 TEST_F(RenderStored, DepthsOfAnOrthographicCameraGoThroughTheSameFormulas) {
   lab::Shot shot = shotOf("bar", 64, 4, {{"left", 16}, {"right", 48}});
   const image::Image exact = imageOf(render(with(shot, "mcguire2012")), "depth");
-  for (auto [encoding, relative] : {std::pair{"reversed", kTwoDivisions}, {"inverse", kTwoDivisions}, {"unorm24", 110 * 0x1p-25 + 3 * kTwoDivisions}}) {
-    const image::Image stored = imageOf(render(with(shot, "mcguire2012", {fmt::format("depth_encoding={}", encoding)})), "depth");
-    expectClose(exact, stored, relative, encoding);
+  EXPECT_NEAR(exact.at(32, 2, 0), 100, 1e-3);
+  const double half_step = 110 * 0x1p-25;
+  for (auto [encoding, relative] : {std::pair{"reversed", kTwoDivisions}, {"inverse", kTwoDivisions},
+                                    {"unorm24", half_step + 2 * kTwoDivisions}}) {
+    lab::Shot encoded = with(shot, "mcguire2012", {fmt::format("depth_encoding={}", encoding)});
+    expectClose(exact, imageOf(render(encoded), "depth"), relative, encoding);
   }
 }
 

@@ -81,8 +81,8 @@ class StoredNumbers : public RenderTest {
     Floats padded = values;
     padded.resize((values.size() + 3) / 4 * 4, 0.0f);
     gpu::Device& device = bench().device();
-    std::string main = fmt::format("#include \"lib/stored.glsl\"\nvoid main() {{\n  uint i = gl_GlobalInvocationID.x;\n"
-                                   "  if (i >= io.length()) return;\n  vec4 v = io[i];\n  {}\n  io[i] = v;\n}}\n", body);
+    std::string main = "#include \"lib/stored.glsl\"\nvoid main() {\n  uint i = gl_GlobalInvocationID.x;\n"
+                       "  if (i >= io.length()) return;\n  vec4 v = io[i];\n  " + body + "\n  io[i] = v;\n}\n";
     std::string pattern = (std::filesystem::temp_directory_path() / "strobe_stored_XXXXXX").string();
     Path folder = ::mkdtemp(pattern.data());
     std::ofstream(folder / "stored.glsl") << main;
