@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "app/demo.h"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 
+#include "app/files.h"
 #include "app/shot_options.h"
 #include "base/log.h"
 #include "image/png.h"
@@ -23,28 +22,11 @@ struct Options {
   bool json = false;
 };
 
-// A name that is not here is looked for in the home folder.
-std::string found(const std::string& file) {
-  bool here = std::filesystem::exists(file) || Path(file).is_absolute();
-  return here ? file : (homeFolder() / file).string();
-}
-
-// Refuses a folder that cannot be written to, before anything is rendered or made.
-void requireWritable(const Path& folder) {
-  Path existing = std::filesystem::absolute(folder).lexically_normal();
-  std::error_code ignored;
-  while (!std::filesystem::exists(existing, ignored) && existing.has_relative_path()) existing = existing.parent_path();
-  if (!std::filesystem::is_directory(existing, ignored))
-    throw Error(fmt::format("--out '{}': '{}' is not a folder", folder.string(), existing.string()), {}, 2);
-  if (::access(existing.c_str(), W_OK | X_OK) != 0)
-    throw Error(fmt::format("--out '{}': no permission to write to '{}'", folder.string(), existing.string()), {}, 2);
-}
-
 void demo(const Options& options) {
   double started_s = clockSeconds();
   requireWritable(options.out);
-  if (!options.markdown.empty()) requireWritable(std::filesystem::absolute(options.markdown).parent_path());
-  lab::Demo demo = lab::readDemo(found(options.file));
+  if (!options.markdown.empty()) requireWritable(std::filesystem::absolute(options.markdown).parent_path(), "--markdown");
+  lab::Demo demo = lab::readDemo(hereOrAtHome(options.file));
   int file_width = demo.width, file_height = demo.height;
   if (!options.size.empty()) {
     auto [width, height] = lab::parseSize(options.size);

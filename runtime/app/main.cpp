@@ -24,14 +24,21 @@ static int report(const std::string& text, int exit_code) {
   return exit_code;
 }
 
-// CLI11 says that a command is missing where one is misspelt: name it and the nearest.
+// CLI11 says that a command is missing, or an argument unexpected, where one is misspelt: name it and the nearest.
 static std::string usageText(const CLI::App& program, const CLI::ParseError& error, int argc, char** argv) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
-  bool unknown = argc > 1 && argv[1][0] != '-' && std::find(names.begin(), names.end(), argv[1]) == names.end();
-  if (!unknown) return error.what();
-  std::string listed = fmt::format("{}", fmt::join(names, ", "));
-  return fmt::format("there is no command '{}'{}; there are {}", argv[1], strobe::didYouMean(argv[1], names), listed);
+  const CLI::App* at = &program;
+  for (int i = 1; i < argc && argv[i][0] != '-'; ++i) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : at->get_subcommands({})) names.push_back(command->get_name());
+    if (names.empty()) break;
+    auto known = std::find(names.begin(), names.end(), argv[i]);
+    std::string of = at == &program ? "" : fmt::format(" of {}", at->get_name());
+    if (known == names.end())
+      return fmt::format("there is no command '{}'{}{}; there {} {}", argv[i], of, strobe::didYouMean(argv[i], names),
+                         names.size() == 1 ? "is" : "are", fmt::join(names, ", "));
+    at = at->get_subcommands({})[size_t(known - names.begin())];
+  }
+  return error.what();
 }
 
 int main(int argc, char** argv) {

@@ -15,14 +15,6 @@ void take(const Json& from, const char* name, Value& into) {
   if (from.contains(name)) into = from.at(name).get<Value>();
 }
 
-// An empty table of Lua is an empty list; settings are lists of name and value.
-script::Settings settingsOf(const Json& from, const char* name) {
-  script::Settings sets;
-  if (!from.contains(name)) return sets;
-  for (const Json& one : from.at(name)) sets.emplace_back(one.at("name").get<std::string>(), one.at("value").get<std::string>());
-  return sets;
-}
-
 DemoColumn columnOf(const Json& json) {
   DemoColumn column;
   take(json, "label", column.label);
@@ -180,6 +172,14 @@ const DemoColumn& Demo::truth() const {
 script::Settings joined(script::Settings base, const script::Settings& more) {
   base.insert(base.end(), more.begin(), more.end());
   return base;
+}
+
+// An empty table of Lua is an empty list.
+script::Settings settingsOf(const Json& from, const char* name) {
+  script::Settings sets;
+  if (!from.contains(name)) return sets;
+  for (const Json& one : from.at(name)) sets.emplace_back(one.at("name").get<std::string>(), one.at("value").get<std::string>());
+  return sets;
 }
 
 std::string fileNameOf(const std::string& label) {

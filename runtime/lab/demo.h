@@ -69,6 +69,9 @@ struct Demo {
 // "shared:FILE" is looked for in the shared data; where it is missing the shot says so. Throws `Error`.
 Demo readDemo(const std::string& file);
 
+// The settings `from` has by this name, as strobe.demo lists them: { { name, value }, ... } or nothing.
+script::Settings settingsOf(const Json& from, const char* name);
+
 // As much of `label` as makes a good file name: "UE4-style" becomes "ue4_style".
 std::string fileNameOf(const std::string& label);
 

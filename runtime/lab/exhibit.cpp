@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lab/exhibit.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,7 +9,9 @@
 #include "base/log.h"
 #include "image/metrics.h"
 #include "image/png.h"
+#include "lab/against_truth.h"
 #include "lab/capture.h"
+#include "lab/pace.h"
 
 namespace strobe::lab {
 
@@ -19,30 +19,6 @@ namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr int kFrameCost = 12;  // of one frame of a method, in time samples of truth
-
-// Progress over all pictures: a moving line on a terminal, one line per picture elsewhere.
-class Pace {
- public:
-  Pace(int pictures, int cost) : pictures_(pictures), cost_(cost), started_s_(clockSeconds()), line_("demo", cost) {}
-
-  void advance(int by) {
-    done_ += by;
-    line_.advance(by);
-  }
-
-  void finish(const std::string& what) {
-    ++finished_;
-    if (::isatty(STDERR_FILENO)) return;
-    double elapsed_s = clockSeconds() - started_s_;
-    double left_s = done_ > 0 ? elapsed_s * std::max(cost_ - done_, 0) / done_ : 0;
-    note(fmt::format("{}/{}  {}  ({:.0f} s, about {:.0f} s left)", finished_, pictures_, what, elapsed_s, left_s));
-  }
-
- private:
-  int pictures_, cost_, done_ = 0, finished_ = 0;
-  double started_s_;
-  Progress line_;
-};
 
 // Time samples of a pipeline's loops; 0 without loops.
 int loopCost(const DemoColumn& column, const script::Settings& sets) {
@@ -108,29 +84,6 @@ std::vector<Task> tasksOf(const Demo& demo, const DemoShot& shot) {
 
 // ---- what is measured
 
-image::Image threeChannels(const image::Image& from) {
-  image::Image rgb(from.width, from.height, 3);
-  for (size_t i = 0; i < rgb.values.size(); ++i) rgb.values[i] = from.values[i / 3 * size_t(from.channels) + i % 3];
-  return rgb;
-}
-
-image::Image maskOf(const Picture& truth, const std::string& region) {
-  if (region == "whole") return {};
-  auto found = truth.frame.outputs.find(region);
-  if (found == truth.frame.outputs.end())
-    throw Error(fmt::format("pipeline '{}' of the truth has no output '{}' for the region of that name",
-                            truth.record["pipeline"]["name"].get<std::string>(), region));
-  return found->second.floats;
-}
-
-// Truth's standard error over a region: root mean square of its output `error`, 0 where it has none.
-double sigmaOf(const Picture& truth, const image::Image& mask) {
-  auto found = truth.frame.outputs.find("error");
-  if (found == truth.frame.outputs.end()) return 0;
-  image::Image error = threeChannels(found->second.floats);
-  return image::rootMeanSquaredError(error, image::Image(error.width, error.height, 3), mask);
-}
-
 // Median of |velocity| over the pixels of instances that move by half a pixel anywhere in the picture.
 double medianDisplacement(const Picture& truth) {
   auto velocity = truth.frame.outputs.find("velocity"), id = truth.frame.outputs.find("id");
@@ -150,15 +103,6 @@ double medianDisplacement(const Picture& truth) {
   auto middle = lengths.begin() + std::ptrdiff_t(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
   return *middle;
-}
-
-// Counters named "clamped" count the same pixels in several passes: the largest stands for all.
-uint64_t clampedPixels(const Json& record) {
-  uint64_t most = 0;
-  if (!record.contains("counters")) return 0;
-  for (const auto& [name, count] : record["counters"].items())
-    if (name.ends_with(".clamped")) most = std::max(most, count.get<uint64_t>());
-  return most;
 }
 
 // What a scene's file says of its author: its copyright, else the first line of the text beside it.
@@ -465,7 +409,7 @@ Exhibition exhibit(const Demo& demo, Workbench& bench, const Path& folder, int f
   for (const DemoShot& shot : demo.shots)
     for (const Task& task : tasksOf(demo, shot)) ++pictures, cost += task.cost();
   double started_s = clockSeconds();
-  Pace pace(pictures, cost);
+  Pace pace("demo", pictures, cost);
   for (const DemoShot& shot : demo.shots) {
     Hall hall(demo, bench, folder, double(demo.width) / file_width, double(demo.height) / file_height, pace);
     result.shots.push_back(hall.hang(shot));

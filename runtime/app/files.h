@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Files that commands are told about.
+#pragma once
+
+#include <string>
+
+#include "base/files.h"
+
+namespace strobe::app {
+
+// `file`, or that of this name in the home folder where there is none here.
+std::string hereOrAtHome(const std::string& file);
+
+// Throws `Error` (exit code 2) for a folder that cannot be written to, before anything is rendered or made.
+void requireWritable(const Path& folder, const std::string& option = "--out");
+
+}  // namespace strobe::app

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// What a picture of truth says about others: its regions, its own standard error; and what their records say of limits.
+#pragma once
+
+#include "lab/workbench.h"
+
+namespace strobe::lab {
+
+// Without alpha.
+image::Image threeChannels(const image::Image& from);
+
+// Pixels of a region: an output of the truth by that name; empty for "whole".
+image::Image maskOf(const Picture& truth, const std::string& region);
+
+// Truth's standard error over a region: root mean square of its output `error`, 0 where it has none.
+double sigmaOf(const Picture& truth, const image::Image& mask);
+
+// Pixels whose displacement was shortened.
+uint64_t clampedPixels(const Json& record);
+
+}  // namespace strobe::lab

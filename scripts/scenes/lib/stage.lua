@@ -1,0 +1,99 @@
+-- SPDX-License-Identifier: MIT
+-- What the scenes of extremes share: a camera at `origin` that looks along -z, and unlit panels of coloured cells whose
+-- corners lie on the rays of given pixels. So a panel looks the same however deep, tilted or large the scene is, and
+-- what a picture should show can be told from its pixels alone.
+local scene = require "strobe.scene"
+
+local stage = {}
+
+-- The parameters of every such scene: size of the picture, frames per second and exposure for which displacements are
+-- meant, `scale` of all lengths, `offset` of everything along each axis of the world, metres.
+function stage.open()
+  local self = {
+    width = scene.param("width", 320), height = scene.param("height", 180),
+    fps = scene.param("fps", 24), exposure = scene.param("exposure", 0.5),
+    scale = scene.param("scale", 1), offset = scene.param("offset", 0), fov = 60,
+  }
+  self.focal_px = self.height / 2 / math.tan(math.rad(self.fov / 2))
+  return setmetatable(self, { __index = stage })
+end
+
+-- What the ray through pixel position (x, y) meets at `depth` (metres before scaling), from the camera.
+function stage:point(x, y, depth)
+  local along = depth * self.scale
+  return { (x - self.width / 2) / self.focal_px * along, (self.height / 2 - y) / self.focal_px * along, -along }
+end
+
+-- `point` of the camera's space in the world.
+function stage:placed(point)
+  return { point[1] + self.offset, point[2] + self.offset, point[3] + self.offset }
+end
+
+-- The velocity that displaces what is at `depth` by (dx, dy) pixels over the exposure.
+function stage:velocity(dx, dy, depth)
+  local metres = depth * self.scale / self.focal_px * self.fps / self.exposure
+  return { dx * metres, -dy * metres, 0 }
+end
+
+-- Numbers 1 to `most` by cell, in no order that a filter could repeat.
+local function drawn(column, row, seed, most)
+  local state = (column * 374761393 + row * 668265263 + seed * 362437) % 4294967296
+  state = (state ~ (state >> 13)) * 1274126177 % 4294967296
+  return (state ~ (state >> 16)) // 7 % most + 1
+end
+
+local function added(mesh, corners)
+  local first = #mesh.positions
+  for _, corner in ipairs(corners) do mesh.positions[#mesh.positions + 1] = corner end
+  for _, index in ipairs { 1, 2, 3, 1, 3, 4 } do mesh.indices[#mesh.indices + 1] = first + index end
+end
+
+-- panel { name, edges = { left, top, right, bottom } in pixels, cell = pixels, colors = { ... }, seed,
+--         slant = pixels to the right per pixel down, depth = number or function(x) -> number,
+--         at = node's place in the camera's space, motion }
+-- A slanted edge passes pixel centres at all fractions of a pixel.
+function stage:panel(given)
+  local left, top, right, bottom = table.unpack(given.edges)
+  local at, meshes = given.at or { 0, 0, 0 }, {}
+  for i = 1, #given.colors do meshes[i] = { positions = {}, indices = {} } end
+  local function corner(x, y)
+    local slanted = x + (given.slant or 0) * (y - (top + bottom) / 2)
+    local depth = type(given.depth) == "function" and given.depth(slanted) or given.depth
+    local point = self:point(slanted, y, depth)
+    return { point[1] - at[1], point[2] - at[2], point[3] - at[3] }
+  end
+  for y = top, bottom - 1, given.cell do
+    for x = left, right - 1, given.cell do
+      local x1, y1 = math.min(x + given.cell, right), math.min(y + given.cell, bottom)
+      local color = drawn((x - left) // given.cell, (y - top) // given.cell, given.seed, #given.colors)
+      added(meshes[color], { corner(x, y1), corner(x1, y1), corner(x1, y), corner(x, y) })
+    end
+  end
+  local parts = {}
+  for i, mesh in ipairs(meshes) do
+    if #mesh.positions > 0 then
+      parts[#parts + 1] = {
+        shape = scene.triangles(mesh),
+        material = scene.material { name = ("%s_%d"):format(given.name, i), color = given.colors[i], unlit = true },
+      }
+    end
+  end
+  return scene.node { name = given.name, position = self:placed(at), motion = given.motion, parts = parts }
+end
+
+stage.warm = { { 0.9, 0.35, 0.1 }, { 0.95, 0.75, 0.2 }, { 0.6, 0.08, 0.12 } }
+stage.cold = { { 0.05, 0.12, 0.35 }, { 0.25, 0.55, 0.7 }, { 0.02, 0.05, 0.08 }, { 0.45, 0.7, 0.55 } }
+
+-- The scene of these nodes; `near` as a depth before scaling.
+function stage:scene(name, nodes, near)
+  nodes[#nodes + 1] = scene.node {
+    name = "camera", position = self:placed { 0, 0, 0 },
+    camera = scene.camera { name = "main", fov = self.fov, near = near * self.scale },
+  }
+  return scene {
+    name = name, nodes = nodes, environment = { background = { 0, 0, 0 } },
+    shot = { width = self.width, height = self.height, fps = self.fps, frame = 0, exposure = self.exposure },
+  }
+end
+
+return stage

@@ -1,0 +1,22 @@
+-- SPDX-License-Identifier: MIT
+-- A panel in the left half of the picture before a wall. `tilt` is the angle in degrees between its normal and the
+-- direction of view: it would stay in the middle of the picture and comes towards the camera to the left of it, at 89.9
+-- degrees 413 times as near. It turns about the eye by `speed` pixels over the exposure (in the middle of the picture): whatever
+-- turns about the eye moves alike at every depth, so the picture does not depend on `tilt`.
+local scene = require "strobe.scene"
+local stage = require("scripts.scenes.lib.stage").open()
+
+local speed, tilt = scene.param("speed", 12.8), math.rad(scene.param("tilt", 0))
+local far = 10 -- depth of the right edge, metres
+
+local w, h = stage.width, stage.height
+local function depth(x) return far / (1 + (w / 2 - x) / stage.focal_px * math.tan(tilt)) end
+
+return stage:scene("grazing", {
+  stage:panel { name = "wall", edges = { -8, -8, w + 8, h + 8 }, cell = 9, seed = 1, colors = stage.cold,
+    depth = far * 1.5 },
+  stage:panel { name = "panel", edges = { w * 0.15 // 1, h * 0.3 // 1, w * 0.45 // 1, h * 0.7 // 1 }, cell = 12, seed = 2,
+    colors = stage.warm, slant = 0.17, depth = depth,
+    motion = { axis = { 0, -1, 0 },
+      degrees_per_second = math.deg(speed / stage.focal_px) * stage.fps / stage.exposure } },
+}, far / 1000)
