@@ -14,7 +14,7 @@ return extremes {
   size_params = { "width", "height" },
   factor = 2,
   truth = { label = "ground truth", pipeline = "ground_truth", set = { samples = 256, times = "stratified" } },
-  floor = { label = "truth, 16 samples", pipeline = "ground_truth", set = { samples = 16, times = "midpoint" } },
+  floor = { label = "truth, as many samples", pipeline = "ground_truth", set = { samples = 16, times = "midpoint" } },
   methods = {
     { label = "no blur", pipeline = "none", lacks = { "samples", "velocity_format", "color_format", "depth_encoding" } },
     { label = "McGuire 2012", pipeline = "mcguire2012" },

@@ -141,11 +141,13 @@ void extremes(const ExtremesOptions& options) {
 }
 
 CLI::Option* addExtremes(CLI::App& command, ExtremesOptions& options) {
-  CLI::Option* wanted = command.add_flag("--extremes", options.wanted,
-                                         "error of each method against speed, scale, offset and other extremes, as curves");
+  CLI::Option* wanted = command.add_flag(
+      "--extremes", options.wanted, "error of each method against speed, scale, offset and other extremes, as curves");
   auto add = [&](CLI::Option* option) { option->needs(wanted); };
   add(command.add_option("--file", options.file, "an experiment (scripts/strobe/extremes.lua)")->capture_default_str());
-  add(command.add_option("-o,--out", options.out, "folder for extremes.html and extremes.json, or a name that ends in .html")
+  add(command
+          .add_option("-o,--out", options.out,
+                      "folder for extremes.html and extremes.json, or a name that ends in .html")
           ->capture_default_str());
   add(command.add_option("--markdown", options.markdown, "write the reading as Markdown as well")->type_name("FILE"));
   add(command.add_option("--only", options.only, "one axis by its name, or variants")->type_name("NAME"));
@@ -162,7 +164,8 @@ CLI::Option* addExtremes(CLI::App& command, ExtremesOptions& options) {
 }  // namespace
 
 void registerBench(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("bench", "Measure what the program costs, and where its methods stop being trustworthy");
+  CLI::App* command =
+      program.add_subcommand("bench", "Measure what the program costs, and where its methods stop being trustworthy");
   command->require_subcommand(0, 1);
   auto of_extremes = std::make_shared<ExtremesOptions>();
   CLI::Option* wanted = addExtremes(*command, *of_extremes);
@@ -171,7 +174,8 @@ void registerBench(CLI::App& program) {
     if (!command->get_subcommands().empty()) return;
     std::vector<std::string> names;
     for (const CLI::App* one : command->get_subcommands({})) names.push_back(one->get_name());
-    throw Error(fmt::format("bench wants --extremes or a command: {}; see strobe bench --help", fmt::join(names, ", ")), {}, 2);
+    throw Error(fmt::format("bench wants --extremes or a command: {}; see strobe bench --help", fmt::join(names, ", ")),
+                {}, 2);
   });
   auto options = std::make_shared<Options>();
   CLI::App* of_reload = command->add_subcommand("reload", "From saving a file to the first picture made of it");

@@ -148,7 +148,9 @@ class Drawing {
   static Scale xScale(const Chart& chart);
   static Scale yScale(const Chart& chart);
   double px(double value) const { return kLeft + kInset + x_.at(value) * (width_ - kLeft - kRight - 2 * kInset); }
-  double py(double value) const { return height_ - kBottom - kInset - y_.at(value) * (height_ - kTop - kBottom - 2 * kInset); }
+  double py(double value) const {
+    return height_ - kBottom - kInset - y_.at(value) * (height_ - kTop - kBottom - 2 * kInset);
+  }
   double right() const { return width_ - kRight; }
   double bottom() const { return height_ - kBottom; }
   void band();
@@ -182,28 +184,39 @@ Scale Drawing::yScale(const Chart& chart) {
 }
 
 void Drawing::grid() {
-  svg_ += fmt::format("<rect class=\"plot\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>", kLeft, kTop, right() - kLeft, bottom() - kTop);
+  svg_ += fmt::format("<rect class=\"plot\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>", kLeft, kTop,
+                      right() - kLeft, bottom() - kTop);
   double inner = width_ - kLeft - kRight - 2 * kInset, tall = height_ - kTop - kBottom - 2 * kInset;
   for (const Tick& tick : x_.ticks()) {
     double x = kLeft + kInset + tick.at * inner;
     if (!tick.label.empty())
-      svg_ += fmt::format("<path class=\"grid\" d=\"M{0:.1f} {1}V{2}\"/><text class=\"tick\" x=\"{0:.1f}\" y=\"{3}\" text-anchor=\"middle\">{4}</text>",
-                          x, kTop, bottom(), bottom() + 18, tick.label);
+      svg_ += fmt::format(
+          "<path class=\"grid\" d=\"M{0:.1f} {1}V{2}\"/><text class=\"tick\" x=\"{0:.1f}\" y=\"{3}\" "
+          "text-anchor=\"middle\">{4}</text>",
+          x, kTop, bottom(), bottom() + 18, tick.label);
     svg_ += fmt::format("<path class=\"tickmark\" d=\"M{:.1f} {}v{}\"/>", x, bottom(), tick.label.empty() ? 3 : 6);
   }
   for (const Tick& tick : y_.ticks()) {
     double y = height_ - kBottom - kInset - tick.at * tall;
     if (!tick.label.empty())
-      svg_ += fmt::format("<path class=\"grid\" d=\"M{0} {1:.1f}H{2}\"/><text class=\"tick\" x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\">{5} %</text>",
-                          kLeft, y, right(), kLeft - 9, y + 4, tick.label);
+      svg_ += fmt::format(
+          "<path class=\"grid\" d=\"M{0} {1:.1f}H{2}\"/><text class=\"tick\" x=\"{3}\" y=\"{4:.1f}\" "
+          "text-anchor=\"end\">{5} %</text>",
+          kLeft, y, right(), kLeft - 9, y + 4, tick.label);
     svg_ += fmt::format("<path class=\"tickmark\" d=\"M{} {:.1f}h{}\"/>", kLeft, y, tick.label.empty() ? -3 : -6);
   }
   // Where a logarithmic axis is broken, because it has a 0.
-  if (x_.hasZero()) svg_ += fmt::format("<path class=\"break\" d=\"M{:.1f} {}l6 -10m4 0l-6 10\"/>", kLeft + kInset + 0.55 * x_.gap() * inner, bottom() + 5);
+  if (x_.hasZero())
+    svg_ += fmt::format("<path class=\"break\" d=\"M{:.1f} {}l6 -10m4 0l-6 10\"/>",
+                        kLeft + kInset + 0.55 * x_.gap() * inner, bottom() + 5);
   double benign = px(chart_.benign);
-  svg_ += fmt::format("<path class=\"benign\" d=\"M{:.1f} {}V{}\"><title>what the other axes use</title></path>", benign, kTop, bottom());
-  svg_ += fmt::format("<text class=\"title\" x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>", (kLeft + right()) / 2, height_ - 10, lab::escaped(chart_.x_title));
-  svg_ += fmt::format("<text class=\"title\" transform=\"translate(16 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>", (kTop + bottom()) / 2, lab::escaped(chart_.y_title));
+  svg_ += fmt::format("<path class=\"benign\" d=\"M{:.1f} {}V{}\"><title>what the other axes use</title></path>",
+                      benign, kTop, bottom());
+  svg_ += fmt::format("<text class=\"title\" x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
+                      (kLeft + right()) / 2, height_ - 10, lab::escaped(chart_.x_title));
+  svg_ += fmt::format(
+      "<text class=\"title\" transform=\"translate(16 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
+      (kTop + bottom()) / 2, lab::escaped(chart_.y_title));
 }
 
 void Drawing::band() {
@@ -211,7 +224,8 @@ void Drawing::band() {
     if (chart_.band <= 0 || line.style != kFloorStyle || line.points.empty()) continue;
     std::string path;
     for (const ChartPoint& point : line.points)
-      if (!std::isnan(point.y)) path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", px(point.x), py(chart_.band * point.y));
+      if (!std::isnan(point.y))
+        path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", px(point.x), py(chart_.band * point.y));
     if (path.empty()) continue;
     svg_ += fmt::format("<path class=\"band\" d=\"{}V{}H{:.1f}Z\"/>", path, bottom(), px(line.points.front().x));
   }
@@ -254,18 +268,22 @@ void Drawing::labels() {
   double next = kTop + 8;
   for (Label& label : labels) label.y = std::max(next, label.wanted), next = label.y + kLabelStep;
   double most = bottom() - 2;
-  for (auto label = labels.rbegin(); label != labels.rend(); ++label) label->y = std::min(label->y, most), most = label->y - kLabelStep;
+  for (auto label = labels.rbegin(); label != labels.rend(); ++label)
+    label->y = std::min(label->y, most), most = label->y - kLabelStep;
   for (const Label& label : labels) {
     double x = right() + 30;
-    svg_ += fmt::format("<g class=\"{}\"><path class=\"lead\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/><path d=\"M{:.1f} {:.1f}h26\"/>",
-                        classOf(label.line->style), right() - kInset + 8, label.wanted, x - 4, label.y, x, label.y);
+    svg_ += fmt::format(
+        "<g class=\"{}\"><path class=\"lead\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/><path d=\"M{:.1f} {:.1f}h26\"/>",
+        classOf(label.line->style), right() - kInset + 8, label.wanted, x - 4, label.y, x, label.y);
     if (label.line->style >= 0) svg_ += mark(label.line->style, x + 13, label.y, false, "");
-    svg_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text></g>\n", x + 31, label.y + 4, lab::escaped(label.line->label));
+    svg_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text></g>\n", x + 31, label.y + 4,
+                        lab::escaped(label.line->label));
   }
 }
 
 std::string Drawing::text() {
-  svg_ = fmt::format("<svg class=\"chart\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">\n", width_, height_, lab::escaped(chart_.about));
+  svg_ = fmt::format("<svg class=\"chart\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">\n", width_, height_,
+                     lab::escaped(chart_.about));
   grid();
   band();
   svg_ += "\n";
@@ -286,7 +304,7 @@ svg.chart { width: 100%; max-width: 60rem; height: auto; display: block; margin:
 .chart .plot { fill: var(--panel); stroke: var(--rule); } .chart .grid { stroke: var(--rule); fill: none; }
 .chart .tick { fill: var(--soft); } .chart .title { fill: var(--ink); } .chart .tickmark, .chart .break { stroke: var(--soft); fill: none; }
 .chart .benign { stroke: var(--soft); stroke-dasharray: 1 4; stroke-width: 1.5; fill: none; }
-.chart .band { fill: var(--best); } .chart g path { fill: none; stroke: currentColor; stroke-width: 1.9; } .chart g .faint { opacity: .38; } .chart g text { fill: currentColor; }
+.chart .band { fill: var(--best); fill-opacity: .7; } .chart g path { fill: none; stroke: currentColor; stroke-width: 1.9; } .chart g .faint { opacity: .38; } .chart g text { fill: currentColor; }
 .chart g .lead { stroke-width: .8; opacity: .6; stroke-dasharray: none; }
 .chart g circle, .chart g polygon { fill: currentColor; stroke: currentColor; stroke-width: 1.3; } .chart g .hollow { fill: var(--panel); }
 .chart .m0 { color: var(--m0); } .chart .m0 path { stroke-dasharray: 2 3; } .chart .m1 { color: var(--m1); }

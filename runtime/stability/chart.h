@@ -64,8 +64,8 @@ struct Chart {
   std::vector<ChartLine> lines;
 };
 
-// `width` x `height` in pixels of the page. The vertical axis is logarithmic and reaches over four powers of ten at most:
-// what is smaller lies on its lower border.
+// `width` x `height` in pixels of the page. The vertical axis is logarithmic and reaches over four powers of ten at
+// most: what is smaller lies on its lower border.
 std::string svgOf(const Chart& chart, int width = 940, int height = 430);
 
 // Colours and widths of the classes, for light and dark.

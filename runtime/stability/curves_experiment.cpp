@@ -147,7 +147,8 @@ void checkVariants(const Experiment& experiment, std::vector<std::string>& probl
 // Of each axis the benign point alone: names are the same at all of them.
 void check(const Experiment& experiment, const std::string& file) {
   std::vector<std::string> problems;
-  bool fits = experiment.width >= 1 && experiment.height >= 1 && experiment.width <= 16384 && experiment.height <= 16384;
+  bool fits =
+      experiment.width >= 1 && experiment.height >= 1 && experiment.width <= 16384 && experiment.height <= 16384;
   if (!fits) problems.push_back(Error("size is not 1 to 16384 pixels", {file}).what());
   std::vector<const Method*> all = {&experiment.truth, &experiment.floor};
   for (const Method& method : experiment.methods) all.push_back(&method);
@@ -182,7 +183,8 @@ bool lacks(const Method& method, const std::string& setting) {
 }
 
 size_t Axis::benignIndex() const {
-  auto found = std::find_if(points.begin(), points.end(), [&](const AxisPoint& point) { return point.value == benign; });
+  auto found =
+      std::find_if(points.begin(), points.end(), [&](const AxisPoint& point) { return point.value == benign; });
   STROBE_ASSERT(found != points.end(), "axis '{}'", name);
   return size_t(found - points.begin());
 }
@@ -194,18 +196,22 @@ void Experiment::keepOnly(const std::string& name) {
   std::erase_if(axes, [&](const Axis& axis) { return axis.name != name; });
   if (name != "variants") variants.clear(), cases.clear();
   if (axes.empty() && variants.empty())
-    throw Error(fmt::format("--only '{}' is no axis{}; there are {}", name, didYouMean(name, names), fmt::join(names, ", ")), {}, 2);
+    throw Error(
+        fmt::format("--only '{}' is no axis{}; there are {}", name, didYouMean(name, names), fmt::join(names, ", ")),
+        {}, 2);
 }
 
 void Experiment::setTruthSamples(int samples) {
   lab::putSetting(truth.sets, "samples", std::to_string(samples));
   for (Axis& axis : axes)
-    for (AxisPoint& point : axis.points) std::erase_if(point.truth, [](const auto& set) { return set.first == "samples"; });
+    for (AxisPoint& point : axis.points)
+      std::erase_if(point.truth, [](const auto& set) { return set.first == "samples"; });
 }
 
 void retell(Report& report, const Experiment& experiment) {
   report.title = experiment.title;
   report.note = experiment.note;
+  report.truth = experiment.truth.label, report.floor = experiment.floor.label;
   for (ReportAxis& told : report.axes)
     for (const Axis& axis : experiment.axes)
       if (axis.name == told.name)

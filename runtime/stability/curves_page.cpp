@@ -23,7 +23,9 @@ std::string shownShare(double share) {
 
 namespace {
 
-std::string shownError(double value) { return std::isnan(value) ? "–" : value == 0 ? "0" : fmt::format("{:.3g}", value); }
+std::string shownError(double value) {
+  return std::isnan(value) ? "–" : value == 0 ? "0" : fmt::format("{:.3g}", value);
+}
 
 const char* wordOf(Doubt doubt) {
   switch (doubt) {
@@ -40,7 +42,8 @@ std::string rangeOf(const Report& report, const ReportAxis& axis, size_t method,
   Trusted trusted = trustedOf(report, axis, method, measure);
   if (trusted.count == 0) {
     bool anywhere = false;
-    for (size_t i = 0; i < axis.points.size(); ++i) anywhere |= doubtOf(report, axis, method, i, measure) == Doubt::none;
+    for (size_t i = 0; i < axis.points.size(); ++i)
+      anywhere |= doubtOf(report, axis, method, i, measure) == Doubt::none;
     return anywhere ? "not at " + shownNumber(axis.benign) : "nowhere";
   }
   auto end = [&](size_t point, Doubt doubt, const char* side) {
@@ -69,7 +72,8 @@ Rows rangeRows(const Report& report, Measure measure) {
 // Errors at the benign values.
 Rows benignRows(const Report& report) {
   Rows rows = {{"method"}};
-  for (const ReportAxis& axis : report.axes) rows[0].push_back(fmt::format("{} {}", axis.title, shownNumber(axis.benign)));
+  for (const ReportAxis& axis : report.axes)
+    rows[0].push_back(fmt::format("{} {}", axis.title, shownNumber(axis.benign)));
   auto add = [&](const std::string& label, auto error) {
     rows.push_back({label});
     for (const ReportAxis& axis : report.axes) rows.back().push_back(shownShare(error(axis, axis.benignIndex())));
@@ -82,33 +86,39 @@ Rows benignRows(const Report& report) {
 }
 
 std::string howTrusted(const Report& report) {
-  return fmt::format("The values about the benign one at which a method's error is at most {:g} times the floor there ({}, "
-                     "with as many as the method has), no limit of it was met and every value is finite.", report.factor, report.floor);
+  return fmt::format("The values about the benign one at which a method's error is at most {:g} times the floor there "
+                     "({} as the method), no limit of it was met and every value is finite.",
+                     report.factor, report.floor);
 }
 
 std::string howUsual(const Report& report) {
-  return fmt::format("The same with {:g} times the method's own error at the benign value allowed as well: where it is no "
-                     "worse than usual, however bad that is.", report.factor);
+  return fmt::format(
+      "The same with {:g} times the method's own error at the benign value allowed as well: where it is no "
+      "worse than usual, however bad that is.",
+      report.factor);
 }
 
 std::string howErrors(const Report& report) {
-  return fmt::format("Errors are the root mean square of the difference from truth, linear values, over the region named, "
-                     "as a share of the picture's contrast (standard deviation of truth at the benign value). {}x{} pixels.",
-                     report.width, report.height);
+  return fmt::format(
+      "Errors are the root mean square of the difference from truth, linear values, over the region named, "
+      "as a share of the picture's contrast (standard deviation of truth at the benign value). {}x{} pixels.",
+      report.width, report.height);
 }
 
 std::string howVariants(const Report& report) {
-  return fmt::format("Errors against truth over the whole picture, as a share of its contrast, and behind them the largest "
-                     "difference in any channel from the picture of the reference value (the first of each method here). MiB: "
-                     "all images that a frame holds at once. Milliseconds: median and least of 9 frames each, drawn in turn{}.",
-                     report.software ? "; a software device, so they are not a GPU's" : "");
+  return fmt::format(
+      "Errors against truth over the whole picture, as a share of its contrast, and behind them the largest "
+      "difference in any channel from the picture of the reference value (the first of each method here). MiB: "
+      "all images that a frame holds at once. Milliseconds: median and least of 9 frames each, drawn in turn{}.",
+      report.software ? "; a software device, so they are not a GPU's" : "");
 }
 
 Rows variantRows(const Report& report, const ReportVariant& variant) {
   Rows rows = {{"method", variant.name, "MiB", "ms (least)"}};
   for (const std::string& in : report.cases) rows[0].push_back(in);
   for (const VariantRow& row : variant.rows) {
-    rows.push_back({row.method, row.value, fmt::format("{:.2f}", row.mib), fmt::format("{:.1f} ({:.1f})", row.ms, row.least_ms)});
+    rows.push_back(
+        {row.method, row.value, fmt::format("{:.2f}", row.mib), fmt::format("{:.1f} ({:.1f})", row.ms, row.least_ms)});
     for (size_t i = 0; i < row.errors.size(); ++i) {
       std::string change = row.value == variant.reference ? "" : fmt::format("; {}", shownError(row.changes[i]));
       rows.back().push_back(shownShare(row.errors[i]) + change + (row.limits[i].empty() ? "" : "°"));
@@ -118,15 +128,19 @@ Rows variantRows(const Report& report, const ReportVariant& variant) {
 }
 
 std::string deviceOf(const Report& report) {
-  return fmt::format("Strobe {} on {}, {}{}.", report.strobe, report.device, report.driver, report.software ? "; a software device" : "");
+  return fmt::format("Strobe {} on {}, {}{}.", report.strobe, report.device, report.driver,
+                     report.software ? "; a software device" : "");
 }
 
 std::string driftOf(const ReportAxis& axis) {
   if (!axis.same_picture) return "";
   double most = 0, share = 0;
-  for (const ReportPoint& point : axis.points) most = std::max(most, point.drift), share = std::max(share, point.drifted);
-  return fmt::format("What is seen does not depend on the value: truth differs from truth at {} by more than 1e-5 in at most {} of "
-                     "the pixels, by at most {}.", shownNumber(axis.benign), shownShare(share), shownError(most));
+  for (const ReportPoint& point : axis.points)
+    most = std::max(most, point.drift), share = std::max(share, point.drifted);
+  return fmt::format(
+      "What is seen does not depend on the value: truth differs from truth at {} by more than 1e-5 in at most {} of "
+      "the pixels, by at most {}.",
+      shownNumber(axis.benign), shownShare(share), shownError(most));
 }
 
 // ---- the page
@@ -152,9 +166,10 @@ ChartLine methodLine(const Report& report, const ReportAxis& axis, size_t method
     drawn.y *= 100;
     drawn.hollow = !measured.limits.empty();
     drawn.faint = !usual.holds(i);
-    drawn.tip = fmt::format("{}, {} {}: {} of the contrast, RMSE {}{}", report.methods[method], shownNumber(point.value), axis.unit,
-                            shownShare(measured.rmse[region] / axis.contrast), shownError(measured.rmse[region]),
-                            measured.limits.empty() ? "" : fmt::format("; limit met: {}", fmt::join(measured.limits, "; ")));
+    drawn.tip =
+        fmt::format("{}, {} {}: {} of the contrast, RMSE {}{}", report.methods[method], shownNumber(point.value),
+                    axis.unit, shownShare(measured.rmse[region] / axis.contrast), shownError(measured.rmse[region]),
+                    measured.limits.empty() ? "" : fmt::format("; limit met: {}", fmt::join(measured.limits, "; ")));
     line.points.push_back(drawn);
   }
   return line;
@@ -166,7 +181,8 @@ Chart chartOf(const Report& report, const ReportAxis& axis, size_t region) {
   chart.y_title = "error, share of contrast";
   chart.x_scale = scaleOf(axis.scale);
   chart.benign = axis.benign;
-  chart.about = fmt::format("Error of each method against {}, region {}; the numbers are in the table below", chart.x_title, kRegions[region]);
+  chart.about = fmt::format("Error of each method against {}, region {}; the numbers are in the table below",
+                            chart.x_title, kRegions[region]);
   ChartLine floor{report.floor, kFloorStyle, {}}, sigma{"truth ±", kErrorStyle, {}};
   for (const ReportPoint& point : axis.points) {
     floor.points.push_back({point.value, 100 * point.floor.rmse[region] / axis.contrast});
@@ -185,7 +201,8 @@ class Page {
 
  private:
   void paragraph(const std::string& text, const char* kind = "") {
-    if (!text.empty()) page_ += fmt::format("<p{}>{}</p>\n", *kind ? fmt::format(" class=\"{}\"", kind) : "", escaped(text));
+    if (!text.empty())
+      page_ += fmt::format("<p{}>{}</p>\n", *kind ? fmt::format(" class=\"{}\"", kind) : "", escaped(text));
   }
   void table(const Rows& rows);
   void numbers(const ReportAxis& axis, size_t region);
@@ -217,7 +234,9 @@ void Page::numbers(const ReportAxis& axis, size_t region) {
   for (const ReportPoint& point : axis.points) {
     rows.push_back({point.label});
     for (const Measured& measured : point.methods)
-      rows.back().push_back(shownError(measured.rmse[region]) + (measured.broken ? " (not finite)" : measured.limits.empty() ? "" : "°"));
+      rows.back().push_back(shownError(measured.rmse[region]) + (measured.broken           ? " (not finite)"
+                                                                 : measured.limits.empty() ? ""
+                                                                                           : "°"));
     rows.back().insert(rows.back().end(), {shownError(point.floor.rmse[region]), shownError(point.sigma[region]),
                                            std::to_string(point.pixels[region])});
   }
@@ -239,7 +258,8 @@ void Page::axis(const ReportAxis& axis) {
   paragraph(axis.fixed);
   paragraph(axis.note);
   page_ += svgOf(chartOf(report_, axis, axis.regionIndex()));
-  paragraph(fmt::format("Region: {}. Contrast {:.4g}. {}", regionText(axis.region), axis.contrast, driftOf(axis)), "soft");
+  paragraph(fmt::format("Region: {}. Contrast {:.4g}. {}", regionText(axis.region), axis.contrast, driftOf(axis)),
+            "soft");
   if (!axis.reading.empty()) paragraph(filled(report_, axis, axis.reading), "verdict");
   page_ += "<details><summary>Numbers</summary>\n";
   paragraph("° a limit of the method was met.", "soft");
@@ -275,9 +295,12 @@ th { white-space: normal; } .wide td { white-space: normal; min-width: 7rem; }
 )css";
 
 const char* const kHowToRead =
-    "In the curves, the shaded band is what a method may err by to be as good as its samples allow: up to the factor times the "
-    "floor, the black line. A curve is faint where the method is worse than usual, a mark hollow where a limit of it was met, "
-    "the dotted vertical line is the benign value, at which the other axes stand. The grey dots are truth's own standard "
+    "In the curves, the shaded band is what a method may err by to be as good as its samples allow: up to the factor "
+    "times the "
+    "floor, the black line. A curve is faint where the method is worse than usual, a mark hollow where a limit of it "
+    "was met, "
+    "the dotted vertical line is the benign value, at which the other axes stand. The grey dots are truth's own "
+    "standard "
     "error. What is below the lower border is drawn on it. Values are shown where the pointer rests on a mark.";
 
 std::string Page::text() {
@@ -288,7 +311,8 @@ std::string Page::text() {
   paragraph(report_.note);
   paragraph(howErrors(report_) + " " + deviceOf(report_), "soft");
   page_ += "<nav>";
-  for (const ReportAxis& axis : report_.axes) page_ += fmt::format("<a href=\"#{}\">{}</a>", escaped(axis.name), escaped(axis.title));
+  for (const ReportAxis& axis : report_.axes)
+    page_ += fmt::format("<a href=\"#{}\">{}</a>", escaped(axis.name), escaped(axis.title));
   if (!report_.variants.empty()) page_ += "<a href=\"#variants\">Numbers between passes</a>";
   page_ += "</nav>\n<h2>Where each method is as good as its samples allow</h2>\n";
   paragraph(howTrusted(report_), "soft");
@@ -311,7 +335,8 @@ std::string Page::text() {
 size_t methodIndex(const Report& report, const ReportAxis& axis, const std::string& label) {
   auto found = std::find(report.methods.begin(), report.methods.end(), label);
   if (found == report.methods.end())
-    throw Error(fmt::format("the reading of axis '{}' names no method: '{}'{}", axis.name, label, didYouMean(label, report.methods)));
+    throw Error(fmt::format("the reading of axis '{}' names no method: '{}'{}", axis.name, label,
+                            didYouMean(label, report.methods)));
   return size_t(found - report.methods.begin());
 }
 
@@ -326,7 +351,9 @@ std::string replacement(const Report& report, const ReportAxis& axis, const std:
   if (inside.starts_with("to ")) return endNamed(report, axis, inside.substr(3), true);
   size_t at = inside.rfind(" @ ");
   if (at == std::string::npos)
-    throw Error(fmt::format("the reading of axis '{}' has {{{}}}, which is none of {{LABEL @ VALUE}}, {{from LABEL}}, {{to LABEL}}", axis.name, inside));
+    throw Error(fmt::format(
+        "the reading of axis '{}' has {{{}}}, which is none of {{LABEL @ VALUE}}, {{from LABEL}}, {{to LABEL}}",
+        axis.name, inside));
   std::string label = inside.substr(0, at), value = inside.substr(at + 3);
   for (size_t i = 0; i < axis.points.size(); ++i) {
     if (axis.points[i].label != value) continue;
@@ -370,10 +397,13 @@ std::string filled(const Report& report, const ReportAxis& axis, const std::stri
 std::string pageOf(const Report& report) { return Page(report).text(); }
 
 std::string markdownOf(const Report& report, const std::string& page) {
-  std::string text = "<!-- Written by `" + report.command + "`; what it says is in the experiment. -->\n\n# " + report.title + "\n\n";
+  std::string text =
+      "<!-- Written by `" + report.command + "`; what it says is in the experiment. -->\n\n# " + report.title + "\n\n";
   text += report.note + " " + howErrors(report) + " " + deviceOf(report) + "\n\n";
-  text += fmt::format("The curves, every number and a command for every point are on [the page]({}), a file that a browser opens "
-                      "from disk. It, this text and the numbers as JSON beside it are made again by\n\n    {}\n\n", page, report.command);
+  text += fmt::format(
+      "The curves, every number and a command for every point are on [the page]({}), a file that a browser opens "
+      "from disk. It, this text and the numbers as JSON beside it are made again by\n\n    {}\n\n",
+      page, report.command);
   text += "## Where each method is as good as its samples allow\n\n" + howTrusted(report) + "\n\n" +
           markdownTable(rangeRows(report, Measure::floor));
   text += "\n## Where each method is no worse than usual\n\n" + howUsual(report) + "\n\n" +
@@ -398,8 +428,8 @@ std::string markdownOf(const Report& report, const std::string& page) {
 std::string textOf(const Report& report) {
   std::string text;
   for (const ReportAxis& axis : report.axes) {
-    text += fmt::format("{}, {}: error at {:g} ({}); where it is at most {:g} times the floor; where it is as usual\n", axis.title,
-                        axis.unit, axis.benign, axis.region, report.factor);
+    text += fmt::format("{}, {}: error at {:g} ({}); where it is at most {:g} times the floor; where it is as usual\n",
+                        axis.title, axis.unit, axis.benign, axis.region, report.factor);
     for (size_t m = 0; m < report.methods.size(); ++m) {
       std::string label = report.methods[m];
       label += std::string(24 - std::min<size_t>(24, lengthOf(label)), ' ');

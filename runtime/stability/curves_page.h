@@ -18,8 +18,9 @@ std::string textOf(const Report& report);
 // A share as percents with three digits, "0.0123 %"; "–" for NaN.
 std::string shownShare(double share);
 
-// `text` with {LABEL @ VALUE} replaced by the error of that method, the floor or truth's standard error ("truth") there,
-// {from LABEL} and {to LABEL} by the ends of where the method keeps its usual error. Throws `Error` for anything else in braces.
+// `text` with {LABEL @ VALUE} replaced by the error of that method, the floor or truth's standard error ("truth")
+// there, {from LABEL} and {to LABEL} by the ends of where the method keeps its usual error. Throws `Error` for anything
+// else in braces.
 std::string filled(const Report& report, const ReportAxis& axis, const std::string& text);
 
 }  // namespace strobe::stability::curves

@@ -132,7 +132,8 @@ VariantRow rowOf(const Json& json) {
 }
 
 Json variantJson(const ReportVariant& variant) {
-  Json json = {{"name", variant.name}, {"title", variant.title}, {"reference", variant.reference}, {"reading", variant.reading}};
+  Json json = {
+      {"name", variant.name}, {"title", variant.title}, {"reference", variant.reference}, {"reading", variant.reading}};
   for (const VariantRow& row : variant.rows) json["rows"].push_back(rowJson(row));
   return json;
 }
@@ -146,7 +147,8 @@ ReportVariant variantOf(const Json& json) {
 }  // namespace
 
 size_t ReportAxis::benignIndex() const {
-  auto found = std::find_if(points.begin(), points.end(), [&](const ReportPoint& point) { return point.value == benign; });
+  auto found =
+      std::find_if(points.begin(), points.end(), [&](const ReportPoint& point) { return point.value == benign; });
   STROBE_ASSERT(found != points.end(), "axis '{}'", name);
   return size_t(found - points.begin());
 }

@@ -20,7 +20,8 @@ namespace {
 using image::Image;
 
 uint64_t brokenValues(const Image& color) {
-  return uint64_t(std::count_if(color.values.begin(), color.values.end(), [](float value) { return !std::isfinite(value); }));
+  return uint64_t(
+      std::count_if(color.values.begin(), color.values.end(), [](float value) { return !std::isfinite(value); }));
 }
 
 // Root mean square of the channels' standard deviations.
@@ -43,25 +44,29 @@ std::array<double, 2> driftOf(const Image& a, const Image& b) {
   size_t differ = 0, pixels = size_t(a.width) * size_t(a.height), channels = size_t(a.channels);
   for (size_t i = 0; i < pixels; ++i) {
     double most = 0;
-    for (size_t c = 0; c < channels; ++c) most = std::max(most, std::abs(double(a.values[i * channels + c]) - b.values[i * channels + c]));
+    for (size_t c = 0; c < channels; ++c)
+      most = std::max(most, std::abs(double(a.values[i * channels + c]) - b.values[i * channels + c]));
     largest = std::max(largest, most);
     differ += most > 1e-5;
   }
   return {largest, double(differ) / double(pixels)};
 }
 
-// "NODE: COUNT WHAT" of each limit a picture met: its warnings without those of the scene, without what to do about them.
+// "NODE: COUNT WHAT" of each limit a picture met: its warnings without those of the scene, without what to do about
+// them.
 std::vector<std::string> limitsMet(const lab::Picture& picture) {
   std::vector<std::string> met, of_scene = picture.record["scene"]["warnings"].get<std::vector<std::string>>();
   for (const std::string& warning : picture.warnings)
-    if (std::find(of_scene.begin(), of_scene.end(), warning) == of_scene.end()) met.push_back(warning.substr(0, warning.find(';')));
+    if (std::find(of_scene.begin(), of_scene.end(), warning) == of_scene.end())
+      met.push_back(warning.substr(0, warning.find(';')));
   return met;
 }
 
 // One axis in the making.
 class Walk {
  public:
-  Walk(const Experiment& experiment, const Axis& axis, lab::Workbench& bench) : experiment_(experiment), axis_(axis), bench_(bench) {}
+  Walk(const Experiment& experiment, const Axis& axis, lab::Workbench& bench)
+      : experiment_(experiment), axis_(axis), bench_(bench) {}
 
   // The benign point first: the others are compared to it.
   ReportAxis run(lab::Pace& pace);
@@ -119,8 +124,8 @@ ReportPoint Walk::point(const AxisPoint& at) {
 }
 
 ReportAxis Walk::run(lab::Pace& pace) {
-  ReportAxis result{axis_.name, axis_.title, axis_.unit, axis_.scale, axis_.region, axis_.fixed, axis_.note, axis_.reading,
-                    axis_.benign, axis_.same_picture};
+  ReportAxis result{axis_.name,  axis_.title, axis_.unit,    axis_.scale,  axis_.region,
+                    axis_.fixed, axis_.note,  axis_.reading, axis_.benign, axis_.same_picture};
   result.points.resize(axis_.points.size());
   std::vector<size_t> order = {axis_.benignIndex()};
   for (size_t i = 0; i < axis_.points.size(); ++i)

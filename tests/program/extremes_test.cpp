@@ -31,7 +31,8 @@ return extremes {
 
 std::string textWith(const std::string& method, const std::string& axis = "", const std::string& point = "") {
   std::string text = kExperiment;
-  for (const auto& [what, with] : {std::pair<std::string, std::string>{", METHOD", method}, {", AXIS", axis}, {", POINT", point}})
+  for (const auto& [what, with] :
+       {std::pair<std::string, std::string>{", METHOD", method}, {", AXIS", axis}, {", POINT", point}})
     text.replace(text.find(what), what.size(), with.empty() ? "" : ", " + with);
   return text;
 }
@@ -39,7 +40,8 @@ std::string textWith(const std::string& method, const std::string& axis = "", co
 void expectRefusal(const std::string& text, const std::string& wanted) {
   TemporaryFolder folder;
   writeText(folder / "x.lua", text);
-  Outcome outcome = run("bench --extremes --file " + (folder / "x.lua") + " -o " + (folder / "out"), "STROBE_VALIDATION=0");
+  Outcome outcome =
+      run("bench --extremes --file " + (folder / "x.lua") + " -o " + (folder / "out"), "STROBE_VALIDATION=0");
   EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
   EXPECT_NE(outcome.err.find(wanted), std::string::npos) << outcome.err << "expected: " << wanted;
   EXPECT_FALSE(fs::exists(folder / "out"));
@@ -47,7 +49,8 @@ void expectRefusal(const std::string& text, const std::string& wanted) {
 
 TEST(Extremes, MistakesHaveTheirPlaceAndTheNearestName) {
   expectRefusal(textWith("sett = {}"), "x.lua:7: method 2 has no field 'sett'; did you mean 'set'?");
-  expectRefusal(textWith("", "scale = \"lgo\""), "the scale of an axis is 'lgo', none of log, linear, even; did you mean 'log'?");
+  expectRefusal(textWith("", "scale = \"lgo\""),
+                "the scale of an axis is 'lgo', none of log, linear, even; did you mean 'log'?");
   expectRefusal(textWith("", "region = \"iner\""), "did you mean 'inner'?");
   expectRefusal(textWith("", "benign = 5"), "benign is 5, which is none of the values");
   expectRefusal(textWith("", "values = { 4.7, 2 }"), "values grow; 2 follows 4.7");
@@ -67,7 +70,7 @@ TEST(Extremes, CommandLinesAreRefused) {
     EXPECT_NE(outcome.err.find(wanted), std::string::npos) << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   };
-  refused("bench", "wants --extremes or a command: reload");
+  refused("bench", "wants --extremes or a command: reload, values");
   refused("bench relod hybrid", "there is no command 'relod' of bench; did you mean 'reload'?");
   refused("bench --only speed", "--only requires --extremes");
   refused("bench --extremes --only sped", "did you mean 'speed'?");

@@ -89,10 +89,13 @@ TEST(Chart, APointLiesWhereItsValuesSay) {
   Chart chart;
   chart.x_title = "speed & <more>";
   chart.benign = 10;
-  chart.lines = {{"one", 0, {{1, 1, "low", false, false}, {10, 10, "middle", true, false}, {100, 100, "high", false, true}}}};
+  chart.lines = {
+      {"one", 0, {{1, 1, "low", false, false}, {10, 10, "middle", true, false}, {100, 100, "high", false, true}}}};
   std::string svg = svgOf(chart, 940, 430);
   // The plot is 664 px wide and 362 high, 12 of which are its inset: the middle of both axes.
-  EXPECT_NE(svg.find("<circle cx=\"408.0\" cy=\"195.0\" r=\"4.2\" class=\"hollow\"><title>middle</title>"), std::string::npos) << svg;
+  EXPECT_NE(svg.find("<circle cx=\"408.0\" cy=\"195.0\" r=\"4.2\" class=\"hollow\"><title>middle</title>"),
+            std::string::npos)
+      << svg;
   EXPECT_NE(svg.find("M88.0 364.0L408.0 195.0"), std::string::npos) << "the first step is drawn at full strength";
   EXPECT_NE(svg.find("class=\"faint\" d=\"M408.0 195.0L728.0 26.0\""), std::string::npos) << svg;
   EXPECT_NE(svg.find("speed &amp; &lt;more&gt;"), std::string::npos);
@@ -121,7 +124,8 @@ Measured of(double rmse, std::vector<std::string> limits = {}, uint64_t broken =
 
 // Contrast 0.5, floor 0.01: one method that is always good, one that is bad everywhere, one that ends on both sides.
 Report made() {
-  Report report{"0", "A report", "A note.", "strobe bench", "device", "driver", true, 64, 36, 2, "truth", "floor", {"good", "bad", "mixed"}, {}};
+  Report report{"0", "A report", "A note.", "strobe bench",           "device", "driver", true, 64, 36,
+                2,   "truth",    "floor",   {"good", "bad", "mixed"}, {}};
   ReportAxis axis{"speed", "Speed", "px", "log", "whole", "All else stays.", "", "", 10, true, 0.5, {}};
   for (double value : {1.0, 3.0, 10.0, 30.0, 100.0}) {
     ReportPoint point;
@@ -129,7 +133,9 @@ Report made() {
     point.label = fmt::format("{:g}", value);
     point.floor = of(0.01);
     point.drift = 1e-6 * value;
-    point.methods = {of(0.015), of(0.1 + (value == 100 ? 0.2 : 0)), of(value == 1 ? 0.05 : 0.01, value >= 30 ? std::vector<std::string>{"blur: 7 pixels"} : std::vector<std::string>())};
+    point.methods = {of(0.015), of(0.1 + (value == 100 ? 0.2 : 0)),
+                     of(value == 1 ? 0.05 : 0.01,
+                        value >= 30 ? std::vector<std::string>{"blur: 7 pixels"} : std::vector<std::string>())};
     axis.points.push_back(point);
   }
   report.axes = {axis};
@@ -181,13 +187,16 @@ TEST(Report, IsTheSameFromDisk) {
 TEST(Report, ReadingsAreFilledWithNumbers) {
   Report report = made();
   const ReportAxis& axis = report.axes[0];
-  EXPECT_EQ(filled(report, axis, "{good @ 30} of {floor @ 1}; {from mixed} to {to mixed}"), "3.00 % of 2.00 %; 3 to 10");
-  for (const char* wrong : {"{god @ 30}", "{good @ 31}", "{good}"}) EXPECT_THROW(filled(report, axis, wrong), Error) << wrong;
+  EXPECT_EQ(filled(report, axis, "{good @ 30} of {floor @ 1}; {from mixed} to {to mixed}"),
+            "3.00 % of 2.00 %; 3 to 10");
+  for (const char* wrong : {"{god @ 30}", "{good @ 31}", "{good}"})
+    EXPECT_THROW(filled(report, axis, wrong), Error) << wrong;
 }
 
 TEST(Report, PageNeedsNoNetwork) {
   std::string page = pageOf(made());
-  for (const char* foreign : {"http:", "https:", "<script", "@import", "url(", " src="}) EXPECT_EQ(page.find(foreign), std::string::npos) << foreign;
+  for (const char* foreign : {"http:", "https:", "<script", "@import", "url(", " src="})
+    EXPECT_EQ(page.find(foreign), std::string::npos) << foreign;
   for (const char* wanted : {"nowhere", "3 (error below) to 10 (limit above)", "everywhere", "strobe render x", "<svg"})
     EXPECT_NE(page.find(wanted), std::string::npos) << wanted;
 }
@@ -205,8 +214,8 @@ class Measuring : public oracle::RenderTest {
   }
 };
 
-// A white half-plane x < 80 that moves to the right over black. Only its edge blurs, so that no closed form is needed for
-// anything but the edge.
+// A white half-plane x < 80 that moves to the right over black. Only its edge blurs, so that no closed form is needed
+// for anything but the edge.
 const char* const kHalfPlane = R"lua(
 local extremes = require "strobe.extremes"
 return extremes {
@@ -215,10 +224,10 @@ return extremes {
   floor = { label = "floor", pipeline = "ground_truth", set = { samples = 16 } },
   methods = { { label = "no blur", pipeline = "none", lacks = { "samples" } } },
   axes = {
-    { name = "speed", title = "Speed", unit = "px", scale = "log", values = { 5.3, 12.7, 31.9 }, benign = 12.7, region = "whole",
-      scene = "oracles/half_plane", fixed = "The edge.", at = function(v) return { scene = { d_f = v } } end },
-    { name = "samples", title = "Samples", unit = "", scale = "log", values = { 2, 8, 32 }, benign = 8, region = "inner",
-      scene = "oracles/half_plane", fixed = "The edge moves by 12.7 px.",
+    { name = "speed", title = "Speed", unit = "px", scale = "log", values = { 5.3, 12.7, 31.9 }, benign = 12.7,
+      region = "whole", scene = "oracles/half_plane", fixed = "The edge.", at = function(v) return { scene = { d_f = v } } end },
+    { name = "samples", title = "Samples", unit = "", scale = "log", values = { 2, 8, 32 }, benign = 8,
+      region = "inner", scene = "oracles/half_plane", fixed = "The edge moves by 12.7 px.",
       at = function(v) return { scene = { d_f = 12.7 }, set = { samples = v }, floor = { samples = v } } end },
   },
 }
@@ -245,7 +254,8 @@ TEST_F(Measuring, ErrorsAreThoseOfTheClosedForm) {
     int count = 0, samples = int(point.value);
     for (int i = 67; i < 80; ++i) {
       double mean = 0;
-      for (int m = 0; m < samples; ++m) mean += oracle::seenAt(plane, i + 0.5, (m + 0.5) / samples - 1).colour / samples;
+      for (int m = 0; m < samples; ++m)
+        mean += oracle::seenAt(plane, i + 0.5, (m + 0.5) / samples - 1).colour / samples;
       double off = mean - oracle::halfPlaneAtCentre(80, 12.7, oracle::kCloseAnchor, i);
       squares += off * off;
       ++count;
@@ -257,7 +267,8 @@ TEST_F(Measuring, ErrorsAreThoseOfTheClosedForm) {
   double ratio = report.axes[1].points[0].floor.rmse[1] / report.axes[1].points[2].floor.rmse[1];
   EXPECT_GT(ratio, 16 / 1.5);
   EXPECT_LT(ratio, 16 * 1.5);
-  EXPECT_EQ(report.axes[1].points[0].methods[0].rmse[0], report.axes[1].points[2].methods[0].rmse[0]) << "lacks samples";
+  EXPECT_EQ(report.axes[1].points[0].methods[0].rmse[0], report.axes[1].points[2].methods[0].rmse[0])
+      << "lacks samples";
 }
 
 // ---- what ships
@@ -265,7 +276,8 @@ TEST_F(Measuring, ErrorsAreThoseOfTheClosedForm) {
 TEST(Committed, PageAndReadingAreMadeOfTheirNumbers) {
   Path folder = homeFolder() / "docs";
   Report report = reportFrom(Json::parse(readText(folder / "extremes/extremes.json")), "extremes.json");
-  EXPECT_EQ(readText(folder / "extremes/extremes.html"), pageOf(report)) << report.command << " --from docs/extremes/extremes.json";
+  EXPECT_EQ(readText(folder / "extremes/extremes.html"), pageOf(report))
+      << report.command << " --from docs/extremes/extremes.json";
   EXPECT_EQ(readText(folder / "extremes.md"), markdownOf(report, "extremes/extremes.html"));
   EXPECT_LT(readText(folder / "extremes/extremes.html").size(), 1'500'000u);
 }
