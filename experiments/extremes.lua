@@ -14,7 +14,7 @@ return extremes {
   size_params = { "width", "height" },
   factor = 2,
   truth = { label = "ground truth", pipeline = "ground_truth", set = { samples = 256, times = "stratified" } },
-  floor = { label = "truth, as many samples", pipeline = "ground_truth", set = { samples = 16, times = "midpoint" } },
+  floor = { label = "floor", pipeline = "ground_truth", set = { samples = 16, times = "midpoint" } },
   methods = {
     { label = "no blur", pipeline = "none", lacks = { "samples", "velocity_format", "color_format", "depth_encoding" } },
     { label = "McGuire 2012", pipeline = "mcguire2012" },
@@ -83,8 +83,9 @@ return extremes {
       values = { 1e-6, 1e-4, 1e-3, 3e-3, 0.01, 0.03, 0.1, 0.5, 10, 100, 9999 },
       scene = "stability/passage",
       fixed = "The panel moves by 12.8 px, 10 m away. The wall grows with its depth, so that it looks the same.",
-      reading = "hybrid (best) does not look at depths to tell what is in front: {hybrid (best) @ 1e-06} at a " ..
-                "millionth, {hybrid (best) @ 9999} at ten thousand times. Jimenez 2014 and UE4-style mirror the " ..
+      reading = "hybrid (best) asks depths only which of two surfaces is nearer, and instances for the rest: {hybrid (best) " ..
+                "@ 1e-06} at a millionth, {hybrid (best) @ 9999} at ten thousand times. " ..
+                "Jimenez 2014 and UE4-style mirror the " ..
                 "background only from what is clearly behind: below a hundredth of the depth (depth_extent) they " ..
                 "no longer do, and err by {Jimenez 2014 @ 0.0001} instead of {Jimenez 2014 @ 0.5}. hybrid (as " ..
                 "published) wants an edge of a twentieth of the depth before it reveals anything; below it " ..
@@ -108,10 +109,10 @@ return extremes {
       values = { 0, 30, 60, 75, 85, 88, 89.5, 89.9 },
       scene = "stability/grazing",
       fixed = "A panel of 96 x 72 px turns about the eye by 8 px.",
-      reading = "A panel that is seen nearly edge on, and whose depth changes by more than its own value from " ..
-                "pixel to pixel, is blurred as well as one that faces the camera: hybrid (best) errs by {hybrid " ..
-                "(best) @ 0} facing, {hybrid (best) @ 89.9} at 89.9 degrees; McGuire 2012 by {McGuire 2012 @ 0} " ..
-                "and {McGuire 2012 @ 89.9}.",
+      reading = "A panel that is seen nearly edge on, whose depth changes by up to a tenth of itself from pixel to " ..
+                "pixel, is blurred as well as one that faces the camera: hybrid (best) errs by {hybrid (best) @ 0} facing " ..
+                "and by {hybrid (best) @ 89.9} at 89.9 degrees, McGuire 2012 by {McGuire 2012 @ 0} and " ..
+                "{McGuire 2012 @ 89.9}.",
       at = function(value) return { scene = { tilt = value, speed = 8 } } end,
     },
   },
@@ -124,9 +125,17 @@ return extremes {
     { label = "tilted by 89.9 degrees", scene = "stability/grazing", set = { tilt = 89.9, speed = 8 } },
   },
   variants = {
-    { name = "velocity_format", title = "Displacements", reference = "fp32", values = { "fp32", "fp16" } },
-    { name = "color_format", title = "Colours", reference = "fp32", values = { "fp32", "fp16" } },
+    { name = "velocity_format", title = "Displacements", reference = "fp32", values = { "fp32", "fp16" },
+      reading = "Half floats save 0.2 to 0.4 MiB of 5 to 8 and change no error by as much as its third digit, but for " ..
+                "hybrid (best) at 1 px, where edges move by whole pixels: there single pixels change by 0.22, and its " ..
+                "error grows from 4.07 % to 4.91 %. No time is saved beyond the noise. The default is fp32." },
+    { name = "color_format", title = "Colours", reference = "fp32", values = { "fp32", "fp16" },
+      reading = "Half floats save 0.4 to 1.3 MiB and change pixels by at most 0.00044, a 2000th of white, and no error in " ..
+                "its third digit. The default is fp32, since pictures are measured here; where memory counts, this is the " ..
+                "first to give up." },
     { name = "depth_encoding", title = "Depths", reference = "linear",
-      values = { "linear", "reversed", "inverse", "unorm24" } },
+      values = { "linear", "reversed", "inverse", "unorm24" },
+      reading = "All four are 4 bytes per pixel and err alike; what differs is in the sixth digit, at surfaces a millionth " ..
+                "of the depth apart or seen edge on. The default is linear, which rounds nothing." },
   },
 }

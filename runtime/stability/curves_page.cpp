@@ -87,8 +87,8 @@ Rows benignRows(const Report& report) {
 
 std::string howTrusted(const Report& report) {
   return fmt::format("The values about the benign one at which a method's error is at most {:g} times the floor there "
-                     "({} as the method), no limit of it was met and every value is finite.",
-                     report.factor, report.floor);
+                     "(truth with as many samples as the method), no limit of it was met and every value is finite.",
+                     report.factor);
 }
 
 std::string howUsual(const Report& report) {

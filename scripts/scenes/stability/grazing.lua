@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: MIT
 -- A panel in the left half of the picture before a wall. `tilt` is the angle in degrees between its normal and the
--- direction of view: it would stay in the middle of the picture and comes towards the camera to the left of it, at 89.9
--- degrees 413 times as near. It turns about the eye by `speed` pixels over the exposure (in the middle of the picture): whatever
--- turns about the eye moves alike at every depth, so the picture does not depend on `tilt`.
+-- direction of view, about the middle of the picture: to the left of it the panel comes towards the camera, at 89.9
+-- degrees up to 430 times as near. It turns about the eye by `speed` pixels over the exposure (in the middle of the
+-- picture): whatever turns about the eye moves alike at every depth, so the picture does not depend on `tilt`.
 local scene = require "strobe.scene"
 local stage = require("scripts.scenes.lib.stage").open()
 
