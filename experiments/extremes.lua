@@ -127,8 +127,9 @@ return extremes {
   variants = {
     { name = "velocity_format", title = "Displacements", reference = "fp32", values = { "fp32", "fp16" },
       reading = "Half floats save 0.2 to 0.4 MiB of 5 to 8 and change no error by as much as its third digit, but for " ..
-                "hybrid (best) at 1 px, where edges move by whole pixels: there single pixels change by 0.22, and its " ..
-                "error grows from 4.07 % to 4.91 %. No time is saved beyond the noise. The default is fp32." },
+                "hybrid (best) at 1 px, where edges move by whole pixels: there pixels change by up to " ..
+                "{change hybrid (best), fp16 @ 1 px}, and its error grows from {hybrid (best), fp32 @ 1 px} to " ..
+                "{hybrid (best), fp16 @ 1 px}. No time is saved beyond the noise. The default is fp32." },
     { name = "color_format", title = "Colours", reference = "fp32", values = { "fp32", "fp16" },
       reading = "Half floats save 0.4 to 1.3 MiB and change pixels by at most 0.00044, a 2000th of white, and no error in " ..
                 "its third digit. The default is fp32, since pictures are measured here; where memory counts, this is the " ..

@@ -282,7 +282,7 @@ void Page::variants() {
   paragraph(howVariants(report_), "soft");
   for (const ReportVariant& variant : report_.variants) {
     page_ += fmt::format("<h3>{}: {}</h3>\n", escaped(variant.title), escaped(variant.name));
-    paragraph(variant.reading, "verdict");
+    paragraph(filled(report_, variant, variant.reading), "verdict");
     table(variantRows(report_, variant));
   }
   page_ += "</section>\n";
@@ -383,15 +383,34 @@ size_t lengthOf(const std::string& text) {
 
 }  // namespace
 
-std::string filled(const Report& report, const ReportAxis& axis, const std::string& text) {
+// `text` with what is in braces replaced.
+template <class Replace>
+static std::string replaced(const std::string& text, const Replace& replace) {
   std::string result;
   for (size_t at = 0; at < text.size();) {
     size_t open = text.find('{', at), close = text.find('}', open);
     if (open == std::string::npos || close == std::string::npos) return result + text.substr(at);
-    result += text.substr(at, open - at) + replacement(report, axis, text.substr(open + 1, close - open - 1));
+    result += text.substr(at, open - at) + replace(text.substr(open + 1, close - open - 1));
     at = close + 1;
   }
   return result;
+}
+
+std::string filled(const Report& report, const ReportAxis& axis, const std::string& text) {
+  return replaced(text, [&](const std::string& inside) { return replacement(report, axis, inside); });
+}
+
+std::string filled(const Report& report, const ReportVariant& variant, const std::string& text) {
+  return replaced(text, [&](const std::string& inside) {
+    for (const VariantRow& row : variant.rows)
+      for (size_t i = 0; i < report.cases.size(); ++i) {
+        std::string name = fmt::format("{}, {} @ {}", row.method, row.value, report.cases[i]);
+        if (inside == name) return shownShare(row.errors[i]);
+        if (inside == "change " + name) return shownError(row.changes[i]);
+      }
+    throw Error(fmt::format("the reading of variant '{}' has {{{}}}, which is none of {{LABEL, VALUE @ CASE}} and "
+                            "{{change LABEL, VALUE @ CASE}}", variant.name, inside));
+  });
 }
 
 std::string pageOf(const Report& report) { return Page(report).text(); }
@@ -419,7 +438,7 @@ std::string markdownOf(const Report& report, const std::string& page) {
   text += "\n## Numbers between passes\n\n" + howVariants(report) + "\n";
   for (const ReportVariant& variant : report.variants) {
     text += fmt::format("\n### {}: `{}`\n\n", variant.title, variant.name);
-    if (!variant.reading.empty()) text += variant.reading + "\n\n";
+    if (!variant.reading.empty()) text += filled(report, variant, variant.reading) + "\n\n";
     text += markdownTable(variantRows(report, variant));
   }
   return text;

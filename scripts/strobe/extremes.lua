@@ -35,6 +35,7 @@ extremes.fields = {
   },
   -- A choice parameter of every pipeline that does not lack it: each of `values` is held against truth and against
   -- `reference`, which is one of them, in every one of the `cases`; its images are counted and its frames timed.
+  -- reading: {LABEL, VALUE @ CASE} is replaced by that error, with "change " before it by the largest difference.
   variant = {
     name = { text }, title = { text }, reference = { text }, values = { list }, reading = { text, optional = true },
   },

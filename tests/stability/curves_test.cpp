@@ -193,6 +193,15 @@ TEST(Report, ReadingsAreFilledWithNumbers) {
     EXPECT_THROW(filled(report, axis, wrong), Error) << wrong;
 }
 
+TEST(Report, ReadingsOfVariantsAreFilledToo) {
+  Report report = made();
+  report.cases = {"slow", "fast"};
+  report.variants = {{"format", "Formats", "fp32", "", {{"good", "fp16", 1, 2, 1, {0.01, 0.02}, {0, 0.5}, {{}, {}}}}}};
+  const ReportVariant& variant = report.variants[0];
+  EXPECT_EQ(filled(report, variant, "{good, fp16 @ fast} and {change good, fp16 @ fast}"), "2.00 % and 0.5");
+  EXPECT_THROW(filled(report, variant, "{good, fp8 @ fast}"), Error);
+}
+
 TEST(Report, PageNeedsNoNetwork) {
   std::string page = pageOf(made());
   for (const char* foreign : {"http:", "https:", "<script", "@import", "url(", " src="})
