@@ -13,6 +13,7 @@
 #include "app/help.h"
 #include "app/inspect.h"
 #include "app/live.h"
+#include "app/mutate.h"
 #include "app/render.h"
 #include "app/stability.h"
 #include "base/error.h"
@@ -56,6 +57,7 @@ int main(int argc, char** argv) {
   strobe::app::registerCompare(program);
   strobe::app::registerBench(program);
   strobe::app::registerStability(program);
+  strobe::app::registerMutate(program);
   strobe::app::registerDoctor(program);
   try {
     program.parse(argc, argv);

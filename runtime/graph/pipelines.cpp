@@ -35,20 +35,20 @@ static uint32_t timeSlice(const std::string& time) {
   return SLICE_CAPTURE;
 }
 
-shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node, Backend backend, uint32_t slices) {
-  const PassDesc& pass = plan.pipeline.passes[size_t(node.pass)];
+using Settings = std::vector<std::pair<std::string, plan::Value>>;
+
+// `wired`: which reads are; `values`: of its parameters; both in the order of the declaration.
+static shader::Interface interfaceOf(const PassDesc& pass, Backend backend, const std::vector<bool>& wired,
+                                     const Settings& values) {
   shader::Interface in;
   in.pass = pass.name;
   in.place = pass.place.text();
   in.raster = pass.kind == PassDesc::Kind::Raster;
   in.scene = pass.scene || pass.kind != PassDesc::Kind::Compute;
   in.backend = pass.kind == PassDesc::Kind::Trace ? backend : Backend::None;
-  in.slices = slices;
-  in.time_slice = timeSlice(plan.pipeline.nodes[size_t(node.node)].time);
-  for (size_t i = 0; i < pass.reads.size(); ++i)
-    in.reads.push_back({pass.reads[i].name, pass.reads[i].uint, node.reads[i] >= 0});
+  for (size_t i = 0; i < pass.reads.size(); ++i) in.reads.push_back({pass.reads[i].name, pass.reads[i].uint, wired[i]});
   auto add_write = [&](const plan::PortDesc& port, bool update) {
-    const std::string& name = formatOf(port, node.params);
+    const std::string& name = formatOf(port, values);
     const gpu::FormatInfo& format = gpu::formatInfo(name);
     in.writes.push_back({port.name, format.glsl, format.uint, update, name});
   };
@@ -60,12 +60,74 @@ shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node
       in.params.push_back({param.name, param.type == ParamDesc::Type::Int});
       continue;
     }
-    in.variants.push_back(variantOf(param, node.params[i].second));
+    in.variants.push_back(variantOf(param, values[i].second));
     in.variants.back().decides_format = decidesAFormat(pass, param.name);
   }
   for (const auto& counter : pass.counters) in.counters.push_back(counter.name);
   if (in.backend != Backend::None) in.counters.push_back(fmt::format("rays_{}", backendName(in.backend)));
   return in;
+}
+
+shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node, Backend backend, uint32_t slices) {
+  const PassDesc& pass = plan.pipeline.passes[size_t(node.pass)];
+  std::vector<bool> wired;
+  for (int resource : node.reads) wired.push_back(resource >= 0);
+  shader::Interface in = interfaceOf(pass, backend, wired, node.params);
+  in.slices = slices;
+  in.time_slice = timeSlice(plan.pipeline.nodes[size_t(node.node)].time);
+  return in;
+}
+
+// Something that is decided when a pass is compiled: a parameter's value, or whether a read is wired.
+struct Decision {
+  bool read = false;
+  size_t index = 0;
+  std::vector<plan::Value> values;  // the declared one first
+};
+
+static std::vector<Decision> decisionsOf(const PassDesc& pass) {
+  std::vector<Decision> decisions;
+  for (size_t i = 0; i < pass.params.size(); ++i) {
+    const ParamDesc& param = pass.params[i];
+    if (!isCompiledIn(param)) continue;
+    Decision decision{false, i, {param.default_value}};
+    for (const std::string& choice : param.choices) decision.values.push_back(choice);
+    if (param.type == ParamDesc::Type::Bool) decision.values.push_back(!std::get<bool>(param.default_value));
+    for (auto bound : {param.min, param.max})
+      if (param.type == ParamDesc::Type::Int && bound) decision.values.push_back(int64_t(*bound));
+    decisions.push_back(decision);
+  }
+  for (size_t i = 0; i < pass.reads.size(); ++i)
+    if (pass.reads[i].optional) decisions.push_back({true, i, {true, false}});
+  return decisions;
+}
+
+std::vector<shader::Interface> interfacesOf(const PassDesc& pass, Backend backend) {
+  std::vector<Decision> decisions = decisionsOf(pass);
+  decisions.push_back({true, pass.reads.size(), {true}});  // so that one alone makes a pair
+  decisions.push_back({true, pass.reads.size(), {true}});
+  std::vector<shader::Interface> interfaces;
+  std::set<std::string> seen;
+  auto add = [&](const std::vector<bool>& wired, const Settings& values) {
+    shader::Interface in = interfaceOf(pass, backend, wired, values);
+    in.slices = SLICE_SAMPLE + 1;
+    in.time_slice = SLICE_CLOSE;  // no other name stands for it
+    if (seen.insert(textOf(in)).second) interfaces.push_back(in);
+  };
+  for (size_t a = 0; a < decisions.size(); ++a)
+    for (size_t b = 0; b < a; ++b)
+      for (const plan::Value& value_a : decisions[a].values)
+        for (const plan::Value& value_b : decisions[b].values) {
+          std::vector<bool> wired(pass.reads.size() + 1, true);
+          Settings values;
+          for (const ParamDesc& param : pass.params) values.push_back({param.name, param.default_value});
+          for (const auto& [decision, value] : {std::pair(decisions[a], value_a), std::pair(decisions[b], value_b)}) {
+            if (decision.read) wired[decision.index] = std::get<bool>(value);
+            else values[decision.index].second = value;
+          }
+          add(wired, values);
+        }
+  return interfaces;
 }
 
 static Path shaderFile(const PassDesc& pass, const char* suffix) {
@@ -117,6 +179,36 @@ static std::string contentKey(const shader::Interface& in, const PassDesc& pass)
     for (const char* name : {"miss.glsl", "closest_hit.glsl", "any_hit.glsl"})
       key += shader::textWithIncludes(backendFile(name));
   return hashText(key);
+}
+
+// Instructions that say where code came from.
+static bool isDebugOnly(uint32_t opcode) {
+  constexpr uint32_t kSourceContinued = 2, kSource = 3, kSourceExtension = 4, kName = 5, kMemberName = 6, kString = 7,
+                     kLine = 8, kNoLine = 317;
+  for (uint32_t other : {kSourceContinued, kSource, kSourceExtension, kName, kMemberName, kString, kLine, kNoLine})
+    if (opcode == other) return true;
+  return false;
+}
+
+static std::string hashOfCode(const std::vector<uint32_t>& spirv) {
+  constexpr size_t kHeader = 5;
+  std::vector<uint32_t> code;
+  for (size_t at = kHeader; at < spirv.size();) {
+    size_t words = std::max<size_t>(spirv[at] >> 16, 1), end = std::min(at + words, spirv.size());
+    if (!isDebugOnly(spirv[at] & 0xffff)) code.insert(code.end(), spirv.begin() + long(at), spirv.begin() + long(end));
+    at = end;
+  }
+  return hashBytes(code.data(), code.size() * sizeof(uint32_t));
+}
+
+PassCode compileAlone(const shader::Interface& in, const PassDesc& pass) {
+  PassCode code;
+  for (const shader::Compiled& stage : compileStages(in, pass)) {
+    code.hash += hashOfCode(stage.spirv);
+    code.files.insert(code.files.end(), stage.files.begin(), stage.files.end());
+  }
+  code.hash = hashText(code.hash);
+  return code;
 }
 
 void checkShaders(const plan::Plan& plan, Backend backend, std::set<std::string>& checked) {

@@ -34,6 +34,17 @@ std::string textOf(const shader::Interface& interface);
 // The shader files of a pass, main file first.
 std::vector<Path> shaderFiles(const plan::PassDesc& pass);
 
+// What a pass's stages compile to, and the files they come from, the shared declarations among them. Throws `Error`.
+struct PassCode {
+  std::string hash;  // of the SPIR-V without names of files and lines
+  std::vector<Path> files;
+};
+PassCode compileAlone(const shader::Interface& interface, const plan::PassDesc& pass);
+
+// The interfaces of a pass by itself, without a pipeline: for every pair of what can be chosen when it is compiled
+// (choices, switches, optional reads) all combinations of their values, the rest as declared.
+std::vector<shader::Interface> interfacesOf(const plan::PassDesc& pass, Backend backend);
+
 // Compiles every node's shaders without a device; throws `Error` with all problems of all passes. `checked` remembers
 // what has been looked at, by content, from call to call.
 void checkShaders(const plan::Plan& plan, Backend backend, std::set<std::string>& checked);

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: MIT
+#include "stability/mutation_run.h"
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <set>
+#include <thread>
+
+#include "base/error.h"
+#include "base/hash.h"
+#include "base/log.h"
+#include "stability/child.h"
+#include "stability/glsl.h"
+#include "stability/shader_code.h"
+
+namespace strobe::stability {
+
+namespace {
+
+Path shaderPath(const std::string& file) { return homeFolder() / "shaders" / file; }
+
+const char* nameOf(Fate fate) {
+  switch (fate) {
+    case Fate::Untried:
+      return "untried";
+    case Fate::Refused:
+      return "refused";
+    case Fate::Equivalent:
+      return "equivalent";
+    case Fate::Caught:
+      return "caught";
+    case Fate::Survived:
+      return "survived";
+  }
+  return "";
+}
+
+Fate fateNamed(const std::string& name) {
+  for (Fate fate : {Fate::Refused, Fate::Equivalent, Fate::Caught, Fate::Survived})
+    if (name == nameOf(fate)) return fate;
+  return Fate::Untried;
+}
+
+// What a result is kept under: the change and the text it was made in.
+std::string keyOf(const Mutant& mutant) {
+  return hashText(fmt::format("{}|{}|{}|{}|{}", mutant.file, hashText(readText(shaderPath(mutant.file))), mutant.offset,
+                              mutant.before, mutant.after))
+      .substr(0, 16);
+}
+
+MutationResult resultFor(const Mutant& mutant) {
+  std::string text = readText(shaderPath(mutant.file));
+  std::string line = lineAt(text, mutant.offset), changed = mutated(text, mutant);
+  // Of a change over several lines the first.
+  return {.mutant = mutant, .line = line, .mutated_line = lineAt(changed, mutant.offset)};
+}
+
+// The results file: what was found out so far.
+class Kept {
+ public:
+  explicit Kept(const Path& file) : file_(file) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) return;
+    try {
+      json_ = Json::parse(readText(file));
+    } catch (const Json::exception& error) {
+      throw Error(fmt::format("is no results file: {}", error.what()), {file.string()});
+    }
+  }
+
+  void fill(MutationResult& result) const {
+    std::string key = keyOf(result.mutant);
+    if (!json_.contains("mutants") || !json_["mutants"].contains(key)) return;
+    const Json& kept = json_["mutants"][key];
+    result.fate = fateNamed(kept.at("fate").get<std::string>());
+    result.by = kept.at("by").get<std::string>();
+    result.tests = kept.at("tests").get<int>();
+    result.tests_of = kept.at("tests_of").get<int>();
+    result.seconds = kept.at("seconds").get<double>();
+  }
+
+  void put(const MutationResult& result) {
+    json_["mutants"][keyOf(result.mutant)] = toJson(result);
+    save();
+  }
+
+  // What was found out about tests, by name.
+  std::map<std::string, TestCase> survey(const std::string& key) const {
+    std::map<std::string, TestCase> tests;
+    if (!json_.contains("survey") || json_["survey"].at("key") != key) return tests;
+    for (const Json& test : json_["survey"].at("tests")) tests[test.at("name").get<std::string>()] = testFromJson(test);
+    return tests;
+  }
+
+  void putSurvey(const std::string& key, const std::vector<TestCase>& tests) {
+    Json list = Json::array();
+    for (const TestCase& test : tests) list.push_back(toJson(test));
+    json_["survey"] = {{"key", key}, {"tests", list}};
+    save();
+  }
+
+ private:
+  void save() const { writeFileAtomically(file_, json_.dump(1) + "\n"); }
+  Path file_;
+  Json json_;
+};
+
+// A test is looked at once, as long as the shaders include each other as they did.
+std::vector<TestCase> testsFor(const MutationOptions& options, const MutationPlan& plan, Kept& kept) {
+  std::string key = includesOf(homeFolder());
+  std::map<std::string, TestCase> known = kept.survey(key);
+  std::vector<TestCase> tests, fresh;
+  for (const TestCase& test : listTests(options.tests, plan)) {
+    auto found = known.find(test.name);
+    (found == known.end() ? fresh : tests).push_back(found == known.end() ? test : found->second);
+  }
+  if (!fresh.empty()) {
+    note(fmt::format("running {} tests alone on the unchanged shaders", fresh.size()));
+    surveyTests(options.tests, fresh, options.jobs, [&](const TestCase& test) {
+      tests.push_back(test);
+      kept.putSurvey(key, tests);
+    });
+  }
+  std::erase_if(tests, [&](const TestCase& test) { return test.seconds > plan.longest_s; });
+  return tests;
+}
+
+// Tries the tests until one fails, or the time for one mutant is over.
+void tryTests(MutationResult& result, const MutationOptions& options, const Path& home, TestOrder& order) {
+  const Path file = home / "shaders" / result.mutant.file;
+  const std::string text = readText(file);
+  writeFileAtomically(file, mutated(text, result.mutant));
+  double started_s = clockSeconds();
+  result.fate = Fate::Survived;
+  result.by.clear();
+  result.tests = result.tests_of = 0;
+  for (const TestOrder::Batch& batch : order.batchesFor(result.mutant.file)) {
+    result.tests_of += int(batch.names.size());
+    double spent_s = clockSeconds() - started_s;
+    if (result.fate == Fate::Caught || spent_s > options.budget_s) continue;
+    TestOutcome outcome = runTests(options.tests, home, batch.program, batch.names, 60 + 15 * batch.seconds);
+    result.tests += int(batch.names.size());
+    order.took(outcome.seconds);
+    if (!outcome.caught) continue;
+    result.fate = Fate::Caught;
+    result.by = outcome.by;
+    order.caught(result.mutant.file, outcome.by);
+  }
+  result.seconds = clockSeconds() - started_s;
+  writeFileAtomically(file, text);
+}
+
+// Which mutants change what is compiled; the others need no tests.
+void compileAll(std::vector<MutationResult>& results, Kept& kept) {
+  auto untried = [](const MutationResult& result) { return result.fate == Fate::Untried; };
+  if (std::none_of(results.begin(), results.end(), untried)) return;
+  note("compiling the mutants");
+  ShaderCode code;
+  Progress progress("compiling", int(results.size()));
+  for (MutationResult& result : results) {
+    progress.advance();
+    if (!untried(result)) continue;
+    CodeChange change = code.changeBy(result.mutant);
+    if (change == CodeChange::Different) continue;
+    result.fate = change == CodeChange::Same ? Fate::Equivalent : Fate::Refused;
+    kept.put(result);
+  }
+}
+
+void testAll(std::vector<MutationResult>& results, const std::vector<size_t>& wanted, const MutationOptions& options,
+             TestOrder& order, Kept& kept) {
+  std::atomic<size_t> next = 0;
+  std::mutex mutex;
+  std::string failure;
+  auto work = [&] {
+    try {
+      HomeCopy home;
+      for (size_t i; (i = next++) < wanted.size();) {
+        MutationResult& result = results[wanted[i]];
+        tryTests(result, options, home.folder(), order);
+        std::lock_guard lock(mutex);
+        kept.put(result);
+        note(fmt::format("{}/{} {}:{} {} -> {}: {} ({:.0f} s)", i + 1, wanted.size(), result.mutant.file,
+                         result.mutant.line, result.mutant.before, result.mutant.after,
+                         result.fate == Fate::Caught ? result.by : nameOf(result.fate), result.seconds));
+      }
+    } catch (const Error& error) {
+      std::lock_guard lock(mutex);
+      failure = error.what();
+      next = wanted.size();
+    }
+  };
+  std::vector<std::jthread> workers;
+  for (int i = 0; i < options.jobs; ++i) workers.emplace_back(work);
+  workers.clear();
+  if (!failure.empty()) throw Error(failure);
+}
+
+// A test that fails without any mutant as well has caught nothing.
+void checkCatchers(std::vector<MutationResult>& results, const std::vector<size_t>& wanted,
+                   const MutationOptions& options, const std::vector<TestCase>& tests, Kept& kept) {
+  note("running what caught mutants on the unchanged shaders");
+  std::set<std::string> names;
+  auto nameOf = [](const MutationResult& result) { return result.by.substr(0, result.by.find(' ')); };
+  for (size_t i : wanted)
+    if (results[i].fate == Fate::Caught) names.insert(nameOf(results[i]));
+  std::vector<TestCase> catchers;
+  for (const TestCase& test : tests)
+    if (names.count(test.name)) catchers.push_back(test);
+  std::vector<std::string> failing = failingTests(options.tests, catchers);
+  if (failing.empty()) return;
+  for (size_t i : wanted) {
+    if (std::find(failing.begin(), failing.end(), nameOf(results[i])) == failing.end()) continue;
+    results[i].fate = Fate::Untried;
+    kept.put(results[i]);
+  }
+  throw Error(fmt::format("fails without any mutant: {}; was a file changed meanwhile?", fmt::join(failing, ", ")));
+}
+
+}  // namespace
+
+std::vector<Mutant> listMutants(const MutationOptions& options, const MutationPlan& plan) {
+  std::vector<std::vector<Mutant>> by_file;
+  std::vector<std::string> files = ShaderCode().files();
+  Vocabulary words{plan.sanitisers, {}};
+  for (const std::string& file : files) words.unlike.merge(unlikeArgumentsIn(readText(shaderPath(file))));
+  bool found = false;
+  for (const std::string& file : files) {
+    if (!file.starts_with(options.only)) continue;
+    found = true;
+    by_file.push_back(mutantsOf(file, readText(shaderPath(file)), words));
+  }
+  if (!found)
+    throw Error(fmt::format("no pass reaches a shader '{}'{}", options.only, didYouMean(options.only, files)), {}, 2);
+  return drawMutants(by_file, options.seed, options.count);
+}
+
+std::vector<MutationResult> runMutants(const std::vector<Mutant>& mutants, const MutationOptions& options,
+                                       const MutationPlan& plan) {
+  // What is edited meanwhile must not count as a mistake that was caught.
+  HomeCopy snapshot;
+  HomeOverride here(snapshot.folder());
+  Kept kept(options.results);
+  std::vector<MutationResult> results;
+  for (const Mutant& mutant : mutants) {
+    results.push_back(resultFor(mutant));
+    kept.fill(results.back());
+    if (options.again && results.back().fate == Fate::Survived) results.back().fate = Fate::Untried;
+  }
+  compileAll(results, kept);
+  std::vector<size_t> wanted;
+  for (size_t i = 0; i < results.size(); ++i)
+    if (results[i].fate == Fate::Untried) wanted.push_back(i);
+  if (wanted.empty()) return results;
+  std::vector<TestCase> tests = testsFor(options, plan, kept);
+  TestOrder order(tests);
+  for (const MutationResult& result : results)
+    if (result.fate == Fate::Caught) order.caught(result.mutant.file, result.by);
+  testAll(results, wanted, options, order, kept);
+  checkCatchers(results, wanted, options, tests, kept);
+  return results;
+}
+
+void giveReasons(std::vector<MutationResult>& results, const Path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return;
+  try {
+    for (const Json& known : Json::parse(readText(file)))
+      for (MutationResult& result : results)
+        if (known.at("shader") == result.mutant.file && known.at("line") == result.line &&
+            known.at("mutated") == result.mutated_line)
+          result.reason = known.at("reason").get<std::string>();
+  } catch (const Json::exception& error) {
+    throw Error(error.what(), {displayPath(file)});
+  }
+}
+
+int countOf(const std::vector<MutationResult>& results, Fate fate) {
+  return int(std::count_if(results.begin(), results.end(), [&](const auto& result) { return result.fate == fate; }));
+}
+
+int unexplained(const std::vector<MutationResult>& results) {
+  return int(std::count_if(results.begin(), results.end(),
+                           [](const auto& result) { return result.fate == Fate::Survived && result.reason.empty(); }));
+}
+
+std::string summaryOf(const std::vector<MutationResult>& results) {
+  int caught = countOf(results, Fate::Caught), survived = countOf(results, Fate::Survived);
+  double share = caught + survived > 0 ? 100.0 * caught / (caught + survived) : 0;
+  return fmt::format(
+      "{} of {} caught ({:.0f} %), {} survived, {} of them without a reason; besides these {} compile to "
+      "what was there and {} do not compile",
+      caught, caught + survived, share, survived, unexplained(results), countOf(results, Fate::Equivalent),
+      countOf(results, Fate::Refused));
+}
+
+Json toJson(const Mutant& mutant) {
+  return {{"shader", mutant.file},         {"line", mutant.line},     {"column", mutant.column},
+          {"operator", nameOf(mutant.op)}, {"before", mutant.before}, {"after", mutant.after}};
+}
+
+Json toJson(const MutationResult& result) {
+  Json json = toJson(result.mutant);
+  json["text"] = result.line;
+  json["mutated"] = result.mutated_line;
+  json["fate"] = nameOf(result.fate);
+  json["by"] = result.by;
+  json["tests"] = result.tests;
+  json["tests_of"] = result.tests_of;
+  json["seconds"] = result.seconds;
+  if (!result.reason.empty()) json["reason"] = result.reason;
+  return json;
+}
+
+}  // namespace strobe::stability

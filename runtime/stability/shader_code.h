@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// What all passes compile to, to tell which mutants change anything at all.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "graph/pipelines.h"
+#include "stability/child.h"
+#include "stability/mutate.h"
+
+namespace strobe::stability {
+
+enum class CodeChange { Refused, Same, Different };
+
+// Names the home folder as long as it lives (STROBE_HOME); nothing else may ask for it from another thread meanwhile.
+class HomeOverride {
+ public:
+  explicit HomeOverride(const Path& folder);
+  ~HomeOverride();
+  HomeOverride(const HomeOverride&) = delete;
+  HomeOverride& operator=(const HomeOverride&) = delete;
+
+ private:
+  std::optional<std::string> before_;
+};
+
+class ShaderCode {
+ public:
+  // Evaluates every pass of the home folder; throws `Error`.
+  ShaderCode();
+
+  // Files below shaders/ that some pass reaches, sorted.
+  std::vector<std::string> files() const;
+
+  // Refused: the compiler does not take it. Same: every pass that includes the file compiles to what it was.
+  CodeChange changeBy(const Mutant& mutant);
+
+ private:
+  struct Unit {
+    const plan::PassDesc* pass = nullptr;
+    shader::Interface interface;
+    std::optional<std::string> hash;  // of the original, once it was asked for; "" where that does not compile
+  };
+  std::string original(Unit& unit) const;
+
+  Path home_;
+  HomeCopy copy_;
+  std::vector<plan::PassDesc> passes_;
+  std::map<const plan::PassDesc*, std::set<std::string>> files_;
+  std::vector<Unit> units_;
+};
+
+}  // namespace strobe::stability
