@@ -14,11 +14,6 @@ uint randomUint(uint pixel, uint iteration, uint dimension) {
   return pcgHash(frame.seed ^ pcgHash(frame.frame ^ pcgHash(pixel ^ pcgHash(iteration ^ pcgHash(dimension)))));
 }
 
-// In [0, 1), 24 bits.
-float randomFloat(uint pixel, uint iteration, uint dimension) {
-  return float(randomUint(pixel, iteration, dimension) >> 8u) * (1.0 / 16777216.0);
-}
-
 // Low-discrepancy points of [0, 1)^2 over the iterations, shifted per pixel (the R2 sequence of Roberts; its steps are
 // powers of 1/1.32471795724, here as 32-bit fixed point).
 vec2 stratified2(uint pixel, uint iteration) {
