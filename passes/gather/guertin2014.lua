@@ -4,6 +4,9 @@ local pass   = require "strobe.pass"
 local jitter = require "scripts.pipelines.lib.jitter"
 local stored = require "scripts.pipelines.lib.stored"
 
+local every_other = "of an even number of samples to both sides every other one is taken, counted from one end, as published"
+local stands = "which tile a pixel looks in is drawn on the screen: that is neither mirrored nor moved with what is seen"
+
 return pass.compute {
   name   = "gather_guertin2014",
   shader = "gather/guertin2014",
@@ -34,7 +37,8 @@ return pass.compute {
         one = "All along the dominant displacement. Fails where things cross it: they stay sharp.",
         two = "Every other one along a second direction: the pixel's own, or across the dominant one where the pixel "
           .. "is at rest. Fails by halving the samples of each.",
-      } },
+      },
+      breaks = { two = { reversed = every_other } } },
     tile         = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
     limit        = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
     depth_extent = pass.float { 0.01, min = 1e-6, max = 1,
@@ -50,6 +54,9 @@ return pass.compute {
         angle = "In that of a point a quarter of a tile away, in a direction of its own. Fails as noise near borders, "
           .. "and where the other tile's displacement does not reach this one.",
         axis = "In that of a point up to a quarter of a tile away, sideways or up and down by tile. Fails as angle.",
+      },
+      breaks = {
+        angle = { mirrored = stands, shifted = stands }, axis = { mirrored = stands, shifted = stands },
       } },
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,

@@ -4,6 +4,8 @@ local pass   = require "strobe.pass"
 local jitter = require "scripts.pipelines.lib.jitter"
 local stored = require "scripts.pipelines.lib.stored"
 
+local every_other = "of an even number of samples to both sides every other one is taken, counted from one end"
+
 return pass.compute {
   name   = "gather_mcguire2012",
   shader = "gather/mcguire2012",
@@ -11,6 +13,9 @@ return pass.compute {
   fails  = "It is too opaque inside silhouettes (6/7 where 1/2 is true), shows a step at them, and its ramps are no "
     .. "straight lines; opacity grows with the number of samples. Background inside a silhouette is the picture from "
     .. "outside. Motions that cross the dominant one are blurred along it.",
+  breaks = {
+    converging = "opacity grows with the number of samples: the pixel itself weighs as much however many there are",
+  },
   size   = { of = "color" },
   reads  = {
     color        = { doc = "linear" },
@@ -31,7 +36,8 @@ return pass.compute {
         one = "All along the dominant displacement, as published. Fails where things cross it: they blur along it.",
         two = "Every other one along the pixel's own, or across the dominant one where the pixel is at rest. Fails "
           .. "by spreading what moves one way along the other, since weights know distances, not directions.",
-      } },
+      },
+      breaks = { two = { reversed = every_other } } },
     tile         = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
     limit        = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
     depth_extent = pass.float { 0.01, min = 1e-6, max = 1,

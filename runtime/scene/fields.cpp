@@ -137,7 +137,7 @@ vec4 Fields::color(const std::string& key, std::optional<vec4> fallback, double 
 }
 
 std::vector<std::vector<double>> Fields::rows(const std::string& key, size_t size, size_t least, size_t most,
-                                              size_t size_max) {
+                                              size_t size_max, double limit) {
   const Json* value = least > 0 ? need(key) : find(key);
   std::vector<std::vector<double>> result;
   if (!value) return result;
@@ -146,7 +146,7 @@ std::vector<std::vector<double>> Fields::rows(const std::string& key, size_t siz
     return result;
   }
   for (const Json& row : *value) {
-    result.push_back(listOf(key, row, size, std::max(size, size_max), -1e9, 1e9));
+    result.push_back(listOf(key, row, size, std::max(size, size_max), -limit, limit));
     if (result.back().empty()) return {};
   }
   return result;

@@ -46,9 +46,9 @@ class Fields {
   dvec3 vector3(const std::string& key, std::optional<dvec3> fallback, double min = -1e9, double max = 1e9);
   // Three or four numbers; a missing fourth is 1.
   vec4 color(const std::string& key, std::optional<vec4> fallback, double max = 1);
-  // A list of lists of `size` numbers (or `size_max` where larger), between `least` and `most` of them.
+  // A list of lists of `size` numbers (or `size_max` where larger) up to `limit`, between `least` and `most` of them.
   std::vector<std::vector<double>> rows(const std::string& key, size_t size, size_t least, size_t most,
-                                        size_t size_max = 0);
+                                        size_t size_max = 0, double limit = 1e9);
   std::vector<double> numbers(const std::string& key, size_t least, size_t most);
 
   // Reports the keys that were not read.

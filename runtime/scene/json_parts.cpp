@@ -194,7 +194,7 @@ Shape readShape(const Json& json, const Place& place, Problems& problems) {
 static Texture readTexels(Fields& f) {
   int width = f.integer("width", std::nullopt, 1, 16384), height = f.integer("height", 1, 1, 16384);
   std::vector<vec4> texels;
-  for (const auto& row : f.rows("texels", 3, 1, size_t(1) << 24, 4)) {
+  for (const auto& row : f.rows("texels", 3, 1, size_t(1) << 24, 4, 3.4e38)) {
     texels.push_back(vec4(row[0], row[1], row[2], row.size() > 3 ? row[3] : 1));
   }
   if (texels.size() != size_t(width) * height) {

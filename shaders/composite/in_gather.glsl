@@ -117,8 +117,8 @@ void run(ivec2 pixel) {
                          coverAt(pixel, rasterAt(pixel, t > 0.0).d, t, back));
     vec3 color = cover.color;
     if (cover.share < 1.0) color = mix(backgroundAt(pixel, t, back, fallbacks), color, cover.share);
-    sum += color;
+    sum += toSum(color);
   }
   if (fallbacks > 0u) count_fallback(fallbacks);
-  imageStore(blurred_img, pixel, vec4(sum / float(params.samples), 1));
+  imageStore(blurred_img, pixel, vec4(fromSum(sum / float(params.samples)), 1));
 }

@@ -201,13 +201,13 @@ void run(ivec2 pixel) {
     float t = sampleTime(i, params.samples, jitter, frame.shutter);
     Best best = seenAt(pixel, t > 0.0 ? after : before, t);
     if (best.found) {
-      sum += best.color;
+      sum += toSum(best.color);
       continue;
     }
     fallbacks += 1u;
-    sum += isRevealed(pixel) ? finiteColor(texelFetch(revealed_color_tex, pixel, 0))
-                             : finiteColor(texelFetch(color_tex, pixel, 0));
+    sum += toSum(isRevealed(pixel) ? finiteColor(texelFetch(revealed_color_tex, pixel, 0))
+                                   : finiteColor(texelFetch(color_tex, pixel, 0)));
   }
   if (fallbacks > 0u) count_fallback(fallbacks);
-  imageStore(blurred_img, pixel, vec4(sum / float(params.samples), 1));
+  imageStore(blurred_img, pixel, vec4(fromSum(sum / float(params.samples)), 1));
 }

@@ -118,7 +118,7 @@ void run(ivec2 pixel) {
 
   float all = float(params.samples) / (params.kappa * here.radius);
   float front = all * (over ? inFrontOf(here.depth, behind, params.depth_extent) : 1.0);
-  vec3 sum = here.color * front;
+  vec3 sum = toSum(here.color) * front;
   for (int i = 0; i < params.samples; ++i) {
     if (i == skipped) continue;
     bool along_second = isAlongSecond(i, second_count);
@@ -133,7 +133,7 @@ void run(ivec2 pixel) {
     all += weight;
     if (over) weight *= inFrontOf(tap.depth, behind, params.depth_extent) * covers(tap, taken);
     front += weight;
-    sum += weight * tap.color;
+    sum += weight * toSum(tap.color);
   }
-  imageStore(blurred_img, pixel, storedColor(vec4(sum / all, over ? front / all : 1.0)));
+  imageStore(blurred_img, pixel, storedColor(vec4(fromSum(sum / all), over ? front / all : 1.0)));
 }

@@ -103,7 +103,7 @@ Sums withPair(Sums sums, Gather gather, ivec2 pixel, ivec2 offset, float steps) 
   if (!isValid(at_b)) weights.y = 0.0;
   sums.all += weights.x + weights.y;
   if (gather.over) weights *= vec2(frontShare(gather, a, steps), frontShare(gather, b, steps));
-  sums.shown += vec4(weights.x * a.color + weights.y * b.color, weights.x + weights.y);
+  sums.shown += vec4(weights.x * toSum(a.color) + weights.y * toSum(b.color), weights.x + weights.y);
   return sums;
 }
 
@@ -114,7 +114,7 @@ Sums withTap(Sums sums, Gather gather, ivec2 pixel, ivec2 offset, float steps) {
   float weight = tapWeight(gather, tap, steps, offset);
   sums.all += weight;
   if (gather.over) weight *= frontShare(gather, tap, steps);
-  sums.shown += vec4(weight * tap.color, weight);
+  sums.shown += vec4(weight * toSum(tap.color), weight);
   return sums;
 }
 
@@ -147,10 +147,10 @@ vec3 plainMean(ivec2 pixel, vec2 d, int count, float jitter) {
   for (int i = 0; i < taken; ++i) {
     vec2 along = isCentred(frame.shutter) ? d : farEnd(d);
     ivec2 offset = roundSymmetric(along * ((float(i) + 0.5 + jitter) / float(count)));
-    sum += texelAt(clampToImage(pixel + offset, size)).color;
-    if (isCentred(frame.shutter)) sum += texelAt(clampToImage(pixel - offset, size)).color;
+    sum += toSum(texelAt(clampToImage(pixel + offset, size)).color);
+    if (isCentred(frame.shutter)) sum += toSum(texelAt(clampToImage(pixel - offset, size)).color);
   }
-  return sum / float(count);
+  return fromSum(sum / float(count));
 }
 
 vec4 fullGather(ivec2 pixel, Gather gather, int count, float jitter) {
@@ -167,9 +167,9 @@ vec4 fullGather(ivec2 pixel, Gather gather, int count, float jitter) {
   }
   vec4 shown = sums.shown / float(count);
   float rest = 1.0 - sums.all / float(count);
-  if (!gather.over) return vec4(vec3(shown) + rest * gather.here.color, 1);
+  if (!gather.over) return vec4(fromSum(vec3(shown)) + rest * gather.here.color, 1);
   rest *= inFrontOf(gather.here.depth, gather.behind, params.depth_extent);
-  return vec4(vec3(shown) + rest * gather.here.color, shown.w + rest);
+  return vec4(fromSum(vec3(shown)) + rest * gather.here.color, shown.w + rest);
 }
 
 void run(ivec2 pixel) {

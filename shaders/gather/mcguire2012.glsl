@@ -64,7 +64,7 @@ void run(ivec2 pixel) {
   float behind = behindDepth(pixel, here.depth);
   float all = 1.0 / here.radius;
   float front = all * (over ? inFrontOf(here.depth, behind, params.depth_extent) : 1.0);
-  vec3 sum = here.color * front;
+  vec3 sum = toSum(here.color) * front;
 
   vec2 second = secondAt(pixel, pixel / params.tile, d, here.radius, 1.5);
   vec2 second_d = second == vec2(0) ? d : lengthOf(d) * second;
@@ -81,7 +81,7 @@ void run(ivec2 pixel) {
     all += weight;
     if (over) weight *= inFrontOf(tap.depth, behind, params.depth_extent) * cylinder(distance_px, tap.radius);
     front += weight;
-    sum += weight * tap.color;
+    sum += weight * toSum(tap.color);
   }
-  imageStore(blurred_img, pixel, storedColor(vec4(sum / all, over ? front / all : 1.0)));
+  imageStore(blurred_img, pixel, storedColor(vec4(fromSum(sum / all), over ? front / all : 1.0)));
 }

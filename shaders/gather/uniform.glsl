@@ -102,12 +102,12 @@ void run(ivec2 pixel) {
     float speed = passingSpeed(tap, at - pixel, after, turns_back);
     float weight = speed < 0.0 ? 0.0 : in_front * timeShare(speed, max(lengthOf(along), 0.5));
     front += weight;
-    front_sum += weight * tap.color;
+    front_sum += weight * toSum(tap.color);
 
     float spread_px = reach * lengthOf(after ? here.d_after : here.d);
     float back_weight = (1.0 - in_front) * backgroundWeight(here, tap, at - pixel, spread_px, speed >= 0.0);
     back += back_weight;
-    back_sum += back_weight * tap.color;
+    back_sum += back_weight * toSum(tap.color);
   }
 
   if (front > 1.0) {
@@ -115,9 +115,9 @@ void run(ivec2 pixel) {
     front = 1.0;
   }
   if (hasBehind(pixel)) {
-    imageStore(blurred_img, pixel, storedColor(vec4(front_sum, front)));
+    imageStore(blurred_img, pixel, storedColor(vec4(fromSum(front_sum), front)));
     return;
   }
-  vec3 background = back > 0.0 ? back_sum / back : here.color;
-  imageStore(blurred_img, pixel, storedColor(vec4(front_sum + (1.0 - front) * background, 1)));
+  vec3 background = back > 0.0 ? fromSum(back_sum / back) : here.color;
+  imageStore(blurred_img, pixel, storedColor(vec4(fromSum(front_sum) + (1.0 - front) * background, 1)));
 }

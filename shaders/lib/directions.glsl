@@ -39,11 +39,13 @@ vec2 secondAt(ivec2 pixel, ivec2 tile, vec2 dominant, float radius_px, float gam
 }
 
 // Is sample i of N taken along the second direction? Counted from the tap nearest to the pixel where all lie to one
-// side: the anchor `open` is `close` backwards. Of an even N, count = N/2 takes every other one.
+// side: the anchor `open` is `close` backwards. count = N/2 takes every other one, from the second on: of an odd N
+// these are the same counted from either end.
 bool isAlongSecond(int i, int count) {
 #if PARAM_directions == directions_two
   if (frame.shutter.x >= 0.0) i = params.samples - 1 - i;
-  return (i + 1) * count / params.samples > i * count / params.samples;
+  int rounding = (params.samples - 1) / 2;
+  return ((i + 1) * count + rounding) / params.samples > (i * count + rounding) / params.samples;
 #else
   return false;
 #endif

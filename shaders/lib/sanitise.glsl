@@ -13,6 +13,14 @@ float finite(float value) {
   return value > 0.0 ? kInfinityStandIn : (value < 0.0 ? -kInfinityStandIn : 0.0);
 }
 
+// Sums of colours are kept this much smaller, so that those of thousands of the largest numbers are finite. A power of
+// two rounds nothing.
+const float kSumScale = 1.0 / 16384.0;
+
+vec3 toSum(vec3 color) { return color * kSumScale; }
+
+vec3 fromSum(vec3 sum) { return clamp(sum / kSumScale, -kLargestFinite, kLargestFinite); }
+
 vec3 finiteColor(vec4 texel) { return vec3(finite(texel.x), finite(texel.y), finite(texel.z)); }
 
 vec2 finiteDisplacement(vec4 texel) { return vec2(finite(texel.x), finite(texel.y)); }

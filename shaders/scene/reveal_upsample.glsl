@@ -49,7 +49,8 @@ bool isOneSurface(Sample a, Sample b) {
 }
 
 Revealed revealedIn(ivec2 square) {
-  return Revealed(texelFetch(color_tex, square, 0), saneDepth(texelFetch(depth_tex, square, 0).x),
+  vec4 color = texelFetch(color_tex, square, 0);
+  return Revealed(vec4(finiteColor(color), color.w), saneDepth(texelFetch(depth_tex, square, 0).x),
                   texelFetch(velocity_tex, square, 0).xy);
 }
 
@@ -64,11 +65,11 @@ Revealed blended(Sample samples[kSamples], Sample best) {
     if (weight <= 0.0 || !isOneSurface(samples[i], best)) continue;
     Revealed other = revealedIn(samples[i].square);
     weights += weight;
-    sum.color += weight * (other.color - centre.color);
+    sum.color += weight * kSumScale * (other.color - centre.color);
     sum.velocity += weight * (other.velocity - centre.velocity);
     if (!isinf(centre.depth)) sum.depth += weight * (other.depth - centre.depth);
   }
-  return Revealed(centre.color + sum.color / weights, centre.depth + sum.depth / weights,
+  return Revealed(centre.color + sum.color / weights / kSumScale, centre.depth + sum.depth / weights,
                   centre.velocity + sum.velocity / weights);
 }
 

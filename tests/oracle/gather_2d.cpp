@@ -60,8 +60,9 @@ double guertinAt(const Plane& plane, int x, int y, const PlaneGuertin& options) 
 
   double weight = n / (options.kappa * radius), sum = weight * plane.color->at(x, y, 0);
   for (int i = 0; i < n; ++i) {
-    // Counted from the pixel outwards where all samples lie to one side; a multiple of n/across ends at such a sample.
-    bool second = (i + 1) * across / n != i * across / n;
+    // Counted from the pixel outwards where all samples lie to one side; every n/across-th, from the middle of that on.
+    int half = (n - 1) / 2;
+    bool second = ((i + 1) * across + half) / n != (i * across + half) / n;
     Vec2d direction = second ? v_c : unitOf(dominant);
     if (lengthOf(direction) == 0) continue;
     double t = -1 + 2 * (i + (after ? -1 : 1) * options.eta * options.jitter + 1) / (n + 1);

@@ -2,6 +2,10 @@
 -- The parameters `jitter` and `jitter_frame` of whatever includes lib/jitter.glsl, for passes and pipelines alike.
 local param = require "strobe.param"
 
+local stands = "the pattern stands on the screen: it is neither mirrored nor moved with what is seen"
+local runs_on = "a shift towards the start of the exposure stays one when time runs backwards"
+local pattern = { mirrored = stands, shifted = stands, reversed = runs_on }
+
 return {
   jitter = param.choice {
     "none", "ign", "r2", "blue", "checker", "hash", default = "none",
@@ -16,6 +20,10 @@ return {
         .. "removes it. Fails by costing 25 hashes per pixel, and by remaining grainier than tables of blue noise.",
       checker = "A quarter of the distance to either side, in a checkerboard (2 values). Fails where 2 are too few.",
       hash = "White noise by the seed. Fails with clumps: neighbours are alike by chance.",
+    },
+    breaks = {
+      ign = pattern, r2 = pattern, blue = pattern, hash = pattern,
+      checker = { mirrored = stands, reversed = runs_on },
     },
   },
   jitter_frame = param.choice {

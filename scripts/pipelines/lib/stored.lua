@@ -24,6 +24,13 @@ stored.color_format = param.choice {
     fp16 = "Half floats, 8 bytes per pixel, rounded to the nearest. Fails by up to 1/2048 of each channel, and beyond "
       .. "65504, where channels are clamped and counted.",
   },
+  breaks = {
+    fp16 = {
+      constant = "a colour that is no half float is rounded to one",
+      still    = "a colour that is no half float is rounded to one",
+      linear   = "a sum is rounded otherwise than its parts",
+    },
+  },
 }
 
 stored.depth_encoding = param.choice {

@@ -22,7 +22,8 @@ local pan_x, pan_y = param("pan_x", 0), param("pan_y", 0)                       
 local order, peel = param("order", 0), param("peel", 0)  -- of nodes and triangles; how many of the nearest are away
 local value = param("value", 0)                          -- not 0: the colour of everything
 local first, second = param("first", 1), param("second", 1)  -- weights of the two parts that colours are sums of
-local hot, hot_scale = param("hot", 0), param("hot_scale", 1)  -- radiance of the nearest card, times a factor
+-- Radiance of the nearest card and a factor of it; below 0 infinity times 0 where the product is infinite.
+local hot, hot_scale = param("hot", 0), param("hot_scale", 1)
 
 local exposures_per_second = 24 / 0.5
 local wall_depth = 32
@@ -103,10 +104,13 @@ local function material(i, name)
   return scene.material { name = name, color = color_of(i, name), roughness = 0.5 }
 end
 
--- A radiance that no colour reaches: a texel, and a factor of it.
+-- A radiance that no colour reaches: a texel times a colour. Metal that is lit has none of its colour, times 0.
 local function hot_material()
   local texel = scene.texture.texels { width = 1, height = 1, texels = { { hot, hot, hot } } }
-  return scene.material { name = "hot", color = { hot_scale, hot_scale, hot_scale }, color_texture = texel, unlit = true }
+  local factor = math.abs(hot_scale)
+  return scene.material {
+    name = "hot", color = { factor, factor, factor }, color_texture = texel, unlit = hot_scale >= 0, metallic = 1,
+  }
 end
 
 -- ---- shapes
@@ -241,7 +245,7 @@ local lamp_x, lamp_y = placed(1 + shift_x / 8, -4 + shift_y / 8)
 if lit ~= 0 then
   objects[#objects + 1] = scene.node {
     name = "lamp", position = { lamp_x * scale, -lamp_y * scale, 2 * scale },
-    light = scene.point_light { intensity = 900 * scale * scale * brightness },
+    light = scene.point_light { color = { scale, scale, scale }, intensity = 900 * scale * brightness },
   }
 end
 
