@@ -7,6 +7,9 @@
 
 namespace strobe::stability {
 
+// Fewer cases may miss by chance what a declaration is about.
+static constexpr int kEnough = 3;
+
 namespace {
 
 std::vector<const Invariant*> wanted(const Options& options) {
@@ -146,7 +149,7 @@ static std::map<std::string, Declaration> merged(const std::vector<Report>& repo
 std::vector<Declaration> stale(const std::vector<Report>& reports) {
   std::vector<Declaration> list;
   for (const auto& [key, one] : merged(reports))
-    if (one.seen == 0) list.push_back(one);
+    if (one.seen == 0 && one.used >= kEnough) list.push_back(one);
   return list;
 }
 

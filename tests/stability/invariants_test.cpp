@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every invariant for every variant of every pipeline that ships, on generated scenes. The pipelines are found in their
 // folder: a new one, or a new value of a parameter, is covered without a line here. More cases: `strobe stability`.
-// The fast subset, for those who change shaders: --gtest_filter='Shipped/*'.
+// Of one pipeline alone, for those who change shaders: --gtest_filter='Pipelines/Shipped.*/mcguire2012*' --gtest_fail_fast.
 #include <gtest/gtest.h>
 
 #include "oracle/render.h"
@@ -12,6 +12,46 @@ namespace strobe::stability {
 namespace {
 
 using StabilityTest = oracle::RenderTest;
+
+// ---- what ships
+
+struct Share {
+  std::string pipeline;
+  int shard, shards;
+};
+
+// A pipeline with presets has several times as many variants as others.
+std::vector<Share> shares() {
+  std::vector<Share> list;
+  for (const std::string& name : namesIn(homeFolder() / "scripts/pipelines", ".lua")) {
+    std::string text = readText(homeFolder() / "scripts/pipelines" / (name + ".lua"));
+    int shards = text.find("presets") == std::string::npos ? 1 : 4;
+    for (int i = 0; i < shards; ++i) list.push_back({name, i, shards});
+  }
+  return list;
+}
+
+class Shipped : public StabilityTest, public testing::WithParamInterface<Share> {};
+
+TEST_P(Shipped, HoldsEveryInvariantOrSaysWhyNot) {
+  Renderer renderer(bench());
+  Options options;
+  options.shard = GetParam().shard;
+  options.shards = GetParam().shards;
+  Report report = check(renderer, GetParam().pipeline, options);
+  EXPECT_EQ(report.total().failed, 0) << textOf(report);
+  EXPECT_GT(report.total().held, 0);
+  // Or most of this would mean nothing.
+  const Evaluated& evaluated = renderer.evaluate(GetParam().pipeline, {});
+  bool is_blur = numberOf(*evaluated.pipeline, "samples", 0) > 0;
+  if (is_blur) {
+    EXPECT_GE(report.blurred, report.drawn * 9 / 10);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Pipelines, Shipped, testing::ValuesIn(shares()), [](const auto& info) {
+  return info.param.pipeline + (info.param.shards > 1 ? fmt::format("_{}of{}", info.param.shard + 1, info.param.shards) : "");
+});
 
 // ---- what is broken is found, and becomes small
 
