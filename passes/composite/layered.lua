@@ -10,6 +10,9 @@ return pass.compute {
   fails  = "A surface hidden at the capture and not revealed (a second layer behind, or outside of the mask) is " ..
            "missing. Motion that bends or magnifies by more than about a pixel within the distance moved puts " ..
            "edges wrong. Where more than 4 different motions meet at a pixel some are left out.",
+  breaks = {
+    reversed = "of more than 4 motions around a pixel the nearest count, of equally near ones those before the capture",
+  },
   size   = { of = "color" },
   reads  = {
     color             = { doc = "linear" },

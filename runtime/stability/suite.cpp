@@ -52,6 +52,8 @@ class Suite {
     lab::Shot shot = generated(variant, options_.seed, index + caseOf(variant));
     const Evaluated& evaluated = renderer_.evaluate(shot.pipeline, shot.sets);
     for (const Invariant* invariant : invariants_) {
+      bool taken = variant.isBase() || Random(options_.seed, variant.name() + invariant->name).whole(1, options_.thinned) == 1;
+      if (!taken) continue;
       Count& count = report_.variants.back().second[invariant->name];
       if (!evaluated.pipeline) ++count.refused;
       else checkOne(variant, *invariant, shot, *evaluated.pipeline, count);

@@ -13,6 +13,7 @@ struct Options {
   std::vector<std::string> invariants;  // empty: all
   std::string only;                     // variants whose name contains this
   int shard = 0, shards = 1;            // every so many-th variant alone
+  int thinned = 1;                      // of what is no base, one in so many pairs of variant and invariant, drawn
 };
 
 // Cases of one variant and invariant.

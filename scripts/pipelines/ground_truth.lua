@@ -12,6 +12,11 @@ local stop       = require "passes.truth.stop"
 local trace      = require "passes.truth.trace"
 local scene      = require "scripts.pipelines.lib.scene"
 
+local drawn = "a sample's time or place is drawn by its pixel on the screen"
+local smooth = "a pixel sees all of its square, whose silhouettes are smooth where they rest too"
+
+local snapped = "vertices are snapped to 1/256 px: a silhouette as close to a pixel's centre falls to either side"
+
 local bool, choice, float, int = pipeline.bool, pipeline.choice, pipeline.float, pipeline.int
 
 -- One time sample: how it is taken, by mode. Yields sum_a, sum_b and, if it can tell, regions.
@@ -36,6 +41,7 @@ local function stop_test(p, sums)
 end
 
 return pipeline {
+  breaks = { finite = "what is infinitely bright is so wherever it passes" },
   doc = "The scene at many times of the exposure, each as it truly stands: what every method is compared to",
   params = {
     mode         = choice { "rays", "raster", default = "rays",
@@ -44,14 +50,16 @@ return pipeline {
         rays   = "Rays: whole pixels or their centres, several times at once, and regions.",
         raster = "Raster, one time after another: a check of the rays that shares none of their traversal. Fails to " ..
                  "tell regions, and samples pixel centres only.",
-      } },
+      },
+      breaks = { raster = { mirrored = snapped } } },
     samples      = int { 1024, min = 1, max = 65536, doc = "time samples, at most" },
     times        = choice { "midpoint", "stratified", default = "midpoint", doc = "where a sample is in its stratum",
       values = {
         midpoint   = "In its middle: half a sample off per silhouette at most. Fails with bands where samples are few.",
         stratified = "At a random time of it, of which each pixel draws one where there are several slices: right " ..
                      "on average, with noise instead of bands. Fails by up to twice the error at each silhouette.",
-      } },
+      },
+      breaks = { stratified = { mirrored = drawn, shifted = drawn, reversed = drawn } } },
     slices       = int { 1, min = 1, max = 64, doc = "scene times per iteration; a pixel draws one of them" },
     shading      = shade.params.shading,
     pixel        = choice { "centre", "box", default = "centre", doc = "where in the pixel a sample is",
@@ -60,7 +68,10 @@ return pipeline {
                  "silhouettes that rest.",
         box    = "Anywhere in it, evenly spread: what a pixel as a square sees. Fails as the measure of methods " ..
                  "that sample centres, which differ from it at every silhouette.",
-      } },
+      },
+      breaks = { box = {
+        still = smooth, brief = smooth, uniform = smooth, mirrored = drawn, shifted = drawn, reversed = drawn,
+      } } },
     mark_regions = bool { true, doc = "find the regions in which methods differ; one more ray per sample" },
     tolerance    = float { 0, min = 0, max = 1e6, doc = "stop at this standard error of the mean; 0 = never" },
   },

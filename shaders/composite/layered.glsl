@@ -75,10 +75,18 @@ Candidates withBothLayers(Candidates candidates, ivec2 at, bool after) {
   return candidates;
 }
 
+// The k-th nearest of the taps. Of two equally far away, with the capture in the middle, the one before it comes first.
+int nearest(int k) {
+  if (isCentred(frame.shutter)) return params.samples / 2 + (k % 2 == 0 ? -1 - k / 2 : k / 2) + (params.samples % 2);
+  return frame.shutter.x < 0.0 ? params.samples - 1 - k : k;
+}
+
+// From the pixel outwards, since only the first few count: the same whichever way time runs.
 Candidates harvested(Candidates candidates, ivec2 pixel, vec2 d, float jitter, bool after) {
   ivec2 size = textureSize(color_tex, 0);
   bool one_sided = !isCentred(frame.shutter);  // else the taps lie to both sides already
-  for (int i = 0; i < params.samples && candidates.count < kMaxCandidates; ++i) {
+  for (int k = 0; k < params.samples && candidates.count < kMaxCandidates; ++k) {
+    int i = clamp(nearest(k), 0, params.samples - 1);
     ivec2 offset = roundSymmetric(tapOffset(d, sampleTime(i, params.samples, jitter, frame.shutter)));
     if (isInside(pixel + offset, size)) candidates = withBothLayers(candidates, pixel + offset, after);
     if (one_sided && isInside(pixel - offset, size)) candidates = withBothLayers(candidates, pixel - offset, after);

@@ -38,6 +38,7 @@ TEST_P(Shipped, HoldsEveryInvariantOrSaysWhyNot) {
   Options options;
   options.shard = GetParam().shard;
   options.shards = GetParam().shards;
+  options.thinned = 4;  // `strobe stability` takes all
   Report report = check(renderer, GetParam().pipeline, options);
   EXPECT_EQ(report.total().failed, 0) << textOf(report);
   EXPECT_GT(report.total().held, 0);
@@ -77,7 +78,7 @@ int cardsIn(const std::string& command) {
 }
 
 TEST_F(Broken, NormalisationThatIsLeftOut) {
-  Report report = reportOf("shaders/gather/mcguire2012.glsl", "vec4(sum / all,", "vec4(sum / float(params.samples),", "constant");
+  Report report = reportOf("shaders/gather/mcguire2012.glsl", "sum / all)", "sum / float(params.samples))", "constant");
   ASSERT_GT(report.failures.size(), 0u);
   EXPECT_LE(cardsIn(report.failures.front().commands.front()), 1) << textOf(report);
 }

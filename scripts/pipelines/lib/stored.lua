@@ -29,6 +29,10 @@ stored.color_format = param.choice {
       constant = "a colour that is no half float is rounded to one",
       still    = "a colour that is no half float is rounded to one",
       linear   = "a sum is rounded otherwise than its parts",
+      mirrored = "rounding makes the last digit of single precision one of half floats",
+      reversed = "rounding makes the last digit of single precision one of half floats",
+      scaled   = "rounding makes the last digit of single precision one of half floats",
+      unmasked = "what is blurred in two layers is rounded once more",
     },
   },
 }
