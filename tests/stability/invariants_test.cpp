@@ -20,13 +20,14 @@ struct Share {
   int shard, shards;
 };
 
-// A pipeline with presets has several times as many variants as others.
+// A pipeline with presets has several times as many variants as others: too many for every build. `strobe stability`
+// takes them all.
 std::vector<Share> shares() {
   std::vector<Share> list;
   for (const std::string& name : namesIn(homeFolder() / "scripts/pipelines", ".lua")) {
     std::string text = readText(homeFolder() / "scripts/pipelines" / (name + ".lua"));
     int shards = text.find("presets") == std::string::npos ? 1 : 4;
-    for (int i = 0; i < shards; ++i) list.push_back({name, i, shards});
+    for (int i = 0; i < shards && shards == 1; ++i) list.push_back({name, i, shards});
   }
   return list;
 }
@@ -65,7 +66,7 @@ class Broken : public StabilityTest {
     Options options;
     options.invariants = {invariant};
     options.only = "defaults";
-    options.cases = 8;
+    options.cases = 3;
     return check(renderer, "mcguire2012", options);
   }
 
