@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+// Colours of a plane against the formulas of glTF 2.0 (appendix B) and KHR_lights_punctual in double precision, with
+// points, angles and distances from where the scene says that things are; textures against what any filter must do.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/glm.hpp>
+#include <glm/gtc/constants.hpp>
+
+#include "oracle/render.h"
+
+namespace strobe::oracle {
+namespace {
+
+using glm::dmat3;
+using glm::dvec3;
+
+constexpr int kWidth = 16, kHeight = 12;
+
+dmat3 turnX(double degrees) {
+  double c = std::cos(glm::radians(degrees)), s = std::sin(glm::radians(degrees));
+  return dmat3(dvec3(1, 0, 0), dvec3(0, c, s), dvec3(0, -s, c));
+}
+dmat3 turnY(double degrees) {
+  double c = std::cos(glm::radians(degrees)), s = std::sin(glm::radians(degrees));
+  return dmat3(dvec3(c, 0, -s), dvec3(0, 1, 0), dvec3(s, 0, c));
+}
+
+// tests/oracle/scenes/lit.lua
+struct Lit {
+  int light = 1;
+  double tilt_x = 0, tilt_y = 0, metallic = 0, roughness = .5, range = 0, bump_x = 0, bump_y = 0, bump = 1;
+  double metal = -1, rough = -1, glow = -1, sky = 0, ground = 0;
+  dvec3 at = dvec3(1, 2, -1);  // of the light
+  double card = 0, card_x = .5, card_y = 1, card_z = 3;
+
+  lab::Shot shot() const {
+    Numbers numbers = {
+        {"light", light},  {"tilt_x", tilt_x}, {"tilt_y", tilt_y}, {"metallic", metallic}, {"roughness", roughness},
+        {"range", range},  {"bump_x", bump_x}, {"bump_y", bump_y}, {"bump", bump},         {"metal", metal},
+        {"rough", rough},  {"glow", glow},     {"sky", sky},       {"ground", ground},     {"light_x", at.x},
+        {"light_y", at.y}, {"light_z", at.z},  {"card", card},     {"card_x", card_x},     {"card_y", card_y},
+        {"card_z", card_z}};
+    return with(shotOf("lit", kWidth, kHeight, numbers), "none");
+  }
+
+  dmat3 turned() const { return turnY(tilt_y) * turnX(tilt_x); }
+  dvec3 middle() const { return dvec3(0, 0, -5); }
+
+  // Of the plane that a pixel's centre sees.
+  dvec3 pointAt(int x, int y) const {
+    double focal = kHeight / 2. / std::tan(glm::radians(30.));
+    dvec3 ray((x + .5 - kWidth / 2.) / focal, (kHeight / 2. - y - .5) / focal, -1);
+    dvec3 normal = turned()[2];
+    return ray * (dot(middle(), normal) / dot(ray, normal));
+  }
+
+  // The plane, and not at so flat an angle to its normal map that the formulas mean nothing.
+  bool isSeen(int x, int y) const {
+    dvec3 point = pointAt(x, y);
+    return point.z < 0 && distance(point, middle()) < 19 && dot(normal(), -normalize(point)) > .02;
+  }
+
+  dvec3 normal() const {
+    if (bump_x == 0 && bump_y == 0) return turned()[2];
+    return normalize(turned() * dvec3(bump * bump_x, bump * bump_y, 1));
+  }
+
+  // Does the card stand between the point and the light?
+  bool isShadowed(dvec3 point, double margin) const {
+    double share = (-card_z - point.z) / (at.z - point.z);
+    dvec3 met = point + share * (at - point);
+    double side = card / 2 + margin;
+    return card > 0 && std::abs(met.x - card_x) < side && std::abs(met.y - card_y) < side;
+  }
+
+  // Irradiance at normal incidence.
+  dvec3 incident(dvec3 point, dvec3& towards) const {
+    dvec3 irradiance = 3. * dvec3(1, .9, .7), axis = normalize(middle() - at), offset = at - point;
+    towards = light == 1 ? -axis : normalize(offset);
+    if (light == 1) return irradiance;
+    double distance = length(offset);
+    irradiance /= distance * distance;
+    if (range > 0) irradiance *= std::clamp(1 - std::pow(distance / range, 4), 0., 1.);
+    if (light < 3) return irradiance;
+    double inner = std::cos(glm::radians(10.)), outer = std::cos(glm::radians(25.));
+    return irradiance * std::pow(std::clamp((dot(-towards, axis) - outer) / (inner - outer), 0., 1.), 2);
+  }
+
+  double skyIn(dvec3 direction, int channel) const {
+    double below = channel == 1 ? ground / 2 : ground;
+    return below + (sky - below) * (.5 + .5 * direction.y);
+  }
+
+  dvec3 expected(dvec3 point) const {
+    double shine = metal < 0 ? metallic : metal * metallic;
+    double width = std::clamp(rough < 0 ? roughness : rough * roughness, .05, 1.), a = width * width;
+    dvec3 n = normal(), v = normalize(-point), l(0), light_at = light ? incident(point, l) : dvec3(0);
+    dvec3 h = light ? normalize(v + l) : n, result(0);
+    double nl = light ? std::max(dot(n, l), 0.) : 0, nv = dot(n, v), nh = dot(n, h), vh = dot(v, h);
+    if (light && dot(turned()[2], l) <= 0) nl = 0;
+    double bell = nh * nh * (a * a - 1) + 1, d = a * a / (glm::pi<double>() * bell * bell);
+    double g = .5 / (nl * std::sqrt(nv * nv * (1 - a * a) + a * a) + nv * std::sqrt(nl * nl * (1 - a * a) + a * a));
+    for (int c = 0; c < 3; ++c) {
+      double base = dvec3(.8, .5, .2)[c], f0 = .04 + (base - .04) * shine, diffuse = base * (1 - shine);
+      double f = f0 + (1 - f0) * std::pow(1 - vh, 5);
+      double lit = light ? ((1 - f) * diffuse / glm::pi<double>() + f * d * g) * nl * light_at[c] : 0;
+      double rim = f0 + (std::max(1 - width, f0) - f0) * std::pow(1 - std::clamp(nv, 0., 1.), 5);
+      double around = diffuse * skyIn(n, c) + rim * skyIn(2 * dot(v, n) * n - v, c);
+      result[c] = lit + around + (glow < 0 ? 0 : glow * dvec3(.5, 1, 2)[c]);
+    }
+    return result;
+  }
+};
+
+class RenderShading : public RenderTest {
+ protected:
+  // Single precision in a few dozen operations; a highlight is as steep as 1 / roughness^2.
+  static void expectFormula(const Lit& lit, const std::string& what) {
+    image::Image color = colorOf(render(lit.shot()));
+    double worst = 0, brightest = 0;
+    int seen = 0;
+    std::string place;
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x) {
+        if (!lit.isSeen(x, y)) continue;
+        ++seen;
+        dvec3 expected = lit.expected(lit.pointAt(x, y));
+        for (int c = 0; c < 3; ++c) {
+          brightest = std::max(brightest, expected[c]);
+          double error = std::abs(color.at(x, y, c) - expected[c]) / (expected[c] + 1e-3);
+          if (!(error <= worst))
+            worst = error,
+            place = fmt::format("({}, {}) is {}, by the formula {}", x, y, color.at(x, y, c), expected[c]);
+        }
+      }
+    EXPECT_LE(worst, 2e-4) << what << ": " << place;
+    EXPECT_GT(brightest, 1e-2) << what;
+    EXPECT_GT(seen, kWidth * kHeight / 3) << what;
+  }
+};
+
+TEST_F(RenderShading, LightsFallAsTheirExtensionSays) {
+  expectFormula({.light = 1}, "directional");
+  expectFormula({.light = 1, .tilt_x = -50, .tilt_y = 20}, "directional, tilted");
+  expectFormula({.light = 2, .tilt_x = -50}, "point");
+  expectFormula({.light = 2, .range = 6}, "point with a range");
+  expectFormula({.light = 3, .range = 9, .at = dvec3(.5, 1, -1)}, "spot");
+}
+
+TEST_F(RenderShading, SurfacesReflectAsGltfSays) {
+  for (double metallic : {0., .6, 1.})
+    for (double roughness : {.25, .9})
+      expectFormula({.light = 2,
+                     .tilt_x = -30,
+                     .tilt_y = 15,
+                     .metallic = metallic,
+                     .roughness = roughness,
+                     .at = dvec3(0, 1, -1)},
+                    fmt::format("metallic {} roughness {}", metallic, roughness));
+  expectFormula({.light = 2, .metallic = .8, .roughness = .9, .metal = .5, .rough = .4}, "by texture");
+}
+
+TEST_F(RenderShading, SkyAndGlowAdd) {
+  expectFormula({.light = 0, .tilt_x = -60, .roughness = .4, .sky = .8, .ground = .2}, "sky over ground");
+  expectFormula({.light = 0, .tilt_x = 40, .metallic = 1, .roughness = .3, .sky = .2, .ground = .6}, "metal");
+  expectFormula({.light = 0, .glow = .75, .sky = .1}, "glow");
+}
+
+TEST_F(RenderShading, NormalMapsTurnTheNormal) {
+  for (auto [x, y] : {std::pair(.5, 0.), std::pair(0., .5), std::pair(-.25, -.5)})
+    expectFormula({.light = 2, .tilt_x = -20, .tilt_y = 25, .bump_x = x, .bump_y = y}, fmt::format("bump {} {}", x, y));
+  expectFormula({.light = 2, .bump_x = .25, .bump_y = .25, .bump = 2}, "a scaled one");
+}
+
+// Where the card stands between a point and the light there is none; a pixel's width from its edge not looked at.
+TEST_F(RenderShading, ShadowsAreWhereTheLightIsHidden) {
+  Lit lit{.light = 2, .at = dvec3(1, 2, 0), .card = .8};
+  image::Image color = colorOf(render(lit.shot()));
+  int dark = 0, bright = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      dvec3 point = lit.pointAt(x, y), seen = point * (-lit.card_z / point.z);
+      bool on_card =
+          std::abs(seen.x - lit.card_x) < lit.card / 2 + .3 && std::abs(seen.y - lit.card_y) < lit.card / 2 + .3;
+      if (on_card || lit.isShadowed(point, .05) != lit.isShadowed(point, -.05)) continue;
+      bool shadowed = lit.isShadowed(point, 0);
+      ++(shadowed ? dark : bright);
+      double expected = shadowed ? 0 : lit.expected(point).x;
+      EXPECT_NEAR(color.at(x, y, 0), expected, 1e-4 + 1e-3 * expected) << x << " " << y;
+    }
+  EXPECT_GE(dark, 4);
+  EXPECT_GE(bright, 100);
+}
+
+// Of the middle of the picture: the mean, and the root mean square distance from one half.
+struct Contrast {
+  double mean = 0, spread = 0;
+};
+
+class RenderTextures : public RenderTest {
+ protected:
+  static Contrast stripes(double per_metre, double texels, double along, double tilt_x, double tilt_y) {
+    constexpr int kSide = 64, kFirst = 20, kLast = 44;
+    lab::Shot shot = shotOf("lit", kSide, kSide,
+                            {{"light", 0},
+                             {"stripes", per_metre},
+                             {"texels", texels},
+                             {"along", along},
+                             {"tilt_x", tilt_x},
+                             {"tilt_y", tilt_y}});
+    image::Image color = colorOf(render(with(shot, "none")));
+    Contrast contrast;
+    const double pixels = std::pow(kLast - kFirst, 2);
+    for (int y = kFirst; y < kLast; ++y)
+      for (int x = kFirst; x < kLast; ++x) {
+        contrast.mean += color.at(x, y, 0) / pixels;
+        contrast.spread += std::pow(color.at(x, y, 0) - .5, 2) / pixels;
+      }
+    contrast.spread = std::sqrt(contrast.spread);
+    return contrast;
+  }
+};
+
+// Head-on a pixel is 0.09 m wide. Stripes much wider keep nearly all of their contrast (.5); much narrower ones leave
+// the mean of black and white.
+TEST_F(RenderTextures, AreSharpWhenLargeAndGreyWhenSmall) {
+  for (double along : {0., 1.}) {
+    Contrast large = stripes(1, 8, along, 0, 0);
+    EXPECT_NEAR(large.mean, .5, .1);
+    EXPECT_GT(large.spread, .42) << along;
+    Contrast small = stripes(60, 8, along, 0, 0);
+    EXPECT_NEAR(small.mean, .5, .01);
+    EXPECT_LT(small.spread, .01) << along;
+  }
+}
+
+// A plane turned by 70 degrees recedes three times as fast as it spreads. Stripes along the direction in which it
+// recedes, 3 px wide at its middle, stay; those across it, 1 px wide there, go.
+TEST_F(RenderTextures, AreBlurredAlongTheDirectionInWhichTheyRecede) {
+  EXPECT_GT(stripes(3.5, 8, 0, 70, 0).spread, .25);
+  EXPECT_LT(stripes(20, 8, 1, 70, 0).spread, .05);
+  EXPECT_GT(stripes(3.5, 8, 1, 0, 70).spread, .25);
+  EXPECT_LT(stripes(20, 8, 0, 0, 70).spread, .05);
+}
+
+}  // namespace
+}  // namespace strobe::oracle
