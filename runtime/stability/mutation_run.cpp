@@ -74,6 +74,7 @@ class Kept {
     if (!json_.contains("mutants") || !json_["mutants"].contains(key)) return;
     const Json& kept = json_["mutants"][key];
     result.fate = fateNamed(kept.at("fate").get<std::string>());
+    result.compiles = result.fate != Fate::Refused && result.fate != Fate::Equivalent;
     result.by = kept.at("by").get<std::string>();
     result.tests = kept.at("tests").get<int>();
     result.tests_of = kept.at("tests_of").get<int>();
@@ -153,17 +154,18 @@ void tryTests(MutationResult& result, const MutationOptions& options, const Path
 
 // Which mutants change what is compiled; the others need no tests.
 void compileAll(std::vector<MutationResult>& results, Kept& kept) {
-  auto untried = [](const MutationResult& result) { return result.fate == Fate::Untried; };
-  if (std::none_of(results.begin(), results.end(), untried)) return;
+  auto unknown = [](const MutationResult& result) { return result.fate == Fate::Untried && !result.compiles; };
+  if (std::none_of(results.begin(), results.end(), unknown)) return;
   note("compiling the mutants");
   ShaderCode code;
   Progress progress("compiling", int(results.size()));
   for (MutationResult& result : results) {
     progress.advance();
-    if (!untried(result)) continue;
+    if (!unknown(result)) continue;
     CodeChange change = code.changeBy(result.mutant);
-    if (change == CodeChange::Different) continue;
-    result.fate = change == CodeChange::Same ? Fate::Equivalent : Fate::Refused;
+    result.compiles = change == CodeChange::Different;
+    if (change == CodeChange::Same) result.fate = Fate::Equivalent;
+    if (change == CodeChange::Refused) result.fate = Fate::Refused;
     kept.put(result);
   }
 }

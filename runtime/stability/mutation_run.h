@@ -27,6 +27,7 @@ struct MutationResult {
   Mutant mutant;
   std::string line, mutated_line;  // without the space around them
   Fate fate = Fate::Untried;
+  bool compiles = false;        // and to something else, as is known of one that is yet untried
   std::string by;               // the test that caught it
   int tests = 0, tests_of = 0;  // tried on, of those that read the shader
   double seconds = 0;

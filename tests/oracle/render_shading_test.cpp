@@ -200,7 +200,8 @@ struct Contrast {
 
 class RenderTextures : public RenderTest {
  protected:
-  static Contrast stripes(double per_metre, double texels, double along, double tilt_x, double tilt_y) {
+  static Contrast stripes(double per_metre, double texels, double along, double tilt_x, double tilt_y,
+                          int segments = 1) {
     constexpr int kSide = 64, kFirst = 20, kLast = 44;
     lab::Shot shot = shotOf("lit", kSide, kSide,
                             {{"light", 0},
@@ -208,7 +209,8 @@ class RenderTextures : public RenderTest {
                              {"texels", texels},
                              {"along", along},
                              {"tilt_x", tilt_x},
-                             {"tilt_y", tilt_y}});
+                             {"tilt_y", tilt_y},
+                             {"segments", segments}});
     image::Image color = colorOf(render(with(shot, "none")));
     Contrast contrast;
     const double pixels = std::pow(kLast - kFirst, 2);
@@ -233,6 +235,12 @@ TEST_F(RenderTextures, AreSharpWhenLargeAndGreyWhenSmall) {
     EXPECT_NEAR(small.mean, .5, .01);
     EXPECT_LT(small.spread, .01) << along;
   }
+}
+
+// How far a texture is from the camera does not depend on the size of the triangles that carry it, here 0.25 m.
+TEST_F(RenderTextures, AreFilteredAlikeOnSmallTriangles) {
+  EXPECT_LT(stripes(60, 8, 0, 0, 0, 160).spread, .01);
+  EXPECT_LT(stripes(20, 8, 1, 70, 0, 160).spread, .05);
 }
 
 // A plane turned by 70 degrees recedes three times as fast as it spreads. Stripes along the direction in which it

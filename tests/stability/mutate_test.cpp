@@ -187,7 +187,7 @@ TEST(ShaderCodeOfPasses, TellsWhichMutantsMatter) {
 TEST(Reasons, BelongToALineAndItsMutant) {
   std::vector<MutationResult> results(2);
   for (auto& result : results)
-    result = {{"a.glsl", Sign, 4, 1, 5, "+", "-"}, "x = a + b;", "x = a - b;", Fate::Survived};
+    result = {{"a.glsl", Sign, 4, 1, 5, "+", "-"}, "x = a + b;", "x = a - b;", Fate::Survived, true};
   results[1].mutated_line = "x = a * b;";
   Path file = std::filesystem::temp_directory_path() / fmt::format("strobe_reasons_{}.json", ::getpid());
   writeFileAtomically(file,

@@ -3,7 +3,8 @@
 -- (`light_x`, `light_y`, `light_z`) that looks at the plane's middle: `light` 0 a dark one, 1 directional, 2 point, 3 spot.
 -- `card` > 0: a card of that side, `card_z` from the camera, that casts a shadow. Camera at the origin, looking along -z.
 -- `metal`, `rough`, `bump_x`, `bump_y`, `glow` > -1: constant textures of that value. `stripes` > 0: a pattern of so many
--- black and white stripes per metre, of `texels` each, across the plane's x; `along` = 1: across its y.
+-- black and white stripes per metre, of `texels` each, across the plane's x; `along` = 1: across its y. The plane is made
+-- of `segments` squares to either side.
 local scene = require "strobe.scene"
 
 local function number(name, default) return scene.param(name, default) end
@@ -14,6 +15,7 @@ local metal, rough, glow = number("metal", -1), number("rough", -1), number("glo
 local bump_x, bump_y, bump = number("bump_x", 0), number("bump_y", 0), number("bump", 1)
 local stripes, texels, along = number("stripes", 0), number("texels", 8), number("along", 0)
 local card, card_z = number("card", 0), number("card_z", 3)
+local segments = number("segments", 1)
 local sky, ground = number("sky", 0), number("ground", 0)
 local range, inner, outer = number("range", 0), number("inner", 10), number("outer", 25)
 local light_x, light_y, light_z = number("light_x", 1), number("light_y", 2), number("light_z", -1)
@@ -42,7 +44,7 @@ end
 local nodes = {
   scene.node {
     name = "plane", position = { 0, 0, -5 }, rotation = { number("tilt_x", 0), number("tilt_y", 0), 0 },
-    shape = scene.quad { size = { extent, extent } }, material = scene.material(material),
+    shape = scene.quad { size = { extent, extent }, segments = segments }, material = scene.material(material),
   },
   scene.node {
     name = "camera", camera = scene.camera { name = "main", fov = 60, near = 0.1 },
