@@ -4,7 +4,7 @@
 local pass = require "strobe.pass"
 
 local function half(which)
-  return { format = "rgba32f", doc = "rgb: sum of the samples of " .. which .. " iterations, linear; a: their number" }
+  return { format = "rgba32f", doc = "rgb: mean of the samples of " .. which .. " iterations, linear; a: their number" }
 end
 
 return pass.compute {
@@ -13,5 +13,5 @@ return pass.compute {
   doc     = "Adds a picture to one of two halves of the time samples",
   size    = { of = "color" },
   reads   = { color = { doc = "linear, of one time" } },
-  updates = { sum_a = half "even", sum_b = half "odd" },
+  updates = { mean_a = half "even", mean_b = half "odd" },
 }

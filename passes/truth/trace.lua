@@ -18,8 +18,8 @@ return pass.trace {
       doc = "where that point is at the capture, world axes, from the capture's camera, metres; a = 1 on a hit" },
   },
   updates = {
-    sum_a   = { format = "rgba32f", doc = "radiance of even iterations; a = their number" },
-    sum_b   = { format = "rgba32f", doc = "radiance of odd iterations; a = their number" },
+    mean_a  = { format = "rgba32f", doc = "mean radiance of even iterations; a = their number" },
+    mean_b  = { format = "rgba32f", doc = "mean radiance of odd iterations; a = their number" },
     regions = { format = "r32ui", doc = "bits: 1 inner, 2 hidden, 4 outer" },
     still   = { format = "rgba32f",
       doc = "colour of what stands still behind everything that moves; a = 1 once known" },

@@ -19,7 +19,7 @@ local snapped = "vertices are snapped to 1/256 px: a silhouette as close to a pi
 
 local bool, choice, float, int = pipeline.bool, pipeline.choice, pipeline.float, pipeline.int
 
--- One time sample: how it is taken, by mode. Yields sum_a, sum_b and, if it can tell, regions.
+-- One time sample: how it is taken, by mode. Yields mean_a, mean_b and, if it can tell, regions.
 local samples = {}
 
 function samples.rays(p, seen)
@@ -35,8 +35,8 @@ function samples.raster(p)
   return accumulate { color = color }
 end
 
-local function stop_test(p, sums)
-  local blocks = spread { sum_a = sums.sum_a, sum_b = sums.sum_b }.spread
+local function stop_test(p, means)
+  local blocks = spread { mean_a = means.mean_a, mean_b = means.mean_b }.spread
   return stop { spread = blocks, tolerance = p.tolerance, as = "stop" }.stop
 end
 
@@ -78,19 +78,19 @@ return pipeline {
   build = function(p)
     local stops, rays = p.tolerance() > 0, p.mode() == "rays"
     local seen = scene.captured(nil, rays and traced or visibility)
-    local sums = pipeline.loop {
+    local means = pipeline.loop {
       name = "shutter", count = p.samples, times = p.times, slices = p.slices,
       until_ = stops and function(results) return results.stop end or nil,
       body = function()
         local s = samples[p.mode()](p, seen)
         return {
-          sum_a = s.sum_a, sum_b = s.sum_b, regions = rays and s.regions or nil,
+          mean_a = s.mean_a, mean_b = s.mean_b, regions = rays and s.regions or nil,
           stop = stops and stop_test(p, s) or nil,
         }
       end,
     }
-    local result = mean { sum_a = sums.sum_a, sum_b = sums.sum_b }
-    local where = rays and regions { regions = sums.regions } or {}
+    local result = mean { mean_a = means.mean_a, mean_b = means.mean_b }
+    local where = rays and regions { regions = means.regions } or {}
     return scene.outputs(seen, {
       color = result.color, error = result.error, inner = where.inner, hidden = where.hidden, outer = where.outer,
     })

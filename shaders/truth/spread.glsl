@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Per block of pixels, the squared difference of the means of two halves of the samples; first step of the stop test.
-// In:  sum_a, sum_b (rgb: summed linear radiance, a: number of samples).
+// In:  mean_a, mean_b (rgb: mean linear radiance, a: number of samples).
 // Out: spread (x: sum over the block's pixels and channels of (mean a - mean b)^2; y: pixels in the block, 0 if a pixel
 //      has no sample in one of the halves: nothing is known of it yet).
 void run(ivec2 pixel) {
   ivec2 first = pixel * params.block;
-  ivec2 end = min(first + params.block, textureSize(sum_a_tex, 0));
+  ivec2 end = min(first + params.block, textureSize(mean_a_tex, 0));
   float sum = 0.0;
   float pixels = 0.0;
   for (int y = first.y; y < end.y; ++y) {
     for (int x = first.x; x < end.x; ++x) {
-      vec4 a = texelFetch(sum_a_tex, ivec2(x, y), 0);
-      vec4 b = texelFetch(sum_b_tex, ivec2(x, y), 0);
+      vec4 a = texelFetch(mean_a_tex, ivec2(x, y), 0);
+      vec4 b = texelFetch(mean_b_tex, ivec2(x, y), 0);
       if (a.w == 0.0 || b.w == 0.0) {
         imageStore(spread_img, pixel, vec4(0));
         return;
       }
-      vec3 difference = vec3(a) / a.w - vec3(b) / b.w;
+      vec3 difference = a.rgb - b.rgb;
       sum += dot(difference, difference);
       pixels += 1.0;
     }

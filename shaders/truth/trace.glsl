@@ -5,6 +5,7 @@
 //   inner   some sample sees a farther, different instance than f;
 //   outer   some sample sees a nearer, different instance than f;
 //   hidden  some sample sees a point that was occluded at the capture.
+#include "lib/mean.glsl"
 #include "lib/random.glsl"
 #include "lib/regions.glsl"
 #include "lib/shade.glsl"
@@ -49,11 +50,10 @@ uint regionsOf(ivec2 pixel, Hit hit, vec3 capture_ws, bool is_still, uint known)
   return known | found;
 }
 
-// Even and odd iterations are summed apart: their difference tells how far off their mean can be.
+// Means of even and odd iterations are kept apart: their difference tells how far off the mean of both can be.
 void addSample(ivec2 pixel, vec3 color) {
-  vec4 added = vec4(color, 1);
-  if ((frame.iteration & 1u) == 0u) imageStore(sum_a_img, pixel, imageLoad(sum_a_img, pixel) + added);
-  else imageStore(sum_b_img, pixel, imageLoad(sum_b_img, pixel) + added);
+  if ((frame.iteration & 1u) == 0u) imageStore(mean_a_img, pixel, withSample(imageLoad(mean_a_img, pixel), color));
+  else imageStore(mean_b_img, pixel, withSample(imageLoad(mean_b_img, pixel), color));
 }
 
 void run(ivec2 pixel) {
@@ -74,6 +74,8 @@ void run(ivec2 pixel) {
 #endif
   Ray ray = cameraRay(slice, position_px);
   Hit hit = traceNearest(slice, ray, scene_cameras[slice].near, kFar);
+  // As raster computes it, which does not depend on the device: what stands still is as the capture sees it, bit for bit.
+  if (isHit(hit)) hit = hitOnTriangle(slice, ray, hit.instance, hit.geometry, hit.primitive);
   vec3 capture_ws = vec3(0);
   vec3 color;
 

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Whether a device takes a scene, asked before anything is allocated.
+#pragma once
+
+#include "gpu/limits.h"
+#include "scene/scene.h"
+
+namespace strobe::scene {
+
+// Throws `Error` naming every limit of the device that the scene is beyond, posed at `slices` times at once.
+void requireFits(const Scene& scene, uint32_t slices, const gpu::DeviceLimits& limits);
+
+}  // namespace strobe::scene

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "stability/extremes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stability/cases.h"
+
+namespace strobe::stability {
+
+std::string Method::name() const {
+  std::string text = pipeline;
+  for (const auto& [name, value] : sets) text += " " + name + "=" + value;
+  return text;
+}
+
+bool Method::has(const std::string& param) const {
+  std::string name = param.substr(0, param.find('.'));
+  bool of_node = name.size() < param.size();
+  if (of_node)
+    return std::any_of(description->nodes.begin(), description->nodes.end(), [&](const auto& n) { return n.name == name; });
+  return std::any_of(description->params.begin(), description->params.end(), [&](const auto& p) { return p.name == name; });
+}
+
+std::vector<Method> methodsOf(const script::Limits& limits) {
+  std::vector<Method> methods;
+  auto evaluate = [&](const std::string& name, const script::Settings& sets) {
+    return std::make_shared<const plan::PipelineDesc>(script::evaluatePipeline({name, sets}, nullptr, limits));
+  };
+  for (const std::string& name : script::pipelineNames()) {
+    auto described = evaluate(name, {});
+    std::vector<std::string> presets;
+    for (const auto& param : described->params)
+      if (param.name == "preset") presets = param.choices;
+    if (presets.empty()) methods.push_back({name, {}, described});
+    for (const std::string& preset : presets) {
+      script::Settings sets = {{"preset", preset}};
+      methods.push_back({name, sets, evaluate(name, sets)});
+    }
+  }
+  return methods;
+}
+
+bool Probe::isTruth() const { return method_.pipeline == kTruth; }
+bool Probe::isSharp() const { return method_.pipeline == kSharp; }
+
+void Probe::expect(bool holds, const std::string& text) {
+  if (!holds) failures_.push_back(text);
+}
+
+static bool isFinite(const image::Image& image) {
+  return std::all_of(image.values.begin(), image.values.end(), [](float v) { return std::isfinite(v); });
+}
+
+const lab::Picture& Probe::drawn(const lab::Shot& shot) {
+  last_command_ = lab::commandOf(shot);
+  std::shared_ptr<const lab::Picture>& known = pictures_[last_command_];
+  if (known) return *known;
+  known = std::make_shared<const lab::Picture>(bench_.render(shot));
+  for (const char* output : {"color", "velocity", "normal"})
+    expect(isFinite(known->frame.outputs.at(output).floats), fmt::format("'{}' is not finite", output));
+  for (const std::string& message : bench_.device().takeMessages()) expect(false, "validation: " + message);
+  return *known;
+}
+
+const lab::Picture& Probe::picture(const lab::Shot& shot) {
+  lab::Shot own = shot;
+  own.pipeline = method_.pipeline;
+  own.sets = method_.sets;
+  if (isTruth()) own.sets.push_back({"samples", "16"});
+  for (const auto& [name, value] : shot.sets)
+    if (name.starts_with("scene.") || method_.has(name)) lab::putSetting(own.sets, name, value);
+  return drawn(own);
+}
+
+static lab::Shot onlyScene(lab::Shot shot) {
+  std::erase_if(shot.sets, [](const auto& set) { return !set.first.starts_with("scene."); });
+  return shot;
+}
+
+const lab::Picture& Probe::sharp(lab::Shot shot) {
+  shot = onlyScene(shot);
+  shot.pipeline = kSharp;
+  return drawn(shot);
+}
+
+const lab::Picture& Probe::truth(lab::Shot shot) {
+  shot = onlyScene(shot);
+  shot.pipeline = kTruth;
+  shot.sets.push_back({"samples", std::to_string(kTruthTimes)});
+  shot.sets.push_back({"mark_regions", "false"});
+  return drawn(shot);
+}
+
+std::vector<ExtremeOutcome> runExtreme(lab::Workbench& bench, const std::vector<Method>& methods, const Extreme& extreme) {
+  Probe::Pictures pictures;
+  std::vector<ExtremeOutcome> outcomes;
+  for (const Method& method : methods) {
+    Probe probe(bench, pictures, method);
+    ExtremeOutcome outcome{&extreme, method.name(), {}, ""};
+    try {
+      extreme.check(probe);
+      outcome.failures = probe.failures();
+    } catch (const Error& error) {
+      outcome.failures = probe.failures();
+      outcome.failures.push_back(error.what());
+    }
+    outcome.command = probe.lastCommand();
+    outcomes.push_back(std::move(outcome));
+  }
+  return outcomes;
+}
+
+std::string tableOf(const std::vector<ExtremeOutcome>& outcomes) {
+  struct Count {
+    std::vector<std::string> cases;
+    int checks = 0, failed = 0;
+  };
+  std::vector<std::pair<std::string, Count>> clauses;
+  for (const ExtremeOutcome& outcome : outcomes) {
+    auto clause = std::find_if(clauses.begin(), clauses.end(), [&](const auto& c) { return c.first == outcome.extreme->clause; });
+    if (clause == clauses.end()) clause = clauses.insert(clauses.end(), {outcome.extreme->clause, {}});
+    Count& count = clause->second;
+    if (std::find(count.cases.begin(), count.cases.end(), outcome.extreme->name) == count.cases.end())
+      count.cases.push_back(outcome.extreme->name);
+    ++count.checks;
+    count.failed += !outcome.failures.empty();
+  }
+  std::string text = "| clause | cases | cases x methods | failed | which |\n| --- | --- | --- | --- | --- |\n";
+  size_t cases = 0;
+  int checks = 0, failed = 0;
+  for (const auto& [clause, count] : clauses) {
+    text += fmt::format("| {} | {} | {} | {} | {} |\n", clause, count.cases.size(), count.checks, count.failed,
+                        fmt::join(count.cases, ", "));
+    cases += count.cases.size(), checks += count.checks, failed += count.failed;
+  }
+  text += fmt::format("| all | {} | {} | {} | |\n", cases, checks, failed);
+  for (const ExtremeOutcome& outcome : outcomes)
+    for (const std::string& failure : outcome.failures)
+      text += fmt::format("\n{} by {}: {}\n    {}\n", outcome.extreme->name, outcome.method, failure, outcome.command);
+  return text;
+}
+
+std::string pageOf(const std::vector<ExtremeOutcome>& outcomes) {
+  std::string text =
+      "<!-- Written by `strobe stability --extremes --write docs/extremes.md`; do not edit. -->\n\n# Extreme cases\n\n"
+      "Each case runs by every pipeline and every preset of it, on pictures of at most 64 x 64 px. What must come out is "
+      "known from a closed form, from truth or from a picture that must be the same; finite it must be always.\n\n";
+  text += tableOf(outcomes) + "\n## The cases\n\n| case | what must hold |\n| --- | --- |\n";
+  const Extreme* last = nullptr;
+  for (const ExtremeOutcome& outcome : outcomes) {
+    if (outcome.extreme != last) text += fmt::format("| {} | {} |\n", outcome.extreme->name, outcome.extreme->says);
+    last = outcome.extreme;
+  }
+  return text;
+}
+
+}  // namespace strobe::stability

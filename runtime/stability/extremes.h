@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Cases at the edge of what numbers, tiles, cameras and scenes can hold, each for every pipeline of the registry and each
+// of its presets. What must come out is known otherwise: from a closed form, from truth, or from a picture that must be
+// the same. Finite it must be always.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lab/workbench.h"
+
+namespace strobe::stability {
+
+// A pipeline with its defaults or with a preset.
+struct Method {
+  std::string pipeline;
+  script::Settings sets;                                    // the preset, or none
+  std::shared_ptr<const plan::PipelineDesc> description;
+
+  std::string name() const;                                 // "pipeline preset=x"
+  bool has(const std::string& param) const;
+};
+
+// Time samples of the truth that others are compared with.
+inline constexpr int kTruthTimes = 64;
+
+// In the order of the registry. Throws `Error` where one cannot be evaluated.
+std::vector<Method> methodsOf(const script::Limits& limits);
+
+// What a case may ask of one method. Pictures are kept until the next case.
+class Probe {
+ public:
+  using Pictures = std::map<std::string, std::shared_ptr<const lab::Picture>>;
+  Probe(lab::Workbench& bench, Pictures& pictures, const Method& method)
+      : bench_(bench), pictures_(pictures), method_(method) {}
+
+  const Method& method() const { return method_; }
+  bool isTruth() const;
+  bool isSharp() const;                                     // draws the capture as it is
+  bool filters() const { return !isTruth() && !isSharp(); }
+
+  // The shot by this method: settings of the pipeline that it does not have are left out. By name: without blur; truth.
+  const lab::Picture& picture(const lab::Shot& shot);
+  const lab::Picture& sharp(lab::Shot shot);
+  const lab::Picture& truth(lab::Shot shot);
+
+  // `text` says what is wrong where `holds` does not.
+  void expect(bool holds, const std::string& text);
+  const std::vector<std::string>& failures() const { return failures_; }
+  const std::string& lastCommand() const { return last_command_; }
+
+ private:
+  const lab::Picture& drawn(const lab::Shot& shot);
+
+  lab::Workbench& bench_;
+  Pictures& pictures_;
+  const Method& method_;
+  std::vector<std::string> failures_;
+  std::string last_command_;
+};
+
+struct Extreme {
+  std::string name;
+  std::string clause;  // what it is a case of, one of a few
+  std::string says;    // what must hold
+  std::function<void(Probe&)> check;
+};
+
+const std::vector<Extreme>& extremes();
+
+// What became of a case under a method: it passes where `failures` is empty.
+struct ExtremeOutcome {
+  const Extreme* extreme = nullptr;
+  std::string method;
+  std::vector<std::string> failures;
+  std::string command;  // of the picture that was drawn last
+};
+
+// One case under every method. What a method throws is a failure of it.
+std::vector<ExtremeOutcome> runExtreme(lab::Workbench& bench, const std::vector<Method>& methods, const Extreme& extreme);
+
+// A table of the outcomes per clause, and what failed, for the terminal; the page docs/extremes.md.
+std::string tableOf(const std::vector<ExtremeOutcome>& outcomes);
+std::string pageOf(const std::vector<ExtremeOutcome>& outcomes);
+
+}  // namespace strobe::stability

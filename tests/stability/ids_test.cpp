@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Ids beyond what single precision holds: everything that compares them must give the same picture as with small ones.
+#include <unistd.h>
+
+#include "image/exr.h"
+#include "lab/capture.h"
+#include "oracle/render.h"
+#include "session/home.h"
+
+namespace strobe::stability {
+namespace {
+
+using oracle::with;
+
+class Ids : public oracle::RenderTest {};
+
+// Ids of all that raster and rays see, `base` higher: neighbours differ in the lowest bit.
+void raiseIds(const session::EditableHome& home, const std::string& base) {
+  home.edit("shaders/scene/gbuffer.glsl", "id = uvec2(seen.x,", "id = uvec2(seen.x + " + base + ",");
+  home.edit("shaders/scene/reveal.glsl", "uvec2(hit.instance, hit.geometry) + 1u",
+            "uvec2(hit.instance, hit.geometry) + uvec2(1u + " + base + ", 1u)");
+}
+
+// Every setting of a pipeline that compares ids: edge detectors, masks, composites.
+std::vector<std::vector<std::string>> settings() {
+  return {{"preset=seed", "edge=id"},       {"preset=seed", "edge=silhouette"}, {"preset=seed", "edge=sobel"},
+          {"preset=seed", "own_edge=true"}, {"preset=best"},                    {"composite=in_gather"},
+          {"mask=moving"}};
+}
+
+TEST_F(Ids, BeyondTheirLowestBitInSinglePrecisionAreTold) {
+  lab::Shot shot = oracle::shotOf("crowd", 48, 30);
+  std::vector<lab::Picture> small;
+  for (const auto& setting : settings()) small.push_back(render(with(shot, "hybrid", setting)));
+  for (const char* base : {"0x1000000u", "0xfffffff8u"}) {  // 2^24 and up; up to 2^32 - 2 of six instances
+    session::EditableHome home;
+    raiseIds(home, base);
+    for (size_t i = 0; i < small.size(); ++i) {
+      lab::Picture large = render(with(shot, "hybrid", settings()[i]));
+      EXPECT_NE(large.frame.outputs.at("id").uints.values, small[i].frame.outputs.at("id").uints.values);
+      EXPECT_TRUE(oracle::identical(oracle::colorOf(large), oracle::colorOf(small[i]))) << base << " " << settings()[i].back();
+      EXPECT_TRUE(oracle::identical(oracle::imageOf(large, "mask"), oracle::imageOf(small[i], "mask"))) << base;
+    }
+  }
+}
+
+TEST_F(Ids, AreWrittenAsTheyAre) {
+  session::EditableHome home;
+  raiseIds(home, "0xfffffff8u");
+  lab::Picture picture = render(with(oracle::shotOf("crowd", 48, 30), "none"));
+  Path file = std::filesystem::temp_directory_path() / fmt::format("strobe_ids_{}.exr", ::getpid());
+  std::vector<Path> written = lab::writePicture(picture, file, true);  // half floats leave integers alone
+  image::ExrFile read = image::readExr(file);
+  const image::UintImage& ids = picture.frame.outputs.at("id").uints;
+  bool found = false;
+  for (const auto& channel : read.channels) {
+    if (channel.name != "id") continue;
+    found = true;
+    ASSERT_EQ(channel.ids.size() * 2, ids.values.size());
+    for (size_t i = 0; i < channel.ids.size(); ++i) ASSERT_EQ(channel.ids[i], ids.values[2 * i]);
+  }
+  EXPECT_TRUE(found);
+  for (const Path& one : written) std::filesystem::remove(one);
+}
+
+}  // namespace
+}  // namespace strobe::stability
