@@ -171,7 +171,9 @@ class Loader {
       if (type != "orthographic" && type != "perspective")
         file_.refuse(where, fmt::format("type '{}' is unknown", type));
       const Json& lens = file_.object(cameras[i], type, where);
-      camera.near = std::max(file_.number(lens, "znear", 0.01, where), 1e-6);
+      camera.near = file_.number(lens, "znear", camera.orthographic ? 0 : 0.01, where);
+      bool sensible_near = camera.orthographic ? camera.near >= 0 : camera.near > 0;
+      if (!sensible_near) file_.refuse(where, fmt::format("znear is {}", camera.near));
       if (camera.orthographic) {
         camera.half_height = file_.number(lens, "ymag", 1, where);
         if (camera.half_height <= 0) file_.refuse(where, fmt::format("ymag is {}", camera.half_height));

@@ -260,7 +260,7 @@ Light readLight(const Json& json, const Place& place, Problems& problems) {
   light.type = type == "spot" ? Light::Type::Spot
                               : type == "directional" ? Light::Type::Directional : Light::Type::Point;
   light.name = fields.text("name");
-  light.intensity = vec3(fields.color("color", vec4(1))) * float(fields.number("intensity", 1, 0));
+  light.intensity = vec3(fields.color("color", vec4(1))) * float(fields.number("intensity", 1, 0, 1e30));
   light.shadow = fields.boolean("shadow", true);
   if (light.type != Light::Type::Directional) light.range = fields.number("range", 0, 0);
   if (light.type == Light::Type::Spot) {
@@ -281,7 +281,7 @@ Camera readCamera(const Json& json, const Place& place, Problems& problems) {
   }
   camera.name = fields.text("name");
   camera.orthographic = typeOf(json) == "orthographic";
-  camera.near = fields.number("near", 0.01, 1e-6);
+  camera.near = fields.number("near", 0.01, 1e-30);
   if (camera.orthographic) camera.half_height = fields.number("half_height", std::nullopt, 1e-9);
   else camera.vertical_fov = glm::radians(fields.number("fov", 45, 0.01, 175));
   fields.finish();
