@@ -29,7 +29,7 @@ void run(ivec2 texel) {
     hit = hitOnTriangle(SLICE_CAPTURE, ray, hit.instance, hit.geometry, hit.primitive);
     name = uvec4(hit.instance + 1u, hit.geometry + 1u, hit.primitive, hit.front ? 1u : 0u);
     where = vec4(hit.t, surfaceOf(SLICE_CAPTURE, hit).normal_ws);
-    velocity = displacementOf(hit);
+    velocity = displacementOf(hit, ray.origin + ray.direction * hit.t);
     color = vec4(shade(SLICE_CAPTURE, hit), 1);
   }
   imageStore(hit_img, texel, name);

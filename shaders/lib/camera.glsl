@@ -41,9 +41,8 @@ bool met_near_plane = false;
 
 // Screen displacement, px, from a point at the capture to the same point at another slice. Where it passes behind the
 // near plane on the way, the path up to there is extrapolated to its full length: the divide never sees depths <= 0.
-vec2 pathFromCapture(vec3 capture_vs, uint slice, vec3 other_vs) {
+vec2 pathFromCapture(vec3 capture_vs, uint slice, vec3 other_vs, float near) {
   vec2 start = pixelFromView(SLICE_CAPTURE, capture_vs);
-  float near = scene_cameras[slice].near * 1.001;
   bool in_front = scene_cameras[slice].orthographic != 0u || other_vs.z >= near || capture_vs.z <= near;
   if (in_front) {
     if (scene_cameras[slice].orthographic == 0u) other_vs.z = max(other_vs.z, near);
@@ -52,6 +51,10 @@ vec2 pathFromCapture(vec3 capture_vs, uint slice, vec3 other_vs) {
   met_near_plane = true;
   float s = (capture_vs.z - near) / (capture_vs.z - other_vs.z);
   return (pixelFromView(slice, mix(capture_vs, other_vs, s)) - start) / s;
+}
+
+vec2 pathFromCapture(vec3 capture_vs, uint slice, vec3 other_vs) {
+  return pathFromCapture(capture_vs, slice, other_vs, scene_cameras[slice].near * 1.001);
 }
 
 #endif

@@ -111,28 +111,45 @@ Surface surfaceOf(uint slice, Hit hit) {
   return surface;
 }
 
-// Screen path, px, of the point a hit names, from the capture to the pose of `slice`.
-vec2 pathOf(uint slice, Hit hit) {
-  vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, positionOf(SLICE_CAPTURE, hit));
-  return pathFromCapture(capture_vs, slice, viewFromWorld(slice, positionOf(slice, hit)));
+// Where the point a hit names, which is at `capture_ws` at the capture, is at `slice`. Moved by the difference of the
+// poses: what stands still stands still exactly, and a point of a large mesh is as precise as the ray that met it.
+vec3 movedTo(uint slice, Hit hit, vec3 capture_ws) {
+  SceneTransform then = transformOf(slice, hit.instance), now = transformOf(SLICE_CAPTURE, hit.instance);
+  SceneTransform step = SceneTransform(then.row_x - now.row_x, then.row_y - now.row_y, then.row_z - now.row_z);
+  Triangle triangle = triangleOf(geometryOf(hit.instance, hit.geometry), hit.primitive);
+  vec3 weights = cornerWeights(hit.barycentrics);
+  vec3 position_os = vec3(0);
+  for (uint corner = 0u; corner < 3u; ++corner)
+    position_os += weights[corner] * scene_vertices[triangle.index[corner]].position;
+  return capture_ws + worldFromObject(step, position_os);
 }
+
+// Screen path, px, of that point from the capture to the pose of `slice`.
+vec2 pathOf(uint slice, Hit hit, vec3 capture_ws) {
+  vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, capture_ws);
+  return pathFromCapture(capture_vs, slice, viewFromWorld(slice, movedTo(slice, hit, capture_ws)));
+}
+
+// A direction, of which the capture sees a depth of 1, is behind the camera where its depth is less: directions have no
+// lengths, and no near plane.
+const float kSkyNear = 1.0 / 64.0;
 
 // The same of what lies infinitely far along a camera's ray: it moves with the camera's rotation alone.
 vec2 pathOfSky(uint slice, vec3 direction_ws) {
   if (scene_cameras[SLICE_CAPTURE].orthographic != 0u) return vec2(0);
   vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, scene_cameras[SLICE_CAPTURE].position + direction_ws);
   vec3 other_vs = viewFromWorld(slice, scene_cameras[slice].position + direction_ws);
-  return pathFromCapture(capture_vs, slice, other_vs);
+  return pathFromCapture(capture_vs, slice, other_vs, kSkyNear);
 }
 
 // Screen displacement over the exposure, px: where the point is at the window's end minus where it was at its start.
 // In a pass with the choice parameter `displacement` = window | extrapolated, the latter takes the path since the frame
 // before the capture for all there is: as long a part of it as the exposure is of a frame, whatever the anchor.
-vec2 displacementOf(Hit hit) {
+vec2 displacementOf(Hit hit, vec3 capture_ws) {
 #if defined(PARAM_displacement) && PARAM_displacement == displacement_extrapolated
-  return -frame.exposure * pathOf(SLICE_PREVIOUS, hit);
+  return -frame.exposure * pathOf(SLICE_PREVIOUS, hit, capture_ws);
 #else
-  return pathOf(SLICE_CLOSE, hit) - pathOf(SLICE_OPEN, hit);
+  return pathOf(SLICE_CLOSE, hit, capture_ws) - pathOf(SLICE_OPEN, hit, capture_ws);
 #endif
 }
 
@@ -164,7 +181,13 @@ Hit hitOnTriangle(uint slice, Ray ray, uint instance, uint geometry_index, uint 
   // A mirroring transform turns the winding around.
   float handed = dot(transform.row_x.xyz, cross(transform.row_y.xyz, transform.row_z.xyz));
   bool front = (determinant > 0.0) == (handed >= 0.0);
-  return Hit(instance, geometry_index, primitive, weights.yz, viewFromWorld(slice, position_ws).z, front);
+  float t = viewFromWorld(slice, position_ws).z;
+  // Corners far away are rounded by as much as what is near is large: there the ray's own distance to the plane is better.
+  vec3 reach = max(abs(edge1), abs(edge2));
+  bool large = max(reach.x, max(reach.y, reach.z)) > 16.0 * t;
+  bool inside = all(greaterThanEqual(cornerWeights(barycentrics), vec3(0)));
+  if (large && inside) t = dot(edge2, q) / determinant;
+  return Hit(instance, geometry_index, primitive, weights.yz, t, front);
 }
 
 #endif

@@ -21,7 +21,8 @@ void run(ivec2 pixel) {
     depth = hit.t;
     normal = surfaceOf(TIME_SLICE, hit).normal_ws;
     id = uvec2(seen.x, seen.y + 1u);
-    velocity = displacementOf(hit);
+    bool at_capture = TIME_SLICE == SLICE_CAPTURE;
+    velocity = displacementOf(hit, at_capture ? ray.origin + ray.direction * depth : positionOf(SLICE_CAPTURE, hit));
   }
 #if PARAM_displacement == displacement_extrapolated
   if (frame.exposure > 1.0 && velocity != vec2(0)) count_stretched(1u);
