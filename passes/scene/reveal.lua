@@ -95,6 +95,10 @@ return pass.trace {
       limit = "what is behind more layers than `max_layers` was not found; `on_cap` says what stands in. Raise " ..
               "`max_layers`, or take advance = instance_filter, which passes over the object in front at once",
     },
+    passed = {
+      doc   = "rays that passed through another instance, as bright as the foreground",
+      limit = "what lies behind that was revealed instead of it. Take termination = instance",
+    },
     not_finite = shade.counters.not_finite,
     met_again = "hits on the triangle just left, which are no layers",
     velocity_clamped = stored.counters.velocity_clamped,

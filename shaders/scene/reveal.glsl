@@ -71,13 +71,14 @@ struct Found {
   Hit hit;
   vec3 color;  // of the hit, where luminance ends the search
   bool capped;
+  bool passed;  // luminance did not tell another instance from the foreground
 };
 
 // The first hit behind `front` that is another object, a miss if there is none; or the last one tried at the cap.
 // Luminance looks at the foreground in a round of its own, so that shading stands here once: each copy of it takes
 // seconds to compile.
 Found firstBehind(Ray ray, Hit front) {
-  Found found = Found(front, vec3(0), false);
+  Found found = Found(front, vec3(0), false, false);
   bool under_way = PARAM_termination != termination_luminance;
   float reference = 0.0;
   int layer = 0;
@@ -102,6 +103,7 @@ Found firstBehind(Ray ray, Hit front) {
       continue;
     }
     if (abs(here - reference) > params.tolerance * max(here, reference) + 1e-4) break;
+    found.passed = found.passed || found.hit.instance != front.instance;
 #else
     if (isOther(found.hit, front)) break;
 #endif
@@ -112,10 +114,12 @@ Found firstBehind(Ray ray, Hit front) {
   return found;
 }
 
+vec3 pointOn(Ray ray, Hit hit) { return ray.origin + ray.direction * hit.t; }
+
 // What `reveal_velocity` says the surface is displaced by, px over the exposure.
-vec2 givenDisplacement(vec2 own, Hit front) {
+vec2 givenDisplacement(vec2 own, Ray ray, Hit front) {
 #if PARAM_reveal_velocity == reveal_velocity_foreground
-  return displacementOf(front);
+  return displacementOf(front, pointOn(ray, front));
 #elif PARAM_reveal_velocity == reveal_velocity_zero
   return vec2(0);
 #else
@@ -141,12 +145,12 @@ Revealed surfaceSeen(Ray ray, Found found, Hit front) {
   vec3 color = shade(SLICE_CAPTURE, hit);
 #endif
   return Revealed(vec4(color, 1), hit.t, uvec2(hit.instance, hit.geometry) + 1u,
-                  givenDisplacement(displacementOf(hit), front), true);
+                  givenDisplacement(displacementOf(hit, pointOn(ray, hit)), ray, front), true);
 }
 
 Revealed skySeen(Ray ray, Hit front) {
   return Revealed(vec4(environment(ray.direction), 1), uintBitsToFloat(0x7f800000u), uvec2(0),
-                  givenDisplacement(displacementOfSky(ray.direction), front), true);
+                  givenDisplacement(displacementOfSky(ray.direction), ray, front), true);
 }
 
 Revealed revealedBehind(ivec2 pixel) {
@@ -155,6 +159,7 @@ Revealed revealedBehind(ivec2 pixel) {
   Hit front = hitOnTriangle(SLICE_CAPTURE, ray, seen.x - 1u, seen.y, seen.z);
   Found found = firstBehind(ray, front);
   if (found.capped) count_capped(1u);
+  if (found.passed) count_passed(1u);
   if (found.capped && PARAM_on_cap == on_cap_fallback) return kNothing;
   count_revealed(1u);
   return isHit(found.hit) ? surfaceSeen(ray, found, front) : skySeen(ray, front);
