@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "scene/motion.h"
+
 namespace strobe::scene {
 
 using Corners = std::array<dvec3, 8>;
@@ -55,10 +57,30 @@ struct Area {
 
 }  // namespace
 
+// Do poses at so many times tell where everything comes? Not of what turns by more than a right angle from one to the
+// next, which they may even show at rest.
+static bool isFollowed(const Scene& scene, double open_s, double close_s, int times) {
+  double step_s = (close_s - open_s) / (times - 1);
+  for (const ConstantMotion& motion : scene.motions)
+    if (std::abs(motion.angular_velocity) * step_s > 1.57) return false;
+  for (const Animation& clip : scene.animations) {
+    double from_s = clipTime(open_s, clip.duration), to_s = clipTime(close_s, clip.duration);
+    bool begins_again = to_s < from_s || (close_s > clip.duration && close_s - open_s > clip.duration);
+    if (begins_again) return false;
+    for (const Track& track : clip.tracks) {
+      auto first = std::upper_bound(track.times.begin(), track.times.end(), from_s);
+      auto last = std::lower_bound(track.times.begin(), track.times.end(), to_s);
+      if (last - first > times / 2) return false;  // two poses between keys, which are half a turn apart at most
+    }
+  }
+  return true;
+}
+
 PixelArea reachOfMotion(const Scene& scene, const Camera& camera, const std::function<Pose(double)>& pose_at,
                         double capture_s, double open_s, double close_s, int width, int height) {
   constexpr int kTimes = 33;
   const PixelArea everywhere = {0, 0, width, height};
+  if (!isFollowed(scene, open_s, close_s, kTimes)) return everywhere;
   std::vector<Instance> instances = instancesOf(scene);
   Pose capture = pose_at(capture_s);
   std::vector<Pose> poses;
