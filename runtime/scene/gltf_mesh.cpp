@@ -51,6 +51,10 @@ class MeshReader {
  private:
   void warn(const std::string& text) { warnings_.push_back(where_ + ": " + text); }
 
+  void warnOfUnsound(size_t vertices, const char* what) {
+    if (vertices > 0) warn(fmt::format("{} vertices have {}", vertices, what));
+  }
+
   std::optional<Primitive> readPrimitive(const Json& json, int default_material) {
     size_t mode = file_.size(json, "mode", 4, where_);
     if (mode < 4) {
@@ -97,25 +101,34 @@ class MeshReader {
     size_t count = vertices.size();
     if (auto normals = attribute(attributes, "NORMAL", count, {"VEC3"})) {
       primitive.has_normals = true;
+      size_t unsound = 0;
       for (size_t i = 0; i < count; ++i) {
         dvec3 normal = normals->vector3(i);
         double length = glm::length(normal);
+        unsound += !std::isfinite(length);
         vertices[i].normal = length > 1e-12 && std::isfinite(length) ? vec3(normal / length) : vec3(0);
       }
+      warnOfUnsound(unsound, "normals that are not finite; those of their facets serve instead");
     }
     for (int set = 0; set < 2; ++set) {
       auto uvs = attribute(attributes, fmt::format("TEXCOORD_{}", set), count, {"VEC2"});
+      size_t unsound = 0;
       for (size_t i = 0; uvs && i < count; ++i) {
         vec2 uv(uvs->vector2(i));
+        unsound += !finite(uv);
         (set == 0 ? vertices[i].uv0 : vertices[i].uv1) = finite(uv) ? uv : vec2(0);
       }
+      warnOfUnsound(unsound, "texture coordinates that are not finite; 0, 0 serve instead");
     }
     auto colors = attribute(attributes, "COLOR_0", count, {"VEC3", "VEC4"});
+    size_t unsound = 0;
     for (size_t i = 0; colors && i < count; ++i) {
       vec4 color(colors->vector3(i), colors->width == 4 ? colors->at(i, 3) : 1.0);
       bool sound = color.x >= 0 && color.y >= 0 && color.z >= 0 && color.w >= 0 && color.x + color.y + color.z < 1e9f;
+      unsound += !sound;
       vertices[i].color = sound ? color : vec4(1);
     }
+    warnOfUnsound(unsound, "colours that are negative or not finite; white serves instead");
   }
 
   void readIndices(const Json& json, int mode, Primitive& primitive) {
