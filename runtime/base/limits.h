@@ -9,8 +9,11 @@
 namespace strobe {
 
 struct Limit {
+  // Known: nothing is said when it is met, since nearly every picture meets it, or nobody can tell. Warned: the picture
+  // is made, with a warning. Refused: an error before anything is drawn.
+  enum class Kind { Known, Warned, Refused };
   std::string name;
-  bool refused = false;  // an error before anything is drawn; else a warning, and the picture is made
+  Kind kind = Kind::Warned;
   std::string met;       // when it is met
   std::string result;    // what is done then, and what to do about it
 };

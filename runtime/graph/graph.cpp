@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include "base/limits.h"
 #include "base/log.h"
+#include "gpu/limits.h"
 #include "math/sampling.h"
 
 namespace strobe::graph {
@@ -148,7 +150,18 @@ void Graph::giveBack(Graph& previous) {
     if (slot < slots_.size()) previous.slots_[from] = std::move(slots_[slot]);
 }
 
+// Before any of them is allocated.
+static void requireImages(const gpu::Device& device, const Plan& plan) {
+  uint64_t most = gpu::limitsOf(device).image_side;
+  for (const plan::VirtualImage& image : plan.images) {
+    if (uint64_t(std::max(image.width, image.height)) <= most) continue;
+    throw Error(limitText("images", fmt::format("'{}' is {}x{} pixels, of at most {} a side on device '{}'", image.name,
+                                                image.width, image.height, most, device.info().name)));
+  }
+}
+
 void Graph::makeImages(Graph* previous) {
+  requireImages(device_, *plan_);
   std::vector<bool> fresh;
   for (size_t i = 0; i < plan_->slots.size(); ++i) {
     const plan::Slot& slot = plan_->slots[i];

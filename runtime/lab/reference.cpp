@@ -370,10 +370,10 @@ std::string limitsOfPasses(const std::vector<PassDesc>& passes) {
   return table.text();
 }
 
-std::string limitsOfProgram(bool refused) {
+std::string limitsOfProgram(Limit::Kind kind) {
   Table table({"name", "when it is met", "what is done, and what to do about it"});
   for (const Limit& limit : limits())
-    if (limit.refused == refused) table.add({code(limit.name), sentence(limit.met), sentence(limit.result)});
+    if (limit.kind == kind) table.add({code(limit.name), sentence(limit.met), sentence(limit.result)});
   return table.text();
 }
 
@@ -383,8 +383,11 @@ std::string limitsPage(const std::vector<PassDesc>& passes) {
                      "anything is drawn. Truth shares those of the program and none of the filters'.\n\n";
   text += "## Of passes\n\nCounted per pixel (or as said) while the picture is made. Declared in the pass, beside its "
           "counters.\n\n" + limitsOfPasses(passes);
-  text += "## Of the program, with a warning\n\nDeclared in `runtime/base/limits.cpp`.\n\n" + limitsOfProgram(false);
-  text += section("Of the program, refused", limitsOfProgram(true));
+  text += "## Of the program\n\nDeclared in `runtime/base/limits.cpp`.\n\n";
+  text += "### With a warning\n\n" + limitsOfProgram(Limit::Kind::Warned);
+  text += "### Refused, before anything is allocated\n\n" + limitsOfProgram(Limit::Kind::Refused);
+  text += "### Not said, since nearly every picture meets them or nobody can tell\n\n" +
+          limitsOfProgram(Limit::Kind::Known);
   text.pop_back();
   return text;
 }

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/limits.h"
+#include "scene/fits.h"
+
 namespace strobe::scene {
 
 using gpu::Buffer;
@@ -27,6 +30,7 @@ GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slice
       slices_(std::max(slices, SLICE_SAMPLE)),
       instances_(instancesOf(scene)),
       light_nodes_(lightsOf(scene)) {
+  requireFits(scene, slices_, gpu::limitsOf(device));
   uploadGeometry(scene);
   uploadMaterials(scene);
   uploadTextures(scene);
@@ -41,11 +45,22 @@ GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slice
   makeSet();
 }
 
+static Bounds ownBounds(const Mesh& mesh) {
+  Bounds bounds{dvec3(HUGE_VAL), dvec3(-HUGE_VAL)};
+  for (const Geometry& geometry : mesh.geometries)
+    for (const Vertex& vertex : geometry.vertices) {
+      bounds.low = glm::min(bounds.low, dvec3(vertex.position));
+      bounds.high = glm::max(bounds.high, dvec3(vertex.position));
+    }
+  return bounds;
+}
+
 void GpuScene::uploadGeometry(const Scene& scene) {
   std::vector<SceneVertex> vertices;
   std::vector<uint32_t> indices;
   for (const Mesh& mesh : scene.meshes) {
     first_geometry_.push_back(uint32_t(geometries_.size()));
+    mesh_bounds_.push_back(ownBounds(mesh));
     for (const Geometry& source : mesh.geometries) {
       SceneGeometry geometry;
       geometry.first_index = uint32_t(indices.size());
@@ -209,6 +224,23 @@ void GpuScene::makeSet() {
 
 void GpuScene::setFrame(const FrameData& frame) { std::memcpy(frame_.mapped(), &frame, sizeof frame); }
 
+// How far behind the near plane of a parallel camera the farthest corner of any bounds is; at least 1024 times half its
+// height, so that depths do not depend on what is far within that.
+double GpuScene::depthRange(const Pose& pose, const Camera& camera) const {
+  double least = 1024 * camera.half_height, farthest = 0;
+  dvec3 back = glm::normalize(dvec3(pose.world_from_camera[2])), eye = dvec3(pose.world_from_camera[3]);
+  for (size_t i = 0; i < instances_.size() && camera.orthographic; ++i) {
+    const Bounds& bounds = mesh_bounds_[size_t(instances_[i].mesh)];
+    if (bounds.empty()) continue;
+    for (int corner = 0; corner < 8; ++corner) {
+      dvec3 at(corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
+               corner & 4 ? bounds.high.z : bounds.low.z);
+      farthest = std::max(farthest, glm::dot(eye - dvec3(pose.world_from_instance[i] * dvec4(at, 1)), back));
+    }
+  }
+  return std::max(least, 1.001 * (farthest - camera.near));
+}
+
 static SceneCamera cameraData(const Pose& pose, const Camera& camera, double aspect, const dvec3& origin) {
   const dmat4& m = pose.world_from_camera;
   SceneCamera data;
@@ -245,11 +277,29 @@ static SceneLight lightData(const Light& light, const dmat4& world_from_light, c
   return data;
 }
 
+// Single precision has squares of lengths up to 1e18, with room for sums of them.
+static bool isUsable(const SceneTransform& transform) {
+  bool usable = true;
+  for (const vec4* row : {&transform.row_x, &transform.row_y, &transform.row_z})
+    for (int i = 0; i < 4; ++i) usable = usable && std::abs((*row)[i]) < 1e18f;  // false for NaN
+  return usable;
+}
+
+void GpuScene::refuseTransform(int node) const {
+  throw Error(limitText("transforms", fmt::format("{}: the transform of node '{}' cannot be drawn", scene_.name,
+                                                  scene_.nodes[size_t(node)].name)));
+}
+
 void GpuScene::setPose(uint32_t slice, const Pose& pose, const Camera& camera, double aspect, const dvec3& origin) {
   STROBE_ASSERT(slice < slices_ && pose.world_from_instance.size() == instances_.size(), "slice {}", slice);
-  static_cast<SceneCamera*>(cameras_.mapped())[slice] = cameraData(pose, camera, aspect, origin);
+  SceneCamera& posed = static_cast<SceneCamera*>(cameras_.mapped())[slice];
+  posed = cameraData(pose, camera, aspect, origin);
+  posed.depth_range = float(depthRange(pose, camera));
   auto* transforms = static_cast<SceneTransform*>(transforms_.mapped()) + slice * instances_.size();
-  for (size_t i = 0; i < instances_.size(); ++i) transforms[i] = transformData(pose.world_from_instance[i], origin);
+  for (size_t i = 0; i < instances_.size(); ++i) {
+    transforms[i] = transformData(pose.world_from_instance[i], origin);
+    if (!isUsable(transforms[i])) refuseTransform(instances_[i].node);
+  }
   auto* lights = static_cast<SceneLight*>(lights_.mapped()) + slice * light_nodes_.size();
   for (size_t i = 0; i < light_nodes_.size(); ++i) {
     const Light& light = scene_.lights[size_t(scene_.nodes[size_t(light_nodes_[i])].light)];

@@ -8,6 +8,7 @@
 
 #include "gpu/acceleration.h"
 #include "gpu/pipeline.h"
+#include "scene/defaults.h"
 #include "scene/scene.h"
 #include "shared/frame.h"
 #include "shared/scene.h"
@@ -50,6 +51,8 @@ class GpuScene {
   void uploadTextures(const Scene& scene);
   void buildStructures(const Scene& scene);
   void makeSet();
+  [[noreturn]] void refuseTransform(int node) const;
+  double depthRange(const Pose& pose, const Camera& camera) const;
   static bool isTraced(uint32_t slice) { return slice == SLICE_CAPTURE || slice >= SLICE_SAMPLE; }
   static size_t topLevelOf(uint32_t slice) { return slice < SLICE_SAMPLE ? 0 : slice - SLICE_SAMPLE + 1; }
 
@@ -62,6 +65,7 @@ class GpuScene {
   std::vector<Draw> draws_;
   std::vector<shared::SceneGeometry> geometries_;
   std::vector<uint32_t> first_geometry_;  // of each mesh
+  std::vector<Bounds> mesh_bounds_;       // of each mesh, relative to its origin
   gpu::Buffer frame_, vertices_, indices_, geometry_buffer_, instance_buffer_, draw_buffer_, materials_, lights_,
       transforms_, cameras_;
   std::vector<gpu::Image> textures_;

@@ -17,13 +17,12 @@ void main() {
   uv1 = vertex.uv1;
   alpha = unpackUnorm4x8(vertex.color).a;
 
-  // The sample offset moves the picture the other way. Depth is near / z, of an orthographic camera 1 - z / 1024 of
-  // half its height: nearer is larger in both.
+  // The sample offset moves the picture the other way. Depth is near / z, of an orthographic camera the share of its
+  // range that is left behind z: nearer is larger in both.
   vec2 shift = vec2(-2, -2) * frame.subpixel / vec2(frame.size);
   if (camera.orthographic != 0u) {
     vec2 ndc = p.xy / camera.half_extent;
-    float scale = camera.half_extent.y * 1024.0;
-    gl_Position = vec4(vec2(ndc.x, -ndc.y) + shift, 1.0 - (p.z - camera.near) / scale, 1.0);
+    gl_Position = vec4(vec2(ndc.x, -ndc.y) + shift, 1.0 - (p.z - camera.near) / camera.depth_range, 1.0);
   } else {
     vec2 xy = p.xy / camera.half_extent;
     gl_Position = vec4(vec2(xy.x, -xy.y) + shift * p.z, camera.near, p.z);

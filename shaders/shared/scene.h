@@ -84,6 +84,7 @@ struct SceneCamera {
   vec3 right, up, forward;  // unit
   vec2 half_extent;         // perspective: tangents of the half angles; orthographic: metres
   uint orthographic;
+  float depth_range;        // orthographic: metres behind the near plane up to which something may be seen
 };
 
 STROBE_SHARED_END
@@ -93,6 +94,6 @@ static_assert(sizeof(strobe::shared::SceneTextureUse) == 32);
 static_assert(sizeof(strobe::shared::SceneMaterial) == 176);
 static_assert(sizeof(strobe::shared::SceneLight) == 56);
 static_assert(sizeof(strobe::shared::SceneTransform) == 48);
-static_assert(sizeof(strobe::shared::SceneCamera) == 64);
+static_assert(sizeof(strobe::shared::SceneCamera) == 68);
 #endif
 #endif
