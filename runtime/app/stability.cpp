@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/stability.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
 #include "app/shot_options.h"
+#include "stability/extremes.h"
 #include "stability/suite.h"
 
 namespace strobe::app {
@@ -15,7 +17,7 @@ struct StabilityOptions {
   std::vector<std::string> pipelines;
   stability::Options suite;
   std::string device, write;
-  bool json = false;
+  bool json = false, extremes = false;
 };
 
 // Told only where everything was tried: fewer invariants or variants leave declarations without a case.
@@ -32,7 +34,21 @@ Json jsonOf(const std::vector<stability::Report>& reports, const std::vector<sta
   return json;
 }
 
+// Every extreme case by every pipeline and preset.
+void runExtremes(const StabilityOptions& options) {
+  lab::Workbench bench(options.device, validationWanted());
+  std::vector<stability::Method> methods = stability::methodsOf(bench.limits);
+  std::vector<stability::ExtremeOutcome> outcomes;
+  for (const stability::Extreme& extreme : stability::extremes())
+    for (auto& outcome : stability::runExtreme(bench, methods, extreme)) outcomes.push_back(std::move(outcome));
+  std::fputs(stability::tableOf(outcomes).c_str(), stdout);
+  if (!options.write.empty()) writeFileAtomically(options.write, stability::pageOf(outcomes));
+  auto failed = std::count_if(outcomes.begin(), outcomes.end(), [](const auto& o) { return !o.failures.empty(); });
+  if (failed) throw Error(fmt::format("{} of {} extreme cases fail", failed, outcomes.size()));
+}
+
 void run(const StabilityOptions& options) {
+  if (options.extremes) return runExtremes(options);
   for (const std::string& name : options.suite.invariants) stability::invariantNamed(name);
   lab::Workbench bench(options.device, validationWanted());
   stability::Renderer renderer(bench);
@@ -67,6 +83,7 @@ void registerStability(CLI::App& program) {
       ->allow_extra_args(false);
   command->add_option("--variant", options->suite.only, "only variants whose name contains this");
   command->add_option("--device", options->device, "number or part of the name of a device");
+  command->add_flag("--extremes", options->extremes, "instead, the extreme cases (sizes, scales, offsets, near plane ...)");
   command->add_flag("--json", options->json, "report as JSON");
   command->add_option("--write", options->write, "write the table of counts")->type_name("FILE");
   command->callback([options] { run(*options); });
