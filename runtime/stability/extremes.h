@@ -82,7 +82,7 @@ struct ExtremeOutcome {
 // One case under every method. What a method throws is a failure of it.
 std::vector<ExtremeOutcome> runExtreme(lab::Workbench& bench, const std::vector<Method>& methods, const Extreme& extreme);
 
-// A table of the outcomes per clause, and what failed, for the terminal; the page docs/extremes.md.
+// A table of the outcomes per clause, and what failed, for the terminal; the page docs/extreme-cases.md.
 std::string tableOf(const std::vector<ExtremeOutcome>& outcomes);
 std::string pageOf(const std::vector<ExtremeOutcome>& outcomes);
 

@@ -151,8 +151,8 @@ TEST_F(ReloadTest, OneBrokenPassDoesNotStopOthers) {
   // GLSL: one shader broken, another changed.
   std::string good = home_.read("shaders/mask/relative.glsl"), before = colorHash(session);
   home_.write("shaders/mask/relative.glsl", "void run(ivec2 pixel) { nonsense }");
-  home_.edit("shaders/composite/layered.glsl", "imageStore(blurred_img, pixel, vec4(sum / float(params.samples), 1))",
-             "imageStore(blurred_img, pixel, vec4(0.5 * sum / float(params.samples), 1))");
+  home_.edit("shaders/composite/layered.glsl", "fromSum(sum / float(params.samples))",
+             "fromSum(0.5 * sum / float(params.samples))");
   auto told = session.reload(true);
   ASSERT_TRUE(told);
   EXPECT_EQ(joined(told->rebuilt), "composite");
@@ -167,7 +167,7 @@ TEST_F(ReloadTest, OneBrokenPassDoesNotStopOthers) {
   good = home_.read("passes/mask/relative.lua");
   home_.write("passes/mask/relative.lua", "return nothing at all");
   home_.edit("passes/composite/layered.lua", "harvest  ", "dimmed = pass.float { 1, min = 0, max = 1, doc = \"of the result\" },\n    harvest  ");
-  home_.edit("shaders/composite/layered.glsl", "vec4(0.5 * sum", "vec4(params.dimmed * sum");
+  home_.edit("shaders/composite/layered.glsl", "fromSum(0.5 * sum", "fromSum(params.dimmed * sum");
   told = session.reload(true);
   ASSERT_TRUE(told);
   EXPECT_NE(joined(told->problems).find("passes/mask/relative.lua:1"), std::string::npos) << joined(told->problems);
