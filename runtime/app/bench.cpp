@@ -105,7 +105,10 @@ stability::curves::Report measured(const ExtremesOptions& options) {
   stability::curves::Report report = stability::curves::measure(experiment, bench);
   refuseMessages(bench.device());
   report.command = commandOf(options);
-  return report;
+  // Laid out from the numbers as they are written, so that `--from` gives the same page.
+  stability::curves::Report written = stability::curves::reportFrom(stability::curves::toJson(report), "the report");
+  stability::curves::retell(written, experiment);
+  return written;
 }
 
 // A report that was written before, with the texts of the experiment as it stands.
