@@ -20,6 +20,8 @@ struct Share {
   int shard, shards;
 };
 
+void PrintTo(const Share& share, std::ostream* out) { *out << share.pipeline << " " << share.shard; }
+
 // A pipeline with presets has several times as many variants as others: too many for every build. `strobe stability`
 // takes them all.
 std::vector<Share> shares() {
