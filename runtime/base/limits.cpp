@@ -15,11 +15,11 @@ const std::vector<Limit>& limits() {
        "what is keyed jumps back within the exposure and is blurred over the whole jump; take a frame whose exposure "
        "lies within the clip"},
       {"coplanar", Limit::Kind::Known, "two surfaces lie in one place, to within the rounding of their depths",
-       "one of them is seen, and raster and rays may differ as to which; where depths are equal to the last bit the first "
-       "in the scene is. Move them apart by 1/100000 of their distance"},
+       "one of them is seen, and raster and rays may differ as to which; where depths are equal to the last bit the "
+       "first in the scene is. Move them apart by 1/100000 of their distance"},
       {"outside", Limit::Kind::Known, "what the exposure shows was outside of the picture at the capture",
-       "filters of one picture know nothing of it, and what is at the border stands in; truth shows it. Render a larger "
-       "picture and crop it"},
+       "filters of one picture know nothing of it, and what is at the border stands in; truth shows it. Render a "
+       "larger picture and crop it"},
       {"large_mesh", Limit::Kind::Known, "a mesh is more than a million times as large as what the picture shows of it",
        "its vertices are single-precision numbers: they are rounded to 1/16 millionth of its size. Split it"},
       {"instances", Limit::Kind::Refused, "a scene has more instances than the device's acceleration structures",

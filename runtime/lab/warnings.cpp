@@ -9,7 +9,8 @@
 namespace strobe::lab {
 
 static uint64_t countOf(const graph::FrameResult& frame, const std::string& name) {
-  auto found = std::find_if(frame.counters.begin(), frame.counters.end(), [&](const auto& c) { return c.first == name; });
+  auto found =
+      std::find_if(frame.counters.begin(), frame.counters.end(), [&](const auto& c) { return c.first == name; });
   return found == frame.counters.end() ? 0 : found->second;
 }
 
@@ -50,10 +51,12 @@ std::vector<std::string> limitsMet(const Shot& shot, const scene::Scene& scene) 
     std::string times = fmt::format("the exposure from {:.6g} s to {:.6g} s", open_s, close_s);
     double first_s = firstKey(clip);
     if (open_s < first_s && close_s >= first_s)
-      met.push_back(limitText("before_clip", fmt::format("{} begins before '{}' does at {:.6g} s", times, clip.name, first_s)));
+      met.push_back(
+          limitText("before_clip", fmt::format("{} begins before '{}' does at {:.6g} s", times, clip.name, first_s)));
     bool seam = scene::clipTime(close_s, clip.duration) < scene::clipTime(open_s, clip.duration);
     if (seam && jumps(clip))
-      met.push_back(limitText("clip_seam", fmt::format("{} spans the end of '{}' at {:.6g} s", times, clip.name, clip.duration)));
+      met.push_back(
+          limitText("clip_seam", fmt::format("{} spans the end of '{}' at {:.6g} s", times, clip.name, clip.duration)));
   }
   return met;
 }

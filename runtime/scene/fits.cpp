@@ -8,31 +8,32 @@ namespace strobe::scene {
 
 void requireFits(const Scene& scene, uint32_t slices, const gpu::DeviceLimits& limits) {
   std::vector<std::string> beyond;
-  auto require = [&](const char* limit, const std::string& what, uint64_t count, uint64_t most) {
-    if (count > most) beyond.push_back(limitText(limit, fmt::format("{} has {} of at most {}", what, count, most)));
+  auto require = [&](const char* limit, const std::string& where, uint64_t count, const char* unit, uint64_t most) {
+    if (count <= most) return;
+    beyond.push_back(limitText(limit, fmt::format("{}: {} has {} {} of at most {}", scene.name, where, count, unit, most)));
   };
   uint64_t instances = instancesOf(scene).size(), vertices = 0, indices = 0;
-  require("instances", scene.name + ": the scene", instances, limits.instances);
+  require("instances", "the scene", instances, "instances", limits.instances);
   for (const Mesh& mesh : scene.meshes) {
+    std::string where = fmt::format("mesh '{}'", mesh.name);
     uint64_t triangles = 0;
     for (const Geometry& geometry : mesh.geometries) {
       triangles += geometry.indices.size() / 3;
       vertices += geometry.vertices.size();
       indices += geometry.indices.size();
     }
-    require("triangles", fmt::format("{}: mesh '{}'", scene.name, mesh.name), triangles, limits.triangles);
-    require("geometries", fmt::format("{}: mesh '{}'", scene.name, mesh.name), mesh.geometries.size(), limits.geometries);
+    require("triangles", where, triangles, "triangles", limits.triangles);
+    require("geometries", where, mesh.geometries.size(), "parts", limits.geometries);
   }
   auto requireBytes = [&](const char* what, uint64_t bytes) {
-    require("buffers", fmt::format("{}: the buffer of its {}", scene.name, what), bytes, limits.buffer_bytes);
+    require("buffers", fmt::format("the buffer of all {}", what), bytes, "bytes", limits.buffer_bytes);
   };
-  requireBytes("vertices, in bytes,", vertices * sizeof(shared::SceneVertex));
-  requireBytes("indices, in bytes,", indices * sizeof(uint32_t));
-  requireBytes("transforms, in bytes,", instances * slices * sizeof(shared::SceneTransform));
-  for (const Texture& texture : scene.textures) {
-    std::string what = fmt::format("{}: a side of texture '{}'", scene.name, texture.name);
-    require("images", what, uint64_t(std::max(texture.width, texture.height)), limits.image_side);
-  }
+  requireBytes("vertices", vertices * sizeof(shared::SceneVertex));
+  requireBytes("indices", indices * sizeof(uint32_t));
+  requireBytes("transforms", instances * slices * sizeof(shared::SceneTransform));
+  for (const Texture& texture : scene.textures)
+    require("images", fmt::format("texture '{}'", texture.name), uint64_t(std::max(texture.width, texture.height)),
+            "pixels a side", limits.image_side);
   throwIfAny(beyond);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "stability/cases.h"
+#include "stability/extreme_checks.h"
 
 namespace strobe::stability {
 
@@ -18,8 +19,10 @@ bool Method::has(const std::string& param) const {
   std::string name = param.substr(0, param.find('.'));
   bool of_node = name.size() < param.size();
   if (of_node)
-    return std::any_of(description->nodes.begin(), description->nodes.end(), [&](const auto& n) { return n.name == name; });
-  return std::any_of(description->params.begin(), description->params.end(), [&](const auto& p) { return p.name == name; });
+    return std::any_of(description->nodes.begin(), description->nodes.end(),
+                       [&](const auto& n) { return n.name == name; });
+  return std::any_of(description->params.begin(), description->params.end(),
+                     [&](const auto& p) { return p.name == name; });
 }
 
 std::vector<Method> methodsOf(const script::Limits& limits) {
@@ -92,7 +95,23 @@ const lab::Picture& Probe::truth(lab::Shot shot) {
   return drawn(shot);
 }
 
-std::vector<ExtremeOutcome> runExtreme(lab::Workbench& bench, const std::vector<Method>& methods, const Extreme& extreme) {
+const std::vector<Extreme>& extremes() {
+  static const std::vector<Extreme> list = [] {
+    std::vector<Extreme> all;
+    extreme::addDisplacements(all);
+    extreme::addSizes(all);
+    extreme::addExposures(all);
+    extreme::addPlaces(all);
+    extreme::addCameras(all);
+    extreme::addExtents(all);
+    extreme::addSurfaces(all);
+    return all;
+  }();
+  return list;
+}
+
+std::vector<ExtremeOutcome> runExtreme(lab::Workbench& bench, const std::vector<Method>& methods,
+                                       const Extreme& extreme) {
   Probe::Pictures pictures;
   std::vector<ExtremeOutcome> outcomes;
   for (const Method& method : methods) {
@@ -118,7 +137,8 @@ std::string tableOf(const std::vector<ExtremeOutcome>& outcomes) {
   };
   std::vector<std::pair<std::string, Count>> clauses;
   for (const ExtremeOutcome& outcome : outcomes) {
-    auto clause = std::find_if(clauses.begin(), clauses.end(), [&](const auto& c) { return c.first == outcome.extreme->clause; });
+    auto clause =
+        std::find_if(clauses.begin(), clauses.end(), [&](const auto& c) { return c.first == outcome.extreme->clause; });
     if (clause == clauses.end()) clause = clauses.insert(clauses.end(), {outcome.extreme->clause, {}});
     Count& count = clause->second;
     if (std::find(count.cases.begin(), count.cases.end(), outcome.extreme->name) == count.cases.end())
@@ -143,7 +163,8 @@ std::string tableOf(const std::vector<ExtremeOutcome>& outcomes) {
 
 std::string pageOf(const std::vector<ExtremeOutcome>& outcomes) {
   std::string text =
-      "<!-- Written by `strobe stability --extremes --write docs/extreme-cases.md`; do not edit. -->\n\n# Extreme cases\n\n"
+      "<!-- Written by `strobe stability --extremes --write docs/extreme-cases.md`; do not edit. -->\n\n"
+      "# Extreme cases\n\n"
       "Each case runs by every pipeline and every preset of it, on pictures of at most 64 x 64 px. What must come out is "
       "known from a closed form, from truth or from a picture that must be the same; finite it must be always.\n\n";
   text += tableOf(outcomes) + "\n## The cases\n\n| case | what must hold |\n| --- | --- |\n";

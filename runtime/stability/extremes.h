@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Cases at the edge of what numbers, tiles, cameras and scenes can hold, each for every pipeline of the registry and each
-// of its presets. What must come out is known otherwise: from a closed form, from truth, or from a picture that must be
-// the same. Finite it must be always.
+// Cases at the edge of what numbers, tiles, cameras and scenes can hold, each for every pipeline of the registry and
+// each of its presets. What must come out is known otherwise: from a closed form, from truth, or from a picture that
+// must be the same. Finite it must be always.
 #pragma once
 
 #include <functional>
@@ -17,10 +17,10 @@ namespace strobe::stability {
 // A pipeline with its defaults or with a preset.
 struct Method {
   std::string pipeline;
-  script::Settings sets;                                    // the preset, or none
+  script::Settings sets;  // the preset, or none
   std::shared_ptr<const plan::PipelineDesc> description;
 
-  std::string name() const;                                 // "pipeline preset=x"
+  std::string name() const;  // "pipeline preset=x"
   bool has(const std::string& param) const;
 };
 
@@ -39,7 +39,7 @@ class Probe {
 
   const Method& method() const { return method_; }
   bool isTruth() const;
-  bool isSharp() const;                                     // draws the capture as it is
+  bool isSharp() const;  // draws the capture as it is
   bool filters() const { return !isTruth() && !isSharp(); }
 
   // The shot by this method: settings of the pipeline that it does not have are left out. By name: without blur; truth.
@@ -80,7 +80,8 @@ struct ExtremeOutcome {
 };
 
 // One case under every method. What a method throws is a failure of it.
-std::vector<ExtremeOutcome> runExtreme(lab::Workbench& bench, const std::vector<Method>& methods, const Extreme& extreme);
+std::vector<ExtremeOutcome> runExtreme(lab::Workbench& bench, const std::vector<Method>& methods,
+                                       const Extreme& extreme);
 
 // A table of the outcomes per clause, and what failed, for the terminal; the page docs/extreme-cases.md.
 std::string tableOf(const std::vector<ExtremeOutcome>& outcomes);

@@ -43,7 +43,8 @@ struct File {
     int index = int(json["accessors"].size());
     json["buffers"].push_back({{"uri", uri}, {"byteLength", padded.size() * 4}});
     json["bufferViews"].push_back({{"buffer", index}, {"byteLength", values.size() * 4}});
-    json["accessors"].push_back({{"bufferView", index}, {"componentType", 5126}, {"type", type}, {"count", values.size() / size_t(width)}});
+    json["accessors"].push_back(
+        {{"bufferView", index}, {"componentType", 5126}, {"type", type}, {"count", values.size() / size_t(width)}});
     return index;
   }
   lab::Shot shot(const std::string& pipeline) {

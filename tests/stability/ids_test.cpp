@@ -23,8 +23,12 @@ void raiseIds(const session::EditableHome& home, const std::string& base) {
 
 // Every setting of a pipeline that compares ids: edge detectors, masks, composites.
 std::vector<std::vector<std::string>> settings() {
-  return {{"preset=seed", "edge=id"},       {"preset=seed", "edge=silhouette"}, {"preset=seed", "edge=sobel"},
-          {"preset=seed", "own_edge=true"}, {"preset=best"},                    {"composite=in_gather"},
+  return {{"preset=seed", "edge=id"},
+          {"preset=seed", "edge=silhouette"},
+          {"preset=seed", "edge=sobel"},
+          {"preset=seed", "own_edge=true"},
+          {"preset=best"},
+          {"composite=in_gather"},
           {"mask=moving"}};
 }
 
@@ -38,7 +42,8 @@ TEST_F(Ids, BeyondTheirLowestBitInSinglePrecisionAreTold) {
     for (size_t i = 0; i < small.size(); ++i) {
       lab::Picture large = render(with(shot, "hybrid", settings()[i]));
       EXPECT_NE(large.frame.outputs.at("id").uints.values, small[i].frame.outputs.at("id").uints.values);
-      EXPECT_TRUE(oracle::identical(oracle::colorOf(large), oracle::colorOf(small[i]))) << base << " " << settings()[i].back();
+      EXPECT_TRUE(oracle::identical(oracle::colorOf(large), oracle::colorOf(small[i])))
+          << base << " " << settings()[i].back();
       EXPECT_TRUE(oracle::identical(oracle::imageOf(large, "mask"), oracle::imageOf(small[i], "mask"))) << base;
     }
   }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A limit that is met is said in the run record, and one that is not met is not.
+#include "base/limits.h"
+#include "scene/fits.h"
+
 #include <algorithm>
 
-#include "base/limits.h"
 #include "oracle/render.h"
 
 namespace strobe::stability {
@@ -45,7 +47,8 @@ TEST_F(Limits, ShortenedDisplacementsAreCountedAndSaid) {
   ASSERT_GT(longer, 20);
   EXPECT_EQ(oracle::counterOf(picture, "tile_max.clamped"), uint64_t(longer));
   ASSERT_EQ(picture.warnings.size(), 1u);
-  std::string begin = fmt::format("tile_max: {} pixels (of either layer) that move farther than the limit; the filter", longer);
+  std::string begin =
+      fmt::format("tile_max: {} pixels (of either layer) that move farther than the limit; the filter", longer);
   EXPECT_TRUE(picture.warnings[0].starts_with(begin)) << picture.warnings[0];
 }
 
@@ -79,8 +82,57 @@ TEST_F(Limits, ExposuresThatLeaveAClipAreSaid) {
   EXPECT_TRUE(warningsAt(24, 3).empty());
   std::vector<std::string> seam = warningsAt(1000, 170);  // 0.17 s: 8 exposures end at 0.1667 s
   ASSERT_EQ(seam.size(), 1u);
-  EXPECT_NE(seam[0].find("spans the end of 'bent' at 0.166667 s; what is keyed jumps back"), std::string::npos) << seam[0];
+  EXPECT_NE(seam[0].find("spans the end of 'bent' at 0.166667 s; what is keyed jumps back"), std::string::npos)
+      << seam[0];
   EXPECT_TRUE(warningsAt(1000, 160).empty());
+}
+
+// A scene of three instances of two triangles each, four vertices of 44 bytes, and a texture of 8 texels.
+scene::Scene smallScene() {
+  scene::Scene scene;
+  scene.name = "small";
+  scene.materials.emplace_back();
+  scene::Mesh mesh;
+  mesh.name = "square";
+  mesh.geometries.push_back({std::vector<scene::Vertex>(4), {0, 1, 2, 0, 2, 3}, 0});
+  scene.meshes.push_back(mesh);
+  for (int i = 0; i < 3; ++i) {
+    scene::Node node;
+    node.mesh = 0;
+    scene.nodes.push_back(node);
+  }
+  scene.textures.emplace_back().name = "stripe";
+  scene.textures.back().width = 8;
+  return scene;
+}
+
+std::string refusalOf(const gpu::DeviceLimits& limits) {
+  try {
+    scene::requireFits(smallScene(), 4, limits);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(DeviceLimits, AreNamedBeforeAnythingIsAllocated) {
+  const gpu::DeviceLimits enough{8, 3 * 4 * 48, 3, 1, 2};  // image side, bytes, instances, geometries, triangles
+  EXPECT_EQ(refusalOf(enough), "");
+  auto with = [&](auto change) {
+    gpu::DeviceLimits limits = enough;
+    change(limits);
+    return refusalOf(limits);
+  };
+  EXPECT_EQ(with([](auto& l) { l.instances = 2; }),
+            "small: the scene has 3 instances of at most 2; nothing is drawn; merge meshes, or take another device");
+  EXPECT_EQ(with([](auto& l) { l.triangles = 1; }),
+            "small: mesh 'square' has 2 triangles of at most 1; nothing is drawn; split the mesh");
+  EXPECT_NE(with([](auto& l) { l.geometries = 0; }).find("mesh 'square' has 1 parts of at most 0"), std::string::npos);
+  EXPECT_NE(with([](auto& l) { l.image_side = 7; }).find("texture 'stripe' has 8 pixels a side of at most 7"),
+            std::string::npos);
+  std::string bytes = with([](auto& l) { l.buffer_bytes = 175; });
+  EXPECT_NE(bytes.find("the buffer of all vertices has 176 bytes of at most 175"), std::string::npos) << bytes;
+  EXPECT_NE(bytes.find("the buffer of all transforms has 576 bytes of at most 175"), std::string::npos) << bytes;
 }
 
 TEST(LimitTable, SaysEveryLimitOnce) {
