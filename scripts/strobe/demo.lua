@@ -2,12 +2,14 @@
 -- Demos: shots of scenes, columns of pipelines, one of them truth; `strobe demo` renders, measures and lays them out.
 -- `demo { ... }` checks everything below it, all mistakes at once, and returns it as plain data.
 local check  = require "strobe.check"
+local fields = require "strobe.fields"
 local native = require "strobe.native"
 
 local demo = {}
 
 -- Fields by table: their type, and whether they may be left out.
-local text, number, bool, list, map = "string", "number", "boolean", "list", "map"
+local text, number, bool, list, map = fields.text, fields.number, fields.bool, fields.list, fields.map
+local settings, copied = fields.settings, fields.copied
 
 demo.fields = {
   demo = {
@@ -53,50 +55,13 @@ local roles   = { "method", "truth", "floor" }
 local curves  = { "clamp", "filmic" }
 
 -- Where the mistakes of one demo are noted.
-local Checker = {}
-Checker.__index = Checker
-
-function Checker:at(path) return native.key_place(self.place, table.unpack(path)) end
-
-function Checker:add(path, ...) self.problems:add(self:at(path), ...) end
-
-function Checker:fields(t, kind, path)
-  local number_of = type(path[2]) == "number" and " " .. path[2] or ""
-  local what = kind == "demo" and "the demo" or (number_of ~= "" and kind .. number_of or "the " .. kind)
-  if type(t) ~= "table" then
-    self:add(path, "%s is a table, got a %s", what, type(t))
-    return {}
-  end
-  check.keys(self.problems, t, check.names(demo.fields[kind]), self.place, what, path)
-  for name, field in pairs(demo.fields[kind]) do
-    local wanted = (field[1] == list or field[1] == map) and "table" or field[1]
-    if t[name] ~= nil or not field.optional then
-      check.field(self.problems, t, name, wanted, self.place, what, path)
-    end
-  end
-  return t
-end
-
-function Checker:one_of(value, allowed, path, what)
-  if value == nil or check.contains(allowed, value) then return end
-  local near = type(value) == "string" and native.nearest(value, allowed) or ""
-  self:add(path, "%s is %s, none of %s%s", what, check.quoted(value), table.concat(allowed, ", "), near)
-end
+local Checker = fields.checker(demo.fields)
 
 function Checker:numbers(value, count, path, what)
   if value == nil then return end
   local good = type(value) == "table" and #value == count
   for i = 1, good and count or 0 do good = good and type(value[i]) == "number" end
   if not good then self:add(path, "%s wants %d numbers", what, count) end
-end
-
--- Settings as the command line would have them.
-local function settings(t)
-  local result = {}
-  for name, value in pairs(t or {}) do
-    result[#result + 1] = { name = tostring(name), value = tostring(value) }
-  end
-  return result
 end
 
 -- NODE=x,y,z as the command line would have it.
@@ -114,14 +79,8 @@ local function options(self, t, count, path, what)
   return result
 end
 
-local function copied(t)
-  local result = {}
-  for key, value in pairs(t) do result[key] = value end
-  return result
-end
-
 function Checker:column(t, path)
-  t = self:fields(t, "column", path)
+  t = self:fields(t, "column", path, "column " .. path[2])
   self:one_of(t.role, roles, check.joined(path, "role"), "the role of a column")
   self:one_of(t.own_anchor, anchors, check.joined(path, "own_anchor"), "own_anchor")
   local result = copied(t)
@@ -136,7 +95,7 @@ function Checker:crops(t, path)
 end
 
 function Checker:shot(t, path)
-  t = self:fields(t, "shot", path)
+  t = self:fields(t, "shot", path, "shot " .. path[2])
   self:one_of(t.anchor, anchors, check.joined(path, "anchor"), "the anchor")
   self:one_of(t.curve, curves, check.joined(path, "curve"), "the curve")
   if type(t.crops) == "table" then self:crops(t.crops, check.joined(path, "crops")) end
@@ -145,14 +104,6 @@ function Checker:shot(t, path)
   if type(t.spins) == "table" then result.spins = options(self, t.spins, 4, check.joined(path, "spins"), "spin") end
   result.scene_set, result.truth = settings(t.scene_set), settings(t.truth)
   if t.full_shading then result.full_shading = settings(t.full_shading) end
-  return result
-end
-
-function Checker:each(t, name, one)
-  local result, path = {}, { name }
-  if type(t[name]) ~= "table" then return result end
-  if #t[name] == 0 then self:add(path, "there are no %s", name) end
-  for i, entry in ipairs(t[name]) do result[i] = self[one](self, entry, { name, i }) end
   return result
 end
 
@@ -181,12 +132,13 @@ function Checker:names_of(t, kind, labels, names)
 end
 
 local function checked(place, t)
-  local self = setmetatable({ place = place, problems = check.problems() }, Checker)
+  local self = Checker.at(place)
   if type(t) ~= "table" then check.fail(place, "demo wants a table: demo { ... }") end
   self:fields(t, "demo", {})
   local result = copied(t)
   result.kind = "demo"
-  result.columns, result.shots = self:each(t, "columns", "column"), self:each(t, "shots", "shot")
+  result.columns = self:each(t, "columns", function(entry, _, path) return self:column(entry, path) end)
+  result.shots = self:each(t, "shots", function(entry, _, path) return self:shot(entry, path) end)
   local labels = self:columns_as_a_whole(result.columns)
   self:names_of(t.background, "background", labels, { "column", "front" })
   self:names_of(t.expectation, "expectation", labels, { "column", "baselines" })

@@ -3,11 +3,13 @@
 -- renders every method at every value, measures it against truth there and draws curves. `extremes { ... }` checks
 -- everything below it, all mistakes at once, and returns it as plain data.
 local check  = require "strobe.check"
+local fields = require "strobe.fields"
 local native = require "strobe.native"
 
 local extremes = {}
 
-local text, number, bool, list, map, func = "string", "number", "boolean", "list", "map", "function"
+local text, number, bool, list, map = fields.text, fields.number, fields.bool, fields.list, fields.map
+local func, shown, settings, copied = fields.func, fields.shown, fields.settings, fields.copied
 
 extremes.fields = {
   -- size_params: what the scenes call width and height of the picture. factor: a method is as good as its samples allow
@@ -51,47 +53,7 @@ extremes.regions = { "whole", "inner", "hidden", "outer" }
 -- Where a value is drawn: by its logarithm (0 has a place of its own), by itself, or each as far from the next.
 extremes.scales = { "log", "linear", "even" }
 
-local Checker = {}
-Checker.__index = Checker
-
-function Checker:add(path, ...) self.problems:add(native.key_place(self.place, table.unpack(path)), ...) end
-
-function Checker:fields(t, kind, path, what)
-  what = what or "the " .. kind
-  if type(t) ~= "table" then
-    self:add(path, "%s is a table, got a %s", what, type(t))
-    return {}
-  end
-  check.keys(self.problems, t, check.names(extremes.fields[kind]), self.place, what, path)
-  for name, field in pairs(extremes.fields[kind]) do
-    local wanted = (field[1] == list or field[1] == map) and "table" or field[1]
-    if t[name] ~= nil or not field.optional then
-      check.field(self.problems, t, name, wanted, self.place, what, path)
-    end
-  end
-  return t
-end
-
-function Checker:one_of(value, allowed, path, what)
-  if type(value) ~= "string" or check.contains(allowed, value) then return end
-  self:add(path, "%s is '%s', none of %s%s", what, value, table.concat(allowed, ", "), native.nearest(value, allowed))
-end
-
-local function shown(value) return math.type(value) == "float" and ("%.14g"):format(value) or tostring(value) end
-
--- Settings as the command line would have them, by name.
-local function settings(t)
-  local result, names = {}, type(t) == "table" and check.names(t) or {}
-  table.sort(names)
-  for i, name in ipairs(names) do result[i] = { name = name, value = shown(t[name]) } end
-  return result
-end
-
-local function copied(t)
-  local result = {}
-  for key, value in pairs(t) do result[key] = value end
-  return result
-end
+local Checker = fields.checker(extremes.fields)
 
 function Checker:column(t, kind, path, what)
   local result = copied(self:fields(t, kind, path, what))
@@ -167,16 +129,8 @@ function Checker:distinct(entries, key, group)
   end
 end
 
-function Checker:each(t, group, one)
-  local result = {}
-  if type(t[group]) ~= "table" then return result end
-  if #t[group] == 0 then self:add({ group }, "there are no %s", group) end
-  for i, entry in ipairs(t[group]) do result[i] = one(entry, i) end
-  return result
-end
-
 local function checked(place, t)
-  local self = setmetatable({ place = place, problems = check.problems() }, Checker)
+  local self = Checker.at(place)
   if type(t) ~= "table" then check.fail(place, "extremes wants a table: extremes { ... }") end
   self:fields(t, "experiment", {})
   local result = copied(t)

@@ -1,0 +1,73 @@
+-- SPDX-License-Identifier: MIT
+-- Data that people write for a command (demos, experiments): tables whose fields have types, checked as a whole.
+local check  = require "strobe.check"
+local native = require "strobe.native"
+
+-- Types of fields.
+local fields = { text = "string", number = "number", bool = "boolean", list = "list", map = "map", func = "function" }
+
+-- What checks tables of the kinds `declared`: kind = { field = { type, optional = true or nil } }. Called with the place
+-- of a table it notes the mistakes in it, each at the path of its keys.
+function fields.checker(declared)
+  local Checker = {}
+  Checker.__index = Checker
+
+  function Checker.at(place) return setmetatable({ place = place, problems = check.problems() }, Checker) end
+
+  function Checker:add(path, ...) self.problems:add(native.key_place(self.place, table.unpack(path)), ...) end
+
+  -- `t`, or an empty table if it is none. `what` names it in messages.
+  function Checker:fields(t, kind, path, what)
+    what = what or "the " .. kind
+    if type(t) ~= "table" then
+      self:add(path, "%s is a table, got a %s", what, type(t))
+      return {}
+    end
+    check.keys(self.problems, t, check.names(declared[kind]), self.place, what, path)
+    for name, field in pairs(declared[kind]) do
+      local wanted = (field[1] == fields.list or field[1] == fields.map) and "table" or field[1]
+      if t[name] ~= nil or not field.optional then
+        check.field(self.problems, t, name, wanted, self.place, what, path)
+      end
+    end
+    return t
+  end
+
+  function Checker:one_of(value, allowed, path, what)
+    if value == nil or check.contains(allowed, value) then return end
+    local near = type(value) == "string" and native.nearest(value, allowed) or ""
+    self:add(path, "%s is %s, none of %s%s", what, check.quoted(value), table.concat(allowed, ", "), near)
+  end
+
+  -- Every entry of the list t[name], as one(entry, i, path) checks it.
+  function Checker:each(t, name, one)
+    local result = {}
+    if type(t[name]) ~= "table" then return result end
+    if #t[name] == 0 then self:add({ name }, "there are no %s", name) end
+    for i, entry in ipairs(t[name]) do result[i] = one(entry, i, { name, i }) end
+    return result
+  end
+
+  return Checker
+end
+
+-- A value as the command line would have it.
+function fields.shown(value) return math.type(value) == "float" and ("%.14g"):format(value) or tostring(value) end
+
+-- Settings as the command line would have them, by name.
+function fields.settings(t)
+  local result, names = {}, type(t) == "table" and check.names(t) or {}
+  table.sort(names)
+  for i, name in ipairs(names) do result[i] = { name = name, value = fields.shown(t[name]) } end
+  return result
+end
+
+function fields.copied(t)
+  local result = {}
+  for key, value in pairs(t) do result[key] = value end
+  return result
+end
+
+check.closed(fields, "fields")
+
+return fields
