@@ -22,7 +22,7 @@ return pass.trace {
     mean_b  = { format = "rgba32f", doc = "mean radiance of odd iterations; a = their number" },
     regions = { format = "r32ui", doc = "bits: 1 inner, 2 hidden, 4 outer" },
     still   = { format = "rgba32f",
-      doc = "colour of what stands still behind everything that moves; a = 1 once known" },
+      doc = "colour of what stood last as at the capture; a = instance + 2, 1 of the sky, 0 before" },
   },
   counters = { not_finite = shade.counters.not_finite },
   params = {

@@ -79,15 +79,18 @@ void run(ivec2 pixel) {
   vec3 capture_ws = vec3(0);
   vec3 color;
 
-  // What stands still before a camera that stands still has one colour at every time: it is shaded once.
+  // What stands as at the capture, before a camera that does, has one colour: it is shaded once. Something that moves
+  // may stand so at one time and uncover what is at rest at another, so the colour is known by whose it is.
   bool is_still = caches && cameraIsStill(slice) &&
                   (!isHit(hit) || sameTransform(transformOf(slice, hit.instance), transformOf(SLICE_CAPTURE, hit.instance)));
+  float whose = isHit(hit) ? float(hit.instance) + 2.0 : 1.0;
+  bool told_apart = whose < 16777216.0;  // representable
   if (isHit(hit)) capture_ws = positionOf(SLICE_CAPTURE, hit);
-  if (is_still && still.a != 0.0) {
+  if (is_still && told_apart && still.a == whose) {
     color = still.rgb;
   } else {
     color = isHit(hit) ? shade(PARAM_shading == shading_frozen ? SLICE_CAPTURE : slice, hit) : environment(ray.direction);
-    if (is_still) imageStore(still_img, pixel, vec4(color, 1));
+    if (is_still && told_apart) imageStore(still_img, pixel, vec4(color, whose));
   }
   if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
   addSample(pixel, color);

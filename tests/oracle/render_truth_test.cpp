@@ -59,6 +59,20 @@ TEST_F(RenderTruth, HalfPlaneAndBarMatchTheirCoverage) {
   }
 }
 
+// With a sample at the capture itself, where what moves stands as it does there and hides what it uncovers at others.
+TEST_F(RenderTruth, OddNumbersOfSamplesMatchAroundTheCapture) {
+  for (int samples : {1, 3, 5, 33}) {
+    for (double d : {20.0, -7.25}) {
+      lab::Shot shot = shotOf("half_plane", 96, 2, {{"edge", 48.3}, {"d_f", d}});
+      Strips strips{{-kInfinity, 48.3, d, {1}}, {}};
+      expectWithin(
+          colorOf(render(with(shot, "ground_truth", truth(samples), "centre"))),
+          [&](int x, int) { return exposeCentre(strips, {-.5, .5}, x); }, midpointBound(samples),
+          fmt::format("{} samples, d {}", samples, d));
+    }
+  }
+}
+
 TEST_F(RenderTruth, TexturedBarMatchesAtMidpointsAndInStrata) {
   constexpr int kSamples = 128;
   for (const Anchor& anchor : anchors()) {
