@@ -83,9 +83,10 @@ Cover coverAt(ivec2 pixel, vec2 d, float t, Tap back) {
   return kNoCover;
 }
 
+// The first where both are about equally far away: of one surface, rounding would choose.
 Cover nearer(Cover a, Cover b) {
   if (a.share == 0.0) return b;
-  return b.share > 0.0 && b.depth < a.depth ? b : a;
+  return b.share > 0.0 && inFrontOf(b.depth, a.depth, params.depth_extent) > 0.5 ? b : a;
 }
 
 vec3 backgroundAt(ivec2 pixel, float t, Tap back, inout uint fallbacks) {

@@ -49,8 +49,7 @@ struct Sample {
 };
 
 Sample sampleAt(int i, vec2 d, vec2 second, bool along_second, float jitter) {
-  float along = (float(i) + params.eta * jitter + 1.0) / float(params.samples + 1);  // (t_i + 1) / 2
-  float t = timeAt(1.0 - along, frame.shutter);
+  float t = timeAt(float(params.samples - i) - params.eta * jitter, params.samples + 1, frame.shutter);
   vec2 sampled = along_second ? lengthOf(d) * second : d;
   return Sample(roundSymmetric(tapOffset(sampled, t)), abs(t) * lengthOf(d), along_second ? second : unitOf(d));
 }

@@ -70,8 +70,8 @@ void run(ivec2 pixel) {
   vec2 second_d = second == vec2(0) ? d : lengthOf(d) * second;
   for (int i = 0; i < params.samples; ++i) {
     if (i == skipped) continue;
-    float along = (float(i) + jitter + 1.0) / float(params.samples + 1);  // (t_i + 1) / 2
-    vec2 offset = tapOffset(isAlongSecond(i, params.samples / 2) ? second_d : d, timeAt(1.0 - along, frame.shutter));
+    float t = timeAt(float(params.samples - i) - jitter, params.samples + 1, frame.shutter);
+    vec2 offset = tapOffset(isAlongSecond(i, params.samples / 2) ? second_d : d, t);
     ivec2 at = clampToImage(pixel + roundSymmetric(offset), size);
     if (!isValid(at)) continue;
 

@@ -19,7 +19,8 @@
 // Background: if something was revealed, none: the result is the foreground alone, to be laid over the blurred revealed
 //   layer. Else alpha becomes 1 by adding (1 - alpha) times the mean of the other taps that X or they themselves
 //   reach: the taps at X's own depth whose motion passes over X, and farther ones no farther away than X's own surface
-//   moves, which stand in for what it uncovers. If there are none, of X itself.
+//   moves, which stand in for what it uncovers. X itself makes up what their weights lack of one tap, so that a tap
+//   which hardly counts does not become all there is.
 // Fails: without revealed layer the background inside of a silhouette is that from outside of it; background that
 //   moves is uncorrelated in time with what covers it (a product of two means); one direction per tile.
 #include "lib/jitter.glsl"
@@ -119,5 +120,6 @@ void run(ivec2 pixel) {
     return;
   }
   vec3 background = back > 0.0 ? fromSum(back_sum / back) : here.color;
+  if (back < 1.0) background = mix(here.color, background, back);
   imageStore(blurred_img, pixel, storedColor(vec4(fromSum(front_sum) + (1.0 - front) * background, 1)));
 }

@@ -38,13 +38,14 @@ bool isInside(ivec2 pixel, ivec2 size) {
 // --- The exposure window
 // -----------------------------------------------------------------------------------------------
 
-// Time at the fraction tau in (0, 1) of the window.
-float timeAt(float tau, vec2 shutter) { return mix(shutter.x, shutter.y, tau); }
+// Time at the fraction part / parts of the window. Run backwards, a window has the same times but for their sign, bit for
+// bit: a tap half-way between two pixels goes to the same one.
+float timeAt(float part, int parts, vec2 shutter) {
+  return (shutter.x * (float(parts) - part) + shutter.y * part) / float(parts);
+}
 
 // Midpoint of the i-th of n equal parts of the window, moved by a jitter in [-1/2, 1/2] of a part.
-float sampleTime(int i, int n, float jitter, vec2 shutter) {
-  return timeAt((float(i) + 0.5 + jitter) / float(n), shutter);
-}
+float sampleTime(int i, int n, float jitter, vec2 shutter) { return timeAt(float(i) + 0.5 + jitter, n, shutter); }
 
 // How far a displacement of length 1 moves to its farther side within the window: 1 one-sided, 1/2 centred.
 float reachFactor(vec2 shutter) { return max(abs(shutter.x), abs(shutter.y)); }
@@ -64,9 +65,10 @@ int tilesInReach(float limit_px, int tile_px, vec2 shutter, ivec2 tiles) {
 // Where, relative to the pixel, the surface that moves by d and is at the pixel at time t is now.
 vec2 tapOffset(vec2 d, float t) { return -d * t; }
 
-// Is what is now at the texel `now`, and moves by d, at the pixel at time t?
+// Is what is now at the texel `now`, and moves by d, at the pixel at time t? The slack keeps the pixel itself, half a
+// sample's share of its path away, on one side however that is rounded.
 bool isAt(ivec2 pixel, ivec2 now, vec2 d, float t, float tolerance_px) {
-  return lengthOf(vec2(now - pixel) + t * d) <= tolerance_px;
+  return lengthOf(vec2(now - pixel) + t * d) <= tolerance_px * (1.0 + 1e-4);
 }
 
 // Does the surface now at `offset` from a pixel pass over that pixel within the window? Rounding of the tap and of the
