@@ -7,6 +7,7 @@ return pass.compute {
   shader = "canny/thin",
   doc    = "Pixels whose gradient exceeds that of both neighbours across the edge",
   fails  = "Where three edges meet, one may be cut off a pixel before the others.",
+  breaks = { mirrored = "of two neighbours that answer alike the right or lower one is no edge" },
   size   = { of = "gradient" },
   reads  = { gradient = { doc = "along the steepest direction; length 1 at the threshold" } },
   writes = { ridge = { format = "r8_unorm", doc = "1 strong, 1/2 weak, 0 none" } },

@@ -10,6 +10,7 @@ return pass.compute {
   fails  = "Its answer is half a pixel to the right and below. Silhouettes whose nearer side is to the right or " ..
            "below are marked on the farther pixel, where the mask seed does not look: objects that move left or up " ..
            "get no mask. Planes at grazing angles are marked, as with sobel.",
+  breaks = { mirrored = "its two by two pixels have no middle pixel" },
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),
   writes = { edge = edge_ports.edge },

@@ -44,7 +44,8 @@ return pass.trace {
                     "objects, and never sees one that covers itself.",
         motion    = "The first hit that does not move as if fixed to the surface in front. Misses a background " ..
                     "that happens to move alike, which would be uncovered only later than the exposure.",
-      } },
+      },
+      breaks = { luminance = { linear = "luminances are compared: another light may reveal another layer" } } },
     advance = pass.choice { "instance_filter", "origin_kept", "restart", "offset", default = "instance_filter",
       doc = "how a ray goes on past a hit",
       values = {

@@ -45,7 +45,7 @@ const Renderer::Planned& Renderer::planOf(const lab::Shot& shot, graph::Backend 
   auto [found, is_new] = plans_.emplace(key, Planned());
   if (!is_new && found->second.plan) return found->second;
   const Evaluated& evaluated = evaluate(shot.pipeline, shot.sets);
-  if (!evaluated.pipeline) throw Error(evaluated.refusal);
+  if (!evaluated.pipeline) throw Refusal(evaluated.refusal);
   auto plan = std::make_shared<plan::Plan>(lab::planOf(shot, *evaluated.pipeline, backend));
   found->second = {plan, identityOf(*plan)};
   return found->second;

@@ -18,6 +18,11 @@ struct Evaluated {
   std::string refusal;
 };
 
+// A pipeline does not take the settings; any other error is one of the scene or the program.
+struct Refusal : Error {
+  using Error::Error;
+};
+
 // What decides which pictures a plan makes: the plan without the names of the pipeline and of values nobody uses.
 std::string identityOf(const plan::Plan& plan);
 
@@ -27,7 +32,7 @@ class Renderer {
 
   lab::Workbench& bench() { return bench_; }
   const Evaluated& evaluate(const std::string& pipeline, const script::Settings& sets);
-  // Colour of the shot, four channels. Throws `Error` for what cannot be evaluated, loaded or built.
+  // Colour of the shot, four channels. Throws `Refusal`, or `Error` for what cannot be loaded or built.
   std::shared_ptr<const image::Image> color(const lab::Shot& shot);
   // Forgets pictures of a pipeline; evaluations, scenes and pictures by other pipelines stay.
   void forgetPicturesOf(const std::string& pipeline);

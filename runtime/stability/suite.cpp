@@ -8,7 +8,7 @@
 namespace strobe::stability {
 
 // Fewer cases may miss by chance what a declaration is about.
-static constexpr int kEnough = 3;
+static constexpr int kEnough = 12;
 
 namespace {
 
@@ -67,7 +67,7 @@ class Suite {
 
   Finding findingOf(const Invariant& invariant, const Variant& variant, const lab::Shot& shot) {
     const Evaluated& evaluated = renderer_.evaluate(shot.pipeline, shot.sets);
-    if (!evaluated.pipeline) throw Error(evaluated.refusal);
+    if (!evaluated.pipeline) throw Refusal(evaluated.refusal);
     return invariant.check({renderer_, *evaluated.pipeline, variant.isBase(), shot});
   }
 
@@ -76,9 +76,13 @@ class Suite {
     Finding finding;
     try {
       finding = findingOf(invariant, variant, shot);
-    } catch (const Error& error) {
+    } catch (const Refusal& refusal) {
       ++count.refused;
-      report_.refused.push_back({variant.name() + ", " + invariant.name, error.what()});
+      report_.refused.push_back({variant.name() + ", " + invariant.name, refusal.what()});
+      return;
+    } catch (const Error& error) {
+      ++count.failed;
+      report_.failures.push_back({variant.name(), invariant.name, error.what(), {lab::commandOf(shot)}});
       return;
     }
     if (!finding.applies) return;

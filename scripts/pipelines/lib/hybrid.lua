@@ -72,7 +72,8 @@ function hybrid.params()
         full = "One ray per masked pixel.",
         half = "One ray per square of 2x2 pixels of which any is masked, shared out by ids and depths. Smooths what " ..
                "is revealed, and moves silhouettes in it by up to a pixel.",
-      } },
+      },
+      breaks = { half = { mirrored = "which pixel of a square has the ray is not mirrored" } } },
     tiles       = choice { "separate", "union", default = "union", doc = "dominant motion per layer, or of both",
       values = {
         separate = "Each layer has the longest displacements of its own, as published. Fails where only the " ..

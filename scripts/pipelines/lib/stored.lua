@@ -28,6 +28,7 @@ stored.color_format = param.choice {
     fp16 = {
       constant = "a colour that is no half float is rounded to one",
       still    = "a colour that is no half float is rounded to one",
+      convex   = "a mean is rounded to a half float, which may lie outside of what it is a mean of",
       linear   = "a sum is rounded otherwise than its parts",
       mirrored = "rounding makes the last digit of single precision one of half floats",
       reversed = "rounding makes the last digit of single precision one of half floats",

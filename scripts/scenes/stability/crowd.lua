@@ -212,7 +212,7 @@ local function solid(i, is_ball)
   local dx, dy = displacement(i + 64)
   local size = whole(i, name .. "size", 5, 9) * pixel
   local angle = 20 + 50 * random(i, name .. "angle")
-  local turned = turn ~= 0 and { angle * flip * mirror, 0, 0 } or { 0, angle * mirror, 0 }
+  local turned = turn ~= 0 and { -angle * mirror, 0, 0 } or { 0, angle * mirror, 0 }  -- what was up points left
   return scene.node {
     name = name, position = position(x, y, depth), motion = { velocity = motion(dx, dy, depth) }, rotation = turned,
     shape = is_ball and scene.sphere { radius = size / 2 } or scene.box { size = { size, size, size } },
@@ -245,7 +245,7 @@ local lamp_x, lamp_y = placed(1 + shift_x / 8, -4 + shift_y / 8)
 if lit ~= 0 then
   objects[#objects + 1] = scene.node {
     name = "lamp", position = { lamp_x * scale, -lamp_y * scale, 2 * scale },
-    light = scene.point_light { color = { scale, scale, scale }, intensity = 900 * scale * brightness },
+    light = scene.point_light { intensity = 900 * scale * scale * brightness },
   }
 end
 
