@@ -62,10 +62,9 @@ float timeShare(float speed, float dominant_px) {
 
 // Is a tap that is not foreground a sample of the pixel's background? `spread_px`: how far the pixel's surface moves.
 float backgroundWeight(Tap here, Tap tap, ivec2 offset, float spread_px, bool passes) {
-  float same = softDepth(tap.depth, here.depth, params.depth_extent) *
-               softDepth(here.depth, tap.depth, params.depth_extent);
+  float same = softDepth(here.depth, tap.depth, params.depth_extent);  // a nearer tap counts by what is not foreground
   float spread = length(vec2(offset)) <= max(spread_px, 0.5) + 0.5 ? 1.0 : 0.0;
-  return mix(tap.depth > here.depth ? spread : 0.0, passes ? 1.0 : 0.0, same);
+  return mix(spread, passes ? 1.0 : 0.0, same);
 }
 
 void run(ivec2 pixel) {

@@ -140,5 +140,24 @@ TEST_F(RenderFilters, UniformGatherIsExactOverABackgroundAtRest) {
   }
 }
 
+// Surfaces less than `depth_extent` apart count partly as one; where all moves alike each tap still counts once.
+TEST_F(RenderFilters, UniformGatherIsABoxFilterOfSurfacesCloseInDepth) {
+  constexpr int kSamples = 32;
+  Strips strips{{40, 72, 16, {.9}}, {-kInfinity, kInfinity, 16, {.2}}};
+  for (double behind : {-.1, -.4, -.8, -5.0}) {
+    lab::Shot shot = shotOf("cards", 128, 4,
+                            {{"left0", 40}, {"right0", 72}, {"z0", 0}, {"v0", .9}, {"d0", 16},
+                             {"left1", -80}, {"right1", 208}, {"z1", behind}, {"v1", .2}, {"d1", 16}});
+    for (const Anchor& anchor : anchors()) {
+      lab::Picture picture = render(with(
+          shot, "mcguire2012", {"weights=uniform", "tile=20", "limit=0.2", fmt::format("samples={}", kSamples)}, anchor.name));
+      expectWithin(
+          colorOf(picture), [&](int x, int) { return exposeCentre(strips, anchor.window, x); },
+          [&](const Exposure& e) { return e.variation * (1. / (2 * kSamples) + .5 / 16) + 1e-4; },
+          fmt::format("{} {}", anchor.name, behind));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace strobe::oracle
