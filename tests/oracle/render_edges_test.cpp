@@ -280,6 +280,29 @@ TEST_F(RenderEdges, EachIsItsFormula) {
   }
 }
 
+TEST_F(RenderEdges, DepthAndNormalAddUpOrAreBothAskedFor) {
+  auto in_x = [](int i, int j) { return kSobel[size_t(j + 1)][size_t(i + 1)]; };
+  auto in_y = [&](int i, int j) { return in_x(j, i); };
+  for (const std::string& scene : {"crowd", "solids"}) {
+    for (const std::string& combine : {"sum", "and"}) {
+      lab::Picture picture = render(detected(shotOf(scene, 64, 40), "sobel", {"edge.combine=" + combine}));
+      Seen seen(picture);
+      int wrong = 0, edges = 0;
+      for (int y = 0; y < seen.height; ++y)
+        for (int x = 0; x < seen.width; ++x) {
+          Steps steps = seen.isSurface(x, y) ? gradientAt(seen, x, y, 1, in_x, in_y) : Steps();
+          double depth = steps.depth / kDepthThreshold, normal = steps.normal / kNormalThreshold;
+          double answer = combine == "sum" ? depth + normal : std::min(depth, normal);
+          bool edge = imageOf(picture, "edge").at(x, y, 0) > .5f;
+          edges += edge;
+          wrong += edge != (answer > 1) && !(std::abs(answer - 1) <= 1e-4);
+        }
+      EXPECT_EQ(wrong, 0) << scene << " " << combine;
+      EXPECT_GE(edges, combine == "sum" ? 100 : 10) << scene << " " << combine;
+    }
+  }
+}
+
 // No answer in these pictures is so near a threshold, a neighbour's answer or a sector's border that rounding decides.
 TEST_F(RenderEdges, CannyIsItsFourSteps) {
   for (const std::string& scene : {"crowd", "solids"}) {

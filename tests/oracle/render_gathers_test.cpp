@@ -120,6 +120,20 @@ TEST_F(RenderGathers, JimenezAveragesWhereAllMovesAlike) {
   }
 }
 
+// No more samples than pixels moved, but a pair of them at least.
+TEST_F(RenderGathers, JimenezTakesAPairAtLeast) {
+  for (const Anchor& anchor : anchors()) {
+    auto by = [&](const char* count, int samples) {
+      return colorOf(render(rowShot("textured_bar", "jimenez2014", anchor.name,
+                                    {fmt::format("count={}", count), fmt::format("samples={}", samples)},
+                                    motions(1.5, 0))));
+    };
+    image::Image adaptive = by("adaptive", 16);
+    EXPECT_TRUE(identical(adaptive, by("fixed", 2))) << anchor.name;
+    EXPECT_FALSE(identical(adaptive, by("fixed", 16))) << anchor.name;
+  }
+}
+
 // Every jitter, frozen and per frame. In frame 1 the bar stands two displacements farther on (exposure 1/2).
 TEST_F(RenderGathers, JittersAreTheirDefinitions) {
   Row row = rasterise(kWhiteBar, kWidth);

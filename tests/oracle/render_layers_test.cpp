@@ -218,5 +218,27 @@ TEST_F(RenderLayers, TapsToBothSidesFindTheSlowerSurface) {
   }
 }
 
+// Nothing that raster sees moves, but what was revealed comes out from behind it. With displacements per layer only
+// those of the revealed one tell.
+TEST_F(RenderLayers, WhatIsHiddenAtTheCaptureComesOut) {
+  constexpr int kSamples = 32;
+  lab::Shot shot = shotOf("cards", 128, 4,
+                          {{"left0", 40}, {"right0", 72}, {"z0", 0}, {"v0", .5},
+                           {"left1", 50}, {"right1", 62}, {"z1", -5}, {"v1", 1}, {"d1", 20}});
+  Strips strips{{40, 72, 0, {.5}}, {50, 62, 20, {1}}, {-kInfinity, kInfinity, 0, {.1}}};
+  for (const char* tiles : {"separate", "union"}) {
+    for (const Anchor& anchor : anchors()) {
+      lab::Picture picture = render(with(shot, "hybrid",
+                                         {"mask=all", "tile=20", "limit=0.2", fmt::format("tiles={}", tiles),
+                                          fmt::format("samples={}", kSamples)},
+                                         anchor.name));
+      expectWithin(
+          colorOf(picture), [&](int x, int) { return exposeCentre(strips, anchor.window, x); },
+          [&](const Exposure& e) { return e.variation * (1. / (2 * kSamples) + .5 / 20) + 1e-4; },
+          fmt::format("{} {}", tiles, anchor.name));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace strobe::oracle

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <glm/glm.hpp>
 #include <numbers>
 
 #include "oracle/render.h"
@@ -340,6 +341,31 @@ TEST_F(RenderRanges, WhatWasBehindTheCameraIsExtrapolatedFromTheNearPlane) {
       double expected = -exposure * (x + .5 - 32) * (z / near - 1) / share;
       EXPECT_NEAR(velocity.at(x, y, 0), expected, 1e-3 * std::abs(expected) + 1e-3) << x << " " << y;
     }
+}
+
+// Every point goes its own way, between the poses at both ends of the exposure.
+TEST_F(RenderRanges, PointsOfATurningWedgeAreDisplacedAsItTurns) {
+  constexpr int kSide = 48;
+  constexpr double kDegrees = 30;
+  for (const Anchor& anchor : anchors()) {
+    lab::Shot shot = shotOf("wedge", kSide, kSide, {{"from", 20}, {"to", 65}, {"degrees", kDegrees}});
+    lab::Picture picture = render(with(shot, "none", {}, anchor.name));
+    auto turned = [&](glm::dvec2 p, double t) {
+      double angle = -glm::radians(kDegrees * t);  // y points down
+      return glm::dvec2(std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y);
+    };
+    int seen = 0;
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) {
+        if (colorOf(picture).at(x, y, 0) < .5f) continue;
+        ++seen;
+        glm::dvec2 p(x + .5 - kSide / 2., y + .5 - kSide / 2.);
+        glm::dvec2 d = turned(p, anchor.window.close) - turned(p, anchor.window.open);
+        EXPECT_NEAR(imageOf(picture, "velocity").at(x, y, 0), d.x, 1e-4) << anchor.name << " " << x << " " << y;
+        EXPECT_NEAR(imageOf(picture, "velocity").at(x, y, 1), d.y, 1e-4) << anchor.name << " " << x << " " << y;
+      }
+    EXPECT_GT(seen, 100);
+  }
 }
 
 }  // namespace

@@ -159,6 +159,15 @@ TEST_F(RenderReveal, LuminanceEndsAsItsFormulaSays) {
   }
 }
 
+// Of one instance the planes are its own layers, of several others that were not told from it.
+TEST_F(RenderReveal, WhatLuminancePassesThroughIsCounted) {
+  for (int split : {0, 1}) {
+    lab::Shot shot = with(Planes{.split = split}.shot(), "hybrid",
+                          {"mask=all", "termination=luminance", "advance=origin_kept"});
+    EXPECT_EQ(counterOf(render(shot), "reveal.passed"), split ? uint64_t(kWidth * kHeight) : 0u) << split;
+  }
+}
+
 TEST_F(RenderReveal, InspectorListsTheLayers) {
   Planes planes{.slope = .3, .split = 1, .values = {.1, .2, .3, .4}};
   constexpr int kX = 11, kY = 2;
@@ -302,6 +311,16 @@ TEST_F(RenderReveal, HalfResolutionIsTheSameOverAConstantBackground) {
 }
 
 // Only within 2 px of a change of the background, and never outside of what it shows there.
+// Rays that meet the cap reveal nothing, and nothing is shared out.
+TEST_F(RenderReveal, HalfResolutionOfNothingIsNothing) {
+  lab::Shot shot = with(Planes{}.shot(), "hybrid",
+                        {"mask=all", "reveal_resolution=half", "advance=origin_kept", "max_layers=1"});
+  lab::Picture picture = render(shot);
+  EXPECT_EQ(counterOf(picture, "reveal.capped"), uint64_t(kWidth * kHeight / 4));
+  EXPECT_EQ(rms(imageOf(picture, "revealed_valid")), 0);
+  EXPECT_EQ(rms(imageOf(picture, "revealed")), 0);
+}
+
 TEST_F(RenderReveal, HalfResolutionIsWrongOnlyNearEdges) {
   Striped scene;
   lab::Picture full = render(scene.hybrid({})), half = render(scene.hybrid({"reveal_resolution=half"}));
@@ -341,6 +360,21 @@ TEST_F(RenderReveal, InGatherIsExactOverABackgroundAtRest) {
 // Looking at both layers per time sample gives the exact picture, up to 32 samples (docs/derivations.md has .0069/.016)
 // and edges placed by pixels. The product of two means is off by .15 even with perfect layers, and alpha_over blurs of
 // the background only what was revealed, where the exact mean goes on beyond the silhouette.
+// A background of two instances: each is in view where the other one was.
+TEST_F(RenderReveal, InGatherFollowsABackgroundOfSeveralInstances) {
+  lab::Shot shot = shotOf("cards", 128, 4,
+                          {{"left0", -80}, {"right0", 60}, {"z0", 0}, {"v0", .2}, {"d0", 16},
+                           {"left1", 60}, {"right1", 208}, {"z1", 0}, {"v1", .8}, {"d1", 16}});
+  Strips strips{{-kInfinity, 60, 16, {.2}}, {-kInfinity, kInfinity, 16, {.8}}};
+  for (const Anchor& anchor : anchors()) {
+    lab::Picture picture =
+        render(with(shot, "hybrid", {"composite=in_gather", "tile=20", "limit=0.2", "samples=16"}, anchor.name));
+    expectWithin(
+        colorOf(picture), [&](int x, int) { return exposeCentre(strips, anchor.window, x); },
+        [](const Exposure& e) { return e.variation * (1. / 32 + .5 / 16) + 1e-4; }, anchor.name);
+  }
+}
+
 TEST_F(RenderReveal, CompositesOnCorrelatedStripes) {
   Striped scene{20, 20};
   auto errorOf = [&](const char* composite) {

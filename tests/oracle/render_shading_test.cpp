@@ -29,7 +29,7 @@ dmat3 turnY(double degrees) {
 // tests/oracle/scenes/lit.lua
 struct Lit {
   int light = 1;
-  double tilt_x = 0, tilt_y = 0, metallic = 0, roughness = .5, range = 0, bump_x = 0, bump_y = 0, bump = 1;
+  double tilt_x = 0, tilt_y = 0, metallic = 0, roughness = .5, range = 0, bump_x = 0, bump_y = 0, bump_z = 1, bump = 1;
   double metal = -1, rough = -1, glow = -1, sky = 0, ground = 0;
   dvec3 at = dvec3(1, 2, -1);  // of the light
   double card = 0, card_x = .5, card_y = 1, card_z = 3;
@@ -62,8 +62,7 @@ struct Lit {
   }
 
   dvec3 normal() const {
-    if (bump_x == 0 && bump_y == 0) return turned()[2];
-    return normalize(turned() * dvec3(bump * bump_x, bump * bump_y, 1));
+    return normalize(turned() * dvec3(bump * bump_x, bump * bump_y, std::max(bump_z, 1e-3)));
   }
 
   // Does the card stand between the point and the light?
@@ -171,6 +170,7 @@ TEST_F(RenderShading, NormalMapsTurnTheNormal) {
   for (auto [x, y] : {std::pair(.5, 0.), std::pair(0., .5), std::pair(-.25, -.5)})
     expectFormula({.light = 2, .tilt_x = -20, .tilt_y = 25, .bump_x = x, .bump_y = y}, fmt::format("bump {} {}", x, y));
   expectFormula({.light = 2, .bump_x = .25, .bump_y = .25, .bump = 2}, "a scaled one");
+  expectFormula({.light = 2, .bump_z = -1}, "one that points into the surface");
 }
 
 // Where the card stands between a point and the light there is none; a pixel's width from its edge not looked at.
@@ -250,6 +250,18 @@ TEST_F(RenderTextures, AreBlurredAlongTheDirectionInWhichTheyRecede) {
   EXPECT_LT(stripes(20, 8, 1, 70, 0).spread, .05);
   EXPECT_GT(stripes(3.5, 8, 1, 0, 70).spread, .25);
   EXPECT_LT(stripes(20, 8, 0, 0, 70).spread, .05);
+}
+
+// By raster and by rays alike.
+TEST_F(RenderTextures, HolesAreSeenThrough) {
+  for (double alpha : {.25, .75}) {
+    lab::Shot shot = shotOf("cut_out", 32, 8, {{"alpha", alpha}});
+    for (const char* mode : {"rays", "raster"}) {
+      image::Image color = colorOf(render(with(shot, "ground_truth", {"samples=1", fmt::format("mode={}", mode)})));
+      EXPECT_NEAR(color.at(4, 4, 0), .9, 1e-6) << mode;
+      EXPECT_NEAR(color.at(27, 4, 0), alpha < .5 ? .2 : .9, 1e-6) << mode;
+    }
+  }
 }
 
 }  // namespace

@@ -193,6 +193,8 @@ TEST_F(RenderStored, OverflowIsClampedAndCounted) {
   EXPECT_EQ(picture.frame.taps.at("shade.color").floats.at(32, 2, 0), 65504);
   EXPECT_EQ(counterOf(picture, "gbuffer.velocity_clamped"), 32u * 4);
   EXPECT_EQ(counterOf(picture, "shade.color_clamped"), 32u * 4);
+  lab::Shot largest = shotOf("bar", 64, 4, {{"left", 16}, {"right", 48}, {"foreground", 65504}});
+  EXPECT_EQ(counterOf(render(with(largest, "mcguire2012", {"color_format=fp16"})), "shade.color_clamped"), 0u);
 }
 
 // The bar is 100 units from a camera whose near distance is 1, the background 110: 1 - n/z is right to half a step.

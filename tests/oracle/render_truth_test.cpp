@@ -59,6 +59,31 @@ TEST_F(RenderTruth, HalfPlaneAndBarMatchTheirCoverage) {
   }
 }
 
+// A bar in front at the capture uncovers what it hid (inner, hidden) and covers what was beside it (outer).
+TEST_F(RenderTruth, RegionsAreWhereTheBarComesFromAndGoes) {
+  constexpr int kSamples = 32, kLeft = 40, kRight = 60, kMoved = 20;
+  for (const Anchor& anchor : anchors()) {
+    lab::Picture picture = render(with(shotOf("bar", 96, 2, {{"left", kLeft}, {"right", kRight}, {"d_f", kMoved}}),
+                                       "ground_truth", truth(kSamples), anchor.name));
+    for (int x = 0; x < 96; ++x) {
+      auto covered = [&](double t) {
+        double at = x + .5 - kMoved * t;
+        return at >= kLeft && at < kRight;
+      };
+      bool now = covered(0), seen_away = false, seen_there = false;
+      for (int i = 0; i < kSamples; ++i) {
+        double t = anchor.window.open + (i + .5) / kSamples * (anchor.window.close - anchor.window.open);
+        (covered(t) ? seen_there : seen_away) = true;
+      }
+      auto marked = [&](const char* region) { return imageOf(picture, region).at(x, 0, 0) > .5f; };
+      std::string what = fmt::format("{} column {}", anchor.name, x);
+      EXPECT_EQ(marked("inner"), now && seen_away) << what;
+      EXPECT_EQ(marked("hidden"), now && seen_away) << what;
+      EXPECT_EQ(marked("outer"), !now && seen_there) << what;
+    }
+  }
+}
+
 // With a sample at the capture itself, where what moves stands as it does there and hides what it uncovers at others.
 TEST_F(RenderTruth, OddNumbersOfSamplesMatchAroundTheCapture) {
   for (int samples : {1, 3, 5, 33}) {
@@ -200,6 +225,13 @@ TEST_F(RenderTruth, StatedErrorIsTheErrorMade) {
   EXPECT_LE(ratio, 3);
 }
 
+// Nothing tells how far off one sample is.
+TEST_F(RenderTruth, OneSampleStatesNoError) {
+  lab::Picture picture = render(with(shotOf("bar", 96, 2, {{"d_f", 20}}), "ground_truth", truth(1)));
+  for (int x = 0; x < 96; ++x)
+    for (int c = 0; c < 4; ++c) EXPECT_EQ(imageOf(picture, "error").at(x, 0, c), c < 3 ? 0 : 1) << x;
+}
+
 TEST_F(RenderTruth, NothingIsClamped) {
   constexpr int kSamples = 512;
   Strips strips{{40, 56, 300, {1}}, {}};
@@ -245,6 +277,7 @@ TEST_F(RenderTruth, RasterAndRaysAgree) {
           [&](const Exposure& e) { return e.variation * (1. / (2 * kSamples) + 1 / (256 * slowest)) + kRounding; },
           what);
       EXPECT_LE(rmsDifference(colorOf(raster), colorOf(rays)), rms(imageOf(rays, "error")) + 1e-6) << what;
+      EXPECT_LE(rmsDifference(imageOf(raster, "error"), imageOf(rays, "error")), .1 * rms(imageOf(rays, "error"))) << what;
       EXPECT_EQ(
           counterOf(raster,
                     "sample_shade.rays_" +

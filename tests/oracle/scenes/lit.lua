@@ -2,7 +2,7 @@
 -- A plane through (0, 0, -5), turned by `tilt_x` and then `tilt_y` degrees, of one material, under one light at
 -- (`light_x`, `light_y`, `light_z`) that looks at the plane's middle: `light` 0 a dark one, 1 directional, 2 point, 3 spot.
 -- `card` > 0: a card of that side, `card_z` from the camera, that casts a shadow. Camera at the origin, looking along -z.
--- `metal`, `rough`, `bump_x`, `bump_y`, `glow` > -1: constant textures of that value. `stripes` > 0: a pattern of so many
+-- `metal`, `rough`, `glow` > -1, `bump_x`, `bump_y`, `bump_z` (normal): constant textures of that value. `stripes` > 0: a pattern of so many
 -- black and white stripes per metre, of `texels` each, across the plane's x; `along` = 1: across its y. The plane is made
 -- of `segments` squares to either side.
 local scene = require "strobe.scene"
@@ -12,7 +12,7 @@ local width, height = number("width", 16), number("height", 12)
 local light, intensity = number("light", 1), number("intensity", 3)
 local metallic, roughness = number("metallic", 0), number("roughness", 0.5)
 local metal, rough, glow = number("metal", -1), number("rough", -1), number("glow", -1)
-local bump_x, bump_y, bump = number("bump_x", 0), number("bump_y", 0), number("bump", 1)
+local bump_x, bump_y, bump_z, bump = number("bump_x", 0), number("bump_y", 0), number("bump_z", 1), number("bump", 1)
 local stripes, texels, along = number("stripes", 0), number("texels", 8), number("along", 0)
 local card, card_z = number("card", 0), number("card_z", 3)
 local segments = number("segments", 1)
@@ -27,7 +27,9 @@ end
 
 local material = { name = "plane", color = { 0.8, 0.5, 0.2 }, metallic = metallic, roughness = roughness, normal_scale = bump }
 if metal >= 0 then material.metallic_roughness_texture = constant(0, rough, metal) end
-if bump_x ~= 0 or bump_y ~= 0 then material.normal_texture = constant(0.5 + bump_x / 2, 0.5 + bump_y / 2, 1) end
+if bump_x ~= 0 or bump_y ~= 0 or bump_z ~= 1 then
+  material.normal_texture = constant(0.5 + bump_x / 2, 0.5 + bump_y / 2, 0.5 + bump_z / 2)
+end
 if glow >= 0 then
   material.emissive = { 0.5, 1, 2 }
   material.emissive_texture = constant(glow, glow, glow)
