@@ -41,10 +41,10 @@ void mutate(Options options) {
   Path program = ownProgram();
   options.run.tests = {options.tests.empty() ? program.parent_path() / "tests" : Path(options.tests), program,
                        dataFolder()};
+  options.run.reasons = homeFolder() / "docs/mutations_survivors.json";
   options.run.results = options.results.empty() ? program.parent_path() / "mutations.json" : Path(options.results);
   std::vector<stability::Mutant> mutants = stability::listMutants(options.run, plan);
   std::vector<stability::MutationResult> results = stability::runMutants(mutants, options.run, plan);
-  stability::giveReasons(results, homeFolder() / "docs/mutations_survivors.json");
   if (!options.page.empty()) writeFileAtomically(options.page, stability::pageOf(results, options.run));
   Json all = Json::array();
   for (const auto& result : results) {
@@ -74,7 +74,7 @@ void registerMutate(CLI::App& program) {
       ->add_option("--results", options->results,
                    "what is known so far; continued from (default: mutations.json, beside the program)")
       ->type_name("FILE");
-  command->add_flag("--again", options->run.again, "try those that survived once more");
+  command->add_flag("--again", options->run.again, "try those that survived without a reason once more");
   command->add_option("--jobs", options->run.jobs, "mutants at a time")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();

@@ -248,8 +248,10 @@ std::vector<MutationResult> runMutants(const std::vector<Mutant>& mutants, const
   for (const Mutant& mutant : mutants) {
     results.push_back(resultFor(mutant));
     kept.fill(results.back());
-    if (options.again && results.back().fate == Fate::Survived) results.back().fate = Fate::Untried;
   }
+  giveReasons(results, options.reasons);
+  for (MutationResult& result : results)
+    if (options.again && result.fate == Fate::Survived && result.reason.empty()) result.fate = Fate::Untried;
   compileAll(results, kept);
   std::vector<size_t> wanted;
   for (size_t i = 0; i < results.size(); ++i)

@@ -16,9 +16,10 @@ struct MutationOptions {
   std::string only;  // a shader's name below shaders/, or the beginning of one; "" for all
   TestFolder tests;
   Path results;  // kept up to date, and continued from
+  Path reasons;  // why survivors are harmless, see giveReasons
   int jobs = 1;
   double budget_s = 90;  // of tests per mutant
-  bool again = false;    // those that survived are tried once more
+  bool again = false;    // those that survived without a reason are tried once more
 };
 
 enum class Fate { Untried, Refused, Equivalent, Caught, Survived };
