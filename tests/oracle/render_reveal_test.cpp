@@ -119,6 +119,24 @@ TEST_F(RenderReveal, SurfacesInOnePlaceReadAsOne) {
         imageOf(picture, fmt::format("{}_1", advance)), [&](int x) { return planes.wall(x); }, 1e-5, advance);
 }
 
+// However long what is seen is, along whichever axis: the corners' rounding is a metre here.
+TEST_F(RenderReveal, DepthsOnALongRoadAreExact) {
+  constexpr int kSide = 32;
+  lab::Shot shot = shotOf("road", kSide, kSide);
+  shot.sets.clear();
+  const image::Image depth = imageOf(render(with(shot, "none")), "depth");
+  const double focal = kSide / 2. / std::tan(std::acos(-1.) / 6);
+  int seen = 0;
+  for (int y = kSide / 2; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      double expected = focal / (y + .5 - kSide / 2.);
+      if (expected * std::abs(x + .5 - kSide / 2.) / focal > 1.9) continue;
+      ++seen;
+      EXPECT_NEAR(depth.at(x, y, 0), expected, 1e-5 * expected) << x << " " << y;
+    }
+  EXPECT_GT(seen, 100);
+}
+
 TEST_F(RenderReveal, TheCapIsCounted) {
   lab::Picture picture = advances({.slope = .3, .count = 5});
   const uint64_t all = kWidth * kHeight;

@@ -37,7 +37,8 @@ struct Lit {
   lab::Shot shot() const {
     Numbers numbers = {
         {"light", light},  {"tilt_x", tilt_x}, {"tilt_y", tilt_y}, {"metallic", metallic}, {"roughness", roughness},
-        {"range", range},  {"bump_x", bump_x}, {"bump_y", bump_y}, {"bump", bump},         {"metal", metal},
+        {"range", range},  {"bump_x", bump_x}, {"bump_y", bump_y}, {"bump_z", bump_z},     {"bump", bump},
+        {"metal", metal},
         {"rough", rough},  {"glow", glow},     {"sky", sky},       {"ground", ground},     {"light_x", at.x},
         {"light_y", at.y}, {"light_z", at.z},  {"card", card},     {"card_x", card_x},     {"card_y", card_y},
         {"card_z", card_z}};
@@ -170,7 +171,7 @@ TEST_F(RenderShading, NormalMapsTurnTheNormal) {
   for (auto [x, y] : {std::pair(.5, 0.), std::pair(0., .5), std::pair(-.25, -.5)})
     expectFormula({.light = 2, .tilt_x = -20, .tilt_y = 25, .bump_x = x, .bump_y = y}, fmt::format("bump {} {}", x, y));
   expectFormula({.light = 2, .bump_x = .25, .bump_y = .25, .bump = 2}, "a scaled one");
-  expectFormula({.light = 2, .bump_z = -1}, "one that points into the surface");
+  expectFormula({.light = 2, .tilt_y = -40, .bump_x = .5, .bump_z = -.5}, "one that points into the surface");
 }
 
 // Where the card stands between a point and the light there is none; a pixel's width from its edge not looked at.

@@ -294,6 +294,15 @@ TEST_F(RenderTruth, RasterAndRaysAgreeOnATurningWedge) {
   EXPECT_LE(rmsDifference(colorOf(raster), colorOf(rays)), rms(imageOf(rays, "error")) + 1e-6);
 }
 
+TEST_F(RenderTruth, RasterAndRaysAgreeOnACardThatComesNearer) {
+  lab::Shot shot = shotOf("approach", 32, 32);
+  shot.sets.clear();
+  lab::Picture rays = render(with(shot, "ground_truth", truth(64)));
+  lab::Picture raster = render(with(shot, "ground_truth", truth(64, {"mode=raster"})));
+  EXPECT_GT(rmsDifference(colorOf(rays), colorOf(render(with(shot, "none")))), .05);
+  EXPECT_LE(rmsDifference(colorOf(raster), colorOf(rays)), rms(imageOf(rays, "error")) + 1e-6);
+}
+
 TEST_F(RenderTruth, RasterRefusesWhatOnlyRaysCan) {
   for (const char* setting : {"pixel=box", "slices=4"}) {
     try {
