@@ -41,7 +41,6 @@ local function stop_test(p, means)
 end
 
 return pipeline {
-  breaks = { finite = "what is infinitely bright is so wherever it passes" },
   doc = "The scene at many times of the exposure, each as it truly stands: what every method is compared to",
   params = {
     mode         = choice { "rays", "raster", default = "rays",
