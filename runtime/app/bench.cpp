@@ -36,9 +36,14 @@ void reload(const Options& options) {
     json["device"] = bench.device().info().name;
     json["shot"] = lab::toJson(shot);
     for (const auto& t : timings)
-      json["reload"].push_back({{"edited", t.edit}, {"watch_ms", t.watch}, {"evaluate_ms", t.evaluate},
-                                {"compile_ms", t.compile}, {"build_ms", t.build}, {"first_frame_ms", t.first_frame},
-                                {"later_frame_ms", t.later_frame}, {"added_ms", t.added()}});
+      json["reload"].push_back({{"edited", t.edit},
+                                {"watch_ms", t.watch},
+                                {"evaluate_ms", t.evaluate},
+                                {"compile_ms", t.compile},
+                                {"build_ms", t.build},
+                                {"first_frame_ms", t.first_frame},
+                                {"later_frame_ms", t.later_frame},
+                                {"added_ms", t.added()}});
     std::printf("%s\n", json.dump(2).c_str());
     return;
   }
@@ -155,9 +160,12 @@ CLI::Option* addExtremes(CLI::App& command, ExtremesOptions& options) {
   add(command.add_option("--markdown", options.markdown, "write the reading as Markdown as well")->type_name("FILE"));
   add(command.add_option("--only", options.only, "one axis by its name, or variants")->type_name("NAME"));
   add(command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels (default: the experiment's)"));
-  add(command.add_option("--samples-of-truth", options.truth_samples, "time samples of truth (default: the experiment's)")
+  add(command
+          .add_option("--samples-of-truth", options.truth_samples, "time samples of truth (default: the experiment's)")
           ->check(CLI::Range(1, 65536)));
-  add(command.add_option("--from", options.from, "lay out this report again instead of measuring, with the experiment's texts")
+  add(command
+          .add_option("--from", options.from,
+                      "lay out this report again instead of measuring, with the experiment's texts")
           ->type_name("JSON"));
   add(command.add_option("--device", options.device, "index or part of the name of a Vulkan device"));
   add(command.add_flag("--json", options.json, "print the report as JSON"));
@@ -182,7 +190,9 @@ void registerBench(CLI::App& program) {
   });
   auto options = std::make_shared<Options>();
   CLI::App* of_reload = command->add_subcommand("reload", "From saving a file to the first picture made of it");
-  of_reload->add_option("--repeats", options->repeats, "edits of each kind")->check(CLI::Range(1, 1000))->capture_default_str();
+  of_reload->add_option("--repeats", options->repeats, "edits of each kind")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
   of_reload->add_flag("--json", options->json, "report as JSON");
   options->shot.addWithPipeline(*of_reload);
   of_reload->callback([options] { reload(*options); });
@@ -191,11 +201,13 @@ void registerBench(CLI::App& program) {
   const char* what = "What values of parameters change in the picture, and their cost";
   CLI::App* of_values = command->add_subcommand("values", what);
   of_values->add_option("--try", tried->tries, "NAME=VALUE[,NAME=VALUE...] to draw instead of the shot as it is")
-      ->required()->allow_extra_args(false);
+      ->required()
+      ->allow_extra_args(false);
   of_values->add_option("--against", tried->against, "a picture (of truth, say): tell each one's distance from it")
       ->type_name("FILE");
   of_values->add_option("--repeats", tried->repeats, "frames of each")
-      ->check(CLI::Range(1, 1000))->capture_default_str();
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
   of_values->add_flag("--json", tried->json, "report as JSON");
   tried->shot.addWithPipeline(*of_values);
   of_values->callback([tried] { values(*tried); });

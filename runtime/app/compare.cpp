@@ -24,9 +24,8 @@ struct Request {
   bool given_exposures = false;
 };
 
-const std::map<std::string, image::FlipCurve> kCurves = {{"aces", image::FlipCurve::aces},
-                                                         {"hable", image::FlipCurve::hable},
-                                                         {"reinhard", image::FlipCurve::reinhard}};
+const std::map<std::string, image::FlipCurve> kCurves = {
+    {"aces", image::FlipCurve::aces}, {"hable", image::FlipCurve::hable}, {"reinhard", image::FlipCurve::reinhard}};
 
 std::string shown(const std::optional<double>& value) { return value ? fmt::format("{:.6g}", *value) : "-"; }
 
@@ -93,8 +92,8 @@ void registerCompare(CLI::App& program) {
       ->capture_default_str();
   CLI::Option* start = command->add_option("--start", request->exposures.start, "first exposure of HDR-FLIP, in stops");
   CLI::Option* stop = command->add_option("--stop", request->exposures.stop, "its last exposure");
-  CLI::Option* count = command->add_option("--exposures", request->exposures.count, "how many exposures")
-                           ->check(CLI::Range(1, 1000));
+  CLI::Option* count =
+      command->add_option("--exposures", request->exposures.count, "how many exposures")->check(CLI::Range(1, 1000));
   start->needs(stop)->needs(count);
   stop->needs(start);
   count->needs(start);

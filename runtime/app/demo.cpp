@@ -25,7 +25,8 @@ struct Options {
 void demo(const Options& options) {
   double started_s = clockSeconds();
   requireWritable(options.out);
-  if (!options.markdown.empty()) requireWritable(std::filesystem::absolute(options.markdown).parent_path(), "--markdown");
+  if (!options.markdown.empty())
+    requireWritable(std::filesystem::absolute(options.markdown).parent_path(), "--markdown");
   lab::Demo demo = lab::readDemo(hereOrAtHome(options.file));
   int file_width = demo.width, file_height = demo.height;
   if (!options.size.empty()) {
@@ -51,14 +52,16 @@ void demo(const Options& options) {
   std::fputs(text.c_str(), stdout);
   for (const Path& file : files)
     if (!options.json) std::printf("%s\n", file.c_str());
-  note(fmt::format("done in {:.0f} s, of which {:.0f} s rendering and measuring", clockSeconds() - started_s, exhibition.render_s));
+  note(fmt::format("done in {:.0f} s, of which {:.0f} s rendering and measuring", clockSeconds() - started_s,
+                   exhibition.render_s));
 }
 
 }  // namespace
 
 void registerDemo(CLI::App& program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("demo", "Render the shots of a demo file and show every method beside truth");
+  CLI::App* command =
+      program.add_subcommand("demo", "Render the shots of a demo file and show every method beside truth");
   command->add_option("file", options->file, "a demo file (scripts/strobe/demo.lua)")->capture_default_str();
   command->add_option("-o,--out", options->out, "folder for the sheet, the page, numbers, pictures and records")
       ->capture_default_str();

@@ -19,7 +19,8 @@ void requireWritable(const Path& folder, const std::string& option) {
   if (!std::filesystem::is_directory(existing, ignored))
     throw Error(fmt::format("{} '{}': '{}' is not a folder", option, folder.string(), existing.string()), {}, 2);
   if (::access(existing.c_str(), W_OK | X_OK) != 0)
-    throw Error(fmt::format("{} '{}': no permission to write to '{}'", option, folder.string(), existing.string()), {}, 2);
+    throw Error(fmt::format("{} '{}': no permission to write to '{}'", option, folder.string(), existing.string()), {},
+                2);
 }
 
 }  // namespace strobe::app

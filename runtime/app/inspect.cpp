@@ -29,7 +29,8 @@ void collect(std::vector<std::string>& problems, const Step& step) {
   }
 }
 
-plan::PipelineDesc checkPipeline(const std::string& name, const script::Settings& sets, std::set<std::string>& checked) {
+plan::PipelineDesc checkPipeline(const std::string& name, const script::Settings& sets,
+                                 std::set<std::string>& checked) {
   plan::PipelineDesc pipeline = script::evaluatePipeline({name, sets});
   lab::Shot shot;
   shot.width = 64;
@@ -138,7 +139,9 @@ Json deviceJson(const gpu::DeviceInfo& info) {
   if (info.ray_query) json["backends"].push_back("query");
   json["missing"] = info.missing();
   for (const auto& feature : info.features)
-    json["features"].push_back({{"name", feature.name}, {"provides", feature.provides}, {"required", feature.required},
+    json["features"].push_back({{"name", feature.name},
+                                {"provides", feature.provides},
+                                {"required", feature.required},
                                 {"present", feature.present}});
   return json;
 }
@@ -162,12 +165,16 @@ void doctor(bool json) {
       std::printf("device %zu: %s (%s, Vulkan %s)%s\n", i, info.name.c_str(), info.driver.c_str(), info.api.c_str(),
                   info.software ? ", software: pictures are right, timings are not a GPU's" : "");
       for (const auto& feature : info.features)
-        std::printf("  %s %-44s %s\n", feature.present ? "yes" : feature.required ? "NO " : "no ", feature.name.c_str(),
-                    feature.provides.c_str());
+        std::printf("  %s %-44s %s\n",
+                    feature.present    ? "yes"
+                    : feature.required ? "NO "
+                                       : "no ",
+                    feature.name.c_str(), feature.provides.c_str());
       std::string missing = info.missing();
       std::printf("  %s\n", missing.empty() ? "suffices" : ("lacks " + missing).c_str());
     }
-    std::printf("shared data: %s\n", data ? data->c_str() : "none (STROBE_DATA names its folder); tests that need it skip");
+    std::printf("shared data: %s\n",
+                data ? data->c_str() : "none (STROBE_DATA names its folder); tests that need it skip");
   }
   if (devices.empty())
     throw Error("no Vulkan device: install a driver (Debian: mesa-vulkan-drivers gives a software device)");
@@ -180,7 +187,8 @@ void registerCheck(CLI::App& program) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = program.add_subcommand("check", "Validate scripts and shaders; needs no device");
   command->add_option("pipelines", options->files, "names or .lua files (default: everything that ships)");
-  command->add_option("--set", options->sets, "PARAM=VALUE: the pipeline with this alone, not with each preset and pass")
+  command
+      ->add_option("--set", options->sets, "PARAM=VALUE: the pipeline with this alone, not with each preset and pass")
       ->allow_extra_args(false);
   command->add_flag("--json", options->json, "report as JSON");
   command->callback([options] { check(*options); });

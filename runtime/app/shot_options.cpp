@@ -13,7 +13,8 @@ void ShotOptions::addWithPipeline(CLI::App& command) {
 
 void ShotOptions::addTo(CLI::App& command) {
   command_ = &command;
-  command.add_option("--scene", shot.scene, "a name of scripts/scenes, a .lua, .glb or .gltf file")->capture_default_str();
+  command.add_option("--scene", shot.scene, "a name of scripts/scenes, a .lua, .glb or .gltf file")
+      ->capture_default_str();
   command.add_option("--size", size, "WIDTHxHEIGHT in pixels (default: the scene's, else 960x540)");
   // Ranges are checked here: what a shot leaves to its scene is stored as values outside of them.
   command.add_option("--fps", shot.fps, "frames per second (default: the scene's, else 24)")
@@ -27,8 +28,10 @@ void ShotOptions::addTo(CLI::App& command) {
   command.add_option("--view", view, "EX,EY,EZ,TX,TY,TZ: camera at E, looking at T, instead of its pose in the scene");
   command.add_option("--animation", shot.animation, "a clip of the scene, all or none")->capture_default_str();
   command.add_option("--move", shot.moves, "NODE=dx,dy,dz: metres per frame in world axes")->allow_extra_args(false);
-  command.add_option("--spin", shot.spins, "NODE=ax,ay,az,deg: degrees per frame about an axis")->allow_extra_args(false);
-  command.add_option("--rest-frame", shot.rest_frame, "frame at which --move and --spin are at rest (default: --frame)")
+  command.add_option("--spin", shot.spins, "NODE=ax,ay,az,deg: degrees per frame about an axis")
+      ->allow_extra_args(false);
+  command
+      .add_option("--rest-frame", shot.rest_frame, "frame at which --move and --spin are at rest (default: --frame)")
       ->check(CLI::Range(0, 1000000));
   command.add_option("--aa", shot.aa, "sub-pixel samples, each a full run of the pipeline")->capture_default_str();
   command.add_option("--samples", samples, "short for --set samples=N");
@@ -43,7 +46,8 @@ void ShotOptions::addTo(CLI::App& command) {
 
 std::pair<std::string, std::string> parseSetting(const std::string& text, const std::string& option) {
   size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0) throw Error(fmt::format("{} '{}' is not NAME=VALUE", option, text), {}, 2);
+  if (equals == std::string::npos || equals == 0)
+    throw Error(fmt::format("{} '{}' is not NAME=VALUE", option, text), {}, 2);
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
@@ -92,7 +96,8 @@ void addTev(CLI::App& command, std::string& address) {
     return true;
   };
   command.add_option("--tev", take, "send outputs and taps to the viewer tev, if it runs (default: localhost:14158)")
-      ->expected(0, 1)->type_name("[HOST:PORT]");
+      ->expected(0, 1)
+      ->type_name("[HOST:PORT]");
 }
 
 bool validationWanted() {

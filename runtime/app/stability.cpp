@@ -21,7 +21,8 @@ struct StabilityOptions {
 };
 
 // Told only where everything was tried: fewer invariants or variants leave declarations without a case.
-std::vector<stability::Declaration> staleIn(const StabilityOptions& options, const std::vector<stability::Report>& reports) {
+std::vector<stability::Declaration> staleIn(const StabilityOptions& options,
+                                            const std::vector<stability::Report>& reports) {
   bool all = options.suite.invariants.empty() && options.suite.only.empty();
   return all ? stability::stale(reports) : std::vector<stability::Declaration>();
 }
@@ -66,7 +67,8 @@ void run(const StabilityOptions& options) {
   if (!options.write.empty()) writeFileAtomically(options.write, stability::pageOf(reports, options.suite));
   for (const auto& one : stale)
     if (!options.json)
-      std::printf("declared, but it holds in all %d cases: %s breaks %s\n", one.used, one.where.c_str(), one.invariant.c_str());
+      std::printf("declared, but it holds in all %d cases: %s breaks %s\n", one.used, one.where.c_str(),
+                  one.invariant.c_str());
   if (failed || !stale.empty())
     throw Error(fmt::format("{} cases break an invariant, {} declared breaks do not show", failed, stale.size()));
 }
@@ -77,13 +79,15 @@ void registerStability(CLI::App& program) {
   auto options = std::make_shared<StabilityOptions>();
   CLI::App* command = program.add_subcommand("stability", "Check properties that every blur has on generated scenes");
   command->add_option("pipelines", options->pipelines, "names or .lua files (default: every pipeline that ships)");
-  command->add_option("--cases", options->suite.cases, "cases of each variant and invariant")->check(CLI::Range(1, 100000));
+  command->add_option("--cases", options->suite.cases, "cases of each variant and invariant")
+      ->check(CLI::Range(1, 100000));
   command->add_option("--seed", options->suite.seed, "what the cases are drawn by");
   command->add_option("--invariant", options->suite.invariants, "NAME: this one alone (may be given again)")
       ->allow_extra_args(false);
   command->add_option("--variant", options->suite.only, "only variants whose name contains this");
   command->add_option("--device", options->device, "number or part of the name of a device");
-  command->add_flag("--extremes", options->extremes, "instead, the extreme cases (sizes, scales, offsets, near plane ...)");
+  command->add_flag("--extremes", options->extremes,
+                    "instead, the extreme cases (sizes, scales, offsets, near plane ...)");
   command->add_flag("--json", options->json, "report as JSON");
   command->add_option("--write", options->write, "write the table of counts")->type_name("FILE");
   command->callback([options] { run(*options); });

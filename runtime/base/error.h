@@ -51,7 +51,7 @@ std::string didYouMean(std::string_view name, const std::vector<std::string>& ca
 }  // namespace strobe
 
 // Our own mistakes: always compiled, stops the program with the expression and the values given after it.
-#define STROBE_ASSERT(condition, ...)                                                              \
-  do {                                                                                             \
+#define STROBE_ASSERT(condition, ...)                                                                      \
+  do {                                                                                                     \
     if (!(condition)) ::strobe::assertFailed(#condition, __FILE__, __LINE__, fmt::format("" __VA_ARGS__)); \
   } while (false)

@@ -18,7 +18,8 @@ std::string readText(const Path& file);
 std::vector<uint8_t> readBytes(const Path& file);
 
 // Writes to a temporary name beside `file`, flushes to disk and renames: the file is either whole or as it was.
-// Creates missing folders. Throws `Error` with the system's reason (no permission, disk full) and leaves nothing behind.
+// Creates missing folders. Throws `Error` with the system's reason (no permission, disk full) and leaves nothing
+// behind.
 void writeFileAtomically(const Path& file, std::string_view bytes);
 void writeFileAtomically(const Path& file, const std::vector<uint8_t>& bytes);
 

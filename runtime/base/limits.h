@@ -14,8 +14,8 @@ struct Limit {
   enum class Kind { Known, Warned, Refused };
   std::string name;
   Kind kind = Kind::Warned;
-  std::string met;       // when it is met
-  std::string result;    // what is done then, and what to do about it
+  std::string met;     // when it is met
+  std::string result;  // what is done then, and what to do about it
 };
 
 const std::vector<Limit>& limits();

@@ -33,7 +33,8 @@ double clockSeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-Progress::Progress(std::string label, int total) : label_(std::move(label)), total_(total), started_s_(clockSeconds()) {}
+Progress::Progress(std::string label, int total)
+    : label_(std::move(label)), total_(total), started_s_(clockSeconds()) {}
 
 Progress::~Progress() {
   if (onTerminal() && shown_s_ > 0) std::fprintf(stderr, "\r\033[K");

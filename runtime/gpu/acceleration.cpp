@@ -8,9 +8,10 @@ namespace strobe::gpu {
 Acceleration makeAcceleration(const Device& device, const std::string& name, VkAccelerationStructureTypeKHR type,
                               VkDeviceSize size) {
   Acceleration result;
-  result.storage_ = Buffer(device, name, size,
-                           VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT,
-                           Buffer::Memory::Device);
+  result.storage_ =
+      Buffer(device, name, size,
+             VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT,
+             Buffer::Memory::Device);
   VkAccelerationStructureCreateInfoKHR info{VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_CREATE_INFO_KHR};
   info.buffer = result.storage_.handle();
   info.size = size;
@@ -104,14 +105,14 @@ VkAccelerationStructureBuildGeometryInfoKHR TopLevel::buildInfo(VkAccelerationSt
 
 TopLevel::TopLevel(const Device& device, const std::string& name, uint32_t capacity) : device_(&device) {
   size_t bytes = std::max(1u, capacity) * sizeof(VkAccelerationStructureInstanceKHR);
-  instances_ = Buffer(device, name + ".instances", bytes,
-                      VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR |
-                          VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT,
-                      Buffer::Memory::Host);
+  instances_ = Buffer(
+      device, name + ".instances", bytes,
+      VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT,
+      Buffer::Memory::Host);
   VkAccelerationStructureGeometryKHR geometry;
   auto sizes = buildSizes(device, buildInfo(geometry), {std::max(1u, capacity)});
-  structure_ = makeAcceleration(device, name, VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR,
-                                sizes.accelerationStructureSize);
+  structure_ =
+      makeAcceleration(device, name, VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR, sizes.accelerationStructureSize);
   scratch_ = scratchBuffer(device, name, sizes.buildScratchSize);
 }
 

@@ -19,17 +19,28 @@ struct MessageSink {
 
 static const char* resultName(VkResult result) {
   switch (result) {
-    case VK_ERROR_OUT_OF_HOST_MEMORY: return "out of host memory";
-    case VK_ERROR_OUT_OF_DEVICE_MEMORY: return "out of device memory";
-    case VK_ERROR_INITIALIZATION_FAILED: return "initialization failed";
-    case VK_ERROR_DEVICE_LOST: return "the device was lost";
-    case VK_ERROR_LAYER_NOT_PRESENT: return "a layer is not present";
-    case VK_ERROR_EXTENSION_NOT_PRESENT: return "an extension is not present";
-    case VK_ERROR_FEATURE_NOT_PRESENT: return "a feature is not present";
-    case VK_ERROR_INCOMPATIBLE_DRIVER: return "no compatible driver";
-    case VK_ERROR_FORMAT_NOT_SUPPORTED: return "the format is not supported";
-    case VK_TIMEOUT: return "timed out";
-    default: return nullptr;
+    case VK_ERROR_OUT_OF_HOST_MEMORY:
+      return "out of host memory";
+    case VK_ERROR_OUT_OF_DEVICE_MEMORY:
+      return "out of device memory";
+    case VK_ERROR_INITIALIZATION_FAILED:
+      return "initialization failed";
+    case VK_ERROR_DEVICE_LOST:
+      return "the device was lost";
+    case VK_ERROR_LAYER_NOT_PRESENT:
+      return "a layer is not present";
+    case VK_ERROR_EXTENSION_NOT_PRESENT:
+      return "an extension is not present";
+    case VK_ERROR_FEATURE_NOT_PRESENT:
+      return "a feature is not present";
+    case VK_ERROR_INCOMPATIBLE_DRIVER:
+      return "no compatible driver";
+    case VK_ERROR_FORMAT_NOT_SUPPORTED:
+      return "the format is not supported";
+    case VK_TIMEOUT:
+      return "timed out";
+    default:
+      return nullptr;
   }
 }
 
@@ -98,8 +109,8 @@ struct Loader {
   Loader() {
     get = openLoader(&library);
     if (!get) throw Error(kNoDevice);
-    auto list_layers = reinterpret_cast<PFN_vkEnumerateInstanceLayerProperties>(
-        get(nullptr, "vkEnumerateInstanceLayerProperties"));
+    auto list_layers =
+        reinterpret_cast<PFN_vkEnumerateInstanceLayerProperties>(get(nullptr, "vkEnumerateInstanceLayerProperties"));
     auto list_extensions = reinterpret_cast<PFN_vkEnumerateInstanceExtensionProperties>(
         get(nullptr, "vkEnumerateInstanceExtensionProperties"));
     uint32_t count = 0;

@@ -7,6 +7,8 @@
 
 namespace strobe::gpu {
 
+// Lists by hand: clang-format indents one call below the other.
+// clang-format off
 #define STROBE_INSTANCE_CALLS(X)                                                                                \
   X(DestroyInstance) X(EnumeratePhysicalDevices) X(GetPhysicalDeviceProperties2) X(GetPhysicalDeviceFeatures2)  \
   X(GetPhysicalDeviceMemoryProperties) X(GetPhysicalDeviceQueueFamilyProperties)                                \
@@ -45,6 +47,7 @@ namespace strobe::gpu {
 #define STROBE_WINDOW_CALLS(X)                                                        \
   X(CreateSwapchainKHR) X(DestroySwapchainKHR) X(GetSwapchainImagesKHR)               \
   X(AcquireNextImageKHR) X(QueuePresentKHR)
+// clang-format on
 
 struct Dispatch {
 #define X(name) PFN_vk##name name = nullptr;

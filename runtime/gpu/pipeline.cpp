@@ -13,9 +13,8 @@ Owned<VkDescriptorSetLayout> makeSetLayout(const Device& device, const std::stri
   VkDescriptorSetLayout layout = VK_NULL_HANDLE;
   check(device.vk().CreateDescriptorSetLayout(device.handle(), &info, nullptr, &layout), "creating set layout " + name);
   device.setName(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, uint64_t(layout), name);
-  return {device, layout, [](const Device& d, VkDescriptorSetLayout l) {
-            d.vk().DestroyDescriptorSetLayout(d.handle(), l, nullptr);
-          }};
+  return {device, layout,
+          [](const Device& d, VkDescriptorSetLayout l) { d.vk().DestroyDescriptorSetLayout(d.handle(), l, nullptr); }};
 }
 
 Owned<VkDescriptorPool> makeDescriptorPool(const Device& device, const std::string& name,
@@ -29,7 +28,8 @@ Owned<VkDescriptorPool> makeDescriptorPool(const Device& device, const std::stri
   info.pPoolSizes = sizes.data();
   VkDescriptorPool pool = VK_NULL_HANDLE;
   check(device.vk().CreateDescriptorPool(device.handle(), &info, nullptr, &pool), "creating descriptor pool " + name);
-  return {device, pool, [](const Device& d, VkDescriptorPool p) { d.vk().DestroyDescriptorPool(d.handle(), p, nullptr); }};
+  return {device, pool,
+          [](const Device& d, VkDescriptorPool p) { d.vk().DestroyDescriptorPool(d.handle(), p, nullptr); }};
 }
 
 VkDescriptorSet allocateSet(const Device& device, VkDescriptorPool pool, VkDescriptorSetLayout layout) {
@@ -48,7 +48,8 @@ static Owned<VkShaderModule> makeModule(const Device& device, const std::string&
   info.pCode = code.data();
   VkShaderModule module = VK_NULL_HANDLE;
   check(device.vk().CreateShaderModule(device.handle(), &info, nullptr, &module), "creating shader module " + name);
-  return {device, module, [](const Device& d, VkShaderModule m) { d.vk().DestroyShaderModule(d.handle(), m, nullptr); }};
+  return {device, module,
+          [](const Device& d, VkShaderModule m) { d.vk().DestroyShaderModule(d.handle(), m, nullptr); }};
 }
 
 static VkPipelineShaderStageCreateInfo stageInfo(VkShaderStageFlagBits stage, VkShaderModule module) {
@@ -69,9 +70,8 @@ Pipeline Pipeline::withLayout(const Device& device, const std::string& name,
   Pipeline result;
   result.device_ = &device;
   result.bind_point_ = bind_point;
-  result.layout_ = {device, layout, [](const Device& d, VkPipelineLayout l) {
-                      d.vk().DestroyPipelineLayout(d.handle(), l, nullptr);
-                    }};
+  result.layout_ = {device, layout,
+                    [](const Device& d, VkPipelineLayout l) { d.vk().DestroyPipelineLayout(d.handle(), l, nullptr); }};
   return result;
 }
 
@@ -162,10 +162,10 @@ Pipeline Pipeline::trace(const Device& device, const std::string& name, const Tr
   Owned<VkShaderModule> modules[] = {
       makeModule(device, name + ".rgen", shaders.raygen), makeModule(device, name + ".rmiss", shaders.miss),
       makeModule(device, name + ".rchit", shaders.closest_hit), makeModule(device, name + ".rahit", shaders.any_hit)};
-  VkPipelineShaderStageCreateInfo stages[] = {
-      stageInfo(VK_SHADER_STAGE_RAYGEN_BIT_KHR, modules[0].get()), stageInfo(VK_SHADER_STAGE_MISS_BIT_KHR, modules[1].get()),
-      stageInfo(VK_SHADER_STAGE_CLOSEST_HIT_BIT_KHR, modules[2].get()),
-      stageInfo(VK_SHADER_STAGE_ANY_HIT_BIT_KHR, modules[3].get())};
+  VkPipelineShaderStageCreateInfo stages[] = {stageInfo(VK_SHADER_STAGE_RAYGEN_BIT_KHR, modules[0].get()),
+                                              stageInfo(VK_SHADER_STAGE_MISS_BIT_KHR, modules[1].get()),
+                                              stageInfo(VK_SHADER_STAGE_CLOSEST_HIT_BIT_KHR, modules[2].get()),
+                                              stageInfo(VK_SHADER_STAGE_ANY_HIT_BIT_KHR, modules[3].get())};
   VkRayTracingShaderGroupCreateInfoKHR hit{VK_STRUCTURE_TYPE_RAY_TRACING_SHADER_GROUP_CREATE_INFO_KHR};
   hit.type = VK_RAY_TRACING_SHADER_GROUP_TYPE_TRIANGLES_HIT_GROUP_KHR;
   hit.generalShader = hit.intersectionShader = VK_SHADER_UNUSED_KHR;
@@ -181,7 +181,8 @@ Pipeline Pipeline::trace(const Device& device, const std::string& name, const Tr
   info.maxPipelineRayRecursionDepth = 1;
   info.layout = result.layout();
   VkPipeline pipeline = VK_NULL_HANDLE;
-  check(device.vk().CreateRayTracingPipelinesKHR(device.handle(), VK_NULL_HANDLE, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+  check(device.vk().CreateRayTracingPipelinesKHR(device.handle(), VK_NULL_HANDLE, VK_NULL_HANDLE, 1, &info, nullptr,
+                                                 &pipeline),
         fmt::format("creating the pipeline of pass '{}'", name));
   result.own(device, pipeline, name);
   result.makeBindingTable(device, name);
@@ -201,7 +202,8 @@ void Pipeline::makeBindingTable(const Device& device, const std::string& name) {
   VkDeviceAddress base = (binding_table_.address() + region - 1) / region * region;
   size_t shift = base - binding_table_.address();
   for (uint32_t i = 0; i < 3; ++i)
-    std::memcpy(static_cast<uint8_t*>(binding_table_.mapped()) + shift + i * region, &handles[i * handle_size], handle_size);
+    std::memcpy(static_cast<uint8_t*>(binding_table_.mapped()) + shift + i * region, &handles[i * handle_size],
+                handle_size);
   raygen_ = {base, region, region};
   miss_ = {base + region, region, region};
   hit_ = {base + 2 * region, region, region};

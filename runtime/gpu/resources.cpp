@@ -34,11 +34,12 @@ Buffer::Buffer(const Device& device, const std::string& name, size_t size, VkBuf
   device.vk().GetBufferMemoryRequirements(device.handle(), buffer, &needs);
   bool with_address = usage & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
   bool host = memory == Memory::Host;
-  memory_ = allocate(device, needs,
-                     host ? VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT : 0,
-                     host ? 0 : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, with_address);
+  memory_ =
+      allocate(device, needs, host ? VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT : 0,
+               host ? 0 : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, with_address);
   check(device.vk().BindBufferMemory(device.handle(), buffer, memory_.get(), 0), "binding buffer " + name);
-  if (host) check(device.vk().MapMemory(device.handle(), memory_.get(), 0, VK_WHOLE_SIZE, 0, &mapped_), "mapping " + name);
+  if (host)
+    check(device.vk().MapMemory(device.handle(), memory_.get(), 0, VK_WHOLE_SIZE, 0, &mapped_), "mapping " + name);
   if (!with_address) return;
   VkBufferDeviceAddressInfo address{VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO};
   address.buffer = buffer;

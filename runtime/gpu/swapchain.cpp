@@ -98,9 +98,8 @@ void Swapchain::makeViews() {
     info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
     VkImageView view = VK_NULL_HANDLE;
     check(vk.CreateImageView(device_.handle(), &info, nullptr, &view), "creating a view of the window");
-    views_.emplace_back(device_, view, [](const Device& d, VkImageView v) {
-      d.vk().DestroyImageView(d.handle(), v, nullptr);
-    });
+    views_.emplace_back(device_, view,
+                        [](const Device& d, VkImageView v) { d.vk().DestroyImageView(d.handle(), v, nullptr); });
   }
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "graph/graph.h"
 
-#include <glm/gtc/packing.hpp>
-
 #include <algorithm>
+#include <glm/gtc/packing.hpp>
 
 #include "base/limits.h"
 #include "base/log.h"

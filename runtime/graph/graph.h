@@ -19,15 +19,15 @@ namespace strobe::graph {
 struct FrameSetup {
   std::function<scene::Pose(double time_s)> pose_at;
   scene::Camera camera;
-  double capture_s = 0;           // scene time of the capture
+  double capture_s = 0;            // scene time of the capture
   double open_s = 0, close_s = 0;  // the exposure window
-  double frame_s = 0;             // time from frame to frame
-  uint32_t anchor = 0;            // ANCHOR_* of shaders/shared/frame.h
+  double frame_s = 0;              // time from frame to frame
+  uint32_t anchor = 0;             // ANCHOR_* of shaders/shared/frame.h
   uint32_t frame = 0;
   uint32_t seed = 0;
-  vec2 subpixel = vec2(0);        // sample position relative to the pixel's centre, px
+  vec2 subpixel = vec2(0);  // sample position relative to the pixel's centre, px
   scene::Environment environment;
-  scene::PixelArea reach;         // where anything that moves can be seen
+  scene::PixelArea reach;                         // where anything that moves can be seen
   const std::set<std::string>* wanted = nullptr;  // outputs and taps to read back; null: all
 };
 
@@ -39,18 +39,18 @@ struct ReadImage {
 };
 
 struct StepTime {
-  std::string name;  // node
+  std::string name;   // node
   double gpu_ms = 0;  // summed over the iterations of its loop
   int executions = 0;
 };
 
 struct FrameResult {
-  std::map<std::string, ReadImage> outputs;                     // by name of the output
-  std::map<std::string, ReadImage> taps;                        // by "node.port"
-  std::vector<std::pair<std::string, uint64_t>> counters;       // "node.counter", in the order of execution
-  std::vector<std::pair<std::string, int>> iterations;          // of each loop, fewer than planned if it stopped early
+  std::map<std::string, ReadImage> outputs;                // by name of the output
+  std::map<std::string, ReadImage> taps;                   // by "node.port"
+  std::vector<std::pair<std::string, uint64_t>> counters;  // "node.counter", in the order of execution
+  std::vector<std::pair<std::string, int>> iterations;     // of each loop, fewer than planned if it stopped early
   std::vector<StepTime> times;
-  double gpu_ms = 0;   // spans of the submissions, summed
+  double gpu_ms = 0;  // spans of the submissions, summed
 };
 
 // Owns the device memory of one plan. The plan, the scene and the device must outlive it.
@@ -146,11 +146,11 @@ class Graph {
   gpu::Image unwired_uint_;
   gpu::Owned<VkSampler> nearest_, linear_;
   std::vector<Node> nodes_;
-  std::map<int, gpu::Buffer> read_back_;  // by virtual image
-  std::map<int, bool> history_;           // by virtual image: holds an earlier frame
-  std::set<std::string> taken_over_;      // histories of a previous graph
+  std::map<int, gpu::Buffer> read_back_;                // by virtual image
+  std::map<int, bool> history_;                         // by virtual image: holds an earlier frame
+  std::set<std::string> taken_over_;                    // histories of a previous graph
   std::vector<std::pair<size_t, size_t>> taken_slots_;  // this one's, and that of a previous graph it came from
-  const std::set<std::string>* wanted_ = nullptr;  // of the frame being drawn
+  const std::set<std::string>* wanted_ = nullptr;       // of the frame being drawn
   gpu::Timer timer_;
   std::vector<PendingStamp> stamps_;
   double gpu_ms_ = 0;

@@ -21,7 +21,7 @@ struct NodePipeline {
   std::vector<VkDescriptorSetLayoutBinding> bindings;
   gpu::Pipeline pipeline;
   shader::Interface interface;
-  std::vector<Path> files;  // its shaders and what they include
+  std::vector<Path> files;   // its shaders and what they include
   mutable bool ran = false;  // software devices compile when it runs first
 };
 

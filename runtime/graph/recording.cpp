@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How a plan's steps become commands, and how those reach the device.
-#include "graph/graph.h"
-
 #include "base/log.h"
+#include "graph/graph.h"
 
 namespace strobe::graph {
 
@@ -57,13 +56,18 @@ void Graph::recordBarriers(VkCommandBuffer commands, const std::vector<plan::Bar
 void Graph::record(VkCommandBuffer commands, const Step& step, int iteration) {
   recordBarriers(commands, iteration == 0 ? step.barriers : step.barriers_next);
   switch (step.kind) {
-    case Step::Kind::ClearImage: return recordClear(commands, step.index);
-    case Step::Kind::Pass: return recordPass(commands, step.index);
-    case Step::Kind::ReadImage: return recordRead(commands, step.index);
+    case Step::Kind::ClearImage:
+      return recordClear(commands, step.index);
+    case Step::Kind::Pass:
+      return recordPass(commands, step.index);
+    case Step::Kind::ReadImage:
+      return recordRead(commands, step.index);
     // Counters live in host memory: the host clears them before the frame and reads them after it.
     case Step::Kind::ClearCounters:
-    case Step::Kind::ReadCounters: return;
-    case Step::Kind::Loop: STROBE_ASSERT(false, "loops do not nest");
+    case Step::Kind::ReadCounters:
+      return;
+    case Step::Kind::Loop:
+      STROBE_ASSERT(false, "loops do not nest");
   }
 }
 

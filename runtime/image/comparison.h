@@ -36,9 +36,9 @@ struct Comparison {
   std::optional<double> ssim, ms_ssim;  // ms_ssim takes no mask and is absent with one
   double ldr_flip = 0, ldr_flip_max = 0;
   std::optional<double> hdr_flip, hdr_flip_max;
-  Exposures exposures;       // of hdr_flip
-  Image ldr_map, hdr_map;    // error maps of the whole image
-  size_t pixels = 0;         // that counted
+  Exposures exposures;     // of hdr_flip
+  Image ldr_map, hdr_map;  // error maps of the whole image
+  size_t pixels = 0;       // that counted
 };
 
 // Linear colour of the same size; `mask` as in metrics.h (empty: all). Throws `Error` when sizes differ or no pixel

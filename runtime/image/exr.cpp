@@ -11,10 +11,10 @@
 #include <ImfOutputFile.h>
 #include <ImfRationalAttribute.h>
 #include <ImfStringAttribute.h>
-#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cstring>
+#include <glm/gtc/type_ptr.hpp>
 #include <set>
 #include <stdexcept>
 
@@ -85,8 +85,7 @@ Imf::Header headerOf(const ExrFile& content) {
   }
   if (content.shutter_angle) header.insert("shutterAngle", Imf::FloatAttribute(*content.shutter_angle));
   if (content.exposure_s) header.insert("expTime", Imf::FloatAttribute(*content.exposure_s));
-  if (content.camera_from_world)
-    header.insert("worldToCamera", Imf::M44fAttribute(toExr(*content.camera_from_world)));
+  if (content.camera_from_world) header.insert("worldToCamera", Imf::M44fAttribute(toExr(*content.camera_from_world)));
   if (content.ndc_from_world) header.insert("worldToNDC", Imf::M44fAttribute(toExr(*content.ndc_from_world)));
   return header;
 }

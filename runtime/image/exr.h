@@ -2,10 +2,9 @@
 // OpenEXR files: one part, any number of layers. A channel's name is its layer and component ("R", "velocity.X").
 #pragma once
 
-#include <glm/mat4x4.hpp>
-
 #include <array>
 #include <cstdint>
+#include <glm/mat4x4.hpp>
 #include <map>
 #include <optional>
 #include <string>
@@ -21,8 +20,8 @@ enum class ExrKind { real, half, uint };  // stored as 32-bit float, 16-bit floa
 struct ExrChannel {
   std::string name;
   ExrKind kind = ExrKind::real;
-  std::vector<float> values;   // width * height, top row first; empty for `uint`
-  std::vector<uint32_t> ids;   // the same for `uint`; empty otherwise
+  std::vector<float> values;  // width * height, top row first; empty for `uint`
+  std::vector<uint32_t> ids;  // the same for `uint`; empty otherwise
 };
 
 // The whole content of a file. The standard attributes keep the meaning OpenEXR gives them.
@@ -30,12 +29,12 @@ struct ExrFile {
   int width = 0;
   int height = 0;
   std::vector<ExrChannel> channels;
-  std::map<std::string, std::string> texts;               // string attributes (the run record among them)
-  std::optional<std::array<int, 2>> frames_per_second;    // numerator, denominator
-  std::optional<float> shutter_angle;                     // degrees
-  std::optional<float> exposure_s;                        // expTime
-  std::optional<glm::mat4> camera_from_world;             // worldToCamera
-  std::optional<glm::mat4> ndc_from_world;                // worldToNDC
+  std::map<std::string, std::string> texts;             // string attributes (the run record among them)
+  std::optional<std::array<int, 2>> frames_per_second;  // numerator, denominator
+  std::optional<float> shutter_angle;                   // degrees
+  std::optional<float> exposure_s;                      // expTime
+  std::optional<glm::mat4> camera_from_world;           // worldToCamera
+  std::optional<glm::mat4> ndc_from_world;              // worldToNDC
 
   const ExrChannel* find(const std::string& name) const;  // nullptr when absent
 

@@ -168,8 +168,7 @@ Plane blurBlueYellow(const Plane& in, double ppd) {
   Sensitivity narrow = sensitivity(34.1, 0.04, ppd), wide = sensitivity(13.5, 0.025, ppd);
   Plane out = blurred(in, narrow.taps), other = blurred(in, wide.taps);
   float share = static_cast<float>(narrow.integral / (narrow.integral + wide.integral));
-  for (size_t i = 0; i < out.values.size(); ++i)
-    out.values[i] = share * out.values[i] + (1 - share) * other.values[i];
+  for (size_t i = 0; i < out.values.size(); ++i) out.values[i] = share * out.values[i] + (1 - share) * other.values[i];
   return out;
 }
 
@@ -317,11 +316,16 @@ Image ldrFlip(const Image& test, const Image& reference, double pixels_per_degre
 
 const char* exposureSourceName(Exposures::Source source) {
   switch (source) {
-    case Exposures::Source::given: return "given";
-    case Exposures::Source::reference: return "reference";
-    case Exposures::Source::positive: return "reference, smallest positive luminance for its median of 0";
-    case Exposures::Source::test: return "test image, because the reference is black";
-    case Exposures::Source::none: break;
+    case Exposures::Source::given:
+      return "given";
+    case Exposures::Source::reference:
+      return "reference";
+    case Exposures::Source::positive:
+      return "reference, smallest positive luminance for its median of 0";
+    case Exposures::Source::test:
+      return "test image, because the reference is black";
+    case Exposures::Source::none:
+      break;
   }
   return "none, because both images are black";
 }
@@ -361,8 +365,7 @@ HdrFlip hdrFlip(const Image& test, const Image& reference, const HdrFlipOptions&
     Image map = flipOfDisplayable(exposed(x, stops, options.curve), exposed(r, stops, options.curve),
                                   options.pixels_per_degree);
     if (i == 0) result.map = map;
-    for (size_t p = 0; p < map.values.size(); ++p)
-      result.map.values[p] = std::max(result.map.values[p], map.values[p]);
+    for (size_t p = 0; p < map.values.size(); ++p) result.map.values[p] = std::max(result.map.values[p], map.values[p]);
   }
   return result;
 }

@@ -166,9 +166,8 @@ double trimmedRelativeMse(const Image& test, const Image& reference, const Image
 }
 
 double smape(const Image& test, const Image& reference, const Image& mask) {
-  return mean(pixelErrors(test, reference, mask, [](double x, double r) {
-    return std::abs(x - r) / (std::abs(x) + std::abs(r) + 0.01);
-  }));
+  return mean(pixelErrors(test, reference, mask,
+                          [](double x, double r) { return std::abs(x - r) / (std::abs(x) + std::abs(r) + 0.01); }));
 }
 
 double psnr(const Image& test, const Image& reference, const Image& mask) {

@@ -19,9 +19,8 @@
 namespace strobe::image {
 
 Path fontFile() {
-  for (const char* candidate :
-       {STROBE_FONT_FILE, "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/dejavu/DejaVuSans.ttf",
-        "/usr/share/fonts/TTF/DejaVuSans.ttf"})
+  for (const char* candidate : {STROBE_FONT_FILE, "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+                                "/usr/share/fonts/dejavu/DejaVuSans.ttf", "/usr/share/fonts/TTF/DejaVuSans.ttf"})
     if (*candidate && std::filesystem::is_regular_file(candidate)) return candidate;
   throw Error("the font DejaVuSans.ttf is not installed (Debian package fonts-dejavu-core)");
 }

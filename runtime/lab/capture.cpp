@@ -62,7 +62,8 @@ image::ExrFile exrOf(const Picture& picture, bool half) {
       int width = std::max(read.floats.width, read.uints.width);
       int height = std::max(read.floats.height, read.uints.height);
       if (width == file.width && height == file.height) addLayer(file, name, read, half);
-      else warn(fmt::format("'{}' is {}x{}, not as large as the color, and is left out of the file", name, width, height));
+      else
+        warn(fmt::format("'{}' is {}x{}, not as large as the color, and is left out of the file", name, width, height));
     }
   }
   const Json& shot = picture.record["shot"];

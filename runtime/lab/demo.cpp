@@ -137,7 +137,8 @@ void collect(std::vector<std::string>& problems, const Step& step) {
 void checkDemo(const Demo& demo, const std::string& file) {
   std::vector<std::string> problems;
   auto refuse = [&](const std::string& text) { problems.push_back(Error(text, {file}).what()); };
-  if (demo.width < 1 || demo.height < 1 || demo.width > 16384 || demo.height > 16384) refuse("size is not 1 to 16384 pixels");
+  if (demo.width < 1 || demo.height < 1 || demo.width > 16384 || demo.height > 16384)
+    refuse("size is not 1 to 16384 pixels");
   if (demo.crop_width < 1 || demo.crop_height < 1) refuse("crop_size is not at least 1 pixel");
   if (!(demo.difference_gain > 0)) refuse("difference_gain is not above 0");
   auto known = [&](const std::string& region) {
@@ -178,7 +179,8 @@ script::Settings joined(script::Settings base, const script::Settings& more) {
 script::Settings settingsOf(const Json& from, const char* name) {
   script::Settings sets;
   if (!from.contains(name)) return sets;
-  for (const Json& one : from.at(name)) sets.emplace_back(one.at("name").get<std::string>(), one.at("value").get<std::string>());
+  for (const Json& one : from.at(name))
+    sets.emplace_back(one.at("name").get<std::string>(), one.at("value").get<std::string>());
   return sets;
 }
 

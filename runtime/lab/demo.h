@@ -27,12 +27,12 @@ using DemoCrop = std::optional<image::Rectangle>;
 
 struct DemoShot {
   std::string title, note, attribution;
-  Shot shot;                     // everything but pipeline and its settings
-  script::Settings truth;        // on top of the settings of the truth column
+  Shot shot;                                     // everything but pipeline and its settings
+  script::Settings truth;                        // on top of the settings of the truth column
   std::optional<script::Settings> full_shading;  // as above, for truth printed beside
   std::vector<DemoCrop> crops;
   image::ToneMap tone;
-  std::string missing;           // why it cannot be rendered here; "": it can
+  std::string missing;  // why it cannot be rendered here; "": it can
 };
 
 // Names of columns and of two of a column's outputs: what lies behind, and where that is known.
@@ -54,7 +54,7 @@ struct Demo {
   uint32_t seed = 0;
   std::vector<DemoShot> shots;
   std::vector<DemoColumn> columns;
-  std::vector<std::string> regions;   // of "whole" and the names of the truth's masks
+  std::vector<std::string> regions;  // of "whole" and the names of the truth's masks
   std::set<std::string> measures;
   double difference_gain = 4;
   int crop_width = 120, crop_height = 68;

@@ -39,7 +39,7 @@ struct Task {
   const DemoColumn* column;
   std::string anchor;
   script::Settings sets;
-  int runs = 1;   // frames without the one to warm up
+  int runs = 1;  // frames without the one to warm up
   int frame_cost = 0;
   bool warms_up = true;
 
@@ -283,7 +283,8 @@ void Hall::keepBackground(const Picture& picture) {
   auto output = [&](const std::string& name) {
     auto found = picture.frame.outputs.find(name);
     if (found == picture.frame.outputs.end())
-      throw Error(fmt::format("column '{}' has no output '{}', which the demo's background names", demo_.background->column, name));
+      throw Error(fmt::format("column '{}' has no output '{}', which the demo's background names",
+                              demo_.background->column, name));
     return found->second.floats;
   };
   back_ = threeChannels(output(demo_.background->color));
@@ -327,7 +328,8 @@ image::Rectangle Hall::placed(const DemoCrop& crop, const Group& group) const {
     return {std::clamp(int(crop->x * scale_x_), 0, picture.width - width),
             std::clamp(int(crop->y * scale_y_), 0, picture.height - height), width, height};
   }
-  int width = scaled(demo_.crop_width, scale_x_, picture.width), height = scaled(demo_.crop_height, scale_y_, picture.height);
+  int width = scaled(demo_.crop_width, scale_x_, picture.width),
+      height = scaled(demo_.crop_height, scale_y_, picture.height);
   auto inner = group.masks.find("inner");
   if (inner == group.masks.end()) return {(picture.width - width) / 2, (picture.height - height) / 2, width, height};
   return densest(inner->second, width, height);
@@ -360,7 +362,9 @@ std::optional<Verdict> Hall::verdict(const ShotResult& result) const {
       "clamped: {}",
       e.column, e.region, own, own / best_baseline, e.share, own / floor, e.floor, contrast,
       contrast >= e.contrast ? "at least" : "less than", e.contrast, clamped,
-      !verdict.applies ? "does not apply" : verdict.holds ? "holds" : "does not hold");
+      !verdict.applies ? "does not apply"
+      : verdict.holds  ? "holds"
+                       : "does not hold");
   return verdict;
 }
 

@@ -35,8 +35,8 @@ struct Group {
   std::string anchor;
   std::map<std::string, image::Image> masks;  // by region; "whole" is empty
   std::map<std::string, size_t> pixels;
-  image::Exposures exposures;                 // of HDR-FLIP, from the truth
-  std::vector<Entry> entries;                 // in the order of the demo's columns
+  image::Exposures exposures;  // of HDR-FLIP, from the truth
+  std::vector<Entry> entries;  // in the order of the demo's columns
 
   const Entry* find(const std::string& label) const;
   const Entry& truth() const;

@@ -30,9 +30,10 @@ std::string describeShot(const ShotResult& result) {
 std::string describeContrast(const ShotResult& result) {
   if (!result.contrast || result.contrast->pixels == 0) return "";
   const Contrast& c = *result.contrast;
-  return fmt::format("Behind the inner blur ({} px): the background's standard deviation is {:.4f}, its mean difference "
-                     "from the front {:.4f} (ratio {:.2f}).",
-                     c.pixels, c.deviation, c.difference, c.deviation / c.difference);
+  return fmt::format(
+      "Behind the inner blur ({} px): the background's standard deviation is {:.4f}, its mean difference "
+      "from the front {:.4f} (ratio {:.2f}).",
+      c.pixels, c.deviation, c.difference, c.deviation / c.difference);
 }
 
 std::string describeDevice(const Exhibition& exhibition) {
@@ -43,9 +44,12 @@ std::string describeDevice(const Exhibition& exhibition) {
 
 std::string describeRole(const DemoColumn& column) {
   switch (column.role) {
-    case DemoColumn::Role::truth: return "truth; its numbers are its own standard error";
-    case DemoColumn::Role::floor: return "sampling floor: truth at a method's own times";
-    case DemoColumn::Role::method: break;
+    case DemoColumn::Role::truth:
+      return "truth; its numbers are its own standard error";
+    case DemoColumn::Role::floor:
+      return "sampling floor: truth at a method's own times";
+    case DemoColumn::Role::method:
+      break;
   }
   return "";
 }
@@ -71,11 +75,13 @@ Table tableOf(const Exhibition& exhibition, const ShotResult& result, const Grou
   table.head.push_back("clamped px");
   for (const Entry& entry : group.entries) {
     std::vector<std::string> row = {entry.column->label};
-    if (entry.column->role != DemoColumn::Role::method) row[0] += entry.column->role == DemoColumn::Role::truth ? " ±" : " (floor)";
+    if (entry.column->role != DemoColumn::Role::method)
+      row[0] += entry.column->role == DemoColumn::Role::truth ? " ±" : " (floor)";
     for (const auto& [measure, name] : kMeasureNames)
       for (const std::string& region : demo.regions)
         if (demo.measures.count(measure)) row.push_back(shownError(valueOf(entry.errors.at(region), measure)));
-    if (hasFullShading(result)) row.push_back(entry.errors.count("whole") ? shownError(entry.errors.at("whole").full_rmse) : kDash);
+    if (hasFullShading(result))
+      row.push_back(entry.errors.count("whole") ? shownError(entry.errors.at("whole").full_rmse) : kDash);
     if (demo.measures.count("ms")) row.push_back(shownMs(entry));
     row.push_back(std::to_string(entry.clamped));
     table.rows.push_back(row);
@@ -153,7 +159,8 @@ std::string tablesMarkdown(const Exhibition& exhibition) {
     if (!result.shot->note.empty()) text += result.shot->note + "\n\n";
     text += describeShot(result) + ".\n";
     for (const Group& group : result.groups)
-      text += "\nRegions: " + regionsText(exhibition, group) + ".\n\n" + markdownTable(tableOf(exhibition, result, group));
+      text +=
+          "\nRegions: " + regionsText(exhibition, group) + ".\n\n" + markdownTable(tableOf(exhibition, result, group));
     if (std::string contrast = describeContrast(result); !contrast.empty()) text += "\n" + contrast + "\n";
     if (result.verdict) text += "\n" + result.verdict->text + ".\n";
     if (!result.attribution.empty()) text += "\n" + result.attribution + "\n";
@@ -168,11 +175,14 @@ static Json entryJson(const Entry& entry) {
   Json json;
   json["label"] = entry.column->label;
   json["pipeline"] = entry.column->pipeline;
-  json["role"] = entry.column->role == DemoColumn::Role::truth ? "truth"
-                 : entry.column->role == DemoColumn::Role::floor ? "floor" : "method";
+  json["role"] = entry.column->role == DemoColumn::Role::truth   ? "truth"
+                 : entry.column->role == DemoColumn::Role::floor ? "floor"
+                                                                 : "method";
   for (const auto& [region, errors] : entry.errors)
-    json["errors"][region] = {{"rmse", number(errors.rmse)}, {"flip", number(errors.flip)},
-                              {"hdr_flip", number(errors.hdr_flip)}, {"rmse_full_shading", number(errors.full_rmse)}};
+    json["errors"][region] = {{"rmse", number(errors.rmse)},
+                              {"flip", number(errors.flip)},
+                              {"hdr_flip", number(errors.hdr_flip)},
+                              {"rmse_full_shading", number(errors.full_rmse)}};
   json["gpu_ms"] = entry.ms ? Json(*entry.ms) : Json(nullptr);
   json["clamped_px"] = entry.clamped;
   for (const Path& file : entry.files) json["files"].push_back(file.filename().string());
@@ -184,7 +194,8 @@ static Json groupJson(const Group& group) {
   Json json;
   json["anchor"] = group.anchor;
   for (const auto& [region, pixels] : group.pixels) json["pixels"][region] = pixels;
-  json["flip_exposures"] = {{"start", group.exposures.start}, {"stop", group.exposures.stop},
+  json["flip_exposures"] = {{"start", group.exposures.start},
+                            {"stop", group.exposures.stop},
                             {"count", group.exposures.count},
                             {"source", image::exposureSourceName(group.exposures.source)}};
   for (const Entry& entry : group.entries) json["columns"].push_back(entryJson(entry));
@@ -205,11 +216,12 @@ static Json shotJson(const ShotResult& result) {
   json["median_displacement_px"] = number(result.displacement_px);
   for (const auto& crop : result.crops) json["crops"].push_back({crop.x, crop.y, crop.width, crop.height});
   if (result.contrast)
-    json["background"] = {{"deviation", result.contrast->deviation}, {"difference", result.contrast->difference},
+    json["background"] = {{"deviation", result.contrast->deviation},
+                          {"difference", result.contrast->difference},
                           {"pixels", result.contrast->pixels}};
   if (result.verdict)
-    json["expectation"] = {{"applies", result.verdict->applies}, {"holds", result.verdict->holds},
-                           {"text", result.verdict->text}};
+    json["expectation"] = {
+        {"applies", result.verdict->applies}, {"holds", result.verdict->holds}, {"text", result.verdict->text}};
   if (!result.attribution.empty()) json["attribution"] = result.attribution;
   for (const Group& group : result.groups) json["groups"].push_back(groupJson(group));
   return json;
@@ -220,8 +232,8 @@ Json toJson(const Exhibition& exhibition) {
   json["strobe"] = STROBE_VERSION;
   json["title"] = exhibition.demo->title;
   json["size"] = {exhibition.demo->width, exhibition.demo->height};
-  json["device"] = {{"name", exhibition.device.name}, {"driver", exhibition.device.driver},
-                    {"software", exhibition.device.software}};
+  json["device"] = {
+      {"name", exhibition.device.name}, {"driver", exhibition.device.driver}, {"software", exhibition.device.software}};
   for (const auto& dependency : exhibition.demo->dependencies) json["scripts"][dependency.shown] = dependency.hash;
   json["shots"] = Json::array();
   for (const ShotResult& result : exhibition.shots) json["shots"].push_back(shotJson(result));

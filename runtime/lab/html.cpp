@@ -46,7 +46,8 @@ bool isTruth(const Entry& entry) { return entry.column->role == DemoColumn::Role
 // A page in the making: pictures at a fraction of their size.
 class Page {
  public:
-  Page(const Exhibition& exhibition, int divisor) : exhibition_(exhibition), demo_(*exhibition.demo), divisor_(divisor) {}
+  Page(const Exhibition& exhibition, int divisor)
+      : exhibition_(exhibition), demo_(*exhibition.demo), divisor_(divisor) {}
   std::string text();
 
  private:
@@ -58,7 +59,8 @@ class Page {
   void table(const ShotResult& result, const Group& group);
   void figure(const std::string& id, const Image& display, const std::string& caption);
   void paragraph(const std::string& text, const char* kind = "") {
-    if (!text.empty()) page_ += fmt::format("<p{}>{}</p>\n", *kind ? fmt::format(" class=\"{}\"", kind) : "", escaped(text));
+    if (!text.empty())
+      page_ += fmt::format("<p{}>{}</p>\n", *kind ? fmt::format(" class=\"{}\"", kind) : "", escaped(text));
   }
 
   const Exhibition& exhibition_;
@@ -70,9 +72,10 @@ class Page {
 std::string pictureId(int shot, size_t entry) { return fmt::format("picture-{}-{}", shot, entry); }
 
 void Page::figure(const std::string& id, const Image& display, const std::string& caption) {
-  page_ += fmt::format("<figure><img{} width=\"{}\" height=\"{}\" alt=\"{}\" src=\"{}\"><figcaption>{}</figcaption></figure>\n",
-                       id.empty() ? "" : fmt::format(" id=\"{}\"", id), display.width, display.height, escaped(caption),
-                       dataOf(image::encodePng(display)), escaped(caption));
+  page_ += fmt::format(
+      "<figure><img{} width=\"{}\" height=\"{}\" alt=\"{}\" src=\"{}\"><figcaption>{}</figcaption></figure>\n",
+      id.empty() ? "" : fmt::format(" id=\"{}\"", id), display.width, display.height, escaped(caption),
+      dataOf(image::encodePng(display)), escaped(caption));
 }
 
 // The page starts with the last method that is not the floor: usually the one the demo is about.
@@ -88,11 +91,13 @@ void Page::viewer(const Group& group, int number) {
     page_ += fmt::format("<button type=\"button\" data-picture=\"{}\"{}>{}</button>", pictureId(number, i),
                          i == chosen ? " data-chosen" : "", escaped(group.entries[i].column->label));
   }
-  page_ += "<span class=\"space\"></span><span class=\"soft\">move over the picture to wipe</span>"
-           "<button type=\"button\" class=\"flicker\" aria-pressed=\"false\">flicker</button></div>\n"
-           "<div class=\"stage\"><img class=\"truth\" alt=\"truth\"><img class=\"method\" alt=\"the chosen method\">"
-           "<div class=\"edge\"></div><span class=\"tag left\"></span>";
-  page_ += fmt::format("<span class=\"tag right\">{}</span></div></div>\n", escaped(group.entries[truth].column->label));
+  page_ +=
+      "<span class=\"space\"></span><span class=\"soft\">move over the picture to wipe</span>"
+      "<button type=\"button\" class=\"flicker\" aria-pressed=\"false\">flicker</button></div>\n"
+      "<div class=\"stage\"><img class=\"truth\" alt=\"truth\"><img class=\"method\" alt=\"the chosen method\">"
+      "<div class=\"edge\"></div><span class=\"tag left\"></span>";
+  page_ +=
+      fmt::format("<span class=\"tag right\">{}</span></div></div>\n", escaped(group.entries[truth].column->label));
 }
 
 void Page::pictures(const ShotResult& result, const Group& group, int number) {
@@ -108,14 +113,17 @@ void Page::pictures(const ShotResult& result, const Group& group, int number) {
 
 void Page::crops(const ShotResult& result, const Group& group, size_t index) {
   const image::Rectangle& area = result.crops[index];
-  page_ += fmt::format("<h3>Crop {}x{} at {},{}</h3>\n<div class=\"grid crop\">\n", area.width, area.height, area.x, area.y);
+  page_ +=
+      fmt::format("<h3>Crop {}x{} at {},{}</h3>\n<div class=\"grid crop\">\n", area.width, area.height, area.x, area.y);
   for (const Entry& entry : group.entries)
-    if (entry.column->shown) figure("", image::toneMap(image::crop(entry.shown, area), result.shot->tone), entry.column->label);
+    if (entry.column->shown)
+      figure("", image::toneMap(image::crop(entry.shown, area), result.shot->tone), entry.column->label);
   page_ += "</div>\n";
 }
 
 void Page::differences(const Group& group) {
-  page_ += fmt::format("<h3>|Difference from truth| × {:g}, linear values</h3>\n<div class=\"grid\">\n", demo_.difference_gain);
+  page_ += fmt::format("<h3>|Difference from truth| × {:g}, linear values</h3>\n<div class=\"grid\">\n",
+                       demo_.difference_gain);
   for (const Entry& entry : group.entries) {
     if (!entry.column->shown || isTruth(entry)) continue;
     Image difference = differenceFromTruth(entry, group, demo_.difference_gain);
@@ -146,7 +154,8 @@ void Page::table(const ShotResult& result, const Group& group) {
       const std::string& cell = table.rows[i][column];
       bool error = column > 0 && table.head[column].find(' ') != std::string::npos &&
                    (table.head[column].starts_with("RMSE") || table.head[column].find("FLIP") != std::string::npos);
-      bool stands_out = method && error && cell[0] >= '0' && cell[0] <= '9' && std::strtod(cell.c_str(), nullptr) == best(column);
+      bool stands_out =
+          method && error && cell[0] >= '0' && cell[0] <= '9' && std::strtod(cell.c_str(), nullptr) == best(column);
       page_ += fmt::format("<td{}>{}</td>", stands_out ? " class=\"best\"" : "", escaped(cell));
     }
     page_ += "</tr>\n";
@@ -169,7 +178,10 @@ void Page::shot(const ShotResult& result, int number) {
     page_ += fmt::format("<h3>Errors, anchor {}</h3>\n", escaped(one.anchor));
     table(result, one);
   }
-  paragraph("± is truth's own standard error. A floor is truth at a method's own samples: what no filter with as many can pass.", "soft");
+  paragraph(
+      "± is truth's own standard error. A floor is truth at a method's own samples: what no filter with as many can "
+      "pass.",
+      "soft");
   paragraph(describeContrast(result), "soft");
   if (result.verdict) paragraph(result.verdict->text + ".", "verdict");
   page_ += "<h3>Pictures</h3>\n";
@@ -181,18 +193,22 @@ void Page::shot(const ShotResult& result, int number) {
 }
 
 std::string Page::text() {
-  page_ = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" + escaped(demo_.title) +
-          "</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>" + kPageStyle + "</style>\n</head>\n<body>\n<h1>" +
-          escaped(demo_.title) + "</h1>\n";
+  page_ =
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+      escaped(demo_.title) + "</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>" + kPageStyle +
+      "</style>\n</head>\n<body>\n<h1>" + escaped(demo_.title) + "</h1>\n";
   paragraph(demo_.note);
   for (size_t i = 0; i < exhibition_.shots.size(); ++i) shot(exhibition_.shots[i], int(i));
   page_ += "<footer>\n";
   paragraph("Strobe " STROBE_VERSION " on " + describeDevice(exhibition_) + ".");
-  paragraph("RMSE of linear values over all channels; FLIP at 67 pixels per degree; one sample per pixel at its centre, for "
-            "methods and truth alike. Regions are the truth's: inner, where the exposure shows what is farther than the "
-            "capture sees; hidden, what the capture could not see; outer, what is nearer.");
-  if (divisor_ > 1) paragraph(fmt::format("Pictures here have 1/{} of their width; crops and the files beside this page are whole.", divisor_));
+  paragraph(
+      "RMSE of linear values over all channels; FLIP at 67 pixels per degree; one sample per pixel at its centre, for "
+      "methods and truth alike. Regions are the truth's: inner, where the exposure shows what is farther than the "
+      "capture sees; hidden, what the capture could not see; outer, what is nearer.");
+  if (divisor_ > 1)
+    paragraph(fmt::format("Pictures here have 1/{} of their width; crops and the files beside this page are whole.",
+                          divisor_));
   page_ += "</footer>\n<script>" + std::string(kPageScript) + "</script>\n</body>\n</html>\n";
   return page_;
 }

@@ -55,8 +55,11 @@ Json makeRecord(const RecordContext& c, const graph::FrameResult& frame) {
   if (!c.scene.scene.attribution.is_null()) record["scene"]["attribution"] = c.scene.scene.attribution;
   for (const auto& dependency : c.dependencies) record["scripts"][dependency.shown] = dependency.hash;
   record["shaders"] = shaderHashes(c.plan);
-  record["device"] = {{"name", c.device.name}, {"driver", c.device.driver}, {"api", c.device.api},
-                      {"software", c.device.software}, {"backend", backendName(c.backend)}};
+  record["device"] = {{"name", c.device.name},
+                      {"driver", c.device.driver},
+                      {"api", c.device.api},
+                      {"software", c.device.software},
+                      {"backend", backendName(c.backend)}};
   for (const auto& [name, count] : frame.counters) record["counters"][name] = count;
   for (const auto& [name, count] : frame.iterations) record["iterations"][name] = count;
   for (const auto& [name, image] : frame.outputs) record["outputs"][name] = hashOf(image);
@@ -67,7 +70,9 @@ Json makeRecord(const RecordContext& c, const graph::FrameResult& frame) {
 Json makeTimings(const graph::FrameResult& frame, const gpu::DeviceInfo& device, double prepare_s, double draw_s) {
   Json json;
   json["device"] = device.name;
-  json["note"] = device.software ? "software device: not comparable with a GPU; each step is submitted and waited for on its own" : "one frame, clocks not locked";
+  json["note"] = device.software
+                     ? "software device: not comparable with a GPU; each step is submitted and waited for on its own"
+                     : "one frame, clocks not locked";
   json["prepare_s"] = prepare_s;
   json["draw_s"] = draw_s;
   json["gpu_ms"] = frame.gpu_ms;

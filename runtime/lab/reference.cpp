@@ -89,10 +89,14 @@ std::string shown(const Value& value) {
 
 const char* typeName(ParamDesc::Type type) {
   switch (type) {
-    case ParamDesc::Type::Bool: return "bool";
-    case ParamDesc::Type::Int: return "int";
-    case ParamDesc::Type::Float: return "float";
-    case ParamDesc::Type::Choice: return "choice";
+    case ParamDesc::Type::Bool:
+      return "bool";
+    case ParamDesc::Type::Int:
+      return "int";
+    case ParamDesc::Type::Float:
+      return "float";
+    case ParamDesc::Type::Choice:
+      return "choice";
   }
   return "";
 }
@@ -141,8 +145,7 @@ std::string breaksText(const plan::Breaks& own, const std::vector<ParamDesc>& pa
   for (const auto& [invariant, reason] : own) table.add({"", invariant, reason});
   for (const ParamDesc& param : params)
     for (const auto& [value, breaks] : param.breaks)
-      for (const auto& [invariant, reason] : breaks)
-        table.add({code(param.name + " = " + value), invariant, reason});
+      for (const auto& [invariant, reason] : breaks) table.add({code(param.name + " = " + value), invariant, reason});
   return table.text();
 }
 
@@ -162,18 +165,24 @@ std::string paramsText(const std::vector<ParamDesc>& params, bool in_glsl, const
 
 std::string kindText(const PassDesc& pass) {
   switch (pass.kind) {
-    case PassDesc::Kind::Raster: return "A raster pass: draws the scene's triangles";
-    case PassDesc::Kind::Trace: return "A trace pass: sends rays from every pixel";
-    case PassDesc::Kind::Compute: break;
+    case PassDesc::Kind::Raster:
+      return "A raster pass: draws the scene's triangles";
+    case PassDesc::Kind::Trace:
+      return "A trace pass: sends rays from every pixel";
+    case PassDesc::Kind::Compute:
+      break;
   }
   return pass.scene ? "A compute pass that sees the scene" : "A compute pass";
 }
 
 std::string sizeText(const plan::SizeDesc& size) {
   switch (size.kind) {
-    case plan::SizeDesc::Kind::Frame: return "as large as the frame";
-    case plan::SizeDesc::Kind::Fixed: return fmt::format("{} x {} pixels large", size.width, size.height);
-    case plan::SizeDesc::Kind::Port: break;
+    case plan::SizeDesc::Kind::Frame:
+      return "as large as the frame";
+    case plan::SizeDesc::Kind::Fixed:
+      return fmt::format("{} x {} pixels large", size.width, size.height);
+    case plan::SizeDesc::Kind::Port:
+      break;
   }
   std::string divided = size.divide.empty() ? "" : fmt::format(" divided by `{}`, rounded up", size.divide);
   return fmt::format("as large as `{}`{}", size.port, divided);
@@ -343,9 +352,10 @@ std::map<std::string, std::vector<const PassDesc*>> families(const std::vector<P
 }
 
 std::string indexPage(const std::vector<PipelineDesc>& pipelines, const std::vector<PassDesc>& passes) {
-  std::string text = "# Reference\n\nWhat every pipeline and every pass declares. `strobe help NAME` prints a page, "
-                     "`strobe help NAME.PARAM` one parameter. What none of them can do: [limits](limits.md).\n\n"
-                     "## Pipelines\n\n";
+  std::string text =
+      "# Reference\n\nWhat every pipeline and every pass declares. `strobe help NAME` prints a page, "
+      "`strobe help NAME.PARAM` one parameter. What none of them can do: [limits](limits.md).\n\n"
+      "## Pipelines\n\n";
   Table listed({"name", "what it is"});
   for (const PipelineDesc& one : pipelines) listed.add({fmt::format("[`{}`]({})", one.name, pathOf(one)), one.doc});
   text += listed.text();
@@ -378,11 +388,14 @@ std::string limitsOfProgram(Limit::Kind kind) {
 }
 
 std::string limitsPage(const std::vector<PassDesc>& passes) {
-  std::string text = "# Limits\n\nWithin these, no scene and no parameter gives a wrong picture without a word. Where one "
-                     "is met, Strobe says so: in `warnings` of the run record and on the terminal, or with an error before "
-                     "anything is drawn. Truth shares those of the program and none of the filters'.\n\n";
-  text += "## Of passes\n\nCounted per pixel (or as said) while the picture is made. Declared in the pass, beside its "
-          "counters.\n\n" + limitsOfPasses(passes);
+  std::string text =
+      "# Limits\n\nWithin these, no scene and no parameter gives a wrong picture without a word. Where one "
+      "is met, Strobe says so: in `warnings` of the run record and on the terminal, or with an error before "
+      "anything is drawn. Truth shares those of the program and none of the filters'.\n\n";
+  text +=
+      "## Of passes\n\nCounted per pixel (or as said) while the picture is made. Declared in the pass, beside its "
+      "counters.\n\n" +
+      limitsOfPasses(passes);
   text += "## Of the program\n\nDeclared in `runtime/base/limits.cpp`.\n\n";
   text += "### With a warning\n\n" + limitsOfProgram(Limit::Kind::Warned);
   text += "### Refused, before anything is allocated\n\n" + limitsOfProgram(Limit::Kind::Refused);
@@ -435,7 +448,8 @@ std::string listed(const std::string& title, const std::vector<std::pair<std::st
 
 std::string passPage(const PassDesc& pass) {
   std::string text = fmt::format("# {}\n\n{}\n\n", pass.name, sentence(pass.doc));
-  text += fmt::format("{}; what it writes is {}.\n\nFiles: {}.\n\n", kindText(pass), sizeText(pass.size), filesText(pass));
+  text +=
+      fmt::format("{}; what it writes is {}.\n\nFiles: {}.\n\n", kindText(pass), sizeText(pass.size), filesText(pass));
   text += section("Where it fails", pass.fails.empty() ? "" : sentence(pass.fails) + "\n\n");
   text += section("Reads", readsText(pass));
   text += section("Writes", outputsText(pass, pass.writes, false));
@@ -508,8 +522,8 @@ static std::string helpOnParamOfPipelines(const std::string& name) {
   std::string text;
   for (const PipelineDesc& pipeline : allPipelines())
     if (findParam(pipeline.params, name))
-      text += (text.empty() ? "" : "\n") +
-              helpOnParam(pipeline.name + "." + name, pipeline.name, pipeline.params, false);
+      text +=
+          (text.empty() ? "" : "\n") + helpOnParam(pipeline.name + "." + name, pipeline.name, pipeline.params, false);
   return text;
 }
 

@@ -50,10 +50,13 @@ std::vector<Kind> kindsFor(const Session& session) {
   for (const auto& [node, pipeline] : session.pipelines())
     for (const Path& file : pipeline->files)
       if (displayPath(file).starts_with("shaders/lib/")) ++uses[displayPath(file)];
-  auto most = std::max_element(uses.begin(), uses.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  std::vector<Kind> kinds = {{"shader of one pass", displayPath(graph::shaderFiles(last).front()), "\n  if (frame.frame == {}u) return;\n", ") {"}};
+  auto most =
+      std::max_element(uses.begin(), uses.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  std::vector<Kind> kinds = {{"shader of one pass", displayPath(graph::shaderFiles(last).front()),
+                              "\n  if (frame.frame == {}u) return;\n", ") {"}};
   if (most != uses.end())
-    kinds.push_back({fmt::format("shader library of {} passes", most->second), most->first, "\nconst int kTouched = {};\n", "#define"});
+    kinds.push_back({fmt::format("shader library of {} passes", most->second), most->first,
+                     "\nconst int kTouched = {};\n", "#define"});
   kinds.push_back({"declaration of a pass", last.place.file, "\n-- {}\n", ""});
   kinds.push_back({"pipeline", plan.pipeline.file, "\n-- {}\n", ""});
   return kinds;
@@ -64,8 +67,9 @@ ReloadTiming once(Session& session, const Kind& kind, int number) {
   std::string good = readText(file);
   std::string line = fmt::format(fmt::runtime(kind.line), number);
   // The last function of a shader is its `run`; of a library the line behind the first #define.
-  size_t at = kind.after.empty() ? good.size() : kind.after == "#define" ? good.find('\n', good.find(kind.after))
-                                                                        : good.find(kind.after, good.rfind("void run(")) + 3;
+  size_t at = kind.after.empty()        ? good.size()
+              : kind.after == "#define" ? good.find('\n', good.find(kind.after))
+                                        : good.find(kind.after, good.rfind("void run(")) + 3;
   writeFileAtomically(file, std::string(good).insert(at, line));
   double saved_s = clockSeconds();
   std::optional<Reload> told;
@@ -81,7 +85,12 @@ ReloadTiming once(Session& session, const Kind& kind, int number) {
   session.reload(true);
   session.draw(&wanted);
 
-  ReloadTiming timing{kind.what, 0, told->evaluate_ms, told->compile_ms, told->build_ms, 1000 * (first_s - told_s),
+  ReloadTiming timing{kind.what,
+                      0,
+                      told->evaluate_ms,
+                      told->compile_ms,
+                      told->build_ms,
+                      1000 * (first_s - told_s),
                       1000 * (second_s - first_s)};
   timing.watch = 1000 * (told_s - saved_s) - told->evaluate_ms - told->compile_ms - told->build_ms;
   return timing;
@@ -94,8 +103,8 @@ double median(std::vector<double> values) {
 
 ReloadTiming medianOf(const std::vector<ReloadTiming>& all) {
   ReloadTiming result = all.front();
-  for (double ReloadTiming::* part : {&ReloadTiming::watch, &ReloadTiming::evaluate, &ReloadTiming::compile, &ReloadTiming::build,
-                                      &ReloadTiming::first_frame, &ReloadTiming::later_frame}) {
+  for (double ReloadTiming::*part : {&ReloadTiming::watch, &ReloadTiming::evaluate, &ReloadTiming::compile,
+                                     &ReloadTiming::build, &ReloadTiming::first_frame, &ReloadTiming::later_frame}) {
     std::vector<double> values;
     for (const ReloadTiming& one : all) values.push_back(one.*part);
     result.*part = median(values);

@@ -8,12 +8,12 @@ namespace strobe::lab {
 
 // Milliseconds, medians over the repeats.
 struct ReloadTiming {
-  std::string edit;         // what was edited
-  double watch = 0;         // from the end of the save until the change is being worked on, and waiting in between
-  double evaluate = 0;      // Lua
-  double compile = 0;       // GLSL to pipelines
-  double build = 0;         // plan, images, descriptor sets
-  double first_frame = 0;   // in which a software device compiles what is new
+  std::string edit;        // what was edited
+  double watch = 0;        // from the end of the save until the change is being worked on, and waiting in between
+  double evaluate = 0;     // Lua
+  double compile = 0;      // GLSL to pipelines
+  double build = 0;        // plan, images, descriptor sets
+  double first_frame = 0;  // in which a software device compiles what is new
   double later_frame = 0;
   double added() const { return watch + evaluate + build; }  // beyond compilation and the frame
 };

@@ -202,8 +202,8 @@ static bool hasPort(const plan::PipelineDesc& pipeline, const std::string& sourc
   auto node = std::find_if(pipeline.nodes.begin(), pipeline.nodes.end(),
                            [&](const auto& n) { return n.name == source.substr(0, dot); });
   if (dot == std::string::npos || node == pipeline.nodes.end()) return false;
-  auto pass = std::find_if(pipeline.passes.begin(), pipeline.passes.end(),
-                           [&](const auto& p) { return p.name == node->pass; });
+  auto pass =
+      std::find_if(pipeline.passes.begin(), pipeline.passes.end(), [&](const auto& p) { return p.name == node->pass; });
   auto named = [&](const auto& port) { return port.name == source.substr(dot + 1); };
   return std::any_of(pass->writes.begin(), pass->writes.end(), named) ||
          std::any_of(pass->updates.begin(), pass->updates.end(), named);
@@ -333,8 +333,7 @@ std::vector<Control> Session::controls() const {
                                 [&](const auto& b) { return b.first == pass.params[i].name; });
       if (!control.set && bound != described.params.end() && !bound->second.follows.empty())
         control.origin = "follows " + bound->second.follows;
-      else if (!control.set)
-        control.origin = control.value == pass.params[i].default_value ? "default" : pipeline.file;
+      else if (!control.set) control.origin = control.value == pass.params[i].default_value ? "default" : pipeline.file;
       controls.push_back(control);
     }
   }
@@ -439,8 +438,7 @@ void Session::evaluateInBackground(Changes changes) {
   auto evaluation = [shot = shot_, texts = running_->texts, limits = bench_.limits] {
     return evaluateAround(shot, texts, limits);
   };
-  pending_ = std::make_unique<Pending>(
-      Pending{std::move(changes), shot_, std::async(std::launch::async, evaluation)});
+  pending_ = std::make_unique<Pending>(Pending{std::move(changes), shot_, std::async(std::launch::async, evaluation)});
 }
 
 // Has the bench hold the scene as its files are now; where they fail, it goes on holding the one that runs.

@@ -20,10 +20,10 @@ namespace strobe::lab {
 struct Control {
   plan::ParamDesc declaration;  // `name` as `set` takes it: "exposure", "samples", "edge.depth_threshold"
   plan::Value value;
-  std::string group;    // "shot", "pipeline", or the name of a node
-  std::string origin;   // who set it: "default", "preset best", "scene", "follows samples", "window", ...
-  std::string place;    // where it is declared, "file:line", or ""
-  bool set = false;     // by `set` or the shot given: `unset` gives it back to its origin
+  std::string group;   // "shot", "pipeline", or the name of a node
+  std::string origin;  // who set it: "default", "preset best", "scene", "follows samples", "window", ...
+  std::string place;   // where it is declared, "file:line", or ""
+  bool set = false;    // by `set` or the shot given: `unset` gives it back to its origin
 };
 
 // What a look at the files found and did.
@@ -35,10 +35,10 @@ struct Reload {
   std::vector<std::string> reset;     // those that do not, and why
   std::vector<std::string> rebuilt;   // nodes that run a new pipeline
   int compilations = 0;               // pipelines compiled
-  double notice_ms = 0;    // hashing the files to see which changed
-  double evaluate_ms = 0;  // Lua, in its process
-  double compile_ms = 0;   // GLSL to pipelines
-  double build_ms = 0;     // plan, images, descriptor sets
+  double notice_ms = 0;               // hashing the files to see which changed
+  double evaluate_ms = 0;             // Lua, in its process
+  double compile_ms = 0;              // GLSL to pipelines
+  double build_ms = 0;                // plan, images, descriptor sets
 };
 
 // For the terminal: what was taken or refused, why, what was kept and what was reset; one line each.
@@ -52,8 +52,8 @@ class Session {
   ~Session();
 
   Workbench& bench() const;
-  const Shot& shot() const;            // as it stands: what a record or a command line would say
-  const plan::Plan& plan() const;      // of the running version
+  const Shot& shot() const;        // as it stands: what a record or a command line would say
+  const plan::Plan& plan() const;  // of the running version
   const scene::Scene& scene() const;
   graph::Backend backend() const;
   // Identity of what runs: the same whatever is tapped or looked at.
@@ -66,7 +66,8 @@ class Session {
   const std::vector<std::string>& problems() const;
 
   // Changes a value: an option of the shot, PARAM of the pipeline, NODE.PARAM or scene.PARAM, as typed on a command
-  // line. Throws `Error` (unknown name with the nearest, wrong value, a graph that cannot be built); then nothing changed.
+  // line. Throws `Error` (unknown name with the nearest, wrong value, a graph that cannot be built); then nothing
+  // changed.
   void set(const std::string& name, const std::string& value, const std::string& origin);
   // Gives the value back to preset, scene or default.
   void unset(const std::string& name);
@@ -114,8 +115,8 @@ class Session {
   std::map<std::string, std::string> origins_;  // of settings and options, by name
   std::unique_ptr<Version> running_;
   std::vector<std::string> problems_;
-  bool script_problem_ = false;               // one of them is Lua's: evaluated again at the next change of any file
-  std::map<Path, std::string> tried_;         // hash of every file and folder when it was last tried
+  bool script_problem_ = false;        // one of them is Lua's: evaluated again at the next change of any file
+  std::map<Path, std::string> tried_;  // hash of every file and folder when it was last tried
   std::unique_ptr<Watch> watch_;
   std::unique_ptr<Pending> pending_;
 };

@@ -130,8 +130,13 @@ Picture Session::capture(const std::function<void(int, int)>& progress) {
   std::vector<script::Dependency> dependencies = running_->scripts;
   const auto& of_scene = running_->scene->loaded.dependencies;
   dependencies.insert(dependencies.end(), of_scene.begin(), of_scene.end());
-  RecordContext context{shot_, running_->scene->loaded, *running_->plan, running_->plan_hash, bench_.device().info(),
-                        running_->backend, dependencies};
+  RecordContext context{shot_,
+                        running_->scene->loaded,
+                        *running_->plan,
+                        running_->plan_hash,
+                        bench_.device().info(),
+                        running_->backend,
+                        dependencies};
   picture.warnings = scene().warnings;
   for (std::string& met : limitsMet(picture.frame)) picture.warnings.push_back(std::move(met));
   picture.record = makeRecord(context, picture.frame);

@@ -16,7 +16,8 @@ namespace {
 
 constexpr int kCell = 480;  // widest picture, px
 constexpr int kGap = 10, kMargin = 28;
-constexpr Colour kPaper = {1, 1, 1}, kInk = {0.1f, 0.1f, 0.12f}, kSoft = {0.38f, 0.38f, 0.42f}, kEmpty = {0.94f, 0.94f, 0.95f};
+constexpr Colour kPaper = {1, 1, 1}, kInk = {0.1f, 0.1f, 0.12f}, kSoft = {0.38f, 0.38f, 0.42f},
+                 kEmpty = {0.94f, 0.94f, 0.95f};
 const std::vector<Colour> kCropColours = {{1.0f, 0.76f, 0.03f}, {0.1f, 0.75f, 0.95f}, {0.95f, 0.3f, 0.75f}};
 
 // Smaller text where it would not fit, cut where even that does not.
@@ -108,8 +109,10 @@ std::string numbersOf(const Demo& demo, const Exhibition& exhibition, const Entr
     return fmt::format("{}", fmt::join(parts, ", "));
   }
   for (const char* region : {"inner", "whole"})
-    if (entry.errors.count(region)) parts.push_back(fmt::format("RMSE {} {}", region, shownError(entry.errors.at(region).rmse)));
-  if (demo.measures.count("ms") && entry.ms) parts.push_back(shownMs(entry) + (exhibition.device.software ? " (software)" : ""));
+    if (entry.errors.count(region))
+      parts.push_back(fmt::format("RMSE {} {}", region, shownError(entry.errors.at(region).rmse)));
+  if (demo.measures.count("ms") && entry.ms)
+    parts.push_back(shownMs(entry) + (exhibition.device.software ? " (software)" : ""));
   return fmt::format("{}", fmt::join(parts, "   "));
 }
 
@@ -152,12 +155,14 @@ Image truthNote(const Demo& demo, const Entry& truth, int width, int height) {
   drawFitted(cell, 20, y, "the reference", 24, width - 40, kInk);
   y += 8;
   for (const std::string& region : demo.regions)
-    drawFitted(cell, 20, y += 24, fmt::format("its standard error, {}: {}", region, shownError(truth.errors.at(region).rmse)), 16,
+    drawFitted(cell, 20, y += 24,
+               fmt::format("its standard error, {}: {}", region, shownError(truth.errors.at(region).rmse)), 16,
                width - 40, kSoft);
   return cell;
 }
 
-void addDifferences(Sheet& sheet, const Exhibition& exhibition, const ShotResult& result, const std::vector<const Entry*>& entries) {
+void addDifferences(Sheet& sheet, const Exhibition& exhibition, const ShotResult& result,
+                    const std::vector<const Entry*>& entries) {
   const Group& group = result.groups.front();
   double gain = exhibition.demo->difference_gain;
   int height = 0;
@@ -184,10 +189,13 @@ void addShot(Sheet& sheet, const Exhibition& exhibition, const ShotResult& resul
   addPictures(sheet, result, entries);
   for (size_t i = 0; i < result.crops.size(); ++i) {
     int factor = std::max(1, kCell / result.crops[i].width);
-    sheet.line(fmt::format("crop at {},{}, {} times as large", result.crops[i].x, result.crops[i].y, factor), 17, kSoft);
+    sheet.line(fmt::format("crop at {},{}, {} times as large", result.crops[i].x, result.crops[i].y, factor), 17,
+               kSoft);
     addCrop(sheet, result, entries, i);
   }
-  sheet.line(fmt::format("|difference from truth| × {:g}, linear values, one sample per pixel", exhibition.demo->difference_gain), 17, kSoft);
+  sheet.line(fmt::format("|difference from truth| × {:g}, linear values, one sample per pixel",
+                         exhibition.demo->difference_gain),
+             17, kSoft);
   addDifferences(sheet, exhibition, result, entries);
   if (!result.attribution.empty()) sheet.line(result.attribution, 17, kSoft);
 }
@@ -204,9 +212,11 @@ Image shrunk(const Image& linear, int width, int height) {
   if (width == linear.width && height == linear.height) return linear;
   Image result(width, height, linear.channels);
   for (int y = 0; y < height; ++y) {
-    int top = int(int64_t(y) * linear.height / height), bottom = std::max(top + 1, int(int64_t(y + 1) * linear.height / height));
+    int top = int(int64_t(y) * linear.height / height),
+        bottom = std::max(top + 1, int(int64_t(y + 1) * linear.height / height));
     for (int x = 0; x < width; ++x) {
-      int left = int(int64_t(x) * linear.width / width), right = std::max(left + 1, int(int64_t(x + 1) * linear.width / width));
+      int left = int(int64_t(x) * linear.width / width),
+          right = std::max(left + 1, int(int64_t(x + 1) * linear.width / width));
       for (int c = 0; c < linear.channels; ++c) {
         double sum = 0;
         for (int sy = top; sy < bottom; ++sy)

@@ -20,7 +20,9 @@ std::array<double, 2> Shot::window() const {
 
 static void requireOneOf(const char* option, const std::string& value, const std::vector<std::string>& allowed) {
   if (std::find(allowed.begin(), allowed.end(), value) != allowed.end()) return;
-  throw Error(fmt::format("{} '{}' is none of {}{}", option, value, fmt::join(allowed, ", "), didYouMean(value, allowed)), {}, 2);
+  throw Error(
+      fmt::format("{} '{}' is none of {}{}", option, value, fmt::join(allowed, ", "), didYouMean(value, allowed)), {},
+      2);
 }
 
 void checkShot(const Shot& shot) {
@@ -28,7 +30,8 @@ void checkShot(const Shot& shot) {
   requireOneOf("--anchor", shot.anchor, kAnchors);
   requireOneOf("--backend", shot.backend, kBackends);
   if (!(shot.fps > 0 && shot.fps <= 1e6)) refuse(fmt::format("--fps {} is not above 0 and at most 1000000", shot.fps));
-  if (!(shot.exposure >= 0 && shot.exposure <= 1000)) refuse(fmt::format("--exposure {} is not in 0 to 1000 frames", shot.exposure));
+  if (!(shot.exposure >= 0 && shot.exposure <= 1000))
+    refuse(fmt::format("--exposure {} is not in 0 to 1000 frames", shot.exposure));
   if (shot.aa < 1 || shot.aa > 256) refuse(fmt::format("--aa {} is not in 1 to 256", shot.aa));
 }
 
@@ -98,7 +101,9 @@ static std::string quoted(const std::string& text) {
 
 std::string commandOf(const Shot& shot) {
   std::string line = fmt::format("strobe render {} --scene {}", quoted(shot.pipeline), quoted(shot.scene));
-  auto add = [&line](const char* option, const std::string& value) { line += fmt::format(" {} {}", option, quoted(value)); };
+  auto add = [&line](const char* option, const std::string& value) {
+    line += fmt::format(" {} {}", option, quoted(value));
+  };
   if (shot.width) add("--size", fmt::format("{}x{}", shot.width, shot.height));
   if (shot.fps > 0) add("--fps", fmt::format("{}", shot.fps));
   if (shot.frame >= 0) add("--frame", fmt::format("{}", shot.frame));
@@ -155,8 +160,7 @@ const std::vector<ShotOption>& shotOptions() {
       {number("frame", kInt, 0, 1000000, "", "the capture is at frame / fps seconds"),
        [](const Shot& shot) -> Value { return int64_t(shot.frame); },
        [](Shot& shot, const Value& value) { shot.frame = whole(value); }},
-      {number("fps", kFloat, 1e-3, 1e6, "1/s", "frames per second"),
-       [](const Shot& shot) -> Value { return shot.fps; },
+      {number("fps", kFloat, 1e-3, 1e6, "1/s", "frames per second"), [](const Shot& shot) -> Value { return shot.fps; },
        [](Shot& shot, const Value& value) { shot.fps = std::get<double>(value); }},
       {number("exposure", kFloat, 0, 1000, "frames", "time the shutter is open, as a share of the frame interval"),
        [](const Shot& shot) -> Value { return shot.exposure; },
@@ -164,8 +168,7 @@ const std::vector<ShotOption>& shotOptions() {
       {choice("anchor", kAnchors, "where the exposure lies: it ends at the capture, is centred on it, or opens at it"),
        [](const Shot& shot) -> Value { return shot.anchor; },
        [](Shot& shot, const Value& value) { shot.anchor = std::get<std::string>(value); }},
-      {choice("camera", {}, "a camera of the scene"),
-       [](const Shot& shot) -> Value { return shot.camera; },
+      {choice("camera", {}, "a camera of the scene"), [](const Shot& shot) -> Value { return shot.camera; },
        [](Shot& shot, const Value& value) { shot.camera = std::get<std::string>(value); }},
       {choice("animation", {}, "a clip of the scene, all or none"),
        [](const Shot& shot) -> Value { return shot.animation; },
@@ -200,7 +203,9 @@ std::array<double, 6> parseView(const std::string& text) {
     at = after + 1;
   }
   ok = ok && (view[0] != view[3] || view[1] != view[4] || view[2] != view[5]);
-  if (!ok) throw Error(fmt::format("--view '{}' is not ex,ey,ez,tx,ty,tz: where the camera is, and another point", text), {}, 2);
+  if (!ok)
+    throw Error(fmt::format("--view '{}' is not ex,ey,ez,tx,ty,tz: where the camera is, and another point", text), {},
+                2);
   return view;
 }
 

@@ -14,25 +14,25 @@
 namespace strobe::lab {
 
 struct Shot {
-  std::string scene = "living_room";   // a name below scripts/scenes, a .lua, .glb or .gltf file
-  std::string pipeline;                // a name below scripts/pipelines or a .lua file
-  script::Settings sets;               // `--set`, in order
-  int width = 0, height = 0;           // pixels; 0: what the scene asks for, else 960x540
-  double fps = 0;                      // 0: what the scene asks for, else 24
-  int frame = -1;                      // the capture is at frame / fps seconds; -1: what the scene asks for, else 1
-  double exposure = -1;                // shutter open time in frame intervals; -1: what the scene asks for, else 0.5
-  std::string anchor = "close";        // "close", "centre", "open": the window relative to the capture
-  std::string camera;                  // "" takes the scene's first
+  std::string scene = "living_room";  // a name below scripts/scenes, a .lua, .glb or .gltf file
+  std::string pipeline;               // a name below scripts/pipelines or a .lua file
+  script::Settings sets;              // `--set`, in order
+  int width = 0, height = 0;          // pixels; 0: what the scene asks for, else 960x540
+  double fps = 0;                     // 0: what the scene asks for, else 24
+  int frame = -1;                     // the capture is at frame / fps seconds; -1: what the scene asks for, else 1
+  double exposure = -1;               // shutter open time in frame intervals; -1: what the scene asks for, else 0.5
+  std::string anchor = "close";       // "close", "centre", "open": the window relative to the capture
+  std::string camera;                 // "" takes the scene's first
   // Instead of the camera's pose: it stands at the first three (metres), looks at the last three, y is up, all through.
   std::optional<std::array<double, 6>> view;
   std::string animation = "all";
   std::vector<std::string> moves, spins;  // NODE=dx,dy,dz and NODE=ax,ay,az,deg per frame
-  int rest_frame = -1;                 // at which nodes of the two are at rest; -1: `frame`
-  int aa = 1;                          // sub-pixel camera offsets, averaged
+  int rest_frame = -1;                    // at which nodes of the two are at rest; -1: `frame`
+  int aa = 1;                             // sub-pixel camera offsets, averaged
   uint32_t seed = 0;
   std::string device;
-  std::string backend = "auto";        // "pipeline", "query", "auto": query where there is one
-  std::vector<std::string> taps;       // "node.port" to keep as well
+  std::string backend = "auto";   // "pipeline", "query", "auto": query where there is one
+  std::vector<std::string> taps;  // "node.port" to keep as well
 
   double captureTime() const { return frame / fps; }
   double restTime() const { return (rest_frame < 0 ? frame : rest_frame) / fps; }

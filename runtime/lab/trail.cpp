@@ -69,9 +69,8 @@ std::string instanceName(const scene::Scene& scene, const std::vector<scene::Ins
 
 // What `render` would have given: without the taps that only the trail asked for.
 void forget(Picture& picture, const std::vector<std::string>& wanted) {
-  std::erase_if(picture.frame.taps, [&](const auto& tap) {
-    return std::find(wanted.begin(), wanted.end(), tap.first) == wanted.end();
-  });
+  std::erase_if(picture.frame.taps,
+                [&](const auto& tap) { return std::find(wanted.begin(), wanted.end(), tap.first) == wanted.end(); });
   Json taps = Json::object();
   for (const auto& [name, read] : picture.frame.taps) taps[name] = picture.record["taps"][name];
   if (taps.empty()) picture.record.erase("taps");

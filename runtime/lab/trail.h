@@ -15,24 +15,24 @@ class Session;
 // The texel of one image that covers the pixel.
 struct TrailRow {
   std::string node, port, format;
-  std::string doc;                // what the port holds and in which units, as its pass declares it
-  int width = 0, height = 0;      // of the image
-  int divide = 1;                 // frame pixels per texel; 0: not a picture of the frame
-  int x = 0, y = 0;               // texel; of an image that is no picture of the frame: 0,0
-  std::vector<double> values;     // one per channel; empty for an image of fixed size larger than 1x1
-  std::vector<uint32_t> integers; // the same of integer images
+  std::string doc;                 // what the port holds and in which units, as its pass declares it
+  int width = 0, height = 0;       // of the image
+  int divide = 1;                  // frame pixels per texel; 0: not a picture of the frame
+  int x = 0, y = 0;                // texel; of an image that is no picture of the frame: 0,0
+  std::vector<double> values;      // one per channel; empty for an image of fixed size larger than 1x1
+  std::vector<uint32_t> integers;  // the same of integer images
 };
 
 // One surface along the camera's ray through the pixel's centre at the capture, nearest first.
 struct TrailHit {
-  int layer = 0;                  // 0 is what the camera sees
-  std::string instance;           // its node's name in the scene
+  int layer = 0;         // 0 is what the camera sees
+  std::string instance;  // its node's name in the scene
   uint32_t geometry = 0, primitive = 0;
-  bool front = false;             // the side that is seen
-  double depth = 0;               // linear view depth, metres
-  vec3 normal = vec3(0);          // unit, world space, towards the camera
-  vec2 velocity = vec2(0);        // displacement over the exposure, px, x right, y down
-  vec3 color = vec3(0);           // linear radiance towards the camera
+  bool front = false;       // the side that is seen
+  double depth = 0;         // linear view depth, metres
+  vec3 normal = vec3(0);    // unit, world space, towards the camera
+  vec2 velocity = vec2(0);  // displacement over the exposure, px, x right, y down
+  vec3 color = vec3(0);     // linear radiance towards the camera
 };
 
 struct Trail {

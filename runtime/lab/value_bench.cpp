@@ -115,9 +115,13 @@ std::string tableOf(const std::vector<ValueCost>& costs) {
 Json jsonOf(const std::vector<ValueCost>& costs) {
   Json list = Json::array();
   for (const ValueCost& cost : costs) {
-    Json json = {{"settings", cost.settings}, {"image_bytes", cost.image_bytes},
-                 {"bytes_per_pixel", cost.bytes_per_pixel}, {"gpu_ms", cost.gpu_ms}, {"rms", cost.rms},
-                 {"largest", cost.largest}, {"largest_at", {cost.largest_x, cost.largest_y}}};
+    Json json = {{"settings", cost.settings},
+                 {"image_bytes", cost.image_bytes},
+                 {"bytes_per_pixel", cost.bytes_per_pixel},
+                 {"gpu_ms", cost.gpu_ms},
+                 {"rms", cost.rms},
+                 {"largest", cost.largest},
+                 {"largest_at", {cost.largest_x, cost.largest_y}}};
     if (cost.error) json["error"] = *cost.error;
     json["limits"] = cost.limits;
     list.push_back(std::move(json));

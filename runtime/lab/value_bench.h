@@ -12,14 +12,14 @@ std::vector<std::pair<std::string, std::string>> settingsOf(const std::string& t
 
 // One shot with other values.
 struct ValueCost {
-  std::string settings;         // "" for the shot as it is
-  uint64_t image_bytes = 0;     // of all images of a frame, as they share memory
+  std::string settings;      // "" for the shot as it is
+  uint64_t image_bytes = 0;  // of all images of a frame, as they share memory
   double bytes_per_pixel = 0;
-  double gpu_ms = 0;            // median over the rounds
-  double rms = 0;               // of the colour's difference from the shot as it is, over pixels and channels
-  double largest = 0;           // channel of any pixel
+  double gpu_ms = 0;   // median over the rounds
+  double rms = 0;      // of the colour's difference from the shot as it is, over pixels and channels
+  double largest = 0;  // channel of any pixel
   int largest_x = 0, largest_y = 0;
-  std::optional<double> error;  // root mean square of the difference from a reference
+  std::optional<double> error;             // root mean square of the difference from a reference
   std::map<std::string, uint64_t> limits;  // counts of passes that say what they did to the picture, where not 0
 };
 

@@ -49,12 +49,14 @@ LoadedScene loadScene(Shot& shot) {
   LoadedScene loaded;
   if (isGltf(shot.scene)) {
     for (const auto& [name, value] : shot.sets)
-      if (name.starts_with("scene.")) throw Error(fmt::format("--set {}={}: a glTF scene has no parameters", name, value));
+      if (name.starts_with("scene."))
+        throw Error(fmt::format("--set {}={}: a glTF scene has no parameters", name, value));
     loaded.scene = scene::loadGltf(shot.scene);
     loaded.description["file"] = Path(shot.scene).filename().string();
     loaded.description["hash"] = hashText(readText(shot.scene));
     loaded.description["content"] = contentHash(loaded.scene);
-    loaded.dependencies = {{std::filesystem::absolute(shot.scene).lexically_normal(), shot.scene, loaded.description["hash"]}};
+    loaded.dependencies = {
+        {std::filesystem::absolute(shot.scene).lexically_normal(), shot.scene, loaded.description["hash"]}};
   } else {
     loaded.description = script::evaluateScene(shot.scene, shot.sets, &loaded.dependencies);
     loaded.scene = scene::sceneFromJson(loaded.description, shot.scene);
@@ -97,8 +99,9 @@ graph::Backend Workbench::chooseBackend(const std::string& wanted) const {
   bool query = wanted == "query" || (wanted == "auto" && info.ray_query);
   bool present = query ? info.ray_query : info.ray_pipeline;
   if (!present)
-    throw Error(fmt::format("device '{}' has no {}, which tracing backend '{}' needs; --backend auto takes what there is",
-                            info.name, query ? "ray queries" : "ray tracing pipelines", wanted));
+    throw Error(
+        fmt::format("device '{}' has no {}, which tracing backend '{}' needs; --backend auto takes what there is",
+                    info.name, query ? "ray queries" : "ray tracing pipelines", wanted));
   return query ? graph::Backend::Query : graph::Backend::Pipeline;
 }
 

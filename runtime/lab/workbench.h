@@ -40,8 +40,8 @@ struct Picture {
   Json record;
   Json timings;
   std::vector<std::string> warnings;  // of the scene, and the limits that were met
-  mat4 camera_from_world = mat4(1);  // at the capture; the camera looks along -z, y up
-  mat4 ndc_from_world = mat4(1);     // x and y in [-1, 1], y up
+  mat4 camera_from_world = mat4(1);   // at the capture; the camera looks along -z, y up
+  mat4 ndc_from_world = mat4(1);      // x and y in [-1, 1], y up
 };
 
 class Workbench {
@@ -58,8 +58,8 @@ class Workbench {
   // Renders; loads the scene unless the last picture was of the same. `progress` (may be empty): iterations done, of.
   Picture render(const Shot& shot, const std::function<void(int, int)>& progress = {});
 
-  // The scene of a shot, whose gaps it fills. It is loaded unless it is held already; with `fresh` also if a file it was
-  // made of changed. It is held until another is asked for, and as long as somebody keeps it.
+  // The scene of a shot, whose gaps it fills. It is loaded unless it is held already; with `fresh` also if a file it
+  // was made of changed. It is held until another is asked for, and as long as somebody keeps it.
   std::shared_ptr<HeldScene> scene(Shot& shot, bool fresh = false);
 
   // How rays are traced; throws `Error` where the device cannot do what is wanted.

@@ -73,13 +73,18 @@ Edit showWidget(const lab::Control& control) {
   Widget widget = widgetOf(control.declaration);
   ImGui::SetNextItemWidth(-1);
   switch (widget.kind) {
-    case Widget::Kind::Checkbox: return checkbox(control.value);
-    case Widget::Kind::Combo: return menu(control.declaration, control.value);
+    case Widget::Kind::Checkbox:
+      return checkbox(control.value);
+    case Widget::Kind::Combo:
+      return menu(control.declaration, control.value);
     case Widget::Kind::IntSlider:
-    case Widget::Kind::IntDrag: return integer(widget, control.value);
+    case Widget::Kind::IntDrag:
+      return integer(widget, control.value);
     case Widget::Kind::FloatSlider:
-    case Widget::Kind::FloatDrag: return number(widget, control.value);
-    case Widget::Kind::Text: return line(control.value);
+    case Widget::Kind::FloatDrag:
+      return number(widget, control.value);
+    case Widget::Kind::Text:
+      return line(control.value);
   }
   return {};
 }

@@ -534,8 +534,7 @@ const image::Image& Desk::picture(int window_frame) {
 
 image::Image Desk::compose(int window_frame) const {
   bool both = b_.session && !a_.color.empty() && !b_.color.empty();
-  if (look_.mode == Mode::Wipe && both && sameFrame(a_, b_))
-    return wiped(shownSide(a_), shownSide(b_), look_.wipe);
+  if (look_.mode == Mode::Wipe && both && sameFrame(a_, b_)) return wiped(shownSide(a_), shownSide(b_), look_.wipe);
   if (look_.mode == Mode::Difference && both && sameSize(a_.color, b_.color))
     return difference(a_.color, b_.color, look_.gain);
   if (look_.mode == Mode::Error) return errorPicture();

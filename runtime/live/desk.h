@@ -25,10 +25,10 @@ Mode modeNamed(const std::string& name);      // throws `Error` with the nearest
 
 struct DeskOptions {
   lab::Shot shot;
-  std::string versus;              // pipeline of B, or ""
-  script::Settings versus_sets;    // of B
+  std::string versus;            // pipeline of B, or ""
+  script::Settings versus_sets;  // of B
   std::string truth = "ground_truth";
-  Path out;                        // pictures are saved here
+  Path out;  // pictures are saved here
 };
 
 // What is looked at and how.
@@ -36,22 +36,22 @@ struct Look {
   std::string port = "color";  // an output, or "node.port"
   ViewOptions view;
   Mode mode = Mode::Single;
-  bool single_b = false;       // Mode::Single shows B
-  double wipe = 0.5;           // of the width
-  double gain = 4;             // of differences and errors: full scale at 1 / gain
-  int flicker_frames = 12;     // frames of the window for which each side shows
+  bool single_b = false;    // Mode::Single shows B
+  double wipe = 0.5;        // of the width
+  double gain = 4;          // of differences and errors: full scale at 1 / gain
+  int flicker_frames = 12;  // frames of the window for which each side shows
 };
 
 // A session and the frame it drew last.
 struct Side {
   std::unique_ptr<lab::Session> session;
   graph::FrameResult frame;
-  image::Image color;          // linear, three channels; empty before the first frame
-  std::string drawn_port;      // the image of `frame` that is looked at: "color" where it has no other
-  std::string problem;         // why the last frame could not be drawn, or ""
+  image::Image color;                 // linear, three channels; empty before the first frame
+  std::string drawn_port;             // the image of `frame` that is looked at: "color" where it has no other
+  std::string problem;                // why the last frame could not be drawn, or ""
   std::vector<std::string> warnings;  // limits the frame met
   TimeHistory times;
-  bool stale = true;           // values changed since the frame was drawn
+  bool stale = true;  // values changed since the frame was drawn
   int frames_drawn = 0;
 };
 
@@ -106,10 +106,10 @@ class Desk {
   bool cameraIsMoved() const { return a_.session->shot().view.has_value(); }
 
   // ---- what is looked at
-  void viewPort(const std::string& port);      // throws `Error` with the nearest name
-  std::vector<std::string> viewable() const;   // outputs, then every port
+  void viewPort(const std::string& port);          // throws `Error` with the nearest name
+  std::vector<std::string> viewable() const;       // outputs, then every port
   std::vector<std::string> viewKindsHere() const;  // ways to show that image
-  void setMode(Mode mode);                     // throws `Error` where there is no B to show
+  void setMode(Mode mode);                         // throws `Error` where there is no B to show
   // The value of what the picture shows at a pixel of the frame; nothing outside of it.
   std::optional<PixelValue> valueAt(int x, int y) const;
   void pin(int x, int y);
@@ -129,7 +129,7 @@ class Desk {
   int truthSamples() const;  // 0 where the truth is that of another shot
   bool gathersTruth() const { return look_.mode == Mode::Error || truth_wanted_ > truthSamples(); }
   void wantTruth(int samples) { truth_wanted_ = samples; }  // gathered whatever is looked at
-  std::optional<double> errorOf(const Side& side) const;  // RMSE against the truth so far
+  std::optional<double> errorOf(const Side& side) const;    // RMSE against the truth so far
 
   std::vector<std::string> problems() const;
   const std::optional<lab::Reload>& lastReload() const { return last_reload_; }
@@ -138,8 +138,8 @@ class Desk {
   int reloads() const { return reloads_; }  // edits that were swapped in or refused
 
   // ---- results
-  std::string command() const;                 // that makes the picture of A
-  std::vector<Path> save();                    // A, and B where it is compared, as `render` would; returns the files
+  std::string command() const;  // that makes the picture of A
+  std::vector<Path> save();     // A, and B where it is compared, as `render` would; returns the files
   void capture(const Path& file);
   Path freeName(const std::string& ending) const;  // in `out`
 

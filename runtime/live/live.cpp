@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "live/live.h"
 
-#include <imgui.h>
 #include <backends/imgui_impl_glfw.h>
+#include <imgui.h>
 
 #include <cstdio>
 
@@ -18,10 +18,10 @@ namespace strobe::live {
 
 namespace {
 
-constexpr double kReloadLimit_s = 20;   // for 'reloaded'
-constexpr double kTruthLimit_s = 60;    // for 'truth'
-constexpr double kIdle_s = 0.1;         // between looks at edited files while nothing happens
-constexpr int kSettle = 3;              // frames that panels need to come to rest after an event
+constexpr double kReloadLimit_s = 20;  // for 'reloaded'
+constexpr double kTruthLimit_s = 60;   // for 'truth'
+constexpr double kIdle_s = 0.1;        // between looks at edited files while nothing happens
+constexpr int kSettle = 3;             // frames that panels need to come to rest after an event
 constexpr int kSoftwareWidth = 320, kSoftwareHeight = 180;
 
 // ImGui with its fonts and its view of the window's mouse and keyboard.
@@ -152,34 +152,62 @@ void Live::stepView(int by) {
 
 void Live::perform(Action action) {
   switch (action) {
-    case Action::None: return;
-    case Action::TogglePlay: desk_.playing = !desk_.playing; return;
-    case Action::StepBack: return desk_.goToFrame(desk_.frame() - 1);
-    case Action::StepAhead: return desk_.goToFrame(desk_.frame() + 1);
-    case Action::FirstFrame: return desk_.goToFrame(desk_.firstFrame());
-    case Action::CameraBack: return desk_.giveCameraBack();
-    case Action::FitPicture: state_.magnification = {}; return;
-    case Action::ShowSingle: return desk_.setMode(Mode::Single);
-    case Action::ShowWipe: return desk_.setMode(Mode::Wipe);
-    case Action::ShowFlicker: return desk_.setMode(Mode::Flicker);
-    case Action::ShowDifference: return desk_.setMode(Mode::Difference);
-    case Action::ShowError: return desk_.setMode(Mode::Error);
-    case Action::PreviousView: return stepView(-1);
-    case Action::NextView: return stepView(1);
-    case Action::ViewColor: return desk_.viewPort("color");
+    case Action::None:
+      return;
+    case Action::TogglePlay:
+      desk_.playing = !desk_.playing;
+      return;
+    case Action::StepBack:
+      return desk_.goToFrame(desk_.frame() - 1);
+    case Action::StepAhead:
+      return desk_.goToFrame(desk_.frame() + 1);
+    case Action::FirstFrame:
+      return desk_.goToFrame(desk_.firstFrame());
+    case Action::CameraBack:
+      return desk_.giveCameraBack();
+    case Action::FitPicture:
+      state_.magnification = {};
+      return;
+    case Action::ShowSingle:
+      return desk_.setMode(Mode::Single);
+    case Action::ShowWipe:
+      return desk_.setMode(Mode::Wipe);
+    case Action::ShowFlicker:
+      return desk_.setMode(Mode::Flicker);
+    case Action::ShowDifference:
+      return desk_.setMode(Mode::Difference);
+    case Action::ShowError:
+      return desk_.setMode(Mode::Error);
+    case Action::PreviousView:
+      return stepView(-1);
+    case Action::NextView:
+      return stepView(1);
+    case Action::ViewColor:
+      return desk_.viewPort("color");
     case Action::Unpin:
       if (!state_.help) desk_.unpin();
       state_.help = false;
       return;
-    case Action::Save: return state_.say("saved " + desk_.save().front().string());
-    case Action::Screenshot: screenshot_ = desk_.freeName(".window.png"); return;
+    case Action::Save:
+      return state_.say("saved " + desk_.save().front().string());
+    case Action::Screenshot:
+      screenshot_ = desk_.freeName(".window.png");
+      return;
     case Action::CopyCommand:
       window_.setClipboard(desk_.command());
       return state_.say("copied: " + desk_.command());
-    case Action::Search: state_.focus_search = state_.panels = true; return;
-    case Action::TogglePanels: state_.panels = !state_.panels; return;
-    case Action::ToggleHelp: state_.help = !state_.help; return;
-    case Action::Quit: quit_ = true; return;
+    case Action::Search:
+      state_.focus_search = state_.panels = true;
+      return;
+    case Action::TogglePanels:
+      state_.panels = !state_.panels;
+      return;
+    case Action::ToggleHelp:
+      state_.help = !state_.help;
+      return;
+    case Action::Quit:
+      quit_ = true;
+      return;
   }
 }
 

@@ -12,11 +12,11 @@ namespace strobe::live {
 
 struct LiveOptions {
   DeskOptions desk;
-  int width = 1400, height = 900;           // of the window
-  bool size_given = false;                  // of the picture; else software devices get a small one
-  std::string drive;                        // file of commands, or ""
-  std::optional<lab::TevAddress> tev;       // every picture goes there as well
-  double time_limit_s = 10;                 // for what the device is given at once; 0: none
+  int width = 1400, height = 900;      // of the window
+  bool size_given = false;             // of the picture; else software devices get a small one
+  std::string drive;                   // file of commands, or ""
+  std::optional<lab::TevAddress> tev;  // every picture goes there as well
+  double time_limit_s = 10;            // for what the device is given at once; 0: none
   bool validation = false;
 };
 

@@ -69,12 +69,11 @@ void topBar(const Fonts& fonts, Desk& desk, PanelState& state, float width) {
   ImGui::SameLine(0, 14);
   const gpu::DeviceInfo& device = session.bench().device().info();
   std::string backend = session.backend() == graph::Backend::Query ? "ray queries" : "ray tracing pipelines";
-  textIn(
-      fonts.text, colours::kDim,
-      fmt::format("{}  ·  {} x {}  ·  {}{}  ·  {}", Path(session.shot().scene).filename().string(),
-                  session.shot().width, session.shot().height,
-                  device.name.substr(0, device.name.find(" (")), device.software ? " (software)" : "", backend),
-      kHelpWidth);
+  textIn(fonts.text, colours::kDim,
+         fmt::format("{}  ·  {} x {}  ·  {}{}  ·  {}", Path(session.shot().scene).filename().string(),
+                     session.shot().width, session.shot().height, device.name.substr(0, device.name.find(" (")),
+                     device.software ? " (software)" : "", backend),
+         kHelpWidth);
   ImGui::SameLine(width - kHelpWidth);
   if (quietButton("help  ?", "all keys", state.help)) state.requests.push_back(Action::ToggleHelp);
   ImGui::End();

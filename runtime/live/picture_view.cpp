@@ -6,9 +6,9 @@
 
 namespace strobe::live {
 
-static const double kClick = 4;                // a press that moves less is a click, pixels
-static const double kNumbersFrom = 46;         // pixels of the window per texel in which three numbers can be read
-static const double kWipeGrip = 7;             // reach of the wipe's line, pixels
+static const double kClick = 4;         // a press that moves less is a click, pixels
+static const double kNumbersFrom = 46;  // pixels of the window per texel in which three numbers can be read
+static const double kWipeGrip = 7;      // reach of the wipe's line, pixels
 
 static ImVec2 toIm(const dvec2& at) { return ImVec2(float(at.x), float(at.y)); }
 static dvec2 fromIm(const ImVec2& at) { return {at.x, at.y}; }

@@ -21,8 +21,8 @@ constexpr ImU32 kPanel = IM_COL32(29, 31, 34, 255);
 constexpr ImU32 kLine = IM_COL32(48, 51, 56, 255);
 constexpr ImU32 kText = IM_COL32(222, 224, 228, 255);
 constexpr ImU32 kDim = IM_COL32(138, 143, 152, 255);
-constexpr ImU32 kAccent = IM_COL32(240, 170, 80, 255);   // what was set by hand; A
-constexpr ImU32 kOther = IM_COL32(104, 178, 230, 255);   // what follows something; B
+constexpr ImU32 kAccent = IM_COL32(240, 170, 80, 255);  // what was set by hand; A
+constexpr ImU32 kOther = IM_COL32(104, 178, 230, 255);  // what follows something; B
 constexpr ImU32 kGood = IM_COL32(126, 196, 130, 255);
 constexpr ImU32 kBad = IM_COL32(240, 104, 96, 255);
 }  // namespace colours

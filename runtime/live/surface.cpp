@@ -27,9 +27,8 @@ gpu::Owned<VkShaderModule> makeModule(const gpu::Device& device, const char* fil
   info.pCode = code.data();
   VkShaderModule module = VK_NULL_HANDLE;
   gpu::check(device.vk().CreateShaderModule(device.handle(), &info, nullptr, &module), "shader module of the panels");
-  return {device, module, [](const gpu::Device& d, VkShaderModule m) {
-            d.vk().DestroyShaderModule(d.handle(), m, nullptr);
-          }};
+  return {device, module,
+          [](const gpu::Device& d, VkShaderModule m) { d.vk().DestroyShaderModule(d.handle(), m, nullptr); }};
 }
 
 gpu::Owned<VkPipelineLayout> makeLayout(const gpu::Device& device, VkDescriptorSetLayout sets) {
@@ -42,9 +41,8 @@ gpu::Owned<VkPipelineLayout> makeLayout(const gpu::Device& device, VkDescriptorS
   VkPipelineLayout layout = VK_NULL_HANDLE;
   gpu::check(device.vk().CreatePipelineLayout(device.handle(), &info, nullptr, &layout),
              "pipeline layout of the panels");
-  return {device, layout, [](const gpu::Device& d, VkPipelineLayout l) {
-            d.vk().DestroyPipelineLayout(d.handle(), l, nullptr);
-          }};
+  return {device, layout,
+          [](const gpu::Device& d, VkPipelineLayout l) { d.vk().DestroyPipelineLayout(d.handle(), l, nullptr); }};
 }
 
 VkImageMemoryBarrier2 imageBarrier(VkImage image, VkImageLayout from, VkImageLayout to) {

@@ -20,8 +20,8 @@ class TimeHistory {
   void clear();
 
   struct Row {
-    std::string name;           // of the node
-    std::vector<float> ms;      // oldest first, NaN where void; at most `kFrames`
+    std::string name;       // of the node
+    std::vector<float> ms;  // oldest first, NaN where void; at most `kFrames`
     // Of the measured ones among the last frames; nothing without any.
     std::optional<double> latest() const;
     std::optional<double> median() const;
@@ -30,7 +30,6 @@ class TimeHistory {
   const Row& total() const { return total_; }
 
  private:
-
   std::vector<Row> passes_;
   Row total_{"total", {}};
   bool void_next_ = true;

@@ -241,13 +241,15 @@ std::string metres(float value) { return fmt::format("{:.3g} m", value); }
 // A legend of what the bar's ends stand for; the middle says what it measures.
 void drawScale(Image& display, Range range, int channels) {
   std::string what = channels == 1 ? "" : channels == 2 ? "length" : "mean of channels";
-  drawBar(display, [](float t) { return image::magma(t); }, fmt::format("{:.3g}", range.low), what,
-          fmt::format("{:.3g}", range.high));
+  drawBar(
+      display, [](float t) { return image::magma(t); }, fmt::format("{:.3g}", range.low), what,
+      fmt::format("{:.3g}", range.high));
 }
 
 void drawDepthScale(Image& display, Range range) {
-  drawBar(display, [](float t) { return image::magma(1 - 0.9f * t); }, metres(range.low),
-          metres(std::sqrt(range.low * range.high)), metres(range.high));
+  drawBar(
+      display, [](float t) { return image::magma(1 - 0.9f * t); }, metres(range.low),
+      metres(std::sqrt(range.low * range.high)), metres(range.high));
 }
 
 Image floatsShown(const Image& data, const std::string& kind, const std::string& name, int divide, int width,
@@ -331,7 +333,8 @@ Image difference(const Image& linear_a, const Image& linear_b, double gain, cons
   Image display = image::differenceHeat(linear_a, linear_b, float(gain));
   shout(display, linear_a, 3);
   shout(display, linear_b, 3);
-  drawBar(display, [](float t) { return image::magma(t); }, "0", title, fmt::format("{:.3g}", 1 / gain));
+  drawBar(
+      display, [](float t) { return image::magma(t); }, "0", title, fmt::format("{:.3g}", 1 / gain));
   return display;
 }
 

@@ -41,9 +41,12 @@ static Widget numberWidget(const plan::ParamDesc& declaration) {
 
 Widget widgetOf(const plan::ParamDesc& declaration) {
   switch (declaration.type) {
-    case Type::Bool: return {Widget::Kind::Checkbox, 0, 0, false, ""};
-    case Type::Choice: return {declaration.choices.empty() ? Widget::Kind::Text : Widget::Kind::Combo, 0, 0, false, ""};
-    default: return numberWidget(declaration);
+    case Type::Bool:
+      return {Widget::Kind::Checkbox, 0, 0, false, ""};
+    case Type::Choice:
+      return {declaration.choices.empty() ? Widget::Kind::Text : Widget::Kind::Combo, 0, 0, false, ""};
+    default:
+      return numberWidget(declaration);
   }
 }
 

@@ -13,7 +13,7 @@ struct Widget {
   Kind kind = Kind::Text;
   double low = 0, high = 0;  // of sliders; of drags, equal where there is no limit
   bool logarithmic = false;
-  std::string format;        // of numbers, as ImGui takes it: "%.4g px"
+  std::string format;  // of numbers, as ImGui takes it: "%.4g px"
 };
 Widget widgetOf(const plan::ParamDesc& declaration);
 

@@ -19,8 +19,10 @@ Window& Window::of(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWin
 
 Window::Window(int width, int height, const std::string& title) {
   if (!glfwInit())
-    throw Error(fmt::format("no window can be opened here ({}); 'strobe render' needs none, and 'xvfb-run strobe live' "
-                            "brings a display of its own", lastError()));
+    throw Error(
+        fmt::format("no window can be opened here ({}); 'strobe render' needs none, and 'xvfb-run strobe live' "
+                    "brings a display of its own",
+                    lastError()));
   glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
   window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
   if (!window_) {

@@ -11,11 +11,11 @@ namespace {
 
 // What later commands may still have to wait for on one resource.
 struct Pending {
-  int image = -1;                                   // whose contents it holds
-  uint32_t write_stages = 0, write_access = 0;      // the last write
-  std::array<uint32_t, kStageCount> visible{};      // reads per stage that already see that write
-  uint32_t read_stages = 0;                         // reads since that write
-  bool carried = false;                             // the last use was in an earlier iteration
+  int image = -1;                               // whose contents it holds
+  uint32_t write_stages = 0, write_access = 0;  // the last write
+  std::array<uint32_t, kStageCount> visible{};  // reads per stage that already see that write
+  uint32_t read_stages = 0;                     // reads since that write
+  bool carried = false;                         // the last use was in an earlier iteration
 
   bool operator==(const Pending&) const = default;
 };
@@ -94,9 +94,9 @@ void iterate(std::vector<Step>& body, Tracker& tracker, std::vector<Barrier> Ste
   }
 }
 
-// What an iteration leaves does not depend on what it found: of memory it writes, its own last write and the reads after
-// it; of memory it only reads, one more reader. So all iterations but the first need the same barriers, and what comes
-// after the loop does not care after which iteration it ended.
+// What an iteration leaves does not depend on what it found: of memory it writes, its own last write and the reads
+// after it; of memory it only reads, one more reader. So all iterations but the first need the same barriers, and what
+// comes after the loop does not care after which iteration it ended.
 void addLoopBarriers(Step& loop, Tracker& tracker) {
   iterate(loop.body, tracker, &Step::barriers);
   Tracker after_first = tracker;

@@ -39,8 +39,7 @@ enum Access : uint32_t {
   kAccessTransferWrite = 1 << 7,
   kAccessHostRead = 1 << 8,
 };
-constexpr uint32_t kAccessAnyWrite =
-    kAccessStorageWrite | kAccessColorWrite | kAccessDepthWrite | kAccessTransferWrite;
+constexpr uint32_t kAccessAnyWrite = kAccessStorageWrite | kAccessColorWrite | kAccessDepthWrite | kAccessTransferWrite;
 
 // Memory: a slot of images, or the counters of a node.
 struct Resource {

@@ -10,30 +10,42 @@ namespace {
 
 const char* kindName(Step::Kind kind) {
   switch (kind) {
-    case Step::Kind::ClearImage: return "clear_image";
-    case Step::Kind::ClearCounters: return "clear_counters";
-    case Step::Kind::Pass: return "pass";
-    case Step::Kind::Loop: return "loop";
-    case Step::Kind::ReadImage: return "read_image";
-    case Step::Kind::ReadCounters: return "read_counters";
+    case Step::Kind::ClearImage:
+      return "clear_image";
+    case Step::Kind::ClearCounters:
+      return "clear_counters";
+    case Step::Kind::Pass:
+      return "pass";
+    case Step::Kind::Loop:
+      return "loop";
+    case Step::Kind::ReadImage:
+      return "read_image";
+    case Step::Kind::ReadCounters:
+      return "read_counters";
   }
   return "";
 }
 
 const char* kindName(PassDesc::Kind kind) {
   switch (kind) {
-    case PassDesc::Kind::Raster: return "raster";
-    case PassDesc::Kind::Compute: return "compute";
-    case PassDesc::Kind::Trace: return "trace";
+    case PassDesc::Kind::Raster:
+      return "raster";
+    case PassDesc::Kind::Compute:
+      return "compute";
+    case PassDesc::Kind::Trace:
+      return "trace";
   }
   return "";
 }
 
 const char* hazardName(Hazard hazard) {
   switch (hazard) {
-    case Hazard::ReadAfterWrite: return "read after write";
-    case Hazard::WriteAfterRead: return "write after read";
-    case Hazard::WriteAfterWrite: return "write after write";
+    case Hazard::ReadAfterWrite:
+      return "read after write";
+    case Hazard::WriteAfterRead:
+      return "write after read";
+    case Hazard::WriteAfterWrite:
+      return "write after write";
   }
   return "";
 }
@@ -56,8 +68,8 @@ Json accessNames(uint32_t access) {
 }
 
 Json usageNames(uint32_t usage) {
-  return bitNames(usage, {"sampled", "storage", "color_attachment", "depth_attachment", "transfer_source",
-                          "transfer_target"});
+  return bitNames(usage,
+                  {"sampled", "storage", "color_attachment", "depth_attachment", "transfer_source", "transfer_target"});
 }
 
 const std::string& nodeName(const Plan& plan, int node) { return plan.pipeline.nodes[plan.nodes[node].node].name; }
@@ -135,8 +147,7 @@ Json barrierJson(const Plan& plan, const Barrier& barrier) {
   Json json;
   bool slot = barrier.resource.kind == Resource::Kind::Slot;
   if (slot) json["slot"] = barrier.resource.index;
-  json[slot ? "image" : "counters"] =
-      slot ? plan.images[barrier.image].name : nodeName(plan, barrier.resource.index);
+  json[slot ? "image" : "counters"] = slot ? plan.images[barrier.image].name : nodeName(plan, barrier.resource.index);
   json["src"] = {stageNames(barrier.src_stages), accessNames(barrier.src_access)};
   json["dst"] = {stageNames(barrier.dst_stages), accessNames(barrier.dst_access)};
   json["hazard"] = hazardName(barrier.hazard);
@@ -183,7 +194,8 @@ std::string nodeText(const Plan& plan, int index, const std::string& indent) {
   const PlanNode& node = plan.nodes[index];
   const PassDesc& pass = passOf(plan, index);
   const NodeDesc& desc = plan.pipeline.nodes[node.node];
-  std::string text = fmt::format("{}{:<24} {:<8} {}x{}", indent, desc.name, kindName(pass.kind), node.width, node.height);
+  std::string text =
+      fmt::format("{}{:<24} {:<8} {}x{}", indent, desc.name, kindName(pass.kind), node.width, node.height);
   if (desc.name != pass.name) text += "  pass " + pass.name;
   if (desc.time != "capture") text += "  time " + desc.time;
   text += "\n";

@@ -15,7 +15,8 @@ Json toJson(const Plan& plan);
 // Identity of a plan: the hash of its canonical form.
 std::string hashOf(const Plan& plan);
 
-// Identity of all but the values that shaders read as parameters: plans of one shape run on the same pipelines and images.
+// Identity of all but the values that shaders read as parameters: plans of one shape run on the same pipelines and
+// images.
 std::string shapeOf(const Plan& plan);
 
 // Several lines for `strobe plan`: order, sizes, formats, memory, what was culled and why.

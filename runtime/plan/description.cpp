@@ -20,9 +20,9 @@ const std::vector<std::string>& formatNames() {
 }
 
 const std::vector<std::string>& invariantNames() {
-  static const std::vector<std::string> names = {"constant", "still",   "brief",    "mirrored", "shifted",
-                                                 "reversed", "convex",  "uniform",  "linear",   "scaled",
-                                                 "converging", "unmasked", "finite", "permuted"};
+  static const std::vector<std::string> names = {"constant",   "still",    "brief",   "mirrored", "shifted",
+                                                 "reversed",   "convex",   "uniform", "linear",   "scaled",
+                                                 "converging", "unmasked", "finite",  "permuted"};
   return names;
 }
 
@@ -161,7 +161,6 @@ static Json listOf(const std::vector<Item>& items, Write write) {
 }
 
 static Json placeJson(const Place& place) { return {{"file", place.file}, {"line", place.line}}; }
-
 
 static Json breaksJson(const Breaks& breaks) {
   Json json = Json::object();

@@ -31,11 +31,11 @@ struct ParamDesc {
   std::string name;
   Type type = Type::Float;
   Value default_value;
-  std::optional<double> min, max;    // of Int and Float, inclusive
-  std::vector<std::string> choices;  // of Choice
+  std::optional<double> min, max;                           // of Int and Float, inclusive
+  std::vector<std::string> choices;                         // of Choice
   std::vector<std::pair<std::string, std::string>> values;  // of Choice: what a choice does and where it fails
   std::vector<std::pair<std::string, Breaks>> breaks;       // of Choice and Bool: what a value breaks
-  std::string unit;                  // "px", "m", ... or ""
+  std::string unit;                                         // "px", "m", ... or ""
   std::string doc;
   bool variant = false;  // compiled into the shader instead of passed to it (always so for Choice and Bool)
   Place place;
@@ -54,7 +54,7 @@ Value checkValue(const ParamDesc& param, const Value& value, const Place& where)
 struct PortDesc {
   std::string name;
   std::string doc;
-  std::string format;     // of writes and updates: "r32f", "rgba16f", "rg32ui", ...; "" for reads
+  std::string format;  // of writes and updates: "r32f", "rgba16f", "rg32ui", ...; "" for reads
   // Writes and updates whose format a choice parameter of the pass decides: its name and a format for each choice, all
   // of them unsigned integers or none. `format` is then the one of its default; ask `formatOf` for a node's.
   std::string format_by;
@@ -73,9 +73,9 @@ const std::string& formatOf(const PortDesc& port, const std::vector<std::pair<st
 struct SizeDesc {
   enum class Kind { Frame, Port, Fixed };
   Kind kind = Kind::Frame;
-  std::string port;               // Kind::Port: as large as the image wired to this read
-  std::string divide;             // ... divided (rounding up) by this integer parameter of the pass, or ""
-  int width = 0, height = 0;      // Kind::Fixed
+  std::string port;           // Kind::Port: as large as the image wired to this read
+  std::string divide;         // ... divided (rounding up) by this integer parameter of the pass, or ""
+  int width = 0, height = 0;  // Kind::Fixed
 };
 
 struct CounterDesc {
@@ -90,10 +90,10 @@ struct PassDesc {
   Kind kind = Kind::Compute;
   std::string shader;  // below shaders/; of a raster pass "<shader>.vert.glsl" and "<shader>.frag.glsl"
   std::string doc;
-  std::string fails;   // when what it computes is wrong, and how; or ""
-  Breaks breaks;       // invariants that do not hold where it is used
+  std::string fails;  // when what it computes is wrong, and how; or ""
+  Breaks breaks;      // invariants that do not hold where it is used
   SizeDesc size;
-  bool scene = false;  // the shader sees the scene's buffers, textures and acceleration structures
+  bool scene = false;             // the shader sees the scene's buffers, textures and acceleration structures
   std::vector<PortDesc> reads;    // images it samples
   std::vector<PortDesc> writes;   // images it fills; every pixel is written
   std::vector<PortDesc> updates;  // images it reads and writes; zero before the first execution in a frame, or ever
@@ -124,8 +124,8 @@ struct NodeDesc {
 struct LoopDesc {
   std::string name;
   Binding count;
-  Binding times;   // choice "midpoint" | "stratified"
-  Binding slices;  // scene times per iteration among which a pixel may draw one; 1 for midpoint times
+  Binding times;      // choice "midpoint" | "stratified"
+  Binding slices;     // scene times per iteration among which a pixel may draw one; 1 for midpoint times
   std::string until;  // "node.port" of a 1x1 r32f image in the loop, non-zero to stop early; or ""
   Place place;
 };
@@ -140,8 +140,8 @@ struct PipelineDesc {
   std::string name;  // "none"
   std::string file;  // as shown to people
   std::string doc;
-  Breaks breaks;                  // invariants that do not hold, whatever its values
-  std::string compare_with;       // a pipeline to which the truth is no nearer than to this one; or ""
+  Breaks breaks;             // invariants that do not hold, whatever its values
+  std::string compare_with;  // a pipeline to which the truth is no nearer than to this one; or ""
   std::vector<EqualDesc> equals;
   std::vector<ParamDesc> params;
   std::vector<std::pair<std::string, Value>> values;  // every pipeline parameter, resolved, in declaration order

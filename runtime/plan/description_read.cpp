@@ -187,9 +187,9 @@ std::vector<std::pair<std::string, Breaks>> valueBreaks(const Reader& reader, co
 }
 
 ParamDesc readParam(const Json& json) {
-  Reader reader(json, "parameter",
-                {"name", "type", "default", "min", "max", "choices", "values", "breaks", "unit", "doc", "variant",
-                 "place"});
+  Reader reader(
+      json, "parameter",
+      {"name", "type", "default", "min", "max", "choices", "values", "breaks", "unit", "doc", "variant", "place"});
   ParamDesc param;
   param.place = reader.place();
   reader.setPlace(param.place);
@@ -297,8 +297,8 @@ void checkShaderPath(const Reader& reader, const std::string& shader) {
 
 PassDesc passFromJson(const Json& json) {
   Reader reader(json, "pass",
-                {"name", "kind", "shader", "doc", "fails", "breaks", "size", "scene", "reads", "writes", "updates", "params", "counters",
-                 "place"});
+                {"name", "kind", "shader", "doc", "fails", "breaks", "size", "scene", "reads", "writes", "updates",
+                 "params", "counters", "place"});
   PassDesc pass;
   pass.place = reader.place();
   reader.setPlace(pass.place);

@@ -28,14 +28,14 @@ struct VirtualImage {
   std::string name;  // "node.port"
   std::string format;
   int width = 0, height = 0;
-  uint32_t usage = 0;          // of this image alone
-  int divide = 1;              // pixels of the frame per texel along an axis (tiles); 0: not a picture of the frame
-  bool update = false;         // cleared to zero at the start of the frame, then read and written
-  bool history = false;        // an updated image that is cleared before its first frame only
-  bool kept = false;           // an output or a tap: whole and unchanged at the end of the frame
-  int first = 0, last = 0;     // lifetime, inclusive: positions in `Plan::steps`
-  bool read = false;           // some node samples it
-  int slot = 0;                // index into `Plan::slots`
+  uint32_t usage = 0;       // of this image alone
+  int divide = 1;           // pixels of the frame per texel along an axis (tiles); 0: not a picture of the frame
+  bool update = false;      // cleared to zero at the start of the frame, then read and written
+  bool history = false;     // an updated image that is cleared before its first frame only
+  bool kept = false;        // an output or a tap: whole and unchanged at the end of the frame
+  int first = 0, last = 0;  // lifetime, inclusive: positions in `Plan::steps`
+  bool read = false;        // some node samples it
+  int slot = 0;             // index into `Plan::slots`
 };
 
 // Memory for one image at a time; all images that share it have the same format and size.
@@ -48,17 +48,17 @@ struct Slot {
 
 // A node that runs. Ports are in the order of the pass's declaration.
 struct PlanNode {
-  int node = 0;  // index into `pipeline.nodes`
-  int pass = 0;  // index into `pipeline.passes`
-  int loop = -1;  // index into `Plan::loops`, or -1
-  int width = 0, height = 0;  // of everything it writes
-  int divide = 1;             // of everything it writes
+  int node = 0;                                       // index into `pipeline.nodes`
+  int pass = 0;                                       // index into `pipeline.passes`
+  int loop = -1;                                      // index into `Plan::loops`, or -1
+  int width = 0, height = 0;                          // of everything it writes
+  int divide = 1;                                     // of everything it writes
   std::vector<std::pair<std::string, Value>> params;  // resolved, in the order of the pass's declaration
-  std::vector<int> reads;    // image per read port; -1 where an optional port is not wired
-  std::vector<int> writes;   // image per write port
-  std::vector<int> updates;  // image per update port
-  int depth = -1;            // image of a raster node's depth attachment
-  bool counters = false;     // has a buffer of 32-bit event counts, in the order of the pass's declaration
+  std::vector<int> reads;                             // image per read port; -1 where an optional port is not wired
+  std::vector<int> writes;                            // image per write port
+  std::vector<int> updates;                           // image per update port
+  int depth = -1;                                     // image of a raster node's depth attachment
+  bool counters = false;  // has a buffer of 32-bit event counts, in the order of the pass's declaration
 };
 
 struct PlanLoop {

@@ -69,7 +69,8 @@ class Wirer {
   }
 
   void checkFrame() {
-    bool fits = options_.width >= 1 && options_.height >= 1 && options_.width <= kMaxSide && options_.height <= kMaxSide;
+    bool fits =
+        options_.width >= 1 && options_.height >= 1 && options_.width <= kMaxSide && options_.height <= kMaxSide;
     if (!fits) problem({}, "a frame of {}x{} pixels; sides are 1 to {}", options_.width, options_.height, kMaxSide);
     bool traces = options_.trace_stage == kStageCompute || options_.trace_stage == kStageTrace;
     STROBE_ASSERT(traces, "trace stage {}", static_cast<uint32_t>(options_.trace_stage));
@@ -137,8 +138,8 @@ class Wirer {
       const Format* known = findFormat(format);
       const Format* usual = findFormat(port.format);
       if (!known || !usual || known->uint == usual->uint) continue;
-      problem(port.place, "the formats of port '{}' of pass '{}' mix unsigned integers and numbers: {} and {}", port.name,
-              pass.name, port.format, format);
+      problem(port.place, "the formats of port '{}' of pass '{}' mix unsigned integers and numbers: {} and {}",
+              port.name, pass.name, port.format, format);
     }
   }
 
@@ -146,8 +147,9 @@ class Wirer {
     const SizeDesc& size = pass.size;
     if (size.kind == SizeDesc::Kind::Fixed) {
       bool fits = size.width >= 1 && size.height >= 1 && size.width <= kMaxSide && size.height <= kMaxSide;
-      if (!fits) problem(pass.place, "pass '{}' has size {}x{}; sides are 1 to {}", pass.name, size.width, size.height,
-                         kMaxSide);
+      if (!fits)
+        problem(pass.place, "pass '{}' has size {}x{}; sides are 1 to {}", pass.name, size.width, size.height,
+                kMaxSide);
     }
     if (size.kind != SizeDesc::Kind::Port) return;
     if (indexOf(pass.reads, size.port) < 0) {
@@ -372,7 +374,7 @@ class Wirer {
 
   const PassDesc& passOf(int node) const { return pipeline_.passes[wiring_.nodes[node].pass]; }
 
-  static constexpr int kMaxSide = 16384;        // what every device with ray tracing allows
+  static constexpr int kMaxSide = 16384;  // what every device with ray tracing allows
   static constexpr int kMaxIterations = 1 << 20;
 
   const PipelineDesc& pipeline_;

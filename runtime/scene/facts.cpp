@@ -92,7 +92,8 @@ PixelArea reachOfMotion(const Scene& scene, const Camera& camera, const std::fun
   PixelArea reach;
   for (size_t i = 0; i < instances.size(); ++i) {
     const dmat4& at_capture = capture.world_from_instance[i];
-    bool moves = std::any_of(poses.begin(), poses.end(), [&](const Pose& p) { return p.world_from_instance[i] != at_capture; });
+    bool moves =
+        std::any_of(poses.begin(), poses.end(), [&](const Pose& p) { return p.world_from_instance[i] != at_capture; });
     std::optional<Corners> corners = moves ? boundsOf(scene.meshes[size_t(instances[i].mesh)]) : std::nullopt;
     if (!corners) continue;
     poses.push_back(capture);
@@ -118,7 +119,8 @@ PixelArea reachOfMotion(const Scene& scene, const Camera& camera, const std::fun
                      int(std::ceil(std::clamp(area.high.y + margin, 0.0, double(height))))};
     if (own.empty()) continue;
     if (reach.empty()) reach = own;
-    reach = {std::min(reach.x0, own.x0), std::min(reach.y0, own.y0), std::max(reach.x1, own.x1), std::max(reach.y1, own.y1)};
+    reach = {std::min(reach.x0, own.x0), std::min(reach.y0, own.y0), std::max(reach.x1, own.x1),
+             std::max(reach.y1, own.y1)};
   }
   return reach;
 }

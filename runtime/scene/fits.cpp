@@ -10,7 +10,8 @@ void requireFits(const Scene& scene, uint32_t slices, const gpu::DeviceLimits& l
   std::vector<std::string> beyond;
   auto require = [&](const char* limit, const std::string& where, uint64_t count, const char* unit, uint64_t most) {
     if (count <= most) return;
-    beyond.push_back(limitText(limit, fmt::format("{}: {} has {} {} of at most {}", scene.name, where, count, unit, most)));
+    beyond.push_back(
+        limitText(limit, fmt::format("{}: {} has {} {} of at most {}", scene.name, where, count, unit, most)));
   };
   uint64_t instances = instancesOf(scene).size(), vertices = 0, indices = 0;
   require("instances", "the scene", instances, "instances", limits.instances);

@@ -17,7 +17,7 @@ namespace strobe::scene {
 namespace {
 
 const std::vector<std::string> kSupported = {
-    "KHR_lights_punctual",    "KHR_materials_unlit", "KHR_texture_transform",  "KHR_materials_emissive_strength",
+    "KHR_lights_punctual",   "KHR_materials_unlit",     "KHR_texture_transform", "KHR_materials_emissive_strength",
     "KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_materials_variants"};
 
 class Loader {
@@ -84,8 +84,8 @@ class Loader {
     material.emissive_texture = readUse(json, "emissiveTexture", true, where);
     auto emissive = file_.numbers(json, "emissiveFactor", {0, 0, 0}, where);
     const Json& strength = file_.extension(json, "KHR_materials_emissive_strength");
-    material.emissive = vec3(emissive[0], emissive[1], emissive[2]) *
-                        float(file_.number(strength, "emissiveStrength", 1, where));
+    material.emissive =
+        vec3(emissive[0], emissive[1], emissive[2]) * float(file_.number(strength, "emissiveStrength", 1, where));
     file_.extension(json, "KHR_materials_unlit", &material.unlit);
     readAlpha(json, where, material);
     return material;
@@ -111,8 +111,8 @@ class Loader {
     auto offset = file_.numbers(transform, "offset", {0, 0}, where);
     auto scale = file_.numbers(transform, "scale", {1, 1}, where);
     set = file_.size(transform, "texCoord", set, where);
-    use.uv_transform = uvTransform({offset[0], offset[1]}, file_.number(transform, "rotation", 0, where),
-                                   {scale[0], scale[1]});
+    use.uv_transform =
+        uvTransform({offset[0], offset[1]}, file_.number(transform, "rotation", 0, where), {scale[0], scale[1]});
     if (set > 1) warn(fmt::format("{}: {} uses texture coordinates {}; 0 serve instead", where, key, set));
     use.uv_set = set == 1 ? 1 : 0;
     use.texture = textureIndex(texture, is_color);
@@ -265,8 +265,7 @@ class Loader {
   }
 
   void readInstancing(const Json& json, const std::string& where, Node& node) {
-    const Json& attributes =
-        file_.object(file_.extension(json, "EXT_mesh_gpu_instancing"), "attributes", where);
+    const Json& attributes = file_.object(file_.extension(json, "EXT_mesh_gpu_instancing"), "attributes", where);
     std::optional<Values> values[3];
     const char* names[3] = {"TRANSLATION", "ROTATION", "SCALE"};
     size_t count = 0;

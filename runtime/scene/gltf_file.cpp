@@ -23,9 +23,15 @@ uint32_t word(const std::vector<uint8_t>& bytes, size_t at) {
 
 size_t componentSize(int type) {
   switch (type) {
-    case 5120: case 5121: return 1;
-    case 5122: case 5123: return 2;
-    case 5125: case 5126: return 4;
+    case 5120:
+    case 5121:
+      return 1;
+    case 5122:
+    case 5123:
+      return 2;
+    case 5125:
+    case 5126:
+      return 4;
   }
   return 0;
 }
@@ -47,11 +53,16 @@ double loaded(const uint8_t* at) {
 
 double component(const uint8_t* at, int type, bool normalized) {
   switch (type) {
-    case 5120: return normalized ? std::max(loaded<int8_t>(at) / 127, -1.0) : loaded<int8_t>(at);
-    case 5121: return normalized ? loaded<uint8_t>(at) / 255 : loaded<uint8_t>(at);
-    case 5122: return normalized ? std::max(loaded<int16_t>(at) / 32767, -1.0) : loaded<int16_t>(at);
-    case 5123: return normalized ? loaded<uint16_t>(at) / 65535 : loaded<uint16_t>(at);
-    case 5125: return loaded<uint32_t>(at);
+    case 5120:
+      return normalized ? std::max(loaded<int8_t>(at) / 127, -1.0) : loaded<int8_t>(at);
+    case 5121:
+      return normalized ? loaded<uint8_t>(at) / 255 : loaded<uint8_t>(at);
+    case 5122:
+      return normalized ? std::max(loaded<int16_t>(at) / 32767, -1.0) : loaded<int16_t>(at);
+    case 5123:
+      return normalized ? loaded<uint16_t>(at) / 65535 : loaded<uint16_t>(at);
+    case 5125:
+      return loaded<uint32_t>(at);
   }
   return loaded<float>(at);
 }
@@ -77,8 +88,8 @@ std::optional<std::vector<uint8_t>> fromBase64(std::string_view text) {
 std::string percentDecoded(const std::string& uri) {
   std::string text;
   for (size_t i = 0; i < uri.size(); ++i) {
-    bool escape = uri[i] == '%' && i + 2 < uri.size() && std::isxdigit(uint8_t(uri[i + 1])) &&
-                  std::isxdigit(uint8_t(uri[i + 2]));
+    bool escape =
+        uri[i] == '%' && i + 2 < uri.size() && std::isxdigit(uint8_t(uri[i + 1])) && std::isxdigit(uint8_t(uri[i + 2]));
     text += escape ? char(std::stoi(uri.substr(i + 1, 2), nullptr, 16)) : uri[i];
     if (escape) i += 2;
   }

@@ -240,8 +240,9 @@ Texture readTexture(const Json& json, const Place& place, Problems& problems) {
   std::string wrap = fields.choice("wrap", "repeat", {"repeat", "mirror", "clamp"});
   Texture texture = pattern ? readPattern(fields, type) : readTexels(fields);
   texture.name = fields.text("name", type);
-  texture.wrap_u = wrap == "repeat" ? Texture::Wrap::Repeat
-                                    : wrap == "mirror" ? Texture::Wrap::Mirror : Texture::Wrap::Clamp;
+  texture.wrap_u = wrap == "repeat"   ? Texture::Wrap::Repeat
+                   : wrap == "mirror" ? Texture::Wrap::Mirror
+                                      : Texture::Wrap::Clamp;
   texture.wrap_v = texture.wrap_u;
   fields.finish();
   return texture;
@@ -257,8 +258,9 @@ Light readLight(const Json& json, const Place& place, Problems& problems) {
     return light;
   }
   std::string type = typeOf(json);
-  light.type = type == "spot" ? Light::Type::Spot
-                              : type == "directional" ? Light::Type::Directional : Light::Type::Point;
+  light.type = type == "spot"          ? Light::Type::Spot
+               : type == "directional" ? Light::Type::Directional
+                                       : Light::Type::Point;
   light.name = fields.text("name");
   light.intensity = vec3(fields.color("color", vec4(1))) * float(fields.number("intensity", 1, 0, 1e30));
   light.shadow = fields.boolean("shadow", true);

@@ -247,11 +247,12 @@ class Builder {
     else fields.problem(fmt::format("no node is called '{}'{}", name, didYouMean(name, nodeNames())));
     std::string target = fields.choice("target", "translation", {"translation", "rotation", "scale"});
     track.target = target == "translation" ? Track::Target::Translation
-                                           : target == "rotation" ? Track::Target::Rotation : Track::Target::Scale;
+                   : target == "rotation"  ? Track::Target::Rotation
+                                           : Track::Target::Scale;
     std::string how = fields.choice("interpolation", "linear", {"linear", "step", "cubic"});
     track.interpolation = how == "linear" ? Track::Interpolation::Linear
-                                          : how == "step" ? Track::Interpolation::Step
-                                                          : Track::Interpolation::CubicSpline;
+                          : how == "step" ? Track::Interpolation::Step
+                                          : Track::Interpolation::CubicSpline;
     track.times = fields.numbers("times", 1, 100000);
     size_t components = target == "rotation" ? 4 : 3;
     for (const auto& row : fields.rows("values", components, 1, 300000)) {

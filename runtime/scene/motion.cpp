@@ -161,8 +161,8 @@ static std::vector<const Animation*> clipsOf(const Scene& scene, const std::stri
     names.push_back(clip.name);
   }
   if (!clips.empty() || animation == "all" || animation == "none") return clips;
-  throw Error(fmt::format("{} has no animation '{}'{}; it has {}", scene.name, animation,
-                          didYouMean(animation, names), fmt::join(names, ", ")));
+  throw Error(fmt::format("{} has no animation '{}'{}; it has {}", scene.name, animation, didYouMean(animation, names),
+                          fmt::join(names, ", ")));
 }
 
 Poser::Poser(const Scene& scene, int camera_node, const std::string& animation)
@@ -176,9 +176,15 @@ Poser::Poser(const Scene& scene, int camera_node, const std::string& animation)
 static void applyTrack(const Track& track, double time_s, Transform& transform) {
   dvec4 value = valueAt(track, time_s);
   switch (track.target) {
-    case Track::Target::Translation: transform.translation = dvec3(value); break;
-    case Track::Target::Rotation: transform.rotation = quaternion(value); break;
-    case Track::Target::Scale: transform.scale = dvec3(value); break;
+    case Track::Target::Translation:
+      transform.translation = dvec3(value);
+      break;
+    case Track::Target::Rotation:
+      transform.rotation = quaternion(value);
+      break;
+    case Track::Target::Scale:
+      transform.scale = dvec3(value);
+      break;
   }
 }
 

@@ -162,8 +162,8 @@ struct Known {
 
 const std::map<std::string, Known>& known() {
   static const std::map<std::string, Known> patterns = {
-      {"stripes", {1, stripes}}, {"checker", {2, checker}}, {"quilt", {3, quilt}},       {"rug", {4, rug}},
-      {"wood", {2, wood}},       {"noise", {2, speckle}},   {"weave", {2, weave}},       {"spine", {3, spine}},
+      {"stripes", {1, stripes}},   {"checker", {2, checker}},   {"quilt", {3, quilt}}, {"rug", {4, rug}},
+      {"wood", {2, wood}},         {"noise", {2, speckle}},     {"weave", {2, weave}}, {"spine", {3, spine}},
       {"painting", {5, painting}}, {"gradient", {2, gradient}}, {"leaf", {2, leaf}}};
   return patterns;
 }

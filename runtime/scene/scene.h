@@ -74,8 +74,8 @@ struct Light {
   enum class Type { Directional, Point, Spot };
   std::string name;
   Type type = Type::Point;
-  vec3 intensity = vec3(1);  // colour times candela (point, spot) or lux (directional)
-  double range = 0;          // metres, 0 for unlimited
+  vec3 intensity = vec3(1);                      // colour times candela (point, spot) or lux (directional)
+  double range = 0;                              // metres, 0 for unlimited
   double inner_cone = 0, outer_cone = 0.785398;  // spot: half angles, radians
   bool shadow = true;
 };
@@ -83,10 +83,10 @@ struct Light {
 struct Camera {
   std::string name;
   bool orthographic = false;
-  double vertical_fov = 0.8;    // perspective: full angle, radians
-  double half_height = 1;       // orthographic: half the height of the view, metres
+  double vertical_fov = 0.8;     // perspective: full angle, radians
+  double half_height = 1;        // orthographic: half the height of the view, metres
   std::optional<double> aspect;  // stated by the file; the picture's own aspect is used, this is only reported
-  double near = 0.01;           // metres along the view direction; nothing nearer is seen
+  double near = 0.01;            // metres along the view direction; nothing nearer is seen
 };
 
 // A keyed channel of a node's transform.
@@ -96,8 +96,8 @@ struct Track {
   int node = -1;
   Target target = Target::Translation;
   Interpolation interpolation = Interpolation::Linear;
-  std::vector<double> times;    // seconds, increasing
-  std::vector<dvec4> values;    // xyz or quaternion xyzw; CubicSpline: in-tangent, value, out-tangent per key
+  std::vector<double> times;  // seconds, increasing
+  std::vector<dvec4> values;  // xyz or quaternion xyzw; CubicSpline: in-tangent, value, out-tangent per key
 };
 
 struct Animation {
@@ -110,10 +110,10 @@ struct Animation {
 // Per second; the node is at rest at `rest_time`.
 struct ConstantMotion {
   int node = -1;
-  dvec3 velocity = dvec3(0);          // metres per second
-  dvec3 axis = dvec3(0, 1, 0);        // unit
-  double angular_velocity = 0;        // radians per second about `axis` through the node's origin (pivot)
-  double rest_time = 0;               // seconds
+  dvec3 velocity = dvec3(0);    // metres per second
+  dvec3 axis = dvec3(0, 1, 0);  // unit
+  double angular_velocity = 0;  // radians per second about `axis` through the node's origin (pivot)
+  double rest_time = 0;         // seconds
 };
 
 struct Node {
@@ -146,9 +146,9 @@ struct Scene {
   std::vector<Animation> animations;
   std::vector<ConstantMotion> motions;
   Environment environment;
-  std::vector<std::string> warnings;    // what was not understood, naming the node
-  std::vector<std::string> assumptions; // defaults supplied for what the file lacks, for the run record
-  Json attribution;                     // licence and author where the file or its folder states them
+  std::vector<std::string> warnings;     // what was not understood, naming the node
+  std::vector<std::string> assumptions;  // defaults supplied for what the file lacks, for the run record
+  Json attribution;                      // licence and author where the file or its folder states them
 };
 
 // One drawable: a mesh at a node. Its index is its instance id.

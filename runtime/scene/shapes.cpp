@@ -83,7 +83,7 @@ Shape box(dvec3 size, double radius, int segments, double tile) {
   dvec3 half = size * 0.5;
   radius = std::min({radius, half.x, half.y, half.z});
   // Each face: its right, its up; its normal is right x up.
-  const dvec3 sides[6][2] = {{{0, 0, -1}, {0, 1, 0}}, {{0, 0, 1}, {0, 1, 0}},  {{1, 0, 0}, {0, 0, -1}},
+  const dvec3 sides[6][2] = {{{0, 0, -1}, {0, 1, 0}}, {{0, 0, 1}, {0, 1, 0}}, {{1, 0, 0}, {0, 0, -1}},
                              {{1, 0, 0}, {0, 0, 1}},  {{1, 0, 0}, {0, 1, 0}}, {{-1, 0, 0}, {0, 1, 0}}};
   for (const auto& side : sides) {
     dvec3 right = side[0], up = side[1], out = glm::cross(right, up);
@@ -231,8 +231,9 @@ template <class Front, class Back>
 static Shape shell(ivec2 segments, Front front, Back back) {
   Shape shape;
   auto at = [&](int u, int v) { return dvec2(double(u) / segments.x, double(v) / segments.y); };
-  GridWriter{shape}.write(segments.x, segments.y,
-                          [&](int u, int v) { return Shape::Point{front(at(u, v)), {0, 0, 1}, at(u, v)}; });
+  GridWriter{shape}.write(segments.x, segments.y, [&](int u, int v) {
+    return Shape::Point{front(at(u, v)), {0, 0, 1}, at(u, v)};
+  });
   GridWriter{shape}.write(segments.x, segments.y, [&](int u, int v) {
     dvec2 uv = at(segments.x - u, v);
     return Shape::Point{back(uv), {0, 0, -1}, {1 - uv.x, uv.y}};
@@ -263,7 +264,8 @@ Shape cushion(dvec3 size, double pinch, int quilt, double quilt_depth, int segme
     }
     return dvec3(a.x * bow.x * size.x * 0.5, -a.y * bow.y * size.y * 0.5, side * height * size.z * 0.5);
   };
-  return shell(ivec2(segments), [&](dvec2 uv) { return surface(uv, 1); }, [&](dvec2 uv) { return surface(uv, -1); });
+  return shell(
+      ivec2(segments), [&](dvec2 uv) { return surface(uv, 1); }, [&](dvec2 uv) { return surface(uv, -1); });
 }
 
 Shape cloth(dvec3 size, double folds, double flare, double thickness, ivec2 segments) {
@@ -284,8 +286,8 @@ Shape triangles(const std::vector<dvec3>& positions, const std::vector<dvec3>& n
     dvec3 facet = unitOr(glm::cross(b - a, c - a), {0, 0, 1});
     for (uint32_t k : corner) {
       shape.indices.push_back(uint32_t(shape.points.size()));
-      shape.points.push_back({positions[k], normals.empty() ? facet : unitOr(normals[k], facet),
-                              uvs.empty() ? dvec2(0) : uvs[k]});
+      shape.points.push_back(
+          {positions[k], normals.empty() ? facet : unitOr(normals[k], facet), uvs.empty() ? dvec2(0) : uvs[k]});
     }
   }
   return shape;

@@ -24,11 +24,11 @@ Texture paint(int width, int height, int samples, const std::function<vec4(dvec2
 struct Pattern {
   std::string type;
   int width = 512, height = 512;
-  std::vector<vec3> colors;      // linear
-  dvec2 count = dvec2(8);        // repeats across u and v
-  std::vector<double> widths;    // stripes: relative, one per colour
-  double amount = 0.5;           // strength of grain, noise, dirt
-  double line = 0.06;            // width of lines relative to a repeat
+  std::vector<vec3> colors;    // linear
+  dvec2 count = dvec2(8);      // repeats across u and v
+  std::vector<double> widths;  // stripes: relative, one per colour
+  double amount = 0.5;         // strength of grain, noise, dirt
+  double line = 0.06;          // width of lines relative to a repeat
   int seed = 1;
 };
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "scene/upload.h"
 
-#include <glm/gtc/packing.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/packing.hpp>
 
 #include "base/limits.h"
 #include "scene/fits.h"
@@ -120,18 +119,24 @@ void GpuScene::uploadMaterials(const Scene& scene) {
 
 static VkFormat vulkanFormat(Texture::Format format) {
   switch (format) {
-    case Texture::Format::Rgba8Srgb: return VK_FORMAT_R8G8B8A8_SRGB;
-    case Texture::Format::Rgba8Unorm: return VK_FORMAT_R8G8B8A8_UNORM;
-    case Texture::Format::Rgba32f: return VK_FORMAT_R32G32B32A32_SFLOAT;
+    case Texture::Format::Rgba8Srgb:
+      return VK_FORMAT_R8G8B8A8_SRGB;
+    case Texture::Format::Rgba8Unorm:
+      return VK_FORMAT_R8G8B8A8_UNORM;
+    case Texture::Format::Rgba32f:
+      return VK_FORMAT_R32G32B32A32_SFLOAT;
   }
   return VK_FORMAT_UNDEFINED;
 }
 
 static VkSamplerAddressMode vulkanWrap(Texture::Wrap wrap) {
   switch (wrap) {
-    case Texture::Wrap::Repeat: return VK_SAMPLER_ADDRESS_MODE_REPEAT;
-    case Texture::Wrap::Mirror: return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
-    case Texture::Wrap::Clamp: return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    case Texture::Wrap::Repeat:
+      return VK_SAMPLER_ADDRESS_MODE_REPEAT;
+    case Texture::Wrap::Mirror:
+      return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
+    case Texture::Wrap::Clamp:
+      return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
   }
   return VK_SAMPLER_ADDRESS_MODE_REPEAT;
 }
@@ -184,8 +189,8 @@ void GpuScene::buildStructures(const Scene& scene) {
 void GpuScene::makeSet() {
   const VkShaderStageFlags all = VK_SHADER_STAGE_ALL;
   std::vector<VkDescriptorSetLayoutBinding> bindings = {{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, all, nullptr}};
-  const Buffer* arrays[] = {&vertices_,    &indices_,   &geometry_buffer_, &instance_buffer_, &draw_buffer_,
-                            &materials_, &lights_, &transforms_,      &cameras_};
+  const Buffer* arrays[] = {&vertices_,  &indices_, &geometry_buffer_, &instance_buffer_, &draw_buffer_,
+                            &materials_, &lights_,  &transforms_,      &cameras_};
   for (uint32_t i = 1; i <= 9; ++i) bindings.push_back({i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, all, nullptr});
   uint32_t texture_count = uint32_t(textures_.size());
   bindings.push_back({10, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, texture_count, all, nullptr});
@@ -200,8 +205,7 @@ void GpuScene::makeSet() {
   for (uint32_t i = 0; i < texture_count; ++i)
     images.push_back({samplers_[i].get(), textures_[i].view(), VK_IMAGE_LAYOUT_GENERAL});
   std::vector<VkAccelerationStructureKHR> structures;
-  for (uint32_t slice = 0; slice < slices_; ++slice)
-    structures.push_back(top_levels_[topLevelOf(slice)].handle());
+  for (uint32_t slice = 0; slice < slices_; ++slice) structures.push_back(top_levels_[topLevelOf(slice)].handle());
   VkWriteDescriptorSetAccelerationStructureKHR structure_info{
       VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR};
   structure_info.accelerationStructureCount = slices_;

@@ -56,7 +56,6 @@ class GpuScene {
   static bool isTraced(uint32_t slice) { return slice == SLICE_CAPTURE || slice >= SLICE_SAMPLE; }
   static size_t topLevelOf(uint32_t slice) { return slice < SLICE_SAMPLE ? 0 : slice - SLICE_SAMPLE + 1; }
 
-
   const gpu::Device& device_;
   const Scene& scene_;
   uint32_t slices_;

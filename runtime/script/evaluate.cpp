@@ -18,9 +18,9 @@ namespace {
 
 // The file an evaluation begins with.
 struct Main {
-  Path file;          // absolute
+  Path file;  // absolute
   std::string shown;
-  std::string name;   // without folder and ".lua"
+  std::string name;  // without folder and ".lua"
   bool own_folder = false;
 };
 
@@ -84,15 +84,16 @@ std::string endedBy(const ChildResult& child, const Limits& limits) {
 std::vector<Dependency> dependenciesOf(const Json& files) {
   std::vector<Dependency> dependencies;
   for (const Json& file : files) {
-    dependencies.push_back({file.at("path").get<std::string>(), file.at("shown").get<std::string>(),
-                            file.at("hash").get<std::string>()});
+    dependencies.push_back(
+        {file.at("path").get<std::string>(), file.at("shown").get<std::string>(), file.at("hash").get<std::string>()});
   }
   return dependencies;
 }
 
 // On one line, without anything that steers a terminal.
 std::string plain(std::string text) {
-  std::replace_if(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
   return text;
 }
 
@@ -112,11 +113,15 @@ std::string plain(std::string text) {
 
 Json requestOf(const Main& main, const std::string& function, const Json& argument, const Limits& limits,
                const Texts& texts) {
-  return {{"function", function},           {"argument", argument},
+  return {{"function", function},
+          {"argument", argument},
           {"home", fs::absolute(homeFolder()).lexically_normal().string()},
-          {"main", main.file.string()},     {"shown", main.shown},
-          {"own_folder", main.own_folder},  {"cpu_s", limits.cpu_s},
-          {"memory_mb", limits.memory_mb},  {"texts", Json(texts)}};
+          {"main", main.file.string()},
+          {"shown", main.shown},
+          {"own_folder", main.own_folder},
+          {"cpu_s", limits.cpu_s},
+          {"memory_mb", limits.memory_mb},
+          {"texts", Json(texts)}};
 }
 
 // Bytes that are no UTF-8 (in a file name, in a setting) become replacement characters.
@@ -186,7 +191,9 @@ std::string hashOfPath(const Path& path) {
 plan::PipelineDesc evaluatePipeline(const PipelineRequest& request, std::vector<Dependency>* dependencies,
                                     const Limits& limits, std::vector<DroppedSetting>* dropped) {
   Main main = mainOf(request.name_or_path, "pipeline", request.texts);
-  Json argument = {{"name", main.name}, {"file", main.shown}, {"sets", settingsJson(lastOfEach(request.sets, false))},
+  Json argument = {{"name", main.name},
+                   {"file", main.shown},
+                   {"sets", settingsJson(lastOfEach(request.sets, false))},
                    {"lenient", dropped != nullptr}};
   Json result = evaluate(main, "pipeline", argument, dependencies, limits, request.texts);
   try {

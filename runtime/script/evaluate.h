@@ -58,8 +58,7 @@ plan::PipelineDesc evaluatePipeline(const PipelineRequest& request, std::vector<
 // scripts/scenes. Those of `sets` that begin with "scene." are in the global `scene_params` (without that prefix);
 // one that the scene never reads is an error.
 Json evaluateScene(const std::string& name_or_path, const Settings& sets,
-                   std::vector<Dependency>* dependencies = nullptr, const Limits& limits = {},
-                   const Texts& texts = {});
+                   std::vector<Dependency>* dependencies = nullptr, const Limits& limits = {}, const Texts& texts = {});
 
 // The plain data any other file returns (experiments, demos); `arguments` is what `...` holds in its main chunk.
 Json evaluateData(const std::string& path, const Json& arguments = {}, std::vector<Dependency>* dependencies = nullptr,

@@ -72,8 +72,10 @@ static bool isList(lua_State* lua, int index) {
 static Json valueAt(lua_State* lua, int index, const std::string& path, int depth) {
   if (depth > kDepth || !lua_checkstack(lua, 4)) refuse(path, "is nested too deeply; does a table contain itself?");
   switch (lua_type(lua, index)) {
-    case LUA_TNIL: return nullptr;
-    case LUA_TBOOLEAN: return lua_toboolean(lua, index) != 0;
+    case LUA_TNIL:
+      return nullptr;
+    case LUA_TBOOLEAN:
+      return lua_toboolean(lua, index) != 0;
     case LUA_TSTRING: {
       size_t size = 0;
       const char* text = lua_tolstring(lua, index, &size);
@@ -85,8 +87,10 @@ static Json valueAt(lua_State* lua, int index, const std::string& path, int dept
       if (!std::isfinite(number)) refuse(path, "is not a finite number");
       return number + 0.0;  // no negative zero
     }
-    case LUA_TTABLE: return isList(lua, index) ? arrayAt(lua, index, path, depth) : objectAt(lua, index, path, depth);
-    default: refuse(path, fmt::format("is a {}, not plain data", lua_typename(lua, lua_type(lua, index))));
+    case LUA_TTABLE:
+      return isList(lua, index) ? arrayAt(lua, index, path, depth) : objectAt(lua, index, path, depth);
+    default:
+      refuse(path, fmt::format("is a {}, not plain data", lua_typename(lua, lua_type(lua, index))));
   }
 }
 

@@ -129,9 +129,8 @@ struct Sandbox::Callbacks {
     sandbox.guarded([&] {
       auto source = sandbox.sources_.find(file);
       std::vector<std::string> path(keys, keys + count);
-      int found = source == sandbox.sources_.end()
-                      ? 0
-                      : lineOfReturn(source->second, ar.linedefined, ar.lastlinedefined, path);
+      int found =
+          source == sandbox.sources_.end() ? 0 : lineOfReturn(source->second, ar.linedefined, ar.lastlinedefined, path);
       if (found) line = found;
     });
     pushPlace(lua, file, line);
@@ -174,9 +173,8 @@ struct Sandbox::Callbacks {
     luaL_checktype(lua, 1, LUA_TTABLE);
     luaL_checkany(lua, 2);
     Sandbox& sandbox = self(lua);
-    bool good = sandbox.guarded([&] {
-      sandbox.value_ = plan::checkValue(paramAt(lua, 1), plan::valueFromJson(jsonAt(lua, 2)), {});
-    });
+    bool good = sandbox.guarded(
+        [&] { sandbox.value_ = plan::checkValue(paramAt(lua, 1), plan::valueFromJson(jsonAt(lua, 2)), {}); });
     if (good) return pushValue(lua, sandbox.value_);
     lua_pushnil(lua);
     lua_pushlstring(lua, sandbox.text_.data(), sandbox.text_.size());

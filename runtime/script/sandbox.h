@@ -28,8 +28,8 @@ class Sandbox {
  public:
   struct Options {
     Path home;
-    Path main;          // the file that `native.main` runs
-    std::string shown;  // how errors name it
+    Path main;                // the file that `native.main` runs
+    std::string shown;        // how errors name it
     bool own_folder = false;  // its folder is searched by `require` too
     size_t memory_bytes = size_t{256} << 20;
     std::map<std::string, std::string> texts;  // read instead of the files of these absolute paths
@@ -74,11 +74,11 @@ class Sandbox {
   std::vector<Dependency> files_;
   std::map<std::string, std::string> sources_;  // by shown name
   std::vector<Problem> problems_;
-  std::string text_;    // a callback's result or failure
-  plan::Value value_;   // a callback's result
+  std::string text_;                // a callback's result or failure
+  plan::Value value_;               // a callback's result
   std::vector<std::string> names_;  // a callback's result
-  std::string source_;  // of the module that `resolve` or `read` found
-  std::string chunk_;   // "@" and its shown name
+  std::string source_;              // of the module that `resolve` or `read` found
+  std::string chunk_;               // "@" and its shown name
 };
 
 }  // namespace strobe::script

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "shader/compiler.h"
 
-#include <glslang/SPIRV/GlslangToSpv.h>
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
 
 #include <algorithm>
 #include <regex>
@@ -60,18 +60,26 @@ class Includer : public glslang::TShader::Includer {
 
 EShLanguage language(Stage stage) {
   switch (stage) {
-    case Stage::Vertex: return EShLangVertex;
-    case Stage::Fragment: return EShLangFragment;
-    case Stage::Compute: return EShLangCompute;
-    case Stage::RayGeneration: return EShLangRayGen;
-    case Stage::Miss: return EShLangMiss;
-    case Stage::ClosestHit: return EShLangClosestHit;
-    case Stage::AnyHit: return EShLangAnyHit;
+    case Stage::Vertex:
+      return EShLangVertex;
+    case Stage::Fragment:
+      return EShLangFragment;
+    case Stage::Compute:
+      return EShLangCompute;
+    case Stage::RayGeneration:
+      return EShLangRayGen;
+    case Stage::Miss:
+      return EShLangMiss;
+    case Stage::ClosestHit:
+      return EShLangClosestHit;
+    case Stage::AnyHit:
+      return EShLangAnyHit;
   }
   return EShLangCompute;
 }
 
-// glslang says "ERROR: file:line: 'token' : message"; users read "file:line: 'token': message", paths as they know them.
+// glslang says "ERROR: file:line: 'token' : message"; users read "file:line: 'token': message", paths as they know
+// them.
 std::string readable(const std::string& log, const Path& file) {
   static const std::regex form("^ERROR: (.*?):(\\d+): (.*?)\\s*$");
   std::set<std::string> seen;

@@ -8,20 +8,25 @@ namespace strobe::shader {
 
 const char* backendName(Backend backend) {
   switch (backend) {
-    case Backend::Pipeline: return "pipeline";
-    case Backend::Query: return "query";
-    case Backend::None: break;
+    case Backend::Pipeline:
+      return "pipeline";
+    case Backend::Query:
+      return "query";
+    case Backend::None:
+      break;
   }
   return "none";
 }
 
 static std::string header(const Interface& in, Stage stage) {
   std::string text = "#version 460\n";
-  for (const char* extension : {"GL_EXT_scalar_block_layout", "GL_EXT_nonuniform_qualifier", "GL_GOOGLE_include_directive",
-                                "GL_EXT_control_flow_attributes"})
+  for (const char* extension : {"GL_EXT_scalar_block_layout", "GL_EXT_nonuniform_qualifier",
+                                "GL_GOOGLE_include_directive", "GL_EXT_control_flow_attributes"})
     text += fmt::format("#extension {} : require\n", extension);
-  bool ray_stage = stage == Stage::RayGeneration || stage == Stage::Miss || stage == Stage::ClosestHit || stage == Stage::AnyHit;
-  if (ray_stage) text += "#extension GL_EXT_ray_tracing : require\n#define STROBE_BACKEND_PIPELINE\n#define STROBE_TRACES\n";
+  bool ray_stage =
+      stage == Stage::RayGeneration || stage == Stage::Miss || stage == Stage::ClosestHit || stage == Stage::AnyHit;
+  if (ray_stage)
+    text += "#extension GL_EXT_ray_tracing : require\n#define STROBE_BACKEND_PIPELINE\n#define STROBE_TRACES\n";
   bool query = stage == Stage::Compute && in.backend == Backend::Query;
   if (query) text += "#extension GL_EXT_ray_query : require\n#define STROBE_BACKEND_QUERY\n#define STROBE_TRACES\n";
   return text + fmt::format("#define STROBE_SLICES {}\n#define TIME_SLICE {}u\n", in.slices, in.time_slice);
@@ -78,8 +83,7 @@ std::string preamble(const Interface& in, Stage stage) {
   std::string text = header(in, stage) + variantText(in) + frameText(in);
   bool hit_stage = stage == Stage::Miss || stage == Stage::ClosestHit || stage == Stage::AnyHit;
   if (!hit_stage) text += resourceText(in, stage);
-  if (stage == Stage::Compute)
-    text += fmt::format("layout(local_size_x = {0}, local_size_y = {0}) in;\n", kGroupSize);
+  if (stage == Stage::Compute) text += fmt::format("layout(local_size_x = {0}, local_size_y = {0}) in;\n", kGroupSize);
   return text;
 }
 
@@ -101,11 +105,13 @@ std::vector<std::string> unusedNames(const Interface& in, const std::vector<Path
   std::vector<std::string> problems;
   auto expect = [&](const std::string& spelled, const char* kind, const std::string& name) {
     if (std::regex_search(text, std::regex("\\b" + spelled + "\\b"))) return;
-    problems.push_back(fmt::format("{}: pass '{}' declares the {} '{}', but {} never uses {}", in.place, in.pass, kind, name,
-                                   displayPath(shader_files.front()), std::regex_replace(spelled, std::regex("\\\\"), "")));
+    problems.push_back(fmt::format("{}: pass '{}' declares the {} '{}', but {} never uses {}", in.place, in.pass, kind,
+                                   name, displayPath(shader_files.front()),
+                                   std::regex_replace(spelled, std::regex("\\\\"), "")));
   };
   for (const auto& read : in.reads) expect(read.name + "_tex", "read", read.name);
-  for (const auto& write : in.writes) expect(write.name + (in.raster ? "_out" : "_img"), write.update ? "update" : "write", write.name);
+  for (const auto& write : in.writes)
+    expect(write.name + (in.raster ? "_out" : "_img"), write.update ? "update" : "write", write.name);
   for (const auto& param : in.params) expect("params\\." + param.name, "parameter", param.name);
   for (const auto& variant : in.variants)
     if (!variant.decides_format) expect("PARAM_" + variant.name, "parameter", variant.name);
@@ -139,10 +145,14 @@ static std::string withDeclarations(const Interface& in, const std::string& log)
       // What was called with the unknown name is only its consequence.
       if (place == last_unknown_place && match[2] != "undeclared identifier") continue;
       last_unknown_place = place;
-      bool generated = name.ends_with("_tex") || name.ends_with("_img") || name.ends_with("_out") || name.starts_with("count_");
-      if (generated) line += fmt::format(": pass '{}' ({}) declares no such name{}", in.pass, in.place, didYouMean(name, declaredNames(in)));
+      bool generated =
+          name.ends_with("_tex") || name.ends_with("_img") || name.ends_with("_out") || name.starts_with("count_");
+      if (generated)
+        line += fmt::format(": pass '{}' ({}) declares no such name{}", in.pass, in.place,
+                            didYouMean(name, declaredNames(in)));
     } else if (std::regex_search(line, match, member)) {
-      line += fmt::format(": pass '{}' ({}) declares no parameter '{}'{}", in.pass, in.place, match[1].str(), didYouMean(match[1].str(), params));
+      line += fmt::format(": pass '{}' ({}) declares no parameter '{}'{}", in.pass, in.place, match[1].str(),
+                          didYouMean(match[1].str(), params));
     }
     text += (text.empty() ? "" : "\n") + line;
   }

@@ -26,15 +26,15 @@ struct Interface {
     std::string name;
     std::string format;  // layout qualifier: "rgba16f", "r8", ...
     bool uint = false;
-    bool update = false;  // read and written
+    bool update = false;      // read and written
     std::string texels = {};  // the format by the name used in Lua: "r8_unorm"
   };
   struct Param {
     std::string name;
     bool integer = false;
   };
-  // A value compiled in: `#define PARAM_<name> <index>` and `#define <name>_<choice> <i>` for each choice; of a bool the
-  // index is 0 or 1 and there are no choices.
+  // A value compiled in: `#define PARAM_<name> <index>` and `#define <name>_<choice> <i>` for each choice; of a bool
+  // the index is 0 or 1 and there are no choices.
   struct Variant {
     std::string name;
     std::vector<std::string> choices;

@@ -20,8 +20,8 @@ struct Mean {
   bool inside = true;                 // the segment does not leave the picture
 };
 
-// The exact mean over t in the window of the pixel that holds the point centre(x, y) - d * t; d in px over the exposure,
-// x right, y down. Each pixel counts by the length of the segment in it: no samples are taken.
+// The exact mean over t in the window of the pixel that holds the point centre(x, y) - d * t; d in px over the
+// exposure, x right, y down. Each pixel counts by the length of the segment in it: no samples are taken.
 Mean meanAlong(const image::Image& picture, int x, int y, double dx, double dy, const Window& window);
 
 }  // namespace strobe::stability

@@ -113,7 +113,8 @@ lab::Shot generated(const Variant& variant, uint64_t seed, int index) {
 
   const Frame& frame = kFrames[size_t(index) % kFrames.size()];
   if (has(pipeline, "samples")) shot = with(shot, "samples", random.chance(.3) ? random.whole(1, 33) : 16);
-  if (has(pipeline, "tile")) shot = with(shot, "tile", frame.tiles[size_t(random.whole(0, int(frame.tiles.size()) - 1))]);
+  if (has(pipeline, "tile"))
+    shot = with(shot, "tile", frame.tiles[size_t(random.whole(0, int(frame.tiles.size()) - 1))]);
   // In image widths: 12 px, which is more than anything moves.
   if (has(pipeline, "limit")) shot = with(shot, "limit", 12.0 / frame.width);
   return withNumbers(shot, pipeline, random);

@@ -92,7 +92,10 @@ std::vector<Tick> Scale::linearTicks() const {
   double raw = (high_ - low_) / 8, power = std::pow(10.0, std::floor(std::log10(raw)));
   double step = power * 10;
   for (double factor : {1.0, 1.5, 2.0, 3.0, 5.0})
-    if (factor * power >= raw) { step = factor * power; break; }
+    if (factor * power >= raw) {
+      step = factor * power;
+      break;
+    }
   std::vector<Tick> ticks;
   for (double value = std::ceil(low_ / step) * step; value <= high_ + 1e-9 * step; value += step)
     ticks.push_back({at(value), shownNumber(std::abs(value) < 1e-9 * step ? 0 : value)});
@@ -128,8 +131,8 @@ std::string mark(int style, double x, double y, bool hollow, const std::string& 
     points.pop_back();
     return fmt::format("polygon points=\"{}\"", points);
   };
-  static const double kShapes[kStyles][3] = {{0, 3.6, 0}, {4, 5, 45}, {3, 5.4, 0}, {4, 5.2, 0},
-                                             {3, 5.4, 180}, {5, 5, 0}, {6, 5, 0}, {3, 5.4, 90}};
+  static const double kShapes[kStyles][3] = {{0, 3.6, 0},   {4, 5, 45}, {3, 5.4, 0}, {4, 5.2, 0},
+                                             {3, 5.4, 180}, {5, 5, 0},  {6, 5, 0},   {3, 5.4, 90}};
   const auto& shape = kShapes[style % kStyles];
   std::string element = shape[0] == 0 ? fmt::format("circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"", x, y, shape[1] + 0.6)
                                       : polygon(int(shape[0]), shape[1], shape[2]);

@@ -32,8 +32,8 @@ class Scale {
   std::vector<Tick> linearTicks() const;
 
   Kind kind_;
-  std::vector<double> values_;     // of an even scale
-  double low_ = 0, high_ = 1;      // powers of ten for a logarithmic scale
+  std::vector<double> values_;  // of an even scale
+  double low_ = 0, high_ = 1;   // powers of ten for a logarithmic scale
   bool zero_ = false;
 };
 
@@ -41,26 +41,26 @@ class Scale {
 std::string shownNumber(double value);
 
 struct ChartPoint {
-  double x = 0, y = 0;   // y: NaN leaves a gap
-  std::string tip;       // shown where the pointer rests
-  bool hollow = false;   // a limit was met
-  bool faint = false;    // not to be trusted, nor what leads to it
+  double x = 0, y = 0;  // y: NaN leaves a gap
+  std::string tip;      // shown where the pointer rests
+  bool hollow = false;  // a limit was met
+  bool faint = false;   // not to be trusted, nor what leads to it
 };
 
 struct ChartLine {
   std::string label;
-  int style = 0;         // of the methods, in order; beside: kFloorStyle, kErrorStyle
+  int style = 0;  // of the methods, in order; beside: kFloorStyle, kErrorStyle
   std::vector<ChartPoint> points;
 };
 inline constexpr int kFloorStyle = -1, kErrorStyle = -2;
 inline constexpr int kStyles = 8;  // that differ in marks and dashes; later ones repeat
 
 struct Chart {
-  std::string about;               // for people who cannot see it
+  std::string about;  // for people who cannot see it
   std::string x_title, y_title;
   Scale::Kind x_scale = Scale::Kind::log;
   double benign = 0;
-  double band = 0;                 // shaded: below so many times the floor's line; 0: nothing
+  double band = 0;  // shaded: below so many times the floor's line; 0: nothing
   std::vector<ChartLine> lines;
 };
 

@@ -157,10 +157,11 @@ void check(const Experiment& experiment, const std::string& file) {
     bool first = &axis == &experiment.axes.front();
     for (const Method* method : all) {
       bool same = !first && point.pipeline.empty() && point.truth.empty() && point.floor.empty();
-      if (!same) collect(problems, [&] {
-        lab::Shot shot = shotOf(experiment, axis, point, *method);
-        script::evaluatePipeline({shot.pipeline, shot.sets});
-      });
+      if (!same)
+        collect(problems, [&] {
+          lab::Shot shot = shotOf(experiment, axis, point, *method);
+          script::evaluatePipeline({shot.pipeline, shot.sets});
+        });
     }
     collect(problems, [&] {
       lab::Shot shot = shotOf(experiment, axis, point, experiment.truth);

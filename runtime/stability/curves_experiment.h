@@ -11,11 +11,11 @@ namespace strobe::stability::curves {
 // What one value of an axis sets.
 struct AxisPoint {
   double value = 0;
-  std::string label;           // the value as Lua writes it
-  script::Settings scene;      // parameters of the scene, as "scene.NAME"
-  script::Settings pipeline;   // of every pipeline that does not lack them
+  std::string label;          // the value as Lua writes it
+  script::Settings scene;     // parameters of the scene, as "scene.NAME"
+  script::Settings pipeline;  // of every pipeline that does not lack them
   script::Settings truth, floor;
-  script::Settings shot;       // options of the shot by name
+  script::Settings shot;  // options of the shot by name
 };
 
 struct Axis {

@@ -29,10 +29,14 @@ std::string shownError(double value) {
 
 const char* wordOf(Doubt doubt) {
   switch (doubt) {
-    case Doubt::error: return "error";
-    case Doubt::limit: return "limit";
-    case Doubt::broken: return "not finite";
-    case Doubt::none: break;
+    case Doubt::error:
+      return "error";
+    case Doubt::limit:
+      return "limit";
+    case Doubt::broken:
+      return "not finite";
+    case Doubt::none:
+      break;
   }
   return "";
 }
@@ -86,9 +90,10 @@ Rows benignRows(const Report& report) {
 }
 
 std::string howTrusted(const Report& report) {
-  return fmt::format("The values about the benign one at which a method's error is at most {:g} times the floor there "
-                     "(truth with as many samples as the method), no limit of it was met and every value is finite.",
-                     report.factor);
+  return fmt::format(
+      "The values about the benign one at which a method's error is at most {:g} times the floor there "
+      "(truth with as many samples as the method), no limit of it was met and every value is finite.",
+      report.factor);
 }
 
 std::string howUsual(const Report& report) {
@@ -304,10 +309,11 @@ const char* const kHowToRead =
     "error. What is below the lower border is drawn on it. Values are shown where the pointer rests on a mark.";
 
 std::string Page::text() {
-  page_ = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" + escaped(report_.title) +
-          "</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>" + lab::kPageStyle + kChartStyle + kOwnStyle +
-          "</style>\n</head>\n<body>\n<h1>" + escaped(report_.title) + "</h1>\n";
+  page_ =
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+      escaped(report_.title) + "</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>" + lab::kPageStyle +
+      kChartStyle + kOwnStyle + "</style>\n</head>\n<body>\n<h1>" + escaped(report_.title) + "</h1>\n";
   paragraph(report_.note);
   paragraph(howErrors(report_) + " " + deviceOf(report_), "soft");
   page_ += "<nav>";
@@ -408,8 +414,10 @@ std::string filled(const Report& report, const ReportVariant& variant, const std
         if (inside == name) return shownShare(row.errors[i]);
         if (inside == "change " + name) return shownError(row.changes[i]);
       }
-    throw Error(fmt::format("the reading of variant '{}' has {{{}}}, which is none of {{LABEL, VALUE @ CASE}} and "
-                            "{{change LABEL, VALUE @ CASE}}", variant.name, inside));
+    throw Error(
+        fmt::format("the reading of variant '{}' has {{{}}}, which is none of {{LABEL, VALUE @ CASE}} and "
+                    "{{change LABEL, VALUE @ CASE}}",
+                    variant.name, inside));
   });
 }
 

@@ -23,7 +23,8 @@ std::string shownShare(double share);
 // else in braces.
 std::string filled(const Report& report, const ReportAxis& axis, const std::string& text);
 
-// The same of a variant: {LABEL, VALUE @ CASE} by the error there, {change LABEL, VALUE @ CASE} by the largest difference.
+// The same of a variant: {LABEL, VALUE @ CASE} by the error there, {change LABEL, VALUE @ CASE} by the largest
+// difference.
 std::string filled(const Report& report, const ReportVariant& variant, const std::string& text);
 
 }  // namespace strobe::stability::curves

@@ -18,21 +18,21 @@ using PerRegion = std::array<double, 4>;  // NaN: the region has no pixels
 
 // A picture against truth.
 struct Measured {
-  PerRegion rmse{};       // linear values; of a floor with truth's own variance in it
+  PerRegion rmse{};                 // linear values; of a floor with truth's own variance in it
   std::vector<std::string> limits;  // that were met: "NODE: COUNT WHAT"
-  uint64_t broken = 0;    // values that are no finite number
-  std::string command;    // makes the picture again
+  uint64_t broken = 0;              // values that are no finite number
+  std::string command;              // makes the picture again
 };
 
 struct ReportPoint {
   double value = 0;
   std::string label;
   std::array<uint64_t, 4> pixels{};
-  PerRegion sigma{};      // truth's standard error
+  PerRegion sigma{};  // truth's standard error
   // Truth here against truth at the benign value: the largest difference, and the share of pixels that differ by more
   // than 1e-5.
   double drift = 0, drifted = 0;
-  std::string command;    // of truth
+  std::string command;  // of truth
   Measured floor;
   std::vector<Measured> methods;
 };
@@ -41,7 +41,7 @@ struct ReportAxis {
   std::string name, title, unit, scale, region, fixed, note, reading;
   double benign = 0;
   bool same_picture = false;
-  double contrast = 0;    // standard deviation of truth at the benign value, over the picture and its channels
+  double contrast = 0;  // standard deviation of truth at the benign value, over the picture and its channels
   std::vector<ReportPoint> points;
 
   size_t benignIndex() const;
@@ -55,10 +55,10 @@ struct ReportAxis {
 // One value of a variant with one method.
 struct VariantRow {
   std::string method, value;
-  double mib = 0;                    // of all images a frame holds at once
-  double ms = 0, least_ms = 0;       // median and least of frames drawn in turn with the other values
-  std::vector<double> errors;        // by case: root mean square against truth, of the picture's contrast
-  std::vector<double> changes;       // largest difference from the reference value's picture
+  double mib = 0;               // of all images a frame holds at once
+  double ms = 0, least_ms = 0;  // median and least of frames drawn in turn with the other values
+  std::vector<double> errors;   // by case: root mean square against truth, of the picture's contrast
+  std::vector<double> changes;  // largest difference from the reference value's picture
   std::vector<std::vector<std::string>> limits;
 };
 
@@ -73,10 +73,10 @@ struct Report {
   bool software = false;
   int width = 0, height = 0;
   double factor = 2;
-  std::string truth, floor;           // labels
+  std::string truth, floor;  // labels
   std::vector<std::string> methods;
   std::vector<ReportAxis> axes;
-  std::vector<std::string> cases;     // of the variants
+  std::vector<std::string> cases;  // of the variants
   std::vector<ReportVariant> variants;
 };
 

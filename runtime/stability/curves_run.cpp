@@ -78,9 +78,9 @@ class Walk {
   const Experiment& experiment_;
   const Axis& axis_;
   lab::Workbench& bench_;
-  lab::Picture truth_picture_;      // of `truth_command_`: an axis need not change what is seen
+  lab::Picture truth_picture_;  // of `truth_command_`: an axis need not change what is seen
   std::string truth_command_;
-  Image truth_, benign_truth_;      // at the point at hand, at the benign one
+  Image truth_, benign_truth_;  // at the point at hand, at the benign one
   std::array<Image, 4> masks_;
 };
 
@@ -144,7 +144,7 @@ struct Setting {
   const Variant* variant = nullptr;  // nullptr: every variant at its reference
   std::string value;
   VariantRow row;
-  Image color;                       // of the case at hand
+  Image color;  // of the case at hand
 };
 
 class Comparison {

@@ -165,7 +165,8 @@ std::string pageOf(const std::vector<ExtremeOutcome>& outcomes) {
   std::string text =
       "<!-- Written by `strobe stability --extremes --write docs/extreme-cases.md`; do not edit. -->\n\n"
       "# Extreme cases\n\n"
-      "Each case runs by every pipeline and every preset of it, on pictures of at most 64 x 64 px. What must come out is "
+      "Each case runs by every pipeline and every preset of it, on pictures of at most 64 x 64 px. What must come out "
+      "is "
       "known from a closed form, from truth or from a picture that must be the same; finite it must be always.\n\n";
   text += tableOf(outcomes) + "\n## The cases\n\n| case | what must hold |\n| --- | --- |\n";
   const Extreme* last = nullptr;

@@ -95,10 +95,8 @@ void markForHeaders(std::vector<Token>& tokens) {
     if (!tokens[i].is("for") || !tokens[i + 1].is("(")) continue;
     int part = 0;
     for (int k = int(i) + 2; k < tokens[i + 1].partner; ++k) {
-      if (tokens[size_t(k)].is(";"))
-        ++part;
-      else
-        tokens[size_t(k)].for_part = part;
+      if (tokens[size_t(k)].is(";")) ++part;
+      else tokens[size_t(k)].for_part = part;
     }
   }
 }

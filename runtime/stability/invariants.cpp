@@ -93,7 +93,8 @@ Finding still(const Subject& subject) {
 }
 
 // Smallest and largest value around a pixel.
-std::optional<Right> rangeAround(const std::vector<Picture>& pictures, int x, int y, int c, int radius, double tolerance) {
+std::optional<Right> rangeAround(const std::vector<Picture>& pictures, int x, int y, int c, int radius,
+                                 double tolerance) {
   Right right{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), tolerance};
   for (const Picture& picture : pictures)
     for (int v = std::max(y - radius, 0); v <= std::min(y + radius, picture->height - 1); ++v)
@@ -217,7 +218,8 @@ Finding uniform(const Subject& subject) {
   double along = std::max(std::abs(dx), std::abs(dy));
   double samples = std::min(numberOf(now, "samples", along), std::max(2.0, 2 * std::floor(along / 2)));
   double share = 1 / samples + .5 / along;
-  // What is drawn at other times has its silhouettes between pixels: up to a pixel off where the sharp picture has them.
+  // What is drawn at other times has its silhouettes between pixels: up to a pixel off where the sharp picture has
+  // them.
   int radius = now.loops.empty() ? 0 : 1;
   if (radius) shot = with(shot, "scene.cards", 1);  // as in brief()
   Picture sharp = subject.renderer.color(by(shot, kSharp));
@@ -313,7 +315,8 @@ Finding converging(const Subject& subject) {
   if (subject.pipeline.compare_with.empty() || !subject.is_base) return finding;
   lab::Shot other = inCommon(subject, many, subject.pipeline.compare_with, {});
   double theirs = errorOf(subject, other, scenes);
-  return worse(finding, moreErrorThan(fine, 1.1 * theirs + 1e-3, "against " + subject.pipeline.compare_with, {many, other}));
+  return worse(finding,
+               moreErrorThan(fine, 1.1 * theirs + 1e-3, "against " + subject.pipeline.compare_with, {many, other}));
 }
 
 // A value of one node has no counterpart in another pipeline.
@@ -324,7 +327,8 @@ bool setsNodes(const lab::Shot& shot) {
 }
 
 bool isSet(const lab::Shot& shot, const std::string& name, const std::string& value) {
-  return std::any_of(shot.sets.begin(), shot.sets.end(), [&](const auto& s) { return s.first == name && s.second != value; });
+  return std::any_of(shot.sets.begin(), shot.sets.end(),
+                     [&](const auto& s) { return s.first == name && s.second != value; });
 }
 
 Finding unmasked(const Subject& subject) {
@@ -372,13 +376,18 @@ Finding permuted(const Subject& subject) {
 const std::vector<Invariant>& invariants() {
   static const std::vector<Invariant> list = {
       {"constant", "a picture of one colour stays that colour, whatever moves in it",
-       "2 units in the last place for each sample: each adds one rounding of a weight and one of the sum; numbers below "
-       "the smallest normal one may become 0", constant},
+       "2 units in the last place for each sample: each adds one rounding of a weight and one of the sum; numbers "
+       "below "
+       "the smallest normal one may become 0",
+       constant},
       {"still", "where nothing moves, or the shutter does not open, the picture is bit for bit the sharp one",
        "none: nothing is computed", still},
-      {"brief", "as the exposure goes to 0 the picture becomes the sharp one: with displacements of 1/16 px, less than "
-       "any silhouette is off a pixel's centre, it is the sharp one; with 0.4 px no pixel leaves the range of the eight "
-       "around it", "0.00001: the rounding of a mean", brief},
+      {"brief",
+       "as the exposure goes to 0 the picture becomes the sharp one: with displacements of 1/16 px, less than "
+       "any silhouette is off a pixel's centre, it is the sharp one; with 0.4 px no pixel leaves the range of the "
+       "eight "
+       "around it",
+       "0.00001: the rounding of a mean", brief},
       {"mirrored", "a scene mirrored, flipped, turned by a half or a quarter gives the mirrored picture",
        "0.00001 of the brightest colour: light and projection are rounded otherwise", mirrored},
       {"shifted", "a scene moved by whole tiles (by any pixels where there are none) gives the moved picture",
@@ -388,22 +397,31 @@ const std::vector<Invariant>& invariants() {
       {"convex", "no colour leaves the range of the colours of all layers in reach",
        "0.00001 of the brightest colour: weights add up to 1 but for rounding", convex},
       {"uniform", "where everything moves alike the picture is the exact mean of the sharp one along the motion",
-       "per pixel, (1 / samples + 0.5 / displacement) of the sum of the steps along the motion: a sample stands for its "
-       "share of the exposure, jittered by up to half of it, and a pixel for what is within half a pixel. No more samples "
-       "count than the displacement has pixels", uniform},
-      {"linear", "the picture of a sum of two lights is the sum of their pictures; three times the light, three times "
-       "the picture", "0.000002: three roundings of colours up to 3", linear},
+       "per pixel, (1 / samples + 0.5 / displacement) of the sum of the steps along the motion: a sample stands for "
+       "its "
+       "share of the exposure, jittered by up to half of it, and a pixel for what is within half a pixel. No more "
+       "samples "
+       "count than the displacement has pixels",
+       uniform},
+      {"linear",
+       "the picture of a sum of two lights is the sum of their pictures; three times the light, three times "
+       "the picture",
+       "0.000002: three roundings of colours up to 3", linear},
       {"scaled", "a scene enlarged or shrunk as a whole gives the same picture, bit for bit if by a power of two",
-       "other factors: 0.1 % of the pixels may differ by more than 0.00001, silhouettes that fall on pixel centres", scaled},
-      {"converging", "with 32 samples instead of 4 the error against the truth does not grow, in the mean of two scenes; "
+       "other factors: 0.1 % of the pixels may differ by more than 0.00001, silhouettes that fall on pixel centres",
+       scaled},
+      {"converging",
+       "with 32 samples instead of 4 the error against the truth does not grow, in the mean of two scenes; "
        "and it is not larger than that of the pipeline it is to be compared with",
        "10 % and 0.001: where a few samples meet a silhouette is chance", converging},
       {"unmasked", "with values that the pipeline declares to make it equal to another one it is equal, bit for bit",
        "none: the same is computed", unmasked},
-      {"finite", "radiance up to the largest number, infinite or not a number leaves every pixel finite that is finite in "
-       "the sharp picture", "none", finite},
-      {"permuted", "the order of objects and triangles changes nothing",
-       "none: no two surfaces are equally far away", permuted},
+      {"finite",
+       "radiance up to the largest number, infinite or not a number leaves every pixel finite that is finite in "
+       "the sharp picture",
+       "none", finite},
+      {"permuted", "the order of objects and triangles changes nothing", "none: no two surfaces are equally far away",
+       permuted},
   };
   return list;
 }
@@ -412,7 +430,8 @@ const Invariant& invariantNamed(const std::string& name) {
   for (const Invariant& one : invariants())
     if (one.name == name) return one;
   throw Error(fmt::format("there is no invariant '{}'{}; there are {}", name, didYouMean(name, plan::invariantNames()),
-                          fmt::join(plan::invariantNames(), ", ")), {}, 2);
+                          fmt::join(plan::invariantNames(), ", ")),
+              {}, 2);
 }
 
 }  // namespace strobe::stability

@@ -127,10 +127,8 @@ class Finder {
     if (found == other.end()) return;
     bool step = tokens_[i].text.size() == 2;
     if (step && tokens_[i].for_part == 2) return;  // a loop without end says nothing
-    if (step || isBinary(i))
-      add(MutationOperator::Sign, {i, i}, found->second);
-    else if (is(i, "-"))
-      add(MutationOperator::Sign, {i, i}, "");
+    if (step || isBinary(i)) add(MutationOperator::Sign, {i, i}, found->second);
+    else if (is(i, "-")) add(MutationOperator::Sign, {i, i}, "");
   }
 
   void constant(size_t i) {
@@ -181,12 +179,9 @@ class Finder {
       if (isAny(first, {")", "]"}) && tokens_[first].partner >= 0) first = size_t(tokens_[first].partner);
       bool called = isAny(first, {"(", "["}) && first > 0 && endsValue(first - 1);
       bool member = tokens_[first].kind == Token::Kind::Name && first > 1 && is(first - 1, ".");
-      if (called)
-        --first;
-      else if (member)
-        first -= 2;
-      else
-        return {first, last};
+      if (called) --first;
+      else if (member) first -= 2;
+      else return {first, last};
     }
   }
   Span primaryAfter(size_t first) const {
@@ -194,12 +189,9 @@ class Finder {
     if (isAny(last, {"-", "!", "~", "+"}) && last + 1 < tokens_.size()) ++last;
     if (is(last, "(") && tokens_[last].partner >= 0) last = size_t(tokens_[last].partner);
     while (last + 1 < tokens_.size()) {
-      if (isAny(last + 1, {"(", "["}) && tokens_[last + 1].partner >= 0)
-        last = size_t(tokens_[last + 1].partner);
-      else if (is(last + 1, ".") && last + 2 < tokens_.size())
-        last += 2;
-      else
-        break;
+      if (isAny(last + 1, {"(", "["}) && tokens_[last + 1].partner >= 0) last = size_t(tokens_[last + 1].partner);
+      else if (is(last + 1, ".") && last + 2 < tokens_.size()) last += 2;
+      else break;
     }
     return {first, last};
   }

@@ -103,10 +103,8 @@ std::vector<std::string> namesOf(const TestFolder& tests, const MutationPlan::Pr
     std::string word = line.substr(0, line.find('#'));
     word.erase(0, word.find_first_not_of(' '));
     word.erase(word.find_last_not_of(' ') + 1);
-    if (!line.starts_with("  ") && word.ends_with("."))
-      suite = word;
-    else if (line.starts_with("  ") && !suite.empty())
-      names.push_back(suite + word);
+    if (!line.starts_with("  ") && word.ends_with(".")) suite = word;
+    else if (line.starts_with("  ") && !suite.empty()) names.push_back(suite + word);
   }
   return names;
 }
@@ -162,10 +160,8 @@ void surveyTests(const TestFolder& tests, const std::vector<TestCase>& all, int 
         TestCase test = all[i];
         bool passes = survey(tests, home, test);
         std::lock_guard lock(mutex);
-        if (passes)
-          passed(test);
-        else
-          warn(test.name + " fails on the unchanged shaders and takes no part");
+        if (passes) passed(test);
+        else warn(test.name + " fails on the unchanged shaders and takes no part");
         progress.advance();
       }
     } catch (const Error& error) {

@@ -33,7 +33,8 @@ const Evaluated& Renderer::evaluate(const std::string& pipeline, const script::S
   if (!is_new) return found->second;
   try {
     script::PipelineRequest request{pipeline, ofPipeline(sets)};
-    found->second.pipeline = std::make_shared<plan::PipelineDesc>(script::evaluatePipeline(request, nullptr, bench_.limits));
+    found->second.pipeline =
+        std::make_shared<plan::PipelineDesc>(script::evaluatePipeline(request, nullptr, bench_.limits));
   } catch (const Error& error) {
     found->second.refusal = error.what();
   }
@@ -76,8 +77,8 @@ std::shared_ptr<const image::Image> Renderer::color(const lab::Shot& wanted) {
   graph::Backend backend = bench_.chooseBackend(shot.backend);
   std::shared_ptr<lab::HeldScene> held = scene(shot);
   const Planned& planned = planOf(shot, backend);
-  std::string key = fmt::format("{}|{}|{}|{}|{}|{}|{}", shot.pipeline, planned.identity, shot.exposure, shot.anchor, shot.frame, shot.seed,
-                                shot.scene + keyOf(shot.sets, true));
+  std::string key = fmt::format("{}|{}|{}|{}|{}|{}|{}", shot.pipeline, planned.identity, shot.exposure, shot.anchor,
+                                shot.frame, shot.seed, shot.scene + keyOf(shot.sets, true));
   auto known = pictures_.find(key);
   if (known != pictures_.end()) return known->second;
 

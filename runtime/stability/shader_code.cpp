@@ -13,10 +13,8 @@ HomeOverride::HomeOverride(const Path& folder) {
 }
 
 HomeOverride::~HomeOverride() {
-  if (before_)
-    ::setenv("STROBE_HOME", before_->c_str(), 1);
-  else
-    ::unsetenv("STROBE_HOME");
+  if (before_) ::setenv("STROBE_HOME", before_->c_str(), 1);
+  else ::unsetenv("STROBE_HOME");
 }
 
 static std::set<std::string> filesOf(const plan::PassDesc& pass) {

@@ -7,10 +7,16 @@ namespace strobe::stability {
 
 // Values a setting is tried with, simplest first. "" takes the setting away.
 static const std::vector<std::pair<std::string, std::vector<std::string>>> kSimple = {
-    {"scene.cards", {"0", "1", "2", "3", "4"}}, {"scene.boxes", {"", "1"}},  {"scene.balls", {""}},
-    {"scene.lit", {"0"}},                       {"scene.textured", {"0"}},   {"scene.perspective", {"0"}},
-    {"scene.wall", {"", "0"}},                  {"samples", {"1", "2", "3", "4", "8"}},
-    {"scene.reach", {"3", "4", "6", "8"}},      {"tile", {"1", "2", "4", "8"}}};
+    {"scene.cards", {"0", "1", "2", "3", "4"}},
+    {"scene.boxes", {"", "1"}},
+    {"scene.balls", {""}},
+    {"scene.lit", {"0"}},
+    {"scene.textured", {"0"}},
+    {"scene.perspective", {"0"}},
+    {"scene.wall", {"", "0"}},
+    {"samples", {"1", "2", "3", "4", "8"}},
+    {"scene.reach", {"3", "4", "6", "8"}},
+    {"tile", {"1", "2", "4", "8"}}};
 
 static bool contains(const script::Settings& sets, const std::string& name) {
   return std::any_of(sets.begin(), sets.end(), [&](const auto& set) { return set.first == name; });

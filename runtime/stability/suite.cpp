@@ -52,7 +52,8 @@ class Suite {
     lab::Shot shot = generated(variant, options_.seed, index + caseOf(variant));
     const Evaluated& evaluated = renderer_.evaluate(shot.pipeline, shot.sets);
     for (const Invariant* invariant : invariants_) {
-      bool taken = variant.isBase() || Random(options_.seed, variant.name() + invariant->name).whole(1, options_.thinned) == 1;
+      bool taken =
+          variant.isBase() || Random(options_.seed, variant.name() + invariant->name).whole(1, options_.thinned) == 1;
       if (!taken) continue;
       Count& count = report_.variants.back().second[invariant->name];
       if (!evaluated.pipeline) ++count.refused;
@@ -208,15 +209,19 @@ static std::string tableOf(const Report& report) {
 }
 
 std::string pageOf(const std::vector<Report>& reports, const Options& options) {
-  std::string text = "<!-- Written by `strobe stability --write docs/stability.md`; do not edit. -->\n\n# Invariants held\n\n";
+  std::string text =
+      "<!-- Written by `strobe stability --write docs/stability.md`; do not edit. -->\n\n# Invariants held\n\n";
   text += fmt::format(
-      "Cases of each variant and invariant ([what they are](invariants.md)), {} each, seed {}: how many hold; b: broken as "
-      "declared; r: refused by the pipeline; f: failed.\n\n", options.cases, options.seed);
+      "Cases of each variant and invariant ([what they are](invariants.md)), {} each, seed {}: how many hold; b: "
+      "broken as "
+      "declared; r: refused by the pipeline; f: failed.\n\n",
+      options.cases, options.seed);
   for (const Report& report : reports) {
     Count sum = report.total();
-    text += fmt::format("## {}\n\n{} variants: {} cases hold, {} break as declared, {} refused, {} failed. {} more values "
-                        "change nothing where they were tried.\n\n",
-                        report.pipeline, report.variants.size(), sum.held, sum.broken, sum.refused, sum.failed, report.same);
+    text += fmt::format(
+        "## {}\n\n{} variants: {} cases hold, {} break as declared, {} refused, {} failed. {} more values "
+        "change nothing where they were tried.\n\n",
+        report.pipeline, report.variants.size(), sum.held, sum.broken, sum.refused, sum.failed, report.same);
     text += tableOf(report);
     std::map<std::string, std::string> reasons;
     for (const Refused& one : report.refused) reasons.emplace(one.name, one.reason);
@@ -242,12 +247,15 @@ Json toJson(const Report& report) {
   for (const Refused& one : report.refused) json["refused"].push_back({{"what", one.name}, {"reason", one.reason}});
   json["declared"] = Json::array();
   for (const auto& [key, one] : report.declarations)
-    json["declared"].push_back({{"with", one.where}, {"invariant", one.invariant}, {"reason", one.reason},
-                                {"cases", one.used}, {"seen", one.seen}});
+    json["declared"].push_back({{"with", one.where},
+                                {"invariant", one.invariant},
+                                {"reason", one.reason},
+                                {"cases", one.used},
+                                {"seen", one.seen}});
   json["failures"] = Json::array();
   for (const Failure& one : report.failures)
-    json["failures"].push_back({{"variant", one.variant}, {"invariant", one.invariant}, {"text", one.text},
-                                {"commands", one.commands}});
+    json["failures"].push_back(
+        {{"variant", one.variant}, {"invariant", one.invariant}, {"text", one.text}, {"commands", one.commands}});
   return json;
 }
 

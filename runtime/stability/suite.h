@@ -8,7 +8,7 @@
 namespace strobe::stability {
 
 struct Options {
-  int cases = 1;                        // of each variant and invariant
+  int cases = 1;  // of each variant and invariant
   uint64_t seed = 1;
   std::vector<std::string> invariants;  // empty: all
   std::string only;                     // variants whose name contains this

@@ -18,9 +18,7 @@ std::string textOf(const plan::Value& value) {
   return plan::toJson(value).dump();
 }
 
-bool Variant::isBase() const {
-  return sets.empty() || (sets.size() == 1 && sets.front().first == "preset");
-}
+bool Variant::isBase() const { return sets.empty() || (sets.size() == 1 && sets.front().first == "preset"); }
 
 std::string Variant::name() const {
   std::string text;
@@ -29,7 +27,8 @@ std::string Variant::name() const {
 }
 
 static const PassDesc& passOf(const PipelineDesc& pipeline, const plan::NodeDesc& node) {
-  return *std::find_if(pipeline.passes.begin(), pipeline.passes.end(), [&](const auto& p) { return p.name == node.pass; });
+  return *std::find_if(pipeline.passes.begin(), pipeline.passes.end(),
+                       [&](const auto& p) { return p.name == node.pass; });
 }
 
 static const plan::Value* valueOf(const PipelineDesc& pipeline, const std::string& param) {

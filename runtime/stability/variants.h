@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every variant of a pipeline, found by walking what it declares: its defaults and presets, and from each of these every
-// value of every parameter that decides which shader or which graph runs. A new parameter or file is walked without a
-// word here.
+// Every variant of a pipeline, found by walking what it declares: its defaults and presets, and from each of these
+// every value of every parameter that decides which shader or which graph runs. A new parameter or file is walked
+// without a word here.
 #pragma once
 
 #include "stability/renderer.h"
@@ -9,11 +9,11 @@
 namespace strobe::stability {
 
 struct Variant {
-  std::string pipeline;    // name or file
-  script::Settings sets;   // the preset first, if any
+  std::string pipeline;   // name or file
+  script::Settings sets;  // the preset first, if any
   std::shared_ptr<const plan::PipelineDesc> description;
 
-  bool isBase() const;     // the defaults or a preset, no other value
+  bool isBase() const;       // the defaults or a preset, no other value
   std::string name() const;  // "preset=best jitter=hash"; "defaults"
 };
 
@@ -33,9 +33,9 @@ Walk walk(Renderer& renderer, const std::string& pipeline);
 
 // A declaration that an invariant does not hold.
 struct Declared {
-  std::string where;   // "jitter = hash", "pass gather_x", "pipeline"
+  std::string where;  // "jitter = hash", "pass gather_x", "pipeline"
   std::string reason;
-  std::string key;     // one per declaration, in whatever pipelines it counts
+  std::string key;  // one per declaration, in whatever pipelines it counts
 };
 
 // Those that count for `invariant` in what runs: of the pipeline, of the passes in use and of the values in use.

@@ -10,22 +10,22 @@ STROBE_SHARED_BEGIN
 #define ANCHOR_OPEN 2u    // the exposure starts at the capture:    t in [0, 1]
 
 struct FrameData {
-  uvec2 size;           // pixels
-  vec2 subpixel;        // offset of the sample from the pixel's centre, px
-  vec2 shutter;         // (open, close) relative to the capture, in exposures
-  uint anchor;          // ANCHOR_*
-  uint frame;           // number of the frame
+  uvec2 size;     // pixels
+  vec2 subpixel;  // offset of the sample from the pixel's centre, px
+  vec2 shutter;   // (open, close) relative to the capture, in exposures
+  uint anchor;    // ANCHOR_*
+  uint frame;     // number of the frame
   uint seed;
-  uint iteration;       // of the loop a pass is in, else 0
-  uint iteration_count; // of that loop, else 1
-  uint slice_count;     // scene times among which a pixel of this iteration may draw, else 1
+  uint iteration;        // of the loop a pass is in, else 0
+  uint iteration_count;  // of that loop, else 1
+  uint slice_count;      // scene times among which a pixel of this iteration may draw, else 1
   uint instance_count;
   uint light_count;
-  vec3 sky;             // radiance from above,
-  vec3 ground;          // from below
-  vec4 background;      // rgb and 1 if rays that miss see this instead of the two above
-  ivec4 reach;          // pixels [x, z) x [y, w) in which anything that moves can be seen
-  float exposure;       // length of the exposure, in frames
+  vec3 sky;         // radiance from above,
+  vec3 ground;      // from below
+  vec4 background;  // rgb and 1 if rays that miss see this instead of the two above
+  ivec4 reach;      // pixels [x, z) x [y, w) in which anything that moves can be seen
+  float exposure;   // length of the exposure, in frames
 };
 
 STROBE_SHARED_END

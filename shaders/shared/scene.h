@@ -18,7 +18,7 @@ struct SceneVertex {
   vec3 normal;
   vec2 uv0;
   vec2 uv1;
-  uint color;     // rgba8 unorm, linear
+  uint color;  // rgba8 unorm, linear
 };
 
 struct SceneInstance {
@@ -40,7 +40,7 @@ struct SceneDraw {
 };
 
 struct SceneTextureUse {
-  int texture;    // -1 for none
+  int texture;  // -1 for none
   uint uv_set;
   vec2 u, v, offset;  // uv' = u * uv.x + v * uv.y + offset
 };
@@ -66,9 +66,9 @@ struct SceneMaterial {
 struct SceneLight {
   vec3 position;
   uint type;
-  vec3 direction;   // unit, from the light
-  float range;      // 0 unlimited
-  vec3 intensity;   // candela (point, spot) or lux (directional), in the renderer's radiance units
+  vec3 direction;  // unit, from the light
+  float range;     // 0 unlimited
+  vec3 intensity;  // candela (point, spot) or lux (directional), in the renderer's radiance units
   uint shadow;
   float cos_inner, cos_outer;
 };
@@ -84,7 +84,7 @@ struct SceneCamera {
   vec3 right, up, forward;  // unit
   vec2 half_extent;         // perspective: tangents of the half angles; orthographic: metres
   uint orthographic;
-  float depth_range;        // orthographic: metres behind the near plane up to which something may be seen
+  float depth_range;  // orthographic: metres behind the near plane up to which something may be seen
 };
 
 STROBE_SHARED_END

@@ -4,6 +4,7 @@
 #define STROBE_SHARED_TYPES_H
 #ifdef __cplusplus
 #include <cstdint>
+
 #include "math/geometry.h"
 namespace strobe::shared {
 using uint = uint32_t;

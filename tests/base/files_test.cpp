@@ -56,7 +56,8 @@ TEST_F(Files, AMissingFileIsNamed) {
     readText(folder_ / "absent.txt");
     FAIL();
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("absent.txt: cannot be read: No such file"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("absent.txt: cannot be read: No such file"), std::string::npos)
+        << error.what();
   }
 }
 

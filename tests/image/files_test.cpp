@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is written is read back, byte for byte the same every time, and a damaged file is refused by name.
+#include "base/files.h"
+
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -8,7 +10,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "base/error.h"
-#include "base/files.h"
 #include "image/exr.h"
 #include "image/png.h"
 #include "image/tone.h"

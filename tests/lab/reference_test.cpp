@@ -28,11 +28,20 @@ plan::PassDesc largest() {
   pass.size = {plan::SizeDesc::Kind::Port, "velocity", "tile"};
   pass.reads = {{.name = "velocity", .doc = "px"}, {.name = "id", .doc = "instance", .uint = true, .optional = true}};
   pass.updates = {{.name = "max", .doc = "px", .format = "rg32f", .history = true}};
-  plan::ParamDesc tile{.name = "tile", .type = plan::ParamDesc::Type::Int, .default_value = int64_t(20), .min = 1,
-                       .max = 256, .unit = "px", .doc = "side"};
-  plan::ParamDesc order{.name = "order", .type = plan::ParamDesc::Type::Choice, .default_value = std::string("rows"),
-                        .choices = {"rows", "columns"}, .values = {{"columns", "By columns."}},
-                        .breaks = {{"rows", {{"mirrored", "rows go right"}}}}, .doc = "which first"};
+  plan::ParamDesc tile{.name = "tile",
+                       .type = plan::ParamDesc::Type::Int,
+                       .default_value = int64_t(20),
+                       .min = 1,
+                       .max = 256,
+                       .unit = "px",
+                       .doc = "side"};
+  plan::ParamDesc order{.name = "order",
+                        .type = plan::ParamDesc::Type::Choice,
+                        .default_value = std::string("rows"),
+                        .choices = {"rows", "columns"},
+                        .values = {{"columns", "By columns."}},
+                        .breaks = {{"rows", {{"mirrored", "rows go right"}}}},
+                        .doc = "which first"};
   pass.params = {tile, order};
   pass.counters = {{"clamped", "tiles that were clamped"}};
   return pass;

@@ -206,7 +206,8 @@ TEST(Tev, PacketsByteForByte) {
   image::Image one(1, 1, 1, 1.0f);
   std::string update = tevUpdatePacket("a", {"Y"}, one);
   EXPECT_EQ(update, std::string("\x32\0\0\0\x06\0a\0\x01\0\0\0Y\0\0\0\0\0\0\0\0\0\x01\0\0\0\x01\0\0\0"
-                                "\0\0\0\0\0\0\0\0\x01\0\0\0\0\0\0\0\0\0\x80\x3f", 50));
+                                "\0\0\0\0\0\0\0\0\x01\0\0\0\0\0\0\0\0\0\x80\x3f",
+                                50));
 }
 
 TEST(Tev, NobodyThereIsSilentAndQuick) {

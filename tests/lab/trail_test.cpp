@@ -3,7 +3,6 @@
 #include "lab/trail.h"
 
 #include <gtest/gtest.h>
-
 #include <unistd.h>
 
 #include <cmath>

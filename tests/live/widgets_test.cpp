@@ -85,8 +85,8 @@ lab::Control sample() {
 
 TEST(Widgets, TheTooltipSaysAllThatIsDeclared) {
   std::string text = tooltipOf(sample());
-  for (const char* part : {"edges.reach", "How far it looks", "near: one pixel", "far: a tile", "preset best: far",
-                           "passes/x.lua:12"})
+  for (const char* part :
+       {"edges.reach", "How far it looks", "near: one pixel", "far: a tile", "preset best: far", "passes/x.lua:12"})
     EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
   lab::Control ranged = sample();
   ranged.declaration = number(ParamDesc::Type::Float, 0.5, 2, "m");

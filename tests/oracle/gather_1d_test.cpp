@@ -85,9 +85,8 @@ TEST(Gather, GuertinOnTheWhiteBar) {
   Row row = rasterise(whiteBar(), 320);
   for (auto [offset, one, two] : kTable)
     for (bool both : {false, true}) {
-      double value = overJitters([&](double j) {
-        return guertinAt(row, 20, 160 + offset, {.jitter = j, .two = both});
-      });
+      double value =
+          overJitters([&](double j) { return guertinAt(row, 20, 160 + offset, {.jitter = j, .two = both}); });
       EXPECT_NEAR(value, both ? two : one, kFourDigits) << offset;
     }
 }
@@ -125,9 +124,8 @@ TEST(Gather, RampsOverAConstantBackgroundAreExactCoverage) {
   Row row = rasterise(strips, 320);
   for (Window window : {kCloseAnchor, kCentreAnchor, kOpenAnchor})
     for (int x = 60; x < 200; ++x) {
-      double value = overJitters([&](double j) {
-        return pairedAt(row, 20, x, {.samples = 16, .jitter = j, .window = window});
-      });
+      double value =
+          overJitters([&](double j) { return pairedAt(row, 20, x, {.samples = 16, .jitter = j, .window = window}); });
       EXPECT_NEAR(value, exposePixel(strips, window, x).colour, 1e-3) << x << " from " << window.open;
     }
 }

@@ -17,7 +17,7 @@ struct Vec2d {
 Vec2d secondDirection(Vec2d dominant, Vec2d own, Vec2d other, double radius, double gamma);
 
 struct Plane {
-  const image::Image* color;     // first channel counts
+  const image::Image* color;  // first channel counts
   const image::Image* depth;
   const image::Image* velocity;  // px over the exposure
   const image::Image* dominant;  // per tile

@@ -34,9 +34,7 @@ double rankOf(int x, int y, uint32_t seed) {
 
 }  // namespace
 
-double ignJitter(int x, int y) {
-  return fractionOf(52.9829189 * fractionOf(0.06711056 * x + 0.00583715 * y)) - 0.5;
-}
+double ignJitter(int x, int y) { return fractionOf(52.9829189 * fractionOf(0.06711056 * x + 0.00583715 * y)) - 0.5; }
 
 std::vector<std::pair<std::string, JitterAt>> jittersOf(uint32_t frame, uint32_t seed) {
   constexpr double kGolden = 1.6180339887498949, kPlastic = 1.32471795724474602596;

@@ -29,8 +29,10 @@ using Kernel = std::array<std::array<double, 3>, 3>;
 class Seen {
  public:
   explicit Seen(const lab::Picture& picture)
-      : width(imageOf(picture, "depth").width), height(imageOf(picture, "depth").height),
-        depth_(imageOf(picture, "depth")), normal_(imageOf(picture, "normal")),
+      : width(imageOf(picture, "depth").width),
+        height(imageOf(picture, "depth").height),
+        depth_(imageOf(picture, "depth")),
+        normal_(imageOf(picture, "normal")),
         id_(picture.frame.outputs.at("id").uints) {}
 
   double depth(int x, int y) const { return depth_.at(column(x), row(y), 0); }

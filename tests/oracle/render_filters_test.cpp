@@ -77,11 +77,11 @@ TEST_F(RenderFilters, OneSidedMcGuireReproducesItsRow) {
   Row row = rasterise(kWhiteBar, 256);
   McGuire options{.samples = 15, .one_sided = true};
   RowCase filter{"one-sided", whiteBar("mcguire2012", "close", {"samples=15"}),
-                    [&](int x, double jitter) {
-                      options.jitter = jitter;
-                      return mcguireAt(row, 20, x, options);
-                    },
-                    80, 160};
+                 [&](int x, double jitter) {
+                   options.jitter = jitter;
+                   return mcguireAt(row, 20, x, options);
+                 },
+                 80, 160};
   lab::Picture picture = check(filter, .01);
   for (const Line& line : table) EXPECT_NEAR(columnMean(colorOf(picture), line.x), line.value, .02) << line.x;
 }
@@ -92,8 +92,8 @@ TEST_F(RenderFilters, PairedFilterReproducesItsTable) {
                                           {0, .4746},   {2, .3750},  {5, .2246},  {8, .0752}};
   Row row = rasterise(kWhiteBar, 256);
   RowCase filter{"paired", whiteBar("ue4", "centre", {"samples=16"}),
-                    [&](int x, double jitter) { return pairedAt(row, 20, x, {.samples = 16, .jitter = jitter}); }, 130,
-                    190};
+                 [&](int x, double jitter) { return pairedAt(row, 20, x, {.samples = 16, .jitter = jitter}); }, 130,
+                 190};
   lab::Picture picture = check(filter, .01);
   for (const auto& [offset, value] : table)
     EXPECT_NEAR(columnMean(colorOf(picture), 160 + offset), value, .01) << offset;
@@ -146,11 +146,20 @@ TEST_F(RenderFilters, UniformGatherIsABoxFilterOfSurfacesCloseInDepth) {
   Strips strips{{40, 72, 16, {.9}}, {-kInfinity, kInfinity, 16, {.2}}};
   for (double behind : {-.1, -.4, -.8, -5.0}) {
     lab::Shot shot = shotOf("cards", 128, 4,
-                            {{"left0", 40}, {"right0", 72}, {"z0", 0}, {"v0", .9}, {"d0", 16},
-                             {"left1", -80}, {"right1", 208}, {"z1", behind}, {"v1", .2}, {"d1", 16}});
+                            {{"left0", 40},
+                             {"right0", 72},
+                             {"z0", 0},
+                             {"v0", .9},
+                             {"d0", 16},
+                             {"left1", -80},
+                             {"right1", 208},
+                             {"z1", behind},
+                             {"v1", .2},
+                             {"d1", 16}});
     for (const Anchor& anchor : anchors()) {
-      lab::Picture picture = render(with(
-          shot, "mcguire2012", {"weights=uniform", "tile=20", "limit=0.2", fmt::format("samples={}", kSamples)}, anchor.name));
+      lab::Picture picture =
+          render(with(shot, "mcguire2012",
+                      {"weights=uniform", "tile=20", "limit=0.2", fmt::format("samples={}", kSamples)}, anchor.name));
       expectWithin(
           colorOf(picture), [&](int x, int) { return exposeCentre(strips, anchor.window, x); },
           [&](const Exposure& e) { return e.variation * (1. / (2 * kSamples) + .5 / 16) + 1e-4; },

@@ -124,9 +124,9 @@ TEST_F(RenderGathers, JimenezAveragesWhereAllMovesAlike) {
 TEST_F(RenderGathers, JimenezTakesAPairAtLeast) {
   for (const Anchor& anchor : anchors()) {
     auto by = [&](const char* count, int samples) {
-      return colorOf(render(rowShot("textured_bar", "jimenez2014", anchor.name,
-                                    {fmt::format("count={}", count), fmt::format("samples={}", samples)},
-                                    motions(1.5, 0))));
+      return colorOf(
+          render(rowShot("textured_bar", "jimenez2014", anchor.name,
+                         {fmt::format("count={}", count), fmt::format("samples={}", samples)}, motions(1.5, 0))));
     };
     image::Image adaptive = by("adaptive", 16);
     EXPECT_TRUE(identical(adaptive, by("fixed", 2))) << anchor.name;
@@ -172,9 +172,9 @@ TEST_F(RenderGathers, FrozenJitterStandsStill) {
 // The renderer's own color, depth, velocity and tiles, gathered again in double precision. Taps within single precision
 // of the border of two pixels may go to either, along x and along y: one pixel in 200 may have one.
 TEST_F(RenderGathers, GuertinInThePlane) {
-  EXPECT_NEAR(secondDirection({10, 0}, {0, 0}, {0, 3}, .5, 1.5).y, 1, 1e-12);   // at rest: across, to the other's side
-  EXPECT_NEAR(secondDirection({10, 0}, {0, -9}, {}, 9, 1.5).y, -1, 1e-12);      // fast: its own
-  Vec2d between = secondDirection({10, 0}, {-1, 1}, {}, 1.25, 1.5);             // half of each: (-.354, .854), scaled
+  EXPECT_NEAR(secondDirection({10, 0}, {0, 0}, {0, 3}, .5, 1.5).y, 1, 1e-12);  // at rest: across, to the other's side
+  EXPECT_NEAR(secondDirection({10, 0}, {0, -9}, {}, 9, 1.5).y, -1, 1e-12);     // fast: its own
+  Vec2d between = secondDirection({10, 0}, {-1, 1}, {}, 1.25, 1.5);            // half of each: (-.354, .854), scaled
   EXPECT_NEAR(between.x / between.y, -.5 * std::sqrt(.5) / (.5 + .5 * std::sqrt(.5)), 1e-12);
 
   Numbers numbers = {{"b_left", 16}, {"b_top", 24}, {"b_x", 2.25}, {"b_y", 11.5}, {"a_left", 24}, {"a_top", 40}};
@@ -189,8 +189,13 @@ TEST_F(RenderGathers, GuertinInThePlane) {
       if (by_variance) shot.taps.push_back("tile_variance.variance");
       lab::Picture picture = render(shot);
       auto tapped = [&](const std::string& name) { return &picture.frame.taps.at(name).floats; };
-      Plane plane{&color, &imageOf(picture, "depth"), &imageOf(picture, "velocity"), tapped(shot.taps[0]),
-                  tapped(shot.taps[1]), by_variance ? tapped(shot.taps[2]) : nullptr, 16};
+      Plane plane{&color,
+                  &imageOf(picture, "depth"),
+                  &imageOf(picture, "velocity"),
+                  tapped(shot.taps[0]),
+                  tapped(shot.taps[1]),
+                  by_variance ? tapped(shot.taps[2]) : nullptr,
+                  16};
       int off = 0, blurred = 0;
       for (int y = 0; y < 96; ++y)
         for (int x = 0; x < 96; ++x) {
@@ -219,14 +224,16 @@ TEST_F(RenderGathers, TilesCountByTheSignsOfTheirMotion) {
   const Case cases[] = {
       {-1, -1, 6, -12, false, false, false},  // published: rejected
       {-1, -1, -6, -12, true, true, false},   // published: accepted
-      {-1, -1, 6, 12, true, false, true},     {-1, 0, 6, -12, true, false, true},
-      {-1, 0, 0, 12, false, false, false},    {0, 1, 6, 12, true, true, false},
-      {1, -1, 12, -6, true, true, false},     {0, 0, 6, 12, true, true, true},
+      {-1, -1, 6, 12, true, false, true},    {-1, 0, 6, -12, true, false, true}, {-1, 0, 0, 12, false, false, false},
+      {0, 1, 6, 12, true, true, false},      {1, -1, 12, -6, true, true, false}, {0, 0, 6, 12, true, true, true},
   };
   for (const Case& c : cases)
     for (const Anchor& anchor : anchors()) {
-      Numbers numbers = {{"a_left", 32 * (1 + c.offset_x)}, {"a_top", 32 * (1 + c.offset_y)}, {"a_x", c.u_x},
-                         {"a_y", c.u_y}, {"b_y", 0}};
+      Numbers numbers = {{"a_left", 32 * (1 + c.offset_x)},
+                         {"a_top", 32 * (1 + c.offset_y)},
+                         {"a_x", c.u_x},
+                         {"a_y", c.u_y},
+                         {"b_y", 0}};
       bool expected = anchor.name == "centre" ? c.centre : anchor.name == "close" ? c.close : c.open;
       for (const char* rule : {"sign", "reach"}) {
         if (rule == std::string("reach") && anchor.name == "open") continue;  // `close` backwards
@@ -285,8 +292,14 @@ TEST_F(RenderGathers, TileJitterStaysWithinAQuarterOfATile) {
 // the taps meet there never comes to the pixel.
 TEST_F(RenderGathers, DirectionsTellWhatMovesAcross) {
   lab::Shot scene = shotOf("crossing", 96, 96,
-                           {{"b_left", 24}, {"b_top", 24}, {"b_y", 11}, {"a_left", 40}, {"a_top", 24}, {"a_width", 8},
-                            {"a_height", 64}, {"a_x", 14}});
+                           {{"b_left", 24},
+                            {"b_top", 24},
+                            {"b_y", 11},
+                            {"a_left", 40},
+                            {"a_top", 24},
+                            {"a_width", 8},
+                            {"a_height", 64},
+                            {"a_x", 14}});
   auto beside = [&](const std::string& direction) {
     lab::Shot shot = with(scene, "jimenez2014", {"tile=16", "limit=0.2", "direction=" + direction}, "close");
     return colorOf(render(shot)).at(22, 40, 0);
@@ -363,9 +376,9 @@ TEST_F(RenderGathers, AreLinearInTheColours) {
 TEST_F(RenderGathers, TellForegroundFromWhatWasRevealed) {
   Strips strips = stripes(20, 0);
   auto inner_error = [&](const std::string& weights) {
-    lab::Shot shot = with(shotOf("textured_bar", kWidth, 8), "hybrid",
-                          {"preset=seed_linear", "mask=relative", "tile=20", "limit=0.1", "weights=" + weights},
-                          "close");
+    lab::Shot shot =
+        with(shotOf("textured_bar", kWidth, 8), "hybrid",
+             {"preset=seed_linear", "mask=relative", "tile=20", "limit=0.1", "weights=" + weights}, "close");
     image::Image color = colorOf(render(shot));
     double worst = 0;
     for (int x = 140; x < 160; ++x)
@@ -394,8 +407,8 @@ TEST_F(RenderGathers, OrderAgainstTruth) {
   EXPECT_LT(jimenez, .2 * mcguire);
   EXPECT_LT(mcguire, bar_error("guertin2014", {}));
 
-  Numbers numbers = {{"b_left", 24}, {"b_top", 24}, {"b_y", 11}, {"a_left", 40}, {"a_top", 24}, {"a_width", 8},
-                     {"a_height", 64}, {"a_x", 14}};
+  Numbers numbers = {{"b_left", 24}, {"b_top", 24},  {"b_y", 11},      {"a_left", 40},
+                     {"a_top", 24},  {"a_width", 8}, {"a_height", 64}, {"a_x", 14}};
   lab::Shot scene = shotOf("crossing", 96, 96, numbers);
   image::Image truth = colorOf(render(with(scene, "ground_truth", {"samples=64", "mark_regions=false"}, "close")));
   auto error = [&](const char* directions) {

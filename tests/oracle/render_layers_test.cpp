@@ -133,8 +133,8 @@ RowError RenderLayers::checkRelative(const Stripes& stripes, Case c, const std::
   expectSimulated(picture, stripes.bar(c).strips(), 32, what + " relative");
   EXPECT_EQ(counterOf(picture, "tile_max.clamped"), 0u) << what;
   RowError error = errorOf(picture, stripes, c);
-  RowError table = layeredError(stripes.bar(c), Mask::kRelative,
-                                {.samples = 32, .both_ways = true, .ask_twice = true}, kCloseAnchor);
+  RowError table = layeredError(stripes.bar(c), Mask::kRelative, {.samples = 32, .both_ways = true, .ask_twice = true},
+                                kCloseAnchor);
   EXPECT_NEAR(error.rms, table.rms, .002) << what;
   EXPECT_LE(error.rms, .015) << what;
   EXPECT_LE(error.max, .04) << what;
@@ -223,15 +223,22 @@ TEST_F(RenderLayers, TapsToBothSidesFindTheSlowerSurface) {
 TEST_F(RenderLayers, WhatIsHiddenAtTheCaptureComesOut) {
   constexpr int kSamples = 32;
   lab::Shot shot = shotOf("cards", 128, 4,
-                          {{"left0", 40}, {"right0", 72}, {"z0", 0}, {"v0", .5},
-                           {"left1", 50}, {"right1", 62}, {"z1", -5}, {"v1", 1}, {"d1", 20}});
+                          {{"left0", 40},
+                           {"right0", 72},
+                           {"z0", 0},
+                           {"v0", .5},
+                           {"left1", 50},
+                           {"right1", 62},
+                           {"z1", -5},
+                           {"v1", 1},
+                           {"d1", 20}});
   Strips strips{{40, 72, 0, {.5}}, {50, 62, 20, {1}}, {-kInfinity, kInfinity, 0, {.1}}};
   for (const char* tiles : {"separate", "union"}) {
     for (const Anchor& anchor : anchors()) {
-      lab::Picture picture = render(with(shot, "hybrid",
-                                         {"mask=all", "tile=20", "limit=0.2", fmt::format("tiles={}", tiles),
-                                          fmt::format("samples={}", kSamples)},
-                                         anchor.name));
+      lab::Picture picture = render(with(
+          shot, "hybrid",
+          {"mask=all", "tile=20", "limit=0.2", fmt::format("tiles={}", tiles), fmt::format("samples={}", kSamples)},
+          anchor.name));
       expectWithin(
           colorOf(picture), [&](int x, int) { return exposeCentre(strips, anchor.window, x); },
           [&](const Exposure& e) { return e.variation * (1. / (2 * kSamples) + .5 / 20) + 1e-4; },

@@ -145,9 +145,9 @@ TEST_F(RenderMasks, WhatIsStillIsNotMarked) {
 
 // Silhouettes between things that move alike uncover nothing.
 TEST_F(RenderMasks, WhatMovesAlikeIsNotMarkedByRelativeMotion) {
-  lab::Shot alike = shotOf("cards", 128, 8,
-                           {{"left0", 40}, {"right0", 72}, {"z0", 0}, {"d0", 16},
-                            {"left1", -80}, {"right1", 208}, {"z1", -20}, {"d1", 16}});
+  lab::Shot alike = shotOf(
+      "cards", 128, 8,
+      {{"left0", 40}, {"right0", 72}, {"z0", 0}, {"d0", 16}, {"left1", -80}, {"right1", 208}, {"z1", -20}, {"d1", 16}});
   EXPECT_EQ(countMarked(imageOf(marked(alike, "relative"), "mask")), 0);
   EXPECT_GT(countMarked(imageOf(marked(alike, "seed"), "mask")), 0);
 }

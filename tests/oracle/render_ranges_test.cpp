@@ -24,14 +24,24 @@ struct Bent {
   }
   lab::Shot shot() const {
     return shotOf("bent", kWidth, kHeight,
-                  {{"before", before}, {"after", after}, {"before_y", before_y}, {"after_y", after_y}, {"bend", bend},
-                   {"d_b", d_back}, {"light", light}, {"dark", dark}, {"top", top}, {"bottom", bottom}});
+                  {{"before", before},
+                   {"after", after},
+                   {"before_y", before_y},
+                   {"after_y", after_y},
+                   {"bend", bend},
+                   {"d_b", d_back},
+                   {"light", light},
+                   {"dark", dark},
+                   {"top", top},
+                   {"bottom", bottom}});
   }
   // Linear motion as in the part before the capture, or as in that after it.
   MovingPolygon part(bool is_after) const {
     return {{{30, top}, {62, top}, {62, bottom}, {30, bottom}},
             is_after ? Point{after, after_y} : Point{before, before_y},
-            {.9}, {d_back, 0}, {light, dark, 8, 0, 0}};
+            {.9},
+            {d_back, 0},
+            {light, dark, 8, 0, 0}};
   }
   // Centred: half of the exposure each.
   Exposure exactAt(int x, int y) const {
@@ -95,8 +105,8 @@ class RenderRanges : public RenderTest {
   void checkComposite(const Method& method, const Bent& bent);
 };
 
-// Time samples, and edges placed to within 3/4 px of the path, which layered composites take for being there. Borders of
-// the picture, where what moves in is not known, are left out.
+// Time samples, and edges placed to within 3/4 px of the path, which layered composites take for being there. Borders
+// of the picture, where what moves in is not known, are left out.
 void RenderRanges::checkComposite(const Method& method, const Bent& bent) {
   auto exact = [&](int x, int y) { return bent.exactAt(x, y); };
   image::Image split = colorBy(method, bent.shot(), {"range=split"}), inside = split;
@@ -118,8 +128,9 @@ lab::Shot crowd(const Numbers& numbers = {}) { return shotOf("crowd", 64, 40, nu
 TEST_F(RenderRanges, EachAnchorIsNearestToItsOwnExposure) {
   Strips bar{{36, 68, 14, {1}}, {-kInfinity, kInfinity, 0, {0}}};
   lab::Shot shot = shotOf("bar", kWidth, 4, {{"left", 36}, {"right", 68}, {"d_f", 14}});
-  const std::vector<Method> methods = {{"mcguire2012", {}}, kUniform, {"ue4", {}}, {"guertin2014", {}}, {"jimenez2014", {}},
-                                       {"hybrid", {"preset=seed"}}, kLinear, kBest};
+  const std::vector<Method> methods = {
+      {"mcguire2012", {}},         kUniform, {"ue4", {}}, {"guertin2014", {}}, {"jimenez2014", {}},
+      {"hybrid", {"preset=seed"}}, kLinear,  kBest};
   for (const Method& method : methods) {
     for (const Anchor& anchor : anchors()) {
       image::Image color = colorBy(method, shot, {}, anchor.name);
@@ -260,9 +271,18 @@ TEST_F(RenderRanges, ExtrapolationMissesWhatAcceleratesByThePredictedAmount) {
       };
       double in_window = 12 + 5 * (anchor.window.open + anchor.window.close) / 2, before = 12 - 5 / (2 * exposure);
       image::Image window = velocity("window"), extrapolated = velocity("extrapolated");
-      EXPECT_LE(farthest(window, [&](int, int) { return vec2(in_window, 0); }, on_bar), 1e-3) << anchor.name;
-      EXPECT_LE(farthest(extrapolated, [&](int, int) { return vec2(before, 0); }, on_bar), 1e-3) << anchor.name;
-      EXPECT_LE(farthest(extrapolated, [](int, int) { return vec2(0); }, beside), 1e-3) << anchor.name;
+      EXPECT_LE(farthest(
+                    window, [&](int, int) { return vec2(in_window, 0); }, on_bar),
+                1e-3)
+          << anchor.name;
+      EXPECT_LE(farthest(
+                    extrapolated, [&](int, int) { return vec2(before, 0); }, on_bar),
+                1e-3)
+          << anchor.name;
+      EXPECT_LE(farthest(
+                    extrapolated, [](int, int) { return vec2(0); }, beside),
+                1e-3)
+          << anchor.name;
     }
   }
 }

@@ -169,8 +169,8 @@ TEST_F(RenderReveal, LuminanceEndsAsItsFormulaSays) {
   };
   for (const Case& c : cases) {
     Planes planes{.split = 1, .values = c.values};
-    lab::Picture picture = render(with(planes.shot(), kPipelines + "tolerances.lua",
-                                       {fmt::format("a={}", c.a), fmt::format("b={}", c.b)}));
+    lab::Picture picture = render(
+        with(planes.shot(), kPipelines + "tolerances.lua", {fmt::format("a={}", c.a), fmt::format("b={}", c.b)}));
     for (const auto& [name, tolerance] : {std::pair("a", c.a), std::pair("b", c.b)})
       EXPECT_NEAR(imageOf(picture, name).at(3, 3, 0), expectedByLuminance(c.values, tolerance), 1e-6)
           << name << " " << tolerance << " of " << fmt::format("{}", fmt::join(c.values, " "));
@@ -180,8 +180,8 @@ TEST_F(RenderReveal, LuminanceEndsAsItsFormulaSays) {
 // Of one instance the planes are its own layers, of several others that were not told from it.
 TEST_F(RenderReveal, WhatLuminancePassesThroughIsCounted) {
   for (int split : {0, 1}) {
-    lab::Shot shot = with(Planes{.split = split}.shot(), "hybrid",
-                          {"mask=all", "termination=luminance", "advance=origin_kept"});
+    lab::Shot shot =
+        with(Planes{.split = split}.shot(), "hybrid", {"mask=all", "termination=luminance", "advance=origin_kept"});
     EXPECT_EQ(counterOf(render(shot), "reveal.passed"), split ? uint64_t(kWidth * kHeight) : 0u) << split;
   }
 }
@@ -234,8 +234,16 @@ struct Striped {
 
   lab::Shot shot() const {
     return shotOf("textured_bar", kAll, 4,
-                  {{"left", kLeft}, {"right", kRight}, {"d_f", d_front}, {"d_b", d_back}, {"period_f", 6},
-                   {"period_b", 10}, {"f_light", .8}, {"f_dark", .2}, {"b_light", .9}, {"b_dark", .1}});
+                  {{"left", kLeft},
+                   {"right", kRight},
+                   {"d_f", d_front},
+                   {"d_b", d_back},
+                   {"period_f", 6},
+                   {"period_b", 10},
+                   {"f_light", .8},
+                   {"f_dark", .2},
+                   {"b_light", .9},
+                   {"b_dark", .1}});
   }
   Strips strips() const {
     return {{kLeft, kRight, d_front, {.8, .2, 6, kLeft}}, {-kInfinity, kInfinity, d_back, {.9, .1, 10, 0}}};
@@ -331,8 +339,8 @@ TEST_F(RenderReveal, HalfResolutionIsTheSameOverAConstantBackground) {
 // Only within 2 px of a change of the background, and never outside of what it shows there.
 // Rays that meet the cap reveal nothing, and nothing is shared out.
 TEST_F(RenderReveal, HalfResolutionOfNothingIsNothing) {
-  lab::Shot shot = with(Planes{}.shot(), "hybrid",
-                        {"mask=all", "reveal_resolution=half", "advance=origin_kept", "max_layers=1"});
+  lab::Shot shot =
+      with(Planes{}.shot(), "hybrid", {"mask=all", "reveal_resolution=half", "advance=origin_kept", "max_layers=1"});
   lab::Picture picture = render(shot);
   EXPECT_EQ(counterOf(picture, "reveal.capped"), uint64_t(kWidth * kHeight / 4));
   EXPECT_EQ(rms(imageOf(picture, "revealed_valid")), 0);
@@ -381,8 +389,16 @@ TEST_F(RenderReveal, InGatherIsExactOverABackgroundAtRest) {
 // A background of two instances: each is in view where the other one was.
 TEST_F(RenderReveal, InGatherFollowsABackgroundOfSeveralInstances) {
   lab::Shot shot = shotOf("cards", 128, 4,
-                          {{"left0", -80}, {"right0", 60}, {"z0", 0}, {"v0", .2}, {"d0", 16},
-                           {"left1", 60}, {"right1", 208}, {"z1", 0}, {"v1", .8}, {"d1", 16}});
+                          {{"left0", -80},
+                           {"right0", 60},
+                           {"z0", 0},
+                           {"v0", .2},
+                           {"d0", 16},
+                           {"left1", 60},
+                           {"right1", 208},
+                           {"z1", 0},
+                           {"v1", .8},
+                           {"d1", 16}});
   Strips strips{{-kInfinity, 60, 16, {.2}}, {-kInfinity, kInfinity, 16, {.8}}};
   for (const Anchor& anchor : anchors()) {
     lab::Picture picture =

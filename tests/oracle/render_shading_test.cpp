@@ -35,13 +35,12 @@ struct Lit {
   double card = 0, card_x = .5, card_y = 1, card_z = 3;
 
   lab::Shot shot() const {
-    Numbers numbers = {
-        {"light", light},  {"tilt_x", tilt_x}, {"tilt_y", tilt_y}, {"metallic", metallic}, {"roughness", roughness},
-        {"range", range},  {"bump_x", bump_x}, {"bump_y", bump_y}, {"bump_z", bump_z},     {"bump", bump},
-        {"metal", metal},
-        {"rough", rough},  {"glow", glow},     {"sky", sky},       {"ground", ground},     {"light_x", at.x},
-        {"light_y", at.y}, {"light_z", at.z},  {"card", card},     {"card_x", card_x},     {"card_y", card_y},
-        {"card_z", card_z}};
+    Numbers numbers = {{"light", light},         {"tilt_x", tilt_x}, {"tilt_y", tilt_y}, {"metallic", metallic},
+                       {"roughness", roughness}, {"range", range},   {"bump_x", bump_x}, {"bump_y", bump_y},
+                       {"bump_z", bump_z},       {"bump", bump},     {"metal", metal},   {"rough", rough},
+                       {"glow", glow},           {"sky", sky},       {"ground", ground}, {"light_x", at.x},
+                       {"light_y", at.y},        {"light_z", at.z},  {"card", card},     {"card_x", card_x},
+                       {"card_y", card_y},       {"card_z", card_z}};
     return with(shotOf("lit", kWidth, kHeight, numbers), "none");
   }
 
@@ -62,9 +61,7 @@ struct Lit {
     return point.z < 0 && distance(point, middle()) < 19 && dot(normal(), -normalize(point)) > .02;
   }
 
-  dvec3 normal() const {
-    return normalize(turned() * dvec3(bump * bump_x, bump * bump_y, std::max(bump_z, 1e-3)));
-  }
+  dvec3 normal() const { return normalize(turned() * dvec3(bump * bump_x, bump * bump_y, std::max(bump_z, 1e-3))); }
 
   // Does the card stand between the point and the light?
   bool isShadowed(dvec3 point, double margin) const {

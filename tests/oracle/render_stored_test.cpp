@@ -31,10 +31,10 @@ struct Keeper {
   std::vector<Kept> kept;
 };
 
-const std::vector<Kept> kSeen = {{"gbuffer.velocity", "velocity"}, {"gbuffer.depth", "depth"},
-                                 {"shade.color", "color"}};
-const std::vector<Kept> kRevealed = {{"reveal.velocity", "velocity"}, {"reveal.depth", "depth"},
-                                     {"reveal.color", "color"}};
+const std::vector<Kept> kSeen = {
+    {"gbuffer.velocity", "velocity"}, {"gbuffer.depth", "depth"}, {"shade.color", "color"}};
+const std::vector<Kept> kRevealed = {
+    {"reveal.velocity", "velocity"}, {"reveal.depth", "depth"}, {"reveal.color", "color"}};
 
 std::vector<Kept> joined(std::vector<Kept> list, const std::vector<Kept>& more) {
   list.insert(list.end(), more.begin(), more.end());
@@ -42,10 +42,12 @@ std::vector<Kept> joined(std::vector<Kept> list, const std::vector<Kept>& more) 
 }
 
 std::vector<Keeper> keepers() {
-  std::vector<Kept> halved = {{"reveal_upsample.velocity", "velocity"}, {"reveal_upsample.depth", "depth"},
-                              {"reveal_upsample.color", "color"}};
-  std::vector<Kept> parts = {{"halves.before", "velocity"}, {"halves.after", "velocity"},
-                             {"revealed_halves.before", "velocity"}, {"revealed_halves.after", "velocity"}};
+  std::vector<Kept> halved = {
+      {"reveal_upsample.velocity", "velocity"}, {"reveal_upsample.depth", "depth"}, {"reveal_upsample.color", "color"}};
+  std::vector<Kept> parts = {{"halves.before", "velocity"},
+                             {"halves.after", "velocity"},
+                             {"revealed_halves.before", "velocity"},
+                             {"revealed_halves.after", "velocity"}};
   std::vector<Kept> blurred = {{"gather_raster.blurred", "color"}, {"gather_revealed.blurred", "color"}};
   std::vector<Keeper> list = {
       {"mcguire2012", {}, kSeen},
@@ -89,8 +91,9 @@ void expectClose(const image::Image& exact, const image::Image& stored, double r
   double worst = 0;
   for (size_t i = 0; i < exact.values.size(); ++i) {
     if (std::isinf(exact.values[i])) ASSERT_EQ(exact.values[i], stored.values[i]) << what;
-    else worst = std::max(worst, std::abs(double(stored.values[i]) - exact.values[i]) -
-                                     relative * std::abs(double(exact.values[i])));
+    else
+      worst = std::max(
+          worst, std::abs(double(stored.values[i]) - exact.values[i]) - relative * std::abs(double(exact.values[i])));
   }
   EXPECT_LE(worst, 0x1p-25) << what;  // half a step of the half floats below 2^-14
 }
@@ -173,10 +176,10 @@ TEST_F(RenderStored, NothingRevealedStaysNothing) {
 
 // A bar moves by d: by definition of half floats, 100.03 px become 100 (steps of 1/16), and 600.2 px 600 (of 1/2).
 TEST_F(RenderStored, DisplacementsHaveTheStepsOfHalfFloats) {
-  for (auto [d, expected] : {std::pair{100.03, 100.0}, {100.04, 100.0625}, {600.2, 600.0}, {600.3, 600.5},
-                             {0.3, 0.300048828125}}) {
-    lab::Picture picture = render(with(shotOf("bar", 64, 4, {{"d_f", d}, {"left", 16}, {"right", 48}}), "mcguire2012",
-                                       {"velocity_format=fp16"}));
+  for (auto [d, expected] :
+       {std::pair{100.03, 100.0}, {100.04, 100.0625}, {600.2, 600.0}, {600.3, 600.5}, {0.3, 0.300048828125}}) {
+    lab::Picture picture = render(
+        with(shotOf("bar", 64, 4, {{"d_f", d}, {"left", 16}, {"right", 48}}), "mcguire2012", {"velocity_format=fp16"}));
     EXPECT_EQ(imageOf(picture, "velocity").at(32, 2, 0), float(expected)) << d;
   }
 }
@@ -203,8 +206,8 @@ TEST_F(RenderStored, DepthsOfAnOrthographicCameraGoThroughTheSameFormulas) {
   const image::Image exact = imageOf(render(with(shot, "mcguire2012")), "depth");
   EXPECT_NEAR(exact.at(32, 2, 0), 100, 1e-3);
   const double half_step = 110 * 0x1p-25;
-  for (auto [encoding, relative] : {std::pair{"reversed", kTwoDivisions}, {"inverse", kTwoDivisions},
-                                    {"unorm24", half_step + 2 * kTwoDivisions}}) {
+  for (auto [encoding, relative] :
+       {std::pair{"reversed", kTwoDivisions}, {"inverse", kTwoDivisions}, {"unorm24", half_step + 2 * kTwoDivisions}}) {
     lab::Shot encoded = with(shot, "mcguire2012", {fmt::format("depth_encoding={}", encoding)});
     expectClose(exact, imageOf(render(encoded), "depth"), relative, encoding);
   }

@@ -92,8 +92,10 @@ TEST_F(RenderTruth, OddNumbersOfSamplesMatchAroundTheCapture) {
       Strips strips{{-kInfinity, 48.3, d, {1}}, {}};
       expectWithin(
           colorOf(render(with(shot, "ground_truth", truth(samples), "centre"))),
-          [&](int x, int) { return exposeCentre(strips, {-.5, .5}, x); }, midpointBound(samples),
-          fmt::format("{} samples, d {}", samples, d));
+          [&](int x, int) {
+            return exposeCentre(strips, {-.5, .5}, x);
+          },
+          midpointBound(samples), fmt::format("{} samples, d {}", samples, d));
     }
   }
 }
@@ -277,7 +279,8 @@ TEST_F(RenderTruth, RasterAndRaysAgree) {
           [&](const Exposure& e) { return e.variation * (1. / (2 * kSamples) + 1 / (256 * slowest)) + kRounding; },
           what);
       EXPECT_LE(rmsDifference(colorOf(raster), colorOf(rays)), rms(imageOf(rays, "error")) + 1e-6) << what;
-      EXPECT_LE(rmsDifference(imageOf(raster, "error"), imageOf(rays, "error")), .1 * rms(imageOf(rays, "error"))) << what;
+      EXPECT_LE(rmsDifference(imageOf(raster, "error"), imageOf(rays, "error")), .1 * rms(imageOf(rays, "error")))
+          << what;
       EXPECT_EQ(
           counterOf(raster,
                     "sample_shade.rays_" +

@@ -81,8 +81,10 @@ class StoredNumbers : public RenderTest {
     Floats padded = values;
     padded.resize((values.size() + 3) / 4 * 4, 0.0f);
     gpu::Device& device = bench().device();
-    std::string main = "#include \"lib/stored.glsl\"\nvoid main() {\n  uint i = gl_GlobalInvocationID.x;\n"
-                       "  if (i >= io.length()) return;\n  vec4 v = io[i];\n  " + body + "\n  io[i] = v;\n}\n";
+    std::string main =
+        "#include \"lib/stored.glsl\"\nvoid main() {\n  uint i = gl_GlobalInvocationID.x;\n"
+        "  if (i >= io.length()) return;\n  vec4 v = io[i];\n  " +
+        body + "\n  io[i] = v;\n}\n";
     std::string pattern = (std::filesystem::temp_directory_path() / "strobe_stored_XXXXXX").string();
     Path folder = ::mkdtemp(pattern.data());
     std::ofstream(folder / "stored.glsl") << main;
@@ -238,8 +240,7 @@ TEST_F(StoredNumbers, ReversedAndInverseDepthsErrByTwoDivisions) {
     for (float near : {1e-6f, 0.01f, 1.0f, 1000.0f}) {
       Floats given = depthsUpTo(near, 1e12), stored = depths(encoding, near, given).values;
       double worst = 0;
-      for (size_t i = 0; i < given.size(); ++i)
-        worst = std::max(worst, std::abs(double(stored[i]) / given[i] - 1));
+      for (size_t i = 0; i < given.size(); ++i) worst = std::max(worst, std::abs(double(stored[i]) / given[i] - 1));
       EXPECT_LE(worst, 2 * kDivision) << encoding << " " << near;
       EXPECT_GT(worst, 0x1p-25) << encoding << " " << near;  // it does go through single precision
       EXPECT_TRUE(std::is_sorted(stored.begin(), stored.end())) << encoding << " " << near;

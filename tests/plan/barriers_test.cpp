@@ -192,8 +192,8 @@ TEST(Barriers, ClearToUpdateToReadBack) {
   b.output("color", "add.sum");
   expectExact(b.pipeline);
   Plan plan = compiled(b.pipeline);
-  std::vector<Found> expected = {{kStageTransfer, kAccessTransferWrite, kStageCompute, kStorageReadWrite,
-                                  Hazard::ReadAfterWrite, false, false}};
+  std::vector<Found> expected = {
+      {kStageTransfer, kAccessTransferWrite, kStageCompute, kStorageReadWrite, Hazard::ReadAfterWrite, false, false}};
   EXPECT_EQ(before(plan, "add", "add.sum"), expected);
   const Barrier& out = plan.steps.back().barriers.at(0);
   EXPECT_EQ(plan.steps.back().kind, Step::Kind::ReadImage);
@@ -209,8 +209,8 @@ TEST(Barriers, CountersAreClearedCountedAndRead) {
   b.output("color", "first.x");
   expectExact(b.pipeline);
   Plan plan = compiled(b.pipeline);
-  std::vector<Found> expected = {{kStageTransfer, kAccessTransferWrite, kStageCompute, kStorageReadWrite,
-                                  Hazard::ReadAfterWrite, false, true}};
+  std::vector<Found> expected = {
+      {kStageTransfer, kAccessTransferWrite, kStageCompute, kStorageReadWrite, Hazard::ReadAfterWrite, false, true}};
   std::vector<Found> found = before(plan, "first", "counters");
   ASSERT_EQ(found.size(), 1u);
   expected[0].discard = found[0].discard;  // means nothing for counters
@@ -350,8 +350,8 @@ TEST(Barriers, FirstIterationTakesOverASlot) {
   expectExact(b.pipeline);
   Plan plan = compiled(b.pipeline);
   ASSERT_EQ(plan.images[findImage(plan, "sample.z")].slot, plan.images[findImage(plan, "first.x")].slot);
-  std::vector<Found> takes_over = {{kStageColor | kStageCompute, kAccessColorWrite, kStageCompute,
-                                    kAccessStorageWrite, Hazard::WriteAfterRead, false, true}};
+  std::vector<Found> takes_over = {{kStageColor | kStageCompute, kAccessColorWrite, kStageCompute, kAccessStorageWrite,
+                                    Hazard::WriteAfterRead, false, true}};
   EXPECT_EQ(before(plan, "sample", "sample.z"), takes_over);
   std::vector<Found> again = {
       {kStageCompute, kAccessStorageWrite, kStageCompute, kAccessStorageWrite, Hazard::WriteAfterRead, true, false}};

@@ -90,7 +90,9 @@ void Builder::beginLoop(const std::string& name, int count, const std::string& u
   loop = name;
 }
 
-void Builder::output(const std::string& name, const std::string& source) { pipeline.outputs.emplace_back(name, source); }
+void Builder::output(const std::string& name, const std::string& source) {
+  pipeline.outputs.emplace_back(name, source);
+}
 
 Binding bound(Value value) {
   Binding binding;

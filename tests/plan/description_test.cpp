@@ -83,7 +83,7 @@ TEST(Description, KeepsEveryField) {
 // Each removal, each value replaced by something of another type: refused or harmless, never a crash or another
 // exception than Error.
 static void damageAll(const Json& whole, Json& part, int& refused, int& tried) {
-  static const Json odd[] = {nullptr, true, -1, 1e300, 18446744073709551615u, "\x01", Json::array({Json::array()}),
+  static const Json odd[] = {nullptr,      true, -1, 1e300, 18446744073709551615u, "\x01", Json::array({Json::array()}),
                              {{"name", 3}}};
   if (!part.is_structured()) return;
   for (auto it = part.begin(); it != part.end(); ++it) {
@@ -142,8 +142,7 @@ TEST(Description, ReferencesAndRangesAreChecked) {
       {"/nodes/1/params/k/value", 2, "p.lua:9: 'k' = 2 is above max 1 (range 0 to 1)"},
       {"/nodes/1/params/by/follows", "mode", "p.lua:9: 'by' = 'b' is not an integer"},
       {"/nodes/1/params/by/follows", "m", "p.lua:9: the pipeline has no parameter 'm'; did you mean 'n'?"},
-      {"/nodes/1/params/by", {{"value", 1}, {"follows", "n"}},
-       "parameter 'by': wants either 'value' or 'follows'"},
+      {"/nodes/1/params/by", {{"value", 1}, {"follows", "n"}}, "parameter 'by': wants either 'value' or 'follows'"},
       {"/nodes/1/colour", 1, "node: unknown key 'colour'"},
       {"/values/n", 10, "p.lua:4: 'n' = 10 is above max 9 (range 1 to 9 px)"},
       {"/values/m", 1, "p.lua: there are values of unknown parameters"},
@@ -163,13 +162,16 @@ TEST(Description, ReferencesAndRangesAreChecked) {
        "b.lua:1: pass: the format of 'v' is chosen by 'p', but mixes unsigned integers and numbers"},
       {"/passes/1/writes/1/formats/f", "rg16f",
        "b.lua:1: pass: the format of 'v' is chosen by 'p', whose default is not rg32f"},
-      {"/passes/1/writes/1/formats", {{"f", "rg32f"}},
+      {"/passes/1/writes/1/formats",
+       {{"f", "rg32f"}},
        "b.lua:1: pass: the format of 'v' is chosen by 'p', but there is not one format for each of its choices"},
-      {"/passes/1/writes/1/formats", {{"f", "rg32f"}, {"g", "rg16f"}},
+      {"/passes/1/writes/1/formats",
+       {{"f", "rg32f"}, {"g", "rg16f"}},
        "b.lua:1: pass: the format of 'v' is chosen by 'p', which has no choice 'g'"},
       {"/passes/1/size/port", "id", "b.lua:1: size of pass 'blur': 'id' is not a read that is always wired"},
       {"/passes/1/size/divide", "k", "b.lua:1: size of pass 'blur': 'k' is not an integer parameter of at least 1"},
-      {"/passes/1/size", {{"kind", "fixed"}, {"width", 0}, {"height", 1}},
+      {"/passes/1/size",
+       {{"kind", "fixed"}, {"width", 0}, {"height", 1}},
        "b.lua:1: size of pass 'blur': 'width' is not an integer from 1 to 32768"},
       {"/passes/0/writes", Json::array(), "s.lua:1: pass: 'source' writes nothing"},
       {"/loops/0/count", {{"value", 0}}, "'count' = 0 is below min 1"},
@@ -207,8 +209,17 @@ TEST(CheckValue, ConvertsWhatIsTypedOnACommandLine) {
 
 TEST(CheckValue, RefusesOtherTypesAndValuesOutOfRange) {
   const double kNan = std::numeric_limits<double>::quiet_NaN();
-  const Value wrong_ints[] = {2.5, true, std::string("2.5"), std::string(" 2"), std::string("2x"), std::string(""),
-                              int64_t{11}, int64_t{-2}, INT64_MAX, kNan, 1e300};
+  const Value wrong_ints[] = {2.5,
+                              true,
+                              std::string("2.5"),
+                              std::string(" 2"),
+                              std::string("2x"),
+                              std::string(""),
+                              int64_t{11},
+                              int64_t{-2},
+                              INT64_MAX,
+                              kNan,
+                              1e300};
   for (const Value& value : wrong_ints) EXPECT_THROW(checkValue(param(ParamDesc::Type::Int), value, {}), Error);
   const Value wrong_numbers[] = {true, std::string("nan"), std::string("inf"), std::string("1,5"), 10.001, -1.001,
                                  kNan};

@@ -521,8 +521,7 @@ TEST(Refusals, Parameters) {
   b.node("first").params = {};
   CompileOptions options = optionsOf(64, 32);
   options.set = {{"first.tille", int64_t{1}}};
-  EXPECT_EQ(refusal(b.pipeline, options),
-            "pipeline 'test' has no parameter 'first.tille'; did you mean 'first.tile'?");
+  EXPECT_EQ(refusal(b.pipeline, options), "pipeline 'test' has no parameter 'first.tille'; did you mean 'first.tile'?");
 }
 
 TEST(Refusals, Loops) {

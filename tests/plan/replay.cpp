@@ -21,8 +21,8 @@ struct Touch {
 struct Event {
   Touch touch;
   std::string command;
-  uint32_t followed_by = 0;                    // stages at which everything from now on comes after it
-  bool available = false;                      // its writes have left the caches of its stage
+  uint32_t followed_by = 0;                     // stages at which everything from now on comes after it
+  bool available = false;                       // its writes have left the caches of its stage
   std::array<uint32_t, kStageCount> visible{};  // accesses per stage that see its writes
 };
 
@@ -115,12 +115,18 @@ class Replay {
 
   std::vector<Touch> touchesOf(const Step& step) const {
     switch (step.kind) {
-      case Step::Kind::ClearImage: return {image(step.index, kStageTransfer, 0, kAccessTransferWrite)};
-      case Step::Kind::ReadImage: return {image(step.index, kStageTransfer, kAccessTransferRead, 0)};
-      case Step::Kind::ClearCounters: return {counters(step.index, kStageTransfer, 0, kAccessTransferWrite)};
-      case Step::Kind::ReadCounters: return {counters(step.index, kStageHost, kAccessHostRead, 0)};
-      case Step::Kind::Pass: return passTouches(step.index);
-      case Step::Kind::Loop: return {};
+      case Step::Kind::ClearImage:
+        return {image(step.index, kStageTransfer, 0, kAccessTransferWrite)};
+      case Step::Kind::ReadImage:
+        return {image(step.index, kStageTransfer, kAccessTransferRead, 0)};
+      case Step::Kind::ClearCounters:
+        return {counters(step.index, kStageTransfer, 0, kAccessTransferWrite)};
+      case Step::Kind::ReadCounters:
+        return {counters(step.index, kStageHost, kAccessHostRead, 0)};
+      case Step::Kind::Pass:
+        return passTouches(step.index);
+      case Step::Kind::Loop:
+        return {};
     }
     return {};
   }
@@ -157,18 +163,22 @@ class Replay {
     return slot ? resource.index : static_cast<int>(plan_.slots.size()) + resource.index;
   }
 
-  std::string name(const Touch& touch) const {
-    return touch.image >= 0 ? plan_.images[touch.image].name : "counters";
-  }
+  std::string name(const Touch& touch) const { return touch.image >= 0 ? plan_.images[touch.image].name : "counters"; }
 
   std::string commandName(const Step& step) const {
     switch (step.kind) {
-      case Step::Kind::ClearImage: return "clear of " + plan_.images[step.index].name;
-      case Step::Kind::ReadImage: return "read-back of " + plan_.images[step.index].name;
-      case Step::Kind::ClearCounters: return "clear of counters";
-      case Step::Kind::ReadCounters: return "read-back of counters";
-      case Step::Kind::Pass: return plan_.pipeline.nodes[plan_.nodes[step.index].node].name;
-      case Step::Kind::Loop: return "loop";
+      case Step::Kind::ClearImage:
+        return "clear of " + plan_.images[step.index].name;
+      case Step::Kind::ReadImage:
+        return "read-back of " + plan_.images[step.index].name;
+      case Step::Kind::ClearCounters:
+        return "clear of counters";
+      case Step::Kind::ReadCounters:
+        return "read-back of counters";
+      case Step::Kind::Pass:
+        return plan_.pipeline.nodes[plan_.nodes[step.index].node].name;
+      case Step::Kind::Loop:
+        return "loop";
     }
     return "";
   }

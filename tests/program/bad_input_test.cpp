@@ -17,7 +17,8 @@ void expectRefusal(const std::string& arguments, int exit_code, const std::strin
   TemporaryFolder folder;
   Outcome outcome = run(arguments + " -o " + (folder / "picture.exr"), environment);
   EXPECT_EQ(outcome.exit_code, exit_code) << arguments << "\n" << outcome.err;
-  EXPECT_NE(outcome.err.find(wanted), std::string::npos) << arguments << "\nsaid: " << outcome.err << "expected: " << wanted;
+  EXPECT_NE(outcome.err.find(wanted), std::string::npos)
+      << arguments << "\nsaid: " << outcome.err << "expected: " << wanted;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   EXPECT_TRUE(fs::is_empty(folder.path())) << arguments << " left a file behind";
 }
@@ -53,7 +54,8 @@ TEST(BadInput, ScenesThatAreMissingOrCutShort) {
   TemporaryFolder folder;
   writeText(folder / "short.glb", "glTF\x02");
   expectRefusal("render none --size 64x32 --scene " + (folder / "short.glb"), 1, "short.glb");
-  writeText(folder / "typo.lua", "local scene = require 'strobe.scene'\nreturn scene { name = 'x', nodes = {}, enviroment = {} }\n");
+  writeText(folder / "typo.lua",
+            "local scene = require 'strobe.scene'\nreturn scene { name = 'x', nodes = {}, enviroment = {} }\n");
   expectRefusal("render none --size 64x32 --scene " + (folder / "typo.lua"), 1, "did you mean 'environment'?");
 }
 

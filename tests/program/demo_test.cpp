@@ -56,7 +56,8 @@ std::string demoText(const TemporaryFolder& folder, const std::string& pipeline,
   return replaced(replaced(text, "PIPELINE", pipeline), "EXTRA", extra);
 }
 
-void expectRefusal(const std::string& pipeline, const std::string& extra, const std::string& out, const std::string& wanted) {
+void expectRefusal(const std::string& pipeline, const std::string& extra, const std::string& out,
+                   const std::string& wanted) {
   TemporaryFolder folder;
   writeText(folder / "scene.lua", kScene);
   writeText(folder / "demo.lua", demoText(folder, pipeline, extra));
@@ -89,8 +90,9 @@ TEST(Demo, MistakesHaveTheirLine) {
 image::Image screenshot(const TemporaryFolder& folder, const std::string& page) {
   if (std::system("command -v chromium >/dev/null 2>&1") != 0) return {};
   std::string shot = folder / "page.png";
-  std::string command = "timeout 60 chromium --headless --no-sandbox --disable-gpu --user-data-dir=" + (folder / "profile") +
-                        " --window-size=1000,1400 --screenshot=" + shot + " file://" + page + " >/dev/null 2>&1";
+  std::string command =
+      "timeout 60 chromium --headless --no-sandbox --disable-gpu --user-data-dir=" + (folder / "profile") +
+      " --window-size=1000,1400 --screenshot=" + shot + " file://" + page + " >/dev/null 2>&1";
   if (std::system(command.c_str()) != 0 || !fs::exists(shot)) return {};
   return image::readPng(shot);
 }

@@ -27,8 +27,10 @@ TEST(Help, ListsTopicsAndPrintsPages) {
 }
 
 TEST(Help, UnknownTopicsAreRefusedWithTheNearest) {
-  for (auto [topic, nearest] : {std::pair("edge_sobl", "edge_sobel"), {"hybrd", "hybrid"},
-                                {"hybrid.compsite", "hybrid.composite"}, {"edge_sobel.nrm", "edge_sobel.norm"}}) {
+  for (auto [topic, nearest] : {std::pair("edge_sobl", "edge_sobel"),
+                                {"hybrd", "hybrid"},
+                                {"hybrid.compsite", "hybrid.composite"},
+                                {"edge_sobel.nrm", "edge_sobel.norm"}}) {
     Outcome outcome = run(std::string("help ") + topic);
     EXPECT_EQ(outcome.exit_code, 2) << topic;
     std::string expected = fmt::format("strobe: there is no help on '{}'; did you mean '{}'?\n", topic, nearest);

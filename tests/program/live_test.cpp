@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // `strobe live` from outside, on a display of its own (Xvfb), driven by files, with Vulkan's validation on. What the
 // window showed stays in live_pictures/ below the folder the tests run in.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
 
 #include "base/files.h"
 #include "base/json.h"
@@ -118,9 +117,10 @@ TEST_F(Live, AScreenshotIsWhatIsSeen) {
 // A saved picture is what `render` makes of the command that the window shows, whatever was looked at before.
 TEST_F(Live, ACaptureIsWhatRenderMakes) {
   std::string capture = folder_ / "capture.exr", again = folder_ / "again.exr";
-  Outcome outcome = drive("set exposure 0.75\nset edge prewitt\nview gbuffer.velocity\nwait 2\nkind arrows\nwait 2\n"
-                          "expect exposure 0.75\nexpect edge prewitt\norbit 20 10\nkey C\ninspect 32 18\ntrail " +
-                          (folder_ / "trail.json") + "\ncapture " + capture + "\nquit\n");
+  Outcome outcome = drive(
+      "set exposure 0.75\nset edge prewitt\nview gbuffer.velocity\nwait 2\nkind arrows\nwait 2\n"
+      "expect exposure 0.75\nexpect edge prewitt\norbit 20 10\nkey C\ninspect 32 18\ntrail " +
+      (folder_ / "trail.json") + "\ncapture " + capture + "\nquit\n");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   Outcome rendered = run("render hybrid " + shotOptions() + " --exposure 0.75 --set edge=prewitt -o " + again);
   ASSERT_EQ(rendered.exit_code, 0) << rendered.err;

@@ -55,8 +55,8 @@ inline std::string programPath() {
 // `arguments` as a shell reads them; `environment` like "NAME=value NAME2=value2". Validation is on unless it says not.
 inline Outcome run(const std::string& arguments, const std::string& environment = "STROBE_VALIDATION=1") {
   TemporaryFolder folder;
-  std::string command = "env " + environment + " '" + programPath() + "' " + arguments + " >" + (folder / "out") + " 2>" +
-                        (folder / "err") + " </dev/null";
+  std::string command = "env " + environment + " '" + programPath() + "' " + arguments + " >" + (folder / "out") +
+                        " 2>" + (folder / "err") + " </dev/null";
   int status = std::system(command.c_str());
   Outcome outcome;
   outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

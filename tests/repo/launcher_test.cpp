@@ -55,8 +55,9 @@ TEST(Launcher, AddsASuiteInTheStyleOfAStanza) {
                              "Types: deb deb-src\n# comment\nURIs: http://mirror/debian\n"
                              "Suites: trixie\n trixie-updates\nComponents: main contrib\n"
                              "Signed-By:\n -----BEGIN\n .\n key\n");
-  EXPECT_EQ(launcher("entry_for '" + file + ":2' new").text,
-            "Types: deb\nURIs: http://mirror/debian\nSuites: new\nComponents: main\nSigned-By:\n -----BEGIN\n .\n key\n");
+  EXPECT_EQ(
+      launcher("entry_for '" + file + ":2' new").text,
+      "Types: deb\nURIs: http://mirror/debian\nSuites: new\nComponents: main\nSigned-By:\n -----BEGIN\n .\n key\n");
   EXPECT_EQ(launcher("entry_for '" + file + ":1' new").text,
             "Types: deb\nURIs: http://other/\nSuites: new\nComponents: main\n");
 }

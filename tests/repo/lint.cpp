@@ -96,7 +96,8 @@ void lintFamilyOf(const Source& source, Findings& findings) {
 
 // Reports every match of `pattern` in the files that `applies` to.
 template <class Applies>
-Findings lintPattern(const std::vector<Source>& sources, const std::string& pattern, const char* what, Applies applies) {
+Findings lintPattern(const std::vector<Source>& sources, const std::string& pattern, const char* what,
+                     Applies applies) {
   std::regex regex(pattern, std::regex::icase);
   Findings findings;
   for (const Source& source : sources) {
@@ -157,7 +158,8 @@ Findings lintFloors(const std::vector<Source>& sources, const Floors& floors) {
 }
 
 Findings lintForeignHeaders(const std::vector<Source>& sources) {
-  static const std::regex vulkan(R"(^(vulkan/|.*vulkan(_core)?\.h))"), lua(R"((^|/)(lua|lualib|lauxlib|luaconf)\.h(pp)?$)");
+  static const std::regex vulkan(R"(^(vulkan/|.*vulkan(_core)?\.h))"),
+      lua(R"((^|/)(lua|lualib|lauxlib|luaconf)\.h(pp)?$)");
   Findings findings;
   std::set<std::string> surface_files;
   for (const Source& source : sources) {
@@ -177,8 +179,9 @@ Findings lintForeignHeaders(const std::vector<Source>& sources) {
 }
 
 Findings lintTechniques(const std::vector<Source>& sources) {
-  return lintPattern(sources, "sobel|mcguire|jimenez|guertin|ray_?mask|ray_?reveal|hybrid|tile_?max", "names a technique:",
-                     [](const std::string& path) { return path.starts_with("runtime/") && isCpp(path); });
+  return lintPattern(
+      sources, "sobel|mcguire|jimenez|guertin|ray_?mask|ray_?reveal|hybrid|tile_?max",
+      "names a technique:", [](const std::string& path) { return path.starts_with("runtime/") && isCpp(path); });
 }
 
 Findings lintLicences(const std::vector<Source>& sources) {

@@ -102,8 +102,13 @@ TEST(Lint, FindsSourcesWithoutLicence) {
 
 TEST(Lint, FindsMachines) {
   auto count = [](const std::string& text) { return lintMachines({{"docs/a.md", text}}).size(); };
-  for (const char* folder : {"wor" "k", "hom" "e", "roo" "t"}) {
-    EXPECT_EQ(count(std::string("see /") + folder + "/somebody/x") , 1u) << folder;
+  for (const char* folder : {"wor"
+                             "k",
+                             "hom"
+                             "e",
+                             "roo"
+                             "t"}) {
+    EXPECT_EQ(count(std::string("see /") + folder + "/somebody/x"), 1u) << folder;
     EXPECT_EQ(count(std::string("see other/") + folder + "/x"), 0u) << folder;
   }
   EXPECT_EQ(count(std::string("from deb.debian.") + "org"), 1u);

@@ -53,8 +53,8 @@ std::string base64(const std::vector<uint8_t>& bytes) {
   const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
   for (size_t i = 0; i < bytes.size(); i += 3) {
-    uint32_t bits = bytes[i] << 16 | (i + 1 < bytes.size() ? bytes[i + 1] << 8 : 0) |
-                    (i + 2 < bytes.size() ? bytes[i + 2] : 0);
+    uint32_t bits =
+        bytes[i] << 16 | (i + 1 < bytes.size() ? bytes[i + 1] << 8 : 0) | (i + 2 < bytes.size() ? bytes[i + 2] : 0);
     for (int k = 3; k >= 0; --k) text += digits[bits >> (6 * k) & 63];
   }
   size_t padding = (3 - bytes.size() % 3) % 3;
@@ -72,8 +72,11 @@ struct Asset {
     int view = int(json["bufferViews"].size());
     json["bufferViews"].push_back(
         {{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", values.size() * sizeof(T)}});
-    json["accessors"].push_back({{"bufferView", view}, {"componentType", component_type},
-                                 {"count", values.size() / components}, {"type", type}, {"normalized", normalized}});
+    json["accessors"].push_back({{"bufferView", view},
+                                 {"componentType", component_type},
+                                 {"count", values.size() / components},
+                                 {"type", type},
+                                 {"normalized", normalized}});
     const uint8_t* data = reinterpret_cast<const uint8_t*>(values.data());
     bytes.insert(bytes.end(), data, data + values.size() * sizeof(T));
     while (bytes.size() % 4) bytes.push_back(0);
@@ -81,8 +84,8 @@ struct Asset {
   }
   Json whole() {
     Json result = json;
-    result["buffers"] = Json::array({{{"byteLength", bytes.size()},
-                                      {"uri", "data:application/octet-stream;base64," + base64(bytes)}}});
+    result["buffers"] =
+        Json::array({{{"byteLength", bytes.size()}, {"uri", "data:application/octet-stream;base64," + base64(bytes)}}});
     return result;
   }
   Json& primitive() { return json["meshes"][0]["primitives"][0]; }
@@ -146,9 +149,8 @@ TEST_F(Gltf, SparseAccessorsReplaceElements) {
   Asset asset = triangle();
   asset.add<uint16_t>({1}, "SCALAR", 1, 5123);
   asset.add<float>({7, 8, 9}, "VEC3", 3, 5126);
-  asset.json["accessors"][0]["sparse"] = {{"count", 1},
-                                          {"indices", {{"bufferView", 1}, {"componentType", 5123}}},
-                                          {"values", {{"bufferView", 2}}}};
+  asset.json["accessors"][0]["sparse"] = {
+      {"count", 1}, {"indices", {{"bufferView", 1}, {"componentType", 5123}}}, {"values", {{"bufferView", 2}}}};
   Scene scene = load(asset.whole());
   EXPECT_NEAR(glm::distance(positionOf(scene, 1), dvec3(7, 8, 9)), 0, 1e-6);
   EXPECT_EQ(positionOf(scene, 2), dvec3(0, 2, 0));
@@ -237,9 +239,10 @@ TEST_F(Gltf, AnimationIsItsClosedForm) {
   int times = asset.add<float>({1, 3}, "SCALAR", 1, 5126);
   int values = asset.add<float>({0, 0, 0, 4, 0, -2}, "VEC3", 3, 5126);
   asset.json["nodes"][0]["matrix"] = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 9, 9, 9, 1};
-  asset.json["animations"] = Json::array({{{"name", "go"},
-      {"samplers", Json::array({{{"input", times}, {"output", values}}})},
-      {"channels", Json::array({{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}})}}});
+  asset.json["animations"] = Json::array(
+      {{{"name", "go"},
+        {"samplers", Json::array({{{"input", times}, {"output", values}}})},
+        {"channels", Json::array({{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}})}}});
   Scene scene = load(asset.whole());
   EXPECT_EQ(scene.animations.at(0).duration, 3);
   supplyDefaults(scene);

@@ -62,7 +62,8 @@ TEST(JsonScene, BuildsNodesMeshesAndMotion) {
 
 TEST(JsonScene, LookAtTurnsMinusZ) {
   Scene scene = sceneFromJson(parsed(R"({"kind":"scene","nodes":[{"kind":"node","position":[1,2,3],"look_at":[4,2,-1],
-    "camera":{"kind":"camera","type":"perspective"}}]})"), "test.lua");
+    "camera":{"kind":"camera","type":"perspective"}}]})"),
+                              "test.lua");
   dmat4 world = Poser(scene, 0).at(0).world_from_camera;
   EXPECT_NEAR(-world[2].x, 0.6, 1e-12);
   EXPECT_NEAR(-world[2].z, -0.8, 1e-12);
@@ -113,7 +114,8 @@ TEST(JsonScene, DeepNestingIsRefused) {
 
 TEST(JsonScene, LiteralTrianglesCountFromOne) {
   Scene scene = sceneFromJson(parsed(R"({"kind":"scene","nodes":[{"kind":"node","shape":{"kind":"shape",
-    "type":"triangles","positions":[[0,0,0],[2,0,0],[0,2,0]],"indices":[1,2,3]}}]})"), "test.lua");
+    "type":"triangles","positions":[[0,0,0],[2,0,0],[0,2,0]],"indices":[1,2,3]}}]})"),
+                              "test.lua");
   const Mesh& mesh = scene.meshes.at(0);
   EXPECT_EQ(dvec3(mesh.geometries[0].vertices[1].position) + mesh.origin, dvec3(2, 0, 0));
   EXPECT_EQ(mesh.geometries[0].vertices[1].normal, vec3(0, 0, 1));

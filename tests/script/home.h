@@ -2,13 +2,13 @@
 // A home folder of its own for a test: the library of the source tree, and the passes and pipelines a test writes.
 #pragma once
 
+#include <unistd.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <string>
-
-#include <unistd.h>
 
 #include "base/files.h"
 

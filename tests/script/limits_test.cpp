@@ -54,9 +54,8 @@ TEST(Limits, WhatNeverReturnsToLuaIsStoppedToo) {
   int number = 0;
   for (const char* text : endless) {
     std::string name = "loop" + std::to_string(number++);
-    answers.push_back(std::async(std::launch::async, [&home, name, text] {
-      return failureOf(home, name, std::string(text) + "\nreturn {}");
-    }));
+    answers.push_back(std::async(
+        std::launch::async, [&home, name, text] { return failureOf(home, name, std::string(text) + "\nreturn {}"); }));
   }
   for (size_t i = 0; i < answers.size(); ++i) {
     std::string answer = answers[i].get();

@@ -56,14 +56,30 @@ Edit randomEdit(std::mt19937& random, const std::map<std::string, std::string>& 
   edit.file = file;
   edit.save = Save(below(random, 3));
   switch (below(random, isLua(file) ? 8 : 6)) {
-    case 0: edit.kind = "syntax", edit.text = withSyntaxError(random, text); break;
-    case 1: edit.kind = "truncated", edit.text = text.substr(0, below(random, text.size())); break;
-    case 2: edit.kind = "renamed", edit.text = renamed(random, file, text); break;
-    case 3: edit.kind = "deleted"; break;
-    case 4: edit.kind = "comment", edit.text = text + (isLua(file) ? "\n-- touched\n" : "\n// touched\n"); break;
-    case 5: edit.kind = "nonsense", edit.text = "this is no program " + std::to_string(random()); break;
-    case 6: edit.kind = "binding", edit.text = rebound(random, text); break;
-    default: edit.kind = "endless", edit.text = "while true do end\n" + text; break;
+    case 0:
+      edit.kind = "syntax", edit.text = withSyntaxError(random, text);
+      break;
+    case 1:
+      edit.kind = "truncated", edit.text = text.substr(0, below(random, text.size()));
+      break;
+    case 2:
+      edit.kind = "renamed", edit.text = renamed(random, file, text);
+      break;
+    case 3:
+      edit.kind = "deleted";
+      break;
+    case 4:
+      edit.kind = "comment", edit.text = text + (isLua(file) ? "\n-- touched\n" : "\n// touched\n");
+      break;
+    case 5:
+      edit.kind = "nonsense", edit.text = "this is no program " + std::to_string(random());
+      break;
+    case 6:
+      edit.kind = "binding", edit.text = rebound(random, text);
+      break;
+    default:
+      edit.kind = "endless", edit.text = "while true do end\n" + text;
+      break;
   }
   return edit;
 }

@@ -3,11 +3,12 @@
 //
 // STROBE_EDITS (1000), STROBE_EDITS_DRAWN (60) and STROBE_EDITS_SEED (1) make it longer, thorough or other:
 // docs/reload.md has the result of drawing all of them. STROBE_EDITS_REPORT names a file for a table of what happened.
+#include "session/edits.h"
+
 #include <cstdlib>
 
 #include "base/log.h"
 #include "lab/record.h"
-#include "session/edits.h"
 
 namespace strobe::session {
 namespace {
@@ -59,7 +60,8 @@ class Edits : public SessionTest {
     std::string text = "| kind of edit | edits | drawn | refused, picture kept | partly taken | taken | not in use |\n";
     text += "|---|---|---|---|---|---|---|\n";
     for (const auto& [kind, t] : tallies)
-      text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", kind, t.edits, t.drawn, t.refused, t.partly, t.taken, t.unnoticed);
+      text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", kind, t.edits, t.drawn, t.refused, t.partly,
+                          t.taken, t.unnoticed);
     writeFileAtomically(file, text + fmt::format("\n{:.0f} s in all.\n", seconds));
   }
 };

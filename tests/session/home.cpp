@@ -91,8 +91,12 @@ lab::Shot smallShot(const std::string& pipeline, int width, int height) {
   shot.height = height;
   shot.frame = 0;
   // Front and back move differently, so that every mask and every layer has something to do.
-  for (const auto& [name, value] : std::initializer_list<std::pair<const char*, double>>{
-           {"width", width}, {"height", height}, {"left", width * 3 / 8}, {"right", width * 11 / 16}, {"d_f", 5}, {"d_b", -3}})
+  for (const auto& [name, value] : std::initializer_list<std::pair<const char*, double>>{{"width", width},
+                                                                                         {"height", height},
+                                                                                         {"left", width * 3 / 8},
+                                                                                         {"right", width * 11 / 16},
+                                                                                         {"d_f", 5},
+                                                                                         {"d_b", -3}})
     shot.sets.push_back({std::string("scene.") + name, fmt::format("{}", value)});
   return shot;
 }

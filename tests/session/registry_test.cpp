@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Walks every parameter of every pipeline that ships and of every pass they use: each must change some picture, and must
-// mean the same whoever sets it. A new parameter is covered without a new test; one that matters only together with
-// others needs a line in `kContexts`.
+// Walks every parameter of every pipeline that ships and of every pass they use: each must change some picture, and
+// must mean the same whoever sets it. A new parameter is covered without a new test; one that matters only together
+// with others needs a line in `kContexts`.
 #include <random>
 
 #include "lab/demo.h"
@@ -31,26 +31,44 @@ const Context kBent = {{"scene=bent", "anchor=centre"}, {"displacement"}};
 const std::map<std::string, std::vector<Context>> kContexts = {
     {"none", {{{}, {}}}},
     {"mcguire2012",
-     {{{}, {}}, kJitter, kBent, {{"scene=bent", "weights=uniform", "anchor=centre"}, {"range"}}, {{"weights=uniform"}, {}}}},
+     {{{}, {}},
+      kJitter,
+      kBent,
+      {{"scene=bent", "weights=uniform", "anchor=centre"}, {"range"}},
+      {{"weights=uniform"}, {}}}},
     {"guertin2014",
-     {{{}, {}}, kJitter, kBent, {{"tile=8"}, {"tile_rule", "second_share", "tile_jitter", "tile_variance.rule"}},
-      {{"jitter=hash"}, {"eta"}}, {{"tile=8", "pan=20", "limit=1"}, {"uniform_path"}}, {{"anchor=centre"}, {"uniform_ratio", "uniform_speed"}}}},
+     {{{}, {}},
+      kJitter,
+      kBent,
+      {{"tile=8"}, {"tile_rule", "second_share", "tile_jitter", "tile_variance.rule"}},
+      {{"jitter=hash"}, {"eta"}},
+      {{"tile=8", "pan=20", "limit=1"}, {"uniform_path"}},
+      {{"anchor=centre"}, {"uniform_ratio", "uniform_speed"}}}},
     {"jimenez2014",
-     {{{}, {}}, kJitter, kBent, {{"tile=8"}, {"tile_rule"}}, {{"anchor=centre"}, {"mirror"}}, {{"tile=8", "pan=10", "limit=1"}, {"cheap_ratio"}}, {{"tile=8", "pan=10", "limit=1", "gather.cheap_ratio=0.5"}, {"cheap"}}}},
+     {{{}, {}},
+      kJitter,
+      kBent,
+      {{"tile=8"}, {"tile_rule"}},
+      {{"anchor=centre"}, {"mirror"}},
+      {{"tile=8", "pan=10", "limit=1"}, {"cheap_ratio"}},
+      {{"tile=8", "pan=10", "limit=1", "gather.cheap_ratio=0.5"}, {"cheap"}}}},
     {"ue4", {{{}, {}}, kJitter, kBent, {{"tile=8"}, {"tile_rule"}}, {{"anchor=centre"}, {"mirror"}}}},
     {"hybrid",
      {{{}, {}},
-      {{"preset=seed"}, {"edge", "own_edge", "mask_taps", "weights", "termination", "tolerance", "advance", "max_layers",
-                         "on_cap", "depth_extent", "directions"}},
+      {{"preset=seed"},
+       {"edge", "own_edge", "mask_taps", "weights", "termination", "tolerance", "advance", "max_layers", "on_cap",
+        "depth_extent", "directions"}},
       kJitter,
       kBent,
       {{"scene=bent", "anchor=centre", "mask=all"}, {"range"}},
       {{"termination=luminance", "advance=origin_kept", "mask=all"}, {"tolerance", "max_layers", "advance"}},
       {{"termination=motion", "advance=origin_kept", "mask=all"}, {"same_motion"}},
       {{"termination=luminance", "advance=origin_kept", "mask=all", "max_layers=1", "tolerance=0.5"}, {"on_cap"}},
-      {{"mask=seed", "scene=solids", "slide=30", "limit=10"}, {"edge_sobel.normal_threshold", "edge_sobel.combine", "edge_sobel.norm", "own_edge"}},
+      {{"mask=seed", "scene=solids", "slide=30", "limit=10"},
+       {"edge_sobel.normal_threshold", "edge_sobel.combine", "edge_sobel.norm", "own_edge"}},
       {{"mask=seed", "edge=canny", "scene=solids", "slide=30", "limit=10", "edge_gradient.depth_threshold=1",
-        "edge_gradient.normal_threshold=1"}, {}},
+        "edge_gradient.normal_threshold=1"},
+       {}},
       {{"mask=seed", "edge=plane", "scene=solids", "slide=30", "limit=10"}, {}},
       {{"mask=seed", "edge=laplacian", "scene=solids", "slide=30", "limit=10"}, {}},
       {{"mask=seed", "edge=prewitt", "scene=solids", "slide=30", "limit=10"}, {}},
@@ -67,7 +85,9 @@ const std::map<std::string, std::vector<Context>> kContexts = {
       {{"reveal_resolution=half"}, {}},
       {{"tile=8"}, {"tile_rule", "tiles"}}}},
     {"ground_truth",
-     {{{"samples=8"}, {}}, {{"samples=8", "times=stratified"}, {"slices"}}, {{"samples=4", "mode=raster"}, {}},
+     {{{"samples=8"}, {}},
+      {{"samples=8", "times=stratified"}, {"slices"}},
+      {{"samples=4", "mode=raster"}, {}},
       {{"samples=256", "tolerance=0.1"}, {"tolerance"}}}},
 };
 
@@ -121,7 +141,8 @@ std::vector<std::string> otherValues(const lab::Control& control) {
   if (param.type == Type::Choice) values = param.choices;
   if (param.type == Type::Int || param.type == Type::Float) {
     double now = param.type == Type::Int ? double(std::get<int64_t>(control.value)) : std::get<double>(control.value);
-    for (double wanted : {now * 2 + (now == 0), now / 2, *param.min, now * 8 + 1, std::min(*param.max, now * 64 + 64)}) {
+    for (double wanted :
+         {now * 2 + (now == 0), now / 2, *param.min, now * 8 + 1, std::min(*param.max, now * 64 + 64)}) {
       double value = std::clamp(wanted, *param.min, *param.max);
       if (param.type == Type::Int) value = std::round(value);
       values.push_back(fmt::format("{}", value));
@@ -187,7 +208,8 @@ class Registry : public SessionTest {
     return control.declaration.name;
   }
 
-  static bool changes(Session& session, const lab::Control& control, const std::string& value, const std::string& before) {
+  static bool changes(Session& session, const lab::Control& control, const std::string& value,
+                      const std::string& before) {
     const std::string& name = control.declaration.name;
     std::string given;
     for (const auto& [set, to] : session.shot().sets)
@@ -231,9 +253,13 @@ class Registry : public SessionTest {
     lab::putSetting(scripted.sets, one.name, one.value);
     for (const auto& [name, value] : scripted.sets)
       if (!name.starts_with("scene.")) sets += fmt::format("[\"{}\"] = {}, ", name, asLua(value));
-    home_.write("way.lua", "return require \"strobe.demo\" { title = \"t\", shots = { { title = \"s\", scene = \"oracles/bar\" } },\n"
-                           "columns = { { label = \"l\", pipeline = \"" + one.pipeline + "\", set = { " + sets + "} },\n"
-                           "{ label = \"truth\", pipeline = \"ground_truth\", role = \"truth\" } } }\n");
+    home_.write(
+        "way.lua",
+        "return require \"strobe.demo\" { title = \"t\", shots = { { title = \"s\", scene = \"oracles/bar\" } },\n"
+        "columns = { { label = \"l\", pipeline = \"" +
+            one.pipeline + "\", set = { " + sets +
+            "} },\n"
+            "{ label = \"truth\", pipeline = \"ground_truth\", role = \"truth\" } } }\n");
     lab::Demo demo = lab::readDemo(home_.path("way.lua").string());
     std::erase_if(scripted.sets, [](const auto& set) { return !set.first.starts_with("scene."); });
     for (const auto& set : demo.columns.front().sets) scripted.sets.push_back(set);
@@ -249,7 +275,8 @@ class Registry : public SessionTest {
   void walk(const std::string& pipeline, unsigned seed) {
     std::set<std::string> dead;
     std::vector<Alive> alive = aliveIn(pipeline, dead);
-    for (const std::string& name : dead) ADD_FAILURE() << pipeline << ": no value of '" << name << "' changes any image";
+    for (const std::string& name : dead)
+      ADD_FAILURE() << pipeline << ": no value of '" << name << "' changes any image";
     for (const Alive& one : alive) {
       std::set<std::string> plans;
       for (const auto& [way, shot] : inEveryWay(one)) plans.insert(plan::hashOf(planOf(shot)));
@@ -272,7 +299,8 @@ class Registry : public SessionTest {
 };
 
 TEST_F(Registry, KnowsEveryPipelineThatShips) {
-  for (const std::string& name : script::pipelineNames()) EXPECT_TRUE(kContexts.count(name)) << name << " is walked by no test";
+  for (const std::string& name : script::pipelineNames())
+    EXPECT_TRUE(kContexts.count(name)) << name << " is walked by no test";
 }
 
 // Two drawn by seed from each of six pipelines: a dozen in all.
@@ -287,9 +315,13 @@ TEST_F(Registry, OptionsOfTheShotChangeThePicture) {
   Session session(bench(), shotIn("mcguire2012", {"jitter=hash", "jitter_frame=per_frame"}));
   session.set("camera", session.scene().nodes[size_t(scene::cameraNode(session.scene(), ""))].name, "window");
   std::string before = outputsOf(session);
-  for (const auto& [name, value] : std::map<std::string, std::string>{{"frame", "3"}, {"fps", "12"}, {"exposure", "0.2"},
-                                                                     {"anchor", "open"}, {"width", "32"}, {"height", "20"},
-                                                                     {"seed", "7"}}) {
+  for (const auto& [name, value] : std::map<std::string, std::string>{{"frame", "3"},
+                                                                      {"fps", "12"},
+                                                                      {"exposure", "0.2"},
+                                                                      {"anchor", "open"},
+                                                                      {"width", "32"},
+                                                                      {"height", "20"},
+                                                                      {"seed", "7"}}) {
     std::string given;
     for (const auto& control : session.controls())
       if (control.declaration.name == name) given = text(control.value);

@@ -44,7 +44,8 @@ TEST_F(ReloadTest, EveryWayOfSavingIsSeen) {
   for (Save save : {Save::InPlace, Save::Rename, Save::Twice}) {
     ++n;
     std::string now = fmt::format("float all = {}.0 / here.radius;", n + 1);
-    home_.edit(kGather, n == 1 ? "float all = 1.0 / here.radius;" : fmt::format("float all = {}.0 / here.radius;", n), now, save);
+    home_.edit(kGather, n == 1 ? "float all = 1.0 / here.radius;" : fmt::format("float all = {}.0 / here.radius;", n),
+               now, save);
     Reload told = awaited(session);
     EXPECT_TRUE(told.swapped) << joined(told.problems);
     EXPECT_EQ(joined(told.rebuilt), "gather");
@@ -166,7 +167,8 @@ TEST_F(ReloadTest, OneBrokenPassDoesNotStopOthers) {
   // Lua: one pass broken, another with a new parameter.
   good = home_.read("passes/mask/relative.lua");
   home_.write("passes/mask/relative.lua", "return nothing at all");
-  home_.edit("passes/composite/layered.lua", "harvest  ", "dimmed = pass.float { 1, min = 0, max = 1, doc = \"of the result\" },\n    harvest  ");
+  home_.edit("passes/composite/layered.lua", "harvest  ",
+             "dimmed = pass.float { 1, min = 0, max = 1, doc = \"of the result\" },\n    harvest  ");
   home_.edit("shaders/composite/layered.glsl", "fromSum(0.5 * sum", "fromSum(params.dimmed * sum");
   told = session.reload(true);
   ASSERT_TRUE(told);
@@ -188,7 +190,8 @@ TEST_F(ReloadTest, ARenamedOrRetypedBindingIsRefusedByTheNameOfItsPass) {
     std::string file, from, to, says;
   };
   for (const Case& one :
-       {Case{"passes/gather/mcguire2012.lua", "dominant     = {", "prevailing   = {", "pass 'gather_mcguire2012' is not given"},
+       {Case{"passes/gather/mcguire2012.lua", "dominant     = {", "prevailing   = {",
+             "pass 'gather_mcguire2012' is not given"},
         Case{"passes/gather/mcguire2012.lua", "velocity     = { doc", "velocity     = { uint = true, doc",
              "read 'velocity' of pass 'gather_mcguire2012' wants unsigned integers"},
         Case{"passes/gather/mcguire2012.lua", "depth_extent = pass", "depth_range = pass", "gather_mcguire2012"},
@@ -277,7 +280,8 @@ TEST_F(ReloadTest, ANewFileOfAFamilyIsANewChoice) {
   home_.remove("passes/edge/twin.lua");
   told = session.reload(true);
   ASSERT_TRUE(told);
-  EXPECT_NE(joined(told->reset).find("edge = twin: "), std::string::npos) << joined(told->reset) << joined(told->problems);
+  EXPECT_NE(joined(told->reset).find("edge = twin: "), std::string::npos)
+      << joined(told->reset) << joined(told->problems);
   expectColdStart(session, "family");
 }
 
@@ -289,7 +293,8 @@ TEST_F(ReloadTest, AnUnfinishedFileOfAFamilyDisturbsNobody) {
   session.reload(true);
   EXPECT_EQ(colorHash(session), before);
   EXPECT_TRUE(session.problems().empty()) << joined(session.problems());
-  home_.edit("scripts/pipelines/lib/options.lua", "samples      = pipeline.int { 16", "samples      = pipeline.int { 4");
+  home_.edit("scripts/pipelines/lib/options.lua", "samples      = pipeline.int { 16",
+             "samples      = pipeline.int { 4");
   session.reload(true);
   EXPECT_NE(colorHash(session), before);
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A running shot: what changing values and looking at pictures does and does not do.
-#include "session/home.h"
-
 #include "lab/record.h"
+#include "session/home.h"
 
 namespace strobe::session {
 namespace {
@@ -123,7 +122,8 @@ TEST_F(SessionTest, AnotherPipelineKeepsTheValuesItShares) {
   session.set("mask", "all", "window");
   lab::Reload told = session.usePipeline("mcguire2012");
   EXPECT_NE(joined(told.kept).find("samples = 7"), std::string::npos);
-  EXPECT_NE(joined(told.reset).find("mask = all: the pipeline has no parameter 'mask'"), std::string::npos) << joined(told.reset);
+  EXPECT_NE(joined(told.reset).find("mask = all: the pipeline has no parameter 'mask'"), std::string::npos)
+      << joined(told.reset);
   EXPECT_EQ(shownValue(session, "samples"), "7");
   Shot cold = smallShot("mcguire2012");
   cold.sets.push_back({"samples", "7"});
@@ -143,7 +143,8 @@ TEST_F(SessionTest, ARecordAndACommandLineMakeThePictureAgain) {
   EXPECT_EQ(again.planHash(), session.planHash());
   EXPECT_EQ(hashes(again.draw()), hashes(picture.frame));
   std::string command = lab::commandOf(session.shot());
-  EXPECT_NE(command.find("strobe render hybrid --scene oracles/textured_bar --size 64x36"), std::string::npos) << command;
+  EXPECT_NE(command.find("strobe render hybrid --scene oracles/textured_bar --size 64x36"), std::string::npos)
+      << command;
   for (const char* part : {"--exposure 0.3", "--view 1,2,40,0,0,0", "--set samples=9"})
     EXPECT_NE(command.find(part), std::string::npos) << command;
 }
@@ -179,7 +180,8 @@ return pass.compute {
   ASSERT_TRUE(told && told->swapped);
   EXPECT_NE(joined(told->kept).find("history mean.sum"), std::string::npos) << joined(told->kept);
   EXPECT_EQ(weight(), 6) << "an edit keeps what is described as it was";
-  home_.edit("passes/test/running_mean.lua", "format = \"rgba32f\", doc = \"sum;", "format = \"rgba16f\", doc = \"sum;");
+  home_.edit("passes/test/running_mean.lua", "format = \"rgba32f\", doc = \"sum;",
+             "format = \"rgba16f\", doc = \"sum;");
   told = session.reload(true);
   ASSERT_TRUE(told && told->swapped) << joined(told->problems);
   EXPECT_NE(joined(told->reset).find("history mean.sum"), std::string::npos) << joined(told->reset);

@@ -91,7 +91,8 @@ TEST_F(Shaders, WhatIsDeclaredMustBeUsed) {
   Path file = write("scale.glsl", "void run(ivec2 p) { imageStore(result_img, p, vec4(1)); }\n");
   std::vector<std::string> problems = unusedNames(interface_, {file});
   EXPECT_EQ(problems.size(), 3u);  // the read, the parameter and the variant
-  for (const std::string& problem : problems) EXPECT_NE(problem.find("passes/scale.lua:3"), std::string::npos) << problem;
+  for (const std::string& problem : problems)
+    EXPECT_NE(problem.find("passes/scale.lua:3"), std::string::npos) << problem;
 }
 
 TEST_F(Shaders, EveryFileThatWasReadIsReported) {

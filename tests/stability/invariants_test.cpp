@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Every invariant for every variant of every pipeline that ships, on generated scenes. The pipelines are found in their
 // folder: a new one, or a new value of a parameter, is covered without a line here. More cases: `strobe stability`.
-// Of one pipeline alone, for those who change shaders: --gtest_filter='Pipelines/Shipped.*/mcguire2012*' --gtest_fail_fast.
+// Of one pipeline alone, for those who change shaders: --gtest_filter='Pipelines/Shipped.*/mcguire2012*'
+// --gtest_fail_fast.
 #include <gtest/gtest.h>
 
 #include "oracle/render.h"
@@ -53,7 +54,8 @@ TEST_P(Shipped, HoldsEveryInvariantOrSaysWhyNot) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Pipelines, Shipped, testing::ValuesIn(shares()), [](const auto& info) {
-  return info.param.pipeline + (info.param.shards > 1 ? fmt::format("_{}of{}", info.param.shard + 1, info.param.shards) : "");
+  return info.param.pipeline +
+         (info.param.shards > 1 ? fmt::format("_{}of{}", info.param.shard + 1, info.param.shards) : "");
 });
 
 // ---- what is broken is found, and becomes small
@@ -61,7 +63,8 @@ INSTANTIATE_TEST_SUITE_P(Pipelines, Shipped, testing::ValuesIn(shares()), [](con
 class Broken : public StabilityTest {
  protected:
   // The failures of one invariant with an edited shader, and the settings of the small case.
-  Report reportOf(const std::string& shader, const std::string& from, const std::string& to, const std::string& invariant) {
+  Report reportOf(const std::string& shader, const std::string& from, const std::string& to,
+                  const std::string& invariant) {
     home_.edit(shader, from, to);
     Renderer renderer(bench());
     Options options;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A limit that is met is said in the run record, and one that is not met is not.
 #include "base/limits.h"
-#include "scene/fits.h"
 
 #include <algorithm>
 
 #include "oracle/render.h"
+#include "scene/fits.h"
 
 namespace strobe::stability {
 namespace {

@@ -62,8 +62,13 @@ script::Settings settingsOf(const lab::Shot& shot) {
 TEST(Shrunk, LeavesWhatTheFailureNeeds) {
   lab::Shot shot = sized({}, 64, 40);
   shot.anchor = "open";
-  for (const auto& [name, value] : script::Settings{{"weights", "x"}, {"scene.seed", "7"}, {"scene.cards", "6"},
-                                                    {"scene.boxes", "2"}, {"samples", "23"}, {"tile", "8"}, {"depth", "3"}})
+  for (const auto& [name, value] : script::Settings{{"weights", "x"},
+                                                    {"scene.seed", "7"},
+                                                    {"scene.cards", "6"},
+                                                    {"scene.boxes", "2"},
+                                                    {"samples", "23"},
+                                                    {"tile", "8"},
+                                                    {"depth", "3"}})
     shot = with(shot, name, value);
   int tried = 0;
   auto fails = [&](const lab::Shot& one) {
@@ -79,10 +84,17 @@ TEST(Shrunk, LeavesWhatTheFailureNeeds) {
   lab::Shot small = shrunk(shot, {{"weights", "x"}}, fails, 1000);
   EXPECT_EQ(small.anchor, "close");
   EXPECT_EQ(small.width, 24);
-  EXPECT_EQ(settingsOf(small), (script::Settings{{"samples", "3"}, {"scene.cards", "2"}, {"scene.height", "24"},
-                                                 {"scene.lit", "0"}, {"scene.perspective", "0"}, {"scene.reach", "3"},
-                                                 {"scene.seed", "7"}, {"scene.textured", "0"},
-                                                 {"scene.width", "24"}, {"tile", "1"}, {"weights", "x"}}));
+  EXPECT_EQ(settingsOf(small), (script::Settings{{"samples", "3"},
+                                                 {"scene.cards", "2"},
+                                                 {"scene.height", "24"},
+                                                 {"scene.lit", "0"},
+                                                 {"scene.perspective", "0"},
+                                                 {"scene.reach", "3"},
+                                                 {"scene.seed", "7"},
+                                                 {"scene.textured", "0"},
+                                                 {"scene.width", "24"},
+                                                 {"tile", "1"},
+                                                 {"weights", "x"}}));
   tried = 0;
   shrunk(shot, {}, fails, 10);
   EXPECT_EQ(tried, 10);
