@@ -49,7 +49,8 @@ std::vector<Kind> kindsFor(const Session& session) {
   std::map<std::string, int> uses;
   for (const auto& [node, pipeline] : session.pipelines())
     for (const Path& file : pipeline->files)
-      if (displayPath(file).starts_with("shaders/lib/")) ++uses[displayPath(file)];
+      if (displayPath(file).starts_with("shaders/lib/") || displayPath(file).starts_with("shaders/mixin/"))
+        ++uses[displayPath(file)];
   auto most =
       std::max_element(uses.begin(), uses.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   std::vector<Kind> kinds = {{"shader of one pass", displayPath(graph::shaderFiles(last).front()),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Ray tracing pipeline: names the nearest accepted hit; nothing is shaded here.
-#include "lib/trace_payload.glsl"
+#include "mixin/trace_payload.glsl"
 layout(location = 0) rayPayloadInEXT TracePayload payload;
 hitAttributeEXT vec2 barycentrics;
 void main() {

@@ -8,8 +8,8 @@
 //   the nearer answers more, so that it is the one that stays. Direction: principal axis of the summed outer products
 //   of the gradients of depth and of each component of the normal, each over its threshold (Di Zenzo 1986).
 // Fails: what is closer together than about 3 px becomes one; corners become round.
-#include "lib/edge_features.glsl"
-#include "lib/edge_steps.glsl"
+#include "mixin/edge_features.glsl"
+#include "mixin/edge_steps.glsl"
 
 const float kGauss[5] = float[](0.40261996, 0.24420134, 0.05448868, 0.0, 0.0);
 

@@ -15,7 +15,7 @@
 // Each t_i has the weight 1/N: weights add up to 1, and coverage and background vary together as they do in truth.
 // Fails: see passes/composite/in_gather.lua.
 #include "lib/blur.glsl"
-#include "lib/jitter.glsl"
+#include "mixin/jitter.glsl"
 #include "lib/sanitise.glsl"
 
 struct Tap {

@@ -21,7 +21,7 @@
 // Fails: surfaces hidden at the capture and not revealed (second layer and beyond); motion that bends or magnifies by
 //   more than the tolerance within the distance moved; more motions at one pixel than candidates.
 #include "lib/blur.glsl"
-#include "lib/jitter.glsl"
+#include "mixin/jitter.glsl"
 #include "lib/sanitise.glsl"
 
 const int kMaxCandidates = 4;

@@ -8,7 +8,7 @@
 // Fails: connections longer than reach px along x or y, or by a detour out of that square, are not found: the weak part
 //   of such an edge ends reach px from its strong one.
 #include "lib/blur.glsl"
-#include "lib/edge.glsl"
+#include "mixin/edge.glsl"
 
 const int kMostSide = 31;  // 2 * the largest reach + 1
 

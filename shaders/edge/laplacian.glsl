@@ -8,9 +8,9 @@
 //   Pairs of opposite neighbours of which one is outside of the picture do not count.
 // Fails: a double response, on both sides of a step; noise, more than with gradients; a step is a step of 1/z, smaller
 //   than that of z where the gap is large (1 - near / far).
-#include "lib/edge.glsl"
-#include "lib/edge_features.glsl"
-#include "lib/edge_steps.glsl"
+#include "mixin/edge.glsl"
+#include "mixin/edge_features.glsl"
+#include "mixin/edge_steps.glsl"
 
 #if PARAM_kernel == kernel_log
 const int kRadius = 3;

@@ -2,14 +2,14 @@
 // Edges where a surface leaves the plane it is on, and where its normal steps.
 // In:  depth (view depth, sky +inf), normal (unit, world; sky 0), where (> 1/2: look here; absent: everywhere).
 // Out: edge, 1 on an edge: two pixels wide at a step.
-// Depth: the larger of both axes; see lib/edge_plane.glsl. Normal: the longest difference to one of four neighbours,
+// Depth: the larger of both axes; see mixin/edge_plane.glsl. Normal: the longest difference to one of four neighbours,
 //   for creases. Each is divided by its threshold; an edge is where the combination exceeds 1.
 // Fails: a farther surface that lies on the same plane; quantised depth; by second differences, pixels whose two
 //   neighbours lie as much before as behind them (in 1/z), and the picture's border; by distance, the silhouettes of
 //   curved surfaces, where the plane runs along the line of sight.
-#include "lib/edge.glsl"
-#include "lib/edge_plane.glsl"
-#include "lib/edge_steps.glsl"
+#include "mixin/edge.glsl"
+#include "mixin/edge_plane.glsl"
+#include "mixin/edge_steps.glsl"
 
 float normalStep(ivec2 pixel, ivec2 offset) { return length(normalAt(pixel + offset) - normalAt(pixel)); }
 

@@ -5,6 +5,6 @@
 // Kernel 1/3 [1 1 1]^T [-1 0 1]: a unit step responds 1, one along a diagonal .94, waves 6.7 % less along a diagonal
 //   than along an axis at 7 px per wave.
 // Fails: as edge/sobel, with more bias between directions.
-#include "lib/edge_gradient.glsl"
+#include "mixin/edge_gradient.glsl"
 
 void run(ivec2 pixel) { markEdge(pixel, isStepBy(pixel, 1.0 / 3.0, 1.0 / 3.0)); }

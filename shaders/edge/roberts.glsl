@@ -7,7 +7,7 @@
 //   a step is marked on the pixel to its left, or above it, whichever side is nearer. Depths as in edge/sobel.
 // Fails: silhouettes whose nearer side is right or below are marked on what is farther, and lost to a mask that looks
 //   on the nearer side only; noise; planes at grazing angles.
-#include "lib/edge_gradient.glsl"
+#include "mixin/edge_gradient.glsl"
 
 #if PARAM_norm == norm_l1
 const float kUnitStep = 0.5;

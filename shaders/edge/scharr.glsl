@@ -6,6 +6,6 @@
 // Kernel 1/16 [3 10 3]^T [-1 0 1]: a unit step responds 1; waves 0.6 % less along a diagonal than along an axis at 7 px
 //   per wave. That holds where depth varies smoothly: a hard step along a diagonal responds 1.15 (Sobel 1.06).
 // Fails: as edge/sobel.
-#include "lib/edge_gradient.glsl"
+#include "mixin/edge_gradient.glsl"
 
 void run(ivec2 pixel) { markEdge(pixel, isStepBy(pixel, 0.625, 0.1875)); }

@@ -7,9 +7,9 @@
 // Out: edge, 1 on an edge: one pixel wide, on the nearer side.
 // Fails: blind to self-occlusion of one instance, and to what lies behind in the same plane (which, by distance, curved
 //   surfaces reach behind their silhouettes).
-#include "lib/edge.glsl"
-#include "lib/edge_id.glsl"
-#include "lib/edge_plane.glsl"
+#include "mixin/edge.glsl"
+#include "mixin/edge_id.glsl"
+#include "mixin/edge_plane.glsl"
 
 bool standsOff(ivec2 pixel, ivec2 offset, float depth) {
   return isBeyond(pixel, offset) && planeBreak(pixel, offset, depth) > params.depth_threshold;

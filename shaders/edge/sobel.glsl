@@ -8,6 +8,6 @@
 //   is where the combination (the larger, the sum, or the smaller of both) exceeds 1. Outside of the picture its
 //   border goes on.
 // Fails: planes at grazing angles (the depth gradient grows with 1/cos); curved surfaces; sky has no edge of its own.
-#include "lib/edge_gradient.glsl"
+#include "mixin/edge_gradient.glsl"
 
 void run(ivec2 pixel) { markEdge(pixel, isStepBy(pixel, 0.5, 0.25)); }

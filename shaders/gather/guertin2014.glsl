@@ -10,7 +10,7 @@
 // Samples: t_i = lerp(-1, 1, (i + eta*jitter + 1) / (N + 1)) of the length r_N that the dominant displacement spreads
 //   over: |d|/2 to both sides with the capture in the middle of the exposure (where the tap on the pixel itself, which
 //   only an odd N has, is left out), |d| to the one side, (t_i + 1)/2, with the capture at an end. Along the dominant
-//   direction, and every other one along the second direction v_c of lib/directions.glsl. With `variance`, the number
+//   direction, and every other one along the second direction v_c of mixin/directions.glsl. With `variance`, the number
 //   of those is round(N/2 * smoothstep(0, 1/2, variance)). They are left out where there is no such direction.
 // Weights, D = |t_i| r_N, e the direction sampled, r what X and Y spread over, at least 1/2 px:
 //   f*cone(D, rY)*wB + b*cone(D, rX)*wA + 2*cylinder(D, min(rX, rY))*max(wA, wB), wA = |v_c . e|, wB = |direction of
@@ -21,11 +21,11 @@
 //   all weights that is in front of it and whose own motion, along the direction sampled, covers the distance to X.
 // Fails: as McGuire's filter opaque inside of silhouettes (no straight ramps), with background from outside of them;
 //   thin things across the two directions; noise and gaps where many directions meet.
-#include "lib/directions.glsl"
-#include "lib/jitter.glsl"
-#include "lib/layer.glsl"
-#include "lib/stored.glsl"
-#include "lib/tile_lookup.glsl"
+#include "mixin/directions.glsl"
+#include "mixin/jitter.glsl"
+#include "mixin/layer.glsl"
+#include "mixin/stored.glsl"
+#include "mixin/tile_lookup.glsl"
 
 const float kCopiedRadius = 0.505;   // px
 const float kUniformShare = 0.65;    // of the dominant displacement

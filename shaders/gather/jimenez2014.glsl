@@ -22,9 +22,9 @@
 //   of the exposure as far as X itself is in front.
 // Fails: what it shows behind a moving object inside its silhouette is the picture from outside of it, so that edges
 //   there appear a second time; outside, the background under the object comes from the opposite side. One direction.
-#include "lib/jitter.glsl"
-#include "lib/layer.glsl"
-#include "lib/stored.glsl"
+#include "mixin/jitter.glsl"
+#include "mixin/layer.glsl"
+#include "mixin/stored.glsl"
 
 struct Tap {
   vec3 color;

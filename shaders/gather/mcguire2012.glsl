@@ -10,7 +10,7 @@
 //   tap on the pixel itself (which only an odd S has) is left out: the centre sample stands for it. With the
 //   capture at an end taps lie at X + d * (t_i + 1)/2 (exposure before the capture; mirrored for after), a pixel
 //   spreads over |d|, and all S taps count (Tan, Cui, Bhojan 2020). With two directions odd samples lie as far along
-//   the second one of lib/directions.glsl, if there is one, gamma = 3/2 px (not in the paper; later code has them).
+//   the second one of mixin/directions.glsl, if there is one, gamma = 3/2 px (not in the paper; later code has them).
 // Weights: f*cone(D, rY) + b*cone(D, rX) + 2*cylinder(D, rY)*cylinder(D, rX), centre 1/rX, divided by their sum.
 //   f and b compare depths as shares of the depth instead of metres: no scale is built in.
 // Alpha: 1, unless something was revealed behind the pixel. Then the result is the foreground alone, to be laid over
@@ -20,10 +20,10 @@
 //   that slopes up to the viewer). The centre sample is foreground if it is in front.
 // Fails: opaque inside of silhouettes (6/7 where 1/2 is true), a step at them, ramps that are no straight lines,
 //   opacity that depends on S; one direction per tile.
-#include "lib/directions.glsl"
-#include "lib/jitter.glsl"
-#include "lib/layer.glsl"
-#include "lib/stored.glsl"
+#include "mixin/directions.glsl"
+#include "mixin/jitter.glsl"
+#include "mixin/layer.glsl"
+#include "mixin/stored.glsl"
 
 struct Tap {
   vec3 color;

@@ -23,9 +23,9 @@
 //   which hardly counts does not become all there is.
 // Fails: without revealed layer the background inside of a silhouette is that from outside of it; background that
 //   moves is uncorrelated in time with what covers it (a product of two means); one direction per tile.
-#include "lib/jitter.glsl"
-#include "lib/layer.glsl"
-#include "lib/stored.glsl"
+#include "mixin/jitter.glsl"
+#include "mixin/layer.glsl"
+#include "mixin/stored.glsl"
 
 struct Tap {
   vec3 color;

@@ -4,8 +4,8 @@
 // Out: hit (instance + 1, geometry + 1, primitive, 1 if the front is seen; 0: no more), where (view depth, m; unit
 //      normal), velocity (px over the exposure), color (linear; alpha 1 on a hit).
 // Fails: of two surfaces in one place only one is listed.
-#include "lib/advance.glsl"
-#include "lib/shade.glsl"
+#include "mixin/advance.glsl"
+#include "mixin/shade.glsl"
 
 // The hit number `wanted`, from 0; a miss if there are fewer.
 Hit hitNumber(Ray ray, int wanted) {

@@ -2,10 +2,10 @@
 // In:  hit_tex (instance + 1, geometry, primitive).
 // Out: depth (view depth, m, +inf for sky), normal (unit, world), id (instance + 1, geometry + 1), velocity (px over
 //      the exposure: `displacement`; 0 where that is not finite); depth and velocity as memory keeps them
-//      (lib/stored.glsl).
+//      (mixin/stored.glsl).
 // Fails: one displacement per pixel, a straight line whatever the motion within the exposure.
-#include "lib/stored.glsl"
-#include "lib/surface.glsl"
+#include "mixin/stored.glsl"
+#include "mixin/surface.glsl"
 
 void run(ivec2 pixel) {
   uvec4 seen = texelFetch(hit_tex, pixel, 0);

@@ -7,8 +7,8 @@
 //      at y + after*t for t > 0). An exposure that has one of the parts only has `velocity` for both.
 // Fails: motion that bends elsewhere than at the capture.
 #include "lib/blur.glsl"
-#include "lib/stored.glsl"
-#include "lib/surface.glsl"
+#include "mixin/stored.glsl"
+#include "mixin/surface.glsl"
 
 // Of the point of an instance that is at `position_ws` at the capture.
 vec2 pathOfPoint(uint slice, uint instance, vec3 position_ws) {

@@ -10,10 +10,10 @@
 // Fails: luminance stops inside an object whose back is lit differently, passes through a background of the same
 //   luminance, and makes the picture depend on brightness (no linear filter); instance and geometry never see a
 //   foreground that covers itself, nor that several instances are one object; motion sees the latter.
-#include "lib/advance.glsl"
-#include "lib/shade.glsl"
-#include "lib/square.glsl"
-#include "lib/stored.glsl"
+#include "mixin/advance.glsl"
+#include "mixin/shade.glsl"
+#include "mixin/square.glsl"
+#include "mixin/stored.glsl"
 
 float luminance(vec3 color) { return dot(color, vec3(0.2126, 0.7152, 0.0722)); }
 

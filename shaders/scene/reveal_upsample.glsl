@@ -12,8 +12,8 @@
 //   which pixel of a square has the ray is not symmetric under mirroring.
 #include "lib/blur.glsl"
 #include "lib/sanitise.glsl"
-#include "lib/square.glsl"
-#include "lib/stored.glsl"
+#include "mixin/square.glsl"
+#include "mixin/stored.glsl"
 
 struct Sample {
   ivec2 square;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// In:  hit_tex. Out: color (linear radiance), as memory keeps it (lib/stored.glsl).
-#include "lib/shade.glsl"
-#include "lib/stored.glsl"
+// In:  hit_tex. Out: color (linear radiance), as memory keeps it (mixin/stored.glsl).
+#include "mixin/shade.glsl"
+#include "mixin/stored.glsl"
 
 void run(ivec2 pixel) {
   uvec4 seen = texelFetch(hit_tex, pixel, 0);

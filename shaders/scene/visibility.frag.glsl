@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Output: hit = (instance + 1, geometry, primitive, 0). Cut-out texels are discarded by the same test as rays use.
-#include "lib/trace_payload.glsl"
+#include "mixin/trace_payload.glsl"
 
 layout(location = 0) flat in uvec2 draw;
 layout(location = 1) in vec2 uv0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Vertices of the scene at the node's slice of time, vertex fetch by index; infinite reversed depth.
-#include "lib/surface.glsl"
+#include "mixin/surface.glsl"
 
 layout(location = 0) flat out uvec2 draw;  // instance, geometry
 layout(location = 1) out vec2 uv0;

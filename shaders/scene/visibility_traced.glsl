@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Out: hit = (instance + 1, geometry, primitive, 0), as the raster pass `visibility` writes it.
-#include "lib/trace.glsl"
+#include "mixin/trace.glsl"
 
 void run(ivec2 pixel) {
   Ray ray = cameraRay(TIME_SLICE, samplePosition(pixel));

@@ -8,7 +8,7 @@
 #include "lib/mean.glsl"
 #include "lib/random.glsl"
 #include "lib/regions.glsl"
-#include "lib/shade.glsl"
+#include "mixin/shade.glsl"
 
 const float kFar = 3.0e38;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The functions of lib/stored.glsl run on chosen numbers, against what half floats and depth encodings are by
+// The functions of mixin/stored.glsl run on chosen numbers, against what half floats and depth encodings are by
 // definition: the list of all half floats, and 1 - n/z in double precision.
 #include <fmt/format.h>
 
@@ -82,7 +82,7 @@ class StoredNumbers : public RenderTest {
     padded.resize((values.size() + 3) / 4 * 4, 0.0f);
     gpu::Device& device = bench().device();
     std::string main =
-        "#include \"lib/stored.glsl\"\nvoid main() {\n  uint i = gl_GlobalInvocationID.x;\n"
+        "#include \"mixin/stored.glsl\"\nvoid main() {\n  uint i = gl_GlobalInvocationID.x;\n"
         "  if (i >= io.length()) return;\n  vec4 v = io[i];\n  " +
         body + "\n  io[i] = v;\n}\n";
     std::string pattern = (std::filesystem::temp_directory_path() / "strobe_stored_XXXXXX").string();

@@ -89,7 +89,7 @@ void lintFamilyOf(const Source& source, Findings& findings) {
   if (family.empty() || !source.path.ends_with(".glsl")) return;
   forOwnIncludes(source, [&](int number, const std::string& header) {
     std::string other = header.substr(0, header.find('/'));
-    if (other == "shared" || other == "lib" || other == family) return;
+    if (other == "shared" || other == "lib" || other == "mixin" || other == family) return;
     findings.push_back(finding(source, number, fmt::format("includes '{}' of another family", header)));
   });
 }

@@ -31,8 +31,12 @@ std::vector<Source> readSources(const std::filesystem::path& top);
 // Each returns one line per violation, "path:line: what".
 using Findings = std::vector<std::string>;
 
-// runtime/ includes follow the floors; a shader includes shared/, lib/ and its own family.
+// runtime/ includes follow the floors; a shader includes shared/, lib/, mixin/ and its own family.
 Findings lintFloors(const std::vector<Source>& sources, const Floors& floors);
+
+// shaders/lib/ holds functions of their arguments (and of the frame, which every pass has). What uses names that a pass
+// declares is in shaders/mixin/, whose files list them in their second line, those of their includes among them.
+Findings lintMixins(const std::vector<Source>& sources);
 
 // Vulkan's header in gpu/ and one file of live/, Lua's in script/.
 Findings lintForeignHeaders(const std::vector<Source>& sources);

@@ -42,6 +42,7 @@ TEST(Project, EveryRoomHasAFloor) {
 
 TEST(Project, IncludesFollowTheFloors) { EXPECT_EQ(joined(lintFloors(project(), floors())), ""); }
 TEST(Project, ForeignHeadersStayInTheirRooms) { EXPECT_EQ(joined(lintForeignHeaders(project())), ""); }
+TEST(Project, ShadersSayWhatTheyNeed) { EXPECT_EQ(joined(lintMixins(project())), ""); }
 TEST(Project, CppNamesNoTechnique) { EXPECT_EQ(joined(lintTechniques(project())), ""); }
 TEST(Project, EverySourceSaysItsLicence) { EXPECT_EQ(joined(lintLicences(project())), ""); }
 TEST(Project, NothingBelongsToAMachine) { EXPECT_EQ(joined(lintMachines(project())), ""); }
@@ -66,6 +67,27 @@ TEST(Lint, FindsIncludesOfAnotherFamily) {
   auto lint = [](const char* text) { return joined(lintFloors({{"shaders/edge/a.glsl", text}}, {})); };
   EXPECT_EQ(lint("#include \"lib/a.glsl\"\n#include \"shared/b.h\"\n#include \"edge/c.glsl\"\n"), "");
   EXPECT_EQ(lint("#include \"tile/a.glsl\"\n"), "shaders/edge/a.glsl:1: includes 'tile/a.glsl' of another family\n");
+}
+
+TEST(Lint, FindsWhatMixinsDoNotSay) {
+  auto lint = [](const std::string& path, const std::string& text) {
+    Source below{"shaders/mixin/below.glsl", "// x\n// Needs: a_tex.\ntexelFetch(a_tex, params_of, 0); // params.c\n"};
+    return joined(lintMixins({below, {path, text}}));
+  };
+  EXPECT_EQ(lint("shaders/lib/a.glsl", "float f(uint n) { return float(n + frame.seed); }\n"), "");
+  EXPECT_EQ(lint("shaders/lib/a.glsl", "float f() { return params.b; }\n"),
+            "shaders/lib/a.glsl: is no pure function, but has '// Needs: params.b.'\n");
+  EXPECT_EQ(lint("shaders/lib/a.glsl", "#include \"mixin/below.glsl\"\n").substr(0, 41),
+            "shaders/lib/a.glsl: is no pure function, ");
+  EXPECT_EQ(lint("shaders/mixin/a.glsl", "// x\n// Needs: nothing.\nint f;\n"),
+            "shaders/mixin/a.glsl: needs nothing: belongs to lib/\n");
+  std::string uses = "#include \"mixin/below.glsl\"\n#if HAS_b\nb_tex; count_d(1u);\n#endif\n#if PARAM_e\nscene_x[0]\n";
+  EXPECT_EQ(
+      lint("shaders/mixin/a.glsl", "// x\n// Needs: PARAM_e, a_tex, scene; may have: b_tex,\n//   count_d.\n" + uses),
+      "");
+  EXPECT_EQ(lint("shaders/mixin/a.glsl", "// x\n// Needs: PARAM_e, scene.\n" + uses),
+            "shaders/mixin/a.glsl: its second line should be "
+            "'// Needs: PARAM_e, a_tex, scene; may have: b_tex, count_d.'\n");
 }
 
 TEST(Lint, RefusesABadTableOfFloors) {

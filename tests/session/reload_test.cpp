@@ -333,8 +333,8 @@ void reachedFrom(const EditableHome& home, const std::string& file, std::set<std
 TEST_F(ReloadTest, CompilesWhatDependsOnTheEditAndNothingElse) {
   Session session(bench(), smallShot("hybrid"));
   session.reload(false);
-  for (const char* file : {"shaders/lib/blur.glsl", "shaders/lib/sanitise.glsl", "shaders/lib/camera.glsl",
-                           "shaders/mask/relative.glsl", "shaders/shared/bindings.glsl", "shaders/lib/jitter.glsl"}) {
+  for (const char* file : {"shaders/lib/blur.glsl", "shaders/lib/sanitise.glsl", "shaders/mixin/camera.glsl",
+                           "shaders/mask/relative.glsl", "shaders/shared/bindings.glsl", "shaders/mixin/jitter.glsl"}) {
     std::set<std::string> closure;
     const plan::Plan& plan = session.plan();
     for (const auto& node : plan.nodes) {

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The parameters `jitter` and `jitter_frame` of whatever includes lib/jitter.glsl, for passes and pipelines alike.
+-- The parameters `jitter` and `jitter_frame` of whatever includes mixin/jitter.glsl, for passes and pipelines alike.
 local param = require "strobe.param"
 
 local stands = "the pattern stands on the screen: it is neither mirrored nor moved with what is seen"

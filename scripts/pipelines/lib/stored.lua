@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- How colours, displacements and depths are kept between passes: parameters, formats and counters of whatever includes
--- lib/stored.glsl, for passes and pipelines alike.
+-- mixin/stored.glsl, for passes and pipelines alike.
 local param = require "strobe.param"
 
 local stored = {}

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+// Needs: rays, scene; may have: PARAM_displacement.
 // Rays. One interface over the tracing backends: the runtime compiles the same pass as a ray generation shader
 // (STROBE_BACKEND_PIPELINE) or as a compute shader with ray queries (STROBE_BACKEND_QUERY); both find the same hits.
 // A ray interval is open at both ends: a hit at exactly t_min or t_max is not found.
 #ifndef STROBE_TRACE_GLSL
 #define STROBE_TRACE_GLSL
-#include "lib/surface.glsl"
-#include "lib/trace_payload.glsl"
+#include "mixin/surface.glsl"
+#include "mixin/trace_payload.glsl"
 
 // Rays this invocation has launched; the runtime adds them to the pass's counter of its backend.
 uint launched_rays = 0u;

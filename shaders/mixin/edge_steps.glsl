@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Steps of depth and normal, each against its own threshold. For passes with the parameters depth_threshold (share of
-// the pixel's own depth), normal_threshold (length) and combine.
+// Needs: params.depth_threshold, params.normal_threshold, PARAM_combine.
+// Steps of depth and normal, each against its own threshold. depth_threshold is a share of the pixel's own depth,
+// normal_threshold a length.
 #ifndef STROBE_EDGE_STEPS_GLSL
 #define STROBE_EDGE_STEPS_GLSL
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How far a neighbour is from the plane a pixel lies on. For edge detectors with the parameter measure.
+// Needs: depth_tex, normal_tex, PARAM_measure, scene.
+// How far a neighbour is from the plane a pixel lies on.
 #ifndef STROBE_EDGE_PLANE_GLSL
 #define STROBE_EDGE_PLANE_GLSL
-#include "lib/camera.glsl"
-#include "lib/edge_features.glsl"
+#include "mixin/camera.glsl"
+#include "mixin/edge_features.glsl"
 
 // The point a pixel sees, relative to the camera's: depths are bounded by the pixel's own, so that the sky is a place.
 vec3 pointAt(ivec2 pixel, float depth) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The depth that edge detectors see. For passes that read depth (view depth, sky +inf).
+// Needs: depth_tex.
+// The depth that edge detectors see: view depth, sky +inf.
 #ifndef STROBE_EDGE_DEPTH_GLSL
 #define STROBE_EDGE_DEPTH_GLSL
 #include "lib/blur.glsl"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What every edge detector shares: where it looks and what it says. For passes that write edge and may read where
-// (> 1/2: look here; absent: everywhere).
+// Needs: edge_img; may have: where_tex.
+// What every edge detector shares: where it looks and what it says. Where `where` is above 1/2 it looks; absent:
+// everywhere.
 #ifndef STROBE_EDGE_GLSL
 #define STROBE_EDGE_GLSL
 

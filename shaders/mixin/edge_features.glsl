@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What edge detectors compare between pixels: normals, and depths relative to one. For passes that read depth and
-// normal.
+// Needs: depth_tex, normal_tex.
+// What edge detectors compare between pixels: normals, and depths relative to one.
 #ifndef STROBE_EDGE_FEATURES_GLSL
 #define STROBE_EDGE_FEATURES_GLSL
-#include "lib/edge_depth.glsl"
+#include "mixin/edge_depth.glsl"
 
 vec3 normalAt(ivec2 pixel) {
   return finiteColor(texelFetch(normal_tex, clampToImage(pixel, textureSize(normal_tex, 0)), 0));

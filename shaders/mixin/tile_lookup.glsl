@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Which tile a pixel looks its dominant displacement up in, for passes with the parameter `tile` and the choice
-// `tile_jitter`: the pixel's own, or that of a point up to a quarter of a tile away, so that the borders of tiles,
-// where the dominant displacement changes, turn to noise. Guertin et al. 2014; as ports of it do it.
+// Needs: params.tile, PARAM_tile_jitter.
+// Which tile a pixel looks its dominant displacement up in: the pixel's own, or that of a point up to a quarter of a
+// tile away, so that the borders of tiles, where the dominant displacement changes, turn to noise. Guertin et al. 2014;
+// as ports of it do it.
 #ifndef STROBE_TILE_LOOKUP_GLSL
 #define STROBE_TILE_LOOKUP_GLSL
 #include "lib/blur.glsl"

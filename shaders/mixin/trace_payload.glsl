@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: scene.
 // What a ray carries between the stages of the ray tracing pipeline, and which hits it accepts in either backend.
 #ifndef STROBE_TRACE_PAYLOAD_GLSL
 #define STROBE_TRACE_PAYLOAD_GLSL

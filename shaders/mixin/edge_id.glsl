@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The silhouette test between instances. For edge detectors that read id (instance + 1, 0 = sky).
+// Needs: depth_tex, id_tex.
+// The silhouette test between instances. An id is instance + 1, 0 = sky.
 #ifndef STROBE_EDGE_ID_GLSL
 #define STROBE_EDGE_ID_GLSL
-#include "lib/edge_depth.glsl"
+#include "mixin/edge_depth.glsl"
 
 // Is the neighbour at `offset` another instance, and farther? Of equal depths neither is.
 bool isBeyond(ivec2 pixel, ivec2 offset) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: scene.
 // Pixels to rays and points to pixels. Pixel coordinates: x right, y down, the first pixel's centre at (0.5, 0.5).
 #ifndef STROBE_CAMERA_GLSL
 #define STROBE_CAMERA_GLSL

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Needs: rays, scene; may have: PARAM_displacement.
 // From one hit of a camera's ray to the next one behind it. No way of advancing contains a length: all of them scale.
 #ifndef STROBE_ADVANCE_GLSL
 #define STROBE_ADVANCE_GLSL
-#include "lib/trace.glsl"
+#include "mixin/trace.glsl"
 
 const float kFar = 3.0e38;
 

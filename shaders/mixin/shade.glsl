@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: rays, scene; may have: PARAM_displacement.
 // THE shading function, used alike for what raster sees, what rays reveal and what truth integrates: colour of a point
 // of a surface as a function of that point and of the pose of the scene, whatever ray found it. So a point that raster
 // and a ray both see has one colour, and differences between methods are differences of visibility and filtering.
@@ -8,7 +9,7 @@
 #ifndef STROBE_SHADE_GLSL
 #define STROBE_SHADE_GLSL
 #include "lib/sanitise.glsl"
-#include "lib/trace.glsl"
+#include "mixin/trace.glsl"
 
 const float kPi = 3.14159265358979;
 // Longest stretch of texels blended along the direction in which a surface recedes.

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+// Needs: color_tex, depth_tex, velocity_tex, params.limit, params.samples, PARAM_directions; may have:
+//   behind_depth_tex, behind_valid_tex, second_tex, valid_tex.
 // The second direction along which a gather looks. Guertin, McGuire and Nowrouzezahrai 2014, "A Fast and Stable
-// Feature-Aware Motion Blur Filter", section 3. For gathers of a layer (lib/layer.glsl) that have the choice parameter
-// `directions` and may read `second`: what else moves around, px over the exposure, per tile.
+// Feature-Aware Motion Blur Filter", section 3. `second` is what else moves around, px over the exposure, per tile.
 #ifndef STROBE_DIRECTIONS_GLSL
 #define STROBE_DIRECTIONS_GLSL
-#include "lib/layer.glsl"
+#include "mixin/layer.glsl"
 
 // A displacement whose component along the perpendicular is shorter than this (px) says nothing of its side.
 const float kNoSide = 1.0 / 64.0;

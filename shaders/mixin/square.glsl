@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Squares of side x side pixels that share one ray, in passes that read `hit` and `mask`.
+// Needs: hit_tex, mask_tex.
+// Squares of side x side pixels that share one ray.
 #ifndef STROBE_SQUARE_GLSL
 #define STROBE_SQUARE_GLSL
 

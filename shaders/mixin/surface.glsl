@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Needs: scene; may have: PARAM_displacement.
 // From a hit to the surface there, at any slice of time.
 #ifndef STROBE_SURFACE_GLSL
 #define STROBE_SURFACE_GLSL
-#include "lib/camera.glsl"
+#include "mixin/camera.glsl"
 
 struct Triangle {
   uint index[3];

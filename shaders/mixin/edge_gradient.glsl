@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Gradients of depth and normal by small kernels. For passes that have the parameter norm besides those of
-// lib/edge_steps.glsl. Every kernel answers a step of 1 along an axis with 1.
+// Needs: depth_tex, edge_img, normal_tex, params.depth_threshold, params.normal_threshold, PARAM_combine, PARAM_norm;
+//   may have: where_tex.
+// Gradients of depth and normal by small kernels. Every kernel answers a step of 1 along an axis with 1.
 #ifndef STROBE_EDGE_GRADIENT_GLSL
 #define STROBE_EDGE_GRADIENT_GLSL
-#include "lib/edge.glsl"
-#include "lib/edge_features.glsl"
-#include "lib/edge_steps.glsl"
+#include "mixin/edge.glsl"
+#include "mixin/edge_features.glsl"
+#include "mixin/edge_steps.glsl"
 
 float sizeOf(float a, float b) {
 #if PARAM_norm == norm_l1
