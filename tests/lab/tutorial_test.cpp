@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "base/hash.h"
+#include "common/source.h"
 #include "lab/session.h"
 #include "program/run.h"
 
@@ -57,7 +58,7 @@ struct Tutorial {
 
 Tutorial readTutorial() {
   Tutorial tutorial;
-  for (const Block& block : blocksOf(readText(Path(STROBE_SOURCE_DIR) / "docs/your-own-edge-detector.md"))) {
+  for (const Block& block : blocksOf(readText(sourceFolder() / "docs/your-own-edge-detector.md"))) {
     size_t colon = block.target.find(':');
     bool of_file = block.language == "lua" || block.language == "glsl";
     if (of_file && colon == std::string::npos) tutorial.files[block.target] = block.text;
@@ -86,7 +87,7 @@ class Following : public ::testing::Test {
  protected:
   void SetUp() override {
     for (const char* part : {"passes", "shaders", "scripts"})
-      fs::copy(Path(STROBE_SOURCE_DIR) / part, folder_.path() / part, fs::copy_options::recursive);
+      fs::copy(sourceFolder() / part, folder_.path() / part, fs::copy_options::recursive);
     ::setenv("STROBE_HOME", folder_.path().c_str(), 1);
   }
   void TearDown() override { ::unsetenv("STROBE_HOME"); }
@@ -125,7 +126,7 @@ std::string hashOf(Session& session, const std::string& image) {
 Shot movingThings() {
   Shot shot;
   shot.pipeline = "hybrid";
-  shot.scene = Path(STROBE_SOURCE_DIR) / "tests/oracle/scenes/solids.lua";
+  shot.scene = sourceFolder() / "tests/oracle/scenes/solids.lua";
   shot.width = 64, shot.height = 40, shot.frame = 0;
   shot.moves = {"box=0.6,0,0", "ball=-0.6,0.2,0"};
   shot.sets = {{"mask", "seed"}, {"scene.width", "64"}, {"scene.height", "40"}};

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <memory>
 
+#include "common/source.h"
+
 namespace strobe::oracle {
 
 namespace {
@@ -35,8 +37,8 @@ void RenderTest::TearDown() {
 
 lab::Shot shotOf(const std::string& scene, int width, int height, const Numbers& numbers) {
   lab::Shot shot;
-  Path own = Path(STROBE_SOURCE_DIR) / "tests/oracle/scenes" / (scene + ".lua");
-  Path common = Path(STROBE_SOURCE_DIR) / "scripts/scenes/oracles" / (scene + ".lua");
+  Path own = sourceFolder() / "tests/oracle/scenes" / (scene + ".lua");
+  Path common = sourceFolder() / "scripts/scenes/oracles" / (scene + ".lua");
   shot.scene = std::filesystem::exists(own) ? own : common;
   shot.width = width;
   shot.height = height;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "common/source.h"
 #include "oracle/render.h"
 
 namespace strobe::oracle {
@@ -18,7 +19,7 @@ const std::vector<std::string> kDetectors = {"canny",   "id",     "laplacian",  
 
 lab::Shot detected(lab::Shot shot, const std::string& edge, std::vector<std::string> settings = {}) {
   settings.push_back("edge=" + edge);
-  return with(shot, std::string(STROBE_SOURCE_DIR) + "/tests/oracle/pipelines/edges_alone.lua", settings);
+  return with(shot, sourceFolder().string() + "/tests/oracle/pipelines/edges_alone.lua", settings);
 }
 
 // --- What a detector answers, in double precision: above 1 is an edge

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "common/source.h"
 #include "oracle/gather_1d.h"
 #include "oracle/render.h"
 
@@ -207,7 +208,7 @@ TEST_F(RenderLayers, RevealingHelps) {
 // Without a second displacement per tile the slower of two surfaces is found at the taps along the faster one, or, if
 // it moves against it, at those to the other side.
 TEST_F(RenderLayers, TapsToBothSidesFindTheSlowerSurface) {
-  std::string pipeline = std::string(STROBE_SOURCE_DIR) + "/tests/oracle/pipelines/layered_alone.lua";
+  std::string pipeline = sourceFolder().string() + "/tests/oracle/pipelines/layered_alone.lua";
   for (Case c : {Case{20, 12}, {6, 20}, {12, -12}, {11, -12}, {6, -20}}) {
     std::string what = fmt::format("f {} b {}", c.d_front, c.d_back);
     RowError both = errorOf(render(with(kGentle.shot(c), pipeline, settings(32, {}))), kGentle, c);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "common/source.h"
 #include "oracle/render.h"
 
 namespace strobe::oracle {
@@ -50,7 +51,7 @@ class RenderMasks : public RenderTest {
   static lab::Picture marked(const lab::Shot& shot, const std::string& mask, std::vector<std::string> settings = {},
                              const std::string& anchor = "close") {
     settings.insert(settings.end(), {"mask=" + mask, "tile=8", "limit=0.25"});
-    std::string pipeline = std::string(STROBE_SOURCE_DIR) + "/tests/oracle/pipelines/masks_alone.lua";
+    std::string pipeline = sourceFolder().string() + "/tests/oracle/pipelines/masks_alone.lua";
     return render(with(shot, pipeline, settings, anchor));
   }
   static image::Image truth(const lab::Shot& shot) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "common/source.h"
 #include "oracle/gather_1d.h"
 #include "oracle/render.h"
 
@@ -11,8 +12,8 @@ namespace strobe::oracle {
 namespace {
 
 constexpr int kWidth = 16, kHeight = 8;
-const std::string kPipelines = std::string(STROBE_SOURCE_DIR) + "/tests/oracle/pipelines/";
-const std::string kHits = std::string(STROBE_SOURCE_DIR) + "/scripts/inspect/hits.lua";
+const std::string kPipelines = sourceFolder().string() + "/tests/oracle/pipelines/";
+const std::string kHits = sourceFolder().string() + "/scripts/inspect/hits.lua";
 
 // tests/oracle/scenes/layers.lua
 struct Planes {

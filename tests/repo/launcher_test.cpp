@@ -88,6 +88,15 @@ TEST(Launcher, ListsWhatIsNeededWithoutApt) {
   EXPECT_EQ(outcome.text.find("went on"), std::string::npos) << outcome.text;
 }
 
+// What did not run to its end is no success.
+TEST(Launcher, CountsTests) {
+  std::string first = written("first.txt", "tests 2\npassed A.B 0.100\nskipped A.C 0.000 no display\n");
+  std::string second = written("second.txt", "tests 3\npassed D.E 0.100\nfailed D.F/0 0.100\n");
+  EXPECT_EQ(launcher("summary '" + first + "' '" + second + "'").text,
+            "  skipped: A.C: no display\n  failed: D.F/0\n  second ended after 2 of 3 tests\n"
+            "4 tests in 2 processes: 2 passed, 1 skipped, 1 failed\n");
+}
+
 TEST(Launcher, LooksForPackagesOncePerList) {
   std::string stubs =
       "install_missing() { echo looked; }; install_driver() { :; }; build=\"$(mktemp -d)\"; "

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/files.h"
+#include "common/source.h"
 
 namespace strobe::script {
 
@@ -73,7 +74,7 @@ class TestHome {
     folder_ = fs::temp_directory_path() / name;
     fs::create_directories(folder_ / "scripts/pipelines");
     fs::create_directories(folder_ / "scripts/scenes");
-    fs::copy(Path(STROBE_SOURCE_DIR) / "scripts/strobe", folder_ / "scripts/strobe");
+    fs::copy(sourceFolder() / "scripts/strobe", folder_ / "scripts/strobe");
     for (const auto& [path, text] : samplePasses()) write(path, text);
     ::setenv("STROBE_HOME", folder_.c_str(), 1);
   }

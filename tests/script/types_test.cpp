@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "common/source.h"
 #include "home.h"
 #include "script/evaluate.h"
 
@@ -14,7 +15,7 @@ namespace strobe::script {
 // Fields by class, of lines like "---@field name? type"; "[1]?" is "1".
 static std::map<std::string, std::set<std::string>> declaredFields() {
   std::map<std::string, std::set<std::string>> fields;
-  std::istringstream lines(readText(Path(STROBE_SOURCE_DIR) / "scripts/types.lua"));
+  std::istringstream lines(readText(sourceFolder() / "scripts/types.lua"));
   std::string line, owner;
   while (std::getline(lines, line)) {
     std::istringstream words(line);
@@ -55,13 +56,13 @@ return result
 }
 
 TEST(Types, NameTheInvariants) {
-  std::string types = readText(Path(STROBE_SOURCE_DIR) / "scripts/types.lua");
+  std::string types = readText(sourceFolder() / "scripts/types.lua");
   for (const std::string& name : plan::invariantNames())
     EXPECT_NE(types.find("\"" + name + "\""), std::string::npos) << name;
 }
 
 TEST(Types, NameTheFormats) {
-  std::string types = readText(Path(STROBE_SOURCE_DIR) / "scripts/types.lua");
+  std::string types = readText(sourceFolder() / "scripts/types.lua");
   for (const std::string& format : plan::formatNames()) {
     EXPECT_NE(types.find("\"" + format + "\""), std::string::npos) << format;
   }

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "common/source.h"
 #include "lab/record.h"
 
 namespace strobe::session {
@@ -17,7 +18,7 @@ EditableHome::EditableHome() {
   folder_ = fs::temp_directory_path() / fmt::format("strobe_session_{}_{}", ::getpid(), count++);
   for (const char* part : {"passes", "shaders", "scripts"}) {
     fs::create_directories(folder_ / part);
-    fs::copy(Path(STROBE_SOURCE_DIR) / part, folder_ / part, fs::copy_options::recursive);
+    fs::copy(sourceFolder() / part, folder_ / part, fs::copy_options::recursive);
   }
   ::setenv("STROBE_HOME", folder_.c_str(), 1);
 }

@@ -4,6 +4,7 @@
 // with others needs a line in `kContexts`.
 #include <random>
 
+#include "common/source.h"
 #include "lab/demo.h"
 #include "lab/record.h"
 #include "plan/canonical.h"
@@ -103,14 +104,14 @@ const std::map<std::string, std::string> kNoPicture = {
 Shot shotIn(const std::string& pipeline, const Settings& context) {
   Shot shot;
   shot.pipeline = pipeline;
-  shot.scene = (Path(STROBE_SOURCE_DIR) / "tests/oracle/scenes/crowd.lua").string();
+  shot.scene = (sourceFolder() / "tests/oracle/scenes/crowd.lua").string();
   shot.width = 64;
   shot.height = 40;
   shot.frame = 0;
   for (const std::string& setting : context) {
     size_t equals = setting.find('=');
     std::string name = setting.substr(0, equals), value = setting.substr(equals + 1);
-    if (name == "scene") shot.scene = (Path(STROBE_SOURCE_DIR) / "tests/oracle/scenes" / (value + ".lua")).string();
+    if (name == "scene") shot.scene = (sourceFolder() / "tests/oracle/scenes" / (value + ".lua")).string();
     else if (name == "frame") shot.frame = std::stoi(value);
     else if (name == "anchor") shot.anchor = value;
     else if (name == "slide") shot.moves = {"camera=" + value + ",0,0"};

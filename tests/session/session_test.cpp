@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A running shot: what changing values and looking at pictures does and does not do.
+#include "common/source.h"
 #include "lab/record.h"
 #include "session/home.h"
 
@@ -167,7 +168,7 @@ return pass.compute {
 }
 )");
   home_.write("scripts/pipelines/running_mean.lua",
-              readText(Path(STROBE_SOURCE_DIR) / "tests/session/pipelines/running_mean.lua"));
+              readText(sourceFolder() / "tests/session/pipelines/running_mean.lua"));
   Session session(bench(), smallShot("running_mean"));
   auto weight = [&] { return session.draw().outputs.at("sum").floats.values[3]; };
   EXPECT_EQ(weight(), 1);

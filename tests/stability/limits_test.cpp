@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "common/source.h"
 #include "oracle/render.h"
 #include "scene/fits.h"
 
@@ -137,7 +138,7 @@ TEST(DeviceLimits, AreNamedBeforeAnythingIsAllocated) {
 
 TEST(LimitTable, SaysEveryLimitOnce) {
   std::string sources;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(Path(STROBE_SOURCE_DIR) / "runtime"))
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(sourceFolder() / "runtime"))
     if (entry.path().extension() == ".cpp") sources += readText(entry.path());
   for (const Limit& limit : limits()) {
     bool said = limit.kind == Limit::Kind::Known || sources.find("\"" + limit.name + "\",") != std::string::npos;

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: MIT
+# Read by ctest when it starts. Each suite of a test program becomes one test "ROOM.SUITE", which runs in one process: its
+# tests share a device and what was compiled for them. A suite that takes longer than `share_s` (costs.txt) is divided
+# into shards, "ROOM.SUITE (1 of 3)". The longest start first.
+# What each process ran is written to results/, for `./strobe test` to count (common/report.cpp).
+cmake_minimum_required(VERSION 3.25)
+
+set(share_s 30)
+file(STRINGS "${CMAKE_CURRENT_LIST_DIR}/costs.txt" costs REGEX "^[^#]")
+
+# Processor seconds of a suite, and how many shards it makes.
+function(cost_of test tests cost shards)
+  set(seconds 1)
+  foreach(line IN LISTS costs)
+    if(line MATCHES "^([0-9]+) (.*)$" AND CMAKE_MATCH_2 STREQUAL test)
+      set(seconds ${CMAKE_MATCH_1})
+    endif()
+  endforeach()
+  math(EXPR count "(${seconds} + ${share_s} - 1) / ${share_s}")
+  if(count GREATER tests)
+    set(count ${tests})
+  endif()
+  math(EXPR each "${seconds} / ${count}")
+  set(${cost} ${each} PARENT_SCOPE)
+  set(${shards} ${count} PARENT_SCOPE)
+endfunction()
+
+function(add_suite room suite tests program strobe folder)
+  cost_of("${room}.${suite}" ${tests} cost shards)
+  foreach(shard RANGE 1 ${shards})
+    set(name "${room}.${suite}")
+    if(shards GREATER 1)
+      string(APPEND name " (${shard} of ${shards})")
+    endif()
+    math(EXPR index "${shard} - 1")
+    string(MAKE_C_IDENTIFIER "${name}" file)
+    add_test("${name}" "${program}" "--gtest_filter=${suite}.*")
+    set_tests_properties("${name}" PROPERTIES TIMEOUT 1200 COST ${cost} ENVIRONMENT
+      "STROBE_PROGRAM=${strobe};STROBE_TEST_RESULTS=${folder}/results/${file}.txt;GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}")
+  endforeach()
+endfunction()
+
+# The suites of a program, in the order in which it lists them.
+function(add_suites room program strobe folder)
+  execute_process(COMMAND "${program}" --gtest_list_tests OUTPUT_VARIABLE text RESULT_VARIABLE code TIMEOUT 60)
+  if(NOT code EQUAL 0)
+    add_test("${room}.not_built" "${program}")
+    return()
+  endif()
+  string(REGEX REPLACE "[^\n]*gtest_main.cc\n" "" text "${text}")
+  string(REGEX REPLACE "#[^\n]*" "" text "${text}")
+  string(REPLACE "\n" ";" lines "${text}")
+  set(suite "")
+  foreach(line IN LISTS lines ITEMS "end.")
+    if(line MATCHES "^ ")
+      math(EXPR tests "${tests} + 1")
+      continue()
+    endif()
+    if(suite)
+      add_suite(${room} "${suite}" ${tests} "${program}" "${strobe}" "${folder}")
+    endif()
+    string(REGEX REPLACE "\\. *$" "" suite "${line}")
+    set(tests 0)
+  endforeach()
+endfunction()
