@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/utf8.h"
 #include "image/draw.h"
 
 #define STBTT_STATIC
@@ -41,19 +42,6 @@ const Font& font() {
   return loaded;
 }
 
-// The code points of UTF-8; a byte that begins none stands for itself.
-std::vector<int> codePoints(const std::string& text) {
-  std::vector<int> points;
-  for (size_t i = 0; i < text.size();) {
-    unsigned char lead = static_cast<unsigned char>(text[i++]);
-    int following = lead >= 0xf0 ? 3 : lead >= 0xe0 ? 2 : lead >= 0xc0 ? 1 : 0;
-    int point = following ? lead & (0x3f >> following) : lead;
-    while (following-- > 0 && i < text.size()) point = point << 6 | (text[i++] & 0x3f);
-    points.push_back(point);
-  }
-  return points;
-}
-
 struct Glyph {
   int point;
   float x;  // pen position in pixels
@@ -62,7 +50,8 @@ struct Glyph {
 // Pen positions from 0; `end` is where the next glyph would stand.
 std::vector<Glyph> layOut(const std::string& text, float scale, float& end) {
   std::vector<Glyph> glyphs;
-  std::vector<int> points = codePoints(text);
+  std::vector<int> points;
+  for (char32_t point : codePoints(text)) points.push_back(static_cast<int>(point));
   end = 0;
   for (size_t i = 0; i < points.size(); ++i) {
     glyphs.push_back({points[i], end});

@@ -6,20 +6,15 @@
 #include "base/error.h"
 #include "lab/html.h"
 #include "lab/html_parts.h"
-#include "stability/chart.h"
+#include "page/chart.h"
+#include "page/number.h"
+#include "page/templates.h"
 
 namespace strobe::stability::curves {
 
 using lab::escaped;
-
-std::string shownShare(double share) {
-  if (std::isnan(share)) return "–";
-  double percent = 100 * share;
-  if (percent == 0) return "0 %";
-  if (percent < 1e-3) return fmt::format("{:.1e} %", percent);
-  int digits = std::max(0, 2 - int(std::floor(std::log10(percent))));
-  return fmt::format("{:.{}f} %", percent, digits);
-}
+using page::shownNumber;
+using page::shownShare;
 
 namespace {
 
@@ -157,18 +152,18 @@ std::string regionText(const std::string& region) {
   return "outer: pixels before which something nearer passes";
 }
 
-Scale::Kind scaleOf(const std::string& name) {
-  return name == "linear" ? Scale::Kind::linear : name == "even" ? Scale::Kind::even : Scale::Kind::log;
+page::Scale::Kind scaleOf(const std::string& name) {
+  using Kind = page::Scale::Kind;
+  return name == "linear" ? Kind::linear : name == "even" ? Kind::even : Kind::log;
 }
 
-ChartLine methodLine(const Report& report, const ReportAxis& axis, size_t method, size_t region) {
-  ChartLine line{report.methods[method], int(method), {}};
+page::Series methodLine(const Report& report, const ReportAxis& axis, size_t method, size_t region) {
+  page::Series line{report.methods[method], int(method), {}};
   Trusted usual = trustedOf(report, axis, method, Measure::own);
   for (size_t i = 0; i < axis.points.size(); ++i) {
     const ReportPoint& point = axis.points[i];
     const Measured& measured = point.methods[method];
-    ChartPoint drawn{point.value, measured.rmse[region] / axis.contrast};
-    drawn.y *= 100;
+    page::Point drawn{point.value, 100 * measured.rmse[region] / axis.contrast};
     drawn.hollow = !measured.limits.empty();
     drawn.faint = !usual.holds(i);
     drawn.tip =
@@ -180,22 +175,25 @@ ChartLine methodLine(const Report& report, const ReportAxis& axis, size_t method
   return line;
 }
 
-Chart chartOf(const Report& report, const ReportAxis& axis, size_t region) {
-  Chart chart;
-  chart.x_title = axis.title + ", " + axis.unit;
-  chart.y_title = "error, share of contrast";
-  chart.x_scale = scaleOf(axis.scale);
-  chart.benign = axis.benign;
+page::Chart chartOf(const Report& report, const ReportAxis& axis, size_t region) {
+  page::Chart chart;
+  chart.x = {axis.title + ", " + axis.unit, scaleOf(axis.scale)};
+  chart.y = {"error, share of contrast", page::Scale::Kind::log, " %", true, 4};
+  chart.guides = {{axis.benign, "what the other axes use"}};
   chart.about = fmt::format("Error of each method against {}, region {}; the numbers are in the table below",
-                            chart.x_title, kRegions[region]);
-  ChartLine floor{report.floor, kFloorStyle, {}}, sigma{"truth ±", kErrorStyle, {}};
+                            chart.x.title, kRegions[region]);
+  page::Series floor{report.floor, page::kReferenceStyle, {}}, sigma{"truth ±", page::kUncertaintyStyle, {}};
+  page::Series band{"", page::kReferenceStyle, {}, page::Series::Kind::band};
   for (const ReportPoint& point : axis.points) {
-    floor.points.push_back({point.value, 100 * point.floor.rmse[region] / axis.contrast});
+    double least = 100 * point.floor.rmse[region] / axis.contrast;
+    floor.points.push_back({point.value, least});
     sigma.points.push_back({point.value, 100 * point.sigma[region] / axis.contrast});
+    page::Point allowed{point.value, least};
+    if (!std::isnan(least)) allowed.y_range = {-INFINITY, report.factor * least};
+    band.points.push_back(allowed);
   }
-  chart.band = report.factor;
-  chart.lines = {sigma, floor};
-  for (size_t m = 0; m < report.methods.size(); ++m) chart.lines.push_back(methodLine(report, axis, m, region));
+  chart.series = {band, sigma, floor};
+  for (size_t m = 0; m < report.methods.size(); ++m) chart.series.push_back(methodLine(report, axis, m, region));
   return chart;
 }
 
@@ -313,7 +311,8 @@ std::string Page::text() {
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
       escaped(report_.title) + "</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>" + lab::kPageStyle +
-      kChartStyle + kOwnStyle + "</style>\n</head>\n<body>\n<h1>" + escaped(report_.title) + "</h1>\n";
+      std::string(page::asset("chart.css")) + kOwnStyle + "</style>\n</head>\n<body>\n<h1>" + escaped(report_.title) +
+      "</h1>\n";
   paragraph(report_.note);
   paragraph(howErrors(report_) + " " + deviceOf(report_), "soft");
   page_ += "<nav>";

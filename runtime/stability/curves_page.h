@@ -15,9 +15,6 @@ std::string markdownOf(const Report& report, const std::string& page);
 // Where each method stops, aligned.
 std::string textOf(const Report& report);
 
-// A share as percents with three digits, "0.0123 %"; "–" for NaN.
-std::string shownShare(double share);
-
 // `text` with {LABEL @ VALUE} replaced by the error of that method, the floor or truth's standard error ("truth")
 // there, {from LABEL} and {to LABEL} by the ends of where the method keeps its usual error. Throws `Error` for anything
 // else in braces.

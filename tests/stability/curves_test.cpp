@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Reports of extremes: where values lie along an axis, where a method is trusted, that what is measured is what closed
-// forms say, and that the report in docs/ is made of its own numbers.
+// Reports of extremes: where a method is trusted, that what is measured is what closed forms say, and that the report in
+// docs/ is made of its own numbers.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include "base/files.h"
 #include "oracle/render.h"
-#include "stability/chart.h"
 #include "stability/curves_page.h"
 #include "stability/curves_run.h"
 
@@ -18,103 +16,6 @@ namespace strobe::stability::curves {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-
-// ---- scales
-
-std::vector<std::string> labelsOf(const Scale& scale) {
-  std::vector<std::string> labels;
-  for (const Tick& tick : scale.ticks())
-    if (!tick.label.empty()) labels.push_back(tick.label);
-  return labels;
-}
-
-TEST(Scale, LogarithmicPlacesAndTicks) {
-  Scale scale(Scale::Kind::log, {1e-6, 1, 1e6});
-  EXPECT_DOUBLE_EQ(scale.at(1e-6), 0);
-  EXPECT_DOUBLE_EQ(scale.at(1), 0.5);
-  EXPECT_DOUBLE_EQ(scale.at(1000), 0.75);
-  EXPECT_DOUBLE_EQ(scale.at(1e9), 1) << "clamped";
-  std::vector<std::string> labels = labelsOf(scale);
-  ASSERT_EQ(labels.size(), 13u);
-  EXPECT_EQ(labels.front(), "10⁻⁶");
-  EXPECT_EQ(labels[3], "0.001");
-  EXPECT_EQ(labels[10], "10000");
-  EXPECT_EQ(labels.back(), "10⁶");
-}
-
-TEST(Scale, SmallTicksLieAtTheirLogarithms) {
-  for (const Tick& tick : Scale(Scale::Kind::log, {1, 1000}).ticks()) {
-    double value = std::pow(10.0, 3 * tick.at), power = std::pow(10.0, std::floor(std::log10(value) + 1e-9));
-    EXPECT_NEAR(value / power, std::round(value / power), 1e-9);
-    EXPECT_EQ(tick.label.empty(), std::round(value / power) != 1) << value;
-  }
-  EXPECT_EQ(labelsOf(Scale(Scale::Kind::log, {10, 100})), (std::vector<std::string>{"10", "20", "50", "100"}));
-}
-
-TEST(Scale, ZeroHasAPlaceOfItsOwn) {
-  Scale scale(Scale::Kind::log, {0, 1, 100});
-  EXPECT_TRUE(scale.hasZero());
-  EXPECT_EQ(scale.at(0), 0);
-  EXPECT_DOUBLE_EQ(scale.at(1), scale.gap());
-  EXPECT_DOUBLE_EQ(scale.at(10), scale.gap() + (1 - scale.gap()) / 2);
-  EXPECT_EQ(labelsOf(scale).front(), "0");
-}
-
-TEST(Scale, RoundedReachesToOneAndThreeTimesPowersOfTen) {
-  Scale scale(Scale::Kind::log, {0.04, 25}, true);
-  EXPECT_DOUBLE_EQ(scale.at(0.03), 0);
-  EXPECT_DOUBLE_EQ(scale.at(30), 1);
-  EXPECT_NEAR(scale.at(0.95), 0.5, 0.002);  // sqrt(0.03 * 30) = 0.949
-}
-
-TEST(Scale, LinearAndEven) {
-  Scale linear(Scale::Kind::linear, {0, 7.5, 90});
-  EXPECT_DOUBLE_EQ(linear.at(22.5), 0.25);
-  EXPECT_EQ(labelsOf(linear), (std::vector<std::string>{"0", "15", "30", "45", "60", "75", "90"}));
-  Scale even(Scale::Kind::even, {0, 60, 89, 89.5, 89.9});
-  EXPECT_DOUBLE_EQ(even.at(89), 0.5);
-  EXPECT_EQ(labelsOf(even), (std::vector<std::string>{"0", "60", "89", "89.5", "89.9"}));
-}
-
-TEST(Scale, NumbersAsPeopleWriteThem) {
-  EXPECT_EQ(shownNumber(0), "0");
-  EXPECT_EQ(shownNumber(12.8), "12.8");
-  EXPECT_EQ(shownNumber(1e7), "10⁷");
-  EXPECT_EQ(shownNumber(3e-6), "3·10⁻⁶");
-}
-
-// ---- charts
-
-TEST(Chart, APointLiesWhereItsValuesSay) {
-  Chart chart;
-  chart.x_title = "speed & <more>";
-  chart.benign = 10;
-  chart.lines = {
-      {"one", 0, {{1, 1, "low", false, false}, {10, 10, "middle", true, false}, {100, 100, "high", false, true}}}};
-  std::string svg = svgOf(chart, 940, 430);
-  // The plot is 664 px wide and 362 high, 12 of which are its inset: the middle of both axes.
-  EXPECT_NE(svg.find("<circle cx=\"408.0\" cy=\"195.0\" r=\"4.2\" class=\"hollow\"><title>middle</title>"),
-            std::string::npos)
-      << svg;
-  EXPECT_NE(svg.find("M88.0 364.0L408.0 195.0"), std::string::npos) << "the first step is drawn at full strength";
-  EXPECT_NE(svg.find("class=\"faint\" d=\"M408.0 195.0L728.0 26.0\""), std::string::npos) << svg;
-  EXPECT_NE(svg.find("speed &amp; &lt;more&gt;"), std::string::npos);
-  EXPECT_EQ(svg.find("nan"), std::string::npos);
-}
-
-TEST(Chart, MarksDifferByMethod) {
-  std::set<std::string> shapes;
-  for (int style = 0; style < kStyles; ++style) {
-    Chart chart;
-    chart.lines = {{"one", style, {{1, 1}, {10, 2}}}};
-    std::string svg = svgOf(chart);
-    size_t at = svg.find("class=\"m" + std::to_string(style) + "\"><path d=");
-    ASSERT_NE(at, std::string::npos);
-    size_t mark = svg.find("/>", at) + 2;
-    shapes.insert(svg.substr(mark, svg.find("</", mark) - mark));
-  }
-  EXPECT_EQ(shapes.size(), size_t(kStyles));
-}
 
 // ---- reports
 

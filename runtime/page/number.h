@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Numbers as people read them: in tables, beside marks, along axes.
+#pragma once
+
+#include <string>
+
+namespace strobe::page {
+
+// Shown where nothing was measured.
+inline constexpr const char* kNotMeasured = "–";
+
+// An error of linear values (RMSE, FLIP): five decimals, so that a column of them lines up; "1.2e-05" below 0.0001;
+// NaN as kNotMeasured.
+std::string shownError(double value);
+
+// A share of 1 as a percentage of three significant digits; NaN as kNotMeasured.
+std::string shownShare(double share);
+
+// "9.12 ms", "12 ms"; NaN as kNotMeasured.
+std::string shownMs(double ms);
+
+// A round number, as along an axis: "0.01", "1000", "3·10⁻⁶".
+std::string shownNumber(double value);
+
+}  // namespace strobe::page

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "page/page.h"
+
+#include <algorithm>
+#include <map>
+
+#include "base/error.h"
+#include "page/markup.h"
+#include "page/templates.h"
+
+namespace strobe::page {
+
+std::string base64(std::string_view bytes) {
+  static const char* const kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (size_t i = 0; i < bytes.size(); i += 3) {
+    uint32_t word = 0;
+    size_t count = std::min<size_t>(3, bytes.size() - i);
+    for (size_t k = 0; k < 3; ++k) word = word << 8 | (k < count ? uint8_t(bytes[i + k]) : 0);
+    for (size_t k = 0; k < 4; ++k) text += k <= count ? kLetters[word >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+namespace {
+
+// Makes HTML of blocks, each by the template of its kind.
+class Writer {
+ public:
+  std::string blocks(const std::vector<Block>& blocks) {
+    for (const Block& block : blocks) remember(block);
+    std::string html;
+    for (const Block& block : blocks) html += std::visit([this](const auto& one) { return written(one); }, block);
+    return html;
+  }
+  bool compares() const { return compares_; }
+
+ private:
+  void remember(const Block& block) {
+    if (const auto* pictures = std::get_if<Pictures>(&block))
+      for (const Picture& picture : pictures->pictures)
+        if (!picture.name.empty())
+          STROBE_ASSERT(captions_.emplace(picture.name, picture.caption).second, "{}", picture.name);
+  }
+
+  std::string written(const Heading& heading) {
+    return rendered(
+        "heading.mustache",
+        {{"level", std::clamp(heading.level, 2, 4)}, {"id", heading.id}, {"text_html", inlineHtml(heading.text)}});
+  }
+
+  std::string written(const Paragraph& paragraph) {
+    static const char* const kClasses[] = {"", "soft", "finding", "finding failure"};
+    if (paragraph.text.empty()) return "";
+    return rendered("paragraph.mustache",
+                    {{"classes", kClasses[int(paragraph.kind)]}, {"text_html", inlineHtml(paragraph.text)}});
+  }
+
+  std::string written(const Table& table) { return htmlOf(table); }
+
+  std::string written(const Figure& figure) {
+    return rendered("figure.mustache", {{"svg", figure.svg}, {"caption_html", inlineHtml(figure.caption)}});
+  }
+
+  std::string written(const Pictures& pictures) {
+    Json list = Json::array();
+    for (const Picture& picture : pictures.pictures)
+      list.push_back({{"id", picture.name},
+                      {"width", picture.width},
+                      {"height", picture.height},
+                      {"alt", picture.alt.empty() ? inlinePlain(picture.caption) : picture.alt},
+                      {"data", base64(picture.png)},
+                      {"caption_html", inlineHtml(picture.caption)}});
+    return rendered("pictures.mustache", {{"pixels", pictures.pixels}, {"pictures", list}});
+  }
+
+  std::string written(const Comparison& comparison) {
+    compares_ = true;
+    Json others = Json::array();
+    const std::string& chosen = comparison.chosen.empty() ? comparison.others.at(0) : comparison.chosen;
+    for (const std::string& name : comparison.others)
+      others.push_back({{"id", name}, {"label", captionOf(name)}, {"chosen", name == chosen}});
+    return rendered("comparison.mustache", {{"reference", comparison.reference},
+                                            {"reference_label", captionOf(comparison.reference)},
+                                            {"others", others}});
+  }
+
+  std::string written(const Code& code) { return rendered("code.mustache", {{"text", code.text}}); }
+
+  std::string written(const Details& details) {
+    std::string inside = blocks(details.blocks);
+    return rendered("details.mustache", {{"summary_html", inlineHtml(details.summary)}, {"blocks_html", inside}});
+  }
+
+  std::string captionOf(const std::string& name) const {
+    auto found = captions_.find(name);
+    STROBE_ASSERT(found != captions_.end(), "no picture '{}' before or beside its comparison", name);
+    return inlinePlain(found->second);
+  }
+
+  std::map<std::string, std::string> captions_;  // of pictures, by name
+  bool compares_ = false;
+};
+
+Json navigationOf(const Page& page) {
+  Json links = Json::array();
+  for (const Block& block : page.blocks)
+    if (const auto* heading = std::get_if<Heading>(&block))
+      if (heading->level == 2 && !heading->id.empty())
+        links.push_back({{"id", heading->id}, {"text_html", inlineHtml(heading->text)}});
+  return links;
+}
+
+}  // namespace
+
+std::string htmlOf(const Page& page) {
+  Writer writer;
+  Json json = {{"title", inlinePlain(page.title)},          {"title_html", inlineHtml(page.title)},
+               {"note_html", inlineHtml(page.note)},        {"links", navigationOf(page)},
+               {"blocks_html", writer.blocks(page.blocks)}, {"footer", Json::array()}};
+  for (const std::string& text : page.footer) json["footer"].push_back({{"text_html", inlineHtml(text)}});
+  json["navigation"] = json["links"].size() > 1;
+  json["style"] = std::string(asset("page.css")) + std::string(asset("chart.css"));
+  json["script"] = writer.compares() ? std::string(asset("comparison.js")) : "";
+  return rendered("page.mustache", json);
+}
+
+}  // namespace strobe::page

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: MIT
+// What a chart draws lies where its scales say, and its series differ without colour. The pictures are read as elements
+// with attributes.
+#include "page/chart.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "page/heat_map.h"
+#include "page/templates.h"
+
+namespace strobe::page {
+namespace {
+
+struct Element {
+  std::string name;
+  std::map<std::string, std::string> attributes;
+  std::string group;  // class of the innermost <g>
+  std::string text;   // up to the next element
+  double number(const std::string& attribute) const { return std::stod(attributes.at(attribute)); }
+  std::string kind() const { return attributes.count("class") ? attributes.at("class") : ""; }
+};
+
+std::vector<Element> elementsOf(const std::string& svg) {
+  static const std::regex tag(R"rx(<(/?)([a-z]+)([^>]*?)/?>([^<]*))rx"), attribute(R"rx(([a-z-]+)="([^"]*)")rx");
+  std::vector<Element> elements;
+  std::vector<std::string> groups = {""};
+  for (std::sregex_iterator at(svg.begin(), svg.end(), tag), end; at != end; ++at) {
+    Element element{(*at)[2], {}, "", (*at)[4]};
+    if ((*at)[1] == "/") {
+      if (element.name == "g") groups.pop_back();
+      continue;
+    }
+    std::string inside = (*at)[3];
+    for (std::sregex_iterator a(inside.begin(), inside.end(), attribute); a != end; ++a)
+      element.attributes[(*a)[1]] = (*a)[2];
+    if (element.name == "g") groups.push_back(element.kind());
+    element.group = groups.back();
+    elements.push_back(element);
+  }
+  return elements;
+}
+
+std::vector<Element> those(const std::string& svg, const std::string& name, const std::string& kind = "") {
+  std::vector<Element> found;
+  for (const Element& element : elementsOf(svg))
+    if (element.name == name && element.kind() == kind) found.push_back(element);
+  return found;
+}
+
+// The places a path visits, of the absolute commands M, L, H and V.
+std::vector<std::array<double, 2>> visited(const std::string& d) {
+  static const std::regex command(R"rx(([MLHVmhv])\s*(-?[0-9.]+)[ ,]?(-?[0-9.]+)?)rx");
+  std::vector<std::array<double, 2>> places;
+  std::array<double, 2> pen = {0, 0};
+  for (std::sregex_iterator at(d.begin(), d.end(), command), end; at != end; ++at) {
+    char letter = (*at)[1].str()[0];
+    if (std::islower(static_cast<unsigned char>(letter))) continue;
+    double first = std::stod((*at)[2]);
+    if (letter == 'H') pen[0] = first;
+    else if (letter == 'V') pen[1] = first;
+    else pen = {first, std::stod((*at)[3])};
+    places.push_back(pen);
+  }
+  return places;
+}
+
+Chart withAxes() {
+  Chart chart;
+  chart.x = {"speed & <more>", Scale::Kind::log};
+  chart.y = {"error", Scale::Kind::log};
+  return chart;
+}
+
+TEST(Chart, APointLiesWhereItsValuesSay) {
+  Chart chart = withAxes();
+  chart.guides = {{10, "here"}};
+  chart.series = {{"one", 0, {{1, 1, "low"}, {10, 10, "middle", true}, {100, 100, "high", false, true}}}};
+  std::string svg = svgOf(chart);
+  Frame frame = frameOf(chart);
+  // Both axes reach over two powers of ten.
+  EXPECT_DOUBLE_EQ(frame.px(10), (frame.px(1) + frame.px(100)) / 2);
+  EXPECT_DOUBLE_EQ(frame.py(10), (frame.py(1) + frame.py(100)) / 2);
+  std::vector<Element> hollow = those(svg, "circle", "hollow");
+  ASSERT_EQ(hollow.size(), 1u);
+  EXPECT_NEAR(hollow[0].number("cx"), frame.px(10), 0.06);
+  EXPECT_NEAR(hollow[0].number("cy"), frame.py(10), 0.06);
+  auto faint = visited(those(svg, "path", "faint").at(0).attributes["d"]);
+  ASSERT_EQ(faint.size(), 2u);
+  EXPECT_NEAR(faint[0][0], frame.px(10), 0.06);
+  EXPECT_NEAR(faint[1][1], frame.py(100), 0.06);
+  EXPECT_NEAR(visited(those(svg, "path", "guide").at(0).attributes["d"]).at(0)[0], frame.px(10), 0.06);
+  EXPECT_NE(svg.find("speed &amp; &lt;more&gt;"), std::string::npos);
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+}
+
+TEST(Chart, SmallValuesLieOnTheBorderOfDecades) {
+  Chart chart = withAxes();
+  chart.y.decades = 2;
+  chart.series = {{"", 0, {{1, 100}, {2, 1}, {3, 1e-9}, {4, 0}}}};
+  Frame frame = frameOf(chart);
+  EXPECT_DOUBLE_EQ(frame.py(1e-9), frame.py(1));
+  EXPECT_DOUBLE_EQ(frame.py(0), frame.py(1));
+  EXPECT_FALSE(frame.y().hasZero());
+}
+
+TEST(Chart, AGapInALineStaysOne) {
+  Chart chart = withAxes();
+  chart.series = {{"", 0, {{1, 1}, {2, 2}, {3, kNone}, {4, 4}, {5, 5}}}};
+  std::string svg = svgOf(chart);
+  EXPECT_EQ(those(svg, "circle").size(), 4u);
+  std::string d;
+  for (const Element& path : those(svg, "path"))
+    if (path.group == "s0") d = path.attributes.at("d");
+  EXPECT_EQ(std::count(d.begin(), d.end(), 'M'), 2) << d;
+}
+
+// Along a front one goes to the next x first, at the y that has been reached: no corner is better than a point.
+TEST(Chart, AFrontIsAStair) {
+  Chart chart;
+  chart.series = {{"front", kFrontStyle, {{1, 5}, {2, 3}, {4, 1}}, Series::Kind::line, true}};
+  std::string svg = svgOf(chart);
+  Frame frame = frameOf(chart);
+  std::vector<std::array<double, 2>> expected = {{1, 5}, {2, 5}, {2, 3}, {4, 3}, {4, 1}}, places;
+  for (const Element& path : those(svg, "path"))
+    if (path.group == "front" && places.empty()) places = visited(path.attributes.at("d"));
+  ASSERT_EQ(places.size(), expected.size());
+  for (size_t i = 0; i < places.size(); ++i) {
+    EXPECT_NEAR(places[i][0], frame.px(expected[i][0]), 0.06);
+    EXPECT_NEAR(places[i][1], frame.py(expected[i][1]), 0.06);
+  }
+}
+
+TEST(Chart, ErrorBarsReachWhereTheyShouldInBothDirections) {
+  Chart chart;
+  Point point{2, 3};
+  point.x_range = {1, 4};
+  point.y_range = {2, 6};
+  chart.series = {{"one", 1, {point}, Series::Kind::scatter}};
+  std::string svg = svgOf(chart);
+  Frame frame = frameOf(chart);
+  EXPECT_DOUBLE_EQ(frame.y().at(2), 0) << "the axis reaches to the ends of error bars";
+  EXPECT_DOUBLE_EQ(frame.y().at(6), 1);
+  EXPECT_DOUBLE_EQ(frame.x().at(1), 0);
+  EXPECT_DOUBLE_EQ(frame.x().at(4), 1);
+  auto places = visited(those(svg, "path", "error").at(0).attributes["d"]);
+  auto reached = [&](double x, double y) {
+    return std::any_of(places.begin(), places.end(), [&](const auto& place) {
+      return std::abs(place[0] - frame.px(x)) < 0.06 && std::abs(place[1] - frame.py(y)) < 0.06;
+    });
+  };
+  EXPECT_TRUE(reached(2, 2));
+  EXPECT_TRUE(reached(2, 6));
+  EXPECT_TRUE(reached(1, 3));
+  EXPECT_TRUE(reached(4, 3));
+}
+
+TEST(Chart, ABandFillsWhatItsPointsEnclose) {
+  Chart chart;
+  Series band{"sure", 2, {{1, 0}, {3, 0}}, Series::Kind::band};
+  band.points[0].y_range = {-INFINITY, 4};
+  band.points[1].y_range = {2, 5};
+  chart.series = {band, {"", 0, {{1, 1}, {3, 6}}}};
+  std::string svg = svgOf(chart);
+  Frame frame = frameOf(chart);
+  auto places = visited(those(svg, "path", "band").at(0).attributes["d"]);
+  ASSERT_EQ(places.size(), 4u);
+  EXPECT_NEAR(places[0][1], frame.py(4), 0.06);
+  EXPECT_NEAR(places[1][1], frame.py(5), 0.06);
+  EXPECT_NEAR(places[2][1], frame.py(2), 0.06);
+  EXPECT_NEAR(places[3][1], frame.bottom(), 0.06) << "-infinity is the border";
+}
+
+Chart bars(Scale::Kind y) {
+  Chart chart;
+  chart.x.kind = Scale::Kind::slots;
+  chart.x.names = {"a", "b", "c"};
+  chart.y.kind = y;
+  chart.series = {{"one", 1, {{0, 2}, {1, 4}, {2, 8}}, Series::Kind::bar},
+                  {"two", 2, {{0, 1}, {1, kNone}, {2, 3}}, Series::Kind::bar}};
+  return chart;
+}
+
+TEST(Chart, BarsStandOnZeroBesideEachOther) {
+  Chart chart = bars(Scale::Kind::linear);
+  Frame frame = frameOf(chart);
+  std::vector<Element> drawn;
+  for (const Element& bar : those(svgOf(chart), "rect", "bar"))
+    if (bar.number("x") < frame.right()) drawn.push_back(bar);
+  ASSERT_EQ(drawn.size(), 5u) << "a bar per number";
+  for (const Element& bar : drawn) EXPECT_NEAR(bar.number("y") + bar.number("height"), frame.py(0), 0.11);
+  EXPECT_NEAR(drawn[2].number("height"), 4 * drawn[0].number("height"), 0.3) << "8 is 4 times 2";
+  EXPECT_GE(drawn[3].number("x"), drawn[0].number("x") + drawn[0].number("width")) << "side by side";
+  double middle = (drawn[0].number("x") + drawn[3].number("x") + drawn[3].number("width")) / 2;
+  EXPECT_NEAR(middle, frame.px(0), 0.2) << "about the middle of their slot";
+}
+
+TEST(Chart, BarsOfALogarithmicAxisStandOnItsBorder) {
+  Chart chart = bars(Scale::Kind::log);
+  Frame frame = frameOf(chart);
+  for (const Element& bar : those(svgOf(chart), "rect", "bar")) {
+    if (bar.number("x") > frame.right()) continue;
+    EXPECT_NEAR(bar.number("y") + bar.number("height"), frame.bottom(), 0.11);
+  }
+}
+
+TEST(Chart, NamesDoNotCoverEachOther) {
+  Chart chart;
+  Series series{"", 1, {}, Series::Kind::scatter};
+  for (double x : {1.0, 1.01, 5.0}) {
+    series.points.push_back({x, 2});
+    series.points.back().name = "a long name";
+  }
+  chart.series = {series, {"", 0, {{-4, 2}}}};
+  std::vector<Element> names = those(svgOf(chart), "text", "name s1");
+  ASSERT_EQ(names.size(), 3u);
+  bool other_side = names[0].attributes.count("text-anchor") != names[1].attributes.count("text-anchor");
+  EXPECT_TRUE(other_side || std::abs(names[0].number("y") - names[1].number("y")) >= 15);
+}
+
+TEST(Chart, MarksAndHatchesDifferByStyle) {
+  std::set<std::string> shapes, hatches;
+  for (int style = 0; style < kStyles; ++style) {
+    Svg svg(10, 10, "");
+    svg.mark(style, 5, 5);
+    std::string shape = svg.finished();
+    shapes.insert(shape);
+    Svg hatched(10, 10, "");
+    hatched.hatch(style, 0, 0, 40, 40);
+    hatches.insert(hatched.finished());
+  }
+  EXPECT_EQ(shapes.size(), size_t(kStyles));
+  EXPECT_EQ(hatches.size(), size_t(kStyles));
+}
+
+TEST(Chart, EveryClassHasAStyle) {
+  Chart chart = withAxes();
+  Point point{1, 0, "", true};
+  point.y_range = {0.5, 2};
+  chart.guides = {{3, ""}};
+  for (Series::Kind kind : {Series::Kind::line, Series::Kind::band, Series::Kind::scatter, Series::Kind::bar})
+    for (int style = kFrontStyle; style < kStyles; ++style)
+      chart.series.push_back({"x", style, {point, {2, 2, "", false, true}, {3, 1}}, kind});
+  HeatMap map{"", "", "", "", {"a"}, {"b"}, {{1}}};
+  map.mark_smallest = true;
+  std::string style(asset("chart.css"));
+  std::set<std::string> missing;
+  for (const std::string& svg : {svgOf(chart), svgOf(map)})
+    for (const Element& element : elementsOf(svg)) {
+      std::string classes = element.kind();
+      size_t space = classes.find(' ');
+      for (const std::string& one : {classes.substr(0, space), space < classes.size() ? classes.substr(space + 1) : ""})
+        if (!one.empty() && style.find("." + one) == std::string::npos) missing.insert(one);
+    }
+  missing.erase("label");
+  EXPECT_TRUE(missing.empty()) << *missing.begin();
+}
+
+// ---- heat maps
+
+HeatMap heat() {
+  HeatMap map{"about", "columns", "rows", "value", {"x0", "x1", "x2"}, {"top", "low"}, {{1, 10, 100}, {5, kNone, 0.5}}};
+  map.scale = Scale::Kind::log;
+  return map;
+}
+
+TEST(HeatMap, StepsFollowTheScale) {
+  Scale scale(Scale::Kind::log, {1, 1000});
+  EXPECT_EQ(stepOf(scale, 1), 0);
+  EXPECT_EQ(stepOf(scale, 1000), kSteps - 1);
+  EXPECT_EQ(stepOf(scale, std::pow(10, 3 * 4.5 / kSteps)), 4);
+}
+
+TEST(HeatMap, CellsLieByRowAndColumn) {
+  std::string svg = svgOf(heat());
+  std::vector<Element> cells;
+  for (const Element& cell : those(svg, "rect", "cell"))
+    if (cells.size() < 6) cells.push_back(cell);
+  ASSERT_EQ(cells.size(), 6u);
+  for (int i = 1; i < 3; ++i) {
+    EXPECT_NEAR(cells[size_t(i)].number("x") - cells[size_t(i - 1)].number("x"), cells[0].number("width") + 1.5, 0.21);
+    EXPECT_EQ(cells[size_t(i)].number("y"), cells[0].number("y"));
+  }
+  EXPECT_GT(cells[3].number("y"), cells[0].number("y")) << "the first row is at the top";
+  EXPECT_EQ(cells[2].group, "step8") << "the largest";
+  EXPECT_EQ(cells[5].group, "step0") << "the smallest";
+  EXPECT_EQ(cells[4].group, "nothing");
+  std::vector<Element> said = those(svg, "text", "inside");
+  ASSERT_EQ(said.size(), 6u);
+  EXPECT_EQ(said[1].text, "10");
+  EXPECT_EQ(said[4].text, "–");
+}
+
+TEST(HeatMap, TheSmallestIsFramed) {
+  HeatMap map = heat();
+  map.mark_smallest = true;
+  std::string svg = svgOf(map);
+  Element frame = those(svg, "rect", "smallest").at(0), cell = those(svg, "rect", "cell").at(5);
+  EXPECT_NEAR(frame.number("x") + frame.number("width") / 2, cell.number("x") + cell.number("width") / 2, 0.11);
+  EXPECT_NEAR(frame.number("y") + frame.number("height") / 2, cell.number("y") + cell.number("height") / 2, 0.11);
+}
+
+}  // namespace
+}  // namespace strobe::page

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// Pages: sound HTML of every kind of block, nothing from elsewhere, nothing that a text could break.
+#include "page/page.h"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+
+#include "page/templates.h"
+
+namespace strobe::page {
+namespace {
+
+// The names of elements that are open at the end, or the first that closes another; "" where all is sound.
+std::string unsound(const std::string& html) {
+  static const std::regex tag(R"rx(<(/?)([a-z][a-z0-9]*)((?:[^>"]|"[^"]*")*?)(/?)>)rx");
+  static const std::set<std::string> kAlone = {"meta", "link", "img", "input"};
+  std::vector<std::string> open;
+  std::string body = html.substr(html.find("<html"));
+  for (size_t from = body.find("<style>"), end; from != std::string::npos; from = body.find("<style>", end)) {
+    end = body.find("</style>", from);
+    body.erase(from + 7, end - from - 7);
+    end = from + 7;
+  }
+  for (std::sregex_iterator at(body.begin(), body.end(), tag), end; at != end; ++at) {
+    std::string name = (*at)[2];
+    if (kAlone.count(name) || (*at)[4] == "/") continue;
+    if ((*at)[1] != "/") open.push_back(name);
+    else if (open.empty() || open.back() != name) return "</" + name + ">";
+    else open.pop_back();
+  }
+  return open.empty() ? "" : open.back();
+}
+
+Page made() {
+  Page page{"A & <b>", "About `this`", {}, {"Made by a test"}};
+  page.blocks = {Heading{"One", 2, "one"},
+                 Paragraph{"Text with <tags> & **weight**"},
+                 Heading{"Two", 2, "two"},
+                 Paragraph{"It holds.", Paragraph::Kind::finding},
+                 Table{"numbers", {"a", {"b", true}}, {{"x", "1"}}},
+                 Figure{"<svg class=\"chart\"></svg>\n", "a curve"},
+                 Code{"strobe render <x>"},
+                 Pictures{{{"\x89PNG", 4, 2, "truth", "", "t"}, {"abc", 4, 2, "a \"method\"", "seen", "m"}}},
+                 Comparison{"t", {"m"}, ""},
+                 Details{"More", {Heading{"Inside", 3}, Code{"x"}}}};
+  return page;
+}
+
+TEST(Page, EveryBlockIsSoundHtml) { EXPECT_EQ(unsound(htmlOf(made())), ""); }
+
+TEST(Page, TextsAreEscaped) {
+  std::string html = htmlOf(made());
+  for (const char* shown :
+       {"<title>A &amp; &lt;b&gt;</title>", "About <code>this</code>", "&lt;tags&gt; &amp; <strong>weight</strong>",
+        "<figcaption>a &quot;method&quot;</figcaption>", "strobe render &lt;x&gt;"})
+    EXPECT_NE(html.find(shown), std::string::npos) << shown;
+}
+
+TEST(Page, PicturesAreInsideOnceAndHaveTexts) {
+  std::string html = htmlOf(made());
+  EXPECT_NE(html.find("src=\"data:image/png;base64,YWJj\""), std::string::npos);
+  EXPECT_EQ(html.find("YWJj", html.find("YWJj") + 1), std::string::npos) << "the comparison refers to it";
+  static const std::regex without(R"rx(<img(?![^>]*alt=))rx");
+  EXPECT_FALSE(std::regex_search(html, without));
+  EXPECT_NE(html.find("alt=\"truth\""), std::string::npos) << "the caption, where nothing else is said";
+  EXPECT_NE(html.find("alt=\"seen\""), std::string::npos);
+}
+
+TEST(Page, NeedsNothingFromElsewhere) {
+  std::string html = htmlOf(made());
+  for (const char* foreign : {"http:", "https:", "@import", "url(", "src=\"/"})
+    EXPECT_EQ(html.find(foreign), std::string::npos) << foreign;
+}
+
+TEST(Page, HasAScriptOnlyWhereThereIsAComparison) {
+  EXPECT_NE(htmlOf(made()).find("<script>"), std::string::npos);
+  EXPECT_EQ(htmlOf(Page{"a", "", {Paragraph{"b"}}, {}}).find("<script"), std::string::npos);
+}
+
+TEST(Page, HeadingsWithIdsAreTheNavigation) {
+  std::string html = htmlOf(made());
+  EXPECT_NE(html.find("<a href=\"#two\">Two</a>"), std::string::npos);
+  EXPECT_NE(html.find("<h2 id=\"two\">"), std::string::npos);
+  EXPECT_EQ(htmlOf(Page{"a", "", {Heading{"One", 2, "one"}}, {}}).find("<nav"), std::string::npos) << "of one section";
+}
+
+TEST(Page, IsTheSameEachTime) { EXPECT_EQ(htmlOf(made()), htmlOf(made())); }
+
+TEST(Page, EveryClassHasAStyle) {
+  std::string html = htmlOf(made()), style = std::string(asset("page.css")) + std::string(asset("chart.css"));
+  static const std::regex classes(R"rx(class="([a-z ]+)")rx"), name("[a-z]+");
+  for (std::sregex_iterator at(html.begin(), html.end(), classes), end; at != end; ++at) {
+    std::string list = (*at)[1];
+    for (std::sregex_iterator one(list.begin(), list.end(), name); one != end; ++one)
+      EXPECT_TRUE(one->str() == "flicker" || style.find("." + one->str()) != std::string::npos) << one->str();
+  }
+}
+
+TEST(Base64, OfEachLength) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+}
+
+}  // namespace
+}  // namespace strobe::page
