@@ -11,6 +11,7 @@
 #include "image/comparison.h"
 #include "image/exr.h"
 #include "image/png.h"
+#include "page/table.h"
 
 namespace strobe::app {
 namespace {
@@ -30,17 +31,24 @@ const std::map<std::string, image::FlipCurve> kCurves = {
 std::string shown(const std::optional<double>& value) { return value ? fmt::format("{:.6g}", *value) : "-"; }
 
 void printTable(const image::Comparison& result) {
-  fmt::print("MSE       {}\nRMSE      {}\n", shown(result.mse), shown(result.rmse));
-  fmt::print("PSNR      {} dB   (clamped, sRGB-encoded)\n", shown(result.psnr));
-  fmt::print("relMSE    {}   (without the worst 0.1 %: {})\n", shown(result.relmse), shown(result.relmse_trimmed));
-  fmt::print("SMAPE     {}\n", shown(result.smape));
-  fmt::print("SSIM      {}   (clamped, sRGB-encoded)\nMS-SSIM   {}\n", shown(result.ssim), shown(result.ms_ssim));
-  fmt::print("LDR-FLIP  {}   (largest {})\n", shown(result.ldr_flip), shown(result.ldr_flip_max));
+  page::Table table{"", {"measure", {"value", true}, "", ""}};
+  auto add = [&](const char* name, const std::optional<double>& value, const char* unit = "", std::string note = "") {
+    table.add({name, shown(value), unit, std::move(note)});
+  };
+  add("MSE", result.mse);
+  add("RMSE", result.rmse);
+  add("PSNR", result.psnr, "dB", "clamped, sRGB-encoded");
+  add("relMSE", result.relmse, "", "without the worst 0.1 %: " + shown(result.relmse_trimmed));
+  add("SMAPE", result.smape);
+  add("SSIM", result.ssim, "", "clamped, sRGB-encoded");
+  add("MS-SSIM", result.ms_ssim);
+  add("LDR-FLIP", result.ldr_flip, "", "largest " + shown(result.ldr_flip_max));
   if (result.hdr_flip)
-    fmt::print("HDR-FLIP  {}   (largest {}; {} exposures, {:.4f} to {:.4f}, from {})\n", shown(result.hdr_flip),
-               shown(result.hdr_flip_max), result.exposures.count, result.exposures.start, result.exposures.stop,
-               image::exposureSourceName(result.exposures.source));
-  fmt::print("{} pixels\n", result.pixels);
+    add("HDR-FLIP", result.hdr_flip, "",
+        fmt::format("largest {}; {} exposures, {:.4f} to {:.4f}, from {}", shown(result.hdr_flip_max),
+                    result.exposures.count, result.exposures.start, result.exposures.stop,
+                    image::exposureSourceName(result.exposures.source)));
+  fmt::print("{}\n{} pixels\n", page::textOf(table), result.pixels);
 }
 
 // The HDR map where there is one. A name that ends in .exr gets the values, any other the picture in magma.

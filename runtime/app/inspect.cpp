@@ -11,6 +11,7 @@
 #include "graph/pipelines.h"
 #include "lab/demo.h"
 #include "lab/workbench.h"
+#include "page/table.h"
 #include "plan/canonical.h"
 #include "scene/json_scene.h"
 
@@ -146,6 +147,13 @@ Json deviceJson(const gpu::DeviceInfo& info) {
   return json;
 }
 
+std::string featuresOf(const gpu::DeviceInfo& info) {
+  page::Table table{"", {"", "feature", "what it provides"}};
+  for (const auto& feature : info.features)
+    table.add({feature.present ? "  yes" : feature.required ? "  NO" : "  no", feature.name, feature.provides});
+  return page::textOf(table);
+}
+
 void doctor(bool json) {
   std::vector<gpu::DeviceInfo> devices = gpu::listDevices();
   Json report;
@@ -164,12 +172,7 @@ void doctor(bool json) {
       const auto& info = devices[i];
       std::printf("device %zu: %s (%s, Vulkan %s)%s\n", i, info.name.c_str(), info.driver.c_str(), info.api.c_str(),
                   info.software ? ", software: pictures are right, timings are not a GPU's" : "");
-      for (const auto& feature : info.features)
-        std::printf("  %s %-44s %s\n",
-                    feature.present    ? "yes"
-                    : feature.required ? "NO "
-                                       : "no ",
-                    feature.name.c_str(), feature.provides.c_str());
+      std::fputs(featuresOf(info).c_str(), stdout);
       std::string missing = info.missing();
       std::printf("  %s\n", missing.empty() ? "suffices" : ("lacks " + missing).c_str());
     }

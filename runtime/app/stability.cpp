@@ -42,7 +42,7 @@ void runExtremes(const StabilityOptions& options) {
   std::vector<stability::ExtremeOutcome> outcomes;
   for (const stability::Extreme& extreme : stability::extremes())
     for (auto& outcome : stability::runExtreme(bench, methods, extreme)) outcomes.push_back(std::move(outcome));
-  std::fputs(stability::tableOf(outcomes).c_str(), stdout);
+  std::fputs(stability::textOf(outcomes).c_str(), stdout);
   if (!options.write.empty()) writeFileAtomically(options.write, stability::pageOf(outcomes));
   auto failed = std::count_if(outcomes.begin(), outcomes.end(), [](const auto& o) { return !o.failures.empty(); });
   if (failed) throw Error(fmt::format("{} of {} extreme cases fail", failed, outcomes.size()));

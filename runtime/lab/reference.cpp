@@ -8,12 +8,15 @@
 #include <set>
 
 #include "base/limits.h"
+#include "base/utf8.h"
+#include "page/table.h"
 #include "script/evaluate.h"
 
 namespace strobe::lab {
 
 namespace {
 
+using page::Table;
 using plan::ParamDesc;
 using plan::PassDesc;
 using plan::PipelineDesc;
@@ -25,46 +28,13 @@ const char* const kNote =
 
 // --- Markdown
 
-// Text of a cell: a bar would end it.
-std::string cell(const std::string& text) {
-  std::string result;
-  for (char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c == '\n' ? ' ' : c);
-  return result;
-}
-
 std::string code(const std::string& text) { return "`" + text + "`"; }
 
-std::string row(const std::vector<std::string>& cells) {
-  std::string text = "|";
-  for (const std::string& one : cells) text += " " + cell(one) + (one.empty() ? "|" : " |");
-  return text + "\n";
+// Without the columns that are empty in every row; nothing where there are no rows.
+std::string tableText(const Table& table) {
+  std::string text = page::markdownOf(page::withoutEmptyColumns(table));
+  return text.empty() ? "" : text + "\n";
 }
-
-// A table, without the columns that are empty in every row; nothing where there are no rows.
-class Table {
- public:
-  explicit Table(std::vector<std::string> head) : rows_{std::move(head)} {}
-  void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
-  std::string text() const {
-    if (rows_.size() < 2) return "";
-    std::string result = row(kept(rows_.front()));
-    result += row(std::vector<std::string>(kept(rows_.front()).size(), "---"));
-    for (size_t i = 1; i < rows_.size(); ++i) result += row(kept(rows_[i]));
-    return result + "\n";
-  }
-
- private:
-  bool isUsed(size_t column) const {
-    return std::any_of(rows_.begin() + 1, rows_.end(), [&](const auto& cells) { return !cells[column].empty(); });
-  }
-  std::vector<std::string> kept(const std::vector<std::string>& cells) const {
-    std::vector<std::string> result;
-    for (size_t i = 0; i < cells.size(); ++i)
-      if (isUsed(i)) result.push_back(cells[i]);
-    return result;
-  }
-  std::vector<std::vector<std::string>> rows_;
-};
 
 // Begins with a capital and ends in a full stop.
 std::string sentence(std::string text) {
@@ -117,17 +87,17 @@ std::string paramInGlsl(const ParamDesc& param) {
 }
 
 std::string paramTable(const std::vector<ParamDesc>& params, bool in_glsl) {
-  Table table({"name", "type", "default", "range", "unit", "what it sets", "in GLSL"});
+  Table table{"", {"name", "type", "default", "range", "unit", "what it sets", "in GLSL"}};
   for (const ParamDesc& param : params)
     table.add({code(param.name), typeName(param.type), shown(param.default_value), rangeOf(param), param.unit,
                param.doc, in_glsl ? paramInGlsl(param) : ""});
-  return table.text();
+  return tableText(table);
 }
 
 // The described choices, in the order of the choices. `link` gives the page of a choice that is a pass, or "".
 template <class Link>
 std::string valueTable(const ParamDesc& param, const Link& link) {
-  Table table({"value", "what it does and where it fails"});
+  Table table{"", {"value", "what it does and where it fails"}};
   for (const std::string& choice : param.choices) {
     auto is_it = [&](const auto& value) { return value.first == choice; };
     auto found = std::find_if(param.values.begin(), param.values.end(), is_it);
@@ -136,17 +106,17 @@ std::string valueTable(const ParamDesc& param, const Link& link) {
     bool listed = !param.values.empty() || !page.empty();
     if (listed) table.add({name, found == param.values.end() ? "" : found->second});
   }
-  return table.text();
+  return tableText(table);
 }
 
 // Which of the properties that every blur should have do not hold, by parameter and value where it has some.
 std::string breaksText(const plan::Breaks& own, const std::vector<ParamDesc>& params) {
-  Table table({"with", "invariant", "why it does not hold"});
+  Table table{"", {"with", "invariant", "why it does not hold"}};
   for (const auto& [invariant, reason] : own) table.add({"", invariant, reason});
   for (const ParamDesc& param : params)
     for (const auto& [value, breaks] : param.breaks)
       for (const auto& [invariant, reason] : breaks) table.add({code(param.name + " = " + value), invariant, reason});
-  return table.text();
+  return tableText(table);
 }
 
 std::string noLink(const ParamDesc&, const std::string&) { return ""; }
@@ -196,7 +166,7 @@ std::string filesText(const PassDesc& pass) {
 }
 
 std::string readsText(const PassDesc& pass) {
-  Table table({"name", "what it is", "", "in GLSL"});
+  Table table{"", {"name", "what it is", "", "in GLSL"}};
   for (const PortDesc& read : pass.reads) {
     std::vector<std::string> notes;
     if (read.uint) notes.push_back("unsigned integers");
@@ -206,7 +176,7 @@ std::string readsText(const PassDesc& pass) {
     table.add({code(read.name), read.doc, fmt::format("{}", fmt::join(notes, "; ")),
                code(fmt::format(fmt::runtime(texel), read.name))});
   }
-  return table.text();
+  return tableText(table);
 }
 
 std::string outputInGlsl(const PassDesc& pass, const PortDesc& port, bool updated) {
@@ -224,19 +194,19 @@ std::string formatText(const PortDesc& port) {
 }
 
 std::string outputsText(const PassDesc& pass, const std::vector<PortDesc>& ports, bool updated) {
-  Table table({"name", "format", "what it is", "", "in GLSL"});
+  Table table{"", {"name", "format", "what it is", "", "in GLSL"}};
   for (const PortDesc& port : ports)
     table.add({code(port.name), formatText(port), port.doc, port.history ? "kept from frame to frame" : "",
                outputInGlsl(pass, port, updated)});
-  return table.text();
+  return tableText(table);
 }
 
 std::string countersText(const PassDesc& pass) {
-  Table table({"name", "what it counts", "where it is not 0", "in GLSL"});
+  Table table{"", {"name", "what it counts", "where it is not 0", "in GLSL"}};
   for (const auto& counter : pass.counters)
     table.add({code(counter.name), counter.doc, counter.limit.empty() ? "" : "a warning: " + counter.limit,
                code(fmt::format("count_{}(n)", counter.name))});
-  return table.text();
+  return tableText(table);
 }
 
 // "tile/largest" of passes/tile/largest.lua.
@@ -277,16 +247,15 @@ std::string valueIn(const PipelineDesc& pipeline, const std::string& name) {
 
 // What the presets set: parameters of which any preset has another value than the declared default.
 std::string presetsText(const PipelineDesc& pipeline, const Presets& presets) {
-  std::vector<std::string> head = {"parameter", "default"};
-  for (const auto& [name, preset] : presets) head.push_back(code(name));
-  Table table(head);
+  Table table{"", {"parameter", "default"}};
+  for (const auto& [name, preset] : presets) table.columns.push_back(code(name));
   for (const ParamDesc& param : pipeline.params) {
     std::vector<std::string> cells = {code(param.name), shown(param.default_value)};
     for (const auto& [name, preset] : presets) cells.push_back(valueIn(preset, param.name));
     bool differs = std::any_of(cells.begin() + 2, cells.end(), [&](const auto& value) { return value != cells[1]; });
-    if (differs && param.name != "preset") table.add(cells);
+    if (differs && param.name != "preset") table.add({cells.begin(), cells.end()});
   }
-  return table.text();
+  return tableText(table);
 }
 
 // Parameters of a node that follow none of the pipeline: only `--set node.param=...` changes them.
@@ -298,20 +267,20 @@ std::string ownParams(const plan::NodeDesc& node) {
 }
 
 std::string nodesText(const PipelineDesc& pipeline, const std::vector<PassDesc>& passes) {
-  Table table({"node", "pass", "repeated by", "parameters of its own"});
+  Table table{"", {"node", "pass", "repeated by", "parameters of its own"}};
   for (const auto& node : pipeline.nodes) {
     std::string pass = code(node.pass);
     for (const PassDesc& one : passes)
       if (one.name == node.pass) pass = fmt::format("[`{}`](../{})", node.pass, pathOf(one));
     table.add({code(node.name), pass, node.loop.empty() ? "" : code(node.loop), ownParams(node)});
   }
-  return table.text();
+  return tableText(table);
 }
 
 std::string outputsText(const PipelineDesc& pipeline) {
-  Table table({"output", "image"});
+  Table table{"", {"output", "image"}};
   for (const auto& [name, source] : pipeline.outputs) table.add({code(name), code(source)});
-  return table.text();
+  return tableText(table);
 }
 
 // The folder of passes that the choices are files of: called like the parameter, or one that has all of them.
@@ -356,13 +325,13 @@ std::string indexPage(const std::vector<PipelineDesc>& pipelines, const std::vec
       "# Reference\n\nWhat every pipeline and every pass declares. `strobe help NAME` prints a page, "
       "`strobe help NAME.PARAM` one parameter. What none of them can do: [limits](limits.md).\n\n"
       "## Pipelines\n\n";
-  Table listed({"name", "what it is"});
+  Table listed{"", {"name", "what it is"}};
   for (const PipelineDesc& one : pipelines) listed.add({fmt::format("[`{}`]({})", one.name, pathOf(one)), one.doc});
-  text += listed.text();
+  text += tableText(listed);
   for (const auto& [family, members] : families(passes)) {
-    Table table({"name", "what it computes"});
+    Table table{"", {"name", "what it computes"}};
     for (const PassDesc* pass : members) table.add({fmt::format("[`{}`]({})", pass->name, pathOf(*pass)), pass->doc});
-    text += fmt::format("## passes/{}\n\n{}", family, table.text());
+    text += fmt::format("## passes/{}\n\n{}", family, tableText(table));
   }
   return text;
 }
@@ -372,19 +341,19 @@ std::string indexPage(const std::vector<PipelineDesc>& pipelines, const std::vec
 std::string linkOf(const PassDesc& pass) { return fmt::format("[`{}`]({})", pass.name, pathOf(pass)); }
 
 std::string limitsOfPasses(const std::vector<PassDesc>& passes) {
-  Table table({"pass", "count", "when it is met", "what is done, and what to do about it"});
+  Table table{"", {"pass", "count", "when it is met", "what is done, and what to do about it"}};
   for (const PassDesc& pass : passes)
     for (const auto& counter : pass.counters)
       if (!counter.limit.empty())
         table.add({linkOf(pass), code(counter.name), sentence(counter.doc), sentence(counter.limit)});
-  return table.text();
+  return tableText(table);
 }
 
 std::string limitsOfProgram(Limit::Kind kind) {
-  Table table({"name", "when it is met", "what is done, and what to do about it"});
+  Table table{"", {"name", "when it is met", "what is done, and what to do about it"}};
   for (const Limit& limit : limits())
     if (limit.kind == kind) table.add({code(limit.name), sentence(limit.met), sentence(limit.result)});
-  return table.text();
+  return tableText(table);
 }
 
 std::string limitsPage(const std::vector<PassDesc>& passes) {
@@ -440,7 +409,7 @@ std::string helpOnParam(const std::string& topic, const std::string& owner, cons
 
 std::string listed(const std::string& title, const std::vector<std::pair<std::string, std::string>>& entries) {
   std::string text = title + "\n";
-  for (const auto& [name, doc] : entries) text += fmt::format("  {:<26} {}\n", name, doc);
+  for (const auto& [name, doc] : entries) text += "  " + paddedRight(name, 26) + " " + doc + "\n";
   return text;
 }
 

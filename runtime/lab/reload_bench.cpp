@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "base/log.h"
+#include "page/table.h"
 
 namespace strobe::lab {
 
@@ -132,12 +133,16 @@ std::vector<ReloadTiming> benchReload(Workbench& bench, const Shot& shot, int re
 }
 
 std::string tableOf(const std::vector<ReloadTiming>& timings) {
-  std::string text = "| edited | watch | evaluate | compile | build | first frame | later frame | added |\n";
-  text += "|---|---|---|---|---|---|---|---|\n";
-  for (const ReloadTiming& t : timings)
-    text += fmt::format("| {} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | **{:.1f}** |\n", t.edit, t.watch,
-                        t.evaluate, t.compile, t.build, t.first_frame, t.later_frame, t.added());
-  return text;
+  page::Table table{"", {"edited"}};
+  for (const char* part : {"watch", "evaluate", "compile", "build", "first frame", "later frame", "added"})
+    table.columns.push_back({part, true});
+  for (const ReloadTiming& t : timings) {
+    table.add({t.edit});
+    for (double ms : {t.watch, t.evaluate, t.compile, t.build, t.first_frame, t.later_frame})
+      table.rows.back().push_back(fmt::format("{:.1f}", ms));
+    table.rows.back().push_back({fmt::format("{:.1f}", t.added()), page::Mark::best});
+  }
+  return page::markdownOf(table);
 }
 
 }  // namespace strobe::lab

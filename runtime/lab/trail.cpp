@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "lab/session.h"
+#include "page/table.h"
 
 namespace strobe::lab {
 
@@ -84,24 +85,6 @@ void requireInside(const Shot& shot, int x, int y) {
               {}, 2);
 }
 
-// Rows of text with their columns aligned; the last column as long as it is.
-std::string aligned(const std::vector<std::vector<std::string>>& rows) {
-  std::vector<size_t> widths;
-  for (const auto& row : rows)
-    for (size_t c = 0; c < row.size(); ++c) {
-      if (widths.size() <= c) widths.push_back(0);
-      widths[c] = std::max(widths[c], row[c].size());
-    }
-  std::string text;
-  for (const auto& row : rows) {
-    std::string line;
-    for (size_t c = 0; c < row.size(); ++c)
-      line += fmt::format("{:<{}}", row[c], c + 1 < row.size() ? widths[c] + 2 : 0);
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  }
-  return text;
-}
-
 std::string texelText(const TrailRow& row) {
   if (row.divide == 1) return "";
   if (row.divide == 0) return fmt::format("whole image, {}x{}", row.width, row.height);
@@ -113,15 +96,24 @@ std::string valueText(const TrailRow& row) {
   return row.values.empty() ? "-" : joined(row.values);
 }
 
-std::vector<std::vector<std::string>> hitRows(const Trail& trail) {
-  std::vector<std::vector<std::string>> rows = {{"layer", "instance", "geometry", "primitive", "side", "depth [m]",
-                                                 "normal [world]", "displacement [px]", "color [linear]"}};
+page::Table imagesOf(const Trail& trail) {
+  page::Table table{fmt::format("pixel {},{} of {}x{}, pipeline {}: what every pass left there, in their order",
+                                trail.x, trail.y, trail.width, trail.height, trail.pipeline),
+                    {"pass", "image", "format", "texel", "value", "meaning"}};
+  for (const TrailRow& row : trail.rows)
+    table.add({row.node, row.port, row.format, texelText(row), valueText(row), row.doc});
+  return table;
+}
+
+page::Table hitsOf(const Trail& trail) {
+  page::Table table{"what its ray meets, nearest first",
+                    {"layer", "instance", "geometry", "primitive", "side", "depth [m]", "normal [world]",
+                     "displacement [px]", "color [linear]"}};
   for (const TrailHit& hit : trail.hits)
-    rows.push_back({std::to_string(hit.layer), hit.instance, std::to_string(hit.geometry),
-                    std::to_string(hit.primitive), hit.front ? "front" : "back", shortest(hit.depth),
-                    joined(hit.normal), joined(std::vector<double>{hit.velocity.x, hit.velocity.y}, " "),
-                    joined(hit.color)});
-  return rows;
+    table.add({std::to_string(hit.layer), hit.instance, std::to_string(hit.geometry), std::to_string(hit.primitive),
+               hit.front ? "front" : "back", shortest(hit.depth), joined(hit.normal),
+               joined(std::vector<double>{hit.velocity.x, hit.velocity.y}, " "), joined(hit.color)});
+  return table;
 }
 
 // The shortest text of the float as a number: what reads back to the same float.
@@ -242,14 +234,8 @@ Json toJson(const Trail& trail) {
 }
 
 std::string tableOf(const Trail& trail) {
-  std::vector<std::vector<std::string>> rows = {{"pass", "image", "format", "texel", "value", "meaning"}};
-  for (const TrailRow& row : trail.rows)
-    rows.push_back({row.node, row.port, row.format, texelText(row), valueText(row), row.doc});
-  std::string text = fmt::format("pixel {},{} of {}x{}, pipeline {}: what every pass left there, in their order\n\n",
-                                 trail.x, trail.y, trail.width, trail.height, trail.pipeline);
-  text += aligned(rows) + "\n";
-  if (trail.hits.empty()) return text + "its ray meets nothing\n";
-  return text + "what its ray meets, nearest first\n\n" + aligned(hitRows(trail));
+  std::string text = page::textOf(imagesOf(trail)) + "\n";
+  return text + (trail.hits.empty() ? "its ray meets nothing\n" : page::textOf(hitsOf(trail)));
 }
 
 }  // namespace strobe::lab

@@ -6,6 +6,7 @@
 
 #include "base/log.h"
 #include "live/control_panel.h"
+#include "page/number.h"
 
 namespace strobe::live {
 
@@ -137,7 +138,7 @@ void modeButtons(Desk& desk, PanelState& state) {
   }
 }
 
-std::string errorText(const std::optional<double>& error) { return error ? fmt::format("{:.5f}", *error) : "-"; }
+std::string errorText(const std::optional<double>& error) { return error ? page::shownError(*error) : "-"; }
 
 void errorTable(const Fonts& fonts, Desk& desk) {
   if (!ImGui::BeginTable("errors", 3, ImGuiTableFlags_SizingStretchProp)) return;

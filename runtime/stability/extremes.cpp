@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "page/table.h"
 #include "stability/cases.h"
 #include "stability/extreme_checks.h"
 
@@ -130,51 +131,66 @@ std::vector<ExtremeOutcome> runExtreme(lab::Workbench& bench, const std::vector<
   return outcomes;
 }
 
-std::string tableOf(const std::vector<ExtremeOutcome>& outcomes) {
+static page::Table countsOf(const std::vector<ExtremeOutcome>& outcomes) {
   struct Count {
+    std::string clause;
     std::vector<std::string> cases;
     int checks = 0, failed = 0;
   };
-  std::vector<std::pair<std::string, Count>> clauses;
+  std::vector<Count> clauses;
+  Count all{"all", {}};
   for (const ExtremeOutcome& outcome : outcomes) {
-    auto clause =
-        std::find_if(clauses.begin(), clauses.end(), [&](const auto& c) { return c.first == outcome.extreme->clause; });
+    auto is_clause = [&](const Count& count) { return count.clause == outcome.extreme->clause; };
+    auto clause = std::find_if(clauses.begin(), clauses.end(), is_clause);
     if (clause == clauses.end()) clause = clauses.insert(clauses.end(), {outcome.extreme->clause, {}});
-    Count& count = clause->second;
-    if (std::find(count.cases.begin(), count.cases.end(), outcome.extreme->name) == count.cases.end())
-      count.cases.push_back(outcome.extreme->name);
-    ++count.checks;
-    count.failed += !outcome.failures.empty();
+    for (Count* count : {&*clause, &all}) {
+      bool known = std::find(count->cases.begin(), count->cases.end(), outcome.extreme->name) != count->cases.end();
+      if (!known) count->cases.push_back(outcome.extreme->name);
+      ++count->checks;
+      count->failed += !outcome.failures.empty();
+    }
   }
-  std::string text = "| clause | cases | cases x methods | failed | which |\n| --- | --- | --- | --- | --- |\n";
-  size_t cases = 0;
-  int checks = 0, failed = 0;
-  for (const auto& [clause, count] : clauses) {
-    text += fmt::format("| {} | {} | {} | {} | {} |\n", clause, count.cases.size(), count.checks, count.failed,
-                        fmt::join(count.cases, ", "));
-    cases += count.cases.size(), checks += count.checks, failed += count.failed;
-  }
-  text += fmt::format("| all | {} | {} | {} | |\n", cases, checks, failed);
+  page::Table table{"", {"clause", {"cases", true}, {"cases x methods", true}, {"failed", true}, "which"}};
+  auto add = [&](const Count& count, const std::string& which) {
+    table.add({count.clause,
+               std::to_string(count.cases.size()),
+               std::to_string(count.checks),
+               {std::to_string(count.failed), count.failed ? page::Mark::bad : page::Mark::none},
+               which});
+  };
+  for (const Count& clause : clauses) add(clause, fmt::format("{}", fmt::join(clause.cases, ", ")));
+  add(all, "");
+  return table;
+}
+
+static std::string failuresOf(const std::vector<ExtremeOutcome>& outcomes) {
+  std::string text;
   for (const ExtremeOutcome& outcome : outcomes)
     for (const std::string& failure : outcome.failures)
       text += fmt::format("\n{} by {}: {}\n    {}\n", outcome.extreme->name, outcome.method, failure, outcome.command);
   return text;
 }
 
+std::string textOf(const std::vector<ExtremeOutcome>& outcomes) {
+  page::Table counts = countsOf(outcomes);
+  for (page::Row& row : counts.rows) row.pop_back();
+  counts.columns.pop_back();
+  return page::textOf(counts) + failuresOf(outcomes);
+}
+
 std::string pageOf(const std::vector<ExtremeOutcome>& outcomes) {
-  std::string text =
-      "<!-- Written by `strobe stability --extremes --write docs/extreme-cases.md`; do not edit. -->\n\n"
-      "# Extreme cases\n\n"
-      "Each case runs by every pipeline and every preset of it, on pictures of at most 64 x 64 px. What must come out "
-      "is "
-      "known from a closed form, from truth or from a picture that must be the same; finite it must be always.\n\n";
-  text += tableOf(outcomes) + "\n## The cases\n\n| case | what must hold |\n| --- | --- |\n";
+  page::Table cases{"", {"case", "what must hold"}};
   const Extreme* last = nullptr;
   for (const ExtremeOutcome& outcome : outcomes) {
-    if (outcome.extreme != last) text += fmt::format("| {} | {} |\n", outcome.extreme->name, outcome.extreme->says);
+    if (outcome.extreme != last) cases.add({outcome.extreme->name, outcome.extreme->says});
     last = outcome.extreme;
   }
-  return text;
+  return "<!-- Written by `strobe stability --extremes --write docs/extreme-cases.md`; do not edit. -->\n\n"
+         "# Extreme cases\n\n"
+         "Each case runs by every pipeline and every preset of it, on pictures of at most 64 x 64 px. What must come "
+         "out is known from a closed form, from truth or from a picture that must be the same; finite it must be "
+         "always.\n\n" +
+         page::markdownOf(countsOf(outcomes)) + failuresOf(outcomes) + "\n## The cases\n\n" + page::markdownOf(cases);
 }
 
 }  // namespace strobe::stability

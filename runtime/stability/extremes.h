@@ -83,8 +83,8 @@ struct ExtremeOutcome {
 std::vector<ExtremeOutcome> runExtreme(lab::Workbench& bench, const std::vector<Method>& methods,
                                        const Extreme& extreme);
 
-// A table of the outcomes per clause, and what failed, for the terminal; the page docs/extreme-cases.md.
-std::string tableOf(const std::vector<ExtremeOutcome>& outcomes);
+// For the terminal, a line per clause and what failed; the page docs/extreme-cases.md.
+std::string textOf(const std::vector<ExtremeOutcome>& outcomes);
 std::string pageOf(const std::vector<ExtremeOutcome>& outcomes);
 
 }  // namespace strobe::stability

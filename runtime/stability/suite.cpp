@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "page/table.h"
 #include "stability/shrink.h"
 
 namespace strobe::stability {
@@ -176,63 +177,90 @@ std::string textOf(const Report& report) {
   return text;
 }
 
-static std::string cellOf(const Count& count) {
-  std::string text;
-  if (count.held) text += fmt::format("{}", count.held);
-  if (count.broken) text += fmt::format("{}{} b", text.empty() ? "" : ", ", count.broken);
-  if (count.refused) text += fmt::format("{}{} r", text.empty() ? "" : ", ", count.refused);
-  if (count.failed) text += fmt::format("{}**{} f**", text.empty() ? "" : ", ", count.failed);
-  return text;
+// A number of cases; none is an empty cell.
+static page::Cell countCell(int count, page::Mark mark = page::Mark::none) {
+  if (count == 0) return {};
+  return {std::to_string(count), mark};
 }
 
-static std::string row(const std::vector<std::string>& cells) {
-  std::string text = "|";
-  for (const std::string& one : cells) text += " " + one + (one.empty() ? "|" : " |");
-  return text + "\n";
-}
-
-static std::string tableOf(const Report& report) {
-  std::vector<std::string> head = {"variant"};
-  for (const Invariant& one : invariants()) head.push_back(one.name);
-  std::string text = row(head) + row(std::vector<std::string>(head.size(), "---"));
-  auto add = [&](const std::string& name, const std::map<std::string, Count>& counts) {
-    std::vector<std::string> cells = {name};
-    for (const Invariant& one : invariants())
-      cells.push_back(counts.count(one.name) ? cellOf(counts.at(one.name)) : "");
-    text += row(cells);
+static page::Table totalsOf(const Report& report) {
+  page::Table table{"", {"invariant"}};
+  for (const char* what : {"hold", "break as declared", "refused", "failed"}) table.columns.push_back({what, true});
+  auto add = [&](const std::string& name, const Count& sum) {
+    table.add({name, countCell(sum.held), countCell(sum.broken), countCell(sum.refused),
+               countCell(sum.failed, page::Mark::bad)});
   };
-  std::map<std::string, Count> sums;
-  for (const Invariant& one : invariants()) sums[one.name] = report.total(one.name);
-  add("all", sums);
-  for (const auto& [variant, counts] : report.variants) add("`" + variant + "`", counts);
-  return text + "\n";
+  for (const Invariant& one : invariants()) add(one.name, report.total(one.name));
+  add("all", report.total());
+  return page::withoutEmptyColumns(table);
+}
+
+// "mirrored, shifted (2 of 3, refused)": the invariants of which a variant does not hold every case.
+static std::string exceptionsIn(const std::map<std::string, Count>& counts) {
+  std::vector<std::string> parts;
+  for (const Invariant& one : invariants()) {
+    auto found = counts.find(one.name);
+    if (found == counts.end()) continue;
+    const Count& count = found->second;
+    int other = count.broken + count.refused + count.failed, all = count.held + other;
+    if (other == 0) continue;
+    std::vector<std::string> notes;
+    if (all > 1) notes.push_back(fmt::format("{} of {}", other, all));
+    if (count.refused) notes.push_back("refused");
+    if (count.failed) notes.push_back("**failed**");
+    parts.push_back(one.name + (notes.empty() ? "" : fmt::format(" ({})", fmt::join(notes, ", "))));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+// The variants with the same exceptions share a row.
+static page::Table exceptionsOf(const Report& report) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> groups;
+  for (const auto& [variant, counts] : report.variants) {
+    std::string text = exceptionsIn(counts);
+    if (text.empty()) continue;
+    auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& one) { return one.first == text; });
+    if (group == groups.end()) group = groups.insert(groups.end(), {text, {}});
+    group->second.push_back("`" + variant + "`");
+  }
+  page::Table table{"", {"what does not hold", {"variants", true}, "which"}};
+  for (const auto& [text, variants] : groups)
+    table.add({text, std::to_string(variants.size()), fmt::format("{}", fmt::join(variants, ", "))});
+  return table;
+}
+
+static std::string refusalsOf(const Report& report) {
+  std::map<std::string, std::string> reasons;
+  for (const Refused& one : report.refused) reasons.emplace(one.name, one.reason);
+  std::string text = reasons.empty() ? "" : "Refused:\n\n";
+  for (const auto& [name, reason] : reasons) text += fmt::format("- `{}`: {}\n", name, reason);
+  return reasons.empty() ? "" : text + "\n";
+}
+
+static std::string sectionOf(const Report& report) {
+  auto holds_all = [](const auto& variant) { return exceptionsIn(variant.second).empty(); };
+  auto whole = std::count_if(report.variants.begin(), report.variants.end(), holds_all);
+  std::string text = fmt::format(
+      "## {}\n\n{} variants, {} of which hold every invariant. {} more values change "
+      "nothing where they were tried.\n\n{}\n",
+      report.pipeline, report.variants.size(), whole, report.same, page::markdownOf(totalsOf(report)));
+  std::string exceptions = page::markdownOf(exceptionsOf(report));
+  if (!exceptions.empty()) text += exceptions + "\n";
+  return text + refusalsOf(report);
 }
 
 std::string pageOf(const std::vector<Report>& reports, const Options& options) {
   std::string text =
       "<!-- Written by `strobe stability --write docs/stability.md`; do not edit. -->\n\n# Invariants held\n\n";
   text += fmt::format(
-      "Cases of each variant and invariant ([what they are](invariants.md)), {} each, seed {}: how many hold; b: "
-      "broken as "
-      "declared; r: refused by the pipeline; f: failed.\n\n",
+      "For each pipeline, the cases of every variant and invariant ([what they are](invariants.md)), {} each, seed {}: "
+      "totals by invariant, then the variants that do not hold all of them. The reasons are in the last table.\n\n",
       options.cases, options.seed);
-  for (const Report& report : reports) {
-    Count sum = report.total();
-    text += fmt::format(
-        "## {}\n\n{} variants: {} cases hold, {} break as declared, {} refused, {} failed. {} more values "
-        "change nothing where they were tried.\n\n",
-        report.pipeline, report.variants.size(), sum.held, sum.broken, sum.refused, sum.failed, report.same);
-    text += tableOf(report);
-    std::map<std::string, std::string> reasons;
-    for (const Refused& one : report.refused) reasons.emplace(one.name, one.reason);
-    if (!reasons.empty()) text += "Refused:\n\n";
-    for (const auto& [name, reason] : reasons) text += fmt::format("- `{}`: {}\n", name, reason);
-    if (!reasons.empty()) text += "\n";
-  }
-  text += "## Declared breaks\n\n" + row({"with", "invariant", "seen in", "why"}) + row({"---", "---", "---", "---"});
+  for (const Report& report : reports) text += sectionOf(report);
+  page::Table declared{"", {"with", "invariant", "seen in", "why"}};
   for (const auto& [key, one] : merged(reports))
-    text += row({"`" + one.where + "`", one.invariant, fmt::format("{} of {} cases", one.seen, one.used), one.reason});
-  return text;
+    declared.add({"`" + one.where + "`", one.invariant, fmt::format("{} of {} cases", one.seen, one.used), one.reason});
+  return text + "## Declared breaks\n\n" + page::markdownOf(declared);
 }
 
 Json toJson(const Report& report) {
