@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reports of extremes: where a method is trusted, that what is measured is what closed forms say, and that the report in
-// docs/ is made of its own numbers.
+// Reports of extremes: where a method is trusted, that what is measured is what closed forms say, and that the report
+// in docs/ is made of its own numbers.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
