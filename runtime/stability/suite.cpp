@@ -190,7 +190,10 @@ static page::Table totalsOf(const Report& report) {
     table.add({name, countCell(sum.held), countCell(sum.broken), countCell(sum.refused),
                countCell(sum.failed, page::Mark::bad)});
   };
-  for (const Invariant& one : invariants()) add(one.name, report.total(one.name));
+  for (const Invariant& one : invariants()) {
+    Count sum = report.total(one.name);
+    if (sum.held + sum.broken + sum.refused + sum.failed > 0) add(one.name, sum);
+  }
   add("all", report.total());
   return page::withoutEmptyColumns(table);
 }
