@@ -5,11 +5,10 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "math/constants.h"
 
 namespace strobe::image {
 namespace {
-
-constexpr float kPi = 3.14159265f;
 
 // colourAt(i) for every pixel i in reading order.
 template <class ColourAt>
@@ -95,7 +94,7 @@ Image velocityColours(const Image& velocity, float full_px) {
     float x = velocity.values[i * velocity.channels], y = velocity.values[i * velocity.channels + 1];
     float length = std::hypot(x, y) / full_px;
     if (!(length > 0)) return Colour{0, 0, 0};
-    Colour hue = pureHue(std::atan2(y, x) / (2 * kPi));
+    Colour hue = pureHue(std::atan2(y, x) / float(2 * kPi));
     if (length <= 1) return mix({0, 0, 0}, hue, length);
     return mix(hue, {1, 1, 1}, 1 - 1 / length);
   });

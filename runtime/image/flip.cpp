@@ -10,12 +10,12 @@
 
 #include "base/error.h"
 #include "image/magma.h"
+#include "math/constants.h"
 
 namespace strobe::image {
 namespace {
 
 using Vec3 = std::array<float, 3>;
-constexpr double kPi = 3.14159265358979323846;
 
 struct Plane {
   int width, height;

@@ -9,11 +9,12 @@
 #include <optional>
 
 #include "image/image.h"
+#include "math/constants.h"
 
 namespace strobe::image {
 
 // A 3840-pixel, 0.7 m wide display seen from 0.7 m.
-constexpr double kPixelsPerDegree = 0.7 * 3840 / 0.7 * 3.14159265358979323846 / 180;
+constexpr double kPixelsPerDegree = 0.7 * 3840 / 0.7 * kPi / 180;
 
 // LDR-FLIP of the values clamped to [0,1] (so also of the clamped form of a high dynamic range image).
 Image ldrFlip(const Image& test, const Image& reference, double pixels_per_degree = kPixelsPerDegree);

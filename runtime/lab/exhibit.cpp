@@ -12,6 +12,7 @@
 #include "lab/against_truth.h"
 #include "lab/capture.h"
 #include "lab/pace.h"
+#include "math/statistics.h"
 
 namespace strobe::lab {
 
@@ -99,10 +100,7 @@ double medianDisplacement(const Picture& truth) {
   for (int y = 0; y < v.height; ++y)
     for (int x = 0; x < v.width; ++x)
       if (moving.count(ids.at(x, y, 0))) lengths.push_back(length(x, y));
-  if (lengths.empty()) return 0;
-  auto middle = lengths.begin() + std::ptrdiff_t(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
+  return lengths.empty() ? 0 : median(std::move(lengths));
 }
 
 // What a scene's file says of its author: its copyright, else the first line of the text beside it.

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "base/log.h"
+#include "math/statistics.h"
 #include "page/table.h"
 
 namespace strobe::lab {
@@ -96,11 +97,6 @@ ReloadTiming once(Session& session, const Kind& kind, int number) {
                       1000 * (second_s - first_s)};
   timing.watch = 1000 * (told_s - saved_s) - told->evaluate_ms - told->compile_ms - told->build_ms;
   return timing;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 ReloadTiming medianOf(const std::vector<ReloadTiming>& all) {

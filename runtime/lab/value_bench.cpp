@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "image/metrics.h"
+#include "math/statistics.h"
 
 namespace strobe::lab {
 
@@ -33,13 +34,6 @@ struct Runner {
 Runner runnerFor(Workbench& bench, Shot shot, const std::string& settings) {
   for (const auto& [name, value] : settingsOf(settings)) putSetting(shot.sets, name, value);
   return {std::make_unique<Session>(bench, shot), {}, {}};
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  size_t half = values.size() / 2;
-  if (values.empty()) return 0;
-  return values.size() % 2 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
 // Counts of passes that declare what was done where they counted.

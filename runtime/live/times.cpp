@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "math/statistics.h"
+
 namespace strobe::live {
 
 static constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
@@ -29,9 +31,7 @@ std::optional<double> TimeHistory::Row::latest() const {
 std::optional<double> TimeHistory::Row::median() const {
   std::vector<float> values = measured(ms);
   if (values.empty()) return {};
-  auto middle = values.begin() + long(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return strobe::median({values.begin(), values.end()});
 }
 
 void TimeHistory::clear() {

@@ -36,7 +36,7 @@ std::string classed(const std::string& classes) { return classes.empty() ? "" : 
 std::string cornersOf(const Shape& shape, double x, double y) {
   std::string points;
   for (int i = 0; i < shape.corners; ++i) {
-    double angle = (shape.turn + 360.0 * i / shape.corners) * std::numbers::pi / 180;
+    double angle = (shape.turn + 360.0 * i / shape.corners) * kPi / 180;
     points += fmt::format("{}{:.1f},{:.1f}", i ? " " : "", x + shape.radius * std::sin(angle),
                           y - shape.radius * std::cos(angle));
   }
@@ -45,7 +45,7 @@ std::string cornersOf(const Shape& shape, double x, double y) {
 
 // Parallel lines at `angle` through a rectangle, each cut where it leaves it.
 std::string linesAcross(double angle, double distance, double x, double y, double width, double height) {
-  double dx = std::cos(angle * std::numbers::pi / 180), dy = -std::sin(angle * std::numbers::pi / 180);
+  double dx = std::cos(angle * kPi / 180), dy = -std::sin(angle * kPi / 180);
   double reach = (std::abs(dy) * width + std::abs(dx) * height) / 2;
   std::string d;
   for (double offset = -reach + distance / 2; offset < reach; offset += distance) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/constants.h"
 #include "scene/motion.h"
 
 namespace strobe::scene {
@@ -151,7 +152,7 @@ void moderateLights(Scene& scene) {
     lux += light.type == Light::Type::Directional ? strength : strength / (distance * distance);
   }
   if (!(lux > 0) || !std::isfinite(lux) || (lux >= 0.3 && lux <= 10)) return;
-  double factor = 3.14159265358979323846 / lux;
+  double factor = kPi / lux;
   for (Light& light : scene.lights) light.intensity *= float(factor);
   scene.assumptions.push_back(fmt::format("its lights give about {:.4g} lux: all multiplied by {:.4g}", lux, factor));
 }

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <map>
 
+#include "math/constants.h"
 #include "scene/textures.h"
 
 namespace strobe::scene {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 double fraction(double x) { return x - std::floor(x); }
 

@@ -5,11 +5,11 @@
 #include <map>
 #include <tuple>
 
+#include "math/constants.h"
+
 namespace strobe::scene {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // Collects a grid of (nu + 1) x (nv + 1) points; where neighbours coincide (a pole) the empty triangle is left out.
 // The surface is seen from outside when u runs to the right and v downwards.

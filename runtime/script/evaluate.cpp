@@ -69,7 +69,7 @@ std::string outOfMemory(const Limits& limits) {
   return fmt::format("stopped: more than {} MB of memory (the limit for a script)", limits.memory_mb);
 }
 
-std::string endedBy(const ChildResult& child, const Limits& limits) {
+std::string endedBy(const ProgramEnd& child, const Limits& limits) {
   if (child.timed_out) return fmt::format("stopped: more than {} s (the limit for a script)", limits.wall_s);
   if (child.too_long) return "stopped: the script describes more than fits in 64 MB";
   if (child.signal == SIGXCPU || child.signal == SIGKILL) {
@@ -133,8 +133,8 @@ Json evaluate(const Main& main, const std::string& function, const Json& argumen
               std::vector<Dependency>* dependencies, const Limits& limits, const Texts& texts = {}) {
   if (dependencies) *dependencies = {};
   if (dependencies && !main.file.empty()) *dependencies = {{main.file, main.shown, hashOfPath(main.file)}};
-  ChildResult child = runChild(textOf(requestOf(main, function, argument, limits, texts)), limits.wall_s);
-  bool answered = !child.timed_out && !child.too_long && !child.signal && child.exit_status == 0;
+  ProgramEnd child = runChild(textOf(requestOf(main, function, argument, limits, texts)), limits);
+  bool answered = child.succeeded() && !child.too_long;
   Json answer = answered ? Json::parse(child.output, nullptr, false) : Json();
   if (!answer.is_object()) throw Error(endedBy(child, limits), {main.shown});
   try {

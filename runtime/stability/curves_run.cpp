@@ -12,6 +12,7 @@
 #include "lab/capture.h"
 #include "lab/pace.h"
 #include "lab/session.h"
+#include "math/statistics.h"
 
 namespace strobe::stability::curves {
 
@@ -198,9 +199,8 @@ void Comparison::time(const Case& in) {
   for (int round = 0; round < kRounds; ++round)
     for (size_t i = 0; i < settings_.size(); ++i) ms[i].push_back(sessions[i]->draw(&wanted).gpu_ms);
   for (size_t i = 0; i < settings_.size(); ++i) {
-    std::sort(ms[i].begin(), ms[i].end());
-    settings_[i].row.ms = ms[i][kRounds / 2];
-    settings_[i].row.least_ms = ms[i][0];
+    settings_[i].row.ms = median(ms[i]);
+    settings_[i].row.least_ms = *std::min_element(ms[i].begin(), ms[i].end());
   }
 }
 

@@ -2,6 +2,7 @@
 // Cases of cameras, large and fast things, and surfaces.
 #include <cmath>
 
+#include "math/constants.h"
 #include "stability/extreme_checks.h"
 
 namespace strobe::stability::extreme {
@@ -102,7 +103,7 @@ void addCameras(std::vector<Extreme>& list) {
   for (double turn : {10., 45., 85., 100., 170., -170.})
     list.push_back({fmt::format("turn_{}{:g}", turn < 0 ? "minus_" : "", std::abs(turn)), "all sky",
                     "the sky moves as directions do, and keeps its colour", [turn](Probe& probe) {
-                      double angle = turn * 3.14159265358979323846 / 180;
+                      double angle = turn * kPi / 180;
                       for (double near : {kNear, 5.0}) {  // which the sky has nothing to do with
                         Shot shot = planes(0, {{"turn", turn}, {"near", near}});
                         expectPath(

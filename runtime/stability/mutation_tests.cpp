@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "base/log.h"
+#include "base/process.h"
 #include "stability/child.h"
 
 namespace strobe::stability {
@@ -85,17 +86,28 @@ Path programPath(const TestFolder& tests, const std::string& program) {
   return fs::absolute(path);
 }
 
-ChildEnd runProgramOfTests(const TestFolder& tests, const Path& home, const std::string& program,
-                           const std::string& filter, double limit_s, const std::function<void()>& meanwhile = {}) {
-  return runProgram({programPath(tests, program), "--gtest_filter=" + filter, "--gtest_fail_fast", "--gtest_color=no"},
-                    tests.environment(home), limit_s, meanwhile);
+ProgramEnd runTestProgram(const TestFolder& tests, const Path& home, const std::string& program,
+                          std::vector<std::string> options, double limit_s, std::function<void()> meanwhile = {}) {
+  options.insert(options.begin(), programPath(tests, program));
+  return run({.arguments = std::move(options),
+              .environment = tests.environment(home),
+              .errors = Program::Errors::with_output,
+              .wall_s = limit_s,
+              .output_bytes = size_t{4} << 20,
+              .drops_rest = true,
+              .meanwhile = std::move(meanwhile)});
+}
+
+ProgramEnd runFiltered(const TestFolder& tests, const Path& home, const std::string& program, const std::string& filter,
+                       double limit_s, std::function<void()> meanwhile = {}) {
+  return runTestProgram(tests, home, program, {"--gtest_filter=" + filter, "--gtest_fail_fast", "--gtest_color=no"},
+                        limit_s, std::move(meanwhile));
 }
 
 std::vector<std::string> namesOf(const TestFolder& tests, const MutationPlan::Program& program) {
-  ChildEnd end =
-      runProgram({programPath(tests, program.name), "--gtest_list_tests", "--gtest_filter=" + program.filter},
-                 tests.environment(homeFolder()), 60);
-  if (end.exit_code != 0) throw Error(fmt::format("{} lists no tests: {}", program.name, end.output));
+  ProgramEnd end =
+      runTestProgram(tests, homeFolder(), program.name, {"--gtest_list_tests", "--gtest_filter=" + program.filter}, 60);
+  if (!end.succeeded()) throw Error(fmt::format("{} lists no tests: {}", program.name, end.output));
   std::vector<std::string> names;
   std::istringstream lines(end.output);
   std::string suite;
@@ -114,20 +126,20 @@ bool survey(const TestFolder& tests, const HomeCopy& home, TestCase& test) {
   OpenedFiles opened(home.folder() / "shaders");
   bool complete = true;
   auto look = [&] { complete = opened.collect(test.shaders) && complete; };
-  ChildEnd end = runProgramOfTests(tests, home.folder(), test.program, test.name, kLongestTest_s, look);
+  ProgramEnd end = runFiltered(tests, home.folder(), test.program, test.name, kLongestTest_s, look);
   look();
   test.seconds = end.seconds;
   if (!complete) throw Error(fmt::format("{}: too many files were read at once to know which", test.name));
-  return end.exit_code == 0;
+  return end.succeeded();
 }
 
 }  // namespace
 
 TestOutcome runTests(const TestFolder& tests, const Path& home, const std::string& program,
                      const std::vector<std::string>& names, double limit_s) {
-  ChildEnd end = runProgramOfTests(tests, home, program, joined(names), limit_s);
+  ProgramEnd end = runFiltered(tests, home, program, joined(names), limit_s);
   TestOutcome outcome;
-  outcome.caught = end.exit_code != 0;
+  outcome.caught = !end.succeeded();
   std::string running;
   for (const Said& said : readOutput(end.output)) {
     if (said.word == "RUN") running = said.test;

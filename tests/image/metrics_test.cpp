@@ -6,13 +6,13 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "base/error.h"
 #include "base/files.h"
 #include "base/json.h"
+#include "base/process.h"
 #include "image/comparison.h"
 #include "image/exr.h"
 #include "image/png.h"
@@ -52,15 +52,11 @@ Image pixels(std::vector<float> values) {
   return image;
 }
 
-// What a command prints, or nothing when it fails.
-std::optional<std::string> outputOf(const std::string& command) {
-  FILE* pipe = ::popen((command + " 2>/dev/null").c_str(), "r");
-  if (!pipe) return std::nullopt;
-  std::string text;
-  char buffer[4096];
-  while (size_t count = std::fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, count);
-  if (::pclose(pipe) != 0) return std::nullopt;
-  return text;
+// What a line of the shell prints, or nothing when it fails.
+std::optional<std::string> outputOf(const std::string& line) {
+  ProgramEnd end = run({.arguments = {"sh", "-c", line}});
+  if (!end.succeeded()) return std::nullopt;
+  return end.output;
 }
 
 // The answer of skimage_reference.py, from the first Python that has what it needs.

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "common/source.h"
+#include "math/constants.h"
 #include "oracle/render.h"
 
 namespace strobe::oracle {
@@ -196,7 +197,7 @@ Slope slopeAt(const Seen& seen, int x, int y) {
 int ridgeAt(const Seen& seen, int x, int y) {
   Slope slope = slopeAt(seen, x, y);
   const int dx[] = {0, 1, 1, 1, 0}, dy[] = {-1, -1, 0, 1, 1};
-  int sector = int(std::lround(slope.angle / (std::acos(-1.) / 4))) + 2;
+  int sector = int(std::lround(slope.angle / (kPi / 4))) + 2;
   if (slope.answer <= .5) return 0;
   bool is_ridge = slope.answer > slopeAt(seen, x - dx[sector], y - dy[sector]).answer &&
                   slope.answer >= slopeAt(seen, x + dx[sector], y + dy[sector]).answer;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "common/source.h"
+#include "math/constants.h"
 #include "oracle/gather_1d.h"
 #include "oracle/render.h"
 
@@ -126,7 +127,7 @@ TEST_F(RenderReveal, DepthsOnALongRoadAreExact) {
   lab::Shot shot = shotOf("road", kSide, kSide);
   shot.sets.clear();
   const image::Image depth = imageOf(render(with(shot, "none")), "depth");
-  const double focal = kSide / 2. / std::tan(std::acos(-1.) / 6);
+  const double focal = kSide / 2. / std::tan(kPi / 6);
   int seen = 0;
   for (int y = kSide / 2; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {

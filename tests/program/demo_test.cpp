@@ -88,12 +88,12 @@ TEST(Demo, MistakesHaveTheirLine) {
 
 // What a browser makes of the page, or an empty image where there is none.
 image::Image screenshot(const TemporaryFolder& folder, const std::string& page) {
-  if (std::system("command -v chromium >/dev/null 2>&1") != 0) return {};
+  if (runLine("command -v chromium").exit_code != 0) return {};
   std::string shot = folder / "page.png";
   std::string command =
       "timeout 60 chromium --headless --no-sandbox --disable-gpu --user-data-dir=" + (folder / "profile") +
       " --window-size=1000,1400 --screenshot=" + shot + " file://" + page + " >/dev/null 2>&1";
-  if (std::system(command.c_str()) != 0 || !fs::exists(shot)) return {};
+  if (runLine(command).exit_code != 0 || !fs::exists(shot)) return {};
   return image::readPng(shot);
 }
 

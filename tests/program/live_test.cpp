@@ -40,7 +40,7 @@ constexpr int kWidth = 1100, kHeight = 700;  // of the window, which fills its d
 class Live : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (std::system("command -v xvfb-run >/dev/null 2>&1") != 0) GTEST_SKIP() << "no Xvfb to open a window on";
+    if (runLine("command -v xvfb-run").exit_code != 0) GTEST_SKIP() << "no Xvfb to open a window on";
     writeText(folder_ / "scene.lua", kScene);
     fs::create_directories(pictures_);
   }
@@ -56,12 +56,8 @@ class Live : public ::testing::Test {
   // A shell's line on a display of its own.
   Outcome onDisplay(const std::string& line) {
     writeText(folder_ / "line.sh", line);
-    std::string shell =
-        fmt::format("STROBE_VALIDATION=1 timeout 120 xvfb-run -a -s '-screen 0 {}x{}x24 -noreset' sh {} >{} 2>{}",
-                    kWidth, kHeight, folder_ / "line.sh", folder_ / "stdout", folder_ / "stderr");
-    int status = std::system(shell.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contentOf(folder_ / "stdout"),
-            contentOf(folder_ / "stderr")};
+    return runLine(fmt::format("STROBE_VALIDATION=1 timeout 120 xvfb-run -a -s '-screen 0 {}x{}x24 -noreset' sh {}",
+                               kWidth, kHeight, folder_ / "line.sh"));
   }
 
   Outcome drive(const std::string& commands, const std::string& options = "hybrid") {
@@ -94,7 +90,7 @@ size_t greenPixels(const image::Image& window) {
 
 // The window's own screenshot against what the display holds at that time, by a program that knows neither.
 TEST_F(Live, AScreenshotIsWhatIsSeen) {
-  if (std::system("command -v import >/dev/null 2>&1") != 0) GTEST_SKIP() << "no ImageMagick to look at the display";
+  if (runLine("command -v import").exit_code != 0) GTEST_SKIP() << "no ImageMagick to look at the display";
   std::string shot = picture("start.png"), seen = folder_ / "seen.png";
   fs::remove(shot);
   std::string line = command("wait 3\nscreenshot " + shot + "\nwait 150\nquit\n", "hybrid") + " &\npid=$!\n" +

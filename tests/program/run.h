@@ -2,14 +2,13 @@
 // Runs the program as a user does: exit code, standard output and error.
 #pragma once
 
-#include <sys/wait.h>
-
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+
+#include "base/process.h"
 
 namespace strobe::testing {
 
@@ -52,17 +51,15 @@ inline std::string programPath() {
   return program ? program : "strobe";
 }
 
+// A line of the shell.
+inline Outcome runLine(const std::string& line, const std::vector<std::string>& environment = {}) {
+  ProgramEnd end = strobe::run({.arguments = {"sh", "-c", line}, .environment = environment, .wall_s = 600});
+  return {end.code(), end.output, end.errors};
+}
+
 // `arguments` as a shell reads them; `environment` like "NAME=value NAME2=value2". Validation is on unless it says not.
 inline Outcome run(const std::string& arguments, const std::string& environment = "STROBE_VALIDATION=1") {
-  TemporaryFolder folder;
-  std::string command = "env " + environment + " '" + programPath() + "' " + arguments + " >" + (folder / "out") +
-                        " 2>" + (folder / "err") + " </dev/null";
-  int status = std::system(command.c_str());
-  Outcome outcome;
-  outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  outcome.out = contentOf(folder / "out");
-  outcome.err = contentOf(folder / "err");
-  return outcome;
+  return runLine("exec env " + environment + " '" + programPath() + "' " + arguments);
 }
 
 }  // namespace strobe::testing

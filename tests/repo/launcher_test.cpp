@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The launcher's decisions, with nothing installed and nothing built: its functions read into a shell.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <cstdio>
 
 #include "base/files.h"
+#include "base/process.h"
 
 namespace strobe::repo {
 namespace {
@@ -20,15 +18,9 @@ Outcome launcher(const std::string& script) {
   std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();  // tests may run side by side
   std::string file = testing::TempDir() + "launcher_" + test + ".sh";
   writeFileAtomically(file, "source '" + (homeFolder() / "strobe").string() + "'; " + script);
-  std::string command = "bash '" + file + "' 2>&1 </dev/null";
-  FILE* pipe = popen(command.c_str(), "r");
-  Outcome outcome;
-  char part[4096];
-  while (size_t count = fread(part, 1, sizeof part, pipe)) outcome.text.append(part, count);
-  int status = pclose(pipe);
+  ProgramEnd end = run({.arguments = {"bash", file}, .errors = Program::Errors::with_output});
   std::filesystem::remove(file);
-  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return outcome;
+  return {end.code(), end.output};
 }
 
 std::string written(const std::string& name, const std::string& text) {

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "math/constants.h"
 #include "scene/defaults.h"
 #include "scene/motion.h"
 
@@ -265,7 +266,7 @@ TEST_F(Gltf, GpuInstancesLightsAndUnlit) {
   Scene scene = load(asset.whole());
   EXPECT_EQ(instancesOf(scene).size(), 2u);
   EXPECT_TRUE(scene.materials[0].unlit);
-  EXPECT_NEAR(scene.lights[0].intensity.x, 3.14159265, 1e-5) << "sunlight is brought to the display's white";
+  EXPECT_NEAR(scene.lights[0].intensity.x, kPi, 1e-5) << "sunlight is brought to the display's white";
   EXPECT_EQ(scene.assumptions.size(), 1u);
 }
 

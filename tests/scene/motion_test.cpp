@@ -6,10 +6,10 @@
 
 #include <cmath>
 
+#include "math/constants.h"
+
 namespace strobe::scene {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // Double arithmetic of a few operations on numbers of size one.
 constexpr double kTiny = 1e-12;

@@ -10,10 +10,10 @@
 #include <set>
 #include <tuple>
 
+#include "math/constants.h"
+
 namespace strobe::scene {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 double volume(const Shape& shape) {
   double six = 0;

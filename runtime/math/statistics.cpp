@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "math/statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "base/error.h"
+
+namespace strobe {
+
+static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+double quantile(std::vector<double> values, double q) {
+  STROBE_ASSERT(q >= 0 && q <= 1, "{}", q);
+  if (values.empty()) return kNone;
+  double rank = q * double(values.size() - 1);
+  auto lower = values.begin() + std::ptrdiff_t(rank);
+  std::nth_element(values.begin(), lower, values.end());
+  double share = rank - std::floor(rank);
+  // A neighbour that has no share must not count: 0 times infinity is no number.
+  return share == 0 ? *lower : std::lerp(*lower, *std::min_element(lower + 1, values.end()), share);
+}
+
+double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
+
+double mean(const std::vector<double>& values) {
+  if (values.empty()) return kNone;
+  return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+}
+
+double variance(const std::vector<double>& values) {
+  if (values.size() < 2) return kNone;
+  double middle = mean(values), sum = 0;
+  for (double value : values) sum += (value - middle) * (value - middle);
+  return sum / double(values.size() - 1);
+}
+
+double standardError(const std::vector<double>& values) { return std::sqrt(variance(values) / double(values.size())); }
+
+}  // namespace strobe

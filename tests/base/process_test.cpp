@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "base/process.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <cstdlib>
+#include <future>
+#include <thread>
+
+#include "base/error.h"
+#include "base/log.h"
+
+namespace strobe {
+namespace {
+
+Program shell(const std::string& script) { return {.arguments = {"sh", "-c", script}}; }
+
+TEST(Process, ReadsItsInputAndKeepsItsStreamsApart) {
+  Program program = shell("read line; echo \"got $line\"; echo oops >&2; exit 3");
+  program.input = "words\n";
+  ProgramEnd end = run(program);
+  EXPECT_EQ(end.output, "got words\n");
+  EXPECT_EQ(end.errors, "oops\n");
+  EXPECT_EQ(end.code(), 3);
+  EXPECT_FALSE(end.succeeded());
+  program.errors = Program::Errors::with_output;
+  EXPECT_EQ(run(program).output, "got words\noops\n");
+}
+
+// More than a pipe holds, in both directions and on both streams.
+TEST(Process, LargeInputAndOutputPass) {
+  Program program = shell("tee /dev/stderr");
+  program.input.assign(3 << 20, 'x');
+  ProgramEnd end = run(program);
+  EXPECT_TRUE(end.output == program.input);
+  EXPECT_TRUE(end.errors == program.input);
+  program.arguments = {"true"};  // reads nothing
+  EXPECT_TRUE(run(program).succeeded());
+}
+
+TEST(Process, TheEnvironmentIsOursWithSomeOfItsOwn) {
+  ::setenv("STROBE_TEST_KEPT", "kept", 1);
+  ::setenv("STROBE_TEST_GIVEN", "ours", 1);
+  Program program = shell("echo $STROBE_TEST_KEPT $STROBE_TEST_GIVEN $STROBE_TEST_GIVEN_TOO");
+  program.environment = {"STROBE_TEST_GIVEN=own", "STROBE_TEST_GIVEN_TOO=too"};
+  EXPECT_EQ(run(program).output, "kept own too\n");
+  ::unsetenv("STROBE_TEST_KEPT");
+  ::unsetenv("STROBE_TEST_GIVEN");
+}
+
+TEST(Process, ASignalIsNamed) {
+  ProgramEnd end = run(shell("kill -SEGV $$"));
+  EXPECT_EQ(end.signal, SIGSEGV);
+  EXPECT_EQ(end.code(), 128 + SIGSEGV);
+}
+
+TEST(Process, AMissingProgramIsAnError) {
+  try {
+    run({.arguments = {"/nonexistent/program"}});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "'/nonexistent/program' cannot be started: No such file or directory");
+  }
+}
+
+// The child of the child holds the stream open: the whole group has to end.
+TEST(Process, AtTheWallClocksLimitTheGroupIsKilled) {
+  for (const char* script : {"sleep 60 & sleep 60", "exec >/dev/null 2>&1; sleep 60"}) {
+    Program program = shell(script);
+    program.wall_s = 0.2;
+    ProgramEnd end = run(program);
+    EXPECT_TRUE(end.timed_out) << script;
+    EXPECT_FALSE(end.succeeded()) << script;
+    EXPECT_EQ(end.signal, SIGKILL) << script;
+    EXPECT_LT(end.seconds, 10) << script;
+  }
+}
+
+TEST(Process, ProcessorTimeAndMemoryAreLimited) {
+  Program program = shell("while :; do :; done");
+  program.cpu_s = 1;
+  program.wall_s = 60;
+  ProgramEnd end = run(program);
+  EXPECT_EQ(end.signal, SIGXCPU);
+  EXPECT_FALSE(end.timed_out);
+  program = shell("ulimit -v; ulimit -c");
+  program.memory_bytes = size_t{256} << 20;
+  EXPECT_EQ(run(program).output, "262144\n0\n");
+}
+
+TEST(Process, OutputIsBounded) {
+  Program program = shell("printf 123456; sleep 0.1; printf 789; echo end >&2");
+  program.output_bytes = 7;
+  program.drops_rest = true;
+  ProgramEnd end = run(program);
+  EXPECT_EQ(end.output, "1234567");
+  EXPECT_EQ(end.errors, "end\n");
+  EXPECT_TRUE(end.too_long);
+  EXPECT_EQ(end.code(), 0);
+  program = shell("yes");
+  end = run(program);
+  EXPECT_TRUE(end.too_long);
+  EXPECT_EQ(end.output.size(), program.output_bytes);
+  EXPECT_EQ(end.signal, SIGKILL);
+}
+
+TEST(Process, WorkGoesOnMeanwhile) {
+  int calls = 0;
+  Program program = shell("sleep 0.3");
+  program.meanwhile = [&] { ++calls; };
+  run(program);
+  EXPECT_GE(calls, 5);
+}
+
+TEST(Process, ThreadsMayRunProgramsSideBySide) {
+  std::vector<std::future<std::string>> outputs;
+  for (int i = 0; i < 32; ++i)
+    outputs.push_back(std::async(std::launch::async, [i] { return run(shell("echo " + std::to_string(i))).output; }));
+  for (size_t i = 0; i < outputs.size(); ++i) EXPECT_EQ(outputs[i].get(), std::to_string(i) + "\n");
+}
+
+}  // namespace
+}  // namespace strobe
