@@ -13,7 +13,6 @@
 #include "app/help.h"
 #include "app/inspect.h"
 #include "app/live.h"
-#include "app/mutate.h"
 #include "app/render.h"
 #include "app/stability.h"
 #include "base/error.h"
@@ -57,7 +56,6 @@ int main(int argc, char** argv) {
   strobe::app::registerCompare(program);
   strobe::app::registerBench(program);
   strobe::app::registerStability(program);
-  strobe::app::registerMutate(program);
   strobe::app::registerDoctor(program);
   try {
     program.parse(argc, argv);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "stability/shader_code.h"
+#include "mutate/shader_code.h"
 
 #include <cstdlib>
 
 #include "script/evaluate.h"
 
-namespace strobe::stability {
+namespace strobe::mutate {
 
 HomeOverride::HomeOverride(const Path& folder) {
   if (const char* before = std::getenv("STROBE_HOME")) before_ = before;
@@ -81,4 +81,4 @@ CodeChange ShaderCode::changeBy(const Mutant& mutant) {
   return change;
 }
 
-}  // namespace strobe::stability
+}  // namespace strobe::mutate

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "graph/pipelines.h"
-#include "stability/child.h"
-#include "stability/mutate.h"
+#include "mutate/home_copy.h"
+#include "mutate/mutants.h"
 
-namespace strobe::stability {
+namespace strobe::mutate {
 
 enum class CodeChange { Refused, Same, Different };
 
@@ -53,4 +53,4 @@ class ShaderCode {
   std::vector<Unit> units_;
 };
 
-}  // namespace strobe::stability
+}  // namespace strobe::mutate

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "stability/glsl.h"
+#include "mutate/glsl.h"
 
 #include <algorithm>
 #include <cctype>
 
-namespace strobe::stability {
+namespace strobe::mutate {
 
 namespace {
 
@@ -141,4 +141,4 @@ std::string lineAt(const std::string& text, size_t offset) {
   return text.substr(first, last - first);
 }
 
-}  // namespace strobe::stability
+}  // namespace strobe::mutate

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stability/mutate.h"
+#include "mutate/mutants.h"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 
 #include "base/error.h"
 #include "base/hash.h"
-#include "stability/glsl.h"
+#include "mutate/glsl.h"
 
-namespace strobe::stability {
+namespace strobe::mutate {
 
 const std::vector<MutationOperator>& mutationOperators() {
   using enum MutationOperator;
@@ -390,4 +390,4 @@ std::vector<Mutant> drawMutants(const std::vector<std::vector<Mutant>>& by_file,
   return drawn;
 }
 
-}  // namespace strobe::stability
+}  // namespace strobe::mutate

@@ -7,7 +7,7 @@
 
 #include "base/files.h"
 
-namespace strobe::stability {
+namespace strobe::mutate {
 
 // Passes, shaders and scripts of a home folder in a folder of their own, gone with the object.
 class HomeCopy {
@@ -37,4 +37,4 @@ class OpenedFiles {
   std::vector<std::pair<int, std::string>> folders_;  // by watch descriptor: "lib/"
 };
 
-}  // namespace strobe::stability
+}  // namespace strobe::mutate

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stability/mutation_run.h"
+#include "mutate/run.h"
 
 #include <algorithm>
 #include <atomic>
@@ -10,11 +10,11 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "base/log.h"
-#include "stability/child.h"
-#include "stability/glsl.h"
-#include "stability/shader_code.h"
+#include "mutate/glsl.h"
+#include "mutate/home_copy.h"
+#include "mutate/shader_code.h"
 
-namespace strobe::stability {
+namespace strobe::mutate {
 
 namespace {
 
@@ -317,4 +317,4 @@ Json toJson(const MutationResult& result) {
   return json;
 }
 
-}  // namespace strobe::stability
+}  // namespace strobe::mutate

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include "stability/mutation_run.h"
+#include "mutate/run.h"
 
-namespace strobe::stability {
+namespace strobe::mutate {
 
 namespace {
 
@@ -59,8 +59,9 @@ std::string pageOf(const std::vector<MutationResult>& results, const MutationOpt
   return fmt::format(
       "# What the tests notice\n\n"
       "One small mistake at a time is put into a copy of the shaders, and tests that read the shader are run until one "
-      "fails. Made by `strobe mutate --seed {} --count {} --write docs/mutations.md`; which tests take part says "
-      "`tests/stability/mutation.json`, the reasons are kept in `docs/mutations_survivors.json`.\n\n"
+      "fails. Made by `strobe_mutate --seed {} --count {} --write tools/mutate/mutations.md`; the tests that take part "
+      "are "
+      "named in `plan.json`, the reasons are kept in `survivors.json`.\n\n"
       "**{}.**\n\n"
       "Mutants that compile to the same code under every choice of every pass, or do not compile, count for nothing. "
       "The window's own two shaders (`live/`) are reached by no pass and are left out.\n\n"
@@ -69,4 +70,4 @@ std::string pageOf(const std::vector<MutationResult>& results, const MutationOpt
       everything(results));
 }
 
-}  // namespace strobe::stability
+}  // namespace strobe::mutate

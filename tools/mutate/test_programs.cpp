@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stability/mutation_tests.h"
+#include "mutate/test_programs.h"
 
 #include <algorithm>
 #include <atomic>
@@ -11,9 +11,9 @@
 #include "base/hash.h"
 #include "base/log.h"
 #include "base/process.h"
-#include "stability/child.h"
+#include "mutate/home_copy.h"
 
-namespace strobe::stability {
+namespace strobe::mutate {
 
 namespace fs = std::filesystem;
 
@@ -260,4 +260,4 @@ void TestOrder::took(const std::map<std::string, double>& seconds) {
   }
 }
 
-}  // namespace strobe::stability
+}  // namespace strobe::mutate

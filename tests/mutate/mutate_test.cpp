@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The operators on small texts, the draw, and the run from outside on a mutant that is known to be caught.
-#include "stability/mutate.h"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -9,11 +7,12 @@
 #include <set>
 
 #include "base/error.h"
-#include "stability/glsl.h"
-#include "stability/mutation_run.h"
-#include "stability/shader_code.h"
+#include "mutate/glsl.h"
+#include "mutate/mutants.h"
+#include "mutate/run.h"
+#include "mutate/shader_code.h"
 
-namespace strobe::stability {
+namespace strobe::mutate {
 namespace {
 
 std::vector<Mutant> mutantsIn(const std::string& text) {
@@ -229,4 +228,4 @@ TEST(MutationRun, CatchesAWrongSign) {
 }
 
 }  // namespace
-}  // namespace strobe::stability
+}  // namespace strobe::mutate

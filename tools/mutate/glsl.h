@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace strobe::stability {
+namespace strobe::mutate {
 
 struct Token {
   enum class Kind { Name, Number, Sign };
@@ -33,4 +33,4 @@ LinePlace placeOf(const std::string& text, size_t offset);
 // The line around an offset, without the space around it.
 std::string lineAt(const std::string& text, size_t offset);
 
-}  // namespace strobe::stability
+}  // namespace strobe::mutate

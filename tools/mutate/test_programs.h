@@ -11,11 +11,11 @@
 
 #include "base/files.h"
 #include "base/json.h"
-#include "stability/mutate.h"
+#include "mutate/mutants.h"
 
-namespace strobe::stability {
+namespace strobe::mutate {
 
-// tests/stability/mutation.json: which tests of which programs take part, and what the operators must know.
+// plan.json: which tests of which programs take part, and what the operators must know.
 struct MutationPlan {
   struct Program {
     std::string name, filter;  // as googletest reads it
@@ -54,7 +54,7 @@ TestOutcome runTests(const TestFolder& tests, const Path& home, const std::strin
 // The tests of the plan. Programs that are missing or list none are an `Error`.
 std::vector<TestCase> listTests(const TestFolder& tests, const MutationPlan& plan);
 
-// Runs each alone, `jobs` at a time, on an unchanged copy of the home folder, and tells of each that passes there.
+// Runs each alone, `jobs` at a time, on an unchanged copy of the home folder, and reports each that passes there.
 void surveyTests(const TestFolder& tests, const std::vector<TestCase>& all, int jobs,
                  const std::function<void(const TestCase&)>& passed);
 
@@ -89,4 +89,4 @@ class TestOrder {
   std::map<std::string, double> took_;
 };
 
-}  // namespace strobe::stability
+}  // namespace strobe::mutate

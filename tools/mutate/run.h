@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "stability/mutation_tests.h"
+#include "mutate/test_programs.h"
 
-namespace strobe::stability {
+namespace strobe::mutate {
 
 struct MutationOptions {
   uint64_t seed = 1;
@@ -42,7 +42,7 @@ std::vector<Mutant> listMutants(const MutationOptions& options, const MutationPl
 std::vector<MutationResult> runMutants(const std::vector<Mutant>& mutants, const MutationOptions& options,
                                        const MutationPlan& plan);
 
-// docs/mutations_survivors.json: reasons, by shader, line and mutated line.
+// survivors.json: reasons, by shader, line and mutated line.
 void giveReasons(std::vector<MutationResult>& results, const Path& file);
 
 int countOf(const std::vector<MutationResult>& results, Fate fate);
@@ -51,10 +51,10 @@ int unexplained(const std::vector<MutationResult>& results);
 // "112 of 128 caught (88 %), ..."
 std::string summaryOf(const std::vector<MutationResult>& results);
 
-// The page that docs/ has of it.
+// The page mutations.md.
 std::string pageOf(const std::vector<MutationResult>& results, const MutationOptions& options);
 
 Json toJson(const Mutant& mutant);
 Json toJson(const MutationResult& result);
 
-}  // namespace strobe::stability
+}  // namespace strobe::mutate

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stability/child.h"
+#include "mutate/home_copy.h"
 
 #include <sys/inotify.h>
 #include <unistd.h>
@@ -11,7 +11,7 @@
 
 #include "base/error.h"
 
-namespace strobe::stability {
+namespace strobe::mutate {
 
 namespace fs = std::filesystem;
 
@@ -59,4 +59,4 @@ bool OpenedFiles::collect(std::vector<std::string>& files) {
   return complete;
 }
 
-}  // namespace strobe::stability
+}  // namespace strobe::mutate

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace strobe::stability {
+namespace strobe::mutate {
 
 enum class MutationOperator {
   Sign,              // + and -, += and -=, ++ and --; a unary minus dropped
@@ -53,4 +53,4 @@ std::string mutated(const std::string& text, const Mutant& mutant);
 // where `count` allows; within a file the operators take turns, and no two change the same place. By file and place.
 std::vector<Mutant> drawMutants(const std::vector<std::vector<Mutant>>& by_file, uint64_t seed, size_t count);
 
-}  // namespace strobe::stability
+}  // namespace strobe::mutate
