@@ -2,8 +2,10 @@
 // How much of everything a device takes.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
+#include "base/limit.h"
 #include "gpu/device.h"
 
 namespace strobe::gpu {
@@ -17,5 +19,23 @@ struct DeviceLimits {
 };
 
 DeviceLimits limitsOf(const Device& device);
+
+inline constexpr Limit kInstanceLimit{"instances", Limit::Kind::Refused,
+                                      "a scene has more instances than the device's acceleration structures",
+                                      "nothing is drawn; merge meshes, or take another device"};
+inline constexpr Limit kTriangleLimit{"triangles", Limit::Kind::Refused,
+                                      "a mesh has more triangles than the device's acceleration structures",
+                                      "nothing is drawn; split the mesh"};
+inline constexpr Limit kGeometryLimit{"geometries", Limit::Kind::Refused,
+                                      "a mesh has more parts than the device's acceleration structures",
+                                      "nothing is drawn; merge its materials, or split it"};
+inline constexpr Limit kBufferLimit{
+    "buffers", Limit::Kind::Refused, "a scene's buffer is larger than what a shader may see of one",
+    "nothing is drawn; take fewer vertices or instances, fewer `slices` of truth, or another device"};
+inline constexpr Limit kImageLimit{"images", Limit::Kind::Refused,
+                                   "a picture or texture is larger than the device's images",
+                                   "nothing is drawn; take a smaller one"};
+
+inline constexpr std::array kLimits = {kInstanceLimit, kTriangleLimit, kGeometryLimit, kBufferLimit, kImageLimit};
 
 }  // namespace strobe::gpu

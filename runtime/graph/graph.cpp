@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <glm/gtc/packing.hpp>
 
-#include "base/limits.h"
 #include "base/log.h"
 #include "gpu/limits.h"
 #include "math/sampling.h"
@@ -154,8 +153,8 @@ static void requireImages(const gpu::Device& device, const Plan& plan) {
   uint64_t most = gpu::limitsOf(device).image_side;
   for (const plan::VirtualImage& image : plan.images) {
     if (uint64_t(std::max(image.width, image.height)) <= most) continue;
-    throw Error(limitText("images", fmt::format("'{}' is {}x{} pixels, of at most {} a side on device '{}'", image.name,
-                                                image.width, image.height, most, device.info().name)));
+    throw Error(gpu::kImageLimit.text(fmt::format("'{}' is {}x{} pixels, of at most {} a side on device '{}'",
+                                                  image.name, image.width, image.height, most, device.info().name)));
   }
 }
 

@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
-#include "base/limits.h"
 #include "base/utf8.h"
+#include "lab/limits.h"
 #include "page/table.h"
 #include "script/evaluate.h"
 
@@ -351,8 +351,9 @@ std::string limitsOfPasses(const std::vector<PassDesc>& passes) {
 
 std::string limitsOfProgram(Limit::Kind kind) {
   Table table{"", {"name", "when it is met", "what is done, and what to do about it"}};
-  for (const Limit& limit : limits())
-    if (limit.kind == kind) table.add({code(limit.name), sentence(limit.met), sentence(limit.result)});
+  for (const Limit& limit : allLimits())
+    if (limit.kind == kind)
+      table.add({code(std::string(limit.name)), sentence(std::string(limit.met)), sentence(std::string(limit.result))});
   return tableText(table);
 }
 
@@ -365,10 +366,10 @@ std::string limitsPage(const std::vector<PassDesc>& passes) {
       "## Of passes\n\nCounted per pixel (or as said) while the picture is made. Declared in the pass, beside its "
       "counters.\n\n" +
       limitsOfPasses(passes);
-  text += "## Of the program\n\nDeclared in `runtime/base/limits.cpp`.\n\n";
+  text += "## Of the program\n\nDeclared in `limits.h` of `runtime/gpu`, `runtime/scene` and `runtime/lab`.\n\n";
   text += "### With a warning\n\n" + limitsOfProgram(Limit::Kind::Warned);
   text += "### Refused, before anything is allocated\n\n" + limitsOfProgram(Limit::Kind::Refused);
-  text += "### Not said, since nearly every picture meets them or nobody can tell\n\n" +
+  text += "### Not reported, since nearly every picture meets them or they cannot be detected\n\n" +
           limitsOfProgram(Limit::Kind::Known);
   text.pop_back();
   return text;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/limits.h"
+#include "lab/limits.h"
 #include "scene/motion.h"
 
 namespace strobe::lab {
@@ -52,11 +52,11 @@ std::vector<std::string> limitsMet(const Shot& shot, const scene::Scene& scene) 
     double first_s = firstKey(clip);
     if (open_s < first_s && close_s >= first_s)
       met.push_back(
-          limitText("before_clip", fmt::format("{} begins before '{}' does at {:.6g} s", times, clip.name, first_s)));
+          kBeforeClipLimit.text(fmt::format("{} begins before '{}' does at {:.6g} s", times, clip.name, first_s)));
     bool seam = scene::clipTime(close_s, clip.duration) < scene::clipTime(open_s, clip.duration);
     if (seam && jumps(clip))
       met.push_back(
-          limitText("clip_seam", fmt::format("{} spans the end of '{}' at {:.6g} s", times, clip.name, clip.duration)));
+          kClipSeamLimit.text(fmt::format("{} spans the end of '{}' at {:.6g} s", times, clip.name, clip.duration)));
   }
   return met;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which limits a picture has met: those of its passes by their counts, those of the program (base/limits.h) by its
+// Which limits a picture has met: those of its passes by their counts, those of the program (lab/limits.h) by its
 // shot.
 #pragma once
 

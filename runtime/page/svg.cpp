@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/utf8.h"
+#include "math/constants.h"
 #include "page/markup.h"
 
 namespace strobe::page {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 
-#include "base/limits.h"
 #include "scene/fits.h"
+#include "scene/limits.h"
 
 namespace strobe::scene {
 
@@ -290,8 +290,8 @@ static bool isUsable(const SceneTransform& transform) {
 }
 
 void GpuScene::refuseTransform(int node) const {
-  throw Error(limitText("transforms", fmt::format("{}: the transform of node '{}' cannot be drawn", scene_.name,
-                                                  scene_.nodes[size_t(node)].name)));
+  throw Error(kTransformLimit.text(
+      fmt::format("{}: the transform of node '{}' cannot be drawn", scene_.name, scene_.nodes[size_t(node)].name)));
 }
 
 void GpuScene::setPose(uint32_t slice, const Pose& pose, const Camera& camera, double aspect, const dvec3& origin) {

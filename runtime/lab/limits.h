@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What a shot may not ask of its scene, or not exactly; and the limits of all rooms together.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "base/limit.h"
+
+namespace strobe::lab {
+
+inline constexpr Limit kBeforeClipLimit{
+    "before_clip", Limit::Kind::Warned, "the exposure begins before a clip of keys does",
+    "what is keyed is held at its first keys there; take a later frame, a shorter exposure or another anchor"};
+inline constexpr Limit kClipSeamLimit{
+    "clip_seam", Limit::Kind::Warned, "the exposure spans the end of a clip, which then begins again",
+    "what is keyed jumps back within the exposure and is blurred over the whole jump; take a frame whose exposure lies "
+    "within the clip"};
+inline constexpr Limit kOutsideLimit{
+    "outside", Limit::Kind::Known, "what the exposure shows was outside of the picture at the capture",
+    "filters of one picture know nothing of it, and what is at the border stands in; truth shows it. Render a larger "
+    "picture and crop it"};
+
+inline constexpr std::array kLimits = {kBeforeClipLimit, kClipSeamLimit, kOutsideLimit};
+
+// Those of devices, of scenes and of shots, in this order.
+std::vector<Limit> allLimits();
+
+}  // namespace strobe::lab
