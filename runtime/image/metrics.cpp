@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "base/error.h"
+#include "image/regions.h"
 #include "image/tone.h"
+#include "math/statistics.h"
 
 namespace strobe::image {
 namespace {
@@ -22,8 +24,6 @@ void assertAlike(const Image& test, const Image& reference) {
   STROBE_ASSERT(colourCount(test) == colourCount(reference), "{} and {} channels", test.channels, reference.channels);
 }
 
-bool counts(const Image& mask, int x, int y) { return mask.empty() || mask.at(x, y, 0) >= 0.5f; }
-
 // The mean of error(x, r) over the colour channels, for every pixel that counts, in reading order.
 template <class ErrorOf>
 std::vector<double> pixelErrors(const Image& test, const Image& reference, const Image& mask, ErrorOf errorOf) {
@@ -35,19 +35,12 @@ std::vector<double> pixelErrors(const Image& test, const Image& reference, const
   int colours = colourCount(test);
   for (int y = 0; y < test.height; ++y)
     for (int x = 0; x < test.width; ++x) {
-      if (!counts(mask, x, y)) continue;
+      if (!isIn(mask, x, y)) continue;
       double sum = 0;
       for (int c = 0; c < colours; ++c) sum += errorOf(double(test.at(x, y, c)), double(reference.at(x, y, c)));
       errors.push_back(sum / colours);
     }
   return errors;
-}
-
-double mean(const std::vector<double>& values) {
-  if (values.empty()) return kNothing;
-  double sum = 0;
-  for (double value : values) sum += value;
-  return sum / double(values.size());
 }
 
 double squaredError(double x, double r) { return (x - r) * (x - r); }
@@ -185,7 +178,7 @@ std::optional<double> ssim(const Image& test, const Image& reference, const Imag
     Plane map = product(parts.luminance, parts.contrast_structure);
     for (int py = 0; py < map.height; ++py)
       for (int px = 0; px < map.width; ++px)
-        if (counts(mask, px + kWindow / 2, py + kWindow / 2)) sum += map.at(px, py), ++count;
+        if (isIn(mask, px + kWindow / 2, py + kWindow / 2)) sum += map.at(px, py), ++count;
   }
   return count ? sum / double(count) : kNothing;
 }
@@ -213,7 +206,7 @@ double temporalError(const Image& test0, const Image& test1, const Image& refere
 size_t countedPixels(const Image& image, const Image& mask) {
   size_t count = 0;
   for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x) count += counts(mask, x, y);
+    for (int x = 0; x < image.width; ++x) count += isIn(mask, x, y);
   return count;
 }
 

@@ -2,8 +2,8 @@
 // Cases of displacements, picture sizes, tiles, exposures, samples, scales, places and times.
 #include <cmath>
 
+#include "image/regions.h"
 #include "stability/extreme_checks.h"
-#include "stability/pictures.h"
 
 namespace strobe::stability::extreme {
 
@@ -199,7 +199,7 @@ void addExposures(std::vector<Extreme>& list) {
       {"samples_1_truth", "samples", "one midpoint sample is the capture of the bar half way back", [](Probe& probe) {
          if (!probe.isTruth()) return;
          const image::Image& one = colorIn(probe.picture(set(barShot(8), {{"samples", "1"}})));
-         probe.expect(countDifferent(one, colorIn(probe.sharp(barShot(0, 12, 28))), 0) == 0, "it is not");
+         probe.expect(image::countDifferent(one, colorIn(probe.sharp(barShot(0, 12, 28))), 0) == 0, "it is not");
        }});
 }
 

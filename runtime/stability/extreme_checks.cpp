@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stability/pictures.h"
+#include "image/metrics.h"
+#include "image/regions.h"
 
 namespace strobe::stability::extreme {
 
@@ -55,14 +56,14 @@ bool warnedOf(const lab::Picture& picture, const std::string& text) {
 // ---- what must hold
 
 void expectSharp(Probe& probe, const Shot& shot) {
-  int different = countDifferent(colorIn(probe.picture(shot)), colorIn(probe.sharp(shot)), 0);
+  int different = image::countDifferent(colorIn(probe.picture(shot)), colorIn(probe.sharp(shot)), 0);
   probe.expect(different == 0, fmt::format("{} pixels are not as the capture sees them", different));
 }
 
 // The same but for silhouettes that cross sample positions by rounding: 4 of 518400 pixels of a picture of few, and in
 // proportion to their number.
 void expectSharpBut(Probe& probe, const Shot& shot, int pixels) {
-  int different = countDifferent(colorIn(probe.picture(shot)), colorIn(probe.sharp(shot)), 0);
+  int different = image::countDifferent(colorIn(probe.picture(shot)), colorIn(probe.sharp(shot)), 0);
   probe.expect(different <= pixels,
                fmt::format("{} pixels are not as the capture sees them, at most {} may", different, pixels));
 }
@@ -77,13 +78,14 @@ void expectWithin(Probe& probe, const Shot& shot, double low, double high) {
 void expectNearerToTruth(Probe& probe, const Shot& shot) {
   if (!probe.filters()) return;
   const Image &truth = colorIn(probe.truth(shot)), &sharp = colorIn(probe.sharp(shot));
-  double own = rmsDifference(colorIn(probe.picture(shot)), truth), without = rmsDifference(sharp, truth);
+  double own = image::rootMeanSquaredError(colorIn(probe.picture(shot)), truth),
+         without = image::rootMeanSquaredError(sharp, truth);
   probe.expect(own < without, fmt::format("RMSE {:.5f} to truth, {:.5f} without blur", own, without));
 }
 
 void expectSame(Probe& probe, const Shot& shot, const Shot& other, double tolerance, double share) {
   const Image &a = colorIn(probe.picture(shot)), &b = colorIn(probe.picture(other));
-  int different = countDifferent(a, b, tolerance), most = int(share * a.width * a.height);
+  int different = image::countDifferent(a, b, tolerance), most = int(share * a.width * a.height);
   probe.expect(different <= most,
                fmt::format("{} pixels differ by more than {}, at most {} may", different, tolerance, most));
 }

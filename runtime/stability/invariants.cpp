@@ -7,6 +7,8 @@
 #include <set>
 
 #include "base/hash.h"
+#include "image/metrics.h"
+#include "image/regions.h"
 #include "stability/box_filter.h"
 #include "stability/pictures.h"
 
@@ -15,7 +17,7 @@ namespace strobe::stability {
 Random Subject::draw(const char* what) const { return Random(uint64_t(knob(shot, "seed", 1)), what); }
 
 bool blurs(Renderer& renderer, const lab::Shot& shot) {
-  return rmsDifference(*renderer.color(shot), *renderer.color(by(shot, kSharp))) > 1e-3;
+  return image::rootMeanSquaredError(*renderer.color(shot), *renderer.color(by(shot, kSharp))) > 1e-3;
 }
 
 namespace {
@@ -145,7 +147,7 @@ Finding mirrored(const Subject& subject) {
   if (turn) other = with(other, "scene.turn", 1);
 
   Picture one = subject.renderer.color(shot), two = subject.renderer.color(other);
-  double tolerance = 1e-5 * std::max(1.0, largestColor(*one));
+  double tolerance = 1e-5 * std::max(1.0, image::largestColour(*one));
   auto at = [&](int x, int y, int c) {
     if (sides != 1) x = width - 1 - x;
     if (sides == 1 || sides == 2) y = height - 1 - y;
@@ -182,7 +184,7 @@ Finding reversed(const Subject& subject) {
   lab::Shot shot = subject.shot, other = with(subject.shot, "scene.speed", -1);
   other.anchor = shot.anchor == "close" ? "open" : shot.anchor == "open" ? "close" : "centre";
   Picture right = subject.renderer.color(other);
-  return same(subject, shot, other, 1e-5 * std::max(1.0, largestColor(*right)));
+  return same(subject, shot, other, 1e-5 * std::max(1.0, image::largestColour(*right)));
 }
 
 // ---- I7, I8
@@ -194,7 +196,7 @@ Finding convex(const Subject& subject) {
   int objects = 1 + int(knob(shot, "cards", 5) + knob(shot, "boxes", 0) + knob(shot, "balls", 0));
   for (int peel = 0; peel <= objects; ++peel) layers.push_back(subject.renderer.color(with(layer, "scene.peel", peel)));
   int radius = int(std::ceil(knob(shot, "reach", 10))) + 3;
-  double tolerance = 1e-5 * std::max(1.0, largestColor(*layers.front()));
+  double tolerance = 1e-5 * std::max(1.0, image::largestColour(*layers.front()));
   // What is drawn at other times shows what comes in from outside of the layers.
   int border = subject.pipeline.loops.empty() ? 0 : radius;
   const Picture& around = layers.front();
@@ -261,8 +263,8 @@ Finding scaled(const Subject& subject) {
   lab::Shot shot = subject.shot, other = with(shot, "scene.scale", scale);
   if (exact) return same(subject, other, shot, 0);
   Picture one = subject.renderer.color(shot), two = subject.renderer.color(other);
-  double tolerance = 1e-5 * std::max(1.0, largestColor(*one));
-  int different = countDifferent(*one, *two, tolerance), allowed = std::max(1, one->width * one->height / 1000);
+  double tolerance = 1e-5 * std::max(1.0, image::largestColour(*one));
+  int different = image::countDifferent(*one, *two, tolerance), allowed = std::max(1, one->width * one->height / 1000);
   if (different <= allowed) return {};
   Finding finding = same(subject, other, shot, tolerance);
   finding.excess = different - allowed;
@@ -278,7 +280,7 @@ double errorOf(const Subject& subject, const lab::Shot& shot, const std::vector<
     lab::Shot here = shot;
     here = with(here, "scene.seed", knob(scene, "seed", 1));
     lab::Shot truth = with(by(here, kTruth), "samples", 96);
-    sum += rmsDifference(*subject.renderer.color(here), *subject.renderer.color(truth));
+    sum += image::rootMeanSquaredError(*subject.renderer.color(here), *subject.renderer.color(truth));
   }
   return sum / double(scenes.size());
 }

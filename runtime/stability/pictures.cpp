@@ -36,31 +36,4 @@ Finding compare(const image::Image& picture, const RightAt& right, std::vector<l
   return finding;
 }
 
-int countDifferent(const image::Image& a, const image::Image& b, double tolerance) {
-  int count = 0;
-  for (int y = 0; y < a.height; ++y)
-    for (int x = 0; x < a.width; ++x) {
-      bool same = true;
-      for (int c = 0; c < 3; ++c) same = same && std::abs(double(a.at(x, y, c)) - b.at(x, y, c)) <= tolerance;
-      count += !same;
-    }
-  return count;
-}
-
-double rmsDifference(const image::Image& a, const image::Image& b) {
-  double sum = 0;
-  for (int y = 0; y < a.height; ++y)
-    for (int x = 0; x < a.width; ++x)
-      for (int c = 0; c < 3; ++c) sum += std::pow(double(a.at(x, y, c)) - b.at(x, y, c), 2);
-  return std::sqrt(sum / (3.0 * a.width * a.height));
-}
-
-double largestColor(const image::Image& picture) {
-  double largest = 0;
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x)
-      for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(double(picture.at(x, y, c))));
-  return largest;
-}
-
 }  // namespace strobe::stability

@@ -16,17 +16,9 @@ struct Right {
 };
 inline Right exactly(double value, double tolerance) { return {value, value, tolerance}; }
 
-// Compares the three colours of each pixel for which `right` says something; tells the worst one. A value that is no
+// Compares the three colours of each pixel for which `right` says something; reports the worst one. A value that is no
 // number is infinitely far off.
 using RightAt = std::function<std::optional<Right>(int x, int y, int channel)>;
 Finding compare(const image::Image& picture, const RightAt& right, std::vector<lab::Shot> shots);
-
-// Counts the pixels of which a colour differs by more than the tolerance, of pictures of one size.
-int countDifferent(const image::Image& a, const image::Image& b, double tolerance);
-
-// Root mean square of the differences of all colours.
-double rmsDifference(const image::Image& a, const image::Image& b);
-
-double largestColor(const image::Image& picture);
 
 }  // namespace strobe::stability

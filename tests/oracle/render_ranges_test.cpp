@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <numbers>
 
+#include "image/regions.h"
 #include "oracle/render.h"
 
 namespace strobe::oracle {
@@ -185,19 +186,13 @@ TEST_F(RenderRanges, OneSidedExposuresHaveOnePart) {
     }
 }
 
-int countDifferent(const image::Image& a, const image::Image& b) {
-  int count = 0;
-  for (size_t i = 0; i < a.values.size(); i += 4) count += std::abs(double(a.values[i]) - b.values[i]) > 1e-5;
-  return count;
-}
-
 // The two displacements differ from the one by rounding, which may put a tap on the other side of half a pixel: paths
 // here end on no border of pixels.
 TEST_F(RenderRanges, LinearMotionIsTheSameSplitOrWhole) {
   for (const Method& method : kSplitting)
     for (const lab::Shot& shot : {Bent{.d_back = -7.3}.shot(), crowd()}) {
       image::Image whole = colorBy(method, shot), split = colorBy(method, shot, {"range=split"});
-      EXPECT_LE(countDifferent(whole, split), 4) << method.name() << " " << shot.scene;
+      EXPECT_LE(image::countDifferent(whole, split, 1e-5), 4) << method.name() << " " << shot.scene;
     }
 }
 
@@ -206,7 +201,7 @@ TEST_F(RenderRanges, SplitRunsBothWaysInTime) {
     Bent there{.before = -8.25, .after = 19.125, .d_back = 5}, back{.before = -19.125, .after = 8.25, .d_back = -5};
     image::Image forward = colorBy(method, there.shot(), {"range=split"});
     image::Image backward = colorBy(method, back.shot(), {"range=split"});
-    EXPECT_LE(countDifferent(forward, backward), 0) << method.name();
+    EXPECT_LE(image::countDifferent(forward, backward, 1e-5), 0) << method.name();
   }
 }
 
