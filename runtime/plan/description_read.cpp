@@ -2,102 +2,43 @@
 // The canonical form back to descriptions, believing nothing.
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
+#include <limits>
 #include <set>
 
+#include "base/strict.h"
 #include "plan/description.h"
 #include "plan/description_words.h"
 
 namespace strobe::plan {
 
-static constexpr size_t kMaxItems = 100000;
 static constexpr int kMaxSide = 32768;
 
 namespace {
 
-// An object whose keys are read one by one; `what` names it in errors ("pass 'x'").
-class Reader {
+Problems& thrownAtOnce() {
+  static Problems problems(Problems::When::at_once);
+  return problems;
+}
+
+// A table of the canonical form; the first mistake is thrown. `what` names it in errors ("pass 'x'").
+class Reader : public Fields {
  public:
-  Reader(const Json& json, std::string what, std::initializer_list<const char*> keys)
-      : json_(json), what_(std::move(what)) {
-    if (!json.is_object()) throw Error(fmt::format("{} is not an object", what_));
-    std::vector<std::string> known(keys.begin(), keys.end());
-    for (const auto& [key, value] : json.items()) {
-      if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-      fail(fmt::format("unknown key '{}'{}", key, didYouMean(key, known)));
-    }
+  Reader(const Json& json, std::string what, const Place& outer = {})
+      : Fields(json, std::move(what), outer, thrownAtOnce()) {}
+
+  const Json& at(const char* key) { return *need(key); }
+
+  std::optional<double> number(const char* key) {
+    constexpr double kMost = std::numeric_limits<double>::max();
+    return has(key) ? std::optional(Fields::number(key, std::nullopt, -kMost, kMost)) : std::nullopt;
   }
 
-  bool has(const char* key) const { return json_.contains(key); }
-
-  const Json& at(const char* key) const {
-    if (!has(key)) fail(fmt::format("'{}' is missing", key));
-    return json_[key];
+  size_t oneOf(const char* key, const std::vector<std::string>& names) {
+    std::string name = choice(key, std::nullopt, names);
+    return static_cast<size_t>(std::find(names.begin(), names.end(), name) - names.begin());
   }
 
-  std::string text(const char* key, const char* otherwise = nullptr) const {
-    if (!has(key) && otherwise) return otherwise;
-    const Json& json = at(key);
-    if (!json.is_string()) fail(fmt::format("'{}' is not a text", key));
-    return json.get<std::string>();
-  }
-
-  bool flag(const char* key) const {
-    if (!has(key)) return false;
-    if (!json_[key].is_boolean()) fail(fmt::format("'{}' is not true or false", key));
-    return json_[key].get<bool>();
-  }
-
-  int whole(const char* key, int min, int max) const {
-    const Json& json = at(key);
-    bool fits = json.is_number_integer() && json.get<int64_t>() >= min && json.get<int64_t>() <= max;
-    if (!fits) fail(fmt::format("'{}' is not an integer from {} to {}", key, min, max));
-    return json.get<int>();
-  }
-
-  std::optional<double> number(const char* key) const {
-    if (!has(key)) return std::nullopt;
-    bool finite = json_[key].is_number() && std::isfinite(json_[key].get<double>());
-    if (!finite) fail(fmt::format("'{}' is not a number", key));
-    return json_[key].get<double>();
-  }
-
-  size_t oneOf(const char* key, const std::vector<std::string>& names) const {
-    std::string name = text(key);
-    auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) fail(fmt::format("'{}' = '{}' is not one of {}", key, name, listed(names)));
-    return static_cast<size_t>(found - names.begin());
-  }
-
-  // A list may be absent; an empty table of Lua, which has no kind, may arrive as an empty object.
-  const Json& list(const char* key) const { return collection(key, &Json::is_array); }
-  const Json& object(const char* key) const { return collection(key, &Json::is_object); }
-
-  Place place() const {
-    if (!has("place")) return {};
-    Reader reader(json_["place"], what_ + ": 'place'", {"file", "line"});
-    return {reader.text("file"), reader.whole("line", 0, 1 << 30)};
-  }
-
-  const std::string& what() const { return what_; }
-  [[noreturn]] void fail(const std::string& message) const {
-    throw Error(fmt::format("{}: {}", what_, message), what_place_);
-  }
-  void setPlace(const Place& place) { what_place_ = place; }
-
- private:
-  const Json& collection(const char* key, bool (Json::*right)() const noexcept) const {
-    static const Json empty = Json::array();
-    if (!has(key)) return empty;
-    const Json& json = json_[key];
-    if (!json.is_structured() || (!json.empty() && !(json.*right)())) fail(fmt::format("'{}' is of a wrong kind", key));
-    if (json.size() > kMaxItems) fail(fmt::format("'{}' has too many entries", key));
-    return json;
-  }
-
-  const Json& json_;
-  std::string what_;
-  Place what_place_;
+  [[noreturn]] void fail(const std::string& message) const { throw Error(what() + ": " + message, place()); }
 };
 
 bool isName(const std::string& name) {
@@ -105,8 +46,8 @@ bool isName(const std::string& name) {
   return starts && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
 }
 
-std::string nameOf(const Reader& reader) {
-  std::string name = reader.text("name");
+std::string nameOf(Reader& reader) {
+  std::string name = reader.text("name", std::nullopt);
   if (!isName(name)) reader.fail(fmt::format("'{}' is not a name (a-z, then a-z, 0-9 and _)", name));
   return name;
 }
@@ -140,22 +81,10 @@ auto itemsOf(const Json& json, Read read) {
   return items;
 }
 
-std::vector<std::string> choicesOf(const Reader& reader) {
-  std::vector<std::string> choices;
-  for (const Json& choice : reader.list("choices")) {
-    if (!choice.is_string()) reader.fail("a choice is not a text");
-    choices.push_back(choice.get<std::string>());
-  }
-  return choices;
-}
-
 // A text for each of some choices.
-std::vector<std::pair<std::string, std::string>> choiceTexts(const Reader& reader, const Json& json, const char* key) {
+std::vector<std::pair<std::string, std::string>> choiceTexts(Reader& reader, const char* key) {
   std::vector<std::pair<std::string, std::string>> texts;
-  auto found = json.find(key);
-  if (found == json.end() || found->empty()) return texts;
-  if (!found->is_object()) reader.fail(fmt::format("'{}' is no table of texts", key));
-  for (const auto& [name, text] : found->items()) {
+  for (const auto& [name, text] : reader.table(key).items()) {
     if (!text.is_string()) reader.fail(fmt::format("'{}' has something else than a text for a choice", key));
     texts.emplace_back(name, text.get<std::string>());
   }
@@ -176,10 +105,10 @@ Breaks breaksOf(const Reader& reader, const Json& json) {
 }
 
 // By value of a parameter.
-std::vector<std::pair<std::string, Breaks>> valueBreaks(const Reader& reader, const ParamDesc& param) {
+std::vector<std::pair<std::string, Breaks>> valueBreaks(Reader& reader, const ParamDesc& param) {
   std::vector<std::pair<std::string, Breaks>> result;
   if (!reader.has("breaks")) return result;
-  for (const auto& [value, breaks] : reader.object("breaks").items()) {
+  for (const auto& [value, breaks] : reader.table("breaks").items()) {
     checkValue(param, Value(value), param.place);
     result.emplace_back(value, breaksOf(reader, breaks));
   }
@@ -187,53 +116,51 @@ std::vector<std::pair<std::string, Breaks>> valueBreaks(const Reader& reader, co
 }
 
 ParamDesc readParam(const Json& json) {
-  Reader reader(
-      json, "parameter",
-      {"name", "type", "default", "min", "max", "choices", "values", "breaks", "unit", "doc", "variant", "place"});
+  Reader reader(json, "parameter");
   ParamDesc param;
   param.place = reader.place();
-  reader.setPlace(param.place);
   param.name = nameOf(reader);
   param.type = static_cast<ParamDesc::Type>(reader.oneOf("type", kParamTypes));
   param.min = reader.number("min");
   param.max = reader.number("max");
   bool crossed = param.min && param.max && *param.min > *param.max;
   if (crossed) reader.fail(fmt::format("min of '{}' is above max", param.name));
-  param.choices = choicesOf(reader);
-  param.values = choiceTexts(reader, json, "values");
-  param.unit = reader.text("unit", "");
-  param.doc = reader.text("doc", "");
-  param.variant = reader.flag("variant");
+  param.choices = reader.texts("choices");
+  param.values = choiceTexts(reader, "values");
+  param.unit = reader.text("unit");
+  param.doc = reader.text("doc");
+  param.variant = reader.boolean("variant", false);
   param.variant = isCompiledIn(param);
   param.breaks = valueBreaks(reader, param);
   param.default_value = checkValue(param, valueFromJson(reader.at("default")), param.place);
+  reader.finish();
   return param;
 }
 
 PortDesc readRead(const Json& json) {
-  Reader reader(json, "read", {"name", "doc", "uint", "optional", "linear", "place"});
+  Reader reader(json, "read");
   PortDesc port;
   port.place = reader.place();
-  reader.setPlace(port.place);
   port.name = nameOf(reader);
-  port.doc = reader.text("doc", "");
-  port.uint = reader.flag("uint");
-  port.optional = reader.flag("optional");
-  port.linear = reader.flag("linear");
+  port.doc = reader.text("doc");
+  port.uint = reader.boolean("uint", false);
+  port.optional = reader.boolean("optional", false);
+  port.linear = reader.boolean("linear", false);
+  reader.finish();
   return port;
 }
 
 PortDesc readWrite(const Json& json) {
-  Reader reader(json, "write", {"name", "doc", "format", "format_by", "formats", "history", "place"});
+  Reader reader(json, "write");
   PortDesc port;
   port.place = reader.place();
-  reader.setPlace(port.place);
   port.name = nameOf(reader);
-  port.doc = reader.text("doc", "");
+  port.doc = reader.text("doc");
   port.format = formatNames()[reader.oneOf("format", formatNames())];
-  port.format_by = reader.text("format_by", "");
-  port.formats = choiceTexts(reader, json, "formats");
-  port.history = reader.flag("history");
+  port.format_by = reader.text("format_by");
+  port.formats = choiceTexts(reader, "formats");
+  port.history = reader.boolean("history", false);
+  reader.finish();
   return port;
 }
 
@@ -260,25 +187,28 @@ void checkFormats(const Reader& reader, const PortDesc& port, const PassDesc& pa
 }
 
 CounterDesc readCounter(const Json& json) {
-  Reader reader(json, "counter", {"name", "doc", "limit"});
-  return {nameOf(reader), reader.text("doc", ""), reader.text("limit", "")};
+  Reader reader(json, "counter");
+  CounterDesc counter{nameOf(reader), reader.text("doc"), reader.text("limit")};
+  reader.finish();
+  return counter;
 }
 
 SizeDesc readSize(const Json& json, const PassDesc& pass) {
-  Reader reader(json, fmt::format("size of pass '{}'", pass.name), {"kind", "port", "divide", "width", "height"});
-  reader.setPlace(pass.place);
+  Reader reader(json, fmt::format("size of pass '{}'", pass.name), pass.place);
+  for (const char* key : {"kind", "port", "divide", "width", "height"}) reader.allow(key);  // which depend on the kind
+  reader.finish();
   SizeDesc size;
   size.kind = static_cast<SizeDesc::Kind>(reader.oneOf("kind", kSizeKinds));
   if (size.kind == SizeDesc::Kind::Fixed) {
-    size.width = reader.whole("width", 1, kMaxSide);
-    size.height = reader.whole("height", 1, kMaxSide);
+    size.width = reader.integer("width", std::nullopt, 1, kMaxSide);
+    size.height = reader.integer("height", std::nullopt, 1, kMaxSide);
   }
   if (size.kind != SizeDesc::Kind::Port) return size;
 
-  size.port = reader.text("port");
+  size.port = reader.text("port", std::nullopt);
   const PortDesc* port = find(pass.reads, size.port);
   if (!port || port->optional) reader.fail(fmt::format("'{}' is not a read that is always wired", size.port));
-  size.divide = reader.text("divide", "");
+  size.divide = reader.text("divide");
   if (size.divide.empty()) return size;
   const ParamDesc* divide = find(pass.params, size.divide);
   bool positive = divide && divide->type == ParamDesc::Type::Int && divide->min && *divide->min >= 1;
@@ -296,20 +226,17 @@ void checkShaderPath(const Reader& reader, const std::string& shader) {
 }  // namespace
 
 PassDesc passFromJson(const Json& json) {
-  Reader reader(json, "pass",
-                {"name", "kind", "shader", "doc", "fails", "breaks", "size", "scene", "reads", "writes", "updates",
-                 "params", "counters", "place"});
+  Reader reader(json, "pass");
   PassDesc pass;
   pass.place = reader.place();
-  reader.setPlace(pass.place);
   pass.name = nameOf(reader);
   pass.kind = static_cast<PassDesc::Kind>(reader.oneOf("kind", kPassKinds));
-  pass.shader = reader.text("shader");
+  pass.shader = reader.text("shader", std::nullopt);
   checkShaderPath(reader, pass.shader);
-  pass.doc = reader.text("doc", "");
-  pass.fails = reader.text("fails", "");
-  if (reader.has("breaks")) pass.breaks = breaksOf(reader, reader.object("breaks"));
-  pass.scene = reader.flag("scene");
+  pass.doc = reader.text("doc");
+  pass.fails = reader.text("fails");
+  if (reader.has("breaks")) pass.breaks = breaksOf(reader, reader.table("breaks"));
+  pass.scene = reader.boolean("scene", false);
   pass.reads = itemsOf(reader.list("reads"), readRead);
   pass.writes = itemsOf(reader.list("writes"), readWrite);
   pass.updates = itemsOf(reader.list("updates"), readWrite);
@@ -325,6 +252,7 @@ PassDesc passFromJson(const Json& json) {
   refuseTwins(pass.reads, reader, "reads");
   refuseTwins(pass.params, reader, "parameters");
   refuseTwins(pass.counters, reader, "counters");
+  reader.finish();
   return pass;
 }
 
@@ -343,14 +271,14 @@ const ParamDesc* checkFollows(const PipelineDesc& pipeline, const ParamDesc& par
 }
 
 Binding readBinding(const Json& json, const PipelineDesc& pipeline, const ParamDesc& param) {
-  Reader reader(json, fmt::format("parameter '{}'", param.name), {"value", "follows", "place"});
+  Reader reader(json, fmt::format("parameter '{}'", param.name));
   Binding binding;
   binding.place = reader.place();
-  reader.setPlace(binding.place);
   if (reader.has("value") == reader.has("follows")) reader.fail("wants either 'value' or 'follows'");
   if (reader.has("value")) binding.value = checkValue(param, valueFromJson(reader.at("value")), binding.place);
-  if (reader.has("follows")) binding.follows = reader.text("follows");
+  if (reader.has("follows")) binding.follows = reader.text("follows", std::nullopt);
   if (reader.has("follows")) checkFollows(pipeline, param, binding);
+  reader.finish();
   return binding;
 }
 
@@ -401,22 +329,22 @@ void readNodeParams(const Json& json, const PipelineDesc& pipeline, const PassDe
 }
 
 NodeDesc readNode(const Json& json, const PipelineDesc& pipeline) {
-  Reader reader(json, "node", {"name", "pass", "inputs", "params", "time", "loop", "place"});
+  Reader reader(json, "node");
   NodeDesc node;
   node.place = reader.place();
-  reader.setPlace(node.place);
   node.name = nameOf(reader);
-  node.pass = reader.text("pass");
+  node.pass = reader.text("pass", std::nullopt);
   if (find(pipeline.nodes, node.name)) reader.fail(fmt::format("two nodes are named '{}'", node.name));
   const PassDesc* pass = find(pipeline.passes, node.pass);
   if (!pass) reader.fail(fmt::format("there is no pass '{}'", node.pass));
-  readInputs(reader.object("inputs"), pipeline, *pass, node);
-  readNodeParams(reader.object("params"), pipeline, *pass, node);
+  readInputs(reader.table("inputs"), pipeline, *pass, node);
+  readNodeParams(reader.table("params"), pipeline, *pass, node);
   node.time = kNodeTimes[reader.oneOf("time", kNodeTimes)];
-  node.loop = reader.text("loop", "");
+  node.loop = reader.text("loop");
   bool in_loop = !node.loop.empty();
   if (in_loop && !find(pipeline.loops, node.loop)) reader.fail(fmt::format("there is no loop '{}'", node.loop));
   if (node.time == "sample" && !in_loop) reader.fail("time 'sample' exists inside a loop only");
+  reader.finish();
   return node;
 }
 
@@ -430,10 +358,9 @@ ParamDesc countParam(const char* name, double max) {
 }
 
 LoopDesc readLoop(const Json& json, const PipelineDesc& pipeline) {
-  Reader reader(json, "loop", {"name", "count", "times", "slices", "until", "place"});
+  Reader reader(json, "loop");
   LoopDesc loop;
   loop.place = reader.place();
-  reader.setPlace(loop.place);
   loop.name = nameOf(reader);
   ParamDesc times;
   times.name = "times";
@@ -442,7 +369,8 @@ LoopDesc readLoop(const Json& json, const PipelineDesc& pipeline) {
   loop.count = readBinding(reader.at("count"), pipeline, countParam("count", 1 << 20));
   loop.times = readBinding(reader.at("times"), pipeline, times);
   loop.slices = readBinding(reader.at("slices"), pipeline, countParam("slices", 1024));
-  loop.until = reader.text("until", "");
+  loop.until = reader.text("until");
+  reader.finish();
   return loop;
 }
 
@@ -473,33 +401,32 @@ std::vector<std::pair<std::string, Value>> settingsOf(const Json& json) {
 
 // The other pipeline is known once it is evaluated; so are its parameters.
 EqualDesc readEqual(const Json& json, const PipelineDesc& pipeline) {
-  Reader reader(json, "equal", {"when", "pipeline", "set"});
-  reader.setPlace({pipeline.file});
-  EqualDesc equal{settingsOf(reader.object("when")), settingsOf(reader.object("set")), reader.text("pipeline")};
+  Reader reader(json, "equal", {pipeline.file});
+  EqualDesc equal{settingsOf(reader.table("when")), settingsOf(reader.table("set")),
+                  reader.text("pipeline", std::nullopt)};
   for (const auto& [name, value] : equal.when) {
     const ParamDesc* param = find(pipeline.params, name);
     if (!param) reader.fail(fmt::format("there is no parameter '{}'", name));
     checkValue(*param, value, {pipeline.file});
   }
+  reader.finish();
   return equal;
 }
 
 }  // namespace
 
 PipelineDesc pipelineFromJson(const Json& json) {
-  Reader reader(json, "pipeline",
-                {"name", "file", "doc", "breaks", "compare_with", "equals", "params", "values", "passes", "nodes",
-                 "loops", "outputs"});
+  Reader reader(json, "pipeline");
   PipelineDesc pipeline;
-  pipeline.name = reader.text("name");
-  pipeline.file = reader.text("file");
-  pipeline.doc = reader.text("doc", "");
+  pipeline.name = reader.text("name", std::nullopt);
+  pipeline.file = reader.text("file", std::nullopt);
+  pipeline.doc = reader.text("doc");
   reader.setPlace({pipeline.file});
   pipeline.params = itemsOf(reader.list("params"), readParam);
   refuseTwins(pipeline.params, reader, "parameters");
-  readValues(reader.object("values"), pipeline);
-  if (reader.has("breaks")) pipeline.breaks = breaksOf(reader, reader.object("breaks"));
-  pipeline.compare_with = reader.text("compare_with", "");
+  readValues(reader.table("values"), pipeline);
+  if (reader.has("breaks")) pipeline.breaks = breaksOf(reader, reader.table("breaks"));
+  pipeline.compare_with = reader.text("compare_with");
   pipeline.equals = itemsOf(reader.list("equals"), [&](const Json& equal) { return readEqual(equal, pipeline); });
   pipeline.passes = itemsOf(reader.list("passes"), passFromJson);
   refuseTwins(pipeline.passes, reader, "passes");
@@ -508,12 +435,13 @@ PipelineDesc pipelineFromJson(const Json& json) {
   for (const Json& node : reader.list("nodes")) pipeline.nodes.push_back(readNode(node, pipeline));
   for (const LoopDesc& loop : pipeline.loops) checkUntil(pipeline, loop);
 
-  for (const auto& [name, source] : reader.object("outputs").items()) {
+  for (const auto& [name, source] : reader.table("outputs").items()) {
     if (!isName(name)) reader.fail(fmt::format("'{}' is not the name of an output", name));
     checkSource(pipeline, source, {pipeline.file});
     pipeline.outputs.emplace_back(name, source.get<std::string>());
   }
-  if (!reader.object("outputs").contains("color")) reader.fail("output 'color' is missing");
+  if (!reader.table("outputs").contains("color")) reader.fail("output 'color' is missing");
+  reader.finish();
   return pipeline;
 }
 

@@ -115,8 +115,8 @@ TEST(Description, MissingKeysAreRefused) {
   Json json = canonical();
   json["outputs"].erase("color");
   EXPECT_EQ(refusal(json), "p.lua: pipeline: output 'color' is missing");
-  EXPECT_EQ(refusal(Json::array()), "pipeline is not an object");
-  EXPECT_EQ(refusal(nullptr), "pipeline is not an object");
+  EXPECT_EQ(refusal(Json::array()), "pipeline: needs 'name'");
+  EXPECT_EQ(refusal(nullptr), "pipeline: expected a table, got null");
 }
 
 struct Change {
@@ -143,7 +143,7 @@ TEST(Description, ReferencesAndRangesAreChecked) {
       {"/nodes/1/params/by/follows", "mode", "p.lua:9: 'by' = 'b' is not an integer"},
       {"/nodes/1/params/by/follows", "m", "p.lua:9: the pipeline has no parameter 'm'; did you mean 'n'?"},
       {"/nodes/1/params/by", {{"value", 1}, {"follows", "n"}}, "parameter 'by': wants either 'value' or 'follows'"},
-      {"/nodes/1/colour", 1, "node: unknown key 'colour'"},
+      {"/nodes/1/colour", 1, "p.lua:9: node: unknown key 'colour'"},
       {"/values/n", 10, "p.lua:4: 'n' = 10 is above max 9 (range 1 to 9 px)"},
       {"/values/m", 1, "p.lua: there are values of unknown parameters"},
       {"/params/0/default", "c", "p.lua:3: 'mode' = 'c' is not one of a, b"},
@@ -172,7 +172,7 @@ TEST(Description, ReferencesAndRangesAreChecked) {
       {"/passes/1/size/divide", "k", "b.lua:1: size of pass 'blur': 'k' is not an integer parameter of at least 1"},
       {"/passes/1/size",
        {{"kind", "fixed"}, {"width", 0}, {"height", 1}},
-       "b.lua:1: size of pass 'blur': 'width' is not an integer from 1 to 32768"},
+       "b.lua:1: size of pass 'blur': 'width' = 0 is below min 1"},
       {"/passes/0/writes", Json::array(), "s.lua:1: pass: 'source' writes nothing"},
       {"/loops/0/count", {{"value", 0}}, "'count' = 0 is below min 1"},
       {"/loops/0/until", "source.color", "p.lua:7: 'source.color' is no r32f image written in loop 'l'"},
