@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "shader/interface.h"
 
+#include <cctype>
 #include <regex>
+#include <set>
 #include <sstream>
 
 namespace strobe::shader {
@@ -99,20 +101,59 @@ std::string epilogue(const Interface& in, Stage stage) {
   return text + "}\n";
 }
 
+// GLSL with a blank for every comment.
+static std::string withoutComments(const std::string& glsl) {
+  std::string code;
+  for (size_t at = 0; at < glsl.size();) {
+    bool line = glsl.compare(at, 2, "//") == 0, block = glsl.compare(at, 2, "/*") == 0;
+    if (!line && !block) {
+      code += glsl[at++];
+      continue;
+    }
+    size_t end = line ? glsl.find('\n', at) : glsl.find("*/", at + 2);
+    code += ' ';
+    at = end == std::string::npos ? glsl.size() : line ? end : end + 2;
+  }
+  return code;
+}
+
+// Every name in the code; of members also "params.x" where "x" follows "params.".
+static std::set<std::string> namesIn(const std::string& code) {
+  auto in_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  std::set<std::string> names;
+  std::string last;
+  bool after_dot = false;
+  for (size_t at = 0; at < code.size();) {
+    size_t end = at;
+    while (end < code.size() && in_name(code[end])) ++end;
+    if (end > at) {
+      std::string name = code.substr(at, end - at);
+      names.insert(after_dot ? last + "." + name : name);
+      last = name;
+      after_dot = false;
+      at = end;
+    } else if (char c = code[at++]; !std::isspace(static_cast<unsigned char>(c))) {
+      after_dot = c == '.';
+    }
+  }
+  return names;
+}
+
+// Not from the compiler's reflection, which knows one choice of the variants at a time and no macros.
 std::vector<std::string> unusedNames(const Interface& in, const std::vector<Path>& shader_files) {
-  std::string text;
-  for (const Path& file : shader_files) text += textWithIncludes(file);
+  std::string code;
+  for (const Path& file : shader_files) code += withoutComments(textWithIncludes(file));
+  std::set<std::string> used = namesIn(code);
   std::vector<std::string> problems;
   auto expect = [&](const std::string& spelled, const char* kind, const std::string& name) {
-    if (std::regex_search(text, std::regex("\\b" + spelled + "\\b"))) return;
+    if (used.count(spelled)) return;
     problems.push_back(fmt::format("{}: pass '{}' declares the {} '{}', but {} never uses {}", in.place, in.pass, kind,
-                                   name, displayPath(shader_files.front()),
-                                   std::regex_replace(spelled, std::regex("\\\\"), "")));
+                                   name, displayPath(shader_files.front()), spelled));
   };
   for (const auto& read : in.reads) expect(read.name + "_tex", "read", read.name);
   for (const auto& write : in.writes)
     expect(write.name + (in.raster ? "_out" : "_img"), write.update ? "update" : "write", write.name);
-  for (const auto& param : in.params) expect("params\\." + param.name, "parameter", param.name);
+  for (const auto& param : in.params) expect("params." + param.name, "parameter", param.name);
   for (const auto& variant : in.variants)
     if (!variant.decides_format) expect("PARAM_" + variant.name, "parameter", variant.name);
   for (const std::string& counter : in.counters)

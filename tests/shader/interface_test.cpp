@@ -95,6 +95,16 @@ TEST_F(Shaders, WhatIsDeclaredMustBeUsed) {
     EXPECT_NE(problem.find("passes/scale.lua:3"), std::string::npos) << problem;
 }
 
+TEST_F(Shaders, CommentsUseNothing) {
+  Path file = write("scale.glsl",
+                    "// depth_tex, params.factor\n/* PARAM_mode\n params.factor */\n"
+                    "void run(ivec2 p) { imageStore(result_img, p, vec4(other.factor)); }\n");
+  EXPECT_EQ(unusedNames(interface_, {file}).size(), 3u);
+  write("part.glsl", "#if PARAM_mode == 9\n  float f = texelFetch(depth_tex, p, 0).x * params\n  . factor;\n#endif\n");
+  file = write("scale.glsl", "#include \"part.glsl\"\nvoid run(ivec2 p) { imageStore(result_img, p, vec4(1)); }\n");
+  EXPECT_TRUE(unusedNames(interface_, {file}).empty());
+}
+
 TEST_F(Shaders, EveryFileThatWasReadIsReported) {
   write("part.glsl", "float part() { return 1.0; }\n");
   Path file = write("scale.glsl", std::string("#include \"part.glsl\"\n") + kGood);
