@@ -40,8 +40,10 @@ void runExtremes(const StabilityOptions& options) {
   lab::Workbench bench(options.device, validationWanted());
   std::vector<stability::Method> methods = stability::methodsOf(bench.limits);
   std::vector<stability::ExtremeOutcome> outcomes;
-  for (const stability::Extreme& extreme : stability::extremes())
-    for (auto& outcome : stability::runExtreme(bench, methods, extreme)) outcomes.push_back(std::move(outcome));
+  const stability::Extremes extremes = stability::readExtremes(bench.limits);
+  for (const stability::Extreme& extreme : extremes.cases)
+    for (auto& outcome : stability::runExtreme(bench, methods, extremes, extreme))
+      outcomes.push_back(std::move(outcome));
   std::fputs(stability::textOf(outcomes).c_str(), stdout);
   if (!options.write.empty()) writeFileAtomically(options.write, stability::pageOf(outcomes));
   auto failed = std::count_if(outcomes.begin(), outcomes.end(), [](const auto& o) { return !o.failures.empty(); });

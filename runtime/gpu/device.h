@@ -59,6 +59,7 @@ class Device {
 
   const DeviceInfo& info() const { return info_; }
   const Dispatch& vk() const { return vk_; }
+  Dispatch& vkForFaults() { return vk_; }
   VkDevice handle() const { return device_; }
   VkInstance instance() const { return instance_; }
   VkPhysicalDevice physical() const { return physical_; }

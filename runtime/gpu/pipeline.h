@@ -39,8 +39,7 @@ class Pipeline {
 
   static Pipeline compute(const Device& device, const std::string& name, const Spirv& code,
                           const std::vector<VkDescriptorSetLayout>& sets);
-  // Triangles without culling, depth test GREATER on D32 (reversed: of equal depths the first drawn stays), dynamic
-  // viewport and scissor.
+  // Triangles without culling, depth test GREATER on D32 (reversed), dynamic viewport and scissor.
   static Pipeline raster(const Device& device, const std::string& name, const RasterShaders& shaders,
                          const std::vector<VkDescriptorSetLayout>& sets);
   // One ray generation, one miss and one hit group.

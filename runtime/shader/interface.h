@@ -65,8 +65,7 @@ constexpr uint32_t kGroupSize = 8;
 std::string preamble(const Interface& interface, Stage stage);
 std::string epilogue(const Interface& interface, Stage stage);
 
-// Names declared in Lua that the shader's code, with its includes and under every choice of its variants, never uses:
-// each as one line with both places; empty when all are used. Comments do not count.
+// Names declared in Lua that the shader's code uses under no choice, each with both places; comments do not count.
 std::vector<std::string> unusedNames(const Interface& interface, const std::vector<Path>& shader_files);
 
 // Compiles `file` as `stage` of the pass; errors about unknown names say what the pass declares.

@@ -3,45 +3,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
 #include "image/metrics.h"
 #include "image/regions.h"
+#include "stability/extremes.h"
 
-namespace strobe::stability::extreme {
+namespace strobe::stability {
+
+namespace {
 
 using image::Image;
-using lab::Shot;
-
-// ---- shots
-
-Shot shotOf(const std::string& scene, int width, int height, const std::vector<Setting>& settings) {
-  Shot shot;
-  shot.scene = scene;
-  shot.width = width;
-  shot.height = height;
-  shot.frame = 0;
-  shot.sets = {{"scene.width", std::to_string(width)}, {"scene.height", std::to_string(height)}};
-  for (const Setting& setting : settings)
-    shot.sets.push_back({fmt::format("scene.{}", setting.name), fmt::format("{}", setting.value)});
-  return shot;
-}
-
-Shot set(Shot shot, const std::vector<std::pair<std::string, std::string>>& settings) {
-  for (const auto& setting : settings) shot.sets.push_back(setting);
-  return shot;
-}
-
-Shot anchored(Shot shot, const std::string& anchor) {
-  shot.anchor = anchor;
-  return shot;
-}
 
 // ---- pictures
 
 const Image& colorIn(const lab::Picture& picture) { return picture.frame.outputs.at("color").floats; }
-static const Image& velocityIn(const lab::Picture& picture) { return picture.frame.outputs.at("velocity").floats; }
+const Image& velocityIn(const lab::Picture& picture) { return picture.frame.outputs.at("velocity").floats; }
 
-static std::pair<float, float> rangeOf(const Image& color) {
+std::pair<float, float> rangeOf(const Image& color) {
   std::pair<float, float> range = {INFINITY, -INFINITY};
   for (size_t i = 0; i < color.values.size(); ++i)
     if (i % 4 != 3) range = {std::min(range.first, color.values[i]), std::max(range.second, color.values[i])};
@@ -55,50 +35,50 @@ bool warnedOf(const lab::Picture& picture, const std::string& text) {
 
 // ---- what must hold
 
-void expectSharp(Probe& probe, const Shot& shot) {
-  int different = image::countDifferent(colorIn(probe.picture(shot)), colorIn(probe.sharp(shot)), 0);
-  probe.expect(different == 0, fmt::format("{} pixels are not as the capture sees them", different));
+void drawn(Probe& probe, const ExtremeCheck& check) { probe.picture(check.shot); }
+
+void asCaptured(Probe& probe, const ExtremeCheck& check) {
+  const Image& captured = colorIn(probe.sharp(check.other ? *check.other : check.shot));
+  int different = image::countDifferent(colorIn(probe.picture(check.shot)), captured, 0);
+  probe.expect(different <= check.pixels,
+               fmt::format("{} pixels are not as the capture sees them, at most {} may", different, check.pixels));
 }
 
-// The same but for silhouettes that cross sample positions by rounding: 4 of 518400 pixels of a picture of few, and in
-// proportion to their number.
-void expectSharpBut(Probe& probe, const Shot& shot, int pixels) {
-  int different = image::countDifferent(colorIn(probe.picture(shot)), colorIn(probe.sharp(shot)), 0);
-  probe.expect(different <= pixels,
-               fmt::format("{} pixels are not as the capture sees them, at most {} may", different, pixels));
+// Weights are not negative and add up to 1: nothing leaves the range of what there is to see.
+void within(Probe& probe, const ExtremeCheck& check) {
+  const lab::Picture& picture = probe.picture(check.shot);
+  if (!check.text.empty() && warnedOf(picture, check.text)) return;
+  auto [least, most] = rangeOf(colorIn(picture));
+  double slack = 1e-5 * std::max(std::abs(check.low), std::abs(check.high));  // rounding of N weights, 2 ulp each
+  bool inside = least >= check.low - slack && most <= check.high + slack;
+  probe.expect(inside,
+               fmt::format("colours from {} to {}, of surfaces from {} to {}", least, most, check.low, check.high));
 }
 
-void expectWithin(Probe& probe, const Shot& shot, double low, double high) {
-  auto [least, most] = rangeOf(colorIn(probe.picture(shot)));
-  double slack = 1e-5 * std::max(std::abs(low), std::abs(high));  // rounding of N weights, 2 ulp each
-  bool inside = least >= low - slack && most <= high + slack;
-  probe.expect(inside, fmt::format("colours from {} to {}, of surfaces from {} to {}", least, most, low, high));
-}
-
-void expectNearerToTruth(Probe& probe, const Shot& shot) {
-  if (!probe.filters()) return;
-  const Image &truth = colorIn(probe.truth(shot)), &sharp = colorIn(probe.sharp(shot));
-  double own = image::rootMeanSquaredError(colorIn(probe.picture(shot)), truth),
-         without = image::rootMeanSquaredError(sharp, truth);
+// A filter is worth its name where it brings the picture nearer to truth.
+void nearer(Probe& probe, const ExtremeCheck& check) {
+  const Image &truth = colorIn(probe.truth(check.shot)), &sharp = colorIn(probe.sharp(check.shot));
+  double own = image::rootMeanSquaredError(colorIn(probe.picture(check.shot)), truth);
+  double without = image::rootMeanSquaredError(sharp, truth);
   probe.expect(own < without, fmt::format("RMSE {:.5f} to truth, {:.5f} without blur", own, without));
 }
 
-void expectSame(Probe& probe, const Shot& shot, const Shot& other, double tolerance, double share) {
-  const Image &a = colorIn(probe.picture(shot)), &b = colorIn(probe.picture(other));
-  int different = image::countDifferent(a, b, tolerance), most = int(share * a.width * a.height);
+void same(Probe& probe, const ExtremeCheck& check) {
+  const Image &a = colorIn(probe.picture(check.shot)), &b = colorIn(probe.picture(*check.other));
+  int different = image::countDifferent(a, b, check.tolerance), most = int(check.share * a.width * a.height);
   probe.expect(different <= most,
-               fmt::format("{} pixels differ by more than {}, at most {} may", different, tolerance, most));
+               fmt::format("{} pixels differ by more than {}, at most {} may", different, check.tolerance, most));
 }
 
-// The same within a share of the displacement too, for paths that reach thousands of pixels.
-void expectPath(Probe& probe, const Shot& shot, const PathAt& right, double share, double tolerance_px) {
-  const Image& velocity = velocityIn(probe.picture(shot));
+void displaced(Probe& probe, const ExtremeCheck& check) {
+  const Image& velocity = velocityIn(probe.picture(check.shot));
   double worst = 1;
   std::string text;
   for (int y = 0; y < velocity.height; ++y)
     for (int x = 0; x < velocity.width; ++x) {
-      dvec2 exact = right(x + 0.5, y + 0.5), own(velocity.at(x, y, 0), velocity.at(x, y, 1));
-      double off = glm::length(own - exact) / (share * glm::length(exact) + tolerance_px);
+      const double* expected = &check.exact[2 * (size_t(y) * size_t(velocity.width) + size_t(x))];
+      dvec2 exact(expected[0], expected[1]), own(velocity.at(x, y, 0), velocity.at(x, y, 1));
+      double off = glm::length(own - exact) / (check.share * glm::length(exact) + check.tolerance_px);
       if (!(off > worst)) continue;
       worst = off;
       text = fmt::format("displacement at ({}, {}) is ({:.6g}, {:.6g}), exactly ({:.6g}, {:.6g})", x, y, own.x, own.y,
@@ -107,24 +87,149 @@ void expectPath(Probe& probe, const Shot& shot, const PathAt& right, double shar
   probe.expect(text.empty(), text);
 }
 
-void expectTruth(Probe& probe, const Shot& shot, const ValueAt& right, double bound) {
-  if (!probe.isTruth()) return;
-  const Image& color = colorIn(probe.truth(shot));
+void exactTruth(Probe& probe, const ExtremeCheck& check) {
+  const Image& color = colorIn(probe.truth(check.shot));
   double worst = 0;
   std::string text;
   for (int y = 0; y < color.height; ++y)
     for (int x = 0; x < color.width; ++x) {
-      double off = std::abs(color.at(x, y, 0) - right(x, y));
+      double exact = check.exact[size_t(y) * size_t(color.width) + size_t(x)];
+      double off = std::abs(color.at(x, y, 0) - exact);
       if (off <= worst) continue;
       worst = off;
-      text =
-          fmt::format("({}, {}) is {:.6f}, exactly {:.6f} within {:.6f}", x, y, color.at(x, y, 0), right(x, y), bound);
+      text = fmt::format("({}, {}) is {:.6f}, exactly {:.6f} within {:.6f}", x, y, color.at(x, y, 0), exact,
+                         check.tolerance);
     }
-  probe.expect(worst <= bound, text);
+  probe.expect(worst <= check.tolerance, text);
 }
 
-Shot room(const std::vector<Setting>& settings) {
-  return set(shotOf("stability/extreme", 48, 32, settings), {{"limit", "10"}, {"tile", "8"}, {"samples", "16"}});
+void sharpAt(Probe& probe, const ExtremeCheck& check) {
+  double seen = colorIn(probe.sharp(check.shot)).at(check.pixel[0], check.pixel[1], 0);
+  probe.expect(std::abs(seen - check.value) < check.tolerance, fmt::format("{} is seen, not {}", seen, check.value));
 }
 
-}  // namespace strobe::stability::extreme
+void warns(Probe& probe, const ExtremeCheck& check) {
+  probe.expect(warnedOf(probe.picture(check.shot), check.text), fmt::format("not said: {}", check.text));
+}
+
+void silent(Probe& probe, const ExtremeCheck& check) {
+  probe.expect(!warnedOf(probe.picture(check.shot), check.text), fmt::format("said without reason: {}", check.text));
+}
+
+// ---- from data
+
+lab::Shot readShot(const Json& json, const std::string& what, const Place& place, Problems& problems) {
+  Fields fields(json, what, place, problems);
+  lab::Shot shot;
+  shot.scene = fields.text("scene", std::nullopt);
+  if (std::vector<double> size = fields.numbers("size", 2, 2); size.size() == 2)
+    shot.width = int(size[0]), shot.height = int(size[1]);
+  shot.frame = fields.integer("frame", 0, 0, std::numeric_limits<int>::max());
+  shot.anchor = fields.choice("anchor", shot.anchor, {"close", "centre", "open"});
+  if (fields.has("exposure")) shot.exposure = fields.number("exposure", 0, 0);
+  shot.moves = fields.texts("moves");
+  shot.spins = fields.texts("spins");
+  readSettings(fields.table("scene_set"), "scene.", shot.sets);
+  readSettings(fields.table("set"), "", shot.sets);
+  fields.finish();
+  return shot;
+}
+
+void readExact(Fields& fields, ExtremeCheck& check, size_t channels) {
+  for (const Json& value : fields.list("exact"))
+    check.exact.push_back(value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN());
+  size_t count = size_t(check.shot.width) * size_t(check.shot.height) * channels;
+  if (check.exact.size() != count) fields.problem(fmt::format("'exact' has {} of {}", check.exact.size(), count));
+}
+
+struct Kind {
+  void (*holds)(Probe&, const ExtremeCheck&);
+  const char* other;  // key of another shot, or ""
+  void (*read)(Fields&, ExtremeCheck&);
+};
+
+const std::map<std::string, Kind>& kinds() {
+  static const auto only_text = [](Fields& f, ExtremeCheck& check) { check.text = f.text("text", std::nullopt); };
+  static const std::map<std::string, Kind> table = {
+      {"draws", {drawn, "", [](Fields&, ExtremeCheck&) {}}},
+      {"as_captured",
+       {asCaptured, "of", [](Fields& f, ExtremeCheck& check) { check.pixels = f.integer("pixels", 0, 0, 1 << 20); }}},
+      {"within",
+       {within, "",
+        [](Fields& f, ExtremeCheck& check) {
+          check.low = f.number("low", std::nullopt);
+          check.high = f.number("high", std::nullopt);
+          check.text = f.text("unless");
+        }}},
+      {"nearer", {nearer, "", [](Fields&, ExtremeCheck&) {}}},
+      {"same",
+       {same, "other",
+        [](Fields& f, ExtremeCheck& check) {
+          check.tolerance = f.number("tolerance", std::nullopt, 0);
+          check.share = f.number("share", std::nullopt, 0, 1);
+          if (!check.other) f.problem("needs 'other'");
+        }}},
+      {"displacement",
+       {displaced, "",
+        [](Fields& f, ExtremeCheck& check) {
+          check.share = f.number("share", std::nullopt, 0, 1);
+          check.tolerance_px = f.number("tolerance_px", std::nullopt, 0);
+          readExact(f, check, 2);
+        }}},
+      {"truth",
+       {exactTruth, "",
+        [](Fields& f, ExtremeCheck& check) {
+          check.tolerance = f.number("tolerance", std::nullopt, 0);
+          readExact(f, check, 1);
+        }}},
+      {"sharp_at",
+       {sharpAt, "",
+        [](Fields& f, ExtremeCheck& check) {
+          std::vector<double> pixel = f.numbers("pixel", 2, 2);
+          if (pixel.size() == 2) check.pixel = {int(pixel[0]), int(pixel[1])};
+          check.value = f.number("value", std::nullopt);
+          check.tolerance = f.number("tolerance", std::nullopt, 0);
+        }}},
+      {"warns", {warns, "", only_text}},
+      {"silent", {silent, "", only_text}},
+  };
+  return table;
+}
+
+bool isAbout(const std::string& by, const Probe& probe) {
+  if (by == "filters") return probe.filters();
+  if (by == "others") return !probe.filters();
+  if (by == "truth") return probe.isTruth();
+  return by == "all" || !probe.isTruth();
+}
+
+}  // namespace
+
+void readSettings(const Json& table, const std::string& prefix, script::Settings& sets) {
+  for (const auto& [name, value] : table.items())
+    sets.push_back({prefix + name, value.is_string() ? value.get<std::string>() : value.dump()});
+}
+
+ExtremeCheck readCheck(const Json& json, const std::string& what, const Place& place, Problems& problems) {
+  static const std::vector<std::string> groups = {"all", "filters", "others", "truth", "all_but_truth"};
+  std::vector<std::string> names;
+  for (const auto& [name, kind] : kinds()) names.push_back(name);
+  Fields fields(json, what, place, problems);
+  std::string name = fields.choice("check", std::nullopt, names);  // one of them even where it is a mistake
+  const Kind& kind = kinds().at(name);
+  ExtremeCheck check;
+  check.holds = kind.holds;
+  check.by = fields.choice("by", "all", groups);
+  if (const Json* shot = fields.need("shot")) check.shot = readShot(*shot, what + ": shot", place, problems);
+  if (*kind.other && fields.has(kind.other))
+    check.other = readShot(*fields.find(kind.other), what + ": " + kind.other, place, problems);
+  kind.read(fields, check);
+  fields.finish();
+  return check;
+}
+
+void apply(const ExtremeCheck& check, Probe& probe) {
+  if (isAbout(check.by, probe)) check.holds(probe, check);
+}
+
+}  // namespace strobe::stability

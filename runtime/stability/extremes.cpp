@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include "page/table.h"
-#include "stability/cases.h"
-#include "stability/extreme_checks.h"
 
 namespace strobe::stability {
 
@@ -45,9 +43,6 @@ std::vector<Method> methodsOf(const script::Limits& limits) {
   return methods;
 }
 
-bool Probe::isTruth() const { return method_.pipeline == kTruth; }
-bool Probe::isSharp() const { return method_.pipeline == kSharp; }
-
 void Probe::expect(bool holds, const std::string& text) {
   if (!holds) failures_.push_back(text);
 }
@@ -67,59 +62,74 @@ const lab::Picture& Probe::drawn(const lab::Shot& shot) {
   return *known;
 }
 
+lab::Shot Probe::by(const Arm& arm, lab::Shot shot) {
+  std::erase_if(shot.sets, [](const auto& set) { return !set.first.starts_with("scene."); });
+  shot.pipeline = arm.pipeline;
+  shot.sets.insert(shot.sets.end(), arm.sets.begin(), arm.sets.end());
+  return shot;
+}
+
 const lab::Picture& Probe::picture(const lab::Shot& shot) {
   lab::Shot own = shot;
   own.pipeline = method_.pipeline;
   own.sets = method_.sets;
-  if (isTruth()) own.sets.push_back({"samples", "16"});
+  if (isTruth()) own.sets.insert(own.sets.end(), extremes_.truth_method.begin(), extremes_.truth_method.end());
   for (const auto& [name, value] : shot.sets)
     if (name.starts_with("scene.") || method_.has(name)) lab::putSetting(own.sets, name, value);
   return drawn(own);
 }
 
-static lab::Shot onlyScene(lab::Shot shot) {
-  std::erase_if(shot.sets, [](const auto& set) { return !set.first.starts_with("scene."); });
-  return shot;
+// ---- the cases
+
+static Arm readArm(const Json& json, const std::string& what, const Place& place, Problems& problems) {
+  Fields fields(json, what, place, problems);
+  Arm arm{fields.text("pipeline", std::nullopt), {}};
+  readSettings(fields.table("set"), "", arm.sets);
+  fields.finish();
+  return arm;
 }
 
-const lab::Picture& Probe::sharp(lab::Shot shot) {
-  shot = onlyScene(shot);
-  shot.pipeline = kSharp;
-  return drawn(shot);
+static Extreme readExtreme(const Json& json, const Place& place, Problems& problems) {
+  Fields fields(json, "case", place, problems);
+  Extreme extreme;
+  extreme.name = fields.text("name", std::nullopt);
+  fields.rename(fmt::format("case '{}'", extreme.name));
+  extreme.clause = fields.text("clause", std::nullopt);
+  extreme.says = fields.text("says", std::nullopt);
+  for (const Json& check : fields.list("checks"))
+    extreme.checks.push_back(
+        readCheck(check, fmt::format("{}: check {}", fields.what(), extreme.checks.size() + 1), place, problems));
+  fields.finish();
+  return extreme;
 }
 
-const lab::Picture& Probe::truth(lab::Shot shot) {
-  shot = onlyScene(shot);
-  shot.pipeline = kTruth;
-  shot.sets.push_back({"samples", std::to_string(kTruthTimes)});
-  shot.sets.push_back({"mark_regions", "false"});
-  return drawn(shot);
-}
-
-const std::vector<Extreme>& extremes() {
-  static const std::vector<Extreme> list = [] {
-    std::vector<Extreme> all;
-    extreme::addDisplacements(all);
-    extreme::addSizes(all);
-    extreme::addExposures(all);
-    extreme::addPlaces(all);
-    extreme::addCameras(all);
-    extreme::addExtents(all);
-    extreme::addSurfaces(all);
-    return all;
-  }();
-  return list;
+Extremes readExtremes(const script::Limits& limits, const std::optional<std::vector<std::string>>& with_checks) {
+  const Path file = homeFolder() / "scripts/stability/extreme_cases.lua";
+  Json arguments = Json::object();
+  if (with_checks) arguments["cases"] = *with_checks;
+  Json data = script::evaluateData(file, arguments, nullptr, limits);
+  Problems problems;
+  Place place{displayPath(file)};
+  Fields fields(data, "extreme cases", place, problems);
+  Extremes extremes;
+  if (const Json* arm = fields.need("sharp")) extremes.sharp = readArm(*arm, "sharp", place, problems);
+  if (const Json* arm = fields.need("truth")) extremes.truth = readArm(*arm, "truth", place, problems);
+  readSettings(fields.table("truth_method"), "", extremes.truth_method);
+  for (const Json& one : fields.list("cases")) extremes.cases.push_back(readExtreme(one, place, problems));
+  fields.finish();
+  problems.throwIfAny();
+  return extremes;
 }
 
 std::vector<ExtremeOutcome> runExtreme(lab::Workbench& bench, const std::vector<Method>& methods,
-                                       const Extreme& extreme) {
+                                       const Extremes& extremes, const Extreme& extreme) {
   Probe::Pictures pictures;
   std::vector<ExtremeOutcome> outcomes;
   for (const Method& method : methods) {
-    Probe probe(bench, pictures, method);
+    Probe probe(bench, pictures, extremes, method);
     ExtremeOutcome outcome{&extreme, method.name(), {}, ""};
     try {
-      extreme.check(probe);
+      for (const ExtremeCheck& check : extreme.checks) apply(check, probe);
       outcome.failures = probe.failures();
     } catch (const Error& error) {
       outcome.failures = probe.failures();

@@ -4,13 +4,14 @@
 // must be the same. Finite it must be always.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "lab/workbench.h"
+#include "stability/extreme_checks.h"
 
 namespace strobe::stability {
 
@@ -24,28 +25,49 @@ struct Method {
   bool has(const std::string& param) const;
 };
 
-// Time samples of the truth that others are compared with.
-inline constexpr int kTruthTimes = 64;
-
 // In the order of the registry. Throws `Error` where one cannot be evaluated.
 std::vector<Method> methodsOf(const script::Limits& limits);
 
-// What a case may ask of one method. Pictures are kept until the next case.
+struct Extreme {
+  std::string name;
+  std::string clause;  // what it is a case of, one of a few
+  std::string says;    // what must hold
+  std::vector<ExtremeCheck> checks;
+};
+
+// A pipeline with settings.
+struct Arm {
+  std::string pipeline;
+  script::Settings sets;
+};
+
+struct Extremes {
+  Arm sharp;                      // the capture as it is
+  Arm truth;                      // that others are compared with
+  script::Settings truth_method;  // of truth where it is the method
+  std::vector<Extreme> cases;
+};
+
+// scripts/stability/extreme_cases.lua. All cases; only those `with_checks` have their checks (without it: all). Throws
+// `Error` naming all mistakes.
+Extremes readExtremes(const script::Limits& limits,
+                      const std::optional<std::vector<std::string>>& with_checks = std::nullopt);
+
+// What a check may ask of one method. Pictures are kept until the next case.
 class Probe {
  public:
   using Pictures = std::map<std::string, std::shared_ptr<const lab::Picture>>;
-  Probe(lab::Workbench& bench, Pictures& pictures, const Method& method)
-      : bench_(bench), pictures_(pictures), method_(method) {}
+  Probe(lab::Workbench& bench, Pictures& pictures, const Extremes& extremes, const Method& method)
+      : bench_(bench), pictures_(pictures), extremes_(extremes), method_(method) {}
 
-  const Method& method() const { return method_; }
-  bool isTruth() const;
-  bool isSharp() const;  // draws the capture as it is
+  bool isTruth() const { return method_.pipeline == extremes_.truth.pipeline; }
+  bool isSharp() const { return method_.pipeline == extremes_.sharp.pipeline; }
   bool filters() const { return !isTruth() && !isSharp(); }
 
   // The shot by this method: settings of the pipeline that it does not have are left out. By name: without blur; truth.
   const lab::Picture& picture(const lab::Shot& shot);
-  const lab::Picture& sharp(lab::Shot shot);
-  const lab::Picture& truth(lab::Shot shot);
+  const lab::Picture& sharp(const lab::Shot& shot) { return drawn(by(extremes_.sharp, shot)); }
+  const lab::Picture& truth(const lab::Shot& shot) { return drawn(by(extremes_.truth, shot)); }
 
   // `text` says what is wrong where `holds` does not.
   void expect(bool holds, const std::string& text);
@@ -53,23 +75,16 @@ class Probe {
   const std::string& lastCommand() const { return last_command_; }
 
  private:
+  static lab::Shot by(const Arm& arm, lab::Shot shot);
   const lab::Picture& drawn(const lab::Shot& shot);
 
   lab::Workbench& bench_;
   Pictures& pictures_;
+  const Extremes& extremes_;
   const Method& method_;
   std::vector<std::string> failures_;
   std::string last_command_;
 };
-
-struct Extreme {
-  std::string name;
-  std::string clause;  // what it is a case of, one of a few
-  std::string says;    // what must hold
-  std::function<void(Probe&)> check;
-};
-
-const std::vector<Extreme>& extremes();
 
 // What became of a case under a method: it passes where `failures` is empty.
 struct ExtremeOutcome {
@@ -79,9 +94,9 @@ struct ExtremeOutcome {
   std::string command;  // of the picture that was drawn last
 };
 
-// One case under every method. What a method throws is a failure of it.
+// One of the cases under every method. What a method throws is a failure of it.
 std::vector<ExtremeOutcome> runExtreme(lab::Workbench& bench, const std::vector<Method>& methods,
-                                       const Extreme& extreme);
+                                       const Extremes& extremes, const Extreme& extreme);
 
 // For the terminal, a line per clause and what failed; the page docs/extreme-cases.md.
 std::string textOf(const std::vector<ExtremeOutcome>& outcomes);

@@ -65,7 +65,7 @@ Finding worse(Finding a, Finding b) {
   return b.excess > a.excess ? b : a;
 }
 
-// ---- I1
+// ---- constant
 
 Finding constant(const Subject& subject) {
   Random draw = subject.draw("constant");
@@ -79,7 +79,7 @@ Finding constant(const Subject& subject) {
   return compare(*subject.renderer.color(shot), [&](int, int, int) { return exactly(value, tolerance); }, {shot});
 }
 
-// ---- I2, I3
+// ---- still, brief
 
 Finding same(const Subject& subject, const lab::Shot& shot, const lab::Shot& right, double tolerance) {
   Picture picture = subject.renderer.color(shot), wanted = subject.renderer.color(right);
@@ -121,7 +121,7 @@ Finding brief(const Subject& subject) {
   return worse(same(subject, hardly, sharp, 1e-5), compare(*picture, around, {little, sharp}));
 }
 
-// ---- I4 to I6
+// ---- mirrored, shifted, reversed
 
 Finding mirrored(const Subject& subject) {
   Random draw = subject.draw("mirrored");
@@ -187,7 +187,7 @@ Finding reversed(const Subject& subject) {
   return same(subject, shot, other, 1e-5 * std::max(1.0, image::largestColour(*right)));
 }
 
-// ---- I7, I8
+// ---- convex, uniform
 
 Finding convex(const Subject& subject) {
   lab::Shot shot = without(subject.shot, {"lit"});
@@ -240,7 +240,7 @@ Finding uniform(const Subject& subject) {
   return compare(*subject.renderer.color(shot), at, {shot, by(shot, kSharp)});
 }
 
-// ---- I9, I10
+// ---- linear, scaled
 
 Finding linear(const Subject& subject) {
   lab::Shot shot = without(subject.shot, {"lit"});
@@ -272,7 +272,7 @@ Finding scaled(const Subject& subject) {
   return finding;
 }
 
-// ---- I11, I12
+// ---- converging, unmasked
 
 double errorOf(const Subject& subject, const lab::Shot& shot, const std::vector<lab::Shot>& scenes) {
   double sum = 0;
@@ -353,7 +353,7 @@ Finding unmasked(const Subject& subject) {
   return worst;
 }
 
-// ---- I13, I14
+// ---- finite, permuted
 
 Finding finite(const Subject& subject) {
   const double factors[] = {1, 1.1, 1e6, -1e6};  // of 3e38: the largest, infinity, and infinity times 0

@@ -1,30 +1,158 @@
 // SPDX-License-Identifier: MIT
-// Every extreme case, by every pipeline and preset.
+// Every extreme case, by every pipeline and preset; and that each kind of check finds what is wrong.
 #include "stability/extremes.h"
+
+#include <cstdlib>
+#include <set>
 
 #include "oracle/render.h"
 
 namespace strobe::stability {
 namespace {
 
-class Extremes : public oracle::RenderTest, public testing::WithParamInterface<size_t> {};
+// Names alone: the checks of a case are evaluated by its test.
+const std::vector<Extreme>& cases() {
+  static const Extremes extremes = [] {
+    ::setenv("STROBE_PROGRAM", STROBE_PROGRAM_FILE, 0);
+    return readExtremes({}, std::vector<std::string>());
+  }();
+  return extremes.cases;
+}
 
-TEST_P(Extremes, Holds) {
+class ExtremeCases : public oracle::RenderTest, public testing::WithParamInterface<size_t> {};
+
+TEST_P(ExtremeCases, Holds) {
   static const std::vector<Method> methods = methodsOf(bench().limits);
-  const Extreme& extreme = extremes()[GetParam()];
-  for (const ExtremeOutcome& outcome : runExtreme(bench(), methods, extreme))
+  const Extremes extremes = readExtremes(bench().limits, std::vector<std::string>{cases()[GetParam()].name});
+  const Extreme& extreme = extremes.cases[GetParam()];
+  ASSERT_FALSE(extreme.checks.empty());
+  for (const ExtremeOutcome& outcome : runExtreme(bench(), methods, extremes, extreme))
     for (const std::string& failure : outcome.failures)
       ADD_FAILURE() << outcome.method << ": " << failure << "\n(" << extreme.says << ")\n" << outcome.command;
 }
 
-INSTANTIATE_TEST_SUITE_P(Case, Extremes, testing::Range<size_t>(0, extremes().size()),
-                         [](const auto& index) { return extremes()[index.param].name; });
+INSTANTIATE_TEST_SUITE_P(Case, ExtremeCases, testing::Range<size_t>(0, cases().size()),
+                         [](const auto& index) { return cases()[index.param].name; });
 
-TEST(ExtremeTable, HasEveryClause) {
-  std::map<std::string, int> clauses;
-  for (const Extreme& extreme : extremes()) ++clauses[extreme.clause];
-  EXPECT_GE(clauses.size(), 10u);
-  for (const auto& [clause, count] : clauses) EXPECT_GE(count, 1) << clause;
+TEST(ExtremeTable, HasCasesOfManyKindsUnderNamesOfTheirOwn) {
+  std::set<std::string> clauses, names;
+  for (const Extreme& extreme : cases()) {
+    clauses.insert(extreme.clause);
+    EXPECT_TRUE(names.insert(extreme.name).second) << extreme.name;
+    EXPECT_TRUE(extreme.checks.empty()) << extreme.name;
+  }
+  EXPECT_GE(clauses.size(), 15u);
+  EXPECT_GE(names.size(), 118u);
+}
+
+// ---- each kind of check on a bar of 0 and 1 that moves by 8 px
+
+Json barShot(double displacement_px) {
+  return {{"scene", "oracles/bar"},
+          {"size", {48, 4}},
+          {"frame", 0},
+          {"scene_set",
+           {{"width", 48},
+            {"height", 4},
+            {"left", 16},
+            {"right", 32},
+            {"d_f", displacement_px},
+            {"foreground", 1},
+            {"background", 0}}},
+          {"set", {{"limit", 10}, {"tile", 8}}}};
+}
+
+class Checks : public oracle::RenderTest {
+ protected:
+  static std::vector<std::string> failures(const std::string& kind, const Json& fields, double displacement_px = 8,
+                                           const std::string& pipeline = "mcguire2012") {
+    static const Extremes extremes = readExtremes(bench().limits, std::vector<std::string>());
+    static const std::vector<Method> methods = methodsOf(bench().limits);
+    Json json = {{"check", kind}, {"shot", barShot(displacement_px)}};
+    json.update(fields);
+    Problems problems;
+    Extreme extreme{"x", "", "", {readCheck(json, "x", {}, problems)}};
+    problems.throwIfAny();
+    auto method = std::find_if(methods.begin(), methods.end(), [&](const Method& m) { return m.pipeline == pipeline; });
+    return runExtreme(bench(), {*method}, extremes, extreme).front().failures;
+  }
+  static size_t count(const std::string& kind, const Json& fields, double displacement_px = 8,
+                      const std::string& pipeline = "mcguire2012") {
+    return failures(kind, fields, displacement_px, pipeline).size();
+  }
+};
+
+TEST_F(Checks, PassWhatHoldsAndFailWhatDoesNot) {
+  const Json none = Json::object();
+  EXPECT_EQ(count("draws", none), 0u);
+  EXPECT_EQ(count("as_captured", none, 0), 0u);
+  EXPECT_EQ(count("as_captured", none, 8), 1u);
+  EXPECT_EQ(count("as_captured", {{"pixels", 48 * 4}}, 8), 0u);
+  EXPECT_EQ(count("as_captured", {{"of", barShot(0)}, {"by", "truth"}}, 0, "ground_truth"), 0u);
+  EXPECT_EQ(count("within", {{"low", 0}, {"high", 1}}), 0u);
+  EXPECT_EQ(count("within", {{"low", 0.1}, {"high", 1}}), 1u);
+  EXPECT_EQ(count("nearer", none), 0u);
+  EXPECT_EQ(count("nearer", none, 0), 1u);  // nothing can be nearer than what is right
+  EXPECT_EQ(count("same", {{"other", barShot(8)}, {"tolerance", 0}, {"share", 0}}), 0u);
+  EXPECT_EQ(count("same", {{"other", barShot(4)}, {"tolerance", 0}, {"share", 0}}), 1u);
+  EXPECT_EQ(count("sharp_at", {{"pixel", {20, 1}}, {"value", 1}, {"tolerance", 1e-6}}), 0u);
+  EXPECT_EQ(count("sharp_at", {{"pixel", {20, 1}}, {"value", 0.9}, {"tolerance", 1e-6}}), 1u);
+  EXPECT_EQ(count("silent", {{"text", "farther than the limit"}}), 0u);
+  EXPECT_EQ(count("warns", {{"text", "farther than the limit"}}), 1u);
+}
+
+// Displacements of the bar and nothing elsewhere; a pixel that may be anything is no mistake.
+TEST_F(Checks, CompareEachPixelWithWhatIsExact) {
+  std::vector<Json> right;
+  for (int i = 0; i < 48 * 4; ++i) {
+    right.push_back(i % 48 >= 16 && i % 48 < 32 ? 8 : 0);
+    right.push_back(0);
+  }
+  EXPECT_EQ(count("displacement", {{"exact", right}, {"share", 0}, {"tolerance_px", 1e-3}}), 0u);
+  right[2 * 20] = 9;
+  EXPECT_EQ(count("displacement", {{"exact", right}, {"share", 0}, {"tolerance_px", 1e-3}}), 1u);
+  right[2 * 20] = false;
+  EXPECT_EQ(count("displacement", {{"exact", right}, {"share", 0}, {"tolerance_px", 1e-3}}), 0u);
+  std::vector<double> still(48 * 4, 0);
+  for (size_t i = 0; i < still.size(); ++i) still[i] = i % 48 >= 16 && i % 48 < 32;
+  EXPECT_EQ(count("truth", {{"exact", still}, {"tolerance", 1e-6}, {"by", "truth"}}, 0, "ground_truth"), 0u);
+  EXPECT_EQ(count("truth", {{"exact", still}, {"tolerance", 1e-6}, {"by", "truth"}}, 8, "ground_truth"), 1u);
+}
+
+TEST_F(Checks, AreAboutTheMethodsTheyName) {
+  const Json impossible = {{"low", 2}, {"high", 3}};
+  auto counts = [&](const char* by) {
+    Json fields = impossible;
+    fields["by"] = by;
+    return std::array{count("within", fields, 8, "none"), count("within", fields, 8, "mcguire2012"),
+                      count("within", fields, 8, "ground_truth")};
+  };
+  EXPECT_EQ(counts("all"), (std::array<size_t, 3>{1, 1, 1}));
+  EXPECT_EQ(counts("filters"), (std::array<size_t, 3>{0, 1, 0}));
+  EXPECT_EQ(counts("others"), (std::array<size_t, 3>{1, 0, 1}));
+  EXPECT_EQ(counts("truth"), (std::array<size_t, 3>{0, 0, 1}));
+  EXPECT_EQ(counts("all_but_truth"), (std::array<size_t, 3>{1, 1, 0}));
+}
+
+TEST(ExtremeChecks, MistakesAreNamed) {
+  auto mistakeIn = [](const Json& json) -> std::string {
+    Problems problems;
+    readCheck(json, "case 'x': check 1", {"cases.lua"}, problems);
+    try {
+      problems.throwIfAny();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(mistakeIn({{"check", "withn"}, {"shot", barShot(0)}, {"low", 0}, {"high", 1}}).substr(0, 40),
+            "cases.lua: case 'x': check 1: 'check' = ");
+  EXPECT_EQ(mistakeIn({{"check", "within"}, {"shot", barShot(0)}, {"low", 0}}),
+            "cases.lua: case 'x': check 1: needs 'high'");
+  EXPECT_EQ(mistakeIn({{"check", "draws"}, {"shot", barShot(0)}, {"hi", 1}}).substr(0, 47),
+            "cases.lua: case 'x': check 1: unknown key 'hi';");
+  EXPECT_EQ(mistakeIn({{"check", "truth"}, {"shot", barShot(0)}, {"tolerance", 1}, {"exact", {1, 2}}}),
+            "cases.lua: case 'x': check 1: 'exact' has 2 of 192");
 }
 
 }  // namespace

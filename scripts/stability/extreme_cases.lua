@@ -1,0 +1,535 @@
+-- SPDX-License-Identifier: MIT
+-- Cases at the edge of what numbers, tiles, cameras and scenes can hold, each for every pipeline and each of its
+-- presets. What must come out is known otherwise: from a closed form, from truth, or from a picture that must be the
+-- same.
+--   strobe stability --extremes --write docs/extreme-cases.md
+--
+-- A case has a name, a clause (what it is a case of), says (what must hold) and a function to its checks. A check
+-- names what must hold of the picture of `shot` (every one must be finite), and the methods that it is about (`by`):
+--   draws         nothing more
+--   as_captured   all but `pixels` pixels are, bit for bit, those of the sharp picture (of the shot `of` if given)
+--   within        no colour leaves the range `low` to `high`; `unless` a warning contains this text
+--   nearer        the picture is nearer to truth than the sharp one is
+--   same          at most `share` of the pixels differ by more than `tolerance` from the picture of the shot `other`
+--   displacement  velocities are `exact`, within `share` of them and `tolerance_px`; false: anything is right there
+--   truth         truth's red channel is `exact` within `tolerance`
+--   sharp_at      the sharp picture has the red value `value` at a pixel, within `tolerance`
+--   warns, silent some warning contains `text`, or none does
+-- by: "all", "filters", "others" (truth and the sharp picture), "truth", "all_but_truth".
+-- A shot's settings that a pipeline does not have are left out.
+local wanted = ...
+
+local truth_times = 64
+
+local list = {}
+
+local function case(name, clause, says, checks)
+  list[#list + 1] = { name = name, clause = clause, says = says, checks = checks }
+end
+
+-- ---- checks
+
+local function draws(shot) return { check = "draws", shot = shot } end
+local function as_captured(shot, pixels) return { check = "as_captured", shot = shot, pixels = pixels } end
+local function within(shot, low, high) return { check = "within", shot = shot, low = low, high = high } end
+local function nearer(shot) return { check = "nearer", shot = shot, by = "filters" } end
+local function warns(shot, text, by) return { check = "warns", shot = shot, text = text, by = by } end
+local function silent(shot, text, by) return { check = "silent", shot = shot, text = text, by = by } end
+
+local function same(shot, other, tolerance, share)
+  return { check = "same", shot = shot, other = other, tolerance = tolerance, share = share }
+end
+
+-- Calls `visit(x, y)` with the centre of each pixel, in reading order.
+local function each_pixel(shot, visit)
+  for y = 0, shot.size[2] - 1 do
+    for x = 0, shot.size[1] - 1 do visit(x + 0.5, y + 0.5) end
+  end
+end
+
+-- `path(x, y)`: the displacement there, or nothing.
+local function displacement(shot, path, share, tolerance_px)
+  local exact = {}
+  each_pixel(shot, function(x, y)
+    local dx, dy = path(x, y)
+    exact[#exact + 1] = dx or false
+    exact[#exact + 1] = dy or false
+  end)
+  return { check = "displacement", shot = shot, exact = exact, share = share, tolerance_px = tolerance_px }
+end
+
+local function truth(shot, value, tolerance)
+  local exact = {}
+  each_pixel(shot, function(x, y) exact[#exact + 1] = value(x, y) end)
+  return { check = "truth", shot = shot, exact = exact, tolerance = tolerance, by = "truth" }
+end
+
+-- ---- shots
+
+local function merged(...)
+  local result = {}
+  for _, part in ipairs { ... } do
+    for key, value in pairs(part) do result[key] = value end
+  end
+  return result
+end
+
+-- Whole numbers as such, as one types them.
+local function plain(settings)
+  local result = {}
+  for name, value in pairs(settings) do
+    result[name] = math.type(value) == "float" and math.tointeger(value) or value
+  end
+  return result
+end
+
+local function shot(scene, width, height, scene_set, set, more)
+  local numbers = plain(merged({ width = width, height = height }, scene_set))
+  return merged({ scene = scene, size = { width, height }, frame = 0, scene_set = numbers, set = set }, more or {})
+end
+
+local anchors = { "close", "centre", "open" }
+
+-- ---- a bar over a background at rest
+
+local bar_value, back_value = 1, 0.2
+
+local function bar_in(width, height, displacement_px, left, right, set, more)
+  local numbers = { left = left, right = right, d_f = displacement_px, foreground = bar_value, background = back_value }
+  return shot("oracles/bar", width, height, numbers, set, more)
+end
+
+local function bar(displacement_px, set, more) return bar_in(48, 4, displacement_px, 16, 32, set, more) end
+
+-- Share of the window [from, to] (exposures from the capture) for which a bar [left, right) that moves by `d` px covers
+-- x.
+local function coverage(left, right, d, from, to, x)
+  if d == 0 then return x >= left and x < right and 1 or 0 end
+  local a, b = (x - left) / d, (x - right) / d -- it is at x between these times
+  return math.max(0, math.min(to, math.max(a, b)) - math.max(from, math.min(a, b))) / (to - from)
+end
+
+local function bar_over_time(left, right, d, from, to)
+  return function(x) return back_value + (bar_value - back_value) * coverage(left, right, d, from, to, x) end
+end
+
+-- Two silhouettes of a jump of 0.8, each half a time sample off at most.
+local bar_tolerance = 2 * (bar_value - back_value) / (2 * truth_times) + 1e-4
+
+local function between(a_shot) return within(a_shot, back_value, bar_value) end
+
+local function exact_bar(d, left, right)
+  local moving = bar_in(48, 4, d, left, right, { limit = 10, tile = 8 })
+  return { truth(moving, bar_over_time(left, right, d, -1, 0), bar_tolerance), between(moving) }
+end
+
+-- ---- displacements
+
+for _, v in ipairs { { "zero", 0 }, { "1e_8", 1e-8 }, { "0_49", 0.49 }, { "half", 0.5 }, { "minus_half", -0.5 } } do
+  case("displacement_" .. v[1] .. "_px", "displacement", "half a pixel reaches no other centre: copied, bit for bit",
+       function() return { as_captured(bar(v[2], { limit = 10 })) } end)
+end
+
+for _, anchor in ipairs(anchors) do
+  case("displacement_0_51_px_" .. anchor, "displacement", "colours stay between those of bar and background",
+       function() return { between(bar(0.51, { limit = 10 }, { anchor = anchor })) } end)
+end
+
+for _, v in ipairs { { "one_tile", 8 }, { "minus_one_tile", -8 }, { "two_tiles", 16 }, { "one_picture", 48 } } do
+  case("displacement_" .. v[1], "displacement", "truth is the exact coverage; every blur is nearer to it than none",
+       function()
+         local checks = exact_bar(v[2], 16, 32)
+         checks[#checks + 1] = nearer(bar(v[2], { limit = 10, tile = 8 }))
+         return checks
+       end)
+end
+
+for _, v in ipairs { { "ten_pictures", 480 }, { "1e7_px", 1e7 }, { "minus_1e7_px", -1e7 } } do
+  case("displacement_" .. v[1], "displacement", "truth is the exact coverage; filters stay between the colours",
+       function() return exact_bar(v[2], 16, 32) end)
+end
+
+for _, v in ipairs { { "enters", -4, 24 }, { "has_entered", 8, 24 }, { "has_left", -24, -24 },
+                     { "passes_by", 60, 160 } } do
+  case("object_" .. v[1], "displacement",
+       "truth knows what was outside of the picture; filters stay between the colours",
+       function() return exact_bar(v[3], v[2], v[2] + 16) end)
+end
+
+for _, v in ipairs { { "one_pixel", 24, 25 }, { "a_tenth_of_a_pixel", 24.45, 24.55 } } do
+  case("bar_of_" .. v[1], "displacement", "thinner than its path: truth is its width over its displacement",
+       function() return exact_bar(12, v[2], v[3]) end)
+end
+
+case("displacement_over_the_limit", "displacement", "what is shortened is counted; truth is not", function()
+  local far = bar(40, { limit = 0.1, tile = 8 })
+  return {
+    between(far), warns(far, "farther than the limit", "filters"), silent(far, "farther than the limit", "others"),
+    truth(far, bar_over_time(16, 32, 40, -1, 0), bar_tolerance),
+  }
+end)
+
+for _, v in ipairs { { "diagonal", 8, 8 }, { "diagonal_back", -8, 8 }, { "steep", 3, -17 },
+                     { "far_diagonal", 34, 34 } } do
+  case("displacement_" .. v[1], "displacement", "every blur is nearer to truth than none", function()
+    local numbers = { left = 16, right = 32, top = 16, bottom = 32, d_x = v[2], d_y = v[3] }
+    local square = shot("oracles/quad_2d", 48, 48, numbers, { limit = 2, tile = 8 })
+    return { within(square, 0.1, 0.9), nearer(square) }
+  end)
+end
+
+-- ---- sizes, tiles
+
+for _, v in ipairs { { 1, 1 }, { 1, 40 }, { 40, 1 }, { 2, 2 }, { 37, 23 }, { 7, 61 } } do
+  local width, height = v[1], v[2]
+  case(("size_%dx%d"):format(width, height), "picture sizes",
+       "at rest as the capture sees it; moving within the colours, finite", function()
+    local left, right = width // 4, width // 4 * 3 + 1
+    return {
+      as_captured(bar_in(width, height, 0, left, right)),
+      between(bar_in(width, height, 9, left, right, { limit = 10 })),
+    }
+  end)
+end
+
+case("size_1xN_shortens_and_says", "picture sizes",
+     "the limit is a share of the width: on a picture of width 1 it is met by all that moves, and said", function()
+  local numbers = { left = 0, right = 1, top = 12, bottom = 28, d_x = 0, d_y = 9 }
+  return {
+    warns(shot("oracles/quad_2d", 1, 40, numbers, { limit = 0.1 }), "farther than the limit", "filters"),
+    nearer(shot("oracles/quad_2d", 1, 40, numbers, { limit = 10 })),
+  }
+end)
+
+for _, tile in ipairs { 1, 7, 1024 } do
+  case("tile_" .. tile, "tiles", "every blur is nearer to truth than none, whatever the tile", function()
+    local moving = bar_in(48, 4, 12, 17, 31, { limit = 0.5, tile = tile })
+    return { between(moving), nearer(moving) }
+  end)
+end
+
+case("tile_1_limit_10", "tiles", "a reach of thousands of tiles ends at the picture", function()
+  local moving = bar_in(24, 8, 12, 17, 31, { limit = 10, tile = 1 })
+  return { between(moving), nearer(moving) }
+end)
+
+case("limit_0", "tiles", "nothing blurs, all that moves is counted", function()
+  local held = bar(12, { limit = 0 })
+  return { merged(as_captured(held), { by = "filters" }), warns(held, "farther than the limit", "filters") }
+end)
+
+case("opposite_motions_in_one_tile", "tiles", "every blur is nearer to truth than none", function()
+  return { nearer(bar_in(48, 8, 10, 16, 32, { limit = 1, tile = 64 }, { moves = { "background=-6,0,0" } })) }
+end)
+
+-- ---- exposure and samples
+
+local window_start = { close = -1, centre = -0.5, open = 0 }
+
+for _, anchor in ipairs(anchors) do
+  case("exposure_0_" .. anchor, "exposure", "an instant is the capture, bit for bit", function()
+    return { as_captured(shot("stability/extreme", 48, 32, {}, { limit = 10 }, { anchor = anchor, exposure = 0 })) }
+  end)
+  case("exposure_3_" .. anchor, "exposure",
+       "longer than a frame: the displacement is that of the window, and truth the exact coverage", function()
+    -- Of 0.5 for which 4 px are meant: 24 px.
+    local long, from = bar(4, { limit = 10, tile = 8 }, { anchor = anchor, exposure = 3 }), window_start[anchor]
+    return {
+      truth(long, bar_over_time(16, 32, 24, from, from + 1), bar_tolerance), between(long),
+      displacement(long, function(x) return x >= 16 and x < 32 and 24 or 0, 0 end, 0, 1e-3), nearer(long),
+    }
+  end)
+end
+
+case("exposure_1", "exposure", "a whole frame: every blur is nearer to truth than none",
+     function() return { nearer(bar(6, { limit = 10, tile = 8 }, { exposure = 1 })) } end)
+
+case("exposure_3_extrapolated", "exposure", "the path of one frame stretched over three is said", function()
+  local long = bar(4, { limit = 10, displacement = "extrapolated" }, { exposure = 3 })
+  local text = "stretched over an exposure of more than one"
+  return { warns(long, text, "filters"), silent(long, text, "others") }
+end)
+
+for _, samples in ipairs { 1, 2, 3, 15 } do
+  case("samples_" .. samples, "samples", "few and odd numbers of samples: at rest exact, else within the colours",
+       function()
+    local checks = { as_captured(bar(0, { samples = samples })) }
+    for _, anchor in ipairs(anchors) do
+      checks[#checks + 1] = between(bar(11, { samples = samples, limit = 10 }, { anchor = anchor }))
+    end
+    return checks
+  end)
+end
+
+case("samples_1_truth", "samples", "one midpoint sample is the capture of the bar half way back", function()
+  return { merged(as_captured(bar(8, { samples = 1 })), { of = bar_in(48, 4, 0, 12, 28), by = "truth" }) }
+end)
+
+-- ---- scales, places and times: the room that is moved, scaled and sped up
+
+local function room(numbers, more)
+  return shot("stability/extreme", 48, 32, numbers or {}, { limit = 10, tile = 8, samples = 16 }, more)
+end
+
+for _, v in ipairs { { "minus_20", 1 / 1048576 }, { "20", 1048576 } } do
+  case("scale_2_to_" .. v[1], "scale", "powers of two change no bit",
+       function() return { same(room(), room { scale = v[2] }, 0, 0) } end)
+end
+
+-- Of other scales silhouettes flip by rounding, 0.1 % of the pixels.
+for _, v in ipairs { { "1e_6", 1e-6 }, { "1e_3", 1e-3 }, { "0_37", 0.37 }, { "1e3", 1e3 }, { "1e6", 1e6 } } do
+  case("scale_" .. v[1], "scale", "the same picture: 0.1 % of the pixels may differ by more than 1e-5",
+       function() return { same(room(), room { scale = v[2] }, 1e-5, 1e-3 + 1 / 1536) } end)
+end
+
+local nestings = { [0] = "", "_in_a_node", "_there_and_back", "_in_its_vertices" }
+
+for _, v in ipairs { { "1e5", 1e5 }, { "1e6", 1e6 }, { "1e7", 1e7 } } do
+  for nesting = 0, v[2] == 1e7 and 3 or 0 do
+    case("offset_" .. v[1] .. nestings[nesting], "world offset",
+         "a static scene stands still within 1e-3 px; a moving one looks as at the origin", function()
+      local there, pan = { offset = v[2], nesting = nesting }, { camera_speed = 6.0625, turn = 3 }
+      return {
+        displacement(room(merged(there, { speed = 0 })), function() return 0, 0 end, 0, 1e-3),
+        same(room(), room(there), 1e-4, 2e-3), same(room(pan), room(merged(there, pan)), 1e-4, 2e-3),
+      }
+    end)
+  end
+end
+
+for _, v in ipairs { { "1e6", 1000000 }, { "2_to_31", 2147483647 } } do
+  case("frame_" .. v[1], "far times", "the same motion at any time of day", function()
+    local late = room({ rest_s = v[2] / 24, camera_speed = 6.0625 }, { frame = v[2] })
+    return { same(room { camera_speed = 6.0625 }, late, 1e-4, 2e-3) }
+  end)
+end
+
+-- ---- cameras
+
+local wide, high, focal, near_m = 48, 32, 32, 0.1
+
+local function planes(kind, numbers, set, more)
+  return shot("stability/planes", wide, high, merged({ kind = kind }, numbers or {}),
+              merged({ limit = 10, tile = 8 }, set or {}), more)
+end
+
+local function pixel_of(p) return focal * p[1] / p[3], focal * p[2] / p[3] end
+
+-- Screen path from `from` to `to` (x right, y down, z ahead; metres), in double precision: where it ends behind the
+-- plane at `near`, the part up to there, extrapolated to the whole length.
+local function path_of(from, to, near)
+  local s = 1
+  if to[3] < near then
+    s = (from[3] - near) / (from[3] - to[3])
+    local part = {}
+    for i = 1, 3 do part[i] = from[i] * (1 - s) + to[i] * s end
+    to = part
+  end
+  local x, y = pixel_of(to)
+  local from_x, from_y = pixel_of(from)
+  return (x - from_x) / s, (y - from_y) / s
+end
+
+-- A point of the floor `below` the camera, or nothing above the horizon.
+local function floor_at(x, y, below)
+  if y <= high / 2 then return nil end
+  local z = below * focal / (y - high / 2)
+  return z > near_m and { (x - wide / 2) * z / focal, below, z } or nil
+end
+
+-- Displacement of what moves by `step` (x right, y down, z ahead, metres over the exposure) before the camera.
+local function displacement_of(point, step, anchor)
+  local back, ahead = anchor == "centre" and 0.5 or 1, anchor == "centre" and 0.5 or 1
+  if anchor == "open" then back = 0 end
+  if anchor == "close" then ahead = 0 end
+  local open, close = {}, {}
+  for i = 1, 3 do open[i], close[i] = point[i] - step[i] * back, point[i] + step[i] * ahead end
+  local near = near_m * 1.001
+  local close_x, close_y = path_of(point, close, near)
+  local open_x, open_y = path_of(point, open, near)
+  return close_x - open_x, close_y - open_y
+end
+
+-- Direction of a pixel after the camera turned to its left by `angle` radians.
+local function turned_sky(x, y, angle)
+  local dx, dy = (x - wide / 2) / focal, (y - high / 2) / focal
+  return { dx * math.cos(angle) + math.sin(angle), dy, math.cos(angle) - dx * math.sin(angle) }
+end
+
+-- Single precision of the path's ends: a few units in the last place of depths near the near plane.
+local path_share, path_px = 1e-4, 2e-3
+
+local function over_a_floor(name, ahead, anchor)
+  case(("camera_%s_over_a_floor_%s"):format(name, anchor), "near plane",
+       "displacements are those of the closed form in double precision, whatever passes behind the camera", function()
+    local flight = planes(1, { camera_z = ahead, depth = 1.5, extent = 400 }, nil, { anchor = anchor })
+    local function path(x, y)
+      local point = floor_at(x, y, 1.5)
+      if not point or point[3] >= 190 then return nil end
+      return displacement_of(point, { 0, 0, ahead }, anchor)
+    end
+    return { displacement(flight, path, path_share, path_px), within(flight, 0.25, 1) }
+  end)
+end
+
+local function moving_card(name, away, anchor)
+  case(("card_%s_%s"):format(name, anchor), "near plane",
+       "displacements are those of the closed form in double precision, and what was extrapolated is said", function()
+    local card = planes(2, { velocity_z = -away, velocity_x = 0.5 }, nil, { anchor = anchor })
+    local function path(x, y)
+      if math.abs(x - wide / 2) >= 15 or math.abs(y - high / 2) >= 15 then return nil end
+      return displacement_of({ (x - wide / 2) / focal * 4, (y - high / 2) / focal * 4, 4 }, { 0.5, 0, away }, anchor)
+    end
+    local share, near = anchor == "centre" and 0.5 or 1, 1.001 * near_m
+    local crosses = anchor ~= "open" and 4 - away * share < near or anchor ~= "close" and 4 + away * share < near
+    return {
+      displacement(card, path, path_share, path_px), (crosses and warns or silent)(card, "behind the near plane"),
+      within(card, 0.2, 1),
+    }
+  end)
+end
+
+for _, anchor in ipairs(anchors) do
+  over_a_floor("forward", -20, anchor)
+  over_a_floor("back", 20, anchor)
+  over_a_floor("by_a_hair", -1e-4, anchor)
+  moving_card("from_behind", 12, anchor)
+  moving_card("to_behind", -12, anchor)
+  moving_card("to_the_camera", -4, anchor)
+  moving_card("to_the_near_plane", -3.9, anchor)
+end
+
+for _, turn in ipairs { 10, 45, 85, 100, 170, -170 } do
+  case(("turn_%s%d"):format(turn < 0 and "minus_" or "", math.abs(turn)), "all sky",
+       "the sky moves as directions do, and keeps its colour", function()
+    local function path(x, y)
+      local dx, dy = path_of(turned_sky(x, y, 0), turned_sky(x, y, -turn * math.pi / 180), 1 / 64)
+      return -dx, -dy
+    end
+    local checks = {}
+    for _, near in ipairs { near_m, 5 } do -- which the sky has nothing to do with
+      local sky = planes(0, { turn = turn, near = near })
+      checks[#checks + 1] = displacement(sky, path, path_share, path_px)
+      checks[#checks + 1] = same(sky, planes(0), 1e-6, 0)
+    end
+    return checks
+  end)
+end
+
+case("only_sky_at_rest", "all sky", "as the capture sees it", function() return { as_captured(planes(0)) } end)
+
+for _, v in ipairs { { "", 0.1, 0.9, 0.9 }, { "_that_the_near_plane_cuts", 3.2, 0.2, 0.9 },
+                     { "_all_before_the_near_plane", 5, 0.2, 0.2 } } do
+  case("inside_a_ball" .. v[1], "camera inside", "raster and rays see the same; one colour stays one", function()
+    return { as_captured(planes(4, { near = v[2] })), within(planes(4, { near = v[2], velocity_x = 1 }), v[3], v[4]) }
+  end)
+end
+
+case("orthographic_far_away", "near plane", "a parallel camera sees as far as there is something", function()
+  local parallel = planes(2, { orthographic = 1, focal = 32000, aside = 10 })
+  return { as_captured(parallel), within(parallel, 0.2, 0.2) }
+end)
+
+-- ---- what is large, and what is fast
+
+for _, v in ipairs { { "2e4", 2e4 }, { "2e7", 2e7 } } do
+  case(("floor_%s_m_wide"):format(v[1]), "scale",
+       "what is near on a large triangle moves as precisely as on a small one", function()
+    local flight = planes(1, { camera_x = 0.5, camera_z = -1, depth = 1.5, extent = v[2] })
+    local function path(x, y)
+      local point = floor_at(x, y, 1.5)
+      if point then return displacement_of(point, { -0.5, 0, -1 }, "close") end
+    end
+    return { displacement(flight, path, 1e-3, 1e-2) }
+  end)
+end
+
+for _, turns in ipairs { 32, 1000 } do
+  case(("spin_of_%d_turns"):format(turns), "displacement",
+       "what turns many times within the exposure is seen wherever it comes: rays as raster", function()
+    local function spun(set)
+      return planes(2, {}, merged({ samples = 23, mark_regions = false }, set),
+                    { spins = { ("card=0,0,1,%d"):format(2 * 360 * turns) } })
+    end
+    return { merged(same(spun {}, spun { mode = "raster" }, 1e-5, 4e-3), { by = "truth" }) }
+  end)
+end
+
+-- ---- surfaces
+
+for _, v in ipairs { { "1_mm", 1e-3 }, { "1_um", 1e-6 }, { "0", 1e-12 } } do
+  case(("floor_%s_below"):format(v[1]), "grazing", "raster and rays see the same at rest; within the colours",
+       function()
+    return { as_captured(planes(1, { depth = v[2] })), within(planes(1, { depth = v[2], camera_x = 0.5 }), 0.25, 1) }
+  end)
+end
+
+for _, order in ipairs { 1, -1 } do
+  local suffix = order > 0 and "" or "_other_way_round"
+  case("coplanar_cards" .. suffix, "equal depths", "of equal depths the first instance is seen, by raster and rays",
+       function()
+    local cards = planes(3, { order = order })
+    return {
+      as_captured(cards), within(planes(3, { order = order, velocity_x = 1 }), 0.2, 0.9),
+      { check = "sharp_at", shot = cards, pixel = { 32, 16 }, value = order > 0 and 0.9 or 0.5, tolerance = 1e-6 },
+    }
+  end)
+  case("coplanar_cards_that_lean" .. suffix, "equal depths", "depths that differ by rounding: one of the two is seen",
+       function()
+    local still = planes(3, { order = order, lean = 50 })
+    return {
+      merged(as_captured(still), { by = "all_but_truth" }), within(still, 0.2, 0.9),
+      within(planes(3, { order = order, lean = 50, velocity_x = 1 }), 0.2, 0.9),
+    }
+  end)
+end
+
+case("cards_a_hair_apart", "equal depths", "1e-5 of the depth apart: raster and rays see the nearer one", function()
+  return {
+    as_captured(planes(3, { gap = 4e-5, lean = 50 })),
+    within(planes(3, { gap = 4e-5, lean = 50, velocity_x = 1 }), 0.2, 0.9),
+  }
+end)
+
+case("one_triangle_over_the_picture", "triangles", "and behind the camera: as the capture sees it; one colour",
+     function()
+  return { as_captured(planes(5)), same(planes(5, { velocity_x = 3 }), planes(5), 1e-6, 0.25) }
+end)
+
+case("triangles_of_no_area", "triangles", "and nodes of no triangles: as if they were not there", function()
+  local motion = { velocity_x = 0.7031, velocity_y = 0.2969 }
+  return { same(planes(6, motion), planes(2, motion), 1e-6, 0) }
+end)
+
+for _, v in ipairs { { "thousands_of_instances", 8, 0.7, 8, "raster and rays see the same; within the colours" },
+                     { "a_million_triangles", 9, 0.9, 2,
+                       "smaller than pixels: raster and rays see the same; within the colours" } } do
+  case(v[1], "triangles", v[5], function()
+    local motion = { velocity_x = 0.7, velocity_y = 0.3 }
+    return { within(planes(v[2], motion), 0.2, v[3]), as_captured(planes(v[2], motion, nil, { exposure = 0 }), v[4]) }
+  end)
+end
+
+for _, v in ipairs { { "black", 0 }, { "equal_luminance", 0.9 } } do
+  case(v[1], "equal colours", "motion that cannot be seen is not seen", function()
+    -- Luminance cannot tell one surface from the other, and says so.
+    return { merged(within(planes(7, { value = v[2], velocity_x = 0.7 }), v[2], v[2]),
+                    { unless = "as bright as the foreground" }) }
+  end)
+end
+
+case("light_of_1e29", "equal colours", "radiance near the end of single precision stays finite",
+     function() return { draws(room { brightness = 3e26 }) } end)
+
+-- ---- what is asked for: the cases of these names with their checks, or all
+
+local asked = {}
+for _, name in ipairs(wanted.cases or {}) do asked[name] = true end
+for _, one in ipairs(list) do one.checks = (not wanted.cases or asked[one.name]) and one.checks() or nil end
+
+return {
+  sharp = { pipeline = "none" },
+  truth = { pipeline = "ground_truth", set = { samples = truth_times, mark_regions = false } },
+  truth_method = { samples = 16 }, -- of truth where it is the method
+  cases = list,
+}
