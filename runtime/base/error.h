@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Failures caused by what a user wrote or asked for: a Lua file, a shader, a scene, the command line, the machine.
+// Failures caused by what a user wrote or requested: a Lua file, a shader, a scene, the command line, the machine.
 #pragma once
 
 #include <fmt/format.h>

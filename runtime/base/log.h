@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the program tells the person at the terminal, on stderr; results go to stdout and are no business of this file.
+// Messages to the user at the terminal, on stderr. Results go to stdout, not through this file.
 #pragma once
 
 #include <fmt/format.h>

@@ -18,7 +18,7 @@ Watch::~Watch() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-// The system knows a folder that is watched already, whatever it was called when it was added.
+// The system knows a folder that is watched already, under any name that it was added by.
 void Watch::addOne(const Folder& folder) {
   int watch = ::inotify_add_watch(descriptor_, folder.path.c_str(), kEvents);
   if (watch < 0) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tells that something below some folders changed; what it was is for the caller to find out.
+// Reports that something below some folders changed; what it was is for the caller to find out.
 #pragma once
 
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Acceleration structures: one bottom level per mesh, top levels rebuilt for every pose a frame asks for.
+// Acceleration structures: one bottom level per mesh, top levels rebuilt for every pose that a frame needs.
 #pragma once
 
 #include <string>

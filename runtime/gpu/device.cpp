@@ -321,7 +321,7 @@ void Device::createDevice(const std::vector<std::string>& more_extensions) {
   if (queue_family_ == family_count)
     throw Error(fmt::format("device '{}' has no graphics and compute queue", info_.name));
 
-  // Ask what is there, then turn on what the table wants and nothing else.
+  // Query what is there, then enable what the table lists and nothing else.
   std::vector<std::string> available = deviceExtensions(vk_, physical_);
   std::vector<const char*> extensions = wantedExtensions(available);
   std::vector<std::string> enabled(extensions.begin(), extensions.end());
@@ -380,7 +380,7 @@ uint32_t Device::memoryType(uint32_t type_bits, VkMemoryPropertyFlags wanted, Vk
       if (fits) return i;
     }
   }
-  throw Error(fmt::format("device '{}' has no memory of the wanted kind", info_.name));
+  throw Error(fmt::format("device '{}' has no memory of the required kind", info_.name));
 }
 
 void Device::setName(VkObjectType type, uint64_t handle, const std::string& name) const {

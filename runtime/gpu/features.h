@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of device features the runtime wants, walked once to see what is there and once to turn it on.
+// The table of device features that the runtime uses, walked once to query them and once to enable them.
 #pragma once
 
 #include <vector>
@@ -33,7 +33,7 @@ struct WantedFeature {
 
 const std::vector<WantedFeature>& wantedFeatures();
 
-// The extensions to enable among `available`: those some wanted feature needs, with what they depend on.
+// The extensions to enable among `available`: those that a requested feature needs, with what they depend on.
 std::vector<const char*> wantedExtensions(const std::vector<std::string>& available);
 
 }  // namespace strobe::gpu

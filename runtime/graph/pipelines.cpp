@@ -149,7 +149,7 @@ static void requireFiles(const PassDesc& pass) {
 
 static Path backendFile(const char* name) { return homeFolder() / "shaders" / "backend" / name; }
 
-// The SPIR-V of a pass's stages, in the order in which `make` and `checkShaders` want them.
+// The SPIR-V of a pass's stages, in the order that `make` and `checkShaders` expect.
 static std::vector<shader::Compiled> compileStages(const shader::Interface& in, const PassDesc& pass) {
   requireFiles(pass);
   if (in.raster)

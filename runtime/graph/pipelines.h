@@ -28,7 +28,7 @@ struct NodePipeline {
 // The interface a node's shader is compiled against.
 shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node, Backend backend, uint32_t slices);
 
-// What tells two interfaces apart, as text.
+// What distinguishes two interfaces, as text.
 std::string textOf(const shader::Interface& interface);
 
 // The shader files of a pass, main file first.
@@ -41,7 +41,7 @@ struct PassCode {
 };
 PassCode compileAlone(const shader::Interface& interface, const plan::PassDesc& pass);
 
-// The interfaces of a pass by itself, without a pipeline: for every pair of what can be chosen when it is compiled
+// The interfaces of a pass alone, without a pipeline: for every pair of what can be chosen when it is compiled
 // (choices, switches, optional reads) all combinations of their values, the rest as declared.
 std::vector<shader::Interface> interfacesOf(const plan::PassDesc& pass, Backend backend);
 
@@ -50,7 +50,7 @@ std::vector<shader::Interface> interfacesOf(const plan::PassDesc& pass, Backend 
 void checkShaders(const plan::Plan& plan, Backend backend, std::set<std::string>& checked);
 
 // Pipelines by the content they come from: the same text compiled the same way is the same pipeline, so nothing stale
-// can be served and nothing is compiled twice. Of those nobody uses any more, the last few hundred are kept.
+// can be served and nothing is compiled twice. Of those no longer in use, the last few hundred are kept.
 class PipelineCache {
  public:
   explicit PipelineCache(const gpu::Device& device) : device_(device) {}
@@ -66,7 +66,7 @@ class PipelineCache {
 
   struct Held {
     std::shared_ptr<const NodePipeline> pipeline;
-    uint64_t asked = 0;  // at which of all the questions it was asked for last
+    uint64_t asked = 0;  // number of the request that used it last
   };
   const gpu::Device& device_;
   std::map<std::string, Held> made_;

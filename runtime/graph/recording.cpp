@@ -71,7 +71,7 @@ void Graph::record(VkCommandBuffer commands, const Step& step, int iteration) {
   }
 }
 
-// What an earlier frame left in an image, made visible to whatever comes.
+// What an earlier frame left in an image, made visible to what follows.
 static void recordHistoryBarrier(const gpu::Device& device, VkCommandBuffer commands) {
   VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
   barrier.srcStageMask = barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
@@ -210,7 +210,7 @@ double Graph::compileBeforeUse(const Step& step) {
   return 0;
 }
 
-// A software device executes when something waits, whatever its time stamps say: one submission per step, by the clock.
+// A software device executes when something waits, against its time stamps: one submission per step, by the clock.
 void Graph::submitStepwise(const std::vector<const Step*>& steps, int iteration, uint32_t slice_count,
                            const Record& record_builds) {
   double start_s = clockSeconds();

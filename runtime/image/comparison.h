@@ -30,7 +30,7 @@ struct CompareOptions {
   HdrFlipOptions flip;
 };
 
-// Absent values could not be measured: SSIM of an image smaller than its window, HDR-FLIP when it was not asked for.
+// Absent values could not be measured: SSIM of an image smaller than its window, HDR-FLIP when it was not requested.
 struct Comparison {
   double mse = 0, rmse = 0, psnr = 0, relmse = 0, relmse_trimmed = 0, smape = 0;
   std::optional<double> ssim, ms_ssim;  // ms_ssim takes no mask and is absent with one

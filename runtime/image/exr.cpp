@@ -106,7 +106,7 @@ void readAttributes(const Imf::Header& header, ExrFile& content) {
     content.ndc_from_world = fromExr(matrix->value());
 }
 
-// A file's header may claim any size; refuse before memory is asked for. Even a constant image in OpenEXR's densest
+// A file's header may claim any size; refuse before memory is allocated. Even a constant image in OpenEXR's densest
 // compression (256 lines to a block) stays below a factor of 65536.
 void checkSize(const Imath::Box2i& window, size_t channel_count, size_t file_bytes) {
   int64_t width = int64_t(window.max.x) - window.min.x + 1;
@@ -307,8 +307,8 @@ Image colourOf(const ExrFile& content, const std::string& layer, const Path& fil
   std::vector<std::string> colour = colourChannels(content, layer);
   if (colour.empty()) {
     std::vector<std::string> names = channelNames(content);
-    std::string wanted = layer.empty() ? "colour (R, G, B)" : fmt::format("colour in a layer '{}'", layer);
-    throw Error(fmt::format("has no {}; its channels are {}", wanted, fmt::join(names, ", ")), {displayPath(file)});
+    std::string expected = layer.empty() ? "colour (R, G, B)" : fmt::format("colour in a layer '{}'", layer);
+    throw Error(fmt::format("has no {}; its channels are {}", expected, fmt::join(names, ", ")), {displayPath(file)});
   }
   if (!alpha) return channelsOf(content, colour, file);
   Image image(content.width, content.height, 4, 1.0f);

@@ -27,7 +27,7 @@ void assertAlike(const Image& a, const Image& b) {
   STROBE_ASSERT(a.width == b.width && a.height == b.height, "{}x{} and {}x{}", a.width, a.height, b.width, b.height);
 }
 
-// Channel `c` of three, whatever the image has.
+// Channel `c` of three, of an image with any number of channels.
 float colourOf(const Image& image, size_t i, int c) {
   return image.values[i * image.channels + std::min(c, image.channels - 1)];
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The canonical form back to descriptions, believing nothing.
+// The canonical form back to descriptions, trusting nothing.
 #include <algorithm>
 #include <cmath>
 #include <limits>

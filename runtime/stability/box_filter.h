@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What uniform motion makes of a picture, computed on the CPU by itself: the mean of the picture along the motion.
+// What uniform motion makes of a picture, computed on the CPU alone: the mean of the picture along the motion.
 #pragma once
 
 #include <array>

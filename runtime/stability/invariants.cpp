@@ -133,7 +133,7 @@ Finding mirrored(const Subject& subject) {
     shot = with(with(resized(subject, shot, 64, 32), "scene.ties", 1), "scene.perspective", 0);
     shot = with(with(shot, "scene.lit", 0), "scene.boxes", 0);
     if (has(subject.pipeline, "tile")) shot = with(shot, "tile", 8);
-    // Samples of which one is half of the displacement away: of odd ones exactly between two pixels.
+    // Samples, one of them half of the displacement away: of odd ones exactly between two pixels.
     if (has(subject.pipeline, "samples")) shot = with(shot, "samples", draw.chance(.5) ? 1 : 3);
   }
   int grid = gridOf(evaluated(subject, shot));
@@ -377,7 +377,7 @@ Finding permuted(const Subject& subject) {
 
 const std::vector<Invariant>& invariants() {
   static const std::vector<Invariant> list = {
-      {"constant", "a picture of one colour stays that colour, whatever moves in it",
+      {"constant", "a picture of one colour stays that colour, with any motion in it",
        "2 units in the last place for each sample: each adds one rounding of a weight and one of the sum; numbers "
        "below "
        "the smallest normal one may become 0",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Properties that every blur has, whatever it blurs (docs/invariants.md). Each is checked on pictures of one generated
+// Properties of every blur, on any scene (docs/invariants.md). Each is checked on pictures of one generated
 // shot and of what is known to change it in a known way; none looks into the filter.
 #pragma once
 

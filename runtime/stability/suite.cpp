@@ -108,7 +108,7 @@ class Suite {
       Finding finding = findingOf(invariant, variant, candidate);
       return finding.applies && !finding.holds;
     };
-    bool enough = report_.failures.size() >= 8;  // shrinking takes time; the rest is told as found
+    bool enough = report_.failures.size() >= 8;  // shrinking takes time; the rest is reported as found
     lab::Shot small = enough ? shot : shrunk(shot, variant.sets, still_fails);
     Finding finding = findingOf(invariant, variant, small);
     Failure failure{variant.name(), invariant.name, finding.text, {}};

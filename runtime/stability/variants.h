@@ -35,7 +35,7 @@ Walk walk(Renderer& renderer, const std::string& pipeline);
 struct Declared {
   std::string where;  // "jitter = hash", "pass gather_x", "pipeline"
   std::string reason;
-  std::string key;  // one per declaration, in whatever pipelines it counts
+  std::string key;  // one per declaration, in all pipelines that have it
 };
 
 // Those that count for `invariant` in what runs: of the pipeline, of the passes in use and of the values in use.

@@ -287,7 +287,7 @@ TEST_F(RenderRanges, UniformMotionIsExtrapolatedExactly) {
     for (const char* output : {"velocity", "revealed_velocity"}) {
       image::Image window = imageOf(pictureBy(kBest, crowd(), {}, anchor.name), output);
       image::Image other = imageOf(pictureBy(kBest, crowd(), {"displacement=extrapolated"}, anchor.name), output);
-      EXPECT_LE(largestDifference(window, other), 1e-3) << anchor.name << " " << output;
+      EXPECT_LE(oracle::largestDifference(window, other), 1e-3) << anchor.name << " " << output;
     }
   }
 }

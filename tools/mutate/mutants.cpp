@@ -126,7 +126,7 @@ class Finder {
     auto found = other.find(tokens_[i].text);
     if (found == other.end()) return;
     bool step = tokens_[i].text.size() == 2;
-    if (step && tokens_[i].for_part == 2) return;  // a loop without end says nothing
+    if (step && tokens_[i].for_part == 2) return;  // a loop without end proves nothing
     if (step || isBinary(i)) add(MutationOperator::Sign, {i, i}, found->second);
     else if (is(i, "-")) add(MutationOperator::Sign, {i, i}, "");
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all passes compile to, to tell which mutants change anything at all.
+// What all passes compile to, to find the mutants that change nothing.
 #pragma once
 
 #include <optional>
@@ -42,7 +42,7 @@ class ShaderCode {
   struct Unit {
     const plan::PassDesc* pass = nullptr;
     shader::Interface interface;
-    std::optional<std::string> hash;  // of the original, once it was asked for; "" where that does not compile
+    std::optional<std::string> hash;  // of the original, once it was needed; "" where that does not compile
   };
   std::string original(Unit& unit) const;
 
