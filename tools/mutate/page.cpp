@@ -2,55 +2,54 @@
 #include <fmt/format.h>
 
 #include "mutate/run.h"
+#include "page/table.h"
 
 namespace strobe::mutate {
 
 namespace {
 
-// As code in a cell of a table: bars would end the cell.
-std::string cell(const std::string& code) {
-  std::string text;
-  for (char c : code) text += c == '|' ? "\\|" : c == '\n' ? " " : std::string(1, c);
-  return text.empty() ? "nothing" : "`" + text + "`";
-}
+std::string code(const std::string& text) { return text.empty() ? "nothing" : "`" + text + "`"; }
 
 std::string place(const Mutant& mutant) { return fmt::format("{}:{}:{}", mutant.file, mutant.line, mutant.column); }
 
-std::string countsByOperator(const std::vector<MutationResult>& results) {
-  std::string text = "| operator | caught | survived | same code | refused |\n|---|---|---|---|---|\n";
+page::Table countsByOperator(const std::vector<MutationResult>& results) {
+  page::Table table{"", {"operator", {"caught", true}, {"survived", true}, {"same code", true}, {"refused", true}}};
   for (MutationOperator op : mutationOperators()) {
     std::vector<MutationResult> own;
     for (const auto& result : results)
       if (result.mutant.op == op) own.push_back(result);
-    text += fmt::format("| {} | {} | {} | {} | {} |\n", nameOf(op), countOf(own, Fate::Caught),
-                        countOf(own, Fate::Survived), countOf(own, Fate::Equivalent), countOf(own, Fate::Refused));
+    page::Row row = {nameOf(op)};
+    for (Fate fate : {Fate::Caught, Fate::Survived, Fate::Equivalent, Fate::Refused})
+      row.push_back(std::to_string(countOf(own, fate)));
+    table.add(row);
   }
-  return text;
+  return table;
 }
 
-std::string survivors(const std::vector<MutationResult>& results) {
-  std::string text = "| shader | line | as mutated | tests | why that is harmless |\n|---|---|---|---|---|\n";
+page::Table survivors(const std::vector<MutationResult>& results) {
+  page::Table table{"", {"shader", "line", "as mutated", "tests", "why that is harmless"}};
   for (const auto& result : results) {
     if (result.fate != Fate::Survived) continue;
-    std::string reason = result.reason.empty() ? "**no reason yet**" : result.reason;
-    text += fmt::format("| {} | {} | {} | {} of {} | {} |\n", place(result.mutant), cell(result.line),
-                        cell(result.mutated_line), result.tests, result.tests_of, reason);
+    bool open = result.reason.empty();
+    table.add({place(result.mutant), code(result.line), code(result.mutated_line),
+               fmt::format("{} of {}", result.tests, result.tests_of),
+               open ? page::Cell("no reason yet", page::Mark::bad) : page::Cell(result.reason)});
   }
-  return text;
+  return table;
 }
 
-std::string everything(const std::vector<MutationResult>& results) {
-  std::string text = "| shader | operator | was | becomes | outcome |\n|---|---|---|---|---|\n";
+page::Table everything(const std::vector<MutationResult>& results) {
+  page::Table table{"", {"shader", "operator", "was", "becomes", "outcome"}};
   for (const auto& result : results) {
     std::string outcome = result.by;
     if (result.fate == Fate::Survived) outcome = "survived";
     if (result.fate == Fate::Equivalent) outcome = "same code";
     if (result.fate == Fate::Refused) outcome = "refused by the compiler";
     if (result.fate == Fate::Untried) outcome = "not tried";
-    text += fmt::format("| {} | {} | {} | {} | {} |\n", place(result.mutant), nameOf(result.mutant.op),
-                        cell(result.mutant.before), cell(result.mutant.after), outcome);
+    table.add({place(result.mutant), nameOf(result.mutant.op), code(result.mutant.before), code(result.mutant.after),
+               outcome});
   }
-  return text;
+  return table;
 }
 
 }  // namespace
@@ -66,8 +65,8 @@ std::string pageOf(const std::vector<MutationResult>& results, const MutationOpt
       "Mutants that compile to the same code under every choice of every pass, or do not compile, count for nothing. "
       "The window's own two shaders (`live/`) are reached by no pass and are left out.\n\n"
       "{}\n## Survivors\n\n{}\n## All mutants\n\n{}",
-      options.seed, options.count, summaryOf(results), countsByOperator(results), survivors(results),
-      everything(results));
+      options.seed, options.count, summaryOf(results), markdownOf(countsByOperator(results)),
+      markdownOf(survivors(results)), markdownOf(everything(results)));
 }
 
 }  // namespace strobe::mutate
