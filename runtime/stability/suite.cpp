@@ -198,7 +198,7 @@ static page::Table totalsOf(const Report& report) {
   return page::withoutEmptyColumns(table);
 }
 
-// "mirrored, shifted (2 of 3, refused)": the invariants of which a variant does not hold every case.
+// "mirrored, shifted (2 of 3, refused)": invariants that a variant does not hold in every case.
 static std::string exceptionsIn(const std::map<std::string, Count>& counts) {
   std::vector<std::string> parts;
   for (const Invariant& one : invariants()) {
@@ -244,7 +244,7 @@ static std::string sectionOf(const Report& report) {
   auto holds_all = [](const auto& variant) { return exceptionsIn(variant.second).empty(); };
   auto whole = std::count_if(report.variants.begin(), report.variants.end(), holds_all);
   std::string text = fmt::format(
-      "## {}\n\n{} variants, {} of which hold every invariant. {} more values change "
+      "## {}\n\n{} variants; {} hold every invariant. {} more values change "
       "nothing where they were tried.\n\n{}\n",
       report.pipeline, report.variants.size(), whole, report.same, page::markdownOf(totalsOf(report)));
   std::string exceptions = page::markdownOf(exceptionsOf(report));
