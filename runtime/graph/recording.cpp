@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a plan's steps become commands, and how those reach the device.
-#include "base/log.h"
-#include "graph/graph.h"
+#include "graph/recording.h"
 
 namespace strobe::graph {
 
@@ -36,7 +34,7 @@ static VkAccessFlags2 vulkanAccess(uint32_t access) {
   return flags;
 }
 
-void Graph::recordBarriers(VkCommandBuffer commands, const std::vector<plan::Barrier>& barriers) {
+void Recording::barriers(VkCommandBuffer commands, const std::vector<plan::Barrier>& barriers) const {
   std::vector<VkMemoryBarrier2> memory;
   for (const plan::Barrier& barrier : barriers) {
     VkMemoryBarrier2 dependency{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
@@ -53,15 +51,15 @@ void Graph::recordBarriers(VkCommandBuffer commands, const std::vector<plan::Bar
   device_.vk().CmdPipelineBarrier2(commands, &dependency);
 }
 
-void Graph::record(VkCommandBuffer commands, const Step& step, int iteration) {
-  recordBarriers(commands, iteration == 0 ? step.barriers : step.barriers_next);
+void Recording::step(VkCommandBuffer commands, const Step& step, int iteration, PassStamps* stamps) const {
+  barriers(commands, iteration == 0 ? step.barriers : step.barriers_next);
   switch (step.kind) {
     case Step::Kind::ClearImage:
-      return recordClear(commands, step.index);
+      return clear(commands, step.index);
     case Step::Kind::Pass:
-      return recordPass(commands, step.index);
+      return pass(commands, size_t(step.index), stamps);
     case Step::Kind::ReadImage:
-      return recordRead(commands, step.index);
+      return read(commands, step.index);
     // Counters live in host memory: the host clears them before the frame and reads them after it.
     case Step::Kind::ClearCounters:
     case Step::Kind::ReadCounters:
@@ -83,25 +81,24 @@ static void recordHistoryBarrier(const gpu::Device& device, VkCommandBuffer comm
   device.vk().CmdPipelineBarrier2(commands, &dependency);
 }
 
-void Graph::recordClear(VkCommandBuffer commands, int image) {
-  auto history = history_.find(image);
-  if (history != history_.end() && history->second) return recordHistoryBarrier(device_, commands);
+void Recording::clear(VkCommandBuffer commands, int image) const {
+  if (images_.holdsEarlierFrame(image)) return recordHistoryBarrier(device_, commands);
   VkClearColorValue zero{};
   VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-  device_.vk().CmdClearColorImage(commands, imageOf(image).handle(), VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &range);
+  device_.vk().CmdClearColorImage(commands, images_.of(image).handle(), VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &range);
 }
 
-void Graph::recordRead(VkCommandBuffer commands, int image) {
-  if (wanted_ && !wants(image)) return;
+void Recording::read(VkCommandBuffer commands, int image) const {
+  if (wanted_ && !isRead(image)) return;
   const plan::VirtualImage& source = plan_->images[size_t(image)];
   VkBufferImageCopy copy{};
   copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
   copy.imageExtent = {uint32_t(source.width), uint32_t(source.height), 1};
-  device_.vk().CmdCopyImageToBuffer(commands, imageOf(image).handle(), VK_IMAGE_LAYOUT_GENERAL,
-                                    read_back_.at(image).handle(), 1, &copy);
+  device_.vk().CmdCopyImageToBuffer(commands, images_.of(image).handle(), VK_IMAGE_LAYOUT_GENERAL,
+                                    images_.readBack(image).handle(), 1, &copy);
 }
 
-void Graph::bindNode(VkCommandBuffer commands, const Node& node) {
+void Recording::bind(VkCommandBuffer commands, const Node& node) const {
   const gpu::Pipeline& pipeline = node.pipeline->pipeline;
   VkDescriptorSet sets[] = {scene_.set(), node.set};
   device_.vk().CmdBindPipeline(commands, pipeline.bindPoint(), pipeline.handle());
@@ -109,37 +106,36 @@ void Graph::bindNode(VkCommandBuffer commands, const Node& node) {
 }
 
 // A compute or trace pass over this many pixels.
-void Graph::recordWork(VkCommandBuffer commands, const Node& node, uint32_t width, uint32_t height) {
+void Recording::work(VkCommandBuffer commands, const Node& node, uint32_t width, uint32_t height) const {
   if (node.pipeline->interface.backend == Backend::Pipeline)
     return node.pipeline->pipeline.recordTrace(commands, width, height);
   const uint32_t group = shader::kGroupSize;
   device_.vk().CmdDispatch(commands, (width + group - 1) / group, (height + group - 1) / group, 1);
 }
 
-void Graph::recordPass(VkCommandBuffer commands, int node_index) {
+void Recording::pass(VkCommandBuffer commands, size_t node_index, PassStamps* stamps) const {
   const auto& vk = device_.vk();
-  const PlanNode& planned = plan_->nodes[size_t(node_index)];
-  const Node& node = nodes_[size_t(node_index)];
+  const PlanNode& planned = nodes_.planned(node_index);
+  const Node& node = nodes_[node_index];
   if (device_.debugLabels()) {
     VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
-    label.pLabelName = plan_->pipeline.nodes[size_t(planned.node)].name.c_str();
+    label.pLabelName = nodes_.name(node_index).c_str();
     vk.CmdBeginDebugUtilsLabelEXT(commands, &label);
   }
-  bool stamped = !device_.info().software;
-  int begin = stamped ? timer_.recordStamp(commands) : -1;
-  bindNode(commands, node);
-  if (node.pipeline->interface.raster) recordRaster(commands, planned);
-  else recordWork(commands, node, uint32_t(planned.width), uint32_t(planned.height));
-  int end = stamped ? timer_.recordStamp(commands) : -1;
-  if (begin >= 0 && end >= 0) stamps_.push_back({node_index, begin, end});
+  int begin = stamps ? stamps->timer.recordStamp(commands) : -1;
+  bind(commands, node);
+  if (node.pipeline->interface.raster) raster(commands, planned);
+  else work(commands, node, uint32_t(planned.width), uint32_t(planned.height));
+  int end = stamps ? stamps->timer.recordStamp(commands) : -1;
+  if (begin >= 0 && end >= 0) stamps->pending.push_back({node_index, begin, end});
   if (device_.debugLabels()) vk.CmdEndDebugUtilsLabelEXT(commands);
 }
 
-void Graph::recordRaster(VkCommandBuffer commands, const PlanNode& planned) {
+void Recording::raster(VkCommandBuffer commands, const PlanNode& planned) const {
   const auto& vk = device_.vk();
   auto attachment = [this](int image) {
     VkRenderingAttachmentInfo info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
-    info.imageView = imageOf(image).view();
+    info.imageView = images_.of(image).view();
     info.imageLayout = VK_IMAGE_LAYOUT_GENERAL;
     info.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
     info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
@@ -166,8 +162,7 @@ void Graph::recordRaster(VkCommandBuffer commands, const PlanNode& planned) {
   vk.CmdEndRendering(commands);
 }
 
-// Makes what shaders wrote to host memory visible to the host.
-static void recordHostBarrier(const gpu::Device& device, VkCommandBuffer commands) {
+void Recording::hostBarrier(VkCommandBuffer commands) const {
   VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
   barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
   barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
@@ -176,90 +171,21 @@ static void recordHostBarrier(const gpu::Device& device, VkCommandBuffer command
   VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
   dependency.memoryBarrierCount = 1;
   dependency.pMemoryBarriers = &barrier;
-  device.vk().CmdPipelineBarrier2(commands, &dependency);
+  device_.vk().CmdPipelineBarrier2(commands, &dependency);
 }
 
-void Graph::submit(const std::vector<const Step*>& steps, int iteration, uint32_t first_slice, uint32_t slice_count) {
-  auto record_builds = [&](VkCommandBuffer commands) {
-    for (uint32_t i = 0; i < slice_count; ++i) scene_.recordBuild(commands, first_slice + i);
-  };
-  if (device_.info().software) submitStepwise(steps, iteration, slice_count, record_builds);
-  else submitStamped(steps, iteration, record_builds);
-  for (Node& node : nodes_) takeCounts(node);
+void Recording::emptyPass(VkCommandBuffer commands, const Node& node) const {
+  bind(commands, node);
+  work(commands, node, 0, 0);
 }
 
-// Of the node that a step runs, "" for other steps.
-std::string Graph::nameOf(const Step& step) const {
-  return step.kind == Step::Kind::Pass ? plan_->pipeline.nodes[size_t(plan_->nodes[size_t(step.index)].node)].name : "";
-}
-
-// A software device compiles a shader when it is first used, which is not counted as its running. Work on no
-// pixels at all compiles it and runs nothing, so that one that never ends is known as such. Drawing has no such thing.
-static constexpr double kCompileAllowance_s = 120;
-
-double Graph::compileBeforeUse(const Step& step) {
-  if (step.kind != Step::Kind::Pass) return 0;
-  const Node& node = nodes_[size_t(step.index)];
-  if (std::exchange(node.pipeline->ran, true)) return 0;
-  if (node.pipeline->interface.raster) return kCompileAllowance_s;
-  auto record_nothing = [&](VkCommandBuffer commands) {
-    bindNode(commands, node);
-    recordWork(commands, node, 0, 0);
-  };
-  device_.submit(record_nothing, nameOf(step), kCompileAllowance_s);
-  return 0;
-}
-
-// A software device executes when something waits, against its time stamps: one submission per step, by the clock.
-void Graph::submitStepwise(const std::vector<const Step*>& steps, int iteration, uint32_t slice_count,
-                           const Record& record_builds) {
-  double start_s = clockSeconds();
-  if (slice_count > 0) {
-    device_.submit(record_builds);
-    gpu_ms_ += 1000 * (clockSeconds() - start_s);
-  }
-  for (const Step* step : steps) {
-    double allowance_s = compileBeforeUse(*step);
-    start_s = clockSeconds();
-    auto record_step = [&](VkCommandBuffer commands) {
-      record(commands, *step, iteration);
-      recordHostBarrier(device_, commands);
-    };
-    device_.submit(record_step, nameOf(*step), allowance_s);
-    double ms = 1000 * (clockSeconds() - start_s);
-    gpu_ms_ += ms;
-    if (step->kind != Step::Kind::Pass) continue;
-    nodes_[size_t(step->index)].gpu_ms += ms;
-    ++nodes_[size_t(step->index)].executions;
-  }
-}
-
-void Graph::submitStamped(const std::vector<const Step*>& steps, int iteration, const Record& record_builds) {
-  stamps_.clear();
-  std::string names;
-  for (const Step* step : steps)
-    if (step->kind == Step::Kind::Pass) names += (names.empty() ? "" : ", ") + nameOf(*step);
-  auto record_all = [&](VkCommandBuffer commands) {
-    timer_.recordReset(commands);
-    timer_.recordStamp(commands);
-    record_builds(commands);
-    for (const Step* step : steps) record(commands, *step, iteration);
-    timer_.recordStamp(commands);
-    recordHostBarrier(device_, commands);
-  };
-  device_.submit(record_all, names);
-  std::vector<double> ms = timer_.readMs();
-  gpu_ms_ += ms.back();
-  for (const PendingStamp& stamp : stamps_) {
-    nodes_[size_t(stamp.node)].gpu_ms += ms[size_t(stamp.end)] - ms[size_t(stamp.begin)];
-    ++nodes_[size_t(stamp.node)].executions;
-  }
-}
-
-// Moves what the device counted into 64 bits, so that a long loop does not overflow.
-void Graph::takeCounts(Node& node) {
-  auto* counted = static_cast<uint32_t*>(node.counters.mapped());
-  for (size_t c = 0; c < node.counts.size(); ++c) node.counts[c] += std::exchange(counted[c], 0u);
+bool Recording::isRead(int image) const {
+  for (const auto& loop : plan_->loops)
+    if (loop.until == image) return true;
+  for (const auto* named : {&plan_->outputs, &plan_->taps})
+    for (const auto& [name, kept] : *named)
+      if (kept == image && wants(name)) return true;
+  return false;
 }
 
 }  // namespace strobe::graph

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "graph/frame.h"
+
+#include "math/sampling.h"
+
+namespace strobe::graph {
+
+using plan::Plan;
+
+shared::FrameData frameData(const Plan& plan, const scene::GpuScene& scene, const FrameSetup& setup) {
+  shared::FrameData frame{};
+  frame.size = uvec2(plan.width, plan.height);
+  frame.subpixel = setup.subpixel;
+  frame.shutter = setup.anchor == ANCHOR_CLOSE  ? vec2(-1, 0)
+                  : setup.anchor == ANCHOR_OPEN ? vec2(0, 1)
+                                                : vec2(-0.5f, 0.5f);
+  frame.anchor = setup.anchor;
+  frame.frame = setup.frame;
+  frame.seed = setup.seed;
+  frame.iteration_count = frame.slice_count = 1;
+  frame.instance_count = scene.instanceCount();
+  frame.light_count = scene.lightCount();
+  frame.sky = setup.environment.sky;
+  frame.ground = setup.environment.ground;
+  frame.reach = ivec4(setup.reach.x0, setup.reach.y0, setup.reach.x1, setup.reach.y1);
+  frame.exposure = float((setup.close_s - setup.open_s) / setup.frame_s);
+  if (setup.environment.background) frame.background = vec4(*setup.environment.background, 1);
+  return frame;
+}
+
+// One origin for every pose of the frame: the camera at the capture.
+static dvec3 frameOrigin(const FrameSetup& setup) { return dvec3(setup.pose_at(setup.capture_s).world_from_camera[3]); }
+
+static double aspect(const Plan& plan) { return double(plan.width) / plan.height; }
+
+void poseFixedSlices(scene::GpuScene& scene, const Plan& plan, const FrameSetup& setup) {
+  dvec3 origin = frameOrigin(setup);
+  const double times[] = {setup.capture_s, setup.open_s, setup.close_s, setup.capture_s - setup.frame_s};
+  for (uint32_t slice : {SLICE_CAPTURE, SLICE_OPEN, SLICE_CLOSE, SLICE_PREVIOUS})
+    scene.setPose(slice, setup.pose_at(times[slice]), setup.camera, aspect(plan), origin);
+}
+
+void poseSamples(scene::GpuScene& scene, const Plan& plan, const FrameSetup& setup, const plan::PlanLoop& loop,
+                 int iteration) {
+  dvec3 origin = frameOrigin(setup);
+  for (int q = 0; q < loop.slices; ++q) {
+    // Midpoint of the stratum, or a random time in each of its parts.
+    double in_stratum = 0.5;
+    if (loop.times == "stratified") {
+      uint32_t index = uint32_t(iteration) * uint32_t(loop.slices) + uint32_t(q);
+      in_stratum = (q + hashUniform(setup.seed, setup.frame, index, 0)) / loop.slices;
+    }
+    double time_s = setup.open_s + (setup.close_s - setup.open_s) * ((iteration + in_stratum) / loop.count);
+    scene.setPose(SLICE_SAMPLE + uint32_t(q), setup.pose_at(time_s), setup.camera, aspect(plan), origin);
+  }
+}
+
+}  // namespace strobe::graph

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// What a frame is drawn from besides plan and scene, and what it gives.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+#include "plan/plan.h"
+#include "scene/facts.h"
+#include "scene/upload.h"
+
+namespace strobe::graph {
+
+// When and how a frame sees its scene; everything an image depends on besides plan and scene.
+struct FrameSetup {
+  std::function<scene::Pose(double time_s)> pose_at;
+  scene::Camera camera;
+  double capture_s = 0;            // scene time of the capture
+  double open_s = 0, close_s = 0;  // the exposure window
+  double frame_s = 0;              // time from frame to frame
+  uint32_t anchor = 0;             // ANCHOR_* of shaders/shared/frame.h
+  uint32_t frame = 0;
+  uint32_t seed = 0;
+  vec2 subpixel = vec2(0);  // sample position relative to the pixel's centre, px
+  scene::Environment environment;
+  scene::PixelArea reach;                         // where anything that moves can be seen
+  const std::set<std::string>* wanted = nullptr;  // outputs and taps to read back; null: all
+};
+
+// What was read back of one image: floats, or unsigned integers.
+struct ReadImage {
+  std::string format;
+  image::Image floats;
+  image::UintImage uints;
+};
+
+struct StepTime {
+  std::string name;   // node
+  double gpu_ms = 0;  // summed over the iterations of its loop
+  int executions = 0;
+};
+
+struct FrameResult {
+  std::map<std::string, ReadImage> outputs;                // by name of the output
+  std::map<std::string, ReadImage> taps;                   // by "node.port"
+  std::vector<std::pair<std::string, uint64_t>> counters;  // "node.counter", in the order of execution
+  std::vector<std::pair<std::string, int>> iterations;     // of each loop, fewer than planned if it stopped early
+  std::vector<StepTime> times;
+  double gpu_ms = 0;  // spans of the submissions, summed
+};
+
+// The frame's block for a plan, as it is outside of loops.
+shared::FrameData frameData(const plan::Plan& plan, const scene::GpuScene& scene, const FrameSetup& setup);
+
+// Poses what every frame sees: the capture, the ends of the exposure, the frame before.
+void poseFixedSlices(scene::GpuScene& scene, const plan::Plan& plan, const FrameSetup& setup);
+// Poses the sample slices of an iteration: midpoints of strata, or a random time in each of their parts.
+void poseSamples(scene::GpuScene& scene, const plan::Plan& plan, const FrameSetup& setup, const plan::PlanLoop& loop,
+                 int iteration);
+
+}  // namespace strobe::graph

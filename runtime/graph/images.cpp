@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "graph/images.h"
+
+#include <glm/gtc/packing.hpp>
+
+#include "gpu/limits.h"
+
+namespace strobe::graph {
+
+using plan::Plan;
+
+static VkImageUsageFlags vulkanUsage(uint32_t usage) {
+  VkImageUsageFlags flags = 0;
+  if (usage & plan::kUsageSampled) flags |= VK_IMAGE_USAGE_SAMPLED_BIT;
+  if (usage & plan::kUsageStorage) flags |= VK_IMAGE_USAGE_STORAGE_BIT;
+  if (usage & plan::kUsageColorAttachment) flags |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+  if (usage & plan::kUsageDepthAttachment) flags |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+  if (usage & plan::kUsageTransferSource) flags |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+  if (usage & plan::kUsageTransferTarget) flags |= VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+  return flags;
+}
+
+static VkFormat vulkanFormat(const std::string& format) {
+  return format == "d32f" ? VK_FORMAT_D32_SFLOAT : gpu::formatInfo(format).vk;
+}
+
+PlanImages::PlanImages(const gpu::Device& device, const Plan& plan, PlanImages* previous)
+    : device_(device), plan_(&plan) {
+  try {
+    make(previous);
+    makeUnwired();
+    keepReadBack();
+  } catch (...) {
+    if (previous) giveBack(*previous);
+    throw;
+  }
+}
+
+// The image of a slot described alike, moved out of `previous`; an empty one if there is none.
+gpu::Image PlanImages::takeOver(const plan::VirtualImage& image, const gpu::ImageDesc& desc, PlanImages& previous) {
+  for (size_t i = 0; i < previous.plan_->images.size(); ++i) {
+    const plan::VirtualImage& other = previous.plan_->images[i];
+    gpu::Image& held = previous.slots_[size_t(other.slot)];
+    bool alike = other.name == image.name && other.history == image.history && held.desc() == desc;
+    if (!alike || !held.handle()) continue;
+    auto history = previous.history_.find(int(i));
+    if (image.history && history != previous.history_.end() && history->second) taken_over_.insert(image.name);
+    taken_slots_.push_back({slots_.size(), size_t(other.slot)});
+    return std::move(held);
+  }
+  return {};
+}
+
+void PlanImages::giveBack(PlanImages& previous) {
+  for (auto [slot, from] : taken_slots_)
+    if (slot < slots_.size()) previous.slots_[from] = std::move(slots_[slot]);
+}
+
+// Before any of them is allocated.
+static void requireImages(const gpu::Device& device, const Plan& plan) {
+  uint64_t most = gpu::limitsOf(device).image_side;
+  for (const plan::VirtualImage& image : plan.images) {
+    if (uint64_t(std::max(image.width, image.height)) <= most) continue;
+    throw Error(gpu::kImageLimit.text(fmt::format("'{}' is {}x{} pixels, of at most {} a side on device '{}'",
+                                                  image.name, image.width, image.height, most, device.info().name)));
+  }
+}
+
+void PlanImages::make(PlanImages* previous) {
+  requireImages(device_, *plan_);
+  std::vector<size_t> fresh;
+  for (size_t i = 0; i < plan_->slots.size(); ++i) {
+    const plan::Slot& slot = plan_->slots[i];
+    gpu::ImageDesc desc;
+    desc.format = vulkanFormat(slot.format);
+    desc.width = uint32_t(slot.width);
+    desc.height = uint32_t(slot.height);
+    desc.usage = vulkanUsage(slot.usage);
+    const plan::VirtualImage* held = nullptr;
+    for (const auto& image : plan_->images)
+      if (image.slot == int(i)) held = &image;
+    gpu::Image taken = held && previous ? takeOver(*held, desc, *previous) : gpu::Image();
+    if (!taken.handle()) fresh.push_back(i);
+    if (!taken.handle()) taken = gpu::Image(device_, held ? held->name : fmt::format("slot {}", i), desc);
+    slots_.push_back(std::move(taken));
+  }
+  for (size_t i = 0; i < plan_->images.size(); ++i)
+    if (plan_->images[i].history) history_[int(i)] = taken_over_.count(plan_->images[i].name) > 0;
+  device_.submit([&](VkCommandBuffer commands) {
+    for (size_t i : fresh) {
+      bool depth = slots_[i].desc().format == VK_FORMAT_D32_SFLOAT;
+      VkImageAspectFlags aspect = depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+      gpu::recordFirstLayout(device_, commands, slots_[i].handle(), aspect);
+    }
+  });
+}
+
+void PlanImages::makeUnwired() {
+  gpu::ImageDesc one;
+  one.usage = VK_IMAGE_USAGE_SAMPLED_BIT;
+  one.format = VK_FORMAT_R32_SFLOAT;
+  unwired_ = gpu::Image(device_, "unwired", one);
+  one.format = VK_FORMAT_R32_UINT;
+  unwired_uint_ = gpu::Image(device_, "unwired uint", one);
+  device_.submit([&](VkCommandBuffer commands) {
+    for (const gpu::Image* image : {&unwired_, &unwired_uint_})
+      gpu::recordFirstLayout(device_, commands, image->handle(), VK_IMAGE_ASPECT_COLOR_BIT);
+  });
+}
+
+void PlanImages::keepReadBack() {
+  auto keep = [this](int image) {
+    const plan::VirtualImage& kept = plan_->images[size_t(image)];
+    size_t bytes = size_t(kept.width) * kept.height * gpu::formatInfo(kept.format).bytes;
+    read_back_[image] = gpu::Buffer(device_, kept.name + ".read_back", bytes, 0, gpu::Buffer::Memory::Host);
+  };
+  for (const auto& [name, image] : plan_->outputs) keep(image);
+  for (const auto& [name, image] : plan_->taps) keep(image);
+  for (const auto& loop : plan_->loops)
+    if (loop.until >= 0) keep(loop.until);
+}
+
+const gpu::Image& PlanImages::of(int image) const { return slots_[size_t(plan_->images[size_t(image)].slot)]; }
+
+static float unpackHalf(uint16_t bits) { return glm::unpackHalf1x16(bits); }
+
+ReadImage PlanImages::fetch(int image) const {
+  const plan::VirtualImage& source = plan_->images[size_t(image)];
+  const gpu::FormatInfo& format = gpu::formatInfo(source.format);
+  const void* data = read_back_.at(image).mapped();
+  size_t count = size_t(source.width) * source.height * format.channels;
+  ReadImage read;
+  read.format = source.format;
+  if (format.uint) {
+    read.uints = {source.width, source.height, format.channels, std::vector<uint32_t>(count)};
+    std::memcpy(read.uints.values.data(), data, count * 4);
+    return read;
+  }
+  read.floats = image::Image(source.width, source.height, format.channels);
+  int bytes_per_channel = format.bytes / format.channels;
+  for (size_t i = 0; i < count; ++i) {
+    float& value = read.floats.values[i];
+    if (bytes_per_channel == 4) value = static_cast<const float*>(data)[i];
+    if (bytes_per_channel == 2) value = unpackHalf(static_cast<const uint16_t*>(data)[i]);
+    if (bytes_per_channel == 1) value = static_cast<const uint8_t*>(data)[i] / 255.0f;
+  }
+  return read;
+}
+
+// ---- histories
+
+bool PlanImages::holdsEarlierFrame(int image) const {
+  auto history = history_.find(image);
+  return history != history_.end() && history->second;
+}
+
+void PlanImages::frameIsDrawn() {
+  for (auto& [image, earlier] : history_) earlier = true;
+}
+
+std::vector<std::string> PlanImages::histories(bool taken_over) const {
+  std::vector<std::string> names;
+  for (const auto& [image, earlier] : history_) {
+    const std::string& name = plan_->images[size_t(image)].name;
+    if (bool(taken_over_.count(name)) == taken_over) names.push_back(name);
+  }
+  return names;
+}
+
+void PlanImages::forgetHistories() {
+  for (auto& [image, earlier] : history_) earlier = false;
+}
+
+}  // namespace strobe::graph

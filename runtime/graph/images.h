@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The images of one plan: slots of memory that they share, histories kept from frame to frame, buffers to read back.
+#pragma once
+
+#include "gpu/resources.h"
+#include "graph/frame.h"
+
+namespace strobe::graph {
+
+// The plan and the device must outlive it.
+class PlanImages {
+ public:
+  // Images and histories that are described alike are moved out of `previous` (may be null). Throws `Error` where
+  // memory or sides do not suffice; `previous` is then as it was.
+  PlanImages(const gpu::Device& device, const plan::Plan& plan, PlanImages* previous);
+
+  // Goes on with a plan of the same shape.
+  void setPlan(const plan::Plan& plan) { plan_ = &plan; }
+  // Undoes the taking over.
+  void giveBack(PlanImages& previous);
+
+  const gpu::Image& of(int image) const;
+  // What stands behind optional reads that nothing is wired to.
+  const gpu::Image& unwired(bool uint) const { return uint ? unwired_uint_ : unwired_; }
+  const gpu::Buffer& readBack(int image) const { return read_back_.at(image); }
+  ReadImage fetch(int image) const;
+
+  bool holdsEarlierFrame(int image) const;
+  void frameIsDrawn();
+  void forgetHistories();
+  // "node.port" of the histories that were taken over, and of those that begin anew.
+  std::vector<std::string> histories(bool taken_over) const;
+
+ private:
+  void make(PlanImages* previous);
+  void makeUnwired();
+  void keepReadBack();
+  gpu::Image takeOver(const plan::VirtualImage& image, const gpu::ImageDesc& desc, PlanImages& previous);
+
+  const gpu::Device& device_;
+  const plan::Plan* plan_;
+  std::vector<gpu::Image> slots_;
+  gpu::Image unwired_, unwired_uint_;
+  std::map<int, gpu::Buffer> read_back_;                // by virtual image
+  std::map<int, bool> history_;                         // by virtual image: holds an earlier frame
+  std::set<std::string> taken_over_;                    // histories of a previous graph
+  std::vector<std::pair<size_t, size_t>> taken_slots_;  // this one's, and that of a previous graph it came from
+};
+
+}  // namespace strobe::graph

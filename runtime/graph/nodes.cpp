@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "graph/nodes.h"
+
+#include <algorithm>
+
+namespace strobe::graph {
+
+void Node::beginFrame() {
+  gpu_ms = executions = 0;
+  counts.assign(pipeline->interface.counters.size(), 0);
+}
+
+void Node::takeCounts() {
+  auto* counted = static_cast<uint32_t*>(counters.mapped());
+  for (size_t c = 0; c < counts.size(); ++c) counts[c] += std::exchange(counted[c], 0u);
+}
+
+PlanNodes::PlanNodes(const gpu::Device& device, const plan::Plan& plan)
+    : device_(device), plan_(&plan), nodes_(plan.nodes.size()) {}
+
+const Node* PlanNodes::named(const std::string& name) const {
+  for (size_t i = 0; i < nodes_.size(); ++i)
+    if (this->name(i) == name) return &nodes_[i];
+  return nullptr;
+}
+
+// The pipeline, where it was made for the same names and types; else null.
+static std::shared_ptr<const NodePipeline> ifItServes(const std::shared_ptr<const NodePipeline>& held,
+                                                      const shader::Interface& wanted) {
+  return held && textOf(held->interface) == textOf(wanted) ? held : nullptr;
+}
+
+// Passes that fail the same way are one mistake.
+static void dropTwins(std::vector<std::string>& problems) {
+  std::sort(problems.begin(), problems.end());
+  problems.erase(std::unique(problems.begin(), problems.end()), problems.end());
+}
+
+void PlanNodes::findPipelines(PipelineCache& cache, const scene::GpuScene& scene, Backend backend,
+                              const PlanNodes* previous, std::vector<std::string>* problems) {
+  std::vector<std::string> fatal;
+  for (size_t i = 0; i < nodes_.size(); ++i) {
+    shader::Interface wanted = interfaceOf(*plan_, planned(i), backend, scene.slices());
+    try {
+      nodes_[i].pipeline = cache.get(wanted, pass(i), scene);
+    } catch (const Error& error) {
+      const Node* before = previous ? previous->named(name(i)) : nullptr;
+      if (before) nodes_[i].pipeline = ifItServes(before->pipeline, wanted);
+      (nodes_[i].pipeline ? *problems : fatal).push_back(error.what());
+    }
+  }
+  if (problems) dropTwins(*problems);
+  dropTwins(fatal);
+  throwIfAny(fatal);
+}
+
+static void makeBuffers(const gpu::Device& device, const std::string& name, Node& node) {
+  const shader::Interface& in = node.pipeline->interface;
+  if (!in.params.empty())
+    node.params = gpu::Buffer(device, name + ".params", in.params.size() * 4, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+                              gpu::Buffer::Memory::Host);
+  if (!in.counters.empty()) {
+    node.counters = gpu::Buffer(device, name + ".counters", in.counters.size() * 4, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                                gpu::Buffer::Memory::Host);
+    std::memset(node.counters.mapped(), 0, node.counters.size());
+  }
+  node.pool = gpu::makeDescriptorPool(device, name, node.pipeline->bindings, 1);
+  node.set = gpu::allocateSet(device, node.pool.get(), node.pipeline->set_layout.get());
+}
+
+void PlanNodes::make(const PlanImages& images) {
+  nearest_ = gpu::makeSampler(device_, "nearest", {false});
+  linear_ = gpu::makeSampler(device_, "linear", {true});
+  for (size_t i = 0; i < nodes_.size(); ++i) {
+    makeBuffers(device_, name(i), nodes_[i]);
+    writeParams(i);
+    fillSet(i, images);
+  }
+}
+
+void PlanNodes::setPlan(const plan::Plan& plan) {
+  STROBE_ASSERT(plan.nodes.size() == nodes_.size(), "{} nodes", plan.nodes.size());
+  plan_ = &plan;
+  for (size_t i = 0; i < nodes_.size(); ++i) writeParams(i);
+}
+
+void PlanNodes::writeParams(size_t i) {
+  Node& node = nodes_[i];
+  std::vector<uint32_t> words;
+  for (const auto& param : node.pipeline->interface.params) {
+    auto found = std::find_if(planned(i).params.begin(), planned(i).params.end(),
+                              [&](const auto& p) { return p.first == param.name; });
+    STROBE_ASSERT(found != planned(i).params.end(), "{}", param.name);
+    const plan::Value& value = found->second;
+    double number = std::holds_alternative<double>(value) ? std::get<double>(value) : double(std::get<int64_t>(value));
+    uint32_t word;
+    if (param.integer) {
+      int32_t integer = int32_t(number);
+      std::memcpy(&word, &integer, 4);
+    } else {
+      float single = float(number);
+      std::memcpy(&word, &single, 4);
+    }
+    words.push_back(word);
+  }
+  if (!words.empty()) node.params.write(words);
+}
+
+void PlanNodes::fillSet(size_t i, const PlanImages& plan_images) {
+  Node& node = nodes_[i];
+  const shader::Interface& in = node.pipeline->interface;
+  std::vector<VkDescriptorBufferInfo> buffers(2);
+  std::vector<VkDescriptorImageInfo> images;
+  images.reserve(in.reads.size() + in.writes.size());
+  std::vector<VkWriteDescriptorSet> writes;
+  auto add = [&](uint32_t binding, VkDescriptorType type) -> VkWriteDescriptorSet& {
+    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+    write.dstSet = node.set;
+    write.dstBinding = binding;
+    write.descriptorCount = 1;
+    write.descriptorType = type;
+    writes.push_back(write);
+    return writes.back();
+  };
+  if (!in.params.empty()) {
+    buffers[0] = {node.params.handle(), 0, VK_WHOLE_SIZE};
+    add(shader::Interface::kParamsBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER).pBufferInfo = &buffers[0];
+  }
+  if (!in.counters.empty()) {
+    buffers[1] = {node.counters.handle(), 0, VK_WHOLE_SIZE};
+    add(shader::Interface::kCountersBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER).pBufferInfo = &buffers[1];
+  }
+  for (size_t r = 0; r < in.reads.size(); ++r) {
+    VkImageView view = planned(i).reads[r] >= 0 ? plan_images.of(planned(i).reads[r]).view()
+                                                : plan_images.unwired(in.reads[r].uint).view();
+    images.push_back({pass(i).reads[r].linear ? linear_.get() : nearest_.get(), view, VK_IMAGE_LAYOUT_GENERAL});
+    add(in.readBinding(r), VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER).pImageInfo = &images.back();
+  }
+  std::vector<int> written = planned(i).writes;
+  written.insert(written.end(), planned(i).updates.begin(), planned(i).updates.end());
+  for (size_t w = 0; w < in.writes.size() && !in.raster; ++w) {
+    images.push_back({VK_NULL_HANDLE, plan_images.of(written[w]).view(), VK_IMAGE_LAYOUT_GENERAL});
+    add(in.writeBinding(w), VK_DESCRIPTOR_TYPE_STORAGE_IMAGE).pImageInfo = &images.back();
+  }
+  device_.vk().UpdateDescriptorSets(device_.handle(), uint32_t(writes.size()), writes.data(), 0, nullptr);
+}
+
+}  // namespace strobe::graph

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// What the nodes of a plan hold on a device: pipelines, parameters, counters and the set that binds them to images.
+#pragma once
+
+#include "graph/images.h"
+#include "graph/pipelines.h"
+
+namespace strobe::graph {
+
+struct Node {
+  std::shared_ptr<const NodePipeline> pipeline;
+  gpu::Owned<VkDescriptorPool> pool;
+  VkDescriptorSet set = VK_NULL_HANDLE;
+  gpu::Buffer params, counters;
+  std::vector<uint64_t> counts;  // of this frame
+  double gpu_ms = 0;
+  int executions = 0;
+
+  void beginFrame();
+  // Moves what the device counted into 64 bits, so that a long loop does not overflow.
+  void takeCounts();
+};
+
+// The nodes of one plan, in its order. The plan and the device must outlive it.
+class PlanNodes {
+ public:
+  PlanNodes(const gpu::Device& device, const plan::Plan& plan);
+
+  // A shader that does not compile keeps the pipeline of the node of that name in `previous` (may be null), if that
+  // serves the same interface; what was wrong is then added to `problems`. Throws `Error` with all that nothing serves.
+  void findPipelines(PipelineCache& cache, const scene::GpuScene& scene, Backend backend, const PlanNodes* previous,
+                     std::vector<std::string>* problems);
+  // Makes buffers and sets for the images.
+  void make(const PlanImages& images);
+  // Goes on with a plan of the same shape.
+  void setPlan(const plan::Plan& plan);
+
+  size_t size() const { return nodes_.size(); }
+  Node& operator[](size_t i) { return nodes_[i]; }
+  const Node& operator[](size_t i) const { return nodes_[i]; }
+  std::vector<Node>::iterator begin() { return nodes_.begin(); }
+  std::vector<Node>::iterator end() { return nodes_.end(); }
+  const plan::PlanNode& planned(size_t i) const { return plan_->nodes[i]; }
+  const std::string& name(size_t i) const { return plan_->pipeline.nodes[size_t(planned(i).node)].name; }
+  const plan::PassDesc& pass(size_t i) const { return plan_->pipeline.passes[size_t(planned(i).pass)]; }
+
+ private:
+  void writeParams(size_t i);
+  void fillSet(size_t i, const PlanImages& images);
+  const Node* named(const std::string& name) const;
+
+  const gpu::Device& device_;
+  const plan::Plan* plan_;
+  std::vector<Node> nodes_;
+  gpu::Owned<VkSampler> nearest_, linear_;
+};
+
+}  // namespace strobe::graph

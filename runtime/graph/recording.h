@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// How a plan's steps become commands.
+#pragma once
+
+#include "graph/nodes.h"
+
+namespace strobe::graph {
+
+// Times of passes on a device with a clock of its own.
+struct PassStamps {
+  struct Pending {
+    size_t node;
+    int begin, end;
+  };
+  gpu::Timer timer;
+  std::vector<Pending> pending;
+};
+
+// What it refers to must outlive it.
+class Recording {
+ public:
+  Recording(const gpu::Device& device, const scene::GpuScene& scene, const PlanImages& images, const PlanNodes& nodes)
+      : device_(device), scene_(scene), images_(images), nodes_(nodes) {}
+
+  // Goes on with a plan; `wanted` (may be null: all) are the outputs and taps of the frame to read back.
+  void setFrame(const plan::Plan& plan, const std::set<std::string>* wanted) { plan_ = &plan, wanted_ = wanted; }
+  bool wants(const std::string& name) const { return !wanted_ || wanted_->count(name); }
+
+  // A step but a loop. `stamps` may be null.
+  void step(VkCommandBuffer commands, const plan::Step& step, int iteration, PassStamps* stamps) const;
+  // A compute or trace pass on no pixels at all.
+  void emptyPass(VkCommandBuffer commands, const Node& node) const;
+  // Makes what shaders wrote to host memory visible to the host.
+  void hostBarrier(VkCommandBuffer commands) const;
+
+ private:
+  void barriers(VkCommandBuffer commands, const std::vector<plan::Barrier>& barriers) const;
+  void pass(VkCommandBuffer commands, size_t node_index, PassStamps* stamps) const;
+  void bind(VkCommandBuffer commands, const Node& node) const;
+  void work(VkCommandBuffer commands, const Node& node, uint32_t width, uint32_t height) const;
+  void raster(VkCommandBuffer commands, const plan::PlanNode& planned) const;
+  void clear(VkCommandBuffer commands, int image) const;
+  void read(VkCommandBuffer commands, int image) const;
+  bool isRead(int image) const;
+
+  const gpu::Device& device_;
+  const scene::GpuScene& scene_;
+  const PlanImages& images_;
+  const PlanNodes& nodes_;
+  const plan::Plan* plan_ = nullptr;
+  const std::set<std::string>* wanted_ = nullptr;
+};
+
+}  // namespace strobe::graph
