@@ -87,7 +87,7 @@ void check(const CheckOptions& options) {
   const std::vector<std::string>& files = options.files;
   if (files.empty() && !options.sets.empty()) throw Error("--set needs a pipeline to set it in", {}, 2);
   script::Settings sets;
-  for (const std::string& set : options.sets) sets.push_back(parseSetting(set));
+  for (const std::string& set : options.sets) sets.push_back(script::settingFromText(set));
   std::vector<std::string> problems;
   std::vector<std::string> pipelines = files.empty() ? shippedPipelines() : files;
   std::vector<std::string> scenes;
@@ -101,7 +101,7 @@ void check(const CheckOptions& options) {
     else collect(problems, [&] { checkPipeline(name, sets, checked); });
   }
   for (const std::string& name : scenes)
-    collect(problems, [&] { scene::sceneFromJson(script::evaluateScene(name, {}), name); });
+    collect(problems, [&] { scene::sceneFromJson(script::evaluateScene(name, {}), name, lab::suggestions()); });
   if (options.json) {
     Json report;
     report["pipelines"] = pipelines;
@@ -122,9 +122,7 @@ struct PlanOptions {
 
 void plan(const PlanOptions& options) {
   lab::Shot shot = options.shot.resolve();
-  if (shot.width == 0) shot.width = 960, shot.height = 540;
-  if (shot.fps == 0) shot.fps = 24;
-  if (shot.exposure == -1) shot.exposure = 0.5;
+  lab::fillShot(shot, {});
   lab::checkShot(shot);
   plan::PipelineDesc pipeline = script::evaluatePipeline({shot.pipeline, shot.sets});
   graph::Backend backend = shot.backend == "pipeline" ? graph::Backend::Pipeline : graph::Backend::Query;

@@ -21,7 +21,8 @@ void live(const Options& options) {
   live::LiveOptions wanted;
   wanted.desk.shot = options.shot.resolve();
   wanted.desk.versus = options.versus;
-  for (const std::string& set : options.versus_sets) wanted.desk.versus_sets.push_back(parseSetting(set, "--vs-set"));
+  for (const std::string& set : options.versus_sets)
+    wanted.desk.versus_sets.push_back(script::settingFromText(set, "--vs-set"));
   if (options.versus.empty() && !options.versus_sets.empty()) throw Error("--vs-set needs --vs", {}, 2);
   wanted.desk.truth = options.truth;
   wanted.desk.out = options.out;

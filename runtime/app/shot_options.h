@@ -5,14 +5,13 @@
 #include <CLI/CLI.hpp>
 
 #include "gpu/device.h"
-#include "lab/shot.h"
+#include "lab/shot_options.h"
 
 namespace strobe::app {
 
-// Text of options that need converting after parsing; `resolve` fills the shot from it.
+// What a command line says of a shot, as text until `resolve`.
 struct ShotOptions {
-  lab::Shot shot;
-  std::string size, shading, view, record;
+  std::string pipeline, shading, record;
   std::vector<std::string> sets;
   int samples = 0;
 
@@ -24,12 +23,8 @@ struct ShotOptions {
   lab::Shot resolve() const;
 
  private:
-  lab::Shot recorded() const;
-  CLI::App* command_ = nullptr;
+  std::map<std::string, std::vector<std::string>> given_;  // texts by option
 };
-
-// "NAME=VALUE" into its halves.
-std::pair<std::string, std::string> parseSetting(const std::string& text, const std::string& option = "--set");
 
 // `--tev [HOST:PORT]`: leaves "" in `address` when it is not given, what was given or the viewer's own port otherwise.
 void addTev(CLI::App& command, std::string& address);

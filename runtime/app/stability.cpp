@@ -54,12 +54,12 @@ void run(const StabilityOptions& options) {
   if (options.extremes) return runExtremes(options);
   for (const std::string& name : options.suite.invariants) stability::invariantNamed(name);
   lab::Workbench bench(options.device, validationWanted());
-  stability::Renderer renderer(bench);
+  lab::Batch batch(bench);
   std::vector<std::string> pipelines = options.pipelines.empty() ? script::pipelineNames() : options.pipelines;
   std::vector<stability::Report> reports;
   int failed = 0;
   for (const std::string& pipeline : pipelines) {
-    reports.push_back(stability::check(renderer, pipeline, options.suite));
+    reports.push_back(stability::check(batch, pipeline, options.suite));
     failed += reports.back().total().failed;
     if (!options.json) std::fputs(stability::textOf(reports.back()).c_str(), stdout), std::fflush(stdout);
   }

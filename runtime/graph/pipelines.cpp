@@ -169,16 +169,35 @@ std::string textOf(const shader::Interface& in) {
   return text;
 }
 
-static std::string contentKey(const shader::Interface& in, const PassDesc& pass) {
+static std::string interfaceKey(const shader::Interface& in, const PassDesc& pass) {
+  return fmt::format("{}|{}|{}", shaderFile(pass, "").string(), int(pass.kind), textOf(in));
+}
+
+// `files` (may be null): all that were read.
+static std::string contentKey(const shader::Interface& in, const PassDesc& pass, std::vector<Path>* files = nullptr) {
   std::string key = fmt::format("{}|{}|{}", pass.shader, int(pass.kind), textOf(in));
-  for (const Path& file : shaderFiles(pass)) key += shader::textWithIncludes(file);
+  auto add = [&](const Path& file) {
+    std::vector<Path> reached;
+    key += shader::textWithIncludes(file, &reached);
+    if (files) files->insert(files->end(), reached.begin(), reached.end());
+  };
+  for (const Path& file : shaderFiles(pass)) add(file);
   // What the generated declarations include.
   const Path shared = homeFolder() / "shaders/shared";
-  key += shader::textWithIncludes(shared / (in.scene ? "bindings.glsl" : "frame.h"));
+  add(shared / (in.scene ? "bindings.glsl" : "frame.h"));
   if (in.backend == Backend::Pipeline)
-    for (const char* name : {"miss.glsl", "closest_hit.glsl", "any_hit.glsl"})
-      key += shader::textWithIncludes(backendFile(name));
+    for (const char* name : {"miss.glsl", "closest_hit.glsl", "any_hit.glsl"}) add(backendFile(name));
   return hashText(key);
+}
+
+static std::map<Path, std::string> sourcesOf(const PassDesc& pass) {
+  std::map<Path, std::string> hashes;
+  for (const Path& file : shaderFiles(pass)) {
+    std::vector<Path> reached;
+    shader::textWithIncludes(file, &reached);
+    for (const Path& one : reached) hashes[one] = hashText(readText(one));
+  }
+  return hashes;
 }
 
 // Instructions that say where code came from.
@@ -232,9 +251,13 @@ void checkShaders(const plan::Plan& plan, Backend backend, std::set<std::string>
 
 std::shared_ptr<const NodePipeline> PipelineCache::get(const shader::Interface& in, const PassDesc& pass,
                                                        const scene::GpuScene& scene) {
-  requireFiles(pass);
+  Seen& seen = seen_[interfaceKey(in, pass)];
+  if (seen.content.empty() || !seen.files.current()) {
+    requireFiles(pass);
+    seen = lookAt(in, pass);
+  }
   // Scenes whose sets are laid out alike share pipelines.
-  std::string key = contentKey(in, pass) + "|" + scene.layoutText();
+  std::string key = seen.content + "|" + scene.layoutText();
   auto found = made_.find(key);
   if (found == made_.end()) {
     found = made_.emplace(key, Held{make(in, pass, scene.setLayout())}).first;
@@ -244,6 +267,20 @@ std::shared_ptr<const NodePipeline> PipelineCache::get(const shader::Interface& 
   std::shared_ptr<const NodePipeline> pipeline = found->second.pipeline;
   forgetOldest();
   return pipeline;
+}
+
+PipelineCache::Seen PipelineCache::lookAt(const shader::Interface& in, const PassDesc& pass) {
+  std::vector<Path> files;
+  Seen seen;
+  contentKey(in, pass, &files);
+  // A file that appears beside these may be included instead of one of them. Stamps first, contents after: a change in
+  // between makes them differ.
+  for (const Path& file : files) {
+    seen.files.add(file);
+    seen.files.add(file.parent_path());
+  }
+  seen.content = contentKey(in, pass);
+  return seen;
 }
 
 // Hours of edits would fill the memory: every one leaves pipelines behind.
@@ -279,6 +316,7 @@ std::shared_ptr<const NodePipeline> PipelineCache::make(const shader::Interface&
   auto made = std::make_shared<NodePipeline>();
   made->interface = in;
   for (const auto& stage : stages) made->files.insert(made->files.end(), stage.files.begin(), stage.files.end());
+  made->sources = sourcesOf(pass);
   made->bindings = bindingsOf(in);
   made->set_layout = gpu::makeSetLayout(device_, pass.name, made->bindings);
   std::vector<VkDescriptorSetLayout> sets = {scene_layout, made->set_layout.get()};

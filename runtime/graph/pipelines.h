@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "base/stamps.h"
 #include "gpu/pipeline.h"
 #include "plan/plan.h"
 #include "scene/upload.h"
@@ -21,8 +22,9 @@ struct NodePipeline {
   std::vector<VkDescriptorSetLayoutBinding> bindings;
   gpu::Pipeline pipeline;
   shader::Interface interface;
-  std::vector<Path> files;   // its shaders and what they include
-  mutable bool ran = false;  // software devices compile when it runs first
+  std::vector<Path> files;              // its shaders and what they include
+  std::map<Path, std::string> sources;  // hashes of those that are the pass's own, as they were compiled
+  mutable bool ran = false;             // software devices compile when it runs first
 };
 
 // The interface a node's shader is compiled against.
@@ -60,8 +62,14 @@ class PipelineCache {
   int compilations() const { return compilations_; }
 
  private:
+  // What the files of an interface said, so that they are read again only when one of them changed.
+  struct Seen {
+    Stamps files;
+    std::string content;
+  };
   std::shared_ptr<const NodePipeline> make(const shader::Interface& interface, const plan::PassDesc& pass,
                                            VkDescriptorSetLayout scene_layout) const;
+  static Seen lookAt(const shader::Interface& interface, const plan::PassDesc& pass);
   void forgetOldest();
 
   struct Held {
@@ -69,7 +77,8 @@ class PipelineCache {
     uint64_t asked = 0;  // number of the request that used it last
   };
   const gpu::Device& device_;
-  std::map<std::string, Held> made_;
+  std::map<std::string, Seen> seen_;  // by interface
+  std::map<std::string, Held> made_;  // by content
   uint64_t questions_ = 0;
   int compilations_ = 0;
 };

@@ -180,7 +180,7 @@ script::Settings settingsOf(const Json& from, const char* name) {
   script::Settings sets;
   if (!from.contains(name)) return sets;
   for (const Json& one : from.at(name))
-    sets.emplace_back(one.at("name").get<std::string>(), one.at("value").get<std::string>());
+    sets.emplace_back(one.at("name").get<std::string>(), plan::valueFromText(one.at("value").get<std::string>()));
   return sets;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lab/record.h"
 
-#include <set>
+#include <map>
 
 #include "base/hash.h"
 #include "plan/canonical.h"
@@ -17,19 +17,12 @@ std::string hashOf(const graph::ReadImage& read) {
   return hashText(head + floats + uints);
 }
 
-// Shader files of all nodes, with what they include, by the path people know.
-static Json shaderHashes(const plan::Plan& plan) {
-  std::set<Path> files;
-  for (const auto& node : plan.nodes) {
-    for (const Path& file : graph::shaderFiles(plan.pipeline.passes[size_t(node.pass)])) {
-      std::vector<Path> reached;
-      shader::textWithIncludes(file, &reached);
-      files.insert(reached.begin(), reached.end());
-    }
-  }
-  Json json = Json::object();
-  for (const Path& file : files) json[displayPath(file)] = hashText(readText(file));
-  return json;
+// Shader files of all nodes, with what they include, as they were when they were compiled, by the path people know.
+static Json shaderHashes(const graph::Graph& graph) {
+  std::map<std::string, std::string> hashes;
+  for (const auto& [node, pipeline] : graph.pipelines())
+    for (const auto& [file, hash] : pipeline->sources) hashes[displayPath(file)] = hash;
+  return hashes;
 }
 
 // The revision of the program: the hash of its own file, whatever it was built from.
@@ -39,27 +32,30 @@ static std::string programHash() {
 }
 
 Json makeRecord(const RecordContext& c, const graph::FrameResult& frame) {
+  const plan::Plan& plan = c.drawing.plan();
+  const LoadedScene& scene = c.drawing.scene();
   Json record;
   record["strobe"] = {{"version", STROBE_VERSION}, {"program", programHash()}};
   record["shot"] = toJson(c.shot);
   Json& pipeline = record["pipeline"];
-  pipeline["name"] = c.plan.pipeline.name;
-  for (const auto& [name, value] : c.plan.pipeline.values) pipeline["values"][name] = plan::toJson(value);
-  for (const auto& node : c.plan.nodes)
+  pipeline["name"] = plan.pipeline.name;
+  for (const auto& [name, value] : plan.pipeline.values) pipeline["values"][name] = plan::toJson(value);
+  for (const auto& node : plan.nodes)
     for (const auto& [name, value] : node.params)
-      pipeline["nodes"][c.plan.pipeline.nodes[size_t(node.node)].name][name] = plan::toJson(value);
-  pipeline["plan"] = c.plan_hash;
-  record["scene"]["hash"] = hashText(c.scene.description.dump());
-  record["scene"]["warnings"] = c.scene.scene.warnings;
-  record["scene"]["assumptions"] = c.scene.scene.assumptions;
-  if (!c.scene.scene.attribution.is_null()) record["scene"]["attribution"] = c.scene.scene.attribution;
-  for (const auto& dependency : c.dependencies) record["scripts"][dependency.shown] = dependency.hash;
-  record["shaders"] = shaderHashes(c.plan);
+      pipeline["nodes"][plan.pipeline.nodes[size_t(node.node)].name][name] = plan::toJson(value);
+  pipeline["plan"] = c.drawing.planned().hash;
+  record["scene"]["hash"] = scene.hash;
+  record["scene"]["warnings"] = scene.scene.warnings;
+  record["scene"]["assumptions"] = scene.scene.assumptions;
+  if (!scene.scene.attribution.is_null()) record["scene"]["attribution"] = scene.scene.attribution;
+  for (const auto& file : c.drawing.evaluation().scripts) record["scripts"][file.shown] = file.hash;
+  for (const auto& file : scene.dependencies) record["scripts"][file.shown] = file.hash;
+  record["shaders"] = shaderHashes(c.drawing.graph());
   record["device"] = {{"name", c.device.name},
                       {"driver", c.device.driver},
                       {"api", c.device.api},
                       {"software", c.device.software},
-                      {"backend", backendName(c.backend)}};
+                      {"backend", backendName(c.drawing.planned().backend)}};
   for (const auto& [name, count] : frame.counters) record["counters"][name] = count;
   for (const auto& [name, count] : frame.iterations) record["iterations"][name] = count;
   for (const auto& [name, image] : frame.outputs) record["outputs"][name] = hashOf(image);

@@ -2,18 +2,14 @@
 // The run record: what it takes to make a picture again, and the hash of each image it gave. Timings stand apart.
 #pragma once
 
-#include "lab/workbench.h"
+#include "lab/drawing.h"
 
 namespace strobe::lab {
 
 struct RecordContext {
   const Shot& shot;
-  const LoadedScene& scene;
-  const plan::Plan& plan;
-  const std::string& plan_hash;  // of the plan without taps
+  const Drawing& drawing;
   const gpu::DeviceInfo& device;
-  graph::Backend backend;
-  const std::vector<script::Dependency>& dependencies;
 };
 
 Json makeRecord(const RecordContext& context, const graph::FrameResult& frame);

@@ -27,10 +27,10 @@ void RunningTruth::restart(const Shot& shot) {
   truth.pipeline = pipeline_;
   truth.aa = 1;
   truth.taps.clear();
-  std::erase_if(truth.sets, [](const auto& set) { return !set.first.starts_with("scene."); });
-  truth.sets.push_back({"samples", std::to_string(samples_per_step_)});
+  truth.sets = sceneSettings(shot.sets);
+  truth.sets.push_back({"samples", int64_t(samples_per_step_)});
   truth.sets.push_back({"times", "stratified"});
-  truth.sets.push_back({"mark_regions", "false"});
+  truth.sets.push_back({"mark_regions", false});
   session_ = std::make_unique<Session>(bench_, truth, "running truth");
   seed_ = shot.seed;
 }
@@ -39,7 +39,7 @@ bool RunningTruth::step() {
   if (!session_) return false;
   static const std::set<std::string> wanted = {"color"};
   uint32_t seed = seed_ + uint32_t(steps_) * kSeedStride;
-  if (session_->shot().seed != seed) session_->set("seed", std::to_string(seed), "running truth");
+  if (session_->shot().seed != seed) session_->set("seed", int64_t(seed), "running truth");
   Picture picture;
   picture.frame = session_->draw(&wanted);
   add(colorOf(picture));

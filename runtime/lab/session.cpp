@@ -6,22 +6,11 @@
 
 #include "base/hash.h"
 #include "base/log.h"
-#include "lab/session_version.h"
 #include "plan/canonical.h"
+#include "plan/settings.h"
 #include "scene/motion.h"
 
 namespace strobe::lab {
-
-struct Session::Evaluated {
-  plan::PipelineDesc pipeline;
-  std::vector<script::Dependency> scripts;  // that were read; after a failure, those it read until then
-  script::Texts texts;                      // of the scripts
-  std::vector<script::Dependency> refused;  // newest files that failed, where older texts took their place
-  std::vector<script::DroppedSetting> dropped;
-  std::vector<std::string> problems;
-  bool usable = false;
-  double ms = 0;
-};
 
 struct Session::Changes {
   std::vector<std::string> files;  // as people know them
@@ -31,134 +20,27 @@ struct Session::Changes {
 
 struct Session::Pending {
   Changes changes;
-  Shot shot;                         // as it was when the evaluation began
-  std::future<Evaluated> evaluated;  // its destructor waits
+  Shot shot;                       // as it was when the evaluation began
+  std::future<Attempt> evaluated;  // its destructor waits
 };
-
-// ---- evaluation
-
-// The texts of files, where they still are what was evaluated; others changed since, and the next look finds out.
-static script::Texts textsOf(const std::vector<script::Dependency>& files, const script::Texts& given) {
-  script::Texts texts;
-  for (const auto& file : files) {
-    auto held = given.find(file.path);
-    if (held != given.end()) {
-      texts.insert(*held);
-      continue;
-    }
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(file.path, ignored)) continue;
-    try {
-      std::string text = readText(file.path);
-      if (hashText(text) == file.hash) texts[file.path] = std::move(text);
-    } catch (const Error&) {
-      continue;
-    }
-  }
-  return texts;
-}
-
-Session::Evaluated Session::evaluate(const Shot& shot, const script::Texts& texts, const script::Limits& limits,
-                                     bool lenient) {
-  Evaluated evaluated;
-  double started_s = clockSeconds();
-  try {
-    script::PipelineRequest request{shot.pipeline, shot.sets, texts};
-    auto* dropped = lenient ? &evaluated.dropped : nullptr;
-    evaluated.pipeline = script::evaluatePipeline(request, &evaluated.scripts, limits, dropped);
-    evaluated.texts = textsOf(evaluated.scripts, texts);
-    evaluated.usable = true;
-  } catch (const std::exception& error) {  // an `Error`, or a folder that goes while it is listed
-    evaluated.problems.push_back(error.what());
-  }
-  evaluated.ms = 1000 * (clockSeconds() - started_s);
-  return evaluated;
-}
-
-// Of the files with a good text, those that say something else now.
-static script::Texts changedTexts(const script::Texts& good) {
-  script::Texts changed;
-  for (const auto& [file, text] : good)
-    if (script::hashOfPath(file) != hashText(text)) changed[file] = text;
-  return changed;
-}
-
-// The newest files; where they fail, as many of them as work: files are put back to their last good text, those an
-// error names first.
-Session::Evaluated Session::evaluateAround(const Shot& shot, const script::Texts& good, const script::Limits& limits) {
-  Evaluated newest = evaluate(shot, {}, limits, true);
-  if (newest.usable || good.empty()) return newest;
-  script::Texts changed = changedTexts(good), put_back;
-  std::vector<std::string> problems = newest.problems;
-  double ms = newest.ms;
-  while (put_back.size() < changed.size()) {
-    size_t before = put_back.size();
-    for (const auto& [file, text] : changed)
-      if (problems.back().find(displayPath(file)) != std::string::npos) put_back[file] = text;
-    if (put_back.size() == before) put_back = changed;
-    if (put_back.size() == changed.size()) break;  // nothing new is left to try
-    Evaluated around = evaluate(shot, put_back, limits, true);
-    ms += around.ms;
-    problems.insert(problems.end(), around.problems.begin(), around.problems.end());
-    if (!around.usable) continue;
-    around.problems = problems;
-    around.refused = newest.scripts;
-    around.ms = ms;
-    return around;
-  }
-  newest.problems = problems;
-  newest.ms = ms;
-  return newest;
-}
 
 // ---- versions
 
-std::unique_ptr<Session::Version> Session::build(const Shot& shot, Evaluated evaluated,
-                                                 std::vector<std::string>* problems) {
-  auto version = std::make_unique<Version>();
+std::unique_ptr<Drawing> Session::build(const Shot& shot, std::shared_ptr<const Evaluation> evaluation,
+                                        std::vector<std::string>* problems) {
   Shot filled = shot;
-  version->scene = bench_.scene(filled);
-  version->backend = bench_.chooseBackend(shot.backend);
-  version->scripts = std::move(evaluated.scripts);
-  version->texts = std::move(evaluated.texts);
-  version->plan = std::make_unique<plan::Plan>(planOf(filled, evaluated.pipeline, version->backend));
-  version->shape = plan::shapeOf(*version->plan);
-  Shot untapped = filled;
-  untapped.taps.clear();
-  version->plan_hash = shot.taps.empty() ? plan::hashOf(*version->plan)
-                                         : plan::hashOf(planOf(untapped, evaluated.pipeline, version->backend));
-
-  uint32_t slices = SLICE_SAMPLE + graph::Graph::sampleSlices(*version->plan);
-  version->on_device = version->scene->onDevice(bench_.device(), slices);
-
-  bool same_shape = !problems && running_ && running_->shape == version->shape && running_->scene == version->scene &&
-                    running_->backend == version->backend;
-  if (same_shape) {
-    version->graph = std::move(running_->graph);
-    version->graph->setParams(*version->plan);
-    return version;
-  }
-  const gpu::Device& device = bench_.device();
-  std::vector<std::string> known;  // told when they were found
-  if (running_) {
-    version->graph = std::make_unique<graph::Graph>(device, bench_.pipelines(), *version->plan, *version->on_device,
-                                                    version->backend, *running_->graph, problems ? *problems : known);
-  } else {
-    version->graph = std::make_unique<graph::Graph>(device, bench_.pipelines(), *version->plan, *version->on_device,
-                                                    version->backend);
-  }
-  return version;
+  std::shared_ptr<HeldScene> scene = bench_.scene(filled);
+  Planned planned = plannedOf(bench_, filled, evaluation->pipeline);
+  return std::make_unique<Drawing>(bench_, scene, std::move(planned), std::move(evaluation), running_.get(), problems);
 }
 
 Session::Session(Workbench& bench, const Shot& shot, const std::string& origin)
     : bench_(bench), shot_(shot), given_by_(origin) {
-  Evaluated evaluated;
-  evaluated.pipeline = script::evaluatePipeline({shot.pipeline, shot.sets}, &evaluated.scripts, bench.limits);
-  evaluated.texts = textsOf(evaluated.scripts, {});
+  std::shared_ptr<const Evaluation> evaluation = bench.evaluate(shot.pipeline, shot.sets);
   bench_.scene(shot_);
-  rememberFiles(evaluated.scripts);
-  running_ = build(shot_, std::move(evaluated), nullptr);
-  rememberFiles(running_->scripts);
+  rememberFiles(evaluation->scripts);
+  running_ = build(shot_, evaluation, nullptr);
+  rememberFiles(evaluation->scripts);
   for (const auto& [name, value] : shot.sets) origins_[name] = origin;
 }
 
@@ -166,20 +48,20 @@ Session::~Session() = default;
 
 Workbench& Session::bench() const { return bench_; }
 const Shot& Session::shot() const { return shot_; }
-const plan::Plan& Session::plan() const { return *running_->plan; }
-const scene::Scene& Session::scene() const { return running_->scene->loaded.scene; }
-graph::Backend Session::backend() const { return running_->backend; }
-std::string Session::planHash() const { return running_->plan_hash; }
+const plan::Plan& Session::plan() const { return running_->plan(); }
+const scene::Scene& Session::scene() const { return running_->scene().scene; }
+graph::Backend Session::backend() const { return running_->planned().backend; }
+std::string Session::planHash() const { return running_->planned().hash; }
 std::map<std::string, std::shared_ptr<const graph::NodePipeline>> Session::pipelines() const {
-  return running_->graph->pipelines();
+  return running_->graph().pipelines();
 }
 const std::vector<std::string>& Session::problems() const { return problems_; }
 
 // ---- values
 
-// The declaration of a shot's option with the choices that a scene gives it.
-static plan::ParamDesc declarationOf(const ShotOption& option, const scene::Scene& scene) {
-  plan::ParamDesc declared = option.declaration;
+// The declaration of a value of a shot with the choices that a scene gives it.
+static plan::ParamDesc declarationOf(const ShotField& field, const scene::Scene& scene) {
+  plan::ParamDesc declared = field.declaration;
   if (declared.name == "camera") {
     for (const auto& node : scene.nodes)
       if (node.camera >= 0) declared.choices.push_back(node.name);
@@ -191,9 +73,15 @@ static plan::ParamDesc declarationOf(const ShotOption& option, const scene::Scen
   return declared;
 }
 
-static const ShotOption* findOption(const std::string& name) {
+// The option that has a value of this name, or is called so itself; or null. `field` (may be null) is the value.
+static const ShotOption* findOption(const std::string& name, const ShotField** field) {
+  *field = nullptr;
   for (const ShotOption& option : shotOptions())
-    if (option.declaration.name == name) return &option;
+    for (const ShotField& one : option.fields) {
+      bool is_value = one.isValue() && one.declaration.name == name;
+      if (is_value) *field = &one;
+      if (is_value || option.name == name) return &option;
+    }
   return nullptr;
 }
 
@@ -214,59 +102,92 @@ static void dropLostTaps(Shot& shot, const plan::PipelineDesc& pipeline) {
   std::erase_if(shot.taps, [&](const std::string& tap) { return !hasPort(pipeline, tap); });
 }
 
-// Goes on with `shot`, on the scripts as they were when they were last good: a value has nothing to do with edits.
-void Session::apply(const Shot& shot) {
-  Evaluated evaluated = evaluate(shot, running_->texts, bench_.limits, false);
+// The pipeline's settings of `to` that `from` has not or has otherwise; nothing where `to` lacks one that `from` has.
+static std::optional<script::Settings> added(const script::Settings& from, const script::Settings& to) {
+  auto valueIn = [](const script::Settings& sets, const std::string& name) {
+    const plan::Value* value = nullptr;
+    for (const script::Setting& set : sets)
+      if (set.first == name) value = &set.second;
+    return value;
+  };
+  for (const script::Setting& set : from)
+    if (!isOfScene(set) && !valueIn(to, set.first)) return std::nullopt;
+  script::Settings changed;
+  for (const script::Setting& set : to) {
+    const plan::Value* before = valueIn(from, set.first);
+    if (!isOfScene(set) && (!before || *before != set.second)) changed.push_back(set);
+  }
+  return changed;
+}
+
+// What the scripts give for `shot`, as they were when they were last good: a value has nothing to do with edits. They
+// run where a value may decide the graph.
+std::shared_ptr<const Evaluation> Session::evaluationOf(const Shot& shot) const {
+  const Evaluation& now = running_->evaluation();
+  std::optional<script::Settings> changed = added(shot_.sets, shot.sets);
+  auto decides = [&](const script::Setting& set) { return plan::decidesGraph(now.pipeline, set.first); };
+  if (changed && std::none_of(changed->begin(), changed->end(), decides)) try {
+      return std::make_shared<Evaluation>(
+          Evaluation{plan::withSettings(now.pipeline, *changed), now.scripts, now.texts});
+    } catch (const Error&) {
+      // The scripts say better what is wrong.
+    }
+  Attempt evaluated = attempt(shot, now.texts, bench_.limits, false);
   if (!evaluated.usable) throw Error(evaluated.problems.front());
+  return std::make_shared<Evaluation>(std::move(evaluated.good));
+}
+
+void Session::apply(const Shot& shot) {
+  std::shared_ptr<const Evaluation> evaluation = evaluationOf(shot);
   Shot filled = shot;
   bench_.scene(filled);
-  dropLostTaps(filled, evaluated.pipeline);
-  running_ = build(filled, std::move(evaluated), nullptr);
+  dropLostTaps(filled, evaluation->pipeline);
+  running_ = build(filled, evaluation, nullptr);
   shot_ = filled;
   rememberFiles({});
 }
 
-// Options that only say how a frame sees the scene: neither the scene nor the plan depends on them.
-static bool concernsTheFrameAlone(const std::string& name) {
-  static const std::set<std::string> names = {"frame", "exposure", "anchor", "seed", "aa", "animation", "view"};
-  return names.count(name) > 0;
+void Session::set(const std::string& name, const plan::Value& value, const std::string& origin) {
+  Shot shot = shot_;
+  const ShotField* field = nullptr;
+  const ShotOption* option = findOption(name, &field);
+  if (!option) {
+    const std::string* typed = std::get_if<std::string>(&value);
+    putSetting(shot.sets, name, typed ? plan::valueFromText(*typed) : value);
+    apply(shot);
+    origins_[name] = origin;
+    return;
+  }
+  if (option->is(ShotOption::kNoPicture)) throw Error(fmt::format("'{}' cannot be changed here", name));
+  // Nodes that the shot moves stay at rest where they were.
+  bool moves = !shot.moves.empty() || !shot.spins.empty();
+  if (name == "frame" && moves && shot.rest_frame < 0) shot.rest_frame = shot.frame;
+  if (field) ShotField{declarationOf(*field, scene()), field->member}.set(shot, value);
+  else setFromTexts(*option, shot, {plan::textOf(value)});
+  take(*option, shot);
+  if (field) origins_[name] = origin;
+  for (const ShotField& one : option->fields)
+    if (!field) origins_[one.declaration.name] = origin;
 }
 
-void Session::set(const std::string& name, const std::string& value, const std::string& origin) {
-  Shot shot = shot_;
-  if (const ShotOption* option = findOption(name)) {
-    plan::ParamDesc declared = declarationOf(*option, scene());
-    // Nodes that the shot moves stay at rest where they were.
-    bool moves = !shot.moves.empty() || !shot.spins.empty();
-    if (name == "frame" && moves && shot.rest_frame < 0) shot.rest_frame = shot.frame;
-    option->set(shot, plan::checkValue(declared, plan::Value(value), {}));
-  } else if (name == "size") {
-    auto [width, height] = parseSize(value);
-    shot.width = width;
-    shot.height = height;
-  } else if (name == "view") {
-    shot.view.reset();
-    if (!value.empty()) shot.view = parseView(value);
-  } else {
-    putSetting(shot.sets, name, value);
-  }
-  if (concernsTheFrameAlone(name)) shot_ = shot;
+// Goes on with a shot of which one option changed: drawn anew if that concerns the frame alone.
+void Session::take(const ShotOption& option, const Shot& shot) {
+  bool frame_alone = option.concern == Concern::Frame || option.concern == Concern::Motion;
+  if (frame_alone && sceneIdentity(shot) == sceneIdentity(shot_)) shot_ = shot;
   else apply(shot);
-  for (const char* side : {"width", "height"})
-    if (name == "size") origins_[side] = origin;
-  if (name != "size") origins_[name] = origin;
 }
 
 void Session::unset(const std::string& name) {
   Shot shot = shot_, fresh;
+  const ShotField* field = nullptr;
+  const ShotOption* option = findOption(name, &field);
   std::erase_if(shot.sets, [&](const auto& set) { return set.first == name; });
-  if (const ShotOption* option = findOption(name)) {
+  if (option) {
     // What the scene suggests, else the default.
+    fillShot(fresh, running_->scene().description);
     fresh.scene = shot.scene;
-    fillShot(fresh, running_->scene->loaded.description);
-    option->set(shot, option->get(fresh));
-  } else if (name == "view") {
-    shot.view.reset();
+    if (field) field->set(shot, field->get(fresh));
+    else setFromJson(*option, shot, jsonOf(*option, fresh));
   }
   apply(shot);
   origins_.erase(name);
@@ -276,13 +197,13 @@ void Session::tap(const std::vector<std::string>& ports) {
   Shot shot = shot_;
   shot.taps = ports;
   for (const std::string& port : ports)
-    if (!hasPort(running_->plan->pipeline, port))
+    if (!hasPort(running_->plan().pipeline, port))
       throw Error(fmt::format("there is no image '{}'{}", port, didYouMean(port, this->ports())));
   if (shot.taps != shot_.taps) apply(shot);
 }
 
 std::vector<std::string> Session::ports() const {
-  const plan::Plan& plan = *running_->plan;
+  const plan::Plan& plan = running_->plan();
   std::vector<std::string> names;
   for (const auto& node : plan.nodes)
     for (const auto* images : {&node.writes, &node.updates})
@@ -298,16 +219,19 @@ std::vector<Control> Session::controls() const {
   };
   Shot defaults;
   for (const ShotOption& option : shotOptions()) {
-    const std::string& name = option.declaration.name;
-    Control control{declarationOf(option, scene()), option.get(shot_), "shot", origin_of(name), "", false};
-    control.set = !control.origin.empty();
-    bool first_camera = name == "camera" && shot_.camera.empty() && !control.declaration.choices.empty();
-    if (first_camera) control.value = scene().nodes[size_t(scene::cameraNode(scene(), ""))].name;
-    if (!control.set) control.origin = option.get(shot_) == option.get(defaults) ? "default" : given_by_ + " or scene";
-    controls.push_back(control);
+    if (!option.is(ShotOption::kControl)) continue;
+    for (const ShotField& field : option.fields) {
+      const std::string& name = field.declaration.name;
+      Control control{declarationOf(field, scene()), field.get(shot_), "shot", origin_of(name), "", false};
+      control.set = !control.origin.empty();
+      bool first_camera = name == "camera" && shot_.camera.empty() && !control.declaration.choices.empty();
+      if (first_camera) control.value = scene().nodes[size_t(scene::cameraNode(scene(), ""))].name;
+      if (!control.set) control.origin = field.get(shot_) == field.get(defaults) ? "default" : given_by_ + " or scene";
+      controls.push_back(control);
+    }
   }
 
-  const plan::PipelineDesc& pipeline = running_->plan->pipeline;
+  const plan::PipelineDesc& pipeline = running_->plan().pipeline;
   std::string preset;
   for (const auto& [name, value] : pipeline.values)
     if (const auto* text = std::get_if<std::string>(&value); text && name == "preset") preset = *text;
@@ -321,7 +245,7 @@ std::vector<Control> Session::controls() const {
     if (!control.set) control.origin = by_preset ? "preset " + preset : "default";
     controls.push_back(control);
   }
-  for (const auto& node : running_->plan->nodes) {
+  for (const auto& node : running_->plan().nodes) {
     const plan::NodeDesc& described = pipeline.nodes[size_t(node.node)];
     const plan::PassDesc& pass = pipeline.passes[size_t(node.pass)];
     for (size_t i = 0; i < pass.params.size(); ++i) {
@@ -342,37 +266,33 @@ std::vector<Control> Session::controls() const {
 
 // ---- reload
 
-// Of a file that is known already, what was noted when it was last tried stands: it may have changed since.
-static void noteFile(std::map<Path, std::string>& tried, const Path& file) {
-  if (!tried.count(file)) tried[file] = script::hashOfPath(file);
-}
-
 // Notes the state of all files that what runs (and what was tried) was made of, so that the next change is seen.
 void Session::rememberFiles(const std::vector<script::Dependency>& more) {
-  for (const auto& file : more) tried_[file.path] = file.hash;
+  files_.tried(more);
   if (!running_) return;
-  for (const auto& file : running_->scripts) tried_.emplace(file.path, file.hash);
-  for (const auto& node : running_->plan->nodes) {
-    for (const Path& file : graph::shaderFiles(running_->plan->pipeline.passes[size_t(node.pass)])) {
+  files_.add(running_->evaluation().scripts);
+  for (const auto& node : running_->plan().nodes) {
+    for (const Path& file : graph::shaderFiles(running_->plan().pipeline.passes[size_t(node.pass)])) {
       std::vector<Path> reached = {file};
       try {
         shader::textWithIncludes(file, &reached);
       } catch (const Error&) {
         // Reported where it is compiled.
       }
-      for (const Path& one : reached) noteFile(tried_, one);
+      for (const Path& one : reached) files_.add(one);
     }
   }
-  for (const auto& [node, pipeline] : running_->graph->pipelines())
-    for (const Path& file : pipeline->files) noteFile(tried_, file);
-  for (const auto& file : running_->scene->loaded.dependencies) tried_.emplace(file.path, file.hash);
-  if (watch_) watchFolders();
+  for (const auto& [node, pipeline] : running_->graph().pipelines())
+    for (const Path& file : pipeline->files) files_.add(file);
+  files_.add(running_->scene().dependencies);
+  if (files_.isWatching()) watchFolders();
 }
 
-void Session::watchFolders() {
-  for (const char* folder : {"passes", "shaders", "scripts"}) watch_->add(homeFolder() / folder);
-  for (const auto* files : {&running_->scripts, &running_->scene->loaded.dependencies})
-    for (const auto& file : *files) watch_->addFlat(file.path.parent_path());
+// True the first time.
+bool Session::watchFolders() {
+  bool first = files_.watch({homeFolder() / "passes", homeFolder() / "shaders", homeFolder() / "scripts"});
+  for (const auto* files : {&running_->evaluation().scripts, &running_->scene().dependencies}) files_.watchFlat(*files);
+  return first;
 }
 
 Session::Changes Session::lookAtFiles() {
@@ -381,40 +301,35 @@ Session::Changes Session::lookAtFiles() {
   auto is_among = [](const std::vector<script::Dependency>& files, const Path& path) {
     return std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.path == path; });
   };
-  for (auto& [path, hash] : tried_) {
-    std::string now = script::hashOfPath(path);
-    if (now == hash) continue;
-    hash = now;
+  for (const Path& path : files_.takeChanged()) {
     changes.files.push_back(displayPath(path));
     // The library is of both; what is of neither was part of an attempt that failed.
-    bool scene = is_among(running_->scene->loaded.dependencies, path);
+    bool scene = is_among(running_->scene().dependencies, path);
     bool shader = path.extension() == ".glsl" || path.extension() == ".h";
     changes.scene |= scene;
-    changes.scripts |= is_among(running_->scripts, path) || (!scene && !shader);
+    changes.scripts |= is_among(running_->evaluation().scripts, path) || (!scene && !shader);
   }
   changes.ms = 1000 * (clockSeconds() - started_s);
   return changes;
 }
 
 std::optional<Reload> Session::reload(bool wait) {
-  bool first = !watch_;
-  if (first) {
-    watch_ = std::make_unique<Watch>();
-    watchFolders();
-  }
+  bool first = !files_.isWatching() && watchFolders();
   if (pending_) {
     bool done = wait || pending_->evaluated.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
     if (!done) return std::nullopt;
     std::unique_ptr<Pending> pending = std::move(pending_);
-    Evaluated evaluated = pending->evaluated.get();
+    Attempt evaluated = pending->evaluated.get();
     // Values set in the meantime are not in what was evaluated.
     bool overtaken = shot_.pipeline != pending->shot.pipeline || shot_.sets != pending->shot.sets;
     if (!overtaken) return replace(shot_, std::move(evaluated), std::move(pending->changes));
-    if (wait) return replace(shot_, evaluateAround(shot_, running_->texts, bench_.limits), std::move(pending->changes));
+    if (wait)
+      return replace(shot_, attemptAround(shot_, running_->evaluation().texts, bench_.limits),
+                     std::move(pending->changes));
     evaluateInBackground(std::move(pending->changes));
     return std::nullopt;
   }
-  bool event = watch_->changed();
+  bool event = files_.event();
   if (!event && !first && !wait) return std::nullopt;
   Changes changes = lookAtFiles();
   // After a failure a file that nothing could name yet may have appeared.
@@ -422,21 +337,20 @@ std::optional<Reload> Session::reload(bool wait) {
   if (changes.files.empty() && !retry) return std::nullopt;
   changes.scripts |= script_problem_;
   if (!changes.scripts) {
-    Evaluated same;
-    same.pipeline = running_->plan->pipeline;
-    same.scripts = running_->scripts;
-    same.texts = running_->texts;
+    Attempt same;
+    same.good = running_->evaluation();
     same.usable = true;
     return replace(shot_, std::move(same), std::move(changes));
   }
-  if (wait) return replace(shot_, evaluateAround(shot_, running_->texts, bench_.limits), std::move(changes));
+  if (wait)
+    return replace(shot_, attemptAround(shot_, running_->evaluation().texts, bench_.limits), std::move(changes));
   evaluateInBackground(std::move(changes));
   return std::nullopt;
 }
 
 void Session::evaluateInBackground(Changes changes) {
-  auto evaluation = [shot = shot_, texts = running_->texts, limits = bench_.limits] {
-    return evaluateAround(shot, texts, limits);
+  auto evaluation = [shot = shot_, texts = running_->evaluation().texts, limits = bench_.limits] {
+    return attemptAround(shot, texts, limits);
   };
   pending_ = std::make_unique<Pending>(Pending{std::move(changes), shot_, std::async(std::launch::async, evaluation)});
 }
@@ -455,19 +369,17 @@ static bool contains(const std::vector<std::string>& list, const std::string& it
 }
 
 // Puts a new version in the place of the running one, as far as it is sound, and tells what became of everything.
-Reload Session::replace(Shot shot, Evaluated evaluated, Changes changes) {
+Reload Session::replace(Shot shot, Attempt evaluated, Changes changes) {
   Reload told;
   told.changed = changes.files;
   told.notice_ms = changes.ms;
   told.evaluate_ms = evaluated.ms;
   told.problems = evaluated.problems;
   script_problem_ = !evaluated.problems.empty();
-  std::vector<script::Dependency> tried = evaluated.scripts;
+  std::vector<script::Dependency> tried = evaluated.good.scripts;
   tried.insert(tried.end(), evaluated.refused.begin(), evaluated.refused.end());
   if (!evaluated.usable) {
-    evaluated.pipeline = running_->plan->pipeline;
-    evaluated.scripts = running_->scripts;
-    evaluated.texts = running_->texts;
+    evaluated.good = running_->evaluation();
     evaluated.dropped.clear();
   }
   for (const auto& dropped : evaluated.dropped) {
@@ -477,21 +389,21 @@ Reload Session::replace(Shot shot, Evaluated evaluated, Changes changes) {
 
   int compiled_before = bench_.compilations();
   double started_s = clockSeconds();
-  std::map<std::string, std::shared_ptr<const graph::NodePipeline>> before = running_->graph->pipelines();
+  std::map<std::string, std::shared_ptr<const graph::NodePipeline>> before = running_->graph().pipelines();
   std::vector<std::string> histories;
-  for (const auto& image : running_->plan->images)
+  for (const auto& image : running_->plan().images)
     if (image.history) histories.push_back(image.name);
   std::vector<std::string> problems;
   try {
     if (changes.scene) reloadScene(shot, problems);
-    dropLostTaps(shot, evaluated.pipeline);
-    auto version = build(shot, std::move(evaluated), &problems);
-    for (const auto& [node, pipeline] : version->graph->pipelines()) {
+    dropLostTaps(shot, evaluated.good.pipeline);
+    auto version = build(shot, std::make_shared<Evaluation>(std::move(evaluated.good)), &problems);
+    for (const auto& [node, pipeline] : version->graph().pipelines()) {
       auto old = before.find(node);
       if (old == before.end() || old->second != pipeline) told.rebuilt.push_back(node);
     }
-    bool new_scene = version->scene != running_->scene;
-    bool new_plan = version->plan_hash != running_->plan_hash;
+    bool new_scene = version->held() != running_->held();
+    bool new_plan = version->planned().hash != running_->planned().hash;
     running_ = std::move(version);
     shot_ = shot;
     told.swapped = new_scene || new_plan || !told.rebuilt.empty();
@@ -502,11 +414,11 @@ Reload Session::replace(Shot shot, Evaluated evaluated, Changes changes) {
   told.problems.insert(told.problems.end(), problems.begin(), problems.end());
   double spent_ms = 1000 * (clockSeconds() - started_s);
   told.compilations = bench_.compilations() - compiled_before;
-  told.compile_ms = running_->graph->compileMs();
+  told.compile_ms = running_->graph().compileMs();
   told.build_ms = spent_ms - told.compile_ms;
 
-  for (const auto& [name, value] : shot_.sets) told.kept.push_back(name + " = " + value);
-  std::vector<std::string> kept = running_->graph->histories(true);
+  for (const auto& [name, value] : shot_.sets) told.kept.push_back(name + " = " + plan::textOf(value));
+  std::vector<std::string> kept = running_->graph().histories(true);
   for (const std::string& name : histories) {
     if (contains(kept, name)) told.kept.push_back("history " + name);
     else if (told.swapped) told.reset.push_back("history " + name + ": described differently");
@@ -521,7 +433,7 @@ Reload Session::usePipeline(const std::string& name_or_path) {
   Shot shot = shot_;
   shot.pipeline = name_or_path;
   shot.taps.clear();
-  Evaluated evaluated = evaluate(shot, {}, bench_.limits, true);
+  Attempt evaluated = attempt(shot, {}, bench_.limits, true);
   if (!evaluated.usable) throw Error(evaluated.problems.front());
   Reload told;
   for (const auto& dropped : evaluated.dropped) {
@@ -529,16 +441,30 @@ Reload Session::usePipeline(const std::string& name_or_path) {
     told.reset.push_back(fmt::format("{} = {}: {}", dropped.name, dropped.value, dropped.reason));
     origins_.erase(dropped.name);
   }
-  std::vector<script::Dependency> tried = evaluated.scripts;
-  running_ = build(shot, std::move(evaluated), &told.problems);
+  std::vector<script::Dependency> tried = evaluated.good.scripts;
+  running_ = build(shot, std::make_shared<Evaluation>(std::move(evaluated.good)), &told.problems);
   shot_ = shot;
-  for (const auto& [name, value] : shot_.sets) told.kept.push_back(name + " = " + value);
-  told.changed = {running_->plan->pipeline.file};
+  for (const auto& [name, value] : shot_.sets) told.kept.push_back(name + " = " + plan::textOf(value));
+  told.changed = {running_->plan().pipeline.file};
   told.swapped = true;
   problems_ = told.problems;
   script_problem_ = false;
   rememberFiles(tried);
   return told;
+}
+
+// ---- frames
+
+graph::FrameResult Session::draw(const std::set<std::string>* outputs, const std::function<void(int, int)>& progress) {
+  return running_->draw(shot_, outputs, progress);
+}
+
+std::vector<std::string> Session::limitsMet(const graph::FrameResult& frame) const {
+  return running_->limitsMet(shot_, frame);
+}
+
+Picture Session::capture(const std::function<void(int, int)>& progress) {
+  return running_->capture(shot_, nullptr, progress);
 }
 
 std::string textOf(const Reload& reload) {

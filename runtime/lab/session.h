@@ -11,8 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "base/watch.h"
-#include "lab/workbench.h"
+#include "lab/drawing.h"
+#include "lab/shot_options.h"
+#include "lab/watched_files.h"
 
 namespace strobe::lab {
 
@@ -65,10 +66,10 @@ class Session {
   // What keeps the newest files from running; empty while all of them run.
   const std::vector<std::string>& problems() const;
 
-  // Changes a value: an option of the shot, PARAM of the pipeline, NODE.PARAM or scene.PARAM, as typed on a command
-  // line. Throws `Error` (unknown name with the nearest, wrong value, a graph that cannot be built); then nothing
-  // changed.
-  void set(const std::string& name, const std::string& value, const std::string& origin);
+  // Changes a value: an option of the shot, PARAM of the pipeline, NODE.PARAM or scene.PARAM; a text serves as the
+  // value it reads as. Throws `Error` (unknown name with the nearest, wrong value, a graph that cannot be built); then
+  // nothing changed.
+  void set(const std::string& name, const plan::Value& value, const std::string& origin);
   // Gives the value back to preset, scene or default.
   void unset(const std::string& name);
   // Runs another pipeline; values whose names and types it shares are kept, as in a reload.
@@ -84,7 +85,7 @@ class Session {
   std::optional<Reload> reload(bool wait);
 
   // Draws the frame as it stands, reading back the outputs ("color") and taps ("node.port") named; null: all.
-  graph::FrameResult draw(const std::set<std::string>* wanted = nullptr,
+  graph::FrameResult draw(const std::set<std::string>* outputs = nullptr,
                           const std::function<void(int done, int of)>& progress = {});
   // The limits that a frame met as it was drawn, a line each: its shot's, then its passes'.
   std::vector<std::string> limitsMet(const graph::FrameResult& frame) const;
@@ -92,32 +93,29 @@ class Session {
   Picture capture(const std::function<void(int done, int of)>& progress = {});
 
  private:
-  struct Version;    // what runs
-  struct Evaluated;  // what Lua said
-  struct Changes;    // which of the files differ from what was last tried
-  struct Pending;    // an evaluation in the background
+  struct Changes;  // which of the files differ from what was last tried
+  struct Pending;  // an evaluation in the background
 
-  static Evaluated evaluate(const Shot& shot, const script::Texts& texts, const script::Limits& limits, bool lenient);
-  static Evaluated evaluateAround(const Shot& shot, const script::Texts& good, const script::Limits& limits);
   void evaluateInBackground(Changes changes);
-  std::unique_ptr<Version> build(const Shot& shot, Evaluated evaluated, std::vector<std::string>* problems);
+  std::unique_ptr<Drawing> build(const Shot& shot, std::shared_ptr<const Evaluation> evaluation,
+                                 std::vector<std::string>* problems);
   void reloadScene(Shot& shot, std::vector<std::string>& problems);
+  std::shared_ptr<const Evaluation> evaluationOf(const Shot& shot) const;
   void apply(const Shot& shot);
-  Reload replace(Shot shot, Evaluated evaluated, Changes changes);
+  void take(const ShotOption& option, const Shot& shot);
+  Reload replace(Shot shot, Attempt evaluated, Changes changes);
   Changes lookAtFiles();
   void rememberFiles(const std::vector<script::Dependency>& tried);
-  void watchFolders();
-  graph::FrameSetup setup() const;
+  bool watchFolders();
 
   Workbench& bench_;
   Shot shot_;
   std::string given_by_;
   std::map<std::string, std::string> origins_;  // of settings and options, by name
-  std::unique_ptr<Version> running_;
+  std::unique_ptr<Drawing> running_;
   std::vector<std::string> problems_;
-  bool script_problem_ = false;        // one of them is Lua's: evaluated again at the next change of any file
-  std::map<Path, std::string> tried_;  // hash of every file and folder when it was last tried
-  std::unique_ptr<Watch> watch_;
+  bool script_problem_ = false;  // one of them is Lua's: evaluated again at the next change of any file
+  WatchedFiles files_;
   std::unique_ptr<Pending> pending_;
 };
 

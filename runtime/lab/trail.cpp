@@ -169,9 +169,9 @@ std::array<int, 2> parsePixel(const std::string& text) {
 
 std::vector<TrailHit> hitsAt(const Session& looked_at, int x, int y) {
   Shot shot = looked_at.shot();
-  std::erase_if(shot.sets, [](const auto& set) { return !set.first.starts_with("scene."); });
-  shot.sets.push_back({"pixel_x", std::to_string(x)});
-  shot.sets.push_back({"pixel_y", std::to_string(y)});
+  shot.sets = sceneSettings(shot.sets);
+  shot.sets.push_back({"pixel_x", int64_t(x)});
+  shot.sets.push_back({"pixel_y", int64_t(y)});
   shot.pipeline = (homeFolder() / "scripts/inspect/hits.lua").string();
   shot.taps.clear();
   Session rays(looked_at.bench(), shot, "pixel");

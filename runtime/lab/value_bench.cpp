@@ -32,7 +32,7 @@ struct Runner {
 };
 
 Runner runnerFor(Workbench& bench, Shot shot, const std::string& settings) {
-  for (const auto& [name, value] : settingsOf(settings)) putSetting(shot.sets, name, value);
+  for (const auto& [name, value] : settingsOf(settings)) putSetting(shot.sets, name, plan::valueFromText(value));
   return {std::make_unique<Session>(bench, shot), {}, {}};
 }
 

@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include "base/hash.h"
-#include "lab/session.h"
+#include "lab/drawing.h"
+#include "lab/shot_options.h"
 #include "scene/defaults.h"
 #include "scene/gltf.h"
 #include "scene/json_scene.h"
@@ -14,22 +15,6 @@
 namespace strobe::lab {
 
 static bool isGltf(const std::string& scene) { return scene.ends_with(".glb") || scene.ends_with(".gltf"); }
-
-// A number the scene suggests for a shot ("shot" in its description), or `otherwise`.
-static double suggested(const Json& description, const char* name, double otherwise) {
-  if (!description.contains("shot") || !description["shot"].contains(name)) return otherwise;
-  return description["shot"][name].get<double>();
-}
-
-void fillShot(Shot& shot, const Json& description) {
-  if (shot.width == 0) {
-    shot.width = int(suggested(description, "width", 960));
-    shot.height = int(suggested(description, "height", 540));
-  }
-  if (shot.fps == 0) shot.fps = suggested(description, "fps", 24);
-  if (shot.frame == -1) shot.frame = int(suggested(description, "frame", 1));
-  if (shot.exposure == -1) shot.exposure = suggested(description, "exposure", 0.5);
-}
 
 // Identity of meshes and textures, wherever a file keeps them.
 static std::string contentHash(const scene::Scene& scene) {
@@ -45,12 +30,22 @@ static std::string contentHash(const scene::Scene& scene) {
   return hashText(hashes);
 }
 
+static uint64_t bytesOf(const scene::Scene& scene) {
+  uint64_t bytes = 0;
+  for (const scene::Mesh& mesh : scene.meshes)
+    for (const scene::Geometry& geometry : mesh.geometries)
+      bytes += geometry.vertices.size() * sizeof(scene::Vertex) + geometry.indices.size() * sizeof(uint32_t);
+  for (const scene::Texture& texture : scene.textures)
+    for (const auto& level : texture.levels) bytes += level.size();
+  return bytes;
+}
+
 LoadedScene loadScene(Shot& shot) {
   LoadedScene loaded;
   if (isGltf(shot.scene)) {
     for (const auto& [name, value] : shot.sets)
       if (name.starts_with("scene."))
-        throw Error(fmt::format("--set {}={}: a glTF scene has no parameters", name, value));
+        throw Error(fmt::format("--set {}={}: a glTF scene has no parameters", name, plan::textOf(value)));
     loaded.scene = scene::loadGltf(shot.scene);
     loaded.description["file"] = Path(shot.scene).filename().string();
     loaded.description["hash"] = hashText(readText(shot.scene));
@@ -59,7 +54,7 @@ LoadedScene loadScene(Shot& shot) {
         {std::filesystem::absolute(shot.scene).lexically_normal(), shot.scene, loaded.description["hash"]}};
   } else {
     loaded.description = script::evaluateScene(shot.scene, shot.sets, &loaded.dependencies);
-    loaded.scene = scene::sceneFromJson(loaded.description, shot.scene);
+    loaded.scene = scene::sceneFromJson(loaded.description, shot.scene, suggestions());
   }
   fillShot(shot, loaded.description);
   checkShot(shot);
@@ -68,14 +63,16 @@ LoadedScene loadScene(Shot& shot) {
   for (const std::string& spin : shot.spins)
     loaded.scene.motions.push_back(scene::spinFromOption(loaded.scene, spin, shot.fps, shot.restTime()));
   scene::supplyDefaults(loaded.scene, shot.camera);
+  loaded.hash = hashText(loaded.description.dump());
+  loaded.bytes = bytesOf(loaded.scene);
   return loaded;
 }
 
 // A copy is as large as the scene: a dragged slider that asks for one number after the other must not leave them all.
 std::shared_ptr<scene::GpuScene> HeldScene::onDevice(const gpu::Device& device, uint32_t slices) {
-  std::shared_ptr<scene::GpuScene>& wanted = on_device[slices];
-  if (!wanted) wanted = std::make_shared<scene::GpuScene>(device, loaded.scene, slices);
-  std::shared_ptr<scene::GpuScene> copy = wanted;
+  std::shared_ptr<scene::GpuScene>& held = on_device[slices];
+  if (!held) held = std::make_shared<scene::GpuScene>(device, loaded.scene, slices);
+  std::shared_ptr<scene::GpuScene> copy = held;
   for (auto it = on_device.begin(); it != on_device.end() && on_device.size() > 2;)
     it = it->second.use_count() == 1 ? on_device.erase(it) : std::next(it);
   return copy;
@@ -94,52 +91,96 @@ Workbench::Workbench(const gpu::DeviceOptions& device) : device_(device), cache_
 
 Workbench::~Workbench() = default;
 
-graph::Backend Workbench::chooseBackend(const std::string& wanted) const {
+graph::Backend Workbench::chooseBackend(const std::string& asked) const {
   const gpu::DeviceInfo& info = device_.info();
-  bool query = wanted == "query" || (wanted == "auto" && info.ray_query);
+  bool query = asked == "query" || (asked == "auto" && info.ray_query);
   bool present = query ? info.ray_query : info.ray_pipeline;
   if (!present)
     throw Error(
         fmt::format("device '{}' has no {}, which tracing backend '{}' needs; --backend auto takes what there is",
-                    info.name, query ? "ray queries" : "ray tracing pipelines", wanted));
+                    info.name, query ? "ray queries" : "ray tracing pipelines", asked));
   return query ? graph::Backend::Query : graph::Backend::Pipeline;
 }
 
-// What of a shot decides its scene.
-static std::string sceneKey(const Shot& shot) {
-  std::string key = shot.scene + "|" + shot.camera;
-  if (!shot.moves.empty() || !shot.spins.empty()) key += fmt::format("|{}|{}", shot.fps, shot.restTime());
-  for (const auto& part : {shot.moves, shot.spins})
-    for (const std::string& text : part) key += "|" + text;
-  for (const auto& [name, value] : shot.sets)
-    if (name.starts_with("scene.")) key += "|" + name + "=" + value;
-  return key;
+// ---- scripts
+
+static Stamps stampsOf(const std::vector<script::Dependency>& files) {
+  Stamps stamps;
+  for (const auto& file : files) stamps.add(file.path);
+  return stamps;
 }
 
-static bool isCurrent(const LoadedScene& loaded) {
-  return std::all_of(loaded.dependencies.begin(), loaded.dependencies.end(),
+static bool isCurrent(const std::vector<script::Dependency>& files) {
+  return std::all_of(files.begin(), files.end(),
                      [](const auto& file) { return script::hashOfPath(file.path) == file.hash; });
 }
 
+std::shared_ptr<const Evaluation> Workbench::evaluate(const std::string& pipeline, const script::Settings& sets) {
+  constexpr size_t kMost = 1024;
+  std::string key = pipeline + settingsIdentity(sets, false);
+  auto known = evaluated_.find(key);
+  if (known != evaluated_.end() && known->second.files.current()) return known->second.evaluation;
+  if (known != evaluated_.end()) evaluated_.erase(known);
+  if (evaluated_.size() >= kMost) evaluated_.clear();
+  ++evaluations_;
+  auto evaluation = std::make_shared<Evaluation>(evaluated(pipeline, sets, limits));
+  // Stamps first, contents after: a change in between makes them differ.
+  Stamps files = stampsOf(evaluation->scripts);
+  if (isCurrent(evaluation->scripts)) evaluated_[key] = {std::move(files), evaluation};
+  return evaluation;
+}
+
+// ---- scenes
+
+static std::string sourceOf(const Shot& shot) { return shot.scene + settingsIdentity(shot.sets, true); }
+
 std::shared_ptr<HeldScene> Workbench::scene(Shot& shot, bool fresh) {
-  if (scene_) {
+  std::string source = sourceOf(shot);
+  for (auto known = scenes_.begin(); known != scenes_.end(); ++known) {
+    if (known->source != source) continue;
     Shot filled = shot;
-    fillShot(filled, scene_->loaded.description);
-    if (sceneKey(filled) == scene_key_ && (!fresh || isCurrent(scene_->loaded))) {
-      checkShot(filled);
-      shot = filled;
-      return scene_;
+    fillShot(filled, known->held->loaded.description);
+    if (sceneIdentity(filled) != known->identity) continue;
+    const auto& files = known->held->loaded.dependencies;
+    if (fresh && !known->files.current()) {
+      Stamps stamps = stampsOf(files);
+      if (!isCurrent(files)) break;
+      known->files = std::move(stamps);
     }
+    checkShot(filled);
+    shot = filled;
+    scenes_.splice(scenes_.begin(), scenes_, known);
+    return scenes_.front().held;
   }
   auto held = std::make_shared<HeldScene>();
   held->loaded = loadScene(shot);
-  scene_ = held;
-  scene_key_ = sceneKey(shot);
+  Stamps stamps = stampsOf(held->loaded.dependencies);
+  std::string identity = sceneIdentity(shot);
+  std::erase_if(scenes_, [&](const KnownScene& known) { return known.identity == identity; });
+  scenes_.push_front({identity, source, std::move(stamps), held});
+  forgetScenes();
   return held;
 }
 
+void Workbench::forgetScenes() {
+  constexpr size_t kMost = 64;
+  constexpr uint64_t kMostBytes = uint64_t{1} << 30;
+  uint64_t bytes = 0;
+  size_t count = 0;
+  for (auto known = scenes_.begin(); known != scenes_.end();) {
+    bytes += known->held->loaded.bytes;
+    bool goes = count > 0 && (bytes > kMostBytes || count >= kMost);
+    known = goes ? scenes_.erase(known) : std::next(known);
+    ++count;
+  }
+}
+
 Picture Workbench::render(const Shot& shot, const std::function<void(int, int)>& progress) {
-  return Session(*this, shot).capture(progress);
+  Shot filled = shot;
+  std::shared_ptr<const Evaluation> evaluation = evaluate(shot.pipeline, shot.sets);
+  std::shared_ptr<HeldScene> held = scene(filled, true);
+  Planned planned = plannedOf(*this, filled, evaluation->pipeline);
+  return Drawing(*this, held, std::move(planned), evaluation).capture(filled, nullptr, progress);
 }
 
 }  // namespace strobe::lab

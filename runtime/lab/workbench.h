@@ -3,11 +3,13 @@
 #pragma once
 
 #include <functional>
+#include <list>
 #include <map>
 #include <memory>
 
+#include "base/stamps.h"
 #include "graph/graph.h"
-#include "lab/shot.h"
+#include "lab/evaluation.h"
 #include "plan/plan.h"
 
 namespace strobe::lab {
@@ -15,22 +17,21 @@ namespace strobe::lab {
 // A scene with the moves of a shot applied and what it lacked supplied.
 struct LoadedScene {
   scene::Scene scene;
-  Json description;  // what identifies it: the Lua data, or the name and hash of the file
+  Json description;    // what identifies it: the Lua data, or the name and hash of the file
+  std::string hash;    // of the description
+  uint64_t bytes = 0;  // of meshes and textures
   std::vector<script::Dependency> dependencies;
 };
 
 // Reads the scene, fills in what the shot left open from it (size, fps, frame, exposure), applies --move and --spin.
 LoadedScene loadScene(Shot& shot);
 
-// Fills in what the shot left open (size, fps, frame, exposure) from what describes its scene.
-void fillShot(Shot& shot, const Json& description);
-
 // A loaded scene and its copies on the device, by how many times they can be posed at once. A copy must not outlive it.
 struct HeldScene {
   LoadedScene loaded;
   std::map<uint32_t, std::shared_ptr<scene::GpuScene>> on_device;
 
-  // The copy for so many poses, made unless it is there. Copies that nobody uses go, but for one.
+  // The copy for so many poses, made unless it is there. Copies that are not in use go, but for one.
   std::shared_ptr<scene::GpuScene> onDevice(const gpu::Device& device, uint32_t slices);
 };
 
@@ -55,27 +56,46 @@ class Workbench {
   const gpu::Device& device() const { return device_; }
   graph::PipelineCache& pipelines() { return cache_; }
 
-  // Renders; loads the scene unless the last picture was of the same. `progress` (may be empty): iterations done, of.
+  // Renders. Scripts run, and scene and shaders are read, unless that was done before and no file changed since; so a
+  // picture is always that of the files as they are. `progress` (may be empty): iterations done, of.
   Picture render(const Shot& shot, const std::function<void(int, int)>& progress = {});
 
+  // What the pipeline's scripts give, run unless they were with the same settings and no file of theirs changed since.
+  // Throws `Error`.
+  std::shared_ptr<const Evaluation> evaluate(const std::string& pipeline, const script::Settings& sets);
+
   // The scene of a shot, whose gaps it fills. It is loaded unless it is held already; with `fresh` also if a file it
-  // was made of changed. It is held until another is asked for, and as long as somebody keeps it.
+  // was made of changed. Those used last are held, others as long as they are in use.
   std::shared_ptr<HeldScene> scene(Shot& shot, bool fresh = false);
 
-  // How rays are traced; throws `Error` where the device cannot do what is wanted.
-  graph::Backend chooseBackend(const std::string& wanted) const;
+  // How rays are traced; throws `Error` where the device cannot do what is asked for.
+  graph::Backend chooseBackend(const std::string& asked) const;
 
   // What scripts may use.
   script::Limits limits;
 
-  // Pipelines compiled since the workbench exists.
+  // Pipelines compiled, and scripts run for pipelines, since the workbench exists.
   int compilations() const { return cache_.compilations(); }
+  int evaluations() const { return evaluations_; }
 
  private:
+  struct KnownScene {
+    std::string identity;
+    std::string source;  // the file and its settings
+    Stamps files;
+    std::shared_ptr<HeldScene> held;
+  };
+  struct KnownEvaluation {
+    Stamps files;
+    std::shared_ptr<const Evaluation> evaluation;
+  };
+  void forgetScenes();
+
   gpu::Device device_;
   graph::PipelineCache cache_;
-  std::string scene_key_;
-  std::shared_ptr<HeldScene> scene_;
+  std::list<KnownScene> scenes_;  // used last first
+  std::map<std::string, KnownEvaluation> evaluated_;
+  int evaluations_ = 0;
 };
 
 // How the frame of a shot sees the scene, which must outlive what is returned.

@@ -161,7 +161,7 @@ void Desk::usePipeline(const std::string& name, bool of_b) {
       lab::Shot shot = a_.session->shot();
       shot.pipeline = name;
       shot.taps.clear();
-      std::erase_if(shot.sets, [](const auto& set) { return !set.first.starts_with("scene."); });
+      shot.sets = lab::sceneSettings(shot.sets);
       shot.sets.insert(shot.sets.end(), options_.versus_sets.begin(), options_.versus_sets.end());
       side.session = openSession(shot, "--vs");
     }
@@ -400,11 +400,11 @@ static lab::Shot truthShot(const lab::Shot& shot) {
   truth.pipeline.clear();
   truth.taps.clear();
   truth.aa = 1;
-  std::erase_if(truth.sets, [](const auto& set) { return !set.first.starts_with("scene."); });
+  truth.sets = lab::sceneSettings(shot.sets);
   return truth;
 }
 
-std::string Desk::truthKey() const { return lab::toJson(truthShot(a_.session->shot())).dump(); }
+std::string Desk::truthKey() const { return lab::canonical(truthShot(a_.session->shot())); }
 
 int Desk::truthSamples() const { return truth_key_ == truthKey() ? truth_.samples() : 0; }
 

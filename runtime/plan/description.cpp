@@ -43,6 +43,14 @@ Value valueFromJson(const Json& json) {
   throw Error("a value must be true or false, a number or a text");
 }
 
+std::string textOf(const Value& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  if (const auto* whole = std::get_if<int64_t>(&value)) return fmt::format("{}", *whole);
+  std::string text = fmt::format("{}", std::get<double>(value));
+  return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
+}
+
 static std::string shown(const Value& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return fmt::format("'{}'", *text);
   if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
@@ -56,6 +64,15 @@ static std::optional<Number> parsed(const std::string& text) {
   auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return number;
+}
+
+Value valueFromText(const std::string& text) {
+  if (text == "true" || text == "false") return text == "true";
+  // Digits that no integer is written in ("007") may be the name of a choice.
+  if (auto whole = parsed<int64_t>(text)) return textOf(*whole) == text ? Value(*whole) : Value(text);
+  auto number = parsed<double>(text);
+  if (number && std::isfinite(*number)) return *number;
+  return text;
 }
 
 static std::optional<int64_t> asInteger(const Value& value) {
@@ -108,9 +125,10 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 static Value checkChoice(const ParamDesc& param, const Value& value, const Place& where) {
-  const auto* name = std::get_if<std::string>(&value);
-  if (name && std::find(param.choices.begin(), param.choices.end(), *name) != param.choices.end()) return *name;
-  std::string near = name ? didYouMean(*name, param.choices) : "";
+  // A choice may be called "2" or "true".
+  std::string name = textOf(value);
+  if (std::find(param.choices.begin(), param.choices.end(), name) != param.choices.end()) return name;
+  std::string near = std::holds_alternative<std::string>(value) ? didYouMean(name, param.choices) : "";
   std::string choices = listed(param.choices);
   throw Error(fmt::format("'{}' = {} is not one of {}{}", param.name, shown(value), choices, near), where);
 }
@@ -277,6 +295,7 @@ Json toJson(const PipelineDesc& pipeline) {
   if (!pipeline.compare_with.empty()) json["compare_with"] = pipeline.compare_with;
   if (!pipeline.equals.empty()) json["equals"] = listOf(pipeline.equals, equalJson);
   json["params"] = listOf(pipeline.params, paramJson);
+  if (!pipeline.graph_params.empty()) json["graph_params"] = pipeline.graph_params;
   json["values"] = valuesJson(pipeline.values);
   json["passes"] = listOf(pipeline.passes, [](const PassDesc& pass) { return toJson(pass); });
   json["nodes"] = listOf(pipeline.nodes, nodeJson);

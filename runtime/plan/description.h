@@ -19,6 +19,11 @@ using Value = std::variant<bool, int64_t, double, std::string>;
 Json toJson(const Value& value);
 Value valueFromJson(const Json& json);
 
+// Text that reads back as the same value: a whole double keeps its ".0".
+std::string textOf(const Value& value);
+// "true", "false", an integer, a finite number; any other text stays text.
+Value valueFromText(const std::string& text);
+
 // Properties that every blur should have, by name (docs/invariants.md), in the order of their numbers.
 const std::vector<std::string>& invariantNames();
 
@@ -144,6 +149,7 @@ struct PipelineDesc {
   std::string compare_with;  // a pipeline to which the truth is no nearer than to this one; or ""
   std::vector<EqualDesc> equals;
   std::vector<ParamDesc> params;
+  std::vector<std::string> graph_params;  // whose values its scripts looked at: they may have decided the graph
   std::vector<std::pair<std::string, Value>> values;  // every pipeline parameter, resolved, in declaration order
   std::vector<PassDesc> passes;                       // each pass in use once
   std::vector<NodeDesc> nodes;                        // in the order of the calls

@@ -385,6 +385,17 @@ void checkUntil(const PipelineDesc& pipeline, const LoopDesc& loop) {
   throw Error(fmt::format("'{}' is no r32f image written in loop '{}'", loop.until, loop.name), loop.place);
 }
 
+std::vector<std::string> namesIn(const Json& json, const PipelineDesc& pipeline) {
+  std::vector<std::string> names;
+  for (const Json& name : json) {
+    bool known = name.is_string() && find(pipeline.params, name.get<std::string>());
+    if (!known) throw Error(fmt::format("{} is no parameter", name.dump()), {pipeline.file});
+    names.push_back(name.get<std::string>());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 void readValues(const Json& json, PipelineDesc& pipeline) {
   for (const ParamDesc& param : pipeline.params) {
     if (!json.contains(param.name)) throw Error(fmt::format("parameter '{}' has no value", param.name), param.place);
@@ -424,6 +435,7 @@ PipelineDesc pipelineFromJson(const Json& json) {
   reader.setPlace({pipeline.file});
   pipeline.params = itemsOf(reader.list("params"), readParam);
   refuseTwins(pipeline.params, reader, "parameters");
+  pipeline.graph_params = namesIn(reader.list("graph_params"), pipeline);
   readValues(reader.table("values"), pipeline);
   if (reader.has("breaks")) pipeline.breaks = breaksOf(reader, reader.table("breaks"));
   pipeline.compare_with = reader.text("compare_with");

@@ -18,7 +18,8 @@ constexpr int kDeepest = 100;
 
 class Builder {
  public:
-  Builder(const std::string& file) : file_{file} {}
+  Builder(const std::string& file, const std::vector<Suggestion>& suggestions)
+      : file_{file}, suggestions_(suggestions) {}
 
   Scene build(const Json& json) {
     Fields fields(json, "scene", file_, problems_);
@@ -56,11 +57,10 @@ class Builder {
   // What the scene suggests for a picture of it; whoever takes the picture reads it from the description.
   void checkShot(const Json& json, const Place& outer) {
     Fields fields(json, "shot", outer, problems_);
-    fields.integer("width", 960, 1, 16384);
-    fields.integer("height", 540, 1, 16384);
-    fields.integer("frame", 1, 0, 1000000);
-    fields.number("fps", 24, 1e-3, 1e6);
-    fields.number("exposure", 0.5, 0, 1000);
+    for (const Suggestion& one : suggestions_) {
+      if (one.whole) fields.integer(one.name, int(one.min), int(one.min), int(one.max));
+      else fields.number(one.name, one.min, one.min, one.max);
+    }
     fields.finish();
   }
 
@@ -278,6 +278,7 @@ class Builder {
   }
 
   Place file_;
+  const std::vector<Suggestion>& suggestions_;
   Problems problems_;
   Scene scene_;
   std::map<std::string, int> names_, meshes_, materials_, textures_;
@@ -286,6 +287,8 @@ class Builder {
 
 }  // namespace
 
-Scene sceneFromJson(const Json& description, const std::string& file) { return Builder(file).build(description); }
+Scene sceneFromJson(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions) {
+  return Builder(file, suggestions).build(description);
+}
 
 }  // namespace strobe::scene

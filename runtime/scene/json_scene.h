@@ -7,8 +7,15 @@
 
 namespace strobe::scene {
 
+// A number that a scene may suggest for pictures of it (`shot` in its description), with its range.
+struct Suggestion {
+  std::string name;
+  bool whole = false;
+  double min = 0, max = 0;
+};
+
 // `file` is what errors show for tables that say no place of their own. Equal meshes, materials and textures are made
 // once. Throws one `Error` with all mistakes: unknown keys, wrong types, values out of range, unknown node names.
-Scene sceneFromJson(const Json& description, const std::string& file);
+Scene sceneFromJson(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions = {});
 
 }  // namespace strobe::scene

@@ -149,7 +149,7 @@ Json evaluate(const Main& main, const std::string& function, const Json& argumen
 
 Json settingsJson(const Settings& sets) {
   Json list = Json::array();
-  for (const auto& [name, value] : sets) list.push_back({{"name", name}, {"value", value}});
+  for (const auto& [name, value] : sets) list.push_back({{"name", name}, {"value", plan::toJson(value)}});
   return list;
 }
 
@@ -188,6 +188,13 @@ std::string hashOfPath(const Path& path) {
   }
 }
 
+Setting settingFromText(const std::string& text, const std::string& option) {
+  size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw Error(fmt::format("{} '{}' is not NAME=VALUE", option, text), {}, 2);
+  return {text.substr(0, equals), plan::valueFromText(text.substr(equals + 1))};
+}
+
 plan::PipelineDesc evaluatePipeline(const PipelineRequest& request, std::vector<Dependency>* dependencies,
                                     const Limits& limits, std::vector<DroppedSetting>* dropped) {
   Main main = mainOf(request.name_or_path, "pipeline", request.texts);
@@ -213,9 +220,10 @@ Json evaluateScene(const std::string& name_or_path, const Settings& sets, std::v
 }
 
 Json evaluateData(const std::string& path, const Json& arguments, std::vector<Dependency>* dependencies,
-                  const Limits& limits) {
+                  const Limits& limits, const Json& known) {
   Main main = mainFile(path);
-  return evaluate(main, "data", {{"file", main.shown}, {"arguments", arguments}}, dependencies, limits);
+  Json argument = {{"file", main.shown}, {"arguments", arguments}, {"known", known}};
+  return evaluate(main, "data", argument, dependencies, limits);
 }
 
 std::vector<plan::PassDesc> evaluateAllPasses(std::vector<Dependency>* dependencies, const Limits& limits) {

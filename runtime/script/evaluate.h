@@ -14,8 +14,12 @@
 
 namespace strobe::script {
 
-// `--set NAME=VALUE` as typed, in order; of two for one name the later counts.
-using Settings = std::vector<std::pair<std::string, std::string>>;
+// `--set NAME=VALUE` in order; of two for one name the later counts. A text serves as the value it reads as.
+using Setting = std::pair<std::string, plan::Value>;
+using Settings = std::vector<Setting>;
+
+// What somebody typed: "NAME=VALUE". Throws `Error` (exit code 2) naming `option` for anything else.
+Setting settingFromText(const std::string& text, const std::string& option = "--set");
 
 // A file an evaluation read, or a folder it listed: what a record names and what a reload watches.
 struct Dependency {
@@ -60,9 +64,10 @@ plan::PipelineDesc evaluatePipeline(const PipelineRequest& request, std::vector<
 Json evaluateScene(const std::string& name_or_path, const Settings& sets,
                    std::vector<Dependency>* dependencies = nullptr, const Limits& limits = {}, const Texts& texts = {});
 
-// The plain data any other file returns (experiments, demos); `arguments` is what `...` holds in its main chunk.
+// The plain data any other file returns (experiments, demos); `arguments` is what `...` holds in its main chunk,
+// `known` what the modules of scripts/strobe find as `native.known`.
 Json evaluateData(const std::string& path, const Json& arguments = {}, std::vector<Dependency>* dependencies = nullptr,
-                  const Limits& limits = {});
+                  const Limits& limits = {}, const Json& known = Json::object());
 
 // Every pass below passes/, by name.
 std::vector<plan::PassDesc> evaluateAllPasses(std::vector<Dependency>* dependencies = nullptr,

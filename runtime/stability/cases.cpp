@@ -21,10 +21,10 @@ uint64_t Random::bits() {
   return z ^ (z >> 31);
 }
 
-lab::Shot with(lab::Shot shot, const std::string& name, const std::string& value) {
-  for (auto& [set, text] : shot.sets)
+lab::Shot with(lab::Shot shot, const std::string& name, const plan::Value& value) {
+  for (auto& [set, held] : shot.sets)
     if (set == name) {
-      text = value;
+      held = value;
       return shot;
     }
   shot.sets.push_back({name, value});
@@ -32,18 +32,19 @@ lab::Shot with(lab::Shot shot, const std::string& name, const std::string& value
 }
 
 lab::Shot with(lab::Shot shot, const std::string& name, double value) {
-  return with(std::move(shot), name, fmt::format("{}", value));
+  bool whole = value == std::floor(value) && std::abs(value) < 1e15;
+  return with(std::move(shot), name, whole ? plan::Value(int64_t(value)) : plan::Value(value));
 }
 
 double knob(const lab::Shot& shot, const std::string& name, double otherwise) {
   for (const auto& [set, value] : shot.sets)
-    if (set == "scene." + name) return std::stod(value);
+    if (set == "scene." + name) return std::stod(plan::textOf(value));
   return otherwise;
 }
 
 lab::Shot by(lab::Shot shot, const std::string& pipeline) {
   shot.pipeline = pipeline;
-  std::erase_if(shot.sets, [](const auto& set) { return !set.first.starts_with("scene."); });
+  shot.sets = lab::sceneSettings(shot.sets);
   return shot;
 }
 

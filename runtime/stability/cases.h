@@ -29,7 +29,7 @@ class Random {
 };
 
 // A shot with a setting changed; those of the scene are called "scene.x".
-lab::Shot with(lab::Shot shot, const std::string& name, const std::string& value);
+lab::Shot with(lab::Shot shot, const std::string& name, const plan::Value& value);
 lab::Shot with(lab::Shot shot, const std::string& name, double value);
 // The value of a scene's parameter in the shot, or what the scene takes without it.
 double knob(const lab::Shot& shot, const std::string& name, double otherwise);

@@ -2,10 +2,10 @@
 #include "stability/curves_experiment.h"
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 
 #include "lab/demo.h"
+#include "lab/shot_options.h"
 #include "lab/workbench.h"
 
 namespace strobe::stability::curves {
@@ -94,24 +94,14 @@ Experiment experimentOf(const Json& json) {
   return experiment;
 }
 
-// An option of a shot from what a script wrote.
-plan::Value valueOf(const lab::ShotOption& option, const std::string& text) {
-  using Type = plan::ParamDesc::Type;
-  if (option.declaration.type == Type::Choice) return text;
-  double number = 0;
-  auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size())
-    throw Error(fmt::format("option '{}' of a shot is '{}', which is no number", option.declaration.name, text));
-  if (option.declaration.type == Type::Int) return int64_t(number);
-  return number;
-}
-
-void setOption(lab::Shot& shot, const std::string& name, const std::string& value) {
+void setOption(lab::Shot& shot, const std::string& name, const plan::Value& value) {
   std::vector<std::string> names;
-  for (const lab::ShotOption& option : lab::shotOptions()) {
-    if (option.declaration.name == name) return option.set(shot, valueOf(option, value));
-    names.push_back(option.declaration.name);
-  }
+  for (const lab::ShotOption& option : lab::shotOptions())
+    for (const lab::ShotField& field : option.fields) {
+      if (!field.isValue()) continue;
+      if (field.declaration.name == name) return field.set(shot, value);
+      names.push_back(field.declaration.name);
+    }
   throw Error(fmt::format("a shot has no option '{}'{}", name, didYouMean(name, names)));
 }
 
@@ -135,7 +125,7 @@ void checkVariants(const Experiment& experiment, std::vector<std::string>& probl
     lab::Shot shot = shotOf(experiment, experiment.cases.front(), method);
     for (const Variant& variant : experiment.variants) {
       if (lacks(method, variant.name)) continue;
-      lab::putSetting(shot.sets, variant.name, variant.reference);
+      lab::putSetting(shot.sets, variant.name, plan::valueFromText(variant.reference));
       if (!known.insert(variant.name).second) continue;
       for (const std::string& value : variant.values)
         evaluate(shotOf(experiment, experiment.cases.front(), method, variant.name, value));
@@ -203,7 +193,7 @@ void Experiment::keepOnly(const std::string& name) {
 }
 
 void Experiment::setTruthSamples(int samples) {
-  lab::putSetting(truth.sets, "samples", std::to_string(samples));
+  lab::putSetting(truth.sets, "samples", int64_t(samples));
   for (Axis& axis : axes)
     for (AxisPoint& point : axis.points)
       std::erase_if(point.truth, [](const auto& set) { return set.first == "samples"; });
@@ -231,7 +221,7 @@ static lab::Shot bareShot(const Experiment& experiment, const std::string& scene
   shot.width = experiment.width;
   shot.height = experiment.height;
   for (size_t i = 0; i < experiment.size_params.size() && i < 2; ++i)
-    shot.sets.emplace_back("scene." + experiment.size_params[i], std::to_string(i == 0 ? shot.width : shot.height));
+    shot.sets.emplace_back("scene." + experiment.size_params[i], int64_t(i == 0 ? shot.width : shot.height));
   return shot;
 }
 
@@ -255,7 +245,7 @@ lab::Shot shotOf(const Experiment& experiment, const Case& in, const Method& met
                  const std::string& value) {
   lab::Shot shot = bareShot(experiment, in.scene, method);
   shot.sets = lab::joined(lab::joined(shot.sets, in.sets), method.sets);
-  if (!name.empty()) lab::putSetting(shot.sets, name, value);
+  if (!name.empty()) lab::putSetting(shot.sets, name, plan::valueFromText(value));
   return shot;
 }
 

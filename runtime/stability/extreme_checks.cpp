@@ -206,8 +206,7 @@ bool isAbout(const std::string& by, const Probe& probe) {
 }  // namespace
 
 void readSettings(const Json& table, const std::string& prefix, script::Settings& sets) {
-  for (const auto& [name, value] : table.items())
-    sets.push_back({prefix + name, value.is_string() ? value.get<std::string>() : value.dump()});
+  for (const auto& [name, value] : table.items()) sets.push_back({prefix + name, plan::valueFromJson(value)});
 }
 
 ExtremeCheck readCheck(const Json& json, const std::string& what, const Place& place, Problems& problems) {

@@ -10,7 +10,7 @@ namespace strobe::stability {
 
 std::string Method::name() const {
   std::string text = pipeline;
-  for (const auto& [name, value] : sets) text += " " + name + "=" + value;
+  for (const auto& [name, value] : sets) text += " " + name + "=" + plan::textOf(value);
   return text;
 }
 
@@ -63,7 +63,7 @@ const lab::Picture& Probe::drawn(const lab::Shot& shot) {
 }
 
 lab::Shot Probe::by(const Arm& arm, lab::Shot shot) {
-  std::erase_if(shot.sets, [](const auto& set) { return !set.first.starts_with("scene."); });
+  shot.sets = lab::sceneSettings(shot.sets);
   shot.pipeline = arm.pipeline;
   shot.sets.insert(shot.sets.end(), arm.sets.begin(), arm.sets.end());
   return shot;

@@ -16,8 +16,8 @@ namespace strobe::stability {
 
 Random Subject::draw(const char* what) const { return Random(uint64_t(knob(shot, "seed", 1)), what); }
 
-bool blurs(Renderer& renderer, const lab::Shot& shot) {
-  return image::rootMeanSquaredError(*renderer.color(shot), *renderer.color(by(shot, kSharp))) > 1e-3;
+bool blurs(lab::Batch& batch, const lab::Shot& shot) {
+  return image::rootMeanSquaredError(*batch.color(shot), *batch.color(by(shot, kSharp))) > 1e-3;
 }
 
 namespace {
@@ -42,14 +42,14 @@ lab::Shot resized(const Subject& subject, const lab::Shot& shot, int width, int 
   if (!has(subject.pipeline, "limit")) return result;
   double limit = numberOf(subject.pipeline, "limit", 0);
   for (const auto& [name, value] : shot.sets)
-    if (name == "limit") limit = std::stod(value);
+    if (name == "limit") limit = std::stod(plan::textOf(value));
   return with(result, "limit", limit * shot.width / width);
 }
 
-const plan::PipelineDesc& evaluated(const Subject& subject, const lab::Shot& shot) {
-  const Evaluated& now = subject.renderer.evaluate(shot.pipeline, shot.sets);
-  if (!now.pipeline) throw Refusal(now.refusal);
-  return *now.pipeline;
+std::shared_ptr<const plan::PipelineDesc> evaluated(const Subject& subject, const lab::Shot& shot) {
+  lab::Evaluated now = subject.batch.evaluate(shot.pipeline, shot.sets);
+  if (!now.pipeline) throw lab::Refusal(now.refusal);
+  return now.pipeline;
 }
 
 int roundedUp(int value, int step) { return (value + step - 1) / step * step; }
@@ -76,13 +76,13 @@ Finding constant(const Subject& subject) {
   // Numbers below the smallest normal one may be flushed to 0.
   double ulp = std::max<double>(std::nextafter(value, std::numeric_limits<float>::infinity()) - value, 0);
   double tolerance = value < 1e-30f ? 1e-7 * 1e-30 : 2 * ulp * samples;
-  return compare(*subject.renderer.color(shot), [&](int, int, int) { return exactly(value, tolerance); }, {shot});
+  return compare(*subject.batch.color(shot), [&](int, int, int) { return exactly(value, tolerance); }, {shot});
 }
 
 // ---- still, brief
 
 Finding same(const Subject& subject, const lab::Shot& shot, const lab::Shot& right, double tolerance) {
-  Picture picture = subject.renderer.color(shot), wanted = subject.renderer.color(right);
+  Picture picture = subject.batch.color(shot), wanted = subject.batch.color(right);
   auto at = [&](int x, int y, int c) { return exactly(wanted->at(x, y, c), tolerance); };
   return compare(*picture, at, {shot, right});
 }
@@ -116,7 +116,7 @@ Finding brief(const Subject& subject) {
   hardly.exposure = shot.exposure * (1.0 / 16) / reach;
   little.exposure = shot.exposure * .4 / reach;
   lab::Shot sharp = by(shot, kSharp);
-  Picture right = subject.renderer.color(sharp), picture = subject.renderer.color(little);
+  Picture right = subject.batch.color(sharp), picture = subject.batch.color(little);
   auto around = [&](int x, int y, int c) { return rangeAround({right}, x, y, c, 1, 1e-5); };
   return worse(same(subject, hardly, sharp, 1e-5), compare(*picture, around, {little, sharp}));
 }
@@ -136,7 +136,7 @@ Finding mirrored(const Subject& subject) {
     // Samples, one of them half of the displacement away: of odd ones exactly between two pixels.
     if (has(subject.pipeline, "samples")) shot = with(shot, "samples", draw.chance(.5) ? 1 : 3);
   }
-  int grid = gridOf(evaluated(subject, shot));
+  int grid = gridOf(*evaluated(subject, shot));
   bool turn = sides == 3;
   int width = roundedUp(shot.width, grid), height = roundedUp(shot.height, grid);
   if (turn) width = height = ties ? 64 : std::max(width, height);
@@ -146,7 +146,7 @@ Finding mirrored(const Subject& subject) {
   if (sides == 1 || sides == 2) other = with(other, "scene.flip", -1);
   if (turn) other = with(other, "scene.turn", 1);
 
-  Picture one = subject.renderer.color(shot), two = subject.renderer.color(other);
+  Picture one = subject.batch.color(shot), two = subject.batch.color(other);
   double tolerance = 1e-5 * std::max(1.0, image::largestColour(*one));
   auto at = [&](int x, int y, int c) {
     if (sides != 1) x = width - 1 - x;
@@ -160,7 +160,7 @@ Finding shifted(const Subject& subject) {
   Random draw = subject.draw("shifted");
   lab::Shot shot = with(without(subject.shot, {"perspective", "lit", "boxes", "balls", "spin"}), "scene.wall", 1);
   if (has(subject.pipeline, "tile")) shot = with(shot, "tile", draw.whole(0, 1) ? 8 : 4);
-  int grid = gridOf(evaluated(subject, shot));
+  int grid = gridOf(*evaluated(subject, shot));
   bool any = grid == 1;
   int by_x = (any ? 5 : grid) * (draw.chance(.5) ? 1 : -1), by_y = (any ? 3 : grid) * draw.whole(-1, 1);
   int room = std::max(std::abs(by_x), std::abs(by_y)) + 1;
@@ -168,7 +168,7 @@ Finding shifted(const Subject& subject) {
   shot = resized(subject, shot, 128, 64);  // powers of two, so that places in the picture are exact
   shot = with(with(shot, "scene.inside", room), "scene.reach", std::min(knob(shot, "reach", 10), margin - 1.0));
   lab::Shot other = with(with(shot, "scene.shift_x", by_x), "scene.shift_y", by_y);
-  Picture one = subject.renderer.color(shot), two = subject.renderer.color(other);
+  Picture one = subject.batch.color(shot), two = subject.batch.color(other);
   auto is_inner = [&](int x, int y) {
     return x >= margin && y >= margin && x < one->width - margin && y < one->height - margin;
   };
@@ -183,7 +183,7 @@ Finding shifted(const Subject& subject) {
 Finding reversed(const Subject& subject) {
   lab::Shot shot = subject.shot, other = with(subject.shot, "scene.speed", -1);
   other.anchor = shot.anchor == "close" ? "open" : shot.anchor == "open" ? "close" : "centre";
-  Picture right = subject.renderer.color(other);
+  Picture right = subject.batch.color(other);
   return same(subject, shot, other, 1e-5 * std::max(1.0, image::largestColour(*right)));
 }
 
@@ -194,7 +194,7 @@ Finding convex(const Subject& subject) {
   lab::Shot layer = by(shot, kSharp);
   std::vector<Picture> layers;
   int objects = 1 + int(knob(shot, "cards", 5) + knob(shot, "boxes", 0) + knob(shot, "balls", 0));
-  for (int peel = 0; peel <= objects; ++peel) layers.push_back(subject.renderer.color(with(layer, "scene.peel", peel)));
+  for (int peel = 0; peel <= objects; ++peel) layers.push_back(subject.batch.color(with(layer, "scene.peel", peel)));
   int radius = int(std::ceil(knob(shot, "reach", 10))) + 3;
   double tolerance = 1e-5 * std::max(1.0, image::largestColour(*layers.front()));
   // What is drawn at other times shows what comes in from outside of the layers.
@@ -204,7 +204,7 @@ Finding convex(const Subject& subject) {
     bool inside = std::min(x, y) >= border && x + border < around->width && y + border < around->height;
     return inside ? rangeAround(layers, x, y, c, radius, tolerance) : std::nullopt;
   };
-  return compare(*subject.renderer.color(shot), at, {shot});
+  return compare(*subject.batch.color(shot), at, {shot});
 }
 
 Finding uniform(const Subject& subject) {
@@ -215,7 +215,8 @@ Finding uniform(const Subject& subject) {
   double dx = std::round(16 * length * std::cos(angle)) / 16, dy = std::round(16 * length * std::sin(angle)) / 16;
   shot = with(with(shot, "scene.pan_x", dx), "scene.pan_y", dy);
   if (has(subject.pipeline, "samples")) shot = with(shot, "samples", draw.whole(16, 33));
-  const plan::PipelineDesc& now = evaluated(subject, shot);
+  std::shared_ptr<const plan::PipelineDesc> held = evaluated(subject, shot);
+  const plan::PipelineDesc& now = *held;
   Window window = windowOf(shot);
   double along = std::max(std::abs(dx), std::abs(dy));
   double samples = std::min(numberOf(now, "samples", along), std::max(2.0, 2 * std::floor(along / 2)));
@@ -224,7 +225,7 @@ Finding uniform(const Subject& subject) {
   // them.
   int radius = now.loops.empty() ? 0 : 1;
   if (radius) shot = with(shot, "scene.cards", 1);  // as in brief()
-  Picture sharp = subject.renderer.color(by(shot, kSharp));
+  Picture sharp = subject.batch.color(by(shot, kSharp));
   auto at = [&](int x, int y, int c) -> std::optional<Right> {
     Right right{1e30, -1e30, 1e-4};
     for (int v = y - radius; v <= y + radius; ++v)
@@ -237,7 +238,7 @@ Finding uniform(const Subject& subject) {
       }
     return right;
   };
-  return compare(*subject.renderer.color(shot), at, {shot, by(shot, kSharp)});
+  return compare(*subject.batch.color(shot), at, {shot, by(shot, kSharp)});
 }
 
 // ---- linear, scaled
@@ -246,14 +247,14 @@ Finding linear(const Subject& subject) {
   lab::Shot shot = without(subject.shot, {"lit"});
   if (subject.draw("linear").chance(.3)) {
     lab::Shot bright = with(shot, "scene.brightness", 3);
-    Picture one = subject.renderer.color(shot);
+    Picture one = subject.batch.color(shot);
     auto at = [&](int x, int y, int c) { return exactly(3.0 * one->at(x, y, c), 1e-6 * 6); };
-    return compare(*subject.renderer.color(bright), at, {bright, shot});
+    return compare(*subject.batch.color(bright), at, {bright, shot});
   }
   lab::Shot first = with(shot, "scene.second", 0), second = with(shot, "scene.first", 0);
-  Picture a = subject.renderer.color(first), b = subject.renderer.color(second);
+  Picture a = subject.batch.color(first), b = subject.batch.color(second);
   auto at = [&](int x, int y, int c) { return exactly(double(a->at(x, y, c)) + b->at(x, y, c), 2e-6); };
-  return compare(*subject.renderer.color(shot), at, {shot, first, second});
+  return compare(*subject.batch.color(shot), at, {shot, first, second});
 }
 
 Finding scaled(const Subject& subject) {
@@ -262,7 +263,7 @@ Finding scaled(const Subject& subject) {
   double scale = exact ? std::exp2(draw.whole(-19, 19)) : std::pow(10, draw.unit() * 11.6 - 5.8);
   lab::Shot shot = subject.shot, other = with(shot, "scene.scale", scale);
   if (exact) return same(subject, other, shot, 0);
-  Picture one = subject.renderer.color(shot), two = subject.renderer.color(other);
+  Picture one = subject.batch.color(shot), two = subject.batch.color(other);
   double tolerance = 1e-5 * std::max(1.0, image::largestColour(*one));
   int different = image::countDifferent(*one, *two, tolerance), allowed = std::max(1, one->width * one->height / 1000);
   if (different <= allowed) return {};
@@ -280,7 +281,7 @@ double errorOf(const Subject& subject, const lab::Shot& shot, const std::vector<
     lab::Shot here = shot;
     here = with(here, "scene.seed", knob(scene, "seed", 1));
     lab::Shot truth = with(by(here, kTruth), "samples", 96);
-    sum += image::rootMeanSquaredError(*subject.renderer.color(here), *subject.renderer.color(truth));
+    sum += image::rootMeanSquaredError(*subject.batch.color(here), *subject.batch.color(truth));
   }
   return sum / double(scenes.size());
 }
@@ -289,10 +290,10 @@ double errorOf(const Subject& subject, const lab::Shot& shot, const std::vector<
 lab::Shot inCommon(const Subject& subject, lab::Shot shot, const std::string& pipeline,
                    const std::vector<std::pair<std::string, plan::Value>>& set) {
   lab::Shot result = by(shot, pipeline);
-  const plan::PipelineDesc& other = evaluated(subject, result);
-  for (const auto& [name, value] : evaluated(subject, shot).values)
-    if (name != "preset" && has(other, name)) result = with(result, name, textOf(value));
-  for (const auto& [name, value] : set) result = with(result, name, textOf(value));
+  std::shared_ptr<const plan::PipelineDesc> own = evaluated(subject, shot), other = evaluated(subject, result);
+  for (const auto& [name, value] : own->values)
+    if (name != "preset" && has(*other, name)) result = with(result, name, value);
+  for (const auto& [name, value] : set) result = with(result, name, value);
   return result;
 }
 
@@ -328,9 +329,9 @@ bool setsNodes(const lab::Shot& shot) {
   });
 }
 
-bool isSet(const lab::Shot& shot, const std::string& name, const std::string& value) {
+bool isSet(const lab::Shot& shot, const std::string& name, const plan::Value& value) {
   return std::any_of(shot.sets.begin(), shot.sets.end(),
-                     [&](const auto& s) { return s.first == name && s.second != value; });
+                     [&](const auto& s) { return s.first == name && plan::textOf(s.second) != plan::textOf(value); });
 }
 
 Finding unmasked(const Subject& subject) {
@@ -340,13 +341,13 @@ Finding unmasked(const Subject& subject) {
     lab::Shot shot = subject.shot;
     bool against = false;  // what the variant is about is what the equality sets
     for (const auto& [name, value] : equal.when) {
-      against = against || isSet(shot, name, textOf(value));
-      shot = with(shot, name, textOf(value));
+      against = against || isSet(shot, name, value);
+      shot = with(shot, name, value);
     }
-    for (const auto& [name, value] : equal.set) against = against || isSet(shot, name, textOf(value));
-    if (against || !subject.renderer.evaluate(shot.pipeline, shot.sets).pipeline) continue;
+    for (const auto& [name, value] : equal.set) against = against || isSet(shot, name, value);
+    if (against || !subject.batch.evaluate(shot.pipeline, shot.sets).pipeline) continue;
     lab::Shot other = inCommon(subject, shot, equal.pipeline, equal.set);
-    if (!subject.renderer.evaluate(other.pipeline, other.sets).pipeline) continue;
+    if (!subject.batch.evaluate(other.pipeline, other.sets).pipeline) continue;
     Finding finding = same(subject, shot, other, 0);
     worst = worst.applies ? worse(worst, finding) : finding;
   }
@@ -359,13 +360,13 @@ Finding finite(const Subject& subject) {
   const double factors[] = {1, 1.1, 1e6, -1e6};  // of 3e38: the largest, infinity, and infinity times 0
   lab::Shot shot = with(without(subject.shot, {"lit"}), "scene.hot", 3e38);
   shot = with(shot, "scene.hot_scale", factors[subject.draw("finite").whole(0, 3)]);
-  Picture sharp = subject.renderer.color(by(shot, kSharp));
+  Picture sharp = subject.batch.color(by(shot, kSharp));
   auto at = [&](int x, int y, int c) -> std::optional<Right> {
     if (!std::isfinite(sharp->at(x, y, c))) return std::nullopt;
     double largest = std::numeric_limits<float>::max();
     return Right{-largest, largest, 0};
   };
-  return compare(*subject.renderer.color(shot), at, {shot});
+  return compare(*subject.batch.color(shot), at, {shot});
 }
 
 Finding permuted(const Subject& subject) {

@@ -19,7 +19,7 @@ struct Finding {
 
 // A case that is checked: the shot, and what runs in it.
 struct Subject {
-  Renderer& renderer;
+  lab::Batch& batch;
   const plan::PipelineDesc& pipeline;
   bool is_base;  // of its pipeline's variants, the defaults or a preset
   lab::Shot shot;
@@ -40,6 +40,6 @@ const std::vector<Invariant>& invariants();
 const Invariant& invariantNamed(const std::string& name);
 
 // Does the blur of the shot change the picture?
-bool blurs(Renderer& renderer, const lab::Shot& shot);
+bool blurs(lab::Batch& batch, const lab::Shot& shot);
 
 }  // namespace strobe::stability

@@ -40,7 +40,7 @@ static std::vector<lab::Shot> simpler(const lab::Shot& shot, const script::Setti
     bool of_scene = name.starts_with("scene.");
     if (contains(kept, name) || (!of_scene && !contains(shot.sets, name))) continue;
     for (const std::string& value : values) {
-      lab::Shot one = value.empty() ? without(shot, name) : with(shot, name, value);
+      lab::Shot one = value.empty() ? without(shot, name) : with(shot, name, plan::valueFromText(value));
       if (one.sets == shot.sets) break;  // the values that follow are less simple than the present one
       list.push_back(one);
     }

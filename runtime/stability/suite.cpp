@@ -26,14 +26,14 @@ std::vector<const Invariant*> wanted(const Options& options) {
 // One pipeline's run.
 class Suite {
  public:
-  Suite(Renderer& renderer, const std::string& pipeline, const Options& options)
-      : renderer_(renderer), options_(options), invariants_(wanted(options)) {
+  Suite(lab::Batch& batch, const std::string& pipeline, const Options& options)
+      : batch_(batch), options_(options), invariants_(wanted(options)) {
     report_.pipeline = pipeline;
   }
 
   Report run() {
-    int before = renderer_.rendered();
-    Walk found = walk(renderer_, report_.pipeline);
+    int before = batch_.drawn();
+    Walk found = walk(batch_, report_.pipeline);
     report_.refused = found.refused;
     report_.same = found.same;
     int number = 0;
@@ -42,16 +42,16 @@ class Suite {
       if (variant.name().find(options_.only) == std::string::npos) continue;
       report_.variants.push_back({variant.name(), {}});
       for (int i = 0; i < options_.cases; ++i) checkCase(variant, i);
-      renderer_.forgetPicturesOf(variant.pipeline);
+      batch_.forgetColorsOf(variant.pipeline);
     }
-    report_.pictures = renderer_.rendered() - before;
+    report_.pictures = batch_.drawn() - before;
     return std::move(report_);
   }
 
  private:
   void checkCase(const Variant& variant, int index) {
     lab::Shot shot = generated(variant, options_.seed, index + caseOf(variant));
-    const Evaluated& evaluated = renderer_.evaluate(shot.pipeline, shot.sets);
+    const lab::Evaluated& evaluated = batch_.evaluate(shot.pipeline, shot.sets);
     for (const Invariant* invariant : invariants_) {
       bool taken =
           variant.isBase() || Random(options_.seed, variant.name() + invariant->name).whole(1, options_.thinned) == 1;
@@ -61,16 +61,16 @@ class Suite {
       else checkOne(variant, *invariant, shot, *evaluated.pipeline, count);
     }
     ++report_.drawn;
-    if (evaluated.pipeline) report_.blurred += blurs(renderer_, shot);
+    if (evaluated.pipeline) report_.blurred += blurs(batch_, shot);
   }
 
   // Variants take turns with the scenes.
   static int caseOf(const Variant& variant) { return Random(0, variant.name()).whole(0, 7); }
 
   Finding findingOf(const Invariant& invariant, const Variant& variant, const lab::Shot& shot) {
-    const Evaluated& evaluated = renderer_.evaluate(shot.pipeline, shot.sets);
-    if (!evaluated.pipeline) throw Refusal(evaluated.refusal);
-    return invariant.check({renderer_, *evaluated.pipeline, variant.isBase(), shot});
+    const lab::Evaluated& evaluated = batch_.evaluate(shot.pipeline, shot.sets);
+    if (!evaluated.pipeline) throw lab::Refusal(evaluated.refusal);
+    return invariant.check({batch_, *evaluated.pipeline, variant.isBase(), shot});
   }
 
   void checkOne(const Variant& variant, const Invariant& invariant, const lab::Shot& shot,
@@ -78,7 +78,7 @@ class Suite {
     Finding finding;
     try {
       finding = findingOf(invariant, variant, shot);
-    } catch (const Refusal& refusal) {
+    } catch (const lab::Refusal& refusal) {
       ++count.refused;
       report_.refused.push_back({variant.name() + ", " + invariant.name, refusal.what()});
       return;
@@ -116,7 +116,7 @@ class Suite {
     report_.failures.push_back(failure);
   }
 
-  Renderer& renderer_;
+  lab::Batch& batch_;
   Options options_;
   std::vector<const Invariant*> invariants_;
   Report report_;
@@ -124,8 +124,8 @@ class Suite {
 
 }  // namespace
 
-Report check(Renderer& renderer, const std::string& pipeline, const Options& options) {
-  return Suite(renderer, pipeline, options).run();
+Report check(lab::Batch& batch, const std::string& pipeline, const Options& options) {
+  return Suite(batch, pipeline, options).run();
 }
 
 Count Report::total(const std::string& invariant) const {
@@ -198,7 +198,7 @@ static page::Table totalsOf(const Report& report) {
   return page::withoutEmptyColumns(table);
 }
 
-// "mirrored, shifted (2 of 3, refused)": invariants that a variant does not hold in every case.
+// "mirrored, shifted (2 of 3, refused)": the invariants of which a variant does not hold every case.
 static std::string exceptionsIn(const std::map<std::string, Count>& counts) {
   std::vector<std::string> parts;
   for (const Invariant& one : invariants()) {
@@ -244,7 +244,7 @@ static std::string sectionOf(const Report& report) {
   auto holds_all = [](const auto& variant) { return exceptionsIn(variant.second).empty(); };
   auto whole = std::count_if(report.variants.begin(), report.variants.end(), holds_all);
   std::string text = fmt::format(
-      "## {}\n\n{} variants; {} hold every invariant. {} more values change "
+      "## {}\n\n{} variants, {} of which hold every invariant. {} more values change "
       "nothing where they were tried.\n\n{}\n",
       report.pipeline, report.variants.size(), whole, report.same, page::markdownOf(totalsOf(report)));
   std::string exceptions = page::markdownOf(exceptionsOf(report));

@@ -45,7 +45,7 @@ struct Report {
 };
 
 // Throws `Error` where the pipeline cannot be evaluated; what a single variant refuses is counted.
-Report check(Renderer& renderer, const std::string& pipeline, const Options& options);
+Report check(lab::Batch& batch, const std::string& pipeline, const Options& options);
 
 // Declarations that none of at least twelve cases needed, of reports that share them.
 std::vector<Declaration> stale(const std::vector<Report>& reports);

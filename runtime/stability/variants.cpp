@@ -12,17 +12,13 @@ namespace strobe::stability {
 using plan::ParamDesc;
 using plan::PassDesc;
 using plan::PipelineDesc;
-
-std::string textOf(const plan::Value& value) {
-  if (const auto* text = std::get_if<std::string>(&value)) return *text;
-  return plan::toJson(value).dump();
-}
+using plan::textOf;
 
 bool Variant::isBase() const { return sets.empty() || (sets.size() == 1 && sets.front().first == "preset"); }
 
 std::string Variant::name() const {
   std::string text;
-  for (const auto& [name, value] : sets) text += (text.empty() ? "" : " ") + name + "=" + value;
+  for (const auto& [name, value] : sets) text += (text.empty() ? "" : " ") + name + "=" + textOf(value);
   return text.empty() ? "defaults" : text;
 }
 
@@ -98,10 +94,10 @@ namespace {
 
 class Walker {
  public:
-  Walker(Renderer& renderer, const std::string& pipeline) : renderer_(renderer), pipeline_(pipeline) {}
+  Walker(lab::Batch& batch, const std::string& pipeline) : batch_(batch), pipeline_(pipeline) {}
 
   Walk run() {
-    const Evaluated& plain = renderer_.evaluate(pipeline_, {});
+    lab::Evaluated plain = batch_.evaluate(pipeline_, {});
     if (!plain.pipeline) throw Error(plain.refusal);
     std::vector<script::Settings> bases;
     for (const ParamDesc& param : plain.pipeline->params)
@@ -114,13 +110,13 @@ class Walker {
 
  private:
   void walkBase(const script::Settings& base) {
-    const Evaluated* evaluated = take(base);
+    std::shared_ptr<const PipelineDesc> evaluated = take(base);
     if (!evaluated) return;
-    std::set<std::string> known = nodesOf(*evaluated->pipeline);
-    for (const Try& one : triesIn(*evaluated->pipeline, {})) {
+    std::set<std::string> known = nodesOf(*evaluated);
+    for (const Try& one : triesIn(*evaluated, {})) {
       script::Settings sets = base;
-      sets.push_back({one.name, one.value});
-      if (const Evaluated* changed = take(sets)) walkNew(sets, *changed->pipeline, known, one.name);
+      sets.push_back({one.name, plan::valueFromText(one.value)});
+      if (auto changed = take(sets)) walkNew(sets, *changed, known, one.name);
     }
   }
 
@@ -131,14 +127,14 @@ class Walker {
     if (std::includes(known.begin(), known.end(), more.begin(), more.end())) return;
     for (const Try& one : triesIn(pipeline, known)) {
       script::Settings further = sets;
-      further.push_back({one.name, one.value});
+      further.push_back({one.name, plan::valueFromText(one.value)});
       if (one.name != changed) take(further);
     }
   }
 
   // Notes the variant, unless it is refused or known under another name.
-  const Evaluated* take(const script::Settings& sets) {
-    const Evaluated& evaluated = renderer_.evaluate(pipeline_, sets);
+  std::shared_ptr<const PipelineDesc> take(const script::Settings& sets) {
+    lab::Evaluated evaluated = batch_.evaluate(pipeline_, sets);
     Variant variant{pipeline_, sets, evaluated.pipeline};
     if (!evaluated.pipeline) {
       walk_.refused.push_back({variant.name(), evaluated.refusal});
@@ -146,13 +142,13 @@ class Walker {
     }
     lab::Shot shot;
     shot.width = shot.height = 64;
-    bool is_new = seen_.insert(identityOf(lab::planOf(shot, *evaluated.pipeline, graph::Backend::Query))).second;
+    bool is_new = seen_.insert(lab::identityOf(lab::planOf(shot, *evaluated.pipeline, graph::Backend::Query))).second;
     if (is_new) walk_.variants.push_back(variant);
     else ++walk_.same;
-    return &evaluated;
+    return evaluated.pipeline;
   }
 
-  Renderer& renderer_;
+  lab::Batch& batch_;
   std::string pipeline_;
   Walk walk_;
   std::set<std::string> seen_;
@@ -160,7 +156,7 @@ class Walker {
 
 }  // namespace
 
-Walk walk(Renderer& renderer, const std::string& pipeline) { return Walker(renderer, pipeline).run(); }
+Walk walk(lab::Batch& batch, const std::string& pipeline) { return Walker(batch, pipeline).run(); }
 
 // ---- what is declared
 

@@ -4,7 +4,7 @@
 // without a word here.
 #pragma once
 
-#include "stability/renderer.h"
+#include "lab/batch.h"
 
 namespace strobe::stability {
 
@@ -29,7 +29,7 @@ struct Walk {
 
 // Bases, their values, and the parameters of nodes that only a value brings into the graph. Two variants that run the
 // same plan are one. Throws `Error` where the pipeline alone cannot be evaluated.
-Walk walk(Renderer& renderer, const std::string& pipeline);
+Walk walk(lab::Batch& batch, const std::string& pipeline);
 
 // A declaration that an invariant does not hold.
 struct Declared {
@@ -46,7 +46,5 @@ double numberOf(const plan::PipelineDesc& pipeline, const std::string& param, do
 
 // The pixels into whose multiples the picture is divided: the least common multiple of what sizes are divided by.
 int gridOf(const plan::PipelineDesc& pipeline);
-
-std::string textOf(const plan::Value& value);
 
 }  // namespace strobe::stability

@@ -68,12 +68,20 @@ end
 
 -- ---- parameters
 
-local Reference = {}  -- p.x: a parameter of the pipeline: { name = , declaration = , value = }
-Reference.__call = function(reference) return reference.value end
+-- p.x: a parameter of the pipeline: { name = , declaration = }. Its value is had by a call alone, which is noted: it may
+-- decide the graph.
+local Reference = {}
+local taken = setmetatable({}, { __mode = "k" })  -- what a reference's call does
+Reference.__call = function(reference) return taken[reference]() end
 Reference.__tostring = function(reference) return ("parameter '%s'"):format(reference.name) end
 
-function node.reference(declaration, value)
-  return setmetatable({ name = declaration.name, declaration = declaration, value = value }, Reference)
+function node.reference(declaration, value, noted)
+  local reference = setmetatable({ name = declaration.name, declaration = declaration }, Reference)
+  taken[reference] = function()
+    noted[declaration.name] = true
+    return value
+  end
+  return reference
 end
 
 function node.is_reference(value)

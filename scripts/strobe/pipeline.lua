@@ -257,7 +257,7 @@ local function resolve(problems, self, sets, dropped)
 end
 
 -- The `p` of a build.
-local function parameters(self, values, used)
+local function parameters(self, values, used, noted)
   local names = {}
   for i, one in ipairs(self.params) do names[i] = one.name end
   return setmetatable({}, {
@@ -268,7 +268,7 @@ local function parameters(self, values, used)
         check.fail(place, "the pipeline has no parameter %s%s", check.quoted(name), near)
       end
       used[name] = true
-      return node.reference(declared, values[name])
+      return node.reference(declared, values[name], noted)
     end),
     __newindex = native.at_caller(function(place, _, name)
       check.fail(place, "parameter %s cannot be assigned", check.quoted(name))
@@ -375,9 +375,10 @@ function pipeline.describe(self, name, file, sets, lenient)
   local values, unknown = resolve(problems, self, sets, dropped)
 
   local graph = { nodes = {}, passes = {}, loops = {}, records = {} }
-  local used = {}
+  -- What a preset sets is not known without running this.
+  local used, noted = {}, { preset = next(self.presets) and true }
   node.graph = graph
-  local outputs = self.build(parameters(self, values, used))
+  local outputs = self.build(parameters(self, values, used, noted))
   node.graph = nil
 
   local sources = check_outputs(problems, outputs, self.build)
@@ -386,7 +387,7 @@ function pipeline.describe(self, name, file, sets, lenient)
   problems:raise()
   return {
     name = name, file = file, doc = self.doc, breaks = self.breaks, compare_with = self.compare_with,
-    equals = self.equals, params = self.params, values = values, passes = in_order(graph.passes),
+    equals = self.equals, params = self.params, graph_params = check.names(noted), values = values, passes = in_order(graph.passes),
     nodes = graph.nodes, loops = graph.loops, outputs = sources, dropped = dropped or {},
   }
 end

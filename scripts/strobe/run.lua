@@ -16,8 +16,9 @@ function run.pipeline(request)
   return pipeline.describe(result, request.name, request.file, request.sets, request.lenient)
 end
 
--- A value as typed: true, false, a number, else text.
+-- A text serves as the value it reads as: true, false, a number, else text.
 local function typed(text)
+  if type(text) ~= "string" then return text end
   if text == "true" then return true end
   if text == "false" then return false end
   return tonumber(text) or text
@@ -52,6 +53,7 @@ function run.scene(request)
 end
 
 function run.data(request)
+  native.known = request.known
   local result = native.main(request.arguments)
   if result == nil then check.fail({ file = request.file, line = 0 }, "returns nothing; it should end in 'return'") end
   return result

@@ -232,7 +232,7 @@ TEST_F(RenderStored, ThePictureMovesByNoMoreThanItsColours) {
 TEST_F(RenderStored, StillPicturesAreWhatWasStored) {
   for (const char* pipeline : {"mcguire2012", "guertin2014", "jimenez2014", "ue4", "hybrid"}) {
     lab::Shot shot = crowd({pipeline, {"mask=all"}, {{"shade.color", "color"}}}, kOther);
-    if (shot.pipeline != "hybrid") std::erase(shot.sets, std::pair<std::string, std::string>("mask", "all"));
+    if (shot.pipeline != "hybrid") std::erase(shot.sets, script::Setting("mask", "all"));
     shot.exposure = 0;
     lab::Picture picture = render(shot);
     EXPECT_TRUE(identical(colorOf(picture), picture.frame.taps.at("shade.color").floats)) << pipeline;

@@ -14,7 +14,7 @@ Json parsed(const char* text) { return Json::parse(text); }
 
 std::string failure(const Json& json) {
   try {
-    sceneFromJson(json, "test.lua");
+    sceneFromJson(json, "test.lua", {{"fps", false, 1, 100}});
   } catch (const Error& error) {
     return error.what();
   }
@@ -91,7 +91,8 @@ TEST(JsonScene, WrongKindsAreRefused) {
   for (const char* bad :
        {"null", "[]", "{}", "3", R"({"kind":"scene"})", R"({"kind":"scene","nodes":3})",
         R"({"kind":"scene","nodes":[],"shot":{"with":3}})", R"({"kind":"scene","nodes":[],"shot":{"fps":0}})",
-        R"({"kind":"scene","nodes":[null]})", R"({"kind":"scene","nodes":[[]]})",
+        R"({"kind":"scene","nodes":[],"shot":{"fps":"24"}})", R"({"kind":"scene","nodes":[null]})",
+        R"({"kind":"scene","nodes":[[]]})",
         R"({"kind":"scene","nodes":[{"kind":"node","shape":{"kind":"shape","type":"lathe","profile":[[0,0]]}}]})",
         R"({"kind":"scene","nodes":[{"kind":"node","shape":{"kind":"shape","type":"box","size":[0,1,1]}}]})",
         R"({"kind":"scene","nodes":[{"kind":"node","shape":{"kind":"shape","type":"triangles",
@@ -104,6 +105,11 @@ TEST(JsonScene, WrongKindsAreRefused) {
             "times":[1,0],"values":[[0,0,0],[0,0,0]]}]}]})"}) {
     EXPECT_NE(failure(parsed(bad)), "") << bad;
   }
+}
+
+TEST(JsonScene, SuggestionsForAShotAreThoseAskedFor) {
+  EXPECT_EQ(failure(parsed(R"({"kind":"scene","nodes":[],"shot":{"fps":24}})")), "");
+  EXPECT_NE(failure(parsed(R"({"kind":"scene","nodes":[],"shot":{"fpt":24}})")).find("fpt"), std::string::npos);
 }
 
 TEST(JsonScene, DeepNestingIsRefused) {

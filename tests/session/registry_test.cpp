@@ -214,7 +214,7 @@ class Registry : public SessionTest {
     const std::string& name = control.declaration.name;
     std::string given;
     for (const auto& [set, to] : session.shot().sets)
-      if (set == name) given = to;
+      if (set == name) given = plan::textOf(to);
     bool changed = false;
     try {
       session.set(name, value, "window");
@@ -253,7 +253,7 @@ class Registry : public SessionTest {
     std::string sets;
     lab::putSetting(scripted.sets, one.name, one.value);
     for (const auto& [name, value] : scripted.sets)
-      if (!name.starts_with("scene.")) sets += fmt::format("[\"{}\"] = {}, ", name, asLua(value));
+      if (!name.starts_with("scene.")) sets += fmt::format("[\"{}\"] = {}, ", name, asLua(plan::textOf(value)));
     home_.write(
         "way.lua",
         "return require \"strobe.demo\" { title = \"t\", shots = { { title = \"s\", scene = \"oracles/bar\" } },\n"
@@ -262,7 +262,7 @@ class Registry : public SessionTest {
             "} },\n"
             "{ label = \"truth\", pipeline = \"ground_truth\", role = \"truth\" } } }\n");
     lab::Demo demo = lab::readDemo(home_.path("way.lua").string());
-    std::erase_if(scripted.sets, [](const auto& set) { return !set.first.starts_with("scene."); });
+    scripted.sets = lab::sceneSettings(scripted.sets);
     for (const auto& set : demo.columns.front().sets) scripted.sets.push_back(set);
     shots["Lua"] = scripted;
     return shots;

@@ -37,16 +37,16 @@ std::vector<Share> shares() {
 class Shipped : public StabilityTest, public testing::WithParamInterface<Share> {};
 
 TEST_P(Shipped, HoldsEveryInvariantOrSaysWhyNot) {
-  Renderer renderer(bench());
+  lab::Batch batch(bench());
   Options options;
   options.shard = GetParam().shard;
   options.shards = GetParam().shards;
   options.thinned = GetParam().thinned;  // `strobe stability` takes all
-  Report report = check(renderer, GetParam().pipeline, options);
+  Report report = check(batch, GetParam().pipeline, options);
   EXPECT_EQ(report.total().failed, 0) << textOf(report);
   EXPECT_GT(report.total().held, 0);
   // Or most of this would mean nothing.
-  const Evaluated& evaluated = renderer.evaluate(GetParam().pipeline, {});
+  const lab::Evaluated& evaluated = batch.evaluate(GetParam().pipeline, {});
   bool is_blur = numberOf(*evaluated.pipeline, "samples", 0) > 0;
   if (is_blur) {
     EXPECT_GE(report.blurred, report.drawn * 9 / 10);
@@ -66,12 +66,12 @@ class Broken : public StabilityTest {
   Report reportOf(const std::string& shader, const std::string& from, const std::string& to,
                   const std::string& invariant) {
     home_.edit(shader, from, to);
-    Renderer renderer(bench());
+    lab::Batch batch(bench());
     Options options;
     options.invariants = {invariant};
     options.only = "defaults";
     options.cases = 3;
-    return check(renderer, "mcguire2012", options);
+    return check(batch, "mcguire2012", options);
   }
 
   session::EditableHome home_;

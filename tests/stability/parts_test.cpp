@@ -63,19 +63,19 @@ TEST(Shrunk, LeavesWhatTheFailureNeeds) {
   lab::Shot shot = sized({}, 64, 40);
   shot.anchor = "open";
   for (const auto& [name, value] : script::Settings{{"weights", "x"},
-                                                    {"scene.seed", "7"},
-                                                    {"scene.cards", "6"},
-                                                    {"scene.boxes", "2"},
-                                                    {"samples", "23"},
-                                                    {"tile", "8"},
-                                                    {"depth", "3"}})
+                                                    {"scene.seed", 7},
+                                                    {"scene.cards", 6},
+                                                    {"scene.boxes", 2},
+                                                    {"samples", 23},
+                                                    {"tile", 8},
+                                                    {"depth", 3}})
     shot = with(shot, name, value);
   int tried = 0;
   auto fails = [&](const lab::Shot& one) {
     ++tried;
     auto value = [&](const std::string& name) {
       for (const auto& [set, text] : one.sets)
-        if (set == name) return std::stod(text);
+        if (set == name) return std::stod(plan::textOf(text));
       return 0.0;
     };
     if (one.width == 16) throw Error("too small to render");
@@ -84,16 +84,16 @@ TEST(Shrunk, LeavesWhatTheFailureNeeds) {
   lab::Shot small = shrunk(shot, {{"weights", "x"}}, fails, 1000);
   EXPECT_EQ(small.anchor, "close");
   EXPECT_EQ(small.width, 24);
-  EXPECT_EQ(settingsOf(small), (script::Settings{{"samples", "3"},
-                                                 {"scene.cards", "2"},
-                                                 {"scene.height", "24"},
-                                                 {"scene.lit", "0"},
-                                                 {"scene.perspective", "0"},
-                                                 {"scene.reach", "3"},
-                                                 {"scene.seed", "7"},
-                                                 {"scene.textured", "0"},
-                                                 {"scene.width", "24"},
-                                                 {"tile", "1"},
+  EXPECT_EQ(settingsOf(small), (script::Settings{{"samples", 3},
+                                                 {"scene.cards", 2},
+                                                 {"scene.height", 24},
+                                                 {"scene.lit", 0},
+                                                 {"scene.perspective", 0},
+                                                 {"scene.reach", 3},
+                                                 {"scene.seed", 7},
+                                                 {"scene.textured", 0},
+                                                 {"scene.width", 24},
+                                                 {"tile", 1},
                                                  {"weights", "x"}}));
   tried = 0;
   shrunk(shot, {}, fails, 10);

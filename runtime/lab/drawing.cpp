@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How a session draws the frame of its shot.
+#include "lab/drawing.h"
+
 #include <cmath>
 
 #include "base/log.h"
 #include "lab/record.h"
-#include "lab/session_version.h"
 #include "lab/warnings.h"
+#include "plan/canonical.h"
 #include "scene/motion.h"
 
 namespace strobe::lab {
@@ -43,19 +44,61 @@ graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene) {
   return setup;
 }
 
-graph::FrameSetup Session::setup() const { return frameSetup(shot_, scene()); }
+// ---- what is drawn
 
-graph::FrameResult Session::draw(const std::set<std::string>* wanted, const std::function<void(int, int)>& progress) {
-  graph::FrameSetup frame = setup();
-  frame.wanted = wanted;
-  return running_->graph->run(frame, progress);
+Planned plannedOf(const Workbench& bench, const Shot& shot, const plan::PipelineDesc& pipeline) {
+  Planned planned;
+  planned.backend = bench.chooseBackend(shot.backend);
+  planned.plan = std::make_shared<const plan::Plan>(planOf(shot, pipeline, planned.backend));
+  planned.shape = plan::shapeOf(*planned.plan);
+  Shot untapped = shot;
+  untapped.taps.clear();
+  planned.hash = plan::hashOf(shot.taps.empty() ? *planned.plan : planOf(untapped, pipeline, planned.backend));
+  return planned;
 }
 
-std::vector<std::string> Session::limitsMet(const graph::FrameResult& frame) const {
-  std::vector<std::string> met = lab::limitsMet(shot_, scene());
-  for (std::string& one : lab::limitsMet(*running_->plan, frame)) met.push_back(std::move(one));
+Drawing::Drawing(Workbench& bench, std::shared_ptr<HeldScene> scene, Planned planned,
+                 std::shared_ptr<const Evaluation> evaluation, Drawing* previous, std::vector<std::string>* problems)
+    : bench_(bench), scene_(std::move(scene)), planned_(std::move(planned)), evaluation_(std::move(evaluation)) {
+  const gpu::Device& device = bench.device();
+  on_device_ = scene_->onDevice(device, SLICE_SAMPLE + graph::Graph::sampleSlices(plan()));
+  if (previous && !problems && previous->fits(planned_, *scene_)) {
+    graph_ = std::move(previous->graph_);
+    graph_->setParams(plan());
+    return;
+  }
+  std::vector<std::string> known;  // reported when they were found
+  if (previous)
+    graph_ = std::make_unique<graph::Graph>(device, bench.pipelines(), plan(), *on_device_, planned_.backend,
+                                            *previous->graph_, problems ? *problems : known);
+  else graph_ = std::make_unique<graph::Graph>(device, bench.pipelines(), plan(), *on_device_, planned_.backend);
+}
+
+bool Drawing::fits(const Planned& planned, const HeldScene& scene) const {
+  return planned_.shape == planned.shape && planned_.backend == planned.backend && scene_.get() == &scene;
+}
+
+void Drawing::become(Planned planned, std::shared_ptr<const Evaluation> evaluation) {
+  STROBE_ASSERT(fits(planned, *scene_));
+  graph_->setParams(*planned.plan);
+  planned_ = std::move(planned);
+  evaluation_ = std::move(evaluation);
+}
+
+graph::FrameResult Drawing::draw(const Shot& shot, const std::set<std::string>* outputs,
+                                 const std::function<void(int, int)>& progress) {
+  graph::FrameSetup frame = frameSetup(shot, scene().scene);
+  frame.wanted = outputs;
+  return graph_->run(frame, progress);
+}
+
+std::vector<std::string> Drawing::limitsMet(const Shot& shot, const graph::FrameResult& frame) const {
+  std::vector<std::string> met = lab::limitsMet(shot, scene().scene);
+  for (std::string& one : lab::limitsMet(plan(), frame)) met.push_back(std::move(one));
   return met;
 }
+
+// ---- a picture
 
 // Offset of sub-pixel sample i of n from the pixel's centre: a rank-1 lattice, one sample is the centre.
 static vec2 subpixelOffset(int i, int n) {
@@ -105,42 +148,39 @@ static void divide(graph::FrameResult& sum, int n) {
       for (float& value : read.floats.values) value /= float(n);
 }
 
-Picture Session::capture(const std::function<void(int, int)>& progress) {
+// What a picture says of itself, of the frame in it.
+static void describe(Picture& picture, const Drawing& drawing, const Shot& shot, const graph::FrameSetup& setup,
+                     const gpu::DeviceInfo& device) {
+  dmat4 camera_from_world = glm::inverse(setup.pose_at(setup.capture_s).world_from_camera);
+  picture.camera_from_world = mat4(camera_from_world);
+  double aspect = double(shot.width) / shot.height;
+  picture.ndc_from_world = mat4(ndcFromCamera(setup.camera, aspect) * camera_from_world);
+  picture.warnings = drawing.scene().scene.warnings;
+  for (std::string& met : drawing.limitsMet(shot, picture.frame)) picture.warnings.push_back(std::move(met));
+  picture.record = makeRecord({shot, drawing, device}, picture.frame);
+  picture.record["warnings"] = picture.warnings;
+}
+
+Picture Drawing::capture(const Shot& shot, const std::set<std::string>* outputs,
+                         const std::function<void(int, int)>& progress) {
   double started_s = clockSeconds();
-  graph::FrameSetup frame_setup = setup();
+  graph::FrameSetup setup = frameSetup(shot, scene().scene);
+  setup.wanted = outputs;
   Picture picture;
   double ready_s = clockSeconds();
-  for (int i = 0; i < shot_.aa; ++i) {
-    frame_setup.subpixel = subpixelOffset(i, shot_.aa);
+  for (int i = 0; i < shot.aa; ++i) {
+    setup.subpixel = subpixelOffset(i, shot.aa);
     auto advance = [&](int done, int of) {
-      if (progress) progress(i * of + done, shot_.aa * of);
+      if (progress) progress(i * of + done, shot.aa * of);
     };
-    running_->graph->forgetHistories();
-    graph::FrameResult frame = running_->graph->run(frame_setup, advance);
+    graph_->forgetHistories();
+    graph::FrameResult frame = graph_->run(setup, advance);
     if (i == 0) picture.frame = std::move(frame);
     else accumulate(picture.frame, frame);
   }
-  if (shot_.aa > 1) divide(picture.frame, shot_.aa);
+  if (shot.aa > 1) divide(picture.frame, shot.aa);
   double done_s = clockSeconds();
-
-  dmat4 camera_from_world = glm::inverse(frame_setup.pose_at(frame_setup.capture_s).world_from_camera);
-  picture.camera_from_world = mat4(camera_from_world);
-  double aspect = double(shot_.width) / shot_.height;
-  picture.ndc_from_world = mat4(ndcFromCamera(frame_setup.camera, aspect) * camera_from_world);
-  std::vector<script::Dependency> dependencies = running_->scripts;
-  const auto& of_scene = running_->scene->loaded.dependencies;
-  dependencies.insert(dependencies.end(), of_scene.begin(), of_scene.end());
-  RecordContext context{shot_,
-                        running_->scene->loaded,
-                        *running_->plan,
-                        running_->plan_hash,
-                        bench_.device().info(),
-                        running_->backend,
-                        dependencies};
-  picture.warnings = scene().warnings;
-  for (std::string& met : limitsMet(picture.frame)) picture.warnings.push_back(std::move(met));
-  picture.record = makeRecord(context, picture.frame);
-  picture.record["warnings"] = picture.warnings;
+  describe(picture, *this, shot, setup, bench_.device().info());
   picture.timings = makeTimings(picture.frame, bench_.device().info(), ready_s - started_s, done_s - ready_s);
   return picture;
 }

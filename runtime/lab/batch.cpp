@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "lab/batch.h"
+
+#include <algorithm>
+
+#include "math/statistics.h"
+#include "plan/canonical.h"
+#include "plan/settings.h"
+
+namespace strobe::lab {
+
+std::string identityOf(const plan::Plan& plan) {
+  Json json = plan::toJson(plan);
+  for (const char* key : {"values", "pipeline", "culled"}) json.erase(key);
+  return json.dump();
+}
+
+static script::Settings ofPipeline(const script::Settings& sets) {
+  script::Settings result;
+  std::remove_copy_if(sets.begin(), sets.end(), std::back_inserter(result), isOfScene);
+  return result;
+}
+
+static Evaluated evaluatedAs(std::shared_ptr<const Evaluation> evaluation) {
+  std::shared_ptr<const plan::PipelineDesc> pipeline(evaluation, &evaluation->pipeline);
+  return {std::move(evaluation), std::move(pipeline), ""};
+}
+
+Evaluated Batch::byScripts(const std::string& pipeline, const script::Settings& sets) {
+  auto [found, is_new] = by_scripts_.emplace(pipeline + settingsIdentity(sets, false), Evaluated());
+  if (!is_new) return found->second;
+  try {
+    found->second = evaluatedAs(bench_.evaluate(pipeline, sets));
+  } catch (const Error& error) {
+    found->second.refusal = error.what();
+  }
+  return found->second;
+}
+
+// The scripts run with the settings that decide the graph, until none is left that does.
+std::shared_ptr<const Evaluation> Batch::derived(const std::string& pipeline, const script::Settings& sets) {
+  script::Settings deciding, rest = sets;
+  Evaluated base;
+  for (bool more = true; more;) {
+    base = byScripts(pipeline, deciding);
+    if (!base.pipeline) return nullptr;
+    auto first = std::stable_partition(rest.begin(), rest.end(), [&](const script::Setting& set) {
+      return !plan::decidesGraph(*base.pipeline, set.first);
+    });
+    more = first != rest.end();
+    deciding.insert(deciding.end(), first, rest.end());
+    rest.erase(first, rest.end());
+  }
+  if (rest.empty()) return base.evaluation;
+  try {
+    return std::make_shared<Evaluation>(
+        Evaluation{plan::withSettings(*base.pipeline, rest), base.evaluation->scripts, base.evaluation->texts});
+  } catch (const Error&) {
+    return nullptr;  // the scripts say better what is wrong
+  }
+}
+
+Evaluated Batch::evaluate(const std::string& pipeline, const script::Settings& sets) {
+  constexpr size_t kMost = 512;
+  std::string key = pipeline + settingsIdentity(sets, false);
+  auto known = derived_.find(key);
+  if (known != derived_.end()) return known->second;
+  if (derived_.size() >= kMost) derived_.clear();
+  script::Settings of_pipeline = ofPipeline(sets);
+  std::shared_ptr<const Evaluation> evaluation = derived(pipeline, of_pipeline);
+  return derived_[key] = evaluation ? evaluatedAs(evaluation) : byScripts(pipeline, of_pipeline);
+}
+
+Shot Batch::filled(const Shot& shot) {
+  Shot filled = shot;
+  bench_.scene(filled);
+  return filled;
+}
+
+// ---- plans and what they are drawn with
+
+const Batch::KnownPlan& Batch::known(const Shot& shot) {
+  constexpr size_t kMost = 512;
+  std::string key = fmt::format("{}x{}|{}|{}|{}|{}", shot.width, shot.height, shot.backend, shot.pipeline,
+                                settingsIdentity(shot.sets, false), fmt::join(shot.taps, ","));
+  auto found = plans_.find(key);
+  if (found != plans_.end()) return found->second;
+  Evaluated evaluated = evaluate(shot.pipeline, shot.sets);
+  if (!evaluated.pipeline) throw Refusal(evaluated.refusal);
+  KnownPlan known{plannedOf(bench_, shot, *evaluated.pipeline), ""};
+  known.identity = identityOf(*known.planned.plan);
+  if (plans_.size() >= kMost) plans_.clear();
+  return plans_[key] = std::move(known);
+}
+
+std::shared_ptr<const plan::Plan> Batch::planOf(const Shot& shot) { return known(filled(shot)).planned.plan; }
+
+Drawing& Batch::drawing(const Shot& shot, const std::shared_ptr<HeldScene>& scene) {
+  const Planned& planned = known(shot).planned;
+  std::shared_ptr<const Evaluation> evaluation = evaluate(shot.pipeline, shot.sets).evaluation;
+  auto fits = [&](const auto& drawing) { return drawing->fits(planned, *scene); };
+  auto found = std::find_if(drawings_.begin(), drawings_.end(), fits);
+  if (found != drawings_.end()) {
+    drawings_.splice(drawings_.begin(), drawings_, found);
+    drawings_.front()->become(planned, std::move(evaluation));
+  } else {
+    drawings_.push_front(std::make_unique<Drawing>(bench_, scene, planned, std::move(evaluation)));
+    forgetDrawings();
+  }
+  return *drawings_.front();
+}
+
+void Batch::forgetDrawings() {
+  constexpr size_t kMost = 32;
+  size_t bytes = 0, count = 0;
+  for (auto it = drawings_.begin(); it != drawings_.end(); ++count) {
+    bytes += plan::bytesAliased((*it)->plan());
+    bool goes = count > 0 && (count >= kMost || bytes > kept_image_bytes);
+    it = goes ? drawings_.erase(it) : std::next(it);
+  }
+}
+
+// ---- pictures
+
+static size_t bytesOf(const Picture& picture) {
+  size_t bytes = 0;
+  for (const auto* images : {&picture.frame.outputs, &picture.frame.taps})
+    for (const auto& [name, read] : *images) bytes += 4 * (read.floats.values.size() + read.uints.values.size());
+  return bytes;
+}
+
+void Batch::keep(Kept kept) {
+  pictures_bytes_ += kept.bytes;
+  pictures_.push_front(std::move(kept));
+  while (pictures_bytes_ > kept_picture_bytes && pictures_.size() > 1) {
+    pictures_bytes_ -= pictures_.back().bytes;
+    pictures_.pop_back();
+  }
+}
+
+std::shared_ptr<const Picture> Batch::picture(const Shot& wanted, const Outputs& outputs, const Progress& progress) {
+  Shot shot = wanted;
+  std::shared_ptr<HeldScene> scene = bench_.scene(shot);
+  std::string key = fmt::format("{}|{}|{}", canonical(shot), fmt::join(shot.taps, ","), fmt::join(outputs, ","));
+  auto held = std::find_if(pictures_.begin(), pictures_.end(), [&](const Kept& kept) { return kept.key == key; });
+  if (held != pictures_.end()) {
+    pictures_.splice(pictures_.begin(), pictures_, held);
+    return held->picture;
+  }
+  Picture drawn = drawing(shot, scene).capture(shot, outputs.empty() ? nullptr : &outputs, progress);
+  auto picture = std::make_shared<const Picture>(std::move(drawn));
+  ++drawn_;
+  keep({key, picture, bytesOf(*picture)});
+  return picture;
+}
+
+void Batch::forgetColorsOf(const std::string& pipeline) {
+  std::erase_if(colors_, [&](const auto& held) { return held.first.starts_with(pipeline + "|"); });
+}
+
+std::shared_ptr<const image::Image> Batch::color(const Shot& wanted) {
+  static const Outputs kColor = {"color"};
+  Shot shot = wanted;
+  std::shared_ptr<HeldScene> scene = bench_.scene(shot);
+  std::string key =
+      fmt::format("{}|{}|{}|{}", shot.pipeline, known(shot).identity, frameIdentity(shot), sceneIdentity(shot));
+  auto held = colors_.find(key);
+  if (held != colors_.end()) return held->second;
+  Drawing& drawn = drawing(shot, scene);
+  drawn.graph().forgetHistories();
+  graph::FrameResult frame = drawn.draw(shot, &kColor);
+  ++drawn_;
+  return colors_[key] = std::make_shared<const image::Image>(std::move(frame.outputs.at("color").floats));
+}
+
+// ---- times
+
+std::vector<Timing> Batch::timeInTurn(const std::vector<Shot>& shots, int rounds, const Progress& progress) {
+  static const Outputs kColor = {"color"};
+  std::vector<Timing> timings(shots.size());
+  for (int round = -1; round < rounds; ++round) {
+    for (size_t i = 0; i < shots.size(); ++i) {
+      Shot shot = shots[i];
+      std::shared_ptr<HeldScene> scene = bench_.scene(shot);
+      double ms = drawing(shot, scene).draw(shot, &kColor).gpu_ms;
+      if (round >= 0) timings[i].ms.push_back(ms);
+    }
+    if (progress) progress(round + 2, rounds + 1);
+  }
+  for (Timing& timing : timings) {
+    timing.median = median(timing.ms);
+    timing.low = quantile(timing.ms, 0.25), timing.high = quantile(timing.ms, 0.75);
+  }
+  return timings;
+}
+
+}  // namespace strobe::lab

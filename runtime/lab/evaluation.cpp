@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "lab/evaluation.h"
+
+#include "base/hash.h"
+#include "base/log.h"
+
+namespace strobe::lab {
+
+// Files that changed since they were evaluated are left out: the next look at them finds out. Those in `given` have
+// their text there.
+static script::Texts textsOf(const std::vector<script::Dependency>& files, const script::Texts& given) {
+  script::Texts texts;
+  for (const auto& file : files) {
+    auto held = given.find(file.path);
+    if (held != given.end()) {
+      texts.insert(*held);
+      continue;
+    }
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file.path, ignored)) continue;
+    try {
+      std::string text = readText(file.path);
+      if (hashText(text) == file.hash) texts[file.path] = std::move(text);
+    } catch (const Error&) {
+      continue;
+    }
+  }
+  return texts;
+}
+
+Evaluation evaluated(const std::string& pipeline, const script::Settings& sets, const script::Limits& limits) {
+  Evaluation evaluation;
+  evaluation.pipeline = script::evaluatePipeline({pipeline, sets}, &evaluation.scripts, limits);
+  evaluation.texts = textsOf(evaluation.scripts, {});
+  return evaluation;
+}
+
+Attempt attempt(const Shot& shot, const script::Texts& texts, const script::Limits& limits, bool lenient) {
+  Attempt tried;
+  double started_s = clockSeconds();
+  try {
+    script::PipelineRequest request{shot.pipeline, shot.sets, texts};
+    auto* dropped = lenient ? &tried.dropped : nullptr;
+    tried.good.pipeline = script::evaluatePipeline(request, &tried.good.scripts, limits, dropped);
+    tried.good.texts = textsOf(tried.good.scripts, texts);
+    tried.usable = true;
+  } catch (const std::exception& error) {  // an `Error`, or a folder that goes while it is listed
+    tried.problems.push_back(error.what());
+  }
+  tried.ms = 1000 * (clockSeconds() - started_s);
+  return tried;
+}
+
+// Of the files with a good text, those that say something else now.
+static script::Texts changedTexts(const script::Texts& good) {
+  script::Texts changed;
+  for (const auto& [file, text] : good)
+    if (script::hashOfPath(file) != hashText(text)) changed[file] = text;
+  return changed;
+}
+
+// The newest files; where they fail, as many of them as work: files are put back to their last good text, those an
+// error names first.
+Attempt attemptAround(const Shot& shot, const script::Texts& good, const script::Limits& limits) {
+  Attempt newest = attempt(shot, {}, limits, true);
+  if (newest.usable || good.empty()) return newest;
+  script::Texts changed = changedTexts(good), put_back;
+  std::vector<std::string> problems = newest.problems;
+  double ms = newest.ms;
+  while (put_back.size() < changed.size()) {
+    size_t before = put_back.size();
+    for (const auto& [file, text] : changed)
+      if (problems.back().find(displayPath(file)) != std::string::npos) put_back[file] = text;
+    if (put_back.size() == before) put_back = changed;
+    if (put_back.size() == changed.size()) break;  // nothing new is left to try
+    Attempt around = attempt(shot, put_back, limits, true);
+    ms += around.ms;
+    problems.insert(problems.end(), around.problems.begin(), around.problems.end());
+    if (!around.usable) continue;
+    around.problems = problems;
+    around.refused = newest.good.scripts;
+    around.ms = ms;
+    return around;
+  }
+  newest.problems = problems;
+  newest.ms = ms;
+  return newest;
+}
+
+}  // namespace strobe::lab

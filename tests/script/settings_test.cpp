@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Values put into a description without its scripts are those that the scripts put there.
+#include "plan/settings.h"
+
+#include <gtest/gtest.h>
+
+#include "script/evaluate.h"
+
+namespace strobe::script {
+namespace {
+
+using plan::ParamDesc;
+
+// In the middle of the range, or another choice.
+plan::Value otherValue(const ParamDesc& param) {
+  if (param.type == ParamDesc::Type::Bool) return !std::get<bool>(param.default_value);
+  if (param.type == ParamDesc::Type::Choice) return param.choices.back();
+  double middle = (param.min.value_or(0) + param.max.value_or(8)) / 2;
+  if (param.type == ParamDesc::Type::Int) return int64_t(middle);
+  return middle;
+}
+
+// Every parameter that decides no graph, of the pipeline and of its nodes.
+Settings others(const plan::PipelineDesc& pipeline) {
+  Settings sets;
+  for (const ParamDesc& param : pipeline.params)
+    if (!plan::decidesGraph(pipeline, param.name)) sets.push_back({param.name, otherValue(param)});
+  for (const plan::NodeDesc& node : pipeline.nodes)
+    for (const plan::PassDesc& pass : pipeline.passes)
+      for (const ParamDesc& param : pass.params)
+        if (pass.name == node.pass) sets.push_back({node.name + "." + param.name, otherValue(param)});
+  return sets;
+}
+
+TEST(Settings, PutInAsTheScriptsDo) {
+  size_t tried = 0;
+  for (const std::string& name : pipelineNames()) {
+    SCOPED_TRACE(name);
+    plan::PipelineDesc plain = evaluatePipeline({name, {}});
+    Settings sets = others(plain);
+    tried += sets.size();
+    EXPECT_EQ(plan::toJson(plan::withSettings(plain, sets)), plan::toJson(evaluatePipeline({name, sets})));
+  }
+  EXPECT_GT(tried, 50u);
+}
+
+TEST(Settings, ThatDecideTheGraphAreNoted) {
+  plan::PipelineDesc hybrid = evaluatePipeline({"hybrid", {}});
+  for (const char* name : {"preset", "mask"}) EXPECT_TRUE(plan::decidesGraph(hybrid, name)) << name;
+  for (const char* name : {"samples", "limit", "gbuffer.x"}) EXPECT_FALSE(plan::decidesGraph(hybrid, name)) << name;
+}
+
+TEST(Settings, WrongOnesAreRefused) {
+  plan::PipelineDesc hybrid = evaluatePipeline({"hybrid", {}});
+  for (const Setting& wrong : Settings{{"samples", 0}, {"samples", "many"}, {"sampels", 3}, {"nodule.x", 1}})
+    EXPECT_THROW(plan::withSettings(hybrid, {wrong}), Error) << wrong.first;
+}
+
+TEST(Settings, ReadAsTheyAreTyped) {
+  auto value = [](const char* text) { return settingFromText(std::string("x=") + text).second; };
+  EXPECT_EQ(value("8"), plan::Value(int64_t{8}));
+  EXPECT_EQ(value("8.0"), plan::Value(8.0));
+  EXPECT_EQ(value("1e-3"), plan::Value(0.001));
+  EXPECT_EQ(value("true"), plan::Value(true));
+  for (const char* text : {"", "canny", "007", "8px", "nan", "inf", "a=b", "+5"})
+    EXPECT_EQ(value(text), plan::Value(text));
+  for (const char* text : {"8", "8.0", "0.001", "-2.5", "true", "007", "canny"})
+    EXPECT_EQ(plan::textOf(value(text)), text);
+  EXPECT_THROW(settingFromText("x"), Error);
+  EXPECT_THROW(settingFromText("=x"), Error);
+}
+
+}  // namespace
+}  // namespace strobe::script
