@@ -26,10 +26,11 @@ struct Options {
   std::string against;
 };
 
-void reload(const Options& options) {
+void reload(const Home& own, const Options& options) {
   lab::Shot shot = options.shot.resolve();
   if (shot.width == 0) shot.width = 160, shot.height = 90;
-  lab::Workbench bench(shot.device, validationWanted());
+  lab::HomeCopy copy(own);
+  lab::Workbench bench(copy.home(), shot.device, validationWanted());
   std::vector<lab::ReloadTiming> timings = lab::benchReload(bench, shot, options.repeats);
   if (options.json) {
     Json json;
@@ -51,9 +52,9 @@ void reload(const Options& options) {
               bench.device().info().name.c_str(), options.repeats, lab::tableOf(timings).c_str());
 }
 
-void values(const Options& options) {
+void values(const Home& home, const Options& options) {
   lab::Shot shot = options.shot.resolve();
-  lab::Workbench bench(shot.device, validationWanted());
+  lab::Workbench bench(home, shot.device, validationWanted());
   bench.scene(shot);
   image::Image reference;
   if (!options.against.empty()) reference = image::readPicture(options.against, "").linear;
@@ -95,18 +96,18 @@ std::string commandOf(const ExtremesOptions& options) {
   return line;
 }
 
-stability::curves::Experiment experimentOf(const ExtremesOptions& options) {
+stability::curves::Experiment experimentOf(const Home& home, const ExtremesOptions& options) {
   std::array<int, 2> size = options.size.empty() ? std::array<int, 2>{} : lab::parseSize(options.size);
-  stability::curves::Experiment experiment = stability::curves::readExperiment(hereOrAtHome(options.file));
+  stability::curves::Experiment experiment = stability::curves::readExperiment(home, hereOrAtHome(home, options.file));
   if (!options.only.empty()) experiment.keepOnly(options.only);
   if (size[0]) experiment.width = size[0], experiment.height = size[1];
   if (options.truth_samples) experiment.setTruthSamples(options.truth_samples);
   return experiment;
 }
 
-stability::curves::Report measured(const ExtremesOptions& options) {
-  stability::curves::Experiment experiment = experimentOf(options);
-  lab::Workbench bench(options.device, validationWanted());
+stability::curves::Report measured(const Home& home, const ExtremesOptions& options) {
+  stability::curves::Experiment experiment = experimentOf(home, options);
+  lab::Workbench bench(home, options.device, validationWanted());
   stability::curves::Report report = stability::curves::measure(experiment, bench);
   refuseMessages(bench.device());
   report.command = commandOf(options);
@@ -117,21 +118,21 @@ stability::curves::Report measured(const ExtremesOptions& options) {
 }
 
 // A report that was written before, with the texts of the experiment as it stands.
-stability::curves::Report reread(const ExtremesOptions& options) {
+stability::curves::Report reread(const Home& home, const ExtremesOptions& options) {
   Json json = Json::parse(readText(options.from), nullptr, false);
   stability::curves::Report report = stability::curves::reportFrom(json, options.from);
-  stability::curves::retell(report, experimentOf(options));
+  stability::curves::retell(report, experimentOf(home, options));
   return report;
 }
 
-void extremes(const ExtremesOptions& options) {
+void extremes(const Home& home, const ExtremesOptions& options) {
   double started_s = clockSeconds();
   Path page = options.out.ends_with(".html") ? Path(options.out) : Path(options.out) / "extremes.html";
   Path numbers = Path(page).replace_extension(".json");
   requireWritable(std::filesystem::absolute(page).parent_path());
   Path markdown = options.markdown;
   if (!markdown.empty()) requireWritable(std::filesystem::absolute(markdown).parent_path(), "--markdown");
-  stability::curves::Report report = options.from.empty() ? measured(options) : reread(options);
+  stability::curves::Report report = options.from.empty() ? measured(home, options) : reread(home, options);
 
   std::vector<Path> files = {page, numbers};
   Json json = stability::curves::toJson(report);
@@ -174,14 +175,14 @@ CLI::Option* addExtremes(CLI::App& command, ExtremesOptions& options) {
 
 }  // namespace
 
-void registerBench(CLI::App& program) {
+void registerBench(CLI::App& program, const Home& home) {
   CLI::App* command =
       program.add_subcommand("bench", "Measure what the program costs, and where its methods stop being trustworthy");
   command->require_subcommand(0, 1);
   auto of_extremes = std::make_shared<ExtremesOptions>();
   CLI::Option* wanted = addExtremes(*command, *of_extremes);
-  command->callback([command, of_extremes] {
-    if (of_extremes->wanted) return extremes(*of_extremes);
+  command->callback([command, of_extremes, &home] {
+    if (of_extremes->wanted) return extremes(home, *of_extremes);
     if (!command->get_subcommands().empty()) return;
     std::vector<std::string> names;
     for (const CLI::App* one : command->get_subcommands({})) names.push_back(one->get_name());
@@ -195,7 +196,7 @@ void registerBench(CLI::App& program) {
       ->capture_default_str();
   of_reload->add_flag("--json", options->json, "report as JSON");
   options->shot.addWithPipeline(*of_reload);
-  of_reload->callback([options] { reload(*options); });
+  of_reload->callback([options, &home] { reload(home, *options); });
 
   auto tried = std::make_shared<Options>();
   const char* what = "What values of parameters change in the picture, and their cost";
@@ -210,7 +211,7 @@ void registerBench(CLI::App& program) {
       ->capture_default_str();
   of_values->add_flag("--json", tried->json, "report as JSON");
   tried->shot.addWithPipeline(*of_values);
-  of_values->callback([tried] { values(*tried); });
+  of_values->callback([tried, &home] { values(home, *tried); });
   for (CLI::App* one : command->get_subcommands({})) one->excludes(wanted);
 }
 

@@ -3,9 +3,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/home.h"
+
 namespace strobe::app {
 
 // `strobe bench reload`.
-void registerBench(CLI::App& program);
+void registerBench(CLI::App& program, const Home& home);
 
 }  // namespace strobe::app

@@ -22,19 +22,19 @@ struct Options {
   bool json = false;
 };
 
-void demo(const Options& options) {
+void demo(const Home& home, const Options& options) {
   double started_s = clockSeconds();
   requireWritable(options.out);
   if (!options.markdown.empty())
     requireWritable(std::filesystem::absolute(options.markdown).parent_path(), "--markdown");
-  lab::Demo demo = lab::readDemo(hereOrAtHome(options.file));
+  lab::Demo demo = lab::readDemo(home, hereOrAtHome(home, options.file));
   int file_width = demo.width, file_height = demo.height;
   if (!options.size.empty()) {
     auto [width, height] = lab::parseSize(options.size);
     demo.width = width, demo.height = height;
     for (lab::DemoShot& shot : demo.shots) shot.shot.width = width, shot.shot.height = height;
   }
-  lab::Workbench bench(options.device, validationWanted());
+  lab::Workbench bench(home, options.device, validationWanted());
   Path folder = options.out;
   lab::Exhibition exhibition = lab::exhibit(demo, bench, folder, file_width, file_height);
   refuseMessages(bench.device());
@@ -58,7 +58,7 @@ void demo(const Options& options) {
 
 }  // namespace
 
-void registerDemo(CLI::App& program) {
+void registerDemo(CLI::App& program, const Home& home) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       program.add_subcommand("demo", "Render the shots of a demo file and show every method beside truth");
@@ -69,7 +69,7 @@ void registerDemo(CLI::App& program) {
   command->add_option("--markdown", options->markdown, "write the tables as Markdown as well")->type_name("FILE");
   command->add_option("--device", options->device, "index or part of the name of a Vulkan device");
   command->add_flag("--json", options->json, "print the numbers as JSON instead of tables");
-  command->callback([options] { demo(*options); });
+  command->callback([options, &home] { demo(home, *options); });
 }
 
 }  // namespace strobe::app

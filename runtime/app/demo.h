@@ -4,8 +4,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/home.h"
+
 namespace strobe::app {
 
-void registerDemo(CLI::App& program);
+void registerDemo(CLI::App& program, const Home& home);
 
 }  // namespace strobe::app

@@ -7,9 +7,9 @@
 
 namespace strobe::app {
 
-std::string hereOrAtHome(const std::string& file) {
+std::string hereOrAtHome(const Home& home, const std::string& file) {
   bool here = std::filesystem::exists(file) || Path(file).is_absolute();
-  return here ? file : (homeFolder() / file).string();
+  return here ? file : home.at(file).string();
 }
 
 void requireWritable(const Path& folder, const std::string& option) {

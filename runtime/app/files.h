@@ -4,12 +4,12 @@
 
 #include <string>
 
-#include "base/files.h"
+#include "base/home.h"
 
 namespace strobe::app {
 
-// `file`, or that of this name in the home folder where there is none here.
-std::string hereOrAtHome(const std::string& file);
+// `file`, or that of this name in the home where there is none here.
+std::string hereOrAtHome(const Home& home, const std::string& file);
 
 // Throws `Error` (exit code 2) for a folder that cannot be written to, before anything is rendered or made.
 void requireWritable(const Path& folder, const std::string& option = "--out");

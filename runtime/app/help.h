@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/home.h"
+
 namespace strobe::app {
-void registerHelp(CLI::App& program);
+void registerHelp(CLI::App& program, const Home& home);
 }  // namespace strobe::app

@@ -30,22 +30,23 @@ void collect(std::vector<std::string>& problems, const Step& step) {
   }
 }
 
-plan::PipelineDesc checkPipeline(const std::string& name, const script::Settings& sets,
+plan::PipelineDesc checkPipeline(const Home& home, const std::string& name, const script::Settings& sets,
                                  std::set<std::string>& checked) {
-  plan::PipelineDesc pipeline = script::evaluatePipeline({name, sets});
+  plan::PipelineDesc pipeline = script::evaluatePipeline(home, {name, sets});
   lab::Shot shot;
   shot.width = 64;
   shot.height = 36;
   for (graph::Backend backend : {graph::Backend::Query, graph::Backend::Pipeline})
-    graph::checkShaders(lab::planOf(shot, pipeline, backend), backend, checked);
+    graph::checkShaders(home, lab::planOf(shot, pipeline, backend), backend, checked);
   return pipeline;
 }
 
 // Does it choose among the files of a folder of passes?
-bool choosesPasses(const plan::ParamDesc& param) {
-  std::error_code ignored;
-  for (const auto& folder : std::filesystem::directory_iterator(homeFolder() / "passes", ignored)) {
-    std::vector<std::string> files = namesIn(folder.path(), ".lua");
+bool choosesPasses(const Home& home, const plan::ParamDesc& param) {
+  std::set<Path> folders;
+  for (const Path& pass : home.namesBelow("passes", ".lua")) folders.insert(pass.parent_path());
+  for (const Path& folder : folders) {
+    std::vector<std::string> files = home.namesIn("passes" / folder, ".lua");
     auto is_file = [&](const auto& choice) { return std::find(files.begin(), files.end(), choice) != files.end(); };
     if (std::count_if(param.choices.begin(), param.choices.end(), is_file) > 1) return true;
   }
@@ -53,28 +54,30 @@ bool choosesPasses(const plan::ParamDesc& param) {
 }
 
 // Every preset of a pipeline is a graph of its own, and in each of them every pass that can be chosen.
-void checkShapes(const std::string& name, std::set<std::string>& checked, std::vector<std::string>& problems) {
+void checkShapes(const Home& home, const std::string& name, std::set<std::string>& checked,
+                 std::vector<std::string>& problems) {
   collect(problems, [&] {
-    plan::PipelineDesc pipeline = checkPipeline(name, {}, checked);
+    plan::PipelineDesc pipeline = checkPipeline(home, name, {}, checked);
     std::vector<script::Settings> presets;
     for (const auto& param : pipeline.params)
       for (const std::string& choice : param.choices)
         if (param.name == "preset") presets.push_back({{"preset", choice}});
     if (presets.empty()) presets.push_back({});
     for (const script::Settings& preset : presets) {
-      collect(problems, [&] { checkPipeline(name, preset, checked); });
+      collect(problems, [&] { checkPipeline(home, name, preset, checked); });
       for (const auto& param : pipeline.params)
-        for (const std::string& choice : choosesPasses(param) ? param.choices : std::vector<std::string>())
-          collect(problems, [&] { checkPipeline(name, lab::joined(preset, {{param.name, choice}}), checked); });
+        for (const std::string& choice : choosesPasses(home, param) ? param.choices : std::vector<std::string>())
+          collect(problems, [&] { checkPipeline(home, name, lab::joined(preset, {{param.name, choice}}), checked); });
     }
   });
 }
 
 // Everything in scripts/pipelines by name, and what looks into a picture, in scripts/inspect, by path.
-std::vector<std::string> shippedPipelines() {
-  std::vector<std::string> names = script::pipelineNames();
-  Path folder = homeFolder() / "scripts/inspect";
-  for (const std::string& name : namesIn(folder, ".lua")) names.push_back((folder / (name + ".lua")).string());
+std::vector<std::string> shippedPipelines(const Home& home) {
+  std::vector<std::string> names = script::pipelineNames(home);
+  const Path folder = "scripts/inspect";
+  for (const std::string& name : home.namesIn(folder, ".lua"))
+    names.push_back(home.at(folder / (name + ".lua")).string());
   return names;
 }
 
@@ -83,25 +86,25 @@ struct CheckOptions {
   bool json = false;
 };
 
-void check(const CheckOptions& options) {
+void check(const Home& home, const CheckOptions& options) {
   const std::vector<std::string>& files = options.files;
   if (files.empty() && !options.sets.empty()) throw Error("--set needs a pipeline to set it in", {}, 2);
   script::Settings sets;
   for (const std::string& set : options.sets) sets.push_back(script::settingFromText(set));
   std::vector<std::string> problems;
-  std::vector<std::string> pipelines = files.empty() ? shippedPipelines() : files;
+  std::vector<std::string> pipelines = files.empty() ? shippedPipelines(home) : files;
   std::vector<std::string> scenes;
   if (files.empty()) {
-    collect(problems, [] { script::evaluateAllPasses(); });
-    scenes = script::sceneNames();
+    collect(problems, [&] { script::evaluateAllPasses(home); });
+    scenes = script::sceneNames(home);
   }
   std::set<std::string> checked;
   for (const std::string& name : pipelines) {
-    if (sets.empty()) checkShapes(name, checked, problems);
-    else collect(problems, [&] { checkPipeline(name, sets, checked); });
+    if (sets.empty()) checkShapes(home, name, checked, problems);
+    else collect(problems, [&] { checkPipeline(home, name, sets, checked); });
   }
   for (const std::string& name : scenes)
-    collect(problems, [&] { scene::sceneFromJson(script::evaluateScene(name, {}), name, lab::suggestions()); });
+    collect(problems, [&] { scene::sceneFromJson(script::evaluateScene(home, name, {}), name, lab::suggestions()); });
   if (options.json) {
     Json report;
     report["pipelines"] = pipelines;
@@ -120,11 +123,11 @@ struct PlanOptions {
   bool json = false;
 };
 
-void plan(const PlanOptions& options) {
+void plan(const Home& home, const PlanOptions& options) {
   lab::Shot shot = options.shot.resolve();
   lab::fillShot(shot, {});
   lab::checkShot(shot);
-  plan::PipelineDesc pipeline = script::evaluatePipeline({shot.pipeline, shot.sets});
+  plan::PipelineDesc pipeline = script::evaluatePipeline(home, {shot.pipeline, shot.sets});
   graph::Backend backend = shot.backend == "pipeline" ? graph::Backend::Pipeline : graph::Backend::Query;
   plan::Plan planned = lab::planOf(shot, pipeline, backend);
   std::string text = options.json ? plan::toJson(planned).dump(2) + "\n" : plan::describe(planned);
@@ -152,13 +155,13 @@ std::string featuresOf(const gpu::DeviceInfo& info) {
   return page::textOf(table);
 }
 
-void doctor(bool json) {
+void doctor(const Home& home, bool json) {
   std::vector<gpu::DeviceInfo> devices = gpu::listDevices();
   Json report;
   report["strobe"] = STROBE_VERSION;
   report["devices"] = Json::array();
   for (const auto& info : devices) report["devices"].push_back(deviceJson(info));
-  auto data = dataFolder();
+  auto data = home.data();
   report["shared_data"] = data ? Json(data->string()) : Json(nullptr);
   bool suffices = !devices.empty() && devices.front().missing().empty();
   report["suffices"] = suffices;
@@ -184,7 +187,7 @@ void doctor(bool json) {
 
 }  // namespace
 
-void registerCheck(CLI::App& program) {
+void registerCheck(CLI::App& program, const Home& home) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = program.add_subcommand("check", "Validate scripts and shaders; needs no device");
   command->add_option("pipelines", options->files, "names or .lua files (default: everything that ships)");
@@ -192,22 +195,22 @@ void registerCheck(CLI::App& program) {
       ->add_option("--set", options->sets, "PARAM=VALUE: the pipeline with this alone, not with each preset and pass")
       ->allow_extra_args(false);
   command->add_flag("--json", options->json, "report as JSON");
-  command->callback([options] { check(*options); });
+  command->callback([options, &home] { check(home, *options); });
 }
 
-void registerPlan(CLI::App& program) {
+void registerPlan(CLI::App& program, const Home& home) {
   auto options = std::make_shared<PlanOptions>();
   CLI::App* command = program.add_subcommand("plan", "Print what a pipeline runs, in which order, on which memory");
   command->add_flag("--json", options->json, "the plan as data");
   options->shot.addWithPipeline(*command);
-  command->callback([options] { plan(*options); });
+  command->callback([options, &home] { plan(home, *options); });
 }
 
-void registerDoctor(CLI::App& program) {
+void registerDoctor(CLI::App& program, const Home& home) {
   auto json = std::make_shared<bool>(false);
   CLI::App* command = program.add_subcommand("doctor", "What this machine can do and what is missing");
   command->add_flag("--json", *json, "report as JSON");
-  command->callback([json] { doctor(*json); });
+  command->callback([json, &home] { doctor(home, *json); });
 }
 
 }  // namespace strobe::app

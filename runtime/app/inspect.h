@@ -4,8 +4,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/home.h"
+
 namespace strobe::app {
-void registerCheck(CLI::App& program);
-void registerPlan(CLI::App& program);
-void registerDoctor(CLI::App& program);
+void registerCheck(CLI::App& program, const Home& home);
+void registerPlan(CLI::App& program, const Home& home);
+void registerDoctor(CLI::App& program, const Home& home);
 }  // namespace strobe::app

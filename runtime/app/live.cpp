@@ -17,7 +17,7 @@ struct Options {
   double time_limit_s = 10;
 };
 
-void live(const Options& options) {
+void live(const Home& home, const Options& options) {
   live::LiveOptions wanted;
   wanted.desk.shot = options.shot.resolve();
   wanted.desk.versus = options.versus;
@@ -34,12 +34,12 @@ void live(const Options& options) {
   if (!options.tev.empty()) wanted.tev = lab::parseTevAddress(options.tev);
   wanted.time_limit_s = options.time_limit_s;
   wanted.validation = validationWanted();
-  live::runLive(wanted);
+  live::runLive(home, wanted);
 }
 
 }  // namespace
 
-void registerLive(CLI::App& program) {
+void registerLive(CLI::App& program, const Home& home) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       program.add_subcommand("live", "Show a pipeline in a window; edits of scripts and shaders are taken in");
@@ -56,7 +56,7 @@ void registerLive(CLI::App& program) {
       ->check(CLI::Range(0.0, 86400.0))
       ->capture_default_str();
   addTev(*command, options->tev);
-  command->callback([options] { live(*options); });
+  command->callback([options, &home] { live(home, *options); });
 }
 
 }  // namespace strobe::app

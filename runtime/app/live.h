@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/home.h"
+
 namespace strobe::app {
-void registerLive(CLI::App& program);
+void registerLive(CLI::App& program, const Home& home);
 }

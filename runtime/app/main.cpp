@@ -43,20 +43,21 @@ static std::string usageText(const CLI::App& program, const CLI::ParseError& err
 
 int main(int argc, char** argv) {
   if (argc > 1 && std::strcmp(argv[1], "--script-child") == 0) strobe::script::runScriptChild();
+  const strobe::Home home = strobe::Home::fromEnvironment();
   CLI::App program("Strobe: a research sandbox for motion blur", "strobe");
   program.set_version_flag("--version", "strobe " STROBE_VERSION);
   program.require_subcommand(1);
   program.set_help_all_flag("--help-all", "help of every command");
-  strobe::app::registerDemo(program);
-  strobe::app::registerRender(program);
-  strobe::app::registerHelp(program);
-  strobe::app::registerLive(program);
-  strobe::app::registerCheck(program);
-  strobe::app::registerPlan(program);
+  strobe::app::registerDemo(program, home);
+  strobe::app::registerRender(program, home);
+  strobe::app::registerHelp(program, home);
+  strobe::app::registerLive(program, home);
+  strobe::app::registerCheck(program, home);
+  strobe::app::registerPlan(program, home);
   strobe::app::registerCompare(program);
-  strobe::app::registerBench(program);
-  strobe::app::registerStability(program);
-  strobe::app::registerDoctor(program);
+  strobe::app::registerBench(program, home);
+  strobe::app::registerStability(program, home);
+  strobe::app::registerDoctor(program, home);
   try {
     program.parse(argc, argv);
     return 0;

@@ -66,13 +66,13 @@ void print(const Options& options, const lab::Picture& picture, const lab::Trail
   for (const Path& file : files) std::printf("%s\n", file.c_str());
 }
 
-void render(const Options& options) {
+void render(const Home& home, const Options& options) {
   lab::Shot shot = options.shot.resolve();
   checkOptions(options, shot);
   std::unique_ptr<lab::Tev> viewer;
   if (!options.tev.empty()) viewer = std::make_unique<lab::Tev>(lab::parseTevAddress(options.tev));
   if (!options.pixel.empty()) lab::parsePixel(options.pixel);
-  lab::Workbench bench(shot.device, validationWanted());
+  lab::Workbench bench(home, shot.device, validationWanted());
   lab::Trail trail;
   lab::Picture picture = renderedBy(bench, options, shot, trail);
   refuseMessages(bench.device());
@@ -85,7 +85,7 @@ void render(const Options& options) {
 
 }  // namespace
 
-void registerRender(CLI::App& program) {
+void registerRender(CLI::App& program, const Home& home) {
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("render", "Render one picture of a scene with a pipeline");
   command->add_option("-o,--out", options->out, "picture to write, .exr or .png; record and timings go beside it");
@@ -96,7 +96,7 @@ void registerRender(CLI::App& program) {
   command->add_flag("--json", options->json,
                     "print the run record (with --pixel: the trail) instead of the files written");
   options->shot.addWithPipeline(*command);
-  command->callback([options] { render(*options); });
+  command->callback([options, &home] { render(home, *options); });
 }
 
 }  // namespace strobe::app

@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/home.h"
+
 namespace strobe::app {
-void registerRender(CLI::App& program);
+void registerRender(CLI::App& program, const Home& home);
 }

@@ -36,11 +36,11 @@ Json jsonOf(const std::vector<stability::Report>& reports, const std::vector<sta
 }
 
 // Every extreme case by every pipeline and preset.
-void runExtremes(const StabilityOptions& options) {
-  lab::Workbench bench(options.device, validationWanted());
-  std::vector<stability::Method> methods = stability::methodsOf(bench.limits);
+void runExtremes(const Home& home, const StabilityOptions& options) {
+  lab::Workbench bench(home, options.device, validationWanted());
+  std::vector<stability::Method> methods = stability::methodsOf(home, bench.limits);
   std::vector<stability::ExtremeOutcome> outcomes;
-  const stability::Extremes extremes = stability::readExtremes(bench.limits);
+  const stability::Extremes extremes = stability::readExtremes(home, bench.limits);
   for (const stability::Extreme& extreme : extremes.cases)
     for (auto& outcome : stability::runExtreme(bench, methods, extremes, extreme))
       outcomes.push_back(std::move(outcome));
@@ -50,12 +50,12 @@ void runExtremes(const StabilityOptions& options) {
   if (failed) throw Error(fmt::format("{} of {} extreme cases fail", failed, outcomes.size()));
 }
 
-void run(const StabilityOptions& options) {
-  if (options.extremes) return runExtremes(options);
+void run(const Home& home, const StabilityOptions& options) {
+  if (options.extremes) return runExtremes(home, options);
   for (const std::string& name : options.suite.invariants) stability::invariantNamed(name);
-  lab::Workbench bench(options.device, validationWanted());
+  lab::Workbench bench(home, options.device, validationWanted());
   lab::Batch batch(bench);
-  std::vector<std::string> pipelines = options.pipelines.empty() ? script::pipelineNames() : options.pipelines;
+  std::vector<std::string> pipelines = options.pipelines.empty() ? script::pipelineNames(home) : options.pipelines;
   std::vector<stability::Report> reports;
   int failed = 0;
   for (const std::string& pipeline : pipelines) {
@@ -77,7 +77,7 @@ void run(const StabilityOptions& options) {
 
 }  // namespace
 
-void registerStability(CLI::App& program) {
+void registerStability(CLI::App& program, const Home& home) {
   auto options = std::make_shared<StabilityOptions>();
   CLI::App* command = program.add_subcommand("stability", "Check properties that every blur has on generated scenes");
   command->add_option("pipelines", options->pipelines, "names or .lua files (default: every pipeline that ships)");
@@ -92,7 +92,7 @@ void registerStability(CLI::App& program) {
                     "instead, the extreme cases (sizes, scales, offsets, near plane ...)");
   command->add_flag("--json", options->json, "report as JSON");
   command->add_option("--write", options->write, "write the table of counts")->type_name("FILE");
-  command->callback([options] { run(*options); });
+  command->callback([options, &home] { run(home, *options); });
 }
 
 }  // namespace strobe::app

@@ -3,9 +3,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/home.h"
+
 namespace strobe::app {
 
 // `strobe stability`.
-void registerStability(CLI::App& program);
+void registerStability(CLI::App& program, const Home& home);
 
 }  // namespace strobe::app

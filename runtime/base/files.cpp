@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -21,13 +20,12 @@ namespace fs = std::filesystem;
 
 std::string readText(const Path& file) {
   std::error_code ignored;
-  if (fs::is_directory(file, ignored)) throw Error("is a folder, not a file", {displayPath(file)});
+  if (fs::is_directory(file, ignored)) throw Error("is a folder, not a file", {file.string()});
   std::ifstream stream(file, std::ios::binary);
-  int reason = errno;  // displayPath() asks the system too
-  if (!stream) throw Error(fmt::format("cannot be read: {}", std::strerror(reason)), {displayPath(file)});
+  if (!stream) throw Error(fmt::format("cannot be read: {}", std::strerror(errno)), {file.string()});
   std::ostringstream text;
   text << stream.rdbuf();
-  if (stream.bad()) throw Error("reading failed", {displayPath(file)});
+  if (stream.bad()) throw Error("reading failed", {file.string()});
   return std::move(text).str();
 }
 
@@ -76,26 +74,6 @@ std::vector<std::string> namesIn(const Path& folder, std::string_view extension)
     if (entry.path().extension() == extension) names.push_back(entry.path().stem());
   std::sort(names.begin(), names.end());
   return names;
-}
-
-Path homeFolder() {
-  const char* home = std::getenv("STROBE_HOME");
-  return home && *home ? Path(home) : Path(STROBE_SOURCE_DIR);
-}
-
-std::optional<Path> dataFolder() {
-  const char* data = std::getenv("STROBE_DATA");
-  Path folder = data && *data ? Path(data) : homeFolder().parent_path() / "shared";
-  std::error_code ignored;
-  if (fs::is_directory(folder, ignored)) return folder;
-  return std::nullopt;
-}
-
-std::string displayPath(const Path& file) {
-  std::error_code failed;
-  Path relative = fs::relative(file, homeFolder(), failed);
-  bool inside = !failed && !relative.empty() && *relative.begin() != "..";
-  return inside ? relative.string() : file.string();
 }
 
 }  // namespace strobe

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,14 +24,5 @@ void writeFileAtomically(const Path& file, const std::vector<uint8_t>& bytes);
 
 // Names of the files in `folder` that end in `extension` (".lua"), without it, sorted; empty where there is no folder.
 std::vector<std::string> namesIn(const Path& folder, std::string_view extension);
-
-// The folder that holds passes/, shaders/ and scripts/: STROBE_HOME, else the source tree the program was built from.
-Path homeFolder();
-
-// Shared test data: STROBE_DATA, else `shared` beside the home folder; empty when there is none.
-std::optional<Path> dataFolder();
-
-// `file` relative to the home folder where it lies inside it, else unchanged: what errors and records show.
-std::string displayPath(const Path& file);
 
 }  // namespace strobe

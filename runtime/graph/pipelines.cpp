@@ -130,36 +130,39 @@ std::vector<shader::Interface> interfacesOf(const PassDesc& pass, Backend backen
   return interfaces;
 }
 
-static Path shaderFile(const PassDesc& pass, const char* suffix) {
-  return homeFolder() / "shaders" / (pass.shader + suffix);
+static Path shaderFile(const Home& home, const PassDesc& pass, const char* suffix) {
+  return home.at(Path("shaders") / (pass.shader + suffix));
 }
 
-std::vector<Path> shaderFiles(const PassDesc& pass) {
-  if (pass.kind == PassDesc::Kind::Raster) return {shaderFile(pass, ".vert.glsl"), shaderFile(pass, ".frag.glsl")};
-  return {shaderFile(pass, ".glsl")};
+std::vector<Path> shaderFiles(const Home& home, const PassDesc& pass) {
+  if (pass.kind == PassDesc::Kind::Raster)
+    return {shaderFile(home, pass, ".vert.glsl"), shaderFile(home, pass, ".frag.glsl")};
+  return {shaderFile(home, pass, ".glsl")};
 }
 
-static void requireFiles(const PassDesc& pass) {
-  for (const Path& file : shaderFiles(pass)) {
+static void requireFiles(const Home& home, const PassDesc& pass) {
+  for (const Path& file : shaderFiles(home, pass)) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored))
-      throw Error(fmt::format("pass '{}': there is no shader {}", pass.name, displayPath(file)), pass.place);
+      throw Error(fmt::format("pass '{}': there is no shader {}", pass.name, home.shown(file)), pass.place);
   }
 }
 
-static Path backendFile(const char* name) { return homeFolder() / "shaders" / "backend" / name; }
+static Path backendFile(const Home& home, const char* name) { return home.at(Path("shaders/backend") / name); }
 
 // The SPIR-V of a pass's stages, in the order that `make` and `checkShaders` expect.
-static std::vector<shader::Compiled> compileStages(const shader::Interface& in, const PassDesc& pass) {
-  requireFiles(pass);
+static std::vector<shader::Compiled> compileStages(const Home& home, const shader::Interface& in,
+                                                   const PassDesc& pass) {
+  requireFiles(home, pass);
   if (in.raster)
-    return {compilePass(in, shaderFile(pass, ".vert.glsl"), Stage::Vertex),
-            compilePass(in, shaderFile(pass, ".frag.glsl"), Stage::Fragment)};
-  Path file = shaderFile(pass, ".glsl");
-  if (in.backend != Backend::Pipeline) return {compilePass(in, file, Stage::Compute)};
-  return {compilePass(in, file, Stage::RayGeneration), compilePass(in, backendFile("miss.glsl"), Stage::Miss),
-          compilePass(in, backendFile("closest_hit.glsl"), Stage::ClosestHit),
-          compilePass(in, backendFile("any_hit.glsl"), Stage::AnyHit)};
+    return {compilePass(home, in, shaderFile(home, pass, ".vert.glsl"), Stage::Vertex),
+            compilePass(home, in, shaderFile(home, pass, ".frag.glsl"), Stage::Fragment)};
+  Path file = shaderFile(home, pass, ".glsl");
+  if (in.backend != Backend::Pipeline) return {compilePass(home, in, file, Stage::Compute)};
+  return {compilePass(home, in, file, Stage::RayGeneration),
+          compilePass(home, in, backendFile(home, "miss.glsl"), Stage::Miss),
+          compilePass(home, in, backendFile(home, "closest_hit.glsl"), Stage::ClosestHit),
+          compilePass(home, in, backendFile(home, "any_hit.glsl"), Stage::AnyHit)};
 }
 
 std::string textOf(const shader::Interface& in) {
@@ -169,32 +172,32 @@ std::string textOf(const shader::Interface& in) {
   return text;
 }
 
-static std::string interfaceKey(const shader::Interface& in, const PassDesc& pass) {
-  return fmt::format("{}|{}|{}", shaderFile(pass, "").string(), int(pass.kind), textOf(in));
+static std::string interfaceKey(const Home& home, const shader::Interface& in, const PassDesc& pass) {
+  return fmt::format("{}|{}|{}", shaderFile(home, pass, "").string(), int(pass.kind), textOf(in));
 }
 
 // `files` (may be null): all that were read.
-static std::string contentKey(const shader::Interface& in, const PassDesc& pass, std::vector<Path>* files = nullptr) {
+static std::string contentKey(const Home& home, const shader::Interface& in, const PassDesc& pass,
+                              std::vector<Path>* files = nullptr) {
   std::string key = fmt::format("{}|{}|{}", pass.shader, int(pass.kind), textOf(in));
   auto add = [&](const Path& file) {
     std::vector<Path> reached;
-    key += shader::textWithIncludes(file, &reached);
+    key += shader::textWithIncludes(home, file, &reached);
     if (files) files->insert(files->end(), reached.begin(), reached.end());
   };
-  for (const Path& file : shaderFiles(pass)) add(file);
+  for (const Path& file : shaderFiles(home, pass)) add(file);
   // What the generated declarations include.
-  const Path shared = homeFolder() / "shaders/shared";
-  add(shared / (in.scene ? "bindings.glsl" : "frame.h"));
+  add(home.at(in.scene ? "shaders/shared/bindings.glsl" : "shaders/shared/frame.h"));
   if (in.backend == Backend::Pipeline)
-    for (const char* name : {"miss.glsl", "closest_hit.glsl", "any_hit.glsl"}) add(backendFile(name));
+    for (const char* name : {"miss.glsl", "closest_hit.glsl", "any_hit.glsl"}) add(backendFile(home, name));
   return hashText(key);
 }
 
-static std::map<Path, std::string> sourcesOf(const PassDesc& pass) {
+static std::map<Path, std::string> sourcesOf(const Home& home, const PassDesc& pass) {
   std::map<Path, std::string> hashes;
-  for (const Path& file : shaderFiles(pass)) {
+  for (const Path& file : shaderFiles(home, pass)) {
     std::vector<Path> reached;
-    shader::textWithIncludes(file, &reached);
+    shader::textWithIncludes(home, file, &reached);
     for (const Path& one : reached) hashes[one] = hashText(readText(one));
   }
   return hashes;
@@ -220,9 +223,9 @@ static std::string hashOfCode(const std::vector<uint32_t>& spirv) {
   return hashBytes(code.data(), code.size() * sizeof(uint32_t));
 }
 
-PassCode compileAlone(const shader::Interface& in, const PassDesc& pass) {
+PassCode compileAlone(const Home& home, const shader::Interface& in, const PassDesc& pass) {
   PassCode code;
-  for (const shader::Compiled& stage : compileStages(in, pass)) {
+  for (const shader::Compiled& stage : compileStages(home, in, pass)) {
     code.hash += hashOfCode(stage.spirv);
     code.files.insert(code.files.end(), stage.files.begin(), stage.files.end());
   }
@@ -230,16 +233,16 @@ PassCode compileAlone(const shader::Interface& in, const PassDesc& pass) {
   return code;
 }
 
-void checkShaders(const plan::Plan& plan, Backend backend, std::set<std::string>& checked) {
+void checkShaders(const Home& home, const plan::Plan& plan, Backend backend, std::set<std::string>& checked) {
   std::vector<std::string> problems;
   for (const plan::PlanNode& node : plan.nodes) {
     const PassDesc& pass = plan.pipeline.passes[size_t(node.pass)];
     shader::Interface in = interfaceOf(plan, node, backend, SLICE_SAMPLE + 1);
     try {
-      requireFiles(pass);
-      if (!checked.insert(contentKey(in, pass)).second) continue;
-      compileStages(in, pass);
-      for (std::string& line : unusedNames(in, shaderFiles(pass))) problems.push_back(std::move(line));
+      requireFiles(home, pass);
+      if (!checked.insert(contentKey(home, in, pass)).second) continue;
+      compileStages(home, in, pass);
+      for (std::string& line : unusedNames(home, in, shaderFiles(home, pass))) problems.push_back(std::move(line));
     } catch (const Error& error) {
       problems.push_back(error.what());
     }
@@ -251,9 +254,9 @@ void checkShaders(const plan::Plan& plan, Backend backend, std::set<std::string>
 
 std::shared_ptr<const NodePipeline> PipelineCache::get(const shader::Interface& in, const PassDesc& pass,
                                                        const scene::GpuScene& scene) {
-  Seen& seen = seen_[interfaceKey(in, pass)];
+  Seen& seen = seen_[interfaceKey(home_, in, pass)];
   if (seen.content.empty() || !seen.files.current()) {
-    requireFiles(pass);
+    requireFiles(home_, pass);
     seen = lookAt(in, pass);
   }
   // Scenes whose sets are laid out alike share pipelines.
@@ -269,17 +272,17 @@ std::shared_ptr<const NodePipeline> PipelineCache::get(const shader::Interface& 
   return pipeline;
 }
 
-PipelineCache::Seen PipelineCache::lookAt(const shader::Interface& in, const PassDesc& pass) {
+PipelineCache::Seen PipelineCache::lookAt(const shader::Interface& in, const PassDesc& pass) const {
   std::vector<Path> files;
   Seen seen;
-  contentKey(in, pass, &files);
+  contentKey(home_, in, pass, &files);
   // A file that appears beside these may be included instead of one of them. Stamps first, contents after: a change in
   // between makes them differ.
   for (const Path& file : files) {
     seen.files.add(file);
     seen.files.add(file.parent_path());
   }
-  seen.content = contentKey(in, pass);
+  seen.content = contentKey(home_, in, pass);
   return seen;
 }
 
@@ -311,12 +314,12 @@ static std::vector<VkDescriptorSetLayoutBinding> bindingsOf(const shader::Interf
 
 std::shared_ptr<const NodePipeline> PipelineCache::make(const shader::Interface& in, const PassDesc& pass,
                                                         VkDescriptorSetLayout scene_layout) const {
-  std::vector<shader::Compiled> stages = compileStages(in, pass);
-  throwIfAny(unusedNames(in, shaderFiles(pass)));
+  std::vector<shader::Compiled> stages = compileStages(home_, in, pass);
+  throwIfAny(unusedNames(home_, in, shaderFiles(home_, pass)));
   auto made = std::make_shared<NodePipeline>();
   made->interface = in;
   for (const auto& stage : stages) made->files.insert(made->files.end(), stage.files.begin(), stage.files.end());
-  made->sources = sourcesOf(pass);
+  made->sources = sourcesOf(home_, pass);
   made->bindings = bindingsOf(in);
   made->set_layout = gpu::makeSetLayout(device_, pass.name, made->bindings);
   std::vector<VkDescriptorSetLayout> sets = {scene_layout, made->set_layout.get()};

@@ -34,14 +34,14 @@ shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node
 std::string textOf(const shader::Interface& interface);
 
 // The shader files of a pass, main file first.
-std::vector<Path> shaderFiles(const plan::PassDesc& pass);
+std::vector<Path> shaderFiles(const Home& home, const plan::PassDesc& pass);
 
 // What a pass's stages compile to, and the files they come from, the shared declarations among them. Throws `Error`.
 struct PassCode {
   std::string hash;  // of the SPIR-V without names of files and lines
   std::vector<Path> files;
 };
-PassCode compileAlone(const shader::Interface& interface, const plan::PassDesc& pass);
+PassCode compileAlone(const Home& home, const shader::Interface& interface, const plan::PassDesc& pass);
 
 // The interfaces of a pass alone, without a pipeline: for every pair of what can be chosen when it is compiled
 // (choices, switches, optional reads) all combinations of their values, the rest as declared.
@@ -49,13 +49,13 @@ std::vector<shader::Interface> interfacesOf(const plan::PassDesc& pass, Backend 
 
 // Compiles every node's shaders without a device; throws `Error` with all problems of all passes. `checked` remembers
 // what has been looked at, by content, from call to call.
-void checkShaders(const plan::Plan& plan, Backend backend, std::set<std::string>& checked);
+void checkShaders(const Home& home, const plan::Plan& plan, Backend backend, std::set<std::string>& checked);
 
 // Pipelines by the content they come from: the same text compiled the same way is the same pipeline, so nothing stale
 // can be served and nothing is compiled twice. Of those no longer in use, the last few hundred are kept.
 class PipelineCache {
  public:
-  explicit PipelineCache(const gpu::Device& device) : device_(device) {}
+  PipelineCache(const Home& home, const gpu::Device& device) : home_(home), device_(device) {}
   std::shared_ptr<const NodePipeline> get(const shader::Interface& interface, const plan::PassDesc& pass,
                                           const scene::GpuScene& scene);
   // Pipelines made since the cache exists.
@@ -69,13 +69,14 @@ class PipelineCache {
   };
   std::shared_ptr<const NodePipeline> make(const shader::Interface& interface, const plan::PassDesc& pass,
                                            VkDescriptorSetLayout scene_layout) const;
-  static Seen lookAt(const shader::Interface& interface, const plan::PassDesc& pass);
+  Seen lookAt(const shader::Interface& interface, const plan::PassDesc& pass) const;
   void forgetOldest();
 
   struct Held {
     std::shared_ptr<const NodePipeline> pipeline;
     uint64_t asked = 0;  // number of the request that used it last
   };
+  const Home home_;
   const gpu::Device& device_;
   std::map<std::string, Seen> seen_;  // by interface
   std::map<std::string, Held> made_;  // by content

@@ -18,7 +18,7 @@ static FileKind kindOf(const Path& file) {
   std::vector<uint8_t> bytes = readBytes(file);
   if (bytes.size() >= 8 && std::memcmp(bytes.data(), "\x89PNG\r\n\x1a\n", 8) == 0) return FileKind::png;
   if (bytes.size() >= 4 && std::memcmp(bytes.data(), "\x76\x2f\x31\x01", 4) == 0) return FileKind::exr;
-  throw Error("is neither a PNG nor an OpenEXR file", {displayPath(file)});
+  throw Error("is neither a PNG nor an OpenEXR file", {file.string()});
 }
 
 static void requireFinite(const Image& image, const Path& file) {
@@ -26,7 +26,7 @@ static void requireFinite(const Image& image, const Path& file) {
     for (int x = 0; x < image.width; ++x)
       for (int c = 0; c < image.channels; ++c)
         if (!std::isfinite(image.at(x, y, c)))
-          throw Error(fmt::format("pixel {},{} is not finite ({})", x, y, image.at(x, y, c)), {displayPath(file)});
+          throw Error(fmt::format("pixel {},{} is not finite ({})", x, y, image.at(x, y, c)), {file.string()});
 }
 
 static Image withoutAlpha(const Image& image) {
@@ -42,7 +42,7 @@ Picture readPicture(const Path& file, const std::string& layer) {
     requireFinite(linear, file);
     return {linear, true};
   }
-  if (!layer.empty()) throw Error(fmt::format("is a PNG and has no layer '{}'", layer), {displayPath(file)});
+  if (!layer.empty()) throw Error(fmt::format("is a PNG and has no layer '{}'", layer), {file.string()});
   return {decodeSrgb(withoutAlpha(readPng(file))), false};
 }
 

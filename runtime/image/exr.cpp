@@ -180,7 +180,7 @@ std::vector<std::string> channelNames(const ExrFile& content) {
 
 const ExrChannel& require(const ExrFile& content, const std::string& name, const Path& file) {
   if (const ExrChannel* channel = content.find(name)) return *channel;
-  throw Error(fmt::format("has no channel '{}'{}", name, didYouMean(name, channelNames(content))), {displayPath(file)});
+  throw Error(fmt::format("has no channel '{}'{}", name, didYouMean(name, channelNames(content))), {file.string()});
 }
 
 void copyInto(Image& image, int c, const ExrChannel& channel) {
@@ -267,11 +267,11 @@ void writeExr(const Path& file, const ExrFile& content) { writeFileAtomically(fi
 ExrFile readExr(const Path& file) {
   std::string bytes = readText(file);
   if (bytes.size() < 4 || std::memcmp(bytes.data(), "\x76\x2f\x31\x01", 4) != 0)
-    throw Error("is not an OpenEXR file", {displayPath(file)});
+    throw Error("is not an OpenEXR file", {file.string()});
   try {
     return decode(bytes);
   } catch (const std::exception& failure) {
-    throw Error(fmt::format("is not a readable OpenEXR file: {}", oneLine(failure.what())), {displayPath(file)});
+    throw Error(fmt::format("is not a readable OpenEXR file: {}", oneLine(failure.what())), {file.string()});
   }
 }
 
@@ -283,7 +283,7 @@ Image channelsOf(const ExrFile& content, const std::vector<std::string>& names, 
 
 UintImage idsOf(const ExrFile& content, const std::string& name, const Path& file) {
   const ExrChannel& channel = require(content, name, file);
-  if (channel.kind != ExrKind::uint) throw Error(fmt::format("channel '{}' holds no ids", name), {displayPath(file)});
+  if (channel.kind != ExrKind::uint) throw Error(fmt::format("channel '{}' holds no ids", name), {file.string()});
   return {content.width, content.height, 1, channel.ids};
 }
 
@@ -308,7 +308,7 @@ Image colourOf(const ExrFile& content, const std::string& layer, const Path& fil
   if (colour.empty()) {
     std::vector<std::string> names = channelNames(content);
     std::string expected = layer.empty() ? "colour (R, G, B)" : fmt::format("colour in a layer '{}'", layer);
-    throw Error(fmt::format("has no {}; its channels are {}", expected, fmt::join(names, ", ")), {displayPath(file)});
+    throw Error(fmt::format("has no {}; its channels are {}", expected, fmt::join(names, ", ")), {file.string()});
   }
   if (!alpha) return channelsOf(content, colour, file);
   Image image(content.width, content.height, 4, 1.0f);

@@ -50,7 +50,7 @@ Image readPng(const Path& file) {
   auto refuse = [&](const char* why) {
     std::string message = fmt::format("is not a readable PNG: {}", why);
     png_image_free(&png);
-    throw Error(message, {displayPath(file)});
+    throw Error(message, {file.string()});
   };
   if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) refuse(png.message);
   if (png.width > 65536 || png.height > 65536) refuse("larger than 65536 pixels");

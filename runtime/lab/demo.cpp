@@ -38,17 +38,17 @@ DemoCrop cropOf(const Json& json) {
 }
 
 // "shared:x" is a file of the shared data.
-void resolveScene(DemoShot& shot) {
+void resolveScene(const Home& home, DemoShot& shot) {
   const std::string prefix = "shared:";
   if (!shot.shot.scene.starts_with(prefix)) return;
   std::string name = shot.shot.scene.substr(prefix.size());
-  std::optional<Path> data = dataFolder();
+  std::optional<Path> data = home.data();
   if (!data) shot.missing = "there is no shared data (STROBE_DATA names its folder)";
   else if (!std::filesystem::exists(*data / name)) shot.missing = fmt::format("the shared data has no '{}'", name);
   else shot.shot.scene = (*data / name).string();
 }
 
-DemoShot shotOf(const Json& json, const Demo& demo) {
+DemoShot shotOf(const Home& home, const Json& json, const Demo& demo) {
   DemoShot result;
   Shot& shot = result.shot;
   take(json, "title", result.title);
@@ -82,7 +82,7 @@ DemoShot shotOf(const Json& json, const Demo& demo) {
   if (json.contains("crops"))
     for (const Json& crop : json.at("crops")) result.crops.push_back(cropOf(crop));
   else result.crops.push_back(std::nullopt);
-  resolveScene(result);
+  resolveScene(home, result);
   return result;
 }
 
@@ -101,7 +101,7 @@ DemoExpectation expectationOf(const Json& json) {
   return expectation;
 }
 
-Demo demoOf(const Json& json) {
+Demo demoOf(const Home& home, const Json& json) {
   Demo demo;
   take(json, "title", demo.title);
   take(json, "note", demo.note);
@@ -119,7 +119,7 @@ Demo demoOf(const Json& json) {
   take(json, "regions", demo.regions);
   take(json, "measures", demo.measures);
   for (const Json& column : json.at("columns")) demo.columns.push_back(columnOf(column));
-  for (const Json& shot : json.at("shots")) demo.shots.push_back(shotOf(shot, demo));
+  for (const Json& shot : json.at("shots")) demo.shots.push_back(shotOf(home, shot, demo));
   if (json.contains("background")) demo.background = backgroundOf(json.at("background"));
   if (json.contains("expectation")) demo.expectation = expectationOf(json.at("expectation"));
   return demo;
@@ -134,7 +134,7 @@ void collect(std::vector<std::string>& problems, const Step& step) {
   }
 }
 
-void checkDemo(const Demo& demo, const std::string& file) {
+void checkDemo(const Home& home, const Demo& demo, const std::string& file) {
   std::vector<std::string> problems;
   auto refuse = [&](const std::string& text) { problems.push_back(Error(text, {file}).what()); };
   if (demo.width < 1 || demo.height < 1 || demo.width > 16384 || demo.height > 16384)
@@ -147,7 +147,7 @@ void checkDemo(const Demo& demo, const std::string& file) {
   if (demo.expectation && !known(demo.expectation->region))
     refuse(fmt::format("the expectation's region '{}' is not among the regions", demo.expectation->region));
   auto evaluate = [&](const DemoColumn& column, const script::Settings& more) {
-    collect(problems, [&] { script::evaluatePipeline({column.pipeline, joined(column.sets, more)}); });
+    collect(problems, [&] { script::evaluatePipeline(home, {column.pipeline, joined(column.sets, more)}); });
   };
   for (const DemoColumn& column : demo.columns)
     for (const script::Settings& more : {script::Settings(), column.warm, column.box}) evaluate(column, more);
@@ -156,7 +156,7 @@ void checkDemo(const Demo& demo, const std::string& file) {
     if (shot.full_shading) evaluate(demo.truth(), *shot.full_shading);
     if (!shot.missing.empty()) continue;
     Shot copy = shot.shot;
-    collect(problems, [&] { loadScene(copy); });
+    collect(problems, [&] { loadScene(home, copy); });
   }
   throwIfAny(problems);
 }
@@ -194,22 +194,22 @@ std::string fileNameOf(const std::string& label) {
   return name.empty() ? "unnamed" : name;
 }
 
-Demo readDemo(const std::string& file) {
+Demo readDemo(const Home& home, const std::string& file) {
   std::vector<script::Dependency> dependencies;
-  Json json = script::evaluateData(file, {}, &dependencies);
+  Json json = script::evaluateData(home, file, {}, &dependencies);
   if (!json.is_object() || !json.contains("kind") || json["kind"] != "demo")
     throw Error("does not return a demo { ... } of strobe.demo", {file});
   Demo demo;
   int truths = 0;
   try {
-    demo = demoOf(json);
+    demo = demoOf(home, json);
   } catch (const Json::exception& error) {
     throw Error(fmt::format("a value of the demo has a wrong form: {}", error.what()), {file});
   }
   demo.dependencies = dependencies;
   for (const DemoColumn& column : demo.columns) truths += column.role == DemoColumn::Role::truth;
   if (truths != 1) throw Error("not exactly one column is the truth", {file});
-  checkDemo(demo, file);
+  checkDemo(home, demo, file);
   return demo;
 }
 

@@ -67,7 +67,7 @@ struct Demo {
 
 // Evaluates the file and checks what can be checked without a device: pipelines, settings, scenes, sizes. A scene
 // "shared:FILE" is looked for in the shared data; where it is missing the shot says so. Throws `Error`.
-Demo readDemo(const std::string& file);
+Demo readDemo(const Home& home, const std::string& file);
 
 // The settings `from` has by this name, as strobe.demo lists them: { { name, value }, ... } or nothing.
 script::Settings settingsOf(const Json& from, const char* name);

@@ -149,15 +149,15 @@ static void divide(graph::FrameResult& sum, int n) {
 }
 
 // What a picture says of itself, of the frame in it.
-static void describe(Picture& picture, const Drawing& drawing, const Shot& shot, const graph::FrameSetup& setup,
-                     const gpu::DeviceInfo& device) {
+static void describe(const Home& home, Picture& picture, const Drawing& drawing, const Shot& shot,
+                     const graph::FrameSetup& setup, const gpu::DeviceInfo& device) {
   dmat4 camera_from_world = glm::inverse(setup.pose_at(setup.capture_s).world_from_camera);
   picture.camera_from_world = mat4(camera_from_world);
   double aspect = double(shot.width) / shot.height;
   picture.ndc_from_world = mat4(ndcFromCamera(setup.camera, aspect) * camera_from_world);
   picture.warnings = drawing.scene().scene.warnings;
   for (std::string& met : drawing.limitsMet(shot, picture.frame)) picture.warnings.push_back(std::move(met));
-  picture.record = makeRecord({shot, drawing, device}, picture.frame);
+  picture.record = makeRecord({home, shot, drawing, device}, picture.frame);
   picture.record["warnings"] = picture.warnings;
 }
 
@@ -180,7 +180,7 @@ Picture Drawing::capture(const Shot& shot, const std::set<std::string>* outputs,
   }
   if (shot.aa > 1) divide(picture.frame, shot.aa);
   double done_s = clockSeconds();
-  describe(picture, *this, shot, setup, bench_.device().info());
+  describe(bench_.home(), picture, *this, shot, setup, bench_.device().info());
   picture.timings = makeTimings(picture.frame, bench_.device().info(), ready_s - started_s, done_s - ready_s);
   return picture;
 }

@@ -28,20 +28,22 @@ static script::Texts textsOf(const std::vector<script::Dependency>& files, const
   return texts;
 }
 
-Evaluation evaluated(const std::string& pipeline, const script::Settings& sets, const script::Limits& limits) {
+Evaluation evaluated(const Home& home, const std::string& pipeline, const script::Settings& sets,
+                     const script::Limits& limits) {
   Evaluation evaluation;
-  evaluation.pipeline = script::evaluatePipeline({pipeline, sets}, &evaluation.scripts, limits);
+  evaluation.pipeline = script::evaluatePipeline(home, {pipeline, sets}, &evaluation.scripts, limits);
   evaluation.texts = textsOf(evaluation.scripts, {});
   return evaluation;
 }
 
-Attempt attempt(const Shot& shot, const script::Texts& texts, const script::Limits& limits, bool lenient) {
+Attempt attempt(const Home& home, const Shot& shot, const script::Texts& texts, const script::Limits& limits,
+                bool lenient) {
   Attempt tried;
   double started_s = clockSeconds();
   try {
     script::PipelineRequest request{shot.pipeline, shot.sets, texts};
     auto* dropped = lenient ? &tried.dropped : nullptr;
-    tried.good.pipeline = script::evaluatePipeline(request, &tried.good.scripts, limits, dropped);
+    tried.good.pipeline = script::evaluatePipeline(home, request, &tried.good.scripts, limits, dropped);
     tried.good.texts = textsOf(tried.good.scripts, texts);
     tried.usable = true;
   } catch (const std::exception& error) {  // an `Error`, or a folder that goes while it is listed
@@ -61,8 +63,8 @@ static script::Texts changedTexts(const script::Texts& good) {
 
 // The newest files; where they fail, as many of them as work: files are put back to their last good text, those an
 // error names first.
-Attempt attemptAround(const Shot& shot, const script::Texts& good, const script::Limits& limits) {
-  Attempt newest = attempt(shot, {}, limits, true);
+Attempt attemptAround(const Home& home, const Shot& shot, const script::Texts& good, const script::Limits& limits) {
+  Attempt newest = attempt(home, shot, {}, limits, true);
   if (newest.usable || good.empty()) return newest;
   script::Texts changed = changedTexts(good), put_back;
   std::vector<std::string> problems = newest.problems;
@@ -70,10 +72,10 @@ Attempt attemptAround(const Shot& shot, const script::Texts& good, const script:
   while (put_back.size() < changed.size()) {
     size_t before = put_back.size();
     for (const auto& [file, text] : changed)
-      if (problems.back().find(displayPath(file)) != std::string::npos) put_back[file] = text;
+      if (problems.back().find(home.shown(file)) != std::string::npos) put_back[file] = text;
     if (put_back.size() == before) put_back = changed;
     if (put_back.size() == changed.size()) break;  // nothing new is left to try
-    Attempt around = attempt(shot, put_back, limits, true);
+    Attempt around = attempt(home, shot, put_back, limits, true);
     ms += around.ms;
     problems.insert(problems.end(), around.problems.begin(), around.problems.end());
     if (!around.usable) continue;

@@ -13,7 +13,8 @@ struct Evaluation {
 };
 
 // Throws `Error`, with the places of the user's lines.
-Evaluation evaluated(const std::string& pipeline, const script::Settings& sets, const script::Limits& limits);
+Evaluation evaluated(const Home& home, const std::string& pipeline, const script::Settings& sets,
+                     const script::Limits& limits);
 
 // An evaluation that may have failed; the following two never throw.
 struct Attempt {
@@ -26,10 +27,11 @@ struct Attempt {
 };
 
 // With these texts in the place of what their files hold now. `lenient`: settings that do not fit are dropped.
-Attempt attempt(const Shot& shot, const script::Texts& texts, const script::Limits& limits, bool lenient);
+Attempt attempt(const Home& home, const Shot& shot, const script::Texts& texts, const script::Limits& limits,
+                bool lenient);
 
 // The newest files; where they fail, as many of them as work: files are put back to their last `good` text, those an
 // error names first. Lenient.
-Attempt attemptAround(const Shot& shot, const script::Texts& good, const script::Limits& limits);
+Attempt attemptAround(const Home& home, const Shot& shot, const script::Texts& good, const script::Limits& limits);
 
 }  // namespace strobe::lab

@@ -22,8 +22,8 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr int kFrameCost = 12;  // of one frame of a method, in time samples of truth
 
 // Time samples of a pipeline's loops; 0 without loops.
-int loopCost(const DemoColumn& column, const script::Settings& sets) {
-  plan::PipelineDesc pipeline = script::evaluatePipeline({column.pipeline, sets});
+int loopCost(const Home& home, const DemoColumn& column, const script::Settings& sets) {
+  plan::PipelineDesc pipeline = script::evaluatePipeline(home, {column.pipeline, sets});
   int64_t cost = 0;
   for (const plan::LoopDesc& loop : pipeline.loops) {
     if (loop.count.value) cost += std::get<int64_t>(*loop.count.value);
@@ -49,10 +49,10 @@ struct Task {
 
 bool isTruth(const DemoColumn& column) { return column.role == DemoColumn::Role::truth; }
 
-Task taskOf(const DemoShot& shot, const DemoColumn& column, const std::string& anchor) {
+Task taskOf(const Home& home, const DemoShot& shot, const DemoColumn& column, const std::string& anchor) {
   Task task{&column, anchor, joined(shot.shot.sets, column.sets)};
   if (isTruth(column)) task.sets = joined(task.sets, shot.truth);
-  int samples = loopCost(column, task.sets);
+  int samples = loopCost(home, column, task.sets);
   task.frame_cost = samples > 0 ? samples : kFrameCost;
   task.warms_up = samples == 0;
   int pictures = shot.shot.aa > 1 ? (isTruth(column) ? 1 : shot.shot.aa) : 0;
@@ -74,12 +74,12 @@ bool belongs(const DemoColumn& column, const std::string& anchor, const DemoShot
   return anchor == shot.shot.anchor || column.own_anchor == anchor || column.role != DemoColumn::Role::method;
 }
 
-std::vector<Task> tasksOf(const Demo& demo, const DemoShot& shot) {
+std::vector<Task> tasksOf(const Home& home, const Demo& demo, const DemoShot& shot) {
   std::vector<Task> tasks;
   if (!shot.missing.empty()) return tasks;
   for (const std::string& anchor : anchorsOf(demo, shot))
     for (const DemoColumn& column : demo.columns)
-      if (belongs(column, anchor, shot)) tasks.push_back(taskOf(shot, column, anchor));
+      if (belongs(column, anchor, shot)) tasks.push_back(taskOf(home, shot, column, anchor));
   return tasks;
 }
 
@@ -293,7 +293,7 @@ Group Hall::groupOf(ShotResult& result, const DemoShot& shot, const std::string&
   Group group;
   group.anchor = anchor;
   Picture truth;
-  Task truth_task = taskOf(shot, demo_.truth(), anchor);
+  Task truth_task = taskOf(bench_.home(), shot, demo_.truth(), anchor);
   Entry reference = entryOf(shot, truth_task, truth);
   if (!result.resolved.fps) describe(result, truth);
   image::Image full;
@@ -309,7 +309,7 @@ Group Hall::groupOf(ShotResult& result, const DemoShot& shot, const std::string&
   for (const DemoColumn& column : demo_.columns) {
     if (!belongs(column, anchor, shot)) continue;
     Picture picture;
-    Entry entry = isTruth(column) ? reference : entryOf(shot, taskOf(shot, column, anchor), picture);
+    Entry entry = isTruth(column) ? reference : entryOf(shot, taskOf(bench_.home(), shot, column, anchor), picture);
     measure(group, reference, sigma, full, entry);
     if (demo_.background && demo_.background->column == column.label && result.groups.empty())
       keepBackground(isTruth(column) ? truth : picture);
@@ -409,7 +409,7 @@ Exhibition exhibit(const Demo& demo, Workbench& bench, const Path& folder, int f
   result.device = bench.device().info();
   int pictures = 0, cost = 0;
   for (const DemoShot& shot : demo.shots)
-    for (const Task& task : tasksOf(demo, shot)) ++pictures, cost += task.cost();
+    for (const Task& task : tasksOf(bench.home(), demo, shot)) ++pictures, cost += task.cost();
   double started_s = clockSeconds();
   Pace pace("demo", pictures, cost);
   for (const DemoShot& shot : demo.shots) {

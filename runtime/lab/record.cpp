@@ -18,10 +18,10 @@ std::string hashOf(const graph::ReadImage& read) {
 }
 
 // Shader files of all nodes, with what they include, as they were when they were compiled, by the path people know.
-static Json shaderHashes(const graph::Graph& graph) {
+static Json shaderHashes(const Home& home, const graph::Graph& graph) {
   std::map<std::string, std::string> hashes;
   for (const auto& [node, pipeline] : graph.pipelines())
-    for (const auto& [file, hash] : pipeline->sources) hashes[displayPath(file)] = hash;
+    for (const auto& [file, hash] : pipeline->sources) hashes[home.shown(file)] = hash;
   return hashes;
 }
 
@@ -50,7 +50,7 @@ Json makeRecord(const RecordContext& c, const graph::FrameResult& frame) {
   if (!scene.scene.attribution.is_null()) record["scene"]["attribution"] = scene.scene.attribution;
   for (const auto& file : c.drawing.evaluation().scripts) record["scripts"][file.shown] = file.hash;
   for (const auto& file : scene.dependencies) record["scripts"][file.shown] = file.hash;
-  record["shaders"] = shaderHashes(c.drawing.graph());
+  record["shaders"] = shaderHashes(c.home, c.drawing.graph());
   record["device"] = {{"name", c.device.name},
                       {"driver", c.device.driver},
                       {"api", c.device.api},

@@ -7,6 +7,7 @@
 namespace strobe::lab {
 
 struct RecordContext {
+  const Home& home;
   const Shot& shot;
   const Drawing& drawing;
   const gpu::DeviceInfo& device;

@@ -221,20 +221,20 @@ std::string familyOf(const PassDesc& pass) { return Path(memberOf(pass)).parent_
 
 std::string pathOf(const PassDesc& pass) { return "passes/" + memberOf(pass) + ".md"; }
 
-std::vector<PassDesc> allPasses() {
-  std::vector<PassDesc> passes = script::evaluateAllPasses();
+std::vector<PassDesc> allPasses(const Home& home) {
+  std::vector<PassDesc> passes = script::evaluateAllPasses(home);
   std::sort(passes.begin(), passes.end(), [](const auto& a, const auto& b) { return memberOf(a) < memberOf(b); });
   return passes;
 }
 
 // --- Pipelines
 
-Presets presetsOf(const PipelineDesc& pipeline) {
+Presets presetsOf(const Home& home, const PipelineDesc& pipeline) {
   Presets presets;
   for (const ParamDesc& param : pipeline.params) {
     if (param.name != "preset") continue;
     for (const std::string& choice : param.choices)
-      presets.push_back({choice, script::evaluatePipeline({pipeline.name, {{"preset", choice}}})});
+      presets.push_back({choice, script::evaluatePipeline(home, {pipeline.name, {{"preset", choice}}})});
   }
   return presets;
 }
@@ -308,9 +308,10 @@ std::string pathOf(const PipelineDesc& pipeline) { return "pipelines/" + pipelin
 
 // --- All of them
 
-std::vector<PipelineDesc> allPipelines() {
+std::vector<PipelineDesc> allPipelines(const Home& home) {
   std::vector<PipelineDesc> pipelines;
-  for (const std::string& name : script::pipelineNames()) pipelines.push_back(script::evaluatePipeline({name, {}}));
+  for (const std::string& name : script::pipelineNames(home))
+    pipelines.push_back(script::evaluatePipeline(home, {name, {}}));
   return pipelines;
 }
 
@@ -442,20 +443,20 @@ std::string pipelinePage(const PipelineDesc& pipeline, const Presets& presets, c
   return text;
 }
 
-std::vector<ReferencePage> referencePages() {
-  std::vector<PassDesc> passes = allPasses();
-  std::vector<PipelineDesc> pipelines = allPipelines();
+std::vector<ReferencePage> referencePages(const Home& home) {
+  std::vector<PassDesc> passes = allPasses(home);
+  std::vector<PipelineDesc> pipelines = allPipelines(home);
   std::vector<ReferencePage> pages = {{"README.md", kNote + indexPage(pipelines, passes)}};
   pages.front().text.pop_back();
   pages.push_back({"limits.md", kNote + limitsPage(passes)});
   for (const PassDesc& pass : passes) pages.push_back({pathOf(pass), kNote + passPage(pass)});
   for (const PipelineDesc& one : pipelines)
-    pages.push_back({pathOf(one), kNote + pipelinePage(one, presetsOf(one), passes)});
+    pages.push_back({pathOf(one), kNote + pipelinePage(one, presetsOf(home, one), passes)});
   return pages;
 }
 
-void writeReference(const Path& folder) {
-  std::vector<ReferencePage> pages = referencePages();
+void writeReference(const Home& home, const Path& folder) {
+  std::vector<ReferencePage> pages = referencePages(home);
   std::set<std::string> current;
   for (const ReferencePage& page : pages) {
     writeFileAtomically(folder / page.path, page.text);
@@ -471,10 +472,10 @@ void writeReference(const Path& folder) {
   for (const Path& file : gone) std::filesystem::remove(file);
 }
 
-std::string helpTopics() {
-  std::vector<PassDesc> passes = allPasses();
+std::string helpTopics(const Home& home) {
+  std::vector<PassDesc> passes = allPasses(home);
   std::vector<std::pair<std::string, std::string>> entries;
-  for (const PipelineDesc& one : allPipelines()) entries.push_back({one.name, one.doc});
+  for (const PipelineDesc& one : allPipelines(home)) entries.push_back({one.name, one.doc});
   std::string text =
       "strobe help NAME prints the page of one of these, NAME.PARAM one parameter of it, PARAM that of all "
       "pipelines.\n\n";
@@ -488,28 +489,28 @@ std::string helpTopics() {
 }
 
 // A bare parameter, `edge`: what it means in each pipeline that has it; empty where none has.
-static std::string helpOnParamOfPipelines(const std::string& name) {
+static std::string helpOnParamOfPipelines(const Home& home, const std::string& name) {
   std::string text;
-  for (const PipelineDesc& pipeline : allPipelines())
+  for (const PipelineDesc& pipeline : allPipelines(home))
     if (findParam(pipeline.params, name))
       text +=
           (text.empty() ? "" : "\n") + helpOnParam(pipeline.name + "." + name, pipeline.name, pipeline.params, false);
   return text;
 }
 
-std::string helpOn(const std::string& topic) {
+std::string helpOn(const Home& home, const std::string& topic) {
   std::string owner = topic.substr(0, topic.find('.'));
   bool of_param = owner.size() < topic.size();
-  std::vector<std::string> known = script::pipelineNames();
-  std::vector<PassDesc> passes = allPasses();
+  std::vector<std::string> known = script::pipelineNames(home);
+  std::vector<PassDesc> passes = allPasses(home);
   if (std::find(known.begin(), known.end(), owner) != known.end()) {
-    PipelineDesc pipeline = script::evaluatePipeline({owner, {}});
+    PipelineDesc pipeline = script::evaluatePipeline(home, {owner, {}});
     if (of_param) return helpOnParam(topic, owner, pipeline.params, false);
-    return pipelinePage(pipeline, presetsOf(pipeline), passes);
+    return pipelinePage(pipeline, presetsOf(home, pipeline), passes);
   }
   const PassDesc* pass = findPass(passes, owner);
   if (pass) return of_param ? helpOnParam(topic, owner, pass->params, true) : passPage(*pass);
-  std::string anywhere = of_param ? "" : helpOnParamOfPipelines(topic);
+  std::string anywhere = of_param ? "" : helpOnParamOfPipelines(home, topic);
   if (!anywhere.empty()) return anywhere;
   for (const PassDesc& one : passes) known.insert(known.end(), {one.name, memberOf(one), stemOf(one)});
   refuse(owner, known);

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/files.h"
+#include "base/home.h"
 #include "plan/description.h"
 
 namespace strobe::lab {
@@ -26,19 +26,19 @@ std::string pipelinePage(const plan::PipelineDesc& pipeline, const Presets& pres
                          const std::vector<plan::PassDesc>& passes);
 
 // Every pass, every pipeline and the index, of the home folder as it is. Throws `Error` for what is unsound.
-std::vector<ReferencePage> referencePages();
+std::vector<ReferencePage> referencePages(const Home& home);
 
 // Writes them below `folder`; removes pages there whose pass or pipeline is gone.
-void writeReference(const Path& folder);
+void writeReference(const Home& home, const Path& folder);
 
 // The command that brings the pages that ship up to date.
 inline const char* const kReferenceCommand = "strobe help --write docs/reference";
 
 // All topics, a line each.
-std::string helpTopics();
+std::string helpTopics(const Home& home);
 
 // On a pass ("tile_largest", "tile/largest" or "largest"), a pipeline, or a parameter of either ("tile_largest.tile").
 // Throws `Error` with exit code 2 and the nearest topic for anything else.
-std::string helpOn(const std::string& topic);
+std::string helpOn(const Home& home, const std::string& topic);
 
 }  // namespace strobe::lab

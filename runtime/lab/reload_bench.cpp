@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <thread>
 
 #include "base/log.h"
@@ -17,25 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A copy of what scripts and shaders are read from, gone with the object.
-class HomeCopy {
- public:
-  HomeCopy() : folder_(fs::temp_directory_path() / fmt::format("strobe_bench_{}", ::getpid())) {
-    for (const char* part : {"passes", "shaders", "scripts"}) {
-      fs::create_directories(folder_ / part);
-      fs::copy(homeFolder() / part, folder_ / part, fs::copy_options::recursive);
-    }
-    ::setenv("STROBE_HOME", folder_.c_str(), 1);
-  }
-  ~HomeCopy() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-
- private:
-  Path folder_;
-};
-
 // Puts a number that nobody has used before into a file.
 struct Kind {
   std::string what;
@@ -47,15 +27,16 @@ struct Kind {
 std::vector<Kind> kindsFor(const Session& session) {
   // The last pass of the plan, the library that most of its shaders share, the script of that pass and of the pipeline.
   const plan::Plan& plan = session.plan();
+  const Home& home = session.bench().home();
   const plan::PassDesc& last = plan.pipeline.passes[size_t(plan.nodes.back().pass)];
   std::map<std::string, int> uses;
   for (const auto& [node, pipeline] : session.pipelines())
     for (const Path& file : pipeline->files)
-      if (displayPath(file).starts_with("shaders/lib/") || displayPath(file).starts_with("shaders/mixin/"))
-        ++uses[displayPath(file)];
+      if (std::string name = home.shown(file); name.starts_with("shaders/lib/") || name.starts_with("shaders/mixin/"))
+        ++uses[name];
   auto most =
       std::max_element(uses.begin(), uses.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  std::vector<Kind> kinds = {{"shader of one pass", displayPath(graph::shaderFiles(last).front()),
+  std::vector<Kind> kinds = {{"shader of one pass", home.shown(graph::shaderFiles(home, last).front()),
                               "\n  if (frame.frame == {}u) return;\n", ") {"}};
   if (most != uses.end())
     kinds.push_back({fmt::format("shader library of {} passes", most->second), most->first,
@@ -66,7 +47,7 @@ std::vector<Kind> kindsFor(const Session& session) {
 }
 
 ReloadTiming once(Session& session, const Kind& kind, int number) {
-  Path file = homeFolder() / kind.file;
+  Path file = session.bench().home().at(kind.file);
   std::string good = readText(file);
   std::string line = fmt::format(fmt::runtime(kind.line), number);
   // The last function of a shader is its `run`; of a library the line behind the first #define.
@@ -112,8 +93,19 @@ ReloadTiming medianOf(const std::vector<ReloadTiming>& all) {
 
 }  // namespace
 
+HomeCopy::HomeCopy(const Home& home) : folder_(fs::temp_directory_path() / fmt::format("strobe_bench_{}", ::getpid())) {
+  for (const char* part : {"passes", "shaders", "scripts"}) {
+    fs::create_directories(folder_ / part);
+    fs::copy(home.at(part), folder_ / part, fs::copy_options::recursive);
+  }
+}
+
+HomeCopy::~HomeCopy() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
 std::vector<ReloadTiming> benchReload(Workbench& bench, const Shot& shot, int repeats) {
-  HomeCopy home;
   Session session(bench, shot);
   session.reload(true);
   session.draw();

@@ -18,8 +18,20 @@ struct ReloadTiming {
   double added() const { return watch + evaluate + build; }  // beyond compilation and the frame
 };
 
-// Edits a copy of the home folder (STROBE_HOME is set to it, for the rest of the process) `repeats` times per kind of
-// file while a session of `shot` runs on it.
+// A copy of what scripts and shaders are read from, gone with the object.
+class HomeCopy {
+ public:
+  explicit HomeCopy(const Home& home);
+  ~HomeCopy();
+  HomeCopy(const HomeCopy&) = delete;
+  HomeCopy& operator=(const HomeCopy&) = delete;
+  Home home() const { return Home(folder_); }
+
+ private:
+  Path folder_;
+};
+
+// Edits files of the bench's home, a copy, `repeats` times per kind of file while a session of `shot` runs on it.
 std::vector<ReloadTiming> benchReload(Workbench& bench, const Shot& shot, int repeats);
 
 // A Markdown table.

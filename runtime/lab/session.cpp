@@ -132,7 +132,7 @@ std::shared_ptr<const Evaluation> Session::evaluationOf(const Shot& shot) const 
     } catch (const Error&) {
       // The scripts say better what is wrong.
     }
-  Attempt evaluated = attempt(shot, now.texts, bench_.limits, false);
+  Attempt evaluated = attempt(bench_.home(), shot, now.texts, bench_.limits, false);
   if (!evaluated.usable) throw Error(evaluated.problems.front());
   return std::make_shared<Evaluation>(std::move(evaluated.good));
 }
@@ -272,10 +272,10 @@ void Session::rememberFiles(const std::vector<script::Dependency>& more) {
   if (!running_) return;
   files_.add(running_->evaluation().scripts);
   for (const auto& node : running_->plan().nodes) {
-    for (const Path& file : graph::shaderFiles(running_->plan().pipeline.passes[size_t(node.pass)])) {
+    for (const Path& file : graph::shaderFiles(bench_.home(), running_->plan().pipeline.passes[size_t(node.pass)])) {
       std::vector<Path> reached = {file};
       try {
-        shader::textWithIncludes(file, &reached);
+        shader::textWithIncludes(bench_.home(), file, &reached);
       } catch (const Error&) {
         // Reported where it is compiled.
       }
@@ -290,7 +290,10 @@ void Session::rememberFiles(const std::vector<script::Dependency>& more) {
 
 // True the first time.
 bool Session::watchFolders() {
-  bool first = files_.watch({homeFolder() / "passes", homeFolder() / "shaders", homeFolder() / "scripts"});
+  std::vector<Path> folders;
+  for (const char* name : {"passes", "shaders", "scripts"})
+    for (const Path& folder : bench_.home().folders(name)) folders.push_back(folder);
+  bool first = files_.watch(folders);
   for (const auto* files : {&running_->evaluation().scripts, &running_->scene().dependencies}) files_.watchFlat(*files);
   return first;
 }
@@ -302,7 +305,7 @@ Session::Changes Session::lookAtFiles() {
     return std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.path == path; });
   };
   for (const Path& path : files_.takeChanged()) {
-    changes.files.push_back(displayPath(path));
+    changes.files.push_back(bench_.home().shown(path));
     // The library is of both; what is of neither was part of an attempt that failed.
     bool scene = is_among(running_->scene().dependencies, path);
     bool shader = path.extension() == ".glsl" || path.extension() == ".h";
@@ -324,7 +327,7 @@ std::optional<Reload> Session::reload(bool wait) {
     bool overtaken = shot_.pipeline != pending->shot.pipeline || shot_.sets != pending->shot.sets;
     if (!overtaken) return replace(shot_, std::move(evaluated), std::move(pending->changes));
     if (wait)
-      return replace(shot_, attemptAround(shot_, running_->evaluation().texts, bench_.limits),
+      return replace(shot_, attemptAround(bench_.home(), shot_, running_->evaluation().texts, bench_.limits),
                      std::move(pending->changes));
     evaluateInBackground(std::move(pending->changes));
     return std::nullopt;
@@ -343,15 +346,15 @@ std::optional<Reload> Session::reload(bool wait) {
     return replace(shot_, std::move(same), std::move(changes));
   }
   if (wait)
-    return replace(shot_, attemptAround(shot_, running_->evaluation().texts, bench_.limits), std::move(changes));
+    return replace(shot_, attemptAround(bench_.home(), shot_, running_->evaluation().texts, bench_.limits),
+                   std::move(changes));
   evaluateInBackground(std::move(changes));
   return std::nullopt;
 }
 
 void Session::evaluateInBackground(Changes changes) {
-  auto evaluation = [shot = shot_, texts = running_->evaluation().texts, limits = bench_.limits] {
-    return attemptAround(shot, texts, limits);
-  };
+  auto evaluation = [&home = bench_.home(), shot = shot_, texts = running_->evaluation().texts,
+                     limits = bench_.limits] { return attemptAround(home, shot, texts, limits); };
   pending_ = std::make_unique<Pending>(Pending{std::move(changes), shot_, std::async(std::launch::async, evaluation)});
 }
 
@@ -433,7 +436,7 @@ Reload Session::usePipeline(const std::string& name_or_path) {
   Shot shot = shot_;
   shot.pipeline = name_or_path;
   shot.taps.clear();
-  Attempt evaluated = attempt(shot, {}, bench_.limits, true);
+  Attempt evaluated = attempt(bench_.home(), shot, {}, bench_.limits, true);
   if (!evaluated.usable) throw Error(evaluated.problems.front());
   Reload told;
   for (const auto& dropped : evaluated.dropped) {

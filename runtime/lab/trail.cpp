@@ -172,7 +172,7 @@ std::vector<TrailHit> hitsAt(const Session& looked_at, int x, int y) {
   shot.sets = sceneSettings(shot.sets);
   shot.sets.push_back({"pixel_x", int64_t(x)});
   shot.sets.push_back({"pixel_y", int64_t(y)});
-  shot.pipeline = (homeFolder() / "scripts/inspect/hits.lua").string();
+  shot.pipeline = looked_at.bench().home().at("scripts/inspect/hits.lua").string();
   shot.taps.clear();
   Session rays(looked_at.bench(), shot, "pixel");
   return hitsOf(rays.scene(), rays.draw());

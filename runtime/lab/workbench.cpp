@@ -40,7 +40,7 @@ static uint64_t bytesOf(const scene::Scene& scene) {
   return bytes;
 }
 
-LoadedScene loadScene(Shot& shot) {
+LoadedScene loadScene(const Home& home, Shot& shot) {
   LoadedScene loaded;
   if (isGltf(shot.scene)) {
     for (const auto& [name, value] : shot.sets)
@@ -53,7 +53,7 @@ LoadedScene loadScene(Shot& shot) {
     loaded.dependencies = {
         {std::filesystem::absolute(shot.scene).lexically_normal(), shot.scene, loaded.description["hash"]}};
   } else {
-    loaded.description = script::evaluateScene(shot.scene, shot.sets, &loaded.dependencies);
+    loaded.description = script::evaluateScene(home, shot.scene, shot.sets, &loaded.dependencies);
     loaded.scene = scene::sceneFromJson(loaded.description, shot.scene, suggestions());
   }
   fillShot(shot, loaded.description);
@@ -87,12 +87,16 @@ plan::Plan planOf(const Shot& shot, const plan::PipelineDesc& pipeline, graph::B
   return plan::compile(pipeline, options);
 }
 
-Workbench::Workbench(const gpu::DeviceOptions& device) : device_(device), cache_(device_) {}
+Workbench::Workbench(const Home& home, const gpu::DeviceOptions& device)
+    : home_(home), device_(std::make_shared<gpu::Device>(device)), cache_(home, *device_) {}
+
+Workbench::Workbench(const Home& home, const Workbench& other)
+    : limits(other.limits), home_(home), device_(other.device_), cache_(home, *device_) {}
 
 Workbench::~Workbench() = default;
 
 graph::Backend Workbench::chooseBackend(const std::string& asked) const {
-  const gpu::DeviceInfo& info = device_.info();
+  const gpu::DeviceInfo& info = device_->info();
   bool query = asked == "query" || (asked == "auto" && info.ray_query);
   bool present = query ? info.ray_query : info.ray_pipeline;
   if (!present)
@@ -123,7 +127,7 @@ std::shared_ptr<const Evaluation> Workbench::evaluate(const std::string& pipelin
   if (known != evaluated_.end()) evaluated_.erase(known);
   if (evaluated_.size() >= kMost) evaluated_.clear();
   ++evaluations_;
-  auto evaluation = std::make_shared<Evaluation>(evaluated(pipeline, sets, limits));
+  auto evaluation = std::make_shared<Evaluation>(evaluated(home_, pipeline, sets, limits));
   // Stamps first, contents after: a change in between makes them differ.
   Stamps files = stampsOf(evaluation->scripts);
   if (isCurrent(evaluation->scripts)) evaluated_[key] = {std::move(files), evaluation};
@@ -153,7 +157,7 @@ std::shared_ptr<HeldScene> Workbench::scene(Shot& shot, bool fresh) {
     return scenes_.front().held;
   }
   auto held = std::make_shared<HeldScene>();
-  held->loaded = loadScene(shot);
+  held->loaded = loadScene(home_, shot);
   Stamps stamps = stampsOf(held->loaded.dependencies);
   std::string identity = sceneIdentity(shot);
   std::erase_if(scenes_, [&](const KnownScene& known) { return known.identity == identity; });

@@ -24,7 +24,7 @@ struct LoadedScene {
 };
 
 // Reads the scene, fills in what the shot left open from it (size, fps, frame, exposure), applies --move and --spin.
-LoadedScene loadScene(Shot& shot);
+LoadedScene loadScene(const Home& home, Shot& shot);
 
 // A loaded scene and its copies on the device, by how many times they can be posed at once. A copy must not outlive it.
 struct HeldScene {
@@ -48,12 +48,16 @@ struct Picture {
 class Workbench {
  public:
   // Throws `Error` without a sufficient device.
-  Workbench(const gpu::DeviceOptions& device);
-  Workbench(const std::string& device, bool validation) : Workbench(gpu::DeviceOptions{device, validation}) {}
+  Workbench(const Home& home, const gpu::DeviceOptions& device);
+  Workbench(const Home& home, const std::string& device, bool validation)
+      : Workbench(home, gpu::DeviceOptions{device, validation}) {}
+  // On the device of another, with files from elsewhere.
+  Workbench(const Home& home, const Workbench& other);
   ~Workbench();
 
-  gpu::Device& device() { return device_; }
-  const gpu::Device& device() const { return device_; }
+  const Home& home() const { return home_; }
+  gpu::Device& device() { return *device_; }
+  const gpu::Device& device() const { return *device_; }
   graph::PipelineCache& pipelines() { return cache_; }
 
   // Renders. Scripts run, and scene and shaders are read, unless that was done before and no file changed since; so a
@@ -91,7 +95,8 @@ class Workbench {
   };
   void forgetScenes();
 
-  gpu::Device device_;
+  const Home home_;
+  std::shared_ptr<gpu::Device> device_;
   graph::PipelineCache cache_;
   std::list<KnownScene> scenes_;  // used last first
   std::map<std::string, KnownEvaluation> evaluated_;

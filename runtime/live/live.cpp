@@ -66,7 +66,7 @@ DeskOptions deskOptions(const lab::Workbench& bench, const LiveOptions& options)
 
 class Live {
  public:
-  explicit Live(const LiveOptions& options);
+  Live(const Home& home, const LiveOptions& options);
   void run();
 
  private:
@@ -108,12 +108,12 @@ class Live {
   std::optional<dvec2> pointed_;  // pixel of the picture
 };
 
-Live::Live(const LiveOptions& options)
+Live::Live(const Home& home, const LiveOptions& options)
     : options_(options),
       window_(options.width, options.height, "strobe live"),
       gui_(window_),
-      bench_(deviceOptions(window_, options)),
-      surface_(bench_.device(), window_.makeSurface(bench_.device()), options.width, options.height),
+      bench_(home, deviceOptions(window_, options)),
+      surface_(home, bench_.device(), window_.makeSurface(bench_.device()), options.width, options.height),
       desk_(bench_, deskOptions(bench_, options)) {
   watch();
   if (options.tev) tev_ = std::make_unique<lab::Tev>(*options.tev);
@@ -423,8 +423,8 @@ std::map<std::string, Handler> Live::handlers() {
 
 }  // namespace
 
-void runLive(const LiveOptions& options) {
-  Live live(options);
+void runLive(const Home& home, const LiveOptions& options) {
+  Live live(home, options);
   live.run();
 }
 

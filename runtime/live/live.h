@@ -22,6 +22,6 @@ struct LiveOptions {
 
 // Returns when the window is closed. Throws `Error`: without a display, where the first version cannot run, where a
 // command of the drive file fails, and with the messages of the validation layer at the end.
-void runLive(const LiveOptions& options);
+void runLive(const Home& home, const LiveOptions& options);
 
 }  // namespace strobe::live

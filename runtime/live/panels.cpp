@@ -64,7 +64,7 @@ void topBar(const Fonts& fonts, Desk& desk, PanelState& state, float width) {
   ImGui::SameLine(0, 18);
   ImGui::SetNextItemWidth(190);
   std::string chosen, current = session.shot().pipeline;
-  if (combo("##pipeline", current, withOwn(script::pipelineNames(), current), chosen))
+  if (combo("##pipeline", current, withOwn(script::pipelineNames(session.bench().home()), current), chosen))
     attempt(state, [&] { desk.usePipeline(chosen); });
   tooltip("pipeline of A\n" + session.plan().pipeline.doc);
   ImGui::SameLine(0, 14);
@@ -111,7 +111,7 @@ void versusChoice(Desk& desk, PanelState& state) {
   row("B");
   const Side* b = desk.b();
   std::string current = b ? b->session->shot().pipeline : "none chosen", chosen;
-  if (combo("##versus", current, withOwn(script::pipelineNames(), current), chosen))
+  if (combo("##versus", current, withOwn(script::pipelineNames(desk.a().session->bench().home()), current), chosen))
     attempt(state, [&] {
       desk.usePipeline(chosen, true);
       if (desk.look().mode == Mode::Single) desk.setMode(Mode::Wipe);

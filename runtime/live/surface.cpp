@@ -19,9 +19,10 @@ struct WindowConstants {
 const std::vector<VkDescriptorSetLayoutBinding> kBindings = {
     {0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr}};
 
-gpu::Owned<VkShaderModule> makeModule(const gpu::Device& device, const char* file, shader::Stage stage) {
+gpu::Owned<VkShaderModule> makeModule(const Home& home, const gpu::Device& device, const char* file,
+                                      shader::Stage stage) {
   std::vector<uint32_t> code =
-      shader::compile({"#version 460\n", homeFolder() / "shaders/live" / file, ""}, stage).spirv;
+      shader::compile(home, {"#version 460\n", home.at(Path("shaders/live") / file), ""}, stage).spirv;
   VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
   info.codeSize = code.size() * sizeof(uint32_t);
   info.pCode = code.data();
@@ -87,20 +88,20 @@ std::vector<uint8_t> toRgba8(const image::Image& display) {
 
 }  // namespace
 
-Surface::Surface(const gpu::Device& device, VkSurfaceKHR surface, int width, int height)
+Surface::Surface(const Home& home, const gpu::Device& device, VkSurfaceKHR surface, int width, int height)
     : device_(device), swapchain_(device, surface) {
   swapchain_.resize(uint32_t(width), uint32_t(height));
   set_layout_ = gpu::makeSetLayout(device, "panels", kBindings);
   layout_ = makeLayout(device, set_layout_.get());
   nearest_ = gpu::makeSampler(device, "panels.nearest", {});
   linear_ = gpu::makeSampler(device, "panels.linear", {.linear = true});
-  makePipeline();
+  makePipeline(home);
   makeFont();
 }
 
-void Surface::makePipeline() {
-  gpu::Owned<VkShaderModule> vertex = makeModule(device_, "panel.vert.glsl", shader::Stage::Vertex);
-  gpu::Owned<VkShaderModule> fragment = makeModule(device_, "panel.frag.glsl", shader::Stage::Fragment);
+void Surface::makePipeline(const Home& home) {
+  gpu::Owned<VkShaderModule> vertex = makeModule(home, device_, "panel.vert.glsl", shader::Stage::Vertex);
+  gpu::Owned<VkShaderModule> fragment = makeModule(home, device_, "panel.frag.glsl", shader::Stage::Fragment);
   VkPipelineShaderStageCreateInfo stages[2] = {{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO},
                                                {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO}};
   stages[0].stage = VK_SHADER_STAGE_VERTEX_BIT;

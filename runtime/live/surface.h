@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "base/home.h"
 #include "gpu/pipeline.h"
 #include "gpu/swapchain.h"
 #include "image/image.h"
@@ -37,7 +38,7 @@ class Texture {
 class Surface {
  public:
   // Takes over `surface`. An ImGui context with its fonts must be current. Throws `Error`.
-  Surface(const gpu::Device& device, VkSurfaceKHR surface, int width, int height);
+  Surface(const Home& home, const gpu::Device& device, VkSurfaceKHR surface, int width, int height);
 
   // Puts a display image (sRGB-encoded, three channels) into `texture`, making it anew where size or filter is another.
   // `smooth`: scaled with a linear filter instead of as squares.
@@ -48,7 +49,7 @@ class Surface {
   bool show(const ImDrawData& frame, int width, int height, image::Image* shot = nullptr);
 
  private:
-  void makePipeline();
+  void makePipeline(const Home& home);
   void makeFont();
   std::unique_ptr<Texture> makeTexture(const std::string& name, uint32_t width, uint32_t height, VkSampler sampler);
   void fill(Texture& texture, const void* rgba);

@@ -105,7 +105,7 @@ GltfFile::GltfFile(const Path& file, const std::vector<std::string>& supported) 
 }
 
 void GltfFile::refuse(const std::string& where, const std::string& text) const {
-  throw Error(where.empty() ? text : where + ": " + text, {displayPath(path_)});
+  throw Error(where.empty() ? text : where + ": " + text, {path_.string()});
 }
 
 void GltfFile::readContainer() {

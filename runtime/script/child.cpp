@@ -80,8 +80,7 @@ void startTimer(double cpu_s) {
 void evaluate(const Json& request) {
   double cpu_s = request.at("cpu_s").get<double>();
   int memory_mb = request.at("memory_mb").get<int>();
-  Sandbox::Options options;
-  options.home = request.at("home").get<std::string>();
+  Sandbox::Options options{.home = Home(request.at("roots").get<std::vector<Path>>())};
   options.main = request.at("main").get<std::string>();
   options.shown = request.at("shown").get<std::string>();
   options.own_folder = request.at("own_folder").get<bool>();

@@ -24,25 +24,17 @@ struct Main {
   bool own_folder = false;
 };
 
-// Names of the Lua files below `folder` ("bar", "oracles/bar"); modules in folders called lib are not among them.
-std::vector<std::string> namesBelow(const Path& folder) {
-  std::vector<std::string> names;
-  std::error_code ignored;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, ignored)) {
-    bool module = entry.path().parent_path().filename() == "lib";
-    if (entry.path().extension() != ".lua" || module || !entry.is_regular_file(ignored)) continue;
-    names.push_back(entry.path().lexically_relative(folder).replace_extension());
-  }
-  std::sort(names.begin(), names.end());
+// "bar", "oracles/bar"; modules in folders called lib are not among them.
+std::vector<std::string> mainNames(const Home& home, const Path& folder) {
+  std::vector<std::string> names = home.namesBelow(folder, ".lua");
+  std::erase_if(names, [](const Path& name) { return name.parent_path().filename() == "lib"; });
   return names;
 }
 
-Main mainFile(const std::string& path, const Texts& texts = {}) {
+Main mainFile(const Home& home, const std::string& path, const Texts& texts = {}) {
   Main main;
   main.file = fs::absolute(path).lexically_normal();
-  Path relative = main.file.lexically_relative(fs::absolute(homeFolder()).lexically_normal());
-  bool inside = !relative.empty() && *relative.begin() != "..";
-  main.shown = inside ? relative.string() : path;
+  main.shown = home.nameOf(main.file).value_or(path);
   main.name = main.file.stem();
   main.own_folder = true;
   if (!texts.count(main.file) && !fs::is_regular_file(main.file)) throw Error("there is no such file", {path});
@@ -50,17 +42,17 @@ Main mainFile(const std::string& path, const Texts& texts = {}) {
 }
 
 // `what` is "pipeline" or "scene", kept in scripts/<what>s.
-Main mainOf(const std::string& name_or_path, const std::string& what, const Texts& texts) {
+Main mainOf(const Home& home, const std::string& name_or_path, const std::string& what, const Texts& texts) {
   bool is_path = name_or_path.ends_with(".lua");
-  if (is_path) return mainFile(name_or_path, texts);
-  Path folder = homeFolder() / "scripts" / (what + "s");
-  Path file = folder / (name_or_path + ".lua");
-  std::vector<std::string> names = namesBelow(folder);
+  if (is_path) return mainFile(home, name_or_path, texts);
+  Path folder = Path("scripts") / (what + "s");
+  Path file = home.at(folder / (name_or_path + ".lua"));
+  std::vector<std::string> names = mainNames(home, folder);
   bool known = std::find(names.begin(), names.end(), name_or_path) != names.end();
-  if (!known && !texts.count(fs::absolute(file).lexically_normal())) {
+  if (!known && !texts.count(file)) {
     throw Error(fmt::format("there is no {} '{}'{}", what, name_or_path, didYouMean(name_or_path, names)));
   }
-  Main main = mainFile(file.string(), texts);
+  Main main = mainFile(home, file.string(), texts);
   main.own_folder = false;
   return main;
 }
@@ -111,17 +103,11 @@ std::string plain(std::string text) {
   throw Error("a script failed without saying why");
 }
 
-Json requestOf(const Main& main, const std::string& function, const Json& argument, const Limits& limits,
-               const Texts& texts) {
-  return {{"function", function},
-          {"argument", argument},
-          {"home", fs::absolute(homeFolder()).lexically_normal().string()},
-          {"main", main.file.string()},
-          {"shown", main.shown},
-          {"own_folder", main.own_folder},
-          {"cpu_s", limits.cpu_s},
-          {"memory_mb", limits.memory_mb},
-          {"texts", Json(texts)}};
+Json requestOf(const Home& home, const Main& main, const std::string& function, const Json& argument,
+               const Limits& limits, const Texts& texts) {
+  return {{"function", function},       {"argument", argument},          {"roots", home.roots()},
+          {"main", main.file.string()}, {"shown", main.shown},           {"own_folder", main.own_folder},
+          {"cpu_s", limits.cpu_s},      {"memory_mb", limits.memory_mb}, {"texts", Json(texts)}};
 }
 
 // Bytes that are no UTF-8 (in a file name, in a setting) become replacement characters.
@@ -129,11 +115,11 @@ std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::er
 
 // What run.lua's `function` returns. The answer comes from a process that ran a stranger's script: nothing in it is
 // taken on trust.
-Json evaluate(const Main& main, const std::string& function, const Json& argument,
+Json evaluate(const Home& home, const Main& main, const std::string& function, const Json& argument,
               std::vector<Dependency>* dependencies, const Limits& limits, const Texts& texts = {}) {
   if (dependencies) *dependencies = {};
   if (dependencies && !main.file.empty()) *dependencies = {{main.file, main.shown, hashOfPath(main.file)}};
-  ProgramEnd child = runChild(textOf(requestOf(main, function, argument, limits, texts)), limits);
+  ProgramEnd child = runChild(home.program(), textOf(requestOf(home, main, function, argument, limits, texts)), limits);
   bool answered = child.succeeded() && !child.too_long;
   Json answer = answered ? Json::parse(child.output, nullptr, false) : Json();
   if (!answer.is_object()) throw Error(endedBy(child, limits), {main.shown});
@@ -195,14 +181,15 @@ Setting settingFromText(const std::string& text, const std::string& option) {
   return {text.substr(0, equals), plan::valueFromText(text.substr(equals + 1))};
 }
 
-plan::PipelineDesc evaluatePipeline(const PipelineRequest& request, std::vector<Dependency>* dependencies,
-                                    const Limits& limits, std::vector<DroppedSetting>* dropped) {
-  Main main = mainOf(request.name_or_path, "pipeline", request.texts);
+plan::PipelineDesc evaluatePipeline(const Home& home, const PipelineRequest& request,
+                                    std::vector<Dependency>* dependencies, const Limits& limits,
+                                    std::vector<DroppedSetting>* dropped) {
+  Main main = mainOf(home, request.name_or_path, "pipeline", request.texts);
   Json argument = {{"name", main.name},
                    {"file", main.shown},
                    {"sets", settingsJson(lastOfEach(request.sets, false))},
                    {"lenient", dropped != nullptr}};
-  Json result = evaluate(main, "pipeline", argument, dependencies, limits, request.texts);
+  Json result = evaluate(home, main, "pipeline", argument, dependencies, limits, request.texts);
   try {
     if (dropped) *dropped = droppedSettings(result.at("dropped"));
     result.erase("dropped");
@@ -212,41 +199,38 @@ plan::PipelineDesc evaluatePipeline(const PipelineRequest& request, std::vector<
   }
 }
 
-Json evaluateScene(const std::string& name_or_path, const Settings& sets, std::vector<Dependency>* dependencies,
-                   const Limits& limits, const Texts& texts) {
-  Main main = mainOf(name_or_path, "scene", texts);
+Json evaluateScene(const Home& home, const std::string& name_or_path, const Settings& sets,
+                   std::vector<Dependency>* dependencies, const Limits& limits, const Texts& texts) {
+  Main main = mainOf(home, name_or_path, "scene", texts);
   Json argument = {{"file", main.shown}, {"sets", settingsJson(lastOfEach(sets, true))}};
-  return evaluate(main, "scene", argument, dependencies, limits, texts);
+  return evaluate(home, main, "scene", argument, dependencies, limits, texts);
 }
 
-Json evaluateData(const std::string& path, const Json& arguments, std::vector<Dependency>* dependencies,
-                  const Limits& limits, const Json& known) {
-  Main main = mainFile(path);
+Json evaluateData(const Home& home, const std::string& path, const Json& arguments,
+                  std::vector<Dependency>* dependencies, const Limits& limits, const Json& known) {
+  Main main = mainFile(home, path);
   Json argument = {{"file", main.shown}, {"arguments", arguments}, {"known", known}};
-  return evaluate(main, "data", argument, dependencies, limits);
+  return evaluate(home, main, "data", argument, dependencies, limits);
 }
 
-std::vector<plan::PassDesc> evaluateAllPasses(std::vector<Dependency>* dependencies, const Limits& limits) {
-  Path folder = homeFolder() / "passes";
+std::vector<plan::PassDesc> evaluateAllPasses(const Home& home, std::vector<Dependency>* dependencies,
+                                              const Limits& limits) {
   std::vector<std::string> modules;
-  std::error_code ignored;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, ignored)) {
-    if (entry.path().extension() != ".lua") continue;
-    std::string name = entry.path().lexically_relative(homeFolder()).replace_extension();
+  for (std::string name : home.namesBelow("passes", ".lua")) {
     std::replace(name.begin(), name.end(), '/', '.');
-    modules.push_back(name);
+    modules.push_back("passes." + name);
   }
   std::sort(modules.begin(), modules.end());
 
   Main main;
   main.shown = "passes";
-  Json result = evaluate(main, "passes", {{"modules", modules}}, dependencies, limits);
+  Json result = evaluate(home, main, "passes", {{"modules", modules}}, dependencies, limits);
   std::vector<plan::PassDesc> passes;
   for (const Json& pass : result) passes.push_back(plan::passFromJson(pass));
   return passes;
 }
 
-std::vector<std::string> pipelineNames() { return namesBelow(homeFolder() / "scripts/pipelines"); }
-std::vector<std::string> sceneNames() { return namesBelow(homeFolder() / "scripts/scenes"); }
+std::vector<std::string> pipelineNames(const Home& home) { return mainNames(home, "scripts/pipelines"); }
+std::vector<std::string> sceneNames(const Home& home) { return mainNames(home, "scripts/scenes"); }
 
 }  // namespace strobe::script

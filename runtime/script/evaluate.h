@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/files.h"
+#include "base/home.h"
 #include "base/json.h"
 #include "plan/description.h"
 
@@ -24,7 +24,7 @@ Setting settingFromText(const std::string& text, const std::string& option = "--
 // A file an evaluation read, or a folder it listed: what a record names and what a reload watches.
 struct Dependency {
   Path path;          // absolute
-  std::string shown;  // relative to the home folder where it lies inside it
+  std::string shown;  // as `Home::shown` has it
   std::string hash;   // of its content
 };
 
@@ -55,27 +55,29 @@ struct DroppedSetting {
 // With `dropped`, settings that do not fit are left out and listed there instead of being errors.
 // All of these throw `Error` with the places of the user's lines, all mistakes of one table at once; `dependencies`
 // is filled on failure too, so that a reload can wait for the next save.
-plan::PipelineDesc evaluatePipeline(const PipelineRequest& request, std::vector<Dependency>* dependencies = nullptr,
-                                    const Limits& limits = {}, std::vector<DroppedSetting>* dropped = nullptr);
+plan::PipelineDesc evaluatePipeline(const Home& home, const PipelineRequest& request,
+                                    std::vector<Dependency>* dependencies = nullptr, const Limits& limits = {},
+                                    std::vector<DroppedSetting>* dropped = nullptr);
 
 // The plain data a scene file returns, keys sorted; an empty table is an empty array. `name_or_path` as above, of
 // scripts/scenes. Those of `sets` that begin with "scene." are in the global `scene_params` (without that prefix);
 // one that the scene never reads is an error.
-Json evaluateScene(const std::string& name_or_path, const Settings& sets,
+Json evaluateScene(const Home& home, const std::string& name_or_path, const Settings& sets,
                    std::vector<Dependency>* dependencies = nullptr, const Limits& limits = {}, const Texts& texts = {});
 
 // The plain data any other file returns (experiments, demos); `arguments` is what `...` holds in its main chunk,
 // `known` what the modules of scripts/strobe find as `native.known`.
-Json evaluateData(const std::string& path, const Json& arguments = {}, std::vector<Dependency>* dependencies = nullptr,
-                  const Limits& limits = {}, const Json& known = Json::object());
+Json evaluateData(const Home& home, const std::string& path, const Json& arguments = {},
+                  std::vector<Dependency>* dependencies = nullptr, const Limits& limits = {},
+                  const Json& known = Json::object());
 
 // Every pass below passes/, by name.
-std::vector<plan::PassDesc> evaluateAllPasses(std::vector<Dependency>* dependencies = nullptr,
+std::vector<plan::PassDesc> evaluateAllPasses(const Home& home, std::vector<Dependency>* dependencies = nullptr,
                                               const Limits& limits = {});
 
 // Names of the files in scripts/pipelines and scripts/scenes, sorted.
-std::vector<std::string> pipelineNames();
-std::vector<std::string> sceneNames();
+std::vector<std::string> pipelineNames(const Home& home);
+std::vector<std::string> sceneNames(const Home& home);
 
 // What `strobe --script-child` does: reads a request from stdin, writes the answer to stdout. Ends the process.
 [[noreturn]] void runScriptChild();

@@ -10,17 +10,12 @@ namespace strobe::script {
 
 static constexpr const char* kInsideChild = "STROBE_SCRIPT_CHILD";
 
-static std::string programPath() {
-  const char* named = std::getenv("STROBE_PROGRAM");
-  return named && *named ? named : "/proc/self/exe";
-}
-
 // The child stops a script itself, with a line, at its limits; those of the process are a little wider and stop what
 // never returns to Lua's loop (a long library call, a finalizer).
-ProgramEnd runChild(const std::string& input, const Limits& limits) {
+ProgramEnd runChild(const Path& path, const std::string& input, const Limits& limits) {
   // A program that does not know the option would evaluate again, and so on without end.
   if (std::getenv(kInsideChild)) throw Error("a script child was asked to start another; is STROBE_PROGRAM strobe?");
-  Program program{.arguments = {programPath(), "--script-child"},
+  Program program{.arguments = {path.string(), "--script-child"},
                   .environment = {std::string(kInsideChild) + "=1"},
                   .input = input,
                   .errors = Program::Errors::inherited,

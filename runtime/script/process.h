@@ -13,8 +13,8 @@ struct Limits;
 // Exit status of a child that found no memory for its answer.
 inline constexpr int kOutOfMemory = 4;
 
-// Starts `$STROBE_PROGRAM --script-child` (without that variable: this program) within `limits`, hands it `input` on
-// stdin and waits for its end. Throws `Error` where no process can be started.
-ProgramEnd runChild(const std::string& input, const Limits& limits);
+// Starts `program --script-child` within `limits`, hands it `input` on stdin and waits for its end. Throws `Error`
+// where no process can be started.
+ProgramEnd runChild(const Path& program, const std::string& input, const Limits& limits);
 
 }  // namespace strobe::script

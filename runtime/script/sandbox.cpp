@@ -337,19 +337,21 @@ static bool isModuleName(const std::string& name) {
 
 void Sandbox::read(const Path& file, const std::string& shown) {
   auto given = options_.texts.find(file.string());
-  source_ = given == options_.texts.end() ? readText(file) : given->second;
+  source_ = given == options_.texts.end() ? options_.home.read(file) : given->second;
   chunk_ = "@" + shown;
   if (!sources_.emplace(shown, source_).second) return;
   files_.push_back({file, shown, hashText(source_)});
 }
 
 void Sandbox::list(const std::string& folder) {
-  Path path = (options_.home / folder).lexically_normal();
-  if (folder.find("..") != std::string::npos || !fs::is_directory(path))
+  std::vector<Path> paths = options_.home.folders(folder);
+  if (folder.find("..") != std::string::npos || paths.empty())
     throw Error(fmt::format("there is no folder '{}'", folder));
-  names_ = namesIn(path, ".lua");
-  auto listed = std::find_if(files_.begin(), files_.end(), [&](const Dependency& file) { return file.path == path; });
-  if (listed == files_.end()) files_.push_back({path, folder, hashOfPath(path)});
+  names_ = options_.home.namesIn(folder, ".lua");
+  for (const Path& path : paths) {
+    auto listed = std::find_if(files_.begin(), files_.end(), [&](const Dependency& file) { return file.path == path; });
+    if (listed == files_.end()) files_.push_back({path, folder, hashOfPath(path)});
+  }
 }
 
 bool Sandbox::isThere(const Path& file) const {
@@ -368,32 +370,29 @@ void Sandbox::resolve(const std::string& module) {
   if (root == "strobe") relative = "scripts/" + relative;
 
   bool in_home = root == "strobe" || root == "passes" || root == "scripts";
-  if (in_home && isThere(options_.home / relative)) return read(options_.home / relative, relative);
+  Path file = options_.home.at(relative);
+  if (in_home && isThere(file)) return read(file, relative);
   Path own = options_.main.parent_path() / relative;
   if (options_.own_folder && isThere(own)) {
     Path shown = Path(options_.shown).parent_path() / relative;
     return read(own, shown.string());
   }
-  std::string near = didYouMean(module, modulesNear(options_.home));
+  std::string near = didYouMean(module, moduleNames());
   if (!in_home && near.empty()) near = "; modules begin with passes., scripts. or strobe.";
   throw Error(fmt::format("there is no module '{}'{}", module, near));
 }
 
-std::vector<std::string> Sandbox::modulesNear(const Path& home) const {
+std::vector<std::string> Sandbox::moduleNames() const {
   std::vector<std::string> names;
-  auto add = [&](const Path& folder, const Path& base, const std::string& prefix) {
-    std::error_code ignored;
-    for (auto it = fs::recursive_directory_iterator(folder, ignored); it != fs::recursive_directory_iterator();
-         it.increment(ignored)) {
-      if (it->path().extension() != ".lua" || names.size() > 10000) continue;
-      std::string name = it->path().lexically_relative(base).replace_extension().string();
+  auto add = [&](const std::string& folder, const std::string& prefix) {
+    for (std::string name : options_.home.namesBelow(folder, ".lua")) {
       std::replace(name.begin(), name.end(), '/', '.');
       names.push_back(prefix + name);
     }
   };
-  add(home / "passes", home, "");
-  add(home / "scripts/strobe", home / "scripts", "");
-  add(home / "scripts", home, "");
+  add("passes", "passes.");
+  add("scripts/strobe", "strobe.");
+  add("scripts", "scripts.");
   std::sort(names.begin(), names.end());
   return names;
 }

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "base/files.h"
+#include "base/home.h"
 #include "base/json.h"
 #include "script/evaluate.h"
 
@@ -27,7 +27,7 @@ struct Problem {
 class Sandbox {
  public:
   struct Options {
-    Path home;
+    Home home;
     Path main;                // the file that `native.main` runs
     std::string shown;        // how errors name it
     bool own_folder = false;  // its folder is searched by `require` too
@@ -62,7 +62,7 @@ class Sandbox {
   void read(const Path& file, const std::string& shown);
   void list(const std::string& folder);
   bool isThere(const Path& file) const;
-  std::vector<std::string> modulesNear(const Path& folder) const;
+  std::vector<std::string> moduleNames() const;
   void collectProblems();
   void addProblem(const std::string& message);
   std::string withFullNames(const std::string& message) const;

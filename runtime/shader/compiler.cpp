@@ -14,14 +14,11 @@ namespace strobe::shader {
 
 namespace {
 
-Path shadersFolder() { return homeFolder() / "shaders"; }
-
 // Beside the including file, then in the shaders folder; empty if in neither.
-Path findInclude(const std::string& name, const Path& from) {
-  for (const Path& folder : {from.parent_path(), shadersFolder()}) {
-    Path candidate = (folder / name).lexically_normal();
+Path findInclude(const Home& home, const std::string& name, const Path& from) {
+  for (const Path& candidate : {from.parent_path() / name, home.at(Path("shaders") / name)}) {
     std::error_code ignored;
-    if (std::filesystem::is_regular_file(candidate, ignored)) return candidate;
+    if (std::filesystem::is_regular_file(candidate, ignored)) return candidate.lexically_normal();
   }
   return {};
 }
@@ -33,7 +30,7 @@ void addOnce(std::vector<Path>& files, const Path& file) {
 class Includer : public glslang::TShader::Includer {
  public:
   // `files` already holds the file that is compiled.
-  explicit Includer(std::vector<Path>& files) : main_(files.front()), files_(files) {}
+  Includer(const Home& home, std::vector<Path>& files) : home_(home), main_(files.front()), files_(files) {}
 
   IncludeResult* includeLocal(const char* name, const char* includer, size_t) override { return load(name, includer); }
   IncludeResult* includeSystem(const char* name, const char* includer, size_t) override { return load(name, includer); }
@@ -48,12 +45,13 @@ class Includer : public glslang::TShader::Includer {
     // glslang knows the names of included files, not that of the first.
     std::error_code ignored;
     bool included = std::filesystem::is_regular_file(includer, ignored);
-    Path file = findInclude(name, included ? Path(includer) : main_);
+    Path file = findInclude(home_, name, included ? Path(includer) : main_);
     if (file.empty()) return nullptr;
     addOnce(files_, file);
-    auto* text = new std::string(readText(file));
+    auto* text = new std::string(home_.read(file));
     return new IncludeResult(file.string(), text->data(), text->size(), text);
   }
+  const Home& home_;
   Path main_;
   std::vector<Path>& files_;
 };
@@ -80,7 +78,7 @@ EShLanguage language(Stage stage) {
 
 // glslang says "ERROR: file:line: 'token' : message"; users read "file:line: 'token': message", paths as they know
 // them.
-std::string readable(const std::string& log, const Path& file) {
+std::string readable(const Home& home, const std::string& log, const Path& file) {
   static const std::regex form("^ERROR: (.*?):(\\d+): (.*?)\\s*$");
   std::set<std::string> seen;
   std::string text;
@@ -90,14 +88,14 @@ std::string readable(const std::string& log, const Path& file) {
     if (line.rfind("ERROR:", 0) != 0 || line.find("compilation errors") != std::string::npos) continue;
     std::string message;
     if (std::regex_match(line, match, form)) {
-      message = fmt::format("{}:{}: {}", displayPath(Path(match[1].str())), match[2].str(), match[3].str());
+      message = fmt::format("{}:{}: {}", home.shown(Path(match[1].str())), match[2].str(), match[3].str());
     } else {
-      message = fmt::format("{}: {}", displayPath(file), line.substr(std::min<size_t>(7, line.size())));
+      message = fmt::format("{}: {}", home.shown(file), line.substr(std::min<size_t>(7, line.size())));
     }
     if (!seen.insert(message).second) continue;
     text += (text.empty() ? "" : "\n") + message;
   }
-  return text.empty() ? displayPath(file) + ": " + log : text;
+  return text.empty() ? home.shown(file) + ": " + log : text;
 }
 
 void startOnce() {
@@ -107,11 +105,11 @@ void startOnce() {
 
 }  // namespace
 
-Compiled compile(const Source& source, Stage stage) {
+Compiled compile(const Home& home, const Source& source, Stage stage) {
   startOnce();
   Compiled result;
   result.files.push_back(source.file);
-  std::string body = readText(source.file);
+  std::string body = home.read(source.file);
   std::string end = "\n" + source.epilogue;
   std::string name = source.file.string();
   const char* strings[] = {source.preamble.c_str(), body.c_str(), end.c_str()};
@@ -123,38 +121,38 @@ Compiled compile(const Source& source, Stage stage) {
   shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_3);
   shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);
   auto rules = EShMessages(EShMsgSpvRules | EShMsgVulkanRules | EShMsgCascadingErrors | EShMsgDebugInfo);
-  Includer includer(result.files);
+  Includer includer(home, result.files);
   if (!shader.parse(GetDefaultResources(), 460, false, rules, includer))
-    throw Error(readable(shader.getInfoLog(), source.file));
+    throw Error(readable(home, shader.getInfoLog(), source.file));
   glslang::TProgram program;
   program.addShader(&shader);
-  if (!program.link(rules)) throw Error(readable(program.getInfoLog(), source.file));
+  if (!program.link(rules)) throw Error(readable(home, program.getInfoLog(), source.file));
   glslang::SpvOptions options;
   options.disableOptimizer = true;
   glslang::GlslangToSpv(*program.getIntermediate(language(stage)), result.spirv, &options);
   return result;
 }
 
-static void appendText(const Path& file, std::vector<Path>& files, std::string& text) {
+static void appendText(const Home& home, const Path& file, std::vector<Path>& files, std::string& text) {
   if (std::find(files.begin(), files.end(), file) != files.end()) return;
   files.push_back(file);
-  std::string own = readText(file);
+  std::string own = home.read(file);
   text += own;
   for (size_t at = 0; (at = own.find("#include", at)) != std::string::npos; ++at) {
     size_t open = own.find_first_of("\"<\n", at);
     size_t close = open == std::string::npos ? open : own.find_first_of("\">\n", open + 1);
     if (close == std::string::npos || own[open] == '\n' || own[close] == '\n') continue;
-    Path found = findInclude(own.substr(open + 1, close - open - 1), file);
-    if (!found.empty()) appendText(found, files, text);
+    Path found = findInclude(home, own.substr(open + 1, close - open - 1), file);
+    if (!found.empty()) appendText(home, found, files, text);
   }
 }
 
-std::string textWithIncludes(const Path& file, std::vector<Path>* files) {
+std::string textWithIncludes(const Home& home, const Path& file, std::vector<Path>* files) {
   std::vector<Path> local;
   std::vector<Path>& reached = files ? *files : local;
   reached.clear();
   std::string text;
-  appendText(file, reached, text);
+  appendText(home, file, reached, text);
   return text;
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/files.h"
+#include "base/home.h"
 
 namespace strobe::shader {
 
@@ -26,9 +26,9 @@ struct Compiled {
 
 // Throws `Error` whose lines each read "file:line: message", all of the compiler's errors at once.
 // `#include "a/b.glsl"` is looked up beside the including file, then in the shaders folder.
-Compiled compile(const Source& source, Stage stage);
+Compiled compile(const Home& home, const Source& source, Stage stage);
 
-// Every file `source` reaches through includes, and their joined text; for checks that need no compiler.
-std::string textWithIncludes(const Path& file, std::vector<Path>* files = nullptr);
+// Every file `file` reaches through includes, and their joined text; for checks that need no compiler.
+std::string textWithIncludes(const Home& home, const Path& file, std::vector<Path>* files = nullptr);
 
 }  // namespace strobe::shader

@@ -140,15 +140,15 @@ static std::set<std::string> namesIn(const std::string& code) {
 }
 
 // Not from the compiler's reflection, which knows one choice of the variants at a time and no macros.
-std::vector<std::string> unusedNames(const Interface& in, const std::vector<Path>& shader_files) {
+std::vector<std::string> unusedNames(const Home& home, const Interface& in, const std::vector<Path>& shader_files) {
   std::string code;
-  for (const Path& file : shader_files) code += withoutComments(textWithIncludes(file));
+  for (const Path& file : shader_files) code += withoutComments(textWithIncludes(home, file));
   std::set<std::string> used = namesIn(code);
   std::vector<std::string> problems;
   auto expect = [&](const std::string& spelled, const char* kind, const std::string& name) {
     if (used.count(spelled)) return;
     problems.push_back(fmt::format("{}: pass '{}' declares the {} '{}', but {} never uses {}", in.place, in.pass, kind,
-                                   name, displayPath(shader_files.front()), spelled));
+                                   name, home.shown(shader_files.front()), spelled));
   };
   for (const auto& read : in.reads) expect(read.name + "_tex", "read", read.name);
   for (const auto& write : in.writes)
@@ -200,9 +200,9 @@ static std::string withDeclarations(const Interface& in, const std::string& log)
   return text;
 }
 
-Compiled compilePass(const Interface& in, const Path& file, Stage stage) {
+Compiled compilePass(const Home& home, const Interface& in, const Path& file, Stage stage) {
   try {
-    return compile({preamble(in, stage), file, epilogue(in, stage)}, stage);
+    return compile(home, {preamble(in, stage), file, epilogue(in, stage)}, stage);
   } catch (const Error& error) {
     throw Error(withDeclarations(in, error.what()));
   }

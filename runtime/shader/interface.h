@@ -66,9 +66,10 @@ std::string preamble(const Interface& interface, Stage stage);
 std::string epilogue(const Interface& interface, Stage stage);
 
 // Names declared in Lua that the shader's code uses under no choice, each with both places; comments do not count.
-std::vector<std::string> unusedNames(const Interface& interface, const std::vector<Path>& shader_files);
+std::vector<std::string> unusedNames(const Home& home, const Interface& interface,
+                                     const std::vector<Path>& shader_files);
 
 // Compiles `file` as `stage` of the pass; errors about unknown names say what the pass declares.
-Compiled compilePass(const Interface& interface, const Path& file, Stage stage);
+Compiled compilePass(const Home& home, const Interface& interface, const Path& file, Stage stage);
 
 }  // namespace strobe::shader

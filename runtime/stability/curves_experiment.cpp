@@ -115,9 +115,9 @@ void collect(std::vector<std::string>& problems, const Step& step) {
 }
 
 // Every method knows the variants; the first one that does knows every value.
-void checkVariants(const Experiment& experiment, std::vector<std::string>& problems) {
+void checkVariants(const Home& home, const Experiment& experiment, std::vector<std::string>& problems) {
   auto evaluate = [&](const lab::Shot& shot) {
-    collect(problems, [&] { script::evaluatePipeline({shot.pipeline, shot.sets}); });
+    collect(problems, [&] { script::evaluatePipeline(home, {shot.pipeline, shot.sets}); });
   };
   std::set<std::string> known;
   for (const Method& method : experiment.methods) {
@@ -135,7 +135,7 @@ void checkVariants(const Experiment& experiment, std::vector<std::string>& probl
 }
 
 // Of each axis the benign point alone: names are the same at all of them.
-void check(const Experiment& experiment, const std::string& file) {
+void check(const Home& home, const Experiment& experiment, const std::string& file) {
   std::vector<std::string> problems;
   bool fits =
       experiment.width >= 1 && experiment.height >= 1 && experiment.width <= 16384 && experiment.height <= 16384;
@@ -150,19 +150,19 @@ void check(const Experiment& experiment, const std::string& file) {
       if (!same)
         collect(problems, [&] {
           lab::Shot shot = shotOf(experiment, axis, point, *method);
-          script::evaluatePipeline({shot.pipeline, shot.sets});
+          script::evaluatePipeline(home, {shot.pipeline, shot.sets});
         });
     }
     collect(problems, [&] {
       lab::Shot shot = shotOf(experiment, axis, point, experiment.truth);
-      lab::loadScene(shot);
+      lab::loadScene(home, shot);
     });
   }
-  checkVariants(experiment, problems);
+  checkVariants(home, experiment, problems);
   for (const Case& in : experiment.cases)
     collect(problems, [&] {
       lab::Shot shot = shotOf(experiment, in, experiment.truth);
-      lab::loadScene(shot);
+      lab::loadScene(home, shot);
     });
   throwIfAny(problems);
 }
@@ -249,8 +249,8 @@ lab::Shot shotOf(const Experiment& experiment, const Case& in, const Method& met
   return shot;
 }
 
-Experiment readExperiment(const std::string& file) {
-  Json json = script::evaluateData(file);
+Experiment readExperiment(const Home& home, const std::string& file) {
+  Json json = script::evaluateData(home, file);
   if (!json.is_object() || !json.contains("kind") || json["kind"] != "extremes")
     throw Error("does not return extremes { ... } of strobe.extremes", {file});
   Experiment experiment;
@@ -259,7 +259,7 @@ Experiment readExperiment(const std::string& file) {
   } catch (const Json::exception& error) {
     throw Error(fmt::format("a value of the experiment has a wrong form: {}", error.what()), {file});
   }
-  check(experiment, file);
+  check(home, experiment, file);
   return experiment;
 }
 

@@ -65,7 +65,7 @@ struct Experiment {
 };
 
 // Evaluates the file and checks what can be checked without a device: pipelines, settings, scenes. Throws `Error`.
-Experiment readExperiment(const std::string& file);
+Experiment readExperiment(const Home& home, const std::string& file);
 
 // The picture of a method (or truth or floor) at a point.
 lab::Shot shotOf(const Experiment& experiment, const Axis& axis, const AxisPoint& point, const Method& method);

@@ -24,12 +24,12 @@ bool Method::has(const std::string& param) const {
                      [&](const auto& p) { return p.name == name; });
 }
 
-std::vector<Method> methodsOf(const script::Limits& limits) {
+std::vector<Method> methodsOf(const Home& home, const script::Limits& limits) {
   std::vector<Method> methods;
   auto evaluate = [&](const std::string& name, const script::Settings& sets) {
-    return std::make_shared<const plan::PipelineDesc>(script::evaluatePipeline({name, sets}, nullptr, limits));
+    return std::make_shared<const plan::PipelineDesc>(script::evaluatePipeline(home, {name, sets}, nullptr, limits));
   };
-  for (const std::string& name : script::pipelineNames()) {
+  for (const std::string& name : script::pipelineNames(home)) {
     auto described = evaluate(name, {});
     std::vector<std::string> presets;
     for (const auto& param : described->params)
@@ -103,13 +103,14 @@ static Extreme readExtreme(const Json& json, const Place& place, Problems& probl
   return extreme;
 }
 
-Extremes readExtremes(const script::Limits& limits, const std::optional<std::vector<std::string>>& with_checks) {
-  const Path file = homeFolder() / "scripts/stability/extreme_cases.lua";
+Extremes readExtremes(const Home& home, const script::Limits& limits,
+                      const std::optional<std::vector<std::string>>& with_checks) {
+  const Path file = home.at("scripts/stability/extreme_cases.lua");
   Json arguments = Json::object();
   if (with_checks) arguments["cases"] = *with_checks;
-  Json data = script::evaluateData(file, arguments, nullptr, limits);
+  Json data = script::evaluateData(home, file, arguments, nullptr, limits);
   Problems problems;
-  Place place{displayPath(file)};
+  Place place{home.shown(file)};
   Fields fields(data, "extreme cases", place, problems);
   Extremes extremes;
   if (const Json* arm = fields.need("sharp")) extremes.sharp = readArm(*arm, "sharp", place, problems);

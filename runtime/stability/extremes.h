@@ -26,7 +26,7 @@ struct Method {
 };
 
 // In the order of the registry. Throws `Error` where one cannot be evaluated.
-std::vector<Method> methodsOf(const script::Limits& limits);
+std::vector<Method> methodsOf(const Home& home, const script::Limits& limits);
 
 struct Extreme {
   std::string name;
@@ -50,7 +50,7 @@ struct Extremes {
 
 // scripts/stability/extreme_cases.lua. All cases; only those `with_checks` have their checks (without it: all). Throws
 // `Error` naming all mistakes.
-Extremes readExtremes(const script::Limits& limits,
+Extremes readExtremes(const Home& home, const script::Limits& limits,
                       const std::optional<std::vector<std::string>>& with_checks = std::nullopt);
 
 // What a check may ask of one method. Pictures are kept until the next case.

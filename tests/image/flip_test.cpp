@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "base/files.h"
+#include "common/home.h"
 #include "image/metrics.h"
 #include "image/png.h"
 #include "image/tone.h"
@@ -121,7 +122,7 @@ TEST(LdrFlip, BlurredBar) {
 }
 
 TEST(LdrFlip, PublishedTreePair) {
-  auto data = dataFolder();
+  auto data = home().data();
   if (!data || !std::filesystem::exists(*data / "data/flip/tree-ref.png"))
     GTEST_SKIP() << "data/flip/tree-ref.png is not in the folder of shared data (STROBE_DATA)";
   Image reference = decodeSrgb(readPng(*data / "data/flip/tree-ref.png"));

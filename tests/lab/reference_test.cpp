@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <set>
 
+#include "common/home.h"
 #include "script/evaluate.h"
 
 namespace strobe::lab {
@@ -118,10 +119,10 @@ std::set<std::string> filesBelow(const Path& folder) {
 }
 
 TEST(ReferencePages, InTheTreeAreUpToDate) {
-  Path folder = homeFolder() / "docs/reference";
+  Path folder = home().shipped() / "docs/reference";
   std::set<std::string> committed = filesBelow(folder), current;
   std::vector<std::string> differ;
-  for (const ReferencePage& page : referencePages()) {
+  for (const ReferencePage& page : referencePages(home())) {
     current.insert(page.path);
     if (!committed.count(page.path) || readText(folder / page.path) != page.text) differ.push_back(page.path);
   }
@@ -132,7 +133,7 @@ TEST(ReferencePages, InTheTreeAreUpToDate) {
 
 // Every link of a page leads to a page.
 TEST(ReferencePages, LinksLeadToPages) {
-  std::vector<ReferencePage> pages = referencePages();
+  std::vector<ReferencePage> pages = referencePages(home());
   std::set<std::string> known;
   for (const ReferencePage& page : pages) known.insert(page.path);
   for (const ReferencePage& page : pages)
@@ -160,7 +161,7 @@ std::vector<std::string> undescribed(const std::string& owner, const std::vector
     for (const std::string& choice : param.choices) {
       auto is_it = [&](const auto& value) { return value.first == choice; };
       bool described = std::any_of(param.values.begin(), param.values.end(), is_it);
-      bool has_page = fs::exists(homeFolder() / "passes" / param.name / (choice + ".lua"));
+      bool has_page = fs::exists(home().shipped() / "passes" / param.name / (choice + ".lua"));
       if (!described && !has_page && param.name != "preset")
         missing.push_back(fmt::format("{}.{} = {} ({})", owner, param.name, choice, param.place.text()));
     }
@@ -170,7 +171,7 @@ std::vector<std::string> undescribed(const std::string& owner, const std::vector
 
 TEST(Alternatives, EachPassSaysWhereItFails) {
   int alternatives = 0;
-  for (const plan::PassDesc& pass : script::evaluateAllPasses()) {
+  for (const plan::PassDesc& pass : script::evaluateAllPasses(home())) {
     alternatives += isAlternative(pass);
     if (isAlternative(pass)) EXPECT_FALSE(pass.fails.empty()) << pass.place.text() << " has no 'fails'";
   }
@@ -182,9 +183,10 @@ TEST(Alternatives, EachChoiceIsDescribed) {
   auto look = [&](const std::string& owner, const std::vector<plan::ParamDesc>& params) {
     for (const std::string& one : undescribed(owner, params)) missing.push_back(one);
   };
-  for (const plan::PassDesc& pass : script::evaluateAllPasses())
+  for (const plan::PassDesc& pass : script::evaluateAllPasses(home()))
     if (isAlternative(pass)) look(pass.name, pass.params);
-  for (const std::string& name : script::pipelineNames()) look(name, script::evaluatePipeline({name, {}}).params);
+  for (const std::string& name : script::pipelineNames(home()))
+    look(name, script::evaluatePipeline(home(), {name, {}}).params);
   EXPECT_TRUE(missing.empty()) << fmt::format("{}", fmt::join(missing, "\n"));
 }
 

@@ -82,20 +82,20 @@ std::string withLine(const std::string& text, int number, const std::string& lin
 
 // --- Following it
 
-// A copy of what ships, named by STROBE_HOME.
+// A copy of what ships.
 class Following : public ::testing::Test {
  protected:
   void SetUp() override {
     for (const char* part : {"passes", "shaders", "scripts"})
       fs::copy(sourceFolder() / part, folder_.path() / part, fs::copy_options::recursive);
-    ::setenv("STROBE_HOME", folder_.path().c_str(), 1);
   }
-  void TearDown() override { ::unsetenv("STROBE_HOME"); }
 
   void write(const std::string& file, const std::string& text) const {
     fs::create_directories((folder_.path() / file).parent_path());
     strobe::testing::writeText(folder_.path() / file, text);
   }
+
+  Home home() const { return Home({folder_.path()}, {}, Home::fromEnvironment().program()); }
 
   const Tutorial tutorial_ = readTutorial();
   TemporaryFolder folder_;
@@ -154,7 +154,7 @@ std::vector<int> markedIn(const Picture& picture) {
 }
 
 TEST_F(Following, TheDetectorAppearsRunsAndIsTuned) {
-  Workbench bench("", true);
+  Workbench bench(home(), "", true);
   Session session(bench, movingThings());
   session.tap({"edge.edge"});
   std::string before = hashOf(session, "edge.edge"), colour = hashOf(session, "color");
@@ -187,7 +187,7 @@ TEST_F(Following, TheDetectorAppearsRunsAndIsTuned) {
 
 TEST_F(Following, MistakesSayWhatThePageSays) {
   for (const auto& [file, text] : tutorial_.files) write(file, text);
-  Workbench bench("", true);
+  Workbench bench(home(), "", true);
   Shot shot = movingThings();
   shot.sets.push_back({"edge", "dilation"});
   Session session(bench, shot);
@@ -211,7 +211,7 @@ TEST_F(Following, MistakesSayWhatThePageSays) {
 // the nearer side (tests/oracle/render_masks_test.cpp).
 TEST_F(Following, ItsMaskIsTheBand) {
   for (const auto& [file, text] : tutorial_.files) write(file, text);
-  Workbench bench("", true);
+  Workbench bench(home(), "", true);
   std::vector<int> expected;
   for (int x = 139; x < 160; ++x) expected.push_back(x);
   EXPECT_EQ(markedIn(bench.render(movingBar())), expected);
@@ -235,7 +235,7 @@ TEST_F(Following, ItsCommandsAreAccepted) {
     }
   }
   EXPECT_EQ(seen, (std::set<std::string>{"check", "compare", "demo", "help", "live", "render"}));
-  Json experiment = script::evaluateData((folder_.path() / "experiments/detectors.lua").string());
+  Json experiment = script::evaluateData(Following::home(), (folder_.path() / "experiments/detectors.lua").string());
   auto is_ours = [](const Json& column) { return column.at("label") == "dilation"; };
   const Json& columns = experiment.at("columns");
   EXPECT_EQ(std::count_if(columns.begin(), columns.end(), is_ours), 1);

@@ -5,6 +5,7 @@
 #include <regex>
 
 #include "base/files.h"
+#include "common/home.h"
 #include "live/drive.h"
 #include "live/keys.h"
 
@@ -12,7 +13,9 @@ namespace strobe::live {
 namespace {
 
 // Rows of the guide's tables as "first cell | second cell", without escapes.
-std::string guide() { return std::regex_replace(readText(homeFolder() / "docs/live.md"), std::regex(R"(\\\|)"), "|"); }
+std::string guide() {
+  return std::regex_replace(readText(home().shipped() / "docs/live.md"), std::regex(R"(\\\|)"), "|");
+}
 
 TEST(Guide, HasEveryKey) {
   std::string text = guide();

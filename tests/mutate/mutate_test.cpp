@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "common/home.h"
 #include "mutate/glsl.h"
 #include "mutate/mutants.h"
 #include "mutate/run.h"
@@ -122,7 +123,7 @@ TEST(Mutants, UnlikeArgumentsAreFound) {
 
 // Every mutant of every shader that ships differs from it in its own place alone, outside of comments.
 TEST(Mutants, OfTheShadersDifferInTheirPlaceAlone) {
-  const Path shaders = homeFolder() / "shaders";
+  const Path shaders = home().shipped() / "shaders";
   size_t count = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(shaders)) {
     if (entry.path().extension() != ".glsl") continue;
@@ -171,9 +172,9 @@ TEST(Draw, TakesFromEveryFileAndOperator) {
 
 // A change that means nothing is told from one that does and from one that is no GLSL.
 TEST(ShaderCodeOfPasses, TellsWhichMutantsMatter) {
-  ShaderCode code;
+  ShaderCode code(home());
   auto change = [&](const std::string& file, const std::string& before, const std::string& after) {
-    size_t at = readText(homeFolder() / "shaders" / file).find(before);
+    size_t at = readText(home().shipped() / "shaders" / file).find(before);
     EXPECT_NE(at, std::string::npos);
     return code.changeBy({file, Sign, at, 1, 1, before, after});
   };
@@ -206,24 +207,24 @@ TEST(MutationRun, CatchesAWrongSign) {
   ASSERT_TRUE(program) << "STROBE_PROGRAM names the program";
   const std::string file = "lib/blur.glsl", test = "RenderFilters.OneSidedMcGuireReproducesItsRow";
   std::vector<Mutant> wanted;
-  const std::string text = readText(homeFolder() / "shaders" / file);
+  const std::string text = readText(home().shipped() / "shaders" / file);
   for (const Mutant& mutant : mutantsOf(file, text))
     if (mutant.op == Sign && lineAt(text, mutant.offset).starts_with("vec2 tapOffset")) wanted.push_back(mutant);
   ASSERT_EQ(wanted.size(), 1u);
 
   MutationPlan plan{{{"test_oracle", test}}, 60, {}};
   MutationOptions options;
-  options.tests = {Path(program).parent_path() / "tests", program, dataFolder()};
+  options.tests = {Path(program).parent_path() / "tests", program, home().data()};
   options.results = std::filesystem::temp_directory_path() / fmt::format("strobe_mutations_{}.json", ::getpid());
   testing::internal::CaptureStderr();
-  std::vector<MutationResult> results = runMutants(wanted, options, plan);
+  std::vector<MutationResult> results = runMutants(home(), wanted, options, plan);
   testing::internal::GetCapturedStderr();
   ASSERT_EQ(results.size(), 1u);
   EXPECT_EQ(results[0].fate, Fate::Caught);
   EXPECT_EQ(results[0].by, test);
 
   options.tests.folder = "nowhere";
-  EXPECT_EQ(runMutants(wanted, options, plan)[0].by, test);
+  EXPECT_EQ(runMutants(home(), wanted, options, plan)[0].by, test);
   std::filesystem::remove(options.results);
 }
 

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <memory>
 
+#include "common/home.h"
 #include "common/source.h"
 
 namespace strobe::oracle {
@@ -26,7 +27,7 @@ const testing::Environment* const kEnvironment = testing::AddGlobalTestEnvironme
 }  // namespace
 
 lab::Workbench& RenderTest::bench() {
-  if (!the_bench) the_bench = std::make_unique<lab::Workbench>("", true);
+  if (!the_bench) the_bench = std::make_unique<lab::Workbench>(home(), "", true);
   return *the_bench;
 }
 

@@ -80,7 +80,7 @@ class RenderStored : public RenderTest {
  protected:
   static plan::Plan planOf(lab::Shot shot) {
     bench().scene(shot);
-    plan::PipelineDesc pipeline = script::evaluatePipeline({shot.pipeline, shot.sets});
+    plan::PipelineDesc pipeline = script::evaluatePipeline(bench().home(), {shot.pipeline, shot.sets});
     return lab::planOf(shot, pipeline, bench().chooseBackend("auto"));
   }
 };

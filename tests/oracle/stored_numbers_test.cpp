@@ -88,7 +88,8 @@ class StoredNumbers : public RenderTest {
     std::string pattern = (std::filesystem::temp_directory_path() / "strobe_stored_XXXXXX").string();
     Path folder = ::mkdtemp(pattern.data());
     std::ofstream(folder / "stored.glsl") << main;
-    auto spirv = shader::compile({kPreamble + given, folder / "stored.glsl", ""}, shader::Stage::Compute).spirv;
+    auto spirv =
+        shader::compile(bench().home(), {kPreamble + given, folder / "stored.glsl", ""}, shader::Stage::Compute).spirv;
     std::filesystem::remove_all(folder);
 
     gpu::Buffer io(device, "io", padded.size() * 4, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::Buffer::Memory::Host);

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "common/home.h"
 #include "program/run.h"
 
 namespace strobe::testing {
@@ -69,7 +70,7 @@ TEST(BadInput, ScriptsThatDoNotEnd) {
 
 void copyHome(const TemporaryFolder& home) {
   for (const char* part : {"passes", "shaders", "scripts"})
-    fs::copy(homeFolder() / part, home.path() / part, fs::copy_options::recursive);
+    fs::copy(strobe::home().shipped() / part, home.path() / part, fs::copy_options::recursive);
 }
 
 // A home of its own with one shader broken.

@@ -2,6 +2,7 @@
 // `strobe help` from outside.
 #include <gtest/gtest.h>
 
+#include "common/home.h"
 #include "lab/reference.h"
 #include "program/run.h"
 
@@ -44,7 +45,7 @@ TEST(Help, UnknownTopicsAreRefusedWithTheNearest) {
 TEST(Help, WritesEveryPage) {
   TemporaryFolder folder;
   ASSERT_EQ(run("help --write " + (folder / "pages")).exit_code, 0);
-  for (const lab::ReferencePage& page : lab::referencePages())
+  for (const lab::ReferencePage& page : lab::referencePages(home()))
     EXPECT_EQ(contentOf(folder.path() / "pages" / page.path), page.text) << page.path;
   fs::path old = folder.path() / "pages/passes/edge/old.md", own = folder.path() / "pages/passes/edge/own.md";
   fs::copy(folder.path() / "pages/passes/edge/sobel.md", old);

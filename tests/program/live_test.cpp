@@ -9,6 +9,7 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "common/home.h"
 #include "image/png.h"
 #include "program/run.h"
 
@@ -150,7 +151,7 @@ TEST_F(Live, EditsAreTakenInAndMistakesShownOverTheLastGoodFrame) {
 // The trail of a pixel is followed on the newest files, which may be broken.
 TEST_F(Live, ABrokenScriptUnderAPinnedPixelDoesNotCloseTheWindow) {
   std::string own = folder_ / "own.lua", good = folder_ / "good.lua", broken = folder_ / "broken.lua";
-  std::string text = readText(homeFolder() / "scripts/pipelines/mcguire2012.lua");
+  std::string text = readText(strobe::home().shipped() / "scripts/pipelines/mcguire2012.lua");
   writeText(own, text);
   writeText(good, text + "\n-- mended\n");
   writeText(broken, text + "\nthis is no Lua\n");
@@ -197,7 +198,7 @@ TEST_F(Live, AnEndlessShaderIsNamedAndTheShotIsKept) {
   fs::path home = folder_.path() / "home";
   fs::create_directories(home);
   for (const char* part : {"passes", "scripts", "shaders"})
-    fs::copy(homeFolder() / part, home / part, fs::copy_options::recursive);
+    fs::copy(strobe::home().shipped() / part, home / part, fs::copy_options::recursive);
   fs::path shader = home / "shaders/tile/tile_max.glsl";
   std::string text = contentOf(shader), head = "void run(ivec2 pixel) {\n";
   ASSERT_NE(text.find(head), std::string::npos);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/files.h"
+#include "common/home.h"
 #include "program/run.h"
 
 namespace strobe::testing {
@@ -12,7 +13,7 @@ namespace {
 
 std::vector<fs::path> sceneFiles() {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(*dataFolder() / "scenes")) {
+  for (const auto& entry : fs::recursive_directory_iterator(*home().data() / "scenes")) {
     std::string ending = entry.path().extension().string();
     if (ending == ".glb" || ending == ".gltf") files.push_back(entry.path());
   }
@@ -21,7 +22,7 @@ std::vector<fs::path> sceneFiles() {
 }
 
 TEST(SharedScenes, EachRendersOrIsRefused) {
-  if (!dataFolder()) GTEST_SKIP() << "no shared data: STROBE_DATA names its folder";
+  if (!home().data()) GTEST_SKIP() << "no shared data: STROBE_DATA names its folder";
   TemporaryFolder folder;
   int rendered = 0;
   for (const fs::path& file : sceneFiles()) {

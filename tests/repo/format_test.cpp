@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "common/home.h"
 
 namespace strobe::repo {
 namespace {
@@ -34,7 +35,7 @@ std::string clangFormat() {
 }
 
 std::string complaints(const std::string& program, const std::string& files) {
-  return shell(files + " | xargs -0 " + program + " --style=file:'" + (homeFolder() / ".clang-format").string() +
+  return shell(files + " | xargs -0 " + program + " --style=file:'" + (home().shipped() / ".clang-format").string() +
                "' --dry-run -Werror")
       .text;
 }
@@ -42,7 +43,7 @@ std::string complaints(const std::string& program, const std::string& files) {
 TEST(Format, EveryCppFileIsAsClangFormatWritesIt) {
   std::string program = clangFormat();
   if (program.empty()) GTEST_SKIP() << "no clang-format of version 14 (the package clang-format of Debian 12)";
-  std::string top = "'" + homeFolder().string() + "'";
+  std::string top = "'" + home().shipped().string() + "'";
   std::string find = fmt::format("find {0}/runtime {0}/tests -name '*.cpp' -print0 -o -name '*.h' -print0", top);
   EXPECT_EQ(complaints(program, find), "");
   std::string wrong = testing::TempDir() + "wrong.cpp";

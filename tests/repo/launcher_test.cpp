@@ -4,6 +4,7 @@
 
 #include "base/files.h"
 #include "base/process.h"
+#include "common/home.h"
 
 namespace strobe::repo {
 namespace {
@@ -17,7 +18,7 @@ struct Outcome {
 Outcome launcher(const std::string& script) {
   std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();  // tests may run side by side
   std::string file = testing::TempDir() + "launcher_" + test + ".sh";
-  writeFileAtomically(file, "source '" + (homeFolder() / "strobe").string() + "'; " + script);
+  writeFileAtomically(file, "source '" + (home().shipped() / "strobe").string() + "'; " + script);
   ProgramEnd end = run({.arguments = {"bash", file}, .errors = Program::Errors::with_output});
   std::filesystem::remove(file);
   return {end.code(), end.output};

@@ -197,6 +197,22 @@ Findings lintLicences(const std::vector<Source>& sources) {
   return findings;
 }
 
+Findings lintHome(const std::vector<Source>& sources) {
+  Findings findings;
+  for (const Source& source : sources) {
+    bool cpp = source.path.ends_with(".cpp") || source.path.ends_with(".h");
+    if (!cpp || !source.path.starts_with("runtime/")) continue;
+    bool makes = source.path == "runtime/app/main.cpp" || source.path.starts_with("runtime/base/home.");
+    forLines(source, [&](int number, const std::string& line) {
+      if (line.find(std::string("set") + "env(") != std::string::npos)
+        findings.push_back(finding(source, number, "changes the environment of this process"));
+      if (!makes && line.find(std::string("from") + "Environment(") != std::string::npos)
+        findings.push_back(finding(source, number, "makes a home instead of taking one"));
+    });
+  }
+  return findings;
+}
+
 Findings lintMachines(const std::vector<Source>& sources) {
   // Written in pieces, or this file would find itself.
   std::string folders = std::string("(^|[^a-z0-9_.])/(wor") + "k|hom" + "e|roo" + "t|User" + "s)/";

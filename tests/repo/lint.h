@@ -47,6 +47,9 @@ Findings lintTechniques(const std::vector<Source>& sources);
 // Every source says its licence in one of its first two lines.
 Findings lintLicences(const std::vector<Source>& sources);
 
+// In runtime/, C++ changes no variable of its own process, and only main() makes a home from the environment.
+Findings lintHome(const std::vector<Source>& sources);
+
 // No path and no host of the machine on which something was written.
 Findings lintMachines(const std::vector<Source>& sources);
 

@@ -6,16 +6,17 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "common/home.h"
 
 namespace strobe::repo {
 namespace {
 
 const std::vector<Source>& project() {
-  static const std::vector<Source> sources = readSources(homeFolder());
+  static const std::vector<Source> sources = readSources(home().shipped());
   return sources;
 }
 
-Floors floors() { return parseFloors(readText(homeFolder() / "runtime/floors.txt")); }
+Floors floors() { return parseFloors(readText(home().shipped() / "runtime/floors.txt")); }
 
 std::string joined(const Findings& findings) {
   std::string text;
@@ -35,17 +36,31 @@ TEST(Project, IsRead) {
 
 TEST(Project, EveryRoomHasAFloor) {
   Floors known = floors();
-  for (const auto& entry : std::filesystem::directory_iterator(homeFolder() / "runtime")) {
+  for (const auto& entry : std::filesystem::directory_iterator(home().shipped() / "runtime")) {
     if (entry.is_directory()) EXPECT_TRUE(known.count(entry.path().filename().string())) << entry.path();
   }
 }
 
 TEST(Project, IncludesFollowTheFloors) { EXPECT_EQ(joined(lintFloors(project(), floors())), ""); }
+TEST(Project, TheHomeIsPassedOn) { EXPECT_EQ(joined(lintHome(project())), ""); }
 TEST(Project, ForeignHeadersStayInTheirRooms) { EXPECT_EQ(joined(lintForeignHeaders(project())), ""); }
 TEST(Project, ShadersSayWhatTheyNeed) { EXPECT_EQ(joined(lintMixins(project())), ""); }
 TEST(Project, CppNamesNoTechnique) { EXPECT_EQ(joined(lintTechniques(project())), ""); }
 TEST(Project, EverySourceSaysItsLicence) { EXPECT_EQ(joined(lintLicences(project())), ""); }
 TEST(Project, NothingBelongsToAMachine) { EXPECT_EQ(joined(lintMachines(project())), ""); }
+
+TEST(Lint, FindsAHomeThatIsLookedUpOrSet) {
+  auto lint = [](const char* path, const std::string& text) { return joined(lintHome({{path, text}})); };
+  EXPECT_EQ(lint("runtime/a/b.cpp",
+                 "int x;\n::set"
+                 "env(\"A\", \"b\", 1);\n"),
+            "runtime/a/b.cpp:2: changes the environment of this process\n");
+  std::string asks =
+      "auto h = Home::from"
+      "Environment();\n";
+  EXPECT_EQ(lint("runtime/lab/a.cpp", asks), "runtime/lab/a.cpp:1: makes a home instead of taking one\n");
+  EXPECT_EQ(lint("runtime/app/main.cpp", asks) + lint("tests/a/b.cpp", asks), "");
+}
 
 TEST(Lint, FindsIncludesOfAFloorAbove) {
   Floors three = parseFloors("# comment\n0 base\n1 math\n1 image\n2 plan not image\n");

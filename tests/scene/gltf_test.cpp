@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "common/home.h"
 #include "math/constants.h"
 #include "scene/defaults.h"
 #include "scene/motion.h"
@@ -322,7 +323,7 @@ TEST(Defaults, UnlitScenesGetNoLight) {
 
 std::vector<Path> sharedFiles() {
   std::vector<Path> files;
-  std::optional<Path> data = dataFolder();
+  std::optional<Path> data = home().data();
   if (!data || !fs::is_directory(*data / "scenes")) return files;
   for (const auto& entry : fs::recursive_directory_iterator(*data / "scenes")) {
     std::string extension = entry.path().extension().string();

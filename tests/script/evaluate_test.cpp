@@ -51,7 +51,7 @@ class Evaluate : public testing::Test {
  protected:
   void SetUp() override { home_.write("scripts/pipelines/sample.lua", kPipeline); }
 
-  plan::PipelineDesc evaluate(const Settings& sets = {}) { return evaluatePipeline({"sample", sets}); }
+  plan::PipelineDesc evaluate(const Settings& sets = {}) { return evaluatePipeline(home_.home(), {"sample", sets}); }
 
   std::string failure(const Settings& sets) {
     try {
@@ -180,15 +180,15 @@ TEST_F(Evaluate, WrongSettingsAreRefusedWithTheNearestName) {
 TEST_F(Evaluate, NamesAndPaths) {
   home_.write("scripts/pipelines/other.lua", kPipeline);
   home_.write("scripts/scenes/ball.lua", "return {}");
-  EXPECT_EQ(pipelineNames(), (std::vector<std::string>{"other", "sample"}));
-  EXPECT_EQ(sceneNames(), (std::vector<std::string>{"ball"}));
+  EXPECT_EQ(pipelineNames(home_.home()), (std::vector<std::string>{"other", "sample"}));
+  EXPECT_EQ(sceneNames(home_.home()), (std::vector<std::string>{"ball"}));
   try {
-    evaluatePipeline({"smaple", {}});
+    evaluatePipeline(home_.home(), {"smaple", {}});
     FAIL();
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "there is no pipeline 'smaple'; did you mean 'sample'?");
   }
-  EXPECT_THROW(evaluatePipeline({"nowhere/x.lua", {}}), Error);
+  EXPECT_THROW(evaluatePipeline(home_.home(), {"nowhere/x.lua", {}}), Error);
 }
 
 TEST_F(Evaluate, AFileOfTheUsersOwnFindsItsNeighbours) {
@@ -199,7 +199,7 @@ TEST_F(Evaluate, AFileOfTheUsersOwnFindsItsNeighbours) {
   home_.write("mine/own.lua", own);
   home_.write("mine/lib/mine.lua", smear.replace(smear.find("\"smear\""), 7, "\"mine\""));
   std::vector<Dependency> files;
-  plan::PipelineDesc p = evaluatePipeline({(home_.folder() / "mine/own.lua").string(), {}}, &files);
+  plan::PipelineDesc p = evaluatePipeline(home_.home(), {(home_.folder() / "mine/own.lua").string(), {}}, &files);
   EXPECT_EQ(p.name, "own");
   EXPECT_EQ(p.nodes[3].name, "mine");
   EXPECT_EQ(p.passes[2].place.text(), "mine/lib/mine.lua:2");
@@ -207,7 +207,7 @@ TEST_F(Evaluate, AFileOfTheUsersOwnFindsItsNeighbours) {
 
 TEST_F(Evaluate, DependenciesAreReportedOnSuccessAndOnFailure) {
   std::vector<Dependency> files;
-  evaluatePipeline({"sample", {}}, &files);
+  evaluatePipeline(home_.home(), {"sample", {}}, &files);
   std::set<std::string> shown;
   for (const Dependency& file : files) {
     shown.insert(file.shown);
@@ -219,7 +219,7 @@ TEST_F(Evaluate, DependenciesAreReportedOnSuccessAndOnFailure) {
   EXPECT_TRUE(shown.contains("scripts/strobe/pipeline.lua"));
 
   home_.write("passes/smear.lua", "return nil +");
-  EXPECT_THROW(evaluatePipeline({"sample", {}}, &files), Error);
+  EXPECT_THROW(evaluatePipeline(home_.home(), {"sample", {}}, &files), Error);
   EXPECT_TRUE(std::any_of(files.begin(), files.end(), [](auto& file) { return file.shown == "passes/smear.lua"; }));
 }
 
@@ -236,7 +236,7 @@ TEST_F(Evaluate, CanonicalFormReadsBackAsItWasWritten) {
 }
 
 TEST_F(Evaluate, AllPassesByName) {
-  std::vector<plan::PassDesc> passes = evaluateAllPasses();
+  std::vector<plan::PassDesc> passes = evaluateAllPasses(home_.home());
   ASSERT_EQ(passes.size(), 4u);
   EXPECT_EQ(passes[0].name, "add");
   EXPECT_EQ(passes[3].name, "smear");
@@ -246,7 +246,7 @@ TEST_F(Evaluate, AllPassesByName) {
   std::string smear = samplePasses().at("passes/smear.lua");
   home_.write("passes/c.lua", smear);
   try {
-    evaluateAllPasses();
+    evaluateAllPasses(home_.home());
     FAIL();
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(),
@@ -260,11 +260,13 @@ TEST_F(Evaluate, SceneIsPlainDataWithParameters) {
   home_.write("scripts/scenes/ball.lua",
               "local n = scene_params.count or 3\nlocal list = {}\nfor i = 1, n do list[i] = { x = i / 2 } end\n"
               "return { balls = list, name = scene_params.name or 'none', none = {}, turn = scene_params.turn }\n");
-  EXPECT_EQ(evaluateScene("ball", {}).dump(), R"({"balls":[{"x":0.5},{"x":1.0},{"x":1.5}],"name":"none","none":[]})");
-  Json set = evaluateScene("ball", {{"scene.count", "1"}, {"tile", "3"}, {"scene.name", "a b"}, {"scene.turn", "0.1"}});
+  EXPECT_EQ(evaluateScene(home_.home(), "ball", {}).dump(),
+            R"({"balls":[{"x":0.5},{"x":1.0},{"x":1.5}],"name":"none","none":[]})");
+  Json set = evaluateScene(home_.home(), "ball",
+                           {{"scene.count", "1"}, {"tile", "3"}, {"scene.name", "a b"}, {"scene.turn", "0.1"}});
   EXPECT_EQ(set.dump(), R"({"balls":[{"x":0.5}],"name":"a b","none":[],"turn":0.1})");
   try {
-    evaluateScene("ball", {{"scene.cuont", "1"}});
+    evaluateScene(home_.home(), "ball", {{"scene.cuont", "1"}});
     FAIL();
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "--set scene.cuont=1: the scene has no parameter 'cuont'; did you mean 'count'?");
@@ -275,7 +277,7 @@ TEST_F(Evaluate, SceneMayHoldPlainDataOnly) {
   auto failureOf = [&](const std::string& text) -> std::string {
     home_.write("scripts/scenes/odd.lua", text);
     try {
-      evaluateScene("odd", {});
+      evaluateScene(home_.home(), "odd", {});
     } catch (const Error& error) {
       return error.what();
     }
@@ -291,7 +293,7 @@ TEST_F(Evaluate, SceneMayHoldPlainDataOnly) {
 
 TEST_F(Evaluate, DataGetsItsArguments) {
   home_.write("x/demo.lua", "local arguments = ...\nreturn { twice = arguments.n * 2, half = arguments.n / 2 }");
-  Json result = evaluateData((home_.folder() / "x/demo.lua").string(), {{"n", 3}});
+  Json result = evaluateData(home_.home(), (home_.folder() / "x/demo.lua").string(), {{"n", 3}});
   EXPECT_EQ(result.dump(), R"({"half":1.5,"twice":6})");
 }
 

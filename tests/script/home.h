@@ -4,13 +4,12 @@
 
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <string>
 
-#include "base/files.h"
+#include "base/home.h"
 #include "common/source.h"
 
 namespace strobe::script {
@@ -76,17 +75,18 @@ class TestHome {
     fs::create_directories(folder_ / "scripts/scenes");
     fs::copy(sourceFolder() / "scripts/strobe", folder_ / "scripts/strobe");
     for (const auto& [path, text] : samplePasses()) write(path, text);
-    ::setenv("STROBE_HOME", folder_.c_str(), 1);
   }
   ~TestHome() {
     std::error_code ignored;
     std::filesystem::remove_all(folder_, ignored);
-    ::unsetenv("STROBE_HOME");
   }
   TestHome(const TestHome&) = delete;
   TestHome& operator=(const TestHome&) = delete;
 
   const Path& folder() const { return folder_; }
+  // Scripts are evaluated by the program of the environment, or another.
+  Home home() const { return home(Home::fromEnvironment().program()); }
+  Home home(const Path& program) const { return Home({folder_}, {}, program); }
 
   void write(const std::string& path, const std::string& text) const {
     std::filesystem::create_directories((folder_ / path).parent_path());

@@ -18,7 +18,7 @@ static std::string failureOf(const TestHome& home, const std::string& name, cons
                              const Limits& limits = kShort) {
   home.write("scripts/scenes/" + name + ".lua", text);
   try {
-    return "none: " + evaluateScene(name, {}, nullptr, limits).dump();
+    return "none: " + evaluateScene(home.home(), name, {}, nullptr, limits).dump();
   } catch (const Error& error) {
     return error.what();
   }
@@ -156,9 +156,9 @@ return { seen = seen, random = { math.random(), math.random(1000) }, address = t
          text = string.format("%s %s %d", {}, nil, 3), first = next(t), empty = next({}) == nil,
          from = string.format("%5.2f", 1 / 3) }
 )");
-  std::string first = evaluateScene("order", {}).dump();
+  std::string first = evaluateScene(home.home(), "order", {}).dump();
   EXPECT_NE(first.find("\"address\":\"tablefunction\""), std::string::npos) << first;
-  for (int i = 0; i < 10; ++i) ASSERT_EQ(evaluateScene("order", {}).dump(), first);
+  for (int i = 0; i < 10; ++i) ASSERT_EQ(evaluateScene(home.home(), "order", {}).dump(), first);
 }
 
 TEST(Sandbox, ErrorsInsideTheLibraryPointAtTheUsersLine) {
@@ -171,7 +171,7 @@ return pipeline {
 }
 )");
   try {
-    evaluatePipeline({"odd", {}});
+    evaluatePipeline(home.home(), {"odd", {}});
     FAIL();
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "scripts/pipelines/odd.lua:4: inner");
@@ -183,7 +183,7 @@ TEST(Sandbox, LongFileNamesAreNotShortened) {
   std::string folder = "mine/" + std::string(80, 'x');
   home.write(folder + "/scene.lua", "local a = 1\nreturn a.b.c");
   try {
-    evaluateScene((home.folder() / folder / "scene.lua").string(), {});
+    evaluateScene(home.home(), (home.folder() / folder / "scene.lua").string(), {});
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.place().file, folder + "/scene.lua");
@@ -201,14 +201,8 @@ TEST(Sandbox, ModulesMayNotRequireThemselves) {
 TEST(Sandbox, AProgramThatIsNoChildIsRefused) {
   TestHome home;
   home.write("scripts/scenes/x.lua", "return {}");
-  const char* kept = std::getenv("STROBE_PROGRAM");
-  std::string before = kept ? kept : "";
-  for (const char* program : {"/bin/true", "/bin/false", "/bin/echo", "/nonexistent"}) {
-    ::setenv("STROBE_PROGRAM", program, 1);
-    EXPECT_THROW(evaluateScene("x", {}), Error) << program;
-  }
-  if (kept) ::setenv("STROBE_PROGRAM", before.c_str(), 1);
-  if (!kept) ::unsetenv("STROBE_PROGRAM");
+  for (const char* program : {"/bin/true", "/bin/false", "/bin/echo", "/nonexistent"})
+    EXPECT_THROW(evaluateScene(home.home(program), "x", {}), Error) << program;
 }
 
 }  // namespace strobe::script

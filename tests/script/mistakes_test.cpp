@@ -65,7 +65,7 @@ static std::string replaced(std::string text, const std::string& from, const std
 TEST(Mistakes, TheUnchangedPipelineIsGood) {
   TestHome home;
   home.write(kSample, kPipeline);
-  EXPECT_NO_THROW(evaluatePipeline({"sample", {}}));
+  EXPECT_NO_THROW(evaluatePipeline(home.home(), {"sample", {}}));
 }
 
 TEST(Mistakes, EachIsRefusedWithItsLineAndTheNearestName) {
@@ -77,7 +77,7 @@ TEST(Mistakes, EachIsRefusedWithItsLineAndTheNearestName) {
     home.write(mistake.file, replaced(files[mistake.file], mistake.from, mistake.to));
     std::string error = "none";
     try {
-      evaluatePipeline({"sample", {}});
+      evaluatePipeline(home.home(), {"sample", {}});
     } catch (const Error& caught) {
       error = caught.what();
     }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/home.h"
 #include "script/evaluate.h"
 
 namespace strobe::script {
@@ -34,24 +35,24 @@ Settings others(const plan::PipelineDesc& pipeline) {
 
 TEST(Settings, PutInAsTheScriptsDo) {
   size_t tried = 0;
-  for (const std::string& name : pipelineNames()) {
+  for (const std::string& name : pipelineNames(home())) {
     SCOPED_TRACE(name);
-    plan::PipelineDesc plain = evaluatePipeline({name, {}});
+    plan::PipelineDesc plain = evaluatePipeline(home(), {name, {}});
     Settings sets = others(plain);
     tried += sets.size();
-    EXPECT_EQ(plan::toJson(plan::withSettings(plain, sets)), plan::toJson(evaluatePipeline({name, sets})));
+    EXPECT_EQ(plan::toJson(plan::withSettings(plain, sets)), plan::toJson(evaluatePipeline(home(), {name, sets})));
   }
   EXPECT_GT(tried, 50u);
 }
 
 TEST(Settings, ThatDecideTheGraphAreNoted) {
-  plan::PipelineDesc hybrid = evaluatePipeline({"hybrid", {}});
+  plan::PipelineDesc hybrid = evaluatePipeline(home(), {"hybrid", {}});
   for (const char* name : {"preset", "mask"}) EXPECT_TRUE(plan::decidesGraph(hybrid, name)) << name;
   for (const char* name : {"samples", "limit", "gbuffer.x"}) EXPECT_FALSE(plan::decidesGraph(hybrid, name)) << name;
 }
 
 TEST(Settings, WrongOnesAreRefused) {
-  plan::PipelineDesc hybrid = evaluatePipeline({"hybrid", {}});
+  plan::PipelineDesc hybrid = evaluatePipeline(home(), {"hybrid", {}});
   for (const Setting& wrong : Settings{{"samples", 0}, {"samples", "many"}, {"sampels", 3}, {"nodule.x", 1}})
     EXPECT_THROW(plan::withSettings(hybrid, {wrong}), Error) << wrong.first;
 }

@@ -45,7 +45,7 @@ for class, list in pairs(keys) do
 end
 return result
 )");
-  Json accepted = evaluateData((home.folder() / "x/keys.lua").string());
+  Json accepted = evaluateData(home.home(), (home.folder() / "x/keys.lua").string());
   std::map<std::string, std::set<std::string>> declared = declaredFields();
   for (const auto& [name, keys] : accepted.items()) {
     std::set<std::string> fields = declared["strobe." + name];

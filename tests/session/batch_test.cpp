@@ -52,7 +52,7 @@ TEST_F(BatchTest, AHundredPointsRunNoScriptAndReadNoShader) {
   EXPECT_EQ(batch.drawn(), kPoints);
 
   for (int i : {3, 52, 98}) {
-    lab::Picture alone = lab::Workbench("", true).render(point(i));
+    lab::Picture alone = lab::Workbench(EditableHome::home(), "", true).render(point(i));
     EXPECT_EQ(outputHashes(*pictures.at(i)), outputHashes(alone)) << i;
     for (const char* part : {"shot", "pipeline", "scene", "scripts", "shaders", "outputs"})
       EXPECT_EQ(pictures.at(i)->record[part], alone.record[part]) << i << " " << part;

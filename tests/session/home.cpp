@@ -3,7 +3,6 @@
 
 #include <unistd.h>
 
-#include <cstdlib>
 #include <fstream>
 
 #include "common/source.h"
@@ -13,20 +12,21 @@ namespace strobe::session {
 
 namespace fs = std::filesystem;
 
+Home EditableHome::home() {
+  const Home own = Home::fromEnvironment();
+  return Home({fs::temp_directory_path() / fmt::format("strobe_session_{}", ::getpid())}, own.data(), own.program());
+}
+
 EditableHome::EditableHome() {
-  static int count = 0;
-  folder_ = fs::temp_directory_path() / fmt::format("strobe_session_{}_{}", ::getpid(), count++);
   for (const char* part : {"passes", "shaders", "scripts"}) {
-    fs::create_directories(folder_ / part);
-    fs::copy(sourceFolder() / part, folder_ / part, fs::copy_options::recursive);
+    fs::create_directories(path(part));
+    fs::copy(sourceFolder() / part, path(part), fs::copy_options::recursive);
   }
-  ::setenv("STROBE_HOME", folder_.c_str(), 1);
 }
 
 EditableHome::~EditableHome() {
-  ::unsetenv("STROBE_HOME");
   std::error_code ignored;
-  fs::remove_all(folder_, ignored);
+  fs::remove_all(home().shipped(), ignored);
 }
 
 static void writePlain(const Path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
@@ -56,8 +56,8 @@ void EditableHome::edit(const std::string& file, const std::string& from, const 
 std::map<std::string, std::string> EditableHome::all() const {
   std::map<std::string, std::string> texts;
   for (const char* part : {"passes", "shaders", "scripts"})
-    for (const auto& entry : fs::recursive_directory_iterator(folder_ / part))
-      if (entry.is_regular_file()) texts[entry.path().lexically_relative(folder_)] = readText(entry.path());
+    for (const auto& entry : fs::recursive_directory_iterator(path(part)))
+      if (entry.is_regular_file()) texts[entry.path().lexically_relative(home().shipped())] = readText(entry.path());
   return texts;
 }
 
@@ -75,7 +75,7 @@ const testing::Environment* const kEnvironment = testing::AddGlobalTestEnvironme
 }  // namespace
 
 lab::Workbench& SessionTest::bench() {
-  if (!the_bench) the_bench = std::make_unique<lab::Workbench>("", true);
+  if (!the_bench) the_bench = std::make_unique<lab::Workbench>(EditableHome::home(), "", true);
   return *the_bench;
 }
 

@@ -15,15 +15,16 @@ namespace strobe::session {
 // Ways an editor saves.
 enum class Save { InPlace, Rename, Twice };
 
-// The folder named by STROBE_HOME as long as it lives.
+// One at a time: its folder is the same as long as the test program runs.
 class EditableHome {
  public:
+  static Home home();
   EditableHome();
   ~EditableHome();
   EditableHome(const EditableHome&) = delete;
   EditableHome& operator=(const EditableHome&) = delete;
 
-  Path path(const std::string& file) const { return folder_ / file; }
+  static Path path(const std::string& file) { return home().shipped() / file; }
   std::string read(const std::string& file) const { return readText(path(file)); }
   void write(const std::string& file, const std::string& text, Save save = Save::InPlace) const;
   void remove(const std::string& file) const;
@@ -31,9 +32,6 @@ class EditableHome {
   void edit(const std::string& file, const std::string& from, const std::string& to, Save save = Save::InPlace) const;
   // Texts of all files below passes, shaders and scripts, by name.
   std::map<std::string, std::string> all() const;
-
- private:
-  Path folder_;
 };
 
 // One device with validation serves the tests of a program; a message fails the test that caused it.

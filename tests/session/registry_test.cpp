@@ -230,7 +230,7 @@ class Registry : public SessionTest {
   plan::Plan planOf(const Shot& shot) {
     Shot filled = shot;
     bench().scene(filled);
-    plan::PipelineDesc pipeline = script::evaluatePipeline({filled.pipeline, filled.sets});
+    plan::PipelineDesc pipeline = script::evaluatePipeline(bench().home(), {filled.pipeline, filled.sets});
     return lab::planOf(filled, pipeline, bench().chooseBackend("auto"));
   }
 
@@ -261,7 +261,7 @@ class Registry : public SessionTest {
             one.pipeline + "\", set = { " + sets +
             "} },\n"
             "{ label = \"truth\", pipeline = \"ground_truth\", role = \"truth\" } } }\n");
-    lab::Demo demo = lab::readDemo(home_.path("way.lua").string());
+    lab::Demo demo = lab::readDemo(bench().home(), home_.path("way.lua").string());
     scripted.sets = lab::sceneSettings(scripted.sets);
     for (const auto& set : demo.columns.front().sets) scripted.sets.push_back(set);
     shots["Lua"] = scripted;
@@ -300,7 +300,7 @@ class Registry : public SessionTest {
 };
 
 TEST_F(Registry, KnowsEveryPipelineThatShips) {
-  for (const std::string& name : script::pipelineNames())
+  for (const std::string& name : script::pipelineNames(bench().home()))
     EXPECT_TRUE(kContexts.count(name)) << name << " is walked by no test";
 }
 

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "common/home.h"
+
 namespace strobe::shader {
 namespace {
 
@@ -32,7 +34,7 @@ class Shaders : public ::testing::Test {
   std::string errorOf(const std::string& text) {
     Path file = write("scale.glsl", text);
     try {
-      compilePass(interface_, file, Stage::Compute);
+      compilePass(home(), interface_, file, Stage::Compute);
     } catch (const Error& error) {
       return error.what();
     }
@@ -54,15 +56,15 @@ const char* kGood =
 
 TEST_F(Shaders, NamesNeedNoNumbers) {
   EXPECT_EQ(errorOf(kGood), "");
-  EXPECT_TRUE(unusedNames(interface_, {folder_ / "scale.glsl"}).empty());
+  EXPECT_TRUE(unusedNames(home(), interface_, {folder_ / "scale.glsl"}).empty());
 }
 
 TEST_F(Shaders, AParameterThatDecidesAFormatNeedNotBeNamed) {
   interface_.variants.push_back({"precision", {"full", "half"}, 0});
   EXPECT_EQ(errorOf(kGood), "");
-  EXPECT_EQ(unusedNames(interface_, {folder_ / "scale.glsl"}).size(), 1u);
+  EXPECT_EQ(unusedNames(home(), interface_, {folder_ / "scale.glsl"}).size(), 1u);
   interface_.variants.back().decides_format = true;
-  EXPECT_TRUE(unusedNames(interface_, {folder_ / "scale.glsl"}).empty());
+  EXPECT_TRUE(unusedNames(home(), interface_, {folder_ / "scale.glsl"}).empty());
 }
 
 TEST_F(Shaders, ErrorsHaveTheUsersLineAndBothPlaces) {
@@ -89,7 +91,7 @@ TEST_F(Shaders, ErrorsInsideAnIncludeNameTheInclude) {
 
 TEST_F(Shaders, WhatIsDeclaredMustBeUsed) {
   Path file = write("scale.glsl", "void run(ivec2 p) { imageStore(result_img, p, vec4(1)); }\n");
-  std::vector<std::string> problems = unusedNames(interface_, {file});
+  std::vector<std::string> problems = unusedNames(home(), interface_, {file});
   EXPECT_EQ(problems.size(), 3u);  // the read, the parameter and the variant
   for (const std::string& problem : problems)
     EXPECT_NE(problem.find("passes/scale.lua:3"), std::string::npos) << problem;
@@ -99,16 +101,16 @@ TEST_F(Shaders, CommentsUseNothing) {
   Path file = write("scale.glsl",
                     "// depth_tex, params.factor\n/* PARAM_mode\n params.factor */\n"
                     "void run(ivec2 p) { imageStore(result_img, p, vec4(other.factor)); }\n");
-  EXPECT_EQ(unusedNames(interface_, {file}).size(), 3u);
+  EXPECT_EQ(unusedNames(home(), interface_, {file}).size(), 3u);
   write("part.glsl", "#if PARAM_mode == 9\n  float f = texelFetch(depth_tex, p, 0).x * params\n  . factor;\n#endif\n");
   file = write("scale.glsl", "#include \"part.glsl\"\nvoid run(ivec2 p) { imageStore(result_img, p, vec4(1)); }\n");
-  EXPECT_TRUE(unusedNames(interface_, {file}).empty());
+  EXPECT_TRUE(unusedNames(home(), interface_, {file}).empty());
 }
 
 TEST_F(Shaders, EveryFileThatWasReadIsReported) {
   write("part.glsl", "float part() { return 1.0; }\n");
   Path file = write("scale.glsl", std::string("#include \"part.glsl\"\n") + kGood);
-  Compiled compiled = compilePass(interface_, file, Stage::Compute);
+  Compiled compiled = compilePass(home(), interface_, file, Stage::Compute);
   EXPECT_NE(std::find(compiled.files.begin(), compiled.files.end(), folder_ / "part.glsl"), compiled.files.end());
   EXPECT_EQ(compiled.files.front(), file);
 }

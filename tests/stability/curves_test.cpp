@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/files.h"
+#include "common/home.h"
 #include "oracle/render.h"
 #include "stability/curves_page.h"
 #include "stability/curves_run.h"
@@ -118,7 +119,7 @@ class Measuring : public oracle::RenderTest {
   static Report measured(const std::string& text) {
     Path file = std::filesystem::temp_directory_path() / fmt::format("strobe_curves_{}.lua", ::getpid());
     writeFileAtomically(file, text);
-    Report report = measure(readExperiment(file), bench());
+    Report report = measure(readExperiment(bench().home(), file), bench());
     std::filesystem::remove(file);
     return report;
   }
@@ -184,7 +185,7 @@ TEST_F(Measuring, ErrorsAreThoseOfTheClosedForm) {
 // ---- what ships
 
 TEST(Committed, PageAndReadingAreMadeOfTheirNumbers) {
-  Path folder = homeFolder() / "docs";
+  Path folder = home().shipped() / "docs";
   Report report = reportFrom(Json::parse(readText(folder / "extremes/extremes.json")), "extremes.json");
   EXPECT_EQ(readText(folder / "extremes/extremes.html"), pageOf(report))
       << report.command << " --from docs/extremes/extremes.json";
@@ -193,8 +194,8 @@ TEST(Committed, PageAndReadingAreMadeOfTheirNumbers) {
 }
 
 TEST(Committed, NumbersAreOfTheExperimentAsItIs) {
-  Report report = reportFrom(Json::parse(readText(homeFolder() / "docs/extremes/extremes.json")), "extremes.json");
-  Experiment experiment = readExperiment((homeFolder() / "experiments/extremes.lua").string());
+  Report report = reportFrom(Json::parse(readText(home().shipped() / "docs/extremes/extremes.json")), "extremes.json");
+  Experiment experiment = readExperiment(home(), home().at("experiments/extremes.lua").string());
   EXPECT_EQ(report.width, experiment.width);
   ASSERT_EQ(report.methods.size(), experiment.methods.size());
   for (size_t m = 0; m < report.methods.size(); ++m) EXPECT_EQ(report.methods[m], experiment.methods[m].label);

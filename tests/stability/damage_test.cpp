@@ -67,7 +67,7 @@ class Damage : public oracle::RenderTest {
  protected:
   // Every pipeline draws it, finite, and says the text.
   static void expectDrawn(const File& file, const std::string& says) {
-    for (const std::string& pipeline : script::pipelineNames()) {
+    for (const std::string& pipeline : script::pipelineNames(bench().home())) {
       File own = file;
       lab::Shot shot = own.shot(pipeline);
       if (pipeline == "ground_truth") shot.sets.push_back({"samples", "4"});

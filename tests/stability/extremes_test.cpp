@@ -2,9 +2,9 @@
 // Every extreme case, by every pipeline and preset; and that each kind of check finds what is wrong.
 #include "stability/extremes.h"
 
-#include <cstdlib>
 #include <set>
 
+#include "common/home.h"
 #include "oracle/render.h"
 
 namespace strobe::stability {
@@ -12,18 +12,16 @@ namespace {
 
 // Names alone: the checks of a case are evaluated by its test.
 const std::vector<Extreme>& cases() {
-  static const Extremes extremes = [] {
-    ::setenv("STROBE_PROGRAM", STROBE_PROGRAM_FILE, 0);
-    return readExtremes({}, std::vector<std::string>());
-  }();
+  static const Extremes extremes =
+      readExtremes(Home({home().shipped()}, {}, STROBE_PROGRAM_FILE), {}, std::vector<std::string>());
   return extremes.cases;
 }
 
 class ExtremeCases : public oracle::RenderTest, public testing::WithParamInterface<size_t> {};
 
 TEST_P(ExtremeCases, Holds) {
-  static const std::vector<Method> methods = methodsOf(bench().limits);
-  const Extremes extremes = readExtremes(bench().limits, std::vector<std::string>{cases()[GetParam()].name});
+  static const std::vector<Method> methods = methodsOf(home(), bench().limits);
+  const Extremes extremes = readExtremes(home(), bench().limits, std::vector<std::string>{cases()[GetParam()].name});
   const Extreme& extreme = extremes.cases[GetParam()];
   ASSERT_FALSE(extreme.checks.empty());
   for (const ExtremeOutcome& outcome : runExtreme(bench(), methods, extremes, extreme))
@@ -66,8 +64,8 @@ class Checks : public oracle::RenderTest {
  protected:
   static std::vector<std::string> failures(const std::string& kind, const Json& fields, double displacement_px = 8,
                                            const std::string& pipeline = "mcguire2012") {
-    static const Extremes extremes = readExtremes(bench().limits, std::vector<std::string>());
-    static const std::vector<Method> methods = methodsOf(bench().limits);
+    static const Extremes extremes = readExtremes(home(), bench().limits, std::vector<std::string>());
+    static const std::vector<Method> methods = methodsOf(home(), bench().limits);
     Json json = {{"check", kind}, {"shot", barShot(displacement_px)}};
     json.update(fields);
     Problems problems;

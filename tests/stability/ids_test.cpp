@@ -12,7 +12,13 @@ namespace {
 
 using oracle::with;
 
-class Ids : public oracle::RenderTest {};
+class Ids : public oracle::RenderTest {
+ protected:
+  static lab::Picture render(const lab::Shot& shot) { return bench().render(shot); }
+  static lab::Picture render(const session::EditableHome& home, const lab::Shot& shot) {
+    return lab::Workbench(home.home(), bench()).render(shot);
+  }
+};
 
 // Ids of all that raster and rays see, `base` higher: neighbours differ in the lowest bit.
 void raiseIds(const session::EditableHome& home, const std::string& base) {
@@ -40,7 +46,7 @@ TEST_F(Ids, BeyondTheirLowestBitInSinglePrecisionAreTold) {
     session::EditableHome home;
     raiseIds(home, base);
     for (size_t i = 0; i < small.size(); ++i) {
-      lab::Picture large = render(with(shot, "hybrid", settings()[i]));
+      lab::Picture large = render(home, with(shot, "hybrid", settings()[i]));
       EXPECT_NE(large.frame.outputs.at("id").uints.values, small[i].frame.outputs.at("id").uints.values);
       EXPECT_TRUE(oracle::identical(oracle::colorOf(large), oracle::colorOf(small[i])))
           << base << " " << settings()[i].back();
@@ -52,7 +58,7 @@ TEST_F(Ids, BeyondTheirLowestBitInSinglePrecisionAreTold) {
 TEST_F(Ids, AreWrittenAsTheyAre) {
   session::EditableHome home;
   raiseIds(home, "0xfffffff8u");
-  lab::Picture picture = render(with(oracle::shotOf("crowd", 48, 30), "none"));
+  lab::Picture picture = render(home, with(oracle::shotOf("crowd", 48, 30), "none"));
   Path file = std::filesystem::temp_directory_path() / fmt::format("strobe_ids_{}.exr", ::getpid());
   std::vector<Path> written = lab::writePicture(picture, file, true);  // half floats leave integers alone
   image::ExrFile read = image::readExr(file);

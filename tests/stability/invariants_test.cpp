@@ -5,6 +5,7 @@
 // --gtest_fail_fast.
 #include <gtest/gtest.h>
 
+#include "common/home.h"
 #include "oracle/render.h"
 #include "session/home.h"
 #include "stability/suite.h"
@@ -26,8 +27,8 @@ void PrintTo(const Share& share, std::ostream* out) { *out << share.pipeline << 
 // A pipeline with presets has several times as many variants as others.
 std::vector<Share> shares() {
   std::vector<Share> list;
-  for (const std::string& name : namesIn(homeFolder() / "scripts/pipelines", ".lua")) {
-    std::string text = readText(homeFolder() / "scripts/pipelines" / (name + ".lua"));
+  for (const std::string& name : home().namesIn("scripts/pipelines", ".lua")) {
+    std::string text = readText(home().at("scripts/pipelines/" + name + ".lua"));
     bool few = text.find("presets") == std::string::npos;
     for (int i = 0; i < (few ? 1 : 6); ++i) list.push_back({name, i, few ? 1 : 6, few ? 4 : 16});
   }
@@ -66,7 +67,8 @@ class Broken : public StabilityTest {
   Report reportOf(const std::string& shader, const std::string& from, const std::string& to,
                   const std::string& invariant) {
     home_.edit(shader, from, to);
-    lab::Batch batch(bench());
+    lab::Workbench edited(home_.home(), bench());
+    lab::Batch batch(edited);
     Options options;
     options.invariants = {invariant};
     options.only = "defaults";

@@ -12,7 +12,7 @@ namespace strobe::mutate {
 // Passes, shaders and scripts of a home folder in a folder of their own, gone with the object.
 class HomeCopy {
  public:
-  explicit HomeCopy(const Path& home = homeFolder());
+  explicit HomeCopy(const Path& home);
   ~HomeCopy();
   HomeCopy(const HomeCopy&) = delete;
   HomeCopy& operator=(const HomeCopy&) = delete;

@@ -26,9 +26,9 @@ Path buildFolder() {
   return program.parent_path();
 }
 
-void list(const Options& options, const MutationPlan& plan) {
+void list(const Home& home, const Options& options, const MutationPlan& plan) {
   Json all = Json::array();
-  for (const Mutant& mutant : listMutants(options.run, plan)) {
+  for (const Mutant& mutant : listMutants(home, options.run, plan)) {
     all.push_back(toJson(mutant));
     if (!options.json)
       std::printf("%s:%d:%d: %s: %s -> %s\n", mutant.file.c_str(), mutant.line, mutant.column, nameOf(mutant.op),
@@ -38,14 +38,15 @@ void list(const Options& options, const MutationPlan& plan) {
 }
 
 void runAll(Options options) {
-  const Path tool = homeFolder() / "tools/mutate", build = buildFolder();
+  const Home home = Home::fromEnvironment();
+  const Path tool = home.shipped() / "tools/mutate", build = buildFolder();
   MutationPlan plan = readMutationPlan(tool / "plan.json");
-  if (options.list) return list(options, plan);
-  options.run.tests = {options.tests.empty() ? build / "tests" : Path(options.tests), build / "strobe", dataFolder()};
+  if (options.list) return list(home, options, plan);
+  options.run.tests = {options.tests.empty() ? build / "tests" : Path(options.tests), build / "strobe", home.data()};
   options.run.reasons = tool / "survivors.json";
   options.run.results = options.results.empty() ? build / "mutations.json" : Path(options.results);
-  std::vector<Mutant> mutants = listMutants(options.run, plan);
-  std::vector<MutationResult> results = runMutants(mutants, options.run, plan);
+  std::vector<Mutant> mutants = listMutants(home, options.run, plan);
+  std::vector<MutationResult> results = runMutants(home, mutants, options.run, plan);
   if (!options.page.empty()) writeFileAtomically(options.page, pageOf(results, options.run));
   Json all = Json::array();
   for (const auto& result : results) {

@@ -18,7 +18,7 @@ namespace strobe::mutate {
 
 namespace {
 
-Path shaderPath(const std::string& file) { return homeFolder() / "shaders" / file; }
+Path shaderPath(const Path& home, const std::string& file) { return home / "shaders" / file; }
 
 const char* nameOf(Fate fate) {
   switch (fate) {
@@ -43,14 +43,14 @@ Fate fateNamed(const std::string& name) {
 }
 
 // What a result is kept under: the change and the text it was made in.
-std::string keyOf(const Mutant& mutant) {
-  return hashText(fmt::format("{}|{}|{}|{}|{}", mutant.file, hashText(readText(shaderPath(mutant.file))), mutant.offset,
-                              mutant.before, mutant.after))
+std::string keyOf(const Path& home, const Mutant& mutant) {
+  return hashText(fmt::format("{}|{}|{}|{}|{}", mutant.file, hashText(readText(shaderPath(home, mutant.file))),
+                              mutant.offset, mutant.before, mutant.after))
       .substr(0, 16);
 }
 
-MutationResult resultFor(const Mutant& mutant) {
-  std::string text = readText(shaderPath(mutant.file));
+MutationResult resultFor(const Path& home, const Mutant& mutant) {
+  std::string text = readText(shaderPath(home, mutant.file));
   std::string line = lineAt(text, mutant.offset), changed = mutated(text, mutant);
   // Of a change over several lines the first.
   return {.mutant = mutant, .line = line, .mutated_line = lineAt(changed, mutant.offset)};
@@ -59,7 +59,7 @@ MutationResult resultFor(const Mutant& mutant) {
 // The results file: what was found out so far.
 class Kept {
  public:
-  explicit Kept(const Path& file) : file_(file) {
+  Kept(const Path& home, const Path& file) : home_(home), file_(file) {
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored)) return;
     try {
@@ -70,7 +70,7 @@ class Kept {
   }
 
   void fill(MutationResult& result) const {
-    std::string key = keyOf(result.mutant);
+    std::string key = keyOf(home_, result.mutant);
     if (!json_.contains("mutants") || !json_["mutants"].contains(key)) return;
     const Json& kept = json_["mutants"][key];
     result.fate = fateNamed(kept.at("fate").get<std::string>());
@@ -82,7 +82,7 @@ class Kept {
   }
 
   void put(const MutationResult& result) {
-    json_["mutants"][keyOf(result.mutant)] = toJson(result);
+    json_["mutants"][keyOf(home_, result.mutant)] = toJson(result);
     save();
   }
 
@@ -103,22 +103,22 @@ class Kept {
 
  private:
   void save() const { writeFileAtomically(file_, json_.dump(1) + "\n"); }
-  Path file_;
+  Path home_, file_;
   Json json_;
 };
 
 // A test is looked at once, as long as the shaders include each other as they did.
-std::vector<TestCase> testsFor(const MutationOptions& options, const MutationPlan& plan, Kept& kept) {
-  std::string key = includesOf(homeFolder());
+std::vector<TestCase> testsFor(const Path& home, const MutationOptions& options, const MutationPlan& plan, Kept& kept) {
+  std::string key = includesOf(home);
   std::map<std::string, TestCase> known = kept.survey(key);
   std::vector<TestCase> tests, fresh;
-  for (const TestCase& test : listTests(options.tests, plan)) {
+  for (const TestCase& test : listTests(options.tests, home, plan)) {
     auto found = known.find(test.name);
     (found == known.end() ? fresh : tests).push_back(found == known.end() ? test : found->second);
   }
   if (!fresh.empty()) {
     note(fmt::format("running {} tests alone on the unchanged shaders", fresh.size()));
-    surveyTests(options.tests, fresh, options.jobs, [&](const TestCase& test) {
+    surveyTests(options.tests, home, fresh, options.jobs, [&](const TestCase& test) {
       tests.push_back(test);
       kept.putSurvey(key, tests);
     });
@@ -153,11 +153,11 @@ void tryTests(MutationResult& result, const MutationOptions& options, const Path
 }
 
 // Which mutants change what is compiled; the others need no tests.
-void compileAll(std::vector<MutationResult>& results, Kept& kept) {
+void compileAll(const Path& home, std::vector<MutationResult>& results, Kept& kept) {
   auto unknown = [](const MutationResult& result) { return result.fate == Fate::Untried && !result.compiles; };
   if (std::none_of(results.begin(), results.end(), unknown)) return;
   note("compiling the mutants");
-  ShaderCode code;
+  ShaderCode code{Home(home)};
   Progress progress("compiling", int(results.size()));
   for (MutationResult& result : results) {
     progress.advance();
@@ -170,14 +170,14 @@ void compileAll(std::vector<MutationResult>& results, Kept& kept) {
   }
 }
 
-void testAll(std::vector<MutationResult>& results, const std::vector<size_t>& wanted, const MutationOptions& options,
-             TestOrder& order, Kept& kept) {
+void testAll(const Path& original, std::vector<MutationResult>& results, const std::vector<size_t>& wanted,
+             const MutationOptions& options, TestOrder& order, Kept& kept) {
   std::atomic<size_t> next = 0;
   std::mutex mutex;
   std::string failure;
   auto work = [&] {
     try {
-      HomeCopy home;
+      HomeCopy home(original);
       for (size_t i; (i = next++) < wanted.size();) {
         MutationResult& result = results[wanted[i]];
         tryTests(result, options, home.folder(), order);
@@ -200,7 +200,7 @@ void testAll(std::vector<MutationResult>& results, const std::vector<size_t>& wa
 }
 
 // A test that fails without any mutant as well has caught nothing.
-void checkCatchers(std::vector<MutationResult>& results, const std::vector<size_t>& wanted,
+void checkCatchers(const Path& home, std::vector<MutationResult>& results, const std::vector<size_t>& wanted,
                    const MutationOptions& options, const std::vector<TestCase>& tests, Kept& kept) {
   note("running what caught mutants on the unchanged shaders");
   std::set<std::string> names;
@@ -210,7 +210,7 @@ void checkCatchers(std::vector<MutationResult>& results, const std::vector<size_
   std::vector<TestCase> catchers;
   for (const TestCase& test : tests)
     if (names.count(test.name)) catchers.push_back(test);
-  std::vector<std::string> failing = failingTests(options.tests, catchers);
+  std::vector<std::string> failing = failingTests(options.tests, home, catchers);
   if (failing.empty()) return;
   for (size_t i : wanted) {
     if (std::find(failing.begin(), failing.end(), nameOf(results[i])) == failing.end()) continue;
@@ -222,47 +222,48 @@ void checkCatchers(std::vector<MutationResult>& results, const std::vector<size_
 
 }  // namespace
 
-std::vector<Mutant> listMutants(const MutationOptions& options, const MutationPlan& plan) {
+std::vector<Mutant> listMutants(const Home& home, const MutationOptions& options, const MutationPlan& plan) {
   std::vector<std::vector<Mutant>> by_file;
-  std::vector<std::string> files = ShaderCode().files();
+  std::vector<std::string> files = ShaderCode(home).files();
   Vocabulary words{plan.sanitisers, {}};
-  for (const std::string& file : files) words.unlike.merge(unlikeArgumentsIn(readText(shaderPath(file))));
+  for (const std::string& file : files)
+    words.unlike.merge(unlikeArgumentsIn(readText(shaderPath(home.shipped(), file))));
   bool found = false;
   for (const std::string& file : files) {
     if (!file.starts_with(options.only)) continue;
     found = true;
-    by_file.push_back(mutantsOf(file, readText(shaderPath(file)), words));
+    by_file.push_back(mutantsOf(file, readText(shaderPath(home.shipped(), file)), words));
   }
   if (!found)
     throw Error(fmt::format("no pass reaches a shader '{}'{}", options.only, didYouMean(options.only, files)), {}, 2);
   return drawMutants(by_file, options.seed, options.count);
 }
 
-std::vector<MutationResult> runMutants(const std::vector<Mutant>& mutants, const MutationOptions& options,
-                                       const MutationPlan& plan) {
+std::vector<MutationResult> runMutants(const Home& original, const std::vector<Mutant>& mutants,
+                                       const MutationOptions& options, const MutationPlan& plan) {
   // What is edited meanwhile must not count as a mistake that was caught.
-  HomeCopy snapshot;
-  HomeOverride here(snapshot.folder());
-  Kept kept(options.results);
+  HomeCopy snapshot(original.shipped());
+  const Path& home = snapshot.folder();
+  Kept kept(home, options.results);
   std::vector<MutationResult> results;
   for (const Mutant& mutant : mutants) {
-    results.push_back(resultFor(mutant));
+    results.push_back(resultFor(home, mutant));
     kept.fill(results.back());
   }
   giveReasons(results, options.reasons);
   for (MutationResult& result : results)
     if (options.again && result.fate == Fate::Survived && result.reason.empty()) result.fate = Fate::Untried;
-  compileAll(results, kept);
+  compileAll(home, results, kept);
   std::vector<size_t> wanted;
   for (size_t i = 0; i < results.size(); ++i)
     if (results[i].fate == Fate::Untried) wanted.push_back(i);
   if (wanted.empty()) return results;
-  std::vector<TestCase> tests = testsFor(options, plan, kept);
+  std::vector<TestCase> tests = testsFor(home, options, plan, kept);
   TestOrder order(tests);
   for (const MutationResult& result : results)
     if (result.fate == Fate::Caught) order.caught(result.mutant.file, result.by);
-  testAll(results, wanted, options, order, kept);
-  checkCatchers(results, wanted, options, tests, kept);
+  testAll(home, results, wanted, options, order, kept);
+  checkCatchers(home, results, wanted, options, tests, kept);
   return results;
 }
 
@@ -276,7 +277,7 @@ void giveReasons(std::vector<MutationResult>& results, const Path& file) {
             known.at("mutated") == result.mutated_line)
           result.reason = known.at("reason").get<std::string>();
   } catch (const Json::exception& error) {
-    throw Error(error.what(), {displayPath(file)});
+    throw Error(error.what(), {file.string()});
   }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/home.h"
 #include "mutate/test_programs.h"
 
 namespace strobe::mutate {
@@ -36,11 +37,11 @@ struct MutationResult {
 };
 
 // The mutants that a seed draws from the shaders of the home folder which passes reach.
-std::vector<Mutant> listMutants(const MutationOptions& options, const MutationPlan& plan);
+std::vector<Mutant> listMutants(const Home& home, const MutationOptions& options, const MutationPlan& plan);
 
 // Tries each mutant, unless the results hold it already.
-std::vector<MutationResult> runMutants(const std::vector<Mutant>& mutants, const MutationOptions& options,
-                                       const MutationPlan& plan);
+std::vector<MutationResult> runMutants(const Home& home, const std::vector<Mutant>& mutants,
+                                       const MutationOptions& options, const MutationPlan& plan);
 
 // survivors.json: reasons, by shader, line and mutated line.
 void giveReasons(std::vector<MutationResult>& results, const Path& file);

@@ -1,40 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "mutate/shader_code.h"
 
-#include <cstdlib>
-
 #include "script/evaluate.h"
 
 namespace strobe::mutate {
 
-HomeOverride::HomeOverride(const Path& folder) {
-  if (const char* before = std::getenv("STROBE_HOME")) before_ = before;
-  ::setenv("STROBE_HOME", folder.c_str(), 1);
-}
-
-HomeOverride::~HomeOverride() {
-  if (before_) ::setenv("STROBE_HOME", before_->c_str(), 1);
-  else ::unsetenv("STROBE_HOME");
-}
-
-static std::set<std::string> filesOf(const plan::PassDesc& pass) {
-  const Path shaders = homeFolder() / "shaders";
-  std::vector<Path> roots = graph::shaderFiles(pass);
+static std::set<std::string> filesOf(const Home& home, const plan::PassDesc& pass) {
+  const Path shaders = home.shipped() / "shaders";
+  std::vector<Path> roots = graph::shaderFiles(home, pass);
   if (pass.kind == plan::PassDesc::Kind::Trace)
     for (const std::string& name : namesIn(shaders / "backend", ".glsl"))
       roots.push_back(shaders / "backend" / (name + ".glsl"));
   std::set<std::string> names;
   for (const Path& root : roots) {
     std::vector<Path> reached;
-    shader::textWithIncludes(root, &reached);
+    shader::textWithIncludes(home, root, &reached);
     for (const Path& file : reached) names.insert(file.lexically_relative(shaders));
   }
   return names;
 }
 
-ShaderCode::ShaderCode() : home_(homeFolder()), passes_(script::evaluateAllPasses()) {
+ShaderCode::ShaderCode(const Home& home)
+    : home_(home), copy_(home.shipped()), passes_(script::evaluateAllPasses(home)) {
   for (const plan::PassDesc& pass : passes_) {
-    files_[&pass] = filesOf(pass);
+    files_[&pass] = filesOf(home, pass);
     bool traces = pass.kind == plan::PassDesc::Kind::Trace;
     for (graph::Backend backend : {graph::Backend::Query, graph::Backend::Pipeline}) {
       if (backend == graph::Backend::Pipeline && !traces) continue;
@@ -51,10 +40,9 @@ std::vector<std::string> ShaderCode::files() const {
 }
 
 // "" where it does not compile.
-static std::string hashIn(const Path& home, const shader::Interface& interface, const plan::PassDesc& pass) {
-  HomeOverride here(home);
+static std::string hashIn(const Home& home, const shader::Interface& interface, const plan::PassDesc& pass) {
   try {
-    return graph::compileAlone(interface, pass).hash;
+    return graph::compileAlone(home, interface, pass).hash;
   } catch (const Error&) {
     return "";
   }
@@ -72,7 +60,7 @@ CodeChange ShaderCode::changeBy(const Mutant& mutant) {
   CodeChange change = CodeChange::Same;
   for (Unit& unit : units_) {
     if (!files_.at(unit.pass).count(mutant.file) || original(unit).empty()) continue;
-    std::string hash = hashIn(copy_.folder(), unit.interface, *unit.pass);
+    std::string hash = hashIn(Home(copy_.folder()), unit.interface, *unit.pass);
     if (hash == original(unit)) continue;
     change = hash.empty() ? CodeChange::Refused : CodeChange::Different;
     break;

@@ -15,22 +15,10 @@ namespace strobe::mutate {
 
 enum class CodeChange { Refused, Same, Different };
 
-// Names the home folder as long as it lives (STROBE_HOME); nothing else may ask for it from another thread meanwhile.
-class HomeOverride {
- public:
-  explicit HomeOverride(const Path& folder);
-  ~HomeOverride();
-  HomeOverride(const HomeOverride&) = delete;
-  HomeOverride& operator=(const HomeOverride&) = delete;
-
- private:
-  std::optional<std::string> before_;
-};
-
 class ShaderCode {
  public:
-  // Evaluates every pass of the home folder; throws `Error`.
-  ShaderCode();
+  // Evaluates every pass of the home; throws `Error`.
+  explicit ShaderCode(const Home& home);
 
   // Files below shaders/ that some pass reaches, sorted.
   std::vector<std::string> files() const;
@@ -46,7 +34,7 @@ class ShaderCode {
   };
   std::string original(Unit& unit) const;
 
-  Path home_;
+  Home home_;
   HomeCopy copy_;
   std::vector<plan::PassDesc> passes_;
   std::map<const plan::PassDesc*, std::set<std::string>> files_;

@@ -26,7 +26,7 @@ MutationPlan readMutationPlan(const Path& file) {
     plan.longest_s = json.at("longest_s").get<double>();
     plan.sanitisers = json.at("sanitisers").get<std::map<std::string, std::string>>();
   } catch (const Json::exception& error) {
-    throw Error(error.what(), {displayPath(file)});
+    throw Error(error.what(), {file.string()});
   }
   return plan;
 }
@@ -104,9 +104,9 @@ ProgramEnd runFiltered(const TestFolder& tests, const Path& home, const std::str
                         limit_s, std::move(meanwhile));
 }
 
-std::vector<std::string> namesOf(const TestFolder& tests, const MutationPlan::Program& program) {
+std::vector<std::string> namesOf(const TestFolder& tests, const Path& home, const MutationPlan::Program& program) {
   ProgramEnd end =
-      runTestProgram(tests, homeFolder(), program.name, {"--gtest_list_tests", "--gtest_filter=" + program.filter}, 60);
+      runTestProgram(tests, home, program.name, {"--gtest_list_tests", "--gtest_filter=" + program.filter}, 60);
   if (!end.succeeded()) throw Error(fmt::format("{} lists no tests: {}", program.name, end.output));
   std::vector<std::string> names;
   std::istringstream lines(end.output);
@@ -152,14 +152,14 @@ TestOutcome runTests(const TestFolder& tests, const Path& home, const std::strin
   return outcome;
 }
 
-std::vector<TestCase> listTests(const TestFolder& tests, const MutationPlan& plan) {
+std::vector<TestCase> listTests(const TestFolder& tests, const Path& home, const MutationPlan& plan) {
   std::vector<TestCase> all;
   for (const auto& program : plan.programs)
-    for (const std::string& name : namesOf(tests, program)) all.push_back({program.name, name, 0, {}});
+    for (const std::string& name : namesOf(tests, home, program)) all.push_back({program.name, name, 0, {}});
   return all;
 }
 
-void surveyTests(const TestFolder& tests, const std::vector<TestCase>& all, int jobs,
+void surveyTests(const TestFolder& tests, const Path& original, const std::vector<TestCase>& all, int jobs,
                  const std::function<void(const TestCase&)>& passed) {
   std::atomic<size_t> next = 0;
   std::mutex mutex;
@@ -167,7 +167,7 @@ void surveyTests(const TestFolder& tests, const std::vector<TestCase>& all, int 
   Progress progress("survey of the tests", int(all.size()));
   auto work = [&] {
     try {
-      HomeCopy home;
+      HomeCopy home(original);
       for (size_t i; (i = next++) < all.size();) {
         TestCase test = all[i];
         bool passes = survey(tests, home, test);
@@ -188,10 +188,10 @@ void surveyTests(const TestFolder& tests, const std::vector<TestCase>& all, int 
   if (!failure.empty()) throw Error(failure);
 }
 
-std::vector<std::string> failingTests(const TestFolder& tests, const std::vector<TestCase>& cases) {
+std::vector<std::string> failingTests(const TestFolder& tests, const Path& home, const std::vector<TestCase>& cases) {
   std::vector<std::string> failing;
   for (const TestCase& test : cases)
-    if (runTests(tests, homeFolder(), test.program, {test.name}, kLongestTest_s).caught) failing.push_back(test.name);
+    if (runTests(tests, home, test.program, {test.name}, kLongestTest_s).caught) failing.push_back(test.name);
   return failing;
 }
 

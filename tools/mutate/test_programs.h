@@ -52,14 +52,14 @@ TestOutcome runTests(const TestFolder& tests, const Path& home, const std::strin
                      const std::vector<std::string>& names, double limit_s);
 
 // The tests of the plan. Programs that are missing or list none are an `Error`.
-std::vector<TestCase> listTests(const TestFolder& tests, const MutationPlan& plan);
+std::vector<TestCase> listTests(const TestFolder& tests, const Path& home, const MutationPlan& plan);
 
 // Runs each alone, `jobs` at a time, on an unchanged copy of the home folder, and reports each that passes there.
-void surveyTests(const TestFolder& tests, const std::vector<TestCase>& all, int jobs,
+void surveyTests(const TestFolder& tests, const Path& home, const std::vector<TestCase>& all, int jobs,
                  const std::function<void(const TestCase&)>& passed);
 
 // Those of the tests that fail on the unchanged shaders now.
-std::vector<std::string> failingTests(const TestFolder& tests, const std::vector<TestCase>& cases);
+std::vector<std::string> failingTests(const TestFolder& tests, const Path& home, const std::vector<TestCase>& cases);
 
 // Which shader includes which: what tests read is the same as long as this is.
 std::string includesOf(const Path& home);
