@@ -17,6 +17,12 @@ struct Options {
   double time_limit_s = 10;
 };
 
+// What cannot run is refused before a window is opened.
+void checkPipelines(const Home& home, const live::DeskOptions& desk) {
+  script::evaluatePipeline(home, {desk.shot.pipeline, desk.shot.sets});
+  if (!desk.versus.empty()) script::evaluatePipeline(home, {desk.versus, desk.versus_sets});
+}
+
 void live(const Home& home, const Options& options) {
   live::LiveOptions wanted;
   wanted.desk.shot = options.shot.resolve();
@@ -34,6 +40,7 @@ void live(const Home& home, const Options& options) {
   if (!options.tev.empty()) wanted.tev = lab::parseTevAddress(options.tev);
   wanted.time_limit_s = options.time_limit_s;
   wanted.validation = validationWanted();
+  checkPipelines(home, wanted.desk);
   live::runLive(home, wanted);
 }
 

@@ -46,7 +46,6 @@ int main(int argc, char** argv) {
   const strobe::Home home = strobe::Home::fromEnvironment();
   CLI::App program("Strobe: a research sandbox for motion blur", "strobe");
   program.set_version_flag("--version", "strobe " STROBE_VERSION);
-  program.require_subcommand(1);
   program.set_help_all_flag("--help-all", "help of every command");
   strobe::app::registerDemo(program, home);
   strobe::app::registerRender(program, home);
@@ -60,6 +59,7 @@ int main(int argc, char** argv) {
   strobe::app::registerDoctor(program, home);
   try {
     program.parse(argc, argv);
+    if (program.get_subcommands().empty()) std::fputs(program.help().c_str(), stdout);
     return 0;
   } catch (const CLI::ParseError& error) {
     bool asked_for_help = error.get_exit_code() == 0;

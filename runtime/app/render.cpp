@@ -26,10 +26,14 @@ void printCounters(const Json& record) {
     if (count.get<uint64_t>() != 0) note(fmt::format("  {} {}", name, count.get<uint64_t>()));
 }
 
+// Where the picture goes if --out does not say; "" where something else was asked for.
+std::string usualOut(const Options& options, const lab::Shot& shot) {
+  if (!options.pixel.empty() || !options.tev.empty()) return "";
+  return (Path("out") / Path(shot.pipeline).stem()).string() + (shot.taps.empty() && !options.half ? ".png" : ".exr");
+}
+
 void checkOptions(const Options& options, const lab::Shot& shot) {
   if (!options.out.empty()) lab::checkPictureName(options.out);
-  if (options.out.empty() && options.pixel.empty() && options.tev.empty())
-    throw Error("render makes nothing without --out FILE, --pixel X,Y or --tev HOST:PORT", {}, 2);
   bool held = Path(options.out).extension() == ".exr" || !options.tev.empty();
   if (!shot.taps.empty() && !held) throw Error("--tap needs an .exr file: a .png holds the color alone", {}, 2);
 }
@@ -66,8 +70,9 @@ void print(const Options& options, const lab::Picture& picture, const lab::Trail
   for (const Path& file : files) std::printf("%s\n", file.c_str());
 }
 
-void render(const Home& home, const Options& options) {
+void render(const Home& home, Options options) {
   lab::Shot shot = options.shot.resolve();
+  if (options.out.empty()) options.out = usualOut(options, shot);
   checkOptions(options, shot);
   std::unique_ptr<lab::Tev> viewer;
   if (!options.tev.empty()) viewer = std::make_unique<lab::Tev>(lab::parseTevAddress(options.tev));
@@ -88,7 +93,9 @@ void render(const Home& home, const Options& options) {
 void registerRender(CLI::App& program, const Home& home) {
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("render", "Render one picture of a scene with a pipeline");
-  command->add_option("-o,--out", options->out, "picture to write, .exr or .png; record and timings go beside it");
+  command->add_option("-o,--out", options->out,
+                      "picture to write, .exr or .png; record and timings go beside it (default: out/PIPELINE.png, "
+                      "with --tap or --half .exr; with --pixel or --tev none)");
   command->add_option("--pixel", options->pixel,
                       "X,Y from the top left: print what every pass left there and what its ray meets");
   addTev(*command, options->tev);

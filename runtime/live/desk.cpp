@@ -358,9 +358,13 @@ void Desk::draw(Side& side) {
   }
 }
 
+// Drawn once more without a change, so that its times are known.
+static bool isUnmeasured(const Side& side) { return side.problem.empty() && side.times.lastIsVoid(); }
+
 bool Desk::busy() const {
   bool gathers = gathersTruth() && truthSamples() < kTruthSamples && truth_problem_.empty();
-  return playing || a_.stale || (b_.session && b_.stale) || gathers || look_.mode == Mode::Flicker;
+  auto draws = [](const Side& side) { return side.session && (side.stale || isUnmeasured(side)); };
+  return playing || draws(a_) || draws(b_) || gathers || look_.mode == Mode::Flicker;
 }
 
 bool Desk::turn() {
@@ -372,11 +376,11 @@ bool Desk::turn() {
   }
   if (playing && !a_.stale) goToFrame(frame() >= lastFrame() ? first_frame_ : frame() + 1);
   bool redrawn = a_.stale;
-  if (a_.stale) draw(a_);
-  if (b_.session && b_.stale) draw(b_), news = true;
+  if (a_.stale || isUnmeasured(a_)) draw(a_), news = true;
+  if (b_.session && (b_.stale || isUnmeasured(b_))) draw(b_), news = true;
   if (redrawn && pinned_) refreshTrail();
   bool gathered = gathersTruth() && gatherTruth();
-  return news || redrawn || gathered;
+  return news || gathered;
 }
 
 std::vector<std::string> Desk::problems() const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "math/statistics.h"
 
@@ -38,6 +39,7 @@ void TimeHistory::clear() {
   passes_.clear();
   total_.ms.clear();
   void_next_ = true;
+  last_void_ = false;
 }
 
 // A pass that was not there before begins with its first frame.
@@ -51,7 +53,7 @@ void TimeHistory::add(const graph::FrameResult& frame) {
   }
   passes_ = std::move(rows);
   append(total_, void_next_ ? kVoid : float(frame.gpu_ms));
-  void_next_ = false;
+  last_void_ = std::exchange(void_next_, false);
 }
 
 }  // namespace strobe::live

@@ -18,6 +18,8 @@ class TimeHistory {
   void voidNext() { void_next_ = true; }
   void add(const graph::FrameResult& frame);
   void clear();
+  // Whether the last frame's times were void: another frame has to be drawn to know them.
+  bool lastIsVoid() const { return last_void_; }
 
   struct Row {
     std::string name;       // of the node
@@ -32,7 +34,7 @@ class TimeHistory {
  private:
   std::vector<Row> passes_;
   Row total_{"total", {}};
-  bool void_next_ = true;
+  bool void_next_ = true, last_void_ = false;
 };
 
 }  // namespace strobe::live

@@ -20,10 +20,12 @@ TEST(Times, TheFirstFrameIsVoid) {
   TimeHistory history;
   history.add(frame({{"a", 100, 1}}, 100));
   EXPECT_FALSE(history.total().latest());
+  EXPECT_TRUE(history.lastIsVoid());
   EXPECT_TRUE(std::isnan(history.passes()[0].ms[0]));
   history.add(frame({{"a", 2, 1}}, 3));
   EXPECT_DOUBLE_EQ(*history.passes()[0].latest(), 2);
   EXPECT_DOUBLE_EQ(*history.total().median(), 3);
+  EXPECT_FALSE(history.lastIsVoid());
 }
 
 TEST(Times, AFrameAfterARebuildIsVoidAndTheRestStays) {

@@ -108,6 +108,16 @@ TEST(BadInput, MachinesThatCannot) {
   expectRefusal("render none" + kScene + " --device nonesuch", 2, "nonesuch");
 }
 
+// What is misspelt is reported first, not what else is missing.
+TEST(BadInput, NamesAreCheckedBeforeTheDisplay) {
+  for (const char* command : {"live hybrd", "live hybrid --vs mcguire2021"}) {
+    Outcome outcome = run(command, "-u DISPLAY -u WAYLAND_DISPLAY");
+    EXPECT_EQ(outcome.exit_code, 1) << command;
+    EXPECT_NE(outcome.err.find("did you mean"), std::string::npos) << outcome.err;
+  }
+  EXPECT_NE(run("live hybrid", "-u DISPLAY -u WAYLAND_DISPLAY").err.find("no window can be opened"), std::string::npos);
+}
+
 TEST(BadInput, OutputsThatCannotBeWritten) {
   Outcome outcome = run("render none" + kScene + " -o /proc/none/picture.exr");
   EXPECT_EQ(outcome.exit_code, 1);

@@ -27,6 +27,18 @@ TEST(Help, ListsTopicsAndPrintsPages) {
     EXPECT_NE(bare.out.find(heading), std::string::npos) << "a bare parameter: every pipeline that has it";
 }
 
+// No command is no mistake: the commands are what somebody new asks for.
+TEST(Help, TheProgramAloneListsItsCommands) {
+  Outcome outcome = run("");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, run("--help").out);
+  for (const char* command : {"\n  demo ", "\n  render ", "\n  live "})
+    EXPECT_NE(outcome.out.find(command), std::string::npos) << outcome.out;
+  Outcome misspelt = run("bench relaod");
+  EXPECT_EQ(misspelt.exit_code, 2);
+  EXPECT_NE(misspelt.err.find("did you mean 'reload'?"), std::string::npos) << misspelt.err;
+}
+
 TEST(Help, UnknownTopicsAreRefusedWithTheNearest) {
   for (auto [topic, nearest] : {std::pair("edge_sobl", "edge_sobel"),
                                 {"hybrd", "hybrid"},

@@ -17,6 +17,17 @@ TEST(Inspect, PixelPrintsATable) {
     EXPECT_NE(outcome.out.find(wanted), std::string::npos) << wanted << "\n" << outcome.out;
 }
 
+TEST(Inspect, APictureWithoutANameGoesToOut) {
+  TemporaryFolder folder;
+  Outcome outcome = run("render none" + kShot, "-C " + folder.path().string() + " STROBE_VALIDATION=0");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "out/none.png\nout/none.record.json\nout/none.timings.json\n");
+  EXPECT_TRUE(fs::exists(folder.path() / "out/none.png"));
+  EXPECT_NE(run("render nonee" + kShot).err.find("did you mean 'none'?"), std::string::npos);
+  run("render none" + kShot + " --tap gbuffer.depth", "-C " + folder.path().string());
+  EXPECT_TRUE(fs::exists(folder.path() / "out/none.exr"));
+}
+
 // Looking changes neither the picture nor its record.
 TEST(Inspect, PixelChangesNoFile) {
   TemporaryFolder folder;
@@ -35,8 +46,7 @@ TEST(Inspect, MistakesAreUsageErrors) {
   for (const auto& [options, wanted] :
        {std::pair<std::string, std::string>{"--pixel 64,0", "outside of the picture of 64x32"},
         {"--pixel 3", "is not X,Y"},
-        {"--tev nowhere", "is not HOST:PORT"},
-        {"", "makes nothing without"}}) {
+        {"--tev nowhere", "is not HOST:PORT"}}) {
     Outcome outcome = run("render none" + kShot + " " + options, "STROBE_VALIDATION=0");
     EXPECT_EQ(outcome.exit_code, 2) << options;
     EXPECT_NE(outcome.err.find(wanted), std::string::npos) << outcome.err;
