@@ -10,7 +10,7 @@ cmake_minimum_required(VERSION 3.25)
 # third of the time; pictures are the same bit for bit. Other devices ignore these variables.
 set(device "GALLIVM_PERF=nopt;LP_NATIVE_VECTOR_WIDTH=128")
 
-set(share_s 30)
+set(share_s 60)
 file(STRINGS "${CMAKE_CURRENT_LIST_DIR}/costs.txt" costs REGEX "^[^#]")
 
 # Processor seconds of a suite, and how many shards it makes.
