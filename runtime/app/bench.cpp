@@ -81,7 +81,7 @@ struct ExtremesOptions {
   int truth_samples = 0;
 };
 
-// The command as somebody would repeat it.
+// The command that repeats it.
 std::string commandOf(const ExtremesOptions& options) {
   std::string line = "strobe bench --extremes";
   auto add = [&line](const char* option, const std::string& value) {
@@ -204,7 +204,7 @@ void registerBench(CLI::App& program, const Home& home) {
   of_values->add_option("--try", tried->tries, "NAME=VALUE[,NAME=VALUE...] to draw instead of the shot as it is")
       ->required()
       ->allow_extra_args(false);
-  of_values->add_option("--against", tried->against, "a picture (of truth, say): tell each one's distance from it")
+  of_values->add_option("--against", tried->against, "a picture (of truth, say): report each one's distance from it")
       ->type_name("FILE");
   of_values->add_option("--repeats", tried->repeats, "frames of each")
       ->check(CLI::Range(1, 1000))

@@ -52,7 +52,7 @@ void demo(const Home& home, const Options& options) {
   std::fputs(text.c_str(), stdout);
   for (const Path& file : files)
     if (!options.json) std::printf("%s\n", file.c_str());
-  note(fmt::format("done in {:.0f} s, of which {:.0f} s rendering and measuring", clockSeconds() - started_s,
+  note(fmt::format("done in {:.0f} s ({:.0f} s rendering and measuring)", clockSeconds() - started_s,
                    exhibition.render_s));
 }
 

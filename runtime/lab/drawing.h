@@ -11,7 +11,7 @@ namespace strobe::lab {
 struct Planned {
   std::shared_ptr<const plan::Plan> plan;
   std::string shape;  // plan::shapeOf
-  std::string hash;   // identity of what runs: the same whatever is tapped
+  std::string hash;   // identity of what runs: independent of taps
   graph::Backend backend = graph::Backend::None;
 };
 

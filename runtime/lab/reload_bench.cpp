@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Puts a number that nobody has used before into a file.
+// Puts a number that is new into a file.
 struct Kind {
   std::string what;
   std::string file;

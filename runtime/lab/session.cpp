@@ -371,7 +371,7 @@ static bool contains(const std::vector<std::string>& list, const std::string& it
   return std::find(list.begin(), list.end(), item) != list.end();
 }
 
-// Puts a new version in the place of the running one, as far as it is sound, and tells what became of everything.
+// Puts a new version in the place of the running one, as far as it is sound, and reports what became of everything.
 Reload Session::replace(Shot shot, Attempt evaluated, Changes changes) {
   Reload told;
   told.changed = changes.files;

@@ -57,7 +57,7 @@ class Session {
   const plan::Plan& plan() const;  // of the running version
   const scene::Scene& scene() const;
   graph::Backend backend() const;
-  // Identity of what runs: the same whatever is tapped or looked at.
+  // Identity of what runs: independent of taps and of what is looked at.
   std::string planHash() const;
   // What the nodes execute, by name.
   std::map<std::string, std::shared_ptr<const graph::NodePipeline>> pipelines() const;

@@ -60,7 +60,7 @@ std::string commandOf(const Shot& shot);
 // Identity: equal where two shots ask for the same picture by the same pipeline and settings. What a shot leaves open
 // counts as left open, so fill it in first. Device and taps are no part of it.
 std::string canonical(const Shot& shot);
-// What of it decides the scene, and what says how a frame sees a scene, whatever draws it.
+// What of it decides the scene, and what says how a frame of any pipeline sees a scene.
 std::string sceneIdentity(const Shot& shot);
 std::string frameIdentity(const Shot& shot);
 // Settings of the pipeline (or of the scene), the last of each name, sorted.

@@ -27,7 +27,7 @@ std::string tevCreatePacket(const std::string& name, int width, int height, cons
 std::string tevUpdatePacket(const std::string& name, const std::vector<std::string>& channels,
                             const image::Image& image);
 
-// Nobody need listen: a viewer that is not there, closes or is too slow is no error, and costs at most `patience_s`.
+// No viewer is required: one that is not there, closes or is too slow is no error, and costs at most `patience_s`.
 class Tev {
  public:
   explicit Tev(TevAddress address = {}, double patience_s = 0.25);
@@ -35,7 +35,7 @@ class Tev {
   Tev(const Tev&) = delete;
   Tev& operator=(const Tev&) = delete;
 
-  // Shows or updates "strobe: <output>". Integers are sent as numbers (exact up to 2^24). False where nobody takes it.
+  // Shows or updates "strobe: <output>". Integers are sent as numbers (exact up to 2^24). False without a viewer.
   bool send(const std::string& output, const graph::ReadImage& image);
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The trail of one pixel: what every pass of the frame left there, in the order of execution, and everything its ray
-// meets. Looking changes nothing: pictures and records are those of a run that nobody looked at.
+// meets. Looking changes nothing: pictures and records are those of a run that was not looked at.
 #pragma once
 
 #include <string>

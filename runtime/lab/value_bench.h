@@ -24,7 +24,7 @@ struct ValueCost {
 };
 
 // The shot as it is, then with each of the settings. All are drawn in turns, one after the other, `rounds` times, so
-// that whatever else the machine does meets them alike; a first round, in which shaders are compiled, does not count.
+// that any other load of the machine meets them alike; a first round, in which shaders are compiled, does not count.
 std::vector<ValueCost> benchValues(Workbench& bench, const Shot& shot, const std::vector<std::string>& settings,
                                    int rounds, const image::Image& reference = {});
 

@@ -12,7 +12,7 @@ namespace strobe::lab {
 
 class WatchedFiles {
  public:
-  // As it was when it was tried last, whatever was noted before.
+  // As it was when it was tried last; replaces what was noted before.
   void tried(const std::vector<script::Dependency>& files);
   // Files that are known already stay as they were noted: they may have changed since.
   void add(const std::vector<script::Dependency>& files);

@@ -156,7 +156,7 @@ void Desk::usePipeline(const std::string& name, bool of_b) {
   Side& side = of_b ? b_ : a_;
   try {
     if (side.session) {
-      tell(side, side.session->usePipeline(name));
+      report(side, side.session->usePipeline(name));
     } else {
       lab::Shot shot = a_.session->shot();
       shot.pipeline = name;
@@ -309,7 +309,7 @@ void Desk::unpin() {
 // ---- turns
 
 // On the terminal all of it, in the window what was lost.
-void Desk::tell(const Side& side, const lab::Reload& reload) {
+void Desk::report(const Side& side, const lab::Reload& reload) {
   std::string who = b_.session ? (&side == &a_ ? "A: " : "B: ") : "";
   note(who + lab::textOf(reload));
   if (!reload.reset.empty()) message_ = fmt::format("{}reset {}", who, fmt::join(reload.reset, "; "));
@@ -321,7 +321,7 @@ void Desk::tell(const Side& side, const lab::Reload& reload) {
 bool Desk::lookAtFiles(Side& side) {
   std::optional<lab::Reload> reload = side.session->reload(false);
   if (!reload) return false;
-  tell(side, *reload);
+  report(side, *reload);
   if (reload->swapped) side.stale = true;
   if (reload->swapped) truth_key_.clear();
   if (reload->swapped || reload->compilations > 0) side.times.voidNext();

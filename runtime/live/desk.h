@@ -120,7 +120,7 @@ class Desk {
 
   // ---- a turn: looks for edited files, draws what is stale, gathers truth. True where there is something new to show.
   bool turn();
-  // Whether the next turn has work even if nobody touches anything.
+  // Whether the next turn has work without any input.
   bool busy() const;
   // The picture as it is shown, `window_frame` choosing the side that flickers; cached until something changes.
   const image::Image& picture(int window_frame);
@@ -128,7 +128,7 @@ class Desk {
 
   int truthSamples() const;  // 0 where the truth is that of another shot
   bool gathersTruth() const { return look_.mode == Mode::Error || truth_wanted_ > truthSamples(); }
-  void wantTruth(int samples) { truth_wanted_ = samples; }  // gathered whatever is looked at
+  void wantTruth(int samples) { truth_wanted_ = samples; }  // gathered in every mode
   std::optional<double> errorOf(const Side& side) const;    // RMSE against the truth so far
 
   std::vector<std::string> problems() const;
@@ -149,7 +149,7 @@ class Desk {
   void changed(Side& side, int compilations_before);
   void follow();
   void refuse(bool of_b, const std::string& name, const std::string& text);
-  void tell(const Side& side, const lab::Reload& reload);
+  void report(const Side& side, const lab::Reload& reload);
   bool lookAtFiles(Side& side);
   void draw(Side& side);
   std::string truthKey() const;

@@ -219,7 +219,7 @@ void Surface::upload(std::unique_ptr<Texture>& texture, const std::string& name,
   fill(*texture, toRgba8(display).data());
 }
 
-// ImGui asks for its font by what it was told here.
+// ImGui asks for its font by what is set here.
 void Surface::makeFont() {
   unsigned char* pixels = nullptr;
   int width = 0, height = 0;

@@ -84,7 +84,7 @@ void shout(Image& display, const Image& data, int channels, bool sky = false) {
   }
 }
 
-// Three channels whatever the image has. A sum of samples (alpha: how many) is shown as their mean.
+// Three channels of any number. A sum of samples (alpha: how many) is shown as their mean.
 Image threeChannels(const Image& image, bool sum) {
   Image rgb(image.width, image.height, 3);
   for (size_t i = 0; i < rgb.values.size() / 3; ++i) {

@@ -34,7 +34,7 @@ Window::Window(int width, int height, const std::string& title) {
   // Panels are told by callbacks that are set later and call these.
   glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
     of(window).stirred_ = true;
-    bool prints = key < GLFW_KEY_ESCAPE;  // comes as a character, whatever the layout of the keyboard
+    bool prints = key < GLFW_KEY_ESCAPE;  // comes as a character, in any layout of the keyboard
     if (action != GLFW_RELEASE && !prints) of(window).pressed_.push_back(key);
   });
   glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned character) {

@@ -145,7 +145,7 @@ struct PipelineDesc {
   std::string name;  // "none"
   std::string file;  // as shown to people
   std::string doc;
-  Breaks breaks;             // invariants that do not hold, whatever its values
+  Breaks breaks;             // invariants that do not hold, for any of its values
   std::string compare_with;  // a pipeline to which the truth is no nearer than to this one; or ""
   std::vector<EqualDesc> equals;
   std::vector<ParamDesc> params;

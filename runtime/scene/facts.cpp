@@ -57,7 +57,7 @@ struct Area {
 
 }  // namespace
 
-// Do poses at so many times tell where everything comes? Not of what turns by more than a right angle from one to the
+// Do poses at so many times show where everything comes? Not of what turns by more than a right angle from one to the
 // next, which they may even show at rest.
 static bool isFollowed(const Scene& scene, double open_s, double close_s, int times) {
   double step_s = (close_s - open_s) / (times - 1);

@@ -40,7 +40,7 @@ class GltfFile {
   // Members of JSON objects, checked. A missing list is empty, a missing index -1.
   const Json& list(const Json& object, const std::string& key, const std::string& where) const;
   const Json& object(const Json& object, const std::string& key, const std::string& where) const;
-  // The extension's object, or an empty one; `present` tells them apart.
+  // The extension's object, or an empty one; `present` says which.
   const Json& extension(const Json& object, const std::string& name, bool* present = nullptr) const;
   int index(const Json& object, const std::string& key, const std::string& list_name, const std::string& where) const;
   double number(const Json& object, const std::string& key, double fallback, const std::string& where) const;

@@ -18,7 +18,7 @@ namespace strobe::script {
 using Setting = std::pair<std::string, plan::Value>;
 using Settings = std::vector<Setting>;
 
-// What somebody typed: "NAME=VALUE". Throws `Error` (exit code 2) naming `option` for anything else.
+// What a user typed: "NAME=VALUE". Throws `Error` (exit code 2) naming `option` for anything else.
 Setting settingFromText(const std::string& text, const std::string& option = "--set");
 
 // A file an evaluation read, or a folder it listed: what a record names and what a reload watches.
@@ -36,7 +36,7 @@ using Texts = std::map<std::string, std::string>;
 
 struct Limits {
   double cpu_s = 5;     // processor time
-  double wall_s = 10;   // until the child is killed, whatever it does
+  double wall_s = 10;   // until the child is killed in any case
   int memory_mb = 256;  // of Lua's heap; the address space of the child is limited to twice that
 };
 

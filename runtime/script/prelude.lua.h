@@ -49,7 +49,7 @@ end
 
 function safe.next(t, key)
   if type(t) ~= "table" then error("next wants a table, got " .. type(t), 2) end
-  if key ~= nil then error("next tells only whether a table is empty; walk it with pairs", 2) end
+  if key ~= nil then error("next answers only whether a table is empty; walk it with pairs", 2) end
   if raw_next(t) == nil then return nil end
   local first = ordered_keys(t)[1]
   return first, rawget(t, first)

@@ -252,7 +252,7 @@ struct Sandbox::Callbacks {
     lua_pop(lua, 1);
     if (!sandbox.guarded([&] { sandbox.resolve(name); })) fail(lua);
 
-    // By file as well: one file has one result whatever it is called. `false` stands for a file that is being run.
+    // By file as well: one file has one result under all its names. `false` stands for a file that is being run.
     lua_pushstring(lua, sandbox.chunk_.c_str());
     lua_pushvalue(lua, 3);
     if (lua_rawget(lua, 2) == LUA_TBOOLEAN) luaL_error(lua, "module '%s' requires itself", name);
