@@ -51,10 +51,9 @@ Widget widgetOf(const plan::ParamDesc& declaration) {
 }
 
 std::string textOf(const plan::Value& value) {
-  if (const bool* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
-  if (const int64_t* whole = std::get_if<int64_t>(&value)) return std::to_string(*whole);
-  if (const double* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
-  return std::get<std::string>(value);
+  std::string text = plan::textOf(value);
+  bool whole = std::holds_alternative<double>(value) && text.ends_with(".0");
+  return whole ? text.substr(0, text.size() - 2) : text;
 }
 
 static std::string rangeText(const plan::ParamDesc& declaration) {
