@@ -9,7 +9,6 @@
 
 #include "app/shot_options.h"
 #include "graph/pipelines.h"
-#include "lab/demo.h"
 #include "lab/workbench.h"
 #include "page/table.h"
 #include "plan/canonical.h"
@@ -53,6 +52,11 @@ bool choosesPasses(const Home& home, const plan::ParamDesc& param) {
   return false;
 }
 
+script::Settings with(script::Settings sets, const std::string& name, const std::string& value) {
+  sets.emplace_back(name, value);
+  return sets;
+}
+
 // Every preset of a pipeline is a graph of its own, and in each of them every pass that can be chosen.
 void checkShapes(const Home& home, const std::string& name, std::set<std::string>& checked,
                  std::vector<std::string>& problems) {
@@ -67,7 +71,7 @@ void checkShapes(const Home& home, const std::string& name, std::set<std::string
       collect(problems, [&] { checkPipeline(home, name, preset, checked); });
       for (const auto& param : pipeline.params)
         for (const std::string& choice : choosesPasses(home, param) ? param.choices : std::vector<std::string>())
-          collect(problems, [&] { checkPipeline(home, name, lab::joined(preset, {{param.name, choice}}), checked); });
+          collect(problems, [&] { checkPipeline(home, name, with(preset, param.name, choice), checked); });
     }
   });
 }

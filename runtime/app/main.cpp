@@ -9,12 +9,12 @@
 
 #include "app/bench.h"
 #include "app/compare.h"
-#include "app/demo.h"
 #include "app/help.h"
 #include "app/inspect.h"
 #include "app/live.h"
 #include "app/render.h"
 #include "app/stability.h"
+#include "app/sweep.h"
 #include "base/error.h"
 #include "script/evaluate.h"
 
@@ -54,6 +54,8 @@ int main(int argc, char** argv) {
   strobe::app::registerCheck(program, home);
   strobe::app::registerPlan(program, home);
   strobe::app::registerCompare(program);
+  strobe::app::registerSweep(program, home);
+  strobe::app::registerReport(program, home);
   strobe::app::registerBench(program, home);
   strobe::app::registerStability(program, home);
   strobe::app::registerDoctor(program, home);

@@ -4,7 +4,8 @@ local check  = require "strobe.check"
 local native = require "strobe.native"
 
 -- Types of fields.
-local fields = { text = "string", number = "number", bool = "boolean", list = "list", map = "map", func = "function" }
+local fields = { text = "string", number = "number", bool = "boolean", list = "list", map = "map", func = "function",
+                 any = "any" }
 
 -- What checks tables of the kinds `declared`: kind = { field = { type, optional = true or nil } }. Called with the place
 -- of a table it notes the mistakes in it, each at the path of its keys.
@@ -26,7 +27,7 @@ function fields.checker(declared)
     check.keys(self.problems, t, check.names(declared[kind]), self.place, what, path)
     for name, field in pairs(declared[kind]) do
       local wanted = (field[1] == fields.list or field[1] == fields.map) and "table" or field[1]
-      if t[name] ~= nil or not field.optional then
+      if wanted ~= fields.any and (t[name] ~= nil or not field.optional) then
         check.field(self.problems, t, name, wanted, self.place, what, path)
       end
     end

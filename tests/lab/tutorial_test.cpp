@@ -234,11 +234,12 @@ TEST_F(Following, ItsCommandsAreAccepted) {
       EXPECT_EQ(outcome.exit_code, 0) << command << "\n" << outcome.err;
     }
   }
-  EXPECT_EQ(seen, (std::set<std::string>{"check", "compare", "demo", "help", "live", "render"}));
-  Json experiment = script::evaluateData(Following::home(), (folder_.path() / "experiments/detectors.lua").string());
-  auto is_ours = [](const Json& column) { return column.at("label") == "dilation"; };
-  const Json& columns = experiment.at("columns");
-  EXPECT_EQ(std::count_if(columns.begin(), columns.end(), is_ours), 1);
+  EXPECT_EQ(seen, (std::set<std::string>{"check", "compare", "help", "live", "render", "sweep"}));
+  Outcome points = strobe::testing::run("sweep experiments/detectors.lua --dry-run --json", home);
+  ASSERT_EQ(points.exit_code, 0) << points.err;
+  Json listed = Json::parse(points.out);
+  auto is_ours = [](const Json& point) { return point.at("arm") == "dilation"; };
+  EXPECT_EQ(std::count_if(listed.begin(), listed.end(), is_ours), 1);
 }
 
 // A shader that is broken is found without a device.

@@ -5,10 +5,10 @@
 #include <random>
 
 #include "common/source.h"
-#include "lab/demo.h"
 #include "lab/record.h"
 #include "plan/canonical.h"
 #include "session/home.h"
+#include "study/experiment.h"
 
 namespace strobe::session {
 namespace {
@@ -254,16 +254,14 @@ class Registry : public SessionTest {
     lab::putSetting(scripted.sets, one.name, one.value);
     for (const auto& [name, value] : scripted.sets)
       if (!name.starts_with("scene.")) sets += fmt::format("[\"{}\"] = {}, ", name, asLua(plan::textOf(value)));
-    home_.write(
-        "way.lua",
-        "return require \"strobe.demo\" { title = \"t\", shots = { { title = \"s\", scene = \"oracles/bar\" } },\n"
-        "columns = { { label = \"l\", pipeline = \"" +
-            one.pipeline + "\", set = { " + sets +
-            "} },\n"
-            "{ label = \"truth\", pipeline = \"ground_truth\", role = \"truth\" } } }\n");
-    lab::Demo demo = lab::readDemo(bench().home(), home_.path("way.lua").string());
-    scripted.sets = lab::sceneSettings(scripted.sets);
-    for (const auto& set : demo.columns.front().sets) scripted.sets.push_back(set);
+    home_.write("way.lua",
+                "return require \"strobe.experiment\" { title = \"t\", truth = { pipeline = \"ground_truth\" },\n"
+                "shots = { { name = \"s\", scene = \"oracles/bar\" } },\n"
+                "arms = { { name = \"a\", pipeline = \"" +
+                    one.pipeline + "\", set = { " + sets + "} } } }\n");
+    study::Experiment experiment = study::readExperiment(bench().home(), home_.path("way.lua").string());
+    std::erase_if(scripted.sets, [](const auto& set) { return !set.first.starts_with("scene."); });
+    for (const auto& set : experiment.arms.front().sets) scripted.sets.push_back(set);
     shots["Lua"] = scripted;
     return shots;
   }

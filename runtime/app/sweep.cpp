@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "app/sweep.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "app/files.h"
+#include "app/shot_options.h"
+#include "base/log.h"
+#include "image/png.h"
+#include "lab/shot_options.h"
+#include "study/points.h"
+#include "study/report.h"
+#include "study/run.h"
+
+namespace strobe::app {
+
+namespace {
+
+struct Options {
+  std::string file, out, only, size, device;
+  bool dry_run = false, json = false;
+};
+
+// What a report consists of, by the names it has in its folder.
+struct Names {
+  std::string page = "report.html", sheet = "report.png", results = "result.json", text = "result.md",
+              table = "table.csv";
+};
+const Names kDemoNames = {"demo.html", "demo.png", "demo.json", "demo.md", "table.csv"};
+
+// The command as somebody would repeat it.
+std::string commandOf(const Home& home, const std::string& name, const Options& options) {
+  std::string line = "strobe " + name;
+  auto add = [&line](const char* option, const std::string& value) {
+    if (!value.empty()) line += fmt::format(" {}{}{}", option, *option ? " " : "", value);
+  };
+  add("", options.file.empty() ? "" : home.shown(options.file));
+  add("--size", options.size);
+  add("--only", options.only.empty() ? "" : "'" + options.only + "'");
+  add("-o", options.out);
+  return line;
+}
+
+std::vector<Path> write(const study::Results& results, const Path& folder, const Names& names) {
+  study::Report report(results, folder);
+  std::vector<Path> files;
+  auto keep = [&](const std::string& name, const std::string& text) {
+    files.push_back(folder / name);
+    writeFileAtomically(files.back(), text);
+  };
+  if (report.hasSheet()) {
+    files.push_back(folder / names.sheet);
+    image::writePng(files.back(), report.sheet());
+  }
+  keep(names.page, report.page());
+  keep(names.results, study::toJson(results).dump(1) + "\n");
+  keep(names.text, report.markdown(names.page));
+  keep(names.table, study::csvOf(results));
+  return files;
+}
+
+// Results and files on stdout; an expectation that the results contradict ends the command with exit code 1.
+void show(const study::Results& results, const Path& folder, const Names& names, bool json) {
+  std::vector<Path> files = write(results, folder, names);
+  std::fputs((json ? study::toJson(results).dump(1) + "\n" : study::Report(results, folder).text() + "\n").c_str(),
+             stdout);
+  for (const Path& file : files)
+    if (!json) std::printf("%s\n", file.c_str());
+  throwIfAny(results.contradicted());
+}
+
+study::Experiment experimentOf(const Home& home, const Options& options) {
+  std::array<int, 2> size = options.size.empty() ? std::array<int, 2>{} : lab::parseSize(options.size);
+  study::Experiment experiment = study::readExperiment(home, hereOrAtHome(home, options.file), !options.dry_run);
+  if (!options.only.empty()) study::keepOnly(experiment, options.only);
+  if (size[0]) experiment.setSize(size[0], size[1]);
+  return experiment;
+}
+
+void list(const study::Experiment& experiment, bool json) {
+  Json points = Json::array();
+  for (const study::Group& group : experiment.groups)
+    for (size_t arm : group.arms) {
+      Json at = Json::object();
+      for (const study::At& one : group.at)
+        at[experiment.axes[one.axis].name] = experiment.axes[one.axis].values[one.value].value;
+      points.push_back({{"shot", experiment.shots[group.shot].name}, {"at", at}, {"arm", experiment.arms[arm].name}});
+    }
+  std::fputs((json ? points.dump(1) + "\n" : study::listOf(experiment)).c_str(), stdout);
+  if (!json) std::printf("%zu points, %zu truths\n", experiment.points(), experiment.groups.size());
+}
+
+void sweep(const Home& home, const std::string& name, const Options& options, const Names& names) {
+  double started_s = clockSeconds();
+  if (!options.dry_run) requireWritable(options.out);
+  study::Experiment experiment = experimentOf(home, options);
+  if (options.dry_run) return list(experiment, options.json);
+  lab::Workbench bench(home, options.device, validationWanted());
+  study::Results results = study::run(experiment, bench, options.out);
+  refuseMessages(bench.device());
+  results.command = commandOf(home, name, options);
+  note(fmt::format("{} points in {:.0f} s", experiment.points(), clockSeconds() - started_s));
+  // Laid out from the numbers as they are written, so that `report` gives the same page.
+  show(study::resultsFrom(study::toJson(results), "the results"), options.out, names, options.json);
+}
+
+void addCommon(CLI::App& command, Options& options) {
+  command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels (default: the file's)");
+  command.add_option("--device", options.device, "index or part of the name of a Vulkan device");
+  command.add_flag("--json", options.json, "print the results as JSON");
+}
+
+struct ReportOptions {
+  std::string folder, file;
+  bool json = false;
+};
+
+void report(const Home& home, const ReportOptions& options) {
+  Path folder = options.folder;
+  bool of_demo = !std::filesystem::exists(folder / Names().results);
+  Names names = of_demo ? kDemoNames : Names();
+  if (!std::filesystem::exists(folder / names.results))
+    throw Error(fmt::format("there are no results in '{}' ({})", options.folder, Names().results), {}, 2);
+  requireWritable(folder, "the folder");
+  Path file = folder / names.results;
+  study::Results results = study::resultsFrom(Json::parse(readText(file), nullptr, false), file.string());
+  if (!options.file.empty())
+    study::retell(home, results, study::readExperiment(home, hereOrAtHome(home, options.file), false));
+  show(results, folder, names, options.json);
+}
+
+}  // namespace
+
+void registerSweep(CLI::App& program, const Home& home) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "sweep", "Run an experiment in one process (a run that was interrupted begins again) and lay out its results");
+  command->add_option("file", options->file, "an experiment (docs/writing-experiments.md)")->required();
+  command->add_option("-o,--out", options->out, "folder for result.json, report.html, result.md, table.csv, pictures")
+      ->default_str("out/sweep");
+  options->out = "out/sweep";
+  command
+      ->add_option("--only", options->only, "points alone that have NAME=VALUE[,NAME=VALUE...]: arm, shot or an axis")
+      ->type_name("EXPR");
+  command->add_flag("--dry-run", options->dry_run, "print the points and draw nothing");
+  addCommon(*command, *options);
+  command->callback([options, &home] { sweep(home, "sweep", *options, {}); });
+}
+
+void registerReport(CLI::App& program, const Home& home) {
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App* command = program.add_subcommand("report", "Lay out the results of an experiment again");
+  command->add_option("folder", options->folder, "what `sweep -o` wrote")->required();
+  command->add_option("--experiment", options->file, "take texts, layout and expectations from this file as it is now")
+      ->type_name("FILE");
+  command->add_flag("--json", options->json, "print the results as JSON");
+  command->callback([options, &home] { report(home, *options); });
+}
+
+void registerDemo(CLI::App& program, const Home& home) {
+  auto options = std::make_shared<Options>();
+  options->file = "experiments/demo/demo.lua";
+  options->out = "out/demo";
+  CLI::App* command =
+      program.add_subcommand("demo", "Render the shots of an experiment and show every method beside truth");
+  command->add_option("file", options->file, "an experiment (docs/writing-experiments.md)")->capture_default_str();
+  command->add_option("-o,--out", options->out, "folder for the sheet, the page, numbers, pictures and records")
+      ->capture_default_str();
+  addCommon(*command, *options);
+  command->callback([options, &home] { sweep(home, "demo", *options, kDemoNames); });
+}
+
+}  // namespace strobe::app

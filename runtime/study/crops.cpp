@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "study/crops.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace strobe::study {
+
+using image::Image;
+
+image::Rectangle scaledCrop(const image::Rectangle& crop, double scale_x, double scale_y, const Image& picture) {
+  auto scaled = [](int value, double scale, int most) { return std::clamp(int(std::lround(value * scale)), 1, most); };
+  int width = scaled(crop.width, scale_x, picture.width), height = scaled(crop.height, scale_y, picture.height);
+  return {std::clamp(int(crop.x * scale_x), 0, picture.width - width),
+          std::clamp(int(crop.y * scale_y), 0, picture.height - height), width, height};
+}
+
+image::Rectangle densestCrop(const image::Image& mask, int width, int height) {
+  int w = mask.width, h = mask.height;
+  std::vector<int64_t> sums(size_t(w + 1) * size_t(h + 1), 0);
+  auto sum = [&](int x, int y) -> int64_t& { return sums[size_t(y) * size_t(w + 1) + size_t(x)]; };
+  for (int y = 0; y < h; ++y)
+    for (int x = 0; x < w; ++x)
+      sum(x + 1, y + 1) = (mask.at(x, y, 0) >= 0.5f) + sum(x, y + 1) + sum(x + 1, y) - sum(x, y);
+  image::Rectangle best{(w - width) / 2, (h - height) / 2, width, height};
+  int64_t most = 0;
+  double least = 0;
+  for (int y = 0; y + height <= h; ++y)
+    for (int x = 0; x + width <= w; ++x) {
+      int64_t inside = sum(x + width, y + height) - sum(x, y + height) - sum(x + width, y) + sum(x, y);
+      // Of equally dense places the one whose middle is fullest.
+      int qx = width / 4, qy = height / 4;
+      double middle = double(sum(x + width - qx, y + height - qy) - sum(x + qx, y + height - qy) -
+                             sum(x + width - qx, y + qy) + sum(x + qx, y + qy));
+      if (inside < most || (inside == most && middle <= least)) continue;
+      most = inside, least = middle, best = {x, y, width, height};
+    }
+  return best;
+}
+
+Image shrunk(const Image& linear, int width, int height) {
+  width = std::clamp(width, 1, linear.width);
+  height = std::clamp(height, 1, linear.height);
+  if (width == linear.width && height == linear.height) return linear;
+  Image result(width, height, linear.channels);
+  for (int y = 0; y < height; ++y) {
+    int top = int(int64_t(y) * linear.height / height),
+        bottom = std::max(top + 1, int(int64_t(y + 1) * linear.height / height));
+    for (int x = 0; x < width; ++x) {
+      int left = int(int64_t(x) * linear.width / width),
+          right = std::max(left + 1, int(int64_t(x + 1) * linear.width / width));
+      for (int c = 0; c < linear.channels; ++c) {
+        double sum = 0;
+        for (int sy = top; sy < bottom; ++sy)
+          for (int sx = left; sx < right; ++sx) sum += linear.at(sx, sy, c);
+        result.at(x, y, c) = float(sum / ((bottom - top) * (right - left)));
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace strobe::study

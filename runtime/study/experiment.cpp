@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: MIT
+#include "study/experiment.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "lab/shot_options.h"
+#include "lab/workbench.h"
+#include "study/measures.h"
+
+namespace strobe::study {
+
+namespace {
+
+template <class Value>
+void take(const Json& from, const char* name, Value& into) {
+  if (from.contains(name)) into = from.at(name).get<Value>();
+}
+
+script::Settings settingsOf(const Json& from, const char* name, const std::string& prefix = "") {
+  script::Settings sets;
+  if (!from.contains(name)) return sets;
+  for (const Json& one : from.at(name))
+    sets.emplace_back(prefix + one.at("name").get<std::string>(), plan::valueFromJson(one.at("value")));
+  return sets;
+}
+
+Arm armOf(const Json& json) {
+  Arm arm;
+  take(json, "name", arm.name);
+  take(json, "pipeline", arm.pipeline);
+  take(json, "lacks", arm.lacks);
+  take(json, "shown", arm.shown);
+  arm.sets = settingsOf(json, "set");
+  arm.box = settingsOf(json, "box");
+  if (json.value("role", "") == "floor") arm.role = Role::floor;
+  return arm;
+}
+
+Crop cropOf(const Json& json) {
+  if (json.is_string()) return std::nullopt;
+  std::array<double, 4> n = json.get<std::array<double, 4>>();
+  return image::Rectangle{int(n[0]), int(n[1]), int(n[2]), int(n[3])};
+}
+
+void setOptions(lab::Shot& shot, const Json& options) {
+  for (const Json& one : options) {
+    const lab::ShotOption* option = lab::findShotOption(one.at("name").get<std::string>());
+    if (option) lab::setFromJson(*option, shot, one.at("value"));
+  }
+}
+
+// "shared:x" is a file of the shared data.
+void resolveScene(const Home& home, StudiedShot& shot) {
+  const std::string prefix = "shared:";
+  if (!shot.shot.scene.starts_with(prefix)) return;
+  std::string name = shot.shared = shot.shot.scene.substr(prefix.size());
+  std::optional<Path> data = home.data();
+  if (!data) shot.missing = "there is no shared data (STROBE_DATA names its folder)";
+  else if (!std::filesystem::exists(*data / name)) shot.missing = fmt::format("the shared data has no '{}'", name);
+  else shot.shot.scene = (*data / name).string();
+}
+
+StudiedShot shotOf(const Home& home, const Json& json, uint32_t seed) {
+  StudiedShot result;
+  take(json, "name", result.name);
+  result.title = json.value("title", result.name);
+  take(json, "note", result.note);
+  take(json, "attribution", result.attribution);
+  take(json, "picture_aa", result.picture_aa);
+  take(json, "stops", result.tone.stops);
+  if (json.value("curve", "") == "filmic") result.tone.curve = image::ToneMap::Curve::filmic;
+  result.truth = settingsOf(json, "truth");
+  result.shot.seed = seed;
+  setOptions(result.shot, json.at("options"));
+  result.shot.sets = settingsOf(json, "scene_set", "scene.");
+  for (const Json& crop : json.value("crops", Json::array({"inner"}))) result.crops.push_back(cropOf(crop));
+  resolveScene(home, result);
+  return result;
+}
+
+AxisValue valueOf(const Json& json) {
+  AxisValue value;
+  value.value = json.at("value");
+  take(json, "label", value.label);
+  value.options = json.at("options");
+  value.scene = settingsOf(json, "scene", "scene.");
+  value.sets = settingsOf(json, "set");
+  value.truth = settingsOf(json, "truth");
+  return value;
+}
+
+Axis axisOf(const Json& json) {
+  Axis axis;
+  take(json, "name", axis.name);
+  axis.title = json.value("title", axis.name);
+  take(json, "unit", axis.unit);
+  take(json, "scale", axis.scale);
+  take(json, "region", axis.region);
+  take(json, "fixed", axis.fixed);
+  take(json, "note", axis.note);
+  take(json, "reading", axis.reading);
+  take(json, "same_picture", axis.same_picture);
+  if (json.contains("benign_index")) axis.benign = json["benign_index"].get<size_t>() - 1;
+  for (const Json& value : json.at("values")) axis.values.push_back(valueOf(value));
+  return axis;
+}
+
+Group groupOf(const Json& json) {
+  Group group;
+  group.shot = json.at("shot").get<size_t>() - 1;
+  for (const Json& at : json.at("at"))
+    group.at.push_back({at.at("axis").get<size_t>() - 1, at.at("value").get<size_t>() - 1});
+  for (const Json& arm : json.at("arms")) group.arms.push_back(arm.get<size_t>() - 1);
+  return group;
+}
+
+Experiment experimentOf(const Home& home, const Json& json) {
+  Experiment experiment;
+  take(json, "title", experiment.title);
+  take(json, "question", experiment.question);
+  take(json, "note", experiment.note);
+  take(json, "size_params", experiment.size_params);
+  take(json, "rounds", experiment.rounds);
+  take(json, "expectations", experiment.expectations);
+  std::array<int, 2> size = json.value("size", std::array<int, 2>{960, 540});
+  experiment.file_width = size[0], experiment.file_height = size[1];
+  experiment.setSize(size[0], size[1]);
+  experiment.regions = json.value("regions", regionNames());
+  experiment.measures = json.value("measures", std::vector<std::string>{"rmse", "flip", "ms"});
+  for (const Json& arm : json.at("arms")) experiment.arms.push_back(armOf(arm));
+  for (const Json& shot : json.at("shots")) experiment.shots.push_back(shotOf(home, shot, json.value("seed", 0u)));
+  experiment.truth = armOf(json.at("truth"));
+  experiment.truth.role = Role::truth;
+  if (json.at("truth").contains("full")) experiment.full_truth = settingsOf(json.at("truth"), "full");
+  for (const Json& axis : json.at("axes")) experiment.axes.push_back(axisOf(axis));
+  for (const Json& group : json.at("groups")) experiment.groups.push_back(groupOf(group));
+  if (json.contains("background")) {
+    const Json& back = json["background"];
+    experiment.background = Background{back.at("arm"), back.at("color"), back.at("valid"), back.at("front")};
+  }
+  experiment.layout = json.value("layout", Json::object());
+  if (experiment.layout.is_array()) experiment.layout = Json::object();
+  return experiment;
+}
+
+// ---- checks
+
+template <class Step>
+void collect(std::vector<std::string>& problems, const Step& step) {
+  try {
+    step();
+  } catch (const Error& error) {
+    if (std::find(problems.begin(), problems.end(), error.what()) == problems.end()) problems.push_back(error.what());
+  }
+}
+
+// What decides whether settings are accepted: their names, and values that are no numbers. Numbers out of range are
+// found when their point is drawn.
+std::string formOf(const lab::Shot& shot, bool of_scene) {
+  std::string form = of_scene ? shot.scene : shot.pipeline;
+  if (of_scene) form += fmt::format("|{}|{}|{}", shot.camera, fmt::join(shot.moves, " "), fmt::join(shot.spins, " "));
+  for (const script::Setting& set : shot.sets) {
+    if (lab::isOfScene(set) != of_scene) continue;
+    form += "|" + set.first + "=";
+    if (const auto* text = std::get_if<std::string>(&set.second)) form += *text;
+  }
+  return form;
+}
+
+class Evaluation {
+ public:
+  Evaluation(const Home& home, std::vector<std::string>& problems) : home_(home), problems_(problems) {}
+
+  void pipeline(const lab::Shot& shot) {
+    if (!known_.insert(formOf(shot, false)).second) return;
+    collect(problems_, [&] { script::evaluatePipeline(home_, {shot.pipeline, shot.sets}); });
+  }
+  void scene(lab::Shot shot) {
+    if (!known_.insert("scene " + formOf(shot, true)).second) return;
+    collect(problems_, [&] { lab::loadScene(home_, shot); });
+  }
+
+ private:
+  const Home& home_;
+  std::vector<std::string>& problems_;
+  std::set<std::string> known_;
+};
+
+void evaluateAll(const Home& home, const Experiment& experiment, std::vector<std::string>& problems) {
+  Evaluation evaluation(home, problems);
+  auto with = [](lab::Shot shot, const script::Settings& more) {
+    shot.sets = joined(shot.sets, more);
+    return shot;
+  };
+  for (const Group& group : experiment.groups) {
+    lab::Shot truth = truthShotOf(experiment, group);
+    for (size_t arm : group.arms)
+      for (const script::Settings& more : {script::Settings(), experiment.arms[arm].box})
+        evaluation.pipeline(with(shotOf(experiment, group, experiment.arms[arm]), more));
+    evaluation.pipeline(truth);
+    if (experiment.full_truth) evaluation.pipeline(truthShotOf(experiment, group, *experiment.full_truth));
+    if (experiment.shots[group.shot].missing.empty()) evaluation.scene(truth);
+  }
+}
+
+void check(const Home& home, const Experiment& experiment, const std::string& file, bool evaluate) {
+  std::vector<std::string> problems;
+  auto refuse = [&](const std::string& text) { problems.push_back(Error(text, {file}).what()); };
+  bool fits =
+      experiment.width >= 1 && experiment.height >= 1 && experiment.width <= 16384 && experiment.height <= 16384;
+  if (!fits) refuse("size is not 1 to 16384 pixels");
+  if (experiment.rounds < 1 || experiment.rounds > 10000) refuse("rounds is not 1 to 10000");
+  for (const StudiedShot& shot : experiment.shots)
+    if (shot.picture_aa < 1 || shot.picture_aa > 256) refuse("picture_aa is not 1 to 256");
+  throwIfAny(problems);
+  if (evaluate) evaluateAll(home, experiment, problems);
+  throwIfAny(problems);
+}
+
+// Thousands of points are listed and judged in one evaluation.
+const script::Limits kLimits = {.cpu_s = 60, .wall_s = 240, .memory_mb = 1024};
+
+// What the names of a file are checked against.
+Json given() { return {{"options", lab::shotOptionsJson()}, {"regions", regionNames()}, {"measures", measureNames()}}; }
+
+}  // namespace
+
+std::string nameOf(Role role) { return role == Role::truth ? "truth" : role == Role::floor ? "floor" : "method"; }
+
+void Experiment::setSize(int w, int h) { width = w, height = h; }
+
+size_t Experiment::points() const {
+  size_t count = 0;
+  for (const Group& group : groups) count += group.arms.size();
+  return count;
+}
+
+script::Settings joined(script::Settings base, const script::Settings& more) {
+  base.insert(base.end(), more.begin(), more.end());
+  return base;
+}
+
+std::string commandOf(const StudiedShot& studied, const lab::Shot& shot) {
+  std::string command = lab::commandOf(shot);
+  size_t at = studied.shared.empty() ? std::string::npos : command.find(shot.scene);
+  return at == std::string::npos ? command : command.replace(at, shot.scene.size(), "$STROBE_DATA/" + studied.shared);
+}
+
+std::string fileNameOf(const std::string& label) {
+  std::string name;
+  for (unsigned char c : label) {
+    if (std::isalnum(c)) name += char(std::tolower(c));
+    else if (!name.empty() && name.back() != '_') name += '_';
+  }
+  while (!name.empty() && name.back() == '_') name.pop_back();
+  return name.empty() ? "unnamed" : name;
+}
+
+// What every picture of a group has.
+static lab::Shot bareShot(const Experiment& experiment, const Group& group) {
+  const StudiedShot& studied = experiment.shots[group.shot];
+  lab::Shot shot = studied.shot;
+  if (shot.width == 0) shot.width = experiment.width, shot.height = experiment.height;
+  shot.sets.clear();
+  for (size_t i = 0; i < experiment.size_params.size() && i < 2; ++i)
+    shot.sets.emplace_back("scene." + experiment.size_params[i], int64_t(i == 0 ? shot.width : shot.height));
+  shot.sets = joined(shot.sets, studied.shot.sets);
+  for (const At& at : group.at) {
+    const AxisValue& value = experiment.axes[at.axis].values[at.value];
+    setOptions(shot, value.options);
+    for (const auto& [name, set] : value.scene) lab::putSetting(shot.sets, name, set);
+  }
+  return shot;
+}
+
+lab::Shot shotOf(const Experiment& experiment, const Group& group, const Arm& arm) {
+  lab::Shot shot = bareShot(experiment, group);
+  shot.pipeline = arm.pipeline;
+  shot.sets = joined(shot.sets, arm.sets);
+  for (const At& at : group.at)
+    for (const auto& [name, value] : experiment.axes[at.axis].values[at.value].sets)
+      if (std::find(arm.lacks.begin(), arm.lacks.end(), name) == arm.lacks.end())
+        lab::putSetting(shot.sets, name, value);
+  return shot;
+}
+
+lab::Shot truthShotOf(const Experiment& experiment, const Group& group, const script::Settings& more) {
+  lab::Shot shot = bareShot(experiment, group);
+  shot.pipeline = experiment.truth.pipeline;
+  shot.sets = joined(shot.sets, experiment.truth.sets);
+  auto put = [&shot](const script::Settings& sets) {
+    for (const auto& [name, value] : sets) lab::putSetting(shot.sets, name, value);
+  };
+  put(experiment.shots[group.shot].truth);
+  for (const At& at : group.at) put(experiment.axes[at.axis].values[at.value].truth);
+  put(more);
+  return shot;
+}
+
+Experiment readExperiment(const Home& home, const std::string& file, bool evaluate) {
+  std::vector<script::Dependency> dependencies;
+  Json json = script::evaluateData(home, file, given(), &dependencies, kLimits);
+  if (!json.is_object() || json.value("kind", "") != "experiment")
+    throw Error("does not return experiment { ... } of strobe.experiment", {file});
+  Experiment experiment;
+  try {
+    experiment = experimentOf(home, json);
+  } catch (const Json::exception& error) {
+    throw Error(fmt::format("a value of the experiment has a wrong form: {}", error.what()), {file});
+  }
+  experiment.file = file;
+  experiment.dependencies = dependencies;
+  check(home, experiment, file, evaluate);
+  return experiment;
+}
+
+Json judge(const Home& home, const std::string& file, const Json& results) {
+  Json arguments = given();
+  arguments["results"] = results;
+  return script::evaluateData(home, file, arguments, nullptr, kLimits);
+}
+
+}  // namespace strobe::study

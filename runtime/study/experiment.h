@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// What an experiment file asks for (docs/writing-experiments.md says what each field means): shots, the arms that draw
+// them, axes, and the points that follow. Which pipelines the arms are is no business of this code.
+#pragma once
+
+#include <optional>
+
+#include "image/draw.h"
+#include "image/tone.h"
+#include "lab/shot.h"
+
+namespace strobe::study {
+
+enum class Role { method, floor, truth };
+std::string nameOf(Role role);
+
+struct Arm {
+  std::string name, pipeline;
+  Role role = Role::method;
+  script::Settings sets;
+  script::Settings box;            // on top of `sets` in a picture of several samples per pixel
+  std::vector<std::string> lacks;  // settings of axes that are not given to it
+  bool shown = true;               // on sheet and page; tables have every arm
+};
+
+// A crop in pixels at the experiment's size, or the densest part of the inner blur.
+using Crop = std::optional<image::Rectangle>;
+
+struct StudiedShot {
+  std::string name, title, note, attribution;
+  lab::Shot shot;          // everything but pipeline and its settings
+  script::Settings truth;  // on top of the settings of truth
+  std::vector<Crop> crops;
+  int picture_aa = 1;  // sub-pixel samples of what is shown; what is measured has one
+  image::ToneMap tone;
+  std::string shared;   // the scene's file in the shared data; "": it is none of it
+  std::string missing;  // why it cannot be rendered here; "": it can
+};
+
+// What one value of an axis sets.
+struct AxisValue {
+  Json value;
+  std::string label;             // the value as Lua writes it
+  Json options = Json::array();  // of the shot: { name, value }
+  script::Settings scene;        // parameters of the scene, as "scene.NAME"
+  script::Settings sets;         // parameters of every arm that does not lack them
+  script::Settings truth;
+};
+
+struct Axis {
+  std::string name, title, unit, scale, region, fixed, note, reading;
+  std::optional<size_t> benign;  // the value at which nothing is extreme
+  bool same_picture = false;     // what is seen does not depend on the value
+  std::vector<AxisValue> values;
+};
+
+// A value of an axis, both by number.
+struct At {
+  size_t axis = 0, value = 0;
+  bool operator==(const At&) const = default;
+};
+
+// Points that share one truth.
+struct Group {
+  size_t shot = 0;
+  std::vector<At> at;
+  std::vector<size_t> arms;
+};
+
+// What an arm knows of what is behind: its outputs, and the arm that shows what is in front.
+struct Background {
+  std::string arm, color, valid, front;
+};
+
+struct Experiment {
+  std::string file, title, question, note;
+  int width = 960, height = 540;            // as they are asked for now
+  int file_width = 960, file_height = 540;  // as the file has them: crops follow
+  std::vector<std::string> size_params;     // of the scenes: width, height
+  std::vector<StudiedShot> shots;
+  std::vector<Arm> arms;
+  Arm truth;
+  std::optional<script::Settings> full_truth;  // settings of a second truth (measure rmse_full)
+  std::vector<Axis> axes;
+  std::vector<Group> groups;  // in the order of their points
+  bool partial = false;       // not all points of the file are among them
+  std::vector<std::string> regions, measures;
+  int rounds = 1;  // frames of each picture that are timed
+  std::optional<Background> background;
+  Json layout;
+  size_t expectations = 0;
+  std::vector<script::Dependency> dependencies;
+
+  void setSize(int width, int height);
+  size_t points() const;
+};
+
+// The file, checked without a device; with `evaluate` pipelines, settings and scenes too. A scene "shared:FILE" is
+// looked for in the shared data; where it is missing the shot says so. Throws `Error`, all mistakes at once.
+Experiment readExperiment(const Home& home, const std::string& file, bool evaluate = true);
+
+// What became of the expectations of `file`, given finished results as JSON: a list of { text, outcome, detail, shot,
+// axis }.
+Json judge(const Home& home, const std::string& file, const Json& results);
+
+// The picture of an arm at a group's point, and of truth there (`more`: settings on top).
+lab::Shot shotOf(const Experiment& experiment, const Group& group, const Arm& arm);
+lab::Shot truthShotOf(const Experiment& experiment, const Group& group, const script::Settings& more = {});
+
+// The command that makes a picture of a studied shot, with shared data by the variable that names its folder.
+std::string commandOf(const StudiedShot& studied, const lab::Shot& shot);
+
+// All settings, the later on top.
+script::Settings joined(script::Settings base, const script::Settings& more);
+
+// As much of `label` as makes a good file name: "UE4-style" becomes "ue4_style".
+std::string fileNameOf(const std::string& label);
+
+}  // namespace strobe::study

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// What an experiment's report shows: pictures, curves, tables. Read from the checked `layout` of its file.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/json.h"
+
+namespace strobe::study {
+
+struct PicturesLayout {
+  int crop_width = 120, crop_height = 68;  // px at the experiment's size
+  double difference_gain = 4;
+};
+
+// Every axis that has region, scale and benign value.
+struct CurvesLayout {
+  double factor = 2;
+};
+
+// A table for each of the axes; without axes one of all points.
+struct TableLayout {
+  std::string title, note;
+  std::vector<std::string> axes;
+  std::vector<std::string> cells;  // measures of each shot, joined in one cell
+  std::vector<std::string> once;   // measures of the axis' first shot
+  bool share = false;              // errors as a share of the contrast of truth
+};
+
+std::optional<PicturesLayout> picturesOf(const Json& layout);
+std::optional<CurvesLayout> curvesOf(const Json& layout);
+// Without any layout: a table of all points.
+std::optional<TableLayout> tableOf(const Json& layout);
+
+}  // namespace strobe::study

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "study/measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "image/metrics.h"
+#include "image/regions.h"
+#include "lab/against_truth.h"
+#include "math/statistics.h"
+
+namespace strobe::study {
+
+namespace {
+
+using image::Image;
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+// ---- against truth
+
+// Of truth its own standard error; a floor's has truth's variance in it, so that no method seems better than it.
+double rmse(const Sight& sight, const std::string& region, const Image& mask) {
+  double own = sight.truth->sigma.at(region);
+  if (sight.role == Role::truth) return own;
+  double mse = image::meanSquaredError(sight.color, sight.truth->color, mask);
+  return std::sqrt(mse + (sight.role == Role::floor ? own * own : 0));
+}
+
+double rmseFull(const Sight& sight, const std::string&, const Image& mask) {
+  if (sight.truth->full.empty()) return kNothing;
+  return image::rootMeanSquaredError(sight.color, sight.truth->full, mask);
+}
+
+double flip(const Sight& sight, const std::string&, const Image& mask) { return image::meanOf(sight.flip(), mask); }
+double hdrFlip(const Sight& sight, const std::string&, const Image& mask) {
+  return image::meanOf(sight.hdrFlip(), mask);
+}
+
+double pixels(const Sight& sight, const std::string&, const Image& mask) {
+  return double(image::countedPixels(sight.color, mask));
+}
+
+// ---- of the picture alone
+
+double contrast(const Sight& sight, const std::string&, const Image&) { return image::contrast(sight.color); }
+
+double broken(const Sight& sight, const std::string&, const Image&) {
+  const std::vector<float>& values = sight.color.values;
+  return double(std::count_if(values.begin(), values.end(), [](float value) { return !std::isfinite(value); }));
+}
+
+double clamped(const Sight& sight, const std::string&, const Image&) {
+  return double(lab::clampedPixels(sight.picture->record));
+}
+
+// |velocity| of the pixels of instances that move by half a pixel anywhere in the picture.
+double displacement(const Sight& sight, const std::string&, const Image&) {
+  const auto& outputs = sight.picture->frame.outputs;
+  auto velocity = outputs.find("velocity"), id = outputs.find("id");
+  if (velocity == outputs.end() || id == outputs.end()) return kNothing;
+  const Image& v = velocity->second.floats;
+  const image::UintImage& ids = id->second.uints;
+  auto length = [&](int x, int y) { return std::hypot(double(v.at(x, y, 0)), double(v.at(x, y, 1))); };
+  std::set<uint32_t> moving;
+  for (int y = 0; y < v.height; ++y)
+    for (int x = 0; x < v.width; ++x)
+      if (length(x, y) >= 0.5) moving.insert(ids.at(x, y, 0));
+  std::vector<double> lengths;
+  for (int y = 0; y < v.height; ++y)
+    for (int x = 0; x < v.width; ++x)
+      if (moving.count(ids.at(x, y, 0))) lengths.push_back(length(x, y));
+  return lengths.empty() ? 0 : median(std::move(lengths));
+}
+
+// ---- against the benign value
+
+double change(const Sight& sight, const std::string&, const Image&) {
+  return sight.benign ? image::largestDifference(sight.color, *sight.benign).value : kNothing;
+}
+
+double changed(const Sight& sight, const std::string&, const Image&) {
+  if (!sight.benign) return kNothing;
+  return image::countDifferent(sight.color, *sight.benign, 1e-5) / (double(sight.color.width) * sight.color.height);
+}
+
+double changeRms(const Sight& sight, const std::string&, const Image& mask) {
+  return sight.benign ? image::rootMeanSquaredError(sight.color, *sight.benign, mask) : kNothing;
+}
+
+// ---- what is behind
+
+// How much of what is behind can tell good from bad: over the inner blur, where an arm knows it.
+struct Behind {
+  double deviation = kNothing, difference = kNothing, pixels = 0;
+};
+
+Behind behind(const Sight& sight) {
+  Behind result;
+  auto inner = sight.truth->masks.find("inner");
+  if (!sight.front || inner == sight.truth->masks.end()) return {kNothing, kNothing, kNothing};
+  Image back = lab::threeChannels(sight.picture->frame.outputs.at(sight.background->color).floats);
+  const Image& valid = sight.picture->frame.outputs.at(sight.background->valid).floats;
+  std::array<double, 3> sum{}, squares{};
+  double difference = 0;
+  for (int y = 0; y < back.height; ++y)
+    for (int x = 0; x < back.width; ++x) {
+      if (valid.at(x, y, 0) < 0.5f || inner->second.at(x, y, 0) < 0.5f) continue;
+      ++result.pixels;
+      for (int c = 0; c < 3; ++c) {
+        double b = back.at(x, y, c);
+        sum[size_t(c)] += b;
+        squares[size_t(c)] += b * b;
+        difference += std::abs(sight.front->at(x, y, c) - b);
+      }
+    }
+  if (result.pixels == 0) return result;
+  double n = result.pixels, variance = 0;
+  for (size_t c = 0; c < 3; ++c) variance += std::max(0.0, squares[c] / n - sum[c] / n * (sum[c] / n));
+  result.deviation = std::sqrt(variance / 3);
+  result.difference = difference / (3 * n);
+  return result;
+}
+
+// ---- cost
+
+double least(const std::vector<double>& values) {
+  return values.empty() ? kNothing : *std::min_element(values.begin(), values.end());
+}
+
+}  // namespace
+
+const Image& Sight::flip() const {
+  if (flip_.empty()) flip_ = image::ldrFlip(color, truth->color);
+  return flip_;
+}
+
+const Image& Sight::hdrFlip() const {
+  image::HdrFlipOptions options;
+  options.exposures = truth->exposures;
+  if (hdr_flip_.empty()) hdr_flip_ = image::hdrFlip(color, truth->color, options).map;
+  return hdr_flip_;
+}
+
+std::vector<std::string> regionNames() { return {"whole", "inner", "hidden", "outer"}; }
+
+const std::vector<Measure>& measures() {
+  constexpr Better kLower = Better::lower, kNeither = Better::neither;
+  static const std::vector<Measure> all = {
+      {"rmse", "RMSE", "", kLower, true, "root mean square of the difference from truth, linear values", rmse},
+      {"flip", "FLIP", "", kLower, true, "mean of the FLIP map against truth, at 67 pixels per degree", flip},
+      {"hdr_flip", "HDR-FLIP", "", kLower, true, "mean of the HDR-FLIP map against truth", hdrFlip},
+      {"rmse_full", "RMSE, full shading", "", kLower, true, "RMSE against the second truth (`full`)", rmseFull},
+      {"ms", "time", "ms", kLower, false, "median time of a frame on the device, the first one not counted",
+       [](const Sight& s, const std::string&, const Image&) { return median(s.times_ms); }},
+      {"ms_least", "least time", "ms", kLower, false, "least time of a frame on the device",
+       [](const Sight& s, const std::string&, const Image&) { return least(s.times_ms); }},
+      {"memory", "memory", "MiB", kLower, false, "all images that a frame holds at once, as they share memory",
+       [](const Sight& s, const std::string&, const Image&) { return double(s.bytes) / (1 << 20); }},
+      {"bytes", "bytes per pixel", "B", kLower, false, "the same, per pixel of the picture",
+       [](const Sight& s, const std::string&, const Image&) {
+         return double(s.bytes) / (double(s.color.width) * s.color.height);
+       }},
+      {"clamped", "clamped", "px", kLower, false, "pixels whose displacement was shortened to the limit", clamped},
+      {"broken", "not finite", "", kLower, false, "values that are no finite number", broken},
+      {"pixels", "pixels", "px", kNeither, true, "pixels of the region", pixels},
+      {"contrast", "contrast", "", kNeither, false,
+       "standard deviation of the colours: root mean square of those of the channels", contrast},
+      {"displacement", "displacement", "px", kNeither, false,
+       "median length of the displacement over the pixels of what moves", displacement},
+      {"change", "largest change", "", kLower, false,
+       "largest difference of any channel from the same arm's picture at the benign value", change},
+      {"changed", "changed pixels", "", kLower, false,
+       "share of the pixels that differ from the picture at the benign value by more than 1e-5", changed},
+      {"change_rms", "change", "", kLower, true, "RMS of the difference from the picture at the benign value",
+       changeRms},
+      {"background_deviation", "deviation of the background", "", kNeither, false,
+       "standard deviation of what is behind the inner blur, as the background's arm knows it",
+       [](const Sight& s, const std::string&, const Image&) { return behind(s).deviation; }},
+      {"background_difference", "difference of the background", "", kNeither, false,
+       "mean difference of what is behind the inner blur from what is in front of it",
+       [](const Sight& s, const std::string&, const Image&) { return behind(s).difference; }},
+      {"background_pixels", "known background", "px", kNeither, false, "pixels of the two above",
+       [](const Sight& s, const std::string&, const Image&) { return behind(s).pixels; }},
+  };
+  return all;
+}
+
+std::vector<std::string> measureNames() {
+  std::vector<std::string> names;
+  for (const Measure& measure : measures()) names.push_back(measure.name);
+  return names;
+}
+
+const Measure& measureNamed(const std::string& name) {
+  auto found = std::find_if(measures().begin(), measures().end(), [&](const Measure& m) { return m.name == name; });
+  STROBE_ASSERT(found != measures().end(), "{}", name);
+  return *found;
+}
+
+Values measured(const Sight& sight, const std::vector<std::string>& names, const std::vector<std::string>& regions) {
+  Values values;
+  auto put = [&](const std::string& name, const std::string& region, double value) {
+    if (!std::isnan(value)) values[name][region] = value;
+  };
+  for (const std::string& name : names) {
+    const Measure& measure = measureNamed(name);
+    if (!measure.per_region) put(name, "all", measure.of(sight, "", {}));
+    for (const std::string& region : measure.per_region ? regions : std::vector<std::string>())
+      put(name, region, measure.of(sight, region, sight.truth->masks.at(region)));
+  }
+  return values;
+}
+
+}  // namespace strobe::study

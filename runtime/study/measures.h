@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// What can be measured of a picture. A measure is one entry of the registry in measures.cpp; names, units, tables,
+// reports and the checks of experiment files follow from it.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "image/flip.h"
+#include "lab/workbench.h"
+#include "study/experiment.h"
+
+namespace strobe::study {
+
+// "whole" and the masks that truth marks.
+std::vector<std::string> regionNames();
+
+// What the measures of one truth's points share.
+struct TruthPicture {
+  image::Image color;
+  std::map<std::string, image::Image> masks;  // by region; "whole" is empty
+  std::map<std::string, double> sigma;        // truth's standard error by region
+  image::Image full;                          // of the second truth; empty: there is none
+  image::Exposures exposures;                 // of HDR-FLIP
+};
+
+// One picture and what it is held against.
+struct Sight {
+  Role role = Role::method;
+  const TruthPicture* truth = nullptr;
+  const lab::Picture* picture = nullptr;  // outputs and record
+  image::Image color;
+  const image::Image* benign = nullptr;  // of the same arm at the benign value; null: there is none
+  const image::Image* front = nullptr;   // of the background's `front` arm; null: this is not what knows the background
+  const Background* background = nullptr;
+  uint64_t bytes = 0;            // of all images that a frame holds at once
+  std::vector<double> times_ms;  // of frames drawn after one to warm up
+
+  // Error maps, made when they are first asked for.
+  const image::Image& flip() const;
+  const image::Image& hdrFlip() const;
+
+ private:
+  mutable image::Image flip_, hdr_flip_;
+};
+
+enum class Better { lower, higher, neither };
+
+struct Measure {
+  std::string name, title, unit;
+  Better better = Better::lower;
+  bool per_region = false;
+  std::string doc;  // how it is computed
+  // NaN: not measured. `mask` is that of `region` (empty: every pixel); both without meaning unless per region.
+  double (*of)(const Sight& sight, const std::string& region, const image::Image& mask) = nullptr;
+};
+
+const std::vector<Measure>& measures();
+std::vector<std::string> measureNames();
+const Measure& measureNamed(const std::string& name);  // asserts that there is one
+
+// Values by region, "all" for what is not per region; what was not measured is not among them.
+using Values = std::map<std::string, std::map<std::string, double>>;
+Values measured(const Sight& sight, const std::vector<std::string>& names, const std::vector<std::string>& regions);
+
+}  // namespace strobe::study

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "study/points.h"
+
+#include <algorithm>
+#include <map>
+
+namespace strobe::study {
+
+namespace {
+
+// What is allowed, by "arm", "shot" or the name of an axis; an empty list allows every value.
+using Conditions = std::map<std::string, std::vector<std::string>>;
+
+template <class It>
+std::vector<std::string> namesOf(const std::vector<It>& all) {
+  std::vector<std::string> names;
+  for (const It& one : all) names.push_back(one.name);
+  return names;
+}
+
+void requireOneOf(const std::string& name, const std::vector<std::string>& known, const std::string& what) {
+  if (std::find(known.begin(), known.end(), name) != known.end()) return;
+  throw Error(fmt::format("--only: there is no {} '{}'{}; there {} {}", what, name, didYouMean(name, known),
+                          known.size() == 1 ? "is" : "are", fmt::join(known, ", ")),
+              {}, 2);
+}
+
+std::vector<std::string> labelsOf(const Axis& axis) {
+  std::vector<std::string> labels;
+  for (const AxisValue& value : axis.values) labels.push_back(value.label);
+  return labels;
+}
+
+void requireKnown(const Experiment& experiment, const std::string& name, const std::string& value, bool has_value) {
+  if (name == "arm") return requireOneOf(value, namesOf(experiment.arms), "arm");
+  if (name == "shot") return requireOneOf(value, namesOf(experiment.shots), "shot");
+  std::vector<std::string> names = namesOf(experiment.axes);
+  names.insert(names.end(), {"arm", "shot"});
+  requireOneOf(name, names, "axis");
+  for (const Axis& axis : experiment.axes)
+    if (axis.name == name && has_value) requireOneOf(value, labelsOf(axis), "value of " + name);
+}
+
+Conditions conditionsOf(const Experiment& experiment, const std::string& expression) {
+  Conditions conditions;
+  for (size_t start = 0; start <= expression.size();) {
+    size_t end = std::min(expression.find(',', start), expression.size());
+    std::string one = expression.substr(start, end - start);
+    size_t equals = one.find('=');
+    bool has_value = equals != std::string::npos;
+    std::string name = one.substr(0, equals), value = has_value ? one.substr(equals + 1) : "";
+    requireKnown(experiment, name, value, has_value);
+    std::vector<std::string>& allowed = conditions[name];
+    if (has_value) allowed.push_back(value);
+    start = end + 1;
+  }
+  return conditions;
+}
+
+bool allows(const Conditions& conditions, const std::string& name, const std::string& value) {
+  auto found = conditions.find(name);
+  if (found == conditions.end() || found->second.empty()) return true;
+  return std::find(found->second.begin(), found->second.end(), value) != found->second.end();
+}
+
+// Every axis that is named, at a value that is allowed.
+bool isAt(const Experiment& experiment, const Group& group, const Conditions& conditions) {
+  return std::all_of(conditions.begin(), conditions.end(), [&](const auto& condition) {
+    const std::string& name = condition.first;
+    if (name == "arm" || name == "shot") return true;
+    return std::any_of(group.at.begin(), group.at.end(), [&](const At& at) {
+      const Axis& axis = experiment.axes[at.axis];
+      return axis.name == name && allows(conditions, name, axis.values[at.value].label);
+    });
+  });
+}
+
+}  // namespace
+
+void keepOnly(Experiment& experiment, const std::string& expression) {
+  Conditions conditions = conditionsOf(experiment, expression);
+  std::vector<Group> kept;
+  for (Group group : experiment.groups) {
+    if (!allows(conditions, "shot", experiment.shots[group.shot].name) || !isAt(experiment, group, conditions))
+      continue;
+    std::erase_if(group.arms, [&](size_t arm) {
+      const Arm& one = experiment.arms[arm];
+      return one.role == Role::method && !allows(conditions, "arm", one.name);
+    });
+    if (!group.arms.empty()) kept.push_back(group);
+  }
+  if (kept.empty()) throw Error(fmt::format("--only '{}': no point is like that", expression), {}, 2);
+  experiment.partial = true;
+  experiment.groups = kept;
+}
+
+std::string describe(const Experiment& experiment, const Group& group) {
+  std::vector<std::string> parts;
+  for (const At& at : group.at) {
+    const Axis& axis = experiment.axes[at.axis];
+    parts.push_back(axis.name + " " + axis.values[at.value].label);
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string listOf(const Experiment& experiment) {
+  std::string text;
+  size_t number = 0;
+  for (const Group& group : experiment.groups) {
+    std::string at = describe(experiment, group);
+    for (size_t arm : group.arms)
+      text += fmt::format("{}  {}{}  {}\n", ++number, experiment.shots[group.shot].name, at.empty() ? "" : "  " + at,
+                          experiment.arms[arm].name);
+  }
+  return text;
+}
+
+}  // namespace strobe::study

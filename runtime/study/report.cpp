@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "study/report.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "page/markup.h"
+#include "study/sheet.h"
+
+namespace strobe::study {
+
+void append(Parts& parts, Parts more) { std::move(more.begin(), more.end(), std::back_inserter(parts)); }
+
+Parts expectationParts(const Results& results, const std::string& shot, const std::string& axis) {
+  Parts parts;
+  for (const Expectation& one : results.expectations) {
+    if (one.shot != shot || one.axis != axis) continue;
+    std::string detail = one.detail.empty() ? "" : " (" + one.detail + ")";
+    std::string known = one.known.empty() ? "" : " Known: " + one.known + ".";
+    parts.push_back(text(fmt::format("Expected: {}. This {}{}.{}", one.text, one.outcome, detail, known),
+                         one.contradicts() ? Tone::failure : Tone::finding));
+  }
+  return parts;
+}
+
+namespace {
+
+// ---- as text and Markdown; blocks of a page alone are ""
+
+struct Plain {
+  std::string operator()(const page::Heading& heading) const { return "\n" + heading.text + "\n"; }
+  std::string operator()(const page::Paragraph& paragraph) const { return page::inlinePlain(paragraph.text) + "\n"; }
+  std::string operator()(const page::Table& table) const { return page::textOf(table) + "\n"; }
+  template <class Other>
+  std::string operator()(const Other&) const {
+    return "";
+  }
+};
+
+struct Markdown {
+  std::string operator()(const page::Heading& heading) const {
+    return std::string(size_t(heading.level), '#') + " " + heading.text + "\n\n";
+  }
+  std::string operator()(const page::Paragraph& paragraph) const { return paragraph.text + "\n\n"; }
+  std::string operator()(const page::Table& table) const { return page::markdownOf(table) + "\n"; }
+  template <class Other>
+  std::string operator()(const Other&) const {
+    return "";
+  }
+};
+
+}  // namespace
+
+Report::Report(const Results& results, const Path& folder) : results_(results) {
+  if (!picturesOf(results.layout)) return;
+  for (const ShotSummary& shot : results.shots) galleries_.push_back(galleryOf(results, shot, folder));
+}
+
+// Without paragraphs that say nothing.
+Parts Report::parts(int divisor) const {
+  Parts parts = expectationParts(results_, "", "");
+  if (picturesOf(results_.layout)) append(parts, pictureParts(results_, galleries_, divisor));
+  if (curvesOf(results_.layout)) append(parts, curveParts(results_));
+  if (tableOf(results_.layout)) append(parts, tableParts(results_));
+  std::erase_if(parts, [](const Part& part) {
+    const auto* paragraph = std::get_if<page::Paragraph>(&part.block);
+    return paragraph && paragraph->text.empty();
+  });
+  return parts;
+}
+
+bool Report::hasSheet() const {
+  return std::any_of(galleries_.begin(), galleries_.end(), [](const Gallery& one) { return !one.shown.empty(); });
+}
+
+image::Image Report::sheet() const { return sheetOf(results_, galleries_); }
+
+std::string Report::text() const {
+  std::string text;
+  for (const Part& part : parts(0))
+    if (part.media & Part::kTerminal) text += std::visit(Plain(), part.block);
+  return text + "\n" + describeDevice(results_) + "\n";
+}
+
+std::string Report::markdown(const std::string& page) const {
+  std::string text = fmt::format("<!-- Written by `{}`. -->\n\n# {}\n\n", results_.command, results_.title);
+  for (const std::string& one : {results_.question, results_.note})
+    if (!one.empty()) text += one + "\n\n";
+  if (!page.empty()) text += fmt::format("[The page]({}) opens from disk in a browser.\n\n", page);
+  for (const Part& part : parts(0))
+    if (part.media & Part::kDocument) text += std::visit(Markdown(), part.block);
+  return text + "Strobe " + results_.strobe + " on " + describeDevice(results_) + ".\n";
+}
+
+std::string Report::page(size_t most_bytes) const {
+  for (int divisor = 1;; ++divisor) {
+    page::Page page;
+    page.title = results_.title;
+    page.note = results_.question.empty() ? results_.note : results_.question + " " + results_.note;
+    for (Part& part : parts(divisor))
+      if (part.media & Part::kPage) page.blocks.push_back(std::move(part.block));
+    page.footer = {"Strobe " + results_.strobe + " on " + describeDevice(results_) + ".",
+                   "Made by `" + results_.command + "`."};
+    std::string html = page::htmlOf(page);
+    if (html.size() <= most_bytes || divisor == 8) return html;
+  }
+}
+
+}  // namespace strobe::study

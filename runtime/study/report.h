@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// What the results of an experiment say, as one list of parts; terminal, Markdown and page are three ways to write it.
+// Everything in it comes from the results and the pictures that they name.
+#pragma once
+
+#include "page/page.h"
+#include "study/gallery.h"
+
+namespace strobe::study {
+
+// A block, and where it is shown. Terminal and Markdown have headings, paragraphs and tables.
+struct Part {
+  enum Media : uint32_t { kTerminal = 1, kDocument = 2, kPage = 4, kRead = kDocument | kPage, kEverywhere = 7 };
+
+  page::Block block;
+  uint32_t media = kEverywhere;
+};
+using Parts = std::vector<Part>;
+
+using Tone = page::Paragraph::Kind;
+inline Part text(const std::string& text, Tone tone = Tone::plain, uint32_t media = Part::kEverywhere) {
+  return {page::Paragraph{text, tone}, media};
+}
+inline Part heading(const std::string& text, int level = 2, const std::string& id = "",
+                    uint32_t media = Part::kEverywhere) {
+  return {page::Heading{text, level, id}, media};
+}
+void append(Parts& parts, Parts more);
+
+// ---- what the layouts show
+
+// A shot after the other: tables, pictures, crops, differences. `divisor`: pictures have 1/divisor of their width; 0:
+// without pictures.
+Parts pictureParts(const Results& results, const std::vector<Gallery>& galleries, int divisor);
+// An axis after the other.
+Parts curveParts(const Results& results);
+// Tables by axis, or one of all points.
+Parts tableParts(const Results& results);
+// Expectations of a shot, of an axis, or of neither, as outcomes.
+Parts expectationParts(const Results& results, const std::string& shot, const std::string& axis);
+
+// ---- the report
+
+// Below `folder` lie the pictures that the results name.
+class Report {
+ public:
+  Report(const Results& results, const Path& folder);
+
+  bool hasSheet() const;  // are there pictures?
+  image::Image sheet() const;
+  std::string text() const;
+  // `page`: where the page is from there.
+  std::string markdown(const std::string& page) const;
+  // One self-contained HTML file. Pictures are smaller by whole factors where it would be larger than `most_bytes`
+  // (crops never); the page says so.
+  std::string page(size_t most_bytes = 11'500'000) const;
+
+ private:
+  Parts parts(int divisor) const;
+
+  const Results& results_;
+  std::vector<Gallery> galleries_;
+};
+
+}  // namespace strobe::study

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "image/png.h"
+#include "page/number.h"
+#include "study/crops.h"
+#include "study/report.h"
+
+namespace strobe::study {
+
+namespace {
+
+using image::Image;
+
+bool has(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+page::Cell cellOf(const Measure& measure, double value) {
+  return {value, measure.unit == "ms" ? page::shownMs(value) : page::shownError(value)};
+}
+
+// What a row is: floor and truth are no methods.
+page::Cell nameCell(const Point& point) {
+  if (point.role == Role::truth)
+    return {point.arm + " ±", page::Mark::faint, "truth; its numbers are its own standard error"};
+  if (point.role == Role::floor)
+    return {point.arm + " (floor)", page::Mark::faint, "sampling floor: truth at a method's own times"};
+  return {point.arm};
+}
+
+// A column of a table: a measure in a region.
+struct Shown {
+  const Measure* measure;
+  std::string region, title;
+};
+
+std::vector<Shown> columnsOf(const Results& results) {
+  std::vector<Shown> columns;
+  for (const Measure& measure : measures()) {
+    if (!has(results.measures, measure.name) || !measure.per_region) continue;
+    bool whole = measure.name == "rmse_full";  // one number beside the others
+    for (const std::string& region : whole ? std::vector<std::string>{"whole"} : results.regions)
+      columns.push_back({&measure, region, whole ? "RMSE whole, full shading" : measure.title + " " + region});
+  }
+  if (has(results.measures, "ms"))
+    columns.push_back({&measureNamed("ms"), "", results.software ? "time (software)" : "time"});
+  return columns;
+}
+
+// Arms in the order of the results.
+std::vector<const Point*> rowsOf(const Results& results, const PointGroup& group) {
+  std::vector<const Point*> rows;
+  for (const ArmSummary& arm : results.arms)
+    if (const Point* point = group.find(arm.name)) rows.push_back(point);
+  return rows;
+}
+
+page::Table errorTable(const Results& results, const PointGroup& group) {
+  page::Table table;
+  std::vector<Shown> columns = columnsOf(results);
+  table.columns = {"method"};
+  for (const Shown& shown : columns) table.columns.push_back({shown.title, true});
+  table.columns.push_back({"clamped px", true});
+  for (const Point* point : rowsOf(results, group)) {
+    page::Row row = {nameCell(*point)};
+    page::Mark mark = point->role == Role::method ? page::Mark::none : page::Mark::faint;
+    for (const Shown& shown : columns) {
+      row.push_back(cellOf(*shown.measure, point->value(shown.measure->name, shown.region)));
+      row.back().mark = mark;
+    }
+    row.push_back(page::Cell(fmt::format("{:.0f}", point->value("clamped")), mark));
+    table.add(std::move(row));
+  }
+  for (size_t i = 0; i < columns.size(); ++i)
+    if (columns[i].measure->per_region) page::markSmallest(table, i + 1);
+  return table;
+}
+
+std::string regionsText(const Results& results, const PointGroup& group) {
+  std::vector<std::string> parts;
+  for (const std::string& region : results.regions)
+    parts.push_back(fmt::format("{} {:.0f} px", region, group.truth().value("pixels", region)));
+  return fmt::format("anchor {}; {}", group.anchor, fmt::join(parts, ", "));
+}
+
+// The values of a group other than the anchor, which the text names anyway.
+std::string valuesText(const PointGroup& group) {
+  std::string text;
+  for (const auto& [axis, value] : group.at)
+    if (axis != "anchor")
+      text += fmt::format(", {} {}", axis, value.is_string() ? value.get<std::string>() : value.dump());
+  return text;
+}
+
+page::Picture pictureOf(const std::string& caption, const Image& display, const std::string& name = "") {
+  return {image::encodePng(display), display.width, display.height, caption, "", name};
+}
+
+std::string nameOf(const Gallery& gallery, const ShownPoint& one) {
+  return fileNameOf(gallery.shot->name + " " + one.point->arm);
+}
+
+// With truth; it starts with the last method: usually the one that the page is about.
+page::Comparison wipeOf(const Gallery& gallery) {
+  page::Comparison wipe;
+  wipe.reference = nameOf(gallery, gallery.truth());
+  for (const ShownPoint& one : gallery.shown) {
+    if (!one.isTruth()) wipe.others.push_back(nameOf(gallery, one));
+    if (one.point->role == Role::method) wipe.chosen = wipe.others.back();
+  }
+  return wipe;
+}
+
+page::Pictures picturesOf(const Gallery& gallery, int divisor) {
+  page::Pictures pictures;
+  for (const ShownPoint& one : gallery.shown) {
+    Image smaller = shrunk(one.shown, one.shown.width / divisor, one.shown.height / divisor);
+    pictures.pictures.push_back(
+        pictureOf(one.point->arm, image::toneMap(smaller, gallery.shot->tone), nameOf(gallery, one)));
+  }
+  return pictures;
+}
+
+page::Pictures cropsOf(const Gallery& gallery, const image::Rectangle& area) {
+  page::Pictures crops;
+  crops.pixels = true;
+  for (const ShownPoint& one : gallery.shown)
+    crops.pictures.push_back(
+        pictureOf(one.point->arm, image::toneMap(image::crop(one.shown, area), gallery.shot->tone)));
+  return crops;
+}
+
+page::Pictures differencesOf(const Gallery& gallery, double gain) {
+  page::Pictures differences;
+  for (const ShownPoint& one : gallery.shown) {
+    if (one.isTruth()) continue;
+    Image difference = gallery.difference(one, gain);
+    int divisor = std::max(1, difference.width / 480);
+    differences.pictures.push_back(
+        pictureOf(one.point->arm, shrunk(difference, difference.width / divisor, difference.height / divisor)));
+  }
+  return differences;
+}
+
+void addPictures(const Results& results, const Gallery& gallery, int divisor, Parts& parts) {
+  double gain = study::picturesOf(results.layout)->difference_gain;
+  parts.push_back(heading("Pictures", 3, "", Part::kPage));
+  parts.push_back({picturesOf(gallery, divisor), Part::kPage});
+  for (const image::Rectangle& area : gallery.shot->crops) {
+    parts.push_back(
+        heading(fmt::format("Crop {}x{} at {},{}", area.width, area.height, area.x, area.y), 3, "", Part::kPage));
+    parts.push_back({cropsOf(gallery, area), Part::kPage});
+  }
+  parts.push_back(heading(fmt::format("|Difference from truth| × {:g}, linear values", gain), 3, "", Part::kPage));
+  parts.push_back({differencesOf(gallery, gain), Part::kPage});
+}
+
+void addShot(const Results& results, const Gallery& gallery, int divisor, Parts& parts) {
+  const ShotSummary& shot = *gallery.shot;
+  parts.push_back(heading(shot.title, 2, shot.name));
+  if (!gallery.group)
+    return parts.push_back(text("skipped: " + (shot.missing.empty() ? "not asked for" : shot.missing) + "."));
+  parts.push_back(text(shot.note, Tone::plain, Part::kRead));
+  parts.push_back(text(describeShot(results, shot) + ".", Tone::soft));
+  bool pictures = divisor > 0 && !gallery.shown.empty();
+  if (pictures) parts.push_back({wipeOf(gallery), Part::kPage});
+  for (const PointGroup* group : groupsOf(results, shot)) {
+    parts.push_back(heading("Errors, anchor " + group->anchor + valuesText(*group), 3, "", Part::kPage));
+    parts.push_back(text("Regions: " + regionsText(results, *group) + valuesText(*group) + ".", Tone::soft,
+                         Part::kTerminal | Part::kDocument));
+    parts.push_back({errorTable(results, *group)});
+  }
+  parts.push_back(
+      text("± is truth's own standard error. A floor is truth at a method's own samples: what no "
+           "filter with as many can pass.",
+           Tone::soft, Part::kPage));
+  parts.push_back(text(describeBackground(*gallery.group), Tone::soft));
+  append(parts, expectationParts(results, shot.name, ""));
+  if (pictures) addPictures(results, gallery, divisor, parts);
+  parts.push_back(text(shot.attribution, Tone::soft, Part::kRead));
+}
+
+}  // namespace
+
+Parts pictureParts(const Results& results, const std::vector<Gallery>& galleries, int divisor) {
+  Parts parts;
+  for (const Gallery& gallery : galleries) addShot(results, gallery, divisor, parts);
+  parts.push_back(text(
+      "RMSE of linear values over all channels; FLIP at 67 pixels per degree; one sample per pixel at its centre, for "
+      "methods and truth alike. Regions are the truth's: inner, where the exposure shows what is farther than the "
+      "capture sees; hidden, what the capture could not see; outer, what is nearer.",
+      Tone::soft, Part::kPage));
+  if (divisor > 1)
+    parts.push_back(text(fmt::format("Pictures here have 1/{} of their width; crops and the files beside this page "
+                                     "are whole.",
+                                     divisor),
+                         Tone::soft, Part::kPage));
+  return parts;
+}
+
+}  // namespace strobe::study

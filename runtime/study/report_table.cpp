@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "page/number.h"
+#include "study/curves.h"
+#include "study/report.h"
+
+namespace strobe::study {
+
+namespace {
+
+std::string headOf(const Measure& measure) {
+  return measure.unit.empty() ? measure.title : measure.title + ", " + measure.unit;
+}
+
+// ---- along one axis
+
+// One axis with other values of nothing: rows by arm and value, columns by shot.
+class AxisTable {
+ public:
+  AxisTable(const Results& results, const AxisSummary& axis, const TableLayout& layout)
+      : results_(results), axis_(axis), layout_(layout) {
+    for (const PointGroup& group : results.groups) {
+      if (group.at.size() != 1 || group.at[0].first != axis.name) continue;
+      groups_.push_back(&group);
+      if (std::find(shots_.begin(), shots_.end(), group.shot) == shots_.end()) shots_.push_back(group.shot);
+    }
+  }
+
+  bool empty() const { return groups_.empty(); }
+  page::Table table() const;
+  // {ARM, VALUE @ SHOT} by the first measure of the cells there, {NAME ARM, VALUE @ SHOT} by the measure of that name.
+  std::string filled(const std::string& text) const {
+    return replaced(text, [this](const std::string& inside) { return replacement(inside); });
+  }
+
+ private:
+  const Point* find(const std::string& arm, size_t value, const std::string& shot) const;
+  std::string shown(const std::string& measure, const PointGroup& group, const Point& point) const;
+  std::string cell(const std::string& arm, size_t value, const std::string& shot) const;
+  std::string replacement(const std::string& inside) const;
+  const PointGroup* groupAt(size_t value, const std::string& shot) const;
+
+  const Results& results_;
+  const AxisSummary& axis_;
+  const TableLayout& layout_;
+  std::vector<const PointGroup*> groups_;
+  std::vector<std::string> shots_;
+};
+
+const PointGroup* AxisTable::groupAt(size_t value, const std::string& shot) const {
+  for (const PointGroup* group : groups_)
+    if (group->shot == shot && group->at[0].second == axis_.values[value]) return group;
+  return nullptr;
+}
+
+const Point* AxisTable::find(const std::string& arm, size_t value, const std::string& shot) const {
+  const PointGroup* group = groupAt(value, shot);
+  return group ? group->find(arm) : nullptr;
+}
+
+std::string AxisTable::shown(const std::string& measure, const PointGroup& group, const Point& point) const {
+  double value = point.value(measure);
+  bool is_error = measure == "rmse" || measure == "rmse_full";
+  if (layout_.share && is_error) return page::shownShare(value / group.truth().value("contrast"));
+  return shownValue(measureNamed(measure), value);
+}
+
+std::string AxisTable::cell(const std::string& arm, size_t value, const std::string& shot) const {
+  const Point* point = find(arm, value, shot);
+  if (!point) return "";
+  std::vector<std::string> parts;
+  for (const std::string& measure : layout_.cells) {
+    bool is_change = measure.starts_with("change");
+    if (!(is_change && value == axis_.benign)) parts.push_back(shown(measure, *groupAt(value, shot), *point));
+  }
+  return fmt::format("{}{}", fmt::join(parts, "; "), point->limits.empty() ? "" : "°");
+}
+
+page::Table AxisTable::table() const {
+  page::Table table;
+  table.columns = {"method", axis_.name};
+  for (const std::string& measure : layout_.once) table.columns.push_back({headOf(measureNamed(measure)), true});
+  for (const std::string& shot : shots_) table.columns.push_back({results_.shot(shot).title, true});
+  for (const ArmSummary& arm : results_.arms)
+    for (size_t value = 0; value < axis_.values.size(); ++value) {
+      const Point* first = find(arm.name, value, shots_.front());
+      if (!first || arm.role != Role::method) continue;
+      page::Row row = {arm.name, axis_.labels[value]};
+      for (const std::string& measure : layout_.once)
+        row.push_back({first->value(measure), shownValue(measureNamed(measure), first->value(measure))});
+      for (const std::string& shot : shots_) row.push_back(cell(arm.name, value, shot));
+      table.add(std::move(row));
+    }
+  return table;
+}
+
+std::string AxisTable::replacement(const std::string& inside) const {
+  std::string measure = layout_.cells.empty() ? "rmse" : layout_.cells.front(), rest = inside;
+  for (const std::string& name : measureNames())
+    if (inside.starts_with(name + " ")) measure = name, rest = inside.substr(name.size() + 1);
+  for (const PointGroup* group : groups_)
+    for (const Point& point : group->points) {
+      auto value = std::find(axis_.values.begin(), axis_.values.end(), group->at[0].second);
+      const std::string& label = axis_.labels[size_t(value - axis_.values.begin())];
+      if (rest == point.arm + ", " + label + " @ " + group->shot) return shown(measure, *group, point);
+    }
+  if (results_.partial) return page::kNotMeasured;
+  throw Error(
+      fmt::format("the reading of axis '{}' has {{{}}}, which is none of {{ARM, VALUE @ SHOT}} and "
+                  "{{MEASURE ARM, VALUE @ SHOT}}",
+                  axis_.name, inside));
+}
+
+// ---- all points
+
+page::Table pointTable(const Results& results) {
+  page::Table table;
+  table.columns = {"shot"};
+  for (const AxisSummary& axis : results.axes) table.columns.push_back({axis.name, true});
+  table.columns.push_back("arm");
+  std::vector<std::pair<const Measure*, std::string>> columns;
+  for (const std::string& name : results.measures) {
+    const Measure& measure = measureNamed(name);
+    for (const std::string& region : measure.per_region ? results.regions : std::vector<std::string>{""}) {
+      columns.emplace_back(&measure, region);
+      table.columns.push_back({headOf(measure) + (region.empty() ? "" : " " + region), true});
+    }
+  }
+  for (const PointGroup& group : results.groups)
+    for (const Point& point : group.points) {
+      page::Mark mark = point.role == Role::method ? page::Mark::none : page::Mark::faint;
+      page::Row row = {results.shot(group.shot).title};
+      for (const AxisSummary& axis : results.axes) {
+        auto at = std::find_if(group.at.begin(), group.at.end(), [&](const auto& a) { return a.first == axis.name; });
+        row.push_back(at == group.at.end()     ? ""
+                      : at->second.is_string() ? at->second.get<std::string>()
+                                               : at->second.dump());
+      }
+      row.push_back(page::Cell(point.arm + (point.role == Role::truth ? " ±" : ""), mark));
+      for (const auto& [measure, region] : columns) {
+        double value = point.value(measure->name, region);
+        row.push_back(page::Cell(value, shownValue(*measure, value), mark));
+      }
+      table.add(std::move(row));
+    }
+  return page::withoutEmptyColumns(std::move(table));
+}
+
+std::string explained(const Results& results, const TableLayout& layout) {
+  std::vector<std::string> texts;
+  auto add = [&](const std::vector<std::string>& names) {
+    for (const std::string& name : names) texts.push_back(measureNamed(name).title + ": " + measureNamed(name).doc);
+  };
+  add(layout.cells), add(layout.once);
+  if (layout.axes.empty()) add(results.measures);
+  std::string text = fmt::format("{}.", fmt::join(texts, "; "));
+  if (layout.share) text += " Errors are shares of the contrast of truth (its standard deviation).";
+  return text + (results.software ? " A software device: its milliseconds are not a GPU's." : "");
+}
+
+}  // namespace
+
+Parts tableParts(const Results& results) {
+  TableLayout layout = tableOf(results.layout).value();
+  Parts parts;
+  if (layout.axes.empty()) {
+    parts.push_back(heading(layout.title.empty() ? "Points" : layout.title, 2, "points", Part::kRead));
+    parts.push_back(text(layout.note, Tone::plain, Part::kRead));
+    parts.push_back(text(explained(results, layout), Tone::soft, Part::kRead));
+    parts.push_back({pointTable(results)});
+    return parts;
+  }
+  for (const std::string& name : layout.axes)
+    for (const AxisSummary& axis : results.axes) {
+      AxisTable table(results, axis, layout);
+      if (axis.name != name || table.empty()) continue;
+      if (parts.empty()) {
+        parts.push_back(heading(layout.title.empty() ? "Tables" : layout.title, 2, "tables", Part::kRead));
+        parts.push_back(text(layout.note, Tone::plain, Part::kRead));
+        parts.push_back(text(explained(results, layout), Tone::soft, Part::kRead));
+      }
+      parts.push_back(heading(axis.title + ": `" + axis.name + "`", 3));
+      parts.push_back(text(table.filled(axis.reading), Tone::plain, Part::kRead));
+      append(parts, expectationParts(results, "", axis.name));
+      parts.push_back({table.table()});
+    }
+  return parts;
+}
+
+}  // namespace strobe::study

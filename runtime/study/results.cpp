@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+#include "study/results.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace strobe::study {
+
+namespace {
+
+Json number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::strtod(fmt::format("{:.9g}", value).c_str(), nullptr);
+}
+
+Role roleOf(const std::string& name) {
+  return name == "truth" ? Role::truth : name == "floor" ? Role::floor : Role::method;
+}
+
+// Calls `visit` with the name and the member of each text.
+template <class It, class Visit>
+void forTexts(It& axis, const Visit& visit, const AxisSummary*) {
+  visit("name", axis.name), visit("title", axis.title), visit("unit", axis.unit), visit("scale", axis.scale);
+  visit("region", axis.region), visit("fixed", axis.fixed), visit("note", axis.note), visit("reading", axis.reading);
+}
+template <class It, class Visit>
+void forTexts(It& shot, const Visit& visit, const ShotSummary*) {
+  visit("name", shot.name), visit("title", shot.title), visit("note", shot.note);
+  visit("attribution", shot.attribution), visit("missing", shot.missing);
+}
+template <class It, class Visit>
+void forTexts(It& point, const Visit& visit, const Point*) {
+  visit("arm", point.arm), visit("command", point.command), visit("measured", point.measured);
+  visit("shown", point.shown), visit("picture", point.picture), visit("record", point.record);
+}
+template <class It, class Visit>
+void forTexts(It& expectation, const Visit& visit, const Expectation*) {
+  visit("text", expectation.text), visit("shot", expectation.shot), visit("axis", expectation.axis);
+  visit("outcome", expectation.outcome), visit("detail", expectation.detail), visit("known", expectation.known);
+}
+template <class It, class Visit>
+void forTexts(It& results, const Visit& visit, const Results*) {
+  visit("strobe", results.strobe), visit("title", results.title), visit("question", results.question);
+  visit("note", results.note), visit("command", results.command);
+}
+
+// Texts that are not empty.
+template <class It>
+Json textsOf(const It& from) {
+  Json json = Json::object();
+  forTexts(
+      from,
+      [&](const char* name, const std::string& text) {
+        if (!text.empty()) json[name] = text;
+      },
+      &from);
+  return json;
+}
+template <class It>
+void takeTexts(const Json& json, It& into) {
+  forTexts(
+      into, [&](const char* name, std::string& text) { text = json.value(name, ""); }, &into);
+}
+
+Json pointJson(const Point& point) {
+  Json json = textsOf(point);
+  json["role"] = nameOf(point.role);
+  json["values"] = Json::object();
+  for (const auto& [measure, values] : point.values)
+    for (const auto& [region, value] : values) json["values"][measure][region] = number(value);
+  if (!point.limits.empty()) json["limits"] = point.limits;
+  return json;
+}
+
+Point pointOf(const Json& json) {
+  Point point;
+  takeTexts(json, point);
+  point.role = roleOf(json.at("role"));
+  for (const auto& [measure, values] : json.at("values").items())
+    for (const auto& [region, value] : values.items())
+      if (!value.is_null()) point.values[measure][region] = value.get<double>();
+  point.limits = json.value("limits", std::vector<std::string>());
+  return point;
+}
+
+Json groupJson(const PointGroup& group) {
+  Json json = {{"shot", group.shot}, {"anchor", group.anchor}, {"at", Json::object()}, {"points", Json::array()}};
+  for (const auto& [axis, value] : group.at) json["at"][axis] = value;
+  for (const Point& point : group.points) json["points"].push_back(pointJson(point));
+  return json;
+}
+
+PointGroup groupOf(const Json& json, const std::string& file) {
+  PointGroup group{json.at("shot"), json.at("anchor"), {}, {}};
+  for (const auto& [axis, value] : json.at("at").items()) group.at.emplace_back(axis, value);
+  for (const Json& point : json.at("points")) group.points.push_back(pointOf(point));
+  if (group.points.empty() || group.truth().role != Role::truth) throw Error("a group of points has no truth", {file});
+  return group;
+}
+
+Json axisJson(const AxisSummary& axis) {
+  Json json = textsOf(axis);
+  if (axis.same_picture) json["same_picture"] = true;
+  if (axis.benign) json["benign"] = *axis.benign;
+  json["values"] = axis.values;
+  json["labels"] = axis.labels;
+  return json;
+}
+
+AxisSummary axisOf(const Json& json) {
+  AxisSummary axis;
+  takeTexts(json, axis);
+  axis.same_picture = json.value("same_picture", false);
+  if (json.contains("benign")) axis.benign = json["benign"].get<size_t>();
+  for (const Json& value : json.at("values")) axis.values.push_back(value);
+  axis.labels = json.at("labels").get<std::vector<std::string>>();
+  return axis;
+}
+
+Json shotJson(const ShotSummary& shot) {
+  Json json = textsOf(shot);
+  json["fps"] = number(shot.fps);
+  json["exposure"] = number(shot.exposure);
+  for (const auto& crop : shot.crops) json["crops"].push_back({crop.x, crop.y, crop.width, crop.height});
+  json["stops"] = shot.tone.stops;
+  json["filmic"] = shot.tone.curve == image::ToneMap::Curve::filmic;
+  return json;
+}
+
+ShotSummary shotOf(const Json& json) {
+  ShotSummary shot;
+  takeTexts(json, shot);
+  shot.fps = json.at("fps");
+  shot.exposure = json.at("exposure");
+  for (const Json& crop : json.value("crops", Json::array()))
+    shot.crops.push_back({crop.at(0), crop.at(1), crop.at(2), crop.at(3)});
+  shot.tone.stops = json.at("stops");
+  if (json.at("filmic").get<bool>()) shot.tone.curve = image::ToneMap::Curve::filmic;
+  return shot;
+}
+
+template <class It, class Of>
+Json listOf(const std::vector<It>& from, const Of& of) {
+  Json list = Json::array();
+  for (const It& one : from) list.push_back(of(one));
+  return list;
+}
+
+Json armJson(const ArmSummary& arm) {
+  return {{"name", arm.name}, {"pipeline", arm.pipeline}, {"role", nameOf(arm.role)}, {"shown", arm.shown}};
+}
+
+Results read(const Json& json, const std::string& file) {
+  Results results;
+  takeTexts(json, results);
+  results.device = json.at("device").at("name");
+  results.driver = json.at("device").at("driver");
+  results.software = json.at("device").at("software");
+  results.partial = json.value("partial", false);
+  results.width = json.at("size").at(0);
+  results.height = json.at("size").at(1);
+  results.regions = json.at("regions").get<std::vector<std::string>>();
+  results.measures = json.at("measures").get<std::vector<std::string>>();
+  for (const Json& arm : json.at("arms"))
+    results.arms.push_back({arm.at("name"), arm.at("pipeline"), roleOf(arm.at("role")), arm.at("shown")});
+  for (const Json& shot : json.at("shots")) results.shots.push_back(shotOf(shot));
+  for (const Json& axis : json.at("axes")) results.axes.push_back(axisOf(axis));
+  results.layout = json.at("layout");
+  for (const Json& group : json.at("groups")) results.groups.push_back(groupOf(group, file));
+  for (const Json& expectation : json.at("expectations")) takeTexts(expectation, results.expectations.emplace_back());
+  for (const auto& [name, hash] : json.at("scripts").items()) results.scripts.emplace_back(name, hash);
+  return results;
+}
+
+template <class It>
+const It& named(const std::vector<It>& all, const std::string& name) {
+  auto found = std::find_if(all.begin(), all.end(), [&](const It& one) { return one.name == name; });
+  STROBE_ASSERT(found != all.end(), "{}", name);
+  return *found;
+}
+
+// As a spreadsheet reads it.
+std::string csvCell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string csvNumber(const Json& value) {
+  if (value.is_string()) return csvCell(value.get<std::string>());
+  return value.is_number_float() ? fmt::format("{:.9g}", value.get<double>()) : value.dump();
+}
+
+}  // namespace
+
+double Point::value(const std::string& measure, const std::string& region) const {
+  constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+  auto values_of = values.find(measure);
+  if (values_of == values.end()) return kNothing;
+  auto found = values_of->second.find(measureNamed(measure).per_region ? region : "all");
+  return found == values_of->second.end() ? kNothing : found->second;
+}
+
+const Point* PointGroup::floor() const {
+  for (const Point& point : points)
+    if (point.role == Role::floor) return &point;
+  return nullptr;
+}
+
+const Point* PointGroup::find(const std::string& arm) const {
+  for (const Point& point : points)
+    if (point.arm == arm) return &point;
+  return nullptr;
+}
+
+const ArmSummary& Results::arm(const std::string& name) const { return named(arms, name); }
+const ShotSummary& Results::shot(const std::string& name) const { return named(shots, name); }
+
+std::vector<std::string> Results::contradicted() const {
+  std::vector<std::string> contradictions;
+  for (const Expectation& one : expectations) {
+    if (!one.contradicts()) continue;
+    std::string what = one.known.empty() ? "" : "; it is said to fail: " + one.known;
+    contradictions.push_back(fmt::format("expectation {}{}: {}{}", one.outcome, what, one.text,
+                                         one.detail.empty() ? "" : " (" + one.detail + ")"));
+  }
+  return contradictions;
+}
+
+Json toJson(const Results& results) {
+  Json json = textsOf(results);
+  json["device"] = {{"name", results.device}, {"driver", results.driver}, {"software", results.software}};
+  json["size"] = {results.width, results.height};
+  if (results.partial) json["partial"] = true;
+  json["regions"] = results.regions;
+  json["measures"] = results.measures;
+  json["arms"] = listOf(results.arms, armJson);
+  json["shots"] = listOf(results.shots, shotJson);
+  json["axes"] = listOf(results.axes, axisJson);
+  json["layout"] = results.layout;
+  json["expectations"] = listOf(results.expectations, [](const Expectation& one) { return textsOf(one); });
+  json["scripts"] = Json::object();
+  for (const auto& [name, hash] : results.scripts) json["scripts"][name] = hash;
+  json["groups"] = listOf(results.groups, groupJson);
+  return json;
+}
+
+Results resultsFrom(const Json& json, const std::string& file) {
+  try {
+    return read(json, file);
+  } catch (const Json::exception& error) {
+    throw Error(fmt::format("is no result of an experiment: {}", error.what()), {file});
+  }
+}
+
+static AxisSummary summaryOf(const Axis& axis) {
+  AxisSummary result{axis.name,  axis.title, axis.unit,    axis.scale,        axis.region,
+                     axis.fixed, axis.note,  axis.reading, axis.same_picture, axis.benign};
+  for (const AxisValue& value : axis.values) result.values.push_back(value.value), result.labels.push_back(value.label);
+  return result;
+}
+
+Results outlineOf(const Experiment& experiment) {
+  Results results;
+  results.strobe = STROBE_VERSION;
+  results.title = experiment.title;
+  results.question = experiment.question;
+  results.note = experiment.note;
+  results.partial = experiment.partial;
+  results.width = experiment.width, results.height = experiment.height;
+  results.regions = experiment.regions, results.measures = experiment.measures;
+  for (const Arm& arm : experiment.arms) results.arms.push_back({arm.name, arm.pipeline, arm.role, arm.shown});
+  results.arms.push_back({experiment.truth.name, experiment.truth.pipeline, Role::truth, true});
+  for (const StudiedShot& shot : experiment.shots)
+    results.shots.push_back({shot.name, shot.title, shot.note, shot.attribution, shot.missing, 0, 0, {}, shot.tone});
+  for (const Axis& axis : experiment.axes) results.axes.push_back(summaryOf(axis));
+  results.layout = experiment.layout;
+  for (const auto& script : experiment.dependencies) results.scripts.emplace_back(script.shown, script.hash);
+  return results;
+}
+
+void retell(const Home& home, Results& results, const Experiment& experiment) {
+  Results outline = outlineOf(experiment);
+  results.title = outline.title, results.question = outline.question, results.note = outline.note;
+  results.layout = outline.layout;
+  for (AxisSummary& axis : results.axes)
+    for (const AxisSummary& now : outline.axes)
+      if (axis.name == now.name) {
+        std::vector<Json> values = axis.values;
+        std::vector<std::string> labels = axis.labels;
+        axis = now;
+        axis.values = values, axis.labels = labels;
+      }
+  for (ShotSummary& shot : results.shots)
+    for (const ShotSummary& now : outline.shots)
+      if (shot.name == now.name) shot.title = now.title, shot.note = now.note;
+  judgeResults(home, results, experiment.file);
+}
+
+void judgeResults(const Home& home, Results& results, const std::string& file) {
+  results.expectations.clear();
+  for (const Json& one : judge(home, file, toJson(results))) takeTexts(one, results.expectations.emplace_back());
+}
+
+std::string csvOf(const Results& results) {
+  std::string text = "point,arm,shot,region";
+  for (const AxisSummary& axis : results.axes) text += "," + csvCell(axis.name);
+  for (const std::string& measure : results.measures) text += "," + measure;
+  text += "\n";
+  size_t number = 0;
+  for (const PointGroup& group : results.groups)
+    for (const Point& point : group.points) {
+      if (point.role == Role::truth) continue;
+      ++number;
+      for (const std::string& region : results.regions) {
+        text += fmt::format("{},{},{},{}", number, csvCell(point.arm), csvCell(group.shot), region);
+        for (const AxisSummary& axis : results.axes) {
+          auto at = std::find_if(group.at.begin(), group.at.end(), [&](const auto& a) { return a.first == axis.name; });
+          text += "," + (at == group.at.end() ? "" : csvNumber(at->second));
+        }
+        for (const std::string& measure : results.measures) {
+          double value = point.value(measure, region);
+          text += std::isnan(value) ? "," : fmt::format(",{:.9g}", value);
+        }
+        text += "\n";
+      }
+    }
+  return text;
+}
+
+}  // namespace strobe::study

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// What an experiment gave, as a value that goes to JSON and back. Reports are made of it alone and of the pictures it
+// names, so that a report on disk can be laid out again.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "image/draw.h"
+#include "image/tone.h"
+#include "study/measures.h"
+
+namespace strobe::study {
+
+// One arm at the values of a group.
+struct Point {
+  std::string arm;
+  Role role = Role::method;
+  Values values;
+  std::vector<std::string> limits;  // that were met: "NODE: COUNT WHAT"
+  std::string command;              // makes the picture again
+  // Beside the results, "" where none was written: linear colour as measured and as shown (OpenEXR), and for people.
+  std::string measured, shown, picture, record;
+
+  // NaN where it was not measured. `region` has no meaning for what is not per region.
+  double value(const std::string& measure, const std::string& region = "whole") const;
+};
+
+// All points that share a truth, which is the first of them.
+struct PointGroup {
+  std::string shot, anchor;
+  std::vector<std::pair<std::string, Json>> at;  // value of each axis
+  std::vector<Point> points;
+
+  const Point& truth() const { return points.front(); }
+  const Point* floor() const;  // nullptr: there is none
+  const Point* find(const std::string& arm) const;
+};
+
+struct ArmSummary {
+  std::string name, pipeline;
+  Role role = Role::method;
+  bool shown = true;
+};
+
+struct ShotSummary {
+  std::string name, title, note, attribution;
+  std::string missing;  // why it was not rendered; "": it was
+  double fps = 0, exposure = 0;
+  std::vector<image::Rectangle> crops;
+  image::ToneMap tone;
+};
+
+struct AxisSummary {
+  std::string name, title, unit, scale, region, fixed, note, reading;
+  bool same_picture = false;
+  std::optional<size_t> benign;
+  std::vector<Json> values;
+  std::vector<std::string> labels;  // the values as Lua writes them
+
+  bool hasCurves() const { return !region.empty() && !scale.empty() && benign.has_value(); }
+};
+
+struct Expectation {
+  std::string text, shot, axis;
+  std::string outcome;  // "holds", "fails", "does not apply"
+  std::string detail;
+  std::string known;  // why it is known to fail; "": it is not
+
+  // Not what the experiment says: it fails and is not known to, or holds although it is.
+  bool contradicts() const { return outcome == (known.empty() ? "fails" : "holds"); }
+};
+
+struct Results {
+  std::string strobe, title, question, note, command;
+  std::string device, driver;
+  bool software = false;
+  bool partial = false;  // not all points were asked for
+  int width = 0, height = 0;
+  std::vector<std::string> regions, measures;  // as the experiment asks for them
+  std::vector<ArmSummary> arms;                // truth last
+  std::vector<ShotSummary> shots;
+  std::vector<AxisSummary> axes;
+  Json layout;
+  std::vector<PointGroup> groups;
+  std::vector<Expectation> expectations;
+  std::vector<std::pair<std::string, std::string>> scripts;  // of the experiment, with their hashes
+
+  const ArmSummary& arm(const std::string& name) const;
+  const ShotSummary& shot(const std::string& name) const;
+  std::vector<std::string> contradicted() const;  // expectations, in words
+};
+
+// Numbers with nine significant digits: as exact as the pictures, and the same on a rerun.
+Json toJson(const Results& results);
+// Throws `Error` naming the file for what is no result of an experiment.
+Results resultsFrom(const Json& json, const std::string& file);
+
+// Everything that is known before a picture is drawn: texts, arms, shots, axes, layout.
+Results outlineOf(const Experiment& experiment);
+
+// Puts what becomes of the expectations of `file` into its results.
+void judgeResults(const Home& home, Results& results, const std::string& file);
+
+// Puts the experiment's texts and layout over those of its results, and judges its expectations.
+void retell(const Home& home, Results& results, const Experiment& experiment);
+
+// A row per point and region: point, arm, shot, region, each axis, each measure.
+std::string csvOf(const Results& results);
+
+}  // namespace strobe::study

@@ -1,0 +1,606 @@
+-- SPDX-License-Identifier: MIT
+-- Experiments: shots, drawn by arms, along axes, measured against truth, and what is expected of the numbers.
+-- `experiment { ... }` is checked as a whole, all mistakes at once; docs/writing-experiments.md explains each field.
+local check  = require "strobe.check"
+local fields = require "strobe.fields"
+local native = require "strobe.native"
+
+local experiment = {}
+
+local text, number, bool, list, map = fields.text, fields.number, fields.bool, fields.list, fields.map
+local func, shown, copied = fields.func, fields.shown, fields.copied
+
+-- Fields by table: their type, and whether they may be left out. A shot has the options of the command line as well.
+experiment.fields = {
+  experiment = {
+    title = { text }, question = { text, optional = true }, note = { text, optional = true },
+    size = { list, optional = true }, size_params = { list, optional = true }, seed = { number, optional = true },
+    shots = { list }, arms = { list }, truth = { map }, vary = { list, optional = true },
+    skip = { func, optional = true }, regions = { list, optional = true }, measures = { list, optional = true },
+    rounds = { number, optional = true }, background = { map, optional = true }, expect = { list, optional = true },
+    layout = { map, optional = true },
+  },
+  -- title: shown instead of the name. truth: settings of truth in this shot. crops: { x, y, width, height } at the
+  -- experiment's size, or "inner". picture_aa: sub-pixel samples of the pictures that are shown; stops, curve: how.
+  shot = {
+    name = { text }, title = { text, optional = true }, note = { text, optional = true },
+    attribution = { text, optional = true }, truth = { map, optional = true }, crops = { list, optional = true },
+    picture_aa = { number, optional = true }, stops = { number, optional = true }, curve = { text, optional = true },
+  },
+  -- role: "method", or "floor" (truth at a method's own samples). lacks: settings of axes that are not given to it.
+  -- box: settings of the picture that is shown, where it has several samples per pixel. shown: whether its pictures
+  -- are on sheet and page.
+  arm = {
+    name = { text }, pipeline = { text }, set = { map, optional = true }, role = { text, optional = true },
+    lacks = { list, optional = true }, box = { map, optional = true },
+    shown = { bool, optional = true },
+  },
+  -- full: settings of a second truth, to be measured against as well (measure rmse_full).
+  truth = {
+    name = { text, optional = true }, pipeline = { text }, set = { map, optional = true },
+    full = { map, optional = true },
+  },
+  -- at: what a value sets, where that is not the parameter or option of the axis' name. shots: those that vary.
+  -- benign: the value at which nothing is extreme. region: where curves are measured. same_picture: what is seen does
+  -- not depend on the value. fixed, note, reading: texts; {ARM @ VALUE} in a reading is replaced by that error.
+  axis = {
+    name = { text }, values = { list }, at = { func, optional = true }, shots = { list, optional = true },
+    title = { text, optional = true }, unit = { text, optional = true }, scale = { text, optional = true },
+    benign = { fields.any, optional = true }, region = { text, optional = true },
+    same_picture = { bool, optional = true },
+    fixed = { text, optional = true }, note = { text, optional = true }, reading = { text, optional = true },
+  },
+  -- What an arm knows of what is behind: its outputs, and the arm that shows what is in front.
+  background = { arm = { text }, color = { text }, valid = { text }, front = { text } },
+  layout = { pictures = { map, optional = true }, curves = { map, optional = true }, table = { map, optional = true } },
+  -- Sizes in pixels at the experiment's size. difference_gain: what differences from truth are multiplied by.
+  pictures = { crop_size = { list, optional = true }, difference_gain = { number, optional = true } },
+  -- factor: an arm is as good as its samples allow where its error is at most so many times the floor's.
+  curves = { factor = { number, optional = true } },
+  -- axes: those to lay out, each as a table; cells: measures of each shot, once: measures of the first shot alone.
+  -- share: errors as a share of the contrast of truth. title: of the section.
+  table = {
+    axes = { list, optional = true }, cells = { list, optional = true }, once = { list, optional = true },
+    share = { bool, optional = true }, title = { text, optional = true }, note = { text, optional = true },
+  },
+}
+
+-- Where a value is drawn: by its logarithm (0 has a place of its own), by itself, or each as far from the next.
+experiment.scales = { "log", "linear", "even" }
+local roles, tones = { "method", "floor" }, { "clamp", "filmic" }
+
+-- ---- what varies
+
+-- Every choice of one entry of each list, the last list fastest; an entry is a list of { axis, value }.
+local function multiplied(lists)
+  local product = { {} }
+  for _, entries in ipairs(lists) do
+    local longer = {}
+    for _, before in ipairs(product) do
+      for _, entry in ipairs(entries) do
+        local both = table.move(entry, 1, #entry, #before + 1, { table.unpack(before) })
+        longer[#longer + 1] = both
+      end
+    end
+    product = longer
+  end
+  return product
+end
+
+-- What varies is a table { axes, combine }: combine(lists of the axes' values) is the list of all combinations.
+local Varied = {}
+local function varied(axes, combine) return setmetatable({ axes = axes, combine = combine }, Varied) end
+
+-- `list { name = "speed", values = { 1, 2, 4 }, ... }`: one axis with what is said of it.
+experiment.list = native.at_caller(function(place, t)
+  if type(t) ~= "table" then check.fail(place, "list takes a table: list { name = ..., values = { ... } }") end
+  local axis = { fields = t, place = place }
+  return varied({ axis }, function(values) return values[axis] end)
+end)
+
+-- `grid { samples = { 4, 8 }, exposure = { 0.25, 0.5 } }`: an axis for each name, all combinations; by name, the last
+-- varies fastest.
+experiment.grid = native.at_caller(function(place, t)
+  local axes = {}
+  if type(t) ~= "table" then check.fail(place, "grid takes a table: grid { NAME = { values }, ... }") end
+  local names = check.names(t)
+  table.sort(names)
+  for i, name in ipairs(names) do
+    axes[i] = { fields = { name = name, values = t[name] }, place = native.key_place(place, name) }
+  end
+  if #axes == 0 then check.fail(place, "grid is empty: grid { NAME = { values }, ... }") end
+  return varied(axes, function(values)
+    local lists = {}
+    for i, axis in ipairs(axes) do lists[i] = values[axis] end
+    return multiplied(lists)
+  end)
+end)
+
+-- `each { list { ... }, grid { ... } }`: one after the other, not multiplied; a point has the axes of one of them.
+experiment.each = native.at_caller(function(place, t)
+  local axes = {}
+  for i, part in ipairs(type(t) == "table" and t or {}) do
+    if getmetatable(part) ~= Varied then check.fail(place, "entry %d of each is none of list, grid, each", i) end
+    table.move(part.axes, 1, #part.axes, #axes + 1, axes)
+  end
+  if #axes == 0 then check.fail(place, "each takes a list of what varies: each { list { ... }, ... }") end
+  return varied(axes, function(values)
+    local all = {}
+    for _, part in ipairs(t) do
+      local more = part.combine(values)
+      table.move(more, 1, #more, #all + 1, all)
+    end
+    return all
+  end)
+end)
+
+-- ---- checks
+
+local Checker = fields.checker(experiment.fields)
+
+-- Settings in the order of their names, with typed values.
+function Checker:settings(t, path)
+  local result, names = {}, type(t) == "table" and check.names(t) or {}
+  table.sort(names)
+  for i, name in ipairs(names) do
+    local kind = type(t[name])
+    if kind ~= "string" and kind ~= "number" and kind ~= "boolean" then
+      self:add(check.joined(path, name), "'%s' is a %s, no value of a parameter", name, kind)
+    end
+    result[i] = { name = name, value = t[name] }
+  end
+  return result
+end
+
+function Checker:numbers(value, count, path, what)
+  if value == nil then return end
+  local good = type(value) == "table" and #value == count
+  for i = 1, good and count or 0 do good = good and type(value[i]) == "number" end
+  if not good then self:add(path, "%s takes %d numbers", what, count) end
+end
+
+-- NODE = { x, y, z } as the command line would have it, by the nodes' names.
+function Checker:motions(t, count, path, what)
+  local result, names = {}, type(t) == "table" and check.names(t) or {}
+  table.sort(names)
+  for _, node in ipairs(names) do
+    local before, parts = #self.problems.list, {}
+    self:numbers(t[node], count, check.joined(path, node), ("%s of '%s'"):format(what, node))
+    if #self.problems.list == before then
+      for i, value in ipairs(t[node]) do parts[i] = ("%.9g"):format(value) end
+      result[#result + 1] = ("%s=%s"):format(node, table.concat(parts, ","))
+    end
+  end
+  return result
+end
+
+local motions = { move = 3, spin = 4 }
+local lua_types = { number = "number", integer = "number", choice = "string", text = "string", size = "table",
+                    view = "table", texts = "table" }
+
+-- The value of an option of a shot, `declared` by the table of options.
+function Checker:option(declared, value, path, what)
+  local name = declared.name
+  local at = check.joined(path, name)
+  if motions[name] then return self:motions(value, motions[name], at, name) end
+  if type(value) ~= lua_types[declared.type] then
+    self:add(at, "'%s' of %s is a %s instead of a %s", name, what, type(value), lua_types[declared.type])
+  elseif declared.choices and #declared.choices > 0 then
+    self:one_of(value, declared.choices, at, ("'%s' of %s"):format(name, what))
+  elseif type(value) == "number" and not (value >= (declared.min or value) and value <= (declared.max or value)) then
+    local range = ("%s to %s"):format(shown(declared.min), shown(declared.max))
+    self:add(at, "'%s' of %s is %s, not in %s", name, what, shown(value), range)
+  elseif declared.type == "integer" and not math.tointeger(value) then
+    self:add(at, "'%s' of %s is %s, no whole number", name, what, shown(value))
+  end
+  return value
+end
+
+-- Which entries of `t` are options of a shot, parameters of its scene, and others.
+function Checker:sorted(t, path, what)
+  local result = { options = {}, scene = {}, others = {} }
+  local names = check.names(t)
+  table.sort(names)
+  for _, name in ipairs(names) do
+    local scene, value, into = name:match("^scene%.(.+)$"), t[name], result.others
+    if scene then into = result.scene end
+    if self.options[name] then
+      into, value = result.options, self:option(self.options[name], value, path, what)
+    end
+    into[#into + 1] = { name = scene or name, value = value }
+  end
+  return result
+end
+
+function Checker:distinct(entries, key, group)
+  local seen = {}
+  for i, entry in ipairs(entries) do
+    if entry[key] ~= nil and check.contains(seen, entry[key]) then
+      self:add({ group, i, key }, "another of the %s is called '%s'", group, tostring(entry[key]))
+    end
+    seen[#seen + 1] = entry[key]
+  end
+  return seen
+end
+
+function Checker:arm(t, path)
+  local result = copied(self:fields(t, "arm", path, "arm " .. path[2]))
+  self:one_of(result.role, roles, check.joined(path, "role"), "the role of an arm")
+  for _, name in ipairs { "set", "box" } do result[name] = self:settings(result[name], check.joined(path, name)) end
+  return result
+end
+
+function Checker:truth(t)
+  local result = copied(self:fields(t, "truth", { "truth" }))
+  result.set = self:settings(result.set, { "truth", "set" })
+  if result.full then result.full = self:settings(result.full, { "truth", "full" }) end
+  result.name = result.name or "ground truth"
+  return result
+end
+
+function Checker:shot(t, path)
+  local what, own, options = "shot " .. path[2], {}, {}
+  if type(t) ~= "table" then own = t end
+  for name, value in pairs(type(t) == "table" and t or {}) do
+    local is_option = type(name) == "string" and (self.options[name] or name:find("^scene%."))
+    local known = experiment.fields.shot[name]
+    if known then own[name] = value elseif is_option then options[name] = value else
+      local near = check.names(experiment.fields.shot)
+      for option in pairs(self.options) do near[#near + 1] = option end
+      table.sort(near)
+      local nearest = native.nearest(tostring(name), near)
+      self:add(check.joined(path, name), "%s has no field '%s'%s", what, tostring(name), nearest)
+    end
+  end
+  local result = copied(self:fields(own, "shot", path, what))
+  self:one_of(result.curve, tones, check.joined(path, "curve"), "the curve")
+  for i, crop in ipairs(type(result.crops) == "table" and result.crops or {}) do
+    local at = check.joined(check.joined(path, "crops"), i)
+    if crop ~= "inner" then self:numbers(crop, 4, at, "a crop that is not \"inner\"") end
+  end
+  result.truth = self:settings(result.truth, check.joined(path, "truth"))
+  local sorted = self:sorted(options, path, what)
+  result.options, result.scene_set = sorted.options, sorted.scene
+  return result
+end
+
+-- What `value` of an axis sets; `at`: its number.
+local function value_of(axis, t, value, at)
+  local result = { value = value, label = shown(value), truth = {} }
+  local sets = { [t.name or ""] = value }
+  if t.at then
+    local good, returned = pcall(t.at, value)
+    if not good or type(returned) ~= "table" then
+      local problem = type(returned) == "table" and returned.message or tostring(returned)
+      if good then problem = "it returns a " .. type(returned) end
+      axis:add({ "at" }, "at(%s) of axis '%s' fails: %s", shown(value), tostring(t.name), problem)
+      return result
+    end
+    sets = copied(returned)
+    result.truth, sets.truth = axis:settings(sets.truth, { "at" }), nil
+  end
+  local sorted = axis:sorted(sets, { t.at and "at" or "values" }, ("axis '%s'"):format(tostring(t.name)))
+  result.options, result.scene, result.set = sorted.options, sorted.scene, sorted.others
+  for _, entry in ipairs(sorted.others) do
+    local kind = type(entry.value)
+    if kind ~= "string" and kind ~= "number" and kind ~= "boolean" then
+      axis:add({ t.at and "at" or "values", at }, "'%s' is a %s, no value of a parameter", entry.name, kind)
+    end
+  end
+  return result
+end
+
+local function is_finite(value) return type(value) == "number" and value == value and math.abs(value) ~= math.huge end
+
+-- An axis is checked at the place where it was made.
+function Checker:axis(made)
+  local axis = setmetatable(copied(self), Checker)
+  axis.place = made.place
+  local t = axis:fields(made.fields, "axis", {}, ("axis '%s'"):format(tostring(made.fields.name)))
+  local result = copied(t)
+  result.values, result.at = {}, nil
+  axis:one_of(t.scale, experiment.scales, { "scale" }, "the scale of an axis")
+  axis:one_of(t.region, self.known.regions, { "region" }, "the region of an axis")
+  for i, name in ipairs(type(t.shots) == "table" and t.shots or {}) do
+    axis:one_of(name, self.shot_names, { "shots", i }, "the shot")
+  end
+  if type(t.values) ~= "table" then return result end
+  if #t.values == 0 then axis:add({ "values" }, "axis '%s' has no values", tostring(t.name)) end
+  local before
+  for i, value in ipairs(t.values) do
+    if type(value) == "number" and not is_finite(value) then
+      axis:add({ "values", i }, "value %d is no finite number", i)
+    elseif t.scale and t.scale ~= "even" and not is_finite(value) then
+      axis:add({ "values", i }, "%s has no place on a %s scale", check.quoted(value), t.scale)
+    elseif t.scale and is_finite(value) then
+      if before and value <= before then
+        axis:add({ "values", i }, "values grow; %s follows %s", shown(value), shown(before))
+      end
+      if t.scale == "log" and value < 0 then axis:add({ "values", i }, "%s has no logarithm", shown(value)) end
+      before = value
+    end
+    result.values[i] = value_of(axis, t, value, i)
+  end
+  if t.benign ~= nil then
+    for i, value in ipairs(t.values) do if value == t.benign then result.benign_index = i end end
+    if not result.benign_index then
+      axis:add({ "benign" }, "benign is %s, which is none of the values", shown(t.benign))
+    end
+  end
+  result.benign = nil
+  return result
+end
+
+-- All axes, and the combinations of their values as lists of { axis number, value number }.
+function Checker:varied(vary)
+  local axes, names, values, lists = {}, {}, {}, {}
+  for i, part in ipairs(vary or {}) do
+    if getmetatable(part) ~= Varied then
+      self:add({ "vary", i }, "entry %d of vary is none of list, grid, each", i)
+      return {}, { {} }
+    end
+    for _, made in ipairs(part.axes) do
+      local axis = self:axis(made)
+      if axis.name ~= nil and check.contains(names, axis.name) then
+        self.problems:add(made.place, "another axis is called '%s'", tostring(axis.name))
+      end
+      axes[#axes + 1], names[#names + 1] = axis, axis.name
+      values[made] = {}
+      for n in ipairs(axis.values) do values[made][n] = { { axis = #axes, value = n } } end
+    end
+    lists[i] = part.combine(values)
+  end
+  return axes, multiplied(lists)
+end
+
+-- ---- points
+
+local function allowed(axes, combination, shot)
+  for _, at in ipairs(combination) do
+    local shots = axes[at.axis].shots
+    if shots and not check.contains(shots, shot.name) then return false end
+  end
+  return true
+end
+
+-- A point as `skip` sees it.
+local function point_of(axes, combination, shot, arm)
+  local point = { shot = shot.name, arm = arm.name }
+  for _, at in ipairs(combination) do point[axes[at.axis].name] = axes[at.axis].values[at.value].value end
+  return point
+end
+
+-- Points that have one truth: a shot, a value of each axis, and the arms that are drawn there. Shots in their order,
+-- then combinations, then arms; nothing depends on the order of `pairs`.
+function Checker:groups(result, skip, combinations)
+  local groups = {}
+  for s, shot in ipairs(result.shots) do
+    for _, combination in ipairs(combinations) do
+      local group = { shot = s, at = combination, arms = {} }
+      for a, arm in ipairs(allowed(result.axes, combination, shot) and result.arms or {}) do
+        local good, skipped = true, false
+        if skip then good, skipped = pcall(skip, point_of(result.axes, combination, shot, arm)) end
+        if not good then
+          self:add({ "skip" }, "skip fails: %s", tostring(skipped))
+          return groups
+        end
+        if not skipped then group.arms[#group.arms + 1] = a end
+      end
+      if #group.arms > 0 then groups[#groups + 1] = group end
+    end
+  end
+  if #groups == 0 then self:add({ "vary" }, "there are no points: nothing varies, or all are skipped") end
+  return groups
+end
+
+-- ---- the rest
+
+function Checker:expectations(t, shots, axes)
+  local functions, names = {}, {}
+  for i, axis in ipairs(axes) do names[i] = axis.name end
+  for i, entry in ipairs(type(t) == "table" and t or {}) do
+    local path = { "expect", i }
+    if type(entry) ~= "table" or type(entry[1]) ~= "string" or type(entry[2]) ~= "function" then
+      self:add(path, "expectation %d is not { \"what is expected\", function(r) ... end }", i)
+    else
+      check.keys(self.problems, entry, { 1, 2, "shot", "axis", "known" }, self.place, "expectation " .. i, path)
+      self:one_of(entry.shot, shots, check.joined(path, "shot"), "the shot of an expectation")
+      self:one_of(entry.axis, names, check.joined(path, "axis"), "the axis of an expectation")
+      functions[i] = entry
+    end
+  end
+  return functions
+end
+
+function Checker:layout(t, axes)
+  if t == nil then return nil end
+  self:fields(t, "layout", { "layout" })
+  for _, kind in ipairs { "pictures", "curves", "table" } do
+    if t[kind] ~= nil then self:fields(t[kind], kind, { "layout", kind }, "the layout " .. kind) end
+  end
+  if type(t.pictures) == "table" then
+    self:numbers(t.pictures.crop_size, 2, { "layout", "pictures", "crop_size" }, "crop_size")
+  end
+  local names = {}
+  for i, axis in ipairs(axes) do names[i] = axis.name end
+  local laid = type(t.table) == "table" and t.table or {}
+  for i, name in ipairs(type(laid.axes) == "table" and laid.axes or {}) do
+    self:one_of(name, names, { "layout", "table", "axes" }, ("axis %d of the table"):format(i))
+  end
+  for _, kind in ipairs { "cells", "once" } do
+    for _, name in ipairs(type(laid[kind]) == "table" and laid[kind] or {}) do
+      self:one_of(name, self.known.measures, { "layout", "table", kind }, "one of the measures")
+    end
+  end
+  return t
+end
+
+function Checker:names_of(t, kind, known)
+  for i, name in ipairs(type(t[kind]) == "table" and t[kind] or {}) do
+    self:one_of(name, known, { kind, i }, "one of the " .. kind)
+  end
+end
+
+function Checker:whole(t)
+  self:fields(t, "experiment", {})
+  local result = copied(t)
+  result.arms = self:each(t, "arms", function(entry, _, path) return self:arm(entry, path) end)
+  result.shots = self:each(t, "shots", function(entry, _, path) return self:shot(entry, path) end)
+  result.truth = self:truth(t.truth)
+  local arm_names, shot_names = self:distinct(result.arms, "name", "arms"), self:distinct(result.shots, "name", "shots")
+  if check.contains(arm_names, result.truth.name) then
+    self:add({ "truth", "name" }, "an arm is called '%s' too", result.truth.name)
+  end
+  self:numbers(t.size, 2, { "size" }, "size")
+  self:names_of(t, "regions", self.known.regions)
+  self:names_of(t, "measures", self.known.measures)
+  self.shot_names = shot_names
+  local combinations
+  result.axes, combinations = self:varied(type(t.vary) == "table" and t.vary or {})
+  if t.background ~= nil then
+    local background = self:fields(t.background, "background", { "background" })
+    for _, name in ipairs { "arm", "front" } do
+      self:one_of(background[name], arm_names, { "background", name }, "the arm")
+    end
+  end
+  result.layout = self:layout(t.layout, result.axes)
+  local expectations = self:expectations(t.expect, shot_names, result.axes)
+  self.problems:raise()
+  result.groups = self:groups(result, t.skip, combinations)
+  self.problems:raise()
+  result.vary, result.skip, result.expect, result.kind = nil, nil, nil, "experiment"
+  return result, expectations
+end
+
+-- ---- expectations
+
+-- What matches `wanted` { arm =, shot =, region =, AXIS = value } in finished results, as means by measure.
+local Results = {}
+Results.__index = Results
+
+local function require_known(name, allowed_names, what)
+  if not check.contains(allowed_names, name) then
+    error(("there is no %s '%s'%s"):format(what, tostring(name), native.nearest(tostring(name), allowed_names)), 0)
+  end
+end
+
+function Results:names(entries)
+  local names = {}
+  for i, entry in ipairs(self.data[entries]) do names[i] = entry.name end
+  return names
+end
+
+function Results:check(wanted)
+  for _, key in ipairs(check.names(wanted)) do
+    local value = wanted[key]
+    if key == "arm" then require_known(value, self:names("arms"), "arm")
+    elseif key == "shot" then require_known(value, self:names("shots"), "shot")
+    elseif key == "region" then require_known(value, self.data.regions, "region")
+    else
+      require_known(key, self:names("axes"), "axis")
+      self:known_value(key, value)
+    end
+  end
+end
+
+function Results:known_value(name, value)
+  for _, axis in ipairs(self.data.axes) do
+    if axis.name == name and not check.contains(axis.values, value) then
+      error(("axis '%s' has no value %s"):format(name, shown(value)), 0)
+    end
+  end
+end
+
+local of_point = { arm = true, region = true }
+
+local function group_matches(group, wanted)
+  for key, value in pairs(wanted) do
+    local is = group.at[key]
+    if key == "shot" then is = group.shot end
+    if not of_point[key] and is ~= value then return false end
+  end
+  return true
+end
+
+-- Without an arm all methods match, but neither floors nor truth.
+local function point_matches(point, arm)
+  if arm == nil then return point.role == "method" end
+  return point.arm == arm
+end
+
+function Results:at(wanted)
+  self:check(wanted)
+  local sums, counts, region = {}, {}, wanted.region or "whole"
+  for _, group in ipairs(self.data.groups) do
+    for _, point in ipairs(group_matches(group, wanted) and group.points or {}) do
+      for name, values in pairs(point_matches(point, wanted.arm) and point.values or {}) do
+        local value = values[region]
+        if value == nil then value = values.all end
+        if value ~= nil then sums[name], counts[name] = (sums[name] or 0) + value, (counts[name] or 0) + 1 end
+      end
+    end
+  end
+  local means, known = { count = 0 }, self.known_measures
+  for name, sum in pairs(sums) do means[name] = sum / counts[name] end
+  for _, count in pairs(counts) do means.count = math.max(means.count, count) end
+  return setmetatable(means, { __index = function(_, name)
+    require_known(name, known, "measure")
+    error({ unmeasured = ("nothing was measured of '%s' where %s"):format(name, self.shown(wanted)) }, 0)
+  end })
+end
+
+function Results.shown(wanted)
+  local parts, names = {}, check.names(wanted)
+  table.sort(names)
+  for i, name in ipairs(names) do parts[i] = ("%s = %s"):format(name, shown(wanted[name])) end
+  return #parts > 0 and table.concat(parts, ", ") or "anything"
+end
+
+local function is_missing(data, name)
+  for _, shot in ipairs(data.shots) do if shot.name == name then return shot.missing end end
+end
+
+local function judged(entry, r, data)
+  local outcome = { text = entry[1], shot = entry.shot, axis = entry.axis, outcome = "does not apply" }
+  if entry.shot and is_missing(data, entry.shot) then return outcome end
+  local good, holds, detail = pcall(entry[2], r)
+  outcome.known = entry.known
+  if not good and type(holds) == "table" then
+    outcome.outcome, outcome.detail = data.partial and "does not apply" or "fails", holds.unmeasured
+  elseif not good then
+    outcome.outcome, outcome.detail = "fails", tostring(holds)
+  elseif holds ~= nil then
+    outcome.outcome = holds and "holds" or "fails"
+  end
+  if good then outcome.detail = detail and tostring(detail) end
+  return outcome
+end
+
+local function judge(expectations, data, known)
+  local results = setmetatable({ data = data, known_measures = known.measures }, Results)
+  local r, outcomes = { at = function(wanted) return results:at(wanted) end }, {}
+  for i, entry in ipairs(expectations) do outcomes[i] = judged(entry, r, data) end
+  return outcomes
+end
+
+-- ---- what the program asks for
+
+local Made = {}
+
+-- What a file returned, as plain data: an experiment checked against what is `given`: the names of `options`,
+-- `regions` and `measures` there are; with `results` what becomes of its expectations.
+function experiment.finished(result, given)
+  if getmetatable(result) ~= Made then return result end
+  local self = Checker.at(result.place)
+  self.known, self.options = given, {}
+  for _, option in ipairs(given.options) do self.options[option.name] = option end
+  local plain, expectations = self:whole(result.fields)
+  if given.results then return judge(expectations, given.results, given) end
+  plain.expectations = #expectations
+  return plain
+end
+
+return setmetatable(experiment, { __call = native.at_caller(function(place, _, t)
+  if type(t) ~= "table" then check.fail(place, "experiment takes a table: experiment { ... }") end
+  return setmetatable({ fields = t, place = place }, Made)
+end) })

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+// `strobe demo`, `sweep` and `report` from outside: what they write, what they refuse, and that a browser can show the
+// page.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "image/png.h"
+#include "program/run.h"
+
+namespace strobe::testing {
+namespace {
+
+// A red quad that moves 6 px before a checker.
+const char* const kScene = R"lua(
+local scene = require "strobe.scene"
+local red = scene.material { color = { 0.8, 0.1, 0.1 }, unlit = true }
+local checker = scene.texture.checker { colors = { { 0.9, 0.9, 0.9 }, { 0.1, 0.1, 0.4 } }, count = 8 }
+local wall = scene.material { color_texture = checker, unlit = true }
+return scene { name = "small", nodes = {
+  scene.node { name = "card", shape = scene.quad { size = { 1, 1 } }, material = red },
+  scene.node { name = "wall", shape = scene.quad { size = { 8, 8 } }, material = wall, position = { 0, 0, -1 } },
+  scene.node { name = "eye", camera = scene.camera { name = "main", fov = 60 }, position = { 0, 0, 2 } },
+} }
+)lua";
+
+const char* const kDemo = R"lua(
+local experiment = require "strobe.experiment"
+return experiment {
+  title = "Small <demo> & more", size = { 64, 36 }, measures = { "rmse", "flip", "ms" },
+  background = { arm = "hybrid", front = "no blur", color = "revealed", valid = "revealed_valid" },
+  arms = {
+    { name = "no blur", pipeline = "none" },
+    { name = "hybrid", pipeline = "PIPELINE" },
+    { name = "floor", pipeline = "ground_truth", set = { samples = 4 }, role = "floor", shown = false },
+  },
+  truth = { name = "truth", pipeline = "ground_truth", set = { samples = 16 } },
+  shots = {
+    { name = "card", title = "A card", scene = "SCENE", move = { card = { 0.6, 0, 0 } }, attribution = "Card by nobody", EXTRA },
+    { name = "elsewhere", title = "Elsewhere", scene = "shared:no_such_scene.glb" },
+  },
+  expect = {
+    { "what is behind helps", shot = "card", function(r)
+      local own, without = r.at { arm = "hybrid", region = "inner" }, r.at { arm = "no blur", region = "inner" }
+      if own.background_deviation < 0.2 * own.background_difference then return nil end
+      return own.rmse < 0.5 * without.rmse, ("%.3f"):format(own.rmse / without.rmse)
+    end },
+    { "something of a shot that is not here", shot = "elsewhere", function(r) return r.at { shot = "elsewhere" }.rmse > 9 end },
+    EXPECTED
+  },
+  layout = { pictures = { crop_size = { 16, 9 } } },
+}
+)lua";
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  size_t at = text.find(what);
+  if (at != std::string::npos) text.replace(at, what.size(), with);
+  return text;
+}
+
+std::string demoText(const TemporaryFolder& folder, const std::string& pipeline, const std::string& extra,
+                     const std::string& expected = "") {
+  std::string text = replaced(replaced(kDemo, "SCENE", folder / "scene.lua"), "EXPECTED", expected);
+  return replaced(replaced(text, "PIPELINE", pipeline), "EXTRA", extra);
+}
+
+void expectRefusal(const std::string& pipeline, const std::string& extra, const std::string& out,
+                   const std::string& wanted) {
+  TemporaryFolder folder;
+  writeText(folder / "scene.lua", kScene);
+  writeText(folder / "demo.lua", demoText(folder, pipeline, extra));
+  Outcome outcome = run("demo " + (folder / "demo.lua") + " -o " + (folder / out), "STROBE_VALIDATION=0");
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_NE(outcome.err.find(wanted), std::string::npos) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
+TEST(Demo, MistakesAreOneLineAndWriteNothing) {
+  expectRefusal("hybrid", "exposre = 0.5", "out", "did you mean 'exposure'?");
+  expectRefusal("hybrid", "anchor = \"center\"", "out", "did you mean 'centre'?");
+  expectRefusal("hybrd", "", "out", "did you mean 'hybrid'?");
+  expectRefusal("hybrid", "camera = 3", "out", "'camera' of shot 1");
+  expectRefusal("hybrid", "spin = { card = { 0, 1, 0 } }", "out", "takes 4 numbers");
+  expectRefusal("hybrid", "", "scene.lua/out", "is not a folder");
+}
+
+// A mistake in a list is shown at the list's line, with its number.
+TEST(Demo, MistakesHaveTheirLine) {
+  TemporaryFolder folder;
+  writeText(folder / "scene.lua", kScene);
+  writeText(folder / "demo.lua", demoText(folder, "hybrid", "exposre = 0.5"));
+  Outcome outcome = run("demo " + (folder / "demo.lua") + " -o " + (folder / "out"), "STROBE_VALIDATION=0");
+  EXPECT_NE(outcome.err.find("demo.lua:14: shot 1 has no field 'exposre'"), std::string::npos) << outcome.err;
+}
+
+// What a browser makes of the page, or an empty image where there is none.
+image::Image screenshot(const TemporaryFolder& folder, const std::string& page) {
+  if (runLine("command -v chromium").exit_code != 0) return {};
+  std::string shot = folder / "page.png";
+  std::string command =
+      "timeout 60 chromium --headless --no-sandbox --disable-gpu --user-data-dir=" + (folder / "profile") +
+      " --window-size=1000,1400 --screenshot=" + shot + " file://" + page + " >/dev/null 2>&1";
+  if (runLine(command).exit_code != 0 || !fs::exists(shot)) return {};
+  return image::readPng(shot);
+}
+
+void expectShown(const image::Image& page) {
+  size_t red = 0, other = 0;
+  for (int y = 0; y < page.height; ++y)
+    for (int x = 0; x < page.width; ++x) {
+      bool is_red = page.at(x, y, 0) > 0.7f && page.at(x, y, 1) < 0.5f && page.at(x, y, 2) < 0.5f;
+      ++(is_red ? red : other);
+    }
+  EXPECT_GT(red, 1000u) << "the card is nowhere to be seen";
+  EXPECT_GT(other, red);
+}
+
+TEST(Demo, WritesSheetPageNumbersAndRecords) {
+  TemporaryFolder folder;
+  writeText(folder / "scene.lua", kScene);
+  writeText(folder / "demo.lua", demoText(folder, "hybrid", "crops = { \"inner\", { 0, 0, 8, 8 } }"));
+  std::string out = folder / "out";
+  Outcome outcome = run("demo " + (folder / "demo.lua") + " -o " + out);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* file : {"demo.png", "demo.html", "demo.json", "table.csv", "a_card/hybrid.exr", "a_card/hybrid.png",
+                           "a_card/hybrid.record.json", "a_card/truth.timings.json"})
+    EXPECT_TRUE(fs::exists(out + "/" + file)) << file;
+  EXPECT_NE(outcome.out.find("RMSE inner"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.err.find("about 0 s left"), std::string::npos) << "progress of pictures: " << outcome.err;
+  EXPECT_NE(outcome.out.find("skipped: the"), std::string::npos) << outcome.out;
+  EXPECT_NE(contentOf(out + "/demo.md").find("| no blur |"), std::string::npos);
+
+  Json json = Json::parse(contentOf(out + "/demo.json"));
+  ASSERT_EQ(json["groups"].size(), 1u) << "the other shot is missing";
+  const Json& points = json["groups"][0]["points"];
+  ASSERT_EQ(points.size(), 4u);
+  EXPECT_EQ(points[0]["role"], "truth");
+  auto value = [&](size_t i, const char* measure, const char* region) {
+    return points[i]["values"][measure][region].get<double>();
+  };
+  // 0.3 m at 36 / (2 tan 30 deg) px at 2 m
+  EXPECT_NEAR(value(0, "displacement", "all"), 4.7, 0.2);
+  EXPECT_LT(value(2, "rmse", "inner"), 0.5 * value(1, "rmse", "inner")) << "what is behind must help";
+  EXPECT_GT(value(3, "rmse", "inner"), 0.0) << "a floor has truth's own error in it";
+  EXPECT_EQ(json["expectations"][0]["outcome"], "holds") << json["expectations"][0];
+  EXPECT_EQ(json["expectations"][1]["outcome"], "does not apply");
+  EXPECT_GT(value(1, "ms", "all"), 0);
+  EXPECT_FALSE(points[0]["values"].contains("ms")) << "truth is not timed";
+  EXPECT_NE(json["shots"][1]["missing"].get<std::string>().find("no_such_scene"), std::string::npos);
+
+  // Laid out again from what is on disk.
+  std::string page = contentOf(out + "/demo.html");
+  Outcome again = run("report " + out);
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(contentOf(out + "/demo.html"), page);
+  EXPECT_FALSE(std::regex_search(page.substr(0, 200000), std::regex("https?:|//[a-z]+\\.[a-z]+|@import|url\\(")));
+  EXPECT_NE(page.find("Small &lt;demo&gt; &amp; more"), std::string::npos);
+  EXPECT_NE(page.find("Card by nobody"), std::string::npos);
+  EXPECT_LT(page.size(), 12'000'000u);
+  EXPECT_GT(image::readPng(out + "/demo.png").width, 1000);
+
+  image::Image shown = screenshot(folder, out + "/demo.html");
+  if (shown.empty()) GTEST_SKIP() << "no Chromium to show the page";
+  expectShown(shown);
+}
+
+// ---- sweep
+
+TEST(Sweep, AFailedExpectationIsNamedAndEndsInExitCodeOne) {
+  TemporaryFolder folder;
+  writeText(folder / "scene.lua", kScene);
+  std::string wrong = "{ \"two is three\", function() return false, \"2 < 3\" end },";
+  writeText(folder / "x.lua", demoText(folder, "hybrid", "", wrong));
+  std::string out = folder / "out";
+  Outcome outcome = run("sweep " + (folder / "x.lua") + " -o " + out + " --json");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("strobe: expectation fails: two is three (2 < 3)"), std::string::npos) << outcome.err;
+  for (const char* file : {"report.html", "report.png", "result.json", "result.md", "table.csv"})
+    EXPECT_TRUE(fs::exists(out + "/" + file)) << file;
+  EXPECT_EQ(Json::parse(outcome.out), Json::parse(contentOf(out + "/result.json")));
+  EXPECT_NE(contentOf(out + "/result.md").find("two is three. This fails"), std::string::npos);
+
+  // The texts and expectations of the file as it is now.
+  std::string known = replaced(wrong, "end }", "end, known = \"two is two\" }");
+  writeText(folder / "x.lua", demoText(folder, "hybrid", "", known));
+  EXPECT_EQ(run("report " + out).exit_code, 1);
+  EXPECT_EQ(run("report " + out + " --experiment " + (folder / "x.lua")).exit_code, 0);
+
+  // The command that it prints for a point makes that picture.
+  Json point = Json::parse(contentOf(out + "/result.json"))["groups"][0]["points"][1];
+  std::string repeat = point["command"].get<std::string>();
+  repeat = repeat.substr(7, repeat.find(" -o ") - 7);
+  ASSERT_EQ(run(repeat + " -o " + (folder / "point.exr")).exit_code, 0) << repeat;
+  Json record = Json::parse(contentOf(out + "/" + point["record"].get<std::string>()));
+  EXPECT_EQ(Json::parse(contentOf(folder / "point.record.json"))["outputs"], record["outputs"]);
+}
+
+TEST(Sweep, ListsItsPointsAndRefusesWhatIsNone) {
+  TemporaryFolder folder;
+  writeText(folder / "scene.lua", kScene);
+  writeText(folder / "x.lua", demoText(folder, "hybrid", ""));
+  std::string command = "sweep " + (folder / "x.lua") + " -o " + (folder / "out");
+  Outcome listed = run(command + " --dry-run");
+  EXPECT_EQ(listed.exit_code, 0) << listed.err;
+  EXPECT_NE(listed.out.find("1  card  no blur\n"), std::string::npos) << listed.out;
+  EXPECT_NE(listed.out.find("6 points, 2 truths"), std::string::npos) << listed.out;
+  EXPECT_EQ(Json::parse(run(command + " --dry-run --json").out).size(), 6u);
+  auto refused = [](const std::string& arguments, const std::string& wanted) {
+    Outcome outcome = run(arguments, "STROBE_VALIDATION=0");
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_NE(outcome.err.find(wanted), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  };
+  refused(command + " --only arm=hybird", "did you mean 'hybrid'?");
+  refused(command + " --size 3", "WIDTHxHEIGHT");
+  refused("sweep " + (folder / "x.lua") + " -o /dev/null/x", "is not a folder");
+  refused("report " + folder.path().string(), "there are no results");
+  refused("bench", "A subcommand is required");
+  refused("bench relod hybrid", "there is no command 'relod' of bench; did you mean 'reload'?");
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
+}  // namespace
+}  // namespace strobe::testing

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// Experiment files: which points follow from them, in which order, and what is said of mistakes. Without a device.
+#include <gtest/gtest.h>
+
+#include "common/home.h"
+#include "program/run.h"
+#include "study/points.h"
+
+namespace strobe::study {
+namespace {
+
+using strobe::testing::TemporaryFolder;
+using strobe::testing::writeText;
+
+// The file that conventions print.
+const char* const kSamplesAndTiles = R"lua(
+local experiment = require "strobe.experiment"
+
+return experiment {
+  title    = "Samples and tiles",
+  question = "What does a sample buy, and does the tile size matter?",
+  size     = { 160, 90 },
+  shots    = { { name = "vase", scene = "living_room", camera = "main" },
+               { name = "tracking", scene = "living_room", camera = "tracking" } },   -- options as on the command line
+  arms     = { { name = "mcguire", pipeline = "mcguire2012" },
+               { name = "hybrid", pipeline = "hybrid", set = { preset = "best" } } },
+  truth    = { pipeline = "ground_truth", set = { samples = 64 } },
+  vary     = { experiment.grid { samples = { 4, 8, 16 }, exposure = { 0.25, 0.5 } } },    -- parameters of arms, options of shots, scene.NAME
+  skip     = function(point) return point.arm == "mcguire" and point.samples == 4 end,
+  regions  = { "whole", "inner", "outer" },
+  measures = { "rmse", "flip", "ms" },
+  expect   = { { "more samples never hurt the hybrid's inner blur by more than a tenth",
+                 function(r) return r.at { arm = "hybrid", samples = 16, region = "inner" }.rmse
+                                 <= 1.1 * r.at { arm = "hybrid", samples = 4, region = "inner" }.rmse end } },
+}
+)lua";
+
+Experiment readText(const std::string& text, bool evaluate = false) {
+  TemporaryFolder folder;
+  writeText(folder / "x.lua", text);
+  return readExperiment(home(), folder / "x.lua", evaluate);
+}
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(Points, AreShotsThenValuesThenArms) {
+  Experiment experiment = readText(kSamplesAndTiles);
+  EXPECT_EQ(experiment.points(), 20u) << "2 shots x 2 exposures x 3 samples x 2 arms, without 4 that are skipped";
+  std::vector<std::string> lines = linesOf(listOf(experiment));
+  ASSERT_EQ(lines.size(), 20u);
+  EXPECT_EQ(lines[0], "1  vase  exposure 0.25, samples 4  hybrid") << "axes by name; the last varies fastest";
+  EXPECT_EQ(lines[1], "2  vase  exposure 0.25, samples 8  mcguire");
+  EXPECT_EQ(lines[2], "3  vase  exposure 0.25, samples 8  hybrid");
+  EXPECT_EQ(lines[5], "6  vase  exposure 0.5, samples 4  hybrid");
+  EXPECT_EQ(lines[19], "20  tracking  exposure 0.5, samples 16  hybrid");
+}
+
+// `pairs` walks tables in another order in every process.
+TEST(Points, AreTheSameInEveryProcess) {
+  std::string first = listOf(readText(kSamplesAndTiles));
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(listOf(readText(kSamplesAndTiles)), first);
+}
+
+TEST(Points, SetWhatTheirAxesName) {
+  Experiment experiment = readText(kSamplesAndTiles);
+  const Group& group = experiment.groups.back();
+  lab::Shot hybrid = shotOf(experiment, group, experiment.arms[1]), truth = truthShotOf(experiment, group);
+  EXPECT_EQ(hybrid.exposure, 0.5);
+  EXPECT_EQ(hybrid.camera, "tracking");
+  EXPECT_EQ(hybrid.width, 160);
+  EXPECT_EQ(lab::commandOf(hybrid),
+            "strobe render hybrid --scene living_room --size 160x90 --exposure 0.5 --anchor close --camera tracking "
+            "--set preset=best --set samples=16 -o out.exr");
+  EXPECT_EQ(truth.exposure, 0.5) << "options of the shot are truth's too";
+  EXPECT_NE(lab::commandOf(truth).find("--set samples=64"), std::string::npos) << "parameters of arms are not";
+}
+
+// Text with fields in the places of ARM, SHOT, AXIS, MORE.
+std::string with(const std::string& arm, const std::string& shot = "", const std::string& axis = "",
+                 const std::string& more = "") {
+  std::string text = R"lua(
+local experiment = require "strobe.experiment"
+return experiment {
+  title = "A bar", size = { 64, 16 }, size_params = { "width", "height" },
+  truth = { pipeline = "ground_truth", set = { samples = 32 } },
+  arms = {
+    { name = "no blur", pipeline = "none", lacks = { "samples" } },
+    { name = "hybrid", pipeline = "hybrid" ARM },
+    { name = "floor", pipeline = "ground_truth", role = "floor", set = { samples = 16 } },
+  },
+  shots = { { name = "bar", scene = "oracles/bar", ["scene.left"] = 20, ["scene.right"] = 50 SHOT } },
+  vary = { experiment.list { name = "speed", values = { 4.7, 30 },
+             at = function(v) return { ["scene.d_f"] = v } end AXIS } } MORE }
+)lua";
+  for (const auto& [what, given] :
+       {std::pair<std::string, std::string>{" ARM", arm}, {" SHOT", shot}, {" AXIS", axis}, {" MORE", more}})
+    text.replace(text.find(what), what.size(), given.empty() ? "" : ", " + given);
+  return text;
+}
+
+void expectRefusal(const std::string& text, const std::string& wanted, bool evaluate = false) {
+  try {
+    readText(text, evaluate);
+    ADD_FAILURE() << "accepted; expected: " << wanted;
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find(wanted), std::string::npos) << error.what() << "\nexpected: " << wanted;
+  }
+}
+
+TEST(Mistakes, HaveTheirPlaceAndTheNearestName) {
+  expectRefusal(with("sett = {}"), "x.lua:6: arm 2 has no field 'sett'; did you mean 'set'?");
+  expectRefusal(with("", "exposre = 1"), "x.lua:11: shot 1 has no field 'exposre'; did you mean 'exposure'?");
+  expectRefusal(with("", "anchor = \"center\""), "did you mean 'centre'?");
+  expectRefusal(with("", "camera = 3"), "'camera' of shot 1");
+  expectRefusal(with("", "spin = { bar = { 0, 1, 0 } }"), "takes 4 numbers");
+  expectRefusal(with("role = \"truth\""), "the role of an arm is 'truth', none of method, floor");
+  expectRefusal(with("", "", "scale = \"lgo\""), "none of log, linear, even; did you mean 'log'?");
+  expectRefusal(with("", "", "region = \"iner\""), "did you mean 'inner'?");
+  expectRefusal(with("", "", "benign = 5"), "benign is 5, which is none of the values");
+  expectRefusal(with("", "", "scale = \"log\", values = { 4.7, 2 }"), "values grow; 2 follows 4.7");
+  expectRefusal(with("", "", "scale = \"log\", values = { -1, 4.7 }"), "-1 has no logarithm");
+  expectRefusal(with("", "", "shots = { \"bra\" }"), "did you mean 'bar'?");
+  expectRefusal(with("", "", "at = function(v) return v.at_all end"), "at(4.7) of axis 'speed' fails");
+  expectRefusal(with("", "", "", "measures = { \"rsme\" }"), "did you mean 'rmse'?");
+  expectRefusal(with("", "", "", "regions = { \"hiden\" }"), "did you mean 'hidden'?");
+  expectRefusal(with("", "", "", "skip = function() return true end"), "there are no points");
+  expectRefusal(with("", "", "", "expect = { { \"x\", function() end, axis = \"sped\" } }"), "did you mean 'speed'?");
+  expectRefusal(with("", "", "", "layout = { tabel = {} }"), "did you mean 'table'?");
+  expectRefusal("return {}", "does not return experiment { ... }");
+}
+
+TEST(Mistakes, OfPipelinesAreFoundBeforeADeviceIs) {
+  expectRefusal(with("set = { preset = \"bset\" }"), "did you mean 'best'?", true);
+  expectRefusal(with("", "", "at = function() return { sampels = 4 } end"), "did you mean 'samples'?", true);
+}
+
+TEST(Only, KeepsPointsThatAreAskedFor) {
+  auto listed = [](const std::string& only) {
+    Experiment experiment = readText(kSamplesAndTiles);
+    keepOnly(experiment, only);
+    EXPECT_TRUE(experiment.partial);
+    return linesOf(listOf(experiment)).size();
+  };
+  EXPECT_EQ(listed("arm=hybrid"), 12u);
+  EXPECT_EQ(listed("arm=hybrid,samples=4,samples=8"), 8u);
+  EXPECT_EQ(listed("shot=vase,exposure=0.25"), 5u);
+  EXPECT_EQ(listed("samples"), 20u) << "every point has that axis";
+  Experiment experiment = readText(kSamplesAndTiles);
+  for (const auto& [only, wanted] : {std::pair<std::string, std::string>{"arm=hybird", "did you mean 'hybrid'?"},
+                                     {"sampels=4", "did you mean 'samples'?"},
+                                     {"samples=5", "there are 4, 8, 16"},
+                                     {"arm=mcguire,samples=4", "no point is like that"}}) {
+    try {
+      keepOnly(experiment, only);
+      ADD_FAILURE() << only;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.exitCode(), 2);
+      EXPECT_NE(std::string(error.what()).find(wanted), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(Each, IsOneAxisAfterTheOther) {
+  Experiment experiment = readText(with("", "", "", R"(vary = { experiment.each {
+    experiment.list { name = "speed", values = { 1, 2 }, at = function(v) return { ["scene.d_f"] = v } end },
+    experiment.grid { samples = { 4, 8 }, exposure = { 0.5 } } } })"));
+  std::vector<std::string> lines = linesOf(listOf(experiment));
+  ASSERT_EQ(lines.size(), 12u);
+  EXPECT_EQ(lines[0], "1  bar  speed 1  no blur");
+  EXPECT_EQ(lines[11], "12  bar  exposure 0.5, samples 8  floor");
+  lab::Shot none = shotOf(experiment, experiment.groups.back(), experiment.arms[0]);
+  EXPECT_EQ(lab::commandOf(none).find("samples"), std::string::npos) << "lacks it";
+}
+
+}  // namespace
+}  // namespace strobe::study

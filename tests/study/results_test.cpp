@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// Results as a value: to disk and back, as a table, as curves with the range in which an arm is trusted, as a page.
+#include "study/results.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "common/home.h"
+#include "program/run.h"
+#include "study/curves.h"
+#include "study/report.h"
+
+namespace strobe::study {
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+Point of(const std::string& arm, Role role, double rmse, std::vector<std::string> limits = {}) {
+  Point point;
+  point.arm = arm;
+  point.role = role;
+  point.values["rmse"] = {{"whole", rmse}, {"inner", rmse / 2}, {"outer", rmse}};
+  point.limits = std::move(limits);
+  point.command = "strobe render x";
+  return point;
+}
+
+// Contrast 0.5, floor 0.01: one method that is always good, one that is bad everywhere, one that ends on both sides.
+Results made() {
+  Results results;
+  results.strobe = "0", results.title = "A <report>", results.note = "A note.", results.command = "strobe sweep x.lua";
+  results.device = "device", results.driver = "driver", results.software = true;
+  results.width = 64, results.height = 36;
+  results.regions = regionNames(), results.measures = {"rmse"};
+  for (const char* name : {"good", "bad", "mixed"}) results.arms.push_back({name, "none", Role::method, true});
+  results.arms.push_back({"floor", "ground_truth", Role::floor, true});
+  results.arms.push_back({"truth", "ground_truth", Role::truth, true});
+  results.shots.push_back({"shot", "A shot", "", "", "", 24, 0.5, {{1, 2, 3, 4}}, {}});
+  AxisSummary axis{"speed", "Speed", "px", "log", "whole", "All else stays.", "", "", true, 2, {}, {}};
+  for (double value : {1.0, 3.0, 10.0, 30.0, 100.0}) {
+    axis.values.push_back(value);
+    axis.labels.push_back(fmt::format("{:g}", value));
+    PointGroup group{"shot", "close", {{"speed", value}}, {of("truth", Role::truth, 0)}};
+    group.points[0].values["contrast"]["all"] = 0.5;
+    group.points[0].values["change"]["all"] = group.points[0].values["changed"]["all"] = 1e-6 * value;
+    group.points.push_back(of("good", Role::method, 0.015));
+    group.points.push_back(of("bad", Role::method, value == 100 ? 0.3 : 0.1));
+    bool limited = value >= 30;
+    group.points.push_back(of("mixed", Role::method, value == 1 ? 0.05 : 0.01,
+                              limited ? std::vector<std::string>{"blur: 7 pixels"} : std::vector<std::string>()));
+    group.points.push_back(of("floor", Role::floor, 0.01));
+    results.groups.push_back(group);
+  }
+  results.axes = {axis};
+  results.layout = {{"curves", {{"factor", 2}}}};
+  return results;
+}
+
+Curve curveOf(const Results& results) { return Curve(results, results.axes[0], 2); }
+
+TEST(Curves, TrustEndsWhereErrorOrLimitBegin) {
+  Results results = made();
+  Curve curve = curveOf(results);
+  EXPECT_EQ(curve.trusted("good", Against::floor).count, 5u);
+  EXPECT_EQ(curve.trusted("bad", Against::floor).count, 0u) << "ten times the floor";
+  Trusted usual = curve.trusted("bad", Against::own);
+  EXPECT_EQ(usual.first, 0u);
+  EXPECT_EQ(usual.count, 4u);
+  EXPECT_EQ(usual.above, Doubt::error);
+  Trusted mixed = curve.trusted("mixed", Against::floor);
+  EXPECT_EQ(mixed.first, 1u);
+  EXPECT_EQ(mixed.count, 2u);
+  EXPECT_EQ(mixed.below, Doubt::error);
+  EXPECT_EQ(mixed.above, Doubt::limit);
+  EXPECT_EQ(curve.range("mixed", Against::floor), "3 (error below) to 10 (limit above)");
+  EXPECT_EQ(curve.range("good", Against::floor), "everywhere");
+  EXPECT_EQ(curve.range("bad", Against::floor), "nowhere");
+}
+
+TEST(Curves, NotFiniteIsNeverTrusted) {
+  Results results = made();
+  results.groups[3].points[1].values = {{"broken", {{"all", 12}}}};
+  EXPECT_EQ(curveOf(results).trusted("good", Against::own).above, Doubt::broken);
+  EXPECT_NE(Report(results, "").page().find("not finite"), std::string::npos);
+}
+
+// Truth that is unsure of itself condemns nobody.
+TEST(Curves, ErrorsWithinThoseOfTruthAreAllowed) {
+  Results results = made();
+  for (PointGroup& group : results.groups) group.points[0].values["rmse"] = {{"whole", 0.03}};
+  EXPECT_EQ(curveOf(results).trusted("bad", Against::floor).count, 4u) << "0.1 < 2 * 0.01 + 3 * 0.03";
+}
+
+TEST(Curves, ReadingsAreFilledWithNumbers) {
+  Results results = made();
+  Curve curve = curveOf(results);
+  EXPECT_EQ(curve.filled("{good @ 30} of {floor @ 1}; {from mixed} to {to mixed}"), "3.00 % of 2.00 %; 3 to 10");
+  for (const char* wrong : {"{god @ 30}", "{good @ 31}", "{good}"}) EXPECT_THROW(curve.filled(wrong), Error) << wrong;
+}
+
+TEST(Results, AreTheSameFromDisk) {
+  Results results = made();
+  results.expectations = {{"it is good", "shot", "", "holds", "0.5", ""}};
+  Json json = toJson(results);
+  Results read = resultsFrom(Json::parse(json.dump()), "result.json");
+  EXPECT_EQ(toJson(read).dump(), json.dump());
+  EXPECT_EQ(Report(read, "").page(), Report(results, "").page());
+  EXPECT_EQ(Report(read, "").markdown("x.html"), Report(results, "").markdown("x.html"));
+  EXPECT_EQ(csvOf(read), csvOf(results));
+  json.erase("groups");
+  EXPECT_THROW(resultsFrom(json, "result.json"), Error);
+}
+
+TEST(Results, AsATable) {
+  std::istringstream csv(csvOf(made()));
+  std::string line;
+  std::getline(csv, line);
+  EXPECT_EQ(line, "point,arm,shot,region,speed,rmse");
+  std::getline(csv, line);
+  EXPECT_EQ(line, "1,good,shot,whole,1,0.015");
+  std::getline(csv, line);
+  EXPECT_EQ(line, "1,good,shot,inner,1,0.0075");
+  std::getline(csv, line);
+  EXPECT_EQ(line, "1,good,shot,hidden,1,") << "a region without pixels";
+  size_t lines = 3;
+  while (std::getline(csv, line)) ++lines;
+  EXPECT_EQ(lines, 5u * 4 * 4) << "5 values, 4 arms, 4 regions";
+}
+
+// An expectation that fails, or holds although it is said not to, is named.
+TEST(Results, ContradictionsAreNamed) {
+  Results results = made();
+  results.expectations = {{"first", "", "", "holds", "", ""},
+                          {"second", "", "", "fails", "3 > 2", ""},
+                          {"third", "", "", "fails", "", "the floor is too high"},
+                          {"fourth", "", "", "holds", "", "the floor is too high"},
+                          {"fifth", "", "", "does not apply", "", ""}};
+  EXPECT_EQ(results.contradicted(),
+            (std::vector<std::string>{"expectation fails: second (3 > 2)",
+                                      "expectation holds; it is said to fail: the floor is too high: fourth"}));
+}
+
+TEST(Report, PageNeedsNoNetwork) {
+  std::string page = Report(made(), "").page();
+  for (const char* foreign : {"http:", "https:", "@import", "url(", " src="})
+    EXPECT_EQ(page.find(foreign), std::string::npos) << foreign;
+  for (const char* wanted :
+       {"nowhere", "3 (error below) to 10 (limit above)", "everywhere", "strobe render x", "<svg", "A &lt;report&gt;"})
+    EXPECT_NE(page.find(wanted), std::string::npos) << wanted;
+}
+
+TEST(Measures, HaveNamesUnitsAndWords) {
+  for (const Measure& measure : measures()) {
+    EXPECT_FALSE(measure.title.empty() || measure.doc.empty()) << measure.name;
+    EXPECT_TRUE(measure.of) << measure.name;
+    EXPECT_EQ(&measureNamed(measure.name), &measure) << "another is called so";
+  }
+}
+
+// ---- what ships
+
+Results committed(const std::string& question) {
+  Path file = home().shipped() / "experiments" / question / "result.json";
+  return resultsFrom(Json::parse(readText(file)), file.string());
+}
+
+class Committed : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Committed, PagesAreMadeOfTheirNumbers) {
+  Path folder = home().shipped() / "experiments" / GetParam();
+  Results results = committed(GetParam());
+  Report report(results, folder);
+  EXPECT_EQ(readText(folder / "result.md"), report.markdown("report.html"));
+  EXPECT_EQ(readText(folder / "report.html"), report.page());
+  EXPECT_LT(readText(folder / "report.html").size(), 1'500'000u);
+  EXPECT_EQ(readText(folder / "table.csv"), csvOf(results));
+}
+
+// Texts, expectations and their outcomes are those of the file as it is.
+TEST_P(Committed, NumbersAreOfTheExperimentAsItIs) {
+  Results results = committed(GetParam());
+  std::string file = (home().shipped() / "experiments" / GetParam() / (GetParam() + ".lua")).string();
+  Experiment experiment = readExperiment(home(), file, false);
+  Results again = results;
+  retell(home(), again, experiment);
+  EXPECT_EQ(toJson(again).dump(), toJson(results).dump());
+  EXPECT_EQ(results.contradicted(), std::vector<std::string>());
+  EXPECT_EQ(results.width, experiment.width);
+  ASSERT_EQ(results.groups.size(), experiment.groups.size());
+  for (size_t g = 0; g < results.groups.size(); ++g) {
+    const PointGroup& group = results.groups[g];
+    EXPECT_EQ(group.shot, experiment.shots[experiment.groups[g].shot].name);
+    ASSERT_EQ(group.points.size(), experiment.groups[g].arms.size() + 1);
+    for (size_t i = 1; i < group.points.size(); ++i) {
+      const Arm& arm = experiment.arms[experiment.groups[g].arms[i - 1]];
+      EXPECT_EQ(group.points[i].arm, arm.name);
+      if (!group.points[i].command.empty())
+        EXPECT_EQ(group.points[i].command, lab::commandOf(shotOf(experiment, experiment.groups[g], arm)));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Questions, Committed, ::testing::Values("extremes", "real_scenes"));
+
+}  // namespace
+}  // namespace strobe::study

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// What is measured of experiments: errors against closed forms, memory that can be counted by hand, differences against
+// the pictures themselves, and expectations that fail when they must.
+#include "study/run.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "oracle/render.h"
+#include "program/run.h"
+
+namespace strobe::study {
+namespace {
+
+class Measuring : public oracle::RenderTest {
+ protected:
+  static Results measured(const std::string& text) {
+    testing::TemporaryFolder folder;
+    testing::writeText(folder / "x.lua", text);
+    Experiment experiment = readExperiment(bench().home(), folder / "x.lua");
+    return run(experiment, bench(), folder.path());
+  }
+};
+
+// A white half-plane x < 80 that moves to the right over black. Only its edge blurs, so that no closed form is needed
+// for anything but the edge.
+const char* const kHalfPlane = R"lua(
+local experiment = require "strobe.experiment"
+local list = experiment.list
+return experiment {
+  title = "Half a plane", size = { 160, 4 }, size_params = { "width", "height" }, measures = { "rmse" },
+  truth = { pipeline = "ground_truth", set = { samples = 512 } },
+  arms = { { name = "no blur", pipeline = "none", lacks = { "samples" } },
+           { name = "floor", pipeline = "ground_truth", role = "floor", set = { samples = 16 } } },
+  shots = { { name = "plane", scene = "oracles/half_plane", frame = 0, ["scene.d_f"] = 12.7 } },
+  vary = { experiment.each {
+    list { name = "speed", values = { 5.3, 12.7, 31.9 }, scale = "log", benign = 12.7, region = "whole",
+           at = function(v) return { ["scene.d_f"] = v } end },
+    list { name = "samples", values = { 2, 8, 32 }, scale = "log", benign = 8, region = "inner" } } },
+  layout = { curves = {} },
+}
+)lua";
+
+// Truth of 512 midpoints is off by at most 1 / (2 * 512) where one edge passes.
+constexpr double kOfTruth = 0.5 / 512;
+
+TEST_F(Measuring, ErrorsAreThoseOfTheClosedForm) {
+  Results results = measured(kHalfPlane);
+  ASSERT_EQ(results.groups.size(), 6u);
+  for (size_t g = 0; g < 3; ++g) {
+    double squares = 0, speed = results.groups[g].at[0].second.get<double>();
+    for (int i = 0; i < 160; ++i) {
+      double missed = (i + 0.5 < 80 ? 1 : 0) - oracle::halfPlaneAtCentre(80, speed, oracle::kCloseAnchor, i);
+      squares += missed * missed;
+    }
+    EXPECT_NEAR(results.groups[g].find("no blur")->value("rmse"), std::sqrt(squares / 160), kOfTruth) << speed;
+    EXPECT_EQ(results.groups[g].truth().value("change") == 0, speed == 12.7) << "against the benign value";
+  }
+
+  // The floor of N midpoints against the exact exposure, pixels of the inner blur alone.
+  const oracle::Strips plane = {{-oracle::kInfinity, 80, 12.7, {1}}, {-oracle::kInfinity, oracle::kInfinity, 0, {0}}};
+  for (size_t g = 3; g < 6; ++g) {
+    const PointGroup& group = results.groups[g];
+    double squares = 0;
+    int count = 0, samples = group.at[0].second.get<int>();
+    for (int i = 67; i < 80; ++i) {
+      double mean = 0;
+      for (int m = 0; m < samples; ++m)
+        mean += oracle::seenAt(plane, i + 0.5, (m + 0.5) / samples - 1).colour / samples;
+      double off = mean - oracle::halfPlaneAtCentre(80, 12.7, oracle::kCloseAnchor, i);
+      squares += off * off;
+      ++count;
+    }
+    EXPECT_EQ(group.truth().value("pixels", "inner"), 4 * count) << "inner pixels: those the edge passes";
+    EXPECT_NEAR(group.floor()->value("rmse", "inner"), std::sqrt(squares / count), 2 * kOfTruth) << samples;
+  }
+  // One over N: 16 times as many samples have a 16th of the error, give or take where the edge happens to lie.
+  auto floor = [&](size_t g) { return results.groups[g].floor()->value("rmse", "inner"); };
+  EXPECT_GT(floor(3) / floor(5), 16 / 1.5);
+  EXPECT_LT(floor(3) / floor(5), 16 * 1.5);
+  EXPECT_EQ(results.groups[3].find("no blur")->value("rmse"), results.groups[5].find("no blur")->value("rmse"))
+      << "lacks samples";
+}
+
+// Bytes of formats can be counted; differences are those of the pictures.
+const char* const kFormats = R"lua(
+local experiment = require "strobe.experiment"
+local list = experiment.list
+return experiment {
+  title = "Formats", size = { 48, 8 }, size_params = { "width", "height" }, rounds = 2,
+  measures = { "rmse", "bytes", "memory", "change", "change_rms", "ms" }, regions = { "whole" },
+  truth = { pipeline = "mcguire2012", set = { limit = 10, color_format = "fp16" } },
+  arms = { { name = "blur", pipeline = "mcguire2012", set = { limit = 10 } } },
+  shots = { { name = "bar", scene = "oracles/bar", frame = 0, ["scene.d_f"] = 5.03, ["scene.left"] = 16,
+              ["scene.right"] = 32, ["scene.foreground"] = 70000 } },
+  vary = { experiment.each { list { name = "velocity_format", values = { "fp32", "fp16" }, benign = "fp32" },
+                             list { name = "color_format", values = { "fp32", "fp16" }, benign = "fp32" } } },
+  expect = {
+    { "half floats are smaller", function(r)
+      return r.at { color_format = "fp16" }.bytes < r.at { color_format = "fp32" }.bytes
+    end },
+    { "they change nothing", function(r) return r.at { color_format = "fp16" }.change == 0, "as was said" end },
+    { "an arm of another name", function(r) return r.at { arm = "blurr" }.rmse < 1 end },
+    { "a value that is none", function(r) return r.at { color_format = "fp8" }.rmse < 1 end },
+    { "a measure that is none", function(r) return r.at {}.rsme < 1 end },
+    { "what was not measured", function(r) return r.at {}.flip < 1 end },
+    { "what does not apply", function() return nil end },
+  },
+}
+)lua";
+
+TEST_F(Measuring, BytesDifferencesAndLimits) {
+  Results results = measured(kFormats);
+  ASSERT_EQ(results.groups.size(), 4u);
+  auto value = [&](size_t g, const std::string& measure) { return results.groups[g].points[1].value(measure); };
+  EXPECT_EQ(value(1, "bytes"), value(0, "bytes") - 4);  // rg32f to rg16f
+  EXPECT_EQ(value(3, "bytes"), value(2, "bytes") - 8);  // rgba32f to rgba16f
+  EXPECT_EQ(value(0, "memory"), value(0, "bytes") * 48 * 8 / (1 << 20));
+  EXPECT_EQ(value(0, "change"), 0);
+  EXPECT_NEAR(value(3, "change"), 70000 - 65504, 0.1);  // the bar where nothing else is, a sum of 16 taps in fp32
+  EXPECT_EQ(value(3, "rmse"), 0) << "it is the truth here";
+  EXPECT_EQ(value(2, "rmse"), value(3, "change_rms")) << "the same two pictures";
+  ASSERT_EQ(results.groups[3].points[1].limits.size(), 1u);
+  EXPECT_NE(results.groups[3].points[1].limits[0].find(fmt::format("{}", 16 * 8)), std::string::npos);
+  for (size_t g = 0; g < 4; ++g) EXPECT_GT(value(g, "ms"), 0);
+
+  std::vector<std::string> outcomes;
+  for (const Expectation& one : results.expectations) outcomes.push_back(one.outcome);
+  EXPECT_EQ(outcomes,
+            (std::vector<std::string>{"holds", "fails", "fails", "fails", "fails", "fails", "does not apply"}));
+  EXPECT_EQ(results.expectations[1].detail, "as was said");
+  EXPECT_NE(results.expectations[2].detail.find("did you mean 'blur'?"), std::string::npos);
+  EXPECT_NE(results.expectations[3].detail.find("has no value fp8"), std::string::npos);
+  EXPECT_NE(results.expectations[4].detail.find("did you mean 'rmse'?"), std::string::npos);
+  EXPECT_NE(results.expectations[5].detail.find("nothing was measured of 'flip'"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace strobe::study
