@@ -63,26 +63,4 @@ void outline(Image& onto, Rectangle area, const Colour& colour, int thickness) {
   fill(onto, {area.x + area.width - t, area.y, t, area.height}, colour);
 }
 
-Image contactSheet(const std::vector<Cell>& cells, const SheetStyle& style) {
-  STROBE_ASSERT(!cells.empty() && style.columns >= 1, "{} cells in {} columns", cells.size(), style.columns);
-  int width = 1, height = 1;
-  for (const Cell& cell : cells) {
-    width = std::max({width, cell.picture.width, cell.label.empty() ? 0 : textWidth(cell.label, style.text_px)});
-    height = std::max(height, cell.picture.height);
-  }
-  int columns = std::min(style.columns, static_cast<int>(cells.size()));
-  int rows = (static_cast<int>(cells.size()) + columns - 1) / columns;
-  int label = static_cast<int>(style.text_px * 1.25f);
-  int pitch_x = width + style.gap_px, pitch_y = height + label + style.gap_px;
-
-  Image sheet = filled(columns * pitch_x + style.gap_px, rows * pitch_y + style.gap_px, style.background);
-  for (size_t i = 0; i < cells.size(); ++i) {
-    int x = style.gap_px + static_cast<int>(i) % columns * pitch_x;
-    int y = style.gap_px + static_cast<int>(i) / columns * pitch_y;
-    if (!cells[i].label.empty()) drawText(sheet, x, y, cells[i].label, style.text_px, style.text);
-    paste(sheet, cells[i].picture, x, y + label);
-  }
-  return sheet;
-}
-
 }  // namespace strobe::image

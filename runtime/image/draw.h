@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Composing pictures for people: contact sheets, insets, labels. Everything here takes and gives display images
+// Composing pictures for people: insets, frames, labels. Everything here takes and gives display images
 // (sRGB-encoded values in [0,1], tone.h makes them) of three channels. Pixels outside an image are skipped.
 #pragma once
 
@@ -40,20 +40,5 @@ Path fontFile();
 // One line of text in DejaVu Sans, the top of its line box at (x, y); `size_px` is the height of that box. UTF-8.
 void drawText(Image& onto, int x, int y, const std::string& text, float size_px, const Colour& colour);
 int textWidth(const std::string& text, float size_px);
-
-// Equal cells in reading order, as wide as the widest picture or label, each a label above its picture; smaller
-// pictures sit top left in their cell.
-struct Cell {
-  std::string label;
-  Image picture;
-};
-struct SheetStyle {
-  int columns = 3;
-  int gap_px = 8;
-  float text_px = 16;
-  Colour background = {0.12f, 0.12f, 0.12f};
-  Colour text = {0.92f, 0.92f, 0.92f};
-};
-Image contactSheet(const std::vector<Cell>& cells, const SheetStyle& style = {});
 
 }  // namespace strobe::image

@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/draw.h"
 #include "image/tone.h"
 #include "page/number.h"
+#include "page/sheet.h"
 #include "study/crops.h"
 
 namespace strobe::study {
 
+using page::Ink;
+using page::Sheet;
+using page::SheetLine;
 using page::shownError;
 using page::shownMs;
 
@@ -19,85 +22,11 @@ using image::Image;
 
 namespace {
 
-constexpr int kCell = 480;  // widest picture, px
-constexpr int kGap = 10, kMargin = 28;
-constexpr Colour kPaper = {1, 1, 1}, kInk = {0.1f, 0.1f, 0.12f}, kSoft = {0.38f, 0.38f, 0.42f},
-                 kEmpty = {0.94f, 0.94f, 0.95f};
 const std::vector<Colour> kCropColours = {{1.0f, 0.76f, 0.03f}, {0.1f, 0.75f, 0.95f}, {0.95f, 0.3f, 0.75f}};
 
-// Smaller text where it would not fit, cut where even that does not.
-void drawFitted(Image& onto, int x, int y, std::string text, float size_px, int width, const Colour& colour) {
-  while (size_px > 11 && image::textWidth(text, size_px) > width) size_px -= 1;
-  if (image::textWidth(text, size_px) > width) {
-    while (!text.empty() && image::textWidth(text + "…", size_px) > width) {
-      while (text.size() > 1 && (text.back() & 0xc0) == 0x80) text.pop_back();
-      text.pop_back();
-    }
-    text += "…";
-  }
-  image::drawText(onto, x, y, text, size_px, colour);
-}
-
-// Fits a display image into a cell: large ones were shrunk before, small ones grow by whole factors.
-Image grown(const Image& picture, int width) { return image::magnify(picture, std::max(1, width / picture.width)); }
-
-// A growing sheet with a pen that moves down.
-class Sheet {
- public:
-  Sheet(int width) : width_(width), pixels_(image::filled(width, 1, kPaper)) {}
-
-  int y() const { return y_; }
-  void skip(int px) { need(y_ += px); }
-
-  void line(const std::string& text, float size_px, const Colour& colour = kInk) {
-    need(y_ + int(size_px * 1.3f));
-    drawFitted(pixels_, kMargin, y_, text, size_px, width_ - 2 * kMargin, colour);
-    y_ += int(size_px * 1.3f);
-  }
-  void at(int x, const std::string& text, float size_px, int width, const Colour& colour) {
-    need(y_ + int(size_px * 1.3f));
-    drawFitted(pixels_, x, y_, text, size_px, width, colour);
-  }
-  void picture(int x, const Image& what) {
-    need(y_ + what.height);
-    image::paste(pixels_, what, x, y_);
-  }
-  Image finished() {
-    need(y_ + kMargin);
-    return image::crop(pixels_, {0, 0, width_, y_ + kMargin});
-  }
-
- private:
-  void need(int height) {
-    if (height <= pixels_.height) return;
-    Image larger = image::filled(width_, height + 1000, kPaper);
-    std::copy(pixels_.values.begin(), pixels_.values.end(), larger.values.begin());
-    pixels_ = std::move(larger);
-  }
-
-  int width_, y_ = 0;
-  Image pixels_;
-};
-
-int cellX(size_t column) { return kMargin + int(column) * (kCell + kGap); }
-
-// A picture at cell size, and how many of the sheet's pixels one of its own became.
-Image cellPicture(const Image& linear, const image::ToneMap& tone, double& scale) {
-  int width = std::min(linear.width, kCell);
-  int height = std::max(1, int(std::lround(double(linear.height) * width / linear.width)));
-  Image cell = grown(image::toneMap(shrunk(linear, width, height), tone), kCell);
-  scale = double(cell.width) / linear.width;
-  return cell;
-}
-
-image::Rectangle scaled(const image::Rectangle& area, double scale) {
-  return {int(area.x * scale), int(area.y * scale), std::max(3, int(std::ceil(area.width * scale))),
-          std::max(3, int(std::ceil(area.height * scale)))};
-}
-
-void drawCrops(Image& cell, const ShotSummary& shot, double scale) {
+void addFrames(page::SheetCell& cell, const ShotSummary& shot) {
   for (size_t i = 0; i < shot.crops.size(); ++i)
-    image::outline(cell, scaled(shot.crops[i], scale), kCropColours[i % kCropColours.size()], 2);
+    cell.frames.push_back({shot.crops[i], kCropColours[i % kCropColours.size()], 2});
 }
 
 std::string numbersOf(const Results& results, const Point& point) {
@@ -113,121 +42,92 @@ std::string numbersOf(const Results& results, const Point& point) {
   return fmt::format("{}", fmt::join(parts, "   "));
 }
 
-// The sheet of some results.
-class Layout {
- public:
-  Layout(const Results& results, double gain, size_t columns)
-      : results_(results), gain_(gain), sheet_(2 * kMargin + int(columns) * (kCell + kGap) - kGap) {}
-
-  Image sheet(const std::vector<Gallery>& galleries);
-
- private:
-  void labels(const Gallery& gallery);
-  void pictures(const Gallery& gallery);
-  void crop(const Gallery& gallery, size_t index);
-  void differences(const Gallery& gallery);
-  void shot(const Gallery& gallery);
-  Image truthNote(const Point& truth, int width, int height) const;
-
-  const Results& results_;
-  double gain_;
-  Sheet sheet_;
-};
-
-void Layout::labels(const Gallery& gallery) {
-  for (size_t i = 0; i < gallery.shown.size(); ++i) sheet_.at(cellX(i), gallery.shown[i].point->arm, 27, kCell, kInk);
-  sheet_.skip(36);
-  for (size_t i = 0; i < gallery.shown.size(); ++i)
-    sheet_.at(cellX(i), numbersOf(results_, *gallery.shown[i].point), 17, kCell, kSoft);
-  sheet_.skip(26);
+void addLabels(Sheet& sheet, const Results& results, const Gallery& gallery) {
+  std::vector<std::string> names, numbers;
+  for (const ShownPoint& one : gallery.shown) {
+    names.push_back(one.point->arm);
+    numbers.push_back(numbersOf(results, *one.point));
+  }
+  for (Sheet::Part part : std::vector<Sheet::Part>{page::SheetLabels{names, 27}, page::SheetGap{1},
+                                                   page::SheetLabels{numbers, 17, Ink::soft}, page::SheetGap{4}})
+    sheet.parts.push_back(std::move(part));
 }
 
-void Layout::pictures(const Gallery& gallery) {
-  int height = 0;
-  for (size_t i = 0; i < gallery.shown.size(); ++i) {
-    double scale = 1;
-    Image cell = cellPicture(gallery.shown[i].shown, gallery.shot->tone, scale);
-    drawCrops(cell, *gallery.shot, scale);
-    sheet_.picture(cellX(i), cell);
-    height = std::max(height, cell.height);
+void addPictures(Sheet& sheet, const Gallery& gallery) {
+  page::SheetRow row;
+  for (const ShownPoint& one : gallery.shown) {
+    const Image& linear = one.shown;
+    int width = std::min(linear.width, page::kSheetColumn);
+    int height = std::max(1, int(std::lround(double(linear.height) * width / linear.width)));
+    row.cells.push_back({image::toneMap(shrunk(linear, width, height), gallery.shot->tone), {}, linear.width});
+    addFrames(row.cells.back(), *gallery.shot);
   }
-  sheet_.skip(height + kGap);
+  sheet.parts.push_back(std::move(row));
 }
 
-void Layout::crop(const Gallery& gallery, size_t index) {
-  int height = 0;
-  for (size_t i = 0; i < gallery.shown.size(); ++i) {
-    Image part = image::toneMap(image::crop(gallery.shown[i].shown, gallery.shot->crops[index]), gallery.shot->tone);
-    Image cell = grown(part, kCell);
-    image::outline(cell, {0, 0, cell.width, cell.height}, kCropColours[index % kCropColours.size()], 3);
-    sheet_.picture(cellX(i), cell);
-    height = std::max(height, cell.height);
+void addCrop(Sheet& sheet, const Gallery& gallery, size_t index) {
+  const image::Rectangle& area = gallery.shot->crops[index];
+  int factor = std::max(1, page::kSheetColumn / area.width);
+  sheet.parts.push_back(
+      SheetLine{fmt::format("crop at {},{}, {} times as large", area.x, area.y, factor), 17, Ink::soft});
+  page::SheetRow row;
+  for (const ShownPoint& one : gallery.shown) {
+    Image part = image::toneMap(image::crop(one.shown, area), gallery.shot->tone);
+    page::SheetFrame frame{{0, 0, part.width, part.height}, kCropColours[index % kCropColours.size()], 3};
+    row.cells.push_back({std::move(part), {frame}});
   }
-  sheet_.skip(height + kGap);
+  sheet.parts.push_back(std::move(row));
 }
 
 // Truth has no difference from itself; its place says what its own error is.
-Image Layout::truthNote(const Point& truth, int width, int height) const {
-  Image cell = image::filled(width, height, kEmpty);
-  int y = height / 2 - 66;
-  drawFitted(cell, 20, y, "the reference", 24, width - 40, kInk);
-  y += 8;
-  for (const std::string& region : results_.regions)
-    drawFitted(cell, 20, y += 24,
-               fmt::format("its standard error, {}: {}", region, shownError(truth.value("rmse", region))), 16,
-               width - 40, kSoft);
-  return cell;
+std::vector<std::string> truthNote(const Results& results, const Point& truth) {
+  std::vector<std::string> texts = {"the reference"};
+  for (const std::string& region : results.regions)
+    texts.push_back(fmt::format("its standard error, {}: {}", region, shownError(truth.value("rmse", region))));
+  return texts;
 }
 
-void Layout::differences(const Gallery& gallery) {
-  int height = 0;
-  for (size_t i = 0; i < gallery.shown.size(); ++i) {
-    Image difference = gallery.difference(gallery.shown[i], gain_);
-    int width = std::min(difference.width, kCell);
-    Image cell = grown(shrunk(difference, width, std::max(1, difference.height * width / difference.width)), kCell);
-    drawCrops(cell, *gallery.shot, double(cell.width) / difference.width);
-    height = std::max(height, cell.height);
-    bool truth = gallery.shown[i].isTruth();
-    sheet_.picture(cellX(i), truth ? truthNote(*gallery.shown[i].point, cell.width, cell.height) : cell);
+void addDifferences(Sheet& sheet, const Results& results, const Gallery& gallery, double gain) {
+  sheet.parts.push_back(SheetLine{
+      fmt::format("|difference from truth| × {:g}, linear values, one sample per pixel", gain), 17, Ink::soft});
+  page::SheetRow row;
+  for (const ShownPoint& one : gallery.shown) {
+    Image difference = gallery.difference(one, gain);
+    int width = std::min(difference.width, page::kSheetColumn);
+    int height = std::max(1, difference.height * width / difference.width);
+    row.cells.push_back({shrunk(difference, width, height), {}, difference.width});
+    addFrames(row.cells.back(), *gallery.shot);
+    if (one.isTruth()) row.cells.back().texts = truthNote(results, *one.point);
   }
-  sheet_.skip(height + kGap);
+  sheet.parts.push_back(std::move(row));
 }
 
-void Layout::shot(const Gallery& gallery) {
+void addShot(Sheet& sheet, const Results& results, const Gallery& gallery, double gain) {
   const ShotSummary& shot = *gallery.shot;
-  sheet_.skip(kMargin);
-  sheet_.line(shot.title, 38);
-  if (!shot.missing.empty()) return sheet_.line("skipped: " + shot.missing, 21, kSoft);
-  sheet_.line(describeShot(results_, shot) + (shot.note.empty() ? "" : ". " + shot.note), 21, kSoft);
-  sheet_.skip(12);
-  labels(gallery);
-  pictures(gallery);
-  for (size_t i = 0; i < shot.crops.size(); ++i) {
-    int factor = std::max(1, kCell / shot.crops[i].width);
-    sheet_.line(fmt::format("crop at {},{}, {} times as large", shot.crops[i].x, shot.crops[i].y, factor), 17, kSoft);
-    crop(gallery, i);
-  }
-  sheet_.line(fmt::format("|difference from truth| × {:g}, linear values, one sample per pixel", gain_), 17, kSoft);
-  differences(gallery);
-  if (!shot.attribution.empty()) sheet_.line(shot.attribution, 17, kSoft);
-}
-
-Image Layout::sheet(const std::vector<Gallery>& galleries) {
-  sheet_.skip(kMargin);
-  sheet_.line(results_.title, 46);
-  if (!results_.note.empty()) sheet_.line(results_.note, 21, kSoft);
-  for (const Gallery& gallery : galleries) shot(gallery);
-  sheet_.skip(kMargin / 2);
-  sheet_.line("Strobe " + results_.strobe + " on " + describeDevice(results_), 17, kSoft);
-  return sheet_.finished();
+  sheet.parts.push_back(page::SheetGap{28});
+  sheet.parts.push_back(SheetLine{shot.title, 38});
+  if (!shot.missing.empty()) return sheet.parts.push_back(SheetLine{"skipped: " + shot.missing, 21, Ink::soft});
+  std::string note = shot.note.empty() ? "" : ". " + shot.note;
+  sheet.parts.push_back(SheetLine{describeShot(results, shot) + note, 21, Ink::soft});
+  sheet.parts.push_back(page::SheetGap{12});
+  addLabels(sheet, results, gallery);
+  addPictures(sheet, gallery);
+  for (size_t i = 0; i < shot.crops.size(); ++i) addCrop(sheet, gallery, i);
+  addDifferences(sheet, results, gallery, gain);
+  if (!shot.attribution.empty()) sheet.parts.push_back(SheetLine{shot.attribution, 17, Ink::soft});
 }
 
 }  // namespace
 
 Image sheetOf(const Results& results, const std::vector<Gallery>& galleries) {
-  size_t most = 1;
-  for (const Gallery& gallery : galleries) most = std::max(most, gallery.shown.size());
-  return Layout(results, picturesOf(results.layout).value_or(PicturesLayout()).difference_gain, most).sheet(galleries);
+  double gain = picturesOf(results.layout).value_or(PicturesLayout()).difference_gain;
+  Sheet sheet;
+  sheet.parts.push_back(SheetLine{results.title, 46});
+  if (!results.note.empty()) sheet.parts.push_back(SheetLine{results.note, 21, Ink::soft});
+  for (const Gallery& gallery : galleries) addShot(sheet, results, gallery, gain);
+  sheet.parts.push_back(page::SheetGap{14});
+  sheet.parts.push_back(SheetLine{"Strobe " + results.strobe + " on " + describeDevice(results), 17, Ink::soft});
+  return page::imageOf(sheet);
 }
 
 }  // namespace strobe::study

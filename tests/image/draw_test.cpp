@@ -97,21 +97,6 @@ TEST(Draw, TextStaysInItsBox) {
   drawText(image, -30, -10, "outside", 20, kWhite);  // must not write outside
 }
 
-TEST(Draw, SheetHoldsEveryPicture) {
-  std::vector<Cell> cells = {{"1", filled(20, 10, kWhite)}, {"2", filled(16, 12, {1, 0, 0})}, {"", numbered(2, 2)}};
-  SheetStyle style;
-  style.columns = 2;
-  Image sheet = contactSheet(cells, style);
-  EXPECT_EQ(sheet.width, 2 * (20 + 8) + 8);
-  EXPECT_EQ(sheet.height, 2 * (12 + 20 + 8) + 8);
-  EXPECT_EQ(colourAt(sheet, 8, 8 + 20), kWhite);
-  EXPECT_EQ(colourAt(sheet, 8 + 28, 8 + 20), (Colour{1, 0, 0}));
-  EXPECT_EQ(colourAt(sheet, 9, 8 + 40 + 20 + 1), colourAt(cells[2].picture, 1, 1));
-
-  cells[1].label = "a label wider than its picture";
-  EXPECT_EQ(contactSheet(cells, style).width, 2 * (textWidth(cells[1].label, style.text_px) + 8) + 8);
-}
-
 TEST(FalseColour, Differences) {
   EXPECT_EQ(absoluteDifference(one({0.5f, 0.25f, 0}), one({0.25f, 0.5f, 0}), 2).values,
             (std::vector<float>{0.5f, 0.5f, 0}));
