@@ -13,6 +13,10 @@
 ---| "constant" | "still" | "brief" | "mirrored" | "shifted" | "reversed" | "convex" | "uniform" | "linear" | "scaled"
 ---| "converging" | "unmasked" | "finite" | "permuted"
 
+---What a parameter is, for commands that ask without knowing its name; at most one of each in a pipeline.
+---@alias strobe.Role
+---| "tile" | "sample_count" | "reach" | "depth_tolerance" | "jitter" | "shading" | "sample_times" | "regions"
+
 ---@class strobe.Param A declared parameter.
 
 ---A number or true/false: the default first, `{ 20, min = 1, max = 256, unit = "px", doc = "side of a tile" }`.
@@ -23,6 +27,7 @@
 ---@field max? number largest value; every int and float has one
 ---@field unit? string "px", "m", "image widths"
 ---@field doc string what it means
+---@field role? strobe.Role what it is
 ---@field variant? boolean compiled into the shader instead of passed to it (int and float)
 
 ---The choices in order, `{ "a", "b", default = "b", doc = "which" }`; the first is the default of the default.
@@ -31,6 +36,7 @@
 ---@field default? string one of them
 ---@field unit? string
 ---@field doc string what it means
+---@field role? strobe.Role what it is
 ---@field values? table<string, string> what each choice does, and where it fails
 ---@field breaks? table<string, table<strobe.Invariant, string>> invariants that a choice breaks, each with the reason
 
@@ -139,12 +145,18 @@ function pass.choice(t) end
 ---@class strobe.PipelineTable
 ---@field doc string what it computes, and whose method it is
 ---@field params? table<string, strobe.Param>
----@field presets? table<string, table<string, boolean|number|string>> values by parameter; adds the parameter `preset`
+---@field kind? "method"|"sharp"|"truth" draws the capture as it is, or what is true (with an output `error`); default "method"
+---@field presets? table<string, strobe.Preset> by name, for `--set preset=NAME`
 ---@field default_preset? string without it the default is "none"
 ---@field breaks? table<strobe.Invariant, string> invariants that do not hold, whatever its values, each with the reason
 ---@field compare_with? string a pipeline that is no nearer to the truth than this one
 ---@field equals? strobe.EqualTable[] values under which another pipeline gives the same picture, bit for bit
+---@field regions? table<string, string> outputs that are masks in which errors are measured: what is in each
 ---@field build fun(p: table<string, strobe.Parameter>): table<string, strobe.Image> the images; `color` is required
+
+---@class strobe.Preset
+---@field doc string what it is for
+---@field set table<string, boolean|number|string> values by parameter
 
 ---@class strobe.EqualTable
 ---@field when table<string, boolean|number|string> values of parameters

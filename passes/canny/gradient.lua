@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Gradients of the smoothed depth and normal; first step of the edge detector canny. Canny 1986.
 local pass       = require "strobe.pass"
-local edge_ports = require "scripts.pipelines.lib.edge_ports"
+local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
   name   = "canny_gradient",

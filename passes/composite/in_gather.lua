@@ -2,7 +2,8 @@
 -- One gather over both layers: taps that stand for the background read the revealed layer where raster saw something in
 -- front of it.
 local pass   = require "strobe.pass"
-local jitter = require "scripts.pipelines.lib.jitter"
+local blur   = require "passes.lib.blur"
+local jitter = require "passes.lib.jitter"
 
 return pass.compute {
   name   = "in_gather",
@@ -29,11 +30,10 @@ return pass.compute {
   },
   writes = { blurred = { format = "rgba32f", doc = "linear; alpha 1" } },
   params = {
-    samples      = pass.int { 16, min = 1, max = 1024, doc = "time samples" },
-    tile         = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
-    limit        = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
-    depth_extent = pass.float { 0.01, min = 1e-6, max = 1,
-      doc = "share of the depth over which two depths count as one" },
+    samples      = blur.samples { doc = "time samples" },
+    tile         = blur.tile,
+    limit        = blur.limit,
+    depth_extent = blur.depth_extent,
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
   },

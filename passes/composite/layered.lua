@@ -1,7 +1,8 @@
 -- SPDX-License-Identifier: MIT
 -- Per-time layered composite of what raster saw and what was revealed behind it.
 local pass   = require "strobe.pass"
-local jitter = require "scripts.pipelines.lib.jitter"
+local blur   = require "passes.lib.blur"
+local jitter = require "passes.lib.jitter"
 
 return pass.compute {
   name   = "layered",
@@ -33,9 +34,9 @@ return pass.compute {
   },
   writes = { blurred = { format = "rgba32f", doc = "linear; alpha 1" } },
   params = {
-    samples      = pass.int { 16, min = 1, max = 1024, doc = "time samples" },
-    tile         = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
-    limit        = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
+    samples      = blur.samples { doc = "time samples" },
+    tile         = blur.tile,
+    limit        = blur.limit,
     harvest      = pass.bool { true, doc = "also try the displacements met along the dominant one" },
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,

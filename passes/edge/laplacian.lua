@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Edges from second differences of inverse depth and normal. Marr and Hildreth 1980.
 local pass       = require "strobe.pass"
-local edge_ports = require "scripts.pipelines.lib.edge_ports"
+local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
   name   = "edge_laplacian",

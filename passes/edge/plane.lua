@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Edges where a surface leaves its plane or its normal steps.
 local pass       = require "strobe.pass"
-local edge_ports = require "scripts.pipelines.lib.edge_ports"
+local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
   name   = "edge_plane",

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Silhouettes between instances that stand off the plane of what is in front.
 local pass       = require "strobe.pass"
-local edge_ports = require "scripts.pipelines.lib.edge_ports"
+local edge_ports = require "passes.lib.edge_ports"
 
 return pass.compute {
   name   = "edge_silhouette",

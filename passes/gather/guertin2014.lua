@@ -1,8 +1,9 @@
 -- SPDX-License-Identifier: MIT
 -- Guertin, McGuire and Nowrouzezahrai 2014, "A Fast and Stable Feature-Aware Motion Blur Filter", for any anchor.
 local pass   = require "strobe.pass"
-local jitter = require "scripts.pipelines.lib.jitter"
-local stored = require "scripts.pipelines.lib.stored"
+local blur   = require "passes.lib.blur"
+local jitter = require "passes.lib.jitter"
+local stored = require "passes.lib.stored"
 
 local every_other = "of an even number of samples to both sides every other one is taken, counted from one end, as published"
 local stands = "which tile a pixel looks in is drawn on the screen: that is neither mirrored nor moved with what is seen"
@@ -31,18 +32,17 @@ return pass.compute {
   writes = { blurred = { format = stored.color,
     doc = "linear, times alpha; alpha below 1 only over something revealed" } },
   params = {
-    samples      = pass.int { 16, min = 1, max = 1024, doc = "taps along both directions together" },
-    directions   = pass.choice { "one", "two", default = "two", doc = "along how many directions taps are taken",
+    samples      = blur.samples { doc = "taps along both directions together" },
+    directions   = blur.directions { default = "two",
       values = {
         one = "All along the dominant displacement. Fails where things cross it: they stay sharp.",
         two = "Every other one along a second direction: the pixel's own, or across the dominant one where the pixel "
           .. "is at rest. Fails by halving the samples of each.",
       },
       breaks = { two = { reversed = every_other } } },
-    tile         = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
-    limit        = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
-    depth_extent = pass.float { 0.01, min = 1e-6, max = 1,
-      doc = "share of the depth over which two depths count as one" },
+    tile         = blur.tile,
+    limit        = blur.limit,
+    depth_extent = blur.depth_extent,
     kappa        = pass.float { 40, min = 1e-3, max = 1e6,
       doc = "the pixel itself weighs samples / (kappa * its radius): larger hides what is at rest under blur" },
     gamma        = pass.float { 1.5, min = 1e-3, max = 1024, unit = "px",

@@ -1,8 +1,9 @@
 -- SPDX-License-Identifier: MIT
 -- Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare", for any anchor.
 local pass   = require "strobe.pass"
-local jitter = require "scripts.pipelines.lib.jitter"
-local stored = require "scripts.pipelines.lib.stored"
+local blur   = require "passes.lib.blur"
+local jitter = require "passes.lib.jitter"
+local stored = require "passes.lib.stored"
 
 return pass.compute {
   name   = "gather_jimenez2014",
@@ -25,16 +26,16 @@ return pass.compute {
   writes = { blurred = { format = stored.color,
     doc = "linear, times alpha; alpha below 1 only over something revealed" } },
   params = {
-    samples      = pass.int { 16, min = 1, max = 1024, doc = "taps along the displacement, at most" },
+    samples      = blur.samples { doc = "taps along the displacement, at most" },
     count        = pass.choice { "fixed", "adaptive", default = "fixed", doc = "how many of them are taken",
       values = {
         fixed = "All of them at every pixel. Fails by reading pixels several times where the displacement is short.",
         adaptive = "The largest even number of pixels in the displacement, at least 2. Fails for displacements of a "
           .. "few pixels, which 2 taps show as copies.",
       } },
-    tile         = pass.int { 16, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
-    limit        = pass.float { 0.05, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
-    depth_extent = pass.float { 0.01, min = 1e-6, max = 1, doc = "share of the depth over which order is undecided" },
+    tile         = blur.tile { 16 },
+    limit        = blur.limit { 0.05 },
+    depth_extent = blur.depth_extent { doc = "share of the depth over which order is undecided" },
     mirror       = pass.bool { true, doc = "the nearer and faster tap of a pair gives both their weight" },
     direction    = pass.choice { "none", "projected", "cosine", "opposing", default = "none",
       doc = "what a tap spreads counts by how it moves relative to the dominant displacement",

@@ -1,8 +1,9 @@
 -- SPDX-License-Identifier: MIT
 -- McGuire, Hennessy, Bukowski and Osman 2012, "A Reconstruction Filter for Plausible Motion Blur", for any anchor.
 local pass   = require "strobe.pass"
-local jitter = require "scripts.pipelines.lib.jitter"
-local stored = require "scripts.pipelines.lib.stored"
+local blur   = require "passes.lib.blur"
+local jitter = require "passes.lib.jitter"
+local stored = require "passes.lib.stored"
 
 local every_other = "of an even number of samples to both sides every other one is taken, counted from one end"
 
@@ -30,18 +31,17 @@ return pass.compute {
   writes = { blurred = { format = stored.color,
     doc = "linear, times alpha; alpha below 1 only over something revealed" } },
   params = {
-    samples      = pass.int { 16, min = 1, max = 1024, doc = "taps along the displacement" },
-    directions   = pass.choice { "one", "two", default = "one", doc = "along how many directions taps are taken",
+    samples      = blur.samples { doc = "taps along the displacement" },
+    directions   = blur.directions {
       values = {
         one = "All along the dominant displacement, as published. Fails where things cross it: they blur along it.",
         two = "Every other one along the pixel's own, or across the dominant one where the pixel is at rest. Fails "
           .. "by spreading what moves one way along the other, since weights know distances, not directions.",
       },
       breaks = { two = { reversed = every_other } } },
-    tile         = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
-    limit        = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
-    depth_extent = pass.float { 0.01, min = 1e-6, max = 1,
-      doc = "share of the depth over which two depths count as one" },
+    tile         = blur.tile,
+    limit        = blur.limit,
+    depth_extent = blur.depth_extent,
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
     color_format = stored.color_format,

@@ -1,8 +1,9 @@
 -- SPDX-License-Identifier: MIT
 -- Time-uniform gather: a tap counts as 1/N of the exposure if its own motion passes over the pixel, else not at all.
 local pass   = require "strobe.pass"
-local jitter = require "scripts.pipelines.lib.jitter"
-local stored = require "scripts.pipelines.lib.stored"
+local blur   = require "passes.lib.blur"
+local jitter = require "passes.lib.jitter"
+local stored = require "passes.lib.stored"
 
 return pass.compute {
   name   = "gather_uniform",
@@ -26,11 +27,10 @@ return pass.compute {
   writes = { blurred = { format = stored.color,
     doc = "linear, times alpha; alpha below 1 only over something revealed" } },
   params = {
-    samples      = pass.int { 16, min = 1, max = 1024, doc = "taps along the displacement" },
-    tile         = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
-    limit        = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
-    depth_extent = pass.float { 0.01, min = 1e-6, max = 1,
-      doc = "share of the depth over which two depths count as one" },
+    samples      = blur.samples { doc = "taps along the displacement" },
+    tile         = blur.tile,
+    limit        = blur.limit,
+    depth_extent = blur.depth_extent,
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
     color_format = stored.color_format,

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Pixels that, displaced by their motion, lie on another and farther instance. Tan, Cui and Bhojan 2020, Ray Mask.
 local pass = require "strobe.pass"
+local blur = require "passes.lib.blur"
 
 return pass.compute {
   name   = "mask_candidate",
@@ -19,8 +20,7 @@ return pass.compute {
   params = {
     min_displacement = pass.float { 0.5, min = 0, max = 1000, unit = "px", doc = "slower pixels are at rest" },
     depth_margin     = pass.float { 0.01, min = 0, max = 1, doc = "share of the depth by which farther is farther" },
-    limit            = pass.float { 0.1, min = 0, max = 10, unit = "image widths",
-      doc = "longest displacement handled" },
+    limit            = blur.limit,
     taps             = pass.int { 1, min = 1, max = 64, doc = "positions along the displacement that are tested" },
   },
   counters = { off_screen = "displaced positions outside of the picture, taken as candidates" },

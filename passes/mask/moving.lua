@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Pixels that move, or near which something moves.
 local pass = require "strobe.pass"
+local blur = require "passes.lib.blur"
 
 return pass.compute {
   name   = "mask_moving",
@@ -16,7 +17,7 @@ return pass.compute {
   },
   writes = { mask = { format = "r8_unorm", doc = "1 where something is to be revealed" } },
   params = {
-    tile             = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
+    tile             = blur.tile,
     min_displacement = pass.float { 0.5, min = 0, max = 1000, unit = "px", doc = "slower pixels are at rest" },
   },
 }

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- The distinct displacements around each tile; second step of the relative mask.
 local pass = require "strobe.pass"
+local blur = require "passes.lib.blur"
 
 local function pair(doc) return { format = "rgba32f", doc = doc } end
 
@@ -19,7 +20,7 @@ return pass.compute {
     motions_3 = pair "seventh and eighth",
   },
   params = {
-    tile  = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
-    limit = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
+    tile  = blur.tile,
+    limit = blur.limit,
   },
 }

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Moving pixels from which an edge lies within their displacement. Tan, Cui and Bhojan 2020, Ray Mask.
 local pass = require "strobe.pass"
+local blur = require "passes.lib.blur"
 
 return pass.compute {
   name   = "mask_range_check",
@@ -18,8 +19,7 @@ return pass.compute {
   writes = { mask = { format = "r8_unorm", doc = "1 where something is to be revealed" } },
   params = {
     min_displacement = pass.float { 0.5, min = 0, max = 1000, unit = "px", doc = "slower pixels are at rest" },
-    limit            = pass.float { 0.1, min = 0, max = 10, unit = "image widths",
-      doc = "longest displacement handled" },
+    limit            = blur.limit,
     taps             = pass.int { 0, min = 0, max = 1024, doc = "steps along the displacement; 0 = one per pixel" },
     own_edge         = pass.bool { true, doc = "the first edge met must belong to the pixel's own instance" },
   },

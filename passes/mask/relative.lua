@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Pixels that hide something which the exposure uncovers, by the motion of foreground and background to each other.
 local pass = require "strobe.pass"
+local blur = require "passes.lib.blur"
 
 local motions = { doc = "two displacements per tile, px over the exposure; 1e9 = none" }
 
@@ -20,8 +21,8 @@ return pass.compute {
   },
   writes = { mask = { format = "r8_unorm", doc = "1 where something is to be revealed" } },
   params = {
-    tile   = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
-    limit  = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
+    tile   = blur.tile,
+    limit  = blur.limit,
     match  = pass.float { 0.25, min = 0, max = 10,
       doc = "share of the relative motion by which a background may differ" },
     margin = pass.int { 1, min = 0, max = 64, unit = "px", doc = "how much farther than the relative motion to look" },

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Two displacements that stand for all in a tile; first step of the relative mask.
 local pass = require "strobe.pass"
+local blur = require "passes.lib.blur"
 
 return pass.compute {
   name   = "mask_tile_motions",
@@ -11,7 +12,7 @@ return pass.compute {
   reads  = { velocity = { doc = "px over the exposure" } },
   writes = { motions = { format = "rgba32f", doc = "two displacements, px over the exposure" } },
   params = {
-    tile  = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
-    limit = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement handled" },
+    tile  = blur.tile,
+    limit = blur.limit,
   },
 }

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- The geometry buffer, derived from what each pixel sees by the functions that rays use too.
 local pass   = require "strobe.pass"
-local stored = require "scripts.pipelines.lib.stored"
+local stored = require "passes.lib.stored"
 
 return pass.compute {
   name   = "gbuffer",

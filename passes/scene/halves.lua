@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- The two-sided split of a layer's motion: its displacements before and after the capture.
 local pass   = require "strobe.pass"
-local stored = require "scripts.pipelines.lib.stored"
+local stored = require "passes.lib.stored"
 
 return pass.compute {
   name   = "halves",

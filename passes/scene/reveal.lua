@@ -4,7 +4,7 @@
 local pass    = require "strobe.pass"
 local gbuffer = require "passes.scene.gbuffer"
 local shade   = require "passes.scene.shade"
-local stored  = require "scripts.pipelines.lib.stored"
+local stored  = require "passes.lib.stored"
 
 return pass.trace {
   name   = "reveal",

@@ -2,7 +2,8 @@
 -- Joint upsampling of a revealed layer that has one ray per 2x2 pixels.
 -- Source: Kopf, Cohen, Lischinski, Uyttendaele, "Joint Bilateral Upsampling", SIGGRAPH 2007; guided by ids and depths.
 local pass   = require "strobe.pass"
-local stored = require "scripts.pipelines.lib.stored"
+local blur   = require "passes.lib.blur"
+local stored = require "passes.lib.stored"
 
 return pass.compute {
   name   = "reveal_upsample",
@@ -33,8 +34,7 @@ return pass.compute {
     velocity_format = stored.velocity_format,
     color_format    = stored.color_format,
     depth_encoding  = stored.depth_encoding,
-    depth_extent = pass.float { 0.01, min = 1e-6, max = 1,
-      doc = "share of the depth over which two depths count as one surface" },
+    depth_extent = blur.depth_extent { doc = "share of the depth over which two depths count as one surface" },
   },
   counters = {
     unmatched = "masked pixels near which no ray revealed what lies behind their own surface",

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Deferred shading of what each pixel sees, with traced shadows.
 local pass   = require "strobe.pass"
-local stored = require "scripts.pipelines.lib.stored"
+local stored = require "passes.lib.stored"
 
 return pass.trace {
   name   = "shade",
@@ -19,7 +19,7 @@ return pass.trace {
   },
   params = {
     color_format = stored.color_format,
-    shading = pass.choice { "frozen", "full", default = "frozen",
+    shading = pass.choice { "frozen", "full", default = "frozen", role = "shading",
       doc = "pose at which points are shaded: the capture's, or the node's own time",
       values = {
         frozen = "As at the capture, whenever the point is seen: what filters of one picture can know. Fails where " ..

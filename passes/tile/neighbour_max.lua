@@ -2,6 +2,7 @@
 -- The longest displacement that can reach each tile. McGuire et al. 2012, section 2.2; off-axis rule: Guertin et al.
 -- 2014.
 local pass = require "strobe.pass"
+local blur = require "passes.lib.blur"
 
 return pass.compute {
   name   = "neighbour_max",
@@ -19,8 +20,8 @@ return pass.compute {
     second   = { format = "rg32f", doc = "what differs most from it, px over the exposure; dominant if nothing does" },
   },
   params = {
-    tile  = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
-    limit = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement filters handle" },
+    tile  = blur.tile,
+    limit = blur.limit,
     rule  = pass.choice { "reach", "sign", "all", default = "reach", doc = "which of the tiles around count",
       values = {
         reach = "Those whose box moves over this one within the exposure. Fails for a slow pixel of a tile whose "

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- The longest displacement of each tile, of one layer or of the union of two. McGuire et al. 2012, section 2.2.
 local pass = require "strobe.pass"
+local blur = require "passes.lib.blur"
 
 return pass.compute {
   name   = "tile_max",
@@ -16,8 +17,8 @@ return pass.compute {
   },
   writes = { longest = { format = "rg32f", doc = "px over the exposure; of equal lengths the first in raster order" } },
   params = {
-    tile  = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
-    limit = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement filters handle" },
+    tile  = blur.tile,
+    limit = blur.limit,
   },
   counters = { clamped = {
     doc   = "pixels (of either layer) that move farther than the limit",

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- The length of the shortest displacement of each tile. Guertin et al. 2014; Jimenez 2014.
 local pass = require "strobe.pass"
+local blur = require "passes.lib.blur"
 
 return pass.compute {
   name   = "tile_min",
@@ -14,7 +15,7 @@ return pass.compute {
   },
   writes = { shortest = { format = "r32f", doc = "px over the exposure; a tile where nothing counts has the limit" } },
   params = {
-    tile  = pass.int { 40, min = 1, max = 1024, unit = "px", doc = "side of a tile" },
-    limit = pass.float { 0.1, min = 0, max = 10, unit = "image widths", doc = "longest displacement filters handle" },
+    tile  = blur.tile,
+    limit = blur.limit,
   },
 }

@@ -26,7 +26,7 @@ return pass.trace {
   },
   counters = { not_finite = shade.counters.not_finite },
   params = {
-    shading = pass.choice { "frozen", "full", default = "frozen",
+    shading = shade.params.shading {
       doc = "pose at which points are shaded: the capture's (what a blur filter can reach), or the sample's own time" },
     pixel   = pass.choice { "centre", "box", default = "centre",
       doc = "sample positions: the centre, or all over the pixel" },

@@ -29,17 +29,6 @@ void collect(std::vector<std::string>& problems, const Step& step) {
   }
 }
 
-plan::PipelineDesc checkPipeline(const Home& home, const std::string& name, const script::Settings& sets,
-                                 std::set<std::string>& checked) {
-  plan::PipelineDesc pipeline = script::evaluatePipeline(home, {name, sets});
-  lab::Shot shot;
-  shot.width = 64;
-  shot.height = 36;
-  for (graph::Backend backend : {graph::Backend::Query, graph::Backend::Pipeline})
-    graph::checkShaders(home, lab::planOf(shot, pipeline, backend), backend, checked);
-  return pipeline;
-}
-
 // Does it choose among the files of a folder of passes?
 bool choosesPasses(const Home& home, const plan::ParamDesc& param) {
   std::set<Path> folders;
@@ -58,22 +47,53 @@ script::Settings with(script::Settings sets, const std::string& name, const std:
 }
 
 // Every preset of a pipeline is a graph of its own, and in each of them every pass that can be chosen.
-void checkShapes(const Home& home, const std::string& name, std::set<std::string>& checked,
-                 std::vector<std::string>& problems) {
-  collect(problems, [&] {
-    plan::PipelineDesc pipeline = checkPipeline(home, name, {}, checked);
-    std::vector<script::Settings> presets;
+std::vector<script::PipelineRequest> shapesOf(const Home& home, const std::string& name,
+                                              const plan::PipelineDesc& pipeline) {
+  std::vector<script::Settings> presets;
+  for (const auto& preset : pipeline.presets) presets.push_back({{plan::kPresetSetting, preset.name}});
+  if (presets.empty()) presets.push_back({});
+  std::vector<script::PipelineRequest> shapes;
+  for (const script::Settings& preset : presets) {
+    bool known = preset.empty() || preset.front().second == plan::Value(pipeline.preset);
+    if (!known) shapes.push_back({name, preset});
     for (const auto& param : pipeline.params)
-      for (const std::string& choice : param.choices)
-        if (param.name == "preset") presets.push_back({{"preset", choice}});
-    if (presets.empty()) presets.push_back({});
-    for (const script::Settings& preset : presets) {
-      collect(problems, [&] { checkPipeline(home, name, preset, checked); });
-      for (const auto& param : pipeline.params)
-        for (const std::string& choice : choosesPasses(home, param) ? param.choices : std::vector<std::string>())
-          collect(problems, [&] { checkPipeline(home, name, with(preset, param.name, choice), checked); });
-    }
-  });
+      for (const std::string& choice : choosesPasses(home, param) ? param.choices : std::vector<std::string>())
+        shapes.push_back({name, with(preset, param.name, choice)});
+  }
+  return shapes;
+}
+
+// Plans what was evaluated, and notes which shaders that needs.
+void addPlans(plan::PipelineDesc pipeline, graph::ShaderCheck& shaders) {
+  lab::Shot shot;
+  shot.width = 64;
+  shot.height = 36;
+  for (graph::Backend backend : {graph::Backend::Query, graph::Backend::Pipeline})
+    shaders.add(lab::planOf(shot, pipeline, backend), backend);
+}
+
+// Checks pipelines and, of those that are sound, with `shapes` each shape too.
+void checkPipelines(const Home& home, const std::vector<script::PipelineRequest>& requests, bool shapes,
+                    std::vector<std::string>& problems) {
+  graph::ShaderCheck shaders(home);
+  std::vector<script::PipelineRequest> more;
+  auto all = script::evaluatePipelines(home, requests);
+  for (size_t i = 0; i < all.size(); ++i)
+    collect(problems, [&] {
+      plan::PipelineDesc pipeline = all[i].take();
+      addPlans(pipeline, shaders);
+      std::vector<script::PipelineRequest> own;
+      if (shapes) own = shapesOf(home, requests[i].name_or_path, pipeline);
+      more.insert(more.end(), own.begin(), own.end());
+    });
+  for (auto& shape : script::evaluatePipelines(home, more)) collect(problems, [&] { addPlans(shape.take(), shaders); });
+  for (const std::string& problem : shaders.run()) collect(problems, [&] { throw Error(problem); });
+}
+
+void checkScenes(const Home& home, const std::vector<std::string>& names, std::vector<std::string>& problems) {
+  auto scenes = script::evaluateScenes(home, names);
+  for (size_t i = 0; i < scenes.size(); ++i)
+    collect(problems, [&] { scene::checkScene(scenes[i].take(), names[i], lab::suggestions()); });
 }
 
 // Everything in scripts/pipelines by name, and what looks into a picture, in scripts/inspect, by path.
@@ -102,13 +122,10 @@ void check(const Home& home, const CheckOptions& options) {
     collect(problems, [&] { script::evaluateAllPasses(home); });
     scenes = script::sceneNames(home);
   }
-  std::set<std::string> checked;
-  for (const std::string& name : pipelines) {
-    if (sets.empty()) checkShapes(home, name, checked, problems);
-    else collect(problems, [&] { checkPipeline(home, name, sets, checked); });
-  }
-  for (const std::string& name : scenes)
-    collect(problems, [&] { scene::sceneFromJson(script::evaluateScene(home, name, {}), name, lab::suggestions()); });
+  std::vector<script::PipelineRequest> requests;
+  for (const std::string& name : pipelines) requests.push_back({name, sets});
+  checkPipelines(home, requests, sets.empty(), problems);
+  checkScenes(home, scenes, problems);
   if (options.json) {
     Json report;
     report["pipelines"] = pipelines;

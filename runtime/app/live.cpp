@@ -12,7 +12,7 @@ namespace {
 
 struct Options {
   ShotOptions shot;
-  std::string versus, truth = "ground_truth", out = "out/live", window = "1400x900", drive, tev;
+  std::string versus, truth, out = "out/live", window = "1400x900", drive, tev;
   std::vector<std::string> versus_sets;
   double time_limit_s = 10;
 };
@@ -54,8 +54,9 @@ void registerLive(CLI::App& program, const Home& home) {
   command->add_option("--vs", options->versus, "a second pipeline to compare with, under the same clock and camera");
   command->add_option("--vs-set", options->versus_sets, "PARAM=VALUE of that pipeline, NODE.PARAM=VALUE of a pass")
       ->allow_extra_args(false);
-  command->add_option("--truth", options->truth, "the pipeline that errors are measured against")
-      ->capture_default_str();
+  command->add_option(
+      "--truth", options->truth,
+      "the pipeline that errors are measured against (default: the one that declares kind = \"truth\")");
   command->add_option("--window", options->window, "WIDTHxHEIGHT of the window in pixels")->capture_default_str();
   command->add_option("-o,--out", options->out, "folder for what is saved")->capture_default_str();
   command->add_option("--drive", options->drive, "a file of commands that drives the window");

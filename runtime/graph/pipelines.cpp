@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/cores.h"
 #include "base/hash.h"
 #include "shared/scene.h"
 
@@ -150,7 +151,7 @@ static void requireFiles(const Home& home, const PassDesc& pass) {
 
 static Path backendFile(const Home& home, const char* name) { return home.at(Path("shaders/backend") / name); }
 
-// The SPIR-V of a pass's stages, in the order that `make` and `checkShaders` expect.
+// The SPIR-V of a pass's stages, in the order that `make` and `compileAlone` expect.
 static std::vector<shader::Compiled> compileStages(const Home& home, const shader::Interface& in,
                                                    const PassDesc& pass) {
   requireFiles(home, pass);
@@ -233,23 +234,32 @@ PassCode compileAlone(const Home& home, const shader::Interface& in, const PassD
   return code;
 }
 
-void checkShaders(const Home& home, const plan::Plan& plan, Backend backend, std::set<std::string>& checked) {
-  std::vector<std::string> problems;
+void ShaderCheck::add(const plan::Plan& plan, Backend backend) {
   for (const plan::PlanNode& node : plan.nodes) {
     const PassDesc& pass = plan.pipeline.passes[size_t(node.pass)];
     shader::Interface in = interfaceOf(plan, node, backend, SLICE_SAMPLE + 1);
-    try {
-      requireFiles(home, pass);
-      if (!checked.insert(contentKey(home, in, pass)).second) continue;
-      compileStages(home, in, pass);
-      for (std::string& line : unusedNames(home, in, shaderFiles(home, pass))) problems.push_back(std::move(line));
-    } catch (const Error& error) {
-      problems.push_back(error.what());
-    }
+    std::string key = fmt::format("{}|{}|{}|{}", pass.name, pass.shader, int(pass.kind), textOf(in));
+    if (noted_.insert(key).second) jobs_.push_back({in, pass});
   }
-  std::sort(problems.begin(), problems.end());
-  problems.erase(std::unique(problems.begin(), problems.end()), problems.end());
-  throwIfAny(problems);
+}
+
+// What is wrong with one pass as it is compiled for one node.
+static std::vector<std::string> problemsOf(const Home& home, const shader::Interface& in, const PassDesc& pass) {
+  try {
+    compileStages(home, in, pass);
+    return unusedNames(home, in, shaderFiles(home, pass));
+  } catch (const Error& error) {
+    return {error.what()};
+  }
+}
+
+std::vector<std::string> ShaderCheck::run() {
+  std::vector<std::vector<std::string>> found(jobs_.size());
+  forEachOnAllCores(jobs_.size(), [&](size_t i) { found[i] = problemsOf(home_, jobs_[i].interface, jobs_[i].pass); });
+  jobs_.clear();
+  std::set<std::string> problems;
+  for (const auto& some : found) problems.insert(some.begin(), some.end());
+  return {problems.begin(), problems.end()};
 }
 
 std::shared_ptr<const NodePipeline> PipelineCache::get(const shader::Interface& in, const PassDesc& pass,

@@ -47,9 +47,24 @@ PassCode compileAlone(const Home& home, const shader::Interface& interface, cons
 // (choices, switches, optional reads) all combinations of their values, the rest as declared.
 std::vector<shader::Interface> interfacesOf(const plan::PassDesc& pass, Backend backend);
 
-// Compiles every node's shaders without a device; throws `Error` with all problems of all passes. `checked` remembers
-// what has been looked at, by content, from call to call.
-void checkShaders(const Home& home, const plan::Plan& plan, Backend backend, std::set<std::string>& checked);
+// Compiles shaders without a device, each variant of each pass once, on all cores.
+class ShaderCheck {
+ public:
+  explicit ShaderCheck(Home home) : home_(std::move(home)) {}
+  // Notes what the plan's nodes need that has not been noted before.
+  void add(const plan::Plan& plan, Backend backend);
+  // Compiles what was noted since the last call; all problems of all passes, sorted, each once.
+  std::vector<std::string> run();
+
+ private:
+  struct Job {
+    shader::Interface interface;
+    plan::PassDesc pass;
+  };
+  Home home_;
+  std::vector<Job> jobs_;
+  std::set<std::string> noted_;
+};
 
 // Pipelines by the content they come from: the same text compiled the same way is the same pipeline, so nothing stale
 // can be served and nothing is compiled twice. Of those no longer in use, the last few hundred are kept.

@@ -11,7 +11,7 @@ namespace strobe::lab {
 
 std::string identityOf(const plan::Plan& plan) {
   Json json = plan::toJson(plan);
-  for (const char* key : {"values", "pipeline", "culled"}) json.erase(key);
+  for (const char* key : {"values", "preset", "pipeline", "culled"}) json.erase(key);
   return json.dump();
 }
 
@@ -69,6 +69,12 @@ Evaluated Batch::evaluate(const std::string& pipeline, const script::Settings& s
   script::Settings of_pipeline = ofPipeline(sets);
   std::shared_ptr<const Evaluation> evaluation = derived(pipeline, of_pipeline);
   return derived_[key] = evaluation ? evaluatedAs(evaluation) : byScripts(pipeline, of_pipeline);
+}
+
+const std::string& Batch::nameOf(plan::PipelineDesc::Kind kind) {
+  std::string& name = names_[kind];
+  if (name.empty()) name = script::pipelineOfKind(bench_.home(), kind, bench_.limits);
+  return name;
 }
 
 Shot Batch::filled(const Shot& shot) {

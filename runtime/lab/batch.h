@@ -50,6 +50,8 @@ class Batch {
   // A pipeline with those of `sets` that are not the scene's. Settings that decide nothing but numbers are put into the
   // description without running scripts.
   Evaluated evaluate(const std::string& pipeline, const script::Settings& sets);
+  // The pipeline of the registry that declares this kind: what the capture sees without blur, what is true.
+  const std::string& nameOf(plan::PipelineDesc::Kind kind);
   // The shot with what its scene suggests.
   Shot filled(const Shot& shot);
   // Throws `Refusal`, or `Error` for what cannot be loaded or built; so do the following.
@@ -92,6 +94,7 @@ class Batch {
 
   Workbench& bench_;
   std::map<std::string, Evaluated> by_scripts_, derived_;
+  std::map<plan::PipelineDesc::Kind, std::string> names_;
   std::map<std::string, KnownPlan> plans_;
   std::list<std::unique_ptr<Drawing>> drawings_;  // used last first
   std::map<std::string, std::shared_ptr<const image::Image>> colors_;

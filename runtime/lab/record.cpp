@@ -39,6 +39,7 @@ Json makeRecord(const RecordContext& c, const graph::FrameResult& frame) {
   record["shot"] = toJson(c.shot);
   Json& pipeline = record["pipeline"];
   pipeline["name"] = plan.pipeline.name;
+  if (!plan.pipeline.preset.empty()) pipeline["preset"] = plan.pipeline.preset;
   for (const auto& [name, value] : plan.pipeline.values) pipeline["values"][name] = plan::toJson(value);
   for (const auto& node : plan.nodes)
     for (const auto& [name, value] : node.params)

@@ -231,11 +231,9 @@ std::vector<PassDesc> allPasses(const Home& home) {
 
 Presets presetsOf(const Home& home, const PipelineDesc& pipeline) {
   Presets presets;
-  for (const ParamDesc& param : pipeline.params) {
-    if (param.name != "preset") continue;
-    for (const std::string& choice : param.choices)
-      presets.push_back({choice, script::evaluatePipeline(home, {pipeline.name, {{"preset", choice}}})});
-  }
+  for (const plan::PresetDesc& preset : pipeline.presets)
+    presets.push_back(
+        {preset.name, script::evaluatePipeline(home, {pipeline.name, {{plan::kPresetSetting, preset.name}}})});
   return presets;
 }
 
@@ -243,6 +241,15 @@ std::string valueIn(const PipelineDesc& pipeline, const std::string& name) {
   for (const auto& [other, value] : pipeline.values)
     if (other == name) return shown(value);
   return "";
+}
+
+// What each preset is for.
+std::string presetList(const PipelineDesc& pipeline) {
+  if (pipeline.presets.empty()) return "";
+  Table table{"", {"`--set preset=`", "what it is", ""}};
+  for (const plan::PresetDesc& preset : pipeline.presets)
+    table.add({code(preset.name), preset.doc, preset.is_default ? "the default" : ""});
+  return tableText(table);
 }
 
 // What the presets set: parameters of which any preset has another value than the declared default.
@@ -253,9 +260,9 @@ std::string presetsText(const PipelineDesc& pipeline, const Presets& presets) {
     std::vector<std::string> cells = {code(param.name), shown(param.default_value)};
     for (const auto& [name, preset] : presets) cells.push_back(valueIn(preset, param.name));
     bool differs = std::any_of(cells.begin() + 2, cells.end(), [&](const auto& value) { return value != cells[1]; });
-    if (differs && param.name != "preset") table.add({cells.begin(), cells.end()});
+    if (differs) table.add({cells.begin(), cells.end()});
   }
-  return tableText(table);
+  return presetList(pipeline) + tableText(table);
 }
 
 // Parameters of a node that follow none of the pipeline: only `--set node.param=...` changes them.

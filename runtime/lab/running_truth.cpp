@@ -19,18 +19,31 @@ RunningTruth::RunningTruth(Workbench& bench, std::string pipeline, int samples_p
 
 RunningTruth::~RunningTruth() = default;
 
+// Samples at random times, no regions.
+const script::Settings& RunningTruth::settings() {
+  if (!settings_.empty()) return settings_;
+  plan::PipelineDesc pipeline = script::evaluatePipeline(bench_.home(), {pipeline_, {}}, nullptr, bench_.limits);
+  if (!plan::paramOf(pipeline, plan::Role::SampleCount))
+    throw Error(
+        fmt::format("pipeline '{}' cannot be the truth: it has no parameter of the role sample_count", pipeline_));
+  putRole(settings_, pipeline, plan::Role::SampleCount, int64_t(samples_per_step_));
+  putRole(settings_, pipeline, plan::Role::SampleTimes, "stratified");
+  putRole(settings_, pipeline, plan::Role::Regions, false);
+  return settings_;
+}
+
 void RunningTruth::restart(const Shot& shot) {
   steps_ = 0;
   mean_ = {};
   session_.reset();
+  if (pipeline_.empty())
+    pipeline_ = script::pipelineOfKind(bench_.home(), plan::PipelineDesc::Kind::Truth, bench_.limits);
   Shot truth = shot;
   truth.pipeline = pipeline_;
   truth.aa = 1;
   truth.taps.clear();
   truth.sets = sceneSettings(shot.sets);
-  truth.sets.push_back({"samples", int64_t(samples_per_step_)});
-  truth.sets.push_back({"times", "stratified"});
-  truth.sets.push_back({"mark_regions", false});
+  for (const auto& [name, value] : settings()) putSetting(truth.sets, name, value);
   session_ = std::make_unique<Session>(bench_, truth, "running truth");
   seed_ = shot.seed;
 }

@@ -14,8 +14,9 @@ class Session;
 
 class RunningTruth {
  public:
-  // `pipeline` takes `samples`, `times` and `mark_regions`; its output is "color". The bench must outlive this.
-  explicit RunningTruth(Workbench& bench, std::string pipeline = "ground_truth", int samples_per_step = 4);
+  // `pipeline`: "" for the one that declares kind = "truth". It has a parameter of the role sample_count, and may have
+  // those of the roles sample_times and regions; its output is "color". The bench must outlive this.
+  explicit RunningTruth(Workbench& bench, std::string pipeline = "", int samples_per_step = 4);
   ~RunningTruth();
 
   // Forgets everything and starts on another shot (its pipeline's settings are not taken, the scene's are).
@@ -35,10 +36,12 @@ class RunningTruth {
 
  private:
   void add(const image::Image& color);
+  const script::Settings& settings();
 
   Workbench& bench_;
   std::string pipeline_;
   int samples_per_step_ = 0;
+  script::Settings settings_;  // of a step; empty until they are needed
   std::unique_ptr<Session> session_;
   uint32_t seed_ = 0;
   int steps_ = 0;

@@ -73,6 +73,20 @@ static plan::ParamDesc declarationOf(const ShotField& field, const scene::Scene&
   return declared;
 }
 
+// Presets as one choice, which is how they are set.
+static plan::ParamDesc declarationOf(const std::vector<plan::PresetDesc>& presets) {
+  plan::ParamDesc declared;
+  declared.name = plan::kPresetSetting;
+  declared.type = plan::ParamDesc::Type::Choice;
+  declared.doc = "named set of values, which single settings override";
+  for (const plan::PresetDesc& preset : presets) {
+    declared.choices.push_back(preset.name);
+    declared.values.emplace_back(preset.name, preset.doc);
+    if (preset.is_default) declared.default_value = preset.name;
+  }
+  return declared;
+}
+
 // The option that has a value of this name, or is called so itself; or null. `field` (may be null) is the value.
 static const ShotOption* findOption(const std::string& name, const ShotField** field) {
   *field = nullptr;
@@ -232,17 +246,21 @@ std::vector<Control> Session::controls() const {
   }
 
   const plan::PipelineDesc& pipeline = running_->plan().pipeline;
-  std::string preset;
-  for (const auto& [name, value] : pipeline.values)
-    if (const auto* text = std::get_if<std::string>(&value); text && name == "preset") preset = *text;
+  if (!pipeline.presets.empty()) {
+    Control control{declarationOf(pipeline.presets), pipeline.preset, "pipeline",
+                    origin_of(plan::kPresetSetting), pipeline.file,   false};
+    control.set = !control.origin.empty();
+    if (!control.set) control.origin = "default";
+    controls.push_back(control);
+  }
   for (size_t i = 0; i < pipeline.params.size(); ++i) {
     const plan::ParamDesc& declared = pipeline.params[i];
     auto value = std::find_if(pipeline.values.begin(), pipeline.values.end(),
                               [&](const auto& v) { return v.first == declared.name; });
     Control control{declared, value->second, "pipeline", origin_of(declared.name), declared.place.text(), false};
     control.set = !control.origin.empty();
-    bool by_preset = !preset.empty() && !(value->second == declared.default_value);
-    if (!control.set) control.origin = by_preset ? "preset " + preset : "default";
+    bool by_preset = !pipeline.preset.empty() && !(value->second == declared.default_value);
+    if (!control.set) control.origin = by_preset ? "preset " + pipeline.preset : "default";
     controls.push_back(control);
   }
   for (const auto& node : running_->plan().nodes) {

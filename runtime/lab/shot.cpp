@@ -163,4 +163,8 @@ std::string commandOf(const Shot& shot) {
   return line + " -o out.exr";
 }
 
+void putRole(script::Settings& sets, const plan::PipelineDesc& pipeline, plan::Role role, const plan::Value& value) {
+  if (const plan::ParamDesc* param = plan::paramOf(pipeline, role)) putSetting(sets, param->name, value);
+}
+
 }  // namespace strobe::lab

@@ -73,6 +73,9 @@ script::Settings sceneSettings(const script::Settings& sets);
 // Sets `name` among `sets` to `value`, in the place of earlier settings of it.
 void putSetting(script::Settings& sets, const std::string& name, const plan::Value& value);
 
+// The same for the pipeline's parameter of that role; nothing where it has none.
+void putRole(script::Settings& sets, const plan::PipelineDesc& pipeline, plan::Role role, const plan::Value& value);
+
 // ANCHOR_* of shaders/shared/frame.h.
 uint32_t anchorCode(const std::string& anchor);
 

@@ -27,8 +27,8 @@ struct DeskOptions {
   lab::Shot shot;
   std::string versus;            // pipeline of B, or ""
   script::Settings versus_sets;  // of B
-  std::string truth = "ground_truth";
-  Path out;  // pictures are saved here
+  std::string truth;             // what errors are measured against; "" for the pipeline that declares kind = "truth"
+  Path out;                      // pictures are saved here
 };
 
 // What is looked at and how.

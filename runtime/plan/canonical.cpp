@@ -238,6 +238,7 @@ Json toJson(const Plan& plan) {
   Json json;
   json["pipeline"] = plan.pipeline.name;
   json["size"] = {plan.width, plan.height};
+  if (!plan.pipeline.preset.empty()) json["preset"] = plan.pipeline.preset;
   json["values"] = Json::object();
   for (const auto& [name, value] : plan.pipeline.values) json["values"][name] = toJson(value);
   json["nodes"] = Json::array();
@@ -260,7 +261,7 @@ std::string hashOf(const Plan& plan) { return hashText(toJson(plan).dump()); }
 
 std::string shapeOf(const Plan& plan) {
   Json json = toJson(plan);
-  json.erase("values");
+  for (const char* key : {"values", "preset"}) json.erase(key);
   for (size_t i = 0; i < plan.nodes.size(); ++i) {
     for (const ParamDesc& param : passOf(plan, static_cast<int>(i)).params)
       if (!isCompiledIn(param)) json["nodes"][i]["params"].erase(param.name);
@@ -271,6 +272,7 @@ std::string shapeOf(const Plan& plan) {
 
 std::string describe(const Plan& plan) {
   std::string text = fmt::format("pipeline {} at {}x{}\n", plan.pipeline.name, plan.width, plan.height);
+  if (!plan.pipeline.preset.empty()) text += fmt::format("  preset {}\n", plan.pipeline.preset);
   for (const auto& [name, value] : plan.pipeline.values) text += fmt::format("  {} = {}\n", name, toJson(value).dump());
   text += fmt::format("\n{} nodes in order\n", plan.nodes.size()) + orderText(plan);
 

@@ -26,6 +26,39 @@ const std::vector<std::string>& invariantNames() {
   return names;
 }
 
+const std::vector<std::string>& roleNames() {
+  static const std::vector<std::string> names = {"tile",   "sample_count", "reach",        "depth_tolerance",
+                                                 "jitter", "shading",      "sample_times", "regions"};
+  return names;
+}
+
+const std::vector<std::string>& pipelineKindNames() {
+  static const std::vector<std::string> names = {"method", "sharp", "truth"};
+  return names;
+}
+
+std::string roleName(Role role) { return role == Role::None ? "" : roleNames()[static_cast<size_t>(role) - 1]; }
+
+// ---- what a pipeline has
+
+const ParamDesc* paramNamed(const PipelineDesc& pipeline, const std::string& name) {
+  auto found =
+      std::find_if(pipeline.params.begin(), pipeline.params.end(), [&](const auto& p) { return p.name == name; });
+  return found == pipeline.params.end() ? nullptr : &*found;
+}
+
+const ParamDesc* paramOf(const PipelineDesc& pipeline, Role role) {
+  auto found =
+      std::find_if(pipeline.params.begin(), pipeline.params.end(), [&](const auto& p) { return p.role == role; });
+  return found == pipeline.params.end() ? nullptr : &*found;
+}
+
+const Value* valueOf(const PipelineDesc& pipeline, const std::string& name) {
+  for (const auto& [other, value] : pipeline.values)
+    if (other == name) return &value;
+  return nullptr;
+}
+
 // ---- values
 
 Json toJson(const Value& value) {
@@ -200,6 +233,7 @@ static Json paramJson(const ParamDesc& param) {
   if (param.type == ParamDesc::Type::Choice) json["choices"] = param.choices;
   for (const auto& [name, text] : param.values) json["values"][name] = text;
   for (const auto& [value, breaks] : param.breaks) json["breaks"][value] = breaksJson(breaks);
+  if (param.role != Role::None) json["role"] = roleName(param.role);
   json["unit"] = param.unit;
   json["doc"] = param.doc;
   json["variant"] = param.variant;
@@ -289,19 +323,32 @@ static Json equalJson(const EqualDesc& equal) {
   return {{"when", valuesJson(equal.when)}, {"pipeline", equal.pipeline}, {"set", valuesJson(equal.set)}};
 }
 
+static Json presetJson(const PresetDesc& preset) {
+  return {{"name", preset.name},
+          {"doc", preset.doc},
+          {"default", preset.is_default},
+          {"values", valuesJson(preset.values)}};
+}
+
+static Json regionJson(const RegionDesc& region) { return {{"name", region.name}, {"doc", region.doc}}; }
+
 Json toJson(const PipelineDesc& pipeline) {
   Json json = {{"name", pipeline.name}, {"file", pipeline.file}, {"doc", pipeline.doc}};
+  json["kind"] = pipelineKindNames()[static_cast<size_t>(pipeline.kind)];
   if (!pipeline.breaks.empty()) json["breaks"] = breaksJson(pipeline.breaks);
   if (!pipeline.compare_with.empty()) json["compare_with"] = pipeline.compare_with;
   if (!pipeline.equals.empty()) json["equals"] = listOf(pipeline.equals, equalJson);
   json["params"] = listOf(pipeline.params, paramJson);
   if (!pipeline.graph_params.empty()) json["graph_params"] = pipeline.graph_params;
+  if (!pipeline.presets.empty()) json["presets"] = listOf(pipeline.presets, presetJson);
+  if (!pipeline.preset.empty()) json["preset"] = pipeline.preset;
   json["values"] = valuesJson(pipeline.values);
   json["passes"] = listOf(pipeline.passes, [](const PassDesc& pass) { return toJson(pass); });
   json["nodes"] = listOf(pipeline.nodes, nodeJson);
   json["loops"] = listOf(pipeline.loops, loopJson);
   json["outputs"] = Json::object();
   for (const auto& [name, source] : pipeline.outputs) json["outputs"][name] = source;
+  if (!pipeline.regions.empty()) json["regions"] = listOf(pipeline.regions, regionJson);
   return json;
 }
 

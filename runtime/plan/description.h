@@ -30,6 +30,22 @@ const std::vector<std::string>& invariantNames();
 // Invariants that do not hold, by name, each with the reason.
 using Breaks = std::vector<std::pair<std::string, std::string>>;
 
+// What a parameter is, for those that ask without knowing its name: a pipeline has at most one of each.
+enum class Role {
+  None,
+  Tile,            // side of a tile, px
+  SampleCount,     // samples per pixel, along the motion or over the exposure
+  Reach,           // longest displacement handled, in widths of the picture
+  DepthTolerance,  // share of the depth over which two depths count as one
+  Jitter,          // how samples are shifted from pixel to pixel
+  Shading,         // the pose at which points are shaded: "frozen" or "full"
+  SampleTimes,     // where in the exposure samples are: "midpoint" or "stratified"
+  Regions,         // bool: find the regions in which errors are measured
+};
+
+// Their names, but for None, in that order.
+const std::vector<std::string>& roleNames();
+
 // One declaration that feeds validation, the GLSL parameter block, the command line, panels, sweeps and the record.
 struct ParamDesc {
   enum class Type { Bool, Int, Float, Choice };
@@ -42,6 +58,7 @@ struct ParamDesc {
   std::vector<std::pair<std::string, Breaks>> breaks;       // of Choice and Bool: what a value breaks
   std::string unit;                                         // "px", "m", ... or ""
   std::string doc;
+  Role role = Role::None;
   bool variant = false;  // compiled into the shader instead of passed to it (always so for Choice and Bool)
   Place place;
 };
@@ -141,21 +158,55 @@ struct EqualDesc {
   std::string pipeline;
 };
 
+// A named set of values, which single settings override: `--set preset=NAME`.
+struct PresetDesc {
+  std::string name;
+  std::string doc;
+  std::vector<std::pair<std::string, Value>> values;
+  bool is_default = false;  // taken where no preset is named: one of them is, where there are any
+};
+
+// The name of the setting that takes a preset.
+inline constexpr const char* kPresetSetting = "preset";
+
+// An output that is the mask of a region in which errors are measured.
+struct RegionDesc {
+  std::string name;  // of the output
+  std::string doc;   // what is in it
+};
+
 struct PipelineDesc {
-  std::string name;  // "none"
+  // What it is to other pipelines: one of many methods; the capture as it is, without blur; what is true, which has an
+  // output "error", the standard error of its colour per pixel.
+  enum class Kind { Method, Sharp, Truth };
+  std::string name;  // "mine" of mine.lua
   std::string file;  // as shown to people
   std::string doc;
+  Kind kind = Kind::Method;
   Breaks breaks;             // invariants that do not hold, for any of its values
   std::string compare_with;  // a pipeline to which the truth is no nearer than to this one; or ""
   std::vector<EqualDesc> equals;
   std::vector<ParamDesc> params;
   std::vector<std::string> graph_params;  // whose values its scripts looked at: they may have decided the graph
+  std::vector<PresetDesc> presets;
+  std::string preset;                                 // the one that was taken; "" where there are none
   std::vector<std::pair<std::string, Value>> values;  // every pipeline parameter, resolved, in declaration order
   std::vector<PassDesc> passes;                       // each pass in use once
   std::vector<NodeDesc> nodes;                        // in the order of the calls
   std::vector<LoopDesc> loops;
   std::vector<std::pair<std::string, std::string>> outputs;  // output -> "node.port"
+  std::vector<RegionDesc> regions;                           // those of its outputs that are regions
 };
+
+// "method", "sharp", "truth".
+const std::vector<std::string>& pipelineKindNames();
+
+// The pipeline's parameter of that name or role; null where there is none.
+const ParamDesc* paramNamed(const PipelineDesc& pipeline, const std::string& name);
+const ParamDesc* paramOf(const PipelineDesc& pipeline, Role role);
+
+// The value of a parameter of the pipeline; null where there is none.
+const Value* valueOf(const PipelineDesc& pipeline, const std::string& name);
 
 // Both read what another process wrote and so trust nothing: names, references, types and ranges are checked, and
 // `Error` is thrown at the place of the first mistake.

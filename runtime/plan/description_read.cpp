@@ -129,6 +129,7 @@ ParamDesc readParam(const Json& json) {
   param.values = choiceTexts(reader, "values");
   param.unit = reader.text("unit");
   param.doc = reader.text("doc");
+  if (reader.has("role")) param.role = static_cast<Role>(reader.oneOf("role", roleNames()) + 1);
   param.variant = reader.boolean("variant", false);
   param.variant = isCompiledIn(param);
   param.breaks = valueBreaks(reader, param);
@@ -424,6 +425,48 @@ EqualDesc readEqual(const Json& json, const PipelineDesc& pipeline) {
   return equal;
 }
 
+PresetDesc readPreset(const Json& json, const PipelineDesc& pipeline) {
+  Reader reader(json, "preset", {pipeline.file});
+  PresetDesc preset{nameOf(reader), reader.text("doc"), {}, reader.boolean("default", false)};
+  for (const auto& [name, value] : settingsOf(reader.table("values"))) {
+    const ParamDesc* param = paramNamed(pipeline, name);
+    if (!param) reader.fail(fmt::format("'{}' sets '{}', which is no parameter", preset.name, name));
+    preset.values.emplace_back(name, checkValue(*param, value, {pipeline.file}));
+  }
+  reader.finish();
+  return preset;
+}
+
+// One preset is the default, and one was taken.
+void readPresets(Reader& reader, PipelineDesc& pipeline) {
+  pipeline.presets = itemsOf(reader.list("presets"), [&](const Json& preset) { return readPreset(preset, pipeline); });
+  refuseTwins(pipeline.presets, reader, "presets");
+  pipeline.preset = reader.text("preset");
+  const auto& presets = pipeline.presets;
+  auto defaults = std::count_if(presets.begin(), presets.end(), [](const auto& preset) { return preset.is_default; });
+  if (defaults != (presets.empty() ? 0 : 1)) reader.fail(fmt::format("{} presets are the default", defaults));
+  bool taken = presets.empty() ? pipeline.preset.empty() : find(presets, pipeline.preset) != nullptr;
+  if (!taken) reader.fail(fmt::format("there is no preset '{}'", pipeline.preset));
+}
+
+RegionDesc readRegion(const Json& json, const PipelineDesc& pipeline) {
+  Reader reader(json, "region", {pipeline.file});
+  RegionDesc region{nameOf(reader), reader.text("doc")};
+  reader.finish();
+  bool is_output = std::any_of(pipeline.outputs.begin(), pipeline.outputs.end(),
+                               [&](const auto& output) { return output.first == region.name; });
+  if (!is_output) reader.fail(fmt::format("there is no output '{}'", region.name));
+  return region;
+}
+
+void refuseTwinRoles(const Reader& reader, const std::vector<ParamDesc>& params) {
+  std::set<Role> seen;
+  for (const ParamDesc& param : params) {
+    bool is_new = param.role == Role::None || seen.insert(param.role).second;
+    if (!is_new) reader.fail(fmt::format("two parameters have the role '{}'", roleName(param.role)));
+  }
+}
+
 }  // namespace
 
 PipelineDesc pipelineFromJson(const Json& json) {
@@ -433,9 +476,12 @@ PipelineDesc pipelineFromJson(const Json& json) {
   pipeline.file = reader.text("file", std::nullopt);
   pipeline.doc = reader.text("doc");
   reader.setPlace({pipeline.file});
+  if (reader.has("kind")) pipeline.kind = static_cast<PipelineDesc::Kind>(reader.oneOf("kind", pipelineKindNames()));
   pipeline.params = itemsOf(reader.list("params"), readParam);
   refuseTwins(pipeline.params, reader, "parameters");
   pipeline.graph_params = namesIn(reader.list("graph_params"), pipeline);
+  refuseTwinRoles(reader, pipeline.params);
+  readPresets(reader, pipeline);
   readValues(reader.table("values"), pipeline);
   if (reader.has("breaks")) pipeline.breaks = breaksOf(reader, reader.table("breaks"));
   pipeline.compare_with = reader.text("compare_with");
@@ -453,6 +499,8 @@ PipelineDesc pipelineFromJson(const Json& json) {
     pipeline.outputs.emplace_back(name, source.get<std::string>());
   }
   if (!reader.table("outputs").contains("color")) reader.fail("output 'color' is missing");
+  pipeline.regions = itemsOf(reader.list("regions"), [&](const Json& region) { return readRegion(region, pipeline); });
+  refuseTwins(pipeline.regions, reader, "regions");
   reader.finish();
   return pipeline;
 }

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "plan/description.h"
+
 namespace strobe::plan {
 
 inline const std::vector<std::string> kParamTypes = {"bool", "int", "float", "choice"};
@@ -12,6 +14,9 @@ inline const std::vector<std::string> kPassKinds = {"raster", "compute", "trace"
 inline const std::vector<std::string> kSizeKinds = {"frame", "port", "fixed"};
 inline const std::vector<std::string> kNodeTimes = {"capture", "open", "close", "sample"};
 inline const std::vector<std::string> kSampleTimes = {"midpoint", "stratified"};
+
+// "" for Role::None.
+std::string roleName(Role role);
 
 // "a, b, c".
 std::string listed(const std::vector<std::string>& words);

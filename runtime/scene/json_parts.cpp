@@ -204,7 +204,7 @@ static Texture readTexels(Fields& f) {
   return texelTexture(width, height, texels);
 }
 
-static Texture readPattern(Fields& f, const std::string& type) {
+static Texture readPattern(Fields& f, const std::string& type, bool painted) {
   Pattern pattern;
   pattern.type = type;
   dvec2 size = f.vector2("size", dvec2(512), 1, 4096);
@@ -225,10 +225,11 @@ static Texture readPattern(Fields& f, const std::string& type) {
   pattern.amount = f.number("amount", 0.5, 0, 1);
   pattern.line = f.number("line", 0.06, 0, 1);
   pattern.seed = f.integer("seed", 1, 0, 1000000);
+  if (!painted) pattern.width = pattern.height = 1;
   return paintPattern(pattern);
 }
 
-Texture readTexture(const Json& json, const Place& place, Problems& problems) {
+Texture readTexture(const Json& json, const Place& place, Problems& problems, bool painted) {
   std::string type = typeOf(json);
   const std::vector<std::string>& names = patternNames();
   bool pattern = std::find(names.begin(), names.end(), type) != names.end();
@@ -238,7 +239,7 @@ Texture readTexture(const Json& json, const Place& place, Problems& problems) {
     return {};
   }
   std::string wrap = fields.choice("wrap", "repeat", {"repeat", "mirror", "clamp"});
-  Texture texture = pattern ? readPattern(fields, type) : readTexels(fields);
+  Texture texture = pattern ? readPattern(fields, type, painted) : readTexels(fields);
   texture.name = fields.text("name", type);
   texture.wrap_u = wrap == "repeat"   ? Texture::Wrap::Repeat
                    : wrap == "mirror" ? Texture::Wrap::Mirror

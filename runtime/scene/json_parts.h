@@ -18,7 +18,8 @@ struct Placement {
 Placement readPlacement(Fields& fields);
 
 Shape readShape(const Json& json, const Place& place, Problems& problems);
-Texture readTexture(const Json& json, const Place& place, Problems& problems);
+// Not `painted`: a pattern is checked, and one texel of it is painted.
+Texture readTexture(const Json& json, const Place& place, Problems& problems, bool painted);
 Light readLight(const Json& json, const Place& place, Problems& problems);
 Camera readCamera(const Json& json, const Place& place, Problems& problems);
 

@@ -18,8 +18,8 @@ constexpr int kDeepest = 100;
 
 class Builder {
  public:
-  Builder(const std::string& file, const std::vector<Suggestion>& suggestions)
-      : file_{file}, suggestions_(suggestions) {}
+  Builder(const std::string& file, const std::vector<Suggestion>& suggestions, bool painted)
+      : file_{file}, suggestions_(suggestions), painted_(painted) {}
 
   Scene build(const Json& json) {
     Fields fields(json, "scene", file_, problems_);
@@ -217,7 +217,7 @@ class Builder {
   int textureIndex(const Json& json, const Place& outer, bool is_color) {
     auto [known, is_new] = textures_.emplace(contentOf(json) + (is_color ? "" : "#"), int(scene_.textures.size()));
     if (!is_new) return known->second;
-    Texture texture = readTexture(json, outer, problems_);
+    Texture texture = readTexture(json, outer, problems_, painted_);
     if (!is_color && texture.format == Texture::Format::Rgba8Srgb) texture.format = Texture::Format::Rgba8Unorm;
     scene_.textures.push_back(std::move(texture));
     return known->second;
@@ -280,6 +280,7 @@ class Builder {
   Place file_;
   const std::vector<Suggestion>& suggestions_;
   Problems problems_;
+  bool painted_ = true;
   Scene scene_;
   std::map<std::string, int> names_, meshes_, materials_, textures_;
   size_t vertices_ = 0;
@@ -288,7 +289,11 @@ class Builder {
 }  // namespace
 
 Scene sceneFromJson(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions) {
-  return Builder(file, suggestions).build(description);
+  return Builder(file, suggestions, true).build(description);
+}
+
+void checkScene(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions) {
+  Builder(file, suggestions, false).build(description);
 }
 
 }  // namespace strobe::scene

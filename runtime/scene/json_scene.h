@@ -18,4 +18,7 @@ struct Suggestion {
 // once. Throws one `Error` with all mistakes: unknown keys, wrong types, values out of range, unknown node names.
 Scene sceneFromJson(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions = {});
 
+// Throws what `sceneFromJson` would, without painting its textures.
+void checkScene(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions = {});
+
 }  // namespace strobe::scene

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <new>
 
+#include "script/batch.h"
 #include "script/evaluate.h"
 #include "script/process.h"
 #include "script/sandbox.h"
@@ -107,7 +108,9 @@ void runScriptChild() {
   // At the limit of the address space even destructors may fail to find memory: end at once.
   std::set_new_handler([] { ::_exit(kOutOfMemory); });
   try {
-    evaluate(Json::parse(readAll(STDIN_FILENO)));
+    Json request = Json::parse(readAll(STDIN_FILENO));
+    if (isBatch(request)) answerBatch(request, evaluate);
+    evaluate(request);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "script child: %s\n", error.what());
   }

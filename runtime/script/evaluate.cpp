@@ -7,8 +7,9 @@
 #include <cstring>
 #include <map>
 
+#include "base/cores.h"
 #include "base/hash.h"
-#include "script/process.h"
+#include "script/batch.h"
 
 namespace strobe::script {
 
@@ -113,13 +114,9 @@ Json requestOf(const Home& home, const Main& main, const std::string& function, 
 // Bytes that are no UTF-8 (in a file name, in a setting) become replacement characters.
 std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-// What run.lua's `function` returns. The answer comes from a process that ran a stranger's script: nothing in it is
-// taken on trust.
-Json evaluate(const Home& home, const Main& main, const std::string& function, const Json& argument,
-              std::vector<Dependency>* dependencies, const Limits& limits, const Texts& texts = {}) {
-  if (dependencies) *dependencies = {};
-  if (dependencies && !main.file.empty()) *dependencies = {{main.file, main.shown, hashOfPath(main.file)}};
-  ProgramEnd child = runChild(home.program(), textOf(requestOf(home, main, function, argument, limits, texts)), limits);
+// What the answer to a request holds. It comes from a process that ran a stranger's script: nothing in it is taken on
+// trust.
+Json resultOf(const Main& main, const ProgramEnd& child, std::vector<Dependency>* dependencies, const Limits& limits) {
   bool answered = child.succeeded() && !child.too_long;
   Json answer = answered ? Json::parse(child.output, nullptr, false) : Json();
   if (!answer.is_object()) throw Error(endedBy(child, limits), {main.shown});
@@ -131,6 +128,55 @@ Json evaluate(const Home& home, const Main& main, const std::string& function, c
   } catch (const Json::exception&) {
     throw Error("the script's process gave an answer in a wrong form", {main.shown});
   }
+}
+
+// What run.lua's `function` returns.
+Json evaluate(const Home& home, const Main& main, const std::string& function, const Json& argument,
+              std::vector<Dependency>* dependencies, const Limits& limits, const Texts& texts = {}) {
+  if (dependencies) *dependencies = {};
+  if (dependencies && !main.file.empty()) *dependencies = {{main.file, main.shown, hashOfPath(main.file)}};
+  ProgramEnd child = runChild(home.program(), textOf(requestOf(home, main, function, argument, limits, texts)), limits);
+  return resultOf(main, child, dependencies, limits);
+}
+
+// One of many: a request, or the error that there is none.
+struct Prepared {
+  Main main;
+  Json request;
+  std::exception_ptr error;
+};
+
+template <class Prepare>
+Prepared prepared(const Prepare& prepare) {
+  Prepared one;
+  try {
+    prepare(one);
+  } catch (const Error&) {
+    one.error = std::current_exception();
+  }
+  return one;
+}
+
+// The outcome of each, as `read` makes it of what its script returned; on all cores.
+template <class Value, class Read>
+std::vector<Outcome<Value>> outcomesOf(const Home& home, const std::vector<Prepared>& all, const Limits& limits,
+                                       const Read& read) {
+  std::vector<Json> requests;
+  std::vector<size_t> asked;
+  for (size_t i = 0; i < all.size(); ++i)
+    if (!all[i].error) requests.push_back(all[i].request), asked.push_back(i);
+  std::vector<ProgramEnd> children = runChildren(home.program(), requests, limits);
+  std::vector<Outcome<Value>> outcomes(all.size());
+  for (size_t i = 0; i < all.size(); ++i) outcomes[i].error = all[i].error;
+  forEachOnAllCores(asked.size(), [&](size_t k) {
+    Outcome<Value>& outcome = outcomes[asked[k]];
+    try {
+      outcome.value = read(all[asked[k]].main, resultOf(all[asked[k]].main, children[k], nullptr, limits));
+    } catch (const Error&) {
+      outcome.error = std::current_exception();
+    }
+  });
+  return outcomes;
 }
 
 Json settingsJson(const Settings& sets) {
@@ -181,15 +227,12 @@ Setting settingFromText(const std::string& text, const std::string& option) {
   return {text.substr(0, equals), plan::valueFromText(text.substr(equals + 1))};
 }
 
-plan::PipelineDesc evaluatePipeline(const Home& home, const PipelineRequest& request,
-                                    std::vector<Dependency>* dependencies, const Limits& limits,
-                                    std::vector<DroppedSetting>* dropped) {
-  Main main = mainOf(home, request.name_or_path, "pipeline", request.texts);
-  Json argument = {{"name", main.name},
-                   {"file", main.shown},
-                   {"sets", settingsJson(lastOfEach(request.sets, false))},
-                   {"lenient", dropped != nullptr}};
-  Json result = evaluate(home, main, "pipeline", argument, dependencies, limits, request.texts);
+static Json pipelineArgument(const Main& main, const Settings& sets, bool lenient) {
+  return {
+      {"name", main.name}, {"file", main.shown}, {"sets", settingsJson(lastOfEach(sets, false))}, {"lenient", lenient}};
+}
+
+static plan::PipelineDesc pipelineOf(const Main& main, Json result, std::vector<DroppedSetting>* dropped) {
   try {
     if (dropped) *dropped = droppedSettings(result.at("dropped"));
     result.erase("dropped");
@@ -199,11 +242,45 @@ plan::PipelineDesc evaluatePipeline(const Home& home, const PipelineRequest& req
   }
 }
 
+plan::PipelineDesc evaluatePipeline(const Home& home, const PipelineRequest& request,
+                                    std::vector<Dependency>* dependencies, const Limits& limits,
+                                    std::vector<DroppedSetting>* dropped) {
+  Main main = mainOf(home, request.name_or_path, "pipeline", request.texts);
+  Json argument = pipelineArgument(main, request.sets, dropped != nullptr);
+  return pipelineOf(main, evaluate(home, main, "pipeline", argument, dependencies, limits, request.texts), dropped);
+}
+
+std::vector<Outcome<plan::PipelineDesc>> evaluatePipelines(const Home& home,
+                                                           const std::vector<PipelineRequest>& requests,
+                                                           const Limits& limits) {
+  std::vector<Prepared> all;
+  for (const PipelineRequest& request : requests)
+    all.push_back(prepared([&](Prepared& one) {
+      one.main = mainOf(home, request.name_or_path, "pipeline", request.texts);
+      Json argument = pipelineArgument(one.main, request.sets, false);
+      one.request = requestOf(home, one.main, "pipeline", argument, limits, request.texts);
+    }));
+  return outcomesOf<plan::PipelineDesc>(
+      home, all, limits, [](const Main& main, Json result) { return pipelineOf(main, std::move(result), nullptr); });
+}
+
 Json evaluateScene(const Home& home, const std::string& name_or_path, const Settings& sets,
                    std::vector<Dependency>* dependencies, const Limits& limits, const Texts& texts) {
   Main main = mainOf(home, name_or_path, "scene", texts);
   Json argument = {{"file", main.shown}, {"sets", settingsJson(lastOfEach(sets, true))}};
   return evaluate(home, main, "scene", argument, dependencies, limits, texts);
+}
+
+std::vector<Outcome<Json>> evaluateScenes(const Home& home, const std::vector<std::string>& names_or_paths,
+                                          const Limits& limits) {
+  std::vector<Prepared> all;
+  for (const std::string& name : names_or_paths)
+    all.push_back(prepared([&](Prepared& one) {
+      one.main = mainOf(home, name, "scene", {});
+      Json argument = {{"file", one.main.shown}, {"sets", Json::array()}};
+      one.request = requestOf(home, one.main, "scene", argument, limits, {});
+    }));
+  return outcomesOf<Json>(home, all, limits, [](const Main&, Json result) { return result; });
 }
 
 Json evaluateData(const Home& home, const std::string& path, const Json& arguments,
@@ -216,11 +293,10 @@ Json evaluateData(const Home& home, const std::string& path, const Json& argumen
 std::vector<plan::PassDesc> evaluateAllPasses(const Home& home, std::vector<Dependency>* dependencies,
                                               const Limits& limits) {
   std::vector<std::string> modules;
-  for (std::string name : home.namesBelow("passes", ".lua")) {
+  for (std::string name : mainNames(home, "passes")) {
     std::replace(name.begin(), name.end(), '/', '.');
     modules.push_back("passes." + name);
   }
-  std::sort(modules.begin(), modules.end());
 
   Main main;
   main.shown = "passes";
@@ -228,6 +304,16 @@ std::vector<plan::PassDesc> evaluateAllPasses(const Home& home, std::vector<Depe
   std::vector<plan::PassDesc> passes;
   for (const Json& pass : result) passes.push_back(plan::passFromJson(pass));
   return passes;
+}
+
+std::string pipelineOfKind(const Home& home, plan::PipelineDesc::Kind kind, const Limits& limits) {
+  Main main;
+  main.shown = "scripts/pipelines";
+  const std::string& wanted = plan::pipelineKindNames()[static_cast<size_t>(kind)];
+  Json kinds = evaluate(home, main, "kinds", {{"names", pipelineNames(home)}}, nullptr, limits);
+  for (const auto& [name, found] : kinds.items())
+    if (found == wanted) return name;
+  throw Error(fmt::format("no pipeline of scripts/pipelines declares kind = \"{}\"", wanted));
 }
 
 std::vector<std::string> pipelineNames(const Home& home) { return mainNames(home, "scripts/pipelines"); }

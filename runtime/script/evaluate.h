@@ -3,7 +3,9 @@
 // processor time, memory and wall clock; what comes back is validated before anything uses it. Drawing needs no Lua.
 #pragma once
 
+#include <exception>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,11 +61,32 @@ plan::PipelineDesc evaluatePipeline(const Home& home, const PipelineRequest& req
                                     std::vector<Dependency>* dependencies = nullptr, const Limits& limits = {},
                                     std::vector<DroppedSetting>* dropped = nullptr);
 
+// What became of one of many: `error` is null where there is a `value`.
+template <class Value>
+struct Outcome {
+  std::optional<Value> value;
+  std::exception_ptr error;
+
+  // The value, or the error thrown.
+  Value take() {
+    if (error) std::rethrow_exception(error);
+    return std::move(*value);
+  }
+};
+
+// Many at once, in the order of `requests`: each as `evaluatePipeline` has it, with limits of its own, but without a
+// program started for each.
+std::vector<Outcome<plan::PipelineDesc>> evaluatePipelines(const Home& home,
+                                                           const std::vector<PipelineRequest>& requests,
+                                                           const Limits& limits = {});
+
 // The plain data a scene file returns, keys sorted; an empty table is an empty array. `name_or_path` as above, of
 // scripts/scenes. Those of `sets` that begin with "scene." are in the global `scene_params` (without that prefix);
 // one that the scene never reads is an error.
 Json evaluateScene(const Home& home, const std::string& name_or_path, const Settings& sets,
                    std::vector<Dependency>* dependencies = nullptr, const Limits& limits = {}, const Texts& texts = {});
+std::vector<Outcome<Json>> evaluateScenes(const Home& home, const std::vector<std::string>& names_or_paths,
+                                          const Limits& limits = {});
 
 // The plain data any other file returns (experiments, demos); `arguments` is what `...` holds in its main chunk,
 // `known` what the modules of scripts/strobe find as `native.known`.
@@ -74,6 +97,9 @@ Json evaluateData(const Home& home, const std::string& path, const Json& argumen
 // Every pass below passes/, by name.
 std::vector<plan::PassDesc> evaluateAllPasses(const Home& home, std::vector<Dependency>* dependencies = nullptr,
                                               const Limits& limits = {});
+
+// The first pipeline of scripts/pipelines that declares to be of that kind. Throws `Error` where there is none.
+std::string pipelineOfKind(const Home& home, plan::PipelineDesc::Kind kind, const Limits& limits = {});
 
 // Names of the files in scripts/pipelines and scripts/scenes, sorted.
 std::vector<std::string> pipelineNames(const Home& home);

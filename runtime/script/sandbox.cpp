@@ -219,6 +219,10 @@ struct Sandbox::Callbacks {
 
   static int invariants(lua_State* lua) { return pushNames(lua, plan::invariantNames()); }
 
+  static int roles(lua_State* lua) { return pushNames(lua, plan::roleNames()); }
+
+  static int pipelineKinds(lua_State* lua) { return pushNames(lua, plan::pipelineKindNames()); }
+
   static int write(lua_State* lua) {
     size_t size = 0;
     const char* text = luaL_checklstring(lua, 1, &size);
@@ -443,6 +447,8 @@ void Sandbox::loadPrelude() {
                                        {"check_value", Callbacks::checkValue},
                                        {"formats", Callbacks::formats},
                                        {"invariants", Callbacks::invariants},
+                                       {"roles", Callbacks::roles},
+                                       {"pipeline_kinds", Callbacks::pipelineKinds},
                                        {"files", Callbacks::files},
                                        {"write", Callbacks::write},
                                        {"require", Callbacks::require},

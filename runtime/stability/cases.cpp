@@ -36,6 +36,11 @@ lab::Shot with(lab::Shot shot, const std::string& name, double value) {
   return with(std::move(shot), name, whole ? plan::Value(int64_t(value)) : plan::Value(value));
 }
 
+lab::Shot with(lab::Shot shot, const plan::PipelineDesc& pipeline, plan::Role role, double value) {
+  const plan::ParamDesc* param = plan::paramOf(pipeline, role);
+  return param ? with(std::move(shot), param->name, value) : shot;
+}
+
 double knob(const lab::Shot& shot, const std::string& name, double otherwise) {
   for (const auto& [set, value] : shot.sets)
     if (set == "scene." + name) return std::stod(plan::textOf(value));
@@ -84,22 +89,21 @@ static lab::Shot sceneOf(uint64_t seed, int index) {
   return shot;
 }
 
-// Numbers that are neither samples nor tile nor limit: now and then up to four times as large or small.
+bool isChosen(plan::Role role) {
+  return role == plan::Role::SampleCount || role == plan::Role::Tile || role == plan::Role::Reach;
+}
+
+// Other numbers: now and then up to four times as large or small.
 static lab::Shot withNumbers(lab::Shot shot, const plan::PipelineDesc& pipeline, Random& random) {
   for (const auto& param : pipeline.params) {
     bool number = param.type == plan::ParamDesc::Type::Int || param.type == plan::ParamDesc::Type::Float;
-    bool sized = param.name == "samples" || param.name == "tile" || param.name == "limit";
-    if (!number || sized || !random.chance(.25)) continue;
+    if (!number || isChosen(param.role) || !random.chance(.25)) continue;
     double value = numberOf(pipeline, param.name, 0) * std::exp2(random.whole(-2, 2));
     value = std::clamp(value, *param.min, *param.max);
     if (param.type == plan::ParamDesc::Type::Int) value = std::round(value);
     shot = with(shot, param.name, value);
   }
   return shot;
-}
-
-static bool has(const plan::PipelineDesc& pipeline, const std::string& name) {
-  return std::any_of(pipeline.params.begin(), pipeline.params.end(), [&](const auto& p) { return p.name == name; });
 }
 
 lab::Shot generated(const Variant& variant, uint64_t seed, int index) {
@@ -113,11 +117,12 @@ lab::Shot generated(const Variant& variant, uint64_t seed, int index) {
   for (const auto& set : of_scene) shot.sets.push_back(set);
 
   const Frame& frame = kFrames[size_t(index) % kFrames.size()];
-  if (has(pipeline, "samples")) shot = with(shot, "samples", random.chance(.3) ? random.whole(1, 33) : 16);
-  if (has(pipeline, "tile"))
-    shot = with(shot, "tile", frame.tiles[size_t(random.whole(0, int(frame.tiles.size()) - 1))]);
+  if (const auto* samples = plan::paramOf(pipeline, plan::Role::SampleCount))
+    shot = with(shot, samples->name, random.chance(.3) ? random.whole(1, 33) : 16);
+  if (const auto* tile = plan::paramOf(pipeline, plan::Role::Tile))
+    shot = with(shot, tile->name, frame.tiles[size_t(random.whole(0, int(frame.tiles.size()) - 1))]);
   // In image widths: 12 px, which is more than anything moves.
-  if (has(pipeline, "limit")) shot = with(shot, "limit", 12.0 / frame.width);
+  shot = with(shot, pipeline, plan::Role::Reach, 12.0 / frame.width);
   return withNumbers(shot, pipeline, random);
 }
 

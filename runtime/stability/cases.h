@@ -9,9 +9,7 @@
 
 namespace strobe::stability {
 
-// The pipelines that say what raster sees and what is true; the scene all cases are drawn from.
-inline const char* const kSharp = "none";
-inline const char* const kTruth = "ground_truth";
+// The scene all cases are drawn from.
 inline const char* const kScene = "stability/crowd";
 
 // A function of its seed alone, on every machine.
@@ -31,12 +29,17 @@ class Random {
 // A shot with a setting changed; those of the scene are called "scene.x".
 lab::Shot with(lab::Shot shot, const std::string& name, const plan::Value& value);
 lab::Shot with(lab::Shot shot, const std::string& name, double value);
+// The parameter of a role changed; the same shot where the pipeline has none.
+lab::Shot with(lab::Shot shot, const plan::PipelineDesc& pipeline, plan::Role role, double value);
 // The value of a scene's parameter in the shot, or what the scene takes without it.
 double knob(const lab::Shot& shot, const std::string& name, double otherwise);
 // The same scene and frame, blurred by another pipeline with its defaults.
 lab::Shot by(lab::Shot shot, const std::string& pipeline);
 // The same with another size, of picture and scene.
 lab::Shot sized(lab::Shot shot, int width, int height);
+
+// Roles of numbers that a case chooses on purpose: samples, tile, reach.
+bool isChosen(plan::Role role);
 
 // Case `index` of a variant. Pictures of one index have the same scene in all variants, at most 64 px wide and high
 // unless tiles are larger; its sides are multiples of the tiles. Nothing moves farther than the filters handle.

@@ -31,12 +31,9 @@ std::vector<Method> methodsOf(const Home& home, const script::Limits& limits) {
   };
   for (const std::string& name : script::pipelineNames(home)) {
     auto described = evaluate(name, {});
-    std::vector<std::string> presets;
-    for (const auto& param : described->params)
-      if (param.name == "preset") presets = param.choices;
-    if (presets.empty()) methods.push_back({name, {}, described});
-    for (const std::string& preset : presets) {
-      script::Settings sets = {{"preset", preset}};
+    if (described->presets.empty()) methods.push_back({name, {}, described});
+    for (const auto& preset : described->presets) {
+      script::Settings sets = {{plan::kPresetSetting, preset.name}};
       methods.push_back({name, sets, evaluate(name, sets)});
     }
   }

@@ -14,10 +14,23 @@
 
 namespace strobe::stability {
 
+using plan::Role;
+
 Random Subject::draw(const char* what) const { return Random(uint64_t(knob(shot, "seed", 1)), what); }
 
+lab::Shot Subject::sharp(const lab::Shot& shot) const {
+  return by(shot, batch.nameOf(plan::PipelineDesc::Kind::Sharp));
+}
+
+lab::Shot Subject::truth(const lab::Shot& shot, int samples) const {
+  auto pipeline = batch.evaluate(batch.nameOf(plan::PipelineDesc::Kind::Truth), {}).pipeline;
+  if (!pipeline) throw lab::Refusal("the pipeline of kind \"truth\" cannot be evaluated");
+  return with(by(shot, pipeline->name), *pipeline, Role::SampleCount, samples);
+}
+
 bool blurs(lab::Batch& batch, const lab::Shot& shot) {
-  return image::rootMeanSquaredError(*batch.color(shot), *batch.color(by(shot, kSharp))) > 1e-3;
+  lab::Shot sharp = by(shot, batch.nameOf(plan::PipelineDesc::Kind::Sharp));
+  return image::rootMeanSquaredError(*batch.color(shot), *batch.color(sharp)) > 1e-3;
 }
 
 namespace {
@@ -25,10 +38,6 @@ namespace {
 Window windowOf(const lab::Shot& shot) {
   if (shot.anchor == "centre") return {-.5, .5};
   return shot.anchor == "open" ? Window{0, 1} : Window{-1, 0};
-}
-
-bool has(const plan::PipelineDesc& pipeline, const std::string& name) {
-  return std::any_of(pipeline.params.begin(), pipeline.params.end(), [&](const auto& p) { return p.name == name; });
 }
 
 lab::Shot without(lab::Shot shot, std::initializer_list<const char*> knobs) {
@@ -39,11 +48,12 @@ lab::Shot without(lab::Shot shot, std::initializer_list<const char*> knobs) {
 // Another size with the same limit in pixels.
 lab::Shot resized(const Subject& subject, const lab::Shot& shot, int width, int height) {
   lab::Shot result = sized(shot, width, height);
-  if (!has(subject.pipeline, "limit")) return result;
-  double limit = numberOf(subject.pipeline, "limit", 0);
+  const plan::ParamDesc* reach = plan::paramOf(subject.pipeline, Role::Reach);
+  if (!reach) return result;
+  double limit = numberOf(subject.pipeline, reach->name, 0);
   for (const auto& [name, value] : shot.sets)
-    if (name == "limit") limit = std::stod(plan::textOf(value));
-  return with(result, "limit", limit * shot.width / width);
+    if (name == reach->name) limit = std::stod(plan::textOf(value));
+  return with(result, reach->name, limit * shot.width / width);
 }
 
 std::shared_ptr<const plan::PipelineDesc> evaluated(const Subject& subject, const lab::Shot& shot) {
@@ -91,7 +101,7 @@ Finding still(const Subject& subject) {
   lab::Shot at_rest = with(subject.shot, "scene.speed", 0);
   lab::Shot closed = subject.shot;
   closed.exposure = 0;
-  return worse(same(subject, at_rest, by(at_rest, kSharp), 0), same(subject, closed, by(closed, kSharp), 0));
+  return worse(same(subject, at_rest, subject.sharp(at_rest), 0), same(subject, closed, subject.sharp(closed), 0));
 }
 
 // Smallest and largest value around a pixel.
@@ -115,7 +125,7 @@ Finding brief(const Subject& subject) {
   lab::Shot hardly = shot, little = shot;
   hardly.exposure = shot.exposure * (1.0 / 16) / reach;
   little.exposure = shot.exposure * .4 / reach;
-  lab::Shot sharp = by(shot, kSharp);
+  lab::Shot sharp = subject.sharp(shot);
   Picture right = subject.batch.color(sharp), picture = subject.batch.color(little);
   auto around = [&](int x, int y, int c) { return rangeAround({right}, x, y, c, 1, 1e-5); };
   return worse(same(subject, hardly, sharp, 1e-5), compare(*picture, around, {little, sharp}));
@@ -132,9 +142,10 @@ Finding mirrored(const Subject& subject) {
   if (ties) {
     shot = with(with(resized(subject, shot, 64, 32), "scene.ties", 1), "scene.perspective", 0);
     shot = with(with(shot, "scene.lit", 0), "scene.boxes", 0);
-    if (has(subject.pipeline, "tile")) shot = with(shot, "tile", 8);
+    shot = with(shot, subject.pipeline, Role::Tile, 8);
     // Samples, one of them half of the displacement away: of odd ones exactly between two pixels.
-    if (has(subject.pipeline, "samples")) shot = with(shot, "samples", draw.chance(.5) ? 1 : 3);
+    if (const auto* samples = plan::paramOf(subject.pipeline, Role::SampleCount))
+      shot = with(shot, samples->name, draw.chance(.5) ? 1 : 3);
   }
   int grid = gridOf(*evaluated(subject, shot));
   bool turn = sides == 3;
@@ -159,7 +170,8 @@ Finding mirrored(const Subject& subject) {
 Finding shifted(const Subject& subject) {
   Random draw = subject.draw("shifted");
   lab::Shot shot = with(without(subject.shot, {"perspective", "lit", "boxes", "balls", "spin"}), "scene.wall", 1);
-  if (has(subject.pipeline, "tile")) shot = with(shot, "tile", draw.whole(0, 1) ? 8 : 4);
+  if (const auto* tile = plan::paramOf(subject.pipeline, Role::Tile))
+    shot = with(shot, tile->name, draw.whole(0, 1) ? 8 : 4);
   int grid = gridOf(*evaluated(subject, shot));
   bool any = grid == 1;
   int by_x = (any ? 5 : grid) * (draw.chance(.5) ? 1 : -1), by_y = (any ? 3 : grid) * draw.whole(-1, 1);
@@ -191,7 +203,7 @@ Finding reversed(const Subject& subject) {
 
 Finding convex(const Subject& subject) {
   lab::Shot shot = without(subject.shot, {"lit"});
-  lab::Shot layer = by(shot, kSharp);
+  lab::Shot layer = subject.sharp(shot);
   std::vector<Picture> layers;
   int objects = 1 + int(knob(shot, "cards", 5) + knob(shot, "boxes", 0) + knob(shot, "balls", 0));
   for (int peel = 0; peel <= objects; ++peel) layers.push_back(subject.batch.color(with(layer, "scene.peel", peel)));
@@ -214,18 +226,19 @@ Finding uniform(const Subject& subject) {
   double length = reach * (.5 + .5 * draw.unit());
   double dx = std::round(16 * length * std::cos(angle)) / 16, dy = std::round(16 * length * std::sin(angle)) / 16;
   shot = with(with(shot, "scene.pan_x", dx), "scene.pan_y", dy);
-  if (has(subject.pipeline, "samples")) shot = with(shot, "samples", draw.whole(16, 33));
+  if (const auto* samples = plan::paramOf(subject.pipeline, Role::SampleCount))
+    shot = with(shot, samples->name, draw.whole(16, 33));
   std::shared_ptr<const plan::PipelineDesc> held = evaluated(subject, shot);
   const plan::PipelineDesc& now = *held;
   Window window = windowOf(shot);
   double along = std::max(std::abs(dx), std::abs(dy));
-  double samples = std::min(numberOf(now, "samples", along), std::max(2.0, 2 * std::floor(along / 2)));
+  double samples = std::min(numberOf(now, Role::SampleCount, along), std::max(2.0, 2 * std::floor(along / 2)));
   double share = 1 / samples + .5 / along;
   // What is drawn at other times has its silhouettes between pixels: up to a pixel off where the sharp picture has
   // them.
   int radius = now.loops.empty() ? 0 : 1;
   if (radius) shot = with(shot, "scene.cards", 1);  // as in brief()
-  Picture sharp = subject.batch.color(by(shot, kSharp));
+  Picture sharp = subject.batch.color(subject.sharp(shot));
   auto at = [&](int x, int y, int c) -> std::optional<Right> {
     Right right{1e30, -1e30, 1e-4};
     for (int v = y - radius; v <= y + radius; ++v)
@@ -238,7 +251,7 @@ Finding uniform(const Subject& subject) {
       }
     return right;
   };
-  return compare(*subject.batch.color(shot), at, {shot, by(shot, kSharp)});
+  return compare(*subject.batch.color(shot), at, {shot, subject.sharp(shot)});
 }
 
 // ---- linear, scaled
@@ -280,7 +293,7 @@ double errorOf(const Subject& subject, const lab::Shot& shot, const std::vector<
   for (const lab::Shot& scene : scenes) {
     lab::Shot here = shot;
     here = with(here, "scene.seed", knob(scene, "seed", 1));
-    lab::Shot truth = with(by(here, kTruth), "samples", 96);
+    lab::Shot truth = subject.truth(here, 96);
     sum += image::rootMeanSquaredError(*subject.batch.color(here), *subject.batch.color(truth));
   }
   return sum / double(scenes.size());
@@ -292,7 +305,7 @@ lab::Shot inCommon(const Subject& subject, lab::Shot shot, const std::string& pi
   lab::Shot result = by(shot, pipeline);
   std::shared_ptr<const plan::PipelineDesc> own = evaluated(subject, shot), other = evaluated(subject, result);
   for (const auto& [name, value] : own->values)
-    if (name != "preset" && has(*other, name)) result = with(result, name, value);
+    if (plan::paramNamed(*other, name)) result = with(result, name, value);
   for (const auto& [name, value] : set) result = with(result, name, value);
   return result;
 }
@@ -307,12 +320,13 @@ Finding moreErrorThan(double error, double bound, const std::string& text, const
 }
 
 Finding converging(const Subject& subject) {
-  if (!has(subject.pipeline, "samples")) return none();
+  const plan::ParamDesc* samples = plan::paramOf(subject.pipeline, Role::SampleCount);
+  if (!samples) return none();
   lab::Shot shot = without(subject.shot, {"lit", "spin"});
   shot = with(shot, "scene.wall", 1);
   double seed = knob(shot, "seed", 1);
   std::vector<lab::Shot> scenes = {shot, with(shot, "scene.seed", seed + 1)};
-  lab::Shot few = with(shot, "samples", 4), many = with(shot, "samples", 32);
+  lab::Shot few = with(shot, samples->name, 4), many = with(shot, samples->name, 32);
   double coarse = errorOf(subject, few, scenes), fine = errorOf(subject, many, scenes);
   Finding finding = moreErrorThan(fine, 1.1 * coarse + 1e-3, "32 samples against 4", {many, few});
   if (subject.pipeline.compare_with.empty() || !subject.is_base) return finding;
@@ -360,7 +374,7 @@ Finding finite(const Subject& subject) {
   const double factors[] = {1, 1.1, 1e6, -1e6};  // of 3e38: the largest, infinity, and infinity times 0
   lab::Shot shot = with(without(subject.shot, {"lit"}), "scene.hot", 3e38);
   shot = with(shot, "scene.hot_scale", factors[subject.draw("finite").whole(0, 3)]);
-  Picture sharp = subject.batch.color(by(shot, kSharp));
+  Picture sharp = subject.batch.color(subject.sharp(shot));
   auto at = [&](int x, int y, int c) -> std::optional<Right> {
     if (!std::isfinite(sharp->at(x, y, c))) return std::nullopt;
     double largest = std::numeric_limits<float>::max();

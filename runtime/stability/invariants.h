@@ -24,8 +24,11 @@ struct Subject {
   bool is_base;  // of its pipeline's variants, the defaults or a preset
   lab::Shot shot;
 
+  // The shot without blur, and as it truly is.
+  lab::Shot sharp(const lab::Shot& shot) const;
+  lab::Shot truth(const lab::Shot& shot, int samples) const;
   Random draw(const char* what) const;  // depends on the scene's seed alone, so it stays while a case shrinks
-  double samples() const { return numberOf(pipeline, "samples", 1); }
+  double samples() const { return numberOf(pipeline, plan::Role::SampleCount, 1); }
 };
 
 struct Invariant {

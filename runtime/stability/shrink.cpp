@@ -6,17 +6,24 @@
 namespace strobe::stability {
 
 // Values a setting is tried with, simplest first. "" takes the setting away.
-static const std::vector<std::pair<std::string, std::vector<std::string>>> kSimple = {
-    {"scene.cards", {"0", "1", "2", "3", "4"}},
-    {"scene.boxes", {"", "1"}},
-    {"scene.balls", {""}},
-    {"scene.lit", {"0"}},
-    {"scene.textured", {"0"}},
-    {"scene.perspective", {"0"}},
-    {"scene.wall", {"", "0"}},
-    {"samples", {"1", "2", "3", "4", "8"}},
-    {"scene.reach", {"3", "4", "6", "8"}},
-    {"tile", {"1", "2", "4", "8"}}};
+using Simple = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+static Simple simpleValues(const plan::PipelineDesc& pipeline) {
+  Simple simple = {{"scene.cards", {"0", "1", "2", "3", "4"}},
+                   {"scene.boxes", {"", "1"}},
+                   {"scene.balls", {""}},
+                   {"scene.lit", {"0"}},
+                   {"scene.textured", {"0"}},
+                   {"scene.perspective", {"0"}},
+                   {"scene.wall", {"", "0"}},
+                   {"scene.reach", {"3", "4", "6", "8"}}};
+  auto add = [&](plan::Role role, const std::vector<std::string>& values) {
+    if (const plan::ParamDesc* param = plan::paramOf(pipeline, role)) simple.emplace_back(param->name, values);
+  };
+  add(plan::Role::SampleCount, {"1", "2", "3", "4", "8"});
+  add(plan::Role::Tile, {"1", "2", "4", "8"});
+  return simple;
+}
 
 static bool contains(const script::Settings& sets, const std::string& name) {
   return std::any_of(sets.begin(), sets.end(), [&](const auto& set) { return set.first == name; });
@@ -28,15 +35,16 @@ static lab::Shot without(lab::Shot shot, const std::string& name) {
 }
 
 // Everything that is one step simpler, most helpful first.
-static std::vector<lab::Shot> simpler(const lab::Shot& shot, const script::Settings& kept) {
+static std::vector<lab::Shot> simpler(const lab::Shot& shot, const plan::PipelineDesc& pipeline,
+                                      const script::Settings& kept) {
   std::vector<lab::Shot> list;
   if (shot.anchor != "close") list.push_back(shot), list.back().anchor = "close";
   for (const auto& [name, value] : shot.sets) {
     bool drawn = !name.starts_with("scene.") && !contains(kept, name);
-    bool named = name == "samples" || name == "tile" || name == "limit";
-    if (drawn && !named) list.push_back(without(shot, name));
+    const plan::ParamDesc* param = plan::paramNamed(pipeline, name);
+    if (drawn && !(param && isChosen(param->role))) list.push_back(without(shot, name));
   }
-  for (const auto& [name, values] : kSimple) {
+  for (const auto& [name, values] : simpleValues(pipeline)) {
     bool of_scene = name.starts_with("scene.");
     if (contains(kept, name) || (!of_scene && !contains(shot.sets, name))) continue;
     for (const std::string& value : values) {
@@ -50,7 +58,8 @@ static std::vector<lab::Shot> simpler(const lab::Shot& shot, const script::Setti
   return list;
 }
 
-lab::Shot shrunk(lab::Shot shot, const script::Settings& kept, const StillFails& still_fails, int tries) {
+lab::Shot shrunk(lab::Shot shot, const plan::PipelineDesc& pipeline, const script::Settings& kept,
+                 const StillFails& still_fails, int tries) {
   auto fails = [&](const lab::Shot& candidate) {
     try {
       return still_fails(candidate);
@@ -60,7 +69,7 @@ lab::Shot shrunk(lab::Shot shot, const script::Settings& kept, const StillFails&
   };
   for (bool progress = true; progress;) {
     progress = false;
-    for (const lab::Shot& candidate : simpler(shot, kept)) {
+    for (const lab::Shot& candidate : simpler(shot, pipeline, kept)) {
       if (tries-- <= 0) return shot;
       if (!fails(candidate)) continue;
       shot = candidate;

@@ -13,6 +13,7 @@ using StillFails = std::function<bool(const lab::Shot&)>;
 
 // Takes away and makes smaller, one thing after the other, as long as it still fails: objects, looks, samples, tiles,
 // size, numbers that were drawn. Never touches `kept`, the settings that make up the variant. `tries` bounds the work.
-lab::Shot shrunk(lab::Shot shot, const script::Settings& kept, const StillFails& still_fails, int tries = 80);
+lab::Shot shrunk(lab::Shot shot, const plan::PipelineDesc& pipeline, const script::Settings& kept,
+                 const StillFails& still_fails, int tries = 80);
 
 }  // namespace strobe::stability

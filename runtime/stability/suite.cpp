@@ -109,7 +109,7 @@ class Suite {
       return finding.applies && !finding.holds;
     };
     bool enough = report_.failures.size() >= 8;  // shrinking takes time; the rest is reported as found
-    lab::Shot small = enough ? shot : shrunk(shot, variant.sets, still_fails);
+    lab::Shot small = enough ? shot : shrunk(shot, *variant.description, variant.sets, still_fails);
     Finding finding = findingOf(invariant, variant, small);
     Failure failure{variant.name(), invariant.name, finding.text, {}};
     for (const lab::Shot& one : finding.shots) failure.commands.push_back(lab::commandOf(one));

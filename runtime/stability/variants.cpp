@@ -14,7 +14,9 @@ using plan::PassDesc;
 using plan::PipelineDesc;
 using plan::textOf;
 
-bool Variant::isBase() const { return sets.empty() || (sets.size() == 1 && sets.front().first == "preset"); }
+bool Variant::isBase() const {
+  return sets.empty() || (sets.size() == 1 && sets.front().first == plan::kPresetSetting);
+}
 
 std::string Variant::name() const {
   std::string text;
@@ -27,14 +29,8 @@ static const PassDesc& passOf(const PipelineDesc& pipeline, const plan::NodeDesc
                        [&](const auto& p) { return p.name == node.pass; });
 }
 
-static const plan::Value* valueOf(const PipelineDesc& pipeline, const std::string& param) {
-  for (const auto& [name, value] : pipeline.values)
-    if (name == param) return &value;
-  return nullptr;
-}
-
 static const plan::Value& resolved(const PipelineDesc& pipeline, const plan::Binding& binding) {
-  return binding.value ? *binding.value : *valueOf(pipeline, binding.follows);
+  return binding.value ? *binding.value : *plan::valueOf(pipeline, binding.follows);
 }
 
 // ---- the walk
@@ -85,8 +81,8 @@ static std::vector<Try> triesIn(const PipelineDesc& pipeline, const std::set<std
     }
   }
   for (const ParamDesc& param : pipeline.params)
-    if (param.name != "preset" && (known.empty() || follow.count(param.name)))
-      add(triesOf(param.name, param, *valueOf(pipeline, param.name)));
+    if (known.empty() || follow.count(param.name))
+      add(triesOf(param.name, param, *plan::valueOf(pipeline, param.name)));
   return tries;
 }
 
@@ -100,9 +96,7 @@ class Walker {
     lab::Evaluated plain = batch_.evaluate(pipeline_, {});
     if (!plain.pipeline) throw Error(plain.refusal);
     std::vector<script::Settings> bases;
-    for (const ParamDesc& param : plain.pipeline->params)
-      for (const std::string& choice : param.choices)
-        if (param.name == "preset") bases.push_back({{"preset", choice}});
+    for (const auto& preset : plain.pipeline->presets) bases.push_back({{plan::kPresetSetting, preset.name}});
     if (bases.empty()) bases.push_back({});
     for (const script::Settings& base : bases) walkBase(base);
     return std::move(walk_);
@@ -182,7 +176,7 @@ std::vector<Declared> declaredBreaks(const PipelineDesc& pipeline, const std::st
   std::vector<Declared> found;
   addBreaks(found, pipeline.breaks, invariant, "pipeline " + pipeline.name, "pipeline " + pipeline.name);
   for (const ParamDesc& param : pipeline.params)
-    if (!isOfAPass(param)) addValueBreaks(found, param, *valueOf(pipeline, param.name), invariant);
+    if (!isOfAPass(param)) addValueBreaks(found, param, *plan::valueOf(pipeline, param.name), invariant);
   for (const auto& node : pipeline.nodes) {
     const PassDesc& pass = passOf(pipeline, node);
     addBreaks(found, pass.breaks, invariant, "pass " + pass.name, "pass " + pass.name);
@@ -196,11 +190,16 @@ std::vector<Declared> declaredBreaks(const PipelineDesc& pipeline, const std::st
 }
 
 double numberOf(const PipelineDesc& pipeline, const std::string& param, double otherwise) {
-  const plan::Value* value = valueOf(pipeline, param);
+  const plan::Value* value = plan::valueOf(pipeline, param);
   if (!value) return otherwise;
   if (const auto* whole = std::get_if<int64_t>(value)) return double(*whole);
   if (const auto* number = std::get_if<double>(value)) return *number;
   return otherwise;
+}
+
+double numberOf(const PipelineDesc& pipeline, plan::Role role, double otherwise) {
+  const ParamDesc* param = plan::paramOf(pipeline, role);
+  return param ? numberOf(pipeline, param->name, otherwise) : otherwise;
 }
 
 int gridOf(const PipelineDesc& pipeline) {

@@ -43,6 +43,7 @@ std::vector<Declared> declaredBreaks(const plan::PipelineDesc& pipeline, const s
 
 // The value of a parameter of the pipeline as a number; `otherwise` where there is no such parameter.
 double numberOf(const plan::PipelineDesc& pipeline, const std::string& param, double otherwise);
+double numberOf(const plan::PipelineDesc& pipeline, plan::Role role, double otherwise);
 
 // The pixels into whose multiples the picture is divided: the least common multiple of what sizes are divided by.
 int gridOf(const plan::PipelineDesc& pipeline);

@@ -6,8 +6,8 @@ local hits     = require "passes.inspect.hits"
 return pipeline {
   doc    = "The first 16 hits of the camera's ray through one pixel, one per texel, nearest first",
   params = { pixel_x = hits.params.pixel_x, pixel_y = hits.params.pixel_y },
-  build  = function(p)
-    local found = hits { pixel_x = p.pixel_x, pixel_y = p.pixel_y }
+  build  = function()
+    local found = hits {}
     return { hit = found.hit, where = found.where, velocity = found.velocity, color = found.color }
   end,
 }

@@ -23,7 +23,7 @@ local bool, choice, float, int = pipeline.bool, pipeline.choice, pipeline.float,
 local samples = {}
 
 function samples.rays(p, seen)
-  return trace { hit = seen.hit, shading = p.shading, pixel = p.pixel, mark_regions = p.mark_regions, time = "sample" }
+  return trace { hit = seen.hit, pixel = p.pixel, mark_regions = p.mark_regions, time = "sample" }
 end
 
 -- The same by the raster pipeline, which shares no visibility with rays: to check one against the other.
@@ -31,7 +31,7 @@ function samples.raster(p)
   if p.pixel() == "box" then error("mode = raster samples pixel centres only: pixel = box needs mode = rays", 0) end
   if p.slices() > 1 then error("mode = raster draws one time per iteration: slices > 1 needs mode = rays", 0) end
   local hit = visibility { time = "sample", as = "sample_visibility" }.hit
-  local color = shade { hit = hit, shading = p.shading, time = "sample", as = "sample_shade" }.color
+  local color = shade { hit = hit, time = "sample", as = "sample_shade" }.color
   return accumulate { color = color }
 end
 
@@ -42,6 +42,12 @@ end
 
 return pipeline {
   doc = "The scene at many times of the exposure, each as it truly stands: what every method is compared to",
+  kind = "truth",
+  regions = {
+    inner  = "pixels of the object that see something farther within the exposure",
+    hidden = "pixels that see within the exposure what the capture could not see",
+    outer  = "pixels outside of the object that see it within the exposure",
+  },
   params = {
     mode         = choice { "rays", "raster", default = "rays",
       doc = "what finds the nearest surface at each time; only rays tell regions",
@@ -51,8 +57,9 @@ return pipeline {
                  "tell regions, and samples pixel centres only.",
       },
       breaks = { raster = { mirrored = snapped } } },
-    samples      = int { 1024, min = 1, max = 65536, doc = "time samples, at most" },
-    times        = choice { "midpoint", "stratified", default = "midpoint", doc = "where a sample is in its stratum",
+    samples      = int { 1024, min = 1, max = 65536, role = "sample_count", doc = "time samples, at most" },
+    times        = choice { "midpoint", "stratified", default = "midpoint", role = "sample_times",
+      doc = "where a sample is in its stratum",
       values = {
         midpoint   = "In its middle: half a sample off per silhouette at most. Fails with bands where samples are few.",
         stratified = "At a random time of it, of which each pixel draws one where there are several slices: right " ..
@@ -71,12 +78,13 @@ return pipeline {
       breaks = { box = {
         still = smooth, brief = smooth, uniform = smooth, mirrored = drawn, shifted = drawn, reversed = drawn,
       } } },
-    mark_regions = bool { true, doc = "find the regions in which methods differ; one more ray per sample" },
+    mark_regions = bool { true, role = "regions",
+      doc = "find the regions in which methods differ; one more ray per sample" },
     tolerance    = float { 0, min = 0, max = 1e6, doc = "stop at this standard error of the mean; 0 = never" },
   },
   build = function(p)
     local stops, rays = p.tolerance() > 0, p.mode() == "rays"
-    local seen = scene.captured(nil, rays and traced or visibility)
+    local seen = scene.captured(rays and traced or visibility)
     local means = pipeline.loop {
       name = "shutter", count = p.samples, times = p.times, slices = p.slices,
       until_ = stops and function(results) return results.stop end or nil,

@@ -25,16 +25,14 @@ return pipeline {
       doc = "where the shortest displacement around is at least 0.65 of the dominant one, all are taken to be that" },
   }),
   build = function(p)
-    local seen = scene.captured(p)
+    local seen = scene.captured()
     local two = p.directions() == "two"
     local around = tiles.dominant(p, seen, { second = two })
     local images = gathers.images(seen, around)
-    if p.uniform_path() then images.slowest = tiles.slowest(p, seen) end
+    if p.uniform_path() then images.slowest = tiles.slowest(seen) end
     if p.second_share() == "variance" then images.variance = tiles.variance(around) end
     return scene.outputs(seen, {
-      color = gathers.blurred(p, "guertin2014", images, "gather", {
-        directions = p.directions, kappa = p.kappa, gamma = p.gamma, eta = p.eta, tile_jitter = p.tile_jitter,
-      }),
+      color = gathers.blurred("guertin2014", images, "gather"),
     })
   end,
 }

@@ -25,7 +25,7 @@ return pipeline {
     without_rays("guertin2014", "guertin2014", { uniform_path = false }),
   },
   build = function(p)
-    local seen = scene.captured(p)
+    local seen = scene.captured()
     local moving = ranges.divided(p, seen, "halves")
     local mask = ranges.mask(p, moving, masks[p.mask()])
     local revealed = hybrid.revealed(p, seen, mask)

@@ -18,14 +18,11 @@ return pipeline {
     cheap       = pipeline.bool { true, doc = "where all around moves alike, taps are averaged instead of weighed" },
   }),
   build = function(p)
-    local seen = scene.captured(p)
+    local seen = scene.captured()
     local images = gathers.images(seen, tiles.dominant(p, seen))
-    if p.cheap() then images.slowest = tiles.slowest(p, seen) end
+    if p.cheap() then images.slowest = tiles.slowest(seen) end
     return scene.outputs(seen, {
-      color = gathers.blurred(p, "jimenez2014", images, "gather", {
-        mirror = p.mirror, count = p.count, direction = p.direction, copy_below = p.copy_below,
-        cheap_ratio = p.cheap_ratio,
-      }),
+      color = gathers.blurred("jimenez2014", images, "gather"),
     })
   end,
 }

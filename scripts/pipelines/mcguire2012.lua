@@ -17,11 +17,11 @@ return pipeline {
     range = ranges.param,
   }),
   build = function(p)
-    local seen = scene.captured(p)
+    local seen = scene.captured()
     local moving = ranges.divided(p, seen, "halves")
     local images = gathers.images(moving, tiles.dominant(p, moving))
     return scene.outputs(seen, {
-      color = gathers.blurred(p, p.weights(), images, "gather", { directions = p.directions }),
+      color = gathers.blurred(p.weights(), images, "gather"),
     })
   end,
 }

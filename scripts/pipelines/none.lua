@@ -5,6 +5,7 @@ local scene    = require "scripts.pipelines.lib.scene"
 
 return pipeline {
   doc = "What the capture sees, without blur",
+  kind = "sharp",
   breaks = { uniform = "it does not blur" },
   build = function()
     local seen = scene.captured()

@@ -13,10 +13,10 @@ return pipeline {
     mirror = gather.params.mirror,
   }),
   build = function(p)
-    local seen = scene.captured(p)
+    local seen = scene.captured()
     local images = gathers.images(seen, tiles.dominant(p, seen))
     return scene.outputs(seen, {
-      color = gathers.blurred(p, "jimenez2014", images, "gather", { mirror = p.mirror }),
+      color = gathers.blurred("jimenez2014", images, "gather"),
     })
   end,
 }

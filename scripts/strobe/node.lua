@@ -8,7 +8,8 @@ local node = {}
 
 node.times = { "capture", "open", "close", "sample" }
 
--- The pipeline being built: { nodes, passes, loop = name or nil, params }. Nil outside of a `build`.
+-- The pipeline being built: { nodes, passes, loop = name or nil, params = its declarations, p = the build's `p` }. Nil
+-- outside of a `build`.
 node.graph = nil
 
 -- ---- values
@@ -105,6 +106,12 @@ local function cannot_follow(wanted, source)
   if not outside then return nil end
   return ("is from %s to %s, but '%s' of the pipeline from %s to %s"):format(wanted.min, wanted.max, source.name,
                                                                               source.min, source.max)
+end
+
+-- What a parameter of a pass follows where its call says nothing: the pipeline's of that name, if it is the same one.
+local function shared(wanted)
+  local declared = param.find(node.graph.params, wanted.name)
+  return declared and param.same(declared, wanted) and node.graph.p[wanted.name] or nil
 end
 
 -- The binding of the parameter `wanted` to what was given: a literal, p.x, or nil for its default.
@@ -232,7 +239,9 @@ function node.create(place, pass, arguments)
   local owner = ("pass '%s'"):format(pass.name)
   for _, wanted in ipairs(pass.params) do
     local at = native.key_place(place, wanted.name)
-    made.params[wanted.name] = node.bind(problems, wanted, arguments[wanted.name], at, owner)
+    local given = arguments[wanted.name]
+    if given == nil then given = shared(wanted) end
+    made.params[wanted.name] = node.bind(problems, wanted, given, at, owner)
   end
   problems:raise()
 

@@ -7,10 +7,10 @@ local native = require "strobe.native"
 local param = {}
 
 param.keys = {
-  bool   = { 1, "default", "doc", "unit", "breaks" },
-  int    = { 1, "default", "min", "max", "unit", "doc", "variant" },
-  float  = { 1, "default", "min", "max", "unit", "doc", "variant" },
-  choice = { "default", "doc", "unit", "values", "breaks" },  -- and the choices as 1, 2, 3 ...
+  bool   = { 1, "default", "doc", "unit", "role", "breaks" },
+  int    = { 1, "default", "min", "max", "unit", "doc", "role", "variant" },
+  float  = { 1, "default", "min", "max", "unit", "doc", "role", "variant" },
+  choice = { "default", "doc", "unit", "role", "values", "breaks" },  -- and the choices as 1, 2, 3 ...
 }
 
 -- Words a GLSL parameter block or #define cannot have as a name.
@@ -33,9 +33,32 @@ local function constructor(kind)
   end)
 end
 
-function param.new(kind, place, given)
-  return setmetatable({ type = kind, given = given, place = place }, Param)
+function param.new(kind, place, given, origin)
+  local made = setmetatable({ type = kind, given = given, place = place }, Param)
+  made.origin = origin or made
+  return made
 end
+
+-- What may be said otherwise of a parameter that is declared elsewhere: `blur.tile { 16 }`. It stays the same one.
+param.changed_keys = {
+  bool = { 1, "default", "doc", "breaks" },
+  int = { 1, "default", "min", "max", "doc" },
+  float = { 1, "default", "min", "max", "doc" },
+  choice = { "default", "doc", "values", "breaks" },
+}
+
+Param.__call = native.at_caller(function(place, self, changes)
+  if type(changes) ~= "table" then check.fail(place, "a parameter is changed by a table: tile { 16 }") end
+  local problems = check.problems()
+  check.keys(problems, changes, param.changed_keys[self.type], place, "a change of a shared parameter")
+  problems:raise()
+  local given = {}
+  for key, value in pairs(self.given) do given[key] = value end
+  if changes[1] ~= nil then given.default = nil end
+  if changes.default ~= nil and self.type ~= "choice" then given[1] = nil end
+  for key, value in pairs(changes) do given[key] = value end
+  return param.new(self.type, place, given, self.origin)
+end)
 
 param.bool, param.int = constructor "bool", constructor "int"
 param.float, param.choice = constructor "float", constructor "choice"
@@ -120,6 +143,34 @@ local function check_bounds(problems, result, given, place, what)
   end
 end
 
+-- What a parameter is, for commands that ask without knowing its name: one of native.roles(), or nil.
+local function check_role(problems, given, place, what)
+  if given.role == nil then return nil end
+  local roles = native.roles()
+  if check.contains(roles, given.role) then return given.role end
+  local near = type(given.role) == "string" and native.nearest(given.role, roles) or ""
+  if near == "" then near = "; roles are " .. table.concat(roles, ", ") end
+  problems:add(native.key_place(place, "role"), "%s has no known role: %s%s", what, check.quoted(given.role), near)
+  return nil
+end
+
+-- Where a checked declaration comes from, and which of these passes have.
+local origins, of_passes = setmetatable({}, { __mode = "k" }), {}
+
+-- Whether two checked declarations are of one parameter.
+function param.same(a, b)
+  return origins[a] ~= nil and origins[a] == origins[b]
+end
+
+-- Notes that a pass has these parameters: one of a pipeline that is the same can be followed.
+function param.note_pass(list)
+  for _, one in ipairs(list) do of_passes[origins[one]] = true end
+end
+
+function param.is_of_a_pass(declared)
+  return of_passes[origins[declared]] == true
+end
+
 -- The checked declaration of the parameter `name`, or nil after mistakes. `at` is where the name was written.
 function param.declare(problems, name, declared, at, owner)
   local before = #problems.list
@@ -141,6 +192,7 @@ function param.declare(problems, name, declared, at, owner)
 
   local result = { name = name, type = kind, place = place, unit = "", variant = kind == "bool" or kind == "choice" }
   result.doc = check.doc(problems, given, place, what)
+  result.role = check_role(problems, given, place, what)
   if given.unit ~= nil and check.field(problems, given, "unit", "string", place, what) then result.unit = given.unit end
   if given.variant ~= nil and check.field(problems, given, "variant", "boolean", place, what) then
     result.variant = given.variant
@@ -167,6 +219,7 @@ function param.declare(problems, name, declared, at, owner)
     return nil
   end
   result.default = value
+  origins[result] = declared.origin
   return result
 end
 
@@ -185,7 +238,21 @@ function param.declare_all(problems, declared, place, owner)
     local at = native.key_place(place, "params", name)
     list[#list + 1] = param.declare(problems, name, one, at, owner)
   end
+  param.refuse_twins(problems, list, owner)
   return list
+end
+
+-- Who asks for a role must find one parameter.
+function param.refuse_twins(problems, list, owner)
+  local by_role = {}
+  for _, one in ipairs(list) do
+    local other = one.role and by_role[one.role]
+    if other then
+      problems:add(one.place, "'%s' and '%s' of %s have the same role, %s", other.name, one.name, owner,
+                   check.quoted(one.role))
+    end
+    if one.role then by_role[one.role] = one end
+  end
 end
 
 -- The declaration named `name` in a list, or nil.

@@ -283,6 +283,7 @@ local function declare(kind, place, t)
   result.size     = declare_size(problems, t, place, result, owner)
   check_twins(problems, result, owner)
   problems:raise()
+  param.note_pass(result.params)
   return setmetatable({ description = result, params = t.params or {}, counters = t.counters or {} }, Pass)
 end
 

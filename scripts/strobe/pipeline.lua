@@ -8,7 +8,10 @@ local param  = require "strobe.param"
 
 local pipeline = { int = param.int, float = param.float, bool = param.bool, choice = param.choice }
 
-pipeline.keys      = { "doc", "params", "presets", "default_preset", "build", "breaks", "compare_with", "equals" }
+pipeline.keys = {
+  "doc", "kind", "params", "presets", "default_preset", "build", "breaks", "compare_with", "equals", "regions",
+}
+pipeline.preset_keys = { "doc", "set" }
 pipeline.equal_keys = { "when", "pipeline", "set" }
 pipeline.loop_keys = { "name", "count", "times", "slices", "until_", "body" }
 
@@ -16,46 +19,84 @@ local Pipeline = {}
 
 -- ---- declaration
 
--- The choice parameter `preset` that presets add.
-local function preset_parameter(problems, t, place)
-  local names = check.names(t.presets)
-  local default = t.default_preset
-  if default == nil then
-    table.insert(names, 1, "none")
-    default = "none"
+-- What a preset sets: values by the names of parameters, found at `path`.
+local function preset_values(problems, preset, set, params, place, path)
+  local names, values = {}, {}
+  for i, one in ipairs(params) do names[i] = one.name end
+  for name, value in pairs(set) do
+    local where = native.key_place(place, table.unpack(check.joined(path, name)))
+    local declared = param.find(params, name)
+    local wrong
+    if declared then values[name], wrong = param.check(declared, value) end
+    if wrong then problems:add(where, "preset '%s': %s", preset, wrong) end
+    if not declared then
+      local near = type(name) == "string" and native.nearest(name, names) or ""
+      problems:add(where, "preset '%s' sets %s, which is no parameter%s", preset, check.quoted(name), near)
+    end
   end
-  local at = native.key_place(place, "presets")
-  local given = { default = default, doc = "named set of values, which single settings override" }
-  for i, name in ipairs(names) do given[i] = name end
-  if t.default_preset ~= nil and not check.contains(names, default) then
-    local near = native.nearest(default, names)
-    problems:add(native.key_place(place, "default_preset"), "there is no preset %s%s", check.quoted(default), near)
-    given.default = names[1]
-  end
-  return param.declare(problems, "preset", param.new("choice", at, given), at, "the pipeline")
+  return values
 end
 
-local function check_presets(problems, t, params, place)
-  local names = {}
-  for i, one in ipairs(params) do names[i] = one.name end
-  for preset, values in pairs(t.presets) do
-    local at = native.key_place(place, "presets", preset)
-    if type(values) ~= "table" then
-      problems:add(at, "preset %s is a %s instead of a table of values", check.quoted(preset), type(values))
-      values = {}
-    end
-    for name, value in pairs(values) do
-      local where = native.key_place(place, "presets", preset, name)
-      local declared = param.find(params, name)
-      local _, wrong
-      if declared then _, wrong = param.check(declared, value) end
-      if wrong then problems:add(where, "preset '%s': %s", preset, wrong) end
-      if not declared then
-        local near = type(name) == "string" and native.nearest(name, names) or ""
-        problems:add(where, "preset '%s' sets %s, which is no parameter%s", preset, check.quoted(name), near)
-      end
-    end
+local function declare_preset(problems, name, given, params, place)
+  local what, path = ("preset %s"):format(check.quoted(name)), { "presets", name }
+  local at = native.key_place(place, "presets", name)
+  if not check.is_name(name) then problems:add(at, "%s is not a name for a preset", check.quoted(name)) end
+  if type(given) ~= "table" then
+    problems:add(at, "%s is a %s instead of a table { doc = \"...\", set = { ... } }", what, type(given))
+    return nil
   end
+  check.keys(problems, given, pipeline.preset_keys, place, what, path)
+  local preset = { name = name, default = false, values = {}, doc = check.doc(problems, given, place, what, path) }
+  if check.field(problems, given, "set", "table", place, what, path) then
+    preset.values = preset_values(problems, name, given.set, params, place, check.joined(path, "set"))
+  end
+  return preset
+end
+
+-- Presets by name, one of them the default: the one named, or "none", which sets nothing.
+local function declare_presets(problems, t, params, place)
+  local list, names = {}, {}
+  if t.presets == nil then return list end
+  if t.default_preset == nil then
+    list[1] = { name = "none", doc = "every parameter has its default", default = true, values = {} }
+  end
+  for name, given in pairs(t.presets) do
+    names[#names + 1] = name
+    local preset = declare_preset(problems, name, given, params, place)
+    if preset then preset.default = name == t.default_preset end
+    list[#list + 1] = preset
+  end
+  if t.default_preset ~= nil and not check.contains(names, t.default_preset) then
+    local near = native.nearest(t.default_preset, names)
+    problems:add(native.key_place(place, "default_preset"), "there is no preset %s%s", check.quoted(t.default_preset),
+                 near)
+  end
+  return list
+end
+
+local function check_kind(problems, t, place)
+  if t.kind == nil then return "method" end
+  local kinds = native.pipeline_kinds()
+  if not check.contains(kinds, t.kind) then
+    local near = type(t.kind) == "string" and native.nearest(t.kind, kinds) or ""
+    if near == "" then near = "; kinds are " .. table.concat(kinds, ", ") end
+    problems:add(native.key_place(place, "kind"), "there is no kind of pipeline %s%s", check.quoted(t.kind), near)
+  end
+  return t.kind
+end
+
+-- Outputs that are masks of regions in which errors are measured, `{ name of the output = "what is in it" }`.
+local function declare_regions(problems, t, place)
+  local list = {}
+  for name, text in pairs(t.regions or {}) do
+    local at = native.key_place(place, "regions", name)
+    if not check.is_name(name) then problems:add(at, "%s is not a name for a region", check.quoted(name)) end
+    if type(text) ~= "string" or not text:find("%S") then
+      problems:add(at, "region %s wants a text that says what is in it", check.quoted(name))
+    end
+    list[#list + 1] = { name = name, doc = text }
+  end
+  return list
 end
 
 local function check_condition(problems, params, when, i, place)
@@ -100,7 +141,7 @@ local function declare(place, t)
   check.keys(problems, t, pipeline.keys, place, "the pipeline")
   check.field(problems, t, "build", "function", place, "the pipeline")
   local doc = check.doc(problems, t, place, "the pipeline")
-  for _, key in ipairs { "params", "presets", "equals" } do
+  for _, key in ipairs { "params", "presets", "equals", "regions" } do
     if t[key] ~= nil then check.field(problems, t, key, "table", place, "the pipeline") end
   end
   if t.compare_with ~= nil then check.field(problems, t, "compare_with", "string", place, "the pipeline") end
@@ -110,16 +151,15 @@ local function declare(place, t)
   problems:raise()
 
   local params = param.declare_all(problems, t.params or {}, place, "the pipeline")
-  if t.presets and t.params and t.params.preset then
-    problems:add(native.key_place(place, "params", "preset"), "parameter 'preset' would hide the one that presets add")
+  if t.params and t.params.preset then
+    problems:add(native.key_place(place, "params", "preset"),
+                 "a parameter cannot be called 'preset': --set preset=NAME takes one of the presets")
   end
   problems:raise()
-  if t.presets then
-    check_presets(problems, t, params, place)
-    params[#params + 1] = preset_parameter(problems, t, place)
-    table.sort(params, function(a, b) return a.name < b.name end)
-  end
-  local result = { doc = doc, params = params, presets = t.presets or {}, build = t.build, place = place }
+  local result = { doc = doc, params = params, build = t.build, place = place }
+  result.kind = check_kind(problems, t, place)
+  result.presets = declare_presets(problems, t, params, place)
+  result.regions = declare_regions(problems, t, place)
   result.breaks = check.breaks(problems, t.breaks, place, "the pipeline", { "breaks" })
   result.equals = check_equals(problems, t, params, place)
   result.compare_with = t.compare_with
@@ -233,12 +273,29 @@ local function refuse(problems, dropped, set, text, ...)
   dropped[#dropped + 1] = { name = set.name, value = tostring(set.value), reason = text:format(...) }
 end
 
--- Values of all parameters: default < preset < set. Names that no parameter has are left in `unknown`.
+-- The name by which a setting takes a preset, as a declaration; nil where there are none.
+local function preset_choice(self)
+  local choice = { name = "preset", type = "choice", choices = {}, unit = "" }
+  for i, preset in ipairs(self.presets) do
+    choice.choices[i] = preset.name
+    if preset.default then choice.default = preset.name end
+  end
+  return #self.presets > 0 and choice or nil
+end
+
+-- Values of all parameters: default < preset < set, and the preset. Names that no parameter has are left in `unknown`.
 local function resolve(problems, self, sets, dropped)
   local values, unknown, explicit = {}, {}, {}
+  local choice = preset_choice(self)
+  local chosen = choice and choice.default
   for _, set in ipairs(sets) do
+    local of_preset = choice and set.name == choice.name
     local declared = param.find(self.params, set.name)
-    if declared then
+    if of_preset then
+      local value, wrong = native.check_value(choice, set.value)
+      if wrong then refuse(problems, dropped, set, "%s", wrong) end
+      chosen = value or chosen
+    elseif declared then
       local value, wrong = native.check_value(declared, set.value)
       if wrong then refuse(problems, dropped, set, "%s", wrong) end
       explicit[set.name] = value
@@ -248,12 +305,10 @@ local function resolve(problems, self, sets, dropped)
   end
   problems:raise()
   for _, one in ipairs(self.params) do values[one.name] = one.default end
-  local preset = explicit.preset or values.preset
-  for name, value in pairs(self.presets[preset] or {}) do
-    values[name] = param.check(param.find(self.params, name), value)
-  end
+  local preset = param.find(self.presets, chosen)
+  for name, value in pairs(preset and preset.values or {}) do values[name] = value end
   for name, value in pairs(explicit) do values[name] = value end
-  return values, unknown
+  return values, unknown, chosen
 end
 
 -- The `p` of a build.
@@ -304,11 +359,20 @@ local function check_outputs(problems, outputs, build)
   return sources
 end
 
+-- The regions among the outputs: another shape of the graph may have others.
+local function regions_of(self, sources)
+  local list = {}
+  for _, region in ipairs(self.regions) do
+    if sources[region.name] then list[#list + 1] = region end
+  end
+  return list
+end
+
 -- A parameter that this graph does not use may be another shape's: it counts as used where any file loaded says
--- `p.name`, in a branch that was taken or not.
+-- `p.name`, in a branch that was taken or not, and where a pass that was loaded has it.
 local function check_unused(problems, self, graph, used)
   for _, one in ipairs(self.params) do
-    if not used[one.name] and one.name ~= "preset" and not native.reads_field(one.name) then
+    if not (used[one.name] or param.is_of_a_pass(one) or native.reads_field(one.name)) then
       problems:add(one.place, "parameter '%s' of the pipeline is not used by its build", one.name)
     end
   end
@@ -318,7 +382,7 @@ local function check_unused(problems, self, graph, used)
 end
 
 local function settable_names(self, graph)
-  local names = {}
+  local names = { #self.presets > 0 and "preset" or nil }
   for _, one in ipairs(self.params) do names[#names + 1] = one.name end
   for _, made in ipairs(graph.nodes) do
     for name in pairs(made.params) do names[#names + 1] = made.name .. "." .. name end
@@ -372,23 +436,25 @@ function pipeline.describe(self, name, file, sets, lenient)
   for _, set in ipairs(sets) do set.place = { file = ("--set %s=%s"):format(set.name, set.value), line = 0 } end
   local problems = check.problems()
   local dropped = lenient and {} or nil
-  local values, unknown = resolve(problems, self, sets, dropped)
+  local values, unknown, preset = resolve(problems, self, sets, dropped)
 
-  local graph = { nodes = {}, passes = {}, loops = {}, records = {} }
-  -- What a preset sets is not known without running this.
-  local used, noted = {}, { preset = next(self.presets) and true }
+  local used, noted = {}, {}
+  local graph = { nodes = {}, passes = {}, loops = {}, records = {}, params = self.params }
+  graph.p = parameters(self, values, used, noted)
   node.graph = graph
-  local outputs = self.build(parameters(self, values, used, noted))
+  local outputs = self.build(graph.p)
   node.graph = nil
 
   local sources = check_outputs(problems, outputs, self.build)
+  local regions = regions_of(self, sources)
   apply_node_sets(problems, self, graph, sets, unknown, dropped)
   if #problems.list == 0 then check_unused(problems, self, graph, used) end
   problems:raise()
   return {
-    name = name, file = file, doc = self.doc, breaks = self.breaks, compare_with = self.compare_with,
-    equals = self.equals, params = self.params, graph_params = check.names(noted), values = values, passes = in_order(graph.passes),
-    nodes = graph.nodes, loops = graph.loops, outputs = sources, dropped = dropped or {},
+    name = name, file = file, doc = self.doc, kind = self.kind, breaks = self.breaks,
+    compare_with = self.compare_with, equals = self.equals, params = self.params, graph_params = check.names(noted),
+    presets = self.presets, preset = preset, values = values, passes = in_order(graph.passes), nodes = graph.nodes,
+    loops = graph.loops, outputs = sources, regions = regions, dropped = dropped or {},
   }
 end
 

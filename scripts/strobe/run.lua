@@ -16,6 +16,16 @@ function run.pipeline(request)
   return pipeline.describe(result, request.name, request.file, request.sets, request.lenient)
 end
 
+-- The kind of each pipeline, by the name of its file; nothing of those that do not load.
+function run.kinds(request)
+  local kinds = {}
+  for _, name in ipairs(request.names) do
+    local good, result = pcall(require, "scripts.pipelines." .. name:gsub("/", "."))
+    if good and pipeline.is_pipeline(result) then kinds[name] = result.kind end
+  end
+  return kinds
+end
+
 -- A text serves as the value it reads as: true, false, a number, else text.
 local function typed(text)
   if type(text) ~= "string" then return text end

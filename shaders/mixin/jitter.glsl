@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Needs: PARAM_jitter, PARAM_jitter_frame.
-// The jitter of a pass with the choice parameters `jitter` and `jitter_frame` (scripts/pipelines/lib/jitter.lua): in
+// The jitter of a pass with the choice parameters `jitter` and `jitter_frame` (passes/lib/jitter.lua): in
 // [-1/2, 1/2] of the distance between two samples, one value per pixel. Per frame, `hash` draws anew and the others are
 // shifted by the golden ratio, which spreads successive frames evenly over the range.
 #ifndef STROBE_JITTER_GLSL

@@ -2,7 +2,7 @@
 // Needs: nothing; may have: PARAM_color_format, PARAM_depth_encoding, PARAM_velocity_format, count_color_clamped,
 //   count_depth_lost, count_velocity_clamped, scene.
 // What a renderer's memory would keep of colours, displacements and depths. For passes with the parameters
-// velocity_format, color_format or depth_encoding of scripts/pipelines/lib/stored.lua and the counters to them.
+// velocity_format, color_format or depth_encoding of passes/lib/stored.lua and the counters to them.
 // In:  linear colours; displacements, px over the exposure; linear view depths, m (sky +inf, 0 where there is nothing).
 // Out: the same as they come back from memory. With fp32 and linear: bit for bit what was given, without arithmetic.
 // Half floats: to the nearest, ties to even, here and not by the store, which may truncate. Beyond 65504 a colour's

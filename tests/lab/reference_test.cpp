@@ -154,7 +154,7 @@ bool isAlternative(const plan::PassDesc& pass) {
 }
 
 // Each choice is described, unless the choices are files of the folder of passes that is called like the parameter
-// (their pages serve), or those are presets (the page of the pipeline lists them).
+// (their pages serve).
 std::vector<std::string> undescribed(const std::string& owner, const std::vector<plan::ParamDesc>& params) {
   std::vector<std::string> missing;
   for (const plan::ParamDesc& param : params) {
@@ -162,7 +162,7 @@ std::vector<std::string> undescribed(const std::string& owner, const std::vector
       auto is_it = [&](const auto& value) { return value.first == choice; };
       bool described = std::any_of(param.values.begin(), param.values.end(), is_it);
       bool has_page = fs::exists(home().shipped() / "passes" / param.name / (choice + ".lua"));
-      if (!described && !has_page && param.name != "preset")
+      if (!described && !has_page)
         missing.push_back(fmt::format("{}.{} = {} ({})", owner, param.name, choice, param.place.text()));
     }
   }

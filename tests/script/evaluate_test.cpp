@@ -24,7 +24,10 @@ return pipeline {
     times   = pipeline.choice { "midpoint", "stratified", doc = "where in the exposure" },
     tile    = pipeline.int { 32, min = 2, max = 64, unit = "px", doc = "side of a tile" },
   },
-  presets = { coarse = { tile = 64 }, fine = { tile = 4, samples = 64 } },
+  presets = {
+    coarse = { doc = "fast", set = { tile = 64 } },
+    fine = { doc = "slow", set = { tile = 4, samples = 64 } },
+  },
   default_preset = "fine",
   build = function(p)
     local tile = p.tile
@@ -90,7 +93,7 @@ TEST_F(Evaluate, DescribesNodesInTheOrderOfTheCalls) {
   EXPECT_EQ(p.nodes[1].name, "far");
   EXPECT_EQ(p.nodes[2].name, "near");
   EXPECT_EQ(p.nodes[3].name, "smear");
-  EXPECT_EQ(p.nodes[1].place.text(), "scripts/pipelines/sample.lua:31");
+  EXPECT_EQ(p.nodes[1].place.text(), "scripts/pipelines/sample.lua:34");
   std::vector<std::pair<std::string, std::string>> wired = {{"id", "base.id"}, {"velocity", "base.velocity"}};
   EXPECT_EQ(p.nodes[1].inputs, wired);
   std::vector<std::pair<std::string, std::string>> outputs = {
@@ -119,7 +122,132 @@ TEST_F(Evaluate, KeepsThePlaceOfEveryField) {
   EXPECT_EQ(largest.reads[0].place.line, 7);
   EXPECT_EQ(largest.writes[0].place.line, 9);
   EXPECT_EQ(largest.params[0].place.line, 12);
-  EXPECT_EQ(bindingOf(nodeOf(p, "near"), "order").place.line, 32);
+  EXPECT_EQ(bindingOf(nodeOf(p, "near"), "order").place.line, 35);
+}
+
+// Two passes and a pipeline that share `tile`; `bias` has the same name in both, but is declared twice.
+static void writeShared(const TestHome& home, const std::string& tile) {
+  home.write("passes/lib/blur.lua",
+             "local param = require \"strobe.param\"\n"
+             "return { tile = param.int { 20, min = 1, max = 99, unit = \"px\", role = \"tile\", doc = \"side\" } }\n");
+  for (const char* name : {"one", "two"})
+    home.write(
+        fmt::format("passes/{}.lua", name),
+        fmt::format("local pass = require \"strobe.pass\"\nlocal blur = require \"passes.lib.blur\"\n"
+                    "return pass.raster {{\n  name = \"{0}\", shader = \"{0}\", doc = \"x\",\n"
+                    "  writes = {{ color = {{ format = \"rgba16f\", doc = \"x\" }} }},\n"
+                    "  params = {{ tile = {1}, bias = pass.float {{ 0.5, min = 0, max = 1, doc = \"x\" }} }},\n}}\n",
+                    name, std::string(name) == "one" ? "blur.tile" : "blur.tile { 40, doc = \"y\" }"));
+  home.write("scripts/pipelines/shared.lua",
+             "local pipeline = require \"strobe.pipeline\"\nlocal blur = require \"passes.lib.blur\"\n"
+             "local one, two = require \"passes.one\", require \"passes.two\"\n"
+             "return pipeline {\n  doc = \"x\",\n  params = {\n    tile = " +
+                 tile +
+                 ",\n    bias = pipeline.float { 0, min = 0, max = 1, doc = \"x\" },\n  },\n"
+                 "  build = function(p)\n    local far = two { bias = p.bias, tile = 7, as = \"far\" }\n"
+                 "    return { color = one {}.color, near = two {}.color, far = far.color }\n  end,\n}\n");
+}
+
+TEST_F(Evaluate, NodesFollowThePipelinesParameterThatIsTheSame) {
+  writeShared(home_, "blur.tile { 30 }");
+  plan::PipelineDesc p = evaluatePipeline(home_.home(), {"shared", {}});
+  EXPECT_EQ(bindingOf(nodeOf(p, "one"), "tile").follows, "tile");
+  EXPECT_EQ(bindingOf(nodeOf(p, "two"), "tile").follows, "tile");
+  EXPECT_EQ(std::get<int64_t>(*bindingOf(nodeOf(p, "far"), "tile").value), 7) << "what the call gives wins";
+  EXPECT_EQ(std::get<double>(*bindingOf(nodeOf(p, "one"), "bias").value), 0.5) << "the same name is not enough";
+  EXPECT_EQ(bindingOf(nodeOf(p, "far"), "bias").follows, "bias");
+  EXPECT_EQ(valuesOf(p)["tile"], 30);
+  const plan::ParamDesc* tile = plan::paramOf(p, plan::Role::Tile);
+  ASSERT_NE(tile, nullptr);
+  EXPECT_EQ(tile->name, "tile");
+  EXPECT_EQ(tile->doc, "side");
+  EXPECT_EQ(std::get<int64_t>(p.passes[1].params[1].default_value), 40) << "a pass has a default of its own";
+  EXPECT_EQ(p.passes[1].params[1].doc, "y");
+}
+
+TEST_F(Evaluate, ASharedParameterChangesOnlyWhatItMay) {
+  auto error = [&](const std::string& tile) -> std::string {
+    writeShared(home_, tile);
+    try {
+      evaluatePipeline(home_.home(), {"shared", {}});
+    } catch (const Error& caught) {
+      return caught.what();
+    }
+    return "none";
+  };
+  EXPECT_EQ(error("blur.tile { 30, unit = \"m\" }"),
+            "scripts/pipelines/shared.lua:7: a change of a shared parameter has no field 'unit'");
+  EXPECT_EQ(error("blur.tile { 300 }"),
+            "scripts/pipelines/shared.lua:7: default of parameter 'tile' of the pipeline: 'tile' = 300 is above max 99 "
+            "(range 1 to 99 px)");
+  EXPECT_EQ(
+      error("blur.tile { max = 200 }"),
+      "scripts/pipelines/shared.lua:12: parameter 'tile' of pass 'one' is from 1 to 99, but 'tile' of the pipeline "
+      "from 1 to 200");
+}
+
+TEST_F(Evaluate, PipelinesSayWhatTheyAre) {
+  writeShared(home_, "blur.tile");
+  std::string text = readText(home_.folder() / "scripts/pipelines/shared.lua");
+  text.replace(text.find("doc = \"x\""), 9,
+               "doc = \"x\", kind = \"truth\", regions = { near = \"what is near\", none = \"x\" }");
+  home_.write("scripts/pipelines/shared.lua", text);
+  home_.write("scripts/pipelines/broken.lua", "return nil +");
+  plan::PipelineDesc p = evaluatePipeline(home_.home(), {"shared", {}});
+  EXPECT_EQ(p.kind, plan::PipelineDesc::Kind::Truth);
+  ASSERT_EQ(p.regions.size(), 1u) << "those of the outputs that this graph has";
+  EXPECT_EQ(p.regions[0].name, "near");
+  EXPECT_EQ(pipelineOfKind(home_.home(), plan::PipelineDesc::Kind::Truth), "shared");
+  EXPECT_THROW(pipelineOfKind(home_.home(), plan::PipelineDesc::Kind::Sharp), Error);
+}
+
+TEST_F(Evaluate, PresetsAreListedWithWhatTheySet) {
+  plan::PipelineDesc p = evaluate({{"preset", "coarse"}});
+  EXPECT_EQ(p.preset, "coarse");
+  ASSERT_EQ(p.presets.size(), 2u);
+  EXPECT_EQ(p.presets[0].name, "coarse");
+  EXPECT_FALSE(p.presets[0].is_default);
+  EXPECT_EQ(p.presets[1].doc, "slow");
+  EXPECT_TRUE(p.presets[1].is_default);
+  EXPECT_EQ(p.presets[1].values.size(), 2u);
+  EXPECT_EQ(plan::paramNamed(p, "preset"), nullptr);
+}
+
+TEST_F(Evaluate, ManyAtOnceAreAsOneAtATime) {
+  std::vector<PipelineRequest> requests = {{"sample", {}},
+                                           {"sample", {{"tile", "0"}}},
+                                           {"nowhere", {}},
+                                           {"sample", {{"preset", "coarse"}}},
+                                           {"endless", {}}};
+  home_.write("scripts/pipelines/endless.lua", "while true do end");
+  Limits limits;
+  limits.cpu_s = 0.3;
+  auto outcomes = evaluatePipelines(home_.home(), requests, limits);
+  ASSERT_EQ(outcomes.size(), requests.size());
+  for (size_t i = 0; i < requests.size(); ++i) {
+    std::string alone, together;
+    try {
+      alone = toJson(evaluatePipeline(home_.home(), requests[i], nullptr, limits)).dump();
+    } catch (const Error& error) {
+      alone = error.what();
+    }
+    try {
+      together = toJson(outcomes[i].take()).dump();
+    } catch (const Error& error) {
+      together = error.what();
+    }
+    EXPECT_EQ(together, alone);
+  }
+}
+
+TEST_F(Evaluate, EachOfManyHasAStateOfItsOwn) {
+  for (const char* name : {"a", "b", "c"})
+    home_.write(
+        fmt::format("scripts/scenes/{}.lua", name),
+        "local shared = require \"scripts.scenes.lib.count\"\nshared.n = shared.n + 1\nreturn { n = shared.n }\n");
+  home_.write("scripts/scenes/lib/count.lua", "return { n = 0 }");
+  for (auto& outcome : evaluateScenes(home_.home(), {"a", "b", "c", "a"}))
+    EXPECT_EQ(outcome.take().dump(), R"({"n":1})");
 }
 
 TEST_F(Evaluate, LoopHoldsTheNodesOfItsBody) {
@@ -145,7 +273,7 @@ TEST_F(Evaluate, SetBeatsPresetBeatsDefault) {
   EXPECT_EQ(valuesOf(evaluate({{"preset", "coarse"}, {"tile", "8"}}))["tile"], 8);
   EXPECT_EQ(valuesOf(evaluate({{"tile", "8"}, {"preset", "coarse"}}))["tile"], 8);
   EXPECT_EQ(valuesOf(evaluate({{"tile", "8"}, {"tile", "9"}}))["tile"], 9);
-  EXPECT_EQ(valuesOf(evaluate({{"preset", "coarse"}}))["preset"], "coarse");
+  EXPECT_EQ(evaluate({{"preset", "coarse"}}).preset, "coarse");
 }
 
 TEST_F(Evaluate, NodeSettingsReplaceBindings) {

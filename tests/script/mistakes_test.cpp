@@ -19,7 +19,7 @@ return pipeline {
     tile = pipeline.int { 32, min = 2, max = 64, unit = "px", doc = "side of a tile" },
     order = pipeline.choice { "rows", "columns", doc = "which first" },
   },
-  presets = { fine = { tile = 4 } },
+  presets = { fine = { doc = "x", set = { tile = 4 } } },
   build = function(p)
     local g = base {}
     local far = largest { velocity = g.velocity, id = g.id, tile = p.tile, order = p.order }

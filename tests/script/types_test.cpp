@@ -36,7 +36,8 @@ local param, pass, pipeline = require "strobe.param", require "strobe.pass", req
 local keys = { ParamTable = param.keys.float, ChoiceTable = param.keys.choice, Read = pass.read_keys,
                Write = pass.write_keys, Update = pass.update_keys, Size = pass.size_keys, Counter = pass.counter_keys,
                ChosenFormat = pass.format_keys, PassTable = pass.keys, CallTable = pass.call_keys,
-               PipelineTable = pipeline.keys, LoopTable = pipeline.loop_keys, EqualTable = pipeline.equal_keys }
+               PipelineTable = pipeline.keys, LoopTable = pipeline.loop_keys, EqualTable = pipeline.equal_keys,
+               Preset = pipeline.preset_keys }
 local result = {}
 for class, list in pairs(keys) do
   local names = {}
@@ -58,6 +59,12 @@ return result
 TEST(Types, NameTheInvariants) {
   std::string types = readText(sourceFolder() / "scripts/types.lua");
   for (const std::string& name : plan::invariantNames())
+    EXPECT_NE(types.find("\"" + name + "\""), std::string::npos) << name;
+}
+
+TEST(Types, NameTheRoles) {
+  std::string types = readText(sourceFolder() / "scripts/types.lua");
+  for (const std::string& name : plan::roleNames())
     EXPECT_NE(types.find("\"" + name + "\""), std::string::npos) << name;
 }
 

@@ -215,8 +215,8 @@ TEST_F(ReloadTest, ValuesSurviveByNameAndType) {
   session.set("samples", "8", "window");
   session.set("depth_extent", "0.05", "window");
   session.set("tile", "20", "window");
-  const char* file = "scripts/pipelines/lib/options.lua";
-  home_.edit(file, "samples      = pipeline.int { 16", "samples      = pipeline.int { 12");
+  const char* file = "passes/lib/blur.lua";
+  home_.edit(file, "samples = param.int { 16", "samples = param.int { 12");
   home_.edit(file, "min = 1e-6, max = 1,", "min = 0.1, max = 1,");
   home_.edit(file, "{ 0.01, min = 0.1", "{ 0.2, min = 0.1");
   auto told = session.reload(true);
@@ -225,7 +225,7 @@ TEST_F(ReloadTest, ValuesSurviveByNameAndType) {
   EXPECT_NE(joined(told->kept).find("tile = 20"), std::string::npos);
   EXPECT_NE(joined(told->reset).find("depth_extent = 0.05: "), std::string::npos) << joined(told->reset);
   std::string text = lab::textOf(*told);
-  EXPECT_NE(text.find("reloaded scripts/pipelines/lib/options.lua ("), std::string::npos) << text;
+  EXPECT_NE(text.find("reloaded passes/lib/blur.lua ("), std::string::npos) << text;
   EXPECT_NE(text.find("\n  kept samples = 8"), std::string::npos) << text;
   EXPECT_NE(text.find("\n  reset depth_extent = 0.05: "), std::string::npos) << text;
   expectColdStart(session, "values");
@@ -234,8 +234,8 @@ TEST_F(ReloadTest, ValuesSurviveByNameAndType) {
 TEST_F(ReloadTest, WhatIsSetWhileAnEditIsEvaluatedStays) {
   Session session(bench(), smallShot("mcguire2012"));
   session.reload(false);
-  const char* file = "scripts/pipelines/lib/options.lua";
-  home_.edit(file, "samples      = pipeline.int { 16", "samples      = pipeline.int { 12");
+  const char* file = "passes/lib/blur.lua";
+  home_.edit(file, "samples = param.int { 16", "samples = param.int { 12");
   EXPECT_FALSE(session.reload(false)) << "it is evaluated in the background";
   session.set("samples", "8", "window");
   std::string of_eight = colorHash(session);
@@ -243,7 +243,7 @@ TEST_F(ReloadTest, WhatIsSetWhileAnEditIsEvaluatedStays) {
   EXPECT_EQ(colorHash(session), of_eight);
   expectColdStart(session, "a value");
   // Another pipeline is not taken back either.
-  home_.edit(file, "samples      = pipeline.int { 12", "samples      = pipeline.int { 10");
+  home_.edit(file, "samples = param.int { 12", "samples = param.int { 10");
   EXPECT_FALSE(session.reload(false));
   session.usePipeline("ue4");
   awaited(session);
@@ -293,8 +293,7 @@ TEST_F(ReloadTest, AnUnfinishedFileOfAFamilyDisturbsNobody) {
   session.reload(true);
   EXPECT_EQ(colorHash(session), before);
   EXPECT_TRUE(session.problems().empty()) << joined(session.problems());
-  home_.edit("scripts/pipelines/lib/options.lua", "samples      = pipeline.int { 16",
-             "samples      = pipeline.int { 4");
+  home_.edit("passes/lib/blur.lua", "samples = param.int { 16", "samples = param.int { 4");
   session.reload(true);
   EXPECT_NE(colorHash(session), before);
 }

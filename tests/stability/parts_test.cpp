@@ -70,6 +70,10 @@ TEST(Shrunk, LeavesWhatTheFailureNeeds) {
                                                     {"tile", 8},
                                                     {"depth", 3}})
     shot = with(shot, name, value);
+  plan::PipelineDesc pipeline;
+  pipeline.params.resize(2);
+  pipeline.params[0].name = "samples", pipeline.params[0].role = plan::Role::SampleCount;
+  pipeline.params[1].name = "tile", pipeline.params[1].role = plan::Role::Tile;
   int tried = 0;
   auto fails = [&](const lab::Shot& one) {
     ++tried;
@@ -81,7 +85,7 @@ TEST(Shrunk, LeavesWhatTheFailureNeeds) {
     if (one.width == 16) throw Error("too small to render");
     return value("scene.cards") >= 2 && value("samples") >= 3;
   };
-  lab::Shot small = shrunk(shot, {{"weights", "x"}}, fails, 1000);
+  lab::Shot small = shrunk(shot, pipeline, {{"weights", "x"}}, fails, 1000);
   EXPECT_EQ(small.anchor, "close");
   EXPECT_EQ(small.width, 24);
   EXPECT_EQ(settingsOf(small), (script::Settings{{"samples", 3},
@@ -96,7 +100,7 @@ TEST(Shrunk, LeavesWhatTheFailureNeeds) {
                                                  {"tile", 1},
                                                  {"weights", "x"}}));
   tried = 0;
-  shrunk(shot, {}, fails, 10);
+  shrunk(shot, pipeline, {}, fails, 10);
   EXPECT_EQ(tried, 10);
 }
 

@@ -17,18 +17,11 @@ function gathers.choice(default, doc, names)
 end
 
 -- `weights` names a file of passes/gather. `images` are by the names of its reads, as gathers.images lists them.
--- `settings` are parameters for those gathers that have them.
-function gathers.blurred(p, weights, images, name, settings)
+-- `color_format` is for layers: a picture that comes out is always fp32.
+function gathers.blurred(weights, images, name, color_format)
   local gather = pass.member("gather", weights)
   ranges.require_parts(images, gather, "weights = " .. weights)
-  local arguments = {
-    as = name, samples = p.samples, tile = p.tile, limit = p.limit, depth_extent = p.depth_extent,
-    jitter = p.jitter, jitter_frame = p.jitter_frame,
-  }
-  for setting, value in pairs(settings or {}) do
-    if gather.params[setting] then arguments[setting] = value end
-  end
-  return gather(pass.wired(gather, images, arguments)).blurred
+  return gather(pass.wired(gather, images, { as = name, color_format = color_format or "fp32" })).blurred
 end
 
 -- A layer (color, depth, velocity, perhaps valid), what tiles.dominant yields for it and, if something was revealed

@@ -97,22 +97,22 @@ local best = {
   mask = "relative", termination = "instance", advance = "instance_filter", on_cap = "fallback",
   tiles = "union", weights = "uniform", composite = "layered",
 }
-hybrid.presets = { seed = seed, seed_linear = seed_linear, best = best }
+hybrid.presets = {
+  seed        = { doc = "as published", set = seed },
+  seed_linear = { doc = "as published, but each tap counts as an equal share of the exposure", set = seed_linear },
+  best        = { doc = "the least error of what has been tried", set = best },
+}
 
 -- What lies behind the masked pixels: the ports of the pass `reveal`.
 function hybrid.revealed(p, seen, mask)
   local half = p.reveal_resolution() == "half"
   local rays = reveal {
-    hit = seen.hit, mask = mask, displacement = p.displacement, divide = half and 2 or 1, as = "reveal",
-    termination = p.termination, tolerance = p.tolerance, same_motion = p.same_motion, advance = p.advance,
-    max_layers = p.max_layers, on_cap = p.on_cap, reveal_velocity = p.reveal_velocity,
-    velocity_format = p.velocity_format, color_format = p.color_format, depth_encoding = p.depth_encoding,
+    hit = seen.hit, mask = mask, divide = half and 2 or 1, as = "reveal",
   }
   if not half then return rays end
   return reveal_upsample {
     hit = seen.hit, mask = mask, front_depth = seen.depth, color = rays.color, depth = rays.depth, id = rays.id,
-    velocity = rays.velocity, valid = rays.valid, depth_extent = p.depth_extent,
-    velocity_format = p.velocity_format, color_format = p.color_format, depth_encoding = p.depth_encoding,
+    velocity = rays.velocity, valid = rays.valid,
   }
 end
 
@@ -144,10 +144,9 @@ end
 local function blurred(p, seen, revealed)
   local on_top = hybrid.dominant(p, seen, revealed)
   local below = hybrid.revealed_dominant(p, revealed, on_top)
-  local settings = { directions = p.directions, color_format = p.color_format }
   return {
-    front = gathers.blurred(p, p.weights(), gathers.images(seen, on_top, revealed), "gather_raster", settings),
-    back = gathers.blurred(p, p.weights(), gathers.images(revealed, below), "gather_revealed", settings),
+    front = gathers.blurred(p.weights(), gathers.images(seen, on_top, revealed), "gather_raster", p.color_format),
+    back = gathers.blurred(p.weights(), gathers.images(revealed, below), "gather_revealed", p.color_format),
   }
 end
 
@@ -174,11 +173,7 @@ function hybrid.composited(p, seen, revealed)
   local composite = pass.member("composite", p.composite())
   local apart = pass.reads(composite, "front")
   local images = apart and blurred(p, seen, revealed) or layers(p, seen, revealed, composite)
-  local arguments = { as = "composite" }
-  for _, name in ipairs { "samples", "tile", "limit", "depth_extent", "jitter", "jitter_frame" } do
-    if composite.params[name] then arguments[name] = p[name] end
-  end
-  local made = composite(pass.wired(composite, images, arguments))
+  local made = composite(pass.wired(composite, images, { as = "composite" }))
   return apart and made.color or made.blurred
 end
 

@@ -17,19 +17,19 @@ masks["all"]  = function() return constant { everywhere = true, as = "mask" }.ma
 -- Tan, Cui and Bhojan 2020: displaced position, edges there, everything from which such an edge is in range.
 masks["seed"] = function(p, seen)
   local where = candidate {
-    depth = seen.depth, id = seen.id, velocity = seen.velocity, limit = p.limit, taps = p.mask_taps,
+    depth = seen.depth, id = seen.id, velocity = seen.velocity, taps = p.mask_taps,
   }.candidate
   return range_check {
     edge = edges.detected(p.edge(), seen, where), id = seen.id, velocity = seen.velocity,
-    limit = p.limit, own_edge = p.own_edge, as = "mask",
+    own_edge = p.own_edge, as = "mask",
   }.mask
 end
 
 -- Motion relative to the background decides.
-masks["relative"] = function(p, seen)
-  local near = near_motions { motions = tiles.motions(p, seen), tile = p.tile, limit = p.limit }
+masks["relative"] = function(_, seen)
+  local near = near_motions { motions = tiles.motions(seen) }
   return relative {
-    depth = seen.depth, id = seen.id, velocity = seen.velocity, tile = p.tile, limit = p.limit, as = "mask",
+    depth = seen.depth, id = seen.id, velocity = seen.velocity, as = "mask",
     motions_0 = near.motions_0, motions_1 = near.motions_1, motions_2 = near.motions_2, motions_3 = near.motions_3,
   }.mask
 end
@@ -37,7 +37,7 @@ end
 -- All but what is still.
 masks["moving"] = function(p, seen)
   local dominant = tiles.dominant(p, seen, { prefix = "mask_" }).dominant
-  return moving { velocity = seen.velocity, dominant = dominant, tile = p.tile, as = "mask" }.mask
+  return moving { velocity = seen.velocity, dominant = dominant, as = "mask" }.mask
 end
 
 return masks

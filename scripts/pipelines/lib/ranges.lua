@@ -28,7 +28,7 @@ end
 function ranges.divided(p, layer, name)
   if not ranges.are_split(p) then return layer end
   local parts = halves {
-    depth = layer.depth, id = layer.id, velocity = layer.velocity, velocity_format = p.velocity_format, as = name,
+    depth = layer.depth, id = layer.id, velocity = layer.velocity, as = name,
   }
   local divided = {}
   for key, value in pairs(layer) do divided[key] = value end

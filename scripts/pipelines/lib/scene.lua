@@ -6,17 +6,14 @@ local shade      = require "passes.scene.shade"
 
 local scene = {}
 
--- depth, normal, id, velocity, color and hit of what raster sees, or what another pass finds visible. `p`: parameters
--- of a blur (options.blur); without them the displacement is that of the window, and all is kept as it was computed.
-function scene.captured(p, visible)
-  p = p or {}
+-- depth, normal, id, velocity, color and hit of what raster sees, or what another pass finds visible. Without the
+-- parameters of a blur (options.blur) the displacement is that of the window, and all is kept as it was computed.
+function scene.captured(visible)
   local hit = (visible or visibility) {}.hit
-  local g = gbuffer {
-    hit = hit, displacement = p.displacement, velocity_format = p.velocity_format, depth_encoding = p.depth_encoding,
-  }
+  local g = gbuffer { hit = hit }
   return {
     hit = hit, depth = g.depth, normal = g.normal, id = g.id, velocity = g.velocity,
-    color = shade { hit = hit, color_format = p.color_format }.color,
+    color = shade { hit = hit, shading = "frozen" }.color, -- at the capture both ways of shading are the same
   }
 end
 

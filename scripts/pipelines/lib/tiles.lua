@@ -15,12 +15,11 @@ local function in_one_part(p, layer, given)
   local prefix, extra = given.prefix or "", given.extra or {}
   local longest = tile_max {
     velocity = layer.velocity, valid = layer.valid, extra_velocity = extra.velocity, extra_valid = extra.valid,
-    tile = p.tile, limit = p.limit, as = prefix .. "tile_max",
+    as = prefix .. "tile_max",
   }.longest
-  local motions = given.second and tiles.motions(p, layer) or nil
+  local motions = given.second and tiles.motions(layer) or nil
   local around = neighbour_max {
-    longest = longest, motions = motions, tile = p.tile, limit = p.limit, rule = p.tile_rule,
-    as = prefix .. "neighbour_max",
+    longest = longest, motions = motions, rule = p.tile_rule, as = prefix .. "neighbour_max",
   }
   return { dominant = around.dominant, second = around.second, longest = longest }
 end
@@ -42,9 +41,8 @@ function tiles.dominant(p, layer, given)
 end
 
 -- Per tile, the length of the shortest displacement around.
-function tiles.slowest(p, layer)
-  local shortest = tile_min { velocity = layer.velocity, valid = layer.valid, tile = p.tile, limit = p.limit }.shortest
-  return neighbour_min { shortest = shortest, tile = p.tile, limit = p.limit }.slowest
+function tiles.slowest(layer)
+  return neighbour_min { shortest = tile_min { velocity = layer.velocity, valid = layer.valid }.shortest }.slowest
 end
 
 -- Per tile, how much the directions around differ; `around` is from tiles.dominant.
@@ -53,8 +51,8 @@ function tiles.variance(around)
 end
 
 -- Two displacements that stand for all in each tile of a layer; made once.
-function tiles.motions(p, seen)
-  seen.motions = seen.motions or tile_motions { velocity = seen.velocity, tile = p.tile, limit = p.limit }.motions
+function tiles.motions(seen)
+  seen.motions = seen.motions or tile_motions { velocity = seen.velocity }.motions
   return seen.motions
 end
 

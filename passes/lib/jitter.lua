@@ -8,7 +8,7 @@ local pattern = { mirrored = stands, shifted = stands, reversed = runs_on }
 
 return {
   jitter = param.choice {
-    "none", "ign", "r2", "blue", "checker", "hash", default = "none",
+    "none", "ign", "r2", "blue", "checker", "hash", default = "none", role = "jitter",
     doc = "shift of the samples per pixel, by up to half the distance of two",
     values = {
       none = "All pixels take their samples at the same times. Fails with bands: few samples show as copies.",

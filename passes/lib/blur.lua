@@ -1,0 +1,17 @@
+-- SPDX-License-Identifier: MIT
+-- Parameters that the passes of a blur share, so that a name means the same in each and follows the pipeline's.
+local param = require "strobe.param"
+
+return {
+  samples = param.int { 16, min = 1, max = 1024, role = "sample_count", doc = "samples along the motion" },
+
+  tile = param.int { 40, min = 1, max = 1024, unit = "px", role = "tile", doc = "side of a tile" },
+
+  limit = param.float { 0.1, min = 0, max = 10, unit = "image widths", role = "reach",
+    doc = "longest displacement handled; longer ones are shortened and counted" },
+
+  depth_extent = param.float { 0.01, min = 1e-6, max = 1, role = "depth_tolerance",
+    doc = "share of the depth over which two depths count as one" },
+
+  directions = param.choice { "one", "two", default = "one", doc = "along how many directions taps are taken" },
+}

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "script/batch.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <future>
+#include <thread>
+
+#include "base/error.h"
+#include "base/log.h"
+#include "script/evaluate.h"
+
+namespace strobe::script {
+
+namespace {
+
+constexpr size_t kMaxOutput = size_t{64} << 20;
+
+// ---- the child's side
+
+void writeAll(int descriptor, const std::string& text) {
+  for (size_t done = 0; done < text.size();) {
+    ssize_t written = ::write(descriptor, text.data() + done, text.size() - done);
+    if (written < 0 && errno != EINTR) ::_exit(1);
+    if (written > 0) done += static_cast<size_t>(written);
+  }
+}
+
+// Reads until the other end is closed; false when the time or the size is used up.
+bool collect(int descriptor, double deadline_s, ProgramEnd& result) {
+  char buffer[65536];
+  for (;;) {
+    double left_s = deadline_s - clockSeconds();
+    if (left_s <= 0) return result.timed_out = true, false;
+    pollfd waiting{descriptor, POLLIN, 0};
+    if (::poll(&waiting, 1, static_cast<int>(left_s * 1000) + 1) <= 0) continue;
+    ssize_t got = ::read(descriptor, buffer, sizeof buffer);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return true;
+    result.output.append(buffer, static_cast<size_t>(got));
+    if (result.output.size() > kMaxOutput) return result.too_long = true, false;
+  }
+}
+
+// One request in a process of its own, which is a copy of this one.
+ProgramEnd forked(const Json& request, double wall_s, const std::function<void(const Json&)>& evaluate) {
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) ::_exit(1);
+  pid_t child = ::fork();
+  if (child < 0) ::_exit(1);
+  if (child == 0) {
+    ::dup2(ends[1], STDOUT_FILENO);
+    evaluate(request);
+    ::_exit(1);
+  }
+  ::close(ends[1]);
+  ProgramEnd result;
+  if (!collect(ends[0], clockSeconds() + wall_s, result)) ::kill(child, SIGKILL);
+  ::close(ends[0]);
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  if (WIFEXITED(status)) result.exit_status = WEXITSTATUS(status);
+  if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
+  return result;
+}
+
+// A line of JSON that says how a request ended, then what it wrote.
+void send(const ProgramEnd& result) {
+  Json head = {{"exit_status", result.exit_status},
+               {"signal", result.signal},
+               {"timed_out", result.timed_out},
+               {"too_long", result.too_long},
+               {"bytes", result.output.size()}};
+  writeAll(STDOUT_FILENO, head.dump() + "\n" + result.output);
+}
+
+// ---- the parent's side
+
+// Results as `send` wrote them; none for what is cut off.
+std::vector<ProgramEnd> received(const std::string& text) {
+  std::vector<ProgramEnd> results;
+  for (size_t at = 0; at < text.size();) {
+    size_t end = text.find('\n', at);
+    Json head = Json::parse(text.substr(at, end - at), nullptr, false);
+    if (end == std::string::npos || !head.is_object()) break;
+    ProgramEnd result;
+    result.exit_status = head.at("exit_status").get<int>();
+    result.signal = head.at("signal").get<int>();
+    result.timed_out = head.at("timed_out").get<bool>();
+    result.too_long = head.at("too_long").get<bool>();
+    result.output = text.substr(end + 1, head.at("bytes").get<size_t>());
+    at = end + 1 + result.output.size();
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
+std::vector<ProgramEnd> runShare(const Path& program, const std::vector<Json>& requests, Limits limits) {
+  Json batch = {{"batch", requests}, {"wall_s", limits.wall_s}};
+  std::string input = batch.dump(-1, ' ', false, Json::error_handler_t::replace);
+  limits.wall_s *= double(requests.size());
+  ProgramEnd child = runChild(program, input, limits);
+  std::vector<ProgramEnd> results = received(child.output);
+  ProgramEnd lost = child;  // of what the child never came to
+  lost.output.clear();
+  results.resize(requests.size(), lost);
+  return results;
+}
+
+}  // namespace
+
+std::vector<ProgramEnd> runChildren(const Path& program, const std::vector<Json>& requests, const Limits& limits) {
+  size_t shares = std::min<size_t>(std::max(1u, std::thread::hardware_concurrency()), requests.size());
+  std::vector<std::vector<Json>> dealt(shares);
+  for (size_t i = 0; i < requests.size(); ++i) dealt[i % shares].push_back(requests[i]);
+  std::vector<std::future<std::vector<ProgramEnd>>> running;
+  for (const auto& share : dealt) running.push_back(std::async(std::launch::async, runShare, program, share, limits));
+  std::vector<ProgramEnd> results(requests.size());
+  for (size_t k = 0; k < shares; ++k) {
+    std::vector<ProgramEnd> some = running[k].get();
+    for (size_t i = 0; i < some.size(); ++i) results[i * shares + k] = std::move(some[i]);
+  }
+  return results;
+}
+
+bool isBatch(const Json& request) { return request.contains("batch"); }
+
+void answerBatch(const Json& batch, const std::function<void(const Json&)>& evaluate) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  double wall_s = batch.at("wall_s").get<double>();
+  for (const Json& request : batch.at("batch")) send(forked(request, wall_s, evaluate));
+  ::_exit(0);
+}
+
+}  // namespace strobe::script
