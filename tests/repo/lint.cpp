@@ -178,12 +178,6 @@ Findings lintForeignHeaders(const std::vector<Source>& sources) {
   return findings;
 }
 
-Findings lintTechniques(const std::vector<Source>& sources) {
-  return lintPattern(
-      sources, "sobel|mcguire|jimenez|guertin|ray_?mask|ray_?reveal|hybrid|tile_?max",
-      "names a technique:", [](const std::string& path) { return path.starts_with("runtime/") && isCpp(path); });
-}
-
 Findings lintLicences(const std::vector<Source>& sources) {
   Findings findings;
   for (const Source& source : sources) {

@@ -41,9 +41,6 @@ Findings lintMixins(const std::vector<Source>& sources);
 // Vulkan's header in gpu/ and one file of live/, Lua's in script/.
 Findings lintForeignHeaders(const std::vector<Source>& sources);
 
-// C++ under runtime/ names no technique.
-Findings lintTechniques(const std::vector<Source>& sources);
-
 // Every source says its licence in one of its first two lines.
 Findings lintLicences(const std::vector<Source>& sources);
 

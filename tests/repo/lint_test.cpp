@@ -45,7 +45,6 @@ TEST(Project, IncludesFollowTheFloors) { EXPECT_EQ(joined(lintFloors(project(), 
 TEST(Project, TheHomeIsPassedOn) { EXPECT_EQ(joined(lintHome(project())), ""); }
 TEST(Project, ForeignHeadersStayInTheirRooms) { EXPECT_EQ(joined(lintForeignHeaders(project())), ""); }
 TEST(Project, ShadersSayWhatTheyNeed) { EXPECT_EQ(joined(lintMixins(project())), ""); }
-TEST(Project, CppNamesNoTechnique) { EXPECT_EQ(joined(lintTechniques(project())), ""); }
 TEST(Project, EverySourceSaysItsLicence) { EXPECT_EQ(joined(lintLicences(project())), ""); }
 TEST(Project, NothingBelongsToAMachine) { EXPECT_EQ(joined(lintMachines(project())), ""); }
 
@@ -121,14 +120,6 @@ TEST(Lint, FindsForeignHeadersElsewhere) {
   EXPECT_EQ(count({{"runtime/live/a.cpp", twice}, {"runtime/live/b.cpp", twice}}), 2u);
   EXPECT_EQ(count({{"runtime/script/a.cpp", "#include <lua.h>\n"}}), 0u);
   EXPECT_EQ(count({{"runtime/lab/a.cpp", "extern \"C\" {\n#include <lua5.4/lauxlib.h>\n}\n#include <lua.hpp>\n"}}), 2u);
-}
-
-TEST(Lint, FindsTechniquesInCpp) {
-  for (const char* text : {"int SobelEdge;", "// the ray mask: ray_mask", "RayReveal r;", "tileMax(v)", "// McGuire"}) {
-    EXPECT_EQ(lintTechniques({{"runtime/graph/a.cpp", text}}).size(), 1u) << text;
-    EXPECT_EQ(lintTechniques({{"shaders/edge/a.glsl", text}}).size(), 0u) << text;
-  }
-  EXPECT_EQ(lintTechniques({{"runtime/graph/a.cpp", "maximum of a tile; array masks\n"}}).size(), 0u);
 }
 
 TEST(Lint, FindsSourcesWithoutLicence) {

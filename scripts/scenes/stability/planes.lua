@@ -36,7 +36,8 @@ end
 
 local function card(name, x, z, grey)
   return scene.node {
-    name = name, position = { x * math.cos(lean), 0, z - x * math.sin(lean) }, rotation = { 0, math.deg(lean), 0 }, shape = scene.quad { size = { 4, 4 } }, material = flat(name, grey),
+    name = name, position = { x * math.cos(lean), 0, z - x * math.sin(lean) }, rotation = { 0, math.deg(lean), 0 },
+    shape = scene.quad { size = { 4, 4 } }, material = flat(name, grey),
     motion = { velocity = moves },
   }
 end
@@ -94,7 +95,9 @@ local kinds = {
         shape = scene.triangles { positions = positions, indices = indices }, motion = { velocity = moves } },
       scene.node { name = "empty" },
       scene.node { name = "points", position = { 0, 0, -depth / 2 }, material = flat("points", 1),
-        shape = scene.triangles { positions = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 1, 1, 0 }, { 2, 2, 0 }, { 3, 3, 0 } } } },
+        shape = scene.triangles {
+          positions = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 1, 1, 0 }, { 2, 2, 0 }, { 3, 3, 0 } },
+        } },
     }
   end,
   function() return { wall(value), card("card", 0, -depth, value) } end,

@@ -17,15 +17,13 @@ return pipeline {
   doc = "Layered composite with candidates from the dominant displacement and the taps only",
   params = params,
   build = function(p)
-    local seen = scene.captured(p)
+    local seen = scene.captured()
     local revealed = reveal { hit = seen.hit, mask = masks["relative"](p, seen) }
     local blurred = layered {
       color = seen.color, depth = seen.depth, velocity = seen.velocity,
       dominant = tiles.dominant(p, seen, { extra = revealed }).dominant,
       revealed_color = revealed.color, revealed_depth = revealed.depth, revealed_velocity = revealed.velocity,
       revealed_valid = revealed.valid, harvest = p.harvest,
-      samples = p.samples, tile = p.tile, limit = p.limit, jitter = p.jitter,
-      jitter_frame = p.jitter_frame,
     }.blurred
     return scene.outputs(seen, { color = blurred })
   end,

@@ -5,7 +5,8 @@
 -- stays), brightness the light alone; value > 0 gives everything that colour.
 local scene = require "strobe.scene"
 
-local width, height = scene.param("width", 64), scene.param("height", 40)
+scene.param("width", 64) -- given to every scene; nothing here depends on it
+local height = scene.param("height", 40)
 local mirror, speed, scale = scene.param("mirror", 1), scene.param("speed", 1), scene.param("scale", 1)
 local value, brightness = scene.param("value", 0), scene.param("brightness", 1)
 local exposures_per_second = 24 / 0.5

@@ -5,7 +5,7 @@
 -- brightness v0 to v3; split = 0: all of them are one instance.
 local scene = require "strobe.scene"
 
-local width, height = scene.param("width", 16), scene.param("height", 8)
+for _, side in ipairs { "width", "height" } do scene.param(side, 16) end -- given to every scene; nothing here depends on them
 local scale, gap, slope = scene.param("scale", 1), scene.param("gap", 1e-3), scene.param("slope", 0)
 local split, count = scene.param("split", 0), scene.param("count", 4)
 local values = {}

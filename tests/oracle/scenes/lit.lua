@@ -2,13 +2,13 @@
 -- A plane through (0, 0, -5), turned by `tilt_x` and then `tilt_y` degrees, of one material, under one light at
 -- (`light_x`, `light_y`, `light_z`) that looks at the plane's middle: `light` 0 a dark one, 1 directional, 2 point, 3 spot.
 -- `card` > 0: a card of that side, `card_z` from the camera, that casts a shadow. Camera at the origin, looking along -z.
--- `metal`, `rough`, `glow` > -1, `bump_x`, `bump_y`, `bump_z` (normal): constant textures of that value. `stripes` > 0: a pattern of so many
--- black and white stripes per metre, of `texels` each, across the plane's x; `along` = 1: across its y. The plane is made
--- of `segments` squares to either side.
+-- `metal`, `rough`, `glow` > -1, `bump_x`, `bump_y`, `bump_z` (normal): constant textures of that value. `stripes` > 0:
+-- a pattern of so many black and white stripes per metre, of `texels` each, across the plane's x; `along` = 1: across its
+-- y. The plane is made of `segments` squares to either side.
 local scene = require "strobe.scene"
 
 local function number(name, default) return scene.param(name, default) end
-local width, height = number("width", 16), number("height", 12)
+for _, side in ipairs { "width", "height" } do number(side, 16) end -- given to every scene; nothing here depends on them
 local light, intensity = number("light", 1), number("intensity", 3)
 local metallic, roughness = number("metallic", 0), number("roughness", 0.5)
 local metal, rough, glow = number("metal", -1), number("rough", -1), number("glow", -1)

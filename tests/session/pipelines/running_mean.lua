@@ -1,7 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- The mean of all frames so far: an image kept from frame to frame.
 local pipeline = require "strobe.pipeline"
-local pass     = require "strobe.pass"
 local scene    = require "scripts.pipelines.lib.scene"
 local mean     = require "passes.test.running_mean"
 

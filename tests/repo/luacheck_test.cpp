@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Every Lua file passes luacheck as .luacheckrc has it.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+
+#include "base/error.h"
+#include "common/source.h"
+
+namespace strobe::repo {
+namespace {
+
+std::string outputOf(const std::string& command) {
+  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+  std::string text;
+  char part[4096];
+  while (size_t count = fread(part, 1, sizeof part, pipe)) text.append(part, count);
+  pclose(pipe);
+  return text;
+}
+
+// From the top, where .luacheckrc names files.
+std::string complaints(const std::string& paths) {
+  return outputOf(fmt::format("cd '{}' && luacheck --no-color --formatter plain {}", sourceFolder().string(), paths));
+}
+
+TEST(Luacheck, EveryLuaFilePasses) {
+  if (outputOf("luacheck --version").find("Luacheck:") == std::string::npos)
+    GTEST_SKIP() << "no luacheck (the package lua-check of Debian)";
+  EXPECT_EQ(complaints("passes scripts experiments tests"), "");
+  std::string wrong = testing::TempDir() + "wrong.lua";
+  writeFileAtomically(wrong, "local unused = os.time()\n");
+  std::string found = complaints(fmt::format("--config .luacheckrc '{}'", wrong));
+  EXPECT_NE(found.find("undefined variable 'os'"), std::string::npos) << found;
+  EXPECT_NE(found.find("unused variable 'unused'"), std::string::npos) << found;
+}
+
+}  // namespace
+}  // namespace strobe::repo
