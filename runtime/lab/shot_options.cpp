@@ -49,7 +49,7 @@ static ShotField text(const char* name, ShotMember member, const char* otherwise
 static std::vector<ShotOption> allOptions() {
   using S = Shot;
   using O = ShotOption;
-  constexpr double kSide = 16384, kLastFrame = 1000000;
+  constexpr double kSide = 16384, kLastFrame = 2147483647;
   return {
       {"scene",
        "a name of scripts/scenes, a .lua, .glb or .gltf file",
