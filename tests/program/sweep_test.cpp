@@ -94,7 +94,7 @@ TEST(Demo, MistakesHaveTheirLine) {
   writeText(folder / "scene.lua", kScene);
   writeText(folder / "demo.lua", demoText(folder, "hybrid", "exposre = 0.5"));
   Outcome outcome = run("demo " + (folder / "demo.lua") + " -o " + (folder / "out"), "STROBE_VALIDATION=0");
-  EXPECT_NE(outcome.err.find("demo.lua:14: shot 1 has no field 'exposre'"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("demo.lua:12: shot 1 has no field 'exposre'"), std::string::npos) << outcome.err;
 }
 
 // What a browser makes of the page, or an empty image where there is none.
