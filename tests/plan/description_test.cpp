@@ -9,13 +9,16 @@
 
 namespace strobe::plan {
 
-static const char* kCanonical = R"({"name":"p","file":"p.lua","doc":"d","breaks":{"linear":"r"},"compare_with":"q",
+static const char* kCanonical =
+    R"({"name":"p","file":"p.lua","doc":"d","kind":"truth","breaks":{"linear":"r"},"compare_with":"q",
  "equals":[{"when":{"mode":"a"},"pipeline":"q","set":{"tile":8}}],
  "params":[{"name":"mode","type":"choice","default":"a","choices":["a","b"],"values":{"b":"t"},"breaks":{"a":{"still":"r"}},"unit":"","doc":"m","variant":true,
             "place":{"file":"p.lua","line":3}},
-           {"name":"n","type":"int","default":4,"min":1,"max":9,"unit":"px","doc":"n","variant":false,
+           {"name":"n","type":"int","default":4,"min":1,"max":9,"role":"tile","unit":"px","doc":"n","variant":false,
             "place":{"file":"p.lua","line":4}}],
- "values":{"mode":"b","n":5},
+ "graph_params":["mode"],
+ "presets":[{"name":"few","doc":"f","default":true,"values":{"n":2}},{"name":"many","doc":"m","default":false,"values":{"mode":"b","n":9}}],
+ "preset":"few","values":{"mode":"b","n":5},
  "passes":[{"name":"source","kind":"raster","shader":"s/source","doc":"s","fails":"f","breaks":{"scaled":"r"},"size":{"kind":"frame"},"scene":true,
             "reads":[],"writes":[{"name":"color","doc":"c","format":"rgba16f","place":{"file":"s.lua","line":2}},
                                  {"name":"id","doc":"i","format":"r32ui","place":{"file":"s.lua","line":3}}],
@@ -48,7 +51,7 @@ static const char* kCanonical = R"({"name":"p","file":"p.lua","doc":"d","breaks"
            "times":{"value":"stratified","place":{"file":"p.lua","line":7}},
            "slices":{"value":4,"place":{"file":"p.lua","line":7}},"until":"far.out",
            "place":{"file":"p.lua","line":7}}],
- "outputs":{"color":"far.sum","raw":"source.color"}})";
+ "outputs":{"color":"far.sum","raw":"source.color"},"regions":[{"name":"raw","doc":"r"}]})";
 
 static Json canonical() { return Json::parse(kCanonical); }
 
