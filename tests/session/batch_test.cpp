@@ -124,14 +124,14 @@ TEST_F(BatchTest, TimesAreOfFramesInTurn) {
   Batch batch(bench());
   Shot few = smallShot("mcguire2012"), many = few;
   few.sets.push_back({"samples", 2});
-  many.sets.push_back({"samples", 200});
+  many.sets.push_back({"samples", 1000});
   std::vector<lab::Timing> times = batch.timeInTurn({few, many}, 5);
   ASSERT_EQ(times.size(), 2u);
   for (const lab::Timing& time : times) {
     EXPECT_EQ(time.ms.size(), 5u);
     EXPECT_TRUE(0 < time.low && time.low <= time.median && time.median <= time.high);
   }
-  EXPECT_LT(times[0].median, times[1].median);
+  EXPECT_LT(times[0].low, times[1].low) << "a busy machine slows single frames of both";
 }
 
 }  // namespace
