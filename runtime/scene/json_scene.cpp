@@ -259,6 +259,7 @@ class Builder {
       track.values.push_back(dvec4(row[0], row[1], row[2], components == 4 ? row[3] : 0));
     }
     fields.finish();
+    if (track.times.empty()) return;  // reported as missing
     for (size_t i = 1; i < track.times.size(); ++i) {
       if (!(track.times[i] > track.times[i - 1])) return fields.problem("'times' do not increase");
     }

@@ -21,6 +21,13 @@ std::string failure(const Json& json) {
   return "";
 }
 
+TEST(JsonScene, ATrackWithoutTimesIsAMistake) {
+  std::string text = failure(parsed(R"({"kind":"scene","nodes":[{"kind":"node","name":"a"}],
+    "animations":[{"kind":"animation","name":"x","tracks":[{"kind":"track","node":"a"}]}]})"));
+  EXPECT_NE(text.find("track: needs 'times'"), std::string::npos) << text;
+  EXPECT_NE(text.find("track: needs 'values'"), std::string::npos) << text;
+}
+
 TEST(JsonScene, BuildsNodesMeshesAndMotion) {
   Scene scene = sceneFromJson(parsed(R"({"kind":"scene","name":"room","environment":{"sky":[1,2,3],"ground":[0,0,0.5]},
     "nodes":[
