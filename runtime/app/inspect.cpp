@@ -12,6 +12,7 @@
 #include "lab/workbench.h"
 #include "page/table.h"
 #include "plan/canonical.h"
+#include "plan/dot.h"
 #include "scene/json_scene.h"
 
 namespace strobe::app {
@@ -141,7 +142,7 @@ void check(const Home& home, const CheckOptions& options) {
 
 struct PlanOptions {
   ShotOptions shot;
-  bool json = false;
+  bool json = false, dot = false;
 };
 
 void plan(const Home& home, const PlanOptions& options) {
@@ -151,7 +152,9 @@ void plan(const Home& home, const PlanOptions& options) {
   plan::PipelineDesc pipeline = script::evaluatePipeline(home, {shot.pipeline, shot.sets});
   graph::Backend backend = shot.backend == "pipeline" ? graph::Backend::Pipeline : graph::Backend::Query;
   plan::Plan planned = lab::planOf(shot, pipeline, backend);
-  std::string text = options.json ? plan::toJson(planned).dump(2) + "\n" : plan::describe(planned);
+  std::string text = options.dot    ? plan::toDot(planned)
+                     : options.json ? plan::toJson(planned).dump(2) + "\n"
+                                    : plan::describe(planned);
   std::fputs(text.c_str(), stdout);
 }
 
@@ -222,7 +225,8 @@ void registerCheck(CLI::App& program, const Home& home) {
 void registerPlan(CLI::App& program, const Home& home) {
   auto options = std::make_shared<PlanOptions>();
   CLI::App* command = program.add_subcommand("plan", "Print what a pipeline runs, in which order, on which memory");
-  command->add_flag("--json", options->json, "the plan as data");
+  CLI::Option* json = command->add_flag("--json", options->json, "the plan as data");
+  command->add_flag("--dot", options->dot, "the graph for Graphviz: | dot -Tsvg")->excludes(json);
   options->shot.addWithPipeline(*command);
   command->callback([options, &home] { plan(home, *options); });
 }

@@ -4,11 +4,14 @@
 #include <cstdio>
 #include <memory>
 
+#include "app/files.h"
 #include "app/shot_options.h"
 #include "base/log.h"
+#include "image/png.h"
 #include "lab/capture.h"
 #include "lab/tev.h"
 #include "lab/trail.h"
+#include "live/views.h"
 
 namespace strobe::app {
 
@@ -16,7 +19,7 @@ namespace {
 
 struct Options {
   ShotOptions shot;
-  std::string out, pixel, tev;
+  std::string out, pixel, tev, views;
   bool half = false, json = false;
 };
 
@@ -28,14 +31,16 @@ void printCounters(const Json& record) {
 
 // Where the picture goes if --out does not say; "" where something else was asked for.
 std::string usualOut(const Options& options, const lab::Shot& shot) {
-  if (!options.pixel.empty() || !options.tev.empty()) return "";
+  if (!options.pixel.empty() || !options.tev.empty() || !options.views.empty()) return "";
   return (Path("out") / Path(shot.pipeline).stem()).string() + (shot.taps.empty() && !options.half ? ".png" : ".exr");
 }
 
 void checkOptions(const Options& options, const lab::Shot& shot) {
   if (!options.out.empty()) lab::checkPictureName(options.out);
-  bool held = Path(options.out).extension() == ".exr" || !options.tev.empty();
-  if (!shot.taps.empty() && !held) throw Error("--tap needs an .exr file: a .png holds the color alone", {}, 2);
+  bool held = Path(options.out).extension() == ".exr" || !options.tev.empty() || !options.views.empty();
+  if (!options.views.empty()) requireWritable(options.views, "--views");
+  if (!shot.taps.empty() && !held)
+    throw Error("--tap needs an .exr file or --views: a .png holds the color alone", {}, 2);
 }
 
 // The picture; with `--pixel` also what every pass left there.
@@ -56,6 +61,22 @@ void sendTo(lab::Tev& viewer, const lab::Picture& picture) {
   for (const auto* images : {&picture.frame.outputs, &picture.frame.taps})
     for (const auto& [name, read] : *images)
       if (!viewer.send(name, read)) return;
+}
+
+// Every output and tap as the window shows it, named after its port.
+std::vector<Path> writeViews(lab::Workbench& bench, lab::Shot shot, const lab::Picture& picture, const Path& folder) {
+  image::Image color = lab::colorOf(picture);
+  shot.width = color.width, shot.height = color.height;
+  plan::Plan plan =
+      lab::planOf(shot, bench.evaluate(shot.pipeline, shot.sets)->pipeline, bench.chooseBackend(shot.backend));
+  std::vector<Path> files;
+  for (const auto* images : {&picture.frame.outputs, &picture.frame.taps})
+    for (const auto& [name, read] : *images) {
+      files.push_back(folder / (name + ".png"));
+      image::writePng(files.back(),
+                      live::shown(read, name, live::divideOf(plan, name), color.width, color.height, {}, &color));
+    }
+  return files;
 }
 
 void print(const Options& options, const lab::Picture& picture, const lab::Trail& trail,
@@ -84,6 +105,8 @@ void render(const Home& home, Options options) {
   for (const std::string& warning : picture.warnings) warn(warning);
   std::vector<Path> files;
   if (!options.out.empty()) files = lab::writePicture(picture, options.out, options.half);
+  if (!options.views.empty())
+    for (const Path& file : writeViews(bench, shot, picture, options.views)) files.push_back(file);
   if (viewer) sendTo(*viewer, picture);
   print(options, picture, trail, files);
 }
@@ -95,7 +118,8 @@ void registerRender(CLI::App& program, const Home& home) {
   CLI::App* command = program.add_subcommand("render", "Render one picture of a scene with a pipeline");
   command->add_option("-o,--out", options->out,
                       "picture to write, .exr or .png; record and timings go beside it (default: out/PIPELINE.png, "
-                      "with --tap or --half .exr; with --pixel or --tev none)");
+                      "with --tap or --half .exr; with --pixel, --tev or --views none)");
+  command->add_option("--views", options->views, "folder: every output and tap as the window shows it, as PNG files");
   command->add_option("--pixel", options->pixel,
                       "X,Y from the top left: print what every pass left there and what its ray meets");
   addTev(*command, options->tev);

@@ -41,13 +41,6 @@ static bool isOutput(const plan::Plan& plan, const std::string& port) {
                      [&](const auto& output) { return output.first == port; });
 }
 
-static int divideOf(const plan::Plan& plan, const std::string& port) {
-  for (const auto& [name, image] : plan.outputs)
-    if (name == port) return plan.images[size_t(image)].divide;
-  int image = plan::findImage(plan, port);
-  return image < 0 ? 1 : plan.images[size_t(image)].divide;
-}
-
 static image::Image threeChannels(const image::Image& image) {
   image::Image result(image.width, image.height, 3);
   for (size_t i = 0; i < result.values.size(); ++i)

@@ -303,6 +303,13 @@ std::vector<std::string> viewKinds(const ReadImage& image) {
   return {"auto", "colour", "normal", "velocity", "arrows", "scalar", "numbers"};
 }
 
+int divideOf(const plan::Plan& plan, const std::string& port) {
+  for (const auto& [name, image] : plan.outputs)
+    if (name == port) return plan.images[size_t(image)].divide;
+  int image = plan::findImage(plan, port);
+  return image < 0 ? 1 : plan.images[size_t(image)].divide;
+}
+
 Image shown(const ReadImage& image, const std::string& port, int divide, int width, int height,
             const ViewOptions& options, const Image* under) {
   if (isUint(image)) return placed(image::idColours(image.uints), divide, width, height);

@@ -35,6 +35,9 @@ std::string automaticKind(const graph::ReadImage& image, const std::string& port
 // The kinds that make sense for an image, "auto" first: a menu.
 std::vector<std::string> viewKinds(const graph::ReadImage& image);
 
+// Frame pixels per texel and axis of an output or a "node.port"; 0: no picture of the frame; 1 for what there is not.
+int divideOf(const plan::Plan& plan, const std::string& port);
+
 // `divide` is how many frame pixels a texel covers per axis; 0: an image of fixed size, which is fitted into the frame.
 // `under` (may be null) is the linear colour beneath masks and arrows, of the frame's size.
 image::Image shown(const graph::ReadImage& image, const std::string& port, int divide, int width, int height,

@@ -42,6 +42,22 @@ TEST(Inspect, PixelChangesNoFile) {
   EXPECT_FALSE(trail["hits"].empty());
 }
 
+// A picture per output and tap, all as large as the frame, and the same bytes each time.
+TEST(Inspect, ViewsShowEveryImage) {
+  TemporaryFolder folder;
+  std::string command = "render mcguire2012" + kShot + " --tap neighbour_max.dominant --views ";
+  Outcome outcome = run(command + (folder / "views"));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* name : {"color", "depth", "id", "normal", "velocity", "neighbour_max.dominant"}) {
+    std::string bytes = contentOf(folder / (std::string("views/") + name + ".png"));
+    ASSERT_GT(bytes.size(), 24u) << name;
+    EXPECT_EQ(bytes.substr(16, 8), std::string("\0\0\0\x40\0\0\0\x20", 8)) << name << " is not 64x32";
+    EXPECT_NE(outcome.out.find(std::string(name) + ".png"), std::string::npos) << outcome.out;
+  }
+  EXPECT_EQ(run(command + (folder / "again")).exit_code, 0);
+  EXPECT_EQ(contentOf(folder / "views/velocity.png"), contentOf(folder / "again/velocity.png"));
+}
+
 TEST(Inspect, MistakesAreUsageErrors) {
   for (const auto& [options, wanted] :
        {std::pair<std::string, std::string>{"--pixel 64,0", "outside of the picture of 64x32"},

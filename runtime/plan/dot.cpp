@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "plan/dot.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace strobe::plan {
+namespace {
+
+const char* const kHead =
+    "digraph plan {\n"
+    "  rankdir=TB; ranksep=0.35; nodesep=0.3; bgcolor=white;\n"
+    "  node [shape=box, style=\"filled,rounded\", fontname=\"DejaVu Sans\", fontsize=11, color=\"#5a6572\"];\n"
+    "  edge [fontname=\"DejaVu Sans\", fontsize=9, color=\"#5a6572\", fontcolor=\"#39424d\"];\n";
+
+// Text inside a quoted string of DOT.
+std::string inQuotes(const std::string& text) {
+  std::string result = "\"";
+  for (char c : text) {
+    if (c == '"') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
+struct Kind {
+  const char *name, *fill;
+};
+
+Kind kindOf(const PassDesc& pass) {
+  if (pass.kind == PassDesc::Kind::Raster) return {"raster", "#f6e3c5"};
+  return pass.kind == PassDesc::Kind::Trace ? Kind{"trace", "#f3cfc6"} : Kind{"compute", "#dbe7f3"};
+}
+
+const NodeDesc& descOf(const Plan& plan, const PlanNode& node) { return plan.pipeline.nodes[size_t(node.node)]; }
+
+std::string boxOf(const Plan& plan, const PlanNode& node) {
+  const PassDesc& pass = plan.pipeline.passes[size_t(node.pass)];
+  const NodeDesc& desc = descOf(plan, node);
+  Kind kind = kindOf(pass);
+  std::string label = desc.name;
+  if (desc.name != pass.name) label += "\\npass " + pass.name;
+  label += fmt::format("\\n{} {}x{}", kind.name, node.width, node.height);
+  return fmt::format("{} [label={}, fillcolor=\"{}\"];\n", inQuotes(desc.name), inQuotes(label), kind.fill);
+}
+
+void addBoxes(const Plan& plan, std::string& text) {
+  for (size_t loop = 0; loop < plan.loops.size(); ++loop) {
+    const PlanLoop& repeated = plan.loops[loop];
+    std::string label = fmt::format("{}: {} times", plan.pipeline.loops[size_t(repeated.loop)].name, repeated.count);
+    text += fmt::format("  subgraph cluster_{} {{\n    label={}; fontname=\"DejaVu Sans\"; fontsize=10;\n", loop,
+                        inQuotes(label));
+    for (const PlanNode& node : plan.nodes)
+      if (node.loop == int(loop)) text += "    " + boxOf(plan, node);
+    text += "  }\n";
+  }
+  for (const PlanNode& node : plan.nodes)
+    if (node.loop < 0) text += "  " + boxOf(plan, node);
+}
+
+// "node" and "port" of an image's name.
+std::pair<std::string, std::string> halvesOf(const std::string& image) {
+  size_t dot = image.rfind('.');
+  return {image.substr(0, dot), image.substr(dot + 1)};
+}
+
+void addEdges(const Plan& plan, std::string& text) {
+  for (const PlanNode& node : plan.nodes) {
+    std::map<std::string, std::string> ports;  // what is read of each node, a port per line
+    for (int image : node.reads) {
+      if (image < 0) continue;
+      auto [from, port] = halvesOf(plan.images[size_t(image)].name);
+      std::string& label = ports[from];
+      label += (label.empty() ? "" : "\\n") + port;
+    }
+    for (const auto& [from, label] : ports)
+      text += fmt::format("  {} -> {} [label={}];\n", inQuotes(from), inQuotes(descOf(plan, node).name),
+                          inQuotes(" " + label));
+  }
+}
+
+void addOutputs(const Plan& plan, std::string& text) {
+  for (const auto& [name, image] : plan.outputs) {
+    auto [from, port] = halvesOf(plan.images[size_t(image)].name);
+    std::string id = inQuotes("output " + name);
+    text += fmt::format("  {} [label={}, shape=ellipse, style=filled, fillcolor=\"#e3f0dc\"];\n", id, inQuotes(name));
+    text += fmt::format("  {} -> {} [label={}, style=dashed];\n", inQuotes(from), id,
+                        inQuotes(port == name ? "" : " " + port));
+  }
+}
+
+}  // namespace
+
+std::string toDot(const Plan& plan) {
+  std::string text = kHead;
+  addBoxes(plan, text);
+  addEdges(plan, text);
+  addOutputs(plan, text);
+  return text + "}\n";
+}
+
+}  // namespace strobe::plan
