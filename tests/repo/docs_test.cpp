@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// The documentation leads somewhere: links of Markdown files, the length of the README, the index.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <sstream>
+
+#include "base/files.h"
+#include "common/source.h"
+#include "repo/lint.h"
+
+namespace strobe::repo {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<Source> pages() {
+  std::vector<Source> result = readSources(sourceFolder());
+  std::erase_if(result, [](const Source& source) { return !source.path.ends_with(".md"); });
+  return result;
+}
+
+// Without fenced and indented code, and without what stands between backticks.
+std::string proseOf(const std::string& page) {
+  std::istringstream lines(page);
+  std::string prose;
+  bool fenced = false;
+  for (std::string line; std::getline(lines, line);) {
+    bool fence = line.starts_with("```");
+    if (!fenced && !fence && !line.starts_with("    ")) prose += line;
+    fenced = fenced != fence;
+    prose += "\n";
+  }
+  return std::regex_replace(prose, std::regex("`[^`\n]*`"), "x");
+}
+
+// The anchor that a heading gets: lower case, letters, digits and hyphens alone.
+std::string anchorOf(const std::string& heading) {
+  std::string anchor;
+  for (char c : heading) {
+    if (std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' || (c & 0x80))
+      anchor += char(std::tolower(c));
+    if (c == ' ') anchor += '-';
+  }
+  return anchor;
+}
+
+bool hasHeading(const std::string& page, const std::string& anchor) {
+  std::istringstream lines(page);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("#") && anchorOf(line.substr(line.find_first_not_of("# "))) == anchor) return true;
+  return false;
+}
+
+// Targets of "[text](target)" and "![text](target)" on each line.
+Findings brokenLinks(const std::vector<Source>& pages, const fs::path& folder) {
+  static const std::regex link(R"rx(\]\(([^)\s]+)\))rx");
+  Findings findings;
+  for (const Source& page : pages) {
+    std::istringstream lines(proseOf(page.text));
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+      ++number;
+      for (std::sregex_iterator at(line.begin(), line.end(), link), end; at != end; ++at) {
+        std::string target = (*at)[1];
+        if (target.find("://") != std::string::npos || target.starts_with("mailto:")) continue;
+        size_t hash = target.find('#');
+        std::string file = target.substr(0, hash), anchor = hash == std::string::npos ? "" : target.substr(hash + 1);
+        fs::path path = file.empty() ? folder / page.path : (folder / page.path).parent_path() / file;
+        bool good = fs::exists(path);
+        if (good && !anchor.empty()) good = hasHeading(readText(path), anchor);
+        if (!good) findings.push_back(page.path + ":" + std::to_string(number) + ": " + target);
+      }
+    }
+  }
+  return findings;
+}
+
+std::string joined(const Findings& findings) {
+  std::string text;
+  for (const std::string& finding : findings) text += finding + "\n";
+  return text;
+}
+
+TEST(Docs, EveryRelativeLinkLeadsSomewhere) {
+  ASSERT_GT(pages().size(), 20u);
+  EXPECT_EQ(joined(brokenLinks(pages(), sourceFolder())), "");
+}
+
+TEST(Docs, ABrokenLinkIsFound) {
+  auto links = [](const std::string& text) { return brokenLinks({{"docs/x.md", text}}, sourceFolder()).size(); };
+  EXPECT_EQ(links("[a](../README.md) [b](https://example.org/x) `[c](none.md)`\n\n    [d](none.md)\n"), 0u);
+  EXPECT_EQ(links("[a](README.md)\n[b](none.md) ![c](pictures/none.png)\n"), 2u);
+  EXPECT_EQ(links("[a](../README.md#start) [b](../README.md#no-such-heading)\n"), 1u);
+}
+
+TEST(Docs, TheReadmeIsShort) {
+  std::string readme = readText(sourceFolder() / "README.md");
+  EXPECT_LE(std::count(readme.begin(), readme.end(), '\n'), 100);
+}
+
+// The index has every page of docs/.
+TEST(Docs, TheIndexHasEveryPage) {
+  std::string index = readText(sourceFolder() / "docs/README.md");
+  for (const std::string& name : namesIn(sourceFolder() / "docs", ".md"))
+    if (name != "README") EXPECT_NE(index.find("(" + name + ".md"), std::string::npos) << name;
+}
+
+}  // namespace
+}  // namespace strobe::repo
