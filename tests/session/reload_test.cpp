@@ -194,7 +194,7 @@ TEST_F(ReloadTest, ARenamedOrRetypedBindingIsRefusedByTheNameOfItsPass) {
              "pass 'gather_mcguire2012' is not given"},
         Case{"passes/gather/mcguire2012.lua", "velocity     = { doc", "velocity     = { uint = true, doc",
              "read 'velocity' of pass 'gather_mcguire2012' wants unsigned integers"},
-        Case{"passes/gather/mcguire2012.lua", "depth_extent = pass", "depth_range = pass", "gather_mcguire2012"},
+        Case{"passes/gather/mcguire2012.lua", "depth_extent = blur", "depth_range = blur", "gather_mcguire2012"},
         Case{"shaders/gather/mcguire2012.glsl", "dominant_tex", "prevailing_tex", "gather_mcguire2012"}}) {
     std::string good = home_.read(one.file);
     home_.edit(one.file, one.from, one.to);
