@@ -12,6 +12,7 @@
 #include "app/help.h"
 #include "app/inspect.h"
 #include "app/live.h"
+#include "app/new.h"
 #include "app/render.h"
 #include "app/stability.h"
 #include "app/sweep.h"
@@ -58,6 +59,7 @@ int main(int argc, char** argv) {
   strobe::app::registerReport(program, home);
   strobe::app::registerBench(program, home);
   strobe::app::registerStability(program, home);
+  strobe::app::registerNew(program, home);
   strobe::app::registerDoctor(program, home);
   try {
     program.parse(argc, argv);

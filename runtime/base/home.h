@@ -11,14 +11,20 @@
 
 namespace strobe {
 
-// Files are named as they lie in the shipped folder: "passes/mask/moving.lua", "scripts/pipelines/none.lua".
+// Files are named as they lie in the shipped folder: "passes/mask/moving.lua", "scripts/pipelines/none.lua". A root
+// with a file kProjectFile is a project, which has "pipelines/x.lua" for "scripts/pipelines/x.lua". A project's file
+// under a shipped name is an `Error` that names both, unless it says "replaces = true"; so is a file that a link leads
+// to from a root to a place outside of it.
 class Home {
  public:
+  static constexpr const char* kProjectFile = "strobe.project.lua";
+
   // `roots`: the shipped folder is the last. `data` is the folder of shared data; without it, `shared` beside that one.
   explicit Home(const std::vector<Path>& roots, std::optional<Path> data = {}, Path program = ownProgram());
   explicit Home(const Path& shipped) : Home(std::vector<Path>{shipped}) {}
 
-  // STROBE_HOME, else the source tree the program was built from; STROBE_DATA; STROBE_PROGRAM.
+  // The project that the current folder lies in, if any; STROBE_HOME, else PREFIX/share/strobe of the program that is
+  // PREFIX/bin/strobe, else the source tree the program was built from; STROBE_DATA; STROBE_PROGRAM.
   static Home fromEnvironment();
 
   // Absolute folders; the shipped one is the last.
@@ -33,14 +39,16 @@ class Home {
   std::optional<Path> find(const Path& name) const;
   // The same; where no root has it, the place it would have in the shipped folder.
   Path at(const Path& name) const;
-  // The folders of this name in all roots.
+  // The places that a folder of this name has in the roots, whether it is there or not.
+  std::vector<Path> places(const Path& name) const;
+  // Those that are there.
   std::vector<Path> folders(const Path& name) const;
   // Names of the files with this extension in a folder of any root, without it, sorted.
   std::vector<std::string> namesIn(const Path& folder, std::string_view extension) const;
   // The same of all folders below ("bar", "oracles/bar").
   std::vector<std::string> namesBelow(const Path& folder, std::string_view extension) const;
 
-  // The name of an absolute path that lies in a root.
+  // An absolute path that lies in a root, relative to that.
   std::optional<std::string> nameOf(const Path& file) const;
   // `file` relative to the root it lies in (links followed), else unchanged: what errors and records show.
   std::string shown(const Path& file) const;
@@ -49,10 +57,19 @@ class Home {
 
  private:
   static Path ownProgram();
+  std::optional<Path> placeIn(size_t root, const Path& name) const;
+  void requireInside(const Path& file) const;
+  std::vector<std::string> joined(const Path& folder, std::string_view extension,
+                                  const std::vector<std::vector<std::string>>& lists) const;
 
   std::vector<Path> roots_;
+  std::vector<Path> real_roots_;  // links followed
+  std::vector<bool> is_project_;
   std::optional<Path> data_;
   Path program_;
 };
+
+// Does `file` lie in `folder`, links followed?
+bool liesIn(const Path& file, const Path& folder);
 
 }  // namespace strobe

@@ -96,7 +96,7 @@ ReloadTiming medianOf(const std::vector<ReloadTiming>& all) {
 HomeCopy::HomeCopy(const Home& home) : folder_(fs::temp_directory_path() / fmt::format("strobe_bench_{}", ::getpid())) {
   for (const char* part : {"passes", "shaders", "scripts"}) {
     fs::create_directories(folder_ / part);
-    fs::copy(home.at(part), folder_ / part, fs::copy_options::recursive);
+    fs::copy(home.shipped() / part, folder_ / part, fs::copy_options::recursive);
   }
 }
 

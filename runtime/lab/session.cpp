@@ -309,7 +309,7 @@ void Session::rememberFiles(const std::vector<script::Dependency>& more) {
 // True the first time.
 bool Session::watchFolders() {
   std::vector<Path> folders;
-  for (const char* name : {"passes", "shaders", "scripts"})
+  for (const char* name : {"passes", "shaders", "scripts", "scripts/pipelines", "scripts/scenes"})
     for (const Path& folder : bench_.home().folders(name)) folders.push_back(folder);
   bool first = files_.watch(folders);
   for (const auto* files : {&running_->evaluation().scripts, &running_->scene().dependencies}) files_.watchFlat(*files);

@@ -348,14 +348,20 @@ void Sandbox::read(const Path& file, const std::string& shown) {
 }
 
 void Sandbox::list(const std::string& folder) {
-  std::vector<Path> paths = options_.home.folders(folder);
-  if (folder.find("..") != std::string::npos || paths.empty())
+  if (folder.find("..") != std::string::npos || options_.home.folders(folder).empty())
     throw Error(fmt::format("there is no folder '{}'", folder));
   names_ = options_.home.namesIn(folder, ".lua");
-  for (const Path& path : paths) {
+  // A folder that a project may get is a dependency as well.
+  for (const Path& path : options_.home.places(folder)) {
     auto listed = std::find_if(files_.begin(), files_.end(), [&](const Dependency& file) { return file.path == path; });
-    if (listed == files_.end()) files_.push_back({path, folder, hashOfPath(path)});
+    bool own = !liesIn(path, options_.home.shipped());
+    if (listed == files_.end()) files_.push_back({path, own ? folder + " of the project" : folder, hashOfPath(path)});
   }
+}
+
+bool Sandbox::liesInHome(const Path& file) const {
+  const auto& roots = options_.home.roots();
+  return std::any_of(roots.begin(), roots.end(), [&](const Path& root) { return liesIn(file, root); });
 }
 
 bool Sandbox::isThere(const Path& file) const {
@@ -375,9 +381,11 @@ void Sandbox::resolve(const std::string& module) {
 
   bool in_home = root == "strobe" || root == "passes" || root == "scripts";
   Path file = options_.home.at(relative);
-  if (in_home && isThere(file)) return read(file, relative);
+  if (in_home && isThere(file)) return read(file, options_.home.nameOf(file).value_or(relative));
   Path own = options_.main.parent_path() / relative;
   if (options_.own_folder && isThere(own)) {
+    if (!liesIn(own, options_.main.parent_path()) && !liesInHome(own))
+      throw Error(fmt::format("module '{}' is a link that leads out of its folder", module));
     Path shown = Path(options_.shown).parent_path() / relative;
     return read(own, shown.string());
   }

@@ -61,6 +61,7 @@ class Sandbox {
   void resolve(const std::string& module);
   void read(const Path& file, const std::string& shown);
   void list(const std::string& folder);
+  bool liesInHome(const Path& file) const;
   bool isThere(const Path& file) const;
   std::vector<std::string> moduleNames() const;
   void collectProblems();

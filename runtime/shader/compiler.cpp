@@ -14,13 +14,22 @@ namespace strobe::shader {
 
 namespace {
 
-// Beside the including file, then in the shaders folder; empty if in neither.
+bool isFile(const Path& file) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(file, ignored);
+}
+
+// Beside the including file, then in the shaders folders of the home; empty if in neither. A file outside of the home
+// (a test's) includes what lies in its own folder.
 Path findInclude(const Home& home, const std::string& name, const Path& from) {
-  for (const Path& candidate : {from.parent_path() / name, home.at(Path("shaders") / name)}) {
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(candidate, ignored)) return candidate.lexically_normal();
+  Path folder = std::filesystem::absolute(from.parent_path()).lexically_normal();
+  Path beside = (folder / name).lexically_normal();
+  if (isFile(beside)) {
+    if (std::optional<std::string> known = home.nameOf(beside)) return home.find(*known).value_or(Path());
+    if (liesIn(beside, folder)) return beside;
   }
-  return {};
+  Path shared = home.at(Path("shaders") / name);
+  return isFile(shared) && home.nameOf(shared.lexically_normal()) ? shared.lexically_normal() : Path();
 }
 
 void addOnce(std::vector<Path>& files, const Path& file) {

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "base/home.h"
+
+namespace strobe::app {
+
+// `strobe new DIR`.
+void registerNew(CLI::App& program, const Home& home);
+
+}  // namespace strobe::app
