@@ -153,11 +153,11 @@ void tryTests(MutationResult& result, const MutationOptions& options, const Path
 }
 
 // Which mutants change what is compiled; the others need no tests.
-void compileAll(const Path& home, std::vector<MutationResult>& results, Kept& kept) {
+void compileAll(const Home& home, std::vector<MutationResult>& results, Kept& kept) {
   auto unknown = [](const MutationResult& result) { return result.fate == Fate::Untried && !result.compiles; };
   if (std::none_of(results.begin(), results.end(), unknown)) return;
   note("compiling the mutants");
-  ShaderCode code{Home(home)};
+  ShaderCode code(home);
   Progress progress("compiling", int(results.size()));
   for (MutationResult& result : results) {
     progress.advance();
@@ -253,7 +253,7 @@ std::vector<MutationResult> runMutants(const Home& original, const std::vector<M
   giveReasons(results, options.reasons);
   for (MutationResult& result : results)
     if (options.again && result.fate == Fate::Survived && result.reason.empty()) result.fate = Fate::Untried;
-  compileAll(home, results, kept);
+  compileAll(Home({home}, original.data(), original.program()), results, kept);
   std::vector<size_t> wanted;
   for (size_t i = 0; i < results.size(); ++i)
     if (results[i].fate == Fate::Untried) wanted.push_back(i);
