@@ -32,7 +32,7 @@ void ShotOptions::addTo(CLI::App& command) {
     CLI::Option* added = command.add_option(spelled(option), given_[option.name], helpOf(option));
     bool list = !option.fields.front().isValue() && jsonOf(option, fresh).is_array();
     if (list) added->allow_extra_args(false);
-    else added->expected(1);
+    else added->expected(1)->allow_extra_args(false);  // what follows is the pipeline
     bool stated = option.fields.front().isValue() && !option.fields.front().isOpen(fresh);
     std::string otherwise = stated ? plan::textOf(option.fields.front().get(fresh)) : "";
     if (!otherwise.empty()) added->default_str(otherwise);

@@ -28,6 +28,14 @@ TEST(Inspect, APictureWithoutANameGoesToOut) {
   EXPECT_TRUE(fs::exists(folder.path() / "out/none.exr"));
 }
 
+// An option takes one value: what follows is the pipeline.
+TEST(Inspect, ThePipelineMayFollowAnOption) {
+  for (const char* options : {"--size 32x18", "--frame 2", "--anchor open"}) {
+    Outcome outcome = run(std::string("plan ") + options + " none");
+    EXPECT_EQ(outcome.exit_code, 0) << options << ": " << outcome.err;
+  }
+}
+
 // Looking changes neither the picture nor its record.
 TEST(Inspect, PixelChangesNoFile) {
   TemporaryFolder folder;
