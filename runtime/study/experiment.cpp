@@ -57,7 +57,7 @@ void resolveScene(const Home& home, StudiedShot& shot) {
   if (!shot.shot.scene.starts_with(prefix)) return;
   std::string name = shot.shared = shot.shot.scene.substr(prefix.size());
   std::optional<Path> data = home.data();
-  if (!data) shot.missing = "there is no shared data (STROBE_DATA names its folder)";
+  if (!data) shot.missing = fmt::format("there is no shared data with '{}' (STROBE_DATA names its folder)", name);
   else if (!std::filesystem::exists(*data / name)) shot.missing = fmt::format("the shared data has no '{}'", name);
   else shot.shot.scene = (*data / name).string();
 }
