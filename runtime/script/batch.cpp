@@ -81,6 +81,33 @@ void send(const ProgramEnd& result) {
   writeAll(STDOUT_FILENO, head.dump() + "\n" + result.output);
 }
 
+std::string withoutArgument(Json request) {
+  request.erase("argument");
+  return request.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+// Answers requests, each in a copy of a process that has loaded what they share. False: it could not load that.
+bool answerLoaded(const std::vector<Json>& requests, double wall_s, const Answering& answering) {
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) ::_exit(1);
+  pid_t loader = ::fork();
+  if (loader < 0) ::_exit(1);
+  if (loader == 0) {
+    if (!answering.load(requests.front())) ::_exit(1);
+    writeAll(ends[1], "+");
+    for (const Json& request : requests) send(forked(request, wall_s, answering.evaluate));
+    ::_exit(0);
+  }
+  ::close(ends[1]);
+  char loaded = 0;
+  while (::read(ends[0], &loaded, 1) < 0 && errno == EINTR) continue;
+  ::close(ends[0]);
+  int status = 0;
+  while (::waitpid(loader, &status, 0) < 0 && errno == EINTR) continue;
+  if (loaded && status != 0) ::_exit(1);
+  return loaded;
+}
+
 // ---- the parent's side
 
 // Results as `send` wrote them; none for what is cut off.
@@ -132,10 +159,17 @@ std::vector<ProgramEnd> runChildren(const Path& program, const std::vector<Json>
 
 bool isBatch(const Json& request) { return request.contains("batch"); }
 
-void answerBatch(const Json& batch, const std::function<void(const Json&)>& evaluate) {
+void answerBatch(const Json& batch, const Answering& answering) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   double wall_s = batch.at("wall_s").get<double>();
-  for (const Json& request : batch.at("batch")) send(forked(request, wall_s, evaluate));
+  auto requests = batch.at("batch").get<std::vector<Json>>();
+  for (size_t first = 0, end = 0; first < requests.size(); first = end) {
+    std::string shared = withoutArgument(requests[first]);
+    while (end < requests.size() && withoutArgument(requests[end]) == shared) ++end;
+    std::vector<Json> alike(requests.begin() + first, requests.begin() + end);
+    if (alike.size() > 1 && answerLoaded(alike, wall_s, answering)) continue;
+    for (const Json& request : alike) send(forked(request, wall_s, answering.evaluate));
+  }
   ::_exit(0);
 }
 

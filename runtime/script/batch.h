@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Many evaluations in few child processes: each child starts once and forks for every request, so that every script has
-// a Lua state, limits and an end of its own.
+// limits and an end of its own. Requests for the same file fork from a process that has loaded it.
 #pragma once
 
 #include <functional>
@@ -16,9 +16,15 @@ namespace strobe::script {
 // the machine has cores share the work.
 std::vector<ProgramEnd> runChildren(const Path& program, const std::vector<Json>& requests, const Limits& limits);
 
-// The child's side, for a request that `isBatch`: `evaluate` answers one of its requests on stdout and ends the
-// process.
+struct Answering {
+  std::function<void(const Json&)> evaluate;  // answers a request on stdout and ends the process
+  // Does what requests that differ in their argument alone have in common. False, or the end of the process with a
+  // status other than 0, without an answer: each of them is then evaluated from the start.
+  std::function<bool(const Json&)> load;
+};
+
+// The child's side, for a request that `isBatch`.
 bool isBatch(const Json& request);
-[[noreturn]] void answerBatch(const Json& batch, const std::function<void(const Json&)>& evaluate);
+[[noreturn]] void answerBatch(const Json& batch, const Answering& answering);
 
 }  // namespace strobe::script

@@ -21,6 +21,7 @@ namespace {
 // For the signal handler and the hook it sets, which take no argument.
 Sandbox* g_sandbox = nullptr;
 double g_cpu_s = 0;
+bool g_loading = false;  // there is no request to answer yet
 
 std::string readAll(int descriptor) {
   std::string text;
@@ -57,6 +58,7 @@ Json problemJson(const Problem& problem) {
 
 // Runs as a Lua hook, at an instruction of the script, once its processor time is used up.
 void stopEndlessScript(lua_State* lua, lua_Debug*) {
+  if (g_loading) ::_exit(1);
   const char* text = "stopped: more than {} s of processor time (the limit for a script); endless loop?";
   Problem problem{Sandbox::userPlace(lua, 0), fmt::format(fmt::runtime(text), g_cpu_s)};
   answer({{"errors", {problemJson(problem)}}, {"files", filesJson(*g_sandbox)}});
@@ -78,20 +80,33 @@ void startTimer(double cpu_s) {
   ::setitimer(ITIMER_PROF, &timer, nullptr);
 }
 
-void evaluate(const Json& request) {
-  double cpu_s = request.at("cpu_s").get<double>();
-  int memory_mb = request.at("memory_mb").get<int>();
-  Sandbox::Options options{.home = Home(request.at("roots").get<std::vector<Path>>())};
-  options.main = request.at("main").get<std::string>();
-  options.shown = request.at("shown").get<std::string>();
-  options.own_folder = request.at("own_folder").get<bool>();
-  options.texts = request.at("texts").get<std::map<std::string, std::string>>();
-  options.memory_bytes = static_cast<size_t>(memory_mb) << 20;
-  static Sandbox sandbox(options);
-  g_sandbox = &sandbox;
-  g_cpu_s = cpu_s;
-  startTimer(cpu_s);
+// The sandbox of this process; there is never more than one.
+Sandbox& sandboxFor(const Json& request) {
+  g_cpu_s = request.at("cpu_s").get<double>();
+  if (!g_sandbox) {
+    Sandbox::Options options{.home = Home(request.at("roots").get<std::vector<Path>>())};
+    options.main = request.at("main").get<std::string>();
+    options.shown = request.at("shown").get<std::string>();
+    options.own_folder = request.at("own_folder").get<bool>();
+    options.texts = request.at("texts").get<std::map<std::string, std::string>>();
+    options.memory_bytes = request.at("memory_mb").get<size_t>() << 20;
+    g_sandbox = new Sandbox(options);
+  }
+  startTimer(g_cpu_s);
+  return *g_sandbox;
+}
 
+// Only a pipeline's file is the same whatever is set.
+bool load(const Json& request) {
+  g_loading = true;
+  Json nothing;
+  bool loaded = request.at("function") == "pipeline" && sandboxFor(request).run("load", {}, nothing);
+  g_loading = false;
+  return loaded;
+}
+
+void evaluate(const Json& request) {
+  Sandbox& sandbox = sandboxFor(request);
   Json result;
   if (sandbox.run(request.at("function").get<std::string>(), request.at("argument"), result)) {
     answer({{"result", std::move(result)}, {"files", filesJson(sandbox)}});
@@ -109,7 +124,7 @@ void runScriptChild() {
   std::set_new_handler([] { ::_exit(kOutOfMemory); });
   try {
     Json request = Json::parse(readAll(STDIN_FILENO));
-    if (isBatch(request)) answerBatch(request, evaluate);
+    if (isBatch(request)) answerBatch(request, {evaluate, load});
     evaluate(request);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "script child: %s\n", error.what());

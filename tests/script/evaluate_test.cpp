@@ -219,6 +219,12 @@ TEST_F(Evaluate, ManyAtOnceAreAsOneAtATime) {
                                            {"nowhere", {}},
                                            {"sample", {{"preset", "coarse"}}},
                                            {"endless", {}}};
+  for (const char* name : {"sample", "counting", "broken", "endless"})
+    for (int i = 0; i < 4; ++i) requests.push_back({name, {}});
+  std::string counting = readText(home_.folder() / "scripts/pipelines/sample.lua");
+  counting.insert(counting.find("build = function(p)") + 19, " count = count + 1 assert(count == 1) ");
+  home_.write("scripts/pipelines/counting.lua", "local count = 0\n" + counting);
+  home_.write("scripts/pipelines/broken.lua", "return nil +");
   home_.write("scripts/pipelines/endless.lua", "while true do end");
   Limits limits;
   limits.cpu_s = 0.3;
