@@ -3,6 +3,7 @@
 -- front of it.
 local pass   = require "strobe.pass"
 local blur   = require "passes.lib.blur"
+local ports  = require "passes.lib.blur_ports"
 local jitter = require "passes.lib.jitter"
 
 return pass.compute {
@@ -13,22 +14,11 @@ return pass.compute {
            "may be missed, above all if it moves against them. The background is taken to move as it does at the " ..
            "pixel: wrong where two backgrounds meet or where it turns. One layer behind the first, no more.",
   size   = { of = "color" },
-  reads  = {
-    color             = { doc = "linear" },
-    depth             = { doc = "linear view depth, metres, sky = +inf" },
-    id                = { uint = true, doc = "instance + 1, geometry + 1; sky = 0" },
-    velocity          = { doc = "px over the exposure" },
-    dominant          = { doc = "px over the exposure, per tile" },
-    revealed_color    = { doc = "linear" },
-    revealed_depth    = { doc = "linear view depth, metres, sky = +inf" },
-    revealed_id       = { uint = true, doc = "instance + 1, geometry + 1; sky = 0" },
-    revealed_velocity = { doc = "px over the exposure" },
-    revealed_valid    = { doc = "above 1/2 where something was revealed" },
-    after_velocity = { optional = true, doc = "px over the exposure, at times after the capture; absent: velocity" },
-    after_dominant = { optional = true, doc = "px over the exposure, per tile, at times after the capture" },
-    revealed_after_velocity = { optional = true, doc = "revealed_velocity at times after the capture" },
-  },
-  writes = { blurred = { format = "rgba32f", doc = "linear; alpha 1" } },
+  reads  = ports.of_both({}, {
+    id          = { uint = true, doc = "instance + 1, geometry + 1; sky = 0" },
+    revealed_id = { uint = true, doc = "instance + 1, geometry + 1; sky = 0" },
+  }),
+  writes = ports.picture,
   params = {
     samples      = blur.samples { doc = "time samples" },
     tile         = blur.tile,

@@ -2,6 +2,7 @@
 -- Per-time layered composite of what raster saw and what was revealed behind it.
 local pass   = require "strobe.pass"
 local blur   = require "passes.lib.blur"
+local ports  = require "passes.lib.blur_ports"
 local jitter = require "passes.lib.jitter"
 
 return pass.compute {
@@ -15,24 +16,8 @@ return pass.compute {
     reversed = "of more than 4 motions around a pixel the nearest count, of equally near ones those before the capture",
   },
   size   = { of = "color" },
-  reads  = {
-    color             = { doc = "linear" },
-    depth             = { doc = "linear view depth, metres, sky = +inf" },
-    velocity          = { doc = "px over the exposure" },
-    dominant          = { doc = "px over the exposure, per tile" },
-    second            = { optional = true, doc = "another displacement found around, px over the exposure, per tile" },
-    revealed_color    = { doc = "linear" },
-    revealed_depth    = { doc = "linear view depth, metres, sky = +inf" },
-    revealed_velocity = { doc = "px over the exposure" },
-    revealed_valid    = { doc = "above 1/2 where something was revealed" },
-    revealed_dominant = { optional = true, doc = "px over the exposure, per tile, of that layer alone" },
-    after_velocity = { optional = true, doc = "px over the exposure, at times after the capture; absent: velocity" },
-    after_dominant = { optional = true, doc = "px over the exposure, per tile, at times after the capture" },
-    after_second   = { optional = true, doc = "second at times after the capture" },
-    revealed_after_velocity = { optional = true, doc = "revealed_velocity at times after the capture" },
-    revealed_after_dominant = { optional = true, doc = "revealed_dominant at times after the capture" },
-  },
-  writes = { blurred = { format = "rgba32f", doc = "linear; alpha 1" } },
+  reads  = ports.of_both { "second", "after_second", "revealed_dominant", "revealed_after_dominant" },
+  writes = ports.picture,
   params = {
     samples      = blur.samples { doc = "time samples" },
     tile         = blur.tile,

@@ -2,6 +2,7 @@
 -- Guertin, McGuire and Nowrouzezahrai 2014, "A Fast and Stable Feature-Aware Motion Blur Filter", for any anchor.
 local pass   = require "strobe.pass"
 local blur   = require "passes.lib.blur"
+local ports  = require "passes.lib.blur_ports"
 local jitter = require "passes.lib.jitter"
 local stored = require "passes.lib.stored"
 
@@ -16,21 +17,10 @@ return pass.compute {
     .. "background in them is the picture from outside. Things that move along neither of the two directions stay "
     .. "sharp or leave noise, and half of the samples see each direction.",
   size   = { of = "color" },
-  reads  = {
-    color        = { doc = "linear" },
-    depth        = { doc = "linear view depth, metres, sky = +inf" },
-    velocity     = { doc = "px over the exposure" },
-    dominant     = { doc = "px over the exposure, per tile" },
-    second       = { optional = true, doc = "what else moves around, px over the exposure, per tile" },
-    variance     = { optional = true, doc = "0 (alike) to 1, of directions, per tile; absent: half of the samples" },
-    slowest      = { optional = true,
-      doc = "px over the exposure, shortest around, per tile; absent: no path for uniform motion" },
-    valid        = { optional = true, doc = "above 1/2 where the layer holds something; absent: everywhere" },
-    behind_depth = { optional = true, doc = "linear view depth of what was revealed behind each pixel" },
-    behind_valid = { optional = true, doc = "above 1/2 where something was; absent: nowhere" },
-  },
-  writes = { blurred = { format = stored.color,
-    doc = "linear, times alpha; alpha below 1 only over something revealed" } },
+  reads  = ports.of_layer({ "second", "slowest" }, {
+    variance = { optional = true, doc = "0 (alike) to 1, of directions, per tile; absent: half of the samples" },
+  }),
+  writes = ports.layer,
   params = {
     samples      = blur.samples { doc = "taps along both directions together" },
     directions   = blur.directions { default = "two",

@@ -2,6 +2,7 @@
 -- Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare", for any anchor.
 local pass   = require "strobe.pass"
 local blur   = require "passes.lib.blur"
+local ports  = require "passes.lib.blur_ports"
 local jitter = require "passes.lib.jitter"
 local stored = require "passes.lib.stored"
 
@@ -13,18 +14,8 @@ return pass.compute {
     .. "second time; outside, the background under a blurred object comes from the opposite side. Motions that cross "
     .. "the dominant one are blurred along it.",
   size   = { of = "color" },
-  reads  = {
-    color        = { doc = "linear" },
-    depth        = { doc = "linear view depth, metres, sky = +inf" },
-    velocity     = { doc = "px over the exposure" },
-    dominant     = { doc = "px over the exposure, per tile" },
-    slowest      = { optional = true, doc = "px over the exposure, shortest around, per tile; absent: no cheap path" },
-    valid        = { optional = true, doc = "above 1/2 where the layer holds something; absent: everywhere" },
-    behind_depth = { optional = true, doc = "linear view depth of what was revealed behind each pixel" },
-    behind_valid = { optional = true, doc = "above 1/2 where something was; absent: nowhere" },
-  },
-  writes = { blurred = { format = stored.color,
-    doc = "linear, times alpha; alpha below 1 only over something revealed" } },
+  reads  = ports.of_layer { "slowest" },
+  writes = ports.layer,
   params = {
     samples      = blur.samples { doc = "taps along the displacement, at most" },
     count        = pass.choice { "fixed", "adaptive", default = "fixed", doc = "how many of them are taken",

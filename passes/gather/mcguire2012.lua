@@ -2,6 +2,7 @@
 -- McGuire, Hennessy, Bukowski and Osman 2012, "A Reconstruction Filter for Plausible Motion Blur", for any anchor.
 local pass   = require "strobe.pass"
 local blur   = require "passes.lib.blur"
+local ports  = require "passes.lib.blur_ports"
 local jitter = require "passes.lib.jitter"
 local stored = require "passes.lib.stored"
 
@@ -18,18 +19,8 @@ return pass.compute {
     converging = "opacity grows with the number of samples: the pixel itself weighs as much however many there are",
   },
   size   = { of = "color" },
-  reads  = {
-    color        = { doc = "linear" },
-    depth        = { doc = "linear view depth, metres, sky = +inf" },
-    velocity     = { doc = "px over the exposure" },
-    dominant     = { doc = "px over the exposure, per tile" },
-    second       = { optional = true, doc = "what else moves around, px over the exposure, per tile" },
-    valid        = { optional = true, doc = "above 1/2 where the layer holds something; absent: everywhere" },
-    behind_depth = { optional = true, doc = "linear view depth of what was revealed behind each pixel" },
-    behind_valid = { optional = true, doc = "above 1/2 where something was; absent: nowhere" },
-  },
-  writes = { blurred = { format = stored.color,
-    doc = "linear, times alpha; alpha below 1 only over something revealed" } },
+  reads  = ports.of_layer { "second" },
+  writes = ports.layer,
   params = {
     samples      = blur.samples { doc = "taps along the displacement" },
     directions   = blur.directions {
