@@ -3,7 +3,9 @@
 -- `experiment { ... }` is checked as a whole, all mistakes at once; docs/writing-experiments.md explains each field.
 local check  = require "strobe.check"
 local fields = require "strobe.fields"
+local judge  = require "strobe.judge"
 local native = require "strobe.native"
+local vary   = require "strobe.vary"
 
 local experiment = {}
 
@@ -69,70 +71,10 @@ experiment.fields = {
 experiment.scales = { "log", "linear", "even" }
 local roles, tones = { "method", "floor" }, { "clamp", "filmic" }
 
--- ---- what varies
-
--- Every choice of one entry of each list, the last list fastest; an entry is a list of { axis, value }.
-local function multiplied(lists)
-  local product = { {} }
-  for _, entries in ipairs(lists) do
-    local longer = {}
-    for _, before in ipairs(product) do
-      for _, entry in ipairs(entries) do
-        local both = table.move(entry, 1, #entry, #before + 1, { table.unpack(before) })
-        longer[#longer + 1] = both
-      end
-    end
-    product = longer
-  end
-  return product
+-- What varies: list, grid, zip, each, ablation, random, sobol; values: linear, log.
+for _, kind in ipairs { "list", "grid", "zip", "each", "ablation", "random", "sobol", "linear", "log" } do
+  experiment[kind] = vary[kind]
 end
-
--- What varies is a table { axes, combine }: combine(lists of the axes' values) is the list of all combinations.
-local Varied = {}
-local function varied(axes, combine) return setmetatable({ axes = axes, combine = combine }, Varied) end
-
--- `list { name = "speed", values = { 1, 2, 4 }, ... }`: one axis with what is said of it.
-experiment.list = native.at_caller(function(place, t)
-  if type(t) ~= "table" then check.fail(place, "list takes a table: list { name = ..., values = { ... } }") end
-  local axis = { fields = t, place = place }
-  return varied({ axis }, function(values) return values[axis] end)
-end)
-
--- `grid { samples = { 4, 8 }, exposure = { 0.25, 0.5 } }`: an axis for each name, all combinations; by name, the last
--- varies fastest.
-experiment.grid = native.at_caller(function(place, t)
-  local axes = {}
-  if type(t) ~= "table" then check.fail(place, "grid takes a table: grid { NAME = { values }, ... }") end
-  local names = check.names(t)
-  table.sort(names)
-  for i, name in ipairs(names) do
-    axes[i] = { fields = { name = name, values = t[name] }, place = native.key_place(place, name) }
-  end
-  if #axes == 0 then check.fail(place, "grid is empty: grid { NAME = { values }, ... }") end
-  return varied(axes, function(values)
-    local lists = {}
-    for i, axis in ipairs(axes) do lists[i] = values[axis] end
-    return multiplied(lists)
-  end)
-end)
-
--- `each { list { ... }, grid { ... } }`: one after the other, not multiplied; a point has the axes of one of them.
-experiment.each = native.at_caller(function(place, t)
-  local axes = {}
-  for i, part in ipairs(type(t) == "table" and t or {}) do
-    if getmetatable(part) ~= Varied then check.fail(place, "entry %d of each is none of list, grid, each", i) end
-    table.move(part.axes, 1, #part.axes, #axes + 1, axes)
-  end
-  if #axes == 0 then check.fail(place, "each takes a list of what varies: each { list { ... }, ... }") end
-  return varied(axes, function(values)
-    local all = {}
-    for _, part in ipairs(t) do
-      local more = part.combine(values)
-      table.move(more, 1, #more, #all + 1, all)
-    end
-    return all
-  end)
-end)
 
 -- ---- checks
 
@@ -332,11 +274,11 @@ function Checker:axis(made)
 end
 
 -- All axes, and the combinations of their values as lists of { axis number, value number }.
-function Checker:varied(vary)
+function Checker:varied(given)
   local axes, names, values, lists = {}, {}, {}, {}
-  for i, part in ipairs(vary or {}) do
-    if getmetatable(part) ~= Varied then
-      self:add({ "vary", i }, "entry %d of vary is none of list, grid, each", i)
+  for i, part in ipairs(given) do
+    if not vary.is_varied(part) then
+      self:add({ "vary", i }, "entry %d of vary is none of list, grid, zip, each, ablation, random, sobol", i)
       return {}, { {} }
     end
     for _, made in ipairs(part.axes) do
@@ -350,7 +292,7 @@ function Checker:varied(vary)
     end
     lists[i] = part.combine(values)
   end
-  return axes, multiplied(lists)
+  return axes, vary.multiplied(lists)
 end
 
 -- ---- points
@@ -470,117 +412,6 @@ function Checker:whole(t)
   self.problems:raise()
   result.vary, result.skip, result.expect, result.kind = nil, nil, nil, "experiment"
   return result, expectations
-end
-
--- ---- expectations
-
--- What matches `wanted` { arm =, shot =, region =, AXIS = value } in finished results, as means by measure.
-local Results = {}
-Results.__index = Results
-
-local function require_known(name, allowed_names, what)
-  if not check.contains(allowed_names, name) then
-    error(("there is no %s '%s'%s"):format(what, tostring(name), native.nearest(tostring(name), allowed_names)), 0)
-  end
-end
-
-function Results:names(entries)
-  local names = {}
-  for i, entry in ipairs(self.data[entries]) do names[i] = entry.name end
-  return names
-end
-
-function Results:check(wanted)
-  for _, key in ipairs(check.names(wanted)) do
-    local value = wanted[key]
-    if key == "arm" then require_known(value, self:names("arms"), "arm")
-    elseif key == "shot" then require_known(value, self:names("shots"), "shot")
-    elseif key == "region" then require_known(value, self.data.regions, "region")
-    else
-      require_known(key, self:names("axes"), "axis")
-      self:known_value(key, value)
-    end
-  end
-end
-
-function Results:known_value(name, value)
-  for _, axis in ipairs(self.data.axes) do
-    if axis.name == name and not check.contains(axis.values, value) then
-      error(("axis '%s' has no value %s"):format(name, shown(value)), 0)
-    end
-  end
-end
-
-local of_point = { arm = true, region = true }
-
-local function group_matches(group, wanted)
-  for key, value in pairs(wanted) do
-    local is = group.at[key]
-    if key == "shot" then is = group.shot end
-    if not of_point[key] and is ~= value then return false end
-  end
-  return true
-end
-
--- Without an arm all methods match, but neither floors nor truth.
-local function point_matches(point, arm)
-  if arm == nil then return point.role == "method" end
-  return point.arm == arm
-end
-
-function Results:at(wanted)
-  self:check(wanted)
-  local sums, counts, region = {}, {}, wanted.region or "whole"
-  for _, group in ipairs(self.data.groups) do
-    for _, point in ipairs(group_matches(group, wanted) and group.points or {}) do
-      for name, values in pairs(point_matches(point, wanted.arm) and point.values or {}) do
-        local value = values[region]
-        if value == nil then value = values.all end
-        if value ~= nil then sums[name], counts[name] = (sums[name] or 0) + value, (counts[name] or 0) + 1 end
-      end
-    end
-  end
-  local means, known = { count = 0 }, self.known_measures
-  for name, sum in pairs(sums) do means[name] = sum / counts[name] end
-  for _, count in pairs(counts) do means.count = math.max(means.count, count) end
-  return setmetatable(means, { __index = function(_, name)
-    require_known(name, known, "measure")
-    error({ unmeasured = ("nothing was measured of '%s' where %s"):format(name, self.shown(wanted)) }, 0)
-  end })
-end
-
-function Results.shown(wanted)
-  local parts, names = {}, check.names(wanted)
-  table.sort(names)
-  for i, name in ipairs(names) do parts[i] = ("%s = %s"):format(name, shown(wanted[name])) end
-  return #parts > 0 and table.concat(parts, ", ") or "anything"
-end
-
-local function is_missing(data, name)
-  for _, shot in ipairs(data.shots) do if shot.name == name then return shot.missing end end
-end
-
-local function judged(entry, r, data)
-  local outcome = { text = entry[1], shot = entry.shot, axis = entry.axis, outcome = "does not apply" }
-  if entry.shot and is_missing(data, entry.shot) then return outcome end
-  local good, holds, detail = pcall(entry[2], r)
-  outcome.known = entry.known
-  if not good and type(holds) == "table" then
-    outcome.outcome, outcome.detail = data.partial and "does not apply" or "fails", holds.unmeasured
-  elseif not good then
-    outcome.outcome, outcome.detail = "fails", tostring(holds)
-  elseif holds ~= nil then
-    outcome.outcome = holds and "holds" or "fails"
-  end
-  if good then outcome.detail = detail and tostring(detail) end
-  return outcome
-end
-
-local function judge(expectations, data, known)
-  local results = setmetatable({ data = data, known_measures = known.measures }, Results)
-  local r, outcomes = { at = function(wanted) return results:at(wanted) end }, {}
-  for i, entry in ipairs(expectations) do outcomes[i] = judged(entry, r, data) end
-  return outcomes
 end
 
 -- ---- what the program asks for

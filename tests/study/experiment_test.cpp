@@ -177,5 +177,77 @@ TEST(Each, IsOneAxisAfterTheOther) {
   EXPECT_EQ(lab::commandOf(none).find("samples"), std::string::npos) << "lacks it";
 }
 
+// The points of the sample experiment's first shot, of arm hybrid, as "NAME VALUE, ...".
+std::vector<std::string> pointsOf(const std::string& vary) {
+  std::string text = kSamplesAndTiles;
+  size_t from = text.find("experiment.grid"), to = text.find(" }", text.find("0.5 } }") + 6);
+  Experiment experiment = readText(text.replace(from, to - from, vary));
+  keepOnly(experiment, "shot=vase,arm=hybrid");
+  std::vector<std::string> points;
+  for (const Group& group : experiment.groups) points.push_back(describe(experiment, group));
+  return points;
+}
+
+using Lines = std::vector<std::string>;
+
+TEST(Vary, ZipTakesTheFirstOfEachThenTheSecond) {
+  EXPECT_EQ(pointsOf("experiment.zip { samples = { 8, 16 }, exposure = { 0.5, 0.25 } }"),
+            (Lines{"exposure 0.5, samples 8", "exposure 0.25, samples 16"}));
+}
+
+TEST(Vary, AblationIsTheBaseThenEachChangeAlone) {
+  EXPECT_EQ(pointsOf("experiment.ablation({ samples = 8, tile = 40 }, { tile = { 20, 40 }, samples = { 16 } })"),
+            (Lines{"samples 8, tile 40", "samples 16, tile 40", "samples 8, tile 20"}))
+      << "a change to what the base has is no other point";
+}
+
+TEST(Vary, ValuesGrowEvenlyOrByAFactor) {
+  EXPECT_EQ(pointsOf("experiment.grid { exposure = experiment.linear(0.25, 0.75, 3) }"),
+            (Lines{"exposure 0.25", "exposure 0.5", "exposure 0.75"}));
+  EXPECT_EQ(pointsOf("experiment.grid { exposure = experiment.log(0.01, 1, 3) }"),
+            (Lines{"exposure 0.01", "exposure 0.1", "exposure 1"}));
+}
+
+// scipy.stats.qmc.Sobol(3, scramble=False).random(8)
+TEST(Vary, SobolPointsAreThoseOfTheSequence) {
+  const double expected[8][3] = {{0, 0, 0},          {.5, .5, .5},       {.75, .25, .25},    {.25, .75, .75},
+                                 {.375, .375, .625}, {.875, .875, .125}, {.625, .125, .875}, {.125, .625, .375}};
+  Lines lines;
+  for (const auto& [a, b, c] : expected)
+    lines.push_back(fmt::format("exposure {}, scene.hue {}, tile {}", a, 100 + 200 * b, 8 + int(c * 9)));
+  EXPECT_EQ(pointsOf("experiment.sobol(8, { exposure = { 0.0, 1.0 }, [\"scene.hue\"] = { 100.0, 300.0 }, "
+                     "tile = { 8, 16 } })"),
+            lines);
+}
+
+// SplitMix64 by its definition, in Python: 0.56656, 0.74578, 0.97100, 0.44436; 65^0.74578 = 22.5, 65^0.44436 = 6.4.
+TEST(Vary, RandomPointsFollowFromTheSeed) {
+  EXPECT_EQ(
+      pointsOf(
+          "experiment.random(2, 1, { mask = { \"seed\", \"relative\", \"all\" }, samples = { 1, 64, log = true } })"),
+      (Lines{"mask relative, samples 22", "mask all, samples 6"}));
+}
+
+TEST(Vary, MistakesAreSaidAtTheirLine) {
+  for (const auto& [vary, wanted] :
+       {std::pair<std::string, std::string>{"experiment.zip { samples = { 8, 16 }, exposure = { 0.5 } }",
+                                            "zip pairs 2 values of 'samples' with 1 of 'exposure'"},
+        {"experiment.grid { samples = {} }", "'samples' is empty instead of a list"},
+        {"experiment.ablation({ samples = 8 }, { sample = { 4 } })", "not in the base; did you mean 'samples'?"},
+        {"experiment.sobol(0, { samples = { 1, 2 } })", "takes a whole number from 1"},
+        {"experiment.random(3, 1.5, { samples = { 1, 2 } })", "the seed of random is a whole number"},
+        {"experiment.sobol(3, { samples = { 4, 2 } })", "the range of 'samples' does not grow: 4 to 2"},
+        {"experiment.sobol(3, { exposure = { 0.0, 2.0, log = true } })", "has no logarithm"}}) {
+    try {
+      pointsOf(vary);
+      ADD_FAILURE() << vary;
+    } catch (const Error& error) {
+      std::string what = error.what();
+      EXPECT_NE(what.find("x.lua:13: "), std::string::npos) << what;
+      EXPECT_NE(what.find(wanted), std::string::npos) << what;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace strobe::study

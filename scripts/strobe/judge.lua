@@ -1,0 +1,116 @@
+-- SPDX-License-Identifier: MIT
+-- Expectations of an experiment, held against its results.
+local check  = require "strobe.check"
+local native = require "strobe.native"
+local shown  = require "strobe.fields".shown
+
+-- What matches `wanted` { arm =, shot =, region =, AXIS = value } in finished results, as means by measure.
+local Results = {}
+Results.__index = Results
+
+local function require_known(name, allowed_names, what)
+  if not check.contains(allowed_names, name) then
+    error(("there is no %s '%s'%s"):format(what, tostring(name), native.nearest(tostring(name), allowed_names)), 0)
+  end
+end
+
+function Results:names(entries)
+  local names = {}
+  for i, entry in ipairs(self.data[entries]) do names[i] = entry.name end
+  return names
+end
+
+function Results:check(wanted)
+  for _, key in ipairs(check.names(wanted)) do
+    local value = wanted[key]
+    if key == "arm" then require_known(value, self:names("arms"), "arm")
+    elseif key == "shot" then require_known(value, self:names("shots"), "shot")
+    elseif key == "region" then require_known(value, self.data.regions, "region")
+    else
+      require_known(key, self:names("axes"), "axis")
+      self:known_value(key, value)
+    end
+  end
+end
+
+function Results:known_value(name, value)
+  for _, axis in ipairs(self.data.axes) do
+    if axis.name == name and not check.contains(axis.values, value) then
+      error(("axis '%s' has no value %s"):format(name, shown(value)), 0)
+    end
+  end
+end
+
+local of_point = { arm = true, region = true }
+
+local function group_matches(group, wanted)
+  for key, value in pairs(wanted) do
+    local is = group.at[key]
+    if key == "shot" then is = group.shot end
+    if not of_point[key] and is ~= value then return false end
+  end
+  return true
+end
+
+-- Without an arm all methods match, but neither floors nor truth.
+local function point_matches(point, arm)
+  if arm == nil then return point.role == "method" end
+  return point.arm == arm
+end
+
+function Results:at(wanted)
+  self:check(wanted)
+  local sums, counts, region = {}, {}, wanted.region or "whole"
+  for _, group in ipairs(self.data.groups) do
+    for _, point in ipairs(group_matches(group, wanted) and group.points or {}) do
+      for name, values in pairs(point_matches(point, wanted.arm) and point.values or {}) do
+        local value = values[region]
+        if value == nil then value = values.all end
+        if value ~= nil then sums[name], counts[name] = (sums[name] or 0) + value, (counts[name] or 0) + 1 end
+      end
+    end
+  end
+  local means, known = { count = 0 }, self.known_measures
+  for name, sum in pairs(sums) do means[name] = sum / counts[name] end
+  for _, count in pairs(counts) do means.count = math.max(means.count, count) end
+  return setmetatable(means, { __index = function(_, name)
+    require_known(name, known, "measure")
+    error({ unmeasured = ("nothing was measured of '%s' where %s"):format(name, self.shown(wanted)) }, 0)
+  end })
+end
+
+function Results.shown(wanted)
+  local parts, names = {}, check.names(wanted)
+  table.sort(names)
+  for i, name in ipairs(names) do parts[i] = ("%s = %s"):format(name, shown(wanted[name])) end
+  return #parts > 0 and table.concat(parts, ", ") or "anything"
+end
+
+local function is_missing(data, name)
+  for _, shot in ipairs(data.shots) do if shot.name == name then return shot.missing end end
+end
+
+local function judged(entry, r, data)
+  local outcome = { text = entry[1], shot = entry.shot, axis = entry.axis, outcome = "does not apply" }
+  if entry.shot and is_missing(data, entry.shot) then return outcome end
+  local good, holds, detail = pcall(entry[2], r)
+  outcome.known = entry.known
+  if not good and type(holds) == "table" then
+    outcome.outcome, outcome.detail = data.partial and "does not apply" or "fails", holds.unmeasured
+  elseif not good then
+    outcome.outcome, outcome.detail = "fails", tostring(holds)
+  elseif holds ~= nil then
+    outcome.outcome = holds and "holds" or "fails"
+  end
+  if good then outcome.detail = detail and tostring(detail) end
+  return outcome
+end
+
+-- What becomes of expectations { text, function, shot =, axis =, known = }, given finished results as plain data and the
+-- names that are `known`.
+return function(expectations, data, known)
+  local results = setmetatable({ data = data, known_measures = known.measures }, Results)
+  local r, outcomes = { at = function(wanted) return results:at(wanted) end }, {}
+  for i, entry in ipairs(expectations) do outcomes[i] = judged(entry, r, data) end
+  return outcomes
+end

@@ -1,0 +1,240 @@
+-- SPDX-License-Identifier: MIT
+-- What varies in an experiment: axes, each a name with values, and which combinations of their values are points.
+-- docs/writing-experiments.md explains each kind. Nothing depends on the order of `pairs`.
+local check     = require "strobe.check"
+local native    = require "strobe.native"
+local sequences = require "strobe.sequences"
+
+local vary = {}
+
+-- { axes = , combine = }: combine(entries) lists the combinations. entries[axis][i] is its value number i as a list of
+-- one { axis, value }; a combination is such a list with an entry per axis.
+local Varied = {}
+local function varied(axes, combine) return setmetatable({ axes = axes, combine = combine }, Varied) end
+
+function vary.is_varied(value) return getmetatable(value) == Varied end
+
+-- Every choice of one entry of each list, the last list fastest.
+function vary.multiplied(lists)
+  local product = { {} }
+  for _, entries in ipairs(lists) do
+    local longer = {}
+    for _, before in ipairs(product) do
+      for _, entry in ipairs(entries) do
+        longer[#longer + 1] = table.move(entry, 1, #entry, #before + 1, { table.unpack(before) })
+      end
+    end
+    product = longer
+  end
+  return product
+end
+
+-- An axis for each name of a table, sorted; `values_of` gives its values.
+local function axes_of(t, place, usage, values_of)
+  local axes = {}
+  local names = type(t) == "table" and check.names(t) or {}
+  table.sort(names)
+  for i, name in ipairs(names) do
+    local at = native.key_place(place, name)
+    if type(t[name]) ~= "table" or #t[name] == 0 then
+      check.fail(at, "'%s' is %s instead of a list: %s", name, type(t[name]) == "table" and "empty" or check.quoted(t[name]),
+                 usage)
+    end
+    axes[i] = { fields = { name = name, values = values_of(t[name], at, name) }, place = at }
+  end
+  if #axes == 0 then check.fail(place, "nothing varies: %s", usage) end
+  return axes
+end
+
+local function as_they_are(values) return values end
+
+-- The combinations in which axis k has its value number row[k], for each row; equal ones once.
+local function combined(axes, rows)
+  return function(entries)
+    local all, known = {}, {}
+    for _, row in ipairs(rows) do
+      local key, combination = table.concat(row, " "), {}
+      for k, axis in ipairs(axes) do combination[k] = entries[axis][row[k]][1] end
+      if not known[key] then all[#all + 1], known[key] = combination, true end
+    end
+    return all
+  end
+end
+
+-- The number of `value` in `values`, where it is added unless it is there.
+local function number_in(values, value)
+  for i, known in ipairs(values) do
+    if known == value and math.type(known) == math.type(value) then return i end
+  end
+  values[#values + 1] = value
+  return #values
+end
+
+-- ---- values
+
+local function check_count(place, what, count, least)
+  if math.type(count) ~= "integer" or count < least then
+    check.fail(place, "%s makes %s values; it takes a whole number from %d", what, tostring(count), least)
+  end
+end
+
+-- `linear(0, 1, 5)`: so many values from one to the other.
+vary.linear = native.at_caller(function(place, from, to, count)
+  check_count(place, "linear", count, 2)
+  local values = {}
+  for i = 0, count - 1 do values[i + 1] = from + (to - from) * i / (count - 1) end
+  return values
+end)
+
+-- `log(0.01, 1, 5)`: the same, each by the same factor above the one before.
+vary.log = native.at_caller(function(place, from, to, count)
+  check_count(place, "log", count, 2)
+  if not (from > 0 and to > 0) then check.fail(place, "log takes values above 0") end
+  local values = {}
+  for i = 0, count - 1 do values[i + 1] = from * (to / from) ^ (i / (count - 1)) end
+  values[count] = to + 0.0
+  return values
+end)
+
+-- ---- combinations
+
+-- `list { name = "speed", values = { 1, 2, 4 }, ... }`: one axis with what is said of it.
+vary.list = native.at_caller(function(place, t)
+  if type(t) ~= "table" then check.fail(place, "list takes a table: list { name = ..., values = { ... } }") end
+  local axis = { fields = t, place = place }
+  return varied({ axis }, function(entries) return entries[axis] end)
+end)
+
+-- `grid { samples = { 4, 8 }, exposure = { 0.25, 0.5 } }`: all combinations; by name, the last varies fastest.
+vary.grid = native.at_caller(function(place, t)
+  local axes = axes_of(t, place, "grid { NAME = { values }, ... }", as_they_are)
+  return varied(axes, function(entries)
+    local lists = {}
+    for i, axis in ipairs(axes) do lists[i] = entries[axis] end
+    return vary.multiplied(lists)
+  end)
+end)
+
+-- `zip { samples = { 4, 8 }, tile = { 20, 40 } }`: the first of each, the second of each, and so on.
+vary.zip = native.at_caller(function(place, t)
+  local axes, rows = axes_of(t, place, "zip { NAME = { values }, ... }", as_they_are), {}
+  local count = #axes[1].fields.values
+  for _, axis in ipairs(axes) do
+    if #axis.fields.values ~= count then
+      check.fail(axis.place, "zip pairs %d values of '%s' with %d of '%s'", #axis.fields.values, axis.fields.name, count,
+                 axes[1].fields.name)
+    end
+  end
+  for i = 1, count do
+    rows[i] = {}
+    for k = 1, #axes do rows[i][k] = i end
+  end
+  return varied(axes, combined(axes, rows))
+end)
+
+-- `each { list { ... }, grid { ... } }`: one after the other, not multiplied; a point has the axes of one of them.
+vary.each = native.at_caller(function(place, t)
+  local axes = {}
+  for i, part in ipairs(type(t) == "table" and t or {}) do
+    if not vary.is_varied(part) then check.fail(place, "entry %d of each is nothing that varies", i) end
+    table.move(part.axes, 1, #part.axes, #axes + 1, axes)
+  end
+  if #axes == 0 then check.fail(place, "each takes a list of what varies: each { list { ... }, ... }") end
+  return varied(axes, function(entries)
+    local all = {}
+    for _, part in ipairs(t) do
+      local more = part.combine(entries)
+      table.move(more, 1, #more, #all + 1, all)
+    end
+    return all
+  end)
+end)
+
+-- `ablation({ samples = 16, tile = 40 }, { samples = { 4, 8 }, tile = { 20 } })`: the base, then each change alone.
+vary.ablation = native.at_caller(function(place, base, changes)
+  local usage = "ablation({ NAME = value, ... }, { NAME = { values }, ... })"
+  if type(base) ~= "table" then check.fail(place, "ablation takes a base and its changes: %s", usage) end
+  local changed = axes_of(changes, place, usage, as_they_are)
+  for _, axis in ipairs(changed) do
+    if base[axis.fields.name] == nil then
+      check.fail(axis.place, "'%s' is changed but not in the base%s", axis.fields.name,
+                 native.nearest(axis.fields.name, check.names(base)))
+    end
+  end
+  local of_base, start, rows = {}, {}, {}
+  for name, value in pairs(base) do of_base[name] = { value } end
+  local axes = axes_of(of_base, place, usage, as_they_are)
+  for k, axis in ipairs(axes) do start[k], axis.place = 1, place end
+  rows[1] = start
+  for k, axis in ipairs(axes) do
+    for _, value in ipairs(changes[axis.fields.name] or {}) do
+      local row = { table.unpack(start) }
+      row[k] = number_in(axis.fields.values, value)
+      rows[#rows + 1] = row
+    end
+  end
+  return varied(axes, combined(axes, rows))
+end)
+
+-- ---- samples of a space
+
+-- The value of a range at `u` from 0 to below 1: whole numbers between two whole numbers, both included; numbers between
+-- others; by their logarithm with log = true; one of a list of texts or of more than two numbers.
+local function value_at(range, u)
+  local from, to = range[1], range[2]
+  if type(from) ~= "number" or #range ~= 2 then return range[1 + math.floor(u * #range)] end
+  local whole = math.type(from) == "integer" and math.type(to) == "integer"
+  local last = whole and to + 1 or to
+  local value = range.log and from * (last / from) ^ u or from + (last - from) * u
+  return whole and math.min(math.floor(value), to) or value
+end
+
+local function check_range(range, place, name)
+  local numbers = #range == 2 and math.type(range[1]) and math.type(range[2])
+  if numbers and range[1] >= range[2] then
+    check.fail(place, "the range of '%s' does not grow: %s to %s", name, range[1], range[2])
+  end
+  if range.log and (not numbers or range[1] <= 0) then
+    check.fail(place, "the range of '%s' has no logarithm: it is two numbers above 0", name)
+  end
+  return {}
+end
+
+-- What varies by points of the unit cube.
+local function spread(place, ranges, usage, points_of)
+  local axes, rows = axes_of(ranges, place, usage, check_range), {}
+  for i, point in ipairs(points_of(#axes)) do
+    rows[i] = {}
+    for k, axis in ipairs(axes) do
+      rows[i][k] = number_in(axis.fields.values, value_at(ranges[axis.fields.name], point[k]))
+    end
+  end
+  return varied(axes, combined(axes, rows))
+end
+
+-- `random(20, 1, { samples = { 1, 64 }, exposure = { 0.1, 1.0 } })`: so many points by a seed, each alike likely.
+vary.random = native.at_caller(function(place, count, seed, ranges)
+  check_count(place, "random", count, 1)
+  if math.type(seed) ~= "integer" then check.fail(place, "the seed of random is a whole number") end
+  return spread(place, ranges, "random(COUNT, SEED, { NAME = { from, to }, ... })", function(width)
+    local next_number, points = sequences.random(seed), {}
+    for i = 1, count do
+      points[i] = {}
+      for k = 1, width do points[i][k] = next_number() end
+    end
+    return points
+  end)
+end)
+
+-- `sobol(20, { samples = { 1, 64 }, exposure = { 0.1, 1.0 } })`: so many points that fill the space evenly.
+vary.sobol = native.at_caller(function(place, count, ranges)
+  check_count(place, "sobol", count, 1)
+  return spread(place, ranges, "sobol(COUNT, { NAME = { from, to }, ... })", function(width)
+    if width > sequences.most_dimensions then
+      check.fail(place, "sobol varies %d parameters; it can vary %d", width, sequences.most_dimensions)
+    end
+    return sequences.sobol(count, width)
+  end)
+end)
+
+return vary
