@@ -94,9 +94,9 @@ void registerCompare(CLI::App& program) {
   command->add_option("--ppd", request->pixels_per_degree, "pixels per degree of the viewer's sight")
       ->check(CLI::Range(1.0, 1000.0))
       ->capture_default_str();
-  command->add_option("--flip-curve", request->curve, "tone curve of HDR-FLIP: aces, hable or reinhard")
-      ->check(CLI::IsMember(kCurves))
-      ->type_name("NAME")
+  command->add_option("--flip-curve", request->curve, "tone curve of HDR-FLIP")
+      ->check(CLI::IsMember(kCurves).description(""))
+      ->type_name("aces|hable|reinhard")
       ->capture_default_str();
   CLI::Option* start = command->add_option("--start", request->exposures.start, "first exposure of HDR-FLIP, in stops");
   CLI::Option* stop = command->add_option("--stop", request->exposures.stop, "its last exposure");

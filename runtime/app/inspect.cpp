@@ -185,6 +185,7 @@ void doctor(const Home& home, bool json) {
   report["strobe"] = STROBE_VERSION;
   report["devices"] = Json::array();
   for (const auto& info : devices) report["devices"].push_back(deviceJson(info));
+  report["files"] = home.roots();
   auto data = home.data();
   report["shared_data"] = data ? Json(data->string()) : Json(nullptr);
   bool suffices = !devices.empty() && devices.front().missing().empty();
@@ -201,8 +202,8 @@ void doctor(const Home& home, bool json) {
       std::string missing = info.missing();
       std::printf("  %s\n", missing.empty() ? "suffices" : ("lacks " + missing).c_str());
     }
-    std::printf("shared data: %s\n",
-                data ? data->c_str() : "none (STROBE_DATA names its folder); tests that need it skip");
+    for (const Path& root : home.roots()) std::printf("files: %s\n", root.c_str());
+    std::printf("shared data: %s\n", data ? data->c_str() : "none (STROBE_DATA names its folder)");
   }
   if (devices.empty())
     throw Error("no Vulkan device: install a driver (Debian: mesa-vulkan-drivers gives a software device)");

@@ -9,6 +9,7 @@
 
 #include "app/bench.h"
 #include "app/compare.h"
+#include "app/completion.h"
 #include "app/help.h"
 #include "app/inspect.h"
 #include "app/live.h"
@@ -61,6 +62,7 @@ int main(int argc, char** argv) {
   strobe::app::registerStability(program, home);
   strobe::app::registerNew(program, home);
   strobe::app::registerDoctor(program, home);
+  strobe::app::registerCompletion(program, home);
   try {
     program.parse(argc, argv);
     if (program.get_subcommands().empty()) std::fputs(program.help().c_str(), stdout);

@@ -18,9 +18,7 @@ static std::string helpOf(const lab::ShotOption& option) {
     if (const auto* number = std::get_if<double>(&field.declaration.default_value))
       otherwise.push_back(fmt::format("{}", *number));
     else if (field.isValue()) otherwise.push_back(plan::textOf(field.declaration.default_value));
-  const std::vector<std::string>& choices = option.fields.front().declaration.choices;
   std::string text = option.doc;
-  if (!choices.empty()) text += fmt::format(" ({})", fmt::join(choices, ", "));
   if (option.is(lab::ShotOption::kSuggested))
     text += fmt::format(" (default: the scene's, else {})", fmt::join(otherwise, "x"));
   return text;
@@ -36,11 +34,13 @@ void ShotOptions::addTo(CLI::App& command) {
     bool stated = option.fields.front().isValue() && !option.fields.front().isOpen(fresh);
     std::string otherwise = stated ? plan::textOf(option.fields.front().get(fresh)) : "";
     if (!otherwise.empty()) added->default_str(otherwise);
-    bool number = option.fields.size() == 1 && option.fields.front().declaration.min;
-    added->type_name(number ? "NUMBER" : "TEXT");
+    const plan::ParamDesc& declaration = option.fields.front().declaration;
+    bool number = option.fields.size() == 1 && declaration.min;
+    std::string choices = fmt::format("{}", fmt::join(declaration.choices, "|"));
+    added->type_name(!choices.empty() ? choices : number ? "NUMBER" : "TEXT");
   }
   command.add_option("--samples", samples, "short for --set samples=N");
-  command.add_option("--shading", shading, "short for --set shading=frozen|full");
+  command.add_option("--shading", shading, "short for --set shading=...")->type_name("frozen|full");
   command.add_option("--set", sets, "PARAM=VALUE of the pipeline, NODE.PARAM=VALUE of a pass, scene.PARAM=VALUE")
       ->allow_extra_args(false);
 }

@@ -70,18 +70,16 @@ std::optional<Path> projectAround(Path folder) {
   }
 }
 
-Path shippedFolder() {
-  if (std::optional<Path> named = fromVariable("STROBE_HOME")) return *named;
-  std::error_code failed;
-  Path installed = fs::read_symlink("/proc/self/exe", failed).parent_path().parent_path() / "share/strobe";
-  return isFolder(installed / "scripts/strobe") ? installed : Path(STROBE_SOURCE_DIR);
-}
-
 }  // namespace
 
 bool liesIn(const Path& file, const Path& folder) { return isBelow(real(file), real(folder)); }
 
 Path Home::ownProgram() { return "/proc/self/exe"; }
+
+Path Home::shippedWith(const Path& program) {
+  Path installed = program.parent_path().parent_path() / "share/strobe", sources = STROBE_SOURCE_DIR;
+  return isFolder(installed / "scripts") || !isFolder(sources) ? installed : sources;
+}
 
 Home::Home(const std::vector<Path>& roots, std::optional<Path> data, Path program)
     : data_(std::move(data)), program_(std::move(program)) {
@@ -100,7 +98,8 @@ Home Home::fromEnvironment() {
   std::error_code failed;
   Path here = fs::current_path(failed);
   if (std::optional<Path> project = failed ? std::nullopt : projectAround(here)) roots.push_back(*project);
-  roots.push_back(shippedFolder());
+  std::optional<Path> named = fromVariable("STROBE_HOME");
+  roots.push_back(named ? *named : shippedWith(fs::read_symlink(ownProgram(), failed)));
   return Home(roots, fromVariable("STROBE_DATA"), fromVariable("STROBE_PROGRAM").value_or(ownProgram()));
 }
 

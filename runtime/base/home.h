@@ -23,9 +23,12 @@ class Home {
   explicit Home(const std::vector<Path>& roots, std::optional<Path> data = {}, Path program = ownProgram());
   explicit Home(const Path& shipped) : Home(std::vector<Path>{shipped}) {}
 
-  // The project that the current folder lies in, if any; STROBE_HOME, else PREFIX/share/strobe of the program that is
-  // PREFIX/bin/strobe, else the source tree the program was built from; STROBE_DATA; STROBE_PROGRAM.
+  // The project that the current folder lies in, if any; STROBE_HOME, else what is shipped with this program;
+  // STROBE_DATA; STROBE_PROGRAM.
   static Home fromEnvironment();
+  // PREFIX/share/strobe of a program that is PREFIX/bin/strobe. Where that has no scripts: the source tree this program
+  // was built from, if there is one.
+  static Path shippedWith(const Path& program);
 
   // Absolute folders; the shipped one is the last.
   const std::vector<Path>& roots() const { return roots_; }

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "base/error.h"
+#include "common/source.h"
 
 namespace strobe {
 namespace {
@@ -53,6 +54,13 @@ TEST_F(Homes, ShowPathsRelativeToTheirRoot) {
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "passes/b.lua: cannot be read: No such file or directory");
   }
+}
+
+TEST_F(Homes, AreFoundByThePlaceOfTheProgram) {
+  EXPECT_EQ(Home::shippedWith(folder_ / "bin/strobe"), sourceFolder());
+  write("share/strobe/scripts/strobe/pass.lua");
+  EXPECT_EQ(Home::shippedWith(folder_ / "bin/strobe"), folder_ / "share/strobe");
+  EXPECT_EQ(Home::shippedWith(folder_ / "elsewhere/bin/strobe"), sourceFolder());
 }
 
 TEST_F(Homes, HaveSharedDataWhereThereIsSome) {

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// `cmake --install`: the installed program reads what was installed with it, and the shell completes its commands.
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "base/json.h"
+#include "program/run.h"
+
+namespace strobe::testing {
+namespace {
+
+class Installed : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<TemporaryFolder>();
+    std::string build = fs::path(programPath()).parent_path();
+    Outcome installed = runLine("cmake --install '" + build + "' --prefix '" + prefix().string() + "'");
+    ASSERT_EQ(installed.exit_code, 0) << installed.err;
+    Outcome made = strobeIn(folder_->path(), "new mine");
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+  }
+  static void TearDownTestSuite() { folder_.reset(); }
+
+  static fs::path prefix() { return folder_->path() / "prefix"; }
+  static fs::path project() { return folder_->path() / "mine"; }
+  static fs::path shipped() { return prefix() / "share/strobe"; }
+
+  // A line of the shell in which `strobe` is the installed program and the environment names no folder of it.
+  static Outcome lineIn(const fs::path& folder, const std::string& line) {
+    return runLine("unset STROBE_HOME STROBE_PROGRAM STROBE_DATA; export STROBE_VALIDATION=1 PATH='" +
+                   (prefix() / "bin").string() + "':\"$PATH\"; cd '" + folder.string() + "' && " + line);
+  }
+  static Outcome strobeIn(const fs::path& folder, const std::string& arguments) {
+    return lineIn(folder, "strobe " + arguments);
+  }
+
+  static std::unique_ptr<TemporaryFolder> folder_;
+};
+
+std::unique_ptr<TemporaryFolder> Installed::folder_;
+
+TEST_F(Installed, ReadsItsOwnFiles) {
+  Json found = Json::parse(strobeIn(project(), "doctor --json").out);
+  EXPECT_EQ(found["files"], Json({fs::canonical(project()), fs::canonical(shipped())}));
+  for (const auto& entry : fs::recursive_directory_iterator(prefix()))
+    EXPECT_TRUE(fs::exists(entry.path())) << entry.path() << " leads nowhere";
+  EXPECT_NE(contentOf(project() / ".luarc.json").find((shipped() / "passes").string()), std::string::npos);
+
+  // What the sources lack is found; what is missing there is missing, though the sources have it.
+  fs::rename(shipped() / "scripts/pipelines/ue4.lua", shipped() / "scripts/pipelines/renamed.lua");
+  EXPECT_EQ(strobeIn(folder_->path(), "plan renamed").exit_code, 0);
+  EXPECT_NE(strobeIn(folder_->path(), "plan ue4").err.find("there is no pipeline 'ue4'"), std::string::npos);
+  fs::rename(shipped() / "scripts/pipelines/renamed.lua", shipped() / "scripts/pipelines/ue4.lua");
+}
+
+TEST_F(Installed, RendersAndChecks) {
+  auto written = [] { return std::distance(fs::recursive_directory_iterator(prefix()), {}); };
+  auto before = written();
+  Outcome drawn = strobeIn(project(), "render smear --scene oracles/bar --size 32x18");
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+  Json record = Json::parse(contentOf(project() / "out/smear.record.json"));
+  std::string files = record.dump();
+  for (const char* file : {"pipelines/smear.lua", "passes/scene/gbuffer.lua", "scripts/scenes/oracles/bar.lua"})
+    EXPECT_NE(files.find("\"" + std::string(file) + "\""), std::string::npos) << file;
+  Outcome sound = strobeIn(project(), "check smear none");
+  EXPECT_EQ(sound.exit_code, 0) << sound.err;
+  EXPECT_EQ(strobeIn(folder_->path(), "help none").exit_code, 0);
+  Outcome listed = strobeIn(folder_->path(), "sweep experiments/demo/demo.lua --dry-run");
+  EXPECT_EQ(listed.exit_code, 0) << listed.err;
+  EXPECT_EQ(written(), before) << "the program wrote to the folder it is installed in";
+}
+
+// What bash offers for the end of a line, one a line.
+class Completion : public Installed {
+ protected:
+  static std::string of(const std::string& line) {
+    std::string script = (prefix() / "share/bash-completion/completions/strobe").string();
+    std::string shell = "source " + script +
+                        "; COMP_WORDBREAKS=\" =\"; COMP_LINE=\"$1\"; COMP_POINT=${#1}; _strobe 2>/dev/null; "
+                        "printf \"%s \" \"${COMPREPLY[@]}\"";
+    return lineIn(project(), "bash --norc -c '" + shell + "' - '" + line + "'").out;
+  }
+};
+
+TEST_F(Completion, KnowsCommandsOptionsAndChoices) {
+  EXPECT_EQ(of("strobe re"), "render report ");
+  EXPECT_EQ(of("strobe bench "), "reload ");
+  EXPECT_EQ(of("strobe render --an"), "--anchor --animation ");
+  EXPECT_EQ(of("strobe render none --anchor c"), "close centre ");
+  EXPECT_EQ(of("strobe compare --flip-curve a"), "aces ");
+  EXPECT_EQ(of("strobe render none --anchor close -o "), " ") << "a file";
+  EXPECT_EQ(of("strobe stability --invariant stil"), "still ");
+}
+
+TEST_F(Completion, KnowsNamesOfTheProjectToo) {
+  EXPECT_EQ(of("strobe render sm"), "smear ");
+  EXPECT_EQ(of("strobe plan --json non"), "none ");
+  EXPECT_EQ(of("strobe check none sm"), "smear ");
+  EXPECT_EQ(of("strobe live --vs sm"), "smear ");
+  EXPECT_EQ(of("strobe render none --scene oracles/b"), "oracles/bar ");
+  EXPECT_EQ(of("strobe help smea"), "smear smear ") << "the pipeline and the pass";
+}
+
+TEST_F(Completion, KnowsParametersOfThePipeline) {
+  EXPECT_EQ(of("strobe render smear --set t"), "taps= ");
+  EXPECT_EQ(of("strobe render hybrid --set preset=seed_"), "seed_linear ") << "behind the = that bash ends a word at";
+  EXPECT_EQ(of("strobe render hybrid --set edge=sil"), "silhouette ");
+  EXPECT_EQ(of("strobe render nothing --set edge="), " ");
+}
+
+}  // namespace
+}  // namespace strobe::testing
