@@ -36,7 +36,10 @@ std::string usualOut(const Options& options, const lab::Shot& shot) {
 }
 
 void checkOptions(const Options& options, const lab::Shot& shot) {
-  if (!options.out.empty()) lab::checkPictureName(options.out);
+  if (!options.out.empty()) {
+    lab::checkPictureName(options.out);
+    requireWritable(std::filesystem::absolute(options.out).parent_path());
+  }
   bool held = Path(options.out).extension() == ".exr" || !options.tev.empty() || !options.views.empty();
   if (!options.views.empty()) requireWritable(options.views, "--views");
   if (!shot.taps.empty() && !held)
