@@ -83,7 +83,6 @@
 ---@field updates? table<string, strobe.Update> images it reads and writes; zero at the first execution in a frame
 ---@field params? table<string, strobe.Param>
 ---@field counters? table<string, string|strobe.Counter> counts of events: what each counts
----@field replaces? boolean in a project: takes the place of the shipped file of its name
 
 ---An image port of a node, to be wired to a read.
 ---@class strobe.Image
@@ -153,7 +152,6 @@ function pass.choice(t) end
 ---@field compare_with? string a pipeline that is no nearer to the truth than this one
 ---@field equals? strobe.EqualTable[] values under which another pipeline gives the same picture, bit for bit
 ---@field regions? table<string, string> outputs that are masks in which errors are measured: what is in each
----@field replaces? boolean in a project: takes the place of the shipped file of its name
 ---@field build fun(p: table<string, strobe.Parameter>): table<string, strobe.Image> the images; `color` is required
 
 ---@class strobe.Preset

@@ -14,17 +14,19 @@
 #include "plan/canonical.h"
 #include "plan/dot.h"
 #include "scene/json_scene.h"
+#include "study/experiment.h"
 
 namespace strobe::app {
 
 namespace {
 
-// Runs `step`, keeping what it complains about.
+// Runs `step`, keeping what it complains about; where it does what the command line says, misuse of that is thrown.
 template <class Step>
-void collect(std::vector<std::string>& problems, const Step& step) {
+void collect(std::vector<std::string>& problems, const Step& step, bool as_given = false) {
   try {
     step();
   } catch (const Error& error) {
+    if (as_given && error.exitCode() == 2) throw;
     bool known = std::find(problems.begin(), problems.end(), error.what()) != problems.end();
     if (!known) problems.push_back(error.what());
   }
@@ -79,14 +81,16 @@ void checkPipelines(const Home& home, const std::vector<script::PipelineRequest>
   graph::ShaderCheck shaders(home);
   std::vector<script::PipelineRequest> more;
   auto all = script::evaluatePipelines(home, requests);
-  for (size_t i = 0; i < all.size(); ++i)
-    collect(problems, [&] {
+  for (size_t i = 0; i < all.size(); ++i) {
+    auto plan_and_note = [&] {
       plan::PipelineDesc pipeline = all[i].take();
       addPlans(pipeline, shaders);
       std::vector<script::PipelineRequest> own;
       if (shapes) own = shapesOf(home, requests[i].name_or_path, pipeline);
       more.insert(more.end(), own.begin(), own.end());
-    });
+    };
+    collect(problems, plan_and_note, true);
+  }
   for (auto& shape : script::evaluatePipelines(home, more)) collect(problems, [&] { addPlans(shape.take(), shaders); });
   for (const std::string& problem : shaders.run()) collect(problems, [&] { throw Error(problem); });
 }
@@ -111,24 +115,57 @@ struct CheckOptions {
   bool json = false;
 };
 
+// The experiments of the project, and with `problems` what is wrong in them.
+size_t checkExperiments(const Home& home, std::vector<std::string>& problems) {
+  std::vector<std::string> files;
+  for (const std::string& name : home.namesBelow("experiments", ".lua")) {
+    Path file = home.at(Path("experiments") / (name + ".lua"));
+    if (liesIn(file, home.project()) && file.parent_path().filename() != "lib") files.push_back(file);
+  }
+  for (const std::string& file : files) collect(problems, [&] { study::readExperiment(home, file, true); });
+  return files.size();
+}
+
+// The numbers of pipelines and scenes; in a project those of each root.
+std::string soundText(const Home& home, const std::vector<std::string>& pipelines,
+                      const std::vector<std::string>& scenes, size_t experiments) {
+  auto text = [](size_t pipelines, size_t scenes) {
+    return fmt::format("{} pipelines and {} scenes are sound\n", pipelines, scenes);
+  };
+  if (!home.hasProject() || scenes.empty()) return text(pipelines.size(), scenes.size());
+  auto own = [&](const char* folder, const std::vector<std::string>& names) {
+    return std::count_if(names.begin(), names.end(), [&](const std::string& name) {
+      return home.shown(home.at(Path(folder) / (name + ".lua"))).find(':') == std::string::npos;
+    });
+  };
+  size_t own_pipelines = own("scripts/pipelines", pipelines), own_scenes = own("scripts/scenes", scenes);
+  return fmt::format("{}: {} experiments, {}{}: {}", home.project().string(), experiments,
+                     text(own_pipelines, own_scenes), home.shipped().string(),
+                     text(pipelines.size() - own_pipelines, scenes.size() - own_scenes));
+}
+
 void check(const Home& home, const CheckOptions& options) {
   const std::vector<std::string>& files = options.files;
   if (files.empty() && !options.sets.empty()) throw Error("--set needs a pipeline to set it in", {}, 2);
   script::Settings sets;
   for (const std::string& set : options.sets) sets.push_back(script::settingFromText(set));
   std::vector<std::string> problems;
-  std::vector<std::string> pipelines = files.empty() ? shippedPipelines(home) : files;
   std::vector<std::string> scenes;
+  size_t experiments = 0;
   if (files.empty()) {
+    if (home.hasProject()) throwIfAny(home.mistakesOfProject());
+    if (home.hasProject()) experiments = checkExperiments(home, problems);
     collect(problems, [&] { script::evaluateAllPasses(home); });
     scenes = script::sceneNames(home);
   }
+  std::vector<std::string> pipelines = files.empty() ? shippedPipelines(home) : files;
   std::vector<script::PipelineRequest> requests;
   for (const std::string& name : pipelines) requests.push_back({name, sets});
   checkPipelines(home, requests, sets.empty(), problems);
   checkScenes(home, scenes, problems);
   if (options.json) {
     Json report;
+    report["roots"] = home.roots();
     report["pipelines"] = pipelines;
     report["scenes"] = scenes;
     report["problems"] = problems;
@@ -137,7 +174,7 @@ void check(const Home& home, const CheckOptions& options) {
     return;
   }
   throwIfAny(problems);
-  std::printf("%zu pipelines and %zu scenes are sound\n", pipelines.size(), scenes.size());
+  std::fputs(soundText(home, pipelines, scenes, experiments).c_str(), stdout);
 }
 
 struct PlanOptions {

@@ -23,11 +23,11 @@ Error::Error(std::string message, Place place, int exit_code)
       place_(std::move(place)),
       exit_code_(exit_code) {}
 
-void throwIfAny(const std::vector<std::string>& messages) {
+void throwIfAny(const std::vector<std::string>& messages, int exit_code) {
   if (messages.empty()) return;
   std::string joined = messages.front();
   for (size_t i = 1; i < messages.size(); ++i) joined += "\n" + messages[i];
-  throw Error(joined);
+  throw Error(joined, {}, exit_code);
 }
 
 // Levenshtein distance with a transposition counted as one edit.

@@ -38,7 +38,7 @@ class Error : public std::runtime_error {
 };
 
 // Several mistakes found in one validation, joined with newlines; throws if `messages` is not empty.
-void throwIfAny(const std::vector<std::string>& messages);
+void throwIfAny(const std::vector<std::string>& messages, int exit_code = 1);
 
 // The candidate closest to `name` by edit distance, or "" when none is near enough to be a misspelling of it.
 std::string nearestName(std::string_view name, const std::vector<std::string>& candidates);

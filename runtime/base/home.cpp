@@ -2,8 +2,9 @@
 #include "base/home.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
-#include <regex>
+#include <fstream>
 #include <set>
 
 #include "base/error.h"
@@ -56,10 +57,16 @@ std::optional<Path> inProject(const Path& name) {
   return std::nullopt;
 }
 
-// "replaces = true" at the beginning of a line, behind "--" or "//" or not.
-bool declaresReplaces(const Path& file) {
-  static const std::regex declared("(^|\n)[ \t]*(--|//)?[ \t]*replaces[ \t]*=[ \t]*true\\b");
-  return std::regex_search(readText(file), declared);
+// The line that says "replaces = true" among the comment lines which a file begins with; 0 where none does.
+int lineOfReplaces(const Path& file) {
+  std::ifstream lines(file);
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    std::erase_if(line, [](unsigned char c) { return std::isspace(c); });
+    if (line == "--replaces=true" || line == "//replaces=true") return number;
+    if (!line.empty() && !line.starts_with("--") && !line.starts_with("//")) break;
+  }
+  return 0;
 }
 
 // The project that a folder lies in.
@@ -87,9 +94,7 @@ Home::Home(const std::vector<Path>& roots, std::optional<Path> data, Path progra
   for (const Path& root : roots) {
     roots_.push_back(fs::absolute(root).lexically_normal());
     real_roots_.push_back(real(roots_.back()));
-    is_project_.push_back(isThere(roots_.back() / kProjectFile));
   }
-  is_project_.back() = false;
   if (!data_) data_ = shipped().parent_path() / "shared";
 }
 
@@ -105,18 +110,13 @@ Home Home::fromEnvironment() {
 
 std::optional<Path> Home::data() const { return isFolder(*data_) ? data_ : std::nullopt; }
 
-std::optional<Path> Home::placeIn(size_t root, const Path& name) const {
-  if (!is_project_[root]) return roots_[root] / name;
-  std::optional<Path> own = inProject(name);
-  return own ? std::optional<Path>(roots_[root] / *own) : std::nullopt;
-}
-
 std::vector<Path> Home::places(const Path& name) const {
   Path normal = name.lexically_normal();
   std::vector<Path> places;
   if (normal.is_absolute() || normal.empty() || *normal.begin() == "..") return places;
-  for (size_t root = 0; root < roots_.size(); ++root)
-    if (std::optional<Path> place = placeIn(root, normal)) places.push_back(*place);
+  std::optional<Path> own = hasProject() ? inProject(normal) : std::nullopt;
+  if (own) places.push_back(project() / *own);
+  places.push_back(shipped() / normal);
   return places;
 }
 
@@ -127,17 +127,41 @@ void Home::requireInside(const Path& file) const {
   if (!inside) throw Error("is a link that leads out of the folders in which files are looked for", {shown(file)});
 }
 
+// An own file has a shipped one's name where it says so, and says so where it has one.
+void Home::requireDeclared(const Path& own, const Path& shipped) const {
+  int line = lineOfReplaces(own);
+  bool replaces = isThere(shipped);
+  const char* comment = own.extension() == ".lua" ? "--" : "//";
+  if (replaces && !line)
+    throw Error(fmt::format("has the name of a shipped file, {}; rename it, or begin it with the line '{} replaces = "
+                            "true'",
+                            this->shown(shipped), comment),
+                {this->shown(own)});
+  if (line && !replaces)
+    throw Error(fmt::format("'replaces = true', but there is no shipped file {}", this->shown(shipped)),
+                {this->shown(own), line});
+}
+
 std::optional<Path> Home::find(const Path& name) const {
-  std::vector<Path> found;
-  for (const Path& place : places(name))
-    if (isThere(place)) found.push_back(place);
-  if (found.empty()) return std::nullopt;
-  requireInside(found.front());
-  if (found.size() > 1 && !isFolder(found.front()) && !declaresReplaces(found.front()))
-    throw Error(fmt::format("has the name of a shipped file, {}; give it another, or say 'replaces = true' in it",
-                            found.back().string()),
-                {found.front().string()});
-  return found.front();
+  std::vector<Path> all = places(name);
+  auto found = std::find_if(all.begin(), all.end(), isThere);
+  if (found == all.end()) return std::nullopt;
+  requireInside(*found);
+  bool own = all.size() > 1 && found == all.begin();
+  if (own && !isFolder(*found)) requireDeclared(*found, all.back());
+  return *found;
+}
+
+std::vector<std::string> Home::mistakesOfProject() const {
+  std::vector<std::string> mistakes;
+  std::error_code ignored;
+  for (const auto& [name, folder] : kProjectFolders)
+    for (const auto& entry : fs::recursive_directory_iterator(project() / folder, ignored)) try {
+        find(Path(name) / entry.path().lexically_relative(project() / folder));
+      } catch (const Error& error) {
+        mistakes.push_back(error.what());
+      }
+  return mistakes;
 }
 
 Path Home::at(const Path& name) const { return find(name).value_or(shipped() / name); }
@@ -180,17 +204,43 @@ std::vector<std::string> Home::namesBelow(const Path& folder, std::string_view e
   return joined(folder, extension, lists);
 }
 
-std::optional<std::string> Home::nameOf(const Path& file) const {
-  for (const Path& root : roots_)
-    if (isBelow(file, root)) return file.lexically_relative(root).string();
-  return std::nullopt;
+// One may lie in the other.
+std::optional<size_t> Home::rootOf(const Path& file, const std::vector<Path>& roots) {
+  std::optional<size_t> found;
+  for (size_t i = 0; i < roots.size(); ++i)
+    if (isBelow(file, roots[i]) && (!found || isBelow(roots[i], roots[*found]))) found = i;
+  return found;
 }
 
-std::string Home::shown(const Path& file) const {
-  Path found = real(fs::absolute(file));
-  for (const Path& root : real_roots_)
-    if (isBelow(found, root)) return found.lexically_relative(root).string();
-  return file.string();
+std::optional<std::string> Home::nameOf(const Path& file) const {
+  std::optional<size_t> root = rootOf(file, roots_);
+  return root ? std::optional<std::string>(file.lexically_relative(roots_[*root]).string()) : std::nullopt;
+}
+
+// With the name of its root in front, except that of `bare`.
+std::optional<std::string> Home::named(const Path& file, std::optional<size_t> bare) const {
+  Path path = fs::absolute(file).lexically_normal();
+  const std::vector<Path>* roots = &roots_;
+  std::optional<size_t> root = rootOf(path, roots_);
+  if (!root) roots = &real_roots_, path = real(path), root = rootOf(path, real_roots_);
+  if (!root) return std::nullopt;
+  std::string prefix = root == bare ? "" : *root + 1 == roots_.size() ? kShippedPrefix : kProjectPrefix;
+  return prefix + path.lexically_relative((*roots)[*root]).string();
+}
+
+std::string Home::recorded(const Path& file, const std::string& outside) const {
+  return named(file, std::nullopt).value_or(outside);
+}
+
+std::string Home::shown(const Path& file) const { return named(file, 0).value_or(file.string()); }
+
+Path Home::fileShown(const std::string& name) const {
+  bool shipped = name.starts_with(kShippedPrefix);
+  return shipped ? this->shipped() / withoutRoot(name) : roots_.front() / name;
+}
+
+std::string Home::withoutRoot(const std::string& name) {
+  return name.starts_with(kShippedPrefix) ? name.substr(std::string_view(kShippedPrefix).size()) : name;
 }
 
 std::string Home::read(const Path& file) const {

@@ -11,15 +11,19 @@
 
 namespace strobe {
 
-// Files are named as they lie in the shipped folder: "passes/mask/moving.lua", "scripts/pipelines/none.lua". A root
-// with a file kProjectFile is a project, which has "pipelines/x.lua" for "scripts/pipelines/x.lua". A project's file
-// under a shipped name is an `Error` that names both, unless it says "replaces = true"; so is a file that a link leads
-// to from a root to a place outside of it.
+// Files are named as they lie in the shipped folder: "passes/mask/moving.lua", "scripts/pipelines/none.lua". Before it
+// may stand the folder of a project, which has "pipelines/x.lua" for "scripts/pipelines/x.lua". A project's file under
+// a shipped name is an `Error`, unless one of the comment lines that it begins with is "replaces = true"; so is one
+// that says so and replaces nothing, and one that a link leads to out of the roots.
 class Home {
  public:
   static constexpr const char* kProjectFile = "strobe.project.lua";
 
-  // `roots`: the shipped folder is the last. `data` is the folder of shared data; without it, `shared` beside that one.
+  // In front of names of files, where it matters in which root they lie.
+  static constexpr const char *kProjectPrefix = "project:", *kShippedPrefix = "strobe:";
+
+  // `roots`: the project's folder, if any, and the shipped one. `data` is the folder of shared data; without it,
+  // `shared` beside that one.
   explicit Home(const std::vector<Path>& roots, std::optional<Path> data = {}, Path program = ownProgram());
   explicit Home(const Path& shipped) : Home(std::vector<Path>{shipped}) {}
 
@@ -33,6 +37,8 @@ class Home {
   // Absolute folders; the shipped one is the last.
   const std::vector<Path>& roots() const { return roots_; }
   const Path& shipped() const { return roots_.back(); }
+  bool hasProject() const { return roots_.size() > 1; }
+  const Path& project() const { return roots_.front(); }
   // Shared test data, where there is such a folder.
   std::optional<Path> data() const;
   // What is started to evaluate a script.
@@ -51,23 +57,34 @@ class Home {
   // The same of all folders below ("bar", "oracles/bar").
   std::vector<std::string> namesBelow(const Path& folder, std::string_view extension) const;
 
+  // Of all files of the project: those that `find` refuses. There is a project.
+  std::vector<std::string> mistakesOfProject() const;
+
   // An absolute path that lies in a root, relative to that.
   std::optional<std::string> nameOf(const Path& file) const;
-  // `file` relative to the root it lies in (links followed), else unchanged: what errors and records show.
+  // That with the root in front, "project:passes/x.lua" or "strobe:passes/x.lua", as records have it; `outside` for
+  // what lies in none (links followed).
+  std::string recorded(const Path& file, const std::string& outside) const;
+  // As errors have it: the same without the prefix of the first root; `file` as it is where it lies in none.
   std::string shown(const Path& file) const;
+  // The file that `shown` gave this name.
+  Path fileShown(const std::string& name) const;
+  // What `shown` gave, without a root in front.
+  static std::string withoutRoot(const std::string& name);
   // The file's text; errors name it as `shown` does.
   std::string read(const Path& file) const;
 
  private:
   static Path ownProgram();
-  std::optional<Path> placeIn(size_t root, const Path& name) const;
+  static std::optional<size_t> rootOf(const Path& file, const std::vector<Path>& roots);
+  std::optional<std::string> named(const Path& file, std::optional<size_t> bare) const;
   void requireInside(const Path& file) const;
+  void requireDeclared(const Path& own, const Path& shipped) const;
   std::vector<std::string> joined(const Path& folder, std::string_view extension,
                                   const std::vector<std::vector<std::string>>& lists) const;
 
   std::vector<Path> roots_;
   std::vector<Path> real_roots_;  // links followed
-  std::vector<bool> is_project_;
   std::optional<Path> data_;
   Path program_;
 };

@@ -17,11 +17,11 @@ std::string hashOf(const graph::ReadImage& read) {
   return hashText(head + floats + uints);
 }
 
-// Shader files of all nodes, with what they include, as they were when they were compiled, by the path people know.
+// Shader files of all nodes, with what they include, as they were when they were compiled.
 static Json shaderHashes(const Home& home, const graph::Graph& graph) {
   std::map<std::string, std::string> hashes;
   for (const auto& [node, pipeline] : graph.pipelines())
-    for (const auto& [file, hash] : pipeline->sources) hashes[home.shown(file)] = hash;
+    for (const auto& [file, hash] : pipeline->sources) hashes[home.recorded(file, file)] = hash;
   return hashes;
 }
 
@@ -49,8 +49,8 @@ Json makeRecord(const RecordContext& c, const graph::FrameResult& frame) {
   record["scene"]["warnings"] = scene.scene.warnings;
   record["scene"]["assumptions"] = scene.scene.assumptions;
   if (!scene.scene.attribution.is_null()) record["scene"]["attribution"] = scene.scene.attribution;
-  for (const auto& file : c.drawing.evaluation().scripts) record["scripts"][file.shown] = file.hash;
-  for (const auto& file : scene.dependencies) record["scripts"][file.shown] = file.hash;
+  for (const auto* files : {&c.drawing.evaluation().scripts, &scene.dependencies})
+    for (const auto& file : *files) record["scripts"][c.home.recorded(file.path, file.shown)] = file.hash;
   record["shaders"] = shaderHashes(c.home, c.drawing.graph());
   record["device"] = {{"name", c.device.name},
                       {"driver", c.device.driver},

@@ -159,10 +159,12 @@ std::string sizeText(const plan::SizeDesc& size) {
 }
 
 std::string filesText(const PassDesc& pass) {
-  std::string shader = "shaders/" + pass.shader;
+  const std::string& file = pass.place.file;
+  std::string root = file.substr(0, file.size() - Home::withoutRoot(file).size());
+  std::string shader = root + "shaders/" + pass.shader;
   bool raster = pass.kind == PassDesc::Kind::Raster;
   std::string files = raster ? fmt::format("`{0}.vert.glsl`, `{0}.frag.glsl`", shader) : code(shader + ".glsl");
-  return fmt::format("`{}`, {}", pass.place.file, files);
+  return fmt::format("`{}`, {}", file, files);
 }
 
 std::string readsText(const PassDesc& pass) {
@@ -211,7 +213,7 @@ std::string countersText(const PassDesc& pass) {
 
 // "tile/largest" of passes/tile/largest.lua.
 std::string memberOf(const PassDesc& pass) {
-  Path file = Path(pass.place.file).lexically_relative("passes").replace_extension();
+  Path file = Path(Home::withoutRoot(pass.place.file)).lexically_relative("passes").replace_extension();
   return file.generic_string();
 }
 
@@ -481,15 +483,21 @@ void writeReference(const Home& home, const Path& folder) {
 
 std::string helpTopics(const Home& home) {
   std::vector<PassDesc> passes = allPasses(home);
+  auto marked = [&home](const std::string& file, const std::string& doc) {
+    bool own = home.hasProject() && Home::withoutRoot(file) == file;
+    return (own ? "[project] " : "") + doc;
+  };
   std::vector<std::pair<std::string, std::string>> entries;
-  for (const PipelineDesc& one : allPipelines(home)) entries.push_back({one.name, one.doc});
+  for (const PipelineDesc& one : allPipelines(home)) entries.push_back({one.name, marked(one.file, one.doc)});
   std::string text =
       "strobe help NAME prints the page of one of these, NAME.PARAM one parameter of it, PARAM that of all "
       "pipelines.\n\n";
+  if (home.hasProject())
+    text += fmt::format("[project] marks what lies in {}; all else ships.\n\n", home.project().string());
   text += listed("pipelines", entries);
   for (const auto& [family, members] : families(passes)) {
     entries.clear();
-    for (const PassDesc* pass : members) entries.push_back({pass->name, pass->doc});
+    for (const PassDesc* pass : members) entries.push_back({pass->name, marked(pass->place.file, pass->doc)});
     text += "\n" + listed("passes/" + family, entries);
   }
   return text + "\nOptions of commands: strobe COMMAND --help\n";

@@ -45,7 +45,7 @@ LoadedScene loadScene(const Home& home, Shot& shot) {
   if (isGltf(shot.scene)) {
     for (const auto& [name, value] : shot.sets)
       if (name.starts_with("scene."))
-        throw Error(fmt::format("--set {}={}: a glTF scene has no parameters", name, plan::textOf(value)));
+        throw Error(fmt::format("--set {}={}: a glTF scene has no parameters", name, plan::textOf(value)), {}, 2);
     loaded.scene = scene::loadGltf(shot.scene);
     loaded.description["file"] = Path(shot.scene).filename().string();
     loaded.description["hash"] = hashText(readText(shot.scene));

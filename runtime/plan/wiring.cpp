@@ -59,6 +59,10 @@ class Wirer {
     for (const LoopDesc& loop : pipeline_.loops) resolveLoop(loop);
     resolveOutputs();
     throwIfAny(problems_);
+
+    for (const std::string& tap : options_.taps)
+      wiring_.taps.push_back(sourceOf(tap, fmt::format("tap '{}'", tap), {}));
+    throwIfAny(problems_, 2);
     return std::move(wiring_);
   }
 
@@ -367,9 +371,6 @@ class Wirer {
     }
     bool has_color = findKey(pipeline_.outputs, "color") != pipeline_.outputs.end();
     if (!has_color) problem(place, "pipeline '{}' has no output 'color'", pipeline_.name);
-    for (const std::string& tap : options_.taps) {
-      wiring_.taps.push_back(sourceOf(tap, fmt::format("tap '{}'", tap), {}));
-    }
   }
 
   const PassDesc& passOf(int node) const { return pipeline_.passes[wiring_.nodes[node].pass]; }

@@ -150,7 +150,8 @@ int cameraNode(const Scene& scene, const std::string& name) {
   }
   if (names.empty()) throw Error(fmt::format("{} has no camera", scene.name));
   throw Error(fmt::format("{} has no camera '{}'{}; it has {}", scene.name, name, didYouMean(name, names),
-                          fmt::join(names, ", ")));
+                          fmt::join(names, ", ")),
+              {}, 2);
 }
 
 static std::vector<const Animation*> clipsOf(const Scene& scene, const std::string& animation) {
@@ -162,7 +163,8 @@ static std::vector<const Animation*> clipsOf(const Scene& scene, const std::stri
   }
   if (!clips.empty() || animation == "all" || animation == "none") return clips;
   throw Error(fmt::format("{} has no animation '{}'{}; it has {}", scene.name, animation, didYouMean(animation, names),
-                          fmt::join(names, ", ")));
+                          fmt::join(names, ", ")),
+              {}, 2);
 }
 
 Poser::Poser(const Scene& scene, int camera_node, const std::string& animation)
@@ -251,7 +253,7 @@ int nodeByName(const Scene& scene, const std::string& name) {
   }
   std::string hint = didYouMean(name, names);
   if (hint.empty()) hint = "; it has " + firstOf(names, 12);
-  throw Error(fmt::format("{} has no node '{}'{}", scene.name, name, hint));
+  throw Error(fmt::format("{} has no node '{}'{}", scene.name, name, hint), {}, 2);
 }
 
 }  // namespace strobe::scene

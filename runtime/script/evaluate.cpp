@@ -35,7 +35,7 @@ std::vector<std::string> mainNames(const Home& home, const Path& folder) {
 Main mainFile(const Home& home, const std::string& path, const Texts& texts = {}) {
   Main main;
   main.file = fs::absolute(path).lexically_normal();
-  main.shown = home.nameOf(main.file).value_or(path);
+  main.shown = home.shown(path);
   main.name = main.file.stem();
   main.own_folder = true;
   if (!texts.count(main.file) && !fs::is_regular_file(main.file)) throw Error("there is no such file", {path});
@@ -51,7 +51,7 @@ Main mainOf(const Home& home, const std::string& name_or_path, const std::string
   std::vector<std::string> names = mainNames(home, folder);
   bool known = std::find(names.begin(), names.end(), name_or_path) != names.end();
   if (!known && !texts.count(file)) {
-    throw Error(fmt::format("there is no {} '{}'{}", what, name_or_path, didYouMean(name_or_path, names)));
+    throw Error(fmt::format("there is no {} '{}'{}", what, name_or_path, didYouMean(name_or_path, names)), {}, 2);
   }
   Main main = mainFile(home, file.string(), texts);
   main.own_folder = false;
@@ -90,17 +90,20 @@ std::string plain(std::string text) {
   return text;
 }
 
-// One mistake keeps its place apart; several are joined, each with its own in front.
+// One mistake keeps its place apart; several are joined, each with its own in front. What an option says wrongly is
+// misuse of the command line.
 [[noreturn]] void throwProblems(const Json& errors) {
   std::vector<Error> problems;
+  int exit_code = 2;
   for (const Json& error : errors) {
     Place place{plain(error.at("file").get<std::string>()), error.at("line").get<int>()};
+    if (!place.file.starts_with("--")) exit_code = 1;
     problems.emplace_back(plain(error.at("message").get<std::string>()), place);
   }
-  if (problems.size() == 1) throw problems.front();
+  if (problems.size() == 1) throw Error(problems.front().message(), problems.front().place(), exit_code);
   std::vector<std::string> messages;
   for (const Error& problem : problems) messages.emplace_back(problem.what());
-  throwIfAny(messages);
+  throwIfAny(messages, exit_code);
   throw Error("a script failed without saying why");
 }
 

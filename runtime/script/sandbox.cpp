@@ -14,7 +14,6 @@ namespace strobe::script {
 
 namespace fs = std::filesystem;
 
-static constexpr const char* kLibrary = "@scripts/strobe/";  // chunks that are not the user's
 static constexpr const char* kEnvironment = "strobe.environment";
 static constexpr const char* kLoaded = "strobe.loaded";
 static constexpr int kMaxPath = 4;
@@ -41,7 +40,7 @@ static bool userFrame(lua_State* lua, int level, lua_Debug& ar) {
   for (; lua_getstack(lua, level, &ar); ++level) {
     lua_getinfo(lua, "Sl", &ar);
     std::string_view source = ar.source;
-    if (ar.currentline > 0 && source.starts_with("@") && !source.starts_with(kLibrary)) return true;
+    if (ar.currentline > 0 && source.starts_with("@") && !self(lua).isLibrary(source.substr(1))) return true;
   }
   return false;
 }
@@ -144,8 +143,7 @@ struct Sandbox::Callbacks {
     Sandbox& sandbox = self(lua);
     sandbox.guarded([&] {
       for (const auto& [shown, source] : sandbox.sources_) {
-        bool library = shown.starts_with(kLibrary + 1);
-        found = found || (!library && readsField(source, name));
+        found = found || (!sandbox.isLibrary(shown) && readsField(source, name));
       }
     });
     lua_pushboolean(lua, found);
@@ -323,7 +321,7 @@ struct Sandbox::Callbacks {
   static int message(lua_State* lua) {
     if (lua_type(lua, 1) != LUA_TSTRING) return 1;
     std::string_view text = lua_tostring(lua, 1);
-    bool placed_in_library = text.starts_with(kLibrary + 1) || text.starts_with("strobe:");
+    bool placed_in_library = self(lua).isLibrary(text) || text.starts_with("[strobe]:");
     lua_Debug ar;
     if (!placed_in_library || !userFrame(lua, 1, ar)) return 1;
     lua_pushfstring(lua, "%s:%d: %s", ar.source + 1, ar.currentline, lua_tostring(lua, 1));
@@ -354,8 +352,7 @@ void Sandbox::list(const std::string& folder) {
   // A folder that a project may get is a dependency as well.
   for (const Path& path : options_.home.places(folder)) {
     auto listed = std::find_if(files_.begin(), files_.end(), [&](const Dependency& file) { return file.path == path; });
-    bool own = !liesIn(path, options_.home.shipped());
-    if (listed == files_.end()) files_.push_back({path, own ? folder + " of the project" : folder, hashOfPath(path)});
+    if (listed == files_.end()) files_.push_back({path, options_.home.shown(path), hashOfPath(path)});
   }
 }
 
@@ -381,7 +378,7 @@ void Sandbox::resolve(const std::string& module) {
 
   bool in_home = root == "strobe" || root == "passes" || root == "scripts";
   Path file = options_.home.at(relative);
-  if (in_home && isThere(file)) return read(file, options_.home.nameOf(file).value_or(relative));
+  if (in_home && isThere(file)) return read(file, options_.home.shown(file));
   Path own = options_.main.parent_path() / relative;
   if (options_.own_folder && isThere(own)) {
     if (!liesIn(own, options_.main.parent_path()) && !liesInHome(own))
@@ -425,7 +422,8 @@ void* Sandbox::allocate(void* data, void* block, size_t old_size, size_t new_siz
   return grown;
 }
 
-Sandbox::Sandbox(Options options) : options_(std::move(options)) {
+Sandbox::Sandbox(Options options)
+    : options_(std::move(options)), library_(options_.home.shown(options_.home.shipped() / "scripts/strobe") + "/") {
   lua_ = lua_newstate(allocate, this);
   STROBE_ASSERT(lua_ != nullptr);
   *static_cast<Sandbox**>(lua_getextraspace(lua_)) = this;
@@ -470,7 +468,7 @@ void Sandbox::loadPrelude() {
   lua_insert(lua_, -2);
   lua_setfield(lua_, LUA_REGISTRYINDEX, kLoaded);
 
-  bool loaded = luaL_loadbufferx(lua_, kPrelude, std::char_traits<char>::length(kPrelude), "=strobe", "t") == LUA_OK;
+  bool loaded = luaL_loadbufferx(lua_, kPrelude, std::char_traits<char>::length(kPrelude), "=[strobe]", "t") == LUA_OK;
   STROBE_ASSERT(loaded, "{}", lua_tostring(lua_, -1));
   lua_insert(lua_, -2);
   bool ran = lua_pcall(lua_, 1, 1, 0) == LUA_OK;

@@ -51,6 +51,9 @@ class Sandbox {
   // The nearest running line of the user's own files, from `level` up the stack.
   static Place userPlace(lua_State* lua, int level);
 
+  // Is a file, as errors name it, not the user's?
+  bool isLibrary(std::string_view shown) const { return shown.starts_with(library_); }
+
  private:
   struct Callbacks;  // the C functions Lua calls
   static void* allocate(void* self, void* block, size_t old_size, size_t new_size);
@@ -69,6 +72,7 @@ class Sandbox {
   std::string withFullNames(const std::string& message) const;
 
   Options options_;
+  std::string library_;  // the folder scripts/strobe, as errors name it
   lua_State* lua_ = nullptr;
   size_t used_bytes_ = 0;
   bool out_of_memory_ = false;

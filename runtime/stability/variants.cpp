@@ -170,7 +170,7 @@ static void addValueBreaks(std::vector<Declared>& found, const ParamDesc& param,
 }
 
 // Does what follows the parameter declare what it breaks? A parameter that is a pass's counts where that pass runs.
-static bool isOfAPass(const ParamDesc& param) { return param.place.file.starts_with("passes/"); }
+static bool isOfAPass(const ParamDesc& param) { return Home::withoutRoot(param.place.file).starts_with("passes/"); }
 
 std::vector<Declared> declaredBreaks(const PipelineDesc& pipeline, const std::string& invariant) {
   std::vector<Declared> found;

@@ -311,7 +311,7 @@ Experiment readExperiment(const Home& home, const std::string& file, bool evalua
     throw Error(fmt::format("a value of the experiment has a wrong form: {}", error.what()), {file});
   }
   experiment.file = file;
-  experiment.dependencies = dependencies;
+  for (const auto& one : dependencies) experiment.scripts.emplace_back(home.recorded(one.path, one.shown), one.hash);
   check(home, experiment, file, evaluate);
   return experiment;
 }

@@ -89,7 +89,7 @@ struct Experiment {
   std::optional<Background> background;
   Json layout;
   size_t expectations = 0;
-  std::vector<script::Dependency> dependencies;
+  std::vector<std::pair<std::string, std::string>> scripts;  // it was read from, as records name them, and their hashes
 
   void setSize(int width, int height);
   size_t points() const;

@@ -277,7 +277,7 @@ Results outlineOf(const Experiment& experiment) {
     results.shots.push_back({shot.name, shot.title, shot.note, shot.attribution, shot.missing, 0, 0, {}, shot.tone});
   for (const Axis& axis : experiment.axes) results.axes.push_back(summaryOf(axis));
   results.layout = experiment.layout;
-  for (const auto& script : experiment.dependencies) results.scripts.emplace_back(script.shown, script.hash);
+  results.scripts = experiment.scripts;
   return results;
 }
 

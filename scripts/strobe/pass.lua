@@ -9,7 +9,6 @@ local pass = { int = param.int, float = param.float, bool = param.bool, choice =
 
 pass.keys = {
   "name", "shader", "doc", "fails", "breaks", "size", "scene", "reads", "writes", "updates", "params", "counters",
-  "replaces",
 }
 pass.read_keys  = { "doc", "uint", "optional", "linear" }
 pass.write_keys = { "doc", "format" }

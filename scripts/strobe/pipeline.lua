@@ -10,7 +10,6 @@ local pipeline = { int = param.int, float = param.float, bool = param.bool, choi
 
 pipeline.keys = {
   "doc", "kind", "params", "presets", "default_preset", "build", "breaks", "compare_with", "equals", "regions",
-  "replaces",
 }
 pipeline.preset_keys = { "doc", "set" }
 pipeline.equal_keys = { "when", "pipeline", "set" }

@@ -63,6 +63,87 @@ TEST_F(Homes, AreFoundByThePlaceOfTheProgram) {
   EXPECT_EQ(Home::shippedWith(folder_ / "elsewhere/bin/strobe"), sourceFolder());
 }
 
+// A project, and a place to look from.
+TEST_F(Homes, NameTheRootOfAFile) {
+  write("ours/passes/a.lua");
+  write("mine/passes/b.lua");
+  Home home({folder_ / "mine", folder_ / "ours"});
+  const Path own = folder_ / "mine/passes/b.lua", shipped = folder_ / "ours/passes/a.lua";
+  EXPECT_EQ(home.recorded(own, ""), "project:passes/b.lua");
+  EXPECT_EQ(home.recorded(shipped, ""), "strobe:passes/a.lua");
+  EXPECT_EQ(home.recorded("/elsewhere/a.lua", "a.lua"), "a.lua");
+  EXPECT_EQ(Home(folder_ / "ours").recorded(shipped, ""), "strobe:passes/a.lua");
+  EXPECT_EQ(home.shown(own), "passes/b.lua");
+  EXPECT_EQ(home.shown(shipped), "strobe:passes/a.lua");
+  EXPECT_EQ(Home::withoutRoot(home.shown(shipped)), "passes/a.lua");
+  for (const Path& file : {own, shipped}) EXPECT_EQ(home.fileShown(home.shown(file)), file);
+}
+
+TEST_F(Homes, NameFilesByTheInnerOfTwoRoots) {
+  write("ours/passes/a.lua");
+  write("ours/out/mine/passes/b.lua");
+  Home below({folder_ / "ours/out/mine", folder_ / "ours"}), around({folder_, folder_ / "ours"});
+  EXPECT_EQ(below.shown(folder_ / "ours/out/mine/passes/b.lua"), "passes/b.lua");
+  EXPECT_EQ(below.shown(folder_ / "ours/passes/a.lua"), "strobe:passes/a.lua");
+  EXPECT_EQ(around.shown(folder_ / "ours/passes/a.lua"), "strobe:passes/a.lua");
+}
+
+TEST_F(Homes, FollowLinksToARoot) {
+  write("mine/passes/b.lua");
+  write("ours/passes/a.lua");
+  fs::create_directory_symlink(folder_ / "mine", folder_ / "link");
+  EXPECT_EQ(Home({folder_ / "mine", folder_ / "ours"}).shown(folder_ / "link/passes/b.lua"), "passes/b.lua");
+  EXPECT_EQ(Home({folder_ / "link", folder_ / "ours"}).shown(folder_ / "mine/passes/b.lua"), "passes/b.lua");
+}
+
+// What `find` says of a project's file under the name of a shipped one, or of one that says it replaces.
+std::string refusal(const Home& home, const Path& name) {
+  try {
+    home.find(name);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(Homes, ReplaceWhatIsDeclaredToBeReplaced) {
+  Home home({folder_ / "mine", folder_ / "ours"});
+  const std::string undeclared =
+      "passes/a.lua: has the name of a shipped file, strobe:passes/a.lua; rename it, or begin it with the line "
+      "'-- replaces = true'";
+  write("ours/passes/a.lua");
+  for (const char* text : {"", "return { replaces = true }", "return {}\n-- replaces = true\n", "-- replaces = truely",
+                           "-- it replaces = true", "local x = 1 -- replaces = true", "--[[\nreplaces = true\n]]"}) {
+    write("mine/passes/a.lua", text);
+    EXPECT_EQ(refusal(home, "passes/a.lua"), undeclared) << text;
+    EXPECT_EQ(home.mistakesOfProject(), std::vector<std::string>{undeclared}) << text;
+  }
+  for (const char* text :
+       {"-- replaces = true", "--replaces=true\nreturn {}", "-- A pass.\n\n  -- replaces = true\n"}) {
+    write("mine/passes/a.lua", text);
+    EXPECT_EQ(home.find("passes/a.lua"), folder_ / "mine/passes/a.lua") << text;
+    EXPECT_TRUE(home.mistakesOfProject().empty()) << text;
+  }
+  write("ours/shaders/a.glsl");
+  write("mine/shaders/a.glsl");
+  EXPECT_NE(refusal(home, "shaders/a.glsl").find("'// replaces = true'"), std::string::npos);
+  write("mine/shaders/a.glsl", "// SPDX\n// replaces = true\n");
+  EXPECT_EQ(refusal(home, "shaders/a.glsl"), "");
+}
+
+TEST_F(Homes, RefuseToReplaceNothing) {
+  Home home({folder_ / "mine", folder_ / "ours"});
+  write("mine/pipelines/x.lua", "-- A pipeline.\n-- replaces = true\n");
+  write("mine/shaders/lib/y.glsl", "// replaces = true\n");
+  const std::string pipeline =
+      "pipelines/x.lua:2: 'replaces = true', but there is no shipped file strobe:scripts/pipelines/x.lua";
+  EXPECT_EQ(refusal(home, "scripts/pipelines/x.lua"), pipeline);
+  EXPECT_EQ(home.mistakesOfProject().size(), 2u);
+  write("ours/scripts/pipelines/x.lua");
+  write("ours/shaders/lib/y.glsl");
+  EXPECT_TRUE(home.mistakesOfProject().empty());
+}
+
 TEST_F(Homes, HaveSharedDataWhereThereIsSome) {
   EXPECT_FALSE(Home(folder_ / "ours").data());
   fs::create_directories(folder_ / "shared");

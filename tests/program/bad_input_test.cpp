@@ -27,20 +27,20 @@ void expectRefusal(const std::string& arguments, int exit_code, const std::strin
 const std::string kScene = " --scene oracles/bar --size 64x32";
 
 TEST(BadInput, NamesAreRefusedWithTheNearest) {
-  expectRefusal("render hybrd" + kScene, 1, "did you mean 'hybrid'?");
-  expectRefusal("render hybrid" + kScene + " --set compsite=layered", 1, "did you mean 'composite'?");
-  expectRefusal("render hybrid" + kScene + " --set tile_max.tle=4", 1, "did you mean 'tile_max.tile'?");
-  expectRefusal("render hybrid" + kScene + " --tap composite.blurrd", 1, "did you mean 'blurred'?");
-  expectRefusal("render none --scene oracles/bra --size 64x32", 1, "did you mean 'oracles/bar'?");
-  expectRefusal("render none" + kScene + " --move bra=1,0,0", 1, "did you mean 'bar'?");
-  expectRefusal("render none" + kScene + " --camera mian", 1, "no camera 'mian'");
+  expectRefusal("render hybrd" + kScene, 2, "did you mean 'hybrid'?");
+  expectRefusal("render hybrid" + kScene + " --set compsite=layered", 2, "did you mean 'composite'?");
+  expectRefusal("render hybrid" + kScene + " --set tile_max.tle=4", 2, "did you mean 'tile_max.tile'?");
+  expectRefusal("render hybrid" + kScene + " --tap composite.blurrd", 2, "did you mean 'blurred'?");
+  expectRefusal("render none --scene oracles/bra --size 64x32", 2, "did you mean 'oracles/bar'?");
+  expectRefusal("render none" + kScene + " --move bra=1,0,0", 2, "did you mean 'bar'?");
+  expectRefusal("render none" + kScene + " --camera mian", 2, "no camera 'mian'");
   expectRefusal("rendr none" + kScene, 2, "did you mean 'render'?");
 }
 
 TEST(BadInput, ValuesAreRefusedWithTheirRange) {
-  expectRefusal("render hybrid" + kScene + " --set samples=0", 1, "range 1 to 1024");
-  expectRefusal("render hybrid" + kScene + " --set samples=many", 1, "not an integer");
-  expectRefusal("render hybrid" + kScene + " --set mask=sead", 1, "did you mean 'seed'?");
+  expectRefusal("render hybrid" + kScene + " --set samples=0", 2, "range 1 to 1024");
+  expectRefusal("render hybrid" + kScene + " --set samples=many", 2, "not an integer");
+  expectRefusal("render hybrid" + kScene + " --set mask=sead", 2, "did you mean 'seed'?");
   for (const char* option : {"--exposure -2", "--exposure -1", "--frame -1", "--fps 0"})
     expectRefusal("render none" + kScene + " " + option, 2, std::string(option).substr(0, 5));
   expectRefusal("render none" + kScene + " --anchor middle", 2, "close, centre, open");
@@ -100,6 +100,7 @@ TEST(BadInput, CheckFindsWhatIsNotInUse) {
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   EXPECT_EQ(run("check mcguire2012 --set weights=mcguire2012", environment).exit_code, 0);
   EXPECT_EQ(run("check mcguire2012 --set weights=uniform", environment).exit_code, 1);
+  EXPECT_EQ(run("check mcguire2012 --set wieghts=uniform", environment).exit_code, 2);
   EXPECT_EQ(run("check --set weights=uniform", environment).exit_code, 2);
 }
 
@@ -112,7 +113,7 @@ TEST(BadInput, MachinesThatCannot) {
 TEST(BadInput, NamesAreCheckedBeforeTheDisplay) {
   for (const char* command : {"live hybrd", "live hybrid --vs mcguire2021"}) {
     Outcome outcome = run(command, "-u DISPLAY -u WAYLAND_DISPLAY");
-    EXPECT_EQ(outcome.exit_code, 1) << command;
+    EXPECT_EQ(outcome.exit_code, 2) << command;
     EXPECT_NE(outcome.err.find("did you mean"), std::string::npos) << outcome.err;
   }
   EXPECT_NE(run("live hybrid", "-u DISPLAY -u WAYLAND_DISPLAY").err.find("no window can be opened"), std::string::npos);

@@ -60,7 +60,8 @@ TEST_F(Project, Runs) {
   EXPECT_NE(inside("help").out.find("smear"), std::string::npos);
   EXPECT_NE(inside("help smear.taps").out.find("colours averaged"), std::string::npos);
   std::string record = contentOf(path("pipelines/out/a.record.json"));
-  for (const char* file : {"pipelines/smear.lua", "passes/smear.lua", "shaders/smear.glsl", "passes/scene/gbuffer.lua"})
+  for (const char* file : {"project:pipelines/smear.lua", "project:passes/smear.lua", "project:shaders/smear.glsl",
+                           "strobe:passes/scene/gbuffer.lua", "strobe:shaders/lib/hit.glsl"})
     EXPECT_NE(record.find("\"" + std::string(file) + "\""), std::string::npos) << file;
   EXPECT_EQ(inside("render none" + kSmall).exit_code, 0);
   EXPECT_NE(run("plan smear").err.find("there is no pipeline 'smear'"), std::string::npos);  // outside of it
@@ -83,12 +84,38 @@ TEST_F(Project, HasScenesOfItsOwn) {
 TEST_F(Project, AShippedNameIsRefusedUnlessItReplaces) {
   std::string text = contentOf(sourceFolder() / "scripts/pipelines/none.lua");
   write("pipelines/none.lua", text);
-  expectRefused("plan none", "has the name of a shipped file");
-  expectRefused("plan none", path("pipelines/none.lua").string());
-  expectRefused("plan none", "scripts/pipelines/none.lua");
+  expectRefused("plan none", "pipelines/none.lua: has the name of a shipped file, strobe:scripts/pipelines/none.lua");
+  expectRefused("check", "pipelines/none.lua: has the name of a shipped file");
   write("pipelines/none.lua", "-- replaces = true\n" + text);
   Outcome planned = inside("plan none");
   EXPECT_EQ(planned.exit_code, 0) << planned.err;
+  write("passes/unused.lua", "\n-- replaces = true\nreturn {}\n");
+  expectRefused("check",
+                "passes/unused.lua:2: 'replaces = true', but there is no shipped file strobe:passes/unused.lua");
+}
+
+// Both roots, own experiments among them; mistakes with the file they are in.
+TEST_F(Project, IsCheckedWithWhatShips) {
+  Outcome sound = inside("check");
+  EXPECT_EQ(sound.exit_code, 0) << sound.err;
+  EXPECT_NE(sound.out.find(path("").parent_path().string() + ": 0 experiments, 1 pipelines and 0 scenes are sound\n"),
+            std::string::npos)
+      << sound.out;
+  EXPECT_NE(sound.out.find("\n" + sourceFolder().string() + ": "), std::string::npos) << sound.out;
+  write("experiments/half.lua", "return require 'strobe.experiment' { title = 'Half' }");
+  expectRefused("check", "experiments/half.lua:1: ");
+  EXPECT_EQ(inside("check smeer").exit_code, 2);
+}
+
+TEST_F(Project, IsMarkedInHelp) {
+  Outcome topics = inside("help", "shaders");
+  EXPECT_NE(topics.out.find("[project] marks what lies in " + path("").parent_path().string()), std::string::npos);
+  std::istringstream lines(topics.out);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("  "))
+      EXPECT_EQ(line.find("[project]") != std::string::npos, line.starts_with("  smear ")) << line;
+  EXPECT_NE(inside("help edge_sobel").out.find("`strobe:passes/edge/sobel.lua`, `strobe:shaders/edge/"),
+            std::string::npos);
 }
 
 TEST_F(Project, ReachesItsRootsAndNothingElse) {
