@@ -7,12 +7,13 @@ return pass.compute {
   shader = "smear",
   doc    = "Average of the colours along the pixel's own displacement",
   fails  = "What moves is not blurred over what is at rest, and what is at rest not uncovered.",
+  breaks = { uniform = "taps lie at whole pixels, and may be fewer than the pixels on the way" },
   size   = { of = "color" },
   reads  = {
     color    = { doc = "linear" },
     velocity = { doc = "px over the exposure" },
   },
-  writes = { color = { format = "rgba16f", doc = "linear" } },
+  writes = { color = { format = "rgba32f", doc = "linear" } },
   params = {
     taps = pass.int { 8, min = 1, max = 64, doc = "colours averaged" },
   },

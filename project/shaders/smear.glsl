@@ -6,11 +6,11 @@
 void run(ivec2 pixel) {
   vec2 displacement = vec2(texelFetch(velocity_tex, pixel, 0));
   ivec2 last = textureSize(color_tex, 0) - 1;
-  vec3 sum = vec3(0);
+  vec3 mean = vec3(0);
   for (int i = 0; i < params.taps; ++i) {
     float along = (float(i) + 0.5) / float(params.taps) - 0.5;
     ivec2 tap = clamp(pixel + ivec2(round(along * displacement)), ivec2(0), last);
-    sum += vec3(texelFetch(color_tex, tap, 0));
+    mean += (vec3(texelFetch(color_tex, tap, 0)) - mean) / float(i + 1);  // exact where all are equal
   }
-  imageStore(color_img, pixel, vec4(sum / float(params.taps), 1));
+  imageStore(color_img, pixel, vec4(mean, 1));
 }

@@ -21,6 +21,7 @@ void reload(const Home& own, const Options& options) {
   lab::Shot shot = options.shot.resolve();
   if (shot.width == 0) shot.width = 160, shot.height = 90;
   lab::HomeCopy copy(own);
+  shot.pipeline = copy.pipelineOf(own, shot.pipeline);
   lab::Workbench bench(copy.home(), shot.device, validationWanted());
   std::vector<lab::ReloadTiming> timings = lab::benchReload(bench, shot, options.repeats);
   if (options.json) {

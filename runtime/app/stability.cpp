@@ -53,6 +53,7 @@ void runExtremes(const Home& home, const StabilityOptions& options) {
 void run(const Home& home, const StabilityOptions& options) {
   if (options.extremes) return runExtremes(home, options);
   for (const std::string& name : options.suite.invariants) stability::invariantNamed(name);
+  for (const std::string& name : options.pipelines) script::evaluatePipeline(home, {name, {}});  // before a device is
   lab::Workbench bench(home, options.device, validationWanted());
   lab::Batch batch(bench);
   std::vector<std::string> pipelines = options.pipelines.empty() ? script::pipelineNames(home) : options.pipelines;

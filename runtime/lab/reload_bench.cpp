@@ -32,8 +32,9 @@ std::vector<Kind> kindsFor(const Session& session) {
   std::map<std::string, int> uses;
   for (const auto& [node, pipeline] : session.pipelines())
     for (const Path& file : pipeline->files)
-      if (std::string name = home.shown(file); name.starts_with("shaders/lib/") || name.starts_with("shaders/mixin/"))
-        ++uses[name];
+      if (std::string name = Home::withoutRoot(home.shown(file));
+          name.starts_with("shaders/lib/") || name.starts_with("shaders/mixin/"))
+        ++uses[home.shown(file)];
   auto most =
       std::max_element(uses.begin(), uses.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   std::vector<Kind> kinds = {{"shader of one pass", home.shown(graph::shaderFiles(home, last).front()),
@@ -43,11 +44,12 @@ std::vector<Kind> kindsFor(const Session& session) {
                      "\nconst int kTouched = {};\n", "#define"});
   kinds.push_back({"declaration of a pass", last.place.file, "\n-- {}\n", ""});
   kinds.push_back({"pipeline", plan.pipeline.file, "\n-- {}\n", ""});
+  std::erase_if(kinds, [&](const Kind& kind) { return !home.nameOf(home.fileShown(kind.file)); });  // not of the copy
   return kinds;
 }
 
 ReloadTiming once(Session& session, const Kind& kind, int number) {
-  Path file = session.bench().home().at(kind.file);
+  Path file = session.bench().home().fileShown(kind.file);
   std::string good = readText(file);
   std::string line = fmt::format(fmt::runtime(kind.line), number);
   // The last function of a shader is its `run`; of a library the line behind the first #define.
@@ -93,11 +95,28 @@ ReloadTiming medianOf(const std::vector<ReloadTiming>& all) {
 
 }  // namespace
 
-HomeCopy::HomeCopy(const Home& home) : folder_(fs::temp_directory_path() / fmt::format("strobe_bench_{}", ::getpid())) {
-  for (const char* part : {"passes", "shaders", "scripts"}) {
-    fs::create_directories(folder_ / part);
-    fs::copy(home.shipped() / part, folder_ / part, fs::copy_options::recursive);
+// What is read of a root, copied to `to`.
+static void copyRoot(const Path& root, const Path& to) {
+  fs::create_directories(to);
+  for (const char* part : {"passes", "shaders", "scripts", "pipelines", "scenes"})
+    if (fs::is_directory(root / part)) fs::copy(root / part, to / part, fs::copy_options::recursive);
+}
+
+static Home copyOf(const Home& home, const Path& folder) {
+  std::vector<Path> roots;
+  for (const Path& root : home.roots()) {
+    roots.push_back(folder / std::to_string(roots.size()));
+    copyRoot(root, roots.back());
   }
+  return Home(roots, home.data(), home.program());
+}
+
+HomeCopy::HomeCopy(const Home& home)
+    : folder_(fs::temp_directory_path() / fmt::format("strobe_bench_{}", ::getpid())), copy_(copyOf(home, folder_)) {}
+
+std::string HomeCopy::pipelineOf(const Home& home, const std::string& name_or_path) const {
+  bool is_path = name_or_path.ends_with(".lua");
+  return is_path ? copy_.fileShown(home.shown(fs::absolute(name_or_path))).string() : name_or_path;
 }
 
 HomeCopy::~HomeCopy() {

@@ -25,10 +25,13 @@ class HomeCopy {
   ~HomeCopy();
   HomeCopy(const HomeCopy&) = delete;
   HomeCopy& operator=(const HomeCopy&) = delete;
-  Home home() const { return Home(folder_); }
+  const Home& home() const { return copy_; }
+  // The same pipeline in the copy, where it is a file of a root.
+  std::string pipelineOf(const Home& home, const std::string& name_or_path) const;
 
  private:
   Path folder_;
+  Home copy_;
 };
 
 // Edits files of the bench's home, a copy, `repeats` times per kind of file while a session of `shot` runs on it.

@@ -94,8 +94,9 @@ function run.passes(request)
       local description = result.description
       local other = by_name[description.name]
       if other then
-        problems:add(description.place, "another pass is called '%s': %s:%d", description.name, other.place.file,
-                     other.place.line)
+        local second, first = description.place, other.place
+        if second.file:find("^strobe:") then second, first = first, second end  -- the mistake is the project's
+        problems:add(second, "another pass is called '%s': %s:%d", description.name, first.file, first.line)
       end
       by_name[description.name] = description
     end

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
-// docs/your-own-edge-detector.md, followed: its files written beside a running shot, its commands given, its errors
-// made.
+// docs/your-own-edge-detector.md, followed in a project: its files written beside a running shot, its commands given,
+// its errors made.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <map>
 #include <optional>
 #include <set>
-#include <sstream>
 
 #include "base/hash.h"
+#include "common/pages.h"
 #include "common/source.h"
 #include "lab/session.h"
 #include "program/run.h"
@@ -20,84 +18,34 @@ namespace {
 
 namespace fs = std::filesystem;
 using strobe::testing::Outcome;
+using strobe::testing::Page;
 using strobe::testing::TemporaryFolder;
+using strobe::testing::withLine;
 
-// --- The page
-
-// A fenced block: "```lua passes/edge/x.lua" holds a file, "```lua passes/edge/x.lua:3" a line of it.
-struct Block {
-  std::string language, target, text;
-};
-
-std::vector<Block> blocksOf(const std::string& page) {
-  std::vector<Block> blocks;
-  std::istringstream lines(page);
-  bool inside = false;
-  for (std::string line; std::getline(lines, line);) {
-    bool fence = line.starts_with("```");
-    if (fence && !inside) {
-      size_t space = std::min(line.find(' '), line.size());
-      blocks.push_back({line.substr(3, space - 3), line.substr(std::min(space + 1, line.size())), ""});
-    } else if (!fence && inside) {
-      blocks.back().text += line + "\n";
-    }
-    inside = inside != fence;
-  }
-  return blocks;
-}
-
-struct Tutorial {
-  std::map<std::string, std::string> files;
-  struct Mistake {
-    std::string file, line, error;
-    int number = 0;
-  };
-  std::vector<Mistake> mistakes;
-  std::vector<std::string> commands;  // without "./strobe "
-};
-
-Tutorial readTutorial() {
-  Tutorial tutorial;
-  for (const Block& block : blocksOf(readText(sourceFolder() / "docs/your-own-edge-detector.md"))) {
-    size_t colon = block.target.find(':');
-    bool of_file = block.language == "lua" || block.language == "glsl";
-    if (of_file && colon == std::string::npos) tutorial.files[block.target] = block.text;
-    if (of_file && colon != std::string::npos) {
-      int number = std::stoi(block.target.substr(colon + 1));
-      tutorial.mistakes.push_back({block.target.substr(0, colon), block.text, "", number});
-    }
-    if (block.target == "error" && !tutorial.mistakes.empty())
-      tutorial.mistakes.back().error = block.text.substr(0, block.text.size() - 1);
-    std::istringstream lines(block.language == "sh" ? block.text : "");
-    for (std::string line; std::getline(lines, line);) tutorial.commands.push_back(line.substr(line.find(' ') + 1));
-  }
-  return tutorial;
-}
-
-std::string withLine(const std::string& text, int number, const std::string& line) {
-  size_t start = 0;
-  for (int i = 1; i < number; ++i) start = text.find('\n', start) + 1;
-  return text.substr(0, start) + line + text.substr(text.find('\n', start) + 1);
-}
-
-// --- Following it
-
-// A copy of what ships.
+// A project as the page makes it, beside what ships.
 class Following : public ::testing::Test {
  protected:
   void SetUp() override {
-    for (const char* part : {"passes", "shaders", "scripts"})
-      fs::copy(sourceFolder() / part, folder_.path() / part, fs::copy_options::recursive);
+    ASSERT_EQ(page_.commands.at(0), "new detectors");
+    Outcome made = strobe::testing::run(page_.commands.at(0), "-C " + folder_.path().string());
+    ASSERT_EQ(made.exit_code, 0) << made.err;
   }
 
-  void write(const std::string& file, const std::string& text) const {
-    fs::create_directories((folder_.path() / file).parent_path());
-    strobe::testing::writeText(folder_.path() / file, text);
+  fs::path project() const { return folder_.path() / "detectors"; }
+  void write(const std::string& file, const std::string& text) const { writeFileAtomically(project() / file, text); }
+  void writeAll() const {
+    for (const auto& [file, text] : page_.files) write(file, text);
+  }
+  Outcome inside(const std::string& command) const {
+    return strobe::testing::run(command, "-C " + project().string() + " STROBE_VALIDATION=1");
   }
 
-  Home home() const { return Home({folder_.path()}, {}, Home::fromEnvironment().program()); }
+  Home home() const {
+    const Home own = Home::fromEnvironment();
+    return Home({project(), own.shipped()}, own.data(), own.program());
+  }
 
-  const Tutorial tutorial_ = readTutorial();
+  const Page page_ = strobe::testing::readPage("your-own-edge-detector.md");
   TemporaryFolder folder_;
 };
 
@@ -160,14 +108,14 @@ TEST_F(Following, TheDetectorAppearsRunsAndIsTuned) {
   std::string before = hashOf(session, "edge.edge"), colour = hashOf(session, "color");
   EXPECT_FALSE(isListed(session, "dilation"));
 
-  write(kTable, tutorial_.files.at(kTable));
+  write(kTable, page_.files.at(kTable));
   EXPECT_TRUE(session.reload(true));
   EXPECT_EQ(session.problems(), std::vector<std::string>());
   EXPECT_TRUE(isListed(session, "dilation"));
   EXPECT_THROW(session.set("edge", "dilation", "test"), Error) << "its shader is missing";
   EXPECT_EQ(hashOf(session, "color"), colour);
 
-  write(kShader, tutorial_.files.at(kShader));
+  write(kShader, page_.files.at(kShader));
   session.reload(true);
   session.set("edge", "dilation", "test");
   EXPECT_EQ(session.problems(), std::vector<std::string>());
@@ -186,15 +134,15 @@ TEST_F(Following, TheDetectorAppearsRunsAndIsTuned) {
 }
 
 TEST_F(Following, MistakesSayWhatThePageSays) {
-  for (const auto& [file, text] : tutorial_.files) write(file, text);
+  writeAll();
   Workbench bench(home(), "", true);
   Shot shot = movingThings();
   shot.sets.push_back({"edge", "dilation"});
   Session session(bench, shot);
   std::string colour = hashOf(session, "color");
-  ASSERT_EQ(tutorial_.mistakes.size(), 2u);
-  for (const Tutorial::Mistake& mistake : tutorial_.mistakes) {
-    const std::string& sound = tutorial_.files.at(mistake.file);
+  ASSERT_EQ(page_.mistakes.size(), 2u);
+  for (const Page::Mistake& mistake : page_.mistakes) {
+    const std::string& sound = page_.files.at(mistake.file);
     write(mistake.file, withLine(sound, mistake.number, mistake.line));
     ASSERT_TRUE(session.reload(true));
     EXPECT_EQ(session.problems(), std::vector<std::string>{mistake.error});
@@ -210,7 +158,7 @@ TEST_F(Following, MistakesSayWhatThePageSays) {
 // [R - d, R) and the pixel that the silhouette reaches at the very end of the exposure, as every detector's that marks
 // the nearer side (tests/oracle/render_masks_test.cpp).
 TEST_F(Following, ItsMaskIsTheBand) {
-  for (const auto& [file, text] : tutorial_.files) write(file, text);
+  writeAll();
   Workbench bench(home(), "", true);
   std::vector<int> expected;
   for (int x = 139; x < 160; ++x) expected.push_back(x);
@@ -220,22 +168,18 @@ TEST_F(Following, ItsMaskIsTheBand) {
 
 // What `render` and `live` would draw can be planned; everything else but `compare`, which needs pictures, is run.
 TEST_F(Following, ItsCommandsAreAccepted) {
-  for (const auto& [file, text] : tutorial_.files) write(file, text);
-  std::string home = "STROBE_HOME=" + folder_.path().string();
+  writeAll();
   std::set<std::string> seen;
-  for (const std::string& command : tutorial_.commands) {
+  for (const std::string& command : page_.commands) {
     std::string name = command.substr(0, command.find(' ')), rest = command.substr(name.size());
     seen.insert(name);
-    if (name == "render" || name == "live") {
-      Outcome outcome = strobe::testing::run("plan" + rest.substr(0, rest.find(" -o ")), home);
-      EXPECT_EQ(outcome.exit_code, 0) << command << "\n" << outcome.err;
-    } else if (name == "check" || name == "help") {
-      Outcome outcome = strobe::testing::run(command, home);
-      EXPECT_EQ(outcome.exit_code, 0) << command << "\n" << outcome.err;
-    }
+    bool planned = name == "render" || name == "live", run = name == "check" || name == "help";
+    if (!planned && !run) continue;
+    Outcome outcome = inside(planned ? "plan" + rest.substr(0, rest.find(" -o ")) : command);
+    EXPECT_EQ(outcome.exit_code, 0) << command << "\n" << outcome.err;
   }
-  EXPECT_EQ(seen, (std::set<std::string>{"check", "compare", "help", "live", "render", "sweep"}));
-  Outcome points = strobe::testing::run("sweep experiments/detectors.lua --dry-run --json", home);
+  EXPECT_EQ(seen, (std::set<std::string>{"check", "compare", "help", "live", "new", "render", "sweep"}));
+  Outcome points = inside("sweep experiments/detectors.lua --dry-run --json");
   ASSERT_EQ(points.exit_code, 0) << points.err;
   Json listed = Json::parse(points.out);
   auto is_ours = [](const Json& point) { return point.at("arm") == "dilation"; };
@@ -244,11 +188,10 @@ TEST_F(Following, ItsCommandsAreAccepted) {
 
 // A shader that is broken is found without a device.
 TEST_F(Following, CheckFindsTheMistake) {
-  for (const auto& [file, text] : tutorial_.files) write(file, text);
-  const Tutorial::Mistake& mistake = tutorial_.mistakes.front();
-  write(mistake.file, withLine(tutorial_.files.at(mistake.file), mistake.number, mistake.line));
-  Outcome outcome = strobe::testing::run("check hybrid --set mask=seed --set edge=dilation",
-                                         "STROBE_HOME=" + folder_.path().string());
+  writeAll();
+  const Page::Mistake& mistake = page_.mistakes.front();
+  write(mistake.file, withLine(page_.files.at(mistake.file), mistake.number, mistake.line));
+  Outcome outcome = inside("check hybrid --set mask=seed --set edge=dilation");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.err, "strobe: " + mistake.error + "\n");
 }

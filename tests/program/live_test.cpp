@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 #include "base/files.h"
 #include "base/json.h"
@@ -160,6 +161,31 @@ TEST_F(Live, ABrokenScriptUnderAPinnedPixelDoesNotCloseTheWindow) {
                 "replace " + own + " " + good + "\nreloaded\nframe 1\nwait 3\nproblems no\nquit\n",
             own);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
+// Edits of what ships and of the project's own files; a mistake has the project's path.
+TEST_F(Live, WatchesAProjectAndWhatShips) {
+  fs::path project = folder_.path() / "mine", home = folder_.path() / "home";
+  fs::create_directories(home);
+  for (const char* part : {"passes", "scripts", "shaders", "project"})
+    fs::copy(strobe::home().shipped() / part, home / part, fs::copy_options::recursive);
+  std::string environment = "STROBE_HOME=" + home.string();
+  ASSERT_EQ(run("new " + project.string(), environment).exit_code, 0);
+  std::string shade = home / "shaders/scene/shade.glsl", own = project / "shaders/smear.glsl";
+  std::string green = std::regex_replace(contentOf(shade), std::regex("vec4\\(color, 1\\)"), "vec4(0, 1, 0, 1)");
+  writeText(folder_ / "shade.glsl", contentOf(shade));
+  writeText(folder_ / "green.glsl", green);
+  writeText(folder_ / "broken.glsl", "nonsense\n" + contentOf(own));
+  Outcome outcome =
+      onDisplay("cd " + project.string() + "\nexport " + environment + "\n" +
+                command("replace " + shade + " " + (folder_ / "green.glsl") +
+                            "\nreloaded\nwait 2\nproblems no\nscreenshot " + picture("shipped.png") + "\nreplace " +
+                            own + " " + (folder_ / "broken.glsl") + "\nreloaded\nwait 2\nproblems yes\nquit\n",
+                        "smear"));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_GT(greenPixels(image::readPng(picture("shipped.png"))), 500u);
+  EXPECT_NE(outcome.err.find("reloaded strobe:shaders/scene/shade.glsl"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("\n  shaders/smear.glsl:"), std::string::npos) << outcome.err;
 }
 
 TEST_F(Live, TwoPipelinesAreComparedUnderOneClock) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // docs/how-a-pass-travels.md and docs/describing-a-scene.md, followed: their files written, their commands given, their
 // errors made.
-#include "program/pages.h"
+#include "common/pages.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,7 @@
 #include "common/home.h"
 #include "common/source.h"
 #include "lab/shot_options.h"
+#include "program/run.h"
 #include "scene/json_scene.h"
 #include "script/evaluate.h"
 
@@ -25,7 +26,7 @@ class Travels : public ::testing::Test {
   void SetUp() override {
     for (const char* part : {"passes", "shaders", "scripts"})
       fs::copy(sourceFolder() / part, home_.path() / part, fs::copy_options::recursive);
-    for (const auto& [file, text] : page_.files) writeBelow(home_.path(), file, text);
+    for (const auto& [file, text] : page_.files) writeFileAtomically(home_.path() / file, text);
   }
   Outcome runHere(const std::string& command) const { return run(command, "STROBE_HOME=" + home_.path().string()); }
 
@@ -48,11 +49,12 @@ TEST_F(Travels, MistakesSayWhatThePageSays) {
   for (const Page::Mistake& mistake : page_.mistakes) {
     bool in_file = !mistake.file.empty();
     if (in_file)
-      writeBelow(home_.path(), mistake.file, withLine(page_.files.at(mistake.file), mistake.number, mistake.line));
+      writeFileAtomically(home_.path() / mistake.file,
+                          withLine(page_.files.at(mistake.file), mistake.number, mistake.line));
     Outcome outcome = runHere(in_file ? "check soft" : mistake.command);
     EXPECT_NE(outcome.exit_code, 0) << mistake.error;
     EXPECT_EQ(outcome.err, "strobe: " + mistake.error + "\n");
-    if (in_file) writeBelow(home_.path(), mistake.file, page_.files.at(mistake.file));
+    if (in_file) writeFileAtomically(home_.path() / mistake.file, page_.files.at(mistake.file));
   }
 }
 
@@ -84,7 +86,7 @@ TEST(Commands, ThePageHasEveryCommandAndEveryOptionOfAShot) {
 class Scenes : public ::testing::Test {
  protected:
   void SetUp() override {
-    for (const auto& [file, text] : page_.files) writeBelow(folder_.path(), file, text);
+    for (const auto& [file, text] : page_.files) writeFileAtomically(folder_ / file, text);
   }
   scene::Scene load(const std::string& file, const script::Settings& sets = {}) const {
     std::string path = folder_ / file;
@@ -101,7 +103,8 @@ class Scenes : public ::testing::Test {
   }
   // The names in "...; it has a, b, c" of a table of which all is left out but one unknown key.
   std::vector<std::string> fieldsOf(const std::string& table) {
-    writeBelow(folder_.path(), "scenes/fields.lua", "local scene = require \"strobe.scene\"\nreturn " + table + "\n");
+    writeFileAtomically(folder_ / "scenes/fields.lua",
+                        "local scene = require \"strobe.scene\"\nreturn " + table + "\n");
     std::string text = failure("scenes/fields.lua");
     std::smatch found;
     std::vector<std::string> names;
@@ -140,9 +143,9 @@ TEST_F(Scenes, ItsFirstCommandDraws) {
 TEST_F(Scenes, MistakesSayWhatThePageSays) {
   ASSERT_EQ(page_.mistakes.size(), 3u);
   for (const Page::Mistake& mistake : page_.mistakes) {
-    writeBelow(folder_.path(), mistake.file, withLine(page_.files.at(mistake.file), mistake.number, mistake.line));
+    writeFileAtomically(folder_ / mistake.file, withLine(page_.files.at(mistake.file), mistake.number, mistake.line));
     EXPECT_EQ(failure(mistake.file), mistake.error);
-    writeBelow(folder_.path(), mistake.file, page_.files.at(mistake.file));
+    writeFileAtomically(folder_ / mistake.file, page_.files.at(mistake.file));
   }
 }
 

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <map>
+#include <regex>
+
 #include "common/source.h"
 #include "program/run.h"
 
@@ -11,6 +14,18 @@ namespace {
 
 class Project : public ::testing::Test {
  protected:
+  // Nothing that a project does changes what ships.
+  static void SetUpTestSuite() { shipped_ = timesOfShipped(); }
+  static void TearDownTestSuite() { EXPECT_EQ(timesOfShipped(), shipped_); }
+  static std::map<fs::path, fs::file_time_type> timesOfShipped() {
+    std::map<fs::path, fs::file_time_type> times;
+    for (const char* part : {"passes", "shaders", "scripts", "experiments", "project"})
+      for (const auto& entry : fs::recursive_directory_iterator(sourceFolder() / part))
+        times[entry.path()] = entry.last_write_time();
+    return times;
+  }
+  static inline std::map<fs::path, fs::file_time_type> shipped_;
+
   void SetUp() override {
     Outcome made = run("new '" + (folder_ / "mine") + "'");
     ASSERT_EQ(made.exit_code, 0) << made.err;
@@ -39,14 +54,15 @@ class Project : public ::testing::Test {
     EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err;
   }
 
-  // A detector that ships, under another name.
-  void addDetector() const {
-    std::string pass = contentOf(sourceFolder() / "passes/edge/roberts.lua");
-    for (const char* from : {"edge_roberts", "edge/roberts"})
-      for (size_t at; (at = pass.find(from)) != std::string::npos;) pass.replace(at + 5, 7, "mine___");
-    write("passes/edge/mine.lua", pass);
-    write("shaders/edge/mine___.glsl", contentOf(sourceFolder() / "shaders/edge/roberts.glsl"));
+  // A pass that ships, under the name `mine`.
+  void addMember(const std::string& family, const std::string& shipped) const {
+    std::string pass = contentOf(sourceFolder() / "passes" / family / (shipped + ".lua"));
+    pass = std::regex_replace(pass, std::regex("(\"" + family + "[_/])" + shipped), "$1mine");
+    write("passes/" + family + "/mine.lua", pass);
+    write("shaders/" + family + "/mine.glsl", contentOf(sourceFolder() / "shaders" / family / (shipped + ".glsl")));
   }
+
+  void addScene() const { write("scenes/near.lua", contentOf(sourceFolder() / "scripts/scenes/oracles/bar.lua")); }
 
   TemporaryFolder folder_;
 };
@@ -68,7 +84,7 @@ TEST_F(Project, Runs) {
 }
 
 TEST_F(Project, AddsMembersToFamilies) {
-  addDetector();
+  addMember("edge", "roberts");
   Outcome menu = inside("check hybrid --set mask=seed --set edge=mine");
   EXPECT_EQ(menu.exit_code, 0) << menu.err;
   EXPECT_EQ(inside("render hybrid --set mask=seed --set edge=mine" + kSmall).exit_code, 0);
@@ -76,9 +92,50 @@ TEST_F(Project, AddsMembersToFamilies) {
 }
 
 TEST_F(Project, HasScenesOfItsOwn) {
-  write("scenes/near.lua", contentOf(sourceFolder() / "scripts/scenes/oracles/bar.lua"));
+  addScene();
   Outcome drawn = inside("render smear --scene near --size 32x18 -o out/a.exr");
   EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+  EXPECT_NE(contentOf(path("out/a.record.json")).find("\"project:scenes/near.lua\""), std::string::npos);
+}
+
+// A gather of one's own is a choice of those that ship, and of a pipeline of one's own.
+TEST_F(Project, HasPipelinesOfItsOwn) {
+  addMember("gather", "uniform");
+  std::string pipeline = contentOf(sourceFolder() / "scripts/pipelines/mcguire2012.lua");
+  write("pipelines/mine.lua", std::regex_replace(pipeline, std::regex("\"uniform\" \\}"), "\"mine\" }"));
+  for (const char* pipeline : {"mine", "hybrid", "pipelines/mine.lua"})
+    EXPECT_EQ(inside(std::string("check ") + pipeline + " --set weights=mine").exit_code, 0) << pipeline;
+  Outcome drawn = inside("render mine --set weights=mine" + kSmall);
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+}
+
+TEST_F(Project, HasExperimentsOfItsOwn) {
+  addScene();
+  write("experiments/taps.lua", R"lua(
+local experiment = require "strobe.experiment"
+return experiment {
+  title = "Taps", size = { 32, 18 }, measures = { "rmse" },
+  arms = { { name = "smear", pipeline = "smear" } },
+  truth = { pipeline = "ground_truth", set = { samples = 4 } },
+  shots = { { name = "near", scene = "near" } },
+  vary = { experiment.grid { taps = { 2, 8 } } },
+}
+)lua");
+  Outcome swept = inside("sweep experiments/taps.lua -o out/taps");
+  ASSERT_EQ(swept.exit_code, 0) << swept.err;
+  std::string result = contentOf(path("out/taps/result.json"));
+  for (const char* file : {"\"project:experiments/taps.lua\"", "\"strobe:scripts/strobe/experiment.lua\""})
+    EXPECT_NE(result.find(file), std::string::npos) << file;
+  Outcome told = inside("report out/taps --experiment experiments/taps.lua");
+  EXPECT_EQ(told.exit_code, 0) << told.err;
+}
+
+// The smallest suite: one case of one invariant.
+TEST_F(Project, IsTriedByTheStabilitySuite) {
+  Outcome tried = inside("stability smear --cases 1 --invariant still --variant defaults --json");
+  EXPECT_NE(tried.out.find("\"smear\""), std::string::npos) << tried.err;
+  EXPECT_EQ(tried.exit_code, 0) << tried.out;
+  EXPECT_EQ(inside("stability smer").exit_code, 2);
 }
 
 TEST_F(Project, AShippedNameIsRefusedUnlessItReplaces) {
@@ -102,8 +159,16 @@ TEST_F(Project, IsCheckedWithWhatShips) {
             std::string::npos)
       << sound.out;
   EXPECT_NE(sound.out.find("\n" + sourceFolder().string() + ": "), std::string::npos) << sound.out;
+  addMember("edge", "roberts");
+  std::string pass = contentOf(path("passes/edge/mine.lua"));
+  write("passes/edge/mine.lua", std::regex_replace(pass, std::regex("edge_mine"), "edge_sobel"));
   write("experiments/half.lua", "return require 'strobe.experiment' { title = 'Half' }");
-  expectRefused("check", "experiments/half.lua:1: ");
+  Outcome wrong = inside("check");
+  EXPECT_EQ(wrong.exit_code, 1);
+  for (const char* mistake :
+       {"passes/edge/mine.lua:6: another pass is called 'edge_sobel': strobe:passes/edge/sobel.lua:",
+        "experiments/half.lua:1: "})
+    EXPECT_NE(wrong.err.find(mistake), std::string::npos) << wrong.err;
   EXPECT_EQ(inside("check smeer").exit_code, 2);
 }
 
@@ -129,13 +194,17 @@ TEST_F(Project, ReachesItsRootsAndNothingElse) {
   expectRefused("plan a", "is not the name of a module");
 
   std::string shader = contentOf(path("shaders/smear.glsl"));
-  for (std::string name : {std::string("../../secret.glsl"), (folder_.path() / "secret.glsl").string()}) {
+  write("shaders/smear.glsl", "#include \"lib/random.glsl\"\n" + shader);
+  EXPECT_EQ(inside("check smear").exit_code, 0);
+  for (std::string name : {std::string("../../secret.glsl"), (folder_.path() / "secret.glsl").string(),
+                           std::string("../../../../../../../../etc/passwd"), std::string("/etc/passwd")}) {
     write("shaders/smear.glsl", "#include \"" + name + "\"\n" + shader);
-    expectRefused("check smear", "secret.glsl");
+    expectRefused("check smear", "shaders/smear.glsl:1: '#include'");
+    expectRefused("check smear", name);
   }
   fs::create_symlink(folder_.path() / "secret.glsl", path("shaders/inner.glsl"));
   write("shaders/smear.glsl", "#include \"inner.glsl\"\n" + shader);
-  expectRefused("check smear", "inner.glsl");
+  expectRefused("check smear", "shaders/inner.glsl: is a link that leads out of");
 }
 
 TEST(NewProject, RefusesWhatItCannotMake) {

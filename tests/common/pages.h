@@ -6,14 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "program/run.h"
+#include "base/files.h"
 
 namespace strobe::testing {
 
 // What a page's fenced blocks hold:
 //   ```lua passes/x.lua      a file, with the language of its ending
 //   ```lua passes/x.lua:12   line 12 of that file, written wrongly; the next ```text error says what is reported
-//   ```sh                    commands "./strobe ..."; ```sh fails: one that fails with the next ```text error
+//   ```sh                    commands "./strobe ..." or "strobe ..."; ```sh fails: one that fails with the next ```text
+//   error
 struct Page {
   struct Mistake {
     std::string file, line, command, error;  // a file and its line, or a command
@@ -21,7 +22,7 @@ struct Page {
   };
   std::map<std::string, std::string> files;
   std::vector<Mistake> mistakes;
-  std::vector<std::string> commands;  // without "./strobe "
+  std::vector<std::string> commands;  // without "strobe "
 };
 
 // `name` below docs/.
@@ -29,8 +30,5 @@ Page readPage(const std::string& name);
 
 // `text` with line `number` (from 1) replaced.
 std::string withLine(const std::string& text, int number, const std::string& line);
-
-// Writes `text` to `file` below `folder`, which it makes.
-void writeBelow(const fs::path& folder, const std::string& file, const std::string& text);
 
 }  // namespace strobe::testing

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "program/pages.h"
+#include "common/pages.h"
+
+#include <algorithm>
+#include <sstream>
 
 #include "common/source.h"
 
@@ -31,7 +34,9 @@ std::vector<Block> blocksOf(const std::string& page) {
 std::vector<std::string> commandsIn(const std::string& text) {
   std::vector<std::string> commands;
   std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) commands.push_back(line.substr(line.find(' ') + 1));
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("./strobe ") || line.starts_with("strobe "))
+      commands.push_back(line.substr(line.find(' ') + 1));
   return commands;
 }
 
@@ -56,7 +61,7 @@ void add(Page& page, const Block& block) {
 
 Page readPage(const std::string& name) {
   Page page;
-  for (const Block& block : blocksOf(contentOf(sourceFolder() / "docs" / name))) add(page, block);
+  for (const Block& block : blocksOf(readText(sourceFolder() / "docs" / name))) add(page, block);
   return page;
 }
 
@@ -64,11 +69,6 @@ std::string withLine(const std::string& text, int number, const std::string& lin
   size_t start = 0;
   for (int i = 1; i < number; ++i) start = text.find('\n', start) + 1;
   return text.substr(0, start) + line + text.substr(text.find('\n', start) + 1);
-}
-
-void writeBelow(const fs::path& folder, const std::string& file, const std::string& text) {
-  fs::create_directories((folder / file).parent_path());
-  writeText(folder / file, text);
 }
 
 }  // namespace strobe::testing

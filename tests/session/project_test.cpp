@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// A project's pass runs while its files, and those that ship, are edited.
+#include "common/source.h"
+#include "lab/reload_bench.h"
+#include "session/home.h"
+
+namespace strobe::session {
+namespace {
+
+namespace fs = std::filesystem;
+using lab::Session;
+
+const char *const kShader = "shaders/smear.glsl", *const kPass = "passes/smear.lua";
+
+// What `strobe new` writes, beside the copy of what ships.
+class ProjectSession : public SessionTest {
+ protected:
+  ProjectSession() {
+    for (const char* file : {kShader, kPass, "pipelines/smear.lua"})
+      writeFileAtomically(project_ / file, readText(sourceFolder() / "project" / file));
+  }
+  ~ProjectSession() override {
+    std::error_code ignored;
+    fs::remove_all(project_, ignored);
+  }
+
+  static Home home() {
+    const Home shipped = EditableHome::home();
+    return Home({shipped.shipped().string() + "_project", shipped.shipped()}, shipped.data(), shipped.program());
+  }
+
+  // Edits a file of the project.
+  void edit(const char* file, const std::string& from, const std::string& to) const {
+    std::string text = readText(project_ / file);
+    size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << file << " does not say: " << from;
+    writeFileAtomically(project_ / file, text.replace(at, from.size(), to));
+  }
+
+  const Path project_ = home().project();
+};
+
+using Names = std::vector<std::string>;
+
+TEST_F(ProjectSession, TakesInEditsOfBothRoots) {
+  lab::Workbench own(home(), bench());
+  Session session(own, smallShot("smear"));
+  session.reload(true);
+  std::string first = colorHash(session);
+
+  edit(kShader, "vec4(mean, 1)", "vec4(0, 1, 0, 1)");
+  auto told = session.reload(true);
+  ASSERT_TRUE(told);
+  EXPECT_EQ(told->changed, Names{kShader});
+  EXPECT_TRUE(told->problems.empty()) << joined(told->problems);
+  std::string green = colorHash(session);
+  EXPECT_NE(green, first);
+  edit(kShader, "vec4(0, 1, 0, 1)", "vec4(mean, 1)");
+  session.reload(true);
+  EXPECT_EQ(colorHash(session), first);
+
+  edit(kPass, "{ 8, min", "{ 2, min");
+  told = session.reload(true);
+  ASSERT_TRUE(told);
+  EXPECT_EQ(told->changed, Names{kPass});
+  std::string two_taps = colorHash(session);
+  EXPECT_NE(two_taps, first);
+
+  home_.edit("shaders/scene/shade.glsl", "storedColor(vec4(color, 1))", "storedColor(vec4(0.5 * color, 1))");
+  told = session.reload(true);
+  ASSERT_TRUE(told);
+  EXPECT_EQ(told->changed, Names{"strobe:shaders/scene/shade.glsl"});
+  EXPECT_TRUE(told->problems.empty()) << joined(told->problems);
+  EXPECT_NE(colorHash(session), two_taps);
+}
+
+TEST_F(ProjectSession, MistakesNameTheirRootAndThePictureStays) {
+  lab::Workbench own(home(), bench());
+  Session session(own, smallShot("smear"));
+  session.reload(true);
+  std::string picture = colorHash(session);
+  auto expect_problem = [&](const std::string& place) {
+    ASSERT_TRUE(session.reload(true));
+    ASSERT_EQ(session.problems().size(), 1u) << joined(session.problems());
+    EXPECT_EQ(session.problems()[0].rfind(place, 0), 0u) << session.problems()[0];
+    EXPECT_EQ(colorHash(session), picture);
+  };
+  edit(kShader, "vec3 mean = vec3(0);", "vec3 meal = vec3(0);");
+  expect_problem("shaders/smear.glsl:13: ");
+  edit(kShader, "vec3 meal = vec3(0);", "vec3 mean = vec3(0);");
+  edit(kPass, "of = \"color\"", "of = \"colour\"");
+  expect_problem("passes/smear.lua:11: ");
+  edit(kPass, "of = \"colour\"", "of = \"color\"");
+  home_.edit("shaders/scene/shade.glsl", "vec3 color;", "vec3 colour;");
+  expect_problem("strobe:shaders/scene/shade.glsl:");
+  home_.edit("shaders/scene/shade.glsl", "vec3 colour;", "vec3 color;");
+  home_.edit("passes/scene/gbuffer.lua", "doc ", "doc_ ");
+  expect_problem("strobe:passes/scene/gbuffer.lua:");
+  home_.edit("passes/scene/gbuffer.lua", "doc_ ", "doc ");
+  session.reload(true);
+  EXPECT_TRUE(session.problems().empty()) << joined(session.problems());
+  EXPECT_EQ(colorHash(session), picture);
+}
+
+// By name and by its file.
+TEST_F(ProjectSession, IsCopiedToMeasureReloads) {
+  const std::string before = readText(project_ / kShader);
+  lab::HomeCopy copy(home());
+  lab::Workbench own(copy.home(), bench());
+  for (const std::string& pipeline : {std::string("smear"), (project_ / "pipelines/smear.lua").string()}) {
+    lab::Shot shot = smallShot(copy.pipelineOf(home(), pipeline));
+    std::vector<lab::ReloadTiming> timings = lab::benchReload(own, shot, 1);
+    ASSERT_EQ(timings.size(), 4u);
+    EXPECT_EQ(timings.front().edit, "shader of one pass");
+    for (const lab::ReloadTiming& timing : timings) EXPECT_GT(timing.later_frame, 0) << timing.edit;
+  }
+  EXPECT_EQ(readText(project_ / kShader), before);
+}
+
+}  // namespace
+}  // namespace strobe::session
