@@ -104,7 +104,7 @@ void render(const Home& home, Options options) {
   lab::Workbench bench(home, shot.device, validationWanted());
   lab::Trail trail;
   lab::Picture picture = renderedBy(bench, options, shot, trail);
-  refuseMessages(bench.device());
+  bench.device().refuseMessages();
   for (const std::string& warning : picture.warnings) warn(warning);
   std::vector<Path> files;
   if (!options.out.empty()) files = lab::writePicture(picture, options.out, options.half);

@@ -76,10 +76,4 @@ bool validationWanted() {
   return value && *value && std::string(value) != "0";
 }
 
-void refuseMessages(const gpu::Device& device) {
-  std::vector<std::string> messages = device.takeMessages();
-  for (std::string& message : messages) message = "Vulkan validation: " + message;
-  throwIfAny(messages);
-}
-
 }  // namespace strobe::app

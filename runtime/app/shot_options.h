@@ -32,7 +32,4 @@ void addTev(CLI::App& command, std::string& address);
 // Validation is on when STROBE_VALIDATION is set to anything but 0.
 bool validationWanted();
 
-// Throws `Error` with the messages the validation layer gave, if any.
-void refuseMessages(const gpu::Device& device);
-
 }  // namespace strobe::app

@@ -64,7 +64,7 @@ void run(const Home& home, const StabilityOptions& options) {
     failed += reports.back().total().failed;
     if (!options.json) std::fputs(stability::textOf(reports.back()).c_str(), stdout), std::fflush(stdout);
   }
-  refuseMessages(bench.device());
+  bench.device().refuseMessages();
   std::vector<stability::Declaration> stale = staleIn(options, reports);
   if (options.json) std::printf("%s\n", jsonOf(reports, stale).dump(2).c_str());
   if (!options.write.empty()) writeFileAtomically(options.write, stability::pageOf(reports, options.suite));

@@ -10,7 +10,9 @@
 #include "base/log.h"
 #include "image/png.h"
 #include "lab/shot_options.h"
+#include "study/frozen.h"
 #include "study/points.h"
+#include "study/processes.h"
 #include "study/report.h"
 #include "study/run.h"
 
@@ -21,6 +23,7 @@ namespace {
 struct Options {
   std::string file, out, only, size, device;
   bool dry_run = false, json = false;
+  int jobs = 1;
 };
 
 // What a report consists of, by the names it has in its folder.
@@ -61,19 +64,22 @@ std::vector<Path> write(const study::Results& results, const Path& folder, const
   return files;
 }
 
-// Results and files on stdout; an expectation that the results contradict ends the command with exit code 1.
+// Results and files on stdout; a point that failed, or an expectation that the results contradict, ends the command
+// with exit code 1.
 void show(const study::Results& results, const Path& folder, const Names& names, bool json) {
   std::vector<Path> files = write(results, folder, names);
   std::fputs((json ? study::toJson(results).dump(1) + "\n" : study::Report(results, folder).text() + "\n").c_str(),
              stdout);
   for (const Path& file : files)
     if (!json) std::printf("%s\n", file.c_str());
-  throwIfAny(results.contradicted());
+  std::vector<std::string> wrong = results.failed(), contradicted = results.contradicted();
+  wrong.insert(wrong.end(), contradicted.begin(), contradicted.end());
+  throwIfAny(wrong);
 }
 
-study::Experiment experimentOf(const Home& home, const Options& options) {
+study::Experiment experimentOf(const Home& home, const std::string& file, const Options& options) {
   std::array<int, 2> size = options.size.empty() ? std::array<int, 2>{} : lab::parseSize(options.size);
-  study::Experiment experiment = study::readExperiment(home, hereOrAtHome(home, options.file), !options.dry_run);
+  study::Experiment experiment = study::readExperiment(home, file, !options.dry_run);
   if (!options.only.empty()) study::keepOnly(experiment, options.only);
   if (size[0]) experiment.setSize(size[0], size[1]);
   return experiment;
@@ -94,12 +100,20 @@ void list(const study::Experiment& experiment, bool json) {
 
 void sweep(const Home& home, const std::string& name, const Options& options, const Names& names) {
   double started_s = clockSeconds();
+  std::string file = hereOrAtHome(home, options.file);
   if (!options.dry_run) requireWritable(options.out);
-  study::Experiment experiment = experimentOf(home, options);
+  study::Experiment experiment = experimentOf(home, file, options);
   if (options.dry_run) return list(experiment, options.json);
-  lab::Workbench bench(home, options.device, validationWanted());
-  study::Results results = study::run(experiment, bench, options.out);
-  refuseMessages(bench.device());
+  study::Store store(options.out);
+  store.belongTo(experiment.title);
+  study::FrozenHome frozen(home, store.folder() / ".inputs");
+  experiment.file = frozen.at(file);
+  auto make = [&] { return std::make_unique<lab::Workbench>(frozen.home(), options.device, validationWanted()); };
+  bool good = options.jobs <= 1 || study::paintInProcesses(experiment, make, store, options.jobs);
+  std::unique_ptr<lab::Workbench> bench = make();
+  study::Results results = study::run(experiment, *bench, store);
+  bench->device().refuseMessages();
+  if (!good) throw Error("a process of the sweep failed; its message stands above");
   results.command = commandOf(home, name, options);
   note(fmt::format("{} points in {:.0f} s", experiment.points(), clockSeconds() - started_s));
   // Laid out from the numbers as they are written, so that `report` gives the same page.
@@ -109,6 +123,9 @@ void sweep(const Home& home, const std::string& name, const Options& options, co
 void addCommon(CLI::App& command, Options& options) {
   command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels (default: the file's)");
   command.add_option("--device", options.device, "index or part of the name of a Vulkan device");
+  command.add_option("--jobs", options.jobs, "processes that draw; times are measured by one alone")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
   command.add_flag("--json", options.json, "print the results as JSON");
 }
 
@@ -136,7 +153,7 @@ void report(const Home& home, const ReportOptions& options) {
 void registerSweep(CLI::App& program, const Home& home) {
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand(
-      "sweep", "Run an experiment in one process (a run that was interrupted begins again) and lay out its results");
+      "sweep", "Run an experiment, or go on with one that was interrupted, and lay out its results");
   command->add_option("file", options->file, "an experiment (docs/writing-experiments.md)")->required();
   command->add_option("-o,--out", options->out, "folder for result.json, report.html, result.md, table.csv, pictures")
       ->default_str("out/sweep");

@@ -59,7 +59,7 @@ void writeFileAtomically(const Path& file, std::string_view bytes) {
     if (descriptor >= 0) ::close(descriptor);
     std::error_code ignored;
     fs::remove(temporary, ignored);
-    throw Error(fmt::format("cannot be written: {}", error.code().message()), {file.string()});
+    throw WriteError(fmt::format("cannot be written: {}", error.code().message()), {file.string()});
   }
 }
 

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/error.h"
+
 namespace strobe {
 
 using Path = std::filesystem::path;
@@ -16,9 +18,13 @@ using Path = std::filesystem::path;
 std::string readText(const Path& file);
 std::vector<uint8_t> readBytes(const Path& file);
 
+// A file that cannot be written: no permission, no space.
+struct WriteError : Error {
+  using Error::Error;
+};
+
 // Writes to a temporary name beside `file`, flushes to disk and renames: the file is either whole or as it was.
-// Creates missing folders. Throws `Error` with the system's reason (no permission, disk full) and leaves nothing
-// behind.
+// Creates missing folders. Throws `WriteError` with the system's reason and leaves nothing behind.
 void writeFileAtomically(const Path& file, std::string_view bytes);
 void writeFileAtomically(const Path& file, const std::vector<uint8_t>& bytes);
 

@@ -424,4 +424,10 @@ std::vector<std::string> Device::takeMessages() const {
   return std::exchange(messages_->texts, {});
 }
 
+void Device::refuseMessages() const {
+  std::vector<std::string> messages = takeMessages();
+  for (std::string& message : messages) message = "Vulkan validation: " + message;
+  throwIfAny(messages);
+}
+
 }  // namespace strobe::gpu

@@ -87,6 +87,8 @@ class Device {
 
   // Validation messages since the last call; always empty without validation.
   std::vector<std::string> takeMessages() const;
+  // Throws `Error` of them, if there are any.
+  void refuseMessages() const;
 
  private:
   void createInstance(const DeviceOptions& options);

@@ -281,10 +281,15 @@ Image channelsOf(const ExrFile& content, const std::vector<std::string>& names, 
   return image;
 }
 
-UintImage idsOf(const ExrFile& content, const std::string& name, const Path& file) {
-  const ExrChannel& channel = require(content, name, file);
-  if (channel.kind != ExrKind::uint) throw Error(fmt::format("channel '{}' holds no ids", name), {file.string()});
-  return {content.width, content.height, 1, channel.ids};
+UintImage idsOf(const ExrFile& content, const std::vector<std::string>& names, const Path& file) {
+  UintImage image{content.width, content.height, int(names.size()), {}};
+  image.values.resize(size_t(image.width) * image.height * names.size());
+  for (size_t c = 0; c < names.size(); ++c) {
+    const ExrChannel& channel = require(content, names[c], file);
+    if (channel.kind != ExrKind::uint) throw Error(fmt::format("channel '{}' holds no ids", names[c]), {file.string()});
+    for (size_t i = 0; i < channel.ids.size(); ++i) image.values[i * names.size() + c] = channel.ids[i];
+  }
+  return image;
 }
 
 // The channels that make the red, green and blue of a layer; empty when it has no colour.

@@ -60,6 +60,6 @@ Image colourOf(const ExrFile& content, const std::string& layer, const Path& fil
 
 // The named channels as one image; throws `Error` as above, with the nearest name.
 Image channelsOf(const ExrFile& content, const std::vector<std::string>& names, const Path& file);
-UintImage idsOf(const ExrFile& content, const std::string& name, const Path& file);
+UintImage idsOf(const ExrFile& content, const std::vector<std::string>& names, const Path& file);
 
 }  // namespace strobe::image

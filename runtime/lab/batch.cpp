@@ -3,9 +3,11 @@
 
 #include <algorithm>
 
+#include "base/hash.h"
 #include "math/statistics.h"
 #include "plan/canonical.h"
 #include "plan/settings.h"
+#include "shader/compiler.h"
 
 namespace strobe::lab {
 
@@ -100,6 +102,24 @@ const Batch::KnownPlan& Batch::known(const Shot& shot) {
 }
 
 std::shared_ptr<const plan::Plan> Batch::planOf(const Shot& shot) { return known(filled(shot)).planned.plan; }
+
+const std::string& Batch::shadersOf(const plan::PassDesc& pass) {
+  auto [found, is_new] = shaders_.emplace(pass.shader, "");
+  for (const Path& file : is_new ? graph::shaderFiles(bench_.home(), pass) : std::vector<Path>())
+    found->second += hashText(shader::textWithIncludes(bench_.home(), file));
+  return found->second;
+}
+
+std::string Batch::contentOf(const Shot& wanted) {
+  Shot shot = wanted;
+  std::shared_ptr<HeldScene> scene = bench_.scene(shot);
+  const Planned& planned = known(shot).planned;
+  std::string shaders;
+  for (const plan::PassDesc& pass : planned.plan->pipeline.passes) shaders += shadersOf(pass);
+  shot.scene.clear();
+  return hashText(fmt::format("{}|{}|{}|{}|{}|{}", frameIdentity(shot), sceneIdentity(shot), scene->loaded.hash,
+                              planned.hash, int(planned.backend), shaders));
+}
 
 Drawing& Batch::drawing(const Shot& shot, const std::shared_ptr<HeldScene>& scene) {
   const Planned& planned = known(shot).planned;

@@ -57,6 +57,10 @@ class Batch {
   // Throws `Refusal`, or `Error` for what cannot be loaded or built; so do the following.
   std::shared_ptr<const plan::Plan> planOf(const Shot& shot);
 
+  // Identity of a picture before it is drawn: equal where scripts, shaders, settings and the scene's content, wherever
+  // its file lies, lead to the same images on one device by one program.
+  std::string contentOf(const Shot& shot);
+
   // What `Workbench::render` gives. Pictures are kept (by canonical(shot) and outputs) until they fill
   // `kept_picture_bytes`, those used last longest.
   std::shared_ptr<const Picture> picture(const Shot& shot, const Outputs& outputs = {}, const Progress& progress = {});
@@ -90,12 +94,14 @@ class Batch {
   const KnownPlan& known(const Shot& filled);
   Drawing& drawing(const Shot& filled, const std::shared_ptr<HeldScene>& scene);
   void forgetDrawings();
+  const std::string& shadersOf(const plan::PassDesc& pass);
   void keep(Kept kept);
 
   Workbench& bench_;
   std::map<std::string, Evaluated> by_scripts_, derived_;
   std::map<plan::PipelineDesc::Kind, std::string> names_;
   std::map<std::string, KnownPlan> plans_;
+  std::map<std::string, std::string> shaders_;    // their content, by name
   std::list<std::unique_ptr<Drawing>> drawings_;  // used last first
   std::map<std::string, std::shared_ptr<const image::Image>> colors_;
   std::list<Kept> pictures_;  // used last first

@@ -25,8 +25,7 @@ static Json shaderHashes(const Home& home, const graph::Graph& graph) {
   return hashes;
 }
 
-// The revision of the program: the hash of its own file.
-static std::string programHash() {
+const std::string& programHash() {
   static const std::string hash = hashText(readText("/proc/self/exe"));
   return hash;
 }

@@ -18,6 +18,9 @@ Json makeRecord(const RecordContext& context, const graph::FrameResult& frame);
 // Milliseconds per pass and for the frame (GPU), seconds of preparation and drawing (wall clock).
 Json makeTimings(const graph::FrameResult& frame, const gpu::DeviceInfo& device, double prepare_s, double draw_s);
 
+// The revision of the program: the hash of its own file.
+const std::string& programHash();
+
 // Hash of an image's format, size and texels.
 std::string hashOf(const graph::ReadImage& image);
 

@@ -55,6 +55,8 @@ struct Measure {
   std::string doc;  // how it is computed
   // NaN: not measured. `mask` is that of `region` (empty: every pixel); both without meaning unless per region.
   double (*of)(const Sight& sight, const std::string& region, const image::Image& mask) = nullptr;
+  bool is_time = false;    // of frames that are drawn for it, not of the picture
+  bool is_change = false;  // compared with the benign value
 };
 
 const std::vector<Measure>& measures();

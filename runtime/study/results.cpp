@@ -31,7 +31,9 @@ void forTexts(It& shot, const Visit& visit, const ShotSummary*) {
 }
 template <class It, class Visit>
 void forTexts(It& point, const Visit& visit, const Point*) {
-  visit("arm", point.arm), visit("command", point.command), visit("measured", point.measured);
+  visit("arm", point.arm), visit("command", point.command), visit("failed", point.failed);
+  visit("image", point.image);
+  visit("measured", point.measured);
   visit("shown", point.shown), visit("picture", point.picture), visit("record", point.record);
 }
 template <class It, class Visit>
@@ -63,16 +65,6 @@ void takeTexts(const Json& json, It& into) {
       into, [&](const char* name, std::string& text) { text = json.value(name, ""); }, &into);
 }
 
-Json pointJson(const Point& point) {
-  Json json = textsOf(point);
-  json["role"] = nameOf(point.role);
-  json["values"] = Json::object();
-  for (const auto& [measure, values] : point.values)
-    for (const auto& [region, value] : values) json["values"][measure][region] = number(value);
-  if (!point.limits.empty()) json["limits"] = point.limits;
-  return json;
-}
-
 Point pointOf(const Json& json) {
   Point point;
   takeTexts(json, point);
@@ -87,7 +79,7 @@ Point pointOf(const Json& json) {
 Json groupJson(const PointGroup& group) {
   Json json = {{"shot", group.shot}, {"anchor", group.anchor}, {"at", Json::object()}, {"points", Json::array()}};
   for (const auto& [axis, value] : group.at) json["at"][axis] = value;
-  for (const Point& point : group.points) json["points"].push_back(pointJson(point));
+  for (const Point& point : group.points) json["points"].push_back(toJson(point));
   return json;
 }
 
@@ -227,6 +219,38 @@ std::vector<std::string> Results::contradicted() const {
                                          one.detail.empty() ? "" : " (" + one.detail + ")"));
   }
   return contradictions;
+}
+
+static std::string titleOf(const PointGroup& group) {
+  std::string title = group.shot;
+  for (const auto& [axis, value] : group.at) title += fmt::format(", {} {}", axis, value.dump());
+  return title;
+}
+
+std::vector<std::string> Results::failed() const {
+  std::vector<std::string> failures;
+  for (const PointGroup& group : groups)
+    for (const Point& point : group.points)
+      if (!point.failed.empty()) failures.push_back(fmt::format("{}, {}: {}", titleOf(group), point.arm, point.failed));
+  return failures;
+}
+
+Json toJson(const Point& point) {
+  Json json = textsOf(point);
+  json["role"] = nameOf(point.role);
+  json["values"] = Json::object();
+  for (const auto& [measure, values] : point.values)
+    for (const auto& [region, value] : values) json["values"][measure][region] = number(value);
+  if (!point.limits.empty()) json["limits"] = point.limits;
+  return json;
+}
+
+Point pointFrom(const Json& json, const std::string& file) {
+  try {
+    return pointOf(json);
+  } catch (const Json::exception& error) {
+    throw Error(fmt::format("is no point of an experiment: {}", error.what()), {file});
+  }
 }
 
 Json toJson(const Results& results) {

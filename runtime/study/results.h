@@ -22,6 +22,8 @@ struct Point {
   Values values;
   std::vector<std::string> limits;  // that were met: "NODE: COUNT WHAT"
   std::string command;              // makes the picture again
+  std::string image;                // hash of its color
+  std::string failed;               // why it could not be drawn; "": it was
   // Beside the results, "" where none was written: linear colour as measured and as shown (OpenEXR), and for people.
   std::string measured, shown, picture, record;
 
@@ -92,7 +94,11 @@ struct Results {
   const ArmSummary& arm(const std::string& name) const;
   const ShotSummary& shot(const std::string& name) const;
   std::vector<std::string> contradicted() const;  // expectations, in words
+  std::vector<std::string> failed() const;        // points, with their reasons
 };
+
+Json toJson(const Point& point);
+Point pointFrom(const Json& json, const std::string& file);  // throws `Error` naming the file
 
 // Numbers with nine significant digits: as exact as the pictures, and the same on a rerun.
 Json toJson(const Results& results);

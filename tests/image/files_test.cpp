@@ -117,11 +117,11 @@ TEST_F(ImageFiles, ExrLayersBecomeImages) {
   EXPECT_EQ(colourOf(content, "soft", "a.exr", true).at(0, 0, 3), 1);
   EXPECT_EQ(colourOf(content, "Z", "a.exr").channels, 3);
   EXPECT_EQ(channelsOf(content, {"velocity.X", "velocity.Y"}, "a.exr").at(5, 6, 0), -123.456f);
-  EXPECT_EQ(idsOf(content, "id", "a.exr").at(0, 0, 0), 4000000007u);
+  EXPECT_EQ(idsOf(content, {"id"}, "a.exr").at(0, 0, 0), 4000000007u);
   expectRefusal(refusal([&] { colourOf(content, "velocity", "a.exr"); }), "a.exr");
   std::string message = refusal([&] { channelsOf(content, {"velocity.x"}, "a.exr"); });
   EXPECT_NE(message.find("velocity.X"), std::string::npos) << message;
-  expectRefusal(refusal([&] { idsOf(content, "Z", "a.exr"); }), "a.exr");
+  expectRefusal(refusal([&] { idsOf(content, {"Z"}, "a.exr"); }), "a.exr");
 }
 
 TEST_F(ImageFiles, DamagedExrIsRefused) {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The files that pictures are made of, as they were at one moment: what is edited afterwards does not count.
+#pragma once
+
+#include "base/home.h"
+
+namespace strobe::study {
+
+// A copy of the Lua and GLSL files of a home, removed at the end. Scenes in other formats and files outside of the
+// home's roots are not copied.
+class FrozenHome {
+ public:
+  // The copy is made in `folder`, in place of what is there.
+  FrozenHome(const Home& home, const Path& folder);
+  FrozenHome(const FrozenHome&) = delete;
+  ~FrozenHome();
+
+  const Home& home() const { return home_; }
+  // Where a file of the home's roots is now; others as they are.
+  std::string at(const std::string& file) const;
+
+ private:
+  const Home original_;
+  Path folder_;
+  Home home_;
+};
+
+}  // namespace strobe::study

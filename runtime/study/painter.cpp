@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "study/painter.h"
+
+#include <algorithm>
+
+#include "base/log.h"
+#include "image/metrics.h"
+#include "image/png.h"
+#include "lab/against_truth.h"
+#include "lab/capture.h"
+#include "study/crops.h"
+#include "study/points.h"
+
+namespace strobe::study {
+
+using image::Image;
+
+namespace {
+
+// "NODE: COUNT WHAT" of each limit a picture met: its warnings without those of the scene, without what to do about
+// them.
+std::vector<std::string> limitsMet(const lab::Picture& picture) {
+  std::vector<std::string> met, of_scene = picture.record["scene"]["warnings"].get<std::vector<std::string>>();
+  for (const std::string& warning : picture.warnings)
+    if (std::find(of_scene.begin(), of_scene.end(), warning) == of_scene.end())
+      met.push_back(warning.substr(0, warning.find(';')));
+  return met;
+}
+
+}  // namespace
+
+image::Rectangle placedCrop(const Experiment& experiment, const Crop& crop, const PicturesLayout& size,
+                            const TruthPicture& truth) {
+  double scale_x = double(experiment.width) / experiment.file_width,
+         scale_y = double(experiment.height) / experiment.file_height;
+  if (crop) return scaledCrop(*crop, scale_x, scale_y, truth.color);
+  image::Rectangle scaled = scaledCrop({0, 0, size.crop_width, size.crop_height}, scale_x, scale_y, truth.color);
+  auto inner = truth.masks.find("inner");
+  if (inner != truth.masks.end()) return densestCrop(inner->second, scaled.width, scaled.height);
+  return {(truth.color.width - scaled.width) / 2, (truth.color.height - scaled.height) / 2, scaled.width,
+          scaled.height};
+}
+
+TruthPicture truthPictureOf(const Experiment& experiment, const lab::Picture& picture) {
+  TruthPicture truth;
+  truth.color = lab::colorOf(picture);
+  for (const std::string& region : experiment.regions) {
+    truth.masks[region] = lab::maskOf(picture, region);
+    truth.sigma[region] = lab::sigmaOf(picture, truth.masks[region]);
+  }
+  truth.exposures = image::automaticExposures(truth.color, truth.color);
+  return truth;
+}
+
+// Progress counts what is drawn, not what is known already.
+std::shared_ptr<const lab::Picture> Painter::drawn(const lab::Shot& shot, int cost) {
+  int last = 0;
+  std::shared_ptr<const lab::Picture> picture = batch_.picture(shot, {}, [&](int done, int of) {
+    int now = int(int64_t(cost) * done / std::max(of, 1));
+    progress_(now - last);
+    last = now;
+  });
+  progress_(cost - last);
+  return picture;
+}
+
+// Read, or drawn, when a point of the group is first measured.
+void Painter::prepareTruth(const TaskGroup& group) {
+  if (truth_key_ == group.truth_key + group.full_key) return;
+  truth_ = store_.truth(group.truth_key, [&] { return drawn(group.truth().shot, group.truth().cost); });
+  held_against_ = truthPictureOf(experiment_, *truth_);
+  if (group.full)
+    held_against_.full =
+        lab::colorOf(*store_.truth(group.full_key, [&] { return drawn(*group.full, group.truth().cost); }));
+  truth_key_ = group.truth_key + group.full_key;
+}
+
+void Painter::warnOnce(const std::string& who, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings)
+    if (warned_.insert(warning).second) warn(who + ": " + warning);
+}
+
+// What a picture is held against: truth, its own at the benign value, what is in front of what it knows.
+Sight Painter::sightOf(const TaskGroup& group, const Task& task, const lab::Picture& picture) {
+  Sight sight;
+  sight.role = task.arm->role;
+  sight.truth = &held_against_;
+  sight.picture = &picture;
+  sight.color = lab::colorOf(picture);
+  sight.bytes = plan::bytesAliased(*batch_.planOf(task.shot));
+  if (std::optional<Group> benign = benignOf(experiment_, *group.group); benign && task.compares) {
+    bool is_truth = task.arm->role == Role::truth;
+    lab::Shot shot = is_truth ? truthShotOf(experiment_, *benign) : shotOf(experiment_, *benign, *task.arm);
+    benign_ = is_truth ? lab::colorOf(*store_.truth(batch_.contentOf(shot), [&] { return drawn(shot, task.cost); }))
+                       : lab::colorOf(*batch_.picture(shot));
+    sight.benign = &benign_;
+  }
+  const std::optional<Background>& background = experiment_.background;
+  if (!background || background->arm != task.arm->name) return sight;
+  for (const std::string& output : {background->color, background->valid})
+    if (!picture.frame.outputs.count(output))
+      throw Error(fmt::format("arm '{}' has no output '{}', which the background names", task.arm->name, output),
+                  {experiment_.file});
+  sight.background = &*background;
+  for (const Arm& arm : experiment_.arms)
+    if (arm.name == background->front) {
+      front_ = lab::colorOf(*batch_.picture(shotOf(experiment_, *group.group, arm)));
+      sight.front = &front_;
+    }
+  return sight;
+}
+
+Point Painter::measuredPoint(const TaskGroup& group, const Task& task) {
+  prepareTruth(group);
+  std::shared_ptr<const lab::Picture> picture = task.arm->role == Role::truth ? truth_ : drawn(task.shot, task.cost);
+  Sight sight = sightOf(group, task, *picture);
+  Point point;
+  point.values = measured(sight, task.measures, experiment_.regions);
+  point.limits = limitsMet(*picture);
+  point.image = picture->record["outputs"]["color"];
+  const StudiedShot& studied = experiment_.shots[group.group->shot];
+  std::string at = describe(experiment_, *group.group);
+  warnOnce(fmt::format("{}{}, {}", studied.title, at.empty() ? "" : ", " + at, task.arm->name), picture->warnings);
+  if (pictures_) write(group, task, *picture, point);
+  return point;
+}
+
+// The EXR holds colour and what tables are made from; the record has the hash of every output.
+void Painter::write(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point) {
+  const StudiedShot& studied = experiment_.shots[group.group->shot];
+  const Arm& arm = *task.arm;
+  std::string name = fileNameOf(arm.name);
+  for (const At& at : group.group->at)
+    if (at.value != 0) name += "_" + fileNameOf(experiment_.axes[at.axis].values[at.value].label);
+  std::string stem = fileNameOf(studied.title) + "/" + name;
+  std::set<std::string> kept = {"color", "error"};
+  if (arm.role == Role::truth) kept.insert(experiment_.regions.begin(), experiment_.regions.end());
+  lab::Picture written = picture;
+  std::erase_if(written.frame.outputs, [&](const auto& output) { return !kept.count(output.first); });
+  lab::writePicture(written, store_.folder() / (stem + ".exr"), false);
+  point.measured = point.shown = stem + ".exr";
+  Image shown = lab::colorOf(picture);
+  if (studied.picture_aa > 1) {
+    lab::Shot box = task.shot;
+    box.sets = joined(box.sets, arm.box);
+    box.aa = arm.box.empty() ? studied.picture_aa : 1;
+    lab::Picture boxed = *batch_.picture(box, {"color"});
+    shown = lab::colorOf(boxed);
+    point.shown = stem + "_shown.exr";
+    lab::writePicture(boxed, store_.folder() / point.shown, false);
+  }
+  point.record = stem + ".record.json";
+  point.picture = stem + ".png";
+  image::writePng(store_.folder() / point.picture, image::toneMap(shown, studied.tone));
+}
+
+void Painter::paintTask(const TaskGroup& group, const Task& task) {
+  Point point;
+  try {
+    point = measuredPoint(group, task);
+  } catch (const WriteError&) {
+    throw;
+  } catch (const Error& error) {
+    point.failed = error.what();
+  }
+  store_.keep(task.key, point);
+}
+
+void Painter::paint(const TaskGroup& group, const Progress& progress) {
+  progress_ = progress;
+  for (const Task& task : group.tasks)
+    if (!task.key.empty() && !store_.has(task.key)) paintTask(group, task);
+}
+
+}  // namespace strobe::study

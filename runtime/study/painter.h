@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Draws and measures the tasks of a sweep that its store does not have yet.
+#pragma once
+
+#include <set>
+
+#include "study/tasks.h"
+
+namespace strobe::study {
+
+// Where a crop lies in a picture of truth; `size` is that of one placed where most of the inner blur is.
+image::Rectangle placedCrop(const Experiment& experiment, const Crop& crop, const PicturesLayout& size,
+                            const TruthPicture& truth);
+
+// Truth with what is asked of it.
+TruthPicture truthPictureOf(const Experiment& experiment, const lab::Picture& truth);
+
+class Painter {
+ public:
+  using Progress = std::function<void(int cost)>;
+
+  // All must outlive it.
+  Painter(const Experiment& experiment, lab::Batch& batch, const Store& store)
+      : experiment_(experiment), batch_(batch), store_(store), pictures_(picturesOf(experiment.layout)) {}
+
+  // Keeps a point for each task that has none, with the reason where it cannot be drawn. Throws `Error` where the store
+  // cannot keep it.
+  void paint(const TaskGroup& group, const Progress& progress);
+
+ private:
+  void paintTask(const TaskGroup& group, const Task& task);
+  std::shared_ptr<const lab::Picture> drawn(const lab::Shot& shot, int cost);
+  void prepareTruth(const TaskGroup& group);
+  Sight sightOf(const TaskGroup& group, const Task& task, const lab::Picture& picture);
+  Point measuredPoint(const TaskGroup& group, const Task& task);
+  void write(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point);
+  void warnOnce(const std::string& who, const std::vector<std::string>& warnings);
+
+  const Experiment& experiment_;
+  lab::Batch& batch_;
+  const Store& store_;
+  const std::optional<PicturesLayout> pictures_;
+  Progress progress_;
+
+  std::string truth_key_;  // of the truth that is held
+  std::shared_ptr<const lab::Picture> truth_;
+  TruthPicture held_against_;
+  image::Image benign_, front_;  // what the picture at hand is compared with
+  std::set<std::string> warned_;
+};
+
+}  // namespace strobe::study

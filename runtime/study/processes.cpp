@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "study/processes.h"
+
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <optional>
+
+#include "base/log.h"
+#include "study/painter.h"
+
+namespace strobe::study {
+
+namespace {
+
+// What processes share; each takes the next group.
+struct Shared {
+  std::atomic<size_t> next = 0;
+  std::atomic<int> cost = 0, cost_done = 0;
+};
+
+[[noreturn]] void paintShare(const Experiment& experiment, const MakeBench& make, const Store& store, Shared& shared) {
+  int code = 0;
+  try {
+    std::unique_ptr<lab::Workbench> bench = make();
+    lab::Batch batch(*bench);
+    std::vector<TaskGroup> groups = tasksOf(experiment, batch);
+    int none = 0;
+    shared.cost.compare_exchange_strong(none, leftOf(groups, store).cost);
+    Painter painter(experiment, batch, store);
+    for (size_t i; (i = shared.next++) < groups.size();)
+      painter.paint(groups[i], [&](int by) { shared.cost_done += by; });
+    bench->device().refuseMessages();
+  } catch (const std::exception& error) {
+    warn(error.what());
+    code = 1;
+  }
+  ::_exit(code);
+}
+
+}  // namespace
+
+bool paintInProcesses(const Experiment& experiment, const MakeBench& make, const Store& store, int jobs) {
+  void* memory = ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) throw Error("no memory for several processes");
+  Shared& shared = *new (memory) Shared;
+  std::vector<pid_t> children;
+  for (int i = 0; i < jobs; ++i) {
+    pid_t child = ::fork();
+    if (child == 0) {
+      ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+      paintShare(experiment, make, store, shared);
+    }
+    if (child > 0) children.push_back(child);
+  }
+  bool good = children.size() == size_t(jobs);
+  std::optional<Progress> line;
+  for (int shown = 0; !children.empty();) {
+    if (!line && shared.cost > 0) line.emplace("sweep", shared.cost);
+    int now = shared.cost_done;
+    if (line) line->advance(now - shown), shown = now;
+    int status = 0;
+    pid_t ended = ::waitpid(-1, &status, WNOHANG);
+    if (ended <= 0) ::usleep(100000);
+    if (ended > 0) good = good && status == 0, std::erase(children, ended);
+  }
+  ::munmap(memory, sizeof(Shared));
+  return good;
+}
+
+}  // namespace strobe::study

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Draws the points of an experiment in several processes, each with a device of its own.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "study/store.h"
+
+namespace strobe::study {
+
+using MakeBench = std::function<std::unique_ptr<lab::Workbench>()>;
+
+// Keeps in `store` what it does not have, but times; progress on stderr. This process must have no device, of which its
+// copies could make no use. False: one of them failed and has said why; what it has not done is missing.
+bool paintInProcesses(const Experiment& experiment, const MakeBench& bench, const Store& store, int jobs);
+
+}  // namespace strobe::study

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// What a sweep has done, on disk, so that it can end at any moment and go on: a file per point and per truth, each
+// named by the content of all that made it, written whole or not at all. Folders of one experiment merge by copying.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "lab/workbench.h"
+#include "study/results.h"
+
+namespace strobe::study {
+
+class Store {
+ public:
+  // Throws `Error` (exit code 2) where another process is at work in the folder.
+  explicit Store(const Path& folder);
+  Store(const Store&) = delete;
+  ~Store();
+
+  const Path& folder() const { return folder_; }
+
+  // Throws `Error` (exit code 2) where the folder has points of another experiment, by its title.
+  void belongTo(const std::string& title) const;
+
+  // folder/points/KEY.json, if it is there. A point that failed, or whose pictures are gone, is not had.
+  std::optional<Point> point(const std::string& key) const;
+  bool has(const std::string& key) const;
+  void keep(const std::string& key, const Point& point) const;
+
+  // folder/truth/KEY.exr: outputs as they were drawn, and the record. Draws what is not there by `draw`; of several
+  // processes that ask for it one draws.
+  std::shared_ptr<const lab::Picture> truth(const std::string& key,
+                                            const std::function<std::shared_ptr<const lab::Picture>()>& draw) const;
+
+ private:
+  Path folder_;
+  int lock_ = -1;
+};
+
+}  // namespace strobe::study

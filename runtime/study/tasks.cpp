@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "study/tasks.h"
+
+#include <algorithm>
+#include <set>
+
+#include "base/hash.h"
+#include "lab/record.h"
+#include "study/measures.h"
+
+namespace strobe::study {
+
+namespace {
+
+constexpr int kFrameCost = 12;  // of one frame of a method, in time samples of truth
+
+// ---- what is measured where
+
+bool hasAxis(const Experiment& experiment, const Group& group, const std::string& name) {
+  return std::any_of(group.at.begin(), group.at.end(),
+                     [&](const At& at) { return experiment.axes[at.axis].name == name; });
+}
+
+// The shot in which an axis is measured first.
+bool isFirstShot(const Experiment& experiment, const Group& group, const std::string& axis) {
+  for (const Group& other : experiment.groups)
+    if (hasAxis(experiment, other, axis)) return other.shot == group.shot;
+  return false;
+}
+
+// Measures that the experiment asks for, and those that its layout shows of such a point.
+std::vector<std::string> measuresOf(const Experiment& experiment, const Group& group) {
+  std::vector<std::string> wanted = experiment.measures;
+  auto add = [&](const std::vector<std::string>& names) { wanted.insert(wanted.end(), names.begin(), names.end()); };
+  add({"rmse", "pixels", "broken"});
+  if (picturesOf(experiment.layout)) add({"displacement", "clamped"});
+  if (curvesOf(experiment.layout)) add({"contrast", "change", "changed"});
+  if (experiment.background) add({"background_deviation", "background_difference", "background_pixels", "clamped"});
+  if (std::optional<TableLayout> table = tableOf(experiment.layout)) {
+    for (const std::string& axis : table->axes) {
+      if (!hasAxis(experiment, group, axis)) continue;
+      add(table->cells);
+      if (isFirstShot(experiment, group, axis)) add(table->once);
+    }
+    if (table->share) add({"contrast"});
+  }
+  std::vector<std::string> ordered;
+  for (const std::string& name : measureNames())
+    if (std::find(wanted.begin(), wanted.end(), name) != wanted.end()) ordered.push_back(name);
+  return ordered;
+}
+
+// ---- cost
+
+// Time samples of what runs in loops, truth and floors; 0 without loops.
+int loopCost(lab::Batch& batch, const lab::Shot& shot) {
+  lab::Evaluated evaluated = batch.evaluate(shot.pipeline, shot.sets);
+  if (!evaluated.pipeline) throw lab::Refusal(evaluated.refusal);
+  int64_t cost = 0;
+  for (const plan::LoopDesc& loop : evaluated.pipeline->loops) {
+    if (loop.count.value) cost += std::get<int64_t>(*loop.count.value);
+    for (const auto& [name, value] : evaluated.pipeline->values)
+      if (name == loop.count.follows) cost += std::get<int64_t>(value);
+  }
+  return int(cost);
+}
+
+// ---- identity
+
+// What a result is made of, of which each part decides it.
+Json partsOf(const Experiment& experiment, const TaskGroup& group, const Task& task, lab::Batch& batch) {
+  const gpu::DeviceInfo& device = batch.bench().device().info();
+  Json parts = {{"program", lab::programHash()}, {"device", device.name},  {"driver", device.driver},
+                {"truth", group.truth_key},      {"full", group.full_key}, {"regions", experiment.regions},
+                {"role", nameOf(task.arm->role)}};
+  parts["picture"] = task.arm->role == Role::truth ? group.truth_key : batch.contentOf(task.shot);
+  for (const std::string& name : task.measures)
+    if (!measureNamed(name).is_time) parts["measures"].push_back(name);
+  std::optional<Group> benign = benignOf(experiment, *group.group);
+  if (benign && task.compares)
+    parts["benign"] = batch.contentOf(task.arm->role == Role::truth ? truthShotOf(experiment, *benign)
+                                                                    : shotOf(experiment, *benign, *task.arm));
+  const std::optional<Background>& background = experiment.background;
+  if (background && background->arm == task.arm->name)
+    for (const Arm& arm : experiment.arms)
+      if (arm.name == background->front) parts["front"] = batch.contentOf(shotOf(experiment, *group.group, arm));
+  const StudiedShot& studied = experiment.shots[group.group->shot];
+  if (picturesOf(experiment.layout)) {
+    lab::Shot box = task.shot;
+    box.sets = joined(box.sets, task.arm->box);
+    parts["shown"] = {batch.contentOf(box),    studied.picture_aa, studied.tone.stops,
+                      int(studied.tone.curve), studied.title,      task.arm->name};
+  }
+  return parts;
+}
+
+void complete(const Experiment& experiment, const TaskGroup& group, Task& task, lab::Batch& batch) {
+  try {
+    int loops = loopCost(batch, task.shot);
+    task.cost = loops ? loops : kFrameCost;
+    for (const std::string& name : task.measures) {
+      const Measure& measure = measureNamed(name);
+      task.timed = task.timed || (measure.is_time && loops == 0);
+      task.compares = task.compares || measure.is_change;
+    }
+    task.key = hashText(partsOf(experiment, group, task, batch).dump());
+  } catch (const Error& error) {
+    task.refused = error.what();
+  }
+}
+
+TaskGroup groupOf(const Experiment& experiment, const Group& group, lab::Batch& batch) {
+  TaskGroup result;
+  result.group = &group;
+  std::vector<std::string> names = measuresOf(experiment, group);
+  result.tasks.push_back({&experiment.truth, truthShotOf(experiment, group), names});
+  for (size_t arm : group.arms)
+    result.tasks.push_back({&experiment.arms[arm], shotOf(experiment, group, experiment.arms[arm]), names});
+  try {
+    result.truth_key = batch.contentOf(result.truth().shot);
+    if (experiment.full_truth) result.full = truthShotOf(experiment, group, *experiment.full_truth);
+    if (result.full) result.full_key = batch.contentOf(*result.full);
+  } catch (const Error& error) {
+    for (Task& task : result.tasks) task.refused = std::string("truth: ") + error.what();
+  }
+  for (Task& task : result.tasks)
+    if (task.refused.empty()) complete(experiment, result, task, batch);
+  return result;
+}
+
+}  // namespace
+
+std::optional<Group> benignOf(const Experiment& experiment, const Group& group) {
+  if (group.at.size() != 1) return std::nullopt;
+  const std::optional<size_t>& benign = experiment.axes[group.at[0].axis].benign;
+  if (!benign) return std::nullopt;
+  Group result = group;
+  result.at[0].value = *benign;
+  return result;
+}
+
+Left leftOf(const std::vector<TaskGroup>& groups, const Store& store) {
+  Left left;
+  std::set<std::string> counted;
+  for (const TaskGroup& group : groups) {
+    bool lacks = false;
+    for (const Task& task : group.tasks) {
+      if (task.key.empty() || store.has(task.key)) continue;
+      lacks = true;
+      if (counted.insert(task.key).second) left.cost += task.cost;
+    }
+    if (!lacks) continue;
+    left.groups.push_back(&group);
+    if (group.full && counted.insert(group.full_key).second) left.cost += group.truth().cost;
+  }
+  return left;
+}
+
+std::vector<TaskGroup> tasksOf(const Experiment& experiment, lab::Batch& batch) {
+  std::vector<TaskGroup> groups;
+  for (const Group& group : experiment.groups)
+    if (experiment.shots[group.shot].missing.empty()) groups.push_back(groupOf(experiment, group, batch));
+  return groups;
+}
+
+}  // namespace strobe::study

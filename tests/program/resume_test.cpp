@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// Sweeps that end before they are done, and go on; that run in several processes; whose inputs change.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <map>
+#include <random>
+#include <regex>
+#include <thread>
+
+#include "base/files.h"
+#include "common/source.h"
+#include "program/run.h"
+
+namespace strobe::testing {
+namespace {
+
+// 300 points: 2 arms x 150 combinations, of which 5 have a truth of their own.
+const char* const kMany = R"lua(
+local experiment = require "strobe.experiment"
+return experiment {
+  title = "Many", size = { 64, 36 }, regions = { "whole", "inner" }, measures = { "rmse", "flip", "memory" },
+  shots = { { name = "bar", scene = "oracles/bar" } },
+  arms = { { name = "mcguire", pipeline = "mcguire2012" }, { name = "hybrid", pipeline = "hybrid" } },
+  truth = { pipeline = "ground_truth", set = { samples = 16 } },
+  vary = { experiment.grid { exposure = { 0.2, 0.4, 0.6, 0.8, 1 }, samples = experiment.linear(1, 30, 30) } },
+}
+)lua";
+
+std::string few(const std::string& samples, const std::string& title = "Few") {
+  std::string text = kMany;
+  text.replace(text.find("Many"), 4, title);
+  text.replace(text.find("{ 0.2, 0.4, 0.6, 0.8, 1 }"), 25, "{ 0.5 }");
+  return text.replace(text.find("experiment.linear(1, 30, 30)"), 28, samples);
+}
+
+class Resume : public ::testing::Test {
+ protected:
+  std::string command(const std::string& out, const std::string& more = "") const {
+    return "sweep " + (folder_ / "x.lua") + " -o " + (folder_ / out) + " " + more;
+  }
+  std::string file(const std::string& out, const std::string& name) const {
+    return contentOf(folder_ / (out + "/" + name));
+  }
+  // Points drawn, by name and time of the last change.
+  std::map<std::string, fs::file_time_type> points(const std::string& out) const {
+    std::map<std::string, fs::file_time_type> found;
+    if (fs::exists(folder_ / (out + "/points")))
+      for (const auto& entry : fs::directory_iterator(folder_ / (out + "/points")))
+        if (entry.path().extension() == ".json") found[entry.path().filename()] = entry.last_write_time();
+    return found;
+  }
+  // Kills a sweep when it has drawn so many points, or after 10 s, and a moment later.
+  void killAt(const std::string& out, size_t points_drawn, double moment_s) const {
+    pid_t child = ::fork();
+    if (child == 0) {
+      ::setpgid(0, 0);
+      std::string line = "exec '" + programPath() + "' " + command(out) + " >/dev/null 2>&1";
+      ::execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
+      ::_exit(127);
+    }
+    auto pause = [](double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); };
+    for (int waited = 0; points(out).size() < points_drawn && waited < 1000; ++waited) pause(0.01);
+    pause(moment_s);
+    ::kill(-child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Resume, KilledAtAnyMomentItLosesNothingAndDrawsNothingTwice) {
+  writeText(folder_ / "x.lua", kMany);
+  ASSERT_EQ(run(command("whole"), "STROBE_VALIDATION=0").exit_code, 0);
+  std::mt19937 random(1);
+  std::map<std::string, fs::file_time_type> before;
+  for (int i = 0; i < 30; ++i) {
+    double moment = double(random()) / double(random.max());
+    if (i % 5 == 0) killAt("killed", 0, moment);
+    else killAt("killed", before.size() + random() % 14, 0.1 * moment);
+    std::map<std::string, fs::file_time_type> now = points("killed");
+    for (const auto& [name, time] : before) EXPECT_EQ(now.at(name), time) << "written again";
+    before = now;
+  }
+  EXPECT_GT(before.size(), 0u);
+  EXPECT_LT(before.size(), 305u) << "nothing was left to go on with";
+  Outcome last = run(command("killed"), "STROBE_VALIDATION=0");
+  ASSERT_EQ(last.exit_code, 0) << last.err;
+  for (const auto& [name, time] : before) EXPECT_EQ(points("killed").at(name), time) << "written again";
+  EXPECT_EQ(points("killed").size(), 305u);
+  EXPECT_EQ(file("killed", "table.csv"), file("whole", "table.csv"));
+  for (const auto& entry : fs::recursive_directory_iterator(folder_ / "killed"))
+    EXPECT_EQ(entry.path().string().find("tmp"), folder_.path().string().find("tmp")) << entry.path();
+}
+
+// Names of points are hashes of their content, and each holds the hash of its picture.
+TEST_F(Resume, ProcessesAndOrderDecideNothing) {
+  writeText(folder_ / "x.lua", few("{ 2, 3, 5, 8 }"));
+  ASSERT_EQ(run(command("one")).exit_code, 0);
+  Outcome two = run(command("two", "--jobs 2"));
+  ASSERT_EQ(two.exit_code, 0) << two.err;
+  EXPECT_EQ(file("two", "table.csv"), file("one", "table.csv"));
+  writeText(folder_ / "x.lua", few("{ 8, 5, 3, 2 }"));
+  ASSERT_EQ(run(command("backwards")).exit_code, 0);
+  ASSERT_EQ(points("one").size(), 9u);
+  for (const auto& [name, time] : points("one"))
+    for (const char* other : {"two", "backwards"})
+      EXPECT_EQ(file(other, "points/" + name), file("one", "points/" + name)) << other;
+}
+
+TEST_F(Resume, AnAddedValueDrawsNewPointsAlone) {
+  writeText(folder_ / "x.lua", few("{ 2, 8 }"));
+  ASSERT_EQ(run(command("out"), "STROBE_VALIDATION=0").exit_code, 0);
+  auto before = points("out");
+  ASSERT_EQ(before.size(), 5u);
+  writeText(folder_ / "x.lua", few("{ 2, 4, 8 }"));
+  ASSERT_EQ(run(command("out"), "STROBE_VALIDATION=0").exit_code, 0);
+  auto after = points("out");
+  EXPECT_EQ(after.size(), 7u);
+  for (const auto& [name, time] : before) EXPECT_EQ(after.at(name), time);
+  EXPECT_NE(file("out", "table.csv").find("\n6,hybrid,bar,inner,0.5,8,"), std::string::npos)
+      << file("out", "table.csv");
+
+  // What another machine drew is merged by copying it.
+  writeText(folder_ / "x.lua", few("{ 16 }"));
+  ASSERT_EQ(run(command("elsewhere"), "STROBE_VALIDATION=0").exit_code, 0);
+  fs::copy(folder_ / "elsewhere/points", folder_ / "out/points",
+           fs::copy_options::recursive | fs::copy_options::skip_existing);
+  auto merged = points("out");
+  writeText(folder_ / "x.lua", few("{ 2, 4, 8, 16 }"));
+  ASSERT_EQ(run(command("out"), "STROBE_VALIDATION=0").exit_code, 0);
+  EXPECT_EQ(points("out"), merged) << "nothing was left to draw";
+}
+
+TEST_F(Resume, AFolderOfAnotherExperimentIsRefused) {
+  writeText(folder_ / "x.lua", few("{ 2 }"));
+  ASSERT_EQ(run(command("out"), "STROBE_VALIDATION=0").exit_code, 0);
+  writeText(folder_ / "x.lua", few("{ 2 }", "Fewer"));
+  Outcome refused = run(command("out"), "STROBE_VALIDATION=0");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("has points of another experiment, 'Few', not of 'Fewer'"), std::string::npos)
+      << refused.err;
+}
+
+// A tile of 1 px and 1024 samples are in range; a displacement of many widths is not refused either. A limit of a pass
+// that a value leaves is one point's failure.
+TEST_F(Resume, AFailedPointKeepsItsReasonAndStopsNothing) {
+  writeText(folder_ / "x.lua", few("{ 2, 2000 }"));
+  Outcome outcome = run(command("out"), "STROBE_VALIDATION=0");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("samples 2000, mcguire: "), std::string::npos) << outcome.err;
+  std::string table = file("out", "table.csv");
+  EXPECT_NE(table.find("\n3,mcguire,bar,whole,0.5,2000,,,"), std::string::npos) << table;
+  EXPECT_TRUE(std::regex_search(table, std::regex("\n1,mcguire,bar,whole,0.5,2,0\\.[0-9]+"))) << table;
+}
+
+// The shader says something else in the middle of the sweep; what was started goes on with what it said.
+TEST_F(Resume, WhatIsEditedMeanwhileDoesNotCount) {
+  std::string home = folder_ / "home";
+  fs::create_directory(home);
+  const char* source = std::getenv("STROBE_HOME");
+  fs::path shipped = source ? fs::path(source) : sourceFolder();
+  for (const char* part : {"passes", "scripts", "shaders"})
+    fs::copy(shipped / part, home + "/" + part, fs::copy_options::recursive);
+  std::string environment = "STROBE_VALIDATION=0 STROBE_HOME=" + home;
+  writeText(folder_ / "x.lua", few("{ 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16 }"));
+  ASSERT_EQ(run(command("plain"), environment).exit_code, 0);
+
+  std::thread editor([&] {
+    for (int waited = 0; points("edited").size() < 5 && waited < 600; ++waited)
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    writeText(home + "/shaders/gather/mcguire2012.glsl", "void main() { broken }");
+    writeText(home + "/shaders/gather/uniform.glsl", "void main() { broken }");
+  });
+  Outcome edited = run(command("edited"), environment);
+  editor.join();
+  EXPECT_EQ(edited.exit_code, 0) << edited.err;
+  EXPECT_EQ(file("edited", "table.csv"), file("plain", "table.csv"));
+}
+
+}  // namespace
+}  // namespace strobe::testing
