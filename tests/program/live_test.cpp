@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `strobe live` from outside, on a display of its own (Xvfb), driven by files, with Vulkan's validation on. What the
-// window showed stays in live_pictures/ below the folder the tests run in.
+// window showed stays in live_pictures/ beside the program.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -69,7 +69,7 @@ class Live : public ::testing::Test {
   std::string picture(const std::string& name) const { return (pictures_ / name).string(); }
 
   TemporaryFolder folder_;
-  fs::path pictures_ = fs::current_path() / "live_pictures";
+  fs::path pictures_ = fs::path(programPath()).parent_path() / "live_pictures";
 };
 
 // Pixels in the middle of the window, between the panels, that satisfy a test of their colour.
