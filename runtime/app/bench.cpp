@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "app/bench.h"
 
+#include <unistd.h>
+
 #include <cstdio>
 #include <memory>
 
 #include "app/shot_options.h"
 #include "lab/reload_bench.h"
+#include "study/frozen.h"
 
 namespace strobe::app {
 
@@ -20,8 +23,8 @@ struct Options {
 void reload(const Home& own, const Options& options) {
   lab::Shot shot = options.shot.resolve();
   if (shot.width == 0) shot.width = 160, shot.height = 90;
-  lab::HomeCopy copy(own);
-  shot.pipeline = copy.pipelineOf(own, shot.pipeline);
+  study::FrozenHome copy(own, std::filesystem::temp_directory_path() / fmt::format("strobe_bench_{}", ::getpid()));
+  if (shot.pipeline.ends_with(".lua")) shot.pipeline = copy.at(shot.pipeline);
   lab::Workbench bench(copy.home(), shot.device, validationWanted());
   std::vector<lab::ReloadTiming> timings = lab::benchReload(bench, shot, options.repeats);
   if (options.json) {

@@ -12,8 +12,6 @@
 
 namespace strobe::lab {
 
-namespace fs = std::filesystem;
-
 namespace {
 
 // Puts a number that is new into a file.
@@ -94,35 +92,6 @@ ReloadTiming medianOf(const std::vector<ReloadTiming>& all) {
 }
 
 }  // namespace
-
-// What is read of a root, copied to `to`.
-static void copyRoot(const Path& root, const Path& to) {
-  fs::create_directories(to);
-  for (const char* part : {"passes", "shaders", "scripts", "pipelines", "scenes"})
-    if (fs::is_directory(root / part)) fs::copy(root / part, to / part, fs::copy_options::recursive);
-}
-
-static Home copyOf(const Home& home, const Path& folder) {
-  std::vector<Path> roots;
-  for (const Path& root : home.roots()) {
-    roots.push_back(folder / std::to_string(roots.size()));
-    copyRoot(root, roots.back());
-  }
-  return Home(roots, home.data(), home.program());
-}
-
-HomeCopy::HomeCopy(const Home& home)
-    : folder_(fs::temp_directory_path() / fmt::format("strobe_bench_{}", ::getpid())), copy_(copyOf(home, folder_)) {}
-
-std::string HomeCopy::pipelineOf(const Home& home, const std::string& name_or_path) const {
-  bool is_path = name_or_path.ends_with(".lua");
-  return is_path ? copy_.fileShown(home.shown(fs::absolute(name_or_path))).string() : name_or_path;
-}
-
-HomeCopy::~HomeCopy() {
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
-}
 
 std::vector<ReloadTiming> benchReload(Workbench& bench, const Shot& shot, int repeats) {
   Session session(bench, shot);

@@ -18,22 +18,6 @@ struct ReloadTiming {
   double added() const { return watch + evaluate + build; }  // beyond compilation and the frame
 };
 
-// A copy of what scripts and shaders are read from, gone with the object.
-class HomeCopy {
- public:
-  explicit HomeCopy(const Home& home);
-  ~HomeCopy();
-  HomeCopy(const HomeCopy&) = delete;
-  HomeCopy& operator=(const HomeCopy&) = delete;
-  const Home& home() const { return copy_; }
-  // The same pipeline in the copy, where it is a file of a root.
-  std::string pipelineOf(const Home& home, const std::string& name_or_path) const;
-
- private:
-  Path folder_;
-  Home copy_;
-};
-
 // Edits files of the bench's home, a copy, `repeats` times per kind of file while a session of `shot` runs on it.
 std::vector<ReloadTiming> benchReload(Workbench& bench, const Shot& shot, int repeats);
 

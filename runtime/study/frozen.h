@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The files that pictures are made of, as they were at one moment: what is edited afterwards does not count.
+// The files that pictures are made of, as they were at one moment: what is edited afterwards does not count, and what
+// is edited in the copy changes nothing else.
 #pragma once
 
 #include "base/home.h"
