@@ -16,16 +16,25 @@ Acceleration makeAcceleration(const Device& device, const std::string& name, VkA
   info.buffer = result.storage_.handle();
   info.size = size;
   info.type = type;
-  VkAccelerationStructureKHR handle = VK_NULL_HANDLE;
-  check(device.vk().CreateAccelerationStructureKHR(device.handle(), &info, nullptr, &handle), "creating " + name);
-  result.structure_ = {device, handle, [](const Device& d, VkAccelerationStructureKHR a) {
-                         d.vk().DestroyAccelerationStructureKHR(d.handle(), a, nullptr);
-                       }};
-  device.setName(VK_OBJECT_TYPE_ACCELERATION_STRUCTURE_KHR, uint64_t(handle), name);
+  const Dispatch& vk = device.vk();
+  result.structure_ = create(device, VK_OBJECT_TYPE_ACCELERATION_STRUCTURE_KHR, vk.CreateAccelerationStructureKHR,
+                             vk.DestroyAccelerationStructureKHR, info, "acceleration structure", name);
   VkAccelerationStructureDeviceAddressInfoKHR address{VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_DEVICE_ADDRESS_INFO_KHR};
-  address.accelerationStructure = handle;
-  result.address_ = device.vk().GetAccelerationStructureDeviceAddressKHR(device.handle(), &address);
+  address.accelerationStructure = result.handle();
+  result.address_ = vk.GetAccelerationStructureDeviceAddressKHR(device.handle(), &address);
   return result;
+}
+
+static VkAccelerationStructureBuildGeometryInfoKHR buildInfo(VkAccelerationStructureTypeKHR type,
+                                                             const VkAccelerationStructureGeometryKHR* geometries,
+                                                             size_t count) {
+  VkAccelerationStructureBuildGeometryInfoKHR info{VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_GEOMETRY_INFO_KHR};
+  info.type = type;
+  info.flags = VK_BUILD_ACCELERATION_STRUCTURE_PREFER_FAST_TRACE_BIT_KHR;
+  info.mode = VK_BUILD_ACCELERATION_STRUCTURE_MODE_BUILD_KHR;
+  info.geometryCount = uint32_t(count);
+  info.pGeometries = geometries;
+  return info;
 }
 
 static VkAccelerationStructureBuildSizesInfoKHR buildSizes(const Device& device,
@@ -71,12 +80,7 @@ Acceleration buildBottomLevel(const Device& device, const std::string& name,
     counts.push_back(source.triangle_count);
   }
 
-  VkAccelerationStructureBuildGeometryInfoKHR info{VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_GEOMETRY_INFO_KHR};
-  info.type = VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR;
-  info.flags = VK_BUILD_ACCELERATION_STRUCTURE_PREFER_FAST_TRACE_BIT_KHR;
-  info.mode = VK_BUILD_ACCELERATION_STRUCTURE_MODE_BUILD_KHR;
-  info.geometryCount = uint32_t(described.size());
-  info.pGeometries = described.data();
+  auto info = buildInfo(VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR, described.data(), described.size());
   auto sizes = buildSizes(device, info, counts);
   Acceleration result = makeAcceleration(device, name, info.type, sizes.accelerationStructureSize);
   Buffer scratch = scratchBuffer(device, name, sizes.buildScratchSize);
@@ -94,13 +98,7 @@ VkAccelerationStructureBuildGeometryInfoKHR TopLevel::buildInfo(VkAccelerationSt
   geometry.geometryType = VK_GEOMETRY_TYPE_INSTANCES_KHR;
   geometry.geometry.instances.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_INSTANCES_DATA_KHR;
   geometry.geometry.instances.data.deviceAddress = instances_.address();
-  VkAccelerationStructureBuildGeometryInfoKHR info{VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_GEOMETRY_INFO_KHR};
-  info.type = VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR;
-  info.flags = VK_BUILD_ACCELERATION_STRUCTURE_PREFER_FAST_TRACE_BIT_KHR;
-  info.mode = VK_BUILD_ACCELERATION_STRUCTURE_MODE_BUILD_KHR;
-  info.geometryCount = 1;
-  info.pGeometries = &geometry;
-  return info;
+  return gpu::buildInfo(VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR, &geometry, 1);
 }
 
 TopLevel::TopLevel(const Device& device, const std::string& name, uint32_t capacity) : device_(&device) {
@@ -125,16 +123,10 @@ void TopLevel::recordBuild(VkCommandBuffer commands, uint32_t count) const {
   range.primitiveCount = count;
   const VkAccelerationStructureBuildRangeInfoKHR* ranges = &range;
   device_->vk().CmdBuildAccelerationStructuresKHR(commands, 1, &info, &ranges);
-
-  VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
-  barrier.srcStageMask = VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR;
-  barrier.srcAccessMask = VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR;
-  barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-  barrier.dstAccessMask = VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR;
-  VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-  dependency.memoryBarrierCount = 1;
-  dependency.pMemoryBarriers = &barrier;
-  device_->vk().CmdPipelineBarrier2(commands, &dependency);
+  recordBarrier(
+      *device_, commands,
+      {VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR, VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR},
+      {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR});
 }
 
 }  // namespace strobe::gpu

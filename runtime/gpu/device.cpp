@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <mutex>
 #include <utility>
 
@@ -17,37 +18,21 @@ struct MessageSink {
   std::vector<std::string> texts;
 };
 
-static const char* resultName(VkResult result) {
-  switch (result) {
-    case VK_ERROR_OUT_OF_HOST_MEMORY:
-      return "out of host memory";
-    case VK_ERROR_OUT_OF_DEVICE_MEMORY:
-      return "out of device memory";
-    case VK_ERROR_INITIALIZATION_FAILED:
-      return "initialization failed";
-    case VK_ERROR_DEVICE_LOST:
-      return "the device was lost";
-    case VK_ERROR_LAYER_NOT_PRESENT:
-      return "a layer is not present";
-    case VK_ERROR_EXTENSION_NOT_PRESENT:
-      return "an extension is not present";
-    case VK_ERROR_FEATURE_NOT_PRESENT:
-      return "a feature is not present";
-    case VK_ERROR_INCOMPATIBLE_DRIVER:
-      return "no compatible driver";
-    case VK_ERROR_FORMAT_NOT_SUPPORTED:
-      return "the format is not supported";
-    case VK_TIMEOUT:
-      return "timed out";
-    default:
-      return nullptr;
-  }
-}
-
 void check(VkResult result, const std::string& what) {
+  static const std::map<VkResult, std::string> names = {{VK_ERROR_OUT_OF_HOST_MEMORY, "out of host memory"},
+                                                        {VK_ERROR_OUT_OF_DEVICE_MEMORY, "out of device memory"},
+                                                        {VK_ERROR_INITIALIZATION_FAILED, "initialization failed"},
+                                                        {VK_ERROR_DEVICE_LOST, "the device was lost"},
+                                                        {VK_ERROR_LAYER_NOT_PRESENT, "a layer is not present"},
+                                                        {VK_ERROR_EXTENSION_NOT_PRESENT, "an extension is not present"},
+                                                        {VK_ERROR_FEATURE_NOT_PRESENT, "a feature is not present"},
+                                                        {VK_ERROR_INCOMPATIBLE_DRIVER, "no compatible driver"},
+                                                        {VK_ERROR_FORMAT_NOT_SUPPORTED, "the format is not supported"},
+                                                        {VK_TIMEOUT, "timed out"}};
   if (result == VK_SUCCESS) return;
-  const char* name = resultName(result);
-  throw Error(fmt::format("Vulkan: {}: {}", what, name ? name : fmt::format("result {}", int(result))));
+  auto name = names.find(result);
+  throw Error(
+      fmt::format("Vulkan: {}: {}", what, name == names.end() ? fmt::format("result {}", int(result)) : name->second));
 }
 
 // The loader is opened at run time: a machine without Vulkan gets an error message, not a link failure.
@@ -104,24 +89,16 @@ namespace {
 struct Loader {
   void* library = nullptr;
   PFN_vkGetInstanceProcAddr get = nullptr;
-  std::vector<std::string> layers, extensions;
+  std::vector<std::string> extensions;
 
   Loader() {
     get = openLoader(&library);
     if (!get) throw Error(kNoDevice);
-    auto list_layers =
-        reinterpret_cast<PFN_vkEnumerateInstanceLayerProperties>(get(nullptr, "vkEnumerateInstanceLayerProperties"));
     auto list_extensions = reinterpret_cast<PFN_vkEnumerateInstanceExtensionProperties>(
         get(nullptr, "vkEnumerateInstanceExtensionProperties"));
-    uint32_t count = 0;
-    list_layers(&count, nullptr);
-    std::vector<VkLayerProperties> layer_properties(count);
-    list_layers(&count, layer_properties.data());
-    for (const auto& layer : layer_properties) layers.push_back(layer.layerName);
-    list_extensions(nullptr, &count, nullptr);
-    std::vector<VkExtensionProperties> extension_properties(count);
-    list_extensions(nullptr, &count, extension_properties.data());
-    for (const auto& extension : extension_properties) extensions.push_back(extension.extensionName);
+    auto of_loader = [&](uint32_t* count, VkExtensionProperties* list) { list_extensions(nullptr, count, list); };
+    for (const auto& extension : listed<VkExtensionProperties>(of_loader))
+      extensions.push_back(extension.extensionName);
   }
 
   static bool contains(const std::vector<std::string>& names, const std::string& name) {
@@ -179,21 +156,16 @@ void loadDeviceCalls(Dispatch& vk, VkDevice device) {
 }
 
 std::vector<VkPhysicalDevice> physicalDevices(const Dispatch& vk, VkInstance instance) {
-  uint32_t count = 0;
-  vk.EnumeratePhysicalDevices(instance, &count, nullptr);
-  std::vector<VkPhysicalDevice> devices(count);
-  vk.EnumeratePhysicalDevices(instance, &count, devices.data());
-  devices.resize(count);
-  return devices;
+  return listed<VkPhysicalDevice>(
+      [&](uint32_t* count, VkPhysicalDevice* list) { vk.EnumeratePhysicalDevices(instance, count, list); });
 }
 
 std::vector<std::string> deviceExtensions(const Dispatch& vk, VkPhysicalDevice device) {
-  uint32_t count = 0;
-  vk.EnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr);
-  std::vector<VkExtensionProperties> properties(count);
-  vk.EnumerateDeviceExtensionProperties(device, nullptr, &count, properties.data());
+  auto of_device = [&](uint32_t* count, VkExtensionProperties* list) {
+    vk.EnumerateDeviceExtensionProperties(device, nullptr, count, list);
+  };
   std::vector<std::string> names;
-  for (const auto& property : properties) names.push_back(property.extensionName);
+  for (const auto& extension : listed<VkExtensionProperties>(of_device)) names.push_back(extension.extensionName);
   return names;
 }
 
@@ -238,13 +210,11 @@ std::string lower(std::string text) {
 }  // namespace
 
 std::string DeviceInfo::missing() const {
-  std::string names;
-  for (const Feature& feature : features) {
-    if (!feature.required || feature.present) continue;
-    names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", feature.name, feature.provides);
-  }
-  if (names.empty() && !tracesRays()) names = "rayTracingPipeline or rayQuery (shadows, revealed backgrounds, truth)";
-  return names;
+  std::vector<std::string> names;
+  for (const Feature& feature : features)
+    if (feature.required && !feature.present) names.push_back(fmt::format("{} ({})", feature.name, feature.provides));
+  if (names.empty() && !tracesRays()) return "rayTracingPipeline or rayQuery (shadows, revealed backgrounds, truth)";
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 std::vector<DeviceInfo> listDevices() {
@@ -311,15 +281,15 @@ void Device::choosePhysicalDevice(const std::string& wanted) {
 }
 
 void Device::createDevice(const std::vector<std::string>& more_extensions) {
-  uint32_t family_count = 0;
-  vk_.GetPhysicalDeviceQueueFamilyProperties(physical_, &family_count, nullptr);
-  std::vector<VkQueueFamilyProperties> families(family_count);
-  vk_.GetPhysicalDeviceQueueFamilyProperties(physical_, &family_count, families.data());
-  const VkQueueFlags wanted = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
-  for (queue_family_ = 0; queue_family_ < family_count; ++queue_family_)
-    if ((families[queue_family_].queueFlags & wanted) == wanted) break;
-  if (queue_family_ == family_count)
-    throw Error(fmt::format("device '{}' has no graphics and compute queue", info_.name));
+  auto families = listed<VkQueueFamilyProperties>([&](uint32_t* count, VkQueueFamilyProperties* list) {
+    vk_.GetPhysicalDeviceQueueFamilyProperties(physical_, count, list);
+  });
+  auto draws_and_computes = [](const VkQueueFamilyProperties& family) {
+    return family.queueFlags & VK_QUEUE_GRAPHICS_BIT && family.queueFlags & VK_QUEUE_COMPUTE_BIT;
+  };
+  auto family = std::find_if(families.begin(), families.end(), draws_and_computes);
+  queue_family_ = uint32_t(family - families.begin());
+  if (family == families.end()) throw Error(fmt::format("device '{}' has no graphics and compute queue", info_.name));
 
   // Query what is there, then enable what the table lists and nothing else.
   std::vector<std::string> available = deviceExtensions(vk_, physical_);

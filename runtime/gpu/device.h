@@ -59,7 +59,6 @@ class Device {
 
   const DeviceInfo& info() const { return info_; }
   const Dispatch& vk() const { return vk_; }
-  Dispatch& vkForFaults() { return vk_; }
   VkDevice handle() const { return device_; }
   VkInstance instance() const { return instance_; }
   VkPhysicalDevice physical() const { return physical_; }
@@ -120,5 +119,16 @@ class Device {
 
 // Throws `Error` naming `what` and the result unless `result` is VK_SUCCESS.
 void check(VkResult result, const std::string& what);
+
+// What a call gives that fills `count` items, or says in it how many there are where the list is null.
+template <class Item, class Call>
+std::vector<Item> listed(const Call& call) {
+  uint32_t count = 0;
+  call(&count, static_cast<Item*>(nullptr));
+  std::vector<Item> items(count);
+  call(&count, items.data());
+  items.resize(count);
+  return items;
+}
 
 }  // namespace strobe::gpu

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one table through which every Vulkan call goes, so that a test can replace an entry and inject a fault.
+// The one table through which every Vulkan call goes.
 #pragma once
 
 #define VK_NO_PROTOTYPES

@@ -58,9 +58,8 @@ std::vector<const char*> wantedExtensions(const std::vector<std::string>& availa
   std::vector<const char*> wanted;
   if (!has(available, VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME)) return wanted;
   for (const char* name : {VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME, VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME,
-                           VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME, VK_KHR_RAY_QUERY_EXTENSION_NAME}) {
+                           VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME, VK_KHR_RAY_QUERY_EXTENSION_NAME})
     if (has(available, name)) wanted.push_back(name);
-  }
   return wanted;
 }
 

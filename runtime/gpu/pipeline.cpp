@@ -10,11 +10,9 @@ Owned<VkDescriptorSetLayout> makeSetLayout(const Device& device, const std::stri
   VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
   info.bindingCount = uint32_t(bindings.size());
   info.pBindings = bindings.data();
-  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-  check(device.vk().CreateDescriptorSetLayout(device.handle(), &info, nullptr, &layout), "creating set layout " + name);
-  device.setName(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, uint64_t(layout), name);
-  return {device, layout,
-          [](const Device& d, VkDescriptorSetLayout l) { d.vk().DestroyDescriptorSetLayout(d.handle(), l, nullptr); }};
+  const Dispatch& vk = device.vk();
+  return create(device, VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, vk.CreateDescriptorSetLayout,
+                vk.DestroyDescriptorSetLayout, info, "set layout", name);
 }
 
 Owned<VkDescriptorPool> makeDescriptorPool(const Device& device, const std::string& name,
@@ -26,10 +24,9 @@ Owned<VkDescriptorPool> makeDescriptorPool(const Device& device, const std::stri
   info.maxSets = sets;
   info.poolSizeCount = uint32_t(sizes.size());
   info.pPoolSizes = sizes.data();
-  VkDescriptorPool pool = VK_NULL_HANDLE;
-  check(device.vk().CreateDescriptorPool(device.handle(), &info, nullptr, &pool), "creating descriptor pool " + name);
-  return {device, pool,
-          [](const Device& d, VkDescriptorPool p) { d.vk().DestroyDescriptorPool(d.handle(), p, nullptr); }};
+  const Dispatch& vk = device.vk();
+  return create(device, VK_OBJECT_TYPE_DESCRIPTOR_POOL, vk.CreateDescriptorPool, vk.DestroyDescriptorPool, info,
+                "descriptor pool", name);
 }
 
 VkDescriptorSet allocateSet(const Device& device, VkDescriptorPool pool, VkDescriptorSetLayout layout) {
@@ -46,10 +43,9 @@ static Owned<VkShaderModule> makeModule(const Device& device, const std::string&
   VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
   info.codeSize = code.size() * sizeof(uint32_t);
   info.pCode = code.data();
-  VkShaderModule module = VK_NULL_HANDLE;
-  check(device.vk().CreateShaderModule(device.handle(), &info, nullptr, &module), "creating shader module " + name);
-  return {device, module,
-          [](const Device& d, VkShaderModule m) { d.vk().DestroyShaderModule(d.handle(), m, nullptr); }};
+  const Dispatch& vk = device.vk();
+  return create(device, VK_OBJECT_TYPE_SHADER_MODULE, vk.CreateShaderModule, vk.DestroyShaderModule, info,
+                "shader module", name);
 }
 
 static VkPipelineShaderStageCreateInfo stageInfo(VkShaderStageFlagBits stage, VkShaderModule module) {
@@ -61,23 +57,27 @@ static VkPipelineShaderStageCreateInfo stageInfo(VkShaderStageFlagBits stage, Vk
 }
 
 Pipeline Pipeline::withLayout(const Device& device, const std::string& name,
-                              const std::vector<VkDescriptorSetLayout>& sets, VkPipelineBindPoint bind_point) {
+                              const std::vector<VkDescriptorSetLayout>& sets, VkPipelineBindPoint bind_point,
+                              uint32_t constant_bytes) {
+  VkPushConstantRange constants{VK_SHADER_STAGE_VERTEX_BIT, 0, constant_bytes};
   VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
   info.setLayoutCount = uint32_t(sets.size());
   info.pSetLayouts = sets.data();
-  VkPipelineLayout layout = VK_NULL_HANDLE;
-  check(device.vk().CreatePipelineLayout(device.handle(), &info, nullptr, &layout), "creating pipeline layout " + name);
+  info.pushConstantRangeCount = constant_bytes > 0;
+  info.pPushConstantRanges = &constants;
+  const Dispatch& vk = device.vk();
   Pipeline result;
   result.device_ = &device;
   result.bind_point_ = bind_point;
-  result.layout_ = {device, layout,
-                    [](const Device& d, VkPipelineLayout l) { d.vk().DestroyPipelineLayout(d.handle(), l, nullptr); }};
+  result.layout_ = create(device, VK_OBJECT_TYPE_PIPELINE_LAYOUT, vk.CreatePipelineLayout, vk.DestroyPipelineLayout,
+                          info, "pipeline layout", name);
   return result;
 }
 
-void Pipeline::own(const Device& device, VkPipeline pipeline, const std::string& name) {
-  pipeline_ = {device, pipeline, [](const Device& d, VkPipeline p) { d.vk().DestroyPipeline(d.handle(), p, nullptr); }};
-  device.setName(VK_OBJECT_TYPE_PIPELINE, uint64_t(pipeline), name);
+void Pipeline::own(VkResult result, VkPipeline pipeline, const std::string& name) {
+  check(result, fmt::format("creating the pipeline of pass '{}'", name));
+  pipeline_ = {device_->handle(), pipeline, device_->vk().DestroyPipeline};
+  device_->setName(VK_OBJECT_TYPE_PIPELINE, uint64_t(pipeline), name);
 }
 
 Pipeline Pipeline::compute(const Device& device, const std::string& name, const Spirv& code,
@@ -88,20 +88,24 @@ Pipeline Pipeline::compute(const Device& device, const std::string& name, const 
   info.stage = stageInfo(VK_SHADER_STAGE_COMPUTE_BIT, module.get());
   info.layout = result.layout();
   VkPipeline pipeline = VK_NULL_HANDLE;
-  check(device.vk().CreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
-        fmt::format("creating the pipeline of pass '{}'", name));
-  result.own(device, pipeline, name);
+  VkResult made = device.vk().CreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline);
+  result.own(made, pipeline, name);
   return result;
 }
 
 Pipeline Pipeline::raster(const Device& device, const std::string& name, const RasterShaders& shaders,
                           const std::vector<VkDescriptorSetLayout>& sets) {
-  Pipeline result = withLayout(device, name, sets, VK_PIPELINE_BIND_POINT_GRAPHICS);
+  Pipeline result = withLayout(device, name, sets, VK_PIPELINE_BIND_POINT_GRAPHICS, shaders.constant_bytes);
   Owned<VkShaderModule> vertex = makeModule(device, name + ".vert", shaders.vertex);
   Owned<VkShaderModule> fragment = makeModule(device, name + ".frag", shaders.fragment);
   VkPipelineShaderStageCreateInfo stages[] = {stageInfo(VK_SHADER_STAGE_VERTEX_BIT, vertex.get()),
                                               stageInfo(VK_SHADER_STAGE_FRAGMENT_BIT, fragment.get())};
+  VkVertexInputBindingDescription vertices{0, shaders.vertex_stride, VK_VERTEX_INPUT_RATE_VERTEX};
   VkPipelineVertexInputStateCreateInfo vertex_input{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+  vertex_input.vertexBindingDescriptionCount = shaders.vertex_stride > 0;
+  vertex_input.pVertexBindingDescriptions = &vertices;
+  vertex_input.vertexAttributeDescriptionCount = uint32_t(shaders.attributes.size());
+  vertex_input.pVertexAttributeDescriptions = shaders.attributes.data();
   VkPipelineInputAssemblyStateCreateInfo assembly{VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
   assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
   VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
@@ -112,11 +116,15 @@ Pipeline Pipeline::raster(const Device& device, const std::string& name, const R
   VkPipelineMultisampleStateCreateInfo multisample{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
   multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
   VkPipelineDepthStencilStateCreateInfo depth{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
-  depth.depthTestEnable = depth.depthWriteEnable = VK_TRUE;
+  depth.depthTestEnable = depth.depthWriteEnable = !shaders.overlay;
   depth.depthCompareOp = VK_COMPARE_OP_GREATER;  // reversed depth; of equal depths the first drawn stays
-  VkPipelineColorBlendAttachmentState write_all{};
-  write_all.colorWriteMask = 0xf;
-  std::vector<VkPipelineColorBlendAttachmentState> attachments(shaders.color_formats.size(), write_all);
+  VkPipelineColorBlendAttachmentState by_alpha{};
+  by_alpha.blendEnable = shaders.overlay;
+  by_alpha.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+  by_alpha.dstColorBlendFactor = by_alpha.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+  by_alpha.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+  by_alpha.colorWriteMask = 0xf;
+  std::vector<VkPipelineColorBlendAttachmentState> attachments(shaders.color_formats.size(), by_alpha);
   VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
   blend.attachmentCount = uint32_t(attachments.size());
   blend.pAttachments = attachments.data();
@@ -127,7 +135,7 @@ Pipeline Pipeline::raster(const Device& device, const std::string& name, const R
   VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
   rendering.colorAttachmentCount = uint32_t(shaders.color_formats.size());
   rendering.pColorAttachmentFormats = shaders.color_formats.data();
-  rendering.depthAttachmentFormat = VK_FORMAT_D32_SFLOAT;
+  rendering.depthAttachmentFormat = shaders.overlay ? VK_FORMAT_UNDEFINED : VK_FORMAT_D32_SFLOAT;
 
   VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, &rendering};
   info.stageCount = 2;
@@ -142,9 +150,8 @@ Pipeline Pipeline::raster(const Device& device, const std::string& name, const R
   info.pDynamicState = &dynamic;
   info.layout = result.layout();
   VkPipeline pipeline = VK_NULL_HANDLE;
-  check(device.vk().CreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
-        fmt::format("creating the pipeline of pass '{}'", name));
-  result.own(device, pipeline, name);
+  VkResult made = device.vk().CreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline);
+  result.own(made, pipeline, name);
   return result;
 }
 
@@ -181,10 +188,9 @@ Pipeline Pipeline::trace(const Device& device, const std::string& name, const Tr
   info.maxPipelineRayRecursionDepth = 1;
   info.layout = result.layout();
   VkPipeline pipeline = VK_NULL_HANDLE;
-  check(device.vk().CreateRayTracingPipelinesKHR(device.handle(), VK_NULL_HANDLE, VK_NULL_HANDLE, 1, &info, nullptr,
-                                                 &pipeline),
-        fmt::format("creating the pipeline of pass '{}'", name));
-  result.own(device, pipeline, name);
+  VkResult made = device.vk().CreateRayTracingPipelinesKHR(device.handle(), VK_NULL_HANDLE, VK_NULL_HANDLE, 1, &info,
+                                                           nullptr, &pipeline);
+  result.own(made, pipeline, name);
   result.makeBindingTable(device, name);
   return result;
 }
@@ -217,9 +223,8 @@ Timer::Timer(const Device& device, uint32_t capacity) : device_(&device), capaci
   VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
   info.queryType = VK_QUERY_TYPE_TIMESTAMP;
   info.queryCount = capacity;
-  VkQueryPool pool = VK_NULL_HANDLE;
-  check(device.vk().CreateQueryPool(device.handle(), &info, nullptr, &pool), "creating the timer");
-  pool_ = {device, pool, [](const Device& d, VkQueryPool p) { d.vk().DestroyQueryPool(d.handle(), p, nullptr); }};
+  const Dispatch& vk = device.vk();
+  pool_ = create(device, VK_OBJECT_TYPE_QUERY_POOL, vk.CreateQueryPool, vk.DestroyQueryPool, info, "the", "timer");
 }
 
 void Timer::recordReset(VkCommandBuffer commands) {

@@ -23,6 +23,10 @@ VkDescriptorSet allocateSet(const Device& device, VkDescriptorPool pool, VkDescr
 struct RasterShaders {
   Spirv vertex, fragment;
   std::vector<VkFormat> color_formats;
+  bool overlay = false;         // blended by alpha over what is there, without depth
+  uint32_t constant_bytes = 0;  // push constants of the vertex shader
+  uint32_t vertex_stride = 0;   // of a vertex buffer; 0: the shader fetches its vertices
+  std::vector<VkVertexInputAttributeDescription> attributes = {};
 };
 
 struct TraceShaders {
@@ -39,7 +43,7 @@ class Pipeline {
 
   static Pipeline compute(const Device& device, const std::string& name, const Spirv& code,
                           const std::vector<VkDescriptorSetLayout>& sets);
-  // Triangles without culling, depth test GREATER on D32 (reversed), dynamic viewport and scissor.
+  // Triangles without culling, depth test GREATER on D32 (reversed) but for an overlay, dynamic viewport and scissor.
   static Pipeline raster(const Device& device, const std::string& name, const RasterShaders& shaders,
                          const std::vector<VkDescriptorSetLayout>& sets);
   // One ray generation, one miss and one hit group.
@@ -50,8 +54,9 @@ class Pipeline {
 
  private:
   static Pipeline withLayout(const Device& device, const std::string& name,
-                             const std::vector<VkDescriptorSetLayout>& sets, VkPipelineBindPoint bind_point);
-  void own(const Device& device, VkPipeline pipeline, const std::string& name);
+                             const std::vector<VkDescriptorSetLayout>& sets, VkPipelineBindPoint bind_point,
+                             uint32_t constant_bytes = 0);
+  void own(VkResult result, VkPipeline pipeline, const std::string& name);
   void makeBindingTable(const Device& device, const std::string& name);
 
   const Device* device_ = nullptr;

@@ -17,7 +17,31 @@ static Owned<VkDeviceMemory> allocate(const Device& device, const VkMemoryRequir
   VkDeviceMemory memory = VK_NULL_HANDLE;
   check(device.vk().AllocateMemory(device.handle(), &info, nullptr, &memory),
         fmt::format("allocating {} MiB", needs.size >> 20));
-  return {device, memory, [](const Device& d, VkDeviceMemory m) { d.vk().FreeMemory(d.handle(), m, nullptr); }};
+  return {device.handle(), memory, device.vk().FreeMemory};
+}
+
+void recordBarrier(const Device& device, VkCommandBuffer commands, const Touch& before, const Touch& after) {
+  VkMemoryBarrier2 barrier{
+      VK_STRUCTURE_TYPE_MEMORY_BARRIER_2, nullptr, before.stages, before.access, after.stages, after.access};
+  VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+  dependency.memoryBarrierCount = 1;
+  dependency.pMemoryBarriers = &barrier;
+  device.vk().CmdPipelineBarrier2(commands, &dependency);
+}
+
+void recordBarrier(const Device& device, VkCommandBuffer commands, const Touch& before, const Touch& after,
+                   const LayoutChange& change) {
+  VkImageMemoryBarrier2 barrier{
+      VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2, nullptr, before.stages, before.access, after.stages, after.access};
+  barrier.oldLayout = change.from;
+  barrier.newLayout = change.to;
+  barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  barrier.image = change.image;
+  barrier.subresourceRange = {change.aspect, 0, VK_REMAINING_MIP_LEVELS, 0, 1};
+  VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+  dependency.imageMemoryBarrierCount = 1;
+  dependency.pImageMemoryBarriers = &barrier;
+  device.vk().CmdPipelineBarrier2(commands, &dependency);
 }
 
 Buffer::Buffer(const Device& device, const std::string& name, size_t size, VkBufferUsageFlags usage, Memory memory)
@@ -25,24 +49,21 @@ Buffer::Buffer(const Device& device, const std::string& name, size_t size, VkBuf
   VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
   info.size = size_;
   info.usage = usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
-  VkBuffer buffer = VK_NULL_HANDLE;
-  check(device.vk().CreateBuffer(device.handle(), &info, nullptr, &buffer), "creating buffer " + name);
-  buffer_ = {device, buffer, [](const Device& d, VkBuffer b) { d.vk().DestroyBuffer(d.handle(), b, nullptr); }};
-  device.setName(VK_OBJECT_TYPE_BUFFER, uint64_t(buffer), name);
-
+  buffer_ =
+      create(device, VK_OBJECT_TYPE_BUFFER, device.vk().CreateBuffer, device.vk().DestroyBuffer, info, "buffer", name);
   VkMemoryRequirements needs;
-  device.vk().GetBufferMemoryRequirements(device.handle(), buffer, &needs);
+  device.vk().GetBufferMemoryRequirements(device.handle(), handle(), &needs);
   bool with_address = usage & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
   bool host = memory == Memory::Host;
   memory_ =
       allocate(device, needs, host ? VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT : 0,
                host ? 0 : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, with_address);
-  check(device.vk().BindBufferMemory(device.handle(), buffer, memory_.get(), 0), "binding buffer " + name);
+  check(device.vk().BindBufferMemory(device.handle(), handle(), memory_.get(), 0), "binding buffer " + name);
   if (host)
     check(device.vk().MapMemory(device.handle(), memory_.get(), 0, VK_WHOLE_SIZE, 0, &mapped_), "mapping " + name);
   if (!with_address) return;
   VkBufferDeviceAddressInfo address{VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO};
-  address.buffer = buffer;
+  address.buffer = handle();
   address_ = device.vk().GetBufferDeviceAddress(device.handle(), &address);
 }
 
@@ -67,47 +88,27 @@ Image::Image(const Device& device, const std::string& name, const ImageDesc& des
   info.arrayLayers = 1;
   info.samples = VK_SAMPLE_COUNT_1_BIT;
   info.usage = desc.usage;
-  VkImage image = VK_NULL_HANDLE;
-  check(device.vk().CreateImage(device.handle(), &info, nullptr, &image), "creating image " + name);
-  image_ = {device, image, [](const Device& d, VkImage i) { d.vk().DestroyImage(d.handle(), i, nullptr); }};
-  device.setName(VK_OBJECT_TYPE_IMAGE, uint64_t(image), name);
-
+  const Dispatch& vk = device.vk();
+  image_ = create(device, VK_OBJECT_TYPE_IMAGE, vk.CreateImage, vk.DestroyImage, info, "image", name);
   VkMemoryRequirements needs;
-  device.vk().GetImageMemoryRequirements(device.handle(), image, &needs);
+  vk.GetImageMemoryRequirements(device.handle(), handle(), &needs);
   memory_ = allocate(device, needs, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, false);
-  check(device.vk().BindImageMemory(device.handle(), image, memory_.get(), 0), "binding image " + name);
+  check(vk.BindImageMemory(device.handle(), handle(), memory_.get(), 0), "binding image " + name);
 
   bool depth = desc.format == VK_FORMAT_D32_SFLOAT;
   VkImageViewCreateInfo view_info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
-  view_info.image = image;
+  view_info.image = handle();
   view_info.viewType = VK_IMAGE_VIEW_TYPE_2D;
   view_info.format = desc.format;
   VkImageAspectFlags aspect = depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
   view_info.subresourceRange = {aspect, 0, desc.levels, 0, 1};
-  VkImageView view = VK_NULL_HANDLE;
-  check(device.vk().CreateImageView(device.handle(), &view_info, nullptr, &view), "creating view " + name);
-  view_ = {device, view, [](const Device& d, VkImageView v) { d.vk().DestroyImageView(d.handle(), v, nullptr); }};
-  device.setName(VK_OBJECT_TYPE_IMAGE_VIEW, uint64_t(view), name);
-}
-
-static void recordLayout(const Device& device, VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect,
-                         VkPipelineStageFlags2 stage, VkAccessFlags2 access) {
-  VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
-  barrier.dstStageMask = stage;
-  barrier.dstAccessMask = access;
-  barrier.oldLayout = VK_IMAGE_LAYOUT_UNDEFINED;
-  barrier.newLayout = VK_IMAGE_LAYOUT_GENERAL;
-  barrier.image = image;
-  barrier.subresourceRange = {aspect, 0, VK_REMAINING_MIP_LEVELS, 0, 1};
-  VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-  dependency.imageMemoryBarrierCount = 1;
-  dependency.pImageMemoryBarriers = &barrier;
-  device.vk().CmdPipelineBarrier2(commands, &dependency);
+  view_ = create(device, VK_OBJECT_TYPE_IMAGE_VIEW, vk.CreateImageView, vk.DestroyImageView, view_info, "view", name);
 }
 
 void recordFirstLayout(const Device& device, VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect) {
-  recordLayout(device, commands, image, aspect, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-               VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT);
+  recordBarrier(device, commands, {},
+                {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT},
+                {image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL, aspect});
 }
 
 Image uploadImage(const Device& device, const std::string& name, ImageDesc desc,
@@ -130,8 +131,8 @@ Image uploadImage(const Device& device, const std::string& name, ImageDesc desc,
   desc.usage |= VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
   Image image(device, name, desc);
   device.submit([&](VkCommandBuffer commands) {
-    recordLayout(device, commands, image.handle(), VK_IMAGE_ASPECT_COLOR_BIT, VK_PIPELINE_STAGE_2_COPY_BIT,
-                 VK_ACCESS_2_TRANSFER_WRITE_BIT);
+    recordBarrier(device, commands, {}, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+                  {image.handle(), VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL});
     device.vk().CmdCopyBufferToImage(commands, staging.handle(), image.handle(), VK_IMAGE_LAYOUT_GENERAL,
                                      uint32_t(copies.size()), copies.data());
   });
@@ -146,10 +147,8 @@ Owned<VkSampler> makeSampler(const Device& device, const std::string& name, cons
   info.addressModeV = desc.wrap_v;
   info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
   info.maxLod = VK_LOD_CLAMP_NONE;
-  VkSampler sampler = VK_NULL_HANDLE;
-  check(device.vk().CreateSampler(device.handle(), &info, nullptr, &sampler), "creating sampler " + name);
-  device.setName(VK_OBJECT_TYPE_SAMPLER, uint64_t(sampler), name);
-  return {device, sampler, [](const Device& d, VkSampler s) { d.vk().DestroySampler(d.handle(), s, nullptr); }};
+  const Dispatch& vk = device.vk();
+  return create(device, VK_OBJECT_TYPE_SAMPLER, vk.CreateSampler, vk.DestroySampler, info, "sampler", name);
 }
 
 const FormatInfo& formatInfo(const std::string& name) {

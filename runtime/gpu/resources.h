@@ -11,31 +11,58 @@
 
 namespace strobe::gpu {
 
-// Owns one Vulkan object and how to destroy it.
-template <class Handle>
+// Owns one Vulkan object of a device (or instance) and the call that destroys it.
+template <class Handle, class Parent = VkDevice>
 class Owned {
  public:
-  using Destroy = void (*)(const Device&, Handle);
+  using Destroy = void(VKAPI_PTR*)(Parent, Handle, const VkAllocationCallbacks*);
   Owned() = default;
-  Owned(const Device& device, Handle handle, Destroy destroy) : device_(&device), handle_(handle), destroy_(destroy) {}
+  Owned(Parent parent, Handle handle, Destroy destroy) : parent_(parent), handle_(handle), destroy_(destroy) {}
   Owned(Owned&& other) noexcept { *this = std::move(other); }
   Owned& operator=(Owned&& other) noexcept {
-    std::swap(device_, other.device_);
+    std::swap(parent_, other.parent_);
     std::swap(handle_, other.handle_);
     std::swap(destroy_, other.destroy_);
     return *this;
   }
   ~Owned() {
-    if (handle_) destroy_(*device_, handle_);
+    if (handle_) destroy_(parent_, handle_, nullptr);
   }
   Handle get() const { return handle_; }
-  explicit operator bool() const { return handle_ != Handle{}; }
 
  private:
-  const Device* device_ = nullptr;
+  Parent parent_ = {};
   Handle handle_ = {};
   Destroy destroy_ = nullptr;
 };
+
+// What a vkCreate... call makes of `info`, named. Throws `Error` "creating KIND NAME".
+template <class Handle, class Info>
+Owned<Handle> create(const Device& device, VkObjectType type,
+                     VkResult(VKAPI_PTR* make)(VkDevice, const Info*, const VkAllocationCallbacks*, Handle*),
+                     typename Owned<Handle>::Destroy destroy, const Info& info, const char* kind,
+                     const std::string& name) {
+  Handle handle = VK_NULL_HANDLE;
+  check(make(device.handle(), &info, nullptr, &handle), fmt::format("creating {} {}", kind, name));
+  device.setName(type, uint64_t(handle), name);
+  return {device.handle(), handle, destroy};
+}
+
+// What happens to memory, and where: before a barrier what was written, after it what waits for that.
+struct Touch {
+  VkPipelineStageFlags2 stages;
+  VkAccessFlags2 access;
+};
+void recordBarrier(const Device& device, VkCommandBuffer commands, const Touch& before, const Touch& after);
+
+// The same for all levels of an image that changes its layout.
+struct LayoutChange {
+  VkImage image;
+  VkImageLayout from, to;
+  VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
+};
+void recordBarrier(const Device& device, VkCommandBuffer commands, const Touch& before, const Touch& after,
+                   const LayoutChange& change);
 
 // A storage buffer. Host memory is mapped for its whole life and coherent; device memory is filled through `upload`.
 class Buffer {

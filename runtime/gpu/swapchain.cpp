@@ -7,15 +7,13 @@ namespace strobe::gpu {
 
 static Owned<VkFence> makeFence(const Device& device) {
   VkFenceCreateInfo info{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-  VkFence fence = VK_NULL_HANDLE;
-  check(device.vk().CreateFence(device.handle(), &info, nullptr, &fence), "creating the fence of the window");
-  return {device, fence, [](const Device& d, VkFence f) { d.vk().DestroyFence(d.handle(), f, nullptr); }};
+  const Dispatch& vk = device.vk();
+  return create(device, VK_OBJECT_TYPE_FENCE, vk.CreateFence, vk.DestroyFence, info, "the fence of", "the window");
 }
 
 Swapchain::Swapchain(const Device& device, VkSurfaceKHR surface)
     : device_(device),
-      surface_(device, surface,
-               [](const Device& d, VkSurfaceKHR s) { d.vk().DestroySurfaceKHR(d.instance(), s, nullptr); }),
+      surface_(device.instance(), surface, device.vk().DestroySurfaceKHR),
       acquired_(makeFence(device)) {
   VkBool32 supported = VK_FALSE;
   const Dispatch& vk = device.vk();
@@ -29,13 +27,10 @@ Swapchain::Swapchain(const Device& device, VkSurfaceKHR surface)
 
 // Values are sRGB-encoded before they get here, so the image must not encode them again.
 void Swapchain::chooseFormat() {
-  uint32_t count = 0;
-  const Dispatch& vk = device_.vk();
-  check(vk.GetPhysicalDeviceSurfaceFormatsKHR(device_.physical(), surface_.get(), &count, nullptr),
-        "formats of the window");
-  std::vector<VkSurfaceFormatKHR> formats(count);
-  check(vk.GetPhysicalDeviceSurfaceFormatsKHR(device_.physical(), surface_.get(), &count, formats.data()),
-        "formats of the window");
+  auto formats = listed<VkSurfaceFormatKHR>([&](uint32_t* count, VkSurfaceFormatKHR* list) {
+    check(device_.vk().GetPhysicalDeviceSurfaceFormatsKHR(device_.physical(), surface_.get(), count, list),
+          "formats of the window");
+  });
   for (VkFormat wanted : {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R8G8B8A8_UNORM}) {
     auto found =
         std::find_if(formats.begin(), formats.end(), [&](const auto& offered) { return offered.format == wanted; });
@@ -76,19 +71,16 @@ void Swapchain::resize(uint32_t width, uint32_t height) {
   info.presentMode = VK_PRESENT_MODE_FIFO_KHR;  // the one every device has
   info.clipped = VK_TRUE;
   info.oldSwapchain = swapchain_.get();
-  VkSwapchainKHR swapchain = VK_NULL_HANDLE;
-  check(vk.CreateSwapchainKHR(device_.handle(), &info, nullptr, &swapchain), "creating the swapchain");
-  swapchain_ = {device_, swapchain,
-                [](const Device& d, VkSwapchainKHR s) { d.vk().DestroySwapchainKHR(d.handle(), s, nullptr); }};
+  swapchain_ = create(device_, VK_OBJECT_TYPE_SWAPCHAIN_KHR, vk.CreateSwapchainKHR, vk.DestroySwapchainKHR, info, "the",
+                      "swapchain");
   makeViews();
 }
 
 void Swapchain::makeViews() {
   const Dispatch& vk = device_.vk();
-  uint32_t count = 0;
-  check(vk.GetSwapchainImagesKHR(device_.handle(), swapchain_.get(), &count, nullptr), "images of the window");
-  images_.resize(count);
-  check(vk.GetSwapchainImagesKHR(device_.handle(), swapchain_.get(), &count, images_.data()), "images of the window");
+  images_ = listed<VkImage>([&](uint32_t* count, VkImage* list) {
+    check(vk.GetSwapchainImagesKHR(device_.handle(), swapchain_.get(), count, list), "images of the window");
+  });
   for (VkImage image : images_) {
     device_.setName(VK_OBJECT_TYPE_IMAGE, uint64_t(image), "window");
     VkImageViewCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
@@ -96,10 +88,8 @@ void Swapchain::makeViews() {
     info.viewType = VK_IMAGE_VIEW_TYPE_2D;
     info.format = format_.format;
     info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-    VkImageView view = VK_NULL_HANDLE;
-    check(vk.CreateImageView(device_.handle(), &info, nullptr, &view), "creating a view of the window");
-    views_.emplace_back(device_, view,
-                        [](const Device& d, VkImageView v) { d.vk().DestroyImageView(d.handle(), v, nullptr); });
+    views_.push_back(create(device_, VK_OBJECT_TYPE_IMAGE_VIEW, vk.CreateImageView, vk.DestroyImageView, info,
+                            "a view of", "the window"));
   }
 }
 

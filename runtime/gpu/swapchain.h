@@ -37,7 +37,7 @@ class Swapchain {
   void makeViews();
 
   const Device& device_;
-  Owned<VkSurfaceKHR> surface_;
+  Owned<VkSurfaceKHR, VkInstance> surface_;
   Owned<VkSwapchainKHR> swapchain_;
   Owned<VkFence> acquired_;
   std::vector<VkImage> images_;

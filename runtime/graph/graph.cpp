@@ -52,13 +52,6 @@ Graph::Graph(const gpu::Device& device, PipelineCache& cache, const Plan& plan, 
   }
 }
 
-Graph::Graph(const gpu::Device& device, PipelineCache& cache, const Plan& plan, scene::GpuScene& scene, Backend backend)
-    : Graph(device, cache, plan, scene, backend, nullptr, nullptr) {}
-
-Graph::Graph(const gpu::Device& device, PipelineCache& cache, const Plan& plan, scene::GpuScene& scene, Backend backend,
-             Graph& previous, std::vector<std::string>& problems)
-    : Graph(device, cache, plan, scene, backend, &previous, &problems) {}
-
 std::map<std::string, std::shared_ptr<const NodePipeline>> Graph::pipelines() const {
   std::map<std::string, std::shared_ptr<const NodePipeline>> pipelines;
   for (size_t i = 0; i < nodes_.size(); ++i) pipelines[nodes_.name(i)] = nodes_[i].pipeline;

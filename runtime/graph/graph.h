@@ -9,15 +9,12 @@ namespace strobe::graph {
 // Owns the device memory of one plan. The plan, the scene and the device must outlive it.
 class Graph {
  public:
-  // Throws `Error` for shaders that do not compile or do not match their declarations.
+  // Throws `Error` for shaders that do not compile or do not match their declarations. With `previous`, takes its place
+  // and takes over the images and histories that are described alike; a shader that does not compile keeps the pipeline
+  // of the node of that name, if that serves the same interface; what was wrong is added to `problems`. Throws where
+  // nothing serves or memory runs out, and `previous` is as it was.
   Graph(const gpu::Device& device, PipelineCache& cache, const plan::Plan& plan, scene::GpuScene& scene,
-        Backend backend);
-
-  // Takes the place of `previous`, from which it takes over the images and histories that are described alike. A
-  // shader that does not compile keeps the pipeline of the node of that name, if that serves the same interface; what
-  // was wrong is added to `problems`. Throws where nothing serves or memory runs out, and `previous` is as it was.
-  Graph(const gpu::Device& device, PipelineCache& cache, const plan::Plan& plan, scene::GpuScene& scene,
-        Backend backend, Graph& previous, std::vector<std::string>& problems);
+        Backend backend, Graph* previous = nullptr, std::vector<std::string>* problems = nullptr);
 
   // Draws one frame and waits for it. `on_iteration` (may be empty) is called after each iteration of a loop.
   FrameResult run(const FrameSetup& setup, const std::function<void(int done, int of)>& on_iteration = {});
@@ -38,8 +35,6 @@ class Graph {
   static uint32_t sampleSlices(const plan::Plan& plan);
 
  private:
-  Graph(const gpu::Device& device, PipelineCache& cache, const plan::Plan& plan, scene::GpuScene& scene,
-        Backend backend, Graph* previous, std::vector<std::string>* problems);
   void runLoop(const FrameSetup& setup, const plan::Step& step, shared::FrameData frame, FrameResult& result,
                const std::function<void(int, int)>& on_iteration);
   void collect(FrameResult& result) const;

@@ -68,10 +68,8 @@ Drawing::Drawing(Workbench& bench, std::shared_ptr<HeldScene> scene, Planned pla
     return;
   }
   std::vector<std::string> known;  // reported when they were found
-  if (previous)
-    graph_ = std::make_unique<graph::Graph>(device, bench.pipelines(), plan(), *on_device_, planned_.backend,
-                                            *previous->graph_, problems ? *problems : known);
-  else graph_ = std::make_unique<graph::Graph>(device, bench.pipelines(), plan(), *on_device_, planned_.backend);
+  graph_ = std::make_unique<graph::Graph>(device, bench.pipelines(), plan(), *on_device_, planned_.backend,
+                                          previous ? previous->graph_.get() : nullptr, problems ? problems : &known);
 }
 
 bool Drawing::fits(const Planned& planned, const HeldScene& scene) const {

@@ -19,61 +19,8 @@ struct WindowConstants {
 const std::vector<VkDescriptorSetLayoutBinding> kBindings = {
     {0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr}};
 
-gpu::Owned<VkShaderModule> makeModule(const Home& home, const gpu::Device& device, const char* file,
-                                      shader::Stage stage) {
-  std::vector<uint32_t> code =
-      shader::compile(home, {"#version 460\n", home.at(Path("shaders/live") / file), ""}, stage).spirv;
-  VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
-  info.codeSize = code.size() * sizeof(uint32_t);
-  info.pCode = code.data();
-  VkShaderModule module = VK_NULL_HANDLE;
-  gpu::check(device.vk().CreateShaderModule(device.handle(), &info, nullptr, &module), "shader module of the panels");
-  return {device, module,
-          [](const gpu::Device& d, VkShaderModule m) { d.vk().DestroyShaderModule(d.handle(), m, nullptr); }};
-}
-
-gpu::Owned<VkPipelineLayout> makeLayout(const gpu::Device& device, VkDescriptorSetLayout sets) {
-  VkPushConstantRange constants{VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(WindowConstants)};
-  VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
-  info.setLayoutCount = 1;
-  info.pSetLayouts = &sets;
-  info.pushConstantRangeCount = 1;
-  info.pPushConstantRanges = &constants;
-  VkPipelineLayout layout = VK_NULL_HANDLE;
-  gpu::check(device.vk().CreatePipelineLayout(device.handle(), &info, nullptr, &layout),
-             "pipeline layout of the panels");
-  return {device, layout,
-          [](const gpu::Device& d, VkPipelineLayout l) { d.vk().DestroyPipelineLayout(d.handle(), l, nullptr); }};
-}
-
-VkImageMemoryBarrier2 imageBarrier(VkImage image, VkImageLayout from, VkImageLayout to) {
-  VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
-  barrier.oldLayout = from;
-  barrier.newLayout = to;
-  barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-  barrier.image = image;
-  barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-  return barrier;
-}
-
-void recordBarrier(const gpu::Device& device, VkCommandBuffer commands, const VkImageMemoryBarrier2& barrier) {
-  VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-  dependency.imageMemoryBarrierCount = 1;
-  dependency.pImageMemoryBarriers = &barrier;
-  device.vk().CmdPipelineBarrier2(commands, &dependency);
-}
-
-// Makes what was copied to host memory visible to the host.
-void recordHostRead(const gpu::Device& device, VkCommandBuffer commands) {
-  VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
-  barrier.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-  barrier.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-  barrier.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
-  barrier.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
-  VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-  dependency.memoryBarrierCount = 1;
-  dependency.pMemoryBarriers = &barrier;
-  device.vk().CmdPipelineBarrier2(commands, &dependency);
+gpu::Spirv compiled(const Home& home, const char* file, shader::Stage stage) {
+  return shader::compile(home, {"#version 460\n", home.at(Path("shaders/live") / file), ""}, stage).spirv;
 }
 
 std::vector<uint8_t> toRgba8(const image::Image& display) {
@@ -92,7 +39,6 @@ Surface::Surface(const Home& home, const gpu::Device& device, VkSurfaceKHR surfa
     : device_(device), swapchain_(device, surface) {
   swapchain_.resize(uint32_t(width), uint32_t(height));
   set_layout_ = gpu::makeSetLayout(device, "panels", kBindings);
-  layout_ = makeLayout(device, set_layout_.get());
   nearest_ = gpu::makeSampler(device, "panels.nearest", {});
   linear_ = gpu::makeSampler(device, "panels.linear", {.linear = true});
   makePipeline(home);
@@ -100,71 +46,17 @@ Surface::Surface(const Home& home, const gpu::Device& device, VkSurfaceKHR surfa
 }
 
 void Surface::makePipeline(const Home& home) {
-  gpu::Owned<VkShaderModule> vertex = makeModule(home, device_, "panel.vert.glsl", shader::Stage::Vertex);
-  gpu::Owned<VkShaderModule> fragment = makeModule(home, device_, "panel.frag.glsl", shader::Stage::Fragment);
-  VkPipelineShaderStageCreateInfo stages[2] = {{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO},
-                                               {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO}};
-  stages[0].stage = VK_SHADER_STAGE_VERTEX_BIT;
-  stages[0].module = vertex.get();
-  stages[1].stage = VK_SHADER_STAGE_FRAGMENT_BIT;
-  stages[1].module = fragment.get();
-  stages[0].pName = stages[1].pName = "main";
-
-  VkVertexInputBindingDescription binding{0, sizeof(ImDrawVert), VK_VERTEX_INPUT_RATE_VERTEX};
-  VkVertexInputAttributeDescription attributes[] = {
-      {0, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(ImDrawVert, pos)},
-      {1, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(ImDrawVert, uv)},
-      {2, 0, VK_FORMAT_R8G8B8A8_UNORM, offsetof(ImDrawVert, col)},
-  };
-  VkPipelineVertexInputStateCreateInfo input{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
-  input.vertexBindingDescriptionCount = 1;
-  input.pVertexBindingDescriptions = &binding;
-  input.vertexAttributeDescriptionCount = 3;
-  input.pVertexAttributeDescriptions = attributes;
-  VkPipelineInputAssemblyStateCreateInfo assembly{VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
-  assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
-  VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
-  viewport.viewportCount = viewport.scissorCount = 1;
-  VkPipelineRasterizationStateCreateInfo rasterization{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
-  rasterization.lineWidth = 1;
-  VkPipelineMultisampleStateCreateInfo multisample{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
-  multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
-
-  VkPipelineColorBlendAttachmentState over{};
-  over.blendEnable = VK_TRUE;
-  over.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
-  over.dstColorBlendFactor = over.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
-  over.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
-  over.colorBlendOp = over.alphaBlendOp = VK_BLEND_OP_ADD;
-  over.colorWriteMask = 0xf;
-  VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
-  blend.attachmentCount = 1;
-  blend.pAttachments = &over;
-  VkDynamicState dynamic_states[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
-  VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
-  dynamic.dynamicStateCount = 2;
-  dynamic.pDynamicStates = dynamic_states;
-  VkFormat format = swapchain_.format();
-  VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
-  rendering.colorAttachmentCount = 1;
-  rendering.pColorAttachmentFormats = &format;
-
-  VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, &rendering};
-  info.stageCount = 2;
-  info.pStages = stages;
-  info.pVertexInputState = &input;
-  info.pInputAssemblyState = &assembly;
-  info.pViewportState = &viewport;
-  info.pRasterizationState = &rasterization;
-  info.pMultisampleState = &multisample;
-  info.pColorBlendState = &blend;
-  info.pDynamicState = &dynamic;
-  info.layout = layout_.get();
-  VkPipeline pipeline = VK_NULL_HANDLE;
-  gpu::check(device_.vk().CreateGraphicsPipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
-             "creating the pipeline of the panels");
-  pipeline_ = {device_, pipeline,
-               [](const gpu::Device& d, VkPipeline p) { d.vk().DestroyPipeline(d.handle(), p, nullptr); }};
+  gpu::RasterShaders shaders;
+  shaders.vertex = compiled(home, "panel.vert.glsl", shader::Stage::Vertex);
+  shaders.fragment = compiled(home, "panel.frag.glsl", shader::Stage::Fragment);
+  shaders.color_formats = {swapchain_.format()};
+  shaders.overlay = true;
+  shaders.constant_bytes = sizeof(WindowConstants);
+  shaders.vertex_stride = sizeof(ImDrawVert);
+  shaders.attributes = {{0, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(ImDrawVert, pos)},
+                        {1, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(ImDrawVert, uv)},
+                        {2, 0, VK_FORMAT_R8G8B8A8_UNORM, offsetof(ImDrawVert, col)}};
+  pipeline_ = gpu::Pipeline::raster(device_, "panels", shaders, {set_layout_.get()});
 }
 
 std::unique_ptr<Texture> Surface::makeTexture(const std::string& name, uint32_t width, uint32_t height,
@@ -189,24 +81,16 @@ std::unique_ptr<Texture> Surface::makeTexture(const std::string& name, uint32_t 
 void Surface::fill(Texture& texture, const void* rgba) {
   std::memcpy(texture.staging_.mapped(), rgba, texture.staging_.size());
   device_.submit([&](VkCommandBuffer commands) {
-    VkImageMemoryBarrier2 before =
-        imageBarrier(texture.image_.handle(), VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);
-    before.srcStageMask = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
-    before.dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-    before.dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-    recordBarrier(device_, commands, before);
+    const gpu::Touch copied{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
+    recordBarrier(device_, commands, {VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, 0}, copied,
+                  {texture.image_.handle(), VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL});
     VkBufferImageCopy copy{};
     copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
     copy.imageExtent = {texture.image_.desc().width, texture.image_.desc().height, 1};
     device_.vk().CmdCopyBufferToImage(commands, texture.staging_.handle(), texture.image_.handle(),
                                       VK_IMAGE_LAYOUT_GENERAL, 1, &copy);
-    VkImageMemoryBarrier2 after =
-        imageBarrier(texture.image_.handle(), VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_GENERAL);
-    after.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-    after.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-    after.dstStageMask = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
-    after.dstAccessMask = VK_ACCESS_2_SHADER_SAMPLED_READ_BIT;
-    recordBarrier(device_, commands, after);
+    recordBarrier(device_, commands, copied,
+                  {VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT});
   });
 }
 
@@ -260,7 +144,8 @@ void Surface::recordCommand(VkCommandBuffer commands, const ImDrawData& frame, c
   const gpu::Dispatch& vk = device_.vk();
   vk.CmdSetScissor(commands, 0, 1, &scissor);
   const auto* texture = (const Texture*)(intptr_t)command.GetTexID();
-  vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_.get(), 0, 1, &texture->set_, 0, nullptr);
+  vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.layout(), 0, 1, &texture->set_, 0,
+                           nullptr);
   vk.CmdDrawIndexed(commands, command.ElemCount, 1, first_index + command.IdxOffset,
                     first_vertex + int32_t(command.VtxOffset), 0);
 }
@@ -268,7 +153,7 @@ void Surface::recordCommand(VkCommandBuffer commands, const ImDrawData& frame, c
 void Surface::recordLists(VkCommandBuffer commands, const ImDrawData& frame) const {
   const gpu::Dispatch& vk = device_.vk();
   VkExtent2D extent = swapchain_.extent();
-  vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.get());
+  vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.handle());
   VkViewport viewport{0, 0, float(extent.width), float(extent.height), 0, 1};
   vk.CmdSetViewport(commands, 0, 1, &viewport);
   WindowConstants constants;
@@ -276,7 +161,7 @@ void Surface::recordLists(VkCommandBuffer commands, const ImDrawData& frame) con
   constants.clip_per_px[1] = 2 / float(extent.height);
   constants.origin_clip[0] = -1 - frame.DisplayPos.x * constants.clip_per_px[0];
   constants.origin_clip[1] = -1 - frame.DisplayPos.y * constants.clip_per_px[1];
-  vk.CmdPushConstants(commands, layout_.get(), VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(constants), &constants);
+  vk.CmdPushConstants(commands, pipeline_.layout(), VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(constants), &constants);
   if (frame.TotalIdxCount == 0) return;
   VkBuffer vertices = vertices_.handle();
   VkDeviceSize start = 0;
@@ -297,15 +182,15 @@ void Surface::recordLists(VkCommandBuffer commands, const ImDrawData& frame) con
 void Surface::record(VkCommandBuffer commands, const ImDrawData& frame, const gpu::Swapchain::Target& target,
                      const gpu::Buffer* shot) const {
   const gpu::Dispatch& vk = device_.vk();
-  VkImageMemoryBarrier2 begin =
-      imageBarrier(target.image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
-  begin.srcStageMask = begin.dstStageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
-  begin.dstAccessMask = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT;
-  recordBarrier(device_, commands, begin);
+  constexpr VkPipelineStageFlags2 kOutput = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
+  constexpr VkImageLayout kDrawn = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+  recordBarrier(device_, commands, {kOutput, 0},
+                {kOutput, VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT},
+                {target.image, VK_IMAGE_LAYOUT_UNDEFINED, kDrawn});
 
   VkRenderingAttachmentInfo color{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
   color.imageView = target.view;
-  color.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+  color.imageLayout = kDrawn;
   color.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
   color.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
   color.clearValue.color = {{0, 0, 0, 1}};
@@ -318,24 +203,19 @@ void Surface::record(VkCommandBuffer commands, const ImDrawData& frame, const gp
   recordLists(commands, frame);
   vk.CmdEndRendering(commands);
 
-  VkImageMemoryBarrier2 end =
-      imageBarrier(target.image, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR);
-  end.srcStageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
-  end.srcAccessMask = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
-  if (shot) {
-    end.newLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
-    end.dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-    end.dstAccessMask = VK_ACCESS_2_TRANSFER_READ_BIT;
-    recordBarrier(device_, commands, end);
-    VkBufferImageCopy copy{};
-    copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-    copy.imageExtent = {swapchain_.extent().width, swapchain_.extent().height, 1};
-    vk.CmdCopyImageToBuffer(commands, target.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, shot->handle(), 1, &copy);
-    recordHostRead(device_, commands);
-    end = imageBarrier(target.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR);
-    end.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-  }
-  recordBarrier(device_, commands, end);
+  const gpu::Touch drawn{kOutput, VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT};
+  if (!shot)
+    return recordBarrier(device_, commands, drawn, {}, {target.image, kDrawn, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR});
+  constexpr VkPipelineStageFlags2 kCopy = VK_PIPELINE_STAGE_2_COPY_BIT;
+  constexpr VkImageLayout kCopied = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+  recordBarrier(device_, commands, drawn, {kCopy, VK_ACCESS_2_TRANSFER_READ_BIT}, {target.image, kDrawn, kCopied});
+  VkBufferImageCopy copy{};
+  copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+  copy.imageExtent = {swapchain_.extent().width, swapchain_.extent().height, 1};
+  vk.CmdCopyImageToBuffer(commands, target.image, kCopied, shot->handle(), 1, &copy);
+  recordBarrier(device_, commands, {kCopy, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+                {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
+  recordBarrier(device_, commands, {kCopy, 0}, {}, {target.image, kCopied, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR});
 }
 
 image::Image Surface::imageFrom(const gpu::Buffer& pixels) const {

@@ -64,8 +64,7 @@ class Surface {
   const gpu::Device& device_;
   gpu::Swapchain swapchain_;
   gpu::Owned<VkDescriptorSetLayout> set_layout_;
-  gpu::Owned<VkPipelineLayout> layout_;
-  gpu::Owned<VkPipeline> pipeline_;
+  gpu::Pipeline pipeline_;
   gpu::Owned<VkSampler> nearest_, linear_;
   std::unique_ptr<Texture> font_;
   gpu::Buffer vertices_, indices_;
