@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "image/comparison.h"
 #include "image/exr.h"
+#include "image/false_colour.h"
 #include "image/png.h"
 #include "page/table.h"
 
@@ -54,7 +55,7 @@ void printTable(const image::Comparison& result) {
 // The HDR map where there is one. A name that ends in .exr gets the values, any other the picture in magma.
 void writeMap(const Path& file, const image::Comparison& result) {
   const image::Image& map = result.hdr_flip ? result.hdr_map : result.ldr_map;
-  if (file.extension() != ".exr") return image::writePng(file, image::flipColours(map));
+  if (file.extension() != ".exr") return image::writePng(file, image::heatMap(map, 0, 1));
   image::ExrFile content;
   content.add("", {"Y"}, map);
   image::writeExr(file, content);

@@ -29,13 +29,6 @@ static void requireFinite(const Image& image, const Path& file) {
           throw Error(fmt::format("pixel {},{} is not finite ({})", x, y, image.at(x, y, c)), {file.string()});
 }
 
-static Image withoutAlpha(const Image& image) {
-  if (image.channels == 3) return image;
-  Image rgb(image.width, image.height, 3);
-  for (size_t i = 0; i < rgb.values.size(); ++i) rgb.values[i] = image.values[i / 3 * image.channels + i % 3];
-  return rgb;
-}
-
 Picture readPicture(const Path& file, const std::string& layer) {
   if (kindOf(file) == FileKind::exr) {
     Image linear = colourOf(readExr(file), layer, file);
@@ -43,7 +36,7 @@ Picture readPicture(const Path& file, const std::string& layer) {
     return {linear, true};
   }
   if (!layer.empty()) throw Error(fmt::format("is a PNG and has no layer '{}'", layer), {file.string()});
-  return {decodeSrgb(withoutAlpha(readPng(file))), false};
+  return {decodeSrgb(threeChannels(readPng(file))), false};
 }
 
 Image readMask(const Path& file) {
@@ -58,9 +51,9 @@ static void requireComparable(const Image& test, const Image& reference, const I
     throw Error(fmt::format("the {} has {}x{} pixels, the test image {}x{}", what, other.width, other.height,
                             test.width, test.height));
   };
-  if (reference.width != test.width || reference.height != test.height) refuse("reference", reference);
+  if (!sameSize(reference, test)) refuse("reference", reference);
   if (mask.empty()) return;
-  if (mask.width != test.width || mask.height != test.height) refuse("mask", mask);
+  if (!sameSize(mask, test)) refuse("mask", mask);
   if (countedPixels(test, mask) == 0) throw Error("the mask is empty: no pixel of it is 0.5 or more");
 }
 
@@ -97,19 +90,21 @@ static Json number(const std::optional<double>& value) {
 }
 
 Json comparisonJson(const Comparison& comparison) {
+  const Comparison& c = comparison;
+  const std::pair<const char*, std::optional<double>> values[] = {{"mse", c.mse},
+                                                                  {"rmse", c.rmse},
+                                                                  {"psnr", c.psnr},
+                                                                  {"relmse", c.relmse},
+                                                                  {"relmse_trimmed", c.relmse_trimmed},
+                                                                  {"smape", c.smape},
+                                                                  {"ssim", c.ssim},
+                                                                  {"ms_ssim", c.ms_ssim},
+                                                                  {"ldr_flip", c.ldr_flip},
+                                                                  {"ldr_flip_max", c.ldr_flip_max},
+                                                                  {"hdr_flip", c.hdr_flip},
+                                                                  {"hdr_flip_max", c.hdr_flip_max}};
   Json json;
-  json["mse"] = number(comparison.mse);
-  json["rmse"] = number(comparison.rmse);
-  json["psnr"] = number(comparison.psnr);
-  json["relmse"] = number(comparison.relmse);
-  json["relmse_trimmed"] = number(comparison.relmse_trimmed);
-  json["smape"] = number(comparison.smape);
-  json["ssim"] = number(comparison.ssim);
-  json["ms_ssim"] = number(comparison.ms_ssim);
-  json["ldr_flip"] = number(comparison.ldr_flip);
-  json["ldr_flip_max"] = number(comparison.ldr_flip_max);
-  json["hdr_flip"] = number(comparison.hdr_flip);
-  json["hdr_flip_max"] = number(comparison.hdr_flip_max);
+  for (const auto& [name, value] : values) json[name] = number(value);
   if (comparison.hdr_flip) {
     json["hdr_flip_start"] = comparison.exposures.start;
     json["hdr_flip_stop"] = comparison.exposures.stop;

@@ -5,11 +5,11 @@
 #include <ImfFloatAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfMatrixAttribute.h>
 #include <ImfOutputFile.h>
 #include <ImfRationalAttribute.h>
+#include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
 
 #include <algorithm>
@@ -22,42 +22,6 @@
 
 namespace strobe::image {
 namespace {
-
-class MemoryWriter : public Imf::OStream {
- public:
-  MemoryWriter() : Imf::OStream("memory") {}
-  void write(const char data[], int size) override {
-    size_t end = position_ + static_cast<size_t>(size);
-    if (bytes.size() < end) bytes.resize(end);
-    std::memcpy(&bytes[position_], data, static_cast<size_t>(size));
-    position_ = end;
-  }
-  uint64_t tellp() override { return position_; }
-  void seekp(uint64_t position) override { position_ = position; }
-
-  std::string bytes;
-
- private:
-  size_t position_ = 0;
-};
-
-class MemoryReader : public Imf::IStream {
- public:
-  explicit MemoryReader(const std::string& bytes) : Imf::IStream("memory"), bytes_(bytes) {}
-  bool read(char data[], int size) override {
-    size_t wanted = static_cast<size_t>(size);
-    if (position_ > bytes_.size() || bytes_.size() - position_ < wanted) throw std::runtime_error("it ends too early");
-    std::memcpy(data, bytes_.data() + position_, wanted);
-    position_ += wanted;
-    return position_ < bytes_.size();
-  }
-  uint64_t tellg() override { return position_; }
-  void seekg(uint64_t position) override { position_ = position; }
-
- private:
-  const std::string& bytes_;
-  size_t position_ = 0;
-};
 
 // OpenEXR multiplies row vectors from the left; its matrices therefore lie in memory as ours do.
 Imath::M44f toExr(const glm::mat4& matrix) {
@@ -140,7 +104,8 @@ void insertSlice(Imf::FrameBuffer& frame, ExrChannel& channel, const Imath::Box2
 }
 
 ExrFile decode(const std::string& bytes) {
-  MemoryReader stream(bytes);
+  Imf::StdISStream stream;
+  stream.str(bytes);
   Imf::InputFile input(stream, 0);
   const Imf::Header& header = input.header();
   Imath::Box2i window = header.dataWindow();
@@ -190,14 +155,25 @@ void copyInto(Image& image, int c, const ExrChannel& channel) {
     image.values[i * image.channels + c] = uint ? static_cast<float>(channel.ids[i]) : channel.values[i];
 }
 
-void setSize(ExrFile& content, int width, int height) {
-  if (content.channels.empty()) content.width = width, content.height = height;
-  STROBE_ASSERT(content.width == width && content.height == height, "{}x{} is not {}x{}", width, height, content.width,
-                content.height);
-}
-
 std::string channelName(const std::string& layer, const std::string& component) {
   return layer.empty() ? component : fmt::format("{}.{}", layer, component);
+}
+
+// `values`: where a channel of this kind keeps them.
+template <class Pixels, class Number>
+void addLayer(ExrFile& content, const std::string& layer, const std::vector<std::string>& components,
+              const Pixels& image, ExrKind kind, std::vector<Number> ExrChannel::*values) {
+  STROBE_ASSERT(int(components.size()) == image.channels, "{} components, {} channels", components.size(),
+                image.channels);
+  if (content.channels.empty()) content.width = image.width, content.height = image.height;
+  STROBE_ASSERT(content.width == image.width && content.height == image.height, "{}x{} is not {}x{}", image.width,
+                image.height, content.width, content.height);
+  for (int c = 0; c < image.channels; ++c) {
+    ExrChannel channel{channelName(layer, components[c]), kind, {}, {}};
+    for (size_t i = size_t(c); i < image.values.size(); i += image.channels)
+      (channel.*values).push_back(image.values[i]);
+    content.channels.push_back(std::move(channel));
+  }
 }
 
 }  // namespace
@@ -210,25 +186,11 @@ const ExrChannel* ExrFile::find(const std::string& name) const {
 
 void ExrFile::add(const std::string& layer, const std::vector<std::string>& components, const Image& image,
                   ExrKind kind) {
-  STROBE_ASSERT(int(components.size()) == image.channels && kind != ExrKind::uint, "{} components, {} channels",
-                components.size(), image.channels);
-  setSize(*this, image.width, image.height);
-  for (int c = 0; c < image.channels; ++c) {
-    ExrChannel channel{channelName(layer, components[c]), kind, {}, {}};
-    for (size_t i = size_t(c); i < image.values.size(); i += image.channels) channel.values.push_back(image.values[i]);
-    channels.push_back(std::move(channel));
-  }
+  addLayer(*this, layer, components, image, kind, &ExrChannel::values);
 }
 
 void ExrFile::add(const std::string& layer, const std::vector<std::string>& components, const UintImage& image) {
-  STROBE_ASSERT(int(components.size()) == image.channels, "{} components, {} channels", components.size(),
-                image.channels);
-  setSize(*this, image.width, image.height);
-  for (int c = 0; c < image.channels; ++c) {
-    ExrChannel channel{channelName(layer, components[c]), ExrKind::uint, {}, {}};
-    for (size_t i = size_t(c); i < image.values.size(); i += image.channels) channel.ids.push_back(image.values[i]);
-    channels.push_back(std::move(channel));
-  }
+  addLayer(*this, layer, components, image, ExrKind::uint, &ExrChannel::ids);
 }
 
 std::string encodeExr(const ExrFile& content) {
@@ -253,13 +215,13 @@ std::string encodeExr(const ExrFile& content) {
     char* start = const_cast<char*>(static_cast<const char*>(data));  // OpenEXR only reads it
     frame.insert(channel.name, Imf::Slice(pixelType(channel.kind), start, bytes, bytes * content.width));
   }
-  MemoryWriter stream;
+  Imf::StdOSStream stream;
   {
     Imf::OutputFile output(stream, header, 0);
     output.setFrameBuffer(frame);
     output.writePixels(content.height);
   }
-  return std::move(stream.bytes);
+  return stream.str();
 }
 
 void writeExr(const Path& file, const ExrFile& content) { writeFileAtomically(file, encodeExr(content)); }
@@ -308,18 +270,14 @@ static std::vector<std::string> colourChannels(const ExrFile& content, const std
   return own.size() == 1 ? std::vector<std::string>(3, own[0]) : std::vector<std::string>();
 }
 
-Image colourOf(const ExrFile& content, const std::string& layer, const Path& file, bool alpha) {
+Image colourOf(const ExrFile& content, const std::string& layer, const Path& file) {
   std::vector<std::string> colour = colourChannels(content, layer);
   if (colour.empty()) {
     std::vector<std::string> names = channelNames(content);
     std::string expected = layer.empty() ? "colour (R, G, B)" : fmt::format("colour in a layer '{}'", layer);
     throw Error(fmt::format("has no {}; its channels are {}", expected, fmt::join(names, ", ")), {file.string()});
   }
-  if (!alpha) return channelsOf(content, colour, file);
-  Image image(content.width, content.height, 4, 1.0f);
-  for (int c = 0; c < 3; ++c) copyInto(image, c, require(content, colour[c], file));
-  if (const ExrChannel* a = content.find(channelName(layer, "A"))) copyInto(image, 3, *a);
-  return image;
+  return channelsOf(content, colour, file);
 }
 
 }  // namespace strobe::image

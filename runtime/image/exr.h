@@ -53,10 +53,9 @@ void writeExr(const Path& file, const ExrFile& content);
 // Throws `Error` naming the file when it is missing, cut short, not an OpenEXR, deep or subsampled.
 ExrFile readExr(const Path& file);
 
-// The colour of a layer ("" is the unnamed one) as RGB, or RGBA with `alpha` where the layer has A (else A is 1).
-// A layer with neither R, G, B but a single channel, or Y, becomes grey RGB. Throws `Error` (place: `file`) listing
-// the layers there are when it is absent.
-Image colourOf(const ExrFile& content, const std::string& layer, const Path& file, bool alpha = false);
+// The colour of a layer ("" is the unnamed one) as RGB. A layer with neither R, G, B but a single channel, or Y,
+// becomes grey RGB. Throws `Error` (place: `file`) listing the layers there are when it is absent.
+Image colourOf(const ExrFile& content, const std::string& layer, const Path& file);
 
 // The named channels as one image; throws `Error` as above, with the nearest name.
 Image channelsOf(const ExrFile& content, const std::vector<std::string>& names, const Path& file);

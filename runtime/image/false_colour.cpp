@@ -24,7 +24,7 @@ Image painted(int width, int height, ColourAt colourAt) {
 float unit(float value) { return value > 0 ? std::min(value, 1.0f) : 0.0f; }
 
 void assertAlike(const Image& a, const Image& b) {
-  STROBE_ASSERT(a.width == b.width && a.height == b.height, "{}x{} and {}x{}", a.width, a.height, b.width, b.height);
+  STROBE_ASSERT(sameSize(a, b), "{}x{} and {}x{}", a.width, a.height, b.width, b.height);
 }
 
 // Channel `c` of three, of an image with any number of channels.
@@ -63,16 +63,6 @@ Image absoluteDifference(const Image& a, const Image& b, float gain) {
   });
 }
 
-Image signedDifference(const Image& a, const Image& b, float gain) {
-  assertAlike(a, b);
-  return painted(a.width, a.height, [&](size_t i) {
-    float sum = 0;
-    for (int c = 0; c < 3; ++c) sum += colourOf(a, i, c) - colourOf(b, i, c);
-    Colour end = sum > 0 ? Colour{0.75f, 0.05f, 0.1f} : Colour{0.05f, 0.2f, 0.75f};
-    return mix({1, 1, 1}, end, unit(gain * std::abs(sum) / 3));
-  });
-}
-
 Image differenceHeat(const Image& a, const Image& b, float gain) {
   assertAlike(a, b);
   return painted(a.width, a.height, [&](size_t i) {
@@ -100,9 +90,9 @@ Image velocityColours(const Image& velocity, float full_px) {
   });
 }
 
-Image idColours(const UintImage& ids, int channel) {
+Image idColours(const UintImage& ids) {
   return painted(ids.width, ids.height, [&](size_t i) {
-    uint32_t id = ids.values[i * ids.channels + channel];
+    uint32_t id = ids.values[i * ids.channels];
     if (id == 0) return Colour{0, 0, 0};
     uint32_t bits = scatter(id);
     Colour hue = pureHue((bits & 0xffff) / 65536.0f);
@@ -112,14 +102,6 @@ Image idColours(const UintImage& ids, int channel) {
 }
 
 Image depthColours(const Image& depth, float near_m, float far_m) {
-  if (far_m <= near_m) {
-    near_m = INFINITY, far_m = 0;
-    for (size_t i = 0; i < depth.values.size(); i += depth.channels) {
-      float value = depth.values[i];
-      if (!std::isfinite(value) || value <= 0) continue;
-      near_m = std::min(near_m, value), far_m = std::max(far_m, value);
-    }
-  }
   // The darkest tenth of magma is left to "nothing there".
   float span = std::max(std::log(far_m / near_m), 1e-6f);
   return painted(depth.width, depth.height, [&](size_t i) {

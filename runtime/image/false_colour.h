@@ -10,10 +10,6 @@ namespace strobe::image {
 // |a - b| * gain per colour channel, shown as it is (no encoding): black is no difference.
 Image absoluteDifference(const Image& a, const Image& b, float gain = 1);
 
-// The mean of a - b over the colour channels: white is none, red where `a` is brighter, blue where it is darker;
-// full colour at 1/gain.
-Image signedDifference(const Image& a, const Image& b, float gain = 1);
-
 // The mean of |a - b| over the colour channels in magma; its upper end is 1/gain.
 Image differenceHeat(const Image& a, const Image& b, float gain = 1);
 
@@ -25,10 +21,9 @@ Image heatMap(const Image& scalar, float low, float high);
 Image velocityColours(const Image& velocity, float full_px);
 
 // A colour of its own for every id, the same in every image; 0 (nothing) is black.
-Image idColours(const UintImage& ids, int channel = 0);
+Image idColours(const UintImage& ids);
 
 // View depth in metres: magma on a logarithmic scale, `near_m` pale, `far_m` dark; nothing (infinity) is black.
-// `far_m` <= `near_m` takes both from the finite depths of the image.
-Image depthColours(const Image& depth, float near_m = 0, float far_m = 0);
+Image depthColours(const Image& depth, float near_m, float far_m);
 
 }  // namespace strobe::image

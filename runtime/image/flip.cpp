@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/error.h"
-#include "image/magma.h"
 #include "math/constants.h"
 
 namespace strobe::image {
@@ -281,18 +280,9 @@ Image exposed(const Image& image, double stops, FlipCurve curve) {
   return out;
 }
 
-Image threeChannels(const Image& image) {
-  STROBE_ASSERT(image.channels == 1 || image.channels >= 3, "{} channels", image.channels);
-  if (image.channels == 3) return image;
-  Image out(image.width, image.height, 3);
-  for (size_t i = 0; i < out.values.size(); ++i)
-    out.values[i] = image.values[i / 3 * image.channels + (image.channels == 1 ? 0 : i % 3)];
-  return out;
-}
-
 void assertAlike(const Image& test, const Image& reference) {
-  STROBE_ASSERT(test.width == reference.width && test.height == reference.height && !test.empty(), "{}x{} and {}x{}",
-                test.width, test.height, reference.width, reference.height);
+  STROBE_ASSERT(sameSize(test, reference) && !test.empty(), "{}x{} and {}x{}", test.width, test.height, reference.width,
+                reference.height);
 }
 
 std::vector<float> luminances(const Image& image) {
@@ -315,19 +305,10 @@ Image ldrFlip(const Image& test, const Image& reference, double pixels_per_degre
 }
 
 const char* exposureSourceName(Exposures::Source source) {
-  switch (source) {
-    case Exposures::Source::given:
-      return "given";
-    case Exposures::Source::reference:
-      return "reference";
-    case Exposures::Source::positive:
-      return "reference, smallest positive luminance for its median of 0";
-    case Exposures::Source::test:
-      return "test image, because the reference is black";
-    case Exposures::Source::none:
-      break;
-  }
-  return "none, because both images are black";
+  static const char* const names[] = {
+      "given", "reference", "reference, smallest positive luminance for its median of 0",
+      "test image, because the reference is black", "none, because both images are black"};
+  return names[int(source)];
 }
 
 Exposures automaticExposures(const Image& test, const Image& reference, FlipCurve curve) {
@@ -368,24 +349,6 @@ HdrFlip hdrFlip(const Image& test, const Image& reference, const HdrFlipOptions&
     for (size_t p = 0; p < map.values.size(); ++p) result.map.values[p] = std::max(result.map.values[p], map.values[p]);
   }
   return result;
-}
-
-Image flipColours(const Image& map) {
-  Image display(map.width, map.height, 3);
-  for (size_t i = 0; i < map.values.size(); ++i) {
-    Colour colour = magma(map.values[i]);
-    std::copy(colour.begin(), colour.end(), &display.values[3 * i]);
-  }
-  return display;
-}
-
-double weightedPercentile(const Image& map, double fraction) {
-  std::vector<float> values = map.values;
-  std::sort(values.begin(), values.end());
-  double total = std::accumulate(values.begin(), values.end(), 0.0), sum = 0;
-  for (float value : values)
-    if ((sum += value) >= fraction * total) return value;
-  return values.empty() ? 0 : values.back();
 }
 
 }  // namespace strobe::image

@@ -53,8 +53,4 @@ struct HdrFlip {
 };
 HdrFlip hdrFlip(const Image& test, const Image& reference, const HdrFlipOptions& options = {});
 
-// The map as a display image in magma, and the value below which the pixels hold `fraction` of the map's sum.
-Image flipColours(const Image& map);
-double weightedPercentile(const Image& map, double fraction);
-
 }  // namespace strobe::image

@@ -25,6 +25,11 @@ struct Image {
   bool empty() const { return values.empty(); }
 };
 
+bool sameSize(const Image& a, const Image& b);
+
+// Without alpha; the last of fewer channels stands for those that are missing.
+Image threeChannels(const Image& image);
+
 // The same for integers (instance, geometry and primitive ids).
 struct UintImage {
   int width = 0;

@@ -19,8 +19,8 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 int colourCount(const Image& image) { return std::min(image.channels, 3); }
 
 void assertAlike(const Image& test, const Image& reference) {
-  STROBE_ASSERT(test.width == reference.width && test.height == reference.height, "{}x{} and {}x{}", test.width,
-                test.height, reference.width, reference.height);
+  STROBE_ASSERT(sameSize(test, reference), "{}x{} and {}x{}", test.width, test.height, reference.width,
+                reference.height);
   STROBE_ASSERT(colourCount(test) == colourCount(reference), "{} and {} channels", test.channels, reference.channels);
 }
 
@@ -28,8 +28,7 @@ void assertAlike(const Image& test, const Image& reference) {
 template <class ErrorOf>
 std::vector<double> pixelErrors(const Image& test, const Image& reference, const Image& mask, ErrorOf errorOf) {
   assertAlike(test, reference);
-  STROBE_ASSERT(mask.empty() || (mask.width == test.width && mask.height == test.height), "mask {}x{}", mask.width,
-                mask.height);
+  STROBE_ASSERT(mask.empty() || sameSize(mask, test), "mask {}x{}", mask.width, mask.height);
   std::vector<double> errors;
   errors.reserve(size_t(test.width) * test.height);
   int colours = colourCount(test);

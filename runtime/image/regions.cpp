@@ -17,7 +17,7 @@ int coloursOf(const Image& image) { return std::min(image.channels, 3); }
 // Calls `visit(x, y)` for each pixel that counts, in reading order.
 template <class Visit>
 void forPixels(const Image& image, const Image& mask, Visit visit) {
-  bool fits = mask.empty() || (mask.width == image.width && mask.height == image.height);
+  bool fits = mask.empty() || sameSize(mask, image);
   STROBE_ASSERT(fits, "{}x{} and {}x{}", image.width, image.height, mask.width, mask.height);
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
@@ -27,7 +27,7 @@ void forPixels(const Image& image, const Image& mask, Visit visit) {
 // Calls `visit(x, y, difference)` with the largest difference of the channels of each pixel that counts.
 template <class Visit>
 void forDifferences(const Image& a, const Image& b, const Image& mask, Visit visit) {
-  bool alike = a.width == b.width && a.height == b.height && coloursOf(a) == coloursOf(b);
+  bool alike = sameSize(a, b) && coloursOf(a) == coloursOf(b);
   STROBE_ASSERT(alike, "{}x{}x{} and {}x{}x{}", a.width, a.height, a.channels, b.width, b.height, b.channels);
   forPixels(a, mask, [&](int x, int y) {
     double largest = 0;

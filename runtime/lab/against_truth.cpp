@@ -7,12 +7,6 @@
 
 namespace strobe::lab {
 
-image::Image threeChannels(const image::Image& from) {
-  image::Image rgb(from.width, from.height, 3);
-  for (size_t i = 0; i < rgb.values.size(); ++i) rgb.values[i] = from.values[i / 3 * size_t(from.channels) + i % 3];
-  return rgb;
-}
-
 image::Image maskOf(const Picture& truth, const std::string& region) {
   if (region == "whole") return {};
   auto found = truth.frame.outputs.find(region);
@@ -25,7 +19,7 @@ image::Image maskOf(const Picture& truth, const std::string& region) {
 double sigmaOf(const Picture& truth, const image::Image& mask) {
   auto found = truth.frame.outputs.find("error");
   if (found == truth.frame.outputs.end()) return 0;
-  image::Image error = threeChannels(found->second.floats);
+  image::Image error = image::threeChannels(found->second.floats);
   return image::rootMeanSquaredError(error, image::Image(error.width, error.height, 3), mask);
 }
 

@@ -6,9 +6,6 @@
 
 namespace strobe::lab {
 
-// Without alpha.
-image::Image threeChannels(const image::Image& from);
-
 // Pixels of a region: an output of the truth by that name; empty for "whole".
 image::Image maskOf(const Picture& truth, const std::string& region);
 

@@ -6,20 +6,7 @@
 
 namespace strobe::lab {
 
-const graph::ReadImage& outputOf(const Picture& picture, const std::string& name) {
-  auto found = picture.frame.outputs.find(name);
-  STROBE_ASSERT(found != picture.frame.outputs.end(), "{}", name);
-  return found->second;
-}
-
-image::Image colorOf(const Picture& picture) {
-  const image::Image& rgba = outputOf(picture, "color").floats;
-  image::Image rgb(rgba.width, rgba.height, 3);
-  for (int y = 0; y < rgba.height; ++y)
-    for (int x = 0; x < rgba.width; ++x)
-      for (int c = 0; c < 3; ++c) rgb.at(x, y, c) = rgba.at(x, y, std::min(c, rgba.channels - 1));
-  return rgb;
-}
+image::Image colorOf(const Picture& picture) { return image::threeChannels(picture.frame.outputs.at("color").floats); }
 
 // How an output is called in a file: layer and components.
 struct LayerName {
@@ -54,7 +41,7 @@ static void addLayer(image::ExrFile& file, const std::string& output, const grap
 
 image::ExrFile exrOf(const Picture& picture, bool half) {
   image::ExrFile file;
-  const image::Image& color = outputOf(picture, "color").floats;
+  const image::Image& color = picture.frame.outputs.at("color").floats;
   file.width = color.width;
   file.height = color.height;
   for (const auto* images : {&picture.frame.outputs, &picture.frame.taps}) {

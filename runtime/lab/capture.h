@@ -11,9 +11,6 @@ namespace strobe::lab {
 // Colour of a picture, three channels, linear.
 image::Image colorOf(const Picture& picture);
 
-// A named output as an image; asserts that it is there.
-const graph::ReadImage& outputOf(const Picture& picture, const std::string& name);
-
 // Names of an image's channels: R G B A, X Y, Z of a depth, id and its companions.
 std::vector<std::string> componentNames(const std::string& output, int channels);
 

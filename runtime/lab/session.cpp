@@ -62,10 +62,9 @@ const std::vector<std::string>& Session::problems() const { return problems_; }
 // The declaration of a value of a shot with the choices that a scene gives it.
 static plan::ParamDesc declarationOf(const ShotField& field, const scene::Scene& scene) {
   plan::ParamDesc declared = field.declaration;
-  if (declared.name == "camera") {
+  if (declared.name == "camera")
     for (const auto& node : scene.nodes)
       if (node.camera >= 0) declared.choices.push_back(node.name);
-  }
   if (declared.name == "animation") {
     declared.choices = {"all", "none"};
     for (const auto& animation : scene.animations) declared.choices.push_back(animation.name);

@@ -41,13 +41,6 @@ static bool isOutput(const plan::Plan& plan, const std::string& port) {
                      [&](const auto& output) { return output.first == port; });
 }
 
-static image::Image threeChannels(const image::Image& image) {
-  image::Image result(image.width, image.height, 3);
-  for (size_t i = 0; i < result.values.size(); ++i)
-    result.values[i] = image.values[i / 3 * size_t(image.channels) + std::min(i % 3, size_t(image.channels) - 1)];
-  return result;
-}
-
 // ---- sessions
 
 Desk::Desk(lab::Workbench& bench, DeskOptions options)
@@ -340,7 +333,7 @@ void Desk::draw(Side& side) {
     side.warnings = side.session->limitsMet(frame);
     side.frame = std::move(frame);
     side.drawn_port = port;
-    side.color = threeChannels(side.frame.outputs.at(kColor).floats);
+    side.color = image::threeChannels(side.frame.outputs.at(kColor).floats);
     side.problem.clear();
     side.times.add(side.frame);
     ++side.frames_drawn;
@@ -419,10 +412,6 @@ bool Desk::gatherTruth() {
   }
   picture_stale_ = picture_stale_ || look_.mode == Mode::Error;
   return true;
-}
-
-static bool sameSize(const image::Image& a, const image::Image& b) {
-  return !a.empty() && a.width == b.width && a.height == b.height;
 }
 
 std::optional<double> Desk::errorOf(const Side& side) const {

