@@ -10,30 +10,19 @@
 namespace strobe::scene {
 
 static Bounds boundsOf(const Mesh& mesh) {
-  Bounds bounds{dvec3(HUGE_VAL), dvec3(-HUGE_VAL)};
-  for (const Geometry& geometry : mesh.geometries) {
-    for (uint32_t index : geometry.indices) {
-      dvec3 position = mesh.origin + dvec3(geometry.vertices[index].position);
-      bounds.low = glm::min(bounds.low, position);
-      bounds.high = glm::max(bounds.high, position);
-    }
-  }
+  Bounds bounds;
+  for (const Geometry& geometry : mesh.geometries)
+    for (uint32_t index : geometry.indices) bounds.add(mesh.origin + dvec3(geometry.vertices[index].position));
   return bounds;
 }
 
 static Bounds boundsOf(const Scene& scene, const std::vector<Bounds>& meshes, const std::vector<dmat4>& worlds) {
-  Bounds all{dvec3(HUGE_VAL), dvec3(-HUGE_VAL)};
+  Bounds all;
   for (const Instance& instance : instancesOf(scene)) {
     const Bounds& own = meshes[instance.mesh];
     if (own.empty()) continue;
     dmat4 world = worlds[instance.node] * instance.node_from_instance;
-    for (int corner = 0; corner < 8; ++corner) {
-      dvec3 at(corner & 1 ? own.high.x : own.low.x, corner & 2 ? own.high.y : own.low.y,
-               corner & 4 ? own.high.z : own.low.z);
-      at = dvec3(world * dvec4(at, 1));
-      all.low = glm::min(all.low, at);
-      all.high = glm::max(all.high, at);
-    }
+    for (int i = 0; i < 8; ++i) all.add(dvec3(world * dvec4(own.corner(i), 1)));
   }
   return all;
 }
@@ -52,13 +41,11 @@ static Bounds boundsInTime(const Scene& scene) {
   for (const Animation& clip : scene.animations) duration_s = std::max(duration_s, clip.duration);
   std::vector<Bounds> meshes = meshBounds(scene);
   Poser poser(scene, -1);
-  Bounds all{dvec3(HUGE_VAL), dvec3(-HUGE_VAL)};
+  Bounds all;
   int samples = duration_s > 0 ? 16 : 1;
   for (int i = 0; i < samples; ++i) {
     double time_s = samples > 1 ? duration_s * i / (samples - 1) : 0;
-    Bounds at_time = boundsOf(scene, meshes, poser.nodesAt(time_s, time_s));
-    all.low = glm::min(all.low, at_time.low);
-    all.high = glm::max(all.high, at_time.high);
+    all.add(boundsOf(scene, meshes, poser.nodesAt(time_s, time_s)));
   }
   return all;
 }
@@ -103,9 +90,8 @@ static void addCamera(Scene& scene) {
 static bool needsLight(const Scene& scene) {
   for (const Node& node : scene.nodes) {
     if (node.mesh < 0) continue;
-    for (const Geometry& geometry : scene.meshes[node.mesh].geometries) {
+    for (const Geometry& geometry : scene.meshes[node.mesh].geometries)
       if (!scene.materials[geometry.material].unlit) return true;
-    }
   }
   return false;
 }

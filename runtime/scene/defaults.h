@@ -2,17 +2,12 @@
 // What a scene lacks: a camera, light, light of a strength that a picture of exposure 1 can show.
 #pragma once
 
+#include "math/bounds.h"
 #include "scene/scene.h"
 
 namespace strobe::scene {
 
-// World bounds of everything drawn, at rest. `empty()` when nothing is.
-struct Bounds {
-  dvec3 low = dvec3(1), high = dvec3(-1);
-  bool empty() const { return low.x > high.x; }
-  dvec3 middle() const { return (low + high) * 0.5; }
-  double radius() const { return glm::length(high - low) * 0.5; }
-};
+// World bounds of everything drawn, at rest.
 Bounds boundsOf(const Scene& scene);
 
 // Adds, each with a line in `assumptions`:

@@ -6,26 +6,16 @@
 #include <cmath>
 #include <optional>
 
+#include "math/bounds.h"
 #include "scene/motion.h"
 
 namespace strobe::scene {
 
-using Corners = std::array<dvec3, 8>;
-
-// Corners of a mesh's bounding box, nothing for a mesh without vertices.
-static std::optional<Corners> boundsOf(const Mesh& mesh) {
-  dvec3 low(INFINITY), high(-INFINITY);
-  for (const Geometry& geometry : mesh.geometries) {
-    for (const Vertex& vertex : geometry.vertices) {
-      low = glm::min(low, dvec3(vertex.position));
-      high = glm::max(high, dvec3(vertex.position));
-    }
-  }
-  if (!(low.x <= high.x)) return std::nullopt;
-  Corners corners;
-  for (int i = 0; i < 8; ++i)
-    corners[size_t(i)] = dvec3(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z);
-  return corners;
+static Bounds boundsOf(const Mesh& mesh) {
+  Bounds bounds;
+  for (const Geometry& geometry : mesh.geometries)
+    for (const Vertex& vertex : geometry.vertices) bounds.add(dvec3(vertex.position));
+  return bounds;
 }
 
 // Pixel coordinates of a world position, nothing when it is not clearly in front of the camera.
@@ -94,15 +84,15 @@ PixelArea reachOfMotion(const Scene& scene, const Camera& camera, const std::fun
     const dmat4& at_capture = capture.world_from_instance[i];
     bool moves =
         std::any_of(poses.begin(), poses.end(), [&](const Pose& p) { return p.world_from_instance[i] != at_capture; });
-    std::optional<Corners> corners = moves ? boundsOf(scene.meshes[size_t(instances[i].mesh)]) : std::nullopt;
-    if (!corners) continue;
+    Bounds bounds = moves ? boundsOf(scene.meshes[size_t(instances[i].mesh)]) : Bounds();
+    if (bounds.empty()) continue;
     poses.push_back(capture);
     Area area;
     std::array<dvec2, 8> before{};
     for (size_t k = 0; k < poses.size(); ++k) {
       std::array<dvec2, 8> now;
       for (size_t c = 0; c < 8; ++c) {
-        dvec3 position_ws = dvec3(poses[k].world_from_instance[i] * dvec4((*corners)[c], 1));
+        dvec3 position_ws = dvec3(poses[k].world_from_instance[i] * dvec4(bounds.corner(int(c)), 1));
         std::optional<dvec2> pixel = project(camera_from_world, camera, position_ws, width, height);
         if (!pixel) return everywhere;
         now[c] = *pixel;

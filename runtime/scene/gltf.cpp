@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "scene/defaults.h"
+#include "scene/gltf_animation.h"
 #include "scene/gltf_mesh.h"
 #include "scene/motion.h"
 #include "scene/textures.h"
@@ -27,15 +28,13 @@ class Loader {
   Scene load() {
     scene_.name = file_.path().stem().string();
     readMaterials();
-    for (size_t i = 0; i < all("meshes").size(); ++i) {
+    for (size_t i = 0; i < file_.all("meshes").size(); ++i)
       scene_.meshes.push_back(readMesh(file_, int(i), int(scene_.materials.size()) - 1, scene_.warnings));
-    }
     readCameras();
     readLights();
     readNodes();
     keepReachable();
-    readAnimations();
-    placeSkins();
+    readAnimations(file_, scene_);
     hierarchyOrder(scene_);
     warnOfUnusedExtensions();
     readAttribution();
@@ -44,24 +43,14 @@ class Loader {
   }
 
  private:
-  const Json& all(const char* list) const { return file_.list(file_.json(), list, ""); }
   void warn(const std::string& text) { scene_.warnings.push_back(text); }
-
-  // `name` or `otherwise`, made different from all earlier names of its kind.
-  static std::string unique(std::string name, const std::string& otherwise, std::set<std::string>& taken) {
-    if (name.empty()) name = otherwise;
-    std::string free = name;
-    for (int i = 2; !taken.insert(free).second; ++i) free = fmt::format("{}#{}", name, i);
-    return free;
-  }
 
   // --- materials --------------------------------------------------------------------------------------------------
 
   void readMaterials() {
-    const Json& materials = all("materials");
-    for (size_t i = 0; i < materials.size(); ++i) {
+    const Json& materials = file_.all("materials");
+    for (size_t i = 0; i < materials.size(); ++i)
       scene_.materials.push_back(readMaterial(materials[i], fmt::format("materials[{}]", i)));
-    }
     // Of primitives that name no material: glTF's is a white metal, which lamps alone would leave black.
     Material plain;
     plain.name = "default";
@@ -127,7 +116,7 @@ class Loader {
   }
 
   int textureIndex(int texture, bool is_color) {
-    const Json& json = all("textures").at(texture);
+    const Json& json = file_.all("textures").at(texture);
     std::string where = fmt::format("textures[{}]", texture);
     int image = file_.index(json, "source", "images", where);
     if (image < 0) {
@@ -136,7 +125,7 @@ class Loader {
     }
     int sampler_index = file_.index(json, "sampler", "samplers", where);
     const Json none = Json::object();
-    const Json& sampler = sampler_index < 0 ? none : all("samplers").at(sampler_index);
+    const Json& sampler = sampler_index < 0 ? none : file_.all("samplers").at(sampler_index);
     Texture::Wrap u = wrapOf(sampler, "wrapS", where), v = wrapOf(sampler, "wrapT", where);
     auto [known, is_new] = textures_.emplace(std::tuple(image, u, v, is_color), int(scene_.textures.size()));
     if (is_new) scene_.textures.push_back(makeTexture(image, u, v, is_color));
@@ -147,7 +136,7 @@ class Loader {
     auto decoded = images_.find(image);
     if (decoded == images_.end()) decoded = images_.emplace(image, file_.image(image)).first;
     Texture texture;
-    texture.name = file_.text(all("images").at(image), "name");
+    texture.name = file_.text(file_.all("images").at(image), "name");
     if (texture.name.empty()) texture.name = fmt::format("image_{}", image);
     texture.format = is_color ? Texture::Format::Rgba8Srgb : Texture::Format::Rgba8Unorm;
     texture.width = decoded->second.width;
@@ -162,7 +151,7 @@ class Loader {
   // --- cameras and lights -----------------------------------------------------------------------------------------
 
   void readCameras() {
-    const Json& cameras = all("cameras");
+    const Json& cameras = file_.all("cameras");
     for (size_t i = 0; i < cameras.size(); ++i) {
       std::string where = fmt::format("cameras[{}]", i), type = file_.text(cameras[i], "type");
       Camera camera;
@@ -210,13 +199,13 @@ class Loader {
   // --- nodes ------------------------------------------------------------------------------------------------------
 
   void readNodes() {
-    const Json& nodes = all("nodes");
+    const Json& nodes = file_.all("nodes");
     scene_.nodes.resize(nodes.size());
     std::set<std::string> taken;
     for (size_t i = 0; i < nodes.size(); ++i) {
       Node& node = scene_.nodes[i];
       std::string where = fmt::format("nodes[{}]", i);
-      node.name = unique(file_.text(nodes[i], "name"), fmt::format("node_{}", i), taken);
+      node.name = file_.uniqueName(nodes[i], fmt::format("node_{}", i), taken);
       readTransform(nodes[i], where, node);
       node.mesh = file_.index(nodes[i], "mesh", "meshes", where);
       node.camera = file_.index(nodes[i], "camera", "cameras", where);
@@ -230,7 +219,7 @@ class Loader {
 
   void warnOfMorphing(const Node& node) {
     if (node.mesh < 0) return;
-    for (const Json& primitive : file_.list(all("meshes").at(node.mesh), "primitives", "")) {
+    for (const Json& primitive : file_.list(file_.all("meshes").at(node.mesh), "primitives", "")) {
       if (file_.list(primitive, "targets", "").empty()) continue;
       return warn(fmt::format("node '{}': morph targets are not supported; its base mesh is shown", node.name));
     }
@@ -258,9 +247,8 @@ class Loader {
     const Json& extension = file_.extension(json, "KHR_lights_punctual", &present);
     if (!present) return -1;
     size_t light = file_.size(extension, "light", std::nullopt, where);
-    if (light >= scene_.lights.size()) {
+    if (light >= scene_.lights.size())
       file_.refuse(where, fmt::format("'light' is {}, but the file has {} lights", light, scene_.lights.size()));
-    }
     return int(light);
   }
 
@@ -303,7 +291,7 @@ class Loader {
   // Nodes that are not in the shown scene stay in the list, but show nothing.
   void keepReachable() {
     hierarchyOrder(scene_);
-    const Json& scenes = all("scenes");
+    const Json& scenes = file_.all("scenes");
     if (scenes.empty()) return;
     int shown = std::max(0, file_.index(file_.json(), "scene", "scenes", ""));
     std::set<int> roots;
@@ -320,155 +308,10 @@ class Loader {
     }
   }
 
-  // --- animation and skins ----------------------------------------------------------------------------------------
-
-  void readAnimations() {
-    const Json& animations = all("animations");
-    std::set<std::string> taken;
-    for (size_t i = 0; i < animations.size(); ++i) {
-      Animation animation;
-      animation.name = unique(file_.text(animations[i], "name"), fmt::format("animation_{}", i), taken);
-      const Json& channels = file_.list(animations[i], "channels", "");
-      for (size_t k = 0; k < channels.size(); ++k) {
-        readChannel(animations[i], channels[k], fmt::format("animations[{}].channels[{}]", i, k), animation);
-      }
-      scene_.animations.push_back(std::move(animation));
-    }
-  }
-
-  void readChannel(const Json& json, const Json& channel, const std::string& where, Animation& animation) {
-    const Json& target = file_.object(channel, "target", where);
-    Track track;
-    track.node = file_.index(target, "node", "nodes", where);
-    std::string path = file_.text(target, "path");
-    if (track.node < 0) return warn(where + ": names no node and is left out");
-    if (path == "weights") {
-      return warn(fmt::format("node '{}': its morph animation is left out", scene_.nodes[track.node].name));
-    }
-    if (path == "rotation") track.target = Track::Target::Rotation;
-    else if (path == "scale") track.target = Track::Target::Scale;
-    else if (path != "translation") return warn(fmt::format("{}: path '{}' is left out", where, path));
-    const Json& samplers = file_.list(json, "samplers", where);
-    size_t sampler = file_.size(channel, "sampler", std::nullopt, where);
-    if (sampler >= samplers.size()) file_.refuse(where, fmt::format("'sampler' is {} of {}", sampler, samplers.size()));
-    readSampler(samplers[sampler], where, track);
-    splitMatrix(scene_.nodes[track.node]);
-    animation.duration = std::max(animation.duration, track.times.back());
-    animation.tracks.push_back(std::move(track));
-  }
-
-  void readSampler(const Json& sampler, const std::string& where, Track& track) {
-    int input = file_.index(sampler, "input", "accessors", where);
-    int output = file_.index(sampler, "output", "accessors", where);
-    if (input < 0 || output < 0) file_.refuse(where, "its sampler lacks input or output");
-    std::string how = file_.text(sampler, "interpolation");
-    if (how == "STEP") track.interpolation = Track::Interpolation::Step;
-    else if (how == "CUBICSPLINE") track.interpolation = Track::Interpolation::CubicSpline;
-    else if (!how.empty() && how != "LINEAR") file_.refuse(where, fmt::format("interpolation '{}' is unknown", how));
-
-    track.times = file_.accessor(input, where, {"SCALAR"}).numbers;
-    for (size_t i = 0; i < track.times.size(); ++i) {
-      bool sound = std::isfinite(track.times[i]) && (i == 0 || track.times[i] > track.times[i - 1]);
-      if (!sound) file_.refuse(where, fmt::format("its key times do not increase at key {}", i));
-    }
-    bool rotation = track.target == Track::Target::Rotation;
-    Values values = file_.accessor(output, where, {rotation ? "VEC4" : "VEC3"});
-    size_t wanted = track.times.size() * (track.interpolation == Track::Interpolation::CubicSpline ? 3 : 1);
-    if (values.count != wanted) {
-      file_.refuse(where, fmt::format("{} keys need {} values, not {}", track.times.size(), wanted, values.count));
-    }
-    for (size_t i = 0; i < values.count; ++i) {
-      dvec4 value = rotation ? values.vector4(i) : dvec4(values.vector3(i), 0);
-      if (!std::isfinite(glm::dot(value, value))) file_.refuse(where, fmt::format("its value {} is not finite", i));
-      track.values.push_back(value);
-    }
-  }
-
-  // An animated node needs its transform in parts.
-  static void splitMatrix(Node& node) {
-    if (!node.matrix) return;
-    dmat3 linear(*node.matrix);
-    node.translation = dvec3((*node.matrix)[3]);
-    node.scale = {glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])};
-    if (glm::determinant(linear) < 0) node.scale.x = -node.scale.x;
-    bool flat = node.scale.x == 0 || node.scale.y == 0 || node.scale.z == 0;
-    if (!flat)
-      node.rotation =
-          glm::quat_cast(dmat3(linear[0] / node.scale.x, linear[1] / node.scale.y, linear[2] / node.scale.z));
-    node.matrix.reset();
-  }
-
-  // A skin's vertices stand in its joints, not in the node that shows it: the mesh is put where the bind pose of the
-  // joint of most weight has it, and moves with that joint. Where that joint has all the weight this is exact.
-  void placeSkins() {
-    const Json& nodes = all("nodes");
-    std::set<int> animated, parents;
-    for (const Animation& animation : scene_.animations) {
-      for (const Track& track : animation.tracks) animated.insert(track.node);
-    }
-    for (const Node& node : scene_.nodes) parents.insert(node.parent);
-    for (size_t i = 0; i < nodes.size(); ++i) {
-      std::string where = fmt::format("nodes[{}]", i);
-      int skin_index = file_.index(nodes[i], "skin", "skins", where);
-      Node& node = scene_.nodes[i];
-      if (skin_index < 0 || node.mesh < 0) continue;
-      const Json& skin = all("skins").at(skin_index);
-      const Json& joints = file_.list(skin, "joints", where);
-      std::vector<double> weights = jointWeights(node.mesh, joints.size());
-      size_t heaviest = std::max_element(weights.begin(), weights.end()) - weights.begin();
-      double total = 0;
-      for (double weight : weights) total += weight;
-      bool exact = heaviest < weights.size() && weights[heaviest] >= 0.999 * total;
-      if (!exact) warn(fmt::format("node '{}': bending by its skin is not supported; it is shown rigid", node.name));
-      if (weights.empty() || animated.count(int(i)) || parents.count(int(i))) continue;
-      Json holder = {{"joint", joints[heaviest]}};
-      int joint = file_.index(holder, "joint", "nodes", fmt::format("skins[{}]", skin_index));
-      if (joint == int(i)) continue;
-      node.parent = joint;
-      node.matrix = inverseBind(skin, heaviest, joints.size(), fmt::format("skins[{}]", skin_index));
-    }
-  }
-
-  // The weight of each joint, summed over the mesh's vertices.
-  std::vector<double> jointWeights(int mesh, size_t joints) {
-    std::vector<double> sums(joints, 0.0);
-    for (const Json& primitive : file_.list(all("meshes").at(mesh), "primitives", "")) {
-      std::string where = fmt::format("meshes[{}]", mesh);
-      const Json& attributes = file_.object(primitive, "attributes", where);
-      int index = file_.index(attributes, "JOINTS_0", "accessors", where);
-      int weight = file_.index(attributes, "WEIGHTS_0", "accessors", where);
-      if (index < 0 || weight < 0) continue;
-      Values indices = file_.accessor(index, where, {"VEC4"}), weights = file_.accessor(weight, where, {"VEC4"});
-      for (size_t i = 0; i < std::min(indices.count, weights.count); ++i) {
-        for (int c = 0; c < 4; ++c) {
-          double joint = indices.at(i, c), amount = weights.at(i, c);
-          if (!(amount > 0) || !std::isfinite(amount)) continue;
-          if (!(joint >= 0 && joint < double(joints)))
-            file_.refuse(where, fmt::format("joint {} of {}", joint, joints));
-          sums[size_t(joint)] += amount;
-        }
-      }
-    }
-    return sums;
-  }
-
-  dmat4 inverseBind(const Json& skin, size_t joint, size_t joints, const std::string& where) {
-    int index = file_.index(skin, "inverseBindMatrices", "accessors", where);
-    if (index < 0) return dmat4(1);
-    Values values = file_.accessor(index, where, {"MAT4"});
-    if (values.count < joints) file_.refuse(where, fmt::format("{} joints have {} matrices", joints, values.count));
-    dmat4 matrix;
-    for (int k = 0; k < 16; ++k) {
-      matrix[k / 4][k % 4] = values.at(joint, k);
-      if (!std::isfinite(values.at(joint, k))) file_.refuse(where, "an inverse bind matrix is not finite");
-    }
-    return matrix;
-  }
-
   // --- the rest ---------------------------------------------------------------------------------------------------
 
   void warnOfUnusedExtensions() {
-    for (const Json& name : all("extensionsUsed")) {
+    for (const Json& name : file_.all("extensionsUsed")) {
       if (!name.is_string()) continue;
       std::string extension = name.get<std::string>();
       bool known = std::find(kSupported.begin(), kSupported.end(), extension) != kSupported.end();
@@ -479,9 +322,8 @@ class Loader {
   void readAttribution() {
     const Json& asset = file_.object(file_.json(), "asset", "");
     scene_.attribution = Json::object();
-    for (const char* key : {"copyright", "extras"}) {
+    for (const char* key : {"copyright", "extras"})
       if (asset.contains(key)) scene_.attribution[key] = asset[key];
-    }
     Path beside = file_.path().parent_path() / "ATTRIBUTION.txt";
     std::error_code missing;
     bool small =

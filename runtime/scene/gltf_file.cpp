@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 
 namespace strobe::scene {
 
@@ -21,29 +22,6 @@ uint32_t word(const std::vector<uint8_t>& bytes, size_t at) {
   return value;
 }
 
-size_t componentSize(int type) {
-  switch (type) {
-    case 5120:
-    case 5121:
-      return 1;
-    case 5122:
-    case 5123:
-      return 2;
-    case 5125:
-    case 5126:
-      return 4;
-  }
-  return 0;
-}
-
-int componentsOf(const std::string& type) {
-  if (type == "SCALAR") return 1;
-  if (type == "VEC2") return 2;
-  if (type == "VEC3") return 3;
-  if (type == "VEC4") return 4;
-  return type == "MAT4" ? 16 : 0;
-}
-
 template <class T>
 double loaded(const uint8_t* at) {
   T value;
@@ -51,20 +29,29 @@ double loaded(const uint8_t* at) {
   return double(value);
 }
 
+// A type of the components of an accessor.
+struct ComponentType {
+  size_t size;
+  double (*load)(const uint8_t*);
+  double largest = 0;  // what a normalised integer is divided by; 0: never normalised
+};
+
+const std::map<int, ComponentType> kComponents = {
+    {5120, {1, loaded<int8_t>, 127}},     {5121, {1, loaded<uint8_t>, 255}}, {5122, {2, loaded<int16_t>, 32767}},
+    {5123, {2, loaded<uint16_t>, 65535}}, {5125, {4, loaded<uint32_t>}},     {5126, {4, loaded<float>}}};
+
+size_t componentSize(int type) { return kComponents.count(type) ? kComponents.at(type).size : 0; }
+
 double component(const uint8_t* at, int type, bool normalized) {
-  switch (type) {
-    case 5120:
-      return normalized ? std::max(loaded<int8_t>(at) / 127, -1.0) : loaded<int8_t>(at);
-    case 5121:
-      return normalized ? loaded<uint8_t>(at) / 255 : loaded<uint8_t>(at);
-    case 5122:
-      return normalized ? std::max(loaded<int16_t>(at) / 32767, -1.0) : loaded<int16_t>(at);
-    case 5123:
-      return normalized ? loaded<uint16_t>(at) / 65535 : loaded<uint16_t>(at);
-    case 5125:
-      return loaded<uint32_t>(at);
-  }
-  return loaded<float>(at);
+  const ComponentType& component = kComponents.at(type);
+  double value = component.load(at);
+  return normalized && component.largest > 0 ? std::max(value / component.largest, -1.0) : value;
+}
+
+int componentsOf(const std::string& type) {
+  static const std::map<std::string, int> counts = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
+  auto found = counts.find(type);
+  return found == counts.end() ? 0 : found->second;
 }
 
 std::optional<std::vector<uint8_t>> fromBase64(std::string_view text) {
@@ -146,7 +133,7 @@ void GltfFile::checkVersion(const std::vector<std::string>& supported) const {
   if (version.empty()) refuse("", "is not a glTF asset: asset.version is missing");
   if (!version.starts_with("2.")) refuse("", fmt::format("is glTF {}, not 2.0", version));
   std::vector<std::string> missing;
-  for (const Json& name : list(json_, "extensionsRequired", "")) {
+  for (const Json& name : all("extensionsRequired")) {
     std::string extension = name.is_string() ? name.get<std::string>() : name.dump();
     if (std::find(supported.begin(), supported.end(), extension) == supported.end()) missing.push_back(extension);
   }
@@ -154,15 +141,14 @@ void GltfFile::checkVersion(const std::vector<std::string>& supported) const {
 }
 
 void GltfFile::readBuffers() {
-  const Json& buffers = list(json_, "buffers", "");
+  const Json& buffers = all("buffers");
   for (size_t i = 0; i < buffers.size(); ++i) {
     std::string where = fmt::format("buffers[{}]", i), uri = text(buffers[i], "uri");
     size_t length = size(buffers[i], "byteLength", std::nullopt, where);
     if (uri.empty() && !(i == 0 && has_binary_chunk_)) refuse(where, "has no uri and there is no binary chunk");
     buffers_.push_back(uri.empty() ? std::move(binary_chunk_) : uriBytes(uri, where));
-    if (buffers_.back().size() < length) {
+    if (buffers_.back().size() < length)
       refuse(where, fmt::format("is cut short: {} of {} bytes", buffers_.back().size(), length));
-    }
     buffers_.back().resize(length);
   }
 }
@@ -186,15 +172,14 @@ std::vector<uint8_t> GltfFile::uriBytes(const std::string& uri, const std::strin
 }
 
 GltfFile::View GltfFile::view(int view_index, const std::string& where) const {
-  const Json& json = list(json_, "bufferViews", "").at(view_index);
+  const Json& json = all("bufferViews").at(view_index);
   std::string name = fmt::format("{}: bufferViews[{}]", where, view_index);
   int buffer = index(json, "buffer", "buffers", name);
   if (buffer < 0) refuse(name, "names no buffer");
   size_t offset = size(json, "byteOffset", 0, name), length = size(json, "byteLength", std::nullopt, name);
   size_t available = buffers_[buffer].size();
-  if (offset > available || length > available - offset) {
+  if (offset > available || length > available - offset)
     refuse(name, fmt::format("{} bytes at {} do not lie in a buffer of {}", length, offset, available));
-  }
   size_t stride = size(json, "byteStride", 0, name);
   if (stride > 252) refuse(name, fmt::format("byteStride is {}, above 252", stride));
   return {buffers_[buffer].data() + offset, length, stride};
@@ -209,21 +194,19 @@ const uint8_t* GltfFile::elements(const Json& json, size_t count, size_t element
   if (stride < element_size)
     refuse(where, fmt::format("byteStride {} is below its element's {}", stride, element_size));
   size_t needed = stride * (count - 1) + element_size;
-  if (offset > source.size || needed > source.size - offset) {
+  if (offset > source.size || needed > source.size - offset)
     refuse(where, fmt::format("{} elements do not lie in its buffer view of {} bytes", count, source.size));
-  }
   return source.data + offset;
 }
 
 Values GltfFile::accessor(int accessor_index, const std::string& asked, const std::vector<std::string>& types) const {
-  const Json& json = list(json_, "accessors", "").at(accessor_index);
+  const Json& json = all("accessors").at(accessor_index);
   std::string where = fmt::format("{}: accessors[{}]", asked, accessor_index), type = text(json, "type");
   int component_type = int(size(json, "componentType", std::nullopt, where));
   size_t component_size = componentSize(component_type);
   if (component_size == 0) refuse(where, fmt::format("componentType {} is unknown", component_type));
-  if (std::find(types.begin(), types.end(), type) == types.end()) {
+  if (std::find(types.begin(), types.end(), type) == types.end())
     refuse(where, fmt::format("type is '{}', not {}", type, fmt::join(types, " or ")));
-  }
   if (type == "MAT4" && component_type != 5126) refuse(where, "is a matrix of integers");
   Values values;
   values.width = componentsOf(type);
@@ -235,11 +218,9 @@ Values GltfFile::accessor(int accessor_index, const std::string& asked, const st
   size_t stride = 0;
   const uint8_t* at = has_view ? elements(json, values.count, component_size * values.width, stride, where) : nullptr;
   values.numbers.assign(values.count * values.width, 0.0);
-  for (size_t i = 0; at && i < values.count; ++i, at += stride) {
-    for (int c = 0; c < values.width; ++c) {
+  for (size_t i = 0; at && i < values.count; ++i, at += stride)
+    for (int c = 0; c < values.width; ++c)
       values.numbers[i * values.width + c] = component(at + c * component_size, component_type, normalized);
-    }
-  }
   if (json.contains("sparse")) applySparse(json, values, component_type, normalized, where + ".sparse");
   return values;
 }
@@ -250,22 +231,19 @@ void GltfFile::applySparse(const Json& accessor, Values& values, int component_t
   size_t count = size(sparse, "count", std::nullopt, where);
   if (count == 0 || count > values.count) refuse(where, fmt::format("count is {} of {}", count, values.count));
   const Json &indices = object(sparse, "indices", where), &replacing = object(sparse, "values", where);
-  for (const Json* part : {&indices, &replacing}) {
+  for (const Json* part : {&indices, &replacing})
     if (index(*part, "bufferView", "bufferViews", where) < 0) refuse(where, "names no bufferView");
-  }
   int index_type = int(size(indices, "componentType", std::nullopt, where));
-  if (index_type != 5121 && index_type != 5123 && index_type != 5125) {
+  if (index_type != 5121 && index_type != 5123 && index_type != 5125)
     refuse(where, fmt::format("indices have componentType {}", index_type));
-  }
   size_t index_stride = 0, stride = 0, width = componentSize(component_type);
   const uint8_t* index_at = elements(indices, count, componentSize(index_type), index_stride, where + ".indices");
   const uint8_t* at = elements(replacing, count, width * values.width, stride, where + ".values");
   double before = -1;
   for (size_t i = 0; i < count; ++i) {
     double element = component(index_at + i * index_stride, index_type, false);
-    if (element <= before || element >= double(values.count)) {
+    if (element <= before || element >= double(values.count))
       refuse(where, fmt::format("index {} is out of order or beyond {}", element, values.count));
-    }
     before = element;
     for (int c = 0; c < values.width; ++c) {
       double number = component(at + i * stride + c * width, component_type, normalized);
@@ -276,15 +254,14 @@ void GltfFile::applySparse(const Json& accessor, Values& values, int component_t
 
 std::vector<uint32_t> GltfFile::indices(int accessor_index, const std::string& where) const {
   Values values = accessor(accessor_index, where, {"SCALAR"});
-  int type = int(size(list(json_, "accessors", "").at(accessor_index), "componentType", std::nullopt, where));
-  if (type != 5121 && type != 5123 && type != 5125) {
+  int type = int(size(all("accessors").at(accessor_index), "componentType", std::nullopt, where));
+  if (type != 5121 && type != 5123 && type != 5125)
     refuse(where, fmt::format("indices have componentType {}, not an unsigned integer", type));
-  }
   return {values.numbers.begin(), values.numbers.end()};
 }
 
 Decoded GltfFile::image(int image_index) const {
-  const Json& json = list(json_, "images", "").at(image_index);
+  const Json& json = all("images").at(image_index);
   std::string where = fmt::format("images[{}]", image_index), uri = text(json, "uri");
   int view_index = index(json, "bufferView", "bufferViews", where);
   if (uri.empty() && view_index < 0) refuse(where, "has neither uri nor bufferView");
@@ -322,7 +299,7 @@ int GltfFile::index(const Json& object, const std::string& key, const std::strin
                     const std::string& where) const {
   if (!object.is_object() || !object.contains(key)) return -1;
   const Json& value = object[key];
-  size_t count = list(json_, list_name, "").size();
+  size_t count = all(list_name).size();
   bool valid = value.is_number_unsigned() && value.get<uint64_t>() < count;
   std::string got = value.is_number() ? value.dump() : value.type_name();
   if (!valid) refuse(where, fmt::format("'{}' is {}, but the file has {} {}", key, got, count, list_name));
@@ -353,6 +330,13 @@ std::vector<double> GltfFile::numbers(const Json& object, const std::string& key
 std::string GltfFile::text(const Json& object, const std::string& key) const {
   if (!object.is_object() || !object.contains(key) || !object[key].is_string()) return "";
   return object[key].get<std::string>();
+}
+
+std::string GltfFile::uniqueName(const Json& object, const std::string& otherwise, std::set<std::string>& taken) const {
+  std::string name = text(object, "name"), free = name.empty() ? otherwise : name;
+  std::string base = free;
+  for (int i = 2; !taken.insert(free).second; ++i) free = fmt::format("{}#{}", base, i);
+  return free;
 }
 
 bool GltfFile::flag(const Json& object, const std::string& key) const {

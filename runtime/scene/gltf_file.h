@@ -3,6 +3,8 @@
 // trusted: every index, size and type is checked before it is used, and what does not hold is refused in one line.
 #pragma once
 
+#include <set>
+
 #include "base/files.h"
 #include "scene/image_decode.h"
 #include "scene/scene.h"
@@ -37,7 +39,8 @@ class GltfFile {
   // Throws: "file: where: text".
   [[noreturn]] void refuse(const std::string& where, const std::string& text) const;
 
-  // Members of JSON objects, checked. A missing list is empty, a missing index -1.
+  // Members of JSON objects, checked. A missing list is empty, a missing index -1. `all`: a list of the file itself.
+  const Json& all(const std::string& key) const { return list(json_, key, ""); }
   const Json& list(const Json& object, const std::string& key, const std::string& where) const;
   const Json& object(const Json& object, const std::string& key, const std::string& where) const;
   // The extension's object, or an empty one; `present` says which.
@@ -47,6 +50,8 @@ class GltfFile {
   std::vector<double> numbers(const Json& object, const std::string& key, std::vector<double> fallback,
                               const std::string& where) const;
   std::string text(const Json& object, const std::string& key) const;
+  // Its name, or `otherwise`, made different from those that are `taken`.
+  std::string uniqueName(const Json& object, const std::string& otherwise, std::set<std::string>& taken) const;
   bool flag(const Json& object, const std::string& key) const;
   size_t size(const Json& object, const std::string& key, std::optional<size_t> fallback,
               const std::string& where) const;

@@ -32,7 +32,7 @@ class MeshReader {
   MeshReader(const GltfFile& file, std::vector<std::string>& warnings) : file_(file), warnings_(warnings) {}
 
   Mesh read(int index, int default_material) {
-    const Json& json = file_.list(file_.json(), "meshes", "").at(index);
+    const Json& json = file_.all("meshes").at(index);
     where_ = fmt::format("meshes[{}]", index);
     Mesh mesh;
     mesh.name = file_.text(json, "name");
@@ -136,11 +136,9 @@ class MeshReader {
     std::vector<uint32_t> listed;
     if (index >= 0) listed = file_.indices(index, where_);
     for (size_t i = 0; index < 0 && i < primitive.positions.size(); ++i) listed.push_back(uint32_t(i));
-    for (uint32_t i : listed) {
-      if (i >= primitive.positions.size()) {
+    for (uint32_t i : listed)
+      if (i >= primitive.positions.size())
         file_.refuse(where_, fmt::format("index {} of {} vertices", i, primitive.positions.size()));
-      }
-    }
     if (mode == 4 && listed.size() % 3 != 0) warn(fmt::format("{} indices are not whole triangles", listed.size()));
     std::vector<uint32_t>& indices = primitive.indices;
     for (size_t i = 0; i + 2 < listed.size(); i += mode == 4 ? 3 : 1) {
@@ -159,13 +157,11 @@ class MeshReader {
                   usable(primitive.positions[all[i + 2]]);
       if (good) kept.insert(kept.end(), {all[i], all[i + 1], all[i + 2]});
     }
-    if (kept.size() != all.size()) {
+    if (kept.size() != all.size())
       warn(fmt::format("{} triangles have positions that are not finite and are left out",
                        (all.size() - kept.size()) / 3));
-    }
-    for (dvec3& p : primitive.positions) {
+    for (dvec3& p : primitive.positions)
       if (!usable(p)) p = dvec3(0);
-    }
     primitive.indices = std::move(kept);
     repairNormals(primitive);
   }
@@ -177,9 +173,8 @@ class MeshReader {
       Vertex& vertex = primitive.vertices[primitive.indices[i]];
       if (vertex.normal == vec3(0)) vertex.normal = facetNormal(primitive, i / 3);
     }
-    for (Vertex& vertex : primitive.vertices) {
+    for (Vertex& vertex : primitive.vertices)
       if (vertex.normal == vec3(0)) vertex.normal = vec3(0, 1, 0);
-    }
   }
 
   static vec3 facetNormal(const Primitive& primitive, size_t triangle) {
@@ -206,18 +201,13 @@ class MeshReader {
   }
 
   static void recentre(std::vector<Primitive>& primitives, Mesh& mesh) {
-    dvec3 low(HUGE_VAL), high(-HUGE_VAL);
-    for (const Primitive& primitive : primitives) {
-      for (uint32_t i : primitive.indices) {
-        low = glm::min(low, primitive.positions[i]);
-        high = glm::max(high, primitive.positions[i]);
-      }
-    }
-    if (low.x <= high.x) mesh.origin = originFor(low, high);
+    Bounds bounds;
+    for (const Primitive& primitive : primitives)
+      for (uint32_t i : primitive.indices) bounds.add(primitive.positions[i]);
+    mesh.origin = originFor(bounds);
     for (Primitive& primitive : primitives) {
-      for (size_t i = 0; i < primitive.vertices.size(); ++i) {
+      for (size_t i = 0; i < primitive.vertices.size(); ++i)
         primitive.vertices[i].position = vec3(primitive.positions[i] - mesh.origin);
-      }
       mesh.geometries.push_back({std::move(primitive.vertices), std::move(primitive.indices), primitive.material});
     }
   }

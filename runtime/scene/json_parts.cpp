@@ -118,9 +118,8 @@ static Shape readTube(Fields& f) {
   double flatten = f.number("flatten", 1, 1e-3, 1);
   dvec3 up = f.vector3("up", dvec3(0, 1, 0));
   if (glm::length(up) == 0) f.problem("'up' is 0, 0, 0");
-  for (size_t i = 1; i < path.size(); ++i) {
+  for (size_t i = 1; i < path.size(); ++i)
     if (path[i] == path[i - 1]) f.problem(fmt::format("'path' repeats its point {}", i + 1));
-  }
   return path.empty() || radii.empty() || glm::length(up) == 0 ? Shape()
                                                                : tube(path, radii, segments, smooth, flatten, up);
 }
@@ -194,9 +193,8 @@ Shape readShape(const Json& json, const Place& place, Problems& problems) {
 static Texture readTexels(Fields& f) {
   int width = f.integer("width", std::nullopt, 1, 16384), height = f.integer("height", 1, 1, 16384);
   std::vector<vec4> texels;
-  for (const auto& row : f.rows("texels", 3, 1, size_t(1) << 24, 4, 3.4e38)) {
+  for (const auto& row : f.rows("texels", 3, 1, size_t(1) << 24, 4, 3.4e38))
     texels.push_back(vec4(row[0], row[1], row[2], row.size() > 3 ? row[3] : 1));
-  }
   if (texels.size() != size_t(width) * height) {
     f.problem(fmt::format("{} texels do not fill {} x {}", texels.size(), width, height));
     return {};
@@ -219,9 +217,8 @@ static Texture readPattern(Fields& f, const std::string& type, bool painted) {
   if (count && count->is_number()) pattern.count = dvec2(f.number("count", 8, 0, 4096));
   else pattern.count = f.vector2("count", dvec2(8), 0, 4096);
   pattern.widths = f.numbers("widths", 0, 64);
-  for (double width : pattern.widths) {
+  for (double width : pattern.widths)
     if (width <= 0) f.problem(fmt::format("'widths' has {}; widths are positive", width));
-  }
   pattern.amount = f.number("amount", 0.5, 0, 1);
   pattern.line = f.number("line", 0.06, 0, 1);
   pattern.seed = f.integer("seed", 1, 0, 1000000);

@@ -29,9 +29,8 @@ class Builder {
     if (const Json* shot = fields.find("shot")) checkShot(*shot, fields.place());
     if (const Json* environment = fields.find("environment")) readEnvironment(*environment, fields.place());
     if (const Json* nodes = fields.need("nodes")) readNodes(*nodes, -1, fields, 0);
-    if (const Json* animations = fields.find("animations")) {
+    if (const Json* animations = fields.find("animations"))
       for (const Json& animation : listIn(*animations, "animations", fields)) readAnimation(animation, fields.place());
-    }
     fields.finish();
     problems_.throwIfAny();
     return std::move(scene_);
@@ -137,9 +136,8 @@ class Builder {
 
     std::vector<Part> made;
     if (shape) made.push_back({readShape(*shape, fields.place(), problems_), materialIndex(material, fields.place())});
-    if (parts) {
+    if (parts)
       for (const Json& part : listIn(json["parts"], "parts", fields)) made.push_back(readPart(part, fields.place()));
-    }
     for (const Part& part : made) vertices_ += part.shape.points.size();
     if (vertices_ > kMostVertices) {
       fields.problem(fmt::format("the scene has more than {} vertices", kMostVertices));
@@ -229,9 +227,8 @@ class Builder {
     Animation animation;
     animation.name = fields.text("name", std::nullopt);
     const Json* tracks = fields.need("tracks");
-    if (tracks) {
+    if (tracks)
       for (const Json& track : listIn(*tracks, "tracks", fields)) readTrack(track, fields.place(), animation);
-    }
     animation.duration = fields.number("duration", animation.duration, animation.duration);
     fields.finish();
     scene_.animations.push_back(std::move(animation));
@@ -255,19 +252,16 @@ class Builder {
                                           : Track::Interpolation::CubicSpline;
     track.times = fields.numbers("times", 1, 100000);
     size_t components = target == "rotation" ? 4 : 3;
-    for (const auto& row : fields.rows("values", components, 1, 300000)) {
+    for (const auto& row : fields.rows("values", components, 1, 300000))
       track.values.push_back(dvec4(row[0], row[1], row[2], components == 4 ? row[3] : 0));
-    }
     fields.finish();
     if (track.times.empty()) return;  // reported as missing
-    for (size_t i = 1; i < track.times.size(); ++i) {
+    for (size_t i = 1; i < track.times.size(); ++i)
       if (!(track.times[i] > track.times[i - 1])) return fields.problem("'times' do not increase");
-    }
     size_t wanted = track.times.size() * (how == "cubic" ? 3 : 1);
-    if (track.values.size() != wanted) {
+    if (track.values.size() != wanted)
       return fields.problem(
           fmt::format("{} times need {} values, got {}", track.times.size(), wanted, track.values.size()));
-    }
     animation.duration = std::max(animation.duration, track.times.back());
     animation.tracks.push_back(std::move(track));
   }

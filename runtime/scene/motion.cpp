@@ -15,7 +15,8 @@ dmat4 Transform::matrix() const {
   return matrix;
 }
 
-dmat4 restMatrix(const Node& node) {
+// The node's own transform at rest.
+static dmat4 restMatrix(const Node& node) {
   if (node.matrix) return *node.matrix;
   return Transform{node.translation, node.rotation, node.scale}.matrix();
 }
@@ -51,9 +52,8 @@ dvec4 valueAt(const Track& track, double time_s) {
   size_t after = std::upper_bound(track.times.begin(), track.times.end(), time_s) - track.times.begin();
   if (after == 0) return unitIfRotation(track, value(0));
   size_t key = after - 1;
-  if (after == track.times.size() || track.interpolation == Track::Interpolation::Step) {
+  if (after == track.times.size() || track.interpolation == Track::Interpolation::Step)
     return unitIfRotation(track, value(key));
-  }
   double length = track.times[after] - track.times[key];
   double t = (time_s - track.times[key]) / length;
   if (cubic) {
@@ -75,9 +75,8 @@ std::vector<int> hierarchyOrder(const Scene& scene) {
   for (size_t start = 0; start < scene.nodes.size(); ++start) {
     for (int node = int(start); node >= 0 && state[node] != Done; node = scene.nodes[node].parent) {
       STROBE_ASSERT(scene.nodes[node].parent < int(scene.nodes.size()), "node {}", node);
-      if (state[node] == Open) {
+      if (state[node] == Open)
         throw Error(fmt::format("{}: node '{}' is its own ancestor", scene.name, scene.nodes[node].name));
-      }
       state[node] = Open;
       chain.push_back(node);
     }
@@ -89,22 +88,18 @@ std::vector<int> hierarchyOrder(const Scene& scene) {
   return order;
 }
 
-static std::vector<dmat4> worldsOf(const Scene& scene, const std::vector<int>& order, const std::vector<dmat4>& own) {
-  std::vector<dmat4> worlds(own.size());
-  for (int node : order) {
+std::vector<dmat4> restWorlds(const Scene& scene) {
+  std::vector<dmat4> worlds(scene.nodes.size());
+  for (int node : hierarchyOrder(scene)) {
     int parent = scene.nodes[node].parent;
-    worlds[node] = parent < 0 ? own[node] : worlds[parent] * own[node];
+    dmat4 own = restMatrix(scene.nodes[node]);
+    worlds[node] = parent < 0 ? own : worlds[parent] * own;
   }
   return worlds;
 }
 
-std::vector<dmat4> restWorlds(const Scene& scene) {
-  std::vector<dmat4> own;
-  for (const Node& node : scene.nodes) own.push_back(restMatrix(node));
-  return worldsOf(scene, hierarchyOrder(scene), own);
-}
-
-dmat4 movedBy(const ConstantMotion& motion, const dmat4& world, double time_s) {
+// `world` after the motion.
+static dmat4 movedBy(const ConstantMotion& motion, const dmat4& world, double time_s) {
   double elapsed_s = time_s - motion.rest_time;
   dvec3 pivot = dvec3(world[3]);
   dmat4 moved = world;
@@ -133,9 +128,8 @@ std::vector<Instance> instancesOf(const Scene& scene) {
 
 std::vector<int> lightsOf(const Scene& scene) {
   std::vector<int> lights;
-  for (size_t i = 0; i < scene.nodes.size(); ++i) {
+  for (size_t i = 0; i < scene.nodes.size(); ++i)
     if (scene.nodes[i].light >= 0) lights.push_back(int(i));
-  }
   return lights;
 }
 
@@ -177,17 +171,8 @@ Poser::Poser(const Scene& scene, int camera_node, const std::string& animation)
 
 static void applyTrack(const Track& track, double time_s, Transform& transform) {
   dvec4 value = valueAt(track, time_s);
-  switch (track.target) {
-    case Track::Target::Translation:
-      transform.translation = dvec3(value);
-      break;
-    case Track::Target::Rotation:
-      transform.rotation = quaternion(value);
-      break;
-    case Track::Target::Scale:
-      transform.scale = dvec3(value);
-      break;
-  }
+  if (track.target == Track::Target::Rotation) transform.rotation = quaternion(value);
+  else (track.target == Track::Target::Scale ? transform.scale : transform.translation) = dvec3(value);
 }
 
 std::vector<dmat4> Poser::nodesAt(double time_s, double held_time_s) const {

@@ -15,9 +15,6 @@ struct Transform {
   dmat4 matrix() const;
 };
 
-// The node's own transform at rest.
-dmat4 restMatrix(const Node& node);
-
 // A track's value at `time_s` by its own interpolation (rotations: unit quaternions xyzw); the first and the last key
 // hold outside of them. STEP keeps a key's value until the next key's very time.
 dvec4 valueAt(const Track& track, double time_s);
@@ -30,9 +27,6 @@ std::vector<int> hierarchyOrder(const Scene& scene);
 
 // World from node at rest, of every node.
 std::vector<dmat4> restWorlds(const Scene& scene);
-
-// `moving` times `world`: the constant motion applied `elapsed` = time_s - rest_time seconds after rest.
-dmat4 movedBy(const ConstantMotion& motion, const dmat4& world, double time_s);
 
 // The index of the node called `name`. Throws `Error` with the nearest name.
 int nodeByName(const Scene& scene, const std::string& name);

@@ -34,9 +34,8 @@ static Asked parse(const Scene& scene, const std::string& text, const std::strin
     numbers.push_back(*number);
     at = comma + 1;
   }
-  if (numbers.size() != count) {
+  if (numbers.size() != count)
     throw Error(fmt::format("'{}' has {} numbers, not {}: {}", text, numbers.size(), count, form), {}, 2);
-  }
   return {nodeByName(scene, text.substr(0, equals)), numbers};
 }
 

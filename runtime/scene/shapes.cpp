@@ -19,9 +19,8 @@ struct GridWriter {
   template <class PointAt>
   void write(int nu, int nv, PointAt point_at) {
     uint32_t base = uint32_t(shape.points.size());
-    for (int v = 0; v <= nv; ++v) {
+    for (int v = 0; v <= nv; ++v)
       for (int u = 0; u <= nu; ++u) shape.points.push_back(point_at(u, v));
-    }
     auto index = [&](int u, int v) { return base + uint32_t(v * (nu + 1) + u); };
     for (int v = 0; v < nv; ++v) {
       for (int u = 0; u < nu; ++u) {
@@ -226,6 +225,19 @@ Shape tube(const std::vector<dvec3>& given, const std::vector<double>& given_rad
   return shape;
 }
 
+// Normals that are the area-weighted mean of the triangles around each position (points at one position share them).
+static void smoothNormals(Shape& shape) {
+  std::map<std::tuple<double, double, double>, dvec3> sums;
+  auto key = [](const dvec3& p) { return std::make_tuple(p.x + 0.0, p.y + 0.0, p.z + 0.0); };
+  for (size_t i = 0; i + 2 < shape.indices.size(); i += 3) {
+    dvec3 corner[3];
+    for (int k = 0; k < 3; ++k) corner[k] = shape.points[shape.indices[i + k]].position;
+    dvec3 weighted = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+    for (const dvec3& p : corner) sums[key(p)] += weighted;
+  }
+  for (Shape::Point& point : shape.points) point.normal = unitOr(sums[key(point.position)], point.normal);
+}
+
 // Front and back sheets of a shell over the same grid, joined along the rim: `front` and `back` take (u, v) in 0..1.
 template <class Front, class Back>
 static Shape shell(ivec2 segments, Front front, Back back) {
@@ -300,26 +312,14 @@ Shape transformed(Shape shape, const dmat4& matrix) {
     point.position = dvec3(matrix * dvec4(point.position, 1));
     point.normal = unitOr(for_normals * point.normal, point.normal);
   }
-  if (glm::determinant(linear) < 0) {
+  if (glm::determinant(linear) < 0)
     for (size_t i = 0; i + 2 < shape.indices.size(); i += 3) std::swap(shape.indices[i + 1], shape.indices[i + 2]);
-  }
   return shape;
 }
 
-void smoothNormals(Shape& shape) {
-  std::map<std::tuple<double, double, double>, dvec3> sums;
-  auto key = [](const dvec3& p) { return std::make_tuple(p.x + 0.0, p.y + 0.0, p.z + 0.0); };
-  for (size_t i = 0; i + 2 < shape.indices.size(); i += 3) {
-    dvec3 corner[3];
-    for (int k = 0; k < 3; ++k) corner[k] = shape.points[shape.indices[i + k]].position;
-    dvec3 weighted = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
-    for (const dvec3& p : corner) sums[key(p)] += weighted;
-  }
-  for (Shape::Point& point : shape.points) point.normal = unitOr(sums[key(point.position)], point.normal);
-}
-
-dvec3 originFor(dvec3 low, dvec3 high) {
-  dvec3 extent = high - low, middle = (low + high) * 0.5;
+dvec3 originFor(const Bounds& bounds) {
+  if (bounds.empty()) return dvec3(0);
+  dvec3 extent = bounds.high - bounds.low, middle = bounds.middle();
   double largest = std::max({extent.x, extent.y, extent.z});
   if (!(largest > 0) || !std::isfinite(largest)) return glm::all(glm::equal(middle, middle)) ? middle : dvec3(0);
   double grid = std::exp2(std::ceil(std::log2(largest)) - 8);
@@ -329,14 +329,10 @@ dvec3 originFor(dvec3 low, dvec3 high) {
 Mesh meshOf(const std::string& name, const std::vector<Part>& parts) {
   Mesh mesh;
   mesh.name = name;
-  dvec3 low(HUGE_VAL), high(-HUGE_VAL);
-  for (const Part& part : parts) {
-    for (const Shape::Point& point : part.shape.points) {
-      low = glm::min(low, point.position);
-      high = glm::max(high, point.position);
-    }
-  }
-  if (low.x <= high.x) mesh.origin = originFor(low, high);
+  Bounds bounds;
+  for (const Part& part : parts)
+    for (const Shape::Point& point : part.shape.points) bounds.add(point.position);
+  mesh.origin = originFor(bounds);
   for (const Part& part : parts) {
     Geometry geometry;
     geometry.material = part.material;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "math/bounds.h"
 #include "scene/scene.h"
 
 namespace strobe::scene {
@@ -62,9 +63,6 @@ Shape triangles(const std::vector<dvec3>& positions, const std::vector<dvec3>& n
 // Points moved by `matrix` and normals by its inverse transpose; a mirroring matrix turns the winding.
 Shape transformed(Shape shape, const dmat4& matrix);
 
-// Normals that are the area-weighted mean of the triangles around each position (points at one position share them).
-void smoothNormals(Shape& shape);
-
 // The mesh of several parts, with positions relative to its `origin`: the middle of its bounds, on a grid fine enough
 // to be near and coarse enough that subtracting it is exact in single precision but for the last bits.
 struct Part {
@@ -73,8 +71,8 @@ struct Part {
 };
 Mesh meshOf(const std::string& name, const std::vector<Part>& parts);
 
-// The middle of the bounds `low`..`high` on that grid.
-dvec3 originFor(dvec3 low, dvec3 high);
+// The middle of the bounds on that grid; 0 of empty ones.
+dvec3 originFor(const Bounds& bounds);
 
 // Catmull-Rom through the points (ends repeated), `steps` per span.
 template <class Vector>

@@ -138,11 +138,9 @@ Texture paint(int width, int height, int samples, const std::function<vec4(dvec2
   std::vector<vec4> texels(size_t(width) * height);
   auto texel = [&](int x, int y) {
     vec4 sum(0);
-    for (int j = 0; j < samples; ++j) {
-      for (int i = 0; i < samples; ++i) {
+    for (int j = 0; j < samples; ++j)
+      for (int i = 0; i < samples; ++i)
         sum += color_at({(x + (i + 0.5) / samples) / width, (y + (j + 0.5) / samples) / height});
-      }
-    }
     return sum / float(samples * samples);
   };
   // Rows are dealt to threads; each texel is the same whoever paints it.
@@ -150,9 +148,8 @@ Texture paint(int width, int height, int samples, const std::function<vec4(dvec2
   std::vector<std::jthread> threads;
   for (unsigned k = 0; k < count; ++k) {
     threads.emplace_back([&, k] {
-      for (int y = int(k); y < height; y += int(count)) {
+      for (int y = int(k); y < height; y += int(count))
         for (int x = 0; x < width; ++x) texels[size_t(y) * width + x] = texel(x, y);
-      }
     });
   }
   threads.clear();

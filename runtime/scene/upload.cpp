@@ -45,12 +45,9 @@ GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slice
 }
 
 static Bounds ownBounds(const Mesh& mesh) {
-  Bounds bounds{dvec3(HUGE_VAL), dvec3(-HUGE_VAL)};
+  Bounds bounds;
   for (const Geometry& geometry : mesh.geometries)
-    for (const Vertex& vertex : geometry.vertices) {
-      bounds.low = glm::min(bounds.low, dvec3(vertex.position));
-      bounds.high = glm::max(bounds.high, dvec3(vertex.position));
-    }
+    for (const Vertex& vertex : geometry.vertices) bounds.add(dvec3(vertex.position));
   return bounds;
 }
 
@@ -117,29 +114,11 @@ void GpuScene::uploadMaterials(const Scene& scene) {
   materials_ = uploadArray(device_, "scene.materials", materials, kStorage);
 }
 
-static VkFormat vulkanFormat(Texture::Format format) {
-  switch (format) {
-    case Texture::Format::Rgba8Srgb:
-      return VK_FORMAT_R8G8B8A8_SRGB;
-    case Texture::Format::Rgba8Unorm:
-      return VK_FORMAT_R8G8B8A8_UNORM;
-    case Texture::Format::Rgba32f:
-      return VK_FORMAT_R32G32B32A32_SFLOAT;
-  }
-  return VK_FORMAT_UNDEFINED;
-}
-
-static VkSamplerAddressMode vulkanWrap(Texture::Wrap wrap) {
-  switch (wrap) {
-    case Texture::Wrap::Repeat:
-      return VK_SAMPLER_ADDRESS_MODE_REPEAT;
-    case Texture::Wrap::Mirror:
-      return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
-    case Texture::Wrap::Clamp:
-      return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-  }
-  return VK_SAMPLER_ADDRESS_MODE_REPEAT;
-}
+// In the order of Texture::Format and Texture::Wrap.
+static constexpr VkFormat kFormats[] = {VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_R8G8B8A8_UNORM,
+                                        VK_FORMAT_R32G32B32A32_SFLOAT};
+static constexpr VkSamplerAddressMode kWraps[] = {
+    VK_SAMPLER_ADDRESS_MODE_REPEAT, VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE};
 
 void GpuScene::uploadTextures(const Scene& scene) {
   // A white texel stands in where a scene has none, so that the array is never empty.
@@ -152,13 +131,13 @@ void GpuScene::uploadTextures(const Scene& scene) {
   if (sources.empty()) sources.push_back(&white);
   for (const Texture* source : sources) {
     gpu::ImageDesc desc;
-    desc.format = vulkanFormat(source->format);
+    desc.format = kFormats[int(source->format)];
     desc.width = uint32_t(source->width);
     desc.height = uint32_t(source->height);
     desc.levels = uint32_t(source->levels.size());
     textures_.push_back(gpu::uploadImage(device_, "scene.texture." + source->name, desc, source->levels));
     samplers_.push_back(gpu::makeSampler(device_, "scene.sampler." + source->name,
-                                         {!source->nearest, vulkanWrap(source->wrap_u), vulkanWrap(source->wrap_v)}));
+                                         {!source->nearest, kWraps[int(source->wrap_u)], kWraps[int(source->wrap_v)]}));
   }
 }
 
@@ -236,10 +215,9 @@ double GpuScene::depthRange(const Pose& pose, const Camera& camera) const {
   for (size_t i = 0; i < instances_.size() && camera.orthographic; ++i) {
     const Bounds& bounds = mesh_bounds_[size_t(instances_[i].mesh)];
     if (bounds.empty()) continue;
-    for (int corner = 0; corner < 8; ++corner) {
-      dvec3 at(corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
-               corner & 4 ? bounds.high.z : bounds.low.z);
-      farthest = std::max(farthest, glm::dot(eye - dvec3(pose.world_from_instance[i] * dvec4(at, 1)), back));
+    for (int k = 0; k < 8; ++k) {
+      dvec3 corner(pose.world_from_instance[i] * dvec4(bounds.corner(k), 1));
+      farthest = std::max(farthest, glm::dot(eye - corner, back));
     }
   }
   return std::max(least, 1.001 * (farthest - camera.near));

@@ -8,7 +8,7 @@
 
 #include "gpu/acceleration.h"
 #include "gpu/pipeline.h"
-#include "scene/defaults.h"
+#include "math/bounds.h"
 #include "scene/scene.h"
 #include "shared/frame.h"
 #include "shared/scene.h"

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// A box along the axes.
+#pragma once
+
+#include <cmath>
+
+#include "math/geometry.h"
+
+namespace strobe {
+
+// Grows around the points that are added; empty before the first.
+struct Bounds {
+  dvec3 low = dvec3(HUGE_VAL), high = dvec3(-HUGE_VAL);
+
+  void add(const dvec3& point) {
+    low = glm::min(low, point);
+    high = glm::max(high, point);
+  }
+  void add(const Bounds& other) {
+    low = glm::min(low, other.low);
+    high = glm::max(high, other.high);
+  }
+  bool empty() const { return !(low.x <= high.x); }
+  dvec3 middle() const { return (low + high) * 0.5; }
+  double radius() const { return glm::length(high - low) * 0.5; }
+  // One of eight.
+  dvec3 corner(int i) const { return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z}; }
+};
+
+}  // namespace strobe
