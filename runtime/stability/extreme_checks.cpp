@@ -142,57 +142,44 @@ void readExact(Fields& fields, ExtremeCheck& check, size_t channels) {
   if (check.exact.size() != count) fields.problem(fmt::format("'exact' has {} of {}", check.exact.size(), count));
 }
 
+void readPixel(Fields& fields, ExtremeCheck& check) {
+  std::vector<double> pixel = fields.numbers("pixel", 2, 2);
+  if (pixel.size() == 2) check.pixel = {int(pixel[0]), int(pixel[1])};
+}
+
+// A number that checks read, and where it goes.
+struct Number {
+  double ExtremeCheck::*member;
+  double min = -1e9, max = 1e9;
+};
+const std::map<std::string, Number> kNumbers = {
+    {"low", {&ExtremeCheck::low}},           {"high", {&ExtremeCheck::high}},
+    {"value", {&ExtremeCheck::value}},       {"tolerance", {&ExtremeCheck::tolerance, 0}},
+    {"share", {&ExtremeCheck::share, 0, 1}}, {"tolerance_px", {&ExtremeCheck::tolerance_px, 0}}};
+
+// What a check reads besides its shot.
 struct Kind {
   void (*holds)(Probe&, const ExtremeCheck&);
-  const char* other;  // key of another shot, or ""
-  void (*read)(Fields&, ExtremeCheck&);
+  std::vector<std::string> numbers;
+  const char* text = "";  // key of a text
+  bool text_needed = true;
+  size_t channels = 0;     // of "exact"
+  const char* other = "";  // key of another shot
+  bool other_needed = false;
 };
 
 const std::map<std::string, Kind>& kinds() {
-  static const auto only_text = [](Fields& f, ExtremeCheck& check) { check.text = f.text("text", std::nullopt); };
   static const std::map<std::string, Kind> table = {
-      {"draws", {drawn, "", [](Fields&, ExtremeCheck&) {}}},
-      {"as_captured",
-       {asCaptured, "of", [](Fields& f, ExtremeCheck& check) { check.pixels = f.integer("pixels", 0, 0, 1 << 20); }}},
-      {"within",
-       {within, "",
-        [](Fields& f, ExtremeCheck& check) {
-          check.low = f.number("low", std::nullopt);
-          check.high = f.number("high", std::nullopt);
-          check.text = f.text("unless");
-        }}},
-      {"nearer", {nearer, "", [](Fields&, ExtremeCheck&) {}}},
-      {"same",
-       {same, "other",
-        [](Fields& f, ExtremeCheck& check) {
-          check.tolerance = f.number("tolerance", std::nullopt, 0);
-          check.share = f.number("share", std::nullopt, 0, 1);
-          if (!check.other) f.problem("needs 'other'");
-        }}},
-      {"displacement",
-       {displaced, "",
-        [](Fields& f, ExtremeCheck& check) {
-          check.share = f.number("share", std::nullopt, 0, 1);
-          check.tolerance_px = f.number("tolerance_px", std::nullopt, 0);
-          readExact(f, check, 2);
-        }}},
-      {"truth",
-       {exactTruth, "",
-        [](Fields& f, ExtremeCheck& check) {
-          check.tolerance = f.number("tolerance", std::nullopt, 0);
-          readExact(f, check, 1);
-        }}},
-      {"sharp_at",
-       {sharpAt, "",
-        [](Fields& f, ExtremeCheck& check) {
-          std::vector<double> pixel = f.numbers("pixel", 2, 2);
-          if (pixel.size() == 2) check.pixel = {int(pixel[0]), int(pixel[1])};
-          check.value = f.number("value", std::nullopt);
-          check.tolerance = f.number("tolerance", std::nullopt, 0);
-        }}},
-      {"warns", {warns, "", only_text}},
-      {"silent", {silent, "", only_text}},
-  };
+      {"draws", {drawn, {}}},
+      {"as_captured", {.holds = asCaptured, .other = "of"}},
+      {"within", {.holds = within, .numbers = {"low", "high"}, .text = "unless", .text_needed = false}},
+      {"nearer", {nearer, {}}},
+      {"same", {.holds = same, .numbers = {"tolerance", "share"}, .other = "other", .other_needed = true}},
+      {"displacement", {.holds = displaced, .numbers = {"share", "tolerance_px"}, .channels = 2}},
+      {"truth", {.holds = exactTruth, .numbers = {"tolerance"}, .channels = 1}},
+      {"sharp_at", {.holds = sharpAt, .numbers = {"value", "tolerance"}}},
+      {"warns", {.holds = warns, .text = "text"}},
+      {"silent", {.holds = silent, .text = "text"}}};
   return table;
 }
 
@@ -222,7 +209,15 @@ ExtremeCheck readCheck(const Json& json, const std::string& what, const Place& p
   if (const Json* shot = fields.need("shot")) check.shot = readShot(*shot, what + ": shot", place, problems);
   if (*kind.other && fields.has(kind.other))
     check.other = readShot(*fields.find(kind.other), what + ": " + kind.other, place, problems);
-  kind.read(fields, check);
+  if (kind.other_needed && !check.other) fields.problem(fmt::format("needs '{}'", kind.other));
+  for (const std::string& key : kind.numbers) {
+    const Number& number = kNumbers.at(key);
+    check.*number.member = fields.number(key, std::nullopt, number.min, number.max);
+  }
+  if (*kind.text) check.text = kind.text_needed ? fields.text(kind.text, std::nullopt) : fields.text(kind.text);
+  if (kind.channels) readExact(fields, check, kind.channels);
+  if (kind.holds == asCaptured) check.pixels = fields.integer("pixels", 0, 0, 1 << 20);
+  if (kind.holds == sharpAt) readPixel(fields, check);
   fields.finish();
   return check;
 }
