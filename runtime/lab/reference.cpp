@@ -9,6 +9,7 @@
 
 #include "base/utf8.h"
 #include "lab/limits.h"
+#include "lab/shot.h"
 #include "page/table.h"
 #include "script/evaluate.h"
 
@@ -21,7 +22,6 @@ using plan::ParamDesc;
 using plan::PassDesc;
 using plan::PipelineDesc;
 using plan::PortDesc;
-using plan::Value;
 
 const char* const kNote =
     "<!-- Written by `strobe help --write docs/reference` from the declarations; edit those. -->\n\n";
@@ -34,6 +34,14 @@ std::string code(const std::string& text) { return "`" + text + "`"; }
 std::string tableText(const Table& table) {
   std::string text = page::markdownOf(page::withoutEmptyColumns(table));
   return text.empty() ? "" : text + "\n";
+}
+
+// A row for each entry of a list.
+template <class List, class RowOf>
+std::string tableText(std::vector<page::Column> columns, const List& list, RowOf rowOf) {
+  Table table{"", std::move(columns)};
+  for (const auto& entry : list) table.add(rowOf(entry));
+  return tableText(table);
 }
 
 // Begins with a capital and ends in a full stop.
@@ -50,25 +58,9 @@ std::string section(const std::string& title, const std::string& text) {
 
 // --- Parameters
 
-std::string shown(const Value& value) {
-  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
-  if (const auto* whole = std::get_if<int64_t>(&value)) return fmt::format("{}", *whole);
-  if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
-  return std::get<std::string>(value);
-}
-
 const char* typeName(ParamDesc::Type type) {
-  switch (type) {
-    case ParamDesc::Type::Bool:
-      return "bool";
-    case ParamDesc::Type::Int:
-      return "int";
-    case ParamDesc::Type::Float:
-      return "float";
-    case ParamDesc::Type::Choice:
-      return "choice";
-  }
-  return "";
+  static const char* const names[] = {"bool", "int", "float", "choice"};
+  return names[int(type)];
 }
 
 std::string rangeOf(const ParamDesc& param) {
@@ -87,11 +79,16 @@ std::string paramInGlsl(const ParamDesc& param) {
 }
 
 std::string paramTable(const std::vector<ParamDesc>& params, bool in_glsl) {
-  Table table{"", {"name", "type", "default", "range", "unit", "what it sets", "in GLSL"}};
-  for (const ParamDesc& param : params)
-    table.add({code(param.name), typeName(param.type), shown(param.default_value), rangeOf(param), param.unit,
-               param.doc, in_glsl ? paramInGlsl(param) : ""});
-  return tableText(table);
+  return tableText({"name", "type", "default", "range", "unit", "what it sets", "in GLSL"}, params,
+                   [&](const ParamDesc& param) -> page::Row {
+                     return {code(param.name),
+                             typeName(param.type),
+                             plainText(param.default_value),
+                             rangeOf(param),
+                             param.unit,
+                             param.doc,
+                             in_glsl ? paramInGlsl(param) : ""};
+                   });
 }
 
 // The described choices, in the order of the choices. `link` gives the page of a choice that is a pass, or "".
@@ -134,26 +131,14 @@ std::string paramsText(const std::vector<ParamDesc>& params, bool in_glsl, const
 // --- Passes
 
 std::string kindText(const PassDesc& pass) {
-  switch (pass.kind) {
-    case PassDesc::Kind::Raster:
-      return "A raster pass: draws the scene's triangles";
-    case PassDesc::Kind::Trace:
-      return "A trace pass: sends rays from every pixel";
-    case PassDesc::Kind::Compute:
-      break;
-  }
+  if (pass.kind == PassDesc::Kind::Raster) return "A raster pass: draws the scene's triangles";
+  if (pass.kind == PassDesc::Kind::Trace) return "A trace pass: sends rays from every pixel";
   return pass.scene ? "A compute pass that sees the scene" : "A compute pass";
 }
 
 std::string sizeText(const plan::SizeDesc& size) {
-  switch (size.kind) {
-    case plan::SizeDesc::Kind::Frame:
-      return "as large as the frame";
-    case plan::SizeDesc::Kind::Fixed:
-      return fmt::format("{} x {} pixels large", size.width, size.height);
-    case plan::SizeDesc::Kind::Port:
-      break;
-  }
+  if (size.kind == plan::SizeDesc::Kind::Frame) return "as large as the frame";
+  if (size.kind == plan::SizeDesc::Kind::Fixed) return fmt::format("{} x {} pixels large", size.width, size.height);
   std::string divided = size.divide.empty() ? "" : fmt::format(" divided by `{}`, rounded up", size.divide);
   return fmt::format("as large as `{}`{}", size.port, divided);
 }
@@ -196,19 +181,19 @@ std::string formatText(const PortDesc& port) {
 }
 
 std::string outputsText(const PassDesc& pass, const std::vector<PortDesc>& ports, bool updated) {
-  Table table{"", {"name", "format", "what it is", "", "in GLSL"}};
-  for (const PortDesc& port : ports)
-    table.add({code(port.name), formatText(port), port.doc, port.history ? "kept from frame to frame" : "",
-               outputInGlsl(pass, port, updated)});
-  return tableText(table);
+  return tableText({"name", "format", "what it is", "", "in GLSL"}, ports, [&](const PortDesc& port) -> page::Row {
+    return {code(port.name), formatText(port), port.doc, port.history ? "kept from frame to frame" : "",
+            outputInGlsl(pass, port, updated)};
+  });
 }
 
 std::string countersText(const PassDesc& pass) {
-  Table table{"", {"name", "what it counts", "where it is not 0", "in GLSL"}};
-  for (const auto& counter : pass.counters)
-    table.add({code(counter.name), counter.doc, counter.limit.empty() ? "" : "a warning: " + counter.limit,
-               code(fmt::format("count_{}(n)", counter.name))});
-  return tableText(table);
+  return tableText({"name", "what it counts", "where it is not 0", "in GLSL"}, pass.counters,
+                   [](const plan::CounterDesc& counter) -> page::Row {
+                     return {code(counter.name), counter.doc,
+                             counter.limit.empty() ? "" : "a warning: " + counter.limit,
+                             code(fmt::format("count_{}(n)", counter.name))};
+                   });
 }
 
 // "tile/largest" of passes/tile/largest.lua.
@@ -231,6 +216,8 @@ std::vector<PassDesc> allPasses(const Home& home) {
 
 // --- Pipelines
 
+using Presets = std::vector<std::pair<std::string, PipelineDesc>>;
+
 Presets presetsOf(const Home& home, const PipelineDesc& pipeline) {
   Presets presets;
   for (const plan::PresetDesc& preset : pipeline.presets)
@@ -239,19 +226,12 @@ Presets presetsOf(const Home& home, const PipelineDesc& pipeline) {
   return presets;
 }
 
-std::string valueIn(const PipelineDesc& pipeline, const std::string& name) {
-  for (const auto& [other, value] : pipeline.values)
-    if (other == name) return shown(value);
-  return "";
-}
-
 // What each preset is for.
 std::string presetList(const PipelineDesc& pipeline) {
-  if (pipeline.presets.empty()) return "";
-  Table table{"", {"`--set preset=`", "what it is", ""}};
-  for (const plan::PresetDesc& preset : pipeline.presets)
-    table.add({code(preset.name), preset.doc, preset.is_default ? "the default" : ""});
-  return tableText(table);
+  return tableText({"`--set preset=`", "what it is", ""}, pipeline.presets,
+                   [](const plan::PresetDesc& preset) -> page::Row {
+                     return {code(preset.name), preset.doc, preset.is_default ? "the default" : ""};
+                   });
 }
 
 // What the presets set: parameters of which any preset has another value than the declared default.
@@ -259,8 +239,11 @@ std::string presetsText(const PipelineDesc& pipeline, const Presets& presets) {
   Table table{"", {"parameter", "default"}};
   for (const auto& [name, preset] : presets) table.columns.push_back(code(name));
   for (const ParamDesc& param : pipeline.params) {
-    std::vector<std::string> cells = {code(param.name), shown(param.default_value)};
-    for (const auto& [name, preset] : presets) cells.push_back(valueIn(preset, param.name));
+    std::vector<std::string> cells = {code(param.name), plainText(param.default_value)};
+    for (const auto& [name, preset] : presets) {
+      const plan::Value* value = plan::valueOf(preset, param.name);
+      cells.push_back(value ? plainText(*value) : "");
+    }
     bool differs = std::any_of(cells.begin() + 2, cells.end(), [&](const auto& value) { return value != cells[1]; });
     if (differs) table.add({cells.begin(), cells.end()});
   }
@@ -287,9 +270,9 @@ std::string nodesText(const PipelineDesc& pipeline, const std::vector<PassDesc>&
 }
 
 std::string outputsText(const PipelineDesc& pipeline) {
-  Table table{"", {"output", "image"}};
-  for (const auto& [name, source] : pipeline.outputs) table.add({code(name), code(source)});
-  return tableText(table);
+  return tableText({"output", "image"}, pipeline.outputs, [](const auto& output) -> page::Row {
+    return {code(output.first), code(output.second)};
+  });
 }
 
 // The folder of passes that the choices are files of: called like the parameter, or one that has all of them.
@@ -330,25 +313,29 @@ std::map<std::string, std::vector<const PassDesc*>> families(const std::vector<P
   return result;
 }
 
+// Of a pass or a pipeline.
+template <class Described>
+std::string linkOf(const Described& described) {
+  return fmt::format("[`{}`]({})", described.name, pathOf(described));
+}
+
 std::string indexPage(const std::vector<PipelineDesc>& pipelines, const std::vector<PassDesc>& passes) {
   std::string text =
       "# Reference\n\nWhat every pipeline and every pass declares. `strobe help NAME` prints a page, "
       "`strobe help NAME.PARAM` one parameter. What none of them can do: [limits](limits.md).\n\n"
       "## Pipelines\n\n";
-  Table listed{"", {"name", "what it is"}};
-  for (const PipelineDesc& one : pipelines) listed.add({fmt::format("[`{}`]({})", one.name, pathOf(one)), one.doc});
-  text += tableText(listed);
-  for (const auto& [family, members] : families(passes)) {
-    Table table{"", {"name", "what it computes"}};
-    for (const PassDesc* pass : members) table.add({fmt::format("[`{}`]({})", pass->name, pathOf(*pass)), pass->doc});
-    text += fmt::format("## passes/{}\n\n{}", family, tableText(table));
-  }
+  text += tableText({"name", "what it is"}, pipelines, [](const auto& one) -> page::Row {
+    return {linkOf(one), one.doc};
+  });
+  for (const auto& [family, members] : families(passes))
+    text += fmt::format("## passes/{}\n\n{}", family,
+                        tableText({"name", "what it computes"}, members, [](const PassDesc* pass) -> page::Row {
+                          return {linkOf(*pass), pass->doc};
+                        }));
   return text;
 }
 
 // --- Limits
-
-std::string linkOf(const PassDesc& pass) { return fmt::format("[`{}`]({})", pass.name, pathOf(pass)); }
 
 std::string limitsOfPasses(const std::vector<PassDesc>& passes) {
   Table table{"", {"pass", "count", "when it is met", "what is done, and what to do about it"}};
@@ -388,9 +375,8 @@ std::string limitsPage(const std::vector<PassDesc>& passes) {
 // --- Topics
 
 const ParamDesc* findParam(const std::vector<ParamDesc>& params, const std::string& name) {
-  for (const ParamDesc& param : params)
-    if (param.name == name) return &param;
-  return nullptr;
+  auto found = std::find_if(params.begin(), params.end(), [&](const ParamDesc& param) { return param.name == name; });
+  return found == params.end() ? nullptr : &*found;
 }
 
 // By its name, its folder and file, or its file alone where that is the only one of the name.
@@ -441,7 +427,9 @@ std::string passPage(const PassDesc& pass) {
   return text;
 }
 
-std::string pipelinePage(const PipelineDesc& pipeline, const Presets& presets, const std::vector<PassDesc>& passes) {
+// `presets` are the same pipeline for each of its presets, by name. `passes` are all there are.
+static std::string pipelinePage(const PipelineDesc& pipeline, const Presets& presets,
+                                const std::vector<PassDesc>& passes) {
   std::string text = fmt::format("# {}\n\n{}\n\nFile: `{}`.\n\n", pipeline.name, sentence(pipeline.doc), pipeline.file);
   text += section("Presets", presetsText(pipeline, presets));
   text += section("Parameters", paramsText(pipeline.params, false, linkToMembers(passes)));

@@ -20,11 +20,6 @@ struct ReferencePage {
 // The page of a pass: what it computes, where it fails, what it reads and writes, its parameters, names in GLSL.
 std::string passPage(const plan::PassDesc& pass);
 
-// The page of a pipeline; `presets` are the same pipeline for each of its presets, by name. `passes` are all there are.
-using Presets = std::vector<std::pair<std::string, plan::PipelineDesc>>;
-std::string pipelinePage(const plan::PipelineDesc& pipeline, const Presets& presets,
-                         const std::vector<plan::PassDesc>& passes);
-
 // Every pass, every pipeline and the index, of the home folder as it is. Throws `Error` for what is unsound.
 std::vector<ReferencePage> referencePages(const Home& home);
 

@@ -28,7 +28,7 @@ std::vector<Kind> kindsFor(const Session& session) {
   const Home& home = session.bench().home();
   const plan::PassDesc& last = plan.pipeline.passes[size_t(plan.nodes.back().pass)];
   std::map<std::string, int> uses;
-  for (const auto& [node, pipeline] : session.pipelines())
+  for (const auto& [node, pipeline] : session.running().graph().pipelines())
     for (const Path& file : pipeline->files)
       if (std::string name = Home::withoutRoot(home.shown(file));
           name.starts_with("shaders/lib/") || name.starts_with("shaders/mixin/"))

@@ -2,27 +2,12 @@
 #include "lab/session.h"
 
 #include <algorithm>
-#include <future>
 
-#include "base/hash.h"
 #include "base/log.h"
 #include "plan/canonical.h"
 #include "plan/settings.h"
-#include "scene/motion.h"
 
 namespace strobe::lab {
-
-struct Session::Changes {
-  std::vector<std::string> files;  // as people know them
-  bool scripts = false, scene = false;
-  double ms = 0;
-};
-
-struct Session::Pending {
-  Changes changes;
-  Shot shot;                       // as it was when the evaluation began
-  std::future<Attempt> evaluated;  // its destructor waits
-};
 
 // ---- versions
 
@@ -35,56 +20,15 @@ std::unique_ptr<Drawing> Session::build(const Shot& shot, std::shared_ptr<const 
 }
 
 Session::Session(Workbench& bench, const Shot& shot, const std::string& origin)
-    : bench_(bench), shot_(shot), given_by_(origin) {
+    : bench_(bench), shot_(shot), given_by_(origin), files_(bench) {
   std::shared_ptr<const Evaluation> evaluation = bench.evaluate(shot.pipeline, shot.sets);
   bench_.scene(shot_);
-  rememberFiles(evaluation->scripts);
   running_ = build(shot_, evaluation, nullptr);
-  rememberFiles(evaluation->scripts);
+  files_.remember(*running_, evaluation->scripts);
   for (const auto& [name, value] : shot.sets) origins_[name] = origin;
 }
 
-Session::~Session() = default;
-
-Workbench& Session::bench() const { return bench_; }
-const Shot& Session::shot() const { return shot_; }
-const plan::Plan& Session::plan() const { return running_->plan(); }
-const scene::Scene& Session::scene() const { return running_->scene().scene; }
-graph::Backend Session::backend() const { return running_->planned().backend; }
-std::string Session::planHash() const { return running_->planned().hash; }
-std::map<std::string, std::shared_ptr<const graph::NodePipeline>> Session::pipelines() const {
-  return running_->graph().pipelines();
-}
-const std::vector<std::string>& Session::problems() const { return problems_; }
-
 // ---- values
-
-// The declaration of a value of a shot with the choices that a scene gives it.
-static plan::ParamDesc declarationOf(const ShotField& field, const scene::Scene& scene) {
-  plan::ParamDesc declared = field.declaration;
-  if (declared.name == "camera")
-    for (const auto& node : scene.nodes)
-      if (node.camera >= 0) declared.choices.push_back(node.name);
-  if (declared.name == "animation") {
-    declared.choices = {"all", "none"};
-    for (const auto& animation : scene.animations) declared.choices.push_back(animation.name);
-  }
-  return declared;
-}
-
-// Presets as one choice, which is how they are set.
-static plan::ParamDesc declarationOf(const std::vector<plan::PresetDesc>& presets) {
-  plan::ParamDesc declared;
-  declared.name = plan::kPresetSetting;
-  declared.type = plan::ParamDesc::Type::Choice;
-  declared.doc = "named set of values, which single settings override";
-  for (const plan::PresetDesc& preset : presets) {
-    declared.choices.push_back(preset.name);
-    declared.values.emplace_back(preset.name, preset.doc);
-    if (preset.is_default) declared.default_value = preset.name;
-  }
-  return declared;
-}
 
 // The option that has a value of this name, or is called so itself; or null. `field` (may be null) is the value.
 static const ShotOption* findOption(const std::string& name, const ShotField** field) {
@@ -157,7 +101,7 @@ void Session::apply(const Shot& shot) {
   dropLostTaps(filled, evaluation->pipeline);
   running_ = build(filled, evaluation, nullptr);
   shot_ = filled;
-  rememberFiles({});
+  files_.remember(*running_, {});
 }
 
 void Session::set(const std::string& name, const plan::Value& value, const std::string& origin) {
@@ -177,17 +121,13 @@ void Session::set(const std::string& name, const plan::Value& value, const std::
   if (name == "frame" && moves && shot.rest_frame < 0) shot.rest_frame = shot.frame;
   if (field) ShotField{declarationOf(*field, scene()), field->member}.set(shot, value);
   else setFromTexts(*option, shot, {plan::textOf(value)});
-  take(*option, shot);
+  // Drawn anew if that concerns the frame alone.
+  bool frame_alone = option->concern == Concern::Frame || option->concern == Concern::Motion;
+  if (frame_alone && sceneIdentity(shot) == sceneIdentity(shot_)) shot_ = shot;
+  else apply(shot);
   if (field) origins_[name] = origin;
   for (const ShotField& one : option->fields)
     if (!field) origins_[one.declaration.name] = origin;
-}
-
-// Goes on with a shot of which one option changed: drawn anew if that concerns the frame alone.
-void Session::take(const ShotOption& option, const Shot& shot) {
-  bool frame_alone = option.concern == Concern::Frame || option.concern == Concern::Motion;
-  if (frame_alone && sceneIdentity(shot) == sceneIdentity(shot_)) shot_ = shot;
-  else apply(shot);
 }
 
 void Session::unset(const std::string& name) {
@@ -224,229 +164,82 @@ std::vector<std::string> Session::ports() const {
   return names;
 }
 
-std::vector<Control> Session::controls() const {
-  std::vector<Control> controls;
-  auto origin_of = [this](const std::string& name) {
-    auto found = origins_.find(name);
-    return found == origins_.end() ? "" : found->second;
-  };
-  Shot defaults;
-  for (const ShotOption& option : shotOptions()) {
-    if (!option.is(ShotOption::kControl)) continue;
-    for (const ShotField& field : option.fields) {
-      const std::string& name = field.declaration.name;
-      Control control{declarationOf(field, scene()), field.get(shot_), "shot", origin_of(name), "", false};
-      control.set = !control.origin.empty();
-      bool first_camera = name == "camera" && shot_.camera.empty() && !control.declaration.choices.empty();
-      if (first_camera) control.value = scene().nodes[size_t(scene::cameraNode(scene(), ""))].name;
-      if (!control.set) control.origin = field.get(shot_) == field.get(defaults) ? "default" : given_by_ + " or scene";
-      controls.push_back(control);
-    }
-  }
-
-  const plan::PipelineDesc& pipeline = running_->plan().pipeline;
-  if (!pipeline.presets.empty()) {
-    Control control{declarationOf(pipeline.presets), pipeline.preset, "pipeline",
-                    origin_of(plan::kPresetSetting), pipeline.file,   false};
-    control.set = !control.origin.empty();
-    if (!control.set) control.origin = "default";
-    controls.push_back(control);
-  }
-  for (size_t i = 0; i < pipeline.params.size(); ++i) {
-    const plan::ParamDesc& declared = pipeline.params[i];
-    auto value = std::find_if(pipeline.values.begin(), pipeline.values.end(),
-                              [&](const auto& v) { return v.first == declared.name; });
-    Control control{declared, value->second, "pipeline", origin_of(declared.name), declared.place.text(), false};
-    control.set = !control.origin.empty();
-    bool by_preset = !pipeline.preset.empty() && !(value->second == declared.default_value);
-    if (!control.set) control.origin = by_preset ? "preset " + pipeline.preset : "default";
-    controls.push_back(control);
-  }
-  for (const auto& node : running_->plan().nodes) {
-    const plan::NodeDesc& described = pipeline.nodes[size_t(node.node)];
-    const plan::PassDesc& pass = pipeline.passes[size_t(node.pass)];
-    for (size_t i = 0; i < pass.params.size(); ++i) {
-      Control control{pass.params[i], node.params[i].second, described.name, "", pass.params[i].place.text(), false};
-      control.declaration.name = described.name + "." + pass.params[i].name;
-      control.origin = origin_of(control.declaration.name);
-      control.set = !control.origin.empty();
-      auto bound = std::find_if(described.params.begin(), described.params.end(),
-                                [&](const auto& b) { return b.first == pass.params[i].name; });
-      if (!control.set && bound != described.params.end() && !bound->second.follows.empty())
-        control.origin = "follows " + bound->second.follows;
-      else if (!control.set) control.origin = control.value == pass.params[i].default_value ? "default" : pipeline.file;
-      controls.push_back(control);
-    }
-  }
-  return controls;
-}
-
 // ---- reload
 
-// Notes the state of all files that what runs (and what was tried) was made of, so that the next change is seen.
-void Session::rememberFiles(const std::vector<script::Dependency>& more) {
-  files_.tried(more);
-  if (!running_) return;
-  files_.add(running_->evaluation().scripts);
-  for (const auto& node : running_->plan().nodes) {
-    for (const Path& file : graph::shaderFiles(bench_.home(), running_->plan().pipeline.passes[size_t(node.pass)])) {
-      std::vector<Path> reached = {file};
-      try {
-        shader::textWithIncludes(bench_.home(), file, &reached);
-      } catch (const Error&) {
-        // Reported where it is compiled.
-      }
-      for (const Path& one : reached) files_.add(one);
-    }
+void Session::drop(const std::vector<script::DroppedSetting>& dropped, Shot& shot, Reload& result) {
+  for (const auto& one : dropped) {
+    std::erase_if(shot.sets, [&](const auto& set) { return set.first == one.name; });
+    result.reset.push_back(fmt::format("{} = {}: {}", one.name, one.value, one.reason));
   }
-  for (const auto& [node, pipeline] : running_->graph().pipelines())
-    for (const Path& file : pipeline->files) files_.add(file);
-  files_.add(running_->scene().dependencies);
-  if (files_.isWatching()) watchFolders();
 }
 
-// True the first time.
-bool Session::watchFolders() {
-  std::vector<Path> folders;
-  for (const char* name : {"passes", "shaders", "scripts", "scripts/pipelines", "scripts/scenes"})
-    for (const Path& folder : bench_.home().folders(name)) folders.push_back(folder);
-  bool first = files_.watch(folders);
-  for (const auto* files : {&running_->evaluation().scripts, &running_->scene().dependencies}) files_.watchFlat(*files);
-  return first;
-}
-
-Session::Changes Session::lookAtFiles() {
-  Changes changes;
-  double started_s = clockSeconds();
-  auto is_among = [](const std::vector<script::Dependency>& files, const Path& path) {
-    return std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.path == path; });
-  };
-  for (const Path& path : files_.takeChanged()) {
-    changes.files.push_back(bench_.home().shown(path));
-    // The library is of both; what is of neither was part of an attempt that failed.
-    bool scene = is_among(running_->scene().dependencies, path);
-    bool shader = path.extension() == ".glsl" || path.extension() == ".h";
-    changes.scene |= scene;
-    changes.scripts |= is_among(running_->evaluation().scripts, path) || (!scene && !shader);
-  }
-  changes.ms = 1000 * (clockSeconds() - started_s);
-  return changes;
+static void keepSettings(const Shot& shot, Reload& result) {
+  for (const auto& [name, value] : shot.sets) result.kept.push_back(name + " = " + plan::textOf(value));
 }
 
 std::optional<Reload> Session::reload(bool wait) {
-  bool first = !files_.isWatching() && watchFolders();
-  if (pending_) {
-    bool done = wait || pending_->evaluated.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-    if (!done) return std::nullopt;
-    std::unique_ptr<Pending> pending = std::move(pending_);
-    Attempt evaluated = pending->evaluated.get();
-    // Values set in the meantime are not in what was evaluated.
-    bool overtaken = shot_.pipeline != pending->shot.pipeline || shot_.sets != pending->shot.sets;
-    if (!overtaken) return replace(shot_, std::move(evaluated), std::move(pending->changes));
-    if (wait)
-      return replace(shot_, attemptAround(bench_.home(), shot_, running_->evaluation().texts, bench_.limits),
-                     std::move(pending->changes));
-    evaluateInBackground(std::move(pending->changes));
-    return std::nullopt;
-  }
-  bool event = files_.event();
-  if (!event && !first && !wait) return std::nullopt;
-  Changes changes = lookAtFiles();
-  // After a failure a file that nothing could name yet may have appeared.
-  bool retry = event && !problems_.empty();
-  if (changes.files.empty() && !retry) return std::nullopt;
-  changes.scripts |= script_problem_;
-  if (!changes.scripts) {
-    Attempt same;
-    same.good = running_->evaluation();
-    same.usable = true;
-    return replace(shot_, std::move(same), std::move(changes));
-  }
-  if (wait)
-    return replace(shot_, attemptAround(bench_.home(), shot_, running_->evaluation().texts, bench_.limits),
-                   std::move(changes));
-  evaluateInBackground(std::move(changes));
-  return std::nullopt;
-}
-
-void Session::evaluateInBackground(Changes changes) {
-  auto evaluation = [&home = bench_.home(), shot = shot_, texts = running_->evaluation().texts,
-                     limits = bench_.limits] { return attemptAround(home, shot, texts, limits); };
-  pending_ = std::make_unique<Pending>(Pending{std::move(changes), shot_, std::async(std::launch::async, evaluation)});
-}
-
-// Has the bench hold the scene as its files are now; where they fail, it goes on holding the one that runs.
-void Session::reloadScene(Shot& shot, std::vector<std::string>& problems) {
-  try {
-    bench_.scene(shot, true);
-  } catch (const Error& error) {
-    problems.push_back(error.what());
-  }
-}
-
-static bool contains(const std::vector<std::string>& list, const std::string& item) {
-  return std::find(list.begin(), list.end(), item) != list.end();
-}
-
-// Puts a new version in the place of the running one, as far as it is sound, and reports what became of everything.
-Reload Session::replace(Shot shot, Attempt evaluated, Changes changes) {
-  Reload told;
-  told.changed = changes.files;
-  told.notice_ms = changes.ms;
-  told.evaluate_ms = evaluated.ms;
-  told.problems = evaluated.problems;
+  auto changes = files_.look({shot_, *running_, !problems_.empty(), script_problem_}, wait);
+  if (!changes) return std::nullopt;
+  Attempt& evaluated = changes->evaluated;
+  Reload result;
+  result.changed = changes->files;
+  result.notice_ms = changes->ms;
+  result.evaluate_ms = evaluated.ms;
+  result.problems = evaluated.problems;
   script_problem_ = !evaluated.problems.empty();
   std::vector<script::Dependency> tried = evaluated.good.scripts;
   tried.insert(tried.end(), evaluated.refused.begin(), evaluated.refused.end());
-  if (!evaluated.usable) {
-    evaluated.good = running_->evaluation();
-    evaluated.dropped.clear();
-  }
-  for (const auto& dropped : evaluated.dropped) {
-    std::erase_if(shot.sets, [&](const auto& set) { return set.first == dropped.name; });
-    told.reset.push_back(fmt::format("{} = {}: {}", dropped.name, dropped.value, dropped.reason));
-  }
+  Shot shot = shot_;
+  if (evaluated.usable) drop(evaluated.dropped, shot, result);
+  else evaluated.good = running_->evaluation();
+  replace(shot, std::move(evaluated), changes->scene, result);
+  for (const auto& name : result.reset) origins_.erase(name.substr(0, name.find(" = ")));
+  problems_ = result.problems;
+  files_.remember(*running_, tried);
+  return result;
+}
 
+// Puts a new version in the place of the running one, as far as it is sound, and reports what became of everything.
+void Session::replace(Shot shot, Attempt evaluated, bool scene, Reload& result) {
   int compiled_before = bench_.compilations();
   double started_s = clockSeconds();
-  std::map<std::string, std::shared_ptr<const graph::NodePipeline>> before = running_->graph().pipelines();
-  std::vector<std::string> histories;
+  auto before = running_->graph().pipelines();
+  std::vector<std::string> histories, problems;
   for (const auto& image : running_->plan().images)
     if (image.history) histories.push_back(image.name);
-  std::vector<std::string> problems;
   try {
-    if (changes.scene) reloadScene(shot, problems);
+    // Where the files of the scene fail, the bench goes on holding the one that runs.
+    if (scene) try {
+        bench_.scene(shot, true);
+      } catch (const Error& error) {
+        problems.push_back(error.what());
+      }
     dropLostTaps(shot, evaluated.good.pipeline);
     auto version = build(shot, std::make_shared<Evaluation>(std::move(evaluated.good)), &problems);
-    for (const auto& [node, pipeline] : version->graph().pipelines()) {
-      auto old = before.find(node);
-      if (old == before.end() || old->second != pipeline) told.rebuilt.push_back(node);
-    }
+    for (const auto& [node, pipeline] : version->graph().pipelines())
+      if (!before.count(node) || before[node] != pipeline) result.rebuilt.push_back(node);
     bool new_scene = version->held() != running_->held();
     bool new_plan = version->planned().hash != running_->planned().hash;
     running_ = std::move(version);
     shot_ = shot;
-    told.swapped = new_scene || new_plan || !told.rebuilt.empty();
+    result.swapped = new_scene || new_plan || !result.rebuilt.empty();
   } catch (const Error& error) {
     problems.push_back(error.what());
-    told.reset.clear();
+    result.reset.clear();
   }
-  told.problems.insert(told.problems.end(), problems.begin(), problems.end());
+  result.problems.insert(result.problems.end(), problems.begin(), problems.end());
   double spent_ms = 1000 * (clockSeconds() - started_s);
-  told.compilations = bench_.compilations() - compiled_before;
-  told.compile_ms = running_->graph().compileMs();
-  told.build_ms = spent_ms - told.compile_ms;
+  result.compilations = bench_.compilations() - compiled_before;
+  result.compile_ms = running_->graph().compileMs();
+  result.build_ms = spent_ms - result.compile_ms;
 
-  for (const auto& [name, value] : shot_.sets) told.kept.push_back(name + " = " + plan::textOf(value));
+  keepSettings(shot_, result);
   std::vector<std::string> kept = running_->graph().histories(true);
   for (const std::string& name : histories) {
-    if (contains(kept, name)) told.kept.push_back("history " + name);
-    else if (told.swapped) told.reset.push_back("history " + name + ": described differently");
+    bool lives_on = std::find(kept.begin(), kept.end(), name) != kept.end();
+    if (lives_on) result.kept.push_back("history " + name);
+    else if (result.swapped) result.reset.push_back("history " + name + ": described differently");
   }
-  for (const auto& name : told.reset) origins_.erase(name.substr(0, name.find(" = ")));
-  problems_ = told.problems;
-  rememberFiles(tried);
-  return told;
 }
 
 Reload Session::usePipeline(const std::string& name_or_path) {
@@ -455,36 +248,19 @@ Reload Session::usePipeline(const std::string& name_or_path) {
   shot.taps.clear();
   Attempt evaluated = attempt(bench_.home(), shot, {}, bench_.limits, true);
   if (!evaluated.usable) throw Error(evaluated.problems.front());
-  Reload told;
-  for (const auto& dropped : evaluated.dropped) {
-    std::erase_if(shot.sets, [&](const auto& set) { return set.first == dropped.name; });
-    told.reset.push_back(fmt::format("{} = {}: {}", dropped.name, dropped.value, dropped.reason));
-    origins_.erase(dropped.name);
-  }
+  Reload result;
+  drop(evaluated.dropped, shot, result);
   std::vector<script::Dependency> tried = evaluated.good.scripts;
-  running_ = build(shot, std::make_shared<Evaluation>(std::move(evaluated.good)), &told.problems);
+  running_ = build(shot, std::make_shared<Evaluation>(std::move(evaluated.good)), &result.problems);
   shot_ = shot;
-  for (const auto& [name, value] : shot_.sets) told.kept.push_back(name + " = " + plan::textOf(value));
-  told.changed = {running_->plan().pipeline.file};
-  told.swapped = true;
-  problems_ = told.problems;
+  for (const auto& dropped : evaluated.dropped) origins_.erase(dropped.name);
+  keepSettings(shot_, result);
+  result.changed = {running_->plan().pipeline.file};
+  result.swapped = true;
+  problems_ = result.problems;
   script_problem_ = false;
-  rememberFiles(tried);
-  return told;
-}
-
-// ---- frames
-
-graph::FrameResult Session::draw(const std::set<std::string>* outputs, const std::function<void(int, int)>& progress) {
-  return running_->draw(shot_, outputs, progress);
-}
-
-std::vector<std::string> Session::limitsMet(const graph::FrameResult& frame) const {
-  return running_->limitsMet(shot_, frame);
-}
-
-Picture Session::capture(const std::function<void(int, int)>& progress) {
-  return running_->capture(shot_, nullptr, progress);
+  files_.remember(*running_, tried);
+  return result;
 }
 
 std::string textOf(const Reload& reload) {

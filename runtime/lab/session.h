@@ -11,21 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "lab/drawing.h"
-#include "lab/shot_options.h"
-#include "lab/watched_files.h"
+#include "lab/controls.h"
+#include "lab/file_changes.h"
 
 namespace strobe::lab {
-
-// A value that can be changed, as a panel shows it.
-struct Control {
-  plan::ParamDesc declaration;  // `name` as `set` takes it: "exposure", "samples", "edge.depth_threshold"
-  plan::Value value;
-  std::string group;   // "shot", "pipeline", or the name of a node
-  std::string origin;  // who set it: "default", "preset best", "scene", "follows samples", "window", ...
-  std::string place;   // where it is declared, "file:line", or ""
-  bool set = false;    // by `set` or the shot given: `unset` gives it back to its origin
-};
 
 // What a look at the files found and did.
 struct Reload {
@@ -50,21 +39,16 @@ class Session {
   // Loads, plans and compiles; throws `Error` where that fails. `origin` says who set the values of the shot.
   // The bench must outlive it.
   Session(Workbench& bench, const Shot& shot, const std::string& origin = "command line");
-  ~Session();
 
-  Workbench& bench() const;
-  const Shot& shot() const;        // as it stands: what a record or a command line would say
-  const plan::Plan& plan() const;  // of the running version
-  const scene::Scene& scene() const;
-  graph::Backend backend() const;
-  // Identity of what runs: independent of taps and of what is looked at.
-  std::string planHash() const;
-  // What the nodes execute, by name.
-  std::map<std::string, std::shared_ptr<const graph::NodePipeline>> pipelines() const;
-  // Every value that can be changed, the shot's first, then the pipeline's, then the nodes' own.
-  std::vector<Control> controls() const;
+  Workbench& bench() const { return bench_; }
+  const Shot& shot() const { return shot_; }  // as it stands: what a record or a command line would say
+  const Drawing& running() const { return *running_; }
+  const plan::Plan& plan() const { return running_->plan(); }
+  const scene::Scene& scene() const { return running_->scene().scene; }
+  // Every value that can be changed.
+  std::vector<Control> controls() const { return controlsOf(shot_, *running_, origins_, given_by_); }
   // What keeps the newest files from running; empty while all of them run.
-  const std::vector<std::string>& problems() const;
+  const std::vector<std::string>& problems() const { return problems_; }
 
   // Changes a value: an option of the shot, PARAM of the pipeline, NODE.PARAM or scene.PARAM; a text serves as the
   // value it reads as. Throws `Error` (unknown name with the nearest, wrong value, a graph that cannot be built); then
@@ -85,28 +69,23 @@ class Session {
   std::optional<Reload> reload(bool wait);
 
   // Draws the frame as it stands, reading back the outputs ("color") and taps ("node.port") named; null: all.
-  graph::FrameResult draw(const std::set<std::string>* outputs = nullptr,
-                          const std::function<void(int done, int of)>& progress = {});
+  graph::FrameResult draw(const std::set<std::string>* outputs = nullptr) { return running_->draw(shot_, outputs); }
   // The limits that a frame met as it was drawn, a line each: its shot's, then its passes'.
-  std::vector<std::string> limitsMet(const graph::FrameResult& frame) const;
+  std::vector<std::string> limitsMet(const graph::FrameResult& frame) const {
+    return running_->limitsMet(shot_, frame);
+  }
   // The frame with sub-pixel samples, run record and timings: what `strobe render` writes.
-  Picture capture(const std::function<void(int done, int of)>& progress = {});
+  Picture capture(const std::function<void(int done, int of)>& progress = {}) {
+    return running_->capture(shot_, nullptr, progress);
+  }
 
  private:
-  struct Changes;  // which of the files differ from what was last tried
-  struct Pending;  // an evaluation in the background
-
-  void evaluateInBackground(Changes changes);
   std::unique_ptr<Drawing> build(const Shot& shot, std::shared_ptr<const Evaluation> evaluation,
                                  std::vector<std::string>* problems);
-  void reloadScene(Shot& shot, std::vector<std::string>& problems);
   std::shared_ptr<const Evaluation> evaluationOf(const Shot& shot) const;
   void apply(const Shot& shot);
-  void take(const ShotOption& option, const Shot& shot);
-  Reload replace(Shot shot, Attempt evaluated, Changes changes);
-  Changes lookAtFiles();
-  void rememberFiles(const std::vector<script::Dependency>& tried);
-  bool watchFolders();
+  void drop(const std::vector<script::DroppedSetting>& dropped, Shot& shot, Reload& result);
+  void replace(Shot shot, Attempt evaluated, bool scene, Reload& result);
 
   Workbench& bench_;
   Shot shot_;
@@ -115,8 +94,7 @@ class Session {
   std::unique_ptr<Drawing> running_;
   std::vector<std::string> problems_;
   bool script_problem_ = false;  // one of them is Lua's: evaluated again at the next change of any file
-  WatchedFiles files_;
-  std::unique_ptr<Pending> pending_;
+  ChangedFiles files_;
 };
 
 }  // namespace strobe::lab

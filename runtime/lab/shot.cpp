@@ -41,6 +41,11 @@ void checkShot(const Shot& shot) {
     if (!isOpen(option, shot)) setFromJson(option, checked, jsonOf(option, shot));
 }
 
+std::string plainText(const plan::Value& value) {
+  const double* number = std::get_if<double>(&value);
+  return number ? fmt::format("{}", *number) : plan::textOf(value);
+}
+
 // ---- settings
 
 bool isOfScene(const script::Setting& setting) { return setting.first.starts_with("scene."); }

@@ -76,6 +76,9 @@ void putSetting(script::Settings& sets, const std::string& name, const plan::Val
 // The same for the pipeline's parameter of that role; nothing where it has none.
 void putRole(script::Settings& sets, const plan::PipelineDesc& pipeline, plan::Role role, const plan::Value& value);
 
+// A value as people write it: a whole number without ".0".
+std::string plainText(const plan::Value& value);
+
 // ANCHOR_* of shaders/shared/frame.h.
 uint32_t anchorCode(const std::string& anchor);
 

@@ -2,8 +2,9 @@
 #include "lab/shot_options.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+
+#include "base/numbers.h"
 
 namespace strobe::lab {
 
@@ -46,78 +47,48 @@ static ShotField text(const char* name, ShotMember member, const char* otherwise
   return field;
 }
 
+// An option of one value, which is called like it.
+static ShotOption one(const ShotField& field, const char* doc, Concern concern, uint32_t uses = 0) {
+  return {field.declaration.name, doc, concern, {field}, uses};
+}
+
 static std::vector<ShotOption> allOptions() {
   using S = Shot;
   using O = ShotOption;
   constexpr double kSide = 16384, kLastFrame = 2147483647;
   return {
-      {"scene",
-       "a name of scripts/scenes, a .lua, .glb or .gltf file",
-       Concern::Scene,
-       {text("scene", &S::scene, "living_room")},
-       O::kSpelled},
+      one(text("scene", &S::scene, "living_room"), "a name of scripts/scenes, a .lua, .glb or .gltf file",
+          Concern::Scene, O::kSpelled),
       {"size",
        "WIDTHxHEIGHT in pixels",
        Concern::Plan,
        {whole("width", &S::width, 960, 1, kSide, "px"), whole("height", &S::height, 540, 1, kSide, "px")},
        O::kSuggested | O::kControl},
-      {"fps",
-       "frames per second",
-       Concern::Motion,
-       {real("fps", &S::fps, 24, 1e-3, 1e6, "1/s")},
-       O::kSuggested | O::kControl},
-      {"frame",
-       "the capture is at frame / fps seconds",
-       Concern::Motion,
-       {whole("frame", &S::frame, 1, 0, kLastFrame)},
-       O::kSuggested | O::kControl},
-      {"exposure",
-       "time the shutter is open, as a share of the frame interval",
-       Concern::Frame,
-       {real("exposure", &S::exposure, 0.5, 0, 1000, "frames")},
-       O::kSuggested | O::kControl},
-      {"anchor",
-       "where the exposure lies: it ends at the capture, is centred on it, or opens at it",
-       Concern::Frame,
-       {text("anchor", &S::anchor, "close", {"close", "centre", "open"})},
-       O::kSpelled | O::kControl},
-      {"camera",
-       "a camera of the scene (default: its first)",
-       Concern::Scene,
-       {text("camera", &S::camera, "")},
-       O::kControl},
-      {"view",
-       "EX,EY,EZ,TX,TY,TZ: camera at E, looking at T, instead of its pose in the scene",
-       Concern::Frame,
-       {text("view", &S::view, "")}},
-      {"animation",
-       "a clip of the scene, all or none",
-       Concern::Frame,
-       {text("animation", &S::animation, "all")},
-       O::kControl},
-      {"move", "NODE=dx,dy,dz: metres per frame in world axes", Concern::Scene, {text("move", &S::moves, "")}},
-      {"spin", "NODE=ax,ay,az,deg: degrees per frame about an axis", Concern::Scene, {text("spin", &S::spins, "")}},
-      {"rest_frame",
-       "frame at which --move and --spin are at rest (default: --frame)",
-       Concern::Motion,
-       {whole("rest_frame", &S::rest_frame, 0, 0, kLastFrame)}},
-      {"aa",
-       "sub-pixel samples of a saved picture, each a full run of the pipeline",
-       Concern::Frame,
-       {whole("aa", &S::aa, 1, 1, 256)},
-       O::kControl},
-      {"seed", "of every random number", Concern::Frame, {whole("seed", &S::seed, 0, 0, 4294967295.0)}, O::kControl},
-      {"backend",
-       "how rays are traced: ray queries where there are, or ray tracing pipelines",
-       Concern::Plan,
-       {text("backend", &S::backend, "auto", {"auto", "pipeline", "query"})},
-       O::kControl},
-      {"device",
-       "index or part of the name of a Vulkan device",
-       Concern::Device,
-       {text("device", &S::device, "")},
-       O::kNoPicture},
-      {"tap", "NODE.PORT to write as well", Concern::Plan, {text("tap", &S::taps, "")}, O::kNoPicture},
+      one(real("fps", &S::fps, 24, 1e-3, 1e6, "1/s"), "frames per second", Concern::Motion,
+          O::kSuggested | O::kControl),
+      one(whole("frame", &S::frame, 1, 0, kLastFrame), "the capture is at frame / fps seconds", Concern::Motion,
+          O::kSuggested | O::kControl),
+      one(real("exposure", &S::exposure, 0.5, 0, 1000, "frames"),
+          "time the shutter is open, as a share of the frame interval", Concern::Frame, O::kSuggested | O::kControl),
+      one(text("anchor", &S::anchor, "close", {"close", "centre", "open"}),
+          "where the exposure lies: it ends at the capture, is centred on it, or opens at it", Concern::Frame,
+          O::kSpelled | O::kControl),
+      one(text("camera", &S::camera, ""), "a camera of the scene (default: its first)", Concern::Scene, O::kControl),
+      one(text("view", &S::view, ""), "EX,EY,EZ,TX,TY,TZ: camera at E, looking at T, instead of its pose in the scene",
+          Concern::Frame),
+      one(text("animation", &S::animation, "all"), "a clip of the scene, all or none", Concern::Frame, O::kControl),
+      one(text("move", &S::moves, ""), "NODE=dx,dy,dz: metres per frame in world axes", Concern::Scene),
+      one(text("spin", &S::spins, ""), "NODE=ax,ay,az,deg: degrees per frame about an axis", Concern::Scene),
+      one(whole("rest_frame", &S::rest_frame, 0, 0, kLastFrame),
+          "frame at which --move and --spin are at rest (default: --frame)", Concern::Motion),
+      one(whole("aa", &S::aa, 1, 1, 256), "sub-pixel samples of a saved picture, each a full run of the pipeline",
+          Concern::Frame, O::kControl),
+      one(whole("seed", &S::seed, 0, 0, 4294967295.0), "of every random number", Concern::Frame, O::kControl),
+      one(text("backend", &S::backend, "auto", {"auto", "pipeline", "query"}),
+          "how rays are traced: ray queries where there are, or ray tracing pipelines", Concern::Plan, O::kControl),
+      one(text("device", &S::device, ""), "index or part of the name of a Vulkan device", Concern::Device,
+          O::kNoPicture),
+      one(text("tap", &S::taps, ""), "NODE.PORT to write as well", Concern::Plan, O::kNoPicture),
   };
 }
 
@@ -251,20 +222,19 @@ void setFromJson(const ShotOption& option, Shot& shot, const Json& value) {
 
 // ---- as text
 
-static std::string textOfField(const ShotField& field, const Shot& shot) {
-  Value value = field.get(shot);
-  const double* number = std::get_if<double>(&value);
-  return number ? fmt::format("{}", *number) : plan::textOf(value);
-}
-
 std::vector<std::string> textsOf(const ShotOption& option, const Shot& shot) {
   if (!option.isGiven(shot)) return {};
   const ShotMember& member = option.fields.front().member;
   if (const auto* at = std::get_if<View Shot::*>(&member)) return {viewText(*(shot.**at))};
   if (const auto* list = std::get_if<std::vector<std::string> Shot::*>(&member)) return shot.**list;
   std::vector<std::string> texts;
-  for (const ShotField& field : option.fields) texts.push_back(textOfField(field, shot));
+  for (const ShotField& field : option.fields) texts.push_back(plainText(field.get(shot)));
   return {fmt::format("{}", fmt::join(texts, "x"))};
+}
+
+// "ex,ey,ez,tx,ty,tz", of two different points.
+static std::array<double, 6> parseView(const std::string& text) {
+  return viewFrom(numbersIn<double, 6>(text, ',').value_or(std::array<double, 6>{}), text);
 }
 
 void setFromTexts(const ShotOption& option, Shot& shot, const std::vector<std::string>& texts) {
@@ -281,37 +251,17 @@ void setFromTexts(const ShotOption& option, Shot& shot, const std::vector<std::s
   }
 }
 
-std::array<double, 6> parseView(const std::string& text) {
-  std::array<double, 6> view{};
-  const char* at = text.data();
-  const char* end = at + text.size();
-  bool ok = true;
-  for (size_t i = 0; i < 6 && ok; ++i) {
-    auto [after, error] = std::from_chars(at, end, view[i]);
-    ok = error == std::errc() && (i == 5 ? after == end : after != end && *after == ',');
-    at = after + 1;
-  }
-  return viewFrom(ok ? view : std::array<double, 6>{}, text);
-}
-
 std::string viewText(const std::array<double, 6>& view) { return fmt::format("{}", fmt::join(view, ",")); }
 
 std::array<int, 2> parseSize(const std::string& text, const std::string& option) {
-  int width = 0, height = 0;
-  const char* end = text.data() + text.size();
-  auto [after_width, first_error] = std::from_chars(text.data(), end, width);
-  bool ok = first_error == std::errc() && after_width != end && *after_width == 'x';
-  if (ok) {
-    auto [after_height, second_error] = std::from_chars(after_width + 1, end, height);
-    ok = second_error == std::errc() && after_height == end;
-  }
+  auto size = numbersIn<int, 2>(text, 'x');
   const ParamDesc& side = findShotOption("size")->fields.front().declaration;
   auto fits = [&](int pixels) { return pixels >= *side.min && pixels <= *side.max; };
-  if (!ok || !fits(width) || !fits(height))
+  if (!size || !fits((*size)[0]) || !fits((*size)[1]))
     throw Error(
         fmt::format("{} '{}' is not WIDTHxHEIGHT with {} to {} pixels each", option, text, *side.min, *side.max), {},
         2);
-  return {width, height};
+  return *size;
 }
 
 // ---- for scripts

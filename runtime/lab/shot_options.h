@@ -70,8 +70,7 @@ void setFromTexts(const ShotOption& option, Shot& shot, const std::vector<std::s
 // one of "number", "integer", "choice", "text", "size", "view", "texts".
 Json shotOptionsJson();
 
-// "ex,ey,ez,tx,ty,tz", of two different points.
-std::array<double, 6> parseView(const std::string& text);
+// "ex,ey,ez,tx,ty,tz".
 std::string viewText(const std::array<double, 6>& view);
 
 // "WxH" in pixels, each 1 to 16384.

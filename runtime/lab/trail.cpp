@@ -2,10 +2,10 @@
 #include "lab/trail.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 
+#include "base/numbers.h"
 #include "lab/session.h"
 #include "page/table.h"
 
@@ -152,32 +152,7 @@ Json toJson(const TrailHit& hit) {
   return json;
 }
 
-}  // namespace
-
-std::array<int, 2> parsePixel(const std::string& text) {
-  int x = 0, y = 0;
-  const char* end = text.data() + text.size();
-  auto [after_x, x_error] = std::from_chars(text.data(), end, x);
-  bool good = x_error == std::errc() && after_x != end && *after_x == ',';
-  if (good) {
-    auto [after_y, y_error] = std::from_chars(after_x + 1, end, y);
-    good = y_error == std::errc() && after_y == end;
-  }
-  if (!good) throw Error(fmt::format("--pixel '{}' is not X,Y in pixels from the top left", text), {}, 2);
-  return {x, y};
-}
-
-std::vector<TrailHit> hitsAt(const Session& looked_at, int x, int y) {
-  Shot shot = looked_at.shot();
-  shot.sets = sceneSettings(shot.sets);
-  shot.sets.push_back({"pixel_x", int64_t(x)});
-  shot.sets.push_back({"pixel_y", int64_t(y)});
-  shot.pipeline = looked_at.bench().home().at("scripts/inspect/hits.lua").string();
-  shot.taps.clear();
-  Session rays(looked_at.bench(), shot, "pixel");
-  return hitsOf(rays.scene(), rays.draw());
-}
-
+// The rows alone, of a frame in which all ports of the plan are tapped.
 Trail trailOf(const plan::Plan& plan, const graph::FrameResult& frame, int x, int y) {
   STROBE_ASSERT(x >= 0 && y >= 0 && x < plan.width && y < plan.height, "{},{} of {}x{}", x, y, plan.width, plan.height);
   Trail trail = {plan.pipeline.name, x, y, plan.width, plan.height, {}, {}};
@@ -189,6 +164,7 @@ Trail trailOf(const plan::Plan& plan, const graph::FrameResult& frame, int x, in
   return trail;
 }
 
+// The hits in a frame of scripts/inspect/hits.lua.
 std::vector<TrailHit> hitsOf(const scene::Scene& scene, const graph::FrameResult& frame) {
   const auto& ids = frame.outputs.at("hit").uints;
   const auto& where = frame.outputs.at("where").floats;
@@ -210,6 +186,26 @@ std::vector<TrailHit> hitsOf(const scene::Scene& scene, const graph::FrameResult
     hits.push_back(hit);
   }
   return hits;
+}
+
+// What the ray of a pixel's centre meets in the scene that a session draws, as it stands.
+std::vector<TrailHit> hitsAt(const Session& looked_at, int x, int y) {
+  Shot shot = looked_at.shot();
+  shot.sets = sceneSettings(shot.sets);
+  shot.sets.push_back({"pixel_x", int64_t(x)});
+  shot.sets.push_back({"pixel_y", int64_t(y)});
+  shot.pipeline = looked_at.bench().home().at("scripts/inspect/hits.lua").string();
+  shot.taps.clear();
+  Session rays(looked_at.bench(), shot, "pixel");
+  return hitsOf(rays.scene(), rays.draw());
+}
+
+}  // namespace
+
+std::array<int, 2> parsePixel(const std::string& text) {
+  auto pixel = numbersIn<int, 2>(text, ',');
+  if (!pixel) throw Error(fmt::format("--pixel '{}' is not X,Y in pixels from the top left", text), {}, 2);
+  return *pixel;
 }
 
 Followed follow(Workbench& bench, const Shot& shot, int x, int y, const std::function<void(int, int)>& progress) {

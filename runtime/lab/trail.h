@@ -10,8 +10,6 @@
 
 namespace strobe::lab {
 
-class Session;
-
 // The texel of one image that covers the pixel.
 struct TrailRow {
   std::string node, port, format;
@@ -44,15 +42,6 @@ struct Trail {
 
 // "X,Y" in pixels from the top left. Throws `Error` with exit code 2.
 std::array<int, 2> parsePixel(const std::string& text);
-
-// The rows alone, of a frame in which all ports of the plan are tapped; those that are not are left out.
-Trail trailOf(const plan::Plan& plan, const graph::FrameResult& frame, int x, int y);
-
-// The hits in a frame of scripts/inspect/hits.lua.
-std::vector<TrailHit> hitsOf(const scene::Scene& scene, const graph::FrameResult& frame);
-
-// What the ray of a pixel's centre meets in the scene that a session draws, as it stands.
-std::vector<TrailHit> hitsAt(const Session& session, int x, int y);
 
 // Renders the shot and follows the pixel. The picture and its record are what `render` gives for the same shot.
 // Throws `Error` with exit code 2 for a pixel outside of the picture.

@@ -26,7 +26,7 @@ Edit checkbox(const plan::Value& value) {
 
 Edit menu(const plan::ParamDesc& declaration, const plan::Value& value) {
   Edit edit;
-  std::string current = textOf(value);
+  std::string current = lab::plainText(value);
   if (!ImGui::BeginCombo("##value", current.c_str(), ImGuiComboFlags_HeightLarge)) return edit;
   for (const std::string& choice : declaration.choices) {
     if (ImGui::Selectable(choice.c_str(), choice == current)) edit = {choice != current, choice};
@@ -37,33 +37,36 @@ Edit menu(const plan::ParamDesc& declaration, const plan::Value& value) {
   return edit;
 }
 
-Edit integer(const Widget& widget, const plan::Value& value) {
-  int64_t whole = std::get<int64_t>(value), low = int64_t(widget.low), high = int64_t(widget.high);
+// `type` is ImGui's name of `Number`; `speed`: of a drag, per pixel.
+template <class Number>
+bool dragOrSlide(const Widget& widget, ImGuiDataType type, Number& shown, float speed, const std::string& format) {
+  Number low = Number(widget.low), high = Number(widget.high);
   ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | (widget.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  bool limited = widget.low < widget.high;
+  if (widget.kind == Widget::Kind::IntSlider || widget.kind == Widget::Kind::FloatSlider)
+    return ImGui::SliderScalar("##value", type, &shown, &low, &high, format.c_str(), flags);
+  return ImGui::DragScalar("##value", type, &shown, speed, limited ? &low : nullptr, limited ? &high : nullptr,
+                           format.c_str(), flags);
+}
+
+Edit integer(const Widget& widget, const plan::Value& value) {
+  int64_t whole = std::get<int64_t>(value);
   std::string format = widget.format;
   format.replace(format.find("%d"), 2, "%lld");
-  bool slider = widget.kind == Widget::Kind::IntSlider, limited = widget.low < widget.high;
-  bool changed = slider ? ImGui::SliderScalar("##value", ImGuiDataType_S64, &whole, &low, &high, format.c_str(), flags)
-                        : ImGui::DragScalar("##value", ImGuiDataType_S64, &whole, 0.2f, limited ? &low : nullptr,
-                                            limited ? &high : nullptr, format.c_str(), flags);
+  bool changed = dragOrSlide(widget, ImGuiDataType_S64, whole, 0.2f, format);
   return {changed, std::to_string(whole)};
 }
 
 Edit number(const Widget& widget, const plan::Value& value) {
-  double shown = std::get<double>(value), low = widget.low, high = widget.high;
-  ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | (widget.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
-  bool slider = widget.kind == Widget::Kind::FloatSlider, limited = widget.low < widget.high;
+  double shown = std::get<double>(value);
   float speed = float(std::max(1e-3, std::abs(shown) * 0.005));
-  bool changed =
-      slider ? ImGui::SliderScalar("##value", ImGuiDataType_Double, &shown, &low, &high, widget.format.c_str(), flags)
-             : ImGui::DragScalar("##value", ImGuiDataType_Double, &shown, speed, limited ? &low : nullptr,
-                                 limited ? &high : nullptr, widget.format.c_str(), flags);
-  return {changed, textOf(shown)};
+  bool changed = dragOrSlide(widget, ImGuiDataType_Double, shown, speed, widget.format);
+  return {changed, lab::plainText(shown)};
 }
 
 Edit line(const plan::Value& value) {
   char buffer[512];
-  std::string current = textOf(value);
+  std::string current = lab::plainText(value);
   std::snprintf(buffer, sizeof(buffer), "%s", current.c_str());
   bool changed = ImGui::InputText("##value", buffer, sizeof(buffer), ImGuiInputTextFlags_EnterReturnsTrue);
   return {changed && buffer != current, buffer};
@@ -117,8 +120,8 @@ lab::Control asHeld(lab::Control control, bool of_b) {
 void takeEdit(Desk& desk, PanelState& state, const lab::Control& control, const Edit& edit) {
   const std::string& name = control.declaration.name;
   bool of_b = state.controls_of_b;
-  auto apply = [&](const std::string& text) { attempt(state, [&] { desk.set(name, text, "window", of_b); }); };
-  bool dear = desk.costOf(name) > kPatience_s;
+  auto apply = [&](const std::string& text) { attempt(state, [&] { desk.sides().set(name, text, "window", of_b); }); };
+  bool dear = desk.sides().costOf(name) > kPatience_s;
   if (edit.changed && dear && ImGui::IsItemActive()) held() = {name, edit.text, of_b};
   else if (edit.changed) apply(edit.text);
   bool let_go = held().name == name && held().of_b == of_b && !ImGui::IsItemActive();
@@ -144,9 +147,9 @@ void drawControl(const Fonts& fonts, Desk& desk, PanelState& state, const lab::C
   tooltip(plain ? control.declaration.doc : "");
   ImGui::TableNextColumn();
   if (control.set && quietButton("\u21ba", "give it back to preset, scene or default (now: " + control.origin + ")"))
-    attempt(state, [&] { desk.unset(name, of_b); });
+    attempt(state, [&] { desk.sides().unset(name, of_b); });
 
-  std::string refused = desk.refusalOf(name, of_b);
+  std::string refused = desk.sides().refusalOf(name, of_b);
   // What a shot has from the command line or its scene is the rule, not the exception.
   bool expected = control.origin.empty() || control.origin == "default" || (control.group == "shot" && !control.set);
   bool quiet = refused.empty() && expected;
@@ -154,13 +157,8 @@ void drawControl(const Fonts& fonts, Desk& desk, PanelState& state, const lab::C
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TableNextColumn();
-    ImGui::PushFont(fonts.small);
-    ImGui::PushTextWrapPos(0);
-    ImGui::PushStyleColor(ImGuiCol_Text, refused.empty() ? colours::kDim : colours::kBad);
-    ImGui::TextUnformatted(refused.empty() ? control.origin.c_str() : refused.c_str());
-    ImGui::PopStyleColor();
-    ImGui::PopTextWrapPos();
-    ImGui::PopFont();
+    if (refused.empty()) wrappedIn(fonts.small, colours::kDim, control.origin);
+    else wrappedIn(fonts.small, colours::kBad, refused);
   }
   ImGui::PopID();
 }
@@ -186,7 +184,7 @@ void sideChoice(const Fonts& fonts, Desk& desk, PanelState& state) {
     ImGui::PopStyleColor(2);
   };
   ImGui::PushFont(fonts.text);
-  button(fmt::format("A  {}", desk.a().session->shot().pipeline).c_str(), false);
+  button(fmt::format("A  {}", desk.shot().pipeline).c_str(), false);
   ImGui::SameLine(0, 4);
   button(fmt::format("B  {}", desk.b()->session->shot().pipeline).c_str(), true);
   ImGui::PopFont();

@@ -74,7 +74,7 @@ class Live {
   void turn();
   void drawWindow();
   void takeKeys();
-  void perform(Action action);
+  std::map<Action, std::function<void()>> actions();
   void stepView(int by);
   void sendToTev();
   void pointAsDriven();
@@ -92,6 +92,7 @@ class Live {
   Surface surface_;
   Desk desk_;
   PanelState state_;
+  const std::map<Action, std::function<void()>> actions_ = actions();
   PictureView view_;
   std::unique_ptr<Texture> picture_;
   std::unique_ptr<Drive> drive_;
@@ -128,7 +129,7 @@ void Live::watch() {
     std::string kept;
     try {
       Json record;
-      record["shot"] = lab::toJson(desk_.a().session->shot());
+      record["shot"] = lab::toJson(desk_.shot());
       writeFileAtomically(file, record.dump(2) + "\n");
       kept = fmt::format("; the shot is kept in {}: open it with --record", file.string());
     } catch (const Error& error) {
@@ -150,71 +151,46 @@ void Live::stepView(int by) {
   desk_.viewPort(names[size_t((at + by + int(names.size())) % int(names.size()))]);
 }
 
-void Live::perform(Action action) {
-  switch (action) {
-    case Action::None:
-      return;
-    case Action::TogglePlay:
-      desk_.playing = !desk_.playing;
-      return;
-    case Action::StepBack:
-      return desk_.goToFrame(desk_.frame() - 1);
-    case Action::StepAhead:
-      return desk_.goToFrame(desk_.frame() + 1);
-    case Action::FirstFrame:
-      return desk_.goToFrame(desk_.firstFrame());
-    case Action::CameraBack:
-      return desk_.giveCameraBack();
-    case Action::FitPicture:
-      state_.magnification = {};
-      return;
-    case Action::ShowSingle:
-      return desk_.setMode(Mode::Single);
-    case Action::ShowWipe:
-      return desk_.setMode(Mode::Wipe);
-    case Action::ShowFlicker:
-      return desk_.setMode(Mode::Flicker);
-    case Action::ShowDifference:
-      return desk_.setMode(Mode::Difference);
-    case Action::ShowError:
-      return desk_.setMode(Mode::Error);
-    case Action::PreviousView:
-      return stepView(-1);
-    case Action::NextView:
-      return stepView(1);
-    case Action::ViewColor:
-      return desk_.viewPort("color");
-    case Action::Unpin:
-      if (!state_.help) desk_.unpin();
-      state_.help = false;
-      return;
-    case Action::Save:
-      return state_.say("saved " + desk_.save().front().string());
-    case Action::Screenshot:
-      screenshot_ = desk_.freeName(".window.png");
-      return;
-    case Action::CopyCommand:
-      window_.setClipboard(desk_.command());
-      return state_.say("copied: " + desk_.command());
-    case Action::Search:
-      state_.focus_search = state_.panels = true;
-      return;
-    case Action::TogglePanels:
-      state_.panels = !state_.panels;
-      return;
-    case Action::ToggleHelp:
-      state_.help = !state_.help;
-      return;
-    case Action::Quit:
-      quit_ = true;
-      return;
-  }
+std::map<Action, std::function<void()>> Live::actions() {
+  return {
+      {Action::TogglePlay, [this] { desk_.playing = !desk_.playing; }},
+      {Action::StepBack, [this] { desk_.goToFrame(desk_.shot().frame - 1); }},
+      {Action::StepAhead, [this] { desk_.goToFrame(desk_.shot().frame + 1); }},
+      {Action::FirstFrame, [this] { desk_.goToFrame(desk_.sides().firstFrame()); }},
+      {Action::CameraBack, [this] { desk_.sides().giveCameraBack(); }},
+      {Action::FitPicture, [this] { state_.magnification = {}; }},
+      {Action::ShowSingle, [this] { desk_.setMode(Mode::Single); }},
+      {Action::ShowWipe, [this] { desk_.setMode(Mode::Wipe); }},
+      {Action::ShowFlicker, [this] { desk_.setMode(Mode::Flicker); }},
+      {Action::ShowDifference, [this] { desk_.setMode(Mode::Difference); }},
+      {Action::ShowError, [this] { desk_.setMode(Mode::Error); }},
+      {Action::PreviousView, [this] { stepView(-1); }},
+      {Action::NextView, [this] { stepView(1); }},
+      {Action::ViewColor, [this] { desk_.viewPort("color"); }},
+      {Action::Unpin,
+       [this] {
+         if (!state_.help) desk_.pixel().unpin();
+         state_.help = false;
+       }},
+      {Action::Save, [this] { state_.say("saved " + desk_.save().front().string()); }},
+      {Action::Screenshot, [this] { screenshot_ = desk_.freeName(".window.png"); }},
+      {Action::CopyCommand,
+       [this] {
+         window_.setClipboard(lab::commandOf(desk_.shot()));
+         state_.say("copied: " + lab::commandOf(desk_.shot()));
+       }},
+      {Action::Search, [this] { state_.focus_search = state_.panels = true; }},
+      {Action::TogglePanels, [this] { state_.panels = !state_.panels; }},
+      {Action::ToggleHelp, [this] { state_.help = !state_.help; }},
+      {Action::Quit, [this] { quit_ = true; }},
+  };
 }
 
 void Live::takeKeys() {
   if (!ImGui::GetIO().WantTextInput)
-    for (int key : window_.pressed()) state_.requests.push_back(actionOf(key));
-  for (Action action : std::exchange(state_.requests, {})) attempt(state_, [&] { perform(action); });
+    for (int key : window_.pressed())
+      if (Action action = actionOf(key); action != Action::None) state_.requests.push_back(action);
+  for (Action action : std::exchange(state_.requests, {})) attempt(state_, actions_.at(action));
 }
 
 // ---- a turn
@@ -268,7 +244,7 @@ void Live::turn() {
   if (window_.stirred() || spoke != state_.speaks()) settle_ = kSettle;
   if (drive_) drive_->advance();
   bool news = desk_.turn();
-  if (std::string message = desk_.takeMessage(); !message.empty()) state_.say(message);
+  if (std::string message = desk_.sides().takeMessage(); !message.empty()) state_.say(message);
   if (news) sendToTev();
   if (news) settle_ = kSettle;
   bool draws = settle_ > 0 || desk_.pictureChanged(state_.window_frame) || screenshot_ || (drive_ && !drive_->done());
@@ -276,7 +252,7 @@ void Live::turn() {
   drawWindow();
   takeKeys();
   --settle_;
-  std::string title = fmt::format("{} - strobe live", desk_.a().session->shot().pipeline);
+  std::string title = fmt::format("{} - strobe live", desk_.shot().pipeline);
   if (title != title_) window_.setTitle(title_ = title);
 }
 
@@ -307,21 +283,24 @@ bool onOff(const Command& command) {
 }
 
 void Live::addShotHandlers(std::map<std::string, Handler>& handlers) {
-  handlers["set"] = [this](const Command& c) { return desk_.set(c.arguments[0], c.arguments[1], "drive"), true; };
-  handlers["unset"] = [this](const Command& c) { return desk_.unset(c.arguments[0]), true; };
-  handlers["pipeline"] = [this](const Command& c) { return desk_.usePipeline(c.arguments[0]), true; };
+  handlers["set"] = [this](const Command& c) {
+    return desk_.sides().set(c.arguments[0], c.arguments[1], "drive"), true;
+  };
+  handlers["unset"] = [this](const Command& c) { return desk_.sides().unset(c.arguments[0]), true; };
+  handlers["pipeline"] = [this](const Command& c) { return desk_.sides().usePipeline(c.arguments[0]), true; };
   handlers["frame"] = [this](const Command& c) { return desk_.goToFrame(integerOf(c, 0)), true; };
   handlers["play"] = [this](const Command& c) { return desk_.playing = onOff(c), true; };
   handlers["orbit"] = [this](const Command& c) {
-    desk_.setViewpoint(
-        orbited(desk_.viewpoint(), -numberOf(c, 0) * kRadiansPerPixel, numberOf(c, 1) * kRadiansPerPixel));
+    desk_.sides().setViewpoint(
+        orbited(desk_.sides().viewpoint(), -numberOf(c, 0) * kRadiansPerPixel, numberOf(c, 1) * kRadiansPerPixel));
     return true;
   };
   handlers["expect"] = [this](const Command& c) {
     for (const lab::Control& control : desk_.a().session->controls()) {
       if (control.declaration.name != c.arguments[0]) continue;
-      if (textOf(control.value) == c.arguments[1]) return true;
-      throw Error(fmt::format("{} is {}, expected {}", c.arguments[0], textOf(control.value), c.arguments[1]), c.place);
+      if (lab::plainText(control.value) == c.arguments[1]) return true;
+      throw Error(fmt::format("{} is {}, expected {}", c.arguments[0], lab::plainText(control.value), c.arguments[1]),
+                  c.place);
     }
     throw Error(fmt::format("there is no control '{}'", c.arguments[0]), c.place);
   };
@@ -333,7 +312,7 @@ void Live::addLookHandlers(std::map<std::string, Handler>& handlers) {
   handlers["mode"] = [this](const Command& c) { return desk_.setMode(modeNamed(c.arguments[0])), true; };
   handlers["wipe"] = [this](const Command& c) { return desk_.look().wipe = numberOf(c, 0), true; };
   handlers["zoom"] = [this](const Command& c) {
-    const lab::Shot& shot = desk_.a().session->shot();
+    const lab::Shot& shot = desk_.shot();
     dvec2 centre((numberOf(c, 1) + 0.5) / shot.width, (numberOf(c, 2) + 0.5) / shot.height);
     state_.magnification = {std::max(0.1, numberOf(c, 0)), centre};
     return true;
@@ -344,7 +323,7 @@ void Live::addLookHandlers(std::map<std::string, Handler>& handlers) {
     return true;
   };
   handlers["inspect"] = [this](const Command& c) { return desk_.pin(integerOf(c, 0), integerOf(c, 1)), true; };
-  handlers["key"] = [this](const Command& c) { return perform(actionNamed(c.arguments[0])), true; };
+  handlers["key"] = [this](const Command& c) { return actions_.at(actionNamed(c.arguments[0]))(), true; };
   handlers["search"] = [this](const Command& c) {
     state_.search = c.arguments.empty() ? "" : c.arguments[0];
     return true;
@@ -363,9 +342,9 @@ void Live::addWaitHandlers(std::map<std::string, Handler>& handlers) {
   handlers["reloaded"] = [this](const Command& c) {
     if (!wait_since_s_) wait_since_s_ = clockSeconds();
     if (clockSeconds() - *wait_since_s_ > kReloadLimit_s) throw Error("no edited file was noticed", c.place);
-    if (desk_.reloads() == reloads_seen_) return false;
+    if (desk_.sides().reloads() == reloads_seen_) return false;
     wait_since_s_.reset();
-    reloads_seen_ = desk_.reloads();
+    reloads_seen_ = desk_.sides().reloads();
     return true;
   };
   handlers["truth"] = [this](const Command& c) {
@@ -390,7 +369,7 @@ void Live::addWaitHandlers(std::map<std::string, Handler>& handlers) {
 
 void Live::addFileHandlers(std::map<std::string, Handler>& handlers) {
   handlers["replace"] = [this](const Command& c) {
-    reloads_seen_ = desk_.reloads();  // 'reloaded' waits for this edit, not for one before it
+    reloads_seen_ = desk_.sides().reloads();  // 'reloaded' waits for this edit, not for one before it
     return writeFileAtomically(c.arguments[0], readText(c.arguments[1])), true;
   };
   handlers["screenshot"] = [this](const Command& c) {
@@ -405,9 +384,12 @@ void Live::addFileHandlers(std::map<std::string, Handler>& handlers) {
     wait_from_.reset();
     return true;
   };
-  handlers["capture"] = [this](const Command& c) { return desk_.capture(c.arguments[0]), true; };
+  handlers["capture"] = [this](const Command& c) {
+    lab::checkPictureName(c.arguments[0]);
+    return lab::writePicture(desk_.a().session->capture(), c.arguments[0], false), true;
+  };
   handlers["trail"] = [this](const Command& c) {
-    writeFileAtomically(c.arguments[0], desk_.trailJson().dump(2) + "\n");
+    writeFileAtomically(c.arguments[0], desk_.pixel().json().dump(2) + "\n");
     return true;
   };
 }

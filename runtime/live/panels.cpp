@@ -65,11 +65,12 @@ void topBar(const Fonts& fonts, Desk& desk, PanelState& state, float width) {
   ImGui::SetNextItemWidth(190);
   std::string chosen, current = session.shot().pipeline;
   if (combo("##pipeline", current, withOwn(script::pipelineNames(session.bench().home()), current), chosen))
-    attempt(state, [&] { desk.usePipeline(chosen); });
+    attempt(state, [&] { desk.sides().usePipeline(chosen); });
   tooltip("pipeline of A\n" + session.plan().pipeline.doc);
   ImGui::SameLine(0, 14);
   const gpu::DeviceInfo& device = session.bench().device().info();
-  std::string backend = session.backend() == graph::Backend::Query ? "ray queries" : "ray tracing pipelines";
+  std::string backend =
+      session.running().planned().backend == graph::Backend::Query ? "ray queries" : "ray tracing pipelines";
   textIn(fonts.text, colours::kDim,
          fmt::format("{}  ·  {} x {}  ·  {}{}  ·  {}", Path(session.shot().scene).filename().string(),
                      session.shot().width, session.shot().height, device.name.substr(0, device.name.find(" (")),
@@ -90,7 +91,8 @@ void viewPart(const Fonts& fonts, Desk& desk, PanelState& state) {
   if (combo("##port", look.port, desk.viewable(), chosen)) attempt(state, [&] { desk.viewPort(chosen); });
   tooltip("any output of any pass; Up and Down go through them");
   row("as");
-  std::vector<std::string> kinds = desk.viewKindsHere();
+  const graph::ReadImage* viewed = desk.a().image();
+  std::vector<std::string> kinds = viewed ? viewKinds(*viewed) : std::vector<std::string>{"auto"};
   if (combo("##kind", look.view.kind, kinds, chosen)) look.view.kind = chosen;
   float stops = float(look.view.exposure_stops);
   row("brightness");
@@ -113,7 +115,7 @@ void versusChoice(Desk& desk, PanelState& state) {
   std::string current = b ? b->session->shot().pipeline : "none chosen", chosen;
   if (combo("##versus", current, withOwn(script::pipelineNames(desk.a().session->bench().home()), current), chosen))
     attempt(state, [&] {
-      desk.usePipeline(chosen, true);
+      desk.sides().usePipeline(chosen, true);
       if (desk.look().mode == Mode::Single) desk.setMode(Mode::Wipe);
     });
   tooltip("a second pipeline under the same clock, camera and seed");
@@ -125,8 +127,7 @@ void modeButtons(Desk& desk, PanelState& state) {
     if (i) ImGui::SameLine(0, 2);
     if (i && ImGui::GetContentRegionAvail().x < wide) ImGui::NewLine();
     Mode mode = Mode(i);
-    bool needs_b = mode == Mode::Wipe || mode == Mode::Flicker || mode == Mode::Difference;
-    ImGui::BeginDisabled(needs_b && !desk.b());
+    ImGui::BeginDisabled(comparesWithB(mode) && !desk.b());
     bool lit = desk.look().mode == mode;
     ImGui::PushStyleColor(ImGuiCol_Button, lit ? IM_COL32(92, 72, 44, 255) : IM_COL32(44, 47, 52, 255));
     ImGui::PushID(int(i));
@@ -165,11 +166,11 @@ void differences(const Fonts& fonts, Desk& desk) {
   if (!desk.b() || !ImGui::TreeNodeEx("what differs", ImGuiTreeNodeFlags_SpanAvailWidth)) return;
   std::map<std::string, std::string> of_b;
   for (const lab::Control& control : desk.b()->session->controls())
-    of_b[control.declaration.name] = textOf(control.value);
+    of_b[control.declaration.name] = lab::plainText(control.value);
   int shown = 0;
   for (const lab::Control& control : desk.a().session->controls()) {
     auto found = of_b.find(control.declaration.name);
-    std::string value = textOf(control.value);
+    std::string value = lab::plainText(control.value);
     if (found == of_b.end() || found->second == value) continue;
     textIn(fonts.small, colours::kText, fmt::format("{}: {} | {}", control.declaration.name, value, found->second));
     ++shown;
@@ -253,33 +254,27 @@ void timesPart(const Fonts& fonts, const char* title, const Side& side) {
 void limitsPart(const Fonts& fonts, const char* title, const Side& side) {
   if (side.warnings.empty()) return;
   heading(fonts, title);
-  ImGui::PushFont(fonts.small);
-  ImGui::PushStyleColor(ImGuiCol_Text, colours::kBad);
-  ImGui::PushTextWrapPos(0);
-  for (const std::string& warning : side.warnings) ImGui::TextUnformatted(warning.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-  ImGui::PopFont();
+  for (const std::string& warning : side.warnings) wrappedIn(fonts.small, colours::kBad, warning);
 }
 
 // ---- right: the pinned pixel
 
 void trailPart(const Fonts& fonts, Desk& desk, PanelState& state) {
-  if (!desk.pinned()) return;
-  auto [x, y] = *desk.pinned();
+  if (!desk.pixel().at()) return;
+  auto [x, y] = *desk.pixel().at();
   heading(fonts, fmt::format("Pixel {}, {}", x, y).c_str());
   if (ImGui::Button("copy as JSON"))
     attempt(state, [&] {
-      ImGui::SetClipboardText(desk.trailJson().dump(2).c_str());
+      ImGui::SetClipboardText(desk.pixel().json().dump(2).c_str());
       state.say("copied the trail of the pixel");
     });
   ImGui::SameLine();
-  if (ImGui::Button("let go")) return desk.unpin();
+  if (ImGui::Button("let go")) return desk.pixel().unpin();
   ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollY;
   if (!ImGui::BeginTable("trail", 2, flags, ImVec2(0, 240))) return;
   ImGui::TableSetupColumn("image", ImGuiTableColumnFlags_WidthFixed, 140);
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
-  for (const TrailLine& line : desk.trailLines()) {
+  for (const TrailLine& line : desk.pixel().lines()) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     textIn(fonts.small, line.heading ? colours::kAccent : colours::kDim, line.name);
@@ -319,17 +314,17 @@ void bottomBar(const Fonts& fonts, Desk& desk, PanelState& state, float width, f
   press(desk.playing ? "\u275a\u275a##play" : "\u25b6##play", "play or pause (Space)", Action::TogglePlay,
         desk.playing);
   press("\u25b6\u2759##ahead", "one frame ahead", Action::StepAhead);
-  int frame = desk.frame(), last = std::max(desk.lastFrame(), frame);
+  int frame = desk.shot().frame, last = std::max(desk.sides().lastFrame(), frame);
   ImGui::SetNextItemWidth(std::max(120.0f, width - 520));
   if (ImGui::SliderInt("##frame", &frame, 0, last, "frame %d")) attempt(state, [&] { desk.goToFrame(frame); });
   ImGui::SameLine(0, 14);
   press("save", "the picture with its run record (F2)", Action::Save);
   press("copy command", "that makes this picture (F4)", Action::CopyCommand);
-  press("camera back", "to the scene's (C)", Action::CameraBack, desk.cameraIsMoved());
+  press("camera back", "to the scene's (C)", Action::CameraBack, desk.shot().view.has_value());
   press("fit", "the picture into the window (F)", Action::FitPicture);
   ImGui::NewLine();
-  textIn(fonts.mono, colours::kDim, desk.command());
-  tooltip(desk.command());
+  textIn(fonts.mono, colours::kDim, lab::commandOf(desk.shot()));
+  tooltip(lab::commandOf(desk.shot()));
   ImGui::End();
 }
 
@@ -384,21 +379,29 @@ void drawProblems(const Fonts& fonts, const std::vector<std::string>& problems, 
   ImGui::SameLine();
   textIn(fonts.small, colours::kDim, "below is the last good version; the next good save goes on");
   ImGui::Dummy(ImVec2(0, 2));
-  ImGui::PushFont(fonts.mono);
-  ImGui::PushTextWrapPos(width - 24);
-  for (const std::string& problem : problems) ImGui::TextUnformatted(problem.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PopFont();
+  for (const std::string& problem : problems) wrappedIn(fonts.mono, colours::kText, problem, width - 24);
   ImGui::End();
   ImGui::PopStyleColor();
 }
 
-void keyRow(const Fonts& fonts, const char* key, const char* doc) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  textIn(fonts.mono, colours::kAccent, key);
-  ImGui::TableNextColumn();
-  textIn(fonts.text, colours::kText, doc);
+// Rows of what has `shown` and `doc`.
+template <class List>
+void keyRows(const Fonts& fonts, const List& list) {
+  for (const auto& key : list) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    textIn(fonts.mono, colours::kAccent, key.shown);
+    ImGui::TableNextColumn();
+    textIn(fonts.text, colours::kText, key.doc);
+  }
+}
+
+bool beginKeys(const Fonts& fonts, const char* title) {
+  heading(fonts, title);
+  if (!ImGui::BeginTable(title, 2)) return false;
+  ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 110);
+  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
+  return true;
 }
 
 void drawHelp(const Fonts& fonts) {
@@ -411,19 +414,13 @@ void drawHelp(const Fonts& fonts) {
   ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(26, 28, 31, 248));
   ImGui::Begin("help", nullptr, kFixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus);
   ImGui::SetWindowFocus();
-  heading(fonts, "Keys");
-  if (ImGui::BeginTable("keys", 2)) {
-    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 110);
-    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
-    for (const Key& key : keys()) keyRow(fonts, key.shown, key.doc);
-    for (const HeldKey& key : heldKeys()) keyRow(fonts, key.shown, key.doc);
+  if (beginKeys(fonts, "Keys")) {
+    keyRows(fonts, keys());
+    keyRows(fonts, heldKeys());
     ImGui::EndTable();
   }
-  heading(fonts, "Over the picture");
-  if (ImGui::BeginTable("gestures", 2)) {
-    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, 110);
-    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
-    for (const Gesture& gesture : gestures()) keyRow(fonts, gesture.shown, gesture.doc);
+  if (beginKeys(fonts, "Over the picture")) {
+    keyRows(fonts, gestures());
     ImGui::EndTable();
   }
   ImGui::End();
@@ -439,11 +436,7 @@ void drawMessage(const Fonts& fonts, const PanelState& state, const Area& area) 
   ImGui::Begin("message", nullptr,
                (kFixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus) | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing);
-  ImGui::PushFont(fonts.text);
-  ImGui::PushTextWrapPos(float(area.width - 64));
-  ImGui::TextUnformatted(state.message.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PopFont();
+  wrappedIn(fonts.text, colours::kText, state.message, float(area.width - 64));
   ImGui::End();
   ImGui::PopStyleColor();
 }

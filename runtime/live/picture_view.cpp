@@ -19,7 +19,7 @@ static bool inside(const Area& area, const dvec2& at) {
 
 static bool wipes(const Desk& desk) {
   Mode mode = desk.look().mode;
-  return desk.hasB() && (mode == Mode::Wipe || mode == Mode::Error);
+  return desk.b() && (mode == Mode::Wipe || mode == Mode::Error);
 }
 
 static std::string valueText(const PixelValue& value, const char* between) {
@@ -42,8 +42,8 @@ void PictureView::draw(const Fonts& fonts, Desk& desk, const PanelState& state, 
   list->AddImage(picture.id(), toIm(placement_.toWindow({0, 0})), toIm(placement_.toWindow({width_, height_})));
   if (placement_.scale >= kNumbersFrom) drawNumbers(fonts, desk, area);
   if (wipes(desk)) drawWipe(fonts, desk, area);
-  if (desk.pinned()) {
-    dvec2 at(desk.pinned()->first, desk.pinned()->second);
+  if (desk.pixel().at()) {
+    dvec2 at(desk.pixel().at()->first, desk.pixel().at()->second);
     dvec2 corner = placement_.toWindow(at), opposite = placement_.toWindow(at + dvec2(1));
     list->AddRect(toIm(corner - dvec2(4)), toIm(opposite + dvec2(4)), IM_COL32(0, 0, 0, 200), 2, 0, 4);
     list->AddRect(toIm(corner - dvec2(4)), toIm(opposite + dvec2(4)), colours::kAccent, 2, 0, 2);
@@ -118,9 +118,10 @@ void PictureView::drag(Desk& desk, PanelState& state, const Area& area, const dv
   dvec2 turn = by * kRadiansPerPixel;
   double shown_height = height_ * placement_.scale;
   attempt(state, [&] {
-    if (grip_ == Grip::Orbit) desk.setViewpoint(orbited(desk.viewpoint(), -turn.x, turn.y));
-    if (grip_ == Grip::Look) desk.setViewpoint(turned(desk.viewpoint(), turn.x, -turn.y));
-    if (grip_ == Grip::Pan) desk.setViewpoint(panned(desk.viewpoint(), by.x, by.y, shown_height, desk.verticalFov()));
+    if (grip_ == Grip::Orbit) desk.sides().setViewpoint(orbited(desk.sides().viewpoint(), -turn.x, turn.y));
+    if (grip_ == Grip::Look) desk.sides().setViewpoint(turned(desk.sides().viewpoint(), turn.x, -turn.y));
+    if (grip_ == Grip::Pan)
+      desk.sides().setViewpoint(panned(desk.sides().viewpoint(), by.x, by.y, shown_height, desk.sides().verticalFov()));
   });
 }
 
@@ -130,9 +131,9 @@ void PictureView::fly(Desk& desk, PanelState& state, const Window& window, doubl
     if (window.isDown(key.code)) by += dvec3(key.right, key.up, key.ahead);
   if (by == dvec3(0)) return;
   attempt(state, [&] {
-    Viewpoint view = desk.viewpoint();
+    Viewpoint view = desk.sides().viewpoint();
     double speed = glm::length(view.target - view.eye) * (ImGui::GetIO().KeyShift ? 4 : 1);
-    desk.setViewpoint(flown(view, by * speed * seconds));
+    desk.sides().setViewpoint(flown(view, by * speed * seconds));
   });
 }
 
@@ -158,7 +159,7 @@ void PictureView::interact(Desk& desk, PanelState& state, const Area& area, cons
   if (over && io.MouseWheel != 0 && io.KeyCtrl)
     state.magnification = magnified(state.magnification, std::pow(1.2, io.MouseWheel), pointer, area, width_, height_);
   else if (over && io.MouseWheel != 0)
-    attempt(state, [&] { desk.setViewpoint(dollied(desk.viewpoint(), std::pow(0.9, io.MouseWheel))); });
+    attempt(state, [&] { desk.sides().setViewpoint(dollied(desk.sides().viewpoint(), std::pow(0.9, io.MouseWheel))); });
   if (!io.WantCaptureKeyboard && !io.WantTextInput) fly(desk, state, window, std::min(0.1, double(io.DeltaTime)));
 }
 

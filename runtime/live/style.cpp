@@ -93,6 +93,16 @@ void textIn(ImFont* font, ImU32 color, const std::string& text, float margin) {
   ImGui::PopFont();
 }
 
+void wrappedIn(ImFont* font, ImU32 color, const std::string& text, float width) {
+  ImGui::PushFont(font);
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::PushTextWrapPos(width);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+}
+
 void heading(const Fonts& fonts, const char* text) {
   ImGui::Dummy(ImVec2(0, 4));
   textIn(fonts.bold, colours::kText, text);

@@ -33,6 +33,9 @@ Fonts applyStyle();
 // Text in a font and colour, cut at the right end of the region with three dots.
 void textIn(ImFont* font, ImU32 color, const std::string& text, float margin = 0);
 
+// All of a text, wrapped at `width` (0: the region's).
+void wrappedIn(ImFont* font, ImU32 color, const std::string& text, float width = 0);
+
 // A heading of a part of a panel, with a line under it.
 void heading(const Fonts& fonts, const char* text);
 

@@ -27,6 +27,7 @@ struct ViewOptions {
   double exposure_stops = 0;
   double low = 0, high = 0;  // ends of a scale (depth m, velocity and arrows px: high alone); equal: from the image
   bool over = true;          // masks and arrows over the colour instead of black
+  bool operator==(const ViewOptions&) const = default;
 };
 
 // The kind that "auto" stands for; `port` is "node.port" or the name of an output.

@@ -50,12 +50,6 @@ Widget widgetOf(const plan::ParamDesc& declaration) {
   }
 }
 
-std::string textOf(const plan::Value& value) {
-  std::string text = plan::textOf(value);
-  bool whole = std::holds_alternative<double>(value) && text.ends_with(".0");
-  return whole ? text.substr(0, text.size() - 2) : text;
-}
-
 static std::string rangeText(const plan::ParamDesc& declaration) {
   std::string unit = declaration.unit.empty() ? "" : " " + declaration.unit;
   if (declaration.min && declaration.max) return fmt::format("{} to {}{}", *declaration.min, *declaration.max, unit);
@@ -71,7 +65,7 @@ std::string tooltipOf(const lab::Control& control) {
   std::string range = number ? rangeText(declaration) : "";
   if (!range.empty()) text += "\n" + range;
   for (const auto& [choice, meaning] : declaration.values) text += fmt::format("\n\n{}: {}", choice, meaning);
-  text += fmt::format("\n\n{}: {}", control.origin.empty() ? "default" : control.origin, textOf(control.value));
+  text += fmt::format("\n\n{}: {}", control.origin.empty() ? "default" : control.origin, lab::plainText(control.value));
   if (!control.place.empty()) text += "\ndeclared in " + control.place;
   return text;
 }

@@ -17,9 +17,6 @@ struct Widget {
 };
 Widget widgetOf(const plan::ParamDesc& declaration);
 
-// A value as typed on a command line: "true", "0.5", "name"; numbers as short as read back the same.
-std::string textOf(const plan::Value& value);
-
 // What the tooltip of a control says: description, range, what each choice does, who set it, where it is declared.
 std::string tooltipOf(const lab::Control& control);
 

@@ -64,10 +64,10 @@ TEST(Widgets, FormatsHaveTheUnit) {
 }
 
 TEST(Widgets, TextReadsBackAsTheValue) {
-  EXPECT_EQ(textOf(true), "true");
-  EXPECT_EQ(textOf(int64_t(-3)), "-3");
-  EXPECT_EQ(textOf(std::string("closest")), "closest");
-  for (double value : {0.1, 1.0 / 3, 1e-30, 12345678.9}) EXPECT_EQ(std::stod(textOf(value)), value);
+  EXPECT_EQ(lab::plainText(true), "true");
+  EXPECT_EQ(lab::plainText(int64_t(-3)), "-3");
+  EXPECT_EQ(lab::plainText(std::string("closest")), "closest");
+  for (double value : {0.1, 1.0 / 3, 1e-30, 12345678.9}) EXPECT_EQ(std::stod(lab::plainText(value)), value);
 }
 
 lab::Control sample() {

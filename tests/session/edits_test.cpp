@@ -74,7 +74,7 @@ TEST_F(Edits, AThousandMistakesTakeNothingAway) {
   double started_s = clockSeconds();
   Session session(bench(), smallShot("hybrid"));
   session.reload(true);
-  const std::string image = colorHash(session), plan = session.planHash();
+  const std::string image = colorHash(session), plan = session.running().planned().hash;
   std::map<std::string, Tally> tallies;
 
   for (int i = 0; i < count && !HasFailure(); ++i) {
@@ -94,7 +94,7 @@ TEST_F(Edits, AThousandMistakesTakeNothingAway) {
     home_.write(edit.file, good.at(edit.file), Save(i % 3));
     session.reload(true);
     EXPECT_TRUE(session.problems().empty()) << "after mending " << edit.shown() << "\n" << joined(session.problems());
-    EXPECT_EQ(session.planHash(), plan) << "after mending " << edit.shown();
+    EXPECT_EQ(session.running().planned().hash, plan) << "after mending " << edit.shown();
     if (draw) {
       EXPECT_EQ(colorHash(session), image) << "after mending " << edit.shown();
     }

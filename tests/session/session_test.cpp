@@ -29,18 +29,18 @@ TEST_F(SessionTest, DrawsWhatRenderDraws) {
 
 TEST_F(SessionTest, AValueCanBeSetAndGivenBack) {
   Session session(bench(), smallShot("hybrid"));
-  std::string before = colorHash(session), plan = session.planHash();
+  std::string before = colorHash(session), plan = session.running().planned().hash;
   int compiled = bench().compilations();
   session.set("samples", "5", "window");
   EXPECT_NE(colorHash(session), before);
-  EXPECT_NE(session.planHash(), plan);
+  EXPECT_NE(session.running().planned().hash, plan);
   EXPECT_EQ(bench().compilations(), compiled) << "a number is no reason to compile";
   EXPECT_EQ(controlOf(session.controls(), "samples").origin, "window");
   EXPECT_EQ(controlOf(session.controls(), "composite.samples").origin, "follows samples");
   EXPECT_EQ(shownValue(session, "composite.samples"), "5");
   session.unset("samples");
   EXPECT_EQ(colorHash(session), before);
-  EXPECT_EQ(session.planHash(), plan);
+  EXPECT_EQ(session.running().planned().hash, plan);
   EXPECT_EQ(controlOf(session.controls(), "samples").origin, "default");
 }
 
@@ -74,7 +74,7 @@ TEST_F(SessionTest, AShapeCanBeChangedAndChangedBack) {
 
 TEST_F(SessionTest, WhatIsRefusedChangesNothing) {
   Session session(bench(), smallShot("hybrid"));
-  std::string before = colorHash(session), plan = session.planHash();
+  std::string before = colorHash(session), plan = session.running().planned().hash;
   auto refusal = [&](const std::string& name, const std::string& value) -> std::string {
     try {
       session.set(name, value, "window");
@@ -91,18 +91,18 @@ TEST_F(SessionTest, WhatIsRefusedChangesNothing) {
   EXPECT_NE(refusal("size", "3").find("WIDTHxHEIGHT"), std::string::npos);
   EXPECT_NE(refusal("composite.sampels", "3").find("did you mean"), std::string::npos);
   EXPECT_EQ(colorHash(session), before);
-  EXPECT_EQ(session.planHash(), plan);
+  EXPECT_EQ(session.running().planned().hash, plan);
 }
 
 TEST_F(SessionTest, LookingChangesNothing) {
   Session session(bench(), smallShot("hybrid"));
   std::map<std::string, std::string> before = hashes(session.draw());
-  std::string plan = session.planHash();
+  std::string plan = session.running().planned().hash;
   Json record = session.capture().record;
   session.tap(session.ports());
   graph::FrameResult frame = session.draw();
   EXPECT_EQ(hashes(frame), before);
-  EXPECT_EQ(session.planHash(), plan);
+  EXPECT_EQ(session.running().planned().hash, plan);
   EXPECT_EQ(session.capture().record["pipeline"], record["pipeline"]);
   EXPECT_EQ(frame.taps.size(), session.ports().size());
   EXPECT_GT(frame.taps.size(), 10u);
@@ -141,7 +141,7 @@ TEST_F(SessionTest, ARecordAndACommandLineMakeThePictureAgain) {
   Path file = home_.path("x.record.json");
   writeFileAtomically(file, picture.record.dump());
   Session again(bench(), lab::shotFromRecord(file));
-  EXPECT_EQ(again.planHash(), session.planHash());
+  EXPECT_EQ(again.running().planned().hash, session.running().planned().hash);
   EXPECT_EQ(hashes(again.draw()), hashes(picture.frame));
   std::string command = lab::commandOf(session.shot());
   EXPECT_NE(command.find("strobe render hybrid --scene oracles/textured_bar --size 64x36"), std::string::npos)

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Numbers in a text.
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <optional>
+#include <string_view>
+
+namespace strobe {
+
+// The `count` numbers of a text like "3,4" that is nothing but them with `between` in between; else nothing.
+template <class Number, size_t count>
+std::optional<std::array<Number, count>> numbersIn(std::string_view text, char between) {
+  std::array<Number, count> numbers{};
+  const char *at = text.data(), *end = at + text.size();
+  for (size_t i = 0; i < count; ++i, ++at) {
+    auto [after, error] = std::from_chars(at, end, numbers[i]);
+    bool follows = i + 1 < count ? after != end && *after == between : after == end;
+    if (error != std::errc() || !follows) return {};
+    at = after;
+  }
+  return numbers;
+}
+
+}  // namespace strobe

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "lab/controls.h"
+
+#include <algorithm>
+
+namespace strobe::lab {
+
+plan::ParamDesc declarationOf(const ShotField& field, const scene::Scene& scene) {
+  plan::ParamDesc declared = field.declaration;
+  if (declared.name == "camera") {
+    for (const auto& node : scene.nodes)
+      if (node.camera >= 0) declared.choices.push_back(node.name);
+  }
+  if (declared.name == "animation") {
+    declared.choices = {"all", "none"};
+    for (const auto& animation : scene.animations) declared.choices.push_back(animation.name);
+  }
+  return declared;
+}
+
+// Presets as one choice, which is how they are set.
+static plan::ParamDesc declarationOf(const std::vector<plan::PresetDesc>& presets) {
+  plan::ParamDesc declared;
+  declared.name = plan::kPresetSetting;
+  declared.type = plan::ParamDesc::Type::Choice;
+  declared.doc = "named set of values, which single settings override";
+  for (const plan::PresetDesc& preset : presets) {
+    declared.choices.push_back(preset.name);
+    declared.values.emplace_back(preset.name, preset.doc);
+    if (preset.is_default) declared.default_value = preset.name;
+  }
+  return declared;
+}
+
+namespace {
+
+class Collector {
+ public:
+  explicit Collector(const std::map<std::string, std::string>& origins) : origins_(origins) {}
+
+  // `otherwise`: the origin of a value that was not set.
+  void add(plan::ParamDesc declaration, const plan::Value& value, const std::string& group, const std::string& place,
+           const std::string& otherwise) {
+    auto set = origins_.find(declaration.name);
+    bool is_set = set != origins_.end();
+    controls.push_back({std::move(declaration), value, group, is_set ? set->second : otherwise, place, is_set});
+  }
+
+  std::vector<Control> controls;
+
+ private:
+  const std::map<std::string, std::string>& origins_;
+};
+
+void addShot(Collector& into, const Shot& shot, const scene::Scene& scene, const std::string& given_by) {
+  Shot defaults;
+  for (const ShotOption& option : shotOptions()) {
+    if (!option.is(ShotOption::kControl)) continue;
+    for (const ShotField& field : option.fields) {
+      plan::ParamDesc declaration = declarationOf(field, scene);
+      plan::Value value = field.get(shot);
+      bool is_default = value == field.get(defaults);
+      bool first_camera = declaration.name == "camera" && shot.camera.empty() && !declaration.choices.empty();
+      if (first_camera) value = scene.nodes[size_t(scene::cameraNode(scene, ""))].name;
+      into.add(declaration, value, "shot", "", is_default ? "default" : given_by + " or scene");
+    }
+  }
+}
+
+void addPipeline(Collector& into, const plan::PipelineDesc& pipeline) {
+  if (!pipeline.presets.empty())
+    into.add(declarationOf(pipeline.presets), pipeline.preset, "pipeline", pipeline.file, "default");
+  for (const plan::ParamDesc& declared : pipeline.params) {
+    const plan::Value& value = *plan::valueOf(pipeline, declared.name);
+    bool by_preset = !pipeline.preset.empty() && !(value == declared.default_value);
+    into.add(declared, value, "pipeline", declared.place.text(), by_preset ? "preset " + pipeline.preset : "default");
+  }
+}
+
+void addNode(Collector& into, const plan::PipelineDesc& pipeline, const plan::PlanNode& node) {
+  const plan::NodeDesc& described = pipeline.nodes[size_t(node.node)];
+  const std::vector<plan::ParamDesc>& params = pipeline.passes[size_t(node.pass)].params;
+  for (size_t i = 0; i < params.size(); ++i) {
+    plan::ParamDesc declaration = params[i];
+    declaration.name = described.name + "." + params[i].name;
+    auto bound = std::find_if(described.params.begin(), described.params.end(),
+                              [&](const auto& b) { return b.first == params[i].name; });
+    bool follows = bound != described.params.end() && !bound->second.follows.empty();
+    const plan::Value& value = node.params[i].second;
+    into.add(declaration, value, described.name, params[i].place.text(),
+             follows                            ? "follows " + bound->second.follows
+             : value == params[i].default_value ? "default"
+                                                : pipeline.file);
+  }
+}
+
+}  // namespace
+
+std::vector<Control> controlsOf(const Shot& shot, const Drawing& drawing,
+                                const std::map<std::string, std::string>& origins, const std::string& given_by) {
+  Collector collector(origins);
+  const plan::Plan& plan = drawing.plan();
+  addShot(collector, shot, drawing.scene().scene, given_by);
+  addPipeline(collector, plan.pipeline);
+  for (const plan::PlanNode& node : plan.nodes) addNode(collector, plan.pipeline, node);
+  return std::move(collector.controls);
+}
+
+}  // namespace strobe::lab

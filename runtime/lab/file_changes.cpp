@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "lab/file_changes.h"
+
+#include <algorithm>
+
+#include "base/log.h"
+
+namespace strobe::lab {
+
+void ChangedFiles::remember(const Drawing& running, const std::vector<script::Dependency>& tried) {
+  for (const auto& file : tried) noted_[file.path] = file.hash;
+  for (const auto* files : {&running.evaluation().scripts, &running.scene().dependencies})
+    for (const auto& file : *files) noted_.emplace(file.path, file.hash);
+  auto note = [this](const Path& file) {
+    if (!noted_.count(file)) noted_[file] = script::hashOfPath(file);
+  };
+  const plan::Plan& plan = running.plan();
+  for (const auto& node : plan.nodes)
+    for (const Path& file : graph::shaderFiles(bench_.home(), plan.pipeline.passes[size_t(node.pass)])) {
+      std::vector<Path> reached = {file};
+      try {
+        shader::textWithIncludes(bench_.home(), file, &reached);
+      } catch (const Error&) {
+        // Reported where it is compiled.
+      }
+      for (const Path& one : reached) note(one);
+    }
+  for (const auto& [node, pipeline] : running.graph().pipelines())
+    for (const Path& file : pipeline->files) note(file);
+  if (watch_) watchFolders(running);
+}
+
+void ChangedFiles::watchFolders(const Drawing& running) {
+  if (!watch_) watch_ = std::make_unique<Watch>();
+  for (const char* name : {"passes", "shaders", "scripts", "scripts/pipelines", "scripts/scenes"})
+    for (const Path& folder : bench_.home().folders(name)) watch_->add(folder);
+  for (const auto* files : {&running.evaluation().scripts, &running.scene().dependencies})
+    for (const auto& file : *files) watch_->addFlat(file.path.parent_path());
+}
+
+FileChanges ChangedFiles::changedSince(const Drawing& running) {
+  FileChanges changes;
+  double started_s = clockSeconds();
+  auto is_among = [](const std::vector<script::Dependency>& files, const Path& path) {
+    return std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.path == path; });
+  };
+  for (auto& [path, hash] : noted_) {
+    std::string now = script::hashOfPath(path);
+    if (now == hash) continue;
+    hash = now;
+    changes.files.push_back(bench_.home().shown(path));
+    // The library is of both; what is of neither was part of an attempt that failed.
+    bool scene = is_among(running.scene().dependencies, path);
+    bool shader = path.extension() == ".glsl" || path.extension() == ".h";
+    changes.scene |= scene;
+    changes.scripts |= is_among(running.evaluation().scripts, path) || (!scene && !shader);
+  }
+  changes.ms = 1000 * (clockSeconds() - started_s);
+  return changes;
+}
+
+std::optional<FileChanges> ChangedFiles::look(const Running& running, bool wait) {
+  bool first = !watch_;
+  if (first) watchFolders(running.drawing);
+  FileChanges changes;
+  if (pending_) {
+    bool done = wait || pending_->evaluated.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    if (!done) return {};
+    changes = std::move(pending_->changes);
+    changes.evaluated = pending_->evaluated.get();
+    // Values set in the meantime are not in what was evaluated.
+    bool overtaken = running.shot.pipeline != pending_->shot.pipeline || running.shot.sets != pending_->shot.sets;
+    pending_.reset();
+    if (!overtaken) return changes;
+  } else {
+    bool event = watch_->changed();
+    if (!event && !first && !wait) return {};
+    changes = changedSince(running.drawing);
+    // After a failure a file that nothing could name yet may have appeared.
+    bool retry = event && running.failed;
+    if (changes.files.empty() && !retry) return {};
+    changes.scripts |= running.scripts_failed;
+    if (!changes.scripts) {
+      changes.evaluated.good = running.drawing.evaluation();
+      changes.evaluated.usable = true;
+      return changes;
+    }
+  }
+  auto evaluate = [&home = bench_.home(), shot = running.shot, texts = running.drawing.evaluation().texts,
+                   limits = bench_.limits] { return attemptAround(home, shot, texts, limits); };
+  if (wait) {
+    changes.evaluated = evaluate();
+    return changes;
+  }
+  pending_ = Pending{std::move(changes), running.shot, std::async(std::launch::async, evaluate)};
+  return {};
+}
+
+}  // namespace strobe::lab

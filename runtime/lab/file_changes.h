@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The files that something running was made of: which of them changed, and what their scripts give now.
+#pragma once
+
+#include <future>
+
+#include "base/watch.h"
+#include "lab/drawing.h"
+
+namespace strobe::lab {
+
+// Files that differ from what was tried last, and the evaluation with them; where no script is among them, that of what
+// runs.
+struct FileChanges {
+  std::vector<std::string> files;  // as people know them
+  bool scripts = false, scene = false;
+  double ms = 0;  // hashing the files to see which changed
+  Attempt evaluated;
+};
+
+class ChangedFiles {
+ public:
+  explicit ChangedFiles(Workbench& bench) : bench_(bench) {}
+
+  // Notes the state of all files of what runs, so that the next change is seen. Files that are known already stay as
+  // they were noted: they may have changed since. Those `tried` last count as they were then.
+  void remember(const Drawing& running, const std::vector<script::Dependency>& tried);
+
+  // What runs, and whether its newest files (its scripts) failed when they were tried last.
+  struct Running {
+    const Shot& shot;
+    const Drawing& drawing;
+    bool failed, scripts_failed;
+  };
+  // Looks for changes. Without `wait`, scripts are evaluated in the background: nothing is returned until a later call
+  // finds them done, on the settings as they are then. From the first call on, folders are watched.
+  std::optional<FileChanges> look(const Running& running, bool wait);
+
+ private:
+  struct Pending {
+    FileChanges changes;
+    Shot shot;                       // as it was when the evaluation began
+    std::future<Attempt> evaluated;  // its destructor waits
+  };
+  void watchFolders(const Drawing& running);
+  FileChanges changedSince(const Drawing& running);
+
+  Workbench& bench_;
+  std::map<Path, std::string> noted_;  // hash of every file and folder
+  std::unique_ptr<Watch> watch_;
+  std::optional<Pending> pending_;
+};
+
+}  // namespace strobe::lab

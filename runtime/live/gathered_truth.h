@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The truth that gathers behind the window while nothing else is to be done.
+#pragma once
+
+#include "lab/running_truth.h"
+
+namespace strobe::live {
+
+class GatheredTruth {
+ public:
+  // `pipeline`: "" for the one that declares kind = "truth". The bench must outlive it.
+  GatheredTruth(lab::Workbench& bench, const std::string& pipeline) : truth_(bench, pipeline) {}
+
+  // A few samples of the shot, by whatever pipeline it is drawn. True where there was anything to do.
+  bool gather(const lab::Shot& shot);
+  bool isComplete(const lab::Shot& shot) const;
+  // Begins anew at the next `gather`.
+  void forget() { key_.clear(); }
+
+  int samples(const lab::Shot& shot) const;  // 0 where the truth is that of another shot
+  const image::Image& mean() const { return truth_.mean(); }
+  // RMSE of a picture of the shot against the truth so far.
+  std::optional<double> errorOf(const lab::Shot& shot, const image::Image& color) const;
+  const std::string& problem() const { return problem_; }  // why it cannot be gathered, or ""
+
+ private:
+  lab::RunningTruth truth_;
+  std::string key_, problem_;
+};
+
+}  // namespace strobe::live

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "live/pinned_pixel.h"
+
+namespace strobe::live {
+
+void PinnedPixel::pin(const lab::Shot& shot, int x, int y) {
+  if (x < 0 || y < 0 || x >= shot.width || y >= shot.height)
+    throw Error(fmt::format("pixel {} {} lies outside of {}x{}", x, y, shot.width, shot.height));
+  at_ = {x, y};
+  follow(shot);
+  if (!problem_.empty()) throw Error(problem_);
+}
+
+void PinnedPixel::unpin() {
+  at_.reset();
+  trail_.reset();
+  problem_.clear();
+}
+
+void PinnedPixel::follow(const lab::Shot& shot) {
+  if (!at_) return;
+  auto [x, y] = *at_;
+  if (x >= shot.width || y >= shot.height) return unpin();
+  trail_.reset();
+  problem_.clear();
+  try {
+    trail_ = lab::follow(bench_, shot, x, y).trail;
+  } catch (const Error& error) {
+    problem_ = error.what();
+  }
+}
+
+Json PinnedPixel::json() const {
+  if (!trail_) throw Error(problem_.empty() ? "no pixel is pinned" : problem_);
+  return lab::toJson(*trail_);
+}
+
+static std::string numbersText(const std::vector<double>& values) {
+  std::string text;
+  for (double value : values) text += fmt::format("{}{:.5g}", text.empty() ? "" : "  ", value);
+  return text;
+}
+
+std::vector<TrailLine> PinnedPixel::lines() const {
+  std::vector<TrailLine> lines;
+  if (!trail_) return lines;
+  for (const lab::TrailRow& row : trail_->rows) {
+    std::vector<double> values = row.values;
+    if (values.empty()) values.assign(row.integers.begin(), row.integers.end());
+    std::string doc = fmt::format("{}.{}, {}, {}x{}, texel {}, {}\n{}", row.node, row.port, row.format, row.width,
+                                  row.height, row.x, row.y, row.doc);
+    lines.push_back({false, row.node + "." + row.port, numbersText(values), doc});
+  }
+  for (const lab::TrailHit& hit : trail_->hits) {
+    lines.push_back(
+        {true, fmt::format("{}. {}", hit.layer, hit.instance), fmt::format("{:.4g} m", hit.depth),
+         fmt::format("geometry {}, triangle {}, {} side", hit.geometry, hit.primitive, hit.front ? "front" : "back")});
+    lines.push_back(
+        {false, "  velocity px", numbersText({hit.velocity.x, hit.velocity.y}), "over the exposure, y down"});
+    lines.push_back({false, "  normal", numbersText({hit.normal.x, hit.normal.y, hit.normal.z}), "world space"});
+    lines.push_back({false, "  colour", numbersText({hit.color.x, hit.color.y, hit.color.z}), "linear radiance"});
+  }
+  return lines;
+}
+
+}  // namespace strobe::live
