@@ -41,6 +41,9 @@ Findings lintMixins(const std::vector<Source>& sources);
 // Vulkan's header in gpu/ and one file of live/, Lua's in script/.
 Findings lintForeignHeaders(const std::vector<Source>& sources);
 
+// A class in a header of runtime/ has at most so many methods, constructors and private ones among them.
+Findings lintClasses(const std::vector<Source>& sources, int most);
+
 // Every source says its licence in one of its first two lines.
 Findings lintLicences(const std::vector<Source>& sources);
 

@@ -45,8 +45,34 @@ TEST(Project, IncludesFollowTheFloors) { EXPECT_EQ(joined(lintFloors(project(), 
 TEST(Project, TheHomeIsPassedOn) { EXPECT_EQ(joined(lintHome(project())), ""); }
 TEST(Project, ForeignHeadersStayInTheirRooms) { EXPECT_EQ(joined(lintForeignHeaders(project())), ""); }
 TEST(Project, ShadersSayWhatTheyNeed) { EXPECT_EQ(joined(lintMixins(project())), ""); }
+TEST(Project, ClassesAreSmall) { EXPECT_EQ(joined(lintClasses(project(), 30)), ""); }
 TEST(Project, EverySourceSaysItsLicence) { EXPECT_EQ(joined(lintLicences(project())), ""); }
 TEST(Project, NothingBelongsToAMachine) { EXPECT_EQ(joined(lintMachines(project())), ""); }
+
+TEST(Lint, CountsTheMethodsOfAClass) {
+  std::string text = R"(class A : public B {
+ public:
+  A();  // one()
+  ~A() { destroy(); }
+  bool operator==(const A&) const = default;
+  static std::vector<int> list(const std::function<void(int)>& each = {});
+
+ private:
+  struct Nested {
+    void notCounted();
+  };
+  using Call = void (*)(int);
+  friend void other(A&);
+  int number_ = f(3);
+  std::function<void(int)> call_;
+  std::map<int, std::vector<int>> map_{{1, {}}};
+};
+)";
+  EXPECT_EQ(joined(lintClasses({{"runtime/a/b.h", text}}, 4)), "");
+  EXPECT_EQ(joined(lintClasses({{"runtime/a/b.h", text}}, 3)),
+            "runtime/a/b.h:1: A has 4 methods, at most 3 may it have\n");
+  EXPECT_EQ(joined(lintClasses({{"runtime/a/b.cpp", text}}, 3)), "");
+}
 
 TEST(Lint, FindsAHomeThatIsLookedUpOrSet) {
   auto lint = [](const char* path, const std::string& text) { return joined(lintHome({{path, text}})); };
