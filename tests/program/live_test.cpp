@@ -17,22 +17,9 @@
 namespace strobe::testing {
 namespace {
 
-// A red card that moves 6 px per frame before a checker.
-const char* const kScene = R"lua(
-local scene = require "strobe.scene"
-local red = scene.material { color = { 0.8, 0.1, 0.1 }, unlit = true }
-local checker = scene.texture.checker { colors = { { 0.9, 0.9, 0.9 }, { 0.1, 0.1, 0.4 } }, count = 8 }
-local wall = scene.material { color_texture = checker, unlit = true }
-return scene { name = "small", nodes = {
-  scene.node { name = "card", shape = scene.quad { size = { 1, 1 } }, material = red },
-  scene.node { name = "wall", shape = scene.quad { size = { 8, 8 } }, material = wall, position = { 0, 0, -1 } },
-  scene.node { name = "eye", camera = scene.camera { name = "main", fov = 60 }, position = { 0, 0, 2 } },
-} }
-)lua";
-
 // The same with the card in green.
 std::string greenScene() {
-  std::string text = kScene;
+  std::string text = kCardScene;
   text.replace(text.find("0.8, 0.1, 0.1"), 13, "0.1, 0.8, 0.1");
   return text;
 }
@@ -43,7 +30,7 @@ class Live : public ::testing::Test {
  protected:
   void SetUp() override {
     if (runLine("command -v xvfb-run").exit_code != 0) GTEST_SKIP() << "no Xvfb to open a window on";
-    writeText(folder_ / "scene.lua", kScene);
+    writeText(folder_ / "scene.lua", kCardScene);
     fs::create_directories(pictures_);
   }
 
@@ -133,7 +120,7 @@ TEST_F(Live, ACaptureIsWhatRenderMakes) {
 
 TEST_F(Live, EditsAreTakenInAndMistakesShownOverTheLastGoodFrame) {
   writeText(folder_ / "green.lua", greenScene());
-  writeText(folder_ / "broken.lua", std::string(kScene) + "\nthis is no Lua\n");
+  writeText(folder_ / "broken.lua", std::string(kCardScene) + "\nthis is no Lua\n");
   std::string scene = folder_ / "scene.lua", green = folder_ / "green.lua", broken = folder_ / "broken.lua";
   Outcome outcome =
       drive("problems no\nreplace " + scene + " " + green + "\nreloaded\nwait 2\nproblems no\nscreenshot " +

@@ -51,6 +51,19 @@ inline std::string programPath() {
   return program ? program : "strobe";
 }
 
+// A scene of 64 x 36 px: a red card of 6 px per 0.6 m before a checker.
+inline const char* const kCardScene = R"lua(
+local scene = require "strobe.scene"
+local red = scene.material { color = { 0.8, 0.1, 0.1 }, unlit = true }
+local checker = scene.texture.checker { colors = { { 0.9, 0.9, 0.9 }, { 0.1, 0.1, 0.4 } }, count = 8 }
+local wall = scene.material { color_texture = checker, unlit = true }
+return scene { name = "small", nodes = {
+  scene.node { name = "card", shape = scene.quad { size = { 1, 1 } }, material = red },
+  scene.node { name = "wall", shape = scene.quad { size = { 8, 8 } }, material = wall, position = { 0, 0, -1 } },
+  scene.node { name = "eye", camera = scene.camera { name = "main", fov = 60 }, position = { 0, 0, 2 } },
+} }
+)lua";
+
 // A line of the shell.
 inline Outcome runLine(const std::string& line, const std::vector<std::string>& environment = {}) {
   ProgramEnd end = strobe::run({.arguments = {"sh", "-c", line}, .environment = environment, .wall_s = 600});

@@ -14,19 +14,6 @@
 namespace strobe::testing {
 namespace {
 
-// A red quad that moves 6 px before a checker.
-const char* const kScene = R"lua(
-local scene = require "strobe.scene"
-local red = scene.material { color = { 0.8, 0.1, 0.1 }, unlit = true }
-local checker = scene.texture.checker { colors = { { 0.9, 0.9, 0.9 }, { 0.1, 0.1, 0.4 } }, count = 8 }
-local wall = scene.material { color_texture = checker, unlit = true }
-return scene { name = "small", nodes = {
-  scene.node { name = "card", shape = scene.quad { size = { 1, 1 } }, material = red },
-  scene.node { name = "wall", shape = scene.quad { size = { 8, 8 } }, material = wall, position = { 0, 0, -1 } },
-  scene.node { name = "eye", camera = scene.camera { name = "main", fov = 60 }, position = { 0, 0, 2 } },
-} }
-)lua";
-
 const char* const kDemo = R"lua(
 local experiment = require "strobe.experiment"
 return experiment {
@@ -70,7 +57,7 @@ std::string demoText(const TemporaryFolder& folder, const std::string& pipeline,
 void expectRefusal(const std::string& pipeline, const std::string& extra, const std::string& out,
                    const std::string& wanted) {
   TemporaryFolder folder;
-  writeText(folder / "scene.lua", kScene);
+  writeText(folder / "scene.lua", kCardScene);
   writeText(folder / "demo.lua", demoText(folder, pipeline, extra));
   Outcome outcome = run("demo " + (folder / "demo.lua") + " -o " + (folder / out), "STROBE_VALIDATION=0");
   EXPECT_NE(outcome.exit_code, 0);
@@ -91,7 +78,7 @@ TEST(Demo, MistakesAreOneLineAndWriteNothing) {
 // A mistake in a list is shown at the list's line, with its number.
 TEST(Demo, MistakesHaveTheirLine) {
   TemporaryFolder folder;
-  writeText(folder / "scene.lua", kScene);
+  writeText(folder / "scene.lua", kCardScene);
   writeText(folder / "demo.lua", demoText(folder, "hybrid", "exposre = 0.5"));
   Outcome outcome = run("demo " + (folder / "demo.lua") + " -o " + (folder / "out"), "STROBE_VALIDATION=0");
   EXPECT_NE(outcome.err.find("demo.lua:12: shot 1 has no field 'exposre'"), std::string::npos) << outcome.err;
@@ -121,7 +108,7 @@ void expectShown(const image::Image& page) {
 
 TEST(Demo, WritesSheetPageNumbersAndRecords) {
   TemporaryFolder folder;
-  writeText(folder / "scene.lua", kScene);
+  writeText(folder / "scene.lua", kCardScene);
   writeText(folder / "demo.lua", demoText(folder, "hybrid", "crops = { \"inner\", { 0, 0, 8, 8 } }"));
   std::string out = folder / "out";
   Outcome outcome = run("demo " + (folder / "demo.lua") + " -o " + out);
@@ -172,7 +159,7 @@ TEST(Demo, WritesSheetPageNumbersAndRecords) {
 
 TEST(Sweep, AFailedExpectationIsNamedAndEndsInExitCodeOne) {
   TemporaryFolder folder;
-  writeText(folder / "scene.lua", kScene);
+  writeText(folder / "scene.lua", kCardScene);
   std::string wrong = "{ \"two is three\", function() return false, \"2 < 3\" end },";
   writeText(folder / "x.lua", demoText(folder, "hybrid", "", wrong));
   std::string out = folder / "out";
@@ -201,7 +188,7 @@ TEST(Sweep, AFailedExpectationIsNamedAndEndsInExitCodeOne) {
 
 TEST(Sweep, ListsItsPointsAndRefusesWhatIsNone) {
   TemporaryFolder folder;
-  writeText(folder / "scene.lua", kScene);
+  writeText(folder / "scene.lua", kCardScene);
   writeText(folder / "x.lua", demoText(folder, "hybrid", ""));
   std::string command = "sweep " + (folder / "x.lua") + " -o " + (folder / "out");
   Outcome listed = run(command + " --dry-run");
