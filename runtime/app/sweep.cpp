@@ -24,6 +24,7 @@ struct Options {
   std::string file, out, only, size, device;
   bool dry_run = false, json = false;
   int jobs = 1;
+  double truth_error = 0;
 };
 
 // What a report consists of, by the names it has in its folder.
@@ -41,6 +42,7 @@ std::string commandOf(const Home& home, const std::string& name, const Options& 
   };
   add("", options.file.empty() ? "" : home.shown(options.file));
   add("--size", options.size);
+  if (options.truth_error > 0) add("--truth-error", fmt::format("{:g}", options.truth_error));
   add("--only", options.only.empty() ? "" : "'" + options.only + "'");
   add("-o", options.out);
   return line;
@@ -82,6 +84,7 @@ study::Experiment experimentOf(const Home& home, const std::string& file, const 
   study::Experiment experiment = study::readExperiment(home, file, !options.dry_run);
   if (!options.only.empty()) study::keepOnly(experiment, options.only);
   if (size[0]) experiment.setSize(size[0], size[1]);
+  experiment.truth_error = options.truth_error;
   return experiment;
 }
 
@@ -126,6 +129,11 @@ void addCommon(CLI::App& command, Options& options) {
   command.add_option("--jobs", options.jobs, "processes that draw; times are measured by one alone")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
+  command
+      .add_option("--truth-error", options.truth_error,
+                  "truth has more samples until its standard error over the picture is at most this")
+      ->type_name("E")
+      ->check(CLI::PositiveNumber);
   command.add_flag("--json", options.json, "print the results as JSON");
 }
 

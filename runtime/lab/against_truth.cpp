@@ -2,13 +2,49 @@
 #include "lab/against_truth.h"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 #include "image/metrics.h"
 
 namespace strobe::lab {
 
+image::Image movingMask(const Picture& picture) {
+  const auto& outputs = picture.frame.outputs;
+  auto velocity = outputs.find("velocity"), id = outputs.find("id");
+  if (velocity == outputs.end() || id == outputs.end()) return {};
+  const image::Image& v = velocity->second.floats;
+  const image::UintImage& ids = id->second.uints;
+  std::set<uint32_t> moving;
+  for (int y = 0; y < v.height; ++y)
+    for (int x = 0; x < v.width; ++x)
+      if (std::hypot(double(v.at(x, y, 0)), double(v.at(x, y, 1))) >= 0.5) moving.insert(ids.at(x, y, 0));
+  image::Image mask(v.width, v.height, 1);
+  for (int y = 0; y < v.height; ++y)
+    for (int x = 0; x < v.width; ++x) mask.at(x, y, 0) = moving.count(ids.at(x, y, 0)) ? 1.0f : 0.0f;
+  return mask;
+}
+
+image::Image edgeMask(const Picture& picture) {
+  constexpr int kReach = 2;
+  auto id = picture.frame.outputs.find("id");
+  if (id == picture.frame.outputs.end()) return {};
+  const image::UintImage& ids = id->second.uints;
+  image::Image mask(ids.width, ids.height, 1);
+  for (int y = 0; y < ids.height; ++y)
+    for (int x = 0; x < ids.width; ++x)
+      for (int dy = -kReach; dy <= kReach; ++dy)
+        for (int dx = -kReach; dx <= kReach; ++dx) {
+          int u = std::clamp(x + dx, 0, ids.width - 1), v = std::clamp(y + dy, 0, ids.height - 1);
+          if (ids.at(u, v, 0) != ids.at(x, y, 0)) mask.at(x, y, 0) = 1;
+        }
+  return mask;
+}
+
 image::Image maskOf(const Picture& truth, const std::string& region) {
   if (region == "whole") return {};
+  if (region == "moving") return movingMask(truth);
+  if (region == "edge") return edgeMask(truth);
   auto found = truth.frame.outputs.find(region);
   if (found == truth.frame.outputs.end())
     throw Error(fmt::format("pipeline '{}' of the truth has no output '{}' for the region of that name",

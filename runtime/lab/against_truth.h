@@ -6,8 +6,13 @@
 
 namespace strobe::lab {
 
-// Pixels of a region: an output of the truth by that name; empty for "whole".
+// Pixels of a region: an output of the truth by that name; empty for "whole"; "moving" and "edge" as below.
 image::Image maskOf(const Picture& truth, const std::string& region);
+
+// By a picture's outputs `velocity` and `id`, empty where it has none: pixels of instances that move by half a pixel or
+// more anywhere in the picture, and pixels at most 2 px from one of another instance.
+image::Image movingMask(const Picture& picture);
+image::Image edgeMask(const Picture& picture);
 
 // Truth's standard error over a region: root mean square of its output `error`, 0 where it has none.
 double sigmaOf(const Picture& truth, const image::Image& mask);

@@ -201,17 +201,24 @@ std::shared_ptr<const image::Image> Batch::color(const Shot& wanted) {
 
 // ---- times
 
-std::vector<Timing> Batch::timeInTurn(const std::vector<Shot>& shots, int rounds, const Progress& progress) {
+static bool isKnown(const Timing& timing, double within) {
+  double middle = median(timing.ms);
+  std::array<double, 2> interval = medianInterval(timing.ms);
+  return middle - interval[0] <= within * middle && interval[1] - middle <= within * middle;
+}
+
+std::vector<Timing> Batch::timeInTurn(const std::vector<Shot>& shots, const Rounds& rounds) {
   static const Outputs kColor = {"color"};
   std::vector<Timing> timings(shots.size());
-  for (int round = -1; round < rounds; ++round) {
+  auto known = [&](const Timing& timing) { return isKnown(timing, rounds.within); };
+  for (int round = -1; round < rounds.most; ++round) {
+    if (round >= rounds.least && std::all_of(timings.begin(), timings.end(), known)) break;
     for (size_t i = 0; i < shots.size(); ++i) {
       Shot shot = shots[i];
       std::shared_ptr<HeldScene> scene = bench_.scene(shot);
       double ms = drawing(shot, scene).draw(shot, &kColor).gpu_ms;
       if (round >= 0) timings[i].ms.push_back(ms);
     }
-    if (progress) progress(round + 2, rounds + 1);
   }
   for (Timing& timing : timings) {
     timing.median = median(timing.ms);

@@ -36,6 +36,13 @@ struct Timing {
   double low = 0, high = 0;  // quartiles
 };
 
+// How often: `least` rounds, and more, up to `most`, until the 95 % interval of each median is at most `within` of it
+// to either side.
+struct Rounds {
+  int least = 1, most = 1;
+  double within = 0;
+};
+
 class Batch {
  public:
   // Outputs ("color") and taps ("node.port") to read back; empty: all.
@@ -70,9 +77,9 @@ class Batch {
   // Forgets colours drawn by a pipeline; evaluations, scenes and pictures by other pipelines stay.
   void forgetColorsOf(const std::string& pipeline);
 
-  // Draws the shots alternately, `rounds` frames of each; a first frame of each, which may pay for compiling, does not
+  // Draws a frame of each shot in turn, round after round; a first frame of each, which may pay for compiling, does not
   // count. On a software device times are only comparable within one call.
-  std::vector<Timing> timeInTurn(const std::vector<Shot>& shots, int rounds, const Progress& progress = {});
+  std::vector<Timing> timeInTurn(const std::vector<Shot>& shots, const Rounds& rounds);
 
   int drawn() const { return drawn_; }  // pictures and colours, without frames that were timed
 

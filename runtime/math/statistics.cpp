@@ -25,6 +25,19 @@ double quantile(std::vector<double> values, double q) {
 
 double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
 
+std::array<double, 2> medianInterval(std::vector<double> values) {
+  if (values.size() < 6) return {kNone, kNone};
+  std::sort(values.begin(), values.end());
+  double n = double(values.size()), below = 0;
+  size_t left_out = 0;  // at either end
+  for (;; ++left_out) {
+    double k = double(left_out);
+    below += std::exp(std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1) - n * std::log(2.0));
+    if (below > 0.025) break;
+  }
+  return {values[left_out - 1], values[values.size() - left_out]};
+}
+
 double mean(const std::vector<double>& values) {
   if (values.empty()) return kNone;
   return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());

@@ -3,6 +3,7 @@
 // never becomes a number.
 #pragma once
 
+#include <array>
 #include <vector>
 
 namespace strobe {
@@ -13,6 +14,11 @@ double quantile(std::vector<double> values, double q);
 
 // The middle value; of an even number of values, the mean of the two in the middle.
 double median(std::vector<double> values);
+
+// An interval that holds the median of what independent values are drawn from in at least 95 of 100 such lists: two of
+// the values, so many of each side left out that more fall there with a probability of at most 1/40 (binomial). At
+// least six values.
+std::array<double, 2> medianInterval(std::vector<double> values);
 
 double mean(const std::vector<double>& values);
 

@@ -93,19 +93,19 @@ Table withoutEmptyColumns(Table table) {
   return table;
 }
 
-void markSmallest(Table& table, size_t column) {
+void markBest(Table& table, size_t column, bool largest) {
   auto competes = [&](const Row& row) {
     return column < row.size() && row[column].mark == Mark::none && std::isfinite(row[column].value);
   };
-  const Cell* smallest = nullptr;
+  const Cell* best = nullptr;
   int competing = 0;
   for (const Row& row : table.rows) {
     if (!competes(row)) continue;
     ++competing;
-    if (!smallest || row[column].value < smallest->value) smallest = &row[column];
+    if (!best || (largest ? row[column].value > best->value : row[column].value < best->value)) best = &row[column];
   }
   if (competing < 2) return;
-  std::string text = smallest->text;
+  std::string text = best->text;
   for (Row& row : table.rows)
     if (competes(row) && row[column].text == text) row[column].mark = Mark::best;
 }

@@ -49,9 +49,9 @@ struct Table {
 // The table without the columns that are empty in every row.
 Table withoutEmptyColumns(Table table);
 
-// Marks the smallest value of a column as `best`: every cell that shows the same text as the smallest does, among those
-// that are not marked yet and have a finite value. Nothing is marked where fewer than two cells compete.
-void markSmallest(Table& table, size_t column);
+// Marks the smallest (or largest) value of a column as `best`: every cell that shows the same text as that does, among
+// those that are not marked yet and have a finite value. Nothing is marked where fewer than two cells compete.
+void markBest(Table& table, size_t column, bool largest = false);
 
 // Each ends in a newline. A table without columns is "", and so is the Markdown of one without rows.
 std::string textOf(const Table& table);

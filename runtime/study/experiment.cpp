@@ -122,12 +122,15 @@ Experiment experimentOf(const Home& home, const Json& json) {
   take(json, "question", experiment.question);
   take(json, "note", experiment.note);
   take(json, "size_params", experiment.size_params);
-  take(json, "rounds", experiment.rounds);
+  take(json, "rounds", experiment.rounds.least);
+  experiment.rounds.most = json.value("most_rounds", experiment.rounds.least);
+  take(json, "within", experiment.rounds.within);
+  take(json, "base", experiment.base);
   take(json, "expectations", experiment.expectations);
   std::array<int, 2> size = json.value("size", std::array<int, 2>{960, 540});
   experiment.file_width = size[0], experiment.file_height = size[1];
   experiment.setSize(size[0], size[1]);
-  experiment.regions = json.value("regions", regionNames());
+  experiment.regions = json.value("regions", std::vector<std::string>{"whole", "inner", "hidden", "outer"});
   experiment.measures = json.value("measures", std::vector<std::string>{"rmse", "flip", "ms"});
   for (const Json& arm : json.at("arms")) experiment.arms.push_back(armOf(arm));
   for (const Json& shot : json.at("shots")) experiment.shots.push_back(shotOf(home, shot, json.value("seed", 0u)));
@@ -211,7 +214,9 @@ void check(const Home& home, const Experiment& experiment, const std::string& fi
   bool fits =
       experiment.width >= 1 && experiment.height >= 1 && experiment.width <= 16384 && experiment.height <= 16384;
   if (!fits) refuse("size is not 1 to 16384 pixels");
-  if (experiment.rounds < 1 || experiment.rounds > 10000) refuse("rounds is not 1 to 10000");
+  const lab::Rounds& rounds = experiment.rounds;
+  if (rounds.least < 1 || rounds.most > 10000 || rounds.most < rounds.least)
+    refuse("rounds and most_rounds are not 1 to 10000, or the first is more than the second");
   for (const StudiedShot& shot : experiment.shots)
     if (shot.picture_aa < 1 || shot.picture_aa > 256) refuse("picture_aa is not 1 to 256");
   throwIfAny(problems);

@@ -7,7 +7,7 @@
 
 #include "image/draw.h"
 #include "image/tone.h"
-#include "lab/shot.h"
+#include "lab/batch.h"
 
 namespace strobe::study {
 
@@ -80,12 +80,14 @@ struct Experiment {
   std::vector<StudiedShot> shots;
   std::vector<Arm> arms;
   Arm truth;
+  double truth_error = 0;                      // truth has more samples until its standard error is that; 0: as given
   std::optional<script::Settings> full_truth;  // settings of a second truth (measure rmse_full)
   std::vector<Axis> axes;
   std::vector<Group> groups;  // in the order of their points
   bool partial = false;       // not all points of the file are among them
   std::vector<std::string> regions, measures;
-  int rounds = 1;  // frames of each picture that are timed
+  lab::Rounds rounds;  // of frames that are timed
+  std::string base;    // the arm that times are ratios to; "": the first that is timed
   std::optional<Background> background;
   Json layout;
   size_t expectations = 0;

@@ -39,8 +39,41 @@ double hdrFlip(const Sight& sight, const std::string&, const Image& mask) {
   return image::meanOf(sight.hdrFlip(), mask);
 }
 
+double relmse(const Sight& sight, const std::string&, const Image& mask) {
+  return image::relativeMse(sight.color, sight.truth->color, mask);
+}
+double smape(const Sight& sight, const std::string&, const Image& mask) {
+  return image::smape(sight.color, sight.truth->color, mask);
+}
+double psnr(const Sight& sight, const std::string&, const Image& mask) {
+  return image::psnr(sight.color, sight.truth->color, mask);
+}
+double ssim(const Sight& sight, const std::string&, const Image& mask) {
+  return image::ssim(sight.color, sight.truth->color, mask).value_or(kNothing);
+}
+
+double p999(const Sight& sight, const std::string&, const Image& mask) {
+  std::vector<double> errors;
+  for (int y = 0; y < sight.color.height; ++y)
+    for (int x = 0; x < sight.color.width; ++x) {
+      if (!mask.empty() && mask.at(x, y, 0) < 0.5f) continue;
+      double squares = 0;
+      for (int c = 0; c < 3; ++c)
+        squares += std::pow(double(sight.color.at(x, y, c)) - sight.truth->color.at(x, y, c), 2);
+      errors.push_back(std::sqrt(squares / 3));
+    }
+  return quantile(std::move(errors), 0.999);
+}
+
 double pixels(const Sight& sight, const std::string&, const Image& mask) {
   return double(image::countedPixels(sight.color, mask));
+}
+
+double msRatio(const Sight& sight, const std::string&, const Image&) {
+  std::vector<double> ratios;
+  for (size_t i = 0; i < sight.times_ms.size() && i < sight.base_ms.size(); ++i)
+    ratios.push_back(sight.times_ms[i] / sight.base_ms[i]);
+  return median(std::move(ratios));
 }
 
 // ---- of the picture alone
@@ -56,22 +89,15 @@ double clamped(const Sight& sight, const std::string&, const Image&) {
   return double(lab::clampedPixels(sight.picture->record));
 }
 
-// |velocity| of the pixels of instances that move by half a pixel anywhere in the picture.
+// |velocity| of the pixels of what moves.
 double displacement(const Sight& sight, const std::string&, const Image&) {
-  const auto& outputs = sight.picture->frame.outputs;
-  auto velocity = outputs.find("velocity"), id = outputs.find("id");
-  if (velocity == outputs.end() || id == outputs.end()) return kNothing;
-  const Image& v = velocity->second.floats;
-  const image::UintImage& ids = id->second.uints;
-  auto length = [&](int x, int y) { return std::hypot(double(v.at(x, y, 0)), double(v.at(x, y, 1))); };
-  std::set<uint32_t> moving;
-  for (int y = 0; y < v.height; ++y)
-    for (int x = 0; x < v.width; ++x)
-      if (length(x, y) >= 0.5) moving.insert(ids.at(x, y, 0));
+  Image moving = lab::movingMask(*sight.picture);
+  if (moving.empty()) return kNothing;
+  const Image& v = sight.picture->frame.outputs.at("velocity").floats;
   std::vector<double> lengths;
   for (int y = 0; y < v.height; ++y)
     for (int x = 0; x < v.width; ++x)
-      if (moving.count(ids.at(x, y, 0))) lengths.push_back(length(x, y));
+      if (moving.at(x, y, 0) > 0) lengths.push_back(std::hypot(double(v.at(x, y, 0)), double(v.at(x, y, 1))));
   return lengths.empty() ? 0 : median(std::move(lengths));
 }
 
@@ -144,7 +170,7 @@ const Image& Sight::hdrFlip() const {
   return hdr_flip_;
 }
 
-std::vector<std::string> regionNames() { return {"whole", "inner", "hidden", "outer"}; }
+std::vector<std::string> regionNames() { return {"whole", "inner", "hidden", "outer", "moving", "edge"}; }
 
 const std::vector<Measure>& measures() {
   constexpr Better kLower = Better::lower, kNeither = Better::neither;
@@ -153,10 +179,22 @@ const std::vector<Measure>& measures() {
       {"flip", "FLIP", "", kLower, true, "mean of the FLIP map against truth, at 67 pixels per degree", flip},
       {"hdr_flip", "HDR-FLIP", "", kLower, true, "mean of the HDR-FLIP map against truth", hdrFlip},
       {"rmse_full", "RMSE, full shading", "", kLower, true, "RMSE against the second truth (`full`)", rmseFull},
+      {"p999", "99.9th percentile", "", kLower, true,
+       "error that one pixel in a thousand exceeds: root of the mean square over its channels", p999},
+      {"relmse", "relMSE", "", kLower, true, "mean of squared differences over squared truth + 0.01", relmse},
+      {"smape", "SMAPE", "", kLower, true, "mean of absolute differences over both magnitudes + 0.01", smape},
+      {"psnr", "PSNR", "dB", Better::higher, true, "of the clamped, sRGB-encoded values", psnr},
+      {"ssim", "SSIM", "", Better::higher, true, "Wang et al. 2004, of the clamped, sRGB-encoded values", ssim},
       {"ms", "time", "ms", kLower, false, "median time of a frame on the device, the first one not counted",
        [](const Sight& s, const std::string&, const Image&) { return median(s.times_ms); }, true},
       {"ms_least", "least time", "ms", kLower, false, "least time of a frame on the device",
        [](const Sight& s, const std::string&, const Image&) { return least(s.times_ms); }, true},
+      {"ms_low", "lower quartile", "ms", kNeither, false, "of the times of a frame",
+       [](const Sight& s, const std::string&, const Image&) { return quantile(s.times_ms, 0.25); }, true},
+      {"ms_high", "upper quartile", "ms", kNeither, false, "of the times of a frame",
+       [](const Sight& s, const std::string&, const Image&) { return quantile(s.times_ms, 0.75); }, true},
+      {"ms_ratio", "time ratio", "", kLower, false,
+       "median over the rounds of a frame's time as a multiple of the base arm's in the same round", msRatio, true},
       {"memory", "memory", "MiB", kLower, false, "all images that a frame holds at once, as they share memory",
        [](const Sight& s, const std::string&, const Image&) { return double(s.bytes) / (1 << 20); }},
       {"bytes", "bytes per pixel", "B", kLower, false, "the same, per pixel of the picture",

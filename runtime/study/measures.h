@@ -14,7 +14,7 @@
 
 namespace strobe::study {
 
-// "whole" and the masks that truth marks.
+// "whole", the masks that truth marks, and those that follow from what it sees at the capture.
 std::vector<std::string> regionNames();
 
 // What the measures of one truth's points share.
@@ -37,6 +37,7 @@ struct Sight {
   const Background* background = nullptr;
   uint64_t bytes = 0;            // of all images that a frame holds at once
   std::vector<double> times_ms;  // of frames drawn after one to warm up
+  std::vector<double> base_ms;   // of the base arm's frames in the same rounds
 
   // Error maps, made when they are first asked for.
   const image::Image& flip() const;

@@ -2,6 +2,8 @@
 #include "study/painter.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "base/log.h"
 #include "image/metrics.h"
@@ -16,6 +18,8 @@ namespace strobe::study {
 using image::Image;
 
 namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // "NODE: COUNT WHAT" of each limit a picture met: its warnings without those of the scene, without what to do about
 // them.
@@ -64,14 +68,36 @@ std::shared_ptr<const lab::Picture> Painter::drawn(const lab::Shot& shot, int co
   return picture;
 }
 
+// With as many samples as its standard error, which falls with their root, asks for.
+std::shared_ptr<const lab::Picture> Painter::drawnTruth(const lab::Shot& first, int cost) {
+  lab::Shot shot = first;
+  std::shared_ptr<const lab::Picture> picture = drawn(shot, cost);
+  const double required = experiment_.truth_error > 0 ? experiment_.truth_error : kInfinity;
+  for (double error; (error = lab::sigmaOf(*picture, {})) > required; picture = drawn(shot, 0)) {
+    std::shared_ptr<const plan::PipelineDesc> pipeline = batch_.evaluate(shot.pipeline, shot.sets).pipeline;
+    const plan::ParamDesc* samples = plan::paramOf(*pipeline, plan::Role::SampleCount);
+    if (!samples) throw Error("has no parameter that is a number of samples", {shot.pipeline});
+    int64_t now = 0;
+    for (const auto& [name, value] : pipeline->values)
+      if (name == samples->name) now = std::get<int64_t>(value);
+    double needed = std::ceil(1.1 * double(now) * std::pow(error / required, 2));
+    int64_t next = int64_t(std::min(needed, samples->max.value_or(needed)));
+    if (next <= now)
+      throw Error(fmt::format("truth has a standard error of {:.3g} with the {} samples it can have, not {:.3g}", error,
+                              now, required));
+    lab::putSetting(shot.sets, samples->name, next);
+  }
+  return picture;
+}
+
 // Read, or drawn, when a point of the group is first measured.
 void Painter::prepareTruth(const TaskGroup& group) {
   if (truth_key_ == group.truth_key + group.full_key) return;
-  truth_ = store_.truth(group.truth_key, [&] { return drawn(group.truth().shot, group.truth().cost); });
+  truth_ = store_.truth(group.truth_key, [&] { return drawnTruth(group.truth().shot, group.truth().cost); });
   held_against_ = truthPictureOf(experiment_, *truth_);
   if (group.full)
     held_against_.full =
-        lab::colorOf(*store_.truth(group.full_key, [&] { return drawn(*group.full, group.truth().cost); }));
+        lab::colorOf(*store_.truth(group.full_key, [&] { return drawnTruth(*group.full, group.truth().cost); }));
   truth_key_ = group.truth_key + group.full_key;
 }
 
@@ -91,8 +117,10 @@ Sight Painter::sightOf(const TaskGroup& group, const Task& task, const lab::Pict
   if (std::optional<Group> benign = benignOf(experiment_, *group.group); benign && task.compares) {
     bool is_truth = task.arm->role == Role::truth;
     lab::Shot shot = is_truth ? truthShotOf(experiment_, *benign) : shotOf(experiment_, *benign, *task.arm);
-    benign_ = is_truth ? lab::colorOf(*store_.truth(batch_.contentOf(shot), [&] { return drawn(shot, task.cost); }))
-                       : lab::colorOf(*batch_.picture(shot));
+    auto truth = [&] {
+      return store_.truth(truthKeyOf(experiment_, batch_, shot), [&] { return drawnTruth(shot, task.cost); });
+    };
+    benign_ = is_truth ? lab::colorOf(*truth()) : lab::colorOf(*batch_.picture(shot));
     sight.benign = &benign_;
   }
   const std::optional<Background>& background = experiment_.background;
@@ -118,6 +146,12 @@ Point Painter::measuredPoint(const TaskGroup& group, const Task& task) {
   point.values = measured(sight, task.measures, experiment_.regions);
   point.limits = limitsMet(*picture);
   point.image = picture->record["outputs"]["color"];
+  if (experiment_.truth_error > 0 && task.arm->role == Role::truth) {
+    lab::Shot shot = task.shot;
+    for (const auto& [name, value] : picture->record["shot"]["set"].items())
+      lab::putSetting(shot.sets, name, plan::valueFromJson(value));
+    point.command = commandOf(experiment_.shots[group.group->shot], shot);
+  }
   const StudiedShot& studied = experiment_.shots[group.group->shot];
   std::string at = describe(experiment_, *group.group);
   warnOnce(fmt::format("{}{}, {}", studied.title, at.empty() ? "" : ", " + at, task.arm->name), picture->warnings);

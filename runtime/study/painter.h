@@ -30,6 +30,7 @@ class Painter {
  private:
   void paintTask(const TaskGroup& group, const Task& task);
   std::shared_ptr<const lab::Picture> drawn(const lab::Shot& shot, int cost);
+  std::shared_ptr<const lab::Picture> drawnTruth(const lab::Shot& shot, int cost);
   void prepareTruth(const TaskGroup& group);
   Sight sightOf(const TaskGroup& group, const Task& task, const lab::Picture& picture);
   Point measuredPoint(const TaskGroup& group, const Task& task);

@@ -57,6 +57,24 @@ std::vector<const Point*> rowsOf(const Results& results, const PointGroup& group
   return rows;
 }
 
+// Bold is what is smallest (or largest). Errors that differ by less than ten standard errors of truth are not ranked.
+void rank(page::Table& table, size_t column, const Shown& shown, const PointGroup& group) {
+  if (!shown.measure->per_region || shown.measure->better == Better::neither) return;
+  double sigma = shown.measure->name == "rmse" ? group.truth().value("rmse", shown.region) : 0;
+  std::vector<page::Cell*> cells;
+  for (page::Row& row : table.rows)
+    if (row[column].mark == page::Mark::none && std::isfinite(row[column].value)) cells.push_back(&row[column]);
+  auto less = [](const page::Cell* a, const page::Cell* b) { return a->value < b->value; };
+  std::sort(cells.begin(), cells.end(), less);
+  auto near = [&](const page::Cell* cell) { return cell->value < cells.front()->value + 10 * sigma; };
+  auto end = std::partition_point(cells.begin(), cells.end(), near);
+  bool alike = end == cells.begin() || (*(end - 1))->value == cells.front()->value;
+  if (alike) return page::markBest(table, column, shown.measure->better == Better::higher);
+  for (auto cell = cells.begin(); cell != end; ++cell) (*cell)->text += "?";
+  if (table.notes.empty())
+    table.notes.push_back("?: these differ by less than ten standard errors of truth, too little to rank them.");
+}
+
 page::Table errorTable(const Results& results, const PointGroup& group) {
   page::Table table;
   std::vector<Shown> columns = columnsOf(results);
@@ -73,8 +91,7 @@ page::Table errorTable(const Results& results, const PointGroup& group) {
     row.push_back(page::Cell(fmt::format("{:.0f}", point->value("clamped")), mark));
     table.add(std::move(row));
   }
-  for (size_t i = 0; i < columns.size(); ++i)
-    if (columns[i].measure->per_region) page::markSmallest(table, i + 1);
+  for (size_t i = 0; i < columns.size(); ++i) rank(table, i + 1, columns[i], group);
   return table;
 }
 

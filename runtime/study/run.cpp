@@ -44,31 +44,51 @@ std::vector<std::vector<const TaskGroup*>> walksOf(const Experiment& experiment,
   return walks;
 }
 
-bool lacksTimes(const Task& task, const Point& point) {
+bool lacksTimes(const Task& task, const Store& store) {
+  if (!task.timed || !store.has(task.key)) return false;
+  Point point = *store.point(task.key);
   return std::any_of(task.measures.begin(), task.measures.end(),
                      [&](const std::string& name) { return measureNamed(name).is_time && !point.values.count(name); });
 }
 
-// One after the other, as often as there are rounds, so that what else the machine does meets all alike.
+// What times of a group are ratios to; null: nothing of it is timed.
+const Task* baseOf(const Experiment& experiment, const TaskGroup& group) {
+  const Task* first = nullptr;
+  for (const Task& task : group.tasks) {
+    if (!task.timed || !task.refused.empty()) continue;
+    if (task.arm->name == experiment.base) return &task;
+    if (!first) first = &task;
+  }
+  return first;
+}
+
+void keepTimes(const Store& store, const Task& task, const lab::Timing& own, const lab::Timing& base) {
+  Sight sight;
+  sight.times_ms = own.ms, sight.base_ms = base.ms;
+  Point point = *store.point(task.key);
+  for (const std::string& name : task.measures)
+    if (measureNamed(name).is_time) point.values[name]["all"] = measureNamed(name).of(sight, "", {});
+  store.keep(task.key, point);
+}
+
+// One after the other, so that what else the machine does meets all alike; the base of each group among them.
 void timeInTurn(const Experiment& experiment, lab::Batch& batch, const Store& store,
                 const std::vector<const TaskGroup*>& walk) {
-  std::vector<const Task*> tasks;
-  std::vector<lab::Shot> shots;
+  std::vector<const Task*> tasks;  // to time, or a base
+  auto indexOf = [&](const Task* task) { return size_t(std::find(tasks.begin(), tasks.end(), task) - tasks.begin()); };
+  std::vector<std::pair<const Task*, const Task*>> asked;
   for (const TaskGroup* group : walk)
     for (const Task& task : group->tasks) {
-      if (!task.timed || !store.has(task.key) || !lacksTimes(task, *store.point(task.key))) continue;
-      tasks.push_back(&task), shots.push_back(task.shot);
+      if (!lacksTimes(task, store)) continue;
+      asked.emplace_back(&task, baseOf(experiment, *group));
+      for (const Task* one : {asked.back().first, asked.back().second})
+        if (indexOf(one) == tasks.size()) tasks.push_back(one);
     }
-  if (shots.empty()) return;
+  if (tasks.empty()) return;
+  std::vector<lab::Shot> shots;
+  for (const Task* task : tasks) shots.push_back(task->shot);
   std::vector<lab::Timing> timings = batch.timeInTurn(shots, experiment.rounds);
-  for (size_t i = 0; i < tasks.size(); ++i) {
-    Sight sight;
-    sight.times_ms = timings[i].ms;
-    Point point = *store.point(tasks[i]->key);
-    for (const std::string& name : tasks[i]->measures)
-      if (measureNamed(name).is_time) point.values[name]["all"] = measureNamed(name).of(sight, "", {});
-    store.keep(tasks[i]->key, point);
-  }
+  for (const auto& [task, base] : asked) keepTimes(store, *task, timings[indexOf(task)], timings[indexOf(base)]);
 }
 
 // ---- results
@@ -108,7 +128,7 @@ PointGroup resultOf(const Experiment& experiment, const TaskGroup& group, const 
     else point.failed = task.refused;
     point.arm = task.arm->name;
     point.role = task.arm->role;
-    point.command = commandOf(studied, task.shot);
+    if (point.command.empty()) point.command = commandOf(studied, task.shot);
     result.points.push_back(std::move(point));
   }
   return result;

@@ -117,9 +117,9 @@ TaskGroup groupOf(const Experiment& experiment, const Group& group, lab::Batch& 
   for (size_t arm : group.arms)
     result.tasks.push_back({&experiment.arms[arm], shotOf(experiment, group, experiment.arms[arm]), names});
   try {
-    result.truth_key = batch.contentOf(result.truth().shot);
+    result.truth_key = truthKeyOf(experiment, batch, result.truth().shot);
     if (experiment.full_truth) result.full = truthShotOf(experiment, group, *experiment.full_truth);
-    if (result.full) result.full_key = batch.contentOf(*result.full);
+    if (result.full) result.full_key = truthKeyOf(experiment, batch, *result.full);
   } catch (const Error& error) {
     for (Task& task : result.tasks) task.refused = std::string("truth: ") + error.what();
   }
@@ -129,6 +129,11 @@ TaskGroup groupOf(const Experiment& experiment, const Group& group, lab::Batch& 
 }
 
 }  // namespace
+
+std::string truthKeyOf(const Experiment& experiment, lab::Batch& batch, const lab::Shot& truth) {
+  std::string content = batch.contentOf(truth);
+  return experiment.truth_error > 0 ? hashText(fmt::format("{}|{}", content, experiment.truth_error)) : content;
+}
 
 std::optional<Group> benignOf(const Experiment& experiment, const Group& group) {
   if (group.at.size() != 1) return std::nullopt;

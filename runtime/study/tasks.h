@@ -42,6 +42,9 @@ struct Left {
 };
 Left leftOf(const std::vector<TaskGroup>& groups, const Store& store);
 
+// Content of a truth: with a required standard error also of that.
+std::string truthKeyOf(const Experiment& experiment, lab::Batch& batch, const lab::Shot& truth);
+
 // The group with the benign value of the one axis along which a group lies, which may be the group itself.
 std::optional<Group> benignOf(const Experiment& experiment, const Group& group);
 

@@ -19,7 +19,9 @@ experiment.fields = {
     size = { list, optional = true }, size_params = { list, optional = true }, seed = { number, optional = true },
     shots = { list }, arms = { list }, truth = { map }, vary = { list, optional = true },
     skip = { func, optional = true }, regions = { list, optional = true }, measures = { list, optional = true },
-    rounds = { number, optional = true }, background = { map, optional = true }, expect = { list, optional = true },
+    rounds = { number, optional = true }, most_rounds = { number, optional = true },
+    within = { number, optional = true }, base = { text, optional = true },
+    background = { map, optional = true }, expect = { list, optional = true },
     layout = { map, optional = true },
   },
   -- title: shown instead of the name. truth: settings of truth in this shot. crops: { x, y, width, height } at the
@@ -394,6 +396,7 @@ function Checker:whole(t)
     self:add({ "truth", "name" }, "an arm is called '%s' too", result.truth.name)
   end
   self:numbers(t.size, 2, { "size" }, "size")
+  self:one_of(t.base, arm_names, { "base" }, "the base")
   self:names_of(t, "regions", self.known.regions)
   self:names_of(t, "measures", self.known.measures)
   self.shot_names = shot_names

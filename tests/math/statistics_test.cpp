@@ -29,6 +29,15 @@ TEST(Statistics, AnInfiniteValueIsNoNeighbourOfWhatItHasNoShareIn) {
   EXPECT_EQ(quantile({1, 2, inf}, 1), inf);
 }
 
+// scipy.stats.binom(25, 0.5).ppf(0.025) = 8: the 8th and the 18th of 25 values; of 6 the least and the largest.
+TEST(Statistics, TheIntervalOfAMedianLiesBetweenTwoOfTheValues) {
+  std::vector<double> values;
+  for (int i = 25; i >= 1; --i) values.push_back(i);
+  EXPECT_EQ(medianInterval(values), (std::array<double, 2>{8, 18}));
+  EXPECT_EQ(medianInterval({3, 1, 2, 6, 5, 4}), (std::array<double, 2>{1, 6}));
+  EXPECT_TRUE(std::isnan(medianInterval({1, 2, 3, 4, 5})[0]));
+}
+
 TEST(Statistics, MeanVarianceAndStandardError) {
   std::vector<double> values = {2, 4, 4, 4, 5, 5, 7, 9};  // squared deviations from 5 add up to 32
   EXPECT_EQ(mean(values), 5);

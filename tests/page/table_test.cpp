@@ -106,7 +106,7 @@ TEST(Table, MarksWhatShowsTheSmallestValue) {
   table.add({"two", {0.2002, "0.2"}});
   table.add({"three", {NAN, "–"}});
   table.add({"four", {3, "3"}});
-  markSmallest(table, 1);
+  markBest(table, 1);
   std::vector<Mark> marks;
   for (const Row& row : table.rows) marks.push_back(row[1].mark);
   EXPECT_EQ(marks, (std::vector<Mark>{Mark::faint, Mark::best, Mark::best, Mark::none, Mark::none}));
@@ -115,7 +115,7 @@ TEST(Table, MarksWhatShowsTheSmallestValue) {
 
 TEST(Table, MarksNothingWhereOneCompetesAlone) {
   Table table{"", {"a", "b"}, {{"one", {1, "1"}}}};
-  markSmallest(table, 1);
+  markBest(table, 1);
   EXPECT_EQ(table.rows[0][1].mark, Mark::none);
 }
 

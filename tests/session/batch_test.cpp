@@ -125,7 +125,7 @@ TEST_F(BatchTest, TimesAreOfFramesInTurn) {
   Shot few = smallShot("mcguire2012"), many = few;
   few.sets.push_back({"samples", 2});
   many.sets.push_back({"samples", 1000});
-  std::vector<lab::Timing> times = batch.timeInTurn({few, many}, 5);
+  std::vector<lab::Timing> times = batch.timeInTurn({few, many}, {5, 5});
   ASSERT_EQ(times.size(), 2u);
   for (const lab::Timing& time : times) {
     EXPECT_EQ(time.ms.size(), 5u);

@@ -126,7 +126,7 @@ TEST(Results, AsATable) {
   EXPECT_EQ(line, "1,good,shot,hidden,1,") << "a region without pixels";
   size_t lines = 3;
   while (std::getline(csv, line)) ++lines;
-  EXPECT_EQ(lines, 5u * 4 * 4) << "5 values, 4 arms, 4 regions";
+  EXPECT_EQ(lines, 5u * 4 * 6) << "5 values, 4 arms, 6 regions";
 }
 
 // An expectation that fails, or holds although it is said not to, is named.
@@ -176,6 +176,15 @@ TEST_P(Committed, PagesAreMadeOfTheirNumbers) {
   EXPECT_EQ(readText(folder / "report.html"), report.page());
   EXPECT_LT(readText(folder / "report.html").size(), 1'500'000u);
   EXPECT_EQ(readText(folder / "table.csv"), csvOf(results));
+}
+
+// Living room, outer: 0.02100 and 0.02319, and truth's standard error is 0.00286.
+TEST(Ranking, WhatTruthCannotTellApartIsNotRanked) {
+  std::string text = Report(committed("real_scenes"), home().shipped() / "experiments/real_scenes").markdown("");
+  EXPECT_NE(text.find("| 0.02100? |"), std::string::npos);
+  EXPECT_NE(text.find("| 0.02319? |"), std::string::npos);
+  EXPECT_EQ(text.find("**0.02100**"), std::string::npos);
+  EXPECT_NE(text.find("| **0.01218** |"), std::string::npos) << "far from the others";
 }
 
 // Texts, expectations and their outcomes are those of the file as it is.

@@ -15,10 +15,11 @@ namespace {
 
 class Measuring : public oracle::RenderTest {
  protected:
-  static Results measured(const std::string& text) {
+  static Results measured(const std::string& text, double truth_error = 0) {
     testing::TemporaryFolder folder;
     testing::writeText(folder / "x.lua", text);
     Experiment experiment = readExperiment(bench().home(), folder / "x.lua");
+    experiment.truth_error = truth_error;
     return run(experiment, bench(), Store(folder.path()));
   }
 };
@@ -81,6 +82,62 @@ TEST_F(Measuring, ErrorsAreThoseOfTheClosedForm) {
   EXPECT_LT(floor(3) / floor(5), 16 * 1.5);
   EXPECT_EQ(results.groups[3].find("no blur")->value("rmse"), results.groups[5].find("no blur")->value("rmse"))
       << "lacks samples";
+}
+
+// A card of 20 x 8 px that moves by 6 px before a wall at rest, in front of the camera's centre.
+const char* const kRegions = R"lua(
+local experiment = require "strobe.experiment"
+return experiment {
+  title = "Regions", size = { 48, 24 }, rounds = 3, most_rounds = 12, within = 0.01, base = "again",
+  size_params = { "width", "height" },
+  measures = { "rmse", "pixels", "p999", "psnr", "ssim", "smape", "relmse", "ms", "ms_low", "ms_high", "ms_ratio" },
+  regions = { "whole", "moving", "edge" },
+  truth = { pipeline = "ground_truth", set = { samples = 64 } },
+  arms = { { name = "none", pipeline = "none" }, { name = "again", pipeline = "none" } },
+  shots = { { name = "bar", scene = "oracles/bar", frame = 0, ["scene.d_f"] = 6, ["scene.left"] = 16, ["scene.right"] = 32 } },
+}
+)lua";
+
+TEST_F(Measuring, RegionsOfTheCaptureAndTimesAsRatios) {
+  Results results = measured(kRegions);
+  const Point& none = results.groups.at(0).points.at(1);
+  EXPECT_EQ(none.value("pixels", "whole"), 48 * 24);
+  EXPECT_EQ(none.value("pixels", "moving"), 16 * 24) << "the bar from 16 to 32";
+  EXPECT_EQ(none.value("pixels", "edge"), 2 * 4 * 24) << "two to either side of its two edges";
+  EXPECT_EQ(none.value("rmse", "whole"), none.value("rmse"));
+  EXPECT_GT(none.value("p999", "whole"), none.value("rmse", "whole"));
+  EXPECT_LT(none.value("psnr", "edge"), none.value("psnr", "whole")) << "errors lie at the edges";
+  EXPECT_LT(none.value("ssim", "edge"), none.value("ssim", "whole"));
+  EXPECT_GT(none.value("smape", "edge"), none.value("smape", "whole"));
+  EXPECT_GT(none.value("relmse", "edge"), none.value("relmse", "whole"));
+  EXPECT_LE(none.value("ms_low"), none.value("ms"));
+  EXPECT_GE(none.value("ms_high"), none.value("ms"));
+  EXPECT_GT(none.value("ms_ratio"), 0);
+  EXPECT_EQ(results.groups[0].points[2].value("ms_ratio"), 1) << "the base";
+  EXPECT_EQ(none.image, results.groups[0].points[2].image);
+}
+
+const char* const kCoarse = R"lua(
+local experiment = require "strobe.experiment"
+return experiment {
+  title = "Coarse", size = { 48, 24 }, regions = { "whole" }, measures = { "rmse" },
+  truth = { pipeline = "ground_truth", set = { samples = 4, times = "stratified" } },
+  arms = { { name = "none", pipeline = "none" } },
+  shots = { { name = "bar", scene = "oracles/bar", ["scene.d_f"] = 6 } },
+}
+)lua";
+
+TEST_F(Measuring, TruthHasAsManySamplesAsItsErrorAsksFor) {
+  Results coarse = measured(kCoarse);
+  const PointGroup& group = coarse.groups.at(0);
+  double error = group.truth().value("rmse");
+
+  Results finer = measured(kCoarse, error / 8);
+  EXPECT_LE(finer.groups.at(0).truth().value("rmse"), error / 8);
+  EXPECT_NE(finer.groups[0].truth().command, group.truth().command) << "with its samples";
+
+  Results refused = measured(kCoarse, 1e-9);
+  EXPECT_NE(refused.groups.at(0).points[1].failed.find("samples it can have"), std::string::npos);
 }
 
 // Bytes of formats can be counted; differences are those of the pictures.
