@@ -287,9 +287,9 @@ std::vector<Outcome<Json>> evaluateScenes(const Home& home, const std::vector<st
 }
 
 Json evaluateData(const Home& home, const std::string& path, const Json& arguments,
-                  std::vector<Dependency>* dependencies, const Limits& limits, const Json& known) {
+                  std::vector<Dependency>* dependencies, const Limits& limits) {
   Main main = mainFile(home, path);
-  Json argument = {{"file", main.shown}, {"arguments", arguments}, {"known", known}};
+  Json argument = {{"file", main.shown}, {"arguments", arguments}};
   return evaluate(home, main, "data", argument, dependencies, limits);
 }
 

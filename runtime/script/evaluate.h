@@ -91,8 +91,7 @@ std::vector<Outcome<Json>> evaluateScenes(const Home& home, const std::vector<st
 // The plain data any other file returns (experiments, demos); `arguments` is what `...` holds in its main chunk,
 // `known` what the modules of scripts/strobe find as `native.known`.
 Json evaluateData(const Home& home, const std::string& path, const Json& arguments = {},
-                  std::vector<Dependency>* dependencies = nullptr, const Limits& limits = {},
-                  const Json& known = Json::object());
+                  std::vector<Dependency>* dependencies = nullptr, const Limits& limits = {});
 
 // Every pass below passes/, by name.
 std::vector<plan::PassDesc> evaluateAllPasses(const Home& home, std::vector<Dependency>* dependencies = nullptr,

@@ -55,14 +55,6 @@ end
 -- A value as the command line would have it.
 function fields.shown(value) return math.type(value) == "float" and ("%.14g"):format(value) or tostring(value) end
 
--- Settings as the command line would have them, by name.
-function fields.settings(t)
-  local result, names = {}, type(t) == "table" and check.names(t) or {}
-  table.sort(names)
-  for i, name in ipairs(names) do result[i] = { name = name, value = fields.shown(t[name]) } end
-  return result
-end
-
 function fields.copied(t)
   local result = {}
   for key, value in pairs(t) do result[key] = value end

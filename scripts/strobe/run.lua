@@ -70,7 +70,6 @@ function run.scene(request)
 end
 
 function run.data(request)
-  native.known = request.known
   local result = native.main(request.arguments)
   if result == nil then check.fail({ file = request.file, line = 0 }, "returns nothing; it should end in 'return'") end
   return require "strobe.experiment".finished(result, request.arguments)

@@ -45,7 +45,7 @@ TEST_F(Installed, ReadsItsOwnFiles) {
   EXPECT_EQ(found["files"], Json({fs::canonical(project()), fs::canonical(shipped())}));
   for (const auto& entry : fs::recursive_directory_iterator(prefix()))
     EXPECT_TRUE(fs::exists(entry.path())) << entry.path() << " leads nowhere";
-  EXPECT_NE(contentOf(project() / ".luarc.json").find((shipped() / "passes").string()), std::string::npos);
+  EXPECT_NE(contentOf(project() / ".luarc.json").find(shipped().string()), std::string::npos);
 
   // What the sources lack is found; what is missing there is missing, though the sources have it.
   fs::rename(shipped() / "scripts/pipelines/ue4.lua", shipped() / "scripts/pipelines/renamed.lua");
@@ -61,7 +61,8 @@ TEST_F(Installed, RendersAndChecks) {
   EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
   Json record = Json::parse(contentOf(project() / "out/smear.record.json"));
   std::string files = record.dump();
-  for (const char* file : {"pipelines/smear.lua", "passes/scene/gbuffer.lua", "scripts/scenes/oracles/bar.lua"})
+  for (const char* file :
+       {"project:pipelines/smear.lua", "strobe:passes/scene/gbuffer.lua", "strobe:scripts/scenes/oracles/bar.lua"})
     EXPECT_NE(files.find("\"" + std::string(file) + "\""), std::string::npos) << file;
   Outcome sound = strobeIn(project(), "check smear none");
   EXPECT_EQ(sound.exit_code, 0) << sound.err;

@@ -77,8 +77,8 @@ TEST_F(Resume, KilledAtAnyMomentItLosesNothingAndDrawsNothingTwice) {
   std::map<std::string, fs::file_time_type> before;
   for (int i = 0; i < 30; ++i) {
     double moment = double(random()) / double(random.max());
-    if (i % 5 == 0) killAt("killed", 0, moment);
-    else killAt("killed", before.size() + random() % 14, 0.1 * moment);
+    if (i % 5 == 0) killAt("killed", 0, 0.7 * moment);
+    else killAt("killed", before.size() + random() % 6, 0.02 * moment);
     std::map<std::string, fs::file_time_type> now = points("killed");
     for (const auto& [name, time] : before) EXPECT_EQ(now.at(name), time) << "written again";
     before = now;
