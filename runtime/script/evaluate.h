@@ -88,8 +88,8 @@ Json evaluateScene(const Home& home, const std::string& name_or_path, const Sett
 std::vector<Outcome<Json>> evaluateScenes(const Home& home, const std::vector<std::string>& names_or_paths,
                                           const Limits& limits = {});
 
-// The plain data any other file returns (experiments, demos); `arguments` is what `...` holds in its main chunk,
-// `known` what the modules of scripts/strobe find as `native.known`.
+// The plain data any other file returns (experiments, extreme cases); `arguments` is what `...` holds in its main
+// chunk.
 Json evaluateData(const Home& home, const std::string& path, const Json& arguments = {},
                   std::vector<Dependency>* dependencies = nullptr, const Limits& limits = {});
 
