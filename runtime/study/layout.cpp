@@ -23,6 +23,17 @@ std::optional<CurvesLayout> curvesOf(const Json& layout) {
   return result;
 }
 
+std::optional<FrontLayout> frontOf(const Json& layout) {
+  if (!layout.contains("front")) return std::nullopt;
+  FrontLayout result;
+  const Json& json = layout["front"];
+  if (!json.is_object()) return result;
+  result.title = json.value("title", ""), result.note = json.value("note", "");
+  result.x = json.value("x", result.x), result.y = json.value("y", result.y);
+  result.region = json.value("region", result.region);
+  return result;
+}
+
 std::optional<TableLayout> tableOf(const Json& layout) {
   if (!layout.contains("table") && !layout.empty()) return std::nullopt;
   TableLayout result;

@@ -29,8 +29,15 @@ struct TableLayout {
   bool share = false;              // errors as a share of the contrast of truth
 };
 
+// A measure against another, a point for each method and value, a chart for each shot.
+struct FrontLayout {
+  std::string title, note;
+  std::string x = "ms", y = "rmse", region = "whole";
+};
+
 std::optional<PicturesLayout> picturesOf(const Json& layout);
 std::optional<CurvesLayout> curvesOf(const Json& layout);
+std::optional<FrontLayout> frontOf(const Json& layout);
 // Without any layout: a table of all points.
 std::optional<TableLayout> tableOf(const Json& layout);
 

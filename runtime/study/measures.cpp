@@ -194,7 +194,7 @@ const std::vector<Measure>& measures() {
       {"ms_high", "upper quartile", "ms", kNeither, false, "of the times of a frame",
        [](const Sight& s, const std::string&, const Image&) { return quantile(s.times_ms, 0.75); }, true},
       {"ms_ratio", "time ratio", "", kLower, false,
-       "median over the rounds of a frame's time as a multiple of the base arm's in the same round", msRatio, true},
+       "median over the rounds of a frame's time as a multiple of the base's in the same round", msRatio, true},
       {"memory", "memory", "MiB", kLower, false, "all images that a frame holds at once, as they share memory",
        [](const Sight& s, const std::string&, const Image&) { return double(s.bytes) / (1 << 20); }},
       {"bytes", "bytes per pixel", "B", kLower, false, "the same, per pixel of the picture",

@@ -61,6 +61,7 @@ Parts Report::parts(int divisor) const {
   Parts parts = expectationParts(results_, "", "");
   if (picturesOf(results_.layout)) append(parts, pictureParts(results_, galleries_, divisor));
   if (curvesOf(results_.layout)) append(parts, curveParts(results_));
+  if (frontOf(results_.layout)) append(parts, frontParts(results_));
   if (tableOf(results_.layout)) append(parts, tableParts(results_));
   std::erase_if(parts, [](const Part& part) {
     const auto* paragraph = std::get_if<page::Paragraph>(&part.block);

@@ -34,6 +34,8 @@ void append(Parts& parts, Parts more);
 Parts pictureParts(const Results& results, const std::vector<Gallery>& galleries, int divisor);
 // An axis after the other.
 Parts curveParts(const Results& results);
+// A shot after the other: what is best at which price.
+Parts frontParts(const Results& results);
 // Tables by axis, or one of all points.
 Parts tableParts(const Results& results);
 // Expectations of a shot, of an axis, or of neither, as outcomes.

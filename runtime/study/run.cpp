@@ -51,14 +51,15 @@ bool lacksTimes(const Task& task, const Store& store) {
                      [&](const std::string& name) { return measureNamed(name).is_time && !point.values.count(name); });
 }
 
-// What times of a group are ratios to; null: nothing of it is timed.
-const Task* baseOf(const Experiment& experiment, const TaskGroup& group) {
+// What times of a shot are ratios to: the base arm, else the first that is timed, where it comes first.
+const Task* baseOf(const Experiment& experiment, const std::vector<TaskGroup>& groups, size_t shot) {
   const Task* first = nullptr;
-  for (const Task& task : group.tasks) {
-    if (!task.timed || !task.refused.empty()) continue;
-    if (task.arm->name == experiment.base) return &task;
-    if (!first) first = &task;
-  }
+  for (const TaskGroup& group : groups)
+    for (const Task& task : group.tasks) {
+      if (group.group->shot != shot || !task.timed || !task.refused.empty()) continue;
+      if (task.arm->name == experiment.base) return &task;
+      if (!first) first = &task;
+    }
   return first;
 }
 
@@ -71,24 +72,18 @@ void keepTimes(const Store& store, const Task& task, const lab::Timing& own, con
   store.keep(task.key, point);
 }
 
-// One after the other, so that what else the machine does meets all alike; the base of each group among them.
+// One after the other, so that what else the machine does meets all alike; the base among them.
 void timeInTurn(const Experiment& experiment, lab::Batch& batch, const Store& store,
-                const std::vector<const TaskGroup*>& walk) {
-  std::vector<const Task*> tasks;  // to time, or a base
-  auto indexOf = [&](const Task* task) { return size_t(std::find(tasks.begin(), tasks.end(), task) - tasks.begin()); };
-  std::vector<std::pair<const Task*, const Task*>> asked;
+                const std::vector<TaskGroup>& groups, const std::vector<const TaskGroup*>& walk) {
+  std::vector<const Task*> tasks;
   for (const TaskGroup* group : walk)
-    for (const Task& task : group->tasks) {
-      if (!lacksTimes(task, store)) continue;
-      asked.emplace_back(&task, baseOf(experiment, *group));
-      for (const Task* one : {asked.back().first, asked.back().second})
-        if (indexOf(one) == tasks.size()) tasks.push_back(one);
-    }
+    for (const Task& task : group->tasks)
+      if (lacksTimes(task, store)) tasks.push_back(&task);
   if (tasks.empty()) return;
-  std::vector<lab::Shot> shots;
+  std::vector<lab::Shot> shots = {baseOf(experiment, groups, walk.front()->group->shot)->shot};
   for (const Task* task : tasks) shots.push_back(task->shot);
   std::vector<lab::Timing> timings = batch.timeInTurn(shots, experiment.rounds);
-  for (const auto& [task, base] : asked) keepTimes(store, *task, timings[indexOf(task)], timings[indexOf(base)]);
+  for (size_t i = 0; i < tasks.size(); ++i) keepTimes(store, *tasks[i], timings[i + 1], timings.front());
 }
 
 // ---- results
@@ -142,7 +137,7 @@ Results run(const Experiment& experiment, lab::Workbench& bench, const Store& st
   lab::Batch batch(bench);
   std::vector<TaskGroup> groups = tasksOf(experiment, batch);
   paintHere(experiment, batch, store, leftOf(groups, store));
-  for (const auto& walk : walksOf(experiment, groups)) timeInTurn(experiment, batch, store, walk);
+  for (const auto& walk : walksOf(experiment, groups)) timeInTurn(experiment, batch, store, groups, walk);
 
   Results results = outlineOf(experiment);
   const gpu::DeviceInfo& device = bench.device().info();

@@ -35,6 +35,7 @@ std::vector<std::string> measuresOf(const Experiment& experiment, const Group& g
   add({"rmse", "pixels", "broken"});
   if (picturesOf(experiment.layout)) add({"displacement", "clamped"});
   if (curvesOf(experiment.layout)) add({"contrast", "change", "changed"});
+  if (std::optional<FrontLayout> front = frontOf(experiment.layout)) add({front->x, front->y});
   if (experiment.background) add({"background_deviation", "background_difference", "background_pixels", "clamped"});
   if (std::optional<TableLayout> table = tableOf(experiment.layout)) {
     for (const std::string& axis : table->axes) {

@@ -56,11 +56,19 @@ experiment.fields = {
   },
   -- What an arm knows of what is behind: its outputs, and the arm that shows what is in front.
   background = { arm = { text }, color = { text }, valid = { text }, front = { text } },
-  layout = { pictures = { map, optional = true }, curves = { map, optional = true }, table = { map, optional = true } },
+  layout = {
+    pictures = { map, optional = true }, curves = { map, optional = true }, front = { map, optional = true },
+    table = { map, optional = true },
+  },
   -- Sizes in pixels at the experiment's size. difference_gain: what differences from truth are multiplied by.
   pictures = { crop_size = { list, optional = true }, difference_gain = { number, optional = true } },
   -- factor: an arm is as good as its samples allow where its error is at most so many times the floor's.
   curves = { factor = { number, optional = true } },
+  -- x, y: measures; y in `region`, and x too where it is measured by region.
+  front = {
+    x = { text, optional = true }, y = { text, optional = true }, region = { text, optional = true },
+    title = { text, optional = true }, note = { text, optional = true },
+  },
   -- axes: those to lay out, each as a table; cells: measures of each shot, once: measures of the first shot alone.
   -- share: errors as a share of the contrast of truth. title: of the section.
   table = {
@@ -356,10 +364,10 @@ function Checker:expectations(t, shots, axes)
   return functions
 end
 
-function Checker:layout(t, axes)
+function Checker:layout(t, axes, regions)
   if t == nil then return nil end
   self:fields(t, "layout", { "layout" })
-  for _, kind in ipairs { "pictures", "curves", "table" } do
+  for _, kind in ipairs { "pictures", "curves", "front", "table" } do
     if t[kind] ~= nil then self:fields(t[kind], kind, { "layout", kind }, "the layout " .. kind) end
   end
   if type(t.pictures) == "table" then
@@ -367,6 +375,12 @@ function Checker:layout(t, axes)
   end
   local names = {}
   for i, axis in ipairs(axes) do names[i] = axis.name end
+  local front = type(t.front) == "table" and t.front or {}
+  for _, key in ipairs { "x", "y" } do
+    self:one_of(front[key], self.known.measures, { "layout", "front", key }, key .. " of the front")
+  end
+  self:one_of(front.region, type(regions) == "table" and regions or self.known.regions,
+              { "layout", "front", "region" }, "the region of the front")
   local laid = type(t.table) == "table" and t.table or {}
   for i, name in ipairs(type(laid.axes) == "table" and laid.axes or {}) do
     self:one_of(name, names, { "layout", "table", "axes" }, ("axis %d of the table"):format(i))
@@ -408,7 +422,7 @@ function Checker:whole(t)
       self:one_of(background[name], arm_names, { "background", name }, "the arm")
     end
   end
-  result.layout = self:layout(t.layout, result.axes)
+  result.layout = self:layout(t.layout, result.axes, t.regions)
   local expectations = self:expectations(t.expect, shot_names, result.axes)
   self.problems:raise()
   result.groups = self:groups(result, t.skip, combinations)

@@ -211,7 +211,7 @@ TEST_P(Committed, NumbersAreOfTheExperimentAsItIs) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Questions, Committed, ::testing::Values("extremes", "real_scenes"));
+INSTANTIATE_TEST_SUITE_P(Questions, Committed, ::testing::Values("extremes", "real_scenes", "samples"));
 
 }  // namespace
 }  // namespace strobe::study

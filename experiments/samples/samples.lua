@@ -1,0 +1,57 @@
+-- SPDX-License-Identifier: MIT
+-- What samples and tiles buy, of methods that know what is behind and of methods that do not.
+local experiment = require "strobe.experiment"
+
+local function inner(r, arm, samples, tile)
+  return r.at { arm = arm, samples = samples, tile = tile, region = "inner" }.rmse
+end
+
+return experiment {
+  title    = "Samples and tiles",
+  question = "What does a sample buy, does the tile size matter, and what does time buy?",
+  note     = "The vase of the living room slides past the cushions. Times are ratios to McGuire 2012 with 4 samples and " ..
+             "tiles of 10 px.",
+  size     = { 320, 180 },
+  shots    = { { name = "vase", title = "Vase", scene = "living_room", camera = "main" } },
+  arms     = {
+    { name = "McGuire 2012", pipeline = "mcguire2012" },
+    { name = "UE4-style", pipeline = "ue4" },
+    { name = "hybrid (best)", pipeline = "hybrid", set = { preset = "best" } },
+  },
+  truth    = { pipeline = "ground_truth", set = { samples = 512, times = "stratified" } },
+  base     = "McGuire 2012",
+  rounds   = 5, most_rounds = 25, within = 0.05,
+  vary     = { experiment.grid { samples = { 4, 8, 16, 32, 64 }, tile = { 10, 20, 40 } } },
+  regions  = { "whole", "inner", "outer" },
+  measures = { "rmse", "flip", "ms", "ms_ratio" },
+  expect   = {
+    { "inside the silhouette the hybrid has a smaller error with 8 samples than each baseline with 64", function(r)
+      local own, best = inner(r, "hybrid (best)", 8, 40), math.huge
+      for _, arm in ipairs { "McGuire 2012", "UE4-style" } do best = math.min(best, inner(r, arm, 64, 40)) end
+      return own < best, ("%.4f and %.4f"):format(own, best)
+    end },
+    { "samples do not help where the background is invented: from 4 to 64 a baseline's inner error falls by less than a fifth",
+      function(r)
+        local worst = 0
+        for _, arm in ipairs { "McGuire 2012", "UE4-style" } do
+          worst = math.max(worst, 1 - inner(r, arm, 64, 40) / inner(r, arm, 4, 40))
+        end
+        return worst < 0.2, ("at most %.0f %%"):format(100 * worst)
+      end },
+    { "samples help the hybrid: from 4 to 64 its inner error halves at least", function(r)
+      local ratio = inner(r, "hybrid (best)", 64, 40) / inner(r, "hybrid (best)", 4, 40)
+      return ratio <= 0.5, ("to %.2f"):format(ratio)
+    end },
+    { "the tile size changes the hybrid's inner error by at most a tenth", function(r)
+      local most = 0
+      for _, samples in ipairs { 4, 8, 16, 32, 64 } do
+        local middle = inner(r, "hybrid (best)", samples, 20)
+        for _, tile in ipairs { 10, 40 } do
+          most = math.max(most, math.abs(inner(r, "hybrid (best)", samples, tile) / middle - 1))
+        end
+      end
+      return most <= 0.1, ("at most %.1f %%"):format(100 * most)
+    end },
+  },
+  layout   = { front = { x = "ms_ratio", y = "rmse", region = "inner" }, table = {} },
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "math/pareto.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+namespace strobe {
+
+TEST(Pareto, TheFrontIsWhatNothingDominates) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(paretoFront({{3, 1}, {1, 3}, {2, 2}, {2, 3}, {3, 2}, {1, 3}, {0, none}, {none, 0}}),
+            (std::vector<size_t>{1, 2, 0}))
+      << "of equal points the first";
+  EXPECT_TRUE(paretoFront({}).empty());
+}
+
+// By the definition, pair by pair.
+TEST(Pareto, IsThatOfTheDefinition) {
+  std::mt19937 random(3);
+  std::vector<std::pair<double, double>> points;
+  for (int i = 0; i < 300; ++i) points.emplace_back(random() % 40, random() % 40);
+  std::vector<bool> on_front(points.size());
+  for (size_t i : paretoFront(points)) on_front[i] = true;
+  for (size_t i = 0; i < points.size(); ++i) {
+    bool dominated = false;
+    for (size_t k = 0; k < points.size(); ++k) {
+      bool no_worse = points[k].first <= points[i].first && points[k].second <= points[i].second;
+      dominated = dominated || (no_worse && (points[k] != points[i] || k < i));
+    }
+    EXPECT_EQ(on_front[i], !dominated) << i;
+  }
+}
+
+}  // namespace strobe
