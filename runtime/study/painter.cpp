@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/hash.h"
 #include "base/log.h"
 #include "image/metrics.h"
 #include "image/png.h"
@@ -185,7 +186,9 @@ void Painter::write(const TaskGroup& group, const Task& task, const lab::Picture
   }
   point.record = stem + ".record.json";
   point.picture = stem + ".png";
-  image::writePng(store_.folder() / point.picture, image::toneMap(shown, studied.tone));
+  std::string png = image::encodePng(image::toneMap(shown, studied.tone));
+  writeFileAtomically(store_.folder() / point.picture, png);
+  point.picture_hash = hashText(png);
 }
 
 void Painter::paintTask(const TaskGroup& group, const Task& task) {

@@ -35,6 +35,7 @@ void forTexts(It& point, const Visit& visit, const Point*) {
   visit("image", point.image);
   visit("measured", point.measured);
   visit("shown", point.shown), visit("picture", point.picture), visit("record", point.record);
+  visit("picture_hash", point.picture_hash);
 }
 template <class It, class Visit>
 void forTexts(It& expectation, const Visit& visit, const Expectation*) {

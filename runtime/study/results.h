@@ -26,6 +26,7 @@ struct Point {
   std::string failed;               // why it could not be drawn; "": it was
   // Beside the results, "" where none was written: linear colour as measured and as shown (OpenEXR), and for people.
   std::string measured, shown, picture, record;
+  std::string picture_hash;  // of the file for people
 
   // NaN where it was not measured. `region` has no meaning for what is not per region.
   double value(const std::string& measure, const std::string& region = "whole") const;

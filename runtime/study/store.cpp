@@ -7,6 +7,7 @@
 
 #include <filesystem>
 
+#include "base/hash.h"
 #include "image/exr.h"
 #include "lab/capture.h"
 
@@ -100,12 +101,18 @@ std::optional<Point> Store::point(const std::string& key) const {
   return pointFrom(Json::parse(readText(file), nullptr, false), file.string());
 }
 
+// Pictures have the names of their arms, so that those of other values may lie there by now.
+static bool hasPictures(const Path& folder, const Point& point) {
+  if (point.picture.empty()) return true;
+  for (const std::string& name : {point.measured, point.shown, point.picture, point.record})
+    if (!fs::exists(folder / name)) return false;
+  Json record = Json::parse(readText(folder / point.record), nullptr, false);
+  return record["outputs"]["color"] == point.image && hashText(readText(folder / point.picture)) == point.picture_hash;
+}
+
 bool Store::has(const std::string& key) const {
   std::optional<Point> kept = point(key);
-  if (!kept || !kept->failed.empty()) return false;
-  for (const std::string& name : {kept->measured, kept->shown, kept->picture, kept->record})
-    if (!name.empty() && !fs::exists(folder_ / name)) return false;
-  return true;
+  return kept && kept->failed.empty() && hasPictures(folder_, *kept);
 }
 
 void Store::keep(const std::string& key, const Point& point) const {

@@ -24,7 +24,8 @@ class Store {
   // Throws `Error` (exit code 2) where the folder has points of another experiment, by its title.
   void belongTo(const std::string& title) const;
 
-  // folder/points/KEY.json, if it is there. A point that failed, or whose pictures are gone, is not had.
+  // folder/points/KEY.json, if it is there. A point that failed, or whose pictures are gone or
+  // those of another by now, is not had.
   std::optional<Point> point(const std::string& key) const;
   bool has(const std::string& key) const;
   void keep(const std::string& key, const Point& point) const;

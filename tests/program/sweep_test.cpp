@@ -155,6 +155,20 @@ TEST(Demo, WritesSheetPageNumbersAndRecords) {
   expectShown(shown);
 }
 
+// Pictures of one size do not stand for those of another, though they have the same names.
+TEST(Demo, AnotherSizeAndBack) {
+  TemporaryFolder folder;
+  writeText(folder / "scene.lua", kCardScene);
+  writeText(folder / "demo.lua", demoText(folder, "hybrid", ""));
+  std::string out = folder / "out", command = "demo " + (folder / "demo.lua") + " -o " + out;
+  ASSERT_EQ(run(command).exit_code, 0);
+  std::string picture = contentOf(out + "/a_card/hybrid.png");
+  ASSERT_EQ(run(command + " --size 32x18").exit_code, 0);
+  EXPECT_NE(contentOf(out + "/a_card/hybrid.png"), picture);
+  ASSERT_EQ(run(command).exit_code, 0);
+  EXPECT_EQ(contentOf(out + "/a_card/hybrid.png"), picture);
+}
+
 // ---- sweep
 
 TEST(Sweep, AFailedExpectationIsNamedAndEndsInExitCodeOne) {
