@@ -112,7 +112,7 @@ void sweep(const Home& home, const std::string& name, const Options& options, co
   study::FrozenHome frozen(home, store.folder() / ".inputs");
   experiment.file = frozen.at(file);
   auto make = [&] { return std::make_unique<lab::Workbench>(frozen.home(), options.device, validationWanted()); };
-  bool good = options.jobs <= 1 || study::paintInProcesses(experiment, make, store, options.jobs);
+  bool good = options.jobs <= 1 || study::renderInProcesses(experiment, make, store, options.jobs);
   std::unique_ptr<lab::Workbench> bench = make();
   study::Results results = study::run(experiment, *bench, store);
   bench->device().refuseMessages();

@@ -44,6 +44,10 @@ Gallery galleryOf(const Results& results, const ShotSummary& shot, const Path& f
   return gallery;
 }
 
+std::string headOf(const Measure& measure) {
+  return measure.unit.empty() ? measure.title : measure.title + ", " + measure.unit;
+}
+
 std::string shownValue(const Measure& measure, double value) {
   if (std::isnan(value)) return page::kNotMeasured;
   if (measure.unit == "ms") return page::shownMs(value);

@@ -32,6 +32,8 @@ std::vector<const PointGroup*> groupsOf(const Results& results, const ShotSummar
 // Throws `Error` for pictures that cannot be read below `folder`.
 Gallery galleryOf(const Results& results, const ShotSummary& shot, const Path& folder);
 
+// "time, ms"
+std::string headOf(const Measure& measure);
 // A value of a measure with its unit.
 std::string shownValue(const Measure& measure, double value);
 

@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "base/log.h"
-#include "study/painter.h"
+#include "study/point_renderer.h"
 
 namespace strobe::study {
 
@@ -23,7 +23,7 @@ struct Shared {
   std::atomic<int> cost = 0, cost_done = 0;
 };
 
-[[noreturn]] void paintShare(const Experiment& experiment, const MakeBench& make, const Store& store, Shared& shared) {
+[[noreturn]] void renderShare(const Experiment& experiment, const MakeBench& make, const Store& store, Shared& shared) {
   int code = 0;
   try {
     std::unique_ptr<lab::Workbench> bench = make();
@@ -31,9 +31,9 @@ struct Shared {
     std::vector<TaskGroup> groups = tasksOf(experiment, batch);
     int none = 0;
     shared.cost.compare_exchange_strong(none, leftOf(groups, store).cost);
-    Painter painter(experiment, batch, store);
+    PointRenderer renderer(experiment, batch, store);
     for (size_t i; (i = shared.next++) < groups.size();)
-      painter.paint(groups[i], [&](int by) { shared.cost_done += by; });
+      renderer.render(groups[i], [&](int by) { shared.cost_done += by; });
     bench->device().refuseMessages();
   } catch (const std::exception& error) {
     warn(error.what());
@@ -44,7 +44,7 @@ struct Shared {
 
 }  // namespace
 
-bool paintInProcesses(const Experiment& experiment, const MakeBench& make, const Store& store, int jobs) {
+bool renderInProcesses(const Experiment& experiment, const MakeBench& make, const Store& store, int jobs) {
   void* memory = ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) throw Error("no memory for several processes");
   Shared& shared = *new (memory) Shared;
@@ -53,7 +53,7 @@ bool paintInProcesses(const Experiment& experiment, const MakeBench& make, const
     pid_t child = ::fork();
     if (child == 0) {
       ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-      paintShare(experiment, make, store, shared);
+      renderShare(experiment, make, store, shared);
     }
     if (child > 0) children.push_back(child);
   }

@@ -13,6 +13,6 @@ using MakeBench = std::function<std::unique_ptr<lab::Workbench>()>;
 
 // Keeps in `store` what it does not have, but times; progress on stderr. This process must have no device, of which its
 // copies could make no use. False: one of them failed and has said why; what it has not done is missing.
-bool paintInProcesses(const Experiment& experiment, const MakeBench& bench, const Store& store, int jobs);
+bool renderInProcesses(const Experiment& experiment, const MakeBench& bench, const Store& store, int jobs);
 
 }  // namespace strobe::study

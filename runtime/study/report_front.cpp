@@ -24,15 +24,7 @@ struct Candidate {
 };
 
 std::string titleOf(const Measure& measure, const std::string& region) {
-  std::string title = measure.title + (measure.unit.empty() ? "" : ", " + measure.unit);
-  return measure.per_region ? title + ", " + region : title;
-}
-
-std::string valuesText(const PointGroup& group) {
-  std::vector<std::string> parts;
-  for (const auto& [axis, value] : group.at)
-    parts.push_back(axis + " " + (value.is_string() ? value.get<std::string>() : value.dump()));
-  return fmt::format("{}", fmt::join(parts, ", "));
+  return measure.per_region ? headOf(measure) + ", " + region : headOf(measure);
 }
 
 class Front {
@@ -101,7 +93,7 @@ page::Chart Front::chart() const {
       if (one.point->arm != arm.name) continue;
       page::Point point{one.x, one.y};
       point.tip =
-          fmt::format("{}, {}: {}, {}", arm.name, valuesText(*one.group), shownValue(x_, one.x), shownValue(y_, one.y));
+          fmt::format("{}, {}: {}, {}", arm.name, describe(*one.group), shownValue(x_, one.x), shownValue(y_, one.y));
       point.hollow = !one.point->limits.empty();
       series.points.push_back(point);
     }
@@ -114,7 +106,7 @@ page::Table Front::table() const {
   page::Table table;
   table.columns = {"method", "values", {titleOf(x_, layout_.region), true}, {titleOf(y_, layout_.region), true}};
   for (const Candidate* one : front_)
-    table.add({one->point->arm, valuesText(*one->group), page::Cell(one->x, shownValue(x_, one->x)),
+    table.add({one->point->arm, describe(*one->group), page::Cell(one->x, shownValue(x_, one->x)),
                page::Cell(one->y, shownValue(y_, one->y))});
   return table;
 }

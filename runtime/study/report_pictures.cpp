@@ -104,11 +104,8 @@ std::string regionsText(const Results& results, const PointGroup& group) {
 
 // The values of a group other than the anchor, which the text names anyway.
 std::string valuesText(const PointGroup& group) {
-  std::string text;
-  for (const auto& [axis, value] : group.at)
-    if (axis != "anchor")
-      text += fmt::format(", {} {}", axis, value.is_string() ? value.get<std::string>() : value.dump());
-  return text;
+  std::string text = describe(group, "anchor");
+  return text.empty() ? "" : ", " + text;
 }
 
 page::Picture pictureOf(const std::string& caption, const Image& display, const std::string& name = "") {

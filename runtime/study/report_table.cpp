@@ -4,15 +4,12 @@
 
 #include "page/number.h"
 #include "study/curves.h"
+#include "study/gallery.h"
 #include "study/report.h"
 
 namespace strobe::study {
 
 namespace {
-
-std::string headOf(const Measure& measure) {
-  return measure.unit.empty() ? measure.title : measure.title + ", " + measure.unit;
-}
 
 // ---- along one axis
 

@@ -35,7 +35,7 @@ void forTexts(It& point, const Visit& visit, const Point*) {
   visit("image", point.image);
   visit("measured", point.measured);
   visit("shown", point.shown), visit("picture", point.picture), visit("record", point.record);
-  visit("picture_hash", point.picture_hash);
+  visit("picture_hash", point.picture_hash), visit("times", point.times);
 }
 template <class It, class Visit>
 void forTexts(It& expectation, const Visit& visit, const Expectation*) {
@@ -222,17 +222,19 @@ std::vector<std::string> Results::contradicted() const {
   return contradictions;
 }
 
-static std::string titleOf(const PointGroup& group) {
-  std::string title = group.shot;
-  for (const auto& [axis, value] : group.at) title += fmt::format(", {} {}", axis, value.dump());
-  return title;
+std::string describe(const PointGroup& group, const std::string& without) {
+  std::vector<std::string> parts;
+  for (const auto& [axis, value] : group.at)
+    if (axis != without) parts.push_back(axis + " " + (value.is_string() ? value.get<std::string>() : value.dump()));
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 std::vector<std::string> Results::failed() const {
   std::vector<std::string> failures;
   for (const PointGroup& group : groups)
     for (const Point& point : group.points)
-      if (!point.failed.empty()) failures.push_back(fmt::format("{}, {}: {}", titleOf(group), point.arm, point.failed));
+      if (!point.failed.empty())
+        failures.push_back(fmt::format("{}, {}, {}: {}", group.shot, describe(group), point.arm, point.failed));
   return failures;
 }
 

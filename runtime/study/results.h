@@ -27,6 +27,7 @@ struct Point {
   // Beside the results, "" where none was written: linear colour as measured and as shown (OpenEXR), and for people.
   std::string measured, shown, picture, record;
   std::string picture_hash;  // of the file for people
+  std::string times;         // what decides its times: rounds, and what they are ratios to
 
   // NaN where it was not measured. `region` has no meaning for what is not per region.
   double value(const std::string& measure, const std::string& region = "whole") const;
@@ -100,6 +101,9 @@ struct Results {
 
 Json toJson(const Point& point);
 Point pointFrom(const Json& json, const std::string& file);  // throws `Error` naming the file
+
+// "samples 4, tile 10": the values of a group, without those of one axis.
+std::string describe(const PointGroup& group, const std::string& without = "");
 
 // Numbers with nine significant digits: as exact as the pictures, and the same on a rerun.
 Json toJson(const Results& results);

@@ -5,7 +5,7 @@
 
 #include "base/log.h"
 #include "lab/pace.h"
-#include "study/painter.h"
+#include "study/point_renderer.h"
 #include "study/points.h"
 
 namespace strobe::study {
@@ -19,12 +19,12 @@ std::string titleOf(const Experiment& experiment, const TaskGroup& group) {
 
 // ---- drawing
 
-void paintHere(const Experiment& experiment, lab::Batch& batch, const Store& store, const Left& left) {
+void renderHere(const Experiment& experiment, lab::Batch& batch, const Store& store, const Left& left) {
   if (left.groups.empty()) return;
   lab::Pace pace("sweep", int(left.groups.size()), left.cost);
-  Painter painter(experiment, batch, store);
+  PointRenderer renderer(experiment, batch, store);
   for (const TaskGroup* group : left.groups) {
-    painter.paint(*group, [&](int by) { pace.advance(by); });
+    renderer.render(*group, [&](int by) { pace.advance(by); });
     pace.finish(titleOf(experiment, *group));
   }
 }
@@ -44,29 +44,41 @@ std::vector<std::vector<const TaskGroup*>> walksOf(const Experiment& experiment,
   return walks;
 }
 
-bool lacksTimes(const Task& task, const Store& store) {
-  if (!task.timed || !store.has(task.key)) return false;
-  Point point = *store.point(task.key);
-  return std::any_of(task.measures.begin(), task.measures.end(),
-                     [&](const std::string& name) { return measureNamed(name).is_time && !point.values.count(name); });
-}
-
 // What times of a shot are ratios to: the base arm, else the first that is timed, where it comes first.
-const Task* baseOf(const Experiment& experiment, const std::vector<TaskGroup>& groups, size_t shot) {
+const Task* baseOf(const Experiment& experiment, const std::vector<TaskGroup>& groups, const Store& store,
+                   size_t shot) {
   const Task* first = nullptr;
   for (const TaskGroup& group : groups)
     for (const Task& task : group.tasks) {
-      if (group.group->shot != shot || !task.timed || !task.refused.empty()) continue;
+      if (group.group->shot != shot || !task.timed || !store.has(task.key)) continue;
       if (task.arm->name == experiment.base) return &task;
       if (!first) first = &task;
     }
   return first;
 }
 
-void keepTimes(const Store& store, const Task& task, const lab::Timing& own, const lab::Timing& base) {
+// Times that are ratios to something else, or of other rounds, are measured again.
+std::string timesOf(const Experiment& experiment, const Task& task, const Task& base) {
+  bool is_ratio = std::find(task.measures.begin(), task.measures.end(), "ms_ratio") != task.measures.end();
+  const lab::Rounds& rounds = experiment.rounds;
+  return fmt::format("{} to {} rounds, {}{}", rounds.least, rounds.most, rounds.within,
+                     is_ratio ? ", base " + base.key : "");
+}
+
+bool lacksTimes(const Experiment& experiment, const Task& task, const Task& base, const Store& store) {
+  if (!task.timed || !store.has(task.key)) return false;
+  Point point = *store.point(task.key);
+  return point.times != timesOf(experiment, task, base) ||
+         std::any_of(task.measures.begin(), task.measures.end(),
+                     [&](const std::string& name) { return measureNamed(name).is_time && !point.values.count(name); });
+}
+
+void keepTimes(const Store& store, const Task& task, const std::string& times, const lab::Timing& own,
+               const lab::Timing& base) {
   Sight sight;
   sight.times_ms = own.ms, sight.base_ms = base.ms;
   Point point = *store.point(task.key);
+  point.times = times;
   for (const std::string& name : task.measures)
     if (measureNamed(name).is_time) point.values[name]["all"] = measureNamed(name).of(sight, "", {});
   store.keep(task.key, point);
@@ -75,15 +87,17 @@ void keepTimes(const Store& store, const Task& task, const lab::Timing& own, con
 // One after the other, so that what else the machine does meets all alike; the base among them.
 void timeInTurn(const Experiment& experiment, lab::Batch& batch, const Store& store,
                 const std::vector<TaskGroup>& groups, const std::vector<const TaskGroup*>& walk) {
+  const Task* base = baseOf(experiment, groups, store, walk.front()->group->shot);
   std::vector<const Task*> tasks;
   for (const TaskGroup* group : walk)
     for (const Task& task : group->tasks)
-      if (lacksTimes(task, store)) tasks.push_back(&task);
+      if (base && lacksTimes(experiment, task, *base, store)) tasks.push_back(&task);
   if (tasks.empty()) return;
-  std::vector<lab::Shot> shots = {baseOf(experiment, groups, walk.front()->group->shot)->shot};
+  std::vector<lab::Shot> shots = {base->shot};
   for (const Task* task : tasks) shots.push_back(task->shot);
   std::vector<lab::Timing> timings = batch.timeInTurn(shots, experiment.rounds);
-  for (size_t i = 0; i < tasks.size(); ++i) keepTimes(store, *tasks[i], timings[i + 1], timings.front());
+  for (size_t i = 0; i < tasks.size(); ++i)
+    keepTimes(store, *tasks[i], timesOf(experiment, *tasks[i], *base), timings[i + 1], timings.front());
 }
 
 // ---- results
@@ -136,7 +150,7 @@ Results run(const Experiment& experiment, lab::Workbench& bench, const Store& st
     if (!shot.missing.empty()) note(fmt::format("{}: skipped, {}", shot.title, shot.missing));
   lab::Batch batch(bench);
   std::vector<TaskGroup> groups = tasksOf(experiment, batch);
-  paintHere(experiment, batch, store, leftOf(groups, store));
+  renderHere(experiment, batch, store, leftOf(groups, store));
   for (const auto& walk : walksOf(experiment, groups)) timeInTurn(experiment, batch, store, groups, walk);
 
   Results results = outlineOf(experiment);

@@ -32,6 +32,15 @@ int locked(const Path& file, bool waits) {
   return descriptor;
 }
 
+// What a process left that was killed.
+void removeUnfinished(const Path& folder) {
+  if (!fs::exists(folder)) return;
+  std::vector<Path> unfinished;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".part" || entry.path().extension() == ".lock") unfinished.push_back(entry.path());
+  for (const Path& file : unfinished) fs::remove(file);
+}
+
 // ---- truth as a file: outputs as large as the color, each a layer with channels "NAME.0", "NAME.1", ...
 
 std::vector<std::string> numbered(int channels) {
@@ -78,6 +87,7 @@ std::shared_ptr<const lab::Picture> decoded(const Path& name) {
 
 Store::Store(const Path& folder) : folder_(folder), lock_(locked(folder / ".lock", false)) {
   if (lock_ < 0) throw Error("another sweep is at work in this folder", {folder_.string()}, 2);
+  for (const char* part : {"points", "truth"}) removeUnfinished(folder_ / part);
 }
 
 Store::~Store() { ::close(lock_); }
@@ -107,7 +117,8 @@ static bool hasPictures(const Path& folder, const Point& point) {
   for (const std::string& name : {point.measured, point.shown, point.picture, point.record})
     if (!fs::exists(folder / name)) return false;
   Json record = Json::parse(readText(folder / point.record), nullptr, false);
-  return record["outputs"]["color"] == point.image && hashText(readText(folder / point.picture)) == point.picture_hash;
+  return record.is_object() && record["outputs"]["color"] == point.image &&
+         hashText(readText(folder / point.picture)) == point.picture_hash;
 }
 
 bool Store::has(const std::string& key) const {

@@ -68,19 +68,26 @@ int loopCost(lab::Batch& batch, const lab::Shot& shot) {
 
 // ---- identity
 
+// What draws: the same content gives the same picture by one program on one device.
+std::string makerOf(lab::Batch& batch) {
+  const gpu::DeviceInfo& device = batch.bench().device().info();
+  return fmt::format("{}|{}|{}", lab::programHash(), device.name, device.driver);
+}
+
 // What a result is made of, of which each part decides it.
 Json partsOf(const Experiment& experiment, const TaskGroup& group, const Task& task, lab::Batch& batch) {
-  const gpu::DeviceInfo& device = batch.bench().device().info();
-  Json parts = {{"program", lab::programHash()}, {"device", device.name},  {"driver", device.driver},
-                {"truth", group.truth_key},      {"full", group.full_key}, {"regions", experiment.regions},
+  Json parts = {{"maker", makerOf(batch)},
+                {"truth", group.truth_key},
+                {"full", group.full_key},
+                {"regions", experiment.regions},
                 {"role", nameOf(task.arm->role)}};
   parts["picture"] = task.arm->role == Role::truth ? group.truth_key : batch.contentOf(task.shot);
   for (const std::string& name : task.measures)
     if (!measureNamed(name).is_time) parts["measures"].push_back(name);
   std::optional<Group> benign = benignOf(experiment, *group.group);
   if (benign && task.compares)
-    parts["benign"] = batch.contentOf(task.arm->role == Role::truth ? truthShotOf(experiment, *benign)
-                                                                    : shotOf(experiment, *benign, *task.arm));
+    parts["benign"] = task.arm->role == Role::truth ? truthKeyOf(experiment, batch, truthShotOf(experiment, *benign))
+                                                    : batch.contentOf(shotOf(experiment, *benign, *task.arm));
   const std::optional<Background>& background = experiment.background;
   if (background && background->arm == task.arm->name)
     for (const Arm& arm : experiment.arms)
@@ -132,8 +139,7 @@ TaskGroup groupOf(const Experiment& experiment, const Group& group, lab::Batch& 
 }  // namespace
 
 std::string truthKeyOf(const Experiment& experiment, lab::Batch& batch, const lab::Shot& truth) {
-  std::string content = batch.contentOf(truth);
-  return experiment.truth_error > 0 ? hashText(fmt::format("{}|{}", content, experiment.truth_error)) : content;
+  return hashText(fmt::format("{}|{}|{}", batch.contentOf(truth), makerOf(batch), experiment.truth_error));
 }
 
 std::optional<Group> benignOf(const Experiment& experiment, const Group& group) {

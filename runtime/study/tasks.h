@@ -42,7 +42,7 @@ struct Left {
 };
 Left leftOf(const std::vector<TaskGroup>& groups, const Store& store);
 
-// Content of a truth: with a required standard error also of that.
+// Content of a truth: of its picture, of what draws it, and of the standard error it must have.
 std::string truthKeyOf(const Experiment& experiment, lab::Batch& batch, const lab::Shot& truth);
 
 // The group with the benign value of the one axis along which a group lies, which may be the group itself.

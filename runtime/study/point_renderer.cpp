@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "study/painter.h"
+#include "study/point_renderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +58,7 @@ TruthPicture truthPictureOf(const Experiment& experiment, const lab::Picture& pi
 }
 
 // Progress counts what is drawn, not what is known already.
-std::shared_ptr<const lab::Picture> Painter::drawn(const lab::Shot& shot, int cost) {
+std::shared_ptr<const lab::Picture> PointRenderer::drawn(const lab::Shot& shot, int cost) {
   int last = 0;
   std::shared_ptr<const lab::Picture> picture = batch_.picture(shot, {}, [&](int done, int of) {
     int now = int(int64_t(cost) * done / std::max(of, 1));
@@ -70,7 +70,7 @@ std::shared_ptr<const lab::Picture> Painter::drawn(const lab::Shot& shot, int co
 }
 
 // With as many samples as its standard error, which falls with their root, asks for.
-std::shared_ptr<const lab::Picture> Painter::drawnTruth(const lab::Shot& first, int cost) {
+std::shared_ptr<const lab::Picture> PointRenderer::drawnTruth(const lab::Shot& first, int cost) {
   lab::Shot shot = first;
   std::shared_ptr<const lab::Picture> picture = drawn(shot, cost);
   const double required = experiment_.truth_error > 0 ? experiment_.truth_error : kInfinity;
@@ -92,8 +92,22 @@ std::shared_ptr<const lab::Picture> Painter::drawnTruth(const lab::Shot& first, 
 }
 
 // Read, or drawn, when a point of the group is first measured.
-void Painter::prepareTruth(const TaskGroup& group) {
+void PointRenderer::prepareTruth(const TaskGroup& group) {
   if (truth_key_ == group.truth_key + group.full_key) return;
+  // What failed once is not drawn again for every arm.
+  std::string& failed = failed_truths_[group.truth_key + group.full_key];
+  if (!failed.empty()) throw Error(failed);
+  try {
+    loadTruth(group);
+  } catch (const WriteError&) {
+    throw;
+  } catch (const Error& error) {
+    failed = error.what();
+    throw;
+  }
+}
+
+void PointRenderer::loadTruth(const TaskGroup& group) {
   truth_ = store_.truth(group.truth_key, [&] { return drawnTruth(group.truth().shot, group.truth().cost); });
   held_against_ = truthPictureOf(experiment_, *truth_);
   if (group.full)
@@ -102,13 +116,13 @@ void Painter::prepareTruth(const TaskGroup& group) {
   truth_key_ = group.truth_key + group.full_key;
 }
 
-void Painter::warnOnce(const std::string& who, const std::vector<std::string>& warnings) {
+void PointRenderer::warnOnce(const std::string& who, const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings)
     if (warned_.insert(warning).second) warn(who + ": " + warning);
 }
 
 // What a picture is held against: truth, its own at the benign value, what is in front of what it knows.
-Sight Painter::sightOf(const TaskGroup& group, const Task& task, const lab::Picture& picture) {
+Sight PointRenderer::sightOf(const TaskGroup& group, const Task& task, const lab::Picture& picture) {
   Sight sight;
   sight.role = task.arm->role;
   sight.truth = &held_against_;
@@ -139,7 +153,7 @@ Sight Painter::sightOf(const TaskGroup& group, const Task& task, const lab::Pict
   return sight;
 }
 
-Point Painter::measuredPoint(const TaskGroup& group, const Task& task) {
+Point PointRenderer::measuredPoint(const TaskGroup& group, const Task& task) {
   prepareTruth(group);
   std::shared_ptr<const lab::Picture> picture = task.arm->role == Role::truth ? truth_ : drawn(task.shot, task.cost);
   Sight sight = sightOf(group, task, *picture);
@@ -161,12 +175,11 @@ Point Painter::measuredPoint(const TaskGroup& group, const Task& task) {
 }
 
 // The EXR holds colour and what tables are made from; the record has the hash of every output.
-void Painter::write(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point) {
+void PointRenderer::write(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point) {
   const StudiedShot& studied = experiment_.shots[group.group->shot];
   const Arm& arm = *task.arm;
   std::string name = fileNameOf(arm.name);
-  for (const At& at : group.group->at)
-    if (at.value != 0) name += "_" + fileNameOf(experiment_.axes[at.axis].values[at.value].label);
+  for (const At& at : group.group->at) name += "_" + fileNameOf(experiment_.axes[at.axis].values[at.value].label);
   std::string stem = fileNameOf(studied.title) + "/" + name;
   std::set<std::string> kept = {"color", "error"};
   if (arm.role == Role::truth) kept.insert(experiment_.regions.begin(), experiment_.regions.end());
@@ -191,7 +204,7 @@ void Painter::write(const TaskGroup& group, const Task& task, const lab::Picture
   point.picture_hash = hashText(png);
 }
 
-void Painter::paintTask(const TaskGroup& group, const Task& task) {
+void PointRenderer::renderTask(const TaskGroup& group, const Task& task) {
   Point point;
   try {
     point = measuredPoint(group, task);
@@ -203,10 +216,10 @@ void Painter::paintTask(const TaskGroup& group, const Task& task) {
   store_.keep(task.key, point);
 }
 
-void Painter::paint(const TaskGroup& group, const Progress& progress) {
+void PointRenderer::render(const TaskGroup& group, const Progress& progress) {
   progress_ = progress;
   for (const Task& task : group.tasks)
-    if (!task.key.empty() && !store_.has(task.key)) paintTask(group, task);
+    if (!task.key.empty() && !store_.has(task.key)) renderTask(group, task);
 }
 
 }  // namespace strobe::study

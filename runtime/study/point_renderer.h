@@ -15,23 +15,24 @@ image::Rectangle placedCrop(const Experiment& experiment, const Crop& crop, cons
 // Truth with what is asked of it.
 TruthPicture truthPictureOf(const Experiment& experiment, const lab::Picture& truth);
 
-class Painter {
+class PointRenderer {
  public:
   using Progress = std::function<void(int cost)>;
 
   // All must outlive it.
-  Painter(const Experiment& experiment, lab::Batch& batch, const Store& store)
+  PointRenderer(const Experiment& experiment, lab::Batch& batch, const Store& store)
       : experiment_(experiment), batch_(batch), store_(store), pictures_(picturesOf(experiment.layout)) {}
 
   // Keeps a point for each task that has none, with the reason where it cannot be drawn. Throws `Error` where the store
   // cannot keep it.
-  void paint(const TaskGroup& group, const Progress& progress);
+  void render(const TaskGroup& group, const Progress& progress);
 
  private:
-  void paintTask(const TaskGroup& group, const Task& task);
+  void renderTask(const TaskGroup& group, const Task& task);
   std::shared_ptr<const lab::Picture> drawn(const lab::Shot& shot, int cost);
   std::shared_ptr<const lab::Picture> drawnTruth(const lab::Shot& shot, int cost);
   void prepareTruth(const TaskGroup& group);
+  void loadTruth(const TaskGroup& group);
   Sight sightOf(const TaskGroup& group, const Task& task, const lab::Picture& picture);
   Point measuredPoint(const TaskGroup& group, const Task& task);
   void write(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point);
@@ -46,7 +47,8 @@ class Painter {
   std::string truth_key_;  // of the truth that is held
   std::shared_ptr<const lab::Picture> truth_;
   TruthPicture held_against_;
-  image::Image benign_, front_;  // what the picture at hand is compared with
+  image::Image benign_, front_;                       // what the picture at hand is compared with
+  std::map<std::string, std::string> failed_truths_;  // why, by content
   std::set<std::string> warned_;
 };
 
