@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "graph/frame.h"
 
+#include <cmath>
+#include <numeric>
+
 #include "math/sampling.h"
 
 namespace strobe::graph {
@@ -40,17 +43,27 @@ void poseFixedSlices(scene::GpuScene& scene, const Plan& plan, const FrameSetup&
     scene.setPose(slice, setup.pose_at(times[slice]), setup.camera, aspect(plan), origin);
 }
 
+// Which of the parts of the exposure an iteration samples. A loop that may stop early takes them by steps of the golden
+// ratio: however many were taken, they lie all over the exposure.
+static int partOf(const plan::PlanLoop& loop, int iteration) {
+  if (loop.until < 0) return iteration;
+  int64_t stride = std::max<int64_t>(std::llround(loop.count * 0.6180339887498949), 1);
+  while (std::gcd(stride, int64_t(loop.count)) != 1) ++stride;
+  return int(iteration * stride % loop.count);
+}
+
 void poseSamples(scene::GpuScene& scene, const Plan& plan, const FrameSetup& setup, const plan::PlanLoop& loop,
                  int iteration) {
   dvec3 origin = frameOrigin(setup);
+  int part = partOf(loop, iteration);
   for (int q = 0; q < loop.slices; ++q) {
     // Midpoint of the stratum, or a random time in each of its parts.
     double in_stratum = 0.5;
     if (loop.times == "stratified") {
-      uint32_t index = uint32_t(iteration) * uint32_t(loop.slices) + uint32_t(q);
+      uint32_t index = uint32_t(part) * uint32_t(loop.slices) + uint32_t(q);
       in_stratum = (q + hashUniform(setup.seed, setup.frame, index, 0)) / loop.slices;
     }
-    double time_s = setup.open_s + (setup.close_s - setup.open_s) * ((iteration + in_stratum) / loop.count);
+    double time_s = setup.open_s + (setup.close_s - setup.open_s) * ((part + in_stratum) / loop.count);
     scene.setPose(SLICE_SAMPLE + uint32_t(q), setup.pose_at(time_s), setup.camera, aspect(plan), origin);
   }
 }
