@@ -22,17 +22,24 @@ namespace {
 
 struct Options {
   std::string file, out, only, size, device;
-  bool dry_run = false, json = false;
+  bool dry_run = false, json = false, exr = false;
   int jobs = 1;
   double truth_error = 0;
 };
 
+// Results as far as they are there.
+study::Results resultsIn(const Path& file) {
+  study::Results results = study::resultsFrom(Json::parse(readText(file), nullptr, false), file.string());
+  study::takePoints(results, file.parent_path());
+  return results;
+}
+
 // What a report consists of, by the names it has in its folder.
 struct Names {
   std::string page = "report.html", sheet = "report.png", results = "result.json", text = "result.md",
-              table = "table.csv";
+              table = "table.csv", passes = "passes.csv";
 };
-const Names kDemoNames = {"demo.html", "demo.png", "demo.json", "demo.md", "table.csv"};
+const Names kDemoNames = {"demo.html", "demo.png", "demo.json", "demo.md", "table.csv", "passes.csv"};
 
 // The command as somebody would repeat it.
 std::string commandOf(const Home& home, const std::string& name, const Options& options) {
@@ -62,8 +69,8 @@ std::vector<Path> write(const study::Results& results, const Path& folder, const
   keep(names.page, report.page());
   keep(names.results, study::toJson(results).dump(1) + "\n");
   keep(names.text, report.markdown(names.page));
-  for (const auto& [name, svg] : report.figures()) keep(name, svg);
   keep(names.table, study::csvOf(results));
+  if (std::string passes = study::passesCsvOf(results); !passes.empty()) keep(names.passes, passes);
   return files;
 }
 
@@ -109,13 +116,21 @@ void sweep(const Home& home, const std::string& name, const Options& options, co
   study::Experiment experiment = experimentOf(home, file, options);
   if (options.dry_run) return list(experiment, options.json);
   study::Store store(options.out);
+  store.requires_exr = options.exr;
   store.belongTo(experiment.title);
   study::FrozenHome frozen(home, store.folder() / ".inputs");
   experiment.file = frozen.at(file);
   auto make = [&] { return std::make_unique<lab::Workbench>(frozen.home(), options.device, validationWanted()); };
-  bool good = options.jobs <= 1 || study::renderInProcesses(experiment, make, store, options.jobs);
+  // What is interrupted can be laid out as far as it came.
+  Path outline = store.folder() / names.results;
+  auto started = [&](study::Results results) {
+    results.command = commandOf(home, name, options);
+    writeFileAtomically(outline, study::toJson(results).dump(1) + "\n");
+  };
+  auto now = [&] { return resultsIn(outline); };
+  bool good = options.jobs <= 1 || study::renderInProcesses(experiment, make, store, options.jobs, started, now);
   std::unique_ptr<lab::Workbench> bench = make();
-  study::Results results = study::run(experiment, *bench, store);
+  study::Results results = study::run(experiment, *bench, store, started);
   bench->device().refuseMessages();
   if (!good) throw Error("a process of the sweep failed; its message stands above");
   results.command = commandOf(home, name, options);
@@ -135,6 +150,7 @@ void addCommon(CLI::App& command, Options& options) {
                   "truth has more samples until its standard error over the picture is at most this")
       ->type_name("E")
       ->check(CLI::PositiveNumber);
+  command.add_flag("--exr", options.exr, "keep every picture as points/KEY.exr, linear, with its record");
   command.add_flag("--json", options.json, "print the results as JSON");
 }
 
@@ -151,7 +167,7 @@ void report(const Home& home, const ReportOptions& options) {
     throw Error(fmt::format("there are no results in '{}' ({})", options.folder, Names().results), {}, 2);
   requireWritable(folder, "the folder");
   Path file = folder / names.results;
-  study::Results results = study::resultsFrom(Json::parse(readText(file), nullptr, false), file.string());
+  study::Results results = resultsIn(file);
   if (!options.file.empty())
     study::retell(home, results, study::readExperiment(home, hereOrAtHome(home, options.file), false));
   show(results, folder, names, options.json);

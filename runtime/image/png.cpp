@@ -24,7 +24,7 @@ static std::vector<png_byte> quantise(const Image& display) {
   return bytes;
 }
 
-std::string encodePng(const Image& display) {
+std::string encodePng(const Image& display, PngEffort effort) {
   STROBE_ASSERT(display.width > 0 && display.height > 0, "{}x{}", display.width, display.height);
   STROBE_ASSERT(display.channels == 1 || display.channels == 3 || display.channels == 4, "{}", display.channels);
   png_image png{};
@@ -32,6 +32,7 @@ std::string encodePng(const Image& display) {
   png.width = static_cast<png_uint_32>(display.width);
   png.height = static_cast<png_uint_32>(display.height);
   png.format = formatFor(display.channels);
+  if (effort == PngEffort::fast) png.flags |= PNG_IMAGE_FLAG_FAST;
   std::vector<png_byte> pixels = quantise(display);
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
   std::string bytes(size, '\0');

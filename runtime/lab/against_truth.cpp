@@ -60,12 +60,12 @@ double sigmaOf(const Picture& truth, const image::Image& mask) {
 }
 
 // Counters named "clamped" count the same pixels in several passes: the largest stands for all.
-uint64_t clampedPixels(const Json& record) {
-  uint64_t most = 0;
-  if (!record.contains("counters")) return 0;
+std::vector<uint64_t> countsOf(const Json& record, const std::string& counter) {
+  std::vector<uint64_t> counts;
+  if (!record.contains("counters")) return counts;
   for (const auto& [name, count] : record["counters"].items())
-    if (name.ends_with(".clamped")) most = std::max(most, count.get<uint64_t>());
-  return most;
+    if (name.find("." + counter) != std::string::npos) counts.push_back(count.get<uint64_t>());
+  return counts;
 }
 
 }  // namespace strobe::lab

@@ -17,7 +17,7 @@ image::Image edgeMask(const Picture& picture);
 // Truth's standard error over a region: root mean square of its output `error`, 0 where it has none.
 double sigmaOf(const Picture& truth, const image::Image& mask);
 
-// Pixels whose displacement was shortened.
-uint64_t clampedPixels(const Json& record);
+// Counts of the nodes' counters whose names begin so ("clamped", "rays_"), by a picture's record; by node.
+std::vector<uint64_t> countsOf(const Json& record, const std::string& counter);
 
 }  // namespace strobe::lab

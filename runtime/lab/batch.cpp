@@ -207,6 +207,13 @@ static bool isKnown(const Timing& timing, double within) {
   return middle - interval[0] <= within * middle && interval[1] - middle <= within * middle;
 }
 
+static void addRound(Timing& timing, const graph::FrameResult& frame) {
+  timing.ms.push_back(frame.gpu_ms);
+  if (timing.passes.empty())
+    for (const graph::StepTime& step : frame.times) timing.passes.push_back({step.name, {}});
+  for (size_t i = 0; i < timing.passes.size(); ++i) timing.passes[i].second.push_back(frame.times[i].gpu_ms);
+}
+
 std::vector<Timing> Batch::timeInTurn(const std::vector<Shot>& shots, const Rounds& rounds) {
   static const Outputs kColor = {"color"};
   std::vector<Timing> timings(shots.size());
@@ -216,8 +223,8 @@ std::vector<Timing> Batch::timeInTurn(const std::vector<Shot>& shots, const Roun
     for (size_t i = 0; i < shots.size(); ++i) {
       Shot shot = shots[i];
       std::shared_ptr<HeldScene> scene = bench_.scene(shot);
-      double ms = drawing(shot, scene).draw(shot, &kColor).gpu_ms;
-      if (round >= 0) timings[i].ms.push_back(ms);
+      graph::FrameResult frame = drawing(shot, scene).draw(shot, &kColor);
+      if (round >= 0) addRound(timings[i], frame);
     }
   }
   for (Timing& timing : timings) {

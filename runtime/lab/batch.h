@@ -31,7 +31,8 @@ std::string identityOf(const plan::Plan& plan);
 
 // Milliseconds of a shot's frames, each a frame of every shot in turn.
 struct Timing {
-  std::vector<double> ms;  // by round
+  std::vector<double> ms;                                           // by round
+  std::vector<std::pair<std::string, std::vector<double>>> passes;  // of each node in the order of execution, by round
   double median = 0;
   double low = 0, high = 0;  // quartiles
 };

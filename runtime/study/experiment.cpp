@@ -76,6 +76,11 @@ StudiedShot shotOf(const Home& home, const Json& json, uint32_t seed) {
   setOptions(result.shot, json.at("options"));
   result.shot.sets = settingsOf(json, "scene_set", "scene.");
   for (const Json& crop : json.value("crops", Json::array({"inner"}))) result.crops.push_back(cropOf(crop));
+  if (json.contains("frames")) {
+    std::array<int, 3> range = json["frames"].get<std::array<int, 3>>();
+    for (int frame = range[0]; frame <= range[1]; frame += range[2]) result.frames.push_back(frame);
+    result.shot.frame = range[0];
+  }
   resolveScene(home, result);
   return result;
 }
@@ -219,6 +224,11 @@ void check(const Home& home, const Experiment& experiment, const std::string& fi
     refuse("rounds and most_rounds are not 1 to 10000, or the first is more than the second");
   for (const StudiedShot& shot : experiment.shots)
     if (shot.picture_aa < 1 || shot.picture_aa > 256) refuse("picture_aa is not 1 to 256");
+  bool has_sequence = std::any_of(experiment.shots.begin(), experiment.shots.end(),
+                                  [](const StudiedShot& shot) { return !shot.frames.empty(); });
+  for (const std::string& name : experiment.measures)
+    if (measureNamed(name).of_sequence && !has_sequence)
+      refuse(fmt::format("measure '{}' needs a shot with frames = {{ from, to, step }}", name));
   throwIfAny(problems);
   if (evaluate) evaluateAll(home, experiment, problems);
   throwIfAny(problems);
@@ -302,6 +312,17 @@ lab::Shot truthShotOf(const Experiment& experiment, const Group& group, const sc
   for (const At& at : group.at) put(experiment.axes[at.axis].values[at.value].truth);
   put(more);
   return shot;
+}
+
+std::vector<lab::Shot> sequenceOf(const StudiedShot& studied, const lab::Shot& shot) {
+  if (studied.frames.empty()) return {shot};
+  std::vector<lab::Shot> sequence;
+  for (int frame : studied.frames) {
+    lab::Shot& one = sequence.emplace_back(shot);
+    if (one.rest_frame < 0) one.rest_frame = studied.frames.front();
+    one.frame = frame;
+  }
+  return sequence;
 }
 
 Experiment readExperiment(const Home& home, const std::string& file, bool evaluate) {

@@ -31,7 +31,8 @@ struct StudiedShot {
   lab::Shot shot;          // everything but pipeline and its settings
   script::Settings truth;  // on top of the settings of truth
   std::vector<Crop> crops;
-  int picture_aa = 1;  // sub-pixel samples of what is shown; what is measured has one
+  std::vector<int> frames;  // of a sequence, in their order; empty: the shot's own alone
+  int picture_aa = 1;       // sub-pixel samples of what is shown; what is measured has one
   image::ToneMap tone;
   std::string shared;   // the scene's file in the shared data; "": it is none of it
   std::string missing;  // why it cannot be rendered here; "": it can
@@ -108,6 +109,9 @@ Json judge(const Home& home, const std::string& file, const Json& results);
 // The picture of an arm at a group's point, and of truth there (`more`: settings on top).
 lab::Shot shotOf(const Experiment& experiment, const Group& group, const Arm& arm);
 lab::Shot truthShotOf(const Experiment& experiment, const Group& group, const script::Settings& more = {});
+
+// A picture at each frame of the studied shot's sequence, or the one. Nodes that a shot moves are at rest at the first.
+std::vector<lab::Shot> sequenceOf(const StudiedShot& studied, const lab::Shot& shot);
 
 // The command that makes a picture of a studied shot, with shared data by the variable that names its folder.
 std::string commandOf(const StudiedShot& studied, const lab::Shot& shot);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "study/gallery.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "image/comparison.h"
@@ -41,6 +42,9 @@ Gallery galleryOf(const Results& results, const ShotSummary& shot, const Path& f
     one.shown = same ? one.measured : image::readPicture(folder / point->shown).linear;
     gallery.shown.push_back(std::move(one));
   }
+  bool has_truth = std::any_of(gallery.shown.begin(), gallery.shown.end(),
+                               [](const ShownPoint& one) { return one.arm->role == Role::truth; });
+  if (!has_truth) gallery.shown.clear();
   return gallery;
 }
 

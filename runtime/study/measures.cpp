@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
+#include <numeric>
 
 #include "image/metrics.h"
 #include "image/regions.h"
@@ -65,6 +65,11 @@ double p999(const Sight& sight, const std::string&, const Image& mask) {
   return quantile(std::move(errors), 0.999);
 }
 
+double flicker(const Sight& sight, const std::string&, const Image& mask) {
+  if (!sight.before) return kNothing;
+  return image::temporalError(sight.before->color, sight.color, sight.before->truth->color, sight.truth->color, mask);
+}
+
 double pixels(const Sight& sight, const std::string&, const Image& mask) {
   return double(image::countedPixels(sight.color, mask));
 }
@@ -86,7 +91,21 @@ double broken(const Sight& sight, const std::string&, const Image&) {
 }
 
 double clamped(const Sight& sight, const std::string&, const Image&) {
-  return double(lab::clampedPixels(sight.picture->record));
+  uint64_t most = 0;
+  for (uint64_t count : lab::countsOf(sight.picture->record, "clamped")) most = std::max(most, count);
+  return double(most);
+}
+
+double rays(const Sight& sight, const std::string&, const Image&) {
+  std::vector<uint64_t> counts = lab::countsOf(sight.picture->record, "rays_");
+  return double(std::accumulate(counts.begin(), counts.end(), uint64_t{0}));
+}
+
+double masked(const Sight& sight, const std::string&, const Image&) {
+  auto mask = sight.picture->frame.outputs.find("mask");
+  if (mask == sight.picture->frame.outputs.end()) return kNothing;
+  const std::vector<float>& values = mask->second.floats.values;
+  return double(std::count_if(values.begin(), values.end(), [](float value) { return value >= 0.5f; }));
 }
 
 // |velocity| of the pixels of what moves.
@@ -185,6 +204,9 @@ const std::vector<Measure>& measures() {
       {"smape", "SMAPE", "", kLower, true, "mean of absolute differences over both magnitudes + 0.01", smape},
       {"psnr", "PSNR", "dB", Better::higher, true, "of the clamped, sRGB-encoded values", psnr},
       {"ssim", "SSIM", "", Better::higher, true, "Wang et al. 2004, of the clamped, sRGB-encoded values", ssim},
+      {"flicker", "flicker", "", kLower, true,
+       "mean of the absolute difference between the picture's change from frame to frame and truth's", flicker, false,
+       false, true},
       {"ms", "time", "ms", kLower, false, "median time of a frame on the device, the first one not counted",
        [](const Sight& s, const std::string&, const Image&) { return median(s.times_ms); }, true},
       {"ms_least", "least time", "ms", kLower, false, "least time of a frame on the device",
@@ -201,6 +223,9 @@ const std::vector<Measure>& measures() {
        [](const Sight& s, const std::string&, const Image&) {
          return double(s.bytes) / (double(s.color.width) * s.color.height);
        }},
+      {"rays", "rays", "", kLower, false, "rays launched for the picture: revealing, shadows, truth", rays},
+      {"masked", "masked", "px", kLower, false, "pixels of the output `mask`: behind which something is sought",
+       masked},
       {"clamped", "clamped", "px", kLower, false, "pixels whose displacement was shortened to the limit", clamped},
       {"broken", "not finite", "", kLower, false, "values that are no finite number", broken},
       {"pixels", "pixels", "px", kNeither, true, "pixels of the region", pixels},

@@ -32,6 +32,7 @@ struct Sight {
   const TruthPicture* truth = nullptr;
   const lab::Picture* picture = nullptr;  // outputs and record
   image::Image color;
+  const Sight* before = nullptr;         // of the frame before in a sequence; null: there is none
   const image::Image* benign = nullptr;  // of the same arm at the benign value; null: there is none
   const image::Image* front = nullptr;   // of the background's `front` arm; null: this is not what knows the background
   const Background* background = nullptr;
@@ -55,9 +56,11 @@ struct Measure {
   bool per_region = false;
   std::string doc;  // how it is computed
   // NaN: not measured. `mask` is that of `region` (empty: every pixel); both without meaning unless per region.
+  // Of a sequence it is the mean over the frames.
   double (*of)(const Sight& sight, const std::string& region, const image::Image& mask) = nullptr;
-  bool is_time = false;    // of frames that are drawn for it, not of the picture
-  bool is_change = false;  // compared with the benign value
+  bool is_time = false;      // of frames that are drawn for it, not of the picture
+  bool is_change = false;    // compared with the benign value
+  bool of_sequence = false;  // needs two frames at least
 };
 
 const std::vector<Measure>& measures();

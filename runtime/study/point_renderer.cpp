@@ -22,6 +22,18 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+// Adds the time of its life.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& seconds) : seconds_(seconds), started_s_(clockSeconds()) {}
+  Stopwatch(const Stopwatch&) = delete;
+  ~Stopwatch() { seconds_ += clockSeconds() - started_s_; }
+
+ private:
+  double& seconds_;
+  double started_s_;
+};
+
 // "NODE: COUNT WHAT" of each limit a picture met: its warnings without those of the scene, without what to do about
 // them.
 std::vector<std::string> limitsMet(const lab::Picture& picture) {
@@ -60,6 +72,7 @@ TruthPicture truthPictureOf(const Experiment& experiment, const lab::Picture& pi
 // Progress counts what is drawn, not what is known already.
 std::shared_ptr<const lab::Picture> PointRenderer::drawn(const lab::Shot& shot, int cost) {
   int last = 0;
+  Stopwatch watch(spent_.drawing_s);
   std::shared_ptr<const lab::Picture> picture = batch_.picture(shot, {}, [&](int done, int of) {
     int now = int(int64_t(cost) * done / std::max(of, 1));
     progress_(now - last);
@@ -91,11 +104,17 @@ std::shared_ptr<const lab::Picture> PointRenderer::drawnTruth(const lab::Shot& f
   return picture;
 }
 
+static std::vector<std::string> contentsOf(const TaskGroup& group) {
+  std::vector<std::string> contents = group.truth_keys;
+  contents.insert(contents.end(), group.full_keys.begin(), group.full_keys.end());
+  return contents;
+}
+
 // Read, or drawn, when a point of the group is first measured.
 void PointRenderer::prepareTruth(const TaskGroup& group) {
-  if (truth_key_ == group.truth_key + group.full_key) return;
+  if (truth_keys_ == contentsOf(group)) return;
   // What failed once is not drawn again for every arm.
-  std::string& failed = failed_truths_[group.truth_key + group.full_key];
+  std::string& failed = failed_truths_[contentsOf(group)];
   if (!failed.empty()) throw Error(failed);
   try {
     loadTruth(group);
@@ -108,12 +127,18 @@ void PointRenderer::prepareTruth(const TaskGroup& group) {
 }
 
 void PointRenderer::loadTruth(const TaskGroup& group) {
-  truth_ = store_.truth(group.truth_key, [&] { return drawnTruth(group.truth().shot, group.truth().cost); });
-  held_against_ = truthPictureOf(experiment_, *truth_);
-  if (group.full)
-    held_against_.full =
-        lab::colorOf(*store_.truth(group.full_key, [&] { return drawnTruth(*group.full, group.truth().cost); }));
-  truth_key_ = group.truth_key + group.full_key;
+  truth_keys_.clear(), truths_.clear(), held_against_.clear();
+  auto kept = [&](const std::string& key, const lab::Shot& shot, size_t frames) {
+    return store_.truth(key, [&] { return drawnTruth(shot, group.truth().cost / int(frames)); });
+  };
+  std::vector<lab::Shot> shots = sequenceOf(experiment_, *group.group, group.truth().shot), full;
+  if (group.full) full = sequenceOf(experiment_, *group.group, *group.full);
+  for (size_t i = 0; i < shots.size(); ++i) {
+    truths_.push_back(kept(group.truth_keys[i], shots[i], shots.size()));
+    held_against_.push_back(truthPictureOf(experiment_, *truths_.back()));
+    if (group.full) held_against_.back().full = lab::colorOf(*kept(group.full_keys[i], full[i], shots.size()));
+  }
+  truth_keys_ = contentsOf(group);
 }
 
 void PointRenderer::warnOnce(const std::string& who, const std::vector<std::string>& warnings) {
@@ -122,16 +147,17 @@ void PointRenderer::warnOnce(const std::string& who, const std::vector<std::stri
 }
 
 // What a picture is held against: truth, its own at the benign value, what is in front of what it knows.
-Sight PointRenderer::sightOf(const TaskGroup& group, const Task& task, const lab::Picture& picture) {
+Sight PointRenderer::sightOf(const TaskGroup& group, const Task& task, const lab::Picture& picture, size_t frame) {
+  auto atFrame = [&](const lab::Shot& shot) { return sequenceOf(experiment_, *group.group, shot)[frame]; };
   Sight sight;
   sight.role = task.arm->role;
-  sight.truth = &held_against_;
+  sight.truth = &held_against_[frame];
   sight.picture = &picture;
   sight.color = lab::colorOf(picture);
   sight.bytes = plan::bytesAliased(*batch_.planOf(task.shot));
   if (std::optional<Group> benign = benignOf(experiment_, *group.group); benign && task.compares) {
     bool is_truth = task.arm->role == Role::truth;
-    lab::Shot shot = is_truth ? truthShotOf(experiment_, *benign) : shotOf(experiment_, *benign, *task.arm);
+    lab::Shot shot = atFrame(is_truth ? truthShotOf(experiment_, *benign) : shotOf(experiment_, *benign, *task.arm));
     auto truth = [&] {
       return store_.truth(truthKeyOf(experiment_, batch_, shot), [&] { return drawnTruth(shot, task.cost); });
     };
@@ -147,31 +173,70 @@ Sight PointRenderer::sightOf(const TaskGroup& group, const Task& task, const lab
   sight.background = &*background;
   for (const Arm& arm : experiment_.arms)
     if (arm.name == background->front) {
-      front_ = lab::colorOf(*batch_.picture(shotOf(experiment_, *group.group, arm)));
+      front_ = lab::colorOf(*batch_.picture(atFrame(shotOf(experiment_, *group.group, arm))));
       sight.front = &front_;
     }
   return sight;
 }
 
+// The mean of each value over the frames that have it.
+static Values meanOf(const std::vector<Values>& frames) {
+  Values sums;
+  std::map<std::pair<std::string, std::string>, int> counts;
+  for (const Values& values : frames)
+    for (const auto& [measure, by_region] : values)
+      for (const auto& [region, value] : by_region) sums[measure][region] += value, ++counts[{measure, region}];
+  for (auto& [measure, by_region] : sums)
+    for (auto& [region, value] : by_region) value /= counts[{measure, region}];
+  return sums;
+}
+
+// Of a sequence the files show the last frame.
 Point PointRenderer::measuredPoint(const TaskGroup& group, const Task& task) {
   prepareTruth(group);
-  std::shared_ptr<const lab::Picture> picture = task.arm->role == Role::truth ? truth_ : drawn(task.shot, task.cost);
-  Sight sight = sightOf(group, task, *picture);
+  std::vector<lab::Shot> shots = sequenceOf(experiment_, *group.group, task.shot);
+  std::shared_ptr<const lab::Picture> picture;
+  std::vector<Values> frames;
+  std::optional<Sight> before;
+  std::string images;
   Point point;
-  point.values = measured(sight, task.measures, experiment_.regions);
-  point.limits = limitsMet(*picture);
-  point.image = picture->record["outputs"]["color"];
+  for (size_t i = 0; i < shots.size(); ++i) {
+    picture = task.arm->role == Role::truth ? truths_[i] : drawn(shots[i], task.cost / int(shots.size()));
+    Stopwatch watch(spent_.measuring_s);
+    Sight sight = sightOf(group, task, *picture, i);
+    if (before) sight.before = &*before;
+    frames.push_back(measured(sight, task.measures, experiment_.regions));
+    std::string image = picture->record["outputs"]["color"];
+    images += (i ? "," : "") + image;
+    for (const std::string& limit : limitsMet(*picture))
+      if (std::find(point.limits.begin(), point.limits.end(), limit) == point.limits.end())
+        point.limits.push_back(limit);
+    sight.before = nullptr, sight.picture = nullptr;
+    before.emplace(std::move(sight));
+  }
+  point.values = meanOf(frames);
+  point.image = shots.size() > 1 ? hashText(images) : images;
   if (experiment_.truth_error > 0 && task.arm->role == Role::truth) {
     lab::Shot shot = task.shot;
-    for (const auto& [name, value] : picture->record["shot"]["set"].items())
+    for (const auto& [name, value] : truths_.front()->record["shot"]["set"].items())
       lab::putSetting(shot.sets, name, plan::valueFromJson(value));
     point.command = commandOf(experiment_.shots[group.group->shot], shot);
   }
   const StudiedShot& studied = experiment_.shots[group.group->shot];
   std::string at = describe(experiment_, *group.group);
   warnOnce(fmt::format("{}{}, {}", studied.title, at.empty() ? "" : ", " + at, task.arm->name), picture->warnings);
+  Stopwatch watch(spent_.keeping_s);
+  keepFiles(group, task, *picture);
   if (pictures_) write(group, task, *picture, point);
   return point;
+}
+
+// The picture as shown, and linear if that is requested.
+void PointRenderer::keepFiles(const TaskGroup& group, const Task& task, const lab::Picture& picture) {
+  const image::ToneMap& tone = experiment_.shots[group.group->shot].tone;
+  writeFileAtomically(pointFile(store_.folder(), task.key, ".png"),
+                      image::encodePng(image::toneMap(lab::colorOf(picture), tone), image::PngEffort::fast));
+  if (store_.requires_exr) lab::writePicture(picture, pointFile(store_.folder(), task.key, ".exr"), false);
 }
 
 // The EXR holds colour and what tables are made from; the record has the hash of every output.
@@ -212,6 +277,9 @@ void PointRenderer::renderTask(const TaskGroup& group, const Task& task) {
     throw;
   } catch (const Error& error) {
     point.failed = error.what();
+    std::string at = describe(experiment_, *group.group);
+    warn(fmt::format("{}{}, {}: failed: {}", experiment_.shots[group.group->shot].name, at.empty() ? "" : ", " + at,
+                     task.arm->name, point.failed));
   }
   store_.keep(task.key, point);
 }

@@ -27,14 +27,21 @@ class PointRenderer {
   // cannot keep it.
   void render(const TaskGroup& group, const Progress& progress);
 
+  // Seconds so far.
+  struct Spent {
+    double drawing_s = 0, measuring_s = 0, keeping_s = 0;
+  };
+  const Spent& spent() const { return spent_; }
+
  private:
   void renderTask(const TaskGroup& group, const Task& task);
   std::shared_ptr<const lab::Picture> drawn(const lab::Shot& shot, int cost);
   std::shared_ptr<const lab::Picture> drawnTruth(const lab::Shot& shot, int cost);
   void prepareTruth(const TaskGroup& group);
   void loadTruth(const TaskGroup& group);
-  Sight sightOf(const TaskGroup& group, const Task& task, const lab::Picture& picture);
+  Sight sightOf(const TaskGroup& group, const Task& task, const lab::Picture& picture, size_t frame);
   Point measuredPoint(const TaskGroup& group, const Task& task);
+  void keepFiles(const TaskGroup& group, const Task& task, const lab::Picture& picture);
   void write(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point);
   void warnOnce(const std::string& who, const std::vector<std::string>& warnings);
 
@@ -43,12 +50,13 @@ class PointRenderer {
   const Store& store_;
   const std::optional<PicturesLayout> pictures_;
   Progress progress_;
+  Spent spent_;
 
-  std::string truth_key_;  // of the truth that is held
-  std::shared_ptr<const lab::Picture> truth_;
-  TruthPicture held_against_;
-  image::Image benign_, front_;                       // what the picture at hand is compared with
-  std::map<std::string, std::string> failed_truths_;  // why, by content
+  std::vector<std::string> truth_keys_;  // of the truths that are held, by frame
+  std::vector<std::shared_ptr<const lab::Picture>> truths_;
+  std::vector<TruthPicture> held_against_;
+  image::Image benign_, front_;                                    // what the picture at hand is compared with
+  std::map<std::vector<std::string>, std::string> failed_truths_;  // why, by content
   std::set<std::string> warned_;
 };
 

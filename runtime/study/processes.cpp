@@ -12,6 +12,7 @@
 
 #include "base/log.h"
 #include "study/point_renderer.h"
+#include "study/watch.h"
 
 namespace strobe::study {
 
@@ -21,16 +22,20 @@ namespace {
 struct Shared {
   std::atomic<size_t> next = 0;
   std::atomic<int> cost = 0, cost_done = 0;
+  std::atomic<bool> outlined = false;
 };
 
-[[noreturn]] void renderShare(const Experiment& experiment, const MakeBench& make, const Store& store, Shared& shared) {
+[[noreturn]] void renderShare(const Experiment& experiment, const MakeBench& make, const Store& store,
+                              const Started& started, Shared& shared) {
   int code = 0;
   try {
     std::unique_ptr<lab::Workbench> bench = make();
     lab::Batch batch(*bench);
     std::vector<TaskGroup> groups = tasksOf(experiment, batch);
-    int none = 0;
-    shared.cost.compare_exchange_strong(none, leftOf(groups, store).cost);
+    if (!shared.outlined.exchange(true)) {
+      started(outlineOf(experiment, groups, batch));
+      shared.cost = leftOf(groups, store).cost;
+    }
     PointRenderer renderer(experiment, batch, store);
     for (size_t i; (i = shared.next++) < groups.size();)
       renderer.render(groups[i], [&](int by) { shared.cost_done += by; });
@@ -44,7 +49,8 @@ struct Shared {
 
 }  // namespace
 
-bool renderInProcesses(const Experiment& experiment, const MakeBench& make, const Store& store, int jobs) {
+bool renderInProcesses(const Experiment& experiment, const MakeBench& make, const Store& store, int jobs,
+                       const Started& started, const std::function<Results()>& now) {
   void* memory = ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) throw Error("no memory for several processes");
   Shared& shared = *new (memory) Shared;
@@ -53,21 +59,22 @@ bool renderInProcesses(const Experiment& experiment, const MakeBench& make, cons
     pid_t child = ::fork();
     if (child == 0) {
       ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-      renderShare(experiment, make, store, shared);
+      renderShare(experiment, make, store, started, shared);
     }
     if (child > 0) children.push_back(child);
   }
   bool good = children.size() == size_t(jobs);
-  std::optional<Progress> line;
+  std::optional<Watch> watch;
   for (int shown = 0; !children.empty();) {
-    if (!line && shared.cost > 0) line.emplace("sweep", shared.cost);
-    int now = shared.cost_done;
-    if (line) line->advance(now - shown), shown = now;
+    if (!watch && shared.cost > 0) watch.emplace(now).begin("drawing", shared.cost);
+    int done = shared.cost_done;
+    if (watch) watch->advance(done - shown), shown = done;
     int status = 0;
     pid_t ended = ::waitpid(-1, &status, WNOHANG);
     if (ended <= 0) ::usleep(100000);
     if (ended > 0) good = good && status == 0, std::erase(children, ended);
   }
+  if (watch) watch->end();
   ::munmap(memory, sizeof(Shared));
   return good;
 }

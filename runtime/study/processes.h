@@ -5,14 +5,16 @@
 #include <functional>
 #include <memory>
 
-#include "study/store.h"
+#include "study/run.h"
 
 namespace strobe::study {
 
 using MakeBench = std::function<std::unique_ptr<lab::Workbench>()>;
 
-// Keeps in `store` what it does not have, but times; progress on stderr. This process must have no device, of which its
-// copies could make no use. False: one of them failed and has said why; what it has not done is missing.
-bool renderInProcesses(const Experiment& experiment, const MakeBench& bench, const Store& store, int jobs);
+// Keeps in `store` what it does not have, but times; progress on stderr, with what `now` has of the results. This
+// process must have no device, of which its copies could make no use; `started` is called in one of them. False: one of
+// them failed and has said why; what it has not done is missing.
+bool renderInProcesses(const Experiment& experiment, const MakeBench& bench, const Store& store, int jobs,
+                       const Started& started, const std::function<Results()>& now);
 
 }  // namespace strobe::study

@@ -103,7 +103,7 @@ std::string AxisTable::replacement(const std::string& inside) const {
       const std::string& label = axis_.labels[size_t(value - axis_.values.begin())];
       if (rest == point.arm + ", " + label + " @ " + group->shot) return shown(measure, *group, point);
     }
-  if (results_.partial) return page::kNotMeasured;
+  if (results_.partial || results_.missing() > 0) return page::kNotMeasured;
   throw Error(
       fmt::format("the reading of axis '{}' has {{{}}}, which is none of {{ARM, VALUE @ SHOT}} and "
                   "{{MEASURE ARM, VALUE @ SHOT}}",

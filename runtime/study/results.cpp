@@ -31,7 +31,7 @@ void forTexts(It& shot, const Visit& visit, const ShotSummary*) {
 }
 template <class It, class Visit>
 void forTexts(It& point, const Visit& visit, const Point*) {
-  visit("arm", point.arm), visit("command", point.command), visit("failed", point.failed);
+  visit("key", point.key), visit("arm", point.arm), visit("command", point.command), visit("failed", point.failed);
   visit("image", point.image);
   visit("measured", point.measured);
   visit("shown", point.shown), visit("picture", point.picture), visit("record", point.record);
@@ -74,6 +74,8 @@ Point pointOf(const Json& json) {
     for (const auto& [region, value] : values.items())
       if (!value.is_null()) point.values[measure][region] = value.get<double>();
   point.limits = json.value("limits", std::vector<std::string>());
+  for (const Json& pass : json.value("passes", Json::array()))
+    point.passes.push_back({pass.at(0), pass.at(1), pass.at(2), pass.at(3)});
   return point;
 }
 
@@ -186,6 +188,31 @@ std::string csvNumber(const Json& value) {
   return value.is_number_float() ? fmt::format("{:.9g}", value.get<double>()) : value.dump();
 }
 
+// The values of every axis at a group, each after a comma.
+std::string csvAxes(const Results& results, const PointGroup& group) {
+  std::string text;
+  for (const AxisSummary& axis : results.axes) {
+    auto at = std::find_if(group.at.begin(), group.at.end(), [&](const auto& a) { return a.first == axis.name; });
+    text += "," + (at == group.at.end() ? "" : csvNumber(at->second));
+  }
+  return text;
+}
+
+std::string csvHead(const Results& results, const std::string& fourth) {
+  std::string text = "point,arm,shot," + fourth;
+  for (const AxisSummary& axis : results.axes) text += "," + csvCell(axis.name);
+  return text;
+}
+
+// Calls `row` with the number of each point that is no truth, its group and itself.
+template <class Row>
+void forPoints(const Results& results, const Row& row) {
+  size_t number = 0;
+  for (const PointGroup& group : results.groups)
+    for (const Point& point : group.points)
+      if (point.role != Role::truth) row(++number, group, point);
+}
+
 }  // namespace
 
 double Point::value(const std::string& measure, const std::string& region) const {
@@ -229,13 +256,24 @@ std::string describe(const PointGroup& group, const std::string& without) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+std::string describe(const PointGroup& group, const Point& point) {
+  std::string at = describe(group);
+  return fmt::format("{}{}, {}: {}", group.shot, at.empty() ? "" : ", " + at, point.arm, point.failed);
+}
+
 std::vector<std::string> Results::failed() const {
   std::vector<std::string> failures;
   for (const PointGroup& group : groups)
     for (const Point& point : group.points)
-      if (!point.failed.empty())
-        failures.push_back(fmt::format("{}, {}, {}: {}", group.shot, describe(group), point.arm, point.failed));
+      if (!point.failed.empty()) failures.push_back(describe(group, point));
   return failures;
+}
+
+size_t Results::missing() const {
+  size_t count = 0;
+  for (const PointGroup& group : groups)
+    for (const Point& point : group.points) count += point.role != Role::truth && point.isMissing();
+  return count;
 }
 
 Json toJson(const Point& point) {
@@ -245,6 +283,8 @@ Json toJson(const Point& point) {
   for (const auto& [measure, values] : point.values)
     for (const auto& [region, value] : values) json["values"][measure][region] = number(value);
   if (!point.limits.empty()) json["limits"] = point.limits;
+  for (const PassTime& pass : point.passes)
+    json["passes"].push_back({pass.pass, number(pass.ms), number(pass.low), number(pass.high)});
   return json;
 }
 
@@ -261,6 +301,7 @@ Json toJson(const Results& results) {
   json["device"] = {{"name", results.device}, {"driver", results.driver}, {"software", results.software}};
   json["size"] = {results.width, results.height};
   if (results.partial) json["partial"] = true;
+  if (results.missing() > 0) json["missing"] = results.missing();
   json["regions"] = results.regions;
   json["measures"] = results.measures;
   json["arms"] = listOf(results.arms, armJson);
@@ -332,29 +373,31 @@ void judgeResults(const Home& home, Results& results, const std::string& file) {
 }
 
 std::string csvOf(const Results& results) {
-  std::string text = "point,arm,shot,region";
-  for (const AxisSummary& axis : results.axes) text += "," + csvCell(axis.name);
+  std::string text = csvHead(results, "region");
   for (const std::string& measure : results.measures) text += "," + measure;
   text += "\n";
-  size_t number = 0;
-  for (const PointGroup& group : results.groups)
-    for (const Point& point : group.points) {
-      if (point.role == Role::truth) continue;
-      ++number;
-      for (const std::string& region : results.regions) {
-        text += fmt::format("{},{},{},{}", number, csvCell(point.arm), csvCell(group.shot), region);
-        for (const AxisSummary& axis : results.axes) {
-          auto at = std::find_if(group.at.begin(), group.at.end(), [&](const auto& a) { return a.first == axis.name; });
-          text += "," + (at == group.at.end() ? "" : csvNumber(at->second));
-        }
-        for (const std::string& measure : results.measures) {
-          double value = point.value(measure, region);
-          text += std::isnan(value) ? "," : fmt::format(",{:.9g}", value);
-        }
-        text += "\n";
+  forPoints(results, [&](size_t number, const PointGroup& group, const Point& point) {
+    for (const std::string& region : results.regions) {
+      text += fmt::format("{},{},{},{}{}", number, csvCell(point.arm), csvCell(group.shot), region,
+                          csvAxes(results, group));
+      for (const std::string& measure : results.measures) {
+        double value = point.value(measure, region);
+        text += std::isnan(value) ? "," : fmt::format(",{:.9g}", value);
       }
+      text += "\n";
     }
+  });
   return text;
+}
+
+std::string passesCsvOf(const Results& results) {
+  std::string text;
+  forPoints(results, [&](size_t number, const PointGroup& group, const Point& point) {
+    for (const PassTime& pass : point.passes)
+      text += fmt::format("{},{},{},{}{},{:.9g},{:.9g},{:.9g}\n", number, csvCell(point.arm), csvCell(group.shot),
+                          csvCell(pass.pass), csvAxes(results, group), pass.ms, pass.low, pass.high);
+  });
+  return text.empty() ? "" : csvHead(results, "pass") + ",ms,ms_low,ms_high\n" + text;
 }
 
 }  // namespace strobe::study

@@ -15,11 +15,19 @@
 
 namespace strobe::study {
 
+// Milliseconds of one pass in the frames that were timed: median and quartiles over the rounds.
+struct PassTime {
+  std::string pass;  // name of its node
+  double ms = 0, low = 0, high = 0;
+};
+
 // One arm at the values of a group.
 struct Point {
+  std::string key;  // content of all that makes it but its times, by which its files are named; "": it cannot be drawn
   std::string arm;
   Role role = Role::method;
   Values values;
+  std::vector<PassTime> passes;     // in the order of execution; empty: it was not timed
   std::vector<std::string> limits;  // that were met: "NODE: COUNT WHAT"
   std::string command;              // makes the picture again
   std::string image;                // hash of its color
@@ -29,6 +37,7 @@ struct Point {
   std::string picture_hash;  // of the file for people
   std::string times;         // what decides its times: rounds, and what they are ratios to
 
+  bool isMissing() const { return values.empty() && failed.empty(); }  // not drawn yet
   // NaN where it was not measured. `region` has no meaning for what is not per region.
   double value(const std::string& measure, const std::string& region = "whole") const;
 };
@@ -97,10 +106,14 @@ struct Results {
   const ShotSummary& shot(const std::string& name) const;
   std::vector<std::string> contradicted() const;  // expectations, in words
   std::vector<std::string> failed() const;        // points, with their reasons
+  size_t missing() const;                         // points that are not drawn yet: the sweep was interrupted
 };
 
 Json toJson(const Point& point);
 Point pointFrom(const Json& json, const std::string& file);  // throws `Error` naming the file
+
+// What is said of a point that failed.
+std::string describe(const PointGroup& group, const Point& point);
 
 // "samples 4, tile 10": the values of a group, without those of one axis.
 std::string describe(const PointGroup& group, const std::string& without = "");
@@ -121,5 +134,7 @@ void retell(const Home& home, Results& results, const Experiment& experiment);
 
 // A row per point and region: point, arm, shot, region, each axis, each measure.
 std::string csvOf(const Results& results);
+// A row per point that was timed and pass: point, arm, shot, pass, each axis, ms, ms_low, ms_high; "" without times.
+std::string passesCsvOf(const Results& results);
 
 }  // namespace strobe::study

@@ -2,31 +2,28 @@
 #include "study/run.h"
 
 #include <algorithm>
+#include <set>
 
 #include "base/log.h"
-#include "lab/pace.h"
+#include "math/statistics.h"
 #include "study/point_renderer.h"
-#include "study/points.h"
+#include "study/watch.h"
 
 namespace strobe::study {
 
 namespace {
 
-std::string titleOf(const Experiment& experiment, const TaskGroup& group) {
-  std::string at = describe(experiment, *group.group);
-  return experiment.shots[group.group->shot].title + (at.empty() ? "" : ", " + at);
-}
-
 // ---- drawing
 
-void renderHere(const Experiment& experiment, lab::Batch& batch, const Store& store, const Left& left) {
+void renderHere(const Experiment& experiment, lab::Batch& batch, const Store& store, const Left& left, Watch& watch) {
   if (left.groups.empty()) return;
-  lab::Pace pace("sweep", int(left.groups.size()), left.cost);
+  watch.begin("drawing", left.cost);
   PointRenderer renderer(experiment, batch, store);
-  for (const TaskGroup* group : left.groups) {
-    renderer.render(*group, [&](int by) { pace.advance(by); });
-    pace.finish(titleOf(experiment, *group));
-  }
+  for (const TaskGroup* group : left.groups) renderer.render(*group, [&](int by) { watch.advance(by); });
+  watch.end();
+  const PointRenderer::Spent& spent = renderer.spent();
+  note(fmt::format("of these seconds: {:.1f} drawing, {:.1f} measuring, {:.1f} keeping", spent.drawing_s,
+                   spent.measuring_s, spent.keeping_s));
 }
 
 // ---- times
@@ -73,31 +70,64 @@ bool lacksTimes(const Experiment& experiment, const Task& task, const Task& base
                      [&](const std::string& name) { return measureNamed(name).is_time && !point.values.count(name); });
 }
 
+std::vector<PassTime> passesOf(const lab::Timing& timing) {
+  std::vector<PassTime> passes;
+  for (const auto& [name, ms] : timing.passes)
+    passes.push_back({name, median(ms), quantile(ms, 0.25), quantile(ms, 0.75)});
+  return passes;
+}
+
 void keepTimes(const Store& store, const Task& task, const std::string& times, const lab::Timing& own,
                const lab::Timing& base) {
   Sight sight;
   sight.times_ms = own.ms, sight.base_ms = base.ms;
   Point point = *store.point(task.key);
   point.times = times;
+  point.passes = passesOf(own);
   for (const std::string& name : task.measures)
     if (measureNamed(name).is_time) point.values[name]["all"] = measureNamed(name).of(sight, "", {});
   store.keep(task.key, point);
 }
 
-// One after the other, so that what else the machine does meets all alike; the base among them.
-void timeInTurn(const Experiment& experiment, lab::Batch& batch, const Store& store,
-                const std::vector<TaskGroup>& groups, const std::vector<const TaskGroup*>& walk) {
-  const Task* base = baseOf(experiment, groups, store, walk.front()->group->shot);
+// Tasks that are timed in turn, with the base of their shot.
+struct Walk {
+  const Task* base;
   std::vector<const Task*> tasks;
-  for (const TaskGroup* group : walk)
-    for (const Task& task : group->tasks)
-      if (base && lacksTimes(experiment, task, *base, store)) tasks.push_back(&task);
-  if (tasks.empty()) return;
-  std::vector<lab::Shot> shots = {base->shot};
-  for (const Task* task : tasks) shots.push_back(task->shot);
+};
+
+std::vector<Walk> walksLeft(const Experiment& experiment, const std::vector<TaskGroup>& groups, const Store& store) {
+  std::vector<Walk> left;
+  for (const std::vector<const TaskGroup*>& along : walksOf(experiment, groups)) {
+    Walk walk{baseOf(experiment, groups, store, along.front()->group->shot), {}};
+    for (const TaskGroup* group : along)
+      for (const Task& task : group->tasks)
+        if (walk.base && lacksTimes(experiment, task, *walk.base, store)) walk.tasks.push_back(&task);
+    if (!walk.tasks.empty()) left.push_back(walk);
+  }
+  return left;
+}
+
+// One after the other, so that what else the machine does meets all alike; the base among them.
+void timeInTurn(const Experiment& experiment, lab::Batch& batch, const Store& store, const Walk& walk) {
+  std::vector<lab::Shot> shots = {walk.base->shot};
+  for (const Task* task : walk.tasks) shots.push_back(task->shot);
   std::vector<lab::Timing> timings = batch.timeInTurn(shots, experiment.rounds);
-  for (size_t i = 0; i < tasks.size(); ++i)
-    keepTimes(store, *tasks[i], timesOf(experiment, *tasks[i], *base), timings[i + 1], timings.front());
+  for (size_t i = 0; i < walk.tasks.size(); ++i)
+    keepTimes(store, *walk.tasks[i], timesOf(experiment, *walk.tasks[i], *walk.base), timings[i + 1], timings.front());
+}
+
+void timeHere(const Experiment& experiment, lab::Batch& batch, const Store& store, const std::vector<TaskGroup>& groups,
+              Watch& watch) {
+  std::vector<Walk> walks = walksLeft(experiment, groups, store);
+  if (walks.empty()) return;
+  size_t count = 0;
+  for (const Walk& walk : walks) count += walk.tasks.size();
+  watch.begin("times", int(count));
+  for (const Walk& walk : walks) {
+    timeInTurn(experiment, batch, store, walk);
+    watch.advance(int(walk.tasks.size()));
+  }
+  watch.end();
 }
 
 // ---- results
@@ -111,13 +141,10 @@ std::string attributionOf(const Json& scene) {
   return text.substr(0, text.find('\n'));
 }
 
-// Exposure and the like as the scene supplied them, and where the crops lie, from a truth of the shot.
+// Where the crops lie, and whose scene it is, from a truth of the shot.
 void describeShot(const Experiment& experiment, const TaskGroup& group, const Store& store, ShotSummary& summary) {
   auto none = []() -> std::shared_ptr<const lab::Picture> { throw Error("truth was not drawn"); };
-  std::shared_ptr<const lab::Picture> truth = store.truth(group.truth_key, none);
-  const Json& shot = truth->record["shot"];
-  summary.fps = shot["fps"].get<double>();
-  summary.exposure = shot["exposure"].get<double>();
+  std::shared_ptr<const lab::Picture> truth = store.truth(group.truth_keys.front(), none);
   if (summary.attribution.empty()) summary.attribution = attributionOf(truth->record["scene"]);
   std::optional<PicturesLayout> pictures = picturesOf(experiment.layout);
   if (!pictures) return;
@@ -126,18 +153,26 @@ void describeShot(const Experiment& experiment, const TaskGroup& group, const St
     summary.crops.push_back(placedCrop(experiment, crop, *pictures, against));
 }
 
-PointGroup resultOf(const Experiment& experiment, const TaskGroup& group, const Store& store, std::string anchor) {
+void describeShots(const Experiment& experiment, const std::vector<TaskGroup>& groups, const Store& store,
+                   Results& results) {
+  std::set<size_t> described;
+  for (const TaskGroup& group : groups) {
+    bool has_truth = !group.truth().key.empty() && store.has(group.truth().key);
+    if (has_truth && described.insert(group.group->shot).second)
+      describeShot(experiment, group, store, results.shots[group.group->shot]);
+  }
+}
+
+PointGroup pointsOf(const Experiment& experiment, const TaskGroup& group, std::string anchor) {
   const StudiedShot& studied = experiment.shots[group.group->shot];
   PointGroup result{studied.name, std::move(anchor), {}, {}};
   for (const At& at : group.group->at)
     result.at.emplace_back(experiment.axes[at.axis].name, experiment.axes[at.axis].values[at.value].value);
   for (const Task& task : group.tasks) {
     Point point;
-    if (!task.key.empty()) point = store.point(task.key).value_or(Point());
-    else point.failed = task.refused;
-    point.arm = task.arm->name;
-    point.role = task.arm->role;
-    if (point.command.empty()) point.command = commandOf(studied, task.shot);
+    point.key = task.key, point.failed = task.refused;
+    point.arm = task.arm->name, point.role = task.arm->role;
+    point.command = commandOf(studied, task.shot);
     result.points.push_back(std::move(point));
   }
   return result;
@@ -145,24 +180,39 @@ PointGroup resultOf(const Experiment& experiment, const TaskGroup& group, const 
 
 }  // namespace
 
-Results run(const Experiment& experiment, lab::Workbench& bench, const Store& store) {
+Results outlineOf(const Experiment& experiment, const std::vector<TaskGroup>& groups, lab::Batch& batch) {
+  Results results = outlineOf(experiment);
+  const gpu::DeviceInfo& device = batch.bench().device().info();
+  results.device = device.name, results.driver = device.driver, results.software = device.software;
+  for (const TaskGroup& group : groups) {
+    std::string anchor;
+    if (group.truth().refused.empty()) {
+      lab::Shot shot = batch.filled(group.truth().shot);
+      ShotSummary& summary = results.shots[group.group->shot];
+      if (summary.fps == 0) summary.fps = shot.fps, summary.exposure = shot.exposure;
+      anchor = shot.anchor;
+    }
+    results.groups.push_back(pointsOf(experiment, group, anchor));
+  }
+  return results;
+}
+
+Results run(const Experiment& experiment, lab::Workbench& bench, const Store& store, const Started& started) {
   for (const StudiedShot& shot : experiment.shots)
     if (!shot.missing.empty()) note(fmt::format("{}: skipped, {}", shot.title, shot.missing));
   lab::Batch batch(bench);
   std::vector<TaskGroup> groups = tasksOf(experiment, batch);
-  renderHere(experiment, batch, store, leftOf(groups, store));
-  for (const auto& walk : walksOf(experiment, groups)) timeInTurn(experiment, batch, store, groups, walk);
-
-  Results results = outlineOf(experiment);
-  const gpu::DeviceInfo& device = bench.device().info();
-  results.device = device.name, results.driver = device.driver, results.software = device.software;
-  for (const TaskGroup& group : groups) {
-    ShotSummary& summary = results.shots[group.group->shot];
-    bool has_truth = !group.truth().key.empty() && store.has(group.truth().key);
-    if (summary.fps == 0 && has_truth) describeShot(experiment, group, store, summary);
-    std::string anchor = group.truth().refused.empty() ? batch.filled(group.truth().shot).anchor : "";
-    results.groups.push_back(resultOf(experiment, group, store, anchor));
-  }
+  Results results = outlineOf(experiment, groups, batch);
+  if (started) started(results);
+  Watch watch([&] {
+    Results now = results;
+    takePoints(now, store.folder());
+    return now;
+  });
+  renderHere(experiment, batch, store, leftOf(groups, store), watch);
+  timeHere(experiment, batch, store, groups, watch);
+  takePoints(results, store.folder());
+  describeShots(experiment, groups, store, results);
   if (experiment.expectations) judgeResults(bench.home(), results, experiment.file);
   return results;
 }

@@ -107,6 +107,7 @@ void addShot(Sheet& sheet, const Results& results, const Gallery& gallery, doubl
   sheet.parts.push_back(page::SheetGap{28});
   sheet.parts.push_back(SheetLine{shot.title, 38});
   if (!shot.missing.empty()) return sheet.parts.push_back(SheetLine{"skipped: " + shot.missing, 21, Ink::soft});
+  if (gallery.shown.empty()) return sheet.parts.push_back(SheetLine{"not drawn", 21, Ink::soft});
   std::string note = shot.note.empty() ? "" : ". " + shot.note;
   sheet.parts.push_back(SheetLine{describeShot(results, shot) + note, 21, Ink::soft});
   sheet.parts.push_back(page::SheetGap{12});

@@ -85,6 +85,27 @@ std::shared_ptr<const lab::Picture> decoded(const Path& name) {
 
 }  // namespace
 
+Path pointFile(const Path& folder, const std::string& key, const std::string& ending) {
+  return folder / "points" / (key + ending);
+}
+
+static std::optional<Point> pointIn(const Path& folder, const std::string& key) {
+  Path file = pointFile(folder, key, ".json");
+  if (!fs::exists(file)) return std::nullopt;
+  return pointFrom(Json::parse(readText(file), nullptr, false), file.string());
+}
+
+void takePoints(Results& results, const Path& folder) {
+  for (PointGroup& group : results.groups)
+    for (Point& point : group.points) {
+      std::optional<Point> known = point.key.empty() ? std::nullopt : pointIn(folder, point.key);
+      if (!known) continue;
+      if (known->command.empty()) known->command = point.command;
+      known->key = point.key, known->arm = point.arm, known->role = point.role;
+      point = std::move(*known);
+    }
+}
+
 Store::Store(const Path& folder) : folder_(folder), lock_(locked(folder / ".lock", false)) {
   if (lock_ < 0) throw Error("another sweep is at work in this folder", {folder_.string()}, 2);
   for (const char* part : {"points", "truth"}) removeUnfinished(folder_ / part);
@@ -105,11 +126,7 @@ void Store::belongTo(const std::string& title) const {
                 {folder_.string()}, 2);
 }
 
-std::optional<Point> Store::point(const std::string& key) const {
-  Path file = folder_ / "points" / (key + ".json");
-  if (!fs::exists(file)) return std::nullopt;
-  return pointFrom(Json::parse(readText(file), nullptr, false), file.string());
-}
+std::optional<Point> Store::point(const std::string& key) const { return pointIn(folder_, key); }
 
 // Pictures have the names of their arms, so that those of other values may lie there by now.
 static bool hasPictures(const Path& folder, const Point& point) {
@@ -123,11 +140,12 @@ static bool hasPictures(const Path& folder, const Point& point) {
 
 bool Store::has(const std::string& key) const {
   std::optional<Point> kept = point(key);
-  return kept && kept->failed.empty() && hasPictures(folder_, *kept);
+  return kept && kept->failed.empty() && hasPictures(folder_, *kept) &&
+         (!requires_exr || fs::exists(pointFile(folder_, key, ".exr")));
 }
 
 void Store::keep(const std::string& key, const Point& point) const {
-  writeFileAtomically(folder_ / "points" / (key + ".json"), toJson(point).dump(1) + "\n");
+  writeFileAtomically(pointFile(folder_, key, ".json"), toJson(point).dump(1) + "\n");
 }
 
 std::shared_ptr<const lab::Picture> Store::truth(

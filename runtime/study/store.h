@@ -12,6 +12,12 @@
 
 namespace strobe::study {
 
+// Files of a folder of results: points/KEY.json, points/KEY.png (as shown), points/KEY.exr (linear, on request).
+Path pointFile(const Path& folder, const std::string& key, const std::string& ending);
+
+// Puts what the folder has of the points of `results` into them; the others stay as they are. Needs no lock.
+void takePoints(Results& results, const Path& folder);
+
 class Store {
  public:
   // Throws `Error` (exit code 2) where another process is at work in the folder.
@@ -23,6 +29,9 @@ class Store {
 
   // Throws `Error` (exit code 2) where the folder has points of another experiment, by its title.
   void belongTo(const std::string& title) const;
+
+  // Points without the file of linear colour are not had.
+  bool requires_exr = false;
 
   // folder/points/KEY.json, if it is there. A point that failed, or whose pictures are gone or
   // those of another by now, is not had.

@@ -74,24 +74,41 @@ std::string makerOf(lab::Batch& batch) {
   return fmt::format("{}|{}|{}", lab::programHash(), device.name, device.driver);
 }
 
+std::vector<std::string> contentsOf(const Experiment& experiment, const Group& group, const lab::Shot& shot,
+                                    lab::Batch& batch) {
+  std::vector<std::string> contents;
+  for (const lab::Shot& one : sequenceOf(experiment, group, shot)) contents.push_back(batch.contentOf(one));
+  return contents;
+}
+
+std::vector<std::string> truthKeysOf(const Experiment& experiment, const Group& group, const lab::Shot& truth,
+                                     lab::Batch& batch) {
+  std::vector<std::string> keys;
+  for (const lab::Shot& one : sequenceOf(experiment, group, truth)) keys.push_back(truthKeyOf(experiment, batch, one));
+  return keys;
+}
+
 // What a result is made of, of which each part decides it.
 Json partsOf(const Experiment& experiment, const TaskGroup& group, const Task& task, lab::Batch& batch) {
   Json parts = {{"maker", makerOf(batch)},
-                {"truth", group.truth_key},
-                {"full", group.full_key},
+                {"truth", group.truth_keys},
+                {"full", group.full_keys},
                 {"regions", experiment.regions},
                 {"role", nameOf(task.arm->role)}};
-  parts["picture"] = task.arm->role == Role::truth ? group.truth_key : batch.contentOf(task.shot);
+  parts["picture"] = task.arm->role == Role::truth ? Json(group.truth_keys)
+                                                   : Json(contentsOf(experiment, *group.group, task.shot, batch));
   for (const std::string& name : task.measures)
     if (!measureNamed(name).is_time) parts["measures"].push_back(name);
   std::optional<Group> benign = benignOf(experiment, *group.group);
   if (benign && task.compares)
-    parts["benign"] = task.arm->role == Role::truth ? truthKeyOf(experiment, batch, truthShotOf(experiment, *benign))
-                                                    : batch.contentOf(shotOf(experiment, *benign, *task.arm));
+    parts["benign"] = task.arm->role == Role::truth
+                          ? truthKeysOf(experiment, *benign, truthShotOf(experiment, *benign), batch)
+                          : contentsOf(experiment, *benign, shotOf(experiment, *benign, *task.arm), batch);
   const std::optional<Background>& background = experiment.background;
   if (background && background->arm == task.arm->name)
     for (const Arm& arm : experiment.arms)
-      if (arm.name == background->front) parts["front"] = batch.contentOf(shotOf(experiment, *group.group, arm));
+      if (arm.name == background->front)
+        parts["front"] = contentsOf(experiment, *group.group, shotOf(experiment, *group.group, arm), batch);
   const StudiedShot& studied = experiment.shots[group.group->shot];
   if (picturesOf(experiment.layout)) {
     lab::Shot box = task.shot;
@@ -105,7 +122,7 @@ Json partsOf(const Experiment& experiment, const TaskGroup& group, const Task& t
 void complete(const Experiment& experiment, const TaskGroup& group, Task& task, lab::Batch& batch) {
   try {
     int loops = loopCost(batch, task.shot);
-    task.cost = loops ? loops : kFrameCost;
+    task.cost = (loops ? loops : kFrameCost) * int(sequenceOf(experiment, *group.group, task.shot).size());
     for (const std::string& name : task.measures) {
       const Measure& measure = measureNamed(name);
       task.timed = task.timed || (measure.is_time && loops == 0);
@@ -125,9 +142,9 @@ TaskGroup groupOf(const Experiment& experiment, const Group& group, lab::Batch& 
   for (size_t arm : group.arms)
     result.tasks.push_back({&experiment.arms[arm], shotOf(experiment, group, experiment.arms[arm]), names});
   try {
-    result.truth_key = truthKeyOf(experiment, batch, result.truth().shot);
+    result.truth_keys = truthKeysOf(experiment, group, result.truth().shot, batch);
     if (experiment.full_truth) result.full = truthShotOf(experiment, group, *experiment.full_truth);
-    if (result.full) result.full_key = truthKeyOf(experiment, batch, *result.full);
+    if (result.full) result.full_keys = truthKeysOf(experiment, group, *result.full, batch);
   } catch (const Error& error) {
     for (Task& task : result.tasks) task.refused = std::string("truth: ") + error.what();
   }
@@ -137,6 +154,10 @@ TaskGroup groupOf(const Experiment& experiment, const Group& group, lab::Batch& 
 }
 
 }  // namespace
+
+std::vector<lab::Shot> sequenceOf(const Experiment& experiment, const Group& group, const lab::Shot& shot) {
+  return sequenceOf(experiment.shots[group.shot], shot);
+}
 
 std::string truthKeyOf(const Experiment& experiment, lab::Batch& batch, const lab::Shot& truth) {
   return hashText(fmt::format("{}|{}|{}", batch.contentOf(truth), makerOf(batch), experiment.truth_error));
@@ -163,7 +184,7 @@ Left leftOf(const std::vector<TaskGroup>& groups, const Store& store) {
     }
     if (!lacks) continue;
     left.groups.push_back(&group);
-    if (group.full && counted.insert(group.full_key).second) left.cost += group.truth().cost;
+    if (group.full && counted.insert(group.full_keys.front()).second) left.cost += group.truth().cost;
   }
   return left;
 }

@@ -25,8 +25,8 @@ struct Task {
 struct TaskGroup {
   const Group* group = nullptr;
   std::vector<Task> tasks;
-  std::string truth_key, full_key;  // contents of the truths
-  std::optional<lab::Shot> full;    // the second truth
+  std::vector<std::string> truth_keys, full_keys;  // contents of the truths, by frame of the sequence
+  std::optional<lab::Shot> full;                   // the second truth
 
   const Task& truth() const { return tasks.front(); }
 };
@@ -44,6 +44,9 @@ Left leftOf(const std::vector<TaskGroup>& groups, const Store& store);
 
 // Content of a truth: of its picture, of what draws it, and of the standard error it must have.
 std::string truthKeyOf(const Experiment& experiment, lab::Batch& batch, const lab::Shot& truth);
+
+// The pictures of a task: one, or a sequence.
+std::vector<lab::Shot> sequenceOf(const Experiment& experiment, const Group& group, const lab::Shot& shot);
 
 // The group with the benign value of the one axis along which a group lies, which may be the group itself.
 std::optional<Group> benignOf(const Experiment& experiment, const Group& group);

@@ -26,10 +26,12 @@ experiment.fields = {
   },
   -- title: shown instead of the name. truth: settings of truth in this shot. crops: { x, y, width, height } at the
   -- experiment's size, or "inner". picture_aa: sub-pixel samples of the pictures that are shown; stops, curve: how.
+  -- frames: { from, to, step } of a sequence.
   shot = {
     name = { text }, title = { text, optional = true }, note = { text, optional = true },
     attribution = { text, optional = true }, truth = { map, optional = true }, crops = { list, optional = true },
     picture_aa = { number, optional = true }, stops = { number, optional = true }, curve = { text, optional = true },
+    frames = { list, optional = true },
   },
   -- role: "method", or "floor" (truth at a method's own samples). lacks: settings of axes that are not given to it.
   -- box: settings of the picture that is shown, where it has several samples per pixel. shown: whether its pictures
@@ -190,6 +192,17 @@ function Checker:truth(t)
   return result
 end
 
+-- { from, to, step } of a sequence, at most 1000 frames.
+function Checker:sequence(frames, shot, path)
+  if frames == nil then return end
+  local good = type(frames) == "table" and #frames == 3
+  for i = 1, good and 3 or 0 do good = good and math.tointeger(frames[i]) ~= nil end
+  good = good and frames[1] >= 0 and frames[3] >= 1 and frames[2] >= frames[1] + frames[3]
+  good = good and frames[2] < frames[1] + 1000 * frames[3]
+  if not good then self:add(path, "frames are not { from, to, step } of 2 to 1000 frames, as whole numbers") end
+  if shot.frame ~= nil then self:add(path, "a shot with frames has no single frame") end
+end
+
 function Checker:shot(t, path)
   local what, own, options = "shot " .. path[2], {}, {}
   if type(t) ~= "table" then own = t end
@@ -206,6 +219,7 @@ function Checker:shot(t, path)
   end
   local result = copied(self:fields(own, "shot", path, what))
   self:one_of(result.curve, tones, check.joined(path, "curve"), "the curve")
+  self:sequence(result.frames, options, check.joined(path, "frames"))
   for i, crop in ipairs(type(result.crops) == "table" and result.crops or {}) do
     local at = check.joined(check.joined(path, "crops"), i)
     if crop ~= "inner" then self:numbers(crop, 4, at, "a crop that is not \"inner\"") end

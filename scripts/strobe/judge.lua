@@ -96,7 +96,7 @@ local function judged(entry, r, data)
   local good, holds, detail = pcall(entry[2], r)
   outcome.known = entry.known
   if not good and type(holds) == "table" then
-    outcome.outcome, outcome.detail = data.partial and "does not apply" or "fails", holds.unmeasured
+    outcome.outcome, outcome.detail = (data.partial or data.missing) and "does not apply" or "fails", holds.unmeasured
   elseif not good then
     outcome.outcome, outcome.detail = "fails", tostring(holds)
   elseif holds ~= nil then

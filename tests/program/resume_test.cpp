@@ -7,9 +7,11 @@
 #include <map>
 #include <random>
 #include <regex>
+#include <sstream>
 #include <thread>
 
 #include "base/files.h"
+#include "base/json.h"
 #include "common/source.h"
 #include "program/run.h"
 
@@ -48,7 +50,8 @@ class Resume : public ::testing::Test {
     std::map<std::string, fs::file_time_type> found;
     if (fs::exists(folder_ / (out + "/points")))
       for (const auto& entry : fs::directory_iterator(folder_ / (out + "/points")))
-        if (entry.path().extension() == ".json") found[entry.path().filename()] = entry.last_write_time();
+        if (entry.path().extension() == ".json" && entry.path().stem().extension().empty())
+          found[entry.path().filename()] = entry.last_write_time();
     return found;
   }
   // Kills a sweep when it has drawn so many points, or after 10 s, and a moment later.
@@ -85,6 +88,16 @@ TEST_F(Resume, KilledAtAnyMomentItLosesNothingAndDrawsNothingTwice) {
   }
   EXPECT_GT(before.size(), 0u);
   EXPECT_LT(before.size(), 305u) << "nothing was left to go on with";
+
+  // What there is can be laid out: the same rows where they are there.
+  ASSERT_EQ(run("report " + (folder_ / "killed"), "STROBE_VALIDATION=0").exit_code, 0);
+  std::istringstream some(file("killed", "table.csv")), whole(file("whole", "table.csv"));
+  size_t drawn = 0;
+  for (std::string left, right; std::getline(some, left) && std::getline(whole, right);)
+    if (left == right) ++drawn;
+    else EXPECT_TRUE(left.ends_with(",,,")) << left;
+  EXPECT_GT(drawn, 1u) << "besides the head";
+  EXPECT_NE(file("killed", "result.md").find("points are not drawn yet"), std::string::npos);
   Outcome last = run(command("killed"), "STROBE_VALIDATION=0");
   ASSERT_EQ(last.exit_code, 0) << last.err;
   for (const auto& [name, time] : before) EXPECT_EQ(points("killed").at(name), time) << "written again";
@@ -92,7 +105,7 @@ TEST_F(Resume, KilledAtAnyMomentItLosesNothingAndDrawsNothingTwice) {
   EXPECT_EQ(file("killed", "table.csv"), file("whole", "table.csv"));
   for (const char* part : {"points", "truth"})
     for (const auto& entry : fs::directory_iterator(folder_ / ("killed/" + std::string(part))))
-      EXPECT_TRUE(std::regex_match(entry.path().filename().string(), std::regex("[0-9a-f]{32}\\.(json|exr)")))
+      EXPECT_TRUE(std::regex_match(entry.path().filename().string(), std::regex("[0-9a-f]{32}\\.(json|png|exr)")))
           << entry.path() << " was left unfinished";
 }
 
@@ -143,6 +156,21 @@ TEST_F(Resume, AFolderOfAnotherExperimentIsRefused) {
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_NE(refused.err.find("has points of another experiment, 'Few', not of 'Fewer'"), std::string::npos)
       << refused.err;
+}
+
+TEST_F(Resume, LinearPicturesAreKeptOnRequest) {
+  writeText(folder_ / "x.lua", few("{ 2 }"));
+  ASSERT_EQ(run(command("out"), "STROBE_VALIDATION=0").exit_code, 0);
+  auto without = points("out");
+  ASSERT_EQ(run(command("out", "--exr"), "STROBE_VALIDATION=0").exit_code, 0);
+  ASSERT_EQ(points("out").size(), without.size());
+  for (const auto& [name, time] : points("out")) {
+    Path point = folder_ / ("out/points/" + name);
+    for (const char* ending : {".png", ".exr", ".record.json"})
+      EXPECT_TRUE(fs::exists(Path(point).replace_extension(ending))) << name << ending;
+    Json record = Json::parse(contentOf(Path(point).replace_extension(".record.json")));
+    EXPECT_EQ(record["outputs"]["color"], Json::parse(contentOf(point))["image"]) << "of the picture measured";
+  }
 }
 
 // 1024 samples are the most that a method takes.

@@ -117,6 +117,46 @@ TEST_F(Measuring, RegionsOfTheCaptureAndTimesAsRatios) {
   EXPECT_EQ(none.image, results.groups[0].points[2].image);
 }
 
+// The same bar from frame to frame: none jumps by whole displacements where truth has ramps.
+const char* const kSequence = R"lua(
+local experiment = require "strobe.experiment"
+return experiment {
+  title = "Sequence", size = { 160, 4 }, size_params = { "width", "height" }, regions = { "whole" },
+  measures = { "rmse", "flicker", "rays", "masked" },
+  truth = { pipeline = "ground_truth", set = { samples = 512 } },
+  arms = { { name = "none", pipeline = "none" }, { name = "hybrid", pipeline = "hybrid" } },
+  shots = { { name = "plane", scene = "oracles/half_plane", frames = { 0, 2, 1 }, ["scene.d_f"] = 12.7 } },
+}
+)lua";
+
+TEST_F(Measuring, SequencesHaveTheFlickerOfTheClosedForm) {
+  Results results = measured(kSequence);
+  const Point& none = results.groups.at(0).points.at(1);
+  // Exposure half a frame: 12.7 px over it are 25.4 px from frame to frame.
+  auto edge = [](int frame) { return 80 + 25.4 * frame; };
+  double squares = 0, flicker = 0;
+  for (int frame = 0; frame < 3; ++frame) {
+    double sum = 0;
+    for (int i = 0; i < 160; ++i) {
+      auto off = [&](int at) {
+        return (i + 0.5 < edge(at) ? 1 : 0) - oracle::halfPlaneAtCentre(edge(at), 12.7, oracle::kCloseAnchor, i);
+      };
+      sum += off(frame) * off(frame);
+      if (frame > 0) flicker += std::abs(off(frame) - off(frame - 1)) / 160 / 2;
+    }
+    squares += std::sqrt(sum / 160) / 3;
+  }
+  EXPECT_NEAR(none.value("rmse"), squares, kOfTruth) << "the mean over the frames";
+  EXPECT_NEAR(none.value("flicker"), flicker, 2 * kOfTruth);
+
+  // Every masked pixel has a ray of its own, and none of this flat scene casts shadows.
+  const Point& hybrid = results.groups[0].points[2];
+  EXPECT_GT(hybrid.value("masked"), 0);
+  EXPECT_GE(hybrid.value("rays"), hybrid.value("masked"));
+  EXPECT_TRUE(std::isnan(none.value("masked"))) << "it has no mask";
+  EXPECT_LT(hybrid.value("flicker"), none.value("flicker"));
+}
+
 const char* const kCoarse = R"lua(
 local experiment = require "strobe.experiment"
 return experiment {
