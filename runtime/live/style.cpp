@@ -36,8 +36,10 @@ void applyColours(ImGuiStyle& style) {
   c[ImGuiCol_FrameBg] = ImVec4(0.165f, 0.175f, 0.19f, 1);
   c[ImGuiCol_FrameBgHovered] = ImVec4(0.21f, 0.22f, 0.24f, 1);
   c[ImGuiCol_FrameBgActive] = ImVec4(0.24f, 0.25f, 0.275f, 1);
-  c[ImGuiCol_SliderGrab] = ImVec4(0.50f, 0.53f, 0.57f, 1);
-  c[ImGuiCol_SliderGrabActive] = c[ImGuiCol_CheckMark] = mixed(colours::kAccent, 1);
+  // The value is written across the slider: what shows its place must not outshine it.
+  c[ImGuiCol_SliderGrab] = ImVec4(0.55f, 0.60f, 0.68f, 0.42f);
+  c[ImGuiCol_SliderGrabActive] = mixed(colours::kAccent, 0.42f);
+  c[ImGuiCol_CheckMark] = mixed(colours::kAccent, 1);
   c[ImGuiCol_Button] = ImVec4(0.19f, 0.20f, 0.22f, 1);
   c[ImGuiCol_ButtonHovered] = ImVec4(0.25f, 0.265f, 0.29f, 1);
   c[ImGuiCol_ButtonActive] = mixed(colours::kAccent, 0.55f);
@@ -69,7 +71,7 @@ Fonts applyStyle() {
   style.ItemInnerSpacing = ImVec2(6, 4);
   style.ScrollbarSize = 10;
   style.ScrollbarRounding = 5;
-  style.GrabMinSize = 9;
+  style.GrabMinSize = 6;
   style.IndentSpacing = 10;
   Fonts fonts;
   fonts.text = loadFont("DejaVuSans.ttf", 14);
