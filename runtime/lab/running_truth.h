@@ -27,6 +27,8 @@ class RunningTruth {
   // False before a shot is given.
   bool step();
 
+  // "" where it was not given and nothing was started yet.
+  const std::string& pipeline() const { return pipeline_; }
   // Linear colour of three channels; empty before the first step.
   const image::Image& mean() const { return mean_; }
   int samples() const { return steps_ * samples_per_step_; }

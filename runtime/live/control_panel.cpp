@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "live/sweep_axis.h"
 #include "live/widgets.h"
 
 namespace strobe::live {
@@ -120,6 +121,7 @@ lab::Control asHeld(lab::Control control, bool of_b) {
 void takeEdit(Desk& desk, PanelState& state, const lab::Control& control, const Edit& edit) {
   const std::string& name = control.declaration.name;
   bool of_b = state.controls_of_b;
+  if (edit.changed) state.changed_control = name;
   auto apply = [&](const std::string& text) { attempt(state, [&] { desk.sides().set(name, text, "window", of_b); }); };
   bool dear = desk.sides().costOf(name) > kPatience_s;
   if (edit.changed && dear && ImGui::IsItemActive()) held() = {name, edit.text, of_b};
@@ -131,6 +133,23 @@ void takeEdit(Desk& desk, PanelState& state, const lab::Control& control, const 
   apply(text);
 }
 
+void sweepButton(PanelState& state, const lab::Control& control) {
+  if (!canBeSwept(control)) return;
+  ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+  ImGui::PushStyleColor(ImGuiCol_Text, colours::kDim);
+  if (ImGui::Button("\u25a5")) state.swept_control = control.declaration.name;
+  ImGui::PopStyleColor(2);
+  tooltip("sweep: several values of it beside each other, with their errors and times (R)");
+}
+
+// Whether the pointer is anywhere in the row that begins at `top`.
+bool isPointed(float top) {
+  float left = ImGui::GetWindowPos().x;
+  return ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
+         ImGui::IsMouseHoveringRect(ImVec2(left, top),
+                                    ImVec2(left + ImGui::GetWindowWidth(), ImGui::GetCursorScreenPos().y), false);
+}
+
 void drawControl(const Fonts& fonts, Desk& desk, PanelState& state, const lab::Control& control) {
   const std::string& name = control.declaration.name;
   bool of_b = state.controls_of_b;
@@ -138,6 +157,7 @@ void drawControl(const Fonts& fonts, Desk& desk, PanelState& state, const lab::C
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
+  float top = ImGui::GetCursorScreenPos().y;
   textIn(fonts.text, nameColour(control), shortName(control));
   tooltip(tooltipOf(control));
   ImGui::TableNextColumn();
@@ -145,6 +165,9 @@ void drawControl(const Fonts& fonts, Desk& desk, PanelState& state, const lab::C
   takeEdit(desk, state, control, edit);
   bool plain = control.declaration.values.empty();
   tooltip(plain ? control.declaration.doc : "");
+  ImGui::TableNextColumn();
+  sweepButton(state, control);
+  if (isPointed(top)) state.pointed_control = name;
   ImGui::TableNextColumn();
   if (control.set && quietButton("\u21ba", "give it back to preset, scene or default (now: " + control.origin + ")"))
     attempt(state, [&] { desk.sides().unset(name, of_b); });
@@ -193,6 +216,7 @@ void sideChoice(const Fonts& fonts, Desk& desk, PanelState& state) {
 }  // namespace
 
 void drawControls(const Fonts& fonts, Desk& desk, PanelState& state) {
+  state.pointed_control.clear();
   searchBox(state);
   sideChoice(fonts, desk, state);
   lab::Session& session = state.controls_of_b ? *desk.b()->session : *desk.a().session;
@@ -211,10 +235,11 @@ void drawControls(const Fonts& fonts, Desk& desk, PanelState& state) {
     bool shown = ImGui::CollapsingHeader(group.c_str(), open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
     ImGui::PopFont();
     if (of_b_shot && shown) textIn(fonts.small, colours::kDim, "as A has it");
-    if (shown && !of_b_shot && ImGui::BeginTable(group.c_str(), 3)) {
+    if (shown && !of_b_shot && ImGui::BeginTable(group.c_str(), 4)) {
       float room = ImGui::GetContentRegionAvail().x;
       ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, std::min(118.0f, 0.4f * room));
       ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
+      ImGui::TableSetupColumn("sweep", ImGuiTableColumnFlags_WidthFixed, 22);
       ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed, 22);
       for (size_t k = i; k < end; ++k) drawControl(fonts, desk, state, controls[k]);
       ImGui::EndTable();

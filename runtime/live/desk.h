@@ -49,6 +49,7 @@ class Desk {
   Desk(lab::Workbench& bench, const DeskOptions& options);
 
   Sides& sides() { return sides_; }
+  const Sides& sides() const { return sides_; }
   Side& a() { return sides_.a(); }
   Side* b() { return sides_.b(); }
   const Side* b() const { return sides_.b(); }
@@ -78,9 +79,8 @@ class Desk {
   const image::Image& picture(int window_frame);
   bool pictureChanged(int window_frame) const;
 
-  int truthSamples() const { return truth_.samples(shot()); }  // 0 where the truth is that of another shot
-  void wantTruth(int samples) { truth_wanted_ = samples; }     // gathered in every mode
-  std::optional<double> errorOf(const Side& side) const { return truth_.errorOf(shot(), side.color); }
+  void wantTruth(int samples) { truth_wanted_ = samples; }  // gathered in every mode
+  const GatheredTruth& truth() const { return truth_; }
   std::vector<std::string> problems() const;
 
   // ---- results
@@ -88,7 +88,7 @@ class Desk {
   Path freeName(const std::string& ending) const;  // in `out`
 
  private:
-  bool gathersTruth() const { return look_.mode == Mode::Error || truth_wanted_ > truthSamples(); }
+  bool gathersTruth() const { return look_.mode == Mode::Error || truth_wanted_ > truth_.samples(shot()); }
   const Side& sideShown(int window_frame) const;
   image::Image shownSide(const Side& side) const;
   image::Image compose(int window_frame) const;

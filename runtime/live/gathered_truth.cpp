@@ -9,8 +9,7 @@ namespace strobe::live {
 static const double kBudget_s = 0.03;  // of a turn, so that the window stays responsive
 static const int kEnough = 4096;       // what is left of the noise then is less than a display's 8 bits show
 
-// What truth depends on: everything of the shot but how it is drawn.
-static std::string keyOf(const lab::Shot& shot) {
+std::string GatheredTruth::keyOf(const lab::Shot& shot) {
   lab::Shot truth = shot;
   truth.pipeline.clear();
   truth.taps.clear();

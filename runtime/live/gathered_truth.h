@@ -17,11 +17,15 @@ class GatheredTruth {
   // Begins anew at the next `gather`.
   void forget() { key_.clear(); }
 
+  // Equal for shots that have one truth: what it depends on, which is all but how they are drawn.
+  static std::string keyOf(const lab::Shot& shot);
+
   int samples(const lab::Shot& shot) const;  // 0 where the truth is that of another shot
   const image::Image& mean() const { return truth_.mean(); }
   // RMSE of a picture of the shot against the truth so far.
   std::optional<double> errorOf(const lab::Shot& shot, const image::Image& color) const;
-  const std::string& problem() const { return problem_; }  // why it cannot be gathered, or ""
+  const std::string& pipeline() const { return truth_.pipeline(); }  // "" before it is known
+  const std::string& problem() const { return problem_; }            // why it cannot be gathered, or ""
 
  private:
   lab::RunningTruth truth_;

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <cstdio>
+#include <sstream>
 
 #include "base/log.h"
 #include "image/png.h"
@@ -12,6 +13,7 @@
 #include "live/drive.h"
 #include "live/picture_view.h"
 #include "live/surface.h"
+#include "live/sweep_panel.h"
 #include "live/window.h"
 
 namespace strobe::live {
@@ -19,7 +21,7 @@ namespace strobe::live {
 namespace {
 
 constexpr double kReloadLimit_s = 20;  // for 'reloaded'
-constexpr double kTruthLimit_s = 60;   // for 'truth'
+constexpr double kTruthLimit_s = 60;   // for 'truth' and 'swept'
 constexpr double kIdle_s = 0.1;        // between looks at edited files while nothing happens
 constexpr int kSettle = 3;             // frames that panels need to come to rest after an event
 constexpr int kSoftwareWidth = 320, kSoftwareHeight = 180;
@@ -76,6 +78,8 @@ class Live {
   void takeKeys();
   std::map<Action, std::function<void()>> actions();
   void stepView(int by);
+  void sweepPointed();
+  void closeUppermost();
   void sendToTev();
   void pointAsDriven();
   std::map<std::string, Handler> handlers();
@@ -83,6 +87,7 @@ class Live {
   void addLookHandlers(std::map<std::string, Handler>& handlers);
   void addWaitHandlers(std::map<std::string, Handler>& handlers);
   void addFileHandlers(std::map<std::string, Handler>& handlers);
+  void addSweepHandlers(std::map<std::string, Handler>& handlers);
   Handler afterFrames(int frames, std::function<void(const Command&)> then);
 
   LiveOptions options_;
@@ -91,9 +96,11 @@ class Live {
   lab::Workbench bench_;
   Surface surface_;
   Desk desk_;
+  Sweeper sweeper_;
   PanelState state_;
   const std::map<Action, std::function<void()>> actions_ = actions();
   PictureView view_;
+  SweepPanel sweep_panel_;
   std::unique_ptr<Texture> picture_;
   std::unique_ptr<Drive> drive_;
   std::unique_ptr<lab::Tev> tev_;
@@ -107,6 +114,8 @@ class Live {
   int reloads_seen_ = 0;
   bool shot_asked_ = false;
   std::optional<dvec2> pointed_;  // pixel of the picture
+  std::optional<dvec2> clicked_;  // of the window
+  bool pressed_ = false;          // ... and the button is down
 };
 
 Live::Live(const Home& home, const LiveOptions& options)
@@ -151,6 +160,29 @@ void Live::stepView(int by) {
   desk_.viewPort(names[size_t((at + by + int(names.size())) % int(names.size()))]);
 }
 
+// The control under the pointer, else one that is found (by its name rather than by its description), else the one
+// changed last.
+void Live::sweepPointed() {
+  bool of_b = state_.controls_of_b && desk_.b();
+  std::string name = state_.pointed_control, by_name, by_text;
+  for (const lab::Control& control : (of_b ? *desk_.b() : desk_.a()).session->controls()) {
+    if (state_.search.empty() || !canBeSwept(control) || !isFound(control, state_.search)) continue;
+    const std::string& found = control.declaration.name;
+    if (by_text.empty()) by_text = found;
+    if (by_name.empty() && found.find(state_.search) != std::string::npos) by_name = found;
+  }
+  for (const std::string& next : {by_name, by_text, state_.changed_control})
+    if (name.empty()) name = next;
+  if (name.empty()) throw Error("no control to sweep: put the pointer on one, or find one with /");
+  sweeper_.open(desk_, name, of_b);
+}
+
+void Live::closeUppermost() {
+  if (state_.help) state_.help = false;
+  else if (sweeper_.isOpen()) sweeper_.close(desk_);
+  else desk_.pixel().unpin();
+}
+
 std::map<Action, std::function<void()>> Live::actions() {
   return {
       {Action::TogglePlay, [this] { desk_.playing = !desk_.playing; }},
@@ -167,11 +199,7 @@ std::map<Action, std::function<void()>> Live::actions() {
       {Action::PreviousView, [this] { stepView(-1); }},
       {Action::NextView, [this] { stepView(1); }},
       {Action::ViewColor, [this] { desk_.viewPort("color"); }},
-      {Action::Unpin,
-       [this] {
-         if (!state_.help) desk_.pixel().unpin();
-         state_.help = false;
-       }},
+      {Action::Unpin, [this] { closeUppermost(); }},
       {Action::Save, [this] { state_.say("saved " + desk_.save().front().string()); }},
       {Action::Screenshot, [this] { screenshot_ = desk_.freeName(".window.png"); }},
       {Action::CopyCommand,
@@ -180,6 +208,10 @@ std::map<Action, std::function<void()>> Live::actions() {
          state_.say("copied: " + lab::commandOf(desk_.shot()));
        }},
       {Action::Search, [this] { state_.focus_search = state_.panels = true; }},
+      {Action::Sweep, [this] { sweepPointed(); }},
+      {Action::TakePrevious, [this] { sweeper_.takeNext(desk_, -1); }},
+      {Action::TakeNext, [this] { sweeper_.takeNext(desk_, 1); }},
+      {Action::SaveExperiment, [this] { state_.say("saved; run it: strobe sweep " + sweeper_.save(desk_).string()); }},
       {Action::TogglePanels, [this] { state_.panels = !state_.panels; }},
       {Action::ToggleHelp, [this] { state_.help = !state_.help; }},
       {Action::Quit, [this] { quit_ = true; }},
@@ -191,6 +223,8 @@ void Live::takeKeys() {
     for (int key : window_.pressed())
       if (Action action = actionOf(key); action != Action::None) state_.requests.push_back(action);
   for (Action action : std::exchange(state_.requests, {})) attempt(state_, actions_.at(action));
+  std::string swept = std::exchange(state_.swept_control, "");
+  if (!swept.empty()) attempt(state_, [&] { sweeper_.open(desk_, swept, state_.controls_of_b && desk_.b()); });
 }
 
 // ---- a turn
@@ -202,11 +236,13 @@ void Live::sendToTev() {
 
 // A driven window does not depend on where the mouse happens to be.
 void Live::pointAsDriven() {
-  dvec2 at = pointed_ ? view_.inWindow(*pointed_ + dvec2(0.5)) : dvec2(-1e6);
-#if IMGUI_VERSION_NUM >= 18700  // from here on, positions are events
+  dvec2 at = clicked_ ? *clicked_ : pointed_ ? view_.inWindow(*pointed_ + dvec2(0.5)) : dvec2(-1e6);
+#if IMGUI_VERSION_NUM >= 18700  // from here on, positions and buttons are events
   ImGui::GetIO().AddMousePosEvent(float(at.x), float(at.y));
+  ImGui::GetIO().AddMouseButtonEvent(0, pressed_);
 #endif
   ImGui::GetIO().MousePos = ImVec2(float(at.x), float(at.y));
+  ImGui::GetIO().MouseDown[0] = pressed_;
 }
 
 void Live::drawWindow() {
@@ -217,11 +253,13 @@ void Live::drawWindow() {
   // A picture made smaller needs its pixels mixed; one enlarged shows them as they are.
   bool smooth = shown.width > width || shown.height > height;
   surface_.upload(picture_, "picture", shown, smooth);
+  sweep_panel_.prepare(surface_, sweeper_, desk_.look().view.exposure_stops);
 
   ImGui_ImplGlfw_NewFrame();
   if (drive_) pointAsDriven();
   ImGui::NewFrame();
   Area area = drawPanels(gui_.fonts(), desk_, state_);
+  area = sweep_panel_.draw(gui_.fonts(), desk_, sweeper_, state_, area);
   view_.interact(desk_, state_, area, window_);
   view_.draw(gui_.fonts(), desk_, state_, area, *picture_);
   drawOverlays(gui_.fonts(), desk_, state_, area);
@@ -239,14 +277,16 @@ void Live::drawWindow() {
 
 void Live::turn() {
   bool spoke = state_.speaks();
-  bool awake = settle_ > 0 || desk_.busy() || (drive_ && !drive_->done());
+  bool awake = settle_ > 0 || desk_.busy() || sweeper_.busy() || (drive_ && !drive_->done());
   window_.takeEvents(awake ? 0 : kIdle_s);
   if (window_.stirred() || spoke != state_.speaks()) settle_ = kSettle;
   if (drive_) drive_->advance();
   bool news = desk_.turn();
   if (std::string message = desk_.sides().takeMessage(); !message.empty()) state_.say(message);
   if (news) sendToTev();
-  if (news) settle_ = kSettle;
+  // A drag comes first.
+  bool swept = !ImGui::IsAnyMouseDown() && sweeper_.turn(desk_);
+  if (news || swept) settle_ = kSettle;
   bool draws = settle_ > 0 || desk_.pictureChanged(state_.window_frame) || screenshot_ || (drive_ && !drive_->done());
   if (!draws) return;
   drawWindow();
@@ -351,8 +391,8 @@ void Live::addWaitHandlers(std::map<std::string, Handler>& handlers) {
     if (!wait_since_s_) wait_since_s_ = clockSeconds();
     desk_.wantTruth(integerOf(c, 0));
     if (clockSeconds() - *wait_since_s_ > kTruthLimit_s)
-      throw Error(fmt::format("the truth has {} samples", desk_.truthSamples()), c.place);
-    if (desk_.truthSamples() < integerOf(c, 0)) return false;
+      throw Error(fmt::format("the truth has {} samples", desk_.truth().samples(desk_.shot())), c.place);
+    if (desk_.truth().samples(desk_.shot()) < integerOf(c, 0)) return false;
     wait_since_s_.reset();
     desk_.wantTruth(0);
     return true;
@@ -394,12 +434,55 @@ void Live::addFileHandlers(std::map<std::string, Handler>& handlers) {
   };
 }
 
+// "NAME" or "NAME=VALUE,VALUE,...".
+std::pair<std::string, std::vector<std::string>> axisIn(const std::string& text) {
+  size_t at = std::min(text.find('='), text.size());
+  std::istringstream list(text.substr(std::min(at + 1, text.size())));
+  std::vector<std::string> values;
+  for (std::string value; std::getline(list, value, ',');) values.push_back(value);
+  return {text.substr(0, at), values};
+}
+
+void Live::addSweepHandlers(std::map<std::string, Handler>& handlers) {
+  handlers["sweep"] = [this](const Command& c) {
+    auto [name, values] = axisIn(c.arguments[0]);
+    sweeper_.open(desk_, name, false, values);
+    if (c.arguments.size() == 1) return true;
+    auto [other, others] = axisIn(c.arguments[1]);
+    sweeper_.cross(desk_, other, others);
+    return true;
+  };
+  handlers["swept"] = [this](const Command& c) {
+    if (!wait_since_s_) wait_since_s_ = clockSeconds();
+    if (!sweeper_.isOpen()) throw Error("there is no sweep", c.place);
+    if (clockSeconds() - *wait_since_s_ > kTruthLimit_s) throw Error("the sweep is not complete", c.place);
+    if (!sweeper_.isComplete()) return false;
+    wait_since_s_.reset();
+    return true;
+  };
+  handlers["experiment"] = [this](const Command& c) {
+    return writeFileAtomically(c.arguments[0], sweeper_.experiment(desk_)), true;
+  };
+  handlers["click"] = [this](const Command& c) {
+    if (!wait_from_) wait_from_ = state_.window_frame;
+    int passed = state_.window_frame - *wait_from_;
+    clicked_ = dvec2(integerOf(c, 0), integerOf(c, 1));
+    // Panels learn first where the pointer is, then that the button is down, then that it is up.
+    pressed_ = passed == 2;
+    if (passed < 4) return false;
+    clicked_.reset();
+    wait_from_.reset();
+    return true;
+  };
+}
+
 std::map<std::string, Handler> Live::handlers() {
   std::map<std::string, Handler> handlers;
   addShotHandlers(handlers);
   addLookHandlers(handlers);
   addWaitHandlers(handlers);
   addFileHandlers(handlers);
+  addSweepHandlers(handlers);
   return handlers;
 }
 

@@ -19,12 +19,6 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
 
-void beginPanel(const char* name, float x, float y, float width, float height) {
-  ImGui::SetNextWindowPos(ImVec2(x, y));
-  ImGui::SetNextWindowSize(ImVec2(width, height));
-  ImGui::Begin(name, nullptr, kFixed);
-}
-
 // A menu of names; true where another was chosen.
 bool combo(const char* id, const std::string& current, const std::vector<std::string>& names, std::string& chosen) {
   bool changed = false;
@@ -150,15 +144,15 @@ void errorTable(const Fonts& fonts, Desk& desk) {
     ImGui::TableNextColumn();
     textIn(fonts.text, colours::kText, of.session->shot().pipeline);
     ImGui::TableNextColumn();
-    textIn(fonts.mono, colours::kText, errorText(desk.errorOf(of)));
+    textIn(fonts.mono, colours::kText, errorText(desk.truth().errorOf(desk.shot(), of.color)));
     tooltip("root of the mean squared error of the linear colour against the truth so far");
   };
   side("A", colours::kAccent, desk.a());
   if (desk.b()) side("B", colours::kOther, *desk.b());
   ImGui::EndTable();
-  if (desk.truthSamples() > 0)
+  if (desk.truth().samples(desk.shot()) > 0)
     textIn(fonts.small, colours::kDim,
-           fmt::format("RMSE against {} of {} samples", desk.options().truth, desk.truthSamples()));
+           fmt::format("RMSE against {} of {} samples", desk.truth().pipeline(), desk.truth().samples(desk.shot())));
 }
 
 // What is set differently on the two sides.
@@ -330,6 +324,12 @@ void bottomBar(const Fonts& fonts, Desk& desk, PanelState& state, float width, f
 
 }  // namespace
 
+void beginPanel(const char* name, float x, float y, float width, float height) {
+  ImGui::SetNextWindowPos(ImVec2(x, y));
+  ImGui::SetNextWindowSize(ImVec2(width, height));
+  ImGui::Begin(name, nullptr, kFixed);
+}
+
 void PanelState::say(const std::string& text, bool bad) {
   message = text;
   message_is_bad = bad;
@@ -408,14 +408,21 @@ void drawHelp(const Fonts& fonts) {
   ImVec2 window = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(ImVec2(window.x / 2, window.y / 2), 0, ImVec2(0.5f, 0.5f));
   ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(window.x - 20, window.y - 20));
-  ImGui::SetNextWindowSize(ImVec2(600, 0));
+  bool wide = window.x > 1040;  // keys on the left, the mouse on the right
+  ImGui::SetNextWindowSize(ImVec2(wide ? 1000.0f : 600.0f, 0));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(20, 14));
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(6, 1));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(26, 28, 31, 248));
   ImGui::Begin("help", nullptr, kFixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus);
   ImGui::SetWindowFocus();
+  bool columns = wide && ImGui::BeginTable("columns", 2);
+  if (columns) ImGui::TableNextColumn();
   if (beginKeys(fonts, "Keys")) {
     keyRows(fonts, keys());
+    ImGui::EndTable();
+  }
+  if (columns) ImGui::TableNextColumn();
+  if (beginKeys(fonts, "While held")) {
     keyRows(fonts, heldKeys());
     ImGui::EndTable();
   }
@@ -423,6 +430,7 @@ void drawHelp(const Fonts& fonts) {
     keyRows(fonts, gestures());
     ImGui::EndTable();
   }
+  if (columns) ImGui::EndTable();
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(2);

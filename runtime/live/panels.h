@@ -19,6 +19,8 @@ struct PanelState {
   bool controls_of_b = false;
   bool focus_search = false;
   std::string search;
+  std::string pointed_control, changed_control;  // under the pointer; changed last. Of the side that is shown
+  std::string swept_control;                     // of which a sweep was asked for, for the window to begin
   Magnification magnification;
   int window_frame = 0;
   std::vector<Action> requests;  // buttons pressed, for the window to carry out
@@ -29,6 +31,9 @@ struct PanelState {
   void say(const std::string& text, bool bad = false);
   bool speaks() const;  // the message is to be seen
 };
+
+// Begins a panel that fills its place; `ImGui::End` ends it.
+void beginPanel(const char* name, float x, float y, float width, float height);
 
 // Carries out a change; what is refused becomes the message.
 void attempt(PanelState& state, const std::function<void()>& change);

@@ -185,6 +185,7 @@ Sides::Looked Sides::lookAtFiles() {
     side->stale = side->stale || reload->swapped;
     if (reload->swapped || reload->compilations > 0) side->times.voidNext();
     reloads_ += side == &a_;
+    swaps_ += reload->swapped;
   }
   return looked;
 }

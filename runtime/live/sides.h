@@ -63,6 +63,7 @@ class Sides {
   // What the last reload has to say in the window; once.
   std::string takeMessage() { return std::exchange(message_, ""); }
   int reloads() const { return reloads_; }  // edits of A that were swapped in or refused
+  int swaps() const { return swaps_; }      // edits of either that were swapped in
 
   // Draws what is due, with the image `port` read back. True where there was anything.
   bool draw(const std::string& port);
@@ -83,7 +84,7 @@ class Sides {
   std::map<std::pair<bool, std::string>, std::string> refusals_;
   std::map<std::string, double> costs_;
   std::string message_;  // of a reload, until it is taken
-  int reloads_ = 0;
+  int reloads_ = 0, swaps_ = 0;
 };
 
 }  // namespace strobe::live

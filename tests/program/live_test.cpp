@@ -194,6 +194,35 @@ TEST_F(Live, TwoPipelinesAreComparedUnderOneClock) {
   EXPECT_GT(redPixels(alone), 500u);
 }
 
+// By keys and mouse: the control that is found is swept, a click on a column takes its value; what is saved runs.
+TEST_F(Live, ASweepIsDrawnTakenAndSaved) {
+  std::string file = folder_ / "sweep.lua", study = folder_ / "study";
+  Outcome outcome = drive(
+      "search samples\nkey R\nwait 2\nkey Escape\nsearch\nsweep samples=4,8,16\nswept\nscreenshot " +
+          picture("sweep.png") + "\nclick 397 560\nexpect samples 4\nkey .\nexpect samples 8\n" + "experiment " + file +
+          "\nkey F5\nsweep samples=4,8,16 tile=10,20\nswept\nscreenshot " + picture("sweep_grid.png") +
+          "\nset exposure 1\nwait 3\nscreenshot " + picture("sweep_stale.png") + "\nkey Escape\nproblems no\nquit\n",
+      "mcguire2012");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* name : {"sweep.png", "sweep_grid.png"}) {
+    image::Image window = image::readPng(picture(name));
+    size_t red = 0;  // of the cards in the thumbnails
+    for (int y = window.height / 2 + 60; y < window.height - 90; ++y)
+      for (int x = 350; x < window.width - 350; ++x)
+        red += window.at(x, y, 0) > 0.7f && window.at(x, y, 1) < 0.5f && window.at(x, y, 2) < 0.45f;
+    EXPECT_GT(red, 100u) << name;
+  }
+  size_t saved = 0;
+  for (const auto& entry : fs::directory_iterator(folder_ / "out")) saved += entry.path().extension() == ".lua";
+  EXPECT_EQ(saved, 1u);
+  Outcome listed = run("sweep " + file + " --dry-run --json");
+  ASSERT_EQ(listed.exit_code, 0) << listed.err;
+  EXPECT_EQ(Json::parse(listed.out).size(), 3u);
+  Outcome swept = run("sweep " + file + " --size 32x18 -o " + study, "STROBE_VALIDATION=1");
+  EXPECT_EQ(swept.exit_code, 0) << swept.err;
+  EXPECT_TRUE(fs::exists(study + "/report.html"));
+}
+
 TEST_F(Live, AFailedCommandEndsWithItsLine) {
   Outcome outcome = drive("wait 1\nexpect exposure 0.123\nquit\n");
   EXPECT_EQ(outcome.exit_code, 1);

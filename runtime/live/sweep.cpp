@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "live/sweep.h"
+
+#include <algorithm>
+
+#include "base/log.h"
+#include "image/metrics.h"
+#include "math/statistics.h"
+
+namespace strobe::live {
+
+static const size_t kMostBytes = size_t{2} << 30;  // of pictures that are kept for their errors
+static const double kBetter = 1.25;                // times as many samples of truth: errors are measured again
+
+std::optional<double> SweepPoint::median() const {
+  if (ms.empty()) return {};
+  return strobe::median(ms);
+}
+
+lab::Shot withValue(lab::Shot shot, const std::string& name, const plan::Value& value) {
+  for (const lab::ShotOption& option : lab::shotOptions())
+    for (const lab::ShotField& field : option.fields)
+      if (field.isValue() && field.declaration.name == name) return field.set(shot, value), shot;
+  lab::putSetting(shot.sets, name, value);
+  return shot;
+}
+
+// The points of all combinations, in order.
+static std::vector<SweepPoint> pointsOf(const lab::Shot& shot, const std::vector<SweepAxis>& axes) {
+  std::vector<SweepPoint> points(1);
+  points.front().shot = shot;
+  for (const SweepAxis& axis : axes) {
+    std::vector<SweepPoint> next;
+    for (const SweepPoint& point : points)
+      for (size_t i = 0; i < axis.values.size(); ++i) {
+        next.push_back({point.at, withValue(point.shot, axis.declaration.name, axis.values[i])});
+        next.back().at.push_back(i);
+      }
+    points = std::move(next);
+  }
+  return points;
+}
+
+Sweep::Sweep(lab::Workbench& bench, const lab::Shot& shot, std::vector<SweepAxis> axes, const lab::Shot& shown,
+             const std::string& truth)
+    : batch_(bench), shot_(shot), axes_(std::move(axes)), own_(bench, truth) {
+  shot_.taps.clear();
+  points_ = pointsOf(shot_, axes_);
+  if (points_.empty() || axes_.empty()) throw Error("a sweep needs values");
+  size_t bytes = 0;
+  std::string key = GatheredTruth::keyOf(shown);
+  for (const SweepPoint& point : points_) {
+    bytes += size_t(point.shot.width) * size_t(point.shot.height) * 3 * sizeof(float);
+    std::string own = GatheredTruth::keyOf(point.shot);
+    bool known = std::find(own_keys_.begin(), own_keys_.end(), own) != own_keys_.end();
+    if (!known) own_keys_.push_back(own);
+  }
+  if (own_keys_.size() == 1 && own_keys_.front() == key) own_keys_.clear();
+  if (bytes > kMostBytes)
+    throw Error(fmt::format("{} pictures of {}x{} are more than a sweep keeps ({} MiB): fewer steps, or a smaller size",
+                            points_.size(), shot_.width, shot_.height, kMostBytes >> 20));
+}
+
+bool Sweep::isOf(const lab::Shot& shot) const {
+  auto base = [this](lab::Shot of) {
+    for (const SweepAxis& axis : axes_) of = withValue(of, axis.declaration.name, axis.values.front());
+    return lab::canonical(of);
+  };
+  return base(shot) == base(shot_);
+}
+
+// ---- slices
+
+bool Sweep::advance(const GatheredTruth& shared, double budget_s) {
+  double started_s = clockSeconds();
+  if (!step(shared)) return false;
+  while (clockSeconds() - started_s < budget_s && step(shared)) continue;
+  return true;
+}
+
+bool Sweep::step(const GatheredTruth& shared) { return draw() || measure(shared) || sampleOwn() || time(); }
+
+void Sweep::fail(SweepPoint& point, const Error& error) {
+  point.problem = error.message();
+  point.color = {};
+}
+
+bool Sweep::draw() {
+  auto next = std::find_if(points_.begin(), points_.end(),
+                           [](const SweepPoint& point) { return point.color.empty() && point.problem.empty(); });
+  if (stopped_ || next == points_.end()) return false;
+  try {
+    next->color = image::threeChannels(*batch_.color(next->shot));
+    batch_.forgetColorsOf(next->shot.pipeline);
+  } catch (const Error& error) {
+    fail(*next, error);
+  }
+  return true;
+}
+
+bool Sweep::measure(const GatheredTruth& shared) {
+  if (!sharesTruth()) return false;
+  for (SweepPoint& point : points_) {
+    int samples = point.color.empty() ? 0 : shared.samples(point.shot);
+    if (samples == 0 || (point.error && samples < kBetter * point.samples)) continue;
+    point.error = shared.errorOf(point.shot, point.color);
+    point.samples = samples;
+    return true;
+  }
+  return false;
+}
+
+bool Sweep::sampleOwn() {
+  if (!samplesOwn()) return false;
+  std::vector<SweepPoint*> of_it;
+  for (SweepPoint& point : points_)
+    if (!point.color.empty() && GatheredTruth::keyOf(point.shot) == own_keys_[next_own_]) of_it.push_back(&point);
+  auto next = [this] { ++next_own_, own_begun_ = false; };
+  if (of_it.empty()) return next(), true;
+  try {
+    if (!std::exchange(own_begun_, true)) own_.restart(of_it.front()->shot);
+    own_.step();
+  } catch (const Error& error) {
+    for (SweepPoint* point : of_it) fail(*point, error);
+    return next(), true;
+  }
+  for (SweepPoint* point : of_it) {
+    point->samples = own_.samples();
+    if (image::sameSize(point->color, own_.mean()))
+      point->error = image::rootMeanSquaredError(point->color, own_.mean());
+  }
+  if (own_.samples() >= kOwnSamples) next();
+  return true;
+}
+
+// The point with the fewest times, the first of several.
+bool Sweep::time() {
+  SweepPoint* next = nullptr;
+  for (SweepPoint& point : points_)
+    if (point.problem.empty() && point.ms.size() < kRounds && (!next || point.ms.size() < next->ms.size()))
+      next = &point;
+  if (stopped_ || !next) return false;
+  try {
+    next->ms.push_back(batch_.timeInTurn({next->shot}, {1, 1}).front().ms.front());
+  } catch (const Error& error) {
+    fail(*next, error);
+  }
+  return true;
+}
+
+// ---- how far it is
+
+size_t Sweep::drawn() const {
+  return size_t(std::count_if(points_.begin(), points_.end(),
+                              [](const SweepPoint& point) { return !point.color.empty() || !point.problem.empty(); }));
+}
+
+size_t Sweep::timed() const {
+  return size_t(std::count_if(points_.begin(), points_.end(), [](const SweepPoint& point) {
+    return point.ms.size() >= kRounds || !point.problem.empty();
+  }));
+}
+
+int Sweep::samples() const {
+  int least = 0;
+  for (const SweepPoint& point : points_) {
+    if (!point.problem.empty()) continue;
+    if (!point.error) return 0;
+    least = least == 0 ? point.samples : std::min(least, point.samples);
+  }
+  return least;
+}
+
+}  // namespace strobe::live

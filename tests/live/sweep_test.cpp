@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// Sweeps without a window: pictures, errors and times of every value, what is taken, what makes it stale.
+#include "live/sweep.h"
+
+#include "image/metrics.h"
+#include "live/sweeper.h"
+#include "live/thumbnails.h"
+#include "oracle/render.h"
+
+namespace strobe::live {
+namespace {
+
+class SweepTest : public oracle::RenderTest {
+ protected:
+  // An edge that moves by 20 px over the exposure.
+  static lab::Shot shot() {
+    return oracle::with(oracle::shotOf("half_plane", 48, 4, {{"edge", 24}, {"d_f", 20}}), "mcguire2012");
+  }
+  static DeskOptions options() {
+    DeskOptions options;
+    options.shot = shot();
+    return options;
+  }
+  static lab::Control controlOf(Desk& desk, const std::string& name) {
+    for (lab::Control& control : desk.a().session->controls())
+      if (control.declaration.name == name) return control;
+    ADD_FAILURE() << "there is no " << name;
+    return {};
+  }
+  static std::string valueOf(Desk& desk, const std::string& name) {
+    return lab::plainText(controlOf(desk, name).value);
+  }
+  // Turns, as the window makes them.
+  static void finish(Desk& desk, Sweeper& sweeper, int samples = 1) {
+    for (int i = 0; i < 2000 && !(sweeper.isComplete() && sweeper.sweep().samples() >= samples); ++i) {
+      desk.turn();
+      sweeper.turn(desk);
+    }
+    ASSERT_TRUE(sweeper.isComplete());
+    ASSERT_GE(sweeper.sweep().samples(), samples);
+  }
+};
+
+TEST_F(SweepTest, EveryValueHasPictureErrorAndTime) {
+  Desk desk(bench(), options());
+  Sweeper sweeper;
+  EXPECT_FALSE(sweeper.turn(desk));
+  sweeper.open(desk, "samples", false, {"4", "8", "16"});
+  finish(desk, sweeper, 64);
+  ASSERT_EQ(sweeper.sweep().points().size(), 3u);
+  for (const SweepPoint& point : sweeper.sweep().points()) {
+    std::string value = lab::plainText(sweeper.sweep().axes()[0].values[point.at[0]]);
+    lab::Picture alone = render(oracle::with(shot(), "mcguire2012", {"samples=" + value}));
+    EXPECT_TRUE(oracle::identical(point.color, image::threeChannels(oracle::colorOf(alone)))) << value;
+    double now = image::rootMeanSquaredError(point.color, desk.truth().mean());
+    EXPECT_NEAR(*point.error, now, 0.1 * now) << value << ": at most a quarter of its samples is missing";
+    EXPECT_EQ(point.ms.size(), size_t(Sweep::kRounds));
+    EXPECT_GT(*point.median(), 0);
+  }
+  EXPECT_EQ(valueOf(desk, "samples"), "16") << "the picture stays as it is";
+}
+
+// The window goes on between any two frames.
+TEST_F(SweepTest, ASliceIsOneFrameAtLeast) {
+  GatheredTruth truth(bench(), "");
+  Desk desk(bench(), options());
+  SweepAxis axis = axisOf(controlOf(desk, "samples").declaration, std::vector<std::string>{"4", "8"});
+  Sweep sweep(bench(), desk.shot(), {axis}, desk.shot(), "");
+  EXPECT_EQ(sweep.drawn(), 0u);
+  for (size_t drawn : {1u, 2u}) {
+    EXPECT_TRUE(sweep.advance(truth, 0));
+    EXPECT_EQ(sweep.drawn(), drawn);
+  }
+  EXPECT_EQ(sweep.samples(), 0) << "no truth yet";
+  EXPECT_TRUE(sweep.advance(truth, 0));
+  EXPECT_EQ(sweep.points()[0].ms.size(), 1u) << "times need none";
+  EXPECT_TRUE(sweep.points()[1].ms.empty());
+  sweep.stop();
+  EXPECT_FALSE(sweep.advance(truth, 0));
+  EXPECT_TRUE(sweep.isWhole());
+}
+
+TEST_F(SweepTest, ValuesThatChangeTruthHaveTheirOwn) {
+  Desk desk(bench(), options());
+  Sweeper sweeper;
+  sweeper.open(desk, "exposure", false, {"0.25", "1"});
+  EXPECT_FALSE(sweeper.sweep().sharesTruth());
+  finish(desk, sweeper, Sweep::kOwnSamples);
+  for (const SweepPoint& point : sweeper.sweep().points()) {
+    lab::RunningTruth truth(bench());
+    truth.restart(point.shot);
+    while (truth.samples() < Sweep::kOwnSamples) truth.step();
+    EXPECT_EQ(*point.error, image::rootMeanSquaredError(point.color, truth.mean()));
+  }
+  EXPECT_NE(*sweeper.sweep().points()[0].error, *sweeper.sweep().points()[1].error);
+  EXPECT_EQ(desk.truth().samples(desk.shot()), 0) << "the window's is not needed";
+}
+
+TEST_F(SweepTest, AValueIsTakenAsByItsControl) {
+  Desk desk(bench(), options());
+  Sweeper sweeper;
+  sweeper.open(desk, "samples", false, {"4", "8", "16"});
+  EXPECT_EQ(sweeper.current(desk), 2u);
+  sweeper.take(desk, 0);
+  EXPECT_EQ(valueOf(desk, "samples"), "4");
+  EXPECT_EQ(controlOf(desk, "samples").origin, "window");
+  EXPECT_TRUE(desk.a().stale);
+  EXPECT_FALSE(sweeper.isStale(desk)) << "it is one of the values";
+  sweeper.takeNext(desk, 1);
+  EXPECT_EQ(valueOf(desk, "samples"), "8");
+  sweeper.takeNext(desk, 7);
+  EXPECT_EQ(valueOf(desk, "samples"), "16");
+  desk.sides().set("samples", "5", "window");
+  EXPECT_EQ(sweeper.current(desk), std::nullopt);
+  EXPECT_FALSE(sweeper.isStale(desk));
+}
+
+TEST_F(SweepTest, AnythingElseMakesItStale) {
+  Desk desk(bench(), options());
+  Sweeper sweeper;
+  sweeper.open(desk, "samples", false, {"4", "8"});
+  int serial = sweeper.serial();
+  desk.sides().set("exposure", "0.25", "window");
+  EXPECT_TRUE(sweeper.isStale(desk));
+  sweeper.begin(desk);
+  EXPECT_FALSE(sweeper.isStale(desk));
+  EXPECT_NE(sweeper.serial(), serial);
+  EXPECT_EQ(sweeper.sweep().points()[0].shot.exposure, 0.25);
+  desk.sides().usePipeline("ue4");
+  EXPECT_TRUE(sweeper.isStale(desk));
+  sweeper.close(desk);
+  EXPECT_FALSE(sweeper.isOpen());
+  EXPECT_FALSE(sweeper.busy());
+}
+
+TEST_F(SweepTest, TwoControlsMakeAGrid) {
+  Desk desk(bench(), options());
+  Sweeper sweeper;
+  sweeper.open(desk, "samples", false, {"4", "8"});
+  sweeper.cross(desk, "tile", {"10", "20", "40"});
+  const Sweep& sweep = sweeper.sweep();
+  ASSERT_EQ(sweep.points().size(), 6u);
+  EXPECT_EQ(sweep.points()[4].at, (std::vector<size_t>{1, 1}));
+  sweeper.take(desk, 4);
+  EXPECT_EQ(valueOf(desk, "samples"), "8");
+  EXPECT_EQ(valueOf(desk, "tile"), "20");
+  EXPECT_EQ(sweeper.current(desk), 4u);
+  sweeper.cross(desk, "");
+  EXPECT_EQ(sweeper.sweep().points().size(), 2u);
+}
+
+TEST_F(SweepTest, SaysWhatCannotBe) {
+  Desk desk(bench(), options());
+  Sweeper sweeper;
+  auto messageOf = [](const std::function<void()>& step) {
+    try {
+      step();
+    } catch (const Error& error) {
+      return error.message();
+    }
+    return std::string();
+  };
+  EXPECT_EQ(messageOf([&] { sweeper.open(desk, "sampels"); }),
+            "there is no control 'sampels'; did you mean 'samples'?");
+  EXPECT_NE(messageOf([&] { sweeper.open(desk, "samples", false, {"many"}); }), "");
+  EXPECT_NE(messageOf([&] { sweeper.experiment(desk); }), "");
+  EXPECT_FALSE(sweeper.isOpen());
+  SweepAxis unknown{controlOf(desk, "samples").declaration, false, {int64_t(1), int64_t(2)}};
+  unknown.declaration.name = "sampels";
+  Sweep refused(bench(), desk.shot(), {unknown}, desk.shot(), "");
+  while (refused.advance(desk.truth(), 1)) continue;
+  EXPECT_TRUE(refused.isWhole());
+  for (const SweepPoint& point : refused.points())
+    EXPECT_NE(point.problem.find("sampels"), std::string::npos) << point.problem;
+  lab::Shot large = desk.shot();
+  large.width = large.height = 16384;
+  EXPECT_NE(messageOf([&] { Sweep(bench(), large, {unknown}, large, ""); }).find("more than a sweep keeps"),
+            std::string::npos);
+}
+
+TEST_F(SweepTest, ThumbnailsAreMeans) {
+  image::Image linear(4, 2, 3);
+  for (size_t i = 0; i < linear.values.size(); ++i) linear.values[i] = i % 3 == 0 && i / 3 % 2 == 0 ? 0.5f : 0;
+  image::Image small = thumbnail(linear, 2, 1);
+  ASSERT_EQ(small.width, 2);
+  ASSERT_EQ(small.height, 1);
+  EXPECT_NEAR(small.at(0, 0, 0), 0.7354, 1e-3) << "a quarter of light, a stop brighter, as sRGB has it";
+  EXPECT_EQ(small.at(1, 0, 1), 0);
+  EXPECT_EQ(thumbnail(linear, 100, 0).width, 4) << "never enlarged";
+  Desk desk(bench(), options());
+  Sweeper sweeper;
+  sweeper.open(desk, "samples", false, {"4", "8", "16"});
+  EXPECT_EQ(thumbnailsOf(sweeper.sweep(), 0).places.size(), 3u) << "also before it is drawn";
+}
+
+}  // namespace
+}  // namespace strobe::live
