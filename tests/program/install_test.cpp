@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <set>
 
 #include "base/json.h"
 #include "program/run.h"
@@ -70,6 +71,22 @@ TEST_F(Installed, RendersAndChecks) {
   Outcome listed = strobeIn(folder_->path(), "sweep experiments/demo/demo.lua --dry-run");
   EXPECT_EQ(listed.exit_code, 0) << listed.err;
   EXPECT_EQ(written(), before) << "the program wrote to the folder it is installed in";
+}
+
+TEST_F(Installed, ThePackageHasTheSameFiles) {
+  if (runLine("command -v cpack dpkg-deb").exit_code != 0) GTEST_SKIP() << "cpack or dpkg-deb is not installed";
+  std::string build = fs::path(programPath()).parent_path(), out = folder_->path() / "package";
+  Outcome made =
+      runLine("cd '" + build + "' && cpack -G DEB -B '" + out + "' -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip && " +
+              "dpkg-deb -x '" + out + "'/strobe_*.deb '" + out + "/files'");
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  auto filesBelow = [](const fs::path& folder) {
+    std::set<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+      if (entry.is_regular_file()) names.insert(entry.path().lexically_relative(folder));
+    return names;
+  };
+  EXPECT_EQ(filesBelow(out + "/files/usr"), filesBelow(prefix()));
 }
 
 // What bash offers for the end of a line, one a line.

@@ -78,6 +78,43 @@ Findings brokenLinks(const std::vector<Source>& pages, const fs::path& folder) {
   return findings;
 }
 
+// Files of this repository that are named as code: `runtime/x.cpp`. Pages on projects name files of a project.
+Findings namedButMissing(const std::vector<Source>& pages, const fs::path& folder) {
+  static const std::regex named("`((?:runtime|shaders|passes|scripts|tests|docs|experiments|tools)/[a-z0-9_./]*)`");
+  Findings findings;
+  for (const Source& page : pages)
+    for (std::sregex_iterator at(page.text.begin(), page.text.end(), named), end; at != end; ++at)
+      if (!page.path.ends_with("projects.md") && !fs::exists(folder / (*at)[1].str()))
+        findings.push_back(page.path + ": " + (*at)[1].str());
+  return findings;
+}
+
+// Changes shown as "--- FILE" with lines of it: what they remove and what stands around it is there, in this order.
+// "..." leaves lines out.
+Findings staleDiffs(const std::vector<Source>& pages, const fs::path& folder) {
+  Findings findings;
+  for (const Source& page : pages) {
+    std::istringstream lines(page.text);
+    bool inside = false;
+    std::string file, text;
+    size_t from = 0;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("```")) inside = line == "```diff";
+      if (!inside || line.size() < 2 || line.find("...") != std::string::npos) continue;
+      if (line.starts_with("--- ")) {
+        file = line.substr(4, line.find(',') - 4);
+        text = fs::exists(folder / file) ? readText(folder / file) : "";
+        from = 0;
+      } else if (line[0] == '-' || line[0] == ' ') {
+        from = text.find("\n" + line.substr(1) + "\n", from);
+        if (from == std::string::npos) findings.push_back(page.path + ": " + file + " has no line " + line.substr(1));
+        if (from == std::string::npos) from = 0;
+      }
+    }
+  }
+  return findings;
+}
+
 std::string joined(const Findings& findings) {
   std::string text;
   for (const std::string& finding : findings) text += finding + "\n";
@@ -94,6 +131,18 @@ TEST(Docs, ABrokenLinkIsFound) {
   EXPECT_EQ(links("[a](../README.md) [b](https://example.org/x) `[c](none.md)`\n\n    [d](none.md)\n"), 0u);
   EXPECT_EQ(links("[a](README.md)\n[b](none.md) ![c](pictures/none.png)\n"), 2u);
   EXPECT_EQ(links("[a](../README.md#start) [b](../README.md#no-such-heading)\n"), 1u);
+}
+
+TEST(Docs, FilesThatAreNamedAreThere) {
+  EXPECT_EQ(joined(namedButMissing(pages(), sourceFolder())), "");
+  EXPECT_EQ(
+      namedButMissing({{"docs/x.md", "`runtime/none.cpp` `runtime/page/page.h` `none/x`"}}, sourceFolder()).size(), 1u);
+}
+
+TEST(Docs, ChangesThatAreShownFitTheFiles) {
+  EXPECT_EQ(joined(staleDiffs(pages(), sourceFolder())), "");
+  std::string page = "```diff\n--- LICENSE\n-no such line\n+more\n```\n-nor this, outside\n";
+  EXPECT_EQ(staleDiffs({{"docs/x.md", page}}, sourceFolder()).size(), 1u);
 }
 
 TEST(Docs, TheReadmeIsShort) {
