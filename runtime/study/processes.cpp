@@ -33,7 +33,10 @@ struct Shared {
     lab::Batch batch(*bench);
     std::vector<TaskGroup> groups = tasksOf(experiment, batch);
     if (!shared.outlined.exchange(true)) {
-      started(outlineOf(experiment, groups, batch));
+      Results outline = outlineOf(experiment, groups, batch);
+      started(outline);
+      takePoints(outline, store.folder());
+      announce(outline);
       shared.cost = leftOf(groups, store).cost;
     }
     PointRenderer renderer(experiment, batch, store);

@@ -204,11 +204,13 @@ Results run(const Experiment& experiment, lab::Workbench& bench, const Store& st
   std::vector<TaskGroup> groups = tasksOf(experiment, batch);
   Results results = outlineOf(experiment, groups, batch);
   if (started) started(results);
-  Watch watch([&] {
-    Results now = results;
-    takePoints(now, store.folder());
-    return now;
-  });
+  auto now = [&] {
+    Results so_far = results;
+    takePoints(so_far, store.folder());
+    return so_far;
+  };
+  announce(now());
+  Watch watch(now);
   renderHere(experiment, batch, store, leftOf(groups, store), watch);
   timeHere(experiment, batch, store, groups, watch);
   takePoints(results, store.folder());

@@ -61,6 +61,13 @@ std::string frontSoFar(const Results& results) {
   return text;
 }
 
+void announce(const Results& now) {
+  size_t points = 0;
+  for (const PointGroup& group : now.groups) points += group.points.size() - 1;
+  if (size_t left = now.missing())
+    note(fmt::format("{} points and {} truths; {} points are left to draw", points, now.groups.size(), left));
+}
+
 void Watch::begin(const std::string& label, int cost) {
   label_ = label, cost_ = cost, done_ = quarters_ = 0;
   started_s_ = said_s_ = clockSeconds();

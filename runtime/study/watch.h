@@ -14,6 +14,9 @@ namespace strobe::study {
 // are known; before anything is timed the points with the least error. "" where nothing is measured.
 std::string frontSoFar(const Results& results);
 
+// How many points there are and how many are left to draw; nothing where none is.
+void announce(const Results& now);
+
 // On a terminal a line that moves; elsewhere a line every ten seconds and at the end. After each quarter of the work
 // the front so far.
 class Watch {
