@@ -21,13 +21,26 @@ double hash(int x, int y, int seed) {
   return (h ^ (h >> 15)) / 4294967296.0;
 }
 
+// floor(x) without a call: most of the time of painting is noise.
+int floored(double x) {
+  int truncated = int(x);
+  return truncated - (x < truncated);
+}
+
+// i modulo n, 0 to n - 1; mostly it is there already.
+int wrapped(int i, int n) {
+  if (i >= 0 && i < n) return i;
+  int rest = i % n;
+  return rest < 0 ? rest + n : rest;
+}
+
 // Smooth noise in 0..1 with `period` cells, repeating.
 double noise(dvec2 p, ivec2 period, int seed) {
-  dvec2 cell = glm::floor(p), t = p - cell;
+  ivec2 cell(floored(p.x), floored(p.y));
+  dvec2 t = p - dvec2(cell);
   t = t * t * (3.0 - 2.0 * t);
-  ivec2 low = ivec2(cell) % period;
-  low = low + period * ivec2(glm::lessThan(low, ivec2(0)));
-  ivec2 high = low + 1 - period * ivec2(glm::equal(low + 1, period));
+  ivec2 low(wrapped(cell.x, period.x), wrapped(cell.y, period.y));
+  ivec2 high(low.x + 1 == period.x ? 0 : low.x + 1, low.y + 1 == period.y ? 0 : low.y + 1);
   auto at = [&](int dx, int dy) { return hash(dx ? high.x : low.x, dy ? high.y : low.y, seed); };
   return glm::mix(glm::mix(at(0, 0), at(1, 0), t.x), glm::mix(at(0, 1), at(1, 1), t.x), t.y);
 }
