@@ -69,6 +69,7 @@ std::vector<Path> write(const study::Results& results, const Path& folder, const
   keep(names.page, report.page());
   keep(names.results, study::toJson(results).dump(1) + "\n");
   keep(names.text, report.markdown(names.page));
+  for (const auto& [name, svg] : report.figures()) keep(name, svg);
   keep(names.table, study::csvOf(results));
   if (std::string passes = study::passesCsvOf(results); !passes.empty()) keep(names.passes, passes);
   return files;

@@ -121,7 +121,7 @@ std::string htmlOf(const Page& page) {
                {"blocks_html", writer.blocks(page.blocks)}, {"footer", Json::array()}};
   for (const std::string& text : page.footer) json["footer"].push_back({{"text_html", inlineHtml(text)}});
   json["navigation"] = json["links"].size() > 1;
-  json["style"] = std::string(asset("page.css")) + std::string(asset("chart.css"));
+  json["style"] = std::string(asset("light.css")) + std::string(asset("page.css")) + std::string(asset("chart.css"));
   json["script"] = writer.compares() ? std::string(asset("comparison.js")) : "";
   return rendered("page.mustache", json);
 }

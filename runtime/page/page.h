@@ -29,6 +29,8 @@ struct Paragraph {
 struct Figure {
   std::string svg;
   std::string caption;
+  std::string name;  // of its file beside a document (standalone.h), without ".svg"; "": it is shown on pages alone
+  std::string alt;   // for people who cannot see it, in a document; on pages the SVG says it
 };
 
 struct Picture {

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "page/markup.h"
+#include "page/standalone.h"
 #include "study/sheet.h"
 
 namespace strobe::study {
@@ -43,6 +44,10 @@ struct Markdown {
   }
   std::string operator()(const page::Paragraph& paragraph) const { return paragraph.text + "\n\n"; }
   std::string operator()(const page::Table& table) const { return page::markdownOf(table) + "\n"; }
+  std::string operator()(const page::Figure& figure) const {
+    std::string caption = figure.caption.empty() ? "" : figure.caption + "\n\n";
+    return fmt::format("![{}]({}.svg)\n\n{}", figure.alt, figure.name, caption);
+  }
   template <class Other>
   std::string operator()(const Other&) const {
     return "";
@@ -95,6 +100,16 @@ std::string Report::markdown(const std::string& page) const {
   for (const Part& part : parts(0))
     if (part.media & Part::kDocument) text += std::visit(Markdown(), part.block);
   return text + "Strobe " + results_.strobe + " on " + describeDevice(results_) + ".\n";
+}
+
+std::vector<std::pair<std::string, std::string>> Report::figures() const {
+  std::vector<std::pair<std::string, std::string>> figures;
+  for (const Part& part : parts(0)) {
+    const auto* figure = std::get_if<page::Figure>(&part.block);
+    if (figure && (part.media & Part::kDocument))
+      figures.emplace_back(figure->name + ".svg", page::standaloneSvg(figure->svg));
+  }
+  return figures;
 }
 
 std::string Report::page(size_t most_bytes) const {

@@ -8,7 +8,8 @@
 
 namespace strobe::study {
 
-// A block, and where it is shown. Terminal and Markdown have headings, paragraphs and tables.
+// A block, and where it is shown. Terminal and Markdown have headings, paragraphs and tables; figures of a document
+// have a name.
 struct Part {
   enum Media : uint32_t { kTerminal = 1, kDocument = 2, kPage = 4, kRead = kDocument | kPage, kEverywhere = 7 };
 
@@ -53,6 +54,8 @@ class Report {
   std::string text() const;
   // `page`: where the page is from there.
   std::string markdown(const std::string& page) const;
+  // What the Markdown shows: names of SVG files beside it, and what is in them.
+  std::vector<std::pair<std::string, std::string>> figures() const;
   // One self-contained HTML file. Pictures are smaller by whole factors where it would be larger than `most_bytes`
   // (crops never); the page says so.
   std::string page(size_t most_bytes = 11'500'000) const;

@@ -122,7 +122,10 @@ Parts frontParts(const Results& results) {
     if (front.empty()) continue;
     parts.push_back(heading(shot.title, 3, "front-" + fileNameOf(shot.name)));
     parts.push_back(text(front.text(), Tone::finding));
-    parts.push_back({page::Figure{page::svgOf(front.chart()), "Hollow marks: a limit was met."}, Part::kPage});
+    page::Chart chart = front.chart();
+    std::string name = fileNameOf("front " + shot.name);
+    parts.push_back(
+        {page::Figure{page::svgOf(chart), "Hollow marks: a limit was met.", name, chart.about}, Part::kRead});
     parts.push_back({front.table()});
     std::string commands;
     for (const PointGroup* group : groupsOf(results, shot))

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "page/heat_map.h"
+#include "page/standalone.h"
 #include "page/templates.h"
 
 namespace strobe::page {
@@ -266,6 +267,19 @@ HeatMap heat() {
   HeatMap map{"about", "columns", "rows", "value", {"x0", "x1", "x2"}, {"top", "low"}, {{1, 10, 100}, {5, kNone, 0.5}}};
   map.scale = Scale::Kind::log;
   return map;
+}
+
+// In a program that knows neither the page's style nor custom properties.
+TEST(Standalone, IsAFileWithItsStyleAndSize) {
+  Chart chart;
+  chart.series = {{"a", 1, {{1, 2}, {3, 4}}}};
+  std::string svg = svgOf(chart, 400, 300), file = standaloneSvg(svg);
+  EXPECT_TRUE(
+      file.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart\" width=\"400\" height=\"300\" "));
+  EXPECT_NE(file.find(".chart .s1 { color: #b4540a; }"), std::string::npos);
+  EXPECT_EQ(file.find("var("), std::string::npos);
+  EXPECT_EQ(file.find("@media"), std::string::npos);
+  EXPECT_TRUE(file.ends_with(svg.substr(svg.find('\n') + 1))) << "the drawing as it was";
 }
 
 TEST(HeatMap, StepsFollowTheScale) {

@@ -151,6 +151,23 @@ TEST(Report, PageNeedsNoNetwork) {
     EXPECT_NE(page.find(wanted), std::string::npos) << wanted;
 }
 
+// A figure of the Markdown is a file, with the text of one who cannot see it.
+TEST(Report, MarkdownShowsFigures) {
+  Results results = made();
+  results.layout["front"] = {{"x", "rmse"}, {"y", "rmse"}, {"region", "inner"}};
+  Report report(results, "");
+  std::string markdown = report.markdown("");
+  std::vector<std::string> names;
+  for (const auto& [name, svg] : report.figures()) {
+    names.push_back(name);
+    EXPECT_NE(markdown.find("](" + name + ")\n"), std::string::npos) << name;
+    EXPECT_TRUE(svg.starts_with("<svg xmlns=")) << name;
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"curve_speed.svg", "front_shot.svg"}));
+  EXPECT_NE(markdown.find("![A shot: RMSE, inner against"), std::string::npos);
+  EXPECT_EQ(report.text().find("!["), std::string::npos) << "a terminal has none";
+}
+
 TEST(Measures, HaveNamesUnitsAndWords) {
   for (const Measure& measure : measures()) {
     EXPECT_FALSE(measure.title.empty() || measure.doc.empty()) << measure.name;
@@ -174,6 +191,7 @@ TEST_P(Committed, PagesAreMadeOfTheirNumbers) {
   Report report(results, folder);
   EXPECT_EQ(readText(folder / "result.md"), report.markdown("report.html"));
   EXPECT_EQ(readText(folder / "report.html"), report.page());
+  for (const auto& [name, svg] : report.figures()) EXPECT_EQ(readText(folder / name), svg) << name;
   EXPECT_LT(readText(folder / "report.html").size(), 1'500'000u);
   EXPECT_EQ(readText(folder / "table.csv"), csvOf(results));
 }
