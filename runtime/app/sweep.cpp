@@ -55,7 +55,7 @@ std::string commandOf(const Home& home, const std::string& name, const Options& 
   return line;
 }
 
-std::vector<Path> write(const study::Results& results, const Path& folder, const Names& names) {
+std::vector<Path> write(const study::Results& results, const Path& folder, const Names& names, bool still) {
   study::Report report(results, folder);
   std::vector<Path> files;
   auto keep = [&](const std::string& name, const std::string& text) {
@@ -66,7 +66,7 @@ std::vector<Path> write(const study::Results& results, const Path& folder, const
     files.push_back(folder / names.sheet);
     image::writePng(files.back(), report.sheet());
   }
-  keep(names.page, report.page());
+  keep(names.page, report.page(still ? page::Library() : page::findLibrary()));
   keep(names.results, study::toJson(results).dump(1) + "\n");
   keep(names.text, report.markdown(names.page));
   for (const auto& [name, svg] : report.figures()) keep(name, svg);
@@ -77,8 +77,8 @@ std::vector<Path> write(const study::Results& results, const Path& folder, const
 
 // Results and files on stdout; a point that failed, or an expectation that the results contradict, ends the command
 // with exit code 1.
-void show(const study::Results& results, const Path& folder, const Names& names, bool json) {
-  std::vector<Path> files = write(results, folder, names);
+void show(const study::Results& results, const Path& folder, const Names& names, bool json, bool still = false) {
+  std::vector<Path> files = write(results, folder, names, still);
   std::fputs((json ? study::toJson(results).dump(1) + "\n" : study::Report(results, folder).text() + "\n").c_str(),
              stdout);
   for (const Path& file : files)
@@ -157,7 +157,7 @@ void addCommon(CLI::App& command, Options& options) {
 
 struct ReportOptions {
   std::string folder, file;
-  bool json = false;
+  bool json = false, still = false;
 };
 
 void report(const Home& home, const ReportOptions& options) {
@@ -171,7 +171,7 @@ void report(const Home& home, const ReportOptions& options) {
   study::Results results = resultsIn(file);
   if (!options.file.empty())
     study::retell(home, results, study::readExperiment(home, hereOrAtHome(home, options.file), false));
-  show(results, folder, names, options.json);
+  show(results, folder, names, options.json, options.still);
 }
 
 }  // namespace
@@ -199,6 +199,8 @@ void registerReport(CLI::App& program, const Home& home) {
   command->add_option("--experiment", options->file, "take texts, layout and expectations from this file as it is now")
       ->type_name("FILE");
   command->add_flag("--json", options->json, "print the results as JSON");
+  command->add_flag("--static", options->still,
+                    "a page of figures and tables alone, as results in a repository have it");
   command->callback([options, &home] { report(home, *options); });
 }
 

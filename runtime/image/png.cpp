@@ -44,14 +44,13 @@ std::string encodePng(const Image& display, PngEffort effort) {
 
 void writePng(const Path& file, const Image& display) { writeFileAtomically(file, encodePng(display)); }
 
-Image readPng(const Path& file) {
-  std::vector<uint8_t> bytes = readBytes(file);
+Image decodePng(std::string_view bytes, const std::string& name) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   auto refuse = [&](const char* why) {
     std::string message = fmt::format("is not a readable PNG: {}", why);
     png_image_free(&png);
-    throw Error(message, {file.string()});
+    throw Error(message, {name});
   };
   if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) refuse(png.message);
   if (png.width > 65536 || png.height > 65536) refuse("larger than 65536 pixels");
@@ -63,5 +62,7 @@ Image readPng(const Path& file) {
   for (size_t i = 0; i < pixels.size(); ++i) display.values[i] = pixels[i] / 255.0f;
   return display;
 }
+
+Image readPng(const Path& file) { return decodePng(readText(file), file.string()); }
 
 }  // namespace strobe::image

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "base/files.h"
 #include "image/image.h"
@@ -15,6 +16,9 @@ namespace strobe::image {
 enum class PngEffort { usual, fast };
 std::string encodePng(const Image& display, PngEffort effort = PngEffort::usual);
 void writePng(const Path& file, const Image& display);
+
+// As readPng; `name` is what an error calls the bytes.
+Image decodePng(std::string_view bytes, const std::string& name);
 
 // 3 channels, or 4 when the file has transparency; grey and palettes become RGB, 16 bits become 8.
 // Throws `Error` naming the file when it is missing, cut short or not a PNG.

@@ -35,6 +35,7 @@ class Writer {
     return html;
   }
   bool compares() const { return compares_; }
+  const Explorer* explorer() const { return explorer_; }
 
  private:
   void remember(const Block& block) {
@@ -93,6 +94,16 @@ class Writer {
     return rendered("details.mustache", {{"summary_html", inlineHtml(details.summary)}, {"blocks_html", inside}});
   }
 
+  std::string written(const Explorer& explorer) {
+    STROBE_ASSERT(!explorer_ && explorer.library.found(), "an explorer once, with its library");
+    explorer_ = &explorer;
+    return std::string(asset("explorer.html"));
+  }
+
+  std::string written(const Still& still) {
+    return rendered("still.mustache", {{"blocks_html", blocks(still.blocks)}});
+  }
+
   std::string captionOf(const std::string& name) const {
     auto found = captions_.find(name);
     STROBE_ASSERT(found != captions_.end(), "no picture '{}' before or beside its comparison", name);
@@ -101,7 +112,29 @@ class Writer {
 
   std::map<std::string, std::string> captions_;  // of pictures, by name
   bool compares_ = false;
+  const Explorer* explorer_ = nullptr;
 };
+
+// Inside of <script> and of a comment nothing may end either.
+std::string replacedAll(std::string text, const std::string& what, const std::string& with) {
+  for (size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
+    text.replace(at, what.size(), with);
+  return text;
+}
+
+constexpr const char* kExplorerScripts[] = {"explorer_model.js", "explorer_charts.js", "explorer_effects.js",
+                                            "explorer_table.js", "explorer_point.js",  "explorer.js"};
+
+void addExplorer(const Explorer& explorer, Json& json) {
+  json["explorer"] = true;
+  json["data"] = replacedAll(explorer.data.dump(), "<", "\\u003c");
+  json["library"] = "/*\n" + replacedAll(explorer.library.licence, "*/", "* /") + "*/\n" +
+                    replacedAll(explorer.library.code, "</script", "<\\/script");
+  json["style"] = json["style"].get<std::string>() + std::string(asset("explorer.css"));
+  std::string script;
+  for (const char* name : kExplorerScripts) script += std::string(asset(name)) + "\n";
+  json["explorer_script"] = script;
+}
 
 Json navigationOf(const Page& page) {
   Json links = Json::array();
@@ -123,6 +156,7 @@ std::string htmlOf(const Page& page) {
   json["navigation"] = json["links"].size() > 1;
   json["style"] = std::string(asset("light.css")) + std::string(asset("page.css")) + std::string(asset("chart.css"));
   json["script"] = writer.compares() ? std::string(asset("comparison.js")) : "";
+  if (writer.explorer()) addExplorer(*writer.explorer(), json);
   return rendered("page.mustache", json);
 }
 

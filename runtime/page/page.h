@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "base/json.h"
+#include "page/library.h"
 #include "page/table.h"
 
 namespace strobe::page {
@@ -60,12 +62,24 @@ struct Code {
   std::string text;
 };
 
-struct Details;  // blocks behind a line that unfolds them
+// Points to click through: charts, table, pictures (assets/explorer_*.js), once on a page. Without a script it is left
+// out.
+struct Explorer {
+  Json data;        // assets/explorer_model.js reads it
+  Library library;  // of charts, that is found; it is put into the page whole
+};
 
-using Block = std::variant<Heading, Paragraph, Table, Figure, Pictures, Comparison, Code, Details>;
+struct Details;  // blocks behind a line that unfolds them
+struct Still;    // blocks that an explorer takes the place of where scripts run
+
+using Block = std::variant<Heading, Paragraph, Table, Figure, Pictures, Comparison, Code, Explorer, Details, Still>;
 
 struct Details {
   std::string summary;
+  std::vector<Block> blocks;
+};
+
+struct Still {
   std::vector<Block> blocks;
 };
 

@@ -6,21 +6,39 @@
 
 #include "page/markup.h"
 #include "page/standalone.h"
+#include "study/explorer.h"
 #include "study/sheet.h"
 
 namespace strobe::study {
 
 void append(Parts& parts, Parts more) { std::move(more.begin(), more.end(), std::back_inserter(parts)); }
 
+static std::vector<const Expectation*> expectationsOf(const Results& results, const std::string& shot,
+                                                      const std::string& axis) {
+  std::vector<const Expectation*> list;
+  for (const Expectation& one : results.expectations)
+    if (one.shot == shot && one.axis == axis) list.push_back(&one);
+  return list;
+}
+
+// Sentences where there are no pages, there a table: what was expected beside what became of it.
 Parts expectationParts(const Results& results, const std::string& shot, const std::string& axis) {
   Parts parts;
-  for (const Expectation& one : results.expectations) {
-    if (one.shot != shot || one.axis != axis) continue;
-    std::string detail = one.detail.empty() ? "" : " (" + one.detail + ")";
-    std::string known = one.known.empty() ? "" : " Known: " + one.known + ".";
-    parts.push_back(text(fmt::format("Expected: {}. This {}{}.{}", one.text, one.outcome, detail, known),
-                         one.contradicts() ? Tone::failure : Tone::finding));
+  page::Table table;
+  table.columns = {"expected", "outcome", "numbers", "known to fail"};
+  for (const Expectation* one : expectationsOf(results, shot, axis)) {
+    std::string detail = one->detail.empty() ? "" : " (" + one->detail + ")";
+    std::string known = one->known.empty() ? "" : " Known: " + one->known + ".";
+    parts.push_back(text(fmt::format("Expected: {}. This {}{}.{}", one->text, one->outcome, detail, known),
+                         one->contradicts() ? Tone::failure : Tone::finding, Part::kTerminal | Part::kDocument));
+    page::Mark mark = one->contradicts()        ? page::Mark::bad
+                      : one->outcome == "holds" ? page::Mark::best
+                                                : page::Mark::none;
+    table.add({one->text, page::Cell(one->outcome, mark), one->detail, one->known});
   }
+  if (parts.empty()) return parts;
+  if (shot.empty() && axis.empty()) parts.push_back(heading("Expectations", 2, "expectations", Part::kPage));
+  parts.push_back({page::withoutEmptyColumns(std::move(table)), Part::kPage});
   return parts;
 }
 
@@ -54,9 +72,47 @@ struct Markdown {
   }
 };
 
+// ---- as a page
+
+Parts still(Parts parts) {
+  for (Part& part : parts) part.still = true;
+  return parts;
+}
+
+// What is still stands together, behind the explorer; there is no explorer on a page without points.
+std::vector<page::Block> blocksOf(Parts parts, const std::optional<page::Explorer>& explorer) {
+  std::vector<page::Block> blocks;
+  bool placed = !explorer;
+  auto place = [&] {
+    if (!placed) blocks.push_back(*explorer);
+    placed = true;
+  };
+  for (Part& part : parts) {
+    if (!(part.media & Part::kPage)) continue;
+    if (!explorer || !part.still) {
+      blocks.push_back(std::move(part.block));
+      continue;
+    }
+    place();
+    if (!std::holds_alternative<page::Still>(blocks.back())) blocks.push_back(page::Still());
+    std::get<page::Still>(blocks.back()).blocks.push_back(std::move(part.block));
+  }
+  place();
+  return blocks;
+}
+
+std::string describeLibrary(const page::Library& library) {
+  if (library.found()) return "Charts to click by " + library.name + "; its licence is in the page's source.";
+  return fmt::format(
+      "This page has figures and tables. Where Debian's package {} is installed, `strobe report` makes one whose "
+      "points "
+      "can be clicked through.",
+      page::kLibraryPackage);
+}
+
 }  // namespace
 
-Report::Report(const Results& results, const Path& folder) : results_(results) {
+Report::Report(const Results& results, const Path& folder) : results_(results), folder_(folder) {
   if (!picturesOf(results.layout)) return;
   for (const ShotSummary& shot : results.shots) galleries_.push_back(galleryOf(results, shot, folder));
 }
@@ -70,8 +126,10 @@ Parts Report::parts(int divisor) const {
                     Tone::failure));
   if (picturesOf(results_.layout)) append(parts, pictureParts(results_, galleries_, divisor));
   if (curvesOf(results_.layout)) append(parts, curveParts(results_));
-  if (frontOf(results_.layout)) append(parts, frontParts(results_));
-  if (tableOf(results_.layout)) append(parts, tableParts(results_));
+  std::optional<TableLayout> table = tableOf(results_.layout);
+  if (frontOf(results_.layout)) append(parts, still(frontParts(results_)));
+  if (frontOf(results_.layout) || table) append(parts, still(effectParts(results_)));
+  if (table) append(parts, table->axes.empty() ? still(tableParts(results_)) : tableParts(results_));
   std::erase_if(parts, [](const Part& part) {
     const auto* paragraph = std::get_if<page::Paragraph>(&part.block);
     return paragraph && paragraph->text.empty();
@@ -112,15 +170,23 @@ std::vector<std::pair<std::string, std::string>> Report::figures() const {
   return figures;
 }
 
-std::string Report::page(size_t most_bytes) const {
+page::Explorer Report::explorer(const page::Library& library, size_t most_bytes) const {
+  // Tables, style and scripts take some, and pictures of the layout half of the rest.
+  size_t other = library.code.size() + most_bytes / 12;
+  size_t rest = (most_bytes - std::min(most_bytes, other)) / (galleries_.empty() ? 1 : 2);
+  return {explorerData(results_, folder_, rest), library};
+}
+
+std::string Report::page(const page::Library& library, size_t most_bytes) const {
+  std::optional<page::Explorer> interactive;
+  if (library.found()) interactive = explorer(library, most_bytes);
   for (int divisor = 1;; ++divisor) {
     page::Page page;
     page.title = results_.title;
     page.note = results_.question.empty() ? results_.note : results_.question + " " + results_.note;
-    for (Part& part : parts(divisor))
-      if (part.media & Part::kPage) page.blocks.push_back(std::move(part.block));
+    page.blocks = blocksOf(parts(divisor), interactive);
     page.footer = {"Strobe " + results_.strobe + " on " + describeDevice(results_) + ".",
-                   "Made by `" + results_.command + "`."};
+                   "Made by `" + results_.command + "`.", describeLibrary(library)};
     std::string html = page::htmlOf(page);
     if (html.size() <= most_bytes || divisor == 8) return html;
   }

@@ -8,13 +8,14 @@
 
 namespace strobe::study {
 
-// A block, and where it is shown. Terminal and Markdown have headings, paragraphs and tables; figures of a document
-// have a name.
+// A block, and where it is shown; `still`: where scripts run the explorer of the page stands in its place. Terminal and
+// Markdown have headings, paragraphs and tables; figures of a document have a name.
 struct Part {
   enum Media : uint32_t { kTerminal = 1, kDocument = 2, kPage = 4, kRead = kDocument | kPage, kEverywhere = 7 };
 
   page::Block block;
   uint32_t media = kEverywhere;
+  bool still = false;
 };
 using Parts = std::vector<Part>;
 
@@ -39,6 +40,8 @@ Parts curveParts(const Results& results);
 Parts frontParts(const Results& results);
 // Tables by axis, or one of all points.
 Parts tableParts(const Results& results);
+// What arms, shots and axes do to the measure that the page shows first.
+Parts effectParts(const Results& results);
 // Expectations of a shot, of an axis, or of neither, as outcomes.
 Parts expectationParts(const Results& results, const std::string& shot, const std::string& axis);
 
@@ -56,14 +59,17 @@ class Report {
   std::string markdown(const std::string& page) const;
   // What the Markdown shows: names of SVG files beside it, and what is in them.
   std::vector<std::pair<std::string, std::string>> figures() const;
-  // One self-contained HTML file. Pictures are smaller by whole factors where it would be larger than `most_bytes`
-  // (crops never); the page says so.
-  std::string page(size_t most_bytes = 11'500'000) const;
+  // One self-contained HTML file: with a chart library the points can be clicked through, without one it has figures
+  // and tables, and says so. Pictures are smaller where it would be larger than `most_bytes` (crops never); the page
+  // says that too.
+  std::string page(const page::Library& library = {}, size_t most_bytes = 8'000'000) const;
 
  private:
   Parts parts(int divisor) const;
+  page::Explorer explorer(const page::Library& library, size_t most_bytes) const;
 
   const Results& results_;
+  Path folder_;
   std::vector<Gallery> galleries_;
 };
 

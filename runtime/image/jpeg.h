@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// JPEG files of display images, for pages that would be too large with PNG: small, and no longer exact.
+#pragma once
+
+#include <string>
+
+#include "image/image.h"
+
+namespace strobe::image {
+
+// `display` has 1 or 3 channels of sRGB-encoded values, which are clamped; quality is 1 to 100. The bytes depend on
+// nothing but the values and the quality.
+std::string encodeJpeg(const Image& display, int quality);
+
+}  // namespace strobe::image

@@ -1,0 +1,162 @@
+// Main effects and pairwise interactions of the measure that is y, as the program computed them.
+(function () {
+  "use strict";
+  const { data, state } = explorer;
+  const signed = number => number === null ? "–" : (number > 0 ? "+" : "") + d3.format(".3~g")(number);
+  const isClear = ([, low, high]) => low !== null && (low > 0 || high < 0);
+  const interval = ([, low, high]) => low === null ? "–" : `${signed(low)} to ${signed(high)}`;
+
+  const howToRead = "An effect is a level's mean difference from the mean of its block: points that are alike in all else. Blocks " +
+    "that lack a level are left out. An interaction is what is left of a cell after the effects of its row and its column. " +
+    "Intervals are 95 % of Student's t over the blocks; they are not widened for their number. Where no block is complete, numbers " +
+    "are fitted by a straight line, other levels compared unpaired. All points of the shot count, also those that filters hide.";
+
+  function found() {
+    const per_region = explorer.measures.get(state.y).per_region;
+    return data.effects.find(one => one.shot === state.shot && one.measure === state.y && one.region === (per_region ? state.region : ""));
+  }
+
+  // What the numbers of a factor rest on.
+  function basis(one) {
+    if (one.comparison === "unpaired") return "unpaired: its levels never stand under the same conditions";
+    if (one.comparison === "slope") return "a straight line through all points";
+    return `${one.blocks} block${one.blocks === 1 ? "" : "s"}` + (one.incomplete ? `, ${one.incomplete} incomplete left out` : "");
+  }
+
+  // One row per level: a dot with its interval about 0, and the numbers.
+  function rowsOf(effects) {
+    const rows = [];
+    for (const one of effects.main) {
+      const factor = effects.factors[one.factor];
+      const list = one.comparison === "slope" ? [[one.doubling ? "per doubling" : "per unit", one.slope]]
+        : one.levels.map((level, index) => [factor.labels[index], level]);
+      list.forEach(([label, estimate], index) => rows.push({ factor: index ? "" : factor.name, label, estimate, basis: index ? "" : basis(one),
+                                                             named: factor.name }));
+    }
+    return rows;
+  }
+
+  function mainEffects(host, effects) {
+    explorer.append(host, "h4", "Main effects");
+    const rows = rowsOf(effects).filter(one => one.estimate[0] !== null);
+    const most = d3.max(rows, ({ estimate }) => d3.max(estimate, end => Math.abs(end || 0))) || 1;
+    const table = explorer.table(host, ["factor", "level", "effect", "95 % interval", ""], [false, false, true, true, false]);
+    table.id = "main-effects";
+    const width = 240, x = d3.scaleLinear().domain([-most, most]).range([8, width - 8]);
+    for (const row of rows) {
+      const line = table.tBodies[0].insertRow();
+      line.dataset.factor = row.named, line.dataset.level = row.label;
+      const head = document.createElement("th");
+      head.scope = "row", head.textContent = row.factor, line.append(head);
+      if (row.basis) head.append(explorer.element("small", row.basis));
+      line.insertCell().textContent = row.label;
+      for (const text of [signed(row.estimate[0]), interval(row.estimate)]) {
+        const cell = line.insertCell();
+        cell.textContent = text;
+        cell.className = "number" + (isClear(row.estimate) ? " best" : "");
+        cell.title = "made by " + data.command;
+      }
+      whisker(line.insertCell(), row, x, width);
+    }
+  }
+
+  function whisker(cell, row, x, width) {
+    const [at, low, high] = row.estimate;
+    const svg = d3.create("svg").attr("class", "chart whisker").attr("viewBox", `0 0 ${width} 22`).attr("role", "img")
+      .attr("aria-label", `${row.named} ${row.label}: ${signed(at)}, ${interval(row.estimate)}`);
+    svg.append("path").attr("class", "tickmark").attr("d", `M${x(0)} 0V22`);
+    const group = svg.append("g").attr("class", isClear(row.estimate) ? "s2" : "s0");
+    if (low !== null) group.append("path").attr("class", "error").attr("d", `M${x(low)} 11H${x(high)}M${x(low)} 6v10M${x(high)} 6v10`);
+    group.append("circle").attr("cx", x(at)).attr("cy", 11).attr("r", 4.2);
+    cell.append(svg.node());
+  }
+
+  // ---- pairs
+
+  const strength = pair => d3.max(pair.cells.flat(), cell => Math.abs(cell[0]));
+  const nameOf = (effects, pair) => effects.factors[pair.first].name + " × " + effects.factors[pair.second].name;
+
+  function interactions(host, effects) {
+    explorer.append(host, "h4", "Interactions");
+    if (!effects.pairs.length)
+      return void explorer.append(host, "p", "No two factors are crossed completely under the same conditions.");
+    const pairs = effects.pairs.slice().sort((a, b) => strength(b) - strength(a));
+    const label = explorer.append(host, "label", "pair, the strongest first ");
+    const select = explorer.append(label, "select");
+    select.id = "choose-pair";
+    for (const pair of pairs) select.add(new Option(`${nameOf(effects, pair)} (up to ${d3.format(".3~g")(strength(pair))})`, nameOf(effects, pair)));
+    const pair = pairs.find(one => nameOf(effects, one) === state.pair) || pairs[0];
+    select.value = nameOf(effects, pair);
+    select.onchange = () => { state.pair = select.value; explorer.changed(); };
+    cellTable(host, effects, pair);
+    means(host, effects, pair);
+  }
+
+  function cellTable(host, effects, pair) {
+    const rows = effects.factors[pair.first], columns = effects.factors[pair.second];
+    const table = explorer.table(host, [`${rows.name} \\ ${columns.name}`].concat(columns.labels), [false].concat(columns.labels.map(() => true)));
+    table.id = "interaction";
+    const most = strength(pair) || 1;
+    pair.cells.forEach((cells, row) => {
+      const line = table.tBodies[0].insertRow();
+      const head = document.createElement("th");
+      head.scope = "row", head.textContent = rows.labels[row], line.append(head);
+      for (const estimate of cells) {
+        const cell = line.insertCell();
+        cell.className = "number";
+        cell.append(explorer.element(isClear(estimate) ? "strong" : "span", signed(estimate[0])));
+        cell.append(explorer.element("small", estimate[1] === null ? "" : interval(estimate)));
+        cell.style.setProperty("--strength", Math.round(26 * Math.abs(estimate[0]) / most) + "%");
+        cell.classList.add(estimate[0] > 0 ? "more" : "less");
+      }
+    });
+    explorer.append(host, "p", `${pair.blocks} block${pair.blocks === 1 ? "" : "s"}` +
+      (pair.incomplete ? `, ${pair.incomplete} incomplete left out` : "") +
+      (pair.blocks === 1 ? ": one block has no interval" : "") + ". Bold: 0 is outside of the interval.").className = "soft";
+  }
+
+  // Means of the points by both factors: lines that are not parallel are an interaction.
+  function means(host, effects, pair) {
+    const [first, second] = [effects.factors[pair.first], effects.factors[pair.second]];
+    const level = (point, factor) => factor.name === "shot" ? explorer.shotTitle(point.shot) : explorer.levelOf(point, factor.name);
+    const labels = factor => factor.name === "shot" ? factor.labels.map(explorer.shotTitle) : factor.labels;
+    const list = explorer.points.filter(point => (!state.shot || point.shot === state.shot) && data.arms[point.a].role === "method" &&
+      Number.isFinite(explorer.value(point, state.y, state.region)));
+    const lines = labels(first).map(a => labels(second).map(b => d3.mean(list.filter(point => level(point, first) === a && level(point, second) === b),
+      point => explorer.value(point, state.y, state.region))));
+    const width = 700, left = 70, right = 520, top = 12, bottom = 240;
+    const svg = explorer.chartCanvas(host, width, 290, 0, `Means of ${explorer.measureTitle(state.y, state.region)} by ${nameOf(effects, pair)}`);
+    svg.attr("role", "img");
+    const x = d3.scalePoint().domain(labels(second)).range([left, right]).padding(0.4);
+    const y = d3.scaleLinear().domain(d3.extent(lines.flat())).nice().range([bottom, top]);
+    svg.append("rect").attr("class", "plot").attr("x", left).attr("y", top).attr("width", right - left).attr("height", bottom - top);
+    for (const tick of y.ticks(5)) {
+      svg.append("path").attr("class", "grid").attr("d", `M${left} ${y(tick)}H${right}`);
+      svg.append("text").attr("class", "tick").attr("x", left - 7).attr("y", y(tick) + 4).attr("text-anchor", "end").text(explorer.writtenTick(tick));
+    }
+    for (const name of labels(second))
+      svg.append("text").attr("class", "tick").attr("x", x(name)).attr("y", bottom + 17).attr("text-anchor", "middle").text(name);
+    svg.append("text").attr("class", "title").attr("x", (left + right) / 2).attr("y", bottom + 40).attr("text-anchor", "middle").text(second.name);
+    lines.forEach((line, index) => {
+      const group = svg.append("g").attr("class", "s" + index % 8);
+      group.append("path").attr("d", d3.line().defined(([, mean]) => mean !== undefined)(line.map((mean, i) => [x(labels(second)[i]), mean === undefined ? undefined : y(mean)])));
+      line.forEach((mean, i) => mean !== undefined && group.append("circle").attr("cx", x(labels(second)[i])).attr("cy", y(mean)).attr("r", 4));
+      group.append("path").attr("d", `M${right + 16} ${top + 10 + 18 * index}h22`);
+      group.append("text").attr("x", right + 44).attr("y", top + 14 + 18 * index).text(labels(first)[index]);
+    });
+  }
+
+  function drawEffects(host) {
+    host.textContent = "";
+    const effects = found();
+    explorer.append(host, "h3", `What ${explorer.measureTitle(state.y, state.region)} depends on` +
+      (state.shot ? "; " + explorer.shotTitle(state.shot) : "; all shots"));
+    if (!effects) return void explorer.append(host, "p", "Nothing varies among the points of this choice, or none has the value.");
+    explorer.append(host, "p", howToRead).className = "soft";
+    explorer.append(host, "p", `${effects.points} points. Made by ${data.command}`).className = "soft";
+    mainEffects(host, effects);
+    interactions(host, effects);
+  }
+
+  Object.assign(explorer, { drawEffects });
+})();

@@ -1,0 +1,249 @@
+// The chosen point: picture, wipe against truth, FLIP map, crops, what it differs in, numbers, commands, notes.
+(function () {
+  "use strict";
+  const { data, state, value } = explorer;
+  const append = (...given) => explorer.append(...given);
+
+  // ---- pictures
+
+  const loaded = new Map();
+  function picture(index) {
+    if (!loaded.has(index)) loaded.set(index, new Promise((resolve, reject) => {
+      const image = new Image();
+      image.onload = () => resolve(image);
+      image.onerror = reject;
+      image.src = data.pictures[index];
+    }));
+    return loaded.get(index);
+  }
+
+  const heat = Array.from({ length: 256 }, (_, i) => { const c = d3.rgb(d3.interpolateMagma(i / 255)); return [c.r, c.g, c.b]; });
+
+  // A part of a picture, [x, y, width, height] in pixels of the experiment; a FLIP map in the colours of magma.
+  function draw(canvas, index, area, isFlip) {
+    return picture(index).then(image => {
+      const scaleX = image.naturalWidth / data.size[0], scaleY = image.naturalHeight / data.size[1];
+      const [x, y, width, height] = area || [0, 0, data.size[0], data.size[1]];
+      canvas.width = Math.max(1, Math.round(width * scaleX)), canvas.height = Math.max(1, Math.round(height * scaleY));
+      const context = canvas.getContext("2d", { willReadFrequently: isFlip });
+      context.drawImage(image, x * scaleX, y * scaleY, width * scaleX, height * scaleY, 0, 0, canvas.width, canvas.height);
+      if (!isFlip) return;
+      const pixels = context.getImageData(0, 0, canvas.width, canvas.height);
+      for (let i = 0; i < pixels.data.length; i += 4) [pixels.data[i], pixels.data[i + 1], pixels.data[i + 2]] = heat[pixels.data[i]];
+      context.putImageData(pixels, 0, 0);
+    });
+  }
+
+  function drawn(host, index, area, alt, isFlip) {
+    const canvas = append(host, "canvas", undefined, { role: "img", "aria-label": alt });
+    if (area) canvas.style.aspectRatio = area[2] + " / " + area[3];
+    draw(canvas, index, area, isFlip);
+    return canvas;
+  }
+
+  // The point, truth and FLIP in the same part of the picture.
+  function crops(host, point, area) {
+    const [x, y, width, height] = area, where = `${width}x${height} at ${x},${y}`;
+    drawn(host, point.picture, area, `${explorer.describe(point)}, crop ${where}`, false);
+    drawn(host, point.group.picture, area, `truth, crop ${where}`, false);
+    drawn(host, point.flip, area, `FLIP of ${explorer.describe(point)}, crop ${where}`, true);
+  }
+
+  // ---- the stage
+
+  const views = [["wipe", "wipe"], ["picture", "picture"], ["truth", "truth"], ["flip", "FLIP"]];
+
+  function stage(host, point) {
+    if (point.picture === undefined) {
+      append(host, "p", point.failed ? "It failed: " + point.failed : point.undrawn ? "It is not drawn yet." : "Its picture is not here.", { class: "soft" });
+      return;
+    }
+    const has_truth = point.group.picture !== undefined, view = has_truth ? state.view : "picture";
+    const bar = append(host, "div", undefined, { class: "bar", role: "group", "aria-label": "What the stage shows" });
+    for (const [name, title] of has_truth ? views : [views[1]]) {
+      if (name === "flip" && point.flip === undefined) continue;
+      const button = append(bar, "button", title, { type: "button", "aria-pressed": name === view, "data-view": name });
+      button.onclick = () => { state.view = name; explorer.changed(); document.querySelector(`#point [data-view=${name}]`).focus(); };
+    }
+    const box = append(host, "div", undefined, { class: "stage " + view });
+    box.style.aspectRatio = data.size[0] + " / " + data.size[1];
+    const said = explorer.describe(point);
+    const image = (index, alt, classes) => append(box, "img", undefined, { src: data.pictures[index], alt, class: classes });
+    if (view === "flip") return void drawn(box, point.flip, null, `FLIP map of ${said} against truth: bright is different`, true);
+    if (view === "truth") image(point.group.picture, "truth of " + said, "under");
+    if (view === "picture") image(point.picture, said, "under");
+    if (view === "wipe") wipe(host, box, point, image, said);
+  }
+
+  function wipe(host, box, point, image, said) {
+    image(point.group.picture, "truth of " + said, "under");
+    const over = image(point.picture, said, "other");
+    const edge = append(box, "div", undefined, { class: "edge" });
+    append(box, "span", point.arm, { class: "tag left" });
+    append(box, "span", "truth", { class: "tag right" });
+    const label = append(host, "label", "wipe ", { class: "soft" });
+    const slider = append(label, "input", undefined, { type: "range", min: 0, max: 100, id: "wipe" });
+    const show = () => {
+      over.style.clipPath = `inset(0 ${100 - 100 * state.at}% 0 0)`;
+      edge.style.left = 100 * state.at + "%";
+      slider.value = Math.round(100 * state.at);
+    };
+    slider.oninput = () => { state.at = slider.value / 100; show(); };
+    slider.onchange = explorer.remember;
+    box.onpointermove = event => {
+      const area = box.getBoundingClientRect();
+      state.at = Math.min(1, Math.max(0, (event.clientX - area.left) / area.width));
+      show();
+    };
+    box.onpointerleave = explorer.remember;
+    show();
+  }
+
+  function allCrops(host, point) {
+    if (point.flip === undefined) return;
+    const shot = data.shots.find(one => one.name === point.shot);
+    const areas = (shot ? shot.crops : []).map(area => ["crop", area]).concat([["largest FLIP", point.worst]]);
+    append(host, "h4", "Crops: this point, truth, FLIP");
+    for (const [title, area] of areas) {
+      const figure = append(host, "figure");
+      crops(append(figure, "div", undefined, { class: "triple" }), point, area);
+      append(figure, "figcaption", `${title}, ${area[2]}x${area[3]} at ${area[0]},${area[1]}`);
+    }
+  }
+
+  // ---- words and numbers
+
+  // What changed since the point that was shown before.
+  function parameters(host, point) {
+    const last = explorer.byNumber.get(state.last);
+    const changed = new Map((last ? explorer.differences(point, last) : []).map(([name, now, before]) => [name, before]));
+    if (last) append(host, "p", changed.size ? `Against point ${last.n}: ` + explorer.differences(point, last)
+      .map(([name, now, before]) => `${name} ${before || "–"} → ${now || "–"}`).join(", ") : `No parameter differs from point ${last.n}.`,
+      { class: "difference", id: "difference" });
+    const list = append(host, "dl");
+    for (const [name, given] of Object.entries(explorer.parameters(point))) {
+      append(list, "dt", name);
+      const text = append(list, "dd");
+      append(text, changed.has(name) ? "strong" : "span", given);
+      if (changed.has(name)) text.append(` (was ${changed.get(name) || "–"})`);
+    }
+    if (point.limits) append(host, "p", "Limits met: " + point.limits.join("; "), { class: "soft" });
+  }
+
+  function numbers(host, point) {
+    const regional = data.measures.filter(one => one.per_region && one.name in point.v);
+    if (regional.length) {
+      const table = explorer.table(host, [""].concat(data.regions), [false].concat(data.regions.map(() => true)));
+      for (const one of regional) {
+        const row = table.tBodies[0].insertRow(), head = explorer.element("th", one.title, { scope: "row", title: one.doc });
+        row.append(head);
+        for (const region of data.regions) explorer.numberCell(row, point, one.name, region);
+      }
+      if (point.group.sigma && point.group.sigma.some(one => one !== null)) {
+        const row = table.tBodies[0].insertRow();
+        row.append(explorer.element("th", "truth ± (RMSE)", { scope: "row", title: "standard error of truth; errors closer than ten of it are not ranked" }));
+        for (const sigma of point.group.sigma) {
+          const cell = row.insertCell();
+          cell.className = "number faint", cell.textContent = sigma === null ? "–" : explorer.shown("rmse", sigma), cell.title = point.group.truth;
+        }
+      }
+    }
+    const rest = data.measures.filter(one => !one.per_region && one.name in point.v);
+    if (!rest.length) return;
+    const table = explorer.table(host, rest.map(one => explorer.measureTitle(one.name, "")), rest.map(() => true));
+    const row = table.tBodies[0].insertRow();
+    for (const one of rest) explorer.numberCell(row, point, one.name);
+  }
+
+  function copyable(host, title, text, id) {
+    const head = append(host, "div", undefined, { class: "command" });
+    append(head, "span", title, { class: "soft" });
+    const button = append(head, "button", "copy", { type: "button", "aria-label": "copy: " + title });
+    const code = append(host, "pre", undefined, { tabindex: "0", id });
+    append(code, "code", text);
+    button.onclick = () => {
+      const done = () => { button.textContent = "copied"; };
+      const byHand = () => {
+        getSelection().selectAllChildren(code);
+        document.execCommand("copy");
+        done();
+      };
+      if (navigator.clipboard) navigator.clipboard.writeText(text).then(done, byHand); else byHand();
+    };
+  }
+
+  function commands(host, point) {
+    append(host, "h4", "Commands");
+    const quoted = state.quoted && state.quoted.n === point.n ? state.quoted : null;
+    if (quoted) append(host, "p", `${explorer.measureTitle(quoted.name, quoted.region)}: ` +
+      `${explorer.shown(quoted.name, value(point, quoted.name, quoted.region))}, made again by the first.`, { class: "finding", id: "quoted" });
+    copyable(host, "the numbers of this point", point.sweep, "command-numbers");
+    if (point.command) copyable(host, "its picture", point.command, "command-picture");
+    if (point.group.truth) copyable(host, "truth", point.group.truth, "command-truth");
+  }
+
+  function notes(host, point) {
+    const label = append(host, "label", undefined, { class: "notes" });
+    append(label, "span", "Notes on this point, kept by this browser");
+    const text = append(label, "textarea", undefined, { rows: 3, id: "note" });
+    text.value = explorer.note(point);
+    text.oninput = () => { explorer.setNote(point, text.value); explorer.drawPins(); };
+  }
+
+  function drawPoint(host) {
+    host.textContent = "";
+    const point = explorer.byNumber.get(state.selected);
+    if (!point) return void append(host, "p", "Choose a point in a chart or in the table to see its picture, crops, FLIP map and numbers.", { class: "soft" });
+    const head = append(host, "div", undefined, { class: "point-head" });
+    append(head, "h3", `Point ${point.n}: ${point.arm}`);
+    const button = (text, said, work, pressed) => {
+      const made = append(head, "button", text, { type: "button", "aria-label": said });
+      if (pressed !== undefined) made.setAttribute("aria-pressed", pressed);
+      made.onclick = work;
+      return made;
+    };
+    button("◀", "the point before (left arrow)", () => explorer.step(-1));
+    button("▶", "the next point (right arrow)", () => explorer.step(1));
+    button("pin", "pin this point (p)", () => explorer.pin(point.n), state.pins.includes(point.n)).id = "pin";
+    parameters(host, point);
+    stage(host, point);
+    allCrops(host, point);
+    append(host, "h4", "Numbers");
+    numbers(host, point);
+    commands(host, point);
+    notes(host, point);
+  }
+
+  // ---- pinned points
+
+  function save(name, text, type) {
+    const link = explorer.element("a", undefined, { download: name, href: URL.createObjectURL(new Blob([text], { type })) });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  }
+
+  function drawPins() {
+    const host = document.getElementById("pins");
+    host.textContent = "";
+    append(host, "h3", `Pinned points and notes`);
+    const row = append(host, "div", undefined, { class: "row" });
+    if (!state.pins.length) append(row, "span", "none is pinned", { class: "soft" });
+    for (const n of state.pins) {
+      const point = explorer.byNumber.get(n), box = append(row, "span", undefined, { class: "pinned-one" });
+      const button = explorer.pointButton(box, point, "");
+      if (point.picture !== undefined) append(button, "img", undefined, { src: data.pictures[point.picture], alt: "" });
+      append(button, "span", `${n}: ${explorer.describe(point)}`);
+      button.setAttribute("aria-current", n === state.selected);
+      append(box, "button", "×", { type: "button", "aria-label": `unpin point ${n}` }).onclick = () => explorer.pin(n);
+    }
+    const bar = append(host, "div", undefined, { class: "bar" });
+    const count = explorer.noted().length;
+    append(bar, "span", count ? `${count} point${count === 1 ? " has" : "s have"} notes` : "no notes", { class: "soft" });
+    append(bar, "button", "export notes as Markdown", { type: "button", id: "notes-markdown" }).onclick =
+      () => save("notes.md", explorer.notesMarkdown(), "text/markdown");
+    append(bar, "button", "export notes as JSON", { type: "button", id: "notes-json" }).onclick =
+      () => save("notes.json", explorer.notesJson(), "application/json");
+  }
+
+  Object.assign(explorer, { crops, drawPoint, drawPins });
+})();

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "study/effects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace strobe::study {
+
+namespace {
+
+// A point with the level of every factor that there may be; below 0: it has none.
+struct Levelled {
+  const PointGroup* group;
+  const Point* point;
+  double value;
+};
+
+std::vector<Levelled> pointsOf(const Results& results, const std::string& shot, const std::string& measure,
+                               const std::string& region) {
+  std::vector<Levelled> points;
+  for (const PointGroup& group : results.groups)
+    for (const Point& point : group.points) {
+      double value = point.value(measure, region);
+      if (point.role == Role::method && (shot.empty() || group.shot == shot) && std::isfinite(value))
+        points.push_back({&group, &point, value});
+    }
+  return points;
+}
+
+// A factor that all points might have, and how a point says its level.
+struct Candidate {
+  Factor factor;
+  std::vector<int> levels;  // of the points
+};
+
+// Levels in the order of `labels`, those alone that occur.
+Candidate candidate(const std::string& name, const std::vector<std::string>& labels, const std::vector<double>& numbers,
+                    const std::vector<int>& raw) {
+  Candidate result{{name, {}, {}}, raw};
+  std::map<int, int> renumbered = {{-1, -1}};
+  for (int label = 0; label < int(labels.size()); ++label) {
+    if (std::find(raw.begin(), raw.end(), label) == raw.end()) continue;
+    renumbered[label] = int(result.factor.labels.size());
+    result.factor.labels.push_back(labels[size_t(label)]);
+    if (!numbers.empty()) result.factor.numbers.push_back(numbers[size_t(label)]);
+  }
+  for (int& level : result.levels) level = renumbered.at(level);
+  return result;
+}
+
+template <class It>
+int placeOf(const std::vector<It>& all, const It& one) {
+  auto found = std::find(all.begin(), all.end(), one);
+  return found == all.end() ? -1 : int(found - all.begin());
+}
+
+Candidate ofAxis(const AxisSummary& axis, const std::vector<Levelled>& points) {
+  std::vector<int> raw;
+  for (const Levelled& one : points) {
+    raw.push_back(-1);
+    for (const auto& [name, value] : one.group->at)
+      if (name == axis.name) raw.back() = placeOf(axis.values, value);
+  }
+  std::vector<double> numbers;
+  for (const Json& value : axis.values)
+    if (value.is_number()) numbers.push_back(value.get<double>());
+  if (numbers.size() < axis.values.size()) numbers.clear();
+  return candidate(axis.name, axis.labels, numbers, raw);
+}
+
+std::vector<Candidate> candidatesOf(const Results& results, const std::vector<Levelled>& points) {
+  std::vector<std::string> arms, shots;
+  for (const ArmSummary& arm : results.arms) arms.push_back(arm.name);
+  for (const ShotSummary& shot : results.shots) shots.push_back(shot.name);
+  std::vector<int> arm_of, shot_of;
+  for (const Levelled& one : points) {
+    arm_of.push_back(placeOf(arms, one.point->arm));
+    shot_of.push_back(placeOf(shots, one.group->shot));
+  }
+  std::vector<Candidate> candidates = {candidate("arm", arms, {}, arm_of), candidate("shot", shots, {}, shot_of)};
+  for (const AxisSummary& axis : results.axes) candidates.push_back(ofAxis(axis, points));
+  std::erase_if(candidates, [](const Candidate& one) { return one.factor.levels() < 2; });
+  return candidates;
+}
+
+bool byDoubling(const std::vector<double>& numbers) {
+  auto [least, most] = std::minmax_element(numbers.begin(), numbers.end());
+  return *least > 0 && *most >= 5 * *least;
+}
+
+// Points that are alike in every factor but those of numbers share a stratum.
+Slope slopeOf(const Effects& effects, const Observations& observations, size_t factor, bool doubling) {
+  std::map<std::vector<int>, int> strata;
+  std::vector<double> x, y;
+  std::vector<int> stratum;
+  for (const Observation& one : observations) {
+    if (one.levels[factor] < 0) continue;
+    double number = effects.factors[factor].numbers[size_t(one.levels[factor])];
+    x.push_back(doubling ? std::log2(number) : number);
+    y.push_back(one.value);
+    std::vector<int> texts;
+    for (size_t f = 0; f < effects.factors.size(); ++f)
+      if (effects.factors[f].numbers.empty()) texts.push_back(one.levels[f]);
+    stratum.push_back(strata.emplace(texts, int(strata.size())).first->second);
+  }
+  return slopeWithin(x, y, stratum);
+}
+
+FactorEffect mainOf(const Effects& effects, const Observations& observations, size_t factor) {
+  const Factor& of = effects.factors[factor];
+  FactorEffect result{factor, Comparison::paired, mainEffect(observations, factor, of.levels()), {}, false};
+  if (result.effect.blocks > 0) return result;
+  if (of.numbers.size() >= 3) {
+    result.comparison = Comparison::slope;
+    result.doubling = byDoubling(of.numbers);
+    result.slope = slopeOf(effects, observations, factor, result.doubling);
+  } else {
+    result.comparison = Comparison::unpaired;
+    result.effect = unpairedEffect(observations, factor, of.levels());
+  }
+  return result;
+}
+
+}  // namespace
+
+Effects effectsOf(const Results& results, const std::string& shot, const std::string& measure,
+                  const std::string& region) {
+  std::vector<Levelled> points = pointsOf(results, shot, measure, region);
+  std::vector<Candidate> candidates = candidatesOf(results, points);
+  Effects effects;
+  effects.points = points.size();
+  for (const Candidate& one : candidates) effects.factors.push_back(one.factor);
+  Observations observations;
+  for (size_t i = 0; i < points.size(); ++i) {
+    observations.push_back({{}, points[i].value});
+    for (const Candidate& one : candidates) observations.back().levels.push_back(one.levels[i]);
+  }
+  for (size_t f = 0; f < effects.factors.size(); ++f) effects.main.push_back(mainOf(effects, observations, f));
+  for (size_t a = 0; a < effects.factors.size(); ++a)
+    for (size_t b = a + 1; b < effects.factors.size(); ++b) {
+      PairEffect pair{a, b, interaction(observations, a, b, effects.factors[a].levels(), effects.factors[b].levels())};
+      if (pair.interaction.blocks > 0) effects.pairs.push_back(std::move(pair));
+    }
+  return effects;
+}
+
+}  // namespace strobe::study

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "study/page_images.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#include "base/hash.h"
+#include "image/flip.h"
+#include "image/jpeg.h"
+#include "image/png.h"
+#include "page/page.h"
+#include "study/crops.h"
+
+namespace strobe::study {
+
+namespace {
+
+using image::Image;
+
+// Calls `work` with 0 to count - 1, on all processors; the first exception ends it.
+void inParallel(size_t count, const std::function<void(size_t)>& work) {
+  std::atomic<size_t> next = 0;
+  std::exception_ptr failure;
+  std::mutex mutex;
+  auto run = [&] {
+    for (size_t i = next++; i < count; i = next++) try {
+        work(i);
+      } catch (...) {
+        std::lock_guard lock(mutex);
+        if (!failure) failure = std::current_exception();
+        next = count;
+      }
+  };
+  std::vector<std::thread> threads;
+  for (unsigned i = 1; i < std::min(8u, std::thread::hardware_concurrency()); ++i) threads.emplace_back(run);
+  run();
+  for (std::thread& thread : threads) thread.join();
+  if (failure) std::rethrow_exception(failure);
+}
+
+// How pictures are written; quality 0 is PNG.
+struct Level {
+  int divisor, quality, flip_divisor, flip_quality;
+};
+constexpr Level kLevels[] = {{1, 0, 1, 0},   {1, 92, 1, 85}, {1, 85, 1, 70}, {1, 75, 2, 70}, {1, 60, 2, 60},
+                             {2, 80, 2, 60}, {2, 60, 3, 50}, {3, 60, 4, 50}, {4, 50, 6, 40}, {8, 50, 12, 40}};
+
+std::string describe(const Level& level) {
+  if (level.quality == 0) return "";
+  std::string size = level.divisor == 1 ? "" : fmt::format(" and 1/{} of the width", level.divisor);
+  return fmt::format("JPEG of quality {}{}", level.quality, size);
+}
+
+std::string urlOf(const ImageSource& source, const Level& level) {
+  int divisor = source.is_flip ? level.flip_divisor : level.divisor;
+  int quality = source.is_flip ? level.flip_quality : level.quality;
+  if (quality == 0) return "data:image/png;base64," + page::base64(source.png);
+  Image display = image::decodePng(source.png, source.file);
+  if (divisor > 1) {
+    Image linear = source.is_flip ? display : image::decodeSrgb(display);
+    linear = shrunk(linear, display.width / divisor, display.height / divisor);
+    display = source.is_flip ? linear : image::encodeSrgb(linear);
+  }
+  return "data:image/jpeg;base64," + page::base64(image::encodeJpeg(display, quality));
+}
+
+// As far as is worth trying: a sample says how much all will take.
+bool mayFit(const std::vector<ImageSource>& sources, const Level& level, size_t most_bytes) {
+  size_t step = std::max<size_t>(1, sources.size() / 24), bytes = 0, tried = 0;
+  for (size_t i = 0; i < sources.size(); i += step, ++tried) bytes += urlOf(sources[i], level).size();
+  return tried == 0 || double(bytes) / double(tried) * double(sources.size()) < 1.2 * double(most_bytes);
+}
+
+// Pictures and maps of the points, each content once.
+class Collection {
+ public:
+  Collection(const Results& results, const Path& folder) : results_(results), folder_(folder) {}
+
+  PageImages collected();
+
+ private:
+  struct Pair {
+    int picture, truth;
+    std::string png;
+    image::Rectangle worst;
+  };
+
+  int pictureOf(const Point& point);
+  void map(Pair& pair) const;
+
+  const Results& results_;
+  Path folder_;
+  std::vector<ImageSource> sources_;
+  std::map<std::string, int> by_content_;
+  std::vector<Pair> pairs_;
+};
+
+int Collection::pictureOf(const Point& point) {
+  std::vector<Path> files;
+  if (!point.key.empty()) files.push_back(folder_ / "points" / (point.key + ".png"));
+  if (!point.picture.empty()) files.push_back(folder_ / point.picture);
+  for (const Path& file : files) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) continue;
+    std::string png = readText(file);
+    auto [found, added] = by_content_.emplace(hashText(png), int(sources_.size()));
+    if (added) sources_.push_back({std::move(png), file.string()});
+    return found->second;
+  }
+  return -1;
+}
+
+void Collection::map(Pair& pair) const {
+  auto linear = [this](int i) {
+    const ImageSource& source = sources_[size_t(i)];
+    return image::decodeSrgb(image::threeChannels(image::decodePng(source.png, source.file)));
+  };
+  Image test = linear(pair.picture), reference = linear(pair.truth);
+  if (test.width != reference.width || test.height != reference.height) return;
+  Image flip = image::ldrFlip(test, reference);
+  double scale_x = double(flip.width) / results_.width, scale_y = double(flip.height) / results_.height;
+  auto scaled = [](int value, double scale) { return int(std::lround(value * scale)); };
+  image::Rectangle window = worstWindow(flip, scaled(kWorstWidth, scale_x), scaled(kWorstHeight, scale_y));
+  pair.worst = {scaled(window.x, 1 / scale_x), scaled(window.y, 1 / scale_y), scaled(window.width, 1 / scale_x),
+                scaled(window.height, 1 / scale_y)};
+  pair.png = image::encodePng(flip);
+}
+
+PageImages Collection::collected() {
+  PageImages images;
+  std::map<std::pair<int, int>, int> pair_of;
+  std::vector<std::vector<int>> pairs;
+  for (const PointGroup& group : results_.groups) {
+    images.points.emplace_back();
+    pairs.emplace_back();
+    for (const Point& point : group.points) {
+      PointImages one;
+      one.picture = pictureOf(point);
+      int truth = images.points.back().empty() ? -1 : images.points.back().front().picture, pair = -1;
+      if (one.picture >= 0 && truth >= 0) {
+        auto [found, added] = pair_of.emplace(std::pair(one.picture, truth), int(pairs_.size()));
+        if (added) pairs_.push_back({one.picture, truth, "", {}});
+        pair = found->second;
+      }
+      images.points.back().push_back(one);
+      pairs.back().push_back(pair);
+    }
+  }
+  inParallel(pairs_.size(), [this](size_t i) { map(pairs_[i]); });
+  std::vector<int> flips;
+  for (Pair& pair : pairs_) {
+    flips.push_back(pair.png.empty() ? -1 : int(sources_.size()));
+    if (!pair.png.empty()) sources_.push_back({std::move(pair.png), "a FLIP map", true});
+  }
+  for (size_t g = 0; g < pairs.size(); ++g)
+    for (size_t i = 0; i < pairs[g].size(); ++i) {
+      if (pairs[g][i] < 0) continue;
+      size_t pair = size_t(pairs[g][i]);
+      images.points[g][i].flip = flips[pair];
+      images.points[g][i].worst = pairs_[pair].worst;
+    }
+  images.sources = std::move(sources_);
+  return images;
+}
+
+}  // namespace
+
+image::Rectangle worstWindow(const Image& map, int width, int height) {
+  width = std::clamp(width, 1, map.width), height = std::clamp(height, 1, map.height);
+  std::vector<double> sums(size_t(map.width + 1) * size_t(map.height + 1), 0);
+  auto sum = [&](int x, int y) -> double& { return sums[size_t(y) * size_t(map.width + 1) + size_t(x)]; };
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x)
+      sum(x + 1, y + 1) = double(map.at(x, y, 0)) + sum(x, y + 1) + sum(x + 1, y) - sum(x, y);
+  image::Rectangle worst{0, 0, width, height};
+  double most = -1;
+  for (int y = 0; y + height <= map.height; ++y)
+    for (int x = 0; x + width <= map.width; ++x) {
+      double inside = sum(x + width, y + height) - sum(x, y + height) - sum(x + width, y) + sum(x, y);
+      if (inside > most + 1e-9) most = inside, worst = {x, y, width, height};
+    }
+  return worst;
+}
+
+PageImages pageImagesOf(const Results& results, const Path& folder) { return Collection(results, folder).collected(); }
+
+WrittenImages written(const std::vector<ImageSource>& sources, size_t most_bytes) {
+  WrittenImages images;
+  const Level& last = *std::rbegin(kLevels);
+  for (const Level& level : kLevels) {
+    if (&level != &last && !mayFit(sources, level, most_bytes)) continue;
+    images.urls.assign(sources.size(), "");
+    inParallel(sources.size(), [&](size_t i) { images.urls[i] = urlOf(sources[i], level); });
+    images.reduced = describe(level);
+    size_t bytes = 0;
+    for (const std::string& url : images.urls) bytes += url.size();
+    if (bytes <= most_bytes) break;
+  }
+  return images;
+}
+
+}  // namespace strobe::study

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "study/effects.h"
+#include "study/explorer.h"
+#include "study/gallery.h"
+#include "study/report.h"
+
+namespace strobe::study {
+
+namespace {
+
+std::string signedNumber(double value) { return std::isnan(value) ? "–" : fmt::format("{:+.3g}", value); }
+
+std::string intervalText(const Estimate& estimate) {
+  if (std::isnan(estimate.low)) return "–";
+  return signedNumber(estimate.low) + " to " + signedNumber(estimate.high);
+}
+
+// An interval without 0 stands out.
+page::Mark markOf(const Estimate& estimate) {
+  return estimate.low > 0 || estimate.high < 0 ? page::Mark::best : page::Mark::none;
+}
+
+std::string basisOf(const FactorEffect& one) {
+  if (one.comparison == Comparison::slope) return fmt::format("line through {} points", one.slope.observations);
+  if (one.comparison == Comparison::unpaired) return "unpaired";
+  std::string text = fmt::format("{} blocks", one.effect.blocks);
+  return one.effect.incomplete ? text + fmt::format(", {} incomplete left out", one.effect.incomplete) : text;
+}
+
+void addEstimate(page::Table& table, const std::string& factor, const std::string& level, const Estimate& estimate,
+                 const std::string& basis) {
+  page::Mark mark = markOf(estimate);
+  table.add(
+      {factor, level, {estimate.value, signedNumber(estimate.value), mark}, {intervalText(estimate), mark}, basis});
+}
+
+page::Table mainTable(const Effects& effects) {
+  page::Table table;
+  table.columns = {"factor", "level", {"effect", true}, {"95 % interval", true}, "compared in"};
+  for (const FactorEffect& one : effects.main) {
+    const Factor& factor = effects.factors[one.factor];
+    if (one.comparison == Comparison::slope)
+      addEstimate(table, factor.name, one.doubling ? "per doubling" : "per unit", one.slope.slope, basisOf(one));
+    for (size_t level = 0; level < one.effect.levels.size(); ++level)
+      addEstimate(table, factor.name, factor.labels[level], one.effect.levels[level], basisOf(one));
+  }
+  return table;
+}
+
+// The cells that rows and columns explain least, of all pairs.
+page::Table pairTable(const Effects& effects, size_t most) {
+  struct Cell {
+    const PairEffect* pair;
+    size_t row, column;
+    const Estimate* estimate;
+  };
+  std::vector<Cell> cells;
+  for (const PairEffect& pair : effects.pairs)
+    for (size_t row = 0; row < pair.interaction.cells.size(); ++row)
+      for (size_t column = 0; column < pair.interaction.cells[row].size(); ++column)
+        cells.push_back({&pair, row, column, &pair.interaction.cells[row][column]});
+  std::stable_sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
+    return std::abs(a.estimate->value) > std::abs(b.estimate->value);
+  });
+  if (cells.size() > most) cells.resize(most);
+  page::Table table;
+  table.columns = {"pair", "levels", {"interaction", true}, {"95 % interval", true}, "blocks"};
+  for (const Cell& cell : cells) {
+    const Factor &first = effects.factors[cell.pair->first], &second = effects.factors[cell.pair->second];
+    page::Mark mark = markOf(*cell.estimate);
+    table.add({first.name + " × " + second.name,
+               first.labels[cell.row] + ", " + second.labels[cell.column],
+               {cell.estimate->value, signedNumber(cell.estimate->value), mark},
+               {intervalText(*cell.estimate), mark},
+               fmt::format("{}", cell.pair->interaction.blocks)});
+  }
+  return table;
+}
+
+const char* const kHowToRead =
+    "An effect is a level's mean difference from the mean of its block: points that are alike in all else. Blocks that "
+    "lack a level are left out. An interaction is what is left of a cell after the effects of its row and its column. "
+    "Intervals are Student's t over the blocks, bold where 0 is not inside; they are not widened for their number. "
+    "Without complete blocks numbers are fitted by a straight line, other levels compared unpaired.";
+
+}  // namespace
+
+Parts effectParts(const Results& results) {
+  FirstView view = firstViewOf(results);
+  Parts parts = {heading("Effects", 2, "effects", Part::kPage), text(kHowToRead, Tone::soft, Part::kPage)};
+  size_t start = parts.size();
+  for (const ShotSummary& shot : results.shots) {
+    Effects effects = effectsOf(results, shot.name, view.y, view.region);
+    if (effects.factors.size() < 2) continue;
+    const Measure& measure = measureNamed(view.y);
+    std::string of = headOf(measure) + (measure.per_region ? ", " + view.region : "");
+    parts.push_back(heading(shot.title + ": " + of, 3, "", Part::kPage));
+    parts.push_back({mainTable(effects), Part::kPage});
+    if (!effects.pairs.empty()) parts.push_back({pairTable(effects, 12), Part::kPage});
+  }
+  return parts.size() == start ? Parts() : parts;
+}
+
+}  // namespace strobe::study

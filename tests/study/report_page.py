@@ -1,0 +1,252 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Uses FOLDER/report.html as a person does, for report_page_test.cpp: prints what is wrong, and how much was checked."""
+import csv
+import json
+import sys
+
+import browser
+
+folder = sys.argv[1]
+checks, wrong = 0, []
+
+
+def expect(what, found, wanted=True):
+    global checks
+    checks += 1
+    if found != wanted:
+        wrong.append(f"{what}: {found!r} instead of {wanted!r}")
+
+
+with open(folder + "/table.csv", newline="") as stream:
+    rows = list(csv.DictReader(stream))
+
+
+def front(x, y, region, shot, higher=()):
+    """Numbers of the points that no other dominates, from the table alone."""
+    costs = []
+    for row in rows:
+        if row["region"] == region and row["shot"] == shot and row[x] and row[y]:
+            costs.append((int(row["point"]), *(float(row[name]) * (-1 if name in higher else 1) for name in (x, y))))
+    return sorted(one[0] for one in costs if not any(
+        o[1] <= one[1] and o[2] <= one[2] and o[1:] != one[1:] for o in costs))
+
+
+def numbers(page, selector):
+    return page.run(f"[...document.querySelectorAll({json.dumps(selector)})].map(one => Number(one.dataset.point))")
+
+
+def text(page, selector):
+    return page.run(f"(document.querySelector({json.dumps(selector)}) || {{}}).textContent")
+
+
+def tab(page, name):
+    page.click("#tab-" + name)
+    expect("tab " + name, page.run(f"document.getElementById('view-{name}').hidden"), False)
+
+
+def fronts(page):
+    for x, y, region, shot in (("ms", "rmse", "inner", "near"), ("ms", "psnr", "whole", "far"), ("flip", "rmse", "whole", "near")):
+        page.go(f"file://{folder}/report.html#x={x}&y={y}&region={region}&shot={shot}")
+        expect(f"front of {y} against {x}", sorted(numbers(page, "#front-points tr[data-point]")),
+               front(x, y, region, shot, higher=("psnr",)))
+    page.go(f"file://{folder}/report.html")
+
+
+def points(page):
+    """Chosen in the chart, pinned, stepped through; parameters are the difference to the last."""
+    expect("marks", len(numbers(page, "#view-front .mark")), 22)
+    page.click('#view-front .mark[data-point="9"] .shape')
+    expect("chosen", text(page, "#point h3"), "Point 9: third")
+    page.click("#pin")
+    page.key("ArrowRight")
+    expect("stepped through what is shown", text(page, "#point h3"), "Point 10: first")
+    expect("difference", text(page, "#difference"), "Against point 9: arm third → first, tile 10 → 20")
+    page.run("explorer.select(14)")
+    page.key("p")
+    expect("address", page.run("location.hash"), "#point=14&last=10&pins=9.14")
+    page.key("ArrowRight")
+    expect("stepped to the first pinned", text(page, "#point h3"), "Point 9: third")
+    page.key("ArrowLeft")
+    expect("and back", text(page, "#point h3"), "Point 14: second <b>")
+    expect("difference of the pinned", text(page, "#difference"), "Against point 9: arm third → second <b>, samples 4 → 8")
+    expect("pins", page.run("document.querySelectorAll('.pinned-one').length"), 2)
+    page.run("document.querySelector('#tab-front').focus()")
+    page.key("ArrowRight")
+    expect("keys of the tabs are theirs", page.run("explorer.state.tab"), "table")
+    page.key("ArrowLeft")
+
+
+def wipe(page):
+    edge = "document.querySelector('#point .edge').style.left"
+    clip = "document.querySelector('#point .other').style.clipPath"
+    page.point("#point .stage", 0.25, 0.5)
+    expect("wiped", page.run(f"Math.round(parseFloat({edge}))"), 25)
+    expect("clipped", page.run(f"Math.round(parseFloat({clip}.split(' ')[1]))"), 75)
+    page.click('#point [data-view="flip"]')
+    page.run("new Promise(done => setTimeout(done, 200))")
+    heat = page.run("(() => { const c = document.querySelector('#point .stage canvas'); const d = c.getContext('2d')"
+                    ".getImageData(0, 0, c.width, c.height).data; let n = 0; for (let i = 0; i < d.length; i += 4)"
+                    " n += d[i] > d[i + 1] + 20; return [c.width, n]; })()")
+    expect("the FLIP map has the colours of heat", heat[0] == 64 and heat[1] > 100)
+    page.click('#point [data-view="wipe"]')
+    expect("crops", page.run("document.querySelectorAll('#point .triple canvas').length"), 6)
+    expect("every picture has a text", page.run(
+        "[...document.querySelectorAll('.explorer img:not([alt]), .explorer canvas:not([aria-label])')].length"), 0)
+    expect("pictures are shown", page.run(
+        "[...document.querySelectorAll('#point img')].every(one => one.complete && one.naturalWidth === 64)"))
+
+
+def table(page):
+    tab(page, "table")
+    expect("rows", len(numbers(page, "#points tbody tr")), 24)
+    page.click('#points [data-sort="rmse"]')
+    wanted = [int(row["point"]) for row in sorted((r for r in rows if r["shot"] == "near" and r["region"] == "inner" and r["rmse"]),
+                                                  key=lambda row: float(row["rmse"]))]
+    expect("sorted", numbers(page, "#points tbody tr")[:22], wanted)
+    page.click('#points [data-sort="rmse"]')
+    expect("the other way", numbers(page, "#points tbody tr")[:22], wanted[::-1])
+    expect("what has no value comes last", numbers(page, "#points tbody tr")[22:], [4, 5])
+    page.click("#filters > summary")
+    page.click('#filters [data-filter="arm"][data-level="first"]')
+    page.click('#filters [data-filter="samples"][data-level="2"]')
+    expect("filtered", len(numbers(page, "#points tbody tr")), 12)
+    page.run("const box = document.querySelector('#filters [data-filter=ms][data-end=to]'); box.value = 4; box.onchange();")
+    expect("a range", all(float(row["ms"]) <= 4 for row in rows if int(row["point"]) in numbers(page, "#points tbody tr")))
+    expect("address of filters", "only.ms=..4" in page.run("location.hash"))
+    page.run("document.querySelector('#choose-find').value = 'second 16'; document.querySelector('#choose-find').oninput("
+             "{ target: document.querySelector('#choose-find') })")
+    expect("found", all("second" in one for one in page.run("[...document.querySelectorAll('#points tbody tr')].map(one => one.textContent)")))
+    page.click("#reset")
+    expect("all again", len(numbers(page, "#points tbody tr") or numbers(page, "#view-front .mark")), 22)
+    tab(page, "table")
+    page.click('#points tr[data-point="9"] td.number button')
+    expect("its command", text(page, "#command-numbers"),
+           "strobe sweep made.lua --only 'arm=third,shot=near,samples=4,tile=10' -o out/again")
+    expect("its picture's command", text(page, "#command-picture"), "strobe render third --set samples=4")
+
+
+def others(page):
+    tab(page, "parallel")
+    expect("lines", page.run("document.querySelectorAll('#view-parallel .line').length"), 22)
+    tab(page, "effects")
+    expect("effects", page.run("[...new Set([...document.querySelectorAll('#main-effects tr[data-factor]')].map("
+                               "one => one.dataset.factor))].join()"), "arm,samples,tile")
+    expect("pairs", page.run("document.querySelectorAll('#choose-pair option').length"), 3)
+    tab(page, "worst")
+    worst = numbers(page, "#view-worst figure")
+    expect("worst crops", len(worst), 12)
+    expect("the worst first", worst[0], int(max((r for r in rows if r["shot"] == "near" and r["region"] == "inner" and r["rmse"]),
+                                                key=lambda row: float(row["rmse"]))["point"]))
+
+
+def notes(page):
+    page.run("explorer.select(9)")
+    page.run("const note = document.querySelector('#note'); note.value = 'sharp\\nedges'; note.oninput();")
+    expect("kept", page.run("JSON.parse(localStorage.getItem('strobe notes of Made </script> up'))['third, Near, samples 4, tile 10']"),
+           "sharp\nedges")
+    exported = page.run("explorer.notesMarkdown()")
+    expect("exported", "## Point 9: third, Near, samples 4, tile 10\n\nsharp\nedges\n\n    strobe render third" in exported)
+    expect("as JSON", json.loads(page.run("explorer.notesJson()"))["notes"][0]["note"], "sharp\nedges")
+    page.run("window.saved = ''; URL.createObjectURL = blob => { blob.text().then(text => window.saved = text); return 'data:,'; };")
+    page.click("#notes-markdown")
+    page.run("new Promise(done => setTimeout(done, 200))")
+    expect("downloaded", page.run("window.saved"), exported)
+
+
+def address(page):
+    """Everything that is chosen is there again where the address is opened."""
+    page.go("about:blank")
+    page.go(f"file://{folder}/report.html#tab=table&shot=far&region=whole&y=flip&sort=-ms&point=30&last=27&pins=27.30&wipe=80"
+            "&only.samples=4%7C8&only.ms=..5")
+    expect("tab", page.run("document.querySelector('[aria-selected=true]').id"), "tab-table")
+    expect("point", text(page, "#point h3"), "Point 30: third")
+    expect("wipe", page.run("document.querySelector('#wipe').value"), "80")
+    expect("choices", page.run("['shot', 'region', 'x', 'y'].map(one => document.getElementById('choose-' + one).value).join()"),
+           "far,whole,ms,flip")
+    wanted = sorted((r for r in rows if r["shot"] == "far" and r["region"] == "whole" and r["samples"] in ("4", "8") and float(r["ms"]) <= 5),
+                    key=lambda row: -float(row["ms"]))
+    expect("rows", numbers(page, "#points tbody tr"), [int(row["point"]) for row in wanted])
+    expect("the note of another point", page.run("explorer.note(explorer.byNumber.get(9))"), "sharp\nedges")
+    expect("nothing is lost", page.run("explorer.fragment().split('&').sort().join('&')"),
+           "last=27&only.ms=..5&only.samples=4%7C8&pins=27.30&point=30&region=whole&shot=far&sort=-ms&tab=table&wipe=80&y=flip")
+
+
+# Of every element with a text of its own: WCAG's contrast of its colour on what is behind it.
+CONTRAST = """(() => {
+  const channels = text => (text.match(/[\\d.]+/g) || []).map(Number);
+  const luminance = rgb => { const [r, g, b] = rgb.map(v => (v /= 255) <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4);
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
+  const behind = element => { for (; element; element = element.parentElement) {
+    const c = channels(getComputedStyle(element).backgroundColor); if (c.length === 3 || c[3] > 0.5) return c.slice(0, 3); }
+    return matchMedia('(prefers-color-scheme: dark)').matches ? [0, 0, 0] : [255, 255, 255]; };
+  const bad = [];
+  for (const element of document.querySelectorAll('.explorer *')) {
+    if (element.closest('svg, .stage, option') || !element.offsetParent) continue;
+    if (![...element.childNodes].some(one => one.nodeType === 3 && one.textContent.trim())) continue;
+    const a = luminance(channels(getComputedStyle(element).color).slice(0, 3)), b = luminance(behind(element));
+    const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+    if (ratio < 4.5) bad.push(element.tagName + '.' + element.className + ' ' + ratio.toFixed(2));
+  }
+  return bad.slice(0, 5).join('; ');
+})()"""
+
+
+def reachable(page):
+    """Tab alone reaches every kind of control, and what has the focus can be seen."""
+    page.go(f"file://{folder}/report.html#point=9&pins=9.14")
+    page.run("document.activeElement.blur(); scrollTo(0, 0)")
+    seen = set()
+    while len(seen) < 150 and "notes-json" not in seen:
+        page.key("Tab")
+        found = page.run("(() => { const e = document.activeElement, s = getComputedStyle(e), r = e.querySelector('.ring');"
+                         " return [e.id || e.getAttribute('class') || e.tagName, s.outlineStyle !== 'none' ||"
+                         " (!!r && getComputedStyle(r).strokeWidth === '3px')]; })()")
+        if found[0] == "BODY":  # once around
+            break
+        seen.add(found[0].split(" ")[0])
+        expect("focus of " + found[0], found[1])
+    for control in ("choose-shot", "choose-find", "reset", "tab-front", "mark", "link", "pin", "wipe", "note", "notes-json"):
+        expect("reached " + control, control in seen)
+
+
+def contrast(dark):
+    with browser.Page(f"file://{folder}/report.html#point=9&pins=9.14", dark=dark) as page:
+        for name in ("front", "table", "effects", "worst"):
+            tab(page, name)
+            expect(f"contrast of {name}, {'dark' if dark else 'light'}", page.run(CONTRAST), "")
+        if not dark:
+            printed(page)
+        wrong.extend(page.problems)
+
+
+def printed(page):
+    """Controls are left out, every view is there."""
+    tab(page, "front")
+    page.pdf(folder + "/page.pdf")
+    page.call("Emulation.setEmulatedMedia", media="print")
+    for name in ("front", "table", "effects", "worst"):
+        expect("in print " + name, page.run(f"document.querySelector('#view-{name}').offsetHeight > 50"))
+    for name in (".controls", ".tabs", ".still"):
+        expect("not in print " + name, page.run(f"document.querySelector('.explorer ~ {name}, {name}').offsetHeight"), 0)
+
+
+def main():
+    with browser.Page(f"file://{folder}/report.html") as page:
+        expect("what stands still is hidden", page.run("document.querySelector('.still').offsetHeight"), 0)
+        for part in (fronts, points, wipe, table, others, notes, address, reachable):
+            part(page)
+        wrong.extend(page.problems)
+        page.problems.clear()
+        page.go(f"file://{folder}/still.html")
+        expect("a page without a library", page.run("document.querySelectorAll('svg.chart').length"), 2)
+        wrong.extend(page.problems)
+    for dark in (False, True):
+        contrast(dark)
+    for one in wrong:
+        print("wrong:", one)
+    print(f"{checks} checks, " + ("all passed" if not wrong else f"{len(wrong)} wrong"))
+    sys.exit(1 if wrong else 0)
+
+
+main()
