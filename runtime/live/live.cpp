@@ -82,6 +82,7 @@ class Live {
   void closeUppermost();
   void sendToTev();
   void pointAsDriven();
+  void holdPressedKeys(bool down);
   std::map<std::string, Handler> handlers();
   void addShotHandlers(std::map<std::string, Handler>& handlers);
   void addLookHandlers(std::map<std::string, Handler>& handlers);
@@ -173,6 +174,8 @@ void Live::sweepPointed() {
   }
   for (const std::string& next : {by_name, by_text, state_.changed_control})
     if (name.empty()) name = next;
+  bool again = sweeper_.isOpen() && sweeper_.ofB() == of_b && sweeper_.forms()[0].control.declaration.name == name;
+  if (again) return sweep_panel_.focus();
   if (name.empty()) throw Error("no control to sweep: put the pointer on one, or find one with /");
   sweeper_.open(desk_, name, of_b);
 }
@@ -245,6 +248,14 @@ void Live::pointAsDriven() {
   ImGui::GetIO().MouseDown[0] = pressed_;
 }
 
+// A key that went up again since the last frame was down all the same: frames of a software device take long.
+void Live::holdPressedKeys([[maybe_unused]] bool down) {
+#if IMGUI_VERSION_NUM < 18700  // from here on, keys are events
+  for (int key : window_.pressed())
+    if (key >= 256 && !window_.isDown(key)) ImGui::GetIO().KeysDown[key] = down;
+#endif
+}
+
 void Live::drawWindow() {
   const image::Image& shown = desk_.picture(state_.window_frame);
   ++state_.window_frame;
@@ -257,6 +268,7 @@ void Live::drawWindow() {
 
   ImGui_ImplGlfw_NewFrame();
   if (drive_) pointAsDriven();
+  holdPressedKeys(true);
   ImGui::NewFrame();
   Area area = drawPanels(gui_.fonts(), desk_, state_);
   area = sweep_panel_.draw(gui_.fonts(), desk_, sweeper_, state_, area);
@@ -264,6 +276,7 @@ void Live::drawWindow() {
   view_.draw(gui_.fonts(), desk_, state_, area, *picture_);
   drawOverlays(gui_.fonts(), desk_, state_, area);
   ImGui::Render();
+  holdPressedKeys(false);
   image::Image shot;
   bool done = surface_.show(*ImGui::GetDrawData(), width, height, screenshot_ ? &shot : nullptr);
   if (!screenshot_ || !done) return;

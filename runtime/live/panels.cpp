@@ -324,10 +324,10 @@ void bottomBar(const Fonts& fonts, Desk& desk, PanelState& state, float width, f
 
 }  // namespace
 
-void beginPanel(const char* name, float x, float y, float width, float height) {
+void beginPanel(const char* name, float x, float y, float width, float height, bool tabs) {
   ImGui::SetNextWindowPos(ImVec2(x, y));
   ImGui::SetNextWindowSize(ImVec2(width, height));
-  ImGui::Begin(name, nullptr, kFixed);
+  ImGui::Begin(name, nullptr, tabs ? kFixed & ~ImGuiWindowFlags_NoNav : kFixed);
 }
 
 void PanelState::say(const std::string& text, bool bad) {

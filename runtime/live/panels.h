@@ -32,8 +32,8 @@ struct PanelState {
   bool speaks() const;  // the message is to be seen
 };
 
-// Begins a panel that fills its place; `ImGui::End` ends it.
-void beginPanel(const char* name, float x, float y, float width, float height);
+// Begins a panel that fills its place; `ImGui::End` ends it. `tabs`: Tab goes from field to field.
+void beginPanel(const char* name, float x, float y, float width, float height, bool tabs = false);
 
 // Carries out a change; what is refused becomes the message.
 void attempt(PanelState& state, const std::function<void()>& change);

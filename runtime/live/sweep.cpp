@@ -5,6 +5,7 @@
 
 #include "base/log.h"
 #include "image/metrics.h"
+#include "live/thumbnails.h"
 #include "math/statistics.h"
 
 namespace strobe::live {
@@ -82,7 +83,7 @@ bool Sweep::step(const GatheredTruth& shared) { return draw() || measure(shared)
 
 void Sweep::fail(SweepPoint& point, const Error& error) {
   point.problem = error.message();
-  point.color = {};
+  point.color = point.thumbnail = {};
 }
 
 bool Sweep::draw() {
@@ -91,6 +92,7 @@ bool Sweep::draw() {
   if (stopped_ || next == points_.end()) return false;
   try {
     next->color = image::threeChannels(*batch_.color(next->shot));
+    next->thumbnail = reduced(next->color);
     batch_.forgetColorsOf(next->shot.pipeline);
   } catch (const Error& error) {
     fail(*next, error);

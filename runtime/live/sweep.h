@@ -13,6 +13,7 @@ struct SweepPoint {
   std::vector<size_t> at;       // value of each axis, by number
   lab::Shot shot;               // what is drawn
   image::Image color;           // linear, three channels; empty before it is drawn
+  image::Image thumbnail;       // the same, reduced
   std::string problem;          // why it cannot be drawn, or ""
   std::vector<double> ms;       // device time of a frame, by round
   std::optional<double> error;  // RMSE of the linear colour against truth of `samples`

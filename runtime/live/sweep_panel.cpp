@@ -58,7 +58,7 @@ bool numberField(const char* id, double& value, const std::string& explanation, 
 }
 
 // The fields of a control; true where what they say changed.
-bool formFields(const Fonts& fonts, SweepForm& form) {
+bool formFields(const Fonts& fonts, SweepForm& form, bool focus) {
   const plan::ParamDesc& declaration = form.control.declaration;
   ImGui::AlignTextToFramePadding();
   textIn(fonts.bold, colours::kText, declaration.name);
@@ -67,6 +67,7 @@ bool formFields(const Fonts& fonts, SweepForm& form) {
   if (!hasRange(declaration)) return ImGui::TextDisabled("all values"), false;
   if (!form.listed.empty())
     return ImGui::TextDisabled("%s", fmt::format("{}", fmt::join(form.listed, ", ")).c_str()), false;
+  if (focus) ImGui::SetKeyboardFocusHere();
   bool changed = numberField("##from", form.range.from, "first value");
   ImGui::SameLine();
   ImGui::TextDisabled("to");
@@ -98,7 +99,8 @@ void crossChoice(Desk& desk, Sweeper& sweeper, PanelState& state) {
   if (ImGui::Selectable("one control", current.empty())) chosen = "";
   for (const lab::Control& control : session.controls()) {
     const std::string& name = control.declaration.name;
-    if (name == first || !canBeSwept(control)) continue;
+    bool of_a = sweeper.ofB() && control.group == "shot";
+    if (name == first || of_a || !canBeSwept(control)) continue;
     if (ImGui::Selectable(("by " + name).c_str(), name == current)) chosen = name;
   }
   ImGui::EndCombo();
@@ -273,7 +275,7 @@ void SweepPanel::drawHead(const Fonts& fonts, Desk& desk, Sweeper& sweeper, Pane
   bool closes = quietButton("\u00d7", "close the sweep (Escape)");
   for (size_t i = 0; i < sweeper.forms().size(); ++i) {
     ImGui::PushID(int(i));
-    again = formFields(fonts, sweeper.forms()[i]) || again;
+    again = formFields(fonts, sweeper.forms()[i], i == 0 && std::exchange(focus_, false)) || again;
     ImGui::PopID();
   }
   bool stale = sweeper.isStale(desk);
@@ -374,7 +376,7 @@ Area SweepPanel::draw(const Fonts& fonts, Desk& desk, Sweeper& sweeper, PanelSta
   float height = std::floor(heightOf(sweeper, area));
   Area rest = area;
   rest.height = std::max(20.0, area.height - height - 1);
-  beginPanel("sweep", float(area.x), float(area.y + area.height) - height, float(area.width), height);
+  beginPanel("sweep", float(area.x), float(area.y + area.height) - height, float(area.width), height, true);
   drawHead(fonts, desk, sweeper, state);
   if (sweeper.sweep().axes().size() > 1) drawGrid(fonts, desk, sweeper, state);
   else drawStrip(fonts, desk, sweeper, state);

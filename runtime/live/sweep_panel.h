@@ -13,6 +13,8 @@ class SweepPanel {
  public:
   // Brings the thumbnails to the device, where there are new ones; before a frame of the panels begins.
   void prepare(Surface& surface, const Sweeper& sweeper, double stops);
+  // The first field gets the keyboard.
+  void focus() { focus_ = true; }
   // Draws it, while it is open, at the bottom of an area; returns what is left for the picture.
   Area draw(const Fonts& fonts, Desk& desk, Sweeper& sweeper, PanelState& state, const Area& area);
 
@@ -52,6 +54,7 @@ class SweepPanel {
   std::unique_ptr<Texture> sheet_;
   Thumbnails thumbnails_;
   std::optional<Made> made_;
+  bool focus_ = false;
 };
 
 }  // namespace strobe::live

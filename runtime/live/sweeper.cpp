@@ -23,6 +23,7 @@ SweepForm Sweeper::formOf(const Desk& desk, const std::string& name, const std::
   for (lab::Control& control : session(desk).controls()) {
     names.push_back(control.declaration.name);
     if (names.back() != name) continue;
+    if (of_b_ && control.group == "shot") throw Error(fmt::format("B has '{}' as A has it: sweep A's", name));
     if (!canBeSwept(control)) throw Error(fmt::format("'{}' has no values to sweep", name));
     SweepRange range = hasRange(control.declaration) ? suggestedRange(control) : SweepRange();
     return {std::move(control), range, listed};
@@ -86,7 +87,10 @@ bool Sweeper::isStale(const Desk& desk) const {
 bool Sweeper::turn(Desk& desk) {
   if (!isOpen()) return false;
   bool gathers = sweep_->sharesTruth() && sweep_->drawn() == sweep_->points().size() && !sweep_->stopped();
-  desk.wantTruth(gathers ? Sweep::kEnough : 0);
+  // One of the two in a turn, so that the window answers soon.
+  truth_next_ = gathers && (!busy() || !truth_next_);
+  desk.wantTruth(truth_next_ ? Sweep::kEnough : 0);
+  if (truth_next_ && busy()) return false;
   return sweep_->advance(desk.truth(), kBudget_s);
 }
 

@@ -39,7 +39,8 @@ class Sweeper {
   // The point that has the values which the controls have now.
   std::optional<size_t> current(const Desk& desk) const;
 
-  // ---- a turn: draws for about 15 ms, one frame at least. True where there is something new.
+  // ---- a turn: draws for about 15 ms, one frame at least, or lets the desk gather truth. True where there is
+  // something new.
   bool turn(Desk& desk);
   // Whether the next turn has work without any input.
   bool busy() const { return isOpen() && !sweep_->isWhole(); }
@@ -62,6 +63,7 @@ class Sweeper {
   std::vector<SweepForm> forms_;
   std::unique_ptr<Sweep> sweep_;
   bool of_b_ = false;
+  bool truth_next_ = false;  // the desk gathers truth in its next turn
   int serial_ = 0, swaps_ = 0;
 };
 

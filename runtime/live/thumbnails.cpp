@@ -6,14 +6,22 @@
 
 #include "image/draw.h"
 #include "image/tone.h"
+#include "live/sweep.h"
 
 namespace strobe::live {
 
 static const int kCell = 192;  // pixels of the longer side
 static const image::Colour kEmpty = {0.09f, 0.09f, 0.1f};
 
-image::Image thumbnail(const image::Image& linear, int width, double stops) {
-  int w = std::min(width, linear.width), h = std::max(1, linear.height * w / std::max(1, linear.width));
+// Width and height with the longer side as long as a cell's.
+static std::array<int, 2> sizeOf(int width, int height) {
+  int longer = std::max({width, height, 1});
+  return {std::max(1, kCell * width / longer), std::max(1, kCell * height / longer)};
+}
+
+image::Image reduced(const image::Image& linear) {
+  if (std::max(linear.width, linear.height) <= kCell) return linear;
+  auto [w, h] = sizeOf(linear.width, linear.height);
   image::Image small(w, h, linear.channels);
   for (int y = 0; y < h; ++y)
     for (int x = 0; x < w; ++x) {
@@ -26,7 +34,7 @@ image::Image thumbnail(const image::Image& linear, int width, double stops) {
         small.at(x, y, c) = float(sum / ((right - left) * (bottom - top)));
       }
     }
-  return image::toneMap(small, {float(stops)});
+  return small;
 }
 
 Thumbnails thumbnailsOf(const Sweep& sweep, double stops) {
@@ -35,14 +43,12 @@ Thumbnails thumbnailsOf(const Sweep& sweep, double stops) {
   int rows = (int(points.size()) + columns - 1) / columns;
   Thumbnails result{image::filled(columns * kCell, rows * kCell, kEmpty), {}};
   for (size_t i = 0; i < points.size(); ++i) {
-    const lab::Shot& shot = points[i].shot;
-    int longer = std::max(shot.width, shot.height);
-    int width = std::max(1, kCell * shot.width / longer), height = std::max(1, kCell * shot.height / longer);
+    auto [width, height] = sizeOf(points[i].shot.width, points[i].shot.height);
     int x = int(i) % columns * kCell, y = int(i) / columns * kCell;
-    if (!points[i].color.empty()) {
-      image::Image small = thumbnail(points[i].color, width, stops);
+    const image::Image& small = points[i].thumbnail;
+    if (!small.empty()) {
       width = small.width, height = small.height;
-      image::paste(result.sheet, small, x, y);
+      image::paste(result.sheet, image::toneMap(small, {float(stops)}), x, y);
     }
     auto share = [](int at, int of) { return float(at) / float(of); };
     result.places.push_back({share(x, result.sheet.width), share(y, result.sheet.height),

@@ -3,15 +3,18 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
-#include "live/sweep.h"
+#include "image/image.h"
 
 namespace strobe::live {
 
-// The mean of what falls into each pixel, shown with an exposure in stops; never enlarged. `width`: at most so wide.
-image::Image thumbnail(const image::Image& linear, int width, double stops);
+class Sweep;
 
-// A sheet of equal cells, row by row; those of points without a picture are dark.
+// The mean of what falls into each pixel, so that no side is longer than a thumbnail's; never enlarged.
+image::Image reduced(const image::Image& linear);
+
+// A sheet of equal cells, row by row, shown with an exposure in stops; those of points without a picture are dark.
 struct Thumbnails {
   image::Image sheet;
   std::vector<std::array<float, 4>> places;  // of each point in the sheet: left, top, right, bottom in shares of it

@@ -3,6 +3,7 @@
 #include "live/sweep.h"
 
 #include "image/metrics.h"
+#include "image/tone.h"
 #include "live/sweeper.h"
 #include "live/thumbnails.h"
 #include "oracle/render.h"
@@ -165,6 +166,12 @@ TEST_F(SweepTest, SaysWhatCannotBe) {
   EXPECT_NE(messageOf([&] { sweeper.open(desk, "samples", false, {"many"}); }), "");
   EXPECT_NE(messageOf([&] { sweeper.experiment(desk); }), "");
   EXPECT_FALSE(sweeper.isOpen());
+  desk.sides().usePipeline("ue4", true);
+  EXPECT_NE(messageOf([&] { sweeper.open(desk, "exposure", true); }).find("sweep A's"), std::string::npos);
+  sweeper.open(desk, "samples", true, {"4", "8"});
+  sweeper.take(desk, 0);
+  EXPECT_EQ(valueOf(desk, "samples"), "16") << "A's";
+  EXPECT_EQ(sweeper.current(desk), 0u) << "B's";
   SweepAxis unknown{controlOf(desk, "samples").declaration, false, {int64_t(1), int64_t(2)}};
   unknown.declaration.name = "sampels";
   Sweep refused(bench(), desk.shot(), {unknown}, desk.shot(), "");
@@ -179,18 +186,24 @@ TEST_F(SweepTest, SaysWhatCannotBe) {
 }
 
 TEST_F(SweepTest, ThumbnailsAreMeans) {
-  image::Image linear(4, 2, 3);
-  for (size_t i = 0; i < linear.values.size(); ++i) linear.values[i] = i % 3 == 0 && i / 3 % 2 == 0 ? 0.5f : 0;
-  image::Image small = thumbnail(linear, 2, 1);
-  ASSERT_EQ(small.width, 2);
-  ASSERT_EQ(small.height, 1);
-  EXPECT_NEAR(small.at(0, 0, 0), 0.7354, 1e-3) << "a quarter of light, a stop brighter, as sRGB has it";
-  EXPECT_EQ(small.at(1, 0, 1), 0);
-  EXPECT_EQ(thumbnail(linear, 100, 0).width, 4) << "never enlarged";
+  image::Image linear(384, 192, 3);
+  for (int y = 0; y < linear.height; ++y)
+    for (int x = 0; x < linear.width; x += 2) linear.at(x, y, 0) = 0.5f;
+  image::Image small = reduced(linear);
+  ASSERT_EQ(small.width, 192);
+  ASSERT_EQ(small.height, 96);
+  EXPECT_EQ(small.at(7, 5, 0), 0.25f);
+  EXPECT_EQ(small.at(7, 5, 1), 0);
+  image::Image tiny(4, 2, 3);
+  EXPECT_EQ(reduced(tiny).width, 4) << "never enlarged";
   Desk desk(bench(), options());
   Sweeper sweeper;
   sweeper.open(desk, "samples", false, {"4", "8", "16"});
   EXPECT_EQ(thumbnailsOf(sweeper.sweep(), 0).places.size(), 3u) << "also before it is drawn";
+  finish(desk, sweeper);
+  image::Image color = sweeper.sweep().points()[0].color, bright = thumbnailsOf(sweeper.sweep(), -1).sheet;
+  EXPECT_NEAR(bright.at(1, 1, 0), image::encodeSrgb(color.at(1, 1, 0) / 2), 1e-5)
+      << "as the window's brightness has it";
 }
 
 }  // namespace
