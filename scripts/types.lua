@@ -198,6 +198,12 @@ function pipeline.float(t) end
 ---@return strobe.Param
 function pipeline.choice(t) end
 
+---A preset in a file of its own, for `--set preset=FILE.lua`.
+---@class strobe.preset
+---@overload fun(t: strobe.Preset): strobe.FilePreset
+local preset = {}
+---@class strobe.FilePreset
+
 ---The values of `--set scene.NAME=VALUE` while a scene is evaluated; nil where there is none.
 ---@type table<string, boolean|number|string>
 scene_params = {}

@@ -31,6 +31,16 @@ Names topics(const Home& home, const Line&) {
   return names;
 }
 
+// Files of the experiments that are presets.
+Names presetFiles(const Home& home) {
+  Names files;
+  for (const std::string& name : home.namesBelow("experiments", ".lua")) {
+    std::string file = fmt::format("experiments/{}.lua", name);
+    if (home.read(home.at(file)).find("require \"strobe.preset\"") != std::string::npos) files.push_back(file);
+  }
+  return files;
+}
+
 // "PARAM=" of the pipeline that the line names; once that is written, "PARAM=CHOICE".
 Names settings(const Home& home, const Line& line) {
   Names known = script::pipelineNames(home), names;
@@ -44,7 +54,7 @@ Names settings(const Home& home, const Line& line) {
     if (!has_name) names.push_back(name + "=");
     for (const std::string& choice : has_name ? choices : Names()) names.push_back(name + "=" + choice);
   };
-  Names presets;
+  Names presets = presetFiles(home);
   for (const plan::PresetDesc& preset : pipeline.presets) presets.push_back(preset.name);
   if (!presets.empty()) add(plan::kPresetSetting, presets);
   for (const plan::ParamDesc& param : pipeline.params)

@@ -427,7 +427,9 @@ EqualDesc readEqual(const Json& json, const PipelineDesc& pipeline) {
 
 PresetDesc readPreset(const Json& json, const PipelineDesc& pipeline) {
   Reader reader(json, "preset", {pipeline.file});
-  PresetDesc preset{nameOf(reader), reader.text("doc"), {}, reader.boolean("default", false)};
+  std::string name = reader.text("name", std::nullopt);
+  if (!isName(name) && !name.ends_with(".lua")) reader.fail(fmt::format("'{}' is no name of a preset", name));
+  PresetDesc preset{name, reader.text("doc"), {}, reader.boolean("default", false)};
   for (const auto& [name, value] : settingsOf(reader.table("values"))) {
     const ParamDesc* param = paramNamed(pipeline, name);
     if (!param) reader.fail(fmt::format("'{}' sets '{}', which is no parameter", preset.name, name));

@@ -88,6 +88,8 @@ Sandbox& sandboxFor(const Json& request) {
     options.main = request.at("main").get<std::string>();
     options.shown = request.at("shown").get<std::string>();
     options.own_folder = request.at("own_folder").get<bool>();
+    options.preset = request.value("preset", "");
+    options.preset_shown = request.value("preset_shown", "");
     options.texts = request.at("texts").get<std::map<std::string, std::string>>();
     options.memory_bytes = request.at("memory_mb").get<size_t>() << 20;
     g_sandbox = new Sandbox(options);

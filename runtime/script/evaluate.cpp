@@ -114,6 +114,19 @@ Json requestOf(const Home& home, const Main& main, const std::string& function, 
           {"cpu_s", limits.cpu_s},      {"memory_mb", limits.memory_mb}, {"texts", Json(texts)}};
 }
 
+// The file of the preset that is set, if it is one: as it lies here, else in the roots.
+void addPreset(const Home& home, const Settings& sets, const Texts& texts, Json& request) {
+  std::string set;
+  for (const auto& [name, value] : sets)
+    if (const auto* text = std::get_if<std::string>(&value); text && name == plan::kPresetSetting) set = *text;
+  if (!set.ends_with(".lua")) return;
+  Path here = fs::absolute(set).lexically_normal();
+  bool is_here = texts.count(here) || fs::is_regular_file(here) || Path(set).is_absolute();
+  Path file = is_here ? here : home.find(set).value_or(here);
+  request["preset"] = file.string();
+  request["preset_shown"] = home.shown(file);
+}
+
 // Bytes that are no UTF-8 (in a file name, in a setting) become replacement characters.
 std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -134,12 +147,16 @@ Json resultOf(const Main& main, const ProgramEnd& child, std::vector<Dependency>
 }
 
 // What run.lua's `function` returns.
-Json evaluate(const Home& home, const Main& main, const std::string& function, const Json& argument,
-              std::vector<Dependency>* dependencies, const Limits& limits, const Texts& texts = {}) {
+Json evaluate(const Home& home, const Main& main, const Json& request, std::vector<Dependency>* dependencies,
+              const Limits& limits) {
   if (dependencies) *dependencies = {};
   if (dependencies && !main.file.empty()) *dependencies = {{main.file, main.shown, hashOfPath(main.file)}};
-  ProgramEnd child = runChild(home.program(), textOf(requestOf(home, main, function, argument, limits, texts)), limits);
-  return resultOf(main, child, dependencies, limits);
+  return resultOf(main, runChild(home.program(), textOf(request), limits), dependencies, limits);
+}
+
+Json evaluate(const Home& home, const Main& main, const std::string& function, const Json& argument,
+              std::vector<Dependency>* dependencies, const Limits& limits, const Texts& texts = {}) {
+  return evaluate(home, main, requestOf(home, main, function, argument, limits, texts), dependencies, limits);
 }
 
 // One of many: a request, or the error that there is none.
@@ -230,9 +247,13 @@ Setting settingFromText(const std::string& text, const std::string& option) {
   return {text.substr(0, equals), plan::valueFromText(text.substr(equals + 1))};
 }
 
-static Json pipelineArgument(const Main& main, const Settings& sets, bool lenient) {
-  return {
-      {"name", main.name}, {"file", main.shown}, {"sets", settingsJson(lastOfEach(sets, false))}, {"lenient", lenient}};
+static Json pipelineRequest(const Home& home, const Main& main, const PipelineRequest& asked, bool lenient,
+                            const Limits& limits) {
+  Json sets = settingsJson(lastOfEach(asked.sets, false));
+  Json argument = {{"name", main.name}, {"file", main.shown}, {"sets", sets}, {"lenient", lenient}};
+  Json request = requestOf(home, main, "pipeline", argument, limits, asked.texts);
+  addPreset(home, asked.sets, asked.texts, request);
+  return request;
 }
 
 static plan::PipelineDesc pipelineOf(const Main& main, Json result, std::vector<DroppedSetting>* dropped) {
@@ -249,8 +270,8 @@ plan::PipelineDesc evaluatePipeline(const Home& home, const PipelineRequest& req
                                     std::vector<Dependency>* dependencies, const Limits& limits,
                                     std::vector<DroppedSetting>* dropped) {
   Main main = mainOf(home, request.name_or_path, "pipeline", request.texts);
-  Json argument = pipelineArgument(main, request.sets, dropped != nullptr);
-  return pipelineOf(main, evaluate(home, main, "pipeline", argument, dependencies, limits, request.texts), dropped);
+  Json asked = pipelineRequest(home, main, request, dropped != nullptr, limits);
+  return pipelineOf(main, evaluate(home, main, asked, dependencies, limits), dropped);
 }
 
 std::vector<Outcome<plan::PipelineDesc>> evaluatePipelines(const Home& home,
@@ -260,8 +281,7 @@ std::vector<Outcome<plan::PipelineDesc>> evaluatePipelines(const Home& home,
   for (const PipelineRequest& request : requests)
     all.push_back(prepared([&](Prepared& one) {
       one.main = mainOf(home, request.name_or_path, "pipeline", request.texts);
-      Json argument = pipelineArgument(one.main, request.sets, false);
-      one.request = requestOf(home, one.main, "pipeline", argument, limits, request.texts);
+      one.request = pipelineRequest(home, one.main, request, false, limits);
     }));
   return outcomesOf<plan::PipelineDesc>(
       home, all, limits, [](const Main& main, Json result) { return pipelineOf(main, std::move(result), nullptr); });

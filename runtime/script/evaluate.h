@@ -44,7 +44,7 @@ struct Limits {
 
 struct PipelineRequest {
   std::string name_or_path;  // "x" for scripts/pipelines/x.lua, or a path that ends in ".lua"
-  // "PARAM" of the pipeline or "NODE.PARAM"; names that begin with "scene." are left to `evaluateScene`.
+  // "PARAM" of the pipeline (a preset may be a file "x.lua"), "NODE.PARAM"; "scene.PARAM" is left to `evaluateScene`.
   Settings sets;
   Texts texts = {};
 };

@@ -304,14 +304,34 @@ struct Sandbox::Callbacks {
     return lua;
   }
 
+  // Pushes the file as a function.
+  static void loadFile(lua_State* lua, const Path& file, const std::string& shown) {
+    Sandbox& sandbox = self(lua);
+    if (!sandbox.guarded([&] { sandbox.read(file, shown); })) {
+      lua_pushlstring(lua, sandbox.text_.data(), sandbox.text_.size());
+      lua_error(lua);
+    }
+    loadChunk(lua);
+  }
+
+  // native.preset(): runs the file of the preset that was asked for; true, what it returns, and how errors name it, or
+  // false where there is no such file.
+  static int preset(lua_State* lua) {
+    Sandbox& sandbox = self(lua);
+    bool there = false;
+    sandbox.guarded([&] { there = sandbox.isThere(sandbox.options_.preset); });
+    lua_pushboolean(lua, there);
+    if (!there) return 1;
+    loadFile(lua, sandbox.options_.preset, sandbox.options_.preset_shown);
+    lua_call(lua, 0, 1);
+    lua_pushstring(lua, sandbox.options_.preset_shown.c_str());
+    return 3;
+  }
+
   // native.main(...): runs the file that was asked for.
   static int main(lua_State* lua) {
     Sandbox& sandbox = self(lua);
-    if (!sandbox.guarded([&] { sandbox.read(sandbox.options_.main, sandbox.options_.shown); })) {
-      lua_pushlstring(lua, sandbox.text_.data(), sandbox.text_.size());
-      return lua_error(lua);
-    }
-    loadChunk(lua);
+    loadFile(lua, sandbox.options_.main, sandbox.options_.shown);
     lua_insert(lua, 1);
     lua_call(lua, lua_gettop(lua) - 1, 1);
     return 1;
@@ -459,6 +479,7 @@ void Sandbox::loadPrelude() {
                                        {"write", Callbacks::write},
                                        {"require", Callbacks::require},
                                        {"main", Callbacks::main},
+                                       {"preset", Callbacks::preset},
                                        {nullptr, nullptr}};
   lua_newtable(lua_);
   lua_newtable(lua_);

@@ -31,6 +31,8 @@ class Sandbox {
     Path main;                // the file that `native.main` runs
     std::string shown;        // how errors name it
     bool own_folder = false;  // its folder is searched by `require` too
+    Path preset;              // the file that `native.preset` runs, or ""
+    std::string preset_shown;
     size_t memory_bytes = size_t{256} << 20;
     std::map<std::string, std::string> texts;  // read instead of the files of these absolute paths
   };

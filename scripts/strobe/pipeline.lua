@@ -5,74 +5,19 @@ local check  = require "strobe.check"
 local native = require "strobe.native"
 local node   = require "strobe.node"
 local param  = require "strobe.param"
+local preset = require "strobe.preset"
 
 local pipeline = { int = param.int, float = param.float, bool = param.bool, choice = param.choice }
 
 pipeline.keys = {
   "doc", "kind", "params", "presets", "default_preset", "build", "breaks", "compare_with", "equals", "regions",
 }
-pipeline.preset_keys = { "doc", "set" }
 pipeline.equal_keys = { "when", "pipeline", "set" }
 pipeline.loop_keys = { "name", "count", "times", "slices", "until_", "body" }
 
 local Pipeline = {}
 
 -- ---- declaration
-
--- What a preset sets: values by the names of parameters, found at `path`.
-local function preset_values(problems, preset, set, params, place, path)
-  local names, values = {}, {}
-  for i, one in ipairs(params) do names[i] = one.name end
-  for name, value in pairs(set) do
-    local where = native.key_place(place, table.unpack(check.joined(path, name)))
-    local declared = param.find(params, name)
-    local wrong
-    if declared then values[name], wrong = param.check(declared, value) end
-    if wrong then problems:add(where, "preset '%s': %s", preset, wrong) end
-    if not declared then
-      local near = type(name) == "string" and native.nearest(name, names) or ""
-      problems:add(where, "preset '%s' sets %s, which is no parameter%s", preset, check.quoted(name), near)
-    end
-  end
-  return values
-end
-
-local function declare_preset(problems, name, given, params, place)
-  local what, path = ("preset %s"):format(check.quoted(name)), { "presets", name }
-  local at = native.key_place(place, "presets", name)
-  if not check.is_name(name) then problems:add(at, "%s is not a name for a preset", check.quoted(name)) end
-  if type(given) ~= "table" then
-    problems:add(at, "%s is a %s instead of a table { doc = \"...\", set = { ... } }", what, type(given))
-    return nil
-  end
-  check.keys(problems, given, pipeline.preset_keys, place, what, path)
-  local preset = { name = name, default = false, values = {}, doc = check.doc(problems, given, place, what, path) }
-  if check.field(problems, given, "set", "table", place, what, path) then
-    preset.values = preset_values(problems, name, given.set, params, place, check.joined(path, "set"))
-  end
-  return preset
-end
-
--- Presets by name, one of them the default: the one named, or "none", which sets nothing.
-local function declare_presets(problems, t, params, place)
-  local list, names = {}, {}
-  if t.presets == nil then return list end
-  if t.default_preset == nil then
-    list[1] = { name = "none", doc = "every parameter has its default", default = true, values = {} }
-  end
-  for name, given in pairs(t.presets) do
-    names[#names + 1] = name
-    local preset = declare_preset(problems, name, given, params, place)
-    if preset then preset.default = name == t.default_preset end
-    list[#list + 1] = preset
-  end
-  if t.default_preset ~= nil and not check.contains(names, t.default_preset) then
-    local near = native.nearest(t.default_preset, names)
-    problems:add(native.key_place(place, "default_preset"), "there is no preset %s%s", check.quoted(t.default_preset),
-                 near)
-  end
-  return list
-end
 
 local function check_kind(problems, t, place)
   if t.kind == nil then return "method" end
@@ -158,7 +103,7 @@ local function declare(place, t)
   problems:raise()
   local result = { doc = doc, params = params, build = t.build, place = place }
   result.kind = check_kind(problems, t, place)
-  result.presets = declare_presets(problems, t, params, place)
+  result.presets = preset.declare_all(problems, t, params, place)
   result.regions = declare_regions(problems, t, place)
   result.breaks = check.breaks(problems, t.breaks, place, "the pipeline", { "breaks" })
   result.equals = check_equals(problems, t, params, place)
@@ -273,28 +218,17 @@ local function refuse(problems, dropped, set, text, ...)
   dropped[#dropped + 1] = { name = set.name, value = tostring(set.value), reason = text:format(...) }
 end
 
--- The name by which a setting takes a preset, as a declaration; nil where there are none.
-local function preset_choice(self)
-  local choice = { name = "preset", type = "choice", choices = {}, unit = "" }
-  for i, preset in ipairs(self.presets) do
-    choice.choices[i] = preset.name
-    if preset.default then choice.default = preset.name end
-  end
-  return #self.presets > 0 and choice or nil
-end
-
--- Values of all parameters: default < preset < set, and the preset. Names that no parameter has are left in `unknown`.
+-- Values of all parameters: default < preset < set; the presets there are and the one taken. Names that no parameter has
+-- are left in `unknown`.
 local function resolve(problems, self, sets, dropped)
   local values, unknown, explicit = {}, {}, {}
-  local choice = preset_choice(self)
-  local chosen = choice and choice.default
+  local presets, chosen = self.presets, preset.default_of(self.presets)
   for _, set in ipairs(sets) do
-    local of_preset = choice and set.name == choice.name
     local declared = param.find(self.params, set.name)
-    if of_preset then
-      local value, wrong = native.check_value(choice, set.value)
+    if preset.is_set_by(set, presets) then
+      local more, value, wrong = preset.taken(problems, presets, self.params, set.value)
       if wrong then refuse(problems, dropped, set, "%s", wrong) end
-      chosen = value or chosen
+      presets, chosen = more or presets, value or chosen
     elseif declared then
       local value, wrong = native.check_value(declared, set.value)
       if wrong then refuse(problems, dropped, set, "%s", wrong) end
@@ -305,10 +239,10 @@ local function resolve(problems, self, sets, dropped)
   end
   problems:raise()
   for _, one in ipairs(self.params) do values[one.name] = one.default end
-  local preset = param.find(self.presets, chosen)
-  for name, value in pairs(preset and preset.values or {}) do values[name] = value end
+  local taken = param.find(presets, chosen)
+  for name, value in pairs(taken and taken.values or {}) do values[name] = value end
   for name, value in pairs(explicit) do values[name] = value end
-  return values, unknown, chosen
+  return values, unknown, presets, chosen
 end
 
 -- The `p` of a build.
@@ -436,7 +370,7 @@ function pipeline.describe(self, name, file, sets, lenient)
   for _, set in ipairs(sets) do set.place = { file = ("--set %s=%s"):format(set.name, set.value), line = 0 } end
   local problems = check.problems()
   local dropped = lenient and {} or nil
-  local values, unknown, preset = resolve(problems, self, sets, dropped)
+  local values, unknown, presets, chosen = resolve(problems, self, sets, dropped)
 
   local used, noted = {}, {}
   local graph = { nodes = {}, passes = {}, loops = {}, records = {}, params = self.params }
@@ -453,7 +387,7 @@ function pipeline.describe(self, name, file, sets, lenient)
   return {
     name = name, file = file, doc = self.doc, kind = self.kind, breaks = self.breaks,
     compare_with = self.compare_with, equals = self.equals, params = self.params, graph_params = check.names(noted),
-    presets = self.presets, preset = preset, values = values, passes = in_order(graph.passes), nodes = graph.nodes,
+    presets = presets, preset = chosen, values = values, passes = in_order(graph.passes), nodes = graph.nodes,
     loops = graph.loops, outputs = sources, regions = regions, dropped = dropped or {},
   }
 end

@@ -431,4 +431,80 @@ TEST_F(Evaluate, DataGetsItsArguments) {
   EXPECT_EQ(result.dump(), R"({"half":1.5,"twice":6})");
 }
 
+// ---- presets of files
+
+// A pipeline of its own beside the file of a preset.
+class PresetFile : public Evaluate {
+ protected:
+  std::string write(const std::string& table) {
+    home_.write("tried/found.lua", "local preset = require \"strobe.preset\"\n\nreturn preset {\n" + table + "}\n");
+    return (home_.folder() / "tried/found.lua").string();
+  }
+};
+
+TEST_F(PresetFile, IsTakenWhereANameIs) {
+  std::string file = write("  doc = \"found\",\n  set = { tile = 8, method = \"truth\" },\n");
+  plan::PipelineDesc p = evaluate({{"preset", file}});
+  EXPECT_EQ(p.preset, file);
+  EXPECT_EQ(valuesOf(p)["tile"], 8);
+  EXPECT_EQ(valuesOf(p)["samples"], 16) << "not of the default preset";
+  EXPECT_EQ(p.loops.size(), 1u) << "it decides the graph";
+  ASSERT_EQ(p.presets.size(), 3u);
+  EXPECT_EQ(p.presets[2].doc, "found");
+  EXPECT_EQ(valuesOf(evaluate({{"tile", "4"}, {"preset", file}}))["tile"], 4) << "a setting of its own wins";
+  EXPECT_EQ(valuesOf(evaluate({{"preset", "tried/found.lua"}}))["tile"], 8) << "of the home where it is not here";
+  Outcome<plan::PipelineDesc> one = std::move(evaluatePipelines(home_.home(), {{"sample", {{"preset", file}}}})[0]);
+  EXPECT_EQ(valuesOf(one.take())["tile"], 8);
+}
+
+TEST_F(PresetFile, IsADependency) {
+  std::string file = write("  doc = \"found\",\n  set = { tile = 8 },\n");
+  std::vector<Dependency> dependencies;
+  evaluatePipeline(home_.home(), {"sample", {{"preset", file}}}, &dependencies);
+  EXPECT_TRUE(std::any_of(dependencies.begin(), dependencies.end(), [&](const Dependency& one) {
+    return one.path == file && one.shown == "tried/found.lua" && one.hash == hashOfPath(file);
+  }));
+  Texts edited = {{file, "return require(\"strobe.preset\") { doc = \"x\", set = { tile = 2 } }"}};
+  EXPECT_EQ(valuesOf(evaluatePipeline(home_.home(), {"sample", {{"preset", file}}, edited}))["tile"], 2);
+}
+
+TEST_F(PresetFile, IsOneOfAPipelineWithoutPresets) {
+  std::string text = kPipeline;
+  size_t from = text.find("  presets = {"), to = text.find("  build =");
+  home_.write("scripts/pipelines/sample.lua", text.erase(from, to - from));
+  plan::PipelineDesc p = evaluate({{"preset", write("  doc = \"found\",\n  set = { tile = 8 },\n")}});
+  EXPECT_EQ(valuesOf(p)["tile"], 8);
+  ASSERT_EQ(p.presets.size(), 2u);
+  EXPECT_EQ(p.presets[0].name, "none");
+  EXPECT_TRUE(p.presets[0].is_default);
+}
+
+TEST_F(PresetFile, IsRefusedAtTheLineOfTheMistake) {
+  auto refused = [&](const std::string& table) { return failure({{"preset", write(table)}}); };
+  std::string named = "preset '" + (home_.folder() / "tried/found.lua").string() + "'";
+  EXPECT_EQ(refused("  doc = \"x\",\n  set = {\n    tiel = 8,\n  },\n"),
+            "tried/found.lua:6: " + named + " sets 'tiel', which is no parameter; did you mean 'tile'?");
+  EXPECT_EQ(refused("  doc = \"x\",\n  set = { tile = 1 },\n"),
+            "tried/found.lua:5: " + named + ": 'tile' = 1 is below min 2 (range 2 to 64 px)");
+  EXPECT_EQ(refused("  doc = \"x\",\n  sets = {},\n  set = {},\n"),
+            "tried/found.lua:5: " + named + " has no field 'sets'; did you mean 'set'?");
+  EXPECT_EQ(refused("  set = {},\n"), "tried/found.lua:3: " + named + " has no 'doc' that says what it means");
+  home_.write("tried/found.lua", "return {}\n");
+  EXPECT_EQ(failure({{"preset", "tried/found.lua"}}),
+            "tried/found.lua: returns a table instead of preset { ... } of strobe.preset");
+  home_.write("tried/found.lua", "return 1 +\n");
+  EXPECT_EQ(failure({{"preset", "tried/found.lua"}}).substr(0, 18), "tried/found.lua:2:");
+  EXPECT_EQ(failure({{"preset", "tried/gone.lua"}}),
+            "--set preset=tried/gone.lua: there is no preset file 'tried/gone.lua'");
+}
+
+TEST_F(PresetFile, ThatIsGoneIsDroppedWhereSettingsMayBe) {
+  std::vector<DroppedSetting> dropped;
+  plan::PipelineDesc p =
+      evaluatePipeline(home_.home(), {"sample", {{"preset", "tried/gone.lua"}}}, nullptr, {}, &dropped);
+  ASSERT_EQ(dropped.size(), 1u);
+  EXPECT_EQ(dropped[0].reason, "there is no preset file 'tried/gone.lua'");
+  EXPECT_EQ(p.preset, "fine");
+}
+
 }  // namespace strobe::script

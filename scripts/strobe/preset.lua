@@ -1,0 +1,124 @@
+-- SPDX-License-Identifier: MIT
+-- Presets: named sets of values of a pipeline's parameters. A pipeline declares its own; `--set preset=FILE.lua` takes
+-- one of a file, `return preset { doc = "...", set = { tile = 16 } }`. Which parameters there are, the pipeline decides.
+local check  = require "strobe.check"
+local native = require "strobe.native"
+local param  = require "strobe.param"
+
+local preset = {}
+
+preset.keys = { "doc", "set" }
+
+local Preset = {}  -- of a file: { given = , place = }
+
+setmetatable(preset, { __call = native.at_caller(function(place, _, t)
+  if type(t) ~= "table" then check.fail(place, "preset wants a table: preset { doc = \"...\", set = { ... } }") end
+  return setmetatable({ given = t, place = place }, Preset)
+end) })
+check.closed(preset, "preset")
+
+-- What a preset sets: values by the names of parameters, found at `path`.
+local function values_of(problems, what, set, params, place, path)
+  local names, values = {}, {}
+  for i, one in ipairs(params) do names[i] = one.name end
+  for name, value in pairs(set) do
+    local where = native.key_place(place, table.unpack(check.joined(path, name)))
+    local declared = param.find(params, name)
+    local wrong
+    if declared then values[name], wrong = param.check(declared, value) end
+    if wrong then problems:add(where, "%s: %s", what, wrong) end
+    if not declared then
+      local near = type(name) == "string" and native.nearest(name, names) or ""
+      problems:add(where, "%s sets %s, which is no parameter%s", what, check.quoted(name), near)
+    end
+  end
+  return values
+end
+
+-- The preset that the table at `path` from the call at `place` declares.
+local function declared_by(problems, name, given, params, place, path)
+  local what = ("preset '%s'"):format(name)
+  check.keys(problems, given, preset.keys, place, what, path)
+  local result = { name = name, default = false, values = {}, doc = check.doc(problems, given, place, what, path) }
+  if check.field(problems, given, "set", "table", place, what, path) then
+    result.values = values_of(problems, what, given.set, params, place, check.joined(path, "set"))
+  end
+  return result
+end
+
+local function declare(problems, name, given, params, place)
+  local at = native.key_place(place, "presets", name)
+  if not check.is_name(name) then problems:add(at, "%s is not a name for a preset", check.quoted(name)) end
+  if type(given) ~= "table" then
+    problems:add(at, "preset %s is a %s instead of a table { doc = \"...\", set = { ... } }", check.quoted(name),
+                 type(given))
+    return nil
+  end
+  return declared_by(problems, tostring(name), given, params, place, { "presets", name })
+end
+
+-- The preset in which every parameter has its default.
+local function none()
+  return { name = "none", doc = "every parameter has its default", default = true, values = {} }
+end
+
+-- Presets of a pipeline's table by name, one of them the default: the one named, or "none", which sets nothing.
+function preset.declare_all(problems, t, params, place)
+  local list, names = {}, {}
+  if t.presets == nil then return list end
+  if t.default_preset == nil then list[1] = none() end
+  for name, given in pairs(t.presets) do
+    names[#names + 1] = name
+    local one = declare(problems, name, given, params, place)
+    if one then one.default = name == t.default_preset end
+    list[#list + 1] = one
+  end
+  if t.default_preset ~= nil and not check.contains(names, t.default_preset) then
+    local near = native.nearest(t.default_preset, names)
+    problems:add(native.key_place(place, "default_preset"), "there is no preset %s%s", check.quoted(t.default_preset),
+                 near)
+  end
+  return list
+end
+
+-- ---- one that a setting takes
+
+local function is_file(value) return type(value) == "string" and value:find("%.lua$") ~= nil end
+
+function preset.is_set_by(set, presets) return set.name == "preset" and (#presets > 0 or is_file(set.value)) end
+
+-- The name of the default preset, or nil.
+function preset.default_of(presets)
+  for _, one in ipairs(presets) do
+    if one.default then return one.name end
+  end
+  return nil
+end
+
+-- `presets` and, behind them, the one of the file that the request names; nil and what is wrong where there is no such
+-- file.
+local function with_file(problems, presets, params, name)
+  local there, given, shown = native.preset()
+  if not there then return nil, nil, ("there is no preset file '%s'"):format(name) end
+  if getmetatable(given) ~= Preset then
+    problems:add({ file = shown, line = 0 }, "returns %s instead of preset { ... } of strobe.preset",
+                 given == nil and "nothing" or "a " .. type(given))
+    return nil
+  end
+  local list = { table.unpack(presets) }
+  if #list == 0 then list[1] = none() end
+  list[#list + 1] = declared_by(problems, name, given.given, params, given.place, {})
+  return list, name
+end
+
+-- What `--set preset=VALUE` takes: the presets there are then and the name of the one taken, or nil, nil and what is
+-- wrong.
+function preset.taken(problems, presets, params, value)
+  if is_file(value) then return with_file(problems, presets, params, value) end
+  local choice = { name = "preset", type = "choice", choices = {}, unit = "" }
+  for i, one in ipairs(presets) do choice.choices[i] = one.name end
+  local name, wrong = native.check_value(choice, value)
+  return presets, name, wrong
+end
+
+return preset
