@@ -50,6 +50,8 @@ class Sweep {
   bool isWhole() const { return stopped_ || (timed() == points_.size() && !samplesOwn()); }
   // Whether all points share one truth, the window's.
   bool sharesTruth() const { return own_keys_.empty(); }
+  // Whether truths of single values are still sampled.
+  bool samplesOwn() const { return !stopped_ && next_own_ < own_keys_.size(); }
   // Samples of the truth that errors are measured against, the least of all points; 0 while one has no error.
   int samples() const;
 
@@ -58,7 +60,6 @@ class Sweep {
   bool draw();
   bool time();
   bool measure(const GatheredTruth& shared);
-  bool samplesOwn() const { return !stopped_ && next_own_ < own_keys_.size(); }
   bool sampleOwn();
   void fail(SweepPoint& point, const Error& error);
 

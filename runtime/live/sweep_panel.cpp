@@ -113,6 +113,7 @@ std::string progressText(const Sweep& sweep, const Desk& desk) {
   size_t count = sweep.points().size();
   std::string done = sweep.stopped()         ? "stopped"
                      : sweep.drawn() < count ? fmt::format("drawing {} of {}", sweep.drawn() + 1, count)
+                     : sweep.samplesOwn()    ? "sampling each value's truth"
                      : sweep.timed() < count ? fmt::format("timing, {} of {} done", sweep.timed(), count)
                                              : fmt::format("{} values", count);
   std::string against = sweep.samples() == 0 ? "no errors yet"
