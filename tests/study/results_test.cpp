@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 #include "common/home.h"
@@ -183,6 +185,15 @@ Results committed(const std::string& question) {
   return resultsFrom(Json::parse(readText(file)), file.string());
 }
 
+// Every question in experiments/ that has been answered.
+std::vector<std::string> answered() {
+  std::vector<std::string> questions;
+  for (const auto& entry : std::filesystem::directory_iterator(home().shipped() / "experiments"))
+    if (exists(entry.path() / "result.json")) questions.push_back(entry.path().filename().string());
+  std::sort(questions.begin(), questions.end());
+  return questions;
+}
+
 class Committed : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Committed, PagesAreMadeOfTheirNumbers) {
@@ -229,7 +240,20 @@ TEST_P(Committed, NumbersAreOfTheExperimentAsItIs) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Questions, Committed, ::testing::Values("extremes", "real_scenes", "samples"));
+// What was expected, whether it holds, and the numbers for it; and a line in the list of questions.
+TEST_P(Committed, PagesStateEveryExpectation) {
+  std::string text = readText(home().shipped() / "experiments" / GetParam() / "result.md");
+  for (const Expectation& expectation : committed(GetParam()).expectations) {
+    if (expectation.outcome == "does not apply") continue;
+    std::string stated = "Expected: " + expectation.text + ". This " + expectation.outcome;
+    EXPECT_NE(text.find(stated), std::string::npos) << stated;
+    EXPECT_NE(text.find(expectation.detail), std::string::npos) << expectation.detail;
+  }
+  EXPECT_NE(readText(home().shipped() / "experiments/README.md").find("(" + GetParam() + "/result.md)"),
+            std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Questions, Committed, ::testing::ValuesIn(answered()));
 
 }  // namespace
 }  // namespace strobe::study

@@ -1,0 +1,107 @@
+-- SPDX-License-Identifier: MIT
+-- A closed thing slides past panels: what a ray through it meets before it meets what is uncovered. All unlit, so that
+-- luminances are those of the colours. It moves `speed` px over the exposure.
+-- cell    side of the cells behind, px
+-- front   plain     a box of one colour
+--         textured  the same box, checkered: its far side is as bright as its near side at half of the pixels
+--         parts     an object of two parts of different luminance: a box with another box in it
+--         alike     the same, both parts of one luminance
+--         nodes     the parts as two objects that move as one
+--         posts     a ring of posts, one object, that turns: far posts move against near ones
+-- behind  varied    a wall of cells of different luminance
+--         alike     a panel whose cells are as bright as the plain box, in other colours, before that wall
+local scene = require "strobe.scene"
+local stage = require("scripts.scenes.lib.stage").open()
+
+local front, behind = scene.param("front", "plain"), scene.param("behind", "varied")
+local speed, cell = scene.param("speed", 24), scene.param("cell", 9)
+local depth, thickness = 10, 2
+local w, h = stage.width, stage.height
+
+-- ---- colours
+
+-- `color` scaled so that its luminance is `luminance`.
+local function as_bright(color, luminance)
+  local factor = luminance / (0.2126 * color[1] + 0.7152 * color[2] + 0.0722 * color[3])
+  return { factor * color[1], factor * color[2], factor * color[3] }
+end
+
+local orange, blue = as_bright({ 1, 0.3, 0.05 }, 0.25), as_bright({ 0.2, 0.45, 1 }, 0.25)
+local alike = { blue, as_bright({ 0.1, 1, 0.3 }, 0.25), as_bright({ 0.9, 0.4, 0.9 }, 0.25) }
+
+local function flat(name, color) return scene.material { name = name, color = color, unlit = true } end
+
+-- ---- what moves
+
+-- As wide and high as so many pixels at its near side.
+local function box(pixels_wide, pixels_high, deep)
+  local metre = stage:point(w / 2 + 1, h / 2, depth)[1]
+  return scene.box { size = { pixels_wide * metre, pixels_high * metre, deep * stage.scale } }
+end
+
+local outer, inner = box(0.26 * w // 1, 0.4 * h // 1, thickness), box(0.2 * w // 1, 0.3 * h // 1, thickness / 2)
+local middle = stage:placed(stage:point(w / 2, h / 2, depth + thickness / 2))
+local sliding = { velocity = stage:velocity(speed, 0, depth) }
+
+local function object(name, fields)
+  fields.name, fields.position, fields.motion = name, middle, fields.motion or sliding
+  return scene.node(fields)
+end
+
+local function with_core(luminance)
+  return { { shape = outer, material = flat("shell", orange) },
+           { shape = inner, material = flat("core", as_bright(blue, luminance)) } }
+end
+
+local fronts = {}
+
+function fronts.plain() return { object("box", { shape = outer, material = flat("shell", orange) }) } end
+
+function fronts.textured()
+  local checker = scene.texture.checker { size = { 64, 64 }, colors = { orange, as_bright(blue, 0.1) }, count = 6 }
+  return { object("box", { shape = outer,
+    material = scene.material { name = "shell", color_texture = checker, unlit = true } }) }
+end
+
+function fronts.parts() return { object("box", { parts = with_core(0.08) }) } end
+
+function fronts.alike() return { object("box", { parts = with_core(0.25) }) } end
+
+function fronts.nodes()
+  local nodes = {}
+  for i, part in ipairs(with_core(0.08)) do nodes[i] = object("box_" .. i, part) end
+  return nodes
+end
+
+function fronts.posts()
+  local radius, count, parts = 3 * stage.scale, 10, {}
+  for i = 1, count do
+    local angle = 2 * math.pi * (i + 0.25) / count
+    parts[i] = {
+      shape = box(12, 0.5 * h // 1, 0.6), position = { radius * math.sin(angle), 0, radius * math.cos(angle) },
+      rotation = { 0, math.deg(angle), 0 },
+      material = flat("post_" .. i % 3, ({ orange, alike[1], as_bright(orange, 0.1) })[1 + i % 3]),
+    }
+  end
+  -- So that the near side moves by `speed` pixels.
+  local near = (depth + thickness / 2) * stage.scale - radius
+  local degrees = math.deg(speed * near / stage.focal_px / radius)
+  return { object("posts", { parts = parts,
+    motion = { axis = { 0, 1, 0 }, degrees_per_second = degrees * stage.fps / stage.exposure } }) }
+end
+
+-- ---- what is behind
+
+local function wall(name, colors, at, seed)
+  return stage:panel { name = name, edges = { -8, -8, w + 8, h + 8 }, cell = cell, seed = seed, colors = colors, depth = at }
+end
+
+local function choice(list, name, what)
+  return list[name] or error(("behind: there is no %s '%s'"):format(what, tostring(name)), 0)
+end
+
+local nodes = choice(fronts, front, "front")()
+nodes[#nodes + 1] = wall("wall", stage.cold, 30, 1)
+if behind == "alike" then nodes[#nodes + 1] = wall("panel", alike, 16, 2) end
+
+return stage:scene("behind", nodes, depth / 10)
