@@ -189,7 +189,7 @@ Results committed(const std::string& question) {
 std::vector<std::string> answered() {
   std::vector<std::string> questions;
   for (const auto& entry : std::filesystem::directory_iterator(home().shipped() / "experiments"))
-    if (exists(entry.path() / "result.json")) questions.push_back(entry.path().filename().string());
+    if (exists(entry.path() / "result.md")) questions.push_back(entry.path().filename().string());
   std::sort(questions.begin(), questions.end());
   return questions;
 }
