@@ -3,8 +3,8 @@
 local experiment = require "strobe.experiment"
 
 -- Why a failed expectation fails.
-local thinned = "thinning leaves gaps where twigs cross, through which the range check sees no edge"
-local creases = "at a threshold beyond a right angle's step normals mark nothing, and depth alone misses small steps"
+local thinned = "thinning edges to lines of one pixel marks fewer pixels than there are to reveal"
+local creases = "they do say something: a low threshold of normals marks silhouettes whose step of depth is small"
 
 local list = experiment.list
 local gradients = { "sobel", "scharr", "prewitt", "roberts" }

@@ -13,33 +13,57 @@ namespace strobe::study {
 
 void append(Parts& parts, Parts more) { std::move(more.begin(), more.end(), std::back_inserter(parts)); }
 
-static std::vector<const Expectation*> expectationsOf(const Results& results, const std::string& shot,
-                                                      const std::string& axis) {
-  std::vector<const Expectation*> list;
-  for (const Expectation& one : results.expectations)
-    if (one.shot == shot && one.axis == axis) list.push_back(&one);
-  return list;
+namespace {
+
+using Expectations = std::vector<const Expectation*>;
+
+std::string sentenceOf(const Expectation& one) {
+  std::string detail = one.detail.empty() ? "" : " (" + one.detail + ")";
+  std::string known = one.known.empty() ? "" : " Known: " + one.known + ".";
+  return fmt::format("Expected: {}. This {}{}.{}", one.text, one.outcome, detail, known);
 }
 
 // Sentences where there are no pages, there a table: what was expected beside what became of it.
-Parts expectationParts(const Results& results, const std::string& shot, const std::string& axis) {
+Parts outcomesOf(const Expectations& expectations, bool headed) {
   Parts parts;
   page::Table table;
   table.columns = {"expected", "outcome", "numbers", "known to fail"};
-  for (const Expectation* one : expectationsOf(results, shot, axis)) {
-    std::string detail = one->detail.empty() ? "" : " (" + one->detail + ")";
-    std::string known = one->known.empty() ? "" : " Known: " + one->known + ".";
-    parts.push_back(text(fmt::format("Expected: {}. This {}{}.{}", one->text, one->outcome, detail, known),
-                         one->contradicts() ? Tone::failure : Tone::finding, Part::kTerminal | Part::kDocument));
+  for (const Expectation* one : expectations) {
+    parts.push_back(
+        text(sentenceOf(*one), one->contradicts() ? Tone::failure : Tone::finding, Part::kTerminal | Part::kDocument));
     page::Mark mark = one->contradicts()        ? page::Mark::bad
                       : one->outcome == "holds" ? page::Mark::best
                                                 : page::Mark::none;
     table.add({one->text, page::Cell(one->outcome, mark), one->detail, one->known});
   }
   if (parts.empty()) return parts;
-  if (shot.empty() && axis.empty()) parts.push_back(heading("Expectations", 2, "expectations", Part::kPage));
+  if (headed) parts.push_back(heading("Expectations", 2, "expectations", Part::kPage));
   parts.push_back({page::withoutEmptyColumns(std::move(table)), Part::kPage});
   return parts;
+}
+
+bool tells(const Parts& sections, const std::string& sentence) {
+  return std::any_of(sections.begin(), sections.end(), [&](const Part& part) {
+    const auto* paragraph = std::get_if<page::Paragraph>(&part.block);
+    return paragraph && paragraph->text == sentence;
+  });
+}
+
+// Of which no section tells: those of no shot or axis, and those of one that is not laid out.
+Expectations expectationsBeside(const Results& results, const Parts& sections) {
+  Expectations list;
+  for (const Expectation& one : results.expectations)
+    if (!tells(sections, sentenceOf(one))) list.push_back(&one);
+  return list;
+}
+
+}  // namespace
+
+Parts expectationParts(const Results& results, const std::string& shot, const std::string& axis) {
+  Expectations list;
+  for (const Expectation& one : results.expectations)
+    if (one.shot == shot && one.axis == axis) list.push_back(&one);
+  return outcomesOf(list, false);
 }
 
 namespace {
@@ -119,17 +143,20 @@ Report::Report(const Results& results, const Path& folder) : results_(results), 
 
 // Without paragraphs that say nothing.
 Parts Report::parts(int divisor) const {
-  Parts parts = expectationParts(results_, "", "");
+  Parts sections;
+  if (picturesOf(results_.layout)) append(sections, pictureParts(results_, galleries_, divisor));
+  if (curvesOf(results_.layout)) append(sections, curveParts(results_));
+  std::optional<TableLayout> table = tableOf(results_.layout);
+  if (frontOf(results_.layout)) append(sections, still(frontParts(results_)));
+  if (frontOf(results_.layout) || table) append(sections, still(effectParts(results_)));
+  if (table) append(sections, table->axes.empty() ? still(tableParts(results_)) : tableParts(results_));
+
+  Parts parts = outcomesOf(expectationsBeside(results_, sections), true);
   if (size_t missing = results_.missing())
     parts.push_back(
         study::text(fmt::format("{} points are not drawn yet; the sweep goes on where it is given again.", missing),
                     Tone::failure));
-  if (picturesOf(results_.layout)) append(parts, pictureParts(results_, galleries_, divisor));
-  if (curvesOf(results_.layout)) append(parts, curveParts(results_));
-  std::optional<TableLayout> table = tableOf(results_.layout);
-  if (frontOf(results_.layout)) append(parts, still(frontParts(results_)));
-  if (frontOf(results_.layout) || table) append(parts, still(effectParts(results_)));
-  if (table) append(parts, table->axes.empty() ? still(tableParts(results_)) : tableParts(results_));
+  append(parts, std::move(sections));
   std::erase_if(parts, [](const Part& part) {
     const auto* paragraph = std::get_if<page::Paragraph>(&part.block);
     return paragraph && paragraph->text.empty();
