@@ -16,7 +16,7 @@ Library findLibrary() {
                  first.starts_with("// https://d3js.org v7.");
     if (!known) continue;
     library.code = code;
-    library.name = first.substr(3);
+    library.name = "d3 " + first.substr(std::string_view("// https://d3js.org ").size());
     Path licence = std::string("/usr/share/doc/") + kLibraryPackage + "/copyright";
     if (std::filesystem::exists(licence, ignored)) library.licence = readText(licence);
     break;

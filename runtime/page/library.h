@@ -8,7 +8,7 @@ namespace strobe::page {
 
 struct Library {
   std::string code;     // "": it is not installed
-  std::string name;     // as its first line says: "https://d3js.org v5.16.0 Copyright 2022 Mike Bostock"
+  std::string name;     // and copyright, as its first line says: "d3 v5.16.0 Copyright 2022 Mike Bostock"
   std::string licence;  // conditions under which it may be passed on; "": the package's file is not here
 
   bool found() const { return !code.empty(); }

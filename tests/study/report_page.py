@@ -120,6 +120,9 @@ def table(page):
     page.click("#reset")
     expect("all again", len(numbers(page, "#points tbody tr") or numbers(page, "#view-front .mark")), 22)
     tab(page, "table")
+    page.run('document.querySelector("#points tr[data-point=\'8\'] td .link").focus()')
+    page.key("Enter")
+    expect("the focus stays", page.run("document.activeElement.closest('tr').dataset.point"), "8")
     page.click('#points tr[data-point="9"] td.number button')
     expect("its command", text(page, "#command-numbers"),
            "strobe sweep made.lua --only 'arm=third,shot=near,samples=4,tile=10' -o out/again")

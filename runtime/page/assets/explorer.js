@@ -49,12 +49,22 @@
 
   // ---- drawing
 
-  // What had the focus has it afterwards too, where it is drawn again.
+  // Where the focus is, in words that hold when all is drawn again: the mark of the chosen point, or the place among what
+  // can have the focus inside the nearest element with a name.
+  const reachable = host => [...host.querySelectorAll("a, button, input, select, textarea, summary, [tabindex]")];
+  function placeOf(element) {
+    if (!element || !element.closest(".explorer")) return () => null;
+    if (element.closest(".mark")) return () => document.querySelector(`.mark[data-point="${state.selected}"]`);
+    if (element.id) return () => part(element.id);
+    const host = element.parentElement.closest("[id]"), at = reachable(host).indexOf(element);
+    return () => part(host.id) && reachable(part(host.id))[at];
+  }
+
   function keepingFocus(work) {
-    const before = document.activeElement, mark = before && before.closest(".mark[data-point]");
+    const again = placeOf(document.activeElement);
     work();
-    const same = mark && document.querySelector(`.mark[data-point="${state.selected}"]`);
-    if (same) same.focus();
+    const same = again();
+    if (same && same !== document.activeElement) same.focus({ preventScroll: true });
   }
 
   explorer.remember = () => {
@@ -68,6 +78,8 @@
     explorer.drawPoint(part("point"));
     explorer.drawPins();
     explorer.remember();
+    const point = explorer.byNumber.get(state.selected);
+    part("explorer-said").textContent = point ? `Point ${point.n}: ${explorer.describe(point)}` : "";
   });
 
   explorer.select = n => {
@@ -99,7 +111,7 @@
 
   document.addEventListener("keydown", event => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
-    if (event.target.closest("input:not([type=checkbox]), select, textarea, .comparison, pre, .scroll")) return;
+    if (event.target.closest("input:not([type=checkbox]), select, textarea, .comparison") || event.target.matches("pre, .scroll")) return;
     const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
     const inside = event.target.closest(".explorer") || event.target === document.body;
     if (by && inside && (event.key === "ArrowRight" || event.key === "ArrowLeft" || event.target.closest(".mark"))) {

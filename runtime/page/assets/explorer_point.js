@@ -63,7 +63,7 @@
     for (const [name, title] of has_truth ? views : [views[1]]) {
       if (name === "flip" && point.flip === undefined) continue;
       const button = append(bar, "button", title, { type: "button", "aria-pressed": name === view, "data-view": name });
-      button.onclick = () => { state.view = name; explorer.changed(); document.querySelector(`#point [data-view=${name}]`).focus(); };
+      button.onclick = () => { state.view = name; explorer.changed(); };
     }
     const box = append(host, "div", undefined, { class: "stage " + view });
     box.style.aspectRatio = data.size[0] + " / " + data.size[1];

@@ -85,7 +85,6 @@
   }
 
   function drawFilters(host) {
-    const focused = document.activeElement && host.contains(document.activeElement) ? { ...document.activeElement.dataset } : null;
     host.textContent = "";
     const names = ["arm"].concat(data.axes.map(axis => axis.name));
     for (const name of names) {
@@ -96,9 +95,6 @@
     }
     for (const one of data.measures)
       if (one.better !== "neither") rangeFilter(host, one.name, explorer.measureTitle(one.name, state.region));
-    if (!focused) return;
-    const same = [...host.querySelectorAll("input")].find(one => ["filter", "level", "end"].every(key => one.dataset[key] === focused[key]));
-    if (same) same.focus();
   }
 
   // ---- the table
@@ -112,7 +108,6 @@
     button.onclick = () => {
       state.sort = up ? "-" + name : name;
       explorer.changed();
-      document.querySelector(`#points [data-sort="${CSS.escape(name)}"]`).focus();
     };
   }
 
@@ -128,7 +123,7 @@
 
   function fillRow(row, point, columns) {
     row.dataset.point = point.n;
-    if (point.n === state.selected) row.setAttribute("aria-selected", "true");
+    if (point.n === state.selected) row.setAttribute("aria-current", "true");
     const pin = append(row.insertCell(), "input", undefined, { type: "checkbox", "aria-label": `pin point ${point.n}` });
     pin.checked = state.pins.includes(point.n);
     pin.onchange = () => explorer.pin(point.n);
