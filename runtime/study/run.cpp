@@ -146,11 +146,11 @@ void describeShot(const Experiment& experiment, const TaskGroup& group, const St
   auto none = []() -> std::shared_ptr<const lab::Picture> { throw Error("truth was not drawn"); };
   std::shared_ptr<const lab::Picture> truth = store.truth(group.truth_keys.front(), none);
   if (summary.attribution.empty()) summary.attribution = attributionOf(truth->record["scene"]);
-  std::optional<PicturesLayout> pictures = picturesOf(experiment.layout);
-  if (!pictures) return;
+  if (experiment.shots[group.group->shot].crops.empty()) return;
+  PicturesLayout pictures = picturesOf(experiment.layout).value_or(PicturesLayout());
   TruthPicture against = truthPictureOf(experiment, *truth);
   for (const Crop& crop : experiment.shots[group.group->shot].crops)
-    summary.crops.push_back(placedCrop(experiment, crop, *pictures, against));
+    summary.crops.push_back(placedCrop(experiment, crop, pictures, against));
 }
 
 void describeShots(const Experiment& experiment, const std::vector<TaskGroup>& groups, const Store& store,

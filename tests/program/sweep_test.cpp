@@ -144,7 +144,8 @@ TEST(Demo, WritesSheetPageNumbersAndRecords) {
   Outcome again = run("report " + out);
   ASSERT_EQ(again.exit_code, 0) << again.err;
   EXPECT_EQ(contentOf(out + "/demo.html"), page);
-  EXPECT_FALSE(std::regex_search(page.substr(0, std::min<size_t>(200000, page.find("<script"))), std::regex("https?:|//[a-z]+\\.[a-z]+|@import|url\\(")));
+  EXPECT_FALSE(std::regex_search(page.substr(0, std::min<size_t>(200000, page.find("<script"))),
+                                 std::regex("https?:|//[a-z]+\\.[a-z]+|@import|url\\(")));
   EXPECT_NE(page.find("Small &lt;demo&gt; &amp; more"), std::string::npos);
   EXPECT_NE(page.find("Card by nobody"), std::string::npos);
   EXPECT_LT(page.size(), 12'000'000u);

@@ -15,7 +15,7 @@ class Page:
     """Problems: errors of the console, exceptions, and requests for anything but files and data."""
 
     def __init__(self, url, width=1400, height=1000, dark=False):
-        self.folder = tempfile.TemporaryDirectory(prefix="strobe_browser_")
+        self.folder = tempfile.TemporaryDirectory(prefix="strobe_browser_", ignore_cleanup_errors=True)
         to_child, to_browser = os.pipe()
         from_browser, from_child = os.pipe()
         command = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--remote-debugging-pipe", "--no-first-run",
@@ -40,8 +40,13 @@ class Page:
         self.go(url)
 
     def close(self):
-        self.process.kill()
-        self.process.wait()
+        try:
+            self.session = None
+            self.call("Browser.close")
+            self.process.wait(10)
+        except (OSError, TimeoutError, subprocess.TimeoutExpired):
+            self.process.kill()
+            self.process.wait()
         os.close(self.output)
         os.close(self.input)
         self.folder.cleanup()
@@ -56,7 +61,10 @@ class Page:
         while b"\0" not in self.rest:
             if not select.select([self.input], [], [], max(0, until - time.monotonic()))[0]:
                 raise TimeoutError("the browser does not answer")
-            self.rest += os.read(self.input, 1 << 20)
+            got = os.read(self.input, 1 << 20)
+            if not got:
+                raise OSError("the browser has ended")
+            self.rest += got
         text, self.rest = self.rest.split(b"\0", 1)
         return json.loads(text)
 

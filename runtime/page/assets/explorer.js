@@ -72,6 +72,7 @@
     if (text !== location.hash.replace(/^#/, "")) history.replaceState(null, "", text ? "#" + text : location.pathname);
   };
 
+  let preparing = 0;
   explorer.changed = () => keepingFocus(() => {
     showControls();
     tabs[state.tab](part("view-" + state.tab));
@@ -79,6 +80,8 @@
     explorer.drawPins();
     explorer.remember();
     const point = explorer.byNumber.get(state.selected);
+    clearTimeout(preparing);
+    preparing = setTimeout(explorer.prepareWorst, 300);
     part("explorer-said").textContent = point ? `Point ${point.n}: ${explorer.describe(point)}` : "";
   });
 

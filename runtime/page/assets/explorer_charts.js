@@ -166,7 +166,9 @@
         discrete(axis.name, axis.title, used.map(one => explorer.label(axis.name, one)),
                  point => explorer.label(axis.name, point.at[axis.name]));
       else {
-        const scale = d3.scaleLinear().domain(d3.extent(used)).range(range);
+        const [least, most] = d3.extent(used), wide = least > 0 && most > 20 * least;
+        const scale = (wide ? d3.scaleLog() : d3.scaleLinear()).domain([least, most]).range(range);
+        scale.log = wide;
         all.push({ name: axis.name, title: axis.title, scale, at: point => axis.name in point.at ? scale(point.at[axis.name]) : bottom + 14 });
       }
     }

@@ -68,16 +68,20 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
 
   // ---- what truth cannot tell apart
 
-  // Errors less than ten standard errors of truth above the smallest of their group are not ranked.
-  function isTied(point, name, region) {
-    if (name !== "rmse") return false;
-    const sigma = (point.group.sigma || [])[data.regions.indexOf(region)];
-    if (!sigma) return false;
-    const values = points.filter(one => one.g === point.g && data.arms[one.a].role === "method")
-      .map(one => value(one, name, region)).filter(one => !Number.isNaN(one));
-    const least = Math.min(...values), near = values.filter(one => one < least + 10 * sigma);
-    return near.some(one => one !== least) && value(point, name, region) < least + 10 * sigma;
+  // Errors less than ten standard errors of truth above the smallest of their group are not ranked: numbers of points.
+  const ties = new Map();
+  function tiedIn(g, region) {
+    const key = g + " " + region;
+    if (ties.has(key)) return ties.get(key);
+    const sigma = (data.groups[g].sigma || [])[data.regions.indexOf(region)] || 0;
+    const list = points.filter(one => one.g === g && data.arms[one.a].role === "method" && !Number.isNaN(value(one, "rmse", region)));
+    const least = Math.min(...list.map(one => value(one, "rmse", region)));
+    const near = list.filter(one => value(one, "rmse", region) < least + 10 * sigma);
+    const ranked = near.every(one => value(one, "rmse", region) === least);
+    ties.set(key, new Set(ranked ? [] : near.map(one => one.n)));
+    return ties.get(key);
   }
+  const isTied = (point, name, region) => name === "rmse" && tiedIn(point.g, region).has(point.n);
 
   // ---- the front
 

@@ -6,38 +6,38 @@
 
   // ---- pictures
 
-  const loaded = new Map();
+  // Pictures by number, from when they are first asked for.
+  const images = new Map();
   function picture(index) {
-    if (!loaded.has(index)) loaded.set(index, new Promise((resolve, reject) => {
+    if (!images.has(index)) {
       const image = new Image();
-      image.onload = () => resolve(image);
-      image.onerror = reject;
       image.src = data.pictures[index];
-    }));
-    return loaded.get(index);
+      images.set(index, image);
+    }
+    return images.get(index);
   }
+  const prepare = point => [point.picture, point.group.picture, point.flip].forEach(picture);
 
   const heat = Array.from({ length: 256 }, (_, i) => { const c = d3.rgb(d3.interpolateMagma(i / 255)); return [c.r, c.g, c.b]; });
 
   // A part of a picture, [x, y, width, height] in pixels of the experiment; a FLIP map in the colours of magma.
-  function draw(canvas, index, area, isFlip) {
-    return picture(index).then(image => {
-      const scaleX = image.naturalWidth / data.size[0], scaleY = image.naturalHeight / data.size[1];
-      const [x, y, width, height] = area || [0, 0, data.size[0], data.size[1]];
-      canvas.width = Math.max(1, Math.round(width * scaleX)), canvas.height = Math.max(1, Math.round(height * scaleY));
-      const context = canvas.getContext("2d", { willReadFrequently: isFlip });
-      context.drawImage(image, x * scaleX, y * scaleY, width * scaleX, height * scaleY, 0, 0, canvas.width, canvas.height);
-      if (!isFlip) return;
-      const pixels = context.getImageData(0, 0, canvas.width, canvas.height);
-      for (let i = 0; i < pixels.data.length; i += 4) [pixels.data[i], pixels.data[i + 1], pixels.data[i + 2]] = heat[pixels.data[i]];
-      context.putImageData(pixels, 0, 0);
-    });
+  function draw(canvas, image, area, isFlip) {
+    const scaleX = image.naturalWidth / data.size[0], scaleY = image.naturalHeight / data.size[1];
+    const [x, y, width, height] = area || [0, 0, data.size[0], data.size[1]];
+    canvas.width = Math.max(1, Math.round(width * scaleX)), canvas.height = Math.max(1, Math.round(height * scaleY));
+    const context = canvas.getContext("2d", { willReadFrequently: isFlip });
+    context.drawImage(image, x * scaleX, y * scaleY, width * scaleX, height * scaleY, 0, 0, canvas.width, canvas.height);
+    if (!isFlip) return;
+    const pixels = context.getImageData(0, 0, canvas.width, canvas.height);
+    for (let i = 0; i < pixels.data.length; i += 4) [pixels.data[i], pixels.data[i + 1], pixels.data[i + 2]] = heat[pixels.data[i]];
+    context.putImageData(pixels, 0, 0);
   }
 
   function drawn(host, index, area, alt, isFlip) {
     const canvas = append(host, "canvas", undefined, { role: "img", "aria-label": alt });
     if (area) canvas.style.aspectRatio = area[2] + " / " + area[3];
-    draw(canvas, index, area, isFlip);
+    const image = picture(index), now = () => draw(canvas, image, area, isFlip);
+    if (image.complete) now(); else image.addEventListener("load", now);
     return canvas;
   }
 
@@ -144,7 +144,10 @@
         row.append(explorer.element("th", "truth ± (RMSE)", { scope: "row", title: "standard error of truth; errors closer than ten of it are not ranked" }));
         for (const sigma of point.group.sigma) {
           const cell = row.insertCell();
-          cell.className = "number faint", cell.textContent = sigma === null ? "–" : explorer.shown("rmse", sigma), cell.title = point.group.truth;
+          cell.className = "number faint";
+          if (sigma === null) { cell.textContent = "–"; continue; }
+          append(cell, "button", explorer.shown("rmse", sigma), { type: "button", class: "link", title: point.group.truth })
+            .onclick = () => document.getElementById("command-truth").scrollIntoView({ block: "nearest" });
         }
       }
     }
@@ -185,7 +188,7 @@
   function notes(host, point) {
     const label = append(host, "label", undefined, { class: "notes" });
     append(label, "span", "Notes on this point, kept by this browser");
-    const text = append(label, "textarea", undefined, { rows: 3, id: "note" });
+    const text = append(label, "textarea", undefined, { rows: 3, id: "note", placeholder: "what is seen here" });
     text.value = explorer.note(point);
     text.oninput = () => { explorer.setNote(point, text.value); explorer.drawPins(); };
   }
@@ -245,5 +248,5 @@
       () => save("notes.json", explorer.notesJson(), "application/json");
   }
 
-  Object.assign(explorer, { crops, drawPoint, drawPins });
+  Object.assign(explorer, { crops, prepare, drawPoint, drawPins });
 })();

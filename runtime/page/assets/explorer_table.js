@@ -45,7 +45,12 @@
 
   // ---- filters
 
-  const usedLevels = name => name === "arm" ? data.arms.filter(arm => arm.role !== "truth").map(arm => arm.name)
+  const levels_used = new Map();
+  const usedLevels = name => {
+    if (!levels_used.has(name)) levels_used.set(name, findLevels(name));
+    return levels_used.get(name);
+  };
+  const findLevels = name => name === "arm" ? data.arms.filter(arm => arm.role !== "truth").map(arm => arm.name)
     : explorer.axisNamed(name).values.filter(one => explorer.points.some(point => point.at[name] === one)).map(one => explorer.label(name, one));
 
   function levelFilter(host, name, levels) {
@@ -156,10 +161,18 @@
 
   // ---- the worst crops
 
+  function worstPoints() {
+    const better = measures.get(state.y).better, cost = point => (better === "higher" ? -1 : 1) * value(point, state.y, state.region);
+    return explorer.visible().filter(point => point.worst && Number.isFinite(cost(point))).sort((a, b) => cost(b) - cost(a))
+      .slice(0, Number(state.worst));
+  }
+
+  // So that they are there at once where they are printed.
+  const prepareWorst = () => worstPoints().forEach(explorer.prepare);
+
   function drawWorst(host) {
     host.textContent = "";
-    const better = measures.get(state.y).better, cost = point => (better === "higher" ? -1 : 1) * value(point, state.y, state.region);
-    const list = explorer.visible().filter(point => point.worst && Number.isFinite(cost(point))).sort((a, b) => cost(b) - cost(a));
+    const list = worstPoints();
     append(host, "h3", "Worst crops by " + explorer.measureTitle(state.y, state.region) + (state.shot ? "; " + explorer.shotTitle(state.shot) : ""));
     append(host, "p", "Where the FLIP map of a point, of the pictures as they are shown, is largest: the point, truth, FLIP.", { class: "soft" });
     const label = append(host, "label", "points ");
@@ -169,7 +182,7 @@
     select.onchange = () => { state.worst = select.value; explorer.changed(); };
     if (!list.length) append(host, "p", "No point that is shown has a picture and the value.");
     const grid = append(host, "div", undefined, { class: "worst" });
-    for (const point of list.slice(0, Number(state.worst))) {
+    for (const point of list) {
       const figure = append(grid, "figure", undefined, { "data-point": point.n });
       const row = append(figure, "div", undefined, { class: "triple" });
       explorer.crops(row, point, point.worst);
@@ -179,5 +192,5 @@
     }
   }
 
-  Object.assign(explorer, { element, append, table, pointButton, numberCell, drawFilters, drawTable, drawWorst });
+  Object.assign(explorer, { element, append, table, pointButton, numberCell, drawFilters, drawTable, drawWorst, prepareWorst });
 })();
