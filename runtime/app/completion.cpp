@@ -7,6 +7,7 @@
 #include <memory>
 #include <sstream>
 
+#include "app/files.h"
 #include "script/evaluate.h"
 
 namespace strobe::app {
@@ -36,7 +37,7 @@ Names presetFiles(const Home& home) {
   Names files;
   for (const std::string& name : home.namesBelow("experiments", ".lua")) {
     std::string file = fmt::format("experiments/{}.lua", name);
-    if (home.read(home.at(file)).find("require \"strobe.preset\"") != std::string::npos) files.push_back(file);
+    if (isPreset(home, home.at(file))) files.push_back(file);
   }
   return files;
 }
@@ -64,8 +65,9 @@ Names settings(const Home& home, const Line& line) {
 
 // What has names that the program knows, by option. The type of another says its choices ("close|centre|open").
 const std::map<std::string, Names (*)(const Home&, const Line&)> kNamesOf = {
-    {"pipeline", pipelines}, {"pipelines", pipelines}, {"vs", pipelines}, {"truth", pipelines},
-    {"topic", topics},       {"scene", scenes},        {"set", settings}, {"invariant", invariants}};
+    {"pipeline", pipelines}, {"pipelines", pipelines}, {"base", pipelines},
+    {"vs", pipelines},       {"truth", pipelines},     {"topic", topics},
+    {"scene", scenes},       {"set", settings},        {"invariant", invariants}};
 
 Names choicesOf(const CLI::Option& option) {
   Names choices;

@@ -23,4 +23,8 @@ void requireWritable(const Path& folder, const std::string& option) {
                 2);
 }
 
+bool isPreset(const Home& home, const Path& file) {
+  return home.read(file).find("require \"strobe.preset\"") != std::string::npos;
+}
+
 }  // namespace strobe::app

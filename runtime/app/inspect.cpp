@@ -7,6 +7,7 @@
 #include <memory>
 #include <set>
 
+#include "app/files.h"
 #include "app/shot_options.h"
 #include "graph/pipelines.h"
 #include "lab/workbench.h"
@@ -120,7 +121,8 @@ size_t checkExperiments(const Home& home, std::vector<std::string>& problems) {
   std::vector<std::string> files;
   for (const std::string& name : home.namesBelow("experiments", ".lua")) {
     Path file = home.at(Path("experiments") / (name + ".lua"));
-    if (liesIn(file, home.project()) && file.parent_path().filename() != "lib") files.push_back(file);
+    bool is_own = liesIn(file, home.project()) && file.parent_path().filename() != "lib";
+    if (is_own && !isPreset(home, file)) files.push_back(file);
   }
   for (const std::string& file : files) collect(problems, [&] { study::readExperiment(home, file, true); });
   return files.size();

@@ -17,6 +17,7 @@
 #include "app/render.h"
 #include "app/stability.h"
 #include "app/sweep.h"
+#include "app/tune.h"
 #include "base/error.h"
 #include "script/evaluate.h"
 
@@ -58,6 +59,7 @@ int main(int argc, char** argv) {
   strobe::app::registerCompare(program);
   strobe::app::registerSweep(program, home);
   strobe::app::registerReport(program, home);
+  strobe::app::registerTune(program, home);
   strobe::app::registerBench(program, home);
   strobe::app::registerStability(program, home);
   strobe::app::registerNew(program, home);

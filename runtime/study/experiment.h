@@ -87,8 +87,9 @@ struct Experiment {
   std::vector<Group> groups;  // in the order of their points
   bool partial = false;       // not all points of the file are among them
   std::vector<std::string> regions, measures;
-  lab::Rounds rounds;  // of frames that are timed
-  std::string base;    // the arm that times are ratios to; "": the first that is timed
+  lab::Rounds rounds;    // of frames that are timed
+  bool is_step = false;  // of a search: a shot's points are timed in the same rounds, progress is left to the caller
+  std::string base;      // the arm that times are ratios to; "": the first that is timed
   std::optional<Background> background;
   Json layout;
   size_t expectations = 0;

@@ -74,11 +74,16 @@ double pixels(const Sight& sight, const std::string&, const Image& mask) {
   return double(image::countedPixels(sight.color, mask));
 }
 
-double msRatio(const Sight& sight, const std::string&, const Image&) {
+double ratioOf(const std::vector<double>& times_ms, const std::vector<double>& base_ms) {
   std::vector<double> ratios;
-  for (size_t i = 0; i < sight.times_ms.size() && i < sight.base_ms.size(); ++i)
-    ratios.push_back(sight.times_ms[i] / sight.base_ms[i]);
+  for (size_t i = 0; i < times_ms.size() && i < base_ms.size(); ++i)
+    if (base_ms[i] > 0) ratios.push_back(times_ms[i] / base_ms[i]);
   return median(std::move(ratios));
+}
+
+double msRatio(const Sight& sight, const std::string&, const Image&) { return ratioOf(sight.times_ms, sight.base_ms); }
+double ownRatio(const Sight& sight, const std::string&, const Image&) {
+  return ratioOf(sight.own_ms, sight.own_base_ms);
 }
 
 // ---- of the picture alone
@@ -217,6 +222,11 @@ const std::vector<Measure>& measures() {
        [](const Sight& s, const std::string&, const Image&) { return quantile(s.times_ms, 0.75); }, true},
       {"ms_ratio", "time ratio", "", kLower, false,
        "median over the rounds of a frame's time as a multiple of the base's in the same round", msRatio, true},
+      {"ms_own", "own time", "ms", kLower, false,
+       "median time of the passes of a frame that the pipeline without blur does not have",
+       [](const Sight& s, const std::string&, const Image&) { return median(s.own_ms); }, true},
+      {"own_ratio", "own time ratio", "", kLower, false,
+       "median over the rounds of a frame's own time as a multiple of the base's in the same round", ownRatio, true},
       {"memory", "memory", "MiB", kLower, false, "all images that a frame holds at once, as they share memory",
        [](const Sight& s, const std::string&, const Image&) { return double(s.bytes) / (1 << 20); }},
       {"bytes", "bytes per pixel", "B", kLower, false, "the same, per pixel of the picture",

@@ -36,9 +36,10 @@ struct Sight {
   const image::Image* benign = nullptr;  // of the same arm at the benign value; null: there is none
   const image::Image* front = nullptr;   // of the background's `front` arm; null: this is not what knows the background
   const Background* background = nullptr;
-  uint64_t bytes = 0;            // of all images that a frame holds at once
-  std::vector<double> times_ms;  // of frames drawn after one to warm up
-  std::vector<double> base_ms;   // of the base arm's frames in the same rounds
+  uint64_t bytes = 0;                       // of all images that a frame holds at once
+  std::vector<double> times_ms;             // of frames drawn after one to warm up
+  std::vector<double> base_ms;              // of the base arm's frames in the same rounds
+  std::vector<double> own_ms, own_base_ms;  // of the passes alone that are the method's own (own.h)
 
   // Error maps, made when they are first asked for.
   const image::Image& flip() const;

@@ -6,6 +6,7 @@
 
 #include "base/log.h"
 #include "math/statistics.h"
+#include "study/own.h"
 #include "study/point_renderer.h"
 #include "study/watch.h"
 
@@ -21,6 +22,7 @@ void renderHere(const Experiment& experiment, lab::Batch& batch, const Store& st
   PointRenderer renderer(experiment, batch, store);
   for (const TaskGroup* group : left.groups) renderer.render(*group, [&](int by) { watch.advance(by); });
   watch.end();
+  if (experiment.is_step) return;
   const PointRenderer::Spent& spent = renderer.spent();
   note(fmt::format("of these seconds: {:.1f} drawing, {:.1f} measuring, {:.1f} keeping", spent.drawing_s,
                    spent.measuring_s, spent.keeping_s));
@@ -35,6 +37,7 @@ std::vector<std::vector<const TaskGroup*>> walksOf(const Experiment& experiment,
     const Group* last = walks.empty() ? nullptr : walks.back().back()->group;
     bool along = last && benignOf(experiment, *group.group) && last->at.size() == 1;
     bool same = along && last->shot == group.group->shot && last->at[0].axis == group.group->at[0].axis;
+    if (experiment.is_step) same = last && last->shot == group.group->shot;
     if (!same) walks.emplace_back();
     walks.back().push_back(&group);
   }
@@ -56,7 +59,8 @@ const Task* baseOf(const Experiment& experiment, const std::vector<TaskGroup>& g
 
 // Times that are ratios to something else, or of other rounds, are measured again.
 std::string timesOf(const Experiment& experiment, const Task& task, const Task& base) {
-  bool is_ratio = std::find(task.measures.begin(), task.measures.end(), "ms_ratio") != task.measures.end();
+  bool is_ratio = std::any_of(task.measures.begin(), task.measures.end(),
+                              [](const std::string& name) { return name == "ms_ratio" || name == "own_ratio"; });
   const lab::Rounds& rounds = experiment.rounds;
   return fmt::format("{} to {} rounds, {}{}", rounds.least, rounds.most, rounds.within,
                      is_ratio ? ", base " + base.key : "");
@@ -77,13 +81,19 @@ std::vector<PassTime> passesOf(const lab::Timing& timing) {
   return passes;
 }
 
-void keepTimes(const Store& store, const Task& task, const std::string& times, const lab::Timing& own,
-               const lab::Timing& base) {
+// Times of a frame, and of those of its passes that are the method's own.
+struct Times {
+  lab::Timing frame;
+  std::vector<double> own_ms;
+};
+
+void keepTimes(const Store& store, const Task& task, const std::string& times, const Times& own, const Times& base) {
   Sight sight;
-  sight.times_ms = own.ms, sight.base_ms = base.ms;
+  sight.times_ms = own.frame.ms, sight.base_ms = base.frame.ms;
+  sight.own_ms = own.own_ms, sight.own_base_ms = base.own_ms;
   Point point = *store.point(task.key);
   point.times = times;
-  point.passes = passesOf(own);
+  point.passes = passesOf(own.frame);
   for (const std::string& name : task.measures)
     if (measureNamed(name).is_time) point.values[name]["all"] = measureNamed(name).of(sight, "", {});
   store.keep(task.key, point);
@@ -112,8 +122,13 @@ void timeInTurn(const Experiment& experiment, lab::Batch& batch, const Store& st
   std::vector<lab::Shot> shots = {walk.base->shot};
   for (const Task* task : walk.tasks) shots.push_back(task->shot);
   std::vector<lab::Timing> timings = batch.timeInTurn(shots, experiment.rounds);
-  for (size_t i = 0; i < walk.tasks.size(); ++i)
-    keepTimes(store, *walk.tasks[i], timesOf(experiment, *walk.tasks[i], *walk.base), timings[i + 1], timings.front());
+  auto times = [&](size_t i) { return Times{timings[i], ownMs(batch, shots[i], timings[i])}; };
+  // What is the same as the base has its times: drawn right behind it, it would find everything warm.
+  for (size_t i = 0; i < walk.tasks.size(); ++i) {
+    const Task& task = *walk.tasks[i];
+    keepTimes(store, task, timesOf(experiment, task, *walk.base), times(task.key == walk.base->key ? 0 : i + 1),
+              times(0));
+  }
 }
 
 void timeHere(const Experiment& experiment, lab::Batch& batch, const Store& store, const std::vector<TaskGroup>& groups,
@@ -209,8 +224,8 @@ Results run(const Experiment& experiment, lab::Workbench& bench, const Store& st
     takePoints(so_far, store.folder());
     return so_far;
   };
-  announce(now());
-  Watch watch(now);
+  if (!experiment.is_step) announce(now());
+  Watch watch(experiment.is_step ? std::function<Results()>() : now);
   renderHere(experiment, batch, store, leftOf(groups, store), watch);
   timeHere(experiment, batch, store, groups, watch);
   takePoints(results, store.folder());

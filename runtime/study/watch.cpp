@@ -69,6 +69,7 @@ void announce(const Results& now) {
 }
 
 void Watch::begin(const std::string& label, int cost) {
+  if (!now_) return;
   label_ = label, cost_ = cost, done_ = quarters_ = 0;
   started_s_ = said_s_ = clockSeconds();
   line_ = std::make_unique<Progress>(label, cost);
@@ -83,6 +84,7 @@ void Watch::report() {
 }
 
 void Watch::advance(int cost) {
+  if (!now_) return;
   done_ += cost;
   line_->advance(cost);
   int quarters = int(4 * int64_t(done_) / std::max(cost_, 1));
@@ -98,6 +100,7 @@ void Watch::advance(int cost) {
 }
 
 void Watch::end() {
+  if (!now_) return;
   line_.reset();
   if (!::isatty(STDERR_FILENO)) report();
 }

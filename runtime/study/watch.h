@@ -21,7 +21,7 @@ void announce(const Results& now);
 // the front so far.
 class Watch {
  public:
-  // `now`: the results as far as they are there.
+  // `now`: the results as far as they are there; without it nothing is reported.
   explicit Watch(std::function<Results()> now) : now_(std::move(now)) {}
 
   // Work of `cost` units begins; `advance` counts them.

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+#include "app/tune.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "app/files.h"
+#include "app/shot_options.h"
+#include "base/log.h"
+#include "lab/shot_options.h"
+#include "page/table.h"
+#include "study/frozen.h"
+#include "study/gallery.h"
+#include "study/report.h"
+#include "study/tune.h"
+
+namespace strobe::app {
+
+namespace {
+
+struct Options {
+  ShotOptions shot;
+  double budget_ms = 0, budget_ratio = 0;
+  std::string max_error;  // "0.01", or "1.1x"
+  std::string base, cost = "frame", measure = "rmse", region = "inner", out;
+  std::vector<std::string> vary;
+  int evaluations = 120;
+  bool json = false;
+};
+
+// ---- what the command line asks for
+
+void requireKnown(const std::string& option, const std::string& name, const std::vector<std::string>& known) {
+  if (std::find(known.begin(), known.end(), name) != known.end()) return;
+  throw Error(fmt::format("{}: there is no '{}'{}; there are {}", option, name, didYouMean(name, known),
+                          fmt::join(known, ", ")),
+              {}, 2);
+}
+
+// Measures that are less where a picture is better, and have a value for a region.
+std::vector<std::string> errorNames() {
+  std::vector<std::string> names;
+  for (const study::Measure& measure : study::measures()) {
+    bool is_error = measure.per_region && measure.better == study::Better::lower && !measure.is_change;
+    if (is_error && measure.name != "rmse_full" && measure.name != "flicker") names.push_back(measure.name);
+  }
+  return names;
+}
+
+void setLimit(study::Wish& wish, const Options& options) {
+  using Limit = study::Wish::Limit;
+  int given = (options.budget_ms > 0) + (options.budget_ratio > 0) + !options.max_error.empty();
+  if (given != 1)
+    throw Error(fmt::format("{} of --budget-ms, --budget-ratio and --max-error {}: tune takes one",
+                            given == 0   ? "none"
+                            : given == 2 ? "two"
+                                         : "three",
+                            given == 0 ? "is given" : "are given"),
+                {}, 2);
+  if (options.budget_ms > 0) wish.limits = Limit::ms, wish.limit = options.budget_ms;
+  if (options.budget_ratio > 0) wish.limits = Limit::ratio, wish.limit = options.budget_ratio;
+  if (options.max_error.empty()) return;
+  bool is_ratio = options.max_error.ends_with("x");
+  plan::Value number = plan::valueFromText(options.max_error.substr(0, options.max_error.size() - is_ratio));
+  const auto* whole = std::get_if<int64_t>(&number);
+  const auto* real = std::get_if<double>(&number);
+  wish.limits = is_ratio ? Limit::error_ratio : Limit::error;
+  wish.limit = whole ? double(*whole) : real ? *real : 0;
+  if (!(wish.limit > 0))
+    throw Error(
+        fmt::format("--max-error '{}' is no error above 0, nor a multiple of the base's as 1.1x", options.max_error),
+        {}, 2);
+}
+
+study::Wish wishOf(const Options& options) {
+  study::Wish wish;
+  setLimit(wish, options);
+  wish.shot = options.shot.resolve();
+  wish.vary = options.vary, wish.base = options.base;
+  wish.measure = options.measure, wish.region = options.region;
+  requireKnown("--measure", wish.measure, errorNames());
+  requireKnown("--region", wish.region, study::regionNames());
+  wish.own = options.cost == "own";
+  wish.evaluations = options.evaluations;
+  return wish;
+}
+
+// The command as somebody would repeat it.
+std::string commandOf(const Options& options, const study::Wish& wish) {
+  std::string line = lab::commandOf(wish.shot);
+  line.replace(0, line.find(" render ") + 8, "strobe tune ");
+  if (size_t out = line.rfind(" -o "); out != std::string::npos) line.erase(out);
+  auto add = [&line](const std::string& option, const std::string& value, const std::string& usual = "") {
+    if (!value.empty() && value != usual) line += " " + option + " " + value;
+  };
+  if (options.budget_ms > 0) add("--budget-ms", fmt::format("{}", options.budget_ms));
+  if (options.budget_ratio > 0) add("--budget-ratio", fmt::format("{}", options.budget_ratio));
+  add("--max-error", options.max_error);
+  add("--base", options.base);
+  add("--cost", options.cost, "frame");
+  add("--measure", options.measure, "rmse");
+  add("--region", options.region, "inner");
+  add("--vary", fmt::format("{}", fmt::join(options.vary, ",")));
+  add("--evaluations", std::to_string(options.evaluations), std::to_string(Options().evaluations));
+  add("-o", options.out);
+  return line;
+}
+
+// ---- what is said of it
+
+std::string goalText(const study::Wish& wish, const std::string& base) {
+  using Limit = study::Wish::Limit;
+  std::string cost = wish.own ? "own cost" : "cost", error = fmt::format("{} ({})", wish.measure, wish.region);
+  switch (wish.limits) {
+    case Limit::ms:
+      return fmt::format("the least {} within {} ms of {}", error, wish.limit, cost);
+    case Limit::ratio:
+      return fmt::format("the least {} within {} times the {} of {}", error, wish.limit, cost, base);
+    case Limit::error:
+      return fmt::format("the least {} within a {} of {}", cost, error, wish.limit);
+    case Limit::error_ratio:
+      break;
+  }
+  return fmt::format("the least {} within {} times the {} of {}", cost, wish.limit, error, base);
+}
+
+std::string textOf(const script::Settings& sets) {
+  std::vector<std::string> texts;
+  for (const auto& [name, value] : sets) texts.push_back(name + " " + lab::plainText(value));
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string tableOf(const study::Wish& wish, const study::Tuned& tuned, const study::Results& results) {
+  const study::Measure &error = study::measureNamed(wish.measure), &ms = study::measureNamed(wish.msName()),
+                       &ratio = study::measureNamed(wish.ratioName());
+  page::Table table;
+  table.columns = {"",
+                   {study::headOf(error) + ", " + wish.region, true},
+                   {study::headOf(ms), true},
+                   {study::headOf(ratio), true},
+                   "changed"};
+  auto add = [&](const std::string& name, const study::Measured& one) {
+    table.add({name, page::Cell(one.error, study::shownValue(error, one.error)),
+               page::Cell(one.ms, study::shownValue(ms, one.ms)),
+               page::Cell(one.ratio, study::shownValue(ratio, one.ratio)), textOf(one.changed)});
+  };
+  if (tuned.chosen) add("chosen", *tuned.chosen);
+  if (tuned.nearest) add("nearest", *tuned.nearest);
+  add(results.arms[0].name + ", as given", tuned.start);
+  if (!wish.base.empty()) add(results.arms[1].name, tuned.base);
+  return page::textOf(table);
+}
+
+Json jsonOf(const study::Measured& one) {
+  Json json = {
+      {"changed", Json::object()}, {"error", one.error}, {"ms", one.ms}, {"cost", one.ratio}, {"command", one.command}};
+  for (const auto& [name, value] : one.changed) json["changed"][name] = plan::toJson(value);
+  return json;
+}
+
+Json jsonOf(const study::Tuned& tuned, const Path& file) {
+  Json json = {{"met", tuned.chosen.has_value()},
+               {"evaluations", tuned.evaluations},
+               {"finished", tuned.finished},
+               {"start", jsonOf(tuned.start)},
+               {"base", jsonOf(tuned.base)}};
+  if (tuned.chosen) json["chosen"] = jsonOf(*tuned.chosen), json["preset"] = file.string();
+  if (tuned.nearest) json["nearest"] = jsonOf(*tuned.nearest);
+  json["results"] = study::toJson(tuned.results);
+  return json;
+}
+
+std::vector<Path> write(const study::Results& results, const Path& folder) {
+  study::Report report(results, folder);
+  const std::pair<const char*, std::string> files[] = {{"report.html", report.page()},
+                                                       {"result.json", study::toJson(results).dump(1) + "\n"},
+                                                       {"result.md", report.markdown("report.html")},
+                                                       {"table.csv", study::csvOf(results)},
+                                                       {"passes.csv", study::passesCsvOf(results)}};
+  std::vector<Path> written;
+  for (const auto& [name, text] : files) {
+    written.push_back(folder / name);
+    writeFileAtomically(written.back(), text);
+  }
+  return written;
+}
+
+// What draws the picture with the preset: the shot without what the preset holds.
+std::string renderCommand(lab::Shot shot, const Path& file) {
+  std::erase_if(shot.sets, [](const script::Setting& set) { return set.first.find('.') == std::string::npos; });
+  shot.sets.emplace_back(plan::kPresetSetting, file.string());
+  return lab::commandOf(shot);
+}
+
+void explain(const study::Wish& wish, study::Tuned& tuned) {
+  const std::string& base = tuned.results.arms[1].name;
+  tuned.results.question = "What gives " + goalText(wish, base) + "?";
+  tuned.results.note = fmt::format(
+      "{} settings of {} parameters, of which a point names those that are not as given: starts that fill the space, "
+      "halved over the levels below, then {}. Cost is the time of {}, as a multiple of that of {} in the same rounds.",
+      tuned.evaluations, tuned.results.axes.size(),
+      tuned.finished ? "steps along each parameter until none was better"
+                     : "steps along each parameter until the evaluations were used up",
+      wish.own ? "the passes that a frame without blur does not have" : "a frame", base);
+}
+
+void tune(const Home& home, Options options) {
+  double started_s = clockSeconds();
+  study::Wish wish = wishOf(options);
+  if (options.out.empty()) options.out = (Path("out/tune") / Path(wish.shot.pipeline).stem()).string() + ".lua";
+  Path file = options.out, folder = file.parent_path() / file.stem();
+  if (file.extension() != ".lua") throw Error(fmt::format("--out '{}': a preset is a .lua file", options.out), {}, 2);
+  // Before anything is written.
+  study::spaceOf(script::evaluatePipeline(home, {wish.shot.pipeline, wish.shot.sets}), {}, wish);
+  if (!wish.base.empty()) script::evaluatePipeline(home, {wish.base, {}});
+  requireWritable(folder);
+  study::Store store(folder);
+  study::FrozenHome frozen(home, store.folder() / ".inputs");
+  lab::Workbench bench(frozen.home(), wish.shot.device, validationWanted());
+  study::Tuned tuned = study::tune(wish, bench, store);
+  bench.device().refuseMessages();
+  explain(wish, tuned);
+  tuned.results.command = commandOf(options, wish);
+  // Laid out from the numbers as they are written, so that `report` gives the same page.
+  study::Results results = study::resultsFrom(study::toJson(tuned.results), "the results");
+  std::vector<Path> files = write(results, folder);
+  std::string goal = goalText(wish, results.arms[1].name);
+  if (tuned.chosen) {
+    std::string doc =
+        fmt::format("{}, {}x{}: {:.4g}; {}", results.title, results.width, results.height, tuned.chosen->error, goal);
+    writeFileAtomically(file, study::presetText(doc, tuned.values));
+    files.insert(files.begin(), file);
+  }
+  note(fmt::format("{} evaluations in {:.0f} s", tuned.evaluations, clockSeconds() - started_s));
+  if (options.json) {
+    std::printf("%s\n", jsonOf(tuned, file).dump(1).c_str());
+  } else {
+    std::printf("%s\n%s:\n%s\n", study::Report(results, folder).text().c_str(), goal.c_str(),
+                tableOf(wish, tuned, results).c_str());
+    for (const Path& one : files) std::printf("%s\n", one.c_str());
+    if (tuned.chosen) std::printf("\n%s\n", renderCommand(wish.shot, file).c_str());
+  }
+  if (!tuned.chosen)
+    throw Error(fmt::format("nothing that was tried meets the limit of '{}': {} shows what there is", goal,
+                            (folder / "report.html").string()));
+}
+
+}  // namespace
+
+void registerTune(CLI::App& program, const Home& home) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand(
+      "tune", "Find the best setting of a pipeline within a budget, or the cheapest within an error, as a preset");
+  command->add_option("--budget-ms", options->budget_ms, "most milliseconds: the least error within them")
+      ->type_name("B")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--budget-ratio", options->budget_ratio, "most cost, as a multiple of the base's")
+      ->type_name("R")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--max-error", options->max_error,
+                   "most error: the least cost within it; 1.1x: that many times the base's")
+      ->type_name("E|Rx");
+  command->add_option("--base", options->base, "pipeline whose cost and error are 1 (default: this one as it is given)")
+      ->type_name("PIPELINE");
+  command
+      ->add_option("--cost", options->cost,
+                   "time of the frame, or of the passes alone that a frame without blur does not have")
+      ->type_name("frame|own")
+      ->check(CLI::IsMember({"frame", "own"}))
+      ->capture_default_str();
+  command->add_option("--measure", options->measure, "of the error")->capture_default_str();
+  command->add_option("--region", options->region, "where it is measured")->capture_default_str();
+  command->add_option("--vary", options->vary, "parameters that are varied (default: all that are not set)")
+      ->delimiter(',')
+      ->type_name("NAME[,NAME]")
+      ->allow_extra_args(false);
+  command->add_option("--evaluations", options->evaluations, "pictures that are drawn and measured, at most")
+      ->check(CLI::Range(10, 100000))
+      ->capture_default_str();
+  command->add_option("-o,--out", options->out,
+                      "the preset, a .lua file; results go into the folder of that name beside it (default: "
+                      "out/tune/PIPELINE.lua)");
+  command->add_flag("--json", options->json, "print the choice and the results as JSON");
+  options->shot.addWithPipeline(*command);
+  command->callback([options, &home] { tune(home, *options); });
+}
+
+}  // namespace strobe::app

@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: MIT
+#include "study/tune.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/hash.h"
+#include "base/log.h"
+#include "lab/shot_options.h"
+#include "study/own.h"
+#include "study/run.h"
+
+namespace strobe::study {
+
+namespace {
+
+// How well a level measures: its size as a share of the picture's, time samples of truth, frames that are timed.
+struct Level {
+  double scale;
+  int64_t truth_samples;
+  lab::Rounds rounds;
+};
+const std::vector<Level> kLevels = {{0.5, 64, {5, 5, 0}}, {1, 64, {5, 5, 0}}, {1, 256, {5, 11, 0.05}}};
+const lab::Rounds kAtLast = {15, 45, 0.02};  // of the few settings among which the choice is made
+constexpr size_t kChosenAmong = 5;
+constexpr int kStartsTried = 6;  // times as many as can be measured: some are refused, some alike
+
+bool isSet(const lab::Shot& shot, const std::string& name) {
+  return std::any_of(shot.sets.begin(), shot.sets.end(), [&](const auto& set) { return set.first == name; });
+}
+
+bool isOfMethod(const plan::ParamDesc& param) {
+  using plan::Role;
+  return param.role != Role::Shading && param.role != Role::SampleTimes && param.role != Role::Regions;
+}
+
+// Whether one of those nodes has the parameter's value.
+bool isFollowed(const plan::PipelineDesc& pipeline, const std::set<std::string>& nodes, const std::string& name) {
+  for (const plan::NodeDesc& node : pipeline.nodes)
+    for (const auto& [param, bound] : node.params)
+      if (bound.follows == name && nodes.count(node.name)) return true;
+  return false;
+}
+
+std::string labelOf(const plan::Value& value) {
+  return std::holds_alternative<std::string>(value) ? std::get<std::string>(value) : plan::textOf(value);
+}
+
+class Tuner {
+ public:
+  Tuner(const Wish& wish, lab::Workbench& bench, const Store& store)
+      : wish_(wish), bench_(bench), store_(store), batch_(bench) {}
+
+  Tuned tune();
+
+ private:
+  bool isErrorLimited() const { return wish_.limits == Wish::Limit::error || wish_.limits == Wish::Limit::error_ratio; }
+  void prepare();
+  void addShots(const lab::Shot& filled);
+  std::vector<Spot> starts() const;
+  std::string identityOf(const Spot& spot);
+  Group groupOf(const Spot& spot, int level);
+  const PointGroup& groupSeen(const Spot& spot, int level);
+  std::vector<const PointGroup*> see(const std::vector<Spot>& spots, int level, const lab::Rounds& rounds);
+  void keep(Results seen);
+  Score scoreOf(const Point& point, int level);
+  const Point& basePoint(int level);
+  Goal goalOf();
+  Measured measuredOf(const Point& point, const Spot& spot) const;
+  script::Settings changedBy(const Spot& spot) const;
+  void choose(const Search& search, Tuned& tuned);
+  void report(const std::string& what, const Search& search);
+
+  const Wish wish_;
+  lab::Workbench& bench_;
+  const Store& store_;
+  lab::Batch batch_;
+  std::shared_ptr<const plan::PipelineDesc> pipeline_;
+  Space space_;
+  Experiment experiment_;  // without groups; axes get values as they are seen
+  Results results_;        // of all that was seen
+};
+
+// ---- the experiment
+
+// Sizes and truths, the best first: that is the order in which they are reported.
+void Tuner::addShots(const lab::Shot& filled) {
+  for (size_t i = kLevels.size(); i-- > 0;) {
+    const Level& level = kLevels[i];
+    StudiedShot studied;
+    studied.shot = filled;
+    studied.shot.pipeline.clear();
+    studied.shot.sets = lab::sceneSettings(filled.sets);
+    studied.shot.width = std::max(1, int(std::lround(filled.width * level.scale)));
+    studied.shot.height = std::max(1, int(std::lround(filled.height * level.scale)));
+    studied.name = fmt::format("level {}", i + 1);
+    studied.title =
+        fmt::format("{}x{}, truth of {} samples", studied.shot.width, studied.shot.height, level.truth_samples);
+    std::shared_ptr<const plan::PipelineDesc> truth = batch_.evaluate(experiment_.truth.pipeline, {}).pipeline;
+    if (truth) lab::putRole(studied.truth, *truth, plan::Role::SampleCount, level.truth_samples);
+    experiment_.shots.push_back(std::move(studied));
+  }
+}
+
+void Tuner::prepare() {
+  lab::Shot filled = batch_.filled(wish_.shot);
+  lab::Evaluated evaluated = batch_.evaluate(filled.pipeline, filled.sets);
+  if (!evaluated.pipeline) throw Error(evaluated.refusal, {}, 2);
+  pipeline_ = evaluated.pipeline;
+  space_ = spaceOf(*pipeline_, capturedNodes(batch_, filled), wish_);
+  script::Settings own;
+  std::remove_copy_if(filled.sets.begin(), filled.sets.end(), std::back_inserter(own), lab::isOfScene);
+  Arm tuned{pipeline_->name, filled.pipeline}, base{"base", filled.pipeline};
+  tuned.sets = own;
+  if (wish_.base.empty()) base.name = pipeline_->name + " as it is", base.sets = own;
+  else base.name = "base " + wish_.base, base.pipeline = wish_.base;
+  experiment_.arms = {tuned, base};
+  experiment_.base = base.name;
+  experiment_.truth = {"truth", batch_.nameOf(plan::PipelineDesc::Kind::Truth), Role::truth};
+  experiment_.title = fmt::format("{} tuned on {}", pipeline_->name, Path(filled.scene).stem().string());
+  store_.belongTo(experiment_.title);
+  experiment_.setSize(filled.width, filled.height);
+  experiment_.file_width = filled.width, experiment_.file_height = filled.height;
+  experiment_.regions = {wish_.region};
+  if (wish_.region != "whole") experiment_.regions.insert(experiment_.regions.begin(), "whole");
+  experiment_.measures = {wish_.measure, "ms", "ms_ratio", "ms_own", "own_ratio"};
+  experiment_.is_step = true;
+  experiment_.layout = {{"front", {{"x", wish_.ratioName()}, {"y", wish_.measure}, {"region", wish_.region}}}};
+  for (const Dimension& dimension : space_) {
+    Axis axis;
+    axis.name = axis.title = dimension.param.name, axis.unit = dimension.param.unit;
+    experiment_.axes.push_back(axis);
+  }
+  addShots(filled);
+}
+
+// Axes are those parameters alone that are not as in the wish's shot.
+Group Tuner::groupOf(const Spot& spot, int level) {
+  Group group;
+  group.shot = kLevels.size() - 1 - size_t(level);
+  group.arms = {0};
+  for (size_t d = 0; d < space_.size(); ++d) {
+    if (spot[d] == space_[d].start) continue;
+    std::vector<AxisValue>& values = experiment_.axes[d].values;
+    auto known = std::find_if(values.begin(), values.end(),
+                              [&](const AxisValue& one) { return one.sets.front().second == spot[d]; });
+    if (known == values.end()) {
+      AxisValue value;
+      value.value = plan::toJson(spot[d]), value.label = labelOf(spot[d]);
+      value.sets = {{space_[d].param.name, spot[d]}};
+      known = values.insert(values.end(), value);
+    }
+    group.at.push_back({d, size_t(known - values.begin())});
+  }
+  if (group.at.empty()) group.arms = {0, 1};
+  return group;
+}
+
+// ---- what is seen
+
+void Tuner::keep(Results seen) {
+  std::vector<PointGroup> groups = std::move(seen.groups);
+  seen.groups = std::move(results_.groups);
+  for (size_t i = 0; i < results_.shots.size(); ++i)
+    if (results_.shots[i].fps > 0) seen.shots[i] = results_.shots[i];  // of levels that this step did not see
+  results_ = std::move(seen);
+  for (PointGroup& group : groups) {
+    auto same = std::find_if(results_.groups.begin(), results_.groups.end(),
+                             [&](const PointGroup& known) { return known.shot == group.shot && known.at == group.at; });
+    if (same == results_.groups.end()) results_.groups.push_back(std::move(group));
+    else *same = std::move(group);
+  }
+}
+
+const PointGroup& Tuner::groupSeen(const Spot& spot, int level) {
+  Group wanted = groupOf(spot, level);
+  std::vector<std::pair<std::string, Json>> at;
+  for (const At& one : wanted.at)
+    at.emplace_back(experiment_.axes[one.axis].name, experiment_.axes[one.axis].values[one.value].value);
+  auto found = std::find_if(results_.groups.begin(), results_.groups.end(), [&](const PointGroup& known) {
+    return known.shot == experiment_.shots[wanted.shot].name && known.at == at;
+  });
+  STROBE_ASSERT(found != results_.groups.end());
+  return *found;
+}
+
+// Drawn, measured and timed with the base, all in turn; in the order given.
+std::vector<const PointGroup*> Tuner::see(const std::vector<Spot>& spots, int level, const lab::Rounds& rounds) {
+  Experiment step = experiment_;
+  step.groups = {groupOf(startOf(space_), level)};
+  for (const Spot& spot : spots)
+    if (spot != startOf(space_)) step.groups.push_back(groupOf(spot, level));
+  step.axes = experiment_.axes;
+  step.rounds = rounds;
+  keep(run(step, bench_, store_));
+  std::vector<const PointGroup*> seen;
+  for (const Spot& spot : spots) seen.push_back(&groupSeen(spot, level));
+  return seen;
+}
+
+const Point& Tuner::basePoint(int level) {
+  const Point& point = groupSeen(startOf(space_), level).points.back();
+  if (!point.failed.empty()) throw Error(fmt::format("{}: {}", point.arm, point.failed));
+  return point;
+}
+
+Score Tuner::scoreOf(const Point& point, int level) {
+  double error = point.value(wish_.measure, wish_.region), cost = point.value(wish_.ratioName());
+  if (wish_.limits == Wish::Limit::error_ratio) error /= basePoint(level).value(wish_.measure, wish_.region);
+  return {std::isfinite(error) && std::isfinite(cost), error, cost};
+}
+
+// Milliseconds are compared as multiples of the base's, which the same rounds have.
+Goal Tuner::goalOf() {
+  if (isErrorLimited()) return {Goal::Kind::least_cost, wish_.limit};
+  double base_ms = wish_.limits == Wish::Limit::ms ? basePoint(int(kLevels.size()) - 1).value(wish_.msName()) : 1;
+  return {Goal::Kind::least_error, wish_.limit / base_ms};
+}
+
+// ---- the search
+
+// Equal where passes, their wiring and their values are.
+std::string Tuner::identityOf(const Spot& spot) {
+  lab::Shot shot = shotOf(experiment_, groupOf(spot, int(kLevels.size()) - 1), experiment_.arms[0]);
+  try {
+    return hashText(lab::identityOf(*batch_.planOf(shot)));
+  } catch (const lab::Refusal&) {
+    return "";
+  }
+}
+
+// The wish's own, each preset, then points of the Sobol sequence around each of them in turn.
+std::vector<Spot> Tuner::starts() const {
+  std::vector<Spot> centres = {startOf(space_)};
+  for (const plan::PresetDesc& preset : pipeline_->presets) {
+    Spot spot;
+    for (const Dimension& one : space_) {
+      auto set = std::find_if(preset.values.begin(), preset.values.end(),
+                              [&](const auto& value) { return value.first == one.param.name; });
+      spot.push_back(set == preset.values.end() ? one.param.default_value : set->second);
+    }
+    if (std::find(centres.begin(), centres.end(), spot) == centres.end()) centres.push_back(spot);
+  }
+  const Home& home = bench_.home();
+  Json points = script::evaluateData(home, home.at("scripts/tune/starts.lua").string(),
+                                     {{"count", kStartsTried * wish_.evaluations}, {"width", space_.size()}});
+  std::vector<Spot> starts = centres;
+  for (size_t i = 0; i < points.size(); ++i)
+    starts.push_back(spotAt(space_, centres[i % centres.size()], points[i].get<std::vector<double>>()));
+  return starts;
+}
+
+void Tuner::report(const std::string& what, const Search& search) {
+  std::string so_far = "nothing at the last level yet";
+  if (search.best()) {
+    const Point& point = groupSeen(search.best()->spot, int(kLevels.size()) - 1).points[1];
+    so_far = fmt::format("best so far {} {:.4g} at a cost of {:.3f}", wish_.measure,
+                         point.value(wish_.measure, wish_.region), point.value(wish_.ratioName()));
+  }
+  note(fmt::format("{}; {} of {} evaluations; {}", what, search.evaluations(), wish_.evaluations, so_far));
+}
+
+script::Settings Tuner::changedBy(const Spot& spot) const {
+  script::Settings changed;
+  for (size_t d = 0; d < space_.size(); ++d)
+    if (spot[d] != space_[d].start) changed.emplace_back(space_[d].param.name, spot[d]);
+  return changed;
+}
+
+Measured Tuner::measuredOf(const Point& point, const Spot& spot) const {
+  return {changedBy(spot), point.value(wish_.measure, wish_.region), point.value(wish_.msName()),
+          point.value(wish_.ratioName()), point.command};
+}
+
+// Among the few that seem best, which are timed once more: a short time is easily had by luck.
+void Tuner::choose(const Search& search, Tuned& tuned) {
+  const int last = int(kLevels.size()) - 1;
+  Goal goal = goalOf();
+  std::vector<Search::Found> found = search.found();
+  std::stable_sort(found.begin(), found.end(),
+                   [&](const Search::Found& a, const Search::Found& b) { return goal.isBetter(a.score, b.score); });
+  if (found.size() > kChosenAmong) found.resize(kChosenAmong);
+  std::vector<Spot> spots;
+  for (const Search::Found& one : found) spots.push_back(one.spot);
+  see(spots, last, kAtLast);
+  goal = goalOf();
+  const Spot* best = nullptr;
+  Score least;
+  for (const Spot& spot : spots) {
+    Score score = scoreOf(groupSeen(spot, last).points[1], last);
+    if (!best || goal.isBetter(score, least)) best = &spot, least = score;
+  }
+  tuned.start = measuredOf(groupSeen(startOf(space_), last).points[1], startOf(space_));
+  tuned.base = measuredOf(basePoint(last), startOf(space_));
+  if (!best) return;
+  Measured measured = measuredOf(groupSeen(*best, last).points[1], *best);
+  if (!goal.holds(least)) {
+    tuned.nearest = measured;
+    return;
+  }
+  tuned.chosen = measured;
+  script::Settings sets = joined(experiment_.arms[0].sets, measured.changed);
+  std::shared_ptr<const plan::PipelineDesc> chosen = batch_.evaluate(wish_.shot.pipeline, sets).pipeline;
+  for (const auto& [name, value] : chosen->values)
+    if (value != plan::paramNamed(*chosen, name)->default_value) tuned.values.emplace_back(name, value);
+}
+
+Tuned Tuner::tune() {
+  prepare();
+  const int last = int(kLevels.size()) - 1;
+  const Spot start = startOf(space_);
+  see({start}, last, kLevels.back().rounds);
+  for (const Point& point : groupSeen(start, last).points)
+    if (!point.failed.empty()) throw Error(fmt::format("{}: {}", point.arm, point.failed));
+  if (!std::isfinite(basePoint(last).value(wish_.measure, wish_.region)))
+    throw Error(fmt::format("the region '{}' has no pixels in this shot: take another --region", wish_.region), {}, 2);
+
+  auto identity = [&](const Spot& spot) { return identityOf(spot); };
+  auto measure = [&](const std::vector<Spot>& spots, int level) {
+    std::vector<Score> scores;
+    for (const PointGroup* group : see(spots, level, kLevels[size_t(level)].rounds))
+      scores.push_back(group->points[1].failed.empty() ? scoreOf(group->points[1], level) : Score());
+    return scores;
+  };
+  Search* running = nullptr;
+  auto report = [&](const std::string& what) { this->report(what, *running); };
+  Search search(space_, goalOf(), {wish_.evaluations, int(kLevels.size()), 3}, identity, measure, report);
+  running = &search;
+  search.run(starts());
+
+  Tuned tuned;
+  choose(search, tuned);
+  tuned.evaluations = search.evaluations(), tuned.finished = search.finished();
+  std::erase_if(results_.groups, [](const PointGroup& group) { return !group.points[1].failed.empty(); });
+  tuned.results = std::move(results_);
+  tuned.results.axes = outlineOf(experiment_).axes;
+  std::erase_if(tuned.results.axes, [](const AxisSummary& axis) { return axis.values.empty(); });
+  return tuned;
+}
+
+}  // namespace
+
+Space spaceOf(const plan::PipelineDesc& pipeline, const std::set<std::string>& captured, const Wish& wish) {
+  if (pipeline.kind == plan::PipelineDesc::Kind::Truth)
+    throw Error(fmt::format("'{}' is truth: there is nothing to measure it against", pipeline.name), {}, 2);
+  std::vector<std::string> names;
+  for (const plan::ParamDesc& param : pipeline.params)
+    if (!isSet(wish.shot, param.name)) names.push_back(param.name);
+  for (const std::string& name : wish.vary) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    if (isSet(wish.shot, name)) throw Error(fmt::format("--vary: '{}' is set besides", name), {}, 2);
+    throw Error(fmt::format("--vary: '{}' has no parameter '{}'{}", pipeline.name, name, didYouMean(name, names)), {},
+                2);
+  }
+  Space space;
+  for (const plan::ParamDesc& param : pipeline.params) {
+    bool asked = std::find(wish.vary.begin(), wish.vary.end(), param.name) != wish.vary.end();
+    if (wish.vary.empty()) asked = isOfMethod(param) && !isFollowed(pipeline, captured, param.name);
+    if (asked && !isSet(wish.shot, param.name)) space.push_back({param, *plan::valueOf(pipeline, param.name)});
+  }
+  if (space.empty()) throw Error(fmt::format("'{}' has no parameter to vary", pipeline.name), {}, 2);
+  return space;
+}
+
+Tuned tune(const Wish& wish, lab::Workbench& bench, const Store& store) { return Tuner(wish, bench, store).tune(); }
+
+std::string presetText(const std::string& doc, const script::Settings& values) {
+  auto quoted = [](const std::string& text) { return Json(text).dump(); };
+  std::string text =
+      "-- Written by `strobe tune`; taken by `--set preset=` and the name of this file.\n"
+      "local preset = require \"strobe.preset\"\n\nreturn preset {\n";
+  text += fmt::format("  doc = {},\n  set = {{\n", quoted(doc));
+  for (const auto& [name, value] : values) {
+    const auto* word = std::get_if<std::string>(&value);
+    text += fmt::format("    {} = {},\n", name, word ? quoted(*word) : plan::textOf(value));
+  }
+  return text + "  },\n}\n";
+}
+
+}  // namespace strobe::study

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// `strobe tune` from outside: the preset it writes, the results beside it, and what it refuses.
+#include <gtest/gtest.h>
+
+#include "base/json.h"
+#include "program/run.h"
+
+namespace strobe::testing {
+namespace {
+
+class Tune : public ::testing::Test {
+ protected:
+  Tune() {
+    writeText(folder_ / "scene.lua", kCardScene);
+    shot_ = "mcguire2012 --scene " + (folder_ / "scene.lua") + " --size 64x36 --move card=0.6,0,0 ";
+  }
+
+  Outcome tune(const std::string& options) { return run("tune " + shot_ + options + " -o " + (folder_ / "found.lua")); }
+  void expectRefusal(const std::string& arguments, const std::string& wanted) {
+    Outcome outcome = run("tune " + arguments, "STROBE_VALIDATION=0");
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_NE(outcome.err.find(wanted), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(folder_ / "found"));
+  }
+  Json groups() const { return Json::parse(contentOf(folder_ / "found/result.json"))["groups"]; }
+
+  TemporaryFolder folder_;
+  std::string shot_;
+};
+
+TEST_F(Tune, WritesAPresetAndAllItSaw) {
+  std::string options = "--set jitter=hash --vary samples,weights --budget-ratio 1000 --evaluations 18";
+  Outcome outcome = tune(options + " --json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  Json tuned = Json::parse(outcome.out);
+  EXPECT_TRUE(tuned["met"].get<bool>());
+  EXPECT_LT(tuned["chosen"]["error"].get<double>(), tuned["start"]["error"].get<double>());
+  EXPECT_LE(tuned["evaluations"].get<int>(), 18);
+  EXPECT_NE(outcome.err.find("best so far"), std::string::npos) << outcome.err;
+  for (const char* file : {"report.html", "result.md", "table.csv", "passes.csv"})
+    EXPECT_TRUE(fs::exists(folder_.path() / "found" / file)) << file;
+
+  // The least error of all that was measured at the last level.
+  double least = 1;
+  const Json seen = groups();
+  for (const Json& group : seen) {
+    EXPECT_EQ(group["points"][0]["role"], "truth");
+    if (group["shot"] == "level 3")
+      least = std::min(least, group["points"][1]["values"]["rmse"]["inner"].get<double>());
+  }
+  EXPECT_NEAR(tuned["chosen"]["error"].get<double>(), least, 1e-8);
+
+  // The preset has what was found and what was set, and draws the same picture.
+  std::string preset = folder_ / "found.lua", out = folder_ / "out.png";
+  EXPECT_NE(contentOf(preset).find("jitter = \"hash\""), std::string::npos) << contentOf(preset);
+  Outcome drawn = run("render " + shot_ + "--set preset=" + preset + " -o " + out);
+  ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+  Json record = Json::parse(contentOf(folder_ / "out.record.json"));
+  EXPECT_EQ(record["scripts"].count(preset), 1u) << "by its content";
+  bool same = false;
+  for (const Json& group : seen) same = same || group["points"][1].value("image", "") == record["outputs"]["color"];
+  EXPECT_TRUE(same);
+
+  // Again nothing is drawn, and the choice is the same; `report` lays it out.
+  auto drawn_at = [&] {
+    std::map<std::string, fs::file_time_type> times;
+    for (const auto& entry : fs::directory_iterator(folder_.path() / "found/truth"))
+      times[entry.path().string()] = entry.last_write_time();
+    return times;
+  };
+  std::string first = contentOf(preset);
+  auto before = drawn_at();
+  Outcome again = tune(options);
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(contentOf(preset), first);
+  EXPECT_EQ(drawn_at(), before);
+  EXPECT_NE(again.out.find("chosen"), std::string::npos) << again.out;
+  EXPECT_NE(again.out.find("--set preset=" + preset), std::string::npos) << again.out;
+  EXPECT_EQ(run("report " + (folder_ / "found")).exit_code, 0);
+}
+
+TEST_F(Tune, SaysThatNothingMeetsTheLimit) {
+  Outcome outcome = tune("--vary samples --max-error 0.01x --cost own --evaluations 10");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("nothing that was tried meets the limit"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.out.find("nearest"), std::string::npos) << outcome.out;
+  EXPECT_FALSE(fs::exists(folder_ / "found.lua"));
+  const Json seen = groups();
+  EXPECT_GT(seen.size(), 3u) << "the front is there all the same";
+  const Json& start = seen[0]["points"][1]["values"];
+  EXPECT_GT(start["ms_own"]["all"].get<double>(), 0);
+  EXPECT_LT(start["ms_own"]["all"].get<double>(), start["ms"]["all"].get<double>()) << "without what it shares";
+  EXPECT_EQ(start["own_ratio"]["all"].get<double>(), 1) << "the base is itself";
+}
+
+TEST_F(Tune, RefusesMisuse) {
+  const std::string found = " -o " + (folder_ / "found.lua") + " ", goal = found + "--budget-ratio 1 ";
+  expectRefusal(shot_ + found, "none of --budget-ms, --budget-ratio and --max-error is given");
+  expectRefusal(shot_ + goal + "--max-error 1", "two of --budget-ms, --budget-ratio and --max-error are given");
+  expectRefusal(shot_ + found + "--max-error little", "no error above 0");
+  expectRefusal(shot_ + goal + "--measure rmes", "there is no 'rmes'; did you mean 'rmse'?");
+  expectRefusal(shot_ + goal + "--measure psnr", "there is no 'psnr'");
+  expectRefusal(shot_ + goal + "--region iner", "did you mean 'inner'?");
+  expectRefusal(shot_ + goal + "--vary smaples", "'mcguire2012' has no parameter 'smaples'; did you mean 'samples'?");
+  expectRefusal(shot_ + goal + "--set samples=4 --vary samples", "'samples' is set besides");
+  expectRefusal(shot_ + goal + "--base mcguire2013", "did you mean 'mcguire2012'?");
+  expectRefusal("none" + goal, "'none' has no parameter to vary");
+  expectRefusal("ground_truth" + goal, "'ground_truth' is truth");
+  expectRefusal(shot_ + "--budget-ratio 1 -o " + (folder_ / "found.txt"), "a preset is a .lua file");
+}
+
+}  // namespace
+}  // namespace strobe::testing
