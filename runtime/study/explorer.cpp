@@ -66,6 +66,7 @@ std::string sweepOf(const Results& results, const PointGroup& group, const Point
   std::string only = "arm=" + point.arm + ",shot=" + group.shot;
   for (const auto& [axis, value] : group.at)
     only += "," + axis + "=" + (value.is_string() ? value.get<std::string>() : value.dump());
+  for (size_t at = only.find('\''); at != std::string::npos; at = only.find('\'', at + 4)) only.replace(at, 1, "'\\''");
   std::string command = results.command.substr(0, results.command.find(" --only"));
   return command.substr(0, command.find(" -o ")) + " --only '" + only + "' -o out/again";
 }

@@ -10,7 +10,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "base/error.h"
+#include "base/process.h"
 #include "image/exr.h"
+#include "image/jpeg.h"
+#include "image/metrics.h"
 #include "image/png.h"
 #include "image/tone.h"
 
@@ -186,6 +189,29 @@ TEST_F(ImageFiles, DamagedPngIsRefused) {
     expectRefusal(refusal([&] { readPng(path("cut.png")); }), "cut.png");
   }
   expectRefusal(refusal([&] { readPng(path("missing.png")); }), "missing.png");
+}
+
+// As another program reads them: near what was written, the nearer the larger.
+TEST_F(ImageFiles, JpegIsAsAnotherProgramReadsIt) {
+  for (int channels : {1, 3}) {
+    Image display = ramp(64, 48, channels);
+    double last = 1;
+    size_t size = 0;
+    for (int quality : {20, 60, 95}) {
+      std::string bytes = encodeJpeg(display, quality);
+      EXPECT_EQ(bytes, encodeJpeg(display, quality));
+      EXPECT_GT(bytes.size(), size);
+      size = bytes.size();
+      writeFileAtomically(path("a.jpg"), bytes);
+      ProgramEnd end = run({.arguments = {"convert", path("a.jpg").string(), path("b.png").string()}});
+      if (!end.succeeded()) GTEST_SKIP() << "no ImageMagick to read it";
+      Image read = readPng(path("b.png"));
+      double error = rootMeanSquaredError(read, threeChannels(display));
+      EXPECT_LT(error, last) << quality;
+      last = error;
+    }
+    EXPECT_LT(last, 0.02) << channels;
+  }
 }
 
 TEST(Srgb, KnownValuesAndInverse) {

@@ -79,6 +79,30 @@ TEST(Page, HasAScriptOnlyWhereThereIsAComparison) {
   EXPECT_EQ(htmlOf(Page{"a", "", {Paragraph{"b"}}, {}}).find("<script"), std::string::npos);
 }
 
+// What is between tags of a script is no HTML.
+std::string withoutScripts(std::string html) {
+  for (size_t from = html.find("<script"); from != std::string::npos; from = html.find("<script", from))
+    html.erase(from, html.find("</script>", from) + 9 - from);
+  return html;
+}
+
+TEST(Page, AnExplorerHasItsDataAndItsLibrary) {
+  Page page = made();
+  page.blocks.push_back(Explorer{{{"title", "</script><b>"}}, {"a('</script>')", "charts", "may be copied */"}});
+  page.blocks.push_back(Still{{Heading{"Points", 2, "points"}, Paragraph{"as a list"}}});
+  std::string html = htmlOf(page);
+  EXPECT_EQ(unsound(withoutScripts(html)), "");
+  EXPECT_NE(html.find(R"({"title":"\u003c/script>\u003cb>"})"), std::string::npos);
+  EXPECT_NE(html.find("/*\nmay be copied * /*/\na('<\\/script>')"), std::string::npos);
+  EXPECT_NE(html.find("<div class=\"still\">\n<h2 id=\"points\">"), std::string::npos);
+  EXPECT_EQ(htmlOf(made()).find("explorer"), std::string::npos) << "style and scripts only where there is one";
+  std::string style = std::string(asset("page.css")) + std::string(asset("explorer.css"));
+  static const std::regex classes(R"rx(class="([a-z]+)")rx");
+  std::string skeleton(asset("explorer.html"));
+  for (std::sregex_iterator at(skeleton.begin(), skeleton.end(), classes), end; at != end; ++at)
+    EXPECT_NE(style.find("." + (*at)[1].str()), std::string::npos) << (*at)[1];
+}
+
 TEST(Page, HeadingsWithIdsAreTheNavigation) {
   std::string html = htmlOf(made());
   EXPECT_NE(html.find("<a href=\"#two\">Two</a>"), std::string::npos);

@@ -126,6 +126,11 @@ class Page:
         for kind in ("mousePressed", "mouseReleased"):
             self.call("Input.dispatchMouseEvent", type=kind, button="left", clickCount=1, **at)
 
+    def drag(self, selector, start, end):
+        """From one place in an element to another, as shares of its sides."""
+        for kind, at, held in (("mousePressed", start, 1), ("mouseMoved", end, 1), ("mouseReleased", end, 0)):
+            self.call("Input.dispatchMouseEvent", type=kind, button="left", buttons=held, clickCount=1, **self.place(selector, *at))
+
     def point(self, selector, x, y):
         """Moves the pointer to a place in an element, as shares of its sides."""
         self.call("Input.dispatchMouseEvent", type="mouseMoved", **self.place(selector, x, y))

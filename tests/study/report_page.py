@@ -132,6 +132,17 @@ def table(page):
 def others(page):
     tab(page, "parallel")
     expect("lines", page.run("document.querySelectorAll('#view-parallel .line').length"), 22)
+    axis = "#view-parallel .dimension:nth-of-type(5) .overlay"  # arm is the first after the lines
+    expect("its axis", page.run("[...document.querySelectorAll('#view-parallel .dimension .title')].map(one => one.textContent)[3]"),
+           "RMSE, inner")
+    page.drag(axis, (0.5, 0.4), (0.5, 1))
+    filtered = page.run("explorer.state.filters.rmse")
+    expect("dragging filters", page.run("explorer.visible().length"),
+           sum(row["shot"] == "near" and row["region"] == "inner" and row["rmse"] != ""
+               and filtered["from"] <= float(row["rmse"]) <= filtered["to"] for row in rows))
+    expect("some are out", page.run("document.querySelectorAll('#view-parallel .line.out').length > 0"))
+    page.click(axis)
+    expect("a click shows all again", page.run("explorer.fragment().includes('only')"), False)
     tab(page, "effects")
     expect("effects", page.run("[...new Set([...document.querySelectorAll('#main-effects tr[data-factor]')].map("
                                "one => one.dataset.factor))].join()"), "arm,samples,tile")
@@ -241,6 +252,11 @@ def main():
             part(page)
         wrong.extend(page.problems)
         page.problems.clear()
+        page.call("Emulation.setScriptExecutionDisabled", value=True)
+        page.go(f"file://{folder}/report.html")
+        expect("without scripts what stands still is there", page.run("document.querySelector('.still').offsetHeight > 500"))
+        expect("and nothing to click", page.run("document.querySelector('.explorer').offsetHeight"), 0)
+        page.call("Emulation.setScriptExecutionDisabled", value=False)
         page.go(f"file://{folder}/still.html")
         expect("a page without a library", page.run("document.querySelectorAll('svg.chart').length"), 2)
         wrong.extend(page.problems)

@@ -223,10 +223,7 @@
       for (const tick of ticks)
         column.append("text").attr("class", "tick").attr("x", -6).attr("y", one.scale(tick) + 4).attr("text-anchor", "end")
           .text(one.levels ? tick : written(tick));
-      const brush = d3.brushY().extent([[-14, top - 2], [14, bottom + 2]]).on("end", function () {
-        const event = d3.event || arguments[0];
-        if (event && event.sourceEvent) brushed(one, event.selection);
-      });
+      const brush = d3.brushY().extent([[-14, top - 2], [14, bottom + 2]]);
       const area = column.append("g").attr("class", "brush").call(brush);
       const filter = state.filters[one.name];
       if (filter && filter.levels && one.levels) {
@@ -236,6 +233,13 @@
         const [low, high] = one.scale.domain(), inside = end => one.scale(Math.min(high, Math.max(low, end)));
         area.call(brush.move, [inside(filter.to ?? high), inside(filter.from ?? low)]);
       }
+      // What a person drags, not what was placed above; a click, which changes nothing, takes the filter away.
+      let before = "";
+      brush.on("start", function () { before = JSON.stringify((d3.event || arguments[0]).selection); });
+      brush.on("end", function () {
+        const event = d3.event || arguments[0];
+        if (event.sourceEvent) brushed(one, JSON.stringify(event.selection) === before ? null : event.selection);
+      });
     });
   }
 
