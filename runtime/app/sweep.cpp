@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "app/files.h"
+#include "app/result_files.h"
 #include "app/shot_options.h"
 #include "base/log.h"
-#include "image/png.h"
 #include "lab/shot_options.h"
 #include "study/frozen.h"
 #include "study/points.h"
@@ -34,12 +34,7 @@ study::Results resultsIn(const Path& file) {
   return results;
 }
 
-// What a report consists of, by the names it has in its folder.
-struct Names {
-  std::string page = "report.html", sheet = "report.png", results = "result.json", text = "result.md",
-              table = "table.csv", passes = "passes.csv";
-};
-const Names kDemoNames = {"demo.html", "demo.png", "demo.json", "demo.md", "table.csv", "passes.csv"};
+const ResultNames kDemoNames = {"demo.html", "demo.png", "demo.json", "demo.md", "table.csv", "passes.csv"};
 
 // The command as somebody would repeat it.
 std::string commandOf(const Home& home, const std::string& name, const Options& options) {
@@ -55,30 +50,10 @@ std::string commandOf(const Home& home, const std::string& name, const Options& 
   return line;
 }
 
-std::vector<Path> write(const study::Results& results, const Path& folder, const Names& names, bool still) {
-  study::Report report(results, folder);
-  std::vector<Path> files;
-  auto keep = [&](const std::string& name, const std::string& text) {
-    files.push_back(folder / name);
-    writeFileAtomically(files.back(), text);
-  };
-  if (report.hasSheet()) {
-    files.push_back(folder / names.sheet);
-    image::writePng(files.back(), report.sheet());
-  }
-  keep(names.page, report.page(still ? page::Library() : page::findLibrary()));
-  keep(names.results, study::toJson(results).dump(1) + "\n");
-  keep(names.text, report.markdown(names.page));
-  for (const auto& [name, svg] : report.figures()) keep(name, svg);
-  keep(names.table, study::csvOf(results));
-  if (std::string passes = study::passesCsvOf(results); !passes.empty()) keep(names.passes, passes);
-  return files;
-}
-
 // Results and files on stdout; a point that failed, or an expectation that the results contradict, ends the command
 // with exit code 1.
-void show(const study::Results& results, const Path& folder, const Names& names, bool json, bool still = false) {
-  std::vector<Path> files = write(results, folder, names, still);
+void show(const study::Results& results, const Path& folder, const ResultNames& names, bool json, bool still = false) {
+  std::vector<Path> files = writeResults(results, folder, names, still);
   std::fputs((json ? study::toJson(results).dump(1) + "\n" : study::Report(results, folder).text() + "\n").c_str(),
              stdout);
   for (const Path& file : files)
@@ -110,7 +85,7 @@ void list(const study::Experiment& experiment, bool json) {
   if (!json) std::printf("%zu points, %zu truths\n", experiment.points(), experiment.groups.size());
 }
 
-void sweep(const Home& home, const std::string& name, const Options& options, const Names& names) {
+void sweep(const Home& home, const std::string& name, const Options& options, const ResultNames& names) {
   double started_s = clockSeconds();
   std::string file = hereOrAtHome(home, options.file);
   if (!options.dry_run) requireWritable(options.out);
@@ -162,10 +137,10 @@ struct ReportOptions {
 
 void report(const Home& home, const ReportOptions& options) {
   Path folder = options.folder;
-  bool of_demo = !std::filesystem::exists(folder / Names().results);
-  Names names = of_demo ? kDemoNames : Names();
+  bool of_demo = !std::filesystem::exists(folder / ResultNames().results);
+  ResultNames names = of_demo ? kDemoNames : ResultNames();
   if (!std::filesystem::exists(folder / names.results))
-    throw Error(fmt::format("there are no results in '{}' ({})", options.folder, Names().results), {}, 2);
+    throw Error(fmt::format("there are no results in '{}' ({})", options.folder, ResultNames().results), {}, 2);
   requireWritable(folder, "the folder");
   Path file = folder / names.results;
   study::Results results = resultsIn(file);

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/files.h"
+#include "app/result_files.h"
 #include "app/shot_options.h"
 #include "base/log.h"
 #include "lab/shot_options.h"
@@ -153,8 +154,8 @@ std::string tableOf(const study::Wish& wish, const study::Tuned& tuned, const st
 }
 
 Json jsonOf(const study::Measured& one) {
-  Json json = {
-      {"changed", Json::object()}, {"error", one.error}, {"ms", one.ms}, {"cost", one.ratio}, {"command", one.command}};
+  Json json = {{"changed", Json::object()}, {"error", one.error},    {"whole_error", one.whole_error}, {"ms", one.ms},
+               {"cost", one.ratio},         {"command", one.command}};
   for (const auto& [name, value] : one.changed) json["changed"][name] = plan::toJson(value);
   return json;
 }
@@ -171,21 +172,6 @@ Json jsonOf(const study::Tuned& tuned, const Path& file) {
   return json;
 }
 
-std::vector<Path> write(const study::Results& results, const Path& folder) {
-  study::Report report(results, folder);
-  const std::pair<const char*, std::string> files[] = {{"report.html", report.page()},
-                                                       {"result.json", study::toJson(results).dump(1) + "\n"},
-                                                       {"result.md", report.markdown("report.html")},
-                                                       {"table.csv", study::csvOf(results)},
-                                                       {"passes.csv", study::passesCsvOf(results)}};
-  std::vector<Path> written;
-  for (const auto& [name, text] : files) {
-    written.push_back(folder / name);
-    writeFileAtomically(written.back(), text);
-  }
-  return written;
-}
-
 // What draws the picture with the preset: the shot without what the preset holds.
 std::string renderCommand(lab::Shot shot, const Path& file) {
   std::erase_if(shot.sets, [](const script::Setting& set) { return set.first.find('.') == std::string::npos; });
@@ -193,13 +179,30 @@ std::string renderCommand(lab::Shot shot, const Path& file) {
   return lab::commandOf(shot);
 }
 
+// "0.0167 (whole picture 0.0104) at a cost of 0.383".
+std::string textOf(const study::Wish& wish, const study::Measured& one) {
+  std::string whole = wish.region == "whole" ? "" : fmt::format(" (whole picture {:.4g})", one.whole_error);
+  return fmt::format("{} {:.4g}{} at a cost of {:.3f}", wish.measure, one.error, whole, one.ratio);
+}
+
+std::string choiceText(const study::Wish& wish, const study::Tuned& tuned) {
+  const std::optional<study::Measured>& shown = tuned.chosen ? tuned.chosen : tuned.nearest;
+  if (!shown) return "Nothing could be measured.";
+  std::string settings = shown->changed.empty() ? "nothing changed" : textOf(shown->changed);
+  std::string text =
+      fmt::format("{}: {}, {}; as given {}", tuned.chosen ? "Chosen" : "Nothing met the limit; the nearest", settings,
+                  textOf(wish, *shown), textOf(wish, tuned.start));
+  return text + (wish.base.empty() ? "." : fmt::format("; {} {}.", wish.base, textOf(wish, tuned.base)));
+}
+
 void explain(const study::Wish& wish, study::Tuned& tuned) {
   const std::string& base = tuned.results.arms[1].name;
   tuned.results.question = "What gives " + goalText(wish, base) + "?";
   tuned.results.note = fmt::format(
-      "{} settings of {} parameters, of which a point names those that are not as given: starts that fill the space, "
-      "halved over the levels below, then {}. Cost is the time of {}, as a multiple of that of {} in the same rounds.",
-      tuned.evaluations, tuned.results.axes.size(),
+      "{} {} evaluations over {} parameters, of which a point names those that are not as given: starts that fill the "
+      "space, halved over the levels below, then {}. Cost is the time of {}, as a multiple of that of {} in the same "
+      "rounds.",
+      choiceText(wish, tuned), tuned.evaluations, tuned.results.axes.size(),
       tuned.finished ? "steps along each parameter until none was better"
                      : "steps along each parameter until the evaluations were used up",
       wish.own ? "the passes that a frame without blur does not have" : "a frame", base);
@@ -224,7 +227,7 @@ void tune(const Home& home, Options options) {
   tuned.results.command = commandOf(options, wish);
   // Laid out from the numbers as they are written, so that `report` gives the same page.
   study::Results results = study::resultsFrom(study::toJson(tuned.results), "the results");
-  std::vector<Path> files = write(results, folder);
+  std::vector<Path> files = writeResults(results, folder);
   std::string goal = goalText(wish, results.arms[1].name);
   if (tuned.chosen) {
     std::string doc =

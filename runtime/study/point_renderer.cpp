@@ -142,6 +142,7 @@ void PointRenderer::loadTruth(const TaskGroup& group) {
 }
 
 void PointRenderer::warnOnce(const std::string& who, const std::vector<std::string>& warnings) {
+  if (experiment_.is_step) return;  // of settings that are only tried
   for (const std::string& warning : warnings)
     if (warned_.insert(warning).second) warn(who + ": " + warning);
 }

@@ -268,8 +268,12 @@ script::Settings Tuner::changedBy(const Spot& spot) const {
 }
 
 Measured Tuner::measuredOf(const Point& point, const Spot& spot) const {
-  return {changedBy(spot), point.value(wish_.measure, wish_.region), point.value(wish_.msName()),
-          point.value(wish_.ratioName()), point.command};
+  return {changedBy(spot),
+          point.value(wish_.measure, wish_.region),
+          point.value(wish_.measure),
+          point.value(wish_.msName()),
+          point.value(wish_.ratioName()),
+          point.command};
 }
 
 // Among the few that seem best, which are timed once more: a short time is easily had by luck.

@@ -32,9 +32,9 @@ struct Wish {
 
 // One setting as it was measured at last.
 struct Measured {
-  script::Settings changed;  // from the wish's shot
-  double error = 0, ms = 0, ratio = 0;
-  std::string command;  // draws it
+  script::Settings changed;                              // from the wish's shot
+  double error = 0, whole_error = 0, ms = 0, ratio = 0;  // errors in the region and over the picture
+  std::string command;                                   // draws it
 };
 
 struct Tuned {

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "app/result_files.h"
+
+#include "image/png.h"
+#include "study/report.h"
+
+namespace strobe::app {
+
+std::vector<Path> writeResults(const study::Results& results, const Path& folder, const ResultNames& names,
+                               bool still) {
+  study::Report report(results, folder);
+  std::vector<Path> files;
+  auto keep = [&](const std::string& name, const std::string& text) {
+    files.push_back(folder / name);
+    writeFileAtomically(files.back(), text);
+  };
+  if (report.hasSheet()) {
+    files.push_back(folder / names.sheet);
+    image::writePng(files.back(), report.sheet());
+  }
+  keep(names.page, report.page(still ? page::Library() : page::findLibrary()));
+  keep(names.results, study::toJson(results).dump(1) + "\n");
+  keep(names.text, report.markdown(names.page));
+  for (const auto& [name, svg] : report.figures()) keep(name, svg);
+  keep(names.table, study::csvOf(results));
+  if (std::string passes = study::passesCsvOf(results); !passes.empty()) keep(names.passes, passes);
+  return files;
+}
+
+}  // namespace strobe::app
