@@ -14,7 +14,7 @@
     for (const one of data.shots) part("choose-shot").add(new Option(one.title, one.name));
     for (const one of data.regions) part("choose-region").add(new Option(one));
     for (const one of data.measures)
-      for (const id of ["choose-x", "choose-y"]) part(id).add(new Option(one.title + (one.unit ? ", " + one.unit : ""), one.name));
+      for (const id of ["choose-x", "choose-y"]) part(id).add(new Option(explorer.measureTitle(one.name), one.name));
     for (const id of ["choose-x", "choose-y"])
       for (const option of part(id).options) option.title = explorer.measures.get(option.value).doc;
     for (const name of choices)
@@ -114,7 +114,8 @@
 
   document.addEventListener("keydown", event => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
-    if (event.target.closest("input:not([type=checkbox]), select, textarea, .comparison") || event.target.matches("pre, .scroll")) return;
+    const own = "input:not([type=checkbox]), select, textarea, .comparison";  // what has a use of its own for them
+    if (event.target.closest(own) || event.target.matches("pre, .scroll")) return;
     const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
     const inside = event.target.closest(".explorer") || event.target === document.body;
     if (by && inside && (event.key === "ArrowRight" || event.key === "ArrowLeft" || event.target.closest(".mark"))) {

@@ -10,13 +10,18 @@
   const symbolOf = arm => d3.symbol().type(symbols[methods.indexOf(arm) % symbols.length]).size(64)();
   const chosen = point => (point.n === state.selected ? " selected" : "") + (state.pins.includes(point.n) ? " pinned" : "");
 
-  // An empty chart with room inside its margins.
-  function canvas(host, width, height, margin, about) {
+  function canvas(host, width, height, about) {
     const svg = d3.create("svg").attr("class", "chart live-chart").attr("viewBox", `0 0 ${width} ${height}`)
       .attr("role", "group").attr("aria-label", about);
     host.append(svg.node());
     return svg;
   }
+
+  const text = (svg, classes, x, y, anchor, words) =>
+    svg.append("text").attr("class", classes).attr("x", x).attr("y", y).attr("text-anchor", anchor).text(words);
+  const path = (svg, classes, d) => svg.append("path").attr("class", classes).attr("d", d);
+  const plot = (svg, left, right, top, bottom) => svg.append("rect").attr("class", "plot").attr("x", left).attr("y", top)
+    .attr("width", right - left).attr("height", bottom - top);
 
   // Logarithmic where asked for, or where values of a cost span more than a factor of five.
   function isLog(name, how, extent) {
@@ -48,23 +53,23 @@
   }
 
   function axes(svg, x, y, left, right, top, bottom) {
-    svg.append("rect").attr("class", "plot").attr("x", left).attr("y", top).attr("width", right - left).attr("height", bottom - top);
+    plot(svg, left, right, top, bottom);
     for (const one of ticksOf(x, 8)) {
-      svg.append("path").attr("class", "grid").attr("d", `M${x(one)} ${top}V${bottom}`);
-      svg.append("text").attr("class", "tick").attr("x", x(one)).attr("y", bottom + 17).attr("text-anchor", "middle").text(written(one));
+      path(svg, "grid", `M${x(one)} ${top}V${bottom}`);
+      text(svg, "tick", x(one), bottom + 17, "middle", written(one));
     }
     for (const one of ticksOf(y, 6)) {
-      svg.append("path").attr("class", "grid").attr("d", `M${left} ${y(one)}H${right}`);
-      svg.append("text").attr("class", "tick").attr("x", left - 7).attr("y", y(one) + 4).attr("text-anchor", "end").text(written(one));
+      path(svg, "grid", `M${left} ${y(one)}H${right}`);
+      text(svg, "tick", left - 7, y(one) + 4, "end", written(one));
     }
   }
 
   // Marks that are buttons: the pointer, Tab and Enter reach them.
   function mark(parent, point, place, said) {
     const arm = point.a;
-    const group = parent.append("g").attr("class", "mark " + styleOf(arm) + chosen(point)).attr("transform", `translate(${place})`)
-      .attr("role", "button").attr("tabindex", point.n === state.selected ? 0 : -1).attr("data-point", point.n)
-      .attr("aria-label", said).attr("aria-pressed", point.n === state.selected);
+    const group = parent.append("g").attr("class", "mark " + styleOf(arm) + chosen(point))
+      .attr("transform", `translate(${place})`).attr("role", "button").attr("data-point", point.n).attr("aria-label", said)
+      .attr("tabindex", point.n === state.selected ? 0 : -1).attr("aria-pressed", point.n === state.selected);
     group.append("circle").attr("class", "ring").attr("r", 9);
     group.append("path").attr("class", "shape" + (point.limits ? " hollow" : "")).attr("d", symbolOf(arm));
     group.append("title").text(said);
@@ -100,26 +105,25 @@
     const { x: xName, y: yName, region } = state;
     const of = (point, name) => value(point, name, region);
     const list = explorer.visible().filter(point => Number.isFinite(of(point, xName)) && Number.isFinite(of(point, yName)));
-    const title = `${explorer.measureTitle(yName, region)} against ${explorer.measureTitle(xName, region)}` +
-      (state.shot ? "; " + explorer.shotTitle(state.shot) : "; all shots");
+    const title = explorer.measureTitle(yName, region) + " against " + explorer.measureTitle(xName, region) + explorer.ofShot();
     explorer.append(host, "h3", title);
     if (!list.length) return void explorer.append(host, "p", "No point that is shown has both values.");
     const front = explorer.front(list, xName, yName, region);
-    explorer.append(host, "p", `${front.length} of ${list.length} points are on the front: no other that is shown is as good in both.`)
-      .className = "finding";
+    explorer.append(host, "p", `${front.length} of ${list.length} points are on the front: no other that is shown is as ` +
+      "good in both.", { class: "finding" });
     const width = 940, height = 470, left = 74, right = 740, top = 14, bottom = 414;
-    const svg = canvas(host, width, height, 0, title);
+    const svg = canvas(host, width, height, title);
     const x = scaleOf(xName, state.logx, list.map(point => of(point, xName)), [left + 4, right - 4]);
     const y = scaleOf(yName, state.logy, list.map(point => of(point, yName)), [bottom - 4, top + 4]);
     axes(svg, x, y, left, right, top, bottom);
-    svg.append("text").attr("class", "title").attr("x", (left + right) / 2).attr("y", bottom + 42).attr("text-anchor", "middle")
-      .text(explorer.measureTitle(xName, region));
+    text(svg, "title", (left + right) / 2, bottom + 42, "middle", explorer.measureTitle(xName, region));
     svg.append("text").attr("class", "title").attr("transform", `translate(16 ${(top + bottom) / 2}) rotate(-90)`)
       .attr("text-anchor", "middle").text(explorer.measureTitle(yName, region));
     const place = point => [x(of(point, xName)), y(of(point, yName))];
     const steps = front.map(place);
     svg.append("g").attr("class", "front").append("path")
       .attr("d", steps.map(([px, py], i) => i ? `H${px}V${py}` : `M${px} ${py}`).join(""));
+    quartiles(svg, list, place, [[xName, x, true], [yName, y, false]]);
     const order = list.slice().sort((a, b) => (a.n === state.selected) - (b.n === state.selected));
     const marks = svg.append("g").attr("class", "marks");
     for (const point of order)
@@ -128,13 +132,32 @@
         (front.includes(point) ? "; on the front" : "")).classed("on-front", front.includes(point));
     if (!order.some(point => point.n === state.selected)) marks.select(".mark").attr("tabindex", 0);
     legend(svg, list, right + 22, top + 8, true);
-    explorer.append(host, "p", "Hollow marks: a limit was met." +
-      (data.software ? " A software device: its milliseconds are not a GPU's." : "")).className = "soft";
+    const remarks = ["Hollow marks: a limit was met."];
+    if (measures.has("ms_low")) remarks.push("Lines: quartiles of the times.");
+    if (data.software) remarks.push("A software device: its milliseconds are not a GPU's.");
+    explorer.append(host, "p", remarks.join(" "), { class: "soft" });
     frontTable(host, front);
   }
 
+  // Where both quartiles of the times were measured, a line between them.
+  function quartiles(svg, list, place, axes) {
+    if (!measures.has("ms_low") || !measures.has("ms_high")) return;
+    for (const [name, scale, across] of axes) {
+      if (name !== "ms") continue;
+      const within = number => Math.min(scale.domain()[1], Math.max(scale.domain()[0], number));
+      for (const point of list) {
+        const ends = ["ms_low", "ms_high"].map(one => value(point, one));
+        if (!ends.every(Number.isFinite)) continue;
+        const [from, to] = ends.map(one => scale(within(one))), [px, py] = place(point);
+        svg.append("g").attr("class", styleOf(point.a)).append("path").attr("class", "error")
+          .attr("d", across ? `M${from} ${py}H${to}` : `M${px} ${from}V${to}`);
+      }
+    }
+  }
+
   function frontTable(host, front) {
-    const columns = ["point", "method and values", explorer.measureTitle(state.x, state.region), explorer.measureTitle(state.y, state.region)];
+    const titles = [state.x, state.y].map(one => explorer.measureTitle(one, state.region));
+    const columns = ["point", "method and values", ...titles];
     const table = explorer.table(host, columns, [false, false, true, true]);
     table.id = "front-points";
     for (const point of front) {
@@ -148,44 +171,43 @@
 
   // ---- parallel coordinates
 
-  // Arm, axes, measures: a scale each, with `at(point)`; what a point does not have is at the lower end.
+  // Arm, axes, measures: a scale each, with `at(point)`; what a point does not have is below the lower end.
   function dimensions(list, top, bottom) {
-    const all = [], range = [bottom, top];
+    const all = [], range = [bottom, top], below = bottom + 14;
     const discrete = (name, title, levels, of) => {
       if (levels.length < 2) return;
       const scale = d3.scalePoint().domain(levels).range(range).padding(0.3);
-      all.push({ name, title, scale, levels, at: point => scale(of(point)) ?? bottom + 14 });
+      all.push({ name, title, scale, levels, at: point => scale(of(point)) ?? below });
     };
-    discrete("arm", "arm", methods.map(arm => data.arms[arm].name).filter(name => list.some(point => point.arm === name)),
-             point => point.arm);
-    for (const axis of data.axes) {
-      const used = axis.values.filter(one => list.some(point => point.at[axis.name] === one));
+    const continuous = (name, title, scale, of) =>
+      all.push({ name, title, scale, at: point => Number.isFinite(of(point)) ? scale(of(point)) : below });
+    const arms = methods.map(arm => data.arms[arm].name).filter(name => list.some(point => point.arm === name));
+    discrete("arm", "arm", arms, point => point.arm);
+    for (const { name, title, values } of data.axes) {
+      const used = values.filter(one => list.some(point => point.at[name] === one));
       if (used.length < 2) continue;
-      const numeric = used.every(one => typeof one === "number");
-      if (!numeric || used.length <= 12)
-        discrete(axis.name, axis.title, used.map(one => explorer.label(axis.name, one)),
-                 point => explorer.label(axis.name, point.at[axis.name]));
-      else {
-        const [least, most] = d3.extent(used), wide = least > 0 && most > 20 * least;
-        const scale = (wide ? d3.scaleLog() : d3.scaleLinear()).domain([least, most]).range(range);
-        scale.log = wide;
-        all.push({ name: axis.name, title: axis.title, scale, at: point => axis.name in point.at ? scale(point.at[axis.name]) : bottom + 14 });
+      if (used.length <= 12 || !used.every(one => typeof one === "number")) {
+        discrete(name, title, used.map(one => explorer.label(name, one)), point => explorer.label(name, point.at[name]));
+        continue;
       }
+      const [least, most] = d3.extent(used), wide = least > 0 && most > 20 * least;
+      const scale = (wide ? d3.scaleLog() : d3.scaleLinear()).domain([least, most]).range(range);
+      scale.log = wide;
+      continuous(name, title, scale, point => point.at[name]);
     }
-    for (const one of data.measures) {
-      const numbers = list.map(point => value(point, one.name, state.region)).filter(Number.isFinite);
-      if (numbers.length < 2 || one.better === "neither") continue;
-      const scale = scaleOf(one.name, "auto", numbers, range);
-      all.push({ name: one.name, title: explorer.measureTitle(one.name, state.region), scale,
-                 at: point => { const number = value(point, one.name, state.region); return Number.isFinite(number) ? scale(number) : bottom + 14; } });
+    for (const { name, better } of data.measures) {
+      const of = point => value(point, name, state.region), numbers = list.map(of).filter(Number.isFinite);
+      if (numbers.length < 2 || better === "neither") continue;
+      continuous(name, explorer.measureTitle(name, state.region), scaleOf(name, "auto", numbers, range), of);
     }
     return all;
   }
 
   // Drawn along an axis: a filter of the levels or the range inside.
   function brushed(one, span) {
+    const inside = level => span[0] <= one.scale(level) && one.scale(level) <= span[1];
     if (!span) delete state.filters[one.name];
-    else if (one.levels) state.filters[one.name] = { levels: one.levels.filter(level => span[0] <= one.scale(level) && one.scale(level) <= span[1]) };
+    else if (one.levels) state.filters[one.name] = { levels: one.levels.filter(inside) };
     else {
       const round = number => Number(number.toPrecision(4));
       state.filters[one.name] = { from: round(one.scale.invert(span[1])), to: round(one.scale.invert(span[0])) };
@@ -195,19 +217,19 @@
 
   function drawParallel(host) {
     host.textContent = "";
-    const all = explorer.points.filter(point => !state.shot || point.shot === state.shot).filter(point => Object.keys(point.v).length);
+    const all = explorer.points.filter(point => (!state.shot || point.shot === state.shot) && Object.keys(point.v).length);
     const shown = new Set(explorer.visible());
-    explorer.append(host, "h3", "Every point as a line" + (state.shot ? "; " + explorer.shotTitle(state.shot) : "; all shots"));
-    explorer.append(host, "p", "Drag along an axis to show only what passes there; click it to show all again. The filters above do " +
-      "the same from the keyboard. Lines end lower where a point has no value.").className = "soft";
+    explorer.append(host, "h3", "Every point as a line" + explorer.ofShot());
+    explorer.append(host, "p", "Drag along an axis to show only what passes there; click it to show all again. The filters " +
+      "above do the same from the keyboard. Lines end lower where a point has no value.", { class: "soft" });
     if (!all.length) return;
     const width = 1100, top = 56, bottom = 400, left = 130, right = width - 40;
     const list = dimensions(all, top, bottom);
-    const svg = canvas(host, width, 440, 0, "Parallel coordinates of arm, axes and measures");
+    const svg = canvas(host, width, 440, "Parallel coordinates of arm, axes and measures");
     const x = d3.scalePoint().domain(list.map(one => one.name)).range([left, right]);
     const lines = svg.append("g").attr("class", "lines");
-    const order = all.slice().sort((a, b) => shown.has(a) - shown.has(b) || state.pins.includes(a.n) - state.pins.includes(b.n) ||
-      (a.n === state.selected) - (b.n === state.selected));
+    const rank = point => shown.has(point) + 2 * state.pins.includes(point.n) + 4 * (point.n === state.selected);
+    const order = all.slice().sort((a, b) => rank(a) - rank(b));
     for (const point of order) {
       const out = !shown.has(point);
       const line = lines.append("g").attr("class", "line " + styleOf(point.a) + chosen(point) + (out ? " out" : ""));
@@ -217,12 +239,11 @@
     }
     list.forEach((one, index) => {
       const column = svg.append("g").attr("class", "dimension").attr("transform", `translate(${x(one.name)} 0)`);
-      column.append("path").attr("class", "tickmark").attr("d", `M0 ${top}V${bottom}`);
-      column.append("text").attr("class", "title").attr("y", index % 2 ? 34 : 16).attr("text-anchor", "middle").text(one.title);
+      path(column, "tickmark", `M0 ${top}V${bottom}`);
+      text(column, "title", 0, index % 2 ? 34 : 16, "middle", one.title);
       const ticks = one.levels || ticksOf(one.scale, 5);
       for (const tick of ticks)
-        column.append("text").attr("class", "tick").attr("x", -6).attr("y", one.scale(tick) + 4).attr("text-anchor", "end")
-          .text(one.levels ? tick : written(tick));
+        text(column, "tick", -6, one.scale(tick) + 4, "end", one.levels ? tick : written(tick));
       const brush = d3.brushY().extent([[-14, top - 2], [14, bottom + 2]]);
       const area = column.append("g").attr("class", "brush").call(brush);
       const filter = state.filters[one.name];
@@ -243,5 +264,5 @@
     });
   }
 
-  Object.assign(explorer, { drawFront, drawParallel, styleOf, symbolOf, chartCanvas: canvas, writtenTick: written });
+  Object.assign(explorer, { drawFront, drawParallel, chart: { canvas, text, path, plot, written } });
 })();

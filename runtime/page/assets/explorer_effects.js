@@ -1,26 +1,29 @@
 // Main effects and pairwise interactions of the measure that is y, as the program computed them.
 (function () {
   "use strict";
-  const { data, state } = explorer;
+  const { data, state } = explorer, { canvas, text, path, plot, written } = explorer.chart;
   const signed = number => number === null ? "–" : (number > 0 ? "+" : "") + d3.format(".3~g")(number);
   const isClear = ([, low, high]) => low !== null && (low > 0 || high < 0);
   const interval = ([, low, high]) => low === null ? "–" : `${signed(low)} to ${signed(high)}`;
 
-  const howToRead = "An effect is a level's mean difference from the mean of its block: points that are alike in all else. Blocks " +
-    "that lack a level are left out. An interaction is what is left of a cell after the effects of its row and its column. " +
-    "Intervals are 95 % of Student's t over the blocks; they are not widened for their number. Where no block is complete, numbers " +
-    "are fitted by a straight line, other levels compared unpaired. All points of the shot count, also those that filters hide.";
+  const howToRead = "An effect is a level's mean difference from the mean of its block: points that are alike in all else. " +
+    "Blocks that lack a level are left out. An interaction is what is left of a cell after the effects of its row and its " +
+    "column. Intervals are 95 % of Student's t over the blocks; they are not widened for their number. Where no block is " +
+    "complete, numbers are fitted by a straight line, other levels compared unpaired. All points of the shot count, also " +
+    "those that filters hide.";
+  const plural = (count, word) => `${count} ${word}${count === 1 ? "" : "s"}`;
+  const leftOut = count => count ? `, ${count} incomplete left out` : "";
 
   function found() {
-    const per_region = explorer.measures.get(state.y).per_region;
-    return data.effects.find(one => one.shot === state.shot && one.measure === state.y && one.region === (per_region ? state.region : ""));
+    const region = explorer.measures.get(state.y).per_region ? state.region : "";
+    return data.effects.find(one => one.shot === state.shot && one.measure === state.y && one.region === region);
   }
 
   // What the numbers of a factor rest on.
   function basis(one) {
     if (one.comparison === "unpaired") return "unpaired: its levels never stand under the same conditions";
     if (one.comparison === "slope") return "a straight line through all points";
-    return `${one.blocks} block${one.blocks === 1 ? "" : "s"}` + (one.incomplete ? `, ${one.incomplete} incomplete left out` : "");
+    return plural(one.blocks, "block") + leftOut(one.incomplete);
   }
 
   // One row per level: a dot with its interval about 0, and the numbers.
@@ -30,8 +33,8 @@
       const factor = effects.factors[one.factor];
       const list = one.comparison === "slope" ? [[one.doubling ? "per doubling" : "per unit", one.slope]]
         : one.levels.map((level, index) => [factor.labels[index], level]);
-      list.forEach(([label, estimate], index) => rows.push({ factor: index ? "" : factor.name, label, estimate, basis: index ? "" : basis(one),
-                                                             named: factor.name }));
+      list.forEach(([label, estimate], index) => rows.push({ named: factor.name, label, estimate, first: index === 0,
+                                                             basis: basis(one) }));
     }
     return rows;
   }
@@ -47,8 +50,8 @@
       const line = table.tBodies[0].insertRow();
       line.dataset.factor = row.named, line.dataset.level = row.label;
       const head = document.createElement("th");
-      head.scope = "row", head.textContent = row.factor, line.append(head);
-      if (row.basis) head.append(explorer.element("small", row.basis));
+      head.scope = "row", head.textContent = row.first ? row.named : "", line.append(head);
+      if (row.first) head.append(explorer.element("small", row.basis));
       line.insertCell().textContent = row.label;
       for (const text of [signed(row.estimate[0]), interval(row.estimate)]) {
         const cell = line.insertCell();
@@ -64,9 +67,9 @@
     const [at, low, high] = row.estimate;
     const svg = d3.create("svg").attr("class", "chart whisker").attr("viewBox", `0 0 ${width} 22`).attr("role", "img")
       .attr("aria-label", `${row.named} ${row.label}: ${signed(at)}, ${interval(row.estimate)}`);
-    svg.append("path").attr("class", "tickmark").attr("d", `M${x(0)} 0V22`);
+    path(svg, "tickmark", `M${x(0)} 0V22`);
     const group = svg.append("g").attr("class", isClear(row.estimate) ? "s2" : "s0");
-    if (low !== null) group.append("path").attr("class", "error").attr("d", `M${x(low)} 11H${x(high)}M${x(low)} 6v10M${x(high)} 6v10`);
+    if (low !== null) path(group, "error", `M${x(low)} 11H${x(high)}M${x(low)} 6v10M${x(high)} 6v10`);
     group.append("circle").attr("cx", x(at)).attr("cy", 11).attr("r", 4.2);
     cell.append(svg.node());
   }
@@ -84,7 +87,10 @@
     const label = explorer.append(host, "label", "pair, the strongest first ");
     const select = explorer.append(label, "select");
     select.id = "choose-pair";
-    for (const pair of pairs) select.add(new Option(`${nameOf(effects, pair)} (up to ${d3.format(".3~g")(strength(pair))})`, nameOf(effects, pair)));
+    for (const pair of pairs) {
+      const name = nameOf(effects, pair);
+      select.add(new Option(`${name} (up to ${d3.format(".3~g")(strength(pair))})`, name));
+    }
     const pair = pairs.find(one => nameOf(effects, one) === state.pair) || pairs[0];
     select.value = nameOf(effects, pair);
     select.onchange = () => { state.pair = select.value; explorer.changed(); };
@@ -94,7 +100,8 @@
 
   function cellTable(host, effects, pair) {
     const rows = effects.factors[pair.first], columns = effects.factors[pair.second];
-    const table = explorer.table(host, [`${rows.name} \\ ${columns.name}`].concat(columns.labels), [false].concat(columns.labels.map(() => true)));
+    const heads = [`${rows.name} \\ ${columns.name}`].concat(columns.labels);
+    const table = explorer.table(host, heads, heads.map((_, index) => index > 0));
     table.id = "interaction";
     const most = strength(pair) || 1;
     pair.cells.forEach((cells, row) => {
@@ -110,50 +117,53 @@
         cell.classList.add(estimate[0] > 0 ? "more" : "less");
       }
     });
-    explorer.append(host, "p", `${pair.blocks} block${pair.blocks === 1 ? "" : "s"}` +
-      (pair.incomplete ? `, ${pair.incomplete} incomplete left out` : "") +
-      (pair.blocks === 1 ? ": one block has no interval" : "") + ". Bold: 0 is outside of the interval.").className = "soft";
+    explorer.append(host, "p", plural(pair.blocks, "block") + leftOut(pair.incomplete) +
+      (pair.blocks === 1 ? ": one block has no interval" : "") + ". Bold: 0 is outside of the interval.", { class: "soft" });
   }
 
-  // Means of the points by both factors: lines that are not parallel are an interaction.
+  // Means of the points by both factors: a list for each level of the first.
+  function meansBy(first, second) {
+    const level = (point, factor) => factor.name === "shot" ? point.shot : explorer.levelOf(point, factor.name);
+    const number = point => explorer.value(point, state.y, state.region);
+    const list = explorer.points.filter(point => (!state.shot || point.shot === state.shot) &&
+      data.arms[point.a].role === "method" && Number.isFinite(number(point)));
+    const at = (a, b) => list.filter(point => level(point, first) === a && level(point, second) === b);
+    return first.labels.map(a => second.labels.map(b => d3.mean(at(a, b), number)));
+  }
+
+  // Lines that are not parallel are an interaction.
   function means(host, effects, pair) {
-    const [first, second] = [effects.factors[pair.first], effects.factors[pair.second]];
-    const level = (point, factor) => factor.name === "shot" ? explorer.shotTitle(point.shot) : explorer.levelOf(point, factor.name);
-    const labels = factor => factor.name === "shot" ? factor.labels.map(explorer.shotTitle) : factor.labels;
-    const list = explorer.points.filter(point => (!state.shot || point.shot === state.shot) && data.arms[point.a].role === "method" &&
-      Number.isFinite(explorer.value(point, state.y, state.region)));
-    const lines = labels(first).map(a => labels(second).map(b => d3.mean(list.filter(point => level(point, first) === a && level(point, second) === b),
-      point => explorer.value(point, state.y, state.region))));
-    const width = 700, left = 70, right = 520, top = 12, bottom = 240;
-    const svg = explorer.chartCanvas(host, width, 290, 0, `Means of ${explorer.measureTitle(state.y, state.region)} by ${nameOf(effects, pair)}`);
-    svg.attr("role", "img");
-    const x = d3.scalePoint().domain(labels(second)).range([left, right]).padding(0.4);
+    const [first, second] = [effects.factors[pair.first], effects.factors[pair.second]], lines = meansBy(first, second);
+    const left = 70, right = 520, top = 12, bottom = 240;
+    const about = `Means of ${explorer.measureTitle(state.y, state.region)} by ${nameOf(effects, pair)}`;
+    const svg = canvas(host, 700, 290, about).attr("role", "img");
+    const x = d3.scalePoint().domain(second.labels).range([left, right]).padding(0.4);
     const y = d3.scaleLinear().domain(d3.extent(lines.flat())).nice().range([bottom, top]);
-    svg.append("rect").attr("class", "plot").attr("x", left).attr("y", top).attr("width", right - left).attr("height", bottom - top);
+    plot(svg, left, right, top, bottom);
     for (const tick of y.ticks(5)) {
-      svg.append("path").attr("class", "grid").attr("d", `M${left} ${y(tick)}H${right}`);
-      svg.append("text").attr("class", "tick").attr("x", left - 7).attr("y", y(tick) + 4).attr("text-anchor", "end").text(explorer.writtenTick(tick));
+      path(svg, "grid", `M${left} ${y(tick)}H${right}`);
+      text(svg, "tick", left - 7, y(tick) + 4, "end", written(tick));
     }
-    for (const name of labels(second))
-      svg.append("text").attr("class", "tick").attr("x", x(name)).attr("y", bottom + 17).attr("text-anchor", "middle").text(name);
-    svg.append("text").attr("class", "title").attr("x", (left + right) / 2).attr("y", bottom + 40).attr("text-anchor", "middle").text(second.name);
+    for (const name of second.labels) text(svg, "tick", x(name), bottom + 17, "middle", name);
+    text(svg, "title", (left + right) / 2, bottom + 40, "middle", second.name);
     lines.forEach((line, index) => {
       const group = svg.append("g").attr("class", "s" + index % 8);
-      group.append("path").attr("d", d3.line().defined(([, mean]) => mean !== undefined)(line.map((mean, i) => [x(labels(second)[i]), mean === undefined ? undefined : y(mean)])));
-      line.forEach((mean, i) => mean !== undefined && group.append("circle").attr("cx", x(labels(second)[i])).attr("cy", y(mean)).attr("r", 4));
-      group.append("path").attr("d", `M${right + 16} ${top + 10 + 18 * index}h22`);
-      group.append("text").attr("x", right + 44).attr("y", top + 14 + 18 * index).text(labels(first)[index]);
+      const places = line.map((mean, i) => [x(second.labels[i]), mean]).filter(([, mean]) => mean !== undefined)
+        .map(([px, mean]) => [px, y(mean)]);
+      path(group, "", d3.line()(places));
+      for (const [px, py] of places) group.append("circle").attr("cx", px).attr("cy", py).attr("r", 4);
+      path(group, "", `M${right + 16} ${top + 10 + 18 * index}h22`);
+      group.append("text").attr("x", right + 44).attr("y", top + 14 + 18 * index).text(first.labels[index]);
     });
   }
 
   function drawEffects(host) {
     host.textContent = "";
     const effects = found();
-    explorer.append(host, "h3", `What ${explorer.measureTitle(state.y, state.region)} depends on` +
-      (state.shot ? "; " + explorer.shotTitle(state.shot) : "; all shots"));
-    if (!effects) return void explorer.append(host, "p", "Nothing varies among the points of this choice, or none has the value.");
-    explorer.append(host, "p", howToRead).className = "soft";
-    explorer.append(host, "p", `${effects.points} points. Made by ${data.command}`).className = "soft";
+    explorer.append(host, "h3", `What ${explorer.measureTitle(state.y, state.region)} depends on` + explorer.ofShot());
+    if (!effects) return void explorer.append(host, "p", "Nothing varies among these points, or none has the value.");
+    explorer.append(host, "p", howToRead, { class: "soft" });
+    explorer.append(host, "p", `${effects.points} points. Made by ${data.command}`, { class: "soft" });
     mainEffects(host, effects);
     interactions(host, effects);
   }

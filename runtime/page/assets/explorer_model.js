@@ -37,9 +37,10 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
     return Math.abs(number) < 1e-4 ? number.toExponential(1) : number.toFixed(5);
   }
 
+  // "RMSE, inner"; without the region where none is given.
   function measureTitle(name, region) {
     const one = measures.get(name);
-    return one.title + (one.unit ? ", " + one.unit : "") + (one.per_region ? ", " + region : "");
+    return one.title + (one.unit ? ", " + one.unit : "") + (one.per_region && region ? ", " + region : "");
   }
 
   const label = (axis, given) => {
@@ -74,10 +75,11 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
     const key = g + " " + region;
     if (ties.has(key)) return ties.get(key);
     const sigma = (data.groups[g].sigma || [])[data.regions.indexOf(region)] || 0;
-    const list = points.filter(one => one.g === g && data.arms[one.a].role === "method" && !Number.isNaN(value(one, "rmse", region)));
-    const least = Math.min(...list.map(one => value(one, "rmse", region)));
-    const near = list.filter(one => value(one, "rmse", region) < least + 10 * sigma);
-    const ranked = near.every(one => value(one, "rmse", region) === least);
+    const error = point => value(point, "rmse", region);
+    const list = points.filter(one => one.g === g && data.arms[one.a].role === "method" && !Number.isNaN(error(one)));
+    const least = Math.min(...list.map(error));
+    const near = list.filter(one => error(one) < least + 10 * sigma);
+    const ranked = near.every(one => error(one) === least);
     ties.set(key, new Set(ranked ? [] : near.map(one => one.n)));
     return ties.get(key);
   }
@@ -107,11 +109,13 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
     region: data.front.region, x: data.front.x, y: data.front.y, logx: "auto", logy: "auto",
     sort: "n", find: "", selected: 0, last: 0, pins: [], filters: {}, view: "wipe", at: 0.5, pair: "", worst: "12",
   };
-  defaults.y = first(defaults.y, (regional[0] || data.measures[0] || { name: "" }).name);
-  defaults.x = first(defaults.x, (data.measures.find(one => one.is_time) || data.measures.find(one => one.name !== defaults.y) ||
-                                  data.measures[0] || { name: "" }).name);
+  const any = data.measures[0] || { name: "" };
+  defaults.y = first(defaults.y, (regional[0] || any).name);
+  const other = data.measures.find(one => one.is_time) || data.measures.find(one => one.name !== defaults.y) || any;
+  defaults.x = first(defaults.x, other.name);
   if (!data.regions.includes(defaults.region)) defaults.region = data.regions[0] || "whole";
   const state = JSON.parse(JSON.stringify(defaults));
+  const ofShot = () => state.shot ? "; " + shotTitle(state.shot) : "; all shots";
   const texts = ["tab", "shot", "region", "x", "y", "logx", "logy", "sort", "find", "view", "pair", "worst"];
 
   // A filter is a list of levels, "4|8", or a range, "0.1..2" with ends that may be missing.
@@ -204,14 +208,17 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
     try { localStorage.setItem(place, JSON.stringify(notes)); } catch { /* kept until the page closes */ }
   }
   const noted = () => points.filter(note);
-  const notesJson = () => JSON.stringify({ title: data.title, notes: noted().map(point => ({
-    point: point.n, arm: point.arm, shot: point.shot, at: point.at, note: note(point), command: point.command })) }, null, 1) + "\n";
+  const notesJson = () => {
+    const notes = noted().map(point => ({ point: point.n, arm: point.arm, shot: point.shot, at: point.at, note: note(point),
+                                          command: point.command }));
+    return JSON.stringify({ title: data.title, notes }, null, 1) + "\n";
+  };
   const notesMarkdown = () => `# Notes on ${data.title}\n` + noted().map(point =>
     `\n## Point ${point.n}: ${describe(point)}\n\n${note(point)}\n\n    ${point.command}\n`).join("");
 
   Object.assign(explorer, {
     measures, points, byNumber, shotTitle, axisNamed, value, shown, measureTitle, label, describe, parameters, differences,
-    isTied, front, state, defaults, fragment, takeFragment, levelOf, visible, sorted, note, setNote, noted, notesJson,
+    isTied, front, state, ofShot, fragment, takeFragment, levelOf, visible, sorted, note, setNote, noted, notesJson,
     notesMarkdown,
   });
 })();

@@ -18,7 +18,7 @@
   }
   const prepare = point => [point.picture, point.group.picture, point.flip].forEach(picture);
 
-  const heat = Array.from({ length: 256 }, (_, i) => { const c = d3.rgb(d3.interpolateMagma(i / 255)); return [c.r, c.g, c.b]; });
+  const heat = d3.range(256).map(i => d3.rgb(d3.interpolateMagma(i / 255))).map(({ r, g, b }) => [r, g, b]);
 
   // A part of a picture, [x, y, width, height] in pixels of the experiment; a FLIP map in the colours of magma.
   function draw(canvas, image, area, isFlip) {
@@ -29,7 +29,7 @@
     context.drawImage(image, x * scaleX, y * scaleY, width * scaleX, height * scaleY, 0, 0, canvas.width, canvas.height);
     if (!isFlip) return;
     const pixels = context.getImageData(0, 0, canvas.width, canvas.height);
-    for (let i = 0; i < pixels.data.length; i += 4) [pixels.data[i], pixels.data[i + 1], pixels.data[i + 2]] = heat[pixels.data[i]];
+    for (let i = 0; i < pixels.data.length; i += 4) pixels.data.set(heat[pixels.data[i]], i);
     context.putImageData(pixels, 0, 0);
   }
 
@@ -55,8 +55,9 @@
 
   function stage(host, point) {
     if (point.picture === undefined) {
-      append(host, "p", point.failed ? "It failed: " + point.failed : point.undrawn ? "It is not drawn yet." : "Its picture is not here.", { class: "soft" });
-      return;
+      const why = point.failed ? "It failed: " + point.failed : point.undrawn ? "It is not drawn yet." : "Its picture is " +
+        "not here.";
+      return void append(host, "p", why, { class: "soft" });
     }
     const has_truth = point.group.picture !== undefined, view = has_truth ? state.view : "picture";
     const bar = append(host, "div", undefined, { class: "bar", role: "group", "aria-label": "What the stage shows" });
@@ -69,7 +70,7 @@
     box.style.aspectRatio = data.size[0] + " / " + data.size[1];
     const said = explorer.describe(point);
     const image = (index, alt, classes) => append(box, "img", undefined, { src: data.pictures[index], alt, class: classes });
-    if (view === "flip") return void drawn(box, point.flip, null, `FLIP map of ${said} against truth: bright is different`, true);
+    if (view === "flip") drawn(box, point.flip, null, `FLIP map of ${said} against truth: bright is different`, true);
     if (view === "truth") image(point.group.picture, "truth of " + said, "under");
     if (view === "picture") image(point.picture, said, "under");
     if (view === "wipe") wipe(host, box, point, image, said);
@@ -115,11 +116,13 @@
 
   // What changed since the point that was shown before.
   function parameters(host, point) {
-    const last = explorer.byNumber.get(state.last);
-    const changed = new Map((last ? explorer.differences(point, last) : []).map(([name, now, before]) => [name, before]));
-    if (last) append(host, "p", changed.size ? `Against point ${last.n}: ` + explorer.differences(point, last)
-      .map(([name, now, before]) => `${name} ${before || "–"} → ${now || "–"}`).join(", ") : `No parameter differs from point ${last.n}.`,
-      { class: "difference", id: "difference" });
+    const last = explorer.byNumber.get(state.last), differences = last ? explorer.differences(point, last) : [];
+    const changed = new Map(differences.map(([name, now, before]) => [name, before]));
+    if (last) {
+      const words = differences.map(([name, now, before]) => `${name} ${before || "–"} → ${now || "–"}`).join(", ");
+      append(host, "p", words ? `Against point ${last.n}: ${words}` : `No parameter differs from point ${last.n}.`,
+             { class: "difference", id: "difference" });
+    }
     const list = append(host, "dl");
     for (const [name, given] of Object.entries(explorer.parameters(point))) {
       append(list, "dt", name);
@@ -128,6 +131,19 @@
       if (changed.has(name)) text.append(` (was ${changed.get(name) || "–"})`);
     }
     if (point.limits) append(host, "p", "Limits met: " + point.limits.join("; "), { class: "soft" });
+  }
+
+  function deviations(table, point) {
+    const row = table.tBodies[0].insertRow();
+    row.append(explorer.element("th", "truth ± (RMSE)", { scope: "row",
+      title: "standard error of truth; errors closer than ten of it are not ranked" }));
+    for (const sigma of point.group.sigma) {
+      const cell = row.insertCell();
+      cell.className = "number faint", cell.textContent = sigma === null ? "–" : "";
+      if (sigma === null) continue;
+      append(cell, "button", explorer.shown("rmse", sigma), { type: "button", class: "link", title: point.group.truth })
+        .onclick = () => document.getElementById("command-truth").scrollIntoView({ block: "nearest" });
+    }
   }
 
   function numbers(host, point) {
@@ -139,17 +155,7 @@
         row.append(head);
         for (const region of data.regions) explorer.numberCell(row, point, one.name, region);
       }
-      if (point.group.sigma && point.group.sigma.some(one => one !== null)) {
-        const row = table.tBodies[0].insertRow();
-        row.append(explorer.element("th", "truth ± (RMSE)", { scope: "row", title: "standard error of truth; errors closer than ten of it are not ranked" }));
-        for (const sigma of point.group.sigma) {
-          const cell = row.insertCell();
-          cell.className = "number faint";
-          if (sigma === null) { cell.textContent = "–"; continue; }
-          append(cell, "button", explorer.shown("rmse", sigma), { type: "button", class: "link", title: point.group.truth })
-            .onclick = () => document.getElementById("command-truth").scrollIntoView({ block: "nearest" });
-        }
-      }
+      if ((point.group.sigma || []).some(one => one !== null)) deviations(table, point);
     }
     const rest = data.measures.filter(one => !one.per_region && one.name in point.v);
     if (!rest.length) return;
@@ -178,8 +184,11 @@
   function commands(host, point) {
     append(host, "h4", "Commands");
     const quoted = state.quoted && state.quoted.n === point.n ? state.quoted : null;
-    if (quoted) append(host, "p", `${explorer.measureTitle(quoted.name, quoted.region)}: ` +
-      `${explorer.shown(quoted.name, value(point, quoted.name, quoted.region))}, made again by the first.`, { class: "finding", id: "quoted" });
+    if (quoted) {
+      const number = explorer.shown(quoted.name, value(point, quoted.name, quoted.region));
+      append(host, "p", `${explorer.measureTitle(quoted.name, quoted.region)}: ${number}, made again by the first.`,
+             { class: "finding", id: "quoted" });
+    }
     copyable(host, "the numbers of this point", point.sweep, "command-numbers");
     if (point.command) copyable(host, "its picture", point.command, "command-picture");
     if (point.group.truth) copyable(host, "truth", point.group.truth, "command-truth");
@@ -196,7 +205,8 @@
   function drawPoint(host) {
     host.textContent = "";
     const point = explorer.byNumber.get(state.selected);
-    if (!point) return void append(host, "p", "Choose a point in a chart or in the table to see its picture, crops, FLIP map and numbers.", { class: "soft" });
+    if (!point) return void append(host, "p", "Choose a point in a chart or in the table to see its picture, crops, FLIP map " +
+      "and numbers.", { class: "soft" });
     const head = append(host, "div", undefined, { class: "point-head" });
     append(head, "h3", `Point ${point.n}: ${point.arm}`);
     const button = (text, said, work, pressed) => {

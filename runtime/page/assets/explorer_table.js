@@ -20,13 +20,15 @@
     const box = append(host, "div", undefined, { class: "scroll", tabindex: "0", role: "region", "aria-label": "table" });
     const made = append(box, "table");
     const row = made.createTHead().insertRow();
-    columns.forEach((column, index) => append(row, "th", column, numeric[index] ? { scope: "col", class: "number" } : { scope: "col" }));
+    columns.forEach((column, index) =>
+      append(row, "th", column, { scope: "col", ...(numeric[index] ? { class: "number" } : {}) }));
     made.createTBody();
     return made;
   }
 
   function pointButton(host, point, text) {
-    const button = append(host, "button", text, { type: "button", class: "link", "aria-label": `show point ${point.n}: ${explorer.describe(point)}` });
+    const button = append(host, "button", text, { type: "button", class: "link",
+                                                  "aria-label": `show point ${point.n}: ${explorer.describe(point)}` });
     button.onclick = () => explorer.select(point.n);
     return button;
   }
@@ -51,7 +53,8 @@
     return levels_used.get(name);
   };
   const findLevels = name => name === "arm" ? data.arms.filter(arm => arm.role !== "truth").map(arm => arm.name)
-    : explorer.axisNamed(name).values.filter(one => explorer.points.some(point => point.at[name] === one)).map(one => explorer.label(name, one));
+    : explorer.axisNamed(name).values.filter(one => explorer.points.some(point => point.at[name] === one))
+      .map(one => explorer.label(name, one));
 
   function levelFilter(host, name, levels) {
     const box = append(host, "fieldset");
@@ -76,7 +79,7 @@
     const filter = state.filters[name] || {};
     const input = end => {
       const label = append(box, "label", end + " ");
-      const made = append(label, "input", undefined, { type: "number", step: "any", size: "7", "data-filter": name, "data-end": end });
+      const made = append(label, "input", undefined, { type: "number", step: "any", "data-filter": name, "data-end": end });
       made.value = filter[end] ?? "";
       made.onchange = () => {
         const next = { ...(state.filters[name] || {}) };
@@ -109,7 +112,8 @@
   function sortButton(head, name, title) {
     const down = state.sort === "-" + name, up = state.sort === name;
     head.setAttribute("aria-sort", down ? "descending" : up ? "ascending" : "none");
-    const button = append(head, "button", title + (down ? " ▼" : up ? " ▲" : ""), { type: "button", class: "link", "data-sort": name });
+    const text = title + (down ? " ▼" : up ? " ▲" : "");
+    const button = append(head, "button", text, { type: "button", class: "link", "data-sort": name });
     button.onclick = () => {
       state.sort = up ? "-" + name : name;
       explorer.changed();
@@ -119,7 +123,7 @@
   function columnsOf() {
     const columns = [{ name: "n", title: "point" }, { name: "arm", title: "arm" }];
     if (data.shots.length > 1) columns.push({ name: "shot", title: "shot" });
-    for (const axis of data.axes) if (usedLevels(axis.name).length > 1) columns.push({ name: axis.name, title: axis.name, axis: true });
+    for (const { name } of data.axes) if (usedLevels(name).length > 1) columns.push({ name, title: name });
     for (const one of data.measures)
       if (explorer.points.some(point => Number.isFinite(value(point, one.name, state.region))))
         columns.push({ name: one.name, title: explorer.measureTitle(one.name, state.region), measure: true });
@@ -140,17 +144,18 @@
       else if (column.name === "shot") cell.textContent = explorer.shotTitle(point.shot);
       else cell.textContent = column.name in point.at ? explorer.label(column.name, point.at[column.name]) : "";
     }
-    const last = row.insertCell();
-    last.textContent = [point.failed ? "failed: " + point.failed : "", point.undrawn ? "not drawn yet" : "",
-                        point.limits ? "limit: " + point.limits.join("; ") : "", explorer.note(point) ? "noted" : ""].filter(Boolean).join("; ");
+    const remarks = [point.failed && "failed: " + point.failed, point.undrawn && "not drawn yet",
+                     point.limits && "limit: " + point.limits.join("; "), explorer.note(point) && "noted"];
+    row.insertCell().textContent = remarks.filter(Boolean).join("; ");
   }
 
   function drawTable(host) {
     host.textContent = "";
     const list = explorer.sorted(explorer.visible()), columns = columnsOf();
-    append(host, "h3", "Points" + (state.shot ? "; " + explorer.shotTitle(state.shot) : "; all shots"));
-    append(host, "p", "A number shows the commands that make it again; ? marks errors that truth is too coarse to rank.", { class: "soft" });
-    const made = table(host, ["pin"].concat(columns.map(() => ""), ""), [false].concat(columns.map(column => column.measure), false));
+    append(host, "h3", "Points" + explorer.ofShot());
+    append(host, "p", "A number shows the commands that make it again; ? marks errors that truth is too coarse to rank.",
+           { class: "soft" });
+    const made = table(host, ["pin", ...columns.map(() => ""), ""], [false, ...columns.map(column => column.measure), false]);
     made.id = "points";
     columns.forEach((column, index) => sortButton(made.tHead.rows[0].cells[index + 1], column.name, column.title));
     for (const point of list.slice(0, most_rows)) fillRow(made.tBodies[0].insertRow(), point, columns);
@@ -162,7 +167,8 @@
   // ---- the worst crops
 
   function worstPoints() {
-    const better = measures.get(state.y).better, cost = point => (better === "higher" ? -1 : 1) * value(point, state.y, state.region);
+    const sign = measures.get(state.y).better === "higher" ? -1 : 1;
+    const cost = point => sign * value(point, state.y, state.region);
     return explorer.visible().filter(point => point.worst && Number.isFinite(cost(point))).sort((a, b) => cost(b) - cost(a))
       .slice(0, Number(state.worst));
   }
@@ -173,8 +179,9 @@
   function drawWorst(host) {
     host.textContent = "";
     const list = worstPoints();
-    append(host, "h3", "Worst crops by " + explorer.measureTitle(state.y, state.region) + (state.shot ? "; " + explorer.shotTitle(state.shot) : ""));
-    append(host, "p", "Where the FLIP map of a point, of the pictures as they are shown, is largest: the point, truth, FLIP.", { class: "soft" });
+    append(host, "h3", "Worst crops by " + explorer.measureTitle(state.y, state.region) + explorer.ofShot());
+    append(host, "p", "Where the FLIP map of a point, of the pictures as they are shown, is largest: the point, truth, FLIP.",
+           { class: "soft" });
     const label = append(host, "label", "points ");
     const select = append(label, "select", undefined, { id: "choose-worst" });
     for (const count of ["6", "12", "24", "48"]) select.add(new Option(count));
