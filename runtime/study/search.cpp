@@ -210,13 +210,13 @@ bool Search::stepAlong(size_t dimension, const Stride& stride, Found& at) {
 // Along every dimension as far as it gets better, until it does along none; false: `most` evaluations are used up.
 bool Search::walk(Found at, const Stride& stride, int most) {
   for (bool moved = true; moved;) {
+    if (evaluations_ >= most) return false;
     moved = false;
     for (size_t d = 0; d < space_.size(); ++d)
       while (evaluations_ < most && stepAlong(d, stride, at)) moved = true;
     say(fmt::format("steps of {} octave{}", stride.octaves, stride.octaves == 1 ? "" : "s"));
-    if (evaluations_ >= most) return false;
   }
-  return true;
+  return evaluations_ < most;
 }
 
 void Search::run(const std::vector<Spot>& starts) {

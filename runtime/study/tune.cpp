@@ -9,6 +9,7 @@
 #include "lab/shot_options.h"
 #include "study/own.h"
 #include "study/run.h"
+#include "study/watch.h"
 
 namespace strobe::study {
 
@@ -23,7 +24,8 @@ struct Level {
 const std::vector<Level> kLevels = {{0.5, 64, {5, 5, 0}}, {1, 64, {5, 5, 0}}, {1, 256, {5, 11, 0.05}}};
 const lab::Rounds kAtLast = {15, 45, 0.02};  // of the few settings among which the choice is made
 constexpr size_t kChosenAmong = 5;
-constexpr int kStartsTried = 6;  // times as many as can be measured: some are refused, some alike
+constexpr double kSecondsBetween = 20;  // of reports on the way
+constexpr int kStartsTried = 6;         // times as many as can be measured: some are refused, some alike
 
 bool isSet(const lab::Shot& shot, const std::string& name) {
   return std::any_of(shot.sets.begin(), shot.sets.end(), [&](const auto& set) { return set.first == name; });
@@ -79,6 +81,7 @@ class Tuner {
   Space space_;
   Experiment experiment_;  // without groups; axes get values as they are seen
   Results results_;        // of all that was seen
+  double said_s_ = 0;      // when progress was reported
 };
 
 // ---- the experiment
@@ -250,14 +253,14 @@ std::vector<Spot> Tuner::starts() const {
   return starts;
 }
 
+// The front at the last level, where there is something.
 void Tuner::report(const std::string& what, const Search& search) {
-  std::string so_far = "nothing at the last level yet";
-  if (search.best()) {
-    const Point& point = groupSeen(search.best()->spot, int(kLevels.size()) - 1).points[1];
-    so_far = fmt::format("best so far {} {:.4g} at a cost of {:.3f}", wish_.measure,
-                         point.value(wish_.measure, wish_.region), point.value(wish_.ratioName()));
-  }
-  note(fmt::format("{}; {} of {} evaluations; {}", what, search.evaluations(), wish_.evaluations, so_far));
+  said_s_ = clockSeconds();
+  Results last = results_;
+  std::erase_if(last.groups, [&](const PointGroup& group) { return group.shot != experiment_.shots[0].name; });
+  std::string front = frontSoFar(last);
+  note(fmt::format("{}; {} of {} evaluations\n{}", what, search.evaluations(), wish_.evaluations,
+                   front.substr(0, front.find('\n'))));
 }
 
 script::Settings Tuner::changedBy(const Spot& spot) const {
@@ -319,14 +322,15 @@ Tuned Tuner::tune() {
   if (!std::isfinite(basePoint(last).value(wish_.measure, wish_.region)))
     throw Error(fmt::format("the region '{}' has no pixels in this shot: take another --region", wish_.region), {}, 2);
 
+  Search* running = nullptr;
   auto identity = [&](const Spot& spot) { return identityOf(spot); };
   auto measure = [&](const std::vector<Spot>& spots, int level) {
     std::vector<Score> scores;
     for (const PointGroup* group : see(spots, level, kLevels[size_t(level)].rounds))
       scores.push_back(group->points[1].failed.empty() ? scoreOf(group->points[1], level) : Score());
+    if (clockSeconds() - said_s_ > kSecondsBetween) this->report("searching", *running);
     return scores;
   };
-  Search* running = nullptr;
   auto report = [&](const std::string& what) { this->report(what, *running); };
   Search search(space_, goalOf(), {wish_.evaluations, int(kLevels.size()), 3}, identity, measure, report);
   running = &search;
