@@ -11,6 +11,7 @@
 // Foreground: a tap in front of what lies behind X (what was revealed there, else the surface X itself shows) whose own
 //   motion passes over X within the exposure. Its weight is 1/N of the exposure, times |d|/|d(Y)|: a slower surface is
 //   met by fewer of the taps but passes over X for the whole of the exposure. alpha = sum of the weights, at most 1.
+//   What rests at X in front of what was revealed takes what is left of the exposure.
 // Split: taps before the capture follow the displacements before it, taps after it those after. A tap's surface counts
 //   by its own path in the part that the tap is in. Where the dominant motion goes on in about the same direction it may
 //   also pass in the other part, the wrong way round: the taps of that part lie to the other side and do not meet it.
@@ -67,6 +68,12 @@ float backgroundWeight(Tap here, Tap tap, ivec2 offset, float spread_px, bool pa
   return mix(spread, passes ? 1.0 : 0.0, same);
 }
 
+// What rests is there for all of the exposure, but only a tap that falls on the pixel itself would meet it.
+float restsInFront(Tap here, float behind) {
+  if (lengthOf(here.d) >= 0.5 || lengthOf(here.d_after) >= 0.5) return 0.0;
+  return inFrontOf(here.depth, behind, params.depth_extent);
+}
+
 void run(ivec2 pixel) {
   if (!isValid(pixel)) {
     imageStore(blurred_img, pixel, vec4(0));
@@ -115,6 +122,9 @@ void run(ivec2 pixel) {
     front = 1.0;
   }
   if (hasBehind(pixel)) {
+    float own = restsInFront(here, behind) * (1.0 - front);
+    front_sum += own * toSum(here.color);
+    front += own;
     imageStore(blurred_img, pixel, storedColor(vec4(fromSum(front_sum), front)));
     return;
   }

@@ -391,6 +391,17 @@ TEST_F(RenderGathers, TellForegroundFromWhatWasRevealed) {
   EXPECT_LT(opaque, .3);  // opaque by up to .5 too much, over a background darker by .5 in the mean
 }
 
+// What rests in front of what moves is there for all of the exposure, wherever taps along that motion fall.
+TEST_F(RenderGathers, WhatRestsInFrontIsNotLost) {
+  for (const char* samples : {"samples=5", "samples=16"}) {
+    lab::Shot shot = shotOf("textured_bar", kWidth, 8, motions(0, 20));
+    image::Image seen = colorOf(render(with(shot, "none", {}, "close")));
+    image::Image color = colorOf(
+        render(with(shot, "hybrid", {"preset=seed_linear", "mask=all", "tile=20", "limit=0.1", samples}, "close")));
+    for (int x = 96; x < 160; ++x) EXPECT_NEAR(color.at(x, 4, 0), seen.at(x, 4, 0), 1e-6) << samples << " " << x;
+  }
+}
+
 // --- Against truth
 
 // Over a constant background Jimenez' weights are exact, McGuire's too opaque inside, Guertin's opaque outside too.
