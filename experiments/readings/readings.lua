@@ -104,7 +104,7 @@ return experiment {
         return good, "mean FLIP and the better post-process's: " .. table.concat(texts, ", ")
       end },
     { "each reading on the way from as written to best lowers the error inside the silhouette, over all shots",
-      known = "under alpha-over even weights lose what rests in front of the moving vase and is marked (composites)",
+      known = "the larger mask helps the layered composite alone, which comes next",
       function(r)
       local before, good, list = math.huge, true, {}
       for i, step in ipairs(steps) do
