@@ -1,0 +1,201 @@
+-- SPDX-License-Identifier: MIT
+-- All knobs of the hybrid at once: which settings are on the front of error against time, and what does a knob change?
+-- The points are those of the Sobol sequence, so that each value of a knob meets those of the others evenly.
+local experiment = require "strobe.experiment"
+local sequences = require "strobe.sequences"
+
+-- Why a failed expectation fails.
+local gather = "in one gather is as good here, where nothing but the vase moves"
+local apart = "the fastest setting lies apart from the others by more than that; from the next on the error halves"
+
+local count = 128
+local knobs = {
+  { "samples", { 4, 8, 16, 32 } },
+  { "tile", { 10, 20, 40 } },
+  { "mask", { "none", "seed", "relative", "moving" } },
+  { "edge", { "sobel", "id" } },
+  { "termination", { "luminance", "geometry", "instance", "motion" } },
+  { "advance", { "restart", "origin_kept", "instance_filter" } },
+  { "on_cap", { "fallback", "last_hit" } },
+  { "reveal_resolution", { "full", "half" } },
+  { "tiles", { "separate", "union" } },
+  { "composite", { "alpha_over", "in_gather", "layered" } },
+  { "weights", { "mcguire2012", "guertin2014", "jimenez2014", "uniform" } },
+  { "jitter", { "none", "ign" } },
+}
+
+-- Lists of one length, as zip takes them: the value of each knob at each point.
+local values, names = {}, {}
+for k, knob in ipairs(knobs) do values[knob[1]], names[k] = {}, knob[1] end
+for i, point in ipairs(sequences.sobol(count, #knobs)) do
+  for k, knob in ipairs(knobs) do values[knob[1]][i] = knob[2][1 + math.floor(point[k] * #knob[2])] end
+end
+
+local function is_first(at)
+  for _, name in ipairs(names) do
+    if at[name] ~= values[name][1] then return false end
+  end
+  return true
+end
+
+local function point(i)
+  local wanted = { arm = "hybrid", region = "inner" }
+  for _, knob in ipairs(knobs) do wanted[knob[1]] = values[knob[1]][i] end
+  return wanted
+end
+
+-- Points than which no other is as good in both error and time.
+local function front(r)
+  local all, on = {}, {}
+  for i = 1, count do all[i] = r.at(point(i)) end
+  for i, own in ipairs(all) do
+    local beaten = false
+    for _, other in ipairs(all) do
+      local as_good = other.rmse <= own.rmse and other.ms_ratio <= own.ms_ratio
+      beaten = beaten or as_good and (other.rmse < own.rmse or other.ms_ratio < own.ms_ratio)
+    end
+    if not beaten then on[#on + 1] = i end
+  end
+  return on, all
+end
+
+-- How many points of the front have each value of a knob, of how many.
+local function on_front(r, name)
+  local on, counts, texts, order = front(r), {}, {}, {}
+  for _, knob in ipairs(knobs) do if knob[1] == name then order = knob[2] end end
+  for _, i in ipairs(on) do counts[values[name][i]] = (counts[values[name][i]] or 0) + 1 end
+  for n, value in ipairs(order) do texts[n] = ("%s %d"):format(value, counts[value] or 0) end
+  return counts, ("of %d points on the front: %s"):format(#on, table.concat(texts, ", "))
+end
+
+-- Means over all points with each value of a knob: geometric of the error inside the silhouette, and of the time.
+local function effect(r, name, order)
+  local texts, least, most = {}, math.huge, 0
+  for n, value in ipairs(order) do
+    local log_error, time, number = 0, 0, 0
+    for i = 1, count do
+      if values[name][i] == value then
+        local at = r.at(point(i))
+        log_error, time, number = log_error + math.log(at.rmse), time + at.ms_ratio, number + 1
+      end
+    end
+    local error = math.exp(log_error / number)
+    least, most = math.min(least, error), math.max(most, error)
+    texts[n] = ("%s %.4f at %.2f"):format(value, error, time / number)
+  end
+  return most / least, table.concat(texts, ", ")
+end
+
+local expected = {
+  { "no setting without rays errs less than the worst half of those with a relative mask", function(r)
+    local none, relative = math.huge, {}
+    for i = 1, count do
+      local error = r.at(point(i)).rmse
+      if values.mask[i] == "none" then none = math.min(none, error) end
+      if values.mask[i] == "relative" then relative[#relative + 1] = error end
+    end
+    table.sort(relative)
+    local median = relative[#relative // 2 + 1]
+    return none > median, ("the least without rays is %.4f, the median with the relative mask %.4f"):format(none, median)
+  end },
+  { "on the front, beyond what is fastest, rays are used: at most a third of it is without rays", function(r)
+    local counts, text = on_front(r, "mask")
+    local sum = 0
+    for _, number in pairs(counts) do sum = sum + number end
+    return (counts.none or 0) <= sum / 3, text
+  end },
+  { "no point on the front with rays stops them by luminance and hit by hit, as published", function(r)
+    local found = 0
+    for _, i in ipairs((front(r))) do
+      if values.mask[i] ~= "none" and values.termination[i] == "luminance" and values.advance[i] ~= "instance_filter" then
+        found = found + 1
+      end
+    end
+    local _, text = on_front(r, "termination")
+    return found == 0, ("%d; %s"):format(found, text)
+  end },
+  { "the least error of all has the composite layered and a termination other than luminance", known = gather,
+    function(r)
+    local least, who = math.huge, 1
+    for i = 1, count do
+      local error = r.at(point(i)).rmse
+      if error < least then least, who = error, i end
+    end
+    local parts = {}
+    for k, knob in ipairs(knobs) do parts[k] = ("%s %s"):format(knob[1], values[knob[1]][who]) end
+    return values.composite[who] == "layered" and values.termination[who] ~= "luminance",
+      ("RMSE %.4f with %s"):format(least, table.concat(parts, ", "))
+  end },
+  { "a ratio of time buys most at first: within a tenth of time from its start the front halves its error", known = apart,
+    function(r)
+      local on, all = front(r)
+      table.sort(on, function(a, b) return all[a].ms_ratio < all[b].ms_ratio end)
+      local texts, fastest, good = {}, all[on[1]], false
+      for n, i in ipairs(on) do
+        texts[n] = ("%.4f at %.2f"):format(all[i].rmse, all[i].ms_ratio)
+        good = good or all[i].rmse <= fastest.rmse / 2 and all[i].ms_ratio <= fastest.ms_ratio + 0.1
+      end
+      return good, "RMSE at a time: " .. table.concat(texts, ", ")
+    end },
+}
+
+-- What is expected of a knob by itself: that it changes the mean error by more, or by less, than a factor.
+local function matters(name, factor)
+  for _, knob in ipairs(knobs) do
+    if knob[1] == name then
+      expected[#expected + 1] = {
+        ("%s matters: mean errors of its values differ by a factor of at least %g"):format(name, factor), function(r)
+          local ratio, text = effect(r, name, knob[2])
+          return ratio >= factor, ("%.2f; error at time: %s"):format(ratio, text)
+        end }
+    end
+  end
+end
+
+local function hardly_matters(name, factor, known)
+  for _, knob in ipairs(knobs) do
+    if knob[1] == name then
+      expected[#expected + 1] = {
+        ("%s hardly matters: mean errors of its values differ by a factor below %g"):format(name, factor), known = known,
+        function(r)
+          local ratio, text = effect(r, name, knob[2])
+          return ratio < factor, ("%.2f; error at time: %s"):format(ratio, text)
+        end }
+    end
+  end
+end
+
+matters("mask", 1.5)
+matters("termination", 1.3)
+matters("composite", 1.3)
+matters("weights", 1.1)
+matters("samples", 1.1)
+matters("advance", 1.1)
+hardly_matters("tile", 1.15, "128 points do not quite cancel the other knobs: by itself it changes less (samples)")
+hardly_matters("reveal_resolution", 1.15, "a ray for four pixels errs many times as much (reveal_resolution)")
+for _, name in ipairs { "edge", "on_cap", "tiles", "jitter" } do hardly_matters(name, 1.15) end
+
+return experiment {
+  title    = "Everything",
+  question = "Which knobs of the hybrid are on the front, and what does a millisecond buy?",
+  note     = ("%d settings of 12 parameters of the hybrid, spread evenly by the Sobol sequence, and the post-process "):format(
+             count) .. "methods. The living room's vase slides past the cushions by 24 px. Times are ratios to McGuire 2012 " ..
+             "with 16 samples. A knob's mean error is the geometric mean over all settings with that value.",
+  size     = { 320, 180 },
+  size_params = { "width", "height" },
+  shots    = { { name = "vase", title = "Living room", scene = "living_room", camera = "main", ["scene.pixels"] = 24 } },
+  arms     = {
+    { name = "McGuire 2012", pipeline = "mcguire2012", lacks = names },
+    { name = "UE4-style", pipeline = "ue4", set = { limit = 0.1 }, lacks = names },
+    { name = "hybrid", pipeline = "hybrid" },
+  },
+  base     = "McGuire 2012",
+  truth    = { pipeline = "ground_truth", set = { samples = 256, times = "stratified" } },
+  rounds   = 5,
+  vary     = { experiment.zip(values) },
+  skip     = function(at) return at.arm ~= "hybrid" and not is_first(at) end,
+  regions  = { "whole", "inner" },
+  measures = { "rmse", "flip", "ms_ratio", "masked" },
+  expect   = expected,
+  layout   = { front = { x = "ms_ratio", y = "rmse", region = "inner" }, table = {} },
+}
