@@ -71,7 +71,8 @@ class Writer {
                       {"width", picture.width},
                       {"height", picture.height},
                       {"alt", picture.alt.empty() ? inlinePlain(picture.caption) : picture.alt},
-                      {"data", base64(picture.png)},
+                      {"data", base64(picture.file)},
+                      {"type", picture.file.starts_with("\xff\xd8") ? "jpeg" : "png"},
                       {"caption_html", inlineHtml(picture.caption)}});
     return rendered("pictures.mustache", {{"pixels", pictures.pixels}, {"pictures", list}});
   }

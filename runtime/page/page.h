@@ -36,7 +36,7 @@ struct Figure {
 };
 
 struct Picture {
-  std::string png;  // the bytes of the file
+  std::string file;  // the bytes of a PNG or JPEG
   int width = 0, height = 0;
   std::string caption;
   std::string alt;   // for people who cannot see it; "": the caption

@@ -142,9 +142,9 @@ Report::Report(const Results& results, const Path& folder) : results_(results), 
 }
 
 // Without paragraphs that say nothing.
-Parts Report::parts(int divisor) const {
+Parts Report::parts(const std::optional<PictureSize>& size) const {
   Parts sections;
-  if (picturesOf(results_.layout)) append(sections, pictureParts(results_, galleries_, divisor));
+  if (picturesOf(results_.layout)) append(sections, pictureParts(results_, galleries_, size));
   if (curvesOf(results_.layout)) append(sections, curveParts(results_));
   std::optional<TableLayout> table = tableOf(results_.layout);
   if (frontOf(results_.layout)) append(sections, still(frontParts(results_)));
@@ -172,7 +172,7 @@ image::Image Report::sheet() const { return sheetOf(results_, galleries_); }
 
 std::string Report::text() const {
   std::string text;
-  for (const Part& part : parts(0))
+  for (const Part& part : parts())
     if (part.media & Part::kTerminal) text += std::visit(Plain(), part.block);
   return text + "\n" + describeDevice(results_) + "\n";
 }
@@ -182,14 +182,14 @@ std::string Report::markdown(const std::string& page) const {
   for (const std::string& one : {results_.question, results_.note})
     if (!one.empty()) text += one + "\n\n";
   if (!page.empty()) text += fmt::format("[The page]({}) opens from disk in a browser.\n\n", page);
-  for (const Part& part : parts(0))
+  for (const Part& part : parts())
     if (part.media & Part::kDocument) text += std::visit(Markdown(), part.block);
   return text + "Strobe " + results_.strobe + " on " + describeDevice(results_) + ".\n";
 }
 
 std::vector<std::pair<std::string, std::string>> Report::figures() const {
   std::vector<std::pair<std::string, std::string>> figures;
-  for (const Part& part : parts(0)) {
+  for (const Part& part : parts()) {
     const auto* figure = std::get_if<page::Figure>(&part.block);
     if (figure && (part.media & Part::kDocument))
       figures.emplace_back(figure->name + ".svg", page::standaloneSvg(figure->svg));
@@ -207,16 +207,19 @@ page::Explorer Report::explorer(const page::Library& library, size_t most_bytes)
 std::string Report::page(const page::Library& library, size_t most_bytes) const {
   std::optional<page::Explorer> interactive;
   if (library.found()) interactive = explorer(library, most_bytes);
-  for (int divisor = 1;; ++divisor) {
+  static constexpr PictureSize kSizes[] = {{1, 0}, {1, 92}, {1, 85}, {2, 85}, {3, 80}, {4, 80}, {8, 80}};
+  std::string html;
+  for (const PictureSize& size : kSizes) {
     page::Page page;
     page.title = results_.title;
     page.note = results_.question.empty() ? results_.note : results_.question + " " + results_.note;
-    page.blocks = blocksOf(parts(divisor), interactive);
+    page.blocks = blocksOf(parts(size), interactive);
     page.footer = {"Strobe " + results_.strobe + " on " + describeDevice(results_) + ".",
                    "Made by `" + results_.command + "`.", describeLibrary(library)};
-    std::string html = page::htmlOf(page);
-    if (html.size() <= most_bytes || divisor == 8) return html;
+    html = page::htmlOf(page);
+    if (html.size() <= most_bytes || galleries_.empty()) break;
   }
+  return html;
 }
 
 }  // namespace strobe::study

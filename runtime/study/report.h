@@ -31,9 +31,13 @@ void append(Parts& parts, Parts more);
 
 // ---- what the layouts show
 
-// A shot after the other: tables, pictures, crops, differences. `divisor`: pictures have 1/divisor of their width; 0:
-// without pictures.
-Parts pictureParts(const Results& results, const std::vector<Gallery>& galleries, int divisor);
+// How pictures of a layout are written: by 1/divisor of their width, as JPEG of this quality; 0: as PNG.
+struct PictureSize {
+  int divisor = 1, quality = 0;
+};
+// A shot after the other: tables, pictures, crops, differences. Without a size: no pictures.
+Parts pictureParts(const Results& results, const std::vector<Gallery>& galleries,
+                   const std::optional<PictureSize>& size);
 // An axis after the other.
 Parts curveParts(const Results& results);
 // A shot after the other: what is best at which price.
@@ -65,7 +69,7 @@ class Report {
   std::string page(const page::Library& library = {}, size_t most_bytes = 8'000'000) const;
 
  private:
-  Parts parts(int divisor) const;
+  Parts parts(const std::optional<PictureSize>& size = std::nullopt) const;
   page::Explorer explorer(const page::Library& library, size_t most_bytes) const;
 
   const Results& results_;

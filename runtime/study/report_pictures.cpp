@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image/jpeg.h"
 #include "image/png.h"
 #include "page/number.h"
 #include "study/crops.h"
@@ -108,8 +109,11 @@ std::string valuesText(const PointGroup& group) {
   return text.empty() ? "" : ", " + text;
 }
 
-page::Picture pictureOf(const std::string& caption, const Image& display, const std::string& name = "") {
-  return {image::encodePng(display), display.width, display.height, caption, "", name};
+// `quality` is that of a JPEG; 0: a PNG.
+page::Picture pictureOf(const std::string& caption, const Image& display, const std::string& name = "",
+                        int quality = 0) {
+  std::string file = quality > 0 ? image::encodeJpeg(display, quality) : image::encodePng(display);
+  return {std::move(file), display.width, display.height, caption, "", name};
 }
 
 std::string nameOf(const Gallery& gallery, const ShownPoint& one) {
@@ -127,12 +131,12 @@ page::Comparison wipeOf(const Gallery& gallery) {
   return wipe;
 }
 
-page::Pictures picturesOf(const Gallery& gallery, int divisor) {
+page::Pictures picturesOf(const Gallery& gallery, const PictureSize& size) {
   page::Pictures pictures;
   for (const ShownPoint& one : gallery.shown) {
-    Image smaller = shrunk(one.shown, one.shown.width / divisor, one.shown.height / divisor);
+    Image smaller = shrunk(one.shown, one.shown.width / size.divisor, one.shown.height / size.divisor);
     pictures.pictures.push_back(
-        pictureOf(one.point->arm, image::toneMap(smaller, gallery.shot->tone), nameOf(gallery, one)));
+        pictureOf(one.point->arm, image::toneMap(smaller, gallery.shot->tone), nameOf(gallery, one), size.quality));
   }
   return pictures;
 }
@@ -158,10 +162,10 @@ page::Pictures differencesOf(const Gallery& gallery, double gain) {
   return differences;
 }
 
-void addPictures(const Results& results, const Gallery& gallery, int divisor, Parts& parts) {
+void addPictures(const Results& results, const Gallery& gallery, const PictureSize& size, Parts& parts) {
   double gain = study::picturesOf(results.layout)->difference_gain;
   parts.push_back(heading("Pictures", 3, "", Part::kPage));
-  parts.push_back({picturesOf(gallery, divisor), Part::kPage});
+  parts.push_back({picturesOf(gallery, size), Part::kPage});
   for (const image::Rectangle& area : gallery.shot->crops) {
     parts.push_back(
         heading(fmt::format("Crop {}x{} at {},{}", area.width, area.height, area.x, area.y), 3, "", Part::kPage));
@@ -171,14 +175,14 @@ void addPictures(const Results& results, const Gallery& gallery, int divisor, Pa
   parts.push_back({differencesOf(gallery, gain), Part::kPage});
 }
 
-void addShot(const Results& results, const Gallery& gallery, int divisor, Parts& parts) {
+void addShot(const Results& results, const Gallery& gallery, const std::optional<PictureSize>& size, Parts& parts) {
   const ShotSummary& shot = *gallery.shot;
   parts.push_back(heading(shot.title, 2, shot.name));
   if (!gallery.group)
     return parts.push_back(text("skipped: " + (shot.missing.empty() ? "not asked for" : shot.missing) + "."));
   parts.push_back(text(shot.note, Tone::plain, Part::kRead));
   parts.push_back(text(describeShot(results, shot) + ".", Tone::soft));
-  bool pictures = divisor > 0 && !gallery.shown.empty();
+  bool pictures = size && !gallery.shown.empty();
   if (pictures) parts.push_back({wipeOf(gallery), Part::kPage});
   for (const PointGroup* group : groupsOf(results, shot)) {
     parts.push_back(heading("Errors, anchor " + group->anchor + valuesText(*group), 3, "", Part::kPage));
@@ -192,25 +196,30 @@ void addShot(const Results& results, const Gallery& gallery, int divisor, Parts&
            Tone::soft, Part::kPage));
   parts.push_back(text(describeBackground(*gallery.group), Tone::soft));
   append(parts, expectationParts(results, shot.name, ""));
-  if (pictures) addPictures(results, gallery, divisor, parts);
+  if (pictures) addPictures(results, gallery, *size, parts);
   parts.push_back(text(shot.attribution, Tone::soft, Part::kRead));
+}
+
+std::string describe(const PictureSize& size) {
+  std::string smaller = size.divisor == 1 ? "" : fmt::format(", of 1/{} of their width", size.divisor);
+  return fmt::format(
+      "Pictures here are JPEG of quality {}{}, to keep the page small; crops, differences and the files "
+      "beside this page are exact.",
+      size.quality, smaller);
 }
 
 }  // namespace
 
-Parts pictureParts(const Results& results, const std::vector<Gallery>& galleries, int divisor) {
+Parts pictureParts(const Results& results, const std::vector<Gallery>& galleries,
+                   const std::optional<PictureSize>& size) {
   Parts parts;
-  for (const Gallery& gallery : galleries) addShot(results, gallery, divisor, parts);
+  for (const Gallery& gallery : galleries) addShot(results, gallery, size, parts);
   parts.push_back(text(
       "RMSE of linear values over all channels; FLIP at 67 pixels per degree; one sample per pixel at its centre, for "
       "methods and truth alike. Regions are the truth's: inner, where the exposure shows what is farther than the "
       "capture sees; hidden, what the capture could not see; outer, what is nearer.",
       Tone::soft, Part::kPage));
-  if (divisor > 1)
-    parts.push_back(text(fmt::format("Pictures here have 1/{} of their width; crops and the files beside this page "
-                                     "are whole.",
-                                     divisor),
-                         Tone::soft, Part::kPage));
+  if (size && size->quality > 0) parts.push_back(text(describe(*size), Tone::soft, Part::kPage));
   return parts;
 }
 

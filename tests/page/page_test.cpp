@@ -68,6 +68,13 @@ TEST(Page, PicturesAreInsideOnceAndHaveTexts) {
   EXPECT_NE(html.find("alt=\"seen\""), std::string::npos);
 }
 
+TEST(Page, PicturesSayWhatTheyAre) {
+  std::string html =
+      htmlOf(Page{"a", "", {Pictures{{{"\xff\xd8\xff", 4, 2, "a JPEG"}, {"\x89PNG", 4, 2, "a PNG"}}}}, {}});
+  EXPECT_NE(html.find("src=\"data:image/jpeg;base64,/9j/\""), std::string::npos);
+  EXPECT_NE(html.find("src=\"data:image/png;base64,iVBORw==\""), std::string::npos);
+}
+
 TEST(Page, NeedsNothingFromElsewhere) {
   std::string html = htmlOf(made());
   for (const char* foreign : {"http:", "https:", "@import", "url(", "src=\"/"})
