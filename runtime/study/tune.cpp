@@ -22,8 +22,9 @@ struct Level {
   lab::Rounds rounds;
 };
 const std::vector<Level> kLevels = {{0.5, 64, {5, 5, 0}}, {1, 64, {5, 5, 0}}, {1, 256, {5, 11, 0.05}}};
-const lab::Rounds kAtLast = {15, 45, 0.02};  // of the few settings among which the choice is made
-constexpr size_t kChosenAmong = 5;
+// Of the few settings among which the choice is made.
+const lab::Rounds kAtLast = {15, 45, 0.02};
+constexpr size_t kChosenAmong = 5, kTimedAgain = 20;
 constexpr double kSecondsBetween = 20;  // of reports on the way
 constexpr int kStartsTried = 6;         // times as many as can be measured: some are refused, some alike
 
@@ -279,23 +280,30 @@ Measured Tuner::measuredOf(const Point& point, const Spot& spot) const {
           point.command};
 }
 
-// Among the few that seem best, which are timed once more: a short time is easily had by luck.
+// The best of the few that seem best, which are timed once more, as a short time is easily had by luck; of the next few
+// where none of them keeps the limit then.
 void Tuner::choose(const Search& search, Tuned& tuned) {
   const int last = int(kLevels.size()) - 1;
+  const bool by_ms = wish_.limits == Wish::Limit::ms;
   Goal goal = goalOf();
   std::vector<Search::Found> found = search.found();
   std::stable_sort(found.begin(), found.end(),
                    [&](const Search::Found& a, const Search::Found& b) { return goal.isBetter(a.score, b.score); });
-  if (found.size() > kChosenAmong) found.resize(kChosenAmong);
-  std::vector<Spot> spots;
-  for (const Search::Found& one : found) spots.push_back(one.spot);
-  see(spots, last, kAtLast);
-  goal = goalOf();
+  if (found.size() > kTimedAgain) found.resize(kTimedAgain);
   const Spot* best = nullptr;
   Score least;
-  for (const Spot& spot : spots) {
-    Score score = scoreOf(groupSeen(spot, last).points[1], last);
-    if (!best || goal.isBetter(score, least)) best = &spot, least = score;
+  for (size_t first = 0; first < found.size() && !(best && goal.holds(least)); first += kChosenAmong) {
+    std::vector<Spot> spots;
+    for (size_t i = first; i < std::min(first + kChosenAmong, found.size()); ++i) spots.push_back(found[i].spot);
+    see(spots, last, kAtLast);
+    goal = goalOf();
+    if (by_ms) goal.limit = wish_.limit;  // what they take now
+    for (size_t i = 0; i < spots.size(); ++i) {
+      const Point& point = groupSeen(spots[i], last).points[1];
+      Score score = scoreOf(point, last);
+      if (by_ms) score.cost = point.value(wish_.msName());
+      if (!best || goal.isBetter(score, least)) best = &found[first + i].spot, least = score;
+    }
   }
   tuned.start = measuredOf(groupSeen(startOf(space_), last).points[1], startOf(space_));
   tuned.base = measuredOf(basePoint(last), startOf(space_));
