@@ -139,10 +139,12 @@ void addExplorer(const Explorer& explorer, Json& json) {
 
 Json navigationOf(const Page& page) {
   Json links = Json::array();
-  for (const Block& block : page.blocks)
+  for (const Block& block : page.blocks) {
     if (const auto* heading = std::get_if<Heading>(&block))
       if (heading->level == 2 && !heading->id.empty())
         links.push_back({{"id", heading->id}, {"text_html", inlineHtml(heading->text)}});
+    if (std::holds_alternative<Explorer>(block)) links.push_back({{"id", "explore"}, {"text_html", "Explore"}});
+  }
   return links;
 }
 

@@ -61,14 +61,17 @@ Json axesJson(const Results& results) {
 
 // ---- points
 
-// The sweep of this point alone, into another folder.
+// The sweep of this point alone, into another folder; "" for what no sweep made.
 std::string sweepOf(const Results& results, const PointGroup& group, const Point& point) {
+  std::string command = results.command;
+  if (command.starts_with("strobe demo ")) command.replace(7, 4, "sweep");
+  if (!command.starts_with("strobe sweep ")) return "";
   std::string only = "arm=" + point.arm + ",shot=" + group.shot;
   for (const auto& [axis, value] : group.at)
     only += "," + axis + "=" + (value.is_string() ? value.get<std::string>() : value.dump());
   for (size_t at = only.find('\''); at != std::string::npos; at = only.find('\'', at + 4)) only.replace(at, 1, "'\\''");
-  std::string command = results.command.substr(0, results.command.find(" --only"));
-  return command.substr(0, command.find(" -o ")) + " --only '" + only + "' -o out/again";
+  command = command.substr(0, std::min(command.find(" --only "), command.find(" -o ")));
+  return command + " --only '" + only + "' -o out/again";
 }
 
 Json valuesJson(const Results& results, const Point& point) {

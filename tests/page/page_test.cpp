@@ -99,6 +99,7 @@ TEST(Page, AnExplorerHasItsDataAndItsLibrary) {
   page.blocks.push_back(Still{{Heading{"Points", 2, "points"}, Paragraph{"as a list"}}});
   std::string html = htmlOf(page);
   EXPECT_EQ(unsound(withoutScripts(html)), "");
+  EXPECT_NE(html.find("<a href=\"#explore\">Explore</a>"), std::string::npos);
   EXPECT_NE(html.find(R"({"title":"\u003c/script>\u003cb>"})"), std::string::npos);
   EXPECT_NE(html.find("/*\nmay be copied * /*/\na('<\\/script>')"), std::string::npos);
   EXPECT_NE(html.find("<div class=\"still\">\n<h2 id=\"points\">"), std::string::npos);

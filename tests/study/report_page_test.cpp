@@ -136,6 +136,10 @@ TEST(ExplorerData, HasPointsByTheNumbersOfTheTable) {
   EXPECT_EQ(point["v"]["rmse"][1], results.groups[2].points[3].value("rmse", "inner"));
   EXPECT_EQ(point["sweep"], "strobe sweep made.lua --only 'arm=third,shot=near,samples=4,tile=10' -o out/again");
   EXPECT_EQ(data["groups"][0]["sigma"][1], 1e-5);
+  results.command = "strobe demo made.lua --size 64x36 -o out/demo", results.groups[2].points[3].arm = "it's";
+  results.arms[2].name = "it's";
+  EXPECT_EQ(explorerData(results, folder.path(), 1'000'000)["points"][8]["sweep"],
+            "strobe sweep made.lua --size 64x36 --only 'arm=it'\\''s,shot=near,samples=4,tile=10' -o out/again");
   EXPECT_TRUE(data["points"][4].value("undrawn", false));
   ASSERT_EQ(data["notices"].size(), 2u);
   EXPECT_EQ(data["notices"][0], "1 point is not drawn yet: the same sweep goes on with them");

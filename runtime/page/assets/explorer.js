@@ -94,7 +94,7 @@
   explorer.quote = (point, name, region) => {
     state.quoted = { n: point.n, name, region };
     explorer.select(point.n);
-    part("command-numbers").scrollIntoView({ block: "nearest" });
+    (part("command-numbers") || part("command-picture"))?.scrollIntoView({ block: "nearest" });
   };
 
   explorer.pin = n => {

@@ -189,7 +189,7 @@
       append(host, "p", `${explorer.measureTitle(quoted.name, quoted.region)}: ${number}, made again by the first.`,
              { class: "finding", id: "quoted" });
     }
-    copyable(host, "the numbers of this point", point.sweep, "command-numbers");
+    if (point.sweep) copyable(host, "the numbers of this point", point.sweep, "command-numbers");
     if (point.command) copyable(host, "its picture", point.command, "command-picture");
     if (point.group.truth) copyable(host, "truth", point.group.truth, "command-truth");
   }
