@@ -61,7 +61,7 @@ return experiment {
   base     = "no rays",
   rounds   = 7,
   regions  = { "whole", "inner", "hidden" },
-  measures = { "rmse", "flip", "ms_ratio", "pixels" },
+  measures = { "rmse", "flip", "ms_ratio", "masked", "pixels" },
   expect   = {
     { "before a background at rest the published mask is as good as the relative one, within a tenth",
       known = steps, function(r)
@@ -105,6 +105,13 @@ return experiment {
         local moving, none = whole(r, "tracking", "moving"), whole(r, "tracking", "no rays")
         return moving > none, ("RMSE whole %.4f and %.4f, relative %.4f"):format(moving, none,
                                                                                  whole(r, "tracking", "relative"))
+      end },
+    { "the relative mask marks less than half of what moves or may be moved over, in the living room", shot = "vase",
+      function(r)
+        local function marked(name) return r.at { shot = "vase", arm = name }.masked end
+        return marked "relative" < marked "moving" / 2,
+          ("seed %d, relative %d, moving %d, all %d pixels; hidden %d"):format(marked "seed", marked "relative",
+            marked "moving", marked "all", r.at { shot = "vase", arm = "relative", region = "hidden" }.pixels)
       end },
     { "the relative mask saves time over a ray behind everything that moves, in the living room", function(r)
       local function cost(name) return r.at { shot = "vase", arm = name }.ms_ratio end
