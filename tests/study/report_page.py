@@ -50,6 +50,9 @@ def fronts(page):
         page.go(f"file://{folder}/report.html#x={x}&y={y}&region={region}&shot={shot}")
         expect(f"front of {y} against {x}", sorted(numbers(page, "#front-points tr[data-point]")),
                front(x, y, region, shot, higher=("psnr",)))
+    page.go(f"file://{folder}/report.html#x=axis.samples")
+    expect("against an axis", len(numbers(page, "#view-front .mark")), 22)
+    expect("an axis has no front", numbers(page, "#front-points tr[data-point]"), [])
     page.go(f"file://{folder}/report.html")
 
 

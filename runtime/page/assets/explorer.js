@@ -13,8 +13,9 @@
     if (data.shots.length > 1) part("choose-shot").add(new Option("all shots", ""));
     for (const one of data.shots) part("choose-shot").add(new Option(one.title, one.name));
     for (const one of data.regions) part("choose-region").add(new Option(one));
-    for (const one of data.measures)
-      for (const id of ["choose-x", "choose-y"]) part(id).add(new Option(explorer.measureTitle(one.name), one.name));
+    for (const one of explorer.measures.values())
+      for (const id of one.is_axis ? ["choose-x"] : ["choose-x", "choose-y"])
+        part(id).add(new Option(explorer.measureTitle(one.name), one.name));
     for (const id of ["choose-x", "choose-y"])
       for (const option of part(id).options) option.title = explorer.measures.get(option.value).doc;
     for (const name of choices)

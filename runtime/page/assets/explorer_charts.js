@@ -4,10 +4,10 @@
   "use strict";
   const { data, measures, state, value } = explorer;
   const symbols = [d3.symbolCircle, d3.symbolSquare, d3.symbolTriangle, d3.symbolDiamond, d3.symbolCross, d3.symbolStar,
-                   d3.symbolWye, d3.symbolCircle];
+                   d3.symbolWye].map(type => d3.symbol().type(type).size(64)()).concat("M-5.5 -4H5.5L0 5.5Z");
   const methods = data.arms.map((arm, index) => index).filter(index => data.arms[index].role !== "truth");
   const styleOf = arm => "s" + methods.indexOf(arm) % 8;
-  const symbolOf = arm => d3.symbol().type(symbols[methods.indexOf(arm) % symbols.length]).size(64)();
+  const symbolOf = arm => symbols[methods.indexOf(arm) % symbols.length];
   const chosen = point => (point.n === state.selected ? " selected" : "") + (state.pins.includes(point.n) ? " pinned" : "");
 
   function canvas(host, width, height, about) {
@@ -26,7 +26,8 @@
   // Logarithmic where asked for, or where values of a cost span more than a factor of five.
   function isLog(name, how, extent) {
     if (how !== "auto") return how === "log" && extent[0] > 0;
-    return extent[0] > 0 && extent[1] > 5 * extent[0] && measures.get(name).better === "lower";
+    const { better, is_axis } = measures.get(name);
+    return extent[0] > 0 && extent[1] > 5 * extent[0] && (better === "lower" || is_axis);
   }
 
   function scaleOf(name, how, numbers, range) {
@@ -105,23 +106,26 @@
     const { x: xName, y: yName, region } = state;
     const of = (point, name) => value(point, name, region);
     const list = explorer.visible().filter(point => Number.isFinite(of(point, xName)) && Number.isFinite(of(point, yName)));
-    const title = explorer.measureTitle(yName, region) + " against " + explorer.measureTitle(xName, region) + explorer.ofShot();
+    const [xTitle, yTitle] = [xName, yName].map(name => explorer.measureTitle(name, region));
+    const title = yTitle + " against " + xTitle + explorer.ofShot();
     explorer.append(host, "h3", title);
     if (!list.length) return void explorer.append(host, "p", "No point that is shown has both values.");
     const front = explorer.front(list, xName, yName, region);
-    explorer.append(host, "p", `${front.length} of ${list.length} points are on the front: no other that is shown is as ` +
-      "good in both.", { class: "finding" });
+    const has_front = explorer.hasFront(xName, yName);
+    explorer.append(host, "p", has_front ? `${front.length} of ${list.length} points are on the front: no other that is ` +
+      "shown is as good in both." : "No front: a value of " + (measures.get(xName).better === "neither" ? xTitle : yTitle) +
+      " is neither better nor worse than another.", { class: "finding" });
     const width = 940, height = 470, left = 74, right = 740, top = 14, bottom = 414;
     const svg = canvas(host, width, height, title);
     const x = scaleOf(xName, state.logx, list.map(point => of(point, xName)), [left + 4, right - 4]);
     const y = scaleOf(yName, state.logy, list.map(point => of(point, yName)), [bottom - 4, top + 4]);
     axes(svg, x, y, left, right, top, bottom);
-    text(svg, "title", (left + right) / 2, bottom + 42, "middle", explorer.measureTitle(xName, region));
+    text(svg, "title", (left + right) / 2, bottom + 42, "middle", xTitle);
     svg.append("text").attr("class", "title").attr("transform", `translate(16 ${(top + bottom) / 2}) rotate(-90)`)
-      .attr("text-anchor", "middle").text(explorer.measureTitle(yName, region));
+      .attr("text-anchor", "middle").text(yTitle);
     const place = point => [x(of(point, xName)), y(of(point, yName))];
     const steps = front.map(place);
-    svg.append("g").attr("class", "front").append("path")
+    if (has_front) svg.append("g").attr("class", "front").append("path")
       .attr("d", steps.map(([px, py], i) => i ? `H${px}V${py}` : `M${px} ${py}`).join(""));
     quartiles(svg, list, place, [[xName, x, true], [yName, y, false]]);
     const order = list.slice().sort((a, b) => (a.n === state.selected) - (b.n === state.selected));
@@ -131,12 +135,12 @@
         `${explorer.shown(xName, of(point, xName))}, ${explorer.shown(yName, of(point, yName))}` +
         (front.includes(point) ? "; on the front" : "")).classed("on-front", front.includes(point));
     if (!order.some(point => point.n === state.selected)) marks.select(".mark").attr("tabindex", 0);
-    legend(svg, list, right + 22, top + 8, true);
+    legend(svg, list, right + 22, top + 8, has_front);
     const remarks = ["Hollow marks: a limit was met."];
     if (measures.has("ms_low")) remarks.push("Lines: quartiles of the times.");
     if (data.software) remarks.push("A software device: its milliseconds are not a GPU's.");
     explorer.append(host, "p", remarks.join(" "), { class: "soft" });
-    frontTable(host, front);
+    if (has_front) frontTable(host, front);
   }
 
   // Where both quartiles of the times were measured, a line between them.
@@ -217,7 +221,7 @@
 
   function drawParallel(host) {
     host.textContent = "";
-    const all = explorer.points.filter(point => (!state.shot || point.shot === state.shot) && Object.keys(point.v).length);
+    const all = explorer.points.filter(point => (!state.shot || point.shot === state.shot) && !point.undrawn && !point.failed);
     const shown = new Set(explorer.visible());
     explorer.append(host, "h3", "Every point as a line" + explorer.ofShot());
     explorer.append(host, "p", "Drag along an axis to show only what passes there; click it to show all again. The filters " +

@@ -13,6 +13,13 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
     point.shot = point.group.shot;
     point.at = point.group.at;
   }
+  // Axes of numbers are drawn like measures: "axis.samples".
+  const numeric = data.axes.filter(axis => axis.values.length > 1 && axis.values.every(one => typeof one === "number"));
+  for (const { name, title } of numeric) {
+    const about = { title, unit: "", better: "neither", is_axis: true, doc: "what varies" };
+    measures.set("axis." + name, { name: "axis." + name, ...about });
+    for (const point of points) if (name in point.at) point.v["axis." + name] = point.at[name];
+  }
   const shotTitle = name => (data.shots.find(one => one.name === name) || { title: name }).title;
   const axisNamed = name => data.axes.find(one => one.name === name);
 
@@ -29,7 +36,8 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
   // As the tables of the page write them.
   function shown(name, number) {
     if (Number.isNaN(number)) return "–";
-    const unit = measures.get(name).unit;
+    const { unit, is_axis } = measures.get(name);
+    if (is_axis) return String(number);
     if (unit === "ms") return (number < 10 ? number.toFixed(2) : number.toFixed(0)) + " ms";
     if (unit === "MiB") return number.toFixed(2) + " MiB";
     if (unit === "B" || unit === "px") return number.toFixed(1) + " " + unit;
@@ -88,7 +96,10 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
   // ---- the front
 
   // Points than which no other is as good in both and better in one, by growing cost in x; of equal points the first.
+  // None where a value is neither better nor worse than another.
+  const hasFront = (x, y) => [x, y].every(name => measures.get(name).better !== "neither");
   function front(list, x, y, region) {
+    if (!hasFront(x, y)) return [];
     const cost = (name, number) => measures.get(name).better === "higher" ? -number : number;
     const costs = list.filter(point => data.arms[point.a].role === "method")
       .map((point, order) => ({ point, order, x: cost(x, value(point, x, region)), y: cost(y, value(point, y, region)) }))
@@ -111,7 +122,8 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
   };
   const any = data.measures[0] || { name: "" };
   defaults.y = first(defaults.y, (regional[0] || any).name);
-  const other = data.measures.find(one => one.is_time) || data.measures.find(one => one.name !== defaults.y) || any;
+  const other = data.measures.find(one => one.is_time) || data.measures.find(one => one.name !== defaults.y) ||
+    [...measures.values()].find(one => one.is_axis) || any;
   defaults.x = first(defaults.x, other.name);
   if (!data.regions.includes(defaults.region)) defaults.region = data.regions[0] || "whole";
   const state = JSON.parse(JSON.stringify(defaults));
@@ -156,7 +168,7 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
       else if (name.startsWith("only.")) state.filters[decodeURIComponent(name.slice(5))] = filterOf(given);
     }
     const known = (name, all) => { if (!all.includes(state[name])) state[name] = defaults[name]; };
-    known("x", [...measures.keys()]), known("y", [...measures.keys()]), known("region", data.regions);
+    known("x", [...measures.keys()]), known("y", data.measures.map(one => one.name)), known("region", data.regions);
     known("shot", [""].concat(data.shots.map(one => one.name)));
     known("tab", ["front", "table", "parallel", "effects", "worst"]), known("view", ["wipe", "picture", "truth", "flip"]);
     return true;
@@ -218,7 +230,7 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
 
   Object.assign(explorer, {
     measures, points, byNumber, shotTitle, axisNamed, value, shown, measureTitle, label, describe, parameters, differences,
-    isTied, front, state, ofShot, fragment, takeFragment, levelOf, visible, sorted, note, setNote, noted, notesJson,
+    isTied, hasFront, front, state, ofShot, fragment, takeFragment, levelOf, visible, sorted, note, setNote, noted, notesJson,
     notesMarkdown,
   });
 })();

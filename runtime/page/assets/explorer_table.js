@@ -194,8 +194,8 @@
       const row = append(figure, "div", undefined, { class: "triple" });
       explorer.crops(row, point, point.worst);
       const caption = append(figure, "figcaption");
+      caption.append(explorer.shown(state.y, value(point, state.y, state.region)) + " ");
       pointButton(caption, point, `${point.n}: ${explorer.describe(point)}`);
-      caption.append(`; ${explorer.shown(state.y, value(point, state.y, state.region))}`);
     }
   }
 
