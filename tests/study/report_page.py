@@ -189,6 +189,16 @@ def address(page):
            "last=27&only.ms=..5&only.samples=4%7C8&pins=27.30&point=30&region=whole&shot=far&sort=-ms&tab=table&wipe=80&y=flip")
 
 
+def nonsense(page):
+    """An address of another page, or cut off, is taken as far as it goes."""
+    page.go("about:blank")
+    page.go(f"file://{folder}/report.html#tab=no&x=no&shot=no&point=999&last=x&pins=1.999.x&wipe=x&sort=no&only.no=4&only.arm=%&point")
+    expect("known ones", page.run("[explorer.state.tab, explorer.state.x, explorer.state.shot, explorer.state.pins.join()].join()"),
+           "front,ms,near,1")
+    page.click("#reset")
+    expect("all there", len(numbers(page, "#view-front .mark")), 22)
+
+
 # Of every element with a text of its own: WCAG's contrast of its colour on what is behind it.
 CONTRAST = """(() => {
   const channels = text => (text.match(/[\\d.]+/g) || []).map(Number);
@@ -211,6 +221,7 @@ CONTRAST = """(() => {
 
 def reachable(page):
     """Tab alone reaches every kind of control, and what has the focus can be seen."""
+    page.go("about:blank")
     page.go(f"file://{folder}/report.html#point=9&pins=9.14")
     page.run("document.activeElement.blur(); scrollTo(0, 0)")
     seen = set()
@@ -251,7 +262,7 @@ def printed(page):
 def main():
     with browser.Page(f"file://{folder}/report.html") as page:
         expect("what stands still is hidden", page.run("document.querySelector('.still').offsetHeight"), 0)
-        for part in (fronts, points, wipe, table, others, notes, address, reachable):
+        for part in (fronts, points, wipe, table, others, notes, address, nonsense, reachable):
             part(page)
         wrong.extend(page.problems)
         page.problems.clear()

@@ -134,7 +134,7 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
   const filterText = one => one.levels ? one.levels.map(encodeURIComponent).join("|") : `${one.from ?? ""}..${one.to ?? ""}`;
   function filterOf(text) {
     const range = /^(-?[\d.e+-]*?)\.\.(-?[\d.e+-]*)$/.exec(text);
-    if (!range) return { levels: text.split("|").map(decodeURIComponent) };
+    if (!range) return { levels: text.split("|").map(decoded) };
     const end = given => given === "" || Number.isNaN(Number(given)) ? undefined : Number(given);
     return { from: end(range[1]), to: end(range[2]) };
   }
@@ -152,20 +152,30 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
     return parts.join("&");
   }
 
-  // Takes what the address says, and defaults for the rest. False: it says nothing of the points.
+  // Text of an address; as it stands where it is none.
+  function decoded(text) {
+    try { return decodeURIComponent(text); } catch { return text; }
+  }
+  const canFilter = name => name === "arm" || !!axisNamed(name) || data.measures.some(one => one.name === name);
+
+  function takePart(name, given) {
+    const filtered = name.startsWith("only.") ? decoded(name.slice(5)) : "";
+    if (texts.includes(name)) state[name] = given;
+    else if (name === "point" && byNumber.has(Number(given))) state.selected = Number(given);
+    else if (name === "last" && byNumber.has(Number(given))) state.last = Number(given);
+    else if (name === "pins") state.pins = given.split(".").map(Number).filter(one => byNumber.has(one));
+    else if (name === "wipe") state.at = Math.min(1, Math.max(0, Number(given) / 100 || 0));
+    else if (canFilter(filtered)) state.filters[filtered] = filterOf(given);
+  }
+
+  // Takes what the address says and what there is, and defaults for the rest. False: it says nothing of the points.
   function takeFragment(text) {
     const said = text.replace(/^#/, "");
     if (said && !said.includes("=")) return false;
     Object.assign(state, JSON.parse(JSON.stringify(defaults)));
     for (const part of said.split("&").filter(Boolean)) {
-      const cut = part.indexOf("="), name = part.slice(0, cut);
-      const given = decodeURIComponent(part.slice(cut + 1));
-      if (texts.includes(name)) state[name] = given;
-      else if (name === "point" && byNumber.has(Number(given))) state.selected = Number(given);
-      else if (name === "last" && byNumber.has(Number(given))) state.last = Number(given);
-      else if (name === "pins") state.pins = given.split(".").map(Number).filter(one => byNumber.has(one));
-      else if (name === "wipe") state.at = Math.min(1, Math.max(0, Number(given) / 100 || 0));
-      else if (name.startsWith("only.")) state.filters[decodeURIComponent(name.slice(5))] = filterOf(given);
+      const cut = part.indexOf("=");
+      takePart(part.slice(0, cut), decoded(part.slice(cut + 1)));
     }
     const known = (name, all) => { if (!all.includes(state[name])) state[name] = defaults[name]; };
     known("x", [...measures.keys()]), known("y", data.measures.map(one => one.name)), known("region", data.regions);
