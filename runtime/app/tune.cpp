@@ -230,9 +230,9 @@ void tune(const Home& home, Options options) {
   std::vector<Path> files = writeResults(results, folder);
   std::string goal = goalText(wish, results.arms[1].name);
   if (tuned.chosen) {
-    std::string doc =
-        fmt::format("{}, {}x{}: {:.4g}; {}", results.title, results.width, results.height, tuned.chosen->error, goal);
-    writeFileAtomically(file, study::presetText(doc, tuned.values));
+    std::string what =
+        fmt::format("{}, {}x{}: {:.4g}, ", results.title, results.width, results.height, tuned.chosen->error);
+    writeFileAtomically(file, study::presetText({what, goal}, tuned.values));
     files.insert(files.begin(), file);
   }
   note(fmt::format("{} evaluations in {:.0f} s", tuned.evaluations, clockSeconds() - started_s));

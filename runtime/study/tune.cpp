@@ -380,12 +380,14 @@ Space spaceOf(const plan::PipelineDesc& pipeline, const std::set<std::string>& c
 
 Tuned tune(const Wish& wish, lab::Workbench& bench, const Store& store) { return Tuner(wish, bench, store).tune(); }
 
-std::string presetText(const std::string& doc, const script::Settings& values) {
+std::string presetText(const std::vector<std::string>& doc, const script::Settings& values) {
   auto quoted = [](const std::string& text) { return Json(text).dump(); };
+  std::vector<std::string> lines;
+  for (const std::string& line : doc) lines.push_back(quoted(line));
   std::string text =
       "-- Written by `strobe tune`; taken by `--set preset=` and the name of this file.\n"
       "local preset = require \"strobe.preset\"\n\nreturn preset {\n";
-  text += fmt::format("  doc = {},\n  set = {{\n", quoted(doc));
+  text += fmt::format("  doc = {},\n  set = {{\n", fmt::join(lines, " ..\n    "));
   for (const auto& [name, value] : values) {
     const auto* word = std::get_if<std::string>(&value);
     text += fmt::format("    {} = {},\n", name, word ? quoted(*word) : plan::textOf(value));

@@ -55,7 +55,7 @@ Space spaceOf(const plan::PipelineDesc& pipeline, const std::set<std::string>& c
 // Throws `Error` where truth, the base or the shot as it is cannot be drawn.
 Tuned tune(const Wish& wish, lab::Workbench& bench, const Store& store);
 
-// The preset as a file: what it is, and its values.
-std::string presetText(const std::string& doc, const script::Settings& values);
+// The preset as a file: what it is, a text in lines, and its values.
+std::string presetText(const std::vector<std::string>& doc, const script::Settings& values);
 
 }  // namespace strobe::study
