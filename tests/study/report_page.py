@@ -4,6 +4,7 @@
 import csv
 import json
 import sys
+import time
 
 import browser
 
@@ -38,6 +39,14 @@ def numbers(page, selector):
 
 def text(page, selector):
     return page.run(f"(document.querySelector({json.dumps(selector)}) || {{}}).textContent")
+
+
+def eventually(page, what, script, wanted=True):
+    """What pictures and files need time for."""
+    until = time.monotonic() + 20
+    while page.run(script) != wanted and time.monotonic() < until:
+        time.sleep(0.05)
+    expect(what, page.run(script), wanted)
 
 
 def tab(page, name):
@@ -87,17 +96,16 @@ def wipe(page):
     expect("wiped", page.run(f"Math.round(parseFloat({edge}))"), 25)
     expect("clipped", page.run(f"Math.round(parseFloat({clip}.split(' ')[1]))"), 75)
     page.click('#point [data-view="flip"]')
-    page.run("new Promise(done => setTimeout(done, 200))")
-    heat = page.run("(() => { const c = document.querySelector('#point .stage canvas'); const d = c.getContext('2d')"
-                    ".getImageData(0, 0, c.width, c.height).data; let n = 0; for (let i = 0; i < d.length; i += 4)"
-                    " n += d[i] > d[i + 1] + 20; return [c.width, n]; })()")
-    expect("the FLIP map has the colours of heat", heat[0] == 64 and heat[1] > 100)
+    eventually(page, "the FLIP map has the colours of heat",
+               "(() => { const c = document.querySelector('#point .stage canvas'); const d = c.getContext('2d').getImageData(0, 0,"
+               " c.width, c.height).data; let n = 0; for (let i = 0; i < d.length; i += 4) n += d[i] > d[i + 1] + 20;"
+               " return c.width === 64 && n > 100; })()")
     page.click('#point [data-view="wipe"]')
     expect("crops", page.run("document.querySelectorAll('#point .triple canvas').length"), 6)
     expect("every picture has a text", page.run(
         "[...document.querySelectorAll('.explorer img:not([alt]), .explorer canvas:not([aria-label])')].length"), 0)
-    expect("pictures are shown", page.run(
-        "[...document.querySelectorAll('#point img')].every(one => one.complete && one.naturalWidth === 64)"))
+    eventually(page, "pictures are shown",
+               "[...document.querySelectorAll('#point img')].every(one => one.complete && one.naturalWidth === 64)")
 
 
 def table(page):
@@ -167,8 +175,7 @@ def notes(page):
     expect("as JSON", json.loads(page.run("explorer.notesJson()"))["notes"][0]["note"], "sharp\nedges")
     page.run("window.saved = ''; URL.createObjectURL = blob => { blob.text().then(text => window.saved = text); return 'data:,'; };")
     page.click("#notes-markdown")
-    page.run("new Promise(done => setTimeout(done, 200))")
-    expect("downloaded", page.run("window.saved"), exported)
+    eventually(page, "downloaded", "window.saved", exported)
 
 
 def address(page):
