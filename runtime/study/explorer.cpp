@@ -116,6 +116,8 @@ Json pointsJson(const Results& results, const PageImages& images, Counts& counts
                    {"command", point.command},
                    {"sweep", sweepOf(results, group, point)}};
       if (!point.limits.empty()) json["limits"] = point.limits;
+      for (const PassTime& pass : point.passes)
+        json["passes"].push_back({pass.pass, number(pass.ms), number(pass.low), number(pass.high)});
       if (!point.failed.empty()) json["failed"] = point.failed, ++counts.failed;
       else if (point.values.empty()) json["undrawn"] = true, ++counts.undrawn;
       else if (images.points[g][i].picture < 0) ++counts.without_picture;

@@ -41,18 +41,29 @@ void requireKnown(const Experiment& experiment, const std::string& name, const s
     if (axis.name == name && has_value) requireOneOf(value, labelsOf(axis), "value of " + name);
 }
 
-Conditions conditionsOf(const Experiment& experiment, const std::string& expression) {
-  Conditions conditions;
+// The conditions between commas. What has no "=" and is no axis belongs to the name before it, which has commas too.
+std::vector<std::string> partsOf(const Experiment& experiment, const std::string& expression) {
+  std::vector<std::string> parts, axes = namesOf(experiment.axes);
   for (size_t start = 0; start <= expression.size();) {
     size_t end = std::min(expression.find(',', start), expression.size());
     std::string one = expression.substr(start, end - start);
+    bool begins = one.find('=') != std::string::npos || std::find(axes.begin(), axes.end(), one) != axes.end();
+    if (begins || parts.empty()) parts.push_back(one);
+    else parts.back() += "," + one;
+    start = end + 1;
+  }
+  return parts;
+}
+
+Conditions conditionsOf(const Experiment& experiment, const std::string& expression) {
+  Conditions conditions;
+  for (const std::string& one : partsOf(experiment, expression)) {
     size_t equals = one.find('=');
     bool has_value = equals != std::string::npos;
     std::string name = one.substr(0, equals), value = has_value ? one.substr(equals + 1) : "";
     requireKnown(experiment, name, value, has_value);
     std::vector<std::string>& allowed = conditions[name];
     if (has_value) allowed.push_back(value);
-    start = end + 1;
   }
   return conditions;
 }

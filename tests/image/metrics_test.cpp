@@ -13,6 +13,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/process.h"
+#include "common/source.h"
 #include "image/comparison.h"
 #include "image/exr.h"
 #include "image/png.h"
@@ -61,7 +62,7 @@ std::optional<std::string> outputOf(const std::string& line) {
 
 // The answer of skimage_reference.py, from the first Python that has what it needs.
 std::optional<Json> fromPython(const std::string& arguments) {
-  Path script = Path(__FILE__).parent_path() / "skimage_reference.py";
+  Path script = sourceFolder() / "tests/image/skimage_reference.py";
   for (const char* python : {"python3", "/usr/bin/python3"})
     if (auto text = outputOf(fmt::format("{} '{}' {}", python, script.string(), arguments))) return Json::parse(*text);
   return std::nullopt;

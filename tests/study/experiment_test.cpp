@@ -151,6 +151,10 @@ TEST(Only, KeepsPointsThatAreAskedFor) {
   EXPECT_EQ(listed("shot=vase,exposure=0.25"), 5u);
   EXPECT_EQ(listed("samples"), 20u) << "every point has that axis";
   Experiment experiment = readText(kSamplesAndTiles);
+  experiment.arms[1].name = "hybrid, best (again)";
+  keepOnly(experiment, "arm=hybrid, best (again),samples=4");
+  EXPECT_EQ(linesOf(listOf(experiment)).size(), 4u) << "a name with a comma";
+  experiment = readText(kSamplesAndTiles);
   for (const auto& [only, wanted] : {std::pair<std::string, std::string>{"arm=hybird", "did you mean 'hybrid'?"},
                                      {"sampels=4", "did you mean 'samples'?"},
                                      {"samples=5", "there are 4, 8, 16"},

@@ -164,6 +164,23 @@
     for (const one of rest) explorer.numberCell(row, point, one.name);
   }
 
+  // Milliseconds of each pass, as bars of the longest.
+  function passes(host, point) {
+    if (!point.passes) return;
+    const box = append(host, "details");
+    append(box, "summary", "Passes");
+    const table = explorer.table(box, ["pass", "ms", "quartiles", ""], [false, true, true, false]);
+    const most = Math.max(...point.passes.map(([, ms]) => ms)), text = ms => ms.toPrecision(3);
+    for (const [name, ms, low, high] of point.passes) {
+      const row = table.tBodies[0].insertRow();
+      append(row, "th", name, { scope: "row" });
+      append(row, "td", text(ms), { class: "number" });
+      append(row, "td", `${text(low)} to ${text(high)}`, { class: "number faint" });
+      const bar = append(append(row, "td"), "div", undefined, { class: "share" });
+      bar.style.width = 6 * ms / most + "rem";
+    }
+  }
+
   function copyable(host, title, text, id) {
     const head = append(host, "div", undefined, { class: "command" });
     append(head, "span", title, { class: "soft" });
@@ -223,6 +240,7 @@
     allCrops(host, point);
     append(host, "h4", "Numbers");
     numbers(host, point);
+    passes(host, point);
     commands(host, point);
     notes(host, point);
   }
