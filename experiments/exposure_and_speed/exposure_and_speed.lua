@@ -71,7 +71,7 @@ return experiment {
   arms     = arms,
   truth    = { pipeline = "ground_truth", set = { samples = 128, times = "stratified" } },
   base     = "McGuire 2012",
-  rounds   = 3,
+  rounds   = 5,
   vary     = {
     -- The scene is told the path over its own exposure of half a frame.
     experiment.list { name = "speed", title = "Speed", unit = "px a frame", scale = "log", benign = 13, region = "inner",
