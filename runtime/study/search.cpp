@@ -207,13 +207,16 @@ bool Search::stepAlong(size_t dimension, const Stride& stride, Found& at) {
   return moved;
 }
 
-// Along every dimension as far as it gets better, until it does along none; false: `most` evaluations are used up.
+// Along every dimension, from the one where the last walk ended, as far as it gets better, until it does along none;
+// false: `most` evaluations are used up.
 bool Search::walk(Found at, const Stride& stride, int most) {
   for (bool moved = true; moved;) {
     if (evaluations_ >= most) return false;
     moved = false;
-    for (size_t d = 0; d < space_.size(); ++d)
-      while (evaluations_ < most && stepAlong(d, stride, at)) moved = true;
+    for (size_t i = 0; i < space_.size() && evaluations_ < most; ++i) {
+      while (evaluations_ < most && stepAlong(next_, stride, at)) moved = true;
+      if (evaluations_ < most) next_ = (next_ + 1) % space_.size();
+    }
     say(fmt::format("steps of {} octave{}", stride.octaves, stride.octaves == 1 ? "" : "s"));
   }
   return evaluations_ < most;

@@ -108,6 +108,7 @@ class Search {
   std::vector<std::map<std::string, Score>> known_;  // by level and identity
   std::vector<Found> found_;
   std::optional<Found> best_;
+  size_t next_ = 0;  // dimension of the next step: a walk that ends early leaves the others to the next one
   int evaluations_ = 0;
   bool finished_ = false;
 };
