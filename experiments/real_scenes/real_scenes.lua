@@ -44,7 +44,7 @@ return experiment {
   note = "The expectation: where the background varies by at least a fifth of its difference from the front, the hybrid's " ..
          "error inside the silhouette is at most a fifth of each baseline's and 1.5 times the floor of its own 16 samples.",
   size = { 960, 540 },
-  measures = { "rmse", "flip", "rmse_full", "ms" },
+  measures = { "rmse", "flip", "rmse_full", "ms" }, rounds = 3,
   background = { arm = hybrid, front = "no blur", color = "revealed", valid = "revealed_valid" },
   arms = {
     { name = "no blur", pipeline = "none" },

@@ -27,6 +27,9 @@ struct Options {
   double truth_error = 0;
 };
 
+// Every point of a sweep that runs or was interrupted, without numbers: those are in the folder's points.
+const char* const kUnfinished = "unfinished.json";
+
 // Results as far as they are there.
 study::Results resultsIn(const Path& file) {
   study::Results results = study::resultsFrom(Json::parse(readText(file), nullptr, false), file.string());
@@ -98,7 +101,7 @@ void sweep(const Home& home, const std::string& name, const Options& options, co
   experiment.file = frozen.at(file);
   auto make = [&] { return std::make_unique<lab::Workbench>(frozen.home(), options.device, validationWanted()); };
   // What is interrupted can be laid out as far as it came.
-  Path outline = store.folder() / names.results;
+  Path outline = store.folder() / kUnfinished;
   auto started = [&](study::Results results) {
     results.command = commandOf(home, name, options);
     writeFileAtomically(outline, study::toJson(results).dump(1) + "\n");
@@ -111,6 +114,7 @@ void sweep(const Home& home, const std::string& name, const Options& options, co
   if (!good) throw Error("a process of the sweep failed; its message stands above");
   results.command = commandOf(home, name, options);
   note(fmt::format("{} points in {:.0f} s", experiment.points(), clockSeconds() - started_s));
+  std::filesystem::remove(outline);
   // Laid out from the numbers as they are written, so that `report` gives the same page.
   show(study::resultsFrom(study::toJson(results), "the results"), options.out, names, options.json);
 }
@@ -137,12 +141,12 @@ struct ReportOptions {
 
 void report(const Home& home, const ReportOptions& options) {
   Path folder = options.folder;
-  bool of_demo = !std::filesystem::exists(folder / ResultNames().results);
-  ResultNames names = of_demo ? kDemoNames : ResultNames();
-  if (!std::filesystem::exists(folder / names.results))
+  auto has = [&](const std::string& name) { return std::filesystem::exists(folder / name); };
+  ResultNames names = has(kDemoNames.results) ? kDemoNames : ResultNames();
+  Path file = folder / (has(kUnfinished) ? kUnfinished : names.results);
+  if (!std::filesystem::exists(file))
     throw Error(fmt::format("there are no results in '{}' ({})", options.folder, ResultNames().results), {}, 2);
   requireWritable(folder, "the folder");
-  Path file = folder / names.results;
   study::Results results = resultsIn(file);
   if (!options.file.empty())
     study::retell(home, results, study::readExperiment(home, hereOrAtHome(home, options.file), false));

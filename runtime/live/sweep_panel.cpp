@@ -257,7 +257,6 @@ void SweepPanel::describe(const Fonts& fonts, const Sweep& sweep, size_t point) 
 }
 
 void SweepPanel::drawHead(const Fonts& fonts, Desk& desk, Sweeper& sweeper, PanelState& state) {
-  const Sweep& sweep = sweeper.sweep();
   ImGui::AlignTextToFramePadding();
   textIn(fonts.bold, sweeper.ofB() ? kTimes : kErrors, sweeper.ofB() ? "Sweep of B" : "Sweep");
   ImGui::SameLine();
@@ -280,7 +279,7 @@ void SweepPanel::drawHead(const Fonts& fonts, Desk& desk, Sweeper& sweeper, Pane
     ImGui::PopID();
   }
   bool stale = sweeper.isStale(desk);
-  std::string progress = progressText(sweep, desk);
+  std::string progress = progressText(sweeper.sweep(), desk);
   if (stale) progress = "stale: the picture has other values or files by now  ·  " + progress;
   textIn(fonts.small, stale ? colours::kBad : colours::kDim, progress);
   tooltip(progress);

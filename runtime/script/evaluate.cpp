@@ -114,14 +114,14 @@ Json requestOf(const Home& home, const Main& main, const std::string& function, 
           {"cpu_s", limits.cpu_s},      {"memory_mb", limits.memory_mb}, {"texts", Json(texts)}};
 }
 
-// The file of the preset that is set, if it is one: as it lies here, else in the roots.
+// The file of the preset that is set, if it is one: in the roots, which may be a copy of them, else as it lies here.
 void addPreset(const Home& home, const Settings& sets, const Texts& texts, Json& request) {
   std::string set;
   for (const auto& [name, value] : sets)
     if (const auto* text = std::get_if<std::string>(&value); text && name == plan::kPresetSetting) set = *text;
   if (!set.ends_with(".lua")) return;
   Path here = fs::absolute(set).lexically_normal();
-  bool is_here = texts.count(here) || fs::is_regular_file(here) || Path(set).is_absolute();
+  bool is_here = texts.count(here) || Path(set).is_absolute();
   Path file = is_here ? here : home.find(set).value_or(here);
   request["preset"] = file.string();
   request["preset_shown"] = home.shown(file);

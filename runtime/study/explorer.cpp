@@ -62,13 +62,19 @@ Json axesJson(const Results& results) {
 // ---- points
 
 // The sweep of this point alone, into another folder; "" for what no sweep made.
+std::string labelOf(const Results& results, const std::string& axis, const Json& value) {
+  for (const AxisSummary& one : results.axes)
+    for (size_t i = 0; i < one.values.size() && one.name == axis; ++i)
+      if (one.values[i] == value) return one.labels[i];
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
 std::string sweepOf(const Results& results, const PointGroup& group, const Point& point) {
   std::string command = results.command;
   if (command.starts_with("strobe demo ")) command.replace(7, 4, "sweep");
   if (!command.starts_with("strobe sweep ")) return "";
   std::string only = "arm=" + point.arm + ",shot=" + group.shot;
-  for (const auto& [axis, value] : group.at)
-    only += "," + axis + "=" + (value.is_string() ? value.get<std::string>() : value.dump());
+  for (const auto& [axis, value] : group.at) only += "," + axis + "=" + labelOf(results, axis, value);
   for (size_t at = only.find('\''); at != std::string::npos; at = only.find('\'', at + 4)) only.replace(at, 1, "'\\''");
   command = command.substr(0, std::min(command.find(" --only "), command.find(" -o ")));
   return command + " --only '" + only + "' -o out/again";

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "image/comparison.h"
 #include "image/false_colour.h"
@@ -37,6 +38,8 @@ Gallery galleryOf(const Results& results, const ShotSummary& shot, const Path& f
   for (const ArmSummary& arm : results.arms) {
     const Point* point = gallery.group->find(arm.name);
     if (!point || !arm.shown || point->measured.empty()) continue;
+    // Results that travel without their pictures are laid out without them.
+    if (!std::filesystem::exists(folder / point->measured) || !std::filesystem::exists(folder / point->shown)) continue;
     ShownPoint one{point, &arm, image::readPicture(folder / point->measured).linear, {}};
     bool same = point->shown == point->measured;
     one.shown = same ? one.measured : image::readPicture(folder / point->shown).linear;

@@ -61,6 +61,7 @@ struct Measure {
   double (*of)(const Sight& sight, const std::string& region, const image::Image& mask) = nullptr;
   bool is_time = false;      // of frames that are drawn for it, not of the picture
   bool is_change = false;    // compared with the benign value
+  bool to_base = false;      // a ratio to what the base measures
   bool of_sequence = false;  // needs two frames at least
 };
 

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+
+#include "study/measures.h"
 
 namespace strobe::study {
 
@@ -86,18 +89,42 @@ bool isAt(const Experiment& experiment, const Group& group, const Conditions& co
   });
 }
 
+// What times of a shot are ratios to among the arms of a group, if it is there.
+std::optional<size_t> baseAmong(const Experiment& experiment, const Group& group) {
+  for (size_t arm : group.arms) {
+    const Arm& one = experiment.arms[arm];
+    if (experiment.base.empty() ? one.role == Role::method : one.name == experiment.base) return arm;
+  }
+  return std::nullopt;
+}
+
+// The same where ratios are measured and the group is the first of its shot that has it.
+std::optional<size_t> baseIn(const Experiment& experiment, const Group& group) {
+  bool has_ratios = std::any_of(experiment.measures.begin(), experiment.measures.end(),
+                                [](const std::string& name) { return measureNamed(name).to_base; });
+  auto first = std::find_if(experiment.groups.begin(), experiment.groups.end(),
+                            [&](const Group& one) { return one.shot == group.shot && baseAmong(experiment, one); });
+  bool is_first = has_ratios && first != experiment.groups.end() && first->at == group.at;
+  return is_first ? baseAmong(experiment, group) : std::nullopt;
+}
+
 }  // namespace
 
 void keepOnly(Experiment& experiment, const std::string& expression) {
   Conditions conditions = conditionsOf(experiment, expression);
+  auto isAsked = [&](const Group& group, size_t arm) {
+    const Arm& one = experiment.arms[arm];
+    return allows(conditions, "shot", experiment.shots[group.shot].name) && isAt(experiment, group, conditions) &&
+           (one.role != Role::method || allows(conditions, "arm", one.name));
+  };
+  std::set<size_t> shots;  // of which a point is asked for
+  for (const Group& group : experiment.groups)
+    for (size_t arm : group.arms)
+      if (isAsked(group, arm)) shots.insert(group.shot);
   std::vector<Group> kept;
   for (Group group : experiment.groups) {
-    if (!allows(conditions, "shot", experiment.shots[group.shot].name) || !isAt(experiment, group, conditions))
-      continue;
-    std::erase_if(group.arms, [&](size_t arm) {
-      const Arm& one = experiment.arms[arm];
-      return one.role == Role::method && !allows(conditions, "arm", one.name);
-    });
+    std::optional<size_t> base = shots.count(group.shot) ? baseIn(experiment, group) : std::nullopt;
+    std::erase_if(group.arms, [&](size_t arm) { return !isAsked(group, arm) && arm != base; });
     if (!group.arms.empty()) kept.push_back(group);
   }
   if (kept.empty()) throw Error(fmt::format("--only '{}': no point is like that", expression), {}, 2);

@@ -58,20 +58,26 @@ const Task* baseOf(const Experiment& experiment, const std::vector<TaskGroup>& g
 }
 
 // Times that are ratios to something else, or of other rounds, are measured again.
-std::string timesOf(const Experiment& experiment, const Task& task, const Task& base) {
+std::string baseTextOf(const Task& task, const Task& base) {
   bool is_ratio = std::any_of(task.measures.begin(), task.measures.end(),
-                              [](const std::string& name) { return name == "ms_ratio" || name == "own_ratio"; });
+                              [](const std::string& name) { return measureNamed(name).to_base; });
+  return is_ratio ? ", base " + base.key : "";
+}
+
+std::string timesOf(const Experiment& experiment, const Task& task, const Task& base) {
   const lab::Rounds& rounds = experiment.rounds;
-  return fmt::format("{} to {} rounds, {}{}", rounds.least, rounds.most, rounds.within,
-                     is_ratio ? ", base " + base.key : "");
+  return fmt::format("{} to {} rounds, {}{}", rounds.least, rounds.most, rounds.within, baseTextOf(task, base));
 }
 
 bool lacksTimes(const Experiment& experiment, const Task& task, const Task& base, const Store& store) {
   if (!task.timed || !store.has(task.key)) return false;
   Point point = *store.point(task.key);
-  return point.times != timesOf(experiment, task, base) ||
-         std::any_of(task.measures.begin(), task.measures.end(),
-                     [&](const std::string& name) { return measureNamed(name).is_time && !point.values.count(name); });
+  // A search takes any times against its base: those of its last rounds stay.
+  bool good = experiment.is_step ? !point.times.empty() && point.times.ends_with(baseTextOf(task, base))
+                                 : point.times == timesOf(experiment, task, base);
+  return !good || std::any_of(task.measures.begin(), task.measures.end(), [&](const std::string& name) {
+    return measureNamed(name).is_time && !point.values.count(name);
+  });
 }
 
 std::vector<PassTime> passesOf(const lab::Timing& timing) {

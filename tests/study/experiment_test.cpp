@@ -155,6 +155,11 @@ TEST(Only, KeepsPointsThatAreAskedFor) {
   keepOnly(experiment, "arm=hybrid, best (again),samples=4");
   EXPECT_EQ(linesOf(listOf(experiment)).size(), 4u) << "a name with a comma";
   experiment = readText(kSamplesAndTiles);
+  experiment.measures.push_back("ms_ratio");
+  experiment.base = "mcguire";
+  keepOnly(experiment, "arm=hybrid,shot=vase,samples=16");
+  EXPECT_EQ(linesOf(listOf(experiment)).size(), 3u) << "at two exposures, and what times are ratios to";
+  experiment = readText(kSamplesAndTiles);
   for (const auto& [only, wanted] : {std::pair<std::string, std::string>{"arm=hybird", "did you mean 'hybrid'?"},
                                      {"sampels=4", "did you mean 'samples'?"},
                                      {"samples=5", "there are 4, 8, 16"},

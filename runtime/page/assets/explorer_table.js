@@ -41,7 +41,7 @@
     const tied = explorer.isTied(point, name, region);
     const text = explorer.shown(name, number) + (tied ? "?" : "");
     const button = append(cell, "button", text, { type: "button", class: "link", "data-value": number,
-      title: (tied ? "? truth cannot tell it from others of its group\n" : "") + point.sweep || point.command });
+      title: (tied ? "? truth cannot tell it from others of its group\n" : "") + (point.sweep || point.command) });
     button.onclick = () => { explorer.quote(point, name, region); };
   }
 
