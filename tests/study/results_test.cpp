@@ -207,7 +207,7 @@ TEST_P(Committed, PagesAreMadeOfTheirNumbers) {
   EXPECT_EQ(readText(folder / "table.csv"), csvOf(results));
 }
 
-// Living room, outer: 0.02100 and 0.02319, and truth's standard error is 0.00286.
+// Living room, outer: 0.02100 and 0.02324, and truth's standard error is 0.00286.
 TEST(Ranking, WhatTruthCannotTellApartIsNotRanked) {
   std::string text = Report(committed("real_scenes"), home().shipped() / "experiments/real_scenes").markdown("");
   EXPECT_NE(text.find("| 0.02100? |"), std::string::npos);
