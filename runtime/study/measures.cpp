@@ -42,6 +42,21 @@ double hdrFlip(const Sight& sight, const std::string&, const Image& mask) {
 double relmse(const Sight& sight, const std::string&, const Image& mask) {
   return image::relativeMse(sight.color, sight.truth->color, mask);
 }
+double mse(const Sight& sight, const std::string& region, const Image& mask) {
+  return std::pow(rmse(sight, region, mask), 2);
+}
+double relmseTrimmed(const Sight& sight, const std::string&, const Image& mask) {
+  return image::trimmedRelativeMse(sight.color, sight.truth->color, mask);
+}
+double msSsim(const Sight& sight, const std::string&, const Image&) {
+  return image::multiScaleSsim(sight.color, sight.truth->color).value_or(kNothing);
+}
+double flipMax(const Sight& sight, const std::string&, const Image& mask) {
+  return image::largestOf(sight.flip(), mask);
+}
+double hdrFlipMax(const Sight& sight, const std::string&, const Image& mask) {
+  return image::largestOf(sight.hdrFlip(), mask);
+}
 double smape(const Sight& sight, const std::string&, const Image& mask) {
   return image::smape(sight.color, sight.truth->color, mask);
 }
@@ -200,15 +215,22 @@ const std::vector<Measure>& measures() {
   constexpr Better kLower = Better::lower, kNeither = Better::neither;
   static const std::vector<Measure> all = {
       {"rmse", "RMSE", "", kLower, true, "root mean square of the difference from truth, linear values", rmse},
+      {"mse", "MSE", "", kLower, true, "square of that", mse},
       {"flip", "FLIP", "", kLower, true, "mean of the FLIP map against truth, at 67 pixels per degree", flip},
       {"hdr_flip", "HDR-FLIP", "", kLower, true, "mean of the HDR-FLIP map against truth", hdrFlip},
+      {"flip_max", "largest FLIP", "", kLower, true, "largest value of the FLIP map", flipMax},
+      {"hdr_flip_max", "largest HDR-FLIP", "", kLower, true, "largest value of the HDR-FLIP map", hdrFlipMax},
       {"rmse_full", "RMSE, full shading", "", kLower, true, "RMSE against the second truth (`full`)", rmseFull},
       {"p999", "99.9th percentile", "", kLower, true,
        "error that one pixel in a thousand exceeds: root of the mean square over its channels", p999},
       {"relmse", "relMSE", "", kLower, true, "mean of squared differences over squared truth + 0.01", relmse},
+      {"relmse_trimmed", "relMSE, trimmed", "", kLower, true, "the same without the worst thousandth of the pixels",
+       relmseTrimmed},
       {"smape", "SMAPE", "", kLower, true, "mean of absolute differences over both magnitudes + 0.01", smape},
       {"psnr", "PSNR", "dB", Better::higher, true, "of the clamped, sRGB-encoded values", psnr},
       {"ssim", "SSIM", "", Better::higher, true, "Wang et al. 2004, of the clamped, sRGB-encoded values", ssim},
+      {"ms_ssim", "MS-SSIM", "", Better::higher, false,
+       "Wang, Simoncelli, Bovik 2003, of the whole picture; nothing where a side is below 176 px", msSsim},
       {"flicker", "flicker", "", kLower, true,
        "mean of the absolute difference between the picture's change from frame to frame and truth's", flicker, false,
        false, false, true},

@@ -173,6 +173,41 @@ TEST_F(Resume, LinearPicturesAreKeptOnRequest) {
   }
 }
 
+// What a sweep measures is what `compare` says of the files that it keeps.
+TEST_F(Resume, MeasuresAreThoseOfCompare) {
+  const std::map<std::string, std::string> names = {{"rmse", "rmse"},
+                                                    {"mse", "mse"},
+                                                    {"flip", "ldr_flip"},
+                                                    {"flip_max", "ldr_flip_max"},
+                                                    {"hdr_flip", "hdr_flip"},
+                                                    {"psnr", "psnr"},
+                                                    {"hdr_flip_max", "hdr_flip_max"},
+                                                    {"ssim", "ssim"},
+                                                    {"relmse", "relmse"},
+                                                    {"ms_ssim", "ms_ssim"},
+                                                    {"smape", "smape"},
+                                                    {"relmse_trimmed", "relmse_trimmed"}};
+  std::string measures;
+  for (const auto& [name, key] : names) measures += "\"" + name + "\", ";
+  writeText(folder_ / "x.lua", R"lua(return require "strobe.experiment" {
+    title = "All", size = { 192, 180 }, regions = { "whole" }, measures = { )lua" +
+                                   measures + R"lua( },
+    shots = { { name = "bar", scene = "oracles/bar" } }, arms = { { name = "sharp", pipeline = "none" } },
+    truth = { pipeline = "ground_truth", set = { samples = 16 } } })lua");
+  Outcome swept = run(command("out", "--exr"), "STROBE_VALIDATION=0");
+  ASSERT_EQ(swept.exit_code, 0) << swept.err;
+  Json group = Json::parse(file("out", "result.json"))["groups"][0]["points"];
+  auto picture = [&](size_t i) { return folder_ / ("out/points/" + group[i]["key"].get<std::string>() + ".exr"); };
+  Outcome compared = run("compare " + picture(1) + " " + picture(0) + " --json");
+  ASSERT_EQ(compared.exit_code, 0) << compared.err;
+  Json said = Json::parse(compared.out);
+  for (const auto& [name, key] : names) {
+    const Json& values = group[1]["values"][name];
+    double value = values.begin()->get<double>();
+    EXPECT_NEAR(value, said[key].get<double>(), 1e-6 * std::abs(value)) << name;
+  }
+}
+
 // 1024 samples are the most that a method takes.
 TEST_F(Resume, AFailedPointKeepsItsReasonAndStopsNothing) {
   writeText(folder_ / "x.lua", few("{ 2, 2000 }"));
