@@ -72,9 +72,10 @@ std::string timesOf(const Experiment& experiment, const Task& task, const Task& 
 bool lacksTimes(const Experiment& experiment, const Task& task, const Task& base, const Store& store) {
   if (!task.timed || !store.has(task.key)) return false;
   Point point = *store.point(task.key);
-  // A search takes any times against its base: those of its last rounds stay.
-  bool good = experiment.is_step ? !point.times.empty() && point.times.ends_with(baseTextOf(task, base))
-                                 : point.times == timesOf(experiment, task, base);
+  // A search takes times of more rounds too (the text begins with their number): those of its last ones stay.
+  bool enough = experiment.is_step && !point.times.empty() && std::stoi(point.times) >= experiment.rounds.least &&
+                point.times.ends_with(baseTextOf(task, base));
+  bool good = enough || point.times == timesOf(experiment, task, base);
   return !good || std::any_of(task.measures.begin(), task.measures.end(), [&](const std::string& name) {
     return measureNamed(name).is_time && !point.values.count(name);
   });
