@@ -76,6 +76,16 @@ return pass.trace {
       doc = "motion only: a surface that goes no farther from where the foreground would carry it belongs to it" },
     tolerance = pass.float { 0.01, min = 0, max = 1,
       doc = "luminance only: another object differs by more than this share of the brighter one, and 0.0001 more" },
+    luminance_of = pass.choice { "radiance", "base_color", "material", default = "radiance",
+      doc = "luminance only: of what; the paper speaks of the luminance of an object",
+      values = {
+        radiance   = "Of the radiance towards the camera, as the picture has it. Tells a surface from its own back by " ..
+                     "their light.",
+        base_color = "Of the surface's base colour, textures included, lights not. Tells a surface from a pattern on " ..
+                     "it, and does not see what emits light.",
+        material   = "Of the mean base colour of the material: one luminance for all of an object. Cannot tell two " ..
+                     "objects of one material; vertex colours and emission do not count.",
+      } },
     reveal_velocity = pass.choice { "own", "foreground", "zero", default = "own",
       doc = "displacement that the revealed surface is given",
       values = {

@@ -7,6 +7,7 @@
 
 #include "scene/fits.h"
 #include "scene/limits.h"
+#include "scene/textures.h"
 
 namespace strobe::scene {
 
@@ -94,11 +95,19 @@ static SceneTextureUse textureUse(const TextureUse& use) {
   return {use.texture, uint32_t(use.uv_set), vec2(m[0]), vec2(m[1]), vec2(m[2])};
 }
 
+// One colour for all of a material: its factor times the mean of its texture.
+static vec3 meanColor(const Scene& scene, const Material& material) {
+  vec3 factor(material.base_color);
+  int texture = material.base_color_texture.texture;
+  return texture < 0 ? factor : factor * meanColor(scene.textures[size_t(texture)]);
+}
+
 void GpuScene::uploadMaterials(const Scene& scene) {
   std::vector<SceneMaterial> materials;
   for (const Material& source : scene.materials) {
     SceneMaterial material;
     material.base_color = source.base_color;
+    material.mean_color = meanColor(scene, source);
     material.emissive = source.emissive;
     material.metallic = source.metallic;
     material.roughness = source.roughness;

@@ -176,12 +176,17 @@ vec3 finiteRadiance(vec3 radiance) {
   return sound;
 }
 
+// Base colour of a surface point, filtered over the pixel as shading filters it.
+vec3 baseColorOf(SceneMaterial material, Surface surface, mat2x3 footprint_ws) {
+  return material.base_color.rgb * surface.color.rgb *
+         sampleTexture(material.base_color_use, surface, footprint_ws).rgb;
+}
+
 vec3 radianceOf(uint slice, Hit hit) {
   Surface surface = surfaceOf(slice, hit);
   SceneMaterial material = scene_materials[surface.material];
   mat2x3 footprint_ws = footprintOf(slice, surface);
-  vec3 base = material.base_color.rgb * surface.color.rgb *
-              sampleTexture(material.base_color_use, surface, footprint_ws).rgb;
+  vec3 base = baseColorOf(material, surface, footprint_ws);
   if ((material.flags & MATERIAL_UNLIT) != 0u) return base;
 
   vec3 metallic_roughness = sampleTexture(material.metallic_roughness_use, surface, footprint_ws).rgb;

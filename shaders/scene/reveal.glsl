@@ -8,7 +8,7 @@
 // at the first hit and meet no cap. A surface within 4 representable numbers of the one before reads as one with it
 // (restart: within 1e-5 of its depth; offset: within 1/32768 of it).
 // Fails: luminance stops inside an object whose back is lit differently, passes through a background of the same
-//   luminance, and makes the picture depend on brightness (no linear filter); instance and geometry never see a
+//   luminance, and makes the picture depend on brightness (no linear filter; base colours do not); instance and geometry never see a
 //   foreground that covers itself, nor that several instances are one object; motion sees the latter.
 #include "mixin/advance.glsl"
 #include "mixin/shade.glsl"
@@ -16,6 +16,13 @@
 #include "mixin/stored.glsl"
 
 float luminance(vec3 color) { return dot(color, vec3(0.2126, 0.7152, 0.0722)); }
+
+// Radiance is shaded for its luminance, and need not be again for its colour.
+#if PARAM_termination == termination_luminance && PARAM_luminance_of == luminance_of_radiance
+#define COLOR_IS_FOUND 1
+#else
+#define COLOR_IS_FOUND 0
+#endif
 
 // The poses that tell how things move: both ends of the exposure, or all that is known.
 #if PARAM_displacement == displacement_extrapolated
@@ -69,10 +76,22 @@ bool isOther(Hit hit, Hit front) {
 
 struct Found {
   Hit hit;
-  vec3 color;  // of the hit, where luminance ends the search
+  vec3 color;  // of the hit, what luminance termination compares
   bool capped;
   bool passed;  // luminance did not tell another instance from the foreground
 };
+
+// What luminance termination compares of a hit, linear.
+vec3 comparedColor(Hit hit) {
+#if PARAM_luminance_of == luminance_of_base_color
+  Surface surface = surfaceOf(SLICE_CAPTURE, hit);
+  return baseColorOf(scene_materials[surface.material], surface, footprintOf(SLICE_CAPTURE, surface));
+#elif PARAM_luminance_of == luminance_of_material
+  return scene_materials[geometryOf(hit.instance, hit.geometry).material].mean_color;
+#else
+  return shade(SLICE_CAPTURE, hit);
+#endif
+}
 
 // The first hit behind `front` that is another object, a miss if there is none; or the last one tried at the cap.
 // Luminance looks at the foreground in a round of its own, so that shading stands here once: each copy of it takes
@@ -95,7 +114,7 @@ Found firstBehind(Ray ray, Hit front) {
       if (!isHit(hit)) break;
     }
 #if PARAM_termination == termination_luminance
-    found.color = shade(SLICE_CAPTURE, exactly(ray, found.hit));
+    found.color = comparedColor(exactly(ray, found.hit));
     float here = luminance(found.color);
     if (!under_way) {
       reference = here;
@@ -139,7 +158,7 @@ const Revealed kNothing = Revealed(vec4(0), 0.0, uvec2(0), vec2(0), false);
 
 Revealed surfaceSeen(Ray ray, Found found, Hit front) {
   Hit hit = exactly(ray, found.hit);
-#if PARAM_termination == termination_luminance
+#if COLOR_IS_FOUND
   vec3 color = found.color;
 #else
   vec3 color = shade(SLICE_CAPTURE, hit);

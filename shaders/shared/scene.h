@@ -50,6 +50,7 @@ struct SceneTextureUse {
 
 struct SceneMaterial {
   vec4 base_color;
+  vec3 mean_color;  // base_color times the mean of its texture over its whole area; linear
   vec3 emissive;
   float metallic;
   float roughness;
@@ -91,7 +92,7 @@ STROBE_SHARED_END
 #ifdef __cplusplus
 static_assert(sizeof(strobe::shared::SceneVertex) == 44);
 static_assert(sizeof(strobe::shared::SceneTextureUse) == 32);
-static_assert(sizeof(strobe::shared::SceneMaterial) == 176);
+static_assert(sizeof(strobe::shared::SceneMaterial) == 188);
 static_assert(sizeof(strobe::shared::SceneLight) == 56);
 static_assert(sizeof(strobe::shared::SceneTransform) == 48);
 static_assert(sizeof(strobe::shared::SceneCamera) == 68);

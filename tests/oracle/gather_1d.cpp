@@ -134,7 +134,7 @@ double mcguireAt(const Row& row, double dominant, int x, const McGuire& options)
     double offset = options.one_sided ? dominant * (t + 1) / 2 : dominant / 2 * t;
     int y = tapAt(x, offset);
     const Texel& tap = clampedAt(row, y);
-    double distance = std::abs(y - x);
+    double distance = options.rounded_distance ? std::abs(y - x) : std::abs(offset);
     double tap_radius = std::max(std::abs(tap.d) * reach, 0.5);
     double in_front = softDepth(row[x].depth, tap.depth, options.soft_extent);
     double behind = softDepth(tap.depth, row[x].depth, options.soft_extent);

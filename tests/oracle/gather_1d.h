@@ -39,9 +39,10 @@ std::vector<double> dominantDisplacement(const std::vector<const Row*>& layers, 
 
 struct McGuire {
   int samples = 15;
-  double jitter = 0;         // in [-1/2, 1/2]
-  double soft_extent = 0.1;  // depth over which two surfaces count as one
-  bool one_sided = false;    // taps on [x, x + d], all of them kept, spread |d|, instead of [x - d/2, x + d/2]
+  double jitter = 0;             // in [-1/2, 1/2]
+  double soft_extent = 0.1;      // depth over which two surfaces count as one
+  bool one_sided = false;        // taps on [x, x + d], all of them kept, spread |d|, instead of [x - d/2, x + d/2]
+  bool rounded_distance = true;  // of a tap: between the centres of the two pixels
 };
 double mcguireAt(const Row& row, double dominant, int x, const McGuire& options);
 

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <functional>
 
+#include "oracle/printed.h"
+
 namespace strobe::oracle {
 namespace {
 
@@ -66,7 +68,13 @@ TEST(Gather, CentredFiltersOnTheWhiteBar) {
     EXPECT_NEAR(mcguire(15), expected.mcguire_15, kFourDigits) << expected.offset;
     EXPECT_NEAR(mcguire(31), expected.mcguire_31, kFourDigits) << expected.offset;
     EXPECT_NEAR(paired, expected.paired_16, kFourDigits) << expected.offset;
+    printed("centred", {exposePixel(strips, kCentreAnchor, x).colour, mcguire(15), mcguire(31), paired});
   }
+  double before_rounding = overJitters([&](double j) {
+    return mcguireAt(row, dominant[160], 160, {.samples = 31, .jitter = j, .rounded_distance = false});
+  });
+  EXPECT_NEAR(before_rounding, .6889, kFourDigits);
+  printed("before_rounding", {before_rounding});
 }
 
 TEST(Gather, McGuireJustInsideAnEdgeTendsToSixSevenths) {
@@ -88,6 +96,7 @@ TEST(Gather, GuertinOnTheWhiteBar) {
       double value =
           overJitters([&](double j) { return guertinAt(row, 20, 160 + offset, {.jitter = j, .two = both}); });
       EXPECT_NEAR(value, both ? two : one, kFourDigits) << offset;
+      printed(both ? "guertin_two" : "guertin_one", {value});
     }
 }
 
@@ -103,6 +112,7 @@ TEST(Gather, McGuireWithTheCentreWeightAndCylinderOfItsSuccessor) {
       return guertinAt(row, 20, 160 + offset, edited);
     });
     EXPECT_NEAR(value, expected, kFourDigits) << offset;
+    printed("edited", {value});
   }
 }
 
@@ -144,6 +154,7 @@ TEST(Gather, OneSidedMcGuireOnTheWhiteBar) {
         overJitters([&](double j) { return mcguireAt(row, dominant[x], x, {.jitter = j, .one_sided = true}); });
     EXPECT_NEAR(exposePixel(strips, kCloseAnchor, x).colour, truth, 1e-9) << x;
     EXPECT_NEAR(mcguire, expected, kThreeDigits) << x;
+    printed("one_sided", {exposePixel(strips, kCloseAnchor, x).colour, mcguire});
   }
 }
 
@@ -170,6 +181,7 @@ TEST(Gather, PairsInventTheBackgroundFromBeyondTheEdge) {
     EXPECT_NEAR(background, expected, kFourDigits) << s;
     // The mean of what lies from the edge to the end of the reach; what is really behind is white throughout.
     EXPECT_NEAR(background, std::min(1.0, 8 / (20 - (s + 0.5))), 1.5e-3) << s;
+    printed("invented", {background, std::min(1.0, 8 / (20 - (s + 0.5)))});
   }
 }
 
@@ -179,6 +191,8 @@ TEST(Gather, MirrorPutsTheOppositeSideUnderTheOuterBlur) {
   EXPECT_NEAR(scene.gathered(x, true), .4438, kFourDigits);
   EXPECT_NEAR(scene.gathered(x, false), .7563, kFourDigits);
   EXPECT_NEAR(exposePixel(scene.strips, kCentreAnchor, x).colour, .75625, 1e-9);
+  printed("mirror",
+          {exposePixel(scene.strips, kCentreAnchor, x).colour, scene.gathered(x, false), scene.gathered(x, true)});
 }
 
 TEST(Gather, MirrorChangesNothingInside) {
@@ -214,7 +228,7 @@ constexpr LayeredCase kGentleTable[] = {
     {6, -20, .0198, .120, .0032, .010},
 };
 
-void expectCase(const StripedBar& bar, const LayeredCase& c) {
+void expectCase(const StripedBar& bar, const LayeredCase& c, const std::string& name) {
   SCOPED_TRACE(testing::Message() << "foreground " << c.d_front << " px, background " << c.d_back << " px");
   Layered options{.samples = 32, .both_ways = true};
   RowError own = layeredError(bar, Mask::kOwn, options, kCloseAnchor);
@@ -224,14 +238,15 @@ void expectCase(const StripedBar& bar, const LayeredCase& c) {
   EXPECT_NEAR(relative.rms, c.relative_rms, kFourDigits);
   EXPECT_NEAR(relative.max, c.relative_max, kThreeDigits);
   EXPECT_EQ(relative.fallbacks, 0);
+  printed(name, {own.rms, own.max, relative.rms, relative.max});
 }
 
 TEST(LayeredGather, HarshStripes) {
-  for (const LayeredCase& c : kHarshTable) expectCase(harsh(c.d_front, c.d_back), c);
+  for (const LayeredCase& c : kHarshTable) expectCase(harsh(c.d_front, c.d_back), c, "harsh");
 }
 
 TEST(LayeredGather, GentleStripes) {
-  for (const LayeredCase& c : kGentleTable) expectCase(gentle(c.d_front, c.d_back), c);
+  for (const LayeredCase& c : kGentleTable) expectCase(gentle(c.d_front, c.d_back), c, "gentle");
 }
 
 TEST(LayeredGather, RelativeBandLeavesOnlySamplingErrorAtEveryPhaseAndAnchor) {
@@ -255,6 +270,7 @@ TEST(LayeredGather, WithoutHarvestTheSlowerSurfaceIsMissed) {
   RowError tracking = layeredError(harsh(6, 20), Mask::kRelative, options, kCloseAnchor);
   EXPECT_NEAR(tracking.rms, .0440, kFourDigits);
   EXPECT_NEAR(tracking.max, .291, kThreeDigits);
+  printed("no_harvest", {following.rms, following.max, tracking.rms, tracking.max});
 }
 
 TEST(LayeredGather, HarvestingOneWayMissesASlowerSurfaceThatMovesAgainstTheDominantOne) {
@@ -263,6 +279,7 @@ TEST(LayeredGather, HarvestingOneWayMissesASlowerSurfaceThatMovesAgainstTheDomin
     RowError error = layeredError(gentle(d_front, d_back), Mask::kRelative, one_way, kCloseAnchor);
     EXPECT_GT(error.rms, 0.07) << d_front << " " << d_back;
     EXPECT_EQ(error.fallbacks, 0);  // unnoticed: the background is found where the bar should be
+    printed("one_way", {error.rms, error.max});
   }
 }
 
@@ -283,6 +300,7 @@ TEST(LayeredGather, AlphaOverOfPerfectLayersIsExactOnlyOverAStaticBackground) {
   EXPECT_LE(error(harsh(0, 20)).max, 1e-12);  // the foreground is there always or never
   EXPECT_NEAR(error(harsh(20, 12)).rms, .0470, kFourDigits);
   EXPECT_NEAR(error(harsh(20, 12)).max, .193, kThreeDigits);
+  printed("perfect_layers", {error(harsh(20, 12)).max});
   EXPECT_NEAR(error(harsh(20, 20)).rms, .0470, kFourDigits);
   EXPECT_NEAR(error(harsh(6, 20)).rms, .0252, kFourDigits);
 }

@@ -7,6 +7,7 @@
 #include "common/source.h"
 #include "math/constants.h"
 #include "oracle/gather_1d.h"
+#include "oracle/printed.h"
 #include "oracle/render.h"
 
 namespace strobe::oracle {
@@ -121,6 +122,17 @@ TEST_F(RenderReveal, SurfacesInOnePlaceReadAsOne) {
         imageOf(picture, fmt::format("{}_1", advance)), [&](int x) { return planes.wall(x); }, 1e-5, advance);
 }
 
+// A camera that slides along x by 0.5 m per frame, at frame 2: what lies 10 and 20 m away goes left by 4 px of focal
+// length times that over the depth, for the time of the exposure.
+TEST_F(RenderReveal, ACameraPathMovesWhatIsSeen) {
+  lab::Shot shot = with(Planes{.count = 1}.shot(), "none");
+  shot.path = {"0=0,0,0,0,0,-1", "1=0.5,0,0,0.5,0,-1", "4=2,0,0,2,0,-1"};
+  shot.frame = 2, shot.exposure = 0.5;
+  lab::Picture picture = render(shot);
+  EXPECT_NEAR(imageOf(picture, "velocity").at(3, 3, 0), -0.5 * 4 * 0.5 / 10, 1e-6);
+  EXPECT_NEAR(picture.camera_from_world[3][0], -1, 1e-6);
+}
+
 // However long what is seen is, along whichever axis: the corners' rounding is a metre here.
 TEST_F(RenderReveal, DepthsOnALongRoadAreExact) {
   constexpr int kSide = 32;
@@ -177,6 +189,16 @@ TEST_F(RenderReveal, LuminanceEndsAsItsFormulaSays) {
       EXPECT_NEAR(imageOf(picture, name).at(3, 3, 0), expectedByLuminance(c.values, tolerance), 1e-6)
           << name << " " << tolerance << " of " << fmt::format("{}", fmt::join(c.values, " "));
   }
+}
+
+// tests/oracle/scenes/coats.lua: what differs in radiance, base colour and mean of the material comes in that order.
+TEST_F(RenderReveal, LuminanceIsOfWhatItSays) {
+  lab::Shot shot = shotOf("coats", kWidth, kHeight);
+  lab::Picture picture = render(with(shot, kPipelines + "luminances.lua"));
+  const std::pair<const char*, double> depths[] = {{"radiance", 11}, {"base_color", 12}, {"material", 13}};
+  for (const auto& [of, depth] : depths)
+    expectDepth(
+        imageOf(picture, of), [&](int) { return depth; }, 1e-6, of);
 }
 
 // Of one instance the planes are its own layers, of several others that were not told from it.
@@ -428,8 +450,10 @@ TEST_F(RenderReveal, CompositesOnCorrelatedStripes) {
     EXPECT_LE(error.rms, .01) << composite;
     EXPECT_LE(error.max, .033) << composite;
     EXPECT_GE(alpha_over.rms, 4 * error.rms) << composite;
+    printed("correlated", {error.rms, error.max});
   }
   EXPECT_GE(alpha_over.max, .8 * product);
+  printed("correlated", {alpha_over.rms, alpha_over.max, product});
 }
 
 }  // namespace

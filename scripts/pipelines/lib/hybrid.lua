@@ -62,6 +62,7 @@ function hybrid.params()
   return options.with(options.with(options.blur(40, 0.1), hybrid.mask_params()), {
     termination = reveal.params.termination,
     tolerance   = reveal.params.tolerance,
+    luminance_of = reveal.params.luminance_of,
     same_motion = reveal.params.same_motion,
     advance     = reveal.params.advance,
     max_layers  = reveal.params.max_layers,

@@ -1,0 +1,21 @@
+-- SPDX-License-Identifier: MIT
+-- Depth of what luminance termination reveals, by what the luminance is of.
+local pipeline = require "strobe.pipeline"
+local constant = require "passes.mask.constant"
+local reveal   = require "passes.scene.reveal"
+local scene    = require "scripts.pipelines.lib.scene"
+
+return pipeline {
+  doc = "The depth revealed by the luminance of radiance, base colour and material",
+  build = function()
+    local seen = scene.captured()
+    local mask = constant { everywhere = true }.mask
+    local outputs = { color = seen.color }
+    for _, of in ipairs { "radiance", "base_color", "material" } do
+      outputs[of] = reveal {
+        hit = seen.hit, mask = mask, termination = "luminance", advance = "origin_kept", luminance_of = of, as = of,
+      }.depth
+    end
+    return scene.outputs(seen, outputs)
+  end,
+}
