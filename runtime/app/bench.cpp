@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "app/shot_options.h"
+#include "base/frozen_home.h"
 #include "lab/reload_bench.h"
-#include "study/frozen.h"
 
 namespace strobe::app {
 
@@ -23,7 +23,7 @@ struct Options {
 void reload(const Home& own, const Options& options) {
   lab::Shot shot = options.shot.resolve();
   if (shot.width == 0) shot.width = 160, shot.height = 90;
-  study::FrozenHome copy(own, std::filesystem::temp_directory_path() / fmt::format("strobe_bench_{}", ::getpid()));
+  FrozenHome copy(own, std::filesystem::temp_directory_path() / fmt::format("strobe_bench_{}", ::getpid()));
   if (shot.pipeline.ends_with(".lua")) shot.pipeline = copy.at(shot.pipeline);
   lab::Workbench bench(copy.home(), shot.device, validationWanted());
   std::vector<lab::ReloadTiming> timings = lab::benchReload(bench, shot, options.repeats);

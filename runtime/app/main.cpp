@@ -8,6 +8,7 @@
 #include <exception>
 
 #include "app/bench.h"
+#include "app/capture.h"
 #include "app/compare.h"
 #include "app/completion.h"
 #include "app/help.h"
@@ -60,6 +61,7 @@ int main(int argc, char** argv) {
   strobe::app::registerSweep(program, home);
   strobe::app::registerReport(program, home);
   strobe::app::registerTune(program, home);
+  strobe::app::registerCapture(program, home);
   strobe::app::registerBench(program, home);
   strobe::app::registerStability(program, home);
   strobe::app::registerNew(program, home);

@@ -11,7 +11,7 @@
 #include "lab/capture.h"
 #include "lab/tev.h"
 #include "lab/trail.h"
-#include "live/views.h"
+#include "lab/views.h"
 
 namespace strobe::app {
 
@@ -20,7 +20,10 @@ namespace {
 struct Options {
   ShotOptions shot;
   std::string out, pixel, tev, views;
-  bool half = false, json = false;
+  lab::ExrOptions exr;
+  bool json = false;
+
+  bool asksForExr() const { return exr.half || exr.multipart || exr.cryptomatte; }
 };
 
 void printCounters(const Json& record) {
@@ -32,7 +35,8 @@ void printCounters(const Json& record) {
 // Where the picture goes if --out does not say; "" where something else was asked for.
 std::string usualOut(const Options& options, const lab::Shot& shot) {
   if (!options.pixel.empty() || !options.tev.empty() || !options.views.empty()) return "";
-  return (Path("out") / Path(shot.pipeline).stem()).string() + (shot.taps.empty() && !options.half ? ".png" : ".exr");
+  bool exr = !shot.taps.empty() || options.asksForExr();
+  return (Path("out") / Path(shot.pipeline).stem()).string() + (exr ? ".exr" : ".png");
 }
 
 void checkOptions(const Options& options, const lab::Shot& shot) {
@@ -44,6 +48,8 @@ void checkOptions(const Options& options, const lab::Shot& shot) {
   if (!options.views.empty()) requireWritable(options.views, "--views");
   if (!shot.taps.empty() && !held)
     throw Error("--tap needs an .exr file or --views: a .png holds the color alone", {}, 2);
+  if (options.asksForExr() && Path(options.out).extension() != ".exr")
+    throw Error("--half, --multipart and --cryptomatte are of .exr files; name one with -o", {}, 2);
 }
 
 // The picture; with `--pixel` also what every pass left there.
@@ -53,9 +59,9 @@ lab::Picture renderedBy(lab::Workbench& bench, const Options& options, const lab
     if (!progress) progress = std::make_unique<Progress>(shot.pipeline, of);
     progress->advance();
   };
-  if (options.pixel.empty()) return bench.render(shot, advance);
+  if (options.pixel.empty()) return bench.render(shot, advance, options.exr.cryptomatte);
   auto [x, y] = lab::parsePixel(options.pixel);
-  lab::Followed followed = lab::follow(bench, shot, x, y, advance);
+  lab::Followed followed = lab::follow(bench, shot, x, y, advance, options.exr.cryptomatte);
   trail = std::move(followed.trail);
   return std::move(followed.picture);
 }
@@ -77,7 +83,7 @@ std::vector<Path> writeViews(lab::Workbench& bench, lab::Shot shot, const lab::P
     for (const auto& [name, read] : *images) {
       files.push_back(folder / (name + ".png"));
       image::writePng(files.back(),
-                      live::shown(read, name, live::divideOf(plan, name), color.width, color.height, {}, &color));
+                      lab::shown(read, name, lab::divideOf(plan, name), color.width, color.height, {}, &color));
     }
   return files;
 }
@@ -107,7 +113,7 @@ void render(const Home& home, Options options) {
   bench.device().refuseMessages();
   for (const std::string& warning : picture.warnings) warn(warning);
   std::vector<Path> files;
-  if (!options.out.empty()) files = lab::writePicture(picture, options.out, options.half);
+  if (!options.out.empty()) files = lab::writePicture(picture, options.out, options.exr);
   if (!options.views.empty())
     for (const Path& file : writeViews(bench, shot, picture, options.views)) files.push_back(file);
   if (viewer) sendTo(*viewer, picture);
@@ -121,12 +127,16 @@ void registerRender(CLI::App& program, const Home& home) {
   CLI::App* command = program.add_subcommand("render", "Render one picture of a scene with a pipeline");
   command->add_option("-o,--out", options->out,
                       "picture to write, .exr or .png; record and timings go beside it (default: out/PIPELINE.png, "
-                      "with --tap or --half .exr; with --pixel, --tev or --views none)");
+                      "with --tap or an option of .exr files .exr; with --pixel, --tev or --views none)");
   command->add_option("--views", options->views, "folder: every output and tap as the window shows it, as PNG files");
   command->add_option("--pixel", options->pixel,
                       "X,Y from the top left: print what every pass left there and what its ray meets");
   addTev(*command, options->tev);
-  command->add_flag("--half", options->half, "EXR in 16-bit floats (rounds more than the errors measured here)");
+  command->add_flag("--half", options->exr.half, "EXR in 16-bit floats (rounds more than the errors measured here)");
+  command->add_flag("--multipart", options->exr.multipart,
+                    "EXR with a part for each output and tap, those of another size than the picture too");
+  command->add_flag("--cryptomatte", options->exr.cryptomatte,
+                    "EXR with mattes by node and by material, as sub-pixel samples (--aa) cover each pixel");
   command->add_flag("--json", options->json,
                     "print the run record (with --pixel: the trail) instead of the files written");
   options->shot.addWithPipeline(*command);

@@ -10,6 +10,8 @@ namespace strobe::app {
 struct ResultNames {
   std::string page = "report.html", sheet = "report.png", results = "result.json", text = "result.md",
               table = "table.csv", passes = "passes.csv";
+  std::string outline =
+      "unfinished.json";  // while they are made: every point, of which numbers are in the folder's points
 };
 
 // Writes them and gives their names. `still`: the page has figures and tables, without points to click through.

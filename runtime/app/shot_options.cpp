@@ -27,6 +27,11 @@ static std::string helpOf(const lab::ShotOption& option) {
 void ShotOptions::addTo(CLI::App& command) {
   const lab::Shot fresh;
   for (const lab::ShotOption& option : lab::shotOptions()) {
+    if (option.fields.front().declaration.type == plan::ParamDesc::Type::Bool) {
+      command.add_flag_callback(
+          spelled(option), [this, &option] { given_[option.name] = {"true"}; }, helpOf(option));
+      continue;
+    }
     CLI::Option* added = command.add_option(spelled(option), given_[option.name], helpOf(option));
     bool list = !option.fields.front().isValue() && jsonOf(option, fresh).is_array();
     if (list) added->allow_extra_args(false);

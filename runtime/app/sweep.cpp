@@ -8,9 +8,9 @@
 #include "app/files.h"
 #include "app/result_files.h"
 #include "app/shot_options.h"
+#include "base/frozen_home.h"
 #include "base/log.h"
 #include "lab/shot_options.h"
-#include "study/frozen.h"
 #include "study/points.h"
 #include "study/processes.h"
 #include "study/report.h"
@@ -27,9 +27,6 @@ struct Options {
   double truth_error = 0;
 };
 
-// Every point of a sweep that runs or was interrupted, without numbers: those are in the folder's points.
-const char* const kUnfinished = "unfinished.json";
-
 // Results as far as they are there.
 study::Results resultsIn(const Path& file) {
   study::Results results = study::resultsFrom(Json::parse(readText(file), nullptr, false), file.string());
@@ -37,7 +34,8 @@ study::Results resultsIn(const Path& file) {
   return results;
 }
 
-const ResultNames kDemoNames = {"demo.html", "demo.png", "demo.json", "demo.md", "table.csv", "passes.csv"};
+const ResultNames kDemoNames = {"demo.html", "demo.png",   "demo.json",           "demo.md",
+                                "table.csv", "passes.csv", "demo.unfinished.json"};
 
 // The command as somebody would repeat it.
 std::string commandOf(const Home& home, const std::string& name, const Options& options) {
@@ -97,11 +95,11 @@ void sweep(const Home& home, const std::string& name, const Options& options, co
   study::Store store(options.out);
   store.requires_exr = options.exr;
   store.belongTo(experiment.title);
-  study::FrozenHome frozen(home, store.folder() / ".inputs");
+  FrozenHome frozen(home, store.folder() / ".inputs");
   experiment.file = frozen.at(file);
   auto make = [&] { return std::make_unique<lab::Workbench>(frozen.home(), options.device, validationWanted()); };
   // What is interrupted can be laid out as far as it came.
-  Path outline = store.folder() / kUnfinished;
+  Path outline = store.folder() / names.outline;
   auto started = [&](study::Results results) {
     results.command = commandOf(home, name, options);
     writeFileAtomically(outline, study::toJson(results).dump(1) + "\n");
@@ -142,8 +140,8 @@ struct ReportOptions {
 void report(const Home& home, const ReportOptions& options) {
   Path folder = options.folder;
   auto has = [&](const std::string& name) { return std::filesystem::exists(folder / name); };
-  ResultNames names = has(kDemoNames.results) ? kDemoNames : ResultNames();
-  Path file = folder / (has(kUnfinished) ? kUnfinished : names.results);
+  ResultNames names = has(kDemoNames.results) || has(kDemoNames.outline) ? kDemoNames : ResultNames();
+  Path file = folder / (has(names.outline) ? names.outline : names.results);
   if (!std::filesystem::exists(file))
     throw Error(fmt::format("there are no results in '{}' ({})", options.folder, ResultNames().results), {}, 2);
   requireWritable(folder, "the folder");

@@ -8,10 +8,10 @@
 #include "app/files.h"
 #include "app/result_files.h"
 #include "app/shot_options.h"
+#include "base/frozen_home.h"
 #include "base/log.h"
 #include "lab/shot_options.h"
 #include "page/table.h"
-#include "study/frozen.h"
 #include "study/gallery.h"
 #include "study/report.h"
 #include "study/tune.h"
@@ -219,7 +219,7 @@ void tune(const Home& home, Options options) {
   if (!wish.base.empty()) script::evaluatePipeline(home, {wish.base, {}});
   requireWritable(folder);
   study::Store store(folder);
-  study::FrozenHome frozen(home, store.folder() / ".inputs");
+  FrozenHome frozen(home, store.folder() / ".inputs");
   lab::Workbench bench(frozen.home(), wish.shot.device, validationWanted());
   study::Tuned tuned = study::tune(wish, bench, store);
   bench.device().refuseMessages();

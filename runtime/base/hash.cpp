@@ -2,7 +2,12 @@
 #include "base/hash.h"
 
 #include <fmt/format.h>
+#include <openssl/evp.h>
 #include <xxhash.h>
+
+#include <array>
+
+#include "base/error.h"
 
 namespace strobe {
 
@@ -12,5 +17,15 @@ std::string hashBytes(const void* data, size_t size) {
 }
 
 std::string hashText(std::string_view text) { return hashBytes(text.data(), text.size()); }
+
+std::string sha256(std::string_view bytes) {
+  std::array<unsigned char, 32> digest;
+  unsigned size = 0;
+  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1 || size != digest.size())
+    throw Error("SHA-256 cannot be computed");
+  std::string text;
+  for (unsigned char byte : digest) text += fmt::format("{:02x}", byte);
+  return text;
+}
 
 }  // namespace strobe

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Content identity (XXH3-128), not security.
+// Identity of content: XXH3-128 within the program, SHA-256 where others check it.
 #pragma once
 
 #include <cstddef>
@@ -11,5 +11,8 @@ namespace strobe {
 // 32 lower-case hexadecimal digits.
 std::string hashBytes(const void* data, size_t size);
 std::string hashText(std::string_view text);
+
+// FIPS 180-4, as `sha256sum` prints it: 64 lower-case hexadecimal digits.
+std::string sha256(std::string_view bytes);
 
 }  // namespace strobe

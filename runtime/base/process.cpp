@@ -7,6 +7,7 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -15,6 +16,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -58,6 +60,34 @@ void fill(Descriptor& file, const Program& program) {
   }
   ::lseek(file.get(), 0, SEEK_SET);
 }
+
+// What a child is fed: a socket, since writing to one that is not read any more raises no signal.
+class Feeding {
+ public:
+  Feeding(const Program& program, Descriptor& child_end) : program_(program), rest_(program.input) {
+    int ends[2];
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) failed(program, "socketpair");
+    descriptor_.reset(ends[0]);
+    child_end.reset(ends[1]);
+  }
+
+  int descriptor() const { return descriptor_.get(); }
+
+  // As much as the child takes at once; it is closed after the last of it, and where the child reads no more.
+  void write() {
+    if (rest_.size() == done_) rest_ = program_.more_input(), done_ = 0;
+    if (rest_.empty()) return descriptor_.reset();
+    ssize_t sent = ::send(descriptor_.get(), rest_.data() + done_, rest_.size() - done_, MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (sent > 0) done_ += static_cast<size_t>(sent);
+    if (sent < 0 && errno != EINTR && errno != EAGAIN) descriptor_.reset();
+  }
+
+ private:
+  const Program& program_;
+  Descriptor descriptor_;
+  std::string rest_;
+  size_t done_ = 0;
+};
 
 // A stream of the child and what has been read from it.
 struct Stream {
@@ -173,10 +203,12 @@ double leftOf(const Program& program, double started_s) {
 }
 
 // Until the child closes its streams, or its time or its room is used up.
-void collect(const Program& program, std::array<Stream, 2>& streams, double started_s, ProgramEnd& end) {
+void collect(const Program& program, std::array<Stream, 2>& streams, Feeding* feeding, double started_s,
+             ProgramEnd& end) {
   for (;;) {
-    std::array<pollfd, 2> waiting{pollfd{streams[0].reading.get(), POLLIN, 0},
-                                  pollfd{streams[1].reading.get(), POLLIN, 0}};
+    std::array<pollfd, 3> waiting{pollfd{streams[0].reading.get(), POLLIN, 0},
+                                  pollfd{streams[1].reading.get(), POLLIN, 0},
+                                  pollfd{feeding ? feeding->descriptor() : -1, POLLOUT, 0}};
     if (waiting[0].fd < 0 && waiting[1].fd < 0) return;
     double left_s = leftOf(program, started_s);
     end.timed_out = left_s <= 0;
@@ -186,7 +218,14 @@ void collect(const Program& program, std::array<Stream, 2>& streams, double star
     if (program.meanwhile) program.meanwhile();
     for (size_t i = 0; ready > 0 && i < streams.size(); ++i)
       if (waiting[i].revents && !readInto(streams[i], program, end)) streams[i].reading.reset();
+    if (ready > 0 && waiting[2].revents) feeding->write();
   }
+}
+
+[[noreturn]] void endAndRethrow(pid_t child) {
+  ::kill(-child, SIGKILL);
+  while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) continue;
+  throw;
 }
 
 void reap(pid_t child, const Program& program, double started_s, ProgramEnd& end) {
@@ -212,14 +251,21 @@ ProgramEnd run(const Program& program) {
   double started_s = clockSeconds();
   Descriptor input;
   std::array<Stream, 2> streams;
-  fill(input, program);
+  std::optional<Feeding> feeding;
+  if (program.more_input) feeding.emplace(program, input);
+  else fill(input, program);
   streams[0].open(program);
   if (program.errors == Program::Errors::apart) streams[1].open(program);
   pid_t child = start(program, input, streams[0], streams[1]);
   for (Stream& stream : streams) stream.writing.reset();
+  input.reset();
 
   ProgramEnd end;
-  collect(program, streams, started_s, end);
+  try {
+    collect(program, streams, feeding ? &*feeding : nullptr, started_s, end);
+  } catch (...) {
+    endAndRethrow(child);
+  }
   reap(child, program, started_s, end);
   end.output = std::move(streams[0].text);
   end.errors = std::move(streams[1].text);

@@ -17,6 +17,9 @@ struct Program {
   std::vector<std::string> environment;
   // What the child reads on stdin.
   std::string input;
+  // More of it, for what does not fit into memory at once: called when the child has taken all before; an empty text is
+  // the end. What it throws ends the child and is thrown by `run`.
+  std::function<std::string()> more_input;
   // Where stderr goes: into `errors` of the end, in among the output, or where this process has its own.
   enum class Errors { apart, with_output, inherited };
   Errors errors = Errors::apart;

@@ -66,6 +66,7 @@ void Graph::setParams(const Plan& plan) {
 
 FrameResult Graph::run(const FrameSetup& setup, const std::function<void(int, int)>& on_iteration) {
   FrameResult result;
+  ++runs_;
   recording_.setFrame(*plan_, setup.wanted);
   submission_.beginFrame();
   poseFixedSlices(scene_, *plan_, setup);

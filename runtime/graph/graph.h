@@ -24,6 +24,8 @@ class Graph {
 
   // What the nodes execute, by name.
   std::map<std::string, std::shared_ptr<const NodePipeline>> pipelines() const;
+  // Frames drawn since it was made.
+  uint64_t runs() const { return runs_; }
   // Milliseconds it took to find and compile them.
   double compileMs() const { return compile_ms_; }
   // "node.port" of the images kept from frame to frame that were taken over, and those that begin anew.
@@ -43,6 +45,7 @@ class Graph {
   scene::GpuScene& scene_;
   bool traces_ = false;
   double compile_ms_ = 0;
+  uint64_t runs_ = 0;
   PlanNodes nodes_;
   Recording recording_;
   Submission submission_;

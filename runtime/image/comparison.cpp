@@ -31,7 +31,7 @@ static void requireFinite(const Image& image, const Path& file) {
 
 Picture readPicture(const Path& file, const std::string& layer) {
   if (kindOf(file) == FileKind::exr) {
-    Image linear = colourOf(readExr(file), layer, file);
+    Image linear = colourOf(readExrLayer(file, layer), layer, file);
     requireFinite(linear, file);
     return {linear, true};
   }
@@ -40,7 +40,7 @@ Picture readPicture(const Path& file, const std::string& layer) {
 }
 
 Image readMask(const Path& file) {
-  Image colour = kindOf(file) == FileKind::exr ? colourOf(readExr(file), "", file) : readPng(file);
+  Image colour = kindOf(file) == FileKind::exr ? colourOf(readExrLayer(file, ""), "", file) : readPng(file);
   Image mask(colour.width, colour.height, 1);
   for (size_t i = 0; i < mask.values.size(); ++i) mask.values[i] = colour.values[i * colour.channels];
   return mask;

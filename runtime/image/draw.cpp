@@ -39,6 +39,28 @@ Image magnify(const Image& image, int factor) {
   return result;
 }
 
+Image shrunk(const Image& linear, int width, int height) {
+  width = std::clamp(width, 1, linear.width);
+  height = std::clamp(height, 1, linear.height);
+  if (width == linear.width && height == linear.height) return linear;
+  Image result(width, height, linear.channels);
+  for (int y = 0; y < height; ++y) {
+    int top = int(int64_t(y) * linear.height / height),
+        bottom = std::max(top + 1, int(int64_t(y + 1) * linear.height / height));
+    for (int x = 0; x < width; ++x) {
+      int left = int(int64_t(x) * linear.width / width),
+          right = std::max(left + 1, int(int64_t(x + 1) * linear.width / width));
+      for (int c = 0; c < linear.channels; ++c) {
+        double sum = 0;
+        for (int sy = top; sy < bottom; ++sy)
+          for (int sx = left; sx < right; ++sx) sum += linear.at(sx, sy, c);
+        result.at(x, y, c) = float(sum / ((bottom - top) * (right - left)));
+      }
+    }
+  }
+  return result;
+}
+
 void fill(Image& onto, Rectangle area, const Colour& colour) {
   STROBE_ASSERT(onto.channels == 3, "{} channels", onto.channels);
   Rectangle inside = cutTo(onto, area);

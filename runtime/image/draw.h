@@ -28,6 +28,9 @@ Image crop(const Image& image, Rectangle area);
 // Every pixel becomes a square of factor x factor equal ones; any channel count.
 Image magnify(const Image& image, int factor);
 
+// Each pixel is the mean of those below it, so give it linear colour; neither side grows, at least a pixel is left.
+Image shrunk(const Image& linear, int width, int height);
+
 void fill(Image& onto, Rectangle area, const Colour& colour);
 void paste(Image& onto, const Image& what, int x, int y);  // top left corner of `what` at (x, y)
 

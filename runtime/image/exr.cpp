@@ -5,15 +5,21 @@
 #include <ImfFloatAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfInputFile.h>
+#include <ImfInputPart.h>
 #include <ImfMatrixAttribute.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfMultiPartOutputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfOutputPart.h>
+#include <ImfPartType.h>
 #include <ImfRationalAttribute.h>
 #include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <functional>
 #include <glm/gtc/type_ptr.hpp>
 #include <set>
 #include <stdexcept>
@@ -37,12 +43,7 @@ Imf::PixelType pixelType(ExrKind kind) {
   return kind == ExrKind::half ? Imf::HALF : Imf::FLOAT;
 }
 
-Imf::Header headerOf(const ExrFile& content) {
-  Imf::Header header(content.width, content.height);
-  header.compression() = Imf::ZIP_COMPRESSION;
-  for (const ExrChannel& channel : content.channels)
-    header.channels().insert(channel.name, Imf::Channel(pixelType(channel.kind)));
-  for (const auto& [name, text] : content.texts) header.insert(name, Imf::StringAttribute(text));
+void insertAttributes(const ExrFile& content, Imf::Header& header) {
   if (content.frames_per_second) {
     auto [numerator, denominator] = *content.frames_per_second;
     header.insert("framesPerSecond", Imf::RationalAttribute(Imf::Rational(numerator, unsigned(denominator))));
@@ -51,14 +52,80 @@ Imf::Header headerOf(const ExrFile& content) {
   if (content.exposure_s) header.insert("expTime", Imf::FloatAttribute(*content.exposure_s));
   if (content.camera_from_world) header.insert("worldToCamera", Imf::M44fAttribute(toExr(*content.camera_from_world)));
   if (content.ndc_from_world) header.insert("worldToNDC", Imf::M44fAttribute(toExr(*content.ndc_from_world)));
+}
+
+Imath::Box2i windowOf(const ExrPart& part) { return {{0, 0}, {part.width - 1, part.height - 1}}; }
+
+Imf::Header headerOf(const ExrPart& part, const ExrFile& content) {
+  Imf::Header header(windowOf(content), windowOf(part));
+  header.compression() = Imf::ZIP_COMPRESSION;
+  if (!part.name.empty()) header.setName(part.name);
+  if (!content.further.empty()) header.setType(Imf::SCANLINEIMAGE);
+  for (const ExrChannel& channel : part.channels)
+    header.channels().insert(channel.name, Imf::Channel(pixelType(channel.kind)));
+  for (const auto& [name, text] : part.texts) header.insert(name, Imf::StringAttribute(text));
+  insertAttributes(content, header);
   return header;
 }
 
-void readAttributes(const Imf::Header& header, ExrFile& content) {
+// What OpenEXR writes a part from; refers to it.
+struct PartSource {
+  std::vector<std::vector<half>> halfs;
+  Imf::FrameBuffer frame;
+
+  explicit PartSource(const ExrPart& part);
+};
+
+PartSource::PartSource(const ExrPart& part) {
+  STROBE_ASSERT(part.width > 0 && part.height > 0 && !part.channels.empty(), "{}x{}, {} channels", part.width,
+                part.height, part.channels.size());
+  size_t pixels = size_t(part.width) * part.height;
+  std::set<std::string> names;
+  halfs.reserve(part.channels.size());
+  for (const ExrChannel& channel : part.channels) {
+    bool uint = channel.kind == ExrKind::uint;
+    STROBE_ASSERT((uint ? channel.ids.size() : channel.values.size()) == pixels, "channel {}", channel.name);
+    STROBE_ASSERT(names.insert(channel.name).second, "two channels are named {}", channel.name);
+    size_t bytes = 4;
+    const void* data = uint ? static_cast<const void*>(channel.ids.data()) : channel.values.data();
+    if (channel.kind == ExrKind::half) {
+      data = halfs.emplace_back(channel.values.begin(), channel.values.end()).data();
+      bytes = sizeof(half);
+    }
+    char* start = const_cast<char*>(static_cast<const char*>(data));  // OpenEXR only reads it
+    frame.insert(channel.name, Imf::Slice(pixelType(channel.kind), start, bytes, bytes * part.width));
+  }
+}
+
+void writeParts(const ExrFile& content, Imf::OStream& stream) {
+  std::set<std::string> names;
+  std::vector<Imf::Header> headers;
+  for (const ExrPart* part : content.parts()) {
+    STROBE_ASSERT(!part->name.empty() && names.insert(part->name).second, "two parts are named '{}'", part->name);
+    headers.push_back(headerOf(*part, content));
+  }
+  Imf::MultiPartOutputFile output(stream, headers.data(), int(headers.size()), false, 0);
+  int index = 0;
+  for (const ExrPart* part : content.parts()) {
+    PartSource source(*part);
+    Imf::OutputPart written(output, index++);
+    written.setFrameBuffer(source.frame);
+    written.writePixels(part->height);
+  }
+}
+
+// String attributes but for those by which OpenEXR itself describes a part.
+std::map<std::string, std::string> textsIn(const Imf::Header& header) {
+  std::map<std::string, std::string> texts;
   for (auto it = header.begin(); it != header.end(); ++it) {
     auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute());
-    if (text) content.texts[it.name()] = text->value();
+    std::string name = it.name();
+    if (text && name != "name" && name != "type") texts[name] = text->value();
   }
+  return texts;
+}
+
+void readAttributes(const Imf::Header& header, ExrFile& content) {
   if (auto* rate = header.findTypedAttribute<Imf::RationalAttribute>("framesPerSecond"))
     content.frames_per_second = {rate->value().n, static_cast<int>(rate->value().d)};
   if (auto* angle = header.findTypedAttribute<Imf::FloatAttribute>("shutterAngle"))
@@ -103,26 +170,41 @@ void insertSlice(Imf::FrameBuffer& frame, ExrChannel& channel, const Imath::Box2
   frame.insert(channel.name, Imf::Slice::Make(uint ? Imf::UINT : Imf::FLOAT, data, window, 4, 4 * width));
 }
 
-ExrFile decode(const std::string& bytes) {
-  Imf::StdISStream stream;
-  stream.str(bytes);
-  Imf::InputFile input(stream, 0);
-  const Imf::Header& header = input.header();
+ExrPart decodedPart(Imf::MultiPartInputFile& input, int index, size_t file_bytes) {
+  const Imf::Header& header = input.header(index);
+  if (header.hasType() && Imf::isDeepData(header.type())) throw std::runtime_error("it holds deep pixels");
   Imath::Box2i window = header.dataWindow();
   size_t channel_count = 0;
   for (auto it = header.channels().begin(); it != header.channels().end(); ++it) ++channel_count;
-  checkSize(window, channel_count, bytes.size());
+  checkSize(window, channel_count, file_bytes);
 
-  ExrFile content;
-  content.width = window.max.x - window.min.x + 1;
-  content.height = window.max.y - window.min.y + 1;
-  readAttributes(header, content);
+  ExrPart part;
+  if (header.hasName()) part.name = header.name();
+  part.width = window.max.x - window.min.x + 1;
+  part.height = window.max.y - window.min.y + 1;
+  part.texts = textsIn(header);
   for (auto it = header.channels().begin(); it != header.channels().end(); ++it)
-    content.channels.push_back(emptyChannel(it.name(), it.channel(), size_t(content.width) * content.height));
+    part.channels.push_back(emptyChannel(it.name(), it.channel(), size_t(part.width) * part.height));
   Imf::FrameBuffer frame;
-  for (ExrChannel& channel : content.channels) insertSlice(frame, channel, window);
-  input.setFrameBuffer(frame);
-  input.readPixels(window.min.y, window.max.y);
+  for (ExrChannel& channel : part.channels) insertSlice(frame, channel, window);
+  Imf::InputPart pixels(input, index);
+  pixels.setFrameBuffer(frame);
+  pixels.readPixels(window.min.y, window.max.y);
+  return part;
+}
+
+// The index of the part to read alone; -1: all.
+using ChoosePart = std::function<int(const Imf::MultiPartInputFile&)>;
+
+ExrFile decode(const std::string& bytes, const ChoosePart& choose) {
+  Imf::StdISStream stream;
+  stream.str(bytes);
+  Imf::MultiPartInputFile input(stream, 0);
+  int chosen = choose(input), first = std::max(chosen, 0);
+  ExrFile content;
+  static_cast<ExrPart&>(content) = decodedPart(input, first, bytes.size());
+  readAttributes(input.header(first), content);
+  for (int i = 1; chosen < 0 && i < input.parts(); ++i) content.further.push_back(decodedPart(input, i, bytes.size()));
   return content;
 }
 
@@ -137,13 +219,13 @@ std::string layerOf(const std::string& channel) {
   return dot == std::string::npos ? "" : channel.substr(0, dot);
 }
 
-std::vector<std::string> channelNames(const ExrFile& content) {
+std::vector<std::string> channelNames(const ExrPart& content) {
   std::vector<std::string> names;
   for (const ExrChannel& channel : content.channels) names.push_back(channel.name);
   return names;
 }
 
-const ExrChannel& require(const ExrFile& content, const std::string& name, const Path& file) {
+const ExrChannel& require(const ExrPart& content, const std::string& name, const Path& file) {
   if (const ExrChannel* channel = content.find(name)) return *channel;
   throw Error(fmt::format("has no channel '{}'{}", name, didYouMean(name, channelNames(content))), {file.string()});
 }
@@ -161,7 +243,7 @@ std::string channelName(const std::string& layer, const std::string& component) 
 
 // `values`: where a channel of this kind keeps them.
 template <class Pixels, class Number>
-void addLayer(ExrFile& content, const std::string& layer, const std::vector<std::string>& components,
+void addLayer(ExrPart& content, const std::string& layer, const std::vector<std::string>& components,
               const Pixels& image, ExrKind kind, std::vector<Number> ExrChannel::*values) {
   STROBE_ASSERT(int(components.size()) == image.channels, "{} components, {} channels", components.size(),
                 image.channels);
@@ -178,72 +260,83 @@ void addLayer(ExrFile& content, const std::string& layer, const std::vector<std:
 
 }  // namespace
 
-const ExrChannel* ExrFile::find(const std::string& name) const {
-  for (const ExrChannel& channel : channels)
-    if (channel.name == name) return &channel;
+const ExrChannel* ExrPart::find(const std::string& channel) const {
+  for (const ExrChannel& known : channels)
+    if (known.name == channel) return &known;
   return nullptr;
 }
 
-void ExrFile::add(const std::string& layer, const std::vector<std::string>& components, const Image& image,
+void ExrPart::add(const std::string& layer, const std::vector<std::string>& components, const Image& image,
                   ExrKind kind) {
   addLayer(*this, layer, components, image, kind, &ExrChannel::values);
 }
 
-void ExrFile::add(const std::string& layer, const std::vector<std::string>& components, const UintImage& image) {
+void ExrPart::add(const std::string& layer, const std::vector<std::string>& components, const UintImage& image) {
   addLayer(*this, layer, components, image, ExrKind::uint, &ExrChannel::ids);
 }
 
+std::vector<const ExrPart*> ExrFile::parts() const {
+  std::vector<const ExrPart*> parts = {this};
+  for (const ExrPart& part : further) parts.push_back(&part);
+  return parts;
+}
+
+const ExrPart* ExrFile::part(const std::string& part_name) const {
+  for (const ExrPart* part : parts())
+    if (part->name == part_name) return part;
+  return nullptr;
+}
+
 std::string encodeExr(const ExrFile& content) {
-  STROBE_ASSERT(content.width > 0 && content.height > 0 && !content.channels.empty(), "{}x{}, {} channels",
-                content.width, content.height, content.channels.size());
-  size_t pixels = size_t(content.width) * content.height;
-  std::set<std::string> names;
-  std::vector<std::vector<half>> halfs;  // outlive the frame buffer that points into them
-  halfs.reserve(content.channels.size());
-  Imf::Header header = headerOf(content);
-  Imf::FrameBuffer frame;
-  for (const ExrChannel& channel : content.channels) {
-    bool uint = channel.kind == ExrKind::uint;
-    STROBE_ASSERT((uint ? channel.ids.size() : channel.values.size()) == pixels, "channel {}", channel.name);
-    STROBE_ASSERT(names.insert(channel.name).second, "two channels are named {}", channel.name);
-    size_t bytes = 4;
-    const void* data = uint ? static_cast<const void*>(channel.ids.data()) : channel.values.data();
-    if (channel.kind == ExrKind::half) {
-      data = halfs.emplace_back(channel.values.begin(), channel.values.end()).data();
-      bytes = sizeof(half);
-    }
-    char* start = const_cast<char*>(static_cast<const char*>(data));  // OpenEXR only reads it
-    frame.insert(channel.name, Imf::Slice(pixelType(channel.kind), start, bytes, bytes * content.width));
-  }
   Imf::StdOSStream stream;
-  {
-    Imf::OutputFile output(stream, header, 0);
-    output.setFrameBuffer(frame);
+  if (content.further.empty()) {
+    PartSource source(content);
+    Imf::OutputFile output(stream, headerOf(content, content), 0);
+    output.setFrameBuffer(source.frame);
     output.writePixels(content.height);
+  } else {
+    writeParts(content, stream);
   }
   return stream.str();
 }
 
 void writeExr(const Path& file, const ExrFile& content) { writeFileAtomically(file, encodeExr(content)); }
 
-ExrFile readExr(const Path& file) {
+static ExrFile readParts(const Path& file, const ChoosePart& choose) {
   std::string bytes = readText(file);
   if (bytes.size() < 4 || std::memcmp(bytes.data(), "\x76\x2f\x31\x01", 4) != 0)
     throw Error("is not an OpenEXR file", {file.string()});
   try {
-    return decode(bytes);
+    return decode(bytes, choose);
   } catch (const std::exception& failure) {
     throw Error(fmt::format("is not a readable OpenEXR file: {}", oneLine(failure.what())), {file.string()});
   }
 }
 
-Image channelsOf(const ExrFile& content, const std::vector<std::string>& names, const Path& file) {
+ExrFile readExr(const Path& file) {
+  return readParts(file, [](const Imf::MultiPartInputFile&) { return -1; });
+}
+
+ExrFile readExrLayer(const Path& file, const std::string& layer) {
+  return readParts(file, [&layer](const Imf::MultiPartInputFile& input) {
+    for (int i = 0; i < input.parts(); ++i)
+      if (input.header(i).hasName() && input.header(i).name() == layer) return i;
+    for (int i = 0; i < input.parts(); ++i) {
+      const Imf::ChannelList& channels = input.header(i).channels();
+      for (auto it = channels.begin(); it != channels.end(); ++it)
+        if (layerOf(it.name()) == layer || it.name() == layer) return i;
+    }
+    return 0;
+  });
+}
+
+Image channelsOf(const ExrPart& content, const std::vector<std::string>& names, const Path& file) {
   Image image(content.width, content.height, static_cast<int>(names.size()));
   for (size_t c = 0; c < names.size(); ++c) copyInto(image, static_cast<int>(c), require(content, names[c], file));
   return image;
 }
 
-UintImage idsOf(const ExrFile& content, const std::vector<std::string>& names, const Path& file) {
+UintImage idsOf(const ExrPart& content, const std::vector<std::string>& names, const Path& file) {
   UintImage image{content.width, content.height, int(names.size()), {}};
   image.values.resize(size_t(image.width) * image.height * names.size());
   for (size_t c = 0; c < names.size(); ++c) {
@@ -255,7 +348,7 @@ UintImage idsOf(const ExrFile& content, const std::vector<std::string>& names, c
 }
 
 // The channels that make the red, green and blue of a layer; empty when it has no colour.
-static std::vector<std::string> colourChannels(const ExrFile& content, const std::string& layer) {
+static std::vector<std::string> colourChannels(const ExrPart& content, const std::string& layer) {
   std::vector<std::string> colour;
   for (const char* component : {"R", "G", "B"}) colour.push_back(channelName(layer, component));
   auto present = [&](const std::string& name) { return content.find(name) != nullptr; };
@@ -270,8 +363,10 @@ static std::vector<std::string> colourChannels(const ExrFile& content, const std
   return own.size() == 1 ? std::vector<std::string>(3, own[0]) : std::vector<std::string>();
 }
 
-Image colourOf(const ExrFile& content, const std::string& layer, const Path& file) {
+Image colourOf(const ExrPart& content, const std::string& layer, const Path& file) {
   std::vector<std::string> colour = colourChannels(content, layer);
+  if (colour.empty() && !layer.empty() && layer == content.name)
+    colour = colourChannels(content, layerOf(content.channels.front().name));
   if (colour.empty()) {
     std::vector<std::string> names = channelNames(content);
     std::string expected = layer.empty() ? "colour (R, G, B)" : fmt::format("colour in a layer '{}'", layer);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// OpenEXR files: one part, any number of layers. A channel's name is its layer and component ("R", "velocity.X").
+// OpenEXR files: one part or several, any number of layers. A channel's name is its layer and component ("R",
+// "velocity.X"), in a part of its own too: programs take layers from there.
 #pragma once
 
 #include <array>
@@ -24,41 +25,57 @@ struct ExrChannel {
   std::vector<uint32_t> ids;  // the same for `uint`; empty otherwise
 };
 
-// The whole content of a file. The standard attributes keep the meaning OpenEXR gives them.
-struct ExrFile {
+// Channels of one size.
+struct ExrPart {
+  std::string name;  // unique among several; of a single part also ""
   int width = 0;
   int height = 0;
   std::vector<ExrChannel> channels;
-  std::map<std::string, std::string> texts;             // string attributes (the run record among them)
+  std::map<std::string, std::string> texts;  // string attributes (the run record among them)
+
+  const ExrChannel* find(const std::string& channel) const;  // nullptr when absent
+
+  // Adds the channels of `image` as layer.component, or without a layer when it is empty; `components` has one letter
+  // or "name" per channel of the image. Sets the size of an empty part, asserts it otherwise.
+  void add(const std::string& layer, const std::vector<std::string>& components, const Image& image,
+           ExrKind kind = ExrKind::real);
+  void add(const std::string& layer, const std::vector<std::string>& components, const UintImage& image);
+};
+
+// The whole content of a file: its first part, what holds for all parts, and the parts that follow. The size of the
+// first part is the display window of all; every part starts at its top left pixel. The standard attributes keep the
+// meaning OpenEXR gives them, and stand in every part.
+struct ExrFile : ExrPart {
+  std::vector<ExrPart> further;
   std::optional<std::array<int, 2>> frames_per_second;  // numerator, denominator
   std::optional<float> shutter_angle;                   // degrees
   std::optional<float> exposure_s;                      // expTime
   std::optional<glm::mat4> camera_from_world;           // worldToCamera
   std::optional<glm::mat4> ndc_from_world;              // worldToNDC
 
-  const ExrChannel* find(const std::string& name) const;  // nullptr when absent
-
-  // Adds the channels of `image` as layer.component, or without a layer when it is empty; `components` has one letter
-  // or "name" per channel of the image. Sets the size of an empty file, asserts it otherwise.
-  void add(const std::string& layer, const std::vector<std::string>& components, const Image& image,
-           ExrKind kind = ExrKind::real);
-  void add(const std::string& layer, const std::vector<std::string>& components, const UintImage& image);
+  std::vector<const ExrPart*> parts() const;                // in the order of the file
+  const ExrPart* part(const std::string& part_name) const;  // nullptr when absent
 };
 
 // ZIP compression, no date: the bytes depend on nothing but the content.
 std::string encodeExr(const ExrFile& content);
 void writeExr(const Path& file, const ExrFile& content);
 
-// Reads any flat file (the first part of several), scan lines or tiles; the data window becomes the image.
+// Reads any flat file, scan lines or tiles; the data window of a part becomes its image.
 // Throws `Error` naming the file when it is missing, cut short, not an OpenEXR, deep or subsampled.
 ExrFile readExr(const Path& file);
 
-// The colour of a layer ("" is the unnamed one) as RGB. A layer with neither R, G, B but a single channel, or Y,
-// becomes grey RGB. Throws `Error` (place: `file`) listing the layers there are when it is absent.
-Image colourOf(const ExrFile& content, const std::string& layer, const Path& file);
+// The part alone that has a layer: the one of that name, else the first with channels of the layer, else the first.
+// Other parts may be what `readExr` refuses.
+ExrFile readExrLayer(const Path& file, const std::string& layer);
+
+// The colour of a layer ("" is the unnamed one) as RGB; the name of a part is that of its first layer too. A layer with
+// neither R, G, B but a single channel, or Y, becomes grey RGB. Throws `Error` (place: `file`) listing the channels
+// there are when it is absent.
+Image colourOf(const ExrPart& content, const std::string& layer, const Path& file);
 
 // The named channels as one image; throws `Error` as above, with the nearest name.
-Image channelsOf(const ExrFile& content, const std::vector<std::string>& names, const Path& file);
-UintImage idsOf(const ExrFile& content, const std::vector<std::string>& names, const Path& file);
+Image channelsOf(const ExrPart& content, const std::vector<std::string>& names, const Path& file);
+UintImage idsOf(const ExrPart& content, const std::vector<std::string>& names, const Path& file);
 
 }  // namespace strobe::image

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/log.h"
+#include "lab/camera_path.h"
 #include "lab/record.h"
 #include "lab/warnings.h"
 #include "plan/canonical.h"
@@ -11,7 +12,7 @@
 
 namespace strobe::lab {
 
-// A camera at rest that looks from one point at another, y up (z where it looks along y).
+// A camera that looks from one point at another, y up (z where it looks along y).
 static dmat4 worldFromView(const std::array<double, 6>& view) {
   dvec3 eye(view[0], view[1], view[2]), target(view[3], view[4], view[5]);
   dvec3 back = glm::normalize(eye - target);
@@ -25,9 +26,11 @@ graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene) {
   auto poser = std::make_shared<scene::Poser>(scene, camera_node, shot.animation);
   graph::FrameSetup setup;
   // Stepped channels stay as they are at the capture: a jump is no motion and must not blur.
-  setup.pose_at = [poser, view = shot.view, capture_s = shot.captureTime()](double time_s) {
+  setup.pose_at = [poser, view = shot.view, keys = cameraKeys(shot.path), fps = shot.fps,
+                   capture_s = shot.captureTime()](double time_s) {
     scene::Pose pose = poser->at(time_s, capture_s);
     if (view) pose.world_from_camera = worldFromView(*view);
+    else if (!keys.empty()) pose.world_from_camera = worldFromView(viewAt(keys, time_s * fps));
     return pose;
   };
   setup.camera = scene.cameras[size_t(scene.nodes[size_t(camera_node)].camera)];
@@ -153,14 +156,26 @@ static void describe(const Home& home, Picture& picture, const Drawing& drawing,
   picture.camera_from_world = mat4(camera_from_world);
   double aspect = double(shot.width) / shot.height;
   picture.ndc_from_world = mat4(ndcFromCamera(setup.camera, aspect) * camera_from_world);
+  picture.id_names = idNamesOf(drawing.scene().scene);
   picture.warnings = drawing.scene().scene.warnings;
   for (std::string& met : drawing.limitsMet(shot, picture.frame)) picture.warnings.push_back(std::move(met));
   picture.record = makeRecord({home, shot, drawing, device}, picture.frame);
   picture.record["warnings"] = picture.warnings;
 }
 
+static void requireIds(const plan::Plan& plan) {
+  for (const auto& [name, image] : plan.outputs)
+    if (name == "id" && gpu::formatInfo(plan.images[size_t(image)].format).uint) return;
+  throw Error(
+      fmt::format("pipeline '{}' has no output 'id' of integers: there are no mattes to make", plan.pipeline.name), {},
+      2);
+}
+
 Picture Drawing::capture(const Shot& shot, const std::set<std::string>* outputs,
-                         const std::function<void(int, int)>& progress) {
+                         const std::function<void(int, int)>& progress, bool id_coverage) {
+  STROBE_ASSERT(!id_coverage || !outputs || outputs->count("id"), "ids are not read back");
+  if (id_coverage) requireIds(plan());
+  auto seen = std::make_shared<image::IdCoverage>();
   double started_s = clockSeconds();
   graph::FrameSetup setup = frameSetup(shot, scene().scene);
   setup.wanted = outputs;
@@ -173,10 +188,12 @@ Picture Drawing::capture(const Shot& shot, const std::set<std::string>* outputs,
     };
     graph_->forgetHistories();
     graph::FrameResult frame = graph_->run(setup, advance);
+    if (id_coverage) seen->add(frame.outputs.at("id").uints);
     if (i == 0) picture.frame = std::move(frame);
     else accumulate(picture.frame, frame);
   }
   if (shot.aa > 1) divide(picture.frame, shot.aa);
+  if (id_coverage) picture.id_coverage = std::move(seen);
   double done_s = clockSeconds();
   describe(bench_.home(), picture, *this, shot, setup, bench_.device().info());
   picture.timings = makeTimings(picture.frame, bench_.device().info(), ready_s - started_s, done_s - ready_s);

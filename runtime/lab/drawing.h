@@ -44,9 +44,10 @@ class Drawing {
   // taps ("node.port") are read back, null: all.
   graph::FrameResult draw(const Shot& shot, const std::set<std::string>* outputs = nullptr,
                           const std::function<void(int done, int of)>& progress = {});
-  // The frame with sub-pixel samples, run record and timings; histories begin anew.
+  // The frame with sub-pixel samples, run record and timings; histories begin anew. With `id_coverage` the ids of all
+  // samples are counted; throws `Error` (exit code 2) for a pipeline without an output "id" of integers.
   Picture capture(const Shot& shot, const std::set<std::string>* outputs = nullptr,
-                  const std::function<void(int done, int of)>& progress = {});
+                  const std::function<void(int done, int of)>& progress = {}, bool id_coverage = false);
   // The limits that a frame met as it was drawn, a line each: its shot's, then its passes'.
   std::vector<std::string> limitsMet(const Shot& shot, const graph::FrameResult& frame) const;
 

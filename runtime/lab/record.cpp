@@ -63,6 +63,18 @@ Json makeRecord(const RecordContext& c, const graph::FrameResult& frame) {
   return record;
 }
 
+std::string attributionOf(const Json& record) {
+  if (!record.contains("scene") || !record["scene"].contains("attribution")) return "";
+  const Json& said = record["scene"]["attribution"];
+  auto text = [&](const char* name) {
+    return said.is_object() && said.contains(name) && said[name].is_string() ? said[name].get<std::string>() : "";
+  };
+  std::string copyright = text("copyright");
+  if (!copyright.empty()) return copyright;
+  std::string beside = text("text");
+  return beside.substr(0, beside.find('\n'));
+}
+
 Json makeTimings(const graph::FrameResult& frame, const gpu::DeviceInfo& device, double prepare_s, double draw_s) {
   Json json;
   json["device"] = device.name;

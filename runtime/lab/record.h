@@ -18,6 +18,9 @@ Json makeRecord(const RecordContext& context, const graph::FrameResult& frame);
 // Milliseconds per pass and for the frame (GPU), seconds of preparation and drawing (wall clock).
 Json makeTimings(const graph::FrameResult& frame, const gpu::DeviceInfo& device, double prepare_s, double draw_s);
 
+// What the scene of a record says of its author: its copyright, else the first line of the text beside it; or "".
+std::string attributionOf(const Json& record);
+
 // The revision of the program: the hash of its own file.
 const std::string& programHash();
 

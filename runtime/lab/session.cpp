@@ -5,6 +5,7 @@
 
 #include "base/log.h"
 #include "plan/canonical.h"
+#include "plan/filled_images.h"
 #include "plan/settings.h"
 
 namespace strobe::lab {
@@ -155,14 +156,7 @@ void Session::tap(const std::vector<std::string>& ports) {
   if (shot.taps != shot_.taps) apply(shot);
 }
 
-std::vector<std::string> Session::ports() const {
-  const plan::Plan& plan = running_->plan();
-  std::vector<std::string> names;
-  for (const auto& node : plan.nodes)
-    for (const auto* images : {&node.writes, &node.updates})
-      for (int image : *images) names.push_back(plan.images[size_t(image)].name);
-  return names;
-}
+std::vector<std::string> Session::ports() const { return plan::filledImages(running_->plan()); }
 
 // ---- reload
 

@@ -75,8 +75,8 @@ class Session {
     return running_->limitsMet(shot_, frame);
   }
   // The frame with sub-pixel samples, run record and timings: what `strobe render` writes.
-  Picture capture(const std::function<void(int done, int of)>& progress = {}) {
-    return running_->capture(shot_, nullptr, progress);
+  Picture capture(const std::function<void(int done, int of)>& progress = {}, bool id_coverage = false) {
+    return running_->capture(shot_, nullptr, progress, id_coverage);
   }
 
  private:

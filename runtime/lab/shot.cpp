@@ -162,7 +162,8 @@ std::string commandOf(const Shot& shot) {
     if (option.is(ShotOption::kNoPicture)) continue;
     std::vector<std::string> texts = textsOf(option, shot);
     if (texts.empty() && option.is(ShotOption::kSpelled)) texts = {jsonOf(option, shot).get<std::string>()};
-    for (const std::string& text : texts) line += fmt::format(" {} {}", spelled(option), quoted(text));
+    bool is_flag = option.fields.front().declaration.type == plan::ParamDesc::Type::Bool;
+    for (const std::string& text : texts) line += " " + spelled(option) + (is_flag ? "" : " " + quoted(text));
   }
   for (const auto& [name, value] : shot.sets) line += " --set " + quoted(name + "=" + plan::textOf(value));
   return line + " -o out.exr";

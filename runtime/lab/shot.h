@@ -26,7 +26,9 @@ struct Shot {
   std::string camera;  // "" takes the scene's first
   // Instead of the camera's pose: it stands at the first three (metres), looks at the last three, y is up, all through.
   std::optional<std::array<double, 6>> view;
+  std::vector<std::string> path;  // FRAME=ex,ey,ez,tx,ty,tz: a camera that moves through them (lab/camera_path.h)
   std::string animation = "all";
+  bool allow_outside = false;             // files of the scene may lie outside of its folder
   std::vector<std::string> moves, spins;  // NODE=dx,dy,dz and NODE=ax,ay,az,deg per frame
   int rest_frame = -1;                    // at which nodes of the two are at rest; -1: `frame`
   int aa = 1;                             // sub-pixel camera offsets, averaged

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/numbers.h"
+#include "lab/camera_path.h"
 
 namespace strobe::lab {
 
@@ -47,6 +48,14 @@ static ShotField text(const char* name, ShotMember member, const char* otherwise
   return field;
 }
 
+static ShotField flag(const char* name, ShotMember member) {
+  ShotField field{{}, member};
+  field.declaration.name = name;
+  field.declaration.type = Type::Bool;
+  field.declaration.default_value = false;
+  return field;
+}
+
 // An option of one value, which is called like it.
 static ShotOption one(const ShotField& field, const char* doc, Concern concern, uint32_t uses = 0) {
   return {field.declaration.name, doc, concern, {field}, uses};
@@ -76,9 +85,14 @@ static std::vector<ShotOption> allOptions() {
       one(text("camera", &S::camera, ""), "a camera of the scene (default: its first)", Concern::Scene, O::kControl),
       one(text("view", &S::view, ""), "EX,EY,EZ,TX,TY,TZ: camera at E, looking at T, instead of its pose in the scene",
           Concern::Frame),
+      one(text("path", &S::path, ""),
+          "FRAME=EX,EY,EZ,TX,TY,TZ: a camera that moves through these (--view: one that stands instead)",
+          Concern::Frame),
       one(text("animation", &S::animation, "all"), "a clip of the scene, all or none", Concern::Frame, O::kControl),
       one(text("move", &S::moves, ""), "NODE=dx,dy,dz: metres per frame in world axes", Concern::Scene),
       one(text("spin", &S::spins, ""), "NODE=ax,ay,az,deg: degrees per frame about an axis", Concern::Scene),
+      one(flag("allow_outside", &S::allow_outside), "files that the scene names may lie outside of its folder",
+          Concern::Scene),
       one(whole("rest_frame", &S::rest_frame, 0, 0, kLastFrame),
           "frame at which --move and --spin are at rest (default: --frame)", Concern::Motion),
       one(whole("aa", &S::aa, 1, 1, 256), "sub-pixel samples of a saved picture, each a full run of the pipeline",
@@ -121,6 +135,7 @@ static bool isList(const ShotMember& member) { return is<std::vector<std::string
 bool ShotField::isValue() const { return !isView(member) && !isList(member); }
 
 Value ShotField::get(const Shot& shot) const {
+  if (const auto* at = std::get_if<bool Shot::*>(&member)) return shot.**at;
   if (const auto* at = std::get_if<int Shot::*>(&member)) return int64_t(shot.**at);
   if (const auto* at = std::get_if<uint32_t Shot::*>(&member)) return int64_t(shot.**at);
   if (const auto* at = std::get_if<double Shot::*>(&member)) return shot.**at;
@@ -134,6 +149,7 @@ void ShotField::set(Shot& shot, const Value& value) const {
     return;
   }
   Value checked = plan::checkValue(declaration, value, {});
+  if (const auto* at = std::get_if<bool Shot::*>(&member)) shot.** at = std::get<bool>(checked);
   if (const auto* at = std::get_if<int Shot::*>(&member)) shot.** at = int(std::get<int64_t>(checked));
   if (const auto* at = std::get_if<uint32_t Shot::*>(&member)) shot.** at = uint32_t(std::get<int64_t>(checked));
   if (const auto* at = std::get_if<double Shot::*>(&member)) shot.** at = std::get<double>(checked);
@@ -197,6 +213,11 @@ static std::array<double, 6> viewFrom(const std::array<double, 6>& view, const s
   throw Error(fmt::format("--view '{}' is not ex,ey,ez,tx,ty,tz: where the camera is, and another point", text), {}, 2);
 }
 
+static void setList(std::vector<std::string> Shot::*list, Shot& shot, const std::vector<std::string>& texts) {
+  if (list == &Shot::path) cameraKeys(texts);  // throws for a wrong one
+  shot.*list = texts;
+}
+
 void setFromJson(const ShotOption& option, Shot& shot, const Json& value) {
   auto refuse = [&](const char* what) {
     throw Error(fmt::format("{} = {} is not {}", spelled(option), value.dump(), what), {}, 2);
@@ -207,7 +228,7 @@ void setFromJson(const ShotOption& option, Shot& shot, const Json& value) {
       if (value.is_null()) return (shot.**at).reset();
       shot.** at = viewFrom(value.get<std::array<double, 6>>(), value.dump());
     } else if (const auto* list = std::get_if<std::vector<std::string> Shot::*>(&member)) {
-      shot.** list = value.get<std::vector<std::string>>();
+      setList(*list, shot, value.get<std::vector<std::string>>());
     } else if (option.fields.size() == 1) {
       setField(option, option.fields.front(), shot, plan::valueFromJson(value));
     } else {
@@ -240,7 +261,7 @@ static std::array<double, 6> parseView(const std::string& text) {
 void setFromTexts(const ShotOption& option, Shot& shot, const std::vector<std::string>& texts) {
   const ShotMember& member = option.fields.front().member;
   if (const auto* list = std::get_if<std::vector<std::string> Shot::*>(&member)) {
-    shot.** list = texts;
+    setList(*list, shot, texts);
   } else if (const auto* at = std::get_if<View Shot::*>(&member)) {
     (shot.**at).reset();
     if (!texts.empty() && !texts.back().empty()) shot.** at = parseView(texts.back());
@@ -271,6 +292,7 @@ static const char* typeName(const ShotOption& option) {
   if (option.fields.size() > 1) return "size";
   if (isView(field.member)) return "view";
   if (isList(field.member)) return "texts";
+  if (field.declaration.type == Type::Bool) return "bool";
   if (field.declaration.type == Type::Int) return "integer";
   if (field.declaration.type == Type::Float) return "number";
   return field.declaration.choices.empty() ? "text" : "choice";

@@ -16,8 +16,8 @@ enum class Concern { Frame, Motion, Plan, Scene, Device };
 
 // Where a value stands in a shot.
 using View = std::optional<std::array<double, 6>>;
-using ShotMember = std::variant<int Shot::*, uint32_t Shot::*, double Shot::*, std::string Shot::*, View Shot::*,
-                                std::vector<std::string> Shot::*>;
+using ShotMember = std::variant<bool Shot::*, int Shot::*, uint32_t Shot::*, double Shot::*, std::string Shot::*,
+                                View Shot::*, std::vector<std::string> Shot::*>;
 
 // A value of an option: what it is, and where it stands. A choice without choices takes any text.
 struct ShotField {
@@ -67,7 +67,7 @@ std::vector<std::string> textsOf(const ShotOption& option, const Shot& shot);
 void setFromTexts(const ShotOption& option, Shot& shot, const std::vector<std::string>& texts);
 
 // The table for scripts that name options (`native.known.shot_options`): { name, type, min, max, choices, doc }, `type`
-// one of "number", "integer", "choice", "text", "size", "view", "texts".
+// one of "bool", "number", "integer", "choice", "text", "size", "view", "texts".
 Json shotOptionsJson();
 
 // "ex,ey,ez,tx,ty,tz".

@@ -8,6 +8,7 @@
 #include "base/numbers.h"
 #include "lab/session.h"
 #include "page/table.h"
+#include "plan/filled_images.h"
 
 namespace strobe::lab {
 
@@ -32,14 +33,6 @@ const plan::PortDesc& portOf(const plan::PassDesc& pass, const std::string& name
   assertFailed("port", __FILE__, __LINE__, pass.name + "." + name);
 }
 
-// Calls `visit(node, image)` for each image that a pass fills, in the order of execution.
-template <class Visit>
-void forImages(const plan::Plan& plan, Visit visit) {
-  for (const plan::PlanNode& node : plan.nodes)
-    for (const auto* images : {&node.writes, &node.updates})
-      for (int image : *images) visit(node, plan.images[size_t(image)]);
-}
-
 void takeTexel(TrailRow& row, const graph::ReadImage& read) {
   if (row.divide == 0 && (row.width > 1 || row.height > 1)) return;
   const auto& floats = read.floats;
@@ -59,13 +52,6 @@ TrailRow rowOf(const plan::PassDesc& pass, const plan::VirtualImage& image, cons
   if (row.divide > 0) row.x = x / row.divide, row.y = y / row.divide;
   takeTexel(row, read);
   return row;
-}
-
-std::string instanceName(const scene::Scene& scene, const std::vector<scene::Instance>& instances, uint32_t id) {
-  if (id >= instances.size()) return fmt::format("instance {}", id);
-  int node = instances[id].node;
-  const std::string& name = scene.nodes[size_t(node)].name;
-  return name.empty() ? fmt::format("node {}", node) : name;
 }
 
 // What `render` would have given: without the taps that only the trail asked for.
@@ -156,7 +142,7 @@ Json toJson(const TrailHit& hit) {
 Trail trailOf(const plan::Plan& plan, const graph::FrameResult& frame, int x, int y) {
   STROBE_ASSERT(x >= 0 && y >= 0 && x < plan.width && y < plan.height, "{},{} of {}x{}", x, y, plan.width, plan.height);
   Trail trail = {plan.pipeline.name, x, y, plan.width, plan.height, {}, {}};
-  forImages(plan, [&](const plan::PlanNode& node, const plan::VirtualImage& image) {
+  plan::forFilledImages(plan, [&](const plan::PlanNode& node, const plan::VirtualImage& image) {
     auto tap = frame.taps.find(image.name);
     if (tap == frame.taps.end()) return;
     trail.rows.push_back(rowOf(plan.pipeline.passes[size_t(node.pass)], image, tap->second, x, y));
@@ -170,12 +156,12 @@ std::vector<TrailHit> hitsOf(const scene::Scene& scene, const graph::FrameResult
   const auto& where = frame.outputs.at("where").floats;
   const auto& velocity = frame.outputs.at("velocity").floats;
   const auto& color = frame.outputs.at("color").floats;
-  std::vector<scene::Instance> instances = scene::instancesOf(scene);
+  std::vector<IdName> names = idNamesOf(scene);
   std::vector<TrailHit> hits;
   for (int i = 0; i < ids.width && ids.at(i, 0, 0) != 0; ++i) {
     TrailHit hit;
     hit.layer = i;
-    hit.instance = instanceName(scene, instances, ids.at(i, 0, 0) - 1);
+    hit.instance = nodeOf(names, ids.at(i, 0, 0));
     hit.geometry = ids.at(i, 0, 1) - 1;
     hit.primitive = ids.at(i, 0, 2);
     hit.front = ids.at(i, 0, 3) != 0;
@@ -208,12 +194,13 @@ std::array<int, 2> parsePixel(const std::string& text) {
   return *pixel;
 }
 
-Followed follow(Workbench& bench, const Shot& shot, int x, int y, const std::function<void(int, int)>& progress) {
+Followed follow(Workbench& bench, const Shot& shot, int x, int y, const std::function<void(int, int)>& progress,
+                bool id_coverage) {
   Session session(bench, shot);
   requireInside(session.shot(), x, y);
   session.tap(session.ports());
   Followed result;
-  result.picture = session.capture(progress);
+  result.picture = session.capture(progress, id_coverage);
   result.trail = trailOf(session.plan(), result.picture.frame, x, y);
   result.trail.hits = hitsAt(session, x, y);
   forget(result.picture, shot.taps);

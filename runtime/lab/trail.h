@@ -49,7 +49,8 @@ struct Followed {
   Picture picture;
   Trail trail;
 };
-Followed follow(Workbench& bench, const Shot& shot, int x, int y, const std::function<void(int, int)>& progress = {});
+Followed follow(Workbench& bench, const Shot& shot, int x, int y, const std::function<void(int, int)>& progress = {},
+                bool id_coverage = false);
 
 // Numbers that are not finite are the texts "nan", "inf" and "-inf"; all others read back to the same 32-bit float.
 Json toJson(const Trail& trail);

@@ -40,18 +40,24 @@ static uint64_t bytesOf(const scene::Scene& scene) {
   return bytes;
 }
 
+// A file that a scene names, as it would be written beside the scene's own name.
+static std::string shownBeside(const std::string& scene, const Path& file) {
+  Path own = std::filesystem::absolute(scene).lexically_normal();
+  return (Path(scene).parent_path() / file.lexically_relative(own.parent_path())).lexically_normal().string();
+}
+
 LoadedScene loadScene(const Home& home, Shot& shot) {
   LoadedScene loaded;
   if (isGltf(shot.scene)) {
     for (const auto& [name, value] : shot.sets)
       if (name.starts_with("scene."))
         throw Error(fmt::format("--set {}={}: a glTF scene has no parameters", name, plan::textOf(value)), {}, 2);
-    loaded.scene = scene::loadGltf(shot.scene);
+    loaded.scene = scene::loadGltf(shot.scene, shot.allow_outside);
     loaded.description["file"] = Path(shot.scene).filename().string();
-    loaded.description["hash"] = hashText(readText(shot.scene));
+    loaded.description["hash"] = loaded.scene.files.front().hash;
     loaded.description["content"] = contentHash(loaded.scene);
-    loaded.dependencies = {
-        {std::filesystem::absolute(shot.scene).lexically_normal(), shot.scene, loaded.description["hash"]}};
+    for (const scene::SourceFile& file : loaded.scene.files)
+      loaded.dependencies.push_back({file.path, shownBeside(shot.scene, file.path), file.hash});
   } else {
     loaded.description = script::evaluateScene(home, shot.scene, shot.sets, &loaded.dependencies);
     loaded.scene = scene::sceneFromJson(loaded.description, shot.scene, suggestions());
@@ -179,12 +185,12 @@ void Workbench::forgetScenes() {
   }
 }
 
-Picture Workbench::render(const Shot& shot, const std::function<void(int, int)>& progress) {
+Picture Workbench::render(const Shot& shot, const std::function<void(int, int)>& progress, bool id_coverage) {
   Shot filled = shot;
   std::shared_ptr<const Evaluation> evaluation = evaluate(shot.pipeline, shot.sets);
   std::shared_ptr<HeldScene> held = scene(filled, true);
   Planned planned = plannedOf(*this, filled, evaluation->pipeline);
-  return Drawing(*this, held, std::move(planned), evaluation).capture(filled, nullptr, progress);
+  return Drawing(*this, held, std::move(planned), evaluation).capture(filled, nullptr, progress, id_coverage);
 }
 
 }  // namespace strobe::lab

@@ -9,7 +9,9 @@
 
 #include "base/stamps.h"
 #include "graph/graph.h"
+#include "image/cryptomatte.h"
 #include "lab/evaluation.h"
+#include "lab/id_names.h"
 #include "plan/plan.h"
 
 namespace strobe::lab {
@@ -40,9 +42,11 @@ struct Picture {
   graph::FrameResult frame;  // of several sub-pixel samples: floats averaged, integers of the first
   Json record;
   Json timings;
-  std::vector<std::string> warnings;  // of the scene, and the limits that were met
-  mat4 camera_from_world = mat4(1);   // at the capture; the camera looks along -z, y up
-  mat4 ndc_from_world = mat4(1);      // x and y in [-1, 1], y up
+  std::vector<std::string> warnings;                     // of the scene, and the limits that were met
+  mat4 camera_from_world = mat4(1);                      // at the capture; the camera looks along -z, y up
+  mat4 ndc_from_world = mat4(1);                         // x and y in [-1, 1], y up
+  std::vector<IdName> id_names;                          // what its ids stand for; empty if it was read from a file
+  std::shared_ptr<const image::IdCoverage> id_coverage;  // of the output "id", where it was requested
 };
 
 class Workbench {
@@ -61,8 +65,9 @@ class Workbench {
   graph::PipelineCache& pipelines() { return cache_; }
 
   // Renders. Scripts run, and scene and shaders are read, unless that was done before and no file changed since; so a
-  // picture is always that of the files as they are. `progress` (may be empty): iterations done, of.
-  Picture render(const Shot& shot, const std::function<void(int, int)>& progress = {});
+  // picture is always that of the files as they are. `progress` (may be empty): iterations done, of. `id_coverage`: as
+  // `Drawing::capture`.
+  Picture render(const Shot& shot, const std::function<void(int, int)>& progress = {}, bool id_coverage = false);
 
   // What the pipeline's scripts give, run unless they were with the same settings and no file of theirs changed since.
   // Throws `Error`.

@@ -76,7 +76,7 @@ std::optional<PixelValue> Desk::valueAt(int x, int y) const {
   const graph::ReadImage* read = side.image();
   const lab::Shot& of = side.session->shot();
   if (!read || x < 0 || y < 0 || x >= of.width || y >= of.height) return {};
-  int divide = divideOf(side.session->plan(), side.drawn_port);
+  int divide = lab::divideOf(side.session->plan(), side.drawn_port);
   PixelValue value{side.drawn_port, read->format};
   value.integers = !read->uints.values.empty();
   if (value.integers) takeTexel(value, read->uints, divide, of, x, y);
@@ -122,8 +122,8 @@ image::Image Desk::shownSide(const Side& side) const {
   const lab::Shot& of = side.session->shot();
   const graph::ReadImage* read = side.image();
   if (!read) return image::Image(of.width, of.height, 3);
-  return shown(*read, side.drawn_port, divideOf(side.session->plan(), side.drawn_port), of.width, of.height, look_.view,
-               side.color.empty() ? nullptr : &side.color);
+  return lab::shown(*read, side.drawn_port, lab::divideOf(side.session->plan(), side.drawn_port), of.width, of.height,
+                    look_.view, side.color.empty() ? nullptr : &side.color);
 }
 
 bool Desk::pictureChanged(int window_frame) const {
@@ -145,15 +145,15 @@ image::Image Desk::compose(int window_frame) const {
   const lab::Shot &of_a = a.session->shot(), &of_b = b.session->shot();
   bool one_frame = &a != &b && of_a.width == of_b.width && of_a.height == of_b.height;
   bool both = &a != &b && !a.color.empty() && !b.color.empty();
-  if (look_.mode == Mode::Wipe && both && one_frame) return wiped(shownSide(a), shownSide(b), look_.wipe);
+  if (look_.mode == Mode::Wipe && both && one_frame) return lab::wiped(shownSide(a), shownSide(b), look_.wipe);
   if (look_.mode == Mode::Difference && both && image::sameSize(a.color, b.color))
-    return difference(a.color, b.color, look_.gain);
+    return lab::difference(a.color, b.color, look_.gain);
   if (look_.mode != Mode::Error) return shownSide(sideShown(window_frame));
   auto errors = [&](const Side& side) {
     bool measured = !side.color.empty() && image::sameSize(side.color, truth_.mean());
-    return measured ? difference(side.color, truth_.mean(), look_.gain, "mean |x - truth|") : shownSide(side);
+    return measured ? lab::difference(side.color, truth_.mean(), look_.gain, "mean |x - truth|") : shownSide(side);
   };
-  return one_frame ? wiped(errors(a), errors(b), look_.wipe) : errors(a);
+  return one_frame ? lab::wiped(errors(a), errors(b), look_.wipe) : errors(a);
 }
 
 // ---- results
@@ -169,10 +169,10 @@ Path Desk::freeName(const std::string& ending) const {
 
 std::vector<Path> Desk::save() {
   Path file = freeName(".exr");
-  std::vector<Path> files = lab::writePicture(a().session->capture(), file, false);
+  std::vector<Path> files = lab::writePicture(a().session->capture(), file);
   if (!b() || !comparesWithB(look_.mode)) return files;
   Path other = file.parent_path() / (file.stem().string() + "_b.exr");
-  for (const Path& written : lab::writePicture(b()->session->capture(), other, false)) files.push_back(written);
+  for (const Path& written : lab::writePicture(b()->session->capture(), other)) files.push_back(written);
   return files;
 }
 

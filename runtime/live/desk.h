@@ -3,10 +3,10 @@
 // and drive files change it through the same few verbs.
 #pragma once
 
+#include "lab/views.h"
 #include "live/gathered_truth.h"
 #include "live/pinned_pixel.h"
 #include "live/sides.h"
-#include "live/views.h"
 #include "live/widgets.h"
 
 namespace strobe::live {
@@ -27,7 +27,7 @@ struct DeskOptions {
 // What is looked at and how.
 struct Look {
   std::string port = "color";  // an output, or "node.port"
-  ViewOptions view;
+  lab::ViewOptions view;
   Mode mode = Mode::Single;
   bool single_b = false;  // Mode::Single shows B
   double wipe = 0.5;      // of the width

@@ -439,7 +439,7 @@ void Live::addFileHandlers(std::map<std::string, Handler>& handlers) {
   };
   handlers["capture"] = [this](const Command& c) {
     lab::checkPictureName(c.arguments[0]);
-    return lab::writePicture(desk_.a().session->capture(), c.arguments[0], false), true;
+    return lab::writePicture(desk_.a().session->capture(), c.arguments[0]), true;
   };
   handlers["trail"] = [this](const Command& c) {
     writeFileAtomically(c.arguments[0], desk_.pixel().json().dump(2) + "\n");

@@ -86,7 +86,7 @@ void viewPart(const Fonts& fonts, Desk& desk, PanelState& state) {
   tooltip("any output of any pass; Up and Down go through them");
   row("as");
   const graph::ReadImage* viewed = desk.a().image();
-  std::vector<std::string> kinds = viewed ? viewKinds(*viewed) : std::vector<std::string>{"auto"};
+  std::vector<std::string> kinds = viewed ? lab::viewKinds(*viewed) : std::vector<std::string>{"auto"};
   if (combo("##kind", look.view.kind, kinds, chosen)) look.view.kind = chosen;
   float stops = float(look.view.exposure_stops);
   row("brightness");

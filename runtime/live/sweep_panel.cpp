@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image/legend.h"
 #include "image/magma.h"
-#include "live/legend.h"
 #include "page/number.h"
 
 namespace strobe::live {
@@ -158,7 +158,7 @@ void drawCurve(const Curve& curve, ImVec2 at, float column, float height) {
 }
 
 Curve curveOf(const Sweep& sweep, const std::function<std::optional<double>(const SweepPoint&)>& of, ImU32 color) {
-  Curve curve{{}, niceCeiling(largest(sweep, of).value_or(0)), color};
+  Curve curve{{}, image::niceCeiling(largest(sweep, of).value_or(0)), color};
   for (const SweepPoint& point : sweep.points()) {
     std::optional<double> value = of(point);
     curve.values.push_back(value && std::isfinite(*value) ? value : std::nullopt);

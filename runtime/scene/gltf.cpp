@@ -23,7 +23,7 @@ const std::vector<std::string> kSupported = {
 
 class Loader {
  public:
-  explicit Loader(const Path& path) : file_(path, kSupported) {}
+  Loader(const Path& path, bool allow_outside) : file_(path, kSupported, allow_outside) {}
 
   Scene load() {
     scene_.name = file_.path().stem().string();
@@ -39,6 +39,7 @@ class Loader {
     warnOfUnusedExtensions();
     readAttribution();
     moderateLights(scene_);
+    scene_.files = file_.files();
     return std::move(scene_);
   }
 
@@ -328,7 +329,7 @@ class Loader {
     std::error_code missing;
     bool small =
         std::filesystem::is_regular_file(beside, missing) && std::filesystem::file_size(beside, missing) < 65536;
-    if (small) scene_.attribution["text"] = readText(beside);
+    if (small && file_.mayRead(beside)) scene_.attribution["text"] = file_.readFile(beside);
   }
 
   GltfFile file_;
@@ -339,6 +340,6 @@ class Loader {
 
 }  // namespace
 
-Scene loadGltf(const Path& file) { return Loader(file).load(); }
+Scene loadGltf(const Path& file, bool allow_outside) { return Loader(file, allow_outside).load(); }
 
 }  // namespace strobe::scene

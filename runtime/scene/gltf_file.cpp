@@ -6,6 +6,8 @@
 #include <cstring>
 #include <map>
 
+#include "base/hash.h"
+
 namespace strobe::scene {
 
 namespace {
@@ -85,18 +87,20 @@ std::string percentDecoded(const std::string& uri) {
 
 }  // namespace
 
-GltfFile::GltfFile(const Path& file, const std::vector<std::string>& supported) : path_(file) {
+GltfFile::GltfFile(const Path& file, const std::vector<std::string>& supported, bool allow_outside)
+    : path_(std::filesystem::absolute(file).lexically_normal()), shown_(file), allow_outside_(allow_outside) {
   readContainer();
   checkVersion(supported);
   readBuffers();
 }
 
 void GltfFile::refuse(const std::string& where, const std::string& text) const {
-  throw Error(where.empty() ? text : where + ": " + text, {path_.string()});
+  throw Error(where.empty() ? text : where + ": " + text, {shown_.string()});
 }
 
 void GltfFile::readContainer() {
-  std::vector<uint8_t> bytes = readBytes(path_);
+  std::string text = readFile(path_);
+  std::vector<uint8_t> bytes(text.begin(), text.end());
   size_t json_at = 0, json_size = bytes.size();
   if (bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0) {
     if (bytes.size() < 20) refuse("", fmt::format("is cut short: {} bytes are no GLB header", bytes.size()));
@@ -153,7 +157,14 @@ void GltfFile::readBuffers() {
   }
 }
 
-std::vector<uint8_t> GltfFile::uriBytes(const std::string& uri, const std::string& where) const {
+std::string GltfFile::readFile(const Path& file) {
+  std::string text = readText(file);
+  auto known = std::find_if(files_.begin(), files_.end(), [&](const SourceFile& one) { return one.path == file; });
+  if (known == files_.end()) files_.push_back({file, hashText(text)});
+  return text;
+}
+
+std::vector<uint8_t> GltfFile::uriBytes(const std::string& uri, const std::string& where) {
   if (uri.starts_with("data:")) {
     size_t comma = uri.find(";base64,");
     if (comma == std::string::npos) refuse(where, "its data URI is not base64");
@@ -164,8 +175,12 @@ std::vector<uint8_t> GltfFile::uriBytes(const std::string& uri, const std::strin
   Path relative = percentDecoded(uri);
   bool has_scheme = uri.find(':') != std::string::npos;
   if (has_scheme || relative.is_absolute()) refuse(where, fmt::format("'{}' is not a relative path", uri));
+  Path file = (path_.parent_path() / relative).lexically_normal();
+  if (!mayRead(file))
+    refuse(where, fmt::format("'{}' lies outside of the scene's folder; --allow-outside lets it be read", uri));
   try {
-    return readBytes(path_.parent_path() / relative);
+    std::string text = readFile(file);
+    return {text.begin(), text.end()};
   } catch (const Error& error) {
     refuse(where, fmt::format("'{}' {}", uri, error.message()));
   }
@@ -260,7 +275,7 @@ std::vector<uint32_t> GltfFile::indices(int accessor_index, const std::string& w
   return {values.numbers.begin(), values.numbers.end()};
 }
 
-Decoded GltfFile::image(int image_index) const {
+Decoded GltfFile::image(int image_index) {
   const Json& json = all("images").at(image_index);
   std::string where = fmt::format("images[{}]", image_index), uri = text(json, "uri");
   int view_index = index(json, "bufferView", "bufferViews", where);

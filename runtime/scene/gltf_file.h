@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "base/files.h"
+#include "base/home.h"
 #include "scene/image_decode.h"
 #include "scene/scene.h"
 
@@ -26,15 +26,23 @@ class GltfFile {
  public:
   // Reads a .glb or .gltf with all its buffers. Throws `Error` for a file that is missing, cut short, of another
   // version, or that requires an extension which is not in `supported`.
-  GltfFile(const Path& file, const std::vector<std::string>& supported);
+  // What it names lies in its folder, links followed, unless `allow_outside`.
+  GltfFile(const Path& file, const std::vector<std::string>& supported, bool allow_outside);
 
   const Json& json() const { return json_; }
   const Path& path() const { return path_; }
+  // What was read so far, the file itself first.
+  const std::vector<SourceFile>& files() const { return files_; }
+
+  // Whether a file beside it is one that it may name.
+  bool mayRead(const Path& file) const { return allow_outside_ || liesIn(file, path_.parent_path()); }
+  // The content of a file, which is then one of `files`.
+  std::string readFile(const Path& file);
 
   // `where` says in errors what asked: "meshes[2].primitives[0]". `types` are the accepted accessor types.
   Values accessor(int index, const std::string& where, const std::vector<std::string>& types) const;
   std::vector<uint32_t> indices(int index, const std::string& where) const;
-  Decoded image(int index) const;
+  Decoded image(int index);
 
   // Throws: "file: where: text".
   [[noreturn]] void refuse(const std::string& where, const std::string& text) const;
@@ -65,14 +73,16 @@ class GltfFile {
   void readContainer();
   void checkVersion(const std::vector<std::string>& supported) const;
   void readBuffers();
-  std::vector<uint8_t> uriBytes(const std::string& uri, const std::string& where) const;
+  std::vector<uint8_t> uriBytes(const std::string& uri, const std::string& where);
   View view(int index, const std::string& where) const;
   const uint8_t* elements(const Json& accessor, size_t count, size_t element_size, size_t& stride,
                           const std::string& where) const;
   void applySparse(const Json& accessor, Values& values, int component_type, bool normalized,
                    const std::string& where) const;
 
-  Path path_;
+  Path path_, shown_;  // absolute; as it was given
+  bool allow_outside_ = false;
+  std::vector<SourceFile> files_;
   Json json_;
   std::vector<uint8_t> binary_chunk_;
   bool has_binary_chunk_ = false;

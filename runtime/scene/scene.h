@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include "base/files.h"
 #include "base/json.h"
 #include "math/geometry.h"
 
@@ -135,6 +135,12 @@ struct Environment {
   std::optional<vec3> background;  // what a ray that misses sees, if not the above
 };
 
+// A file that was read for a scene, and the hash of its content.
+struct SourceFile {
+  Path path;  // absolute
+  std::string hash;
+};
+
 struct Scene {
   std::string name;
   std::vector<Node> nodes;  // a parent may stand after its child
@@ -149,6 +155,7 @@ struct Scene {
   std::vector<std::string> warnings;     // what was not understood, naming the node
   std::vector<std::string> assumptions;  // defaults supplied for what the file lacks, for the run record
   Json attribution;                      // licence and author where the file or its folder states them
+  std::vector<SourceFile> files;         // of a glTF scene: itself first, then what it names
 };
 
 // One drawable: a mesh at a node. Its index is its instance id.

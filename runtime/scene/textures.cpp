@@ -44,16 +44,15 @@ const SrgbTables& srgb() {
 
 uint8_t encodeUnorm(float value) { return uint8_t(std::lround(std::clamp(value, 0.0f, 1.0f) * 255)); }
 
-std::vector<vec4> decode(const Texture& texture) {
-  std::vector<vec4> texels(size_t(texture.width) * texture.height);
-  const std::vector<uint8_t>& bytes = texture.levels[0];
+std::vector<vec4> decode(const std::vector<uint8_t>& bytes, Texture::Format format) {
+  std::vector<vec4> texels(bytes.size() / (format == Texture::Format::Rgba32f ? 16 : 4));
   for (size_t i = 0; i < texels.size(); ++i) {
-    if (texture.format == Texture::Format::Rgba32f) {
+    if (format == Texture::Format::Rgba32f) {
       std::memcpy(&texels[i], &bytes[16 * i], 16);
       continue;
     }
     for (int c = 0; c < 4; ++c) {
-      bool as_srgb = texture.format == Texture::Format::Rgba8Srgb && c < 3;
+      bool as_srgb = format == Texture::Format::Rgba8Srgb && c < 3;
       texels[i][c] = as_srgb ? srgb().linear[bytes[4 * i + c]] : bytes[4 * i + c] / 255.0f;
     }
   }
@@ -124,7 +123,7 @@ std::vector<vec4> halved(const std::vector<vec4>& texels, ivec2 size, ivec2 smal
 
 void buildLevels(Texture& texture) {
   texture.levels.resize(1);
-  std::vector<vec4> texels = decode(texture);
+  std::vector<vec4> texels = decode(texture.levels[0], texture.format);
   ivec2 size(texture.width, texture.height);
   while (size.x > 1 || size.y > 1) {
     ivec2 smaller = glm::max(size / 2, ivec2(1));
@@ -132,6 +131,13 @@ void buildLevels(Texture& texture) {
     texture.levels.push_back(encode(texels, texture.format));
     size = smaller;
   }
+}
+
+vec3 meanColor(const Texture& texture) {
+  std::vector<vec4> texels = decode(texture.levels.back(), texture.format);
+  dvec3 sum(0);
+  for (const vec4& texel : texels) sum += dvec3(texel);
+  return vec3(sum / double(texels.size()));
 }
 
 Texture paint(int width, int height, int samples, const std::function<vec4(dvec2 uv)>& color_at) {

@@ -16,6 +16,9 @@ double srgbFromLinear(double linear);
 // weighted with alpha (Rgba8Srgb), or of the values as they are. Sizes halve and round down.
 void buildLevels(Texture& texture);
 
+// Mean of the texels, linear RGB, in the precision of the texture's smallest level.
+vec3 meanColor(const Texture& texture);
+
 // A texture of 8-bit sRGB texels from `color_at` (linear RGBA in 0..1 of u, v in 0..1, v downwards), each the mean of
 // `samples` x `samples` points, with all its levels.
 Texture paint(int width, int height, int samples, const std::function<vec4(dvec2 uv)>& color_at);

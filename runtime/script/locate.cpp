@@ -105,6 +105,13 @@ bool fieldAt(const std::vector<Token>& tokens, size_t i, const std::string& key,
   return is(i, "[") ? is(i + 1, key.c_str()) && is(i + 3, "=") : is(i, key.c_str()) && is(i + 1, "=");
 }
 
+// Whether an entry of a list begins at `i`: a value without a name.
+bool entryAt(const std::vector<Token>& tokens, size_t i) {
+  auto is = [&](size_t at, const char* text) { return at < tokens.size() && tokens[at].text == text; };
+  if (!is(i - 1, "{") && !is(i - 1, ",") && !is(i - 1, ";")) return false;
+  return !is(i, "}") && !is(i, "[") && !is(i + 1, "=");
+}
+
 struct Found {
   size_t keys = 0;  // of the path
   int line = 0;     // of the last of them
@@ -123,13 +130,15 @@ const std::vector<Token>& tokensOf(std::string_view source) {
 // Follows `path` from its key number `done` on through the table that opens at tokens[open].
 Found searchTable(const std::vector<Token>& tokens, size_t open, const std::vector<std::string>& path, size_t done) {
   Found found{done, tokens[open].line};
-  int depth = 1;
+  int depth = 1, entries = 0;
   for (size_t i = open + 1; i < tokens.size() && depth > 0; ++i) {
-    size_t value = 0;
-    if (depth == 1 && fieldAt(tokens, i, path[done], value)) {
+    size_t value = i;
+    bool is_entry = depth == 1 && entryAt(tokens, i) && std::to_string(++entries) == path[done];
+    if (is_entry || (depth == 1 && fieldAt(tokens, i, path[done], value))) {
       found = {done + 1, tokens[i].line};
       if (found.keys == path.size()) return found;
-      while (value < tokens.size() && tokens[value].text != "{" && tokens[value].text != ",") ++value;
+      auto is = [&](const char* text) { return tokens[value].text == text; };
+      while (value < tokens.size() && !is("{") && !is(",") && !is("}")) ++value;
       bool nested = value < tokens.size() && tokens[value].text == "{";
       Found below = nested ? searchTable(tokens, value, path, done + 1) : found;
       return below.keys > found.keys ? below : found;

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 static constexpr const char* kEnvironment = "strobe.environment";
 static constexpr const char* kLoaded = "strobe.loaded";
-static constexpr int kMaxPath = 4;
+static constexpr int kMaxPath = 12;
 
 static Sandbox& self(lua_State* lua) { return **static_cast<Sandbox**>(lua_getextraspace(lua)); }
 

@@ -6,9 +6,7 @@
 
 namespace strobe::study {
 
-using image::Image;
-
-image::Rectangle scaledCrop(const image::Rectangle& crop, double scale_x, double scale_y, const Image& picture) {
+image::Rectangle scaledCrop(const image::Rectangle& crop, double scale_x, double scale_y, const image::Image& picture) {
   auto scaled = [](int value, double scale, int most) { return std::clamp(int(std::lround(value * scale)), 1, most); };
   int width = scaled(crop.width, scale_x, picture.width), height = scaled(crop.height, scale_y, picture.height);
   return {std::clamp(int(crop.x * scale_x), 0, picture.width - width),
@@ -36,28 +34,6 @@ image::Rectangle densestCrop(const image::Image& mask, int width, int height) {
       most = inside, least = middle, best = {x, y, width, height};
     }
   return best;
-}
-
-Image shrunk(const Image& linear, int width, int height) {
-  width = std::clamp(width, 1, linear.width);
-  height = std::clamp(height, 1, linear.height);
-  if (width == linear.width && height == linear.height) return linear;
-  Image result(width, height, linear.channels);
-  for (int y = 0; y < height; ++y) {
-    int top = int(int64_t(y) * linear.height / height),
-        bottom = std::max(top + 1, int(int64_t(y + 1) * linear.height / height));
-    for (int x = 0; x < width; ++x) {
-      int left = int(int64_t(x) * linear.width / width),
-          right = std::max(left + 1, int(int64_t(x + 1) * linear.width / width));
-      for (int c = 0; c < linear.channels; ++c) {
-        double sum = 0;
-        for (int sy = top; sy < bottom; ++sy)
-          for (int sx = left; sx < right; ++sx) sum += linear.at(sx, sy, c);
-        result.at(x, y, c) = float(sum / ((bottom - top) * (right - left)));
-      }
-    }
-  }
-  return result;
 }
 
 }  // namespace strobe::study

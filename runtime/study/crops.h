@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where crops lie, and pictures made smaller for people.
+// Where crops lie.
 #pragma once
 
 #include "image/draw.h"
@@ -13,8 +13,5 @@ image::Rectangle scaledCrop(const image::Rectangle& crop, double scale_x, double
 // Where most of a mask lies: the best place for a window of this size; of equally dense ones that with the fullest
 // middle.
 image::Rectangle densestCrop(const image::Image& mask, int width, int height);
-
-// Mean of the linear colours below each pixel of the result; neither side grows.
-image::Image shrunk(const image::Image& linear, int width, int height);
 
 }  // namespace strobe::study

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 
+#include "lab/shot_data.h"
 #include "lab/shot_options.h"
 #include "lab/workbench.h"
 #include "study/measures.h"
@@ -18,22 +19,14 @@ void take(const Json& from, const char* name, Value& into) {
   if (from.contains(name)) into = from.at(name).get<Value>();
 }
 
-script::Settings settingsOf(const Json& from, const char* name, const std::string& prefix = "") {
-  script::Settings sets;
-  if (!from.contains(name)) return sets;
-  for (const Json& one : from.at(name))
-    sets.emplace_back(prefix + one.at("name").get<std::string>(), plan::valueFromJson(one.at("value")));
-  return sets;
-}
-
 Arm armOf(const Json& json) {
   Arm arm;
   take(json, "name", arm.name);
   take(json, "pipeline", arm.pipeline);
   take(json, "lacks", arm.lacks);
   take(json, "shown", arm.shown);
-  arm.sets = settingsOf(json, "set");
-  arm.box = settingsOf(json, "box");
+  arm.sets = lab::settingsFrom(json, "set");
+  arm.box = lab::settingsFrom(json, "box");
   if (json.value("role", "") == "floor") arm.role = Role::floor;
   return arm;
 }
@@ -44,24 +37,6 @@ Crop cropOf(const Json& json) {
   return image::Rectangle{int(n[0]), int(n[1]), int(n[2]), int(n[3])};
 }
 
-void setOptions(lab::Shot& shot, const Json& options) {
-  for (const Json& one : options) {
-    const lab::ShotOption* option = lab::findShotOption(one.at("name").get<std::string>());
-    if (option) lab::setFromJson(*option, shot, one.at("value"));
-  }
-}
-
-// "shared:x" is a file of the shared data.
-void resolveScene(const Home& home, StudiedShot& shot) {
-  const std::string prefix = "shared:";
-  if (!shot.shot.scene.starts_with(prefix)) return;
-  std::string name = shot.shared = shot.shot.scene.substr(prefix.size());
-  std::optional<Path> data = home.data();
-  if (!data) shot.missing = fmt::format("there is no shared data with '{}' (STROBE_DATA names its folder)", name);
-  else if (!std::filesystem::exists(*data / name)) shot.missing = fmt::format("the shared data has no '{}'", name);
-  else shot.shot.scene = (*data / name).string();
-}
-
 StudiedShot shotOf(const Home& home, const Json& json, uint32_t seed) {
   StudiedShot result;
   take(json, "name", result.name);
@@ -69,19 +44,16 @@ StudiedShot shotOf(const Home& home, const Json& json, uint32_t seed) {
   take(json, "note", result.note);
   take(json, "attribution", result.attribution);
   take(json, "picture_aa", result.picture_aa);
-  take(json, "stops", result.tone.stops);
-  if (json.value("curve", "") == "filmic") result.tone.curve = image::ToneMap::Curve::filmic;
-  result.truth = settingsOf(json, "truth");
+  result.tone = lab::toneFrom(json);
+  result.truth = lab::settingsFrom(json, "truth");
   result.shot.seed = seed;
-  setOptions(result.shot, json.at("options"));
-  result.shot.sets = settingsOf(json, "scene_set", "scene.");
+  lab::setOptions(result.shot, json.at("options"));
+  result.shot.sets = lab::settingsFrom(json, "scene_set", "scene.");
   for (const Json& crop : json.value("crops", Json::array({"inner"}))) result.crops.push_back(cropOf(crop));
-  if (json.contains("frames")) {
-    std::array<int, 3> range = json["frames"].get<std::array<int, 3>>();
-    for (int frame = range[0]; frame <= range[1]; frame += range[2]) result.frames.push_back(frame);
-    result.shot.frame = range[0];
-  }
-  resolveScene(home, result);
+  result.frames = lab::framesFrom(json);
+  if (!result.frames.empty()) result.shot.frame = result.frames.front();
+  lab::SceneFile scene = lab::sceneFile(home, result.shot.scene);
+  result.shot.scene = scene.scene, result.shared = scene.shared, result.missing = scene.missing;
   return result;
 }
 
@@ -90,9 +62,9 @@ AxisValue valueOf(const Json& json) {
   value.value = json.at("value");
   take(json, "label", value.label);
   value.options = json.at("options");
-  value.scene = settingsOf(json, "scene", "scene.");
-  value.sets = settingsOf(json, "set");
-  value.truth = settingsOf(json, "truth");
+  value.scene = lab::settingsFrom(json, "scene", "scene.");
+  value.sets = lab::settingsFrom(json, "set");
+  value.truth = lab::settingsFrom(json, "truth");
   return value;
 }
 
@@ -141,7 +113,7 @@ Experiment experimentOf(const Home& home, const Json& json) {
   for (const Json& shot : json.at("shots")) experiment.shots.push_back(shotOf(home, shot, json.value("seed", 0u)));
   experiment.truth = armOf(json.at("truth"));
   experiment.truth.role = Role::truth;
-  if (json.at("truth").contains("full")) experiment.full_truth = settingsOf(json.at("truth"), "full");
+  if (json.at("truth").contains("full")) experiment.full_truth = lab::settingsFrom(json.at("truth"), "full");
   for (const Json& axis : json.at("axes")) experiment.axes.push_back(axisOf(axis));
   for (const Json& group : json.at("groups")) experiment.groups.push_back(groupOf(group));
   if (json.contains("background")) {
@@ -263,16 +235,6 @@ std::string commandOf(const StudiedShot& studied, const lab::Shot& shot) {
   return at == std::string::npos ? command : command.replace(at, shot.scene.size(), "$STROBE_DATA/" + studied.shared);
 }
 
-std::string fileNameOf(const std::string& label) {
-  std::string name;
-  for (unsigned char c : label) {
-    if (std::isalnum(c)) name += char(std::tolower(c));
-    else if (!name.empty() && name.back() != '_') name += '_';
-  }
-  while (!name.empty() && name.back() == '_') name.pop_back();
-  return name.empty() ? "unnamed" : name;
-}
-
 // What every picture of a group has.
 static lab::Shot bareShot(const Experiment& experiment, const Group& group) {
   const StudiedShot& studied = experiment.shots[group.shot];
@@ -284,7 +246,7 @@ static lab::Shot bareShot(const Experiment& experiment, const Group& group) {
   shot.sets = joined(shot.sets, studied.shot.sets);
   for (const At& at : group.at) {
     const AxisValue& value = experiment.axes[at.axis].values[at.value];
-    setOptions(shot, value.options);
+    lab::setOptions(shot, value.options);
     for (const auto& [name, set] : value.scene) lab::putSetting(shot.sets, name, set);
   }
   return shot;

@@ -120,7 +120,4 @@ std::string commandOf(const StudiedShot& studied, const lab::Shot& shot);
 // All settings, the later on top.
 script::Settings joined(script::Settings base, const script::Settings& more);
 
-// As much of `label` as makes a good file name: "Half-split" becomes "half_split".
-std::string fileNameOf(const std::string& label);
-
 }  // namespace strobe::study

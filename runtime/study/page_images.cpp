@@ -10,11 +10,11 @@
 #include <thread>
 
 #include "base/hash.h"
+#include "image/draw.h"
 #include "image/flip.h"
 #include "image/jpeg.h"
 #include "image/png.h"
 #include "page/page.h"
-#include "study/crops.h"
 
 namespace strobe::study {
 
@@ -63,7 +63,7 @@ std::string urlOf(const ImageSource& source, const Level& level) {
   Image display = image::decodePng(source.png, source.file);
   if (divisor > 1) {
     Image linear = source.is_flip ? display : image::decodeSrgb(display);
-    linear = shrunk(linear, display.width / divisor, display.height / divisor);
+    linear = image::shrunk(linear, display.width / divisor, display.height / divisor);
     display = source.is_flip ? linear : image::encodeSrgb(linear);
   }
   return "data:image/jpeg;base64," + page::base64(image::encodeJpeg(display, quality));

@@ -14,6 +14,7 @@
 #include "image/png.h"
 #include "lab/against_truth.h"
 #include "lab/capture.h"
+#include "lab/shot_data.h"
 #include "study/crops.h"
 #include "study/points.h"
 
@@ -249,21 +250,21 @@ void PointRenderer::keepFiles(const TaskGroup& group, const Task& task, const la
   const image::ToneMap& tone = experiment_.shots[group.group->shot].tone;
   writeQuickly(pointFile(store_.folder(), task.key, ".png"),
                image::encodePng(image::toneMap(lab::colorOf(picture), tone), image::PngEffort::fast));
-  if (store_.requires_exr) lab::writePicture(picture, pointFile(store_.folder(), task.key, ".exr"), false);
+  if (store_.requires_exr) lab::writePicture(picture, pointFile(store_.folder(), task.key, ".exr"));
 }
 
 // The EXR holds colour and what tables are made from; the record has the hash of every output.
 void PointRenderer::write(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point) {
   const StudiedShot& studied = experiment_.shots[group.group->shot];
   const Arm& arm = *task.arm;
-  std::string name = fileNameOf(arm.name);
-  for (const At& at : group.group->at) name += "_" + fileNameOf(experiment_.axes[at.axis].values[at.value].label);
-  std::string stem = fileNameOf(studied.title) + "/" + name;
+  std::string name = lab::fileNameOf(arm.name);
+  for (const At& at : group.group->at) name += "_" + lab::fileNameOf(experiment_.axes[at.axis].values[at.value].label);
+  std::string stem = lab::fileNameOf(studied.title) + "/" + name;
   std::set<std::string> kept = {"color", "error"};
   if (arm.role == Role::truth) kept.insert(experiment_.regions.begin(), experiment_.regions.end());
   lab::Picture written = picture;
   std::erase_if(written.frame.outputs, [&](const auto& output) { return !kept.count(output.first); });
-  lab::writePicture(written, store_.folder() / (stem + ".exr"), false);
+  lab::writePicture(written, store_.folder() / (stem + ".exr"));
   point.measured = point.shown = stem + ".exr";
   Image shown = lab::colorOf(picture);
   if (studied.picture_aa > 1) {
@@ -273,7 +274,7 @@ void PointRenderer::write(const TaskGroup& group, const Task& task, const lab::P
     lab::Picture boxed = *batch_.picture(box, {"color"});
     shown = lab::colorOf(boxed);
     point.shown = stem + "_shown.exr";
-    lab::writePicture(boxed, store_.folder() / point.shown, false);
+    lab::writePicture(boxed, store_.folder() / point.shown);
   }
   point.record = stem + ".record.json";
   point.picture = stem + ".png";

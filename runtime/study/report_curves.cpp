@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lab/shot_data.h"
 #include "page/chart.h"
 #include "page/number.h"
 #include "study/curves.h"
@@ -217,7 +218,8 @@ void addAxis(const Results& results, const Curve& curve, double factor, Parts& p
   parts.push_back(text(axis.fixed, Tone::plain, Part::kRead));
   parts.push_back(text(axis.note, Tone::plain, Part::kRead));
   page::Chart chart = chartOf(curve, factor, axis.region);
-  parts.push_back({page::Figure{page::svgOf(chart), "", fileNameOf("curve " + axis.name), chart.about}, Part::kRead});
+  parts.push_back(
+      {page::Figure{page::svgOf(chart), "", lab::fileNameOf("curve " + axis.name), chart.about}, Part::kRead});
   parts.push_back(text(fmt::format("Region: {}. Contrast {:.4g}.", regionText(axis.region), curve.contrast()),
                        Tone::soft, Part::kPage));
   parts.push_back(text(driftText(curve), Tone::soft, Part::kRead));

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lab/shot_data.h"
 #include "math/pareto.h"
 #include "page/chart.h"
 #include "page/svg.h"
@@ -120,10 +121,10 @@ Parts frontParts(const Results& results) {
   for (const ShotSummary& shot : results.shots) {
     Front front(results, shot, layout);
     if (front.empty()) continue;
-    parts.push_back(heading(shot.title, 3, "front-" + fileNameOf(shot.name)));
+    parts.push_back(heading(shot.title, 3, "front-" + lab::fileNameOf(shot.name)));
     parts.push_back(text(front.text(), Tone::finding));
     page::Chart chart = front.chart();
-    std::string name = fileNameOf("front " + shot.name);
+    std::string name = lab::fileNameOf("front " + shot.name);
     parts.push_back(
         {page::Figure{page::svgOf(chart), "Hollow marks: a limit was met.", name, chart.about}, Part::kRead});
     parts.push_back({front.table()});

@@ -4,6 +4,7 @@
 
 #include "image/jpeg.h"
 #include "image/png.h"
+#include "lab/shot_data.h"
 #include "page/number.h"
 #include "study/crops.h"
 #include "study/report.h"
@@ -117,7 +118,7 @@ page::Picture pictureOf(const std::string& caption, const Image& display, const 
 }
 
 std::string nameOf(const Gallery& gallery, const ShownPoint& one) {
-  return fileNameOf(gallery.shot->name + " " + one.point->arm);
+  return lab::fileNameOf(gallery.shot->name + " " + one.point->arm);
 }
 
 // With truth; it starts with the last method: usually the one that the page is about.
@@ -134,7 +135,7 @@ page::Comparison wipeOf(const Gallery& gallery) {
 page::Pictures picturesOf(const Gallery& gallery, const PictureSize& size) {
   page::Pictures pictures;
   for (const ShownPoint& one : gallery.shown) {
-    Image smaller = shrunk(one.shown, one.shown.width / size.divisor, one.shown.height / size.divisor);
+    Image smaller = image::shrunk(one.shown, one.shown.width / size.divisor, one.shown.height / size.divisor);
     pictures.pictures.push_back(
         pictureOf(one.point->arm, image::toneMap(smaller, gallery.shot->tone), nameOf(gallery, one), size.quality));
   }
@@ -157,7 +158,7 @@ page::Pictures differencesOf(const Gallery& gallery, double gain) {
     Image difference = gallery.difference(one, gain);
     int divisor = std::max(1, difference.width / 480);
     differences.pictures.push_back(
-        pictureOf(one.point->arm, shrunk(difference, difference.width / divisor, difference.height / divisor)));
+        pictureOf(one.point->arm, image::shrunk(difference, difference.width / divisor, difference.height / divisor)));
   }
   return differences;
 }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/log.h"
+#include "lab/record.h"
 #include "math/statistics.h"
 #include "study/own.h"
 #include "study/point_renderer.h"
@@ -154,20 +155,11 @@ void timeHere(const Experiment& experiment, lab::Batch& batch, const Store& stor
 
 // ---- results
 
-// What a scene's file says of its author: its copyright, else the first line of the text beside it.
-std::string attributionOf(const Json& scene) {
-  if (!scene.contains("attribution") || !scene["attribution"].is_object()) return "";
-  const Json& said = scene["attribution"];
-  if (said.contains("copyright") && said["copyright"].is_string()) return said["copyright"].get<std::string>();
-  std::string text = said.contains("text") && said["text"].is_string() ? said["text"].get<std::string>() : "";
-  return text.substr(0, text.find('\n'));
-}
-
 // Where the crops lie, and whose scene it is, from a truth of the shot.
 void describeShot(const Experiment& experiment, const TaskGroup& group, const Store& store, ShotSummary& summary) {
   auto none = []() -> std::shared_ptr<const lab::Picture> { throw Error("truth was not drawn"); };
   std::shared_ptr<const lab::Picture> truth = store.truth(group.truth_keys.front(), none);
-  if (summary.attribution.empty()) summary.attribution = attributionOf(truth->record["scene"]);
+  if (summary.attribution.empty()) summary.attribution = lab::attributionOf(truth->record);
   if (experiment.shots[group.group->shot].crops.empty()) return;
   PicturesLayout pictures = picturesOf(experiment.layout).value_or(PicturesLayout());
   TruthPicture against = truthPictureOf(experiment, *truth);

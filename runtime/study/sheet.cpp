@@ -59,7 +59,7 @@ void addPictures(Sheet& sheet, const Gallery& gallery) {
     const Image& linear = one.shown;
     int width = std::min(linear.width, page::kSheetColumn);
     int height = std::max(1, int(std::lround(double(linear.height) * width / linear.width)));
-    row.cells.push_back({image::toneMap(shrunk(linear, width, height), gallery.shot->tone), {}, linear.width});
+    row.cells.push_back({image::toneMap(image::shrunk(linear, width, height), gallery.shot->tone), {}, linear.width});
     addFrames(row.cells.back(), *gallery.shot);
   }
   sheet.parts.push_back(std::move(row));
@@ -95,7 +95,7 @@ void addDifferences(Sheet& sheet, const Results& results, const Gallery& gallery
     Image difference = gallery.difference(one, gain);
     int width = std::min(difference.width, page::kSheetColumn);
     int height = std::max(1, difference.height * width / difference.width);
-    row.cells.push_back({shrunk(difference, width, height), {}, difference.width});
+    row.cells.push_back({image::shrunk(difference, width, height), {}, difference.width});
     addFrames(row.cells.back(), *gallery.shot);
     if (one.isTruth()) row.cells.back().texts = truthNote(results, *one.point);
   }

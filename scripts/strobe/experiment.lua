@@ -5,6 +5,7 @@ local check  = require "strobe.check"
 local fields = require "strobe.fields"
 local judge  = require "strobe.judge"
 local native = require "strobe.native"
+local shots  = require "strobe.shots"
 local vary   = require "strobe.vary"
 
 local experiment = {}
@@ -81,7 +82,7 @@ experiment.fields = {
 
 -- Where a value is drawn: by its logarithm (0 has a place of its own), by itself, or each as far from the next.
 experiment.scales = { "log", "linear", "even" }
-local roles, tones = { "method", "floor" }, { "clamp", "filmic" }
+local roles = { "method", "floor" }
 
 -- What varies: list, grid, zip, each, ablation, random, sobol; values: linear, log.
 for _, kind in ipairs { "list", "grid", "zip", "each", "ablation", "random", "sobol", "linear", "log" } do
@@ -91,91 +92,7 @@ end
 -- ---- checks
 
 local Checker = fields.checker(experiment.fields)
-
--- Settings in the order of their names, with typed values.
-function Checker:settings(t, path)
-  local result, names = {}, type(t) == "table" and check.names(t) or {}
-  table.sort(names)
-  for i, name in ipairs(names) do
-    local kind = type(t[name])
-    if kind ~= "string" and kind ~= "number" and kind ~= "boolean" then
-      self:add(check.joined(path, name), "'%s' is a %s, no value of a parameter", name, kind)
-    end
-    result[i] = { name = name, value = t[name] }
-  end
-  return result
-end
-
-function Checker:numbers(value, count, path, what)
-  if value == nil then return end
-  local good = type(value) == "table" and #value == count
-  for i = 1, good and count or 0 do good = good and type(value[i]) == "number" end
-  if not good then self:add(path, "%s takes %d numbers", what, count) end
-end
-
--- NODE = { x, y, z } as the command line would have it, by the nodes' names.
-function Checker:motions(t, count, path, what)
-  local result, names = {}, type(t) == "table" and check.names(t) or {}
-  table.sort(names)
-  for _, node in ipairs(names) do
-    local before, parts = #self.problems.list, {}
-    self:numbers(t[node], count, check.joined(path, node), ("%s of '%s'"):format(what, node))
-    if #self.problems.list == before then
-      for i, value in ipairs(t[node]) do parts[i] = ("%.9g"):format(value) end
-      result[#result + 1] = ("%s=%s"):format(node, table.concat(parts, ","))
-    end
-  end
-  return result
-end
-
-local motions = { move = 3, spin = 4 }
-local lua_types = { number = "number", integer = "number", choice = "string", text = "string", size = "table",
-                    view = "table", texts = "table" }
-
--- The value of an option of a shot, `declared` by the table of options.
-function Checker:option(declared, value, path, what)
-  local name = declared.name
-  local at = check.joined(path, name)
-  if motions[name] then return self:motions(value, motions[name], at, name) end
-  if type(value) ~= lua_types[declared.type] then
-    self:add(at, "'%s' of %s is a %s instead of a %s", name, what, type(value), lua_types[declared.type])
-  elseif declared.choices and #declared.choices > 0 then
-    self:one_of(value, declared.choices, at, ("'%s' of %s"):format(name, what))
-  elseif type(value) == "number" and not (value >= (declared.min or value) and value <= (declared.max or value)) then
-    local range = ("%s to %s"):format(shown(declared.min), shown(declared.max))
-    self:add(at, "'%s' of %s is %s, not in %s", name, what, shown(value), range)
-  elseif declared.type == "integer" and not math.tointeger(value) then
-    self:add(at, "'%s' of %s is %s, no whole number", name, what, shown(value))
-  end
-  return value
-end
-
--- Which entries of `t` are options of a shot, parameters of its scene, and others.
-function Checker:sorted(t, path, what)
-  local result = { options = {}, scene = {}, others = {} }
-  local names = check.names(t)
-  table.sort(names)
-  for _, name in ipairs(names) do
-    local scene, value, into = name:match("^scene%.(.+)$"), t[name], result.others
-    if scene then into = result.scene end
-    if self.options[name] then
-      into, value = result.options, self:option(self.options[name], value, path, what)
-    end
-    into[#into + 1] = { name = scene or name, value = value }
-  end
-  return result
-end
-
-function Checker:distinct(entries, key, group)
-  local seen = {}
-  for i, entry in ipairs(entries) do
-    if entry[key] ~= nil and check.contains(seen, entry[key]) then
-      self:add({ group, i, key }, "another of the %s is called '%s'", group, tostring(entry[key]))
-    end
-    seen[#seen + 1] = entry[key]
-  end
-  return seen
-end
+shots.extend(Checker, experiment.fields.shot)
 
 function Checker:arm(t, path)
   local result = copied(self:fields(t, "arm", path, "arm " .. path[2]))
@@ -189,44 +106,6 @@ function Checker:truth(t)
   result.set = self:settings(result.set, { "truth", "set" })
   if result.full then result.full = self:settings(result.full, { "truth", "full" }) end
   result.name = result.name or "ground truth"
-  return result
-end
-
--- { from, to, step } of a sequence, at most 1000 frames.
-function Checker:sequence(frames, shot, path)
-  if frames == nil then return end
-  local good = type(frames) == "table" and #frames == 3
-  for i = 1, good and 3 or 0 do good = good and math.tointeger(frames[i]) ~= nil end
-  good = good and frames[1] >= 0 and frames[3] >= 1 and frames[2] >= frames[1] + frames[3]
-  good = good and frames[2] < frames[1] + 1000 * frames[3]
-  if not good then self:add(path, "frames are not { from, to, step } of 2 to 1000 frames, as whole numbers") end
-  if shot.frame ~= nil then self:add(path, "a shot with frames has no single frame") end
-end
-
-function Checker:shot(t, path)
-  local what, own, options = "shot " .. path[2], {}, {}
-  if type(t) ~= "table" then own = t end
-  for name, value in pairs(type(t) == "table" and t or {}) do
-    local is_option = type(name) == "string" and (self.options[name] or name:find("^scene%."))
-    local known = experiment.fields.shot[name]
-    if known then own[name] = value elseif is_option then options[name] = value else
-      local near = check.names(experiment.fields.shot)
-      for option in pairs(self.options) do near[#near + 1] = option end
-      table.sort(near)
-      local nearest = native.nearest(tostring(name), near)
-      self:add(check.joined(path, name), "%s has no field '%s'%s", what, tostring(name), nearest)
-    end
-  end
-  local result = copied(self:fields(own, "shot", path, what))
-  self:one_of(result.curve, tones, check.joined(path, "curve"), "the curve")
-  self:sequence(result.frames, options, check.joined(path, "frames"))
-  for i, crop in ipairs(type(result.crops) == "table" and result.crops or {}) do
-    local at = check.joined(check.joined(path, "crops"), i)
-    if crop ~= "inner" then self:numbers(crop, 4, at, "a crop that is not \"inner\"") end
-  end
-  result.truth = self:settings(result.truth, check.joined(path, "truth"))
-  local sorted = self:sorted(options, path, what)
-  result.options, result.scene_set = sorted.options, sorted.scene
   return result
 end
 
@@ -323,8 +202,8 @@ end
 
 local function allowed(axes, combination, shot)
   for _, at in ipairs(combination) do
-    local shots = axes[at.axis].shots
-    if shots and not check.contains(shots, shot.name) then return false end
+    local only = axes[at.axis].shots
+    if only and not check.contains(only, shot.name) then return false end
   end
   return true
 end
@@ -361,7 +240,7 @@ end
 
 -- ---- the rest
 
-function Checker:expectations(t, shots, axes)
+function Checker:expectations(t, shot_names, axes)
   local functions, names = {}, {}
   for i, axis in ipairs(axes) do names[i] = axis.name end
   for i, entry in ipairs(type(t) == "table" and t or {}) do
@@ -370,7 +249,7 @@ function Checker:expectations(t, shots, axes)
       self:add(path, "expectation %d is not { \"what is expected\", function(r) ... end }", i)
     else
       check.keys(self.problems, entry, { 1, 2, "shot", "axis", "known" }, self.place, "expectation " .. i, path)
-      self:one_of(entry.shot, shots, check.joined(path, "shot"), "the shot of an expectation")
+      self:one_of(entry.shot, shot_names, check.joined(path, "shot"), "the shot of an expectation")
       self:one_of(entry.axis, names, check.joined(path, "axis"), "the axis of an expectation")
       functions[i] = entry
     end
@@ -451,11 +330,9 @@ local Made = {}
 
 -- What a file returned, as plain data: an experiment checked against what is `given`: the names of `options`,
 -- `regions` and `measures` there are; with `results` what becomes of its expectations.
-function experiment.finished(result, given)
-  if getmetatable(result) ~= Made then return result end
+function Made.finished(result, given)
   local self = Checker.at(result.place)
-  self.known, self.options = given, {}
-  for _, option in ipairs(given.options) do self.options[option.name] = option end
+  self.known, self.options = given, shots.by_name(given.options)
   local plain, expectations = self:whole(result.fields)
   if given.results then return judge(expectations, given.results, given) end
   plain.expectations = #expectations

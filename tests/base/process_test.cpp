@@ -39,6 +39,30 @@ TEST(Process, LargeInputAndOutputPass) {
   EXPECT_TRUE(run(program).succeeded());
 }
 
+// What does not fit into memory at once is asked for piece by piece.
+TEST(Process, InputComesPieceByPiece) {
+  Program program = shell("cat");
+  program.input = "0";
+  int piece = 0;
+  program.more_input = [&] { return ++piece <= 300 ? std::string(10000, char('a' + piece % 26)) : std::string(); };
+  ProgramEnd end = run(program);
+  EXPECT_EQ(end.output.size(), 3000001u);
+  EXPECT_EQ(end.output.back(), 'a' + 300 % 26);
+  EXPECT_TRUE(end.succeeded());
+
+  program = shell("head -c 3; exec <&-; exit 4");  // and stops reading
+  program.more_input = [] { return std::string(1 << 20, 'x'); };
+  end = run(program);
+  EXPECT_EQ(end.output, "xxx");
+  EXPECT_EQ(end.code(), 4);
+
+  program = shell("cat; sleep 100");
+  program.more_input = []() -> std::string { throw Error("no more"); };
+  double started_s = clockSeconds();
+  EXPECT_THROW(run(program), Error);
+  EXPECT_LT(clockSeconds() - started_s, 50);
+}
+
 TEST(Process, TheEnvironmentIsOursWithSomeOfItsOwn) {
   ::setenv("STROBE_TEST_KEPT", "kept", 1);
   ::setenv("STROBE_TEST_GIVEN", "ours", 1);

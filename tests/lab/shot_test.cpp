@@ -25,6 +25,8 @@ const std::map<std::string, Given> kGiven = {
     {"anchor", {{"centre"}, "centre"}},
     {"camera", {{"far away"}, "far away"}},
     {"view", {{"1,-2,40,0,0.5,0"}, {1, -2, 40, 0, 0.5, 0}}},
+    {"path", {{"0=1,2,3,0,0,0", "1.5=2,2,3,0,0,0"}, {"0=1,2,3,0,0,0", "1.5=2,2,3,0,0,0"}}},
+    {"allow_outside", {{"true"}, true}},
     {"animation", {{"none"}, "none"}},
     {"move", {{"bar=0.5,0,0", "ball=0,1,0"}, {"bar=0.5,0,0", "ball=0,1,0"}}},
     {"spin", {{"bar=0,1,0,3"}, Json::array({"bar=0,1,0,3"})}},
@@ -69,7 +71,8 @@ Shot typed(const ShotOption& option, const std::vector<std::string>& more = {}) 
   std::vector<std::string> arguments = {"hybrid"};
   for (const std::string& text : given(option).texts) {
     arguments.push_back(spelled(option));
-    arguments.push_back(text);
+    bool is_flag = option.fields.front().declaration.type == plan::ParamDesc::Type::Bool;
+    if (!is_flag) arguments.push_back(text);
   }
   arguments.insert(arguments.end(), more.begin(), more.end());
   return parsed(arguments);

@@ -56,7 +56,7 @@ int compareWithFile(const Trail& trail, const image::ExrFile& file) {
 image::ExrFile fileOf(const Picture& picture) {
   Path file = std::filesystem::temp_directory_path() / fmt::format("strobe_trail_{}.exr", getpid());
   testing::internal::CaptureStderr();  // tile images are left out, and said to be
-  image::writeExr(file, exrOf(picture, false));
+  image::writeExr(file, exrOf(picture));
   testing::internal::GetCapturedStderr();
   image::ExrFile read = image::readExr(file);
   std::filesystem::remove(file);

@@ -39,8 +39,8 @@ std::string few(const std::string& samples, const std::string& title = "Few") {
 
 class Resume : public ::testing::Test {
  protected:
-  std::string command(const std::string& out, const std::string& more = "") const {
-    return "sweep " + (folder_ / "x.lua") + " -o " + (folder_ / out) + " " + more;
+  std::string command(const std::string& out, const std::string& more = "", const std::string& name = "sweep") const {
+    return name + " " + (folder_ / "x.lua") + " -o " + (folder_ / out) + " " + more;
   }
   std::string file(const std::string& out, const std::string& name) const {
     return contentOf(folder_ / (out + "/" + name));
@@ -55,11 +55,11 @@ class Resume : public ::testing::Test {
     return found;
   }
   // Kills a sweep when it has drawn so many points, or after 10 s, and a moment later.
-  void killAt(const std::string& out, size_t points_drawn, double moment_s) const {
+  void killAt(const std::string& out, size_t points_drawn, double moment_s, const std::string& name = "sweep") const {
     pid_t child = ::fork();
     if (child == 0) {
       ::setpgid(0, 0);
-      std::string line = "exec '" + programPath() + "' " + command(out) + " >/dev/null 2>&1";
+      std::string line = "exec '" + programPath() + "' " + command(out, "", name) + " >/dev/null 2>&1";
       ::execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
       ::_exit(127);
     }
@@ -107,6 +107,17 @@ TEST_F(Resume, KilledAtAnyMomentItLosesNothingAndDrawsNothingTwice) {
     for (const auto& entry : fs::directory_iterator(folder_ / ("killed/" + std::string(part))))
       EXPECT_TRUE(std::regex_match(entry.path().filename().string(), std::regex("[0-9a-f]{32}\\.(json|png|exr)")))
           << entry.path() << " was left unfinished";
+}
+
+TEST_F(Resume, AnInterruptedDemoIsLaidOutUnderItsOwnNames) {
+  writeText(folder_ / "x.lua", few("experiment.linear(1, 60, 60)"));
+  killAt("out", 3, 0, "demo");
+  ASSERT_FALSE(fs::exists(folder_ / "out/demo.json"));
+  Outcome outcome = run("report " + (folder_ / "out"), "STROBE_VALIDATION=0");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(file("out", "demo.md").find("points are not drawn yet"), std::string::npos);
+  for (const char* name : {"demo.json", "demo.html"}) EXPECT_TRUE(fs::exists(folder_ / ("out/" + std::string(name))));
+  EXPECT_FALSE(fs::exists(folder_ / "out/result.json"));
 }
 
 // Names of points are hashes of their content, and each holds the hash of its picture.

@@ -75,13 +75,13 @@ TEST(Demo, MistakesAreOneLineAndWriteNothing) {
   expectRefusal("hybrid", "", "scene.lua/out", "is not a folder");
 }
 
-// A mistake in a list is shown at the list's line, with its number.
+// A mistake in a list is shown at the line of its entry.
 TEST(Demo, MistakesHaveTheirLine) {
   TemporaryFolder folder;
   writeText(folder / "scene.lua", kCardScene);
   writeText(folder / "demo.lua", demoText(folder, "hybrid", "exposre = 0.5"));
   Outcome outcome = run("demo " + (folder / "demo.lua") + " -o " + (folder / "out"), "STROBE_VALIDATION=0");
-  EXPECT_NE(outcome.err.find("demo.lua:12: shot 1 has no field 'exposre'"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("demo.lua:13: shot 1 has no field 'exposre'"), std::string::npos) << outcome.err;
 }
 
 // What a browser makes of the page, or an empty image where there is none.

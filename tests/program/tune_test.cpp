@@ -22,6 +22,13 @@ class Tune : public ::testing::Test {
     EXPECT_NE(outcome.err.find(wanted), std::string::npos) << outcome.err;
     EXPECT_FALSE(fs::exists(folder_ / "found"));
   }
+  // How the one that was chosen was timed: the text of its point.
+  static std::string timesOf(const Json& groups, const Json& chosen) {
+    for (const Json& group : groups)
+      if (group["shot"] == "level 3" && group["points"][1]["command"] == chosen["command"])
+        return group["points"][1]["times"];
+    return "";
+  }
   Json groups() const { return Json::parse(contentOf(folder_ / "found/result.json"))["groups"]; }
 
   TemporaryFolder folder_;
@@ -49,6 +56,7 @@ TEST_F(Tune, WritesAPresetAndAllItSaw) {
       least = std::min(least, group["points"][1]["values"]["rmse"]["inner"].get<double>());
   }
   EXPECT_NEAR(tuned["chosen"]["error"].get<double>(), least, 1e-8);
+  EXPECT_EQ(timesOf(seen, tuned["chosen"]).rfind("15 to 45 rounds", 0), 0u) << timesOf(seen, tuned["chosen"]);
 
   // The preset has what was found and what was set, and draws the same picture.
   std::string preset = folder_ / "found.lua", out = folder_ / "out.png";

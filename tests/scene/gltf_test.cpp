@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/hash.h"
 #include "common/home.h"
 #include "math/constants.h"
 #include "scene/defaults.h"
@@ -226,6 +227,36 @@ TEST_F(Gltf, DamageIsRefusedInOneLine) {
     Json json = triangle().whole();
     json[Json::json_pointer(damage.pointer)] = damage.value;
     EXPECT_NE(failure(json), "") << damage.pointer << " = " << damage.value.dump().substr(0, 60);
+  }
+}
+
+// A file may name what lies in its own folder, wherever links lead.
+TEST_F(Gltf, FilesOutsideOfItsFolderAreRefused) {
+  const Path folder = folder_ / "asset", outside = folder_ / "outside.bin";
+  std::filesystem::create_directories(folder / "deeper");
+  Asset asset = triangle();
+  Json json = asset.whole();
+  std::string bytes(asset.bytes.begin(), asset.bytes.end());
+  for (const Path& file : {outside, folder / "deeper/own.bin"}) writeQuickly(file, bytes);
+  std::filesystem::create_symlink(outside, folder / "link.bin");
+  auto loaded = [&](const std::string& name, bool allow_outside) {
+    json["buffers"][0]["uri"] = name;
+    writeQuickly(folder / "asset.gltf", json.dump());
+    return loadGltf(folder / "asset.gltf", allow_outside);
+  };
+  Scene scene = loaded("deeper/own.bin", false);
+  ASSERT_EQ(scene.files.size(), 2u);
+  EXPECT_EQ(scene.files[1].path, std::filesystem::absolute(folder / "deeper/own.bin"));
+  EXPECT_EQ(scene.files[1].hash, hashText(bytes));
+  for (const char* name : {"../outside.bin", "deeper/../../outside.bin", "%2e%2e/outside.bin", "link.bin"}) {
+    try {
+      loaded(name, false);
+      ADD_FAILURE() << name << " was read";
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("buffers[0]"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("outside of the scene's folder"), std::string::npos) << error.what();
+    }
+    EXPECT_EQ(loaded(name, true).files.size(), 2u) << name;
   }
 }
 

@@ -34,6 +34,26 @@ TEST(Place, FindsTheLineOfAField) {
   EXPECT_EQ(lineOfKey(kSource, 3, {"params", "a", "min"}), 17);
 }
 
+TEST(Place, FindsTheLineOfAnEntryOfAList) {
+  const char* source = R"(return capture {
+  arms = {
+    { name = "a" },
+    { name = "b",
+      set = { x = 1 } }, f { 1, 2,
+      3 },
+    n = 4, 5,
+  },
+})";
+  EXPECT_EQ(lineOfKey(source, 1, {"arms", "1"}), 3);
+  EXPECT_EQ(lineOfKey(source, 1, {"arms", "2"}), 4);
+  EXPECT_EQ(lineOfKey(source, 1, {"arms", "2", "set", "x"}), 5);
+  EXPECT_EQ(lineOfKey(source, 1, {"arms", "3"}), 5);
+  EXPECT_EQ(lineOfKey(source, 1, {"arms", "3", "3"}), 6);
+  EXPECT_EQ(lineOfKey(source, 1, {"arms", "4"}), 7);
+  EXPECT_EQ(lineOfKey(source, 1, {"arms", "n"}), 7);
+  EXPECT_EQ(lineOfKey(source, 1, {"arms", "5"}), 2);
+}
+
 TEST(Place, StaysAtTheCallWhereThereIsNoSuchField) {
   EXPECT_EQ(lineOfKey(kSource, 3, {"reads", "colour"}), 7);
   EXPECT_EQ(lineOfKey(kSource, 8, {"doc", "colour"}), 8);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A project's pass runs while its files, and those that ship, are edited.
+#include "base/frozen_home.h"
 #include "common/source.h"
 #include "lab/reload_bench.h"
 #include "session/home.h"
-#include "study/frozen.h"
 
 namespace strobe::session {
 namespace {
@@ -106,7 +106,7 @@ TEST_F(ProjectSession, MistakesNameTheirRootAndThePictureStays) {
 // A copy of both roots is edited, and a pipeline is found in it by its file too.
 TEST_F(ProjectSession, IsCopiedToMeasureReloads) {
   const std::string before = readText(project_ / kShader);
-  study::FrozenHome copy(home(), project_ / "copy");
+  FrozenHome copy(home(), project_ / "copy");
   lab::Workbench own(copy.home(), bench());
   lab::Shot shot = smallShot(copy.at(project_ / "pipelines/smear.lua"));
   std::vector<lab::ReloadTiming> timings = lab::benchReload(own, shot, 1);

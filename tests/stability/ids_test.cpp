@@ -60,7 +60,7 @@ TEST_F(Ids, AreWrittenAsTheyAre) {
   raiseIds(home, "0xfffffff8u");
   lab::Picture picture = render(home, with(oracle::shotOf("crowd", 48, 30), "none"));
   Path file = std::filesystem::temp_directory_path() / fmt::format("strobe_ids_{}.exr", ::getpid());
-  std::vector<Path> written = lab::writePicture(picture, file, true);  // half floats leave integers alone
+  std::vector<Path> written = lab::writePicture(picture, file, {.half = true});  // half floats leave integers alone
   image::ExrFile read = image::readExr(file);
   const image::UintImage& ids = picture.frame.outputs.at("id").uints;
   bool found = false;

@@ -113,7 +113,7 @@ void expectRefusal(const std::string& text, const std::string& wanted, bool eval
 }
 
 TEST(Mistakes, HaveTheirPlaceAndTheNearestName) {
-  expectRefusal(with("sett = {}"), "x.lua:6: arm 2 has no field 'sett'; did you mean 'set'?");
+  expectRefusal(with("sett = {}"), "x.lua:8: arm 2 has no field 'sett'; did you mean 'set'?");
   expectRefusal(with("", "exposre = 1"), "x.lua:11: shot 1 has no field 'exposre'; did you mean 'exposure'?");
   expectRefusal(with("", "anchor = \"center\""), "did you mean 'centre'?");
   expectRefusal(with("", "camera = 3"), "'camera' of shot 1");

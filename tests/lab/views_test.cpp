@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Views against what their colours mean.
-#include "live/views.h"
+#include "lab/views.h"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,11 @@
 #include <limits>
 
 #include "image/false_colour.h"
+#include "image/legend.h"
 #include "image/tone.h"
-#include "live/legend.h"
 
 using namespace strobe;
-using namespace strobe::live;
+using namespace strobe::lab;
 using graph::ReadImage;
 using image::Colour;
 using image::Image;
@@ -191,7 +191,7 @@ TEST(Views, WheelHasTheColoursOfThePicture) {
   Image velocity(320, 200, 2);
   for (int i = 0; i < 320 * 200; ++i) velocity.values[size_t(2 * i)] = 17;
   Image picture = view(floats("rg32f", velocity), "gbuffer.velocity");
-  Wheel wheel = wheelOf(picture);
+  image::Wheel wheel = image::wheelOf(picture);
   ASSERT_GT(wheel.radius, 8);
   for (vec2 direction : {vec2(1, 0), vec2(0, 1), vec2(-1, 0), vec2(-0.6f, -0.8f)}) {
     vec2 offset = glm::round(direction * (0.7f * wheel.radius));
@@ -252,10 +252,10 @@ TEST(Views, DifferencesSaturateAtOneOverTheGain) {
 }
 
 TEST(Views, NiceNumbers) {
-  EXPECT_DOUBLE_EQ(niceCeiling(17), 20);
-  EXPECT_DOUBLE_EQ(niceCeiling(20), 20);
-  EXPECT_DOUBLE_EQ(niceCeiling(0.21), 0.5);
-  EXPECT_DOUBLE_EQ(niceCeiling(51), 100);
-  EXPECT_DOUBLE_EQ(niceCeiling(0), 1);
-  EXPECT_DOUBLE_EQ(niceCeiling(NAN), 1);
+  EXPECT_DOUBLE_EQ(image::niceCeiling(17), 20);
+  EXPECT_DOUBLE_EQ(image::niceCeiling(20), 20);
+  EXPECT_DOUBLE_EQ(image::niceCeiling(0.21), 0.5);
+  EXPECT_DOUBLE_EQ(image::niceCeiling(51), 100);
+  EXPECT_DOUBLE_EQ(image::niceCeiling(0), 1);
+  EXPECT_DOUBLE_EQ(image::niceCeiling(NAN), 1);
 }

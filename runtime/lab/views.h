@@ -8,8 +8,9 @@
 
 #include "graph/graph.h"
 #include "image/image.h"
+#include "image/magma.h"
 
-namespace strobe::live {
+namespace strobe::lab {
 
 // How an image is shown.
 struct ViewOptions {
@@ -39,10 +40,23 @@ std::vector<std::string> viewKinds(const graph::ReadImage& image);
 // Frame pixels per texel and axis of an output or a "node.port"; 0: no picture of the frame; 1 for what there is not.
 int divideOf(const plan::Plan& plan, const std::string& port);
 
+// What the colours of a view mean: nothing to say, a bar of scalars or of depths (m) from low to high, a wheel of
+// displacements up to `high` px, or words alone.
+struct Legend {
+  enum class Kind { none, bar, depth, wheel, words };
+  Kind kind = Kind::none;
+  double low = 0, high = 0;
+  std::string text;  // words; in the middle of a bar
+};
+
+// At `t` from 0 (low) to 1 (high) of a bar.
+image::Colour barColour(Legend::Kind kind, float t);
+
 // `divide` is how many frame pixels a texel covers per axis; 0: an image of fixed size, which is fitted into the frame.
-// `under` (may be null) is the linear colour beneath masks and arrows, of the frame's size.
+// `under` (may be null) is the linear colour beneath masks and arrows, of the frame's size. The legend is drawn into
+// the lower right corner, or, with `legend`, returned there.
 image::Image shown(const graph::ReadImage& image, const std::string& port, int divide, int width, int height,
-                   const ViewOptions& options, const image::Image* under);
+                   const ViewOptions& options, const image::Image* under, Legend* legend = nullptr);
 
 // `a` left of `at` (0 to 1 of the width), `b` right of it, a line between.
 image::Image wiped(const image::Image& a, const image::Image& b, double at);
@@ -51,4 +65,4 @@ image::Image wiped(const image::Image& a, const image::Image& b, double at);
 image::Image difference(const image::Image& linear_a, const image::Image& linear_b, double gain,
                         const std::string& title = "mean |A - B|");
 
-}  // namespace strobe::live
+}  // namespace strobe::lab

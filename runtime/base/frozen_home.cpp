@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "study/frozen.h"
+#include "base/frozen_home.h"
 
 #include <filesystem>
 #include <set>
 
 #include "base/error.h"
 
-namespace strobe::study {
+namespace strobe {
 
 namespace fs = std::filesystem;
 
@@ -58,4 +58,4 @@ std::string FrozenHome::at(const std::string& file) const {
   return file;
 }
 
-}  // namespace strobe::study
+}  // namespace strobe

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "live/legend.h"
+#include "image/legend.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,7 @@
 #include "base/error.h"
 #include "image/false_colour.h"
 
-namespace strobe::live {
-
-using image::Colour;
-using image::Image;
-using image::Rectangle;
+namespace strobe::image {
 
 namespace {
 
@@ -29,7 +25,7 @@ void blend(Image& onto, int x, int y, const Colour& colour, float coverage) {
 bool hasFont() {
   static const bool has = [] {
     try {
-      return image::textWidth("0", 12) > 0;
+      return textWidth("0", 12) > 0;
     } catch (const Error&) {
       return false;
     }
@@ -37,10 +33,10 @@ bool hasFont() {
   return has;
 }
 
-int widthOf(const std::string& text, float size) { return hasFont() ? image::textWidth(text, size) : 0; }
+int widthOf(const std::string& text, float size) { return hasFont() ? textWidth(text, size) : 0; }
 
 void write(Image& onto, int x, int y, const std::string& text, float size, const Colour& colour) {
-  if (hasFont() && !text.empty()) image::drawText(onto, x, y, text, size, colour);
+  if (hasFont() && !text.empty()) drawText(onto, x, y, text, size, colour);
 }
 
 // Distance to a rectangle with rounded corners, negative inside.
@@ -107,7 +103,7 @@ void drawBar(Image& onto, const std::function<Colour(float)>& colourAt, const st
   int words = widthOf(left, text) + widthOf(middle, text) + widthOf(right, text) + int(2.5f * text);
   int width = std::max(onto.width / 4, words), bar = int(text), line = int(text * 1.25f);
   Rectangle area = cornerPlate(onto, width, bar + line, text);
-  for (int x = 0; x < width; ++x) image::fill(onto, {area.x + x, area.y, 1, bar}, colourAt((x + 0.5f) / width));
+  for (int x = 0; x < width; ++x) fill(onto, {area.x + x, area.y, 1, bar}, colourAt((x + 0.5f) / width));
   int y = area.y + bar + int(text * 0.2f);
   write(onto, area.x, y, left, text, kInk);
   write(onto, area.x + (width - widthOf(middle, text)) / 2, y, middle, text, kSoftInk);
@@ -133,7 +129,7 @@ void drawWheel(Image& onto, double full_px) {
       vectors.at(x + r, y + r, 0) = float(x * full_px / r);
       vectors.at(x + r, y + r, 1) = float(y * full_px / r);
     }
-  Image colours = image::velocityColours(vectors, float(full_px));
+  Image colours = velocityColours(vectors, float(full_px));
   for (int y = -r; y <= r; ++y)
     for (int x = -r; x <= r; ++x) {
       const float* colour = colours.pixel(x + r, y + r);
@@ -171,4 +167,4 @@ void drawArrow(Image& onto, vec2 from, vec2 to, float thickness, const Colour& c
     }
 }
 
-}  // namespace strobe::live
+}  // namespace strobe::image

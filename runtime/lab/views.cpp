@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "live/views.h"
+#include "lab/views.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,10 @@
 #include "base/error.h"
 #include "image/draw.h"
 #include "image/false_colour.h"
+#include "image/legend.h"
 #include "image/tone.h"
-#include "live/legend.h"
 
-namespace strobe::live {
+namespace strobe::lab {
 
 using graph::ReadImage;
 using image::Colour;
@@ -135,7 +135,7 @@ double fullLength(const Image& image, double wanted) {
   if (lengths.empty()) return 1;
   auto chosen = lengths.begin() + ptrdiff_t((lengths.size() - 1) * 199 / 200);
   std::nth_element(lengths.begin(), chosen, lengths.end());
-  return niceCeiling(*chosen);
+  return image::niceCeiling(*chosen);
 }
 
 // One value of a texel: the length of a displacement, the mean of a colour.
@@ -217,7 +217,7 @@ std::string scaleText(double scale) {
   return fmt::format("arrows: displacement × {}{:g}", scale < 1 ? "1/" : "", scale < 1 ? 1 / scale : scale);
 }
 
-Image arrowView(const Image& vectors, Image display, const ViewOptions& options) {
+Image arrowView(const Image& vectors, Image display, const ViewOptions& options, Legend& legend) {
   for (float& value : display.values) value *= 0.55f;
   double full = fullLength(vectors, options.high);
   double fine = std::clamp(display.width / 40, 10, 40), scale = arrowScale(full, fine);
@@ -229,60 +229,65 @@ Image arrowView(const Image& vectors, Image display, const ViewOptions& options)
       float length = glm::length(v);
       if (!std::isfinite(length) || length * scale < 1) continue;
       vec2 from(x + 0.5f, y + 0.5f), to = from + v * float(std::min(scale, 4096.0 / length));
-      drawArrow(display, from, to, std::max(1.5f, float(fine) / 12), hueOf(v / length));
+      image::drawArrow(display, from, to, std::max(1.5f, float(fine) / 12), hueOf(v / length));
     }
   shout(display, vectors, 2);
-  drawCaption(display, scaleText(scale));
+  legend = {Legend::Kind::words, 0, 0, scaleText(scale)};
   return display;
 }
 
 std::string metres(float value) { return fmt::format("{:.3g} m", value); }
 
-// A legend of what the bar's ends stand for; the middle says what it measures.
-void drawScale(Image& display, Range range, int channels) {
-  std::string what = channels == 1 ? "" : channels == 2 ? "length" : "mean of channels";
-  drawBar(
-      display, [](float t) { return image::magma(t); }, fmt::format("{:.3g}", range.low), what,
-      fmt::format("{:.3g}", range.high));
-}
+std::string middleOf(int channels) { return channels == 1 ? "" : channels == 2 ? "length" : "mean of channels"; }
 
-void drawDepthScale(Image& display, Range range) {
-  drawBar(
-      display, [](float t) { return image::magma(1 - 0.9f * t); }, metres(range.low),
-      metres(std::sqrt(range.low * range.high)), metres(range.high));
+void draw(Image& display, const Legend& legend) {
+  auto colour = [&](float t) { return barColour(legend.kind, t); };
+  switch (legend.kind) {
+    case Legend::Kind::none:
+      return;
+    case Legend::Kind::words:
+      return image::drawCaption(display, legend.text);
+    case Legend::Kind::wheel:
+      return image::drawWheel(display, legend.high);
+    case Legend::Kind::bar:
+      return image::drawBar(display, colour, fmt::format("{:.3g}", legend.low), legend.text,
+                            fmt::format("{:.3g}", legend.high));
+    case Legend::Kind::depth:
+      return image::drawBar(display, colour, metres(float(legend.low)),
+                            metres(std::sqrt(float(legend.low) * float(legend.high))), metres(float(legend.high)));
+  }
 }
 
 Image floatsShown(const Image& data, const std::string& kind, const std::string& name, int divide, int width,
-                  int height, const ViewOptions& options, const Image* under) {
+                  int height, const ViewOptions& options, const Image* under, Legend& legend) {
   if (kind == "mask")
     return maskView(placed(data, divide, width, height), beneath(under, width, height, options), options.over);
   if (kind == "arrows")
-    return arrowView(placed(data, divide, width, height), beneath(under, width, height, options), options);
+    return arrowView(placed(data, divide, width, height), beneath(under, width, height, options), options, legend);
   if (kind == "normal") return placed(normalView(data), divide, width, height);
   if (kind == "velocity") {
     double full = fullLength(data, options.high);
     Image display = image::velocityColours(data, float(full));
     shout(display, data, 2);
-    display = placed(display, divide, width, height);
-    drawWheel(display, full);
-    return display;
+    legend = {Legend::Kind::wheel, 0, full, ""};
+    return placed(display, divide, width, height);
   }
   if (kind == "depth") {
     Range range = depthScale(data, options);
-    Image display = placed(depthView(data, range), divide, width, height);
-    drawDepthScale(display, range);
-    return display;
+    legend = {Legend::Kind::depth, range.low, range.high, ""};
+    return placed(depthView(data, range), divide, width, height);
   }
   if (kind == "scalar") {
     Range range = scaleOf(rangeOf(data, [&](const float* t) { return scalarOf(t, data.channels); }), options);
-    Image display = placed(scalarView(data, range), divide, width, height);
-    drawScale(display, range, data.channels);
-    return display;
+    legend = {Legend::Kind::bar, range.low, range.high, middleOf(data.channels)};
+    return placed(scalarView(data, range), divide, width, height);
   }
   return placed(colourView(data, name.starts_with("sum"), options.exposure_stops), divide, width, height);
 }
 
 }  // namespace
+
+Colour barColour(Legend::Kind kind, float t) { return image::magma(kind == Legend::Kind::depth ? 1 - 0.9f * t : t); }
 
 std::string automaticKind(const ReadImage& image, const std::string& port) {
   std::string name = nameOf(port);
@@ -311,14 +316,19 @@ int divideOf(const plan::Plan& plan, const std::string& port) {
 }
 
 Image shown(const ReadImage& image, const std::string& port, int divide, int width, int height,
-            const ViewOptions& options, const Image* under) {
+            const ViewOptions& options, const Image* under, Legend* legend) {
+  if (legend) *legend = {};
   if (isUint(image)) return placed(image::idColours(image.uints), divide, width, height);
   if (image.floats.empty()) return Image(width, height, 3);
   std::vector<std::string> kinds = viewKinds(image);
   bool known = std::find(kinds.begin(), kinds.end(), options.kind) != kinds.end();
   bool automatic = !known || options.kind == "auto" || options.kind == "numbers";
   std::string kind = automatic ? automaticKind(image, port) : options.kind;
-  return floatsShown(image.floats, kind, nameOf(port), divide, width, height, options, under);
+  Legend made;
+  Image display = floatsShown(image.floats, kind, nameOf(port), divide, width, height, options, under, made);
+  if (legend) *legend = made;
+  else draw(display, made);
+  return display;
 }
 
 Image wiped(const Image& a, const Image& b, double at) {
@@ -340,9 +350,9 @@ Image difference(const Image& linear_a, const Image& linear_b, double gain, cons
   Image display = image::differenceHeat(linear_a, linear_b, float(gain));
   shout(display, linear_a, 3);
   shout(display, linear_b, 3);
-  drawBar(
+  image::drawBar(
       display, [](float t) { return image::magma(t); }, "0", title, fmt::format("{:.3g}", 1 / gain));
   return display;
 }
 
-}  // namespace strobe::live
+}  // namespace strobe::lab

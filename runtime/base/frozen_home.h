@@ -5,7 +5,7 @@
 
 #include "base/home.h"
 
-namespace strobe::study {
+namespace strobe {
 
 // A copy of the Lua and GLSL files of a home, removed at the end. Scenes in other formats and files outside of the
 // home's roots are not copied.
@@ -26,4 +26,4 @@ class FrozenHome {
   Home home_;
 };
 
-}  // namespace strobe::study
+}  // namespace strobe

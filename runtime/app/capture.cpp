@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "app/capture.h"
+
+#include <cstdio>
+#include <memory>
+
+#include "app/files.h"
+#include "app/shot_options.h"
+#include "archive/capture_run.h"
+#include "archive/verify.h"
+#include "base/log.h"
+
+namespace strobe::app {
+
+namespace {
+
+struct CaptureOptions {
+  std::string file, out, only, size, device;
+  bool bundle = false, json = false;
+};
+
+void capture(const Home& home, const CaptureOptions& options) {
+  archive::Order order;
+  order.file = hereOrAtHome(home, options.file);
+  order.folder = options.out;
+  order.only = options.only;
+  if (!options.size.empty()) order.size = lab::parseSize(options.size);
+  order.bundle = options.bundle, order.device = options.device, order.validation = validationWanted();
+  requireWritable(order.folder);
+  archive::Captured captured = archive::runCapture(home, order, [](const std::string& line) { note(line); });
+  if (options.json) {
+    std::printf("%s\n", captured.manifest.json.dump(1).c_str());
+    return;
+  }
+  for (const Path& file : captured.files) std::printf("%s\n", file.c_str());
+  std::printf("%s\n", (order.folder / archive::kManifestFile).c_str());
+}
+
+struct VerifyOptions {
+  std::string manifest, out, device;
+  bool json = false;
+};
+
+void verify(const Home& home, const VerifyOptions& options) {
+  if (!options.out.empty()) requireWritable(options.out);
+  archive::Manifest manifest = archive::readManifest(options.manifest);
+  archive::Verdict verdict = archive::verify(home, manifest, options.device, validationWanted(), options.out,
+                                             [](const std::string& line) { note(line); });
+  Json json = archive::toJson(verdict.differences);
+  json["holds"] = verdict.holds, json["same_device"] = verdict.same_device, json["most_flip"] = verdict.most_flip;
+  std::fputs((options.json ? json.dump(1) + "\n" : archive::textOf(verdict)).c_str(), stdout);
+  if (!verdict.holds) throw Error("the capture does not come out as its manifest says");
+}
+
+struct DiffOptions {
+  std::string first, second, out;
+  bool json = false;
+};
+
+void diff(const DiffOptions& options) {
+  if (!options.out.empty()) requireWritable(options.out);
+  archive::Differences differences =
+      archive::differencesOf(archive::readManifest(options.first), archive::readManifest(options.second), options.out);
+  std::string text = archive::textOf(differences);
+  if (text.empty()) text = "no differences\n";
+  std::fputs((options.json ? archive::toJson(differences).dump(1) + "\n" : text).c_str(), stdout);
+  if (!differences.identical()) throw Error("the two captures differ");
+}
+
+}  // namespace
+
+void registerCapture(CLI::App& program, const Home& home) {
+  auto order = std::make_shared<CaptureOptions>();
+  CLI::App* command = program.add_subcommand(
+      "capture", "Take the pictures and figures of a capture script, with a manifest to repeat them");
+  command->add_option("file", order->file, "a capture (docs/captures.md), such as scripts/captures/figure1.lua")
+      ->required();
+  order->out = "out/capture";
+  command->add_option("-o,--out", order->out, "folder for pictures, figures, films and manifest.json")
+      ->capture_default_str();
+  command->add_option("--only", order->only, "pictures alone whose names begin so (SHOT.ARM)")->type_name("NAME");
+  command->add_option("--size", order->size, "WIDTHxHEIGHT in pixels: scales the whole capture (default: the file's)");
+  command->add_flag("--bundle", order->bundle, "copy every file that was used, so that the folder verifies anywhere");
+  command->add_option("--device", order->device, "index or part of the name of a Vulkan device");
+  command->add_flag("--json", order->json, "print the manifest");
+  command->callback([order, &home] { capture(home, *order); });
+
+  auto asked = std::make_shared<VerifyOptions>();
+  command = program.add_subcommand("verify", "Take a capture again and compare it, bit for bit, with its manifest");
+  command->add_option("manifest", asked->manifest, "the folder of a capture, or its manifest.json")->required();
+  command->add_option("-o,--out", asked->out, "folder for pictures of what differs");
+  command->add_option("--device", asked->device, "index or part of the name of a Vulkan device");
+  command->add_flag("--json", asked->json, "print the differences as JSON");
+  command->callback([asked, &home] { verify(home, *asked); });
+
+  auto pair = std::make_shared<DiffOptions>();
+  command = program.add_subcommand("diff", "Why two captures differ: inputs, parameters, device, the first pass");
+  command->add_option("first", pair->first, "the folder of a capture, or its manifest.json")->required();
+  command->add_option("second", pair->second, "another")->required();
+  command->add_option("-o,--out", pair->out, "folder for pictures of what differs");
+  command->add_flag("--json", pair->json, "print the differences as JSON");
+  command->callback([pair] { diff(*pair); });
+}
+
+}  // namespace strobe::app

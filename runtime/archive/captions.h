@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Captions with numbers that are measured or read from the run record: none is typed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "archive/figure_data.h"
+#include "archive/taken.h"
+#include "base/strict.h"
+
+namespace strobe::archive {
+
+// The caption of a picture. `truth` gives the picture that errors are against, when it is first needed: whole pictures,
+// whatever part of them a figure shows. What cannot be said is added to `problems` with the place.
+std::string captionOf(const std::vector<CaptionPart>& parts, const Taken& taken,
+                      const std::function<const Taken*()>& truth, const Place& place, Problems& problems);
+
+}  // namespace strobe::archive

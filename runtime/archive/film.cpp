@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "archive/film.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "base/process.h"
+
+namespace strobe::archive {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Removed unless it was renamed.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(Path path) : path_(std::move(path)) {}
+  ~TemporaryFile() {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  const Path& path() const { return path_; }
+
+  // To disk, then under its own name.
+  void keepAs(const Path& file) {
+    int descriptor = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+    bool flushed = descriptor >= 0 && (::fsync(descriptor) == 0 || errno == EINVAL);
+    int reason = errno;
+    if (descriptor >= 0) ::close(descriptor);
+    if (!flushed)
+      throw WriteError(fmt::format("cannot be written: {}", std::generic_category().message(reason)), {file.string()});
+    fs::rename(path_, file);
+  }
+
+ private:
+  const Path path_;
+};
+
+std::string rgbOf(const image::Image& display) {
+  std::string bytes(display.values.size(), '\0');
+  for (size_t i = 0; i < bytes.size(); ++i) bytes[i] = char(std::lround(255 * display.values[i]));
+  return bytes;
+}
+
+std::vector<std::string> encodingOf(const std::string& format) {
+  if (format == "mkv")
+    return {"-c:v", "ffv1", "-level", "3", "-g", "1", "-slices", "4", "-pix_fmt", "bgr0", "-f", "matroska"};
+  return {"-vf",
+          "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int+bitexact,format=yuv420p",
+          "-c:v",
+          "libx264",
+          "-preset",
+          "medium",
+          "-crf",
+          "12",
+          "-colorspace",
+          "bt709",
+          "-color_primaries",
+          "bt709",
+          "-color_trc",
+          "iec61966-2-1",
+          "-color_range",
+          "tv",
+          "-movflags",
+          "+faststart",
+          "-f",
+          "mp4"};
+}
+
+std::vector<std::string> commandOf(const std::string& format, int width, int height, double fps, const Path& file) {
+  std::vector<std::string> command = {"ffmpeg", "-hide_banner", "-loglevel", "error", "-y",
+                                      // what comes in
+                                      "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", fmt::format("{}x{}", width, height),
+                                      "-r", fmt::format("{:.9g}", fps), "-i", "pipe:0",
+                                      // the same bytes each time
+                                      "-an", "-map_metadata", "-1", "-threads", "1", "-filter_threads", "1", "-fflags",
+                                      "+bitexact", "-flags:v", "+bitexact"};
+  for (const std::string& argument : encodingOf(format)) command.push_back(argument);
+  command.push_back("file:" + file.string());
+  return command;
+}
+
+bool hasFfmpeg() {
+  try {
+    return run({.arguments = {"ffmpeg", "-version"}, .wall_s = 60}).succeeded();
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+int evenOf(int length) { return length + length % 2; }
+
+// Frames of a film, all of the first one's size.
+class Frames {
+ public:
+  Frames(const FigureData& film, const FindTaken& find, const std::string& truth_arm, int steps)
+      : film_(film), find_(find), truth_arm_(truth_arm), steps_(steps) {}
+
+  int width = 0, height = 0;  // after the first; even, as the colours of two pixels are stored together
+
+  // "" after the last.
+  std::string next() {
+    if (step_ == steps_) return "";
+    Layout layout = layoutOf(film_, find_, truth_arm_, step_, Captions::one_line);
+    if (width == 0) width = evenOf(layout.width()), height = evenOf(layout.height());
+    if (layout.width() > width || layout.height() > height)
+      throw Error(fmt::format("step {} of film '{}' is larger than the first: {}x{} instead of {}x{}", step_,
+                              film_.name, layout.width(), layout.height(), width, height),
+                  film_.place);
+    Canvas canvas(Canvas::Kind::pixels, width, height);
+    layout.draw(canvas);
+    ++step_;
+    return rgbOf(canvas.pixels());
+  }
+
+ private:
+  const FigureData& film_;
+  const FindTaken& find_;
+  const std::string& truth_arm_;
+  const int steps_;
+  int step_ = 0;
+};
+
+// Of the first shot that is shown.
+double fpsOf(const FigureData& film, const FindTaken& find) {
+  if (film.fps > 0) return film.fps;
+  const Cell& cell = film.cells.at(0);
+  const Taken& taken = find(cell.shot, cell.arm, cell.step.value_or(0));
+  const Json& record = taken.picture->record;
+  double fps = record.contains("shot") ? record["shot"].value("fps", 0.0) : 0.0;
+  return fps > 0 ? fps : 24;
+}
+
+}  // namespace
+
+std::vector<Path> writeFilm(const Json& data, const FindTaken& find, int steps, const Path& folder,
+                            const std::string& truth_arm) {
+  FigureData film = figureFrom(data);
+  if (steps < 1) throw Error(fmt::format("film '{}' has no frames", film.name), film.place);
+  if (!hasFfmpeg())
+    throw Error(
+        fmt::format("film '{}' is written by ffmpeg, which is not installed (Debian package ffmpeg)", film.name),
+        film.place);
+  Frames frames(film, find, truth_arm, steps);
+  std::string first = frames.next();
+  fs::create_directories(folder);
+  Path file = folder / (film.name + "." + film.format);
+  TemporaryFile temporary(Path(file) += fmt::format(".{}.part", ::getpid()));
+  Program ffmpeg;
+  ffmpeg.arguments = commandOf(film.format, frames.width, frames.height, fpsOf(film, find), temporary.path());
+  ffmpeg.more_input = [&] { return first.empty() ? frames.next() : std::exchange(first, {}); };
+  ProgramEnd end = run(ffmpeg);
+  if (!end.succeeded())
+    throw Error(fmt::format("film '{}': ffmpeg ended with {}: {}", film.name, end.code(), end.errors), film.place);
+  temporary.keepAs(file);
+  return {file};
+}
+
+}  // namespace strobe::archive

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The files that pictures are made of, by names that mean the same on any machine.
+#pragma once
+
+#include <map>
+#include <set>
+
+#include "lab/drawing.h"
+
+namespace strobe::archive {
+
+// Names begin with the root that a file lies in: "strobe:" what ships, "project:", "shared:" the shared data,
+// "capture:" the folder of the capture script, where that lies in none of these. Any other file has no such name.
+struct Input {
+  std::string name;
+  std::string sha256;
+  uint64_t bytes = 0;
+  bool operator==(const Input&) const = default;
+};
+using Inputs = std::map<std::string, Input>;  // by name
+
+Json toJson(const Inputs& inputs);    // [{ name, sha256, bytes }], by name
+Inputs inputsFrom(const Json& json);  // throws JSON's exceptions
+
+class InputNames {
+ public:
+  // `capture_file`: the script, absolute.
+  InputNames(const Home& home, const Path& capture_file);
+
+  // Throws `Error` naming a file that lies in no root; with `allow_outside` it is "outside:" and its absolute path.
+  std::string nameOf(const Path& file, bool allow_outside) const;
+  // Where a name lies here.
+  Path pathOf(const std::string& name) const;
+
+ private:
+  struct Root {
+    std::string prefix;
+    Path folder;
+  };
+  std::vector<Root> roots_;
+};
+
+// Reads and adds a file whose content had the hash `was` (base/hash.h, hashText) when it was used; throws `Error` where
+// it changed since. Of a folder, of which names were looked at, its scripts.
+void addInput(Inputs& inputs, const InputNames& names, const Path& file, const std::string& was,
+              bool allow_outside = false);
+
+// What a drawing was made of: scripts, shaders with what they include, the scene's files.
+void addInputs(Inputs& inputs, const InputNames& names, const Home& home, const lab::Drawing& drawing,
+               bool allow_outside);
+
+}  // namespace strobe::archive

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Where everything of a figure stands: a grid of cells with labels, captions and what colours mean, a title above,
+// notes and whose scenes they are below. Laid out once, drawn on any canvas.
+#pragma once
+
+#include "archive/canvas.h"
+#include "archive/panel.h"
+
+namespace strobe::archive {
+
+enum class Captions { wrapped, one_line };  // one line that gets smaller: every frame of a film is as high
+
+class Layout {
+ public:
+  // `blocks`: those of the figure's cells, without mistakes; they are kept.
+  Layout(const FigureData& figure, std::vector<Block> blocks, Captions captions = Captions::wrapped);
+  Layout(const Layout&) = delete;
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  // The pixels of a cell's picture; asserts that there is such a cell.
+  image::Rectangle picture(int row, int column) const;
+
+  void draw(Canvas& canvas) const;
+
+ private:
+  struct Placed {
+    const Panel* panel;
+    image::Rectangle area;  // of the display image
+    int rim;                // pixels around it
+    Colour rim_colour;
+    std::string letter;
+  };
+  struct Line {
+    double x, y;
+    std::string text;
+    double size;
+    Colour colour;
+    bool turned;
+  };
+  struct Key {
+    lab::Legend legend;
+    image::Rectangle area;
+  };
+
+  int heightOf(const Block& block, int width) const;
+  int keyHeight(const lab::Legend& legend) const;
+  std::vector<std::string> captionLines(const std::string& caption, int width) const;
+  image::Rectangle belowOf(const Block& block) const;  // only its size
+  int outerWidth(const Block& block) const;
+  void measureGrid();
+  void place(const Block& block, int x, int y);
+  void placeInset(const Panel& inset, const image::Rectangle& picture, int& below_x, int below_y);
+  void addLine(double x, double y, int width, const std::string& text, double size, const Colour& colour, bool centred);
+  int addParagraph(int x, int y, int width, const std::string& text, double size, const Colour& colour);
+  void placeLabels(int x, int y);
+  void drawPanel(Canvas& canvas, const Placed& placed) const;
+  void drawKey(Canvas& canvas, const Key& key) const;
+  void drawPlate(Canvas& canvas, const image::Rectangle& within, dvec2 centre, const std::string& text, double size,
+                 const Colour& colour) const;
+
+  const FigureData figure_;
+  const std::vector<Block> blocks_;
+  const Captions captions_;
+  double size_ = 1;  // pixels as drawn for one of the capture's own size
+  double text_ = 13;
+  int gap_ = 0, rim_ = 0;
+  std::vector<int> column_widths_, row_heights_;
+  int labels_above_ = 0, labels_beside_ = 0;
+  int width_ = 0, height_ = 0;
+  std::vector<Placed> placed_;
+  std::vector<Line> lines_;
+  std::vector<Key> keys_;
+};
+
+}  // namespace strobe::archive

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "archive/manifest.h"
+
+#include <OpenEXR/OpenEXRConfig.h>
+#include <cairo.h>
+#include <png.h>
+
+#include <filesystem>
+#include <regex>
+
+#include "base/hash.h"
+#include "base/process.h"
+#include "lab/record.h"
+
+namespace strobe::archive {
+
+namespace fs = std::filesystem;
+
+// What git says of the sources; nothing where they are not in a repository of it, or git is not installed.
+static std::optional<std::string> git(const Path& folder, const std::vector<std::string>& arguments) {
+  std::vector<std::string> line = {"git", "-C", folder.string()};
+  line.insert(line.end(), arguments.begin(), arguments.end());
+  try {
+    ProgramEnd end = run({.arguments = line, .wall_s = 20});
+    if (end.code() != 0) return {};
+    return end.output.substr(0, end.output.find_last_not_of('\n') + 1);
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+Json programJson(const Home& home) {
+  Json json = {{"version", STROBE_VERSION}, {"program", lab::programHash()}};
+  if (std::optional<std::string> revision = git(home.shipped(), {"rev-parse", "HEAD"})) {
+    json["revision"] = *revision;
+    json["modified"] = !git(home.shipped(), {"status", "--porcelain"}).value_or("").empty();
+  }
+  json["libraries"] = {{"OpenEXR", OPENEXR_VERSION_STRING},
+                       {"libpng", PNG_LIBPNG_VER_STRING},
+                       {"cairo", cairo_version_string()},
+                       {"compiler", __VERSION__}};
+  return json;
+}
+
+Json deviceJson(const gpu::DeviceInfo& device) {
+  Json json = {{"name", device.name}, {"driver", device.driver}, {"api", device.api}, {"software", device.software}};
+  std::smatch found;
+  const std::string text = device.name + " " + device.driver;
+  if (std::regex_search(text, found, std::regex("LLVM ([0-9][0-9.]*)"))) json["llvm"] = found[1].str();
+  if (std::regex_search(text, found, std::regex("([0-9]+) bits"))) json["vector_bits"] = std::stoi(found[1].str());
+  return json;
+}
+
+Manifest readManifest(const Path& given) {
+  Path file = fs::is_directory(given) ? given / kManifestFile : given;
+  Place place{file.string()};
+  Json json = Json::parse(readText(file), nullptr, false);
+  if (!json.is_object() || json.value("format", "") != kManifestFormat)
+    throw Error("is no manifest of a capture, or it is cut short", place);
+  int version = json.value("format_version", 0);
+  if (version > kManifestVersion)
+    throw Error(fmt::format("is a manifest of format {}; this program reads up to {}", version, kManifestVersion),
+                place);
+  for (const char* part : {"capture", "program", "device", "inputs", "pictures", "files"})
+    if (!json.contains(part)) throw Error(fmt::format("is a manifest without '{}'", part), place);
+  return {file.parent_path(), std::move(json)};
+}
+
+Json fileEntry(const Path& file) {
+  std::string bytes = readText(file);
+  return {{"sha256", sha256(bytes)}, {"bytes", bytes.size()}};
+}
+
+std::string sumsOf(const Path& folder, const std::set<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += sha256(readText(folder / name)) + "  " + name + "\n";
+  return text;
+}
+
+}  // namespace strobe::archive

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "archive/panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "archive/captions.h"
+#include "image/false_colour.h"
+#include "image/flip.h"
+#include "lab/record.h"
+
+namespace strobe::archive {
+
+namespace {
+
+using image::Image;
+using image::Rectangle;
+using Kind = lab::Legend::Kind;
+
+// What a cell shows, in full size: linear colour that a tone curve makes visible, or a display image.
+struct Source {
+  Image pixels;
+  std::optional<image::ToneMap> tone;
+  lab::Legend legend;
+
+  Image cut(const Rectangle& area, int shrink) const {
+    Image part = image::crop(pixels, area);
+    if (shrink > 1) part = image::shrunk(part, part.width / shrink, part.height / shrink);
+    return tone ? image::toneMap(part, *tone) : part;
+  }
+};
+
+const Image* colorOf(const Taken& taken) {
+  auto found = taken.picture->frame.outputs.find("color");
+  return found == taken.picture->frame.outputs.end() ? nullptr : &found->second.floats;
+}
+
+bool isColour(const graph::ReadImage& image, const Cell& cell, const Image& color) {
+  std::string kind = cell.kind == "auto" ? lab::automaticKind(image, cell.view) : cell.kind;
+  bool sum = cell.view.substr(cell.view.rfind('.') + 1).starts_with("sum");
+  return kind == "colour" && !sum && image.floats.channels >= 3 && image.floats.width == color.width &&
+         image.floats.height == color.height;
+}
+
+Source viewOf(const Cell& cell, const Taken& taken, const graph::ReadImage& image, const Image& color) {
+  image::ToneMap tone = taken.tone;
+  if (cell.stops) tone.stops = float(*cell.stops);
+  if (isColour(image, cell, color)) return {image::threeChannels(image.floats), tone, {}};
+  lab::ViewOptions options;
+  options.kind = cell.kind, options.low = cell.low, options.high = cell.high;
+  options.exposure_stops = tone.stops;
+  auto divide = taken.divides.find(cell.view);
+  Source source;
+  source.pixels = lab::shown(image, cell.view, divide == taken.divides.end() ? 1 : divide->second, color.width,
+                             color.height, options, &color, &source.legend);
+  return source;
+}
+
+Source flipOf(const Image& a, const Image& b) {
+  return {image::heatMap(image::ldrFlip(a, b), 0, 1), {}, {Kind::bar, 0, 1, "FLIP"}};
+}
+
+std::optional<Source> differenceOf(const Cell& cell, const Taken& taken, const Taken& other, Problems& problems) {
+  const graph::ReadImage* a = findImage(taken, cell.view, cell.place, problems);
+  const graph::ReadImage* b = findImage(other, cell.view, cell.place, problems);
+  if (!a || !b) return {};
+  if (a->floats.empty() || !image::sameSize(a->floats, b->floats)) {
+    problems.add(cell.place, fmt::format("'{}' of '{}' and of '{}' are no images of numbers of the same size",
+                                         cell.view, taken.arm, other.arm));
+    return {};
+  }
+  Image first = image::threeChannels(a->floats), second = image::threeChannels(b->floats);
+  if (cell.difference == "flip") return flipOf(first, second);
+  if (cell.difference == "channels")
+    return Source{image::absoluteDifference(first, second, float(cell.gain)),
+                  {},
+                  {Kind::words, 0, 0, fmt::format("|difference from {}| × {:g}", other.arm, cell.gain)}};
+  lab::Legend legend{Kind::bar, 0, 1 / cell.gain, fmt::format("|difference from {}|", other.arm)};
+  return Source{image::differenceHeat(first, second, float(cell.gain)), {}, legend};
+}
+
+Rectangle scaled(const Rectangle& area, dvec2 scale) {
+  auto at = [](double value, double s) { return int(std::lround(value * s)); };
+  return {at(area.x, scale.x), at(area.y, scale.y), std::max(1, at(area.width, scale.x)),
+          std::max(1, at(area.height, scale.y))};
+}
+
+// A crop in a picture of that size, all of it without a crop; nothing where it lies outside.
+std::optional<Rectangle> areaOf(const std::optional<Rectangle>& crop, const Image& picture, dvec2 scale,
+                                const Place& place, Problems& problems) {
+  if (!crop) return Rectangle{0, 0, picture.width, picture.height};
+  int width = int(std::lround(picture.width / scale.x)), height = int(std::lround(picture.height / scale.y));
+  if (crop->x + crop->width > width || crop->y + crop->height > height) {
+    problems.add(place, fmt::format("the crop {}x{} at {},{} lies outside of the picture of {}x{}", crop->width,
+                                    crop->height, crop->x, crop->y, width, height));
+    return {};
+  }
+  Rectangle area = scaled(*crop, scale);
+  area.x = std::min(area.x, picture.width - 1), area.y = std::min(area.y, picture.height - 1);
+  area.width = std::min(area.width, picture.width - area.x);
+  area.height = std::min(area.height, picture.height - area.y);
+  return area;
+}
+
+// As the capture is drawn; a shot may have a size of its own, which goes with it.
+dvec2 scaleOf(const FigureData& figure) {
+  if (figure.drawn_width <= 0) return dvec2(1);
+  return {double(figure.drawn_width) / figure.width, double(figure.drawn_height) / figure.height};
+}
+
+// One block in the making.
+class Maker {
+ public:
+  Maker(const FigureData& figure, const Cell& cell, const FindTaken& find, int step, Problems& problems)
+      : figure_(figure), cell_(cell), find_(find), step_(cell.step.value_or(step)), problems_(problems) {}
+
+  Block make(const std::string& truth_arm) {
+    block_.row = cell_.row, block_.column = cell_.column;
+    std::optional<Taken> taken = found(cell_.arm);
+    if (!taken) return block_;
+    const Image* color = colorOf(*taken);
+    if (!color) {
+      findImage(*taken, "color", cell_.place, problems_);
+      return block_;
+    }
+    block_.scale = scaleOf(figure_);
+    if (std::optional<Source> source = sourceOf(*taken, *color)) show(*source, *taken);
+    auto truth = [&]() -> const Taken* {
+      if (!truth_ && !truth_arm.empty()) truth_ = found(truth_arm);
+      return truth_ ? &*truth_ : nullptr;
+    };
+    block_.caption = captionOf(cell_.caption, *taken, truth, cell_.place, problems_);
+    const Json& record = taken->picture->record;
+    block_.attribution = lab::attributionOf(record);
+    if (record.contains("shot")) block_.fps = record["shot"].value("fps", 0.0);
+    return block_;
+  }
+
+ private:
+  // A copy: what is found first need not stay when more is looked for.
+  std::optional<Taken> found(const std::string& arm) {
+    try {
+      return find_(cell_.shot, arm, step_);
+    } catch (const Error& error) {
+      problems_.add(cell_.place, error.what());
+      return {};
+    }
+  }
+
+  std::optional<Source> sourceOf(const Taken& taken, const Image& color) {
+    if (!cell_.against.empty()) {
+      std::optional<Taken> other = found(cell_.against);
+      if (!other) return {};
+      return differenceOf(cell_, taken, *other, problems_);
+    }
+    const graph::ReadImage* image = findImage(taken, cell_.view, cell_.place, problems_);
+    if (!image) return {};
+    return viewOf(cell_, taken, *image, color);
+  }
+
+  double size() const { return block_.scale.x; }
+
+  void show(const Source& source, const Taken& taken) {
+    std::optional<Rectangle> area = areaOf(cell_.crop, source.pixels, block_.scale, cell_.place, problems_);
+    if (!area) return;
+    block_.main.display = source.cut(*area, cell_.shrink);
+    block_.main.display = image::magnify(block_.main.display, cell_.zoom);
+    block_.main.frame = cell_.frame;
+    if (cell_.key) block_.legend = source.legend;
+    Lens lens(block_.scale, *area, cell_.zoom / double(cell_.shrink));
+    for (const Inset& inset : cell_.insets) add(inset, source, taken, lens);
+    std::vector<Shape> shapes = shapesOf(cell_.marks, taken, lens, size(), problems_);
+    block_.main.shapes.insert(block_.main.shapes.end(), shapes.begin(), shapes.end());
+  }
+
+  // The inset, and a frame in the picture where it is taken from.
+  void add(const Inset& inset, const Source& source, const Taken& taken, const Lens& outer) {
+    std::optional<Rectangle> area = areaOf(inset.crop, source.pixels, block_.scale, inset.place, problems_);
+    if (!area) return;
+    Panel panel{image::magnify(source.cut(*area, 1), inset.zoom), {}, inset.frame, inset.at};
+    panel.shapes = shapesOf(inset.marks, taken, Lens(block_.scale, *area, inset.zoom), size(), problems_);
+    block_.insets.push_back(std::move(panel));
+    Shape frame{Shape::Kind::box,
+                outer.inFigure({area->x, area->y}),
+                outer.inFigure({area->x + area->width, area->y + area->height}),
+                0,
+                2 * size(),
+                inset.frame,
+                ""};
+    block_.main.shapes.push_back(frame);
+  }
+
+  const FigureData& figure_;
+  const Cell& cell_;
+  const FindTaken& find_;
+  const int step_;
+  Problems& problems_;
+  std::optional<Taken> truth_;
+  Block block_;
+};
+
+}  // namespace
+
+Block blockOf(const FigureData& figure, const Cell& cell, const FindTaken& find, const std::string& truth_arm, int step,
+              Problems& problems) {
+  return Maker(figure, cell, find, step, problems).make(truth_arm);
+}
+
+}  // namespace strobe::archive

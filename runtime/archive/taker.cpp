@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+#include "archive/taker.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "archive/layers.h"
+#include "archive/manifest.h"
+#include "base/hash.h"
+#include "image/png.h"
+#include "lab/capture.h"
+#include "lab/controls.h"
+#include "lab/record.h"
+#include "lab/shot_data.h"
+#include "lab/views.h"
+#include "math/bounds.h"
+#include "plan/canonical.h"
+#include "plan/filled_images.h"
+
+namespace strobe::archive {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string& nameOf(const plan::Plan& plan, const plan::PlanNode& node) {
+  return plan.pipeline.nodes[size_t(node.node)].name;
+}
+
+std::string portOf(const plan::VirtualImage& image) { return image.name.substr(image.name.rfind('.') + 1); }
+
+// Every pass in the order of execution, with what it left.
+Json passesOf(const plan::Plan& plan, const lab::Picture& picture) {
+  Json passes = Json::array();
+  for (const plan::PlanNode& node : plan.nodes)
+    passes.push_back({{"node", nameOf(plan, node)},
+                      {"pass", plan.pipeline.passes[size_t(node.pass)].name},
+                      {"shader", plan.pipeline.passes[size_t(node.pass)].shader},
+                      {"outputs", Json::object()}});
+  size_t at = 0;
+  const plan::PlanNode* last = plan.nodes.data();
+  plan::forFilledImages(plan, [&](const plan::PlanNode& node, const plan::VirtualImage& image) {
+    if (&node != last) at = size_t(&node - plan.nodes.data()), last = &node;
+    auto tap = picture.frame.taps.find(image.name);
+    if (tap == picture.frame.taps.end()) return;
+    passes[at]["outputs"][portOf(image)] = {
+        {"format", image.format}, {"size", {image.width, image.height}}, {"hash", lab::hashOf(tap->second)}};
+  });
+  return passes;
+}
+
+// Who set what: of values that no pass uses nothing is left in a plan, so these are the pipeline's and the nodes'.
+Json parametersOf(const lab::Shot& shot, const lab::Drawing& drawing) {
+  std::map<std::string, std::string> origins;
+  for (const auto& [name, value] : shot.sets) origins[name] = "capture";
+  Json list = Json::array();
+  for (const lab::Control& control : lab::controlsOf(shot, drawing, origins, "capture"))
+    list.push_back({{"name", control.declaration.name},
+                    {"value", plan::toJson(control.value)},
+                    {"of", control.group},
+                    {"set_by", control.origin}});
+  return list;
+}
+
+// The record without what a manifest says once for all pictures.
+Json recordOf(const lab::Picture& picture, const std::string& scene) {
+  Json record = picture.record;
+  for (const char* part : {"strobe", "device", "scripts", "shaders", "taps"}) record.erase(part);
+  record["shot"]["scene"] = scene;
+  return record;
+}
+
+// The middle of what is drawn of each node, at the capture; metres.
+Json nodesOf(const lab::Shot& shot, const scene::Scene& scene) {
+  scene::Pose pose = lab::frameSetup(shot, scene).pose_at(shot.captureTime());
+  std::vector<scene::Instance> instances = scene::instancesOf(scene);
+  std::map<std::string, Bounds> bounds;
+  for (size_t i = 0; i < instances.size(); ++i) {
+    Bounds& own = bounds[scene.nodes[size_t(instances[i].node)].name];
+    for (const scene::Geometry& geometry : scene.meshes[size_t(instances[i].mesh)].geometries)
+      for (const scene::Vertex& vertex : geometry.vertices)
+        own.add(dvec3(pose.world_from_instance[i] * dvec4(dvec3(vertex.position), 1)));
+  }
+  Json nodes = Json::object();
+  for (const auto& [name, own] : bounds)
+    if (!name.empty() && !own.empty()) nodes[name] = {own.middle().x, own.middle().y, own.middle().z};
+  return nodes;
+}
+
+Json matrixJson(const mat4& matrix) {
+  Json numbers = Json::array();  // column by column
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row) numbers.push_back(matrix[column][row]);
+  return numbers;
+}
+
+mat4 matrixFrom(const Json& json) {
+  mat4 matrix(0);
+  for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = json.at(size_t(i)).get<float>();
+  return matrix;
+}
+
+bool isThere(const Path& folder, const Json& files) {
+  for (const auto& [name, file] : files.items()) {
+    std::error_code missing;
+    bool same = fs::file_size(folder / name, missing) == file.at("bytes").get<uint64_t>() && !missing;
+    if (!same || sha256(readText(folder / name)) != file.at("sha256")) return false;
+  }
+  return true;
+}
+
+// Images that the files of a picture hold, by name; the color always.
+Images layersIn(const lab::Picture& picture, const Layers& layers, const std::string& name) {
+  Images all = picture.frame.outputs;
+  all.insert(picture.frame.taps.begin(), picture.frame.taps.end());
+  if (layers.all) return all;
+  Images result = {{"color", all.at("color")}};
+  std::vector<std::string> known;
+  for (const auto& [layer, image] : all) known.push_back(layer);
+  for (const std::string& layer : layers.names) {
+    if (!all.count(layer)) throw Error(fmt::format("{} has no layer '{}'{}", name, layer, didYouMean(layer, known)));
+    result[layer] = all.at(layer);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string Frame::name() const {
+  std::string name = lab::fileNameOf(shot->name) + "." + lab::fileNameOf(arm->name);
+  return shot->isSequence() ? fmt::format("{}.{:04}", name, step) : name;
+}
+
+std::vector<Frame> framesOf(const CaptureFile& capture, const std::string& only) {
+  std::vector<Frame> frames;
+  for (const CapturedShot& shot : capture.shots)
+    for (const CapturedArm& arm : capture.arms)
+      for (size_t step = 0; step < shot.steps.size() && shot.missing.empty() && arm.draws(shot.name); ++step)
+        if (Frame frame{&shot, &arm, step}; frame.name().starts_with(only)) frames.push_back(frame);
+  if (frames.empty() && !only.empty())
+    throw Error(fmt::format("--only '{}': the capture has no picture of a name that begins so", only), {}, 2);
+  return frames;
+}
+
+Taker::Taker(lab::Workbench& bench, const CaptureFile& capture, const InputNames& names, const Path& folder)
+    : bench_(bench), capture_(capture), names_(names), folder_(folder) {}
+
+// With every pass's output tapped.
+std::unique_ptr<lab::Drawing> Taker::drawingOf(lab::Shot& shot) {
+  std::shared_ptr<const lab::Evaluation> evaluation = bench_.evaluate(shot.pipeline, shot.sets);
+  std::shared_ptr<lab::HeldScene> scene = bench_.scene(shot, true);
+  shot.taps = plan::filledImages(*lab::plannedOf(bench_, shot, evaluation->pipeline).plan);
+  return std::make_unique<lab::Drawing>(bench_, scene, lab::plannedOf(bench_, shot, evaluation->pipeline), evaluation);
+}
+
+// Of all that makes the files: what is drawn, by which program, on which device, and what is kept of it.
+std::string Taker::keyOf(const Frame& frame, const lab::Drawing& drawing, const lab::Shot& shot) const {
+  const gpu::DeviceInfo& device = bench_.device().info();
+  const Layers layers = layersOf(capture_, *frame.shot, *frame.arm);
+  const image::ToneMap& tone = frame.shot->tone;
+  std::string key = lab::canonical(shot) + drawing.planned().hash + drawing.scene().hash + lab::programHash();
+  for (const auto& [node, pipeline] : drawing.graph().pipelines())
+    for (const auto& [file, hash] : pipeline->sources) key += hash;
+  key += fmt::format("|{}|{}|{}|{}", device.name, device.driver, layers.all, fmt::join(layers.names, " "));
+  key += fmt::format("|{}|{}|{}|{}", tone.stops, int(tone.curve), frame.shot->scene_name,
+                     frame.shot->steps[frame.step].label);
+  return hashText(key);
+}
+
+bool Taker::areCurrent(const Json& inputs) {
+  for (const auto& [name, input] : inputsFrom(inputs)) {
+    auto known = sums_.find(name);
+    if (known == sums_.end()) {
+      Path file = names_.pathOf(name);
+      known = sums_.emplace(name, fs::is_regular_file(file) ? sha256(readText(file)) : "").first;
+    }
+    if (known->second != input.sha256) return false;
+  }
+  return true;
+}
+
+Json Taker::entry(const Frame& frame) {
+  const std::string name = frame.name();
+  if (auto known = entries_.find(name); known != entries_.end()) return known->second;
+  lab::Shot shot = shotOf(capture_, *frame.shot, *frame.arm, frame.step);
+  std::unique_ptr<lab::Drawing> drawing = drawingOf(shot);
+  std::string key = keyOf(frame, *drawing, shot);
+  Path file = folder_ / "pictures" / (name + ".json");
+  if (fs::exists(file)) {
+    Json known = Json::parse(readText(file), nullptr, false);
+    bool same = known.is_object() && known.value("key", "") == key && isThere(folder_, known.at("files"));
+    if (same && areCurrent(known.at("inputs"))) return entries_[name] = known;
+  }
+  Json entry = take(frame, shot, *drawing, key);
+  writeFileAtomically(file, entry.dump(1) + "\n");
+  return entries_[name] = entry;
+}
+
+Json Taker::take(const Frame& frame, const lab::Shot& shot, lab::Drawing& drawing, const std::string& key) {
+  uint64_t before = drawing.graph().runs();
+  lab::Picture picture = drawing.capture(shot);
+  uint64_t runs = drawing.graph().runs() - before;
+  ++drawn_;
+  const std::string name = frame.name();
+  timings_[name] = picture.timings;
+  Inputs inputs;
+  addInputs(inputs, names_, bench_.home(), drawing, shot.allow_outside);
+
+  lab::Shot untapped = shot;
+  untapped.taps.clear();
+  plan::Plan plan = lab::planOf(untapped, drawing.evaluation().pipeline, drawing.planned().backend);
+  Images layers = layersIn(picture, layersOf(capture_, *frame.shot, *frame.arm), name);
+  Json divides = Json::object();
+  for (const auto& [layer, image] : layers) divides[layer] = lab::divideOf(drawing.plan(), layer);
+
+  const Path stem = Path("pictures") / name;
+  const std::string exr = stem.string() + ".exr", png = stem.string() + ".png";
+  image::writePng(folder_ / png, image::toneMap(lab::colorOf(picture), frame.shot->tone));
+  const Json record = recordOf(picture, frame.shot->scene_name);
+  writeLayers(folder_ / exr, picture, record, layers);
+  return {{"name", name},
+          {"shot", frame.shot->name},
+          {"arm", frame.arm->name},
+          {"step", frame.step},
+          {"label", frame.shot->steps[frame.step].label},
+          {"key", key},
+          {"runs", runs},
+          {"record", record},
+          {"parameters", parametersOf(shot, drawing)},
+          {"plan", plan::toJson(plan)},
+          {"passes", passesOf(drawing.plan(), picture)},
+          {"layers", layersJson(layers)},
+          {"images", {{"exr", exr}, {"png", png}}},
+          {"divides", divides},
+          {"nodes", nodesOf(shot, drawing.scene().scene)},
+          {"camera_from_world", matrixJson(picture.camera_from_world)},
+          {"ndc_from_world", matrixJson(picture.ndc_from_world)},
+          {"inputs", toJson(inputs)},
+          {"files", {{png, fileEntry(folder_ / png)}, {exr, fileEntry(folder_ / exr)}}}};
+}
+
+// ---- read back
+
+Taken Taker::readBack(const Json& entry) const {
+  auto picture = std::make_shared<lab::Picture>();
+  picture->record = entry.at("record");
+  for (auto& [layer, image] :
+       readLayers(folder_ / entry.at("images").at("exr").get<std::string>(), entry.at("layers"))) {
+    bool is_output = layer.find('.') == std::string::npos;
+    (is_output ? picture->frame.outputs : picture->frame.taps)[layer] = std::move(image);
+  }
+  picture->camera_from_world = matrixFrom(entry.at("camera_from_world"));
+  picture->ndc_from_world = matrixFrom(entry.at("ndc_from_world"));
+  Taken taken{entry.at("shot"), entry.at("arm"), entry.at("step"), std::move(picture), {}, {}, {}};
+  taken.tone = capture_.shot(taken.shot).tone;
+  taken.divides = entry.at("divides").get<std::map<std::string, int>>();
+  for (const auto& [node, at] : entry.at("nodes").items()) taken.nodes_ws[node] = {at[0], at[1], at[2]};
+  return taken;
+}
+
+const Taken& Taker::find(const std::string& shot, const std::string& arm, int step) {
+  auto known = std::find_if(kept_.begin(), kept_.end(),
+                            [&](const Taken& one) { return one.shot == shot && one.arm == arm && one.step == step; });
+  if (known != kept_.end()) {
+    kept_.splice(kept_.begin(), kept_, known);
+    return kept_.front();
+  }
+  Frame frame{&capture_.shot(shot), &capture_.arm(arm), size_t(step)};
+  if (size_t(step) >= frame.shot->steps.size())
+    throw Error(fmt::format("shot '{}' has {} steps, none of number {}", shot, frame.shot->steps.size(), step));
+  kept_.push_front(readBack(entry(frame)));
+  if (kept_.size() > kPicturesFound) kept_.pop_back();
+  return kept_.front();
+}
+
+}  // namespace strobe::archive

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Takes the pictures of a capture: each is drawn once, written whole or not at all, and read back for figures and
+// films.
+#pragma once
+
+#include <list>
+
+#include "archive/capture_file.h"
+#include "archive/inputs.h"
+#include "archive/taken.h"
+
+namespace strobe::archive {
+
+// One picture of a capture.
+struct Frame {
+  const CapturedShot* shot = nullptr;
+  const CapturedArm* arm = nullptr;
+  size_t step = 0;
+
+  // "SHOT.ARM", of a sequence "SHOT.ARM.0012": as files have it.
+  std::string name() const;
+};
+// Shots in their order, then arms, then steps; without those whose scene is not there. `only`: "", or the beginning of
+// names; throws `Error` (exit code 2) where none begins so.
+std::vector<Frame> framesOf(const CaptureFile& capture, const std::string& only = "");
+
+class Taker {
+ public:
+  // Files go to FOLDER/pictures. All must outlive it.
+  Taker(lab::Workbench& bench, const CaptureFile& capture, const InputNames& names, const Path& folder);
+
+  // The entry of a picture in a manifest (docs/captures.md). It is drawn unless the folder has it as it would be.
+  Json entry(const Frame& frame);
+  // Whether the entry of a picture was asked for, by itself or by a figure.
+  bool has(const std::string& name) const { return entries_.count(name) > 0; }
+  // As it was taken; valid as `FindTaken` says.
+  const Taken& find(const std::string& shot, const std::string& arm, int step);
+  int drawn() const { return drawn_; }  // pictures drawn by this taker; the others were there
+  // Milliseconds of each picture drawn, by name.
+  const Json& timings() const { return timings_; }
+
+ private:
+  std::unique_ptr<lab::Drawing> drawingOf(lab::Shot& shot);
+  std::string keyOf(const Frame& frame, const lab::Drawing& drawing, const lab::Shot& shot) const;
+  Json take(const Frame& frame, const lab::Shot& shot, lab::Drawing& drawing, const std::string& key);
+  // Whether files named as inputs have the content now that they had then.
+  bool areCurrent(const Json& inputs);
+  Taken readBack(const Json& entry) const;
+
+  lab::Workbench& bench_;
+  const CaptureFile& capture_;
+  const InputNames& names_;
+  const Path folder_;
+  std::map<std::string, std::string> sums_;  // SHA-256 of inputs as they are, by name
+  std::map<std::string, Json> entries_;      // of pictures asked for, by name
+  std::list<Taken> kept_;                    // the used last first, kPicturesFound of them
+  int drawn_ = 0;
+  Json timings_ = Json::object();
+};
+
+}  // namespace strobe::archive

@@ -1,0 +1,26 @@
+-- SPDX-License-Identifier: MIT
+-- Longer and longer exposures of the same moment, a film: the hybrid beside truth. The vase moves at the same pace in all.
+--   strobe capture scripts/captures/exposure.lua -o out/exposure
+local capture = require "strobe.capture"
+
+local exposures = {}
+for i = 1, 12 do exposures[i] = i / 12 end
+
+return capture {
+  title = "The vase and the cushion at longer and longer exposures",
+  size = { 480, 270 },
+  shots = {
+    { name = "vase", scene = "living_room", camera = "main", ["scene.exposure"] = 0.5, vary = { exposure = exposures } },
+  },
+  arms = {
+    { name = "hybrid", pipeline = "hybrid" },
+    { name = "truth", pipeline = "ground_truth", set = { samples = 32 } },
+  },
+  truth = "truth",
+  films = {
+    {
+      name = "exposure", fps = 4, caption = "exposure {exposure %.3f} of a frame, FLIP {flip %.4f}",
+      columns = { { arm = "hybrid" }, { arm = "truth", label = "ground truth", caption = "" } },
+    },
+  },
+}

@@ -1,0 +1,35 @@
+-- SPDX-License-Identifier: MIT
+-- Figure 2 of Tan, Cui and Bhojan 2020: the range of samples for each pixel. McGuire et al. 2012 put the pixel in the
+-- middle of it, the exposure half before and half after the capture; the paper puts it at the end.
+--   strobe capture scripts/captures/figure2.lua -o out/figure2
+local capture = require "strobe.capture"
+
+local function shot(anchor) return { name = anchor, scene = "living_room", camera = "main", anchor = anchor } end
+
+-- Pixels inside of the vase, near its edge, and beside it.
+local ranges = {}
+for i, at in ipairs { { 500, 262 }, { 524, 276 }, { 550, 290 } } do
+  ranges[i] = { at = at, along = "neighbour_max.dominant", samples = 5, displacement = i == 1 }
+end
+
+return capture {
+  title = "Range of samples for each pixel",
+  size = { 960, 540 },
+  layers = { "depth", "velocity", "shade.color", "neighbour_max.dominant" },
+  shots = { shot "centre", shot "close", shot "open" },
+  arms = { { name = "gather", pipeline = "mcguire2012" } },
+  figures = {
+    {
+      name = "figure2", width_mm = 178, text_size = 15, arm = "gather", crop = { 420, 200, 200, 130 }, zoom = 2,
+      columns = {
+        { shot = "centre", label = "centre: the pixel in the middle (McGuire et al.)" },
+        { shot = "close", label = "close: the pixel at the end (the paper)" },
+        { shot = "open", label = "open: the pixel at the start" },
+      },
+      rows = {
+        { label = "what is sampled", view = "shade.color", ranges = ranges },
+        { label = "what it gives" },
+      },
+    },
+  },
+}

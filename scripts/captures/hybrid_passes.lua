@@ -1,0 +1,38 @@
+-- SPDX-License-Identifier: MIT
+-- What each pass of the hybrid leaves, on the vase before the cushion.
+--   strobe capture scripts/captures/hybrid_passes.lua -o out/hybrid_passes
+local capture = require "strobe.capture"
+
+-- Three to a row, in the order in which they run: what is shown, its caption, pixels of the longest displacement.
+local passes = {
+  { "visibility.hit", "visibility: instances" },
+  { "depth", "gbuffer: depth" },
+  { "normal", "gbuffer: normals" },
+  { "velocity", "gbuffer: displacement over the exposure", 25 },
+  { "shade.color", "shade: colour at the capture" },
+  { "mask_tile_motions.motions", "mask_tile_motions: displacements of a tile", 25 },
+  { "mask", "mask: pixels to look behind" },
+  { "revealed", "reveal: colour behind them" },
+  { "revealed_depth", "reveal: depth behind them" },
+  { "tile_max.longest", "tile_max: longest displacement", 25 },
+  { "neighbour_max.dominant", "neighbour_max: dominant displacement", 25 },
+  { "color", "composite: the picture" },
+}
+
+local cells, rows = {}, {}
+for i, pass in ipairs(passes) do
+  local row, column = (i - 1) // 3 + 1, (i - 1) % 3 + 1
+  rows[row] = {}
+  cells[i] = { row = row, column = column, view = pass[1], caption = pass[2], high = pass[3] }
+end
+
+return capture {
+  title = "The hybrid, pass by pass",
+  size = { 480, 270 },
+  shots = { { name = "vase", scene = "living_room", camera = "main" } },
+  arms = { { name = "hybrid", pipeline = "hybrid", set = { tile = 20 } } },
+  figures = {
+    { name = "hybrid_passes", letters = true, width_mm = 178, text_size = 18, rows = rows,
+      columns = { { label = "" }, { label = "" }, { label = "" } }, cells = cells },
+  },
+}

@@ -1,0 +1,164 @@
+-- SPDX-License-Identifier: MIT
+-- Captures: pictures that can be taken again bit for bit, and the figures and films made of them. `capture { ... }` is
+-- checked as a whole, all mistakes at once; docs/captures.md explains each field.
+local check  = require "strobe.check"
+local fields = require "strobe.fields"
+local figure = require "strobe.figure"
+local native = require "strobe.native"
+local shots  = require "strobe.shots"
+
+local capture = {}
+
+local text, number, list, map = fields.text, fields.number, fields.list, fields.map
+local copied = fields.copied
+
+-- Fields by table: their type, and whether they may be left out. A shot has the options of the command line as well.
+capture.fields = {
+  -- layers: what the files of a picture hold besides its colour: "all" (every pass's output) or a list of outputs and
+  -- "node.port". most_flip: mean FLIP up to which a picture of another device counts as the same. truth: the arm that
+  -- measured numbers are against. figures, films: strobe.figure.
+  capture = {
+    title = { text }, note = { text, optional = true }, size = { list, optional = true },
+    seed = { number, optional = true }, shots = { list }, arms = { list }, truth = { text, optional = true },
+    layers = { fields.any, optional = true }, most_flip = { number, optional = true },
+    figures = { list, optional = true }, films = { list, optional = true },
+  },
+  -- frames: { from, to, step } of a sequence. vary: { NAME = { values } }, a sequence over the values of an option of the
+  -- shot, a parameter of its scene ("scene.NAME") or of the arms' pipelines. stops, curve: how pictures are shown.
+  shot = {
+    name = { text }, title = { text, optional = true }, frames = { list, optional = true },
+    vary = { map, optional = true }, stops = { number, optional = true }, curve = { text, optional = true },
+  },
+  -- shots: those that it draws; all unless given.
+  arm = {
+    name = { text }, pipeline = { text }, set = { map, optional = true }, shots = { list, optional = true },
+    layers = { fields.any, optional = true },
+  },
+}
+
+local kMostSteps = 1000
+
+-- ---- camera paths
+
+local function three(value, default)
+  value = value or default
+  assert(type(value) == "table" and #value == 3, "a point is { x, y, z }")
+  return value
+end
+
+-- The camera goes around `target`, `radius` metres away and `height` above it, from `from` to `to` degrees (0: on the
+-- z axis, 90: on the x axis) between frames `first` and `last`.
+function capture.orbit(t)
+  local target, keys = three(t.target), {}
+  local from, to = math.rad(t.from or 0), math.rad(t.to or 360)
+  -- A key every 10 degrees at most, and one more at each end: the cubic through them is a circle to 3 in 100000.
+  local count = math.max(1, math.ceil(math.abs(to - from) / math.rad(10)))
+  for i = -1, count + 1 do
+    local angle = from + (to - from) * i / count
+    keys[i + 2] = { t.first + (t.last - t.first) * i / count,
+      target[1] + t.radius * math.sin(angle), target[2] + (t.height or 0), target[3] + t.radius * math.cos(angle),
+      target[1], target[2], target[3] }
+  end
+  return keys
+end
+
+-- The camera goes straight from { eye, target } to another between frames `first` and `last`.
+function capture.dolly(t)
+  local function key(frame, eye, target)
+    return { frame, eye[1], eye[2], eye[3], target[1], target[2], target[3] }
+  end
+  local from, to = three(t.from), three(t.to)
+  return { key(t.first, from, three(t.target)), key(t.last, to, three(t.to_target, t.target)) }
+end
+
+-- ---- checks
+
+local Checker = fields.checker(capture.fields)
+shots.extend(Checker, capture.fields.shot)
+
+-- "all", or the names of layers.
+function Checker:layers(value, path, what)
+  if value == nil or value == "all" then return value end
+  if type(value) ~= "table" then
+    self:add(path, "the layers of %s are \"all\" or a list of names", what)
+    return {}
+  end
+  for i, name in ipairs(value) do
+    if type(name) ~= "string" then self:add(check.joined(path, i), "a layer of %s is no text", what) end
+  end
+  return value
+end
+
+-- What each step of a sequence sets.
+function Checker:steps(t, path)
+  local names = type(t) == "table" and check.names(t) or {}
+  if t == nil then return nil end
+  local name = names[1]
+  if #names ~= 1 or type(t[name]) ~= "table" or #t[name] == 0 or #t[name] > kMostSteps then
+    self:add(path, "vary is { NAME = { values } } with one name and 1 to %d values", kMostSteps)
+    return nil
+  end
+  local steps = {}
+  for i, value in ipairs(t[name]) do
+    local sorted = self:sorted({ [name] = value }, check.joined(path, name), "a step")
+    steps[i] = { label = ("%s = %s"):format(name, fields.shown(value)), options = sorted.options,
+                 scene_set = sorted.scene, set = sorted.others }
+  end
+  return steps
+end
+
+function Checker:captured_shot(entry, path)
+  local result = self:shot(entry, path)
+  result.steps = self:steps(result.vary, check.joined(path, "vary"))
+  if result.vary ~= nil and result.frames ~= nil then
+    self:add(check.joined(path, "vary"), "a shot has frames or vary, not both")
+  end
+  result.vary, result.truth = nil, nil
+  return result
+end
+
+function Checker:captured_arm(entry, path, shot_names)
+  local result = copied(self:fields(entry, "arm", path, "arm " .. path[2]))
+  result.set = self:settings(result.set, check.joined(path, "set"))
+  result.layers = self:layers(result.layers, check.joined(path, "layers"), "arm " .. path[2])
+  for i, name in ipairs(type(result.shots) == "table" and result.shots or {}) do
+    self:one_of(name, shot_names, check.joined(check.joined(path, "shots"), i), "a shot of arm " .. path[2])
+  end
+  return result
+end
+
+function Checker:whole(t)
+  self:fields(t, "capture", {})
+  local result = copied(t)
+  result.shots = self:each(t, "shots", function(entry, _, path) return self:captured_shot(entry, path) end)
+  local shot_names = self:distinct(result.shots, "name", "shots")
+  result.arms = self:each(t, "arms", function(entry, _, path) return self:captured_arm(entry, path, shot_names) end)
+  local arm_names = self:distinct(result.arms, "name", "arms")
+  self:numbers(t.size, 2, { "size" }, "size")
+  self:one_of(t.truth, arm_names, { "truth" }, "the truth of a capture")
+  result.layers = self:layers(t.layers, { "layers" }, "the capture")
+  local names = { shots = shot_names, arms = arm_names, truth = t.truth or false }
+  for kind, one in pairs { figures = figure.checked, films = figure.checked_film } do
+    if t[kind] ~= nil then
+      result[kind] = self:each(t, kind, function(entry, _, path) return one(self, entry, path, names) end)
+      self:distinct(result[kind], "name", kind)
+    end
+  end
+  self.problems:raise()
+  result.kind = "capture"
+  return result
+end
+
+local Made = {}
+
+-- What a file returned, as plain data, checked against what is `given`: the `options` of shots that there are.
+function Made.finished(result, given)
+  local self = Checker.at(result.place)
+  self.options = shots.by_name(given.options)
+  return self:whole(result.fields)
+end
+
+return setmetatable(capture, { __call = native.at_caller(function(place, _, t)
+  if type(t) ~= "table" then check.fail(place, "capture takes a table: capture { ... }") end
+  return setmetatable({ fields = t, place = place }, Made)
+end) })

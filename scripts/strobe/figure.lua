@@ -1,0 +1,390 @@
+-- SPDX-License-Identifier: MIT
+-- Figures and films of a capture: how their tables are checked, and what they are as plain data. docs/figures.md explains
+-- each field. A field of a cell may stand in the figure, in a row, in a column or in the cell: the later counts; marks
+-- and insets add up.
+local check  = require "strobe.check"
+local fields = require "strobe.fields"
+local native = require "strobe.native"
+local shots  = require "strobe.shots"
+
+local figure = {}
+
+local text, number, bool, list, any = fields.text, fields.number, fields.bool, fields.list, fields.any
+local copied, joined = fields.copied, check.joined
+
+-- { field = type } with each left to choice, on top of those of `more`.
+local function optional(types, more)
+  local result = copied(more or {})
+  for name, kind in pairs(types) do result[name] = { kind, optional = true } end
+  return result
+end
+
+-- What is drawn over a picture. Positions and lengths in pixels of the capture, x right, y down.
+local marks = optional { arrows = list, circles = list, boxes = list, ranges = list, texts = list }
+
+-- What a cell shows and says.
+local looks = optional({
+  shot = text, arm = text, step = number, view = text, kind = text, low = number, high = number, stops = number,
+  against = text, difference = text, gain = number, crop = list, zoom = number, shrink = number, key = bool,
+  frame = text, caption = text, insets = list,
+}, marks)
+
+local whole = optional({
+  title = text, note = text, columns = list, rows = list, cells = list, letters = bool, attribution = bool,
+  gap = number, margin = number, border = number, text_size = number, width_mm = number,
+}, looks)
+
+local own = { color = text, width = number, text = text }
+
+figure.fields = {
+  figure = copied(whole),
+  film = optional({ fps = number, format = text }, whole),
+  line = optional({ label = text }, looks),  -- a row or a column
+  cell = optional({ row = any, column = any, empty = bool }, looks),
+  inset = optional({ zoom = number, frame = text, at = text }, marks),
+  arrow = optional({ to = list, on = text, from = list, by = list }, optional(own)),
+  circle = optional({ at = list, on = text }, optional(own)),
+  box = optional(own),
+  range = optional({ anchor = text, along = text, samples = number, displacement = bool }, optional(own)),
+  text = optional { color = text },
+}
+figure.fields.figure.name, figure.fields.film.name = { text }, { text }
+figure.fields.inset.crop, figure.fields.box.area = { list }, { list }
+figure.fields.circle.radius, figure.fields.range.at = { number }, { list }
+figure.fields.text.at, figure.fields.text.text = { list }, { text }
+
+figure.colors = {
+  white = "#ffffff", black = "#000000", yellow = "#ffd21e", green = "#35d04f", red = "#ff4b3e", blue = "#3f7bff",
+  cyan = "#26c6f2", magenta = "#f24fc0", orange = "#ff8c1a", grey = "#9a9aa2",
+}
+-- What a caption may measure against the capture's truth; standard_error is that of truth.
+figure.measures = { "rmse", "mse", "relmse", "smape", "psnr", "ssim", "flip", "standard_error" }
+figure.kinds = { "auto", "colour", "depth", "normal", "velocity", "arrows", "id", "mask", "scalar" }
+figure.differences = { "mean", "channels", "flip" }
+figure.anchors = { "close", "centre", "open" }
+figure.places = { "top left", "top right", "bottom left", "bottom right", "below" }
+figure.formats = { "mp4", "mkv" }
+
+local mark_kinds = { arrows = "arrow", circles = "circle", boxes = "box", ranges = "range", texts = "text" }
+local mark_names = { "arrows", "boxes", "circles", "ranges", "texts" }
+local added_up = { arrows = true, boxes = true, circles = true, ranges = true, texts = true, insets = true }
+
+-- ---- checks
+
+local Checker = fields.checker(figure.fields)
+shots.extend(Checker, {})
+
+function Checker:place_of(path) return native.key_place(self.place, table.unpack(path)) end
+
+-- A number, at least `least` and at most `most`; a whole one unless `fraction`.
+function Checker:amount(value, least, most, path, what, fraction)
+  if type(value) ~= "number" then return end
+  local good = value >= least and value <= most and (fraction or math.tointeger(value))
+  if good then return end
+  local kind = fraction and "a number" or "a whole number"
+  self:add(path, "%s is %s; it is %s from %s to %s", what, fields.shown(value), kind, fields.shown(least), fields.shown(most))
+end
+
+-- "#rrggbb" or a name, as three numbers from 0 to 1.
+function Checker:color(value, path)
+  if type(value) ~= "string" then return nil end
+  local r, g, b = (rawget(figure.colors, value) or value):match("^#(%x%x)(%x%x)(%x%x)$")
+  if not r then
+    local names = check.names(figure.colors)
+    table.sort(names)
+    self:add(path, "'%s' is no colour: \"#rrggbb\" or one of %s%s", value, table.concat(names, ", "),
+             native.nearest(value, names))
+    return nil
+  end
+  return { tonumber(r, 16) / 255, tonumber(g, 16) / 255, tonumber(b, 16) / 255 }
+end
+
+-- { x, y, width, height } in whole pixels.
+function Checker:area(value, path, what)
+  local before = #self.problems.list
+  self:numbers(value, 4, path, what)
+  if type(value) ~= "table" or #self.problems.list > before then return end
+  for i, least in ipairs { 0, 0, 1, 1 } do
+    if not math.tointeger(value[i]) or value[i] < least then
+      self:add(path, "%s is { x, y, width, height } in whole pixels of the capture", what)
+      return
+    end
+  end
+end
+
+-- Every entry of the list t[name], as one(entry, path) leaves it, with its place.
+function Checker:entries(t, name, path, one)
+  local result, given = {}, t[name]
+  if type(given) ~= "table" then return result end
+  local at = joined(path, name)
+  if #given == 0 and next(given) ~= nil then self:add(at, "%s is a list: { { ... }, ... }", name) end
+  for i, entry in ipairs(given) do
+    local here = joined(at, i)
+    result[i] = one(entry, here)
+    result[i].place = self:place_of(here)
+  end
+  return result
+end
+
+-- A pixel, { x, y } in t[key], or the name of a node in t.on: one of the two.
+function Checker:spot(t, key, path, what)
+  self:numbers(t[key], 2, joined(path, key), ("'%s' of %s"):format(key, what))
+  if (t[key] == nil) == (t.on == nil) then
+    self:add(path, "%s is placed by one of '%s' = { x, y } and 'on' = \"NODE\"", what, key)
+  end
+end
+
+local marked = {}
+
+function marked.arrow(self, t, path)
+  self:spot(t, "to", path, "an arrow")
+  self:numbers(t.from, 2, joined(path, "from"), "'from' of an arrow")
+  self:numbers(t.by, 2, joined(path, "by"), "'by' of an arrow")
+  if t.from ~= nil and t.by ~= nil then self:add(path, "an arrow starts at 'from' or is long 'by', not both") end
+end
+
+function marked.circle(self, t, path)
+  self:spot(t, "at", path, "a circle")
+  self:amount(t.radius, 0.1, 1e5, joined(path, "radius"), "the radius of a circle", true)
+end
+
+function marked.box(self, t, path) self:area(t.area, joined(path, "area"), "the area of a box") end
+
+function marked.range(self, t, path)
+  self:numbers(t.at, 2, joined(path, "at"), "'at' of a range")
+  self:one_of(t.anchor, figure.anchors, joined(path, "anchor"), "the anchor of a range")
+  self:amount(t.samples, 1, 1000, joined(path, "samples"), "'samples' of a range")
+end
+
+function marked.text(self, t, path) self:numbers(t.at, 2, joined(path, "at"), "'at' of a text") end
+
+function Checker:mark(entry, kind, path)
+  local article = kind == "arrow" and "an " or "a "
+  local result = copied(self:fields(entry, kind, path, article .. kind))
+  marked[kind](self, result, path)
+  self:amount(result.width, 0.1, 100, joined(path, "width"), "the width of " .. article .. kind, true)
+  result.color = self:color(result.color, joined(path, "color"))
+  return result
+end
+
+-- The marks of a table, each list checked.
+function Checker:marks(t, result, path)
+  for _, name in ipairs(mark_names) do
+    result[name] = self:entries(t, name, path, function(entry, at) return self:mark(entry, mark_kinds[name], at) end)
+  end
+end
+
+function Checker:inset(entry, path)
+  local result = copied(self:fields(entry, "inset", path, "an inset"))
+  self:area(result.crop, joined(path, "crop"), "the crop of an inset")
+  self:amount(result.zoom, 1, 64, joined(path, "zoom"), "the zoom of an inset")
+  self:one_of(result.at, figure.places, joined(path, "at"), "the place of an inset")
+  result.frame = self:color(result.frame, joined(path, "frame"))
+  self:marks(result, result, path)
+  return result
+end
+
+-- What stands between braces in a caption: "rmse inner %.3f", "exposure", "set.samples".
+function Checker:inserted(inside, path)
+  local rest, digits, style = inside:match("^(.-)%s+%%%.(%d)([fg])%s*$")
+  local name, region = (rest or inside):match("^%s*([%w_.]+)%s*([%w_]*)%s*$")
+  local part = { digits = tonumber(digits), style = style }
+  if not name then
+    self:add(path, "'{%s}' of a caption is none of {MEASURE}, {MEASURE REGION}, {OPTION}, {set.PARAM}, each with or "
+             .. "without %%.3f", inside)
+  elseif check.contains(figure.measures, name) then
+    part.measure, part.region = name, region ~= "" and region or "whole"
+    if self.truth == false then
+      self:add(path, "'{%s}' is measured against truth, and the capture has no 'truth' arm", inside)
+    end
+  elseif region ~= "" then
+    self:add(path, "'%s' of a caption has no region: only measures have", name)
+  elseif name:find("^set%.") or name:find("^scene%.") then
+    part.setting = name
+  elseif name == "shot" or name == "arm" or name == "step" then
+    part.word = name
+  elseif (self.options or {})[name] then
+    part.option = name
+  else
+    local near = copied(figure.measures)
+    for option in pairs(self.options or {}) do near[#near + 1] = option end
+    self:add(path, "a caption has no '{%s}': there are the measures %s, options of a shot, set.PARAM and scene.PARAM%s",
+             name, table.concat(figure.measures, ", "), native.nearest(name, near))
+  end
+  return part
+end
+
+-- A caption as a list of texts and of what is inserted between them.
+function Checker:caption(value, path)
+  if type(value) ~= "string" then return nil end
+  local parts, at = {}, 1
+  while at <= #value do
+    local from, to = value:find("{[^{}]*}", at)
+    local before = value:sub(at, (from or #value + 1) - 1)
+    if before:find("[{}]") then self:add(path, "braces of a caption come in pairs: '%s'", value) end
+    if before ~= "" then parts[#parts + 1] = { text = before } end
+    if not from then break end
+    parts[#parts + 1] = self:inserted(value:sub(from + 1, to - 1), path)
+    at = to + 1
+  end
+  return parts
+end
+
+-- Fields of a cell that `t` (a figure, a row, a column, a cell) holds, checked.
+function Checker:look(t, path)
+  local result = {}
+  for name in pairs(looks) do result[name] = t[name] end
+  self:one_of(t.shot, self.shot_names, joined(path, "shot"), "the shot")
+  self:one_of(t.arm, self.arm_names, joined(path, "arm"), "the arm")
+  self:one_of(t.against, self.arm_names, joined(path, "against"), "the arm to compare with")
+  self:one_of(t.kind, figure.kinds, joined(path, "kind"), "the kind of a view")
+  self:one_of(t.difference, figure.differences, joined(path, "difference"), "the difference")
+  self:amount(t.step, 0, 1e6, joined(path, "step"), "'step'")
+  self:amount(t.zoom, 1, 64, joined(path, "zoom"), "'zoom'")
+  self:amount(t.shrink, 1, 64, joined(path, "shrink"), "'shrink'")
+  self:amount(t.gain, 1e-6, 1e6, joined(path, "gain"), "'gain'", true)
+  self:area(t.crop, joined(path, "crop"), "the crop")
+  result.frame = self:color(t.frame, joined(path, "frame"))
+  result.caption = self:caption(t.caption, joined(path, "caption"))
+  result.insets = self:entries(t, "insets", path, function(entry, at) return self:inset(entry, at) end)
+  self:marks(t, result, path)
+  return result
+end
+
+-- Rows or columns: their labels, and what they say of their cells. One without a label where there are none.
+function Checker:lines(t, name, path)
+  local looked = {}
+  local labels = self:entries(t, name, path, function(entry, at)
+    local line = self:fields(entry, "line", at, ("%s %d"):format(name:sub(1, -2), at[#at]))
+    looked[#looked + 1] = self:look(line, at)
+    return { label = line.label or (name == "columns" and line.arm) or nil }
+  end)
+  if #labels == 0 then return { {} }, { {} } end
+  return labels, looked
+end
+
+-- The number of a row or column named by its number or its label.
+function Checker:line_number(value, labels, path, what)
+  local names = {}
+  for i, line in ipairs(labels) do
+    if value == i or (line.label and line.label == value) then return i end
+    names[i] = line.label
+  end
+  if value == nil and #labels == 1 then return 1 end
+  local near = type(value) == "string" and native.nearest(value, names) or ""
+  self:add(path, "%s of a cell is %s: a number from 1 to %d, or a label%s", what, check.quoted(value), #labels, near)
+end
+
+-- Of what is said of a cell, from the general to the particular.
+local function united(parts)
+  local result = {}
+  for _, part in ipairs(parts) do
+    for name, value in pairs(part) do
+      if added_up[name] then
+        local all = table.move(value, 1, #value, #(result[name] or {}) + 1, result[name] or {})
+        result[name] = all
+      else
+        result[name] = value
+      end
+    end
+  end
+  return result
+end
+
+-- What only a whole cell can be checked for.
+function Checker:finish_cell(cell, path)
+  local where = ("the cell in row %d, column %d"):format(cell.row, cell.column)
+  cell.shot = cell.shot or (#self.shot_names == 1 and self.shot_names[1]) or nil
+  cell.arm = cell.arm or (#self.arm_names == 1 and self.arm_names[1]) or nil
+  for _, name in ipairs { "shot", "arm" } do
+    if cell[name] == nil then self:add(path, "%s has no %s", where, name) end
+  end
+  if cell.against == nil and (cell.difference ~= nil or cell.gain ~= nil) then
+    self:add(path, "%s has a %s and no 'against': the arm to compare with", where, cell.gain and "gain" or "difference")
+  end
+  if cell.against ~= nil and cell.kind ~= nil then
+    self:add(path, "%s is a difference and has no 'kind'", where)
+  end
+  if cell.difference == "flip" and cell.gain ~= nil then
+    self:add(path, "%s: FLIP has its own scale from 0 to 1 and no gain", where)
+  end
+  if (cell.zoom or 1) > 1 and (cell.shrink or 1) > 1 then
+    self:add(path, "%s has a zoom and a shrink", where)
+  end
+end
+
+-- All cells, row by row, with everything said of them.
+function Checker:cells(t, result, path, rows, columns)
+  local of_figure, given = self:look(t, path), {}
+  self:entries(t, "cells", path, function(entry, at)
+    local what = "cell " .. at[#at]
+    local own_fields = self:fields(entry, "cell", at, what)
+    local r = self:line_number(own_fields.row, result.rows, joined(at, "row"), "'row'")
+    local c = self:line_number(own_fields.column, result.columns, joined(at, "column"), "'column'")
+    local look = self:look(own_fields, at)
+    look.empty, look.place, look.path = own_fields.empty, self:place_of(at), at
+    if r and c then
+      local key = r * 100000 + c
+      if given[key] then self:add(at, "another entry of cells has row %d and column %d", r, c) end
+      given[key] = look
+    end
+    return {}
+  end)
+  local cells = {}
+  for r = 1, #result.rows do
+    for c = 1, #result.columns do
+      local particular = given[r * 100000 + c] or { place = result.place }
+      local at = particular.path or path
+      local cell = united { of_figure, rows[r], columns[c], particular }
+      cell.row, cell.column, cell.path = r, c, nil
+      if not cell.empty then
+        self:finish_cell(cell, at)
+        cells[#cells + 1] = cell
+      end
+    end
+  end
+  if #cells == 0 then self:add(path, "every cell is empty") end
+  return cells
+end
+
+function Checker:whole(t, kind, path)
+  t = self:fields(t, kind, path, kind .. " " .. tostring(path[#path]))
+  if type(t.name) == "string" and not t.name:find("^[%w_][%w_.-]*$") then
+    self:add(joined(path, "name"), "'%s' is no name of a file: letters, digits, _, - and .", t.name)
+  end
+  local result = { place = self:place_of(path) }
+  for name in pairs(self.kept) do result[name] = t[name] end
+  for name, most in pairs { gap = 1000, margin = 1000, border = 100 } do
+    self:amount(t[name], 0, most, joined(path, name), ("'%s'"):format(name))
+  end
+  self:amount(t.text_size, 4, 200, joined(path, "text_size"), "'text_size'", true)
+  self:amount(t.width_mm, 10, 2000, joined(path, "width_mm"), "'width_mm'", true)
+  self:amount(t.fps, 0.1, 240, joined(path, "fps"), "'fps'", true)
+  self:one_of(t.format, figure.formats, joined(path, "format"), "the format of a film")
+  local rows, columns
+  result.rows, rows = self:lines(t, "rows", path)
+  result.columns, columns = self:lines(t, "columns", path)
+  result.cells = self:cells(t, result, path, rows, columns)
+  return result
+end
+
+local kept = {}
+for _, name in ipairs { "name", "title", "note", "letters", "attribution", "gap", "margin", "border", "text_size",
+                        "width_mm", "fps", "format" } do
+  kept[name] = true
+end
+
+local function checked(self, entry, kind, path, names)
+  local own_checker = setmetatable({ place = self.place, problems = self.problems, options = self.options, kept = kept,
+    shot_names = names.shots, arm_names = names.arms, truth = names.truth }, Checker)
+  return own_checker:whole(entry, kind, path)
+end
+
+-- A figure, or a film, at `path` of what `self` checks, as plain data. names: the `shots` and `arms` there are; `truth`
+-- = false: none of them is truth.
+function figure.checked(self, entry, path, names) return checked(self, entry, "figure", path, names) end
+function figure.checked_film(self, entry, path, names) return checked(self, entry, "film", path, names) end
+
+check.closed(figure, "figure")
+
+return figure

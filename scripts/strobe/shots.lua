@@ -1,0 +1,178 @@
+-- SPDX-License-Identifier: MIT
+-- Shots and settings as experiments and captures write them: how they are checked, and what they are as plain data.
+local check  = require "strobe.check"
+local fields = require "strobe.fields"
+local native = require "strobe.native"
+
+local shots = {}
+
+local shown, copied = fields.shown, fields.copied
+
+-- How a linear picture is made visible.
+shots.tones = { "clamp", "filmic" }
+
+local Methods = {}
+
+-- Settings in the order of their names, with typed values.
+function Methods:settings(t, path)
+  local result, names = {}, type(t) == "table" and check.names(t) or {}
+  table.sort(names)
+  for i, name in ipairs(names) do
+    local kind = type(t[name])
+    if kind ~= "string" and kind ~= "number" and kind ~= "boolean" then
+      self:add(check.joined(path, name), "'%s' is a %s, no value of a parameter", name, kind)
+    end
+    result[i] = { name = name, value = t[name] }
+  end
+  return result
+end
+
+function Methods:numbers(value, count, path, what)
+  if value == nil then return end
+  local good = type(value) == "table" and #value == count
+  for i = 1, good and count or 0 do good = good and type(value[i]) == "number" end
+  if not good then self:add(path, "%s takes %d numbers", what, count) end
+end
+
+-- NODE = { x, y, z } as the command line would have it, by the nodes' names.
+function Methods:motions(t, count, path, what)
+  local result, names = {}, type(t) == "table" and check.names(t) or {}
+  table.sort(names)
+  for _, node in ipairs(names) do
+    local before, parts = #self.problems.list, {}
+    self:numbers(t[node], count, check.joined(path, node), ("%s of '%s'"):format(what, node))
+    if #self.problems.list == before then
+      for i, value in ipairs(t[node]) do parts[i] = ("%.9g"):format(value) end
+      result[#result + 1] = ("%s=%s"):format(node, table.concat(parts, ","))
+    end
+  end
+  return result
+end
+
+local motions = { move = 3, spin = 4 }
+local lua_types = { number = "number", integer = "number", choice = "string", text = "string", size = "table",
+                    view = "table", texts = "table", bool = "boolean" }
+
+-- The shortest digits that read back as the number.
+local function digits(value)
+  local short = ("%.15g"):format(value)
+  return tonumber(short) == value and short or ("%.17g"):format(value)
+end
+
+-- A camera path, { { frame, eye x, y, z, target x, y, z }, ... }, as the command line would have it.
+function Methods:camera_path(keys, path)
+  local result = {}
+  for i, key in ipairs(type(keys) == "table" and keys or {}) do
+    local before = #self.problems.list
+    self:numbers(key, 7, check.joined(path, i), "a key of a camera path")
+    if #self.problems.list == before then
+      local parts = {}
+      for k = 2, 7 do parts[k - 1] = digits(key[k]) end
+      result[i] = ("%s=%s"):format(digits(key[1]), table.concat(parts, ","))
+    end
+  end
+  if #result == 0 then self:add(path, "a camera path has no key { frame, eye x, y, z, target x, y, z }") end
+  return result
+end
+
+-- The value of an option of a shot, `declared` by the table of options.
+function Methods:option(declared, value, path, what)
+  local name = declared.name
+  local at = check.joined(path, name)
+  if name == "path" then return self:camera_path(value, at) end
+  if motions[name] then return self:motions(value, motions[name], at, name) end
+  if type(value) ~= lua_types[declared.type] then
+    self:add(at, "'%s' of %s is a %s instead of a %s", name, what, type(value), lua_types[declared.type])
+  elseif declared.choices and #declared.choices > 0 then
+    self:one_of(value, declared.choices, at, ("'%s' of %s"):format(name, what))
+  elseif type(value) == "number" and not (value >= (declared.min or value) and value <= (declared.max or value)) then
+    local range = ("%s to %s"):format(shown(declared.min), shown(declared.max))
+    self:add(at, "'%s' of %s is %s, not in %s", name, what, shown(value), range)
+  elseif declared.type == "integer" and not math.tointeger(value) then
+    self:add(at, "'%s' of %s is %s, no whole number", name, what, shown(value))
+  end
+  return value
+end
+
+-- Which entries of `t` are options of a shot, parameters of its scene, and others.
+function Methods:sorted(t, path, what)
+  local result = { options = {}, scene = {}, others = {} }
+  local names = check.names(t)
+  table.sort(names)
+  for _, name in ipairs(names) do
+    local scene, value, into = name:match("^scene%.(.+)$"), t[name], result.others
+    if scene then into = result.scene end
+    if self.options[name] then
+      into, value = result.options, self:option(self.options[name], value, path, what)
+    end
+    into[#into + 1] = { name = scene or name, value = value }
+  end
+  return result
+end
+
+function Methods:distinct(entries, key, group)
+  local seen = {}
+  for i, entry in ipairs(entries) do
+    if entry[key] ~= nil and check.contains(seen, entry[key]) then
+      self:add({ group, i, key }, "another of the %s is called '%s'", group, tostring(entry[key]))
+    end
+    seen[#seen + 1] = entry[key]
+  end
+  return seen
+end
+
+-- { from, to, step } of a sequence, at most 1000 frames.
+function Methods:sequence(frames, shot, path)
+  if frames == nil then return end
+  local good = type(frames) == "table" and #frames == 3
+  for i = 1, good and 3 or 0 do good = good and math.tointeger(frames[i]) ~= nil end
+  good = good and frames[1] >= 0 and frames[3] >= 1 and frames[2] >= frames[1] + frames[3]
+  good = good and frames[2] < frames[1] + 1000 * frames[3]
+  if not good then self:add(path, "frames are not { from, to, step } of 2 to 1000 frames, as whole numbers") end
+  if shot.frame ~= nil then self:add(path, "a shot with frames has no single frame") end
+end
+
+function Methods:shot(t, path)
+  local what, own, options = "shot " .. path[2], {}, {}
+  if type(t) ~= "table" then own = t end
+  for name, value in pairs(type(t) == "table" and t or {}) do
+    local is_option = type(name) == "string" and (self.options[name] or name:find("^scene%."))
+    local known = self.shot_fields[name]
+    if known then own[name] = value elseif is_option then options[name] = value else
+      local near = check.names(self.shot_fields)
+      for option in pairs(self.options) do near[#near + 1] = option end
+      table.sort(near)
+      local nearest = native.nearest(tostring(name), near)
+      self:add(check.joined(path, name), "%s has no field '%s'%s", what, tostring(name), nearest)
+    end
+  end
+  local result = copied(self:fields(own, "shot", path, what))
+  self:one_of(result.curve, shots.tones, check.joined(path, "curve"), "the curve")
+  self:sequence(result.frames, options, check.joined(path, "frames"))
+  for i, crop in ipairs(type(result.crops) == "table" and result.crops or {}) do
+    local at = check.joined(check.joined(path, "crops"), i)
+    if crop ~= "inner" then self:numbers(crop, 4, at, "a crop that is not \"inner\"") end
+  end
+  result.truth = self:settings(result.truth, check.joined(path, "truth"))
+  local sorted = self:sorted(options, path, what)
+  result.options, result.scene_set = sorted.options, sorted.scene
+  return result
+end
+
+-- Gives these methods to a checker of fields (strobe.fields). `shot_fields`: what a shot has besides the options of the
+-- command line, which are those of the checker's `options`, by name.
+function shots.extend(Checker, shot_fields)
+  for name, method in pairs(Methods) do Checker[name] = method end
+  Checker.shot_fields = shot_fields
+end
+
+-- The options of the command line by name.
+function shots.by_name(options)
+  local result = {}
+  for _, option in ipairs(options) do result[option.name] = option end
+  return result
+end
+
+check.closed(shots, "shots")
+
+return shots

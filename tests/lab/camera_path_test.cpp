@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Camera paths against what a cubic through keys must do, and the displacement that one gives a wall.
+#include "lab/camera_path.h"
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+
+namespace strobe::lab {
+namespace {
+
+double xAt(const std::vector<std::string>& texts, double frame) { return viewAt(cameraKeys(texts), frame)[0]; }
+
+TEST(CameraPath, TwoKeysAreALineThatGoesOn) {
+  for (double frame : {-1., 0., 0.25, 2., 4., 7.})
+    EXPECT_DOUBLE_EQ(xAt({"4=9,0,0,0,0,-1", "0=1,0,0,0,0,-1"}, frame), 1 + 2 * frame) << frame;
+}
+
+TEST(CameraPath, OneKeyStandsStill) { EXPECT_EQ(xAt({"3=5,0,0,0,0,-1"}, 100), 5); }
+
+TEST(CameraPath, GoesThroughItsKeysWithoutAJerk) {
+  const std::vector<std::string> texts = {"0=0,0,0,0,0,-1", "1=1,0,0,0,0,-1", "3=0,0,0,0,0,-1", "4=5,0,0,0,0,-1"};
+  const double values[] = {0, 1, 0, 5}, frames[] = {0, 1, 3, 4};
+  for (int i = 0; i < 4; ++i) EXPECT_DOUBLE_EQ(xAt(texts, frames[i]), values[i]);
+  const double step = 1e-6;
+  for (double frame : frames) {
+    double before = (xAt(texts, frame) - xAt(texts, frame - step)) / step;
+    double after = (xAt(texts, frame + step) - xAt(texts, frame)) / step;
+    EXPECT_NEAR(before, after, 1e-4) << frame;
+  }
+  // At the second key: from the first to the third, over three frames.
+  EXPECT_NEAR((xAt(texts, 1 + step) - xAt(texts, 1 - step)) / (2 * step), 0, 1e-6);
+}
+
+TEST(CameraPath, RefusesWhatIsNoPath) {
+  for (const char* text : {"1,2,3,0,0,0", "0=1,2,3", "x=1,2,3,0,0,0", "0=1,2,3,1,2,3", "nan=1,2,3,0,0,0", ""})
+    EXPECT_THROW(cameraKeys({text}), Error) << text;
+  EXPECT_THROW(cameraKeys({"1=1,2,3,0,0,0", "1=2,2,3,0,0,0"}), Error);
+}
+
+}  // namespace
+}  // namespace strobe::lab

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: MIT
+// `strobe capture`, `verify` and `diff` from outside: the same bits under every disturbance, what differs and why,
+// where a capture was killed, bundles that verify elsewhere, and what is refused.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <map>
+#include <random>
+#include <thread>
+
+#include "base/hash.h"
+#include "base/json.h"
+#include "common/source.h"
+#include "program/run.h"
+
+namespace strobe::testing {
+namespace {
+
+const char* const kCapture = R"lua(
+local capture = require "strobe.capture"
+return capture {
+  title = "Small", size = { 64, 36 },
+  shots = {
+    { name = "card", scene = "scene.lua", move = { card = { 0.6, 0, 0 } } },
+    { name = "past", scene = "scene.lua", frames = { 0, 2, 1 },
+      path = capture.dolly { from = { -0.2, 0, 2 }, to = { 0.2, 0, 2 }, target = { -0.2, 0, 0 }, to_target = { 0.2, 0, 0 },
+                             first = 0, last = 2 } },
+  },
+  arms = { { name = "none", pipeline = "none" }, { name = "hybrid", pipeline = "hybrid", shots = { "card" } } },
+  figures = { { name = "both", shot = "card", columns = { { arm = "none" }, { arm = "hybrid" } } } },
+}
+)lua";
+
+const char* const kQuiet = "STROBE_VALIDATION=0";
+
+class Capture : public ::testing::Test {
+ protected:
+  Capture() {
+    fs::create_directories(folder_.path() / "own");
+    writeText(folder_ / "own/scene.lua", kCardScene);
+    writeText(script_, kCapture);
+  }
+  std::string path(const std::string& name) const { return folder_ / name; }
+  Outcome capture(const std::string& out, const std::string& more = "", const std::string& environment = kQuiet) const {
+    return run("capture " + script_ + " -o " + path(out) + " " + more, environment);
+  }
+  Json manifest(const std::string& out) const { return Json::parse(contentOf(path(out + "/manifest.json"))); }
+  // Hashes of all files for people and programs, by name.
+  std::map<std::string, std::string> images(const std::string& out) const {
+    std::map<std::string, std::string> found;
+    for (const auto& entry : fs::recursive_directory_iterator(path(out))) {
+      std::string ending = entry.path().extension();
+      if (ending == ".png" || ending == ".exr" || ending == ".pdf")
+        found[entry.path().lexically_relative(path(out))] = sha256(contentOf(entry.path()));
+    }
+    return found;
+  }
+  // A home of its own, whose shaders can be edited.
+  std::string copiedHome() const {
+    fs::create_directories(path("home"));
+    for (const char* part : {"passes", "shaders", "scripts"})
+      fs::copy(sourceFolder() / part, path("home/" + std::string(part)), fs::copy_options::recursive);
+    return "STROBE_VALIDATION=0 STROBE_HOME=" + path("home");
+  }
+  void replaceIn(const std::string& file, const std::string& from, const std::string& to) const {
+    std::string text = contentOf(path(file));
+    size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << file << " has no " << from;
+    writeText(path(file), text.replace(at, from.size(), to));
+  }
+
+  TemporaryFolder folder_;
+  const std::string script_ = folder_ / "own/small.lua";
+};
+
+TEST_F(Capture, IsTheSameUnderAllDisturbances) {
+  Outcome first = capture("first", "", "STROBE_VALIDATION=1");
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  ASSERT_EQ(images("first").size(), 2u * 5 + 2);
+  EXPECT_EQ(runLine("cd " + path("first") + " && sha256sum -c SHA256SUMS").exit_code, 0);
+  Json was = manifest("first");
+  for (const Json& picture : was["pictures"]) EXPECT_EQ(picture["runs"], 1) << picture["name"];
+  EXPECT_EQ(contentOf(path("first/manifest.json")).find(path("")), std::string::npos) << "the path of a machine";
+  for (const char* threads : {"1", "8"}) {
+    std::string out = std::string("threads_") + threads;
+    Outcome again = runLine("cd / && umask 077 && exec env STROBE_VALIDATION=0 LP_NUM_THREADS=" + std::string(threads) +
+                            " LC_ALL=C.UTF-8 LANG=de_DE.UTF-8 TZ=Asia/Kathmandu setarch -R '" + programPath() +
+                            "' capture " + script_ + " -o " + path(out));
+    ASSERT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_EQ(images(out), images("first"));
+    Json is = manifest(out);
+    EXPECT_EQ(is, was);
+  }
+  Outcome same = run("diff " + path("first") + " " + path("threads_1"));
+  EXPECT_EQ(same.exit_code, 0) << same.err;
+  EXPECT_EQ(same.out, "no differences\n");
+}
+
+TEST_F(Capture, AnEditedCommentChangesHashesOfFilesAlone) {
+  const std::string home = copiedHome();
+  ASSERT_EQ(capture("first", "", home).exit_code, 0);
+  replaceIn("home/shaders/scene/reveal.glsl", "// SPDX", "// edited\n// SPDX");
+  replaceIn("home/passes/scene/reveal.lua", "-- SPDX", "-- edited\n-- SPDX");
+  ASSERT_EQ(capture("second", "", home).exit_code, 0);
+  EXPECT_EQ(images("second"), images("first"));
+  Json was = manifest("first"), is = manifest("second");
+  EXPECT_NE(is["inputs"], was["inputs"]);
+  is["inputs"] = was["inputs"];
+  EXPECT_EQ(is, was);
+  Outcome diff = run("diff " + path("first") + " " + path("second"));
+  EXPECT_EQ(diff.exit_code, 0) << "the pictures are the same";
+  EXPECT_NE(diff.out.find("input altered: strobe:passes/scene/reveal.lua\n  line 1: -- SPDX"), std::string::npos)
+      << diff.out;
+  Outcome verified = run("verify " + path("first"), home);
+  EXPECT_EQ(verified.exit_code, 0) << verified.err;
+  EXPECT_NE(verified.out.find("input altered: strobe:shaders/scene/reveal.glsl"), std::string::npos) << verified.out;
+}
+
+// One constant in a shader of each pass: what each writes, moved a little.
+TEST_F(Capture, VerifyNamesThePassThatDiffersFirst) {
+  const std::string home = copiedHome();
+  ASSERT_EQ(capture("out", "--only card.hybrid", home).exit_code, 0);
+  Json passes = manifest("out")["pictures"][0]["passes"];
+  ASSERT_GE(passes.size(), 10u);
+  for (const Json& pass : passes) {
+    const std::string node = pass["node"], name = pass["shader"];
+    std::string file = "home/shaders/" + name + ".glsl";
+    if (!fs::exists(path(file))) file = "home/shaders/" + name + ".frag.glsl";
+    SCOPED_TRACE(node);
+    const std::string whole = contentOf(path(file));
+    // Of floats one more in the first place; of ids, and what raster writes, another constant.
+    std::string edited = whole;
+    size_t at = edited.find("imageStore(", edited.find("void run("));
+    if (at != std::string::npos) {
+      size_t end = edited.find(");\n", at);
+      edited.insert(end, edited.find("uvec4", at) < end ? " + 1u" : " + 0.0625");
+    } else {
+      at = edited.rfind(" = ", edited.rfind(";\n"));
+      edited.insert(edited.find(";\n", at), " + 1u");
+    }
+    writeText(path(file), edited);
+    Outcome verified = run("verify " + path("out") + " --json", home);
+    EXPECT_EQ(verified.exit_code, 1) << verified.err << edited.substr(at, 120);
+    if (verified.exit_code == 1 && !verified.out.empty()) {
+      Json json = Json::parse(verified.out);
+      ASSERT_EQ(json["pictures"].size(), 1u);
+      EXPECT_EQ(json["pictures"][0]["first"]["node"], node) << json["pictures"][0]["first"];
+      EXPECT_EQ(json["inputs"].size(), 1u) << json["inputs"];
+    }
+    writeText(path(file), whole);
+  }
+}
+
+TEST_F(Capture, OneUnitInTheLastPlaceOfOnePixelIsFound) {
+  const std::string home = copiedHome();
+  ASSERT_EQ(capture("out", "--only card.none", home).exit_code, 0);
+  replaceIn("home/shaders/scene/shade.glsl", "imageStore(color_img, pixel, ",
+            "if (pixel == ivec2(5, 7)) { vec4 one = storedColor(vec4(color, 1)); one.y = "
+            "uintBitsToFloat(floatBitsToUint(one.y) + 1u); imageStore(color_img, pixel, one); return; }\n  "
+            "imageStore(color_img, pixel, ");
+  Outcome verified = run("verify " + path("out") + " --json -o " + path("maps"), home);
+  EXPECT_EQ(verified.exit_code, 1) << verified.err;
+  Json first = Json::parse(verified.out)["pictures"][0]["first"];
+  EXPECT_EQ(first["image"], "shade.color");
+  EXPECT_EQ(first["pixels"], 1);
+  EXPECT_EQ(first["largest_ulp"], 1);
+  EXPECT_EQ(first["first"], Json::array({5, 7, 1}));
+  EXPECT_TRUE(fs::exists(path("maps/card.none.shade.color.png")));
+}
+
+TEST_F(Capture, ABundleVerifiesWithoutTheOriginals) {
+  ASSERT_EQ(capture("bundle", "--bundle").exit_code, 0);
+  fs::create_directories(path("elsewhere"));
+  fs::rename(path("bundle"), path("elsewhere/moved"));
+  fs::remove_all(path("own"));
+  fs::create_directories(path("empty/scripts"));
+  const std::string alone = "STROBE_VALIDATION=0 STROBE_HOME=" + path("empty") + " STROBE_DATA=" + path("empty");
+  Outcome verified = run("verify " + path("elsewhere/moved"), alone);
+  EXPECT_EQ(verified.exit_code, 0) << verified.err;
+  // It holds what the manifest lists, and nothing else.
+  std::set<std::string> held, listed;
+  Json stated = manifest("elsewhere/moved");
+  for (const auto& entry : fs::recursive_directory_iterator(path("elsewhere/moved/inputs")))
+    if (entry.is_regular_file()) held.insert(sha256(contentOf(entry.path())));
+  for (const Json& input : stated["inputs"]) listed.insert(input["sha256"].get<std::string>());
+  EXPECT_EQ(held, listed);
+  replaceIn("elsewhere/moved/inputs/capture/scene.lua", "0.8", "0.7");
+  verified = run("verify " + path("elsewhere/moved"), alone);
+  EXPECT_EQ(verified.exit_code, 1);
+  EXPECT_NE(verified.err.find("inputs/capture/scene.lua: was altered"), std::string::npos) << verified.err;
+  fs::remove(path("elsewhere/moved/inputs/capture/scene.lua"));
+  EXPECT_NE(run("verify " + path("elsewhere/moved"), alone).err.find("is missing"), std::string::npos);
+}
+
+TEST_F(Capture, KilledAtAnyMomentItGoesOn) {
+  ASSERT_EQ(capture("whole").exit_code, 0);
+  std::mt19937 random(1);
+  for (int i = 0; i < 30; ++i) {
+    pid_t child = ::fork();
+    if (child == 0) {
+      ::setpgid(0, 0);
+      std::string line =
+          "exec '" + programPath() + "' capture " + script_ + " -o " + path("killed") + " >/dev/null 2>&1";
+      ::execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
+      ::_exit(127);
+    }
+    ::usleep(useconds_t(random() % 900000));
+    ::kill(-child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    if (!fs::exists(path("killed"))) continue;
+    for (const auto& [name, hash] : images("killed")) EXPECT_EQ(hash, images("whole")[name]) << name << " is not whole";
+  }
+  ASSERT_EQ(capture("killed").exit_code, 0);
+  EXPECT_EQ(images("killed"), images("whole"));
+  EXPECT_EQ(contentOf(path("killed/manifest.json")), contentOf(path("whole/manifest.json")));
+}
+
+// How a picture is shown and named is no part of what is drawn, but of its files.
+TEST_F(Capture, AnEditOfToneOrLabelsDrawsAgain) {
+  replaceIn("own/small.lua", "frames = { 0, 2, 1 }", "vary = { exposure = { 0.2, 0.4 } }, stops = 0");
+  ASSERT_EQ(capture("edited", "--only past").exit_code, 0);
+  auto before = images("edited");
+  replaceIn("own/small.lua", "stops = 0", "stops = 2");
+  ASSERT_EQ(capture("edited", "--only past").exit_code, 0);
+  ASSERT_EQ(capture("fresh", "--only past").exit_code, 0);
+  EXPECT_NE(images("edited"), before);
+  EXPECT_EQ(images("edited"), images("fresh"));
+  EXPECT_EQ(manifest("edited"), manifest("fresh"));
+}
+
+TEST_F(Capture, TheExampleOfItsPageRuns) {
+  std::string page = contentOf(sourceFolder() / "docs/captures.md");
+  size_t from = page.find("```lua\n") + 7, to = page.find("```", from);
+  ASSERT_NE(to, std::string::npos);
+  writeText(script_, page.substr(from, to - from));
+  Outcome outcome = capture("out", "--size 64x36");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(fs::exists(path("out/vase.png")));
+  EXPECT_EQ(manifest("out")["pictures"].size(), 3u);
+}
+
+// By a link in the folder of the script, as by its path.
+TEST_F(Capture, RefusesALinkThatLeadsOut) {
+  fs::create_directories(path("elsewhere"));
+  fs::rename(path("own/scene.lua"), path("elsewhere/scene.lua"));
+  fs::create_symlink(path("elsewhere/scene.lua"), path("own/scene.lua"));
+  Outcome outcome = capture("out");
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_NE(outcome.err.find("lies outside of"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Capture, RefusesWhatIsWrong) {
+  auto refused = [&](const std::string& from, const std::string& to, const std::string& wanted) {
+    std::string text = kCapture;
+    size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    writeText(script_, text.replace(at, from.size(), to));
+    Outcome outcome = capture("refused");
+    EXPECT_NE(outcome.exit_code, 0) << to;
+    EXPECT_NE(outcome.err.find(wanted), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(path("refused/manifest.json")));
+    writeText(script_, kCapture);
+  };
+  refused("size =", "siez =", "small.lua:4: the capture has no field 'siez'");
+  refused("\"hybrid\", shots", "\"hybird\", shots", "there is no pipeline 'hybird'");
+  refused("shots = { \"card\" }", "shots = { \"crad\" }", "did you mean 'card'?");
+  refused("pipeline = \"none\"", "pipeline = \"none\", layers = { \"dephth\" }", "no layer 'dephth'");
+  refused("frames = { 0, 2, 1 }", "frames = { 2, 0, 1 }", "frames are not");
+  refused("name = \"past\"", "name = \"CARD\"", "shots 'card' and 'CARD' would write the same files, 'card'");
+  refused("name = \"hybrid\"", "name = \"none \"", "would write the same files");
+  refused("shot = \"card\", columns", "shot = \"crad\", columns", "did you mean 'card'?");
+  EXPECT_EQ(capture("refused", "--only nothing").exit_code, 2);
+  EXPECT_EQ(run("verify " + path("own")).exit_code, 1);
+  ASSERT_EQ(capture("out", "--only card.none").exit_code, 0);
+  Json newer = manifest("out");
+  newer["format_version"] = 2;
+  writeText(path("out/manifest.json"), newer.dump());
+  EXPECT_NE(run("verify " + path("out")).err.find("is a manifest of format 2"), std::string::npos);
+  writeText(path("out/manifest.json"), newer.dump().substr(0, 500));
+  EXPECT_NE(run("diff " + path("out") + " " + path("out")).err.find("cut short"), std::string::npos);
+  fs::remove(script_);
+  newer["format_version"] = 1;
+  writeText(path("out/manifest.json"), newer.dump());
+  EXPECT_NE(run("verify " + path("out")).err.find("script 'capture:small.lua' is not there"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace strobe::testing

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// Every measured number of the pages has a mark with a claim behind it, and one that was changed by hand is caught:
+// tools/reproduce, from outside.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "base/files.h"
+#include "base/process.h"
+#include "common/home.h"
+#include "common/source.h"
+
+namespace strobe::repo {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int code = -1;
+  std::string text;  // of both streams
+};
+
+Outcome reproduce(std::vector<std::string> arguments) {
+  std::vector<std::string> all = {"python3", "-B", (sourceFolder() / "tools/reproduce").string()};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  ProgramEnd end = run({.arguments = all, .errors = Program::Errors::with_output});
+  return {end.code(), end.output};
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+class Reproduce : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (run({.arguments = {"sh", "-c", "command -v python3"}}).code() != 0) GTEST_SKIP() << "no python3";
+  }
+  void TearDown() override { fs::remove_all(copy_); }
+
+  // The pages and what they name, to be changed.
+  void copyPages() {
+    copy_ = fs::path(::testing::TempDir()) / ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    fs::remove_all(copy_);
+    fs::create_directories(copy_);
+    for (const char* part : {"README.md", "ARTIFACT.md", "docs", "experiments"})
+      fs::copy(sourceFolder() / part, copy_ / part, fs::copy_options::recursive);
+    fs::create_directories(copy_ / "tools/mutate");
+    fs::copy(sourceFolder() / "tools/mutate/mutations.md", copy_ / "tools/mutate/mutations.md");
+  }
+  void replace(const std::string& page, const std::string& what, const std::string& by) {
+    std::string text = readText(copy_ / page);
+    size_t at = text.find(what);
+    ASSERT_NE(at, std::string::npos) << page << " has no " << what;
+    writeFileAtomically(copy_ / page, text.replace(at, what.size(), by));
+  }
+  Outcome marks() { return reproduce({"--marks", "--root", copy_.string()}); }
+  // One that reads committed results and starts no device.
+  Outcome claim() {
+    return reproduce(
+        {"--quick", "--only", "readme_real_scenes", "--root", copy_.string(), "-o", (copy_ / "out").string()});
+  }
+
+  fs::path copy_;
+};
+
+TEST_F(Reproduce, EveryMeasuredNumberHasAMark) {
+  Outcome outcome = reproduce({"--marks"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.text, "every measured number has a mark, every mark a claim\n");
+}
+
+TEST_F(Reproduce, ANumberWithoutAMarkIsFound) {
+  copyPages();
+  for (const char* text : {"It takes 3.7 ms.", "It takes 37 ms.", "37 of 40 hold.", "| a |\n|---|\n| **37** |"}) {
+    std::string page = readText(sourceFolder() / "docs/projects.md");
+    writeFileAtomically(copy_ / "docs/projects.md", page + "\n" + text + "\n");
+    Outcome outcome = marks();
+    EXPECT_EQ(outcome.code, 1) << text;
+    EXPECT_TRUE(contains(outcome.text, "docs/projects.md:") && contains(outcome.text, " has no mark")) << outcome.text;
+  }
+  std::string page = readText(sourceFolder() / "docs/projects.md");
+  writeFileAtomically(copy_ / "docs/projects.md",
+                      page + "\nVulkan 1.3, `3.7 ms`, 320x180, 16 samples.\n\n    3.7 ms\n");
+  EXPECT_EQ(marks().code, 0) << marks().text;
+}
+
+TEST_F(Reproduce, MarksAreWhole) {
+  copyPages();
+  std::string page = readText(sourceFolder() / "docs/projects.md");
+  auto found = [&](const std::string& text) {
+    writeFileAtomically(copy_ / "docs/projects.md", page + "\n" + text + "\n");
+    return marks().text;
+  };
+  EXPECT_TRUE(
+      contains(found("A <!--= none -->3.7<!--/--> b."), "no claim of tools/reproduce/claims.py is called 'none'"));
+  EXPECT_TRUE(contains(found("A <!--= none -->3.7 b."), "the mark 'none' has no end"));
+  EXPECT_TRUE(contains(found("A <!--= none -->b<!--/-->."), "the mark 'none' has no number"));
+  EXPECT_TRUE(contains(found("<!--= none -->3.7<!--/--> b."), "a line that begins with a mark"));
+  EXPECT_TRUE(contains(found("A 3<!--/--> b."), "ends no mark"));
+  EXPECT_TRUE(contains(found("A <!--= frame_time -->3.7<!--/--> b."), "'frame_time' is marked twice"));
+}
+
+TEST_F(Reproduce, WhatIsListedIsThere) {
+  copyPages();
+  replace("README.md", "<!--= readme_frame_time -->", "");
+  replace("docs/glossary.md", "0.5 is a shutter of 180 degrees", "a shutter");
+  fs::copy(copy_ / "docs/pictures/demo.png", copy_ / "docs/pictures/another.png");
+  std::string text = marks().text;
+  EXPECT_TRUE(contains(text, "no page marks a number with 'readme_frame_time'")) << text;
+  EXPECT_TRUE(contains(text, "definitions.py lists a text that is not there: 0.5 is a shutter")) << text;
+  EXPECT_TRUE(contains(text, "docs/pictures/another.png: no claim of tools/reproduce/claims.py makes it")) << text;
+}
+
+TEST_F(Reproduce, ANumberChangedByHandIsCaught) {
+  copyPages();
+  Outcome before = claim();
+  EXPECT_EQ(before.code, 0) << before.text;
+  EXPECT_TRUE(contains(before.text, "every verdict \"holds\"")) << before.text;
+  replace("README.md", "**.0122**", "**.0112**");
+  Outcome after = claim();
+  EXPECT_EQ(after.code, 1) << after.text;
+  EXPECT_TRUE(contains(after.text, "readme_real_scenes misses: line ")) << after.text;
+  EXPECT_TRUE(contains(after.text, ": .0112 is 0.0122")) << after.text;
+}
+
+TEST_F(Reproduce, UnknownClaimsAreRefused) {
+  Outcome outcome = reproduce({"--only", "real_scenes_iner"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.text,
+            "strobe reproduce: there is no claim 'real_scenes_iner'; did you mean 'real_scenes_inner'?\n");
+  EXPECT_EQ(reproduce({"--quick", "--only", "experiment_real_scenes"}).code, 2);
+  EXPECT_EQ(reproduce({"--nonsense"}).code, 2);
+}
+
+}  // namespace
+}  // namespace strobe::repo

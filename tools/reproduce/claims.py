@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: MIT
+"""Every figure and measured number of the pages: its id, the command that makes it again, how the number is read out of
+what the command gives, the tolerance with its reason, and about how many seconds it takes on two cores without a card.
+
+Numbers that a page takes from an experiment are compared with its results, those that lie beside it or, without --quick,
+those of the run just made; the claims `experiment_...` make the results again.
+"""
+import readers as read
+from derived import DERIVED
+from figures import FIGURES
+from kinds import Experiment, History, Numbers
+
+OTHER_DEVICE = "another device rounds otherwise: at silhouettes single pixels fall to the other side"
+TIMES = "times of one machine: reported beside those of this one"
+
+
+def sweep(name):
+    return f"./strobe sweep experiments/{name}/{name}.lua -o FOLDER"
+
+
+def experiment(name, quick, seconds, full_seconds, **more):
+    return Experiment(f"experiment_{name}", sweep(name), seconds, OTHER_DEVICE, name=name, quick=quick,
+                      file=f"experiments/{name}/{name}.lua", full_seconds=full_seconds, tolerance=0.02, **more)
+
+
+def of_results(id, name, reader, **more):
+    because = more.pop("because", OTHER_DEVICE)
+    return Numbers(id, sweep(name), 1, because, read=reader, sources=(name,), **{"tolerance": 0.02, **more})
+
+
+def history(id, because, date, revision):
+    return History(id, because=because, date=date, device="llvmpipe on two cores", revision=revision)
+
+
+EXPERIMENTS = [
+    experiment("samples", "samples=4", 50, 400),
+    experiment("composites", "shot=still,samples=16", 50, 1200),
+    experiment("edge_detectors", "shot=near,depth=0.05", 50, 1200),
+    experiment("everything", "arm=McGuire 2012", 50, 900),
+    experiment("exposure_and_speed", "shot=object,speed=26,exposure=0.5", 50, 1500),
+    experiment("extremes", "shot=passage,scale=1", 50, 3600),
+    experiment("mask_relative", "shot=bar", 50, 900),
+    experiment("precision", "shot=wedge", 50, 400),
+    experiment("readings", "shot=plain", 50, 900),
+    experiment("real_scenes", "", 2400, 2400, shared=True),
+    experiment("reveal_resolution", "shot=cells_9,cap=8", 50, 900),
+    experiment("sampling_range", "shot=thin,anchor=close", 50, 900),
+    experiment("termination", "shot=plain", 50, 900),
+]
+
+TUNE = ["hybrid", "--scene", "living_room", "--size", "320x180", "--anchor", "close", "--budget-ratio", "0.5", "--cost", "own"]
+EXPERIMENTS.append(Experiment(
+    "experiment_tune_living_room", "./strobe tune " + " ".join(TUNE) + " -o FILE", 900,
+    OTHER_DEVICE + "; points are chosen by their times: those of both runs are compared", name="tune/living_room",
+    make=read.tuning(TUNE), tolerance=0.02))
+
+MEASURED = [
+    of_results("readme_real_scenes", "real_scenes", read.real_rows(False)),
+    of_results("real_scenes_inner", "real_scenes", read.real_rows(True)),
+    of_results("mug_floor", "real_scenes", read.mug_floor_share),
+    of_results("readme_frame_time", "real_scenes", read.frame_ratios, tolerance=0.25),
+    of_results("frame_time", "real_scenes", read.frame_ratios, tolerance=0.25),
+    of_results("precision_room", "precision", read.precision_room),
+    of_results("precision_oracles", "precision", read.precision_oracles),
+    of_results("precision_color", "precision", read.precision_color),
+    of_results("precision_color_error", "precision", read.precision_color_error, places=1),
+    of_results("precision_color_saving", "precision", read.precision_color_saving),
+    of_results("precision_velocity_largest", "precision", read.precision_velocity_largest),
+    of_results("everything_front", "everything", read.everything_front),
+    Numbers("tutorial_detectors", "./strobe sweep experiments/detectors.lua -o FOLDER", 45, OTHER_DEVICE,
+            read=read.tutorial_row, tolerance=0.02),
+    Numbers("mutants_caught", "committed: tools/mutate/mutations.md", 1, "the page that the tool wrote",
+            read=read.caught_mutants),
+]
+
+TUNED = [
+    Numbers(id, "./strobe sweep tools/reproduce/tuned.lua -o FOLDER", 40, because, read=reader, **more)
+    for id, reader, because, more in (
+        ("tuned_inner", read.tuned("inner"), OTHER_DEVICE, {"tolerance": 0.02}),
+        ("tuned_whole", read.tuned("whole"), OTHER_DEVICE, {"tolerance": 0.02}),
+        ("tuned_cost", read.tuned("cost"), TIMES, {"asserted": False}),
+        ("tuned_other", read.tuned("other"), OTHER_DEVICE, {"tolerance": 0.02}),
+        ("tuned_other_cost", read.tuned("other_cost"), TIMES, {"asserted": False}),
+        ("tune_answer", read.tuned("inner_ratio"), OTHER_DEVICE, {"tolerance": 0.02}),
+        ("tune_answer_whole", read.tuned("whole"), OTHER_DEVICE, {"tolerance": 0.02}),
+        ("tune_answer_cost", read.tuned("cost"), TIMES, {"asserted": False}),
+        ("tune_answer_other", read.tuned("other_whole"), OTHER_DEVICE, {"tolerance": 0.02}),
+        ("tune_answer_other_inner", read.tuned("other_inner"), OTHER_DEVICE, {"tolerance": 0.02}),
+    )
+]
+
+OF_A_MACHINE = [
+    Numbers("reload_table", "./strobe bench reload hybrid", 90, TIMES, read=read.reload_rows, asserted=False),
+    Numbers("reload_added", "./strobe bench reload hybrid", 90, TIMES, read=read.reload_added, asserted=False),
+    Numbers("pass_shares", "docs/pictures/make passes", 40, TIMES, read=read.pass_shares, asserted=False),
+    Numbers("tile_pass_share", "docs/pictures/make passes", 40, TIMES, read=read.tile_pass_share, asserted=False),
+    Numbers("live_rate", "xvfb-run ./strobe live hybrid --size WxH --drive FILE", 50, TIMES, read=read.live_rate,
+            asserted=False),
+    Numbers("sweep_seconds", "./strobe sweep tools/reproduce/thousand.lua -o FOLDER", 100, TIMES,
+            read=read.thousand_points, asserted=False),
+    *[Numbers(id, "git clone; cmake; ninja; ctest; ./strobe demo", 1200, TIMES, read=read.build_minutes, asserted=False)
+      for id in ("build_minutes", "artifact_minutes")],
+    Numbers("reload_edits", "STROBE_EDITS=1000 build/tests/test_session --gtest_filter='Edits*'", 300,
+            "edits are drawn by a seed", read=read.random_edits),
+    Numbers("reload_edits_time", "STROBE_EDITS=1000 build/tests/test_session --gtest_filter='Edits*'", 300, TIMES,
+            read=read.random_edits_time, asserted=False),
+]
+
+PAST = [
+    history("mended_truth", "a mistake that is mended", "2026-11-21", "5d06a84"),
+    history("mended_sky", "a mistake that is mended", "2026-11-21", "5d06a84"),
+    history("mended_mesh", "a mistake that is mended", "2026-11-21", "5d06a84"),
+    history("precision_times", "times of frames drawn in turns", "2026-11-21", "79be7cf"),
+    history("tuned_again", "times of settings like it in a run on an idle machine", "2026-11-22", "ec71b7b"),
+    history("tune_answer_other_cost", "times of settings like it in two runs", "2026-11-22", "ec71b7b"),
+]
+
+CLAIMS = MEASURED + TUNED + DERIVED + EXPERIMENTS + FIGURES + OF_A_MACHINE + PAST

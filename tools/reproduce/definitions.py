@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: MIT
+"""Numbers of the pages that look measured and are not: limits, defaults, settings, units, closed forms. Each text is in
+its page word for word; a text that is gone is reported, so that this list stays as short as it can be."""
+
+# Pages without marks of their own.
+GENERATED = {
+    "docs/stability.md": "written by `strobe stability --write`; the claim `stability_page` makes all of it again",
+    "docs/extreme-cases.md": "written by `strobe stability --extremes --write`; the claim `extreme_cases_page` does",
+}
+PAGES_OF_DEFINITIONS = {
+    "docs/describing-a-scene.md": "fields with their defaults and ranges: tests/program/pages_test.cpp compares them",
+}
+
+# Page, text, why it is no measurement.
+FRAGMENTS = [
+    ("ARTIFACT.md", "two cores, 4 GB of memory, 5 GB of disk", "what is asked of a machine"),
+    ("ARTIFACT.md", "| `./strobe demo` | 0 |", "an exit code"),
+    ("ARTIFACT.md", "| `./strobe reproduce --quick` | 0 |", "an exit code"),
+    ("ARTIFACT.md", "-o out.exr` | 0 |", "an exit code"),
+    ("README.md", "longer than 10 % of the image width (`limit`)", "a default"),
+    ("docs/captures.md", "(default 0.005)", "a default"),
+    ("docs/commands.md", "(0.5: 180 degrees)", "a unit"),
+    ("docs/derivations.md", "the 20 pixels inside the leading edge read .975, .925, ... .025.", "the formula beside it"),
+    ("docs/derivations.md", "the coverage to within .001", "a bound that the test Gather.Ramps... asserts"),
+    ("docs/derivations.md", "`eta` = .95", "a constant of the paper"),
+    ("docs/derivations.md", "A grey surface (.5)", "a setting"),
+    ("docs/derivations.md", "5 x 5 pixels", "a setting"),
+    ("docs/derivations.md", "(.8/.2, the first at 100)", "a setting"),
+    ("docs/derivations.md", "(.9/.1, the first at 0)", "a setting"),
+    ("docs/derivations.md", ".9/.6 and .4/.1, the first ones at 128", "a setting"),
+    ("docs/derivations.md", "to within .0015 rms", "a bound: the tests RenderLayers.* assert .015 for all of it"),
+    ("docs/derivations.md", "below .0065 rms and .03", "a bound that LayeredGather.RelativeBand... asserts"),
+    ("docs/derivations.md", "2.4e-7 to 4.8e-7 of `t`", "four units in the last place of single precision"),
+    ("docs/derivations.md", "a new ray, 1e-5 `t` beyond the hit | 1e-5 of `t`", "a setting"),
+    ("docs/derivations.md", "1.5e-5 to 3.1e-5 of `t`", "256 units in the last place of single precision"),
+    ("docs/derivations.md", "scales from 1e-3 to 1e6", "settings of a test"),
+    ("docs/derivations.md", "Of planes 4e-6 of their depth apart", "a setting of a test"),
+    ("docs/derivations.md", "at depth 10 (2.4e-5)", "256 units in the last place of single precision at 10"),
+    ("docs/exr.md", "Blender (3.4, the package", "a version"),
+    ("docs/figures.md", "96 pixels are an inch", "a unit"),
+    ("docs/glossary.md", "0.5 is a shutter of 180 degrees", "a unit"),
+    ("docs/how-a-pass-travels.md", "5 s of processor time, 10 s of wall clock and 256 MB", "limits"),
+    ("docs/hybrid-pass-by-pass.md", "asks for each of 16 times", "a default"),
+    ("docs/invariants.md", "A tap of weight 0.00001", "a setting of a test"),
+    ("docs/live.md", "ends the program (10 s)", "a limit"),
+    ("docs/live.md", "are refused, 20 s at most", "a limit"),
+    ("docs/live.md", "errors and times, 60 s at most", "a limit"),
+    ("docs/live.md", "has N samples, 60 s at most", "a limit"),
+    ("docs/methods.md", "a limit of 5 % of the width", "a default"),
+    ("docs/methods.md", "below 1.5 times the floor", "what is expected"),
+    ("docs/methods.md", "`limit` (10 % of the image width)", "a default"),
+    ("docs/precision.md", "at 20 pixels a tile they are", "a default"),
+    ("docs/precision.md", "darkens pictures by 0.03 %", "half a spacing of half floats: 2^-12 to 2^-11"),
+    ("docs/precision.md", "2^-11 = 0.05 %", "arithmetic"),
+    ("docs/precision.md", "each is 4 bytes per pixel", "a format"),
+    ("docs/precision.md", "n/z in fp32 | 0 |", "what the sky is stored as"),
+    ("docs/precision.md", "1/z in fp32 | 0 |", "what the sky is stored as"),
+    ("docs/precision.md", "1 - n/z in 24 bits | 1 |", "what the sky is stored as"),
+    ("docs/precision.md", "less than 1 % (`depth_extent`)", "a default"),
+    ("docs/precision.md", "3.4 km for the default of 1 cm", "arithmetic: 335,000 times 1 cm"),
+    ("docs/precision.md", "exposure 0.5, anchor", "a setting"),
+    ("docs/precision.md", "They save 4 bytes per layer and pixel", "a format"),
+    ("docs/reload.md", "after 5 s of processor time", "a limit"),
+    ("docs/reload.md", "after 10 s (`--time-limit`)", "a limit"),
+    ("docs/tuning.md", "of at most 1.1 times the base's", "an example of an option"),
+    ("docs/writing-experiments.md", "until the 95 % interval", "a definition"),
+    ("docs/writing-experiments.md", "differ by more than 1e-5, RMS", "a definition"),
+    ("docs/writing-experiments.md", "at 67 pixels per degree", "a definition"),
+    ("docs/writing-experiments.md", "aims at 8 MB at most", "a limit"),
+    ("docs/writing-experiments.md", "Intervals are 95 % of Student's t", "a definition"),
+    ("experiments/README.md", "with at most 1.1 times its error?", "a question"),
+    ("experiments/README.md", "threshold 0.05", "a setting"),
+] + [("docs/how-a-pass-travels.md", f"| {step} | `{folder}", "the number of a step") for step, folder in enumerate(
+    ("passes/", "runtime/script", "runtime/script", "runtime/plan", "runtime/shader", "runtime/shader", "runtime/gpu",
+     "runtime/graph", "runtime/lab"), 1)]

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: MIT
+"""Claims of pictures and generated pages."""
+import re
+import shlex
+
+from kinds import Figure, Unrepeated
+from pixels import sheet
+from readers import front_of, pictures_of_passes
+
+MAKE = "docs/pictures/make "
+OTHER_DEVICE = "another device rounds otherwise: at silhouettes single pixels fall to the other side"
+
+
+def made(what, file):
+    """A picture of docs/pictures/make, which writes beside the others of this run."""
+    def make(bench):
+        folder = bench.folder("pictures")
+        if what == "passes":
+            pictures_of_passes(bench)
+        else:
+            bench.run(bench.root / "docs/pictures/make", "-o", folder, what)
+        return folder / file
+    return make
+
+
+def picture(id, what, file, seconds, **more):
+    return Figure(id, MAKE + what, seconds, more.pop("because", OTHER_DEVICE), file="docs/pictures/" + file,
+                  make=made(what, file), **more)
+
+
+def captured(name):
+    """A figure of a shipped capture."""
+    def make(bench):
+        folder = bench.folder(name)
+        bench.run("strobe", "capture", f"scripts/captures/{name}.lua", "-o", folder)
+        return folder / f"{name}.png"
+    return Figure(name, f"./strobe capture scripts/captures/{name}.lua -o FOLDER", 55, OTHER_DEVICE,
+                  file=f"docs/pictures/{name}.png", make=make, compare="pixels", share=0.002, step=2)
+
+
+PASSES = ("visibility.hit", "depth", "normal", "velocity", "shade.color", "mask_tile_motions.motions", "mask", "revealed",
+          "revealed_depth", "tile_max.longest", "neighbour_max.dominant", "color")
+# Of the window: the picture between the panels, which show times.
+MIDDLE, ABOVE = (380, 254, 640, 358), (380, 88, 640, 358)
+
+
+def written(words):
+    """A page that a command writes to the file it is given last."""
+    def make(bench):
+        file = bench.out / (re.sub(r"\W+", "_", " ".join(words)) + ".md")
+        bench.run("strobe", *words, file)
+        return file
+    return make
+
+
+def picture_of(bench, experiment, point):
+    """A point's picture: of the sweep made in this run, else rendered by the command that its results name."""
+    if experiment in bench.fresh:
+        return bench.fresh[experiment] / "points" / (point["key"] + ".png")
+    file = bench.folder("points") / (point["key"] + ".png")
+    words = shlex.split(point["command"])
+    bench.run(*words[:words.index("-o")], "-o", file)
+    return file
+
+
+def crops(experiment, rows, regions, border=2):
+    """Crops of pictures of points, each pixel four: a list of points (as Results.point takes them) per row, a region (x, y,
+    width, height) per row."""
+    def make(bench):
+        results = bench.results(experiment)
+        points = rows(bench) if callable(rows) else [[results.point(**at) for at in row] for row in rows]
+        pictures = [[picture_of(bench, experiment, point) for point in row] for row in points]
+        return sheet(pictures, regions, 2, border, bench.folder("sheets") / f"{experiment}.png")
+    return Figure("figure_" + experiment, "./strobe render ... of the points it shows, by the commands in result.json", 120,
+                  "256 colours, dithered: means over 8x8 pixels are compared", file=f"experiments/{experiment}/{experiment}.png",
+                  make=make, compare="pixels", share=0.01, step=12, block=8)
+
+
+def columns(shot, arms, **more):
+    """A row: the points of a shot, arm by arm, at the same values."""
+    return [{"shot": shot, "arm": arm, **more} for arm in arms]
+
+
+def front(bench):
+    """The front of `everything`, as committed, in the order of time, and truth."""
+    results = bench.committed("everything")
+    points = [point for _, _, point in front_of(results, "ms_ratio", "rmse", "inner")]
+    return [points + [next(results.points(role="truth"))[1]]]
+
+
+ROOM, ROOM_WIDE, CARD, ALL_OF_IT = (148, 72, 72, 64), (120, 60, 100, 90), (164, 48, 72, 64), (110, 45, 100, 90)
+OVER = ("over, McGuire", "over, Guertin", "over, Jimenez", "over, uniform", "in gather", "layered", "ground truth")
+ENDS = ("no rays", "luminance", "geometry", "instance", "motion", "ground truth")
+MASKS = ("no rays", "seed", "relative", "moving", "ground truth")
+EDGES = ("no rays", "sobel", "laplacian", "canny", "plane", "silhouette", "id", "ground truth")
+READINGS = ("McGuire 2012", "UE4-style", "as written", "+ passes over its own instance", "+ even weights",
+            "+ instance ends the ray", "ground truth")
+SPEEDS = ("no blur", "McGuire 2012", "UE4-style", "hybrid (as published)", "hybrid (best)", "ground truth")
+RANGES = ("no blur", "McGuire 2012", "Jimenez 2014", "hybrid (as published)", "hybrid (best)", "hybrid (best), split",
+          "ground truth")
+
+SHEETS = [
+    crops("composites", [columns(shot, OVER, samples=16) for shot in ("still", "against", "vase")],
+          [(132, 0, 72, 64), (132, 0, 72, 64), ROOM]),
+    crops("termination", [columns(shot, ENDS) for shot in ("vase", "equal", "textured", "parts", "alike", "nodes", "posts")],
+          [ROOM] + [CARD] * 5 + [(140, 60, 72, 64)]),
+    crops("mask_relative", [columns(shot, MASKS) for shot in ("vase", "against", "tracking")],
+          [ROOM, (148, 0, 72, 64), (120, 72, 72, 64)]),
+    crops("readings", [columns(shot, READINGS) for shot in ("plain", "vase")], [(112, 52, 72, 64), ROOM]),
+    crops("sampling_range", [columns(shot, RANGES, anchor="centre") for shot in ("vase", "back")],
+          [ROOM, (128, 60, 72, 64)]),
+    crops("edge_detectors", [columns(shot, EDGES, depth=0.05) for shot in ("vase", "near")], [ROOM, (176, 64, 72, 64)]),
+    crops("exposure_and_speed", [columns(shot, SPEEDS, speed=26, exposure=1) for shot in ("object", "tracking")],
+          [(140, 72, 88, 64), (178, 72, 88, 64)]),
+    crops("reveal_resolution", [[{"shot": shot, "arm": "one ray", "resolution": "full"},
+                                 {"shot": shot, "arm": "one ray", "resolution": "half"},
+                                 {"shot": shot, "arm": "ground truth", "resolution": "full"}]
+                                for shot in ("vase", "cells_3", "cells_9")], [ROOM_WIDE, ALL_OF_IT, ALL_OF_IT], 4),
+    crops("everything", front, [ROOM_WIDE], 4),
+    crops("samples", [[{"shot": "vase", "arm": arm, "samples": samples, "tile": 20} for samples in (4, 16, 64)] +
+                      [{"shot": "vase", "arm": "ground truth", "samples": 64, "tile": 20}]
+                      for arm in ("McGuire 2012", "UE4-style", "hybrid (best)")], [ROOM_WIDE] * 3, 4),
+]
+
+FIGURES = [
+    captured("figure1"),
+    captured("figure2"),
+    picture("figure_rooms", "rooms", "rooms.svg", 2, compare="titles", because="another Graphviz places otherwise"),
+    picture("figure_frame", "frame", "frame.svg", 2, compare="titles", because="another Graphviz places otherwise"),
+    *[picture("figure_pass_" + name.replace(".", "_"), "passes", f"passes/{name}.png", 40, compare="pixels", share=0.002,
+              step=2) for name in PASSES],
+    *[picture("figure_window_" + name, "window", f"live-{name}.png", 70, compare="pixels", share=0.01, step=8,
+              region=region, because="the picture alone: panels show times")
+      for name, region in (("compare", MIDDLE), ("inspect", MIDDLE), ("problem", MIDDLE), ("sweep", ABOVE))],
+    picture("figure_demo", "demo", "demo.png", 200, compare="pixels", share=0.02, step=12, block=4,
+            because="its captions have times; means over 4x4 pixels, since it is scaled"),
+    Figure("stability_page", "./strobe stability --write FILE", 3000, "counts of cases", file="docs/stability.md",
+           make=written(("stability", "--write"))),
+    Figure("extreme_cases_page", "./strobe stability --extremes --write FILE", 600, "counts of cases",
+           file="docs/extreme-cases.md", make=written(("stability", "--extremes", "--write"))),
+    Unrepeated("figure_report", because="a photograph of a page in a browser, whose front is one of times; 6a5eb16, "
+               "2026-11-22, llvmpipe on two cores", file="docs/pictures/report.png"),
+    Unrepeated("mutations_page", because="build/strobe_mutate --seed 1 --count 120 --write FILE takes hours; made at "
+               "5d06a84, 2026-11-21, llvmpipe on two cores", file="tools/mutate/mutations.md"),
+] + SHEETS

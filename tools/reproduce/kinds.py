@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: MIT
+"""The kinds of claims. Each is checked against a bench and gives an Outcome."""
+import json
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from bench import TIMES, Failed, Missing
+from pixels import differing_share, pixels_of
+
+HOLDS, MISSES, REPORTED, NOT_REPEATED, NOT_RUN = "holds", "misses", "reported", "not repeated", "not run"
+
+
+@dataclass
+class Outcome:
+    stated: str
+    now: str
+    tolerance: str
+    verdict: str
+    why: str = ""  # of a miss, or of no verdict
+    command: str = ""  # where it is not that of the claim
+
+
+def shown(value):
+    return "-" if value is None else f"{value:.4g}"
+
+
+@dataclass
+class Claim:
+    id: str
+    command: str      # as a reader gives it
+    seconds: float    # about, on two cores of the software device; of the quick form where there is one
+    because: str = ""  # of the tolerance, or why there is no verdict
+
+    @property
+    def is_quick(self):
+        return self.seconds < 60
+
+    marked = False  # whether pages have marks with this id
+
+    def check(self, bench, numbers):
+        raise NotImplementedError
+
+
+@dataclass
+class Numbers(Claim):
+    """Numbers in a page. `read(bench)` gives them anew, in reading order. A number holds if it differs from the stated
+    one by at most half of the stated last place, and `tolerance` of it where the data were made anew."""
+    read: object = None
+    tolerance: float = 0.0
+    places: float = 0.5        # of the stated last place
+    asserted: bool = True      # times are not, since they are those of a machine
+    sources: tuple = ()        # experiments whose results it reads
+    marked = True
+
+    def check(self, bench, numbers):
+        now = list(self.read(bench))
+        if len(now) != len(numbers):
+            return Outcome(f"{len(numbers)} numbers", f"{len(now)} numbers", "", MISSES,
+                           "the page states another number of values than the claim reads")
+        anew = not self.sources or any(name in bench.fresh for name in self.sources)
+        share = self.tolerance if anew else 0.0
+        worst, excess = 0, -1.0
+        for i, (number, value) in enumerate(zip(numbers, now)):
+            allowed = 2 * self.places * number.half_a_unit + share * abs(number.value)
+            away = abs(value - number.value) / (allowed + 1e-12 + 1e-9 * abs(number.value))
+            if not away <= excess:
+                worst, excess = i, away
+        count = f"{len(now)} numbers, " if len(now) > 1 else ""
+        tolerance = f"{self.places:g} of the last place" + (f", {100 * share:g} %" if share else "")
+        verdict = (HOLDS if excess <= 1 else MISSES) if self.asserted else REPORTED
+        why = "" if verdict == HOLDS else self.because
+        if verdict == MISSES:
+            why = f"line {numbers[worst].line}: {numbers[worst].text} is {now[worst]:.9g} now"
+        stated = count + numbers[worst].text
+        if not self.asserted and len(now) < 9:
+            stated, count = ", ".join(number.text for number in numbers), ""
+        recent = ", ".join(map(shown, now)) if not self.asserted and len(now) < 9 else count + shown(now[worst])
+        kept = "" if anew else "committed: " + ", ".join(f"experiments/{name}/result.json" for name in self.sources)
+        return Outcome(stated, recent, tolerance if self.asserted else "none", verdict, why, kept)
+
+
+@dataclass
+class History(Claim):
+    """Numbers of an earlier time that no command makes again: `date`, `device`, `revision` say of which."""
+    command: str = "none"
+    seconds: float = 0
+    date: str = ""
+    device: str = ""
+    revision: str = ""
+    marked = True
+
+    def check(self, bench, numbers):
+        stated = ", ".join(number.text for number in numbers[:6]) + (", ..." if len(numbers) > 6 else "")
+        return Outcome(stated, f"{self.date}, {self.device}, {self.revision}", "none", NOT_REPEATED, self.because)
+
+
+@dataclass
+class Experiment(Claim):
+    """The committed results of an experiment: every value of every point but times, and every expectation. `quick`
+    chooses points as --only does, for a run under a minute."""
+    name: str = ""
+    file: str = ""
+    quick: str = ""
+    full_seconds: float = 0  # of all points
+    tolerance: float = 0.0
+    least: float = 1e-5  # values below it are rounding: of no weight
+    shared: bool = False
+    make: object = None  # bench: Results, where it is no sweep; then points may be others, and those of both are compared
+
+    def check(self, bench, numbers):
+        if self.shared:
+            bench.need_shared_scenes()
+        stated = bench.committed(self.name)
+        now = self.make(bench) if self.make else bench.swept(self.file, self.name, self.quick if bench.quick else "")
+        known = {key(at): point for at, point in stated.points()}
+        compared = equal = values = 0
+        worst, where = 0.0, ""
+        for at, point in now.points():
+            before = known.get(key(at))
+            if before is None and self.make:
+                continue
+            if before is None:
+                return Outcome(f"{len(known)} points", "another point", "", MISSES, f"{key(at)} is not in the results")
+            compared += 1
+            equal += point.get("image") == before.get("image")
+            for measure, region, was, value in both(before, point):
+                values += 1
+                away = abs(value - was) / max(abs(was), self.least)
+                if away > worst:
+                    worst, where = away, f"{measure} ({region}) of {at['arm']}, {at['shot']}: {was:.6g}, now {value:.6g}"
+        complete = not (bench.quick and self.quick or self.make)
+        verdict = HOLDS if worst <= self.tolerance and compared == (len(known) if complete else compared) > 0 else MISSES
+        why = where if worst > self.tolerance else "" if verdict == HOLDS else "points are missing"
+        if verdict == HOLDS and complete:
+            why = "; ".join(turned_expectations(stated, now))
+        return Outcome(f"{len(known)} points", f"{compared} points, {equal} bit for bit, {values} values within "
+                       f"{100 * worst:.2g} %", f"{100 * self.tolerance:g} %", verdict, why)
+
+
+def key(at):
+    """Of a point; 1 and 1.0 are one value."""
+    plain = lambda value: float(value) if type(value) is int else value  # noqa: E731
+    return json.dumps({name: plain(value) for name, value in at.items() if name != "role"}, sort_keys=True)
+
+
+def both(before, point):
+    """Values of two points but times, by measure and region."""
+    for measure, regions in before["values"].items():
+        if measure in TIMES:
+            continue
+        for region, was in regions.items():
+            value = point["values"].get(measure, {}).get(region)
+            if was is not None and value is not None:
+                yield measure, region, was, value
+
+
+def turned_expectations(stated, now):
+    """Those with another outcome. Where every other value is as stated these are about times: reported, no miss."""
+    outcomes = {one["text"]: one["outcome"] for one in now.data["expectations"]}
+    return [f"'{one['text']}' {one['outcome']}, now {outcomes.get(one['text'], 'missing')}"
+            for one in stated.data["expectations"] if outcomes.get(one["text"]) != one["outcome"]]
+
+
+@dataclass
+class Figure(Claim):
+    """A file that a command makes again: `make(bench)` gives the path of the new one. Compared are its bytes, the titles
+    of the nodes and edges of an SVG file, or pixels: at most `share` of them differ by more than `step` of 255 levels."""
+    file: str = ""
+    make: object = None
+    compare: str = "bytes"
+    share: float = 0.0
+    step: int = 0
+    region: tuple = None  # x, y, width, height: compared alone
+    block: int = 1        # side of the squares of pixels whose means are compared
+
+    def check(self, bench, numbers):
+        stated, made = bench.root / self.file, Path(self.make(bench))
+        if self.compare != "pixels":
+            same = self.content(stated) == self.content(made)
+            return Outcome(self.file, ("the same " if same else "other ") + self.compare, "none",
+                           HOLDS if same else MISSES, "" if same else f"{made} differs")
+        differ, size = differing_share(*[pixels_of(file, self.region, self.block) for file in (stated, made)], self.step)
+        verdict = HOLDS if differ <= self.share else MISSES
+        return Outcome(self.file, f"{100 * differ:.3g} % of {size} pixels differ",
+                       f"{100 * self.share:g} % by more than {self.step}", verdict,
+                       "" if verdict == HOLDS else f"{made} differs: {self.because}")
+
+
+    def content(self, file):
+        if self.compare == "bytes":
+            return file.read_bytes()
+        return sorted(re.findall(r"<title>(.*?)</title>", file.read_text()))
+
+
+@dataclass
+class Unrepeated(Claim):
+    """A file that is not made again, with the reason."""
+    file: str = ""
+    seconds: float = 0
+    command: str = "none"
+
+    def check(self, bench, numbers):
+        return Outcome(self.file, "-", "none", NOT_REPEATED, self.because)
+
+
+def checked(claim, bench, numbers):
+    try:
+        return claim.check(bench, numbers)
+    except Missing as missing:
+        return Outcome("-", "-", "-", NOT_RUN, str(missing))
+    except Failed as failed:
+        return Outcome("-", "-", "-", MISSES, str(failed))
+    except (KeyError, IndexError, ValueError) as error:
+        return Outcome("-", "-", "-", MISSES, f"what the command wrote cannot be read: {error!r}")

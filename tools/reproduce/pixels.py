@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: MIT
+"""Pixels of PNG files, by ImageMagick, which also lays crops side by side."""
+import subprocess
+
+from bench import Failed, Missing
+
+
+def magick(*words):
+    try:
+        end = subprocess.run([str(word) for word in words], capture_output=True)
+    except FileNotFoundError as error:
+        raise Missing("ImageMagick (the package imagemagick) is not here") from error
+    if end.returncode:
+        raise Failed(end.stderr.decode(errors="replace").strip().splitlines()[-1])
+    return end.stdout
+
+
+def pixels_of(file, region=None, block=1):
+    """Width, height, and three bytes per pixel; of `region` (x, y, width, height) alone if given; means over squares of
+    `block` pixels a side."""
+    crop = ["-crop", "{2}x{3}+{0}+{1}".format(*region), "+repage"] if region else []
+    mean = ["-scale", f"{100 / block}%"] if block > 1 else []
+    data = magick("convert", file, *crop, *mean, "-depth", "8", "ppm:-")
+    head = data.split(b"\n", 3)  # P6, size, 255, pixels
+    width, height = map(int, head[1].split())
+    return width, height, head[3]
+
+
+def differing_share(a, b, step):
+    """The share of pixels with a channel that differs by more than `step`, and the size as text."""
+    if a[:2] != b[:2]:
+        return 1.0, f"{a[0]}x{a[1]} and {b[0]}x{b[1]}"
+    count = sum(1 for i in range(0, len(a[2]), 3)
+                if a[2][i:i + 3] != b[2][i:i + 3] and max(abs(a[2][i + c] - b[2][i + c]) for c in range(3)) > step)
+    return count / (a[0] * a[1]), f"{a[0]}x{a[1]}"
+
+
+def sheet(rows, crops, scale, border, file):
+    """Crops of pictures, a list of files per row, each pixel `scale` times as large, side by side on white. `crops` has
+    one (x, y, width, height) per row."""
+    cells = []
+    for row, (x, y, width, height) in zip(rows, crops):
+        for picture in row:
+            cells += ["(", picture, "-crop", f"{width}x{height}+{x}+{y}", "+repage", "-scale", f"{100 * scale}%", ")"]
+    magick("montage", *cells, "-tile", f"{len(rows[0])}x{len(rows)}", "-geometry", f"+{border}+{border}",
+           "-background", "white", "-strip", file)
+    return file

@@ -1,0 +1,314 @@
+# SPDX-License-Identifier: MIT
+"""How claims read their numbers out of results and out of what commands print."""
+import json
+import re
+import time
+
+from bench import Failed, Results
+
+HOME_TOOLS = "tools/reproduce/"
+
+
+def values_of(experiment, wanted):
+    """Reads `wanted`: tuples of shot, arm, measure, region, and more axes as a table."""
+    def read(bench):
+        results = bench.results(experiment)
+        return [results.value(measure, region, shot=shot, arm=arm, **(more[0] if more else {}))
+                for shot, arm, measure, region, *more in wanted]
+    return read
+
+
+# --- real scenes
+
+REAL_SHOTS = ("living_room", "pot", "mug", "lamp", "bowl")
+REAL_ARMS = ("no blur", "McGuire 2012", "UE4-style", "hybrid (as published)", "hybrid (best)")
+
+
+def real_inner(results, shot, arm):
+    return results.value("rmse", "inner", shot=shot, arm=arm, anchor="close")
+
+
+def real_rows(with_ratios):
+    """Rows of the table of real scenes; the lamp's has termination by motion beside the best."""
+    def read(bench):
+        results, row = bench.results("real_scenes"), []
+        for shot in REAL_SHOTS:
+            row += [real_inner(results, shot, arm) for arm in REAL_ARMS]
+            motion = real_inner(results, shot, "hybrid (best, termination motion)")
+            own, floor = row[-1], real_inner(results, shot, "truth, 16 samples")
+            baseline = min(real_inner(results, shot, arm) for arm in REAL_ARMS[1:3])
+            row += ([motion] if shot == "lamp" else []) + [floor]
+            if with_ratios and shot == "lamp":
+                row += [own / baseline, motion / baseline, own / floor, motion / floor]
+            elif with_ratios:
+                row += [own / baseline, own / floor]
+        return row
+    return read
+
+
+def mug_floor_share(bench):
+    results = bench.results("real_scenes")
+    return [real_inner(results, "mug", "truth, 16 samples") / real_inner(results, "mug", "UE4-style")]
+
+
+def frame_ratios(bench):
+    """The least and the largest time of a hybrid frame as a multiple of one of McGuire 2012, over the scenes."""
+    results = bench.results("real_scenes")
+    ratios = [results.value("ms", shot=shot, arm="hybrid (best)", anchor="close") /
+              results.value("ms", shot=shot, arm="McGuire 2012", anchor="close") for shot in REAL_SHOTS]
+    return [min(ratios), max(ratios)]
+
+
+# --- what tests and commands print
+
+def printed(bench, program, test, name):
+    """Numbers of the lines "NAME: a b c" that a test prints."""
+    bench.need(bench.program.parent / "tests" / program, why="the tests are not built: ./strobe test -N builds them")
+    text = bench.run(bench.program.parent / "tests" / program, f"--gtest_filter={test}")
+    found = [line.split(": ", 1)[1].split() for line in text.splitlines() if line.startswith(name + ": ")]
+    if not found:
+        raise Failed(f"{test} prints no line '{name}: ...'")
+    return [float(word) for words in found for word in words]
+
+
+def lines_of(program, test, name):
+    return lambda bench: printed(bench, program, test, name)
+
+
+def table_rows(text):
+    """Cells of the rows of a Markdown table, header and line below it left out."""
+    rows = [[cell.strip() for cell in line.strip().strip("|").split("|")] for line in text.splitlines()
+            if line.startswith("|")]
+    return [row for row in rows[1:] if not re.fullmatch(r"[-: ]+", row[0] or "-")]
+
+
+def block_files(text):
+    """Files that a page has as "```lua passes/edge/x.lua" blocks."""
+    return dict(re.findall(r"^```\w+ ([^\s:]+)\n(.*?)^```$", text, re.MULTILINE | re.DOTALL))
+
+
+def tutorial_row(bench):
+    """Follows docs/your-own-edge-detector.md in a project and sweeps its experiment."""
+    page = (bench.root / "docs/your-own-edge-detector.md").read_text()
+    project = bench.out / "detectors"
+    if not (project / "strobe.project.lua").exists():
+        bench.run("strobe", "new", project)
+    for file, text in block_files(page).items():
+        (project / file).parent.mkdir(parents=True, exist_ok=True)
+        (project / file).write_text(text)
+    bench.run("strobe", "sweep", "experiments/detectors.lua", "-o", "out/detectors", cwd=project)
+    results = Results(project / "out/detectors/result.json", fresh=True)
+    return [results.value("rmse", "inner", arm=arm)
+            for arm in ("no mask", "canny", "sobel", "dilation", "id", "plane")]
+
+
+def caught_mutants(bench):
+    text = (bench.root / "tools/mutate/mutations.md").read_text()
+    found = re.search(r"\*\*(\d+) of (\d+) caught", text)
+    return [float(found.group(1)), float(found.group(2))]
+
+
+def timed(bench, *words, **more):
+    begin = time.monotonic()
+    bench.run(*words, **more)
+    return time.monotonic() - begin
+
+
+# --- precision
+
+PRECISION_ROWS = (
+    ("hybrid", ({}, {"velocity_format": "fp16"}, {"color_format": "fp16"}, {"both": "fp16"},
+                {"depth_encoding": "reversed"})),
+    ("McGuire 2012", ({}, {"velocity_format": "fp16"}, {"color_format": "fp16"}, {"depth_encoding": "reversed"},
+                      {"depth_encoding": "inverse"}, {"depth_encoding": "unorm24"})),
+    ("Guertin 2014", ({}, {"velocity_format": "fp16"}, {"color_format": "fp16"}, {"depth_encoding": "unorm24"})),
+    ("Jimenez 2014", ({}, {"velocity_format": "fp16"}, {"color_format": "fp16"}, {"depth_encoding": "unorm24"})),
+)
+DEFAULTS = {"velocity_format": "fp32"}
+
+
+def precise(results, shot, arm, at):
+    values = results.point(shot=shot, arm=arm, **(at or DEFAULTS))["values"]
+    return {name: values[name].get("whole", values[name].get("all")) for name in ("bytes", "change_rms", "change", "rmse")}
+
+
+def precision_room(bench):
+    results, row = bench.results("precision"), []
+    for arm, settings in PRECISION_ROWS:
+        for at in settings:
+            values = precise(results, "living_room", arm, at)
+            row += [values["bytes"]] + ([values["change_rms"], values["change"]] if at else []) + [values["rmse"]]
+    return row
+
+
+def precision_oracles(bench):
+    results, row = bench.results("precision"), []
+    for shot in ("textured_bar", "quad_2d", "wedge"):
+        for arm in ("hybrid", "McGuire 2012"):
+            for at in ({"velocity_format": "fp16"}, {"color_format": "fp16"}):
+                values = precise(results, shot, arm, at)
+                row += [values["change_rms"], values["change"], values["rmse"],
+                        precise(results, shot, arm, {})["rmse"]]
+    return row
+
+
+def precision_color(bench):
+    return [precise(bench.results("precision"), "living_room", "hybrid", {"color_format": "fp16"})["change_rms"]]
+
+
+def precision_color_error(bench):
+    """The largest change of an error by half colours, in per cent of it."""
+    results = bench.results("precision")
+    return [max(100 * abs(precise(results, shot, arm, {"color_format": "fp16"})["rmse"] /
+                          precise(results, shot, arm, {})["rmse"] - 1)
+                for shot in ("living_room", "textured_bar", "quad_2d", "wedge") for arm, _ in PRECISION_ROWS)]
+
+
+def precision_color_saving(bench):
+    results = bench.results("precision")
+    return [100 - 100 * precise(results, "living_room", "hybrid", {"color_format": "fp16"})["bytes"] /
+            precise(results, "living_room", "hybrid", {})["bytes"]]
+
+
+def precision_velocity_largest(bench):
+    return [precise(bench.results("precision"), "living_room", "hybrid", {"velocity_format": "fp16"})["change"]]
+
+
+# --- everything, tuning
+
+def front_of(results, x, y, region):
+    """Points than which no other is as good in both, by x: tuples of x, y, point."""
+    found, best = [], float("inf")
+    points = [(point["values"][x]["all"], point["values"][y][region], point) for _, point in results.points()
+              if x in point["values"]]
+    for at in sorted(points, key=lambda one: one[:2]):
+        if at[1] < best:
+            best = at[1]
+            found.append(at)
+    return found
+
+
+def everything_front(bench):
+    """Error and time of the front, as committed: times of another run choose other points."""
+    return [value for x, y, _ in front_of(bench.committed("everything"), "ms_ratio", "rmse", "inner") for value in (y, x)]
+
+
+def tuned(what):
+    def read(bench):
+        results = bench.swept(HOME_TOOLS + "tuned.lua", "tuned")
+        rmse = {(arm, region): results.value("rmse", region, arm=arm) for arm in ("as given", "preset", "other")
+                for region in ("inner", "whole")}
+        cost = {arm: results.value("own_ratio", arm=arm) for arm in ("preset", "other")}
+        ratio = lambda arm, region: rmse[arm, region] / rmse["as given", region]  # noqa: E731
+        return {"inner": [ratio("preset", "inner"), rmse["preset", "inner"], rmse["as given", "inner"]],
+                "inner_ratio": [ratio("preset", "inner")], "whole": [ratio("preset", "whole")],
+                "other": [ratio("other", "whole"), ratio("other", "inner")], "other_whole": [ratio("other", "whole")],
+                "other_inner": [ratio("other", "inner")], "cost": [cost["preset"]], "other_cost": [cost["other"]]}[what]
+    return read
+
+
+def tuning(words):
+    """Runs `strobe tune` and reads what it saw."""
+    def make(bench):
+        preset = bench.folder("tune") / "living_room.lua"
+        bench.run("strobe", "tune", *words, "-o", preset, codes=(0, 1))
+        return Results(bench.out / "tune/living_room/result.json", fresh=True)
+    return make
+
+
+# --- what belongs to a machine
+
+RELOAD_COLUMNS = ("watch_ms", "evaluate_ms", "compile_ms", "build_ms", "first_frame_ms", "later_frame_ms", "added_ms")
+
+
+def reload_data(bench):
+    return json.loads(bench.run("strobe", "bench", "reload", "hybrid", "--json"))["reload"]
+
+
+def reload_rows(bench):
+    return [edit[column] for edit in reload_data(bench) for column in RELOAD_COLUMNS]
+
+
+def reload_added(bench):
+    """Least and largest of what edits of scripts add, then of shaders."""
+    shaders, scripts = [], []
+    for edit in reload_data(bench):
+        (shaders if edit["edited"].startswith("shader") else scripts).append(edit["added_ms"])
+    return [min(scripts), max(scripts), min(shaders), max(shaders)]
+
+
+def pictures_of_passes(bench):
+    """What `docs/pictures/make passes` prints; the pictures are in the folder `passes`."""
+    return bench.run(bench.root / "docs/pictures/make", "-o", bench.folder("pictures"), "passes")
+
+
+def shares(bench):
+    return {node: float(share) for node, share in re.findall(r"^(\w+) ([\d.]+) %$", pictures_of_passes(bench), re.M)}
+
+
+def pass_shares(bench):
+    share = shares(bench)
+    return [share[node] for node in ("shade", "visibility", "composite", "reveal", "mask", "gbuffer", "mask_tile_motions",
+                                     "mask_near_motions")] + [max(share["neighbour_max"], share["tile_max"])]
+
+
+def tile_pass_share(bench):
+    share = shares(bench)
+    return [sum(share[node] for node in ("mask_tile_motions", "mask_near_motions", "tile_max", "neighbour_max"))]
+
+
+def live_rate(bench):
+    """Frames of the window per second while it plays: of the time that 40 more frames take."""
+    rates = []
+    for size in ("160x90", "320x180", "480x270"):
+        spent = []
+        for frames in (10, 50):
+            drive = bench.folder("live") / f"{frames}.drive"
+            drive.write_text(f"wait 5\nplay on\nwait {frames}\nquit\n")
+            spent.append(timed(bench, "xvfb-run", "-a", "-s", "-screen 0 1400x900x24 -noreset", bench.program, "live", "hybrid",
+                               "--scene", "living_room", "--size", size, "--drive", drive, "--out", bench.folder("live")))
+        rates.append(40 / (spent[1] - spent[0]))
+    return rates
+
+
+def thousand_points(bench):
+    """Seconds of drawing, measuring, keeping, and all of them, as a sweep of 1,000 points reports them."""
+    folder = bench.out / "thousand"
+    words = ["strobe", "sweep", HOME_TOOLS + "thousand.lua", "-o", folder]
+    bench.run(*words)
+    errors = bench.last.stderr
+    found = re.search(r"([\d.]+) drawing, ([\d.]+) measuring, ([\d.]+) keeping", errors)
+    if not found:
+        raise Failed("the sweep does not say where its seconds went: remove " + str(folder))
+    parts = [float(part) for part in found.groups()]
+    return parts + [sum(parts)]
+
+
+def build_minutes(bench):
+    """A clean clone built without tests, with them (both from nothing), the tests, the demo."""
+    clone, environment = bench.out / "clone", {"CCACHE_DISABLE": "1"}
+    bench.run("git", "clone", "-q", bench.root, clone)
+    build = timed(bench, "cmake", "-S", clone, "-B", clone / "build", "-G", "Ninja", environment=environment)
+    build += timed(bench, "ninja", "-C", clone / "build", "strobe_program", environment=environment)
+    more = timed(bench, "cmake", "-B", clone / "build", "-DSTROBE_TESTS=ON", environment=environment)
+    more += timed(bench, "ninja", "-C", clone / "build", environment=environment)
+    tests = timed(bench, "ctest", "--test-dir", clone / "build", "-j", "2", codes=(0, 8))
+    demo = timed(bench, clone / "build/strobe", "demo", "-o", bench.folder("demo_timed"))
+    return [build / 60, (build + more) / 60, tests / 60, demo / 60]
+
+
+def edits_report(bench):
+    report = bench.out / "edits.md"
+    test = bench.program.parent / "tests" / "test_session"
+    bench.need(test, why="the tests are not built: ./strobe test -N builds them")
+    bench.run(test, "--gtest_filter=Edits*", environment={
+        "STROBE_EDITS": "1000", "STROBE_EDITS_DRAWN": "1000", "STROBE_EDITS_REPORT": str(report)})
+    return report.read_text()
+
+
+def random_edits(bench):
+    return [float(cell) for row in table_rows(edits_report(bench)) for cell in row[1:]]
+
+
+def random_edits_time(bench):
+    return [float(re.search(r"(\d+) s in all", edits_report(bench)).group(1))]

@@ -1,0 +1,19 @@
+-- SPDX-License-Identifier: MIT
+-- The preset of experiments/tune, and the other setting of docs/tuning.md, beside the hybrid as it is given.
+local experiment = require "strobe.experiment"
+
+return experiment {
+  title = "What tuning found",
+  size = { 320, 180 },
+  shots = { { name = "living_room", scene = "living_room" } },
+  arms = {
+    { name = "as given", pipeline = "hybrid" },
+    { name = "preset", pipeline = "hybrid", set = { preset = "experiments/tune/living_room.lua" } },
+    { name = "other", pipeline = "hybrid",
+      set = { composite = "alpha_over", weights = "jimenez2014", depth_extent = 0.005, limit = 0.05 } },
+  },
+  truth = { pipeline = "ground_truth", set = { samples = 256 } },
+  regions = { "whole", "inner" },
+  measures = { "rmse", "own_ratio" },
+  rounds = 5,
+}
