@@ -43,7 +43,7 @@ static void writeAll(int descriptor, std::string_view bytes) {
   }
 }
 
-void writeFileAtomically(const Path& file, std::string_view bytes) {
+void writeFileAtomically(const Path& file, std::string_view bytes, Flush flush) {
   Path temporary = file;
   temporary += fmt::format(".{}.part", ::getpid());
   int descriptor = -1;
@@ -52,7 +52,8 @@ void writeFileAtomically(const Path& file, std::string_view bytes) {
     descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
     if (descriptor < 0) throw std::system_error(errno, std::generic_category());
     writeAll(descriptor, bytes);
-    if (::fsync(descriptor) != 0 && errno != EINVAL) throw std::system_error(errno, std::generic_category());
+    bool failed = flush == Flush::yes && ::fsync(descriptor) != 0 && errno != EINVAL;
+    if (failed) throw std::system_error(errno, std::generic_category());
     if (::close(std::exchange(descriptor, -1)) != 0) throw std::system_error(errno, std::generic_category());
     fs::rename(temporary, file);
   } catch (const std::system_error& error) {

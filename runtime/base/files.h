@@ -24,8 +24,10 @@ struct WriteError : Error {
 };
 
 // Writes to a temporary name beside `file`, flushes to disk and renames: the file is either whole or as it was.
-// Creates missing folders. Throws `WriteError` with the system's reason and leaves nothing behind.
-void writeFileAtomically(const Path& file, std::string_view bytes);
+// Creates missing folders. Throws `WriteError` with the system's reason and leaves nothing behind. `Flush::no` does not
+// wait for the disk: whole after the death of the process, but not of the machine.
+enum class Flush { yes, no };
+void writeFileAtomically(const Path& file, std::string_view bytes, Flush flush = Flush::yes);
 void writeFileAtomically(const Path& file, const std::vector<uint8_t>& bytes);
 
 // Names of the files in `folder` that end in `extension` (".lua"), without it, sorted; empty where there is no folder.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 
 #include "base/hash.h"
@@ -236,20 +235,12 @@ Point PointRenderer::measuredPoint(const TaskGroup& group, const Task& task) {
   return point;
 }
 
-// Without waiting for the disk: the file of the point itself, written after it, says that it is whole.
-static void writeQuickly(const Path& file, const std::string& bytes) {
-  std::filesystem::create_directories(file.parent_path());
-  std::ofstream out(file, std::ios::binary);
-  out.write(bytes.data(), std::streamsize(bytes.size()));
-  out.close();
-  if (!out) throw WriteError(fmt::format("cannot be written: {}", std::strerror(errno)), {file.string()});
-}
-
 // The picture as shown, and linear if that is requested.
 void PointRenderer::keepFiles(const TaskGroup& group, const Task& task, const lab::Picture& picture) {
   const image::ToneMap& tone = experiment_.shots[group.group->shot].tone;
-  writeQuickly(pointFile(store_.folder(), task.key, ".png"),
-               image::encodePng(image::toneMap(lab::colorOf(picture), tone), image::PngEffort::fast));
+  std::string png = image::encodePng(image::toneMap(lab::colorOf(picture), tone), image::PngEffort::fast);
+  // The file of the point itself, written after it, waits for the disk.
+  writeFileAtomically(pointFile(store_.folder(), task.key, ".png"), png, Flush::no);
   if (store_.requires_exr) lab::writePicture(picture, pointFile(store_.folder(), task.key, ".exr"));
 }
 

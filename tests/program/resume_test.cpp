@@ -70,6 +70,13 @@ class Resume : public ::testing::Test {
     ::waitpid(child, nullptr, 0);
   }
 
+  void expectWholePictures(const std::string& out) const {
+    if (!fs::exists(folder_ / (out + "/points"))) return;
+    for (const auto& entry : fs::directory_iterator(folder_ / (out + "/points")))
+      if (entry.path().extension() == ".png")
+        EXPECT_TRUE(contentOf(entry.path()).ends_with("IEND\xae\x42\x60\x82")) << entry.path();
+  }
+
   TemporaryFolder folder_;
 };
 
@@ -85,6 +92,7 @@ TEST_F(Resume, KilledAtAnyMomentItLosesNothingAndDrawsNothingTwice) {
     std::map<std::string, fs::file_time_type> now = points("killed");
     for (const auto& [name, time] : before) EXPECT_EQ(now.at(name), time) << "written again";
     before = now;
+    expectWholePictures("killed");
   }
   EXPECT_GT(before.size(), 0u);
   EXPECT_LT(before.size(), 305u) << "nothing was left to go on with";
