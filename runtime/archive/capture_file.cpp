@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/home.h"
 #include "lab/shot_data.h"
 #include "lab/shot_options.h"
 
@@ -63,6 +64,12 @@ CapturedArm armFrom(const Json& json, const Path& script) {
   arm.sets = lab::settingsFrom(json, "set");
   arm.shots = json.value("shots", std::vector<std::string>{});
   arm.layers = layersFrom(json);
+  if (!json.contains("files")) return arm;
+  const std::string files = json["files"].get<std::string>();
+  arm.files = script.parent_path() / files;
+  bool inside = std::filesystem::is_directory(arm.files) && liesIn(arm.files, script.parent_path());
+  if (!inside)
+    throw Error(fmt::format("arm '{}': there is no folder '{}' beside the script", arm.name, files), {script});
   return arm;
 }
 

@@ -37,6 +37,7 @@ struct CapturedArm {
   script::Settings sets;
   std::vector<std::string> shots;  // those that it draws; empty: all
   std::optional<Layers> layers;
+  Path files;  // a folder beside the script, whose files take the place of the home's own (FrozenHome); or ""
 
   bool draws(const std::string& shot) const;
 };

@@ -60,12 +60,12 @@ namespace {
 
 class Run {
  public:
-  Run(const CaptureFile& capture, const Order& order, const InputNames& names, lab::Workbench& bench,
-      const std::function<void(const std::string&)>& report)
-      : capture_(capture), order_(order), names_(names), report_(report), taker_(bench, capture, names, order.folder) {}
+  Run(const CaptureFile& capture, const Order& order, const Home& home, lab::Workbench& bench,
+      const Taker::MakeBench& make, const std::function<void(const std::string&)>& report)
+      : capture_(capture), order_(order), report_(report), taker_(bench, home, capture, order.folder, make) {}
 
   void draw() {
-    for (const script::Dependency& file : capture_.scripts) addInput(inputs_, names_, file.path, file.hash);
+    for (const script::Dependency& file : capture_.scripts) addInput(inputs_, taker_.names(), file.path, file.hash);
     bool of_figure = isFigure(order_.only);
     std::vector<Frame> all = framesOf(capture_), frames = framesOf(capture_, of_figure ? "" : order_.only);
     for (size_t i = 0; i < frames.size() && !of_figure; ++i)
@@ -150,7 +150,6 @@ class Run {
 
   const CaptureFile& capture_;
   const Order& order_;
-  const InputNames& names_;
   const std::function<void(const std::string&)>& report_;
   Taker taker_;
   Inputs inputs_;
@@ -161,11 +160,12 @@ class Run {
 Captured runCapture(const Home& home, const Order& order, const std::function<void(const std::string&)>& report) {
   FrozenHome frozen(home, order.folder / ".inputs");
   CaptureFile capture = readCapture(frozen.home(), frozen.at(order.file), order.size);
-  InputNames names(frozen.home(), capture.file);
-  lab::Workbench bench(frozen.home(), order.device, order.validation);
-  Run run(capture, order, names, bench, report);
+  auto make = [&](const Home& of) { return std::make_unique<lab::Workbench>(of, order.device, order.validation); };
+  std::unique_ptr<lab::Workbench> bench = make(frozen.home());
+  Run run(capture, order, home, *bench, make, report);
   run.draw();
-  bench.device().refuseMessages();
+  run.taker().refuseMessages();
+  const InputNames& names = run.taker().names();
 
   std::set<std::string> listed = copyInputs(run.inputs(), names, order.folder, order.bundle);
   for (const auto& [name, file] : run.files.items()) listed.insert(name);
@@ -174,7 +174,7 @@ Captured runCapture(const Home& home, const Order& order, const std::function<vo
                    {"format_version", kManifestVersion},
                    {"capture", captureJson(capture, names.nameOf(capture.file, true), order)},
                    {"program", programJson(home)},
-                   {"device", deviceJson(bench.device().info())},
+                   {"device", deviceJson(bench->device().info())},
                    {"inputs", toJson(run.inputs())},
                    {"pictures", std::move(run.pictures)},
                    {"files", std::move(run.files)}};

@@ -26,19 +26,34 @@ Inputs inputsFrom(const Json& json) {
   return inputs;
 }
 
-InputNames::InputNames(const Home& home, const Path& capture_file) {
-  if (home.hasProject()) roots_.push_back({Home::kProjectPrefix, home.project()});
-  roots_.push_back({Home::kShippedPrefix, home.shipped()});
+InputNames::InputNames(const Home& home, const Home& original, const Path& capture_file, const Path& other)
+    : other_(other) {
+  for (const Home* of : {&home, &original}) {
+    if (of->hasProject()) roots_.push_back({Home::kProjectPrefix, of->project()});
+    roots_.push_back({Home::kShippedPrefix, of->shipped()});
+  }
   if (std::optional<Path> data = home.data()) roots_.push_back({"shared:", *data});
   roots_.push_back({"capture:", fs::absolute(capture_file).lexically_normal().parent_path()});
 }
 
-std::string InputNames::nameOf(const Path& file, bool allow_outside) const {
-  Path path = fs::absolute(file).lexically_normal();
+std::optional<std::string> InputNames::named(const Path& path) const {
   for (const Root& root : roots_) {
     Path below = path.lexically_relative(fs::absolute(root.folder).lexically_normal());
-    if (!below.empty() && *below.begin() != ".." && liesIn(path, root.folder)) return root.prefix + below.generic_string();
+    if (!below.empty() && *below.begin() != ".." && liesIn(path, root.folder))
+      return root.prefix + below.generic_string();
   }
+  return std::nullopt;
+}
+
+std::string InputNames::nameOf(const Path& file, bool allow_outside) const {
+  Path path = fs::absolute(file).lexically_normal();
+  std::optional<std::string> name = named(path);
+  if (name && !other_.empty()) {
+    size_t colon = name->find(':');
+    Path other = fs::absolute(other_ / name->substr(0, colon) / name->substr(colon + 1)).lexically_normal();
+    if (fs::is_regular_file(other)) name = named(other);
+  }
+  if (name) return *name;
   if (allow_outside) return "outside:" + path.generic_string();
   throw Error(
       "lies outside of Strobe's folder, the project, the shared data and the folder of the capture; "
@@ -47,9 +62,14 @@ std::string InputNames::nameOf(const Path& file, bool allow_outside) const {
 }
 
 Path InputNames::pathOf(const std::string& name) const {
-  for (const Root& root : roots_)
-    if (name.starts_with(root.prefix)) return root.folder / name.substr(root.prefix.size());
-  return name.substr(name.find(':') + 1);
+  Path first;
+  for (const Root& root : roots_) {
+    if (!name.starts_with(root.prefix)) continue;
+    Path path = root.folder / name.substr(root.prefix.size());
+    if (fs::is_regular_file(path)) return path;
+    if (first.empty()) first = path;
+  }
+  return first.empty() ? Path(name.substr(name.find(':') + 1)) : first;
 }
 
 void addInput(Inputs& inputs, const InputNames& names, const Path& file, const std::string& was, bool allow_outside) {

@@ -24,8 +24,9 @@ Inputs inputsFrom(const Json& json);  // throws JSON's exceptions
 
 class InputNames {
  public:
-  // `capture_file`: the script, absolute.
-  InputNames(const Home& home, const Path& capture_file);
+  // `home`: that files are read from, a copy of `original`. `capture_file`: the script. `other`: a folder of files that
+  // take the place of the home's own (FrozenHome); they have its name.
+  InputNames(const Home& home, const Home& original, const Path& capture_file, const Path& other = {});
 
   // Throws `Error` naming a file that lies in no root; with `allow_outside` it is "outside:" and its absolute path.
   std::string nameOf(const Path& file, bool allow_outside) const;
@@ -37,7 +38,10 @@ class InputNames {
     std::string prefix;
     Path folder;
   };
+  std::optional<std::string> named(const Path& path) const;
+
   std::vector<Root> roots_;
+  Path other_;
 };
 
 // Reads and adds a file whose content had the hash `was` (base/hash.h, hashText) when it was used; throws `Error` where

@@ -142,20 +142,43 @@ std::vector<Frame> framesOf(const CaptureFile& capture, const std::string& only)
   return frames;
 }
 
-Taker::Taker(lab::Workbench& bench, const CaptureFile& capture, const InputNames& names, const Path& folder)
-    : bench_(bench), capture_(capture), names_(names), folder_(folder) {}
+Taker::Taker(lab::Workbench& bench, const Home& original, const CaptureFile& capture, const Path& folder,
+             MakeBench make)
+    : original_(original),
+      capture_(capture),
+      folder_(folder),
+      make_bench_(std::move(make)),
+      own_{bench, InputNames(bench.home(), original, capture.file)} {}
+
+const Taker::Place& Taker::placeOf(const CapturedArm& arm) {
+  if (arm.files.empty()) return own_;
+  std::unique_ptr<OwnPlace>& known = others_[arm.files];
+  if (known) return known->place;
+  auto home =
+      std::make_unique<FrozenHome>(own_.bench.home(), folder_ / fmt::format(".inputs_{}", others_.size()), arm.files);
+  std::unique_ptr<lab::Workbench> bench = make_bench_(home->home());
+  InputNames names(home->home(), original_, capture_.file, arm.files);
+  lab::Workbench& drawn_on = *bench;
+  known.reset(new OwnPlace{std::move(home), std::move(bench), {drawn_on, std::move(names)}});
+  return known->place;
+}
+
+void Taker::refuseMessages() const {
+  own_.bench.device().refuseMessages();
+  for (const auto& [folder, other] : others_) other->bench->device().refuseMessages();
+}
 
 // With every pass's output tapped.
-std::unique_ptr<lab::Drawing> Taker::drawingOf(lab::Shot& shot) {
-  std::shared_ptr<const lab::Evaluation> evaluation = bench_.evaluate(shot.pipeline, shot.sets);
-  std::shared_ptr<lab::HeldScene> scene = bench_.scene(shot, true);
-  shot.taps = plan::filledImages(*lab::plannedOf(bench_, shot, evaluation->pipeline).plan);
-  return std::make_unique<lab::Drawing>(bench_, scene, lab::plannedOf(bench_, shot, evaluation->pipeline), evaluation);
+std::unique_ptr<lab::Drawing> Taker::drawingOf(lab::Workbench& bench, lab::Shot& shot) {
+  std::shared_ptr<const lab::Evaluation> evaluation = bench.evaluate(shot.pipeline, shot.sets);
+  std::shared_ptr<lab::HeldScene> scene = bench.scene(shot, true);
+  shot.taps = plan::filledImages(*lab::plannedOf(bench, shot, evaluation->pipeline).plan);
+  return std::make_unique<lab::Drawing>(bench, scene, lab::plannedOf(bench, shot, evaluation->pipeline), evaluation);
 }
 
 // Of all that makes the files: what is drawn, by which program, on which device, and what is kept of it.
 std::string Taker::keyOf(const Frame& frame, const lab::Drawing& drawing, const lab::Shot& shot) const {
-  const gpu::DeviceInfo& device = bench_.device().info();
+  const gpu::DeviceInfo& device = own_.bench.device().info();
   const Layers layers = layersOf(capture_, *frame.shot, *frame.arm);
   const image::ToneMap& tone = frame.shot->tone;
   std::string key = lab::canonical(shot) + drawing.planned().hash + drawing.scene().hash + lab::programHash();
@@ -171,7 +194,7 @@ bool Taker::areCurrent(const Json& inputs) {
   for (const auto& [name, input] : inputsFrom(inputs)) {
     auto known = sums_.find(name);
     if (known == sums_.end()) {
-      Path file = names_.pathOf(name);
+      Path file = own_.names.pathOf(name);
       known = sums_.emplace(name, fs::is_regular_file(file) ? sha256(readText(file)) : "").first;
     }
     if (known->second != input.sha256) return false;
@@ -183,7 +206,7 @@ Json Taker::entry(const Frame& frame) {
   const std::string name = frame.name();
   if (auto known = entries_.find(name); known != entries_.end()) return known->second;
   lab::Shot shot = shotOf(capture_, *frame.shot, *frame.arm, frame.step);
-  std::unique_ptr<lab::Drawing> drawing = drawingOf(shot);
+  std::unique_ptr<lab::Drawing> drawing = drawingOf(placeOf(*frame.arm).bench, shot);
   std::string key = keyOf(frame, *drawing, shot);
   Path file = folder_ / "pictures" / (name + ".json");
   if (fs::exists(file)) {
@@ -204,7 +227,8 @@ Json Taker::take(const Frame& frame, const lab::Shot& shot, lab::Drawing& drawin
   const std::string name = frame.name();
   timings_[name] = picture.timings;
   Inputs inputs;
-  addInputs(inputs, names_, bench_.home(), drawing, shot.allow_outside);
+  const Place& place = placeOf(*frame.arm);
+  addInputs(inputs, place.names, place.bench.home(), drawing, shot.allow_outside);
 
   lab::Shot untapped = shot;
   untapped.taps.clear();

@@ -8,6 +8,7 @@
 #include "archive/capture_file.h"
 #include "archive/inputs.h"
 #include "archive/taken.h"
+#include "base/frozen_home.h"
 
 namespace strobe::archive {
 
@@ -26,8 +27,11 @@ std::vector<Frame> framesOf(const CaptureFile& capture, const std::string& only 
 
 class Taker {
  public:
-  // Files go to FOLDER/pictures. All must outlive it.
-  Taker(lab::Workbench& bench, const CaptureFile& capture, const InputNames& names, const Path& folder);
+  // What arms draw on whose files take the place of the home's own.
+  using MakeBench = std::function<std::unique_ptr<lab::Workbench>(const Home& home)>;
+
+  // Files go to FOLDER/pictures. `original`: the home that the bench's is a copy of. All must outlive it.
+  Taker(lab::Workbench& bench, const Home& original, const CaptureFile& capture, const Path& folder, MakeBench make);
 
   // The entry of a picture in a manifest (docs/captures.md). It is drawn unless the folder has it as it would be.
   Json entry(const Frame& frame);
@@ -36,24 +40,41 @@ class Taker {
   // As it was taken; valid as `FindTaken` says.
   const Taken& find(const std::string& shot, const std::string& arm, int step);
   int drawn() const { return drawn_; }  // pictures drawn by this taker; the others were there
+  const InputNames& names() const { return own_.names; }
+  // Throws `Error` with what validation said of any bench.
+  void refuseMessages() const;
   // Milliseconds of each picture drawn, by name.
   const Json& timings() const { return timings_; }
 
  private:
-  std::unique_ptr<lab::Drawing> drawingOf(lab::Shot& shot);
+  // What arms draw on, and the names of the files there.
+  struct Place {
+    lab::Workbench& bench;
+    InputNames names;
+  };
+  struct OwnPlace {
+    std::unique_ptr<FrozenHome> home;
+    std::unique_ptr<lab::Workbench> bench;
+    Place place;
+  };
+
+  const Place& placeOf(const CapturedArm& arm);
+  std::unique_ptr<lab::Drawing> drawingOf(lab::Workbench& bench, lab::Shot& shot);
   std::string keyOf(const Frame& frame, const lab::Drawing& drawing, const lab::Shot& shot) const;
   Json take(const Frame& frame, const lab::Shot& shot, lab::Drawing& drawing, const std::string& key);
   // Whether files named as inputs have the content now that they had then.
   bool areCurrent(const Json& inputs);
   Taken readBack(const Json& entry) const;
 
-  lab::Workbench& bench_;
+  const Home& original_;
   const CaptureFile& capture_;
-  const InputNames& names_;
   const Path folder_;
-  std::map<std::string, std::string> sums_;  // SHA-256 of inputs as they are, by name
-  std::map<std::string, Json> entries_;      // of pictures asked for, by name
-  std::list<Taken> kept_;                    // the used last first, kPicturesFound of them
+  MakeBench make_bench_;
+  Place own_;
+  std::map<Path, std::unique_ptr<OwnPlace>> others_;  // by the folder of an arm's files
+  std::map<std::string, std::string> sums_;           // SHA-256 of inputs as they are, by name
+  std::map<std::string, Json> entries_;               // of pictures asked for, by name
+  std::list<Taken> kept_;                             // the used last first, kPicturesFound of them
   int drawn_ = 0;
   Json timings_ = Json::object();
 };

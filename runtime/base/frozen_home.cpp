@@ -12,20 +12,31 @@ namespace fs = std::filesystem;
 
 namespace {
 
+const std::set<std::string> kTexts = {".lua", ".glsl", ".h"};
+const std::set<std::string> kData = {".glb", ".gltf", ".bin", ".png", ".jpg", ".jpeg"};
+
+// The same file under another name where the file system can do that.
+void link(const Path& from, const Path& to) {
+  std::error_code failed;
+  fs::create_hard_link(from, to, failed);
+  if (failed) fs::copy_file(from, to);
+}
+
 // As deep as they lie, but for hidden folders.
-void copyTexts(const Path& from, const Path& to) {
-  static const std::set<std::string> kinds = {".lua", ".glsl", ".h"};
+void copyFolder(const Path& from, const Path& to, bool with_data) {
   for (auto entries = fs::recursive_directory_iterator(from); entries != fs::end(entries); ++entries) {
     const fs::directory_entry& entry = *entries;
     if (entry.is_directory() && entry.path().filename().string().starts_with(".")) entries.disable_recursion_pending();
-    if (!entry.is_regular_file() || !kinds.count(entry.path().extension())) continue;
+    bool is_text = kTexts.count(entry.path().extension()), is_data = with_data && kData.count(entry.path().extension());
+    if (!entry.is_regular_file() || (!is_text && !is_data)) continue;
     Path copy = to / entry.path().lexically_relative(from);
     fs::create_directories(copy.parent_path());
-    fs::copy_file(entry.path(), copy);
+    if (is_text) fs::copy_file(entry.path(), copy, fs::copy_options::overwrite_existing);
+    else link(entry.path(), copy);
   }
 }
 
-Home copied(const Home& home, const Path& folder) {
+Home copied(const Home& home, const Path& folder, const Path& other) {
   fs::remove_all(folder);
   std::vector<Path> roots;
   for (const Path& root : home.roots()) {
@@ -33,16 +44,19 @@ Home copied(const Home& home, const Path& folder) {
     fs::create_directories(roots.back());
     if (fs::exists(root / Home::kProjectFile))
       fs::copy_file(root / Home::kProjectFile, roots.back() / Home::kProjectFile);
-    for (const char* part : {"passes", "shaders", "scripts", "pipelines", "scenes", "captures", "experiments"})
-      if (fs::is_directory(root / part)) copyTexts(root / part, roots.back() / part);
+    // An experiment's folder has its results as well.
+    for (const std::string part : {"passes", "shaders", "scripts", "pipelines", "scenes", "captures", "experiments"})
+      if (fs::is_directory(root / part)) copyFolder(root / part, roots.back() / part, part != "experiments");
+    Path others = other / (root == home.shipped() ? "strobe" : "project");
+    if (!other.empty() && fs::is_directory(others)) copyFolder(others, roots.back(), false);
   }
   return Home(roots, home.data(), home.program());
 }
 
 }  // namespace
 
-FrozenHome::FrozenHome(const Home& home, const Path& folder)
-    : original_(home), folder_(folder), home_(copied(home, folder)) {}
+FrozenHome::FrozenHome(const Home& home, const Path& folder, const Path& other)
+    : original_(home), folder_(folder), home_(copied(home, folder, other)) {}
 
 FrozenHome::~FrozenHome() {
   std::error_code ignored;

@@ -7,12 +7,13 @@
 
 namespace strobe {
 
-// A copy of the Lua and GLSL files of a home, removed at the end. Scenes in other formats and files outside of the
-// home's roots are not copied.
+// A copy of the Lua and GLSL files of a home, removed at the end. Models and pictures beside scenes and captures are
+// linked, not copied. What lies outside of the home's roots is left where it is.
 class FrozenHome {
  public:
-  // The copy is made in `folder`, in place of what is there.
-  FrozenHome(const Home& home, const Path& folder);
+  // The copy is made in `folder`, in place of what is there. Files in `other`/strobe and `other`/project, named as in
+  // those roots, take the place of the home's own.
+  FrozenHome(const Home& home, const Path& folder, const Path& other = {});
   FrozenHome(const FrozenHome&) = delete;
   ~FrozenHome();
 

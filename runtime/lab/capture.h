@@ -26,8 +26,8 @@ struct ExrOptions {
 // the picture has several sub-pixel samples. Throws `Error` for a layer there is not, and for mattes without ids.
 image::ExrFile exrOf(const Picture& picture, const ExrOptions& options = {});
 
-// The images in a multi-part file of `exrOf` (without `half`; mattes are left out) by the name of the output or tap, bit
-// for bit. Throws `Error` (place: `file`) for another file.
+// The images in a multi-part file of `exrOf` (without `half`; mattes are left out) by the name of the output or tap,
+// bit for bit. Throws `Error` (place: `file`) for another file.
 std::map<std::string, graph::ReadImage> imagesOf(const image::ExrFile& content, const Path& file);
 
 // Writes `file` (.exr or .png by its name; PNG: linear colour times 2^0, clamped, sRGB-encoded), "<stem>.record.json"

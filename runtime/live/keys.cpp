@@ -33,6 +33,7 @@ const std::vector<Key>& keys() {
       {",", ',', Action::TakePrevious, "take the value before this one from the sweep"},
       {".", '.', Action::TakeNext, "take the next value from the sweep"},
       {"F5", GLFW_KEY_F5, Action::SaveExperiment, "save the sweep as an experiment"},
+      {"F6", GLFW_KEY_F6, Action::Record, "record what is done as a capture script; again: write it"},
       {"Tab", GLFW_KEY_TAB, Action::TogglePanels, "the picture alone, without panels"},
       {"?", '?', Action::ToggleHelp, "this help"},
       {"F10", GLFW_KEY_F10, Action::Quit, "close the window"},

@@ -32,6 +32,7 @@ enum class Action {
   TakePrevious,
   TakeNext,
   SaveExperiment,
+  Record,
   TogglePanels,
   ToggleHelp,
   Quit,

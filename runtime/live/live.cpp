@@ -12,6 +12,7 @@
 #include "lab/capture.h"
 #include "live/drive.h"
 #include "live/picture_view.h"
+#include "live/recording.h"
 #include "live/surface.h"
 #include "live/sweep_panel.h"
 #include "live/window.h"
@@ -80,6 +81,9 @@ class Live {
   void stepView(int by);
   void sweepPointed();
   void closeUppermost();
+  void save();
+  void toggleRecording();
+  Path stopRecording(const Path& script);
   void sendToTev();
   void pointAsDriven();
   void holdPressedKeys(bool down);
@@ -102,6 +106,7 @@ class Live {
   const std::map<Action, std::function<void()>> actions_ = actions();
   PictureView view_;
   SweepPanel sweep_panel_;
+  std::unique_ptr<Recording> recording_;
   std::unique_ptr<Texture> picture_;
   std::unique_ptr<Drive> drive_;
   std::unique_ptr<lab::Tev> tev_;
@@ -186,6 +191,29 @@ void Live::closeUppermost() {
   else desk_.pixel().unpin();
 }
 
+void Live::save() {
+  Path file = desk_.save().front();
+  if (recording_) recording_->markSaved(desk_);
+  state_.say("saved " + file.string());
+}
+
+Path Live::stopRecording(const Path& script) {
+  std::unique_ptr<Recording> ended = std::move(recording_);
+  if (!ended) throw Error("nothing is recorded");
+  ended->write(bench_, script);
+  return script;
+}
+
+void Live::toggleRecording() {
+  if (!recording_) {
+    recording_ = std::make_unique<Recording>(bench_.home(), desk_.options().out / ".recorded");
+    return state_.say("recording; F6 writes it as a capture script");
+  }
+  Path script = stopRecording(desk_.freeName(".recording.lua"));
+  state_.say(fmt::format("saved; take it again: strobe capture {} -o DIR", script.string()));
+  openInEditor(script);
+}
+
 std::map<Action, std::function<void()>> Live::actions() {
   return {
       {Action::TogglePlay, [this] { desk_.playing = !desk_.playing; }},
@@ -203,7 +231,7 @@ std::map<Action, std::function<void()>> Live::actions() {
       {Action::NextView, [this] { stepView(1); }},
       {Action::ViewColor, [this] { desk_.viewPort("color"); }},
       {Action::Unpin, [this] { closeUppermost(); }},
-      {Action::Save, [this] { state_.say("saved " + desk_.save().front().string()); }},
+      {Action::Save, [this] { save(); }},
       {Action::Screenshot, [this] { screenshot_ = desk_.freeName(".window.png"); }},
       {Action::CopyCommand,
        [this] {
@@ -215,6 +243,7 @@ std::map<Action, std::function<void()>> Live::actions() {
       {Action::TakePrevious, [this] { sweeper_.takeNext(desk_, -1); }},
       {Action::TakeNext, [this] { sweeper_.takeNext(desk_, 1); }},
       {Action::SaveExperiment, [this] { state_.say("saved; run it: strobe sweep " + sweeper_.save(desk_).string()); }},
+      {Action::Record, [this] { toggleRecording(); }},
       {Action::TogglePanels, [this] { state_.panels = !state_.panels; }},
       {Action::ToggleHelp, [this] { state_.help = !state_.help; }},
       {Action::Quit, [this] { quit_ = true; }},
@@ -297,6 +326,9 @@ void Live::turn() {
   bool news = desk_.turn();
   if (std::string message = desk_.sides().takeMessage(); !message.empty()) state_.say(message);
   if (news) sendToTev();
+  if (recording_) recording_->look(desk_, ImGui::IsAnyMouseDown() || desk_.playing);
+  state_.recorded.reset();
+  if (recording_) state_.recorded = recording_->moments();
   // A drag comes first.
   bool swept = !ImGui::IsAnyMouseDown() && sweeper_.turn(desk_);
   if (news || swept) settle_ = kSettle;
@@ -441,6 +473,11 @@ void Live::addFileHandlers(std::map<std::string, Handler>& handlers) {
     lab::checkPictureName(c.arguments[0]);
     return lab::writePicture(desk_.a().session->capture(), c.arguments[0]), true;
   };
+  handlers["record"] = [this](const Command&) {
+    recording_ = std::make_unique<Recording>(bench_.home(), desk_.options().out / ".recorded");
+    return true;
+  };
+  handlers["stop"] = [this](const Command& c) { return stopRecording(c.arguments[0]), true; };
   handlers["trail"] = [this](const Command& c) {
     writeFileAtomically(c.arguments[0], desk_.pixel().json().dump(2) + "\n");
     return true;

@@ -309,12 +309,14 @@ void bottomBar(const Fonts& fonts, Desk& desk, PanelState& state, float width, f
         desk.playing);
   press("\u25b6\u2759##ahead", "one frame ahead", Action::StepAhead);
   int frame = desk.shot().frame, last = std::max(desk.sides().lastFrame(), frame);
-  ImGui::SetNextItemWidth(std::max(120.0f, width - 520));
+  ImGui::SetNextItemWidth(std::max(120.0f, width - 600));
   if (ImGui::SliderInt("##frame", &frame, 0, last, "frame %d")) attempt(state, [&] { desk.goToFrame(frame); });
   ImGui::SameLine(0, 14);
   press("save", "the picture with its run record (F2)", Action::Save);
   press("copy command", "that makes this picture (F4)", Action::CopyCommand);
   press("camera back", "to the scene's (C)", Action::CameraBack, desk.shot().view.has_value());
+  press(state.recorded ? fmt::format("\u25a0 stop ({})", *state.recorded).c_str() : "\u25cf record",
+        "what is done, as a capture script (F6)", Action::Record, state.recorded.has_value());
   press("fit", "the picture into the window (F)", Action::FitPicture);
   ImGui::NewLine();
   textIn(fonts.mono, colours::kDim, lab::commandOf(desk.shot()));

@@ -26,6 +26,7 @@ struct PanelState {
   std::vector<Action> requests;  // buttons pressed, for the window to carry out
   std::string message;           // the last thing that happened
   bool message_is_bad = false;
+  std::optional<size_t> recorded;  // moments, while it is recorded
   double message_until_s = 0;
 
   void say(const std::string& text, bool bad = false);

@@ -2,94 +2,32 @@
 #include "live/sweep_file.h"
 
 #include <algorithm>
-#include <cctype>
+
+#include "live/lua_text.h"
 
 namespace strobe::live {
 
 namespace {
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c == '\n' ? ' ' : c;
-  }
-  return result + "\"";
-}
-
-std::string luaOf(const plan::Value& value) {
-  if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
-  return plan::textOf(value);
-}
-
-std::string luaOf(const Json& json) {
-  if (json.is_string()) return quoted(json.get<std::string>());
-  if (!json.is_array()) return json.dump();
-  std::string list;
-  for (const Json& one : json) list += fmt::format("{}{}", list.empty() ? "" : ", ", luaOf(one));
-  return fmt::format("{{ {} }}", list);
-}
-
-std::string keyOf(const std::string& name) {
-  bool plain = !name.empty() && !std::isdigit(static_cast<unsigned char>(name[0])) &&
-               std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
-  return plain ? name : fmt::format("[{}]", quoted(name));
-}
-
-// "{ a = 1, b = 2 }".
-std::string tableOf(const std::vector<std::string>& fields) { return fmt::format("{{ {} }}", fmt::join(fields, ", ")); }
-
-std::string field(const std::string& name, const std::string& text) { return keyOf(name) + " = " + text; }
-
-// "NODE=x,y,z" of the command line as a field.
-std::string motion(const std::string& text) {
-  size_t at = text.rfind('=');
-  if (at == std::string::npos) return field(text, "{}");
-  std::string numbers;
-  for (char c : text.substr(at + 1)) numbers += c == ',' ? ", " : std::string(1, c);
-  return field(text.substr(0, at), fmt::format("{{ {} }}", numbers));
-}
 
 bool isSwept(const SavedSweep& sweep, const std::string& name) {
   return std::any_of(sweep.axes.begin(), sweep.axes.end(),
                      [&](const SweepAxis& axis) { return axis.declaration.name == name; });
 }
 
-// Settings of the scene, or of the pipeline; the last of a name counts.
-std::vector<std::string> settings(const SavedSweep& sweep, bool of_scene) {
-  std::map<std::string, plan::Value> last;
-  for (const script::Setting& set : sweep.shot.sets)
-    if (lab::isOfScene(set) == of_scene && !isSwept(sweep, set.first)) last[set.first] = set.second;
-  std::vector<std::string> fields;
-  for (const auto& [name, value] : last) fields.push_back(field(name, luaOf(value)));
-  return fields;
-}
-
-std::string optionText(const lab::ShotOption& option, const lab::Shot& shot) {
-  Json value = lab::jsonOf(option, shot);
-  if (option.name != "move" && option.name != "spin") return luaOf(value);
-  std::vector<std::string> nodes;
-  for (const Json& one : value) nodes.push_back(motion(one.get<std::string>()));
-  return tableOf(nodes);
-}
-
 std::string shotText(const SavedSweep& sweep) {
   std::vector<std::string> fields = {field("name", quoted(Path(sweep.shot.scene).stem().string())),
                                      field("scene", quoted(sweep.shot.scene))};
-  for (const lab::ShotOption& option : lab::shotOptions()) {
-    bool alike = lab::jsonOf(option, sweep.shot) == lab::jsonOf(option, sweep.suggested);
-    bool elsewhere = option.name == "scene" || option.name == "size" || option.is(lab::ShotOption::kNoPicture);
-    if (!alike && !elsewhere && !isSwept(sweep, option.name))
-      fields.push_back(field(option.name, optionText(option, sweep.shot)));
-  }
-  for (const std::string& set : settings(sweep, true)) fields.push_back(set);
+  auto is_swept = [&](const std::string& name) { return isSwept(sweep, name); };
+  for (const std::string& option : optionFields(sweep.shot, sweep.suggested, is_swept)) fields.push_back(option);
+  for (const std::string& set : settingFields(sweep.shot.sets, true, is_swept)) fields.push_back(set);
   return tableOf(fields);
 }
 
 std::string armText(const SavedSweep& sweep) {
   std::vector<std::string> fields = {field("name", quoted(Path(sweep.shot.pipeline).stem().string())),
                                      field("pipeline", quoted(sweep.shot.pipeline))};
-  std::vector<std::string> sets = settings(sweep, false);
+  std::vector<std::string> sets =
+      settingFields(sweep.shot.sets, false, [&](const std::string& name) { return isSwept(sweep, name); });
   if (!sets.empty()) fields.push_back(field("set", tableOf(sets)));
   return tableOf(fields);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "lab/shot_options.h"
+#include "live/lua_text.h"
 #include "live/sweep_file.h"
 
 namespace strobe::live {
@@ -135,9 +136,7 @@ std::string Sweeper::experiment(const Desk& desk) const {
   if (!isOpen()) throw Error("there is no sweep to save");
   SavedSweep saved{sweep_->shot(), {}, sweep_->axes()};
   lab::Workbench& bench = session(desk).bench();
-  saved.suggested.scene = saved.shot.scene;
-  saved.suggested.sets = lab::sceneSettings(saved.shot.sets);
-  bench.scene(saved.suggested);
+  saved.suggested = suggestedShot(bench, saved.shot);
   saved.truth = desk.options().truth;
   if (saved.truth.empty())
     saved.truth = script::pipelineOfKind(bench.home(), plan::PipelineDesc::Kind::Truth, bench.limits);

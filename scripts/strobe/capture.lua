@@ -29,10 +29,11 @@ capture.fields = {
     name = { text }, title = { text, optional = true }, frames = { list, optional = true },
     vary = { map, optional = true }, stops = { number, optional = true }, curve = { text, optional = true },
   },
-  -- shots: those that it draws; all unless given.
+  -- shots: those that it draws; all unless given. files: a folder beside the script with other versions of scripts and
+  -- shaders, in strobe/ those of what ships, in project/ those of the project.
   arm = {
     name = { text }, pipeline = { text }, set = { map, optional = true }, shots = { list, optional = true },
-    layers = { fields.any, optional = true },
+    layers = { fields.any, optional = true }, files = { text, optional = true },
   },
 }
 

@@ -268,7 +268,6 @@ TEST_F(Capture, RefusesWhatIsWrong) {
   refused("pipeline = \"none\"", "pipeline = \"none\", layers = { \"dephth\" }", "no layer 'dephth'");
   refused("frames = { 0, 2, 1 }", "frames = { 2, 0, 1 }", "frames are not");
   refused("name = \"past\"", "name = \"CARD\"", "shots 'card' and 'CARD' would write the same files, 'card'");
-  refused("name = \"hybrid\"", "name = \"none \"", "would write the same files");
   refused("shot = \"card\", columns", "shot = \"crad\", columns", "did you mean 'card'?");
   EXPECT_EQ(capture("refused", "--only nothing").exit_code, 2);
   EXPECT_EQ(run("verify " + path("own")).exit_code, 1);

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <regex>
+#include <set>
 
 #include "base/files.h"
 #include "base/json.h"
@@ -221,6 +223,86 @@ TEST_F(Live, ASweepIsDrawnTakenAndSaved) {
   Outcome swept = run("sweep " + file + " --size 32x18 -o " + study, "STROBE_VALIDATION=1");
   EXPECT_EQ(swept.exit_code, 0) << swept.err;
   EXPECT_TRUE(fs::exists(study + "/report.html"));
+}
+
+// ---- recordings
+
+// Colours of the pictures in a capture's manifest, by hash; and of those saved by the window.
+std::map<std::string, std::string> coloursOf(const fs::path& capture) {
+  std::map<std::string, std::string> names;
+  Json manifest = Json::parse(contentOf(capture / "manifest.json"));
+  for (const Json& picture : manifest["pictures"]) names[picture["record"]["outputs"]["color"]] = picture["name"];
+  return names;
+}
+
+std::vector<std::string> savedColours(const fs::path& folder) {
+  std::vector<std::string> hashes;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().string().ends_with(".record.json"))
+      hashes.push_back(Json::parse(contentOf(entry.path()))["outputs"]["color"]);
+  return hashes;
+}
+
+// Values, another pipeline, a camera, frames played, an edited shader: each picture that was saved comes again from the
+// script, also after further edits.
+TEST_F(Live, WhatIsRecordedGivesTheSavedPicturesAgain) {
+  const std::string home = folder_ / "home", shade = home + "/shaders/scene/shade.glsl";
+  fs::create_directories(home);
+  for (const char* part : {"passes", "scripts", "shaders"})
+    fs::copy(strobe::home().shipped() / part, fs::path(home) / part, fs::copy_options::recursive);
+  const std::string before = contentOf(shade);
+  const std::string green = std::regex_replace(before, std::regex("vec4\\(color, 1\\)"), "vec4(0, color.g, 0, 1)");
+  ASSERT_NE(green, before);
+  writeText(folder_ / "green.glsl", green);
+  const std::string script = folder_ / "recorded.lua", capture = folder_ / "capture";
+  Outcome outcome = onDisplay(
+      "export STROBE_HOME=" + home + "\n" +
+      command("wait 2\nrecord\nwait 1\nset samples 8\nwait 2\nkey F2\nset exposure 0.75\norbit 20 10\nwait 2\nkey F2\n"
+              "replace " +
+                  shade + " " + (folder_ / "green.glsl") +
+                  "\nreloaded\nwait 2\nkey F2\n"
+                  "pipeline mcguire2012\nplay on\nwait 4\nplay off\nwait 2\nkey F2\nstop " +
+                  script + "\nquit\n",
+              "hybrid"));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  writeText(shade, std::regex_replace(before, std::regex("vec4\\(color, 1\\)"), "vec4(0, 0, 1, 1)"));
+  Outcome taken = run("capture " + script + " -o " + capture, "STROBE_VALIDATION=1 STROBE_HOME=" + home);
+  ASSERT_EQ(taken.exit_code, 0) << taken.err;
+  auto drawn = coloursOf(capture);
+  std::vector<std::string> saved = savedColours(folder_ / "out");
+  EXPECT_EQ(saved.size(), 4u);
+  EXPECT_EQ(std::set<std::string>(saved.begin(), saved.end()).size(), 4u) << "all look different";
+  for (const std::string& hash : saved) EXPECT_TRUE(drawn.count(hash)) << hash << "\n" << contentOf(script);
+  EXPECT_TRUE(fs::exists(capture + "/recorded.png"));
+  Outcome verified = run("verify " + capture, "STROBE_VALIDATION=0 STROBE_HOME=" + home);
+  EXPECT_EQ(verified.exit_code, 0) << verified.out;
+  EXPECT_FALSE(fs::exists(folder_ / "out/.recorded"));
+}
+
+// By the events of a keyboard and a mouse: F6, a drag over the picture, F2, a frame ahead, F2, the wheel, F2, F6.
+TEST_F(Live, WhatHandsDoIsRecorded) {
+  if (runLine("command -v xdotool").exit_code != 0) GTEST_SKIP() << "no xdotool to press keys";
+  const std::string out = folder_ / "out", editor = folder_ / "editor.sh", opened = folder_ / "opened.lua";
+  writeText(editor, "#!/bin/sh\ncp \"$1\" " + opened + "\n");
+  fs::permissions(editor, fs::perms::owner_all);
+  Outcome outcome = onDisplay(fmt::format(
+      "export STROBE_EDITOR={}\n'{}' live hybrid {} --window {}x{} --out {} &\npid=$!\n"
+      "saved() {{ for i in $(seq 100); do test $(ls {}/*.exr 2>/dev/null | wc -l) -ge $1 && return; sleep 0.1; done; "
+      "}}\n"
+      "xdotool search --sync --onlyvisible --name 'strobe live' windowfocus\nsleep 1\nxdotool key F6\nsleep 0.5\n"
+      "xdotool mousemove 550 300 mousedown 1\nfor x in 560 570 580 590; do xdotool mousemove $x 310; sleep 0.1; done\n"
+      "xdotool mouseup 1\nsleep 0.5\nxdotool key F2\nsaved 1\nxdotool key Right\nsleep 0.5\nxdotool key F2\nsaved 2\n"
+      "xdotool mousemove 550 300 click 4\nsleep 0.5\nxdotool key F2\nsaved 3\nxdotool key F6\n"
+      "for i in $(seq 50); do test -s {} && break; sleep 0.1; done\nxdotool key F10\nwait $pid\n",
+      editor, programPath(), shotOptions(), kWidth, kHeight, out, out, opened));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  ASSERT_TRUE(fs::exists(opened)) << "the script was opened in an editor";
+  Outcome taken = run("capture " + opened + " -o " + (folder_ / "capture"), "STROBE_VALIDATION=0");
+  ASSERT_EQ(taken.exit_code, 0) << taken.err;
+  auto drawn = coloursOf(folder_ / "capture");
+  std::vector<std::string> saved = savedColours(out);
+  EXPECT_EQ(std::set<std::string>(saved.begin(), saved.end()).size(), 3u);
+  for (const std::string& hash : saved) EXPECT_TRUE(drawn.count(hash)) << hash << "\n" << contentOf(opened);
 }
 
 TEST_F(Live, AFailedCommandEndsWithItsLine) {

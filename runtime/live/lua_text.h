@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Shots as Lua has them, for the experiments and captures that the window writes.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "lab/shot_options.h"
+#include "lab/workbench.h"
+
+namespace strobe::live {
+
+std::string quoted(const std::string& text);
+std::string luaOf(const plan::Value& value);
+std::string luaOf(const Json& json);  // numbers, texts and lists of them
+
+// "NAME = TEXT", the name in brackets where Lua needs it.
+std::string field(const std::string& name, const std::string& text);
+// "{ a = 1, b = 2 }".
+std::string tableOf(const std::vector<std::string>& fields);
+
+// What the scene of a shot says by itself, which its script need not.
+lab::Shot suggestedShot(lab::Workbench& bench, const lab::Shot& shot);
+
+using LeftOut = std::function<bool(const std::string& name)>;  // none where it is empty
+
+// The options of a shot that differ from another's, without scene and size.
+std::vector<std::string> optionFields(const lab::Shot& shot, const lab::Shot& from, const LeftOut& left_out);
+// Settings of the scene, or of the pipeline; the last of a name counts.
+std::vector<std::string> settingFields(const script::Settings& sets, bool of_scene, const LeftOut& left_out);
+
+}  // namespace strobe::live
