@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `strobe capture`, `verify` and `diff` from outside: the same bits under every disturbance, what differs and why,
-// where a capture was killed, bundles that verify elsewhere, the crate, and what is refused.
+// where a capture was killed, bundles and zips that verify elsewhere, the crate, and what is refused.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -247,6 +247,34 @@ TEST_F(Capture, ItsCrateDescribesEveryFile) {
   Outcome refused = capture("refused", "", "STROBE_VALIDATION=0 SOURCE_DATE_EPOCH=today");
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_NE(refused.err.find("SOURCE_DATE_EPOCH is no number of seconds"), std::string::npos) << refused.err;
+}
+
+TEST_F(Capture, AZipVerifiesWhereItIsUnpacked) {
+  ASSERT_EQ(capture("first", "--only card.none --zip").exit_code, 0);
+  ASSERT_EQ(runLine("umask 077 && exec env STROBE_VALIDATION=0 TZ=Asia/Kathmandu '" + programPath() + "' capture " +
+                    script_ + " --only card.none --zip -o " + path("second/"))
+                .exit_code,
+            0);
+  EXPECT_TRUE(contentOf(path("first.zip")) == contentOf(path("second.zip"))) << "the same bytes";
+  Outcome listed = runLine("python3 -c 'import zipfile\nfor f in zipfile.ZipFile(\"" + path("first.zip") +
+                           "\").infolist(): print(f.date_time, oct(f.external_attr >> 16), f.filename)'");
+  ASSERT_EQ(listed.exit_code, 0) << listed.err;
+  std::set<std::string> names = {"SHA256SUMS"};
+  std::istringstream sums(contentOf(path("first/SHA256SUMS")));
+  for (std::string hash, name; sums >> hash >> name;) names.insert(name);
+  std::string expected;
+  for (const std::string& name : names) expected += "(1980, 1, 1, 0, 0, 0) 0o100644 " + name + "\n";
+  EXPECT_EQ(listed.out, expected);
+  for (const auto& entry : fs::directory_iterator(folder_.path()))
+    EXPECT_NE(entry.path().extension(), ".part") << entry.path();
+
+  for (const char* original : {"own", "first", "second"}) fs::remove_all(path(original));
+  fs::create_directories(path("empty/scripts"));
+  const std::string alone = "STROBE_VALIDATION=0 STROBE_HOME=" + path("empty") + " STROBE_DATA=" + path("empty");
+  ASSERT_EQ(runLine("python3 -m zipfile -e " + path("first.zip") + " " + path("elsewhere")).exit_code, 0);
+  EXPECT_EQ(runLine("cd " + path("elsewhere") + " && sha256sum -c SHA256SUMS").exit_code, 0);
+  Outcome verified = run("verify " + path("elsewhere"), alone);
+  EXPECT_EQ(verified.exit_code, 0) << verified.err;
 }
 
 TEST_F(Capture, KilledAtAnyMomentItGoesOn) {
