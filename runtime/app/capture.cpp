@@ -8,6 +8,7 @@
 #include "app/shot_options.h"
 #include "archive/capture_run.h"
 #include "archive/verify.h"
+#include "archive/zip.h"
 #include "base/log.h"
 
 namespace strobe::app {
@@ -16,7 +17,7 @@ namespace {
 
 struct CaptureOptions {
   std::string file, out, only, size, device;
-  bool bundle = false, json = false;
+  bool bundle = false, zip = false, json = false;
 };
 
 void capture(const Home& home, const CaptureOptions& options) {
@@ -25,15 +26,20 @@ void capture(const Home& home, const CaptureOptions& options) {
   order.folder = options.out;
   order.only = options.only;
   if (!options.size.empty()) order.size = lab::parseSize(options.size);
-  order.bundle = options.bundle, order.device = options.device, order.validation = validationWanted();
+  order.bundle = options.bundle || options.zip;
+  order.device = options.device, order.validation = validationWanted();
   requireWritable(order.folder);
+  const Path zip = archive::zipBeside(order.folder);
+  if (options.zip) requireWritable(zip.parent_path());
   archive::Captured captured = archive::runCapture(home, order, [](const std::string& line) { note(line); });
+  if (options.zip) archive::writeZip(order.folder, zip);
   if (options.json) {
     std::printf("%s\n", captured.manifest.json.dump(1).c_str());
     return;
   }
   for (const Path& file : captured.files) std::printf("%s\n", file.c_str());
   std::printf("%s\n", (order.folder / archive::kManifestFile).c_str());
+  if (options.zip) std::printf("%s\n", zip.c_str());
 }
 
 struct VerifyOptions {
@@ -81,6 +87,7 @@ void registerCapture(CLI::App& program, const Home& home) {
   command->add_option("--only", order->only, "pictures alone whose names begin so (SHOT.ARM)")->type_name("NAME");
   command->add_option("--size", order->size, "WIDTHxHEIGHT in pixels: scales the whole capture (default: the file's)");
   command->add_flag("--bundle", order->bundle, "copy every file that was used, so that the folder verifies anywhere");
+  command->add_flag("--zip", order->zip, "a bundle, and the same as one file, FOLDER.zip");
   command->add_option("--device", order->device, "index or part of the name of a Vulkan device");
   command->add_flag("--json", order->json, "print the manifest");
   command->callback([order, &home] { capture(home, *order); });

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "archive/crate.h"
 #include "archive/film.h"
 #include "archive/taker.h"
 #include "base/frozen_home.h"
@@ -158,6 +159,7 @@ class Run {
 }  // namespace
 
 Captured runCapture(const Home& home, const Order& order, const std::function<void(const std::string&)>& report) {
+  const std::string date = crateDate(home);
   FrozenHome frozen(home, order.folder / ".inputs");
   CaptureFile capture = readCapture(frozen.home(), frozen.at(order.file), order.size);
   auto make = [&](const Home& of) { return std::make_unique<lab::Workbench>(of, order.device, order.validation); };
@@ -170,18 +172,20 @@ Captured runCapture(const Home& home, const Order& order, const std::function<vo
   std::set<std::string> listed = copyInputs(run.inputs(), names, order.folder, order.bundle);
   for (const auto& [name, file] : run.files.items()) listed.insert(name);
   listed.insert(kManifestFile);
-  Json manifest = {{"format", kManifestFormat},
-                   {"format_version", kManifestVersion},
-                   {"capture", captureJson(capture, names.nameOf(capture.file, true), order)},
-                   {"program", programJson(home)},
-                   {"device", deviceJson(bench->device().info())},
-                   {"inputs", toJson(run.inputs())},
-                   {"pictures", std::move(run.pictures)},
-                   {"files", std::move(run.files)}};
-  writeFileAtomically(order.folder / kManifestFile, manifest.dump(1) + "\n");
+  Manifest manifest = {order.folder,
+                       {{"format", kManifestFormat},
+                        {"format_version", kManifestVersion},
+                        {"capture", captureJson(capture, names.nameOf(capture.file, true), order)},
+                        {"program", programJson(home)},
+                        {"device", deviceJson(bench->device().info())},
+                        {"inputs", toJson(run.inputs())},
+                        {"pictures", std::move(run.pictures)},
+                        {"files", std::move(run.files)}}};
+  writeFileAtomically(order.folder / kManifestFile, manifest.json.dump(1) + "\n");
+  writeFileAtomically(order.folder / kCrateFile, crateOf(manifest, listed, date).dump(1) + "\n");
   if (run.taker().drawn() > 0) writeFileAtomically(order.folder / "timings.json", run.taker().timings().dump(1) + "\n");
-  writeFileAtomically(order.folder / "SHA256SUMS", sumsOf(order.folder, listed));
-  return {{order.folder, std::move(manifest)}, std::move(run.shown)};
+  writeFileAtomically(order.folder / kSumsFile, sumsOf(order.folder, listed));
+  return {std::move(manifest), std::move(run.shown)};
 }
 
 }  // namespace strobe::archive

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A capture from its script to a folder: pictures, figures, films, manifest.json, inputs, SHA256SUMS, timings.json.
+// A capture from its script to a folder: pictures, figures, films, manifest.json, ro-crate-metadata.json, inputs,
+// SHA256SUMS, timings.json.
 #pragma once
 
 #include "archive/manifest.h"

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "archive/film.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cmath>
 #include <filesystem>
 #include <utility>
 
+#include "archive/temporary_file.h"
 #include "base/process.h"
 
 namespace strobe::archive {
@@ -15,32 +13,6 @@ namespace strobe::archive {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Removed unless it was renamed.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(Path path) : path_(std::move(path)) {}
-  ~TemporaryFile() {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  const Path& path() const { return path_; }
-
-  // To disk, then under its own name.
-  void keepAs(const Path& file) {
-    int descriptor = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
-    bool flushed = descriptor >= 0 && (::fsync(descriptor) == 0 || errno == EINVAL);
-    int reason = errno;
-    if (descriptor >= 0) ::close(descriptor);
-    if (!flushed)
-      throw WriteError(fmt::format("cannot be written: {}", std::generic_category().message(reason)), {file.string()});
-    fs::rename(path_, file);
-  }
-
- private:
-  const Path path_;
-};
 
 std::string rgbOf(const image::Image& display) {
   std::string bytes(display.values.size(), '\0');
@@ -151,14 +123,14 @@ std::vector<Path> writeFilm(const Json& data, const FindTaken& find, int steps, 
   std::string first = frames.next();
   fs::create_directories(folder);
   Path file = folder / (film.name + "." + film.format);
-  TemporaryFile temporary(Path(file) += fmt::format(".{}.part", ::getpid()));
+  TemporaryFile temporary(file);
   Program ffmpeg;
   ffmpeg.arguments = commandOf(film.format, frames.width, frames.height, fpsOf(film, find), temporary.path());
   ffmpeg.more_input = [&] { return first.empty() ? frames.next() : std::exchange(first, {}); };
   ProgramEnd end = run(ffmpeg);
   if (!end.succeeded())
     throw Error(fmt::format("film '{}': ffmpeg ended with {}: {}", film.name, end.code(), end.errors), film.place);
-  temporary.keepAs(file);
+  temporary.keep();
   return {file};
 }
 

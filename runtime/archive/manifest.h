@@ -11,10 +11,13 @@ namespace strobe::archive {
 inline constexpr const char* kManifestFormat = "strobe.manifest";
 inline constexpr int kManifestVersion = 1;
 inline constexpr const char* kManifestFile = "manifest.json";
+inline constexpr const char* kSumsFile = "SHA256SUMS";
 
 // The program: version, the hash of its file, the revision of its sources and whether they were changed since, where
 // git knows, and the libraries it was built with.
 Json programJson(const Home& home);
+// When that revision was made, in seconds since 1970, where git knows. It is no part of a manifest.
+std::optional<int64_t> revisionTime(const Home& home);
 // The device: name, driver, interface, what its name says of LLVM and the width of vectors.
 Json deviceJson(const gpu::DeviceInfo& device);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `strobe capture`, `verify` and `diff` from outside: the same bits under every disturbance, what differs and why,
-// where a capture was killed, bundles that verify elsewhere, and what is refused.
+// where a capture was killed, bundles and zips that verify elsewhere, the crate, and what is refused.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -91,6 +91,8 @@ TEST_F(Capture, IsTheSameUnderAllDisturbances) {
     EXPECT_EQ(images(out), images("first"));
     Json is = manifest(out);
     EXPECT_EQ(is, was);
+    for (const char* file : {"/ro-crate-metadata.json", "/SHA256SUMS"})
+      EXPECT_EQ(contentOf(path(out + file)), contentOf(path("first") + file));
   }
   Outcome same = run("diff " + path("first") + " " + path("threads_1"));
   EXPECT_EQ(same.exit_code, 0) << same.err;
@@ -191,6 +193,88 @@ TEST_F(Capture, ABundleVerifiesWithoutTheOriginals) {
   EXPECT_NE(verified.err.find("inputs/capture/scene.lua: was altered"), std::string::npos) << verified.err;
   fs::remove(path("elsewhere/moved/inputs/capture/scene.lua"));
   EXPECT_NE(run("verify " + path("elsewhere/moved"), alone).err.find("is missing"), std::string::npos);
+}
+
+// What RO-Crate 1.1 and the profile demand of structure, and that all it says of files is so.
+TEST_F(Capture, ItsCrateDescribesEveryFile) {
+  ASSERT_EQ(capture("out", "--only card", "STROBE_VALIDATION=0 SOURCE_DATE_EPOCH=1595116801").exit_code, 0);
+  Json crate = Json::parse(contentOf(path("out/ro-crate-metadata.json")));
+  EXPECT_EQ(crate["@context"][0], "https://w3id.org/ro/crate/1.1/context");
+  std::map<std::string, Json> entities;
+  for (const Json& entity : crate["@graph"])
+    EXPECT_TRUE(entities.emplace(entity.at("@id").get<std::string>(), entity).second) << entity["@id"] << " twice";
+  auto idsOf = [](const Json& links) {
+    std::set<std::string> ids;
+    for (const Json& one : links) ids.insert(one.at("@id").get<std::string>());
+    return ids;
+  };
+  const Json& descriptor = entities.at("ro-crate-metadata.json");
+  EXPECT_EQ(descriptor["@type"], "CreativeWork");
+  EXPECT_EQ(descriptor["conformsTo"]["@id"], "https://w3id.org/ro/crate/1.1");
+  EXPECT_EQ(descriptor["about"]["@id"], "./");
+  const Json& root = entities.at("./");
+  EXPECT_EQ(root["@type"], "Dataset");
+  EXPECT_EQ(root["name"], "Small");
+  EXPECT_EQ(root["datePublished"], "2020-07-19") << "two seconds after midnight, UTC";
+  EXPECT_EQ(root["conformsTo"]["@id"], "https://w3id.org/ro/wfrun/process/0.5");
+  const Json& action = entities.at(root["mentions"]["@id"].get<std::string>());
+  EXPECT_EQ(action["@type"], "CreateAction");
+  EXPECT_EQ(entities.at(action["instrument"]["@id"].get<std::string>())["@type"], "SoftwareApplication");
+
+  // Every link leads to an entity, but that to the specification; files are parts, and are there as they are described.
+  std::set<std::string> parts = idsOf(root["hasPart"]), files;
+  for (const auto& [id, entity] : entities) {
+    for (const Json& value : id == "ro-crate-metadata.json" ? Json::object() : entity)
+      for (const Json& one : value.is_array() ? value : Json::array({value}))
+        if (one.is_object()) EXPECT_TRUE(entities.count(one.at("@id").get<std::string>())) << one;
+    if (entity["@type"] != "File") continue;
+    files.insert(id);
+    ASSERT_TRUE(fs::is_regular_file(path("out/" + id))) << id;
+    EXPECT_FALSE(entity["encodingFormat"].get<std::string>().empty());
+    if (id == "SHA256SUMS") continue;
+    EXPECT_EQ(entity["sha256"], sha256(contentOf(path("out/" + id)))) << id;
+    EXPECT_EQ(entity["contentSize"], std::to_string(fs::file_size(path("out/" + id)))) << id;
+  }
+  EXPECT_EQ(parts, files);
+  std::set<std::string> used = idsOf(action["object"]), made = idsOf(action["result"]);
+  EXPECT_TRUE(used.count("inputs/capture/small.lua") && used.count("inputs/capture/scene.lua"));
+  EXPECT_EQ(used.size(), manifest("out")["inputs"].size());
+  EXPECT_EQ(made.size(), manifest("out")["files"].size() + 1) << "and the manifest";
+  EXPECT_TRUE(made.count("pictures/card.hybrid.png") && made.count("manifest.json"));
+  used.insert(made.begin(), made.end()), used.insert("SHA256SUMS");
+  EXPECT_EQ(used, files);
+  EXPECT_EQ(runLine("cd " + path("out") + " && grep -c ro-crate SHA256SUMS").out, "0\n") << "it is derived";
+  Outcome refused = capture("refused", "", "STROBE_VALIDATION=0 SOURCE_DATE_EPOCH=today");
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_NE(refused.err.find("SOURCE_DATE_EPOCH is no number of seconds"), std::string::npos) << refused.err;
+}
+
+TEST_F(Capture, AZipVerifiesWhereItIsUnpacked) {
+  ASSERT_EQ(capture("first", "--only card.none --zip").exit_code, 0);
+  ASSERT_EQ(runLine("umask 077 && exec env STROBE_VALIDATION=0 TZ=Asia/Kathmandu '" + programPath() + "' capture " +
+                    script_ + " --only card.none --zip -o " + path("second/"))
+                .exit_code,
+            0);
+  EXPECT_TRUE(contentOf(path("first.zip")) == contentOf(path("second.zip"))) << "the same bytes";
+  Outcome listed = runLine("python3 -c 'import zipfile\nfor f in zipfile.ZipFile(\"" + path("first.zip") +
+                           "\").infolist(): print(f.date_time, oct(f.external_attr >> 16), f.filename)'");
+  ASSERT_EQ(listed.exit_code, 0) << listed.err;
+  std::set<std::string> names = {"SHA256SUMS", "ro-crate-metadata.json"};
+  std::istringstream sums(contentOf(path("first/SHA256SUMS")));
+  for (std::string hash, name; sums >> hash >> name;) names.insert(name);
+  std::string expected;
+  for (const std::string& name : names) expected += "(1980, 1, 1, 0, 0, 0) 0o100644 " + name + "\n";
+  EXPECT_EQ(listed.out, expected);
+  for (const auto& entry : fs::directory_iterator(folder_.path()))
+    EXPECT_NE(entry.path().extension(), ".part") << entry.path();
+
+  for (const char* original : {"own", "first", "second"}) fs::remove_all(path(original));
+  fs::create_directories(path("empty/scripts"));
+  const std::string alone = "STROBE_VALIDATION=0 STROBE_HOME=" + path("empty") + " STROBE_DATA=" + path("empty");
+  ASSERT_EQ(runLine("python3 -m zipfile -e " + path("first.zip") + " " + path("elsewhere")).exit_code, 0);
+  EXPECT_EQ(runLine("cd " + path("elsewhere") + " && sha256sum -c SHA256SUMS").exit_code, 0);
+  Outcome verified = run("verify " + path("elsewhere"), alone);
+  EXPECT_EQ(verified.exit_code, 0) << verified.err;
 }
 
 TEST_F(Capture, KilledAtAnyMomentItGoesOn) {
