@@ -116,21 +116,27 @@ struct CheckOptions {
   bool json = false;
 };
 
-// The experiments of the project, and with `problems` what is wrong in them.
-size_t checkExperiments(const Home& home, std::vector<std::string>& problems) {
+// The scripts of the project in a folder, experiments or captures; adds what `read` finds wrong in them.
+template <class Read>
+size_t checkOwn(const Home& home, const Path& folder, std::vector<std::string>& problems, const Read& read) {
   std::vector<std::string> files;
-  for (const std::string& name : home.namesBelow("experiments", ".lua")) {
-    Path file = home.at(Path("experiments") / (name + ".lua"));
+  for (const std::string& name : home.namesBelow(folder, ".lua")) {
+    Path file = home.at(folder / (name + ".lua"));
     bool is_own = liesIn(file, home.project()) && file.parent_path().filename() != "lib";
     if (is_own && !isPreset(home, file)) files.push_back(file);
   }
-  for (const std::string& file : files) collect(problems, [&] { study::readExperiment(home, file, true); });
+  for (const std::string& file : files) collect(problems, [&] { read(file); });
   return files.size();
 }
 
+// How many there are of the project's own.
+struct Own {
+  size_t experiments = 0, captures = 0;
+};
+
 // The numbers of pipelines and scenes; in a project those of each root.
 std::string soundText(const Home& home, const std::vector<std::string>& pipelines,
-                      const std::vector<std::string>& scenes, size_t experiments) {
+                      const std::vector<std::string>& scenes, const Own& own_scripts) {
   auto text = [](size_t pipelines, size_t scenes) {
     return fmt::format("{} pipelines and {} scenes are sound\n", pipelines, scenes);
   };
@@ -141,7 +147,8 @@ std::string soundText(const Home& home, const std::vector<std::string>& pipeline
     });
   };
   size_t own_pipelines = own("scripts/pipelines", pipelines), own_scenes = own("scripts/scenes", scenes);
-  return fmt::format("{}: {} experiments, {}{}: {}", home.project().string(), experiments,
+  return fmt::format("{}: {} experiments, {} captures, {}{}: {}", home.project().string(), own_scripts.experiments,
+                     own_scripts.captures,
                      text(own_pipelines, own_scenes), home.shipped().string(),
                      text(pipelines.size() - own_pipelines, scenes.size() - own_scenes));
 }
@@ -153,10 +160,15 @@ void check(const Home& home, const CheckOptions& options) {
   for (const std::string& set : options.sets) sets.push_back(script::settingFromText(set));
   std::vector<std::string> problems;
   std::vector<std::string> scenes;
-  size_t experiments = 0;
+  Own own;
   if (files.empty()) {
     if (home.hasProject()) throwIfAny(home.mistakesOfProject());
-    if (home.hasProject()) experiments = checkExperiments(home, problems);
+    if (home.hasProject()) {
+      own.experiments = checkOwn(home, "experiments", problems,
+                                 [&](const std::string& file) { study::readExperiment(home, file, true); });
+      own.captures = checkOwn(home, "scripts/captures", problems,
+                              [&](const std::string& file) { archive::readCapture(home, file); });
+    }
     collect(problems, [&] { script::evaluateAllPasses(home); });
     scenes = script::sceneNames(home);
   }
@@ -176,7 +188,7 @@ void check(const Home& home, const CheckOptions& options) {
     return;
   }
   throwIfAny(problems);
-  std::fputs(soundText(home, pipelines, scenes, experiments).c_str(), stdout);
+  std::fputs(soundText(home, pipelines, scenes, own).c_str(), stdout);
 }
 
 struct PlanOptions {

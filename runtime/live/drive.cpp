@@ -36,7 +36,7 @@ const std::vector<CommandForm>& commandForms() {
       {"screenshot", "FILE.png", "write what the window shows"},
       {"capture", "FILE.exr", "write the picture as 'strobe render' would"},
       {"record", "", "begin to record what is done"},
-      {"stop", "FILE.lua", "write what was done since 'record' as a capture script"},
+      {"recording", "FILE.lua", "write what was done since 'record' as a capture script"},
       {"trail", "FILE.json", "write the trail of the pinned pixel"},
       {"truth", "N", "wait until the truth in the background has N samples, 60 s at most"},
       {"expect", "NAME VALUE", "fail unless the control has this value"},

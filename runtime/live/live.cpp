@@ -477,7 +477,7 @@ void Live::addFileHandlers(std::map<std::string, Handler>& handlers) {
     recording_ = std::make_unique<Recording>(bench_.home(), desk_.options().out / ".recorded");
     return true;
   };
-  handlers["stop"] = [this](const Command& c) { return stopRecording(c.arguments[0]), true; };
+  handlers["recording"] = [this](const Command& c) { return stopRecording(c.arguments[0]), true; };
   handlers["trail"] = [this](const Command& c) {
     writeFileAtomically(c.arguments[0], desk_.pixel().json().dump(2) + "\n");
     return true;

@@ -16,7 +16,7 @@ struct Moment {
   std::string image = "color";       // that was looked at
   size_t files = 0;                  // which version of scripts and shaders
   int first_frame = 0;               // played from here to the frame of the shots
-  std::vector<std::string> changed;  // against the one before: "samples", "view" (the camera), "image", "files", ...
+  std::vector<std::string> changed;  // against the one before: parameters, options, "image", "files", "comparison"
   bool goes_on = false;              // a button is down, or it plays
   bool saved = false;                // as a picture
 };

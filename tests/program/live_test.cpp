@@ -261,7 +261,7 @@ TEST_F(Live, WhatIsRecordedGivesTheSavedPicturesAgain) {
               "replace " +
                   shade + " " + (folder_ / "green.glsl") +
                   "\nreloaded\nwait 2\nkey F2\n"
-                  "pipeline mcguire2012\nplay on\nwait 4\nplay off\nwait 2\nkey F2\nstop " +
+                  "pipeline mcguire2012\nplay on\nwait 4\nplay off\nwait 2\nkey F2\nrecording " +
                   script + "\nquit\n",
               "hybrid"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
