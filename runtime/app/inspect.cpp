@@ -9,6 +9,7 @@
 
 #include "app/files.h"
 #include "app/shot_options.h"
+#include "archive/capture_file.h"
 #include "graph/pipelines.h"
 #include "lab/workbench.h"
 #include "page/table.h"
@@ -148,8 +149,7 @@ std::string soundText(const Home& home, const std::vector<std::string>& pipeline
   };
   size_t own_pipelines = own("scripts/pipelines", pipelines), own_scenes = own("scripts/scenes", scenes);
   return fmt::format("{}: {} experiments, {} captures, {}{}: {}", home.project().string(), own_scripts.experiments,
-                     own_scripts.captures,
-                     text(own_pipelines, own_scenes), home.shipped().string(),
+                     own_scripts.captures, text(own_pipelines, own_scenes), home.shipped().string(),
                      text(pipelines.size() - own_pipelines, scenes.size() - own_scenes));
 }
 

@@ -26,14 +26,19 @@ Inputs inputsFrom(const Json& json) {
   return inputs;
 }
 
-InputNames::InputNames(const Home& home, const Home& original, const Path& capture_file, const Path& other)
-    : other_(other) {
+InputNames::InputNames(const Home& home, const Home& original, const Path& capture_file) {
   for (const Home* of : {&home, &original}) {
     if (of->hasProject()) roots_.push_back({Home::kProjectPrefix, of->project()});
     roots_.push_back({Home::kShippedPrefix, of->shipped()});
   }
   if (std::optional<Path> data = home.data()) roots_.push_back({"shared:", *data});
   roots_.push_back({"capture:", fs::absolute(capture_file).lexically_normal().parent_path()});
+}
+
+InputNames::InputNames(const Home& home, const InputNames& names, const Path& other)
+    : roots_(names.roots_), other_(other), other_name_(names.nameOf(other, false)) {
+  roots_.insert(roots_.begin(), {Home::kShippedPrefix, home.shipped()});
+  if (home.hasProject()) roots_.insert(roots_.begin(), {Home::kProjectPrefix, home.project()});
 }
 
 std::optional<std::string> InputNames::named(const Path& path) const {
@@ -50,8 +55,8 @@ std::string InputNames::nameOf(const Path& file, bool allow_outside) const {
   std::optional<std::string> name = named(path);
   if (name && !other_.empty()) {
     size_t colon = name->find(':');
-    Path other = fs::absolute(other_ / name->substr(0, colon) / name->substr(colon + 1)).lexically_normal();
-    if (fs::is_regular_file(other)) name = named(other);
+    Path below = Path(name->substr(0, colon)) / name->substr(colon + 1);
+    if (fs::is_regular_file(other_ / below)) return other_name_ + "/" + below.generic_string();
   }
   if (name) return *name;
   if (allow_outside) return "outside:" + path.generic_string();

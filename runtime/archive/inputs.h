@@ -24,9 +24,11 @@ Inputs inputsFrom(const Json& json);  // throws JSON's exceptions
 
 class InputNames {
  public:
-  // `home`: that files are read from, a copy of `original`. `capture_file`: the script. `other`: a folder of files that
-  // take the place of the home's own (FrozenHome); they have its name.
-  InputNames(const Home& home, const Home& original, const Path& capture_file, const Path& other = {});
+  // `home`: that files are read from, a copy of `original` or itself. `capture_file`: the script.
+  InputNames(const Home& home, const Home& original, const Path& capture_file);
+  // Of a home in which files of the folder `other` take the place of its own (FrozenHome): those have the names that
+  // the names given have for the folder's.
+  InputNames(const Home& home, const InputNames& names, const Path& other);
 
   // Throws `Error` naming a file that lies in no root; with `allow_outside` it is "outside:" and its absolute path.
   std::string nameOf(const Path& file, bool allow_outside) const;
@@ -42,6 +44,7 @@ class InputNames {
 
   std::vector<Root> roots_;
   Path other_;
+  std::string other_name_;
 };
 
 // Reads and adds a file whose content had the hash `was` (base/hash.h, hashText) when it was used; throws `Error` where

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 // What git says of the sources; nothing where they are not in a repository of it, or git is not installed.
 static std::optional<std::string> git(const Path& folder, const std::vector<std::string>& arguments) {
-  std::vector<std::string> line = {"git", "-C", folder.string()};
+  std::vector<std::string> line = {"git", "--no-optional-locks", "-C", folder.string()};
   line.insert(line.end(), arguments.begin(), arguments.end());
   try {
     ProgramEnd end = run({.arguments = line, .wall_s = 20});

@@ -144,8 +144,7 @@ std::vector<Frame> framesOf(const CaptureFile& capture, const std::string& only)
 
 Taker::Taker(lab::Workbench& bench, const Home& original, const CaptureFile& capture, const Path& folder,
              MakeBench make)
-    : original_(original),
-      capture_(capture),
+    : capture_(capture),
       folder_(folder),
       make_bench_(std::move(make)),
       own_{bench, InputNames(bench.home(), original, capture.file)} {}
@@ -157,7 +156,7 @@ const Taker::Place& Taker::placeOf(const CapturedArm& arm) {
   auto home =
       std::make_unique<FrozenHome>(own_.bench.home(), folder_ / fmt::format(".inputs_{}", others_.size()), arm.files);
   std::unique_ptr<lab::Workbench> bench = make_bench_(home->home());
-  InputNames names(home->home(), original_, capture_.file, arm.files);
+  InputNames names(home->home(), own_.names, arm.files);
   lab::Workbench& drawn_on = *bench;
   known.reset(new OwnPlace{std::move(home), std::move(bench), {drawn_on, std::move(names)}});
   return known->place;

@@ -66,7 +66,6 @@ class Taker {
   bool areCurrent(const Json& inputs);
   Taken readBack(const Json& entry) const;
 
-  const Home& original_;
   const CaptureFile& capture_;
   const Path folder_;
   MakeBench make_bench_;

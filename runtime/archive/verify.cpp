@@ -55,7 +55,7 @@ Path scriptOf(const Home& home, const Manifest& manifest, bool bundle) {
   const std::string name = capture.at("file").get<std::string>();
   if (bundle) return manifest.folder / inputCopy(name);
   Path file = name.starts_with("capture:") ? manifest.folder / capture.at("from_here").get<std::string>()
-                                           : home.at(Home::withoutRoot(name));
+                                           : InputNames(home, home, manifest.folder / kManifestFile).pathOf(name);
   if (fs::is_regular_file(file)) return file;
   throw Error(fmt::format("the capture's script '{}' is not there", name),
               {(manifest.folder / kManifestFile).string()});

@@ -6,6 +6,7 @@
 #include <map>
 #include <regex>
 
+#include "base/json.h"
 #include "common/source.h"
 #include "program/run.h"
 
@@ -151,11 +152,53 @@ TEST_F(Project, AShippedNameIsRefusedUnlessItReplaces) {
                 "passes/unused.lua:2: 'replaces = true', but there is no shipped file strobe:passes/unused.lua");
 }
 
+// A triangle as glTF beside the capture, with its numbers in another file; a shader of the project edited for one arm.
+TEST_F(Project, HasCapturesOfItsOwn) {
+  write("captures/models/one.gltf", R"json({ "asset": { "version": "2.0" },
+    "scenes": [{ "nodes": [0] }], "nodes": [{ "name": "one", "mesh": 0 }],
+    "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0 } }] }],
+    "accessors": [{ "bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0] }],
+    "bufferViews": [{ "buffer": 0, "byteLength": 36 }], "buffers": [{ "uri": "one.bin", "byteLength": 36 }] })json");
+  const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  writeText(path("captures/models/one.bin"), std::string(reinterpret_cast<const char*>(corners), sizeof corners));
+  write("captures/look.lua", R"lua(
+local capture = require "strobe.capture"
+return capture {
+  title = "Look", size = { 32, 18 },
+  shots = { { name = "one", scene = "models/one.gltf", view = { 0, 0, 3, 0, 0, 0 }, move = { one = { 0.2, 0, 0 } } } },
+  arms = { { name = "now", pipeline = "smear" }, { name = "before", pipeline = "smear", files = "before" } },
+}
+)lua");
+  const std::string shader = contentOf(path("shaders/smear.glsl"));
+  expectRefused("capture captures/look.lua -o out/look", "there is no folder 'before' beside the script");
+  fs::create_directories(path("captures/before/project/shaders"));
+  size_t at = shader.find("imageStore("), end = shader.find(");\n", at);
+  ASSERT_NE(end, std::string::npos);
+  write("captures/before/project/shaders/smear.glsl", shader.substr(0, end) + " * 0.5" + shader.substr(end));
+  Outcome taken = inside("capture captures/look.lua -o out/look");
+  ASSERT_EQ(taken.exit_code, 0) << taken.err;
+  std::string manifest = contentOf(path("out/look/manifest.json"));
+  for (const char* input : {"\"project:captures/look.lua\"", "\"project:captures/models/one.bin\"",
+                            "\"project:captures/before/project/shaders/smear.glsl\"", "\"project:shaders/smear.glsl\""})
+    EXPECT_NE(manifest.find(input), std::string::npos) << input;
+  Json pictures = Json::parse(manifest)["pictures"];
+  ASSERT_EQ(pictures.size(), 2u);
+  EXPECT_NE(pictures[0]["record"]["outputs"]["color"], pictures[1]["record"]["outputs"]["color"]);
+  Outcome verified = inside("verify out/look");
+  EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
+  ASSERT_EQ(inside("capture captures/look.lua --bundle -o out/bundle").exit_code, 0);
+  fs::remove_all(path("captures"));
+  verified = inside("verify out/bundle");
+  EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
+  EXPECT_NE(inside("check").out.find(": 0 experiments, 1 captures, "), std::string::npos);
+}
+
 // Both roots, own experiments among them; mistakes with the file they are in.
 TEST_F(Project, IsCheckedWithWhatShips) {
   Outcome sound = inside("check");
   EXPECT_EQ(sound.exit_code, 0) << sound.err;
-  EXPECT_NE(sound.out.find(path("").parent_path().string() + ": 0 experiments, 0 captures, 1 pipelines and 0 scenes are sound\n"),
+  EXPECT_NE(sound.out.find(path("").parent_path().string() +
+                           ": 0 experiments, 0 captures, 1 pipelines and 0 scenes are sound\n"),
             std::string::npos)
       << sound.out;
   EXPECT_NE(sound.out.find("\n" + sourceFolder().string() + ": "), std::string::npos) << sound.out;
