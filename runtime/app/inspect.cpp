@@ -16,6 +16,7 @@
 #include "plan/canonical.h"
 #include "plan/dot.h"
 #include "scene/json_scene.h"
+#include "scene/tree_order.h"
 #include "study/experiment.h"
 
 namespace strobe::app {
@@ -196,6 +197,17 @@ struct PlanOptions {
   bool json = false, dot = false;
 };
 
+// What rays have to go through in the shot's scene; needs no device.
+std::string treeText(const Home& home, lab::Shot shot) {
+  lab::LoadedScene loaded = lab::loadScene(home, shot);
+  scene::Pose pose = lab::frameSetup(shot, loaded.scene).pose_at(shot.captureTime());
+  scene::SceneTree tree = scene::treeOf(loaded.scene, pose.world_from_instance);
+  std::string text =
+      fmt::format("scene {}: {} triangles in {} instances; ", home.shown(shot.scene), tree.triangles, tree.instances);
+  return text + fmt::format("a random line meets {:.0f} nodes of the tree over them, in the file's order {:.0f}\n",
+                            tree.visits, tree.visits_as_given);
+}
+
 void plan(const Home& home, const PlanOptions& options) {
   lab::Shot shot = options.shot.resolve();
   lab::fillShot(shot, {});
@@ -207,6 +219,7 @@ void plan(const Home& home, const PlanOptions& options) {
                      : options.json ? plan::toJson(planned).dump(2) + "\n"
                                     : plan::describe(planned);
   std::fputs(text.c_str(), stdout);
+  if (!options.dot && !options.json) std::fputs(treeText(home, options.shot.resolve()).c_str(), stdout);
 }
 
 Json deviceJson(const gpu::DeviceInfo& info) {
@@ -254,6 +267,11 @@ void doctor(const Home& home, bool json) {
       std::printf("  %s\n", missing.empty() ? "suffices" : ("lacks " + missing).c_str());
     }
     for (const Path& root : home.roots()) std::printf("files: %s\n", root.c_str());
+    try {
+      std::fputs(treeText(home, lab::Shot()).c_str(), stdout);
+    } catch (const Error& error) {
+      std::printf("scene: %s\n", error.what());
+    }
     std::printf("shared data: %s\n", data ? data->c_str() : "none (STROBE_DATA names its folder)");
   }
   if (devices.empty())

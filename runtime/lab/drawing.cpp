@@ -9,6 +9,7 @@
 #include "lab/warnings.h"
 #include "plan/canonical.h"
 #include "scene/motion.h"
+#include "scene/tree_order.h"
 
 namespace strobe::lab {
 
@@ -86,11 +87,31 @@ void Drawing::become(Planned planned, std::shared_ptr<const Evaluation> evaluati
   evaluation_ = std::move(evaluation);
 }
 
+// The output "id" (instance + 1, geometry, triangle) names triangles as the scene's file does.
+static void nameTriangles(graph::FrameResult& frame, const scene::Scene& scene) {
+  auto found = frame.outputs.find("id");
+  if (found == frame.outputs.end() || found->second.uints.channels < 3) return;
+  auto& ids = found->second.uints;
+  const std::vector<scene::Instance> instances = scene::instancesOf(scene);
+  for (int y = 0; y < ids.height; ++y)
+    for (int x = 0; x < ids.width; ++x) {
+      uint32_t instance = ids.at(x, y, 0), geometry = ids.at(x, y, 1);
+      if (instance == 0 || instance > instances.size()) continue;
+      const auto& geometries = scene.meshes[size_t(instances[instance - 1].mesh)].geometries;
+      if (geometry < geometries.size()) {
+        uint32_t& triangle = ids.values[(size_t(y) * ids.width + x) * ids.channels + 2];
+        triangle = scene::sourceTriangle(geometries[geometry], triangle);
+      }
+    }
+}
+
 graph::FrameResult Drawing::draw(const Shot& shot, const std::set<std::string>* outputs,
                                  const std::function<void(int, int)>& progress) {
   graph::FrameSetup frame = frameSetup(shot, scene().scene);
   frame.wanted = outputs;
-  return graph_->run(frame, progress);
+  graph::FrameResult result = graph_->run(frame, progress);
+  nameTriangles(result, scene().scene);
+  return result;
 }
 
 std::vector<std::string> Drawing::limitsMet(const Shot& shot, const graph::FrameResult& frame) const {
@@ -188,6 +209,7 @@ Picture Drawing::capture(const Shot& shot, const std::set<std::string>* outputs,
     };
     graph_->forgetHistories();
     graph::FrameResult frame = graph_->run(setup, advance);
+    nameTriangles(frame, scene().scene);
     if (id_coverage) seen->add(frame.outputs.at("id").uints);
     if (i == 0) picture.frame = std::move(frame);
     else accumulate(picture.frame, frame);

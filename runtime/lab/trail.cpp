@@ -9,6 +9,7 @@
 #include "lab/session.h"
 #include "page/table.h"
 #include "plan/filled_images.h"
+#include "scene/tree_order.h"
 
 namespace strobe::lab {
 
@@ -157,6 +158,7 @@ std::vector<TrailHit> hitsOf(const scene::Scene& scene, const graph::FrameResult
   const auto& velocity = frame.outputs.at("velocity").floats;
   const auto& color = frame.outputs.at("color").floats;
   std::vector<IdName> names = idNamesOf(scene);
+  const std::vector<scene::Instance> instances = scene::instancesOf(scene);
   std::vector<TrailHit> hits;
   for (int i = 0; i < ids.width && ids.at(i, 0, 0) != 0; ++i) {
     TrailHit hit;
@@ -164,6 +166,10 @@ std::vector<TrailHit> hitsOf(const scene::Scene& scene, const graph::FrameResult
     hit.instance = nodeOf(names, ids.at(i, 0, 0));
     hit.geometry = ids.at(i, 0, 1) - 1;
     hit.primitive = ids.at(i, 0, 2);
+    if (ids.at(i, 0, 0) <= instances.size()) {
+      const scene::Mesh& mesh = scene.meshes[size_t(instances[ids.at(i, 0, 0) - 1].mesh)];
+      hit.primitive = scene::sourceTriangle(mesh.geometries.at(hit.geometry), hit.primitive);
+    }
     hit.front = ids.at(i, 0, 3) != 0;
     hit.depth = where.at(i, 0, 0);
     hit.normal = vec3(where.at(i, 0, 1), where.at(i, 0, 2), where.at(i, 0, 3));

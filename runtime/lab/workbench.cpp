@@ -11,6 +11,7 @@
 #include "scene/gltf.h"
 #include "scene/json_scene.h"
 #include "scene/motion.h"
+#include "scene/tree_order.h"
 
 namespace strobe::lab {
 
@@ -71,6 +72,7 @@ LoadedScene loadScene(const Home& home, Shot& shot) {
   scene::supplyDefaults(loaded.scene, shot.camera);
   loaded.hash = hashText(loaded.description.dump());
   loaded.bytes = bytesOf(loaded.scene);
+  scene::orderTriangles(loaded.scene);
   return loaded;
 }
 

@@ -27,6 +27,7 @@ struct Geometry {
   std::vector<Vertex> vertices;
   std::vector<uint32_t> indices;  // three per triangle
   int material = 0;
+  std::vector<uint32_t> source = {};  // which triangle of the file each was (scene/tree_order.h); empty: the same
 };
 
 // Positions are relative to `origin`, which poses add back in double (a mesh may lie far from its node's origin).

@@ -6,7 +6,7 @@
 struct Hit {
   uint instance;      // NO_INSTANCE for a miss
   uint geometry;      // within the instance
-  uint primitive;     // triangle within the geometry
+  uint primitive;     // triangle within the geometry, in the order of tracing
   vec2 barycentrics;  // weights of the second and third corner
   float t;            // along the ray that found it (view depth, for a camera's ray)
   bool front;         // seen from the side its triangle winds counter-clockwise on
