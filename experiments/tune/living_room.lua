@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT
 -- Written by `strobe tune`; taken by `--set preset=` and the name of this file.
 local preset = require "strobe.preset"
 

@@ -82,6 +82,7 @@ class Live {
   void sweepPointed();
   void closeUppermost();
   void save();
+  void beginRecording();
   void toggleRecording();
   Path stopRecording(const Path& script);
   void sendToTev();
@@ -197,6 +198,10 @@ void Live::save() {
   state_.say("saved " + file.string());
 }
 
+void Live::beginRecording() {
+  recording_ = std::make_unique<Recording>(bench_.home(), desk_.options().out / ".recorded");
+}
+
 Path Live::stopRecording(const Path& script) {
   std::unique_ptr<Recording> ended = std::move(recording_);
   if (!ended) throw Error("nothing is recorded");
@@ -206,7 +211,7 @@ Path Live::stopRecording(const Path& script) {
 
 void Live::toggleRecording() {
   if (!recording_) {
-    recording_ = std::make_unique<Recording>(bench_.home(), desk_.options().out / ".recorded");
+    beginRecording();
     return state_.say("recording; F6 writes it as a capture script");
   }
   Path script = stopRecording(desk_.freeName(".recording.lua"));
@@ -473,10 +478,7 @@ void Live::addFileHandlers(std::map<std::string, Handler>& handlers) {
     lab::checkPictureName(c.arguments[0]);
     return lab::writePicture(desk_.a().session->capture(), c.arguments[0]), true;
   };
-  handlers["record"] = [this](const Command&) {
-    recording_ = std::make_unique<Recording>(bench_.home(), desk_.options().out / ".recorded");
-    return true;
-  };
+  handlers["record"] = [this](const Command&) { return beginRecording(), true; };
   handlers["recording"] = [this](const Command& c) { return stopRecording(c.arguments[0]), true; };
   handlers["trail"] = [this](const Command& c) {
     writeFileAtomically(c.arguments[0], desk_.pixel().json().dump(2) + "\n");
