@@ -203,7 +203,7 @@ std::string treeText(const Home& home, lab::Shot shot) {
   scene::Pose pose = lab::frameSetup(shot, loaded.scene).pose_at(shot.captureTime());
   scene::SceneTree tree = scene::treeOf(loaded.scene, pose.world_from_instance);
   std::string text =
-      fmt::format("scene {}: {} triangles in {} instances; ", home.shown(shot.scene), tree.triangles, tree.instances);
+      fmt::format("scene {}: {} triangles in {} instances; ", shot.scene, tree.triangles, tree.instances);
   return text + fmt::format("a random line meets {:.0f} nodes of the tree over them, in the file's order {:.0f}\n",
                             tree.visits, tree.visits_as_given);
 }

@@ -65,9 +65,10 @@ CapturedArm armFrom(const Json& json, const Path& script) {
   arm.shots = json.value("shots", std::vector<std::string>{});
   arm.layers = layersFrom(json);
   if (!json.contains("files")) return arm;
+  const Path here = std::filesystem::absolute(script).lexically_normal().parent_path();
   const std::string files = json["files"].get<std::string>();
-  arm.files = script.parent_path() / files;
-  bool inside = std::filesystem::is_directory(arm.files) && liesIn(arm.files, script.parent_path());
+  arm.files = (here / files / "").lexically_normal().parent_path();
+  bool inside = std::filesystem::is_directory(arm.files) && liesIn(arm.files, here);
   if (!inside)
     throw Error(fmt::format("arm '{}': there is no folder '{}' beside the script", arm.name, files), {script});
   return arm;

@@ -8,6 +8,7 @@
 #include "archive/film.h"
 #include "archive/taker.h"
 #include "base/frozen_home.h"
+#include "base/hash.h"
 #include "lab/workbench.h"
 
 namespace strobe::archive {
@@ -17,10 +18,6 @@ namespace fs = std::filesystem;
 Path inputCopy(const std::string& name) {
   size_t colon = name.find(':');
   return Path(kInputsFolder) / name.substr(0, colon) / Path(name.substr(colon + 1)).relative_path();
-}
-
-static bool isText(const std::string& name) {
-  return name.ends_with(".lua") || name.ends_with(".glsl") || name.ends_with(".h");
 }
 
 // Copies of what was used, and of nothing else; their names.
@@ -67,6 +64,7 @@ class Run {
 
   void draw() {
     for (const script::Dependency& file : capture_.scripts) addInput(inputs_, taker_.names(), file.path, file.hash);
+    for (const CapturedArm& arm : capture_.arms) addFiles(arm.files);
     bool of_figure = isFigure(order_.only);
     std::vector<Frame> all = framesOf(capture_), frames = framesOf(capture_, of_figure ? "" : order_.only);
     for (size_t i = 0; i < frames.size() && !of_figure; ++i)
@@ -93,6 +91,14 @@ class Run {
     int before = taker_.drawn();
     taker_.entry(frame);
     if (report_) report_(fmt::format("{}: {}{}", count, frame.name(), taker_.drawn() > before ? "" : ", is there"));
+  }
+
+  // Scripts and shaders of an arm's own, used or not: without them the script cannot be read.
+  void addFiles(const Path& folder) {
+    if (folder.empty()) return;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+      if (entry.is_regular_file() && isText(entry.path()))
+        addInput(inputs_, taker_.names(), entry.path(), hashText(readText(entry.path())));
   }
 
   // The shots that its cells show, each once.

@@ -26,6 +26,11 @@ Inputs inputsFrom(const Json& json) {
   return inputs;
 }
 
+bool isText(const Path& file) {
+  const Path ending = file.extension();
+  return ending == ".lua" || ending == ".glsl" || ending == ".h";
+}
+
 InputNames::InputNames(const Home& home, const Home& original, const Path& capture_file) {
   for (const Home* of : {&home, &original}) {
     if (of->hasProject()) roots_.push_back({Home::kProjectPrefix, of->project()});
@@ -56,7 +61,7 @@ std::string InputNames::nameOf(const Path& file, bool allow_outside) const {
   if (name && !other_.empty()) {
     size_t colon = name->find(':');
     Path below = Path(name->substr(0, colon)) / name->substr(colon + 1);
-    if (fs::is_regular_file(other_ / below)) return other_name_ + "/" + below.generic_string();
+    if (isText(below) && fs::is_regular_file(other_ / below)) return other_name_ + "/" + below.generic_string();
   }
   if (name) return *name;
   if (allow_outside) return "outside:" + path.generic_string();

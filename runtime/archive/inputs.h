@@ -22,6 +22,9 @@ using Inputs = std::map<std::string, Input>;  // by name
 Json toJson(const Inputs& inputs);    // [{ name, sha256, bytes }], by name
 Inputs inputsFrom(const Json& json);  // throws JSON's exceptions
 
+// A script or a shader, by the ending of its name.
+bool isText(const Path& file);
+
 class InputNames {
  public:
   // `home`: that files are read from, a copy of `original` or itself. `capture_file`: the script.

@@ -27,7 +27,7 @@ std::vector<Frame> framesOf(const CaptureFile& capture, const std::string& only 
 
 class Taker {
  public:
-  // What arms draw on whose files take the place of the home's own.
+  // Makes the bench for arms with files of their own.
   using MakeBench = std::function<std::unique_ptr<lab::Workbench>(const Home& home)>;
 
   // Files go to FOLDER/pictures. `original`: the home that the bench's is a copy of. All must outlive it.

@@ -3,6 +3,7 @@
 
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <sstream>
@@ -199,13 +200,14 @@ void Live::save() {
 }
 
 void Live::beginRecording() {
-  recording_ = std::make_unique<Recording>(bench_.home(), desk_.options().out / ".recorded");
+  recording_ =
+      std::make_unique<Recording>(bench_.home(), desk_.options().out / fmt::format(".recorded.{}", ::getpid()));
 }
 
 Path Live::stopRecording(const Path& script) {
-  std::unique_ptr<Recording> ended = std::move(recording_);
-  if (!ended) throw Error("nothing is recorded");
-  ended->write(bench_, script);
+  if (!recording_) throw Error("nothing is recorded");
+  recording_->write(bench_, script);
+  recording_.reset();
   return script;
 }
 

@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <set>
 
 namespace strobe::live {
 
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c == '\n' ? ' ' : c;
+    if (c == '"' || c == '\\' || c == '\n') result += '\\';  // a line's end after a backslash stays one
+    result += c;
   }
   return result + "\"";
 }
@@ -30,7 +31,10 @@ std::string luaOf(const Json& json) {
 }
 
 static std::string keyOf(const std::string& name) {
-  bool plain = !name.empty() && !std::isdigit(static_cast<unsigned char>(name[0])) &&
+  static const std::set<std::string> words = {"and",      "break",  "do",   "else", "elseif", "end",  "false", "for",
+                                              "function", "goto",   "if",   "in",   "local",  "nil",  "not",   "or",
+                                              "repeat",   "return", "then", "true", "until",  "while"};
+  bool plain = !name.empty() && !words.count(name) && !std::isdigit(static_cast<unsigned char>(name[0])) &&
                std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
   return plain ? name : fmt::format("[{}]", quoted(name));
 }

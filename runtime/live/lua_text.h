@@ -20,10 +20,11 @@ std::string field(const std::string& name, const std::string& text);
 // "{ a = 1, b = 2 }".
 std::string tableOf(const std::vector<std::string>& fields);
 
-// What the scene of a shot says by itself, which its script need not.
+// The options that the scene of a shot suggests; its script may leave them out. Throws `Error` for a scene that does
+// not load.
 lab::Shot suggestedShot(lab::Workbench& bench, const lab::Shot& shot);
 
-using LeftOut = std::function<bool(const std::string& name)>;  // none where it is empty
+using LeftOut = std::function<bool(const std::string& name)>;  // an empty one leaves out nothing
 
 // The options of a shot that differ from another's, without scene and size.
 std::vector<std::string> optionFields(const lab::Shot& shot, const lab::Shot& from, const LeftOut& left_out);

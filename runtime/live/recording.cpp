@@ -2,6 +2,7 @@
 #include "live/recording.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <set>
 
@@ -43,7 +44,7 @@ std::vector<std::string> differences(const Moment& before, const Moment& now) {
   if (before.shots.size() != now.shots.size()) names.insert("comparison");
   for (size_t i = 0; i < std::min(before.shots.size(), now.shots.size()); ++i)
     names.merge(differences(before.shots[i], now.shots[i]));
-  if (before.image != now.image) names.insert("image");
+  if (before.images != now.images) names.insert("image");
   if (before.files != now.files) names.insert("files");
   return {names.begin(), names.end()};
 }
@@ -72,7 +73,7 @@ void Moments::add(Moment now) {
       return;
     }
   }
-  bool drags = now.goes_on && last.goes_on;
+  bool drags = now.goes_on && last.goes_on && last.first_frame == frameOf(last);
   bool flies = isOnly(now, "view") || isOnly(now, "image");
   if (!last.saved && all_.size() > 1 && now.changed == last.changed && (drags || flies)) {
     now.changed = differences(all_[all_.size() - 2], now);
@@ -91,34 +92,52 @@ void Moments::markSaved() {
 
 Recording::Recording(const Home& home, const Path& folder) : home_(home), folder_(folder) {}
 
-static Moment momentOf(const Desk& desk) {
-  Moment moment;
-  const Look& look = desk.look();
-  bool only_b = look.mode == Mode::Single && look.single_b && desk.b();
-  bool both = look.mode != Mode::Single && desk.b();
-  if (!only_b) moment.shots.push_back(desk.sides().a().session->shot());
-  if (only_b || both) moment.shots.push_back(desk.b()->session->shot());
-  for (lab::Shot& shot : moment.shots) shot.taps.clear();
-  moment.image = look.port;
-  return moment;
+namespace {
+
+void addSide(Moment& moment, const Side& side) {
+  moment.shots.push_back(side.session->shot());
+  moment.shots.back().taps.clear();
+  moment.images.push_back(side.drawn_port.empty() ? "color" : side.drawn_port);
 }
 
-static bool isDrawn(const Side* side) { return !side || (!side->stale && side->problem.empty()); }
+// Every side that is looked at.
+std::vector<const Side*> sidesShown(const Desk& desk) {
+  const Look& look = desk.look();
+  if (!desk.b()) return {&desk.sides().a()};
+  if (look.mode != Mode::Single) return {&desk.sides().a(), desk.b()};
+  return {look.single_b ? desk.b() : &desk.sides().a()};
+}
 
-void Recording::look(const Desk& desk, bool goes_on) {
-  if (!isDrawn(&desk.sides().a()) || !isDrawn(desk.b())) return;
+// The newest files run, and the last frame is drawn with them.
+bool isDrawn(const Side& side) { return !side.stale && side.problem.empty() && side.session->problems().empty(); }
+
+}  // namespace
+
+size_t Recording::version(const Desk& desk) {
   if (desk.sides().swaps() != swaps_) {
     swaps_ = desk.sides().swaps();
     versions_.push_back(std::make_unique<FrozenHome>(home_, folder_ / std::to_string(versions_.size())));
   }
-  Moment now = momentOf(desk);
-  now.files = versions_.size() - 1;
+  return versions_.size() - 1;
+}
+
+void Recording::look(const Desk& desk, bool goes_on) {
+  Moment now;
+  for (const Side* side : sidesShown(desk)) {
+    if (!isDrawn(*side)) return;
+    addSide(now, *side);
+  }
+  now.files = version(desk);
   now.goes_on = goes_on;
   moments_.add(std::move(now));
 }
 
 void Recording::markSaved(const Desk& desk) {
-  look(desk, false);
+  Moment saved;
+  addSide(saved, desk.sides().a());
+  if (desk.b() && comparesWithB(desk.look().mode)) addSide(saved, *desk.b());
+  saved.files = version(desk);
+  moments_.add(std::move(saved));
   moments_.markSaved();
 }
 
@@ -157,18 +176,32 @@ std::set<Path> edited(const std::vector<Path>& versions) {
 
 }  // namespace
 
+std::string sceneKey(const lab::Shot& shot) { return shot.scene + "\n" + lab::settingsIdentity(shot.sets, true); }
+
+// The name by which any home has a file of a root, else its absolute path.
+static std::string portable(const Home& home, const std::string& file) {
+  if (!fs::is_regular_file(file)) return file;
+  Path path = fs::absolute(file).lexically_normal();
+  std::string name = home.nameOf(path).value_or("");
+  for (const std::string folder : {"scripts/scenes/", "scenes/", "scripts/pipelines/", "pipelines/"})
+    if (name.starts_with(folder) && name.ends_with(".lua"))
+      return name.substr(folder.size(), name.size() - folder.size() - 4);
+  return path.string();
+}
+
 void Recording::write(lab::Workbench& bench, const Path& script) const {
+  if (script.extension() != ".lua") throw Error("a capture script's name ends in .lua", {script.string()});
   if (moments_.all().empty()) throw Error("nothing was drawn while it was recorded");
   Recorded recorded{moments_.all(), {}, std::vector<std::string>(versions_.size())};
   for (Moment& moment : recorded.moments)
     for (lab::Shot& shot : moment.shots) {
       // From elsewhere it has to be found as well.
-      for (std::string* file : {&shot.scene, &shot.pipeline})
-        if (fs::is_regular_file(*file)) *file = fs::absolute(*file).lexically_normal().string();
+      shot.scene = portable(home_, shot.scene), shot.pipeline = portable(home_, shot.pipeline);
       if (Path(shot.scene).is_absolute() && !home_.nameOf(shot.scene)) shot.allow_outside = true;
-      if (!recorded.suggested.count(shot.scene)) recorded.suggested[shot.scene] = suggestedShot(bench, shot);
+      if (!recorded.suggested.count(sceneKey(shot))) recorded.suggested[sceneKey(shot)] = suggestedShot(bench, shot);
     }
   const Path folder = script.parent_path() / script.stem();
+  for (size_t i = 0; i < versions_.size(); ++i) fs::remove_all(folder / fmt::format("files_{}", i + 1));
   for (size_t root = 0; root < home_.roots().size(); ++root) {
     std::vector<Path> versions;
     for (const auto& version : versions_) versions.push_back(version->home().roots()[root]);
@@ -190,9 +223,11 @@ class Script {
  public:
   explicit Script(const Recorded& recorded) : recorded_(recorded) {
     for (const Moment& moment : recorded.moments)
-      for (const lab::Shot& shot : moment.shots) {
+      for (size_t i = 0; i < moment.shots.size(); ++i) {
+        const lab::Shot& shot = moment.shots[i];
         std::string shot_name = nameOf(shot_names_, shots_, "view", shotFields(moment, shot));
-        std::string arm_name = nameOf(arm_names_, arms_, Path(shot.pipeline).stem().string(), armFields(moment, shot));
+        std::string arm_name =
+            nameOf(arm_names_, arms_, Path(shot.pipeline).stem().string(), armFields(moment, shot, imageOf(moment, i)));
         pairs_[&shot] = {shot_name, arm_name};
         drawn_by_[arm_name].insert(shot_name);
       }
@@ -241,18 +276,25 @@ class Script {
       fields.push_back(fmt::format("size = {{ {}, {} }}", shot.width, shot.height));
     if (sequence) fields.push_back(fmt::format("frames = {{ {}, {}, 1 }}", moment.first_frame, shot.frame));
     auto left_out = [&](const std::string& name) { return sequence && name == "frame"; };
-    for (const std::string& option : optionFields(shot, recorded_.suggested.at(shot.scene), left_out))
+    for (const std::string& option : optionFields(shot, recorded_.suggested.at(sceneKey(shot)), left_out))
       fields.push_back(option);
     for (const std::string& set : settingFields(shot.sets, true, {})) fields.push_back(set);
     return fields;
   }
 
-  std::vector<std::string> armFields(const Moment& moment, const lab::Shot& shot) const {
+  static std::string imageOf(const Moment& moment, size_t i) {
+    return i < moment.images.size() ? moment.images[i] : "color";
+  }
+
+  std::vector<std::string> armFields(const Moment& moment, const lab::Shot& shot, const std::string& image) const {
     std::vector<std::string> fields = {field("pipeline", quoted(shot.pipeline))};
     std::vector<std::string> sets = settingFields(shot.sets, false, {});
     if (!sets.empty()) fields.push_back(field("set", tableOf(sets)));
     const std::string& folder = recorded_.folders[moment.files];
     if (!folder.empty()) fields.push_back(field("files", quoted(folder)));
+    // Of a sequence the colour alone is kept, unless more is asked for.
+    bool sequence = moment.first_frame < shot.frame;
+    if (sequence && image != "color") fields.push_back(field("layers", tableOf({quoted(image)})));
     return fields;
   }
 
@@ -273,12 +315,14 @@ class Script {
     return fmt::format("{}", fmt::join(parts, ", "));
   }
 
-  std::string cellText(const Moment& moment, const lab::Shot& shot, int row, int column) const {
+  std::string cellText(const Moment& moment, size_t i, int row, int column) const {
+    const lab::Shot& shot = moment.shots[i];
+    const std::string image = imageOf(moment, i);
     const auto& [shot_name, arm_name] = pairs_.at(&shot);
     std::vector<std::string> fields = {fmt::format("row = {}, column = {}", row, column),
                                        field("shot", quoted(shot_name)), field("arm", quoted(arm_name))};
     if (shot.frame > moment.first_frame) fields.push_back(fmt::format("step = {}", shot.frame - moment.first_frame));
-    if (moment.image != "color") fields.push_back(field("view", quoted(moment.image)));
+    if (image != "color") fields.push_back(field("view", quoted(image)));
     std::string caption = captionOf(moment, shot);
     // What stands in braces would be filled in.
     std::replace(caption.begin(), caption.end(), '{', '(');
@@ -295,9 +339,9 @@ class Script {
     int count = 0;
     constexpr int kColumns = 3;
     for (const Moment& moment : recorded_.moments)
-      for (const lab::Shot& shot : moment.shots) {
+      for (size_t i = 0; i < moment.shots.size(); ++i) {
         if (any_saved && !moment.saved) continue;
-        cells += cellText(moment, shot, count / kColumns + 1, count % kColumns + 1);
+        cells += cellText(moment, i, count / kColumns + 1, count % kColumns + 1);
         ++count;
       }
     const int columns = std::min(count, kColumns), rows = (count + kColumns - 1) / kColumns;

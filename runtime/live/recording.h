@@ -13,7 +13,7 @@ namespace strobe::live {
 // What the window showed at a time: A, and B where it is compared, each as `render` would make it.
 struct Moment {
   std::vector<lab::Shot> shots;
-  std::string image = "color";       // that was looked at
+  std::vector<std::string> images;   // that were looked at, one per shot; "color" where there is none
   size_t files = 0;                  // which version of scripts and shaders
   int first_frame = 0;               // played from here to the frame of the shots
   std::vector<std::string> changed;  // against the one before: parameters, options, "image", "files", "comparison"
@@ -25,8 +25,8 @@ struct Moment {
 // moment each, with the last value; frames played one after another are one, a sequence.
 class Moments {
  public:
-  void add(Moment now);
-  void markSaved();  // the last one
+  void add(Moment now);  // `changed` and `first_frame` are found here
+  void markSaved();      // the last one
   const std::vector<Moment>& all() const { return all_; }
 
  private:
@@ -35,7 +35,7 @@ class Moments {
 
 class Recording {
  public:
-  // Keeps scripts and shaders as they are, and as they become, in `folder` until it ends.
+  // Keeps scripts and shaders as they are, and as they become, in `folder` until it ends. `home` must outlive it.
   Recording(const Home& home, const Path& folder);
   Recording(const Recording&) = delete;
   ~Recording();
@@ -45,11 +45,14 @@ class Recording {
   void markSaved(const Desk& desk);
   size_t moments() const { return moments_.all().size(); }
 
-  // Writes the script and, where files were edited meanwhile, their versions into a folder beside it with the script's
-  // name without ending. Throws `Error` where nothing was drawn, `WriteError`.
+  // Writes the script (.lua) and, where files were edited meanwhile, their versions into a folder beside it with the
+  // script's name without ending. Throws `Error` for another ending, where nothing was drawn and where a scene does not
+  // load any more; `WriteError`.
   void write(lab::Workbench& bench, const Path& script) const;
 
  private:
+  size_t version(const Desk& desk);  // of the files, as they are now
+
   const Home& home_;
   Path folder_;
   std::vector<std::unique_ptr<FrozenHome>> versions_;
@@ -61,13 +64,14 @@ class Recording {
 // nothing where there is neither.
 void openInEditor(const Path& file);
 
-// The script's text. `suggested`: of the scene of each shot, by its name, what that says by itself. `folders`: of each
-// version of the files, the folder of those that differ, "" where none does.
+// The script's text. `suggested`: by scene (`sceneKey`), the options that it suggests. `folders`: of each version of
+// the files, the folder of those that differ, "" where none does.
 struct Recorded {
   std::vector<Moment> moments;
   std::map<std::string, lab::Shot> suggested;
   std::vector<std::string> folders;
 };
+std::string sceneKey(const lab::Shot& shot);
 std::string captureText(const Recorded& recorded);
 
 }  // namespace strobe::live

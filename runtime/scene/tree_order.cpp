@@ -128,6 +128,7 @@ std::vector<uint32_t> treeOrder(const std::vector<Bounds>& boxes, const std::vec
 
 void orderTriangles(Scene& scene) {
   for (Mesh& mesh : scene.meshes) {
+    for (const Geometry& geometry : mesh.geometries) STROBE_ASSERT(geometry.source.empty(), "{}", mesh.name);
     std::vector<size_t> ends;
     size_t count = 0;
     for (const Geometry& geometry : mesh.geometries) ends.push_back(count += geometry.indices.size() / 3);

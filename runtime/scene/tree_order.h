@@ -13,7 +13,7 @@ namespace strobe::scene {
 // `ends` are the ends of consecutive groups, the last that of all. Empty boxes go anywhere.
 std::vector<uint32_t> treeOrder(const std::vector<Bounds>& boxes, const std::vector<size_t>& ends);
 
-// Orders the triangles of every geometry, and keeps which ones they were (`Geometry::source`).
+// Orders the triangles of every geometry, once, and keeps which ones they were (`Geometry::source`).
 void orderTriangles(Scene& scene);
 
 // The triangle of a geometry as the scene's file has it.

@@ -82,7 +82,7 @@ Recorded recordedOf(const std::vector<Moment>& states) {
   for (const Moment& state : states) moments.add(state);
   Recorded recorded{moments.all(), {}, {""}};
   lab::Shot suggested = moment().shots[0];
-  recorded.suggested["oracles/bar"] = suggested;
+  recorded.suggested[sceneKey(suggested)] = suggested;
   return recorded;
 }
 

@@ -40,7 +40,7 @@ TEST(Inspect, APlanSaysWhatRaysGoThrough) {
   std::string text = run("plan none --scene oracles/bar").out;
   EXPECT_NE(text.find("scene oracles/bar: "), std::string::npos) << text;
   EXPECT_NE(text.find(" nodes of the tree over them, in the file's order "), std::string::npos) << text;
-  EXPECT_EQ(run("plan none --scene oracles/barr").exit_code, 1);
+  EXPECT_EQ(run("plan none --scene oracles/barr").exit_code, 2);
   EXPECT_NE(run("doctor").out.find("scene living_room: "), std::string::npos);
 }
 
