@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/files.h"
 
 namespace strobe {
 
@@ -36,7 +37,7 @@ void copyFolder(const Path& from, const Path& to, bool with_data) {
   }
 }
 
-Home copied(const Home& home, const Path& folder, const Path& other) {
+Home copy(const Home& home, const Path& folder, const Path& other) {
   fs::remove_all(folder);
   std::vector<Path> roots;
   for (const Path& root : home.roots()) {
@@ -51,6 +52,17 @@ Home copied(const Home& home, const Path& folder, const Path& other) {
     if (!other.empty() && fs::is_directory(others)) copyFolder(others, roots.back(), false);
   }
   return Home(roots, home.data(), home.program());
+}
+
+Home copied(const Home& home, const Path& folder, const Path& other) {
+  try {
+    return copy(home, folder, other);
+  } catch (const fs::filesystem_error& error) {
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
+    const Path& file = error.path2().empty() ? error.path1() : error.path2();
+    throw WriteError(fmt::format("cannot be written: {}", error.code().message()), {file.string()});
+  }
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace strobe {
 class FrozenHome {
  public:
   // The copy is made in `folder`, in place of what is there. Files in `other`/strobe and `other`/project, named as in
-  // those roots, take the place of the home's own.
+  // those roots, take the place of the home's own. Throws `WriteError` with the system's reason and leaves nothing.
   FrozenHome(const Home& home, const Path& folder, const Path& other = {});
   FrozenHome(const FrozenHome&) = delete;
   ~FrozenHome();

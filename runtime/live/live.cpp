@@ -85,6 +85,7 @@ class Live {
   void save();
   void beginRecording();
   void toggleRecording();
+  void keepRecording();
   Path stopRecording(const Path& script);
   void sendToTev();
   void pointAsDriven();
@@ -209,6 +210,15 @@ Path Live::stopRecording(const Path& script) {
   recording_->write(bench_, script);
   recording_.reset();
   return script;
+}
+
+// Of a window that is closed.
+void Live::keepRecording() {
+  try {
+    note("recorded: " + stopRecording(desk_.freeName(".recording.lua")).string());
+  } catch (const Error& error) {
+    warn(fmt::format("the recording is lost: {}", error.what()));
+  }
 }
 
 void Live::toggleRecording() {
@@ -350,6 +360,7 @@ void Live::turn() {
 
 void Live::run() {
   while (!quit_ && !window_.closing()) turn();
+  if (recording_) keepRecording();
   std::vector<std::string> messages = bench_.device().takeMessages();
   for (std::string& message : messages) message = "Vulkan validation: " + message;
   throwIfAny(messages);

@@ -280,6 +280,14 @@ TEST_F(Live, WhatIsRecordedGivesTheSavedPicturesAgain) {
     EXPECT_FALSE(entry.path().filename().string().starts_with(".")) << entry.path();
 }
 
+TEST_F(Live, ClosingTheWindowKeepsWhatWasRecorded) {
+  Outcome outcome = drive("wait 2\nrecord\nset samples 8\nwait 2\nquit\n");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::string script = folder_ / "out/hybrid_scene_f1_001.recording.lua";
+  EXPECT_NE(outcome.err.find("recorded: " + script), std::string::npos) << outcome.err;
+  EXPECT_NE(contentOf(script).find("set = { samples = 8 }"), std::string::npos) << contentOf(script);
+}
+
 // By the events of a keyboard and a mouse: F6, a drag over the picture, F2, a frame ahead, F2, the wheel, F2, F6.
 TEST_F(Live, WhatHandsDoIsRecorded) {
   if (runLine("command -v xdotool").exit_code != 0) GTEST_SKIP() << "no xdotool to press keys";
