@@ -74,8 +74,8 @@ void addPlans(plan::PipelineDesc pipeline, graph::ShaderCheck& shaders) {
   lab::Shot shot;
   shot.width = 64;
   shot.height = 36;
-  for (graph::Backend backend : {graph::Backend::Query, graph::Backend::Pipeline})
-    shaders.add(lab::planOf(shot, pipeline, backend), backend);
+  for (const shader::BackendRow& row : shader::backends())
+    shaders.add(lab::planOf(shot, pipeline, row.backend), row.backend);
 }
 
 // Checks pipelines and, of those that are sound, with `shapes` each shape too.
@@ -213,6 +213,7 @@ void plan(const Home& home, const PlanOptions& options) {
   lab::fillShot(shot, {});
   lab::checkShot(shot);
   plan::PipelineDesc pipeline = script::evaluatePipeline(home, {shot.pipeline, shot.sets});
+  // Which of them runs in compute makes no difference to the plan.
   graph::Backend backend = shot.backend == "pipeline" ? graph::Backend::Pipeline : graph::Backend::Query;
   plan::Plan planned = lab::planOf(shot, pipeline, backend);
   std::string text = options.dot    ? plan::toDot(planned)
@@ -225,8 +226,8 @@ void plan(const Home& home, const PlanOptions& options) {
 Json deviceJson(const gpu::DeviceInfo& info) {
   Json json = {{"name", info.name}, {"driver", info.driver}, {"api", info.api}, {"software", info.software}};
   json["backends"] = Json::array();
-  if (info.ray_pipeline) json["backends"].push_back("pipeline");
-  if (info.ray_query) json["backends"].push_back("query");
+  for (const shader::BackendRow& row : shader::backends())
+    if (shader::isPresent(row, info)) json["backends"].push_back(row.name);
   json["missing"] = info.missing();
   for (const auto& feature : info.features)
     json["features"].push_back({{"name", feature.name},

@@ -187,12 +187,6 @@ DeviceInfo describe(const Dispatch& vk, VkPhysicalDevice device) {
   if (core.apiVersion >= VK_API_VERSION_1_3) vk.GetPhysicalDeviceFeatures2(device, chain.chain(extensions));
   for (const WantedFeature& wanted : wantedFeatures())
     info.features.push_back({wanted.name, wanted.provides, wanted.required, wanted.in(chain) == VK_TRUE});
-  auto present = [&info](const char* name) {
-    return std::any_of(info.features.begin(), info.features.end(),
-                       [name](const Feature& feature) { return feature.name == name && feature.present; });
-  };
-  info.ray_pipeline = present("rayTracingPipeline");
-  info.ray_query = present("rayQuery");
   return info;
 }
 
@@ -209,11 +203,15 @@ std::string lower(std::string text) {
 
 }  // namespace
 
+bool DeviceInfo::has(const std::string& feature) const {
+  return std::any_of(features.begin(), features.end(),
+                     [&](const Feature& one) { return one.name == feature && one.present; });
+}
+
 std::string DeviceInfo::missing() const {
   std::vector<std::string> names;
   for (const Feature& feature : features)
     if (feature.required && !feature.present) names.push_back(fmt::format("{} ({})", feature.name, feature.provides));
-  if (names.empty() && !tracesRays()) return "rayTracingPipeline or rayQuery (shadows, revealed backgrounds, truth)";
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
@@ -275,9 +273,7 @@ void Device::choosePhysicalDevice(const std::string& wanted) {
   info_ = found[chosen].first;
   physical_ = found[chosen].second;
   std::string missing = info_.missing();
-  if (!missing.empty())
-    throw Error(fmt::format("device '{}' ({}) lacks {}; Mesa 25's software device and GPUs with ray tracing have them",
-                            info_.name, info_.driver, missing));
+  if (!missing.empty()) throw Error(fmt::format("device '{}' ({}) lacks {}", info_.name, info_.driver, missing));
 }
 
 void Device::createDevice(const std::vector<std::string>& more_extensions) {
@@ -323,8 +319,9 @@ void Device::createDevice(const std::vector<std::string>& more_extensions) {
   VkPhysicalDeviceAccelerationStructurePropertiesKHR acceleration{
       VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR};
   ray_properties_ = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_TRACING_PIPELINE_PROPERTIES_KHR};
-  if (info_.ray_pipeline) acceleration.pNext = &ray_properties_;
-  VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &acceleration};
+  if (info_.has("rayTracingPipeline")) acceleration.pNext = &ray_properties_;
+  VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2,
+                                         info_.has("accelerationStructure") ? &acceleration : nullptr};
   vk_.GetPhysicalDeviceProperties2(physical_, &properties);
   scratch_alignment_ = std::max(1u, acceleration.minAccelerationStructureScratchOffsetAlignment);
   timestamp_period_ns_ = properties.properties.limits.timestampPeriod;

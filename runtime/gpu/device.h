@@ -32,11 +32,9 @@ struct DeviceInfo {
   std::string driver;  // name and version
   std::string api;     // "1.4.305"
   bool software = false;
-  bool ray_pipeline = false;  // VK_KHR_ray_tracing_pipeline
-  bool ray_query = false;     // VK_KHR_ray_query
   std::vector<Feature> features;
 
-  bool tracesRays() const { return ray_pipeline || ray_query; }
+  bool has(const std::string& feature) const;
   // The required features it lacks, as one sentence; "" when it suffices.
   std::string missing() const;
 };

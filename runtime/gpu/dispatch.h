@@ -33,8 +33,8 @@ namespace strobe::gpu {
   X(DestroyDescriptorPool) X(AllocateDescriptorSets) X(UpdateDescriptorSets) X(CreateQueryPool)                  \
   X(DestroyQueryPool) X(GetQueryPoolResults) X(CmdPipelineBarrier2) X(CmdBindPipeline) X(CmdBindDescriptorSets)  \
   X(CmdDispatch) X(CmdBeginRendering) X(CmdEndRendering) X(CmdSetViewport) X(CmdSetScissor)                      \
-  X(CmdBindIndexBuffer) X(CmdDrawIndexed) X(CmdCopyBuffer) X(CmdCopyBufferToImage) X(CmdCopyImageToBuffer)       \
-  X(CmdClearColorImage) X(CmdFillBuffer) X(CmdResetQueryPool) X(CmdWriteTimestamp2)          \
+  X(CmdBindIndexBuffer) X(CmdDraw) X(CmdDrawIndexed) X(CmdCopyBuffer) X(CmdCopyBufferToImage)                   \
+  X(CmdCopyImageToBuffer) X(CmdClearColorImage) X(CmdFillBuffer) X(CmdResetQueryPool) X(CmdWriteTimestamp2)          \
   X(CmdBindVertexBuffers) X(CmdPushConstants)
 
 // Absent (null) on a device without ray tracing.

@@ -29,14 +29,15 @@ VkPhysicalDeviceFeatures2* FeatureChain::chain(const std::vector<std::string>& e
 
 const std::vector<WantedFeature>& wantedFeatures() {
   static const std::vector<WantedFeature> table = {
-      {"geometryShader", "primitive ids in the G-buffer", "", true, CORE(geometryShader)},
+      {"geometryShader", "vertices that triangles share, fetched once", "", false, CORE(geometryShader)},
+      {"shaderFloat64", "tracing backend 'bvh' as exact at edges as the others", "", false, CORE(shaderFloat64)},
       {"fragmentStoresAndAtomics", "event counts in raster passes", "", true, CORE(fragmentStoresAndAtomics)},
       {"vertexPipelineStoresAndAtomics", "event counts in raster passes", "", false,
        CORE(vertexPipelineStoresAndAtomics)},
       {"shaderStorageImageExtendedFormats", "two-channel and 16-bit images", "", true,
        CORE(shaderStorageImageExtendedFormats)},
       {"scalarBlockLayout", "structures shared by C++ and GLSL", "", true, IN(v12, scalarBlockLayout)},
-      {"bufferDeviceAddress", "acceleration structures", "", true, IN(v12, bufferDeviceAddress)},
+      {"bufferDeviceAddress", "what rays traverse", "", true, IN(v12, bufferDeviceAddress)},
       {"descriptorIndexing", "textures chosen per pixel", "", true, IN(v12, descriptorIndexing)},
       {"runtimeDescriptorArray", "textures chosen per pixel", "", true, IN(v12, runtimeDescriptorArray)},
       {"shaderSampledImageArrayNonUniformIndexing", "textures chosen per pixel", "", true,
@@ -44,12 +45,11 @@ const std::vector<WantedFeature>& wantedFeatures() {
       {"synchronization2", "barriers between passes", "", true, IN(v13, synchronization2)},
       {"dynamicRendering", "raster passes", "", true, IN(v13, dynamicRendering)},
       {"maintenance4", "compute passes in SPIR-V 1.6", "", true, IN(v13, maintenance4)},
-      {"accelerationStructure", "shadows, revealed backgrounds and ground truth",
-       VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME, true, IN(acceleration, accelerationStructure)},
+      {"accelerationStructure", "tracing backends 'query' and 'pipeline'", VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
+       false, IN(acceleration, accelerationStructure)},
       {"rayTracingPipeline", "tracing backend 'pipeline'", VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME, false,
        IN(ray_pipeline, rayTracingPipeline)},
-      {"rayQuery", "tracing backend 'query', shadows in compute passes", VK_KHR_RAY_QUERY_EXTENSION_NAME, false,
-       IN(ray_query, rayQuery)},
+      {"rayQuery", "tracing backend 'query'", VK_KHR_RAY_QUERY_EXTENSION_NAME, false, IN(ray_query, rayQuery)},
   };
   return table;
 }

@@ -11,11 +11,11 @@
 namespace strobe::gpu {
 
 struct DeviceLimits {
-  uint64_t image_side = 0;    // px
-  uint64_t buffer_bytes = 0;  // that a shader may see of one buffer
-  uint64_t instances = 0;     // of an acceleration structure
-  uint64_t geometries = 0;    // of a mesh
-  uint64_t triangles = 0;     // of a mesh
+  uint64_t image_side = 0;           // px
+  uint64_t buffer_bytes = 0;         // that a shader may see of one buffer
+  uint64_t instances = UINT64_MAX;   // of an acceleration structure; without these any number
+  uint64_t geometries = UINT64_MAX;  // of a mesh
+  uint64_t triangles = UINT64_MAX;   // of a mesh
 };
 
 DeviceLimits limitsOf(const Device& device);

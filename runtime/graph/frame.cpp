@@ -10,7 +10,7 @@ namespace strobe::graph {
 
 using plan::Plan;
 
-shared::FrameData frameData(const Plan& plan, const scene::GpuScene& scene, const FrameSetup& setup) {
+shared::FrameData frameData(const Plan& plan, const world::GpuScene& scene, const FrameSetup& setup) {
   shared::FrameData frame{};
   frame.size = uvec2(plan.width, plan.height);
   frame.subpixel = setup.subpixel;
@@ -36,7 +36,7 @@ static dvec3 frameOrigin(const FrameSetup& setup) { return dvec3(setup.pose_at(s
 
 static double aspect(const Plan& plan) { return double(plan.width) / plan.height; }
 
-void poseFixedSlices(scene::GpuScene& scene, const Plan& plan, const FrameSetup& setup) {
+void poseFixedSlices(world::GpuScene& scene, const Plan& plan, const FrameSetup& setup) {
   dvec3 origin = frameOrigin(setup);
   const double times[] = {setup.capture_s, setup.open_s, setup.close_s, setup.capture_s - setup.frame_s};
   for (uint32_t slice : {SLICE_CAPTURE, SLICE_OPEN, SLICE_CLOSE, SLICE_PREVIOUS})
@@ -52,7 +52,7 @@ static int partOf(const plan::PlanLoop& loop, int iteration) {
   return int(iteration * stride % loop.count);
 }
 
-void poseSamples(scene::GpuScene& scene, const Plan& plan, const FrameSetup& setup, const plan::PlanLoop& loop,
+void poseSamples(world::GpuScene& scene, const Plan& plan, const FrameSetup& setup, const plan::PlanLoop& loop,
                  int iteration) {
   dvec3 origin = frameOrigin(setup);
   int part = partOf(loop, iteration);

@@ -11,7 +11,7 @@
 #include "image/image.h"
 #include "plan/plan.h"
 #include "scene/facts.h"
-#include "scene/upload.h"
+#include "world/gpu_scene.h"
 
 namespace strobe::graph {
 
@@ -54,12 +54,12 @@ struct FrameResult {
 };
 
 // The frame's block for a plan, as it is outside of loops.
-shared::FrameData frameData(const plan::Plan& plan, const scene::GpuScene& scene, const FrameSetup& setup);
+shared::FrameData frameData(const plan::Plan& plan, const world::GpuScene& scene, const FrameSetup& setup);
 
 // Poses what every frame sees: the capture, the ends of the exposure, the frame before.
-void poseFixedSlices(scene::GpuScene& scene, const plan::Plan& plan, const FrameSetup& setup);
+void poseFixedSlices(world::GpuScene& scene, const plan::Plan& plan, const FrameSetup& setup);
 // Poses the sample slices of an iteration: midpoints of strata, or a random time in each of their parts.
-void poseSamples(scene::GpuScene& scene, const plan::Plan& plan, const FrameSetup& setup, const plan::PlanLoop& loop,
+void poseSamples(world::GpuScene& scene, const plan::Plan& plan, const FrameSetup& setup, const plan::PlanLoop& loop,
                  int iteration);
 
 }  // namespace strobe::graph

@@ -24,7 +24,7 @@ static bool traces(const Plan& plan) {
 
 // The nodes with their pipelines; `ms` is what finding and compiling them took.
 static PlanNodes nodesOf(const gpu::Device& device, const Plan& plan, PipelineCache& cache,
-                         const scene::GpuScene& scene, Backend backend, const PlanNodes* previous,
+                         const world::GpuScene& scene, Backend backend, const PlanNodes* previous,
                          std::vector<std::string>* problems, double& ms) {
   STROBE_ASSERT(scene.slices() >= SLICE_SAMPLE + Graph::sampleSlices(plan), "{} slices", scene.slices());
   double started_s = clockSeconds();
@@ -34,7 +34,7 @@ static PlanNodes nodesOf(const gpu::Device& device, const Plan& plan, PipelineCa
   return nodes;
 }
 
-Graph::Graph(const gpu::Device& device, PipelineCache& cache, const Plan& plan, scene::GpuScene& scene, Backend backend,
+Graph::Graph(const gpu::Device& device, PipelineCache& cache, const Plan& plan, world::GpuScene& scene, Backend backend,
              Graph* previous, std::vector<std::string>* problems)
     : plan_(&plan),
       scene_(scene),

@@ -13,7 +13,7 @@ class Graph {
   // and takes over the images and histories that are described alike; a shader that does not compile keeps the pipeline
   // of the node of that name, if that serves the same interface; what was wrong is added to `problems`. Throws where
   // nothing serves or memory runs out, and `previous` is as it was.
-  Graph(const gpu::Device& device, PipelineCache& cache, const plan::Plan& plan, scene::GpuScene& scene,
+  Graph(const gpu::Device& device, PipelineCache& cache, const plan::Plan& plan, world::GpuScene& scene,
         Backend backend, Graph* previous = nullptr, std::vector<std::string>* problems = nullptr);
 
   // Draws one frame and waits for it. `on_iteration` (may be empty) is called after each iteration of a loop.
@@ -42,7 +42,7 @@ class Graph {
   void collect(FrameResult& result) const;
 
   const plan::Plan* plan_;
-  scene::GpuScene& scene_;
+  world::GpuScene& scene_;
   bool traces_ = false;
   double compile_ms_ = 0;
   uint64_t runs_ = 0;

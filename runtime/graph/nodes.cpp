@@ -36,11 +36,13 @@ static void dropTwins(std::vector<std::string>& problems) {
   problems.erase(std::unique(problems.begin(), problems.end()), problems.end());
 }
 
-void PlanNodes::findPipelines(PipelineCache& cache, const scene::GpuScene& scene, Backend backend,
+void PlanNodes::findPipelines(PipelineCache& cache, const world::GpuScene& scene, Backend backend,
                               const PlanNodes* previous, std::vector<std::string>* problems) {
   std::vector<std::string> fatal;
   for (size_t i = 0; i < nodes_.size(); ++i) {
     shader::Interface wanted = interfaceOf(*plan_, planned(i), backend, scene.slices());
+    wanted.doubles = wanted.backend == Backend::Bvh && device_.info().has("shaderFloat64");
+    wanted.separate_triangles = wanted.raster && !device_.info().has("geometryShader");
     try {
       nodes_[i].pipeline = cache.get(wanted, pass(i), scene);
     } catch (const Error& error) {

@@ -28,7 +28,7 @@ class PlanNodes {
 
   // A shader that does not compile keeps the pipeline of the node of that name in `previous` (may be null), if that
   // serves the same interface; what was wrong is then added to `problems`. Throws `Error` with all that nothing serves.
-  void findPipelines(PipelineCache& cache, const scene::GpuScene& scene, Backend backend, const PlanNodes* previous,
+  void findPipelines(PipelineCache& cache, const world::GpuScene& scene, Backend backend, const PlanNodes* previous,
                      std::vector<std::string>* problems);
   // Makes buffers and sets for the images.
   void make(const PlanImages& images);

@@ -36,6 +36,10 @@ static uint32_t timeSlice(const std::string& time) {
   return SLICE_CAPTURE;
 }
 
+bool hasStages(const shader::Interface& in) {
+  return in.backend != Backend::None && shader::rowOf(in.backend).has_stages;
+}
+
 using Settings = std::vector<std::pair<std::string, plan::Value>>;
 
 // `wired`: which reads are; `values`: of its parameters; both in the order of the declaration.
@@ -159,7 +163,7 @@ static std::vector<shader::Compiled> compileStages(const Home& home, const shade
     return {compilePass(home, in, shaderFile(home, pass, ".vert.glsl"), Stage::Vertex),
             compilePass(home, in, shaderFile(home, pass, ".frag.glsl"), Stage::Fragment)};
   Path file = shaderFile(home, pass, ".glsl");
-  if (in.backend != Backend::Pipeline) return {compilePass(home, in, file, Stage::Compute)};
+  if (!hasStages(in)) return {compilePass(home, in, file, Stage::Compute)};
   return {compilePass(home, in, file, Stage::RayGeneration),
           compilePass(home, in, backendFile(home, "miss.glsl"), Stage::Miss),
           compilePass(home, in, backendFile(home, "closest_hit.glsl"), Stage::ClosestHit),
@@ -167,7 +171,7 @@ static std::vector<shader::Compiled> compileStages(const Home& home, const shade
 }
 
 std::string textOf(const shader::Interface& in) {
-  Stage stage = in.raster ? Stage::Fragment : in.backend == Backend::Pipeline ? Stage::RayGeneration : Stage::Compute;
+  Stage stage = in.raster ? Stage::Fragment : hasStages(in) ? Stage::RayGeneration : Stage::Compute;
   std::string text = fmt::format("{}|{}", backendName(in.backend), preamble(in, stage));
   for (const auto& write : in.writes) text += write.format + ",";
   return text;
@@ -189,7 +193,7 @@ static std::string contentKey(const Home& home, const shader::Interface& in, con
   for (const Path& file : shaderFiles(home, pass)) add(file);
   // What the generated declarations include.
   add(home.at(in.scene ? "shaders/shared/bindings.glsl" : "shaders/shared/frame.h"));
-  if (in.backend == Backend::Pipeline)
+  if (hasStages(in))
     for (const char* name : {"miss.glsl", "closest_hit.glsl", "any_hit.glsl"}) add(backendFile(home, name));
   return hashText(key);
 }
@@ -263,7 +267,7 @@ std::vector<std::string> ShaderCheck::run() {
 }
 
 std::shared_ptr<const NodePipeline> PipelineCache::get(const shader::Interface& in, const PassDesc& pass,
-                                                       const scene::GpuScene& scene) {
+                                                       const world::GpuScene& scene) {
   Seen& seen = seen_[interfaceKey(home_, in, pass)];
   if (seen.content.empty() || !seen.files.current()) {
     requireFiles(home_, pass);
@@ -337,7 +341,7 @@ std::shared_ptr<const NodePipeline> PipelineCache::make(const shader::Interface&
     gpu::RasterShaders shaders{stages[0].spirv, stages[1].spirv, {}};
     for (const auto& write : in.writes) shaders.color_formats.push_back(gpu::formatInfo(write.texels).vk);
     made->pipeline = gpu::Pipeline::raster(device_, pass.name, shaders, sets);
-  } else if (in.backend == Backend::Pipeline) {
+  } else if (hasStages(in)) {
     gpu::TraceShaders shaders{stages[0].spirv, stages[1].spirv, stages[2].spirv, stages[3].spirv};
     made->pipeline = gpu::Pipeline::trace(device_, pass.name, shaders, sets);
   } else {

@@ -10,8 +10,8 @@
 #include "base/stamps.h"
 #include "gpu/pipeline.h"
 #include "plan/plan.h"
-#include "scene/upload.h"
 #include "shader/interface.h"
+#include "world/gpu_scene.h"
 
 namespace strobe::graph {
 
@@ -29,6 +29,9 @@ struct NodePipeline {
 
 // The interface a node's shader is compiled against.
 shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node, Backend backend, uint32_t slices);
+
+// Does it run in the stages of a ray tracing pipeline?
+bool hasStages(const shader::Interface& interface);
 
 // What distinguishes two interfaces, as text.
 std::string textOf(const shader::Interface& interface);
@@ -72,7 +75,7 @@ class PipelineCache {
  public:
   PipelineCache(const Home& home, const gpu::Device& device) : home_(home), device_(device) {}
   std::shared_ptr<const NodePipeline> get(const shader::Interface& interface, const plan::PassDesc& pass,
-                                          const scene::GpuScene& scene);
+                                          const world::GpuScene& scene);
   // Pipelines made since the cache exists.
   int compilations() const { return compilations_; }
 

@@ -102,8 +102,7 @@ void Recording::bind(VkCommandBuffer commands, const Node& node) const {
 
 // A compute or trace pass over this many pixels.
 void Recording::work(VkCommandBuffer commands, const Node& node, uint32_t width, uint32_t height) const {
-  if (node.pipeline->interface.backend == Backend::Pipeline)
-    return node.pipeline->pipeline.recordTrace(commands, width, height);
+  if (hasStages(node.pipeline->interface)) return node.pipeline->pipeline.recordTrace(commands, width, height);
   const uint32_t group = shader::kGroupSize;
   device_.vk().CmdDispatch(commands, (width + group - 1) / group, (height + group - 1) / group, 1);
 }
@@ -119,14 +118,14 @@ void Recording::pass(VkCommandBuffer commands, size_t node_index, PassStamps* st
   }
   int begin = stamps ? stamps->timer.recordStamp(commands) : -1;
   bind(commands, node);
-  if (node.pipeline->interface.raster) raster(commands, planned);
+  if (node.pipeline->interface.raster) raster(commands, node, planned);
   else work(commands, node, uint32_t(planned.width), uint32_t(planned.height));
   int end = stamps ? stamps->timer.recordStamp(commands) : -1;
   if (begin >= 0 && end >= 0) stamps->pending.push_back({node_index, begin, end});
   if (device_.debugLabels()) vk.CmdEndDebugUtilsLabelEXT(commands);
 }
 
-void Recording::raster(VkCommandBuffer commands, const PlanNode& planned) const {
+void Recording::raster(VkCommandBuffer commands, const Node& node, const PlanNode& planned) const {
   const auto& vk = device_.vk();
   auto attachment = [this](int image) {
     VkRenderingAttachmentInfo info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
@@ -149,11 +148,15 @@ void Recording::raster(VkCommandBuffer commands, const PlanNode& planned) const 
   VkViewport viewport{0, 0, float(planned.width), float(planned.height), 0, 1};
   vk.CmdSetViewport(commands, 0, 1, &viewport);
   vk.CmdSetScissor(commands, 0, 1, &info.renderArea);
-  vk.CmdBindIndexBuffer(commands, scene_.indexBuffer(), 0, VK_INDEX_TYPE_UINT32);
+  const bool indexed = !node.pipeline->interface.separate_triangles;
+  if (indexed) vk.CmdBindIndexBuffer(commands, scene_.indexBuffer(), 0, VK_INDEX_TYPE_UINT32);
   const auto& draws = scene_.draws();
-  for (uint32_t i = 0; i < draws.size(); ++i)
-    if (draws[i].index_count)
-      vk.CmdDrawIndexed(commands, draws[i].index_count, 1, draws[i].first_index, draws[i].first_vertex, i);
+  for (uint32_t i = 0; i < draws.size(); ++i) {
+    const auto& draw = draws[i];
+    if (draw.index_count == 0) continue;
+    if (indexed) vk.CmdDrawIndexed(commands, draw.index_count, 1, draw.first_index, draw.first_vertex, i);
+    else vk.CmdDraw(commands, draw.index_count, 1, draw.first_index, i);
+  }
   vk.CmdEndRendering(commands);
 }
 

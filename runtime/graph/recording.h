@@ -19,7 +19,7 @@ struct PassStamps {
 // What it refers to must outlive it.
 class Recording {
  public:
-  Recording(const gpu::Device& device, const scene::GpuScene& scene, const PlanImages& images, const PlanNodes& nodes)
+  Recording(const gpu::Device& device, const world::GpuScene& scene, const PlanImages& images, const PlanNodes& nodes)
       : device_(device), scene_(scene), images_(images), nodes_(nodes) {}
 
   // Goes on with a plan; `wanted` (may be null: all) are the outputs and taps of the frame to read back.
@@ -38,13 +38,13 @@ class Recording {
   void pass(VkCommandBuffer commands, size_t node_index, PassStamps* stamps) const;
   void bind(VkCommandBuffer commands, const Node& node) const;
   void work(VkCommandBuffer commands, const Node& node, uint32_t width, uint32_t height) const;
-  void raster(VkCommandBuffer commands, const plan::PlanNode& planned) const;
+  void raster(VkCommandBuffer commands, const Node& node, const plan::PlanNode& planned) const;
   void clear(VkCommandBuffer commands, int image) const;
   void read(VkCommandBuffer commands, int image) const;
   bool isRead(int image) const;
 
   const gpu::Device& device_;
-  const scene::GpuScene& scene_;
+  const world::GpuScene& scene_;
   const PlanImages& images_;
   const PlanNodes& nodes_;
   const plan::Plan* plan_ = nullptr;

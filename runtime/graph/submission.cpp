@@ -7,7 +7,7 @@ namespace strobe::graph {
 
 using plan::Step;
 
-Submission::Submission(const gpu::Device& device, const scene::GpuScene& scene, const Recording& recording,
+Submission::Submission(const gpu::Device& device, const world::GpuScene& scene, const Recording& recording,
                        PlanNodes& nodes)
     : device_(device), scene_(scene), recording_(recording), nodes_(nodes) {
   stamps_.timer = gpu::Timer(device, uint32_t(2 * nodes.size() + 2));

@@ -9,7 +9,7 @@ namespace strobe::graph {
 // What it refers to must outlive it.
 class Submission {
  public:
-  Submission(const gpu::Device& device, const scene::GpuScene& scene, const Recording& recording, PlanNodes& nodes);
+  Submission(const gpu::Device& device, const world::GpuScene& scene, const Recording& recording, PlanNodes& nodes);
 
   void beginFrame();
   // Builds the structures of `slice_count` slices, executes the steps and waits; counts and times go to the nodes.
@@ -26,7 +26,7 @@ class Submission {
   std::string nameOf(const plan::Step& step) const;
 
   const gpu::Device& device_;
-  const scene::GpuScene& scene_;
+  const world::GpuScene& scene_;
   const Recording& recording_;
   PlanNodes& nodes_;
   PassStamps stamps_;

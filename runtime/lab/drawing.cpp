@@ -65,7 +65,8 @@ Drawing::Drawing(Workbench& bench, std::shared_ptr<HeldScene> scene, Planned pla
                  std::shared_ptr<const Evaluation> evaluation, Drawing* previous, std::vector<std::string>* problems)
     : bench_(bench), scene_(std::move(scene)), planned_(std::move(planned)), evaluation_(std::move(evaluation)) {
   const gpu::Device& device = bench.device();
-  on_device_ = scene_->onDevice(device, SLICE_SAMPLE + graph::Graph::sampleSlices(plan()));
+  on_device_ = scene_->onDevice(device, SLICE_SAMPLE + graph::Graph::sampleSlices(plan()),
+                                shader::rowOf(planned_.backend).structures);
   if (previous && !problems && previous->fits(planned_, *scene_)) {
     graph_ = std::move(previous->graph_);
     graph_->setParams(plan());

@@ -55,7 +55,7 @@ class Drawing {
   Workbench& bench_;
   // Destroyed from the last: the graph goes before what it draws.
   std::shared_ptr<HeldScene> scene_;
-  std::shared_ptr<scene::GpuScene> on_device_;
+  std::shared_ptr<world::GpuScene> on_device_;
   Planned planned_;
   std::shared_ptr<const Evaluation> evaluation_;
   std::unique_ptr<graph::Graph> graph_;

@@ -6,6 +6,7 @@
 
 #include "base/numbers.h"
 #include "lab/camera_path.h"
+#include "shader/backends.h"
 
 namespace strobe::lab {
 
@@ -56,6 +57,12 @@ static ShotField flag(const char* name, ShotMember member) {
   return field;
 }
 
+static std::vector<std::string> backendNames() {
+  std::vector<std::string> names = {"auto"};
+  for (const shader::BackendRow& row : shader::backends()) names.push_back(row.name);
+  return names;
+}
+
 // An option of one value, which is called like it.
 static ShotOption one(const ShotField& field, const char* doc, Concern concern, uint32_t uses = 0) {
   return {field.declaration.name, doc, concern, {field}, uses};
@@ -98,8 +105,9 @@ static std::vector<ShotOption> allOptions() {
       one(whole("aa", &S::aa, 1, 1, 256), "sub-pixel samples of a saved picture, each a full run of the pipeline",
           Concern::Frame, O::kControl),
       one(whole("seed", &S::seed, 0, 0, 4294967295.0), "of every random number", Concern::Frame, O::kControl),
-      one(text("backend", &S::backend, "auto", {"auto", "pipeline", "query"}),
-          "how rays are traced: ray queries where there are, or ray tracing pipelines", Concern::Plan, O::kControl),
+      one(text("backend", &S::backend, "auto", backendNames()),
+          "how rays are traced; auto: by the device, software devices by the runtime's own tree", Concern::Plan,
+          O::kControl),
       one(text("device", &S::device, ""), "index or part of the name of a Vulkan device", Concern::Device,
           O::kNoPicture),
       one(text("tap", &S::taps, ""), "NODE.PORT to write as well", Concern::Plan, O::kNoPicture),

@@ -77,10 +77,13 @@ LoadedScene loadScene(const Home& home, Shot& shot) {
 }
 
 // A copy is as large as the scene: a dragged slider that asks for one number after the other must not leave them all.
-std::shared_ptr<scene::GpuScene> HeldScene::onDevice(const gpu::Device& device, uint32_t slices) {
-  std::shared_ptr<scene::GpuScene>& held = on_device[slices];
-  if (!held) held = std::make_shared<scene::GpuScene>(device, loaded.scene, slices);
-  std::shared_ptr<scene::GpuScene> copy = held;
+std::shared_ptr<world::GpuScene> HeldScene::onDevice(const gpu::Device& device, uint32_t slices,
+                                                     shader::StructureKind structures) {
+  const bool own = structures == shader::StructureKind::Own;
+  if (own && !trees) trees = std::make_unique<world::MeshTrees>(world::buildMeshTrees(loaded.scene));
+  std::shared_ptr<world::GpuScene>& held = on_device[{slices, structures}];
+  if (!held) held = std::make_shared<world::GpuScene>(device, loaded.scene, slices, own ? trees.get() : nullptr);
+  std::shared_ptr<world::GpuScene> copy = held;
   for (auto it = on_device.begin(); it != on_device.end() && on_device.size() > 2;)
     it = it->second.use_count() == 1 ? on_device.erase(it) : std::next(it);
   return copy;
@@ -91,7 +94,7 @@ plan::Plan planOf(const Shot& shot, const plan::PipelineDesc& pipeline, graph::B
   options.width = shot.width;
   options.height = shot.height;
   options.taps = shot.taps;
-  options.trace_stage = backend == graph::Backend::Pipeline ? plan::kStageTrace : plan::kStageCompute;
+  options.trace_stage = shader::rowOf(backend).has_stages ? plan::kStageTrace : plan::kStageCompute;
   return plan::compile(pipeline, options);
 }
 
@@ -104,14 +107,7 @@ Workbench::Workbench(const Home& home, const Workbench& other)
 Workbench::~Workbench() = default;
 
 graph::Backend Workbench::chooseBackend(const std::string& asked) const {
-  const gpu::DeviceInfo& info = device_->info();
-  bool query = asked == "query" || (asked == "auto" && info.ray_query);
-  bool present = query ? info.ray_query : info.ray_pipeline;
-  if (!present)
-    throw Error(
-        fmt::format("device '{}' has no {}, which tracing backend '{}' needs; --backend auto takes what there is",
-                    info.name, query ? "ray queries" : "ray tracing pipelines", asked));
-  return query ? graph::Backend::Query : graph::Backend::Pipeline;
+  return shader::chooseBackend(device_->info(), asked);
 }
 
 // ---- scripts

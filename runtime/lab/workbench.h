@@ -28,13 +28,16 @@ struct LoadedScene {
 // Reads the scene, fills in what the shot left open from it (size, fps, frame, exposure), applies --move and --spin.
 LoadedScene loadScene(const Home& home, Shot& shot);
 
-// A loaded scene and its copies on the device, by how many times they can be posed at once. A copy must not outlive it.
+// A loaded scene and its copies on the device, by how many times they can be posed at once and by what rays traverse in
+// them. A copy must not outlive it.
 struct HeldScene {
   LoadedScene loaded;
-  std::map<uint32_t, std::shared_ptr<scene::GpuScene>> on_device;
+  std::unique_ptr<world::MeshTrees> trees;  // once a copy needs them
+  std::map<std::pair<uint32_t, shader::StructureKind>, std::shared_ptr<world::GpuScene>> on_device;
 
   // The copy for so many poses, made unless it is there. Copies that are not in use go, but for one.
-  std::shared_ptr<scene::GpuScene> onDevice(const gpu::Device& device, uint32_t slices);
+  std::shared_ptr<world::GpuScene> onDevice(const gpu::Device& device, uint32_t slices,
+                                            shader::StructureKind structures);
 };
 
 // One picture, its record and its timings.

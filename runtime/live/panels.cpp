@@ -63,8 +63,7 @@ void topBar(const Fonts& fonts, Desk& desk, PanelState& state, float width) {
   tooltip("pipeline of A\n" + session.plan().pipeline.doc);
   ImGui::SameLine(0, 14);
   const gpu::DeviceInfo& device = session.bench().device().info();
-  std::string backend =
-      session.running().planned().backend == graph::Backend::Query ? "ray queries" : "ray tracing pipelines";
+  std::string backend = std::string("rays by ") + shader::backendName(session.running().planned().backend);
   textIn(fonts.text, colours::kDim,
          fmt::format("{}  ·  {} x {}  ·  {}{}  ·  {}", Path(session.shot().scene).filename().string(),
                      session.shot().width, session.shot().height, device.name.substr(0, device.name.find(" (")),

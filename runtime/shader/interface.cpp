@@ -8,29 +8,19 @@
 
 namespace strobe::shader {
 
-const char* backendName(Backend backend) {
-  switch (backend) {
-    case Backend::Pipeline:
-      return "pipeline";
-    case Backend::Query:
-      return "query";
-    case Backend::None:
-      break;
-  }
-  return "none";
-}
-
-static std::string header(const Interface& in, Stage stage) {
+static std::string header(const Interface& in) {
   std::string text = "#version 460\n";
   for (const char* extension : {"GL_EXT_scalar_block_layout", "GL_EXT_nonuniform_qualifier",
                                 "GL_GOOGLE_include_directive", "GL_EXT_control_flow_attributes"})
     text += fmt::format("#extension {} : require\n", extension);
-  bool ray_stage =
-      stage == Stage::RayGeneration || stage == Stage::Miss || stage == Stage::ClosestHit || stage == Stage::AnyHit;
-  if (ray_stage)
-    text += "#extension GL_EXT_ray_tracing : require\n#define STROBE_BACKEND_PIPELINE\n#define STROBE_TRACES\n";
-  bool query = stage == Stage::Compute && in.backend == Backend::Query;
-  if (query) text += "#extension GL_EXT_ray_query : require\n#define STROBE_BACKEND_QUERY\n#define STROBE_TRACES\n";
+  if (in.backend != Backend::None) {
+    const BackendRow& row = rowOf(in.backend);
+    for (const char* extension : row.extensions) text += fmt::format("#extension {} : require\n", extension);
+    text += fmt::format("#define {}\n#define STROBE_STRUCTURES_{}\n", row.define,
+                        row.structures == StructureKind::Own ? "OWN" : "DRIVER");
+    if (in.doubles) text += "#define STROBE_DOUBLES\n";
+  }
+  if (in.separate_triangles) text += "#define STROBE_SEPARATE_TRIANGLES\n";
   return text + fmt::format("#define STROBE_SLICES {}\n#define TIME_SLICE {}u\n", in.slices, in.time_slice);
 }
 
@@ -82,7 +72,7 @@ static std::string resourceText(const Interface& in, Stage stage) {
 }
 
 std::string preamble(const Interface& in, Stage stage) {
-  std::string text = header(in, stage) + variantText(in) + frameText(in);
+  std::string text = header(in) + variantText(in) + frameText(in);
   bool hit_stage = stage == Stage::Miss || stage == Stage::ClosestHit || stage == Stage::AnyHit;
   if (!hit_stage) text += resourceText(in, stage);
   if (stage == Stage::Compute) text += fmt::format("layout(local_size_x = {0}, local_size_y = {0}) in;\n", kGroupSize);

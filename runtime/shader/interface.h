@@ -7,13 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "shader/backends.h"
 #include "shader/compiler.h"
 
 namespace strobe::shader {
-
-// How rays are traced.
-enum class Backend { None, Pipeline, Query };
-const char* backendName(Backend backend);
 
 // What a shader can name, with the binding numbers of set 1: params 0, counters 1, then reads, then images.
 struct Interface {
@@ -46,13 +43,15 @@ struct Interface {
   bool raster = false;
   bool scene = false;
   Backend backend = Backend::None;
-  uint32_t slices = 1;      // poses the scene's arrays hold
-  uint32_t time_slice = 0;  // the one this node sees
+  bool doubles = false;             // trace: the device computes at double precision
+  bool separate_triangles = false;  // raster: vertices are not indexed, and number the triangles
+  uint32_t slices = 1;              // poses the scene's arrays hold
+  uint32_t time_slice = 0;          // the one this node sees
   std::vector<Read> reads;
   std::vector<Write> writes;
   std::vector<Param> params;  // 4 bytes each, in this order
   std::vector<Variant> variants;
-  std::vector<std::string> counters;  // a trace pass has "rays_pipeline" or "rays_query" added by the caller
+  std::vector<std::string> counters;  // a trace pass has "rays_" and its backend added by the caller
 
   static constexpr uint32_t kParamsBinding = 0, kCountersBinding = 1, kFirstImageBinding = 2;
   uint32_t readBinding(size_t index) const { return kFirstImageBinding + uint32_t(index); }

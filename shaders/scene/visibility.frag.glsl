@@ -6,6 +6,11 @@ layout(location = 0) flat in uvec2 draw;
 layout(location = 1) in vec2 uv0;
 layout(location = 2) in vec2 uv1;
 layout(location = 3) in float alpha;
+#ifdef STROBE_SEPARATE_TRIANGLES
+layout(location = 4) flat in uint triangle;
+#else
+uint triangle = uint(gl_PrimitiveID);
+#endif
 
 void main() {
   SceneGeometry geometry = scene_geometries[scene_instances[draw.x].first_geometry + draw.y];
@@ -19,5 +24,5 @@ void main() {
     }
     if (coverage < material.alpha_cutoff) discard;
   }
-  hit_out = uvec4(draw.x + 1u, draw.y, uint(gl_PrimitiveID), 0u);
+  hit_out = uvec4(draw.x + 1u, draw.y, triangle, 0u);
 }

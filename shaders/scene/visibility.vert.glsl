@@ -1,15 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Vertices of the scene at the node's slice of time, vertex fetch by index; infinite reversed depth.
+// Vertices of the scene at the node's slice of time, vertex fetch by index; infinite reversed depth. A device that does
+// not number triangles draws them apart, three vertices each, and has the number from those.
 #include "mixin/surface.glsl"
 
 layout(location = 0) flat out uvec2 draw;  // instance, geometry
 layout(location = 1) out vec2 uv0;
 layout(location = 2) out vec2 uv1;
 layout(location = 3) out float alpha;
+#ifdef STROBE_SEPARATE_TRIANGLES
+layout(location = 4) flat out uint triangle;
+#endif
 
 void main() {
   SceneDraw self = scene_draws[gl_InstanceIndex];
+#ifdef STROBE_SEPARATE_TRIANGLES
+  SceneGeometry geometry = geometryOf(self.instance, self.geometry);
+  triangle = (uint(gl_VertexIndex) - geometry.first_index) / 3u;
+  SceneVertex vertex = scene_vertices[geometry.first_vertex + scene_indices[gl_VertexIndex]];
+#else
   SceneVertex vertex = scene_vertices[gl_VertexIndex];
+#endif
   SceneCamera camera = scene_cameras[TIME_SLICE];
   vec3 p = viewFromWorld(TIME_SLICE, worldFromObject(transformOf(TIME_SLICE, self.instance), vertex.position));
   draw = uvec2(self.instance, self.geometry);

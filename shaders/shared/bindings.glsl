@@ -15,7 +15,20 @@ layout(set = 0, binding = 7, scalar) readonly buffer SceneLights { SceneLight sc
 layout(set = 0, binding = 8, scalar) readonly buffer SceneTransforms { SceneTransform scene_transforms[]; };  // per slice
 layout(set = 0, binding = 9, scalar) readonly buffer SceneCameras { SceneCamera scene_cameras[]; };      // per slice
 layout(set = 0, binding = 10) uniform sampler2D scene_textures[];
-#ifdef STROBE_TRACES
+#ifdef STROBE_STRUCTURES_DRIVER
 layout(set = 0, binding = 11) uniform accelerationStructureEXT scene_top_levels[STROBE_SLICES];  // per slice
+#endif
+#ifdef STROBE_STRUCTURES_OWN
+#include "shared/bvh.h"
+layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer BvhNodes { BvhNode at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer BvhTriangles { BvhTriangle at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer BvhInstances { BvhInstance at[]; };
+layout(set = 0, binding = 11, scalar) uniform SceneBvh {
+  BvhNodes nodes;          // of all meshes, then of each traced slice's instances
+  BvhTriangles triangles;  // of all meshes
+  BvhInstances instances;  // of each traced slice
+  uint first_root;         // of the first slice
+  uint nodes_per_slice;
+} scene_bvh;
 #endif
 #endif

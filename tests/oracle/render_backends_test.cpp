@@ -21,10 +21,12 @@ class RenderBackends : public RenderTest {
   }
 };
 
-TEST_F(RenderBackends, PipelineAndQueryGiveTheSamePictures) {
+TEST_F(RenderBackends, AllGiveTheSamePictures) {
   const gpu::DeviceInfo& info = bench().device().info();
-  if (!info.ray_pipeline || !info.ray_query)
-    GTEST_SKIP() << info.name << " has no " << (info.ray_pipeline ? "ray queries" : "ray tracing pipelines");
+  std::vector<std::string> names;
+  for (const shader::BackendRow& row : shader::backends())
+    if (shader::isPresent(row, info)) names.push_back(row.name);
+  if (names.size() < 3) GTEST_SKIP() << info.name << " has " << fmt::format("{}", fmt::join(names, ", ")) << " alone";
   struct Traced {
     std::string node;
     lab::Shot shot;
@@ -37,15 +39,21 @@ TEST_F(RenderBackends, PipelineAndQueryGiveTheSamePictures) {
       {"truth_trace", crowd("ground_truth", {"samples=12", "pixel=box", "times=stratified", "slices=4"})},
   };
   for (Traced traced : cases) {
-    traced.shot.backend = "query";
-    lab::Picture query = render(traced.shot);
-    traced.shot.backend = "pipeline";
-    lab::Picture pipeline = render(traced.shot);
-    EXPECT_EQ(outputs(query), outputs(pipeline)) << traced.node;
-    // Each took its own path, and asked as many rays.
-    EXPECT_GT(raysOf(query, traced.node, "query"), 0u) << traced.node;
-    EXPECT_EQ(raysOf(query, traced.node, "query"), raysOf(pipeline, traced.node, "pipeline")) << traced.node;
-    EXPECT_EQ(raysOf(query, traced.node, "pipeline") + raysOf(pipeline, traced.node, "query"), 0u) << traced.node;
+    std::map<std::string, lab::Picture> pictures;
+    for (const std::string& name : names) {
+      traced.shot.backend = name;
+      pictures[name] = render(traced.shot);
+    }
+    const lab::Picture& first = pictures.at(names.front());
+    EXPECT_GT(raysOf(first, traced.node, names.front()), 0u) << traced.node;
+    for (const std::string& name : names) {
+      EXPECT_EQ(outputs(first), outputs(pictures.at(name))) << traced.node << ", " << name;
+      // Each took its own path, and asked as many rays.
+      for (const std::string& other : names)
+        EXPECT_EQ(raysOf(pictures.at(name), traced.node, other),
+                  name == other ? raysOf(first, traced.node, names.front()) : 0u)
+            << traced.node << ", " << name;
+    }
   }
 }
 

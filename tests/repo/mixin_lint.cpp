@@ -27,7 +27,7 @@ std::string withoutComment(const std::string& line) { return line.substr(0, line
 std::string nameOf(const std::smatch& match) {
   std::string name = match.str();
   if (name.starts_with("HAS_")) return name.substr(4) + "_tex";
-  if (name == "scene_top_levels") return "rays";
+  if (name == "scene_top_levels" || name == "scene_bvh") return "rays";
   return name.starts_with("scene_") ? "scene" : name;
 }
 

@@ -8,7 +8,7 @@
 
 #include "common/source.h"
 #include "oracle/render.h"
-#include "scene/fits.h"
+#include "world/fits.h"
 
 namespace strobe::stability {
 namespace {
@@ -111,7 +111,7 @@ scene::Scene smallScene() {
 
 std::string refusalOf(const gpu::DeviceLimits& limits) {
   try {
-    scene::requireFits(smallScene(), 4, limits);
+    world::requireFits(smallScene(), 4, limits);
   } catch (const Error& error) {
     return error.what();
   }

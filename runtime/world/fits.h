@@ -5,9 +5,9 @@
 #include "gpu/limits.h"
 #include "scene/scene.h"
 
-namespace strobe::scene {
+namespace strobe::world {
 
 // Throws `Error` naming every limit of the device that the scene is beyond, posed at `slices` times at once.
-void requireFits(const Scene& scene, uint32_t slices, const gpu::DeviceLimits& limits);
+void requireFits(const scene::Scene& scene, uint32_t slices, const gpu::DeviceLimits& limits);
 
-}  // namespace strobe::scene
+}  // namespace strobe::world

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "scene/fits.h"
+#include "world/fits.h"
 
 #include "shared/scene.h"
 
-namespace strobe::scene {
+namespace strobe::world {
+
+using namespace scene;
 
 void requireFits(const Scene& scene, uint32_t slices, const gpu::DeviceLimits& limits) {
   std::vector<std::string> beyond;
@@ -36,4 +38,4 @@ void requireFits(const Scene& scene, uint32_t slices, const gpu::DeviceLimits& l
   throwIfAny(beyond);
 }
 
-}  // namespace strobe::scene
+}  // namespace strobe::world

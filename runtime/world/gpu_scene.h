@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: MIT
-// A scene on the device: static buffers, textures and bottom-level structures once, and what moves for each slice of
-// time a frame asks for. The structures are those of shaders/shared/scene.h.
+// A scene on the device: static buffers, textures and what rays traverse once, and what moves for each slice of time a
+// frame asks for. The structures are those of shaders/shared/scene.h.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "gpu/acceleration.h"
 #include "gpu/pipeline.h"
 #include "math/bounds.h"
 #include "scene/scene.h"
 #include "shared/frame.h"
 #include "shared/scene.h"
+#include "world/structures.h"
 
-namespace strobe::scene {
+namespace strobe::world {
 
 // Owns descriptor set 0, which every pass is bound to: the frame's uniform block and the scene's arrays.
 class GpuScene {
  public:
   // `slices`: how many times the scene can be posed at once, at least SLICE_SAMPLE (the capture and its neighbours).
-  GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slices);
+  // `trees`: rays traverse these; without them the driver's structures, where the device has them.
+  GpuScene(const gpu::Device& device, const scene::Scene& scene, uint32_t slices, const MeshTrees* trees);
 
   VkDescriptorSetLayout setLayout() const { return set_layout_.get(); }
   // What decides the layout of the set: scenes that say the same have compatible layouts.
@@ -40,26 +41,24 @@ class GpuScene {
   // The frame's block; the device must be idle.
   void setFrame(const shared::FrameData& frame);
   // Poses slice `slice`; positions become relative to `origin`. The device must be idle. `aspect` is width / height.
-  void setPose(uint32_t slice, const Pose& pose, const Camera& camera, double aspect, const dvec3& origin);
-  // Builds the top-level structure of a posed slice; those between the capture and the samples are
-  // never traced and have none.
+  void setPose(uint32_t slice, const scene::Pose& pose, const scene::Camera& camera, double aspect,
+               const dvec3& origin);
+  // Records what makes a posed slice ready to be traced; those between the capture and the samples never are.
   void recordBuild(VkCommandBuffer commands, uint32_t slice) const;
 
  private:
-  void uploadGeometry(const Scene& scene);
-  void uploadMaterials(const Scene& scene);
-  void uploadTextures(const Scene& scene);
-  void buildStructures(const Scene& scene);
+  void uploadGeometry(const scene::Scene& scene, VkBufferUsageFlags usage);
+  void uploadMaterials(const scene::Scene& scene);
+  void uploadTextures(const scene::Scene& scene);
+  std::vector<std::vector<gpu::TriangleGeometry>> trianglesOfMeshes(const scene::Scene& scene) const;
   void makeSet();
   [[noreturn]] void refuseTransform(int node) const;
-  double depthRange(const Pose& pose, const Camera& camera) const;
-  static bool isTraced(uint32_t slice) { return slice == SLICE_CAPTURE || slice >= SLICE_SAMPLE; }
-  static size_t topLevelOf(uint32_t slice) { return slice < SLICE_SAMPLE ? 0 : slice - SLICE_SAMPLE + 1; }
+  double depthRange(const scene::Pose& pose, const scene::Camera& camera) const;
 
   const gpu::Device& device_;
-  const Scene& scene_;
+  const scene::Scene& scene_;
   uint32_t slices_;
-  std::vector<Instance> instances_;
+  std::vector<scene::Instance> instances_;
   std::vector<int> light_nodes_;
   std::vector<Draw> draws_;
   std::vector<shared::SceneGeometry> geometries_;
@@ -69,11 +68,10 @@ class GpuScene {
       transforms_, cameras_;
   std::vector<gpu::Image> textures_;
   std::vector<gpu::Owned<VkSampler>> samplers_;
-  std::vector<gpu::Acceleration> bottom_levels_;  // of each mesh, empty where it has no triangles
-  std::vector<gpu::TopLevel> top_levels_;
+  std::unique_ptr<Structures> structures_;
   gpu::Owned<VkDescriptorSetLayout> set_layout_;
   gpu::Owned<VkDescriptorPool> pool_;
   VkDescriptorSet set_ = VK_NULL_HANDLE;
 };
 
-}  // namespace strobe::scene
+}  // namespace strobe::world

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "scene/upload.h"
+#include "world/gpu_scene.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 
-#include "scene/fits.h"
 #include "scene/limits.h"
 #include "scene/textures.h"
+#include "world/fits.h"
 
-namespace strobe::scene {
+namespace strobe::world {
 
 using gpu::Buffer;
+using namespace scene;
 using namespace shared;
 
 static constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
@@ -24,17 +25,18 @@ static Buffer uploadArray(const gpu::Device& device, const std::string& name, co
   return gpu::uploadBuffer(device, name, values.data(), values.size() * sizeof(T), usage);
 }
 
-GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slices)
+GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slices, const MeshTrees* trees)
     : device_(device),
       scene_(scene),
       slices_(std::max(slices, SLICE_SAMPLE)),
       instances_(instancesOf(scene)),
       light_nodes_(lightsOf(scene)) {
   requireFits(scene, slices_, gpu::limitsOf(device));
-  uploadGeometry(scene);
+  uploadGeometry(scene, trees ? kStorage : kStorage | kBuildInput);
   uploadMaterials(scene);
   uploadTextures(scene);
-  buildStructures(scene);
+  structures_ = trees ? makeOwnStructures(device, scene, *trees, slices_)
+                      : makeDriverStructures(device, scene, trianglesOfMeshes(scene), slices_);
   auto host_array = [&](const char* name, size_t bytes, VkBufferUsageFlags usage) {
     return Buffer(device_, name, bytes, usage, Buffer::Memory::Host);
   };
@@ -52,7 +54,7 @@ static Bounds ownBounds(const Mesh& mesh) {
   return bounds;
 }
 
-void GpuScene::uploadGeometry(const Scene& scene) {
+void GpuScene::uploadGeometry(const Scene& scene, VkBufferUsageFlags usage) {
   std::vector<SceneVertex> vertices;
   std::vector<uint32_t> indices;
   for (const Mesh& mesh : scene.meshes) {
@@ -83,8 +85,8 @@ void GpuScene::uploadGeometry(const Scene& scene) {
       draw_data.push_back({uint32_t(i), g});
     }
   }
-  vertices_ = uploadArray(device_, "scene.vertices", vertices, kStorage | kBuildInput);
-  indices_ = uploadArray(device_, "scene.indices", indices, kStorage | kBuildInput | VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  vertices_ = uploadArray(device_, "scene.vertices", vertices, usage);
+  indices_ = uploadArray(device_, "scene.indices", indices, usage | VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
   geometry_buffer_ = uploadArray(device_, "scene.geometries", geometries_, kStorage);
   instance_buffer_ = uploadArray(device_, "scene.instances", instance_data, kStorage);
   draw_buffer_ = uploadArray(device_, "scene.draws", draw_data, kStorage);
@@ -150,11 +152,11 @@ void GpuScene::uploadTextures(const Scene& scene) {
   }
 }
 
-void GpuScene::buildStructures(const Scene& scene) {
+std::vector<std::vector<gpu::TriangleGeometry>> GpuScene::trianglesOfMeshes(const Scene& scene) const {
+  std::vector<std::vector<gpu::TriangleGeometry>> meshes;
   for (size_t m = 0; m < scene.meshes.size(); ++m) {
     const Mesh& mesh = scene.meshes[m];
-    std::vector<gpu::TriangleGeometry> described;
-    uint32_t triangles = 0;
+    meshes.emplace_back();
     for (size_t g = 0; g < mesh.geometries.size(); ++g) {
       const SceneGeometry& geometry = geometries_[first_geometry_[m] + g];
       gpu::TriangleGeometry d;
@@ -164,14 +166,10 @@ void GpuScene::buildStructures(const Scene& scene) {
       d.indices = indices_.address() + geometry.first_index * sizeof(uint32_t);
       d.triangle_count = geometry.triangle_count;
       d.opaque = !scene.materials[geometry.material].alpha_mask;
-      described.push_back(d);
-      triangles += d.triangle_count;
+      meshes.back().push_back(d);
     }
-    bottom_levels_.push_back(triangles ? gpu::buildBottomLevel(device_, "scene.mesh." + mesh.name, described)
-                                       : gpu::Acceleration());
   }
-  for (uint32_t i = 0; i < slices_ - SLICE_SAMPLE + 1; ++i)
-    top_levels_.emplace_back(device_, fmt::format("scene.top_level.{}", i), uint32_t(instances_.size()));
+  return meshes;
 }
 
 void GpuScene::makeSet() {
@@ -182,7 +180,8 @@ void GpuScene::makeSet() {
   for (uint32_t i = 1; i <= 9; ++i) bindings.push_back({i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, all, nullptr});
   uint32_t texture_count = uint32_t(textures_.size());
   bindings.push_back({10, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, texture_count, all, nullptr});
-  bindings.push_back({11, VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR, slices_, all, nullptr});
+  const uint32_t count = uint32_t(bindings.size());
+  bindings.push_back(structures_->binding(count));
   set_layout_ = gpu::makeSetLayout(device_, "scene", bindings);
   pool_ = gpu::makeDescriptorPool(device_, "scene", bindings, 1);
   set_ = gpu::allocateSet(device_, pool_.get(), set_layout_.get());
@@ -192,15 +191,9 @@ void GpuScene::makeSet() {
   std::vector<VkDescriptorImageInfo> images;
   for (uint32_t i = 0; i < texture_count; ++i)
     images.push_back({samplers_[i].get(), textures_[i].view(), VK_IMAGE_LAYOUT_GENERAL});
-  std::vector<VkAccelerationStructureKHR> structures;
-  for (uint32_t slice = 0; slice < slices_; ++slice) structures.push_back(top_levels_[topLevelOf(slice)].handle());
-  VkWriteDescriptorSetAccelerationStructureKHR structure_info{
-      VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR};
-  structure_info.accelerationStructureCount = slices_;
-  structure_info.pAccelerationStructures = structures.data();
-
   std::vector<VkWriteDescriptorSet> writes;
-  for (const auto& binding : bindings) {
+  for (uint32_t i = 0; i < count; ++i) {
+    const VkDescriptorSetLayoutBinding& binding = bindings[i];
     VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
     write.dstSet = set_;
     write.dstBinding = binding.binding;
@@ -208,10 +201,10 @@ void GpuScene::makeSet() {
     write.descriptorCount = binding.descriptorCount;
     if (binding.binding < 10) write.pBufferInfo = &buffers[binding.binding];
     if (binding.binding == 10) write.pImageInfo = images.data();
-    if (binding.binding == 11) write.pNext = &structure_info;
     writes.push_back(write);
   }
   device_.vk().UpdateDescriptorSets(device_.handle(), uint32_t(writes.size()), writes.data(), 0, nullptr);
+  structures_->write(set_, count);
 }
 
 void GpuScene::setFrame(const FrameData& frame) { std::memcpy(frame_.mapped(), &frame, sizeof frame); }
@@ -296,26 +289,17 @@ void GpuScene::setPose(uint32_t slice, const Pose& pose, const Camera& camera, d
     const Light& light = scene_.lights[size_t(scene_.nodes[size_t(light_nodes_[i])].light)];
     lights[i] = lightData(light, pose.world_from_light[i], origin);
   }
-  if (!isTraced(slice)) return;
-
-  VkAccelerationStructureInstanceKHR* structures = top_levels_[topLevelOf(slice)].instances();
-  for (size_t i = 0; i < instances_.size(); ++i) {
-    VkAccelerationStructureInstanceKHR instance{};
-    static_assert(sizeof instance.transform == sizeof(SceneTransform));
-    std::memcpy(&instance.transform, &transforms[i], sizeof instance.transform);
-    instance.mask = 0xff;
-    instance.flags = VK_GEOMETRY_INSTANCE_TRIANGLE_FACING_CULL_DISABLE_BIT_KHR;
-    const gpu::Acceleration& mesh = bottom_levels_[size_t(instances_[i].mesh)];
-    instance.accelerationStructureReference = mesh.handle() ? mesh.address() : 0;
-    structures[i] = instance;
-  }
+  if (isTraced(slice)) structures_->pose(levelOf(slice), transforms);
 }
 
 void GpuScene::recordBuild(VkCommandBuffer commands, uint32_t slice) const {
   STROBE_ASSERT(isTraced(slice), "slice {}", slice);
-  top_levels_[topLevelOf(slice)].recordBuild(commands, uint32_t(instances_.size()));
+  structures_->recordBuild(commands, levelOf(slice));
 }
 
-std::string GpuScene::layoutText() const { return fmt::format("{} slices, {} textures", slices_, textures_.size()); }
+std::string GpuScene::layoutText() const {
+  return fmt::format("{} slices, {} textures, {}", slices_, textures_.size(),
+                     int(structures_->binding(0).descriptorType));
+}
 
-}  // namespace strobe::scene
+}  // namespace strobe::world

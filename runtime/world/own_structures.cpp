@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstring>
+
+#include "world/structures.h"
+
+namespace strobe::world {
+
+using shared::BvhInstance;
+using shared::BvhNode;
+
+namespace {
+
+constexpr VkBufferUsageFlags kRead =
+    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+
+// What SceneBvh of shaders/shared/bindings.glsl has.
+struct Addresses {
+  VkDeviceAddress nodes, triangles, instances;
+  uint32_t first_root, nodes_per_slice;
+};
+
+// A transform by rows, and what it does to sizes: the rounding of a ray that is brought to object space.
+struct Rows {
+  std::array<dvec4, 3> rows;
+  dvec3 of(const dvec3& p) const { return {dot(0, p), dot(1, p), dot(2, p)}; }
+  dvec3 ofSizes(const dvec3& size) const {
+    dvec3 result;
+    for (size_t r = 0; r < 3; ++r)
+      result[int(r)] = std::abs(rows[r].x) * size.x + std::abs(rows[r].y) * size.y + std::abs(rows[r].z) * size.z +
+                       std::abs(rows[r].w);
+    return result;
+  }
+
+ private:
+  double dot(size_t r, const dvec3& p) const { return rows[r].x * p.x + rows[r].y * p.y + rows[r].z * p.z + rows[r].w; }
+};
+
+Rows inverseOf(const Rows& m) {
+  dvec3 x(m.rows[0]), y(m.rows[1]), z(m.rows[2]), moved(m.rows[0].w, m.rows[1].w, m.rows[2].w);
+  double determinant = glm::dot(x, glm::cross(y, z));
+  dvec3 c0 = glm::cross(y, z) / determinant, c1 = glm::cross(z, x) / determinant, c2 = glm::cross(x, y) / determinant;
+  Rows inverse;
+  for (int r = 0; r < 3; ++r) {
+    dvec3 row(c0[r], c1[r], c2[r]);
+    inverse.rows[size_t(r)] = dvec4(row, -glm::dot(row, moved));
+  }
+  return inverse;
+}
+
+// Around a mesh as it is posed, with room for what rounds a ray on its way into object space.
+Box posedBox(const Box& mesh, const Rows& world_from_object, const Rows& object_from_world) {
+  dvec3 low(HUGE_VAL), high(-HUGE_VAL);
+  for (int i = 0; i < 8; ++i) {
+    dvec3 corner(i & 1 ? mesh.high.x : mesh.low.x, i & 2 ? mesh.high.y : mesh.low.y, i & 4 ? mesh.high.z : mesh.low.z);
+    corner = world_from_object.of(corner);
+    low = glm::min(low, corner), high = glm::max(high, corner);
+  }
+  dvec3 size = glm::max(glm::abs(low), glm::abs(high));
+  dvec3 room = world_from_object.ofSizes(object_from_world.ofSizes(size)) * std::ldexp(1.0, -21);
+  return {vec3(low - room), vec3(high + room)};
+}
+
+class OwnStructures : public Structures {
+ public:
+  OwnStructures(const gpu::Device& device, const scene::Scene& scene, const MeshTrees& trees, uint32_t slices)
+      : device_(device), instances_(scene::instancesOf(scene)), roots_(trees.roots), bounds_(trees.bounds) {
+    size_t levels = levelOf(slices - 1) + 1;
+    nodes_per_level_ = std::max<size_t>(1, instances_.size());
+    first_root_ = trees.nodes.size();
+    if (first_root_ + levels * nodes_per_level_ > BVH_MOST_NODES)
+      throw Error(
+          fmt::format("{}: its tree has more than {} nodes, which tracing backend 'bvh' can number; "
+                      "take --backend query or pipeline on a device that has it",
+                      scene.name, BVH_MOST_NODES));
+    triangles_ = gpu::uploadBuffer(device, "scene.bvh.triangles", trees.triangles.data(),
+                                   trees.triangles.size() * sizeof(shared::BvhTriangle), kRead);
+    size_t mesh_bytes = first_root_ * sizeof(BvhNode), top_bytes = levels * nodes_per_level_ * sizeof(BvhNode);
+    size_t instance_bytes = levels * instances_.size() * sizeof(BvhInstance);
+    using gpu::Buffer;
+    nodes_ = Buffer(device, "scene.bvh.nodes", mesh_bytes + top_bytes, kRead, Buffer::Memory::Device);
+    posed_ = Buffer(device, "scene.bvh.instances", instance_bytes, kRead, Buffer::Memory::Device);
+    auto staging = [&](const char* name, size_t bytes) {
+      return Buffer(device, name, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, Buffer::Memory::Host);
+    };
+    next_nodes_ = staging("scene.bvh.next_nodes", top_bytes);
+    next_posed_ = staging("scene.bvh.next_instances", instance_bytes);
+    Buffer meshes = staging("scene.bvh.meshes", mesh_bytes);
+    meshes.write(trees.nodes);
+    device.submit([&](VkCommandBuffer commands) { recordCopy(commands, meshes, 0, nodes_, 0, mesh_bytes); });
+    Addresses addresses{nodes_.address(), triangles_.address(), posed_.address(), uint32_t(first_root_),
+                        uint32_t(nodes_per_level_)};
+    addresses_ =
+        Buffer(device, "scene.bvh", sizeof addresses, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, Buffer::Memory::Host);
+    std::memcpy(addresses_.mapped(), &addresses, sizeof addresses);
+  }
+
+  VkDescriptorSetLayoutBinding binding(uint32_t number) const override {
+    return {number, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, VK_SHADER_STAGE_ALL, nullptr};
+  }
+
+  void write(VkDescriptorSet set, uint32_t number) const override {
+    VkDescriptorBufferInfo info{addresses_.handle(), 0, VK_WHOLE_SIZE};
+    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+    write.dstSet = set;
+    write.dstBinding = number;
+    write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    write.descriptorCount = 1;
+    write.pBufferInfo = &info;
+    device_.vk().UpdateDescriptorSets(device_.handle(), 1, &write, 0, nullptr);
+  }
+
+  void pose(uint32_t level, const shared::SceneTransform* transforms) override {
+    auto* posed = static_cast<BvhInstance*>(next_posed_.mapped()) + level * instances_.size();
+    std::vector<Box> boxes(instances_.size());
+    for (size_t i = 0; i < instances_.size(); ++i) {
+      const size_t mesh = size_t(instances_[i].mesh);
+      Rows forward{{dvec4(transforms[i].row_x), dvec4(transforms[i].row_y), dvec4(transforms[i].row_z)}};
+      Rows back = inverseOf(forward);
+      posed[i] = {vec4(back.rows[0]), vec4(back.rows[1]), vec4(back.rows[2]), roots_[mesh]};
+      bool empty = bounds_[mesh].low.x > bounds_[mesh].high.x;
+      if (!empty && isFinite(back)) boxes[i] = posedBox(bounds_[mesh], forward, back);
+    }
+    Bvh bvh = buildBvh(boxes, {1, BVH_TOP_DEPTH});
+    auto* nodes = static_cast<BvhNode*>(next_nodes_.mapped()) + level * nodes_per_level_;
+    const uint32_t first = uint32_t(first_root_ + level * nodes_per_level_);
+    for (BvhNode& node : bvh.nodes) {
+      for (uint32_t& child : node.children)
+        if (!(child & BVH_LEAF)) child += first;
+      *nodes++ = node;
+    }
+  }
+
+  void recordBuild(VkCommandBuffer commands, uint32_t level) const override {
+    const size_t nodes = nodes_per_level_ * sizeof(BvhNode), posed = instances_.size() * sizeof(BvhInstance);
+    recordCopy(commands, next_nodes_, level * nodes, nodes_, first_root_ * sizeof(BvhNode) + level * nodes, nodes);
+    recordCopy(commands, next_posed_, level * posed, posed_, level * posed, posed);
+    recordBarrier(device_, commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+                  {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT});
+  }
+
+ private:
+  static bool isFinite(const Rows& rows) {
+    // A transform that flattens the object has no inverse: no ray can meet what has no inside and no outside.
+    bool finite = true;
+    for (const dvec4& row : rows.rows)
+      for (int i = 0; i < 4; ++i) finite = finite && std::isfinite(float(row[i]));
+    return finite;
+  }
+
+  void recordCopy(VkCommandBuffer commands, const gpu::Buffer& from, size_t from_at, const gpu::Buffer& to,
+                  size_t to_at, size_t bytes) const {
+    VkBufferCopy copy{from_at, to_at, bytes};
+    if (bytes > 0) device_.vk().CmdCopyBuffer(commands, from.handle(), to.handle(), 1, &copy);
+  }
+
+  const gpu::Device& device_;
+  std::vector<scene::Instance> instances_;
+  std::vector<uint32_t> roots_;
+  std::vector<Box> bounds_;
+  size_t first_root_ = 0, nodes_per_level_ = 0;
+  gpu::Buffer triangles_, nodes_, posed_, next_nodes_, next_posed_, addresses_;
+};
+
+}  // namespace
+
+std::unique_ptr<Structures> makeOwnStructures(const gpu::Device& device, const scene::Scene& scene,
+                                              const MeshTrees& trees, uint32_t slices) {
+  return std::make_unique<OwnStructures>(device, scene, trees, slices);
+}
+
+}  // namespace strobe::world

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What rays traverse: over the triangles of each mesh once, over the instances for every pose. Pure interface; a row of
+// shader/backends.h says which kind a tracing backend needs.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "gpu/acceleration.h"
+#include "scene/scene.h"
+#include "shader/backends.h"
+#include "shared/scene.h"
+#include "world/mesh_trees.h"
+
+namespace strobe::world {
+
+class Structures {
+ public:
+  virtual ~Structures() = default;
+  // The binding of set 0 that names them, and what is written there.
+  virtual VkDescriptorSetLayoutBinding binding(uint32_t number) const = 0;
+  virtual void write(VkDescriptorSet set, uint32_t number) const = 0;
+  // Poses the instances at a level: 0 is the capture, 1 + i sample i. World-from-object transforms, one of each
+  // instance. The device must be idle.
+  virtual void pose(uint32_t level, const shared::SceneTransform* transforms) = 0;
+  // Records what makes the pose of a level ready to be traced by later work.
+  virtual void recordBuild(VkCommandBuffer commands, uint32_t level) const = 0;
+};
+
+// Acceleration structures of the driver. `meshes`: the triangles of each.
+std::unique_ptr<Structures> makeDriverStructures(const gpu::Device& device, const scene::Scene& scene,
+                                                 const std::vector<std::vector<gpu::TriangleGeometry>>& meshes,
+                                                 uint32_t slices);
+
+// The runtime's own trees (shaders/shared/bvh.h).
+std::unique_ptr<Structures> makeOwnStructures(const gpu::Device& device, const scene::Scene& scene,
+                                              const MeshTrees& trees, uint32_t slices);
+
+// Whose level a slice's pose is; slices between the capture and the samples are never traced.
+inline bool isTraced(uint32_t slice) { return slice == SLICE_CAPTURE || slice >= SLICE_SAMPLE; }
+inline uint32_t levelOf(uint32_t slice) { return slice < SLICE_SAMPLE ? 0 : slice - SLICE_SAMPLE + 1; }
+
+}  // namespace strobe::world

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Needs: rays, scene.
+// Tracing backend `query`: ray queries in compute.
+
+// As traceExcept of mixin/trace.glsl; `any_hit`: the first that is found.
+TraceResult launch(uint slice, bool any_hit, Ray ray, float t_min, float t_max, uint skip_instance, uint skip_geometry) {
+  uint flags = any_hit ? gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsNoneEXT;
+  if (skip_instance != NO_INSTANCE) flags |= gl_RayFlagsNoOpaqueEXT;
+  rayQueryEXT query;
+  rayQueryInitializeEXT(query, scene_top_levels[nonuniformEXT(slice)], flags, 0xff, ray.origin, t_min, ray.direction, t_max);
+  while (rayQueryProceedEXT(query)) {
+    if (rayQueryGetIntersectionTypeEXT(query, false) != gl_RayQueryCandidateIntersectionTriangleEXT) continue;
+    uint instance = uint(rayQueryGetIntersectionInstanceIdEXT(query, false));
+    uint geometry = uint(rayQueryGetIntersectionGeometryIndexEXT(query, false));
+    uint primitive = uint(rayQueryGetIntersectionPrimitiveIndexEXT(query, false));
+    vec2 barycentrics = rayQueryGetIntersectionBarycentricsEXT(query, false);
+    if (acceptsHit(instance, geometry, primitive, barycentrics, skip_instance, skip_geometry))
+      rayQueryConfirmIntersectionEXT(query);
+  }
+  TraceResult found = TraceResult(NO_INSTANCE, 0u, 0u, vec2(0), 0.0);
+  if (rayQueryGetIntersectionTypeEXT(query, true) != gl_RayQueryCommittedIntersectionTriangleEXT) return found;
+  found.instance = uint(rayQueryGetIntersectionInstanceIdEXT(query, true));
+  found.geometry = uint(rayQueryGetIntersectionGeometryIndexEXT(query, true));
+  found.primitive = uint(rayQueryGetIntersectionPrimitiveIndexEXT(query, true));
+  found.barycentrics = rayQueryGetIntersectionBarycentricsEXT(query, true);
+  found.t = rayQueryGetIntersectionTEXT(query, true);
+  return found;
+}

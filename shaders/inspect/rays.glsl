@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// A ray of each pixel's own through the scene at the capture, and what is found on it: easy rays and rays that rounding
+// makes hard. Points of the scene are those of random triangles.
+// Out: origin (world, relative to the capture's camera, m), direction (a: longest t), hit (instance + 1, geometry,
+//      primitive, bits of t; 0 a miss), color (rgb: t), blocked (1: something lies on the ray).
+#include "lib/random.glsl"
+#include "mixin/trace.glsl"
+
+const uint kKinds = 8u;
+
+uint drawn = 0u;
+uint ray_number = 0u;
+
+uint anyUint() { return randomUint(ray_number, 0u, ++drawn); }
+float anyFloat() { return float(anyUint() >> 8) / 16777216.0; }
+vec3 anyVec3() {
+  float x = anyFloat(), y = anyFloat();
+  return vec3(x, y, anyFloat());
+}
+
+struct Corners {
+  vec3 at[3];
+};
+
+Corners anyTriangle() {
+  uint instance = anyUint() % frame.instance_count;
+  uint count = scene_instances[instance].geometry_count;
+  Corners corners = Corners(vec3[3](vec3(0), vec3(0), vec3(0)));
+  if (count == 0u) return corners;
+  SceneGeometry geometry = geometryOf(instance, anyUint() % count);
+  if (geometry.triangle_count == 0u) return corners;
+  Triangle triangle = triangleOf(geometry, anyUint() % geometry.triangle_count);
+  for (int c = 0; c < 3; ++c)
+    corners.at[c] = worldFromObject(transformOf(SLICE_CAPTURE, instance), scene_vertices[triangle.index[c]].position);
+  return corners;
+}
+
+vec3 anySurfacePoint(Corners corners) {
+  float u = anyFloat(), v = anyFloat();
+  if (u + v > 1.0) {
+    u = 1.0 - u;
+    v = 1.0 - v;
+  }
+  return corners.at[0] + u * (corners.at[1] - corners.at[0]) + v * (corners.at[2] - corners.at[0]);
+}
+
+// Somewhere between the corners of two triangles.
+vec3 anyPoint() { return mix(anyTriangle().at[0], anyTriangle().at[1], anyVec3()); }
+
+Ray anyRay(uint kind) {
+  Corners corners = anyTriangle();
+  vec3 edge = corners.at[1] - corners.at[0];
+  uint axis = anyUint() % 3u;
+  vec3 unit = vec3(0);
+  unit[axis] = (anyUint() & 1u) == 0u ? 1.0 : -1.0;
+  vec3 start = anyPoint(), target = anySurfacePoint(corners);
+  if (kind == 0u) return Ray(start, anyPoint() - start);
+  if (kind == 1u) return Ray(start, corners.at[0] - start);
+  if (kind == 2u) return Ray(start, corners.at[0] + anyFloat() * edge - start);
+  if (kind == 3u) return Ray(corners.at[0] - unit * dot(unit, corners.at[0] - start), unit);
+  if (kind == 4u) return Ray(target, edge);
+  vec3 turn = 2.0 * anyVec3() - 1.0;
+  if (kind == 5u) return Ray(target + 1e4 * length(target - start) * turn, -turn);
+  if (kind == 6u) return Ray(target, turn);
+  start[axis] = target[axis];
+  return Ray(start, target - start);
+}
+
+void run(ivec2 pixel) {
+  ray_number = uint(pixel.y) * frame.size.x + uint(pixel.x);
+  uint kind = PARAM_kind == kind_all ? uint(pixel.y) % kKinds : uint(PARAM_kind - kind_through);
+  Ray ray = anyRay(kind);
+  if (ray.direction == vec3(0)) ray.direction = vec3(0, 0, 1);
+  float t_max = 3.0e38;
+  Hit hit = traceNearest(SLICE_CAPTURE, ray, 0.0, t_max);
+  bool blocked = isBlocked(SLICE_CAPTURE, ray, 0.0, t_max);
+  imageStore(origin_img, pixel, vec4(ray.origin, 0));
+  imageStore(direction_img, pixel, vec4(ray.direction, t_max));
+  uvec4 name = uvec4(hit.instance + 1u, hit.geometry, hit.primitive, floatBitsToUint(hit.t));
+  imageStore(color_img, pixel, vec4(vec3(isHit(hit) ? hit.t : 0.0), 1));
+  imageStore(hit_img, pixel, isHit(hit) ? name : uvec4(0u));
+  imageStore(blocked_img, pixel, uvec4(blocked ? 1u : 0u));
+}

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+// Rays that rounding makes hard, through every tracing backend and through Embree: to vertices and edges, along
+// surfaces and axes, from far away. Where two answers differ, the ray passes the triangle in question within rounding
+// of its border, along its plane, or starts on it: single precision cannot say more, which is reckoned here at double.
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "common/source.h"
+#include "lab/drawing.h"
+#include "oracle/render.h"
+#include "shader/backends.h"
+
+namespace strobe::oracle {
+namespace {
+
+const std::string kRays = sourceFolder().string() + "/scripts/inspect/rays.lua";
+constexpr int kWidth = 512, kHeight = 256;
+const char* const kKinds[] = {"through", "vertex", "edge", "axis", "grazing", "afar", "surface", "plane"};
+
+struct Found {
+  uint32_t instance = 0, geometry = 0, primitive = 0;  // instance + 1; 0: a miss
+  double t = std::numeric_limits<double>::infinity();
+  bool operator==(const Found& other) const {
+    return instance == other.instance && (!instance || (geometry == other.geometry && primitive == other.primitive));
+  }
+};
+
+// What one backend found.
+class Rays {
+ public:
+  explicit Rays(const lab::Picture& picture) : outputs_(picture.frame.outputs) {}
+
+  size_t count() const { return outputs_.at("hit").uints.values.size() / 4; }
+  Found hit(size_t i) const {
+    const uint32_t* v = &outputs_.at("hit").uints.values[4 * i];
+    return v[0] ? Found{v[0], v[1], v[2], std::bit_cast<float>(v[3])} : Found();
+  }
+  bool blocked(size_t i) const { return outputs_.at("blocked").uints.values[i] != 0; }
+  vec3 origin(size_t i) const { return vec3Of("origin", i); }
+  vec3 direction(size_t i) const { return vec3Of("direction", i); }
+
+ private:
+  vec3 vec3Of(const char* name, size_t i) const {
+    const float* v = &outputs_.at(name).floats.values[4 * i];
+    return {v[0], v[1], v[2]};
+  }
+  const std::map<std::string, graph::ReadImage>& outputs_;
+};
+
+using Triangle = std::array<dvec3, 3>;
+
+// The triangles of a shot's scene at the capture, as rays see them: from the camera.
+class Triangles {
+ public:
+  explicit Triangles(lab::Shot shot, const Home& home) : loaded_(lab::loadScene(home, shot)) {
+    scene::Pose pose = lab::frameSetup(shot, loaded_.scene).pose_at(shot.captureTime());
+    origin_ = dvec3(pose.world_from_camera[3]);
+    instances_ = scene::instancesOf(loaded_.scene);
+    transforms_ = pose.world_from_instance;
+  }
+
+  Triangle at(const Found& found) const {
+    size_t instance = found.instance - 1;
+    const scene::Geometry& geometry = geometries(instance).at(found.geometry);
+    Triangle triangle;
+    for (size_t c = 0; c < 3; ++c) {
+      vec3 corner = geometry.vertices[geometry.indices[3 * found.primitive + c]].position;
+      triangle[c] = dvec3(transforms_[instance] * dvec4(dvec3(corner), 1)) - origin_;
+    }
+    return triangle;
+  }
+
+  std::vector<Found> all() const {
+    std::vector<Found> names;
+    for (size_t i = 0; i < instances_.size(); ++i)
+      for (size_t g = 0; g < geometries(i).size(); ++g)
+        for (size_t p = 0; p < geometries(i)[g].indices.size() / 3; ++p)
+          names.push_back({uint32_t(i + 1), uint32_t(g), uint32_t(p)});
+    return names;
+  }
+
+ private:
+  const std::vector<scene::Geometry>& geometries(size_t instance) const {
+    return loaded_.scene.meshes[size_t(instances_[instance].mesh)].geometries;
+  }
+  lab::LoadedScene loaded_;
+  dvec3 origin_;
+  std::vector<scene::Instance> instances_;
+  std::vector<dmat4> transforms_;
+};
+
+double distanceToSegment(const dvec3& p, const dvec3& a, const dvec3& b) {
+  double length2 = glm::dot(b - a, b - a);
+  double s = length2 > 0 ? std::clamp(glm::dot(p - a, b - a) / length2, 0.0, 1.0) : 0;
+  return glm::length(p - (a + s * (b - a)));
+}
+
+// Sine of the angle between a ray and a triangle. What is off to a side moves their meeting by that much more.
+double slantOf(const Triangle& triangle, const dvec3& direction) {
+  dvec3 normal = glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+  double lengths = glm::length(normal) * glm::length(direction);
+  return lengths > 0 ? std::abs(glm::dot(normal, direction)) / lengths : 0;
+}
+
+// May rounding decide whether this ray meets this triangle?
+bool isBorderline(const Triangle& triangle, const dvec3& origin, const dvec3& direction) {
+  double size = glm::length(origin);
+  for (const dvec3& corner : triangle) size = std::max(size, glm::length(corner));
+  const double rounding = 1e-5 * size;
+  dvec3 normal = glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+  const double slant = slantOf(triangle, direction);
+  if (slant <= 1e-4) return true;
+  double t = glm::dot(normal, triangle[0] - origin) / glm::dot(normal, direction);
+  if (std::abs(t) * glm::length(direction) <= rounding / slant) return true;
+  dvec3 p = origin + t * direction;
+  for (size_t c = 0; c < 3; ++c)
+    if (distanceToSegment(p, triangle[c], triangle[(c + 1) % 3]) <= rounding / slant) return true;
+  return false;
+}
+
+class RenderRays : public RenderTest {
+ protected:
+  static lab::Shot shotThrough(const std::string& scene) {
+    lab::Shot shot = shotOf(scene == "living_room" ? "crowd" : scene, kWidth, kHeight);
+    if (scene == "living_room") shot.scene = scene;
+    return with(shot, kRays);
+  }
+
+  // Whatever is not the same is within rounding. Reports the first few that are not.
+  static void expectAlike(const Rays& rays, const Triangles& triangles, const std::function<Found(size_t)>& other,
+                          const std::string& what) {
+    int wrong = 0;
+    for (size_t i = 0; i < rays.count(); ++i) {
+      const Found x = rays.hit(i), y = other(i);
+      if (x == y) continue;
+      dvec3 origin(rays.origin(i)), direction(rays.direction(i));
+      // The nearer of the two is what the other did not meet.
+      const Found& nearer = x.t <= y.t ? x : y;
+      double size = std::max(glm::length(origin), glm::length(origin + direction * std::min(x.t, y.t)));
+      double slant = 1;
+      for (const Found& one : {x, y})
+        if (one.instance) slant = std::min(slant, slantOf(triangles.at(one), direction));
+      bool in_one_place = std::abs(x.t - y.t) * glm::length(direction) * slant <= 1e-5 * size;
+      if (in_one_place || isBorderline(triangles.at(nearer), origin, direction)) continue;
+      if (++wrong <= 3)
+        ADD_FAILURE() << fmt::format("{}, {} ray {}: {} {} {} at {:.9g}, the other {} {} {} at {:.9g}", what,
+                                     kKinds[i / kWidth % 8], i, x.instance, x.geometry, x.primitive, x.t, y.instance,
+                                     y.geometry, y.primitive, y.t);
+    }
+    EXPECT_EQ(wrong, 0) << what;
+  }
+};
+
+TEST_F(RenderRays, MeetTheSameInEveryBackend) {
+  for (const char* scene : {"crowd", "cut_out", "solids", "living_room"}) {
+    lab::Shot shot = shotThrough(scene);
+    Triangles triangles(shot, bench().home());
+    std::vector<lab::Picture> pictures;
+    for (const shader::BackendRow& row : shader::backends()) {
+      if (!shader::isPresent(row, bench().device().info())) continue;
+      shot.backend = row.name;
+      pictures.push_back(render(shot));
+      Rays rays(pictures.back());
+      size_t hits = 0;
+      for (size_t i = 0; i < rays.count(); ++i) {
+        hits += rays.hit(i).instance > 0;
+        // Any hit is there where the nearest one is.
+        ASSERT_EQ(rays.blocked(i), rays.hit(i).instance > 0) << scene << ", " << row.name << ", ray " << i;
+      }
+      EXPECT_GT(hits, rays.count() / 8) << scene;
+      Rays first(pictures.front());
+      expectAlike(
+          first, triangles, [&](size_t i) { return rays.hit(i); }, fmt::format("{}, {}", scene, row.name));
+    }
+  }
+}
+
+// An independent ray tracer over the same triangles.
+class Embree {
+ public:
+  explicit Embree(const Triangles& triangles) : names_(triangles.all()) {
+    device_ = rtcNewDevice("threads=1");
+    scene_ = rtcNewScene(device_);
+    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+    RTCGeometry mesh = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+    size_t count = names_.size();
+    auto* corners =
+        static_cast<float*>(rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, 3 * count));
+    auto* indices =
+        static_cast<uint32_t*>(rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, count));
+    for (size_t i = 0; i < count; ++i)
+      for (size_t c = 0; c < 3; ++c) {
+        dvec3 corner = triangles.at(names_[i])[c];
+        for (int axis = 0; axis < 3; ++axis) corners[9 * i + 3 * c + size_t(axis)] = float(corner[axis]);
+        indices[3 * i + c] = uint32_t(3 * i + c);
+      }
+    rtcCommitGeometry(mesh);
+    rtcAttachGeometry(scene_, mesh);
+    rtcReleaseGeometry(mesh);
+    rtcCommitScene(scene_);
+  }
+  ~Embree() {
+    rtcReleaseScene(scene_);
+    rtcReleaseDevice(device_);
+  }
+  Embree(const Embree&) = delete;
+  Embree& operator=(const Embree&) = delete;
+
+  Found nearest(const vec3& origin, const vec3& direction) const {
+    RTCRayHit ray{};
+    ray.ray.org_x = origin.x, ray.ray.org_y = origin.y, ray.ray.org_z = origin.z;
+    ray.ray.dir_x = direction.x, ray.ray.dir_y = direction.y, ray.ray.dir_z = direction.z;
+    ray.ray.tfar = 3e38f;
+    ray.ray.mask = ~0u;
+    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene_, &context, &ray);
+    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+    Found found = names_[ray.hit.primID];
+    found.t = ray.ray.tfar;
+    return found;
+  }
+
+ private:
+  std::vector<Found> names_;
+  RTCDevice device_;
+  RTCScene scene_;
+};
+
+TEST_F(RenderRays, MeetWhatEmbreeMeets) {
+  for (const char* scene : {"crowd", "solids", "living_room"}) {
+    lab::Shot shot = shotThrough(scene);
+    shot.backend = "bvh";
+    Triangles triangles(shot, bench().home());
+    Embree embree(triangles);
+    lab::Picture picture = render(shot);
+    Rays rays(picture);
+    expectAlike(
+        rays, triangles, [&](size_t i) { return embree.nearest(rays.origin(i), rays.direction(i)); },
+        fmt::format("{}, Embree", scene));
+  }
+}
+
+}  // namespace
+}  // namespace strobe::oracle

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+// The runtime's own tree: what its nodes promise, on lists of boxes that make trees hard; its cost against Embree's.
+#include "world/bvh.h"
+
+#include <embree3/rtcore.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <random>
+#include <set>
+
+namespace strobe::world {
+namespace {
+
+using Boxes = std::vector<Box>;
+
+Box around(const vec3& middle, const vec3& half) { return {middle - half, middle + half}; }
+
+Boxes randomBoxes(size_t count, float size, unsigned seed = 1) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> unit(0, 1);
+  auto any = [&] {
+    float x = unit(random), y = unit(random);
+    return vec3(x, y, unit(random));
+  };
+  Boxes boxes;
+  for (size_t i = 0; i < count; ++i) boxes.push_back(around(any(), size * any()));
+  return boxes;
+}
+
+// Triangles of a terrain, as meshes have them: thin, flat, each beside the next.
+Boxes terrain(int side) {
+  Boxes boxes;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x)
+      for (int half = 0; half < 2; ++half) {
+        Box box;
+        for (int c = 0; c < 3; ++c) {
+          float u = float(x + (c == 1 || half) * (c != 2)), v = float(y + (c == 2 || (half && c == 1)));
+          box.add(vec3(u, 4 * std::sin(u / 9) * std::cos(v / 7), v));
+        }
+        boxes.push_back(box);
+      }
+  return boxes;
+}
+
+std::vector<std::pair<const char*, Boxes>> hardLists() {
+  Boxes halving, nested;
+  for (int i = 0; i < 300; ++i) {
+    halving.push_back(around(vec3(std::ldexp(1.0f, -std::min(i, 120)), 0, 0), vec3(0)));
+    nested.push_back(around(vec3(0), vec3(std::ldexp(1.0f, i / 4 - 30))));
+  }
+  Boxes mixed = randomBoxes(500, 0.01f);
+  mixed.push_back(around(vec3(0), vec3(1e9f)));
+  mixed.push_back(around(vec3(-1e17f), vec3(1)));
+  return {{"one", randomBoxes(1, 1)},
+          {"two", randomBoxes(2, 1)},
+          {"five", randomBoxes(5, 1)},
+          {"many", randomBoxes(3000, 0.02f)},
+          {"in one place", Boxes(3000, around(vec3(1, 2, 3), vec3(0.5f)))},
+          {"points in one place", Boxes(3000, around(vec3(7), vec3(0)))},
+          {"each half as far", halving},
+          {"one in another", nested},
+          {"sizes far apart", mixed},
+          {"terrain", terrain(40)}};
+}
+
+// A plane of a child as the shader has it.
+double planeOf(const shared::BvhNode& node, const uvec3& planes, int axis, int child) {
+  double step = std::ldexp(1.0, int(node.steps >> (8 * axis) & 255) - 127);
+  return double(node.origin[axis]) + step * (planes[axis] >> (8 * child) & 255);
+}
+
+struct Walk {
+  const Bvh& bvh;
+  const Boxes& boxes;
+  BvhOptions options;
+  std::multiset<uint32_t> met;
+  std::set<uint32_t> nodes;
+  int deepest = 0;
+
+  // Every box below lies between the planes of all nodes above it.
+  Box down(uint32_t index, int depth) {
+    Box whole;
+    deepest = std::max(deepest, depth);
+    EXPECT_TRUE(nodes.insert(index).second);
+    const shared::BvhNode& node = bvh.nodes.at(index);
+    for (int child = 0; child < int(node.steps >> 24); ++child) {
+      uint32_t reference = node.children[child];
+      Box box;
+      if (reference & BVH_LEAF) {
+        uint32_t count = options.leaf_boxes == 1 ? 1 : (reference >> BVH_LEAF_COUNT & 3) + 1;
+        EXPECT_LE(count, options.leaf_boxes);
+        for (uint32_t i = 0; i < count; ++i) {
+          uint32_t one = options.leaf_boxes == 1 ? reference & ~BVH_LEAF
+                                                 : bvh.order.at((reference & ((1u << BVH_LEAF_COUNT) - 1)) + i);
+          met.insert(one);
+          box.add(boxes.at(one));
+        }
+      } else {
+        box = down(reference, depth + 1);
+      }
+      for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_LE(planeOf(node, node.low, axis, child), box.low[axis]);
+        EXPECT_GE(planeOf(node, node.high, axis, child), box.high[axis]);
+      }
+      whole.add(box);
+    }
+    return whole;
+  }
+};
+
+TEST(Bvh, HasEveryBoxOnceBetweenItsPlanes) {
+  for (const BvhOptions& options : {BvhOptions{4, BVH_MESH_DEPTH}, BvhOptions{1, BVH_TOP_DEPTH}})
+    for (const auto& [name, boxes] : hardLists()) {
+      SCOPED_TRACE(name);
+      Bvh bvh = buildBvh(boxes, options);
+      Walk walk{bvh, boxes, options, {}, {}};
+      walk.down(0, 1);
+      EXPECT_EQ(walk.met.size(), boxes.size());
+      EXPECT_EQ(std::set<uint32_t>(walk.met.begin(), walk.met.end()).size(), boxes.size());
+      EXPECT_EQ(walk.nodes.size(), bvh.nodes.size());
+      EXPECT_LE(walk.deepest, options.depth);
+      EXPECT_LE(bvh.nodes.size(), std::max<size_t>(1, boxes.size()));
+    }
+}
+
+TEST(Bvh, OfNothingHasANodeWithoutChildren) {
+  for (const Boxes& boxes : {Boxes(), Boxes(3)}) {
+    Bvh bvh = buildBvh(boxes);
+    ASSERT_EQ(bvh.nodes.size(), 1u);
+    EXPECT_EQ(bvh.nodes[0].steps >> 24, 0u);
+    EXPECT_TRUE(bvh.order.empty());
+  }
+}
+
+TEST(Bvh, LeavesOutBoxesThatAreInsideOut) {
+  Boxes boxes = randomBoxes(9, 0.1f);
+  boxes[4] = Box();
+  Bvh bvh = buildBvh(boxes);
+  EXPECT_EQ(bvh.order.size(), 8u);
+  EXPECT_EQ(std::count(bvh.order.begin(), bvh.order.end(), 4u), 0);
+}
+
+TEST(Bvh, IsTheSameEachTime) {
+  Boxes boxes = randomBoxes(60000, 0.01f);
+  Bvh first = buildBvh(boxes);
+  for (int run = 0; run < 3; ++run) {
+    Bvh again = buildBvh(boxes);
+    ASSERT_EQ(again.order, first.order);
+    ASSERT_EQ(std::memcmp(again.nodes.data(), first.nodes.data(), first.nodes.size() * sizeof first.nodes[0]), 0);
+  }
+}
+
+// ---- Embree's tree over the same boxes, at medium quality: binned, by the same heuristic
+
+struct EmbreeNode {
+  RTCBounds bounds[2];
+  EmbreeNode* children[2] = {};
+  unsigned boxes = 0;  // of a leaf
+};
+
+double halfArea(const RTCBounds& b) {
+  double x = double(b.upper_x) - b.lower_x, y = double(b.upper_y) - b.lower_y, z = double(b.upper_z) - b.lower_z;
+  return x * y + y * z + z * x;
+}
+
+double costBelow(const EmbreeNode* node, double area) {
+  if (node->boxes) return area * node->boxes;
+  return area + costBelow(node->children[0], halfArea(node->bounds[0])) +
+         costBelow(node->children[1], halfArea(node->bounds[1]));
+}
+
+double embreeCost(const Boxes& boxes) {
+  RTCDevice device = rtcNewDevice("threads=1");
+  RTCBVH bvh = rtcNewBVH(device);
+  std::vector<RTCBuildPrimitive> primitives;
+  Box whole;
+  for (size_t i = 0; i < boxes.size(); ++i) {
+    const Box& b = boxes[i];
+    primitives.push_back({b.low.x, b.low.y, b.low.z, 0, b.high.x, b.high.y, b.high.z, unsigned(i)});
+    whole.add(b);
+  }
+  std::vector<std::unique_ptr<EmbreeNode>> nodes;
+  RTCBuildArguments arguments = rtcDefaultBuildArguments();
+  arguments.byteSize = sizeof arguments;
+  arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
+  arguments.maxBranchingFactor = 2;
+  arguments.maxDepth = 64;
+  arguments.sahBlockSize = 1;
+  arguments.minLeafSize = 1;
+  arguments.maxLeafSize = 4;
+  arguments.bvh = bvh;
+  arguments.primitives = primitives.data();
+  arguments.primitiveCount = arguments.primitiveArrayCapacity = primitives.size();
+  arguments.userPtr = &nodes;
+  arguments.createNode = [](RTCThreadLocalAllocator, unsigned, void* user) -> void* {
+    auto& all = *static_cast<std::vector<std::unique_ptr<EmbreeNode>>*>(user);
+    return all.emplace_back(std::make_unique<EmbreeNode>()).get();
+  };
+  arguments.setNodeChildren = [](void* node, void** children, unsigned count, void*) {
+    for (unsigned c = 0; c < count; ++c)
+      static_cast<EmbreeNode*>(node)->children[c] = static_cast<EmbreeNode*>(children[c]);
+  };
+  arguments.setNodeBounds = [](void* node, const RTCBounds** bounds, unsigned count, void*) {
+    for (unsigned c = 0; c < count; ++c) static_cast<EmbreeNode*>(node)->bounds[c] = *bounds[c];
+  };
+  arguments.createLeaf = [](RTCThreadLocalAllocator, const RTCBuildPrimitive*, size_t count, void* user) -> void* {
+    auto& all = *static_cast<std::vector<std::unique_ptr<EmbreeNode>>*>(user);
+    EmbreeNode* leaf = all.emplace_back(std::make_unique<EmbreeNode>()).get();
+    leaf->boxes = unsigned(count);
+    return leaf;
+  };
+  auto* root = static_cast<EmbreeNode*>(rtcBuildBVH(&arguments));
+  vec3 size = whole.high - whole.low;
+  double area = double(size.x) * size.y + double(size.y) * size.z + double(size.z) * size.x;
+  double cost = costBelow(root, area) / area;
+  rtcReleaseBVH(bvh);
+  rtcReleaseDevice(device);
+  return cost;
+}
+
+TEST(Bvh, CostsNoMoreThanEmbrees) {
+  const std::pair<const char*, Boxes> lists[] = {
+      {"many", randomBoxes(20000, 0.02f)}, {"large", randomBoxes(5000, 0.3f)}, {"terrain", terrain(120)}};
+  for (const auto& [name, boxes] : lists) {
+    double embree = embreeCost(boxes);
+    EXPECT_LE(buildBvh(boxes).cost, 1.05 * embree) << name << ": Embree's costs " << embree;
+  }
+}
+
+}  // namespace
+}  // namespace strobe::world
