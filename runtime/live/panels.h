@@ -13,6 +13,8 @@
 
 namespace strobe::live {
 
+constexpr int kSettleFrames = 3;  // of the window, that panels need to come to rest after an event
+
 // What belongs to the window rather than to the picture.
 struct PanelState {
   bool panels = true, help = false;
