@@ -96,13 +96,8 @@ static void nameTriangles(graph::FrameResult& frame, const scene::Scene& scene) 
   const std::vector<scene::Instance> instances = scene::instancesOf(scene);
   for (int y = 0; y < ids.height; ++y)
     for (int x = 0; x < ids.width; ++x) {
-      uint32_t instance = ids.at(x, y, 0), geometry = ids.at(x, y, 1);
-      if (instance == 0 || instance > instances.size()) continue;
-      const auto& geometries = scene.meshes[size_t(instances[instance - 1].mesh)].geometries;
-      if (geometry < geometries.size()) {
-        uint32_t& triangle = ids.values[(size_t(y) * ids.width + x) * ids.channels + 2];
-        triangle = scene::sourceTriangle(geometries[geometry], triangle);
-      }
+      uint32_t& triangle = ids.values[(size_t(y) * ids.width + x) * ids.channels + 2];
+      triangle = scene::sourceTriangle(scene, instances, ids.at(x, y, 0), ids.at(x, y, 1), triangle);
     }
 }
 

@@ -165,11 +165,7 @@ std::vector<TrailHit> hitsOf(const scene::Scene& scene, const graph::FrameResult
     hit.layer = i;
     hit.instance = nodeOf(names, ids.at(i, 0, 0));
     hit.geometry = ids.at(i, 0, 1) - 1;
-    hit.primitive = ids.at(i, 0, 2);
-    if (ids.at(i, 0, 0) <= instances.size()) {
-      const scene::Mesh& mesh = scene.meshes[size_t(instances[ids.at(i, 0, 0) - 1].mesh)];
-      hit.primitive = scene::sourceTriangle(mesh.geometries.at(hit.geometry), hit.primitive);
-    }
+    hit.primitive = scene::sourceTriangle(scene, instances, ids.at(i, 0, 0), hit.geometry, ids.at(i, 0, 2));
     hit.front = ids.at(i, 0, 3) != 0;
     hit.depth = where.at(i, 0, 0);
     hit.normal = vec3(where.at(i, 0, 1), where.at(i, 0, 2), where.at(i, 0, 3));

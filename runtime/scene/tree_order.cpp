@@ -152,6 +152,13 @@ uint32_t sourceTriangle(const Geometry& geometry, uint32_t triangle) {
   return triangle < geometry.source.size() ? geometry.source[triangle] : triangle;
 }
 
+uint32_t sourceTriangle(const Scene& scene, const std::vector<Instance>& instances, uint32_t instance,
+                        uint32_t geometry, uint32_t triangle) {
+  if (instance == 0 || instance > instances.size()) return triangle;
+  const std::vector<Geometry>& geometries = scene.meshes[size_t(instances[instance - 1].mesh)].geometries;
+  return geometry < geometries.size() ? sourceTriangle(geometries[geometry], triangle) : triangle;
+}
+
 double treeCost(const std::vector<Bounds>& boxes) {
   if (boxes.empty()) return 0;
   double areas = 0;

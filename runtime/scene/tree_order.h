@@ -18,6 +18,10 @@ void orderTriangles(Scene& scene);
 
 // The triangle of a geometry as the scene's file has it.
 uint32_t sourceTriangle(const Geometry& geometry, uint32_t triangle);
+// The same by what the device calls it: the number of the instance from 1 (`instances`: those of the scene), that of
+// the geometry from 0. Numbers that the scene does not have give the triangle back.
+uint32_t sourceTriangle(const Scene& scene, const std::vector<Instance>& instances, uint32_t instance,
+                        uint32_t geometry, uint32_t triangle);
 
 // Around a box that is moved.
 Bounds moved(const Bounds& box, const dmat4& transform);

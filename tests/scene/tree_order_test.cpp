@@ -150,5 +150,20 @@ TEST(TreeOrder, OfASceneKeepsWhatEachTriangleWas) {
   EXPECT_EQ(sourceTriangle(scene.meshes[0].geometries[0], 5), 5u) << "as given";
 }
 
+TEST(TreeOrder, TrianglesAreFoundByWhatTheDeviceCallsThem) {
+  Scene scene;
+  for (uint32_t mesh = 0; mesh < 2; ++mesh) {
+    scene.meshes.emplace_back().geometries.resize(2);
+    for (uint32_t g = 0; g < 2; ++g) scene.meshes[mesh].geometries[g].source = {9 + 10 * g + 100 * mesh, 1};
+  }
+  const std::vector<Instance> instances = {{0, 1}, {1, 0}};
+  EXPECT_EQ(sourceTriangle(scene, instances, 1, 0, 0), 109u);
+  EXPECT_EQ(sourceTriangle(scene, instances, 2, 1, 0), 19u);
+  EXPECT_EQ(sourceTriangle(scene, instances, 2, 1, 1), 1u);
+  EXPECT_EQ(sourceTriangle(scene, instances, 0, 0, 0), 0u) << "nothing is there";
+  EXPECT_EQ(sourceTriangle(scene, instances, 3, 0, 0), 0u) << "no such instance";
+  EXPECT_EQ(sourceTriangle(scene, instances, 1, 2, 0), 0u) << "no such geometry";
+}
+
 }  // namespace
 }  // namespace strobe::scene
