@@ -7,11 +7,13 @@
 #include <set>
 
 #include "base/process.h"
-#include "live/lua_text.h"
+#include "live/shot_text.h"
+#include "script/lua_text.h"
 
 namespace strobe::live {
 
 namespace fs = std::filesystem;
+using script::field, script::quoted, script::tableOf;
 
 // ---- moments
 

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 
-#include "live/lua_text.h"
+#include "live/shot_text.h"
+#include "script/lua_text.h"
 
 namespace strobe::live {
+
+using script::field, script::luaOf, script::quoted, script::tableOf;
 
 namespace {
 

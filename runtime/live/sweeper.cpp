@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "lab/shot_options.h"
-#include "live/lua_text.h"
+#include "live/shot_text.h"
 #include "live/sweep_file.h"
 
 namespace strobe::live {

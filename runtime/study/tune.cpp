@@ -7,6 +7,7 @@
 #include "base/hash.h"
 #include "base/log.h"
 #include "lab/shot_options.h"
+#include "script/lua_text.h"
 #include "study/own.h"
 #include "study/run.h"
 #include "study/watch.h"
@@ -381,17 +382,13 @@ Space spaceOf(const plan::PipelineDesc& pipeline, const std::set<std::string>& c
 Tuned tune(const Wish& wish, lab::Workbench& bench, const Store& store) { return Tuner(wish, bench, store).tune(); }
 
 std::string presetText(const std::vector<std::string>& doc, const script::Settings& values) {
-  auto quoted = [](const std::string& text) { return Json(text).dump(); };
   std::vector<std::string> lines;
-  for (const std::string& line : doc) lines.push_back(quoted(line));
+  for (const std::string& line : doc) lines.push_back(script::quoted(line));
   std::string text =
       "-- Written by `strobe tune`; taken by `--set preset=` and the name of this file.\n"
       "local preset = require \"strobe.preset\"\n\nreturn preset {\n";
   text += fmt::format("  doc = {},\n  set = {{\n", fmt::join(lines, " ..\n    "));
-  for (const auto& [name, value] : values) {
-    const auto* word = std::get_if<std::string>(&value);
-    text += fmt::format("    {} = {},\n", name, word ? quoted(*word) : plan::textOf(value));
-  }
+  for (const auto& [name, value] : values) text += fmt::format("    {},\n", script::field(name, script::luaOf(value)));
   return text + "  },\n}\n";
 }
 

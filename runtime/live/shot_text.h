@@ -11,15 +11,6 @@
 
 namespace strobe::live {
 
-std::string quoted(const std::string& text);
-std::string luaOf(const plan::Value& value);
-std::string luaOf(const Json& json);  // numbers, texts and lists of them
-
-// "NAME = TEXT", the name in brackets where Lua needs it.
-std::string field(const std::string& name, const std::string& text);
-// "{ a = 1, b = 2 }".
-std::string tableOf(const std::vector<std::string>& fields);
-
 // The options that the scene of a shot suggests; its script may leave them out. Throws `Error` for a scene that does
 // not load.
 lab::Shot suggestedShot(lab::Workbench& bench, const lab::Shot& shot);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Values as Lua has them, for scripts that the program writes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/json.h"
+#include "plan/description.h"
+
+namespace strobe::script {
+
+std::string quoted(const std::string& text);
+std::string luaOf(const plan::Value& value);
+std::string luaOf(const Json& json);  // numbers, texts and lists of them
+
+// "NAME = TEXT", the name in brackets where Lua needs it.
+std::string field(const std::string& name, const std::string& text);
+// "{ a = 1, b = 2 }".
+std::string tableOf(const std::vector<std::string>& fields);
+
+}  // namespace strobe::script
