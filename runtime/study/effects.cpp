@@ -7,6 +7,12 @@
 
 namespace strobe::study {
 
+const char* const kHowToReadEffects =
+    "An effect is a level's mean difference from the mean of its block: points that are alike in all else. Blocks that "
+    "lack a level are left out. An interaction is what is left of a cell after the effects of its row and its column. "
+    "Intervals are Student's t over the blocks, bold where 0 is not inside; they are not widened for their number. "
+    "Without complete blocks numbers are fitted by a straight line, other levels compared unpaired.";
+
 namespace {
 
 // A point with the level of every factor that there may be; below 0: it has none.

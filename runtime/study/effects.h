@@ -46,6 +46,9 @@ struct Effects {
   std::vector<PairEffect> pairs;
 };
 
+// For the pages that show effects.
+extern const char* const kHowToReadEffects;
+
 // Of the methods of one shot, or of all shots (""), that have a finite value.
 Effects effectsOf(const Results& results, const std::string& shot, const std::string& measure,
                   const std::string& region);

@@ -246,6 +246,7 @@ Json explorerData(const Results& results, const Path& folder, size_t most_bytes)
   data["points"] = pointsJson(results, images, counts);
   data["groups"] = groupsJson(results, images);
   data["effects"] = effectsJson(results);
+  data["how_to_read_effects"] = kHowToReadEffects;
   size_t rest = data.dump().size();
   WrittenImages pictures = written(images.sources, most_bytes - std::min(most_bytes, rest));
   data["pictures"] = pictures.urls;

@@ -80,17 +80,11 @@ page::Table pairTable(const Effects& effects, size_t most) {
   return table;
 }
 
-const char* const kHowToRead =
-    "An effect is a level's mean difference from the mean of its block: points that are alike in all else. Blocks that "
-    "lack a level are left out. An interaction is what is left of a cell after the effects of its row and its column. "
-    "Intervals are Student's t over the blocks, bold where 0 is not inside; they are not widened for their number. "
-    "Without complete blocks numbers are fitted by a straight line, other levels compared unpaired.";
-
 }  // namespace
 
 Parts effectParts(const Results& results) {
   FirstView view = firstViewOf(results);
-  Parts parts = {heading("Effects", 2, "effects", Part::kPage), text(kHowToRead, Tone::soft, Part::kPage)};
+  Parts parts = {heading("Effects", 2, "effects", Part::kPage), text(kHowToReadEffects, Tone::soft, Part::kPage)};
   size_t start = parts.size();
   for (const ShotSummary& shot : results.shots) {
     Effects effects = effectsOf(results, shot.name, view.y, view.region);

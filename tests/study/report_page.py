@@ -158,6 +158,9 @@ def others(page):
     expect("effects", page.run("[...new Set([...document.querySelectorAll('#main-effects tr[data-factor]')].map("
                                "one => one.dataset.factor))].join()"), "arm,samples,tile")
     expect("pairs", page.run("document.querySelectorAll('#choose-pair option').length"), 3)
+    said = page.run("document.querySelector('#effects ~ p').textContent")
+    expect("how to read effects, as on the page without scripts", text(page, "#view-effects p.soft"),
+           said + " All points of the shot count, also those that filters hide.")
     tab(page, "worst")
     worst = numbers(page, "#view-worst figure")
     expect("worst crops", len(worst), 12)

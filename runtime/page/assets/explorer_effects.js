@@ -6,11 +6,7 @@
   const isClear = ([, low, high]) => low !== null && (low > 0 || high < 0);
   const interval = ([, low, high]) => low === null ? "–" : `${signed(low)} to ${signed(high)}`;
 
-  const howToRead = "An effect is a level's mean difference from the mean of its block: points that are alike in all else. " +
-    "Blocks that lack a level are left out. An interaction is what is left of a cell after the effects of its row and its " +
-    "column. Intervals are 95 % of Student's t over the blocks; they are not widened for their number. Where no block is " +
-    "complete, numbers are fitted by a straight line, other levels compared unpaired. All points of the shot count, also " +
-    "those that filters hide.";
+  const howToRead = data.how_to_read_effects + " All points of the shot count, also those that filters hide.";
   const plural = (count, word) => `${count} ${word}${count === 1 ? "" : "s"}`;
   const leftOut = count => count ? `, ${count} incomplete left out` : "";
 
