@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 import time
 
-KEYS = {"ArrowLeft": 37, "ArrowRight": 39, "Enter": 13, "Tab": 9, "p": 80}
+KEYS = {"ArrowLeft": 37, "ArrowUp": 38, "ArrowRight": 39, "ArrowDown": 40, "Enter": 13, "Tab": 9, "p": 80}
 
 
 class Page:

@@ -168,6 +168,35 @@ def others(page):
                                                 key=lambda row: float(row["rmse"]))["point"]))
 
 
+def lines(page):
+    """Lines by the keyboard alone: Tab to the first, arrow keys to the next, Enter pins; the focus stays."""
+    page.go("about:blank")
+    page.go(f"file://{folder}/report.html#tab=parallel&only.samples=2")
+    shown = page.run("explorer.sorted(explorer.visible()).map(one => one.n)")
+    focused = "document.activeElement.getAttribute('class').split(' ')[0] + Number(document.activeElement.dataset.point)"
+    expect("one line is a stop of Tab", page.run("document.querySelectorAll('#view-parallel .line[tabindex=\"0\"]').length"), 1)
+    expect("lines that are out are none", page.run("document.querySelectorAll('#view-parallel .line.out[tabindex]').length"), 0)
+    page.run("document.querySelector('#tab-parallel').focus()")
+    page.key("Tab")
+    first = page.run("Number(document.activeElement.dataset.point)")
+    expect("Tab reaches a line", first in shown)
+    seen = "(() => { const s = getComputedStyle(document.activeElement.querySelector('path')); return s.strokeWidth; })()"
+    expect("the focus is seen", page.run(seen), "5px")
+    page.key("Enter")
+    expect("Enter chooses and pins", page.run("[explorer.state.selected, explorer.state.pins.join()].join()"), f"{first},{first}")
+    expect("the focus stays", page.run(focused), f"line{first}")
+    page.key("ArrowDown")
+    after = shown[(shown.index(first) + 1) % len(shown)]
+    expect("the next line", page.run("explorer.state.selected"), after)
+    expect("the focus goes along", page.run(focused), f"line{after}")
+    expect("and is seen", page.run(seen), "5px")
+    page.key("ArrowUp")
+    page.key("Enter")
+    expect("Enter again takes the pin away", page.run("[explorer.state.selected, explorer.state.pins.join()].join()"), f"{first},")
+    page.key("ArrowRight")
+    expect("its point is shown", text(page, "#point h3"), page.run(f"`Point {after}: ${{explorer.byNumber.get({after}).arm}}`"))
+
+
 def notes(page):
     page.run("explorer.select(9)")
     page.run("const note = document.querySelector('#note'); note.value = 'sharp\\nedges'; note.oninput();")
@@ -272,7 +301,7 @@ def printed(page):
 def main():
     with browser.Page(f"file://{folder}/report.html") as page:
         expect("what stands still is hidden", page.run("document.querySelector('.still').offsetHeight"), 0)
-        for part in (fronts, points, wipe, table, others, notes, address, nonsense, reachable):
+        for part in (fronts, points, wipe, table, others, lines, notes, address, nonsense, reachable):
             part(page)
         wrong.extend(page.problems)
         page.problems.clear()

@@ -50,12 +50,15 @@
 
   // ---- drawing
 
-  // Where the focus is, in words that hold when all is drawn again: the mark of the chosen point, or the place among what
-  // can have the focus inside the nearest element with a name.
+  // Where the focus is, in words that hold when all is drawn again: the mark or line of the chosen point (where the chart
+  // has none, the one at which Tab stops), or the place among what can have the focus inside the nearest element with a
+  // name.
   const reachable = host => [...host.querySelectorAll("a, button, input, select, textarea, summary, [tabindex]")];
   function placeOf(element) {
     if (!element || !element.closest(".explorer")) return () => null;
-    if (element.closest(".mark")) return () => document.querySelector(`.mark[data-point="${state.selected}"]`);
+    const kind = [".mark", ".line"].find(one => element.closest(one));
+    if (kind) return () => document.querySelector(`${kind}[data-point="${state.selected}"]`) ||
+      document.querySelector(kind + "[tabindex='0']");
     if (element.id) return () => part(element.id);
     const host = element.parentElement.closest("[id]"), at = reachable(host).indexOf(element);
     return () => part(host.id) && reachable(part(host.id))[at];
@@ -119,7 +122,7 @@
     if (event.target.closest(own) || event.target.matches("pre, .scroll")) return;
     const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
     const inside = event.target.closest(".explorer") || event.target === document.body;
-    if (by && inside && (event.key === "ArrowRight" || event.key === "ArrowLeft" || event.target.closest(".mark"))) {
+    if (by && inside && (event.key === "ArrowRight" || event.key === "ArrowLeft" || event.target.closest(".mark, .line"))) {
       event.preventDefault();
       explorer.step(by);
     } else if (event.key === "p" && inside && state.selected) explorer.pin(state.selected);

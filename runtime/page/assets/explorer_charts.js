@@ -65,21 +65,31 @@
     }
   }
 
-  // Marks that are buttons: the pointer, Tab and Enter reach them.
-  function mark(parent, point, place, said) {
-    const arm = point.a;
-    const group = parent.append("g").attr("class", "mark " + styleOf(arm) + chosen(point))
-      .attr("transform", `translate(${place})`).attr("role", "button").attr("data-point", point.n).attr("aria-label", said)
+  // Marks and lines are buttons: the pointer, Tab and the keys reach them. Tab stops at the chosen one of a chart, else at
+  // the first. `enter`: what that key does.
+  function asButton(group, point, said, enter = explorer.select) {
+    group.attr("role", "button").attr("data-point", point.n).attr("aria-label", said)
       .attr("tabindex", point.n === state.selected ? 0 : -1).attr("aria-pressed", point.n === state.selected);
-    group.append("circle").attr("class", "ring").attr("r", 9);
-    group.append("path").attr("class", "shape" + (point.limits ? " hollow" : "")).attr("d", symbolOf(arm));
     group.append("title").text(said);
     group.on("click", () => explorer.select(point.n));
     group.on("keydown", () => {
       const event = d3.event || window.event;
-      if (event.key === "Enter" || event.key === " ") { event.preventDefault(); explorer.select(point.n); }
+      const act = { Enter: enter, " ": explorer.select }[event.key];
+      if (act) { event.preventDefault(); act(point.n); }
     });
     return group;
+  }
+  function stopAtOne(svg, buttons) {
+    if (svg.select(buttons + "[tabindex='0']").empty()) svg.select(buttons + "[role=button]").attr("tabindex", 0);
+  }
+
+  function mark(parent, point, place, said) {
+    const arm = point.a;
+    const group = parent.append("g").attr("class", "mark " + styleOf(arm) + chosen(point))
+      .attr("transform", `translate(${place})`);
+    group.append("circle").attr("class", "ring").attr("r", 9);
+    group.append("path").attr("class", "shape" + (point.limits ? " hollow" : "")).attr("d", symbolOf(arm));
+    return asButton(group, point, said);
   }
 
   function legend(svg, list, left, top, withFront) {
@@ -134,7 +144,7 @@
       mark(marks, point, place(point), `${point.n}: ${explorer.describe(point)}; ` +
         `${explorer.shown(xName, of(point, xName))}, ${explorer.shown(yName, of(point, yName))}` +
         (front.includes(point) ? "; on the front" : "")).classed("on-front", front.includes(point));
-    if (!order.some(point => point.n === state.selected)) marks.select(".mark").attr("tabindex", 0);
+    stopAtOne(marks, ".mark");
     legend(svg, list, right + 22, top + 8, has_front);
     const remarks = ["Hollow marks: a limit was met."];
     if (measures.has("ms_low")) remarks.push("Lines: quartiles of the times.");
@@ -219,13 +229,20 @@
     explorer.changed();
   }
 
+  // A line that has the focus without being chosen is chosen as well.
+  function pin(n) {
+    if (n !== state.selected) explorer.select(n);
+    explorer.pin(n);
+  }
+
   function drawParallel(host) {
     host.textContent = "";
     const all = explorer.points.filter(point => (!state.shot || point.shot === state.shot) && !point.undrawn && !point.failed);
     const shown = new Set(explorer.visible());
     explorer.append(host, "h3", "Every point as a line" + explorer.ofShot());
     explorer.append(host, "p", "Drag along an axis to show only what passes there; click it to show all again. The filters " +
-      "above do the same from the keyboard. Lines end lower where a point has no value.", { class: "soft" });
+      "above do the same from the keyboard. Tab goes to the chosen line, arrow keys from line to line, Enter pins. Lines end " +
+      "lower where a point has no value.", { class: "soft" });
     if (!all.length) return;
     const width = 1100, top = 56, bottom = 400, left = 130, right = width - 40;
     const list = dimensions(all, top, bottom);
@@ -238,9 +255,11 @@
       const out = !shown.has(point);
       const line = lines.append("g").attr("class", "line " + styleOf(point.a) + chosen(point) + (out ? " out" : ""));
       line.append("path").attr("d", d3.line()(list.map(one => [x(one.name), one.at(point)])));
-      line.append("title").text(`${point.n}: ${explorer.describe(point)}`);
-      if (!out) line.on("click", () => explorer.select(point.n));
+      const said = `${point.n}: ${explorer.describe(point)}`;
+      if (out) line.append("title").text(said);
+      else asButton(line, point, said, pin);
     }
+    stopAtOne(lines, ".line");
     list.forEach((one, index) => {
       const column = svg.append("g").attr("class", "dimension").attr("transform", `translate(${x(one.name)} 0)`);
       path(column, "tickmark", `M0 ${top}V${bottom}`);
