@@ -3,6 +3,8 @@
 // and drive files change it through the same few verbs.
 #pragma once
 
+#include <algorithm>
+
 #include "lab/views.h"
 #include "live/gathered_truth.h"
 #include "live/pinned_pixel.h"
@@ -79,7 +81,8 @@ class Desk {
   const image::Image& picture(int window_frame);
   bool pictureChanged(int window_frame) const;
 
-  void wantTruth(int samples) { truth_wanted_ = samples; }  // gathered in every mode
+  // So many are gathered in every mode, the more of the two: for who looks, and for the sweep.
+  void wantTruth(int samples, bool for_sweep = false) { (for_sweep ? truth_of_sweep_ : truth_wanted_) = samples; }
   const GatheredTruth& truth() const { return truth_; }
   std::vector<std::string> problems() const;
 
@@ -88,7 +91,9 @@ class Desk {
   Path freeName(const std::string& ending) const;  // in `out`
 
  private:
-  bool gathersTruth() const { return look_.mode == Mode::Error || truth_wanted_ > truth_.samples(shot()); }
+  bool gathersTruth() const {
+    return look_.mode == Mode::Error || std::max(truth_wanted_, truth_of_sweep_) > truth_.samples(shot());
+  }
   const Side& sideShown(int window_frame) const;
   image::Image shownSide(const Side& side) const;
   image::Image compose(int window_frame) const;
@@ -96,7 +101,7 @@ class Desk {
   DeskOptions options_;
   Sides sides_;
   GatheredTruth truth_;
-  int truth_wanted_ = 0;
+  int truth_wanted_ = 0, truth_of_sweep_ = 0;
   PinnedPixel pixel_;
   Look look_, shown_look_;
   double looked_at_files_s_ = 0;

@@ -75,7 +75,7 @@ void Sweeper::begin(Desk& desk, std::vector<SweepForm> forms) {
 void Sweeper::close(Desk& desk) {
   sweep_.reset();
   forms_.clear();
-  desk.wantTruth(0);
+  desk.wantTruth(0, true);
 }
 
 bool Sweeper::isStale(const Desk& desk) const {
@@ -90,7 +90,7 @@ bool Sweeper::turn(Desk& desk) {
   bool gathers = sweep_->sharesTruth() && sweep_->drawn() == sweep_->points().size() && !sweep_->stopped();
   // One of the two in a turn, so that the window answers soon.
   truth_next_ = gathers && (!busy() || !truth_next_);
-  desk.wantTruth(truth_next_ ? Sweep::kEnough : 0);
+  desk.wantTruth(truth_next_ ? Sweep::kEnough : 0, true);
   if (truth_next_ && busy()) return false;
   return sweep_->advance(desk.truth(), kBudget_s);
 }

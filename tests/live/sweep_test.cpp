@@ -150,6 +150,21 @@ TEST_F(SweepTest, TwoControlsMakeAGrid) {
   EXPECT_EQ(sweeper.sweep().points().size(), 2u);
 }
 
+// A drive file's `truth N` asks once and waits, while the sweep takes turns with it and ends.
+TEST_F(SweepTest, TruthThatWasAskedForIsGatheredToTheEnd) {
+  Desk desk(bench(), options());
+  Sweeper sweeper;
+  const int asked = Sweep::kEnough + 1;
+  desk.wantTruth(asked);
+  sweeper.open(desk, "samples", false, {"4", "8"});
+  finish(desk, sweeper);
+  sweeper.close(desk);
+  for (int i = 0; i < 2000 && desk.busy(); ++i) desk.turn();
+  EXPECT_GE(desk.truth().samples(desk.shot()), asked);
+  desk.wantTruth(0);
+  EXPECT_FALSE(desk.busy());
+}
+
 TEST_F(SweepTest, SaysWhatCannotBe) {
   Desk desk(bench(), options());
   Sweeper sweeper;
