@@ -7,31 +7,9 @@
 
 #include "base/frozen_home.h"
 #include "live/desk.h"
+#include "live/moments.h"
 
 namespace strobe::live {
-
-// What the window showed at a time: A, and B where it is compared, each as `render` would make it.
-struct Moment {
-  std::vector<lab::Shot> shots;
-  std::vector<std::string> images;   // that were looked at, one per shot; "color" where there is none
-  size_t files = 0;                  // which version of scripts and shaders
-  int first_frame = 0;               // played from here to the frame of the shots
-  std::vector<std::string> changed;  // against the one before: parameters, options, "image", "files", "comparison"
-  bool goes_on = false;              // a button is down, or it plays
-  bool saved = false;                // as a picture
-};
-
-// Moments in their order. A slider that is dragged, a camera that flies and images that are looked through are one
-// moment each, with the last value; frames played one after another are one, a sequence.
-class Moments {
- public:
-  void add(Moment now);  // `changed` and `first_frame` are found here
-  void markSaved();      // the last one
-  const std::vector<Moment>& all() const { return all_; }
-
- private:
-  std::vector<Moment> all_;
-};
 
 class Recording {
  public:
@@ -63,15 +41,5 @@ class Recording {
 // Opens a file in a program of its own, which is not waited for: STROBE_EDITOR, else what the desktop has for it;
 // nothing where there is neither.
 void openInEditor(const Path& file);
-
-// The script's text. `suggested`: by scene (`sceneKey`), the options that it suggests. `folders`: of each version of
-// the files, the folder of those that differ, "" where none does.
-struct Recorded {
-  std::vector<Moment> moments;
-  std::map<std::string, lab::Shot> suggested;
-  std::vector<std::string> folders;
-};
-std::string sceneKey(const lab::Shot& shot);
-std::string captureText(const Recorded& recorded);
 
 }  // namespace strobe::live

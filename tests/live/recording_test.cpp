@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which states of the window become moments, and the script they make. That it runs: program/live_test.cpp.
-#include "live/recording.h"
+#include "live/capture_text.h"
 
 #include <gtest/gtest.h>
 
