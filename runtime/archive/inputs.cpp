@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "base/frozen_home.h"
 #include "base/hash.h"
 
 namespace strobe::archive {
@@ -28,7 +29,7 @@ Inputs inputsFrom(const Json& json) {
 
 bool isText(const Path& file) {
   const Path ending = file.extension();
-  return ending == ".lua" || ending == ".glsl" || ending == ".h";
+  return ending == ".lua" || ending == ".glsl" || ending == ".h" || file.filename() == FrozenHome::kAbsent;
 }
 
 InputNames::InputNames(const Home& home, const Home& original, const Path& capture_file) {

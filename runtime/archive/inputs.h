@@ -22,7 +22,7 @@ using Inputs = std::map<std::string, Input>;  // by name
 Json toJson(const Inputs& inputs);    // [{ name, sha256, bytes }], by name
 Inputs inputsFrom(const Json& json);  // throws JSON's exceptions
 
-// A script or a shader, by the ending of its name.
+// A script or a shader, by the ending of its name, or a list of those that are not there (FrozenHome).
 bool isText(const Path& file);
 
 class InputNames {

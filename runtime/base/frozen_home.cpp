@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <set>
+#include <sstream>
 
 #include "base/error.h"
 #include "base/files.h"
@@ -28,12 +29,30 @@ void copyFolder(const Path& from, const Path& to, bool with_data) {
   for (auto entries = fs::recursive_directory_iterator(from); entries != fs::end(entries); ++entries) {
     const fs::directory_entry& entry = *entries;
     if (entry.is_directory() && entry.path().filename().string().starts_with(".")) entries.disable_recursion_pending();
-    bool is_text = kTexts.count(entry.path().extension()), is_data = with_data && kData.count(entry.path().extension());
+    bool is_text = kTexts.count(entry.path().extension()) || entry.path().filename() == FrozenHome::kAbsent;
+    bool is_data = with_data && kData.count(entry.path().extension());
     if (!entry.is_regular_file() || (!is_text && !is_data)) continue;
     Path copy = to / entry.path().lexically_relative(from);
     fs::create_directories(copy.parent_path());
     if (is_text) fs::copy_file(entry.path(), copy, fs::copy_options::overwrite_existing);
     else link(entry.path(), copy);
+  }
+}
+
+std::string rootName(const Home& home, const Path& root) { return root == home.shipped() ? "strobe" : "project"; }
+
+// Takes the files that a list names out of the copies of the roots.
+void leaveOut(const Home& home, const std::vector<Path>& copies, const Path& list) {
+  std::istringstream lines(readText(list));
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    const Path name = Path(line).lexically_normal();
+    if (name.empty()) continue;
+    const std::string first = name.begin()->string();
+    if ((first != "strobe" && first != "project") || std::next(name.begin()) == name.end())
+      throw Error(fmt::format("'{}' begins with neither strobe/ nor project/", line), {list.string(), number});
+    for (size_t i = 0; i < copies.size(); ++i)
+      if (rootName(home, home.roots()[i]) == first) fs::remove(copies[i] / name.lexically_relative(first));
   }
 }
 
@@ -48,15 +67,20 @@ Home copy(const Home& home, const Path& folder, const Path& other) {
     // An experiment's folder has its results as well.
     for (const std::string part : {"passes", "shaders", "scripts", "pipelines", "scenes", "captures", "experiments"})
       if (fs::is_directory(root / part)) copyFolder(root / part, roots.back() / part, part != "experiments");
-    Path others = other / (root == home.shipped() ? "strobe" : "project");
+    Path others = other / rootName(home, root);
     if (!other.empty() && fs::is_directory(others)) copyFolder(others, roots.back(), false);
   }
+  if (!other.empty() && fs::exists(other / FrozenHome::kAbsent)) leaveOut(home, roots, other / FrozenHome::kAbsent);
   return Home(roots, home.data(), home.program());
 }
 
 Home copied(const Home& home, const Path& folder, const Path& other) {
   try {
     return copy(home, folder, other);
+  } catch (const Error&) {
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
+    throw;
   } catch (const fs::filesystem_error& error) {
     std::error_code ignored;
     fs::remove_all(folder, ignored);

@@ -11,8 +11,11 @@ namespace strobe {
 // linked, not copied. What lies outside of the home's roots is left where it is.
 class FrozenHome {
  public:
+  static constexpr const char* kAbsent = "absent.txt";
+
   // The copy is made in `folder`, in place of what is there. Files in `other`/strobe and `other`/project, named as in
-  // those roots, take the place of the home's own. Throws `WriteError` with the system's reason and leaves nothing.
+  // those roots, take the place of the home's own; what `other`/absent.txt names, "strobe/passes/x.lua", one a line, is
+  // left out. Throws `WriteError` with the system's reason, and `Error` for a name that leads out; leaves nothing then.
   FrozenHome(const Home& home, const Path& folder, const Path& other = {});
   FrozenHome(const FrozenHome&) = delete;
   ~FrozenHome();

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "base/error.h"
+#include "base/frozen_home.h"
 #include "common/source.h"
 
 namespace strobe {
@@ -21,7 +22,7 @@ class Homes : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  void write(const std::string& file, const std::string& text = "") const { writeFileAtomically(folder_ / file, text); }
+  void write(const Path& file, const std::string& text = "") const { writeFileAtomically(folder_ / file, text); }
 
   Path folder_;
 };
@@ -149,6 +150,35 @@ TEST_F(Homes, HaveSharedDataWhereThereIsSome) {
   fs::create_directories(folder_ / "shared");
   EXPECT_EQ(Home(folder_ / "ours").data(), folder_ / "shared");
   EXPECT_FALSE(Home({folder_ / "ours"}, folder_ / "nowhere").data());
+}
+
+// What a folder besides has takes the place of a home's own, what its list names is left out.
+TEST_F(Homes, AreFrozenWithOtherFiles) {
+  for (const char* file : {"passes/a.lua", "passes/b.lua", "shaders/c.glsl"}) write(Path("ours") / file, "old");
+  write("mine/strobe.project.lua"), write("mine/passes/own.lua", "old");
+  write("other/strobe/passes/a.lua", "new"), write("other/project/passes/more.lua", "new");
+  write("other/absent.txt", "strobe/passes/b.lua\n\nstrobe/passes/gone.lua\nproject/passes/own.lua\n");
+  const Home home(std::vector<Path>{folder_ / "mine", folder_ / "ours"});
+  {
+    FrozenHome frozen(home, folder_ / "copy", folder_ / "other");
+    EXPECT_EQ(readText(frozen.home().at("passes/a.lua")), "new");
+    EXPECT_TRUE(frozen.home().find("passes/more.lua"));
+    EXPECT_TRUE(frozen.home().find("shaders/c.glsl"));
+    EXPECT_FALSE(frozen.home().find("passes/b.lua"));
+    EXPECT_FALSE(frozen.home().find("passes/own.lua"));
+    EXPECT_TRUE(home.find("passes/b.lua")) << "the original stays";
+  }
+  for (const char* name : {"passes/b.lua", "strobe/../../mine/passes/own.lua", "/strobe/passes/b.lua", "strobe"}) {
+    write("other/absent.txt", std::string("strobe/passes/b.lua\n") + name + "\n");
+    try {
+      FrozenHome frozen(home, folder_ / "copy", folder_ / "other");
+      ADD_FAILURE() << name;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.place().line, 2) << name;
+    }
+    EXPECT_FALSE(fs::exists(folder_ / "copy")) << name;
+  }
+  EXPECT_TRUE(fs::exists(folder_ / "mine/passes/own.lua"));
 }
 
 }  // namespace
