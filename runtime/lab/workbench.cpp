@@ -15,7 +15,7 @@
 
 namespace strobe::lab {
 
-static bool isGltf(const std::string& scene) { return scene.ends_with(".glb") || scene.ends_with(".gltf"); }
+bool isGltf(const std::string& scene) { return scene.ends_with(".glb") || scene.ends_with(".gltf"); }
 
 // Identity of meshes and textures, wherever a file keeps them.
 static std::string contentHash(const scene::Scene& scene) {

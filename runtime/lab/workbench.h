@@ -25,6 +25,9 @@ struct LoadedScene {
   std::vector<script::Dependency> dependencies;
 };
 
+// Not a script, by the ending of its name.
+bool isGltf(const std::string& scene);
+
 // Reads the scene, fills in what the shot left open from it (size, fps, frame, exposure), applies --move and --spin.
 LoadedScene loadScene(const Home& home, Shot& shot);
 

@@ -11,7 +11,9 @@ namespace strobe::live {
 
 using script::field, script::quoted, script::tableOf;
 
-std::string sceneKey(const lab::Shot& shot) { return shot.scene + "\n" + lab::settingsIdentity(shot.sets, true); }
+std::string sceneKey(size_t files, const lab::Shot& shot) {
+  return fmt::format("{}\n{}\n{}", files, shot.scene, lab::settingsIdentity(shot.sets, true));
+}
 
 namespace {
 
@@ -73,7 +75,7 @@ class Script {
       fields.push_back(fmt::format("size = {{ {}, {} }}", shot.width, shot.height));
     if (sequence) fields.push_back(fmt::format("frames = {{ {}, {}, 1 }}", moment.first_frame, shot.frame));
     auto left_out = [&](const std::string& name) { return sequence && name == "frame"; };
-    for (const std::string& option : optionFields(shot, recorded_.suggested.at(sceneKey(shot)), left_out))
+    for (const std::string& option : optionFields(shot, recorded_.suggested.at(sceneKey(moment.files, shot)), left_out))
       fields.push_back(option);
     for (const std::string& set : settingFields(shot.sets, true, {})) fields.push_back(set);
     return fields;

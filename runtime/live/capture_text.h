@@ -6,14 +6,14 @@
 
 namespace strobe::live {
 
-// The script's text. `suggested`: by scene (`sceneKey`), the options that it suggests. `folders`: of each version of
-// the files, the folder of those that differ, "" where none does.
+// The script's text. `suggested`: by version of the files and scene (`sceneKey`), the options that it suggests.
+// `folders`: of each version of the files, the folder of those that differ, "" where none does.
 struct Recorded {
   std::vector<Moment> moments;
   std::map<std::string, lab::Shot> suggested;
   std::vector<std::string> folders;
 };
-std::string sceneKey(const lab::Shot& shot);
+std::string sceneKey(size_t files, const lab::Shot& shot);
 std::string captureText(const Recorded& recorded);
 
 }  // namespace strobe::live

@@ -198,7 +198,7 @@ void Live::beginRecording() {
 
 Path Live::stopRecording(const Path& script) {
   if (!recording_) throw Error("nothing is recorded");
-  recording_->write(bench_, script);
+  recording_->write(script, bench_.limits);
   recording_.reset();
   return script;
 }

@@ -3,7 +3,9 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <set>
+#include <sstream>
 
 #include "base/process.h"
 #include "live/capture_text.h"
@@ -73,9 +75,14 @@ Recording::~Recording() {
 }
 
 void openInEditor(const Path& file) {
+  const std::string line = R"(command -v "$1" >/dev/null && setsid "$@" </dev/null >/dev/null 2>&1 &)";
+  std::vector<std::string> arguments = {"sh", "-c", line, "sh"};
   const char* editor = std::getenv("STROBE_EDITOR");
-  const std::string line = R"(command -v "$0" >/dev/null && setsid "$0" "$1" </dev/null >/dev/null 2>&1 &)";
-  run({.arguments = {"sh", "-c", line, editor ? editor : "xdg-open", file.string()}});
+  std::istringstream words(editor ? editor : "");
+  for (std::string word; words >> word;) arguments.push_back(word);
+  if (arguments.size() == 4) arguments.push_back("xdg-open");
+  arguments.push_back(file.string());
+  run({.arguments = arguments});
 }
 
 // ---- as a file
@@ -92,7 +99,9 @@ std::set<Path> edited(const std::vector<Path>& versions) {
     for (const auto& entry : fs::recursive_directory_iterator(version))
       if (entry.is_regular_file()) all.insert(entry.path().lexically_relative(version));
   for (const Path& name : all) {
-    auto content = [&](const Path& version) { return fs::exists(version / name) ? readText(version / name) : ""; };
+    auto content = [&](const Path& version) {
+      return fs::exists(version / name) ? std::optional(readText(version / name)) : std::nullopt;
+    };
     for (const Path& version : versions)
       if (content(version) != content(versions.front())) differing.insert(name);
   }
@@ -112,7 +121,18 @@ static std::string portable(const Home& home, const std::string& file) {
   return path.string();
 }
 
-void Recording::write(lab::Workbench& bench, const Path& script) const {
+// Nothing where the scene lies elsewhere and does not run any more: then all options stand in the script.
+static lab::Shot suggestedIn(const Home& home, const lab::Shot& shot, const script::Limits& limits) {
+  try {
+    return suggestedShot(home, shot, limits);
+  } catch (const Error&) {
+    lab::Shot nothing;
+    nothing.scene = shot.scene;
+    return nothing;
+  }
+}
+
+void Recording::write(const Path& script, const script::Limits& limits) const {
   if (script.extension() != ".lua") throw Error("a capture script's name ends in .lua", {script.string()});
   if (moments_.all().empty()) throw Error("nothing was drawn while it was recorded");
   Recorded recorded{moments_.all(), {}, std::vector<std::string>(versions_.size())};
@@ -121,21 +141,30 @@ void Recording::write(lab::Workbench& bench, const Path& script) const {
       // From elsewhere it has to be found as well.
       shot.scene = portable(home_, shot.scene), shot.pipeline = portable(home_, shot.pipeline);
       if (Path(shot.scene).is_absolute() && !home_.nameOf(shot.scene)) shot.allow_outside = true;
-      if (!recorded.suggested.count(sceneKey(shot))) recorded.suggested[sceneKey(shot)] = suggestedShot(bench, shot);
+      const std::string key = sceneKey(moment.files, shot);
+      if (!recorded.suggested.count(key))
+        recorded.suggested[key] = suggestedIn(versions_[moment.files]->home(), shot, limits);
     }
   const Path folder = script.parent_path() / script.stem();
   for (size_t i = 0; i < versions_.size(); ++i) fs::remove_all(folder / fmt::format("files_{}", i + 1));
+  std::vector<std::string> absent(versions_.size());
+  auto place = [&](size_t i) {
+    const std::string edit = fmt::format("files_{}", i + 1);
+    recorded.folders[i] = (script.stem() / edit).generic_string();
+    return folder / edit;
+  };
   for (size_t root = 0; root < home_.roots().size(); ++root) {
     std::vector<Path> versions;
     for (const auto& version : versions_) versions.push_back(version->home().roots()[root]);
-    for (const Path& name : edited(versions))
+    for (const Path& file : edited(versions))
       for (size_t i = 0; i < versions.size(); ++i) {
-        if (!fs::exists(versions[i] / name)) continue;
-        const std::string edit = fmt::format("files_{}", i + 1);
-        writeFileAtomically(folder / edit / rootName(home_, root) / name, readText(versions[i] / name));
-        recorded.folders[i] = (script.stem() / edit).generic_string();
+        const Path name = rootName(home_, root) / file;
+        if (fs::exists(versions[i] / file)) writeFileAtomically(place(i) / name, readText(versions[i] / file));
+        else absent[i] += name.generic_string() + "\n";
       }
   }
+  for (size_t i = 0; i < absent.size(); ++i)
+    if (!absent[i].empty()) writeFileAtomically(place(i) / FrozenHome::kAbsent, absent[i]);
   writeFileAtomically(script, captureText(recorded));
 }
 

@@ -24,9 +24,9 @@ class Recording {
   size_t moments() const { return moments_.all().size(); }
 
   // Writes the script (.lua) and, where files were edited meanwhile, their versions into a folder beside it with the
-  // script's name without ending. Throws `Error` for another ending, where nothing was drawn and where a scene does not
-  // load any more; `WriteError`.
-  void write(lab::Workbench& bench, const Path& script) const;
+  // script's name without ending; a version from before a file was made says so (FrozenHome). Throws `Error` for
+  // another ending and where nothing was drawn; `WriteError`.
+  void write(const Path& script, const script::Limits& limits) const;
 
  private:
   size_t version(const Desk& desk);  // of the files, as they are now
@@ -38,8 +38,8 @@ class Recording {
   Moments moments_;
 };
 
-// Opens a file in a program of its own, which is not waited for: STROBE_EDITOR, else what the desktop has for it;
-// nothing where there is neither.
+// Opens a file in a program of its own, which is not waited for: STROBE_EDITOR, a name and arguments between spaces,
+// else what the desktop has for it; nothing where there is neither.
 void openInEditor(const Path& file);
 
 }  // namespace strobe::live

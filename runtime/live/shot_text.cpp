@@ -40,11 +40,14 @@ std::string optionText(const lab::ShotOption& option, const lab::Shot& shot) {
 
 }  // namespace
 
-lab::Shot suggestedShot(lab::Workbench& bench, const lab::Shot& shot) {
+lab::Shot suggestedShot(const Home& home, const lab::Shot& shot, const script::Limits& limits) {
   lab::Shot suggested;
   suggested.scene = shot.scene;
   suggested.sets = lab::sceneSettings(shot.sets);
-  bench.scene(suggested);
+  Json none = Json::object();
+  lab::fillShot(suggested, lab::isGltf(shot.scene)
+                               ? none
+                               : script::evaluateScene(home, shot.scene, suggested.sets, nullptr, limits));
   return suggested;
 }
 

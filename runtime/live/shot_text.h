@@ -11,9 +11,9 @@
 
 namespace strobe::live {
 
-// The options that the scene of a shot suggests; its script may leave them out. Throws `Error` for a scene that does
-// not load.
-lab::Shot suggestedShot(lab::Workbench& bench, const lab::Shot& shot);
+// The options that the scene of a shot suggests where a home has these files; its script may leave them out. Throws
+// `Error` where the scene's script does not run.
+lab::Shot suggestedShot(const Home& home, const lab::Shot& shot, const script::Limits& limits);
 
 using LeftOut = std::function<bool(const std::string& name)>;  // an empty one leaves out nothing
 

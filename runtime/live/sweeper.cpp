@@ -136,7 +136,7 @@ std::string Sweeper::experiment(const Desk& desk) const {
   if (!isOpen()) throw Error("there is no sweep to save");
   SavedSweep saved{sweep_->shot(), {}, sweep_->axes()};
   lab::Workbench& bench = session(desk).bench();
-  saved.suggested = suggestedShot(bench, saved.shot);
+  saved.suggested = suggestedShot(bench.home(), saved.shot, bench.limits);
   saved.truth = desk.options().truth;
   if (saved.truth.empty())
     saved.truth = script::pipelineOfKind(bench.home(), plan::PipelineDesc::Kind::Truth, bench.limits);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Which states of the window become moments, and the script they make. That it runs: program/live_test.cpp.
-#include "live/capture_text.h"
-
 #include <gtest/gtest.h>
+
+#include "live/capture_text.h"
 
 namespace strobe::live {
 namespace {
@@ -82,7 +82,7 @@ Recorded recordedOf(const std::vector<Moment>& states) {
   for (const Moment& state : states) moments.add(state);
   Recorded recorded{moments.all(), {}, {""}};
   lab::Shot suggested = moment().shots[0];
-  recorded.suggested[sceneKey(suggested)] = suggested;
+  for (size_t files : {0, 1}) recorded.suggested[sceneKey(files, suggested)] = suggested;
   return recorded;
 }
 
@@ -116,6 +116,19 @@ TEST(CaptureText, HasSequencesAndVersionsOfFiles) {
   expectIn(text, "files = \"it/files_1\", shots = { \"view\" }");
   expectIn(text, "files = \"it/files_2\", shots = { \"view_2\" }");
   expectIn(text, "step = 3");
+}
+
+// What is left out is what the scene suggests where the files are those of the moment.
+TEST(CaptureText, LeavesOutWhatTheSceneSuggestedThen) {
+  Moment before = moment(), after = moment();
+  before.shots[0].exposure = 0.75, after.shots[0].exposure = 0.75, after.files = 1;
+  Recorded recorded = recordedOf({before, after});
+  recorded.suggested[sceneKey(1, moment().shots[0])].exposure = 0.75;
+  recorded.folders = {"it/files_1", "it/files_2"};
+  std::string text = captureText(recorded);
+  expectIn(text, "{ name = \"view\", scene = \"oracles/bar\", exposure = 0.75 }");
+  expectIn(text, "{ name = \"view_2\", scene = \"oracles/bar\" }");
+  expectIn(text, "files = \"it/files_2\", shots = { \"view_2\" }");
 }
 
 TEST(CaptureText, ShowsWhatWasSavedElseEverything) {

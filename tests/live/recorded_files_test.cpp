@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// A recording while files are edited and made: each version has what was there then, and the script what its scene
+// suggested then. That pictures come again: program/live_test.cpp.
+#include <stdlib.h>
+
+#include <chrono>
+#include <filesystem>
+#include <regex>
+#include <thread>
+
+#include "base/frozen_home.h"
+#include "live/recording.h"
+#include "oracle/render.h"
+#include "program/run.h"
+
+namespace strobe::live {
+namespace {
+
+namespace fs = std::filesystem;
+
+using RecordedFiles = oracle::RenderTest;
+
+std::string sceneWith(const std::string& exposure) {
+  return std::regex_replace(std::string(testing::kCardScene), std::regex("name = \"small\","),
+                            "name = \"small\", shot = { exposure = " + exposure + " },");
+}
+
+void turn(Desk& desk, Recording& recording) {
+  for (int i = 0; i < 3; ++i) desk.turn();
+  recording.look(desk, false);
+}
+
+TEST_F(RecordedFiles, EachVersionHasWhatWasThereThen) {
+  testing::TemporaryFolder folder;
+  FrozenHome copy(bench().home(), folder.path() / "home");
+  const Home& home = copy.home();
+  const Path scene = home.shipped() / "scripts/scenes/edited.lua", made = home.shipped() / "passes/mask/made.lua";
+  writeFileAtomically(scene, sceneWith("0.5"));
+  lab::Workbench own(home, bench());
+  DeskOptions options;
+  options.shot.scene = "edited", options.shot.pipeline = "none";
+  options.shot.width = 32, options.shot.height = 18;
+  Desk desk(own, options);
+  Recording recording(home, folder.path() / "recorded");
+  turn(desk, recording);
+  desk.sides().set("exposure", "0.75", "window");
+  turn(desk, recording);
+  writeFileAtomically(made, readText(home.shipped() / "passes/mask/moving.lua"));
+  writeFileAtomically(scene, sceneWith("0.75"));
+  for (int i = 0; i < 1000 && desk.sides().swaps() == 0; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    desk.turn();
+  }
+  turn(desk, recording);
+  recording.write(folder.path() / "it.lua", own.limits);
+
+  const Path before = folder.path() / "it/files_1", after = folder.path() / "it/files_2";
+  EXPECT_EQ(readText(before / "strobe/scripts/scenes/edited.lua"), sceneWith("0.5"));
+  EXPECT_EQ(readText(before / FrozenHome::kAbsent), "strobe/passes/mask/made.lua\n");
+  EXPECT_EQ(readText(after / "strobe/scripts/scenes/edited.lua"), sceneWith("0.75"));
+  EXPECT_TRUE(fs::exists(after / "strobe/passes/mask/made.lua"));
+  EXPECT_FALSE(fs::exists(after / FrozenHome::kAbsent));
+  EXPECT_FALSE(FrozenHome(home, folder.path() / "again", before).home().find("passes/mask/made.lua"));
+  EXPECT_TRUE(FrozenHome(home, folder.path() / "again", after).home().find("passes/mask/made.lua"));
+
+  const std::string text = readText(folder.path() / "it.lua");
+  for (const char* line :
+       {"{ name = \"view\", scene = \"edited\" }", "{ name = \"view_2\", scene = \"edited\", exposure = 0.75 }",
+        "files = \"it/files_1\", shots = { \"view\", \"view_2\" }", "files = \"it/files_2\", shots = { \"view\" }"})
+    EXPECT_NE(text.find(line), std::string::npos) << line << "\nin\n" << text;
+}
+
+TEST(Editor, GetsItsArguments) {
+  testing::TemporaryFolder folder;
+  const std::string program = folder / "editor", seen = folder / "seen", file = folder / "a script.lua";
+  testing::writeText(
+      program, "#!/bin/sh\nfor a in \"$@\"; do echo \"$a\"; done > " + seen + ".part\nmv " + seen + ".part " + seen);
+  fs::permissions(program, fs::perms::owner_all);
+  ::setenv("STROBE_EDITOR", (program + "  --wait -n; ").c_str(), 1);
+  openInEditor(file);
+  for (int i = 0; i < 500 && !fs::exists(seen); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_EQ(testing::contentOf(seen), "--wait\n-n;\n" + file + "\n");
+  ::unsetenv("STROBE_EDITOR");
+}
+
+}  // namespace
+}  // namespace strobe::live
