@@ -8,8 +8,9 @@
 namespace strobe::app {
 
 std::string hereOrAtHome(const Home& home, const std::string& file) {
-  bool here = std::filesystem::exists(file) || Path(file).is_absolute();
-  return here ? file : home.at(file).string();
+  if (std::filesystem::exists(file) || Path(file).is_absolute()) return file;
+  std::optional<Path> found = home.find(file);
+  return found ? found->string() : file;
 }
 
 void requireWritable(const Path& folder, const std::string& option) {

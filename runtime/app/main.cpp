@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -28,9 +29,29 @@ static int report(const std::string& text, int exit_code) {
   return exit_code;
 }
 
+// What is said of the first argument that looks like an option of the command and is none, or "".
+static std::string unknownOption(const CLI::App& command, int argc, char** argv) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  for (int i = 1; i < argc; ++i) {
+    const std::string text = argv[i], name = text.substr(0, text.find('='));
+    bool is_option = name.starts_with("--")
+                         ? name.size() > 2
+                         : name.size() > 1 && name[0] == '-' && !std::isdigit(static_cast<unsigned char>(name[1]));
+    if (!is_option || std::find(names.begin(), names.end(), name) != names.end()) continue;
+    const std::string nearest = name.size() > 2 ? strobe::didYouMean(name, names) : "";
+    return fmt::format("there is no option '{}'{}", name, nearest);
+  }
+  return "";
+}
+
 // CLI11 says that a command is missing, or an argument unexpected, where one is misspelt: name it and the nearest.
 static std::string usageText(const CLI::App& program, const CLI::ParseError& error, int argc, char** argv) {
   const CLI::App* at = &program;
+  std::string called = program.get_name();
   for (int i = 1; i < argc && argv[i][0] != '-'; ++i) {
     std::vector<std::string> names;
     for (const CLI::App* command : at->get_subcommands({})) names.push_back(command->get_name());
@@ -41,8 +62,11 @@ static std::string usageText(const CLI::App& program, const CLI::ParseError& err
       return fmt::format("there is no command '{}'{}{}; there {} {}", argv[i], of, strobe::didYouMean(argv[i], names),
                          names.size() == 1 ? "is" : "are", fmt::join(names, ", "));
     at = at->get_subcommands({})[size_t(known - names.begin())];
+    called += " " + at->get_name();
   }
-  return error.what();
+  std::string text = dynamic_cast<const CLI::ExtrasError*>(&error) ? unknownOption(*at, argc, argv) : "";
+  if (text.empty()) text = error.what();
+  return text.ends_with('?') ? text : fmt::format("{}; {} --help lists what it takes", text, called);
 }
 
 int main(int argc, char** argv) {

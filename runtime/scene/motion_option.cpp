@@ -23,24 +23,26 @@ struct Asked {
 };
 
 // `NODE=a,b,...` with exactly `count` numbers; the name may itself hold '='.
-static Asked parse(const Scene& scene, const std::string& text, const std::string& form, size_t count) {
+static Asked parse(const Scene& scene, const std::string& option, const std::string& text, const std::string& form,
+                   size_t count) {
   size_t equals = text.rfind('=');
-  if (equals == std::string::npos || equals == 0) throw Error(fmt::format("'{}' is not {}", text, form), {}, 2);
+  if (equals == std::string::npos || equals == 0)
+    throw Error(fmt::format("{} '{}' is not {}", option, text, form), {}, 2);
   std::vector<double> numbers;
   for (size_t at = equals + 1; at <= text.size();) {
     size_t comma = std::min(text.find(',', at), text.size());
     std::optional<double> number = numberIn(std::string_view(text).substr(at, comma - at));
-    if (!number) throw Error(fmt::format("'{}' is not {}", text, form), {}, 2);
+    if (!number) throw Error(fmt::format("{} '{}' is not {}", option, text, form), {}, 2);
     numbers.push_back(*number);
     at = comma + 1;
   }
   if (numbers.size() != count)
-    throw Error(fmt::format("'{}' has {} numbers, not {}: {}", text, numbers.size(), count, form), {}, 2);
+    throw Error(fmt::format("{} '{}' has {} numbers, not {}: {}", option, text, numbers.size(), count, form), {}, 2);
   return {nodeByName(scene, text.substr(0, equals)), numbers};
 }
 
 ConstantMotion moveFromOption(const Scene& scene, const std::string& text, double fps, double rest_time_s) {
-  Asked asked = parse(scene, text, "NODE=dx,dy,dz", 3);
+  Asked asked = parse(scene, "--move", text, "NODE=dx,dy,dz", 3);
   ConstantMotion motion;
   motion.node = asked.node;
   motion.velocity = dvec3(asked.numbers[0], asked.numbers[1], asked.numbers[2]) * fps;
@@ -49,10 +51,10 @@ ConstantMotion moveFromOption(const Scene& scene, const std::string& text, doubl
 }
 
 ConstantMotion spinFromOption(const Scene& scene, const std::string& text, double fps, double rest_time_s) {
-  Asked asked = parse(scene, text, "NODE=ax,ay,az,degrees", 4);
+  Asked asked = parse(scene, "--spin", text, "NODE=ax,ay,az,degrees", 4);
   dvec3 axis(asked.numbers[0], asked.numbers[1], asked.numbers[2]);
   double largest = std::max({std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)});
-  if (largest == 0) throw Error(fmt::format("'{}': the axis is 0,0,0", text), {}, 2);
+  if (largest == 0) throw Error(fmt::format("--spin '{}': the axis is 0,0,0", text), {}, 2);
   ConstantMotion motion;
   motion.node = asked.node;
   motion.axis = glm::normalize(axis / largest);

@@ -38,8 +38,12 @@ Main mainFile(const Home& home, const std::string& path, const Texts& texts = {}
   main.shown = home.shown(path);
   main.name = main.file.stem();
   main.own_folder = true;
-  if (!texts.count(main.file) && !fs::is_regular_file(main.file)) throw Error("there is no such file", {path});
-  return main;
+  if (texts.count(main.file) || fs::is_regular_file(main.file)) return main;
+  if (!fs::is_directory(main.file)) throw Error("there is no such file", {path});
+  const Path folder = main.file.has_filename() ? main.file : main.file.parent_path();
+  const Path inside = Path(path) / (folder.filename().string() + ".lua");
+  bool is_there = fs::is_regular_file(inside);
+  throw Error(fmt::format("is a folder{}", is_there ? "; did you mean '" + inside.string() + "'?" : ""), {path});
 }
 
 // `what` is "pipeline" or "scene", kept in scripts/<what>s.

@@ -37,6 +37,20 @@ TEST(BadInput, NamesAreRefusedWithTheNearest) {
   expectRefusal("rendr none" + kScene, 2, "did you mean 'render'?");
 }
 
+TEST(BadInput, WrongCommandLinesSayWhatWouldBeRight) {
+  expectRefusal("render hybrid --sceen x", 2, "there is no option '--sceen'; did you mean '--scene'?");
+  expectRefusal("render hybrid --sise=64x32", 2, "there is no option '--sise'; did you mean '--size'?");
+  expectRefusal("--hlep", 2, "there is no option '--hlep'; did you mean '--help'?");
+  expectRefusal("bench reload --repeat 3", 2, "there is no option '--repeat'; did you mean '--repeats'?");
+  expectRefusal("render hybrid -v", 2, "there is no option '-v'; strobe render --help lists what it takes");
+  expectRefusal("render hybrid none", 2, "not expected: none; strobe render --help lists what it takes");
+  expectRefusal("sweep", 2, "file is required; strobe sweep --help lists what it takes");
+  expectRefusal("sweep nowhere.lua", 1, "strobe: nowhere.lua: there is no such file");
+  expectRefusal("sweep experiments/demo", 1, "did you mean '");
+  expectRefusal("sweep experiments/demo/", 1, "experiments/demo/demo.lua'?");
+  expectRefusal("render none" + kScene + " --spin bar=0,0,0,1", 2, "--spin 'bar=0,0,0,1': the axis is 0,0,0");
+}
+
 TEST(BadInput, ValuesAreRefusedWithTheirRange) {
   expectRefusal("render hybrid" + kScene + " --set samples=0", 2, "range 1 to 1024");
   expectRefusal("render hybrid" + kScene + " --set samples=many", 2, "not an integer");
