@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/files.h"
+#include "app/numbers.h"
 #include "app/result_files.h"
 #include "app/shot_options.h"
 #include "base/frozen_home.h"
@@ -127,7 +128,7 @@ void addCommon(CLI::App& command, Options& options) {
       .add_option("--truth-error", options.truth_error,
                   "truth has more samples until its standard error over the picture is at most this")
       ->type_name("E")
-      ->check(CLI::PositiveNumber);
+      ->check(aboveZero());
   command.add_flag("--exr", options.exr, "keep every picture as points/KEY.exr, linear, with its record");
   command.add_flag("--json", options.json, "print the results as JSON");
 }

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/files.h"
+#include "app/numbers.h"
 #include "app/result_files.h"
 #include "app/shot_options.h"
 #include "base/frozen_home.h"
@@ -257,10 +258,10 @@ void registerTune(CLI::App& program, const Home& home) {
       "tune", "Find the best setting of a pipeline within a budget, or the cheapest within an error, as a preset");
   command->add_option("--budget-ms", options->budget_ms, "most milliseconds: the least error within them")
       ->type_name("B")
-      ->check(CLI::PositiveNumber);
+      ->check(aboveZero());
   command->add_option("--budget-ratio", options->budget_ratio, "most cost, as a multiple of the base's")
       ->type_name("R")
-      ->check(CLI::PositiveNumber);
+      ->check(aboveZero());
   command
       ->add_option("--max-error", options->max_error,
                    "most error: the least cost within it; 1.1x: that many times the base's")

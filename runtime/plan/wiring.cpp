@@ -258,13 +258,18 @@ class Wirer {
     std::string node_name = text.substr(0, dot);
     std::string port_name = dot == std::string::npos ? "" : text.substr(dot + 1);
     int node = indexOf(pipeline_.nodes, node_name);
-    if (node < 0 || port_name.empty()) {
+    if (node < 0) {
       problem(place, "{} reads '{}', but there is no node '{}'{}", reader, text, node_name,
               didYouMean(node_name, namesOf(pipeline_.nodes)));
       return {};
     }
     const PassDesc& pass = passOf(node);
     std::vector<std::string> ports = producedPorts(pass);
+    if (port_name.empty()) {
+      problem(place, "{} reads '{}', which is a node: '{}.NAME' is an image of it; it writes {}", reader, text,
+              node_name, fmt::join(ports, ", "));
+      return {};
+    }
     auto port = std::find(ports.begin(), ports.end(), port_name);
     if (port != ports.end()) return {node, static_cast<int>(port - ports.begin())};
     if (indexOf(pass.reads, port_name) >= 0) {

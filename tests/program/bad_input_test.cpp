@@ -48,6 +48,9 @@ TEST(BadInput, WrongCommandLinesSayWhatWouldBeRight) {
   expectRefusal("sweep nowhere.lua", 1, "strobe: nowhere.lua: there is no such file");
   expectRefusal("sweep experiments/demo", 1, "did you mean '");
   expectRefusal("sweep experiments/demo/", 1, "experiments/demo/demo.lua'?");
+  expectRefusal("render none" + kScene + " --tap gbuffer", 2,
+                "'gbuffer', which is a node: 'gbuffer.NAME' is an image of it; it writes ");
+  expectRefusal("tune hybrid" + kScene + " --budget-ratio x", 2, "--budget-ratio: 'x' is not a number above 0");
   expectRefusal("render none" + kScene + " --spin bar=0,0,0,1", 2, "--spin 'bar=0,0,0,1': the axis is 0,0,0");
 }
 
