@@ -5,10 +5,10 @@
 #include <filesystem>
 
 #include "archive/crate.h"
-#include "archive/film.h"
 #include "archive/taker.h"
 #include "base/frozen_home.h"
 #include "base/hash.h"
+#include "figure/film.h"
 #include "lab/workbench.h"
 
 namespace strobe::archive {
@@ -113,7 +113,7 @@ class Run {
   }
 
   void drawFigures() {
-    auto find = [this](const std::string& shot, const std::string& arm, int step) -> const Taken& {
+    auto find = [this](const std::string& shot, const std::string& arm, int step) -> const figure::Taken& {
       return taker_.find(shot, arm, step);
     };
     for (const auto* list : {&capture_.figures, &capture_.films})
@@ -130,8 +130,8 @@ class Run {
         size_t steps = 1;
         for (const CapturedShot* shot : shots) steps = std::max(steps, shot->steps.size());
         bool film = list == &capture_.films;
-        for (const Path& file : film ? writeFilm(figure, find, int(steps), order_.folder, capture_.truth)
-                                     : writeFigure(figure, find, capture_.truth, order_.folder)) {
+        for (const Path& file : film ? figure::writeFilm(figure, find, int(steps), order_.folder, capture_.truth)
+                                     : figure::writeFigure(figure, find, capture_.truth, order_.folder)) {
           files[file.lexically_relative(order_.folder).generic_string()] = fileEntry(file);
           shown.push_back(file);
         }

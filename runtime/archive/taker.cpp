@@ -264,7 +264,7 @@ Json Taker::take(const Frame& frame, const lab::Shot& shot, lab::Drawing& drawin
 
 // ---- read back
 
-Taken Taker::readBack(const Json& entry) const {
+figure::Taken Taker::readBack(const Json& entry) const {
   auto picture = std::make_shared<lab::Picture>();
   picture->record = entry.at("record");
   for (auto& [layer, image] :
@@ -274,16 +274,17 @@ Taken Taker::readBack(const Json& entry) const {
   }
   picture->camera_from_world = matrixFrom(entry.at("camera_from_world"));
   picture->ndc_from_world = matrixFrom(entry.at("ndc_from_world"));
-  Taken taken{entry.at("shot"), entry.at("arm"), entry.at("step"), std::move(picture), {}, {}, {}};
+  figure::Taken taken{entry.at("shot"), entry.at("arm"), entry.at("step"), std::move(picture), {}, {}, {}};
   taken.tone = capture_.shot(taken.shot).tone;
   taken.divides = entry.at("divides").get<std::map<std::string, int>>();
   for (const auto& [node, at] : entry.at("nodes").items()) taken.nodes_ws[node] = {at[0], at[1], at[2]};
   return taken;
 }
 
-const Taken& Taker::find(const std::string& shot, const std::string& arm, int step) {
-  auto known = std::find_if(kept_.begin(), kept_.end(),
-                            [&](const Taken& one) { return one.shot == shot && one.arm == arm && one.step == step; });
+const figure::Taken& Taker::find(const std::string& shot, const std::string& arm, int step) {
+  auto known = std::find_if(kept_.begin(), kept_.end(), [&](const figure::Taken& one) {
+    return one.shot == shot && one.arm == arm && one.step == step;
+  });
   if (known != kept_.end()) {
     kept_.splice(kept_.begin(), kept_, known);
     return kept_.front();
@@ -292,7 +293,7 @@ const Taken& Taker::find(const std::string& shot, const std::string& arm, int st
   if (size_t(step) >= frame.shot->steps.size())
     throw Error(fmt::format("shot '{}' has {} steps, none of number {}", shot, frame.shot->steps.size(), step));
   kept_.push_front(readBack(entry(frame)));
-  if (kept_.size() > kPicturesFound) kept_.pop_back();
+  if (kept_.size() > figure::kPicturesFound) kept_.pop_back();
   return kept_.front();
 }
 

@@ -7,8 +7,8 @@
 
 #include "archive/capture_file.h"
 #include "archive/inputs.h"
-#include "archive/taken.h"
 #include "base/frozen_home.h"
+#include "figure/taken.h"
 
 namespace strobe::archive {
 
@@ -37,8 +37,8 @@ class Taker {
   Json entry(const Frame& frame);
   // Whether the entry of a picture was asked for, by itself or by a figure.
   bool has(const std::string& name) const { return entries_.count(name) > 0; }
-  // As it was taken; valid as `FindTaken` says.
-  const Taken& find(const std::string& shot, const std::string& arm, int step);
+  // As it was taken; valid as `figure::FindTaken` says.
+  const figure::Taken& find(const std::string& shot, const std::string& arm, int step);
   int drawn() const { return drawn_; }  // pictures drawn by this taker; the others were there
   const InputNames& names() const { return own_.names; }
   // Throws `Error` with what validation said of any bench.
@@ -64,7 +64,7 @@ class Taker {
   Json take(const Frame& frame, const lab::Shot& shot, lab::Drawing& drawing, const std::string& key);
   // Whether files named as inputs have the content now that they had then.
   bool areCurrent(const Json& inputs);
-  Taken readBack(const Json& entry) const;
+  figure::Taken readBack(const Json& entry) const;
 
   const CaptureFile& capture_;
   const Path folder_;
@@ -73,7 +73,7 @@ class Taker {
   std::map<Path, std::unique_ptr<OwnPlace>> others_;  // by the folder of an arm's files
   std::map<std::string, std::string> sums_;           // SHA-256 of inputs as they are, by name
   std::map<std::string, Json> entries_;               // of pictures asked for, by name
-  std::list<Taken> kept_;                             // the used last first, kPicturesFound of them
+  std::list<figure::Taken> kept_;                     // the used last first, kPicturesFound of them
   int drawn_ = 0;
   Json timings_ = Json::object();
 };

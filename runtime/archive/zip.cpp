@@ -11,7 +11,7 @@
 
 #include "archive/crate.h"
 #include "archive/manifest.h"
-#include "archive/temporary_file.h"
+#include "base/temporary_file.h"
 
 namespace strobe::archive {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "archive/figure_data.h"
+#include "figure/figure_data.h"
 
 #include <array>
 
 #include "base/strict.h"
 
-namespace strobe::archive {
+namespace strobe::figure {
 
 namespace {
 
@@ -178,4 +178,4 @@ FigureData figureFrom(const Json& data) {
   }
 }
 
-}  // namespace strobe::archive
+}  // namespace strobe::figure

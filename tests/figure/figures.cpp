@@ -7,7 +7,7 @@
 #include "program/run.h"
 #include "script/evaluate.h"
 
-namespace strobe::archive {
+namespace strobe::figure {
 
 using image::Image;
 
@@ -102,4 +102,4 @@ int levelsApart(const Colour& a, const Colour& b) {
   return int(std::lround(255 * worst));
 }
 
-}  // namespace strobe::archive
+}  // namespace strobe::figure

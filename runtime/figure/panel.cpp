@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "archive/panel.h"
+#include "figure/panel.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "archive/captions.h"
+#include "figure/captions.h"
 #include "image/false_colour.h"
 #include "image/flip.h"
 #include "lab/record.h"
 
-namespace strobe::archive {
+namespace strobe::figure {
 
 namespace {
 
@@ -206,4 +206,4 @@ Block blockOf(const FigureData& figure, const Cell& cell, const FindTaken& find,
   return Maker(figure, cell, find, step, problems).make(truth_arm);
 }
 
-}  // namespace strobe::archive
+}  // namespace strobe::figure

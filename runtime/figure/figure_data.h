@@ -12,7 +12,7 @@
 #include "image/draw.h"
 #include "math/geometry.h"
 
-namespace strobe::archive {
+namespace strobe::figure {
 
 using image::Colour;
 
@@ -111,4 +111,4 @@ struct FigureData {
 // Throws `Error` for data that is not what it should be, which is no mistake of a user.
 FigureData figureFrom(const Json& data);
 
-}  // namespace strobe::archive
+}  // namespace strobe::figure

@@ -4,11 +4,11 @@
 
 #include <optional>
 
-#include "archive/figure_data.h"
-#include "archive/taken.h"
 #include "base/strict.h"
+#include "figure/figure_data.h"
+#include "figure/taken.h"
 
-namespace strobe::archive {
+namespace strobe::figure {
 
 // In pixels of the figure from the picture's top left corner.
 struct Shape {
@@ -49,4 +49,4 @@ const graph::ReadImage* findImage(const Taken& taken, const std::string& name, c
 // node of the scene, which is then left out.
 std::vector<Shape> shapesOf(const Marks& marks, const Taken& taken, const Lens& lens, double size, Problems& problems);
 
-}  // namespace strobe::archive
+}  // namespace strobe::figure

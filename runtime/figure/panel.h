@@ -3,10 +3,10 @@
 // it, its insets, what its colours mean, its caption.
 #pragma once
 
-#include "archive/marks.h"
+#include "figure/marks.h"
 #include "lab/views.h"
 
-namespace strobe::archive {
+namespace strobe::figure {
 
 struct Panel {
   image::Image display;
@@ -31,4 +31,4 @@ struct Block {
 Block blockOf(const FigureData& figure, const Cell& cell, const FindTaken& find, const std::string& truth_arm, int step,
               Problems& problems);
 
-}  // namespace strobe::archive
+}  // namespace strobe::figure

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "archive/captions.h"
+#include "figure/captions.h"
 #include "figures.h"
 #include "image/false_colour.h"
 #include "image/flip.h"
@@ -16,7 +16,7 @@
 #include "page/number.h"
 #include "program/run.h"
 
-namespace strobe::archive {
+namespace strobe::figure {
 namespace {
 
 using image::Image;
@@ -289,4 +289,4 @@ TEST(Figure, MistakesAreReportedTogetherAtTheirLines) {
 }
 
 }  // namespace
-}  // namespace strobe::archive
+}  // namespace strobe::figure

@@ -13,7 +13,7 @@
 typedef struct _cairo cairo_t;
 typedef struct _cairo_surface cairo_surface_t;
 
-namespace strobe::archive {
+namespace strobe::figure {
 
 using image::Colour;
 
@@ -73,4 +73,4 @@ class Canvas {
   std::unique_ptr<cairo_t, Destroy> cairo_;
 };
 
-}  // namespace strobe::archive
+}  // namespace strobe::figure

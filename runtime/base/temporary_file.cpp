@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "archive/temporary_file.h"
+#include "base/temporary_file.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-namespace strobe::archive {
+namespace strobe {
 
 namespace fs = std::filesystem;
 
@@ -33,4 +33,4 @@ void TemporaryFile::keep() {
   if (reason) throw WriteError(fmt::format("cannot be written: {}", reason.message()), {file_.string()});
 }
 
-}  // namespace strobe::archive
+}  // namespace strobe

@@ -2,9 +2,9 @@
 // Figures of a capture for people: the same drawing as pixels and as a page for LaTeX.
 #pragma once
 
-#include "archive/layout.h"
+#include "figure/layout.h"
 
-namespace strobe::archive {
+namespace strobe::figure {
 
 // What its cells show, laid out. `step`: of cells that name none. Throws `Error`, all mistakes at once, each at its
 // place in the script.
@@ -17,4 +17,4 @@ Layout layoutOf(const FigureData& figure, const FindTaken& find, const std::stri
 std::vector<Path> writeFigure(const Json& data, const FindTaken& find, const std::string& truth_arm,
                               const Path& folder);
 
-}  // namespace strobe::archive
+}  // namespace strobe::figure

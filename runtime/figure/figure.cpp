@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "archive/figure.h"
+#include "figure/figure.h"
 
 #include "image/png.h"
 
-namespace strobe::archive {
+namespace strobe::figure {
 
 Layout layoutOf(const FigureData& figure, const FindTaken& find, const std::string& truth_arm, int step,
                 Captions captions) {
@@ -30,4 +30,4 @@ std::vector<Path> writeFigure(const Json& data, const FindTaken& find, const std
   return files;
 }
 
-}  // namespace strobe::archive
+}  // namespace strobe::figure

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "archive/marks.h"
+#include "figure/marks.h"
 
 #include <cmath>
 
-namespace strobe::archive {
+namespace strobe::figure {
 
 namespace {
 
@@ -195,4 +195,4 @@ std::vector<Shape> shapesOf(const Marks& marks, const Taken& taken, const Lens& 
   return drawer.finished();
 }
 
-}  // namespace strobe::archive
+}  // namespace strobe::figure

@@ -5,7 +5,7 @@
 
 #include "figures.h"
 
-namespace strobe::archive {
+namespace strobe::figure {
 namespace {
 
 TEST(FigureScript, TheMoreParticularCountsAndMarksAddUp) {
@@ -84,4 +84,4 @@ TEST(FigureScript, EveryMistakeIsReportedAtItsLine) {
 }
 
 }  // namespace
-}  // namespace strobe::archive
+}  // namespace strobe::figure

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "archive/layout.h"
+#include "figure/layout.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "image/false_colour.h"
 
-namespace strobe::archive {
+namespace strobe::figure {
 
 using image::Image;
 using image::Rectangle;
@@ -379,4 +379,4 @@ void Layout::draw(Canvas& canvas) const {
     else canvas.text(line.x, line.y, line.text, line.size, line.colour);
 }
 
-}  // namespace strobe::archive
+}  // namespace strobe::figure

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "archive/captions.h"
+#include "figure/captions.h"
 
 #include <cmath>
 
@@ -8,7 +8,7 @@
 #include "lab/against_truth.h"
 #include "page/number.h"
 
-namespace strobe::archive {
+namespace strobe::figure {
 
 namespace {
 
@@ -136,4 +136,4 @@ std::string captionOf(const std::vector<CaptionPart>& parts, const Taken& taken,
   return caption;
 }
 
-}  // namespace strobe::archive
+}  // namespace strobe::figure

@@ -2,9 +2,9 @@
 // Films of a capture: a figure for each step of a sequence, piped to ffmpeg.
 #pragma once
 
-#include "archive/figure.h"
+#include "figure/figure.h"
 
-namespace strobe::archive {
+namespace strobe::figure {
 
 // Draws figure `data` (as scripts/strobe/figure.lua leaves a film, with the capture's `size`) at steps 0 to steps - 1
 // and writes FOLDER/NAME.mp4 (H.264, what every player knows) or FOLDER/NAME.mkv (FFV1, every value as it is). The same
@@ -13,4 +13,4 @@ namespace strobe::archive {
 std::vector<Path> writeFilm(const Json& data, const FindTaken& find, int steps, const Path& folder,
                             const std::string& truth_arm = "");
 
-}  // namespace strobe::archive
+}  // namespace strobe::figure

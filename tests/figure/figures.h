@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "archive/figure.h"
+#include "figure/figure.h"
 
-namespace strobe::archive {
+namespace strobe::figure {
 
 inline constexpr int kWidth = 64, kHeight = 36;
 
@@ -26,4 +26,4 @@ Colour colourAt(const image::Image& image, int x, int y);
 // How many of 255 levels two colours differ in their worst channel.
 int levelsApart(const Colour& a, const Colour& b);
 
-}  // namespace strobe::archive
+}  // namespace strobe::figure

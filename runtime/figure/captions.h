@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "archive/figure_data.h"
-#include "archive/taken.h"
 #include "base/strict.h"
+#include "figure/figure_data.h"
+#include "figure/taken.h"
 
-namespace strobe::archive {
+namespace strobe::figure {
 
 // The caption of a picture. `truth` gives the picture that errors are against, when it is first needed: whole pictures,
 // whatever part of them a figure shows. What cannot be said is added to `problems` with the place.
 std::string captionOf(const std::vector<CaptionPart>& parts, const Taken& taken,
                       const std::function<const Taken*()>& truth, const Place& place, Problems& problems);
 
-}  // namespace strobe::archive
+}  // namespace strobe::figure

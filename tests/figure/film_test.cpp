@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Films: the frames that figures have, the same bytes each time, and an account of what is missing.
-#include "archive/film.h"
+#include "figure/film.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "figures.h"
 #include "program/run.h"
 
-namespace strobe::archive {
+namespace strobe::figure {
 namespace {
 
 using strobe::testing::contentOf;
@@ -100,4 +100,4 @@ TEST(Film, AMissingPictureEndsIt) {
 }
 
 }  // namespace
-}  // namespace strobe::archive
+}  // namespace strobe::figure

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "archive/canvas.h"
+#include "figure/canvas.h"
 
 #include <cairo-ft.h>
 #include <cairo-pdf.h>
@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "math/constants.h"
 
-namespace strobe::archive {
+namespace strobe::figure {
 
 using image::Image;
 using image::Rectangle;
@@ -290,4 +290,4 @@ std::string Canvas::page() {
   return std::move(*bytes_);
 }
 
-}  // namespace strobe::archive
+}  // namespace strobe::figure

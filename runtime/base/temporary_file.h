@@ -4,7 +4,7 @@
 
 #include "base/files.h"
 
-namespace strobe::archive {
+namespace strobe {
 
 // "FILE.PID.part" beside a file; removed unless it was kept.
 class TemporaryFile {
@@ -21,4 +21,4 @@ class TemporaryFile {
   const Path file_, path_;
 };
 
-}  // namespace strobe::archive
+}  // namespace strobe

@@ -9,7 +9,7 @@
 #include "image/tone.h"
 #include "lab/workbench.h"
 
-namespace strobe::archive {
+namespace strobe::figure {
 
 // A shot drawn by an arm, at one step of a sequence (0 where the shot has none).
 struct Taken {
@@ -28,4 +28,4 @@ inline constexpr size_t kPicturesFound = 8;
 // is not.
 using FindTaken = std::function<const Taken&(const std::string& shot, const std::string& arm, int step)>;
 
-}  // namespace strobe::archive
+}  // namespace strobe::figure

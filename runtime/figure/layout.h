@@ -3,10 +3,10 @@
 // notes and whose scenes they are below. Laid out once, drawn on any canvas.
 #pragma once
 
-#include "archive/canvas.h"
-#include "archive/panel.h"
+#include "figure/canvas.h"
+#include "figure/panel.h"
 
-namespace strobe::archive {
+namespace strobe::figure {
 
 enum class Captions { wrapped, one_line };  // one line that gets smaller: every frame of a film is as high
 
@@ -73,4 +73,4 @@ class Layout {
   std::vector<Key> keys_;
 };
 
-}  // namespace strobe::archive
+}  // namespace strobe::figure

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "archive/film.h"
+#include "figure/film.h"
 
 #include <cmath>
 #include <filesystem>
 #include <utility>
 
-#include "archive/temporary_file.h"
 #include "base/process.h"
+#include "base/temporary_file.h"
 
-namespace strobe::archive {
+namespace strobe::figure {
 
 namespace {
 
@@ -134,4 +134,4 @@ std::vector<Path> writeFilm(const Json& data, const FindTaken& find, int steps, 
   return {file};
 }
 
-}  // namespace strobe::archive
+}  // namespace strobe::figure
