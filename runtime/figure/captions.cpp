@@ -57,11 +57,15 @@ Image colorOf(const Taken& taken) {
 
 std::string measured(const CaptionPart& part, const Taken& taken, const Taken* truth) {
   if (!truth) throw Unknown{fmt::format("'{}' is measured against truth, and there is none", part.measure)};
-  Image mask = lab::maskOf(*truth->picture, part.region);
+  Image mask = regionOf(*truth, part.region);
   if (!mask.empty() && image::countedPixels(mask, mask) == 0) return page::kNotMeasured;
   if (part.measure == "standard_error") {
     double value = lab::sigmaOf(*truth->picture, mask);
     return written(value, part, page::shownError(value));
+  }
+  if (part.measure == "displacement") {
+    double value = lab::displacementOf(*truth->picture);
+    return written(value, part, fmt::format("{:.1f} px", value));
   }
   for (const Measure& measure : kMeasures) {
     if (part.measure != measure.name) continue;
@@ -80,7 +84,7 @@ std::string textOf(const Json& value, const CaptionPart& part) {
   if (value.is_number()) return written(value.get<double>(), part, fmt::format("{:.9g}", value.get<double>()));
   std::vector<std::string> texts;
   for (const Json& one : value) texts.push_back(textOf(one, part));
-  return fmt::format("{}", fmt::join(texts, ", "));
+  return fmt::format("{}", fmt::join(texts, part.option == "size" ? "x" : ", "));
 }
 
 const Json* memberOf(const Json* table, const std::string& name) {
@@ -120,6 +124,19 @@ std::string filledIn(const CaptionPart& part, const Taken& taken, const std::fun
 }
 
 }  // namespace
+
+Image regionOf(const Taken& truth, const std::string& region) {
+  Image mask;
+  try {
+    mask = lab::maskOf(*truth.picture, region);
+  } catch (const Error& error) {
+    throw Error(error.message() + ", or its file does not keep it: see `layers`");
+  }
+  if (mask.empty() && region != "whole")
+    throw Error(
+        fmt::format("the file of truth keeps no `velocity` and `id` for the region '{}': see `layers`", region));
+  return mask;
+}
 
 std::string captionOf(const std::vector<CaptionPart>& parts, const Taken& taken,
                       const std::function<const Taken*()>& truth, const Place& place, Problems& problems) {

@@ -11,6 +11,9 @@
 
 namespace strobe::figure {
 
+// Pixels of a region of truth, as lab::maskOf. Throws `Error`.
+image::Image regionOf(const Taken& truth, const std::string& region);
+
 // The caption of a picture. `truth` gives the picture that errors are against, when it is first needed: whole pictures,
 // whatever part of them a figure shows. What cannot be said is added to `problems` with the place.
 std::string captionOf(const std::vector<CaptionPart>& parts, const Taken& taken,

@@ -11,6 +11,9 @@ namespace strobe::figure {
 Layout layoutOf(const FigureData& figure, const FindTaken& find, const std::string& truth_arm, int step = 0,
                 Captions captions = Captions::wrapped);
 
+// A display image.
+image::Image pixelsOf(const Layout& layout);
+
 // Draws figure `data` (as scripts/strobe/figure.lua leaves it, with the capture's `size`, and as `drawn` the size at
 // which it is drawn where that is another) and writes FOLDER/NAME.png, pixel by pixel, and FOLDER/NAME.pdf with text
 // and lines. Returns them. `truth_arm` ("": none) is what captions measure against. Throws `Error`.

@@ -19,9 +19,10 @@ dvec2 pointOf(const Json& json) {
   return {n[0], n[1]};
 }
 
-image::Rectangle areaOf(const Json& json) {
+Area areaOf(const Json& json) {
+  if (json.at(0).is_string()) return {0, 0, json.at(1), json.at(2), json.at(0)};
   auto n = json.get<std::array<double, 4>>();
-  return {int(n[0]), int(n[1]), int(n[2]), int(n[3])};
+  return {n[0], n[1], n[2], n[3], ""};
 }
 
 void takeColour(const Json& from, const char* name, Colour& into) {
@@ -108,6 +109,13 @@ CaptionPart partOf(const Json& json) {
   return part;
 }
 
+std::vector<CaptionPart> partsOf(const Json& json, const char* name) {
+  std::vector<CaptionPart> parts;
+  if (!json.contains(name)) return parts;
+  for (const Json& part : json.at(name)) parts.push_back(partOf(part));
+  return parts;
+}
+
 Cell cellOf(const Json& json, const Place& otherwise) {
   Cell cell;
   cell.place = placeOf(json, otherwise);
@@ -128,8 +136,7 @@ Cell cellOf(const Json& json, const Place& otherwise) {
   take(json, "shrink", cell.shrink);
   take(json, "key", cell.key);
   if (json.contains("frame")) cell.frame = json["frame"].get<Colour>();
-  if (json.contains("caption"))
-    for (const Json& part : json["caption"]) cell.caption.push_back(partOf(part));
+  cell.caption = partsOf(json, "caption");
   if (json.contains("insets"))
     for (const Json& inset : json["insets"]) cell.insets.push_back(insetOf(inset));
   cell.marks = marksOf(json);
@@ -155,6 +162,7 @@ FigureData read(const Json& data) {
   take(data, "border", figure.border);
   take(data, "text_size", figure.text_size);
   take(data, "width_mm", figure.width_mm);
+  take(data, "cell_width", figure.cell_width);
   take(data, "fps", figure.fps);
   take(data, "format", figure.format);
   auto size = data.at("size").get<std::array<double, 2>>();
@@ -164,11 +172,20 @@ FigureData read(const Json& data) {
     figure.drawn_width = int(drawn[0]), figure.drawn_height = int(drawn[1]);
   }
   figure.rows = labelsOf(data.at("rows")), figure.columns = labelsOf(data.at("columns"));
+  for (const Json& row : data["rows"]) {
+    figure.headings.push_back({"", partsOf(row, "note")});
+    take(row, "title", figure.headings.back().title);
+  }
   for (const Json& cell : data.at("cells")) figure.cells.push_back(cellOf(cell, figure.place));
   return figure;
 }
 
 }  // namespace
+
+dvec2 FigureData::scale() const {
+  if (drawn_width <= 0) return dvec2(1);
+  return {double(drawn_width) / width, double(drawn_height) / height};
+}
 
 FigureData figureFrom(const Json& data) {
   try {

@@ -22,6 +22,12 @@ struct Spot {
   std::string node;
 };
 
+// Pixels, or where most of a region of truth lies in so many.
+struct Area {
+  double x = 0, y = 0, width = 0, height = 0;
+  std::string region;
+};
+
 struct Mark {
   Place place;
   Colour colour = {1.0f, 0.824f, 0.118f};
@@ -37,7 +43,7 @@ struct Circle : Mark {
   double radius = 0;
 };
 struct Box : Mark {
-  image::Rectangle area;
+  Area area;
 };
 // Where a filter samples for the pixel: along the displacement of an image at the pixel.
 struct Range : Mark {
@@ -61,7 +67,7 @@ struct Marks {
 
 struct Inset {
   Place place;
-  image::Rectangle crop;
+  Area crop;
   int zoom = 4;
   std::string at = "bottom right";
   Colour frame = {1.0f, 0.824f, 0.118f};
@@ -85,7 +91,7 @@ struct Cell {
   std::optional<double> stops;
   std::string against, difference = "mean";  // an arm; how the difference from it is shown
   double gain = 1;
-  std::optional<image::Rectangle> crop;
+  std::optional<Area> crop;
   int zoom = 1, shrink = 1;
   bool key = true;  // says what colours mean
   std::optional<Colour> frame;
@@ -94,18 +100,33 @@ struct Cell {
   Marks marks;
 };
 
+// What stands above a row; the note is filled in as a caption of its first cell.
+struct Heading {
+  std::string title;
+  std::vector<CaptionPart> note;
+
+  bool empty() const { return title.empty() && note.empty(); }
+};
+
 struct FigureData {
   std::string name, title, note;
   Place place;
   std::vector<std::string> rows, columns;  // labels, "" for none
+  std::vector<Heading> headings;           // of the rows
   std::vector<Cell> cells;
   bool letters = false, attribution = true;
   double gap = 6, margin = 12, border = 0, text_size = 13;  // pixels at the capture's own size
   double width_mm = 0;                                      // of the page; 0: 96 pixels an inch
+  int cell_width = 0;                                       // pixels of the figure; 0: as large as zoom and shrink say
   int width = 0, height = 0;                                // the capture's own size
   int drawn_width = 0, drawn_height = 0;                    // at which it is drawn; 0: at that
   double fps = 0;                                           // of a film; 0: its shot's
   std::string format = "mp4";
+
+  // Pixels as drawn for one of the capture's own size; a shot may have a size of its own, which goes with it.
+  dvec2 scale() const;
+  // The same for letters, lines and gaps: with a width of cells they keep theirs.
+  double size() const { return cell_width > 0 ? 1 : scale().x; }
 };
 
 // Throws `Error` for data that is not what it should be, which is no mistake of a user.

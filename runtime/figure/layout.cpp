@@ -104,7 +104,7 @@ std::array<std::string, 3> barTexts(const lab::Legend& legend) {
 Layout::Layout(const FigureData& figure, std::vector<Block> blocks, Captions captions)
     : figure_(figure), blocks_(std::move(blocks)), captions_(captions) {
   STROBE_ASSERT(!blocks_.empty());
-  size_ = blocks_.front().scale.x;
+  size_ = figure_.size();
   text_ = std::max(kLeastText, figure_.text_size * size_);
   gap_ = int(std::lround(figure_.gap * size_));
   rim_ = int(std::lround(figure_.border * size_));
@@ -120,16 +120,20 @@ Layout::Layout(const FigureData& figure, std::vector<Block> blocks, Captions cap
 
   int y = margin;
   if (!figure_.title.empty()) y = addParagraph(margin, y, inner, figure_.title, kTitle * text_, kStrong) + gap_;
-  int left = margin + labels_beside_, top = y + labels_above_;
-  placeLabels(left, y);
-  for (const Block& block : blocks_) {
-    int x = left, row_y = top;
-    for (int c = 0; c < block.column; ++c) x += column_widths_[size_t(c)] + gap_;
-    for (int r = 0; r < block.row; ++r) row_y += row_heights_[size_t(r)] + gap_;
-    place(block, x, row_y);
+  int left = margin + labels_beside_;
+  for (size_t r = 0; r < row_heights_.size(); ++r) {
+    int below = placeHeading(r, margin, y, inner);
+    if (row_heights_[r] > 0 && (r == 0 || below > y)) placeColumnLabels(left, below), below += labels_above_;
+    placeRowLabel(r, left, below);
+    row_tops_.push_back(below);
+    y = below + row_heights_[r] + gap_;
   }
-  y = top - gap_;
-  for (int height : row_heights_) y += height + gap_;
+  y -= gap_;
+  for (const Block& block : blocks_) {
+    int x = left;
+    for (int c = 0; c < block.column; ++c) x += column_widths_[size_t(c)] + gap_;
+    place(block, x, row_tops_[size_t(block.row)]);
+  }
   if (!figure_.note.empty()) y = addParagraph(margin, y + gap_, inner, figure_.note, kNote * text_, kSoft);
   std::set<std::string> authors;
   for (const Block& block : blocks_)
@@ -234,28 +238,37 @@ int Layout::addParagraph(int x, int y, int width, const std::string& text, doubl
   return ceilOf(at);
 }
 
-void Layout::placeLabels(int x, int y) {
-  int at = x;
+void Layout::placeColumnLabels(int x, int y) {
   for (size_t c = 0; c < column_widths_.size(); ++c) {
     if (labels_above_ && !figure_.columns[c].empty())
-      addLine(at, y, column_widths_[c], figure_.columns[c], text_, kStrong, true);
-    at += column_widths_[c] + gap_;
+      addLine(x, y, column_widths_[c], figure_.columns[c], text_, kStrong, true);
+    x += column_widths_[c] + gap_;
   }
-  at = y + labels_above_;
-  for (size_t r = 0; r < row_heights_.size(); ++r) {
-    if (labels_beside_ && !figure_.rows[r].empty()) {
-      // In the middle of the pictures, not of what stands below them.
-      int height = 0;
-      for (const Block& block : blocks_)
-        if (block.row == int(r)) height = std::max(height, block.main.display.height + 2 * rim_);
-      std::string label = figure_.rows[r];
-      double size = text_;
-      fit(label, size, height);
-      lines_.push_back(
-          {double(x - labels_beside_), at + (height + textWidth(label, size)) / 2, label, size, kStrong, true});
-    }
-    at += row_heights_[r] + gap_;
-  }
+}
+
+void Layout::placeRowLabel(size_t row, int x, int y) {
+  if (!labels_beside_ || figure_.rows[row].empty()) return;
+  // In the middle of the pictures, not of what stands below them.
+  int height = 0;
+  for (const Block& block : blocks_)
+    if (block.row == int(row)) height = std::max(height, block.main.display.height + 2 * rim_);
+  std::string label = figure_.rows[row];
+  double size = text_;
+  fit(label, size, height);
+  lines_.push_back({double(x - labels_beside_), y + (height + textWidth(label, size)) / 2, label, size, kStrong, true});
+}
+
+// Returns where the row begins.
+int Layout::placeHeading(size_t row, int x, int y, int width) {
+  if (row >= figure_.headings.size() || figure_.headings[row].empty()) return y;
+  const Heading& heading = figure_.headings[row];
+  std::string note;
+  for (const CaptionPart& part : heading.note) note += part.text;  // of a row without cells
+  for (const Block& block : blocks_)
+    if (block.row == int(row) && !block.above.empty()) note = block.above;
+  bool first = row == 0 && figure_.title.empty();
+  y = addParagraph(x, y + (first ? 0 : 2 * gap_), width, heading.title, kTitle * text_, kStrong);
+  return addParagraph(x, y, width, note, kNote * text_, kSoft) + gap_;
 }
 
 void Layout::placeInset(const Panel& inset, const Rectangle& picture, int& below_x, int below_y) {

@@ -53,7 +53,9 @@ class Layout {
   void placeInset(const Panel& inset, const image::Rectangle& picture, int& below_x, int below_y);
   void addLine(double x, double y, int width, const std::string& text, double size, const Colour& colour, bool centred);
   int addParagraph(int x, int y, int width, const std::string& text, double size, const Colour& colour);
-  void placeLabels(int x, int y);
+  void placeColumnLabels(int x, int y);
+  void placeRowLabel(size_t row, int x, int y);
+  int placeHeading(size_t row, int x, int y, int width);
   void drawPanel(Canvas& canvas, const Placed& placed) const;
   void drawKey(Canvas& canvas, const Key& key) const;
   void drawPlate(Canvas& canvas, const image::Rectangle& within, dvec2 centre, const std::string& text, double size,
@@ -65,7 +67,7 @@ class Layout {
   double size_ = 1;  // pixels as drawn for one of the capture's own size
   double text_ = 13;
   int gap_ = 0, rim_ = 0;
-  std::vector<int> column_widths_, row_heights_;
+  std::vector<int> column_widths_, row_heights_, row_tops_;
   int labels_above_ = 0, labels_beside_ = 0;
   int width_ = 0, height_ = 0;
   std::vector<Placed> placed_;

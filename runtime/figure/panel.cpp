@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "figure/captions.h"
+#include "image/crops.h"
 #include "image/false_colour.h"
 #include "image/flip.h"
 #include "lab/record.h"
@@ -23,9 +24,11 @@ struct Source {
   std::optional<image::ToneMap> tone;
   lab::Legend legend;
 
-  Image cut(const Rectangle& area, int shrink) const {
+  // By 1 / shrink of its size.
+  Image cut(const Rectangle& area, double shrink = 1) const {
     Image part = image::crop(pixels, area);
-    if (shrink > 1) part = image::shrunk(part, part.width / shrink, part.height / shrink);
+    auto side = [&](int length) { return std::max(1, int(length / shrink + 1e-9)); };
+    if (shrink > 1) part = image::shrunk(part, side(part.width), side(part.height));
     return tone ? image::toneMap(part, *tone) : part;
   }
 };
@@ -79,15 +82,15 @@ std::optional<Source> differenceOf(const Cell& cell, const Taken& taken, const T
   return Source{image::differenceHeat(first, second, float(cell.gain)), {}, legend};
 }
 
-Rectangle scaled(const Rectangle& area, dvec2 scale) {
+Rectangle scaled(const Area& area, dvec2 scale) {
   auto at = [](double value, double s) { return int(std::lround(value * s)); };
   return {at(area.x, scale.x), at(area.y, scale.y), std::max(1, at(area.width, scale.x)),
           std::max(1, at(area.height, scale.y))};
 }
 
 // A crop in a picture of that size, all of it without a crop; nothing where it lies outside.
-std::optional<Rectangle> areaOf(const std::optional<Rectangle>& crop, const Image& picture, dvec2 scale,
-                                const Place& place, Problems& problems) {
+std::optional<Rectangle> areaOf(const std::optional<Area>& crop, const Image& picture, dvec2 scale, const Place& place,
+                                Problems& problems) {
   if (!crop) return Rectangle{0, 0, picture.width, picture.height};
   int width = int(std::lround(picture.width / scale.x)), height = int(std::lround(picture.height / scale.y));
   if (crop->x + crop->width > width || crop->y + crop->height > height) {
@@ -102,19 +105,19 @@ std::optional<Rectangle> areaOf(const std::optional<Rectangle>& crop, const Imag
   return area;
 }
 
-// As the capture is drawn; a shot may have a size of its own, which goes with it.
-dvec2 scaleOf(const FigureData& figure) {
-  if (figure.drawn_width <= 0) return dvec2(1);
-  return {double(figure.drawn_width) / figure.width, double(figure.drawn_height) / figure.height};
-}
-
 // One block in the making.
 class Maker {
  public:
   Maker(const FigureData& figure, const Cell& cell, const FindTaken& find, int step, Problems& problems)
-      : figure_(figure), cell_(cell), find_(find), step_(cell.step.value_or(step)), problems_(problems) {}
+      : figure_(figure),
+        cell_(cell),
+        find_(find),
+        step_(cell.step.value_or(step)),
+        problems_(problems),
+        scale_(figure.scale()) {}
 
   Block make(const std::string& truth_arm) {
+    truth_arm_ = truth_arm;
     block_.row = cell_.row, block_.column = cell_.column;
     std::optional<Taken> taken = found(cell_.arm);
     if (!taken) return block_;
@@ -123,13 +126,16 @@ class Maker {
       findImage(*taken, "color", cell_.place, problems_);
       return block_;
     }
-    block_.scale = scaleOf(figure_);
     if (std::optional<Source> source = sourceOf(*taken, *color)) show(*source, *taken);
-    auto truth = [&]() -> const Taken* {
-      if (!truth_ && !truth_arm.empty()) truth_ = found(truth_arm);
-      return truth_ ? &*truth_ : nullptr;
+    auto filled = [&](const std::vector<CaptionPart>& parts) {
+      return captionOf(
+          parts, *taken, [this] { return truth(); }, cell_.place, problems_);
     };
-    block_.caption = captionOf(cell_.caption, *taken, truth, cell_.place, problems_);
+    block_.caption = filled(cell_.caption);
+    auto of_row = [&](const Cell& other) { return other.row == cell_.row; };
+    bool first = &*std::find_if(figure_.cells.begin(), figure_.cells.end(), of_row) == &cell_;
+    if (first && size_t(cell_.row) < figure_.headings.size())
+      block_.above = filled(figure_.headings[size_t(cell_.row)].note);
     const Json& record = taken->picture->record;
     block_.attribution = lab::attributionOf(record);
     if (record.contains("shot")) block_.fps = record["shot"].value("fps", 0.0);
@@ -147,6 +153,39 @@ class Maker {
     }
   }
 
+  const Taken* truth() {
+    if (!truth_ && !truth_arm_.empty()) truth_ = found(truth_arm_);
+    return truth_ ? &*truth_ : nullptr;
+  }
+
+  // In pixels, where it is that of a region.
+  std::optional<Area> placed(const Area& area, const Place& place) {
+    if (area.region.empty()) return area;
+    try {
+      if (!truth()) throw Error(fmt::format("where most of '{}' lies, truth says, and there is none", area.region));
+      Image mask = regionOf(*truth(), area.region);
+      Rectangle size = {0, 0, int(area.width), int(area.height)};
+      size = image::scaledCrop(size, scale_.x, scale_.y, mask);
+      Rectangle at = image::densestCrop(mask, size.width, size.height);
+      return Area{at.x / scale_.x, at.y / scale_.y, at.width / scale_.x, at.height / scale_.y, ""};
+    } catch (const Error& error) {
+      problems_.add(place, error.what());
+      return {};
+    }
+  }
+
+  // The area of a picture, all of it without a crop.
+  std::optional<Rectangle> cropped(const std::optional<Area>& crop, const Image& picture, const Place& place) {
+    std::optional<Area> in_pixels = crop ? placed(*crop, place) : crop;
+    if (crop && !in_pixels) return {};
+    return areaOf(in_pixels, picture, scale_, place, problems_);
+  }
+
+  std::vector<Shape> shapes(Marks marks, const Taken& taken, const Lens& lens) {
+    for (Box& box : marks.boxes) box.area = placed(box.area, box.place).value_or(Area());
+    return shapesOf(marks, taken, lens, figure_.size(), problems_);
+  }
+
   std::optional<Source> sourceOf(const Taken& taken, const Image& color) {
     if (!cell_.against.empty()) {
       std::optional<Taken> other = found(cell_.against);
@@ -158,33 +197,34 @@ class Maker {
     return viewOf(cell_, taken, *image, color);
   }
 
-  double size() const { return block_.scale.x; }
-
   void show(const Source& source, const Taken& taken) {
-    std::optional<Rectangle> area = areaOf(cell_.crop, source.pixels, block_.scale, cell_.place, problems_);
+    std::optional<Rectangle> area = cropped(cell_.crop, source.pixels, cell_.place);
     if (!area) return;
-    block_.main.display = source.cut(*area, cell_.shrink);
-    block_.main.display = image::magnify(block_.main.display, cell_.zoom);
+    double shrink = cell_.shrink;
+    int zoom = cell_.zoom;
+    if (int width = figure_.cell_width; width > 0)
+      shrink = std::max(1.0, double(area->width) / width), zoom = std::max(1, width / area->width);
+    block_.main.display = image::magnify(source.cut(*area, shrink), zoom);
     block_.main.frame = cell_.frame;
     if (cell_.key) block_.legend = source.legend;
-    Lens lens(block_.scale, *area, cell_.zoom / double(cell_.shrink));
+    Lens lens(scale_, *area, zoom / shrink);
     for (const Inset& inset : cell_.insets) add(inset, source, taken, lens);
-    std::vector<Shape> shapes = shapesOf(cell_.marks, taken, lens, size(), problems_);
-    block_.main.shapes.insert(block_.main.shapes.end(), shapes.begin(), shapes.end());
+    std::vector<Shape> own = shapes(cell_.marks, taken, lens);
+    block_.main.shapes.insert(block_.main.shapes.end(), own.begin(), own.end());
   }
 
   // The inset, and a frame in the picture where it is taken from.
   void add(const Inset& inset, const Source& source, const Taken& taken, const Lens& outer) {
-    std::optional<Rectangle> area = areaOf(inset.crop, source.pixels, block_.scale, inset.place, problems_);
+    std::optional<Rectangle> area = cropped(inset.crop, source.pixels, inset.place);
     if (!area) return;
-    Panel panel{image::magnify(source.cut(*area, 1), inset.zoom), {}, inset.frame, inset.at};
-    panel.shapes = shapesOf(inset.marks, taken, Lens(block_.scale, *area, inset.zoom), size(), problems_);
+    Panel panel{image::magnify(source.cut(*area), inset.zoom), {}, inset.frame, inset.at};
+    panel.shapes = shapes(inset.marks, taken, Lens(scale_, *area, inset.zoom));
     block_.insets.push_back(std::move(panel));
     Shape frame{Shape::Kind::box,
                 outer.inFigure({area->x, area->y}),
                 outer.inFigure({area->x + area->width, area->y + area->height}),
                 0,
-                2 * size(),
+                2 * figure_.size(),
                 inset.frame,
                 ""};
     block_.main.shapes.push_back(frame);
@@ -195,6 +235,8 @@ class Maker {
   const FindTaken& find_;
   const int step_;
   Problems& problems_;
+  const dvec2 scale_;
+  std::string truth_arm_;
   std::optional<Taken> truth_;
   Block block_;
 };

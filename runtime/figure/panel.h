@@ -17,11 +17,11 @@ struct Panel {
 
 struct Block {
   int row = 0, column = 0;
-  dvec2 scale = dvec2(1);  // pixels as drawn for one of the capture's own size
   Panel main;
   std::vector<Panel> insets;
   lab::Legend legend;
   std::string caption;
+  std::string above;        // the note above its row, where it is the first in it
   std::string attribution;  // of the scene
   double fps = 0;           // of the shot
 };

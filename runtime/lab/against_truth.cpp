@@ -6,6 +6,7 @@
 #include <set>
 
 #include "image/metrics.h"
+#include "math/statistics.h"
 
 namespace strobe::lab {
 
@@ -23,6 +24,17 @@ image::Image movingMask(const Picture& picture) {
   for (int y = 0; y < v.height; ++y)
     for (int x = 0; x < v.width; ++x) mask.at(x, y, 0) = moving.count(ids.at(x, y, 0)) ? 1.0f : 0.0f;
   return mask;
+}
+
+double displacementOf(const Picture& picture) {
+  image::Image moving = movingMask(picture);
+  if (moving.empty()) return NAN;
+  const image::Image& v = picture.frame.outputs.at("velocity").floats;
+  std::vector<double> lengths;
+  for (int y = 0; y < v.height; ++y)
+    for (int x = 0; x < v.width; ++x)
+      if (moving.at(x, y, 0) > 0) lengths.push_back(std::hypot(double(v.at(x, y, 0)), double(v.at(x, y, 1))));
+  return lengths.empty() ? 0 : median(std::move(lengths));
 }
 
 image::Image edgeMask(const Picture& picture) {

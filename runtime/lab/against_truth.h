@@ -14,6 +14,10 @@ image::Image maskOf(const Picture& truth, const std::string& region);
 image::Image movingMask(const Picture& picture);
 image::Image edgeMask(const Picture& picture);
 
+// The median displacement of the pixels of what moves, px over the exposure; 0 where nothing does, NaN without
+// `velocity` and `id`.
+double displacementOf(const Picture& picture);
+
 // Truth's standard error over a region: root mean square of its output `error`, 0 where it has none.
 double sigmaOf(const Picture& truth, const image::Image& mask);
 

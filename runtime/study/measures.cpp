@@ -128,16 +128,8 @@ double masked(const Sight& sight, const std::string&, const Image&) {
   return double(std::count_if(values.begin(), values.end(), [](float value) { return value >= 0.5f; }));
 }
 
-// |velocity| of the pixels of what moves.
 double displacement(const Sight& sight, const std::string&, const Image&) {
-  Image moving = lab::movingMask(*sight.picture);
-  if (moving.empty()) return kNothing;
-  const Image& v = sight.picture->frame.outputs.at("velocity").floats;
-  std::vector<double> lengths;
-  for (int y = 0; y < v.height; ++y)
-    for (int x = 0; x < v.width; ++x)
-      if (moving.at(x, y, 0) > 0) lengths.push_back(std::hypot(double(v.at(x, y, 0)), double(v.at(x, y, 1))));
-  return lengths.empty() ? 0 : median(std::move(lengths));
+  return lab::displacementOf(*sight.picture);
 }
 
 // ---- against the benign value

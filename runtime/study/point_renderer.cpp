@@ -9,12 +9,12 @@
 
 #include "base/hash.h"
 #include "base/log.h"
+#include "image/crops.h"
 #include "image/metrics.h"
 #include "image/png.h"
 #include "lab/against_truth.h"
 #include "lab/capture.h"
 #include "lab/shot_data.h"
-#include "study/crops.h"
 #include "study/points.h"
 
 namespace strobe::study {

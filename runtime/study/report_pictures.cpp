@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image/crops.h"
 #include "image/jpeg.h"
 #include "image/png.h"
 #include "lab/shot_data.h"
 #include "page/number.h"
-#include "study/crops.h"
 #include "study/report.h"
 
 namespace strobe::study {

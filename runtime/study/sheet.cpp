@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image/crops.h"
 #include "image/tone.h"
 #include "page/number.h"
 #include "page/sheet.h"
-#include "study/crops.h"
 
 namespace strobe::study {
 

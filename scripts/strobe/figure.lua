@@ -31,7 +31,7 @@ local looks = optional({
 
 local whole = optional({
   title = text, note = text, columns = list, rows = list, cells = list, letters = bool, attribution = bool,
-  gap = number, margin = number, border = number, text_size = number, width_mm = number,
+  gap = number, margin = number, border = number, text_size = number, width_mm = number, cell_width = number,
 }, looks)
 
 local own = { color = text, width = number, text = text }
@@ -39,7 +39,8 @@ local own = { color = text, width = number, text = text }
 figure.fields = {
   figure = copied(whole),
   film = optional({ fps = number, format = text }, whole),
-  line = optional({ label = text }, looks),  -- a row or a column
+  row = optional({ label = text, title = text, note = text }, looks),
+  column = optional({ label = text }, looks),
   cell = optional({ row = any, column = any, empty = bool }, looks),
   inset = optional({ zoom = number, frame = text, at = text }, marks),
   arrow = optional({ to = list, on = text, from = list, by = list }, optional(own)),
@@ -57,8 +58,8 @@ figure.colors = {
   white = "#ffffff", black = "#000000", yellow = "#ffd21e", green = "#35d04f", red = "#ff4b3e", blue = "#3f7bff",
   cyan = "#26c6f2", magenta = "#f24fc0", orange = "#ff8c1a", grey = "#9a9aa2",
 }
--- What a caption may measure against the capture's truth; standard_error is that of truth.
-figure.measures = { "rmse", "mse", "relmse", "smape", "psnr", "ssim", "flip", "standard_error" }
+-- What a caption may measure against the capture's truth; standard_error and displacement are those of truth.
+figure.measures = { "rmse", "mse", "relmse", "smape", "psnr", "ssim", "flip", "standard_error", "displacement" }
 figure.kinds = { "auto", "colour", "depth", "normal", "velocity", "arrows", "id", "mask", "scalar" }
 figure.differences = { "mean", "channels", "flip" }
 figure.anchors = { "close", "centre", "open" }
@@ -99,9 +100,17 @@ function Checker:color(value, path)
   return { tonumber(r, 16) / 255, tonumber(g, 16) / 255, tonumber(b, 16) / 255 }
 end
 
--- { x, y, width, height } in whole pixels.
+-- { x, y, width, height } in whole pixels, or { REGION, width, height }: where most of a region of truth lies.
 function Checker:area(value, path, what)
   local before = #self.problems.list
+  if type(value) == "table" and type(value[1]) == "string" then
+    if #value ~= 3 or not math.tointeger(value[2]) or not math.tointeger(value[3]) or value[2] < 1 or value[3] < 1 then
+      self:add(path, "%s is { x, y, width, height } or { REGION, width, height } in whole pixels of the capture", what)
+    elseif self.truth == false then
+      self:add(path, "%s lies where truth has most of '%s', and the capture has no 'truth' arm", what, value[1])
+    end
+    return
+  end
   self:numbers(value, 4, path, what)
   if type(value) ~= "table" or #self.problems.list > before then return end
   for i, least in ipairs { 0, 0, 1, 1 } do
@@ -192,6 +201,8 @@ function Checker:inserted(inside, path)
   if not name then
     self:add(path, "'{%s}' of a caption is none of {MEASURE}, {MEASURE REGION}, {OPTION}, {set.PARAM}, each with or "
              .. "without %%.3f", inside)
+  elseif name == "displacement" and region ~= "" then
+    self:add(path, "the displacement of a caption has no region: it is that of what moves")
   elseif check.contains(figure.measures, name) then
     part.measure, part.region = name, region ~= "" and region or "whole"
     if self.truth == false then
@@ -255,9 +266,11 @@ end
 function Checker:lines(t, name, path)
   local looked = {}
   local labels = self:entries(t, name, path, function(entry, at)
-    local line = self:fields(entry, "line", at, ("%s %d"):format(name:sub(1, -2), at[#at]))
+    local kind = name:sub(1, -2)
+    local line = self:fields(entry, kind, at, ("%s %d"):format(kind, at[#at]))
     looked[#looked + 1] = self:look(line, at)
-    return { label = line.label or (name == "columns" and line.arm) or nil }
+    return { label = line.label or (name == "columns" and line.arm) or nil, title = line.title,
+             note = self:caption(line.note, joined(at, "note")) }
   end)
   if #labels == 0 then return { {} }, { {} } end
   return labels, looked
@@ -311,6 +324,9 @@ function Checker:finish_cell(cell, path)
   if (cell.zoom or 1) > 1 and (cell.shrink or 1) > 1 then
     self:add(path, "%s has a zoom and a shrink", where)
   end
+  if self.cell_width and (cell.zoom or cell.shrink) then
+    self:add(path, "%s has a %s; the figure's cell_width says how large it is", where, cell.zoom and "zoom" or "shrink")
+  end
 end
 
 -- All cells, row by row, with everything said of them.
@@ -359,6 +375,8 @@ function Checker:whole(t, kind, path)
   end
   self:amount(t.text_size, 4, 200, joined(path, "text_size"), "'text_size'", true)
   self:amount(t.width_mm, 10, 2000, joined(path, "width_mm"), "'width_mm'", true)
+  self:amount(t.cell_width, 16, 8192, joined(path, "cell_width"), "'cell_width'")
+  self.cell_width = t.cell_width
   self:amount(t.fps, 0.1, 240, joined(path, "fps"), "'fps'", true)
   self:one_of(t.format, figure.formats, joined(path, "format"), "the format of a film")
   local rows, columns
@@ -370,7 +388,7 @@ end
 
 local kept = {}
 for _, name in ipairs { "name", "title", "note", "letters", "attribution", "gap", "margin", "border", "text_size",
-                        "width_mm", "fps", "format" } do
+                        "width_mm", "cell_width", "fps", "format" } do
   kept[name] = true
 end
 

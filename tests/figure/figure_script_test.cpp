@@ -61,6 +61,11 @@ TEST(FigureScript, EveryMistakeIsReportedAtItsLine) {
       {"caption = '{exposure inner}'", "13", "has no region"},
       {"kind = 'heat'", "13", "the kind of a view is 'heat', none of auto, colour"},
       {"fps = 24", "13", "has no field 'fps'"},
+      {"columns = { { title = 'a' } }", "13", "column 1 has no field 'title'"},
+      {"rows = { { note = '{flop}' } }", "13", "did you mean 'flip'?"},
+      {"caption = '{displacement inner}'", "13", "has no region: it is that of what moves"},
+      {"crop = { 'inner', 4 }", "13", "{ x, y, width, height } or { REGION, width, height }"},
+      {"zoom = 2, cell_width = 64", "11", "has a zoom; the figure's cell_width says how large it is"},
   };
   for (const Mistake& mistake : mistakes) {
     std::string cell = std::string(mistake.lua).find("shot") == 0 ? "" : "shot = 'still', ";

@@ -56,7 +56,7 @@ void expectError(const std::string& lua, const std::string& expected) {
 TEST(Figure, PicturesStandPixelByPixelInTheirCells) {
   Layout layout = layoutOf(R"(name = "x", shot = "still", arm = "plain", border = 2, letters = false,
     columns = { { label = "whole" }, { label = "part", crop = { 10, 4, 8, 6 }, zoom = 5 } })");
-  Image figure = drawn(layout);
+  Image figure = pixelsOf(layout);
   Rectangle whole = layout.picture(0, 0), part = layout.picture(0, 1);
   ASSERT_EQ(whole.width, kWidth);
   ASSERT_EQ(part.width, 40);
@@ -77,7 +77,7 @@ TEST(Figure, FramesOfInsetsLieWhereTheyAreTakenFrom) {
   Layout layout = layoutOf(R"(name = "x", shot = "still", arm = "plain", zoom = 4,
     insets = { { crop = { 8, 4, 10, 6 }, zoom = 8, frame = "yellow", at = "below" } },
     boxes = { { area = { 30, 10, 5, 5 }, color = "#0000ff", width = 1 } })");
-  Image figure = drawn(layout);
+  Image figure = pixelsOf(layout);
   Rectangle picture = layout.picture(0, 0);
   auto at = [&](int x, int y) { return colourAt(figure, picture.x + x, picture.y + y); };
   for (auto [x, y] : {std::pair{32, 16}, {71, 16}, {32, 39}, {71, 39}, {50, 17}})
@@ -109,34 +109,35 @@ Rectangle changed(const Image& a, const Image& b, const Rectangle& within) {
 TEST(Figure, ArrowsPointAtPixelsAndAtNodes) {
   const std::string cell = R"(name = "x", shot = "still", arm = "plain", zoom = 8, )";
   Layout bare = layoutOf(cell);
-  Image without = drawn(bare);
+  Image without = pixelsOf(bare);
   Rectangle picture = bare.picture(0, 0);
   // The tip is in the middle of the pixel: 8 * (20 + 1/2), 8 * (12 + 1/2); the tail 10 pixels above.
   Rectangle box =
-      changed(drawn(layoutOf(cell + "arrows = { { to = { 20, 12 }, by = { 0, -10 } } }")), without, picture);
+      changed(pixelsOf(layoutOf(cell + "arrows = { { to = { 20, 12 }, by = { 0, -10 } } }")), without, picture);
   EXPECT_NEAR(box.x + box.width / 2.0, 164, 1.1);
   EXPECT_NEAR(box.y + box.height, 100, 2.5) << "with its border";
   EXPECT_NEAR(box.y, 20, 2.5);
   // The ball is at ndc (1/2, 1/2), three quarters to the right, a quarter from above.
-  box = changed(drawn(layoutOf(cell + "arrows = { { on = 'ball', by = { -10, 0 } } }")), without, picture);
+  box = changed(pixelsOf(layoutOf(cell + "arrows = { { on = 'ball', by = { -10, 0 } } }")), without, picture);
   EXPECT_NEAR(box.x + box.width, 0.75 * 512, 2.5);
   EXPECT_NEAR(box.y + box.height / 2.0, 0.25 * 288, 1.1);
-  box = changed(drawn(layoutOf(cell + "circles = { { on = 'ball', radius = 4, width = 2 } }")), without, picture);
+  box = changed(pixelsOf(layoutOf(cell + "circles = { { on = 'ball', radius = 4, width = 2 } }")), without, picture);
   EXPECT_NEAR(box.x + box.width / 2.0, 0.75 * 512, 1.1);
   EXPECT_NEAR(box.width, 64 + 2 + 2, 3);
   // What is behind the camera is not drawn.
-  Image behind = drawn(layoutOf(cell + "circles = { { on = 'behind', radius = 4 } }"));
+  Image behind = pixelsOf(layoutOf(cell + "circles = { { on = 'behind', radius = 4 } }"));
   EXPECT_EQ(behind.values, without.values);
 }
 
 TEST(Figure, ARangeIsWhereAFilterSamples) {
   const std::string cell = R"(name = "x", shot = "still", arm = "plain", zoom = 8, )";
   Layout bare = layoutOf(cell);
-  Image without = drawn(bare);
+  Image without = pixelsOf(bare);
   Rectangle picture = bare.picture(0, 0);
   // The pixel (20, 12) moves by 12 px to the right. The caps' borders reach a few pixels further.
   auto ends = [&](const std::string& more) {
-    Rectangle box = changed(drawn(layoutOf(cell + "ranges = { { at = { 20, 12 }" + more + " } }")), without, picture);
+    Rectangle box =
+        changed(pixelsOf(layoutOf(cell + "ranges = { { at = { 20, 12 }" + more + " } }")), without, picture);
     return std::pair(box.x + 3.0, box.x + box.width - 3.0);
   };
   auto [left, right] = ends(", anchor = 'close'");
@@ -150,7 +151,7 @@ TEST(Figure, ARangeIsWhereAFilterSamples) {
   EXPECT_NEAR(right, 8 * 26.5, 2);
   // Along an image of half the size: (0, 16) at the texel (10, 6) of the pixel.
   Rectangle box =
-      changed(drawn(layoutOf(cell + "ranges = { { at = { 20, 12 }, along = 'half.speed', anchor = 'close' } }")),
+      changed(pixelsOf(layoutOf(cell + "ranges = { { at = { 20, 12 }, along = 'half.speed', anchor = 'close' } }")),
               without, picture);
   EXPECT_NEAR(box.y + box.height, 8 * 28.5 + 3, 2);
   EXPECT_LT(box.width, 24);
@@ -260,9 +261,61 @@ TEST(Figure, GoesWithTheSizeOfTheCapture) {
   Rectangle one = layout.picture(0, 0), two = twice.picture(0, 0);
   EXPECT_EQ(one.width, two.width) << "the same pixels";
   EXPECT_EQ(two.x, 2 * one.x) << "margins as wide again";
-  Image figure = drawn(twice);
+  Image figure = pixelsOf(twice);
   EXPECT_EQ(levelsApart(colourAt(figure, two.x + 4, two.y + 2), kYellow), 0);
   EXPECT_EQ(levelsApart(colourAt(figure, two.x + 7, two.y + 5), kYellow), 0);
+}
+
+// As wide as the cells are to be, whatever the capture's size; marks and crops stay where they were.
+TEST(Figure, CellsHaveAWidthOfTheirOwn) {
+  Json data = dataOf(R"(name = "x", shot = "still", arm = "plain", cell_width = 100, border = 1, rows = {
+    { boxes = { { area = { 20, 10, 4, 4 }, color = "#0000ff", width = 1 } } }, { crop = { 8, 4, 24, 12 } } })");
+  Layout layout(layoutOf(figureFrom(data), findTaken, "truth"));
+  EXPECT_EQ(layout.picture(0, 0).width, kWidth) << "twice would be wider";
+  EXPECT_EQ(layout.picture(1, 0).width, 4 * 24);
+  Image figure = pixelsOf(layout);
+  Rectangle whole = layout.picture(0, 0), crop = layout.picture(1, 0);
+  EXPECT_EQ(levelsApart(colourAt(figure, whole.x + 20, whole.y + 10), {0, 0, 1}), 0);
+  EXPECT_EQ(levelsApart(colourAt(figure, crop.x + 4 * 5, crop.y + 4 * 2), shownAt(colorOf("plain"), 13, 6)), 0);
+  data["cell_width"] = 32;
+  data["size"] = {32, 18}, data["drawn"] = {64, 36};
+  data["cells"][0]["boxes"][0]["area"] = {10, 5, 2, 2}, data["cells"][1]["crop"] = {4, 2, 12, 6};
+  Layout half(layoutOf(figureFrom(data), findTaken, "truth"));
+  EXPECT_EQ(half.picture(0, 0).width, 32);
+  EXPECT_EQ(half.picture(0, 0).x, crop.x) << "margins keep their width";
+  EXPECT_EQ(half.picture(1, 0).width, 24);
+  figure = pixelsOf(half);
+  EXPECT_EQ(levelsApart(colourAt(figure, half.picture(0, 0).x + 10, half.picture(0, 0).y + 5), {0, 0, 1}), 0);
+}
+
+// Truth's inner blur is x 20 to 29, y 0 to 17: a window of its width has one place, and its middle row is the fullest.
+TEST(Figure, ACropLiesWhereMostOfARegionIs) {
+  Layout layout = layoutOf(R"(name = "x", shot = "still", arm = "plain", zoom = 2, rows = {
+    { crop = { "inner", 10, 18 } }, { boxes = { { area = { "inner", 10, 18 }, color = "#0000ff", width = 1 } } } })");
+  Image figure = pixelsOf(layout);
+  Rectangle crop = layout.picture(0, 0), whole = layout.picture(1, 0);
+  EXPECT_EQ(crop.width, 20);
+  EXPECT_EQ(levelsApart(colourAt(figure, crop.x, crop.y), shownAt(colorOf("plain"), 20, 0)), 0);
+  EXPECT_EQ(levelsApart(colourAt(figure, whole.x + 40, whole.y + 20), {0, 0, 1}), 0);
+  EXPECT_EQ(levelsApart(colourAt(figure, whole.x + 59, whole.y + 35), {0, 0, 1}), 0);
+  expectError("name = 'x', shot = 'still', arm = 'plain', crop = { 'hidden', 4, 4 }", "has no output 'hidden'");
+}
+
+// A heading moves its row and those below it, and has the labels of the columns repeated.
+TEST(Figure, RowsMayHaveHeadings) {
+  auto figure = [](const std::string& heading) {
+    return layoutOf(R"(name = "x", shot = "still", columns = { { arm = "plain" }, { arm = "truth" } },
+      rows = { { }, { )" +
+                    heading + "} }");
+  };
+  Layout bare = figure(""), headed = figure("title = 'Another', note = 'off by {rmse}, at {exposure}'");
+  EXPECT_EQ(headed.picture(0, 1).y, bare.picture(0, 1).y);
+  EXPECT_GT(headed.picture(1, 0).y, bare.picture(1, 0).y + 3 * 13) << "title, note, labels";
+  EXPECT_EQ(headed.height() - bare.height(), headed.picture(1, 0).y - bare.picture(1, 0).y);
+  FigureData data =
+      figureFrom(dataOf(R"(name = "x", shot = "still", arm = "plain", rows = { { note = "at {exposure}" } })"));
+  Problems problems;
+  EXPECT_EQ(blockOf(data, data.cells.at(0), findTaken, "truth", 0, problems).above, "at 0.5");
 }
 
 TEST(Figure, MistakesAreReportedTogetherAtTheirLines) {

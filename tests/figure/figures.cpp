@@ -88,12 +88,6 @@ return made(caller_place(1), {
   return script::evaluateData(home(), folder / "x.lua");
 }
 
-Image drawn(const Layout& layout) {
-  Canvas canvas(Canvas::Kind::pixels, layout.width(), layout.height());
-  layout.draw(canvas);
-  return canvas.pixels();
-}
-
 Colour colourAt(const Image& image, int x, int y) { return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)}; }
 
 int levelsApart(const Colour& a, const Colour& b) {

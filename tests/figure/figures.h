@@ -18,8 +18,7 @@ const Taken& findTaken(const std::string& shot, const std::string& arm, int step
 // What scripts/strobe/figure.lua makes of a figure, or a film, written in Lua. Throws `Error` as it says.
 Json dataOf(const std::string& lua, const std::string& kind = "figure");
 
-// Laid out and drawn.
-image::Image drawn(const Layout& layout);
+// Laid out.
 inline Layout layoutOf(const std::string& lua) { return layoutOf(figureFrom(dataOf(lua)), findTaken, "truth"); }
 
 Colour colourAt(const image::Image& image, int x, int y);

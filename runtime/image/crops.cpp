@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: MIT
-#include "study/crops.h"
+#include "image/crops.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace strobe::study {
+namespace strobe::image {
 
-image::Rectangle scaledCrop(const image::Rectangle& crop, double scale_x, double scale_y, const image::Image& picture) {
+Rectangle scaledCrop(const Rectangle& crop, double scale_x, double scale_y, const Image& picture) {
   auto scaled = [](int value, double scale, int most) { return std::clamp(int(std::lround(value * scale)), 1, most); };
   int width = scaled(crop.width, scale_x, picture.width), height = scaled(crop.height, scale_y, picture.height);
   return {std::clamp(int(crop.x * scale_x), 0, picture.width - width),
           std::clamp(int(crop.y * scale_y), 0, picture.height - height), width, height};
 }
 
-image::Rectangle densestCrop(const image::Image& mask, int width, int height) {
+Rectangle densestCrop(const Image& mask, int width, int height) {
   int w = mask.width, h = mask.height;
   std::vector<int64_t> sums(size_t(w + 1) * size_t(h + 1), 0);
   auto sum = [&](int x, int y) -> int64_t& { return sums[size_t(y) * size_t(w + 1) + size_t(x)]; };
   for (int y = 0; y < h; ++y)
     for (int x = 0; x < w; ++x)
       sum(x + 1, y + 1) = (mask.at(x, y, 0) >= 0.5f) + sum(x, y + 1) + sum(x + 1, y) - sum(x, y);
-  image::Rectangle best{(w - width) / 2, (h - height) / 2, width, height};
+  Rectangle best{(w - width) / 2, (h - height) / 2, width, height};
   int64_t most = 0;
   double least = 0;
   for (int y = 0; y + height <= h; ++y)
@@ -36,4 +36,4 @@ image::Rectangle densestCrop(const image::Image& mask, int width, int height) {
   return best;
 }
 
-}  // namespace strobe::study
+}  // namespace strobe::image

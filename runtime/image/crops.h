@@ -5,13 +5,13 @@
 #include "image/draw.h"
 #include "image/image.h"
 
-namespace strobe::study {
+namespace strobe::image {
 
 // `crop` in a picture whose sides are so many times those it was written for; at least a pixel, inside the picture.
-image::Rectangle scaledCrop(const image::Rectangle& crop, double scale_x, double scale_y, const image::Image& picture);
+Rectangle scaledCrop(const Rectangle& crop, double scale_x, double scale_y, const Image& picture);
 
 // Where most of a mask lies: the best place for a window of this size; of equally dense ones that with the fullest
 // middle.
-image::Rectangle densestCrop(const image::Image& mask, int width, int height);
+Rectangle densestCrop(const Image& mask, int width, int height);
 
-}  // namespace strobe::study
+}  // namespace strobe::image
