@@ -77,12 +77,4 @@ void paste(Image& onto, const Image& what, int x, int y) {
       for (int c = 0; c < 3; ++c) onto.at(px, py, c) = what.at(px - x, py - y, what.channels == 1 ? 0 : c);
 }
 
-void outline(Image& onto, Rectangle area, const Colour& colour, int thickness) {
-  int t = std::min({thickness, area.width, area.height});
-  fill(onto, {area.x, area.y, area.width, t}, colour);
-  fill(onto, {area.x, area.y + area.height - t, area.width, t}, colour);
-  fill(onto, {area.x, area.y, t, area.height}, colour);
-  fill(onto, {area.x + area.width - t, area.y, t, area.height}, colour);
-}
-
 }  // namespace strobe::image

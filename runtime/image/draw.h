@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Composing pictures for people: insets, frames, labels. Everything here takes and gives display images
+// Composing pictures for people: insets, labels. Everything here takes and gives display images
 // (sRGB-encoded values in [0,1], tone.h makes them) of three channels. Pixels outside an image are skipped.
 #pragma once
 
@@ -33,9 +33,6 @@ Image shrunk(const Image& linear, int width, int height);
 
 void fill(Image& onto, Rectangle area, const Colour& colour);
 void paste(Image& onto, const Image& what, int x, int y);  // top left corner of `what` at (x, y)
-
-// A frame just inside `area`.
-void outline(Image& onto, Rectangle area, const Colour& colour, int thickness = 1);
 
 // DejaVu Sans, the font of everything the program draws. Throws `Error` saying what to install when it is absent.
 Path fontFile();

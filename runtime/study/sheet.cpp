@@ -4,131 +4,134 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/crops.h"
-#include "image/tone.h"
+#include "figure/figure.h"
 #include "page/number.h"
-#include "page/sheet.h"
 
 namespace strobe::study {
 
-using page::Ink;
-using page::Sheet;
-using page::SheetLine;
-using page::shownError;
-using page::shownMs;
-
+using figure::Cell;
 using image::Colour;
-using image::Image;
+using page::shownError;
 
 namespace {
 
 const std::vector<Colour> kCropColours = {{1.0f, 0.76f, 0.03f}, {0.1f, 0.75f, 0.95f}, {0.95f, 0.3f, 0.75f}};
 
-void addFrames(page::SheetCell& cell, const ShotSummary& shot) {
-  for (size_t i = 0; i < shot.crops.size(); ++i)
-    cell.frames.push_back({shot.crops[i], kCropColours[i % kCropColours.size()], 2});
-}
+// Pictures as they are shown, and as they were measured.
+enum Step { kShown, kMeasured };
 
 std::string numbersOf(const Results& results, const Point& point) {
   auto has = [&](const std::string& region) {
     return std::find(results.regions.begin(), results.regions.end(), region) != results.regions.end();
   };
-  if (point.role == Role::truth) return has("whole") ? "standard error " + shownError(point.value("rmse")) : "";
   std::vector<std::string> parts;
+  if (point.role == Role::truth) {
+    for (const std::string& region : results.regions)
+      parts.push_back(fmt::format("{} {}", region, shownError(point.value("rmse", region))));
+    return fmt::format("its standard error: {}", fmt::join(parts, ", "));
+  }
   for (const char* region : {"inner", "whole"})
     if (has(region)) parts.push_back(fmt::format("RMSE {} {}", region, shownError(point.value("rmse", region))));
   if (double ms = point.value("ms"); !std::isnan(ms))
-    parts.push_back(shownMs(ms) + (results.software ? " (software)" : ""));
-  return fmt::format("{}", fmt::join(parts, "   "));
+    parts.push_back(page::shownMs(ms) + (results.software ? " (software)" : ""));
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-void addLabels(Sheet& sheet, const Results& results, const Gallery& gallery) {
-  std::vector<std::string> names, numbers;
-  for (const ShownPoint& one : gallery.shown) {
-    names.push_back(one.point->arm);
-    numbers.push_back(numbersOf(results, *one.point));
+// The figure's rows and cells, a shot after the other.
+class Sheet {
+ public:
+  explicit Sheet(const Results& results) : results_(results) {
+    figure_.title = results.title, figure_.note = results.note;
+    figure_.note += fmt::format("\nStrobe {} on {}", results.strobe, describeDevice(results));
+    figure_.width = results.width, figure_.height = results.height;
+    figure_.cell_width = 480, figure_.text_size = 24, figure_.gap = 10, figure_.margin = 28;
+    for (const ArmSummary& arm : results.arms)
+      if (arm.shown) figure_.columns.push_back(arm.name);
   }
-  for (Sheet::Part part : std::vector<Sheet::Part>{page::SheetLabels{names, 27}, page::SheetGap{1},
-                                                   page::SheetLabels{numbers, 17, Ink::soft}, page::SheetGap{4}})
-    sheet.parts.push_back(std::move(part));
-}
 
-void addPictures(Sheet& sheet, const Gallery& gallery) {
-  page::SheetRow row;
-  for (const ShownPoint& one : gallery.shown) {
-    const Image& linear = one.shown;
-    int width = std::min(linear.width, page::kSheetColumn);
-    int height = std::max(1, int(std::lround(double(linear.height) * width / linear.width)));
-    row.cells.push_back({image::toneMap(image::shrunk(linear, width, height), gallery.shot->tone), {}, linear.width});
-    addFrames(row.cells.back(), *gallery.shot);
+  void add(const Gallery& gallery) {
+    const ShotSummary& shot = *gallery.shot;
+    std::string why = shot.missing.empty() ? "not drawn" : "skipped: " + shot.missing;
+    if (gallery.shown.empty()) return addRow("", {shot.title, {{.text = why}}});
+    std::string note = describeShot(results_, shot) + (shot.note.empty() ? "" : ". " + shot.note);
+    addRow("", {shot.title, {{.text = note}}});
+    addCells(gallery, [&](Cell& cell, const ShownPoint& one) {
+      cell.caption = {{.text = numbersOf(results_, *one.point)}};
+      frame(cell, shot);
+    });
+    for (size_t i = 0; i < shot.crops.size(); ++i) {
+      const image::Rectangle& area = shot.crops[i];
+      addRow(fmt::format("crop at {},{}", area.x, area.y), {});
+      addCells(gallery, [&](Cell& cell, const ShownPoint&) {
+        cell.crop = areaOf(area), cell.frame = kCropColours[i % kCropColours.size()];
+      });
+    }
+    addRow("difference", {});
+    addCells(gallery, [&](Cell& cell, const ShownPoint& one) {
+      if (one.isTruth()) return figure_.cells.pop_back();
+      cell.step = kMeasured, cell.against = gallery.truth().point->arm, cell.difference = "channels";
+      cell.gain = picturesOf(results_.layout).value_or(PicturesLayout()).difference_gain;
+      frame(cell, shot);
+    });
   }
-  sheet.parts.push_back(std::move(row));
-}
 
-void addCrop(Sheet& sheet, const Gallery& gallery, size_t index) {
-  const image::Rectangle& area = gallery.shot->crops[index];
-  int factor = std::max(1, page::kSheetColumn / area.width);
-  sheet.parts.push_back(
-      SheetLine{fmt::format("crop at {},{}, {} times as large", area.x, area.y, factor), 17, Ink::soft});
-  page::SheetRow row;
-  for (const ShownPoint& one : gallery.shown) {
-    Image part = image::toneMap(image::crop(one.shown, area), gallery.shot->tone);
-    page::SheetFrame frame{{0, 0, part.width, part.height}, kCropColours[index % kCropColours.size()], 3};
-    row.cells.push_back({std::move(part), {frame}});
+  const figure::FigureData& figure() const { return figure_; }
+
+ private:
+  static figure::Area areaOf(const image::Rectangle& area) {
+    return {double(area.x), double(area.y), double(area.width), double(area.height), ""};
   }
-  sheet.parts.push_back(std::move(row));
-}
 
-// Truth has no difference from itself; its place says what its own error is.
-std::vector<std::string> truthNote(const Results& results, const Point& truth) {
-  std::vector<std::string> texts = {"the reference"};
-  for (const std::string& region : results.regions)
-    texts.push_back(fmt::format("its standard error, {}: {}", region, shownError(truth.value("rmse", region))));
-  return texts;
-}
-
-void addDifferences(Sheet& sheet, const Results& results, const Gallery& gallery, double gain) {
-  sheet.parts.push_back(SheetLine{
-      fmt::format("|difference from truth| × {:g}, linear values, one sample per pixel", gain), 17, Ink::soft});
-  page::SheetRow row;
-  for (const ShownPoint& one : gallery.shown) {
-    Image difference = gallery.difference(one, gain);
-    int width = std::min(difference.width, page::kSheetColumn);
-    int height = std::max(1, difference.height * width / difference.width);
-    row.cells.push_back({image::shrunk(difference, width, height), {}, difference.width});
-    addFrames(row.cells.back(), *gallery.shot);
-    if (one.isTruth()) row.cells.back().texts = truthNote(results, *one.point);
+  void addRow(const std::string& label, figure::Heading heading) {
+    figure_.rows.push_back(label);
+    figure_.headings.push_back(std::move(heading));
   }
-  sheet.parts.push_back(std::move(row));
-}
 
-void addShot(Sheet& sheet, const Results& results, const Gallery& gallery, double gain) {
-  const ShotSummary& shot = *gallery.shot;
-  sheet.parts.push_back(page::SheetGap{28});
-  sheet.parts.push_back(SheetLine{shot.title, 38});
-  if (!shot.missing.empty()) return sheet.parts.push_back(SheetLine{"skipped: " + shot.missing, 21, Ink::soft});
-  if (gallery.shown.empty()) return sheet.parts.push_back(SheetLine{"not drawn", 21, Ink::soft});
-  std::string note = shot.note.empty() ? "" : ". " + shot.note;
-  sheet.parts.push_back(SheetLine{describeShot(results, shot) + note, 21, Ink::soft});
-  sheet.parts.push_back(page::SheetGap{12});
-  addLabels(sheet, results, gallery);
-  addPictures(sheet, gallery);
-  for (size_t i = 0; i < shot.crops.size(); ++i) addCrop(sheet, gallery, i);
-  addDifferences(sheet, results, gallery, gain);
-  if (!shot.attribution.empty()) sheet.parts.push_back(SheetLine{shot.attribution, 17, Ink::soft});
+  // A cell for each picture in the last row, as `complete` makes it.
+  template <class Complete>
+  void addCells(const Gallery& gallery, const Complete& complete) {
+    for (const ShownPoint& one : gallery.shown) {
+      auto column = std::find(figure_.columns.begin(), figure_.columns.end(), one.point->arm);
+      Cell& cell = figure_.cells.emplace_back();
+      cell.row = int(figure_.rows.size()) - 1, cell.column = int(column - figure_.columns.begin());
+      cell.shot = gallery.shot->name, cell.arm = one.point->arm, cell.kind = "colour", cell.step = kShown;
+      complete(cell, one);
+    }
+  }
+
+  static void frame(Cell& cell, const ShotSummary& shot) {
+    for (size_t i = 0; i < shot.crops.size(); ++i) {
+      figure::Box& box = cell.marks.boxes.emplace_back();
+      box.area = areaOf(shot.crops[i]), box.colour = kCropColours[i % kCropColours.size()], box.width = 2;
+    }
+  }
+
+  const Results& results_;
+  figure::FigureData figure_;
+};
+
+figure::Taken takenOf(const ShotSummary& shot, const ShownPoint& one, int step) {
+  auto picture = std::make_shared<lab::Picture>();
+  picture->frame.outputs["color"].floats = step == kShown ? one.shown : one.measured;
+  if (!shot.attribution.empty()) picture->record["scene"]["attribution"]["copyright"] = shot.attribution;
+  return {shot.name, one.point->arm, step, std::move(picture), shot.tone, {}, {}};
 }
 
 }  // namespace
 
-Image sheetOf(const Results& results, const std::vector<Gallery>& galleries) {
-  double gain = picturesOf(results.layout).value_or(PicturesLayout()).difference_gain;
-  Sheet sheet;
-  sheet.parts.push_back(SheetLine{results.title, 46});
-  if (!results.note.empty()) sheet.parts.push_back(SheetLine{results.note, 21, Ink::soft});
-  for (const Gallery& gallery : galleries) addShot(sheet, results, gallery, gain);
-  sheet.parts.push_back(page::SheetGap{14});
-  sheet.parts.push_back(SheetLine{"Strobe " + results.strobe + " on " + describeDevice(results), 17, Ink::soft});
-  return page::imageOf(sheet);
+image::Image sheetOf(const Results& results, const std::vector<Gallery>& galleries) {
+  Sheet sheet(results);
+  std::map<std::tuple<std::string, std::string, int>, figure::Taken> all;
+  for (const Gallery& gallery : galleries) {
+    sheet.add(gallery);
+    for (const ShownPoint& one : gallery.shown)
+      for (int step : {kShown, kMeasured})
+        all[{gallery.shot->name, one.point->arm, step}] = takenOf(*gallery.shot, one, step);
+  }
+  auto find = [&](const std::string& shot, const std::string& arm, int step) -> const figure::Taken& {
+    return all.at({shot, arm, step});
+  };
+  return figure::pixelsOf(figure::layoutOf(sheet.figure(), find, ""));
 }
 
 }  // namespace strobe::study

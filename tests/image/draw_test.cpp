@@ -72,15 +72,6 @@ TEST(Draw, MagnifiedPixelsAreSquares) {
     for (int x = 0; x < 12; ++x) EXPECT_EQ(colourAt(large, x, y), colourAt(image, x / 4, y / 4));
 }
 
-TEST(Draw, OutlineLeavesTheInside) {
-  Image image(10, 8, 3);
-  outline(image, {1, 1, 6, 5}, kWhite);
-  EXPECT_EQ(sum(image), 3 * (2 * 6 + 2 * 3));
-  EXPECT_EQ(colourAt(image, 2, 2), kBlack);
-  EXPECT_EQ(colourAt(image, 6, 5), kWhite);
-  EXPECT_EQ(colourAt(image, 7, 5), kBlack);
-}
-
 TEST(Draw, TextStaysInItsBox) {
   Image image(200, 60, 3);
   drawText(image, 10, 20, "Strobe µ", 20, kWhite);
