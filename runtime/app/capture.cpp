@@ -31,13 +31,15 @@ void capture(const Home& home, const CaptureOptions& options) {
   requireWritable(order.folder);
   const Path zip = archive::zipBeside(order.folder);
   if (options.zip) requireWritable(zip.parent_path());
+  archive::readCapture(home, order.file, order.size);  // mistakes come before anything is written
   archive::Captured captured = archive::runCapture(home, order, [](const std::string& line) { note(line); });
   if (options.zip) archive::writeZip(order.folder, zip);
   if (options.json) {
     std::printf("%s\n", captured.manifest.json.dump(1).c_str());
     return;
   }
-  for (const Path& file : captured.files) std::printf("%s\n", file.c_str());
+  for (const auto* files : {&captured.figures, &captured.pictures})
+    for (const Path& file : *files) std::printf("%s\n", file.c_str());
   std::printf("%s\n", (order.folder / archive::kManifestFile).c_str());
   if (options.zip) std::printf("%s\n", zip.c_str());
 }

@@ -167,8 +167,9 @@ void check(const Home& home, const CheckOptions& options) {
     if (home.hasProject()) {
       own.experiments = checkOwn(home, "experiments", problems,
                                  [&](const std::string& file) { study::readExperiment(home, file, true); });
-      own.captures = checkOwn(home, "scripts/captures", problems,
-                              [&](const std::string& file) { archive::readCapture(home, file); });
+      own.captures = checkOwn(home, "scripts/captures", problems, [&](const std::string& file) {
+        if (archive::readCapture(home, file).measured) study::readExperiment(home, file, true);
+      });
     }
     collect(problems, [&] { script::evaluateAllPasses(home); });
     scenes = script::sceneNames(home);

@@ -14,7 +14,7 @@ std::vector<Path> writeResults(const study::Results& results, const Path& folder
     files.push_back(folder / name);
     writeFileAtomically(files.back(), text);
   };
-  if (report.hasSheet()) {
+  if (report.hasSheet() && !names.sheet.empty()) {
     files.push_back(folder / names.sheet);
     image::writePng(files.back(), report.sheet());
   }

@@ -6,7 +6,7 @@
 
 namespace strobe::app {
 
-// The files that results consist of, by the names they have in their folder.
+// The files that results consist of, by the names they have in their folder; "" for a sheet that is not written.
 struct ResultNames {
   std::string page = "report.html", sheet = "report.png", results = "result.json", text = "result.md",
               table = "table.csv", passes = "passes.csv";

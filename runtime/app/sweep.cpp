@@ -3,12 +3,14 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include "app/files.h"
 #include "app/numbers.h"
 #include "app/result_files.h"
 #include "app/shot_options.h"
+#include "archive/capture_run.h"
 #include "base/frozen_home.h"
 #include "base/log.h"
 #include "lab/shot_options.h"
@@ -35,7 +37,8 @@ study::Results resultsIn(const Path& file) {
   return results;
 }
 
-const ResultNames kDemoNames = {"demo.html", "demo.png",   "demo.json",           "demo.md",
+// The figure is that of the capture.
+const ResultNames kDemoNames = {"demo.html", "",           "demo.json",           "demo.md",
                                 "table.csv", "passes.csv", "demo.unfinished.json"};
 
 // The command as somebody would repeat it.
@@ -52,10 +55,12 @@ std::string commandOf(const Home& home, const std::string& name, const Options& 
   return line;
 }
 
-// Results and files on stdout; a point that failed, or an expectation that the results contradict, ends the command
-// with exit code 1.
-void show(const study::Results& results, const Path& folder, const ResultNames& names, bool json, bool still = false) {
+// Results and files on stdout, with those that were written besides; a point that failed, or an expectation that the
+// results contradict, ends the command with exit code 1.
+void show(const study::Results& results, const Path& folder, const ResultNames& names, bool json, bool still = false,
+          const std::vector<Path>& besides = {}) {
   std::vector<Path> files = writeResults(results, folder, names, still);
+  files.insert(files.end(), besides.begin(), besides.end());
   std::fputs((json ? study::toJson(results).dump(1) + "\n" : study::Report(results, folder).text() + "\n").c_str(),
              stdout);
   for (const Path& file : files)
@@ -87,7 +92,22 @@ void list(const study::Experiment& experiment, bool json) {
   if (!json) std::printf("%zu points, %zu truths\n", experiment.points(), experiment.groups.size());
 }
 
-void sweep(const Home& home, const std::string& name, const Options& options, const ResultNames& names) {
+// What is interrupted can be laid out as far as it came.
+study::Started keptOutline(const Path& outline, const std::string& command) {
+  return [=](study::Results results) {
+    results.command = command;
+    writeFileAtomically(outline, study::toJson(results).dump(1) + "\n");
+  };
+}
+
+// Laid out from the numbers as they are written, so that `report` gives the same page.
+study::Results concluded(study::Results results, const std::string& command, const Path& outline) {
+  results.command = command;
+  std::filesystem::remove(outline);
+  return study::resultsFrom(study::toJson(results), "the results");
+}
+
+void sweep(const Home& home, const Options& options) {
   double started_s = clockSeconds();
   std::string file = hereOrAtHome(home, options.file);
   if (!options.dry_run) requireWritable(options.out);
@@ -99,28 +119,64 @@ void sweep(const Home& home, const std::string& name, const Options& options, co
   FrozenHome frozen(home, store.folder() / ".inputs");
   experiment.file = frozen.at(file);
   auto make = [&] { return std::make_unique<lab::Workbench>(frozen.home(), options.device, validationWanted()); };
-  // What is interrupted can be laid out as far as it came.
+  const ResultNames names;
+  const std::string command = commandOf(home, "sweep", options);
   Path outline = store.folder() / names.outline;
-  auto started = [&](study::Results results) {
-    results.command = commandOf(home, name, options);
-    writeFileAtomically(outline, study::toJson(results).dump(1) + "\n");
-  };
+  study::Started started = keptOutline(outline, command);
   auto now = [&] { return resultsIn(outline); };
   bool good = options.jobs <= 1 || study::renderInProcesses(experiment, make, store, options.jobs, started, now);
   std::unique_ptr<lab::Workbench> bench = make();
   study::Results results = study::run(experiment, *bench, store, started);
   bench->device().refuseMessages();
   if (!good) throw Error("a process of the sweep failed; its message stands above");
-  results.command = commandOf(home, name, options);
   note(fmt::format("{} points in {:.0f} s", experiment.points(), clockSeconds() - started_s));
-  std::filesystem::remove(outline);
-  // Laid out from the numbers as they are written, so that `report` gives the same page.
-  show(study::resultsFrom(study::toJson(results), "the results"), options.out, names, options.json);
+  show(concluded(std::move(results), command, outline), options.out, names, options.json);
+}
+
+// The experiment's pictures are those of the capture: each is drawn once, when the experiment first asks for it.
+study::Results measured(const study::Experiment& experiment, archive::Capturing& capturing, const study::Store& store,
+                        const study::Started& started) {
+  lab::Batch batch(capturing.bench());
+  std::map<std::string, const archive::Frame*> frames;
+  for (const archive::Frame& frame : capturing.frames()) frames[batch.contentOf(capturing.shot(frame))] = &frame;
+  batch.source = [&](const std::string& content, const lab::Batch::Progress& progress) {
+    auto frame = frames.find(content);
+    return frame == frames.end() ? nullptr : capturing.draw(*frame->second, progress);
+  };
+  return study::run(experiment, batch, store, started);
+}
+
+void demo(const Home& home, const Options& options) {
+  double started_s = clockSeconds();
+  archive::Order order;
+  order.file = hereOrAtHome(home, options.file), order.folder = options.out;
+  order.device = options.device, order.validation = validationWanted();
+  if (!options.size.empty()) order.size = lab::parseSize(options.size);
+  requireWritable(options.out);
+  // Mistakes come before anything is written.
+  archive::readCapture(home, order.file, order.size);
+  study::Experiment experiment = experimentOf(home, order.file, options);
+  study::Store store(options.out);
+  store.belongTo(experiment.title);
+  archive::Capturing capturing(home, order, [](const std::string& line) { note(line); });
+  experiment.file = capturing.inputs().at(order.file);
+  const std::string command = commandOf(home, "demo", options);
+  Path outline = store.folder() / kDemoNames.outline;
+  study::Results results = measured(experiment, capturing, store, keptOutline(outline, command));
+  std::vector<Path> figures = capturing.finish().figures;
+  note(fmt::format("{} points in {:.0f} s", experiment.points(), clockSeconds() - started_s));
+  figures.push_back(order.folder / archive::kManifestFile);
+  show(concluded(std::move(results), command, outline), options.out, kDemoNames, options.json, false, figures);
 }
 
 void addCommon(CLI::App& command, Options& options) {
   command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels (default: the file's)");
   command.add_option("--device", options.device, "index or part of the name of a Vulkan device");
+  command.add_flag("--json", options.json, "print the results as JSON");
+}
+
+void addSweep(CLI::App& command, Options& options) {
+  addCommon(command, options);
   command.add_option("--jobs", options.jobs, "processes that draw; times are measured by one alone")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
@@ -130,7 +186,6 @@ void addCommon(CLI::App& command, Options& options) {
       ->type_name("E")
       ->check(aboveZero());
   command.add_flag("--exr", options.exr, "keep every picture as points/KEY.exr, linear, with its record");
-  command.add_flag("--json", options.json, "print the results as JSON");
 }
 
 struct ReportOptions {
@@ -166,8 +221,8 @@ void registerSweep(CLI::App& program, const Home& home) {
       ->add_option("--only", options->only, "points alone that have NAME=VALUE[,NAME=VALUE...]: arm, shot or an axis")
       ->type_name("EXPR");
   command->add_flag("--dry-run", options->dry_run, "print the points and draw nothing");
-  addCommon(*command, *options);
-  command->callback([options, &home] { sweep(home, "sweep", *options, {}); });
+  addSweep(*command, *options);
+  command->callback([options, &home] { sweep(home, *options); });
 }
 
 void registerReport(CLI::App& program, const Home& home) {
@@ -184,15 +239,14 @@ void registerReport(CLI::App& program, const Home& home) {
 
 void registerDemo(CLI::App& program, const Home& home) {
   auto options = std::make_shared<Options>();
-  options->file = "experiments/demo/demo.lua";
+  options->file = "scripts/captures/demo.lua";
   options->out = "out/demo";
-  CLI::App* command =
-      program.add_subcommand("demo", "Render the shots of an experiment and show every method beside truth");
-  command->add_option("file", options->file, "an experiment (docs/writing-experiments.md)")->capture_default_str();
-  command->add_option("-o,--out", options->out, "folder for the sheet, the page, numbers, pictures and records")
+  CLI::App* command = program.add_subcommand("demo", "Take a capture, measure it, and show every method beside truth");
+  command->add_option("file", options->file, "a capture with `measures` (docs/captures.md)")->capture_default_str();
+  command->add_option("-o,--out", options->out, "folder for figure, page, numbers, manifest, pictures and records")
       ->capture_default_str();
   addCommon(*command, *options);
-  command->callback([options, &home] { sweep(home, "demo", *options, kDemoNames); });
+  command->callback([options, &home] { demo(home, *options); });
 }
 
 }  // namespace strobe::app

@@ -32,27 +32,22 @@ std::vector<Step> stepsFrom(const Json& json) {
   return steps;
 }
 
-// A file named by the script lies beside it, if there is one there.
-std::string besideScript(const Path& script, const std::string& name) {
-  bool is_file = name.ends_with(".lua") || name.ends_with(".glb") || name.ends_with(".gltf");
-  Path beside = script.parent_path() / name;
-  return is_file && Path(name).is_relative() && std::filesystem::exists(beside) ? beside.string() : name;
-}
-
 CapturedShot shotFrom(const Home& home, const Json& json, const Path& script, uint32_t seed) {
   CapturedShot result;
   result.name = json.at("name").get<std::string>();
   result.title = json.value("title", result.name);
+  result.attribution = json.value("attribution", "");
   result.tone = lab::toneFrom(json);
   result.shot.seed = seed;
   lab::setOptions(result.shot, json.at("options"));
   result.shot.sets = lab::settingsFrom(json, "scene_set", "scene.");
+  result.truth = lab::settingsFrom(json, "truth");
   result.steps = stepsFrom(json);
   // What options move is at rest at the first of all frames.
   std::vector<int> frames = lab::framesFrom(json);
   if (!frames.empty() && result.shot.rest_frame < 0) result.shot.rest_frame = frames.front();
   result.scene_name = result.shot.scene;
-  lab::SceneFile scene = lab::sceneFile(home, besideScript(script, result.shot.scene));
+  lab::SceneFile scene = lab::sceneFile(home, lab::besideScript(script, result.shot.scene));
   result.shot.scene = scene.scene, result.missing = scene.missing;
   return result;
 }
@@ -60,7 +55,7 @@ CapturedShot shotFrom(const Home& home, const Json& json, const Path& script, ui
 CapturedArm armFrom(const Json& json, const Path& script) {
   CapturedArm arm;
   arm.name = json.at("name").get<std::string>();
-  arm.pipeline = besideScript(script, json.at("pipeline").get<std::string>());
+  arm.pipeline = lab::besideScript(script, json.at("pipeline").get<std::string>());
   arm.sets = lab::settingsFrom(json, "set");
   arm.shots = json.value("shots", std::vector<std::string>{});
   arm.layers = layersFrom(json);
@@ -109,9 +104,12 @@ CaptureFile readCapture(const Home& home, const std::string& file, std::array<in
   CaptureFile capture;
   capture.file = file;
   Json json = script::evaluateData(home, file, {{"options", lab::shotOptionsJson()}}, &capture.scripts);
+  if (json.is_object() && json.value("kind", "") == "experiment")
+    throw Error("is an experiment, no capture { ... }: `strobe sweep` runs it", {file});
   if (!json.is_object() || json.value("kind", "") != "capture") throw Error("returns no capture { ... }", {file});
   capture.title = json.at("title").get<std::string>();
   capture.note = json.value("note", ""), capture.truth = json.value("truth", "");
+  capture.measured = json.contains("measures");
   capture.most_flip = json.value("most_flip", capture.most_flip);
   std::array<int, 2> own = json.value("size", std::array<int, 2>{480, 270});
   capture.file_width = own[0], capture.file_height = own[1];
@@ -143,6 +141,8 @@ lab::Shot shotOf(const CaptureFile& capture, const CapturedShot& captured, const
   shot.height = has_size ? scaled(shot.height, capture.height, capture.file_height) : capture.height;
   shot.pipeline = arm.pipeline;
   shot.sets.insert(shot.sets.end(), arm.sets.begin(), arm.sets.end());
+  if (arm.name == capture.truth)
+    for (const auto& [name, value] : captured.truth) lab::putSetting(shot.sets, name, value);
   const Step& at = captured.steps.at(step);
   lab::setOptions(shot, at.options);
   for (const auto& [name, value] : at.sets) lab::putSetting(shot.sets, name, value);

@@ -16,8 +16,9 @@ struct Step {
 };
 
 struct CapturedShot {
-  std::string name, title;
-  lab::Shot shot;  // without pipeline; settings of the scene alone
+  std::string name, title, attribution;
+  lab::Shot shot;          // without pipeline; settings of the scene alone
+  script::Settings truth;  // on top of those of the truth arm
   std::vector<Step> steps = {Step()};
   image::ToneMap tone;
   std::string scene_name;  // as the script has it
@@ -46,6 +47,7 @@ struct CaptureFile {
   std::string file;  // as it was given
   std::string title, note, truth;
   int file_width = 0, file_height = 0, width = 0, height = 0;  // pixels: as the file says; as it is drawn
+  bool measured = false;                                       // it is an experiment too
   double most_flip = 0.005;  // mean FLIP up to which a picture of another device counts as the same
   std::vector<CapturedShot> shots;
   std::vector<CapturedArm> arms;

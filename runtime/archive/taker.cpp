@@ -63,10 +63,11 @@ Json parametersOf(const lab::Shot& shot, const lab::Drawing& drawing) {
 }
 
 // The record without what a manifest says once for all pictures.
-Json recordOf(const lab::Picture& picture, const std::string& scene) {
+Json recordOf(const lab::Picture& picture, const CapturedShot& shot) {
   Json record = picture.record;
   for (const char* part : {"strobe", "device", "scripts", "shaders", "taps"}) record.erase(part);
-  record["shot"]["scene"] = scene;
+  record["shot"]["scene"] = shot.scene_name;
+  if (!shot.attribution.empty()) record["scene"]["attribution"] = {{"copyright", shot.attribution}};
   return record;
 }
 
@@ -184,7 +185,7 @@ std::string Taker::keyOf(const Frame& frame, const lab::Drawing& drawing, const 
   for (const auto& [node, pipeline] : drawing.graph().pipelines())
     for (const auto& [file, hash] : pipeline->sources) key += hash;
   key += fmt::format("|{}|{}|{}|{}", device.name, device.driver, layers.all, fmt::join(layers.names, " "));
-  key += fmt::format("|{}|{}|{}|{}", tone.stops, int(tone.curve), frame.shot->scene_name,
+  key += fmt::format("|{}|{}|{}|{}|{}", tone.stops, int(tone.curve), frame.shot->scene_name, frame.shot->attribution,
                      frame.shot->steps[frame.step].label);
   return hashText(key);
 }
@@ -202,8 +203,20 @@ bool Taker::areCurrent(const Json& inputs) {
 }
 
 Json Taker::entry(const Frame& frame) {
+  draw(frame);
+  return entries_.at(frame.name());
+}
+
+// As it would be without taps.
+static std::shared_ptr<const lab::Picture> withoutTaps(lab::Picture picture) {
+  picture.frame.taps.clear();
+  picture.record.erase("taps");
+  return std::make_shared<const lab::Picture>(std::move(picture));
+}
+
+std::shared_ptr<const lab::Picture> Taker::draw(const Frame& frame, const Progress& progress) {
   const std::string name = frame.name();
-  if (auto known = entries_.find(name); known != entries_.end()) return known->second;
+  if (entries_.count(name)) return nullptr;
   lab::Shot shot = shotOf(capture_, *frame.shot, *frame.arm, frame.step);
   std::unique_ptr<lab::Drawing> drawing = drawingOf(placeOf(*frame.arm).bench, shot);
   std::string key = keyOf(frame, *drawing, shot);
@@ -211,18 +224,23 @@ Json Taker::entry(const Frame& frame) {
   if (fs::exists(file)) {
     Json known = Json::parse(readText(file), nullptr, false);
     bool same = known.is_object() && known.value("key", "") == key && isThere(folder_, known.at("files"));
-    if (same && areCurrent(known.at("inputs"))) return entries_[name] = known;
+    if (same && areCurrent(known.at("inputs"))) {
+      entries_[name] = known;
+      return nullptr;
+    }
   }
-  Json entry = take(frame, shot, *drawing, key);
+  uint64_t before = drawing->graph().runs();
+  lab::Picture picture = drawing->capture(shot, nullptr, progress);
+  ++drawn_;
+  Json entry = take(frame, shot, *drawing, picture, drawing->graph().runs() - before);
+  entry["key"] = key;
   writeFileAtomically(file, entry.dump(1) + "\n");
-  return entries_[name] = entry;
+  entries_[name] = std::move(entry);
+  return withoutTaps(std::move(picture));
 }
 
-Json Taker::take(const Frame& frame, const lab::Shot& shot, lab::Drawing& drawing, const std::string& key) {
-  uint64_t before = drawing.graph().runs();
-  lab::Picture picture = drawing.capture(shot);
-  uint64_t runs = drawing.graph().runs() - before;
-  ++drawn_;
+Json Taker::take(const Frame& frame, const lab::Shot& shot, lab::Drawing& drawing, const lab::Picture& picture,
+                 uint64_t runs) {
   const std::string name = frame.name();
   timings_[name] = picture.timings;
   Inputs inputs;
@@ -239,14 +257,13 @@ Json Taker::take(const Frame& frame, const lab::Shot& shot, lab::Drawing& drawin
   const Path stem = Path("pictures") / name;
   const std::string exr = stem.string() + ".exr", png = stem.string() + ".png";
   image::writePng(folder_ / png, image::toneMap(lab::colorOf(picture), frame.shot->tone));
-  const Json record = recordOf(picture, frame.shot->scene_name);
+  const Json record = recordOf(picture, *frame.shot);
   writeLayers(folder_ / exr, picture, record, layers);
   return {{"name", name},
           {"shot", frame.shot->name},
           {"arm", frame.arm->name},
           {"step", frame.step},
           {"label", frame.shot->steps[frame.step].label},
-          {"key", key},
           {"runs", runs},
           {"record", record},
           {"parameters", parametersOf(shot, drawing)},

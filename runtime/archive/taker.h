@@ -27,15 +27,19 @@ std::vector<Frame> framesOf(const CaptureFile& capture, const std::string& only 
 
 class Taker {
  public:
+  using Progress = std::function<void(int done, int of)>;
   // Makes the bench for arms with files of their own.
   using MakeBench = std::function<std::unique_ptr<lab::Workbench>(const Home& home)>;
 
   // Files go to FOLDER/pictures. `original`: the home that the bench's is a copy of. All must outlive it.
   Taker(lab::Workbench& bench, const Home& original, const CaptureFile& capture, const Path& folder, MakeBench make);
 
-  // The entry of a picture in a manifest (docs/captures.md). It is drawn unless the folder has it as it would be.
+  // Draws a picture, and writes its files, unless the folder has it as it would be. Gives it, without taps, where it
+  // was drawn now.
+  std::shared_ptr<const lab::Picture> draw(const Frame& frame, const Progress& progress = {});
+  // The entry of a picture in a manifest (docs/captures.md); drawn where it was not.
   Json entry(const Frame& frame);
-  // Whether the entry of a picture was asked for, by itself or by a figure.
+  // Whether a picture was asked for, by itself or by a figure.
   bool has(const std::string& name) const { return entries_.count(name) > 0; }
   // As it was taken; valid as `figure::FindTaken` says.
   const figure::Taken& find(const std::string& shot, const std::string& arm, int step);
@@ -61,7 +65,8 @@ class Taker {
   const Place& placeOf(const CapturedArm& arm);
   std::unique_ptr<lab::Drawing> drawingOf(lab::Workbench& bench, lab::Shot& shot);
   std::string keyOf(const Frame& frame, const lab::Drawing& drawing, const lab::Shot& shot) const;
-  Json take(const Frame& frame, const lab::Shot& shot, lab::Drawing& drawing, const std::string& key);
+  Json take(const Frame& frame, const lab::Shot& shot, lab::Drawing& drawing, const lab::Picture& picture,
+            uint64_t runs);
   // Whether files named as inputs have the content now that they had then.
   bool areCurrent(const Json& inputs);
   figure::Taken readBack(const Json& entry) const;

@@ -8,7 +8,8 @@ namespace strobe {
 
 void Problems::add(const Place& place, const std::string& text) {
   if (when_ == When::at_once) throw Error(text, place);
-  lines_.push_back(place.file.empty() ? text : place.text() + ": " + text);
+  std::string line = place.file.empty() ? text : place.text() + ": " + text;
+  if (std::find(lines_.begin(), lines_.end(), line) == lines_.end()) lines_.push_back(std::move(line));
 }
 
 void Problems::throwIfAny() const {

@@ -21,7 +21,7 @@ class Problems {
   explicit Problems(When when = When::at_the_end) : when_(when) {}
   void add(const Place& place, const std::string& text);
   bool empty() const { return lines_.empty(); }
-  // Throws one `Error` of all lines, at most 20 of them.
+  // Throws one `Error` of all lines, each once, at most 20 of them.
   void throwIfAny() const;
 
  private:

@@ -158,7 +158,7 @@ class Maker {
     return truth_ ? &*truth_ : nullptr;
   }
 
-  // In pixels, where it is that of a region.
+  // Where it lies: of a region, where most of that does.
   std::optional<Area> placed(const Area& area, const Place& place) {
     if (area.region.empty()) return area;
     try {

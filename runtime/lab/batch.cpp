@@ -173,8 +173,11 @@ std::shared_ptr<const Picture> Batch::picture(const Shot& wanted, const Outputs&
     pictures_.splice(pictures_.begin(), pictures_, held);
     return held->picture;
   }
-  Picture drawn = drawing(shot, scene).capture(shot, outputs.empty() ? nullptr : &outputs, progress);
-  auto picture = std::make_shared<const Picture>(std::move(drawn));
+  std::shared_ptr<const Picture> picture;
+  if (source && outputs.empty()) picture = source(contentOf(shot), progress);
+  if (!picture)
+    picture = std::make_shared<const Picture>(
+        drawing(shot, scene).capture(shot, outputs.empty() ? nullptr : &outputs, progress));
   ++drawn_;
   keep({key, picture, bytesOf(*picture)});
   return picture;

@@ -4,6 +4,7 @@
 // counts as long as the batch keeps what was made of them.
 #pragma once
 
+#include <functional>
 #include <list>
 #include <map>
 #include <memory>
@@ -72,6 +73,9 @@ class Batch {
   // What `Workbench::render` gives. Pictures are kept (by canonical(shot) and outputs) until they fill
   // `kept_picture_bytes`, those used last longest.
   std::shared_ptr<const Picture> picture(const Shot& shot, const Outputs& outputs = {}, const Progress& progress = {});
+  // Asked first for a picture with all outputs that is not kept, by its content (contentOf); gives null where it does
+  // not draw it.
+  std::function<std::shared_ptr<const Picture>(const std::string& content, const Progress& progress)> source;
   // Four channels of a single sample in the pixel's centre; equal plans and frames are drawn once, whatever names and
   // settings led to them.
   std::shared_ptr<const image::Image> color(const Shot& shot);

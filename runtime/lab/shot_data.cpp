@@ -23,6 +23,12 @@ void setOptions(Shot& shot, const Json& options) {
   }
 }
 
+std::string besideScript(const Path& script, const std::string& name) {
+  bool is_file = name.ends_with(".lua") || name.ends_with(".glb") || name.ends_with(".gltf");
+  Path beside = script.parent_path() / name;
+  return is_file && Path(name).is_relative() && std::filesystem::exists(beside) ? beside.string() : name;
+}
+
 SceneFile sceneFile(const Home& home, const std::string& scene) {
   const std::string prefix = "shared:";
   if (!scene.starts_with(prefix)) return {scene, "", ""};

@@ -15,6 +15,9 @@ script::Settings settingsFrom(const Json& json, const char* name, const std::str
 // A list of { name, value } of options; throws `Error` (exit code 2) for a value that an option does not take.
 void setOptions(Shot& shot, const Json& options);
 
+// A file that a script names lies beside it, if there is one there; else the name as it is.
+std::string besideScript(const Path& script, const std::string& name);
+
 // A scene "shared:FILE" is one of the shared data.
 struct SceneFile {
   std::string scene;    // as a shot has it

@@ -19,10 +19,10 @@ void take(const Json& from, const char* name, Value& into) {
   if (from.contains(name)) into = from.at(name).get<Value>();
 }
 
-Arm armOf(const Json& json) {
+Arm armOf(const Json& json, const Path& script) {
   Arm arm;
   take(json, "name", arm.name);
-  take(json, "pipeline", arm.pipeline);
+  arm.pipeline = lab::besideScript(script, json.at("pipeline"));
   take(json, "lacks", arm.lacks);
   take(json, "shown", arm.shown);
   arm.sets = lab::settingsFrom(json, "set");
@@ -37,7 +37,7 @@ Crop cropOf(const Json& json) {
   return image::Rectangle{int(n[0]), int(n[1]), int(n[2]), int(n[3])};
 }
 
-StudiedShot shotOf(const Home& home, const Json& json, uint32_t seed) {
+StudiedShot shotOf(const Home& home, const Json& json, const Path& script, uint32_t seed) {
   StudiedShot result;
   take(json, "name", result.name);
   result.title = json.value("title", result.name);
@@ -52,7 +52,7 @@ StudiedShot shotOf(const Home& home, const Json& json, uint32_t seed) {
   for (const Json& crop : json.value("crops", Json::array({"inner"}))) result.crops.push_back(cropOf(crop));
   result.frames = lab::framesFrom(json);
   if (!result.frames.empty()) result.shot.frame = result.frames.front();
-  lab::SceneFile scene = lab::sceneFile(home, result.shot.scene);
+  lab::SceneFile scene = lab::sceneFile(home, lab::besideScript(script, result.shot.scene));
   result.shot.scene = scene.scene, result.shared = scene.shared, result.missing = scene.missing;
   return result;
 }
@@ -93,7 +93,7 @@ Group groupOf(const Json& json) {
   return group;
 }
 
-Experiment experimentOf(const Home& home, const Json& json) {
+Experiment experimentOf(const Home& home, const Json& json, const Path& script) {
   Experiment experiment;
   take(json, "title", experiment.title);
   take(json, "question", experiment.question);
@@ -109,9 +109,10 @@ Experiment experimentOf(const Home& home, const Json& json) {
   experiment.setSize(size[0], size[1]);
   experiment.regions = json.value("regions", std::vector<std::string>{"whole", "inner", "hidden", "outer"});
   experiment.measures = json.value("measures", std::vector<std::string>{"rmse", "flip", "ms"});
-  for (const Json& arm : json.at("arms")) experiment.arms.push_back(armOf(arm));
-  for (const Json& shot : json.at("shots")) experiment.shots.push_back(shotOf(home, shot, json.value("seed", 0u)));
-  experiment.truth = armOf(json.at("truth"));
+  for (const Json& arm : json.at("arms")) experiment.arms.push_back(armOf(arm, script));
+  for (const Json& shot : json.at("shots"))
+    experiment.shots.push_back(shotOf(home, shot, script, json.value("seed", 0u)));
+  experiment.truth = armOf(json.at("truth"), script);
   experiment.truth.role = Role::truth;
   if (json.at("truth").contains("full")) experiment.full_truth = lab::settingsFrom(json.at("truth"), "full");
   for (const Json& axis : json.at("axes")) experiment.axes.push_back(axisOf(axis));
@@ -291,10 +292,10 @@ Experiment readExperiment(const Home& home, const std::string& file, bool evalua
   std::vector<script::Dependency> dependencies;
   Json json = script::evaluateData(home, file, given(), &dependencies, kLimits);
   if (!json.is_object() || json.value("kind", "") != "experiment")
-    throw Error("does not return experiment { ... } of strobe.experiment", {file});
+    throw Error("does not return experiment { ... } of strobe.experiment, or capture { ... } with `measures`", {file});
   Experiment experiment;
   try {
-    experiment = experimentOf(home, json);
+    experiment = experimentOf(home, json, file);
   } catch (const Json::exception& error) {
     throw Error(fmt::format("a value of the experiment has a wrong form: {}", error.what()), {file});
   }

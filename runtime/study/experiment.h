@@ -99,8 +99,9 @@ struct Experiment {
   size_t points() const;
 };
 
-// The file, checked without a device; with `evaluate` pipelines, settings and scenes too. A scene "shared:FILE" is
-// looked for in the shared data; where it is missing the shot says so. Throws `Error`, all mistakes at once.
+// An experiment's file, or that of a capture with `measures`, checked without a device; with `evaluate` pipelines,
+// settings and scenes too. A scene "shared:FILE" is looked for in the shared data; where it is missing the shot says
+// so. Throws `Error`, all mistakes at once.
 Experiment readExperiment(const Home& home, const std::string& file, bool evaluate = true);
 
 // What became of the expectations of `file`, given finished results as JSON: a list of { text, outcome, detail, shot,

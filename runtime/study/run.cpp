@@ -212,9 +212,13 @@ Results outlineOf(const Experiment& experiment, const std::vector<TaskGroup>& gr
 }
 
 Results run(const Experiment& experiment, lab::Workbench& bench, const Store& store, const Started& started) {
+  lab::Batch batch(bench);
+  return run(experiment, batch, store, started);
+}
+
+Results run(const Experiment& experiment, lab::Batch& batch, const Store& store, const Started& started) {
   for (const StudiedShot& shot : experiment.shots)
     if (!shot.missing.empty()) note(fmt::format("{}: skipped, {}", shot.title, shot.missing));
-  lab::Batch batch(bench);
   std::vector<TaskGroup> groups = tasksOf(experiment, batch);
   Results results = outlineOf(experiment, groups, batch);
   if (started) started(results);
@@ -229,7 +233,7 @@ Results run(const Experiment& experiment, lab::Workbench& bench, const Store& st
   timeHere(experiment, batch, store, groups, watch);
   takePoints(results, store.folder());
   describeShots(experiment, groups, store, results);
-  if (experiment.expectations) judgeResults(bench.home(), results, experiment.file);
+  if (experiment.expectations) judgeResults(batch.bench().home(), results, experiment.file);
   return results;
 }
 

@@ -17,6 +17,7 @@ using Started = std::function<void(const Results& outline)>;
 // Progress on stderr. What is drawn is kept in `store` as it comes, with pictures and records where the layout shows
 // them; what it has is not drawn again. Times are measured last. A point that fails keeps its reason. Expectations are
 // judged; the command is left to the caller. Numbers depend on the device, not on the run.
+Results run(const Experiment& experiment, lab::Batch& batch, const Store& store, const Started& started = {});
 Results run(const Experiment& experiment, lab::Workbench& bench, const Store& store, const Started& started = {});
 
 }  // namespace strobe::study

@@ -1,15 +1,16 @@
 -- SPDX-License-Identifier: MIT
 -- Captures: pictures that can be taken again bit for bit, and the figures and films made of them. `capture { ... }` is
 -- checked as a whole, all mistakes at once; docs/captures.md explains each field.
-local check  = require "strobe.check"
-local fields = require "strobe.fields"
-local figure = require "strobe.figure"
-local native = require "strobe.native"
-local shots  = require "strobe.shots"
+local check      = require "strobe.check"
+local experiment = require "strobe.experiment"
+local fields     = require "strobe.fields"
+local figure     = require "strobe.figure"
+local native     = require "strobe.native"
+local shots      = require "strobe.shots"
 
 local capture = {}
 
-local text, number, list, map = fields.text, fields.number, fields.list, fields.map
+local text, number, bool, list, map = fields.text, fields.number, fields.bool, fields.list, fields.map
 local copied = fields.copied
 
 -- Fields by table: their type, and whether they may be left out. A shot has the options of the command line as well.
@@ -23,19 +24,27 @@ capture.fields = {
     layers = { fields.any, optional = true }, most_flip = { number, optional = true },
     figures = { list, optional = true }, films = { list, optional = true },
   },
-  -- frames: { from, to, step } of a sequence. vary: { NAME = { values } }, a sequence over the values of an option of the
-  -- shot, a parameter of its scene ("scene.NAME") or of the arms' pipelines. stops, curve: how pictures are shown.
+  -- truth, crops, note, attribution: as in an experiment. frames: { from, to, step } of a sequence.
+  -- vary: { NAME = { values } }, a sequence over the values of an option of the shot, a parameter of its scene
+  -- ("scene.NAME") or of the arms' pipelines. stops, curve: how pictures are shown.
   shot = {
     name = { text }, title = { text, optional = true }, frames = { list, optional = true },
     vary = { map, optional = true }, stops = { number, optional = true }, curve = { text, optional = true },
+    truth = { map, optional = true }, crops = { list, optional = true }, note = { text, optional = true },
+    attribution = { text, optional = true },
   },
   -- shots: those that it draws; all unless given. files: a folder beside the script with other versions of scripts and
-  -- shaders, in strobe/ those of what ships, in project/ those of the project.
+  -- shaders, in strobe/ those of what ships, in project/ those of the project. role, shown: as in an experiment.
   arm = {
     name = { text }, pipeline = { text }, set = { map, optional = true }, shots = { list, optional = true },
-    layers = { fields.any, optional = true }, files = { text, optional = true },
+    layers = { fields.any, optional = true }, files = { text, optional = true }, role = { text, optional = true },
+    shown = { bool, optional = true },
   },
 }
+-- Fields of an experiment, which a capture with `measures` is too.
+local measuring = { "question", "regions", "measures", "rounds", "most_rounds", "within", "base", "background", "expect",
+                    "layout" }
+for _, name in ipairs(measuring) do capture.fields.capture[name] = experiment.fields.experiment[name] end
 
 local kMostSteps = 1000
 
@@ -114,7 +123,7 @@ function Checker:captured_shot(entry, path)
   if result.vary ~= nil and result.frames ~= nil then
     self:add(check.joined(path, "vary"), "a shot has frames or vary, not both")
   end
-  result.vary, result.truth = nil, nil
+  result.vary = nil
   return result
 end
 
@@ -122,10 +131,34 @@ function Checker:captured_arm(entry, path, shot_names)
   local result = copied(self:fields(entry, "arm", path, "arm " .. path[2]))
   result.set = self:settings(result.set, check.joined(path, "set"))
   result.layers = self:layers(result.layers, check.joined(path, "layers"), "arm " .. path[2])
+  self:one_of(result.role, experiment.roles, check.joined(path, "role"), "the role of an arm")
   for i, name in ipairs(type(result.shots) == "table" and result.shots or {}) do
     self:one_of(name, shot_names, check.joined(check.joined(path, "shots"), i), "a shot of arm " .. path[2])
   end
   return result
+end
+
+-- What an experiment asks of a capture.
+function Checker:measured(t, shot_names)
+  for _, name in ipairs(measuring) do
+    if t.measures == nil and t[name] ~= nil then
+      self:add({ name }, "a capture with '%s' is measured: it has `measures`", name)
+    end
+  end
+  for i, name in ipairs(shot_names) do
+    local shot = t.shots[i]
+    if type(shot.truth) == "table" and t.truth == nil then
+      self:add({ "shots", i, "truth" }, "shot '%s' has settings of truth, and the capture has no 'truth' arm", name)
+    end
+    if t.measures and shot.vary ~= nil then
+      self:add({ "shots", i, "vary" }, "a shot with vary cannot be measured; an experiment has axes")
+    end
+  end
+  if t.measures == nil then return end
+  if t.truth == nil then self:add({ "measures" }, "measures are against truth, and the capture has no 'truth' arm") end
+  for i, arm in ipairs(t.arms) do
+    if arm.files ~= nil then self:add({ "arms", i, "files" }, "an arm with files of its own cannot be measured") end
+  end
 end
 
 function Checker:whole(t)
@@ -145,18 +178,41 @@ function Checker:whole(t)
       self:distinct(result[kind], "name", kind)
     end
   end
+  self:measured(t, shot_names)
   self.problems:raise()
+  for _, name in ipairs(measuring) do if name ~= "measures" then result[name] = nil end end
   result.kind = "capture"
+  return result
+end
+
+-- The experiment that a capture is too, as strobe.experiment takes it.
+local function as_experiment(t)
+  local result = { title = t.title, note = t.note, size = t.size, seed = t.seed, shots = t.shots, arms = {} }
+  for _, name in ipairs(measuring) do result[name] = t[name] end
+  result.layout = result.layout or { pictures = {} }
+  local drawn = {}
+  for _, arm in ipairs(t.arms) do
+    if arm.name == t.truth then
+      result.truth = { name = arm.name, pipeline = arm.pipeline, set = arm.set }
+    else
+      table.insert(result.arms, { name = arm.name, pipeline = arm.pipeline, set = arm.set, role = arm.role, shown = arm.shown })
+      drawn[arm.name] = arm.shots
+    end
+  end
+  function result.skip(point) return drawn[point.arm] ~= nil and not check.contains(drawn[point.arm], point.shot) end
   return result
 end
 
 local Made = {}
 
--- What a file returned, as plain data, checked against what is `given`: the `options` of shots that there are.
+-- What a file returned, as plain data, checked against what is `given`: the `options` of shots that there are. Where
+-- experiments are asked for, by the names of `measures`, a capture that is measured is one.
 function Made.finished(result, given)
   local self = Checker.at(result.place)
   self.options = shots.by_name(given.options)
-  return self:whole(result.fields)
+  local plain = self:whole(result.fields)
+  if not given.measures or not result.fields.measures then return plain end
+  return experiment.finished(as_experiment(result.fields), result.place, given)
 end
 
 return setmetatable(capture, { __call = native.at_caller(function(place, _, t)

@@ -82,7 +82,7 @@ experiment.fields = {
 
 -- Where a value is drawn: by its logarithm (0 has a place of its own), by itself, or each as far from the next.
 experiment.scales = { "log", "linear", "even" }
-local roles = { "method", "floor" }
+experiment.roles = { "method", "floor" }
 
 -- What varies: list, grid, zip, each, ablation, random, sobol; values: linear, log.
 for _, kind in ipairs { "list", "grid", "zip", "each", "ablation", "random", "sobol", "linear", "log" } do
@@ -96,7 +96,7 @@ shots.extend(Checker, experiment.fields.shot)
 
 function Checker:arm(t, path)
   local result = copied(self:fields(t, "arm", path, "arm " .. path[2]))
-  self:one_of(result.role, roles, check.joined(path, "role"), "the role of an arm")
+  self:one_of(result.role, experiment.roles, check.joined(path, "role"), "the role of an arm")
   for _, name in ipairs { "set", "box" } do result[name] = self:settings(result[name], check.joined(path, name)) end
   return result
 end
@@ -326,17 +326,23 @@ end
 
 -- ---- what the program asks for
 
-local Made = {}
-
--- What a file returned, as plain data: an experiment checked against what is `given`: the names of `options`,
--- `regions` and `measures` there are; with `results` what becomes of its expectations.
-function Made.finished(result, given)
-  local self = Checker.at(result.place)
+-- The experiment `t` made at `place`, as plain data, checked against what is `given`: the names of `options`, `regions`
+-- and `measures` there are; with `results` what becomes of its expectations.
+function experiment.finished(t, place, given)
+  local self = Checker.at(place)
   self.known, self.options = given, shots.by_name(given.options)
-  local plain, expectations = self:whole(result.fields)
+  local plain, expectations = self:whole(t)
   if given.results then return judge(expectations, given.results, given) end
   plain.expectations = #expectations
   return plain
+end
+
+local Made = {}
+
+-- What a file returned. Where no experiment is asked for, only that it is one.
+function Made.finished(result, given)
+  if not given.measures then return { kind = "experiment" } end
+  return experiment.finished(result.fields, result.place, given)
 end
 
 return setmetatable(experiment, { __call = native.at_caller(function(place, _, t)

@@ -68,7 +68,7 @@ TEST_F(Installed, RendersAndChecks) {
   Outcome sound = strobeIn(project(), "check smear none");
   EXPECT_EQ(sound.exit_code, 0) << sound.err;
   EXPECT_EQ(strobeIn(folder_->path(), "help none").exit_code, 0);
-  Outcome listed = strobeIn(folder_->path(), "sweep experiments/demo/demo.lua --dry-run");
+  Outcome listed = strobeIn(folder_->path(), "sweep scripts/captures/demo.lua --dry-run");
   EXPECT_EQ(listed.exit_code, 0) << listed.err;
   EXPECT_EQ(written(), before) << "the program wrote to the folder it is installed in";
 }

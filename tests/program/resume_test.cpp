@@ -118,7 +118,15 @@ TEST_F(Resume, KilledAtAnyMomentItLosesNothingAndDrawsNothingTwice) {
 }
 
 TEST_F(Resume, AnInterruptedDemoIsLaidOutUnderItsOwnNames) {
-  writeText(folder_ / "x.lua", few("experiment.linear(1, 60, 60)"));
+  writeText(folder_ / "x.lua", R"lua(
+local capture = require "strobe.capture"
+local arms = { { name = "truth", pipeline = "ground_truth", set = { samples = 16 } } }
+for i = 1, 60 do arms[i + 1] = { name = "hybrid " .. i, pipeline = "hybrid", set = { samples = i } } end
+return capture {
+  title = "Many", size = { 64, 36 }, layers = {}, measures = { "rmse" }, truth = "truth",
+  shots = { { name = "bar", scene = "oracles/bar" } }, arms = arms,
+}
+)lua");
   killAt("out", 3, 0, "demo");
   ASSERT_FALSE(fs::exists(folder_ / "out/demo.json"));
   Outcome outcome = run("report " + (folder_ / "out"), "STROBE_VALIDATION=0");

@@ -15,18 +15,19 @@ namespace strobe::testing {
 namespace {
 
 const char* const kDemo = R"lua(
-local experiment = require "strobe.experiment"
-return experiment {
+local capture = require "strobe.capture"
+return capture {
   title = "Small <demo> & more", size = { 64, 36 }, measures = { "rmse", "flip", "ms" },
   background = { arm = "hybrid", front = "no blur", color = "revealed", valid = "revealed_valid" },
   arms = {
     { name = "no blur", pipeline = "none" },
     { name = "hybrid", pipeline = "PIPELINE" },
     { name = "floor", pipeline = "ground_truth", set = { samples = 4 }, role = "floor", shown = false },
+    { name = "truth", pipeline = "ground_truth", set = { samples = 16 }, layers = { "inner", "velocity", "id" } },
   },
-  truth = { name = "truth", pipeline = "ground_truth", set = { samples = 16 } },
+  truth = "truth", layers = {},
   shots = {
-    { name = "card", title = "A card", scene = "SCENE", move = { card = { 0.6, 0, 0 } }, attribution = "Card by nobody", EXTRA },
+    { name = "card", title = "A card", scene = "scene.lua", move = { card = { 0.6, 0, 0 } }, attribution = "Card by nobody", EXTRA },
     { name = "elsewhere", title = "Elsewhere", scene = "shared:no_such_scene.glb" },
   },
   expect = {
@@ -39,6 +40,10 @@ return experiment {
     EXPECTED
   },
   layout = { pictures = { crop_size = { 16, 9 } } },
+  figures = { { name = "figure", shot = "card", cell_width = 480, boxes = { { area = { "inner", 16, 9 } } },
+    columns = { { arm = "no blur" }, { arm = "hybrid" } },
+    rows = { { title = "A card", note = "{size}, {displacement}", caption = "RMSE {rmse inner}" },
+             { crop = { "inner", 16, 9 } }, { against = "truth", difference = "channels", gain = 4 } } } },
 }
 )lua";
 
@@ -48,9 +53,8 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
-std::string demoText(const TemporaryFolder& folder, const std::string& pipeline, const std::string& extra,
-                     const std::string& expected = "") {
-  std::string text = replaced(replaced(kDemo, "SCENE", folder / "scene.lua"), "EXPECTED", expected);
+std::string demoText(const std::string& pipeline, const std::string& extra, const std::string& expected = "") {
+  std::string text = replaced(kDemo, "EXPECTED", expected);
   return replaced(replaced(text, "PIPELINE", pipeline), "EXTRA", extra);
 }
 
@@ -58,7 +62,7 @@ void expectRefusal(const std::string& pipeline, const std::string& extra, const 
                    const std::string& wanted) {
   TemporaryFolder folder;
   writeText(folder / "scene.lua", kCardScene);
-  writeText(folder / "demo.lua", demoText(folder, pipeline, extra));
+  writeText(folder / "demo.lua", demoText(pipeline, extra));
   Outcome outcome = run("demo " + (folder / "demo.lua") + " -o " + (folder / out), "STROBE_VALIDATION=0");
   EXPECT_NE(outcome.exit_code, 0);
   EXPECT_NE(outcome.err.find(wanted), std::string::npos) << outcome.err;
@@ -79,9 +83,9 @@ TEST(Demo, MistakesAreOneLineAndWriteNothing) {
 TEST(Demo, MistakesHaveTheirLine) {
   TemporaryFolder folder;
   writeText(folder / "scene.lua", kCardScene);
-  writeText(folder / "demo.lua", demoText(folder, "hybrid", "exposre = 0.5"));
+  writeText(folder / "demo.lua", demoText("hybrid", "exposre = 0.5"));
   Outcome outcome = run("demo " + (folder / "demo.lua") + " -o " + (folder / "out"), "STROBE_VALIDATION=0");
-  EXPECT_NE(outcome.err.find("demo.lua:13: shot 1 has no field 'exposre'"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("demo.lua:14: shot 1 has no field 'exposre'"), std::string::npos) << outcome.err;
 }
 
 // What a browser makes of the page, or an empty image where there is none.
@@ -106,15 +110,16 @@ void expectShown(const image::Image& page) {
   EXPECT_GT(other, red);
 }
 
-TEST(Demo, WritesSheetPageNumbersAndRecords) {
+TEST(Demo, WritesFigurePageNumbersAndRecords) {
   TemporaryFolder folder;
   writeText(folder / "scene.lua", kCardScene);
-  writeText(folder / "demo.lua", demoText(folder, "hybrid", "crops = { \"inner\", { 0, 0, 8, 8 } }"));
+  writeText(folder / "demo.lua", demoText("hybrid", "crops = { \"inner\", { 0, 0, 8, 8 } }"));
   std::string out = folder / "out";
   Outcome outcome = run("demo " + (folder / "demo.lua") + " -o " + out);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  for (const char* file : {"demo.png", "demo.html", "demo.json", "table.csv", "a_card/hybrid.exr", "a_card/hybrid.png",
-                           "a_card/hybrid.record.json", "a_card/truth.timings.json"})
+  for (const char* file :
+       {"figure.png", "figure.pdf", "manifest.json", "pictures/card.floor.exr", "demo.html", "demo.json", "table.csv",
+        "a_card/hybrid.exr", "a_card/hybrid.png", "a_card/hybrid.record.json", "a_card/truth.timings.json"})
     EXPECT_TRUE(fs::exists(out + "/" + file)) << file;
   EXPECT_NE(outcome.out.find("RMSE inner"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.err.find("about 0 s left"), std::string::npos) << "progress of pictures: " << outcome.err;
@@ -149,18 +154,75 @@ TEST(Demo, WritesSheetPageNumbersAndRecords) {
   EXPECT_NE(page.find("Small &lt;demo&gt; &amp; more"), std::string::npos);
   EXPECT_NE(page.find("Card by nobody"), std::string::npos);
   EXPECT_LT(page.size(), 12'000'000u);
-  EXPECT_GT(image::readPng(out + "/demo.png").width, 1000);
+  EXPECT_EQ(image::readPng(out + "/figure.png").width, 2 * 480 + 6 + 2 * 12) << "crops are the widest";
+
+  // Each picture was drawn once: what is measured is what the manifest has.
+  Json manifest = Json::parse(contentOf(out + "/manifest.json"));
+  ASSERT_EQ(manifest["pictures"].size(), 4u);
+  for (const Json& picture : manifest["pictures"])
+    for (const Json& point : points) {
+      if (point["arm"] != picture["arm"]) continue;
+      EXPECT_EQ(point["image"], picture["record"]["outputs"]["color"]) << point["arm"];
+    }
+  Json timings = Json::parse(contentOf(out + "/timings.json"));
+  for (const Json& point : points) {
+    if (point["role"] == "truth") continue;  // read from the folder's truth
+    std::string own = "a_card/" + point["arm"].get<std::string>();
+    std::replace(own.begin(), own.end(), ' ', '_');
+    EXPECT_EQ(Json::parse(contentOf(out + "/" + own + ".timings.json")),
+              timings["card." + own.substr(own.find('/') + 1)]);
+  }
+  Outcome verified = run("verify " + out);
+  EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
 
   image::Image shown = screenshot(folder, out + "/demo.html");
   if (shown.empty()) GTEST_SKIP() << "no Chromium to show the page";
   expectShown(shown);
 }
 
+// The one that ships: table, figure, manifest; and it is the same when it is taken again.
+TEST(Demo, TheShippedOneIsACaptureWithATable) {
+  TemporaryFolder folder;
+  std::string out = folder / "out";
+  Outcome outcome = run("demo --size 64x36 -o " + out, "STROBE_VALIDATION=0");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("This holds (RMSE"), std::string::npos) << outcome.out;
+  EXPECT_GT(image::readPng(out + "/demo.png").width, 6 * 480);
+  std::string table = contentOf(out + "/table.csv");
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 2 * 6 * 4) << "shots, arms, regions";
+  Json manifest = Json::parse(contentOf(out + "/manifest.json"));
+  EXPECT_EQ(manifest["capture"]["file"], "strobe:scripts/captures/demo.lua");
+  EXPECT_EQ(manifest["pictures"].size(), 14u);
+  Outcome verified = run("verify " + out, "STROBE_VALIDATION=0");
+  EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
+}
+
+TEST(Demo, RefusesWhatIsNotMeasured) {
+  TemporaryFolder folder;
+  writeText(folder / "scene.lua", kCardScene);
+  auto refused = [&](const std::string& from, const std::string& to, const std::string& wanted) {
+    std::string text = demoText("hybrid", "");
+    ASSERT_NE(text.find(from), std::string::npos) << from;
+    writeText(folder / "demo.lua", replaced(text, from, to));
+    Outcome outcome = run("demo " + (folder / "demo.lua") + " -o " + (folder / "out"), "STROBE_VALIDATION=0");
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find(wanted), std::string::npos) << outcome.err;
+    EXPECT_FALSE(fs::exists(folder / "out"));
+  };
+  refused("measures =", "-- measures =", "demo.lua:5: a capture with 'background' is measured: it has `measures`");
+  refused("\"flip\", \"ms\"", "\"flop\"", "did you mean 'flip'?");
+  refused("truth = \"truth\", ", "", "measures are against truth, and the capture has no 'truth' arm");
+  refused("role = \"floor\"", "role = \"flor\"", "demo.lua:9: the role of an arm is 'flor'");
+  refused("return capture", "do return require \"strobe.experiment\" { title = \"x\" } end return capture",
+          "is an experiment, no capture { ... }: `strobe sweep` runs it");
+  refused("move =", "vary = { exposure = { 0.1, 0.2 } }, move =", "a shot with vary cannot be measured");
+}
+
 // Pictures of one size do not stand for those of another, though they have the same names.
 TEST(Demo, AnotherSizeAndBack) {
   TemporaryFolder folder;
   writeText(folder / "scene.lua", kCardScene);
-  writeText(folder / "demo.lua", demoText(folder, "hybrid", ""));
+  writeText(folder / "demo.lua", demoText("hybrid", ""));
   std::string out = folder / "out", command = "demo " + (folder / "demo.lua") + " -o " + out;
   ASSERT_EQ(run(command).exit_code, 0);
   std::string picture = contentOf(out + "/a_card/hybrid.png");
@@ -176,19 +238,20 @@ TEST(Sweep, AFailedExpectationIsNamedAndEndsInExitCodeOne) {
   TemporaryFolder folder;
   writeText(folder / "scene.lua", kCardScene);
   std::string wrong = "{ \"two is three\", function() return false, \"2 < 3\" end },";
-  writeText(folder / "x.lua", demoText(folder, "hybrid", "", wrong));
+  writeText(folder / "x.lua", demoText("hybrid", "", wrong));
   std::string out = folder / "out";
   Outcome outcome = run("sweep " + (folder / "x.lua") + " -o " + out + " --json");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.err.find("strobe: expectation fails: two is three (2 < 3)"), std::string::npos) << outcome.err;
   for (const char* file : {"report.html", "report.png", "result.json", "result.md", "table.csv"})
     EXPECT_TRUE(fs::exists(out + "/" + file)) << file;
+  EXPECT_GT(image::readPng(out + "/report.png").width, 3 * 64 * 7) << "a column for each arm that is shown";
   EXPECT_EQ(Json::parse(outcome.out), Json::parse(contentOf(out + "/result.json")));
   EXPECT_NE(contentOf(out + "/result.md").find("two is three. This fails"), std::string::npos);
 
   // The texts and expectations of the file as it is now.
   std::string known = replaced(wrong, "end }", "end, known = \"two is two\" }");
-  writeText(folder / "x.lua", demoText(folder, "hybrid", "", known));
+  writeText(folder / "x.lua", demoText("hybrid", "", known));
   EXPECT_EQ(run("report " + out).exit_code, 1);
   EXPECT_EQ(run("report " + out + " --experiment " + (folder / "x.lua")).exit_code, 0);
 
@@ -204,7 +267,7 @@ TEST(Sweep, AFailedExpectationIsNamedAndEndsInExitCodeOne) {
 TEST(Sweep, ListsItsPointsAndRefusesWhatIsNone) {
   TemporaryFolder folder;
   writeText(folder / "scene.lua", kCardScene);
-  writeText(folder / "x.lua", demoText(folder, "hybrid", ""));
+  writeText(folder / "x.lua", demoText("hybrid", ""));
   std::string command = "sweep " + (folder / "x.lua") + " -o " + (folder / "out");
   Outcome listed = run(command + " --dry-run");
   EXPECT_EQ(listed.exit_code, 0) << listed.err;

@@ -132,8 +132,7 @@ FIGURES = [
     *[picture("figure_window_" + name, "window", f"live-{name}.png", 70, compare="pixels", share=0.01, step=8,
               region=region, because="the picture alone: panels show times")
       for name, region in (("compare", MIDDLE), ("inspect", MIDDLE), ("problem", MIDDLE), ("sweep", ABOVE))],
-    picture("figure_demo", "demo", "demo.png", 200, compare="pixels", share=0.02, step=12, block=4,
-            because="its captions have times; means over 4x4 pixels, since it is scaled"),
+    picture("figure_demo", "demo", "demo.png", 200, compare="pixels", share=0.002, step=2),
     Figure("stability_page", "./strobe stability --write FILE", 3000, "counts of cases", file="docs/stability.md",
            make=written(("stability", "--write"))),
     Figure("extreme_cases_page", "./strobe stability --extremes --write FILE", 600, "counts of cases",
