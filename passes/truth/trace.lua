@@ -3,6 +3,7 @@
 -- Source: Cook, Porter, Carpenter, "Distributed Ray Tracing", SIGGRAPH '84.
 local pass  = require "strobe.pass"
 local shade = require "passes.scene.shade"
+local adaptive = require "passes.lib.adaptive"
 
 return pass.trace {
   name   = "truth_trace",
@@ -11,6 +12,7 @@ return pass.trace {
   size   = { of = "hit" },
   reads  = {
     hit = { uint = true, doc = "what each pixel sees at the capture: instance + 1 (0 = sky), geometry, primitive" },
+    budget = { optional = true, doc = "samples of each tile; absent: all take all" },
   },
   writes = {
     sample_id       = { format = "rg32ui", doc = "instance + 1, geometry + 1 this iteration's ray hit; sky = 0" },
@@ -30,6 +32,9 @@ return pass.trace {
       doc = "pose at which points are shaded: the capture's (what a blur filter can reach), or the sample's own time" },
     pixel   = pass.choice { "centre", "box", default = "centre",
       doc = "sample positions: the centre, or all over the pixel" },
+    taken = pass.int { 0, min = 0, max = 1048576, doc = "samples that loops before this one have taken" },
+    least_budget = pass.float { 0, min = 0, max = 1e6, doc = "samples of a tile that takes part" },
+    tile = adaptive.tile,
     mark_regions = pass.bool { true, doc = "find the regions in which methods differ; one more ray per sample" },
   },
 }

@@ -106,7 +106,7 @@ static std::vector<ShotOption> allOptions() {
           Concern::Frame, O::kControl),
       one(whole("seed", &S::seed, 0, 0, 4294967295.0), "of every random number", Concern::Frame, O::kControl),
       one(text("backend", &S::backend, "auto", backendNames()),
-          "how rays are traced; auto: by the device, software devices by the runtime's own tree", Concern::Plan,
+          "how rays are traced; auto: the first of query, pipeline and bvh that the device has", Concern::Plan,
           O::kControl),
       one(text("device", &S::device, ""), "index or part of the name of a Vulkan device", Concern::Device,
           O::kNoPicture),

@@ -49,8 +49,6 @@ bool isPresent(const BackendRow& row, const gpu::DeviceInfo& device) {
 }
 
 Backend chooseBackend(const gpu::DeviceInfo& device, const std::string& asked) {
-  // A processor gains nothing from the driver's structures, which are trees in memory as the runtime's own is.
-  if (asked == "auto" && device.software) return Backend::Bvh;
   for (const BackendRow& row : backends()) {
     if (asked != "auto" && asked != row.name) continue;
     if (isPresent(row, device)) return row.backend;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ways of tracing rays. A further one is a row here, a file below shaders/backend/ that mixin/trace.glsl includes,
+// The ways of tracing rays. A further one is a row here, a file shaders/mixin/trace_NAME.glsl that trace.glsl includes,
 // and structures for its rays unless those that are there serve (world/structures.h).
 #pragma once
 
@@ -26,7 +26,7 @@ struct BackendRow {
   std::vector<const char*> extensions;  // of GLSL
 };
 
-// In the order in which `auto` takes them on a device that is not software.
+// In the order in which `auto` takes them.
 const std::vector<BackendRow>& backends();
 const BackendRow& rowOf(Backend backend);
 const char* backendName(Backend backend);  // "none" of None

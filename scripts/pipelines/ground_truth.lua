@@ -1,23 +1,28 @@
 -- SPDX-License-Identifier: MIT
 -- Truth: the mean over true poses at many times of the exposure. Never clamped, no tiles, no layers.
-local pipeline   = require "strobe.pipeline"
-local shade      = require "passes.scene.shade"
-local visibility = require "passes.scene.visibility"
-local traced     = require "passes.scene.visibility_traced"
-local accumulate = require "passes.truth.accumulate"
-local mean       = require "passes.truth.mean"
-local regions    = require "passes.truth.regions"
-local spread     = require "passes.truth.spread"
-local stop       = require "passes.truth.stop"
-local trace      = require "passes.truth.trace"
-local scene      = require "scripts.pipelines.lib.scene"
+local pipeline      = require "strobe.pipeline"
+local shared        = require "passes.lib.adaptive"
+local shade         = require "passes.scene.shade"
+local visibility    = require "passes.scene.visibility"
+local traced        = require "passes.scene.visibility_traced"
+local accumulate    = require "passes.truth.accumulate"
+local audit         = require "passes.truth.audit"
+local budget_met    = require "passes.truth.budget_met"
+local joined_halves = require "passes.truth.joined_halves"
+local mean          = require "passes.truth.mean"
+local regions       = require "passes.truth.regions"
+local sample_budget = require "passes.truth.sample_budget"
+local sample_rate   = require "passes.truth.sample_rate"
+local spread        = require "passes.truth.spread"
+local stop          = require "passes.truth.stop"
+local tile_error    = require "passes.truth.tile_error"
+local trace         = require "passes.truth.trace"
+local scene         = require "scripts.pipelines.lib.scene"
 
 local drawn = "a sample's time or place is drawn by its pixel on the screen"
 local smooth = "a pixel sees all of its square, whose silhouettes are smooth where they rest too"
 
 local snapped = "vertices are snapped to 1/256 px: a silhouette as close to a pixel's centre falls to either side"
-
-local bool, choice, float, int = pipeline.bool, pipeline.choice, pipeline.float, pipeline.int
 
 -- One time sample: how it is taken, by mode. Yields mean_a, mean_b and, if it can tell, regions.
 local samples = {}
@@ -40,6 +45,83 @@ local function stop_test(p, means)
   return stop { spread = blocks, tolerance = p.tolerance, as = "stop" }.stop
 end
 
+-- ---- one number of samples for all pixels
+
+local function everywhere(p, seen)
+  local stops, rays = p.tolerance() > 0, p.mode() == "rays"
+  return pipeline.loop {
+    name = "shutter", count = p.samples, times = p.times, slices = p.slices,
+    until_ = stops and function(results) return results.stop end or nil,
+    body = function()
+      local s = samples[p.mode()](p, seen)
+      return {
+        mean_a = s.mean_a, mean_b = s.mean_b, regions = rays and s.regions or nil,
+        stop = stops and stop_test(p, s) or nil,
+      }
+    end,
+  }
+end
+
+-- ---- more samples where they differ more
+
+local most_per_tile = 4  -- in `samples`
+
+-- `count` samples of the tiles in `budget` that have `least` or more; of all without it.
+local function level(p, seen, t)
+  return pipeline.loop {
+    name = t.name, count = t.count, times = p.times, slices = p.slices,
+    until_ = t.budget and function(results) return results.stop end or nil,
+    body = function()
+      local s = trace {
+        hit = seen.hit, budget = t.budget, taken = t.taken, least_budget = t.least, tile = p.tile, pixel = p.pixel,
+        mark_regions = p.mark_regions, time = "sample", as = "truth_" .. t.name,
+      }
+      local stopped = t.budget and budget_met { rate = t.rate, least_budget = t.least, as = t.name .. "_stop" }.stop or nil
+      return { mean_a = s.mean_a, mean_b = s.mean_b, regions = s.regions, stop = stopped }
+    end,
+  }
+end
+
+-- A few everywhere; by these, each tile its own number. Each level has as many as all before it, spread evenly over the
+-- exposure: what a tile has always is. Yields also what checks the error of the whole, unless all have the same number.
+local function adaptive(p, seen)
+  -- At pixel centres one time is right or wrong for all of a tile: its error tells little of what more samples gain.
+  if p.pixel() == "centre" then error("mode = adaptive sees whole pixels: pixel = centre needs mode = rays", 0) end
+  if p.tolerance() > 0 then error("mode = adaptive shares out `samples`: tolerance > 0 needs mode = rays", 0) end
+  local few = math.min(p.pilot(), p.samples())
+  local sum = level(p, seen, { name = "pilot", count = few, taken = 0, least = 0 })
+  if few == p.samples() then return sum end
+  local blocks = spread { mean_a = sum.mean_a, mean_b = sum.mean_b, block = p.tile }.spread
+  local errors = tile_error { spread = blocks }.tile_error
+  local rate = sample_rate { tile_error = errors, samples = p.samples, order = p.order, most = most_per_tile }.rate
+  local budget = sample_budget {
+    tile_error = errors, rate = rate, samples = p.samples, order = p.order, tile = p.tile, least = p.least, audit = p.audit,
+  }.budget
+  local taken, number = few, 0
+  while taken < most_per_tile * p.samples() do
+    number = number + 1
+    local least = math.sqrt(2) * taken  -- nearer to twice as many, as a factor
+    local more = level(p, seen, {
+      name = "level_" .. number, count = taken, taken = taken, budget = budget, rate = rate, least = least,
+    })
+    sum = joined_halves {
+      first_a = sum.mean_a, first_b = sum.mean_b, first_regions = sum.regions,
+      more_a = more.mean_a, more_b = more.mean_b, more_regions = more.regions, as = "truth_sum_" .. number,
+    }
+    taken = 2 * taken
+  end
+  local function audited(error)
+    return audit {
+      error = error, tile_error = errors, tile = p.tile, pilot = few, order = p.order, audit = p.audit,
+    }.error
+  end
+  return sum, audited
+end
+
+local by_tile = "a tile has one number of samples, and tiles begin at the picture's corner"
+
+local bool, choice, float, int = pipeline.bool, pipeline.choice, pipeline.float, pipeline.int
+
 return pipeline {
   doc = "The scene at many times of the exposure, each as it truly stands: what every method is compared to",
   kind = "truth",
@@ -49,14 +131,17 @@ return pipeline {
     outer  = "pixels outside of the object that see it within the exposure",
   },
   params = {
-    mode         = choice { "rays", "raster", default = "rays",
+    mode         = choice { "rays", "adaptive", "raster", default = "rays",
       doc = "what finds the nearest surface at each time; only rays tell regions",
       values = {
         rays   = "Rays: whole pixels or their centres, several times at once, and regions.",
+        adaptive = "Rays through whole pixels, more of them where they differ more: about the error that `samples` " ..
+                   "everywhere would have, in a fraction of the time. Fails to see what crosses a place between two of " ..
+                   "the first samples where nothing else moves; regions are those of the samples that were taken.",
         raster = "Raster, one time after another: a check of the rays that shares none of their traversal. Fails to " ..
                  "tell regions, and samples pixel centres only.",
       },
-      breaks = { raster = { mirrored = snapped } } },
+      breaks = { raster = { mirrored = snapped }, adaptive = { mirrored = by_tile, shifted = by_tile } } },
     samples      = int { 1024, min = 1, max = 65536, role = "sample_count", doc = "time samples, at most" },
     times        = choice { "midpoint", "stratified", default = "midpoint", role = "sample_times",
       doc = "where a sample is in its stratum",
@@ -80,26 +165,22 @@ return pipeline {
       } } },
     mark_regions = bool { true, role = "regions",
       doc = "find the regions in which methods differ; one more ray per sample" },
+    pilot        = shared.pilot,
+    order        = shared.order,
+    tile         = shared.tile,
+    least        = sample_budget.params.least,
+    audit        = shared.audit,
     tolerance    = float { 0, min = 0, max = 1e6, doc = "stop at this standard error of the mean; 0 = never" },
   },
   build = function(p)
-    local stops, rays = p.tolerance() > 0, p.mode() == "rays"
+    local rays = p.mode() ~= "raster"
     local seen = scene.captured(rays and traced or visibility)
-    local means = pipeline.loop {
-      name = "shutter", count = p.samples, times = p.times, slices = p.slices,
-      until_ = stops and function(results) return results.stop end or nil,
-      body = function()
-        local s = samples[p.mode()](p, seen)
-        return {
-          mean_a = s.mean_a, mean_b = s.mean_b, regions = rays and s.regions or nil,
-          stop = stops and stop_test(p, s) or nil,
-        }
-      end,
-    }
+    local means, audited = (p.mode() == "adaptive" and adaptive or everywhere)(p, seen)
     local result = mean { mean_a = means.mean_a, mean_b = means.mean_b }
     local where = rays and regions { regions = means.regions } or {}
     return scene.outputs(seen, {
-      color = result.color, error = result.error, inner = where.inner, hidden = where.hidden, outer = where.outer,
+      color = result.color, error = audited and audited(result.error) or result.error,
+      inner = where.inner, hidden = where.hidden, outer = where.outer,
     })
   end,
 }

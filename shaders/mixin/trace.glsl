@@ -17,11 +17,11 @@ struct TraceResult {
 };
 
 #if defined(STROBE_BACKEND_PIPELINE)
-#include "backend/pipeline.glsl"
+#include "mixin/trace_pipeline.glsl"
 #elif defined(STROBE_BACKEND_BVH)
-#include "backend/bvh.glsl"
+#include "mixin/trace_bvh.glsl"
 #else
-#include "backend/query.glsl"
+#include "mixin/trace_query.glsl"
 #endif
 
 // Is the triangle seen from its front by this ray?

@@ -56,9 +56,24 @@ void addSample(ivec2 pixel, vec3 color) {
   else imageStore(mean_b_img, pixel, withSample(imageLoad(mean_b_img, pixel), color));
 }
 
+// Does the pixel's tile take part in these samples?
+bool takesPart(ivec2 pixel) {
+#if HAS_budget
+  return texelFetch(budget_tex, pixel / params.tile, 0).x >= params.least_budget;
+#else
+  return true;
+#endif
+}
+
 void run(ivec2 pixel) {
   uint index = uint(pixel.y) * frame.size.x + uint(pixel.x);
+  uint number = frame.iteration + uint(params.taken);
   vec4 still = imageLoad(still_img, pixel);
+  if (!takesPart(pixel)) {
+    imageStore(sample_id_img, pixel, uvec4(0u));
+    imageStore(sample_position_img, pixel, vec4(0));
+    return;
+  }
   bool caches = PARAM_shading == shading_frozen && PARAM_pixel == pixel_centre;
   // Where nothing that moves can be seen, every sample is the first one.
   bool reached = all(greaterThanEqual(pixel, frame.reach.xy)) && all(lessThan(pixel, frame.reach.zw));
@@ -67,10 +82,10 @@ void run(ivec2 pixel) {
     return;
   }
   uint slice = TIME_SLICE;
-  if (frame.slice_count > 1u) slice += randomUint(index, frame.iteration, 0u) % frame.slice_count;
+  if (frame.slice_count > 1u) slice += randomUint(index, number, 0u) % frame.slice_count;
   vec2 position_px = samplePosition(pixel);
 #if PARAM_pixel == pixel_box
-  position_px = vec2(pixel) + stratified2(index, frame.iteration);
+  position_px = vec2(pixel) + stratified2(index, number);
 #endif
   Ray ray = cameraRay(slice, position_px);
   Hit hit = traceNearest(slice, ray, scene_cameras[slice].near, kFar);

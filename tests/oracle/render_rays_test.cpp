@@ -18,7 +18,7 @@
 namespace strobe::oracle {
 namespace {
 
-const std::string kRays = sourceFolder().string() + "/scripts/inspect/rays.lua";
+const std::string kRays = sourceFolder().string() + "/scripts/inspect/test_rays.lua";
 constexpr int kWidth = 512, kHeight = 256;
 const char* const kKinds[] = {"through", "vertex", "edge", "axis", "grazing", "afar", "surface", "plane"};
 

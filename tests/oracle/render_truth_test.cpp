@@ -266,6 +266,76 @@ TEST_F(RenderTruth, StopsAtTheToleranceAndNotBefore) {
   EXPECT_EQ(iterationsOf(strict, "shutter"), 128);
 }
 
+// ---- more samples where they differ more
+
+uint64_t raysOf(const lab::Picture& picture) {
+  uint64_t rays = 0;
+  for (const auto& [name, count] : picture.frame.counters)
+    if (name.find(".rays_") != std::string::npos) rays += count;
+  return rays;
+}
+
+TEST_F(RenderTruth, AdaptiveMatchesClosedForms) {
+  Strips strips{{32, 80, 20, {.9, .6, 6, 32}}, {-kInfinity, kInfinity, -12, {.4, .1, 10, 0}}};
+  for (const Anchor& anchor : anchors()) {
+    lab::Picture picture = render(with(StripedScene{20, -12}.shot(), "ground_truth",
+                                       truth(128, {"mode=adaptive", "pixel=box", "times=stratified"}), anchor.name));
+    double sum = 0;
+    const image::Image& color = colorOf(picture);
+    for (int y = 0; y < color.height; ++y)
+      for (int x = 0; x < color.width; ++x)
+        sum += std::pow(color.at(x, y, 0) - exposePixel(strips, anchor.window, x).colour, 2);
+    double error = std::sqrt(sum / (color.width * color.height)), stated = rms(imageOf(picture, "error"));
+    EXPECT_LE(error, 3 * stated) << anchor.name;
+    EXPECT_LE(stated, .02) << anchor.name;
+  }
+}
+
+// About the error of as many samples everywhere, by fewer rays; within what the two differ by, the same picture.
+TEST_F(RenderTruth, AdaptiveIsAsExactForFewerRays) {
+  lab::Shot shot = shotOf("crowd", 160, 90);
+  std::vector<std::string> settings = truth(256, {"times=stratified", "pixel=box"});
+  lab::Picture everywhere = render(with(shot, "ground_truth", settings));
+  settings.insert(settings.end(), {"mode=adaptive", "audit=0.1"});
+  lab::Picture adaptive = render(with(shot, "ground_truth", settings));
+  double stated = rms(imageOf(everywhere, "error")), adaptive_stated = rms(imageOf(adaptive, "error"));
+  double rays = double(raysOf(adaptive)) / double(raysOf(everywhere));
+  RecordProperty("error", fmt::format("{:.3f}", adaptive_stated / stated));
+  RecordProperty("rays", fmt::format("{:.3f}", rays));
+  EXPECT_LE(adaptive_stated, 1.25 * stated);
+  EXPECT_LE(rays, 0.5);
+  EXPECT_LE(rmsDifference(colorOf(adaptive), colorOf(everywhere)), 2 * std::hypot(stated, adaptive_stated));
+  // Some tiles had all samples all the same, and most err as the first samples foresaw.
+  EXPECT_GT(counterOf(adaptive, "truth_audit.audited"), 0u);
+  EXPECT_LE(counterOf(adaptive, "truth_audit.off"), counterOf(adaptive, "truth_audit.audited") / 4);
+}
+
+// With no more samples than the first ones it is truth everywhere; where all is one colour it has no more than those.
+TEST_F(RenderTruth, AdaptiveTakesNoMoreThanItNeeds) {
+  StripedScene scene;
+  auto one = [&](const char* mode) {
+    return render(with(scene.shot(), "ground_truth", truth(16, {"pixel=box", fmt::format("mode={}", mode)})));
+  };
+  EXPECT_TRUE(identical(colorOf(one("adaptive")), colorOf(one("rays"))));
+
+  lab::Shot still = shotOf("half_plane", 96, 32, {{"edge", 500}, {"d_f", 0}});
+  lab::Picture picture = render(with(still, "ground_truth", truth(256, {"mode=adaptive", "pixel=box", "audit=0"})));
+  EXPECT_EQ(imageOf(picture, "error").at(50, 16, 3), 16);
+  EXPECT_TRUE(identical(colorOf(picture), colorOf(render(with(still, "none")))));
+}
+
+TEST_F(RenderTruth, AdaptiveRefusesWhatItCannotDo) {
+  for (const auto& [setting, reason] : {std::pair("pixel=centre", "pixel = centre needs mode = rays"),
+                                        std::pair("tolerance=0.1", "tolerance > 0 needs mode = rays")}) {
+    try {
+      render(with(StripedScene().shot(), "ground_truth", truth(64, {"mode=adaptive", "pixel=box", setting})));
+      FAIL() << setting;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+    }
+  }
+}
+
 // Rasterised pictures of the same times share no visibility with rays. What they see differs where a sample falls
 // within 1/256 px of an edge, so at most by the snapping, and in the mean by less than the error truth states.
 TEST_F(RenderTruth, RasterAndRaysAgree) {

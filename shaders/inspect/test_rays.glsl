@@ -68,7 +68,7 @@ Ray anyRay(uint kind) {
 
 void run(ivec2 pixel) {
   ray_number = uint(pixel.y) * frame.size.x + uint(pixel.x);
-  uint kind = PARAM_kind == kind_all ? uint(pixel.y) % kKinds : uint(PARAM_kind - kind_through);
+  uint kind = PARAM_ray_kind == ray_kind_all ? uint(pixel.y) % kKinds : uint(PARAM_ray_kind - ray_kind_through);
   Ray ray = anyRay(kind);
   if (ray.direction == vec3(0)) ray.direction = vec3(0, 0, 1);
   float t_max = 3.0e38;

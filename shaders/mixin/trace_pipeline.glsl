@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Needs: rays, scene.
-// Tracing backend `pipeline`: ray tracing pipelines; miss, any-hit and closest-hit stages stand beside this.
+// Tracing backend `pipeline`: ray tracing pipelines; miss, any-hit and closest-hit stages are in shaders/backend/.
 layout(location = 0) rayPayloadEXT TracePayload trace_payload;
 
 // As traceExcept of mixin/trace.glsl; `any_hit`: the first that is found.

@@ -76,6 +76,35 @@ bool isBefore(uint triangle, uint other) {
 // One plane of each of four children, in steps. Through signed integers: processors convert no others at once.
 vec4 planes(uint bytes) { return vec4(ivec4((uvec4(bytes) >> uvec4(0, 8, 16, 24)) & 255u)); }
 
+// The nearest child of a node that the ray meets from t_min to t_max, kNextOnStack without any. `others`: an entry of the
+// stack for the others that it meets: the node, their numbers, nearest first, 2 bits each; how many. 0: there are none.
+uint nearestChild(uint node, vec3 origin, vec3 inverse, float t_min, float t_max, out uint others) {
+  uint steps = scene_bvh.nodes.at[node].steps;
+  uvec3 low = scene_bvh.nodes.at[node].low, high = scene_bvh.nodes.at[node].high;
+  vec3 step_t = uintBitsToFloat((uvec3(steps) << uvec3(23, 15, 7)) & 0x7f800000u) * inverse;
+  vec3 offset = (scene_bvh.nodes.at[node].origin - origin) * inverse;
+  vec3 slack = (abs(offset) + 255.0 * abs(step_t)) * (1.0 / 1048576.0);  // what rounding may take away
+  vec3 in_offset = offset - slack, out_offset = offset + slack;
+  bvec3 backward = lessThan(inverse, vec3(0));
+  uvec3 nearer = mix(low, high, backward), farther = mix(high, low, backward);
+  vec4 enter = max(max(planes(nearer.x) * step_t.x + in_offset.x, planes(nearer.y) * step_t.y + in_offset.y),
+                   max(planes(nearer.z) * step_t.z + in_offset.z, vec4(t_min)));
+  vec4 leave = min(min(planes(farther.x) * step_t.x + out_offset.x, planes(farther.y) * step_t.y + out_offset.y),
+                   min(planes(farther.z) * step_t.z + out_offset.z, vec4(t_max)));
+  uvec4 met = uvec4(lessThanEqual(enter, leave)) & uvec4(lessThan(uvec4(0, 1, 2, 3), uvec4(steps >> 24)));
+  // Distances with the child in their last bits, sorted; children that are missed come last.
+  uvec4 keys = (floatBitsToUint(enter) & ~3u) | uvec4(0, 1, 2, 3) | (met - 1u);
+  uvec2 first = min(keys.xz, keys.yw), second = max(keys.xz, keys.yw);
+  uint k0 = min(first.x, first.y), k3 = max(second.x, second.y);
+  uint m0 = max(first.x, first.y), m1 = min(second.x, second.y);
+  uint k1 = min(m0, m1), k2 = max(m0, m1);
+  uint hits = met.x + met.y + met.z + met.w;
+  others = 0u;
+  if (hits > 1u) others = (node << 8) | ((k1 & 3u) << 2) | ((k2 & 3u) << 4) | ((k3 & 3u) << 6) | (hits - 1u);
+  if (hits == 0u) return kNextOnStack;
+  return scene_bvh.nodes.at[node].children[k0 & 3u];
+}
+
 // As traceExcept of mixin/trace.glsl; `any_hit`: the first that is found.
 TraceResult launch(uint slice, bool any_hit, Ray world_ray, float t_min, float t_max, uint skip_instance,
                    uint skip_geometry) {
@@ -91,7 +120,7 @@ TraceResult launch(uint slice, bool any_hit, Ray world_ray, float t_min, float t
   int top = 0, bottom = 0;  // of the stack, and where the entries of the tree that the ray is in begin
   uint reference = scene_bvh.first_root + level * scene_bvh.nodes_per_slice;
   while (true) {
-    // To the next leaf. An entry of the stack: a node, its children that are left, nearest first, 2 bits each; how many.
+    // To the next leaf.
     while (true) {
       if (reference == kNextOnStack && top == bottom) {
         if (instance != NO_INSTANCE) {
@@ -110,34 +139,9 @@ TraceResult launch(uint slice, bool any_hit, Ray world_ray, float t_min, float t
       }
       if (reference >= BVH_LEAF) break;
 
-      uint node = reference;
-      vec3 from = scene_bvh.nodes.at[node].origin;
-      uint steps = scene_bvh.nodes.at[node].steps;
-      uvec3 low = scene_bvh.nodes.at[node].low, high = scene_bvh.nodes.at[node].high;
-      vec3 step_t = uintBitsToFloat((uvec3(steps) << uvec3(23, 15, 7)) & 0x7f800000u) * inverse;
-      vec3 offset = (from - origin) * inverse;
-      vec3 slack = (abs(offset) + 255.0 * abs(step_t)) * (1.0 / 1048576.0);  // what rounding may take away
-      bvec3 backward = lessThan(inverse, vec3(0));
-      uvec3 nearer = mix(low, high, backward), farther = mix(high, low, backward);
-      vec3 in_offset = offset - slack, out_offset = offset + slack;
-      vec4 enter = max(max(planes(nearer.x) * step_t.x + in_offset.x,
-                           planes(nearer.y) * step_t.y + in_offset.y),
-                       max(planes(nearer.z) * step_t.z + in_offset.z, vec4(t_min)));
-      vec4 leave = min(min(planes(farther.x) * step_t.x + out_offset.x,
-                           planes(farther.y) * step_t.y + out_offset.y),
-                       min(planes(farther.z) * step_t.z + out_offset.z, vec4(found.t)));
-      uvec4 met = uvec4(lessThanEqual(enter, leave)) & uvec4(lessThan(uvec4(0, 1, 2, 3), uvec4(steps >> 24)));
-      // Distances with the child in their last bits, sorted; children that are missed come last.
-      uvec4 keys = (floatBitsToUint(enter) & ~3u) | uvec4(0, 1, 2, 3) | (met - 1u);
-      uvec2 first = min(keys.xz, keys.yw), second = max(keys.xz, keys.yw);
-      uint k0 = min(first.x, first.y), k3 = max(second.x, second.y);
-      uint m0 = max(first.x, first.y), m1 = min(second.x, second.y);
-      uint k1 = min(m0, m1), k2 = max(m0, m1);
-      uint hits = met.x + met.y + met.z + met.w;
-      reference = kNextOnStack;
-      if (hits > 0u) reference = scene_bvh.nodes.at[node].children[k0 & 3u];
-      if (hits > 1u)
-        stack[top++] = (node << 8) | ((k1 & 3u) << 2) | ((k2 & 3u) << 4) | ((k3 & 3u) << 6) | (hits - 1u);
+      uint others = 0u;
+      reference = nearestChild(reference, origin, inverse, t_min, found.t, others);
+      if (others != 0u) stack[top++] = others;
     }
     if (reference == kNothingLeft) break;
 

@@ -3,8 +3,8 @@
 local pass = require "strobe.pass"
 
 return pass.trace {
-  name   = "rays",
-  shader = "inspect/rays",
+  name   = "test_rays",
+  shader = "inspect/test_rays",
   doc    = "A ray of its own for each pixel through the scene at the capture, easy ones and hard ones, and what it hits",
   writes = {
     origin    = { format = "rgba32f", doc = "where the ray starts, world axes, from the capture's camera, metres" },
@@ -14,7 +14,7 @@ return pass.trace {
     blocked   = { format = "r32ui", doc = "1: something lies on the ray" },
   },
   params = {
-    kind = pass.choice { "all", "through", "vertex", "edge", "axis", "grazing", "afar", "surface", "plane",
+    ray_kind = pass.choice { "all", "through", "vertex", "edge", "axis", "grazing", "afar", "surface", "plane",
       default = "all", doc = "which rays; all: each eighth row has one of them",
       values = {
         all = "All of the others, row by row.",

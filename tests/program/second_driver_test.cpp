@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Every pipeline on two drivers that share no code: a capture of the software device, verified on SwiftShader, which
+// Debian's Chromium brings. Its vertices are snapped to 1/16 px (here 1/256), its texture filters are coarser, and it
+// has neither acceleration structures nor geometry shaders.
+#include <gtest/gtest.h>
+
+#include "base/json.h"
+#include "common/source.h"
+#include "program/run.h"
+
+namespace strobe::testing {
+namespace {
+
+const char* const kDriver = "/usr/lib/chromium/vk_swiftshader_icd.json";
+
+// All pipelines; the scene's motion is that of a card before a checker.
+const char* const kCapture = R"lua(
+local capture = require "strobe.capture"
+return capture {
+  title = "Two drivers", size = { 64, 36 },
+  shots = { { name = "card", scene = "scene.lua", move = { card = { 0.6, 0, 0 } } } },
+  arms = {
+    { name = "none", pipeline = "none" },
+    { name = "mcguire2012", pipeline = "mcguire2012" },
+    { name = "ue4", pipeline = "ue4" },
+    { name = "guertin2014", pipeline = "guertin2014" },
+    { name = "jimenez2014", pipeline = "jimenez2014" },
+    { name = "best", pipeline = "hybrid", set = { preset = "best" } },
+    { name = "seed", pipeline = "hybrid", set = { preset = "seed" } },
+    { name = "truth", pipeline = "ground_truth", set = { samples = 8, pixel = "box" } },
+    { name = "adaptive", pipeline = "ground_truth", set = { samples = 24, mode = "adaptive", pixel = "box" } },
+  },
+}
+)lua";
+
+TEST(SecondDriver, GivesEveryPipelineItsPicture) {
+  if (!fs::exists(kDriver)) GTEST_SKIP() << "there is no " << kDriver;
+  TemporaryFolder folder;
+  writeText(folder / "scene.lua", kCardScene);
+  writeText(folder / "capture.lua", kCapture);
+  Outcome captured = run("capture " + (folder / "capture.lua") + " -o " + (folder / "taken"), "STROBE_VALIDATION=0");
+  ASSERT_EQ(captured.exit_code, 0) << captured.err;
+
+  std::string environment = std::string("STROBE_VALIDATION=0 VK_DRIVER_FILES=") + kDriver;
+  Outcome verified = run("verify " + (folder / "taken") + " --json", environment);
+  ASSERT_TRUE(verified.exit_code == 0 || verified.exit_code == 1) << verified.err;
+  Json json = Json::parse(verified.out, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << verified.out << verified.err;
+  EXPECT_FALSE(json.at("same_device").get<bool>());
+  std::printf("%s\n", json.dump(1).substr(0, 6000).c_str());
+}
+
+}  // namespace
+}  // namespace strobe::testing
