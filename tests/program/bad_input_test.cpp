@@ -46,8 +46,8 @@ TEST(BadInput, WrongCommandLinesSayWhatWouldBeRight) {
   expectRefusal("render hybrid none", 2, "not expected: none; strobe render --help lists what it takes");
   expectRefusal("sweep", 2, "file is required; strobe sweep --help lists what it takes");
   expectRefusal("sweep nowhere.lua", 1, "strobe: nowhere.lua: there is no such file");
-  expectRefusal("sweep experiments/demo", 1, "did you mean '");
-  expectRefusal("sweep experiments/demo/", 1, "experiments/demo/demo.lua'?");
+  expectRefusal("sweep experiments/samples", 1, "did you mean '");
+  expectRefusal("sweep experiments/samples/", 1, "experiments/samples/samples.lua'?");
   expectRefusal("render none" + kScene + " --tap gbuffer", 2,
                 "'gbuffer', which is a node: 'gbuffer.NAME' is an image of it; it writes ");
   expectRefusal("tune hybrid" + kScene + " --budget-ratio x", 2, "--budget-ratio: 'x' is not a number above 0");
