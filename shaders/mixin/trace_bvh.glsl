@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Needs: scene.
+// Needs: rays.
 // Tracing backend `bvh`: the runtime's own tree (shared/bvh.h), walked in compute. Of hits at one distance the first in
 // the scene counts: by instance, then geometry, then triangle.
 // Triangles: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (JCGT 2013), at twice the precision where the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Needs: rays, scene.
+// Needs: rays.
 // Tracing backend `pipeline`: ray tracing pipelines; miss, any-hit and closest-hit stages are in shaders/backend/.
 layout(location = 0) rayPayloadEXT TracePayload trace_payload;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Needs: rays, scene.
+// Needs: rays.
 // Tracing backend `query`: ray queries in compute.
 
 // As traceExcept of mixin/trace.glsl; `any_hit`: the first that is found.

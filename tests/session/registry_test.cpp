@@ -89,6 +89,9 @@ const std::map<std::string, std::vector<Context>> kContexts = {
      {{{"samples=8"}, {}},
       {{"samples=8", "times=stratified"}, {"slices"}},
       {{"samples=4", "mode=raster"}, {}},
+      {{"samples=32", "pilot=4", "mode=adaptive", "pixel=box"},
+       {"audit", "least", "order", "pilot", "tile", "truth_trace.least_budget", "truth_trace.taken",
+        "truth_trace.tile"}},
       {{"samples=256", "tolerance=0.1"}, {"tolerance"}}}},
 };
 
@@ -98,6 +101,10 @@ const std::map<std::string, std::string> kNoPicture = {
     {"ue4: gather_jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
     {"hybrid: gather_jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
     {"truth_spread.block", "in which groups differences are added up"},
+    {"truth_audit.audit", "which tiles are checked; which have all samples is decided before"},
+    {"truth_audit.order", "of what a check expects"},
+    {"truth_audit.pilot", "of what a check expects"},
+    {"truth_audit.tile", "the tiles that are checked"},
     {"truth_stop.min_samples", "keeps truth from stopping on few samples; the tolerance decides after that"},
 };
 
