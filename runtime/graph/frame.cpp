@@ -57,11 +57,11 @@ void poseSamples(world::GpuScene& scene, const Plan& plan, const FrameSetup& set
   dvec3 origin = frameOrigin(setup);
   int part = partOf(loop, iteration);
   for (int q = 0; q < loop.slices; ++q) {
-    // Midpoint of the stratum, or a random time in each of its parts.
+    // Midpoint of the stratum, or a random time in each of its parts; other times in each loop.
     double in_stratum = 0.5;
     if (loop.times == "stratified") {
       uint32_t index = uint32_t(part) * uint32_t(loop.slices) + uint32_t(q);
-      in_stratum = (q + hashUniform(setup.seed, setup.frame, index, 0)) / loop.slices;
+      in_stratum = (q + hashUniform(setup.seed, setup.frame, index, uint32_t(loop.loop))) / loop.slices;
     }
     double time_s = setup.open_s + (setup.close_s - setup.open_s) * ((part + in_stratum) / loop.count);
     scene.setPose(SLICE_SAMPLE + uint32_t(q), setup.pose_at(time_s), setup.camera, aspect(plan), origin);

@@ -57,8 +57,7 @@ Backend chooseBackend(const gpu::DeviceInfo& device, const std::string& asked) {
           fmt::format("device '{}' has no {}, which tracing backend '{}' needs; --backend auto takes what there is",
                       device.name, row.feature, asked));
   }
-  STROBE_ASSERT(false, "backend {}", asked);
-  return Backend::None;
+  throw Error(fmt::format("there is no tracing backend '{}'", asked));
 }
 
 }  // namespace strobe::shader

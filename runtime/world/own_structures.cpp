@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cfloat>
+#include <cmath>
 #include <cstring>
 
 #include "world/structures.h"
@@ -48,7 +50,8 @@ Rows inverseOf(const Rows& m) {
   return inverse;
 }
 
-// Around a mesh as it is posed, with room for what rounds a ray on its way into object space.
+// Around a mesh as it is posed, inside out where no ray can be brought to it; with room for what rounds a ray on its
+// way into object space.
 Box posedBox(const Box& mesh, const Rows& world_from_object, const Rows& object_from_world) {
   dvec3 low(HUGE_VAL), high(-HUGE_VAL);
   for (int i = 0; i < 8; ++i) {
@@ -58,7 +61,11 @@ Box posedBox(const Box& mesh, const Rows& world_from_object, const Rows& object_
   }
   dvec3 size = glm::max(glm::abs(low), glm::abs(high));
   dvec3 room = world_from_object.ofSizes(object_from_world.ofSizes(size)) * std::ldexp(1.0, -21);
-  return {vec3(low - room), vec3(high + room)};
+  low -= room, high += room;
+  // An object that a transform flattens has no object space that a ray could be brought to.
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(low[axis] > -FLT_MAX && high[axis] < FLT_MAX)) return {};
+  return {vec3(low), vec3(high)};
 }
 
 class OwnStructures : public Structures {
@@ -68,7 +75,7 @@ class OwnStructures : public Structures {
     size_t levels = levelOf(slices - 1) + 1;
     nodes_per_level_ = std::max<size_t>(1, instances_.size());
     first_root_ = trees.nodes.size();
-    if (first_root_ + levels * nodes_per_level_ > BVH_MOST_NODES)
+    if (first_root_ + levels * nodes_per_level_ > BVH_MOST_NODES || instances_.size() > 1u << BVH_TOP_DEPTH)
       throw Error(
           fmt::format("{}: its tree has more than {} nodes, which tracing backend 'bvh' can number; "
                       "take --backend query or pipeline on a device that has it",
@@ -119,7 +126,7 @@ class OwnStructures : public Structures {
       Rows back = inverseOf(forward);
       posed[i] = {vec4(back.rows[0]), vec4(back.rows[1]), vec4(back.rows[2]), roots_[mesh]};
       bool empty = bounds_[mesh].low.x > bounds_[mesh].high.x;
-      if (!empty && isFinite(back)) boxes[i] = posedBox(bounds_[mesh], forward, back);
+      if (!empty) boxes[i] = posedBox(bounds_[mesh], forward, back);
     }
     Bvh bvh = buildBvh(boxes, {1, BVH_TOP_DEPTH});
     auto* nodes = static_cast<BvhNode*>(next_nodes_.mapped()) + level * nodes_per_level_;
@@ -140,14 +147,6 @@ class OwnStructures : public Structures {
   }
 
  private:
-  static bool isFinite(const Rows& rows) {
-    // A transform that flattens the object has no inverse: no ray can meet what has no inside and no outside.
-    bool finite = true;
-    for (const dvec4& row : rows.rows)
-      for (int i = 0; i < 4; ++i) finite = finite && std::isfinite(float(row[i]));
-    return finite;
-  }
-
   void recordCopy(VkCommandBuffer commands, const gpu::Buffer& from, size_t from_at, const gpu::Buffer& to,
                   size_t to_at, size_t bytes) const {
     VkBufferCopy copy{from_at, to_at, bytes};

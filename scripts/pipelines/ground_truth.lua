@@ -69,7 +69,7 @@ local most_per_tile = 4  -- in `samples`
 -- `count` samples of the tiles in `budget` that have `least` or more; of all without it.
 local function level(p, seen, t)
   return pipeline.loop {
-    name = t.name, count = t.count, times = p.times, slices = p.slices,
+    name = t.name, count = t.count, times = "stratified", slices = p.slices,
     until_ = t.budget and function(results) return results.stop end or nil,
     body = function()
       local s = trace {
@@ -82,11 +82,11 @@ local function level(p, seen, t)
   }
 end
 
--- A few everywhere; by these, each tile its own number. Each level has as many as all before it, spread evenly over the
--- exposure: what a tile has always is. Yields also what checks the error of the whole, unless all have the same number.
+-- A few everywhere; by these, each tile its own number. Each level has as many as all before it, in strata of its own
+-- over the whole exposure. Yields also what checks the error of the whole, unless all have the same number.
 local function adaptive(p, seen)
   -- At pixel centres one time is right or wrong for all of a tile: its error tells little of what more samples gain.
-  if p.pixel() == "centre" then error("mode = adaptive sees whole pixels: pixel = centre needs mode = rays", 0) end
+  if p.pixel() == "centre" then error("mode = adaptive sees whole pixels: it needs pixel = box", 0) end
   if p.tolerance() > 0 then error("mode = adaptive shares out `samples`: tolerance > 0 needs mode = rays", 0) end
   local few = math.min(p.pilot(), p.samples())
   local sum = level(p, seen, { name = "pilot", count = few, taken = 0, least = 0 })

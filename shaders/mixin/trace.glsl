@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Needs: rays, scene; may have: PARAM_displacement.
 // Rays. One interface over the tracing backends, which find the same hits (runtime/shader/backends.h lists them).
-// A ray interval is open at both ends: a hit at exactly t_min or t_max is not found.
+// A ray interval is open at both ends: a hit at exactly t_min, which is 0 or more, or at t_max is not found.
 #ifndef STROBE_TRACE_GLSL
 #define STROBE_TRACE_GLSL
 #include "mixin/surface.glsl"

@@ -61,8 +61,8 @@ vec3 meetTriangle(vec3 origin, Sheared ray, uint triangle) {
   BVH_FLOAT determinant = u + (v + w);
   BVH_FLOAT z = BVH_FLOAT(ray.shear.z);
   BVH_FLOAT t = u * (z * BVH_FLOAT(a.z)) + v * (z * BVH_FLOAT(b.z)) + w * (z * BVH_FLOAT(c.z));
-  if (determinant == zero) return vec3(-1);
   float divisor = float(determinant);
+  if (divisor == 0.0) return vec3(-1);
   return vec3(float(t / determinant), float(v) / divisor, float(w) / divisor);
 }
 
@@ -110,7 +110,7 @@ TraceResult launch(uint slice, bool any_hit, Ray world_ray, float t_min, float t
                    uint skip_geometry) {
   TraceResult found = TraceResult(NO_INSTANCE, 0u, 0u, vec2(0), t_max);
   uint nearest = 0u;  // triangle
-  uint level = slice < SLICE_SAMPLE ? 0u : slice - SLICE_SAMPLE + 1u;
+  uint level = slice < SLICE_SAMPLE ? 0u : slice - SLICE_SAMPLE + 1u;  // levelOf of runtime/world/structures.h
   // Of the tree that the ray is in.
   vec3 world_inverse = boundedInverse(world_ray.direction);
   vec3 origin = world_ray.origin, inverse = world_inverse;
@@ -118,7 +118,7 @@ TraceResult launch(uint slice, bool any_hit, Ray world_ray, float t_min, float t
   uint instance = NO_INSTANCE;  // of the tree that the ray is in; NO_INSTANCE: the tree over instances
   uint stack[BVH_MESH_DEPTH + BVH_TOP_DEPTH];
   int top = 0, bottom = 0;  // of the stack, and where the entries of the tree that the ray is in begin
-  uint reference = scene_bvh.first_root + level * scene_bvh.nodes_per_slice;
+  uint reference = scene_bvh.first_root + level * scene_bvh.nodes_per_level;
   while (true) {
     // To the next leaf.
     while (true) {

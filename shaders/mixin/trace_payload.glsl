@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Needs: scene.
-// What a ray carries between the stages of the ray tracing pipeline, and which hits it accepts in either backend.
+// What a ray carries between the stages of the ray tracing pipeline, and which hits it accepts in every backend.
 #ifndef STROBE_TRACE_PAYLOAD_GLSL
 #define STROBE_TRACE_PAYLOAD_GLSL
 

@@ -13,6 +13,6 @@ void run(ivec2 tile) {
   // Pixels [first, end) of the tile in which anything that moves can be seen.
   ivec2 first = max(tile * params.tile, frame.reach.xy), end = min((tile + 1) * params.tile, frame.reach.zw);
   if (all(lessThan(first, end))) samples = max(samples, params.least * everywhere);
-  if (isAudited(tile, params.audit)) samples = everywhere;
+  if (isAudited(tile, params.audit)) samples = max(samples, everywhere);
   imageStore(budget_img, tile, vec4(samples));
 }

@@ -68,12 +68,12 @@ bool takesPart(ivec2 pixel) {
 void run(ivec2 pixel) {
   uint index = uint(pixel.y) * frame.size.x + uint(pixel.x);
   uint number = frame.iteration + uint(params.taken);
-  vec4 still = imageLoad(still_img, pixel);
   if (!takesPart(pixel)) {
     imageStore(sample_id_img, pixel, uvec4(0u));
     imageStore(sample_position_img, pixel, vec4(0));
     return;
   }
+  vec4 still = imageLoad(still_img, pixel);
   bool caches = PARAM_shading == shading_frozen && PARAM_pixel == pixel_centre;
   // Where nothing that moves can be seen, every sample is the first one.
   bool reached = all(greaterThanEqual(pixel, frame.reach.xy)) && all(lessThan(pixel, frame.reach.zw));

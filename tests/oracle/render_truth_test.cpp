@@ -314,7 +314,7 @@ TEST_F(RenderTruth, AdaptiveIsAsExactForFewerRays) {
 TEST_F(RenderTruth, AdaptiveTakesNoMoreThanItNeeds) {
   StripedScene scene;
   auto one = [&](const char* mode) {
-    return render(with(scene.shot(), "ground_truth", truth(16, {"pixel=box", fmt::format("mode={}", mode)})));
+    return render(with(scene.shot(), "ground_truth", truth(16, {"pixel=box", "times=stratified", fmt::format("mode={}", mode)})));
   };
   EXPECT_TRUE(identical(colorOf(one("adaptive")), colorOf(one("rays"))));
 
@@ -325,7 +325,7 @@ TEST_F(RenderTruth, AdaptiveTakesNoMoreThanItNeeds) {
 }
 
 TEST_F(RenderTruth, AdaptiveRefusesWhatItCannotDo) {
-  for (const auto& [setting, reason] : {std::pair("pixel=centre", "pixel = centre needs mode = rays"),
+  for (const auto& [setting, reason] : {std::pair("pixel=centre", "it needs pixel = box"),
                                         std::pair("tolerance=0.1", "tolerance > 0 needs mode = rays")}) {
     try {
       render(with(StripedScene().shot(), "ground_truth", truth(64, {"mode=adaptive", "pixel=box", setting})));
