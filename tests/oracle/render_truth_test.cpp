@@ -314,7 +314,8 @@ TEST_F(RenderTruth, AdaptiveIsAsExactForFewerRays) {
 TEST_F(RenderTruth, AdaptiveTakesNoMoreThanItNeeds) {
   StripedScene scene;
   auto one = [&](const char* mode) {
-    return render(with(scene.shot(), "ground_truth", truth(16, {"pixel=box", "times=stratified", fmt::format("mode={}", mode)})));
+    return render(
+        with(scene.shot(), "ground_truth", truth(16, {"pixel=box", "times=stratified", fmt::format("mode={}", mode)})));
   };
   EXPECT_TRUE(identical(colorOf(one("adaptive")), colorOf(one("rays"))));
 
