@@ -6,7 +6,7 @@ local adaptive = require "passes.lib.adaptive"
 return pass.compute {
   name   = "truth_sample_rate",
   shader = "truth/sample_rate",
-  doc    = "Samples for the error of a tile, such that the picture is as exact as `samples` everywhere would make it",
+  doc    = "Samples for the error of a tile, such that the picture should be as exact as with `samples` everywhere",
   size   = { 1, 1 },
   reads  = { tile_error = { doc = "linear radiance: of each tile; the larger of that and of the mean around it" } },
   writes = { rate = { format = "rg32f", doc = "samples for an error of 1; the most that any tile gets" } },

@@ -135,9 +135,10 @@ return pipeline {
       doc = "what finds the nearest surface at each time; only rays tell regions",
       values = {
         rays   = "Rays: whole pixels or their centres, several times at once, and regions.",
-        adaptive = "Rays through whole pixels, more of them where they differ more: about the error that `samples` " ..
-                   "everywhere would have, in a fraction of the time. Fails to see what crosses a place between two of " ..
-                   "the first samples where nothing else moves; regions are those of the samples that were taken.",
+        adaptive = "Rays through whole pixels (needs pixel = box), more of them where they differ more, in strata: up to " ..
+                   "the error of `samples` everywhere as the first ones foretell it, for a fraction of the rays. Fails " ..
+                   "to foretell it well from few samples, and to see what crosses a place between two of the first ones " ..
+                   "where nothing else moves; regions are those of the samples that were taken.",
         raster = "Raster, one time after another: a check of the rays that shares none of their traversal. Fails to " ..
                  "tell regions, and samples pixel centres only.",
       },
