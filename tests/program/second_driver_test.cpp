@@ -56,7 +56,10 @@ TEST(SecondDriver, GivesEveryPipelineItsPicture) {
       RecordProperty(name, fmt::format("{:.3f} of the pixels, mean {:.2g}", pixels, layer.at("average").get<double>()));
       // Silhouettes fall to other pixels; nothing else is another object.
       if (layer.at("image") == "id") EXPECT_LE(pixels, 0.05) << name;
-      if (layer.contains("flip")) EXPECT_LE(layer.at("flip").get<double>(), 0.05) << name;
+      // What is left is the filter of the checker's texture: a mean FLIP of 0.0125 for each method. Truths, of 8 and 24
+      // samples all over a pixel, were measured at 0.036.
+      bool whole_pixels = name.starts_with("card.truth") || name.starts_with("card.adaptive");
+      if (layer.contains("flip")) EXPECT_LE(layer.at("flip").get<double>(), whole_pixels ? 0.05 : 0.02) << name;
     }
 }
 
