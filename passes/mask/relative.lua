@@ -2,8 +2,9 @@
 -- Pixels that hide something which the exposure uncovers, by the motion of foreground and background to each other.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
+local path = require "passes.lib.relative_path"
 
-local motions = { doc = "two displacements per tile, px over the exposure; 1e9 = none" }
+local crossing = { doc = "two displacements per cell that something may be uncovered by; 1e9 = none" }
 
 return pass.compute {
   name   = "mask_relative",
@@ -17,15 +18,16 @@ return pass.compute {
     depth     = { doc = "linear view depth, metres, sky = +inf" },
     id        = { uint = true, doc = "instance + 1; sky = 0" },
     velocity  = { doc = "px over the exposure" },
-    motions_0 = motions, motions_1 = motions, motions_2 = motions, motions_3 = motions,
+    bounds    = { doc = "of the displacements of each cell, px over the exposure" },
+    ids       = { uint = true, doc = "least and greatest instance + 1 of each cell" },
+    crossing_0 = crossing, crossing_1 = crossing, crossing_2 = crossing, crossing_3 = crossing,
   },
   writes = { mask = { format = "r8_unorm", doc = "1 where something is to be revealed" } },
   params = {
-    tile   = blur.tile,
+    cell   = blur.cell,
     limit  = blur.limit,
-    match  = pass.float { 0.25, min = 0, max = 10,
-      doc = "share of the relative motion by which a background may differ" },
-    margin = pass.int { 1, min = 0, max = 64, unit = "px", doc = "how much farther than the relative motion to look" },
+    match  = path.match,
+    margin = path.margin,
     occluder = pass.float { 0.02, min = 0, max = 1,
       doc = "what is nearer by more than this share of the depth stands in front and ends no silhouette" },
   },

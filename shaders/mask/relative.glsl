@@ -7,97 +7,161 @@
 // mask where the background moves (a tracking shot).
 //
 // In:  depth (view depth, sky +inf), id (instance + 1, 0 = sky), velocity (px over the exposure);
-//      motions_0 .. motions_3: displacements found around each tile, the candidates for b.
+//      crossing_0 .. crossing_3: displacements found around each cell, the candidates for b (kNoMotion after the last).
+//      bounds, ids: the displacements and instances of each cell, so that walks pass over cells which cannot matter.
 // Out: mask, 1 if for one candidate b the path meets a pixel q of another instance, not nearer (by `occluder`) than the
-//   last pixel of y's own instance met, that does move by about b (within a pixel, or match * |d - b|). If q moves
-//   otherwise the path is walked once more with q's own displacement for b. Candidates are rough where a background's
-//   motion varies; q's is exact. A path that ends behind an occluder goes on to where that ends. One step per pixel
-//   of the path, plus `margin` px: an overmarked pixel costs a ray, a missed one an error. Paths that leave the picture
-//   end there: nobody knows what is outside (counter off_screen).
+//   last pixel of y's own instance met, that does move by about b (within a pixel, or match * |d - b|). If the first q
+//   that moves relative to y moves otherwise, the path is walked once more with q's own displacement for b. Candidates
+//   are rough where a background's motion varies; q's is exact. A path that ends behind an occluder goes on to where that
+//   ends. One step per pixel of the path, plus `margin` px: an overmarked pixel costs a ray, a missed one an error. Paths
+//   that leave the picture end there: nobody knows what is outside (counter off_screen).
 // Fails: background whose motion is visible nowhere near; self-occlusion of one instance; more than eight movements.
-#include "lib/blur.glsl"
+#include "lib/bounds.glsl"
 #include "lib/motions.glsl"
 #include "lib/sanitise.glsl"
 
-struct Walk {
-  bool crosses;     // a silhouette beyond which things move as supposed
-  bool meets;       // some silhouette
-  vec2 d_beyond;    // displacement beyond the first one
-  bool off_screen;
+// Loops stand side by side and hold little: processors run a loop for the slowest of several pixels at once.
+
+// A path y - t*(d - b), a step per pixel of it.
+struct Path {
+  ivec2 pixel;  // y
+  vec2 d, b;
+  float t;
+  vec2 unit;    // of a step
+  int steps;    // to its end, with the margin
+  int longest;  // if it goes on behind an occluder
+  int inside;   // those within the picture
+  uint own;     // instance at y
+  float matching_px;
 };
+
+const int kNoStep = 1 << 24;
 
 vec2 displacementAt(ivec2 pixel) {
   return clampLength(finiteDisplacement(texelFetch(velocity_tex, pixel, 0)), params.limit * float(frame.size.x));
 }
 
-// Along y - t*(d - b) from the capture to time t.
-Walk walked(ivec2 pixel, vec2 d, vec2 b, float t) {
-  Walk walk = Walk(false, false, vec2(0), false);
+// From -(d - b) * t, which is half a pixel long at least.
+Path pathOf(ivec2 pixel, uint own, vec2 d, vec2 b, float t) {
   vec2 whole = tapOffset(d - b, t);
   float whole_px = lengthOf(whole);
-  if (whole_px < 0.5) return walk;
-
-  uint own = texelFetch(id_tex, pixel, 0).x;
-  float own_depth = saneDepth(texelFetch(depth_tex, pixel, 0).x);
-  float matching_px = max(1.0, params.match * lengthOf(d - b));
+  vec2 unit = whole / whole_px;
   int steps = int(ceil(whole_px)) + params.margin;
-  // Behind what stands in front the silhouette may end unseen: the walk goes on to where that ends.
-  int longest = steps + int(ceil(params.limit * float(frame.size.x)));
+  vec2 room = mix(vec2(pixel), vec2(textureSize(id_tex, 0) - 1 - pixel), greaterThan(unit, vec2(0))) + 0.5;
+  vec2 inside = room / max(abs(unit), vec2(1e-6)) - 1e-3;
+  return Path(pixel, d, b, t, unit, steps, steps + int(ceil(params.limit * float(frame.size.x))),
+              int(min(min(inside.x, inside.y), float(kNoStep))), own, max(1.0, params.match * lengthOf(d - b)));
+}
+
+bool isPath(vec2 d, vec2 b, float t) { return lengthOf(tapOffset(d - b, t)) >= 0.5; }
+
+ivec2 placeOn(Path path, int i) { return path.pixel + roundSymmetric(path.unit * float(i)); }
+
+bool isOwn(Path path, ivec2 at) { return texelFetch(id_tex, at, 0).x == path.own; }
+
+float depthAt(ivec2 at) { return saneDepth(texelFetch(depth_tex, at, 0).x); }
+
+// Is what has this depth an occluder, behind which the foreground may go on? A background that slants, as the ground an
+// object stands on, is nearer by a little where the path ends, though it is farther at the pixel itself.
+bool occludes(float depth, float own_depth) { return depth < own_depth * (1.0 - params.occluder); }
+
+// Can anything in a cell end a walk: another instance that moves by about b, or relative to y?
+bool concerns(Path path, ivec2 cell) {
+  uvec2 ids = uvec2(texelFetch(ids_tex, cell, 0));
+  vec4 bounds = texelFetch(bounds_tex, cell, 0);
+  const float slack = 1.0 + 1e-4;
+  bool matches = shortestIn(relativeTo(bounds, path.b)) <= path.matching_px * slack;
+  bool moves = abs(path.t) * longestIn(relativeTo(bounds, path.d)) * slack >= 0.5;
+  return (matches || moves) && !(ids.x == path.own && ids.y == path.own);
+}
+
+// The first step from `from` to `to`, or one shortly before it, at which the path is in a cell that can end the walk; or
+// kNoStep. Goes along the path from cell to cell (Amanatides and Woo, "A Fast Voxel Traversal Algorithm", 1987).
+int firstConcern(Path path, int from, int to) {
+  ivec2 cell = placeOn(path, from) / params.cell;
+  ivec2 ahead = ivec2(greaterThan(path.unit, vec2(0)));
+  vec2 inverse = 1.0 / max(abs(path.unit), vec2(1e-6));
+  vec2 border = abs(vec2((cell + ahead) * params.cell) - (vec2(path.pixel) + 0.5));
+  vec2 next = border * inverse, per_cell = float(params.cell) * inverse;  // in steps
+  float entered = float(from);
+  while (entered <= float(to) && !concerns(path, cell)) {
+    entered = min(next.x, next.y);
+    bvec2 crossed = equal(next, vec2(entered));
+    cell += ivec2(crossed) * (2 * ahead - 1);
+    next += vec2(crossed) * per_cell;
+  }
+  return entered > float(to) ? kNoStep : max(from, int(entered));
+}
+
+struct Walk {
+  bool crosses;   // a silhouette beyond which things move as supposed
+  bool meets;     // one beyond which they move otherwise, relative to y
+  vec2 d_beyond;  // displacement beyond the first of these
+};
+
+// The last of y's own instance before a step.
+int lastOwn(Path path, int i) {
+  --i;
+  while (i > 0 && !isOwn(path, placeOn(path, i))) --i;
+  return i;
+}
+
+Walk walked(Path path) {
+  Walk walk = Walk(false, false, vec2(0));
+  int first = firstConcern(path, 1, path.longest);
+  if (first == kNoStep) return walk;
+  // Behind what stands in front at the end the silhouette may end unseen: on to where that ends.
+  int i = min(first, path.steps);
+  int own_step = lastOwn(path, i);
   bool occluded = false;
-  for (int i = 1; i <= steps || (occluded && i <= longest); ++i) {
-    ivec2 at = pixel + roundSymmetric(whole * (float(i) / whole_px));
-    if (!isInside(at, textureSize(id_tex, 0))) {
-      walk.off_screen = true;
-      return walk;
-    }
-    float depth = saneDepth(texelFetch(depth_tex, at, 0).x);
-    if (texelFetch(id_tex, at, 0).x == own) {
-      if (i > steps) return walk;
-      own_depth = depth;
+  for (; i <= path.steps || (occluded && i <= path.longest); ++i) {
+    if (i > path.inside) break;
+    ivec2 at = placeOn(path, i);
+    if (isOwn(path, at)) {
+      if (i > path.steps) break;
+      own_step = i;
       occluded = false;
       continue;
     }
-    // An occluder: the foreground may go on behind it. A background that slants, as the ground an object stands on, is
-    // nearer by a little where the path ends, though it is farther at the pixel itself.
-    occluded = depth < own_depth * (1.0 - params.occluder);
+    occluded = occludes(depthAt(at), depthAt(placeOn(path, own_step)));
     if (occluded) continue;
     vec2 d_beyond = displacementAt(at);
-    if (lengthOf(d_beyond - b) <= matching_px) {
-      walk.crosses = true;
-      return walk;
-    }
-    if (!walk.meets) walk.d_beyond = d_beyond;
+    walk.crosses = lengthOf(d_beyond - path.b) <= path.matching_px;
+    if (walk.crosses) break;
+    if (walk.meets || !isPath(path.d, d_beyond, path.t)) continue;
     walk.meets = true;
+    walk.d_beyond = d_beyond;
   }
   return walk;
 }
 
-bool uncovers(ivec2 pixel, vec2 d, vec2 b, float t) {
-  Walk walk = walked(pixel, d, b, t);
-  if (!walk.crosses && walk.meets) walk = walked(pixel, d, walk.d_beyond, t);
-  if (walk.off_screen) count_off_screen(1u);
+bool uncovers(ivec2 pixel, uint own, vec2 d, vec2 b, float t) {
+  Walk walk = Walk(false, true, b);
+  bool off_screen = false;
+  for (int attempt = 0; attempt < 2 && walk.meets && !walk.crosses && isPath(d, walk.d_beyond, t); ++attempt) {
+    Path path = pathOf(pixel, own, d, walk.d_beyond, t);
+    walk = walked(path);
+    off_screen = path.inside < path.steps;
+  }
+  if (off_screen && !walk.crosses) count_off_screen(1u);
   return walk.crosses;
 }
 
-bool uncoversWithin(ivec2 pixel, vec2 d, vec2 b) {
-  if (!isMotion(b)) return false;
-  if (frame.shutter.x < 0.0 && uncovers(pixel, d, b, frame.shutter.x)) return true;
-  return frame.shutter.y > 0.0 && uncovers(pixel, d, b, frame.shutter.y);
-}
-
-bool anyUncovers(ivec2 pixel, vec2 d, vec4 pair) {
-  return uncoversWithin(pixel, d, vec2(pair.x, pair.y)) || uncoversWithin(pixel, d, vec2(pair.z, pair.w));
-}
-
 void run(ivec2 pixel) {
+  ivec2 cell = pixel / params.cell;
+  vec4 pair = texelFetch(crossing_0_tex, cell, 0);
   bool mask = false;
-  if (texelFetch(id_tex, pixel, 0).x != 0u) {
-    ivec2 tile = pixel / params.tile;
+  uint own = texelFetch(id_tex, pixel, 0).x;
+  if (isMotion(vec2(pair.x, pair.y)) && own != 0u) {
     vec2 d = displacementAt(pixel);
-    mask = anyUncovers(pixel, d, texelFetch(motions_0_tex, tile, 0)) ||
-           anyUncovers(pixel, d, texelFetch(motions_1_tex, tile, 0)) ||
-           anyUncovers(pixel, d, texelFetch(motions_2_tex, tile, 0)) ||
-           anyUncovers(pixel, d, texelFetch(motions_3_tex, tile, 0));
+    vec4 pairs[4] = vec4[4](pair, texelFetch(crossing_1_tex, cell, 0), texelFetch(crossing_2_tex, cell, 0),
+                            texelFetch(crossing_3_tex, cell, 0));
+    for (int k = 0; k < 2 * kMaxMotions && !mask; ++k) {
+      vec2 b = (k & 2) == 0 ? pairs[k / 4].xy : pairs[k / 4].zw;
+      float t = (k & 1) == 0 ? frame.shutter.x : frame.shutter.y;
+      if (!isMotion(b)) break;
+      mask = t != 0.0 && uncovers(pixel, own, d, b, t);
+    }
   }
   imageStore(mask_img, pixel, vec4(mask ? 1 : 0));
 }

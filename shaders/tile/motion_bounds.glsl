@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Per cell, between which displacements all of it lie.
+// In:  velocity, after_velocity (px over the exposure; absent: velocity), valid (> 1/2: the texel counts).
+// Out: bounds (least x and y, greatest x and y, px over the exposure, shortened to the limit as filters shorten them).
+//      A cell without texels that count holds kNoBounds. The last cells may be partial.
+#include "lib/bounds.glsl"
+#include "lib/sanitise.glsl"
+
+vec4 with(vec4 bounds, vec4 texel) {
+  vec2 d = clampLength(finiteDisplacement(texel), params.limit * float(frame.size.x));
+  return vec4(min(lowOf(bounds), d), max(highOf(bounds), d));
+}
+
+bool counts(ivec2 pixel) {
+#if HAS_valid
+  return texelFetch(valid_tex, pixel, 0).x > 0.5;
+#else
+  return true;
+#endif
+}
+
+void run(ivec2 cell) {
+  ivec2 first = cell * params.cell;
+  ivec2 end = min(first + params.cell, textureSize(velocity_tex, 0));
+  vec4 bounds = kNoBounds;
+  for (int y = first.y; y < end.y; ++y) {
+    for (int x = first.x; x < end.x; ++x) {
+      ivec2 pixel = ivec2(x, y);
+      if (!counts(pixel)) continue;
+      bounds = with(bounds, texelFetch(velocity_tex, pixel, 0));
+#if HAS_after_velocity
+      bounds = with(bounds, texelFetch(after_velocity_tex, pixel, 0));
+#endif
+    }
+  }
+  imageStore(bounds_img, cell, bounds);
+}
