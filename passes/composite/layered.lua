@@ -16,11 +16,15 @@ return pass.compute {
     reversed = "of more than 4 motions around a pixel the nearest count, of equally near ones those before the capture",
   },
   size   = { of = "color" },
-  reads  = ports.of_both { "second", "after_second", "revealed_dominant", "revealed_after_dominant" },
+  reads  = ports.of_both({ "second", "after_second", "revealed_dominant", "revealed_after_dominant" }, {
+    moved  = { doc = "per cell, above 1/2 where something that moves is at some time; elsewhere the picture is copied" },
+    behind = { doc = "per cell, above 1/2 where something revealed is at some time" },
+  }),
   writes = ports.picture,
   params = {
     samples      = blur.samples { doc = "time samples" },
     tile         = blur.tile,
+    cell         = blur.cell,
     limit        = blur.limit,
     harvest      = pass.bool { true, doc = "also try the displacements met along the dominant one" },
     jitter       = jitter.jitter,

@@ -29,30 +29,27 @@ const int kMaxCandidates = 4;
 // Rays and raster find one surface at depths that differ by rounding: nearer by less than this share is equal.
 const float kSameDepth = 1.0 - 1.0 / 65536.0;
 
+// Displacements, the unused ones out of reach.
 struct Candidates {
-  vec2 d[kMaxCandidates];
+  vec4 x, y;
+  vec4 tolerance_px;
   int count;
 };
 
-struct Best {
-  vec3 color;
+const float kUnused = 1e9;
+
+// What is at a pixel at some time.
+const int kNothing = 0, kRaster = 1, kRevealed = 2;
+
+struct Seen {
+  int layer;
+  ivec2 now;  // where it is at the capture
   float depth;
-  bool found;
 };
 
 vec2 limited(vec4 texel) { return clampLength(finiteDisplacement(texel), params.limit * float(frame.size.x)); }
 
 bool isRevealed(ivec2 pixel) { return texelFetch(revealed_valid_tex, pixel, 0).x > 0.5; }
-
-Candidates withCandidate(Candidates candidates, vec2 d) {
-  for (int i = 0; i < candidates.count; ++i) {
-    if (lengthOf(candidates.d[i] - d) <= 0.5) return candidates;
-  }
-  if (candidates.count == kMaxCandidates) return candidates;
-  candidates.d[candidates.count] = d;
-  candidates.count += 1;
-  return candidates;
-}
 
 // Displacements of the two layers in the part of the exposure after the capture, or before it.
 vec2 displacementAt(ivec2 pixel, bool after) {
@@ -69,9 +66,24 @@ vec2 revealedDisplacementAt(ivec2 pixel, bool after) {
   return limited(texelFetch(revealed_velocity_tex, pixel, 0));
 }
 
-Candidates withBothLayers(Candidates candidates, ivec2 at, bool after) {
+// --- Candidates
+// ----------------------------------------------------------------------------------------------------------------
+
+Candidates withCandidate(Candidates candidates, vec2 d) {
+  vec4 x = candidates.x - d.x, y = candidates.y - d.y;
+  vec4 squares = x * x + y * y;
+  bool known = min(min(squares.x, squares.y), min(squares.z, squares.w)) <= 0.25;
+  if (known || candidates.count == kMaxCandidates) return candidates;
+  candidates.x[candidates.count] = d.x;
+  candidates.y[candidates.count] = d.y;
+  candidates.tolerance_px[candidates.count] = max(0.75, lengthOf(d) / float(2 * params.samples));
+  candidates.count += 1;
+  return candidates;
+}
+
+Candidates withBothLayers(Candidates candidates, ivec2 at, bool behind, bool after) {
   candidates = withCandidate(candidates, displacementAt(at, after));
-  if (isRevealed(at)) candidates = withCandidate(candidates, revealedDisplacementAt(at, after));
+  if (behind && isRevealed(at)) candidates = withCandidate(candidates, revealedDisplacementAt(at, after));
   return candidates;
 }
 
@@ -88,53 +100,12 @@ Candidates harvested(Candidates candidates, ivec2 pixel, vec2 d, float jitter, b
   for (int k = 0; k < params.samples && candidates.count < kMaxCandidates; ++k) {
     int i = clamp(nearest(k), 0, params.samples - 1);
     ivec2 offset = roundSymmetric(tapOffset(d, sampleTime(i, params.samples, jitter, frame.shutter)));
-    if (isInside(pixel + offset, size)) candidates = withBothLayers(candidates, pixel + offset, after);
-    if (one_sided && isInside(pixel - offset, size)) candidates = withBothLayers(candidates, pixel - offset, after);
+    if (isInside(pixel + offset, size)) candidates = withBothLayers(candidates, pixel + offset, true, after);
+    if (one_sided && isInside(pixel - offset, size)) {
+      candidates = withBothLayers(candidates, pixel - offset, true, after);
+    }
   }
   return candidates;
-}
-
-// Where, of a guess, what the texel there says instead: motion that varies over a surface (perspective, turning) is met
-// by asking once more from where the first guess led. A texel that passes `isAt` is at the pixel, however it was found.
-ivec2 asked(ivec2 pixel, vec2 d, float t) { return pixel + roundSymmetric(tapOffset(d, t)); }
-
-Best nearerRaster(Best best, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
-  bool after = t > 0.0;
-  vec2 d = displacementAt(now, after);
-  if (!isAt(pixel, now, d, t, tolerance_px)) {
-    now = asked(pixel, d, t);
-    if (!isInside(now, textureSize(color_tex, 0))) return best;
-    if (!isAt(pixel, now, displacementAt(now, after), t, tolerance_px)) return best;
-  }
-  float depth = saneDepth(texelFetch(depth_tex, now, 0).x);
-  if (best.found && depth >= best.depth * kSameDepth) return best;
-  return Best(finiteColor(texelFetch(color_tex, now, 0)), depth, true);
-}
-
-Best nearerRevealed(Best best, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
-  if (!isRevealed(now)) return best;
-  bool after = t > 0.0;
-  vec2 d = revealedDisplacementAt(now, after);
-  if (!isAt(pixel, now, d, t, tolerance_px)) {
-    now = asked(pixel, d, t);
-    if (!isInside(now, textureSize(color_tex, 0)) || !isRevealed(now)) return best;
-    if (!isAt(pixel, now, revealedDisplacementAt(now, after), t, tolerance_px)) return best;
-  }
-  float depth = saneDepth(texelFetch(revealed_depth_tex, now, 0).x);
-  if (best.found && depth >= best.depth * kSameDepth) return best;
-  return Best(finiteColor(texelFetch(revealed_color_tex, now, 0)), depth, true);
-}
-
-Best seenAt(ivec2 pixel, Candidates candidates, float t) {
-  Best best = Best(vec3(0), 0.0, false);
-  for (int k = 0; k < candidates.count; ++k) {
-    ivec2 now = pixel + roundSymmetric(tapOffset(candidates.d[k], t));
-    if (!isInside(now, textureSize(color_tex, 0))) continue;
-    float tolerance_px = max(0.75, lengthOf(candidates.d[k]) / float(2 * params.samples));
-    best = nearerRaster(best, pixel, now, t, tolerance_px);
-    best = nearerRevealed(best, pixel, now, t, tolerance_px);
-  }
-  return best;
 }
 
 // The displacements of the tile.
@@ -170,15 +141,12 @@ Dominant dominantAfter(ivec2 tile) {
 #endif
 }
 
-float fastestOf(Dominant dominant) { return max(lengthOf(dominant.d), lengthOf(dominant.revealed)); }
-
 Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool after) {
-  Candidates candidates;
-  candidates.count = 0;
+  Candidates candidates = Candidates(vec4(kUnused), vec4(kUnused), vec4(0), 0);
   candidates = withCandidate(candidates, dominant.d);
   candidates = withCandidate(candidates, dominant.second);
   candidates = withCandidate(candidates, dominant.revealed);
-  candidates = withBothLayers(candidates, pixel, after);
+  candidates = withBothLayers(candidates, pixel, true, after);
 #if PARAM_harvest
   candidates = harvested(candidates, pixel, dominant.d, jitter, after);
   if (lengthOf(dominant.second - dominant.d) > 0.5) {
@@ -188,33 +156,85 @@ Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool after
   return candidates;
 }
 
+// --- What is at a pixel
+// ----------------------------------------------------------------------------------------------------------------
+
+// Where, of a guess, what the texel there says instead: motion that varies over a surface (perspective, turning) is met
+// by asking once more from where the first guess led. A texel that passes `isAt` is at the pixel, however it was found.
+ivec2 asked(ivec2 pixel, vec2 d, float t) { return pixel + roundSymmetric(tapOffset(d, t)); }
+
+Seen nearer(Seen seen, int layer, ivec2 now, float depth) {
+  if (seen.layer != kNothing && depth >= seen.depth * kSameDepth) return seen;
+  return Seen(layer, now, depth);
+}
+
+Seen nearerRaster(Seen seen, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
+  bool after = t > 0.0;
+  vec2 d = displacementAt(now, after);
+  if (!isAt(pixel, now, d, t, tolerance_px)) {
+    now = asked(pixel, d, t);
+    if (!isInside(now, textureSize(color_tex, 0))) return seen;
+    if (!isAt(pixel, now, displacementAt(now, after), t, tolerance_px)) return seen;
+  }
+  return nearer(seen, kRaster, now, saneDepth(texelFetch(depth_tex, now, 0).x));
+}
+
+Seen nearerRevealed(Seen seen, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
+  if (!isRevealed(now)) return seen;
+  bool after = t > 0.0;
+  vec2 d = revealedDisplacementAt(now, after);
+  if (!isAt(pixel, now, d, t, tolerance_px)) {
+    now = asked(pixel, d, t);
+    if (!isInside(now, textureSize(color_tex, 0)) || !isRevealed(now)) return seen;
+    if (!isAt(pixel, now, revealedDisplacementAt(now, after), t, tolerance_px)) return seen;
+  }
+  return nearer(seen, kRevealed, now, saneDepth(texelFetch(revealed_depth_tex, now, 0).x));
+}
+
+Seen seenAt(ivec2 pixel, Candidates candidates, bool behind, float t) {
+  ivec2 size = textureSize(color_tex, 0);
+  Seen seen = Seen(kNothing, pixel, 0.0);
+  for (int k = 0; k < candidates.count; ++k) {
+    vec2 d = vec2(candidates.x[k], candidates.y[k]);
+    ivec2 now = pixel + roundSymmetric(tapOffset(d, t));
+    if (!isInside(now, size)) continue;
+    float tolerance_px = candidates.tolerance_px[k];
+    seen = nearerRaster(seen, pixel, now, t, tolerance_px);
+    if (behind) seen = nearerRevealed(seen, pixel, now, t, tolerance_px);
+  }
+  return seen;
+}
+
+vec3 colorOf(int layer, ivec2 now) {
+  if (layer == kRevealed) return finiteColor(texelFetch(revealed_color_tex, now, 0));
+  return finiteColor(texelFetch(color_tex, now, 0));
+}
+
 void run(ivec2 pixel) {
-  ivec2 tile = pixel / params.tile;
-  Dominant dominant = dominantBefore(tile), dominant_after = dominantAfter(tile);
-  float fastest = max(fastestOf(dominant), fastestOf(dominant_after));
-  if (reachFactor(frame.shutter) * fastest <= kStillRadius) {
+  ivec2 cell = pixel / params.cell;
+  if (texelFetch(moved_tex, cell, 0).x < 0.5) {
     imageStore(blurred_img, pixel, vec4(vec3(texelFetch(color_tex, pixel, 0)), 1));
     return;
   }
 
+  ivec2 tile = pixel / params.tile;
+  bool behind = texelFetch(behind_tex, cell, 0).x > 0.5;
   float jitter = jitterOf(pixel);
-  Candidates before = candidatesOf(pixel, dominant, jitter, false), after = before;
+  Candidates before = candidatesOf(pixel, dominantBefore(tile), jitter, false), after = before;
 #if HAS_after_velocity
-  after = candidatesOf(pixel, dominant_after, jitter, true);
+  after = candidatesOf(pixel, dominantAfter(tile), jitter, true);
 #endif
 
   vec3 sum = vec3(0);
   uint fallbacks = 0u;
   for (int i = 0; i < params.samples; ++i) {
     float t = sampleTime(i, params.samples, jitter, frame.shutter);
-    Best best = seenAt(pixel, t > 0.0 ? after : before, t);
-    if (best.found) {
-      sum += toSum(best.color);
-      continue;
+    Seen seen = seenAt(pixel, t > 0.0 ? after : before, behind, t);
+    if (seen.layer == kNothing) {
+      fallbacks += 1u;
+      seen.layer = isRevealed(pixel) ? kRevealed : kRaster;
     }
-    fallbacks += 1u;
-    sum += toSum(isRevealed(pixel) ? finiteColor(texelFetch(revealed_color_tex, pixel, 0))
-                                   : finiteColor(texelFetch(color_tex, pixel, 0)));
+    sum += toSum(colorOf(seen.layer, seen.now));
   }
   if (fallbacks > 0u) count_fallback(fallbacks);
   imageStore(blurred_img, pixel, vec4(fromSum(sum / float(params.samples)), 1));

@@ -19,6 +19,7 @@ float lengthOf(vec2 d) {
 
 // `d`, shortened to `limit` if it is longer; bit for bit `d` if it is not.
 vec2 clampLength(vec2 d, float limit) {
+  if (dot(d, d) <= limit * limit) return d;
   float d_length = lengthOf(d);
   if (d_length <= limit) return d;
   float largest = max(abs(d.x), abs(d.y));
@@ -27,12 +28,12 @@ vec2 clampLength(vec2 d, float limit) {
 }
 
 // To the nearest integer, halves away from zero: mirrored offsets stay mirrored.
-ivec2 roundSymmetric(vec2 offset) { return ivec2(sign(offset) * floor(abs(offset) + 0.5)); }
+ivec2 roundSymmetric(vec2 offset) { return ivec2(offset + 0.5 * sign(offset)); }
 
 ivec2 clampToImage(ivec2 pixel, ivec2 size) { return clamp(pixel, ivec2(0), size - 1); }
 
 bool isInside(ivec2 pixel, ivec2 size) {
-  return pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.x && pixel.y < size.y;
+  return all(lessThan(uvec2(pixel), uvec2(size)));
 }
 
 // --- The exposure window
@@ -68,7 +69,9 @@ vec2 tapOffset(vec2 d, float t) { return -d * t; }
 // Is what is now at the texel `now`, and moves by d, at the pixel at time t? The slack keeps the pixel itself, half a
 // sample's share of its path away, on one side however that is rounded.
 bool isAt(ivec2 pixel, ivec2 now, vec2 d, float t, float tolerance_px) {
-  return lengthOf(vec2(now - pixel) + t * d) <= tolerance_px * (1.0 + 1e-4);
+  vec2 off = vec2(now - pixel) + t * d;
+  float within_px = tolerance_px * (1.0 + 1e-4);
+  return dot(off, off) <= within_px * within_px;
 }
 
 // Does the surface now at `offset` from a pixel pass over that pixel within the window? Rounding of the tap and of the

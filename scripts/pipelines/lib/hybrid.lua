@@ -3,6 +3,8 @@
 local pass            = require "strobe.pass"
 local pipeline        = require "strobe.pipeline"
 local mcguire2012     = require "passes.gather.mcguire2012"
+local motion_bounds   = require "passes.tile.motion_bounds"
+local reached         = require "passes.tile.reached"
 local reveal          = require "passes.scene.reveal"
 local reveal_upsample = require "passes.scene.reveal_upsample"
 local edges           = require "scripts.pipelines.lib.edges"
@@ -169,11 +171,26 @@ local function layers(p, seen, revealed, composite)
   return images
 end
 
+-- The cells in which anything happens, for composites that leave out the others.
+local function reached_cells(seen, revealed, images)
+  local function bounds(layer, name)
+    return motion_bounds {
+      velocity = layer.velocity, after_velocity = layer.after_velocity, valid = layer.valid, as = name,
+    }.bounds
+  end
+  local cells = reached {
+    bounds = bounds(seen, "raster_bounds"), behind_bounds = bounds(revealed, "revealed_bounds"),
+    dominant = images.dominant, after_dominant = images.after_dominant,
+  }
+  return { moved = cells.moved, behind = cells.behind }
+end
+
 -- The picture, by the composite chosen: a pass that reads blurred layers (front, back) or the layers themselves.
 function hybrid.composited(p, seen, revealed)
   local composite = pass.member("composite", p.composite())
   local apart = pass.reads(composite, "front")
   local images = apart and blurred(p, seen, revealed) or layers(p, seen, revealed, composite)
+  if pass.reads(composite, "moved") then put(images, "", reached_cells(seen, revealed, images)) end
   local made = composite(pass.wired(composite, images, { as = "composite" }))
   return apart and made.color or made.blurred
 end

@@ -1,0 +1,27 @@
+-- SPDX-License-Identifier: MIT
+-- Where anything comes within the exposure: cells that nothing reaches need no blur.
+local pass = require "strobe.pass"
+local blur = require "passes.lib.blur"
+
+return pass.compute {
+  name   = "reached",
+  shader = "tile/reached",
+  doc    = "The cells that something in motion passes over within the exposure, and those where something behind shows",
+  size   = { of = "bounds" },
+  reads  = {
+    bounds        = { doc = "of the displacements of each cell, px over the exposure" },
+    behind_bounds = { doc = "the same of what was revealed" },
+    dominant      = { doc = "px over the exposure, per tile: longest displacement that comes there" },
+    after_dominant = { optional = true, doc = "the same at times after the capture" },
+  },
+  writes = {
+    moved  = { format = "r8_unorm", doc = "1 where something that moves is at some time, 0 where all is at rest" },
+    behind = { format = "r8_unorm", doc = "1 where something revealed is at some time" },
+  },
+  params = {
+    cell    = blur.cell,
+    tile    = blur.tile,
+    limit   = blur.limit,
+    samples = blur.samples { doc = "time samples, whose distance decides how exactly places are met" },
+  },
+}
