@@ -15,7 +15,7 @@ return pass.trace {
     hit  = { uint = true, doc = "instance + 1 (0 = sky), geometry, primitive of the foreground" },
     mask = { doc = "1 where a ray is wanted" },
   },
-  writes = {
+  updates = {
     color    = { format = stored.color, doc = "linear radiance of what is revealed; 0 where nothing is" },
     depth    = { format = "r32f", doc = "its linear view depth, metres; sky = +inf, 0 where nothing is revealed" },
     id       = { format = "rg32ui", doc = "its instance + 1, geometry + 1; 0 for sky and where nothing is" },

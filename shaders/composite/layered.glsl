@@ -94,15 +94,15 @@ int nearest(int k) {
 }
 
 // From the pixel outwards, since only the first few count: the same whichever way time runs.
-Candidates harvested(Candidates candidates, ivec2 pixel, vec2 d, float jitter, bool after) {
+Candidates harvested(Candidates candidates, ivec2 pixel, vec2 d, float jitter, bool behind, bool after) {
   ivec2 size = textureSize(color_tex, 0);
   bool one_sided = !isCentred(frame.shutter);  // else the taps lie to both sides already
   for (int k = 0; k < params.samples && candidates.count < kMaxCandidates; ++k) {
     int i = clamp(nearest(k), 0, params.samples - 1);
     ivec2 offset = roundSymmetric(tapOffset(d, sampleTime(i, params.samples, jitter, frame.shutter)));
-    if (isInside(pixel + offset, size)) candidates = withBothLayers(candidates, pixel + offset, true, after);
+    if (isInside(pixel + offset, size)) candidates = withBothLayers(candidates, pixel + offset, behind, after);
     if (one_sided && isInside(pixel - offset, size)) {
-      candidates = withBothLayers(candidates, pixel - offset, true, after);
+      candidates = withBothLayers(candidates, pixel - offset, behind, after);
     }
   }
   return candidates;
@@ -141,16 +141,16 @@ Dominant dominantAfter(ivec2 tile) {
 #endif
 }
 
-Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool after) {
+Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool behind, bool after) {
   Candidates candidates = Candidates(vec4(kUnused), vec4(kUnused), vec4(0), 0);
   candidates = withCandidate(candidates, dominant.d);
   candidates = withCandidate(candidates, dominant.second);
   candidates = withCandidate(candidates, dominant.revealed);
-  candidates = withBothLayers(candidates, pixel, true, after);
+  candidates = withBothLayers(candidates, pixel, behind, after);
 #if PARAM_harvest
-  candidates = harvested(candidates, pixel, dominant.d, jitter, after);
+  candidates = harvested(candidates, pixel, dominant.d, jitter, behind, after);
   if (lengthOf(dominant.second - dominant.d) > 0.5) {
-    candidates = harvested(candidates, pixel, dominant.second, jitter, after);
+    candidates = harvested(candidates, pixel, dominant.second, jitter, behind, after);
   }
 #endif
   return candidates;
@@ -220,9 +220,9 @@ void run(ivec2 pixel) {
   ivec2 tile = pixel / params.tile;
   bool behind = texelFetch(behind_tex, cell, 0).x > 0.5;
   float jitter = jitterOf(pixel);
-  Candidates before = candidatesOf(pixel, dominantBefore(tile), jitter, false), after = before;
+  Candidates before = candidatesOf(pixel, dominantBefore(tile), jitter, behind, false), after = before;
 #if HAS_after_velocity
-  after = candidatesOf(pixel, dominantAfter(tile), jitter, true);
+  after = candidatesOf(pixel, dominantAfter(tile), jitter, behind, true);
 #endif
 
   vec3 sum = vec3(0);

@@ -186,8 +186,8 @@ Revealed revealedBehind(ivec2 pixel) {
 
 void run(ivec2 texel) {
   ivec2 pixel = sourcePixel(texel, params.divide);
-  Revealed revealed = kNothing;
-  if (pixel.x >= 0) revealed = revealedBehind(pixel);
+  if (pixel.x < 0) return;  // all is 0
+  Revealed revealed = revealedBehind(pixel);
   if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
   imageStore(color_img, texel, storedColor(revealed.color));
   imageStore(depth_img, texel, vec4(storedDepth(revealed.depth)));
