@@ -36,12 +36,15 @@ static void dropTwins(std::vector<std::string>& problems) {
   problems.erase(std::unique(problems.begin(), problems.end()), problems.end());
 }
 
+static bool hasDoubles(Backend backend) { return backend != Backend::None && shader::rowOf(backend).has_doubles; }
+
 void PlanNodes::findPipelines(PipelineCache& cache, const world::GpuScene& scene, Backend backend,
                               const PlanNodes* previous, std::vector<std::string>* problems) {
   std::vector<std::string> fatal;
   for (size_t i = 0; i < nodes_.size(); ++i) {
     shader::Interface wanted = interfaceOf(*plan_, planned(i), backend, scene.slices());
-    wanted.doubles = wanted.backend == Backend::Bvh && device_.info().has("shaderFloat64");
+    wanted.doubles = hasDoubles(wanted.backend) && device_.info().has("shaderFloat64");
+    wanted.spread_rows = device_.info().software;
     wanted.separate_triangles = wanted.raster && !device_.info().has("geometryShader");
     try {
       nodes_[i].pipeline = cache.get(wanted, pass(i), scene);

@@ -63,8 +63,14 @@ static std::vector<std::string> backendNames() {
   return names;
 }
 
+static std::string backendDoc() {
+  std::string text = "how rays are traced: ";
+  for (const shader::BackendRow& row : shader::backends()) text += fmt::format("{}, {}; ", row.name, row.doc);
+  return text + "auto: the first that the device has, on a software device bvh";
+}
+
 // An option of one value, which is called like it.
-static ShotOption one(const ShotField& field, const char* doc, Concern concern, uint32_t uses = 0) {
+static ShotOption one(const ShotField& field, const std::string& doc, Concern concern, uint32_t uses = 0) {
   return {field.declaration.name, doc, concern, {field}, uses};
 }
 
@@ -105,9 +111,7 @@ static std::vector<ShotOption> allOptions() {
       one(whole("aa", &S::aa, 1, 1, 256), "sub-pixel samples of a saved picture, each a full run of the pipeline",
           Concern::Frame, O::kControl),
       one(whole("seed", &S::seed, 0, 0, 4294967295.0), "of every random number", Concern::Frame, O::kControl),
-      one(text("backend", &S::backend, "auto", backendNames()),
-          "how rays are traced; auto: the first of query, pipeline and bvh that the device has", Concern::Plan,
-          O::kControl),
+      one(text("backend", &S::backend, "auto", backendNames()), backendDoc(), Concern::Plan, O::kControl),
       one(text("device", &S::device, ""), "index or part of the name of a Vulkan device", Concern::Device,
           O::kNoPicture),
       one(text("tap", &S::taps, ""), "NODE.PORT to write as well", Concern::Plan, O::kNoPicture),

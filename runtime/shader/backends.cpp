@@ -13,6 +13,7 @@ const std::vector<BackendRow>& backends() {
        "rayQuery",
        StructureKind::Driver,
        false,
+       false,
        "STROBE_BACKEND_QUERY",
        {"GL_EXT_ray_query"}},
       {Backend::Pipeline,
@@ -21,6 +22,7 @@ const std::vector<BackendRow>& backends() {
        "rayTracingPipeline",
        StructureKind::Driver,
        true,
+       false,
        "STROBE_BACKEND_PIPELINE",
        {"GL_EXT_ray_tracing"}},
       {Backend::Bvh,
@@ -29,6 +31,7 @@ const std::vector<BackendRow>& backends() {
        "",
        StructureKind::Own,
        false,
+       true,
        "STROBE_BACKEND_BVH",
        {"GL_EXT_buffer_reference"}},
   };
@@ -48,16 +51,32 @@ bool isPresent(const BackendRow& row, const gpu::DeviceInfo& device) {
   return !*row.feature || device.has(row.feature);
 }
 
-Backend chooseBackend(const gpu::DeviceInfo& device, const std::string& asked) {
+static const BackendRow& rowNamed(const std::string& name) {
+  std::vector<std::string> names = {"auto"};
   for (const BackendRow& row : backends()) {
-    if (asked != "auto" && asked != row.name) continue;
-    if (isPresent(row, device)) return row.backend;
-    if (asked != "auto")
-      throw Error(
-          fmt::format("device '{}' has no {}, which tracing backend '{}' needs; --backend auto takes what there is",
-                      device.name, row.feature, asked));
+    if (row.name == name) return row;
+    names.push_back(row.name);
   }
-  throw Error(fmt::format("there is no tracing backend '{}'", asked));
+  throw Error(fmt::format("there is no tracing backend '{}'{}", name, didYouMean(name, names)));
+}
+
+static Backend firstPresent(const gpu::DeviceInfo& device) {
+  std::vector<BackendRow> rows = backends();
+  if (device.software)
+    std::stable_partition(rows.begin(), rows.end(),
+                          [](const BackendRow& row) { return row.structures == StructureKind::Own; });
+  for (const BackendRow& row : rows)
+    if (isPresent(row, device)) return row.backend;
+  STROBE_ASSERT(false, "a row needs no feature");
+  return Backend::None;
+}
+
+Backend chooseBackend(const gpu::DeviceInfo& device, const std::string& asked) {
+  if (asked == "auto") return firstPresent(device);
+  const BackendRow& row = rowNamed(asked);
+  if (isPresent(row, device)) return row.backend;
+  throw Error(fmt::format("device '{}' has no {}, which tracing backend '{}' needs; --backend auto takes what there is",
+                          device.name, row.feature, asked));
 }
 
 }  // namespace strobe::shader

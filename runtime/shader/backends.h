@@ -18,22 +18,24 @@ enum class StructureKind { Driver, Own };
 struct BackendRow {
   Backend backend;
   const char* name;     // as --backend has it
-  const char* doc;      // what it needs and how it works
+  const char* doc;      // what traces, for people
   const char* feature;  // of Vulkan, without which it does not run; "" for none
   StructureKind structures;
   bool has_stages;                      // runs in the stages of a ray tracing pipeline instead of compute
+  bool has_doubles;                     // computes at double precision where the device can
   const char* define;                   // by which GLSL knows it
   std::vector<const char*> extensions;  // of GLSL
 };
 
-// In the order in which `auto` takes them.
 const std::vector<BackendRow>& backends();
 const BackendRow& rowOf(Backend backend);
 const char* backendName(Backend backend);  // "none" of None
 
 bool isPresent(const BackendRow& row, const gpu::DeviceInfo& device);
 
-// `asked`: a name, or "auto". Throws `Error` where the device cannot do what is asked for.
+// `asked`: a name, or "auto", the first that the device has in the order of the rows; on a software device, which walks
+// its driver's structures one ray at a time, the runtime's own come first (docs/tracing.md has the times). Throws
+// `Error` where the device cannot do what is asked for.
 Backend chooseBackend(const gpu::DeviceInfo& device, const std::string& asked);
 
 }  // namespace strobe::shader
