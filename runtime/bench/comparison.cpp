@@ -18,8 +18,10 @@ const std::vector<double>* msOf(const ShotTimes& shot, const std::vector<PassTim
   return found == parts.end() ? nullptr : &found->ms;
 }
 
-bool hasMoved(const Estimate& ratio, double share) {
-  return (ratio.low > 1 || ratio.high < 1) && std::abs(ratio.value - 1) > share;
+// 1 for what takes longer, -1 for what is faster, 0 for what cannot be told from 1.
+int directionOf(const Estimate& ratio, double share) {
+  if (std::abs(ratio.value - 1) <= share) return 0;
+  return ratio.low > 1 ? 1 : ratio.high < 1 ? -1 : 0;
 }
 
 // A shot of one run, or of one block, with its parts.
@@ -42,10 +44,13 @@ std::vector<std::string> namesOf(const Side& now, const Side& before, Comparison
   return names;
 }
 
-// The ratio of a part of a shot, in both runs.
-using RatioOf = std::function<Estimate(size_t shot, const std::string& part)>;
+// Ratios of a part of a shot, in both runs: as they are compared, and in milliseconds.
+struct Ratios {
+  Estimate compared, ms;
+};
+using RatiosOf = std::function<Ratios(size_t shot, const std::string& part)>;
 
-void addChanges(Comparison& comparison, const Run& now, const Run& before, const RatioOf& ratio_of) {
+void addChanges(Comparison& comparison, const Run& now, const Run& before, const RatiosOf& ratios_of) {
   for (size_t s = 0; s < now.shots.size(); ++s) {
     const Side present = sideOf(now, s), earlier = sideOf(before, s);
     for (const std::string& name : namesOf(present, earlier, comparison)) {
@@ -53,10 +58,11 @@ void addChanges(Comparison& comparison, const Run& now, const Run& before, const
       change.now_ms = median(*msOf(*present.shot, present.parts, name));
       change.before_ms = median(*msOf(*earlier.shot, earlier.parts, name));
       change.is_base = name.empty() && &now.baseOf(*present.shot) == present.shot;
-      change.ratio = ratio_of(s, name);
-      // Relative to the base, nobody can tell a base that moved from a machine that did.
+      Ratios ratios = ratios_of(s, name);
+      change.ratio = ratios.compared, change.ms_ratio = ratios.ms;
+      int direction = directionOf(ratios.compared, comparison.share);
       bool can_tell = comparison.kind != Comparison::Kind::base || !change.is_base;
-      change.moved = can_tell && hasMoved(change.ratio, comparison.share);
+      change.moved = can_tell && direction != 0 && direction == directionOf(ratios.ms, comparison.share);
       comparison.changes.push_back(std::move(change));
     }
   }
@@ -81,19 +87,22 @@ std::vector<std::string> differencesOf(const Run& now, const Run& before) {
   return differ;
 }
 
-Estimate ratioOfRuns(const Run& now, const Run& before, size_t shot, const std::string& part, bool to_base) {
+Ratios ratiosOfRuns(const Run& now, const Run& before, size_t shot, const std::string& part, bool to_base) {
   const Side present = sideOf(now, shot), earlier = sideOf(before, shot);
   const std::vector<double>& now_ms = *msOf(*present.shot, present.parts, part);
   const std::vector<double>& before_ms = *msOf(*earlier.shot, earlier.parts, part);
   const ShotTimes &now_base = now.baseOf(*present.shot), &before_base = before.baseOf(*earlier.shot);
+  Ratios ratios;
+  ratios.compared = ratios.ms = ratioOfMedians(now_ms, before_ms);
   bool is_base = part.empty() && &now_base == present.shot;
-  if (!to_base || is_base) return ratioOfMedians(now_ms, before_ms);
-  return ratioOfMedians(ratiosOf(now_ms, now_base.ms), ratiosOf(before_ms, before_base.ms));
+  if (to_base && !is_base)
+    ratios.compared = ratioOfMedians(ratiosOf(now_ms, now_base.ms), ratiosOf(before_ms, before_base.ms));
+  return ratios;
 }
 
 // Medians of each block as a multiple of that of the block beside it.
-Estimate ratioOfBlocks(const std::vector<Run>& now, const std::vector<Run>& before, size_t shot,
-                       const std::string& part) {
+Ratios ratiosOfBlocks(const std::vector<Run>& now, const std::vector<Run>& before, size_t shot,
+                      const std::string& part) {
   auto medians = [&](const std::vector<Run>& blocks) {
     std::vector<double> ms;
     for (const Run& block : blocks) {
@@ -102,7 +111,8 @@ Estimate ratioOfBlocks(const std::vector<Run>& now, const std::vector<Run>& befo
     }
     return ms;
   };
-  return estimatedMedian(ratiosOf(medians(now), medians(before)));
+  Estimate ratio = estimatedMedian(ratiosOf(medians(now), medians(before)));
+  return {ratio, ratio};
 }
 
 }  // namespace
@@ -118,7 +128,7 @@ Comparison compared(const Run& now, const Run& before, double share) {
   bool same_device = now.device == before.device && now.driver == before.driver && !now.software;
   comparison.kind = same_device ? Comparison::Kind::milliseconds : Comparison::Kind::base;
   addChanges(comparison, now, before,
-             [&](size_t shot, const std::string& part) { return ratioOfRuns(now, before, shot, part, !same_device); });
+             [&](size_t shot, const std::string& part) { return ratiosOfRuns(now, before, shot, part, !same_device); });
   return comparison;
 }
 
@@ -130,7 +140,7 @@ Comparison compared(const std::vector<Run>& now, const std::vector<Run>& before,
   comparison.blocks = now.size();
   comparison.differ = differencesOf(now.front(), before.front());
   addChanges(comparison, now.front(), before.front(),
-             [&](size_t shot, const std::string& part) { return ratioOfBlocks(now, before, shot, part); });
+             [&](size_t shot, const std::string& part) { return ratiosOfBlocks(now, before, shot, part); });
   return comparison;
 }
 
@@ -147,6 +157,9 @@ static Json toJson(const Change& change) {
           {"ratio", change.ratio.value},
           {"low", change.ratio.low},
           {"high", change.ratio.high},
+          {"ms_ratio", change.ms_ratio.value},
+          {"ms_low", change.ms_ratio.low},
+          {"ms_high", change.ms_ratio.high},
           {"moved", change.moved}};
 }
 

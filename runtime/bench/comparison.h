@@ -3,8 +3,10 @@
 //
 // Runs of two sessions differ in more than the program: load, clocks and temperature of the machine. On one device that
 // is no software device, milliseconds are compared. Otherwise times are first divided by the frame time of the base
-// (the first method of the same scene and size) in the same round, which takes away what slows all methods alike; what
-// the base itself gained or lost then shows in all others, and so it is stated.
+// (the first method of the same scene and size) in the same round, which takes away what slows all methods alike. What
+// slows some passes more than others stays, and so does what the base itself gained or lost: a part has moved only
+// where its milliseconds say so too. The frame of a base has milliseconds alone and never counts as moved: nobody can
+// tell a base that changed from a machine that did.
 //
 // Runs that alternate in one session, block by block, are compared in milliseconds: each block with the one beside it.
 #pragma once
@@ -19,8 +21,9 @@ struct Change {
   std::string pass;                  // "" for the frame; kRest
   double before_ms = 0, now_ms = 0;  // medians
   Estimate ratio;                    // of the present time to the earlier one, as they are compared
+  Estimate ms_ratio;                 // in milliseconds
   bool is_base = false;              // the frame of a base, whose ratio is one of milliseconds in any case
-  bool moved = false;                // the interval excludes 1, and the ratio is further from it than the share
+  bool moved = false;                // intervals exclude 1, and ratios are further from it than the share
 };
 
 struct Comparison {
@@ -31,8 +34,8 @@ struct Comparison {
   size_t blocks = 0;                // that alternated
   std::vector<std::string> differ;  // in what the runs differ besides times: "driver Mesa 25, now Mesa 26"
   std::vector<Change> changes;      // of each shot its frame, then its parts
-  std::vector<std::string> gone,
-      added;  // passes that one of the runs alone has: "tiles of hybrid, living_room, 320x180"
+  // Passes that one of the runs alone has: "tiles of hybrid, living_room, 320x180".
+  std::vector<std::string> gone, added;
 
   size_t moved() const;
 };

@@ -18,9 +18,9 @@ static Run runOf(const std::string& program, const std::vector<std::string>& arg
   child.arguments.insert(child.arguments.end(), arguments.begin(), arguments.end());
   ProgramEnd end = run(child);
   if (!end.succeeded())
-    throw Error(fmt::format("it does not run these shots, exit code {}: {}", end.code(), lastLine(end.errors)),
+    throw Error(fmt::format("it does not run these shots: exit code {}, '{}'", end.code(), lastLine(end.errors)),
                 {program});
-  return runFrom(Json::parse(end.output, nullptr, false), program);
+  return runFrom(Json::parse(end.output, nullptr, false), program + " bench frames");
 }
 
 Turns runInTurn(const std::string& first, const std::string& second, const std::vector<std::string>& arguments,

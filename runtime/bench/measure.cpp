@@ -51,11 +51,11 @@ struct Prepared {
 };
 
 // A method that does not take its settings is a mistake of the command line.
-void requirePlan(lab::Batch& batch, const lab::Shot& shot) {
+void requirePlan(lab::Batch& batch, const lab::Shot& shot, const Method& method) {
   try {
     batch.planOf(shot);
   } catch (const lab::Refusal& refusal) {
-    throw Error(refusal.message(), {}, 2);
+    throw Error(fmt::format("method '{}': {}", method.text, refusal.message()), {}, 2);
   }
 }
 
@@ -72,7 +72,7 @@ Prepared prepared(lab::Batch& batch, const Subject& subject) {
     for (const std::array<int, 2>& size : subject.sizes)
       for (const Method& method : subject.methods) {
         lab::Shot shot = batch.filled(shotOf(subject, scene, size, method));
-        requirePlan(batch, shot);
+        requirePlan(batch, shot, method);
         result.run.shots.push_back({scene, method.text, size[0], size[1], lab::toJson(shot)});
         result.shots.push_back(std::move(shot));
       }

@@ -142,12 +142,11 @@ page::Table passTable(const ShotTimes& shot) {
 
 // ---- waterfalls
 
-// One bar for each part at medians, one after the other. All of a scene and size reach to the same time.
-page::Waterfall waterfallOf(const ShotTimes& shot, double reach_ms) {
+// One bar for each part at medians, one after the other.
+page::Waterfall waterfallOf(const ShotTimes& shot) {
   page::Waterfall waterfall;
   waterfall.about = fmt::format("{}: its passes one after the other, the table below has the numbers", shot.name());
   waterfall.x.title = "milliseconds, medians";
-  waterfall.x.ends = {reach_ms};
   double start_ms = 0;
   for (const PassTimes& pass : shot.parts()) {
     Estimate ms = estimatedMedian(pass.ms);
@@ -159,12 +158,6 @@ page::Waterfall waterfallOf(const ShotTimes& shot, double reach_ms) {
     start_ms += ms.value;
   }
   return waterfall;
-}
-
-double lengthOf(const ShotTimes& shot) {
-  double ms = 0;
-  for (const PassTimes& pass : shot.parts()) ms += median(pass.ms);
-  return ms;
 }
 
 // ---- the comparison
@@ -182,14 +175,15 @@ std::string basisOf(const Comparison& comparison) {
         comparison.blocks, moved);
   if (comparison.kind == Kind::milliseconds)
     return "The same device at another time: ratios are those of milliseconds, and another clock or load would show in "
-           "all of them. A program in the place of the file runs alternately with this one, which is fairer. " +
+           "all of them. A program in the place of the file runs alternately with this one, which is fair. " +
            moved;
   return "Ratios are those of times divided by the frame time of the base in the same round, as a software device or "
-         "another machine is faster or slower from session to session. What slows all methods alike is taken away; "
-         "what "
-         "does not, such as a machine short of memory or caches, is not. The frame of a base has its milliseconds: "
-         "whether it or the machine changed cannot be told, and where it changed, all others show it the other way "
-         "round. A program in the place of the file runs alternately with this one, which is fairer. " +
+         "another machine is faster or slower from session to session; what slows all methods alike is taken away. A "
+         "part counts as moved only where its milliseconds say so too, and even so another session can be mistaken for "
+         "another program: intervals know nothing of what differs between sessions. The frame of a base has its "
+         "milliseconds alone; whether it or the machine changed cannot be told. A program in the place of the file "
+         "runs "
+         "alternately with this one, which is fair. " +
          moved;
 }
 
@@ -247,12 +241,13 @@ void addPlace(std::vector<page::Block>& blocks, const Run& run, const std::vecto
               size_t index) {
   blocks.push_back(page::Heading{shots.front()->place(), 2, fmt::format("place-{}", index + 1)});
   blocks.push_back(timesTable(run, shots));
-  double reach_ms = 0;
-  for (const ShotTimes* shot : shots) reach_ms = std::max(reach_ms, lengthOf(*shot));
-  for (const ShotTimes* shot : shots) {
-    blocks.push_back(page::Heading{shot->method, 3});
-    blocks.push_back(page::Figure{page::svgOf(waterfallOf(*shot, reach_ms)), ""});
-    blocks.push_back(passTable(*shot));
+  std::vector<page::Waterfall> waterfalls;
+  for (const ShotTimes* shot : shots) waterfalls.push_back(waterfallOf(*shot));
+  page::align(waterfalls);
+  for (size_t i = 0; i < shots.size(); ++i) {
+    blocks.push_back(page::Heading{shots[i]->method, 3});
+    blocks.push_back(page::Figure{page::svgOf(waterfalls[i]), ""});
+    blocks.push_back(passTable(*shots[i]));
   }
 }
 

@@ -21,13 +21,11 @@ Axis rowsOf(const Waterfall& waterfall) {
   return slotAxis("", std::move(names));
 }
 
-Scale extentOf(const Waterfall& waterfall) {
-  std::vector<double> values = {0};
-  for (const Waterfall::Bar& bar : waterfall.bars) {
-    values.push_back(bar.start + bar.length);
-    if (bar.end_range.given()) values.push_back(bar.end_range.high);
-  }
-  return waterfall.x.scaleOf(values);
+double endOf(const Waterfall& waterfall) {
+  double end = 0;
+  for (const Waterfall::Bar& bar : waterfall.bars)
+    end = std::max({end, bar.start + bar.length, bar.end_range.given() ? bar.end_range.high : 0});
+  return end;
 }
 
 void drawBar(Svg& svg, const Frame& frame, const Waterfall::Bar& bar, size_t slot) {
@@ -47,11 +45,21 @@ void drawBar(Svg& svg, const Frame& frame, const Waterfall::Bar& bar, size_t slo
 
 }  // namespace
 
+void align(std::vector<Waterfall>& waterfalls) {
+  double end = 0, left = 0;
+  for (const Waterfall& one : waterfalls) {
+    const Axis rows = rowsOf(one);
+    end = std::max(end, endOf(one)), left = std::max(left, leftOf(rows, rows.scaleOf({})));
+  }
+  for (Waterfall& one : waterfalls) one.x.ends = {0, end}, one.left = left;
+}
+
 std::string svgOf(const Waterfall& waterfall, int width) {
   const Axis rows = rowsOf(waterfall);
   const Scale y = rows.scaleOf({});
   const int height = int(waterfall.bars.size()) * kRow + kAround;
-  Frame frame(extentOf(waterfall), y, width, height, leftOf(rows, y), kBeside);
+  const double left = std::max(waterfall.left, leftOf(rows, y));
+  Frame frame(waterfall.x.scaleOf({0, endOf(waterfall)}), y, width, height, left, kBeside);
   Svg svg(width, height, waterfall.about);
   frame.draw(svg, waterfall.x, rows);
   for (size_t i = 0; i < waterfall.bars.size(); ++i)

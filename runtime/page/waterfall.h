@@ -20,8 +20,12 @@ struct Waterfall {
   };
   std::string about;  // for people who cannot see it
   Axis x;             // reaches from 0
+  double left = 0;    // pixels beside the plot that names have at least
   std::vector<Bar> bars;
 };
+
+// Gives all the same extent and place, so that bars can be compared from one to another.
+void align(std::vector<Waterfall>& waterfalls);
 
 // As high as its bars need.
 std::string svgOf(const Waterfall& waterfall, int width = 940);
