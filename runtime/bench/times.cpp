@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 
 #include "base/files.h"
+#include "lab/shot.h"
 
 namespace strobe::bench {
 
@@ -139,12 +141,19 @@ static std::vector<std::string> lackingIn(const Run& run, const Run& others) {
   return names;
 }
 
-// The options that differ, with what they are in the second. Those that one of the revisions does not know count for
-// nothing.
+// The options that differ, with what they are in the second. One that is not there has its default: it was left open,
+// or the other revision does not know it.
 static std::string otherOptions(const Json& shot, const Json& other) {
+  const Json defaults = lab::toJson(lab::Shot());
+  auto valueIn = [&](const Json& from, const std::string& name) {
+    return from.contains(name) ? from[name] : defaults.value(name, Json());
+  };
+  std::set<std::string> names;
+  for (const Json* json : {&shot, &other})
+    for (const auto& [name, value] : json->items()) names.insert(name);
   std::vector<std::string> texts;
-  for (const auto& [name, value] : other.items())
-    if (shot.contains(name) && shot[name] != value) texts.push_back(name + " " + value.dump());
+  for (const std::string& name : names)
+    if (valueIn(shot, name) != valueIn(other, name)) texts.push_back(name + " " + valueIn(other, name).dump());
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 

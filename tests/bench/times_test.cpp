@@ -121,8 +121,16 @@ TEST(Times, RunsOfOtherShotsAreRefused) {
   other.shots[1].shot["exposure"] = 0.25;
   EXPECT_NE(refusalOf(run, other).find("'blurred, room, 64x36' is taken otherwise: exposure 0.25"), std::string::npos);
   other = run;
-  other.shots[1].shot["later_option"] = true;
-  EXPECT_EQ(refusalOf(run, other), "accepted") << "an option that one revision does not know";
+  other.shots[1].shot["aa"] = 1;
+  EXPECT_EQ(refusalOf(run, other), "accepted") << "one revision does not know an option: it has its default";
+  EXPECT_EQ(refusalOf(other, run), "accepted");
+  other.shots[1].shot["aa"] = 4;
+  EXPECT_NE(refusalOf(run, other).find("taken otherwise: aa 4"), std::string::npos);
+  EXPECT_NE(refusalOf(other, run).find("taken otherwise: aa 1"), std::string::npos);
+  other = run;
+  other.shots[1].shot["set"] = {{"samples", 4}};
+  EXPECT_NE(refusalOf(run, other).find("set {\"samples\":4}"), std::string::npos);
+  EXPECT_NE(refusalOf(other, run).find("set null"), std::string::npos);
 }
 
 }  // namespace
