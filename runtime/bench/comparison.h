@@ -34,7 +34,7 @@ struct Comparison {
   size_t blocks = 0;                // that alternated
   std::vector<std::string> differ;  // in what the runs differ besides times: "driver Mesa 25, now Mesa 26"
   std::vector<Change> changes;      // of each shot its frame, then its parts
-  // Passes that one of the runs alone has: "tiles of hybrid, living_room, 320x180".
+  // Passes that one of the runs alone has: "tiles of METHOD, living_room, 320x180".
   std::vector<std::string> gone, added;
 
   size_t moved() const;

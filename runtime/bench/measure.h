@@ -7,7 +7,7 @@
 
 namespace strobe::bench {
 
-// A pipeline with settings of its own: "hybrid", or "hybrid:preset=seed,samples=32". Text behind the first ':' is
+// A pipeline with settings of its own: "PIPELINE", or "PIPELINE:preset=fast,samples=32". Text behind the first ':' is
 // NAME=VALUE with ',' between them.
 struct Method {
   std::string text;  // as it was given: what it is called

@@ -14,10 +14,12 @@ namespace strobe::bench {
 namespace {
 
 using page::Cell;
-using page::shownMs;
 using page::shownShare;
 
 // ---- how numbers are written
+
+// Passes of a GPU take microseconds.
+std::string shownTime(double ms) { return ms < 0.1 ? fmt::format("{:.1f} µs", 1000 * ms) : page::shownMs(ms); }
 
 std::string shownRatio(double ratio) {
   if (std::isnan(ratio)) return page::kNotMeasured;
@@ -80,8 +82,7 @@ std::string cautionOf(const Run& run) {
 
 const char* const kWorkNote =
     "Bytes are those of the images that a pass is wired to, each once, a lower bound of its traffic: what it reads "
-    "again, "
-    "the scene and what rays traverse are not in them.";
+    "again, the scene and what rays traverse are not in them.";
 
 // The shots of each scene and size, in the order of the run.
 std::vector<std::vector<const ShotTimes*>> placesOf(const Run& run) {
@@ -108,7 +109,7 @@ page::Table timesTable(const Run& run, const std::vector<const ShotTimes*>& shot
   for (const ShotTimes* shot : shots) {
     Estimate ms = estimatedMedian(shot->ms), ratio = ratioToBase(run, *shot);
     bool is_base = shot == shots.front();
-    table.add({shot->method, Cell(ms.value, shownMs(ms.value)), shownRange(ms, shownMs),
+    table.add({shot->method, Cell(ms.value, shownTime(ms.value)), shownRange(ms, shownTime),
                Cell(ratio.value, is_base ? "1" : shownRatio(ratio.value)),
                is_base ? "base" : shownRange(ratio, shownRatio), countCell(bytesOf(*shot), shownBytes(bytesOf(*shot))),
                countCell(raysOf(*shot), shownCount(raysOf(*shot)))});
@@ -131,7 +132,7 @@ page::Table passTable(const ShotTimes& shot) {
   for (const PassTimes& pass : shot.parts()) {
     Estimate ms = estimatedMedian(pass.ms);
     std::string times = pass.executions > 1 ? fmt::format(", {} times", pass.executions) : "";
-    table.add({pass.name + times, Cell(ms.value, shownMs(ms.value)), shownRange(ms, shownMs),
+    table.add({pass.name + times, Cell(ms.value, shownTime(ms.value)), shownRange(ms, shownTime),
                Cell(ms.value / frame_ms, shownShare(ms.value / frame_ms)),
                countCell(pass.bytes_read, shownBytes(pass.bytes_read)),
                countCell(pass.bytes_written, shownBytes(pass.bytes_written)), shareCell(pass.bytes(), bytesOf(shot)),
@@ -151,8 +152,8 @@ page::Waterfall waterfallOf(const ShotTimes& shot) {
   for (const PassTimes& pass : shot.parts()) {
     Estimate ms = estimatedMedian(pass.ms);
     page::Waterfall::Bar bar{pass.name, start_ms, ms.value, {start_ms + ms.low, start_ms + ms.high}};
-    bar.text = shownMs(ms.value);
-    bar.tip = fmt::format("{}: {}, {}", pass.name, shownMs(ms.value), shownRange(ms, shownMs));
+    bar.text = shownTime(ms.value);
+    bar.tip = fmt::format("{}: {}, {}", pass.name, shownTime(ms.value), shownRange(ms, shownTime));
     bar.hollow = pass.name == kRest;
     waterfall.bars.push_back(std::move(bar));
     start_ms += ms.value;
@@ -182,8 +183,7 @@ std::string basisOf(const Comparison& comparison) {
          "part counts as moved only where its milliseconds say so too, and even so another session can be mistaken for "
          "another program: intervals know nothing of what differs between sessions. The frame of a base has its "
          "milliseconds alone; whether it or the machine changed cannot be told. A program in the place of the file "
-         "runs "
-         "alternately with this one, which is fair. " +
+         "runs alternately with this one, which is fair. " +
          moved;
 }
 
@@ -196,7 +196,7 @@ void addChange(page::Table& table, const Change& change, bool names_shot) {
   page::Mark mark = !change.moved ? page::Mark::none : change.ratio.value > 1 ? page::Mark::bad : page::Mark::best;
   std::string frame = change.is_base ? "frame of the base" : "frame";
   table.add({names_shot ? change.shot->name() : "", change.pass.empty() ? frame : change.pass,
-             Cell(change.before_ms, shownMs(change.before_ms)), Cell(change.now_ms, shownMs(change.now_ms)),
+             Cell(change.before_ms, shownTime(change.before_ms)), Cell(change.now_ms, shownTime(change.now_ms)),
              Cell(change.ratio.value, shownRatio(change.ratio.value), mark),
              Cell(shownRange(change.ratio, shownRatio), mark), Cell(verdictOf(change), mark)});
 }
@@ -225,9 +225,7 @@ std::string summaryOf(const Comparison& comparison) {
 
 // ---- the page
 
-page::Block paragraph(const std::string& text, page::Paragraph::Kind kind = page::Paragraph::Kind::plain) {
-  return page::Paragraph{text, kind};
-}
+page::Block paragraph(const std::string& text, page::Paragraph::Kind kind) { return page::Paragraph{text, kind}; }
 
 void addComparison(std::vector<page::Block>& blocks, const Comparison& comparison) {
   blocks.push_back(page::Heading{"Against " + comparison.against, 2, "against"});

@@ -35,7 +35,7 @@ struct ShotTimes {
 
   std::string size() const;   // "320x180"
   std::string place() const;  // "living_room, 320x180": those that are compared with each other have the same
-  std::string name() const;   // "hybrid, living_room, 320x180"
+  std::string name() const;   // "METHOD, living_room, 320x180"
   // The passes and kRest, whose milliseconds add up to those of the frame in each round. (Passes that overlap on a
   // device may add up to more; the rest is 0 then.)
   std::vector<PassTimes> parts() const;
