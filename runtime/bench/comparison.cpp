@@ -44,25 +44,25 @@ std::vector<std::string> namesOf(const Side& now, const Side& before, Comparison
   return names;
 }
 
-// Ratios of a part of a shot, in both runs: as they are compared, and in milliseconds.
-struct Ratios {
+// A part of a shot in both runs: medians, ratios as they are compared, ratios in milliseconds.
+struct Times {
+  double now_ms = 0, before_ms = 0;
   Estimate compared, ms;
 };
-using RatiosOf = std::function<Ratios(size_t shot, const std::string& part)>;
+using TimesOf = std::function<Times(size_t shot, const std::string& part)>;
 
-void addChanges(Comparison& comparison, const Run& now, const Run& before, const RatiosOf& ratios_of) {
+void addChanges(Comparison& comparison, const Run& now, const Run& before, const TimesOf& times_of) {
   for (size_t s = 0; s < now.shots.size(); ++s) {
     const Side present = sideOf(now, s), earlier = sideOf(before, s);
     for (const std::string& name : namesOf(present, earlier, comparison)) {
       Change change{present.shot, name};
-      change.now_ms = median(*msOf(*present.shot, present.parts, name));
-      change.before_ms = median(*msOf(*earlier.shot, earlier.parts, name));
       change.is_base = name.empty() && &now.baseOf(*present.shot) == present.shot;
-      Ratios ratios = ratios_of(s, name);
-      change.ratio = ratios.compared, change.ms_ratio = ratios.ms;
-      int direction = directionOf(ratios.compared, comparison.share);
+      const Times times = times_of(s, name);
+      change.now_ms = times.now_ms, change.before_ms = times.before_ms;
+      change.ratio = times.compared, change.ms_ratio = times.ms;
+      int direction = directionOf(times.compared, comparison.share);
       bool can_tell = comparison.kind != Comparison::Kind::base || !change.is_base;
-      change.moved = can_tell && direction != 0 && direction == directionOf(ratios.ms, comparison.share);
+      change.moved = can_tell && direction != 0 && direction == directionOf(times.ms, comparison.share);
       comparison.changes.push_back(std::move(change));
     }
   }
@@ -87,22 +87,21 @@ std::vector<std::string> differencesOf(const Run& now, const Run& before) {
   return differ;
 }
 
-Ratios ratiosOfRuns(const Run& now, const Run& before, size_t shot, const std::string& part, bool to_base) {
+Times timesOfRuns(const Run& now, const Run& before, size_t shot, const std::string& part, bool to_base) {
   const Side present = sideOf(now, shot), earlier = sideOf(before, shot);
   const std::vector<double>& now_ms = *msOf(*present.shot, present.parts, part);
   const std::vector<double>& before_ms = *msOf(*earlier.shot, earlier.parts, part);
   const ShotTimes &now_base = now.baseOf(*present.shot), &before_base = before.baseOf(*earlier.shot);
-  Ratios ratios;
-  ratios.compared = ratios.ms = ratioOfMedians(now_ms, before_ms);
+  Times times{median(now_ms), median(before_ms)};
+  times.compared = times.ms = ratioOfMedians(now_ms, before_ms);
   bool is_base = part.empty() && &now_base == present.shot;
   if (to_base && !is_base)
-    ratios.compared = ratioOfMedians(ratiosOf(now_ms, now_base.ms), ratiosOf(before_ms, before_base.ms));
-  return ratios;
+    times.compared = ratioOfMedians(ratiosOf(now_ms, now_base.ms), ratiosOf(before_ms, before_base.ms));
+  return times;
 }
 
-// Medians of each block as a multiple of that of the block beside it.
-Ratios ratiosOfBlocks(const std::vector<Run>& now, const std::vector<Run>& before, size_t shot,
-                      const std::string& part) {
+// The median of each block, as a multiple of that of the block beside it.
+Times timesOfBlocks(const std::vector<Run>& now, const std::vector<Run>& before, size_t shot, const std::string& part) {
   auto medians = [&](const std::vector<Run>& blocks) {
     std::vector<double> ms;
     for (const Run& block : blocks) {
@@ -111,8 +110,9 @@ Ratios ratiosOfBlocks(const std::vector<Run>& now, const std::vector<Run>& befor
     }
     return ms;
   };
-  Estimate ratio = estimatedMedian(ratiosOf(medians(now), medians(before)));
-  return {ratio, ratio};
+  const std::vector<double> now_ms = medians(now), before_ms = medians(before);
+  const Estimate ratio = estimatedMedian(ratiosOf(now_ms, before_ms));
+  return {median(now_ms), median(before_ms), ratio, ratio};
 }
 
 }  // namespace
@@ -128,7 +128,7 @@ Comparison compared(const Run& now, const Run& before, double share) {
   bool same_device = now.device == before.device && now.driver == before.driver && !now.software;
   comparison.kind = same_device ? Comparison::Kind::milliseconds : Comparison::Kind::base;
   addChanges(comparison, now, before,
-             [&](size_t shot, const std::string& part) { return ratiosOfRuns(now, before, shot, part, !same_device); });
+             [&](size_t shot, const std::string& part) { return timesOfRuns(now, before, shot, part, !same_device); });
   return comparison;
 }
 
@@ -140,7 +140,7 @@ Comparison compared(const std::vector<Run>& now, const std::vector<Run>& before,
   comparison.blocks = now.size();
   comparison.differ = differencesOf(now.front(), before.front());
   addChanges(comparison, now.front(), before.front(),
-             [&](size_t shot, const std::string& part) { return ratiosOfBlocks(now, before, shot, part); });
+             [&](size_t shot, const std::string& part) { return timesOfBlocks(now, before, shot, part); });
   return comparison;
 }
 

@@ -19,7 +19,7 @@ namespace strobe::bench {
 struct Change {
   const ShotTimes* shot = nullptr;   // of the present run
   std::string pass;                  // "" for the frame; kRest
-  double before_ms = 0, now_ms = 0;  // medians
+  double before_ms = 0, now_ms = 0;  // medians, of blocks those of their medians
   Estimate ratio;                    // of the present time to the earlier one, as they are compared
   Estimate ms_ratio;                 // in milliseconds
   bool is_base = false;              // the frame of a base, whose ratio is one of milliseconds in any case

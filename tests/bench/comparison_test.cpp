@@ -105,6 +105,7 @@ TEST(Comparison, BlocksAreComparedInPairs) {
   EXPECT_EQ(comparison.blocks, 8u);
   EXPECT_EQ(movedIn(comparison), (Names{"blurred frame", "blurred gather"}));
   EXPECT_NEAR(changeOf(comparison, "blurred", "gather").ratio.value, 1.3, 0.05);
+  EXPECT_NEAR(changeOf(comparison, "blurred", "gather").before_ms, 17, 0.5) << "between the fourth block and the fifth";
   Comparison few = compared(std::vector<bench::Run>(now.begin(), now.begin() + 5),
                             std::vector<bench::Run>(before.begin(), before.begin() + 5), 0.05);
   EXPECT_EQ(movedIn(few), Names()) << "five blocks have no interval of 95 %";
