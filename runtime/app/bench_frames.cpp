@@ -31,8 +31,9 @@ struct Options {
   bool json = false;
 };
 
-// Those of the shot of which every frame has one.
+// Options of a shot that may be given several times.
 const std::set<std::string> kSeveral = {"scene", "size"};
+constexpr const char* kUsualSize = "320x180";
 
 // ---- what the command line asks for
 
@@ -56,7 +57,7 @@ bench::Subject subjectOf(const Home& home, Options& options) {
   subject.scenes = options.shot.given("scene");
   std::vector<std::string> sizes = options.shot.given("size");
   if (subject.scenes.empty()) subject.scenes = {lab::Shot().scene};
-  if (sizes.empty()) sizes = {"320x180"};
+  if (sizes.empty()) sizes = {kUsualSize};
   requireDifferent("method", options.methods);
   requireDifferent("--scene", subject.scenes);
   requireDifferent("--size", sizes);
@@ -213,6 +214,7 @@ void registerBenchFrames(CLI::App& bench, const Home& home) {
       ->capture_default_str();
   command->add_flag("--json", options->json, "print the times as JSON");
   options->shot.addTo(*command, kSeveral);
+  command->get_option("--size")->description(fmt::format("WIDTHxHEIGHT in pixels (default: {})", kUsualSize));
   command->callback([options, &home] { frames(home, *options); });
 }
 
