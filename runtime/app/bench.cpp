@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "app/bench_frames.h"
 #include "app/shot_options.h"
 #include "base/frozen_home.h"
 #include "lab/reload_bench.h"
@@ -60,6 +61,7 @@ void registerBench(CLI::App& program, const Home& home) {
   of_reload->add_flag("--json", options->json, "report as JSON");
   options->shot.addWithPipeline(*of_reload);
   of_reload->callback([options, &home] { reload(home, *options); });
+  registerBenchFrames(*command, home);
 }
 
 }  // namespace strobe::app

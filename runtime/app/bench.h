@@ -7,7 +7,7 @@
 
 namespace strobe::app {
 
-// `strobe bench reload`.
+// `strobe bench`: `reload`, `frames`.
 void registerBench(CLI::App& program, const Home& home);
 
 }  // namespace strobe::app

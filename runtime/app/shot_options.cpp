@@ -24,7 +24,7 @@ static std::string helpOf(const lab::ShotOption& option) {
   return text;
 }
 
-void ShotOptions::addTo(CLI::App& command) {
+void ShotOptions::addTo(CLI::App& command, const std::set<std::string>& several) {
   const lab::Shot fresh;
   for (const lab::ShotOption& option : lab::shotOptions()) {
     if (option.fields.front().declaration.type == plan::ParamDesc::Type::Bool) {
@@ -34,7 +34,7 @@ void ShotOptions::addTo(CLI::App& command) {
     }
     CLI::Option* added = command.add_option(spelled(option), given_[option.name], helpOf(option));
     bool list = !option.fields.front().isValue() && jsonOf(option, fresh).is_array();
-    if (list) added->allow_extra_args(false);
+    if (list || several.count(option.name)) added->allow_extra_args(false);
     else added->expected(1)->allow_extra_args(false);  // what follows is the pipeline
     bool stated = option.fields.front().isValue() && !option.fields.front().isOpen(fresh);
     std::string otherwise = stated ? plan::textOf(option.fields.front().get(fresh)) : "";
@@ -63,6 +63,24 @@ lab::Shot ShotOptions::resolve() const {
   if (!shading.empty()) shot.sets.push_back({"shading", shading});
   for (const std::string& set : sets) shot.sets.push_back(script::settingFromText(set));
   return shot;
+}
+
+std::vector<std::string> ShotOptions::given(const std::string& option) const {
+  auto found = given_.find(option);
+  return found == given_.end() ? std::vector<std::string>() : found->second;
+}
+
+std::vector<std::string> ShotOptions::words(const std::set<std::string>& without) const {
+  std::vector<std::string> words;
+  for (const lab::ShotOption& option : lab::shotOptions()) {
+    if (without.count(option.name)) continue;
+    bool is_flag = option.fields.front().declaration.type == plan::ParamDesc::Type::Bool;
+    for (const std::string& text : given(option.name)) words.push_back(spelled(option) + (is_flag ? "" : "=" + text));
+  }
+  if (samples) words.push_back(fmt::format("--samples={}", samples));
+  if (!shading.empty()) words.push_back("--shading=" + shading);
+  for (const std::string& set : sets) words.push_back("--set=" + set);
+  return words;
 }
 
 void addTev(CLI::App& command, std::string& address) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <set>
 
 #include "gpu/device.h"
 #include "lab/shot_options.h"
@@ -15,12 +16,17 @@ struct ShotOptions {
   std::vector<std::string> sets;
   int samples = 0;
 
-  void addTo(CLI::App& command);
+  // Those of `several` may be given more than once: `given` has all, `resolve` takes the last.
+  void addTo(CLI::App& command, const std::set<std::string>& several = {});
   // The same with the pipeline as first argument, and `--record FILE`, a run record whose shot is taken instead of the
   // defaults: what is given beside it wins.
   void addWithPipeline(CLI::App& command);
   // Throws `Error` with exit code 2 for text that does not parse, or without a pipeline.
   lab::Shot resolve() const;
+  // The texts of an option, none where it was not given.
+  std::vector<std::string> given(const std::string& option) const;
+  // What was given, as words of a command line, without the pipeline and these options.
+  std::vector<std::string> words(const std::set<std::string>& without) const;
 
  private:
   std::map<std::string, std::vector<std::string>> given_;  // texts by option

@@ -137,11 +137,10 @@ Drawing& Batch::drawing(const Shot& shot, const std::shared_ptr<HeldScene>& scen
 }
 
 void Batch::forgetDrawings() {
-  constexpr size_t kMost = 32;
   size_t bytes = 0, count = 0;
   for (auto it = drawings_.begin(); it != drawings_.end(); ++count) {
     bytes += plan::bytesAliased((*it)->plan());
-    bool goes = count > 0 && (count >= kMost || bytes > kept_image_bytes);
+    bool goes = count > 0 && (count >= kept_graphs || bytes > kept_image_bytes);
     it = goes ? drawings_.erase(it) : std::next(it);
   }
 }
@@ -205,9 +204,8 @@ std::shared_ptr<const image::Image> Batch::color(const Shot& wanted) {
 // ---- times
 
 static bool isKnown(const Timing& timing, double within) {
-  double middle = median(timing.ms);
-  std::array<double, 2> interval = medianInterval(timing.ms);
-  return middle - interval[0] <= within * middle && interval[1] - middle <= within * middle;
+  Estimate middle = estimatedMedian(timing.ms);
+  return middle.value - middle.low <= within * middle.value && middle.high - middle.value <= within * middle.value;
 }
 
 static void addRound(Timing& timing, const graph::FrameResult& frame) {
@@ -215,6 +213,9 @@ static void addRound(Timing& timing, const graph::FrameResult& frame) {
   if (timing.passes.empty())
     for (const graph::StepTime& step : frame.times) timing.passes.push_back({step.name, {}});
   for (size_t i = 0; i < timing.passes.size(); ++i) timing.passes[i].second.push_back(frame.times[i].gpu_ms);
+  timing.executions.clear();
+  for (const graph::StepTime& step : frame.times) timing.executions.push_back(step.executions);
+  timing.counters = frame.counters;
 }
 
 std::vector<Timing> Batch::timeInTurn(const std::vector<Shot>& shots, const Rounds& rounds) {

@@ -36,6 +36,9 @@ struct Timing {
   std::vector<std::pair<std::string, std::vector<double>>> passes;  // of each node in the order of execution, by round
   double median = 0;
   double low = 0, high = 0;  // quartiles
+  // Of the last round.
+  std::vector<int> executions;                             // of each node, as `passes`
+  std::vector<std::pair<std::string, uint64_t>> counters;  // "node.counter"
 };
 
 // How often: `least` rounds, and more, up to `most`, until the 95 % interval of each median is at most `within` of it
@@ -89,7 +92,9 @@ class Batch {
   int drawn() const { return drawn_; }  // pictures and colours, without frames that were timed
 
   size_t kept_picture_bytes = size_t{256} << 20;
-  size_t kept_image_bytes = size_t{512} << 20;  // of the graphs that are kept to be drawn again
+  // Of the graphs that are kept to be drawn again: their images, and how many there are.
+  size_t kept_image_bytes = size_t{512} << 20;
+  size_t kept_graphs = 32;
 
  private:
   struct KnownPlan {

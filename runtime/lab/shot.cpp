@@ -147,8 +147,7 @@ Shot shotFromRecord(const Path& record) {
 
 // ---- command
 
-// As a shell reads it back, quoted where it would not be taken as it stands.
-static std::string quoted(const std::string& text) {
+std::string shellWord(const std::string& text) {
   const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
   if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
   std::string result = "'";
@@ -157,15 +156,15 @@ static std::string quoted(const std::string& text) {
 }
 
 std::string commandOf(const Shot& shot) {
-  std::string line = "strobe render " + quoted(shot.pipeline);
+  std::string line = "strobe render " + shellWord(shot.pipeline);
   for (const ShotOption& option : shotOptions()) {
     if (option.is(ShotOption::kNoPicture)) continue;
     std::vector<std::string> texts = textsOf(option, shot);
     if (texts.empty() && option.is(ShotOption::kSpelled)) texts = {jsonOf(option, shot).get<std::string>()};
     bool is_flag = option.fields.front().declaration.type == plan::ParamDesc::Type::Bool;
-    for (const std::string& text : texts) line += " " + spelled(option) + (is_flag ? "" : " " + quoted(text));
+    for (const std::string& text : texts) line += " " + spelled(option) + (is_flag ? "" : " " + shellWord(text));
   }
-  for (const auto& [name, value] : shot.sets) line += " --set " + quoted(name + "=" + plan::textOf(value));
+  for (const auto& [name, value] : shot.sets) line += " --set " + shellWord(name + "=" + plan::textOf(value));
   return line + " -o out.exr";
 }
 

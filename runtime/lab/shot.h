@@ -56,6 +56,9 @@ Json toJson(const Shot& shot);
 // else.
 Shot shotFromRecord(const Path& record);
 
+// A word as a shell reads it back, quoted where it would not be taken as it stands.
+std::string shellWord(const std::string& text);
+
 // One line for a shell that makes the same picture.
 std::string commandOf(const Shot& shot);
 

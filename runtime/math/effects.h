@@ -10,17 +10,11 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
-namespace strobe {
+#include "math/statistics.h"
 
-// With the ends of its 95 % interval; NaN where there are too few blocks or observations.
-struct Estimate {
-  double value = std::numeric_limits<double>::quiet_NaN();
-  double low = std::numeric_limits<double>::quiet_NaN();
-  double high = std::numeric_limits<double>::quiet_NaN();
-};
+namespace strobe {
 
 // Mean of independent values with its t interval: NaN without values, and as ends with fewer than two.
 Estimate estimatedMean(const std::vector<double>& values);

@@ -25,17 +25,37 @@ double quantile(std::vector<double> values, double q) {
 
 double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
 
-std::array<double, 2> medianInterval(std::vector<double> values) {
-  if (values.size() < 6) return {kNone, kNone};
+std::array<double, 2> medianInterval(std::vector<double> values, double confidence) {
   std::sort(values.begin(), values.end());
   double n = double(values.size()), below = 0;
   size_t left_out = 0;  // at either end
-  for (;; ++left_out) {
+  for (; left_out < values.size(); ++left_out) {
     double k = double(left_out);
     below += std::exp(std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1) - n * std::log(2.0));
-    if (below > 0.025) break;
+    if (below > (1 - confidence) / 2) break;
   }
+  if (left_out == 0) return {kNone, kNone};
   return {values[left_out - 1], values[values.size() - left_out]};
+}
+
+Estimate estimatedMedian(const std::vector<double>& values) {
+  std::array<double, 2> interval = medianInterval(values);
+  return {median(values), interval[0], interval[1]};
+}
+
+std::vector<double> ratiosOf(const std::vector<double>& values, const std::vector<double>& base) {
+  std::vector<double> ratios;
+  for (size_t i = 0; i < values.size() && i < base.size(); ++i)
+    if (base[i] > 0) ratios.push_back(values[i] / base[i]);
+  return ratios;
+}
+
+Estimate ratioOfMedians(const std::vector<double>& values, const std::vector<double>& base) {
+  constexpr double kEach = 0.975;
+  std::array<double, 2> of_values = medianInterval(values, kEach), of_base = medianInterval(base, kEach);
+  if (!(median(base) > 0)) return {};
+  if (!(of_base[0] > 0)) return {median(values) / median(base), kNone, kNone};
+  return {median(values) / median(base), of_values[0] / of_base[1], of_values[1] / of_base[0]};
 }
 
 double mean(const std::vector<double>& values) {

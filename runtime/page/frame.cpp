@@ -30,6 +30,14 @@ std::string Axis::labelOf(const Tick& tick, size_t index) const {
   return tick.label.empty() ? "" : tick.label + unit;
 }
 
+Axis slotAxis(const std::string& title, std::vector<std::string> names) {
+  Axis axis;
+  axis.title = title;
+  axis.kind = Scale::Kind::slots;
+  axis.names = std::move(names);
+  return axis;
+}
+
 double leftOf(const Axis& axis, const Scale& scale) {
   double widest = 0;
   std::vector<Tick> ticks = scale.ticks();

@@ -25,6 +25,9 @@ struct Axis {
   std::string labelOf(const Tick& tick, size_t index) const;
 };
 
+// One of slots, with these names.
+Axis slotAxis(const std::string& title, std::vector<std::string> names);
+
 // Pixels of the picture, x right and y down.
 class Frame {
  public:

@@ -33,14 +33,6 @@ void requireSound(const HeatMap& map) {
     STROBE_ASSERT(row.size() == map.x.size(), "{} columns, {} names", row.size(), map.x.size());
 }
 
-Axis slots(const std::string& title, std::vector<std::string> names) {
-  Axis axis;
-  axis.title = title;
-  axis.kind = Scale::Kind::slots;
-  axis.names = std::move(names);
-  return axis;
-}
-
 std::string textOf(const HeatMap& map, const Place& place) {
   if (!map.texts.empty()) return map.texts[place.row][place.column];
   double value = map.values[place.row][place.column];
@@ -51,8 +43,8 @@ class HeatDrawing {
  public:
   HeatDrawing(const HeatMap& map, int width, int height)
       : map_(map),
-        x_(slots(map.x_title, map.x)),
-        y_(slots(map.y_title, {map.y.rbegin(), map.y.rend()})),
+        x_(slotAxis(map.x_title, map.x)),
+        y_(slotAxis(map.y_title, {map.y.rbegin(), map.y.rend()})),
         values_(map.scale, allOf(map)),
         frame_(x_.scaleOf({}), y_.scaleOf({}), width, height, leftOf(y_, y_.scaleOf({})), kLegend),
         svg_(width, height, map.about) {}

@@ -333,13 +333,21 @@ std::vector<plan::PassDesc> evaluateAllPasses(const Home& home, std::vector<Depe
   return passes;
 }
 
-std::string pipelineOfKind(const Home& home, plan::PipelineDesc::Kind kind, const Limits& limits) {
+std::vector<std::string> pipelinesOfKind(const Home& home, plan::PipelineDesc::Kind kind, const Limits& limits) {
   Main main;
   main.shown = "scripts/pipelines";
   const std::string& wanted = plan::pipelineKindNames()[static_cast<size_t>(kind)];
   Json kinds = evaluate(home, main, "kinds", {{"names", pipelineNames(home)}}, nullptr, limits);
+  std::vector<std::string> names;
   for (const auto& [name, found] : kinds.items())
-    if (found == wanted) return name;
+    if (found == wanted) names.push_back(name);
+  return names;
+}
+
+std::string pipelineOfKind(const Home& home, plan::PipelineDesc::Kind kind, const Limits& limits) {
+  std::vector<std::string> names = pipelinesOfKind(home, kind, limits);
+  if (!names.empty()) return names.front();
+  const std::string& wanted = plan::pipelineKindNames()[static_cast<size_t>(kind)];
   throw Error(fmt::format("no pipeline of scripts/pipelines declares kind = \"{}\"", wanted));
 }
 

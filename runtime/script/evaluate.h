@@ -97,7 +97,9 @@ Json evaluateData(const Home& home, const std::string& path, const Json& argumen
 std::vector<plan::PassDesc> evaluateAllPasses(const Home& home, std::vector<Dependency>* dependencies = nullptr,
                                               const Limits& limits = {});
 
-// The first pipeline of scripts/pipelines that declares to be of that kind. Throws `Error` where there is none.
+// The pipelines of scripts/pipelines that are of that kind, sorted.
+std::vector<std::string> pipelinesOfKind(const Home& home, plan::PipelineDesc::Kind kind, const Limits& limits = {});
+// The first of them. Throws `Error` where there is none.
 std::string pipelineOfKind(const Home& home, plan::PipelineDesc::Kind kind, const Limits& limits = {});
 
 // Names of the files in scripts/pipelines and scripts/scenes, sorted.

@@ -89,16 +89,11 @@ double pixels(const Sight& sight, const std::string&, const Image& mask) {
   return double(image::countedPixels(sight.color, mask));
 }
 
-double ratioOf(const std::vector<double>& times_ms, const std::vector<double>& base_ms) {
-  std::vector<double> ratios;
-  for (size_t i = 0; i < times_ms.size() && i < base_ms.size(); ++i)
-    if (base_ms[i] > 0) ratios.push_back(times_ms[i] / base_ms[i]);
-  return median(std::move(ratios));
+double msRatio(const Sight& sight, const std::string&, const Image&) {
+  return median(ratiosOf(sight.times_ms, sight.base_ms));
 }
-
-double msRatio(const Sight& sight, const std::string&, const Image&) { return ratioOf(sight.times_ms, sight.base_ms); }
 double ownRatio(const Sight& sight, const std::string&, const Image&) {
-  return ratioOf(sight.own_ms, sight.own_base_ms);
+  return median(ratiosOf(sight.own_ms, sight.own_base_ms));
 }
 
 // ---- of the picture alone

@@ -38,6 +38,34 @@ TEST(Statistics, TheIntervalOfAMedianLiesBetweenTwoOfTheValues) {
   EXPECT_TRUE(std::isnan(medianInterval({1, 2, 3, 4, 5})[0]));
 }
 
+// scipy.stats.binom(7, 0.5).cdf(0) = 1/128, of six 1/64: half of 2.5 of 100 lies between them.
+TEST(Statistics, ASurerIntervalNeedsMoreValues) {
+  EXPECT_EQ(medianInterval({7, 1, 2, 6, 5, 4, 3}, 0.975), (std::array<double, 2>{1, 7}));
+  EXPECT_TRUE(std::isnan(medianInterval({1, 2, 3, 4, 5, 6}, 0.975)[0]));
+  EXPECT_TRUE(std::isnan(medianInterval({})[0]));
+}
+
+TEST(Statistics, RatiosAreOfTheSameIndex) {
+  EXPECT_EQ(ratiosOf({6, 8, 9, 7}, {2, 4, 0}), (std::vector<double>{3, 2})) << "of what both have and is above 0";
+  Estimate ratio = estimatedMedian(ratiosOf({2, 4, 6, 8, 10, 12}, {1, 1, 1, 1, 1, 1}));
+  EXPECT_EQ(ratio.value, 7);
+  EXPECT_EQ(ratio.low, 2);
+  EXPECT_EQ(ratio.high, 12);
+}
+
+// scipy.stats.binom(15, 0.5): cdf(2) = 0.0037, cdf(3) = 0.0176 > 0.0125: the 3rd and the 13th of 15 values at 97.5 %.
+TEST(Statistics, TheIntervalOfAQuotientIsMadeOfTwo) {
+  std::vector<double> values, base;
+  for (int i = 1; i <= 15; ++i) values.push_back(10 + i), base.push_back(100 + i);
+  Estimate ratio = ratioOfMedians(values, base);
+  EXPECT_NEAR(ratio.value, 18.0 / 108, 1e-15);
+  EXPECT_NEAR(ratio.low, 13.0 / 113, 1e-15);
+  EXPECT_NEAR(ratio.high, 23.0 / 103, 1e-15);
+  EXPECT_TRUE(std::isnan(ratioOfMedians({1, 2}, {1, 2}).low)) << "two values have no interval";
+  EXPECT_EQ(ratioOfMedians({1, 2}, {1, 2}).value, 1);
+  EXPECT_TRUE(std::isnan(ratioOfMedians(values, {0, 0, 0}).value));
+}
+
 TEST(Statistics, MeanVarianceAndStandardError) {
   std::vector<double> values = {2, 4, 4, 4, 5, 5, 7, 9};  // squared deviations from 5 add up to 32
   EXPECT_EQ(mean(values), 5);

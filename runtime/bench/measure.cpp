@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "bench/measure.h"
+
+#include <cstdlib>
+#include <limits>
+#include <sstream>
+#include <thread>
+
+#include "lab/record.h"
+#include "lab/shot_options.h"
+#include "plan/traffic.h"
+
+namespace strobe::bench {
+
+Method methodFrom(const std::string& text) {
+  size_t colon = text.find(':');
+  Method method{text, text.substr(0, colon), {}};
+  std::string sets = colon == std::string::npos ? "" : text.substr(colon + 1);
+  if (method.pipeline.empty() || (colon != std::string::npos && sets.empty()))
+    throw Error(fmt::format("'{}' is not PIPELINE or PIPELINE:NAME=VALUE,NAME=VALUE", text), {}, 2);
+  std::istringstream parts(sets);
+  for (std::string part; std::getline(parts, part, ',');)
+    method.sets.push_back(script::settingFromText(part, fmt::format("'{}':", text)));
+  return method;
+}
+
+namespace {
+
+// What changes the speed of a software device.
+std::map<std::string, std::string> driverEnvironment() {
+  std::map<std::string, std::string> found;
+  for (const char* name : {"GALLIVM_PERF", "LP_NATIVE_VECTOR_WIDTH", "LP_NUM_THREADS"})
+    if (const char* value = std::getenv(name)) found[name] = value;
+  return found;
+}
+
+lab::Shot shotOf(const Subject& subject, const std::string& scene, const std::array<int, 2>& size,
+                 const Method& method) {
+  lab::Shot shot = subject.shot;
+  shot.scene = scene;
+  shot.width = size[0], shot.height = size[1];
+  shot.pipeline = method.pipeline;
+  for (const auto& [name, value] : method.sets) lab::putSetting(shot.sets, name, value);
+  return shot;
+}
+
+// Shots with their gaps filled, and the run that has them without times.
+struct Prepared {
+  std::vector<lab::Shot> shots;
+  Run run;
+};
+
+// A method that does not take its settings is a mistake of the command line.
+void requirePlan(lab::Batch& batch, const lab::Shot& shot, const Method& method) {
+  try {
+    batch.planOf(shot);
+  } catch (const lab::Refusal& refusal) {
+    throw Error(fmt::format("method '{}': {}", method.text, refusal.message()), {}, 2);
+  }
+}
+
+Prepared prepared(lab::Batch& batch, const Subject& subject) {
+  lab::Workbench& bench = batch.bench();
+  const gpu::DeviceInfo& device = bench.device().info();
+  Prepared result;
+  result.run = {"", STROBE_VERSION, lab::programHash(), device.name, device.driver};
+  result.run.backend = shader::backendName(bench.chooseBackend(subject.shot.backend));
+  result.run.software = device.software;
+  result.run.threads = std::thread::hardware_concurrency();
+  result.run.environment = driverEnvironment();
+  for (const std::string& scene : subject.scenes)
+    for (const std::array<int, 2>& size : subject.sizes)
+      for (const Method& method : subject.methods) {
+        lab::Shot shot = batch.filled(shotOf(subject, scene, size, method));
+        requirePlan(batch, shot, method);
+        result.run.shots.push_back({scene, method.text, size[0], size[1], lab::toJson(shot)});
+        result.shots.push_back(std::move(shot));
+      }
+  return result;
+}
+
+// Bytes and rays of the frame that was drawn last.
+void addWork(std::vector<PassTimes>& passes, const plan::Plan& plan, const lab::Timing& timing) {
+  std::vector<plan::Traffic> traffic = plan::trafficOf(plan);
+  for (size_t i = 0; i < passes.size(); ++i) {
+    PassTimes& pass = passes[i];
+    pass.executions = timing.executions[i];
+    pass.bytes_read = traffic[i].read * uint64_t(pass.executions);
+    pass.bytes_written = traffic[i].written * uint64_t(pass.executions);
+    for (const auto& [name, count] : timing.counters)
+      if (name.starts_with(pass.name + ".rays_")) pass.rays += count;
+  }
+}
+
+}  // namespace
+
+Run outlineOf(lab::Workbench& bench, const Subject& subject) {
+  lab::Batch batch(bench);
+  return prepared(batch, subject).run;
+}
+
+Run measure(lab::Workbench& bench, const Subject& subject, const lab::Rounds& rounds) {
+  lab::Batch batch(bench);
+  Prepared of = prepared(batch, subject);
+  // A graph that is made again would pay for new memory in each round.
+  batch.kept_graphs = of.shots.size();
+  batch.kept_image_bytes = std::numeric_limits<size_t>::max();
+  std::vector<lab::Timing> timings = batch.timeInTurn(of.shots, rounds);
+  for (size_t i = 0; i < timings.size(); ++i) {
+    ShotTimes& shot = of.run.shots[i];
+    shot.ms = timings[i].ms;
+    for (const auto& [name, ms] : timings[i].passes) shot.passes.push_back({name, ms});
+    addWork(shot.passes, *batch.planOf(of.shots[i]), timings[i]);
+  }
+  return of.run;
+}
+
+}  // namespace strobe::bench

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+#include "bench/report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/error.h"
+#include "page/number.h"
+#include "page/waterfall.h"
+
+namespace strobe::bench {
+
+namespace {
+
+using page::Cell;
+using page::shownShare;
+
+// ---- how numbers are written
+
+// Passes of a GPU take microseconds.
+std::string shownTime(double ms) { return ms < 0.1 ? fmt::format("{:.1f} µs", 1000 * ms) : page::shownMs(ms); }
+
+std::string shownRatio(double ratio) {
+  if (std::isnan(ratio)) return page::kNotMeasured;
+  return ratio < 10 ? fmt::format("{:.3f}", ratio) : fmt::format("{:.1f}", ratio);
+}
+
+std::string shownRange(const Estimate& estimate, std::string (*shown)(double)) {
+  if (std::isnan(estimate.low)) return page::kNotMeasured;
+  return shown(estimate.low) + " to " + shown(estimate.high);
+}
+
+std::string shownBytes(uint64_t bytes) {
+  if (bytes == 0) return page::kNotMeasured;
+  constexpr uint64_t kKilo = 1000, kMega = kKilo * kKilo;
+  return bytes < kMega ? fmt::format("{:.1f} kB", double(bytes) / kKilo)
+                       : fmt::format("{:.1f} MB", double(bytes) / kMega);
+}
+
+std::string shownCount(uint64_t count) { return count == 0 ? page::kNotMeasured : std::to_string(count); }
+
+Cell countCell(uint64_t count, const std::string& shown) { return Cell(double(count), shown); }
+
+Cell shareCell(uint64_t part, uint64_t whole) {
+  double share = whole > 0 && part > 0 ? double(part) / double(whole) : std::nan("");
+  return Cell(share, shownShare(share));
+}
+
+template <class Part>
+uint64_t sumOf(const std::vector<PassTimes>& passes, const Part& part) {
+  return std::accumulate(passes.begin(), passes.end(), uint64_t{0},
+                         [&](uint64_t sum, const PassTimes& pass) { return sum + part(pass); });
+}
+
+uint64_t bytesOf(const ShotTimes& shot) {
+  return sumOf(shot.passes, [](const PassTimes& pass) { return pass.bytes(); });
+}
+uint64_t raysOf(const ShotTimes& shot) {
+  return sumOf(shot.passes, [](const PassTimes& pass) { return pass.rays; });
+}
+
+// ---- what is said beside the numbers
+
+std::string roundsOf(const Run& run) {
+  return fmt::format("{} rounds of a frame of each shot in turn; the first frames, which compile, do not count",
+                     run.shots.front().ms.size());
+}
+
+std::string deviceOf(const Run& run) {
+  std::string text = fmt::format("{}, {}, rays by {}, {} threads", run.device, run.driver, run.backend, run.threads);
+  for (const auto& [name, value] : run.environment) text += fmt::format(", {}={}", name, value);
+  return text;
+}
+
+std::string cautionOf(const Run& run) {
+  return run.software
+             ? "A software device: its milliseconds are not comparable across machines, nor with a GPU's; ratios "
+               "are what counts."
+             : "Clocks are not locked.";
+}
+
+const char* const kWorkNote =
+    "Bytes are those of the images that a pass is wired to, each once, a lower bound of its traffic: what it reads "
+    "again, the scene and what rays traverse are not in them.";
+
+// The shots of each scene and size, in the order of the run.
+std::vector<std::vector<const ShotTimes*>> placesOf(const Run& run) {
+  std::vector<std::vector<const ShotTimes*>> places;
+  for (const ShotTimes& shot : run.shots) {
+    if (places.empty() || places.back().front()->place() != shot.place()) places.emplace_back();
+    places.back().push_back(&shot);
+  }
+  return places;
+}
+
+// ---- tables
+
+page::Table timesTable(const Run& run, const std::vector<const ShotTimes*>& shots) {
+  const std::string base = shots.front()->method;
+  page::Table table;
+  table.columns = {"method",
+                   {"frame, median", true},
+                   {"95 % interval", true},
+                   {"ratio to " + base, true},
+                   {"95 % interval", true},
+                   {"bytes touched", true},
+                   {"rays", true}};
+  for (const ShotTimes* shot : shots) {
+    Estimate ms = estimatedMedian(shot->ms), ratio = ratioToBase(run, *shot);
+    bool is_base = shot == shots.front();
+    table.add({shot->method, Cell(ms.value, shownTime(ms.value)), shownRange(ms, shownTime),
+               Cell(ratio.value, is_base ? "1" : shownRatio(ratio.value)),
+               is_base ? "base" : shownRange(ratio, shownRatio), countCell(bytesOf(*shot), shownBytes(bytesOf(*shot))),
+               countCell(raysOf(*shot), shownCount(raysOf(*shot)))});
+  }
+  return table;
+}
+
+page::Table passTable(const ShotTimes& shot) {
+  page::Table table;
+  table.columns = {"pass",
+                   {"median", true},
+                   {"95 % interval", true},
+                   {"share of the frame", true},
+                   {"read", true},
+                   {"written", true},
+                   {"share of bytes", true},
+                   {"rays", true},
+                   {"share of rays", true}};
+  const double frame_ms = median(shot.ms);
+  for (const PassTimes& pass : shot.parts()) {
+    Estimate ms = estimatedMedian(pass.ms);
+    std::string times = pass.executions > 1 ? fmt::format(", {} times", pass.executions) : "";
+    table.add({pass.name + times, Cell(ms.value, shownTime(ms.value)), shownRange(ms, shownTime),
+               Cell(ms.value / frame_ms, shownShare(ms.value / frame_ms)),
+               countCell(pass.bytes_read, shownBytes(pass.bytes_read)),
+               countCell(pass.bytes_written, shownBytes(pass.bytes_written)), shareCell(pass.bytes(), bytesOf(shot)),
+               countCell(pass.rays, shownCount(pass.rays)), shareCell(pass.rays, raysOf(shot))});
+  }
+  return table;
+}
+
+// ---- waterfalls
+
+// One bar for each part at medians, one after the other.
+page::Waterfall waterfallOf(const ShotTimes& shot) {
+  page::Waterfall waterfall;
+  waterfall.about = fmt::format("{}: its passes one after the other, the table below has the numbers", shot.name());
+  waterfall.x.title = "milliseconds, medians";
+  double start_ms = 0;
+  for (const PassTimes& pass : shot.parts()) {
+    Estimate ms = estimatedMedian(pass.ms);
+    page::Waterfall::Bar bar{pass.name, start_ms, ms.value, {start_ms + ms.low, start_ms + ms.high}};
+    bar.text = shownTime(ms.value);
+    bar.tip = fmt::format("{}: {}, {}", pass.name, shownTime(ms.value), shownRange(ms, shownTime));
+    bar.hollow = pass.name == kRest;
+    waterfall.bars.push_back(std::move(bar));
+    start_ms += ms.value;
+  }
+  return waterfall;
+}
+
+// ---- the comparison
+
+std::string basisOf(const Comparison& comparison) {
+  using Kind = Comparison::Kind;
+  std::string moved = fmt::format(
+      "Moved is what differs by more than {} and whose 95 % interval excludes 1; intervals are not widened for their "
+      "number, so that a few of a hundred exclude 1 by chance.",
+      shownShare(comparison.share));
+  if (comparison.kind == Kind::blocks)
+    return fmt::format(
+        "Both programs ran in this session, {} blocks of each in turn. Ratios are those of milliseconds, each block's "
+        "medians to those of the block beside it. {}",
+        comparison.blocks, moved);
+  if (comparison.kind == Kind::milliseconds)
+    return "The same device at another time: ratios are those of milliseconds, and another clock or load would show in "
+           "all of them. A program in the place of the file runs alternately with this one, which is fair. " +
+           moved;
+  return "Ratios are those of times divided by the frame time of the base in the same round, as a software device or "
+         "another machine is faster or slower from session to session; what slows all methods alike is taken away. A "
+         "part counts as moved only where its milliseconds say so too, and even so another session can be mistaken for "
+         "another program: intervals know nothing of what differs between sessions. The frame of a base has its "
+         "milliseconds alone; whether it or the machine changed cannot be told. A program in the place of the file "
+         "runs alternately with this one, which is fair. " +
+         moved;
+}
+
+std::string verdictOf(const Change& change) {
+  if (change.moved) return change.ratio.value > 1 ? "slower" : "faster";
+  return "";
+}
+
+void addChange(page::Table& table, const Change& change, bool names_shot) {
+  page::Mark mark = !change.moved ? page::Mark::none : change.ratio.value > 1 ? page::Mark::bad : page::Mark::best;
+  std::string frame = change.is_base ? "frame of the base" : "frame";
+  table.add({names_shot ? change.shot->name() : "", change.pass.empty() ? frame : change.pass,
+             Cell(change.before_ms, shownTime(change.before_ms)), Cell(change.now_ms, shownTime(change.now_ms)),
+             Cell(change.ratio.value, shownRatio(change.ratio.value), mark),
+             Cell(shownRange(change.ratio, shownRatio), mark), Cell(verdictOf(change), mark)});
+}
+
+// Frames and what moved, or all.
+page::Table changesTable(const Comparison& comparison, bool all) {
+  page::Table table;
+  table.columns = {"shot", "pass", {"before", true}, {"now", true}, {"ratio", true}, {"95 % interval", true}, "moved"};
+  for (const Change& change : comparison.changes)
+    if (all || change.pass.empty() || change.moved) addChange(table, change, change.pass.empty());
+  return table;
+}
+
+std::string summaryOf(const Comparison& comparison) {
+  size_t moved = comparison.moved(), all = comparison.changes.size();
+  std::string text = moved ? fmt::format("{} of {} frames and passes moved.", moved, all)
+                           : fmt::format("None of {} frames and passes moved.", all);
+  auto add = [&](const char* what, const std::vector<std::string>& names) {
+    if (!names.empty()) text += fmt::format(" {}: {}.", what, fmt::join(names, "; "));
+  };
+  add("The runs differ besides", comparison.differ);
+  add("No longer there", comparison.gone);
+  add("New", comparison.added);
+  return text;
+}
+
+// ---- the page
+
+page::Block paragraph(const std::string& text, page::Paragraph::Kind kind) { return page::Paragraph{text, kind}; }
+
+void addComparison(std::vector<page::Block>& blocks, const Comparison& comparison) {
+  blocks.push_back(page::Heading{"Against " + comparison.against, 2, "against"});
+  blocks.push_back(paragraph(summaryOf(comparison), page::Paragraph::Kind::finding));
+  blocks.push_back(paragraph(basisOf(comparison), page::Paragraph::Kind::soft));
+  blocks.push_back(changesTable(comparison, false));
+  blocks.push_back(page::Details{"All frames and passes", {changesTable(comparison, true)}});
+}
+
+void addPlace(std::vector<page::Block>& blocks, const Run& run, const std::vector<const ShotTimes*>& shots,
+              size_t index) {
+  blocks.push_back(page::Heading{shots.front()->place(), 2, fmt::format("place-{}", index + 1)});
+  blocks.push_back(timesTable(run, shots));
+  std::vector<page::Waterfall> waterfalls;
+  for (const ShotTimes* shot : shots) waterfalls.push_back(waterfallOf(*shot));
+  page::align(waterfalls);
+  for (size_t i = 0; i < shots.size(); ++i) {
+    blocks.push_back(page::Heading{shots[i]->method, 3});
+    blocks.push_back(page::Figure{page::svgOf(waterfalls[i]), ""});
+    blocks.push_back(passTable(*shots[i]));
+  }
+}
+
+}  // namespace
+
+std::string textOf(const Run& run, const Comparison* comparison) {
+  std::string text;
+  for (const auto& shots : placesOf(run))
+    text += fmt::format("{}\n{}\n", shots.front()->place(), page::textOf(timesTable(run, shots)));
+  text += fmt::format("{}.\n{}. {}\n{}\n", deviceOf(run), roundsOf(run), cautionOf(run), kWorkNote);
+  if (!comparison) return text;
+  return text + fmt::format("\nAgainst {}\n{}\n{}\n{}\n", comparison->against,
+                            page::textOf(changesTable(*comparison, false)), summaryOf(*comparison),
+                            basisOf(*comparison));
+}
+
+page::Page pageOf(const Run& run, const Comparison* comparison) {
+  page::Page page;
+  page.title = "Frame times";
+  page.note = fmt::format("{}. {} {}", roundsOf(run), cautionOf(run), kWorkNote);
+  if (comparison) addComparison(page.blocks, *comparison);
+  std::vector<std::vector<const ShotTimes*>> places = placesOf(run);
+  for (size_t i = 0; i < places.size(); ++i) addPlace(page.blocks, run, places[i], i);
+  page.footer = {fmt::format("Strobe {} on {}.", run.version, deviceOf(run)), "Made by `" + run.command + "`."};
+  return page;
+}
+
+}  // namespace strobe::bench

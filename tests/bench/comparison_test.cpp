@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// Two runs of known times: the pass that changed is found, and what the machine did is not taken for it.
+#include "bench/comparison.h"
+
+#include <gtest/gtest.h>
+
+#include "bench/report.h"
+#include "bench/synthetic.h"
+
+namespace strobe::bench::test {
+namespace {
+
+constexpr int kRounds = 18;
+
+// Every pass takes 10 ms, with noise of its own; `gather` and everything are slowed by factors.
+bench::Run timed(int seed, double gather = 1, double all = 1, bool software = false, int rounds = kRounds) {
+  return runOf(
+      rounds,
+      [=](const std::string& method, const std::string& pass, int round) {
+        int own = int(pass.size() + method.size());
+        return 10 * all * (pass == "gather" ? gather : 1) * noise(round, seed + own);
+      },
+      software);
+}
+
+std::vector<std::string> movedIn(const Comparison& comparison) {
+  std::vector<std::string> names;
+  for (const Change& change : comparison.changes)
+    if (change.moved) names.push_back(change.shot->method + " " + (change.pass.empty() ? "frame" : change.pass));
+  return names;
+}
+
+const Change& changeOf(const Comparison& comparison, const std::string& method, const std::string& pass) {
+  for (const Change& change : comparison.changes)
+    if (change.shot->method == method && change.pass == pass) return change;
+  throw std::out_of_range(pass);
+}
+
+using Names = std::vector<std::string>;
+
+TEST(Comparison, FindsThePassThatMoved) {
+  bench::Run before = timed(1), now = timed(5, 1.3);
+  Comparison comparison = compared(now, before, 0.05);
+  EXPECT_EQ(comparison.kind, Comparison::Kind::milliseconds);
+  EXPECT_EQ(movedIn(comparison), (Names{"blurred frame", "blurred gather"})) << "a frame of three passes: 10 %";
+  EXPECT_NEAR(changeOf(comparison, "blurred", "gather").ratio.value, 1.3, 0.01);
+  EXPECT_LE(changeOf(comparison, "blurred", "gather").ratio.low, 1.3);
+  EXPECT_GE(changeOf(comparison, "blurred", "gather").ratio.high, 1.3);
+  EXPECT_EQ(movedIn(compared(now, before, 0.2)), (Names{"blurred gather"})) << "the frame changed by less than a fifth";
+  EXPECT_EQ(movedIn(compared(now, before, 0.4)), Names());
+  EXPECT_EQ(movedIn(compared(now, now, 0.01)), Names()) << "against itself";
+}
+
+TEST(Comparison, TooFewRoundsTellNothing) {
+  EXPECT_EQ(movedIn(compared(timed(5, 3, 1, false, 6), timed(1, 1, 1, false, 6), 0.05)), Names());
+}
+
+// Everything is slower by half, as on a machine that does something else: on a software device nothing moved but the
+// pass that did.
+TEST(Comparison, DividesByTheBaseOnASoftwareDevice) {
+  bench::Run before = timed(1, 1, 1, true), slower = timed(5, 1, 1.5, true), now = timed(5, 1.3, 1.5, true);
+  Comparison comparison = compared(slower, before, 0.05);
+  EXPECT_EQ(comparison.kind, Comparison::Kind::base);
+  EXPECT_EQ(movedIn(comparison), Names());
+  EXPECT_NEAR(changeOf(comparison, "sharp", "").ratio.value, 1.49, 0.02) << "the base has its milliseconds";
+  EXPECT_EQ(movedIn(compared(now, before, 0.05)), (Names{"blurred frame", "blurred gather"}));
+  EXPECT_NEAR(changeOf(compared(now, before, 0.05), "blurred", "gather").ratio.value, 1.3, 0.03);
+}
+
+// A base that gained makes all others look slower; their milliseconds say that they are not.
+TEST(Comparison, AFasterBaseDoesNotMoveTheOthers) {
+  auto run = [](double base, int seed) {
+    return runOf(
+        kRounds,
+        [=](const std::string& method, const std::string&, int round) {
+          return 10 * (method == "sharp" ? base : 1) * noise(round, seed);
+        },
+        true);
+  };
+  Comparison comparison = compared(run(0.7, 3), run(1, 1), 0.05);
+  EXPECT_NEAR(changeOf(comparison, "blurred", "gather").ratio.value, 1 / 0.7, 0.05);
+  EXPECT_EQ(movedIn(comparison), Names());
+}
+
+TEST(Comparison, OfAnotherDeviceIsRelativeAndSaysSo) {
+  bench::Run before = timed(1), now = timed(5);
+  before.driver = "an older driver";
+  before.environment = {{"LP_NUM_THREADS", "2"}};
+  Comparison comparison = compared(now, before, 0.05);
+  EXPECT_EQ(comparison.kind, Comparison::Kind::base);
+  EXPECT_EQ(comparison.differ,
+            (Names{"driver an older driver, now a driver", "environment LP_NUM_THREADS=2, now nothing"}));
+}
+
+// The machine gets slower from block to block, which both programs see alike: milliseconds of the pair are compared.
+TEST(Comparison, BlocksAreComparedInPairs) {
+  std::vector<bench::Run> now, before;
+  for (int block = 0; block < 8; ++block) {
+    double machine = 1 + 0.2 * block;
+    before.push_back(timed(block, 1, machine, true, 3));
+    now.push_back(timed(block + 4, 1.3, machine, true, 3));
+  }
+  Comparison comparison = compared(now, before, 0.05);
+  EXPECT_EQ(comparison.kind, Comparison::Kind::blocks);
+  EXPECT_EQ(comparison.blocks, 8u);
+  EXPECT_EQ(movedIn(comparison), (Names{"blurred frame", "blurred gather"}));
+  EXPECT_NEAR(changeOf(comparison, "blurred", "gather").ratio.value, 1.3, 0.05);
+  EXPECT_NEAR(changeOf(comparison, "blurred", "gather").before_ms, 17, 0.5) << "between the fourth block and the fifth";
+  Comparison few = compared(std::vector<bench::Run>(now.begin(), now.begin() + 5),
+                            std::vector<bench::Run>(before.begin(), before.begin() + 5), 0.05);
+  EXPECT_EQ(movedIn(few), Names()) << "five blocks have no interval of 95 %";
+}
+
+TEST(Comparison, NamesPassesThatOneRunAloneHas) {
+  bench::Run before = timed(1), now = timed(5);
+  now.shots[1].passes[2].name = "gather_wide";
+  Comparison comparison = compared(now, before, 0.05);
+  EXPECT_EQ(comparison.gone, (Names{"gather of blurred, room, 64x36"}));
+  EXPECT_EQ(comparison.added, (Names{"gather_wide of blurred, room, 64x36"}));
+  EXPECT_EQ(comparison.changes.size(), 4u + 4u) << "frame, draw, shade and rest of both";
+}
+
+TEST(Comparison, IsToldInWordsAndAsData) {
+  bench::Run before = timed(1), now = timed(5, 1.3);
+  Comparison comparison = compared(now, before, 0.05);
+  comparison.against = "before.json";
+  std::string text = textOf(now, &comparison);
+  EXPECT_NE(text.find("Against before.json"), std::string::npos) << text;
+  EXPECT_NE(text.find("2 of 9 frames and passes moved."), std::string::npos) << text;
+  EXPECT_NE(text.find("slower"), std::string::npos) << text;
+  Json json = toJson(comparison);
+  EXPECT_EQ(json["moved"], 2);
+  EXPECT_EQ(json["changes"].size(), 9u);
+  EXPECT_TRUE(json["changes"][0]["pass"].is_null());
+  std::string html = page::htmlOf(pageOf(now, &comparison));
+  EXPECT_NE(html.find("Against before.json"), std::string::npos);
+  EXPECT_NE(html.find("gather"), std::string::npos);
+  EXPECT_EQ(page::htmlOf(pageOf(now, nullptr)).find("Against"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace strobe::bench::test

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Methods as they are written on the command line.
+#include <gtest/gtest.h>
+
+#include "bench/measure.h"
+
+namespace strobe::bench::test {
+namespace {
+
+void expectRefusal(const std::string& text, const std::string& wanted) {
+  try {
+    methodFrom(text);
+    ADD_FAILURE() << text;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.exitCode(), 2);
+    EXPECT_NE(std::string(error.what()).find(wanted), std::string::npos) << error.what();
+  }
+}
+
+TEST(Method, IsAPipelineWithSettings) {
+  Method plain = methodFrom("hybrid");
+  EXPECT_EQ(plain.pipeline, "hybrid");
+  EXPECT_TRUE(plain.sets.empty());
+  Method set = methodFrom("pipelines/x.lua:preset=seed,samples=32,gain=0.5,edge.size=3");
+  EXPECT_EQ(set.text, "pipelines/x.lua:preset=seed,samples=32,gain=0.5,edge.size=3");
+  EXPECT_EQ(set.pipeline, "pipelines/x.lua");
+  EXPECT_EQ(set.sets,
+            (script::Settings{{"preset", "seed"}, {"samples", int64_t(32)}, {"gain", 0.5}, {"edge.size", int64_t(3)}}));
+}
+
+TEST(Method, OtherSpellingsAreRefused) {
+  expectRefusal("", "is not PIPELINE or PIPELINE:NAME=VALUE,NAME=VALUE");
+  expectRefusal("hybrid:", "'hybrid:' is not PIPELINE or PIPELINE:NAME=VALUE,NAME=VALUE");
+  expectRefusal(":samples=3", "is not PIPELINE or");
+  expectRefusal("hybrid:samples", "'hybrid:samples': 'samples' is not NAME=VALUE");
+  expectRefusal("hybrid:samples=3,,x=1", "'' is not NAME=VALUE");
+}
+
+}  // namespace
+}  // namespace strobe::bench::test
