@@ -18,6 +18,7 @@ return pass.compute {
   size   = { of = "color" },
   reads  = ports.of_both { "second", "after_second", "revealed_dominant", "revealed_after_dominant" },
   writes = ports.picture,
+  without = ports.still,
   params = {
     samples      = blur.samples { doc = "time samples" },
     tile         = blur.tile,

@@ -20,6 +20,7 @@ return pass.compute {
     motions_0 = motions, motions_1 = motions, motions_2 = motions, motions_3 = motions,
   },
   writes = { mask = { format = "r8_unorm", doc = "1 where something is to be revealed" } },
+  without = { motion = { mask = 0 } },
   params = {
     tile   = blur.tile,
     limit  = blur.limit,

@@ -108,6 +108,8 @@ static std::vector<ShotOption> allOptions() {
       one(text("backend", &S::backend, "auto", backendNames()),
           "how rays are traced; auto: the first of query, pipeline and bvh that the device has", Concern::Plan,
           O::kControl),
+      one(flag("model_everything", &S::model_everything),
+          "run also what the frame's scene does not require; changes no picture", Concern::Plan, O::kControl),
       one(text("device", &S::device, ""), "index or part of the name of a Vulkan device", Concern::Device,
           O::kNoPicture),
       one(text("tap", &S::taps, ""), "NODE.PORT to write as well", Concern::Plan, O::kNoPicture),
