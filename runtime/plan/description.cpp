@@ -7,6 +7,7 @@
 
 #include "plan/description_words.h"
 #include "plan/formats.h"
+#include "plan/without.h"
 
 namespace strobe::plan {
 
@@ -280,6 +281,7 @@ Json toJson(const PassDesc& pass) {
   json["updates"] = listOf(pass.updates, writeJson);
   json["params"] = listOf(pass.params, paramJson);
   json["counters"] = listOf(pass.counters, counterJson);
+  if (!pass.without.empty()) json["without"] = listOf(pass.without, [](const auto& one) { return toJson(one); });
   json["place"] = placeJson(pass.place);
   return json;
 }

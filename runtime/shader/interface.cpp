@@ -32,6 +32,7 @@ static std::string variantText(const Interface& in) {
       text += fmt::format("#define {}_{} {}\n", variant.name, variant.choices[i], i);
   }
   for (const auto& read : in.reads) text += fmt::format("#define HAS_{} {}\n", read.name, int(read.wired));
+  for (const auto& [fact, holds] : in.facts) text += fmt::format("#define FACT_{} {}\n", fact, int(holds));
   return text;
 }
 

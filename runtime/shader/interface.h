@@ -42,6 +42,7 @@ struct Interface {
   std::string place;  // of the pass's declaration, for errors
   bool raster = false;
   bool scene = false;
+  std::vector<std::pair<std::string, bool>> facts;  // of the scene it sees: `#define FACT_<name> 0` or 1
   Backend backend = Backend::None;
   bool doubles = false;             // trace: the device computes at double precision
   bool spread_rows = false;         // compute: groups next to each other are not dispatched one after the other
