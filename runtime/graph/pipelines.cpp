@@ -83,6 +83,7 @@ shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node
   for (int resource : node.reads) wired.push_back(resource >= 0);
   shader::Interface in = interfaceOf(pass, backend, wired, node.params, plan.absent);
   in.slices = slices;
+  in.still_once = node.still_once;
   in.time_slice = timeSlice(plan.pipeline.nodes[size_t(node.node)].time);
   return in;
 }
@@ -176,7 +177,7 @@ static std::vector<shader::Compiled> compileStages(const Home& home, const shade
 
 std::string textOf(const shader::Interface& in) {
   Stage stage = in.raster ? Stage::Fragment : hasStages(in) ? Stage::RayGeneration : Stage::Compute;
-  std::string text = fmt::format("{}|{}", backendName(in.backend), preamble(in, stage));
+  std::string text = fmt::format("{}|{}|{}", backendName(in.backend), preamble(in, stage), epilogue(in, stage));
   for (const auto& write : in.writes) text += write.format + ",";
   return text;
 }

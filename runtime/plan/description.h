@@ -41,6 +41,7 @@ enum class Role {
   Shading,         // the pose at which points are shaded: "frozen" or "full"
   SampleTimes,     // where in the exposure samples are: "midpoint" or "stratified"
   Regions,         // bool: find the regions in which errors are measured
+  StillOnce,       // bool of a pass: iterations of a loop after the first do only what something in motion reaches
 };
 
 // Their names, but for None, in that order.

@@ -79,6 +79,13 @@ class Compiler {
                 plan_.pipeline.loops[loop].place);
   }
 
+  static bool isStillOnce(const PassDesc& pass, const std::vector<std::pair<std::string, Value>>& params) {
+    for (size_t i = 0; i < pass.params.size(); ++i) {
+      if (pass.params[i].role == Role::StillOnce) return std::get<bool>(params[i].second);
+    }
+    return false;
+  }
+
   void addNode(int index, int loop) {
     const WiredNode& wired = wiring_.nodes[index];
     const PassDesc& pass = plan_.pipeline.passes[wired.pass];
@@ -87,6 +94,7 @@ class Compiler {
     node.pass = wired.pass;
     node.loop = loop;
     node.params = wired.params;
+    node.still_once = loop >= 0 && pass.kind != PassDesc::Kind::Raster && isStillOnce(pass, node.params);
     node.counters = !pass.counters.empty();
     for (const Source& source : wired.reads) node.reads.push_back(source.node < 0 ? -1 : imageOf(source));
     const NodeSize& size = sizes_.of(index);

@@ -60,6 +60,9 @@ struct PlanNode {
   std::vector<int> writes;                            // image per write port
   std::vector<int> updates;                           // image per update port
   int depth = -1;                                     // image of a raster node's depth attachment
+  // In a loop, after its first iteration, it works on the pixels that something in motion reaches, and the others keep
+  // what they have (Role::StillOnce).
+  bool still_once = false;
   bool counters = false;  // has a buffer of 32-bit event counts, in the order of the pass's declaration
 };
 

@@ -97,6 +97,10 @@ std::string epilogue(const Interface& in, Stage stage) {
                                                 : "gl_LaunchIDEXT.xy";
   std::string text = spread ? kSpreadRows : "";
   text += fmt::format("void main() {{\n  ivec2 pixel_ = ivec2({});\n", pixel);
+  if (in.still_once)
+    text +=
+        "  if (frame.iteration > 0u) {\n    pixel_ += frame.reach.xy;\n"
+        "    if (any(greaterThanEqual(pixel_, frame.reach.zw))) return;\n  }\n";
   text += "  if (any(greaterThanEqual(pixel_, pass_size()))) return;\n  run(pixel_);\n";
   if (in.backend != Backend::None) {
     text += "#ifdef STROBE_TRACE_GLSL\n";

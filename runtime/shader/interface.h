@@ -46,6 +46,7 @@ struct Interface {
   Backend backend = Backend::None;
   bool doubles = false;             // trace: the device computes at double precision
   bool spread_rows = false;         // compute: groups next to each other are not dispatched one after the other
+  bool still_once = false;          // in iterations after the first: on the pixels of frame.reach alone
   bool separate_triangles = false;  // raster: vertices are not indexed, and number the triangles
   uint32_t slices = 1;              // poses the scene's arrays hold
   uint32_t time_slice = 0;          // the one this node sees
