@@ -84,10 +84,6 @@ local function deciding_parameter(problems, format, params, declared, at, what)
   return nil
 end
 
-local function is_uint(format)
-  return format:find("ui$") ~= nil
-end
-
 -- `format = { by = "parameter", choice = "format", ... }`: a format for each choice. Yields the one of the default, the
 -- parameter's name and all of them; nil where it has mistakes.
 local function chosen_format(problems, format, params, declared, path, place, what)
@@ -113,7 +109,7 @@ local function chosen_format(problems, format, params, declared, path, place, wh
       sound = false
     elseif not is_format(problems, one, at(choice), what) then
       sound = false
-    elseif first and is_uint(one) ~= is_uint(first) then
+    elseif first and check.is_uint(one) ~= check.is_uint(first) then
       problems:add(at(choice), "the formats of %s mix unsigned integers and numbers: %s and %s", what, first, one)
       sound = false
     end

@@ -34,8 +34,6 @@ local function check_name(problems, name, reads, at, owner)
   end
 end
 
-local function is_uint(format) return format:find("ui$") ~= nil end
-
 -- `given` is 0, or a read that can stand in for the write.
 local function check_stand_in(problems, write, given, reads, at, what)
   if given == 0 then return end
@@ -47,7 +45,7 @@ local function check_stand_in(problems, write, given, reads, at, what)
                  near(given, names_of(reads, {})))
   elseif read.optional then
     problems:add(at, "%s: '%s' is '%s', which is optional and may not be there", what, write.name, given)
-  elseif write.format and is_uint(write.format) ~= read.uint then
+  elseif write.format and check.is_uint(write.format) ~= read.uint then
     problems:add(at, "%s: '%s' and '%s' do not both hold unsigned integers", what, write.name, given)
   end
 end
