@@ -55,6 +55,7 @@
 ---@class strobe.Write
 ---@field format strobe.Format|strobe.ChosenFormat
 ---@field doc string meaning, unit, range
+---@field cleared? boolean zero when the pass begins, which then writes where it has something (not of raster passes)
 
 ---@class strobe.Update
 ---@field format strobe.Format|strobe.ChosenFormat

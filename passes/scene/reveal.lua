@@ -15,12 +15,13 @@ return pass.trace {
     hit  = { uint = true, doc = "instance + 1 (0 = sky), geometry, primitive of the foreground" },
     mask = { doc = "1 where a ray is wanted" },
   },
-  updates = {
-    color    = { format = stored.color, doc = "linear radiance of what is revealed; 0 where nothing is" },
-    depth    = { format = "r32f", doc = "its linear view depth, metres; sky = +inf, 0 where nothing is revealed" },
-    id       = { format = "rg32ui", doc = "its instance + 1, geometry + 1; 0 for sky and where nothing is" },
-    velocity = { format = stored.velocity, doc = "its displacement over the exposure, px" },
-    valid    = { format = "r8_unorm", doc = "1 where something is revealed" },
+  writes = {
+    color    = { cleared = true, format = stored.color, doc = "linear radiance of what is revealed; 0 where nothing is" },
+    depth    = { cleared = true, format = "r32f",
+      doc = "its linear view depth, metres; sky = +inf, 0 where nothing is revealed" },
+    id       = { cleared = true, format = "rg32ui", doc = "its instance + 1, geometry + 1; 0 for sky and where nothing is" },
+    velocity = { cleared = true, format = stored.velocity, doc = "its displacement over the exposure, px" },
+    valid    = { cleared = true, format = "r8_unorm", doc = "1 where something is revealed" },
   },
   without = { mask = { color = 0, depth = 0, id = 0, velocity = 0, valid = 0 } },
   fails  = "A second layer behind the revealed one stays hidden. Of two surfaces in one place (within 4 " ..

@@ -251,6 +251,7 @@ static Json writeJson(const PortDesc& port) {
   Json json = {{"name", port.name}, {"doc", port.doc}, {"format", port.format}, {"place", placeJson(port.place)}};
   if (!port.format_by.empty()) json["format_by"] = port.format_by;
   for (const auto& [choice, format] : port.formats) json["formats"][choice] = format;
+  if (port.cleared) json["cleared"] = true;
   if (port.history) json["history"] = true;
   return json;
 }

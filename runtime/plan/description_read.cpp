@@ -161,6 +161,7 @@ PortDesc readWrite(const Json& json) {
   port.format = formatNames()[reader.oneOf("format", formatNames())];
   port.format_by = reader.text("format_by");
   port.formats = choiceTexts(reader, "formats");
+  port.cleared = reader.boolean("cleared", false);
   port.history = reader.boolean("history", false);
   reader.finish();
   return port;
@@ -242,6 +243,8 @@ PassDesc passFromJson(const Json& json) {
   pass.reads = itemsOf(reader.list("reads"), readRead);
   pass.writes = itemsOf(reader.list("writes"), readWrite);
   pass.updates = itemsOf(reader.list("updates"), readWrite);
+  bool cleared = std::any_of(pass.writes.begin(), pass.writes.end(), [](const PortDesc& port) { return port.cleared; });
+  if (cleared && pass.kind == PassDesc::Kind::Raster) reader.fail("a raster pass writes all of its pixels");
   pass.params = itemsOf(reader.list("params"), readParam);
   pass.counters = itemsOf(reader.list("counters"), readCounter);
   pass.size = readSize(reader.at("size"), pass);

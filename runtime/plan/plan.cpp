@@ -103,7 +103,10 @@ class Compiler {
     bool raster = pass.kind == PassDesc::Kind::Raster;
     uint32_t usage = raster ? kUsageColorAttachment : kUsageStorage;
     for (const PortDesc& port : pass.writes) {
-      node.writes.push_back(addImage(node, port.name, formatOf(port, node.params), usage));
+      int image = addImage(node, port.name, formatOf(port, node.params), usage);
+      plan_.images[image].cleared = port.cleared;
+      if (port.cleared) plan_.images[image].usage |= kUsageTransferTarget;
+      node.writes.push_back(image);
     }
     for (const PortDesc& port : pass.updates) {
       int image = addImage(node, port.name, formatOf(port, node.params), kUsageStorage | kUsageTransferTarget);
@@ -185,11 +188,14 @@ class Compiler {
     return {{Resource::Kind::Counters, node}, -1, stages, access};
   }
 
+  static void addClear(std::vector<Step>& steps, int image) {
+    addStep(steps, Step::Kind::ClearImage, image, {imageUse(image, kStageTransfer, kAccessTransferWrite)});
+  }
+
   void addClears() {
     for (size_t i = 0; i < plan_.images.size(); ++i) {
       if (!plan_.images[i].update && !plan_.images[i].zero) continue;
-      int image = static_cast<int>(i);
-      addStep(plan_.steps, Step::Kind::ClearImage, image, {imageUse(image, kStageTransfer, kAccessTransferWrite)});
+      addClear(plan_.steps, static_cast<int>(i));
     }
     for (size_t i = 0; i < plan_.nodes.size(); ++i) {
       if (!plan_.nodes[i].counters) continue;
@@ -215,6 +221,8 @@ class Compiler {
     if (kind == PassDesc::Kind::Raster) shader = kStageFragment;
     if (kind == PassDesc::Kind::Trace) shader = options_.trace_stage;
 
+    for (int image : node.writes)
+      if (plan_.images[image].cleared) addClear(steps, image);
     std::vector<Use> uses;
     for (int image : node.reads) {
       bool seen = std::any_of(uses.begin(), uses.end(), [&](const Use& use) { return use.image == image; });

@@ -31,6 +31,7 @@ struct VirtualImage {
   int width = 0, height = 0;
   uint32_t usage = 0;       // of this image alone
   int divide = 1;           // pixels of the frame per texel along an axis (tiles); 0: not a picture of the frame
+  bool cleared = false;     // to zero whenever the node that writes it begins
   bool zero = false;        // cleared to zero at the start of the frame and written by no node
   bool update = false;      // cleared to zero at the start of the frame, then read and written
   bool history = false;     // an updated image that is cleared before its first frame only

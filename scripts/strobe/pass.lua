@@ -13,7 +13,7 @@ pass.keys = {
   "without",
 }
 pass.read_keys  = { "doc", "uint", "optional", "linear" }
-pass.write_keys = { "doc", "format" }
+pass.write_keys = { "doc", "format", "cleared" }
 pass.update_keys = { "doc", "format", "history" }
 pass.format_keys = { "by" }  -- and the choices of that parameter
 pass.counter_keys = { "doc", "limit" }
@@ -135,9 +135,11 @@ local function declare_writes(problems, t, key, params, place, owner)
     if is_port_table(problems, name, port, at, ("%s of %s"):format(key, owner)) then
       local what = ("'%s' of the %s of %s"):format(name, key, owner)
       check.keys(problems, port, key == "updates" and pass.update_keys or pass.write_keys, place, what, { key, name })
-      if port.history ~= nil then check.field(problems, port, "history", "boolean", place, what, { key, name }) end
+      for _, flag in ipairs { "history", "cleared" } do
+        if port[flag] ~= nil then check.field(problems, port, flag, "boolean", place, what, { key, name }) end
+      end
       local result = { name = name, place = at, doc = check.doc(problems, port, place, what, { key, name }) }
-      result.history = port.history
+      result.history, result.cleared = port.history, port.cleared
       result.format, result.format_by, result.formats =
         format_of(problems, port, params, t.params, { key, name, "format" }, place, what)
       list[#list + 1] = result

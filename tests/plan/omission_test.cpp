@@ -249,5 +249,22 @@ TEST(Without, IsReadWithoutTrust) {
             "passes/x.lua:9: pass 'rays' without: 'y' is not a read that is always wired");
 }
 
+// What is cleared is cleared right before its pass, so that its memory is another's until then.
+TEST(Cleared, IsZeroWhenItsPassBegins) {
+  Builder b;
+  b.compute("base", {}, {"x"});
+  b.compute("sparse", {{"x", "base.x"}}, {"y"});
+  b.compute("end", {{"y", "sparse.y"}}, {"z"});
+  b.output("color", "end.z");
+  b.pipeline.passes.at(1).writes.at(0).cleared = true;
+  Plan plan = planned(b, {});
+  ASSERT_EQ(plan.steps.size(), 5u);  // base, clear, sparse, end, read-back
+  EXPECT_EQ(plan.steps[1].kind, Step::Kind::ClearImage);
+  EXPECT_EQ(plan.images[size_t(plan.steps[1].index)].name, "sparse.y");
+  EXPECT_EQ(plan.images[size_t(plan.steps[1].index)].first, 1);
+  ASSERT_EQ(plan.steps[2].barriers.size(), 1u);
+  EXPECT_TRUE(plan.steps[2].barriers[0].src_stages & kStageTransfer);
+}
+
 }  // namespace
 }  // namespace strobe::plan::test
