@@ -21,6 +21,8 @@ struct Arm {
   script::Settings box;            // on top of `sets` in a picture of several samples per pixel
   std::vector<std::string> lacks;  // settings of axes that are not given to it
   bool shown = true;               // on sheet and page; tables have every arm
+  double published_fps = 0;        // frames per second that somebody else measured; 0: nobody did
+  std::string published_by;
 };
 
 // A crop in pixels at the experiment's size, or the densest part of the inner blur.
@@ -48,8 +50,16 @@ struct AxisValue {
   script::Settings truth;
 };
 
+// How the time of a part of a frame is expected to grow along an axis (strobe bench slopes).
+struct Cost {
+  std::string part, arm;  // arm "": of each
+  std::string grows, why;
+};
+
 struct Axis {
   std::string name, title, unit, scale, region, fixed, note, reading;
+  std::string against;  // the measure that times are drawn against; "": the values
+  std::vector<Cost> costs;
   std::optional<size_t> benign;  // the value at which nothing is extreme
   bool same_picture = false;     // what is seen does not depend on the value
   std::vector<AxisValue> values;
