@@ -114,7 +114,8 @@ std::vector<bench::Demand> demandsOf(lab::Workbench& bench, const study::Experim
       bench::Run once = bench::measure(bench, std::vector{shot}, lab::Rounds());
       for (const auto& [width, height] : kDemandSizes) {
         bench::Demand& demand = demands.emplace_back(bench::demandAt(batch, shot, once.shots[0], width, height));
-        demand.published_fps = arm.published_fps, demand.published_by = arm.published_by;
+        if (arm.published && arm.published->shot == shot.scene)
+          demand.published_fps = arm.published->fps, demand.published_by = arm.published->by;
       }
     }
   }
@@ -151,6 +152,7 @@ bench::Slopes slopesOf(const Home& home, const Options& options) {
   for (const Points& of_axis : points) {
     slopes.axes.push_back(measured(bench, experiment, of_axis));
     slopes.fits.push_back(bench::fitsOf(slopes.axes.back()));
+    if (!experiment.partial) bench::requireKnownParts(slopes.axes.back(), slopes.fits.back());
     note(fmt::format("{} of {} axes", slopes.axes.size(), points.size()));
   }
   slopes.demands = demandsOf(bench, experiment);

@@ -56,9 +56,11 @@ struct Fit {
   double at(double x) const;  // the line's milliseconds
 };
 
-// Of each method the frame, then the parts that all its frames have. Throws `Error` (exit code 2) where an expectation
-// names a part that none has.
+// Of each method the frame, then the parts that all its frames have.
 std::vector<Fit> fitsOf(const AxisRun& axis);
+
+// Throws `Error` (exit code 2) where an expectation is of a part that no frame has: a slip.
+void requireKnownParts(const AxisRun& axis, const std::vector<Fit>& fits);
 
 Json toJson(const AxisRun& axis, const std::vector<Fit>& fits);
 

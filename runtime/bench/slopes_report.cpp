@@ -22,16 +22,12 @@ std::string shownAny(double ms) {
   double size = std::abs(ms);
   if (size >= 1) return fmt::format("{:.3g} ms", ms);
   if (size >= 1e-3) return fmt::format("{:.3g} µs", ms * 1e3);
-  return size >= 1e-6 ? fmt::format("{:.3g} ns", ms * 1e6) : fmt::format("{:.2g} ps", ms * 1e9);
+  return fmt::format("{:.3g} ns", ms * 1e6);
 }
 
 std::string shownR2(double r2) { return std::isnan(r2) ? page::kNotMeasured : fmt::format("{:.3f}", r2); }
 
 std::string unitOf(const AxisRun& axis) { return axis.unit.empty() ? axis.name : axis.unit; }
-
-std::string headOf(const AxisRun& axis) {
-  return axis.unit.empty() ? axis.title : fmt::format("{}, {}", axis.title, axis.unit);
-}
 
 // ---- slopes
 
@@ -78,8 +74,8 @@ page::Table slopeTable(const AxisRun& axis, const std::vector<Fit>& fits, bool a
 // The frames' medians with their intervals, and a line through those of each method.
 page::Chart chartOf(const AxisRun& axis, const std::vector<Fit>& fits) {
   page::Chart chart;
-  chart.about = fmt::format("Time of a frame against {}, the table below has the lines", headOf(axis));
-  chart.x.title = headOf(axis);
+  chart.about = fmt::format("Time of a frame against {}, the table below has the lines", axis.title);
+  chart.x.title = axis.title;
   chart.y.title = "milliseconds, medians";
   chart.y.ends = {0};
   int style = 0;
@@ -98,6 +94,8 @@ page::Chart chartOf(const AxisRun& axis, const std::vector<Fit>& fits) {
   }
   return chart;
 }
+
+const char* const kLegend = "Filled: medians with their intervals. Hollow: the line.";
 
 std::string basisOf() {
   return fmt::format(
@@ -173,8 +171,8 @@ Json toJson(const Slopes& slopes) {
 std::string textOf(const Slopes& slopes) {
   std::string text;
   for (size_t i = 0; i < slopes.axes.size(); ++i)
-    text += fmt::format("{}\n{}\n", headOf(slopes.axes[i]),
-                        page::textOf(slopeTable(slopes.axes[i], slopes.fits[i], false)));
+    text +=
+        fmt::format("{}\n{}\n", slopes.axes[i].title, page::textOf(slopeTable(slopes.axes[i], slopes.fits[i], false)));
   text += fmt::format("{} {}\n\nWhat a frame asks of a GPU at least\n{}\n{}\n\n", summaryOf(slopes), basisOf(),
                       page::textOf(demandTable(slopes)), demandBasisOf(slopes));
   const Run& run = anyRun(slopes);
@@ -192,7 +190,7 @@ page::Page pageOf(const Slopes& slopes) {
   for (size_t i = 0; i < slopes.axes.size(); ++i) {
     const AxisRun& axis = slopes.axes[i];
     page.blocks.push_back(page::Heading{axis.title, 2, fmt::format("axis-{}", i + 1)});
-    page.blocks.push_back(page::Figure{page::svgOf(chartOf(axis, slopes.fits[i])), ""});
+    page.blocks.push_back(page::Figure{page::svgOf(chartOf(axis, slopes.fits[i])), kLegend});
     page.blocks.push_back(slopeTable(axis, slopes.fits[i], false));
     page.blocks.push_back(page::Details{"All passes", {slopeTable(axis, slopes.fits[i], true)}});
   }

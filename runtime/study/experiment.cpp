@@ -29,8 +29,8 @@ Arm armOf(const Json& json, const Path& script) {
   arm.box = lab::settingsFrom(json, "box");
   if (json.value("role", "") == "floor") arm.role = Role::floor;
   if (json.contains("published")) {
-    take(json["published"], "fps", arm.published_fps);
-    take(json["published"], "by", arm.published_by);
+    const Json& published = json["published"];
+    arm.published = Published{published.at("fps"), published.at("shot"), published.at("by")};
   }
   return arm;
 }

@@ -14,6 +14,12 @@ namespace strobe::study {
 enum class Role { method, floor, truth };
 std::string nameOf(Role role);
 
+// What somebody else measured of an arm in a shot.
+struct Published {
+  double fps = 0;
+  std::string shot, by;
+};
+
 struct Arm {
   std::string name, pipeline;
   Role role = Role::method;
@@ -21,8 +27,7 @@ struct Arm {
   script::Settings box;            // on top of `sets` in a picture of several samples per pixel
   std::vector<std::string> lacks;  // settings of axes that are not given to it
   bool shown = true;               // on sheet and page; tables have every arm
-  double published_fps = 0;        // frames per second that somebody else measured; 0: nobody did
-  std::string published_by;
+  std::optional<Published> published;
 };
 
 // A crop in pixels at the experiment's size, or the densest part of the inner blur.

@@ -36,13 +36,13 @@ experiment.fields = {
   },
   -- role: "method", or "floor" (truth at a method's own samples). lacks: settings of axes that are not given to it.
   -- box: settings of the picture that is shown, where it has several samples per pixel. shown: whether its pictures
-  -- are on sheet and page. published: frames per second that somebody else measured.
+  -- are on sheet and page. published: frames per second that somebody else measured in a shot.
   arm = {
     name = { text }, pipeline = { text }, set = { map, optional = true }, role = { text, optional = true },
     lacks = { list, optional = true }, box = { map, optional = true },
     shown = { bool, optional = true }, published = { map, optional = true },
   },
-  published = { fps = { number }, by = { text } },
+  published = { fps = { number }, shot = { text }, by = { text } },
   -- full: settings of a second truth, to be measured against as well (measure rmse_full).
   truth = {
     name = { text, optional = true }, pipeline = { text }, set = { map, optional = true },
@@ -108,7 +108,9 @@ function Checker:arm(t, path)
   self:one_of(result.role, experiment.roles, check.joined(path, "role"), "the role of an arm")
   for _, name in ipairs { "set", "box" } do result[name] = self:settings(result[name], check.joined(path, name)) end
   if result.published ~= nil then
-    self:fields(result.published, "published", check.joined(path, "published"), "what is published of arm " .. path[2])
+    local at = check.joined(path, "published")
+    local published = self:fields(result.published, "published", at, "what is published of arm " .. path[2])
+    self:one_of(published.shot, self.shot_names, check.joined(at, "shot"), "the shot")
   end
   return result
 end
@@ -323,10 +325,11 @@ end
 function Checker:whole(t)
   self:fields(t, "experiment", {})
   local result = copied(t)
-  result.arms = self:each(t, "arms", function(entry, _, path) return self:arm(entry, path) end)
   result.shots = self:each(t, "shots", function(entry, _, path) return self:shot(entry, path) end)
+  self.shot_names = self:distinct(result.shots, "name", "shots")
+  result.arms = self:each(t, "arms", function(entry, _, path) return self:arm(entry, path) end)
   result.truth = self:truth(t.truth)
-  local arm_names, shot_names = self:distinct(result.arms, "name", "arms"), self:distinct(result.shots, "name", "shots")
+  local arm_names, shot_names = self:distinct(result.arms, "name", "arms"), self.shot_names
   if check.contains(arm_names, result.truth.name) then
     self:add({ "truth", "name" }, "an arm is called '%s' too", result.truth.name)
   end
@@ -334,7 +337,7 @@ function Checker:whole(t)
   self:one_of(t.base, arm_names, { "base" }, "the base")
   self:names_of(t, "regions", self.known.regions)
   self:names_of(t, "measures", self.known.measures)
-  self.arm_names, self.shot_names = arm_names, shot_names
+  self.arm_names = arm_names
   local combinations
   result.axes, combinations = self:varied(type(t.vary) == "table" and t.vary or {})
   if t.background ~= nil then

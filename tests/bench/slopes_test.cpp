@@ -88,7 +88,8 @@ TEST(Slopes, TooFewValuesSayNothing) {
 
 TEST(Slopes, AnExpectationOfNoPartIsRefused) {
   try {
-    fitsOf(axisOf({{"lime", "", Growth::linear, ""}}));
+    AxisRun axis = axisOf({{"line", "", Growth::linear, ""}, {"lime", "", Growth::linear, ""}});
+    requireKnownParts(axis, fitsOf(axis));
     ADD_FAILURE() << "accepted";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("no frame has the part 'lime'"), std::string::npos) << error.what();
