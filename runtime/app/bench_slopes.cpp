@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/bench_slopes.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -63,24 +65,30 @@ std::vector<bench::NamedShot> shotsOf(const study::Experiment& experiment, const
   return shots;
 }
 
-// Of the first method whose picture has what is counted.
-double counted(lab::Batch& batch, const std::vector<bench::NamedShot>& shots, const std::string& measure) {
+// What is counted in the picture of each shot; where it has nothing to count, what the first has that has it.
+std::vector<double> counted(lab::Batch& batch, const std::vector<bench::NamedShot>& shots, const std::string& measure) {
+  std::vector<double> counts;
   for (const bench::NamedShot& one : shots) {
-    study::Sight sight;
     std::shared_ptr<const lab::Picture> picture = batch.picture(one.shot);
+    study::Sight sight;
     sight.picture = picture.get();
     study::Values values = study::measured(sight, {measure}, {});
-    if (auto found = values.find(measure); found != values.end()) return found->second.begin()->second;
+    counts.push_back(values.count(measure) ? values[measure].begin()->second : std::nan(""));
   }
-  throw Error(fmt::format("no method's picture of '{}' has what is counted: {}", shots.front().scene, measure));
+  auto known = std::find_if(counts.begin(), counts.end(), [](double count) { return !std::isnan(count); });
+  if (known == counts.end())
+    throw Error(fmt::format("no method's picture of '{}' has what is counted: {}", shots.front().scene, measure));
+  const double first = *known;
+  for (double& count : counts) count = std::isnan(count) ? first : count;
+  return counts;
 }
 
-double along(lab::Workbench& bench, const study::Experiment& experiment, const study::Group& group,
-             const std::vector<bench::NamedShot>& shots) {
+// Of each of a group's shots, how much of what varies it has.
+std::vector<double> placesOf(lab::Batch& batch, const study::Experiment& experiment, const study::Group& group,
+                             const std::vector<bench::NamedShot>& shots) {
   const study::Axis& axis = experiment.axes[group.at.front().axis];
-  lab::Batch batch(bench);
   if (!axis.against.empty()) return counted(batch, shots, axis.against);
-  return axis.values[group.at.front().value].value.get<double>();
+  return std::vector<double>(shots.size(), axis.values[group.at.front().value].value.get<double>());
 }
 
 bench::AxisRun outlineOf(const study::Experiment& experiment, const Points& points) {
@@ -94,9 +102,11 @@ bench::AxisRun outlineOf(const study::Experiment& experiment, const Points& poin
 bench::AxisRun measured(lab::Workbench& bench, const study::Experiment& experiment, const Points& points) {
   bench::AxisRun axis = outlineOf(experiment, points);
   std::vector<bench::NamedShot> shots;
+  lab::Batch batch(bench);
   for (const study::Group* group : points.groups) {
     std::vector<bench::NamedShot> of_group = shotsOf(experiment, *group);
-    axis.x.insert(axis.x.end(), of_group.size(), along(bench, experiment, *group, of_group));
+    std::vector<double> places = placesOf(batch, experiment, *group, of_group);
+    axis.x.insert(axis.x.end(), places.begin(), places.end());
     shots.insert(shots.end(), of_group.begin(), of_group.end());
   }
   axis.run = bench::measure(bench, shots, experiment.rounds);

@@ -27,17 +27,14 @@ std::optional<Expected> expectedOf(const AxisRun& axis, const std::string& metho
   return found == axis.expected.end() ? std::nullopt : std::optional<Expected>(*found);
 }
 
-bool isNear(const Estimate& change, double most) { return change.low <= most && change.high >= -most; }
-
 Verdict verdictOf(const Fit& fit) {
   if (!fit.expected || std::isnan(fit.line.slope.low)) return Verdict::unknown;
   const Estimate& slope = fit.line.slope;
   if (fit.expected->growth != Growth::constant)
     return slope.low > 0 && fit.line.r2 >= kLeastR2 ? Verdict::holds : Verdict::fails;
   auto [least, most] = std::minmax_element(fit.x.begin(), fit.x.end());
-  double length = *most - *least, mean_ms = fit.line.at(mean(fit.x));
-  Estimate change{slope.value * length, slope.low * length, slope.high * length};
-  return isNear(change, kConstantShare * mean_ms) ? Verdict::holds : Verdict::fails;
+  double allowed_ms = kConstantShare * fit.line.at(mean(fit.x)), length = *most - *least;
+  return slope.low * length <= allowed_ms && slope.high * length >= -allowed_ms ? Verdict::holds : Verdict::fails;
 }
 
 double fittedOver(double x, bool logarithmic) { return logarithmic ? std::log2(std::max(x, 1.0)) : x; }
