@@ -16,6 +16,7 @@
 ---What a parameter is, for commands that ask without knowing its name; at most one of each in a pipeline.
 ---@alias strobe.Role
 ---| "tile" | "sample_count" | "reach" | "depth_tolerance" | "jitter" | "shading" | "sample_times" | "regions"
+---| "still_once"
 
 ---@class strobe.Param A declared parameter.
 
@@ -70,6 +71,8 @@
 ---@field doc string what it counts
 ---@field limit? string what was done to the picture there and what to do about it: a warning where the count is not 0
 
+---@alias strobe.Fact "motion"|"alpha"|"shadows"
+
 ---@class strobe.PassTable
 ---@field name string unique; nodes are called this unless `as` says otherwise
 ---@field shader string below shaders/, without .glsl (of a raster pass without .vert.glsl and .frag.glsl)
@@ -83,6 +86,7 @@
 ---@field updates? table<string, strobe.Update> images it reads and writes; zero at the first execution in a frame
 ---@field params? table<string, strobe.Param>
 ---@field counters? table<string, string|strobe.Counter> counts of events: what each counts
+---@field without? table<strobe.Fact|string, table<string, 0|string>> where a fact does not hold or a read is 0: its writes
 
 ---An image port of a node, to be wired to a read.
 ---@class strobe.Image

@@ -19,4 +19,5 @@ return pass.compute {
     back  = { doc = "linear; seen where the alpha of front is below 1" },
   },
   writes = { color = { format = "rgba32f", doc = "linear; alpha 1" } },
+  without = { motion = { color = "front" } },
 }

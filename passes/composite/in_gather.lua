@@ -19,6 +19,7 @@ return pass.compute {
     revealed_id = { uint = true, doc = "instance + 1, geometry + 1; sky = 0" },
   }),
   writes = ports.picture,
+  without = ports.still,
   params = {
     samples      = blur.samples { doc = "time samples" },
     tile         = blur.tile,

@@ -21,6 +21,7 @@ return pass.compute {
     behind = { doc = "per cell, above 1/2 where something revealed is at some time" },
   }),
   writes = ports.picture,
+  without = ports.still,
   params = {
     samples      = blur.samples { doc = "time samples" },
     tile         = blur.tile,

@@ -16,6 +16,7 @@ return pass.compute {
     where = { optional = true, doc = "above 1/2 where to mark; absent: everywhere" },
   },
   writes = { edge = edge_ports.edge },
+  without = edge_ports.nowhere,
   params = {
     reach = pass.int { 15, min = 0, max = 15, unit = "px", doc = "how far from a strong edge a weak one may be" },
   },

@@ -12,4 +12,5 @@ return pass.compute {
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "id"),
   writes = { edge = edge_ports.edge },
+  without = edge_ports.nowhere,
 }

@@ -12,6 +12,7 @@ return pass.compute {
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),
   writes = { edge = edge_ports.edge },
+  without = edge_ports.nowhere,
   params = edge_ports.steps {
     kernel = pass.choice { "four", "eight", "log", default = "four", doc = "neighbours that count, and how",
       values = {

@@ -12,6 +12,7 @@ return pass.compute {
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),
   writes = { edge = edge_ports.edge },
+  without = edge_ports.nowhere,
   scene  = true,
   params = edge_ports.steps {
     depth_threshold = edge_ports.depth_threshold(0.02, "distance from the plane, as a share of the depth, of an edge"),

@@ -12,5 +12,6 @@ return pass.compute {
   size   = { of = "depth" },
   reads  = edge_ports.reads("depth", "normal"),
   writes = { edge = edge_ports.edge },
+  without = edge_ports.nowhere,
   params = edge_ports.gradients(),
 }

@@ -21,6 +21,7 @@ return pass.compute {
     variance = { optional = true, doc = "0 (alike) to 1, of directions, per tile; absent: half of the samples" },
   }),
   writes = ports.layer,
+  without = ports.still,
   params = {
     samples      = blur.samples { doc = "taps along both directions together" },
     directions   = blur.directions { default = "two",

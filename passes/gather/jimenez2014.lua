@@ -16,6 +16,7 @@ return pass.compute {
   size   = { of = "color" },
   reads  = ports.of_layer { "slowest" },
   writes = ports.layer,
+  without = ports.still,
   params = {
     samples      = blur.samples { doc = "taps along the displacement, at most" },
     count        = pass.choice { "fixed", "adaptive", default = "fixed", doc = "how many of them are taken",

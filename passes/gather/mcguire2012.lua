@@ -21,6 +21,7 @@ return pass.compute {
   size   = { of = "color" },
   reads  = ports.of_layer { "second" },
   writes = ports.layer,
+  without = ports.still,
   params = {
     samples      = blur.samples { doc = "taps along the displacement" },
     directions   = blur.directions {

@@ -16,6 +16,7 @@ return pass.compute {
   size   = { of = "color" },
   reads  = ports.of_layer { "after_velocity", "after_dominant" },
   writes = ports.layer,
+  without = ports.still,
   params = {
     samples      = blur.samples { doc = "taps along the displacement" },
     tile         = blur.tile,

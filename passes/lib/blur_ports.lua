@@ -57,6 +57,10 @@ end
 
 blur_ports.layer = { blurred = { format = stored.color,
   doc = "linear, times alpha; alpha below 1 only over something revealed" } }
+
+-- What stands in for a filter where nothing moves: what it is given.
+blur_ports.still = { motion = { blurred = "color" } }
+
 blur_ports.picture = { blurred = { format = "rgba32f", doc = "linear; alpha 1" } }
 
 return blur_ports

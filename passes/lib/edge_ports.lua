@@ -22,6 +22,9 @@ end
 
 edge_ports.edge = { format = "r8_unorm", doc = "1 on an edge" }
 
+-- What stands in for a detector that is to look nowhere.
+edge_ports.nowhere = { where = { edge = 0 } }
+
 function edge_ports.depth_threshold(default, doc)
   return pass.float { default, min = 1e-6, max = 16, doc = doc or "relative depth step of an edge" }
 end

@@ -17,6 +17,7 @@ return pass.compute {
     velocity = { doc = "px over the exposure" },
   },
   writes = { candidate = { format = "r8_unorm", doc = "1 on a candidate" } },
+  without = { motion = { candidate = 0 } },
   params = {
     min_displacement = pass.float { 0.5, min = 0, max = 1000, unit = "px", doc = "slower pixels are at rest" },
     depth_margin     = pass.float { 0.01, min = 0, max = 1, doc = "share of the depth by which farther is farther" },

@@ -16,6 +16,7 @@ return pass.compute {
     dominant = { doc = "longest displacement that reaches each tile, px over the exposure" },
   },
   writes = { mask = { format = "r8_unorm", doc = "1 where something is to be revealed" } },
+  without = { motion = { mask = 0 } },
   params = {
     tile             = blur.tile,
     min_displacement = pass.float { 0.5, min = 0, max = 1000, unit = "px", doc = "slower pixels are at rest" },

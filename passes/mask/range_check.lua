@@ -17,6 +17,7 @@ return pass.compute {
     velocity = { doc = "px over the exposure" },
   },
   writes = { mask = { format = "r8_unorm", doc = "1 where something is to be revealed" } },
+  without = { edge = { mask = 0 } },
   params = {
     min_displacement = pass.float { 0.5, min = 0, max = 1000, unit = "px", doc = "slower pixels are at rest" },
     limit            = blur.limit,

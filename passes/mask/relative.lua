@@ -23,6 +23,7 @@ return pass.compute {
     crossing_0 = crossing, crossing_1 = crossing, crossing_2 = crossing, crossing_3 = crossing,
   },
   writes = { mask = { format = "r8_unorm", doc = "1 where something is to be revealed" } },
+  without = { motion = { mask = 0 } },
   params = {
     cell   = blur.cell,
     limit  = blur.limit,

@@ -11,6 +11,7 @@ return pass.compute {
   size   = { of = "velocity", divide = "tile" },
   reads  = { velocity = { doc = "px over the exposure" } },
   writes = { motions = { format = "rgba32f", doc = "two displacements, px over the exposure" } },
+  without = { motion = { motions = 0 } },
   params = {
     tile  = blur.tile,
     limit = blur.limit,

@@ -22,6 +22,7 @@ return pass.trace {
     velocity = { format = stored.velocity, doc = "its displacement over the exposure, px" },
     valid    = { format = "r8_unorm", doc = "1 where something is revealed" },
   },
+  without = { mask = { color = 0, depth = 0, id = 0, velocity = 0, valid = 0 } },
   fails  = "A second layer behind the revealed one stays hidden. Of two surfaces in one place (within 4 " ..
            "representable numbers of depth, more under restart and offset) the second is lost. Glass is revealed " ..
            "as if it were opaque.",

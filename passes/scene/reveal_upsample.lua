@@ -28,6 +28,7 @@ return pass.compute {
     velocity = { format = stored.velocity, doc = "its displacement over the exposure, px" },
     valid    = { format = "r8_unorm", doc = "1 where something is revealed" },
   },
+  without = { mask = { color = 0, depth = 0, id = 0, velocity = 0, valid = 0 } },
   fails  = "Detail of the revealed surface finer than 2 pixels is smoothed or missed, and silhouettes in it move " ..
            "by up to a pixel. Foregrounds narrower than 2 pixels may have no ray of their own.",
   params = {

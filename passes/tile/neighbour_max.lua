@@ -19,6 +19,7 @@ return pass.compute {
     dominant = { format = "rg32f", doc = "px over the exposure" },
     second   = { format = "rg32f", doc = "what differs most from it, px over the exposure; dominant if nothing does" },
   },
+  without = { motion = { dominant = 0, second = 0 } },
   params = {
     tile  = blur.tile,
     limit = blur.limit,

@@ -16,6 +16,7 @@ return pass.compute {
     extra_valid    = { optional = true, doc = "above 1/2 where extra_velocity counts; absent: everywhere" },
   },
   writes = { longest = { format = "rg32f", doc = "px over the exposure; of equal lengths the first in raster order" } },
+  without = { motion = { longest = 0 } },
   params = {
     tile  = blur.tile,
     limit = blur.limit,

@@ -13,4 +13,5 @@ return pass.compute {
     dominant = { doc = "px over the exposure, per tile: stands for a tile that is at rest itself" },
   },
   writes = { variance = { format = "r32f", doc = "0 (all along one line) to 1 (all across it)" } },
+  without = { motion = { variance = 0 } },
 }

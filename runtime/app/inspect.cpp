@@ -11,10 +11,12 @@
 #include "app/shot_options.h"
 #include "archive/capture_file.h"
 #include "graph/pipelines.h"
+#include "lab/frame_facts.h"
 #include "lab/workbench.h"
 #include "page/table.h"
 #include "plan/canonical.h"
 #include "plan/dot.h"
+#include "plan/facts.h"
 #include "scene/json_scene.h"
 #include "scene/tree_order.h"
 #include "study/experiment.h"
@@ -199,29 +201,50 @@ struct PlanOptions {
 };
 
 // What rays have to go through in the shot's scene; needs no device.
-std::string treeText(const Home& home, lab::Shot shot) {
-  lab::LoadedScene loaded = lab::loadScene(home, shot);
-  scene::Pose pose = lab::frameSetup(shot, loaded.scene).pose_at(shot.captureTime());
-  scene::SceneTree tree = scene::treeOf(loaded.scene, pose.world_from_instance);
+std::string treeText(const lab::Shot& shot, const scene::Scene& scene) {
+  scene::Pose pose = lab::frameSetup(shot, scene).pose_at(shot.captureTime());
+  scene::SceneTree tree = scene::treeOf(scene, pose.world_from_instance);
   std::string text =
       fmt::format("scene {}: {} triangles in {} instances; ", shot.scene, tree.triangles, tree.instances);
   return text + fmt::format("a random line meets {:.0f} nodes of the tree over them, in the file's order {:.0f}\n",
                             tree.visits, tree.visits_as_given);
 }
 
+std::string motionText(const lab::Shot& shot, const scene::Scene& scene) {
+  scene::PixelArea reach = lab::frameSetup(shot, scene).reach;
+  return fmt::format("{}, in {}x{} of {}x{} px", lab::factsOf(shot, scene).camera_moves ? "the camera too" : "objects",
+                     reach.x1 - reach.x0, reach.y1 - reach.y0, shot.width, shot.height);
+}
+
+// Which facts hold in the frame, and what the plan has less than `whole`, which is made for any frame.
+std::string factsText(const lab::Shot& shot, const scene::Scene& scene, const plan::Plan& planned,
+                      const plan::Plan& whole) {
+  std::string text = fmt::format("frame {} of {}\n", shot.frame, shot.scene);
+  for (const plan::Fact& fact : plan::facts()) {
+    std::string holds = fact.name == "motion" ? "yes: " + motionText(shot, scene) : "yes";
+    text += fmt::format("  {}: {}\n", fact.name, plan::lacks(planned, fact.name) ? "no, " + fact.absent : holds);
+  }
+  double mebibytes = double(plan::bytesAliased(whole) - plan::bytesAliased(planned)) / (1024.0 * 1024.0);
+  return text + fmt::format("  not required: {} of {} passes, {:.1f} MiB of images\n",
+                            whole.nodes.size() - planned.nodes.size(), whole.nodes.size(), mebibytes);
+}
+
 void plan(const Home& home, const PlanOptions& options) {
-  lab::Shot shot = options.shot.resolve();
+  lab::Shot in_scene = options.shot.resolve(), shot = in_scene;
+  lab::LoadedScene loaded = lab::loadScene(home, in_scene);
   lab::fillShot(shot, {});
   lab::checkShot(shot);
   plan::PipelineDesc pipeline = script::evaluatePipeline(home, {shot.pipeline, shot.sets});
   // Which of them runs in compute makes no difference to the plan.
   graph::Backend backend = shot.backend == "pipeline" ? graph::Backend::Pipeline : graph::Backend::Query;
-  plan::Plan planned = lab::planOf(shot, pipeline, backend);
+  plan::Plan planned = lab::planOf(shot, pipeline, backend, lab::absentFacts(in_scene, loaded.scene));
   std::string text = options.dot    ? plan::toDot(planned)
                      : options.json ? plan::toJson(planned).dump(2) + "\n"
                                     : plan::describe(planned);
+  if (!options.dot && !options.json)
+    text += factsText(in_scene, loaded.scene, planned, lab::planOf(shot, pipeline, backend)) +
+            treeText(in_scene, loaded.scene);
   std::fputs(text.c_str(), stdout);
-  if (!options.dot && !options.json) std::fputs(treeText(home, options.shot.resolve()).c_str(), stdout);
 }
 
 Json deviceJson(const gpu::DeviceInfo& info) {
@@ -270,7 +293,9 @@ void doctor(const Home& home, bool json) {
     }
     for (const Path& root : home.roots()) std::printf("files: %s\n", root.c_str());
     try {
-      std::fputs(treeText(home, lab::Shot()).c_str(), stdout);
+      lab::Shot shot;
+      lab::LoadedScene loaded = lab::loadScene(home, shot);
+      std::fputs(treeText(shot, loaded.scene).c_str(), stdout);
     } catch (const Error& error) {
       std::printf("scene: %s\n", error.what());
     }

@@ -5,6 +5,7 @@
 
 #include "base/cores.h"
 #include "base/hash.h"
+#include "plan/facts.h"
 #include "shared/scene.h"
 
 namespace strobe::graph {
@@ -44,12 +45,15 @@ using Settings = std::vector<std::pair<std::string, plan::Value>>;
 
 // `wired`: which reads are; `values`: of its parameters; both in the order of the declaration.
 static shader::Interface interfaceOf(const PassDesc& pass, Backend backend, const std::vector<bool>& wired,
-                                     const Settings& values) {
+                                     const Settings& values, const std::vector<std::string>& absent = {}) {
   shader::Interface in;
   in.pass = pass.name;
   in.place = pass.place.text();
   in.raster = pass.kind == PassDesc::Kind::Raster;
   in.scene = pass.scene || pass.kind != PassDesc::Kind::Compute;
+  for (const plan::Fact& fact : plan::facts())
+    if (in.scene && fact.compiled_in)
+      in.facts.push_back({fact.name, !std::count(absent.begin(), absent.end(), fact.name)});
   in.backend = pass.kind == PassDesc::Kind::Trace ? backend : Backend::None;
   for (size_t i = 0; i < pass.reads.size(); ++i) in.reads.push_back({pass.reads[i].name, pass.reads[i].uint, wired[i]});
   auto add_write = [&](const plan::PortDesc& port, bool update) {
@@ -77,8 +81,9 @@ shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node
   const PassDesc& pass = plan.pipeline.passes[size_t(node.pass)];
   std::vector<bool> wired;
   for (int resource : node.reads) wired.push_back(resource >= 0);
-  shader::Interface in = interfaceOf(pass, backend, wired, node.params);
+  shader::Interface in = interfaceOf(pass, backend, wired, node.params, plan.absent);
   in.slices = slices;
+  in.still_once = node.still_once;
   in.time_slice = timeSlice(plan.pipeline.nodes[size_t(node.node)].time);
   return in;
 }
@@ -172,7 +177,7 @@ static std::vector<shader::Compiled> compileStages(const Home& home, const shade
 
 std::string textOf(const shader::Interface& in) {
   Stage stage = in.raster ? Stage::Fragment : hasStages(in) ? Stage::RayGeneration : Stage::Compute;
-  std::string text = fmt::format("{}|{}", backendName(in.backend), preamble(in, stage));
+  std::string text = fmt::format("{}|{}|{}", backendName(in.backend), preamble(in, stage), epilogue(in, stage));
   for (const auto& write : in.writes) text += write.format + ",";
   return text;
 }

@@ -57,7 +57,7 @@ void Recording::step(VkCommandBuffer commands, const Step& step, int iteration, 
     case Step::Kind::ClearImage:
       return clear(commands, step.index);
     case Step::Kind::Pass:
-      return pass(commands, size_t(step.index), stamps);
+      return pass(commands, size_t(step.index), iteration, stamps);
     case Step::Kind::ReadImage:
       return read(commands, step.index);
     // Counters live in host memory: the host clears them before the frame and reads them after it.
@@ -100,6 +100,9 @@ void Recording::bind(VkCommandBuffer commands, const Node& node) const {
   device_.vk().CmdBindDescriptorSets(commands, pipeline.bindPoint(), pipeline.layout(), 0, 2, sets, 0, nullptr);
 }
 
+static uint32_t widthOf(const scene::PixelArea& area) { return area.empty() ? 0 : uint32_t(area.x1 - area.x0); }
+static uint32_t heightOf(const scene::PixelArea& area) { return area.empty() ? 0 : uint32_t(area.y1 - area.y0); }
+
 // A compute or trace pass over this many pixels.
 void Recording::work(VkCommandBuffer commands, const Node& node, uint32_t width, uint32_t height) const {
   if (hasStages(node.pipeline->interface)) return node.pipeline->pipeline.recordTrace(commands, width, height);
@@ -107,7 +110,7 @@ void Recording::work(VkCommandBuffer commands, const Node& node, uint32_t width,
   device_.vk().CmdDispatch(commands, (width + group - 1) / group, (height + group - 1) / group, 1);
 }
 
-void Recording::pass(VkCommandBuffer commands, size_t node_index, PassStamps* stamps) const {
+void Recording::pass(VkCommandBuffer commands, size_t node_index, int iteration, PassStamps* stamps) const {
   const auto& vk = device_.vk();
   const PlanNode& planned = nodes_.planned(node_index);
   const Node& node = nodes_[node_index];
@@ -119,6 +122,7 @@ void Recording::pass(VkCommandBuffer commands, size_t node_index, PassStamps* st
   int begin = stamps ? stamps->timer.recordStamp(commands) : -1;
   bind(commands, node);
   if (node.pipeline->interface.raster) raster(commands, node, planned);
+  else if (planned.still_once && iteration > 0) work(commands, node, widthOf(reach_), heightOf(reach_));
   else work(commands, node, uint32_t(planned.width), uint32_t(planned.height));
   int end = stamps ? stamps->timer.recordStamp(commands) : -1;
   if (begin >= 0 && end >= 0) stamps->pending.push_back({node_index, begin, end});

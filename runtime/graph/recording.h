@@ -22,8 +22,11 @@ class Recording {
   Recording(const gpu::Device& device, const world::GpuScene& scene, const PlanImages& images, const PlanNodes& nodes)
       : device_(device), scene_(scene), images_(images), nodes_(nodes) {}
 
-  // Goes on with a plan; `wanted` (may be null: all) are the outputs and taps of the frame to read back.
-  void setFrame(const plan::Plan& plan, const std::set<std::string>* wanted) { plan_ = &plan, wanted_ = wanted; }
+  // Goes on with a plan; `wanted` (may be null: all) are the outputs and taps of the frame to read back, `reach` is where
+  // anything that moves can be seen.
+  void setFrame(const plan::Plan& plan, const std::set<std::string>* wanted, const scene::PixelArea& reach) {
+    plan_ = &plan, wanted_ = wanted, reach_ = reach;
+  }
   bool wants(const std::string& name) const { return !wanted_ || wanted_->count(name); }
 
   // A step but a loop. `stamps` may be null.
@@ -35,7 +38,7 @@ class Recording {
 
  private:
   void barriers(VkCommandBuffer commands, const std::vector<plan::Barrier>& barriers) const;
-  void pass(VkCommandBuffer commands, size_t node_index, PassStamps* stamps) const;
+  void pass(VkCommandBuffer commands, size_t node_index, int iteration, PassStamps* stamps) const;
   void bind(VkCommandBuffer commands, const Node& node) const;
   void work(VkCommandBuffer commands, const Node& node, uint32_t width, uint32_t height) const;
   void raster(VkCommandBuffer commands, const Node& node, const plan::PlanNode& planned) const;
@@ -49,6 +52,7 @@ class Recording {
   const PlanNodes& nodes_;
   const plan::Plan* plan_ = nullptr;
   const std::set<std::string>* wanted_ = nullptr;
+  scene::PixelArea reach_;
 };
 
 }  // namespace strobe::graph

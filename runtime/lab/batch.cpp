@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/hash.h"
+#include "lab/frame_facts.h"
 #include "math/statistics.h"
 #include "plan/canonical.h"
 #include "plan/settings.h"
@@ -87,21 +88,26 @@ Shot Batch::filled(const Shot& shot) {
 
 // ---- plans and what they are drawn with
 
-const Batch::KnownPlan& Batch::known(const Shot& shot) {
+const Batch::KnownPlan& Batch::known(const Shot& shot, const HeldScene& scene, const Outputs& outputs) {
   constexpr size_t kMost = 512;
-  std::string key = fmt::format("{}x{}|{}|{}|{}|{}", shot.width, shot.height, shot.backend, shot.pipeline,
-                                settingsIdentity(shot.sets, false), fmt::join(shot.taps, ","));
+  std::string key = fmt::format("{}x{}|{}|{}|{}|{}|{}|{}", shot.width, shot.height, shot.backend, shot.pipeline,
+                                settingsIdentity(shot.sets, false), fmt::join(shot.taps, ","),
+                                fmt::join(absentFacts(shot, scene.loaded.scene), ","), fmt::join(outputs, ","));
   auto found = plans_.find(key);
   if (found != plans_.end()) return found->second;
   Evaluated evaluated = evaluate(shot.pipeline, shot.sets);
   if (!evaluated.pipeline) throw Refusal(evaluated.refusal);
-  KnownPlan known{plannedOf(bench_, shot, *evaluated.pipeline), ""};
+  KnownPlan known{plannedOf(bench_, shot, scene.loaded.scene, *evaluated.pipeline, outputs), ""};
   known.identity = identityOf(*known.planned.plan);
   if (plans_.size() >= kMost) plans_.clear();
   return plans_[key] = std::move(known);
 }
 
-std::shared_ptr<const plan::Plan> Batch::planOf(const Shot& shot) { return known(filled(shot)).planned.plan; }
+std::shared_ptr<const plan::Plan> Batch::planOf(const Shot& wanted) {
+  Shot shot = wanted;
+  std::shared_ptr<HeldScene> scene = bench_.scene(shot);
+  return known(shot, *scene).planned.plan;
+}
 
 const std::string& Batch::shadersOf(const plan::PassDesc& pass) {
   auto [found, is_new] = shaders_.emplace(pass.shader, "");
@@ -113,16 +119,16 @@ const std::string& Batch::shadersOf(const plan::PassDesc& pass) {
 std::string Batch::contentOf(const Shot& wanted) {
   Shot shot = wanted;
   std::shared_ptr<HeldScene> scene = bench_.scene(shot);
-  const Planned& planned = known(shot).planned;
+  const Planned& planned = known(shot, *scene).planned;
   std::string shaders;
   for (const plan::PassDesc& pass : planned.plan->pipeline.passes) shaders += shadersOf(pass);
   shot.scene.clear();
-  return hashText(fmt::format("{}|{}|{}|{}|{}|{}", frameIdentity(shot), sceneIdentity(shot), scene->loaded.hash,
-                              planned.hash, int(planned.backend), shaders));
+  return hashText(fmt::format("{}|{}|{}|{}|{}|{}{}", frameIdentity(shot), sceneIdentity(shot), scene->loaded.hash,
+                              planned.hash, int(planned.backend), shaders, shot.model_everything ? "|everything" : ""));
 }
 
-Drawing& Batch::drawing(const Shot& shot, const std::shared_ptr<HeldScene>& scene) {
-  const Planned& planned = known(shot).planned;
+Drawing& Batch::drawing(const Shot& shot, const std::shared_ptr<HeldScene>& scene, const Outputs& outputs) {
+  const Planned& planned = known(shot, *scene, outputs).planned;
   std::shared_ptr<const Evaluation> evaluation = evaluate(shot.pipeline, shot.sets).evaluation;
   auto fits = [&](const auto& drawing) { return drawing->fits(planned, *scene); };
   auto found = std::find_if(drawings_.begin(), drawings_.end(), fits);
@@ -176,7 +182,7 @@ std::shared_ptr<const Picture> Batch::picture(const Shot& wanted, const Outputs&
   if (source && outputs.empty()) picture = source(contentOf(shot), progress);
   if (!picture)
     picture = std::make_shared<const Picture>(
-        drawing(shot, scene).capture(shot, outputs.empty() ? nullptr : &outputs, progress));
+        drawing(shot, scene, outputs).capture(shot, outputs.empty() ? nullptr : &outputs, progress));
   ++drawn_;
   keep({key, picture, bytesOf(*picture)});
   return picture;
@@ -190,11 +196,11 @@ std::shared_ptr<const image::Image> Batch::color(const Shot& wanted) {
   static const Outputs kColor = {"color"};
   Shot shot = wanted;
   std::shared_ptr<HeldScene> scene = bench_.scene(shot);
-  std::string key =
-      fmt::format("{}|{}|{}|{}", shot.pipeline, known(shot).identity, frameIdentity(shot), sceneIdentity(shot));
+  std::string key = fmt::format("{}|{}|{}|{}", shot.pipeline, known(shot, *scene, kColor).identity, frameIdentity(shot),
+                                sceneIdentity(shot));
   auto held = colors_.find(key);
   if (held != colors_.end()) return held->second;
-  Drawing& drawn = drawing(shot, scene);
+  Drawing& drawn = drawing(shot, scene, kColor);
   drawn.graph().forgetHistories();
   graph::FrameResult frame = drawn.draw(shot, &kColor);
   ++drawn_;
@@ -227,7 +233,7 @@ std::vector<Timing> Batch::timeInTurn(const std::vector<Shot>& shots, const Roun
     for (size_t i = 0; i < shots.size(); ++i) {
       Shot shot = shots[i];
       std::shared_ptr<HeldScene> scene = bench_.scene(shot);
-      graph::FrameResult frame = drawing(shot, scene).draw(shot, &kColor);
+      graph::FrameResult frame = drawing(shot, scene, kColor).draw(shot, &kColor);
       if (round >= 0) addRound(timings[i], frame);
     }
   }

@@ -85,8 +85,8 @@ class Batch {
   // Forgets colours drawn by a pipeline; evaluations, scenes and pictures by other pipelines stay.
   void forgetColorsOf(const std::string& pipeline);
 
-  // Draws a frame of each shot in turn, round after round; a first frame of each, which may pay for compiling, does not
-  // count. On a software device times are only comparable within one call.
+  // Draws a frame of each shot in turn, round after round, of which the colour alone is asked for; a first frame of
+  // each, which may pay for compiling, does not count. On a software device times are only comparable within one call.
   std::vector<Timing> timeInTurn(const std::vector<Shot>& shots, const Rounds& rounds);
 
   int drawn() const { return drawn_; }  // pictures and colours, without frames that were timed
@@ -108,8 +108,8 @@ class Batch {
   };
   Evaluated byScripts(const std::string& pipeline, const script::Settings& sets);
   std::shared_ptr<const Evaluation> derived(const std::string& pipeline, const script::Settings& sets);
-  const KnownPlan& known(const Shot& filled);
-  Drawing& drawing(const Shot& filled, const std::shared_ptr<HeldScene>& scene);
+  const KnownPlan& known(const Shot& filled, const HeldScene& scene, const Outputs& outputs = {});
+  Drawing& drawing(const Shot& filled, const std::shared_ptr<HeldScene>& scene, const Outputs& outputs = {});
   void forgetDrawings();
   const std::string& shadersOf(const plan::PassDesc& pass);
   void keep(Kept kept);

@@ -5,6 +5,7 @@
 
 #include "base/log.h"
 #include "lab/camera_path.h"
+#include "lab/frame_facts.h"
 #include "lab/record.h"
 #include "lab/warnings.h"
 #include "plan/canonical.h"
@@ -50,15 +51,26 @@ graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene) {
 
 // ---- what is drawn
 
-Planned plannedOf(const Workbench& bench, const Shot& shot, const plan::PipelineDesc& pipeline) {
+static Planned plannedFor(const Workbench& bench, const Shot& shot, const plan::PipelineDesc& pipeline,
+                          const std::vector<std::string>& absent, const std::set<std::string>& outputs) {
   Planned planned;
   planned.backend = bench.chooseBackend(shot.backend);
-  planned.plan = std::make_shared<const plan::Plan>(planOf(shot, pipeline, planned.backend));
+  planned.plan = std::make_shared<const plan::Plan>(planOf(shot, pipeline, planned.backend, absent, outputs));
   planned.shape = plan::shapeOf(*planned.plan);
   Shot untapped = shot;
   untapped.taps.clear();
-  planned.hash = plan::hashOf(shot.taps.empty() ? *planned.plan : planOf(untapped, pipeline, planned.backend));
+  bool is_whole = shot.taps.empty() && absent.empty() && outputs.empty();
+  planned.hash = plan::hashOf(is_whole ? *planned.plan : planOf(untapped, pipeline, planned.backend));
   return planned;
+}
+
+Planned plannedOf(const Workbench& bench, const Shot& shot, const scene::Scene& scene,
+                  const plan::PipelineDesc& pipeline, const std::set<std::string>& outputs) {
+  return plannedFor(bench, shot, pipeline, absentFacts(shot, scene), outputs);
+}
+
+Planned plannedOf(const Workbench& bench, const Shot& shot, const plan::PipelineDesc& pipeline) {
+  return plannedFor(bench, shot, pipeline, {}, {});
 }
 
 Drawing::Drawing(Workbench& bench, std::shared_ptr<HeldScene> scene, Planned planned,

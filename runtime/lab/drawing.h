@@ -11,11 +11,15 @@ namespace strobe::lab {
 struct Planned {
   std::shared_ptr<const plan::Plan> plan;
   std::string shape;  // plan::shapeOf
-  std::string hash;   // identity of what runs: independent of taps
+  std::string hash;   // identity of the pictures: of the plan with all facts and outputs, without taps
   graph::Backend backend = graph::Backend::None;
 };
 
-// Of a shot whose gaps are filled. Throws `Error`.
+// Of a shot whose gaps are filled, for what its frame requires of the scene and for the outputs asked for (empty: all).
+// Throws `Error`.
+Planned plannedOf(const Workbench& bench, const Shot& shot, const scene::Scene& scene,
+                  const plan::PipelineDesc& pipeline, const std::set<std::string>& outputs = {});
+// For any scene and all outputs: all facts hold.
 Planned plannedOf(const Workbench& bench, const Shot& shot, const plan::PipelineDesc& pipeline);
 
 class Drawing {

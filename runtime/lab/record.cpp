@@ -5,6 +5,7 @@
 
 #include "base/hash.h"
 #include "plan/canonical.h"
+#include "plan/facts.h"
 
 namespace strobe::lab {
 
@@ -44,6 +45,9 @@ Json makeRecord(const RecordContext& c, const graph::FrameResult& frame) {
     for (const auto& [name, value] : node.params)
       pipeline["nodes"][plan.pipeline.nodes[size_t(node.node)].name][name] = plan::toJson(value);
   pipeline["plan"] = c.drawing.planned().hash;
+  record["facts"] = Json::array();
+  for (const plan::Fact& fact : plan::facts())
+    if (!plan::lacks(plan, fact.name)) record["facts"].push_back(fact.name);
   record["scene"]["hash"] = scene.hash;
   record["scene"]["warnings"] = scene.scene.warnings;
   record["scene"]["assumptions"] = scene.scene.assumptions;

@@ -116,6 +116,15 @@ std::string breaksText(const plan::Breaks& own, const std::vector<ParamDesc>& pa
   return tableText(table);
 }
 
+// What stands in for its writes where a frame does not require it.
+std::string withoutText(const PassDesc& pass) {
+  Table table{"", {"where there is no", "write", "is"}};
+  for (const plan::WithoutDesc& without : pass.without)
+    for (const auto& [write, read] : without.writes)
+      table.add({code(without.name), code(write), read.empty() ? "0" : code(read)});
+  return tableText(table);
+}
+
 std::string noLink(const ParamDesc&, const std::string&) { return ""; }
 
 template <class Link>
@@ -422,6 +431,7 @@ std::string passPage(const PassDesc& pass) {
   text += section("Updates", outputsText(pass, pass.updates, true));
   text += section("Parameters", paramsText(pass.params, true, noLink));
   text += section("Counters", countersText(pass));
+  text += section("Not required", withoutText(pass));
   text += section("Invariants it breaks", breaksText(pass.breaks, pass.params));
   text.pop_back();
   return text;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/log.h"
+#include "lab/frame_facts.h"
 #include "plan/canonical.h"
 #include "plan/filled_images.h"
 #include "plan/settings.h"
@@ -16,7 +17,7 @@ std::unique_ptr<Drawing> Session::build(const Shot& shot, std::shared_ptr<const 
                                         std::vector<std::string>* problems) {
   Shot filled = shot;
   std::shared_ptr<HeldScene> scene = bench_.scene(filled);
-  Planned planned = plannedOf(bench_, filled, evaluation->pipeline);
+  Planned planned = plannedOf(bench_, filled, scene->loaded.scene, evaluation->pipeline);
   return std::make_unique<Drawing>(bench_, scene, std::move(planned), std::move(evaluation), running_.get(), problems);
 }
 
@@ -43,16 +44,23 @@ static const ShotOption* findOption(const std::string& name, const ShotField** f
   return nullptr;
 }
 
-static bool hasPort(const plan::PipelineDesc& pipeline, const std::string& source) {
-  size_t dot = source.find('.');
-  auto node = std::find_if(pipeline.nodes.begin(), pipeline.nodes.end(),
-                           [&](const auto& n) { return n.name == source.substr(0, dot); });
-  if (dot == std::string::npos || node == pipeline.nodes.end()) return false;
+// What a node writes and updates; nothing of one that is not there.
+static std::vector<std::string> portsOf(const plan::PipelineDesc& pipeline, const std::string& name) {
+  auto node = std::find_if(pipeline.nodes.begin(), pipeline.nodes.end(), [&](const auto& n) { return n.name == name; });
+  if (node == pipeline.nodes.end()) return {};
   auto pass =
       std::find_if(pipeline.passes.begin(), pipeline.passes.end(), [&](const auto& p) { return p.name == node->pass; });
-  auto named = [&](const auto& port) { return port.name == source.substr(dot + 1); };
-  return std::any_of(pass->writes.begin(), pass->writes.end(), named) ||
-         std::any_of(pass->updates.begin(), pass->updates.end(), named);
+  std::vector<std::string> ports;
+  for (const auto* list : {&pass->writes, &pass->updates})
+    for (const plan::PortDesc& port : *list) ports.push_back(port.name);
+  return ports;
+}
+
+static bool hasPort(const plan::PipelineDesc& pipeline, const std::string& source) {
+  size_t dot = source.find('.');
+  if (dot == std::string::npos) return false;
+  std::vector<std::string> ports = portsOf(pipeline, source.substr(0, dot));
+  return std::find(ports.begin(), ports.end(), source.substr(dot + 1)) != ports.end();
 }
 
 // Looking never stops a change: what a graph of another shape does not have is not looked at any more.
@@ -122,9 +130,10 @@ void Session::set(const std::string& name, const plan::Value& value, const std::
   if (name == "frame" && moves && shot.rest_frame < 0) shot.rest_frame = shot.frame;
   if (field) ShotField{declarationOf(*field, scene()), field->member}.set(shot, value);
   else setFromTexts(*option, shot, {plan::textOf(value)});
-  // Drawn anew if that concerns the frame alone.
+  // Drawn anew if that concerns the frame alone, and requires nothing else of the plan.
   bool frame_alone = option->concern == Concern::Frame || option->concern == Concern::Motion;
-  if (frame_alone && sceneIdentity(shot) == sceneIdentity(shot_)) shot_ = shot;
+  frame_alone = frame_alone && sceneIdentity(shot) == sceneIdentity(shot_);
+  if (frame_alone && absentFacts(shot, scene()) == plan().absent) shot_ = shot;
   else apply(shot);
   if (field) origins_[name] = origin;
   for (const ShotField& one : option->fields)
@@ -156,7 +165,13 @@ void Session::tap(const std::vector<std::string>& ports) {
   if (shot.taps != shot_.taps) apply(shot);
 }
 
-std::vector<std::string> Session::ports() const { return plan::filledImages(running_->plan()); }
+std::vector<std::string> Session::ports() const {
+  std::vector<std::string> ports = plan::filledImages(plan());
+  for (const plan::CulledNode& node : plan().culled)
+    for (const std::string& port : node.by_facts ? portsOf(plan().pipeline, node.name) : std::vector<std::string>())
+      ports.push_back(node.name + "." + port);
+  return ports;
+}
 
 // ---- reload
 

@@ -60,7 +60,7 @@ class Session {
   Reload usePipeline(const std::string& name_or_path);
   // Keeps these "node.port" images readable as well; changes no result. Unknown names throw.
   void tap(const std::vector<std::string>& ports);
-  // Every "node.port" the plan holds, in order of execution.
+  // Every "node.port" the plan holds, in order of execution, then those of nodes that the frame does not require.
   std::vector<std::string> ports() const;
 
   // Looks whether files changed and brings what is sound up to date. Without `wait`, Lua is evaluated in the

@@ -36,6 +36,7 @@ struct Shot {
   std::string device;
   std::string backend = "auto";
   std::vector<std::string> taps;  // "node.port" to keep as well
+  bool model_everything = false;  // what the scene does not require is run too
 
   double captureTime() const { return frame / fps; }
   double restTime() const { return (rest_frame < 0 ? frame : rest_frame) / fps; }

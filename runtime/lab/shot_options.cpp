@@ -112,6 +112,8 @@ static std::vector<ShotOption> allOptions() {
           Concern::Frame, O::kControl),
       one(whole("seed", &S::seed, 0, 0, 4294967295.0), "of every random number", Concern::Frame, O::kControl),
       one(text("backend", &S::backend, "auto", backendNames()), backendDoc(), Concern::Plan, O::kControl),
+      one(flag("model_everything", &S::model_everything),
+          "run also what the frame's scene does not require; changes no picture", Concern::Plan, O::kControl),
       one(text("device", &S::device, ""), "index or part of the name of a Vulkan device", Concern::Device,
           O::kNoPicture),
       one(text("tap", &S::taps, ""), "NODE.PORT to write as well", Concern::Plan, O::kNoPicture),

@@ -309,8 +309,9 @@ std::vector<std::string> viewKinds(const ReadImage& image) {
 }
 
 int divideOf(const plan::Plan& plan, const std::string& port) {
-  for (const auto& [name, image] : plan.outputs)
-    if (name == port) return plan.images[size_t(image)].divide;
+  for (const auto* images : {&plan.outputs, &plan.taps})
+    for (const auto& [name, image] : *images)
+      if (name == port) return plan.images[size_t(image)].divide;
   int image = plan::findImage(plan, port);
   return image < 0 ? 1 : plan.images[size_t(image)].divide;
 }

@@ -89,11 +89,14 @@ std::shared_ptr<world::GpuScene> HeldScene::onDevice(const gpu::Device& device, 
   return copy;
 }
 
-plan::Plan planOf(const Shot& shot, const plan::PipelineDesc& pipeline, graph::Backend backend) {
+plan::Plan planOf(const Shot& shot, const plan::PipelineDesc& pipeline, graph::Backend backend,
+                  const std::vector<std::string>& absent, const std::set<std::string>& outputs) {
   plan::CompileOptions options;
   options.width = shot.width;
   options.height = shot.height;
   options.taps = shot.taps;
+  options.absent = absent;
+  options.outputs = outputs;
   options.trace_stage = shader::rowOf(backend).has_stages ? plan::kStageTrace : plan::kStageCompute;
   return plan::compile(pipeline, options);
 }
@@ -187,7 +190,7 @@ Picture Workbench::render(const Shot& shot, const std::function<void(int, int)>&
   Shot filled = shot;
   std::shared_ptr<const Evaluation> evaluation = evaluate(shot.pipeline, shot.sets);
   std::shared_ptr<HeldScene> held = scene(filled, true);
-  Planned planned = plannedOf(*this, filled, evaluation->pipeline);
+  Planned planned = plannedOf(*this, filled, held->loaded.scene, evaluation->pipeline);
   return Drawing(*this, held, std::move(planned), evaluation).capture(filled, nullptr, progress, id_coverage);
 }
 

@@ -117,7 +117,9 @@ class Workbench {
 // How the frame of a shot sees the scene, which must outlive what is returned.
 graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene);
 
-// The plan of a shot's pipeline at its size.
-plan::Plan planOf(const Shot& shot, const plan::PipelineDesc& pipeline, graph::Backend backend);
+// The plan of a shot's pipeline at its size, for a frame that lacks the facts `absent` and is asked for `outputs`
+// (empty: all).
+plan::Plan planOf(const Shot& shot, const plan::PipelineDesc& pipeline, graph::Backend backend,
+                  const std::vector<std::string>& absent = {}, const std::set<std::string>& outputs = {});
 
 }  // namespace strobe::lab

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "base/hash.h"
+#include "plan/facts.h"
 
 namespace strobe::plan {
 namespace {
@@ -131,6 +132,7 @@ Json imageJson(const VirtualImage& image) {
   json["life"] = {image.first, image.last};
   json["slot"] = image.slot;
   if (image.history) json["history"] = true;
+  if (image.zero) json["zero"] = true;
   return json;
 }
 
@@ -249,6 +251,7 @@ Json toJson(const Plan& plan) {
   json["taps"] = namedImages(plan, plan.taps);
   json["culled"] = Json::object();
   for (const CulledNode& node : plan.culled) json["culled"][node.name] = node.reason;
+  if (!plan.absent.empty()) json["absent"] = plan.absent;
   json["images"] = Json::array();
   for (const VirtualImage& image : plan.images) json["images"].push_back(imageJson(image));
   json["slots"] = Json::array();
@@ -261,7 +264,9 @@ std::string hashOf(const Plan& plan) { return hashText(toJson(plan).dump()); }
 
 std::string shapeOf(const Plan& plan) {
   Json json = toJson(plan);
-  for (const char* key : {"values", "preset"}) json.erase(key);
+  for (const char* key : {"values", "preset", "absent"}) json.erase(key);
+  for (const Fact& fact : facts())
+    if (fact.compiled_in && lacks(plan, fact.name)) json["compiled_without"].push_back(fact.name);
   for (size_t i = 0; i < plan.nodes.size(); ++i) {
     for (const ParamDesc& param : passOf(plan, static_cast<int>(i)).params)
       if (!isCompiledIn(param)) json["nodes"][i]["params"].erase(param.name);
@@ -279,6 +284,9 @@ std::string describe(const Plan& plan) {
   text += "\noutputs\n";
   for (const auto& [name, image] : plan.outputs) text += fmt::format("  {} = {}\n", name, plan.images[image].name);
   for (const auto& [name, image] : plan.taps) text += fmt::format("  {} (tap)\n", name);
+
+  for (const VirtualImage& image : plan.images)
+    if (image.zero) text += fmt::format("  {} is cleared to zero\n", image.name);
 
   text += fmt::format("\nculled: {}\n", plan.culled.empty() ? "nothing" : std::to_string(plan.culled.size()));
   for (const CulledNode& node : plan.culled) text += fmt::format("  {}: {}\n", node.name, node.reason);

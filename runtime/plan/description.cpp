@@ -7,6 +7,7 @@
 
 #include "plan/description_words.h"
 #include "plan/formats.h"
+#include "plan/without.h"
 
 namespace strobe::plan {
 
@@ -28,7 +29,7 @@ const std::vector<std::string>& invariantNames() {
 
 const std::vector<std::string>& roleNames() {
   static const std::vector<std::string> names = {"tile",   "sample_count", "reach",        "depth_tolerance",
-                                                 "jitter", "shading",      "sample_times", "regions"};
+                                                 "jitter", "shading",      "sample_times", "regions", "still_once"};
   return names;
 }
 
@@ -280,6 +281,7 @@ Json toJson(const PassDesc& pass) {
   json["updates"] = listOf(pass.updates, writeJson);
   json["params"] = listOf(pass.params, paramJson);
   json["counters"] = listOf(pass.counters, counterJson);
+  if (!pass.without.empty()) json["without"] = listOf(pass.without, [](const auto& one) { return toJson(one); });
   json["place"] = placeJson(pass.place);
   return json;
 }

@@ -41,6 +41,7 @@ enum class Role {
   Shading,         // the pose at which points are shaded: "frozen" or "full"
   SampleTimes,     // where in the exposure samples are: "midpoint" or "stratified"
   Regions,         // bool: find the regions in which errors are measured
+  StillOnce,       // bool of a pass: iterations of a loop after the first do only what something in motion reaches
 };
 
 // Their names, but for None, in that order.
@@ -106,6 +107,14 @@ struct CounterDesc {
   std::string limit;  // what was done to the picture where it counted, and what to do about it; or "": just an event
 };
 
+// What stands in for a pass where a fact of the frame does not hold (plan/facts.h), or where a read is nothing but
+// zeros: bit for bit what it would write. It does not run then.
+struct WithoutDesc {
+  std::string name;                                         // of the fact or the read
+  std::vector<std::pair<std::string, std::string>> writes;  // each write in order -> the read that it equals; "": zeros
+  Place place;
+};
+
 struct PassDesc {
   enum class Kind { Raster, Compute, Trace };
   std::string name;
@@ -121,6 +130,7 @@ struct PassDesc {
   std::vector<PortDesc> updates;  // images it reads and writes; zero before the first execution in a frame, or ever
   std::vector<ParamDesc> params;
   std::vector<CounterDesc> counters;  // 32-bit event counts, read back into the run record
+  std::vector<WithoutDesc> without;   // in the order in which they are tried
   Place place;
 };
 

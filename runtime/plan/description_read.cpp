@@ -8,6 +8,7 @@
 #include "base/strict.h"
 #include "plan/description.h"
 #include "plan/description_words.h"
+#include "plan/without.h"
 
 namespace strobe::plan {
 
@@ -253,6 +254,7 @@ PassDesc passFromJson(const Json& json) {
   refuseTwins(pass.reads, reader, "reads");
   refuseTwins(pass.params, reader, "parameters");
   refuseTwins(pass.counters, reader, "counters");
+  pass.without = withoutFromJson(reader.list("without"), pass);
   reader.finish();
   return pass;
 }

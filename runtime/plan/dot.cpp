@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <set>
 
 namespace strobe::plan {
 namespace {
@@ -65,6 +66,16 @@ std::pair<std::string, std::string> halvesOf(const std::string& image) {
   return {image.substr(0, dot), image.substr(dot + 1)};
 }
 
+// What does not run and is read all the same: zeros.
+void addZeros(const Plan& plan, std::string& text) {
+  std::set<std::string> nodes;
+  for (const VirtualImage& image : plan.images) {
+    std::string node = halvesOf(image.name).first;
+    if (image.zero && nodes.insert(node).second)
+      text += fmt::format("  {} [label={}, style=dashed];\n", inQuotes(node), inQuotes(node + "\\n0"));
+  }
+}
+
 void addEdges(const Plan& plan, std::string& text) {
   for (const PlanNode& node : plan.nodes) {
     std::map<std::string, std::string> ports;  // what is read of each node, a port per line
@@ -95,6 +106,7 @@ void addOutputs(const Plan& plan, std::string& text) {
 std::string toDot(const Plan& plan) {
   std::string text = kHead;
   addBoxes(plan, text);
+  addZeros(plan, text);
   addEdges(plan, text);
   addOutputs(plan, text);
   return text + "}\n";

@@ -74,7 +74,7 @@ Units makeUnits(const Wiring& wiring, const std::vector<bool>& needed) {
   result.of_node.assign(wiring.nodes.size(), -1);
   std::vector<int> of_loop(wiring.loops.size(), -1);
   for (size_t i = 0; i < wiring.nodes.size(); ++i) {
-    if (!needed[i]) continue;
+    if (!needed[i] || wiring.nodes[i].blank) continue;
     int loop = wiring.nodes[i].loop;
     int unit = loop < 0 ? -1 : of_loop[loop];
     if (unit < 0) {
@@ -146,18 +146,21 @@ std::vector<bool> neededNodes(const Wiring& wiring) {
   while (!open.empty()) {
     const WiredNode& node = wiring.nodes[open.back()];
     open.pop_back();
+    if (node.blank) continue;
     for (const Source& source : node.reads) need(source);
     if (node.loop >= 0) need(wiring.loops[node.loop].until);
   }
   return needed;
 }
 
-std::vector<Unit> orderNodes(const PipelineDesc& pipeline, const Wiring& wiring, const std::vector<bool>& needed) {
+void refuseCycles(const PipelineDesc& pipeline, const Wiring& wiring) {
   refuseNodeCycle(pipeline, wiring);
-  Dependencies of_nodes = nodeDependencies(wiring);
   Units all = makeUnits(wiring, std::vector<bool>(wiring.nodes.size(), true));
-  refuseUnitCycle(pipeline, all, unitDependencies(all, of_nodes));
+  refuseUnitCycle(pipeline, all, unitDependencies(all, nodeDependencies(wiring)));
+}
 
+std::vector<Unit> orderNodes(const Wiring& wiring, const std::vector<bool>& needed) {
+  Dependencies of_nodes = nodeDependencies(wiring);
   Units units = makeUnits(wiring, needed);
   std::vector<int> every_unit(units.units.size());
   for (size_t i = 0; i < every_unit.size(); ++i) every_unit[i] = static_cast<int>(i);

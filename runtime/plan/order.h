@@ -14,11 +14,14 @@ struct Unit {
   std::vector<int> nodes;  // indices into the description, in the order of execution
 };
 
-// True for each node that an output, a tap or the stop condition of a needed loop needs.
+// Throws `Error` with the path of a cycle of nodes, or of loops whose nodes run together.
+void refuseCycles(const PipelineDesc& pipeline, const Wiring& wiring);
+
+// True for each node that an output, a tap or the stop condition of a needed loop needs; blank ones need nothing.
 std::vector<bool> neededNodes(const Wiring& wiring);
 
-// The needed nodes such that each comes after what it reads and a loop's nodes are together; among those that may come
-// next, the one called first. Throws `Error` with the path of a cycle, also of one among nodes that are not needed.
-std::vector<Unit> orderNodes(const PipelineDesc& pipeline, const Wiring& wiring, const std::vector<bool>& needed);
+// The needed nodes that run, such that each comes after what it reads and a loop's nodes are together; among those that
+// may come next, the one called first. There are no cycles.
+std::vector<Unit> orderNodes(const Wiring& wiring, const std::vector<bool>& needed);
 
 }  // namespace strobe::plan

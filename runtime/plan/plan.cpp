@@ -3,10 +3,11 @@
 
 #include <algorithm>
 
+#include "plan/facts.h"
 #include "plan/formats.h"
+#include "plan/omission.h"
 #include "plan/order.h"
 #include "plan/slots.h"
-#include "plan/wiring.h"
 
 namespace strobe::plan {
 namespace {
@@ -14,19 +15,25 @@ namespace {
 class Compiler {
  public:
   Compiler(const PipelineDesc& pipeline, const CompileOptions& options)
-      : options_(options), wiring_(wire(pipeline, options)) {
+      : options_(options),
+        wiring_(wire(pipeline, options)),
+        sizes_(plan_.pipeline, wiring_, options.width, options.height) {
     plan_.pipeline = pipeline;
     plan_.pipeline.values = wiring_.values;
     plan_.width = options.width;
     plan_.height = options.height;
+    for (const Fact& fact : facts())
+      if (std::count(options.absent.begin(), options.absent.end(), fact.name)) plan_.absent.push_back(fact.name);
   }
 
   Plan compile() {
+    refuseCycles(plan_.pipeline, wiring_);
+    std::vector<bool> with_all_facts = neededNodes(wiring_);
+    std::vector<std::string> left_out = leaveOut(plan_.pipeline, plan_.absent, wiring_, sizes_);
     std::vector<bool> needed = neededNodes(wiring_);
-    std::vector<Unit> units = orderNodes(plan_.pipeline, wiring_, needed);
-    for (size_t i = 0; i < needed.size(); ++i) {
-      if (!needed[i]) plan_.culled.push_back({plan_.pipeline.nodes[i].name, "not needed by any output"});
-    }
+    std::vector<Unit> units = orderNodes(wiring_, needed);
+    for (size_t i = 0; i < needed.size(); ++i)
+      if (!needed[i] || wiring_.nodes[i].blank) addCulled(i, with_all_facts[i], left_out[i]);
     makeNodes(units);
     keepImages();
     addClears();
@@ -40,6 +47,12 @@ class Compiler {
   }
 
  private:
+  void addCulled(size_t node, bool with_all_facts, const std::string& left_out) {
+    std::string reason = options_.outputs.empty() ? "not needed by any output" : "no output requested needs it";
+    if (with_all_facts) reason = left_out.empty() ? "needed by nothing but what is left out" : left_out;
+    plan_.culled.push_back({plan_.pipeline.nodes[node].name, reason, with_all_facts});
+  }
+
   void makeNodes(const std::vector<Unit>& units) {
     of_desc_.assign(wiring_.nodes.size(), -1);
     for (const Unit& unit : units) {
@@ -66,6 +79,13 @@ class Compiler {
                 plan_.pipeline.loops[loop].place);
   }
 
+  static bool isStillOnce(const PassDesc& pass, const std::vector<std::pair<std::string, Value>>& params) {
+    for (size_t i = 0; i < pass.params.size(); ++i) {
+      if (pass.params[i].role == Role::StillOnce) return std::get<bool>(params[i].second);
+    }
+    return false;
+  }
+
   void addNode(int index, int loop) {
     const WiredNode& wired = wiring_.nodes[index];
     const PassDesc& pass = plan_.pipeline.passes[wired.pass];
@@ -74,9 +94,11 @@ class Compiler {
     node.pass = wired.pass;
     node.loop = loop;
     node.params = wired.params;
+    node.still_once = loop >= 0 && pass.kind != PassDesc::Kind::Raster && isStillOnce(pass, node.params);
     node.counters = !pass.counters.empty();
     for (const Source& source : wired.reads) node.reads.push_back(source.node < 0 ? -1 : imageOf(source));
-    setSize(node, pass);
+    const NodeSize& size = sizes_.of(index);
+    node.width = size.width, node.height = size.height, node.divide = size.divide;
 
     bool raster = pass.kind == PassDesc::Kind::Raster;
     uint32_t usage = raster ? kUsageColorAttachment : kUsageStorage;
@@ -94,43 +116,6 @@ class Compiler {
 
     of_desc_[index] = static_cast<int>(plan_.nodes.size());
     plan_.nodes.push_back(std::move(node));
-  }
-
-  void setSize(PlanNode& node, const PassDesc& pass) {
-    const SizeDesc& size = pass.size;
-    node.width = size.kind == SizeDesc::Kind::Fixed ? size.width : plan_.width;
-    node.height = size.kind == SizeDesc::Kind::Fixed ? size.height : plan_.height;
-    node.divide = size.kind == SizeDesc::Kind::Fixed ? 0 : 1;
-    if (size.kind != SizeDesc::Kind::Port) return;
-    const NodeDesc& desc = plan_.pipeline.nodes[node.node];
-    int image = readNamed(node, pass, size.port);
-    if (image < 0) {
-      throw Error(fmt::format("node '{}' is as large as its input '{}', which is not wired", desc.name, size.port),
-                  desc.place);
-    }
-    int divide = size.divide.empty() ? 1 : divisor(node, size.divide);
-    node.width = (plan_.images[image].width + divide - 1) / divide;
-    node.height = (plan_.images[image].height + divide - 1) / divide;
-    node.divide = plan_.images[image].divide * divide;
-  }
-
-  static int readNamed(const PlanNode& node, const PassDesc& pass, const std::string& port) {
-    for (size_t i = 0; i < pass.reads.size(); ++i) {
-      if (pass.reads[i].name == port) return node.reads[i];
-    }
-    return -1;
-  }
-
-  int divisor(const PlanNode& node, const std::string& param) {
-    constexpr int64_t kLargest = 1 << 20;  // keeps the sum of a side and a divisor in range
-    for (const auto& [name, value] : node.params) {
-      if (name != param) continue;
-      int64_t number = std::get<int64_t>(value);
-      if (number >= 1) return static_cast<int>(std::min(number, kLargest));
-      const NodeDesc& desc = plan_.pipeline.nodes[node.node];
-      throw Error(fmt::format("node '{}' divides its size by {} = {}", desc.name, param, number), desc.place);
-    }
-    return 1;
   }
 
   int addImage(const PlanNode& node, const std::string& port, const std::string& format, uint32_t usage) {
@@ -151,15 +136,32 @@ class Compiler {
     plan_.images[image].usage |= kUsageSampled;
   }
 
-  int imageOf(const Source& source) const {
+  int imageOf(const Source& source) {
+    if (wiring_.nodes[source.node].blank) return zerosOf(source);
     const PlanNode& node = plan_.nodes[of_desc_[source.node]];
     size_t writes = node.writes.size();
     size_t port = source.port;
     return port < writes ? node.writes[port] : node.updates[port - writes];
   }
 
+  // What is read of a node that is left out.
+  int zerosOf(const Source& source) {
+    auto [known, is_new] = zeros_.try_emplace({source.node, source.port}, -1);
+    if (!is_new) return known->second;
+    const NodeSize& size = sizes_.of(source.node);
+    const PortDesc& port = portOf(plan_.pipeline, wiring_, source);
+    PlanNode node;
+    node.node = source.node;
+    node.width = size.width, node.height = size.height, node.divide = size.divide;
+    const std::string& format = formatOf(port, wiring_.nodes[source.node].params);
+    known->second = addImage(node, port.name, format, kUsageSampled | kUsageTransferTarget);
+    plan_.images[known->second].zero = true;
+    return known->second;
+  }
+
   void keepImages() {
     for (size_t i = 0; i < wiring_.outputs.size(); ++i) {
+      if (wiring_.outputs[i].node < 0) continue;
       plan_.outputs.emplace_back(plan_.pipeline.outputs[i].first, keep(wiring_.outputs[i]));
     }
     for (size_t i = 0; i < wiring_.taps.size(); ++i) {
@@ -185,7 +187,7 @@ class Compiler {
 
   void addClears() {
     for (size_t i = 0; i < plan_.images.size(); ++i) {
-      if (!plan_.images[i].update) continue;
+      if (!plan_.images[i].update && !plan_.images[i].zero) continue;
       int image = static_cast<int>(i);
       addStep(plan_.steps, Step::Kind::ClearImage, image, {imageUse(image, kStageTransfer, kAccessTransferWrite)});
     }
@@ -262,13 +264,19 @@ class Compiler {
   const CompileOptions& options_;
   Wiring wiring_;
   Plan plan_;
-  std::vector<int> of_desc_;  // index into `plan_.nodes` by index into the description, -1 where culled
+  Sizes sizes_;
+  std::map<std::pair<int, int>, int> zeros_;  // images of zeros, by node and port
+  std::vector<int> of_desc_;                  // index into `plan_.nodes` by index into the description, -1 where culled
 };
 
 }  // namespace
 
 Plan compile(const PipelineDesc& pipeline, const CompileOptions& options) {
   return Compiler(pipeline, options).compile();
+}
+
+bool lacks(const Plan& plan, const std::string& fact) {
+  return std::find(plan.absent.begin(), plan.absent.end(), fact) != plan.absent.end();
 }
 
 int findImage(const Plan& plan, const std::string& name) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct VirtualImage {
   int width = 0, height = 0;
   uint32_t usage = 0;       // of this image alone
   int divide = 1;           // pixels of the frame per texel along an axis (tiles); 0: not a picture of the frame
+  bool zero = false;        // cleared to zero at the start of the frame and written by no node
   bool update = false;      // cleared to zero at the start of the frame, then read and written
   bool history = false;     // an updated image that is cleared before its first frame only
   bool kept = false;        // an output or a tap: whole and unchanged at the end of the frame
@@ -58,6 +60,9 @@ struct PlanNode {
   std::vector<int> writes;                            // image per write port
   std::vector<int> updates;                           // image per update port
   int depth = -1;                                     // image of a raster node's depth attachment
+  // In a loop, after its first iteration, it works on the pixels that something in motion reaches, and the others keep
+  // what they have (Role::StillOnce).
+  bool still_once = false;
   bool counters = false;  // has a buffer of 32-bit event counts, in the order of the pass's declaration
 };
 
@@ -90,6 +95,7 @@ struct Step {
 struct CulledNode {
   std::string name;
   std::string reason;
+  bool by_facts = false;  // it would run if all facts held
 };
 
 struct Plan {
@@ -103,6 +109,7 @@ struct Plan {
   std::vector<std::pair<std::string, int>> outputs;  // name of an output -> image
   std::vector<std::pair<std::string, int>> taps;     // "node.port" -> image
   std::vector<CulledNode> culled;                    // in the order of the calls
+  std::vector<std::string> absent;                   // facts that do not hold, in the order of plan::facts()
 };
 
 struct CompileOptions {
@@ -112,11 +119,18 @@ struct CompileOptions {
   // pipeline that decides the shape of the graph has done so already when the description was made.
   std::map<std::string, Value> set;
   Stage trace_stage = kStageCompute;  // where trace passes run: kStageCompute (queries) or kStageTrace (pipelines)
+  // Facts that do not hold in the frame: where passes say what stands in for them, they do not run.
+  std::vector<std::string> absent;
+  // Outputs that are asked for; empty: all. Nodes that none of them needs do not run.
+  std::set<std::string> outputs;
 };
 
 // Orders, culls, sizes, places and synchronises. Depends on its arguments alone.
 // Throws `Error` with every mistake of the description it found, each at its place.
 Plan compile(const PipelineDesc& pipeline, const CompileOptions& options);
+
+// Whether a fact does not hold in the plan's frame.
+bool lacks(const Plan& plan, const std::string& fact);
 
 // The image of "node.port", or -1.
 int findImage(const Plan& plan, const std::string& name);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "plan/facts.h"
 #include "plan/formats.h"
 
 namespace strobe::plan {
@@ -76,6 +77,7 @@ class Wirer {
     bool fits =
         options_.width >= 1 && options_.height >= 1 && options_.width <= kMaxSide && options_.height <= kMaxSide;
     if (!fits) problem({}, "a frame of {}x{} pixels; sides are 1 to {}", options_.width, options_.height, kMaxSide);
+    for (const std::string& fact : options_.absent) STROBE_ASSERT(findFact(fact), "{}", fact);
     bool traces = options_.trace_stage == kStageCompute || options_.trace_stage == kStageTrace;
     STROBE_ASSERT(traces, "trace stage {}", static_cast<uint32_t>(options_.trace_stage));
   }
@@ -372,7 +374,9 @@ class Wirer {
   void resolveOutputs() {
     Place place{pipeline_.file};
     for (const auto& [name, text] : pipeline_.outputs) {
-      wiring_.outputs.push_back(sourceOf(text, fmt::format("output '{}'", name), place));
+      Source source = sourceOf(text, fmt::format("output '{}'", name), place);
+      bool asked_for = options_.outputs.empty() || options_.outputs.count(name);
+      wiring_.outputs.push_back(asked_for ? source : Source());
     }
     bool has_color = findKey(pipeline_.outputs, "color") != pipeline_.outputs.end();
     if (!has_color) problem(place, "pipeline '{}' has no output 'color'", pipeline_.name);

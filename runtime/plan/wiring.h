@@ -20,6 +20,7 @@ struct WiredNode {
   int loop = -1;
   std::vector<Source> reads;  // per read port of the pass; node -1 where not wired
   std::vector<std::pair<std::string, Value>> params;
+  bool blank = false;  // does not run: what is read of it is zero
 };
 
 struct WiredLoop {
@@ -33,7 +34,7 @@ struct Wiring {
   std::vector<std::pair<std::string, Value>> values;  // of the pipeline's parameters
   std::vector<WiredNode> nodes;                       // as in the description
   std::vector<WiredLoop> loops;
-  std::vector<Source> outputs;
+  std::vector<Source> outputs;  // as in the description; node -1 where not asked for
   std::vector<Source> taps;
 };
 

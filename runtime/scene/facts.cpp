@@ -47,6 +47,12 @@ struct Area {
 
 }  // namespace
 
+// Does the clip repeat between two times?
+static bool beginsAgain(const Animation& clip, double from_s, double to_s) {
+  bool goes_round = to_s > clip.duration && to_s - from_s >= clip.duration;
+  return goes_round || clipTime(to_s, clip.duration) < clipTime(from_s, clip.duration);
+}
+
 // Do poses at so many times show where everything comes? Not of what turns by more than a right angle from one to the
 // next, which they may even show at rest.
 static bool isFollowed(const Scene& scene, double open_s, double close_s, int times) {
@@ -54,9 +60,8 @@ static bool isFollowed(const Scene& scene, double open_s, double close_s, int ti
   for (const ConstantMotion& motion : scene.motions)
     if (std::abs(motion.angular_velocity) * step_s > 1.57) return false;
   for (const Animation& clip : scene.animations) {
+    if (beginsAgain(clip, open_s, close_s)) return false;
     double from_s = clipTime(open_s, clip.duration), to_s = clipTime(close_s, clip.duration);
-    bool begins_again = to_s < from_s || (close_s > clip.duration && close_s - open_s > clip.duration);
-    if (begins_again) return false;
     for (const Track& track : clip.tracks) {
       auto first = std::upper_bound(track.times.begin(), track.times.end(), from_s);
       auto last = std::lower_bound(track.times.begin(), track.times.end(), to_s);
@@ -113,6 +118,92 @@ PixelArea reachOfMotion(const Scene& scene, const Camera& camera, const std::fun
              std::max(reach.y1, own.y1)};
   }
   return reach;
+}
+
+// ---- facts
+
+// Does its value change between two times of the clip? Jumps never do within a frame.
+static bool varies(const Track& track, double from_s, double to_s) {
+  if (track.interpolation == Track::Interpolation::Step) return false;
+  if (to_s <= track.times.front() || from_s >= track.times.back()) return false;
+  bool cubic = track.interpolation == Track::Interpolation::CubicSpline;
+  size_t first = size_t(std::upper_bound(track.times.begin(), track.times.end(), from_s) - track.times.begin());
+  size_t last = size_t(std::lower_bound(track.times.begin(), track.times.end(), to_s) - track.times.begin());
+  first -= first > 0 ? 1 : 0;
+  last = std::min(last, track.times.size() - 1);
+  auto value = [&](size_t key) { return track.values[cubic ? 3 * key + 1 : key]; };
+  auto slopes = [&](size_t key) {
+    return cubic && (track.values[3 * key] != dvec4(0) || track.values[3 * key + 2] != dvec4(0));
+  };
+  for (size_t key = first; key <= last; ++key)
+    if (value(key) != value(first) || slopes(key)) return true;
+  return false;
+}
+
+static bool varies(const Animation& clip, const Track& track, double from_s, double to_s) {
+  if (beginsAgain(clip, from_s, to_s)) return varies(track, -INFINITY, INFINITY);
+  return varies(track, clipTime(from_s, clip.duration), clipTime(to_s, clip.duration));
+}
+
+// By node: may it, or what it hangs on, move between two times?
+static std::vector<bool> movingNodes(const Scene& scene, const std::string& animation, double from_s, double to_s) {
+  std::vector<bool> moves(scene.nodes.size(), false);
+  for (const Animation* clip : clipsOf(scene, animation))
+    for (const Track& track : clip->tracks)
+      if (varies(*clip, track, from_s, to_s)) moves[size_t(track.node)] = true;
+  for (const ConstantMotion& motion : scene.motions)
+    if (motion.velocity != dvec3(0) || motion.angular_velocity != 0) moves[size_t(motion.node)] = true;
+  for (int node : hierarchyOrder(scene)) {
+    int parent = scene.nodes[size_t(node)].parent;
+    if (parent >= 0 && moves[size_t(parent)]) moves[size_t(node)] = true;
+  }
+  return moves;
+}
+
+static bool hasTriangles(const Geometry& geometry) { return !geometry.indices.empty(); }
+
+static bool isEmpty(const Mesh& mesh) {
+  return std::none_of(mesh.geometries.begin(), mesh.geometries.end(), hasTriangles);
+}
+
+static bool isCutOut(const Scene& scene, const Mesh& mesh) {
+  return std::any_of(mesh.geometries.begin(), mesh.geometries.end(), [&](const Geometry& geometry) {
+    return hasTriangles(geometry) && scene.materials[size_t(geometry.material)].alpha_mask;
+  });
+}
+
+Facts factsOf(const Scene& scene, const FrameView& view) {
+  const std::array<double, 4> times = {view.capture_s, view.open_s, view.close_s, view.previous_s};
+  auto [from, to] = std::minmax_element(times.begin(), times.end());
+  std::vector<bool> moves = movingNodes(scene, view.animation, *from, *to);
+  Poser poser(scene, view.camera_node, view.animation);
+  std::vector<Pose> poses;
+  for (double time_s : times) poses.push_back(poser.at(time_s, view.capture_s));
+  auto differs = [&](auto part) {
+    return std::any_of(poses.begin(), poses.end(), [&](const Pose& pose) { return part(pose) != part(poses[0]); });
+  };
+
+  Facts facts;
+  facts.camera_moves = view.camera_moves.value_or(moves[size_t(view.camera_node)] ||
+                                                  differs([](const Pose& pose) { return pose.world_from_camera; }));
+  facts.motion = facts.camera_moves;
+  facts.alpha = facts.shadows = false;
+  std::vector<Instance> instances = instancesOf(scene);
+  for (size_t i = 0; i < instances.size(); ++i) {
+    const Mesh& mesh = scene.meshes[size_t(instances[i].mesh)];
+    if (isEmpty(mesh)) continue;
+    facts.alpha = facts.alpha || isCutOut(scene, mesh);
+    facts.motion = facts.motion || moves[size_t(instances[i].node)] ||
+                   differs([&](const Pose& pose) { return pose.world_from_instance[i]; });
+  }
+  std::vector<int> lights = lightsOf(scene);
+  for (size_t i = 0; i < lights.size(); ++i) {
+    const Node& node = scene.nodes[size_t(lights[i])];
+    facts.shadows = facts.shadows || scene.lights[size_t(node.light)].shadow;
+    facts.motion =
+        facts.motion || moves[size_t(lights[i])] || differs([&](const Pose& pose) { return pose.world_from_light[i]; });
+  }
+  return facts;
 }
 
 }  // namespace strobe::scene

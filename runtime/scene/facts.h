@@ -3,6 +3,8 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 
 #include "scene/scene.h"
 
@@ -20,5 +22,25 @@ struct PixelArea {
 // where those times do not show it (turns of more than a right angle in between, many keys, a clip that begins again).
 PixelArea reachOfMotion(const Scene& scene, const Camera& camera, const std::function<Pose(double)>& pose_at,
                         double capture_s, double open_s, double close_s, int width, int height);
+
+// Whose camera a frame sees through, and the times at which it poses the scene.
+struct FrameView {
+  int camera_node = -1;
+  std::string animation = "all";
+  double capture_s = 0, open_s = 0, close_s = 0, previous_s = 0;
+  std::optional<bool> camera_moves;  // within these times, where something else than the scene moves the camera
+};
+
+// What a frame has. Each holds unless it surely does not.
+struct Facts {
+  bool camera_moves = true;  // within the times of the frame: from the first to the last of them
+  bool motion = true;        // the camera, a light or anything with triangles moves within them
+  bool alpha = true;         // something with triangles is cut out by its alpha
+  bool shadows = true;       // a light casts shadows
+};
+
+// By the keys and rates that drive nodes, not by poses, which are equal at both ends of a motion that returns; and by
+// the poses at the four times, which must be equal to the last bit.
+Facts factsOf(const Scene& scene, const FrameView& view);
 
 }  // namespace strobe::scene

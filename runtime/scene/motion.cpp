@@ -148,7 +148,7 @@ int cameraNode(const Scene& scene, const std::string& name) {
               {}, 2);
 }
 
-static std::vector<const Animation*> clipsOf(const Scene& scene, const std::string& animation) {
+std::vector<const Animation*> clipsOf(const Scene& scene, const std::string& animation) {
   std::vector<const Animation*> clips;
   std::vector<std::string> names = {"all", "none"};
   for (const Animation& clip : scene.animations) {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "base/hash.h"
+#include "plan/facts.h"
 #include "script/locate.h"
 #include "script/lua_json.h"
 #include "script/prelude.lua.h"
@@ -214,6 +215,8 @@ struct Sandbox::Callbacks {
   }
 
   static int formats(lua_State* lua) { return pushNames(lua, plan::formatNames()); }
+
+  static int facts(lua_State* lua) { return pushNames(lua, plan::factNames()); }
 
   static int invariants(lua_State* lua) { return pushNames(lua, plan::invariantNames()); }
 
@@ -472,6 +475,7 @@ void Sandbox::loadPrelude() {
                                        {"nearest", Callbacks::nearest},
                                        {"check_value", Callbacks::checkValue},
                                        {"formats", Callbacks::formats},
+                                       {"facts", Callbacks::facts},
                                        {"invariants", Callbacks::invariants},
                                        {"roles", Callbacks::roles},
                                        {"pipeline_kinds", Callbacks::pipelineKinds},

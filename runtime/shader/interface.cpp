@@ -32,6 +32,7 @@ static std::string variantText(const Interface& in) {
       text += fmt::format("#define {}_{} {}\n", variant.name, variant.choices[i], i);
   }
   for (const auto& read : in.reads) text += fmt::format("#define HAS_{} {}\n", read.name, int(read.wired));
+  for (const auto& [fact, holds] : in.facts) text += fmt::format("#define FACT_{} {}\n", fact, int(holds));
   return text;
 }
 
@@ -96,6 +97,10 @@ std::string epilogue(const Interface& in, Stage stage) {
                                                 : "gl_LaunchIDEXT.xy";
   std::string text = spread ? kSpreadRows : "";
   text += fmt::format("void main() {{\n  ivec2 pixel_ = ivec2({});\n", pixel);
+  if (in.still_once)
+    text +=
+        "  if (frame.iteration > 0u) {\n    pixel_ += frame.reach.xy;\n"
+        "    if (any(greaterThanEqual(pixel_, frame.reach.zw))) return;\n  }\n";
   text += "  if (any(greaterThanEqual(pixel_, pass_size()))) return;\n  run(pixel_);\n";
   if (in.backend != Backend::None) {
     text += "#ifdef STROBE_TRACE_GLSL\n";

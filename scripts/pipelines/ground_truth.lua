@@ -28,7 +28,10 @@ local snapped = "vertices are snapped to 1/256 px: a silhouette as close to a pi
 local samples = {}
 
 function samples.rays(p, seen)
-  return trace { hit = seen.hit, pixel = p.pixel, mark_regions = p.mark_regions, time = "sample" }
+  return trace {
+    hit = seen.hit, pixel = p.pixel, mark_regions = p.mark_regions, time = "sample",
+    still_once = p.pixel() == "centre" and p.shading() == "frozen",
+  }
 end
 
 -- The same by the raster pipeline, which shares no visibility with rays: to check one against the other.

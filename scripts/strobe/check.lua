@@ -31,6 +31,11 @@ function check.is_name(value)
   return type(value) == "string" and #value <= 64 and value:find("^[a-z][a-z0-9_]*$") ~= nil
 end
 
+-- Does an image of this format hold unsigned integers?
+function check.is_uint(format)
+  return format:find("ui$") ~= nil
+end
+
 function check.contains(list, value)
   for _, item in ipairs(list) do
     if item == value then return true end

@@ -159,8 +159,7 @@ local function wire(problems, pass, read, value, at)
     return nil
   end
   local format = rawget(value, "format")
-  local is_uint = format:find("ui$") ~= nil
-  if is_uint ~= read.uint then
+  if check.is_uint(format) ~= read.uint then
     local wants = read.uint and "unsigned integers" or "numbers"
     problems:add(at, "%s wants %s, but '%s' is %s", what, wants, node.source(value), format)
   end

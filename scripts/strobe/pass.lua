@@ -1,14 +1,16 @@
 -- SPDX-License-Identifier: MIT
 -- Passes: `pass.compute { ... }`, `pass.raster { ... }`, `pass.trace { ... }` check a description and return something
 -- that a pipeline calls with values to make a node.
-local check  = require "strobe.check"
-local native = require "strobe.native"
-local param  = require "strobe.param"
+local check   = require "strobe.check"
+local native  = require "strobe.native"
+local param   = require "strobe.param"
+local without = require "strobe.without"
 
 local pass = { int = param.int, float = param.float, bool = param.bool, choice = param.choice }
 
 pass.keys = {
   "name", "shader", "doc", "fails", "breaks", "size", "scene", "reads", "writes", "updates", "params", "counters",
+  "without",
 }
 pass.read_keys  = { "doc", "uint", "optional", "linear" }
 pass.write_keys = { "doc", "format" }
@@ -82,10 +84,6 @@ local function deciding_parameter(problems, format, params, declared, at, what)
   return nil
 end
 
-local function is_uint(format)
-  return format:find("ui$") ~= nil
-end
-
 -- `format = { by = "parameter", choice = "format", ... }`: a format for each choice. Yields the one of the default, the
 -- parameter's name and all of them; nil where it has mistakes.
 local function chosen_format(problems, format, params, declared, path, place, what)
@@ -111,7 +109,7 @@ local function chosen_format(problems, format, params, declared, path, place, wh
       sound = false
     elseif not is_format(problems, one, at(choice), what) then
       sound = false
-    elseif first and is_uint(one) ~= is_uint(first) then
+    elseif first and check.is_uint(one) ~= check.is_uint(first) then
       problems:add(at(choice), "the formats of %s mix unsigned integers and numbers: %s and %s", what, first, one)
       sound = false
     end
@@ -261,7 +259,7 @@ local function declare(kind, place, t)
     problems:add(native.key_place(place, "name"), "'%s' is not a name (a-z, then a-z, 0-9 and _)", t.name)
   end
   check_shader(problems, t, place, owner)
-  for _, key in ipairs { "reads", "writes", "updates", "params", "counters" } do
+  for _, key in ipairs { "reads", "writes", "updates", "params", "counters", "without" } do
     if t[key] ~= nil then check.field(problems, t, key, "table", place, owner) end
   end
   if t.scene ~= nil then check.field(problems, t, "scene", "boolean", place, owner) end
@@ -281,6 +279,7 @@ local function declare(kind, place, t)
   result.counters = declare_counters(problems, t, place, owner)
   result.breaks   = check.breaks(problems, t.breaks, place, owner, { "breaks" })
   result.size     = declare_size(problems, t, place, result, owner)
+  result.without  = without.declare(problems, t.without, result, place, owner)
   check_twins(problems, result, owner)
   problems:raise()
   param.note_pass(result.params)

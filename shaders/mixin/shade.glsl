@@ -160,10 +160,14 @@ vec3 incident(uint slice, SceneLight light, Surface surface, out vec3 towards) {
   bool lit = dot(towards, surface.normal_ws) > 0.0 && any(greaterThan(irradiance, vec3(0)));
   if (!lit) return vec3(0);
   if (dot(towards, surface.face_normal_ws) <= 0.0) return vec3(0);
+#if FACT_shadows
   if (light.shadow == 0u) return irradiance;
   vec3 origin = shadowOrigin(surface, light.type == LIGHT_DIRECTIONAL ? 0.0 : length(offset));
   vec3 direction = light.type == LIGHT_DIRECTIONAL ? towards : light.position - origin;
   return isBlocked(slice, Ray(origin, direction), 0.0, t_max) ? vec3(0) : irradiance;
+#else
+  return irradiance;
+#endif
 }
 
 // Radiances this invocation has replaced because they were not finite.

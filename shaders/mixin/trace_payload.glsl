@@ -41,7 +41,11 @@ bool isCutOut(uint instance, uint geometry_index, uint primitive, vec2 barycentr
 
 bool acceptsHit(uint instance, uint geometry, uint primitive, vec2 barycentrics, uint skip_instance, uint skip_geometry) {
   bool skipped = instance == skip_instance && (skip_geometry == NO_INSTANCE || geometry == skip_geometry);
+#if FACT_alpha
   return !skipped && !isCutOut(instance, geometry, primitive, barycentrics);
+#else
+  return !skipped;
+#endif
 }
 
 #endif

@@ -13,6 +13,7 @@ uint triangle = uint(gl_PrimitiveID);
 #endif
 
 void main() {
+#if FACT_alpha
   SceneGeometry geometry = scene_geometries[scene_instances[draw.x].first_geometry + draw.y];
   SceneMaterial material = scene_materials[geometry.material];
   if ((material.flags & MATERIAL_ALPHA_MASK) != 0u) {
@@ -24,5 +25,6 @@ void main() {
     }
     if (coverage < material.alpha_cutoff) discard;
   }
+#endif
   hit_out = uvec4(draw.x + 1u, draw.y, triangle, 0u);
 }

@@ -56,6 +56,12 @@ void addSample(ivec2 pixel, vec3 color) {
   else imageStore(mean_b_img, pixel, withSample(imageLoad(mean_b_img, pixel), color));
 }
 
+// All samples of the loop at once: where nothing that moves can be seen, every sample is the first one.
+void setSamples(ivec2 pixel, vec3 color) {
+  imageStore(mean_a_img, pixel, vec4(color, float((frame.iteration_count + 1u) / 2u)));
+  imageStore(mean_b_img, pixel, vec4(color, float(frame.iteration_count / 2u)));
+}
+
 // Does the pixel's tile take part in these samples?
 bool takesPart(ivec2 pixel) {
 #if HAS_budget
@@ -75,12 +81,6 @@ void run(ivec2 pixel) {
   }
   vec4 still = imageLoad(still_img, pixel);
   bool caches = PARAM_shading == shading_frozen && PARAM_pixel == pixel_centre;
-  // Where nothing that moves can be seen, every sample is the first one.
-  bool reached = all(greaterThanEqual(pixel, frame.reach.xy)) && all(lessThan(pixel, frame.reach.zw));
-  if (caches && !reached && still.a != 0.0) {
-    addSample(pixel, still.rgb);
-    return;
-  }
   uint slice = TIME_SLICE;
   if (frame.slice_count > 1u) slice += randomUint(index, number, 0u) % frame.slice_count;
   vec2 position_px = samplePosition(pixel);
@@ -108,7 +108,13 @@ void run(ivec2 pixel) {
     if (is_still && told_apart) imageStore(still_img, pixel, vec4(color, whose));
   }
   if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
+#if PARAM_still_once
+  bool reached = all(greaterThanEqual(pixel, frame.reach.xy)) && all(lessThan(pixel, frame.reach.zw));
+  if (reached) addSample(pixel, color);
+  else setSamples(pixel, color);
+#else
   addSample(pixel, color);
+#endif
 
 #if PARAM_mark_regions
   uint known = imageLoad(regions_img, pixel).r;

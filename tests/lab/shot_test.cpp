@@ -34,6 +34,7 @@ const std::map<std::string, Given> kGiven = {
     {"aa", {{"4"}, 4}},
     {"seed", {{"4294967295"}, 4294967295u}},
     {"backend", {{"query"}, "query"}},
+    {"model_everything", {{"true"}, true}},
     {"device", {{"llvm"}, "llvm"}},
     {"tap", {{"gbuffer.depth"}, Json::array({"gbuffer.depth"})}},
 };

@@ -363,6 +363,26 @@ TEST_F(RenderTruth, RasterAndRaysAgree) {
   }
 }
 
+// What nothing in motion reaches is not sampled again: the same picture, errors and regions bit for bit, for fewer rays.
+TEST_F(RenderTruth, SamplesOnceWhatNothingReaches) {
+  lab::Shot shot;
+  shot.scene = "living_room";
+  shot.width = 96;
+  shot.height = 54;
+  for (const char* times : {"midpoint", "stratified"}) {
+    SCOPED_TRACE(times);
+    std::vector<std::string> settings = {"samples=9", fmt::format("times={}", times)};
+    lab::Picture once = render(with(shot, "ground_truth", settings));
+    settings.push_back("truth_trace.still_once=false");
+    lab::Picture always = render(with(shot, "ground_truth", settings));
+    for (const char* output : {"color", "error", "inner", "hidden", "outer"})
+      EXPECT_TRUE(identical(imageOf(once, output), imageOf(always, output))) << output;
+    EXPECT_GT(rmsDifference(colorOf(once), colorOf(render(with(shot, "none")))), 0.005);
+    std::string rays = "truth_trace.rays_" + once.record.at("device").at("backend").get<std::string>();
+    EXPECT_LT(counterOf(once, rays) * 2, counterOf(always, rays));
+  }
+}
+
 TEST_F(RenderTruth, RasterAndRaysAgreeOnATurningWedge) {
   lab::Shot shot = shotOf("wedge", 32, 32);
   lab::Picture rays = render(with(shot, "ground_truth", truth(64)));

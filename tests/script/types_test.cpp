@@ -8,6 +8,7 @@
 
 #include "common/source.h"
 #include "home.h"
+#include "plan/facts.h"
 #include "script/evaluate.h"
 
 namespace strobe::script {
@@ -59,6 +60,12 @@ return result
 TEST(Types, NameTheInvariants) {
   std::string types = readText(sourceFolder() / "scripts/types.lua");
   for (const std::string& name : plan::invariantNames())
+    EXPECT_NE(types.find("\"" + name + "\""), std::string::npos) << name;
+}
+
+TEST(Types, NameTheFacts) {
+  std::string types = readText(sourceFolder() / "scripts/types.lua");
+  for (const std::string& name : plan::factNames())
     EXPECT_NE(types.find("\"" + name + "\""), std::string::npos) << name;
 }
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "lab/frame_facts.h"
+
+namespace strobe::lab {
+
+// Whether what stands in a shot instead of the scene's camera moves; nothing where that is not so.
+static std::optional<bool> movesOfItself(const Shot& shot) {
+  if (shot.view) return false;
+  if (shot.path.empty()) return std::nullopt;
+  return shot.path.size() > 1;
+}
+
+scene::Facts factsOf(const Shot& shot, const scene::Scene& scene) {
+  scene::FrameView view;
+  view.camera_node = scene::cameraNode(scene, shot.camera);
+  view.animation = shot.animation;
+  view.capture_s = shot.captureTime();
+  view.open_s = shot.window()[0];
+  view.close_s = shot.window()[1];
+  view.previous_s = shot.captureTime() - 1 / shot.fps;
+  view.camera_moves = movesOfItself(shot);
+  return scene::factsOf(scene, view);
+}
+
+std::vector<std::string> absentFacts(const Shot& shot, const scene::Scene& scene) {
+  if (shot.model_everything) return {};
+  const scene::Facts facts = factsOf(shot, scene);
+  std::vector<std::string> absent;
+  if (!facts.motion) absent.push_back("motion");
+  if (!facts.alpha) absent.push_back("alpha");
+  if (!facts.shadows) absent.push_back("shadows");
+  return absent;
+}
+
+}  // namespace strobe::lab

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Which facts of plan/facts.h hold in the frame of a shot.
+#pragma once
+
+#include "lab/shot.h"
+#include "scene/facts.h"
+
+namespace strobe::lab {
+
+// Of a shot whose gaps are filled. Throws `Error` for an unknown camera or animation.
+scene::Facts factsOf(const Shot& shot, const scene::Scene& scene);
+
+// Those that do not hold, in the order of plan::facts(); none with --model-everything.
+std::vector<std::string> absentFacts(const Shot& shot, const scene::Scene& scene);
+
+}  // namespace strobe::lab

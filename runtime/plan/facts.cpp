@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "plan/facts.h"
+
+#include <algorithm>
+
+namespace strobe::plan {
+
+const std::vector<Fact>& facts() {
+  static const std::vector<Fact> facts = {
+      {"motion", "nothing moves in this frame"},
+      {"alpha", "no material is cut out by its alpha", true},
+      {"shadows", "no light casts shadows", true},
+  };
+  return facts;
+}
+
+std::vector<std::string> factNames() {
+  std::vector<std::string> names;
+  for (const Fact& fact : facts()) names.push_back(fact.name);
+  return names;
+}
+
+const Fact* findFact(const std::string& name) {
+  auto named = [&](const Fact& fact) { return fact.name == name; };
+  auto found = std::find_if(facts().begin(), facts().end(), named);
+  return found == facts().end() ? nullptr : &*found;
+}
+
+}  // namespace strobe::plan

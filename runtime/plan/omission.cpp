@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "plan/omission.h"
+
+#include <algorithm>
+
+#include "plan/without.h"
+
+namespace strobe::plan {
+namespace {
+
+int indexOf(const std::vector<PortDesc>& ports, const std::string& name) {
+  auto found = std::find_if(ports.begin(), ports.end(), [&](const PortDesc& port) { return port.name == name; });
+  return found == ports.end() ? -1 : int(found - ports.begin());
+}
+
+class Omitter {
+ public:
+  Omitter(const PipelineDesc& pipeline, const std::vector<std::string>& absent, Wiring& wiring, Sizes& sizes)
+      : pipeline_(pipeline), absent_(absent), wiring_(wiring), sizes_(sizes), chosen_(wiring.nodes.size()) {}
+
+  std::vector<std::string> run() {
+    seen_.assign(wiring_.nodes.size(), false);
+    for (const WiredLoop& loop : wiring_.loops)
+      if (loop.until.node >= 0) stops_.push_back(loop.until.node);
+    for (size_t i = 0; i < wiring_.nodes.size(); ++i) visit(int(i));
+    for (auto* kept : {&wiring_.outputs, &wiring_.taps})
+      for (Source& source : *kept) source = standIn(source);
+    std::vector<std::string> reasons;
+    for (const WithoutDesc* without : chosen_) reasons.push_back(without ? reasonOf(*without) : "");
+    return reasons;
+  }
+
+ private:
+  // After all that the node reads.
+  void visit(int index) {
+    if (seen_[size_t(index)]) return;
+    seen_[size_t(index)] = true;
+    WiredNode& node = wiring_.nodes[size_t(index)];
+    for (Source& source : node.reads) {
+      if (source.node < 0) continue;
+      visit(source.node);
+      source = standIn(source);
+    }
+    for (const WithoutDesc& without : passOf(index).without) {
+      if (!lacks(index, without.name) || !readsBackAlike(index, without)) continue;
+      chosen_[size_t(index)] = &without;
+      node.blank = true;
+      return;
+    }
+  }
+
+  bool lacks(int index, const std::string& name) const {
+    if (std::find(absent_.begin(), absent_.end(), name) != absent_.end()) return true;
+    int read = indexOf(passOf(index).reads, name);
+    return read >= 0 && isZero(readOf(index, read));
+  }
+
+  // What is still read of a node that is left out, when stand-ins are wired, are its zeros.
+  bool isZero(const Source& source) const { return source.node >= 0 && chosen_[size_t(source.node)]; }
+
+  bool readsBackAlike(int index, const WithoutDesc& without) {
+    if (std::find(stops_.begin(), stops_.end(), index) != stops_.end()) return false;
+    return std::all_of(without.writes.begin(), without.writes.end(), [&](const auto& port) {
+      if (port.second.empty()) return true;
+      Source write = {index, indexOf(passOf(index).writes, port.first)};
+      return isAlike(write, readOf(index, indexOf(passOf(index).reads, port.second)));
+    });
+  }
+
+  bool isAlike(const Source& a, const Source& b) {
+    const NodeSize &of_a = sizes_.of(a.node), &of_b = sizes_.of(b.node);
+    return of_a.width == of_b.width && of_a.height == of_b.height && formatOf(a) == formatOf(b);
+  }
+
+  Source standIn(const Source& source) const {
+    const WithoutDesc* without = source.node < 0 ? nullptr : chosen_[size_t(source.node)];
+    if (!without) return source;
+    const std::string& read = without->writes[size_t(source.port)].second;
+    return read.empty() ? source : readOf(source.node, indexOf(passOf(source.node).reads, read));
+  }
+
+  const std::string& formatOf(const Source& source) const {
+    return plan::formatOf(portOf(pipeline_, wiring_, source), wiring_.nodes[size_t(source.node)].params);
+  }
+
+  const Source& readOf(int index, int read) const { return wiring_.nodes[size_t(index)].reads[size_t(read)]; }
+  const PassDesc& passOf(int index) const { return pipeline_.passes[size_t(wiring_.nodes[size_t(index)].pass)]; }
+
+  const PipelineDesc& pipeline_;
+  const std::vector<std::string>& absent_;
+  Wiring& wiring_;
+  Sizes& sizes_;
+  std::vector<const WithoutDesc*> chosen_;  // by node; null where it runs
+  std::vector<bool> seen_;
+  std::vector<int> stops_;  // nodes by which loops stop
+};
+
+}  // namespace
+
+std::vector<std::string> leaveOut(const PipelineDesc& pipeline, const std::vector<std::string>& absent, Wiring& wiring,
+                                  Sizes& sizes) {
+  return Omitter(pipeline, absent, wiring, sizes).run();
+}
+
+}  // namespace strobe::plan

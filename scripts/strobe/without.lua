@@ -1,0 +1,82 @@
+-- SPDX-License-Identifier: MIT
+-- The field `without` of a pass: what stands in for its writes where a fact of the frame does not hold, or where a read
+-- is nothing but zeros. `without = { motion = { blurred = "color" }, mask = { color = 0, depth = 0 } }`.
+local check  = require "strobe.check"
+local native = require "strobe.native"
+
+local without = {}
+
+local function port_named(ports, name)
+  for _, port in ipairs(ports) do
+    if port.name == name then return port end
+  end
+  return nil
+end
+
+local function names_of(ports, names)
+  for _, port in ipairs(ports) do names[#names + 1] = port.name end
+  return names
+end
+
+local function near(name, names)
+  return type(name) == "string" and native.nearest(name, names) or ""
+end
+
+-- The name of a fact, or of a read.
+local function check_name(problems, name, reads, at, owner)
+  local facts = native.facts()
+  local is_fact, is_read = check.contains(facts, name), type(name) == "string" and port_named(reads, name) ~= nil
+  if is_fact and is_read then
+    problems:add(at, "without '%s' of %s: that is a fact and a read; the read wants another name", name, owner)
+  elseif not is_fact and not is_read then
+    local names = names_of(reads, facts)
+    problems:add(at, "%s has no read %s, and there is no such fact%s", owner, check.quoted(name), near(name, names))
+  end
+end
+
+-- `given` is 0, or a read that can stand in for the write.
+local function check_stand_in(problems, write, given, reads, at, what)
+  if given == 0 then return end
+  local read = type(given) == "string" and port_named(reads, given)
+  if given == nil then
+    problems:add(at, "%s does not say what '%s' is: 0, or the read that it equals", what, write.name)
+  elseif not read then
+    problems:add(at, "%s: '%s' is neither 0 nor a read of it, but %s%s", what, write.name, check.quoted(given),
+                 near(given, names_of(reads, {})))
+  elseif read.optional then
+    problems:add(at, "%s: '%s' is '%s', which is optional and may not be there", what, write.name, given)
+  elseif write.format and check.is_uint(write.format) ~= read.uint then
+    problems:add(at, "%s: '%s' and '%s' do not both hold unsigned integers", what, write.name, given)
+  end
+end
+
+local function declare_one(problems, name, given, result, place, owner)
+  local at = native.key_place(place, "without", name)
+  local what = ("without %s of %s"):format(check.quoted(name), owner)
+  check_name(problems, name, result.reads, at, owner)
+  if type(given) ~= "table" then
+    problems:add(at, "%s is a %s instead of a table like { color = 0 }", what, type(given))
+    return nil
+  end
+  check.keys(problems, given, names_of(result.writes, {}), place, what, { "without", name })
+  for _, write in ipairs(result.writes) do
+    local where = given[write.name] == nil and at or native.key_place(place, "without", name, write.name)
+    check_stand_in(problems, write, given[write.name], result.reads, where, what)
+  end
+  return { name = name, place = at, writes = given }
+end
+
+-- A list for the description `result`, whose ports are known; nil where there is none.
+function without.declare(problems, given, result, place, owner)
+  if given == nil then return nil end
+  if next(result.updates) ~= nil then
+    problems:add(native.key_place(place, "without"), "%s updates images, for which nothing can stand in", owner)
+  end
+  local list = {}
+  for name, writes in pairs(given) do list[#list + 1] = declare_one(problems, name, writes, result, place, owner) end
+  return list
+end
+
+check.closed(without, "without")
+
+return without

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// What a frame's scene does not require is left out, and no picture changes: every pipeline and preset, and settings
+// that make other graphs, on scenes that lack this and that, against themselves with everything modelled. Where nothing
+// moves each method is the capture. All bit for bit.
+#include <gtest/gtest.h>
+
+#include "lab/frame_facts.h"
+#include "lab/record.h"
+#include "oracle/render.h"
+
+using namespace strobe;
+using namespace strobe::lab;
+using strobe::oracle::shotOf;
+using strobe::oracle::with;
+
+namespace {
+
+constexpr int kWidth = 48, kHeight = 30;
+
+struct Case {
+  std::string name;
+  Shot shot;
+  std::vector<std::string> absent;
+};
+
+// Bars and cards in front of each other under a lamp; paper that is cut out; a plane whose light casts no shadow.
+std::vector<Case> cases() {
+  Shot follows = shotOf("crowd", kWidth, kHeight, {{"speed", 0}});
+  follows.moves = {"camera=0.2,0,0"};
+  return {
+      {"crowd at rest", shotOf("crowd", kWidth, kHeight, {{"speed", 0}}), {"motion", "alpha"}},
+      {"crowd", shotOf("crowd", kWidth, kHeight), {"alpha"}},
+      {"crowd seen from a moving camera", follows, {"alpha"}},
+      {"cut out", shotOf("cut_out", kWidth, kHeight), {"motion", "shadows"}},
+      {"lit", shotOf("lit", kWidth, kHeight), {"motion", "alpha", "shadows"}},
+  };
+}
+
+// Of those that have them: other graphs than presets make.
+const std::map<std::string, std::vector<std::vector<std::string>>> kGraphs = {
+    {"mcguire2012", {{"weights=uniform", "range=split"}, {"color_format=fp16"}, {"displacement=extrapolated"}}},
+    {"guertin2014", {{"second_share=variance", "color_format=fp16"}, {"uniform_path=false"}}},
+    {"jimenez2014", {{"color_format=fp16", "copy_below=0"}}},
+    {"hybrid",
+     {{"mask=all"},
+      {"mask=moving", "mask.min_displacement=0"},
+      {"mask=none"},
+      {"mask=seed", "mask.min_displacement=0", "mask_candidate.min_displacement=0", "edge=canny"},
+      {"mask=seed", "edge=plane"},
+      {"composite=in_gather"},
+      {"composite=alpha_over", "weights=guertin2014", "tiles=separate"},
+      {"range=split"},
+      {"reveal_resolution=half"},
+      {"velocity_format=fp16", "color_format=fp16", "depth_encoding=reversed"},
+      {"termination=motion", "advance=origin_kept", "mask=all"}}},
+    {"ground_truth", {{"samples=4"}, {"samples=2", "mode=raster"}}},
+};
+
+class RenderFacts : public oracle::RenderTest {
+ protected:
+  // Settings of every preset, then those of kGraphs.
+  static std::vector<std::vector<std::string>> graphsOf(const std::string& pipeline) {
+    std::vector<std::vector<std::string>> graphs;
+    for (const auto& preset : bench().evaluate(pipeline, {})->pipeline.presets)
+      graphs.push_back({"preset=" + preset.name});
+    if (graphs.empty() && pipeline != "ground_truth") graphs.push_back({});
+    auto more = kGraphs.find(pipeline);
+    if (more != kGraphs.end()) graphs.insert(graphs.end(), more->second.begin(), more->second.end());
+    return graphs;
+  }
+
+  static Picture everythingOf(Shot shot) {
+    shot.model_everything = true;
+    return render(shot);
+  }
+
+  static bool isMethod(const std::string& pipeline) {
+    return bench().evaluate(pipeline, {})->pipeline.kind == plan::PipelineDesc::Kind::Method;
+  }
+
+  void compare(const Case& one, const std::string& pipeline, const std::vector<std::string>& settings) {
+    SCOPED_TRACE(fmt::format("{}: {} {}", one.name, pipeline, fmt::join(settings, " ")));
+    Shot shot = with(one.shot, pipeline, settings, "centre");
+    Picture required = render(shot), everything = everythingOf(shot);
+    ASSERT_EQ(required.frame.outputs.size(), everything.frame.outputs.size());
+    for (const auto& [name, image] : everything.frame.outputs)
+      EXPECT_EQ(hashOf(required.frame.outputs.at(name)), hashOf(image)) << name;
+    EXPECT_EQ(required.record["pipeline"]["plan"], everything.record["pipeline"]["plan"]);
+    bool still = std::count(one.absent.begin(), one.absent.end(), "motion") && isMethod(pipeline);
+    if (!still || required.frame.outputs.at("color").format != "rgba32f") return;
+    bool halves = std::count(settings.begin(), settings.end(), "color_format=fp16");
+    Picture capture = render(with(
+        one.shot, "none", halves ? std::vector<std::string>{"shade.color_format=fp16"} : std::vector<std::string>{}));
+    EXPECT_TRUE(oracle::identical(oracle::colorOf(required), oracle::colorOf(capture)));
+  }
+
+  void compareAll(const std::string& pipeline) {
+    for (const std::vector<std::string>& settings : graphsOf(pipeline))
+      for (const Case& one : cases()) compare(one, pipeline, settings);
+  }
+};
+
+}  // namespace
+
+TEST_F(RenderFacts, AreWhatTheScenesSay) {
+  for (const Case& one : cases()) {
+    Shot shot = with(one.shot, "none");
+    auto held = bench().scene(shot);
+    EXPECT_EQ(absentFacts(shot, held->loaded.scene), one.absent) << one.name;
+    shot.model_everything = true;
+    EXPECT_TRUE(absentFacts(shot, held->loaded.scene).empty());
+  }
+}
+
+TEST_F(RenderFacts, OfEveryPipelineThatShips) {
+  for (const std::string& name : script::pipelineNames(bench().home()))
+    if (name != "hybrid") compareAll(name);
+}
+
+TEST_F(RenderFacts, OfTheHybrid) { compareAll("hybrid"); }
+
+TEST_F(RenderFacts, AreInTheRecord) {
+  Picture still = render(with(cases()[0].shot, "hybrid")), moving = render(with(cases()[1].shot, "hybrid"));
+  EXPECT_EQ(still.record["facts"], Json::array({"shadows"}));
+  EXPECT_EQ(moving.record["facts"], Json::array({"motion", "shadows"}));
+  EXPECT_EQ(everythingOf(with(cases()[0].shot, "hybrid")).record["facts"].size(), 3u);
+}
+
+// A tap of what is left out is what stands in for it.
+TEST_F(RenderFacts, TapsOfWhatIsLeftOut) {
+  Shot shot = with(cases()[0].shot, "hybrid");
+  shot.taps = {"composite.blurred", "mask.mask", "tile_max.longest", "mask_near_motions.motions_0"};
+  Picture required = render(shot), everything = everythingOf(shot);
+  for (const auto& [name, image] : everything.frame.taps)
+    EXPECT_EQ(hashOf(required.frame.taps.at(name)), hashOf(image)) << name;
+}
+
+// What runs where nothing moves is what the capture alone needs.
+TEST_F(RenderFacts, AStillFrameCostsWhatTheCaptureCosts) {
+  auto nodesOf = [](const Picture& picture) {
+    std::vector<std::string> nodes;
+    for (const auto& step : picture.frame.times) nodes.push_back(step.name);
+    return nodes;
+  };
+  std::vector<std::string> capture = nodesOf(render(with(cases()[0].shot, "none")));
+  for (const std::string& name : script::pipelineNames(bench().home())) {
+    if (isMethod(name)) {
+      EXPECT_EQ(nodesOf(render(with(cases()[0].shot, name))), capture) << name;
+    }
+  }
+}

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+// What a plan leaves out where a fact does not hold, and what stands in for it.
+#include "plan/omission.h"
+
+#include <gtest/gtest.h>
+
+#include "plan/builder.h"
+#include "plan/canonical.h"
+#include "plan/plan.h"
+
+namespace strobe::plan::test {
+namespace {
+
+using Names = std::vector<std::string>;
+
+WithoutDesc without(const std::string& name, std::vector<std::pair<std::string, std::string>> writes) {
+  return {name, std::move(writes), {"passes/x.lua", 9}};
+}
+
+Plan planned(const Builder& b, const Names& absent, const Names& taps = {}, const std::set<std::string>& outputs = {}) {
+  CompileOptions options;
+  options.width = 64, options.height = 32;
+  options.absent = absent;
+  options.taps = taps;
+  options.outputs = outputs;
+  return compile(b.pipeline, options);
+}
+
+Names order(const Plan& plan) {
+  Names names;
+  for (const PlanNode& node : plan.nodes) names.push_back(plan.pipeline.nodes[size_t(node.node)].name);
+  return names;
+}
+
+std::string imageOf(const Plan& plan, const std::string& output) {
+  for (const auto* images : {&plan.outputs, &plan.taps})
+    for (const auto& [name, image] : *images)
+      if (name == output) return plan.images[size_t(image)].name;
+  return "none";
+}
+
+std::string reason(const Plan& plan, const std::string& node) {
+  for (const CulledNode& culled : plan.culled)
+    if (culled.name == node) return culled.reason;
+  return "runs";
+}
+
+// Names of the images that are cleared before anything else.
+Names cleared(const Plan& plan) {
+  Names names;
+  for (const Step& step : plan.steps)
+    if (step.kind == Step::Kind::ClearImage) names.push_back(plan.images[size_t(step.index)].name);
+  return names;
+}
+
+// base -> tiles -> filter(base, tiles) -> color
+Builder filtered() {
+  Builder b;
+  b.compute("base", {}, {"x"});
+  b.compute("tiles", {{"x", "base.x"}}, {"y"});
+  b.compute("filter", {{"x", "base.x"}, {"y", "tiles.y"}}, {"z"}).without = {without("motion", {{"z", "x"}})};
+  b.output("color", "filter.z");
+  return b;
+}
+
+TEST(Omission, WithAllFactsEverythingRuns) {
+  Plan plan = planned(filtered(), {});
+  EXPECT_EQ(order(plan), (Names{"base", "tiles", "filter"}));
+  EXPECT_TRUE(plan.culled.empty());
+}
+
+TEST(Omission, AReadStandsInAndWhatFedTheNodeAloneGoesToo) {
+  Plan plan = planned(filtered(), {"motion"});
+  EXPECT_EQ(order(plan), Names{"base"});
+  EXPECT_EQ(imageOf(plan, "color"), "base.x");
+  EXPECT_EQ(reason(plan, "filter"), "nothing moves in this frame: z = x");
+  EXPECT_EQ(reason(plan, "tiles"), "needed by nothing but what is left out");
+  EXPECT_EQ(plan.images.size(), 1u);
+}
+
+TEST(Omission, AnotherFactThatDoesNotHoldChangesNothing) {
+  EXPECT_EQ(order(planned(filtered(), {"alpha", "shadows"})).size(), 3u);
+}
+
+TEST(Omission, StandInsOfStandIns) {
+  Builder b = filtered();
+  b.compute("second", {{"x", "filter.z"}}, {"z"}).without = {without("motion", {{"z", "x"}})};
+  b.output("other", "second.z");
+  Plan plan = planned(b, {"motion"});
+  EXPECT_EQ(order(plan), Names{"base"});
+  EXPECT_EQ(imageOf(plan, "other"), "base.x");
+}
+
+TEST(Omission, WhatReadsTheNodeReadsTheStandIn) {
+  Builder b = filtered();
+  b.compute("reader", {{"z", "filter.z"}}, {"w"});
+  b.output("other", "reader.w");
+  Plan plan = planned(b, {"motion"});
+  EXPECT_EQ(order(plan), (Names{"base", "reader"}));
+  EXPECT_EQ(plan.images[size_t(plan.nodes[1].reads[0])].name, "base.x");
+}
+
+// base -> mask (0 without motion) -> rays (0 where the mask is) -> end
+Builder masked() {
+  Builder b;
+  b.compute("base", {}, {"x"});
+  b.compute("mask", {{"x", "base.x"}}, {"m r8_unorm"}).without = {without("motion", {{"m", ""}})};
+  PassDesc& rays = b.compute("rays", {{"x", "base.x"}, {"m", "mask.m"}}, {"a rgba16f", "b rg32ui"});
+  rays.without = {without("m", {{"a", ""}, {"b", ""}})};
+  rays.size.kind = SizeDesc::Kind::Port;
+  rays.size.port = "x";
+  b.compute("end", {{"a", "rays.a"}}, {"z"});
+  b.output("color", "end.z");
+  b.output("ids", "rays.b");
+  return b;
+}
+
+TEST(Omission, ZerosAreClearedOnceAndLeaveOutWhatFollowsFromThem) {
+  Plan plan = planned(masked(), {"motion"});
+  EXPECT_EQ(order(plan), Names{"end"});
+  EXPECT_EQ(cleared(plan), (Names{"rays.a", "rays.b"}));
+  const VirtualImage& ids = plan.images[size_t(findImage(plan, "rays.b"))];
+  EXPECT_EQ(ids.format, "rg32ui");
+  EXPECT_EQ(ids.width, 64);
+  EXPECT_TRUE(ids.zero && ids.kept && ids.usage & kUsageTransferTarget && ids.usage & kUsageTransferSource);
+  EXPECT_EQ(reason(plan, "rays"), "'m' is 0 everywhere: a = 0, b = 0");
+  EXPECT_EQ(reason(plan, "base"), "needed by nothing but what is left out");
+}
+
+TEST(Omission, ZerosLiveFromTheirClearToTheirLastReader) {
+  Plan plan = planned(masked(), {"motion"});
+  const VirtualImage& a = plan.images[size_t(findImage(plan, "rays.a"))];
+  EXPECT_EQ(plan.steps[size_t(a.first)].kind, Step::Kind::ClearImage);
+  EXPECT_EQ(plan.steps[size_t(a.last)].kind, Step::Kind::Pass);
+}
+
+TEST(Omission, AMaskThatRunsKeepsWhatReadsIt) { EXPECT_EQ(order(planned(masked(), {"alpha"})).size(), 4u); }
+
+TEST(Omission, AnotherFormatOrSizeRuns) {
+  Builder format = filtered();
+  format.pipeline.passes[2].writes[0].format = "rgba32f";
+  EXPECT_EQ(order(planned(format, {"motion"})).size(), 3u);
+  Builder size = filtered();
+  size.pipeline.passes[2].size = {SizeDesc::Kind::Fixed, "", "", 8, 8};
+  EXPECT_EQ(order(planned(size, {"motion"})).size(), 3u);
+}
+
+TEST(Omission, ATapOfANodeLeftOutIsWhatStandsIn) {
+  Plan plan = planned(filtered(), {"motion"}, {"filter.z"});
+  EXPECT_EQ(imageOf(plan, "filter.z"), "base.x");
+  Plan zeros = planned(masked(), {"motion"}, {"mask.m"});
+  EXPECT_EQ(imageOf(zeros, "mask.m"), "mask.m");
+  EXPECT_EQ(cleared(zeros).size(), 3u);
+}
+
+TEST(Omission, ATapOfWhatFedItAloneRunsIt) {
+  EXPECT_EQ(order(planned(filtered(), {"motion"}, {"tiles.y"})), (Names{"base", "tiles"}));
+}
+
+TEST(Omission, InLoopsToo) {
+  Builder b;
+  b.compute("base", {}, {"x"});
+  b.beginLoop("times", 4);
+  b.compute("inside", {{"x", "base.x"}}, {"y"}).without = {without("motion", {{"y", "x"}})};
+  b.compute("sum", {{"y", "inside.y"}}, {}, {"s"});
+  b.endLoop();
+  b.output("color", "sum.s");
+  Plan plan = planned(b, {"motion"});
+  EXPECT_EQ(order(plan), (Names{"base", "sum"}));
+  EXPECT_EQ(plan.images[size_t(plan.nodes[1].reads[0])].name, "base.x");
+}
+
+TEST(Omission, ALoopOfWhichNothingIsLeftIsNoStep) {
+  Builder b;
+  b.compute("base", {}, {"x"});
+  b.beginLoop("times", 4);
+  b.compute("inside", {{"x", "base.x"}}, {"y"}).without = {without("motion", {{"y", "x"}})};
+  b.endLoop();
+  b.output("color", "inside.y");
+  EXPECT_TRUE(planned(b, {"motion"}).loops.empty());
+}
+
+TEST(Omission, WhatALoopStopsByRuns) {
+  Builder b;
+  b.compute("base", {}, {"x"}).size = {SizeDesc::Kind::Fixed, "", "", 1, 1};
+  b.beginLoop("times", 4, "stop.y");
+  PassDesc& stop = b.compute("stop", {{"x", "base.x"}}, {"y"});
+  stop.size = {SizeDesc::Kind::Fixed, "", "", 1, 1};
+  stop.without = {without("motion", {{"y", ""}})};
+  b.compute("sum", {{"x", "base.x"}}, {}, {"s"});
+  b.endLoop();
+  b.output("color", "sum.s");
+  EXPECT_EQ(reason(planned(b, {"motion"}), "stop"), "runs");
+}
+
+TEST(Omission, HistoriesAreReadAsTheyAre) {
+  Builder b;
+  b.compute("base", {}, {"x"});
+  b.compute("sum", {{"x", "base.x"}}, {}, {"s"}).updates[0].history = true;
+  b.compute("filter", {{"s", "sum.s"}}, {"z"}).without = {without("motion", {{"z", "s"}})};
+  b.output("color", "filter.z");
+  Plan plan = planned(b, {"motion"});
+  EXPECT_EQ(order(plan), (Names{"base", "sum"}));
+  EXPECT_TRUE(plan.images[size_t(findImage(plan, "sum.s"))].history);
+}
+
+TEST(Omission, OutputsThatNobodyAsksForAreCulled) {
+  Plan plan = planned(masked(), {}, {}, {"ids"});
+  EXPECT_EQ(order(plan), (Names{"base", "mask", "rays"}));
+  EXPECT_EQ(plan.outputs.size(), 1u);
+  EXPECT_EQ(reason(plan, "end"), "no output requested needs it");
+}
+
+// Plans that differ in nothing but facts that no shader and no node of theirs asks for go on with one another.
+TEST(Omission, ShapesDifferWhereShadersDo) {
+  Builder b;
+  b.compute("base", {}, {"x"});
+  b.output("color", "base.x");
+  EXPECT_EQ(shapeOf(planned(b, {})), shapeOf(planned(b, {"motion"})));
+  EXPECT_NE(shapeOf(planned(b, {})), shapeOf(planned(b, {"alpha"})));
+  EXPECT_NE(shapeOf(planned(filtered(), {})), shapeOf(planned(filtered(), {"motion"})));
+}
+
+TEST(Without, ReadsBackAsItIsWritten) {
+  for (const Builder& b : {filtered(), masked()})
+    for (const PassDesc& pass : b.pipeline.passes)
+      EXPECT_EQ(toJson(passFromJson(toJson(pass))).dump(), toJson(pass).dump()) << pass.name;
+}
+
+std::string refusal(const WithoutDesc& one) {
+  PassDesc pass = masked().pipeline.passes[2];
+  pass.without = {one};
+  try {
+    passFromJson(toJson(pass));
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Without, IsReadWithoutTrust) {
+  EXPECT_EQ(refusal(without("m", {{"a", "x"}, {"b", ""}})), "accepted");
+  EXPECT_EQ(refusal(without("noise", {{"a", ""}, {"b", ""}})),
+            "passes/x.lua:9: pass 'rays' without: 'noise' is not a fact or else a read");
+  EXPECT_EQ(refusal(without("m", {{"a", ""}})), "passes/x.lua:9: pass 'rays' without: 'b' is missing");
+  EXPECT_EQ(refusal(without("m", {{"a", ""}, {"b", "x"}})),
+            "passes/x.lua:9: pass 'rays' without: 'b' and 'x' hold different numbers");
+  EXPECT_EQ(refusal(without("m", {{"a", "y"}, {"b", ""}})),
+            "passes/x.lua:9: pass 'rays' without: 'y' is not a read that is always wired");
+}
+
+}  // namespace
+}  // namespace strobe::plan::test

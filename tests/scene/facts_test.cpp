@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// Facts of a frame on scenes of a node or two: what they are is plain from how the scene is made.
+#include "scene/facts.h"
+
+#include <gtest/gtest.h>
+
+#include "math/constants.h"
+
+namespace strobe::scene {
+namespace {
+
+constexpr double kFrame = 1.0 / 24;
+
+// A triangle at node 0, a light, and a camera in the last node.
+Scene still() {
+  Scene scene;
+  scene.name = "test";
+  scene.materials.resize(1);
+  scene.meshes.resize(1);
+  scene.meshes[0].geometries.push_back({{{}, {}, {}}, {0, 1, 2}});
+  scene.lights.resize(1);
+  scene.cameras.resize(1);
+  scene.nodes.resize(3);
+  scene.nodes[0].mesh = scene.nodes[1].light = scene.nodes[2].camera = 0;
+  return scene;
+}
+
+// The capture at `frame`, an exposure of half a frame before it.
+FrameView viewAt(double frame) {
+  FrameView view;
+  view.camera_node = 2;
+  view.capture_s = view.close_s = frame * kFrame;
+  view.open_s = view.capture_s - kFrame / 2;
+  view.previous_s = view.capture_s - kFrame;
+  return view;
+}
+
+bool moves(const Scene& scene, double frame = 1) { return factsOf(scene, viewAt(frame)).motion; }
+
+using Interpolation = Track::Interpolation;
+
+Scene animated(std::vector<double> frames, std::vector<double> x, Interpolation how = Interpolation::Linear) {
+  Scene scene = still();
+  Track track{0, Track::Target::Translation, how, {}, {}};
+  for (double frame : frames) track.times.push_back(frame * kFrame);
+  for (double value : x) track.values.push_back({value, 0, 0, 0});
+  scene.animations.push_back({"clip", {track}, track.times.back()});
+  return scene;
+}
+
+Scene spun(int node, double turns_per_frame) {
+  Scene scene = still();
+  ConstantMotion motion;
+  motion.node = node;
+  motion.angular_velocity = turns_per_frame * 2 * kPi / kFrame;
+  scene.motions.push_back(motion);
+  return scene;
+}
+
+TEST(Facts, NothingMovesWhereNothingIsDriven) {
+  Facts facts = factsOf(still(), viewAt(1));
+  EXPECT_FALSE(facts.motion);
+  EXPECT_FALSE(facts.camera_moves);
+  EXPECT_FALSE(facts.alpha);
+  EXPECT_TRUE(facts.shadows);
+}
+
+TEST(Facts, AClipThatReturnsMoves) {
+  // At rest at the capture, at the opening, and a frame before: only between them it is elsewhere.
+  EXPECT_TRUE(moves(animated({0, 0.25, 0.5, 0.75, 1}, {0, 1, 0, 1, 0})));
+  EXPECT_TRUE(moves(animated({0, 0.5, 1, 2}, {0, 1, 0, 0})));
+}
+
+TEST(Facts, AClipAsLongAsAFrameMoves) {
+  Scene scene = animated({0, 0.5, 1}, {0, 1, 0});
+  for (double frame : {1.0, 2.0, 3.0, 7.0}) EXPECT_TRUE(moves(scene, frame)) << frame;
+}
+
+TEST(Facts, AFullTurnMoves) {
+  for (double turns : {1.0, 2.0, 0.25, 1e-9}) EXPECT_TRUE(moves(spun(0, turns))) << turns;
+  EXPECT_FALSE(moves(spun(0, 0)));
+}
+
+TEST(Facts, OutsideOfItsKeysAClipRests) {
+  Scene scene = animated({10, 12}, {0, 1});
+  EXPECT_FALSE(moves(scene, 5));
+  EXPECT_FALSE(moves(scene, 10));
+  EXPECT_TRUE(moves(scene, 10.25));
+  EXPECT_TRUE(moves(scene, 12));
+  // Past its end it begins again: before its first key.
+  EXPECT_TRUE(moves(scene, 12.5));
+  EXPECT_FALSE(moves(scene, 18));
+}
+
+TEST(Facts, BetweenEqualKeysAClipRests) {
+  Scene scene = animated({0, 2, 4, 6}, {0, 1, 1, 2});
+  EXPECT_FALSE(moves(scene, 3.5));
+  EXPECT_TRUE(moves(scene, 2.5));
+  EXPECT_TRUE(moves(scene, 4.5));
+}
+
+TEST(Facts, JumpsAreNoMotionOfAFrame) { EXPECT_FALSE(moves(animated({0, 1, 2}, {0, 1, 2}, Interpolation::Step), 1)); }
+
+TEST(Facts, SlopesOfACubicMove) {
+  Scene scene = animated({0, 4}, {0, 0, 1, 1, 0, 0}, Interpolation::CubicSpline);
+  EXPECT_TRUE(moves(scene));
+  for (dvec4& value : scene.animations[0].tracks[0].values) value = dvec4(3, 0, 0, 0);
+  EXPECT_TRUE(moves(scene));  // its tangents are 3
+  for (size_t i : {0, 2, 3, 5}) scene.animations[0].tracks[0].values[i] = dvec4(0);
+  EXPECT_FALSE(moves(scene));
+}
+
+TEST(Facts, ThePoseOfTheFrameBeforeCounts) {
+  Scene scene = animated({0, 0.25, 4}, {0, 1, 1});
+  EXPECT_TRUE(moves(scene, 1));
+  EXPECT_FALSE(moves(scene, 2));
+  FrameView view = viewAt(1);
+  view.previous_s = view.open_s;
+  EXPECT_FALSE(factsOf(scene, view).motion);
+}
+
+TEST(Facts, WhatHasNoTrianglesDoesNotMove) {
+  Scene scene = spun(0, 0.1);
+  scene.meshes[0].geometries[0].indices.clear();
+  EXPECT_FALSE(moves(scene));
+  scene.nodes[0].mesh = -1;
+  EXPECT_FALSE(moves(scene));
+}
+
+TEST(Facts, ChildrenOfWhatMovesMove) {
+  Scene scene = spun(1, 0.1);
+  EXPECT_TRUE(moves(scene)) << "a light";
+  scene.nodes[1].light = -1;
+  EXPECT_FALSE(moves(scene));
+  scene.nodes[0].parent = 1;
+  EXPECT_TRUE(moves(scene));
+}
+
+TEST(Facts, TheCameraMovesUnlessAnotherStandsInItsPlace) {
+  Scene scene = spun(2, 0.1);
+  FrameView view = viewAt(1);
+  EXPECT_TRUE(factsOf(scene, view).camera_moves);
+  EXPECT_TRUE(factsOf(scene, view).motion);
+  view.camera_moves = false;
+  EXPECT_FALSE(factsOf(scene, view).motion);
+  view.camera_moves = true;
+  EXPECT_TRUE(factsOf(still(), view).motion);
+}
+
+TEST(Facts, AnAnimationThatIsNotPlayedRests) {
+  FrameView view = viewAt(1);
+  view.animation = "none";
+  EXPECT_FALSE(factsOf(animated({0, 4}, {0, 1}), view).motion);
+}
+
+TEST(Facts, AlphaCountsWhereItsMaterialIsSeen) {
+  Scene scene = still();
+  scene.materials.resize(2);
+  scene.materials[1].alpha_mask = true;
+  EXPECT_FALSE(factsOf(scene, viewAt(1)).alpha);
+  scene.meshes[0].geometries[0].material = 1;
+  EXPECT_TRUE(factsOf(scene, viewAt(1)).alpha);
+  scene.nodes[0].mesh = -1;
+  EXPECT_FALSE(factsOf(scene, viewAt(1)).alpha);
+}
+
+TEST(Facts, ShadowsAreThoseOfLightsThatCastThem) {
+  Scene scene = still();
+  scene.lights[0].shadow = false;
+  EXPECT_FALSE(factsOf(scene, viewAt(1)).shadows);
+  scene.lights[0].shadow = true;
+  scene.nodes[1].light = -1;
+  EXPECT_FALSE(factsOf(scene, viewAt(1)).shadows);
+}
+
+}  // namespace
+}  // namespace strobe::scene
