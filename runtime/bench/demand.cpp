@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plan/traffic.h"
-
 namespace strobe::bench {
 
 uint64_t Demand::bytes() const {
@@ -28,25 +26,16 @@ double Demand::leastMs(const Gpu& gpu) const {
   return ms;
 }
 
-// Executions and rays of a pass; one and none where it was not drawn at the other size.
-static PassTimes countedIn(const ShotTimes& counted, const std::string& name) {
-  for (const PassTimes& pass : counted.passes)
-    if (pass.name == name) return pass;
-  return {name, {}, 1};
-}
-
 Demand demandAt(lab::Batch& batch, const NamedShot& shot, const ShotTimes& counted, int width, int height) {
   Demand demand{shot.scene, shot.method, width, height, {}};
   lab::Shot large = shot.shot;
   large.width = width, large.height = height;
-  std::shared_ptr<const plan::Plan> plan = batch.planOf(batch.filled(large));
-  std::vector<plan::Traffic> traffic = plan::trafficOf(*plan);
+  std::map<std::string, plan::Traffic> traffic = trafficByPass(*batch.planOf(large));
   const double growth = double(width) * height / (double(counted.width) * counted.height);
-  for (size_t i = 0; i < traffic.size(); ++i) {
-    PassTimes pass = countedIn(counted, plan->pipeline.nodes[size_t(plan->nodes[i].node)].name);
+  for (PassTimes pass : counted.passes) {
     pass.ms.clear();
-    pass.bytes_read = traffic[i].read * uint64_t(pass.executions);
-    pass.bytes_written = traffic[i].written * uint64_t(pass.executions);
+    pass.bytes_read = traffic[pass.name].read * uint64_t(pass.executions);
+    pass.bytes_written = traffic[pass.name].written * uint64_t(pass.executions);
     pass.rays = uint64_t(std::llround(double(pass.rays) * growth));
     demand.passes.push_back(std::move(pass));
   }

@@ -27,8 +27,8 @@ struct Demand {
   double leastMs(const Gpu& gpu) const;
 };
 
-// The passes of `shot`, counted in `counted` at another size: bytes are those of the plan at the new size, rays grow
-// with the pixels. Throws `Error` where there is no such plan.
+// The passes that a frame of `shot` ran in `counted`, at another size: bytes are those of the plan at the new size,
+// rays grow with the pixels. Throws `Error` where there is no such plan.
 Demand demandAt(lab::Batch& batch, const NamedShot& shot, const ShotTimes& counted, int width, int height);
 
 Json toJson(const Demand& demand, const Gpu& gpu);

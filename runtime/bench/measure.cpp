@@ -8,7 +8,6 @@
 
 #include "lab/record.h"
 #include "lab/shot_options.h"
-#include "plan/traffic.h"
 
 namespace strobe::bench {
 
@@ -88,18 +87,26 @@ Prepared prepared(lab::Batch& batch, const std::vector<NamedShot>& shots) {
 
 // Bytes and rays of the frame that was drawn last.
 void addWork(std::vector<PassTimes>& passes, const plan::Plan& plan, const lab::Timing& timing) {
-  std::vector<plan::Traffic> traffic = plan::trafficOf(plan);
+  std::map<std::string, plan::Traffic> traffic = trafficByPass(plan);
   for (size_t i = 0; i < passes.size(); ++i) {
     PassTimes& pass = passes[i];
     pass.executions = timing.executions[i];
-    pass.bytes_read = traffic[i].read * uint64_t(pass.executions);
-    pass.bytes_written = traffic[i].written * uint64_t(pass.executions);
+    pass.bytes_read = traffic[pass.name].read * uint64_t(pass.executions);
+    pass.bytes_written = traffic[pass.name].written * uint64_t(pass.executions);
     for (const auto& [name, count] : timing.counters)
       if (name.starts_with(pass.name + ".rays_")) pass.rays += count;
   }
 }
 
 }  // namespace
+
+std::map<std::string, plan::Traffic> trafficByPass(const plan::Plan& plan) {
+  std::vector<plan::Traffic> traffic = plan::trafficOf(plan);
+  std::map<std::string, plan::Traffic> by_name;
+  for (size_t i = 0; i < traffic.size(); ++i)
+    by_name[plan.pipeline.nodes[size_t(plan.nodes[i].node)].name] = traffic[i];
+  return by_name;
+}
 
 Run outlineOf(lab::Workbench& bench, const Subject& subject) {
   lab::Batch batch(bench);
