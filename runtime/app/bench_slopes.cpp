@@ -161,6 +161,7 @@ bench::Slopes slopesOf(const Home& home, const Options& options) {
   lab::Workbench bench(home, options.device, validationWanted());
   for (const Points& of_axis : points) {
     slopes.axes.push_back(measured(bench, experiment, of_axis));
+    slopes.axes.back().run.command = slopes.command;
     slopes.fits.push_back(bench::fitsOf(slopes.axes.back()));
     if (!experiment.partial) bench::requireKnownParts(slopes.axes.back(), slopes.fits.back());
     note(fmt::format("{} of {} axes", slopes.axes.size(), points.size()));

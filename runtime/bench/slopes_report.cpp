@@ -38,9 +38,9 @@ Cell outcomeOf(const Fit& fit) {
 
 void addFit(page::Table& table, const Fit& fit, bool names_method) {
   const Line& line = fit.line;
-  std::string per = fit.isLogarithmic() ? " per doubling" : "";
+  std::string per = fit.isLogarithmic() ? " per doubling" : "", at = fit.isLogarithmic() ? " at 1" : "";
   table.add({names_method ? fit.method : "", fit.part, Cell(line.slope.value, shownAny(line.slope.value) + per),
-             shownRange(line.slope, shownAny), Cell(line.intercept, shownAny(line.intercept)),
+             shownRange(line.slope, shownAny), Cell(line.intercept, shownAny(line.intercept) + at),
              Cell(line.r2, shownR2(line.r2)), fit.expected ? nameOf(fit.expected->growth) : "", outcomeOf(fit),
              fit.expected ? fit.expected->why : ""});
 }
