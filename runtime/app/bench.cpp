@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/bench_frames.h"
+#include "app/bench_slopes.h"
 #include "app/shot_options.h"
 #include "base/frozen_home.h"
 #include "lab/reload_bench.h"
@@ -62,6 +63,7 @@ void registerBench(CLI::App& program, const Home& home) {
   options->shot.addWithPipeline(*of_reload);
   of_reload->callback([options, &home] { reload(home, *options); });
   registerBenchFrames(*command, home);
+  registerBenchSlopes(*command, home);
 }
 
 }  // namespace strobe::app

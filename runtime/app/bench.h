@@ -7,7 +7,7 @@
 
 namespace strobe::app {
 
-// `strobe bench`: `reload`, `frames`.
+// `strobe bench`: `reload`, `frames`, `slopes`.
 void registerBench(CLI::App& program, const Home& home);
 
 }  // namespace strobe::app

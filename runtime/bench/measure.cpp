@@ -8,7 +8,6 @@
 
 #include "lab/record.h"
 #include "lab/shot_options.h"
-#include "plan/traffic.h"
 
 namespace strobe::bench {
 
@@ -50,43 +49,50 @@ struct Prepared {
   Run run;
 };
 
+std::vector<NamedShot> shotsOf(const Subject& subject) {
+  std::vector<NamedShot> shots;
+  for (const std::string& scene : subject.scenes)
+    for (const std::array<int, 2>& size : subject.sizes)
+      for (const Method& method : subject.methods)
+        shots.push_back({scene, method.text, shotOf(subject, scene, size, method)});
+  return shots;
+}
+
 // A method that does not take its settings is a mistake of the command line.
-void requirePlan(lab::Batch& batch, const lab::Shot& shot, const Method& method) {
+void requirePlan(lab::Batch& batch, const lab::Shot& shot, const std::string& method) {
   try {
     batch.planOf(shot);
   } catch (const lab::Refusal& refusal) {
-    throw Error(fmt::format("method '{}': {}", method.text, refusal.message()), {}, 2);
+    throw Error(fmt::format("method '{}': {}", method, refusal.message()), {}, 2);
   }
 }
 
-Prepared prepared(lab::Batch& batch, const Subject& subject) {
+Prepared prepared(lab::Batch& batch, const std::vector<NamedShot>& shots) {
   lab::Workbench& bench = batch.bench();
   const gpu::DeviceInfo& device = bench.device().info();
   Prepared result;
   result.run = {"", STROBE_VERSION, lab::programHash(), device.name, device.driver};
-  result.run.backend = shader::backendName(bench.chooseBackend(subject.shot.backend));
+  result.run.backend = shader::backendName(bench.chooseBackend(shots.front().shot.backend));
   result.run.software = device.software;
   result.run.threads = std::thread::hardware_concurrency();
   result.run.environment = driverEnvironment();
-  for (const std::string& scene : subject.scenes)
-    for (const std::array<int, 2>& size : subject.sizes)
-      for (const Method& method : subject.methods) {
-        lab::Shot shot = batch.filled(shotOf(subject, scene, size, method));
-        requirePlan(batch, shot, method);
-        result.run.shots.push_back({scene, method.text, size[0], size[1], lab::toJson(shot)});
-        result.shots.push_back(std::move(shot));
-      }
+  for (const NamedShot& named : shots) {
+    lab::Shot shot = batch.filled(named.shot);
+    requirePlan(batch, shot, named.method);
+    result.run.shots.push_back({named.scene, named.method, shot.width, shot.height, lab::toJson(shot)});
+    result.shots.push_back(std::move(shot));
+  }
   return result;
 }
 
 // Bytes and rays of the frame that was drawn last.
 void addWork(std::vector<PassTimes>& passes, const plan::Plan& plan, const lab::Timing& timing) {
-  std::vector<plan::Traffic> traffic = plan::trafficOf(plan);
+  std::map<std::string, plan::Traffic> traffic = trafficByPass(plan);
   for (size_t i = 0; i < passes.size(); ++i) {
     PassTimes& pass = passes[i];
     pass.executions = timing.executions[i];
-    pass.bytes_read = traffic[i].read * uint64_t(pass.executions);
-    pass.bytes_written = traffic[i].written * uint64_t(pass.executions);
+    pass.bytes_read = traffic[pass.name].read * uint64_t(pass.executions);
+    pass.bytes_written = traffic[pass.name].written * uint64_t(pass.executions);
     for (const auto& [name, count] : timing.counters)
       if (name.starts_with(pass.name + ".rays_")) pass.rays += count;
   }
@@ -94,14 +100,26 @@ void addWork(std::vector<PassTimes>& passes, const plan::Plan& plan, const lab::
 
 }  // namespace
 
+std::map<std::string, plan::Traffic> trafficByPass(const plan::Plan& plan) {
+  std::vector<plan::Traffic> traffic = plan::trafficOf(plan);
+  std::map<std::string, plan::Traffic> by_name;
+  for (size_t i = 0; i < traffic.size(); ++i)
+    by_name[plan.pipeline.nodes[size_t(plan.nodes[i].node)].name] = traffic[i];
+  return by_name;
+}
+
 Run outlineOf(lab::Workbench& bench, const Subject& subject) {
   lab::Batch batch(bench);
-  return prepared(batch, subject).run;
+  return prepared(batch, shotsOf(subject)).run;
 }
 
 Run measure(lab::Workbench& bench, const Subject& subject, const lab::Rounds& rounds) {
+  return measure(bench, shotsOf(subject), rounds);
+}
+
+Run measure(lab::Workbench& bench, const std::vector<NamedShot>& shots, const lab::Rounds& rounds) {
   lab::Batch batch(bench);
-  Prepared of = prepared(batch, subject);
+  Prepared of = prepared(batch, shots);
   // A graph that is made again would pay for new memory in each round.
   batch.kept_graphs = of.shots.size();
   batch.kept_image_bytes = std::numeric_limits<size_t>::max();

@@ -4,6 +4,7 @@
 
 #include "bench/times.h"
 #include "lab/batch.h"
+#include "plan/traffic.h"
 
 namespace strobe::bench {
 
@@ -25,11 +26,21 @@ struct Subject {
   lab::Shot shot;
 };
 
+// A frame that is timed, and what it goes by in the run.
+struct NamedShot {
+  std::string scene, method;
+  lab::Shot shot;
+};
+
 // The run without times: its shots with what scenes suggest, device and program. Throws `Error`, with exit code 2 where
 // a method does not take its settings.
 Run outlineOf(lab::Workbench& bench, const Subject& subject);
 
-// The run: a frame of every shot in turn, round after round.
+// What an execution of each pass of a plan touches, by the node's name. A frame that is timed may run fewer of them.
+std::map<std::string, plan::Traffic> trafficByPass(const plan::Plan& plan);
+
+// The run: a frame of every shot in turn, round after round. There is a shot at least.
+Run measure(lab::Workbench& bench, const std::vector<NamedShot>& shots, const lab::Rounds& rounds);
 Run measure(lab::Workbench& bench, const Subject& subject, const lab::Rounds& rounds);
 
 }  // namespace strobe::bench

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "bench/texts.h"
 #include "page/number.h"
 #include "page/waterfall.h"
 
@@ -18,27 +19,10 @@ using page::shownShare;
 
 // ---- how numbers are written
 
-// Passes of a GPU take microseconds.
-std::string shownTime(double ms) { return ms < 0.1 ? fmt::format("{:.1f} µs", 1000 * ms) : page::shownMs(ms); }
-
 std::string shownRatio(double ratio) {
   if (std::isnan(ratio)) return page::kNotMeasured;
   return ratio < 10 ? fmt::format("{:.3f}", ratio) : fmt::format("{:.1f}", ratio);
 }
-
-std::string shownRange(const Estimate& estimate, std::string (*shown)(double)) {
-  if (std::isnan(estimate.low)) return page::kNotMeasured;
-  return shown(estimate.low) + " to " + shown(estimate.high);
-}
-
-std::string shownBytes(uint64_t bytes) {
-  if (bytes == 0) return page::kNotMeasured;
-  constexpr uint64_t kKilo = 1000, kMega = kKilo * kKilo;
-  return bytes < kMega ? fmt::format("{:.1f} kB", double(bytes) / kKilo)
-                       : fmt::format("{:.1f} MB", double(bytes) / kMega);
-}
-
-std::string shownCount(uint64_t count) { return count == 0 ? page::kNotMeasured : std::to_string(count); }
 
 Cell countCell(uint64_t count, const std::string& shown) { return Cell(double(count), shown); }
 
@@ -60,29 +44,7 @@ uint64_t raysOf(const ShotTimes& shot) {
   return sumOf(shot.passes, [](const PassTimes& pass) { return pass.rays; });
 }
 
-// ---- what is said beside the numbers
-
-std::string roundsOf(const Run& run) {
-  return fmt::format("{} rounds of a frame of each shot in turn; the first frames, which compile, do not count",
-                     run.shots.front().ms.size());
-}
-
-std::string deviceOf(const Run& run) {
-  std::string text = fmt::format("{}, {}, rays by {}, {} threads", run.device, run.driver, run.backend, run.threads);
-  for (const auto& [name, value] : run.environment) text += fmt::format(", {}={}", name, value);
-  return text;
-}
-
-std::string cautionOf(const Run& run) {
-  return run.software
-             ? "A software device: its milliseconds are not comparable across machines, nor with a GPU's; ratios "
-               "are what counts."
-             : "Clocks are not locked.";
-}
-
-const char* const kWorkNote =
-    "Bytes are those of the images that a pass is wired to, each once, a lower bound of its traffic: what it reads "
-    "again, the scene and what rays traverse are not in them.";
+// ---- places
 
 // The shots of each scene and size, in the order of the run.
 std::vector<std::vector<const ShotTimes*>> placesOf(const Run& run) {

@@ -28,6 +28,10 @@ Arm armOf(const Json& json, const Path& script) {
   arm.sets = lab::settingsFrom(json, "set");
   arm.box = lab::settingsFrom(json, "box");
   if (json.value("role", "") == "floor") arm.role = Role::floor;
+  if (json.contains("published")) {
+    const Json& published = json["published"];
+    arm.published = Published{published.at("fps"), published.at("shot"), published.at("by")};
+  }
   return arm;
 }
 
@@ -68,6 +72,10 @@ AxisValue valueOf(const Json& json) {
   return value;
 }
 
+Cost costOf(const Json& json) {
+  return {json.at("part"), json.value("arm", ""), json.at("grows"), json.value("why", "")};
+}
+
 Axis axisOf(const Json& json) {
   Axis axis;
   take(json, "name", axis.name);
@@ -79,6 +87,8 @@ Axis axisOf(const Json& json) {
   take(json, "note", axis.note);
   take(json, "reading", axis.reading);
   take(json, "same_picture", axis.same_picture);
+  take(json, "against", axis.against);
+  for (const Json& cost : json.value("costs", Json::array())) axis.costs.push_back(costOf(cost));
   if (json.contains("benign_index")) axis.benign = json["benign_index"].get<size_t>() - 1;
   for (const Json& value : json.at("values")) axis.values.push_back(valueOf(value));
   return axis;

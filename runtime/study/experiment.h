@@ -14,6 +14,12 @@ namespace strobe::study {
 enum class Role { method, floor, truth };
 std::string nameOf(Role role);
 
+// What somebody else measured of an arm in a shot.
+struct Published {
+  double fps = 0;
+  std::string shot, by;
+};
+
 struct Arm {
   std::string name, pipeline;
   Role role = Role::method;
@@ -21,6 +27,7 @@ struct Arm {
   script::Settings box;            // on top of `sets` in a picture of several samples per pixel
   std::vector<std::string> lacks;  // settings of axes that are not given to it
   bool shown = true;               // on sheet and page; tables have every arm
+  std::optional<Published> published;
 };
 
 // A crop in pixels at the experiment's size, or the densest part of the inner blur.
@@ -48,8 +55,16 @@ struct AxisValue {
   script::Settings truth;
 };
 
+// How the time of a part of a frame is expected to grow along an axis (strobe bench slopes).
+struct Cost {
+  std::string part, arm;  // arm "": of each
+  std::string grows, why;
+};
+
 struct Axis {
   std::string name, title, unit, scale, region, fixed, note, reading;
+  std::string against;  // the measure that times are drawn against; "": the values
+  std::vector<Cost> costs;
   std::optional<size_t> benign;  // the value at which nothing is extreme
   bool same_picture = false;     // what is seen does not depend on the value
   std::vector<AxisValue> values;

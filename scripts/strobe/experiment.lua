@@ -36,12 +36,13 @@ experiment.fields = {
   },
   -- role: "method", or "floor" (truth at a method's own samples). lacks: settings of axes that are not given to it.
   -- box: settings of the picture that is shown, where it has several samples per pixel. shown: whether its pictures
-  -- are on sheet and page.
+  -- are on sheet and page. published: frames per second that somebody else measured in a shot.
   arm = {
     name = { text }, pipeline = { text }, set = { map, optional = true }, role = { text, optional = true },
     lacks = { list, optional = true }, box = { map, optional = true },
-    shown = { bool, optional = true },
+    shown = { bool, optional = true }, published = { map, optional = true },
   },
+  published = { fps = { number }, shot = { text }, by = { text } },
   -- full: settings of a second truth, to be measured against as well (measure rmse_full).
   truth = {
     name = { text, optional = true }, pipeline = { text }, set = { map, optional = true },
@@ -50,13 +51,17 @@ experiment.fields = {
   -- at: what a value sets, where that is not the parameter or option of the axis' name. shots: those that vary.
   -- benign: the value at which nothing is extreme. region: where curves are measured. same_picture: what is seen does
   -- not depend on the value. fixed, note, reading: texts; {ARM @ VALUE} in a reading is replaced by that error.
+  -- against, costs: of `strobe bench slopes`, what is counted in the place of the values, and how times are to grow.
   axis = {
     name = { text }, values = { list }, at = { func, optional = true }, shots = { list, optional = true },
     title = { text, optional = true }, unit = { text, optional = true }, scale = { text, optional = true },
     benign = { fields.any, optional = true }, region = { text, optional = true },
     same_picture = { bool, optional = true },
     fixed = { text, optional = true }, note = { text, optional = true }, reading = { text, optional = true },
+    against = { text, optional = true }, costs = { list, optional = true },
   },
+  -- part: "frame", "passes" (each that no other entry names) or a node. arm: of that arm alone.
+  cost = { part = { text }, grows = { text }, arm = { text, optional = true }, why = { text, optional = true } },
   -- What an arm knows of what is behind: its outputs, and the arm that shows what is in front.
   background = { arm = { text }, color = { text }, valid = { text }, front = { text } },
   layout = {
@@ -83,6 +88,10 @@ experiment.fields = {
 -- Where a value is drawn: by its logarithm (0 has a place of its own), by itself, or each as far from the next.
 experiment.scales = { "log", "linear", "even" }
 experiment.roles = { "method", "floor" }
+-- What times may be drawn against in the place of an axis' values: measures of a picture alone.
+experiment.counted = { "masked", "displacement" }
+-- How times may be expected to grow.
+experiment.growths = { "constant", "linear", "logarithmic" }
 
 -- What varies: list, grid, zip, each, ablation, random, sobol; values: linear, log.
 for _, kind in ipairs { "list", "grid", "zip", "each", "ablation", "random", "sobol", "linear", "log" } do
@@ -98,6 +107,11 @@ function Checker:arm(t, path)
   local result = copied(self:fields(t, "arm", path, "arm " .. path[2]))
   self:one_of(result.role, experiment.roles, check.joined(path, "role"), "the role of an arm")
   for _, name in ipairs { "set", "box" } do result[name] = self:settings(result[name], check.joined(path, name)) end
+  if result.published ~= nil then
+    local at = check.joined(path, "published")
+    local published = self:fields(result.published, "published", at, "what is published of arm " .. path[2])
+    self:one_of(published.shot, self.shot_names, check.joined(at, "shot"), "the shot")
+  end
   return result
 end
 
@@ -137,6 +151,21 @@ end
 
 local function is_finite(value) return type(value) == "number" and value == value and math.abs(value) ~= math.huge end
 
+-- How times are expected to grow along an axis, of numbers unless something is counted in their place.
+function Checker:costs(t)
+  if t.costs == nil and t.against == nil then return end
+  self:one_of(t.against, experiment.counted, { "against" }, "what times are drawn against")
+  for i, entry in ipairs(type(t.costs) == "table" and t.costs or {}) do
+    local path = { "costs", i }
+    local cost = self:fields(entry, "cost", path, ("entry %d of costs"):format(i))
+    self:one_of(cost.grows, experiment.growths, check.joined(path, "grows"), "how a time grows")
+    self:one_of(cost.arm, self.arm_names, check.joined(path, "arm"), "the arm")
+  end
+  for i, value in ipairs(t.against == nil and type(t.values) == "table" and t.values or {}) do
+    if not is_finite(value) then self:add({ "values", i }, "no time grows with %s, which is no number", check.quoted(value)) end
+  end
+end
+
 -- An axis is checked at the place where it was made.
 function Checker:axis(made)
   local axis = setmetatable(copied(self), Checker)
@@ -146,6 +175,7 @@ function Checker:axis(made)
   result.values, result.at = {}, nil
   axis:one_of(t.scale, experiment.scales, { "scale" }, "the scale of an axis")
   axis:one_of(t.region, self.known.regions, { "region" }, "the region of an axis")
+  axis:costs(t)
   for i, name in ipairs(type(t.shots) == "table" and t.shots or {}) do
     axis:one_of(name, self.shot_names, { "shots", i }, "the shot")
   end
@@ -295,10 +325,11 @@ end
 function Checker:whole(t)
   self:fields(t, "experiment", {})
   local result = copied(t)
-  result.arms = self:each(t, "arms", function(entry, _, path) return self:arm(entry, path) end)
   result.shots = self:each(t, "shots", function(entry, _, path) return self:shot(entry, path) end)
+  self.shot_names = self:distinct(result.shots, "name", "shots")
+  result.arms = self:each(t, "arms", function(entry, _, path) return self:arm(entry, path) end)
   result.truth = self:truth(t.truth)
-  local arm_names, shot_names = self:distinct(result.arms, "name", "arms"), self:distinct(result.shots, "name", "shots")
+  local arm_names, shot_names = self:distinct(result.arms, "name", "arms"), self.shot_names
   if check.contains(arm_names, result.truth.name) then
     self:add({ "truth", "name" }, "an arm is called '%s' too", result.truth.name)
   end
@@ -306,7 +337,7 @@ function Checker:whole(t)
   self:one_of(t.base, arm_names, { "base" }, "the base")
   self:names_of(t, "regions", self.known.regions)
   self:names_of(t, "measures", self.known.measures)
-  self.shot_names = shot_names
+  self.arm_names = arm_names
   local combinations
   result.axes, combinations = self:varied(type(t.vary) == "table" and t.vary or {})
   if t.background ~= nil then

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "bench/slopes_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/texts.h"
+#include "page/chart.h"
+#include "page/number.h"
+
+namespace strobe::bench {
+
+namespace {
+
+using page::Cell;
+
+// ---- how numbers are written
+
+// Milliseconds, be they of a frame or of a pixel.
+std::string shownAny(double ms) {
+  if (std::isnan(ms)) return page::kNotMeasured;
+  double size = std::abs(ms);
+  if (size >= 1) return fmt::format("{:.3g} ms", ms);
+  if (size >= 1e-3) return fmt::format("{:.3g} µs", ms * 1e3);
+  return fmt::format("{:.3g} ns", ms * 1e6);
+}
+
+std::string shownR2(double r2) { return std::isnan(r2) ? page::kNotMeasured : fmt::format("{:.3f}", r2); }
+
+std::string unitOf(const AxisRun& axis) { return axis.unit.empty() ? axis.name : axis.unit; }
+
+// ---- slopes
+
+Cell outcomeOf(const Fit& fit) {
+  if (fit.verdict == Verdict::unknown) return fit.expected ? "too few values" : "";
+  return {nameOf(fit.verdict), fit.verdict == Verdict::fails ? page::Mark::bad : page::Mark::none};
+}
+
+void addFit(page::Table& table, const Fit& fit, bool names_method) {
+  const Line& line = fit.line;
+  std::string per = fit.isLogarithmic() ? " per doubling" : "", at = fit.isLogarithmic() ? " at 1" : "";
+  table.add({names_method ? fit.method : "", fit.part, Cell(line.slope.value, shownAny(line.slope.value) + per),
+             shownRange(line.slope, shownAny), Cell(line.intercept, shownAny(line.intercept) + at),
+             Cell(line.r2, shownR2(line.r2)), fit.expected ? nameOf(fit.expected->growth) : "", outcomeOf(fit),
+             fit.expected ? fit.expected->why : ""});
+}
+
+// Frames, what is expected by name, and what fails.
+bool isShort(const Fit& fit) {
+  bool is_named = fit.expected && fit.expected->part == fit.part;
+  return fit.part == kFrame || is_named || fit.verdict == Verdict::fails;
+}
+
+page::Table slopeTable(const AxisRun& axis, const std::vector<Fit>& fits, bool all) {
+  page::Table table;
+  table.columns = {"method",
+                   "part",
+                   {"slope, per " + unitOf(axis), true},
+                   {"95 % interval", true},
+                   {"at 0", true},
+                   {"R²", true},
+                   "expected",
+                   "outcome",
+                   "why"};
+  std::string last;
+  for (const Fit& fit : fits) {
+    if (!all && !isShort(fit)) continue;
+    addFit(table, fit, fit.method != last);
+    last = fit.method;
+  }
+  return page::withoutEmptyColumns(std::move(table));
+}
+
+// The frames' medians with their intervals, and a line through those of each method.
+page::Chart chartOf(const AxisRun& axis, const std::vector<Fit>& fits) {
+  page::Chart chart;
+  chart.about = fmt::format("Time of a frame against {}, the table below has the lines", axis.title);
+  chart.x.title = axis.title;
+  chart.y.title = "milliseconds, medians";
+  chart.y.ends = {0};
+  int style = 0;
+  for (const Fit& fit : fits) {
+    if (fit.part != kFrame) continue;
+    page::Series medians{"", style, {}, page::Series::Kind::scatter}, line{fit.method, style, {}};
+    for (size_t i = 0; i < fit.x.size(); ++i) {
+      std::string tip = fmt::format("{}: {} at {:g}", fit.method, shownTime(fit.ms[i].value), fit.x[i]);
+      medians.points.push_back({fit.x[i], fit.ms[i].value, tip, false, false, {fit.ms[i].low, fit.ms[i].high}});
+      line.points.push_back({fit.x[i], fit.at(fit.x[i]), "", true});
+    }
+    std::sort(line.points.begin(), line.points.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+    chart.series.push_back(std::move(line));
+    chart.series.push_back(std::move(medians));
+    ++style;
+  }
+  return chart;
+}
+
+const char* const kLegend = "Filled: medians with their intervals. Hollow: the line.";
+
+std::string basisOf() {
+  return fmt::format(
+      "A line is the least-squares line through the medians of the rounds, its interval Student's t with two degrees "
+      "of "
+      "freedom less than values: what bends away from the line widens it. A constant time holds where the interval of "
+      "its change along the axis reaches into ±{:.0f} % of its mean; a growing one where the interval of the slope is "
+      "above 0 and R² at least {:g}.",
+      100 * kConstantShare, kLeastR2);
+}
+
+std::string summaryOf(const Slopes& slopes) {
+  size_t expected = 0, holds = 0, fails = 0;
+  for (const std::vector<Fit>& fits : slopes.fits)
+    for (const Fit& fit : fits) {
+      expected += fit.expected.has_value();
+      holds += fit.verdict == Verdict::holds;
+      fails += fit.verdict == Verdict::fails;
+    }
+  return fmt::format("Of {} expectations {} hold and {} fail.", expected, holds, fails);
+}
+
+// ---- demands
+
+std::string shownFps(double fps) { return fps > 0 ? fmt::format("{:.0f}", fps) : ""; }
+
+page::Table demandTable(const Slopes& slopes) {
+  page::Table table;
+  table.columns = {"scene",
+                   "method",
+                   "size",
+                   {"bytes", true},
+                   {"rays", true},
+                   {"time at least", true},
+                   {"frames per second at most", true},
+                   {"published", true},
+                   "by"};
+  for (const Demand& demand : slopes.demands) {
+    double ms = demand.leastMs(slopes.gpu);
+    table.add({demand.scene, demand.method, fmt::format("{}x{}", demand.width, demand.height),
+               Cell(double(demand.bytes()), shownBytes(demand.bytes())),
+               Cell(double(demand.rays()), shownCount(demand.rays())), Cell(ms, shownTime(ms)),
+               Cell(1000 / ms, shownFps(1000 / ms)), shownFps(demand.published_fps), demand.published_by});
+  }
+  return page::withoutEmptyColumns(std::move(table));
+}
+
+std::string demandBasisOf(const Slopes& slopes) {
+  return fmt::format(
+      "A GPU of {:g} GB/s and {:g} billion rays per second, used to the full. A bound from traffic and rays, no "
+      "prediction: each pass takes at least the time of its bytes or of its rays, whichever is longer; arithmetic, "
+      "waiting, geometry and textures are not in it. Rays grow with the pixels.",
+      slopes.gpu.gigabytes_per_s, slopes.gpu.gigarays_per_s);
+}
+
+const Run& anyRun(const Slopes& slopes) { return slopes.axes.front().run; }
+
+}  // namespace
+
+Json toJson(const Slopes& slopes) {
+  Json json = {
+      {"strobe_slopes", 1},
+      {"command", slopes.command},
+      {"title", slopes.title},
+      {"gpu", {{"gigabytes_per_s", slopes.gpu.gigabytes_per_s}, {"gigarays_per_s", slopes.gpu.gigarays_per_s}}},
+      {"axes", Json::array()},
+      {"demands", Json::array()}};
+  for (size_t i = 0; i < slopes.axes.size(); ++i) json["axes"].push_back(toJson(slopes.axes[i], slopes.fits[i]));
+  for (const Demand& demand : slopes.demands) json["demands"].push_back(toJson(demand, slopes.gpu));
+  return json;
+}
+
+std::string textOf(const Slopes& slopes) {
+  std::string text;
+  for (size_t i = 0; i < slopes.axes.size(); ++i)
+    text +=
+        fmt::format("{}\n{}\n", slopes.axes[i].title, page::textOf(slopeTable(slopes.axes[i], slopes.fits[i], false)));
+  text += fmt::format("{} {}\n\nWhat a frame asks of a GPU at least\n{}\n{}\n\n", summaryOf(slopes), basisOf(),
+                      page::textOf(demandTable(slopes)), demandBasisOf(slopes));
+  const Run& run = anyRun(slopes);
+  return text + fmt::format("{}.\n{}. {}\n{}\n", deviceOf(run), roundsOf(run), cautionOf(run), kWorkNote);
+}
+
+page::Page pageOf(const Slopes& slopes) {
+  using Kind = page::Paragraph::Kind;
+  const Run& run = anyRun(slopes);
+  page::Page page;
+  page.title = slopes.title;
+  page.note = fmt::format("{} {}. {}", slopes.question, roundsOf(run), cautionOf(run));
+  page.blocks.push_back(page::Paragraph{summaryOf(slopes), Kind::finding});
+  page.blocks.push_back(page::Paragraph{basisOf(), Kind::soft});
+  for (size_t i = 0; i < slopes.axes.size(); ++i) {
+    const AxisRun& axis = slopes.axes[i];
+    page.blocks.push_back(page::Heading{axis.title, 2, fmt::format("axis-{}", i + 1)});
+    page.blocks.push_back(page::Figure{page::svgOf(chartOf(axis, slopes.fits[i])), kLegend});
+    page.blocks.push_back(slopeTable(axis, slopes.fits[i], false));
+    page.blocks.push_back(page::Details{"All passes", {slopeTable(axis, slopes.fits[i], true)}});
+  }
+  page.blocks.push_back(page::Heading{"What a frame asks of a GPU at least", 2, "demand"});
+  page.blocks.push_back(page::Paragraph{demandBasisOf(slopes), Kind::soft});
+  page.blocks.push_back(demandTable(slopes));
+  page.blocks.push_back(page::Paragraph{kWorkNote, Kind::soft});
+  page.footer = {fmt::format("Strobe {} on {}.", run.version, deviceOf(run)), "Made by `" + slopes.command + "`."};
+  return page;
+}
+
+}  // namespace strobe::bench
