@@ -7,7 +7,7 @@ return {
 
   tile = param.int { 40, min = 1, max = 1024, unit = "px", role = "tile", doc = "side of a tile" },
 
-  cell = param.int { 10, min = 1, max = 1024, unit = "px",
+  cell_side = param.int { 10, min = 1, max = 1024, unit = "px",
     doc = "side of a cell, in which bounds of displacements tell what need not be looked at" },
 
   limit = param.float { 0.1, min = 0, max = 10, unit = "image widths", role = "reach",

@@ -25,7 +25,7 @@ return pass.compute {
   writes = { mask = { format = "r8_unorm", doc = "1 where something is to be revealed" } },
   without = { motion = { mask = 0 } },
   params = {
-    cell   = blur.cell,
+    cell_side   = blur.cell_side,
     limit  = blur.limit,
     match  = path.match,
     margin = path.margin,

@@ -7,7 +7,8 @@ return pass.compute {
   name   = "motion_bounds",
   shader = "tile/motion_bounds",
   doc    = "The least and the greatest displacement of each cell, component by component",
-  size   = { of = "velocity", divide = "cell" },
+  fails  = "Never. Two motions far apart leave much between their bounds that nothing in the cell has.",
+  size   = { of = "velocity", divide = "cell_side" },
   reads  = {
     velocity       = { doc = "px over the exposure" },
     after_velocity = { optional = true, doc = "px over the exposure, at times after the capture" },
@@ -16,7 +17,7 @@ return pass.compute {
   writes = { bounds = { format = "rgba32f",
     doc = "least x and y, greatest x and y, px over the exposure; least above greatest where nothing counts" } },
   params = {
-    cell  = blur.cell,
+    cell_side  = blur.cell_side,
     limit = blur.limit,
   },
 }

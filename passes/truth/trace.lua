@@ -35,7 +35,7 @@ return pass.trace {
     taken = pass.int { 0, min = 0, max = 1048576, doc = "samples that loops before this one have taken" },
     least_budget = pass.float { 0, min = 0, max = 1e6, doc = "samples of a tile that takes part" },
     tile = adaptive.tile,
-    still_once = pass.bool { false, role = "still_once",
+    once_where_still = pass.bool { false, role = "still_once",
       doc = "what nothing in motion reaches is sampled once, for all samples: right for centres under frozen shading" },
     mark_regions = pass.bool { true, doc = "find the regions in which methods differ; one more ray per sample" },
   },

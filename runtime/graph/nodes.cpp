@@ -44,7 +44,7 @@ void PlanNodes::findPipelines(PipelineCache& cache, const world::GpuScene& scene
   for (size_t i = 0; i < nodes_.size(); ++i) {
     shader::Interface wanted = interfaceOf(*plan_, planned(i), backend, scene.slices());
     wanted.doubles = hasDoubles(wanted.backend) && device_.info().has("shaderFloat64");
-    wanted.spread_rows = device_.info().software;
+    wanted.deal_rows = device_.info().software;
     wanted.separate_triangles = wanted.raster && !device_.info().has("geometryShader");
     try {
       nodes_[i].pipeline = cache.get(wanted, pass(i), scene);

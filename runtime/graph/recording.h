@@ -22,8 +22,8 @@ class Recording {
   Recording(const gpu::Device& device, const world::GpuScene& scene, const PlanImages& images, const PlanNodes& nodes)
       : device_(device), scene_(scene), images_(images), nodes_(nodes) {}
 
-  // Goes on with a plan; `wanted` (may be null: all) are the outputs and taps of the frame to read back, `reach` is where
-  // anything that moves can be seen.
+  // Goes on with a plan; `wanted` (may be null: all) are the outputs and taps of the frame to read back, `reach` is
+  // where anything that moves can be seen.
   void setFrame(const plan::Plan& plan, const std::set<std::string>* wanted, const scene::PixelArea& reach) {
     plan_ = &plan, wanted_ = wanted, reach_ = reach;
   }

@@ -82,7 +82,7 @@ std::string preamble(const Interface& in, Stage stage) {
 
 // A software device gives each of its threads one run of consecutive groups, and what costs stands close together in a
 // picture. So rows of groups are dealt out like cards, three times: each eighth of the dispatch has every eighth row.
-static const char* kSpreadRows = R"(uvec2 spread_rows_() {
+static const char* kDealtRows = R"(uvec2 dealt_() {
   uint half_ = (gl_NumWorkGroups.y + 1u) / 2u, row = gl_WorkGroupID.y;
   for (int i = 0; i < 3; ++i) row = row < half_ ? 2u * row : 2u * (row - half_) + 1u;
   return uvec2(gl_WorkGroupID.x, row) * gl_WorkGroupSize.xy + gl_LocalInvocationID.xy;
@@ -91,11 +91,9 @@ static const char* kSpreadRows = R"(uvec2 spread_rows_() {
 
 std::string epilogue(const Interface& in, Stage stage) {
   if (stage != Stage::Compute && stage != Stage::RayGeneration) return "";
-  bool spread = stage == Stage::Compute && in.spread_rows;
-  std::string pixel = spread                    ? "spread_rows_()"
-                      : stage == Stage::Compute ? "gl_GlobalInvocationID.xy"
-                                                : "gl_LaunchIDEXT.xy";
-  std::string text = spread ? kSpreadRows : "";
+  bool dealt = stage == Stage::Compute && in.deal_rows;
+  std::string pixel = dealt ? "dealt_()" : stage == Stage::Compute ? "gl_GlobalInvocationID.xy" : "gl_LaunchIDEXT.xy";
+  std::string text = dealt ? kDealtRows : "";
   text += fmt::format("void main() {{\n  ivec2 pixel_ = ivec2({});\n", pixel);
   if (in.still_once)
     text +=

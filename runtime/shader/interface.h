@@ -45,7 +45,7 @@ struct Interface {
   std::vector<std::pair<std::string, bool>> facts;  // of the scene it sees: `#define FACT_<name> 0` or 1
   Backend backend = Backend::None;
   bool doubles = false;             // trace: the device computes at double precision
-  bool spread_rows = false;         // compute: groups next to each other are not dispatched one after the other
+  bool deal_rows = false;           // compute: groups next to each other are not dispatched one after the other
   bool still_once = false;          // in iterations after the first: on the pixels of frame.reach alone
   bool separate_triangles = false;  // raster: vertices are not indexed, and number the triangles
   uint32_t slices = 1;              // poses the scene's arrays hold

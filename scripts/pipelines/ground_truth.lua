@@ -30,7 +30,7 @@ local samples = {}
 function samples.rays(p, seen)
   return trace {
     hit = seen.hit, pixel = p.pixel, mark_regions = p.mark_regions, time = "sample",
-    still_once = p.pixel() == "centre" and p.shading() == "frozen",
+    once_where_still = p.pixel() == "centre" and p.shading() == "frozen",
   }
 end
 

@@ -210,15 +210,32 @@ vec3 colorOf(int layer, ivec2 now) {
   return finiteColor(texelFetch(color_tex, now, 0));
 }
 
+// What of a cell may be at its pixels: something in motion, something revealed.
+bool isMoved(ivec2 cell) {
+#if HAS_moved
+  return texelFetch(moved_tex, cell, 0).x > 0.5;
+#else
+  return true;
+#endif
+}
+
+bool isBehind(ivec2 cell) {
+#if HAS_behind
+  return texelFetch(behind_tex, cell, 0).x > 0.5;
+#else
+  return true;
+#endif
+}
+
 void run(ivec2 pixel) {
-  ivec2 cell = pixel / params.cell;
-  if (texelFetch(moved_tex, cell, 0).x < 0.5) {
+  ivec2 cell = pixel / params.cell_side;
+  if (!isMoved(cell)) {
     imageStore(blurred_img, pixel, vec4(vec3(texelFetch(color_tex, pixel, 0)), 1));
     return;
   }
 
   ivec2 tile = pixel / params.tile;
-  bool behind = texelFetch(behind_tex, cell, 0).x > 0.5;
+  bool behind = isBehind(cell);
   float jitter = jitterOf(pixel);
   Candidates before = candidatesOf(pixel, dominantBefore(tile), jitter, behind, false), after = before;
 #if HAS_after_velocity

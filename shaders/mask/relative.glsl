@@ -78,11 +78,11 @@ bool concerns(Path path, ivec2 cell) {
 // The first step from `from` to `to`, or one shortly before it, at which the path is in a cell that can end the walk; or
 // kNoStep. Goes along the path from cell to cell (Amanatides and Woo, "A Fast Voxel Traversal Algorithm", 1987).
 int firstConcern(Path path, int from, int to) {
-  ivec2 cell = placeOn(path, from) / params.cell;
+  ivec2 cell = placeOn(path, from) / params.cell_side;
   ivec2 ahead = ivec2(greaterThan(path.unit, vec2(0)));
   vec2 inverse = 1.0 / max(abs(path.unit), vec2(1e-6));
-  vec2 border = abs(vec2((cell + ahead) * params.cell) - (vec2(path.pixel) + 0.5));
-  vec2 next = border * inverse, per_cell = float(params.cell) * inverse;  // in steps
+  vec2 border = abs(vec2((cell + ahead) * params.cell_side) - (vec2(path.pixel) + 0.5));
+  vec2 next = border * inverse, per_cell = float(params.cell_side) * inverse;  // in steps
   float entered = float(from);
   while (entered <= float(to) && !concerns(path, cell)) {
     entered = min(next.x, next.y);
@@ -148,7 +148,7 @@ bool uncovers(ivec2 pixel, uint own, vec2 d, vec2 b, float t) {
 }
 
 void run(ivec2 pixel) {
-  ivec2 cell = pixel / params.cell;
+  ivec2 cell = pixel / params.cell_side;
   vec4 pair = texelFetch(crossing_0_tex, cell, 0);
   bool mask = false;
   uint own = texelFetch(id_tex, pixel, 0).x;

@@ -3,8 +3,8 @@
 // In:  id (instance + 1, 0 = sky).  Out: ids (least, greatest). The last cells may be partial.
 
 void run(ivec2 cell) {
-  ivec2 first = cell * params.cell;
-  ivec2 end = min(first + params.cell, textureSize(id_tex, 0));
+  ivec2 first = cell * params.cell_side;
+  ivec2 end = min(first + params.cell_side, textureSize(id_tex, 0));
   uint least = 0xffffffffu, greatest = 0u;
   for (int y = first.y; y < end.y; ++y) {
     for (int x = first.x; x < end.x; ++x) {

@@ -20,8 +20,8 @@ bool counts(ivec2 pixel) {
 }
 
 void run(ivec2 cell) {
-  ivec2 first = cell * params.cell;
-  ivec2 end = min(first + params.cell, textureSize(velocity_tex, 0));
+  ivec2 first = cell * params.cell_side;
+  ivec2 end = min(first + params.cell_side, textureSize(velocity_tex, 0));
   vec4 bounds = kNoBounds;
   for (int y = first.y; y < end.y; ++y) {
     for (int x = first.x; x < end.x; ++x) {

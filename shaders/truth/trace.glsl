@@ -108,7 +108,7 @@ void run(ivec2 pixel) {
     if (is_still && told_apart) imageStore(still_img, pixel, vec4(color, whose));
   }
   if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
-#if PARAM_still_once
+#if PARAM_once_where_still
   bool reached = all(greaterThanEqual(pixel, frame.reach.xy)) && all(lessThan(pixel, frame.reach.zw));
   if (reached) addSample(pixel, color);
   else setSamples(pixel, color);

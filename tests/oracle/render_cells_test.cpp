@@ -2,6 +2,8 @@
 // Cells show what need not be looked at: how large they are must not show in the picture.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "oracle/render.h"
 
 namespace strobe::oracle {
@@ -20,13 +22,13 @@ class RenderCells : public RenderTest {
   }
   static lab::Picture celled(const lab::Shot& shot, const std::vector<std::string>& nodes, int cell) {
     std::vector<std::string> settings = {"tile=20"};
-    for (const std::string& node : nodes) settings.push_back(fmt::format("{}.cell={}", node, cell));
+    for (const std::string& node : nodes) settings.push_back(fmt::format("{}.cell_side={}", node, cell));
     return render(with(shot, "hybrid", settings));
   }
 };
 
 const std::vector<std::string> kOfMask = {"mask_bounds", "mask_ids", "mask_crossings", "mask"};
-const std::vector<std::string> kOfComposite = {"raster_bounds", "revealed_bounds", "reached", "composite"};
+const std::vector<std::string> kOfComposite = {"raster_bounds", "revealed_bounds", "motion_reach", "composite"};
 
 // Cells that divide tiles: of one that does not the candidates of several tiles are tried.
 TEST_F(RenderCells, DoNotShowInTheMask) {
@@ -56,10 +58,10 @@ TEST_F(RenderCells, DoNotShowInThePicture) {
 // By truth, which knows no cells: what is copied is at rest there.
 TEST_F(RenderCells, LeaveOutWhatNothingReaches) {
   lab::Shot shot = room("main", "close");
-  shot.taps = {"reached.moved"};
+  shot.taps = {"motion_reach.moved"};
   lab::Picture picture = render(with(shot, "hybrid", {"tile=20"}));
   shot.taps.clear();
-  const image::Image& moved = picture.frame.taps.at("reached.moved").floats;
+  const image::Image& moved = picture.frame.taps.at("motion_reach.moved").floats;
   image::Image still = colorOf(render(with(shot, "none")));
   image::Image truth = colorOf(render(with(shot, "ground_truth", {"samples=32", "mark_regions=false"})));
   int left_out = 0;

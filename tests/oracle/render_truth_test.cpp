@@ -363,7 +363,8 @@ TEST_F(RenderTruth, RasterAndRaysAgree) {
   }
 }
 
-// What nothing in motion reaches is not sampled again: the same picture, errors and regions bit for bit, for fewer rays.
+// What nothing in motion reaches is not sampled again: the same picture, errors and regions bit for bit, for fewer
+// rays.
 TEST_F(RenderTruth, SamplesOnceWhatNothingReaches) {
   lab::Shot shot;
   shot.scene = "living_room";
@@ -373,7 +374,7 @@ TEST_F(RenderTruth, SamplesOnceWhatNothingReaches) {
     SCOPED_TRACE(times);
     std::vector<std::string> settings = {"samples=9", fmt::format("times={}", times)};
     lab::Picture once = render(with(shot, "ground_truth", settings));
-    settings.push_back("truth_trace.still_once=false");
+    settings.push_back("truth_trace.once_where_still=false");
     lab::Picture always = render(with(shot, "ground_truth", settings));
     for (const char* output : {"color", "error", "inner", "hidden", "outer"})
       EXPECT_TRUE(identical(imageOf(once, output), imageOf(always, output))) << output;

@@ -262,8 +262,9 @@ TEST(Cleared, IsZeroWhenItsPassBegins) {
   EXPECT_EQ(plan.steps[1].kind, Step::Kind::ClearImage);
   EXPECT_EQ(plan.images[size_t(plan.steps[1].index)].name, "sparse.y");
   EXPECT_EQ(plan.images[size_t(plan.steps[1].index)].first, 1);
-  ASSERT_EQ(plan.steps[2].barriers.size(), 1u);
-  EXPECT_TRUE(plan.steps[2].barriers[0].src_stages & kStageTransfer);
+  uint32_t waited = 0;
+  for (const Barrier& barrier : plan.steps[2].barriers) waited |= barrier.src_stages;
+  EXPECT_TRUE(waited & kStageTransfer);
 }
 
 }  // namespace

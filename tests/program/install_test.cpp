@@ -103,7 +103,7 @@ class Completion : public Installed {
 
 TEST_F(Completion, KnowsCommandsOptionsAndChoices) {
   EXPECT_EQ(of("strobe re"), "render report ");
-  EXPECT_EQ(of("strobe bench "), "reload ");
+  EXPECT_EQ(of("strobe bench "), "reload frames slopes ");
   EXPECT_EQ(of("strobe render --an"), "--anchor --animation ");
   EXPECT_EQ(of("strobe render none --anchor c"), "close centre ");
   EXPECT_EQ(of("strobe compare --flip-curve a"), "aces ");

@@ -4,7 +4,7 @@ local pass            = require "strobe.pass"
 local pipeline        = require "strobe.pipeline"
 local mcguire2012     = require "passes.gather.mcguire2012"
 local motion_bounds   = require "passes.tile.motion_bounds"
-local reached         = require "passes.tile.reached"
+local motion_reach    = require "passes.tile.motion_reach"
 local reveal          = require "passes.scene.reveal"
 local reveal_upsample = require "passes.scene.reveal_upsample"
 local edges           = require "scripts.pipelines.lib.edges"
@@ -178,9 +178,10 @@ local function reached_cells(seen, revealed, images)
       velocity = layer.velocity, after_velocity = layer.after_velocity, valid = layer.valid, as = name,
     }.bounds
   end
-  local cells = reached {
+  local cells = motion_reach {
     bounds = bounds(seen, "raster_bounds"), behind_bounds = bounds(revealed, "revealed_bounds"),
     dominant = images.dominant, after_dominant = images.after_dominant,
+    revealed_dominant = images.revealed_dominant, revealed_after_dominant = images.revealed_after_dominant,
   }
   return { moved = cells.moved, behind = cells.behind }
 end

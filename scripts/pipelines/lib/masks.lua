@@ -6,7 +6,7 @@ local moving       = require "passes.mask.moving"
 local near_motions = require "passes.mask.near_motions"
 local range_check  = require "passes.mask.range_check"
 local relative     = require "passes.mask.relative"
-local crossings    = require "passes.mask.crossings"
+local crossing_motions = require "passes.mask.crossing_motions"
 local id_bounds    = require "passes.tile.id_bounds"
 local motion_bounds = require "passes.tile.motion_bounds"
 local edges        = require "scripts.pipelines.lib.edges"
@@ -33,7 +33,7 @@ masks["relative"] = function(_, seen)
   local near = near_motions { motions = tiles.motions(seen) }
   local bounds = motion_bounds { velocity = seen.velocity, as = "mask_bounds" }.bounds
   local ids = id_bounds { id = seen.id, as = "mask_ids" }.ids
-  local crossing = crossings {
+  local crossing = crossing_motions {
     bounds = bounds, ids = ids,
     motions_0 = near.motions_0, motions_1 = near.motions_1, motions_2 = near.motions_2, motions_3 = near.motions_3,
   }

@@ -10,8 +10,10 @@ local motions = { doc = "two displacements per tile, px over the exposure; 1e9 =
 
 return pass.compute {
   name   = "mask_crossings",
-  shader = "mask/crossings",
+  shader = "mask/crossing_motions",
   doc    = "Per cell, the displacements around it by which something behind its pixels may be uncovered",
+  fails  = "Of a cell that lies across the border of tiles the candidates of each are tried, up to eight: a pixel too many " ..
+           "may be marked.",
   size   = { of = "bounds" },
   reads  = {
     bounds    = { doc = "of the displacements of each cell, px over the exposure" },
@@ -25,7 +27,7 @@ return pass.compute {
     crossing_3 = pair "seventh and eighth",
   },
   params = {
-    cell   = blur.cell,
+    cell_side   = blur.cell_side,
     tile   = blur.tile,
     limit  = blur.limit,
     match  = path.match,

@@ -41,8 +41,8 @@ struct Cell {
 };
 
 Cell cellAt(ivec2 cell) {
-  ivec2 first = cell * params.cell;
-  return Cell(first, min(first + params.cell, ivec2(frame.size)) - 1, texelFetch(bounds_tex, cell, 0),
+  ivec2 first = cell * params.cell_side;
+  return Cell(first, min(first + params.cell_side, ivec2(frame.size)) - 1, texelFetch(bounds_tex, cell, 0),
               uvec2(texelFetch(ids_tex, cell, 0)));
 }
 
@@ -65,8 +65,8 @@ bool crossesWithin(Cell own, vec2 b, float t) {
   if (abs(t) * longestIn(from_b) < 0.5 - kSlack) return false;
   Path path = pathOf(from_b, t);
   ivec2 size = ivec2(frame.size);
-  ivec2 from = clampToImage(own.first + ivec2(floor(lowOf(path.farthest))), size) / params.cell;
-  ivec2 to = clampToImage(own.last + ivec2(ceil(highOf(path.farthest))), size) / params.cell;
+  ivec2 from = clampToImage(own.first + ivec2(floor(lowOf(path.farthest))), size) / params.cell_side;
+  ivec2 to = clampToImage(own.last + ivec2(ceil(highOf(path.farthest))), size) / params.cell_side;
   for (int y = from.y; y <= to.y; ++y) {
     for (int x = from.x; x <= to.x; ++x) {
       if (concerns(own, ivec2(x, y), from_b, b, t)) return true;

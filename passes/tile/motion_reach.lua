@@ -4,22 +4,25 @@ local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
 return pass.compute {
-  name   = "reached",
-  shader = "tile/reached",
+  name   = "motion_reach",
+  shader = "tile/motion_reach",
   doc    = "The cells that something in motion passes over within the exposure, and those where something behind shows",
+  fails  = "Never by leaving a cell out. Of a cell of many motions it takes too many around it.",
   size   = { of = "bounds" },
   reads  = {
     bounds        = { doc = "of the displacements of each cell, px over the exposure" },
     behind_bounds = { doc = "the same of what was revealed" },
     dominant      = { doc = "px over the exposure, per tile: longest displacement that comes there" },
     after_dominant = { optional = true, doc = "the same at times after the capture" },
+    revealed_dominant = { optional = true, doc = "the same of what was revealed, where dominant is of what raster saw" },
+    revealed_after_dominant = { optional = true, doc = "the same of that at times after the capture" },
   },
   writes = {
     moved  = { format = "r8_unorm", doc = "1 where something that moves is at some time, 0 where all is at rest" },
     behind = { format = "r8_unorm", doc = "1 where something revealed is at some time" },
   },
   params = {
-    cell    = blur.cell,
+    cell_side    = blur.cell_side,
     tile    = blur.tile,
     limit   = blur.limit,
     samples = blur.samples { doc = "time samples, whose distance decides how exactly places are met" },

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Per cell, whether anything that moves is there at any time of the exposure, and whether anything revealed is.
 // In:  bounds, behind_bounds (of the displacements of each cell, of what raster saw and of what was revealed);
-//      dominant, after_dominant (per tile): where nothing comes by these, nothing does.
+//      dominant, after_dominant, revealed_* (per tile): where nothing comes by these, nothing does.
 // Out: moved (1: something that moves is there at some time), behind (1: something revealed is).
 // Exact but for being too large: a cell reaches where its rectangle goes by any of its displacements, and as far around
 // as filters look for what is at a pixel: max(3/4, limit / (2 * samples)) px.
@@ -12,8 +12,8 @@ struct Cell {
 };
 
 Cell cellAt(ivec2 cell) {
-  ivec2 first = cell * params.cell;
-  return Cell(vec2(first), vec2(min(first + params.cell, ivec2(frame.size)) - 1));
+  ivec2 first = cell * params.cell_side;
+  return Cell(vec2(first), vec2(min(first + params.cell_side, ivec2(frame.size)) - 1));
 }
 
 bool isStill(vec4 bounds) { return reachFactor(frame.shutter) * longestIn(bounds) <= kStillRadius; }
@@ -34,6 +34,12 @@ float fastestAround(Cell here) {
 #if HAS_after_dominant
       fastest = max(fastest, lengthOf(vec2(texelFetch(after_dominant_tex, ivec2(x, y), 0))));
 #endif
+#if HAS_revealed_dominant
+      fastest = max(fastest, lengthOf(vec2(texelFetch(revealed_dominant_tex, ivec2(x, y), 0))));
+#endif
+#if HAS_revealed_after_dominant
+      fastest = max(fastest, lengthOf(vec2(texelFetch(revealed_after_dominant_tex, ivec2(x, y), 0))));
+#endif
     }
   }
   return fastest;
@@ -46,7 +52,7 @@ void run(ivec2 cell) {
     float limit_px = params.limit * float(frame.size.x);
     float slack_px = max(0.75, limit_px / float(2 * params.samples)) + 1.0;
     ivec2 cells = textureSize(bounds_tex, 0);
-    int around = tilesInReach(limit_px + slack_px / reachFactor(frame.shutter), params.cell, frame.shutter, cells);
+    int around = tilesInReach(limit_px + slack_px / reachFactor(frame.shutter), params.cell_side, frame.shutter, cells);
     ivec2 from = max(cell - around, ivec2(0)), to = min(cell + around, cells - 1);
     for (int y = from.y; y <= to.y; ++y) {
       for (int x = from.x; x <= to.x; ++x) {
