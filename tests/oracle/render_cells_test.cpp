@@ -43,33 +43,53 @@ TEST_F(RenderCells, DoNotShowInTheMask) {
     }
 }
 
+int countDifferent(const image::Image& a, const image::Image& b, float by) {
+  int count = 0;
+  for (int y = 0; y < a.height; ++y)
+    for (int x = 0; x < a.width; ++x) {
+      float most = 0;
+      for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(a.at(x, y, c) - b.at(x, y, c)));
+      count += most > by;
+    }
+  return count;
+}
+
 // A cell as large as the picture leaves nothing out. What is left out is copied, not added up: 8 roundings of 2^-24
-// each for 16 samples of colours up to 4.
+// each for 16 samples of colours up to 4. Single pixels beside edges at rest differ by more: a sample takes what is
+// within half the distance between two samples of its place, and that may be the pixel's neighbour where the fastest
+// motion around goes by.
 TEST_F(RenderCells, DoNotShowInThePicture) {
   for (const char* camera : {"main", "tracking"}) {
     SCOPED_TRACE(camera);
-    lab::Picture whole = celled(room(camera, "close"), kOfComposite, 1024);
-    for (int cell : {1, 10, 33})
-      EXPECT_LE(largestDifference(colorOf(celled(room(camera, "close"), kOfComposite, cell)), colorOf(whole)), 2e-6)
-          << "cells of " << cell << " px";
+    lab::Shot shot = room(camera, "close");
+    image::Image truth = colorOf(render(with(shot, "ground_truth", {"samples=64", "mark_regions=false"})));
+    image::Image whole = colorOf(celled(shot, kOfComposite, 1024));
+    for (int cell : {1, 10, 33}) {
+      SCOPED_TRACE(fmt::format("cells of {} px", cell));
+      image::Image left_out = colorOf(celled(shot, kOfComposite, cell));
+      EXPECT_LE(countDifferent(left_out, whole, 2e-6f), whole.width * whole.height / 500);
+      EXPECT_LE(rmsDifference(left_out, truth), rmsDifference(whole, truth) * 1.0001);
+    }
   }
 }
 
-// By truth, which knows no cells: what is copied is at rest there.
+// By truth, which knows no cells: what is copied is at rest there, bit for bit.
 TEST_F(RenderCells, LeaveOutWhatNothingReaches) {
   lab::Shot shot = room("main", "close");
   shot.taps = {"motion_reach.moved"};
   lab::Picture picture = render(with(shot, "hybrid", {"tile=20"}));
   shot.taps.clear();
   const image::Image& moved = picture.frame.taps.at("motion_reach.moved").floats;
-  image::Image still = colorOf(render(with(shot, "none")));
+  lab::Shot at_once = shot;
+  at_once.exposure = 0;
+  image::Image still = colorOf(render(with(at_once, "ground_truth", {"samples=1", "mark_regions=false"})));
   image::Image truth = colorOf(render(with(shot, "ground_truth", {"samples=32", "mark_regions=false"})));
   int left_out = 0;
   for (int y = 0; y < still.height; ++y)
     for (int x = 0; x < still.width; ++x) {
       if (moved.at(x / 10, y / 10, 0) > .5f) continue;
       ++left_out;
-      for (int c = 0; c < 3; ++c) ASSERT_NEAR(truth.at(x, y, c), still.at(x, y, c), 1e-5) << "pixel " << x << ", " << y;
+      for (int c = 0; c < 3; ++c) ASSERT_EQ(truth.at(x, y, c), still.at(x, y, c)) << "pixel " << x << ", " << y;
     }
   EXPECT_GT(left_out, still.width * still.height / 2);
 }

@@ -100,6 +100,8 @@ const std::map<std::string, std::string> kNoPicture = {
     {"shade.shading", "at the capture both ways of shading are the same; truth shades at other times"},
     {"ue4: gather_jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
     {"hybrid: gather_jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
+    {"mask_crossings.margin", "which of the candidates that come to nothing are tried all the same"},
+    {"truth_trace.once_where_still", "what is at rest comes out the same however often it is sampled"},
     {"truth_spread.block", "in which groups differences are added up"},
     {"truth_audit.audit", "which tiles are checked; which have all samples is decided before"},
     {"truth_audit.order", "of what a check expects"},

@@ -39,7 +39,8 @@ def captured(name):
 
 
 PASSES = ("visibility.hit", "depth", "normal", "velocity", "shade.color", "mask_tile_motions.motions", "mask", "revealed",
-          "revealed_depth", "tile_max.longest", "neighbour_max.dominant", "color")
+          "revealed_depth", "tile_max.longest", "neighbour_max.dominant",
+          "motion_reach.moved", "color")
 # Of the window: the picture between the panels, which show times.
 MIDDLE, ABOVE = (380, 254, 640, 358), (380, 88, 640, 358)
 
