@@ -6,9 +6,10 @@
 // A displacement b is left out if no walk for it (mask/relative.glsl) can end otherwise than with "no": if every cell
 // that a path -t*(d - b) from a pixel of this one may enter, d in the cell's bounds,
 //   shows this cell's only instance, or holds nothing that moves by about b and nothing that moves relative to this
-//   cell by half a pixel, for which a second walk would be made;
-// and if the path does not leave the picture. Where a silhouette ends behind an occluder the walk goes on by `limit`, so
-// paths are taken that much longer. The mask is the same bit for bit.
+//   cell by half a pixel, for which a second walk would be made.
+// Where a silhouette ends behind an occluder the walk goes on by `limit`, so paths are taken that much longer. What is
+// outside of the picture is not known and uncovers nothing. The mask is the same bit for bit.
+// Fails: a cell across the border of tiles tries the candidates of each, up to eight.
 #include "lib/bounds.glsl"
 #include "lib/motions.glsl"
 
