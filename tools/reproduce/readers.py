@@ -248,8 +248,11 @@ def shares(bench):
 
 def pass_shares(bench):
     share = shares(bench)
-    return [share[node] for node in ("shade", "visibility", "composite", "reveal", "mask", "gbuffer", "mask_tile_motions",
-                                     "mask_near_motions")] + [max(share["neighbour_max"], share["tile_max"])]
+    few = ("mask_crossings", "mask_near_motions", "mask_tile_motions")
+    least = ("mask_bounds", "mask_ids", "motion_reach", "raster_bounds", "revealed_bounds")
+    alone = ("shade", "visibility", "composite", "reveal", "gbuffer", "mask", "tile_max")
+    return [share[node] for node in alone] + [max(share[node] for node in nodes) for nodes in (few, least)] + [
+        share["neighbour_max"]]
 
 
 def tile_pass_share(bench):
