@@ -26,7 +26,7 @@ return pass.compute {
   params = {
     samples      = blur.samples { doc = "time samples" },
     tile         = blur.tile,
-    cell_side         = blur.cell_side,
+    cell_side    = blur.cell_side,
     limit        = blur.limit,
     harvest      = pass.bool { true, doc = "also try the displacements met along the dominant one" },
     jitter       = jitter.jitter,

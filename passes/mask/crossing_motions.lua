@@ -27,10 +27,10 @@ return pass.compute {
     crossing_3 = pair "seventh and eighth",
   },
   params = {
-    cell_side   = blur.cell_side,
-    tile   = blur.tile,
-    limit  = blur.limit,
-    match  = path.match,
-    margin = path.margin,
+    cell_side = blur.cell_side,
+    tile      = blur.tile,
+    limit     = blur.limit,
+    match     = path.match,
+    margin    = path.margin,
   },
 }

@@ -17,7 +17,7 @@ return pass.compute {
   writes = { bounds = { format = "rgba32f",
     doc = "least x and y, greatest x and y, px over the exposure; least above greatest where nothing counts" } },
   params = {
-    cell_side  = blur.cell_side,
-    limit = blur.limit,
+    cell_side = blur.cell_side,
+    limit     = blur.limit,
   },
 }

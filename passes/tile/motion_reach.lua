@@ -22,9 +22,9 @@ return pass.compute {
     behind = { format = "r8_unorm", doc = "1 where something revealed is at some time" },
   },
   params = {
-    cell_side    = blur.cell_side,
-    tile    = blur.tile,
-    limit   = blur.limit,
-    samples = blur.samples { doc = "time samples, whose distance decides how exactly places are met" },
+    cell_side = blur.cell_side,
+    tile      = blur.tile,
+    limit     = blur.limit,
+    samples   = blur.samples { doc = "time samples, whose distance decides how exactly places are met" },
   },
 }

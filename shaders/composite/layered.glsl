@@ -4,8 +4,10 @@
 //      what raster saw; second (per tile): another displacement found around; revealed_color, revealed_depth,
 //      revealed_velocity, revealed_valid (> 1/2) of what lies behind; revealed_dominant: where that layer has its own;
 //      after_*, revealed_after_*: the same displacements for the times after the capture, where the exposure is split
-//      there (absent: motion is linear throughout). d(Y) and the candidates are then those of the part that t_i is in.
-// Out: blurred (linear, alpha 1).
+//      there (absent: motion is linear throughout). d(Y) and the candidates are then those of the part that t_i is in;
+//      moved, behind (> 1/2, per cell): something that moves, something revealed may be at its pixels at some time
+//      (absent: everywhere).
+// Out: blurred (linear, alpha 1). Where nothing moved it is color.
 // For t_i at the midpoints (i + 1/2 + jitter)/N of the exposure: each candidate displacement g says where a surface
 //   that is at X at t_i would be now, Y = X - t_i*g. A texel Y of a layer is at X then if |Y + t_i*d(Y) - X| <=
 //   max(3/4, |g|/(2N)) (3/4 px: the rounding of Y); one that is not leads to a second guess, by its own d. The nearest
@@ -13,7 +15,7 @@
 //   mean over i is the result: weights add up to 1 by construction, order in depth and correlation of movements come
 //   out right.
 // Candidates: the tile's displacements (dominant, second, revealed), those of X in both layers, and those met in both
-//   layers at the taps X - t_i*d along d = dominant and second, and at X + t_i*d, as far as they differ by more than
+//   layers (the one behind where it may be at X) at the taps X - t_i*d along d = dominant and second, and at X + t_i*d, as far as they differ by more than
 //   half a pixel from all before; kMaxCandidates in all. Without the taps the slower of two moving surfaces is missed,
 //   without those to the other side a slower one that moves against the dominant one, without `second` one that
 //   crosses it.

@@ -5,7 +5,7 @@
 #define STROBE_BOUNDS_GLSL
 #include "lib/blur.glsl"
 
-// Of nothing: joins with any box to that box.
+// Of nothing: what is added to it is the box of that alone.
 const vec4 kNoBounds = vec4(1e30, 1e30, -1e30, -1e30);
 
 vec2 lowOf(vec4 bounds) { return vec2(bounds.x, bounds.y); }
@@ -13,8 +13,6 @@ vec2 lowOf(vec4 bounds) { return vec2(bounds.x, bounds.y); }
 vec2 highOf(vec4 bounds) { return vec2(bounds.z, bounds.w); }
 
 bool isEmpty(vec4 bounds) { return bounds.x > bounds.z; }
-
-vec4 joined(vec4 a, vec4 b) { return vec4(min(lowOf(a), lowOf(b)), max(highOf(a), highOf(b))); }
 
 // Length of the longest and of the shortest displacement that a box may hold.
 float longestIn(vec4 bounds) { return lengthOf(max(abs(lowOf(bounds)), abs(highOf(bounds)))); }

@@ -1,16 +1,16 @@
 -- SPDX-License-Identifier: MIT
 -- Which pixels to reveal something behind. Each is a function of the pipeline's parameters and what raster saw.
-local candidate    = require "passes.mask.candidate"
-local constant     = require "passes.mask.constant"
-local moving       = require "passes.mask.moving"
-local near_motions = require "passes.mask.near_motions"
-local range_check  = require "passes.mask.range_check"
-local relative     = require "passes.mask.relative"
+local candidate        = require "passes.mask.candidate"
+local constant         = require "passes.mask.constant"
 local crossing_motions = require "passes.mask.crossing_motions"
-local id_bounds    = require "passes.tile.id_bounds"
-local motion_bounds = require "passes.tile.motion_bounds"
-local edges        = require "scripts.pipelines.lib.edges"
-local tiles        = require "scripts.pipelines.lib.tiles"
+local moving           = require "passes.mask.moving"
+local near_motions     = require "passes.mask.near_motions"
+local range_check      = require "passes.mask.range_check"
+local relative         = require "passes.mask.relative"
+local id_bounds        = require "passes.tile.id_bounds"
+local motion_bounds    = require "passes.tile.motion_bounds"
+local edges            = require "scripts.pipelines.lib.edges"
+local tiles            = require "scripts.pipelines.lib.tiles"
 
 local masks = {}
 
