@@ -179,7 +179,7 @@ static std::vector<std::string> declaredNames(const Interface& in) {
 // Adds to each complaint about an unknown name what the pass declares instead.
 static std::string withDeclarations(const Interface& in, const std::string& log) {
   static const std::regex unknown("'(\\w+)' : (undeclared identifier|no matching overloaded function found)");
-  static const std::regex member("'(\\w+)' : no such field in structure");
+  static const std::regex member("'(\\w+)' : no such field in structure 'params'");
   std::string text, last_unknown_place;
   std::istringstream lines(log);
   std::vector<std::string> params;
