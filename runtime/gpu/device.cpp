@@ -183,6 +183,7 @@ DeviceInfo describe(const Dispatch& vk, VkPhysicalDevice device) {
 
   // A device older than Vulkan 1.3 does not know the structures below: everything counts as absent.
   std::vector<std::string> extensions = deviceExtensions(vk, device);
+  info.measures_memory = Loader::contains(extensions, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
   FeatureChain chain;
   if (core.apiVersion >= VK_API_VERSION_1_3) vk.GetPhysicalDeviceFeatures2(device, chain.chain(extensions));
   for (const WantedFeature& wanted : wantedFeatures())

@@ -32,6 +32,7 @@ struct DeviceInfo {
   std::string driver;  // name and version
   std::string api;     // "1.4.305"
   bool software = false;
+  bool measures_memory = false;  // says how much of it is free
   std::vector<Feature> features;
 
   bool has(const std::string& feature) const;

@@ -11,11 +11,13 @@
 namespace strobe::gpu {
 
 struct DeviceLimits {
-  uint64_t image_side = 0;           // px
-  uint64_t buffer_bytes = 0;         // that a shader may see of one buffer
-  uint64_t instances = UINT64_MAX;   // of an acceleration structure; without these any number
-  uint64_t geometries = UINT64_MAX;  // of a mesh
-  uint64_t triangles = UINT64_MAX;   // of a mesh
+  uint64_t image_side = 0;             // px
+  uint64_t buffer_bytes = 0;           // of a buffer that a shader sees as bound
+  uint64_t array_bytes = UINT64_MAX;   // of a buffer that it reads by address
+  uint64_t memory_bytes = UINT64_MAX;  // free on the device, measured; its size where the device does not say
+  uint64_t instances = UINT64_MAX;     // of an acceleration structure; without these any number
+  uint64_t geometries = UINT64_MAX;    // of a mesh
+  uint64_t triangles = UINT64_MAX;     // of a mesh
 };
 
 DeviceLimits limitsOf(const Device& device);
@@ -32,10 +34,14 @@ inline constexpr Limit kGeometryLimit{"geometries", Limit::Kind::Refused,
 inline constexpr Limit kBufferLimit{
     "buffers", Limit::Kind::Refused, "a scene's buffer is larger than what a shader may see of one",
     "nothing is drawn; take fewer vertices or instances, fewer `slices` of truth, or another device"};
+inline constexpr Limit kMemoryLimit{
+    "memory", Limit::Kind::Refused, "a scene takes more memory than the device has free",
+    "nothing is drawn; end other programs, take fewer vertices or smaller textures, or another device"};
 inline constexpr Limit kImageLimit{"images", Limit::Kind::Refused,
                                    "a picture or texture is larger than the device's images",
                                    "nothing is drawn; take a smaller one"};
 
-inline constexpr std::array kLimits = {kInstanceLimit, kTriangleLimit, kGeometryLimit, kBufferLimit, kImageLimit};
+inline constexpr std::array kLimits = {kInstanceLimit, kTriangleLimit, kGeometryLimit,
+                                       kBufferLimit,   kMemoryLimit,   kImageLimit};
 
 }  // namespace strobe::gpu

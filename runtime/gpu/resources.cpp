@@ -67,16 +67,42 @@ Buffer::Buffer(const Device& device, const std::string& name, size_t size, VkBuf
   address_ = device.vk().GetBufferDeviceAddress(device.handle(), &address);
 }
 
+static constexpr size_t kUploadPart = size_t{16} << 20;
+
+Upload::Upload(const Device& device, const std::string& name, size_t size, VkBufferUsageFlags usage)
+    : device_(device),
+      buffer_(device, name, size, usage, Buffer::Memory::Device),
+      staging_(device, name + ".staging", std::min(size, kUploadPart), 0, Buffer::Memory::Host) {}
+
+void Upload::append(const void* data, size_t size) {
+  for (size_t at = 0; at < size;) {
+    if (held_ == staging_.size()) flush();
+    const size_t part = std::min(size - at, staging_.size() - held_);
+    std::memcpy(static_cast<char*>(staging_.mapped()) + held_, static_cast<const char*>(data) + at, part);
+    held_ += part, at += part;
+  }
+}
+
+void Upload::flush() {
+  STROBE_ASSERT(done_ + held_ <= buffer_.size(), "{} bytes into {}", done_ + held_, buffer_.size());
+  if (held_ == 0) return;
+  device_.submit([this](VkCommandBuffer commands) {
+    VkBufferCopy copy{0, done_, held_};
+    device_.vk().CmdCopyBuffer(commands, staging_.handle(), buffer_.handle(), 1, &copy);
+  });
+  done_ += std::exchange(held_, 0);
+}
+
+Buffer Upload::finish() {
+  flush();
+  return std::move(buffer_);
+}
+
 Buffer uploadBuffer(const Device& device, const std::string& name, const void* data, size_t size,
                     VkBufferUsageFlags usage) {
-  Buffer staging(device, name + ".staging", size, 0, Buffer::Memory::Host);
-  if (size > 0) std::memcpy(staging.mapped(), data, size);
-  Buffer buffer(device, name, size, usage, Buffer::Memory::Device);
-  device.submit([&](VkCommandBuffer commands) {
-    VkBufferCopy copy{0, 0, staging.size()};
-    device.vk().CmdCopyBuffer(commands, staging.handle(), buffer.handle(), 1, &copy);
-  });
-  return buffer;
+  Upload upload(device, name, size, usage);
+  upload.append(data, size);
+  return upload.finish();
 }
 
 Image::Image(const Device& device, const std::string& name, const ImageDesc& desc) : desc_(desc) {

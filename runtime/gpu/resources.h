@@ -2,6 +2,7 @@
 // Buffers, images and samplers as move-only types; each is named at birth, and the name shows in validation messages.
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -89,6 +90,34 @@ class Buffer {
   size_t size_ = 0;
   VkDeviceAddress address_ = 0;
   void* mapped_ = nullptr;
+};
+
+// Fills a device-local buffer from its beginning, a part at a time: little more than the buffer itself is held.
+class Upload {
+ public:
+  // `size` in bytes, of the whole buffer.
+  Upload(const Device& device, const std::string& name, size_t size, VkBufferUsageFlags usage);
+
+  void append(const void* data, size_t size);
+  // `count` items, each as `item` gives it for its index from 0.
+  template <class T, class Item>
+  void append(size_t count, const Item& item) {
+    for (size_t i = 0; i < count;) {
+      if (staging_.size() - held_ < sizeof(T)) flush();
+      T* to = reinterpret_cast<T*>(static_cast<char*>(staging_.mapped()) + held_);
+      const size_t most = std::min(count - i, (staging_.size() - held_) / sizeof(T));
+      held_ += most * sizeof(T);
+      for (size_t end = i + most; i < end; ++i, ++to) *to = item(i);
+    }
+  }
+  // The buffer, once all is copied; what was not appended is undefined.
+  Buffer finish();
+
+ private:
+  void flush();
+  const Device& device_;
+  Buffer buffer_, staging_;
+  size_t done_ = 0, held_ = 0;  // bytes: copied, waiting in the staging buffer
 };
 
 // A device-local buffer holding `size` bytes from `data`; waits for the copy.

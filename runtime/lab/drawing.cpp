@@ -226,7 +226,7 @@ Picture Drawing::capture(const Shot& shot, const std::set<std::string>* outputs,
   if (id_coverage) picture.id_coverage = std::move(seen);
   double done_s = clockSeconds();
   describe(bench_.home(), picture, *this, shot, setup, bench_.device().info());
-  picture.timings = makeTimings(picture.frame, bench_.device().info(), ready_s - started_s, done_s - ready_s);
+  picture.timings = makeTimings(picture.frame, bench_.device().info(), *held(), ready_s - started_s, done_s - ready_s);
   return picture;
 }
 

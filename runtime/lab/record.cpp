@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lab/record.h"
 
+#include <sys/resource.h>
+
 #include <map>
 
 #include "base/hash.h"
@@ -79,15 +81,24 @@ std::string attributionOf(const Json& record) {
   return beside.substr(0, beside.find('\n'));
 }
 
-Json makeTimings(const graph::FrameResult& frame, const gpu::DeviceInfo& device, double prepare_s, double draw_s) {
+static uint64_t peakMemory() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return uint64_t(usage.ru_maxrss) << 10;
+}
+
+Json makeTimings(const graph::FrameResult& frame, const gpu::DeviceInfo& device, const HeldScene& scene,
+                 double prepare_s, double draw_s) {
   Json json;
   json["device"] = device.name;
   json["note"] = device.software
                      ? "software device: not comparable with a GPU; each step is submitted and waited for on its own"
                      : "one frame, clocks not locked";
+  json["load_s"] = {{"read", scene.loaded.read_s}, {"sort", scene.loaded.order_s}, {"device", scene.device_s}};
   json["prepare_s"] = prepare_s;
   json["draw_s"] = draw_s;
   json["gpu_ms"] = frame.gpu_ms;
+  json["peak_memory_bytes"] = peakMemory();
   for (const auto& step : frame.times)
     json["passes"].push_back({{"node", step.name}, {"gpu_ms", step.gpu_ms}, {"executions", step.executions}});
   return json;

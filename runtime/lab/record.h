@@ -15,8 +15,10 @@ struct RecordContext {
 
 Json makeRecord(const RecordContext& context, const graph::FrameResult& frame);
 
-// Milliseconds per pass and for the frame (GPU), seconds of preparation and drawing (wall clock).
-Json makeTimings(const graph::FrameResult& frame, const gpu::DeviceInfo& device, double prepare_s, double draw_s);
+// Milliseconds per pass and for the frame (GPU), seconds (wall clock) of loading the scene, of preparation and of
+// drawing, and the most memory that the process has held so far.
+Json makeTimings(const graph::FrameResult& frame, const gpu::DeviceInfo& device, const HeldScene& scene,
+                 double prepare_s, double draw_s);
 
 // What the scene of a record says of its author: its copyright, else the first line of the text beside it; or "".
 std::string attributionOf(const Json& record);

@@ -372,7 +372,9 @@ std::string limitsPage(const std::vector<PassDesc>& passes) {
       "## Of passes\n\nCounted per pixel (or as said) while the picture is made. Declared in the pass, beside its "
       "counters.\n\n" +
       limitsOfPasses(passes);
-  text += "## Of the program\n\nDeclared in `limits.h` of `runtime/gpu`, `runtime/scene` and `runtime/lab`.\n\n";
+  text +=
+      "## Of the program\n\nDeclared in `limits.h` of `runtime/gpu`, `runtime/scene`, `runtime/world` and "
+      "`runtime/lab`.\n\n";
   text += "### With a warning\n\n" + limitsOfProgram(Limit::Kind::Warned);
   text += "### Refused, before anything is allocated\n\n" + limitsOfProgram(Limit::Kind::Refused);
   text += "### Not reported, since nearly every picture meets them or they cannot be detected\n\n" +

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/hash.h"
+#include "base/log.h"
 #include "lab/drawing.h"
 #include "lab/shot_options.h"
 #include "scene/defaults.h"
@@ -12,6 +13,7 @@
 #include "scene/json_scene.h"
 #include "scene/motion.h"
 #include "scene/tree_order.h"
+#include "world/fits.h"
 
 namespace strobe::lab {
 
@@ -49,6 +51,7 @@ static std::string shownBeside(const std::string& scene, const Path& file) {
 
 LoadedScene loadScene(const Home& home, Shot& shot) {
   LoadedScene loaded;
+  const double started_s = clockSeconds();
   if (isGltf(shot.scene)) {
     for (const auto& [name, value] : shot.sets)
       if (name.starts_with("scene."))
@@ -72,17 +75,25 @@ LoadedScene loadScene(const Home& home, Shot& shot) {
   scene::supplyDefaults(loaded.scene, shot.camera);
   loaded.hash = hashText(loaded.description.dump());
   loaded.bytes = bytesOf(loaded.scene);
+  const double read_s = clockSeconds();
   scene::orderTriangles(loaded.scene);
+  loaded.read_s = read_s - started_s;
+  loaded.order_s = clockSeconds() - read_s;
   return loaded;
 }
 
 // A copy is as large as the scene: a dragged slider that asks for one number after the other must not leave them all.
 std::shared_ptr<world::GpuScene> HeldScene::onDevice(const gpu::Device& device, uint32_t slices,
                                                      shader::StructureKind structures) {
-  const bool own = structures == shader::StructureKind::Own;
-  if (own && !trees) trees = std::make_unique<world::MeshTrees>(world::buildMeshTrees(loaded.scene));
   std::shared_ptr<world::GpuScene>& held = on_device[{slices, structures}];
-  if (!held) held = std::make_shared<world::GpuScene>(device, loaded.scene, slices, own ? trees.get() : nullptr);
+  if (!held) {
+    const double started_s = clockSeconds();
+    if (!meshes) world::requireMemory(loaded.scene, structures, gpu::limitsOf(device));
+    world::requireFits(loaded.scene, slices, gpu::limitsOf(device));
+    if (!meshes) meshes = std::make_shared<world::SceneMeshes>(device, loaded.scene);
+    held = std::make_shared<world::GpuScene>(device, loaded.scene, slices, meshes, structures);
+    if (device_s == 0) device_s = clockSeconds() - started_s;
+  }
   std::shared_ptr<world::GpuScene> copy = held;
   for (auto it = on_device.begin(); it != on_device.end() && on_device.size() > 2;)
     it = it->second.use_count() == 1 ? on_device.erase(it) : std::next(it);

@@ -19,9 +19,10 @@ namespace strobe::lab {
 // A scene with the moves of a shot applied and what it lacked supplied.
 struct LoadedScene {
   scene::Scene scene;
-  Json description;    // what identifies it: the Lua data, or the name and hash of the file
-  std::string hash;    // of the description
-  uint64_t bytes = 0;  // of meshes and textures
+  Json description;                // what identifies it: the Lua data, or the name and hash of the file
+  std::string hash;                // of the description
+  uint64_t bytes = 0;              // of meshes and textures
+  double read_s = 0, order_s = 0;  // what it took to read it, to order its triangles
   std::vector<script::Dependency> dependencies;
 };
 
@@ -35,7 +36,8 @@ LoadedScene loadScene(const Home& home, Shot& shot);
 // them. A copy must not outlive it.
 struct HeldScene {
   LoadedScene loaded;
-  std::unique_ptr<world::MeshTrees> trees;  // once a copy needs them
+  std::shared_ptr<world::SceneMeshes> meshes;  // of all copies
+  double device_s = 0;                         // what it took to bring it to the device, the first time
   std::map<std::pair<uint32_t, shader::StructureKind>, std::shared_ptr<world::GpuScene>> on_device;
 
   // The copy for so many poses, made unless it is there. Copies that are not in use go, but for one.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <future>
 #include <thread>
 
@@ -26,15 +28,27 @@ struct Item {
   float twiceMiddle(int axis) const { return low[size_t(axis)] + high[size_t(axis)]; }
 };
 
-double costOf(const Item* begin, const Item* end) {
-  std::array<float, 3> low = begin->low, high = begin->high;
-  for (const Item* item = begin + 1; item < end; ++item)
+struct Sides {
+  std::array<float, 3> low = {HUGE_VALF, HUGE_VALF, HUGE_VALF}, high = {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
+  size_t count = 0;
+  void add(const Item& item) {
     for (size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], item->low[axis]);
-      high[axis] = std::max(high[axis], item->high[axis]);
+      low[axis] = std::min(low[axis], item.low[axis]);
+      high[axis] = std::max(high[axis], item.high[axis]);
     }
-  double x = double(high[0]) - low[0], y = double(high[1]) - low[1], z = double(high[2]) - low[2];
-  return (x * y + y * z + z * x) * double(end - begin);
+    ++count;
+  }
+  double cost() const {
+    double x = double(high[0]) - low[0], y = double(high[1]) - low[1], z = double(high[2]) - low[2];
+    return (x * y + y * z + z * x) * double(count);
+  }
+};
+
+// Numbers in the order of an item's place along an axis, ties by index.
+uint64_t placeOf(const Item& item, int axis) {
+  const uint32_t bits = std::bit_cast<uint32_t>(item.twiceMiddle(axis) + 0.0f);  // no -0
+  const uint32_t ordered = bits & 0x80000000u ? ~bits : bits | 0x80000000u;
+  return uint64_t(ordered) << 32 | item.index;
 }
 
 class Halving {
@@ -43,40 +57,49 @@ class Halving {
 
   // Which items a list has is decided before its halves are looked at: any number of threads leaves the same order.
   void order(size_t begin, size_t end, unsigned threads) {
-    if (end - begin < 2) return;
-    size_t middle = begin + halfOf(end - begin);
-    // What lies in this list of the group that its middle falls into.
-    size_t group = size_t(std::upper_bound(ends_.begin(), ends_.end(), middle - 1) - ends_.begin());
-    size_t first = std::max(begin, group == 0 ? 0 : ends_[group - 1]), last = std::min(end, ends_[group]);
-    if (middle < last) halve(first, middle, last);
-    std::future<void> left;
-    if (threads > 1 && end - begin > kWorthAThread)
-      left = std::async(std::launch::async, [=, this] { order(begin, middle, threads / 2); });
-    else order(begin, middle, 1);
-    order(middle, end, threads - threads / 2);
-    if (left.valid()) left.get();
+    std::vector<uint64_t> places(end - begin);
+    order(begin, end, threads, places);
   }
 
  private:
   static constexpr size_t kWorthAThread = 10000;
 
-  void halve(size_t first, size_t middle, size_t last) {
-    auto at = [this](size_t i) { return items_.begin() + std::ptrdiff_t(i); };
-    auto halveOn = [&](int axis) {
-      std::nth_element(at(first), at(middle), at(last), [axis](const Item& a, const Item& b) {
-        float left = a.twiceMiddle(axis), right = b.twiceMiddle(axis);
-        return left < right || (left == right && a.index < b.index);
-      });
-    };
+  void order(size_t begin, size_t end, unsigned threads, std::vector<uint64_t>& places) {
+    if (end - begin < 2) return;
+    size_t middle = begin + halfOf(end - begin);
+    // What lies in this list of the group that its middle falls into.
+    size_t group = size_t(std::upper_bound(ends_.begin(), ends_.end(), middle - 1) - ends_.begin());
+    size_t first = std::max(begin, group == 0 ? 0 : ends_[group - 1]), last = std::min(end, ends_[group]);
+    if (middle < last) halve(first, middle, last, places);
+    std::future<void> left;
+    if (threads > 1 && end - begin > kWorthAThread)
+      left = std::async(std::launch::async, [=, this] { order(begin, middle, threads / 2); });
+    else order(begin, middle, 1, places);
+    order(middle, end, threads - threads / 2, places);
+    if (left.valid()) left.get();
+  }
+
+  // The place that the first item of the second half has. `places` is room for one of each item.
+  uint64_t middlePlace(size_t first, size_t middle, size_t last, int axis, std::vector<uint64_t>& places) const {
+    for (size_t i = first; i < last; ++i) places[i - first] = placeOf(items_[i], axis);
+    auto begin = places.begin(), at = begin + std::ptrdiff_t(middle - first);
+    std::nth_element(begin, at, begin + std::ptrdiff_t(last - first));
+    return *at;
+  }
+
+  void halve(size_t first, size_t middle, size_t last, std::vector<uint64_t>& places) {
     double best = 0;
     int best_axis = -1;
+    uint64_t best_place = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      halveOn(axis);
-      const Item* items = items_.data();
-      double cost = costOf(items + first, items + middle) + costOf(items + middle, items + last);
-      if (best_axis < 0 || cost < best) best = cost, best_axis = axis;
+      const uint64_t place = middlePlace(first, middle, last, axis, places);
+      std::array<Sides, 2> sides;
+      for (size_t i = first; i < last; ++i) sides[placeOf(items_[i], axis) >= place].add(items_[i]);
+      const double cost = sides[0].cost() + sides[1].cost();
+      if (best_axis < 0 || cost < best) best = cost, best_axis = axis, best_place = place;
     }
-    if (best_axis != 2) halveOn(best_axis);
+    std::partition(items_.begin() + std::ptrdiff_t(first), items_.begin() + std::ptrdiff_t(last),
+                   [&](const Item& item) { return placeOf(item, best_axis) < best_place; });
   }
 
   std::vector<Item>& items_;
@@ -112,18 +135,40 @@ std::vector<Bounds> trianglesOf(const Mesh& mesh, bool as_given = false) {
 
 }  // namespace
 
-std::vector<uint32_t> treeOrder(const std::vector<Bounds>& boxes, const std::vector<size_t>& ends) {
-  std::vector<Item> items(boxes.size());
-  for (size_t i = 0; i < boxes.size(); ++i) {
-    Bounds box = boxes[i].empty() ? Bounds{dvec3(0), dvec3(0)} : boxes[i];
-    items[i].index = uint32_t(i);
-    for (int axis = 0; axis < 3; ++axis)
-      items[i].low[size_t(axis)] = float(box.low[axis]), items[i].high[size_t(axis)] = float(box.high[axis]);
-  }
+static Item itemOf(const Bounds& bounds, size_t index) {
+  const Bounds box = bounds.empty() ? Bounds{dvec3(0), dvec3(0)} : bounds;
+  Item item;
+  item.index = uint32_t(index);
+  for (int axis = 0; axis < 3; ++axis)
+    item.low[size_t(axis)] = float(box.low[axis]), item.high[size_t(axis)] = float(box.high[axis]);
+  return item;
+}
+
+static void orderItems(std::vector<Item>& items, const std::vector<size_t>& ends) {
   Halving(items, ends).order(0, items.size(), std::max(1u, std::thread::hardware_concurrency()));
+}
+
+std::vector<uint32_t> treeOrder(const std::vector<Bounds>& boxes, const std::vector<size_t>& ends) {
+  std::vector<Item> items;
+  for (const Bounds& box : boxes) items.push_back(itemOf(box, items.size()));
+  orderItems(items, ends);
   std::vector<uint32_t> order;
   for (const Item& item : items) order.push_back(item.index);
   return order;
+}
+
+// Boxes of the triangles of a mesh, numbered across its geometries.
+static std::vector<Item> itemsOf(const Mesh& mesh, size_t count) {
+  std::vector<Item> items;
+  items.reserve(count);
+  for (const Geometry& geometry : mesh.geometries)
+    for (size_t i = 0; i + 2 < geometry.indices.size(); i += 3) {
+      Bounds box;
+      for (size_t corner = 0; corner < 3; ++corner)
+        box.add(dvec3(geometry.vertices[geometry.indices[i + corner]].position));
+      items.push_back(itemOf(box, items.size()));
+    }
+  return items;
 }
 
 void orderTriangles(Scene& scene) {
@@ -132,13 +177,16 @@ void orderTriangles(Scene& scene) {
     std::vector<size_t> ends;
     size_t count = 0;
     for (const Geometry& geometry : mesh.geometries) ends.push_back(count += geometry.indices.size() / 3);
-    const std::vector<uint32_t> order = treeOrder(trianglesOf(mesh), ends);
+    std::vector<Item> items = itemsOf(mesh, count);
+    orderItems(items, ends);
     size_t at = 0;
     for (Geometry& geometry : mesh.geometries) {
       const size_t first = at, triangles = geometry.indices.size() / 3;
       std::vector<uint32_t> indices;
+      indices.reserve(geometry.indices.size());
+      geometry.source.reserve(triangles);
       for (size_t i = 0; i < triangles; ++i) {
-        size_t source = order[at++] - first;
+        size_t source = items[at++].index - first;
         geometry.source.push_back(uint32_t(source));
         indices.insert(indices.end(), geometry.indices.begin() + long(3 * source),
                        geometry.indices.begin() + long(3 * source + 3));

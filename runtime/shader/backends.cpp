@@ -33,7 +33,7 @@ const std::vector<BackendRow>& backends() {
        false,
        true,
        "STROBE_BACKEND_BVH",
-       {"GL_EXT_buffer_reference"}},
+       {}},
   };
   return rows;
 }

@@ -10,7 +10,7 @@ namespace strobe::shader {
 
 static std::string header(const Interface& in) {
   std::string text = "#version 460\n";
-  for (const char* extension : {"GL_EXT_scalar_block_layout", "GL_EXT_nonuniform_qualifier",
+  for (const char* extension : {"GL_EXT_scalar_block_layout", "GL_EXT_nonuniform_qualifier", "GL_EXT_buffer_reference",
                                 "GL_GOOGLE_include_directive", "GL_EXT_control_flow_attributes"})
     text += fmt::format("#extension {} : require\n", extension);
   if (in.backend != Backend::None) {

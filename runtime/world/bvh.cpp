@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -22,128 +23,57 @@ double halfArea(const Box& box) {
   return x < 0 ? 0 : x * y + y * z + z * x;
 }
 
-struct Item {
-  Box box;
-  uint32_t index;
-  float twiceMiddle(int axis) const { return box.low[axis] + box.high[axis]; }
-};
-
-// A node of two children: the left one is the next in the list.
-struct Binary {
-  Box box;
-  uint32_t begin = 0, end = 0;  // items
-  uint32_t right = 0;           // 0: a leaf
-};
-
 struct Split {
   double cost = HUGE_VAL;  // of both sides, as areas times boxes
   int axis = -1;
   uint32_t bin = 0;  // the first on the right
 };
 
-class Builder {
- public:
-  Builder(std::vector<Item>& items, const BvhOptions& options) : items_(items), options_(options) {
-    binaries_.resize(items.empty() ? 0 : 2 * items.size() - 1);
+float twiceMiddle(const BvhItem& item, int axis) { return item.box.low[axis] + item.box.high[axis]; }
+
+// A box that is widened fast; the fourth numbers mean nothing.
+struct WideBox {
+  using Four = float __attribute__((vector_size(16)));
+  Four low = {HUGE_VALF, HUGE_VALF, HUGE_VALF}, high = {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
+  void add(const Four& other_low, const Four& other_high) {
+    low = other_low < low ? other_low : low;
+    high = other_high > high ? other_high : high;
   }
+  void add(const WideBox& other) { add(other.low, other.high); }
+  Box box() const { return {vec3(low[0], low[1], low[2]), vec3(high[0], high[1], high[2])}; }
 
-  // The subtree over [begin, end) has the places from `at` on, two for each item less one: so children of any list are
-  // where they are, whichever thread builds them.
-  void build(uint32_t begin, uint32_t end, uint32_t at, int depth, unsigned threads) {
-    Binary& node = binaries_[at];
-    node.begin = begin, node.end = end;
-    Box middles;
-    for (uint32_t i = begin; i < end; ++i) {
-      const Item& item = items_[i];
-      node.box.add(item.box);
-      middles.add(vec3(item.twiceMiddle(0), item.twiceMiddle(1), item.twiceMiddle(2)));
-    }
-    uint32_t count = end - begin;
-    if (count == 1) return;
-    Split split = bestSplit(begin, end, middles);
-    double area = halfArea(node.box);
-    if (count <= options_.leaf_boxes && !(kNodeCost * area + kBoxCost * split.cost < kBoxCost * area * count)) return;
-    // Where halves alone keep the tree as low as it has to be, or nothing tells boxes apart, halves it is.
-    bool deep = depth + int(std::bit_width(count - 1)) >= options_.depth;
-    uint32_t middle = deep || split.axis < 0 ? halve(begin, end, middles) : partition(begin, end, middles, split);
-    node.right = at + 2 * (middle - begin);
-    uint32_t right = node.right;
-    std::future<void> left;
-    if (threads > 1 && count > kWorthAThread)
-      left = std::async(std::launch::async, [=, this] { build(begin, middle, at + 1, depth + 1, threads / 2); });
-    else build(begin, middle, at + 1, depth + 1, 1);
-    build(middle, end, right, depth + 1, threads - threads / 2);
-    if (left.valid()) left.get();
+  static WideBox of(const BvhItem& item) {
+    WideBox box;
+    static_assert(sizeof item == 28 && sizeof box.low == 16);
+    std::memcpy(&box.low, &item.box.low, sizeof box.low);
+    std::memcpy(&box.high, &item.box.high, sizeof box.high);
+    return box;
   }
+};
 
-  const std::vector<Binary>& binaries() const { return binaries_; }
+struct Binning {
+  static constexpr uint32_t kBins = 32;
+  float low, scale;
+  Binning(const Box& middles, int axis) : low(middles.low[axis]) {
+    float extent = middles.high[axis] - low;
+    scale = extent > 0 ? float(kBins) * (1 - 1e-6f) / extent : 0;
+    if (!std::isfinite(scale)) scale = 0;
+  }
+  uint32_t of(float twice_middle) const { return std::min(uint32_t((twice_middle - low) * scale), kBins - 1); }
+};
 
- private:
-  static constexpr uint32_t kBins = 32, kWorthAThread = 10000;
-
-  struct Binning {
-    float low, scale;
-    Binning(const Box& middles, int axis) : low(middles.low[axis]) {
-      float extent = middles.high[axis] - low;
-      scale = extent > 0 ? float(kBins) * (1 - 1e-6f) / extent : 0;
-      if (!std::isfinite(scale)) scale = 0;
-    }
-    uint32_t of(float twice_middle) const { return std::min(uint32_t((twice_middle - low) * scale), kBins - 1); }
-  };
-
-  Split bestSplit(uint32_t begin, uint32_t end, const Box& middles) const {
-    Split best;
-    for (int axis = 0; axis < 3; ++axis) {
-      Binning binning(middles, axis);
-      if (binning.scale == 0) continue;
-      std::array<Box, kBins> boxes;
-      std::array<uint32_t, kBins> counts{};
-      for (uint32_t i = begin; i < end; ++i) {
-        uint32_t bin = binning.of(items_[i].twiceMiddle(axis));
-        boxes[bin].add(items_[i].box);
-        ++counts[bin];
+// Boxes by where their middles are along each axis.
+struct Bins {
+  static constexpr uint32_t kBins = Binning::kBins;
+  std::array<std::array<WideBox, kBins>, 3> boxes;
+  std::array<std::array<uint32_t, kBins>, 3> counts{};
+  void add(const Bins& other) {
+    for (size_t axis = 0; axis < 3; ++axis)
+      for (uint32_t bin = 0; bin < kBins; ++bin) {
+        boxes[axis][bin].add(other.boxes[axis][bin]);
+        counts[axis][bin] += other.counts[axis][bin];
       }
-      std::array<double, kBins> left{};
-      Box box;
-      uint32_t count = 0;
-      for (uint32_t bin = 0; bin + 1 < kBins; ++bin) {
-        box.add(boxes[bin]);
-        count += counts[bin];
-        left[bin + 1] = halfArea(box) * count;
-      }
-      box = Box(), count = 0;
-      for (uint32_t bin = kBins - 1; bin > 0; --bin) {
-        box.add(boxes[bin]);
-        count += counts[bin];
-        double cost = left[bin] + halfArea(box) * count;
-        if (count > 0 && count < end - begin && cost < best.cost) best = {cost, axis, bin};
-      }
-    }
-    return best;
   }
-
-  uint32_t partition(uint32_t begin, uint32_t end, const Box& middles, const Split& split) {
-    Binning binning(middles, split.axis);
-    auto is_left = [&](const Item& item) { return binning.of(item.twiceMiddle(split.axis)) < split.bin; };
-    return uint32_t(std::stable_partition(at(begin), at(end), is_left) - items_.begin());
-  }
-
-  uint32_t halve(uint32_t begin, uint32_t end, const Box& middles) {
-    vec3 extent = middles.high - middles.low;
-    int axis = extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
-    uint32_t middle = begin + (end - begin) / 2;
-    std::nth_element(at(begin), at(middle), at(end), [axis](const Item& a, const Item& b) {
-      float left = a.twiceMiddle(axis), right = b.twiceMiddle(axis);
-      return left < right || (left == right && a.index < b.index);
-    });
-    return middle;
-  }
-
-  std::vector<Item>::iterator at(uint32_t i) { return items_.begin() + std::ptrdiff_t(i); }
-
-  std::vector<Item>& items_;
-  BvhOptions options_;
-  std::vector<Binary> binaries_;
 };
 
 // One byte of a plane, rounded away from what is inside.
@@ -152,50 +82,260 @@ uint32_t plane(double distance, double step, bool up) {
   return uint32_t(std::clamp(steps, 0.0, 255.0));
 }
 
-// Joins nodes of two children to nodes of four.
-class Joiner {
- public:
-  Joiner(const std::vector<Binary>& binaries, const std::vector<Item>& items, const BvhOptions& options)
-      : binaries_(binaries), items_(items), options_(options) {}
+// Items that one node of two children or one leaf is over.
+struct Part {
+  uint32_t begin = 0, end = 0;
+  int depth = 0;
+  Box box, middles;  // around the items, and around twice their middles
+  Split split;
+  bool leaf = false;
+  uint32_t count() const { return end - begin; }
+};
 
-  // Appends the node and what is below it.
-  uint32_t join(uint32_t root) {
+struct Subtree {
+  std::vector<shared::BvhNode> nodes;  // children are numbered within it
+  double cost = 0;                     // as areas
+};
+
+// Splits parts in two by the heuristic and joins two levels each to nodes of four children.
+class Builder {
+ public:
+  Builder(std::vector<BvhItem>& items, const BvhOptions& options)
+      : items_(items), options_(options), spare_threads_(int(std::max(1u, std::thread::hardware_concurrency())) - 1) {}
+
+  Part examined(uint32_t begin, uint32_t end, int depth) {
+    Part part{begin, end, depth, {}, {}, {}, false};
+    measure(part);
+    const uint32_t count = part.count();
+    part.leaf = count == 1;
+    if (part.leaf) return part;
+    part.split = count <= kFew ? bestSplitOfFew(part) : bestSplit(part);
+    const double area = halfArea(part.box);
+    part.leaf =
+        count <= options_.leaf_boxes && !(kNodeCost * area + kBoxCost * part.split.cost < kBoxCost * area * count);
+    return part;
+  }
+
+  // Appends the node over a part and what is below it.
+  uint32_t append(const Part& root, Subtree& tree) {
+    std::array<Part, 4> children = {root};
+    size_t count = 1;
     // The largest is opened first: a line meets it most likely.
-    std::vector<uint32_t> children = {root};
-    while (children.size() < 4) {
-      auto larger = [this](uint32_t a, uint32_t b) { return worth(a) < worth(b); };
-      auto largest = std::max_element(children.begin(), children.end(), larger);
-      if (binaries_[*largest].right == 0) break;
-      uint32_t opened = *largest;
-      *largest = opened + 1;
-      children.insert(largest + 1, binaries_[opened].right);
+    while (count < 4) {
+      auto larger = [](const Part& a, const Part& b) { return worth(a) < worth(b); };
+      auto largest = std::max_element(children.begin(), children.begin() + count, larger);
+      if (largest->leaf) break;
+      tree.cost += kNodeCost * halfArea(largest->box);
+      auto [left, right] = opened(*largest);
+      std::move_backward(largest + 1, children.begin() + count, children.begin() + count + 1);
+      *largest = left, *(largest + 1) = right;
+      ++count;
     }
-    uint32_t index = uint32_t(nodes.size());
-    nodes.push_back(nodeOf(children));
-    for (size_t c = 0; c < children.size(); ++c) {
-      const Binary& child = binaries_[children[c]];
-      uint32_t reference = child.right == 0 ? leafOf(child) : join(children[c]);
-      nodes[index].children[c] = reference;
-    }
+    const uint32_t index = uint32_t(tree.nodes.size());
+    tree.nodes.push_back(nodeOf(children, count));
+    if (root.count() > kWorthAThread) appendApart(children, count, index, tree);
+    else
+      for (size_t c = 0; c < count; ++c) {
+        const uint32_t reference = children[c].leaf ? leafOf(children[c], tree) : append(children[c], tree);
+        tree.nodes[index].children[c] = reference;
+      }
     return index;
   }
 
-  std::vector<shared::BvhNode> nodes;
-
  private:
-  double worth(uint32_t binary) const { return binaries_[binary].right == 0 ? -1 : halfArea(binaries_[binary].box); }
+  static constexpr uint32_t kFew = 12, kWorthAThread = 50000;
 
-  uint32_t leafOf(const Binary& leaf) const {
-    if (options_.leaf_boxes == 1) return BVH_LEAF | items_[leaf.begin].index;
-    return BVH_LEAF | (leaf.end - leaf.begin - 1) << BVH_LEAF_COUNT | leaf.begin;
+  // Another thread for a task, if there is one; threads change nothing in the tree.
+  template <class Task>
+  auto started(const Task& task) {
+    std::future<decltype(task())> future;
+    if (spare_threads_.fetch_sub(1) > 0)
+      future = std::async(std::launch::async, [this, task] {
+        auto result = task();
+        spare_threads_.fetch_add(1);
+        return result;
+      });
+    else spare_threads_.fetch_add(1);
+    return future;
   }
 
-  shared::BvhNode nodeOf(const std::vector<uint32_t>& children) const {
+  // The children as trees of their own, one behind the other.
+  void appendApart(const std::array<Part, 4>& children, size_t count, uint32_t index, Subtree& tree) {
+    std::array<std::future<Subtree>, 4> futures;
+    std::array<Subtree, 4> apart;
+    auto below = [this](const Part& part) {
+      Subtree subtree;
+      append(part, subtree);
+      return subtree;
+    };
+    for (size_t c = 0; c < count; ++c)
+      if (!children[c].leaf) {
+        futures[c] = started([below, part = children[c]] { return below(part); });
+        if (!futures[c].valid()) apart[c] = below(children[c]);
+      }
+    size_t nodes = tree.nodes.size();
+    for (size_t c = 0; c < count; ++c) {
+      if (futures[c].valid()) apart[c] = futures[c].get();
+      nodes += apart[c].nodes.size();
+    }
+    tree.nodes.reserve(nodes);
+    for (size_t c = 0; c < count; ++c) {
+      const uint32_t first = uint32_t(tree.nodes.size());
+      tree.nodes[index].children[c] = children[c].leaf ? leafOf(children[c], tree) : first;
+      for (shared::BvhNode& node : apart[c].nodes) {
+        for (uint32_t& child : node.children) child += child & BVH_LEAF ? 0 : first;
+        tree.nodes.push_back(node);
+      }
+      tree.cost += apart[c].cost;
+      apart[c] = {};
+    }
+  }
+
+  // What `over(begin, end)` gives for halves of a long list, added up.
+  template <class Over>
+  auto summed(uint32_t begin, uint32_t end, const Over& over) {
+    if (end - begin <= kWorthAThread) return over(begin, end);
+    const uint32_t middle = begin + (end - begin) / 2;
+    auto left = started([&over, begin, middle] { return over(begin, middle); });
+    if (!left.valid()) return over(begin, end);
+    auto sum = over(middle, end);
+    sum.add(left.get());
+    return sum;
+  }
+
+  void measure(Part& part) {
+    struct Sizes {
+      WideBox box, middles;
+      void add(const Sizes& other) { box.add(other.box), middles.add(other.middles); }
+    };
+    Sizes sizes = summed(part.begin, part.end, [this](uint32_t begin, uint32_t end) {
+      Sizes sum;
+      for (uint32_t i = begin; i < end; ++i) {
+        const WideBox box = WideBox::of(items_[i]);
+        sum.box.add(box);
+        sum.middles.add(box.low + box.high, box.low + box.high);
+      }
+      return sum;
+    });
+    part.box = sizes.box.box(), part.middles = sizes.middles.box();
+  }
+
+  Bins binned(const Part& part) {
+    const std::array<Binning, 3> binnings = {Binning(part.middles, 0), Binning(part.middles, 1),
+                                             Binning(part.middles, 2)};
+    return summed(part.begin, part.end, [&](uint32_t begin, uint32_t end) {
+      Bins bins;
+      for (uint32_t i = begin; i < end; ++i) {
+        const WideBox box = WideBox::of(items_[i]);
+        for (int axis = 0; axis < 3; ++axis) {
+          const uint32_t bin = binnings[size_t(axis)].of(twiceMiddle(items_[i], axis));
+          bins.boxes[size_t(axis)][bin].add(box);
+          ++bins.counts[size_t(axis)][bin];
+        }
+      }
+      return bins;
+    });
+  }
+
+  Split bestSplit(const Part& part) {
+    constexpr uint32_t kBins = Binning::kBins;
+    const Bins bins = binned(part);
+    Split best;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (Binning(part.middles, axis).scale == 0) continue;
+      const auto& boxes = bins.boxes[size_t(axis)];
+      const auto& counts = bins.counts[size_t(axis)];
+      std::array<double, kBins> left{};
+      WideBox box;
+      uint32_t count = 0;
+      for (uint32_t bin = 0; bin + 1 < kBins; ++bin) {
+        box.add(boxes[bin]);
+        count += counts[bin];
+        left[bin + 1] = halfArea(box.box()) * count;
+      }
+      box = WideBox(), count = 0;
+      for (uint32_t bin = kBins - 1; bin > 0; --bin) {
+        box.add(boxes[bin]);
+        count += counts[bin];
+        double cost = left[bin] + halfArea(box.box()) * count;
+        if (count > 0 && count < part.count() && cost < best.cost) best = {cost, axis, bin};
+      }
+    }
+    return best;
+  }
+
+  // The same where there are fewer items than bins.
+  Split bestSplitOfFew(const Part& part) {
+    const uint32_t count = part.count();
+    Split best;
+    for (int axis = 0; axis < 3; ++axis) {
+      Binning binning(part.middles, axis);
+      if (binning.scale == 0) continue;
+      struct Place {
+        uint32_t bin, item;
+      };
+      std::array<Place, kFew> places;
+      for (uint32_t i = 0; i < count; ++i) {
+        uint32_t at = i, bin = binning.of(twiceMiddle(items_[part.begin + i], axis));
+        for (; at > 0 && places[at - 1].bin > bin; --at) places[at] = places[at - 1];
+        places[at] = {bin, part.begin + i};
+      }
+      std::array<double, kFew> left{};
+      WideBox box;
+      for (uint32_t i = 0; i + 1 < count; ++i) {
+        box.add(WideBox::of(items_[places[i].item]));
+        left[i + 1] = halfArea(box.box()) * (i + 1);
+      }
+      box = WideBox();
+      for (uint32_t i = count - 1; i > 0; --i) {
+        box.add(WideBox::of(items_[places[i].item]));
+        if (places[i - 1].bin == places[i].bin) continue;
+        double cost = left[i] + halfArea(box.box()) * (count - i);
+        if (cost < best.cost) best = {cost, axis, places[i].bin};
+      }
+    }
+    return best;
+  }
+
+  std::pair<Part, Part> opened(const Part& part) {
+    // Where halves alone keep the tree as low as it has to be, or nothing tells boxes apart, halves it is.
+    bool deep = part.depth + int(std::bit_width(part.count() - 1)) >= options_.depth;
+    uint32_t middle = deep || part.split.axis < 0 ? halve(part) : partition(part);
+    return {examined(part.begin, middle, part.depth + 1), examined(middle, part.end, part.depth + 1)};
+  }
+
+  uint32_t partition(const Part& part) {
+    const int axis = part.split.axis;
+    const Binning binning(part.middles, axis);
+    auto is_left = [&](const BvhItem& item) { return binning.of(twiceMiddle(item, axis)) < part.split.bin; };
+    return uint32_t(std::stable_partition(at(part.begin), at(part.end), is_left) - items_.begin());
+  }
+
+  uint32_t halve(const Part& part) {
+    vec3 extent = part.middles.high - part.middles.low;
+    int axis = extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
+    uint32_t middle = part.begin + part.count() / 2;
+    std::nth_element(at(part.begin), at(middle), at(part.end), [axis](const BvhItem& a, const BvhItem& b) {
+      float left = twiceMiddle(a, axis), right = twiceMiddle(b, axis);
+      return left < right || (left == right && a.index < b.index);
+    });
+    return middle;
+  }
+
+  static double worth(const Part& part) { return part.leaf ? -1 : halfArea(part.box); }
+
+  uint32_t leafOf(const Part& leaf, Subtree& tree) const {
+    tree.cost += kBoxCost * halfArea(leaf.box) * leaf.count();
+    if (options_.leaf_boxes == 1) return BVH_LEAF | items_[leaf.begin].index;
+    return BVH_LEAF | (leaf.count() - 1) << BVH_LEAF_COUNT | leaf.begin;
+  }
+
+  static shared::BvhNode nodeOf(const std::array<Part, 4>& children, size_t count) {
     Box box;
-    for (uint32_t child : children) box.add(binaries_[child].box);
+    for (size_t c = 0; c < count; ++c) box.add(children[c].box);
     shared::BvhNode node{};
     node.origin = box.low;
-    node.steps = uint32_t(children.size()) << 24;
+    node.steps = uint32_t(count) << 24;
     for (int axis = 0; axis < 3; ++axis) {
       double extent = double(box.high[axis]) - box.low[axis];
       int exponent = -126;
@@ -203,8 +343,8 @@ class Joiner {
       exponent = std::clamp(exponent, -126, 127);
       double step = std::ldexp(1.0, exponent);
       node.steps |= uint32_t(exponent + 127) << (8 * axis);
-      for (size_t c = 0; c < children.size(); ++c) {
-        const Box& child = binaries_[children[c]].box;
+      for (size_t c = 0; c < count; ++c) {
+        const Box& child = children[c].box;
         node.low[axis] |= plane(double(child.low[axis]) - node.origin[axis], step, false) << (8 * c);
         node.high[axis] |= plane(double(child.high[axis]) - node.origin[axis], step, true) << (8 * c);
       }
@@ -212,44 +352,38 @@ class Joiner {
     return node;
   }
 
-  const std::vector<Binary>& binaries_;
-  const std::vector<Item>& items_;
-  BvhOptions options_;
-};
+  std::vector<BvhItem>::iterator at(uint32_t i) { return items_.begin() + std::ptrdiff_t(i); }
 
-double costOf(const std::vector<Binary>& binaries, uint32_t root) {
-  double sum = 0;
-  std::vector<uint32_t> open = {root};
-  while (!open.empty()) {
-    uint32_t at = open.back();
-    open.pop_back();
-    const Binary& node = binaries[at];
-    double area = halfArea(node.box);
-    sum += area * (node.right == 0 ? kBoxCost * (node.end - node.begin) : kNodeCost);
-    if (node.right != 0) open.insert(open.end(), {at + 1, node.right});
-  }
-  double whole = halfArea(binaries[root].box);
-  return whole > 0 ? sum / whole : 1;
-}
+  std::vector<BvhItem>& items_;
+  BvhOptions options_;
+  std::atomic<int> spare_threads_;
+};
 
 }  // namespace
 
-Bvh buildBvh(const std::vector<Box>& boxes, const BvhOptions& options) {
+Bvh buildBvh(std::vector<BvhItem>& items, const BvhOptions& options) {
   Bvh bvh;
-  std::vector<Item> items;
-  for (size_t i = 0; i < boxes.size(); ++i)
-    if (boxes[i].low.x <= boxes[i].high.x) items.push_back({boxes[i], uint32_t(i)});
+  std::erase_if(items, [](const BvhItem& item) { return !(item.box.low.x <= item.box.high.x); });
   if (items.empty()) {
     bvh.nodes.push_back({});
     return bvh;
   }
   Builder builder(items, options);
-  builder.build(0, uint32_t(items.size()), 0, 0, std::max(1u, std::thread::hardware_concurrency()));
-  Joiner joiner(builder.binaries(), items, options);
-  joiner.join(0);
-  bvh.nodes = std::move(joiner.nodes);
-  for (const Item& item : items) bvh.order.push_back(item.index);
-  bvh.cost = costOf(builder.binaries(), 0);
+  const Part root = builder.examined(0, uint32_t(items.size()), 0);
+  Subtree tree;
+  builder.append(root, tree);
+  bvh.nodes = std::move(tree.nodes);
+  const double whole = halfArea(root.box);
+  bvh.cost = whole > 0 ? tree.cost / whole : 1;
+  return bvh;
+}
+
+Bvh buildBvh(const std::vector<Box>& boxes, const BvhOptions& options) {
+  std::vector<BvhItem> items;
+  items.reserve(boxes.size());
+  for (size_t i = 0; i < boxes.size(); ++i) items.push_back({boxes[i], uint32_t(i)});
+  Bvh bvh = buildBvh(items, options);
+  for (const BvhItem& item : items) bvh.order.push_back(item.index);
   return bvh;
 }
 

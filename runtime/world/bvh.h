@@ -22,6 +22,11 @@ struct Box {
   }
 };
 
+struct BvhItem {
+  Box box;
+  uint32_t index = 0;
+};
+
 struct Bvh {
   std::vector<shared::BvhNode> nodes;  // the root first, then depth first
   std::vector<uint32_t> order;         // boxes as leaves have them
@@ -37,5 +42,7 @@ struct BvhOptions {
 // Leaves refer to `order`: with several boxes to a leaf as BVH_LEAF says, with one as BVH_LEAF | order[i] itself. Boxes
 // must be finite; those that are inside out are left out. Without any the tree has one node without children.
 Bvh buildBvh(const std::vector<Box>& boxes, const BvhOptions& options = {});
+// The same of items of different indices, which are left as leaves have them; `order` stays empty.
+Bvh buildBvh(std::vector<BvhItem>& items, const BvhOptions& options = {});
 
 }  // namespace strobe::world

@@ -1,41 +1,88 @@
 // SPDX-License-Identifier: MIT
 #include "world/fits.h"
 
+#include "shared/bvh.h"
 #include "shared/scene.h"
+#include "world/limits.h"
 
 namespace strobe::world {
 
 using namespace scene;
 
-void requireFits(const Scene& scene, uint32_t slices, const gpu::DeviceLimits& limits) {
-  std::vector<std::string> beyond;
-  auto require = [&](const Limit& limit, const std::string& where, uint64_t count, const char* unit, uint64_t most) {
+namespace {
+
+struct Counts {
+  uint64_t vertices = 0, indices = 0;
+  explicit Counts(const Scene& scene) {
+    for (const Mesh& mesh : scene.meshes)
+      for (const Geometry& geometry : mesh.geometries)
+        vertices += geometry.vertices.size(), indices += geometry.indices.size();
+  }
+};
+
+// Collects what is beyond a limit.
+class Beyond {
+ public:
+  explicit Beyond(const Scene& scene) : scene_(scene) {}
+  void require(const Limit& limit, const std::string& where, uint64_t count, const char* unit, uint64_t most) {
     if (count <= most) return;
-    beyond.push_back(limit.text(fmt::format("{}: {} has {} {} of at most {}", scene.name, where, count, unit, most)));
-  };
-  uint64_t instances = instancesOf(scene).size(), vertices = 0, indices = 0;
-  require(gpu::kInstanceLimit, "the scene", instances, "instances", limits.instances);
+    texts_.push_back(limit.text(fmt::format("{}: {} has {} {} of at most {}", scene_.name, where, count, unit, most)));
+  }
+  void finish() const { throwIfAny(texts_); }
+
+ private:
+  const Scene& scene_;
+  std::vector<std::string> texts_;
+};
+
+uint64_t textureBytes(const Scene& scene) {
+  uint64_t bytes = 0;
+  for (const Texture& texture : scene.textures)
+    for (const auto& level : texture.levels) bytes += level.size();
+  return bytes;
+}
+
+}  // namespace
+
+void requireFits(const Scene& scene, uint32_t slices, const gpu::DeviceLimits& limits) {
+  Beyond beyond(scene);
+  const Counts counts(scene);
+  uint64_t instances = instancesOf(scene).size();
+  beyond.require(gpu::kInstanceLimit, "the scene", instances, "instances", limits.instances);
   for (const Mesh& mesh : scene.meshes) {
     std::string where = fmt::format("mesh '{}'", mesh.name);
     uint64_t triangles = 0;
-    for (const Geometry& geometry : mesh.geometries) {
-      triangles += geometry.indices.size() / 3;
-      vertices += geometry.vertices.size();
-      indices += geometry.indices.size();
-    }
-    require(gpu::kTriangleLimit, where, triangles, "triangles", limits.triangles);
-    require(gpu::kGeometryLimit, where, mesh.geometries.size(), "parts", limits.geometries);
+    for (const Geometry& geometry : mesh.geometries) triangles += geometry.indices.size() / 3;
+    beyond.require(gpu::kTriangleLimit, where, triangles, "triangles", limits.triangles);
+    beyond.require(gpu::kGeometryLimit, where, mesh.geometries.size(), "parts", limits.geometries);
   }
-  auto requireBytes = [&](const char* what, uint64_t bytes) {
-    require(gpu::kBufferLimit, fmt::format("the buffer of all {}", what), bytes, "bytes", limits.buffer_bytes);
+  auto requireBytes = [&](const char* what, uint64_t bytes, uint64_t most) {
+    beyond.require(gpu::kBufferLimit, fmt::format("the buffer of all {}", what), bytes, "bytes", most);
   };
-  requireBytes("vertices", vertices * sizeof(shared::SceneVertex));
-  requireBytes("indices", indices * sizeof(uint32_t));
-  requireBytes("transforms", instances * slices * sizeof(shared::SceneTransform));
+  requireBytes("vertices", counts.vertices * sizeof(shared::SceneVertex), limits.array_bytes);
+  requireBytes("indices", counts.indices * sizeof(uint32_t), limits.array_bytes);
+  requireBytes("transforms", instances * slices * sizeof(shared::SceneTransform), limits.buffer_bytes);
   for (const Texture& texture : scene.textures)
-    require(gpu::kImageLimit, fmt::format("texture '{}'", texture.name),
-            uint64_t(std::max(texture.width, texture.height)), "pixels a side", limits.image_side);
-  throwIfAny(beyond);
+    beyond.require(gpu::kImageLimit, fmt::format("texture '{}'", texture.name),
+                   uint64_t(std::max(texture.width, texture.height)), "pixels a side", limits.image_side);
+  beyond.finish();
+}
+
+void requireMemory(const Scene& scene, shader::StructureKind structures, const gpu::DeviceLimits& limits) {
+  Beyond beyond(scene);
+  const Counts counts(scene);
+  const bool own = structures == shader::StructureKind::Own;
+  const uint64_t triangles = counts.indices / 3;
+  if (own) beyond.require(kTreeLimit, "the scene", triangles, "triangles", uint64_t{1} << BVH_LEAF_COUNT);
+  if (own)
+    beyond.require(gpu::kBufferLimit, "the buffer of all triangles of its tree",
+                   triangles * sizeof(shared::BvhTriangle), "bytes", limits.array_bytes);
+  uint64_t bytes =
+      counts.vertices * sizeof(shared::SceneVertex) + counts.indices * sizeof(uint32_t) + textureBytes(scene);
+  // Of nodes the fewest there can be: four triangles to a leaf, four children to a node.
+  if (own) bytes += triangles * sizeof(shared::BvhTriangle) + triangles / 12 * sizeof(shared::BvhNode);
+  beyond.require(gpu::kMemoryLimit, "what stays on the device", bytes, "bytes", limits.memory_bytes);
+  beyond.finish();
 }
 
 }  // namespace strobe::world

@@ -4,10 +4,15 @@
 
 #include "gpu/limits.h"
 #include "scene/scene.h"
+#include "shader/backends.h"
 
 namespace strobe::world {
 
 // Throws `Error` naming every limit of the device that the scene is beyond, posed at `slices` times at once.
 void requireFits(const scene::Scene& scene, uint32_t slices, const gpu::DeviceLimits& limits);
+
+// Throws `Error` where what no pose changes needs more memory than is free, or has more triangles than the runtime's
+// own trees can number.
+void requireMemory(const scene::Scene& scene, shader::StructureKind structures, const gpu::DeviceLimits& limits);
 
 }  // namespace strobe::world

@@ -3,21 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/packing.hpp>
 
 #include "scene/limits.h"
 #include "scene/textures.h"
-#include "world/fits.h"
 
 namespace strobe::world {
 
 using gpu::Buffer;
 using namespace scene;
 using namespace shared;
+using shader::StructureKind;
 
 static constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-static constexpr VkBufferUsageFlags kBuildInput =
-    VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
+
+// What SceneMeshes of shaders/shared/bindings.glsl has.
+struct MeshAddresses {
+  VkDeviceAddress vertices, indices;
+};
 
 template <class T>
 static Buffer uploadArray(const gpu::Device& device, const std::string& name, const std::vector<T>& values,
@@ -25,69 +27,47 @@ static Buffer uploadArray(const gpu::Device& device, const std::string& name, co
   return gpu::uploadBuffer(device, name, values.data(), values.size() * sizeof(T), usage);
 }
 
-GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slices, const MeshTrees* trees)
+GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slices,
+                   const std::shared_ptr<SceneMeshes>& meshes, StructureKind structures)
     : device_(device),
       scene_(scene),
       slices_(std::max(slices, SLICE_SAMPLE)),
       instances_(instancesOf(scene)),
-      light_nodes_(lightsOf(scene)) {
-  requireFits(scene, slices_, gpu::limitsOf(device));
-  uploadGeometry(scene, trees ? kStorage : kStorage | kBuildInput);
+      light_nodes_(lightsOf(scene)),
+      meshes_(meshes) {
+  uploadGeometry(scene);
   uploadMaterials(scene);
   uploadTextures(scene);
-  structures_ = trees ? makeOwnStructures(device, scene, *trees, slices_)
-                      : makeDriverStructures(device, scene, trianglesOfMeshes(scene), slices_);
+  structures_ = structures == StructureKind::Own
+                    ? makeOwnStructures(device, scene, meshes->trees(), meshes->treeTriangles(), slices_)
+                    : makeDriverStructures(device, scene, meshes->triangles(), slices_);
   auto host_array = [&](const char* name, size_t bytes, VkBufferUsageFlags usage) {
     return Buffer(device_, name, bytes, usage, Buffer::Memory::Host);
   };
   frame_ = host_array("frame", sizeof(FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
   lights_ = host_array("scene.lights", slices_ * light_nodes_.size() * sizeof(SceneLight), kStorage);
   transforms_ = host_array("scene.transforms", slices_ * instances_.size() * sizeof(SceneTransform), kStorage);
+  addresses_ = host_array("scene.meshes", sizeof(MeshAddresses), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+  addresses_.write(std::vector<MeshAddresses>{{meshes->vertices().address(), meshes->indices().address()}});
   cameras_ = host_array("scene.cameras", slices_ * sizeof(SceneCamera), kStorage);
   makeSet();
 }
 
-static Bounds ownBounds(const Mesh& mesh) {
-  Bounds bounds;
-  for (const Geometry& geometry : mesh.geometries)
-    for (const Vertex& vertex : geometry.vertices) bounds.add(dvec3(vertex.position));
-  return bounds;
-}
-
-void GpuScene::uploadGeometry(const Scene& scene, VkBufferUsageFlags usage) {
-  std::vector<SceneVertex> vertices;
-  std::vector<uint32_t> indices;
-  for (const Mesh& mesh : scene.meshes) {
-    first_geometry_.push_back(uint32_t(geometries_.size()));
-    mesh_bounds_.push_back(ownBounds(mesh));
-    for (const Geometry& source : mesh.geometries) {
-      SceneGeometry geometry;
-      geometry.first_index = uint32_t(indices.size());
-      geometry.first_vertex = uint32_t(vertices.size());
-      geometry.triangle_count = uint32_t(source.indices.size() / 3);
-      geometry.material = uint32_t(source.material);
-      geometries_.push_back(geometry);
-      for (const Vertex& v : source.vertices)
-        vertices.push_back({v.position, v.normal, v.uv0, v.uv1, glm::packUnorm4x8(v.color)});
-      indices.insert(indices.end(), source.indices.begin(), source.indices.end());
-    }
-  }
-
+void GpuScene::uploadGeometry(const Scene& scene) {
+  const std::vector<SceneGeometry>& geometries = meshes_->geometries();
   std::vector<SceneInstance> instance_data;
   std::vector<SceneDraw> draw_data;
   for (size_t i = 0; i < instances_.size(); ++i) {
     const Mesh& mesh = scene.meshes[size_t(instances_[i].mesh)];
-    uint32_t first = first_geometry_[size_t(instances_[i].mesh)];
+    uint32_t first = meshes_->firstGeometry()[size_t(instances_[i].mesh)];
     instance_data.push_back({first, uint32_t(mesh.geometries.size())});
     for (uint32_t g = 0; g < mesh.geometries.size(); ++g) {
-      const SceneGeometry& geometry = geometries_[first + g];
+      const SceneGeometry& geometry = geometries[first + g];
       draws_.push_back({geometry.first_index, 3 * geometry.triangle_count, int32_t(geometry.first_vertex)});
       draw_data.push_back({uint32_t(i), g});
     }
   }
-  vertices_ = uploadArray(device_, "scene.vertices", vertices, usage);
-  indices_ = uploadArray(device_, "scene.indices", indices, usage | VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
-  geometry_buffer_ = uploadArray(device_, "scene.geometries", geometries_, kStorage);
+  geometry_buffer_ = uploadArray(device_, "scene.geometries", geometries, kStorage);
   instance_buffer_ = uploadArray(device_, "scene.instances", instance_data, kStorage);
   draw_buffer_ = uploadArray(device_, "scene.draws", draw_data, kStorage);
 }
@@ -152,42 +132,25 @@ void GpuScene::uploadTextures(const Scene& scene) {
   }
 }
 
-std::vector<std::vector<gpu::TriangleGeometry>> GpuScene::trianglesOfMeshes(const Scene& scene) const {
-  std::vector<std::vector<gpu::TriangleGeometry>> meshes;
-  for (size_t m = 0; m < scene.meshes.size(); ++m) {
-    const Mesh& mesh = scene.meshes[m];
-    meshes.emplace_back();
-    for (size_t g = 0; g < mesh.geometries.size(); ++g) {
-      const SceneGeometry& geometry = geometries_[first_geometry_[m] + g];
-      gpu::TriangleGeometry d;
-      d.vertices = vertices_.address() + geometry.first_vertex * sizeof(SceneVertex);
-      d.vertex_count = uint32_t(mesh.geometries[g].vertices.size());
-      d.vertex_stride = sizeof(SceneVertex);
-      d.indices = indices_.address() + geometry.first_index * sizeof(uint32_t);
-      d.triangle_count = geometry.triangle_count;
-      d.opaque = !scene.materials[geometry.material].alpha_mask;
-      meshes.back().push_back(d);
-    }
-  }
-  return meshes;
-}
-
 void GpuScene::makeSet() {
   const VkShaderStageFlags all = VK_SHADER_STAGE_ALL;
-  std::vector<VkDescriptorSetLayoutBinding> bindings = {{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, all, nullptr}};
-  const Buffer* arrays[] = {&vertices_,  &indices_, &geometry_buffer_, &instance_buffer_, &draw_buffer_,
-                            &materials_, &lights_,  &transforms_,      &cameras_};
-  for (uint32_t i = 1; i <= 9; ++i) bindings.push_back({i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, all, nullptr});
+  const Buffer* buffers[] = {&frame_,     &addresses_, &geometry_buffer_, &instance_buffer_, &draw_buffer_,
+                             &materials_, &lights_,    &transforms_,      &cameras_};
+  std::vector<VkDescriptorSetLayoutBinding> bindings;
+  for (uint32_t i = 0; i < std::size(buffers); ++i)
+    bindings.push_back(
+        {i, i < 2 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, all, nullptr});
   uint32_t texture_count = uint32_t(textures_.size());
-  bindings.push_back({10, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, texture_count, all, nullptr});
+  const uint32_t textures = uint32_t(bindings.size());
+  bindings.push_back({textures, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, texture_count, all, nullptr});
   const uint32_t count = uint32_t(bindings.size());
   bindings.push_back(structures_->binding(count));
   set_layout_ = gpu::makeSetLayout(device_, "scene", bindings);
   pool_ = gpu::makeDescriptorPool(device_, "scene", bindings, 1);
   set_ = gpu::allocateSet(device_, pool_.get(), set_layout_.get());
 
-  std::vector<VkDescriptorBufferInfo> buffers = {{frame_.handle(), 0, VK_WHOLE_SIZE}};
-  for (const Buffer* array : arrays) buffers.push_back({array->handle(), 0, VK_WHOLE_SIZE});
+  std::vector<VkDescriptorBufferInfo> written;
+  for (const Buffer* buffer : buffers) written.push_back({buffer->handle(), 0, VK_WHOLE_SIZE});
   std::vector<VkDescriptorImageInfo> images;
   for (uint32_t i = 0; i < texture_count; ++i)
     images.push_back({samplers_[i].get(), textures_[i].view(), VK_IMAGE_LAYOUT_GENERAL});
@@ -199,8 +162,8 @@ void GpuScene::makeSet() {
     write.dstBinding = binding.binding;
     write.descriptorType = binding.descriptorType;
     write.descriptorCount = binding.descriptorCount;
-    if (binding.binding < 10) write.pBufferInfo = &buffers[binding.binding];
-    if (binding.binding == 10) write.pImageInfo = images.data();
+    if (binding.binding < textures) write.pBufferInfo = &written[binding.binding];
+    else write.pImageInfo = images.data();
     writes.push_back(write);
   }
   device_.vk().UpdateDescriptorSets(device_.handle(), uint32_t(writes.size()), writes.data(), 0, nullptr);
@@ -215,7 +178,7 @@ double GpuScene::depthRange(const Pose& pose, const Camera& camera) const {
   double least = 1024 * camera.half_height, farthest = 0;
   dvec3 back = glm::normalize(dvec3(pose.world_from_camera[2])), eye = dvec3(pose.world_from_camera[3]);
   for (size_t i = 0; i < instances_.size() && camera.orthographic; ++i) {
-    const Bounds& bounds = mesh_bounds_[size_t(instances_[i].mesh)];
+    const Bounds& bounds = meshes_->bounds()[size_t(instances_[i].mesh)];
     if (bounds.empty()) continue;
     for (int k = 0; k < 8; ++k) {
       dvec3 corner(pose.world_from_instance[i] * dvec4(bounds.corner(k), 1));

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "gpu/pipeline.h"
-#include "math/bounds.h"
 #include "scene/scene.h"
 #include "shared/frame.h"
 #include "shared/scene.h"
+#include "world/scene_meshes.h"
 #include "world/structures.h"
 
 namespace strobe::world {
@@ -19,8 +19,9 @@ namespace strobe::world {
 class GpuScene {
  public:
   // `slices`: how many times the scene can be posed at once, at least SLICE_SAMPLE (the capture and its neighbours).
-  // `trees`: rays traverse these; without them the driver's structures, where the device has them.
-  GpuScene(const gpu::Device& device, const scene::Scene& scene, uint32_t slices, const MeshTrees* trees);
+  // `meshes` are the scene's, which must fit (world/fits.h); the driver's structures need a device that has them.
+  GpuScene(const gpu::Device& device, const scene::Scene& scene, uint32_t slices,
+           const std::shared_ptr<SceneMeshes>& meshes, shader::StructureKind structures);
 
   VkDescriptorSetLayout setLayout() const { return set_layout_.get(); }
   // What decides the layout of the set: scenes that say the same have compatible layouts.
@@ -29,7 +30,7 @@ class GpuScene {
   uint32_t slices() const { return slices_; }
   uint32_t instanceCount() const { return uint32_t(instances_.size()); }
   uint32_t lightCount() const { return uint32_t(light_nodes_.size()); }
-  VkBuffer indexBuffer() const { return indices_.handle(); }
+  VkBuffer indexBuffer() const { return meshes_->indices().handle(); }
 
   struct Draw {
     uint32_t first_index, index_count;
@@ -47,10 +48,9 @@ class GpuScene {
   void recordBuild(VkCommandBuffer commands, uint32_t slice) const;
 
  private:
-  void uploadGeometry(const scene::Scene& scene, VkBufferUsageFlags usage);
+  void uploadGeometry(const scene::Scene& scene);
   void uploadMaterials(const scene::Scene& scene);
   void uploadTextures(const scene::Scene& scene);
-  std::vector<std::vector<gpu::TriangleGeometry>> trianglesOfMeshes(const scene::Scene& scene) const;
   void makeSet();
   [[noreturn]] void refuseTransform(int node) const;
   double depthRange(const scene::Pose& pose, const scene::Camera& camera) const;
@@ -61,11 +61,9 @@ class GpuScene {
   std::vector<scene::Instance> instances_;
   std::vector<int> light_nodes_;
   std::vector<Draw> draws_;
-  std::vector<shared::SceneGeometry> geometries_;
-  std::vector<uint32_t> first_geometry_;  // of each mesh
-  std::vector<Bounds> mesh_bounds_;       // of each mesh, relative to its origin
-  gpu::Buffer frame_, vertices_, indices_, geometry_buffer_, instance_buffer_, draw_buffer_, materials_, lights_,
-      transforms_, cameras_;
+  std::shared_ptr<SceneMeshes> meshes_;
+  gpu::Buffer frame_, addresses_, geometry_buffer_, instance_buffer_, draw_buffer_, materials_, lights_, transforms_,
+      cameras_;
   std::vector<gpu::Image> textures_;
   std::vector<gpu::Owned<VkSampler>> samplers_;
   std::unique_ptr<Structures> structures_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "world/mesh_trees.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 
 namespace strobe::world {
@@ -8,46 +10,69 @@ namespace strobe::world {
 using shared::BvhNode;
 using shared::BvhTriangle;
 
-static std::vector<BvhTriangle> trianglesOf(const scene::Scene& scene, const scene::Mesh& mesh) {
-  std::vector<BvhTriangle> triangles;
-  for (size_t g = 0; g < mesh.geometries.size(); ++g) {
-    const scene::Geometry& geometry = mesh.geometries[g];
-    bool opaque = !scene.materials[size_t(geometry.material)].alpha_mask;
-    for (size_t i = 0; i + 2 < geometry.indices.size(); i += 3) {
-      BvhTriangle triangle;
-      for (size_t c = 0; c < 3; ++c) triangle.corner[c] = geometry.vertices[geometry.indices[i + c]].position;
-      triangle.geometry = uint32_t(g) | (opaque ? BVH_OPAQUE : 0);
-      triangle.primitive = uint32_t(i / 3);
-      triangles.push_back(triangle);
+namespace {
+
+// The triangles of a mesh, numbered across its geometries.
+class Triangles {
+ public:
+  Triangles(const scene::Scene& scene, const scene::Mesh& mesh) : scene_(scene), mesh_(mesh) {
+    for (const scene::Geometry& geometry : mesh.geometries) {
+      firsts_.push_back(count_);
+      count_ += uint32_t(geometry.indices.size() / 3);
     }
   }
-  return triangles;
-}
 
-static Box boxOf(const BvhTriangle& triangle) {
+  uint32_t count() const { return count_; }
+
+  BvhTriangle at(uint32_t index) const {
+    const size_t g = size_t(std::upper_bound(firsts_.begin(), firsts_.end(), index) - firsts_.begin()) - 1;
+    const scene::Geometry& geometry = mesh_.geometries[g];
+    const bool opaque = !scene_.materials[size_t(geometry.material)].alpha_mask;
+    BvhTriangle triangle;
+    triangle.primitive = index - firsts_[g];
+    triangle.geometry = uint32_t(g) | (opaque ? BVH_OPAQUE : 0);
+    for (size_t c = 0; c < 3; ++c)
+      triangle.corner[c] = geometry.vertices[geometry.indices[3 * size_t(triangle.primitive) + c]].position;
+    return triangle;
+  }
+
+ private:
+  const scene::Scene& scene_;
+  const scene::Mesh& mesh_;
+  std::vector<uint32_t> firsts_;
+  uint32_t count_ = 0;
+};
+
+Box boxOf(const BvhTriangle& triangle) {
   Box box;
   for (const vec3& corner : triangle.corner) box.add(corner);
   return box;
 }
 
+}  // namespace
+
 MeshTrees buildMeshTrees(const scene::Scene& scene) {
   MeshTrees trees;
+  size_t all = 0;
+  for (const scene::Mesh& mesh : scene.meshes) all += Triangles(scene, mesh).count();
+  trees.triangles.reserve(all);
   for (const scene::Mesh& mesh : scene.meshes) {
-    std::vector<BvhTriangle> triangles = trianglesOf(scene, mesh);
-    std::vector<Box> boxes;
+    const Triangles triangles(scene, mesh);
+    std::vector<BvhItem> items;
+    items.reserve(triangles.count());
     trees.bounds.emplace_back();
-    for (const BvhTriangle& triangle : triangles) {
-      boxes.push_back(boxOf(triangle));
-      trees.bounds.back().add(boxes.back());
+    for (uint32_t i = 0; i < triangles.count(); ++i) {
+      items.push_back({boxOf(triangles.at(i)), i});
+      trees.bounds.back().add(items.back().box);
     }
-    Bvh bvh = buildBvh(boxes);
-    uint32_t first_node = uint32_t(trees.nodes.size()), first_triangle = uint32_t(trees.triangles.size());
+    Bvh bvh = buildBvh(items);
+    const uint32_t first_node = uint32_t(trees.nodes.size()), first_triangle = uint32_t(trees.triangles.size());
     trees.roots.push_back(first_node);
-    for (BvhNode node : bvh.nodes) {
+    for (BvhNode& node : bvh.nodes)
       for (uint32_t& child : node.children) child += child & BVH_LEAF ? first_triangle : first_node;
-      trees.nodes.push_back(node);
-    }
-    for (uint32_t index : bvh.order) trees.triangles.push_back(triangles[index]);
+    if (trees.nodes.empty()) trees.nodes = std::move(bvh.nodes);
+    else trees.nodes.insert(trees.nodes.end(), bvh.nodes.begin(), bvh.nodes.end());
+    for (const BvhItem& item : items) trees.triangles.push_back(triangles.at(item.index));
   }
   return trees;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "world/limits.h"
 #include "world/structures.h"
 
 namespace strobe::world {
@@ -70,32 +71,26 @@ Box posedBox(const Box& mesh, const Rows& world_from_object, const Rows& object_
 
 class OwnStructures : public Structures {
  public:
-  OwnStructures(const gpu::Device& device, const scene::Scene& scene, const MeshTrees& trees, uint32_t slices)
+  OwnStructures(const gpu::Device& device, const scene::Scene& scene, const MeshTrees& trees,
+                const gpu::Buffer& triangles, uint32_t slices)
       : device_(device), instances_(scene::instancesOf(scene)), roots_(trees.roots), bounds_(trees.bounds) {
     size_t levels = levelOf(slices - 1) + 1;
     nodes_per_level_ = std::max<size_t>(1, instances_.size());
     first_root_ = trees.nodes.size();
-    if (first_root_ + levels * nodes_per_level_ > BVH_MOST_NODES || instances_.size() > 1u << BVH_TOP_DEPTH)
-      throw Error(
-          fmt::format("{}: its tree has more than {} nodes, which tracing backend 'bvh' can number; "
-                      "take --backend query or pipeline on a device that has it",
-                      scene.name, BVH_MOST_NODES));
-    triangles_ = gpu::uploadBuffer(device, "scene.bvh.triangles", trees.triangles.data(),
-                                   trees.triangles.size() * sizeof(shared::BvhTriangle), kRead);
+    refuseNodes(scene.name, levels);
     size_t mesh_bytes = first_root_ * sizeof(BvhNode), top_bytes = levels * nodes_per_level_ * sizeof(BvhNode);
     size_t instance_bytes = levels * instances_.size() * sizeof(BvhInstance);
     using gpu::Buffer;
-    nodes_ = Buffer(device, "scene.bvh.nodes", mesh_bytes + top_bytes, kRead, Buffer::Memory::Device);
+    gpu::Upload nodes(device, "scene.bvh.nodes", mesh_bytes + top_bytes, kRead);
+    nodes.append(trees.nodes.data(), mesh_bytes);
+    nodes_ = nodes.finish();
     posed_ = Buffer(device, "scene.bvh.instances", instance_bytes, kRead, Buffer::Memory::Device);
     auto staging = [&](const char* name, size_t bytes) {
       return Buffer(device, name, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, Buffer::Memory::Host);
     };
     next_nodes_ = staging("scene.bvh.next_nodes", top_bytes);
     next_posed_ = staging("scene.bvh.next_instances", instance_bytes);
-    Buffer meshes = staging("scene.bvh.meshes", mesh_bytes);
-    meshes.write(trees.nodes);
-    device.submit([&](VkCommandBuffer commands) { recordCopy(commands, meshes, 0, nodes_, 0, mesh_bytes); });
-    Addresses addresses{nodes_.address(), triangles_.address(), posed_.address(), uint32_t(first_root_),
+    Addresses addresses{nodes_.address(), triangles.address(), posed_.address(), uint32_t(first_root_),
                         uint32_t(nodes_per_level_)};
     addresses_ =
         Buffer(device, "scene.bvh", sizeof addresses, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, Buffer::Memory::Host);
@@ -147,6 +142,13 @@ class OwnStructures : public Structures {
   }
 
  private:
+  void refuseNodes(const std::string& scene, size_t levels) const {
+    const size_t nodes = first_root_ + levels * nodes_per_level_;
+    if (nodes <= BVH_MOST_NODES) return;
+    throw Error(kTreeLimit.text(fmt::format("{}: its tree, posed {} times at once, has {} nodes of at most {}", scene,
+                                            levels, nodes, BVH_MOST_NODES)));
+  }
+
   void recordCopy(VkCommandBuffer commands, const gpu::Buffer& from, size_t from_at, const gpu::Buffer& to,
                   size_t to_at, size_t bytes) const {
     VkBufferCopy copy{from_at, to_at, bytes};
@@ -158,14 +160,14 @@ class OwnStructures : public Structures {
   std::vector<uint32_t> roots_;
   std::vector<Box> bounds_;
   size_t first_root_ = 0, nodes_per_level_ = 0;
-  gpu::Buffer triangles_, nodes_, posed_, next_nodes_, next_posed_, addresses_;
+  gpu::Buffer nodes_, posed_, next_nodes_, next_posed_, addresses_;
 };
 
 }  // namespace
 
 std::unique_ptr<Structures> makeOwnStructures(const gpu::Device& device, const scene::Scene& scene,
-                                              const MeshTrees& trees, uint32_t slices) {
-  return std::make_unique<OwnStructures>(device, scene, trees, slices);
+                                              const MeshTrees& trees, const gpu::Buffer& triangles, uint32_t slices) {
+  return std::make_unique<OwnStructures>(device, scene, trees, triangles, slices);
 }
 
 }  // namespace strobe::world

@@ -32,9 +32,9 @@ std::unique_ptr<Structures> makeDriverStructures(const gpu::Device& device, cons
                                                  const std::vector<std::vector<gpu::TriangleGeometry>>& meshes,
                                                  uint32_t slices);
 
-// The runtime's own trees (shaders/shared/bvh.h).
+// The runtime's own trees (shaders/shared/bvh.h). `triangles`: those of the trees, on the device; must outlive it.
 std::unique_ptr<Structures> makeOwnStructures(const gpu::Device& device, const scene::Scene& scene,
-                                              const MeshTrees& trees, uint32_t slices);
+                                              const MeshTrees& trees, const gpu::Buffer& triangles, uint32_t slices);
 
 // Whose level a slice's pose is; slices between the capture and the samples are never traced.
 inline bool isTraced(uint32_t slice) { return slice == SLICE_CAPTURE || slice >= SLICE_SAMPLE; }

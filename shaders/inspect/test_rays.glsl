@@ -31,7 +31,8 @@ Corners anyTriangle() {
   if (geometry.triangle_count == 0u) return corners;
   Triangle triangle = triangleOf(geometry, anyUint() % geometry.triangle_count);
   for (int c = 0; c < 3; ++c)
-    corners.at[c] = worldFromObject(transformOf(SLICE_CAPTURE, instance), scene_vertices[triangle.index[c]].position);
+    corners.at[c] =
+        worldFromObject(transformOf(SLICE_CAPTURE, instance), vertexPosition(SLICE_CAPTURE, triangle.vertex[c]));
   return corners;
 }
 

@@ -4,15 +4,15 @@
 #ifndef STROBE_SURFACE_GLSL
 #define STROBE_SURFACE_GLSL
 #include "mixin/camera.glsl"
+#include "mixin/vertex.glsl"
 
 struct Triangle {
-  uint index[3];
+  uint vertex[3];
 };
 
 Triangle triangleOf(SceneGeometry geometry, uint primitive) {
   Triangle triangle;
-  for (uint corner = 0u; corner < 3u; ++corner)
-    triangle.index[corner] = geometry.first_vertex + scene_indices[geometry.first_index + 3u * primitive + corner];
+  for (uint corner = 0u; corner < 3u; ++corner) triangle.vertex[corner] = vertexOf(geometry, primitive, corner);
   return triangle;
 }
 
@@ -53,7 +53,7 @@ vec3 positionOf(uint slice, Hit hit) {
   vec3 weights = cornerWeights(hit.barycentrics);
   vec3 position_os = vec3(0);
   for (uint corner = 0u; corner < 3u; ++corner)
-    position_os += weights[corner] * scene_vertices[triangle.index[corner]].position;
+    position_os += weights[corner] * vertexPosition(slice, triangle.vertex[corner]);
   return worldFromObject(transformOf(slice, hit.instance), position_os);
 }
 
@@ -81,33 +81,35 @@ Surface surfaceOf(uint slice, Hit hit) {
   SceneGeometry geometry = geometryOf(hit.instance, hit.geometry);
   SceneTransform transform = transformOf(slice, hit.instance);
   Triangle triangle = triangleOf(geometry, hit.primitive);
-  SceneVertex a = scene_vertices[triangle.index[0]];
-  SceneVertex b = scene_vertices[triangle.index[1]];
-  SceneVertex c = scene_vertices[triangle.index[2]];
+  uint a = triangle.vertex[0], b = triangle.vertex[1], c = triangle.vertex[2];
+  vec3 a_os = vertexPosition(slice, a), b_os = vertexPosition(slice, b), c_os = vertexPosition(slice, c);
   vec3 weights = cornerWeights(hit.barycentrics);
 
   Surface surface;
-  vec3 position_os = weights.x * a.position + weights.y * b.position + weights.z * c.position;
+  vec3 position_os = weights.x * a_os + weights.y * b_os + weights.z * c_os;
   surface.position_ws = worldFromObject(transform, position_os);
   float side = hit.front ? 1.0 : -1.0;
-  vec3 face_os = cross(b.position - a.position, c.position - a.position);
+  vec3 face_os = cross(b_os - a_os, c_os - a_os);
   surface.face_normal_ws = side * unitOr(normalFromObject(transform, face_os), vec3(0, 1, 0));
-  vec3 normal_os = weights.x * a.normal + weights.y * b.normal + weights.z * c.normal;
+  vec3 normal_os =
+      weights.x * vertexNormal(slice, a) + weights.y * vertexNormal(slice, b) + weights.z * vertexNormal(slice, c);
   vec3 normal_ws = unitOr(normalFromObject(transform, normal_os), side * surface.face_normal_ws);
   // Meshes whose normals disagree with their winding exist: the face decides which side is seen.
   if (dot(normal_ws, surface.face_normal_ws) < 0.0) normal_ws = -normal_ws;
   surface.normal_ws = normal_ws;
-  surface.uv0 = weights.x * a.uv0 + weights.y * b.uv0 + weights.z * c.uv0;
-  surface.uv1 = weights.x * a.uv1 + weights.y * b.uv1 + weights.z * c.uv1;
+  vec2 a_uv0 = vertexUv0(a), b_uv0 = vertexUv0(b), c_uv0 = vertexUv0(c);
+  vec2 a_uv1 = vertexUv1(a), b_uv1 = vertexUv1(b), c_uv1 = vertexUv1(c);
+  surface.uv0 = weights.x * a_uv0 + weights.y * b_uv0 + weights.z * c_uv0;
+  surface.uv1 = weights.x * a_uv1 + weights.y * b_uv1 + weights.z * c_uv1;
   // By differences: corners of one colour give just that, as weights that are rounded would not.
-  vec4 color = unpackUnorm4x8(a.color);
-  surface.color = color + weights.y * (unpackUnorm4x8(b.color) - color) + weights.z * (unpackUnorm4x8(c.color) - color);
-  surface.edge1_ws = worldFromObject(transform, b.position) - worldFromObject(transform, a.position);
-  surface.edge2_ws = worldFromObject(transform, c.position) - worldFromObject(transform, a.position);
-  surface.uv0_edge1 = b.uv0 - a.uv0;
-  surface.uv0_edge2 = c.uv0 - a.uv0;
-  surface.uv1_edge1 = b.uv1 - a.uv1;
-  surface.uv1_edge2 = c.uv1 - a.uv1;
+  vec4 color = vertexColor(a);
+  surface.color = color + weights.y * (vertexColor(b) - color) + weights.z * (vertexColor(c) - color);
+  surface.edge1_ws = worldFromObject(transform, b_os) - worldFromObject(transform, a_os);
+  surface.edge2_ws = worldFromObject(transform, c_os) - worldFromObject(transform, a_os);
+  surface.uv0_edge1 = b_uv0 - a_uv0;
+  surface.uv0_edge2 = c_uv0 - a_uv0;
+  surface.uv1_edge1 = b_uv1 - a_uv1;
+  surface.uv1_edge2 = c_uv1 - a_uv1;
   surface.material = geometry.material;
   return surface;
 }
@@ -121,7 +123,7 @@ vec3 movedTo(uint slice, Hit hit, vec3 capture_ws) {
   vec3 weights = cornerWeights(hit.barycentrics);
   vec3 position_os = vec3(0);
   for (uint corner = 0u; corner < 3u; ++corner)
-    position_os += weights[corner] * scene_vertices[triangle.index[corner]].position;
+    position_os += weights[corner] * vertexPosition(slice, triangle.vertex[corner]);
   return capture_ws + worldFromObject(step, position_os);
 }
 
@@ -167,9 +169,9 @@ vec2 displacementOfSky(vec3 direction_ws) {
 Hit hitOnTriangle(uint slice, Ray ray, uint instance, uint geometry_index, uint primitive) {
   SceneTransform transform = transformOf(slice, instance);
   Triangle triangle = triangleOf(geometryOf(instance, geometry_index), primitive);
-  vec3 a = worldFromObject(transform, scene_vertices[triangle.index[0]].position);
-  vec3 edge1 = worldFromObject(transform, scene_vertices[triangle.index[1]].position) - a;
-  vec3 edge2 = worldFromObject(transform, scene_vertices[triangle.index[2]].position) - a;
+  vec3 a = worldFromObject(transform, vertexPosition(slice, triangle.vertex[0]));
+  vec3 edge1 = worldFromObject(transform, vertexPosition(slice, triangle.vertex[1])) - a;
+  vec3 edge2 = worldFromObject(transform, vertexPosition(slice, triangle.vertex[2])) - a;
   vec3 p = cross(ray.direction, edge2);
   float determinant = dot(edge1, p);
   vec3 from_corner = ray.origin - a;

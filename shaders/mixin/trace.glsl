@@ -27,8 +27,8 @@ struct TraceResult {
 // Is the triangle seen from its front by this ray?
 bool seenFromFront(uint slice, Ray ray, uint instance, uint geometry, uint primitive) {
   Triangle triangle = triangleOf(geometryOf(instance, geometry), primitive);
-  vec3 a = scene_vertices[triangle.index[0]].position;
-  vec3 face_os = cross(scene_vertices[triangle.index[1]].position - a, scene_vertices[triangle.index[2]].position - a);
+  vec3 a = vertexPosition(slice, triangle.vertex[0]);
+  vec3 face_os = cross(vertexPosition(slice, triangle.vertex[1]) - a, vertexPosition(slice, triangle.vertex[2]) - a);
   return dot(normalFromObject(transformOf(slice, instance), face_os), ray.direction) < 0.0;
 }
 

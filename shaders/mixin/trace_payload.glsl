@@ -3,6 +3,7 @@
 // What a ray carries between the stages of the ray tracing pipeline, and which hits it accepts in every backend.
 #ifndef STROBE_TRACE_PAYLOAD_GLSL
 #define STROBE_TRACE_PAYLOAD_GLSL
+#include "mixin/vertex.glsl"
 
 struct TracePayload {
   uint instance, geometry, primitive;
@@ -25,10 +26,10 @@ bool isCutOut(uint instance, uint geometry_index, uint primitive, vec2 barycentr
   vec2 uv0 = vec2(0), uv1 = vec2(0);
   float alpha = 0.0;
   for (uint corner = 0u; corner < 3u; ++corner) {
-    uint index = geometry.first_vertex + scene_indices[geometry.first_index + 3u * primitive + corner];
-    uv0 += weights[corner] * scene_vertices[index].uv0;
-    uv1 += weights[corner] * scene_vertices[index].uv1;
-    alpha += weights[corner] * unpackUnorm4x8(scene_vertices[index].color).a;
+    uint vertex = vertexOf(geometry, primitive, corner);
+    uv0 += weights[corner] * vertexUv0(vertex);
+    uv1 += weights[corner] * vertexUv1(vertex);
+    alpha += weights[corner] * vertexColor(vertex).a;
   }
   alpha *= material.base_color.a;
   int texture_index = material.base_color_use.texture;

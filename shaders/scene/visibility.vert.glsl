@@ -16,16 +16,16 @@ void main() {
 #ifdef STROBE_SEPARATE_TRIANGLES
   SceneGeometry geometry = geometryOf(self.instance, self.geometry);
   triangle = (uint(gl_VertexIndex) - geometry.first_index) / 3u;
-  SceneVertex vertex = scene_vertices[geometry.first_vertex + scene_indices[gl_VertexIndex]];
+  uint vertex = vertexOf(geometry, 0u, uint(gl_VertexIndex) - geometry.first_index);
 #else
-  SceneVertex vertex = scene_vertices[gl_VertexIndex];
+  uint vertex = uint(gl_VertexIndex);
 #endif
   SceneCamera camera = scene_cameras[TIME_SLICE];
-  vec3 p = viewFromWorld(TIME_SLICE, worldFromObject(transformOf(TIME_SLICE, self.instance), vertex.position));
+  vec3 p = viewFromWorld(TIME_SLICE, worldFromObject(transformOf(TIME_SLICE, self.instance), vertexPosition(TIME_SLICE, vertex)));
   draw = uvec2(self.instance, self.geometry);
-  uv0 = vertex.uv0;
-  uv1 = vertex.uv1;
-  alpha = unpackUnorm4x8(vertex.color).a;
+  uv0 = vertexUv0(vertex);
+  uv1 = vertexUv1(vertex);
+  alpha = vertexColor(vertex).a;
 
   // The sample offset moves the picture the other way. Depth is near / z, of an orthographic camera the share of its
   // range that is left behind z: nearer is larger in both.

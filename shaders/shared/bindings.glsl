@@ -5,25 +5,30 @@
 #define STROBE_BINDINGS_GLSL
 #include "shared/scene.h"
 
-layout(set = 0, binding = 1, scalar) readonly buffer SceneVertices { SceneVertex scene_vertices[]; };
-layout(set = 0, binding = 2, scalar) readonly buffer SceneIndices { uint scene_indices[]; };
-layout(set = 0, binding = 3, scalar) readonly buffer SceneGeometries { SceneGeometry scene_geometries[]; };
-layout(set = 0, binding = 4, scalar) readonly buffer SceneInstances { SceneInstance scene_instances[]; };
-layout(set = 0, binding = 5, scalar) readonly buffer SceneDraws { SceneDraw scene_draws[]; };
-layout(set = 0, binding = 6, scalar) readonly buffer SceneMaterials { SceneMaterial scene_materials[]; };
-layout(set = 0, binding = 7, scalar) readonly buffer SceneLights { SceneLight scene_lights[]; };          // per slice
-layout(set = 0, binding = 8, scalar) readonly buffer SceneTransforms { SceneTransform scene_transforms[]; };  // per slice
-layout(set = 0, binding = 9, scalar) readonly buffer SceneCameras { SceneCamera scene_cameras[]; };      // per slice
-layout(set = 0, binding = 10) uniform sampler2D scene_textures[];
+// By address: what is bound as a buffer may be no larger than 128 MiB. mixin/vertex.glsl reads them.
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneVertices { SceneVertex at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneIndices { uint at[]; };
+layout(set = 0, binding = 1, scalar) uniform SceneMeshes {
+  SceneVertices vertices;
+  SceneIndices indices;
+} scene_meshes;  // `MeshAddresses` of runtime/world/gpu_scene.cpp
+layout(set = 0, binding = 2, scalar) readonly buffer SceneGeometries { SceneGeometry scene_geometries[]; };
+layout(set = 0, binding = 3, scalar) readonly buffer SceneInstances { SceneInstance scene_instances[]; };
+layout(set = 0, binding = 4, scalar) readonly buffer SceneDraws { SceneDraw scene_draws[]; };
+layout(set = 0, binding = 5, scalar) readonly buffer SceneMaterials { SceneMaterial scene_materials[]; };
+layout(set = 0, binding = 6, scalar) readonly buffer SceneLights { SceneLight scene_lights[]; };          // per slice
+layout(set = 0, binding = 7, scalar) readonly buffer SceneTransforms { SceneTransform scene_transforms[]; };  // per slice
+layout(set = 0, binding = 8, scalar) readonly buffer SceneCameras { SceneCamera scene_cameras[]; };      // per slice
+layout(set = 0, binding = 9) uniform sampler2D scene_textures[];
 #ifdef STROBE_STRUCTURES_DRIVER
-layout(set = 0, binding = 11) uniform accelerationStructureEXT scene_top_levels[STROBE_SLICES];  // per slice
+layout(set = 0, binding = 10) uniform accelerationStructureEXT scene_top_levels[STROBE_SLICES];  // per slice
 #endif
 #ifdef STROBE_STRUCTURES_OWN
 #include "shared/bvh.h"
 layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer BvhNodes { BvhNode at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer BvhTriangles { BvhTriangle at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer BvhInstances { BvhInstance at[]; };
-layout(set = 0, binding = 11, scalar) uniform SceneBvh {
+layout(set = 0, binding = 10, scalar) uniform SceneBvh {
   BvhNodes nodes;          // of all meshes, then of the instances at each level: the capture, then each sample
   BvhTriangles triangles;  // of all meshes
   BvhInstances instances;  // at each level

@@ -119,7 +119,8 @@ std::string refusalOf(const gpu::DeviceLimits& limits) {
 }
 
 TEST(DeviceLimits, AreNamedBeforeAnythingIsAllocated) {
-  const gpu::DeviceLimits enough{8, 3 * 4 * 48, 3, 1, 2};  // image side, bytes, instances, geometries, triangles
+  const gpu::DeviceLimits enough{
+      .image_side = 8, .buffer_bytes = 3 * 4 * 48, .array_bytes = 176, .instances = 3, .geometries = 1, .triangles = 2};
   EXPECT_EQ(refusalOf(enough), "");
   auto with = [&](auto change) {
     gpu::DeviceLimits limits = enough;
@@ -133,9 +134,29 @@ TEST(DeviceLimits, AreNamedBeforeAnythingIsAllocated) {
   EXPECT_NE(with([](auto& l) { l.geometries = 0; }).find("mesh 'square' has 1 parts of at most 0"), std::string::npos);
   EXPECT_NE(with([](auto& l) { l.image_side = 7; }).find("texture 'stripe' has 8 pixels a side of at most 7"),
             std::string::npos);
-  std::string bytes = with([](auto& l) { l.buffer_bytes = 175; });
+  std::string bytes = with([](auto& l) { l.buffer_bytes = l.array_bytes = 175; });
   EXPECT_NE(bytes.find("the buffer of all vertices has 176 bytes of at most 175"), std::string::npos) << bytes;
   EXPECT_NE(bytes.find("the buffer of all transforms has 576 bytes of at most 175"), std::string::npos) << bytes;
+}
+
+std::string memoryRefusalOf(shader::StructureKind structures, uint64_t free_bytes) {
+  try {
+    world::requireMemory(smallScene(), structures, {.memory_bytes = free_bytes});
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// Four vertices of 44 bytes, six indices of 4; the runtime's own tree has a copy of the two triangles, 44 bytes each.
+TEST(DeviceLimits, MemoryIsAskedForBeforeAnythingIsAllocated) {
+  using shader::StructureKind;
+  EXPECT_EQ(memoryRefusalOf(StructureKind::Driver, 200), "");
+  EXPECT_EQ(memoryRefusalOf(StructureKind::Own, 288), "");
+  EXPECT_EQ(memoryRefusalOf(StructureKind::Driver, 199),
+            "small: what stays on the device has 200 bytes of at most 199; nothing is drawn; end other programs, take "
+            "fewer vertices or smaller textures, or another device");
+  EXPECT_NE(memoryRefusalOf(StructureKind::Own, 287).find("has 288 bytes of at most 287"), std::string::npos);
 }
 
 // The constant that a room declares a limit as, "kBufferLimit".

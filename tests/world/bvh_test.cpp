@@ -69,7 +69,8 @@ std::vector<std::pair<const char*, Boxes>> hardLists() {
           {"each half as far", halving},
           {"one in another", nested},
           {"sizes far apart", mixed},
-          {"terrain", terrain(40)}};
+          {"terrain", terrain(40)},
+          {"terrain for several threads", terrain(180)}};
 }
 
 // A plane of a child as the shader has it.
@@ -150,7 +151,7 @@ TEST(Bvh, LeavesOutBoxesThatAreInsideOut) {
 }
 
 TEST(Bvh, IsTheSameEachTime) {
-  Boxes boxes = randomBoxes(60000, 0.01f);
+  Boxes boxes = randomBoxes(240000, 0.01f);
   Bvh first = buildBvh(boxes);
   for (int run = 0; run < 3; ++run) {
     Bvh again = buildBvh(boxes);

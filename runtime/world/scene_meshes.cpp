@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "world/scene_meshes.h"
+
+#include <glm/gtc/packing.hpp>
+
+#include "world/limits.h"
+
+namespace strobe::world {
+
+using namespace scene;
+using namespace shared;
+
+static Bounds ownBounds(const Mesh& mesh) {
+  Bounds bounds;
+  for (const Geometry& geometry : mesh.geometries)
+    for (const Vertex& vertex : geometry.vertices) bounds.add(dvec3(vertex.position));
+  return bounds;
+}
+
+SceneMeshes::SceneMeshes(const gpu::Device& device, const Scene& scene) : device_(device), scene_(scene) {
+  VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
+  if (device.info().has("accelerationStructure"))
+    usage |= VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR;
+  numberGeometries();
+  vertices_ = uploadVertices(usage);
+  indices_ = uploadIndices(usage | VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+}
+
+void SceneMeshes::numberGeometries() {
+  for (const Mesh& mesh : scene_.meshes) {
+    first_geometry_.push_back(uint32_t(geometries_.size()));
+    bounds_.push_back(ownBounds(mesh));
+    for (const Geometry& source : mesh.geometries) {
+      geometries_.push_back({uint32_t(index_count_), uint32_t(vertex_count_), uint32_t(source.indices.size() / 3),
+                             uint32_t(source.material)});
+      vertex_count_ += source.vertices.size();
+      index_count_ += source.indices.size();
+    }
+  }
+}
+
+// The geometries of all meshes, one after the other.
+static std::vector<const Geometry*> geometriesOf(const Scene& scene) {
+  std::vector<const Geometry*> all;
+  for (const Mesh& mesh : scene.meshes)
+    for (const Geometry& geometry : mesh.geometries) all.push_back(&geometry);
+  return all;
+}
+
+static SceneVertex deviceVertex(const Vertex& v) {
+  return {v.position, v.normal, v.uv0, v.uv1, glm::packUnorm4x8(v.color)};
+}
+
+gpu::Buffer SceneMeshes::uploadVertices(VkBufferUsageFlags usage) const {
+  gpu::Upload upload(device_, "scene.vertices", vertex_count_ * sizeof(SceneVertex), usage);
+  for (const Geometry* geometry : geometriesOf(scene_))
+    upload.append<SceneVertex>(geometry->vertices.size(),
+                               [&](size_t i) { return deviceVertex(geometry->vertices[i]); });
+  return upload.finish();
+}
+
+gpu::Buffer SceneMeshes::uploadIndices(VkBufferUsageFlags usage) const {
+  gpu::Upload upload(device_, "scene.indices", index_count_ * sizeof(uint32_t), usage);
+  for (const Geometry* geometry : geometriesOf(scene_))
+    upload.append<uint32_t>(geometry->indices.size(), [&](size_t i) { return geometry->indices[i]; });
+  return upload.finish();
+}
+
+std::vector<std::vector<gpu::TriangleGeometry>> SceneMeshes::triangles() const {
+  std::vector<std::vector<gpu::TriangleGeometry>> meshes;
+  for (size_t m = 0; m < scene_.meshes.size(); ++m) {
+    const Mesh& mesh = scene_.meshes[m];
+    meshes.emplace_back();
+    for (size_t g = 0; g < mesh.geometries.size(); ++g) {
+      const SceneGeometry& geometry = geometries_[first_geometry_[m] + g];
+      gpu::TriangleGeometry d;
+      d.vertices = vertices_.address() + geometry.first_vertex * sizeof(SceneVertex);
+      d.vertex_count = uint32_t(mesh.geometries[g].vertices.size());
+      d.vertex_stride = sizeof(SceneVertex);
+      d.indices = indices_.address() + geometry.first_index * sizeof(uint32_t);
+      d.triangle_count = geometry.triangle_count;
+      d.opaque = !scene_.materials[geometry.material].alpha_mask;
+      meshes.back().push_back(d);
+    }
+  }
+  return meshes;
+}
+
+const MeshTrees& SceneMeshes::trees() {
+  if (trees_) return *trees_;
+  auto trees = std::make_unique<MeshTrees>(buildMeshTrees(scene_));
+  if (trees->nodes.size() > BVH_MOST_NODES)
+    throw Error(kTreeLimit.text(
+        fmt::format("{}: its tree has {} nodes of at most {}", scene_.name, trees->nodes.size(), BVH_MOST_NODES)));
+  const std::vector<BvhTriangle>& triangles = trees->triangles;
+  tree_triangles_ =
+      gpu::uploadBuffer(device_, "scene.bvh.triangles", triangles.data(), triangles.size() * sizeof(BvhTriangle),
+                        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT);
+  trees->triangles = {};
+  trees_ = std::move(trees);
+  return *trees_;
+}
+
+}  // namespace strobe::world

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The meshes of a scene on the device: what no pose changes, once for all copies of the scene that are posed apart.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "gpu/acceleration.h"
+#include "math/bounds.h"
+#include "scene/scene.h"
+#include "shared/scene.h"
+#include "world/mesh_trees.h"
+
+namespace strobe::world {
+
+class SceneMeshes {
+ public:
+  // The device and the scene must outlive it.
+  SceneMeshes(const gpu::Device& device, const scene::Scene& scene);
+
+  const gpu::Buffer& vertices() const { return vertices_; }
+  const gpu::Buffer& indices() const { return indices_; }
+  // Of all meshes, and the first of each.
+  const std::vector<shared::SceneGeometry>& geometries() const { return geometries_; }
+  const std::vector<uint32_t>& firstGeometry() const { return first_geometry_; }
+  // Of each mesh, relative to its origin.
+  const std::vector<Bounds>& bounds() const { return bounds_; }
+  // What the driver's structures are built from, of each mesh.
+  std::vector<std::vector<gpu::TriangleGeometry>> triangles() const;
+
+  // The runtime's own trees and the buffer of their triangles, built when they are first asked for. Throws `Error`
+  // where there are more nodes than can be numbered.
+  const MeshTrees& trees();
+  const gpu::Buffer& treeTriangles() const { return tree_triangles_; }
+
+ private:
+  void numberGeometries();
+  gpu::Buffer uploadVertices(VkBufferUsageFlags usage) const;
+  gpu::Buffer uploadIndices(VkBufferUsageFlags usage) const;
+
+  const gpu::Device& device_;
+  const scene::Scene& scene_;
+  std::vector<shared::SceneGeometry> geometries_;
+  std::vector<uint32_t> first_geometry_;
+  std::vector<Bounds> bounds_;
+  size_t vertex_count_ = 0, index_count_ = 0;
+  gpu::Buffer vertices_, indices_, tree_triangles_;
+  std::unique_ptr<MeshTrees> trees_;
+};
+
+}  // namespace strobe::world

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Needs: scene.
+// Vertices of the scene: all that reads them. What changes with the slice is asked for with it.
+#ifndef STROBE_VERTEX_GLSL
+#define STROBE_VERTEX_GLSL
+
+// The vertex at a corner of a triangle of a geometry.
+uint vertexOf(SceneGeometry geometry, uint primitive, uint corner) {
+  return geometry.first_vertex + scene_meshes.indices.at[geometry.first_index + 3u * primitive + corner];
+}
+
+// Object space, at the slice. Meshes are rigid: it is the same at all.
+vec3 vertexPosition(uint slice, uint vertex) { return scene_meshes.vertices.at[vertex].position; }
+vec3 vertexNormal(uint slice, uint vertex) { return scene_meshes.vertices.at[vertex].normal; }
+
+vec2 vertexUv0(uint vertex) { return scene_meshes.vertices.at[vertex].uv0; }
+vec2 vertexUv1(uint vertex) { return scene_meshes.vertices.at[vertex].uv1; }
+vec4 vertexColor(uint vertex) { return unpackUnorm4x8(scene_meshes.vertices.at[vertex].color); }
+
+#endif
