@@ -2,6 +2,7 @@
 #include "app/render.h"
 
 #include <cstdio>
+#include <future>
 #include <memory>
 
 #include "app/files.h"
@@ -12,6 +13,9 @@
 #include "lab/tev.h"
 #include "lab/trail.h"
 #include "lab/views.h"
+#include "script/evaluate.h"
+#include "script/process.h"
+#include "shader/start.h"
 
 namespace strobe::app {
 
@@ -107,6 +111,9 @@ void render(const Home& home, Options options) {
   std::unique_ptr<lab::Tev> viewer;
   if (!options.tev.empty()) viewer = std::make_unique<lab::Tev>(lab::parseTevAddress(options.tev));
   if (!options.pixel.empty()) lab::parsePixel(options.pixel);
+  // While the device is made: the processes that scripts run in, and what the compiler has to read first.
+  script::expectChildren(home.program(), {}, lab::isGltf(shot.scene) ? 1 : 2);
+  std::future<void> started = std::async(std::launch::async, shader::startCompiler);
   lab::Workbench bench(home, shot.device, validationWanted());
   lab::Trail trail;
   lab::Picture picture = renderedBy(bench, options, shot, trail);

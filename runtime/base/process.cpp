@@ -73,9 +73,12 @@ class Feeding {
 
   int descriptor() const { return descriptor_.get(); }
 
+  // Of what the child has not been given yet.
+  void give(std::string text) { rest_ = std::move(text), done_ = 0; }
+
   // As much as the child takes at once; it is closed after the last of it, and where the child reads no more.
   void write() {
-    if (rest_.size() == done_) rest_ = program_.more_input(), done_ = 0;
+    if (rest_.size() == done_) rest_ = program_.more_input ? program_.more_input() : "", done_ = 0;
     if (rest_.empty()) return descriptor_.reset();
     ssize_t sent = ::send(descriptor_.get(), rest_.data() + done_, rest_.size() - done_, MSG_NOSIGNAL | MSG_DONTWAIT);
     if (sent > 0) done_ += static_cast<size_t>(sent);
@@ -244,33 +247,76 @@ void reap(pid_t child, const Program& program, double started_s, ProgramEnd& end
   if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);
 }
 
+// A child and what connects it with this process.
+struct Child {
+  std::array<Stream, 2> streams;
+  std::optional<Feeding> feeding;
+  pid_t id = -1;
+};
+
+// With `feeds` the child is fed, else its input is there when it starts.
+void start(Child& child, const Program& program, bool feeds) {
+  STROBE_ASSERT(!program.arguments.empty());
+  Descriptor input;
+  if (feeds) child.feeding.emplace(program, input);
+  else fill(input, program);
+  child.streams[0].open(program);
+  if (program.errors == Program::Errors::apart) child.streams[1].open(program);
+  child.id = start(program, input, child.streams[0], child.streams[1]);
+  for (Stream& stream : child.streams) stream.writing.reset();
+}
+
+ProgramEnd ended(Child& child, const Program& program, double started_s) {
+  ProgramEnd end;
+  try {
+    collect(program, child.streams, child.feeding ? &*child.feeding : nullptr, started_s, end);
+  } catch (...) {
+    endAndRethrow(child.id);
+  }
+  reap(child.id, program, started_s, end);
+  end.output = std::move(child.streams[0].text);
+  end.errors = std::move(child.streams[1].text);
+  end.seconds = clockSeconds() - started_s;
+  return end;
+}
+
 }  // namespace
 
 ProgramEnd run(const Program& program) {
-  STROBE_ASSERT(!program.arguments.empty());
   double started_s = clockSeconds();
-  Descriptor input;
-  std::array<Stream, 2> streams;
-  std::optional<Feeding> feeding;
-  if (program.more_input) feeding.emplace(program, input);
-  else fill(input, program);
-  streams[0].open(program);
-  if (program.errors == Program::Errors::apart) streams[1].open(program);
-  pid_t child = start(program, input, streams[0], streams[1]);
-  for (Stream& stream : streams) stream.writing.reset();
-  input.reset();
+  Child child;
+  start(child, program, program.more_input != nullptr);
+  return ended(child, program, started_s);
+}
 
-  ProgramEnd end;
-  try {
-    collect(program, streams, feeding ? &*feeding : nullptr, started_s, end);
-  } catch (...) {
-    endAndRethrow(child);
-  }
-  reap(child, program, started_s, end);
-  end.output = std::move(streams[0].text);
-  end.errors = std::move(streams[1].text);
-  end.seconds = clockSeconds() - started_s;
-  return end;
+struct WaitingProgram::State {
+  Program program;
+  Child child;
+  bool was_run = false;
+};
+
+WaitingProgram::WaitingProgram(Program program) : state_(std::make_unique<State>()) {
+  state_->program = std::move(program);
+  start(state_->child, state_->program, true);
+}
+
+WaitingProgram::~WaitingProgram() {
+  const pid_t child = state_->child.id;
+  if (child < 0 || state_->was_run) return;
+  ::kill(-child, SIGKILL);
+  while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) continue;
+}
+
+bool WaitingProgram::waits() const {
+  siginfo_t info{};
+  const pid_t child = state_->child.id;
+  return !state_->was_run && ::waitid(P_PID, id_t(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0;
+}
+
+ProgramEnd WaitingProgram::run(std::string input) {
+  STROBE_ASSERT(!std::exchange(state_->was_run, true), "it was run before");
+  state_->child.feeding->give(std::move(input));
+  return ended(state_->child, state_->program, clockSeconds());
 }
 
 }  // namespace strobe

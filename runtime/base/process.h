@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -53,5 +54,22 @@ struct ProgramEnd {
 // Waits until the child has closed its streams and has ended. The child leads a process group of its own and is killed
 // where this process ends first. Throws `Error` where the program cannot be started.
 ProgramEnd run(const Program& program);
+
+// A program that is started before it is known what it reads, so that its start takes no time later. It is ended with
+// this object, unless it was run; and, by the system, with the thread that made it.
+class WaitingProgram {
+ public:
+  // Throws `Error` where it cannot be started.
+  explicit WaitingProgram(Program program);
+  ~WaitingProgram();
+  // Whether it still waits.
+  bool waits() const;
+  // As `run` with this input, once; the limit of the wall clock counts from here.
+  ProgramEnd run(std::string input);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace strobe

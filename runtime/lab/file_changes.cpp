@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/log.h"
+#include "script/process.h"
 
 namespace strobe::lab {
 
@@ -60,6 +61,7 @@ FileChanges ChangedFiles::changedSince(const Drawing& running) {
 }
 
 std::optional<FileChanges> ChangedFiles::look(const Running& running, bool wait) {
+  if (!wait && !pending_) script::expectChildren(bench_.home().program(), bench_.limits, 1);
   bool first = !watch_;
   if (first) watchFolders(running.drawing);
   FileChanges changes;

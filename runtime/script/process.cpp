@@ -2,6 +2,9 @@
 #include "script/process.h"
 
 #include <cstdlib>
+#include <list>
+#include <mutex>
+#include <optional>
 
 #include "base/error.h"
 #include "script/evaluate.h"
@@ -12,19 +15,78 @@ static constexpr const char* kInsideChild = "STROBE_SCRIPT_CHILD";
 
 // The child stops a script itself, with a line, at its limits; those of the process are a little wider and stop what
 // never returns to Lua's loop (a long library call, a finalizer).
-ProgramEnd runChild(const Path& path, const std::string& input, const Limits& limits) {
+static Program childOf(const Path& path, const Limits& limits) {
   // A program that does not know the option would evaluate again, and so on without end.
   if (std::getenv(kInsideChild)) throw Error("a script child was asked to start another; is STROBE_PROGRAM strobe?");
   Program program{.arguments = {path.string(), "--script-child"},
                   .environment = {std::string(kInsideChild) + "=1"},
-                  .input = input,
                   .errors = Program::Errors::inherited,
                   .wall_s = limits.wall_s,
                   .cpu_s = limits.cpu_s + 0.25};
 #ifndef __SANITIZE_ADDRESS__  // which cannot run in a limited address space
   program.memory_bytes = static_cast<size_t>(limits.memory_mb) << 21;
 #endif
+  return program;
+}
+
+namespace {
+
+struct Expected {
+  Path path;
+  Limits limits;
+  WaitingProgram program;
+
+  Expected(const Path& path, const Limits& limits) : path(path), limits(limits), program(childOf(path, limits)) {}
+  bool serves(const Path& wanted, const Limits& within) const {
+    return path == wanted && limits.cpu_s == within.cpu_s && limits.wall_s == within.wall_s &&
+           limits.memory_mb == within.memory_mb;
+  }
+};
+
+struct AllExpected {
+  std::mutex mutex;
+  std::list<Expected> children;
+};
+
+AllExpected& allExpected() {
+  static AllExpected all;
+  return all;
+}
+
+// The first that waits for such a request, which no other then gets; empty without one.
+std::list<Expected> taken(const Path& path, const Limits& limits) {
+  AllExpected& all = allExpected();
+  std::lock_guard lock(all.mutex);
+  std::list<Expected> first;
+  for (auto it = all.children.begin(); it != all.children.end(); ++it) {
+    if (!it->serves(path, limits) || !it->program.waits()) continue;
+    first.splice(first.begin(), all.children, it);
+    break;
+  }
+  return first;
+}
+
+}  // namespace
+
+ProgramEnd runChild(const Path& path, const std::string& input, const Limits& limits) {
+  std::list<Expected> expected = taken(path, limits);
+  if (!expected.empty()) return expected.front().program.run(input);
+  Program program = childOf(path, limits);
+  program.input = input;
   return run(program);
+}
+
+void expectChildren(const Path& path, const Limits& limits, size_t count) {
+  AllExpected& all = allExpected();
+  std::lock_guard lock(all.mutex);
+  all.children.remove_if([](const Expected& one) { return !one.program.waits(); });
+  size_t waiting = 0;
+  for (const Expected& one : all.children) waiting += one.serves(path, limits);
+  try {
+    for (; waiting < count; ++waiting) all.children.emplace_back(path, limits);
+  } catch (const Error&) {
+    // The request itself finds out, and has someone to tell.
+  }
 }
 
 }  // namespace strobe::script

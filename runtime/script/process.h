@@ -13,8 +13,13 @@ struct Limits;
 // Exit status of a child that found no memory for its answer.
 inline constexpr int kOutOfMemory = 4;
 
-// Starts `program --script-child` within `limits`, hands it `input` on stdin and waits for its end. Throws `Error`
-// where no process can be started.
+// Starts `program --script-child` within `limits`, or takes one that waits, hands it `input` on stdin and waits for its
+// end. Throws `Error` where no process can be started.
 ProgramEnd runChild(const Path& program, const std::string& input, const Limits& limits);
+
+// Starts so many children ahead of their requests, less those that wait already: `runChild` with these limits then
+// waits for no start. Each answers one request, as any child. To be called from a thread that goes on, since the system
+// ends children with the thread that started them.
+void expectChildren(const Path& program, const Limits& limits, size_t count);
 
 }  // namespace strobe::script

@@ -10,6 +10,8 @@
 #include <set>
 #include <sstream>
 
+#include "shader/start.h"
+
 namespace strobe::shader {
 
 namespace {
@@ -112,7 +114,26 @@ void startOnce() {
   STROBE_ASSERT(started, "glslang");
 }
 
+void setRules(glslang::TShader& shader, EShLanguage stage) {
+  shader.setEnvInput(glslang::EShSourceGlsl, stage, glslang::EShClientVulkan, 460);
+  shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_3);
+  shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);
+}
+
+constexpr auto kRules = EShMessages(EShMsgSpvRules | EShMsgVulkanRules | EShMsgCascadingErrors | EShMsgDebugInfo);
+
 }  // namespace
+
+void startCompiler() {
+  startOnce();
+  for (Stage stage : {Stage::Vertex, Stage::Fragment, Stage::Compute}) {
+    glslang::TShader shader(language(stage));
+    const char* text = "#version 460\nvoid main() {}\n";
+    shader.setStrings(&text, 1);
+    setRules(shader, language(stage));
+    shader.parse(GetDefaultResources(), 460, false, kRules);
+  }
+}
 
 Compiled compile(const Home& home, const Source& source, Stage stage) {
   startOnce();
@@ -126,16 +147,13 @@ Compiled compile(const Home& home, const Source& source, Stage stage) {
 
   glslang::TShader shader(language(stage));
   shader.setStringsWithLengthsAndNames(strings, nullptr, names, 3);
-  shader.setEnvInput(glslang::EShSourceGlsl, language(stage), glslang::EShClientVulkan, 460);
-  shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_3);
-  shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);
-  auto rules = EShMessages(EShMsgSpvRules | EShMsgVulkanRules | EShMsgCascadingErrors | EShMsgDebugInfo);
+  setRules(shader, language(stage));
   Includer includer(home, result.files);
-  if (!shader.parse(GetDefaultResources(), 460, false, rules, includer))
+  if (!shader.parse(GetDefaultResources(), 460, false, kRules, includer))
     throw Error(readable(home, shader.getInfoLog(), source.file));
   glslang::TProgram program;
   program.addShader(&shader);
-  if (!program.link(rules)) throw Error(readable(home, program.getInfoLog(), source.file));
+  if (!program.link(kRules)) throw Error(readable(home, program.getInfoLog(), source.file));
   glslang::SpvOptions options;
   options.disableOptimizer = true;
   glslang::GlslangToSpv(*program.getIntermediate(language(stage)), result.spirv, &options);

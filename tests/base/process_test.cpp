@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <future>
@@ -37,6 +38,42 @@ TEST(Process, LargeInputAndOutputPass) {
   EXPECT_TRUE(end.errors == program.input);
   program.arguments = {"true"};  // reads nothing
   EXPECT_TRUE(run(program).succeeded());
+}
+
+TEST(Process, WaitsForWhatItReads) {
+  WaitingProgram waiting(shell("cat; exit 3"));
+  EXPECT_TRUE(waiting.waits());
+  const std::string input(3 << 20, 'x');
+  ProgramEnd end = waiting.run(input);
+  EXPECT_TRUE(end.output == input);
+  EXPECT_EQ(end.code(), 3);
+  EXPECT_FALSE(waiting.waits());
+  WaitingProgram gone(shell("exit 0"));
+  while (gone.waits()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
+// Its time begins with its input.
+TEST(Process, WaitingIsNoPartOfItsTime) {
+  Program program = shell("cat; sleep 60");
+  program.wall_s = 0.4;
+  WaitingProgram waiting(program);
+  std::this_thread::sleep_for(std::chrono::milliseconds(600));
+  ProgramEnd end = waiting.run("words");
+  EXPECT_EQ(end.output, "words");
+  EXPECT_TRUE(end.timed_out);
+}
+
+TEST(Process, EndsWithWhatItWaitsFor) {
+  pid_t child = 0;
+  {
+    const std::string file = testing::TempDir() + "strobe_waiting_" + std::to_string(::getpid());
+    WaitingProgram waiting(shell("echo $$ > " + file + ".part; mv " + file + ".part " + file + "; cat"));
+    while (!std::filesystem::exists(file)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    child = pid_t(std::stol(readText(file)));
+    EXPECT_EQ(::kill(child, 0), 0);
+    std::filesystem::remove(file);
+  }
+  EXPECT_NE(::kill(child, 0), 0);
 }
 
 // What does not fit into memory at once is asked for piece by piece.
