@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cfloat>
 #include <cmath>
 #include <cstring>
 #include <future>
@@ -232,6 +233,16 @@ double costOf(const std::vector<Binary>& binaries, uint32_t root) {
   return whole > 0 ? sum / whole : 1;
 }
 
+// The largest coordinate of any plane of a node.
+float reachOf(const shared::BvhNode& node) {
+  double reach = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    double step = std::ldexp(1.0, int(node.steps >> (8 * axis) & 255) - 127);
+    reach = std::max({reach, std::abs(double(node.origin[axis])), std::abs(node.origin[axis] + 255 * step)});
+  }
+  return float(std::min(reach, double(FLT_MAX)));
+}
+
 }  // namespace
 
 Bvh buildBvh(const std::vector<Box>& boxes, const BvhOptions& options) {
@@ -248,6 +259,7 @@ Bvh buildBvh(const std::vector<Box>& boxes, const BvhOptions& options) {
   Joiner joiner(builder.binaries(), items, options);
   joiner.join(0);
   bvh.nodes = std::move(joiner.nodes);
+  bvh.nodes.front().reach = reachOf(bvh.nodes.front());
   for (const Item& item : items) bvh.order.push_back(item.index);
   bvh.cost = costOf(builder.binaries(), 0);
   return bvh;

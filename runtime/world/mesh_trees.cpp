@@ -14,7 +14,7 @@ static std::vector<BvhTriangle> trianglesOf(const scene::Scene& scene, const sce
     const scene::Geometry& geometry = mesh.geometries[g];
     bool opaque = !scene.materials[size_t(geometry.material)].alpha_mask;
     for (size_t i = 0; i + 2 < geometry.indices.size(); i += 3) {
-      BvhTriangle triangle;
+      BvhTriangle triangle{};
       for (size_t c = 0; c < 3; ++c) triangle.corner[c] = geometry.vertices[geometry.indices[i + c]].position;
       triangle.geometry = uint32_t(g) | (opaque ? BVH_OPAQUE : 0);
       triangle.primitive = uint32_t(i / 3);
