@@ -24,15 +24,16 @@ namespace strobe::oracle {
 namespace {
 
 const std::string kRays = sourceFolder().string() + "/scripts/inspect/test_rays.lua";
-constexpr int kWidth = 512;
 const char* const kKinds[] = {"through", "vertex", "edge", "axis", "grazing", "afar", "surface", "plane"};
 
-// Rows of rays through each scene: 256, or those that as many rays as STROBE_RAYS says need, to a full round of kinds.
-int rows() {
+// Rays go through each scene as the pixels of a picture twice as wide as high: 512x256, or with at least as many pixels
+// as STROBE_RAYS says. Rows have the kinds by turns.
+int height() {
   const char* asked = std::getenv("STROBE_RAYS");
-  const double rays = asked ? std::atof(asked) : 256.0 * kWidth;
-  return 8 * std::max(1, int(std::ceil(rays / (8 * kWidth))));
+  const double rays = asked ? std::atof(asked) : 131072;
+  return 8 * std::max(1, int(std::ceil(std::sqrt(rays / 2) / 8)));
 }
+int width() { return 2 * height(); }
 
 struct Found {
   uint32_t instance = 0, geometry = 0, primitive = 0;  // instance + 1; 0: a miss
@@ -138,7 +139,7 @@ bool isBorderline(const Triangle& triangle, const dvec3& origin, const dvec3& di
 class RenderRays : public RenderTest {
  protected:
   static lab::Shot shotThrough(const std::string& scene) {
-    lab::Shot shot = shotOf(scene == "living_room" ? "crowd" : scene, kWidth, rows());
+    lab::Shot shot = shotOf(scene == "living_room" ? "crowd" : scene, width(), height());
     if (scene == "living_room") shot.scene = scene;
     return with(shot, kRays);
   }
@@ -163,8 +164,8 @@ class RenderRays : public RenderTest {
       if (in_one_place || isBorderline(triangles.at(nearer), origin, direction)) continue;
       if (++wrong <= 3)
         ADD_FAILURE() << fmt::format("{}, {} ray {}: {} {} {} at {:.9g}, the other {} {} {} at {:.9g}", what,
-                                     kKinds[i / kWidth % 8], i, x.instance, x.geometry, x.primitive, x.t, y.instance,
-                                     y.geometry, y.primitive, y.t);
+                                     kKinds[i / size_t(width()) % 8], i, x.instance, x.geometry, x.primitive, x.t,
+                                     y.instance, y.geometry, y.primitive, y.t);
     }
     EXPECT_EQ(wrong, 0) << what;
     if (std::getenv("STROBE_RAYS"))
