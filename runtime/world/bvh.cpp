@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "base/error.h"
+#include "world/refit.h"
 
 namespace strobe::world {
 
@@ -153,6 +154,28 @@ uint32_t plane(double distance, double step, bool up) {
   return uint32_t(std::clamp(steps, 0.0, 255.0));
 }
 
+// Gives a node these children's bounds, and returns what is around them all.
+Box setBounds(shared::BvhNode& node, const std::vector<Box>& children) {
+  Box box;
+  for (const Box& child : children) box.add(child);
+  node.origin = box.low;
+  node.steps = uint32_t(children.size()) << 24;
+  node.low = node.high = uvec3(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    double extent = double(box.high[axis]) - box.low[axis];
+    int exponent = -126;
+    if (extent > 0) std::frexp(extent / 255, &exponent);  // extent / 255 < 2^exponent
+    exponent = std::clamp(exponent, -126, 127);
+    double step = std::ldexp(1.0, exponent);
+    node.steps |= uint32_t(exponent + 127) << (8 * axis);
+    for (size_t c = 0; c < children.size(); ++c) {
+      node.low[axis] |= plane(double(children[c].low[axis]) - node.origin[axis], step, false) << (8 * c);
+      node.high[axis] |= plane(double(children[c].high[axis]) - node.origin[axis], step, true) << (8 * c);
+    }
+  }
+  return box;
+}
+
 // Joins nodes of two children to nodes of four.
 class Joiner {
  public:
@@ -192,24 +215,10 @@ class Joiner {
   }
 
   shared::BvhNode nodeOf(const std::vector<uint32_t>& children) const {
-    Box box;
-    for (uint32_t child : children) box.add(binaries_[child].box);
+    std::vector<Box> boxes;
+    for (uint32_t child : children) boxes.push_back(binaries_[child].box);
     shared::BvhNode node{};
-    node.origin = box.low;
-    node.steps = uint32_t(children.size()) << 24;
-    for (int axis = 0; axis < 3; ++axis) {
-      double extent = double(box.high[axis]) - box.low[axis];
-      int exponent = -126;
-      if (extent > 0) std::frexp(extent / 255, &exponent);  // extent / 255 < 2^exponent
-      exponent = std::clamp(exponent, -126, 127);
-      double step = std::ldexp(1.0, exponent);
-      node.steps |= uint32_t(exponent + 127) << (8 * axis);
-      for (size_t c = 0; c < children.size(); ++c) {
-        const Box& child = binaries_[children[c]].box;
-        node.low[axis] |= plane(double(child.low[axis]) - node.origin[axis], step, false) << (8 * c);
-        node.high[axis] |= plane(double(child.high[axis]) - node.origin[axis], step, true) << (8 * c);
-      }
-    }
+    setBounds(node, boxes);
     return node;
   }
 
@@ -263,6 +272,24 @@ Bvh buildBvh(const std::vector<Box>& boxes, const BvhOptions& options) {
   for (const Item& item : items) bvh.order.push_back(item.index);
   bvh.cost = costOf(builder.binaries(), 0);
   return bvh;
+}
+
+void refitBvh(Bvh& bvh, const std::vector<Box>& boxes) {
+  std::vector<Box> around(bvh.nodes.size());
+  // Children have higher numbers than their node.
+  for (size_t index = bvh.nodes.size(); index-- > 0 && !bvh.order.empty();) {
+    shared::BvhNode& node = bvh.nodes[index];
+    std::vector<Box> children(node.steps >> 24);
+    for (size_t c = 0; c < children.size(); ++c) {
+      const uint32_t reference = node.children[c];
+      if (!(reference & BVH_LEAF)) children[c] = around[reference];
+      else
+        for (uint32_t i = 0; i <= (reference >> BVH_LEAF_COUNT & 3); ++i)
+          children[c].add(boxes.at(bvh.order.at((reference & ((1u << BVH_LEAF_COUNT) - 1)) + i)));
+    }
+    around[index] = setBounds(node, children);
+  }
+  bvh.nodes.front().reach = reachOf(bvh.nodes.front());
 }
 
 }  // namespace strobe::world
