@@ -82,10 +82,17 @@ std::string preamble(const Interface& in, Stage stage) {
 
 // A software device gives each of its threads one run of consecutive groups, and what costs stands close together in a
 // picture. So rows of groups are dealt out like cards, three times: each eighth of the dispatch has every eighth row.
+// Eight invocations run as one: those of a pass that traces are 4x2 pixels, whose rays are closer than those of a row.
 static const char* kDealtRows = R"(uvec2 dealt_() {
   uint half_ = (gl_NumWorkGroups.y + 1u) / 2u, row = gl_WorkGroupID.y;
   for (int i = 0; i < 3; ++i) row = row < half_ ? 2u * row : 2u * (row - half_) + 1u;
-  return uvec2(gl_WorkGroupID.x, row) * gl_WorkGroupSize.xy + gl_LocalInvocationID.xy;
+  return uvec2(gl_WorkGroupID.x, row) * gl_WorkGroupSize.xy + in_group_();
+}
+)";
+static const char* kInRows = "uvec2 in_group_() { return gl_LocalInvocationID.xy; }\n";
+static const char* kInBlocks = R"(uvec2 in_group_() {
+  uint i = gl_LocalInvocationIndex, block = i / 8u;
+  return uvec2(i & 3u, (i >> 2) & 1u) + uvec2(block & 1u, block >> 1) * uvec2(4, 2);
 }
 )";
 
@@ -93,7 +100,7 @@ std::string epilogue(const Interface& in, Stage stage) {
   if (stage != Stage::Compute && stage != Stage::RayGeneration) return "";
   bool dealt = stage == Stage::Compute && in.deal_rows;
   std::string pixel = dealt ? "dealt_()" : stage == Stage::Compute ? "gl_GlobalInvocationID.xy" : "gl_LaunchIDEXT.xy";
-  std::string text = dealt ? kDealtRows : "";
+  std::string text = dealt ? std::string(in.backend == Backend::None ? kInRows : kInBlocks) + kDealtRows : "";
   text += fmt::format("void main() {{\n  ivec2 pixel_ = ivec2({});\n", pixel);
   if (in.still_once)
     text +=

@@ -5,12 +5,14 @@
 #include <array>
 #include <atomic>
 #include <bit>
+#include <cfloat>
 #include <cmath>
 #include <cstring>
 #include <future>
 #include <thread>
 
 #include "base/error.h"
+#include "world/refit.h"
 
 namespace strobe::world {
 
@@ -80,6 +82,38 @@ struct Bins {
 uint32_t plane(double distance, double step, bool up) {
   double steps = up ? std::ceil(distance / step) : std::floor(distance / step);
   return uint32_t(std::clamp(steps, 0.0, 255.0));
+}
+
+// Gives a node these children's bounds, and returns what is around them all.
+Box setBounds(shared::BvhNode& node, const std::vector<Box>& children) {
+  Box box;
+  for (const Box& child : children) box.add(child);
+  node.origin = box.low;
+  node.steps = uint32_t(children.size()) << 24;
+  node.low = node.high = uvec3(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    double extent = double(box.high[axis]) - box.low[axis];
+    int exponent = -126;
+    if (extent > 0) std::frexp(extent / 255, &exponent);  // extent / 255 < 2^exponent
+    exponent = std::clamp(exponent, -126, 127);
+    double step = std::ldexp(1.0, exponent);
+    node.steps |= uint32_t(exponent + 127) << (8 * axis);
+    for (size_t c = 0; c < children.size(); ++c) {
+      node.low[axis] |= plane(double(children[c].low[axis]) - node.origin[axis], step, false) << (8 * c);
+      node.high[axis] |= plane(double(children[c].high[axis]) - node.origin[axis], step, true) << (8 * c);
+    }
+  }
+  return box;
+}
+
+// The largest coordinate of any plane of a node.
+float reachOf(const shared::BvhNode& node) {
+  double reach = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    double step = std::ldexp(1.0, int(node.steps >> (8 * axis) & 255) - 127);
+    reach = std::max({reach, std::abs(double(node.origin[axis])), std::abs(node.origin[axis] + 255 * step)});
+  }
+  return float(std::min(reach, double(FLT_MAX)));
 }
 
 // Items that one node of two children or one leaf is over.
@@ -331,24 +365,10 @@ class Builder {
   }
 
   static shared::BvhNode nodeOf(const std::array<Part, 4>& children, size_t count) {
-    Box box;
-    for (size_t c = 0; c < count; ++c) box.add(children[c].box);
+    std::vector<Box> boxes;
+    for (size_t c = 0; c < count; ++c) boxes.push_back(children[c].box);
     shared::BvhNode node{};
-    node.origin = box.low;
-    node.steps = uint32_t(count) << 24;
-    for (int axis = 0; axis < 3; ++axis) {
-      double extent = double(box.high[axis]) - box.low[axis];
-      int exponent = -126;
-      if (extent > 0) std::frexp(extent / 255, &exponent);  // extent / 255 < 2^exponent
-      exponent = std::clamp(exponent, -126, 127);
-      double step = std::ldexp(1.0, exponent);
-      node.steps |= uint32_t(exponent + 127) << (8 * axis);
-      for (size_t c = 0; c < count; ++c) {
-        const Box& child = children[c].box;
-        node.low[axis] |= plane(double(child.low[axis]) - node.origin[axis], step, false) << (8 * c);
-        node.high[axis] |= plane(double(child.high[axis]) - node.origin[axis], step, true) << (8 * c);
-      }
-    }
+    setBounds(node, boxes);
     return node;
   }
 
@@ -373,6 +393,7 @@ Bvh buildBvh(std::vector<BvhItem>& items, const BvhOptions& options) {
   Subtree tree;
   builder.append(root, tree);
   bvh.nodes = std::move(tree.nodes);
+  bvh.nodes.front().reach = reachOf(bvh.nodes.front());
   const double whole = halfArea(root.box);
   bvh.cost = whole > 0 ? tree.cost / whole : 1;
   return bvh;
@@ -385,6 +406,24 @@ Bvh buildBvh(const std::vector<Box>& boxes, const BvhOptions& options) {
   Bvh bvh = buildBvh(items, options);
   for (const BvhItem& item : items) bvh.order.push_back(item.index);
   return bvh;
+}
+
+void refitBvh(Bvh& bvh, const std::vector<Box>& boxes) {
+  std::vector<Box> around(bvh.nodes.size());
+  // Children have higher numbers than their node.
+  for (size_t index = bvh.nodes.size(); index-- > 0 && !bvh.order.empty();) {
+    shared::BvhNode& node = bvh.nodes[index];
+    std::vector<Box> children(node.steps >> 24);
+    for (size_t c = 0; c < children.size(); ++c) {
+      const uint32_t reference = node.children[c];
+      if (!(reference & BVH_LEAF)) children[c] = around[reference];
+      else
+        for (uint32_t i = 0; i <= (reference >> BVH_LEAF_COUNT & 3); ++i)
+          children[c].add(boxes.at(bvh.order.at((reference & ((1u << BVH_LEAF_COUNT) - 1)) + i)));
+    }
+    around[index] = setBounds(node, children);
+  }
+  bvh.nodes.front().reach = reachOf(bvh.nodes.front());
 }
 
 }  // namespace strobe::world

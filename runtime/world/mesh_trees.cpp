@@ -28,7 +28,7 @@ class Triangles {
     const size_t g = size_t(std::upper_bound(firsts_.begin(), firsts_.end(), index) - firsts_.begin()) - 1;
     const scene::Geometry& geometry = mesh_.geometries[g];
     const bool opaque = !scene_.materials[size_t(geometry.material)].alpha_mask;
-    BvhTriangle triangle;
+    BvhTriangle triangle{};
     triangle.primitive = index - firsts_[g];
     triangle.geometry = uint32_t(g) | (opaque ? BVH_OPAQUE : 0);
     for (size_t c = 0; c < 3; ++c)

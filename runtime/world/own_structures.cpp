@@ -74,6 +74,7 @@ class OwnStructures : public Structures {
   OwnStructures(const gpu::Device& device, const scene::Scene& scene, const MeshTrees& trees,
                 const gpu::Buffer& triangles, uint32_t slices)
       : device_(device), instances_(scene::instancesOf(scene)), roots_(trees.roots), bounds_(trees.bounds) {
+    for (uint32_t root : roots_) reaches_.push_back(trees.nodes[root].reach);
     size_t levels = levelOf(slices - 1) + 1;
     nodes_per_level_ = std::max<size_t>(1, instances_.size());
     first_root_ = trees.nodes.size();
@@ -119,7 +120,7 @@ class OwnStructures : public Structures {
       const size_t mesh = size_t(instances_[i].mesh);
       Rows forward{{dvec4(transforms[i].row_x), dvec4(transforms[i].row_y), dvec4(transforms[i].row_z)}};
       Rows back = inverseOf(forward);
-      posed[i] = {vec4(back.rows[0]), vec4(back.rows[1]), vec4(back.rows[2]), roots_[mesh]};
+      posed[i] = {vec4(back.rows[0]), vec4(back.rows[1]), vec4(back.rows[2]), roots_[mesh], reaches_[mesh]};
       bool empty = bounds_[mesh].low.x > bounds_[mesh].high.x;
       if (!empty) boxes[i] = posedBox(bounds_[mesh], forward, back);
     }
@@ -158,6 +159,7 @@ class OwnStructures : public Structures {
   const gpu::Device& device_;
   std::vector<scene::Instance> instances_;
   std::vector<uint32_t> roots_;
+  std::vector<float> reaches_;
   std::vector<Box> bounds_;
   size_t first_root_ = 0, nodes_per_level_ = 0;
   gpu::Buffer nodes_, posed_, next_nodes_, next_posed_, addresses_;

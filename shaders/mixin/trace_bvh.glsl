@@ -4,33 +4,85 @@
 // the scene counts: by instance, then geometry, then triangle.
 // Triangles: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (JCGT 2013), at twice the precision where the
 // device has it.
+#include "mixin/trace_bvh_stack.glsl"
 
 #ifdef STROBE_DOUBLES
 #define BVH_FLOAT double
 #define BVH_VEC2 dvec2
+
+// The structures of shared/bvh.h by two words, which are loaded at once: loads are most of what a ray costs on a processor.
+struct BvhNodePairs {
+  double at[8];
+};
+struct BvhTrianglePairs {
+  double at[6];
+};
+struct BvhInstancePairs {
+  double at[7];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer BvhPairsOfNodes { BvhNodePairs of[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer BvhPairsOfTriangles { BvhTrianglePairs of[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer BvhPairsOfInstances { BvhInstancePairs of[]; };
+
+uvec2 nodeWords(uint node, int pair) { return unpackDouble2x32(BvhPairsOfNodes(scene_bvh.nodes).of[node].at[pair]); }
+uvec2 triangleWords(uint triangle, int pair) {
+  return unpackDouble2x32(BvhPairsOfTriangles(scene_bvh.triangles).of[triangle].at[pair]);
+}
+uvec2 instanceWords(uint at, int pair) {
+  return unpackDouble2x32(BvhPairsOfInstances(scene_bvh.instances).of[at].at[pair]);
+}
+
+// What the loops of a ray read of them.
+BvhNode loadedNode(uint node) {
+  uvec2 w0 = nodeWords(node, 0), w1 = nodeWords(node, 1), w2 = nodeWords(node, 2), w3 = nodeWords(node, 3);
+  uvec2 w4 = nodeWords(node, 4), w5 = nodeWords(node, 5), w6 = nodeWords(node, 6);
+  return BvhNode(uintBitsToFloat(uvec3(w0, w1.x)), w1.y, uvec3(w2, w3.x), uvec3(w3.y, w4),
+                 uint[4](w5.x, w5.y, w6.x, w6.y), 0.0, 0u);
+}
+BvhTriangle loadedTriangle(uint triangle) {
+  uvec2 w0 = triangleWords(triangle, 0), w1 = triangleWords(triangle, 1), w2 = triangleWords(triangle, 2);
+  uvec2 w3 = triangleWords(triangle, 3), w4 = triangleWords(triangle, 4);
+  return BvhTriangle(vec3[3](uintBitsToFloat(uvec3(w0, w1.x)), uintBitsToFloat(uvec3(w1.y, w2)),
+                             uintBitsToFloat(uvec3(w3, w4.x))), w4.y, 0u, 0u);
+}
+BvhInstance loadedInstance(uint at) {
+  vec4 x = uintBitsToFloat(uvec4(instanceWords(at, 0), instanceWords(at, 1)));
+  vec4 y = uintBitsToFloat(uvec4(instanceWords(at, 2), instanceWords(at, 3)));
+  vec4 z = uintBitsToFloat(uvec4(instanceWords(at, 4), instanceWords(at, 5)));
+  uvec2 tree = instanceWords(at, 6);
+  return BvhInstance(x, y, z, tree.x, uintBitsToFloat(tree.y));
+}
 #else
 #define BVH_FLOAT float
 #define BVH_VEC2 vec2
+BvhNode loadedNode(uint node) { return scene_bvh.nodes.at[node]; }
+BvhTriangle loadedTriangle(uint triangle) { return scene_bvh.triangles.at[triangle]; }
+BvhInstance loadedInstance(uint at) { return scene_bvh.instances.at[at]; }
 #endif
 
-const uint kNextOnStack = 0xfffffffeu, kNothingLeft = 0xffffffffu;
-
-// What triangles are met with: component `longest` of the direction is its largest, `shear` leads there; `mirrored` keeps
-// the winding.
-struct Sheared {
+// A ray in the space of the tree it is in. Triangles are met with the last three: component `longest` of the direction
+// is its largest, `shear` leads there; `mirrored` keeps the winding.
+struct BvhRay {
+  vec3 origin, inverse;
   vec3 shear;
   int longest;
   bool mirrored;
 };
 
-vec3 alongLongest(Sheared ray, vec3 v) {
+vec3 alongLongest(BvhRay ray, vec3 v) {
   vec3 turned = ray.longest == 0 ? v.yzx : ray.longest == 1 ? v.zxy : v;
   return ray.mirrored ? turned.yxz : turned;
 }
 
-Sheared sheared(vec3 direction) {
+// Bounded, so that a node's planes, within `reach` of the origin of space, are at finite distances.
+vec3 boundedInverse(vec3 origin, vec3 direction, float reach) {
+  vec3 bounded = max(abs(direction), max(abs(origin) * 1e-36 + reach * 1e-36, vec3(1e-18)));
+  return mix(1.0 / bounded, -1.0 / bounded, lessThan(direction, vec3(0)));
+}
+
+BvhRay rayOf(vec3 origin, vec3 direction, float reach) {
   vec3 size = abs(direction);
-  Sheared ray = Sheared(vec3(0), 0, false);
+  BvhRay ray = BvhRay(origin, boundedInverse(origin, direction, reach), vec3(0), 0, false);
   ray.longest = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
   ray.mirrored = (ray.longest == 0 ? direction.x : ray.longest == 1 ? direction.y : direction.z) < 0.0;
   vec3 along = alongLongest(ray, direction);
@@ -38,23 +90,38 @@ Sheared sheared(vec3 direction) {
   return ray;
 }
 
-// Bounded, so that no plane is at infinity times zero.
-vec3 boundedInverse(vec3 direction) {
-  vec3 bounded = max(abs(direction), vec3(1e-18));
-  return mix(1.0 / bounded, -1.0 / bounded, lessThan(direction, vec3(0)));
+// The ray in an instance's space; the root of its mesh.
+BvhRay rayIn(uint at, Ray world_ray, out uint root) {
+  BvhInstance instance = loadedInstance(at);
+  vec4 x = instance.row_x, y = instance.row_y, z = instance.row_z;
+  vec4 start = vec4(world_ray.origin, 1);
+  vec3 direction =
+      vec3(dot(x.xyz, world_ray.direction), dot(y.xyz, world_ray.direction), dot(z.xyz, world_ray.direction));
+  root = instance.root;
+  return rayOf(vec3(dot(x, start), dot(y, start), dot(z, start)), direction, instance.reach);
 }
 
-// Distance and weights of the second and third corner; a negative distance is a miss.
-vec3 meetTriangle(vec3 origin, Sheared ray, uint triangle) {
-  vec3 a = alongLongest(ray, scene_bvh.triangles.at[triangle].corner[0] - origin);
-  vec3 b = alongLongest(ray, scene_bvh.triangles.at[triangle].corner[1] - origin);
-  vec3 c = alongLongest(ray, scene_bvh.triangles.at[triangle].corner[2] - origin);
-  BVH_VEC2 p = BVH_VEC2(a.xy - ray.shear.xy * a.z);
-  BVH_VEC2 q = BVH_VEC2(b.xy - ray.shear.xy * b.z);
-  BVH_VEC2 r = BVH_VEC2(c.xy - ray.shear.xy * c.z);
-  BVH_FLOAT u = r.x * q.y - r.y * q.x;
-  BVH_FLOAT v = p.x * r.y - p.y * r.x;
-  BVH_FLOAT w = q.x * p.y - q.y * p.x;
+// Distance and weights of the second and third corner; a distance that is not positive is a miss. `geometry`: as the
+// triangle has it.
+vec3 meetTriangle(BvhRay ray, uint triangle, out uint geometry) {
+  BvhTriangle met = loadedTriangle(triangle);
+  geometry = met.geometry;
+  vec3 a = alongLongest(ray, met.corner[0] - ray.origin);
+  vec3 b = alongLongest(ray, met.corner[1] - ray.origin);
+  vec3 c = alongLongest(ray, met.corner[2] - ray.origin);
+  vec2 p = a.xy - ray.shear.xy * a.z;
+  vec2 q = b.xy - ray.shear.xy * b.z;
+  vec2 r = c.xy - ray.shear.xy * c.z;
+  // Products that differ after rounding differ so before: most misses need no double precision.
+  vec3 more = vec3(r.x * q.y, p.x * r.y, q.x * p.y), less = vec3(r.y * q.x, p.y * r.x, q.y * p.x);
+  bool has_positive = more.x > less.x || more.y > less.y || more.z > less.z;
+  bool has_negative = more.x < less.x || more.y < less.y || more.z < less.z;
+  if (has_positive && has_negative) return vec3(-1);
+
+  BVH_VEC2 fine_p = BVH_VEC2(p), fine_q = BVH_VEC2(q), fine_r = BVH_VEC2(r);
+  BVH_FLOAT u = fine_r.x * fine_q.y - fine_r.y * fine_q.x;
+  BVH_FLOAT v = fine_p.x * fine_r.y - fine_p.y * fine_r.x;
+  BVH_FLOAT w = fine_q.x * fine_p.y - fine_q.y * fine_p.x;
   BVH_FLOAT zero = BVH_FLOAT(0);
   bool outside = (u < zero || v < zero || w < zero) && (u > zero || v > zero || w > zero);
   if (outside) return vec3(-1);
@@ -76,21 +143,28 @@ bool isBefore(uint triangle, uint other) {
 // One plane of each of four children, in steps. Through signed integers: processors convert no others at once.
 vec4 planes(uint bytes) { return vec4(ivec4((uvec4(bytes) >> uvec4(0, 8, 16, 24)) & 255u)); }
 
-// The nearest child of a node that the ray meets from t_min to t_max, kNextOnStack without any. `others`: an entry of the
-// stack for the others that it meets: the node, their numbers, nearest first, 2 bits each; how many. 0: there are none.
-uint nearestChild(uint node, vec3 origin, vec3 inverse, float t_min, float t_max, out uint others) {
-  uint steps = scene_bvh.nodes.at[node].steps;
-  uvec3 low = scene_bvh.nodes.at[node].low, high = scene_bvh.nodes.at[node].high;
-  vec3 step_t = uintBitsToFloat((uvec3(steps) << uvec3(23, 15, 7)) & 0x7f800000u) * inverse;
-  vec3 offset = (scene_bvh.nodes.at[node].origin - origin) * inverse;
+// Of finite distances, by their bits, which is one step where floats that may be no number take three. In order among
+// those that are not negative; the largest is right where one of them is, the smallest is negative where one is.
+vec4 largestDistance(vec4 a, vec4 b) { return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b))); }
+vec4 smallestDistance(vec4 a, vec4 b) { return intBitsToFloat(min(floatBitsToInt(a), floatBitsToInt(b))); }
+
+// The nearest child of a node that the ray meets from t_min, 0 or more, to t_max; kNextOnStack without any. `others`: an
+// entry of the stack for the others that it meets; 0: there are none.
+uint nearestChild(uint node, BvhRay ray, float t_min, float t_max, out uint others) {
+  BvhNode at = loadedNode(node);
+  uint steps = at.steps;
+  vec3 step_t = uintBitsToFloat((uvec3(steps) << uvec3(23, 15, 7)) & 0x7f800000u) * ray.inverse;
+  vec3 offset = (at.origin - ray.origin) * ray.inverse;
   vec3 slack = (abs(offset) + 255.0 * abs(step_t)) * (1.0 / 1048576.0);  // what rounding may take away
   vec3 in_offset = offset - slack, out_offset = offset + slack;
-  bvec3 backward = lessThan(inverse, vec3(0));
-  uvec3 nearer = mix(low, high, backward), farther = mix(high, low, backward);
-  vec4 enter = max(max(planes(nearer.x) * step_t.x + in_offset.x, planes(nearer.y) * step_t.y + in_offset.y),
-                   max(planes(nearer.z) * step_t.z + in_offset.z, vec4(t_min)));
-  vec4 leave = min(min(planes(farther.x) * step_t.x + out_offset.x, planes(farther.y) * step_t.y + out_offset.y),
-                   min(planes(farther.z) * step_t.z + out_offset.z, vec4(t_max)));
+  bvec3 backward = lessThan(ray.inverse, vec3(0));
+  uvec3 nearer = mix(at.low, at.high, backward), farther = mix(at.high, at.low, backward);
+  vec4 enter = largestDistance(
+      largestDistance(planes(nearer.x) * step_t.x + in_offset.x, planes(nearer.y) * step_t.y + in_offset.y),
+      largestDistance(planes(nearer.z) * step_t.z + in_offset.z, vec4(t_min)));
+  vec4 leave = smallestDistance(
+      smallestDistance(planes(farther.x) * step_t.x + out_offset.x, planes(farther.y) * step_t.y + out_offset.y),
+      smallestDistance(planes(farther.z) * step_t.z + out_offset.z, vec4(t_max)));
   uvec4 met = uvec4(lessThanEqual(enter, leave)) & uvec4(lessThan(uvec4(0, 1, 2, 3), uvec4(steps >> 24)));
   // Distances with the child in their last bits, sorted; children that are missed come last.
   uvec4 keys = (floatBitsToUint(enter) & ~3u) | uvec4(0, 1, 2, 3) | (met - 1u);
@@ -99,10 +173,11 @@ uint nearestChild(uint node, vec3 origin, vec3 inverse, float t_min, float t_max
   uint m0 = max(first.x, first.y), m1 = min(second.x, second.y);
   uint k1 = min(m0, m1), k2 = max(m0, m1);
   uint hits = met.x + met.y + met.z + met.w;
-  others = 0u;
-  if (hits > 1u) others = (node << 8) | ((k1 & 3u) << 2) | ((k2 & 3u) << 4) | ((k3 & 3u) << 6) | (hits - 1u);
-  if (hits == 0u) return kNextOnStack;
-  return scene_bvh.nodes.at[node].children[k0 & 3u];
+  others = entryOf(node, k1, k2, k3, hits - 1u);
+  others = hits > 1u ? others : 0u;
+  uint even = (k0 & 2u) == 0u ? at.children[0] : at.children[2], odd = (k0 & 2u) == 0u ? at.children[1] : at.children[3];
+  uint nearest = (k0 & 1u) == 0u ? even : odd;
+  return hits == 0u ? kNextOnStack : nearest;
 }
 
 // As traceExcept of mixin/trace.glsl; `any_hit`: the first that is found.
@@ -111,64 +186,47 @@ TraceResult launch(uint slice, bool any_hit, Ray world_ray, float t_min, float t
   TraceResult found = TraceResult(NO_INSTANCE, 0u, 0u, vec2(0), t_max);
   uint nearest = 0u;  // triangle
   uint level = slice < SLICE_SAMPLE ? 0u : slice - SLICE_SAMPLE + 1u;  // levelOf of runtime/world/structures.h
-  // Of the tree that the ray is in.
-  vec3 world_inverse = boundedInverse(world_ray.direction);
-  vec3 origin = world_ray.origin, inverse = world_inverse;
-  Sheared ray = Sheared(vec3(0), 0, false);
-  uint instance = NO_INSTANCE;  // of the tree that the ray is in; NO_INSTANCE: the tree over instances
-  uint stack[BVH_MESH_DEPTH + BVH_TOP_DEPTH];
-  int top = 0, bottom = 0;  // of the stack, and where the entries of the tree that the ray is in begin
   uint reference = scene_bvh.first_root + level * scene_bvh.nodes_per_level;
+  vec3 world_inverse =
+      boundedInverse(world_ray.origin, world_ray.direction, scene_bvh.nodes.at[reference].reach);
+  BvhRay ray = BvhRay(world_ray.origin, world_inverse, vec3(0), 0, false);
+  uint instance = NO_INSTANCE;  // of the tree that the ray is in; NO_INSTANCE: the tree over instances
+  BvhStack stack = noEntries();
   while (true) {
     // To the next leaf.
     while (true) {
-      if (reference == kNextOnStack && top == bottom) {
-        if (instance != NO_INSTANCE) {
-          instance = NO_INSTANCE;
-          origin = world_ray.origin;
-          inverse = world_inverse;
-          bottom = 0;
-        }
-        if (top == 0) reference = kNothingLeft;
-      }
       if (reference == kNextOnStack) {
-        uint entry = stack[top - 1];
-        reference = scene_bvh.nodes.at[entry >> 8].children[(entry >> 2) & 3u];
-        if ((entry & 3u) == 1u) --top;
-        else stack[top - 1] = (entry & 0xffffff00u) | ((entry >> 2) & 0x3cu) | ((entry & 3u) - 1u);
+        if (top(stack) == kInstanceEnds) {
+          drop(stack);
+          instance = NO_INSTANCE;
+          ray.origin = world_ray.origin;
+          ray.inverse = world_inverse;
+        }
+        reference = takeFrom(stack);
       }
       if (reference >= BVH_LEAF) break;
 
-      uint others = 0u;
-      reference = nearestChild(reference, origin, inverse, t_min, found.t, others);
-      if (others != 0u) stack[top++] = others;
+      uint others;
+      reference = nearestChild(reference, ray, t_min, found.t, others);
+      push(stack, others, others != 0u);
     }
     if (reference == kNothingLeft) break;
 
     if (instance == NO_INSTANCE) {
       instance = reference & ~BVH_LEAF;
-      uint at = level * frame.instance_count + instance;
-      vec4 x = scene_bvh.instances.at[at].row_x, y = scene_bvh.instances.at[at].row_y;
-      vec4 z = scene_bvh.instances.at[at].row_z;
-      vec4 start = vec4(world_ray.origin, 1);
-      origin = vec3(dot(x, start), dot(y, start), dot(z, start));
-      vec3 direction = vec3(dot(x.xyz, world_ray.direction), dot(y.xyz, world_ray.direction),
-                            dot(z.xyz, world_ray.direction));
-      inverse = boundedInverse(direction);
-      ray = sheared(direction);
-      bottom = top;
-      reference = scene_bvh.instances.at[at].root;
+      ray = rayIn(level * frame.instance_count + instance, world_ray, reference);
+      push(stack, kInstanceEnds, true);
       continue;
     }
     uint triangle = reference & ((1u << BVH_LEAF_COUNT) - 1u);
     uint end = triangle + ((reference >> BVH_LEAF_COUNT) & 3u) + 1u;
-    for (; triangle < end; ++triangle) {
-      vec3 meeting = meetTriangle(origin, ray, triangle);
+    do {
+      uint geometry;
+      vec3 meeting = meetTriangle(ray, triangle, geometry);
       float t = meeting.x;
       if (!(t > t_min) || t > found.t || t == t_max) continue;
       if (t == found.t && (instance > found.instance || (instance == found.instance && isBefore(nearest, triangle))))
         continue;
-      uint geometry = scene_bvh.triangles.at[triangle].geometry;
       bool asks = (geometry & BVH_OPAQUE) == 0u || instance == skip_instance;
       if (asks && !acceptsHit(instance, geometry & ~BVH_OPAQUE, scene_bvh.triangles.at[triangle].primitive, meeting.yz,
                               skip_instance, skip_geometry))
@@ -177,7 +235,7 @@ TraceResult launch(uint slice, bool any_hit, Ray world_ray, float t_min, float t
       found.barycentrics = meeting.yz;
       found.t = t;
       nearest = triangle;
-    }
+    } while (++triangle < end);
     if (any_hit && found.instance != NO_INSTANCE) break;
     reference = kNextOnStack;
   }

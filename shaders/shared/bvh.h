@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The runtime's own tree over a scene: two levels, instances above and the triangles of each mesh below, four children
 // to a node. Bounds are quantised to 8 bits per plane (Ylitie, Karras, Laine, "Efficient Incoherent Ray Traversal on
-// GPUs Through Compressed Wide BVHs", HPG 2017).
+// GPUs Through Compressed Wide BVHs", HPG 2017). Sizes are multiples of 8 bytes: devices load two words at once.
 #ifndef STROBE_SHARED_BVH_H
 #define STROBE_SHARED_BVH_H
 #include "shared/types.h"
@@ -23,25 +23,28 @@ struct BvhNode {
                // children
   uvec3 low, high;
   uint children[4];
-  uint unused[2];
+  float reach;  // of the first node of a tree: no plane's coordinate is larger
+  uint unused;
 };
 
 struct BvhTriangle {
   vec3 corner[3];  // object space
   uint geometry;   // within the instance; the highest bit is set where a hit on it counts without a question
   uint primitive;
+  uint unused;
 };
 #define BVH_OPAQUE 0x80000000u
 
 struct BvhInstance {
   vec4 row_x, row_y, row_z;  // object-from-world
   uint root;                 // node of its mesh
+  float reach;               // of that node
 };
 
 STROBE_SHARED_END
 #ifdef __cplusplus
 static_assert(sizeof(strobe::shared::BvhNode) == 64);
-static_assert(sizeof(strobe::shared::BvhTriangle) == 44);
-static_assert(sizeof(strobe::shared::BvhInstance) == 52);
+static_assert(sizeof(strobe::shared::BvhTriangle) == 48);
+static_assert(sizeof(strobe::shared::BvhInstance) == 56);
 #endif
 #endif

@@ -11,6 +11,8 @@
 #include <random>
 #include <set>
 
+#include "world/refit.h"
+
 #if __has_include(<embree3/rtcore.h>)
 #include <embree3/rtcore.h>
 #define HAS_EMBREE 1
@@ -158,6 +160,114 @@ TEST(Bvh, IsTheSameEachTime) {
     ASSERT_EQ(again.order, first.order);
     ASSERT_EQ(std::memcmp(again.nodes.data(), first.nodes.data(), first.nodes.size() * sizeof first.nodes[0]), 0);
   }
+}
+
+// ---- Trees that are fitted to what has moved
+
+bool alike(const Bvh& a, const Bvh& b) {
+  return a.order == b.order && a.nodes.size() == b.nodes.size() &&
+         std::memcmp(a.nodes.data(), b.nodes.data(), a.nodes.size() * sizeof a.nodes[0]) == 0;
+}
+
+TEST(Bvh, IsTheSameWhenFittedToWhatItWasBuiltOver) {
+  for (const auto& [name, boxes] : hardLists()) {
+    Bvh built = buildBvh(boxes), fitted = built;
+    refitBvh(fitted, boxes);
+    EXPECT_TRUE(alike(fitted, built)) << name;
+  }
+  Bvh nothing = buildBvh({});
+  refitBvh(nothing, {});
+  EXPECT_EQ(nothing.nodes.size(), 1u);
+}
+
+// As a bending skin moves them: each by its own way, neighbours alike.
+Boxes bent(const Boxes& boxes, float by) {
+  Boxes moved;
+  for (const Box& box : boxes) {
+    vec3 middle = 0.5f * (box.low + box.high), half = 0.5f * (box.high - box.low);
+    vec3 way(std::sin(3 * middle.y), std::sin(2 * middle.z), std::cos(5 * middle.x));
+    moved.push_back(around(middle + by * way, half * 1.25f));
+  }
+  return moved;
+}
+
+struct Line {
+  dvec3 origin, direction;
+  // Where it enters what lies between two planes per axis; infinity where it does not.
+  double enters(const dvec3& low, const dvec3& high) const {
+    double enter = 0, leave = HUGE_VAL;
+    for (int axis = 0; axis < 3; ++axis) {
+      double a = (low[axis] - origin[axis]) / direction[axis], b = (high[axis] - origin[axis]) / direction[axis];
+      enter = std::max(enter, std::min(a, b));
+      leave = std::min(leave, std::max(a, b));
+    }
+    return enter <= leave ? enter : HUGE_VAL;
+  }
+  double enters(const Box& box) const { return enters(dvec3(box.low), dvec3(box.high)); }
+};
+
+// Where a line first enters a box, by way of the tree.
+double nearest(const Bvh& bvh, const Boxes& boxes, const Line& line, uint32_t index = 0) {
+  const shared::BvhNode& node = bvh.nodes.at(index);
+  double found = HUGE_VAL;
+  for (int child = 0; child < int(node.steps >> 24); ++child) {
+    dvec3 low, high;
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = planeOf(node, node.low, axis, child);
+      high[axis] = planeOf(node, node.high, axis, child);
+    }
+    if (line.enters(low, high) == HUGE_VAL) continue;
+    uint32_t reference = node.children[child];
+    if (!(reference & BVH_LEAF)) found = std::min(found, nearest(bvh, boxes, line, reference));
+    else
+      for (uint32_t i = 0; i <= (reference >> BVH_LEAF_COUNT & 3); ++i)
+        found = std::min(found, line.enters(boxes.at(bvh.order.at((reference & ((1u << BVH_LEAF_COUNT) - 1)) + i))));
+  }
+  return found;
+}
+
+TEST(Bvh, FittedMeetsWhatARebuiltOneMeets) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  auto any = [&] {
+    double x = unit(random), y = unit(random);
+    return dvec3(x, y, unit(random));
+  };
+  for (const Boxes& boxes : {randomBoxes(3000, 0.02f), terrain(30)}) {
+    Bvh fitted = buildBvh(boxes);
+    for (float by : {0.1f, 2.0f, 0.0f}) {
+      Boxes moved = bent(boxes, by);
+      refitBvh(fitted, moved);
+      Walk walk{fitted, moved, {}, {}, {}};
+      walk.down(0, 1);
+      EXPECT_EQ(walk.met.size(), boxes.size());
+      Bvh rebuilt = buildBvh(moved);
+      int hits = 0;
+      for (int i = 0; i < 2000; ++i) {
+        const Box& aim = moved[size_t(i) % moved.size()];
+        Line line{20.0 * any(), {}};
+        line.direction = 0.5 * (dvec3(aim.low) + dvec3(aim.high)) - line.origin;
+        double met = nearest(fitted, moved, line), all = HUGE_VAL;
+        for (const Box& box : moved) all = std::min(all, line.enters(box));
+        EXPECT_EQ(met, all);
+        EXPECT_EQ(met, nearest(rebuilt, moved, line));
+        hits += met < HUGE_VAL;
+      }
+      EXPECT_EQ(hits, 2000);
+    }
+  }
+}
+
+TEST(Bvh, FittedIsTheSameEachTimeAndKeepsItsTopology) {
+  Boxes boxes = randomBoxes(5000, 0.01f), moved = bent(boxes, 0.5f);
+  Bvh built = buildBvh(boxes), once = built, by_a_way_round = built;
+  refitBvh(once, moved);
+  refitBvh(by_a_way_round, bent(boxes, 3));
+  refitBvh(by_a_way_round, moved);
+  EXPECT_TRUE(alike(once, by_a_way_round));
+  ASSERT_EQ(once.nodes.size(), built.nodes.size());
+  for (size_t i = 0; i < built.nodes.size(); ++i)
+    EXPECT_EQ(std::memcmp(once.nodes[i].children, built.nodes[i].children, sizeof built.nodes[i].children), 0);
 }
 
 #ifdef HAS_EMBREE

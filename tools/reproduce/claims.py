@@ -104,6 +104,8 @@ OF_A_MACHINE = [
       for id in ("build_minutes", "artifact_minutes")],
     Numbers("reload_edits", "STROBE_EDITS=1000 build/tests/test_session --gtest_filter='Edits*'", 300,
             "edits are drawn by a seed", read=read.random_edits),
+    Numbers("rays_held", "STROBE_RAYS=2500000 build/tests/test_oracle --gtest_filter='RenderRays*'", 150,
+            "another device rounds otherwise", read=read.rays_held, tolerance=0.02),
     Numbers("reload_edits_time", "STROBE_EDITS=1000 build/tests/test_session --gtest_filter='Edits*'", 300, TIMES,
             read=read.random_edits_time, asserted=False),
 ]

@@ -59,6 +59,14 @@ def frame_ratios(bench):
     return [min(ratios), max(ratios)]
 
 
+def rays_held(bench):
+    test = bench.program.parent / "tests" / "test_oracle"
+    bench.need(test, why="the tests are not built: ./strobe test -N builds them")
+    text = bench.run(test, "--gtest_filter=RenderRays*", environment={"STROBE_RAYS": "2500000"})
+    rows = re.findall(r"^\w+, (?:pipeline|bvh|Embree): (\d+) rays, (\d+) tied, (\d+) bordering, (\d+) others", text, re.M)
+    return [float(number) for row in rows for number in row]
+
+
 # --- what tests and commands print
 
 def printed(bench, program, test, name):
