@@ -19,7 +19,7 @@ constexpr VkBufferUsageFlags kRead =
 // What SceneBvh of shaders/shared/bindings.glsl has.
 struct Addresses {
   VkDeviceAddress nodes, triangles, instances;
-  uint32_t first_root, nodes_per_slice;
+  uint32_t first_root, nodes_per_tree;
 };
 
 // A transform by rows, and what it does to sizes: the rounding of a ray that is brought to object space.
@@ -73,16 +73,16 @@ class OwnStructures : public Structures {
   OwnStructures(const gpu::Device& device, const scene::Scene& scene, const MeshTrees& trees, uint32_t slices)
       : device_(device), instances_(scene::instancesOf(scene)), roots_(trees.roots), bounds_(trees.bounds) {
     size_t levels = levelOf(slices - 1) + 1;
-    nodes_per_level_ = std::max<size_t>(1, instances_.size());
+    nodes_per_tree_ = std::max<size_t>(1, instances_.size());
     first_root_ = trees.nodes.size();
-    if (first_root_ + levels * nodes_per_level_ > BVH_MOST_NODES || instances_.size() > 1u << BVH_TOP_DEPTH)
+    if (first_root_ + 2 * levels * nodes_per_tree_ > BVH_MOST_NODES || instances_.size() > 1u << BVH_TOP_DEPTH)
       throw Error(
           fmt::format("{}: its tree has more than {} nodes, which tracing backend 'bvh' can number; "
                       "take --backend query or pipeline on a device that has it",
                       scene.name, BVH_MOST_NODES));
     triangles_ = gpu::uploadBuffer(device, "scene.bvh.triangles", trees.triangles.data(),
                                    trees.triangles.size() * sizeof(shared::BvhTriangle), kRead);
-    size_t mesh_bytes = first_root_ * sizeof(BvhNode), top_bytes = levels * nodes_per_level_ * sizeof(BvhNode);
+    size_t mesh_bytes = first_root_ * sizeof(BvhNode), top_bytes = 2 * levels * nodes_per_tree_ * sizeof(BvhNode);
     size_t instance_bytes = levels * instances_.size() * sizeof(BvhInstance);
     using gpu::Buffer;
     nodes_ = Buffer(device, "scene.bvh.nodes", mesh_bytes + top_bytes, kRead, Buffer::Memory::Device);
@@ -96,7 +96,7 @@ class OwnStructures : public Structures {
     meshes.write(trees.nodes);
     device.submit([&](VkCommandBuffer commands) { recordCopy(commands, meshes, 0, nodes_, 0, mesh_bytes); });
     Addresses addresses{nodes_.address(), triangles_.address(), posed_.address(), uint32_t(first_root_),
-                        uint32_t(nodes_per_level_)};
+                        uint32_t(nodes_per_tree_)};
     addresses_ =
         Buffer(device, "scene.bvh", sizeof addresses, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, Buffer::Memory::Host);
     std::memcpy(addresses_.mapped(), &addresses, sizeof addresses);
@@ -117,7 +117,7 @@ class OwnStructures : public Structures {
     device_.vk().UpdateDescriptorSets(device_.handle(), 1, &write, 0, nullptr);
   }
 
-  void pose(uint32_t level, const shared::SceneTransform* transforms) override {
+  void pose(uint32_t level, const shared::SceneTransform* transforms, const std::vector<bool>& moves) override {
     auto* posed = static_cast<BvhInstance*>(next_posed_.mapped()) + level * instances_.size();
     std::vector<Box> boxes(instances_.size());
     for (size_t i = 0; i < instances_.size(); ++i) {
@@ -128,18 +128,14 @@ class OwnStructures : public Structures {
       bool empty = bounds_[mesh].low.x > bounds_[mesh].high.x;
       if (!empty) boxes[i] = posedBox(bounds_[mesh], forward, back);
     }
-    Bvh bvh = buildBvh(boxes, {1, BVH_TOP_DEPTH});
-    auto* nodes = static_cast<BvhNode*>(next_nodes_.mapped()) + level * nodes_per_level_;
-    const uint32_t first = uint32_t(first_root_ + level * nodes_per_level_);
-    for (BvhNode& node : bvh.nodes) {
-      for (uint32_t& child : node.children)
-        if (!(child & BVH_LEAF)) child += first;
-      *nodes++ = node;
-    }
+    putTree(2 * level, boxes);
+    for (size_t i = 0; i < boxes.size(); ++i)
+      if (!moves[i]) boxes[i] = {};
+    putTree(2 * level + 1, boxes);
   }
 
   void recordBuild(VkCommandBuffer commands, uint32_t level) const override {
-    const size_t nodes = nodes_per_level_ * sizeof(BvhNode), posed = instances_.size() * sizeof(BvhInstance);
+    const size_t nodes = 2 * nodes_per_tree_ * sizeof(BvhNode), posed = instances_.size() * sizeof(BvhInstance);
     recordCopy(commands, next_nodes_, level * nodes, nodes_, first_root_ * sizeof(BvhNode) + level * nodes, nodes);
     recordCopy(commands, next_posed_, level * posed, posed_, level * posed, posed);
     recordBarrier(device_, commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
@@ -147,6 +143,18 @@ class OwnStructures : public Structures {
   }
 
  private:
+  // Each level has two trees: of all instances, and of those that move.
+  void putTree(size_t tree, const std::vector<Box>& boxes) {
+    Bvh bvh = buildBvh(boxes, {1, BVH_TOP_DEPTH});
+    auto* nodes = static_cast<BvhNode*>(next_nodes_.mapped()) + tree * nodes_per_tree_;
+    const uint32_t first = uint32_t(first_root_ + tree * nodes_per_tree_);
+    for (BvhNode& node : bvh.nodes) {
+      for (uint32_t& child : node.children)
+        if (!(child & BVH_LEAF)) child += first;
+      *nodes++ = node;
+    }
+  }
+
   void recordCopy(VkCommandBuffer commands, const gpu::Buffer& from, size_t from_at, const gpu::Buffer& to,
                   size_t to_at, size_t bytes) const {
     VkBufferCopy copy{from_at, to_at, bytes};
@@ -157,7 +165,7 @@ class OwnStructures : public Structures {
   std::vector<scene::Instance> instances_;
   std::vector<uint32_t> roots_;
   std::vector<Box> bounds_;
-  size_t first_root_ = 0, nodes_per_level_ = 0;
+  size_t first_root_ = 0, nodes_per_tree_ = 0;
   gpu::Buffer triangles_, nodes_, posed_, next_nodes_, next_posed_, addresses_;
 };
 

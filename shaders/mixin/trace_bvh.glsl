@@ -105,8 +105,8 @@ uint nearestChild(uint node, vec3 origin, vec3 inverse, float t_min, float t_max
   return scene_bvh.nodes.at[node].children[k0 & 3u];
 }
 
-// As traceExcept of mixin/trace.glsl; `any_hit`: the first that is found.
-TraceResult launch(uint slice, bool any_hit, Ray world_ray, float t_min, float t_max, uint skip_instance,
+// As traceExcept of mixin/trace.glsl; `mask`: RAYS_TO_*; `any_hit`: the first that is found.
+TraceResult launch(uint slice, uint mask, bool any_hit, Ray world_ray, float t_min, float t_max, uint skip_instance,
                    uint skip_geometry) {
   TraceResult found = TraceResult(NO_INSTANCE, 0u, 0u, vec2(0), t_max);
   uint nearest = 0u;  // triangle
@@ -118,7 +118,8 @@ TraceResult launch(uint slice, bool any_hit, Ray world_ray, float t_min, float t
   uint instance = NO_INSTANCE;  // of the tree that the ray is in; NO_INSTANCE: the tree over instances
   uint stack[BVH_MESH_DEPTH + BVH_TOP_DEPTH];
   int top = 0, bottom = 0;  // of the stack, and where the entries of the tree that the ray is in begin
-  uint reference = scene_bvh.first_root + level * scene_bvh.nodes_per_level;
+  uint tree = 2u * level + uint(mask == RAYS_TO_MOVING);
+  uint reference = scene_bvh.first_root + tree * scene_bvh.nodes_per_tree;
   while (true) {
     // To the next leaf.
     while (true) {
