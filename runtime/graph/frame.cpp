@@ -26,6 +26,8 @@ shared::FrameData frameData(const Plan& plan, const world::GpuScene& scene, cons
   frame.sky = setup.environment.sky;
   frame.ground = setup.environment.ground;
   frame.reach = ivec4(setup.reach.x0, setup.reach.y0, setup.reach.x1, setup.reach.y1);
+  frame.camera_rests = setup.camera_rests ? 1 : 0;
+  frame.moving_count = scene.movingCount();
   frame.exposure = float((setup.close_s - setup.open_s) / setup.frame_s);
   if (setup.environment.background) frame.background = vec4(*setup.environment.background, 1);
   return frame;
@@ -38,18 +40,17 @@ static double aspect(const Plan& plan) { return double(plan.width) / plan.height
 
 void poseFixedSlices(world::GpuScene& scene, const Plan& plan, const FrameSetup& setup) {
   dvec3 origin = frameOrigin(setup);
+  scene.setMoving(setup.moves);
   const double times[] = {setup.capture_s, setup.open_s, setup.close_s, setup.capture_s - setup.frame_s};
   for (uint32_t slice : {SLICE_CAPTURE, SLICE_OPEN, SLICE_CLOSE, SLICE_PREVIOUS})
     scene.setPose(slice, setup.pose_at(times[slice]), setup.camera, aspect(plan), origin);
 }
 
-// Which of the parts of the exposure an iteration samples. A loop that may stop early takes them by steps of the golden
-// ratio: however many were taken, they lie all over the exposure.
-static int partOf(const plan::PlanLoop& loop, int iteration) {
-  if (loop.until < 0) return iteration;
-  int64_t stride = std::max<int64_t>(std::llround(loop.count * 0.6180339887498949), 1);
-  while (std::gcd(stride, int64_t(loop.count)) != 1) ++stride;
-  return int(iteration * stride % loop.count);
+int partOf(const plan::PlanLoop& loop, int iteration) {
+  if (loop.until < 0 && loop.parts == loop.count) return iteration;
+  int64_t stride = std::max<int64_t>(std::llround(loop.parts * 0.6180339887498949), 1);
+  while (std::gcd(stride, int64_t(loop.parts)) != 1) ++stride;
+  return int(iteration * stride % loop.parts);
 }
 
 void poseSamples(world::GpuScene& scene, const Plan& plan, const FrameSetup& setup, const plan::PlanLoop& loop,
@@ -63,7 +64,7 @@ void poseSamples(world::GpuScene& scene, const Plan& plan, const FrameSetup& set
       uint32_t index = uint32_t(part) * uint32_t(loop.slices) + uint32_t(q);
       in_stratum = (q + hashUniform(setup.seed, setup.frame, index, uint32_t(loop.loop))) / loop.slices;
     }
-    double time_s = setup.open_s + (setup.close_s - setup.open_s) * ((part + in_stratum) / loop.count);
+    double time_s = setup.open_s + (setup.close_s - setup.open_s) * ((part + in_stratum) / loop.parts);
     scene.setPose(SLICE_SAMPLE + uint32_t(q), setup.pose_at(time_s), setup.camera, aspect(plan), origin);
   }
 }

@@ -28,6 +28,8 @@ struct FrameSetup {
   vec2 subpixel = vec2(0);  // sample position relative to the pixel's centre, px
   scene::Environment environment;
   scene::PixelArea reach;                         // where anything that moves can be seen
+  std::vector<bool> moves;                        // by instance: may it move within the exposure? Empty: each may
+  bool camera_rests = false;                      // within the exposure
   const std::set<std::string>* wanted = nullptr;  // outputs and taps to read back; null: all
 };
 
@@ -58,7 +60,11 @@ shared::FrameData frameData(const plan::Plan& plan, const world::GpuScene& scene
 
 // Poses what every frame sees: the capture, the ends of the exposure, the frame before.
 void poseFixedSlices(world::GpuScene& scene, const plan::Plan& plan, const FrameSetup& setup);
-// Poses the sample slices of an iteration: midpoints of strata, or a random time in each of their parts.
+// Which of the parts of the exposure an iteration samples, which counts from `loop.first`. A loop that may stop early,
+// or takes some of them, does so by steps of the golden ratio: however many were taken, they lie all over the exposure.
+int partOf(const plan::PlanLoop& loop, int iteration);
+// Poses the sample slices of an iteration, which counts from `loop.first`: midpoints of strata, or a random time in
+// each of their parts.
 void poseSamples(world::GpuScene& scene, const plan::Plan& plan, const FrameSetup& setup, const plan::PlanLoop& loop,
                  int iteration);
 

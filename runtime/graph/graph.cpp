@@ -102,13 +102,14 @@ void Graph::runLoop(const FrameSetup& setup, const Step& step, shared::FrameData
   const plan::PlanLoop& loop = plan_->loops[size_t(step.index)];
   std::vector<const Step*> body;
   for (const Step& inner : step.body) body.push_back(&inner);
-  frame.iteration_count = uint32_t(loop.count);
+  frame.iteration_count = uint32_t(loop.parts);
   frame.slice_count = uint32_t(loop.slices);
   int iteration = 0;
   bool stop = false;
   while (iteration < loop.count && !stop) {
-    poseSamples(scene_, *plan_, setup, loop, iteration);
-    frame.iteration = uint32_t(iteration);
+    poseSamples(scene_, *plan_, setup, loop, loop.first + iteration);
+    frame.iteration = uint32_t(loop.first + iteration);
+    frame.part = loop.until < 0 ? uint32_t(partOf(loop, loop.first + iteration)) : frame.iteration;
     scene_.setFrame(frame);
     submission_.run(body, iteration, SLICE_SAMPLE, traces_ ? uint32_t(loop.slices) : 0);
     ++iteration;

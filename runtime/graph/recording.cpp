@@ -122,7 +122,8 @@ void Recording::pass(VkCommandBuffer commands, size_t node_index, int iteration,
   int begin = stamps ? stamps->timer.recordStamp(commands) : -1;
   bind(commands, node);
   if (node.pipeline->interface.raster) raster(commands, node, planned);
-  else if (planned.still_once && iteration > 0) work(commands, node, widthOf(reach_), heightOf(reach_));
+  else if (planned.still_once && plan_->loops[size_t(planned.loop)].first + iteration > 0)
+    work(commands, node, widthOf(reach_), heightOf(reach_));
   else work(commands, node, uint32_t(planned.width), uint32_t(planned.height));
   int end = stamps ? stamps->timer.recordStamp(commands) : -1;
   if (begin >= 0 && end >= 0) stamps->pending.push_back({node_index, begin, end});

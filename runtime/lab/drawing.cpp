@@ -46,6 +46,10 @@ graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene) {
   setup.environment = scene.environment;
   setup.reach = scene::reachOfMotion(scene, setup.camera, setup.pose_at, setup.capture_s, setup.open_s, setup.close_s,
                                      shot.width, shot.height);
+  if (shot.model_everything) return setup;
+  scene::Facts facts = factsOf(shot, scene);
+  setup.moves = facts.moves;
+  setup.camera_rests = !facts.camera_moves;
   return setup;
 }
 

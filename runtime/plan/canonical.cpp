@@ -119,6 +119,7 @@ Json loopJson(const Plan& plan, int index) {
   json["count"] = loop.count;
   json["times"] = loop.times;
   json["slices"] = loop.slices;
+  if (loop.parts != loop.count) json["first"] = loop.first, json["parts"] = loop.parts;
   json["until"] = loop.until < 0 ? "" : plan.images[loop.until].name;
   return json;
 }
@@ -218,14 +219,19 @@ std::string nodeText(const Plan& plan, int index, const std::string& indent) {
   return text;
 }
 
+std::string partsText(const PlanLoop& loop) {
+  if (loop.parts == loop.count) return "";
+  return fmt::format(", from number {} of {}", loop.first, loop.parts);
+}
+
 std::string orderText(const Plan& plan) {
   std::string text;
   for (const Step& step : plan.steps) {
     if (step.kind == Step::Kind::Pass) text += nodeText(plan, step.index, "  ");
     if (step.kind != Step::Kind::Loop) continue;
     const PlanLoop& loop = plan.loops[step.index];
-    text += fmt::format("  loop {}: {} times, {} times of the scene, {} per iteration{}\n", loopName(plan, step.index),
-                        loop.count, loop.times, loop.slices,
+    text += fmt::format("  loop {}: {} times, {} times of the scene, {} per iteration{}{}\n",
+                        loopName(plan, step.index), loop.count, loop.times, loop.slices, partsText(loop),
                         loop.until < 0 ? "" : ", until " + plan.images[loop.until].name);
     for (const Step& inner : step.body) {
       if (inner.kind == Step::Kind::Pass) text += nodeText(plan, inner.index, "    ");

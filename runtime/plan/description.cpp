@@ -308,12 +308,14 @@ static Json nodeJson(const NodeDesc& node) {
 }
 
 static Json loopJson(const LoopDesc& loop) {
-  return {{"name", loop.name},
-          {"count", bindingJson(loop.count)},
-          {"times", bindingJson(loop.times)},
-          {"slices", bindingJson(loop.slices)},
-          {"until", loop.until},
-          {"place", placeJson(loop.place)}};
+  Json json = {{"name", loop.name},
+               {"count", bindingJson(loop.count)},
+               {"times", bindingJson(loop.times)},
+               {"slices", bindingJson(loop.slices)},
+               {"until", loop.until},
+               {"place", placeJson(loop.place)}};
+  if (loop.parts > 0) json["first"] = loop.first, json["parts"] = loop.parts;
+  return json;
 }
 
 static Json valuesJson(const std::vector<std::pair<std::string, Value>>& values) {

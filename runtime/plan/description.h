@@ -153,13 +153,16 @@ struct NodeDesc {
   Place place;
 };
 
-// Nodes repeated for k = 0 .. count-1, each time with its own scene times.
+// Nodes repeated for k = first .. first+count-1, each time with its own scene times.
 struct LoopDesc {
   std::string name;
   Binding count;
   Binding times;      // choice "midpoint" | "stratified"
   Binding slices;     // scene times per iteration among which a pixel may draw one; 1 for midpoint times
   std::string until;  // "node.port" of a 1x1 r32f image in the loop, non-zero to stop early; or ""
+  // Of how many parts of the exposure this loop takes `count`, from which on, in an order in which any run of them lies
+  // all over the exposure. 0 parts: all of them, one after another.
+  int first = 0, parts = 0;
   Place place;
 };
 

@@ -376,6 +376,10 @@ LoopDesc readLoop(const Json& json, const PipelineDesc& pipeline) {
   loop.times = readBinding(reader.at("times"), pipeline, times);
   loop.slices = readBinding(reader.at("slices"), pipeline, countParam("slices", 1024));
   loop.until = reader.text("until");
+  if (json.contains("parts")) {
+    loop.first = reader.integer("first", std::nullopt, 0, 1 << 20);
+    loop.parts = reader.integer("parts", std::nullopt, 1, 1 << 20);
+  }
   reader.finish();
   return loop;
 }

@@ -66,7 +66,7 @@ class Compiler {
 
   int addLoop(int index) {
     const WiredLoop& wired = wiring_.loops[index];
-    plan_.loops.push_back({index, wired.count, wired.times, wired.slices, -1});
+    plan_.loops.push_back({index, wired.count, wired.times, wired.slices, wired.first, wired.parts, -1});
     return static_cast<int>(plan_.loops.size()) - 1;
   }
 

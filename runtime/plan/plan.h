@@ -72,7 +72,8 @@ struct PlanLoop {
   int count = 0;
   std::string times;  // "midpoint" or "stratified"
   int slices = 1;
-  int until = -1;  // image read back after each iteration, non-zero to stop; or -1
+  int first = 0, parts = 0;  // it takes `count` of so many parts of the exposure, from this on
+  int until = -1;            // image read back after each iteration, non-zero to stop; or -1
 };
 
 // One command of the frame, in the order of execution.

@@ -347,6 +347,11 @@ class Wirer {
     if (!text || (*text != "midpoint" && *text != "stratified")) {
       problem(loop.times.place, "times of loop '{}' must be 'midpoint' or 'stratified'", loop.name);
     }
+    wired.first = loop.first;
+    wired.parts = loop.parts > 0 ? loop.parts : wired.count;
+    if (wired.first < 0 || wired.count > wired.parts - wired.first)
+      problem(loop.place, "loop '{}' takes {} parts of {} from number {} on", loop.name, wired.count, wired.parts,
+              wired.first);
     if (!loop.until.empty()) wired.until = untilOf(loop);
     wiring_.loops.push_back(wired);
   }

@@ -27,6 +27,7 @@ struct WiredLoop {
   int count = 1;
   std::string times = "midpoint";
   int slices = 1;
+  int first = 0, parts = 1;
   Source until;
 };
 

@@ -191,10 +191,12 @@ Facts factsOf(const Scene& scene, const FrameView& view) {
   std::vector<Instance> instances = instancesOf(scene);
   for (size_t i = 0; i < instances.size(); ++i) {
     const Mesh& mesh = scene.meshes[size_t(instances[i].mesh)];
-    if (isEmpty(mesh)) continue;
+    const bool empty = isEmpty(mesh);
+    facts.moves.push_back(!empty && (moves[size_t(instances[i].node)] ||
+                                     differs([&](const Pose& pose) { return pose.world_from_instance[i]; })));
+    if (empty) continue;
     facts.alpha = facts.alpha || isCutOut(scene, mesh);
-    facts.motion = facts.motion || moves[size_t(instances[i].node)] ||
-                   differs([&](const Pose& pose) { return pose.world_from_instance[i]; });
+    facts.motion = facts.motion || facts.moves[i];
   }
   std::vector<int> lights = lightsOf(scene);
   for (size_t i = 0; i < lights.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -35,6 +36,7 @@ struct FrameView {
 struct Facts {
   bool camera_moves = true;  // within the times of the frame: from the first to the last of them
   bool motion = true;        // the camera, a light or anything with triangles moves within them
+  std::vector<bool> moves;   // by instance: does it move within them? Empty: each may
   bool alpha = true;         // something with triangles is cut out by its alpha
   bool shadows = true;       // a light casts shadows
 };

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <future>
+#include <span>
 #include <thread>
 
 #include "base/error.h"
@@ -85,7 +86,7 @@ uint32_t plane(double distance, double step, bool up) {
 }
 
 // Gives a node these children's bounds, and returns what is around them all.
-Box setBounds(shared::BvhNode& node, const std::vector<Box>& children) {
+Box setBounds(shared::BvhNode& node, std::span<const Box> children) {
   Box box;
   for (const Box& child : children) box.add(child);
   node.origin = box.low;
@@ -365,10 +366,10 @@ class Builder {
   }
 
   static shared::BvhNode nodeOf(const std::array<Part, 4>& children, size_t count) {
-    std::vector<Box> boxes;
-    for (size_t c = 0; c < count; ++c) boxes.push_back(children[c].box);
+    std::array<Box, 4> boxes;
+    for (size_t c = 0; c < count; ++c) boxes[c] = children[c].box;
     shared::BvhNode node{};
-    setBounds(node, boxes);
+    setBounds(node, std::span(boxes).first(count));
     return node;
   }
 

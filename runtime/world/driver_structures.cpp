@@ -42,13 +42,13 @@ class DriverStructures : public Structures {
     device_.vk().UpdateDescriptorSets(device_.handle(), 1, &write, 0, nullptr);
   }
 
-  void pose(uint32_t level, const shared::SceneTransform* transforms) override {
+  void pose(uint32_t level, const shared::SceneTransform* transforms, const std::vector<bool>& moves) override {
     VkAccelerationStructureInstanceKHR* posed = top_levels_[level].instances();
     for (size_t i = 0; i < instances_.size(); ++i) {
       VkAccelerationStructureInstanceKHR instance{};
       static_assert(sizeof instance.transform == sizeof *transforms);
       std::memcpy(&instance.transform, &transforms[i], sizeof instance.transform);
-      instance.mask = 0xff;
+      instance.mask = moves[i] ? RAYS_TO_ALL : RAYS_TO_ALL & ~RAYS_TO_MOVING;
       instance.flags = VK_GEOMETRY_INSTANCE_TRIANGLE_FACING_CULL_DISABLE_BIT_KHR;
       const gpu::Acceleration& mesh = bottom_levels_[size_t(instances_[i].mesh)];
       instance.accelerationStructureReference = mesh.handle() ? mesh.address() : 0;

@@ -60,7 +60,7 @@ void GpuScene::uploadGeometry(const Scene& scene) {
   for (size_t i = 0; i < instances_.size(); ++i) {
     const Mesh& mesh = scene.meshes[size_t(instances_[i].mesh)];
     uint32_t first = meshes_->firstGeometry()[size_t(instances_[i].mesh)];
-    instance_data.push_back({first, uint32_t(mesh.geometries.size())});
+    instance_data.push_back({first, uint32_t(mesh.geometries.size()), 1});
     for (uint32_t g = 0; g < mesh.geometries.size(); ++g) {
       const SceneGeometry& geometry = geometries[first + g];
       draws_.push_back({geometry.first_index, 3 * geometry.triangle_count, int32_t(geometry.first_vertex)});
@@ -68,7 +68,10 @@ void GpuScene::uploadGeometry(const Scene& scene) {
     }
   }
   geometry_buffer_ = uploadArray(device_, "scene.geometries", geometries, kStorage);
-  instance_buffer_ = uploadArray(device_, "scene.instances", instance_data, kStorage);
+  instance_buffer_ =
+      Buffer(device_, "scene.instances", instance_data.size() * sizeof(SceneInstance), kStorage, Buffer::Memory::Host);
+  instance_buffer_.write(instance_data);
+  moves_.assign(instances_.size(), true);
   draw_buffer_ = uploadArray(device_, "scene.draws", draw_data, kStorage);
 }
 
@@ -252,8 +255,18 @@ void GpuScene::setPose(uint32_t slice, const Pose& pose, const Camera& camera, d
     const Light& light = scene_.lights[size_t(scene_.nodes[size_t(light_nodes_[i])].light)];
     lights[i] = lightData(light, pose.world_from_light[i], origin);
   }
-  if (isTraced(slice)) structures_->pose(levelOf(slice), transforms);
+  if (isTraced(slice)) structures_->pose(levelOf(slice), transforms, moves_);
 }
+
+void GpuScene::setMoving(const std::vector<bool>& moves) {
+  STROBE_ASSERT(moves.empty() || moves.size() == moves_.size(), "{} of {}", moves.size(), moves_.size());
+  if (moves.empty()) moves_.assign(moves_.size(), true);
+  else moves_ = moves;
+  auto* instances = static_cast<SceneInstance*>(instance_buffer_.mapped());
+  for (size_t i = 0; i < moves_.size(); ++i) instances[i].moves = moves_[i] ? 1 : 0;
+}
+
+uint32_t GpuScene::movingCount() const { return uint32_t(std::count(moves_.begin(), moves_.end(), true)); }
 
 void GpuScene::recordBuild(VkCommandBuffer commands, uint32_t slice) const {
   STROBE_ASSERT(isTraced(slice), "slice {}", slice);

@@ -41,6 +41,10 @@ class GpuScene {
 
   // The frame's block; the device must be idle.
   void setFrame(const shared::FrameData& frame);
+  // Which instances may move within the frame's exposure: rays may ask for these alone. Before the poses of the frame;
+  // empty: each may. The device must be idle.
+  void setMoving(const std::vector<bool>& moves);
+  uint32_t movingCount() const;
   // Poses slice `slice`; positions become relative to `origin`. The device must be idle. `aspect` is width / height.
   void setPose(uint32_t slice, const scene::Pose& pose, const scene::Camera& camera, double aspect,
                const dvec3& origin);
@@ -59,6 +63,7 @@ class GpuScene {
   const scene::Scene& scene_;
   uint32_t slices_;
   std::vector<scene::Instance> instances_;
+  std::vector<bool> moves_;  // by instance
   std::vector<int> light_nodes_;
   std::vector<Draw> draws_;
   std::shared_ptr<SceneMeshes> meshes_;

@@ -20,7 +20,7 @@ constexpr VkBufferUsageFlags kRead =
 // What SceneBvh of shaders/shared/bindings.glsl has.
 struct Addresses {
   VkDeviceAddress nodes, triangles, instances;
-  uint32_t first_root, nodes_per_slice;
+  uint32_t first_root, nodes_per_tree;
 };
 
 // A transform by rows, and what it does to sizes: the rounding of a ray that is brought to object space.
@@ -76,10 +76,10 @@ class OwnStructures : public Structures {
       : device_(device), instances_(scene::instancesOf(scene)), roots_(trees.roots), bounds_(trees.bounds) {
     for (uint32_t root : roots_) reaches_.push_back(trees.nodes[root].reach);
     size_t levels = levelOf(slices - 1) + 1;
-    nodes_per_level_ = std::max<size_t>(1, instances_.size());
+    nodes_per_tree_ = std::max<size_t>(1, instances_.size());
     first_root_ = trees.nodes.size();
     refuseNodes(scene.name, levels);
-    size_t mesh_bytes = first_root_ * sizeof(BvhNode), top_bytes = levels * nodes_per_level_ * sizeof(BvhNode);
+    size_t mesh_bytes = first_root_ * sizeof(BvhNode), top_bytes = 2 * levels * nodes_per_tree_ * sizeof(BvhNode);
     size_t instance_bytes = levels * instances_.size() * sizeof(BvhInstance);
     using gpu::Buffer;
     gpu::Upload nodes(device, "scene.bvh.nodes", mesh_bytes + top_bytes, kRead);
@@ -92,7 +92,7 @@ class OwnStructures : public Structures {
     next_nodes_ = staging("scene.bvh.next_nodes", top_bytes);
     next_posed_ = staging("scene.bvh.next_instances", instance_bytes);
     Addresses addresses{nodes_.address(), triangles.address(), posed_.address(), uint32_t(first_root_),
-                        uint32_t(nodes_per_level_)};
+                        uint32_t(nodes_per_tree_)};
     addresses_ =
         Buffer(device, "scene.bvh", sizeof addresses, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, Buffer::Memory::Host);
     std::memcpy(addresses_.mapped(), &addresses, sizeof addresses);
@@ -113,7 +113,7 @@ class OwnStructures : public Structures {
     device_.vk().UpdateDescriptorSets(device_.handle(), 1, &write, 0, nullptr);
   }
 
-  void pose(uint32_t level, const shared::SceneTransform* transforms) override {
+  void pose(uint32_t level, const shared::SceneTransform* transforms, const std::vector<bool>& moves) override {
     auto* posed = static_cast<BvhInstance*>(next_posed_.mapped()) + level * instances_.size();
     std::vector<Box> boxes(instances_.size());
     for (size_t i = 0; i < instances_.size(); ++i) {
@@ -124,18 +124,14 @@ class OwnStructures : public Structures {
       bool empty = bounds_[mesh].low.x > bounds_[mesh].high.x;
       if (!empty) boxes[i] = posedBox(bounds_[mesh], forward, back);
     }
-    Bvh bvh = buildBvh(boxes, {1, BVH_TOP_DEPTH});
-    auto* nodes = static_cast<BvhNode*>(next_nodes_.mapped()) + level * nodes_per_level_;
-    const uint32_t first = uint32_t(first_root_ + level * nodes_per_level_);
-    for (BvhNode& node : bvh.nodes) {
-      for (uint32_t& child : node.children)
-        if (!(child & BVH_LEAF)) child += first;
-      *nodes++ = node;
-    }
+    putTree(2 * level, boxes);
+    for (size_t i = 0; i < boxes.size(); ++i)
+      if (!moves[i]) boxes[i] = {};
+    putTree(2 * level + 1, boxes);
   }
 
   void recordBuild(VkCommandBuffer commands, uint32_t level) const override {
-    const size_t nodes = nodes_per_level_ * sizeof(BvhNode), posed = instances_.size() * sizeof(BvhInstance);
+    const size_t nodes = 2 * nodes_per_tree_ * sizeof(BvhNode), posed = instances_.size() * sizeof(BvhInstance);
     recordCopy(commands, next_nodes_, level * nodes, nodes_, first_root_ * sizeof(BvhNode) + level * nodes, nodes);
     recordCopy(commands, next_posed_, level * posed, posed_, level * posed, posed);
     recordBarrier(device_, commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
@@ -144,10 +140,22 @@ class OwnStructures : public Structures {
 
  private:
   void refuseNodes(const std::string& scene, size_t levels) const {
-    const size_t nodes = first_root_ + levels * nodes_per_level_;
+    const size_t nodes = first_root_ + 2 * levels * nodes_per_tree_;
     if (nodes <= BVH_MOST_NODES) return;
     throw Error(kTreeLimit.text(fmt::format("{}: its tree, posed {} times at once, has {} nodes of at most {}", scene,
                                             levels, nodes, BVH_MOST_NODES)));
+  }
+
+  // Each level has two trees: of all instances, and of those that move.
+  void putTree(size_t tree, const std::vector<Box>& boxes) {
+    Bvh bvh = buildBvh(boxes, {1, BVH_TOP_DEPTH});
+    auto* nodes = static_cast<BvhNode*>(next_nodes_.mapped()) + tree * nodes_per_tree_;
+    const uint32_t first = uint32_t(first_root_ + tree * nodes_per_tree_);
+    for (BvhNode& node : bvh.nodes) {
+      for (uint32_t& child : node.children)
+        if (!(child & BVH_LEAF)) child += first;
+      *nodes++ = node;
+    }
   }
 
   void recordCopy(VkCommandBuffer commands, const gpu::Buffer& from, size_t from_at, const gpu::Buffer& to,
@@ -161,7 +169,7 @@ class OwnStructures : public Structures {
   std::vector<uint32_t> roots_;
   std::vector<float> reaches_;
   std::vector<Box> bounds_;
-  size_t first_root_ = 0, nodes_per_level_ = 0;
+  size_t first_root_ = 0, nodes_per_tree_ = 0;
   gpu::Buffer nodes_, posed_, next_nodes_, next_posed_, addresses_;
 };
 

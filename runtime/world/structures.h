@@ -20,9 +20,9 @@ class Structures {
   // The binding of set 0 that names them, and what is written there.
   virtual VkDescriptorSetLayoutBinding binding(uint32_t number) const = 0;
   virtual void write(VkDescriptorSet set, uint32_t number) const = 0;
-  // Poses the instances at a level: 0 is the capture, 1 + i sample i. World-from-object transforms, one of each
-  // instance. The device must be idle.
-  virtual void pose(uint32_t level, const shared::SceneTransform* transforms) = 0;
+  // Poses the instances at a level: 0 is the capture, 1 + i sample i. World-from-object transforms, and whether it
+  // moves (rays may ask for these alone), one of each instance. The device must be idle.
+  virtual void pose(uint32_t level, const shared::SceneTransform* transforms, const std::vector<bool>& moves) = 0;
   // Records what makes the pose of a level ready to be traced by later work.
   virtual void recordBuild(VkCommandBuffer commands, uint32_t level) const = 0;
 };

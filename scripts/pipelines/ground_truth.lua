@@ -6,6 +6,7 @@ local shade         = require "passes.scene.shade"
 local visibility    = require "passes.scene.visibility"
 local traced        = require "passes.scene.visibility_traced"
 local accumulate    = require "passes.truth.accumulate"
+local agreement     = require "passes.truth.agreement"
 local audit         = require "passes.truth.audit"
 local budget_met    = require "passes.truth.budget_met"
 local joined_halves = require "passes.truth.joined_halves"
@@ -24,18 +25,22 @@ local smooth = "a pixel sees all of its square, whose silhouettes are smooth whe
 
 local snapped = "vertices are snapped to 1/256 px: a silhouette as close to a pixel's centre falls to either side"
 
--- One time sample: how it is taken, by mode. Yields mean_a, mean_b and, if it can tell, regions.
-local samples = {}
-
-function samples.rays(p, seen)
+-- A time sample by rays. `t.before`: what samples before this one have come to. Where they agree, nothing is traced
+-- again, unless `t.every_ray`.
+local function traced_sample(p, seen, t)
+  local before, agreed = t.before or {}, t.agreed or {}
   return trace {
-    hit = seen.hit, pixel = p.pixel, mark_regions = p.mark_regions, time = "sample",
-    once_where_still = p.pixel() == "centre" and p.shading() == "frozen",
+    hit = seen.hit, pixel = p.pixel, mark_regions = p.mark_regions, time = "sample", every_ray = t.every_ray,
+    notes = t.notes, audit = p.audit, as = t.as,
+    known_hit = agreed.known_hit, known_shadows = agreed.known_shadows, even = not t.adaptive and agreed.even or nil,
+    first_ground = before.ground, first_still = before.still, first_regions = before.regions,
+    budget = t.budget, taken = t.taken, least_budget = t.least, tile = t.budget and p.tile or nil,
+    once_where_still = not t.every_ray and not t.adaptive and p.pixel() == "centre" and p.shading() == "frozen",
   }
 end
 
 -- The same by the raster pipeline, which shares no visibility with rays: to check one against the other.
-function samples.raster(p)
+local function rastered_sample(p)
   if p.pixel() == "box" then error("mode = raster samples pixel centres only: pixel = box needs mode = rays", 0) end
   if p.slices() > 1 then error("mode = raster draws one time per iteration: slices > 1 needs mode = rays", 0) end
   local hit = visibility { time = "sample", as = "sample_visibility" }.hit
@@ -48,21 +53,65 @@ local function stop_test(p, means)
   return stop { spread = blocks, tolerance = p.tolerance, as = "stop" }.stop
 end
 
+local function joined(first, more, name)
+  return joined_halves {
+    first_a = first.mean_a, first_b = first.mean_b, first_regions = first.regions,
+    more_a = more.mean_a, more_b = more.mean_b, more_regions = more.regions, as = name,
+  }
+end
+
 -- ---- one number of samples for all pixels
 
-local function everywhere(p, seen)
-  local stops, rays = p.tolerance() > 0, p.mode() == "rays"
+local function rastered(p)
   return pipeline.loop {
-    name = "shutter", count = p.samples, times = p.times, slices = p.slices,
+    name = "shutter", count = p.samples, times = p.times,
+    until_ = p.tolerance() > 0 and function(results) return results.stop end or nil,
+    body = function()
+      local s = rastered_sample(p)
+      return { mean_a = s.mean_a, mean_b = s.mean_b, stop = p.tolerance() > 0 and stop_test(p, s) or nil }
+    end,
+  }
+end
+
+-- `t.count` samples of `t.parts`; joined with those before them where these are given.
+local function shutter(p, seen, t)
+  local stops = p.tolerance() > 0 and not t.notes
+  return pipeline.loop {
+    name = t.name, count = t.count, first = t.first, parts = t.parts, times = p.times, slices = p.slices,
     until_ = stops and function(results) return results.stop end or nil,
     body = function()
-      local s = samples[p.mode()](p, seen)
+      local s = traced_sample(p, seen, t)
       return {
-        mean_a = s.mean_a, mean_b = s.mean_b, regions = rays and s.regions or nil,
-        stop = stops and stop_test(p, s) or nil,
+        mean_a = s.mean_a, mean_b = s.mean_b, regions = s.regions, ground = s.ground, still = s.still,
+        unlike = s.unlike, shadows = s.shadows,
+        stop = stops and stop_test(p, t.before and joined(t.before, s, "truth_so_far") or s) or nil,
       }
     end,
   }
+end
+
+local function agreement_of(p, t)
+  return agreement { ground = t.ground, still = t.still, unlike = t.unlike, shadows = t.shadows, even = p.even }
+end
+
+-- A few samples all over the exposure; then the others, for which rays are traced where these do not agree.
+local function everywhere(p, seen)
+  local every_ray, count = p.mode() == "brute", p.samples()
+  local stops = p.tolerance() > 0
+  local eighth = math.max(count // 8, 8)
+  local few = math.min(p.first() > 0 and p.first() or stops and math.min(eighth, 64) or eighth, count)
+  if few == count then
+    return shutter(p, seen, { name = "shutter", count = count, first = 0, parts = count, every_ray = every_ray })
+  end
+  local before = shutter(p, seen, {
+    name = "first", count = few, first = 0, parts = count, every_ray = every_ray, notes = not every_ray,
+    as = "truth_first",
+  })
+  local more = shutter(p, seen, {
+    name = "shutter", count = count - few, first = few, parts = count, every_ray = every_ray, before = before,
+    agreed = not every_ray and agreement_of(p, before) or nil,
+  })
+  return joined(before, more, "truth_sum")
 end
 
 -- ---- more samples where they differ more
@@ -75,12 +124,15 @@ local function level(p, seen, t)
     name = t.name, count = t.count, times = "stratified", slices = p.slices,
     until_ = t.budget and function(results) return results.stop end or nil,
     body = function()
-      local s = trace {
-        hit = seen.hit, budget = t.budget, taken = t.taken, least_budget = t.least, tile = p.tile, pixel = p.pixel,
-        mark_regions = p.mark_regions, time = "sample", as = "truth_" .. t.name,
-      }
+      local s = traced_sample(p, seen, {
+        as = "truth_" .. t.name, budget = t.budget, taken = t.taken, least = t.least, adaptive = true,
+        notes = not t.budget, before = t.before, agreed = t.agreed,
+      })
       local stopped = t.budget and budget_met { rate = t.rate, least_budget = t.least, as = t.name .. "_stop" }.stop or nil
-      return { mean_a = s.mean_a, mean_b = s.mean_b, regions = s.regions, stop = stopped }
+      return {
+        mean_a = s.mean_a, mean_b = s.mean_b, regions = s.regions, stop = stopped, ground = s.ground, still = s.still,
+        unlike = s.unlike, shadows = s.shadows,
+      }
     end,
   }
 end
@@ -92,8 +144,10 @@ local function adaptive(p, seen)
   if p.pixel() == "centre" then error("mode = adaptive sees whole pixels: it needs pixel = box", 0) end
   if p.tolerance() > 0 then error("mode = adaptive shares out `samples`: tolerance > 0 needs mode = rays", 0) end
   local few = math.min(p.pilot(), p.samples())
-  local sum = level(p, seen, { name = "pilot", count = few, taken = 0, least = 0 })
+  local before = level(p, seen, { name = "pilot", count = few, taken = 0, least = 0 })
+  local sum = before
   if few == p.samples() then return sum end
+  local agreed = agreement_of(p, before)
   local blocks = spread { mean_a = sum.mean_a, mean_b = sum.mean_b, block = p.tile }.spread
   local errors = tile_error { spread = blocks }.tile_error
   local rate = sample_rate { tile_error = errors, samples = p.samples, order = p.order, most = most_per_tile }.rate
@@ -106,11 +160,9 @@ local function adaptive(p, seen)
     local least = math.sqrt(2) * taken  -- nearer to twice as many, as a factor
     local more = level(p, seen, {
       name = "level_" .. number, count = taken, taken = taken, budget = budget, rate = rate, least = least,
+      before = before, agreed = agreed,
     })
-    sum = joined_halves {
-      first_a = sum.mean_a, first_b = sum.mean_b, first_regions = sum.regions,
-      more_a = more.mean_a, more_b = more.mean_b, more_regions = more.regions, as = "truth_sum_" .. number,
-    }
+    sum = joined(sum, more, "truth_sum_" .. number)
     taken = 2 * taken
   end
   local function audited(error)
@@ -134,10 +186,15 @@ return pipeline {
     outer  = "pixels outside of the object that see it within the exposure",
   },
   params = {
-    mode         = choice { "rays", "adaptive", "raster", default = "rays",
+    mode         = choice { "rays", "brute", "adaptive", "raster", default = "rays",
       doc = "what finds the nearest surface at each time; only rays tell regions",
       values = {
-        rays   = "Rays: whole pixels or their centres, several times at once, and regions.",
+        rays   = "Rays: whole pixels or their centres, several times at once, and regions. What is at rest is found " ..
+                 "once, and what moves is traced before it at each time; before a camera at rest, what all of the `first` samples " ..
+                 "of a pixel and its neighbours agree about, a triangle, the shadows there or one colour of what is at " ..
+                 "rest, holds for the others, and an audit traces it all the same in some pixels. Fails to see what " ..
+                 "lies between all of these samples.",
+        brute  = "The same samples, each traced in full with its shadows: what the audit compares with, everywhere.",
         adaptive = "Rays through whole pixels (needs pixel = box), more of them where they differ more, in strata: up to " ..
                    "the error of `samples` everywhere as the first ones foretell it, for a fraction of the rays. Fails " ..
                    "to foretell it well from few samples, and to see what crosses a place between two of the first ones " ..
@@ -167,6 +224,10 @@ return pipeline {
       breaks = { box = {
         still = smooth, brief = smooth, uniform = smooth, mirrored = drawn, shifted = drawn, reversed = drawn,
       } } },
+    first        = int { 0, min = 0, max = 4096,
+      doc = "samples that are taken everywhere, and traced in full; 0 = an eighth of all, at least 8; of those that a " ..
+            "tolerance may stop at most 64" },
+    even         = agreement.params.even,
     mark_regions = bool { true, role = "regions",
       doc = "find the regions in which methods differ; one more ray per sample" },
     pilot        = shared.pilot,
@@ -179,7 +240,8 @@ return pipeline {
   build = function(p)
     local rays = p.mode() ~= "raster"
     local seen = scene.captured(rays and traced or visibility)
-    local means, audited = (p.mode() == "adaptive" and adaptive or everywhere)(p, seen)
+    local sampled = { adaptive = adaptive, raster = rastered }
+    local means, audited = (sampled[p.mode()] or everywhere)(p, seen)
     local result = mean { mean_a = means.mean_a, mean_b = means.mean_b }
     local where = rays and regions { regions = means.regions } or {}
     return scene.outputs(seen, {

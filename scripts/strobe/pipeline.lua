@@ -13,7 +13,7 @@ pipeline.keys = {
   "doc", "kind", "params", "presets", "default_preset", "build", "breaks", "compare_with", "equals", "regions",
 }
 pipeline.equal_keys = { "when", "pipeline", "set" }
-pipeline.loop_keys = { "name", "count", "times", "slices", "until_", "body" }
+pipeline.loop_keys = { "name", "count", "first", "parts", "times", "slices", "until_", "body" }
 
 local Pipeline = {}
 
@@ -155,9 +155,22 @@ local function check_until(problems, t, loop, results, place)
   return ""
 end
 
+-- `first` and `parts`: the loop takes `count` of so many parts of the exposure, from number `first` (from 0) on.
+local function check_parts(problems, t, place)
+  for _, key in ipairs { "first", "parts" } do
+    local at_least = key == "first" and 0 or 1
+    local value = t[key]
+    if value ~= nil and (math.type(value) ~= "integer" or value < at_least or value > 1 << 20) then
+      problems:add(native.key_place(place, key), "'%s' of the loop is no integer from %d to %d", key, at_least, 1 << 20)
+    end
+  end
+  if (t.first == nil) ~= (t.parts == nil) then problems:add(place, "'first' and 'parts' of a loop go together") end
+end
+
 local function check_loop(problems, t, place)
   check.keys(problems, t, pipeline.loop_keys, place, "the loop")
   check.field(problems, t, "body", "function", place, "the loop")
+  check_parts(problems, t, place)
   if check.field(problems, t, "name", "string", place, "the loop") and not check.is_name(t.name) then
     problems:add(native.key_place(place, "name"), "'%s' is not a name (a-z, then a-z, 0-9 and _)", t.name)
   end
@@ -179,7 +192,7 @@ pipeline.loop = native.at_caller(function(place, t)
   problems:raise()
 
   local owner = ("loop '%s'"):format(t.name)
-  local loop = { name = t.name, place = place, ["until"] = "" }
+  local loop = { name = t.name, place = place, ["until"] = "", first = t.first, parts = t.parts }
   loop.count  = node.bind(problems, count_parameter, t.count, native.key_place(place, "count"), owner)
   loop.times  = node.bind(problems, times_parameter, t.times, native.key_place(place, "times"), owner)
   loop.slices = node.bind(problems, slices_parameter, t.slices, native.key_place(place, "slices"), owner)

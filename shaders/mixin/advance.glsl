@@ -18,7 +18,7 @@ bool isSameTriangle(Hit a, Hit b) {
 
 // Keeping the ray and raising its lower bound; hits on `skip_instance` (or one geometry of it) do not exist.
 Hit nextAlong(Ray ray, Hit last, uint skip_instance, uint skip_geometry) {
-  return traceExcept(SLICE_CAPTURE, ray, justBehind(last.t), kFar, skip_instance, skip_geometry);
+  return traceExcept(SLICE_CAPTURE, RAYS_TO_ALL, ray, justBehind(last.t), kFar, skip_instance, skip_geometry);
 }
 
 // A new ray from the hit, which starts a hundred-thousandth of the depth later. Tan, Cui, Bhojan 2020.

@@ -133,8 +133,28 @@ vec3 shadowOrigin(Surface surface, float extent) {
   return surface.position_ws + surface.face_normal_ws * (reach * 6.1e-5);
 }
 
-// Light of one punctual light at a surface: direction towards it and irradiance at normal incidence, shadow included.
-vec3 incident(uint slice, SceneLight light, Surface surface, out vec3 towards) {
+#ifdef STROBE_KEEPS_SHADOWS
+// Lights by bits, the first 32 of them: whose rays are known to be free, and to be blocked, without being traced; whose
+// were found to be so.
+uint known_free = 0u, known_blocked = 0u, found_free = 0u, found_blocked = 0u;
+#endif
+
+bool isShadowed(uint slice, uint number, Ray ray, float t_max) {
+#ifdef STROBE_KEEPS_SHADOWS
+  uint bit = number < 32u ? 1u << number : 0u;
+  if (((known_free | known_blocked) & bit) != 0u) return (known_blocked & bit) != 0u;
+  bool blocked = isBlocked(slice, ray, 0.0, t_max);
+  if (blocked) found_blocked |= bit;
+  else found_free |= bit;
+  return blocked;
+#else
+  return isBlocked(slice, ray, 0.0, t_max);
+#endif
+}
+
+// Light of punctual light `number` at a surface: direction towards it and irradiance at normal incidence, shadow included.
+vec3 incident(uint slice, uint number, Surface surface, out vec3 towards) {
+  SceneLight light = scene_lights[slice * frame.light_count + number];
   vec3 offset = light.position - surface.position_ws;
   float squared = dot(offset, offset);
   vec3 irradiance = light.intensity;
@@ -164,7 +184,7 @@ vec3 incident(uint slice, SceneLight light, Surface surface, out vec3 towards) {
   if (light.shadow == 0u) return irradiance;
   vec3 origin = shadowOrigin(surface, light.type == LIGHT_DIRECTIONAL ? 0.0 : length(offset));
   vec3 direction = light.type == LIGHT_DIRECTIONAL ? towards : light.position - origin;
-  return isBlocked(slice, Ray(origin, direction), 0.0, t_max) ? vec3(0) : irradiance;
+  return isShadowed(slice, number, Ray(origin, direction), t_max) ? vec3(0) : irradiance;
 #else
   return irradiance;
 #endif
@@ -207,7 +227,7 @@ vec3 radianceOf(uint slice, Hit hit) {
   vec3 radiance = material.emissive * sampleTexture(material.emissive_use, surface, footprint_ws).rgb;
   for (uint i = 0u; i < frame.light_count; ++i) {
     vec3 towards;
-    vec3 irradiance = incident(slice, scene_lights[slice * frame.light_count + i], surface, towards);
+    vec3 irradiance = incident(slice, i, surface, towards);
     radiance += irradiance * reflected(r, surface.normal_ws, view, towards);
   }
   // From everywhere: diffuse by the normal, specular by the mirror direction, dimmer for rough surfaces.

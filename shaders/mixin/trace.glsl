@@ -34,9 +34,10 @@ bool seenFromFront(uint slice, Ray ray, uint instance, uint geometry, uint primi
 
 // The nearest hit with t in (t_min, t_max) on anything but `skip_instance` (NO_INSTANCE skips nothing); where
 // `skip_geometry` is not NO_INSTANCE only that geometry of the instance is skipped. A miss has instance NO_INSTANCE.
-Hit traceExcept(uint slice, Ray ray, float t_min, float t_max, uint skip_instance, uint skip_geometry) {
+// `mask`: RAYS_TO_ALL, or RAYS_TO_MOVING for what may move within the exposure alone.
+Hit traceExcept(uint slice, uint mask, Ray ray, float t_min, float t_max, uint skip_instance, uint skip_geometry) {
   ++launched_rays;
-  TraceResult found = launch(slice, false, ray, t_min, t_max, skip_instance, skip_geometry);
+  TraceResult found = launch(slice, mask, false, ray, t_min, t_max, skip_instance, skip_geometry);
   if (found.instance == NO_INSTANCE) return noHit();
   Hit hit = Hit(found.instance, found.geometry, found.primitive, found.barycentrics, found.t, true);
   hit.front = seenFromFront(slice, ray, hit.instance, hit.geometry, hit.primitive);
@@ -44,13 +45,17 @@ Hit traceExcept(uint slice, Ray ray, float t_min, float t_max, uint skip_instanc
 }
 
 Hit traceNearest(uint slice, Ray ray, float t_min, float t_max) {
-  return traceExcept(slice, ray, t_min, t_max, NO_INSTANCE, NO_INSTANCE);
+  return traceExcept(slice, RAYS_TO_ALL, ray, t_min, t_max, NO_INSTANCE, NO_INSTANCE);
 }
 
 // Does anything lie on the ray with t in (t_min, t_max)?
-bool isBlocked(uint slice, Ray ray, float t_min, float t_max) {
+bool isBlocked(uint slice, uint mask, Ray ray, float t_min, float t_max) {
   ++launched_rays;
-  return launch(slice, true, ray, t_min, t_max, NO_INSTANCE, NO_INSTANCE).instance != NO_INSTANCE;
+  return launch(slice, mask, true, ray, t_min, t_max, NO_INSTANCE, NO_INSTANCE).instance != NO_INSTANCE;
+}
+
+bool isBlocked(uint slice, Ray ray, float t_min, float t_max) {
+  return isBlocked(slice, RAYS_TO_ALL, ray, t_min, t_max);
 }
 
 #endif

@@ -180,13 +180,14 @@ uint nearestChild(uint node, BvhRay ray, float t_min, float t_max, out uint othe
   return hits == 0u ? kNextOnStack : nearest;
 }
 
-// As traceExcept of mixin/trace.glsl; `any_hit`: the first that is found.
-TraceResult launch(uint slice, bool any_hit, Ray world_ray, float t_min, float t_max, uint skip_instance,
+// As traceExcept of mixin/trace.glsl; `mask`: RAYS_TO_*; `any_hit`: the first that is found.
+TraceResult launch(uint slice, uint mask, bool any_hit, Ray world_ray, float t_min, float t_max, uint skip_instance,
                    uint skip_geometry) {
   TraceResult found = TraceResult(NO_INSTANCE, 0u, 0u, vec2(0), t_max);
   uint nearest = 0u;  // triangle
   uint level = slice < SLICE_SAMPLE ? 0u : slice - SLICE_SAMPLE + 1u;  // levelOf of runtime/world/structures.h
-  uint reference = scene_bvh.first_root + level * scene_bvh.nodes_per_level;
+  uint tree = 2u * level + uint(mask == RAYS_TO_MOVING);
+  uint reference = scene_bvh.first_root + tree * scene_bvh.nodes_per_tree;
   vec3 world_inverse =
       boundedInverse(world_ray.origin, world_ray.direction, scene_bvh.nodes.at[reference].reach);
   BvhRay ray = BvhRay(world_ray.origin, world_inverse, vec3(0), 0, false);

@@ -3,8 +3,9 @@
 // Tracing backend `pipeline`: ray tracing pipelines; miss, any-hit and closest-hit stages are in shaders/backend/.
 layout(location = 0) rayPayloadEXT TracePayload trace_payload;
 
-// As traceExcept of mixin/trace.glsl; `any_hit`: the first that is found.
-TraceResult launch(uint slice, bool any_hit, Ray ray, float t_min, float t_max, uint skip_instance, uint skip_geometry) {
+// As traceExcept of mixin/trace.glsl; `mask`: RAYS_TO_*; `any_hit`: the first that is found.
+TraceResult launch(uint slice, uint mask, bool any_hit, Ray ray, float t_min, float t_max, uint skip_instance,
+                   uint skip_geometry) {
   uint flags = skip_instance == NO_INSTANCE ? gl_RayFlagsNoneEXT : gl_RayFlagsNoOpaqueEXT;
   trace_payload = TracePayload(NO_INSTANCE, 0u, 0u, vec2(0), 0.0, skip_instance, skip_geometry);
   if (any_hit) {
@@ -12,7 +13,7 @@ TraceResult launch(uint slice, bool any_hit, Ray ray, float t_min, float t_max, 
     flags |= gl_RayFlagsTerminateOnFirstHitEXT | gl_RayFlagsSkipClosestHitShaderEXT;
     trace_payload.instance = 0u;
   }
-  traceRayEXT(scene_top_levels[nonuniformEXT(slice)], flags, 0xff, 0, 0, 0, ray.origin, t_min, ray.direction, t_max, 0);
+  traceRayEXT(scene_top_levels[nonuniformEXT(slice)], flags, mask, 0, 0, 0, ray.origin, t_min, ray.direction, t_max, 0);
   return TraceResult(trace_payload.instance, trace_payload.geometry, trace_payload.primitive,
                      trace_payload.barycentrics, trace_payload.t);
 }

@@ -2,12 +2,13 @@
 // Needs: rays.
 // Tracing backend `query`: ray queries in compute.
 
-// As traceExcept of mixin/trace.glsl; `any_hit`: the first that is found.
-TraceResult launch(uint slice, bool any_hit, Ray ray, float t_min, float t_max, uint skip_instance, uint skip_geometry) {
+// As traceExcept of mixin/trace.glsl; `mask`: RAYS_TO_*; `any_hit`: the first that is found.
+TraceResult launch(uint slice, uint mask, bool any_hit, Ray ray, float t_min, float t_max, uint skip_instance,
+                   uint skip_geometry) {
   uint flags = any_hit ? gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsNoneEXT;
   if (skip_instance != NO_INSTANCE) flags |= gl_RayFlagsNoOpaqueEXT;
   rayQueryEXT query;
-  rayQueryInitializeEXT(query, scene_top_levels[nonuniformEXT(slice)], flags, 0xff, ray.origin, t_min, ray.direction, t_max);
+  rayQueryInitializeEXT(query, scene_top_levels[nonuniformEXT(slice)], flags, mask, ray.origin, t_min, ray.direction, t_max);
   while (rayQueryProceedEXT(query)) {
     if (rayQueryGetIntersectionTypeEXT(query, false) != gl_RayQueryCandidateIntersectionTriangleEXT) continue;
     uint instance = uint(rayQueryGetIntersectionInstanceIdEXT(query, false));

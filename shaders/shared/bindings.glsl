@@ -29,11 +29,12 @@ layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer Bv
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer BvhTriangles { BvhTriangle at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer BvhInstances { BvhInstance at[]; };
 layout(set = 0, binding = 10, scalar) uniform SceneBvh {
-  BvhNodes nodes;          // of all meshes, then of the instances at each level: the capture, then each sample
+  BvhNodes nodes;          // of all meshes, then at each level (the capture, then each sample) of all instances, of those
+                           // that move
   BvhTriangles triangles;  // of all meshes
   BvhInstances instances;  // at each level
   uint first_root;         // of the instances at the capture
-  uint nodes_per_level;
+  uint nodes_per_tree;
 } scene_bvh;  // `Addresses` of runtime/world/own_structures.cpp
 #endif
 #endif

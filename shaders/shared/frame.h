@@ -17,7 +17,8 @@ struct FrameData {
   uint frame;     // number of the frame
   uint seed;
   uint iteration;        // of the loop a pass is in, else 0
-  uint iteration_count;  // of that loop, else 1
+  uint iteration_count;  // of that loop and those that share its exposure with it, else 1
+  uint part;             // of as many parts of the exposure; of a loop that may stop early: the iteration
   uint slice_count;      // scene times among which a pixel of this iteration may draw, else 1
   uint instance_count;
   uint light_count;
@@ -26,10 +27,12 @@ struct FrameData {
   vec4 background;  // rgb and 1 if rays that miss see this instead of the two above
   ivec4 reach;      // pixels [x, z) x [y, w) in which anything that moves can be seen
   float exposure;   // length of the exposure, in frames
+  uint camera_rests;  // 1 where the camera surely stands still within the exposure
+  uint moving_count;  // instances that may move within it
 };
 
 STROBE_SHARED_END
 #ifdef __cplusplus
-static_assert(sizeof(strobe::shared::FrameData) == 116);
+static_assert(sizeof(strobe::shared::FrameData) == 128);
 #endif
 #endif

@@ -12,6 +12,9 @@ STROBE_SHARED_BEGIN
 #define SLICE_PREVIOUS 3u  // one frame before the capture
 #define SLICE_SAMPLE 4u    // first of a loop's sample times
 #define NO_INSTANCE 0xffffffffu
+// Masks of rays: what they may hit.
+#define RAYS_TO_ALL 0xffu
+#define RAYS_TO_MOVING 0x80u
 
 struct SceneVertex {
   vec3 position;  // first: acceleration structures read it
@@ -24,6 +27,7 @@ struct SceneVertex {
 struct SceneInstance {
   uint first_geometry;
   uint geometry_count;
+  uint moves;  // 0 where it surely stands still within the exposure
 };
 
 struct SceneGeometry {

@@ -535,6 +535,9 @@ TEST(Refusals, Loops) {
   b.pipeline.loops[0].until = "add.sum";
   EXPECT_EQ(refusal(b.pipeline), "test.lua:100: loop 'shutter' stops on 'add.sum', which is 64x32 instead of 1x1");
   b.pipeline.loops[0].until = "";
+  b.pipeline.loops[0].first = 3, b.pipeline.loops[0].parts = 4;
+  EXPECT_EQ(refusal(b.pipeline), "test.lua:100: loop 'shutter' takes 2 parts of 4 from number 3 on");
+  b.pipeline.loops[0].first = 2;
   b.node("add").loop = "shuter";
   EXPECT_EQ(refusal(b.pipeline), "test.lua:1: node 'add' is in unknown loop 'shuter'; did you mean 'shutter'?");
   b.node("add").loop = "";

@@ -65,6 +65,14 @@ TEST(Facts, NothingMovesWhereNothingIsDriven) {
   EXPECT_TRUE(facts.shadows);
 }
 
+TEST(Facts, NamesTheInstancesThatMove) {
+  EXPECT_EQ(factsOf(still(), viewAt(1)).moves, std::vector<bool>(instancesOf(still()).size(), false));
+  Scene scene = animated({0, 0.25, 0.5, 0.75, 1}, {0, 1, 0, 1, 0});
+  std::vector<bool> expected;
+  for (const Instance& instance : instancesOf(scene)) expected.push_back(instance.node == 0);
+  EXPECT_EQ(factsOf(scene, viewAt(1)).moves, expected);
+}
+
 TEST(Facts, AClipThatReturnsMoves) {
   // At rest at the capture, at the opening, and a frame before: only between them it is elsewhere.
   EXPECT_TRUE(moves(animated({0, 0.25, 0.5, 0.75, 1}, {0, 1, 0, 1, 0})));
