@@ -41,8 +41,7 @@ class GpuScene {
   // The frame's block; the device must be idle.
   void setFrame(const shared::FrameData& frame);
   // Poses slice `slice`; positions become relative to `origin`. The device must be idle. `aspect` is width / height.
-  void setPose(uint32_t slice, const scene::Pose& pose, const scene::Camera& camera, double aspect,
-               const dvec3& origin);
+  void setPose(uint32_t slice, const scene::Pose& pose, double aspect, const dvec3& origin);
   // Records what makes a posed slice ready to be traced; those between the capture and the samples never are.
   void recordBuild(VkCommandBuffer commands, uint32_t slice) const;
 
@@ -53,7 +52,7 @@ class GpuScene {
   std::vector<std::vector<gpu::TriangleGeometry>> trianglesOfMeshes(const scene::Scene& scene) const;
   void makeSet();
   [[noreturn]] void refuseTransform(int node) const;
-  double depthRange(const scene::Pose& pose, const scene::Camera& camera) const;
+  double depthRange(const scene::Pose& pose) const;
 
   const gpu::Device& device_;
   const scene::Scene& scene_;

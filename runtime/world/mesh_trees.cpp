@@ -12,7 +12,8 @@ static std::vector<BvhTriangle> trianglesOf(const scene::Scene& scene, const sce
   std::vector<BvhTriangle> triangles;
   for (size_t g = 0; g < mesh.geometries.size(); ++g) {
     const scene::Geometry& geometry = mesh.geometries[g];
-    bool opaque = !scene.materials[size_t(geometry.material)].alpha_mask;
+    const scene::Material& material = scene.materials[size_t(geometry.material)];
+    bool opaque = material.alpha == scene::Material::Alpha::Opaque && material.double_sided;
     for (size_t i = 0; i + 2 < geometry.indices.size(); i += 3) {
       BvhTriangle triangle;
       for (size_t c = 0; c < 3; ++c) triangle.corner[c] = geometry.vertices[geometry.indices[i + c]].position;

@@ -18,7 +18,8 @@ bool sameTransform(SceneTransform a, SceneTransform b) {
 
 bool cameraIsStill(uint slice) {
   SceneCamera a = scene_cameras[slice], b = scene_cameras[SLICE_CAPTURE];
-  return a.position == b.position && a.right == b.right && a.up == b.up && a.forward == b.forward;
+  return a.position == b.position && a.right == b.right && a.up == b.up && a.forward == b.forward &&
+         a.half_extent == b.half_extent;
 }
 
 // Was the point hidden from the capture's camera? The last 2^-12 of the way is the point's own surface.
@@ -27,7 +28,7 @@ bool wasOccluded(vec3 position_ws) {
   vec3 position_vs = viewFromWorld(SLICE_CAPTURE, position_ws);
   if (position_vs.z <= camera.near) return true;
   Ray ray = cameraRay(SLICE_CAPTURE, pixelFromView(SLICE_CAPTURE, position_vs));
-  return isBlocked(SLICE_CAPTURE, ray, camera.near, position_vs.z * (1.0 - 1.0 / 4096.0));
+  return isHidden(SLICE_CAPTURE, ray, camera.near, position_vs.z * (1.0 - 1.0 / 4096.0));
 }
 
 // `is_still`: nothing about the sample has moved, so the capture's own ray tells what was hidden behind what.
