@@ -167,12 +167,14 @@ Image uploadImage(const Device& device, const std::string& name, ImageDesc desc,
 
 Owned<VkSampler> makeSampler(const Device& device, const std::string& name, const SamplerDesc& desc) {
   VkSamplerCreateInfo info{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
-  info.magFilter = info.minFilter = desc.linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
-  info.mipmapMode = desc.linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
+  info.magFilter = desc.magnify;
+  info.minFilter = desc.minify;
+  info.mipmapMode = desc.between;
   info.addressModeU = desc.wrap_u;
   info.addressModeV = desc.wrap_v;
   info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-  info.maxLod = VK_LOD_CLAMP_NONE;
+  // At 0 nothing would be minified (Vulkan, "Samplers", of filters without levels).
+  info.maxLod = desc.first_level_only ? 0.25f : VK_LOD_CLAMP_NONE;
   const Dispatch& vk = device.vk();
   return create(device, VK_OBJECT_TYPE_SAMPLER, vk.CreateSampler, vk.DestroySampler, info, "sampler", name);
 }

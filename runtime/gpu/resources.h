@@ -155,10 +155,13 @@ Image uploadImage(const Device& device, const std::string& name, ImageDesc desc,
                   const std::vector<std::vector<uint8_t>>& levels);
 
 struct SamplerDesc {
-  bool linear = false;
+  VkFilter magnify = VK_FILTER_NEAREST, minify = VK_FILTER_NEAREST;
+  VkSamplerMipmapMode between = VK_SAMPLER_MIPMAP_MODE_NEAREST;
+  bool first_level_only = false;
   VkSamplerAddressMode wrap_u = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
   VkSamplerAddressMode wrap_v = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
 };
+inline constexpr SamplerDesc kLinear = {VK_FILTER_LINEAR, VK_FILTER_LINEAR, VK_SAMPLER_MIPMAP_MODE_LINEAR};
 Owned<VkSampler> makeSampler(const Device& device, const std::string& name, const SamplerDesc& desc);
 
 // Bytes per texel and VkFormat of the format names of a pass ("rgba16f"); throws `Error` for an unknown name.

@@ -43,7 +43,7 @@ void poseFixedSlices(world::GpuScene& scene, const Plan& plan, const FrameSetup&
   scene.setMoving(setup.moves);
   const double times[] = {setup.capture_s, setup.open_s, setup.close_s, setup.capture_s - setup.frame_s};
   for (uint32_t slice : {SLICE_CAPTURE, SLICE_OPEN, SLICE_CLOSE, SLICE_PREVIOUS})
-    scene.setPose(slice, setup.pose_at(times[slice]), setup.camera, aspect(plan), origin);
+    scene.setPose(slice, setup.pose_at(times[slice]), aspect(plan), origin);
 }
 
 int partOf(const plan::PlanLoop& loop, int iteration) {
@@ -65,7 +65,7 @@ void poseSamples(world::GpuScene& scene, const Plan& plan, const FrameSetup& set
       in_stratum = (q + hashUniform(setup.seed, setup.frame, index, uint32_t(loop.loop))) / loop.slices;
     }
     double time_s = setup.open_s + (setup.close_s - setup.open_s) * ((part + in_stratum) / loop.parts);
-    scene.setPose(SLICE_SAMPLE + uint32_t(q), setup.pose_at(time_s), setup.camera, aspect(plan), origin);
+    scene.setPose(SLICE_SAMPLE + uint32_t(q), setup.pose_at(time_s), aspect(plan), origin);
   }
 }
 

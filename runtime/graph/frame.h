@@ -18,7 +18,6 @@ namespace strobe::graph {
 // When and how a frame sees its scene; everything an image depends on besides plan and scene.
 struct FrameSetup {
   std::function<scene::Pose(double time_s)> pose_at;
-  scene::Camera camera;
   double capture_s = 0;            // scene time of the capture
   double open_s = 0, close_s = 0;  // the exposure window
   double frame_s = 0;              // time from frame to frame

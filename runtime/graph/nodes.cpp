@@ -74,8 +74,8 @@ static void makeBuffers(const gpu::Device& device, const std::string& name, Node
 }
 
 void PlanNodes::make(const PlanImages& images) {
-  nearest_ = gpu::makeSampler(device_, "nearest", {false});
-  linear_ = gpu::makeSampler(device_, "linear", {true});
+  nearest_ = gpu::makeSampler(device_, "nearest", {});
+  linear_ = gpu::makeSampler(device_, "linear", gpu::kLinear);
   for (size_t i = 0; i < nodes_.size(); ++i) {
     makeBuffers(device_, name(i), nodes_[i]);
     writeParams(i);

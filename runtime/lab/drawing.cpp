@@ -35,7 +35,6 @@ graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene) {
     else if (!keys.empty()) pose.world_from_camera = worldFromView(viewAt(keys, time_s * fps));
     return pose;
   };
-  setup.camera = scene.cameras[size_t(scene.nodes[size_t(camera_node)].camera)];
   setup.capture_s = shot.captureTime();
   setup.open_s = shot.window()[0];
   setup.close_s = shot.window()[1];
@@ -44,8 +43,8 @@ graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene) {
   setup.frame = uint32_t(shot.frame);
   setup.seed = shot.seed;
   setup.environment = scene.environment;
-  setup.reach = scene::reachOfMotion(scene, setup.camera, setup.pose_at, setup.capture_s, setup.open_s, setup.close_s,
-                                     shot.width, shot.height);
+  setup.reach =
+      scene::reachOfMotion(scene, setup.pose_at, setup.capture_s, setup.open_s, setup.close_s, shot.width, shot.height);
   if (shot.model_everything) return setup;
   scene::Facts facts = factsOf(shot, scene);
   setup.moves = facts.moves;
@@ -185,10 +184,11 @@ static void divide(graph::FrameResult& sum, int n) {
 // What a picture says of itself, of the frame in it.
 static void describe(const Home& home, Picture& picture, const Drawing& drawing, const Shot& shot,
                      const graph::FrameSetup& setup, const gpu::DeviceInfo& device) {
-  dmat4 camera_from_world = glm::inverse(setup.pose_at(setup.capture_s).world_from_camera);
+  scene::Pose pose = setup.pose_at(setup.capture_s);
+  dmat4 camera_from_world = glm::inverse(pose.world_from_camera);
   picture.camera_from_world = mat4(camera_from_world);
   double aspect = double(shot.width) / shot.height;
-  picture.ndc_from_world = mat4(ndcFromCamera(setup.camera, aspect) * camera_from_world);
+  picture.ndc_from_world = mat4(ndcFromCamera(pose.camera, aspect) * camera_from_world);
   picture.id_names = idNamesOf(drawing.scene().scene);
   picture.warnings = drawing.scene().scene.warnings;
   for (std::string& met : drawing.limitsMet(shot, picture.frame)) picture.warnings.push_back(std::move(met));

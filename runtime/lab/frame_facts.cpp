@@ -28,6 +28,8 @@ std::vector<std::string> absentFacts(const Shot& shot, const scene::Scene& scene
   std::vector<std::string> absent;
   if (!facts.motion) absent.push_back("motion");
   if (!facts.alpha) absent.push_back("alpha");
+  if (!facts.blend) absent.push_back("blend");
+  if (!facts.one_sided) absent.push_back("one_sided");
   if (!facts.shadows) absent.push_back("shadows");
   return absent;
 }

@@ -28,6 +28,8 @@ struct Shot {
   std::optional<std::array<double, 6>> view;
   std::vector<std::string> path;  // FRAME=ex,ey,ez,tx,ty,tz: a camera that moves through them (lab/camera_path.h)
   std::string animation = "all";
+  std::string variant;                    // of a glTF scene's materials; "" for none
+  std::string faces = "material";         // whether what is seen from one side alone is seen from both
   bool allow_outside = false;             // files of the scene may lie outside of its folder
   std::vector<std::string> moves, spins;  // NODE=dx,dy,dz and NODE=ax,ay,az,deg per frame
   int rest_frame = -1;                    // at which nodes of the two are at rest; -1: `frame`

@@ -56,13 +56,15 @@ LoadedScene loadScene(const Home& home, Shot& shot) {
     for (const auto& [name, value] : shot.sets)
       if (name.starts_with("scene."))
         throw Error(fmt::format("--set {}={}: a glTF scene has no parameters", name, plan::textOf(value)), {}, 2);
-    loaded.scene = scene::loadGltf(shot.scene, shot.allow_outside);
+    loaded.scene = scene::loadGltf(shot.scene, {shot.allow_outside, shot.variant});
     loaded.description["file"] = Path(shot.scene).filename().string();
     loaded.description["hash"] = loaded.scene.files.front().hash;
     loaded.description["content"] = contentHash(loaded.scene);
     for (const scene::SourceFile& file : loaded.scene.files)
       loaded.dependencies.push_back({file.path, shownBeside(shot.scene, file.path), file.hash});
   } else {
+    if (!shot.variant.empty())
+      throw Error(fmt::format("--variant {}: only glTF scenes have variants of materials", shot.variant), {}, 2);
     loaded.description = script::evaluateScene(home, shot.scene, shot.sets, &loaded.dependencies);
     loaded.scene = scene::sceneFromJson(loaded.description, shot.scene, suggestions());
   }
@@ -72,6 +74,8 @@ LoadedScene loadScene(const Home& home, Shot& shot) {
     loaded.scene.motions.push_back(scene::moveFromOption(loaded.scene, move, shot.fps, shot.restTime()));
   for (const std::string& spin : shot.spins)
     loaded.scene.motions.push_back(scene::spinFromOption(loaded.scene, spin, shot.fps, shot.restTime()));
+  for (scene::Material& material : loaded.scene.materials)
+    material.double_sided = material.double_sided || shot.faces == "both";
   scene::supplyDefaults(loaded.scene, shot.camera);
   loaded.hash = hashText(loaded.description.dump());
   loaded.bytes = bytesOf(loaded.scene);

@@ -40,7 +40,7 @@ Surface::Surface(const Home& home, const gpu::Device& device, VkSurfaceKHR surfa
   swapchain_.resize(uint32_t(width), uint32_t(height));
   set_layout_ = gpu::makeSetLayout(device, "panels", kBindings);
   nearest_ = gpu::makeSampler(device, "panels.nearest", {});
-  linear_ = gpu::makeSampler(device, "panels.linear", {.linear = true});
+  linear_ = gpu::makeSampler(device, "panels.linear", gpu::kLinear);
   makePipeline(home);
   makeFont();
 }

@@ -8,7 +8,9 @@ namespace strobe::plan {
 const std::vector<Fact>& facts() {
   static const std::vector<Fact> facts = {
       {"motion", "nothing moves in this frame"},
-      {"alpha", "no material is cut out by its alpha", true},
+      {"alpha", "no material is cut out or blended by its alpha", true},
+      {"blend", "no material is blended by its alpha", true},
+      {"one_sided", "no material is seen from one side alone", true},
       {"shadows", "no light casts shadows", true},
   };
   return facts;

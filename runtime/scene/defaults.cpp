@@ -100,7 +100,7 @@ static void addLight(Scene& scene, int camera) {
   Light light;
   light.name = "default light";
   light.type = Light::Type::Directional;
-  light.intensity = vec3(1.6f, 1.52f, 1.4f);
+  light.color = vec3(1.6f, 1.52f, 1.4f);
   light.shadow = false;
   Node node;
   node.name = "default light";
@@ -133,13 +133,14 @@ void moderateLights(Scene& scene) {
   double least = std::max(bounds.radius() * 0.1, 1e-9), lux = 0;
   for (int node : nodes) {
     const Light& light = scene.lights[scene.nodes[node].light];
-    double strength = 0.2126 * light.intensity.x + 0.7152 * light.intensity.y + 0.0722 * light.intensity.z;
+    vec3 emitted = light.emitted();
+    double strength = 0.2126 * emitted.x + 0.7152 * emitted.y + 0.0722 * emitted.z;
     double distance = std::max(least, glm::distance(dvec3(worlds[node][3]), bounds.middle()));
     lux += light.type == Light::Type::Directional ? strength : strength / (distance * distance);
   }
   if (!(lux > 0) || !std::isfinite(lux) || (lux >= 0.3 && lux <= 10)) return;
   double factor = kPi / lux;
-  for (Light& light : scene.lights) light.intensity *= float(factor);
+  for (Light& light : scene.lights) light.moderation *= float(factor);
   scene.assumptions.push_back(fmt::format("its lights give about {:.4g} lux: all multiplied by {:.4g}", lux, factor));
 }
 

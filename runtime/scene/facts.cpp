@@ -71,8 +71,8 @@ static bool isFollowed(const Scene& scene, double open_s, double close_s, int ti
   return true;
 }
 
-PixelArea reachOfMotion(const Scene& scene, const Camera& camera, const std::function<Pose(double)>& pose_at,
-                        double capture_s, double open_s, double close_s, int width, int height) {
+PixelArea reachOfMotion(const Scene& scene, const std::function<Pose(double)>& pose_at, double capture_s, double open_s,
+                        double close_s, int width, int height) {
   constexpr int kTimes = 33;
   const PixelArea everywhere = {0, 0, width, height};
   if (!isFollowed(scene, open_s, close_s, kTimes)) return everywhere;
@@ -81,7 +81,7 @@ PixelArea reachOfMotion(const Scene& scene, const Camera& camera, const std::fun
   std::vector<Pose> poses;
   for (int i = 0; i < kTimes; ++i) poses.push_back(pose_at(open_s + (close_s - open_s) * i / (kTimes - 1)));
   for (const Pose& pose : poses)
-    if (pose.world_from_camera != capture.world_from_camera) return everywhere;
+    if (pose.world_from_camera != capture.world_from_camera || pose.camera != capture.camera) return everywhere;
   dmat4 camera_from_world = glm::inverse(capture.world_from_camera);
 
   PixelArea reach;
@@ -98,7 +98,7 @@ PixelArea reachOfMotion(const Scene& scene, const Camera& camera, const std::fun
       std::array<dvec2, 8> now;
       for (size_t c = 0; c < 8; ++c) {
         dvec3 position_ws = dvec3(poses[k].world_from_instance[i] * dvec4(bounds.corner(int(c)), 1));
-        std::optional<dvec2> pixel = project(camera_from_world, camera, position_ws, width, height);
+        std::optional<dvec2> pixel = project(camera_from_world, capture.camera, position_ws, width, height);
         if (!pixel) return everywhere;
         now[c] = *pixel;
       }
@@ -166,10 +166,33 @@ static bool isEmpty(const Mesh& mesh) {
   return std::none_of(mesh.geometries.begin(), mesh.geometries.end(), hasTriangles);
 }
 
-static bool isCutOut(const Scene& scene, const Mesh& mesh) {
-  return std::any_of(mesh.geometries.begin(), mesh.geometries.end(), [&](const Geometry& geometry) {
-    return hasTriangles(geometry) && scene.materials[size_t(geometry.material)].alpha_mask;
-  });
+// What the materials of a mesh's triangles ask for.
+static void addMaterials(const Scene& scene, const Mesh& mesh, Facts& facts) {
+  for (const Geometry& geometry : mesh.geometries) {
+    if (!hasTriangles(geometry)) continue;
+    const Material& material = scene.materials[size_t(geometry.material)];
+    facts.alpha = facts.alpha || material.alpha != Material::Alpha::Opaque;
+    facts.blend = facts.blend || material.alpha == Material::Alpha::Blend;
+    facts.one_sided = facts.one_sided || !material.double_sided;
+  }
+}
+
+// Do keys of the lens, or of a light that shines, change between two times?
+struct VaryingProperties {
+  bool lens = false, lights = false;
+};
+
+static VaryingProperties varyingProperties(const Scene& scene, const FrameView& view, double from_s, double to_s) {
+  VaryingProperties varying;
+  const int camera = scene.nodes[size_t(view.camera_node)].camera;
+  for (const Animation* clip : clipsOf(scene, view.animation)) {
+    for (const PropertyTrack& track : clip->properties) {
+      if (!varies(*clip, track.keys, from_s, to_s)) continue;
+      if (!track.isOfCamera()) varying.lights = true;
+      else if (track.index == camera) varying.lens = true;
+    }
+  }
+  return varying;
 }
 
 Facts factsOf(const Scene& scene, const FrameView& view) {
@@ -184,10 +207,12 @@ Facts factsOf(const Scene& scene, const FrameView& view) {
   };
 
   Facts facts;
-  facts.camera_moves = view.camera_moves.value_or(moves[size_t(view.camera_node)] ||
-                                                  differs([](const Pose& pose) { return pose.world_from_camera; }));
-  facts.motion = facts.camera_moves;
-  facts.alpha = facts.shadows = false;
+  VaryingProperties varying = varyingProperties(scene, view, *from, *to);
+  bool camera_moves = view.camera_moves.value_or(moves[size_t(view.camera_node)] ||
+                                                 differs([](const Pose& pose) { return pose.world_from_camera; }));
+  facts.camera_moves = camera_moves || varying.lens || differs([](const Pose& pose) { return pose.camera; });
+  facts.motion = facts.camera_moves || varying.lights || differs([](const Pose& pose) { return pose.lights; });
+  facts.alpha = facts.blend = facts.one_sided = facts.shadows = false;
   std::vector<Instance> instances = instancesOf(scene);
   for (size_t i = 0; i < instances.size(); ++i) {
     const Mesh& mesh = scene.meshes[size_t(instances[i].mesh)];
@@ -195,7 +220,7 @@ Facts factsOf(const Scene& scene, const FrameView& view) {
     facts.moves.push_back(!empty && (moves[size_t(instances[i].node)] ||
                                      differs([&](const Pose& pose) { return pose.world_from_instance[i]; })));
     if (empty) continue;
-    facts.alpha = facts.alpha || isCutOut(scene, mesh);
+    addMaterials(scene, mesh, facts);
     facts.motion = facts.motion || facts.moves[i];
   }
   std::vector<int> lights = lightsOf(scene);

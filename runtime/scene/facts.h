@@ -21,8 +21,8 @@ struct PixelArea {
 // when the camera moves or a moving object comes near the camera. Bounds of instances are posed at 33 times, and the
 // area is widened by the farthest a bound's corner goes in between, so it may only be too large; the whole picture too
 // where those times do not show it (turns of more than a right angle in between, many keys, a clip that begins again).
-PixelArea reachOfMotion(const Scene& scene, const Camera& camera, const std::function<Pose(double)>& pose_at,
-                        double capture_s, double open_s, double close_s, int width, int height);
+PixelArea reachOfMotion(const Scene& scene, const std::function<Pose(double)>& pose_at, double capture_s, double open_s,
+                        double close_s, int width, int height);
 
 // Whose camera a frame sees through, and the times at which it poses the scene.
 struct FrameView {
@@ -37,7 +37,9 @@ struct Facts {
   bool camera_moves = true;  // within the times of the frame: from the first to the last of them
   bool motion = true;        // the camera, a light or anything with triangles moves within them
   std::vector<bool> moves;   // by instance: does it move within them? Empty: each may
-  bool alpha = true;         // something with triangles is cut out by its alpha
+  bool alpha = true;         // something with triangles is cut out or blended by its alpha
+  bool blend = true;         // something with triangles is blended by its alpha
+  bool one_sided = true;     // something with triangles is not seen from behind
   bool shadows = true;       // a light casts shadows
 };
 

@@ -7,12 +7,18 @@
 
 namespace strobe::scene {
 
+struct GltfOptions {
+  bool allow_outside = false;
+  std::string variant = "";  // a set of materials of KHR_materials_variants, "" for those that primitives name
+};
+
 // The file's default scene (else its first, else all of it): meshes, metallic-roughness and unlit materials, textures
-// with all levels, cameras, punctual lights (see `moderateLights`), rigid animation. Nodes keep the file's order and
-// names (unnamed ones are "node_N"; of equal names the later get "#2", "#3"...). A skinned mesh moves with its joint of
-// most weight, unbent; it, morph targets (base mesh) and blended materials (cut-outs) each give a warning.
-// Throws `Error` in one line for a file that is missing, cut short, inconsistent, needs an unsupported extension, or
-// names a file that lies outside of its own folder, links followed (with `allow_outside` those are read).
-Scene loadGltf(const Path& file, bool allow_outside = false);
+// with all levels, cameras, punctual lights (see `moderateLights`), rigid animation, also of lenses and lights. Nodes
+// keep the file's order and names (unnamed ones are "node_N"; of equal names the later get "#2", "#3"...). A skinned
+// mesh moves with its joint of most weight, unbent; it and morph targets (base mesh) each give a warning. Throws
+// `Error` in one line for a file that is missing, cut short, inconsistent, needs an unsupported extension, or names a
+// file that lies outside of its own folder, links followed (with `allow_outside` those are read); exit code 2 for a
+// variant that it does not have.
+Scene loadGltf(const Path& file, const GltfOptions& options = {});
 
 }  // namespace strobe::scene

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "scene/gltf_pointer.h"
+
 namespace strobe::scene {
 
 namespace {
@@ -20,6 +22,10 @@ class AnimationReader {
       Animation animation;
       animation.name = file_.uniqueName(animations[i], fmt::format("animation_{}", i), taken);
       const Json& channels = file_.list(animations[i], "channels", "");
+      for (const char* key : {"channels", "samplers"})
+        if (file_.list(animations[i], key, "").empty())
+          file_.refuse(fmt::format("animations[{}]", i), fmt::format("has no {}", key));
+      driven_.clear();
       for (size_t k = 0; k < channels.size(); ++k)
         readChannel(animations[i], channels[k], fmt::format("animations[{}].channels[{}]", i, k), animation);
       scene_.animations.push_back(std::move(animation));
@@ -60,30 +66,63 @@ class AnimationReader {
   void warn(const std::string& text) { scene_.warnings.push_back(text); }
 
   void readChannel(const Json& json, const Json& channel, const std::string& where, Animation& animation) {
-    const Json& target = file_.object(channel, "target", where);
-    Track track;
-    track.node = file_.index(target, "node", "nodes", where);
-    std::string path = file_.text(target, "path");
-    if (track.node < 0) return warn(where + ": names no node and is left out");
-    if (path == "weights")
-      return warn(fmt::format("node '{}': its morph animation is left out", scene_.nodes[track.node].name));
-    if (path == "rotation") track.target = Track::Target::Rotation;
-    else if (path == "scale") track.target = Track::Target::Scale;
-    else if (path != "translation") return warn(fmt::format("{}: path '{}' is left out", where, path));
+    std::optional<PointerTarget> target = targetOf(channel, where);
+    if (!target) return;
     const Json& samplers = file_.list(json, "samplers", where);
     size_t sampler = file_.size(channel, "sampler", std::nullopt, where);
     if (sampler >= samplers.size()) file_.refuse(where, fmt::format("'sampler' is {} of {}", sampler, samplers.size()));
-    readSampler(samplers[sampler], where, track);
-    splitMatrix(scene_.nodes[track.node]);
+    Track track;
+    track.node = target->node;
+    track.target = target->target;
+    readSampler(samplers[sampler], where, target->components, track);
     animation.duration = std::max(animation.duration, track.times.back());
+    if (target->property) return animation.properties.push_back({*target->property, target->index, std::move(track)});
+    splitMatrix(scene_.nodes[track.node]);
     animation.tracks.push_back(std::move(track));
   }
 
-  void readSampler(const Json& sampler, const std::string& where, Track& track) {
+  // What a channel drives; nothing, and a warning, where that cannot be moved here.
+  std::optional<PointerTarget> targetOf(const Json& channel, const std::string& where) {
+    file_.require(channel, "target", where);
+    const Json& target = file_.object(channel, "target", where);
+    std::string path = file_.text(target, "path", where);
+    if (path == "pointer") return pointed(target, where);
+    PointerTarget result;
+    result.node = file_.index(target, "node", "nodes", where);
+    if (result.node < 0) return warn(where + ": names no node and is left out"), std::nullopt;
+    if (path == "weights") return leftOut(result.node);
+    if (path == "rotation") result.target = Track::Target::Rotation, result.components = 4;
+    else if (path == "scale") result.target = Track::Target::Scale;
+    else if (path != "translation") return warn(fmt::format("{}: path '{}' is left out", where, path)), std::nullopt;
+    return once(result, fmt::format("/nodes/{}/{}", result.node, path), where);
+  }
+
+  std::optional<PointerTarget> pointed(const Json& target, const std::string& where) {
+    std::string pointer = file_.text(file_.extension(target, "KHR_animation_pointer"), "pointer");
+    if (pointer.empty()) file_.refuse(where, "its path is 'pointer', but KHR_animation_pointer names none");
+    if (target.contains("node")) file_.refuse(where, "has both a pointer and a node");
+    std::optional<PointerTarget> result = pointerTarget(file_, pointer, where);
+    if (!result) return warn(fmt::format("{}: '{}' cannot be moved; it is left out", where, pointer)), std::nullopt;
+    return once(*result, pointer, where);
+  }
+
+  std::optional<PointerTarget> leftOut(int node) {
+    warn(fmt::format("node '{}': its morph animation is left out", scene_.nodes[node].name));
+    return std::nullopt;
+  }
+
+  // Channels of one animation drive different things.
+  std::optional<PointerTarget> once(const PointerTarget& target, const std::string& pointer, const std::string& where) {
+    if (!driven_.insert(pointer).second)
+      file_.refuse(where, fmt::format("drives {}, as another channel does", pointer));
+    return target;
+  }
+
+  void readSampler(const Json& sampler, const std::string& where, int components, Track& track) {
     int input = file_.index(sampler, "input", "accessors", where);
     int output = file_.index(sampler, "output", "accessors", where);
     if (input < 0 || output < 0) file_.refuse(where, "its sampler lacks input or output");
-    std::string how = file_.text(sampler, "interpolation");
+    std::string how = file_.text(sampler, "interpolation", where);
     if (how == "STEP") track.interpolation = Track::Interpolation::Step;
     else if (how == "CUBICSPLINE") track.interpolation = Track::Interpolation::CubicSpline;
     else if (!how.empty() && how != "LINEAR") file_.refuse(where, fmt::format("interpolation '{}' is unknown", how));
@@ -93,13 +132,13 @@ class AnimationReader {
       bool sound = std::isfinite(track.times[i]) && (i == 0 || track.times[i] > track.times[i - 1]);
       if (!sound) file_.refuse(where, fmt::format("its key times do not increase at key {}", i));
     }
-    bool rotation = track.target == Track::Target::Rotation;
-    Values values = file_.accessor(output, where, {rotation ? "VEC4" : "VEC3"});
+    Values values = file_.accessor(output, where, {components == 1 ? "SCALAR" : fmt::format("VEC{}", components)});
     size_t wanted = track.times.size() * (track.interpolation == Track::Interpolation::CubicSpline ? 3 : 1);
     if (values.count != wanted)
       file_.refuse(where, fmt::format("{} keys need {} values, not {}", track.times.size(), wanted, values.count));
     for (size_t i = 0; i < values.count; ++i) {
-      dvec4 value = rotation ? values.vector4(i) : dvec4(values.vector3(i), 0);
+      dvec4 value(0);
+      for (int c = 0; c < components; ++c) value[c] = values.at(i, c);
       if (!std::isfinite(glm::dot(value, value))) file_.refuse(where, fmt::format("its value {} is not finite", i));
       track.values.push_back(value);
     }
@@ -157,6 +196,7 @@ class AnimationReader {
 
   const GltfFile& file_;
   Scene& scene_;
+  std::set<std::string> driven_;  // by channels of the animation that is read, as pointers
 };
 
 }  // namespace

@@ -136,6 +136,8 @@ void GltfFile::checkVersion(const std::vector<std::string>& supported) const {
   std::string version = text(object(json_, "asset", ""), "version");
   if (version.empty()) refuse("", "is not a glTF asset: asset.version is missing");
   if (!version.starts_with("2.")) refuse("", fmt::format("is glTF {}, not 2.0", version));
+  std::string least = text(object(json_, "asset", ""), "minVersion", "asset");
+  if (!least.empty() && least != "2.0") refuse("asset", fmt::format("minVersion is {}, above 2.0", least));
   std::vector<std::string> missing;
   for (const Json& name : all("extensionsRequired")) {
     std::string extension = name.is_string() ? name.get<std::string>() : name.dump();
@@ -228,7 +230,7 @@ Values GltfFile::accessor(int accessor_index, const std::string& asked, const st
   values.count = size(json, "count", std::nullopt, where);
   if (values.count == 0 || values.count > kMostElements) refuse(where, fmt::format("count is {}", values.count));
 
-  bool normalized = flag(json, "normalized");
+  bool normalized = flag(json, "normalized", where);
   bool has_view = index(json, "bufferView", "bufferViews", where) >= 0;
   size_t stride = 0;
   const uint8_t* at = has_view ? elements(json, values.count, component_size * values.width, stride, where) : nullptr;
@@ -342,8 +344,22 @@ std::vector<double> GltfFile::numbers(const Json& object, const std::string& key
   return fallback;
 }
 
-std::string GltfFile::text(const Json& object, const std::string& key) const {
-  if (!object.is_object() || !object.contains(key) || !object[key].is_string()) return "";
+double GltfFile::numberIn(const Json& object, const std::string& key, std::optional<double> fallback, double low,
+                          double high, const std::string& where) const {
+  if (!fallback) require(object, key, where);
+  if (!object.contains(key)) return *fallback;
+  double value = number(object, key, 0, where);
+  if (value < low || value > high) refuse(where, fmt::format("'{}' is {}, not from {} to {}", key, value, low, high));
+  return value;
+}
+
+void GltfFile::require(const Json& object, const std::string& key, const std::string& where) const {
+  if (!object.contains(key)) refuse(where, fmt::format("'{}' is missing", key));
+}
+
+std::string GltfFile::text(const Json& object, const std::string& key, const std::string& where) const {
+  if (!object.is_object() || !object.contains(key)) return "";
+  if (!object[key].is_string()) refuse(where, fmt::format("'{}' is not a text", key));
   return object[key].get<std::string>();
 }
 
@@ -354,8 +370,10 @@ std::string GltfFile::uniqueName(const Json& object, const std::string& otherwis
   return free;
 }
 
-bool GltfFile::flag(const Json& object, const std::string& key) const {
-  return object.is_object() && object.contains(key) && object[key].is_boolean() && object[key].get<bool>();
+bool GltfFile::flag(const Json& object, const std::string& key, const std::string& where) const {
+  if (!object.is_object() || !object.contains(key)) return false;
+  if (!object[key].is_boolean()) refuse(where, fmt::format("'{}' is neither true nor false", key));
+  return object[key].get<bool>();
 }
 
 size_t GltfFile::size(const Json& object, const std::string& key, std::optional<size_t> fallback,
@@ -367,6 +385,14 @@ size_t GltfFile::size(const Json& object, const std::string& key, std::optional<
   uint64_t value = object[key].get<uint64_t>();
   if (value > uint64_t(1) << 40) refuse(where, fmt::format("'{}' is {}", key, value));
   return size_t(value);
+}
+
+std::vector<double> sharesOf(const GltfFile& file, const Json& object, const std::string& key,
+                             std::vector<double> fallback, const std::string& where) {
+  std::vector<double> values = file.numbers(object, key, std::move(fallback), where);
+  for (double value : values)
+    if (value < 0 || value > 1) file.refuse(where, fmt::format("'{}' has {}, not from 0 to 1", key, value));
+  return values;
 }
 
 }  // namespace strobe::scene

@@ -51,16 +51,21 @@ class GltfFile {
   const Json& all(const std::string& key) const { return list(json_, key, ""); }
   const Json& list(const Json& object, const std::string& key, const std::string& where) const;
   const Json& object(const Json& object, const std::string& key, const std::string& where) const;
+  // Throws where the object does not have the member.
+  void require(const Json& object, const std::string& key, const std::string& where) const;
   // The extension's object, or an empty one; `present` says which.
   const Json& extension(const Json& object, const std::string& name, bool* present = nullptr) const;
   int index(const Json& object, const std::string& key, const std::string& list_name, const std::string& where) const;
   double number(const Json& object, const std::string& key, double fallback, const std::string& where) const;
+  // The same, from `low` to `high`; without a fallback it may not be missing.
+  double numberIn(const Json& object, const std::string& key, std::optional<double> fallback, double low, double high,
+                  const std::string& where) const;
   std::vector<double> numbers(const Json& object, const std::string& key, std::vector<double> fallback,
                               const std::string& where) const;
-  std::string text(const Json& object, const std::string& key) const;
+  std::string text(const Json& object, const std::string& key, const std::string& where = "") const;
   // Its name, or `otherwise`, made different from those that are `taken`.
   std::string uniqueName(const Json& object, const std::string& otherwise, std::set<std::string>& taken) const;
-  bool flag(const Json& object, const std::string& key) const;
+  bool flag(const Json& object, const std::string& key, const std::string& where) const;
   size_t size(const Json& object, const std::string& key, std::optional<size_t> fallback,
               const std::string& where) const;
 
@@ -88,5 +93,9 @@ class GltfFile {
   bool has_binary_chunk_ = false;
   std::vector<std::vector<uint8_t>> buffers_;
 };
+
+// Numbers from 0 to 1.
+std::vector<double> sharesOf(const GltfFile& file, const Json& object, const std::string& key,
+                             std::vector<double> fallback, const std::string& where);
 
 }  // namespace strobe::scene

@@ -31,17 +31,18 @@ class MeshReader {
  public:
   MeshReader(const GltfFile& file, std::vector<std::string>& warnings) : file_(file), warnings_(warnings) {}
 
-  Mesh read(int index, int default_material) {
+  Mesh read(int index, const MaterialChoice& choice) {
     const Json& json = file_.all("meshes").at(index);
     where_ = fmt::format("meshes[{}]", index);
     Mesh mesh;
     mesh.name = file_.text(json, "name");
     if (mesh.name.empty()) mesh.name = fmt::format("mesh_{}", index);
     const Json& list = file_.list(json, "primitives", where_);
+    if (list.empty()) file_.refuse(where_, "has no primitives");
     std::vector<Primitive> primitives;
     for (size_t i = 0; i < list.size(); ++i) {
       where_ = fmt::format("meshes[{}].primitives[{}]", index, i);
-      std::optional<Primitive> primitive = readPrimitive(list[i], default_material);
+      std::optional<Primitive> primitive = readPrimitive(list[i], choice);
       if (primitive && !primitive->indices.empty()) primitives.push_back(*std::move(primitive));
     }
     recentre(primitives, mesh);
@@ -55,7 +56,7 @@ class MeshReader {
     if (vertices > 0) warn(fmt::format("{} vertices have {}", vertices, what));
   }
 
-  std::optional<Primitive> readPrimitive(const Json& json, int default_material) {
+  std::optional<Primitive> readPrimitive(const Json& json, const MaterialChoice& choice) {
     size_t mode = file_.size(json, "mode", 4, where_);
     if (mode < 4) {
       warn(mode == 0 ? "points are not drawn" : "lines are not drawn");
@@ -63,9 +64,9 @@ class MeshReader {
     }
     if (mode > 6) file_.refuse(where_, fmt::format("mode {} is unknown", mode));
     const Json& attributes = file_.object(json, "attributes", where_);
+    if (attributes.empty()) file_.refuse(where_, "has no attributes");
     Primitive primitive;
-    int material = file_.index(json, "material", "materials", where_);
-    primitive.material = material < 0 ? default_material : material;
+    primitive.material = materialOf(json, choice);
     if (!readPositions(attributes, primitive)) return std::nullopt;
     readAttributes(attributes, primitive);
     readIndices(json, int(mode), primitive);
@@ -74,12 +75,25 @@ class MeshReader {
     return primitive;
   }
 
+  // The material of the variant, else its own.
+  int materialOf(const Json& json, const MaterialChoice& choice) {
+    int own = file_.index(json, "material", "materials", where_);
+    for (const Json& mapping : file_.list(file_.extension(json, "KHR_materials_variants"), "mappings", where_)) {
+      int material = file_.index(mapping, "material", "materials", where_);
+      if (material < 0) file_.refuse(where_, "a mapping of KHR_materials_variants names no material");
+      const Json& variants = file_.list(mapping, "variants", where_);
+      if (std::find(variants.begin(), variants.end(), Json(choice.variant)) != variants.end()) return material;
+    }
+    return own < 0 ? choice.otherwise : own;
+  }
+
   bool readPositions(const Json& attributes, Primitive& primitive) {
     int index = file_.index(attributes, "POSITION", "accessors", where_);
     if (index < 0) {
       warn("has no positions and is not drawn");
       return false;
     }
+    requireFormat(index, "POSITION");
     Values values = file_.accessor(index, where_, {"VEC3"});
     primitive.vertices.resize(values.count);
     for (size_t i = 0; i < values.count; ++i) primitive.positions.push_back(values.vector3(i));
@@ -90,10 +104,28 @@ class MeshReader {
                                   const std::vector<std::string>& types) {
     int index = file_.index(attributes, name, "accessors", where_);
     if (index < 0) return std::nullopt;
+    requireFormat(index, name);
     Values values = file_.accessor(index, where_, types);
     if (values.count != count)
       file_.refuse(where_, fmt::format("{} has {} elements, not {}", name, values.count, count));
     return values;
+  }
+
+  bool isQuantised() {
+    for (const char* key : {"extensionsUsed", "extensionsRequired"})
+      for (const Json& name : file_.all(key))
+        if (name == "KHR_mesh_quantization") return true;
+    return false;
+  }
+
+  // Floats; coordinates of textures and colours also as normalised unsigned integers. KHR_mesh_quantization has more.
+  void requireFormat(int accessor, const std::string& name) {
+    const Json& json = file_.all("accessors").at(accessor);
+    size_t type = file_.size(json, "componentType", std::nullopt, where_);
+    bool may_be_share = name.starts_with("TEXCOORD") || name.starts_with("COLOR");
+    bool is_share = (type == 5121 || type == 5123) && file_.flag(json, "normalized", where_);
+    if (type == 5126 || (may_be_share && is_share) || isQuantised()) return;
+    file_.refuse(where_, fmt::format("{} is of integers, but the file does not use KHR_mesh_quantization", name));
   }
 
   void readAttributes(const Json& attributes, Primitive& primitive) {
@@ -219,8 +251,8 @@ class MeshReader {
 
 }  // namespace
 
-Mesh readMesh(const GltfFile& file, int index, int default_material, std::vector<std::string>& warnings) {
-  return MeshReader(file, warnings).read(index, default_material);
+Mesh readMesh(const GltfFile& file, int index, const MaterialChoice& choice, std::vector<std::string>& warnings) {
+  return MeshReader(file, warnings).read(index, choice);
 }
 
 }  // namespace strobe::scene

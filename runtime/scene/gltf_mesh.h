@@ -6,9 +6,13 @@
 
 namespace strobe::scene {
 
+struct MaterialChoice {
+  int otherwise = 0;  // of primitives that name none
+  int variant = -1;   // of KHR_materials_variants
+};
+
 // The mesh `index` of the file. Strips and fans become triangles, missing normals become those of the facets, vertices
-// that are not finite lose their triangles. What is left out is added to `warnings`. `default_material` serves
-// primitives that name none.
-Mesh readMesh(const GltfFile& file, int index, int default_material, std::vector<std::string>& warnings);
+// that are not finite lose their triangles. What is left out is added to `warnings`.
+Mesh readMesh(const GltfFile& file, int index, const MaterialChoice& choice, std::vector<std::string>& warnings);
 
 }  // namespace strobe::scene

@@ -242,6 +242,10 @@ Texture readTexture(const Json& json, const Place& place, Problems& problems, bo
                    : wrap == "mirror" ? Texture::Wrap::Mirror
                                       : Texture::Wrap::Clamp;
   texture.wrap_v = texture.wrap_u;
+  if (fields.choice("filter", "linear", {"linear", "nearest"}) == "nearest") {
+    texture.magnify = texture.minify = Texture::Filter::Nearest;
+    texture.between = Texture::Levels::None;
+  }
   fields.finish();
   return texture;
 }
@@ -260,7 +264,8 @@ Light readLight(const Json& json, const Place& place, Problems& problems) {
                : type == "directional" ? Light::Type::Directional
                                        : Light::Type::Point;
   light.name = fields.text("name");
-  light.intensity = vec3(fields.color("color", vec4(1))) * float(fields.number("intensity", 1, 0, 1e30));
+  light.color = vec3(fields.color("color", vec4(1)));
+  light.intensity = fields.number("intensity", 1, 0, 1e30);
   light.shadow = fields.boolean("shadow", true);
   if (light.type != Light::Type::Directional) light.range = fields.number("range", 0, 0);
   if (light.type == Light::Type::Spot) {

@@ -183,8 +183,13 @@ class Builder {
     material.normal_scale = float(fields.number("normal_scale", 1, -100, 100));
     material.emissive = vec3(fields.color("emissive", vec4(0), 1e6));
     material.unlit = fields.boolean("unlit", false);
-    material.alpha_mask = fields.has("alpha_cutoff");
+    if (fields.has("alpha_cutoff")) material.alpha = Material::Alpha::Mask;
     material.alpha_cutoff = float(fields.number("alpha_cutoff", 0.5, 0, 1));
+    if (fields.boolean("blend", false)) {
+      if (material.alpha == Material::Alpha::Mask) fields.problem("has both 'alpha_cutoff' and 'blend'");
+      material.alpha = Material::Alpha::Blend;
+    }
+    material.double_sided = fields.boolean("double_sided", true);
     material.base_color_texture = readUse(fields, "color_texture", true);
     material.emissive_texture = readUse(fields, "emissive_texture", true);
     material.metallic_roughness_texture = readUse(fields, "metallic_roughness_texture", false);

@@ -209,6 +209,37 @@ static dmat4 unitFrame(const dmat4& world, const std::string& name) {
   return dmat4(dvec4(x, 0), dvec4(glm::cross(z, x), 0), dvec4(z, 0), world[3]);
 }
 
+static void applyProperty(PropertyTrack::Property property, const dvec4& value, Camera& camera) {
+  using P = PropertyTrack::Property;
+  (property == P::FieldOfView  ? camera.vertical_fov
+   : property == P::HalfHeight ? camera.half_height
+                               : camera.near) = value.x;
+}
+
+static void applyProperty(PropertyTrack::Property property, const dvec4& value, Light& light) {
+  using P = PropertyTrack::Property;
+  if (property == P::Color) light.color = vec3(value);
+  else
+    (property == P::Intensity   ? light.intensity
+     : property == P::Range     ? light.range
+     : property == P::InnerCone ? light.inner_cone
+                                : light.outer_cone) = value.x;
+}
+
+// Lens and lights as their keys have them.
+void Poser::keyProperties(Pose& pose, double time_s, double held_time_s) const {
+  for (const Animation* clip : clips_) {
+    for (const PropertyTrack& track : clip->properties) {
+      bool step = track.keys.interpolation == Track::Interpolation::Step;
+      dvec4 value = valueAt(track.keys, clipTime(step ? held_time_s : time_s, clip->duration));
+      bool ours = camera_node_ >= 0 && scene_.nodes[camera_node_].camera == track.index;
+      if (track.isOfCamera() && ours) applyProperty(track.property, value, pose.camera);
+      for (size_t i = 0; i < lights_.size() && !track.isOfCamera(); ++i)
+        if (scene_.nodes[lights_[i]].light == track.index) applyProperty(track.property, value, pose.lights[i]);
+    }
+  }
+}
+
 Pose Poser::at(double time_s) const { return at(time_s, time_s); }
 
 Pose Poser::at(double time_s, double held_time_s) const {
@@ -218,8 +249,16 @@ Pose Poser::at(double time_s, double held_time_s) const {
     dmat4 world = worlds[instance.node] * instance.node_from_instance;
     pose.world_from_instance.push_back(glm::translate(world, scene_.meshes[instance.mesh].origin));
   }
-  for (int light : lights_) pose.world_from_light.push_back(worlds[light]);
-  if (camera_node_ >= 0) pose.world_from_camera = unitFrame(worlds[camera_node_], scene_.nodes[camera_node_].name);
+  for (int light : lights_) {
+    pose.world_from_light.push_back(worlds[light]);
+    pose.lights.push_back(scene_.lights[scene_.nodes[light].light]);
+  }
+  if (camera_node_ >= 0) {
+    pose.world_from_camera = unitFrame(worlds[camera_node_], scene_.nodes[camera_node_].name);
+    int camera = scene_.nodes[camera_node_].camera;
+    if (camera >= 0) pose.camera = scene_.cameras[camera];
+  }
+  keyProperties(pose, time_s, held_time_s);
   return pose;
 }
 

@@ -45,7 +45,11 @@ struct Texture {
   int width = 0, height = 0;
   std::vector<std::vector<uint8_t>> levels;  // level 0 first, each of size max(1, size >> level), top row first
   Wrap wrap_u = Wrap::Repeat, wrap_v = Wrap::Repeat;
-  bool nearest = false;  // point sampling of level 0, for scenes whose pictures have a closed form
+  // How texels are looked up where one is larger than a pixel and where it is smaller, and which levels serve then.
+  enum class Filter { Nearest, Linear };
+  enum class Levels { None, Nearest, Linear };
+  Filter magnify = Filter::Linear, minify = Filter::Linear;
+  Levels between = Levels::Linear;
 };
 
 // A texture as a material uses it: uv' = matrix * (u, v, 1).
@@ -67,18 +71,25 @@ struct Material {
   vec3 emissive = vec3(0);  // strength included
   TextureUse emissive_texture;
   bool unlit = false;
-  bool alpha_mask = false;
+  // Mask: nothing is there where alpha is below `alpha_cutoff`. Blend: alpha is the share of points that are there.
+  enum class Alpha { Opaque, Mask, Blend };
+  Alpha alpha = Alpha::Opaque;
   float alpha_cutoff = 0.5f;
+  bool double_sided = true;  // false: nothing is seen from behind
 };
 
 struct Light {
   enum class Type { Directional, Point, Spot };
   std::string name;
   Type type = Type::Point;
-  vec3 intensity = vec3(1);                      // colour times candela (point, spot) or lux (directional)
+  vec3 color = vec3(1);                          // linear
+  double intensity = 1;                          // candela (point, spot) or lux (directional)
+  float moderation = 1;                          // factor of `moderateLights`
   double range = 0;                              // metres, 0 for unlimited
   double inner_cone = 0, outer_cone = 0.785398;  // spot: half angles, radians
   bool shadow = true;
+  vec3 emitted() const { return color * float(intensity) * moderation; }
+  bool operator==(const Light&) const = default;
 };
 
 struct Camera {
@@ -88,6 +99,7 @@ struct Camera {
   double half_height = 1;        // orthographic: half the height of the view, metres
   std::optional<double> aspect;  // stated by the file; the picture's own aspect is used, this is only reported
   double near = 0.01;            // metres along the view direction; nothing nearer is seen
+  bool operator==(const Camera&) const = default;
 };
 
 // A keyed channel of a node's transform.
@@ -101,10 +113,20 @@ struct Track {
   std::vector<dvec4> values;  // xyz or quaternion xyzw; CubicSpline: in-tangent, value, out-tangent per key
 };
 
+// A keyed number (or colour) of a camera or a light.
+struct PropertyTrack {
+  enum class Property { FieldOfView, HalfHeight, Near, Color, Intensity, Range, InnerCone, OuterCone };
+  Property property = Property::FieldOfView;
+  int index = -1;  // into Scene::cameras for the first three, else Scene::lights
+  Track keys;      // of no node: xyz is the colour, x any number; in the units of the scene's structures
+  bool isOfCamera() const { return property <= Property::Near; }
+};
+
 struct Animation {
   std::string name;
   std::vector<Track> tracks;
   double duration = 0;  // seconds; time past the end repeats from the start
+  std::vector<PropertyTrack> properties = {};
 };
 
 // Rigid motion at a constant rate, in world axes: of `--move`, `--spin` and of scenes described in Lua.
@@ -148,6 +170,7 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<Material> materials;  // at least one
   std::vector<Texture> textures;
+  std::vector<std::string> variants;  // sets of materials that the file offers, by name
   std::vector<Camera> cameras;
   std::vector<Light> lights;
   std::vector<Animation> animations;
@@ -174,7 +197,9 @@ std::vector<Instance> instancesOf(const Scene& scene);
 struct Pose {
   std::vector<dmat4> world_from_instance;  // one per instance, the mesh's `origin` already included
   std::vector<dmat4> world_from_light;     // one per light node, see `lightsOf`
+  std::vector<Light> lights;               // as they shine then, one per light node
   dmat4 world_from_camera = dmat4(1);      // camera looks along -z, y up; unit scale
+  Camera camera;                           // its lens then
 };
 
 // Light nodes: indices into Scene::nodes, in order.
@@ -197,6 +222,7 @@ class Poser {
   std::vector<dmat4> nodesAt(double time_s, double held_time_s) const;
 
  private:
+  void keyProperties(Pose& pose, double time_s, double held_time_s) const;
   const Scene& scene_;
   std::vector<Instance> instances_;
   std::vector<int> lights_;

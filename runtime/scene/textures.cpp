@@ -172,7 +172,8 @@ Texture texelTexture(int width, int height, const std::vector<vec4>& texels) {
   texture.format = Texture::Format::Rgba32f;
   texture.width = width;
   texture.height = height;
-  texture.nearest = true;
+  texture.magnify = texture.minify = Texture::Filter::Nearest;
+  texture.between = Texture::Levels::None;
   texture.levels = {encode(texels, texture.format)};
   return texture;
 }

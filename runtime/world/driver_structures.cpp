@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstring>
 
 #include "world/structures.h"
@@ -19,6 +20,8 @@ class DriverStructures : public Structures {
                                    ? gpu::buildBottomLevel(device, "scene.mesh." + scene.meshes[m].name, meshes[m])
                                    : gpu::Acceleration());
     }
+    for (const scene::Mesh& mesh : scene.meshes)
+      flags_.push_back(isOneSided(scene, mesh) ? 0 : VK_GEOMETRY_INSTANCE_TRIANGLE_FACING_CULL_DISABLE_BIT_KHR);
     for (uint32_t level = 0; level <= levelOf(slices - 1); ++level)
       top_levels_.emplace_back(device, fmt::format("scene.top_level.{}", level), uint32_t(instances_.size()));
   }
@@ -49,7 +52,7 @@ class DriverStructures : public Structures {
       static_assert(sizeof instance.transform == sizeof *transforms);
       std::memcpy(&instance.transform, &transforms[i], sizeof instance.transform);
       instance.mask = moves[i] ? RAYS_TO_ALL : RAYS_TO_ALL & ~RAYS_TO_MOVING;
-      instance.flags = VK_GEOMETRY_INSTANCE_TRIANGLE_FACING_CULL_DISABLE_BIT_KHR;
+      instance.flags = flags_[size_t(instances_[i].mesh)];
       const gpu::Acceleration& mesh = bottom_levels_[size_t(instances_[i].mesh)];
       instance.accelerationStructureReference = mesh.handle() ? mesh.address() : 0;
       posed[i] = instance;
@@ -64,11 +67,18 @@ class DriverStructures : public Structures {
   const gpu::Device& device_;
   std::vector<scene::Instance> instances_;
   uint32_t slices_;
-  std::vector<gpu::Acceleration> bottom_levels_;  // of each mesh, empty where it has no triangles
+  std::vector<VkGeometryInstanceFlagsKHR> flags_;  // of instances of each mesh
+  std::vector<gpu::Acceleration> bottom_levels_;   // of each mesh, empty where it has no triangles
   std::vector<gpu::TopLevel> top_levels_;
 };
 
 }  // namespace
+
+bool isOneSided(const scene::Scene& scene, const scene::Mesh& mesh) {
+  return std::none_of(mesh.geometries.begin(), mesh.geometries.end(), [&](const scene::Geometry& geometry) {
+    return scene.materials[size_t(geometry.material)].double_sided && !geometry.indices.empty();
+  });
+}
 
 std::unique_ptr<Structures> makeDriverStructures(const gpu::Device& device, const scene::Scene& scene,
                                                  const std::vector<std::vector<gpu::TriangleGeometry>>& meshes,

@@ -75,9 +75,24 @@ void GpuScene::uploadGeometry(const Scene& scene) {
   draw_buffer_ = uploadArray(device_, "scene.draws", draw_data, kStorage);
 }
 
-static SceneTextureUse textureUse(const TextureUse& use) {
+// Only what blends texels blends several along the direction in which a surface recedes.
+static constexpr uint32_t kMostTaps = 4;
+
+static SceneTextureUse textureUse(const Scene& scene, const TextureUse& use) {
   const auto& m = use.uv_transform;
-  return {use.texture, uint32_t(use.uv_set), vec2(m[0]), vec2(m[1]), vec2(m[2])};
+  uint32_t taps = kMostTaps;
+  if (use.texture >= 0) {
+    const Texture& texture = scene.textures[size_t(use.texture)];
+    bool blends = texture.minify == Texture::Filter::Linear && texture.between != Texture::Levels::None;
+    taps = blends ? kMostTaps : 1;
+  }
+  return {use.texture, uint32_t(use.uv_set), vec2(m[0]), vec2(m[1]), vec2(m[2]), taps};
+}
+
+static uint32_t flagsOf(const Material& material) {
+  return (material.unlit ? MATERIAL_UNLIT : 0) | (material.alpha == Material::Alpha::Mask ? MATERIAL_ALPHA_MASK : 0) |
+         (material.alpha == Material::Alpha::Blend ? MATERIAL_ALPHA_BLEND : 0) |
+         (material.double_sided ? 0 : MATERIAL_ONE_SIDED);
 }
 
 // One colour for all of a material: its factor times the mean of its texture.
@@ -98,11 +113,11 @@ void GpuScene::uploadMaterials(const Scene& scene) {
     material.roughness = source.roughness;
     material.alpha_cutoff = source.alpha_cutoff;
     material.normal_scale = source.normal_scale;
-    material.flags = (source.unlit ? MATERIAL_UNLIT : 0) | (source.alpha_mask ? MATERIAL_ALPHA_MASK : 0);
-    material.base_color_use = textureUse(source.base_color_texture);
-    material.metallic_roughness_use = textureUse(source.metallic_roughness_texture);
-    material.normal_use = textureUse(source.normal_texture);
-    material.emissive_use = textureUse(source.emissive_texture);
+    material.flags = flagsOf(source);
+    material.base_color_use = textureUse(scene, source.base_color_texture);
+    material.metallic_roughness_use = textureUse(scene, source.metallic_roughness_texture);
+    material.normal_use = textureUse(scene, source.normal_texture);
+    material.emissive_use = textureUse(scene, source.emissive_texture);
     materials.push_back(material);
   }
   materials_ = uploadArray(device_, "scene.materials", materials, kStorage);
@@ -113,6 +128,28 @@ static constexpr VkFormat kFormats[] = {VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_R8G8B
                                         VK_FORMAT_R32G32B32A32_SFLOAT};
 static constexpr VkSamplerAddressMode kWraps[] = {
     VK_SAMPLER_ADDRESS_MODE_REPEAT, VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE};
+
+static VkFilter filterOf(Texture::Filter filter) {
+  return filter == Texture::Filter::Linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
+}
+
+static gpu::SamplerDesc samplerOf(const Texture& texture) {
+  gpu::SamplerDesc desc;
+  desc.magnify = filterOf(texture.magnify);
+  desc.minify = filterOf(texture.minify);
+  desc.between =
+      texture.between == Texture::Levels::Linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
+  desc.first_level_only = texture.between == Texture::Levels::None;
+  desc.wrap_u = kWraps[int(texture.wrap_u)];
+  desc.wrap_v = kWraps[int(texture.wrap_v)];
+  return desc;
+}
+
+// Of a texture whose one level is looked up by one filter at any size, no other level is needed.
+static size_t levelsOf(const Texture& texture) {
+  bool alike = texture.between == Texture::Levels::None && texture.magnify == texture.minify;
+  return alike ? 1 : texture.levels.size();
+}
 
 void GpuScene::uploadTextures(const Scene& scene) {
   // A white texel stands in where a scene has none, so that the array is never empty.
@@ -128,10 +165,10 @@ void GpuScene::uploadTextures(const Scene& scene) {
     desc.format = kFormats[int(source->format)];
     desc.width = uint32_t(source->width);
     desc.height = uint32_t(source->height);
-    desc.levels = uint32_t(source->levels.size());
-    textures_.push_back(gpu::uploadImage(device_, "scene.texture." + source->name, desc, source->levels));
-    samplers_.push_back(gpu::makeSampler(device_, "scene.sampler." + source->name,
-                                         {!source->nearest, kWraps[int(source->wrap_u)], kWraps[int(source->wrap_v)]}));
+    desc.levels = uint32_t(levelsOf(*source));
+    std::vector<std::vector<uint8_t>> levels(source->levels.begin(), source->levels.begin() + desc.levels);
+    textures_.push_back(gpu::uploadImage(device_, "scene.texture." + source->name, desc, levels));
+    samplers_.push_back(gpu::makeSampler(device_, "scene.sampler." + source->name, samplerOf(*source)));
   }
 }
 
@@ -177,7 +214,8 @@ void GpuScene::setFrame(const FrameData& frame) { std::memcpy(frame_.mapped(), &
 
 // How far behind the near plane of a parallel camera the farthest corner of any bounds is; at least 1024 times half its
 // height, so that depths do not depend on what is far within that.
-double GpuScene::depthRange(const Pose& pose, const Camera& camera) const {
+double GpuScene::depthRange(const Pose& pose) const {
+  const Camera& camera = pose.camera;
   double least = 1024 * camera.half_height, farthest = 0;
   dvec3 back = glm::normalize(dvec3(pose.world_from_camera[2])), eye = dvec3(pose.world_from_camera[3]);
   for (size_t i = 0; i < instances_.size() && camera.orthographic; ++i) {
@@ -191,7 +229,8 @@ double GpuScene::depthRange(const Pose& pose, const Camera& camera) const {
   return std::max(least, 1.001 * (farthest - camera.near));
 }
 
-static SceneCamera cameraData(const Pose& pose, const Camera& camera, double aspect, const dvec3& origin) {
+static SceneCamera cameraData(const Pose& pose, double aspect, const dvec3& origin) {
+  const Camera& camera = pose.camera;
   const dmat4& m = pose.world_from_camera;
   SceneCamera data;
   data.position = vec3(dvec3(m[3]) - origin);
@@ -220,7 +259,7 @@ static SceneLight lightData(const Light& light, const dmat4& world_from_light, c
                                                      : LIGHT_SPOT;
   data.direction = vec3(-glm::normalize(dvec3(world_from_light[2])));
   data.range = float(light.range);
-  data.intensity = light.intensity;
+  data.intensity = light.emitted();
   data.shadow = light.shadow ? 1 : 0;
   data.cos_inner = float(std::cos(light.inner_cone));
   data.cos_outer = float(std::cos(light.outer_cone));
@@ -240,21 +279,19 @@ void GpuScene::refuseTransform(int node) const {
       fmt::format("{}: the transform of node '{}' cannot be drawn", scene_.name, scene_.nodes[size_t(node)].name)));
 }
 
-void GpuScene::setPose(uint32_t slice, const Pose& pose, const Camera& camera, double aspect, const dvec3& origin) {
+void GpuScene::setPose(uint32_t slice, const Pose& pose, double aspect, const dvec3& origin) {
   STROBE_ASSERT(slice < slices_ && pose.world_from_instance.size() == instances_.size(), "slice {}", slice);
   SceneCamera& posed = static_cast<SceneCamera*>(cameras_.mapped())[slice];
-  posed = cameraData(pose, camera, aspect, origin);
-  posed.depth_range = float(depthRange(pose, camera));
+  posed = cameraData(pose, aspect, origin);
+  posed.depth_range = float(depthRange(pose));
   auto* transforms = static_cast<SceneTransform*>(transforms_.mapped()) + slice * instances_.size();
   for (size_t i = 0; i < instances_.size(); ++i) {
     transforms[i] = transformData(pose.world_from_instance[i], origin);
     if (!isUsable(transforms[i])) refuseTransform(instances_[i].node);
   }
   auto* lights = static_cast<SceneLight*>(lights_.mapped()) + slice * light_nodes_.size();
-  for (size_t i = 0; i < light_nodes_.size(); ++i) {
-    const Light& light = scene_.lights[size_t(scene_.nodes[size_t(light_nodes_[i])].light)];
-    lights[i] = lightData(light, pose.world_from_light[i], origin);
-  }
+  for (size_t i = 0; i < light_nodes_.size(); ++i)
+    lights[i] = lightData(pose.lights[i], pose.world_from_light[i], origin);
   if (isTraced(slice)) structures_->pose(levelOf(slice), transforms, moves_);
 }
 

@@ -46,8 +46,7 @@ class GpuScene {
   void setMoving(const std::vector<bool>& moves);
   uint32_t movingCount() const;
   // Poses slice `slice`; positions become relative to `origin`. The device must be idle. `aspect` is width / height.
-  void setPose(uint32_t slice, const scene::Pose& pose, const scene::Camera& camera, double aspect,
-               const dvec3& origin);
+  void setPose(uint32_t slice, const scene::Pose& pose, double aspect, const dvec3& origin);
   // Records what makes a posed slice ready to be traced; those between the capture and the samples never are.
   void recordBuild(VkCommandBuffer commands, uint32_t slice) const;
 
@@ -57,7 +56,7 @@ class GpuScene {
   void uploadTextures(const scene::Scene& scene);
   void makeSet();
   [[noreturn]] void refuseTransform(int node) const;
-  double depthRange(const scene::Pose& pose, const scene::Camera& camera) const;
+  double depthRange(const scene::Pose& pose) const;
 
   const gpu::Device& device_;
   const scene::Scene& scene_;

@@ -27,7 +27,8 @@ class Triangles {
   BvhTriangle at(uint32_t index) const {
     const size_t g = size_t(std::upper_bound(firsts_.begin(), firsts_.end(), index) - firsts_.begin()) - 1;
     const scene::Geometry& geometry = mesh_.geometries[g];
-    const bool opaque = !scene_.materials[size_t(geometry.material)].alpha_mask;
+    const scene::Material& material = scene_.materials[size_t(geometry.material)];
+    const bool opaque = material.alpha == scene::Material::Alpha::Opaque && material.double_sided;
     BvhTriangle triangle{};
     triangle.primitive = index - firsts_[g];
     triangle.geometry = uint32_t(g) | (opaque ? BVH_OPAQUE : 0);

@@ -4,6 +4,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include "world/limits.h"
+#include "world/structures.h"
 
 namespace strobe::world {
 
@@ -79,7 +80,8 @@ std::vector<std::vector<gpu::TriangleGeometry>> SceneMeshes::triangles() const {
       d.vertex_stride = sizeof(SceneVertex);
       d.indices = indices_.address() + geometry.first_index * sizeof(uint32_t);
       d.triangle_count = geometry.triangle_count;
-      d.opaque = !scene_.materials[geometry.material].alpha_mask;
+      const scene::Material& material = scene_.materials[geometry.material];
+      d.opaque = material.alpha == scene::Material::Alpha::Opaque && (material.double_sided || isOneSided(scene_, mesh));
       meshes.back().push_back(d);
     }
   }

@@ -27,6 +27,9 @@ class Structures {
   virtual void recordBuild(VkCommandBuffer commands, uint32_t level) const = 0;
 };
 
+// Are all its triangles of materials that are seen from one side alone? A driver then leaves out what is behind.
+bool isOneSided(const scene::Scene& scene, const scene::Mesh& mesh);
+
 // Acceleration structures of the driver. `meshes`: the triangles of each.
 std::unique_ptr<Structures> makeDriverStructures(const gpu::Device& device, const scene::Scene& scene,
                                                  const std::vector<std::vector<gpu::TriangleGeometry>>& meshes,

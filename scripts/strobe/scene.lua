@@ -42,9 +42,9 @@ for _, name in ipairs { "quad", "box", "sphere", "torus", "superellipsoid", "cyl
   scene[name] = constructor("shape", name)
 end
 
--- Textures. All: size = {w, h}, wrap = "repeat" | "mirror" | "clamp", name. Patterns: colors = { ... }, count (or
--- {u, v}), widths, amount, line, seed. texels { width, height, texels = { {r, g, b [, a]}, ... } } is sampled without
--- any filter, top row first.
+-- Textures. All: size = {w, h}, wrap = "repeat" | "mirror" | "clamp", filter = "linear" | "nearest", name. Patterns:
+-- colors = { ... }, count (or {u, v}), widths, amount, line, seed. texels { width, height, texels = { {r, g, b [, a]},
+-- ... } } is sampled without any filter, top row first.
 scene.texture = {}
 for _, name in ipairs { "stripes", "checker", "quilt", "rug", "wood", "noise", "weave", "spine", "painting", "gradient",
                         "leaf", "texels" } do
@@ -55,7 +55,7 @@ end
 scene.use = constructor "use"
 
 -- material { name, color, color_texture, metallic, roughness, metallic_roughness_texture, normal_texture, normal_scale,
---            emissive, emissive_texture, unlit, alpha_cutoff }
+--            emissive, emissive_texture, unlit, alpha_cutoff, blend, double_sided }
 scene.material = constructor "material"
 
 -- point_light { color, intensity, range, shadow, name }  candela; spot_light adds inner_cone, outer_cone (half angles);

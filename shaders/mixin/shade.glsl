@@ -12,8 +12,6 @@
 #include "mixin/trace.glsl"
 
 const float kPi = 3.14159265358979;
-// Longest stretch of texels blended along the direction in which a surface recedes.
-const int kMaxAnisotropy = 4;
 
 // Radiance that arrives from far outside of the scene.
 vec3 skyLight(vec3 direction_unit) { return mix(frame.ground, frame.sky, 0.5 + 0.5 * direction_unit.y); }
@@ -76,7 +74,7 @@ vec4 sampleTexture(SceneTextureUse use, Surface surface, mat2x3 footprint_ws) {
   bool right_longer = right_texels >= down_texels;
   float longer = max(right_texels, down_texels), shorter = min(right_texels, down_texels);
   vec2 axis = right_longer ? uv_right : uv_down;
-  int taps = clamp(int(ceil(longer / max(shorter, 1.0))), 1, kMaxAnisotropy);
+  int taps = clamp(int(ceil(longer / max(shorter, 1.0))), 1, int(use.most_taps));
   float level = log2(max(longer / float(taps), 1e-6));
   if (taps == 1) return textureLod(scene_textures[nonuniformEXT(use.texture)], uv, level);
   vec4 sum = vec4(0);

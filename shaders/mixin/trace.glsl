@@ -2,6 +2,7 @@
 // Needs: rays, scene; may have: PARAM_displacement.
 // Rays. One interface over the tracing backends, which find the same hits (runtime/shader/backends.h lists them).
 // A ray interval is open at both ends: a hit at exactly t_min, which is 0 or more, or at t_max is not found.
+// What is seen from one side alone is not there for rays that meet it from behind, but for those of `isBlocked`.
 #ifndef STROBE_TRACE_GLSL
 #define STROBE_TRACE_GLSL
 #include "mixin/surface.glsl"
@@ -37,7 +38,7 @@ bool seenFromFront(uint slice, Ray ray, uint instance, uint geometry, uint primi
 // `mask`: RAYS_TO_ALL, or RAYS_TO_MOVING for what may move within the exposure alone.
 Hit traceExcept(uint slice, uint mask, Ray ray, float t_min, float t_max, uint skip_instance, uint skip_geometry) {
   ++launched_rays;
-  TraceResult found = launch(slice, mask, false, ray, t_min, t_max, skip_instance, skip_geometry);
+  TraceResult found = launch(slice, mask, false, false, ray, t_min, t_max, skip_instance, skip_geometry);
   if (found.instance == NO_INSTANCE) return noHit();
   Hit hit = Hit(found.instance, found.geometry, found.primitive, found.barycentrics, found.t, true);
   hit.front = seenFromFront(slice, ray, hit.instance, hit.geometry, hit.primitive);
@@ -48,14 +49,16 @@ Hit traceNearest(uint slice, Ray ray, float t_min, float t_max) {
   return traceExcept(slice, RAYS_TO_ALL, ray, t_min, t_max, NO_INSTANCE, NO_INSTANCE);
 }
 
-// Does anything lie on the ray with t in (t_min, t_max)?
-bool isBlocked(uint slice, uint mask, Ray ray, float t_min, float t_max) {
+// Does anything lie on the ray with t in (t_min, t_max), whichever side it turns there? Surfaces cast shadows with both.
+bool isBlocked(uint slice, Ray ray, float t_min, float t_max) {
   ++launched_rays;
-  return launch(slice, mask, true, ray, t_min, t_max, NO_INSTANCE, NO_INSTANCE).instance != NO_INSTANCE;
+  return launch(slice, RAYS_TO_ALL, true, true, ray, t_min, t_max, NO_INSTANCE, NO_INSTANCE).instance != NO_INSTANCE;
 }
 
-bool isBlocked(uint slice, Ray ray, float t_min, float t_max) {
-  return isBlocked(slice, RAYS_TO_ALL, ray, t_min, t_max);
+// Would anything be seen on the ray with t in (t_min, t_max)? `mask` as above.
+bool isHidden(uint slice, uint mask, Ray ray, float t_min, float t_max) {
+  ++launched_rays;
+  return launch(slice, mask, true, false, ray, t_min, t_max, NO_INSTANCE, NO_INSTANCE).instance != NO_INSTANCE;
 }
 
 #endif

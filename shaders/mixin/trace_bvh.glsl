@@ -180,9 +180,21 @@ uint nearestChild(uint node, BvhRay ray, float t_min, float t_max, out uint othe
   return hits == 0u ? kNextOnStack : nearest;
 }
 
-// As traceExcept of mixin/trace.glsl; `mask`: RAYS_TO_*; `any_hit`: the first that is found.
-TraceResult launch(uint slice, uint mask, bool any_hit, Ray world_ray, float t_min, float t_max, uint skip_instance,
-                   uint skip_geometry) {
+// Does a ray from `origin`, in object space, meet the triangle from behind, where that matters?
+bool isFromBehind(vec3 origin, uint triangle) {
+#if FACT_one_sided
+  vec3 a = scene_bvh.triangles.at[triangle].corner[0];
+  vec3 edge1 = scene_bvh.triangles.at[triangle].corner[1] - a, edge2 = scene_bvh.triangles.at[triangle].corner[2] - a;
+  return dot(cross(edge1, edge2), origin - a) < 0.0;
+#else
+  return false;
+#endif
+}
+
+// As traceExcept of mixin/trace.glsl; `mask`: RAYS_TO_*; `any_hit`: the first that is found; `both_sides`: of whatever is
+// met from behind.
+TraceResult launch(uint slice, uint mask, bool any_hit, bool both_sides, Ray world_ray, float t_min, float t_max,
+                   uint skip_instance, uint skip_geometry) {
   TraceResult found = TraceResult(NO_INSTANCE, 0u, 0u, vec2(0), t_max);
   uint nearest = 0u;  // triangle
   uint level = slice < SLICE_SAMPLE ? 0u : slice - SLICE_SAMPLE + 1u;  // levelOf of runtime/world/structures.h
@@ -230,7 +242,7 @@ TraceResult launch(uint slice, uint mask, bool any_hit, Ray world_ray, float t_m
         continue;
       bool asks = (geometry & BVH_OPAQUE) == 0u || instance == skip_instance;
       if (asks && !acceptsHit(instance, geometry & ~BVH_OPAQUE, scene_bvh.triangles.at[triangle].primitive, meeting.yz,
-                              skip_instance, skip_geometry))
+                              skip_instance, skip_geometry, !both_sides && isFromBehind(ray.origin, triangle)))
         continue;
       found.instance = instance;
       found.barycentrics = meeting.yz;

@@ -3,6 +3,7 @@
 // What a ray carries between the stages of the ray tracing pipeline, and which hits it accepts in every backend.
 #ifndef STROBE_TRACE_PAYLOAD_GLSL
 #define STROBE_TRACE_PAYLOAD_GLSL
+#include "lib/random.glsl"
 #include "mixin/vertex.glsl"
 
 struct TracePayload {
@@ -17,16 +18,47 @@ vec2 transformedUv(SceneTextureUse use, vec2 uv0, vec2 uv1) {
   return use.u * uv.x + use.v * uv.y + use.offset;
 }
 
-// Coverage of an alpha-masked material at a point: full-resolution texels, so that raster and rays agree.
+#if FACT_blend
+// A number in (0, 1) for a place on an instance: below it, alpha leaves a point of a blended material out. Places are
+// cubes of object space, 16 to 32 to a pixel at the capture, so that a point of the surface is there
+// or not whenever and by whatever it is seen, and sub-pixel samples see different ones (Wyman and McGuire, "Hashed Alpha
+// Testing", I3D 2017).
+float blendThreshold(uint instance, uint geometry, vec3 position_os) {
+  SceneTransform m = scene_transforms[SLICE_CAPTURE * frame.instance_count + instance];
+  SceneCamera camera = scene_cameras[SLICE_CAPTURE];
+  vec4 p = vec4(position_os, 1);
+  vec3 position_ws = vec3(dot(m.row_x, p), dot(m.row_y, p), dot(m.row_z, p));
+  float size = length(vec3(length(m.row_x.xyz), length(m.row_y.xyz), length(m.row_z.xyz))) * 0.57735027;
+  float depth = camera.orthographic != 0u ? 1.0 : max(dot(position_ws - camera.position, camera.forward), camera.near);
+  float pixel_os = 2.0 * camera.half_extent.y / float(frame.size.y) * depth / max(size, 1e-30);
+  uvec3 cell = floatBitsToUint(floor(position_os * exp2(4.0 - floor(log2(pixel_os))) + 0.37) + 0.5);
+  uint number = pcgHash(cell.x ^ pcgHash(cell.y ^ pcgHash(cell.z ^ pcgHash(instance ^ pcgHash(geometry ^ frame.seed)))));
+  return (float(number >> 8u) + 0.5) * (1.0 / 16777216.0);
+}
+#endif
+
+// Alpha below which a point of a material that has MATERIAL_ALPHA_MASK or MATERIAL_ALPHA_BLEND is not there.
+float leastAlpha(SceneMaterial material, uint instance, uint geometry, vec3 position_os) {
+#if FACT_blend
+  if ((material.flags & MATERIAL_ALPHA_BLEND) != 0u) return blendThreshold(instance, geometry, position_os);
+#endif
+  return material.alpha_cutoff;
+}
+
+// Is a material not there at a point, by its alpha? Of full-resolution texels, so that raster and rays agree.
 bool isCutOut(uint instance, uint geometry_index, uint primitive, vec2 barycentrics) {
   SceneGeometry geometry = scene_geometries[scene_instances[instance].first_geometry + geometry_index];
   SceneMaterial material = scene_materials[geometry.material];
-  if ((material.flags & MATERIAL_ALPHA_MASK) == 0u) return false;
+  if ((material.flags & (MATERIAL_ALPHA_MASK | MATERIAL_ALPHA_BLEND)) == 0u) return false;
   vec3 weights = vec3(1.0 - barycentrics.x - barycentrics.y, barycentrics);
   vec2 uv0 = vec2(0), uv1 = vec2(0);
+  vec3 position_os = vec3(0);
   float alpha = 0.0;
   for (uint corner = 0u; corner < 3u; ++corner) {
     uint vertex = vertexOf(geometry, primitive, corner);
+#if FACT_blend
+    position_os += weights[corner] * vertexPosition(SLICE_CAPTURE, vertex);
+#endif
     uv0 += weights[corner] * vertexUv0(vertex);
     uv1 += weights[corner] * vertexUv1(vertex);
     alpha += weights[corner] * vertexColor(vertex).a;
@@ -37,11 +69,21 @@ bool isCutOut(uint instance, uint geometry_index, uint primitive, vec2 barycentr
     vec2 uv = transformedUv(material.base_color_use, uv0, uv1);
     alpha *= textureLod(scene_textures[nonuniformEXT(texture_index)], uv, 0.0).a;
   }
-  return alpha < material.alpha_cutoff;
+  return alpha < leastAlpha(material, instance, geometry_index, position_os);
 }
 
-bool acceptsHit(uint instance, uint geometry, uint primitive, vec2 barycentrics, uint skip_instance, uint skip_geometry) {
+bool isOneSided(uint instance, uint geometry_index) {
+  SceneGeometry geometry = scene_geometries[scene_instances[instance].first_geometry + geometry_index];
+  return (scene_materials[geometry.material].flags & MATERIAL_ONE_SIDED) != 0u;
+}
+
+// `unseen`: the ray meets the triangle from behind, and is one that then sees nothing of what is seen from one side.
+bool acceptsHit(uint instance, uint geometry, uint primitive, vec2 barycentrics, uint skip_instance, uint skip_geometry,
+                bool unseen) {
   bool skipped = instance == skip_instance && (skip_geometry == NO_INSTANCE || geometry == skip_geometry);
+#if FACT_one_sided
+  if (unseen && isOneSided(instance, geometry)) return false;
+#endif
 #if FACT_alpha
   return !skipped && !isCutOut(instance, geometry, primitive, barycentrics);
 #else

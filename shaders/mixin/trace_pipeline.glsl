@@ -3,10 +3,15 @@
 // Tracing backend `pipeline`: ray tracing pipelines; miss, any-hit and closest-hit stages are in shaders/backend/.
 layout(location = 0) rayPayloadEXT TracePayload trace_payload;
 
-// As traceExcept of mixin/trace.glsl; `mask`: RAYS_TO_*; `any_hit`: the first that is found.
-TraceResult launch(uint slice, uint mask, bool any_hit, Ray ray, float t_min, float t_max, uint skip_instance,
+// As traceExcept of mixin/trace.glsl; `mask`: RAYS_TO_*; `any_hit`: the first that is found;
+// `both_sides`: of whatever is met from behind.
+TraceResult launch(uint slice, uint mask, bool any_hit, bool both_sides, Ray ray, float t_min, float t_max,
+                   uint skip_instance,
                    uint skip_geometry) {
   uint flags = skip_instance == NO_INSTANCE ? gl_RayFlagsNoneEXT : gl_RayFlagsNoOpaqueEXT;
+#if FACT_one_sided
+  if (!both_sides) flags |= gl_RayFlagsCullBackFacingTrianglesEXT;
+#endif
   trace_payload = TracePayload(NO_INSTANCE, 0u, 0u, vec2(0), 0.0, skip_instance, skip_geometry);
   if (any_hit) {
     // A ray that stops at its first hit runs no closest-hit shader: it counts as blocked unless the miss shader says so.

@@ -2,11 +2,16 @@
 // Needs: rays.
 // Tracing backend `query`: ray queries in compute.
 
-// As traceExcept of mixin/trace.glsl; `mask`: RAYS_TO_*; `any_hit`: the first that is found.
-TraceResult launch(uint slice, uint mask, bool any_hit, Ray ray, float t_min, float t_max, uint skip_instance,
+// As traceExcept of mixin/trace.glsl; `mask`: RAYS_TO_*; `any_hit`: the first that is found;
+// `both_sides`: of whatever is met from behind.
+TraceResult launch(uint slice, uint mask, bool any_hit, bool both_sides, Ray ray, float t_min, float t_max,
+                   uint skip_instance,
                    uint skip_geometry) {
   uint flags = any_hit ? gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsNoneEXT;
   if (skip_instance != NO_INSTANCE) flags |= gl_RayFlagsNoOpaqueEXT;
+#if FACT_one_sided
+  if (!both_sides) flags |= gl_RayFlagsCullBackFacingTrianglesEXT;
+#endif
   rayQueryEXT query;
   rayQueryInitializeEXT(query, scene_top_levels[nonuniformEXT(slice)], flags, mask, ray.origin, t_min, ray.direction, t_max);
   while (rayQueryProceedEXT(query)) {
@@ -15,7 +20,12 @@ TraceResult launch(uint slice, uint mask, bool any_hit, Ray ray, float t_min, fl
     uint geometry = uint(rayQueryGetIntersectionGeometryIndexEXT(query, false));
     uint primitive = uint(rayQueryGetIntersectionPrimitiveIndexEXT(query, false));
     vec2 barycentrics = rayQueryGetIntersectionBarycentricsEXT(query, false);
-    if (acceptsHit(instance, geometry, primitive, barycentrics, skip_instance, skip_geometry))
+#if FACT_one_sided
+    bool unseen = !both_sides && !rayQueryGetIntersectionFrontFaceEXT(query, false);
+#else
+    bool unseen = false;
+#endif
+    if (acceptsHit(instance, geometry, primitive, barycentrics, skip_instance, skip_geometry, unseen))
       rayQueryConfirmIntersectionEXT(query);
   }
   TraceResult found = TraceResult(NO_INSTANCE, 0u, 0u, vec2(0), 0.0);

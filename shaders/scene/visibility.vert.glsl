@@ -10,6 +10,12 @@ layout(location = 3) out float alpha;
 #ifdef STROBE_SEPARATE_TRIANGLES
 layout(location = 4) flat out uint triangle;
 #endif
+#if FACT_one_sided
+layout(location = 5) flat out uint mirrored;
+#endif
+#if FACT_blend
+layout(location = 6) out vec3 position_os;
+#endif
 
 void main() {
   SceneDraw self = scene_draws[gl_InstanceIndex];
@@ -21,11 +27,19 @@ void main() {
   uint vertex = uint(gl_VertexIndex);
 #endif
   SceneCamera camera = scene_cameras[TIME_SLICE];
-  vec3 p = viewFromWorld(TIME_SLICE, worldFromObject(transformOf(TIME_SLICE, self.instance), vertexPosition(TIME_SLICE, vertex)));
+  SceneTransform transform = transformOf(TIME_SLICE, self.instance);
+  vec3 vertex_os = vertexPosition(TIME_SLICE, vertex);
+  vec3 p = viewFromWorld(TIME_SLICE, worldFromObject(transform, vertex_os));
   draw = uvec2(self.instance, self.geometry);
   uv0 = vertexUv0(vertex);
   uv1 = vertexUv1(vertex);
   alpha = vertexColor(vertex).a;
+#if FACT_one_sided
+  mirrored = dot(transform.row_x.xyz, cross(transform.row_y.xyz, transform.row_z.xyz)) < 0.0 ? 1u : 0u;
+#endif
+#if FACT_blend
+  position_os = vertexPosition(SLICE_CAPTURE, vertex);
+#endif
 
   // The sample offset moves the picture the other way. Depth is near / z, of an orthographic camera the share of its
   // range that is left behind z: nearer is larger in both.

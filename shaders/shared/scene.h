@@ -47,10 +47,13 @@ struct SceneTextureUse {
   int texture;  // -1 for none
   uint uv_set;
   vec2 u, v, offset;  // uv' = u * uv.x + v * uv.y + offset
+  uint most_taps;     // blended along the direction in which a surface recedes
 };
 
 #define MATERIAL_UNLIT 1u
 #define MATERIAL_ALPHA_MASK 2u
+#define MATERIAL_ALPHA_BLEND 4u
+#define MATERIAL_ONE_SIDED 8u
 
 struct SceneMaterial {
   vec4 base_color;
@@ -95,8 +98,8 @@ struct SceneCamera {
 STROBE_SHARED_END
 #ifdef __cplusplus
 static_assert(sizeof(strobe::shared::SceneVertex) == 44);
-static_assert(sizeof(strobe::shared::SceneTextureUse) == 32);
-static_assert(sizeof(strobe::shared::SceneMaterial) == 188);
+static_assert(sizeof(strobe::shared::SceneTextureUse) == 36);
+static_assert(sizeof(strobe::shared::SceneMaterial) == 204);
 static_assert(sizeof(strobe::shared::SceneLight) == 56);
 static_assert(sizeof(strobe::shared::SceneTransform) == 48);
 static_assert(sizeof(strobe::shared::SceneCamera) == 68);

@@ -31,7 +31,8 @@ bool sameTransform(SceneTransform a, SceneTransform b) {
 bool cameraIsStill(uint slice) {
   if (frame.camera_rests != 0u) return true;
   SceneCamera a = scene_cameras[slice], b = scene_cameras[SLICE_CAPTURE];
-  return a.position == b.position && a.right == b.right && a.up == b.up && a.forward == b.forward;
+  return a.position == b.position && a.right == b.right && a.up == b.up && a.forward == b.forward &&
+         a.half_extent == b.half_extent;
 }
 
 bool isAtRest(Hit hit) { return !isHit(hit) || scene_instances[hit.instance].moves == 0u; }
@@ -54,7 +55,7 @@ bool wasOccluded(Hit hit) {
   if (by_moving && frame.moving_count == 0u) return false;
   Ray ray = cameraRay(SLICE_CAPTURE, pixelFromView(SLICE_CAPTURE, position_vs));
   uint mask = by_moving ? RAYS_TO_MOVING : RAYS_TO_ALL;
-  return isBlocked(SLICE_CAPTURE, mask, ray, camera.near, position_vs.z * (1.0 - 1.0 / 4096.0));
+  return isHidden(SLICE_CAPTURE, mask, ray, camera.near, position_vs.z * (1.0 - 1.0 / 4096.0));
 }
 
 // `is_still`: nothing about the sample has moved, so the capture's own ray tells what was hidden behind what.

@@ -28,6 +28,8 @@ const std::map<std::string, Given> kGiven = {
     {"path", {{"0=1,2,3,0,0,0", "1.5=2,2,3,0,0,0"}, {"0=1,2,3,0,0,0", "1.5=2,2,3,0,0,0"}}},
     {"allow_outside", {{"true"}, true}},
     {"animation", {{"none"}, "none"}},
+    {"variant", {{"winter"}, "winter"}},
+    {"faces", {{"both"}, "both"}},
     {"move", {{"bar=0.5,0,0", "ball=0,1,0"}, {"bar=0.5,0,0", "ball=0,1,0"}}},
     {"spin", {{"bar=0,1,0,3"}, Json::array({"bar=0,1,0,3"})}},
     {"rest_frame", {{"3"}, 3}},

@@ -23,16 +23,19 @@ struct Case {
   std::vector<std::string> absent;
 };
 
-// Bars and cards in front of each other under a lamp; paper that is cut out; a plane whose light casts no shadow.
+// Bars and cards in front of each other under a lamp; paper that is cut out; a blended card; cards that are seen from
+// one side; a plane whose light casts no shadow.
 std::vector<Case> cases() {
   Shot follows = shotOf("crowd", kWidth, kHeight, {{"speed", 0}});
   follows.moves = {"camera=0.2,0,0"};
   return {
-      {"crowd at rest", shotOf("crowd", kWidth, kHeight, {{"speed", 0}}), {"motion", "alpha"}},
-      {"crowd", shotOf("crowd", kWidth, kHeight), {"alpha"}},
-      {"crowd seen from a moving camera", follows, {"alpha"}},
-      {"cut out", shotOf("cut_out", kWidth, kHeight), {"motion", "shadows"}},
-      {"lit", shotOf("lit", kWidth, kHeight), {"motion", "alpha", "shadows"}},
+      {"crowd at rest", shotOf("crowd", kWidth, kHeight, {{"speed", 0}}), {"motion", "alpha", "blend", "one_sided"}},
+      {"crowd", shotOf("crowd", kWidth, kHeight), {"alpha", "blend", "one_sided"}},
+      {"crowd seen from a moving camera", follows, {"alpha", "blend", "one_sided"}},
+      {"cut out", shotOf("cut_out", kWidth, kHeight), {"motion", "blend", "one_sided", "shadows"}},
+      {"veil", shotOf("veil", kWidth, kHeight, {{"shift", 9}}), {"one_sided", "shadows"}},
+      {"sides", shotOf("sides", kWidth, kHeight), {"motion", "alpha", "blend", "shadows"}},
+      {"lit", shotOf("lit", kWidth, kHeight), {"motion", "alpha", "blend", "one_sided", "shadows"}},
   };
 }
 
@@ -123,7 +126,7 @@ TEST_F(RenderFacts, AreInTheRecord) {
   Picture still = render(with(cases()[0].shot, "hybrid")), moving = render(with(cases()[1].shot, "hybrid"));
   EXPECT_EQ(still.record["facts"], Json::array({"shadows"}));
   EXPECT_EQ(moving.record["facts"], Json::array({"motion", "shadows"}));
-  EXPECT_EQ(everythingOf(with(cases()[0].shot, "hybrid")).record["facts"].size(), 3u);
+  EXPECT_EQ(everythingOf(with(cases()[0].shot, "hybrid")).record["facts"].size(), 5u);
 }
 
 // A tap of what is left out is what stands in for it.

@@ -164,7 +164,7 @@ TEST(Facts, AnAnimationThatIsNotPlayedRests) {
 TEST(Facts, AlphaCountsWhereItsMaterialIsSeen) {
   Scene scene = still();
   scene.materials.resize(2);
-  scene.materials[1].alpha_mask = true;
+  scene.materials[1].alpha = Material::Alpha::Mask;
   EXPECT_FALSE(factsOf(scene, viewAt(1)).alpha);
   scene.meshes[0].geometries[0].material = 1;
   EXPECT_TRUE(factsOf(scene, viewAt(1)).alpha);

@@ -1,104 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Small assets written here, with known contents and with every kind of damage; then every file of the shared scenes,
 // whole and cut short.
-#include "scene/gltf.h"
-
-#include <gtest/gtest.h>
-#include <unistd.h>
-
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 
 #include "base/hash.h"
 #include "common/home.h"
 #include "math/constants.h"
 #include "scene/defaults.h"
+#include "scene/gltf_asset.h"
 #include "scene/motion.h"
 
 namespace strobe::scene {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Without the flush to disk that outputs get: thousands are written here.
-void writeQuickly(const Path& file, std::string_view bytes) {
-  fs::create_directories(file.parent_path());
-  std::ofstream(file, std::ios::binary).write(bytes.data(), std::streamsize(bytes.size()));
-}
-
-class Gltf : public testing::Test {
- protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / fmt::format("strobe_gltf_{}", ::getpid());
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  Scene load(const Json& json) {
-    writeQuickly(folder_ / "a.gltf", json.dump());
-    return loadGltf(folder_ / "a.gltf");
-  }
-  std::string failure(const Json& json) {
-    try {
-      load(json);
-    } catch (const Error& error) {
-      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
-      return error.what();
-    }
-    return "";
-  }
-  Path folder_;
-};
-
-std::string base64(const std::vector<uint8_t>& bytes) {
-  const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (size_t i = 0; i < bytes.size(); i += 3) {
-    uint32_t bits =
-        bytes[i] << 16 | (i + 1 < bytes.size() ? bytes[i + 1] << 8 : 0) | (i + 2 < bytes.size() ? bytes[i + 2] : 0);
-    for (int k = 3; k >= 0; --k) text += digits[bits >> (6 * k) & 63];
-  }
-  size_t padding = (3 - bytes.size() % 3) % 3;
-  return text.replace(text.size() - padding, padding, padding, '=');
-}
-
-// An asset whose one buffer grows with each accessor.
-struct Asset {
-  Json json = Json::parse(R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
-    "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[],"bufferViews":[],"buffers":[]})");
-  std::vector<uint8_t> bytes;
-
-  template <class T>
-  int add(const std::vector<T>& values, const char* type, int components, int component_type, bool normalized = false) {
-    int view = int(json["bufferViews"].size());
-    json["bufferViews"].push_back(
-        {{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", values.size() * sizeof(T)}});
-    json["accessors"].push_back({{"bufferView", view},
-                                 {"componentType", component_type},
-                                 {"count", values.size() / components},
-                                 {"type", type},
-                                 {"normalized", normalized}});
-    const uint8_t* data = reinterpret_cast<const uint8_t*>(values.data());
-    bytes.insert(bytes.end(), data, data + values.size() * sizeof(T));
-    while (bytes.size() % 4) bytes.push_back(0);
-    return int(json["accessors"].size()) - 1;
-  }
-  Json whole() {
-    Json result = json;
-    result["buffers"] =
-        Json::array({{{"byteLength", bytes.size()}, {"uri", "data:application/octet-stream;base64," + base64(bytes)}}});
-    return result;
-  }
-  Json& primitive() { return json["meshes"][0]["primitives"][0]; }
-};
-
-Asset triangle() {
-  Asset asset;
-  asset.add<float>({0, 0, 0, 2, 0, 0, 0, 2, 0}, "VEC3", 3, 5126);
-  return asset;
-}
 
 dvec3 positionOf(const Scene& scene, int vertex) {
   const Mesh& mesh = scene.meshes.at(0);
@@ -242,7 +158,7 @@ TEST_F(Gltf, FilesOutsideOfItsFolderAreRefused) {
   auto loaded = [&](const std::string& name, bool allow_outside) {
     json["buffers"][0]["uri"] = name;
     writeQuickly(folder / "asset.gltf", json.dump());
-    return loadGltf(folder / "asset.gltf", allow_outside);
+    return loadGltf(folder / "asset.gltf", {.allow_outside = allow_outside});
   };
   Scene scene = loaded("deeper/own.bin", false);
   ASSERT_EQ(scene.files.size(), 2u);
@@ -298,7 +214,7 @@ TEST_F(Gltf, GpuInstancesLightsAndUnlit) {
   Scene scene = load(asset.whole());
   EXPECT_EQ(instancesOf(scene).size(), 2u);
   EXPECT_TRUE(scene.materials[0].unlit);
-  EXPECT_NEAR(scene.lights[0].intensity.x, kPi, 1e-5) << "sunlight is brought to the display's white";
+  EXPECT_NEAR(scene.lights[0].emitted().x, kPi, 1e-5) << "sunlight is brought to the display's white";
   EXPECT_EQ(scene.assumptions.size(), 1u);
 }
 

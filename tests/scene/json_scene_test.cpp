@@ -56,7 +56,7 @@ TEST(JsonScene, BuildsNodesMeshesAndMotion) {
   EXPECT_EQ(scene.materials.size(), 2u);
   EXPECT_EQ(scene.textures.size(), 1u);
   EXPECT_EQ(scene.materials[1].base_color_texture.uv_transform[0][0], 2);
-  EXPECT_EQ(scene.lights[0].intensity, vec3(10, 5, 0));
+  EXPECT_EQ(scene.lights[0].emitted(), vec3(10, 5, 0));
   EXPECT_NEAR(scene.lights[0].outer_cone, std::acos(0.5), 1e-12);
   EXPECT_EQ(scene.cameras[0].name, "eye");
   EXPECT_EQ(scene.environment.sky, vec3(1, 2, 3));

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "scene/gltf_material.h"
+
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "scene/textures.h"
+
+namespace strobe::scene {
+
+namespace {
+
+class MaterialReader {
+ public:
+  MaterialReader(GltfFile& file, Scene& scene) : file_(file), scene_(scene) {}
+
+  void read() {
+    const Json& materials = file_.all("materials");
+    for (size_t i = 0; i < materials.size(); ++i)
+      scene_.materials.push_back(readMaterial(materials[i], fmt::format("materials[{}]", i)));
+    // Of primitives that name no material: glTF's is a white metal, which lamps alone would leave black.
+    Material plain;
+    plain.name = "default";
+    plain.base_color = vec4(0.8f, 0.8f, 0.8f, 1);
+    plain.double_sided = false;
+    scene_.materials.push_back(plain);
+  }
+
+ private:
+  void warn(const std::string& text) { scene_.warnings.push_back(text); }
+
+  Material readMaterial(const Json& json, const std::string& where) {
+    Material material;
+    material.name = file_.text(json, "name");
+    const Json& pbr = file_.object(json, "pbrMetallicRoughness", where);
+    auto color = sharesOf(file_, pbr, "baseColorFactor", {1, 1, 1, 1}, where);
+    material.base_color = vec4(color[0], color[1], color[2], color[3]);
+    material.metallic = float(file_.numberIn(pbr, "metallicFactor", 1, 0, 1, where));
+    material.roughness = float(file_.numberIn(pbr, "roughnessFactor", 1, 0, 1, where));
+    material.base_color_texture = readUse(pbr, "baseColorTexture", true, where);
+    material.metallic_roughness_texture = readUse(pbr, "metallicRoughnessTexture", false, where);
+    material.normal_texture = readUse(json, "normalTexture", false, where);
+    material.normal_scale = float(file_.number(file_.object(json, "normalTexture", where), "scale", 1, where));
+    material.emissive_texture = readUse(json, "emissiveTexture", true, where);
+    auto emissive = sharesOf(file_, json, "emissiveFactor", {0, 0, 0}, where);
+    const Json& strength = file_.extension(json, "KHR_materials_emissive_strength");
+    material.emissive =
+        vec3(emissive[0], emissive[1], emissive[2]) * float(file_.number(strength, "emissiveStrength", 1, where));
+    file_.extension(json, "KHR_materials_unlit", &material.unlit);
+    material.double_sided = file_.flag(json, "doubleSided", where);
+    readAlpha(json, where, material);
+    return material;
+  }
+
+  void readAlpha(const Json& json, const std::string& where, Material& material) {
+    std::string mode = file_.text(json, "alphaMode", where);
+    if (mode.empty() || mode == "OPAQUE") return;
+    if (mode != "MASK" && mode != "BLEND") file_.refuse(where, fmt::format("alphaMode '{}' is unknown", mode));
+    material.alpha = mode == "MASK" ? Material::Alpha::Mask : Material::Alpha::Blend;
+    material.alpha_cutoff = float(file_.numberIn(json, "alphaCutoff", 0.5, 0, HUGE_VAL, where));
+  }
+
+  TextureUse readUse(const Json& owner, const char* key, bool is_color, const std::string& where) {
+    TextureUse use;
+    const Json& info = file_.object(owner, key, where);
+    if (owner.contains(key)) file_.require(info, "index", where + "." + key);
+    int texture = file_.index(info, "index", "textures", where);
+    if (texture < 0) return use;
+    size_t set = file_.size(info, "texCoord", 0, where);
+    const Json& transform = file_.extension(info, "KHR_texture_transform");
+    auto offset = file_.numbers(transform, "offset", {0, 0}, where);
+    auto scale = file_.numbers(transform, "scale", {1, 1}, where);
+    set = file_.size(transform, "texCoord", set, where);
+    use.uv_transform =
+        uvTransform({offset[0], offset[1]}, file_.number(transform, "rotation", 0, where), {scale[0], scale[1]});
+    if (set > 1) warn(fmt::format("{}: {} uses texture coordinates {}; 0 serve instead", where, key, set));
+    use.uv_set = set == 1 ? 1 : 0;
+    use.texture = textureIndex(texture, is_color);
+    return use;
+  }
+
+  Texture::Wrap wrapOf(const Json& sampler, const char* key, const std::string& where) {
+    size_t mode = file_.size(sampler, key, 10497, where);
+    if (mode != 10497 && mode != 33071 && mode != 33648)
+      file_.refuse(where, fmt::format("{} {} is unknown", key, mode));
+    return mode == 33071 ? Texture::Wrap::Clamp : mode == 33648 ? Texture::Wrap::Mirror : Texture::Wrap::Repeat;
+  }
+
+  int textureIndex(int texture, bool is_color) {
+    const Json& json = file_.all("textures").at(texture);
+    std::string where = fmt::format("textures[{}]", texture);
+    int image = file_.index(json, "source", "images", where);
+    if (image < 0) {
+      warn(where + ": its image is of a kind that is not supported; it is left out");
+      return -1;
+    }
+    int sampler_index = file_.index(json, "sampler", "samplers", where);
+    const Json none = Json::object();
+    const Json& sampler = sampler_index < 0 ? none : file_.all("samplers").at(sampler_index);
+    where = sampler_index < 0 ? where : fmt::format("samplers[{}]", sampler_index);
+    Texture lookup;
+    lookup.wrap_u = wrapOf(sampler, "wrapS", where);
+    lookup.wrap_v = wrapOf(sampler, "wrapT", where);
+    readFilters(sampler, where, lookup);
+    std::tuple key(image, is_color, lookup.wrap_u, lookup.wrap_v, lookup.magnify, lookup.minify, lookup.between);
+    auto [known, is_new] = textures_.emplace(key, int(scene_.textures.size()));
+    if (is_new) scene_.textures.push_back(makeTexture(image, lookup, is_color));
+    return known->second;
+  }
+
+  // What a sampler leaves open is linear, with all levels.
+  void readFilters(const Json& sampler, const std::string& where, Texture& lookup) {
+    using Filter = Texture::Filter;
+    using Levels = Texture::Levels;
+    size_t magnify = file_.size(sampler, "magFilter", 9729, where),
+           minify = file_.size(sampler, "minFilter", 9987, where);
+    if (magnify != 9728 && magnify != 9729) file_.refuse(where, fmt::format("magFilter {} is unknown", magnify));
+    static const std::map<size_t, std::pair<Filter, Levels>> kinds = {
+        {9728, {Filter::Nearest, Levels::None}},    {9729, {Filter::Linear, Levels::None}},
+        {9984, {Filter::Nearest, Levels::Nearest}}, {9985, {Filter::Linear, Levels::Nearest}},
+        {9986, {Filter::Nearest, Levels::Linear}},  {9987, {Filter::Linear, Levels::Linear}}};
+    auto kind = kinds.find(minify);
+    if (kind == kinds.end()) file_.refuse(where, fmt::format("minFilter {} is unknown", minify));
+    lookup.magnify = magnify == 9728 ? Filter::Nearest : Filter::Linear;
+    lookup.minify = kind->second.first;
+    lookup.between = kind->second.second;
+  }
+
+  // `texture`: how it is looked up.
+  Texture makeTexture(int image, Texture texture, bool is_color) {
+    auto decoded = images_.find(image);
+    if (decoded == images_.end()) decoded = images_.emplace(image, file_.image(image)).first;
+    texture.name = file_.text(file_.all("images").at(image), "name");
+    if (texture.name.empty()) texture.name = fmt::format("image_{}", image);
+    texture.format = is_color ? Texture::Format::Rgba8Srgb : Texture::Format::Rgba8Unorm;
+    texture.width = decoded->second.width;
+    texture.height = decoded->second.height;
+    texture.levels = {decoded->second.rgba};
+    buildLevels(texture);
+    return texture;
+  }
+
+  using Lookup = std::tuple<int, bool, Texture::Wrap, Texture::Wrap, Texture::Filter, Texture::Filter, Texture::Levels>;
+  GltfFile& file_;
+  Scene& scene_;
+  std::map<int, Decoded> images_;
+  std::map<Lookup, int> textures_;
+};
+
+}  // namespace
+
+void readMaterials(GltfFile& file, Scene& scene) { MaterialReader(file, scene).read(); }
+
+}  // namespace strobe::scene

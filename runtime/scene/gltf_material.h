@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// glTF materials, their textures and samplers.
+#pragma once
+
+#include "scene/gltf_file.h"
+
+namespace strobe::scene {
+
+// Adds the materials of the file and the textures that they use to the scene; behind them, the last, that of primitives
+// which name none. What is left out is added to the warnings.
+void readMaterials(GltfFile& file, Scene& scene);
+
+}  // namespace strobe::scene

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// Displacements of every sample scene: of what raster and of what rays see, and as differences of positions projected
+// in double precision.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "common/home.h"
+#include "common/source.h"
+#include "oracle/render.h"
+#include "scene/defaults.h"
+
+namespace strobe::oracle {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kWidth = 64, kHeight = 40;
+
+// A pixel coordinate of a world position; nothing where it is not in front of the camera.
+std::optional<dvec2> pixelOf(const scene::Pose& pose, const dvec3& position_ws) {
+  dvec3 seen(glm::inverse(pose.world_from_camera) * dvec4(position_ws, 1));
+  const scene::Camera& camera = pose.camera;
+  double up = camera.orthographic ? camera.half_height : std::tan(camera.vertical_fov / 2) * -seen.z;
+  if (!camera.orthographic && -seen.z < 2 * camera.near) return std::nullopt;
+  double scale = kHeight / (2 * up);
+  return dvec2(kWidth / 2. + seen.x * scale, kHeight / 2. - seen.y * scale);
+}
+
+class RenderDisplacements : public RenderTest {
+ protected:
+  struct Seen {
+    lab::Picture picture;
+    const scene::Scene* scene = nullptr;
+    scene::Pose capture, open, close;
+    std::shared_ptr<lab::HeldScene> held;
+  };
+
+  static std::vector<Path> files() {
+    std::vector<Path> found;
+    std::optional<Path> data = home().data();
+    if (!data || !fs::is_directory(*data / "scenes")) return found;
+    for (const auto& entry : fs::recursive_directory_iterator(*data / "scenes")) {
+      std::string extension = entry.path().extension().string();
+      if (extension == ".glb" || extension == ".gltf") found.push_back(entry.path());
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  static lab::Shot shotOfFile(const Path& file) {
+    lab::Shot shot;
+    shot.scene = file;
+    shot.width = kWidth;
+    shot.height = kHeight;
+    shot.fps = 24;
+    shot.frame = 0;
+    shot.anchor = "centre";
+    shot.pipeline = sourceFolder() / "tests/oracle/pipelines/two_ways.lua";
+    return shot;
+  }
+
+  static Seen see(lab::Shot shot) {
+    Seen seen;
+    seen.held = bench().scene(shot);
+    seen.scene = &seen.held->loaded.scene;
+    graph::FrameSetup setup = lab::frameSetup(shot, *seen.scene);
+    seen.capture = setup.pose_at(setup.capture_s);
+    seen.open = setup.pose_at(setup.open_s);
+    seen.close = setup.pose_at(setup.close_s);
+    seen.picture = render(shot);
+    return seen;
+  }
+
+  // The node of the drawable of most triangles.
+  static std::string largestNode(const scene::Scene& scene) {
+    size_t most = 0;
+    int largest = 0;
+    for (const scene::Instance& instance : scene::instancesOf(scene)) {
+      size_t triangles = 0;
+      for (const auto& geometry : scene.meshes[size_t(instance.mesh)].geometries) triangles += geometry.indices.size();
+      if (triangles > most) most = triangles, largest = instance.node;
+    }
+    return scene.nodes[size_t(largest)].name;
+  }
+
+  // A shot within the longest clip, in which the largest object and the file's camera move besides.
+  static lab::Shot movingShot(const Path& file) {
+    lab::Shot shot = shotOfFile(file);
+    auto held = bench().scene(shot);
+    const scene::Scene& scene = held->loaded.scene;
+    double duration_s = 0, radius = scene::boundsOf(scene).radius();
+    for (const scene::Animation& clip : scene.animations) duration_s = std::max(duration_s, clip.duration);
+    shot.frame = int(0.37 * duration_s * shot.fps);
+    std::string object = largestNode(scene);
+    shot.moves = {fmt::format("{}=0,{},{}", object, radius * 0.03, radius * 0.01)};
+    shot.spins = {fmt::format("{}=0,1,0,5", object)};
+    const scene::Node& camera = scene.nodes[size_t(scene::cameraNode(scene, ""))];
+    bool is_of_file = camera.name != "default camera";
+    if (is_of_file) shot.moves.push_back(fmt::format("{}={},0,{}", camera.name, radius * 0.02, radius * -0.01));
+    return shot;
+  }
+
+  // Of the point of a triangle that a pixel's centre sees, from where it is projected to at both ends of the exposure;
+  // nothing where its plane is met outside of the triangle, or too flat to be met by single precision.
+  static std::optional<dvec2> differenceAt(const Seen& seen, int x, int y, const image::UintImage& hit) {
+    const scene::Instance instance = scene::instancesOf(*seen.scene)[hit.at(x, y, 0) - 1];
+    const scene::Mesh& mesh = seen.scene->meshes[size_t(instance.mesh)];
+    const scene::Geometry& geometry = mesh.geometries[hit.at(x, y, 1)];
+    dvec3 corner[3], world[3];
+    const size_t at = hit.at(x, y, 0) - 1;
+    for (size_t c = 0; c < 3; ++c) {
+      corner[c] = dvec3(geometry.vertices[geometry.indices[3 * hit.at(x, y, 2) + c]].position);
+      world[c] = dvec3(seen.capture.world_from_instance[at] * dvec4(corner[c], 1));
+    }
+    const scene::Camera& camera = seen.capture.camera;
+    const dmat4& frame = seen.capture.world_from_camera;
+    double up = camera.orthographic ? camera.half_height : std::tan(camera.vertical_fov / 2);
+    dvec2 side((2 * (x + .5) / kWidth - 1) * up * kWidth / kHeight, (1 - 2 * (y + .5) / kHeight) * up);
+    dvec3 offset = dvec3(frame[0]) * side.x + dvec3(frame[1]) * side.y;
+    dvec3 origin = dvec3(frame[3]) + (camera.orthographic ? offset : dvec3(0));
+    dvec3 direction = -dvec3(frame[2]) + (camera.orthographic ? dvec3(0) : offset);
+    dvec3 edge1 = world[1] - world[0], edge2 = world[2] - world[0], p = glm::cross(direction, edge2);
+    double determinant = glm::dot(edge1, p);
+    dvec3 normal = glm::normalize(glm::cross(edge1, edge2));
+    if (std::abs(glm::dot(normal, glm::normalize(direction))) < 0.05) return std::nullopt;
+    dvec3 from = origin - world[0], q = glm::cross(from, edge1);
+    double u = glm::dot(from, p) / determinant, v = glm::dot(direction, q) / determinant;
+    if (!(u >= 0 && v >= 0 && u + v <= 1)) return std::nullopt;
+    dvec4 point(corner[0] + u * (corner[1] - corner[0]) + v * (corner[2] - corner[0]), 1);
+    auto end = pixelOf(seen.close, dvec3(seen.close.world_from_instance[at] * point));
+    auto start = pixelOf(seen.open, dvec3(seen.open.world_from_instance[at] * point));
+    if (!start || !end) return std::nullopt;
+    return *end - *start;
+  }
+
+  struct Found {
+    int pixels = 0, alike = 0;
+    double against_difference = 0, against_rays = 0, longest = 0;
+  };
+
+  static Found measure(const Seen& seen) {
+    const image::Image &raster = imageOf(seen.picture, "velocity"), &rays = imageOf(seen.picture, "ray_velocity");
+    const image::UintImage& hit = seen.picture.frame.outputs.at("hit").uints;
+    const image::UintImage& ray_hit = seen.picture.frame.outputs.at("ray_hit").uints;
+    Found found;
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x) {
+        if (hit.at(x, y, 0) == 0) continue;
+        dvec2 here(raster.at(x, y, 0), raster.at(x, y, 1)), there(rays.at(x, y, 0), rays.at(x, y, 1));
+        bool same = true;
+        for (int c = 0; c < 3; ++c) same = same && hit.at(x, y, c) == ray_hit.at(x, y, c);
+        if (same) found.against_rays = std::max(found.against_rays, glm::distance(here, there)), ++found.alike;
+        auto difference = differenceAt(seen, x, y, hit);
+        if (!difference) continue;
+        ++found.pixels;
+        found.longest = std::max(found.longest, glm::length(here));
+        found.against_difference = std::max(found.against_difference, glm::distance(here, *difference));
+      }
+    return found;
+  }
+};
+
+TEST_F(RenderDisplacements, AreDifferencesOfProjectedPositions) {
+  if (files().empty()) GTEST_SKIP() << "no shared scenes (set STROBE_DATA)";
+  int moving = 0, all = 0;
+  for (const Path& file : files()) {
+    Seen seen = see(movingShot(file));
+    Found found = measure(seen);
+    EXPECT_LE(found.against_difference, 1e-3) << file << ", up to " << found.longest << " px";
+    EXPECT_LE(found.against_rays, 1e-3) << file;
+    EXPECT_GT(found.pixels, 10) << file;
+    moving += found.longest > 0.05;
+    ++all;
+    RecordProperty(file.filename().string(),
+                   fmt::format("{:.2e} {:.2e} px of {:.2f}, {} and {} pixels", found.against_difference,
+                               found.against_rays, found.longest, found.pixels, found.alike));
+  }
+  EXPECT_GE(moving, all - 1);
+}
+
+// Jumps of stepped channels leave no displacement, whichever side of the capture they lie on.
+TEST_F(RenderDisplacements, StepsLeaveNone) {
+  std::optional<Path> data = home().data();
+  Path file = data ? *data / "scenes/khronos_samples/InterpolationTest.glb" : "";
+  if (!data || !fs::exists(file)) GTEST_SKIP() << "no shared scenes (set STROBE_DATA)";
+  lab::Shot shot = shotOfFile(file);
+  auto held = bench().scene(shot);
+  int clips = 0;
+  for (const scene::Animation& clip : held->loaded.scene.animations) {
+    if (clip.tracks.at(0).interpolation != scene::Track::Interpolation::Step) continue;
+    shot.animation = clip.name;
+    shot.frame =
+        int(clip.tracks[0].times.at(1) * shot.fps);  // a key lies within this exposure of two frames, or the next
+    shot.exposure = 4;
+    lab::Picture picture = render(shot);
+    EXPECT_EQ(rms(imageOf(picture, "velocity")), 0) << clip.name;
+    ++clips;
+  }
+  EXPECT_EQ(clips, 3);
+}
+
+}  // namespace
+}  // namespace strobe::oracle
