@@ -17,9 +17,10 @@ return pass.compute {
   writes = {
     known_hit = { format = "rgba32ui", doc = "the triangle that all see, as `ground`; 0 where there is none" },
     known_shadows = { format = "rg32ui", doc = "lights by bits: free at all of these samples, blocked" },
-    even      = { format = "rgba32f", doc = "rgb: the colour of what is at rest; a = 1 where that is one colour, 0 elsewhere" },
+    even_color = { format = "rgba32f", doc = "rgb: colour of what is at rest; a = 1 where that is one colour, else 0" },
   },
   params = {
-    even = pass.float { 0.02, min = 0, max = 1, doc = "how far colours may be from their mean, in parts of it, to be one" },
+    even_within = pass.float { 0.02, min = 0, max = 1,
+      doc = "how far colours may be from their mean, in parts of it, to be one" },
   },
 }

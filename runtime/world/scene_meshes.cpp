@@ -81,7 +81,8 @@ std::vector<std::vector<gpu::TriangleGeometry>> SceneMeshes::triangles() const {
       d.indices = indices_.address() + geometry.first_index * sizeof(uint32_t);
       d.triangle_count = geometry.triangle_count;
       const scene::Material& material = scene_.materials[geometry.material];
-      d.opaque = material.alpha == scene::Material::Alpha::Opaque && (material.double_sided || isOneSided(scene_, mesh));
+      d.opaque =
+          material.alpha == scene::Material::Alpha::Opaque && (material.double_sided || isOneSided(scene_, mesh));
       meshes.back().push_back(d);
     }
   }

@@ -31,8 +31,9 @@ local function traced_sample(p, seen, t)
   local before, agreed = t.before or {}, t.agreed or {}
   return trace {
     hit = seen.hit, pixel = p.pixel, mark_regions = p.mark_regions, time = "sample", every_ray = t.every_ray,
-    notes = t.notes, audit = p.audit, as = t.as,
-    known_hit = agreed.known_hit, known_shadows = agreed.known_shadows, even = not t.adaptive and agreed.even or nil,
+    keeps_notes = t.notes, audit = p.audit, as = t.as,
+    known_hit = agreed.known_hit, known_shadows = agreed.known_shadows,
+    even_color = not t.adaptive and agreed.even_color or nil,
     first_ground = before.ground, first_still = before.still, first_regions = before.regions,
     budget = t.budget, taken = t.taken, least_budget = t.least, tile = t.budget and p.tile or nil,
     once_where_still = not t.every_ray and not t.adaptive and p.pixel() == "centre" and p.shading() == "frozen",
@@ -91,7 +92,7 @@ local function shutter(p, seen, t)
 end
 
 local function agreement_of(p, t)
-  return agreement { ground = t.ground, still = t.still, unlike = t.unlike, shadows = t.shadows, even = p.even }
+  return agreement { ground = t.ground, still = t.still, unlike = t.unlike, shadows = t.shadows, even_within = p.even_within }
 end
 
 -- A few samples all over the exposure; then the others, for which rays are traced where these do not agree.
@@ -99,7 +100,7 @@ local function everywhere(p, seen)
   local every_ray, count = p.mode() == "brute", p.samples()
   local stops = p.tolerance() > 0
   local eighth = math.max(count // 8, 8)
-  local few = math.min(p.first() > 0 and p.first() or stops and math.min(eighth, 64) or eighth, count)
+  local few = math.min(p.first_samples() > 0 and p.first_samples() or stops and math.min(eighth, 64) or eighth, count)
   if few == count then
     return shutter(p, seen, { name = "shutter", count = count, first = 0, parts = count, every_ray = every_ray })
   end
@@ -190,10 +191,10 @@ return pipeline {
       doc = "what finds the nearest surface at each time; only rays tell regions",
       values = {
         rays   = "Rays: whole pixels or their centres, several times at once, and regions. What is at rest is found " ..
-                 "once, and what moves is traced before it at each time; before a camera at rest, what all of the `first` samples " ..
-                 "of a pixel and its neighbours agree about, a triangle, the shadows there or one colour of what is at " ..
-                 "rest, holds for the others, and an audit traces it all the same in some pixels. Fails to see what " ..
-                 "lies between all of these samples.",
+                 "once, and what moves is traced before it at each time; before a camera at rest, what all of the first " ..
+                 "samples of a pixel and its neighbours agree about, a triangle, the shadows there or one colour of " ..
+                 "what is at rest, holds for the others, and an audit traces it all the same in some pixels. Fails to " ..
+                 "see what lies between all of these samples.",
         brute  = "The same samples, each traced in full with its shadows: what the audit compares with, everywhere.",
         adaptive = "Rays through whole pixels (needs pixel = box), more of them where they differ more, in strata: up to " ..
                    "the error of `samples` everywhere as the first ones foretell it, for a fraction of the rays. Fails " ..
@@ -224,10 +225,10 @@ return pipeline {
       breaks = { box = {
         still = smooth, brief = smooth, uniform = smooth, mirrored = drawn, shifted = drawn, reversed = drawn,
       } } },
-    first        = int { 0, min = 0, max = 4096,
+    first_samples = int { 0, min = 0, max = 4096,
       doc = "samples that are taken everywhere, and traced in full; 0 = an eighth of all, at least 8; of those that a " ..
             "tolerance may stop at most 64" },
-    even         = agreement.params.even,
+    even_within  = agreement.params.even_within,
     mark_regions = bool { true, role = "regions",
       doc = "find the regions in which methods differ; one more ray per sample" },
     pilot        = shared.pilot,

@@ -4,9 +4,11 @@
 #ifndef STROBE_VERTEX_GLSL
 #define STROBE_VERTEX_GLSL
 
-// The vertex at a corner of a triangle of a geometry.
+// The vertex at a corner of a triangle of a geometry. No load by address is checked: a triangle that the geometry does not
+// have is its last one.
 uint vertexOf(SceneGeometry geometry, uint primitive, uint corner) {
-  return geometry.first_vertex + scene_meshes.indices.at[geometry.first_index + 3u * primitive + corner];
+  uint triangle = min(primitive, max(geometry.triangle_count, 1u) - 1u);
+  return geometry.first_vertex + scene_meshes.indices.at[geometry.first_index + 3u * triangle + corner];
 }
 
 // Object space, at the slice. Meshes are rigid: it is the same at all.

@@ -4,7 +4,7 @@
 // In:  ground (what samples have seen at rest: whose, geometry, triangle), still (rgb: mean colour of that), unlike (how
 //      far the colours are from it), shadows (lights by bits: free from there at all samples, blocked).
 // Out: known_hit (the triangle at rest that all see, whose = 0 without any), known_shadows (of the lights, where all see
-//      one surface: free at all of their samples, blocked), even (rgb: that colour, a = 1 where all see
+//      one surface: free at all of their samples, blocked), even_color (rgb: that colour, a = 1 where all see
 //      one surface, in colours as good as equal).
 #include "lib/seen.glsl"
 
@@ -24,6 +24,6 @@ void run(ivec2 pixel) {
   }
   imageStore(known_hit_img, pixel, one_triangle ? own : uvec4(kSeenNothing));
   imageStore(known_shadows_img, pixel, uvec4(one_surface ? shadows : uvec2(0u), 0u, 0u));
-  bool is_even = one_surface && unlike <= params.even;
-  imageStore(even_img, pixel, is_even ? vec4(texelFetch(still_tex, pixel, 0).rgb, 1) : vec4(0));
+  bool is_even = one_surface && unlike <= params.even_within;
+  imageStore(even_color_img, pixel, is_even ? vec4(texelFetch(still_tex, pixel, 0).rgb, 1) : vec4(0));
 }

@@ -177,7 +177,7 @@ void note(ivec2 pixel, Hit hit, float ground_t, vec3 color) {
   imageStore(ground_img, pixel, ground);
   vec4 still = imageLoad(still_img, pixel);
   imageStore(still_img, pixel, withSample(still, color));
-#if PARAM_notes
+#if PARAM_keeps_notes
   vec3 change = abs(color - still.rgb);
   float unlike = max(change.r, max(change.g, change.b)) / max(max(still.r, max(still.g, still.b)), 1e-6);
   if (!is_first) imageStore(unlike_img, pixel, vec4(max(unlike, imageLoad(unlike_img, pixel).x)));
@@ -204,8 +204,8 @@ void run(ivec2 pixel) {
 
   // Where all colours are one, and nothing comes, the first samples are enough.
   bool is_even = false;
-#if HAS_even
-  vec4 even = texelFetch(even_tex, pixel, 0);
+#if HAS_even_color
+  vec4 even = texelFetch(even_color_tex, pixel, 0);
   is_even = even.a != 0.0 && spares_rays && !one_ray && frame.camera_rests != 0u;
   if (is_even && !isReached(pixel)) return;
 #else
@@ -237,7 +237,7 @@ void run(ivec2 pixel) {
   else if (is_even && at_rest) color = even.rgb;
   else color = colorOf(pixel, slice, ray, hit, spares_rays);
   if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
-  if (!is_known && at_rest && (PARAM_notes != 0 || one_ray)) note(pixel, hit, t, color);
+  if (!is_known && at_rest && (PARAM_keeps_notes != 0 || one_ray)) note(pixel, hit, t, color);
 #if HAS_known_hit
   misses = misses || (is_agreed && !is_known && at_rest && agreed.xyz != seenAtRest(hit).xyz);
 #endif

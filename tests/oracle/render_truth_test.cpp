@@ -320,7 +320,7 @@ TEST_F(RenderTruth, AdaptiveTakesNoMoreThanItNeeds) {
   StripedScene scene;
   auto one = [&](const char* mode) {
     return render(with(scene.shot(), "ground_truth",
-                       truth(16, {"pixel=box", "times=stratified", "first=16", fmt::format("mode={}", mode)})));
+                       truth(16, {"pixel=box", "times=stratified", "first_samples=16", fmt::format("mode={}", mode)})));
   };
   EXPECT_TRUE(identical(colorOf(one("adaptive")), colorOf(one("rays"))));
 

@@ -89,6 +89,7 @@ const std::map<std::string, std::vector<Context>> kContexts = {
      {{{"samples=8"}, {}},
       {{"samples=8", "times=stratified"}, {"slices"}},
       {{"samples=4", "mode=raster"}, {}},
+      {{"samples=32", "pixel=box"}, {"first_samples", "even_within"}},
       {{"samples=32", "pilot=4", "mode=adaptive", "pixel=box"},
        {"audit", "least", "order", "pilot", "tile", "truth_trace.least_budget", "truth_trace.taken",
         "truth_trace.tile"}},

@@ -122,7 +122,10 @@ TEST_F(Damage, NormalsTextureCoordinatesAndColoursAreReplaced) {
 
 TEST_F(Damage, RadiancesBeyondNumbersBecomeNumbers) {
   File file;
-  file.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {1e300, 1, 1, 1};
+  file.json["materials"][0] = {{"emissiveFactor", {1, 0, 0}},
+                               {"doubleSided", true},
+                               {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 1e300}}}}}};
+  file.json["extensionsUsed"] = {"KHR_materials_emissive_strength"};
   expectDrawn(file, "radiances that were not finite numbers; NaN became 0 and infinity 65504");
 }
 

@@ -148,15 +148,15 @@ std::string memoryRefusalOf(shader::StructureKind structures, uint64_t free_byte
   return "";
 }
 
-// Four vertices of 44 bytes, six indices of 4; the runtime's own tree has a copy of the two triangles, 44 bytes each.
+// Four vertices of 44 bytes, six indices of 4; the runtime's own tree has a copy of the two triangles, 48 bytes each.
 TEST(DeviceLimits, MemoryIsAskedForBeforeAnythingIsAllocated) {
   using shader::StructureKind;
   EXPECT_EQ(memoryRefusalOf(StructureKind::Driver, 200), "");
-  EXPECT_EQ(memoryRefusalOf(StructureKind::Own, 288), "");
+  EXPECT_EQ(memoryRefusalOf(StructureKind::Own, 296), "");
   EXPECT_EQ(memoryRefusalOf(StructureKind::Driver, 199),
             "small: what stays on the device has 200 bytes of at most 199; nothing is drawn; end other programs, take "
             "fewer vertices or smaller textures, or another device");
-  EXPECT_NE(memoryRefusalOf(StructureKind::Own, 287).find("has 288 bytes of at most 287"), std::string::npos);
+  EXPECT_NE(memoryRefusalOf(StructureKind::Own, 295).find("has 296 bytes of at most 295"), std::string::npos);
 }
 
 // The constant that a room declares a limit as, "kBufferLimit".
