@@ -206,7 +206,7 @@ void run(ivec2 pixel) {
   bool is_even = false;
 #if HAS_even_color
   vec4 even = texelFetch(even_color_tex, pixel, 0);
-  is_even = even.a != 0.0 && spares_rays && !one_ray && frame.camera_rests != 0u;
+  is_even = kFrozen && even.a != 0.0 && spares_rays && !one_ray && frame.camera_rests != 0u;
   if (is_even && !isReached(pixel)) return;
 #else
   vec4 even = vec4(0);

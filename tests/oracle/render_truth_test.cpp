@@ -428,6 +428,13 @@ TEST_F(RenderTruth, SparesRaysWhereNeighboursAgree) {
   EXPECT_LE(sum(spared, "missed") * 1000, sum(spared, "audited"));
   EXPECT_LT(sum(spared, "rays_") * 4, sum(all, "rays_") * 3);
 
+  // Shadows that move are sampled all over the exposure.
+  std::vector<std::string> full = truth(64, {"pixel=box", "shading=full", "audit=0"});
+  lab::Picture lit = render(with(shot, "ground_truth", full));
+  full.push_back("mode=brute");
+  EXPECT_LE(rmsDifference(colorOf(lit), colorOf(render(with(shot, "ground_truth", full)))),
+            .02 * rms(imageOf(lit, "error")));
+
   shot.path = {"0=0.5,1.2,2.5,0,0.8,0", "1=0.3,1.2,2.5,0,0.8,0"};
   for (const char* pixel : {"pixel=box", "pixel=centre"})
     EXPECT_TRUE(identical(colorOf(render(with(shot, "ground_truth", truth(16, {pixel})))),
