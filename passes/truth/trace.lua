@@ -45,7 +45,7 @@ return pass.trace {
     tile = adaptive.tile,
     every_ray = pass.bool { false, doc = "trace what other samples have found already" },
     keeps_notes = pass.bool { false, doc = "keep what samples see, for truth_agreement" },
-    audit     = pass.float { 0.01, min = 0, max = 1, doc = "share of the pixels that trace what is known" },
+    audit = adaptive.audit,
     once_where_still = pass.bool { false, role = "still_once",
       doc = "what nothing in motion reaches is sampled once, for all samples: right for centres under frozen shading" },
     mark_regions = pass.bool { true, doc = "find the regions in which methods differ; one more ray per sample" },

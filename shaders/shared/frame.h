@@ -22,11 +22,11 @@ struct FrameData {
   uint slice_count;      // scene times among which a pixel of this iteration may draw, else 1
   uint instance_count;
   uint light_count;
-  vec3 sky;         // radiance from above,
-  vec3 ground;      // from below
-  vec4 background;  // rgb and 1 if rays that miss see this instead of the two above
-  ivec4 reach;      // pixels [x, z) x [y, w) in which anything that moves can be seen
-  float exposure;   // length of the exposure, in frames
+  vec3 sky;           // radiance from above,
+  vec3 ground;        // from below
+  vec4 background;    // rgb and 1 if rays that miss see this instead of the two above
+  ivec4 reach;        // pixels [x, z) x [y, w) in which anything that moves can be seen
+  float exposure;     // length of the exposure, in frames
   uint camera_rests;  // 1 where the camera surely stands still within the exposure
   uint moving_count;  // instances that may move within it
 };
