@@ -3,6 +3,7 @@
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 local path = require "passes.lib.relative_path"
+local reach = require "passes.lib.reach"
 
 local function pair(doc) return { format = "rgba32f", doc = doc } end
 
@@ -19,6 +20,7 @@ return pass.compute {
     bounds    = { doc = "of the displacements of each cell, px over the exposure" },
     ids       = { uint = true, doc = "least and greatest instance + 1 of each cell" },
     motions_0 = motions, motions_1 = motions, motions_2 = motions, motions_3 = motions,
+    reach = reach,
   },
   writes = {
     crossing_0 = pair "first and second displacement, px over the exposure; 1e9 = none",

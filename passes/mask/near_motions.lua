@@ -2,6 +2,7 @@
 -- The distinct displacements around each tile; second step of the relative mask.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
+local reach = require "passes.lib.reach"
 
 local function pair(doc) return { format = "rgba32f", doc = doc } end
 
@@ -12,7 +13,7 @@ return pass.compute {
   fails  = "Of more than eight movements near a tile the far ones are lost, and of those equally far the last in " ..
            "raster order.",
   size   = { of = "motions" },
-  reads  = { motions = { doc = "two displacements per tile, px over the exposure" } },
+  reads  = { motions = { doc = "two displacements per tile, px over the exposure" }, reach = reach },
   writes = {
     motions_0 = pair "first and second displacement, px over the exposure; 1e9 = none",
     motions_1 = pair "third and fourth",

@@ -3,6 +3,7 @@
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 local path = require "passes.lib.relative_path"
+local reach = require "passes.lib.reach"
 
 local crossing = { doc = "two displacements per cell that something may be uncovered by; 1e9 = none" }
 
@@ -21,6 +22,7 @@ return pass.compute {
     bounds    = { doc = "of the displacements of each cell, px over the exposure" },
     ids       = { uint = true, doc = "least and greatest instance + 1 of each cell" },
     crossing_0 = crossing, crossing_1 = crossing, crossing_2 = crossing, crossing_3 = crossing,
+    reach = reach,
   },
   writes = { mask = { format = "r8_unorm", doc = "1 where something is to be revealed" } },
   without = { motion = { mask = 0 } },

@@ -2,6 +2,7 @@
 -- Where anything comes within the exposure: cells that nothing reaches need no blur.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
+local reach = require "passes.lib.reach"
 
 return pass.compute {
   name   = "motion_reach",
@@ -16,6 +17,7 @@ return pass.compute {
     after_dominant = { optional = true, doc = "the same at times after the capture" },
     revealed_dominant = { optional = true, doc = "the same of what was revealed, where dominant is of what raster saw" },
     revealed_after_dominant = { optional = true, doc = "the same of that at times after the capture" },
+    reach = reach,
   },
   writes = {
     moved  = { format = "r8_unorm", doc = "1 where something that moves is at some time, 0 where all is at rest" },

@@ -3,6 +3,7 @@
 -- 2014.
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
+local reach = require "passes.lib.reach"
 
 return pass.compute {
   name   = "neighbour_max",
@@ -14,6 +15,7 @@ return pass.compute {
   reads  = {
     longest = { doc = "px over the exposure, longest of each tile" },
     motions = { optional = true, doc = "two displacements that stand for all in a tile, px over the exposure" },
+    reach = reach,
   },
   writes = {
     dominant = { format = "rg32f", doc = "px over the exposure" },

@@ -58,8 +58,8 @@ void poseSamples(world::GpuScene& scene, const Plan& plan, const FrameSetup& set
   dvec3 origin = frameOrigin(setup);
   int part = partOf(loop, iteration);
   for (int q = 0; q < loop.slices; ++q) {
-    // Midpoint of the stratum, or a random time in each of its parts; other times in each loop.
-    double in_stratum = 0.5;
+    // Midpoints of the stratum's parts, or a random time in each of them; other times in each loop.
+    double in_stratum = (q + 0.5) / loop.slices;
     if (loop.times == "stratified") {
       uint32_t index = uint32_t(part) * uint32_t(loop.slices) + uint32_t(q);
       in_stratum = (q + hashUniform(setup.seed, setup.frame, index, uint32_t(loop.loop))) / loop.slices;

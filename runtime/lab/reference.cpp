@@ -64,7 +64,8 @@ const char* typeName(ParamDesc::Type type) {
 }
 
 std::string rangeOf(const ParamDesc& param) {
-  if (param.min && param.max) return fmt::format("{} to {}", *param.min, *param.max);
+  if (param.min && param.max)
+    return fmt::format("{} to {}{}", *param.min, *param.max, param.has_auto ? ", or auto" : "");
   if (param.min) return fmt::format("at least {}", *param.min);
   if (param.max) return fmt::format("at most {}", *param.max);
   std::vector<std::string> choices;
@@ -83,7 +84,7 @@ std::string paramTable(const std::vector<ParamDesc>& params, bool in_glsl) {
                    [&](const ParamDesc& param) -> page::Row {
                      return {code(param.name),
                              typeName(param.type),
-                             plainText(param.default_value),
+                             plainText(param, param.default_value),
                              rangeOf(param),
                              param.unit,
                              param.doc,
@@ -248,10 +249,10 @@ std::string presetsText(const PipelineDesc& pipeline, const Presets& presets) {
   Table table{"", {"parameter", "default"}};
   for (const auto& [name, preset] : presets) table.columns.push_back(code(name));
   for (const ParamDesc& param : pipeline.params) {
-    std::vector<std::string> cells = {code(param.name), plainText(param.default_value)};
+    std::vector<std::string> cells = {code(param.name), plainText(param, param.default_value)};
     for (const auto& [name, preset] : presets) {
       const plan::Value* value = plan::valueOf(preset, param.name);
-      cells.push_back(value ? plainText(*value) : "");
+      cells.push_back(value ? plainText(param, *value) : "");
     }
     bool differs = std::any_of(cells.begin() + 2, cells.end(), [&](const auto& value) { return value != cells[1]; });
     if (differs) table.add({cells.begin(), cells.end()});

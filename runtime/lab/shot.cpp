@@ -46,6 +46,10 @@ std::string plainText(const plan::Value& value) {
   return number ? fmt::format("{}", *number) : plan::textOf(value);
 }
 
+std::string plainText(const plan::ParamDesc& param, const plan::Value& value) {
+  return param.has_auto && value == plan::Value(plan::kAuto) ? "auto" : plainText(value);
+}
+
 // ---- settings
 
 bool isOfScene(const script::Setting& setting) { return setting.first.starts_with("scene."); }

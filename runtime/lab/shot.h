@@ -86,6 +86,7 @@ void putRole(script::Settings& sets, const plan::PipelineDesc& pipeline, plan::R
 
 // A value as people write it: a whole number without ".0".
 std::string plainText(const plan::Value& value);
+std::string plainText(const plan::ParamDesc& param, const plan::Value& value);  // "auto" where it is held as a number
 
 // ANCHOR_* of shaders/shared/frame.h.
 uint32_t anchorCode(const std::string& anchor);

@@ -58,8 +58,9 @@ Edit integer(const Widget& widget, const plan::Value& value) {
   return {changed, std::to_string(whole)};
 }
 
-Edit number(const Widget& widget, const plan::Value& value) {
+Edit number(Widget widget, const plan::ParamDesc& declaration, const plan::Value& value) {
   double shown = std::get<double>(value);
+  if (declaration.has_auto && shown == plan::kAuto) widget.format = "auto";
   float speed = float(std::max(1e-3, std::abs(shown) * 0.005));
   bool changed = dragOrSlide(widget, ImGuiDataType_Double, shown, speed, widget.format);
   return {changed, lab::plainText(shown)};
@@ -86,7 +87,7 @@ Edit showWidget(const lab::Control& control) {
       return integer(widget, control.value);
     case Widget::Kind::FloatSlider:
     case Widget::Kind::FloatDrag:
-      return number(widget, control.value);
+      return number(widget, control.declaration, control.value);
     case Widget::Kind::Text:
       return line(control.value);
   }

@@ -52,7 +52,10 @@ Widget widgetOf(const plan::ParamDesc& declaration) {
 
 static std::string rangeText(const plan::ParamDesc& declaration) {
   std::string unit = declaration.unit.empty() ? "" : " " + declaration.unit;
-  if (declaration.min && declaration.max) return fmt::format("{} to {}{}", *declaration.min, *declaration.max, unit);
+  std::string or_auto = declaration.has_auto ? ", or auto" : "";
+  if (declaration.min && declaration.max) {
+    return fmt::format("{} to {}{}{}", *declaration.min, *declaration.max, unit, or_auto);
+  }
   if (declaration.min) return fmt::format("at least {}{}", *declaration.min, unit);
   if (declaration.max) return fmt::format("at most {}{}", *declaration.max, unit);
   return declaration.unit;
@@ -65,7 +68,8 @@ std::string tooltipOf(const lab::Control& control) {
   std::string range = number ? rangeText(declaration) : "";
   if (!range.empty()) text += "\n" + range;
   for (const auto& [choice, meaning] : declaration.values) text += fmt::format("\n\n{}: {}", choice, meaning);
-  text += fmt::format("\n\n{}: {}", control.origin.empty() ? "default" : control.origin, lab::plainText(control.value));
+  text += fmt::format("\n\n{}: {}", control.origin.empty() ? "default" : control.origin,
+                      lab::plainText(declaration, control.value));
   if (!control.place.empty()) text += "\ndeclared in " + control.place;
   return text;
 }

@@ -183,8 +183,9 @@ Value checkValue(const ParamDesc& param, const Value& value, const Place& where)
     checkRange(param, static_cast<double>(*whole), value, where);
     return *whole;
   }
+  if (param.has_auto && (value == Value("auto") || asNumber(value) == kAuto)) return kAuto;
   std::optional<double> number = asNumber(value);
-  if (!number) wants("a number");
+  if (!number) wants(param.has_auto ? "a number or auto" : "a number");
   checkRange(param, *number, value, where);
   return *number;
 }
@@ -231,6 +232,7 @@ static Json paramJson(const ParamDesc& param) {
   json["default"] = toJson(param.default_value);
   if (param.min) json["min"] = boundJson(param, *param.min);
   if (param.max) json["max"] = boundJson(param, *param.max);
+  if (param.has_auto) json["auto"] = true;
   if (param.type == ParamDesc::Type::Choice) json["choices"] = param.choices;
   for (const auto& [name, text] : param.values) json["values"][name] = text;
   for (const auto& [value, breaks] : param.breaks) json["breaks"][value] = breaksJson(breaks);

@@ -48,6 +48,9 @@ enum class Role {
 const std::vector<std::string>& roleNames();
 
 // One declaration that feeds validation, the GLSL parameter block, the command line, panels, sweeps and the record.
+// What "auto" is held as, and what a shader sees of it. No other negative number is in the range of such a parameter.
+inline constexpr double kAuto = -1;
+
 struct ParamDesc {
   enum class Type { Bool, Int, Float, Choice };
   std::string name;
@@ -60,7 +63,8 @@ struct ParamDesc {
   std::string unit;                                         // "px", "m", ... or ""
   std::string doc;
   Role role = Role::None;
-  bool variant = false;  // compiled into the shader instead of passed to it (always so for Choice and Bool)
+  bool has_auto = false;  // of Float: "auto" is a value too, held as kAuto; what it stands for is the shader's to find
+  bool variant = false;   // compiled into the shader instead of passed to it (always so for Choice and Bool)
   Place place;
 };
 

@@ -131,6 +131,10 @@ ParamDesc readParam(const Json& json) {
   param.unit = reader.text("unit");
   param.doc = reader.text("doc");
   if (reader.has("role")) param.role = static_cast<Role>(reader.oneOf("role", roleNames()) + 1);
+  param.has_auto = reader.boolean("auto", false);
+  bool may_have = param.type == ParamDesc::Type::Float && param.min && *param.min > kAuto;
+  if (param.has_auto && !may_have)
+    reader.fail(fmt::format("'auto' of '{}' needs a float that is never negative", param.name));
   param.variant = reader.boolean("variant", false);
   param.variant = isCompiledIn(param);
   param.breaks = valueBreaks(reader, param);

@@ -201,6 +201,7 @@ struct Sandbox::Callbacks {
     if (json.contains("max")) param.max = json["max"].get<double>();
     if (json.contains("choices")) param.choices = json["choices"].get<std::vector<std::string>>();
     param.unit = json.value("unit", "");
+    param.has_auto = json.value("auto", false);
     return param;
   }
 

@@ -52,8 +52,8 @@ lab::Shot resized(const Subject& subject, const lab::Shot& shot, int width, int 
   if (!reach) return result;
   double limit = numberOf(subject.pipeline, reach->name, 0);
   for (const auto& [name, value] : shot.sets)
-    if (name == reach->name) limit = std::stod(plan::textOf(value));
-  return with(result, reach->name, limit * shot.width / width);
+    if (name == reach->name) limit = std::stod(plan::textOf(plan::checkValue(*reach, value, {})));
+  return limit < 0 ? result : with(result, reach->name, limit * shot.width / width);
 }
 
 std::shared_ptr<const plan::PipelineDesc> evaluated(const Subject& subject, const lab::Shot& shot) {

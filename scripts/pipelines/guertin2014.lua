@@ -29,7 +29,7 @@ return pipeline {
     local two = p.directions() == "two"
     local around = tiles.dominant(p, seen, { second = two })
     local images = gathers.images(seen, around)
-    if p.uniform_path() then images.slowest = tiles.slowest(seen) end
+    if p.uniform_path() then images.slowest = tiles.slowest(seen, around) end
     if p.second_share() == "variance" then images.variance = tiles.variance(around) end
     return scene.outputs(seen, {
       color = gathers.blurred("guertin2014", images, "gather"),

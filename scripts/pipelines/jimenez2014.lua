@@ -19,8 +19,9 @@ return pipeline {
   }),
   build = function(p)
     local seen = scene.captured()
-    local images = gathers.images(seen, tiles.dominant(p, seen))
-    if p.cheap() then images.slowest = tiles.slowest(seen) end
+    local around = tiles.dominant(p, seen)
+    local images = gathers.images(seen, around)
+    if p.cheap() then images.slowest = tiles.slowest(seen, around) end
     return scene.outputs(seen, {
       color = gathers.blurred("jimenez2014", images, "gather"),
     })

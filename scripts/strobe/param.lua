@@ -9,7 +9,7 @@ local param = {}
 param.keys = {
   bool   = { 1, "default", "doc", "unit", "role", "breaks" },
   int    = { 1, "default", "min", "max", "unit", "doc", "role", "variant" },
-  float  = { 1, "default", "min", "max", "unit", "doc", "role", "variant" },
+  float  = { 1, "default", "min", "max", "unit", "doc", "role", "variant", "auto" },
   choice = { "default", "doc", "unit", "role", "values", "breaks" },  -- and the choices as 1, 2, 3 ...
 }
 
@@ -197,6 +197,12 @@ function param.declare(problems, name, declared, at, owner)
   if given.variant ~= nil and check.field(problems, given, "variant", "boolean", place, what) then
     result.variant = given.variant
   end
+  if given.auto ~= nil and check.field(problems, given, "auto", "boolean", place, what) then
+    result.auto = given.auto
+    if given.auto and type(given.min) == "number" and given.min < 0 then
+      problems:add(native.key_place(place, "auto"), "%s is 'auto' and may be negative: -1 stands for auto", what)
+    end
+  end
   if kind == "choice" then
     result.choices = check_choices(problems, given, place, what)
     result.values = check_values(problems, given, result.choices, place, what)
@@ -225,7 +231,7 @@ end
 
 -- The value in canonical form, or nil and what is wrong. Unlike a setting as typed, a text is no number here.
 function param.check(declared, value)
-  if type(value) == "string" and declared.type ~= "choice" then
+  if type(value) == "string" and declared.type ~= "choice" and not (declared.auto and value == "auto") then
     return nil, ("'%s' = '%s' is a text instead of a value of type %s"):format(declared.name, value, declared.type)
   end
   return native.check_value(declared, value)

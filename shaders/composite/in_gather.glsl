@@ -14,7 +14,7 @@
 //   was revealed at Y; else B itself (counter `fallback`).
 // Each t_i has the weight 1/N: weights add up to 1, and coverage and background vary together as they do in truth.
 // Fails: see passes/composite/in_gather.lua.
-#include "lib/blur.glsl"
+#include "mixin/limit.glsl"
 #include "mixin/jitter.glsl"
 #include "lib/sanitise.glsl"
 
@@ -25,7 +25,7 @@ struct Tap {
   uint instance;
 };
 
-vec2 limited(vec4 texel) { return clampLength(finiteDisplacement(texel), params.limit * float(frame.size.x)); }
+vec2 limited(vec4 texel) { return clampLength(finiteDisplacement(texel), limitPx()); }
 
 Tap rasterAt(ivec2 pixel, bool after) {
   vec4 d = texelFetch(velocity_tex, pixel, 0);

@@ -22,7 +22,7 @@
 // If no layer has anything at X at t_i, it is what was revealed at X, else what raster saw there (counter `fallback`).
 // Fails: surfaces hidden at the capture and not revealed (second layer and beyond); motion that bends or magnifies by
 //   more than the tolerance within the distance moved; more motions at one pixel than candidates.
-#include "lib/blur.glsl"
+#include "mixin/limit.glsl"
 #include "mixin/jitter.glsl"
 #include "lib/sanitise.glsl"
 
@@ -49,7 +49,7 @@ struct Seen {
   float depth;
 };
 
-vec2 limited(vec4 texel) { return clampLength(finiteDisplacement(texel), params.limit * float(frame.size.x)); }
+vec2 limited(vec4 texel) { return clampLength(finiteDisplacement(texel), limitPx()); }
 
 bool isRevealed(ivec2 pixel) { return texelFetch(revealed_valid_tex, pixel, 0).x > 0.5; }
 
@@ -221,6 +221,14 @@ bool isMoved(ivec2 cell) {
 #endif
 }
 
+bool isDoubtful(ivec2 cell) {
+#if HAS_doubtful
+  return texelFetch(doubtful_tex, cell, 0).x > 0.5;
+#else
+  return false;
+#endif
+}
+
 bool isBehind(ivec2 cell) {
 #if HAS_behind
   return texelFetch(behind_tex, cell, 0).x > 0.5;
@@ -231,6 +239,14 @@ bool isBehind(ivec2 cell) {
 
 void run(ivec2 pixel) {
   ivec2 cell = pixel / params.cell_side;
+#if PARAM_leaves_open
+  imageStore(open_img, pixel, uvec4(0u));
+  if (isDoubtful(cell)) {
+    imageStore(open_img, pixel, uvec4(~0u, 0u, 0u, 0u));
+    imageStore(blurred_img, pixel, vec4(0));
+    return;
+  }
+#endif
   if (!isMoved(cell)) {
     imageStore(blurred_img, pixel, vec4(vec3(texelFetch(color_tex, pixel, 0)), 1));
     return;
@@ -245,16 +261,25 @@ void run(ivec2 pixel) {
 #endif
 
   vec3 sum = vec3(0);
-  uint fallbacks = 0u;
+  uint fallbacks = 0u, open = 0u;
   for (int i = 0; i < params.samples; ++i) {
     float t = sampleTime(i, params.samples, jitter, frame.shutter);
     Seen seen = seenAt(pixel, t > 0.0 ? after : before, behind, t);
     if (seen.layer == kNothing) {
       fallbacks += 1u;
+#if PARAM_leaves_open
+      open |= 1u << uint(i * 32 / max(params.samples, 32));
+      continue;
+#endif
       seen.layer = isRevealed(pixel) ? kRevealed : kRaster;
     }
     sum += toSum(colorOf(seen.layer, seen.now));
   }
   if (fallbacks > 0u) count_fallback(fallbacks);
+#if PARAM_leaves_open
+  imageStore(open_img, pixel, uvec4(open, 0u, 0u, 0u));
+  imageStore(blurred_img, pixel, vec4(fromSum(sum / float(params.samples)), 1.0 - float(fallbacks) / float(params.samples)));
+#else
   imageStore(blurred_img, pixel, vec4(fromSum(sum / float(params.samples)), 1));
+#endif
 }

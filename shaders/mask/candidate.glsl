@@ -8,7 +8,7 @@
 //   way, ends included: four at 1/4, 1/2, 3/4 and 1.
 // Fails: one tap jumps over gaps (spokes of a fan), several over narrower ones; blind to self-occlusion of one instance
 //   and to motion of the background.
-#include "lib/blur.glsl"
+#include "mixin/limit.glsl"
 #include "lib/sanitise.glsl"
 
 bool isBeyond(ivec2 pixel, ivec2 displaced) {
@@ -32,7 +32,7 @@ bool isCandidate(ivec2 pixel, vec2 d, float t) {
 
 void run(ivec2 pixel) {
   vec2 d = finiteDisplacement(texelFetch(velocity_tex, pixel, 0));
-  d = clampLength(d, params.limit * float(frame.size.x));
+  d = clampLength(d, limitPx());
   bool candidate = false;
   if (texelFetch(id_tex, pixel, 0).x != 0u && lengthOf(d) >= params.min_displacement) {
     bool at_open = isCandidate(pixel, d, frame.shutter.x);

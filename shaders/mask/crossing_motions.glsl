@@ -12,6 +12,7 @@
 // Fails: a cell across the border of tiles tries the candidates of each, up to eight.
 #include "lib/bounds.glsl"
 #include "lib/motions.glsl"
+#include "mixin/limit.glsl"
 
 // Rounding of what is compared, px.
 const float kSlack = 1e-2;
@@ -28,7 +29,7 @@ Path pathOf(vec4 from_b, float t) {
   // What goes on goes on in its direction: along an axis at most by that share.
   vec2 share = min(max(abs(low), abs(high)) / max(shortestIn(vec4(low, high)), 0.5), 1.0);
   vec2 on = share * float(params.margin + 2) + 1.0;
-  vec2 far_on = on + share * ceil(params.limit * float(frame.size.x));
+  vec2 far_on = on + share * ceil(reachPx());
   vec2 back = vec2(lessThan(low, vec2(0))), forth = vec2(greaterThan(high, vec2(0)));
   low = min(low, 0.0);
   high = max(high, 0.0);

@@ -6,7 +6,7 @@
 // Two displacements are distinct if they differ by more than a pixel and by more than a tenth of the longer one. Tiles
 // are asked as far as two surfaces can part within the exposure, 2 * limit * width * reach px.
 // Fails: of more than eight movements the far ones are lost, and of those equally far the last in raster order.
-#include "lib/blur.glsl"
+#include "mixin/limit.glsl"
 #include "lib/motions.glsl"
 
 struct Motions {
@@ -43,7 +43,7 @@ Motions withRing(Motions motions, ivec2 tile, int ring) {
 
 void run(ivec2 pixel) {
   ivec2 size = textureSize(motions_tex, 0);
-  float reach_px = 2.0 * params.limit * float(frame.size.x) * reachFactor(frame.shutter);
+  float reach_px = 2.0 * reachPx() * reachFactor(frame.shutter);
   int radius = min(int(ceil(reach_px / float(params.tile))), max(size.x, size.y));
 
   Motions motions;

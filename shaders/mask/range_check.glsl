@@ -6,7 +6,7 @@
 //   the length; a detected edge may be one pixel wide, so longer steps miss it. With own_edge, the first edge met must
 //   belong to the pixel's own instance.
 // Fails: marks by the pixel's own motion, where the motion relative to what is behind decides.
-#include "lib/blur.glsl"
+#include "mixin/limit.glsl"
 #include "lib/sanitise.glsl"
 
 bool isMarkedBy(ivec2 pixel, ivec2 at) {
@@ -30,7 +30,7 @@ bool meetsEdge(ivec2 pixel, vec2 d, float t) {
 
 void run(ivec2 pixel) {
   vec2 d = finiteDisplacement(texelFetch(velocity_tex, pixel, 0));
-  d = clampLength(d, params.limit * float(frame.size.x));
+  d = clampLength(d, limitPx());
   bool mask = false;
   if (lengthOf(d) >= params.min_displacement) {
     mask = meetsEdge(pixel, d, frame.shutter.x) || meetsEdge(pixel, d, frame.shutter.y);

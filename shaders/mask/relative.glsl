@@ -19,6 +19,7 @@
 #include "lib/bounds.glsl"
 #include "lib/motions.glsl"
 #include "lib/sanitise.glsl"
+#include "mixin/limit.glsl"
 
 // Loops stand side by side and hold little: processors run a loop for the slowest of several pixels at once.
 
@@ -38,7 +39,7 @@ struct Path {
 const int kNoStep = 1 << 24;
 
 vec2 displacementAt(ivec2 pixel) {
-  return clampLength(finiteDisplacement(texelFetch(velocity_tex, pixel, 0)), params.limit * float(frame.size.x));
+  return clampLength(finiteDisplacement(texelFetch(velocity_tex, pixel, 0)), limitPx());
 }
 
 // From -(d - b) * t, which is half a pixel long at least.
@@ -49,7 +50,7 @@ Path pathOf(ivec2 pixel, uint own, vec2 d, vec2 b, float t) {
   int steps = int(ceil(whole_px)) + params.margin;
   vec2 room = mix(vec2(pixel), vec2(textureSize(id_tex, 0) - 1 - pixel), greaterThan(unit, vec2(0))) + 0.5;
   vec2 inside = room / max(abs(unit), vec2(1e-6)) - 1e-3;
-  return Path(pixel, d, b, t, unit, steps, steps + int(ceil(params.limit * float(frame.size.x))),
+  return Path(pixel, d, b, t, unit, steps, steps + int(ceil(reachPx())),
               int(min(min(inside.x, inside.y), float(kNoStep))), own, max(1.0, params.match * lengthOf(d - b)));
 }
 

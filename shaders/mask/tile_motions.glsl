@@ -3,11 +3,11 @@
 // tile with two movements yields both, whatever they are.
 // In:  velocity (px over the exposure).  Out: motions (xy a, zw the other; px over the exposure, within the limit).
 // Ties go to the first in raster order. Fails: the third of three movements in a tile.
-#include "lib/blur.glsl"
+#include "mixin/limit.glsl"
 #include "lib/sanitise.glsl"
 
 vec2 displacementAt(ivec2 pixel) {
-  return clampLength(finiteDisplacement(texelFetch(velocity_tex, pixel, 0)), params.limit * float(frame.size.x));
+  return clampLength(finiteDisplacement(texelFetch(velocity_tex, pixel, 0)), limitPx());
 }
 
 // Of the displacements in the tile, the one farthest from `from`.

@@ -3,7 +3,7 @@
 // One layer of the picture as gathers read it, and what was revealed behind it.
 #ifndef STROBE_LAYER_GLSL
 #define STROBE_LAYER_GLSL
-#include "lib/blur.glsl"
+#include "mixin/limit.glsl"
 #include "lib/sanitise.glsl"
 
 struct Texel {
@@ -12,7 +12,7 @@ struct Texel {
   vec2 d;       // px over the exposure, at most limit * image width long
 };
 
-vec2 limited(vec4 texel) { return clampLength(finiteDisplacement(texel), params.limit * float(frame.size.x)); }
+vec2 limited(vec4 texel) { return clampLength(finiteDisplacement(texel), limitPx()); }
 
 Texel texelAt(ivec2 pixel) {
   vec2 d = limited(texelFetch(velocity_tex, pixel, 0));

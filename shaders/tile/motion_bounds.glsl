@@ -5,9 +5,10 @@
 //      A cell without texels that count holds kNoBounds. The last cells may be partial.
 #include "lib/bounds.glsl"
 #include "lib/sanitise.glsl"
+#include "mixin/limit.glsl"
 
 vec4 with(vec4 bounds, vec4 texel) {
-  vec2 d = clampLength(finiteDisplacement(texel), params.limit * float(frame.size.x));
+  vec2 d = clampLength(finiteDisplacement(texel), limitPx());
   return vec4(min(lowOf(bounds), d), max(highOf(bounds), d));
 }
 

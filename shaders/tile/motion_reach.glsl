@@ -6,6 +6,7 @@
 // Exact but for being too large: a cell reaches where its rectangle goes by any of its displacements, and as far around
 // as filters look for what is at a pixel: max(3/4, limit / (2 * samples)) px.
 #include "lib/bounds.glsl"
+#include "mixin/limit.glsl"
 
 struct Cell {
   vec2 first, last;  // pixels, inclusive
@@ -49,7 +50,7 @@ void run(ivec2 cell) {
   Cell here = cellAt(cell);
   bool moved = false, behind = false;
   if (reachFactor(frame.shutter) * fastestAround(here) > kStillRadius) {
-    float limit_px = params.limit * float(frame.size.x);
+    float limit_px = reachPx();
     float slack_px = max(0.75, limit_px / float(2 * params.samples)) + 1.0;
     ivec2 cells = textureSize(bounds_tex, 0);
     int around = tilesInReach(limit_px + slack_px / reachFactor(frame.shutter), params.cell_side, frame.shutter, cells);

@@ -13,7 +13,7 @@
 // raster order.
 // Fails: dominant judges a tile by its longest displacement; a slower pixel in it that comes this way while the longest
 // does not is lost.
-#include "lib/blur.glsl"
+#include "mixin/limit.glsl"
 
 // Open interval of times at which a tile `offset` tiles away that moves by d (px along one axis) overlaps this tile
 // along that axis: |offset * tile + d * t| < tile.
@@ -60,7 +60,7 @@ vec2 otherThan(vec2 dominant, vec2 second, vec2 d, ivec2 offset) {
 
 void run(ivec2 pixel) {
   ivec2 size = textureSize(longest_tex, 0);
-  int radius = tilesInReach(params.limit * float(frame.size.x), params.tile, frame.shutter, size);
+  int radius = tilesInReach(reachPx(), params.tile, frame.shutter, size);
   ivec2 first = max(pixel - radius, ivec2(0));
   ivec2 last = min(pixel + radius, size - 1);
 

@@ -4,11 +4,11 @@
 // Out: slowest (px over the exposure). Tiles as far away as for the dominant displacement (neighbour_max.glsl) are
 //   asked, and each of them counts: what does not move over this tile may still be met along the way.
 // Fails: one pixel at rest makes the whole neighbourhood slow.
-#include "lib/blur.glsl"
+#include "mixin/limit.glsl"
 
 void run(ivec2 pixel) {
   ivec2 size = textureSize(shortest_tex, 0);
-  int radius = tilesInReach(params.limit * float(frame.size.x), params.tile, frame.shutter, size);
+  int radius = tilesInReach(reachPx(), params.tile, frame.shutter, size);
   ivec2 first = max(pixel - radius, ivec2(0));
   ivec2 last = min(pixel + radius, size - 1);
   float slowest = texelFetch(shortest_tex, pixel, 0).x;

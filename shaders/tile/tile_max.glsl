@@ -5,7 +5,7 @@
 // Out: longest (px over the exposure, at most limit * image width long). Of equal lengths the first in raster order
 //      wins, and of the two layers the first. A tile without texels that count holds 0. The last tiles may be partial.
 // Fails: one vector stands for a tile; crossing motions in it are lost.
-#include "lib/blur.glsl"
+#include "mixin/limit.glsl"
 #include "lib/sanitise.glsl"
 
 struct Longest {
@@ -41,7 +41,7 @@ void run(ivec2 pixel) {
   ivec2 size = textureSize(velocity_tex, 0);
   ivec2 first = pixel * params.tile;
   ivec2 end = min(first + params.tile, size);
-  float limit_px = params.limit * float(size.x);
+  float limit_px = limitPx();
 
   Longest longest = Longest(vec2(0), 0.0, 0u);
   for (int y = first.y; y < end.y; ++y) {

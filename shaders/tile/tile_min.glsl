@@ -4,7 +4,7 @@
 // Out: shortest (px over the exposure, at most limit * image width; exactly that in a tile without texels that count).
 //      The last tiles may be partial.
 // Fails: lengths only; a tile that turns looks as uniform as one that slides.
-#include "lib/blur.glsl"
+#include "mixin/limit.glsl"
 #include "lib/sanitise.glsl"
 
 bool counts(ivec2 pixel) {
@@ -19,7 +19,7 @@ void run(ivec2 pixel) {
   ivec2 size = textureSize(velocity_tex, 0);
   ivec2 first = pixel * params.tile;
   ivec2 end = min(first + params.tile, size);
-  float shortest = params.limit * float(size.x);
+  float shortest = limitPx();
   for (int y = first.y; y < end.y; ++y) {
     for (int x = first.x; x < end.x; ++x) {
       if (!counts(ivec2(x, y))) continue;

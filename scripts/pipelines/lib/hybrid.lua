@@ -3,9 +3,16 @@
 local pass            = require "strobe.pass"
 local pipeline        = require "strobe.pipeline"
 local mcguire2012     = require "passes.gather.mcguire2012"
+local farthest        = require "passes.tile.farthest"
 local motion_bounds   = require "passes.tile.motion_bounds"
 local motion_reach    = require "passes.tile.motion_reach"
+local bend            = require "passes.scene.bend"
+local own_time        = require "passes.scene.own_time"
 local reveal          = require "passes.scene.reveal"
+local unseen          = require "passes.scene.unseen"
+local visibility      = require "passes.scene.visibility"
+local doubtful        = require "passes.tile.doubtful"
+local tile_max        = require "passes.tile.tile_max"
 local reveal_upsample = require "passes.scene.reveal_upsample"
 local edges           = require "scripts.pipelines.lib.edges"
 local gathers         = require "scripts.pipelines.lib.gathers"
@@ -88,6 +95,15 @@ function hybrid.params()
     weights     = choice(gathers.choice("uniform", "of the taps, under alpha_over")),
     directions  = mcguire2012.params.directions,
     composite   = choice(composite_choice()),
+    own_time    = choice { "none", "unexplained", default = "none",
+      doc = "composite layered: samples that are traced at their own time",
+      values = {
+        none = "None: where no layer has anything to show, what was revealed at the pixel stands in. Fails where " ..
+               "objects turn or enter the picture: what faces the camera only at other times is in no layer.",
+        unexplained = "Those at which no layer has anything, and all of cells that something passes which bends away " ..
+                      "from a straight path, or which an end of the exposure sees and the capture does not. A ray " ..
+                      "each. Fails for what comes out and goes in again within the exposure.",
+      } },
   })
 end
 
@@ -182,8 +198,43 @@ local function reached_cells(seen, revealed, images)
     bounds = bounds(seen, "raster_bounds"), behind_bounds = bounds(revealed, "revealed_bounds"),
     dominant = images.dominant, after_dominant = images.after_dominant,
     revealed_dominant = images.revealed_dominant, revealed_after_dominant = images.revealed_after_dominant,
+    reach = farthest {
+      longest = images.dominant, after = images.after_dominant,
+      revealed = images.revealed_dominant, revealed_after = images.revealed_after_dominant, as = "farthest_of_all",
+    }.reach,
   }
   return { moved = cells.moved, behind = cells.behind }
+end
+
+-- The cells that something passes of which the layers do not say where it is: by what bends, and what the ends see.
+local function doubtful_cells(seen, revealed, images)
+  local bent = pipeline.loop {
+    name = "middle", count = 1, times = "midpoint", slices = 1,
+    body = function()
+      local raster = bend { depth = seen.depth, id = seen.id, velocity = seen.velocity, as = "raster_bend" }
+      local behind = bend { depth = revealed.depth, id = revealed.id, velocity = revealed.velocity, as = "revealed_bend" }
+      return { raster = raster.bent, raster_hull = raster.hull, behind = behind.bent, behind_hull = behind.hull }
+    end,
+  }
+  local function bounds(velocity, hull, valid, name)
+    return motion_bounds { velocity = velocity, after_velocity = hull, valid = valid, as = name }.bounds
+  end
+  local function end_bounds(which)
+    local hit = visibility { time = which, as = which .. "_visibility" }.hit
+    local found = unseen {
+      time = which, hit = hit, depth = seen.depth, id = seen.id, revealed_depth = revealed.depth,
+      revealed_id = revealed.id, revealed_valid = revealed.valid, as = which .. "_unseen",
+    }
+    local longest = tile_max { velocity = found.velocity, valid = found.unseen, as = which .. "_tile_max" }.longest
+    return bounds(found.velocity, nil, found.unseen, which .. "_bounds"), longest
+  end
+  local open_bounds, longest_open = end_bounds("open")
+  return doubtful {
+    bounds = bounds(seen.velocity, bent.raster_hull, bent.raster, "bent_bounds"),
+    behind_bounds = bounds(revealed.velocity, bent.behind_hull, bent.behind, "bent_behind_bounds"),
+    open_bounds = open_bounds,
+    reach = farthest { longest = images.dominant, after = longest_open, as = "farthest_doubtful" }.reach,
+  }.doubtful
 end
 
 -- The picture, by the composite chosen: a pass that reads blurred layers (front, back) or the layers themselves.
@@ -192,8 +243,21 @@ function hybrid.composited(p, seen, revealed)
   local apart = pass.reads(composite, "front")
   local images = apart and blurred(p, seen, revealed) or layers(p, seen, revealed, composite)
   if pass.reads(composite, "moved") then put(images, "", reached_cells(seen, revealed, images)) end
-  local made = composite(pass.wired(composite, images, { as = "composite" }))
-  return apart and made.color or made.blurred
+  local traced = p.own_time() ~= "none" and pass.reads(composite, "doubtful")
+  if traced then images.doubtful = doubtful_cells(seen, revealed, images) end
+  local made = composite(pass.wired(composite, images, { as = "composite", leaves_open = traced or nil }))
+  if not traced then return apart and made.color or made.blurred end
+  return pipeline.loop {
+    name = "own_times", count = 1, times = "midpoint", slices = math.min(p.samples(), 32),
+    body = function()
+      local picture = own_time {
+        seen = made.blurred, open = made.open, time = "sample",
+        hit = seen.hit, color = seen.color, depth = seen.depth, id = seen.id, revealed_color = revealed.color,
+        revealed_depth = revealed.depth, revealed_id = revealed.id, revealed_valid = revealed.valid,
+      }.picture
+      return { picture = picture }
+    end,
+  }.picture
 end
 
 return hybrid

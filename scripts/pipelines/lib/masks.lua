@@ -7,6 +7,7 @@ local moving           = require "passes.mask.moving"
 local near_motions     = require "passes.mask.near_motions"
 local range_check      = require "passes.mask.range_check"
 local relative         = require "passes.mask.relative"
+local farthest         = require "passes.tile.farthest"
 local id_bounds        = require "passes.tile.id_bounds"
 local motion_bounds    = require "passes.tile.motion_bounds"
 local edges            = require "scripts.pipelines.lib.edges"
@@ -30,15 +31,17 @@ end
 
 -- Motion relative to the background decides.
 masks["relative"] = function(_, seen)
-  local near = near_motions { motions = tiles.motions(seen) }
+  local motions = tiles.motions(seen)
+  local reach = farthest { longest = motions, as = "mask_farthest" }.reach
+  local near = near_motions { motions = motions, reach = reach }
   local bounds = motion_bounds { velocity = seen.velocity, as = "mask_bounds" }.bounds
   local ids = id_bounds { id = seen.id, as = "mask_ids" }.ids
   local crossing = crossing_motions {
-    bounds = bounds, ids = ids,
+    bounds = bounds, ids = ids, reach = reach,
     motions_0 = near.motions_0, motions_1 = near.motions_1, motions_2 = near.motions_2, motions_3 = near.motions_3,
   }
   return relative {
-    depth = seen.depth, id = seen.id, velocity = seen.velocity, as = "mask", bounds = bounds, ids = ids,
+    depth = seen.depth, id = seen.id, velocity = seen.velocity, as = "mask", bounds = bounds, ids = ids, reach = reach,
     crossing_0 = crossing.crossing_0, crossing_1 = crossing.crossing_1,
     crossing_2 = crossing.crossing_2, crossing_3 = crossing.crossing_3,
   }.mask

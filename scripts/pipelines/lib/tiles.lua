@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Displacements per tile.
 local pipeline      = require "strobe.pipeline"
+local farthest      = require "passes.tile.farthest"
 local neighbour_max = require "passes.tile.neighbour_max"
 local neighbour_min = require "passes.tile.neighbour_min"
 local tile_max      = require "passes.tile.tile_max"
@@ -18,10 +19,11 @@ local function in_one_part(p, layer, given)
     as = prefix .. "tile_max",
   }.longest
   local motions = given.second and tiles.motions(layer) or nil
+  local reach = farthest { longest = longest, as = prefix .. "farthest" }.reach
   local around = neighbour_max {
-    longest = longest, motions = motions, rule = p.tile_rule, as = prefix .. "neighbour_max",
+    longest = longest, motions = motions, reach = reach, rule = p.tile_rule, as = prefix .. "neighbour_max",
   }
-  return { dominant = around.dominant, second = around.second, longest = longest }
+  return { dominant = around.dominant, second = around.second, longest = longest, reach = reach }
 end
 
 -- `layer` has velocity and may have valid. Options: `extra`, a second layer united with it; `second` = true, to look
@@ -40,9 +42,10 @@ function tiles.dominant(p, layer, given)
   return result
 end
 
--- Per tile, the length of the shortest displacement around.
-function tiles.slowest(layer)
-  return neighbour_min { shortest = tile_min { velocity = layer.velocity, valid = layer.valid }.shortest }.slowest
+-- Per tile, the length of the shortest displacement around; `around` is from tiles.dominant.
+function tiles.slowest(layer, around)
+  local shortest = tile_min { velocity = layer.velocity, valid = layer.valid }.shortest
+  return neighbour_min { shortest = shortest, reach = around.reach }.slowest
 end
 
 -- Per tile, how much the directions around differ; `around` is from tiles.dominant.

@@ -1,0 +1,26 @@
+-- SPDX-License-Identifier: MIT
+-- Where paths over the exposure are no straight lines.
+local pass = require "strobe.pass"
+
+return pass.compute {
+  name   = "bend",
+  shader = "scene/bend",
+  doc    = "Where the surfaces of a layer leave the straight line between the ends of their paths",
+  size   = { of = "velocity" },
+  scene  = true,
+  reads  = {
+    depth    = { doc = "linear view depth, metres; sky = +inf, 0 where the layer has nothing" },
+    id       = { uint = true, doc = "instance + 1 (0 = sky)" },
+    velocity = { doc = "displacement over the exposure, px" },
+  },
+  writes = {
+    bent = { format = "r8_unorm", doc = "1 where the path is farther from a line than that" },
+    hull = { format = "rg32f", doc = "px over the exposure; together with velocity, bounds of the path" },
+  },
+  without = { motion = { bent = 0, hull = 0 } },
+  params = {
+    most_bend = pass.float { 0.5, min = 0, max = 1000, unit = "px",
+      doc = "how far a path may be from the line between its ends, in the middle of the exposure" },
+  },
+  fails  = "A path that swings to and fro within half of the exposure is taken for a line.",
+}

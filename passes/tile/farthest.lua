@@ -1,0 +1,19 @@
+-- SPDX-License-Identifier: MIT
+-- How far anything in the picture moves: what limit = auto stands for.
+local pass = require "strobe.pass"
+
+local more = { optional = true, doc = "the same of another layer, or of times after the capture" }
+
+return pass.compute {
+  name   = "farthest",
+  shader = "tile/farthest",
+  doc    = "The longest displacement of the picture",
+  fails  = "Never. One thread reads all tiles: of a large picture with tiles of a pixel or two that takes long.",
+  size   = { 1, 1 },
+  reads  = {
+    longest = { doc = "px over the exposure, longest of each tile" },
+    after = more, revealed = more, revealed_after = more,
+  },
+  writes = { reach = { format = "r32f", doc = "px over the exposure, one texel" } },
+  without = { motion = { reach = 0 } },
+}

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Rays at their own time, for the samples of a pixel at which no layer has anything: the scene as it stands then, shaded
+// as at the capture.
+// In:  seen (linear, sum of the samples that layers explain over the number of all; alpha: their share), open (a bit for
+//      each of the loop's times at which nothing does); hit, color, depth, id of what raster saw at the capture, and
+//      revealed_color, revealed_depth, revealed_id, revealed_valid of what was revealed behind it.
+// Out: color (linear, alpha 1).
+// What a ray meets and a layer of the capture holds has that layer's colour, at the nearest pixel, as a tap of a filter
+// has. Before a camera at rest, what is at rest is found once, and what moves is traced before it.
+#include "lib/blur.glsl"
+#include "lib/sanitise.glsl"
+#include "mixin/shade.glsl"
+
+const float kFar = 3.0e38;
+
+bool isAtRest(Hit hit) { return !isHit(hit) || scene_instances[hit.instance].moves == 0u; }
+
+// The colour of a surface point: the capture's, or what was revealed behind it, where they hold the point.
+vec3 colorOf(Hit hit) {
+  vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, positionOf(SLICE_CAPTURE, hit));
+  SceneCamera camera = scene_cameras[SLICE_CAPTURE];
+  bool in_front = camera.orthographic != 0u || capture_vs.z > camera.near;
+  ivec2 at = in_front ? ivec2(floor(pixelFromView(SLICE_CAPTURE, capture_vs) - frame.subpixel)) : ivec2(-1);
+  if (isInside(at, ivec2(frame.size))) {
+    uvec2 id = uvec2(hit.instance, hit.geometry) + 1u;
+    bool same = texelFetch(id_tex, at, 0).xy == id;
+    if (same && relativeGap(texelFetch(depth_tex, at, 0).x, capture_vs.z) <= params.same_depth)
+      return finiteColor(texelFetch(color_tex, at, 0));
+    bool behind = texelFetch(revealed_valid_tex, at, 0).x > 0.5 && texelFetch(revealed_id_tex, at, 0).xy == id;
+    if (behind && relativeGap(texelFetch(revealed_depth_tex, at, 0).x, capture_vs.z) <= params.same_depth)
+      return finiteColor(texelFetch(revealed_color_tex, at, 0));
+  }
+  count_shaded(1u);
+  return shade(SLICE_CAPTURE, hit);
+}
+
+// What is at rest on a pixel's ray, before a camera at rest.
+struct Ground {
+  bool is_known;
+  Hit hit;
+  float t;  // as a ray measures it
+  bool has_color;
+  vec3 color;
+};
+
+// What the capture sees, if that is at rest: nothing at rest is nearer.
+Ground groundAt(ivec2 pixel) {
+  Ground ground = Ground(false, noHit(), kFar, false, vec3(0));
+  if (frame.camera_rests == 0u) return ground;
+  uvec4 seen = texelFetch(hit_tex, pixel, 0);
+  if (seen.x != 0u && scene_instances[seen.x - 1u].moves != 0u) return ground;
+  ground.is_known = true;
+  ground.has_color = true;
+  ground.color = finiteColor(texelFetch(color_tex, pixel, 0));
+  if (seen.x != 0u) {
+    ground.hit = hitOnTriangle(SLICE_CAPTURE, cameraRay(SLICE_CAPTURE, samplePosition(pixel)), seen.x - 1u, seen.y, seen.z);
+    ground.t = ground.hit.t;
+  }
+  return ground;
+}
+
+vec3 seenAt(ivec2 pixel, uint slice, inout Ground ground) {
+  Ray ray = cameraRay(slice, samplePosition(pixel));
+  uint mask = ground.is_known ? RAYS_TO_MOVING : RAYS_TO_ALL;
+  Hit hit = traceExcept(slice, mask, ray, scene_cameras[slice].near, ground.t, NO_INSTANCE, NO_INSTANCE);
+  if (!isHit(hit) && ground.is_known) hit = ground.hit;
+  else if (isHit(hit)) hit = hitOnTriangle(slice, ray, hit.instance, hit.geometry, hit.primitive);
+  bool is_ground = frame.camera_rests != 0u && isAtRest(hit);
+  if (is_ground && ground.has_color) return ground.color;
+  vec3 color = isHit(hit) ? colorOf(hit) : environment(ray.direction);
+  if (is_ground) ground = Ground(true, hit, isHit(hit) ? hit.t : kFar, true, color);
+  return color;
+}
+
+void run(ivec2 pixel) {
+  vec4 seen = texelFetch(seen_tex, pixel, 0);
+  uint open = texelFetch(open_tex, pixel, 0).x;
+  if (frame.slice_count < 32u) open &= (1u << frame.slice_count) - 1u;
+  int count = bitCount(open);
+  if (count > 0) {
+    vec3 sum = vec3(0);
+    Ground ground = groundAt(pixel);
+    while (open != 0u) {
+      uint number = uint(findLSB(open));
+      open &= open - 1u;
+      sum += toSum(seenAt(pixel, SLICE_SAMPLE + number, ground));
+    }
+    count_samples(uint(count));
+    seen.rgb += (1.0 - seen.a) * fromSum(sum / float(count));
+  }
+  if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
+  imageStore(picture_img, pixel, vec4(seen.rgb, 1));
+}
