@@ -16,7 +16,7 @@ return pass.compute {
     reversed = "of more than 4 motions around a pixel the nearest count, of equally near ones those before the capture",
   },
   size   = { of = "color" },
-  reads  = ports.of_both({ "second", "after_second", "revealed_dominant", "revealed_after_dominant" }, {
+  reads  = ports.of_both(ports.further { "second", "after_second", "revealed_dominant", "revealed_after_dominant" }, {
     moved  = { optional = true,
       doc = "per cell, above 1/2 where something that moves is at some time, elsewhere the picture is copied; absent: 1" },
     doubtful = { optional = true,

@@ -35,6 +35,16 @@ local docs = {
   revealed_after_dominant = { optional = true, doc = "revealed_dominant at times after the capture" },
 }
 
+-- Those behind it.
+for number = 2, 4 do
+  local layer = ("revealed_%d_"):format(number)
+  docs[layer .. "color"]    = { optional = true, doc = "linear, of the next surface behind; absent: there is none" }
+  docs[layer .. "depth"]    = { optional = true, doc = depth }
+  docs[layer .. "velocity"] = { optional = true, doc = displacement }
+  docs[layer .. "valid"]    = { optional = true, doc = "above 1/2 where something was revealed" }
+  docs[layer .. "after_velocity"] = { optional = true, doc = layer .. "velocity at times after the capture" }
+end
+
 local function reads(names, more)
   local list = {}
   for _, name in ipairs(names) do list[name] = docs[name] or error(("no filter reads '%s'"):format(name), 3) end
@@ -53,6 +63,15 @@ function blur_ports.of_both(names, more)
   local all = { "color", "depth", "velocity", "dominant", "after_velocity", "after_dominant", "revealed_color",
                 "revealed_depth", "revealed_velocity", "revealed_valid", "revealed_after_velocity" }
   return reads(table.move(names, 1, #names, #all + 1, all), more)
+end
+
+-- What a filter reads of further layers behind.
+function blur_ports.further(names)
+  local parts = { "color", "depth", "velocity", "valid", "after_velocity" }
+  for number = 2, 4 do
+    for _, part in ipairs(parts) do names[#names + 1] = ("revealed_%d_%s"):format(number, part) end
+  end
+  return names
 end
 
 blur_ports.layer = { blurred = { format = stored.color,

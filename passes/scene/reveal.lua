@@ -21,9 +21,11 @@ return pass.trace {
       doc = "its linear view depth, metres; sky = +inf, 0 where nothing is revealed" },
     id       = { cleared = true, format = "rg32ui", doc = "its instance + 1, geometry + 1; 0 for sky and where nothing is" },
     velocity = { cleared = true, format = stored.velocity, doc = "its displacement over the exposure, px" },
+    found    = { cleared = true, format = "rgba32ui",
+      doc = "what is revealed: instance + 1 (0 = sky, or nothing), geometry, primitive" },
     valid    = { cleared = true, format = "r8_unorm", doc = "1 where something is revealed" },
   },
-  without = { mask = { color = 0, depth = 0, id = 0, velocity = 0, valid = 0 } },
+  without = { mask = { color = 0, depth = 0, id = 0, velocity = 0, valid = 0, found = 0 } },
   fails  = "A second layer behind the revealed one stays hidden. Of two surfaces in one place (within 4 " ..
            "representable numbers of depth, more under restart and offset) the second is lost. Glass is revealed " ..
            "as if it were opaque.",
@@ -32,7 +34,7 @@ return pass.trace {
     velocity_format = stored.velocity_format,
     color_format    = stored.color_format,
     depth_encoding  = stored.depth_encoding,
-    termination = pass.choice { "luminance", "geometry", "instance", "motion", default = "instance",
+    termination = pass.choice { "luminance", "geometry", "instance", "motion", "uncovered", default = "instance",
       doc = "what counts as another object than the one in front",
       values = {
         luminance = "The first hit whose luminance differs from that of the surface in front, as published. " ..
@@ -46,6 +48,10 @@ return pass.trace {
                     "objects, and never sees one that covers itself.",
         motion    = "The first hit that does not move as if fixed to the surface in front. Misses a background " ..
                     "that happens to move alike, which would be uncovered only later than the exposure.",
+        uncovered = "The first hit that moves otherwise on the screen than the foreground does at this pixel, whatever " ..
+                    "it belongs to: parts that go along uncover nothing, a turning object uncovers itself. Goes from " ..
+                    "hit to hit, the foreground's own included. Fails where the first that does is inside of a closed " ..
+                    "object, seen from both sides, that turns.",
       },
       breaks = { luminance = { linear = "luminances are compared: another light may reveal another layer" } } },
     advance = pass.choice { "instance_filter", "origin_kept", "restart", "offset", default = "instance_filter",
@@ -75,7 +81,8 @@ return pass.trace {
                    "itself.",
       } },
     same_motion = pass.float { 1, min = 0, max = 1000, unit = "px",
-      doc = "motion only: a surface that goes no farther from where the foreground would carry it belongs to it" },
+      doc = "motion and uncovered: a surface that goes no farther from where the foreground would carry it, or goes, " ..
+            "belongs to it" },
     tolerance = pass.float { 0.01, min = 0, max = 1,
       doc = "luminance only: another object differs by more than this share of the brighter one, and 0.0001 more" },
     luminance_of = pass.choice { "radiance", "base_color", "material", default = "radiance",

@@ -12,7 +12,7 @@ return pass.compute {
   size   = { of = "bounds" },
   reads  = {
     bounds        = { doc = "of the displacements of what is doubtful in each cell, px over the exposure" },
-    behind_bounds = { doc = "the same of what was revealed" },
+    behind_bounds = { optional = true, doc = "the same of what was revealed" },
     open_bounds   = { optional = true, doc = "the same of what the start of the exposure sees" },
     close_bounds  = { optional = true, doc = "the same of what its end sees" },
     reach = reach,

@@ -12,6 +12,7 @@ return pass.compute {
   reads  = {
     velocity       = { doc = "px over the exposure" },
     after_velocity = { optional = true, doc = "px over the exposure, at times after the capture" },
+    others         = { optional = true, doc = "bounds of another layer, to be joined with them" },
     valid          = { optional = true, doc = "above 1/2 where they count; absent: everywhere" },
   },
   writes = { bounds = { format = "rgba32f",

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Raster and ray-revealed background, blurred and composited. Tan, Cui and Bhojan 2020, "Hybrid MBlur".
 local pipeline = require "strobe.pipeline"
+local doubts   = require "scripts.pipelines.lib.doubts"
 local hybrid   = require "scripts.pipelines.lib.hybrid"
 local masks    = require "scripts.pipelines.lib.masks"
 local ranges   = require "scripts.pipelines.lib.ranges"
@@ -26,13 +27,16 @@ return pipeline {
   },
   build = function(p)
     local seen = scene.captured()
+    local doubted = doubts.are_asked(p) and doubts.of_raster(seen) or nil
+    if doubted then seen.elsewhere = doubted.elsewhere end
     local moving = ranges.divided(p, seen, "halves")
     local mask = ranges.mask(p, moving, masks[p.mask()])
     local revealed = hybrid.revealed(p, seen, mask)
+    local first = revealed[1]
     return scene.outputs(seen, {
-      color = hybrid.composited(p, moving, hybrid.divided(p, revealed)), mask = mask,
-      revealed = revealed.color, revealed_depth = revealed.depth, revealed_velocity = revealed.velocity,
-      revealed_id = revealed.id, revealed_valid = revealed.valid,
+      color = hybrid.composited(p, moving, hybrid.divided(p, revealed), doubted), mask = mask,
+      revealed = first.color, revealed_depth = first.depth, revealed_velocity = first.velocity,
+      revealed_id = first.id, revealed_valid = first.valid,
     })
   end,
 }

@@ -40,8 +40,9 @@ struct Candidates {
 
 const float kUnused = 1e9;
 
-// What is at a pixel at some time.
+// What is at a pixel at some time: nothing, what raster saw, or the first, second ... surface revealed behind it.
 const int kNothing = 0, kRaster = 1, kRevealed = 2;
+const int kLastRevealed = kRevealed + HAS_revealed_2_valid + HAS_revealed_3_valid + HAS_revealed_4_valid;
 
 struct Seen {
   int layer;
@@ -51,7 +52,34 @@ struct Seen {
 
 vec2 limited(vec4 texel) { return clampLength(finiteDisplacement(texel), limitPx()); }
 
-bool isRevealed(ivec2 pixel) { return texelFetch(revealed_valid_tex, pixel, 0).x > 0.5; }
+// --- Revealed layers, from kRevealed to kLastRevealed
+// ----------------------------------------------------------------------------------------------------------------
+
+bool isRevealed(int layer, ivec2 pixel) {
+#if HAS_revealed_2_valid
+  if (layer == kRevealed + 1) return texelFetch(revealed_2_valid_tex, pixel, 0).x > 0.5;
+#endif
+#if HAS_revealed_3_valid
+  if (layer == kRevealed + 2) return texelFetch(revealed_3_valid_tex, pixel, 0).x > 0.5;
+#endif
+#if HAS_revealed_4_valid
+  if (layer == kRevealed + 3) return texelFetch(revealed_4_valid_tex, pixel, 0).x > 0.5;
+#endif
+  return texelFetch(revealed_valid_tex, pixel, 0).x > 0.5;
+}
+
+float revealedDepth(int layer, ivec2 pixel) {
+#if HAS_revealed_2_depth
+  if (layer == kRevealed + 1) return saneDepth(texelFetch(revealed_2_depth_tex, pixel, 0).x);
+#endif
+#if HAS_revealed_3_depth
+  if (layer == kRevealed + 2) return saneDepth(texelFetch(revealed_3_depth_tex, pixel, 0).x);
+#endif
+#if HAS_revealed_4_depth
+  if (layer == kRevealed + 3) return saneDepth(texelFetch(revealed_4_depth_tex, pixel, 0).x);
+#endif
+  return saneDepth(texelFetch(revealed_depth_tex, pixel, 0).x);
+}
 
 // Displacements of the two layers in the part of the exposure after the capture, or before it.
 vec2 displacementAt(ivec2 pixel, bool after) {
@@ -61,11 +89,43 @@ vec2 displacementAt(ivec2 pixel, bool after) {
   return limited(texelFetch(velocity_tex, pixel, 0));
 }
 
-vec2 revealedDisplacementAt(ivec2 pixel, bool after) {
+vec2 revealedDisplacementAt(int layer, ivec2 pixel, bool after) {
+#if HAS_revealed_2_after_velocity
+  if (after && layer == kRevealed + 1) return limited(texelFetch(revealed_2_after_velocity_tex, pixel, 0));
+#endif
+#if HAS_revealed_3_after_velocity
+  if (after && layer == kRevealed + 2) return limited(texelFetch(revealed_3_after_velocity_tex, pixel, 0));
+#endif
+#if HAS_revealed_4_after_velocity
+  if (after && layer == kRevealed + 3) return limited(texelFetch(revealed_4_after_velocity_tex, pixel, 0));
+#endif
 #if HAS_revealed_after_velocity
   if (after) return limited(texelFetch(revealed_after_velocity_tex, pixel, 0));
 #endif
+#if HAS_revealed_2_velocity
+  if (layer == kRevealed + 1) return limited(texelFetch(revealed_2_velocity_tex, pixel, 0));
+#endif
+#if HAS_revealed_3_velocity
+  if (layer == kRevealed + 2) return limited(texelFetch(revealed_3_velocity_tex, pixel, 0));
+#endif
+#if HAS_revealed_4_velocity
+  if (layer == kRevealed + 3) return limited(texelFetch(revealed_4_velocity_tex, pixel, 0));
+#endif
   return limited(texelFetch(revealed_velocity_tex, pixel, 0));
+}
+
+vec3 colorOf(int layer, ivec2 now) {
+  if (layer == kRaster) return finiteColor(texelFetch(color_tex, now, 0));
+#if HAS_revealed_2_color
+  if (layer == kRevealed + 1) return finiteColor(texelFetch(revealed_2_color_tex, now, 0));
+#endif
+#if HAS_revealed_3_color
+  if (layer == kRevealed + 2) return finiteColor(texelFetch(revealed_3_color_tex, now, 0));
+#endif
+#if HAS_revealed_4_color
+  if (layer == kRevealed + 3) return finiteColor(texelFetch(revealed_4_color_tex, now, 0));
+#endif
+  return finiteColor(texelFetch(revealed_color_tex, now, 0));
 }
 
 // --- Candidates
@@ -83,9 +143,10 @@ Candidates withCandidate(Candidates candidates, vec2 d) {
   return candidates;
 }
 
-Candidates withBothLayers(Candidates candidates, ivec2 at, bool behind, bool after) {
+Candidates withAllLayers(Candidates candidates, ivec2 at, bool behind, bool after) {
   candidates = withCandidate(candidates, displacementAt(at, after));
-  if (behind && isRevealed(at)) candidates = withCandidate(candidates, revealedDisplacementAt(at, after));
+  for (int layer = kRevealed; behind && layer <= kLastRevealed && isRevealed(layer, at); ++layer)
+    candidates = withCandidate(candidates, revealedDisplacementAt(layer, at, after));
   return candidates;
 }
 
@@ -102,9 +163,9 @@ Candidates harvested(Candidates candidates, ivec2 pixel, vec2 d, float jitter, b
   for (int k = 0; k < params.samples && candidates.count < kMaxCandidates; ++k) {
     int i = clamp(nearest(k), 0, params.samples - 1);
     ivec2 offset = roundSymmetric(tapOffset(d, sampleTime(i, params.samples, jitter, frame.shutter)));
-    if (isInside(pixel + offset, size)) candidates = withBothLayers(candidates, pixel + offset, behind, after);
+    if (isInside(pixel + offset, size)) candidates = withAllLayers(candidates, pixel + offset, behind, after);
     if (one_sided && isInside(pixel - offset, size)) {
-      candidates = withBothLayers(candidates, pixel - offset, behind, after);
+      candidates = withAllLayers(candidates, pixel - offset, behind, after);
     }
   }
   return candidates;
@@ -148,7 +209,7 @@ Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool behin
   candidates = withCandidate(candidates, dominant.d);
   candidates = withCandidate(candidates, dominant.second);
   candidates = withCandidate(candidates, dominant.revealed);
-  candidates = withBothLayers(candidates, pixel, behind, after);
+  candidates = withAllLayers(candidates, pixel, behind, after);
 #if PARAM_harvest
   candidates = harvested(candidates, pixel, dominant.d, jitter, behind, after);
   if (lengthOf(dominant.second - dominant.d) > 0.5) {
@@ -181,16 +242,16 @@ Seen nearerRaster(Seen seen, ivec2 pixel, ivec2 now, float t, float tolerance_px
   return nearer(seen, kRaster, now, saneDepth(texelFetch(depth_tex, now, 0).x));
 }
 
-Seen nearerRevealed(Seen seen, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
-  if (!isRevealed(now)) return seen;
+Seen nearerRevealed(Seen seen, int layer, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
+  if (!isRevealed(layer, now)) return seen;
   bool after = t > 0.0;
-  vec2 d = revealedDisplacementAt(now, after);
+  vec2 d = revealedDisplacementAt(layer, now, after);
   if (!isAt(pixel, now, d, t, tolerance_px)) {
     now = asked(pixel, d, t);
-    if (!isInside(now, textureSize(color_tex, 0)) || !isRevealed(now)) return seen;
-    if (!isAt(pixel, now, revealedDisplacementAt(now, after), t, tolerance_px)) return seen;
+    if (!isInside(now, textureSize(color_tex, 0)) || !isRevealed(layer, now)) return seen;
+    if (!isAt(pixel, now, revealedDisplacementAt(layer, now, after), t, tolerance_px)) return seen;
   }
-  return nearer(seen, kRevealed, now, saneDepth(texelFetch(revealed_depth_tex, now, 0).x));
+  return nearer(seen, layer, now, revealedDepth(layer, now));
 }
 
 Seen seenAt(ivec2 pixel, Candidates candidates, bool behind, float t) {
@@ -202,14 +263,10 @@ Seen seenAt(ivec2 pixel, Candidates candidates, bool behind, float t) {
     if (!isInside(now, size)) continue;
     float tolerance_px = candidates.tolerance_px[k];
     seen = nearerRaster(seen, pixel, now, t, tolerance_px);
-    if (behind) seen = nearerRevealed(seen, pixel, now, t, tolerance_px);
+    for (int layer = kRevealed; behind && layer <= kLastRevealed; ++layer)
+      seen = nearerRevealed(seen, layer, pixel, now, t, tolerance_px);
   }
   return seen;
-}
-
-vec3 colorOf(int layer, ivec2 now) {
-  if (layer == kRevealed) return finiteColor(texelFetch(revealed_color_tex, now, 0));
-  return finiteColor(texelFetch(color_tex, now, 0));
 }
 
 // What of a cell may be at its pixels: something in motion, something revealed.
@@ -271,7 +328,7 @@ void run(ivec2 pixel) {
       open |= 1u << uint(i * 32 / max(params.samples, 32));
       continue;
 #endif
-      seen.layer = isRevealed(pixel) ? kRevealed : kRaster;
+      seen.layer = isRevealed(kRevealed, pixel) ? kRevealed : kRaster;
     }
     sum += toSum(colorOf(seen.layer, seen.now));
   }

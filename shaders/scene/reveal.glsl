@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The surface behind the foreground, along the same ray as the raster's sample (Tan, Cui, Bhojan 2020, "Ray Reveal").
 // In:  hit_tex (foreground), mask_tex (> 0.5: reveal).
-// Out: color, depth, id, velocity, valid as the G-buffer has them; everything 0 where nothing is revealed.
+// Out: found (instance + 1, geometry, primitive), color, depth, id, velocity, valid as the G-buffer has them; everything 0 where nothing is revealed.
 //      With `divide` = 2 a texel stands for a square of 2x2 pixels, and its ray is that of sourcePixel().
 // Goes from hit to hit by `advance` until `termination` holds or `max_layers` hits did not end it (counter `capped`).
 // Under instance_filter the foreground is passed over within the traversal: instance and geometry termination then end
@@ -51,7 +51,7 @@ Hit nextHit(Ray ray, Hit front, Hit last) {
   return nextFromFarSide(ray, last);
 #elif PARAM_advance == advance_instance_filter && PARAM_termination == termination_geometry
   return nextAlong(ray, last, front.instance, front.geometry);
-#elif PARAM_advance == advance_instance_filter
+#elif PARAM_advance == advance_instance_filter && PARAM_termination != termination_uncovered
   return nextAlong(ray, last, front.instance, NO_INSTANCE);
 #else
   return nextAlong(ray, last, NO_INSTANCE, NO_INSTANCE);
@@ -63,10 +63,21 @@ Hit exactly(Ray ray, Hit hit) {
   return hitOnTriangle(SLICE_CAPTURE, ray, hit.instance, hit.geometry, hit.primitive);
 }
 
+vec3 pointOn(Ray ray, Hit hit) { return ray.origin + ray.direction * hit.t; }
+
+// Does a surface move otherwise on the screen than the foreground does at this pixel, whichever they belong to?
+bool movesApart(Ray ray, Hit hit, Hit front) {
+  Hit exact = exactly(ray, hit);
+  return !(distance(displacementOf(exact, pointOn(ray, exact)), displacementOf(front, pointOn(ray, front))) <=
+           params.same_motion);
+}
+
 // Is a hit another object than the foreground, by anything but its luminance?
-bool isOther(Hit hit, Hit front) {
+bool isOther(Ray ray, Hit hit, Hit front) {
 #if PARAM_termination == termination_motion
   return !goesAlong(hit, front.instance);
+#elif PARAM_termination == termination_uncovered
+  return movesApart(ray, hit, front);
 #elif PARAM_termination == termination_geometry
   return hit.instance != front.instance || hit.geometry != front.geometry;
 #else
@@ -124,7 +135,7 @@ Found firstBehind(Ray ray, Hit front) {
     if (abs(here - reference) > params.tolerance * max(here, reference) + 1e-4) break;
     found.passed = found.passed || found.hit.instance != front.instance;
 #else
-    if (isOther(found.hit, front)) break;
+    if (isOther(ray, found.hit, front)) break;
 #endif
     ++layer;
   }
@@ -132,8 +143,6 @@ Found firstBehind(Ray ray, Hit front) {
   if (met_again > 0u) count_met_again(met_again);
   return found;
 }
-
-vec3 pointOn(Ray ray, Hit hit) { return ray.origin + ray.direction * hit.t; }
 
 // What `reveal_velocity` says the surface is displaced by, px over the exposure.
 vec2 givenDisplacement(vec2 own, Ray ray, Hit front) {
@@ -152,9 +161,10 @@ struct Revealed {
   uvec2 id;
   vec2 velocity;
   bool valid;
+  uvec3 hit;
 };
 
-const Revealed kNothing = Revealed(vec4(0), 0.0, uvec2(0), vec2(0), false);
+const Revealed kNothing = Revealed(vec4(0), 0.0, uvec2(0), vec2(0), false, uvec3(0));
 
 Revealed surfaceSeen(Ray ray, Found found, Hit front) {
   Hit hit = exactly(ray, found.hit);
@@ -164,12 +174,13 @@ Revealed surfaceSeen(Ray ray, Found found, Hit front) {
   vec3 color = shade(SLICE_CAPTURE, hit);
 #endif
   return Revealed(vec4(color, 1), hit.t, uvec2(hit.instance, hit.geometry) + 1u,
-                  givenDisplacement(displacementOf(hit, pointOn(ray, hit)), ray, front), true);
+                  givenDisplacement(displacementOf(hit, pointOn(ray, hit)), ray, front), true,
+                  uvec3(hit.instance + 1u, hit.geometry, hit.primitive));
 }
 
 Revealed skySeen(Ray ray, Hit front) {
   return Revealed(vec4(environment(ray.direction), 1), uintBitsToFloat(0x7f800000u), uvec2(0),
-                  givenDisplacement(displacementOfSky(ray.direction), ray, front), true);
+                  givenDisplacement(displacementOfSky(ray.direction), ray, front), true, uvec3(0));
 }
 
 Revealed revealedBehind(ivec2 pixel) {
@@ -194,4 +205,5 @@ void run(ivec2 texel) {
   imageStore(id_img, texel, uvec4(revealed.id, 0u, 0u));
   imageStore(velocity_img, texel, vec4(storedVelocity(revealed.velocity), 0, 0));
   imageStore(valid_img, texel, vec4(revealed.valid ? 1.0 : 0.0));
+  imageStore(found_img, texel, uvec4(revealed.hit, 0u));
 }

@@ -24,8 +24,10 @@ void run(ivec2 cell) {
   for (int y = from.y; y <= to.y && !comes; ++y) {
     for (int x = from.x; x <= to.x && !comes; ++x) {
       ivec2 at = ivec2(x, y);
-      comes = comesHere(cell, at, texelFetch(bounds_tex, at, 0), frame.shutter) ||
-              comesHere(cell, at, texelFetch(behind_bounds_tex, at, 0), frame.shutter);
+      comes = comesHere(cell, at, texelFetch(bounds_tex, at, 0), frame.shutter);
+#if HAS_behind_bounds
+      comes = comes || comesHere(cell, at, texelFetch(behind_bounds_tex, at, 0), frame.shutter);
+#endif
 #if HAS_open_bounds
       comes = comes || comesHere(cell, at, texelFetch(open_bounds_tex, at, 0), frame.shutter - frame.shutter.x);
 #endif

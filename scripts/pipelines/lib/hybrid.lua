@@ -4,16 +4,12 @@ local pass            = require "strobe.pass"
 local pipeline        = require "strobe.pipeline"
 local mcguire2012     = require "passes.gather.mcguire2012"
 local farthest        = require "passes.tile.farthest"
+local goes_on         = require "passes.mask.goes_on"
 local motion_bounds   = require "passes.tile.motion_bounds"
 local motion_reach    = require "passes.tile.motion_reach"
-local bend            = require "passes.scene.bend"
-local own_time        = require "passes.scene.own_time"
 local reveal          = require "passes.scene.reveal"
-local unseen          = require "passes.scene.unseen"
-local visibility      = require "passes.scene.visibility"
-local doubtful        = require "passes.tile.doubtful"
-local tile_max        = require "passes.tile.tile_max"
 local reveal_upsample = require "passes.scene.reveal_upsample"
+local doubts          = require "scripts.pipelines.lib.doubts"
 local edges           = require "scripts.pipelines.lib.edges"
 local gathers         = require "scripts.pipelines.lib.gathers"
 local options         = require "scripts.pipelines.lib.options"
@@ -75,6 +71,8 @@ function hybrid.params()
     same_motion = reveal.params.same_motion,
     advance     = reveal.params.advance,
     max_layers  = reveal.params.max_layers,
+    layers      = pipeline.int { 1, min = 1, max = 4,
+      doc = "composite layered: surfaces revealed one behind another; the next where the last one moves on the screen" },
     on_cap      = reveal.params.on_cap,
     reveal_velocity   = reveal.params.reveal_velocity,
     reveal_resolution = choice { "full", "half", default = "full", doc = "rays per masked pixel",
@@ -122,28 +120,41 @@ hybrid.presets = {
   best        = { doc = "the least error of what has been tried", set = best },
 }
 
--- What lies behind the masked pixels: the ports of the pass `reveal`.
+-- What lies behind the masked pixels: a list of layers, nearest first, each the ports of the pass `reveal`.
 function hybrid.revealed(p, seen, mask)
-  local half = p.reveal_resolution() == "half"
+  local half, count = p.reveal_resolution() == "half", p.layers()
+  if half and count > 1 then error("layers > 1: a ray per pixel is needed, reveal_resolution = full", 0) end
   local rays = reveal {
     hit = seen.hit, mask = mask, divide = half and 2 or 1, as = "reveal",
   }
-  if not half then return rays end
-  return reveal_upsample {
-    hit = seen.hit, mask = mask, front_depth = seen.depth, color = rays.color, depth = rays.depth, id = rays.id,
-    velocity = rays.velocity, valid = rays.valid,
-  }
+  if half then
+    return { reveal_upsample {
+      hit = seen.hit, mask = mask, front_depth = seen.depth, color = rays.color, depth = rays.depth, id = rays.id,
+      velocity = rays.velocity, valid = rays.valid,
+    } }
+  end
+  local layers = { rays }
+  for number = 2, count do
+    local last = layers[number - 1]
+    local on = goes_on { valid = last.valid, id = last.id, velocity = last.velocity, as = "goes_on_" .. number }.mask
+    layers[number] = reveal { hit = last.found, mask = on, as = "reveal_" .. number }
+  end
+  return layers
 end
 
--- The revealed layer as filters see it (ranges.divided). A displacement that is not its own stays one for both parts.
+-- The revealed layers as filters see them (ranges.divided). A displacement that is not its own stays one for both parts.
 function hybrid.divided(p, revealed)
-  local layer = {
-    color = revealed.color, depth = revealed.depth, id = revealed.id, velocity = revealed.velocity,
-    valid = revealed.valid,
-  }
-  if p.reveal_velocity() == "own" then return ranges.divided(p, layer, "revealed_halves") end
-  if ranges.are_split(p) then layer.after_velocity = layer.velocity end
-  return layer
+  local divided = {}
+  for number, of in ipairs(revealed) do
+    local layer = { color = of.color, depth = of.depth, id = of.id, velocity = of.velocity, valid = of.valid }
+    if p.reveal_velocity() == "own" then
+      layer = ranges.divided(p, layer, number == 1 and "revealed_halves" or ("revealed_%d_halves"):format(number))
+    elseif ranges.are_split(p) then
+      layer.after_velocity = layer.velocity
+    end
+    divided[number] = layer
+  end
+  return divided
 end
 
 -- Displacements per tile for the raster layer, united with the revealed one's if `tiles` says so; `second` as for
@@ -173,29 +184,35 @@ local function put(images, prefix, layer)
   for name, image in pairs(layer) do images[prefix .. name] = image end
 end
 
--- The two layers as they are, with displacements per tile, for composites that blur by themselves. What a composite
--- reads as x, of the revealed layer it reads as revealed_x.
+-- The layers as they are, with displacements per tile, for composites that blur by themselves. What a composite reads
+-- as x, of the revealed layers it reads as revealed_x, revealed_2_x ...
 local function layers(p, seen, revealed, composite)
   ranges.require_parts(seen, composite, "composite = " .. p.composite())
   local images = {}
   put(images, "", seen)
-  put(images, "revealed_", revealed)
-  put(images, "", hybrid.dominant(p, seen, revealed, pass.reads(composite, "second")))
+  for number, layer in ipairs(revealed) do
+    put(images, number == 1 and "revealed_" or ("revealed_%d_"):format(number), layer)
+  end
+  put(images, "", hybrid.dominant(p, seen, revealed[1], pass.reads(composite, "second")))
   if p.tiles() == "separate" and pass.reads(composite, "revealed_dominant") then
-    put(images, "revealed_", hybrid.revealed_dominant(p, revealed))
+    put(images, "revealed_", hybrid.revealed_dominant(p, revealed[1]))
   end
   return images
 end
 
 -- The cells in which anything happens, for composites that leave out the others.
 local function reached_cells(seen, revealed, images)
-  local function bounds(layer, name)
+  local function bounds(layer, name, others)
     return motion_bounds {
-      velocity = layer.velocity, after_velocity = layer.after_velocity, valid = layer.valid, as = name,
+      velocity = layer.velocity, after_velocity = layer.after_velocity, valid = layer.valid, others = others, as = name,
     }.bounds
   end
+  local behind
+  for number, layer in ipairs(revealed) do
+    behind = bounds(layer, number == 1 and "revealed_bounds" or ("revealed_%d_bounds"):format(number), behind)
+  end
   local cells = motion_reach {
-    bounds = bounds(seen, "raster_bounds"), behind_bounds = bounds(revealed, "revealed_bounds"),
+    bounds = bounds(seen, "raster_bounds"), behind_bounds = behind,
     dominant = images.dominant, after_dominant = images.after_dominant,
     revealed_dominant = images.revealed_dominant, revealed_after_dominant = images.revealed_after_dominant,
     reach = farthest {
@@ -206,58 +223,21 @@ local function reached_cells(seen, revealed, images)
   return { moved = cells.moved, behind = cells.behind }
 end
 
--- The cells that something passes of which the layers do not say where it is: by what bends, and what the ends see.
-local function doubtful_cells(seen, revealed, images)
-  local bent = pipeline.loop {
-    name = "middle", count = 1, times = "midpoint", slices = 1,
-    body = function()
-      local raster = bend { depth = seen.depth, id = seen.id, velocity = seen.velocity, as = "raster_bend" }
-      local behind = bend { depth = revealed.depth, id = revealed.id, velocity = revealed.velocity, as = "revealed_bend" }
-      return { raster = raster.bent, raster_hull = raster.hull, behind = behind.bent, behind_hull = behind.hull }
-    end,
-  }
-  local function bounds(velocity, hull, valid, name)
-    return motion_bounds { velocity = velocity, after_velocity = hull, valid = valid, as = name }.bounds
-  end
-  local function end_bounds(which)
-    local hit = visibility { time = which, as = which .. "_visibility" }.hit
-    local found = unseen {
-      time = which, hit = hit, depth = seen.depth, id = seen.id, revealed_depth = revealed.depth,
-      revealed_id = revealed.id, revealed_valid = revealed.valid, as = which .. "_unseen",
-    }
-    local longest = tile_max { velocity = found.velocity, valid = found.unseen, as = which .. "_tile_max" }.longest
-    return bounds(found.velocity, nil, found.unseen, which .. "_bounds"), longest
-  end
-  local open_bounds, longest_open = end_bounds("open")
-  return doubtful {
-    bounds = bounds(seen.velocity, bent.raster_hull, bent.raster, "bent_bounds"),
-    behind_bounds = bounds(revealed.velocity, bent.behind_hull, bent.behind, "bent_behind_bounds"),
-    open_bounds = open_bounds,
-    reach = farthest { longest = images.dominant, after = longest_open, as = "farthest_doubtful" }.reach,
-  }.doubtful
-end
-
 -- The picture, by the composite chosen: a pass that reads blurred layers (front, back) or the layers themselves.
-function hybrid.composited(p, seen, revealed)
+-- `doubted`: of lib/doubts.lua, if samples are traced at their own time.
+function hybrid.composited(p, seen, revealed, doubted)
   local composite = pass.member("composite", p.composite())
   local apart = pass.reads(composite, "front")
-  local images = apart and blurred(p, seen, revealed) or layers(p, seen, revealed, composite)
+  local further = pass.reads(composite, "revealed_2_color") or false
+  if #revealed > 1 and not further then
+    error(("layers > 1: composite = %s knows one layer behind; it needs composite = layered"):format(p.composite()), 0)
+  end
+  local images = apart and blurred(p, seen, revealed[1]) or layers(p, seen, revealed, composite)
   if pass.reads(composite, "moved") then put(images, "", reached_cells(seen, revealed, images)) end
-  local traced = p.own_time() ~= "none" and pass.reads(composite, "doubtful")
-  if traced then images.doubtful = doubtful_cells(seen, revealed, images) end
-  local made = composite(pass.wired(composite, images, { as = "composite", leaves_open = traced or nil }))
-  if not traced then return apart and made.color or made.blurred end
-  return pipeline.loop {
-    name = "own_times", count = 1, times = "midpoint", slices = math.min(p.samples(), 32),
-    body = function()
-      local picture = own_time {
-        seen = made.blurred, open = made.open, time = "sample",
-        hit = seen.hit, color = seen.color, depth = seen.depth, id = seen.id, revealed_color = revealed.color,
-        revealed_depth = revealed.depth, revealed_id = revealed.id, revealed_valid = revealed.valid,
-      }.picture
-      return { picture = picture }
-    end,
-  }.picture
+  if doubted then images.doubtful = doubts.cells(p, seen, revealed, doubted) end
+  local made = composite(pass.wired(composite, images, { as = "composite", leaves_open = doubted and true or nil }))
+  if doubted then return doubts.traced(p, seen, revealed[1], made) end
+  return apart and made.color or made.blurred
 end
 
 return hybrid

@@ -1,0 +1,31 @@
+-- SPDX-License-Identifier: MIT
+-- What an end of the exposure sees and no layer of the capture holds: the description of a pass.
+local pass   = require "strobe.pass"
+
+-- `end_of`: "start" or "end"; `fact`: that the exposure has a part before, or after, the capture.
+return function(name, end_of, fact)
+  return pass.compute {
+    name   = name,
+    shader = "scene/unseen",
+    doc    = ("What is seen at the %s of the exposure that neither the capture nor rays from it have found"):format(end_of),
+    size   = { of = "hit" },
+    scene  = true,
+    reads  = {
+      hit   = { uint = true, doc = "of that end: instance + 1 (0 = sky), geometry, primitive" },
+      depth = { doc = "of the capture: linear view depth, metres; sky = +inf" },
+      id    = { uint = true, doc = "of the capture: instance + 1; sky = 0" },
+      revealed_depth = { doc = "of what was revealed behind it: linear view depth, metres; sky = +inf" },
+      revealed_id    = { uint = true, doc = "its instance + 1; sky = 0" },
+      revealed_valid = { doc = "above 1/2 where something was revealed" },
+    },
+    writes = {
+      unseen   = { format = "r8_unorm", doc = "1 where no layer of the capture holds what is seen" },
+      velocity = { format = "rg32f", doc = "displacement over the exposure of what is seen, px" },
+    },
+    without = { motion = { unseen = 0, velocity = 0 }, [fact] = { unseen = 0, velocity = 0 } },
+    params = {
+      same_depth = pass.float { 0.01, min = 0, max = 1, doc = "share of the depth over which two depths count as one" },
+    },
+    fails  = "A surface that comes out and goes in again between the ends of the exposure is not known to either.",
+  }
+end
