@@ -19,8 +19,8 @@ return pass.compute {
   reads  = ports.of_both(ports.further { "second", "after_second", "revealed_dominant", "revealed_after_dominant" }, {
     moved  = { optional = true,
       doc = "per cell, above 1/2 where something that moves is at some time, elsewhere the picture is copied; absent: 1" },
-    doubtful = { optional = true,
-      doc = "per cell, above 1/2 where no layer is to be trusted; with leaves_open, nothing is seen there" },
+    doubtful = { optional = true, uint = true,
+      doc = "per cell, a bit for each sample at which no layer is to be trusted; with leaves_open" },
     behind = { optional = true, doc = "per cell, above 1/2 where something revealed is at some time; absent: 1" },
   }),
   writes = {

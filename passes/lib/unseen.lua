@@ -21,8 +21,9 @@ return function(name, end_of, fact)
     writes = {
       unseen   = { format = "r8_unorm", doc = "1 where no layer of the capture holds what is seen" },
       velocity = { format = "rg32f", doc = "displacement over the exposure of what is seen, px" },
+      bend     = { format = "rg32f", doc = "how far its path is from a straight line, px in the middle of the exposure" },
     },
-    without = { motion = { unseen = 0, velocity = 0 }, [fact] = { unseen = 0, velocity = 0 } },
+    without = { motion = { unseen = 0, velocity = 0, bend = 0 }, [fact] = { unseen = 0, velocity = 0, bend = 0 } },
     params = {
       same_depth = pass.float { 0.01, min = 0, max = 1, doc = "share of the depth over which two depths count as one" },
     },

@@ -14,10 +14,10 @@ return pass.compute {
     velocity = { doc = "displacement over the exposure, px" },
   },
   writes = {
+    bend = { format = "rg32f", doc = "px in the middle of the exposure" },
     bent = { format = "r8_unorm", doc = "1 where the path is farther from a line than that" },
-    hull = { format = "rg32f", doc = "px over the exposure; together with velocity, bounds of the path" },
   },
-  without = { motion = { bent = 0, hull = 0 } },
+  without = { motion = { bend = 0, bent = 0 } },
   params = {
     most_bend = pass.float { 0.5, min = 0, max = 1000, unit = "px",
       doc = "how far a path may be from the line between its ends, in the middle of the exposure" },

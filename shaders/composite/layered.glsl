@@ -278,11 +278,12 @@ bool isMoved(ivec2 cell) {
 #endif
 }
 
-bool isDoubtful(ivec2 cell) {
+// A bit for each sample of which the layers are not asked.
+uint doubtful(ivec2 cell) {
 #if HAS_doubtful
-  return texelFetch(doubtful_tex, cell, 0).x > 0.5;
+  return texelFetch(doubtful_tex, cell, 0).x;
 #else
-  return false;
+  return 0u;
 #endif
 }
 
@@ -297,15 +298,22 @@ bool isBehind(ivec2 cell) {
 void run(ivec2 pixel) {
   ivec2 cell = pixel / params.cell_side;
 #if PARAM_leaves_open
-  imageStore(open_img, pixel, uvec4(0u));
-  if (isDoubtful(cell)) {
-    imageStore(open_img, pixel, uvec4(~0u, 0u, 0u, 0u));
+  uint open = doubtful(cell);
+  uint all_bits = params.samples < 32 ? (1u << uint(params.samples)) - 1u : ~0u;
+  if (open == all_bits) {
+    imageStore(open_img, pixel, uvec4(open, 0u, 0u, 0u));
     imageStore(blurred_img, pixel, vec4(0));
     return;
   }
 #endif
   if (!isMoved(cell)) {
+#if PARAM_leaves_open
+    float explained = 1.0 - float(bitCount(open)) / float(min(params.samples, 32));
+    imageStore(open_img, pixel, uvec4(open, 0u, 0u, 0u));
+    imageStore(blurred_img, pixel, vec4(explained * vec3(texelFetch(color_tex, pixel, 0)), explained));
+#else
     imageStore(blurred_img, pixel, vec4(vec3(texelFetch(color_tex, pixel, 0)), 1));
+#endif
     return;
   }
 
@@ -318,14 +326,21 @@ void run(ivec2 pixel) {
 #endif
 
   vec3 sum = vec3(0);
-  uint fallbacks = 0u, open = 0u;
+  uint fallbacks = 0u;
   for (int i = 0; i < params.samples; ++i) {
+#if PARAM_leaves_open
+    uint bit = 1u << uint(i * 32 / max(params.samples, 32));
+    if ((open & bit) != 0u) {
+      fallbacks += 1u;
+      continue;
+    }
+#endif
     float t = sampleTime(i, params.samples, jitter, frame.shutter);
     Seen seen = seenAt(pixel, t > 0.0 ? after : before, behind, t);
     if (seen.layer == kNothing) {
       fallbacks += 1u;
 #if PARAM_leaves_open
-      open |= 1u << uint(i * 32 / max(params.samples, 32));
+      open |= bit;
       continue;
 #endif
       seen.layer = isRevealed(kRevealed, pixel) ? kRevealed : kRaster;

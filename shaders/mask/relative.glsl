@@ -151,7 +151,7 @@ bool uncovers(ivec2 pixel, uint own, vec2 d, vec2 b, float t) {
 // Is what is revealed there of use?
 bool isWanted(ivec2 cell) {
 #if HAS_elsewhere
-  return texelFetch(elsewhere_tex, cell, 0).x < 0.5;
+  return texelFetch(elsewhere_tex, cell, 0).x == 0u;
 #else
   return true;
 #endif

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How far the paths of a layer's surfaces are from straight lines: at the middle of the exposure, from the middle between
-// where they are at its ends. Node time: a sample, at the middle.
+// where they are at its ends. In a loop whose one time is that.
 // In:  depth (view depth, m, sky +inf, 0 where the layer has nothing), id (instance + 1, 0 = sky), velocity (px over the
 //      exposure).
-// Out: bent (1 where that is more than `most_bend` px), hull (px over the exposure: velocity and twice as far to the side as
-//      the path goes; with velocity, bounds of where it is).
+// Out: bend (that, px), bent (1 where it is more than `most_bend` px).
 #include "lib/blur.glsl"
 #include "mixin/surface.glsl"
 
@@ -25,9 +24,9 @@ void run(ivec2 pixel) {
     Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(pixel));
     uint id = texelFetch(id_tex, pixel, 0).x;
     vec2 ends = pathOfTexel(SLICE_OPEN, ray, id, depth) + pathOfTexel(SLICE_CLOSE, ray, id, depth);
-    bend = pathOfTexel(TIME_SLICE, ray, id, depth) - 0.5 * ends;
+    bend = pathOfTexel(SLICE_SAMPLE, ray, id, depth) - 0.5 * ends;
   }
   bool bent = !(lengthOf(bend) <= params.most_bend);
   imageStore(bent_img, pixel, vec4(bent ? 1 : 0));
-  imageStore(hull_img, pixel, vec4(d + 2.0 * bend, 0, 0));
+  imageStore(bend_img, pixel, vec4(bend, 0, 0));
 }

@@ -1,40 +1,62 @@
 // SPDX-License-Identifier: MIT
-// Per cell, whether anything comes there within the exposure of which layers do not say truly where it is.
-// In:  bounds, behind_bounds (of the displacements in each cell of what is doubtful at the capture, in both layers);
-//      open_bounds, close_bounds (the same of what is seen at the ends of the exposure); reach (px over the exposure).
-// Out: doubtful (1: it comes).
+// Per cell, at which times of the exposure anything may be there of which layers do not say truly where it is. Each cell
+// says so of the cells that its own surfaces come to.
+// In:  bounds, bends (of the displacements of what is doubtful in each cell at the capture, px over the exposure, and of how
+//      far its paths are from straight lines in the middle of the exposure, px); behind_bounds, behind_bends (the same of
+//      what was revealed); open_*, close_* (the same of what the ends of the exposure alone see).
+// Out: doubtful (a bit for each of `samples` times, at most 32).
 #include "lib/bounds.glsl"
-#include "mixin/limit.glsl"
 
-const float kSlack = 2.0;  // px: rounding, and the width of a tap
+const float kSlack = 1.5;  // px: rounding, and the width of a tap
 
-bool comesHere(ivec2 here, ivec2 cell, vec4 bounds, vec2 window) {
-  if (isEmpty(bounds)) return false;
-  vec4 way = travelled(bounds, window);
-  vec2 from = vec2(cell * params.cell_side), to = from + float(params.cell_side);
-  vec2 low = vec2(here * params.cell_side), high = low + float(params.cell_side);
-  return all(lessThanEqual(from + lowOf(way) - kSlack, high)) && all(greaterThanEqual(to + highOf(way) + kSlack, low));
+// All multiples of what is in a box by a number from `low` to `high`.
+vec4 times(vec4 bounds, float low, float high) {
+  vec4 a = bounds * low, b = bounds * high;
+  return vec4(min(min(lowOf(a), highOf(a)), min(lowOf(b), highOf(b))), max(max(lowOf(a), highOf(a)), max(lowOf(b), highOf(b))));
+}
+
+// How far a path is from a straight line at a time, as a share of that in the middle of the window.
+float bentShare(float t, vec2 window) { return 4.0 * (t - window.x) * (window.y - t); }
+
+void doubt(ivec2 cell, vec4 way, uint bit) {
+  vec2 low = vec2(cell * params.cell_side) + lowOf(way) - kSlack;
+  vec2 high = vec2((cell + 1) * params.cell_side) + highOf(way) + kSlack;
+  vec2 cells = vec2(pass_size());
+  if (any(lessThan(high, vec2(0))) || any(greaterThan(low, cells * float(params.cell_side)))) return;
+  ivec2 from = ivec2(max(low, vec2(0))) / params.cell_side;
+  ivec2 to = ivec2(min(high / float(params.cell_side), cells - 1.0));
+  for (int y = from.y; y <= to.y; ++y) {
+    for (int x = from.x; x <= to.x; ++x) imageAtomicOr(doubtful_img, ivec2(x, y), bit);
+  }
+}
+
+// `seen`: the time, in exposures from the capture, at which the surfaces are where the cell says.
+void doubtAll(ivec2 cell, vec4 bounds, vec4 bends, float seen) {
+  if (isEmpty(bounds)) return;
+  int count = min(params.samples, 32);
+  float part = 0.5 / float(count);
+  for (int i = 0; i < count; ++i) {
+    float t = sampleTime(i, count, 0.0, frame.shutter);
+    float low = t - seen, high = low;
+    if (params.jittered != 0 || params.samples > 32) {
+      low -= part;
+      high += part;
+    }
+    float bent = bentShare(t, frame.shutter) - bentShare(seen, frame.shutter);
+    vec4 way = times(bounds, low, high) + times(bends, min(bent, bent * 1.1), max(bent, bent * 1.1));
+    doubt(cell, way, 1u << uint(i));
+  }
 }
 
 void run(ivec2 cell) {
-  ivec2 cells = textureSize(bounds_tex, 0);
-  int around = tilesInReach(3.0 * reachPx() + kSlack, params.cell_side, vec2(-1, 0), cells);
-  ivec2 from = max(cell - around, ivec2(0)), to = min(cell + around, cells - 1);
-  bool comes = false;
-  for (int y = from.y; y <= to.y && !comes; ++y) {
-    for (int x = from.x; x <= to.x && !comes; ++x) {
-      ivec2 at = ivec2(x, y);
-      comes = comesHere(cell, at, texelFetch(bounds_tex, at, 0), frame.shutter);
-#if HAS_behind_bounds
-      comes = comes || comesHere(cell, at, texelFetch(behind_bounds_tex, at, 0), frame.shutter);
+  doubtAll(cell, texelFetch(bounds_tex, cell, 0), texelFetch(bends_tex, cell, 0), 0.0);
+#if HAS_behind_bounds && HAS_behind_bends
+  doubtAll(cell, texelFetch(behind_bounds_tex, cell, 0), texelFetch(behind_bends_tex, cell, 0), 0.0);
 #endif
-#if HAS_open_bounds
-      comes = comes || comesHere(cell, at, texelFetch(open_bounds_tex, at, 0), frame.shutter - frame.shutter.x);
+#if HAS_open_bounds && HAS_open_bends
+  doubtAll(cell, texelFetch(open_bounds_tex, cell, 0), texelFetch(open_bends_tex, cell, 0), frame.shutter.x);
 #endif
-#if HAS_close_bounds
-      comes = comes || comesHere(cell, at, texelFetch(close_bounds_tex, at, 0), frame.shutter - frame.shutter.y);
+#if HAS_close_bounds && HAS_close_bends
+  doubtAll(cell, texelFetch(close_bounds_tex, cell, 0), texelFetch(close_bends_tex, cell, 0), frame.shutter.y);
 #endif
-    }
-  }
-  imageStore(doubtful_img, cell, vec4(comes ? 1 : 0));
 }

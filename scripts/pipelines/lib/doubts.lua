@@ -8,10 +8,7 @@ local unseen_close  = require "passes.scene.unseen_close"
 local unseen_open   = require "passes.scene.unseen_open"
 local visibility    = require "passes.scene.visibility"
 local doubtful      = require "passes.tile.doubtful"
-local farthest      = require "passes.tile.farthest"
 local motion_bounds = require "passes.tile.motion_bounds"
-local tile_max      = require "passes.tile.tile_max"
-local tiles         = require "scripts.pipelines.lib.tiles"
 
 local doubts = {}
 
@@ -23,7 +20,9 @@ function doubts.are_asked(p)
     p.own_time(), p.composite()), 0)
 end
 
--- Bounds, per cell, of the displacements of what bends in these layers.
+local function jittered(p) return p.jitter() == "none" and 0 or 1 end
+
+-- Per cell, of what bends in these layers, bounds of its displacements and of how far it is from a straight line.
 local function bent_bounds(layers, name)
   local bent = pipeline.loop {
     name = name .. "_middle", count = 1, times = "midpoint", slices = 1,
@@ -31,51 +30,58 @@ local function bent_bounds(layers, name)
       local found = {}
       for i, layer in ipairs(layers) do
         local of = bend { depth = layer.depth, id = layer.id, velocity = layer.velocity, as = ("%s_bend_%d"):format(name, i) }
-        found["bent_" .. i], found["hull_" .. i] = of.bent, of.hull
+        found["bent_" .. i], found["bend_" .. i] = of.bent, of.bend
       end
       return found
     end,
   }
-  local bounds
+  local bounds, bends
   for i, layer in ipairs(layers) do
+    local valid = bent["bent_" .. i]
     bounds = motion_bounds {
-      velocity = layer.velocity, after_velocity = bent["hull_" .. i], valid = bent["bent_" .. i], others = bounds,
-      as = ("%s_bounds_%d"):format(name, i),
+      velocity = layer.velocity, valid = valid, others = bounds, as = ("%s_bounds_%d"):format(name, i),
+    }.bounds
+    bends = motion_bounds {
+      velocity = bent["bend_" .. i], valid = valid, others = bends, as = ("%s_bends_%d"):format(name, i),
     }.bounds
   end
-  return bounds
+  return bounds, bends
 end
 
--- What bends of what raster saw: its bounds, and the cells it comes to, where all is found by rays in any case.
-function doubts.of_raster(seen)
-  local bounds = bent_bounds({ seen }, "bent_raster")
-  local reach = farthest { longest = tiles.motions(seen), as = "raster_farthest" }.reach
-  return { bounds = bounds, reach = reach, elsewhere = doubtful { bounds = bounds, reach = reach, as = "bent_cells" }.doubtful }
+-- What bends of what raster saw: its bounds, and where it comes to, where all is found by rays in any case.
+function doubts.of_raster(p, seen)
+  local bounds, bends = bent_bounds({ seen }, "bent_raster")
+  local elsewhere = doubtful { bounds = bounds, bends = bends, jittered = jittered(p), as = "bent_cells" }.doubtful
+  return { bounds = bounds, bends = bends, elsewhere = elsewhere }
 end
 
--- Bounds of the displacements of what an end of the exposure sees and no layer holds, and the longest of each tile.
+-- The same of what an end of the exposure sees and no layer holds.
 local function end_bounds(which, unseen, seen, revealed)
-  local found = unseen {
-    time = which, hit = visibility { time = which, as = which .. "_visibility" }.hit,
-    depth = seen.depth, id = seen.id,
-    revealed_depth = revealed.depth, revealed_id = revealed.id, revealed_valid = revealed.valid,
+  local hit = visibility { time = which, as = which .. "_visibility" }.hit
+  local found = pipeline.loop {
+    name = which .. "_middle", count = 1, times = "midpoint", slices = 1,
+    body = function()
+      local of = unseen {
+        time = which, hit = hit, depth = seen.depth, id = seen.id,
+        revealed_depth = revealed.depth, revealed_id = revealed.id, revealed_valid = revealed.valid,
+      }
+      return { unseen = of.unseen, velocity = of.velocity, bend = of.bend }
+    end,
   }
-  local longest = tile_max { velocity = found.velocity, valid = found.unseen, as = which .. "_tile_max" }.longest
-  local bounds = motion_bounds { velocity = found.velocity, valid = found.unseen, as = which .. "_bounds" }.bounds
-  return bounds, longest
+  local function bounds(of, name) return motion_bounds { velocity = of, valid = found.unseen, as = which .. name }.bounds end
+  return bounds(found.velocity, "_bounds"), bounds(found.bend, "_bends")
 end
 
--- The cells that something comes to of which layers do not say where it is: what bends, and what an end of the exposure
--- alone sees. `raster` is of doubts.of_raster.
-function doubts.cells(_, seen, revealed, raster)
-  local open_bounds, longest_open = end_bounds("open", unseen_open, seen, revealed[1])
-  local close_bounds, longest_close = end_bounds("close", unseen_close, seen, revealed[1])
-  local reach = farthest {
-    longest = tiles.motions(seen), after = longest_open, revealed = longest_close, as = "doubtful_farthest",
-  }.reach
+-- The cells and times at which something is there of which layers do not say where it is: what bends, and what an end of
+-- the exposure alone sees. `raster` is of doubts.of_raster.
+function doubts.cells(p, seen, revealed, raster)
+  local behind_bounds, behind_bends = bent_bounds(revealed, "bent_behind")
+  local open_bounds, open_bends = end_bounds("open", unseen_open, seen, revealed[1])
+  local close_bounds, close_bends = end_bounds("close", unseen_close, seen, revealed[1])
   return doubtful {
-    bounds = raster.bounds, behind_bounds = bent_bounds(revealed, "bent_behind"), open_bounds = open_bounds,
-    close_bounds = close_bounds, reach = reach,
+    bounds = raster.bounds, bends = raster.bends, behind_bounds = behind_bounds, behind_bends = behind_bends,
+    open_bounds = open_bounds, open_bends = open_bends, close_bounds = close_bounds, close_bends = close_bends,
+    jittered = jittered(p),
   }.doubtful
 end
 
