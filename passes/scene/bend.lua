@@ -12,6 +12,7 @@ return pass.compute {
     depth    = { doc = "linear view depth, metres; sky = +inf, 0 where the layer has nothing" },
     id       = { uint = true, doc = "instance + 1 (0 = sky)" },
     velocity = { doc = "displacement over the exposure, px" },
+    normal   = { optional = true, doc = "unit, world space; sky = 0; absent: growth is not looked at" },
   },
   writes = {
     bend = { format = "rg32f", doc = "px in the middle of the exposure" },
@@ -21,6 +22,8 @@ return pass.compute {
   params = {
     most_bend = pass.float { 0.5, min = 0, max = 1000, unit = "px",
       doc = "how far a path may be from the line between its ends, in the middle of the exposure" },
+    most_growth = pass.float { 1.5, min = 1, max = 1000, unit = "px",
+      doc = "to how much a side of a pixel of a surface may grow; a filter's taps have holes beyond" },
   },
   fails  = "A path that swings to and fro within half of the exposure is taken for a line.",
 }

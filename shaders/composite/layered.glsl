@@ -31,6 +31,12 @@ const int kMaxCandidates = 4;
 // Rays and raster find one surface at depths that differ by rounding: nearer by less than this share is equal.
 const float kSameDepth = 1.0 - 1.0 / 65536.0;
 
+// A tap this near to a texel's centre is what the texel says, px.
+const float kCentre = 0.05;
+
+// How often what a texel says is followed to another.
+const int kGuesses = 2;
+
 // Displacements, the unused ones out of reach.
 struct Candidates {
   vec4 x, y;
@@ -48,6 +54,7 @@ struct Seen {
   int layer;
   ivec2 now;  // where it is at the capture
   float depth;
+  bool unsure;  // a silhouette passes within a pixel
 };
 
 vec2 limited(vec4 texel) { return clampLength(finiteDisplacement(texel), limitPx()); }
@@ -228,39 +235,59 @@ ivec2 asked(ivec2 pixel, vec2 d, float t) { return pixel + roundSymmetric(tapOff
 
 Seen nearer(Seen seen, int layer, ivec2 now, float depth) {
   if (seen.layer != kNothing && depth >= seen.depth * kSameDepth) return seen;
-  return Seen(layer, now, depth);
+  return Seen(layer, now, depth, seen.unsure);
 }
 
 Seen nearerRaster(Seen seen, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
   bool after = t > 0.0;
-  vec2 d = displacementAt(now, after);
-  if (!isAt(pixel, now, d, t, tolerance_px)) {
-    now = asked(pixel, d, t);
-    if (!isInside(now, textureSize(color_tex, 0))) return seen;
-    if (!isAt(pixel, now, displacementAt(now, after), t, tolerance_px)) return seen;
+  for (int i = 0; i < kGuesses; ++i) {
+    vec2 d = displacementAt(now, after);
+    if (isAt(pixel, now, d, t, tolerance_px)) return nearer(seen, kRaster, now, saneDepth(texelFetch(depth_tex, now, 0).x));
+    ivec2 next = asked(pixel, d, t);
+    if (next == now || !isInside(next, textureSize(color_tex, 0))) break;
+    now = next;
   }
-  return nearer(seen, kRaster, now, saneDepth(texelFetch(depth_tex, now, 0).x));
+  return seen;
 }
 
 Seen nearerRevealed(Seen seen, int layer, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
-  if (!isRevealed(layer, now)) return seen;
   bool after = t > 0.0;
-  vec2 d = revealedDisplacementAt(layer, now, after);
-  if (!isAt(pixel, now, d, t, tolerance_px)) {
-    now = asked(pixel, d, t);
-    if (!isInside(now, textureSize(color_tex, 0)) || !isRevealed(layer, now)) return seen;
-    if (!isAt(pixel, now, revealedDisplacementAt(layer, now, after), t, tolerance_px)) return seen;
+  for (int i = 0; i < kGuesses && isRevealed(layer, now); ++i) {
+    vec2 d = revealedDisplacementAt(layer, now, after);
+    if (isAt(pixel, now, d, t, tolerance_px)) return nearer(seen, layer, now, revealedDepth(layer, now));
+    ivec2 next = asked(pixel, d, t);
+    if (next == now || !isInside(next, textureSize(color_tex, 0))) break;
+    now = next;
   }
-  return nearer(seen, layer, now, revealedDepth(layer, now));
+  return seen;
+}
+
+// Does a silhouette pass between the four texels around what is at a pixel, of which some then are there and some not?
+bool isUnsure(ivec2 pixel, ivec2 now, vec2 offset, float t) {
+#if HAS_silhouettes
+  vec2 off_centre = offset - vec2(now - pixel);
+  if (max(abs(off_centre.x), abs(off_centre.y)) < kCentre || texelFetch(silhouettes_tex, now, 0).x < 0.5) return false;
+  ivec2 first = pixel + ivec2(floor(offset)), size = textureSize(color_tex, 0);
+  int there = 0;
+  for (int k = 0; k < 4; ++k) {
+    ivec2 at = clampToImage(first + ivec2(k & 1, k >> 1), size);
+    there += isAt(pixel, at, displacementAt(at, t > 0.0), t, 1.5) ? 1 : 0;
+  }
+  return there % 4 != 0;
+#else
+  return false;
+#endif
 }
 
 Seen seenAt(ivec2 pixel, Candidates candidates, bool behind, float t) {
   ivec2 size = textureSize(color_tex, 0);
-  Seen seen = Seen(kNothing, pixel, 0.0);
+  Seen seen = Seen(kNothing, pixel, 0.0, false);
   for (int k = 0; k < candidates.count; ++k) {
     vec2 d = vec2(candidates.x[k], candidates.y[k]);
-    ivec2 now = pixel + roundSymmetric(tapOffset(d, t));
+    vec2 offset = tapOffset(d, t);
+    ivec2 now = pixel + roundSymmetric(offset);
     if (!isInside(now, size)) continue;
+    seen.unsure = seen.unsure || isUnsure(pixel, now, offset, t);
     float tolerance_px = candidates.tolerance_px[k];
     seen = nearerRaster(seen, pixel, now, t, tolerance_px);
     for (int layer = kRevealed; behind && layer <= kLastRevealed; ++layer)
@@ -337,7 +364,7 @@ void run(ivec2 pixel) {
 #endif
     float t = sampleTime(i, params.samples, jitter, frame.shutter);
     Seen seen = seenAt(pixel, t > 0.0 ? after : before, behind, t);
-    if (seen.layer == kNothing) {
+    if (seen.layer == kNothing || seen.unsure) {
       fallbacks += 1u;
 #if PARAM_leaves_open
       open |= bit;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// How far the paths of a layer's surfaces are from straight lines: at the middle of the exposure, from the middle between
-// where they are at its ends. In a loop whose one time is that.
+// Where a layer's straight displacements say too little: how far paths are from straight lines, at the middle of the exposure
+// from the middle between their ends, and by how much more of the picture a surface covers at the ends than at the capture.
+// In a loop whose one time is the middle.
 // In:  depth (view depth, m, sky +inf, 0 where the layer has nothing), id (instance + 1, 0 = sky), velocity (px over the
-//      exposure).
-// Out: bend (that, px), bent (1 where it is more than `most_bend` px).
+//      exposure), normal (unit, world; absent: growth is not looked at).
+// Out: bend (how far, px), bent (1 where it is more than `most_bend` px, or a pixel grows to more than `most_growth` px).
 #include "lib/blur.glsl"
 #include "mixin/surface.glsl"
 
+// Where the point of an instance that is at `position_ws` at the capture is on the screen at `slice`, from there, px.
 vec2 pathOfPoint(uint slice, uint instance, vec3 position_ws) {
   vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, carriedBy(instance, SLICE_CAPTURE, position_ws));
   return pathFromCapture(capture_vs, slice, viewFromWorld(slice, carriedBy(instance, slice, position_ws)));
@@ -17,16 +19,48 @@ vec2 pathOfTexel(uint slice, Ray ray, uint id, float depth) {
   return pathOfPoint(slice, id - 1u, ray.origin + ray.direction * depth);
 }
 
+// Where the ray a pixel further, along an axis, meets the plane of a surface; its parameter is the view depth.
+vec3 onPlane(ivec2 pixel, vec2 further, vec3 point_ws, vec3 normal_ws) {
+  Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(pixel) + further);
+  return ray.origin + ray.direction * (dot(point_ws - ray.origin, normal_ws) / dot(ray.direction, normal_ws));
+}
+
+// Length at `slice`, px, of the longer of a pixel's two sides on a surface.
+float growthAt(uint slice, ivec2 pixel, uint instance, vec3 point_ws, vec3 normal_ws) {
+  vec2 here = pathOfPoint(slice, instance, point_ws), longest = vec2(0);
+  float growth = 0.0;
+  for (int axis = 0; axis < 2; ++axis) {
+    vec2 further = axis == 0 ? vec2(1, 0) : vec2(0, 1);
+    vec2 side = further + pathOfPoint(slice, instance, onPlane(pixel, further, point_ws, normal_ws)) - here;
+    growth = max(growth, lengthOf(side));
+  }
+  return growth;
+}
+
+bool growsAt(ivec2 pixel, Ray ray, uint id, float depth) {
+#if HAS_normal
+  vec3 normal_ws = vec3(texelFetch(normal_tex, pixel, 0)), point_ws = ray.origin + ray.direction * depth;
+  if (id == 0u || dot(normal_ws, normal_ws) < 0.5) return false;
+  float growth = max(growthAt(SLICE_OPEN, pixel, id - 1u, point_ws, normal_ws),
+                     growthAt(SLICE_CLOSE, pixel, id - 1u, point_ws, normal_ws));
+  return !(growth <= params.most_growth);
+#else
+  return false;
+#endif
+}
+
 void run(ivec2 pixel) {
   vec2 d = vec2(texelFetch(velocity_tex, pixel, 0)), bend = vec2(0);
   float depth = texelFetch(depth_tex, pixel, 0).x;
+  bool grows = false;
   if (depth > 0.0 && d != vec2(0)) {
     Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(pixel));
     uint id = texelFetch(id_tex, pixel, 0).x;
     vec2 ends = pathOfTexel(SLICE_OPEN, ray, id, depth) + pathOfTexel(SLICE_CLOSE, ray, id, depth);
     bend = pathOfTexel(SLICE_SAMPLE, ray, id, depth) - 0.5 * ends;
+    grows = growsAt(pixel, ray, id, depth);
   }
-  bool bent = !(lengthOf(bend) <= params.most_bend);
-  imageStore(bent_img, pixel, vec4(bent ? 1 : 0));
+  bool bent = !(lengthOf(bend) <= params.most_bend) || grows;
   imageStore(bend_img, pixel, vec4(bend, 0, 0));
+  imageStore(bent_img, pixel, vec4(bent ? 1 : 0));
 }

@@ -2,6 +2,7 @@
 -- Where the layers of the capture do not say what is seen at other times, and rays at their own time that do.
 local pass          = require "strobe.pass"
 local pipeline      = require "strobe.pipeline"
+local silhouettes   = require "passes.mask.silhouettes"
 local bend          = require "passes.scene.bend"
 local own_time      = require "passes.scene.own_time"
 local unseen_close  = require "passes.scene.unseen_close"
@@ -29,7 +30,10 @@ local function bent_bounds(layers, name)
     body = function()
       local found = {}
       for i, layer in ipairs(layers) do
-        local of = bend { depth = layer.depth, id = layer.id, velocity = layer.velocity, as = ("%s_bend_%d"):format(name, i) }
+        local of = bend {
+          depth = layer.depth, id = layer.id, velocity = layer.velocity, normal = layer.normal,
+          as = ("%s_bend_%d"):format(name, i),
+        }
         found["bent_" .. i], found["bend_" .. i] = of.bent, of.bend
       end
       return found
@@ -83,6 +87,12 @@ function doubts.cells(p, seen, revealed, raster)
     open_bounds = open_bounds, open_bends = open_bends, close_bounds = close_bounds, close_bends = close_bends,
     jittered = jittered(p),
   }.doubtful
+end
+
+-- Where a sample may fall to either side of an edge, if rays are to tell; else nil.
+function doubts.silhouettes(p, seen)
+  if p.own_time() ~= "uncertain" then return nil end
+  return silhouettes { velocity = seen.velocity, after_velocity = seen.after_velocity }.near
 end
 
 -- The picture, from what a composite made that left samples open; `revealed` is the first layer behind.

@@ -93,7 +93,7 @@ function hybrid.params()
     weights     = choice(gathers.choice("uniform", "of the taps, under alpha_over")),
     directions  = mcguire2012.params.directions,
     composite   = choice(composite_choice()),
-    own_time    = choice { "none", "unexplained", default = "none",
+    own_time    = choice { "none", "unexplained", "uncertain", default = "none",
       doc = "composite layered: samples that are traced at their own time",
       values = {
         none = "None: where no layer has anything to show, what was revealed at the pixel stands in. Fails where " ..
@@ -101,6 +101,8 @@ function hybrid.params()
         unexplained = "Those at which no layer has anything, and all of cells that something passes which bends away " ..
                       "from a straight path, or which an end of the exposure sees and the capture does not. A ray " ..
                       "each. Fails for what comes out and goes in again within the exposure.",
+        uncertain = "Those too that fall within a pixel of a silhouette in motion, of which a filter's nearest pixel may " ..
+                    "be on the wrong side.",
       } },
   })
 end
@@ -234,7 +236,9 @@ function hybrid.composited(p, seen, revealed, doubted)
   end
   local images = apart and blurred(p, seen, revealed[1]) or layers(p, seen, revealed, composite)
   if pass.reads(composite, "moved") then put(images, "", reached_cells(seen, revealed, images)) end
-  if doubted then images.doubtful = doubts.cells(p, seen, revealed, doubted) end
+  if doubted then
+    images.doubtful, images.silhouettes = doubts.cells(p, seen, revealed, doubted), doubts.silhouettes(p, seen)
+  end
   local made = composite(pass.wired(composite, images, { as = "composite", leaves_open = doubted and true or nil }))
   if doubted then return doubts.traced(p, seen, revealed[1], made) end
   return apart and made.color or made.blurred

@@ -1,0 +1,17 @@
+-- SPDX-License-Identifier: MIT
+-- Where a sample between pixels may fall to either side of an edge that moves.
+local pass = require "strobe.pass"
+
+return pass.compute {
+  name   = "mask_silhouettes",
+  shader = "mask/silhouettes",
+  doc    = "Texels of which one around moves otherwise: between them lies a silhouette",
+  fails  = "What is narrower than a pixel and lies between texels is not there.",
+  size   = { of = "velocity" },
+  reads  = {
+    velocity       = { doc = "px over the exposure" },
+    after_velocity = { optional = true, doc = "px over the exposure, at times after the capture" },
+  },
+  writes = { near = { format = "r8_unorm", doc = "1 next to something that moves otherwise" } },
+  without = { motion = { near = 0 } },
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Texels next to which something moves otherwise.
+// In:  velocity, after_velocity (px over the exposure; absent: velocity).
+// Out: near (1 where a texel of the eight around, within the picture, moves otherwise by half a pixel or more).
+#include "lib/blur.glsl"
+#include "lib/sanitise.glsl"
+
+vec4 motionAt(ivec2 at) {
+  vec2 d = finiteDisplacement(texelFetch(velocity_tex, at, 0)), after = d;
+#if HAS_after_velocity
+  after = finiteDisplacement(texelFetch(after_velocity_tex, at, 0));
+#endif
+  return vec4(d, after);
+}
+
+void run(ivec2 pixel) {
+  ivec2 size = textureSize(velocity_tex, 0);
+  vec4 here = motionAt(pixel);
+  bool otherwise = false;
+  for (int k = 0; k < 9; ++k) {
+    vec4 apart = motionAt(clampToImage(pixel + ivec2(k % 3, k / 3) - 1, size)) - here;
+    otherwise = otherwise || max(lengthOf(apart.xy), lengthOf(apart.zw)) >= 0.5;
+  }
+  imageStore(near_img, pixel, vec4(otherwise ? 1 : 0));
+}
