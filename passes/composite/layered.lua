@@ -36,6 +36,11 @@ return pass.compute {
     tile         = blur.tile,
     cell_side    = blur.cell_side,
     limit        = blur.limit,
+    taps         = pass.choice { "nearest", "linear", default = "nearest", doc = "what of a layer stands for a sample",
+      values = {
+        nearest = "The texel that is nearest to it. Fails by half a pixel: stairs in textures and highlights.",
+        linear = "The four around it, as far as they are there too. Fails by smoothing across the motion.",
+      } },
     leaves_open  = pass.bool { false, doc = "leave samples out at which no layer has anything, for rays to find" },
     harvest      = pass.bool { true, doc = "also try the displacements met along the dominant one" },
     jitter       = jitter.jitter,

@@ -322,6 +322,34 @@ bool isBehind(ivec2 cell) {
 #endif
 }
 
+vec2 displacementOf(int layer, ivec2 at, bool after) {
+  return layer == kRaster ? displacementAt(at, after) : revealedDisplacementAt(layer, at, after);
+}
+
+// The colour of what was found: of the texel, or where the sample lies between the centres of four, of those of them that
+// are there too.
+vec3 colorFound(Seen seen, ivec2 pixel, float t) {
+#if PARAM_taps == taps_linear
+  bool after = t > 0.0;
+  vec2 offset = tapOffset(displacementOf(seen.layer, seen.now, after), t);
+  vec2 low = floor(offset), share = offset - low;
+  ivec2 first = pixel + ivec2(low), size = textureSize(color_tex, 0);
+  vec3 sum = vec3(0);
+  float weights = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    ivec2 corner = ivec2(k & 1, k >> 1), at = first + corner;
+    vec2 part = mix(1.0 - share, share, equal(corner, ivec2(1)));
+    float weight = part.x * part.y;
+    if (weight < 1e-3 || !isInside(at, size) || (seen.layer != kRaster && !isRevealed(seen.layer, at))) continue;
+    if (!isAt(pixel, at, displacementOf(seen.layer, at, after), t, 1.5)) continue;
+    sum += weight * toSum(colorOf(seen.layer, at));
+    weights += weight;
+  }
+  if (weights > 0.0) return fromSum(sum / weights);
+#endif
+  return colorOf(seen.layer, seen.now);
+}
+
 void run(ivec2 pixel) {
   ivec2 cell = pixel / params.cell_side;
 #if PARAM_leaves_open
@@ -372,7 +400,7 @@ void run(ivec2 pixel) {
 #endif
       seen.layer = isRevealed(kRevealed, pixel) ? kRevealed : kRaster;
     }
-    sum += toSum(colorOf(seen.layer, seen.now));
+    sum += toSum(colorFound(seen, pixel, t));
   }
   if (fallbacks > 0u) count_fallback(fallbacks);
 #if PARAM_leaves_open

@@ -19,20 +19,27 @@ vec2 pathOfTexel(uint slice, Ray ray, uint id, float depth) {
   return pathOfPoint(slice, id - 1u, ray.origin + ray.direction * depth);
 }
 
-// Where the ray a pixel further, along an axis, meets the plane of a surface; its parameter is the view depth.
-vec3 onPlane(ivec2 pixel, vec2 further, vec3 point_ws, vec3 normal_ws) {
-  Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(pixel) + further);
-  return ray.origin + ray.direction * (dot(point_ws - ray.origin, normal_ws) / dot(ray.direction, normal_ws));
+// The point that the texel beside this one shows, if that is of the same object; else where its ray meets the plane of the
+// surface here: what is turned away has no neighbours.
+vec3 besides(ivec2 pixel, ivec2 further, uint id, vec3 point_ws, vec3 normal_ws) {
+  ivec2 at = pixel + further;
+  Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(at));
+  bool same = isInside(at, ivec2(frame.size)) && texelFetch(id_tex, at, 0).x == id;
+  float depth = same ? texelFetch(depth_tex, at, 0).x
+                     : dot(point_ws - ray.origin, normal_ws) / dot(ray.direction, normal_ws);
+  return ray.origin + ray.direction * depth;
 }
 
-// Length at `slice`, px, of the longer of a pixel's two sides on a surface.
-float growthAt(uint slice, ivec2 pixel, uint instance, vec3 point_ws, vec3 normal_ws) {
-  vec2 here = pathOfPoint(slice, instance, point_ws), longest = vec2(0);
+// Length at `slice`, px, of the longer of a pixel's two sides on a surface. To the side where the object goes on.
+float growthAt(uint slice, ivec2 pixel, uint id, vec3 point_ws, vec3 normal_ws) {
+  vec2 here = pathOfPoint(slice, id - 1u, point_ws);
   float growth = 0.0;
   for (int axis = 0; axis < 2; ++axis) {
-    vec2 further = axis == 0 ? vec2(1, 0) : vec2(0, 1);
-    vec2 side = further + pathOfPoint(slice, instance, onPlane(pixel, further, point_ws, normal_ws)) - here;
-    growth = max(growth, lengthOf(side));
+    ivec2 further = axis == 0 ? ivec2(1, 0) : ivec2(0, 1);
+    ivec2 at = pixel + further;
+    if (!isInside(at, ivec2(frame.size)) || texelFetch(id_tex, at, 0).x != id) further = -further;
+    vec2 there = pathOfPoint(slice, id - 1u, besides(pixel, further, id, point_ws, normal_ws));
+    growth = max(growth, lengthOf(vec2(further) + there - here));
   }
   return growth;
 }
@@ -41,8 +48,8 @@ bool growsAt(ivec2 pixel, Ray ray, uint id, float depth) {
 #if HAS_normal
   vec3 normal_ws = vec3(texelFetch(normal_tex, pixel, 0)), point_ws = ray.origin + ray.direction * depth;
   if (id == 0u || dot(normal_ws, normal_ws) < 0.5) return false;
-  float growth = max(growthAt(SLICE_OPEN, pixel, id - 1u, point_ws, normal_ws),
-                     growthAt(SLICE_CLOSE, pixel, id - 1u, point_ws, normal_ws));
+  float growth = max(growthAt(SLICE_OPEN, pixel, id, point_ws, normal_ws),
+                     growthAt(SLICE_CLOSE, pixel, id, point_ws, normal_ws));
   return !(growth <= params.most_growth);
 #else
   return false;

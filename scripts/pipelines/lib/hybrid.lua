@@ -2,6 +2,7 @@
 -- The parts of the hybrid: its parameters and its composites.
 local pass            = require "strobe.pass"
 local pipeline        = require "strobe.pipeline"
+local layered         = require "passes.composite.layered"
 local mcguire2012     = require "passes.gather.mcguire2012"
 local farthest        = require "passes.tile.farthest"
 local goes_on         = require "passes.mask.goes_on"
@@ -93,6 +94,7 @@ function hybrid.params()
     weights     = choice(gathers.choice("uniform", "of the taps, under alpha_over")),
     directions  = mcguire2012.params.directions,
     composite   = choice(composite_choice()),
+    taps        = layered.params.taps,
     own_time    = choice { "none", "unexplained", "uncertain", default = "none",
       doc = "composite layered: samples that are traced at their own time",
       values = {
