@@ -42,6 +42,7 @@ struct Candidates {
   vec4 x, y;
   vec4 tolerance_px;
   int count;
+  bool crowded;  // one was left out that none of the others leads to
 };
 
 const float kUnused = 1e9;
@@ -141,8 +142,12 @@ vec3 colorOf(int layer, ivec2 now) {
 Candidates withCandidate(Candidates candidates, vec2 d) {
   vec4 x = candidates.x - d.x, y = candidates.y - d.y;
   vec4 squares = x * x + y * y;
-  bool known = min(min(squares.x, squares.y), min(squares.z, squares.w)) <= 0.25;
-  if (known || candidates.count == kMaxCandidates) return candidates;
+  float nearest = min(min(squares.x, squares.y), min(squares.z, squares.w));
+  if (nearest <= 0.25) return candidates;
+  if (candidates.count == kMaxCandidates) {
+    candidates.crowded = candidates.crowded || nearest > max(4.0, 0.02 * dot(d, d));
+    return candidates;
+  }
   candidates.x[candidates.count] = d.x;
   candidates.y[candidates.count] = d.y;
   candidates.tolerance_px[candidates.count] = max(0.75, lengthOf(d) / float(2 * params.samples));
@@ -157,6 +162,11 @@ Candidates withAllLayers(Candidates candidates, ivec2 at, bool behind, bool afte
   return candidates;
 }
 
+// Is there nothing more to learn from others?
+bool isFull(Candidates candidates) {
+  return candidates.count == kMaxCandidates && (PARAM_leaves_open == 0 || candidates.crowded);
+}
+
 // The k-th nearest of the taps. Of two equally far away, with the capture in the middle, the one before it comes first.
 int nearest(int k) {
   if (isCentred(frame.shutter)) return params.samples / 2 + (k % 2 == 0 ? -1 - k / 2 : k / 2) + (params.samples % 2);
@@ -167,7 +177,7 @@ int nearest(int k) {
 Candidates harvested(Candidates candidates, ivec2 pixel, vec2 d, float jitter, bool behind, bool after) {
   ivec2 size = textureSize(color_tex, 0);
   bool one_sided = !isCentred(frame.shutter);  // else the taps lie to both sides already
-  for (int k = 0; k < params.samples && candidates.count < kMaxCandidates; ++k) {
+  for (int k = 0; k < params.samples && !isFull(candidates); ++k) {
     int i = clamp(nearest(k), 0, params.samples - 1);
     ivec2 offset = roundSymmetric(tapOffset(d, sampleTime(i, params.samples, jitter, frame.shutter)));
     if (isInside(pixel + offset, size)) candidates = withAllLayers(candidates, pixel + offset, behind, after);
@@ -212,7 +222,7 @@ Dominant dominantAfter(ivec2 tile) {
 }
 
 Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool behind, bool after) {
-  Candidates candidates = Candidates(vec4(kUnused), vec4(kUnused), vec4(0), 0);
+  Candidates candidates = Candidates(vec4(kUnused), vec4(kUnused), vec4(0), 0, false);
   candidates = withCandidate(candidates, dominant.d);
   candidates = withCandidate(candidates, dominant.second);
   candidates = withCandidate(candidates, dominant.revealed);
@@ -378,6 +388,14 @@ void run(ivec2 pixel) {
   Candidates before = candidatesOf(pixel, dominantBefore(tile), jitter, behind, false), after = before;
 #if HAS_after_velocity
   after = candidatesOf(pixel, dominantAfter(tile), jitter, behind, true);
+#endif
+
+#if PARAM_leaves_open
+  if (before.crowded || after.crowded) {
+    imageStore(open_img, pixel, uvec4(all_bits, 0u, 0u, 0u));
+    imageStore(blurred_img, pixel, vec4(0));
+    return;
+  }
 #endif
 
   vec3 sum = vec3(0);
