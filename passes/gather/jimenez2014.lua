@@ -26,7 +26,7 @@ return pass.compute {
           .. "few pixels, which 2 taps show as copies.",
       } },
     tile         = blur.tile { 16 },
-    limit        = blur.limit { 0.05 },
+    limit        = blur.limit,
     depth_extent = blur.depth_extent { doc = "share of the depth over which order is undecided" },
     mirror       = pass.bool { true, doc = "the nearer and faster tap of a pair gives both their weight" },
     direction    = pass.choice { "none", "projected", "cosine", "opposing", default = "none",

@@ -10,7 +10,7 @@ return {
   cell_side = param.int { 10, min = 1, max = 1024, unit = "px",
     doc = "side of a cell, in which bounds of displacements tell what need not be looked at" },
 
-  limit = param.float { 0.1, min = 0, max = 10, auto = true, unit = "image widths", role = "reach",
+  limit = param.float { "auto", min = 0, max = 10, auto = true, unit = "image widths", role = "reach",
     doc = "longest displacement handled; longer ones are shortened and counted. auto: what the picture has, none is" },
 
   depth_extent = param.float { 0.01, min = 1e-6, max = 1, role = "depth_tolerance",

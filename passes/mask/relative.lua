@@ -23,7 +23,6 @@ return pass.compute {
     ids       = { uint = true, doc = "least and greatest instance + 1 of each cell" },
     crossing_0 = crossing, crossing_1 = crossing, crossing_2 = crossing, crossing_3 = crossing,
     reach = reach,
-    elsewhere = { optional = true, uint = true, doc = "per cell, not 0 where what is uncovered is found otherwise; absent: 0" },
   },
   writes = { mask = { format = "r8_unorm", doc = "1 where something is to be revealed" } },
   without = { motion = { mask = 0 } },

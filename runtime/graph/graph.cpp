@@ -16,9 +16,17 @@ uint32_t Graph::sampleSlices(const Plan& plan) {
   return slices;
 }
 
+static bool traces(const Plan& plan, const plan::PlanNode& node) {
+  return plan.pipeline.passes[size_t(node.pass)].kind == plan::PassDesc::Kind::Trace;
+}
+
 static bool traces(const Plan& plan) {
-  return std::any_of(plan.nodes.begin(), plan.nodes.end(), [&](const plan::PlanNode& node) {
-    return plan.pipeline.passes[size_t(node.pass)].kind == plan::PassDesc::Kind::Trace;
+  return std::any_of(plan.nodes.begin(), plan.nodes.end(), [&](const auto& node) { return traces(plan, node); });
+}
+
+static bool traces(const Plan& plan, const std::vector<Step>& steps) {
+  return std::any_of(steps.begin(), steps.end(), [&](const Step& step) {
+    return step.kind == Step::Kind::Pass && traces(plan, plan.nodes[size_t(step.index)]);
   });
 }
 
@@ -104,6 +112,7 @@ void Graph::runLoop(const FrameSetup& setup, const Step& step, shared::FrameData
   for (const Step& inner : step.body) body.push_back(&inner);
   frame.iteration_count = uint32_t(loop.parts);
   frame.slice_count = uint32_t(loop.slices);
+  const bool traced = traces(*plan_, step.body);
   int iteration = 0;
   bool stop = false;
   while (iteration < loop.count && !stop) {
@@ -111,7 +120,7 @@ void Graph::runLoop(const FrameSetup& setup, const Step& step, shared::FrameData
     frame.iteration = uint32_t(loop.first + iteration);
     frame.part = loop.until < 0 ? uint32_t(partOf(loop, loop.first + iteration)) : frame.iteration;
     scene_.setFrame(frame);
-    submission_.run(body, iteration, SLICE_SAMPLE, traces_ ? uint32_t(loop.slices) : 0);
+    submission_.run(body, iteration, SLICE_SAMPLE, traced ? uint32_t(loop.slices) : 0);
     ++iteration;
     if (loop.until >= 0) stop = static_cast<const float*>(images_.readBack(loop.until).mapped())[0] != 0;
     if (on_iteration) on_iteration(iteration, loop.count);

@@ -9,7 +9,7 @@ local tiles    = require "scripts.pipelines.lib.tiles"
 
 return pipeline {
   doc = "Guertin et al. 2014: a gather along the dominant displacement and a second direction",
-  params = options.with(options.blur(40, 0.1), {
+  params = options.with(options.blur(40), {
     directions   = gather.params.directions,
     second_share = pipeline.choice { "half", "variance", default = "half",
       doc = "how many samples see the second direction",

@@ -27,8 +27,7 @@ return pipeline {
   },
   build = function(p)
     local seen = scene.captured()
-    local doubted = doubts.are_asked(p) and doubts.of_raster(p, seen) or nil
-    --if doubted then seen.elsewhere = doubted.elsewhere end
+    local doubted = doubts.are_asked(p) and doubts.of_raster(seen) or nil
     local moving = ranges.divided(p, seen, "halves")
     local mask = ranges.mask(p, moving, masks[p.mask()])
     local revealed = hybrid.revealed(p, seen, mask)

@@ -9,7 +9,7 @@ local tiles    = require "scripts.pipelines.lib.tiles"
 
 return pipeline {
   doc = "Jimenez 2014: pairs of taps along the dominant displacement, straight ramps, mirrored background",
-  params = options.with(options.blur(20, 0.1), {
+  params = options.with(options.blur(20), {
     mirror      = gather.params.mirror,
     count       = gather.params.count,
     direction   = gather.params.direction,

@@ -10,7 +10,7 @@ local gathers  = require "scripts.pipelines.lib.gathers"
 
 return pipeline {
   doc = "McGuire et al. 2012: a gather along the dominant displacement of the tiles around",
-  params = options.with(options.blur(40, 0.1), {
+  params = options.with(options.blur(40), {
     weights = pipeline.choice(gathers.choice("mcguire2012",
       "weights of the taps: as published, or each tap an equal share of the exposure", { "mcguire2012", "uniform" })),
     directions = gather.params.directions,

@@ -148,21 +148,12 @@ bool uncovers(ivec2 pixel, uint own, vec2 d, vec2 b, float t) {
   return walk.crosses;
 }
 
-// Is what is revealed there of use?
-bool isWanted(ivec2 cell) {
-#if HAS_elsewhere
-  return texelFetch(elsewhere_tex, cell, 0).x == 0u;
-#else
-  return true;
-#endif
-}
-
 void run(ivec2 pixel) {
   ivec2 cell = pixel / params.cell_side;
   vec4 pair = texelFetch(crossing_0_tex, cell, 0);
   bool mask = false;
   uint own = texelFetch(id_tex, pixel, 0).x;
-  if (isMotion(vec2(pair.x, pair.y)) && own != 0u && isWanted(cell)) {
+  if (isMotion(vec2(pair.x, pair.y)) && own != 0u) {
     vec2 d = displacementAt(pixel);
     vec4 pairs[4] = vec4[4](pair, texelFetch(crossing_1_tex, cell, 0), texelFetch(crossing_2_tex, cell, 0),
                             texelFetch(crossing_3_tex, cell, 0));

@@ -13,78 +13,83 @@ local motion_bounds = require "passes.tile.motion_bounds"
 
 local doubts = {}
 
--- Does the pipeline trace samples at their own time?
+-- Does the pipeline trace samples at their own time? Only a composite that leaves them open has any.
 function doubts.are_asked(p)
-  if p.own_time() == "none" then return false end
-  if pass.reads(pass.member("composite", p.composite()), "doubtful") then return true end
-  error(("own_time = %s: composite = %s leaves no samples to rays; it needs composite = layered"):format(
-    p.own_time(), p.composite()), 0)
+  return p.own_time() ~= "none" and pass.reads(pass.member("composite", p.composite()), "doubtful")
 end
 
 local function jittered(p) return p.jitter() == "none" and 0 or 1 end
 
--- Per cell, of what bends in these layers, bounds of its displacements and of how far it is from a straight line.
-local function bent_bounds(layers, name)
-  local bent = pipeline.loop {
-    name = name .. "_middle", count = 1, times = "midpoint", slices = 1,
-    body = function()
-      local found = {}
-      for i, layer in ipairs(layers) do
-        local of = bend {
-          depth = layer.depth, id = layer.id, velocity = layer.velocity, normal = layer.normal,
-          as = ("%s_bend_%d"):format(name, i),
-        }
-        found["bent_" .. i], found["bend_" .. i] = of.bent, of.bend
-      end
-      return found
-    end,
+-- What a body of passes finds at the middle of the exposure.
+local function at_middle(name, body)
+  return pipeline.loop { name = name, count = 1, times = "midpoint", slices = 1, body = body }
+end
+
+local function bend_of(layer, name)
+  return bend {
+    depth = layer.depth, id = layer.id, velocity = layer.velocity, normal = layer.normal, as = name .. "_bend",
   }
-  local bounds, bends
-  for i, layer in ipairs(layers) do
-    local valid = bent["bent_" .. i]
-    bounds = motion_bounds {
-      velocity = layer.velocity, valid = valid, others = bounds, as = ("%s_bounds_%d"):format(name, i),
-    }.bounds
-    bends = motion_bounds {
-      velocity = bent["bend_" .. i], valid = valid, others = bends, as = ("%s_bends_%d"):format(name, i),
-    }.bounds
+end
+
+-- Per cell, of the texels of a layer that `valid` marks, bounds of their displacements and of how far their paths are from
+-- straight lines, joined with those of `others`.
+local function bounds_of(name, velocity, bent, valid, others)
+  local function bounds(of, what, joined)
+    return motion_bounds { velocity = of, valid = valid, others = joined, as = name .. what }.bounds
   end
-  return bounds, bends
-end
-
--- What bends of what raster saw: its bounds, and where it comes to, where all is found by rays in any case.
-function doubts.of_raster(p, seen)
-  local bounds, bends = bent_bounds({ seen }, "bent_raster")
-  local elsewhere = doubtful { bounds = bounds, bends = bends, jittered = jittered(p), as = "bent_cells" }.doubtful
-  return { bounds = bounds, bends = bends, elsewhere = elsewhere }
-end
-
--- The same of what an end of the exposure sees and no layer holds.
-local function end_bounds(which, unseen, seen, revealed)
-  local hit = visibility { time = which, as = which .. "_visibility" }.hit
-  local found = pipeline.loop {
-    name = which .. "_middle", count = 1, times = "midpoint", slices = 1,
-    body = function()
-      local of = unseen {
-        time = which, hit = hit, depth = seen.depth, id = seen.id,
-        revealed_depth = revealed.depth, revealed_id = revealed.id, revealed_valid = revealed.valid,
-      }
-      return { unseen = of.unseen, velocity = of.velocity, bend = of.bend }
-    end,
+  return {
+    bounds = bounds(velocity, "_bounds", others and others.bounds), bends = bounds(bent, "_bends", others and others.bends),
   }
-  local function bounds(of, name) return motion_bounds { velocity = of, valid = found.unseen, as = which .. name }.bounds end
-  return bounds(found.velocity, "_bounds"), bounds(found.bend, "_bends")
 end
 
--- The cells and times at which something is there of which layers do not say where it is: what bends, and what an end of
--- the exposure alone sees. `raster` is of doubts.of_raster.
+-- What of raster's surfaces bends or grows: its bounds, and where it comes to, where all is found by rays in any case.
+function doubts.of_raster(seen)
+  local found = at_middle("raster_middle", function()
+    local of = bend_of(seen, "raster")
+    return { bend = of.bend, bent = of.bent }
+  end)
+  return bounds_of("raster_bent", seen.velocity, found.bend, found.bent)
+end
+
+-- What an end of the exposure sees and no layer holds.
+local function unseen_of(which, unseen, hit, seen, revealed)
+  return unseen {
+    time = which, hit = hit, depth = seen.depth, id = seen.id,
+    revealed_depth = revealed.depth, revealed_id = revealed.id, revealed_valid = revealed.valid,
+  }
+end
+
+-- The cells and times at which something is there of which layers do not say where it is: what bends or grows, and what an
+-- end of the exposure alone sees. `raster` is of doubts.of_raster.
 function doubts.cells(p, seen, revealed, raster)
-  local behind_bounds, behind_bends = bent_bounds(revealed, "bent_behind")
-  local open_bounds, open_bends = end_bounds("open", unseen_open, seen, revealed[1])
-  local close_bounds, close_bends = end_bounds("close", unseen_close, seen, revealed[1])
+  local hits = {
+    open = visibility { time = "open", as = "open_visibility" }.hit,
+    close = visibility { time = "close", as = "close_visibility" }.hit,
+  }
+  local found = at_middle("middle", function()
+    local result = {}
+    local function keep(name, of, images)
+      for _, image in ipairs(images) do result[name .. "_" .. image] = of[image] end
+    end
+    keep("open", unseen_of("open", unseen_open, hits.open, seen, revealed[1]), { "unseen", "velocity", "bend" })
+    keep("close", unseen_of("close", unseen_close, hits.close, seen, revealed[1]), { "unseen", "velocity", "bend" })
+    for number, layer in ipairs(revealed) do
+      keep("revealed_" .. number, bend_of(layer, "revealed_" .. number), { "bend", "bent" })
+    end
+    return result
+  end)
+  local behind
+  for number, layer in ipairs(revealed) do
+    local name = "revealed_" .. number
+    behind = bounds_of(name .. "_bent", layer.velocity, found[name .. "_bend"], found[name .. "_bent"], behind)
+  end
+  local function at_end(which)
+    return bounds_of(which .. "_unseen", found[which .. "_velocity"], found[which .. "_bend"], found[which .. "_unseen"])
+  end
+  local open, close = at_end "open", at_end "close"
   return doubtful {
-    bounds = raster.bounds, bends = raster.bends, behind_bounds = behind_bounds, behind_bends = behind_bends,
-    open_bounds = open_bounds, open_bends = open_bends, close_bounds = close_bounds, close_bends = close_bends,
+    bounds = raster.bounds, bends = raster.bends, behind_bounds = behind.bounds, behind_bends = behind.bends,
+    open_bounds = open.bounds, open_bends = open.bends, close_bounds = close.bounds, close_bends = close.bends,
     jittered = jittered(p),
   }.doubtful
 end

@@ -43,7 +43,7 @@ masks["relative"] = function(_, seen)
   return relative {
     depth = seen.depth, id = seen.id, velocity = seen.velocity, as = "mask", bounds = bounds, ids = ids, reach = reach,
     crossing_0 = crossing.crossing_0, crossing_1 = crossing.crossing_1,
-    crossing_2 = crossing.crossing_2, crossing_3 = crossing.crossing_3, elsewhere = seen.elsewhere,
+    crossing_2 = crossing.crossing_2, crossing_3 = crossing.crossing_3,
   }.mask
 end
 

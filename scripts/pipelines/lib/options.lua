@@ -8,12 +8,12 @@ local neighbour_max = require "passes.tile.neighbour_max"
 
 local options = {}
 
--- `tile` and `limit` are defaults; the rest is equal everywhere, so that methods are compared alike.
-function options.blur(tile, limit)
+-- `tile` is a default; the rest is equal everywhere, so that methods are compared alike.
+function options.blur(tile)
   return {
     samples      = blur.samples,
     tile         = blur.tile { tile },
-    limit        = blur.limit { limit },
+    limit        = blur.limit,
     depth_extent = blur.depth_extent,
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
