@@ -34,7 +34,7 @@ TEST_F(RenderBackends, AllGiveTheSamePictures) {
   const Traced cases[] = {
       {"shade", crowd("none")},
       {"reveal", crowd("hybrid", {"preset=best", "tile=8", "limit=0.25"})},
-      {"reveal", crowd("hybrid", {"preset=seed", "tile=8", "limit=0.25"})},
+      {"reveal", crowd("hybrid", {"preset=seed_text", "tile=8", "limit=0.25"})},
       {"reveal", crowd("hybrid", {"mask=all", "advance=offset", "tile=8", "limit=0.25"})},
       {"truth_trace", crowd("ground_truth", {"samples=12", "pixel=box", "times=stratified", "slices=4"})},
   };
@@ -58,7 +58,7 @@ TEST_F(RenderBackends, AllGiveTheSamePictures) {
 }
 
 TEST_F(RenderBackends, TenRunsGiveOneHash) {
-  for (const lab::Shot& shot : {crowd("hybrid", {"preset=best", "jitter=hash"}), crowd("hybrid", {"preset=seed"}),
+  for (const lab::Shot& shot : {crowd("hybrid", {"preset=best", "jitter=hash"}), crowd("hybrid", {"preset=seed_text"}),
                                 crowd("ground_truth", {"samples=4", "times=stratified"})}) {
     Json first = outputs(render(shot));
     for (int run = 1; run < 10; ++run) EXPECT_EQ(outputs(render(shot)), first) << shot.pipeline << " run " << run;
@@ -78,7 +78,7 @@ TEST_F(RenderBackends, SeedsMatterOnlyWhereTheyAreUsed) {
 
 // What is looked at keeps its memory to itself: a picture that changes with it would have read what it may not.
 TEST_F(RenderBackends, LookingChangesNothing) {
-  for (lab::Shot shot : {crowd("hybrid", {"preset=best"}), crowd("hybrid", {"preset=seed"})}) {
+  for (lab::Shot shot : {crowd("hybrid", {"preset=best"}), crowd("hybrid", {"preset=seed_text"})}) {
     Json without = outputs(render(shot));
     for (const std::vector<std::string>& taps :
          {std::vector<std::string>{"mask.mask"},

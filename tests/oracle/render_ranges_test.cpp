@@ -131,7 +131,7 @@ TEST_F(RenderRanges, EachAnchorIsNearestToItsOwnExposure) {
   lab::Shot shot = shotOf("bar", kWidth, 4, {{"left", 36}, {"right", 68}, {"d_f", 14}});
   const std::vector<Method> methods = {
       {"mcguire2012", {}},         kUniform, {"ue4", {}}, {"guertin2014", {}}, {"jimenez2014", {}},
-      {"hybrid", {"preset=seed"}}, kLinear,  kBest};
+      {"hybrid", {"preset=seed_text"}}, kLinear,  kBest};
   for (const Method& method : methods) {
     for (const Anchor& anchor : anchors()) {
       image::Image color = colorBy(method, shot, {}, anchor.name);

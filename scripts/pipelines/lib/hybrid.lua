@@ -116,15 +116,17 @@ local seed_text = {
 local seed_linear = options.with(options.with({}, seed_text), { weights = "uniform" })
 -- Where the text is silent, what reproduces its claims: rays pass over the object in front, and each tap counts alike.
 local seed = options.with(options.with({}, seed_linear), { advance = "instance_filter" })
-local best = {
+local captured = {
   mask = "relative", termination = "instance", advance = "instance_filter", on_cap = "fallback",
-  tiles = "union", weights = "uniform", composite = "layered", taps = "linear", own_time = "uncertain",
+  tiles = "union", weights = "uniform", composite = "layered", taps = "nearest", own_time = "none",
 }
+local best = options.with(options.with({}, captured), { taps = "linear", own_time = "uncertain" })
 hybrid.presets = {
   seed        = { doc = "as published, read so that its claims hold: rays pass over the object in front, taps count alike",
                   set = seed },
   seed_text   = { doc = "as published, to the letter", set = seed_text },
   seed_linear = { doc = "to the letter, but each tap counts as an equal share of the exposure", set = seed_linear },
+  captured    = { doc = "the layers of the capture alone, per time sample", set = captured },
   best        = { doc = "the least error of what has been tried", set = best },
 }
 
