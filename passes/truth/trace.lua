@@ -23,7 +23,7 @@ return pass.trace {
   updates = {
     mean_a  = { format = "rgba32f", doc = "mean radiance of even iterations; a = their number" },
     mean_b  = { format = "rgba32f", doc = "mean radiance of odd iterations; a = their number" },
-    regions = { format = "r32ui", doc = "bits: 1 inner, 2 hidden, 4 outer" },
+    regions = { format = "r32ui", doc = "bits: 1 inner, 2 hidden, 4 outer, 8 self" },
     still   = { format = "rgba32f", doc = "rgb: mean colour of what is at rest; a: number of samples" },
     unlike  = { format = "r32f", doc = "the farthest of its colours from the mean before it, in parts of that" },
     ground  = { format = "rgba32ui",

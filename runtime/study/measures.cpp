@@ -196,7 +196,7 @@ const Image& Sight::hdrFlip() const {
   return hdr_flip_;
 }
 
-std::vector<std::string> regionNames() { return {"whole", "inner", "hidden", "outer", "moving", "edge"}; }
+std::vector<std::string> regionNames() { return {"whole", "inner", "hidden", "outer", "self", "moving", "edge"}; }
 
 const std::vector<Measure>& measures() {
   constexpr Better kLower = Better::lower, kNeither = Better::neither;

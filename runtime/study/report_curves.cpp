@@ -83,6 +83,7 @@ std::string regionText(const std::string& region) {
   if (region == "whole") return "the whole picture";
   if (region == "inner") return "inner: pixels of the object that see something farther within the exposure";
   if (region == "hidden") return "hidden: pixels that see within the exposure what the capture could not see";
+  if (region == "self") return "self: pixels that see within the exposure what was hidden of the object that they show";
   return "outer: pixels before which something nearer passes";
 }
 

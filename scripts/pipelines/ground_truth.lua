@@ -185,6 +185,7 @@ return pipeline {
     inner  = "pixels of the object that see something farther within the exposure",
     hidden = "pixels that see within the exposure what the capture could not see",
     outer  = "pixels outside of the object that see it within the exposure",
+    self   = "pixels of an object that see within the exposure what the capture could not see of that same object",
   },
   params = {
     mode         = choice { "rays", "brute", "adaptive", "raster", default = "rays",
@@ -247,7 +248,7 @@ return pipeline {
     local where = rays and regions { regions = means.regions } or {}
     return scene.outputs(seen, {
       color = result.color, error = audited and audited(result.error) or result.error,
-      inner = where.inner, hidden = where.hidden, outer = where.outer,
+      inner = where.inner, hidden = where.hidden, outer = where.outer, self = where.self,
     })
   end,
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The regions errors are reported by, from what the time samples met (bits of lib/regions.glsl).
-// In:  regions (bits, or-ed over all samples).  Out: inner, hidden, outer (1 inside of the region).
+// In:  regions (bits, or-ed over all samples).  Out: inner, hidden, outer, self (1 inside of the region).
 #include "lib/regions.glsl"
 
 vec4 has(uint met, uint bit) { return vec4((met & bit) != 0u ? 1 : 0); }
@@ -10,4 +10,5 @@ void run(ivec2 pixel) {
   imageStore(inner_img, pixel, has(met, kRegionInner));
   imageStore(hidden_img, pixel, has(met, kRegionHidden));
   imageStore(outer_img, pixel, has(met, kRegionOuter));
+  imageStore(self_img, pixel, has(met, kRegionSelf));
 }

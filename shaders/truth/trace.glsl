@@ -4,7 +4,8 @@
 // Regions, with f the instance seen at the capture:
 //   inner   some sample sees a farther, different instance than f;
 //   outer   some sample sees a nearer, different instance than f;
-//   hidden  some sample sees a point that was occluded at the capture.
+//   hidden  some sample sees a point that was occluded at the capture;
+//   self    some sample sees a point of f itself that was occluded at the capture.
 //
 // Rays are spared where others have found the same.
 //   What is at rest is found once on a ray; what moves has a tree of its own and is traced before it at each time.
@@ -74,7 +75,8 @@ uint regionsOf(ivec2 pixel, uint slice, Ray ray, Hit hit, bool is_still, uint kn
     if (now < before) found |= kRegionOuter;
   }
   if (is_still) return known | found | (farther && isHit(hit) ? kRegionHidden : 0u);
-  if (isHit(hit) && (known & kRegionHidden) == 0u && wasOccluded(hit)) found |= kRegionHidden;
+  uint asked = id == seen.x ? kRegionHidden | kRegionSelf : kRegionHidden;
+  if (isHit(hit) && (known & asked) != asked && wasOccluded(hit)) found |= asked;
   return known | found;
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Every scene among the shared data ends with a picture or a clear refusal, never a crash.
+// Every scene among the shared data ends with a picture or a clear refusal, never a crash; those of objects are drawn.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "base/files.h"
 #include "common/home.h"
+#include "common/source.h"
 #include "program/run.h"
 
 namespace strobe::testing {
@@ -35,6 +36,18 @@ TEST(SharedScenes, EachRendersOrIsRefused) {
     fs::remove(folder / "picture.exr");
   }
   EXPECT_GT(rendered, 0);
+}
+
+TEST(ObjectScenes, EachRenders) {
+  TemporaryFolder folder;
+  int rendered = 0;
+  for (const auto& entry : fs::directory_iterator(sourceFolder() / "scripts/scenes/objects")) {
+    Outcome outcome =
+        run("render none --size 64x36 --scene '" + entry.path().string() + "' -o " + (folder / "picture.exr"));
+    EXPECT_EQ(outcome.exit_code, 0) << entry.path() << "\n" << outcome.err;
+    rendered += fs::remove(folder / "picture.exr");
+  }
+  EXPECT_GE(rendered, 10);
 }
 
 }  // namespace

@@ -128,7 +128,7 @@ TEST(Results, AsATable) {
   EXPECT_EQ(line, "1,good,shot,hidden,1,") << "a region without pixels";
   size_t lines = 3;
   while (std::getline(csv, line)) ++lines;
-  EXPECT_EQ(lines, 5u * 4 * 6) << "5 values, 4 arms, 6 regions";
+  EXPECT_EQ(lines, 5u * 4 * 7) << "5 values, 4 arms, 7 regions";
 }
 
 // An expectation that fails, or holds although it is said not to, is named.

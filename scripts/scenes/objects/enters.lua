@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- A crate moves out of the picture at the right within the exposure that ends at the capture: at the capture none of it
 -- is seen. A ball comes in from the left: none of it was seen at the beginning. `pixels`: how far the crate goes; the
--- ball goes a fifth farther.
+-- ball goes a tenth farther.
 local scene = require "strobe.scene"
 local studio = require "scripts.scenes.lib.studio"
 
@@ -16,7 +16,7 @@ local function edge(z, pixel) return (pixel - view.width / 2) * view:metres_per_
 -- All of the crate, its far face too, is 12 px or more past the border at the capture.
 local crate_x = edge(crate_z - side / 2, view.width + 12) + side / 2
 local crate_path = pixels * view:metres_per_pixel { 0, 0.6, crate_z }
-local ball_path = 1.2 * pixels * view:metres_per_pixel { 0, 0.6, ball_z }
+local ball_path = 1.1 * pixels * view:metres_per_pixel { 0, 0.6, ball_z }
 local ball_x = edge(ball_z, -16) - radius + ball_path
 
 local slats = scene.material { name = "slats", roughness = 0.8, color_texture = scene.use {
