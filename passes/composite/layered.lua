@@ -23,6 +23,8 @@ return pass.compute {
       doc = "per cell, a bit for each sample at which no layer is to be trusted; with leaves_open" },
     silhouettes = { optional = true,
       doc = "above 1/2 next to something that moves otherwise; with it, samples within a pixel of that are left open" },
+    missed = { optional = true,
+      doc = "per cell, above 1/2 where something comes that the displacements per tile do not lead to; absent: 0" },
     behind = { optional = true, doc = "per cell, above 1/2 where something revealed is at some time; absent: 1" },
   }),
   writes = {

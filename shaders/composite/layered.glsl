@@ -315,6 +315,14 @@ bool isMoved(ivec2 cell) {
 #endif
 }
 
+bool isMissed(ivec2 cell) {
+#if HAS_missed
+  return texelFetch(missed_tex, cell, 0).x > 0.5;
+#else
+  return false;
+#endif
+}
+
 // A bit for each sample of which the layers are not asked.
 uint doubtful(ivec2 cell) {
 #if HAS_doubtful
@@ -391,7 +399,7 @@ void run(ivec2 pixel) {
 #endif
 
 #if PARAM_leaves_open
-  if (before.crowded || after.crowded) {
+  if (before.crowded || after.crowded || isMissed(cell)) {
     imageStore(open_img, pixel, uvec4(all_bits, 0u, 0u, 0u));
     imageStore(blurred_img, pixel, vec4(0));
     return;

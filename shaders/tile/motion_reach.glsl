@@ -1,71 +1,71 @@
 // SPDX-License-Identifier: MIT
-// Per cell, whether anything that moves is there at any time of the exposure, and whether anything revealed is.
+// Per cell, whether anything that moves is there at any time of the exposure, whether anything revealed is, and whether
+// something comes there that moves unlike what filters try. Each cell says so of the cells that its surfaces come to.
 // In:  bounds, behind_bounds (of the displacements of each cell, of what raster saw and of what was revealed);
-//      dominant, after_dominant, revealed_* (per tile): where nothing comes by these, nothing does.
-// Out: moved (1: something that moves is there at some time), behind (1: something revealed is).
+//      dominant, second, after_*, revealed_* (per tile): the displacements that filters try there.
+// Out: moved (1: something that moves is there at some time), behind (1: something revealed is), missed (1: something that
+//      moves comes from another cell, and none of these displacements leads to it).
 // Exact but for being too large: a cell reaches where its rectangle goes by any of its displacements, and as far around
-// as filters look for what is at a pixel: max(3/4, limit / (2 * samples)) px.
+// as filters look for what is at a pixel: max(3/4, reach / (2 * samples)) px.
 #include "lib/bounds.glsl"
 #include "mixin/limit.glsl"
 
-struct Cell {
-  vec2 first, last;  // pixels, inclusive
-};
-
-Cell cellAt(ivec2 cell) {
-  ivec2 first = cell * params.cell_side;
-  return Cell(vec2(first), vec2(min(first + params.cell_side, ivec2(frame.size)) - 1));
-}
-
 bool isStill(vec4 bounds) { return reachFactor(frame.shutter) * longestIn(bounds) <= kStillRadius; }
 
-bool comesHere(Cell here, ivec2 cell, vec4 bounds, float slack_px) {
-  Cell there = cellAt(cell);
-  vec4 way = travelled(bounds, frame.shutter);
-  return all(lessThanEqual(there.first + lowOf(way) - slack_px, here.last)) &&
-         all(greaterThanEqual(there.last + highOf(way) + slack_px, here.first));
+// Is a displacement so near to those of a box that a filter that tries it is led to them?
+bool leadsTo(vec4 bounds, vec2 d) {
+  float apart = lengthOf(d - clamp(d, lowOf(bounds), highOf(bounds)));
+  return apart <= max(2.0, 0.14 * longestIn(bounds));
 }
 
-float fastestAround(Cell here) {
-  ivec2 from = ivec2(here.first) / params.tile, to = ivec2(here.last) / params.tile;
-  float fastest = 0.0;
-  for (int y = from.y; y <= to.y; ++y) {
-    for (int x = from.x; x <= to.x; ++x) {
-      fastest = max(fastest, lengthOf(vec2(texelFetch(dominant_tex, ivec2(x, y), 0))));
+// Does none of those that are tried at a cell lead to what comes there?
+bool isMissed(ivec2 cell, vec4 bounds) {
+  ivec2 tile = cell * params.cell_side / params.tile;
+  bool found = leadsTo(bounds, vec2(texelFetch(dominant_tex, tile, 0)));
+#if HAS_second
+  found = found || leadsTo(bounds, vec2(texelFetch(second_tex, tile, 0)));
+#endif
 #if HAS_after_dominant
-      fastest = max(fastest, lengthOf(vec2(texelFetch(after_dominant_tex, ivec2(x, y), 0))));
+  found = found || leadsTo(bounds, vec2(texelFetch(after_dominant_tex, tile, 0)));
+#endif
+#if HAS_after_second
+  found = found || leadsTo(bounds, vec2(texelFetch(after_second_tex, tile, 0)));
 #endif
 #if HAS_revealed_dominant
-      fastest = max(fastest, lengthOf(vec2(texelFetch(revealed_dominant_tex, ivec2(x, y), 0))));
+  found = found || leadsTo(bounds, vec2(texelFetch(revealed_dominant_tex, tile, 0)));
 #endif
 #if HAS_revealed_after_dominant
-      fastest = max(fastest, lengthOf(vec2(texelFetch(revealed_after_dominant_tex, ivec2(x, y), 0))));
+  found = found || leadsTo(bounds, vec2(texelFetch(revealed_after_dominant_tex, tile, 0)));
 #endif
+  return !found;
+}
+
+// The cells, first and last, that a cell's surfaces come to.
+ivec4 reachedBy(ivec2 cell, vec4 bounds) {
+  float slack_px = max(0.75, reachPx() / float(2 * params.samples)) + 1.0;
+  vec4 way = travelled(bounds, frame.shutter);
+  vec2 side = vec2(params.cell_side), last_px = vec2(frame.size) - 1.0;
+  vec2 first = vec2(cell) * side, last = min(first + side - 1.0, last_px);
+  vec2 low = clamp(first + lowOf(way) - slack_px, vec2(0), last_px + 1.0);
+  vec2 high = clamp(last + highOf(way) + slack_px, vec2(-1), last_px);
+  return ivec4(floor(low / side), floor(high / side));
+}
+
+void mark(ivec2 cell, vec4 bounds, bool is_behind) {
+  if (isEmpty(bounds) || (!is_behind && isStill(bounds))) return;
+  ivec4 reached = reachedBy(cell, bounds);
+  bool moves = !isStill(bounds);
+  for (int y = reached.y; y <= reached.w; ++y) {
+    for (int x = reached.x; x <= reached.z; ++x) {
+      ivec2 at = ivec2(x, y);
+      if (is_behind) imageStore(behind_img, at, vec4(1));
+      if (moves) imageStore(moved_img, at, vec4(1));
+      if (moves && at != cell && isMissed(at, bounds)) imageStore(missed_img, at, vec4(1));
     }
   }
-  return fastest;
 }
 
 void run(ivec2 cell) {
-  Cell here = cellAt(cell);
-  bool moved = false, behind = false;
-  if (reachFactor(frame.shutter) * fastestAround(here) > kStillRadius) {
-    float limit_px = reachPx();
-    float slack_px = max(0.75, limit_px / float(2 * params.samples)) + 1.0;
-    ivec2 cells = textureSize(bounds_tex, 0);
-    int around = tilesInReach(limit_px + slack_px / reachFactor(frame.shutter), params.cell_side, frame.shutter, cells);
-    ivec2 from = max(cell - around, ivec2(0)), to = min(cell + around, cells - 1);
-    for (int y = from.y; y <= to.y; ++y) {
-      for (int x = from.x; x <= to.x; ++x) {
-        vec4 bounds = texelFetch(bounds_tex, ivec2(x, y), 0);
-        vec4 behind_bounds = texelFetch(behind_bounds_tex, ivec2(x, y), 0);
-        bool comes_behind = !isEmpty(behind_bounds) && comesHere(here, ivec2(x, y), behind_bounds, slack_px);
-        behind = behind || comes_behind;
-        moved = moved || (comes_behind && !isStill(behind_bounds)) ||
-                (!isStill(bounds) && comesHere(here, ivec2(x, y), bounds, slack_px));
-      }
-    }
-  }
-  imageStore(moved_img, cell, vec4(moved ? 1 : 0));
-  imageStore(behind_img, cell, vec4(behind ? 1 : 0));
+  mark(cell, texelFetch(bounds_tex, cell, 0), false);
+  mark(cell, texelFetch(behind_bounds_tex, cell, 0), true);
 }

@@ -224,13 +224,14 @@ local function reached_cells(seen, revealed, images)
   local cells = motion_reach {
     bounds = bounds(seen, "raster_bounds"), behind_bounds = behind,
     dominant = images.dominant, after_dominant = images.after_dominant,
+    second = images.second, after_second = images.after_second,
     revealed_dominant = images.revealed_dominant, revealed_after_dominant = images.revealed_after_dominant,
     reach = farthest {
       longest = images.dominant, after = images.after_dominant,
       revealed = images.revealed_dominant, revealed_after = images.revealed_after_dominant, as = "farthest_of_all",
     }.reach,
   }
-  return { moved = cells.moved, behind = cells.behind }
+  return { moved = cells.moved, behind = cells.behind, missed = cells.missed }
 end
 
 -- The picture, by the composite chosen: a pass that reads blurred layers (front, back) or the layers themselves.
