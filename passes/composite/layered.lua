@@ -42,7 +42,8 @@ return pass.compute {
       values = {
         nearest = "The texel that is nearest to it. Fails by half a pixel: stairs in textures and highlights.",
         linear = "The four around it, as far as they are there too. Fails by smoothing across the motion.",
-      } },
+      },
+      breaks = { linear = { uniform = "texels around a sample are blended, which the mean of nearest ones is not" } } },
     leaves_open  = pass.bool { false, doc = "leave samples out at which no layer has anything, for rays to find" },
     harvest      = pass.bool { true, doc = "also try the displacements met along the dominant one" },
     jitter       = jitter.jitter,

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- What no layer explains, by rays at their own time.
 local pass  = require "strobe.pass"
+local adaptive = require "passes.lib.adaptive"
 local shade = require "passes.scene.shade"
 
 return pass.trace {
@@ -22,11 +23,16 @@ return pass.trace {
   },
   writes = { picture = { format = "rgba32f", doc = "linear; alpha 1" } },
   params = {
+    audit      = adaptive.audit { 0.01, doc = "share of pixels in which rays check what layers explain" },
+    wrong_by   = pass.float { 0.1, min = 0, max = 1,
+      doc = "share of its colour by which the mean of a pixel's explained samples may be off" },
     same_depth = pass.float { 0.01, min = 0, max = 1, doc = "share of the depth over which two depths count as one" },
   },
   counters = {
     samples = "samples of pixels that had a ray at their own time",
     shaded  = "of those, samples whose surface the capture does not see: they were shaded",
+    audited = "pixels in which what layers explain was traced as well",
+    wrong   = "of those, pixels that layers explain wrongly",
     not_finite = shade.counters.not_finite,
   },
   fails  = "Times are those of at most 32 parts of the exposure, without jitter. Never by what it sees.",

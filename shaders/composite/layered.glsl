@@ -276,11 +276,12 @@ Seen nearerRevealed(Seen seen, int layer, ivec2 pixel, ivec2 now, float t, float
 bool isUnsure(ivec2 pixel, ivec2 now, vec2 offset, float t) {
 #if HAS_silhouettes
   vec2 off_centre = offset - vec2(now - pixel);
-  if (max(abs(off_centre.x), abs(off_centre.y)) < kCentre || texelFetch(silhouettes_tex, now, 0).x < 0.5) return false;
-  ivec2 first = pixel + ivec2(floor(offset)), size = textureSize(color_tex, 0);
+  ivec2 beside = ivec2(sign(off_centre)) * ivec2(greaterThan(abs(off_centre), vec2(kCentre)));
+  if (beside == ivec2(0) || texelFetch(silhouettes_tex, now, 0).x < 0.5) return false;
+  ivec2 size = textureSize(color_tex, 0);
   int there = 0;
   for (int k = 0; k < 4; ++k) {
-    ivec2 at = clampToImage(first + ivec2(k & 1, k >> 1), size);
+    ivec2 at = clampToImage(now + ivec2(k & 1, k >> 1) * beside, size);
     there += isAt(pixel, at, displacementAt(at, t > 0.0), t, 1.5) ? 1 : 0;
   }
   return there % 4 != 0;

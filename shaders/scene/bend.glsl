@@ -19,27 +19,33 @@ vec2 pathOfTexel(uint slice, Ray ray, uint id, float depth) {
   return pathOfPoint(slice, id - 1u, ray.origin + ray.direction * depth);
 }
 
-// The point that the texel beside this one shows, if that is of the same object; else where its ray meets the plane of the
-// surface here: what is turned away has no neighbours.
-vec3 besides(ivec2 pixel, ivec2 further, uint id, vec3 point_ws, vec3 normal_ws) {
-  ivec2 at = pixel + further;
+bool isSame(ivec2 at, uint id) { return isInside(at, ivec2(frame.size)) && texelFetch(id_tex, at, 0).x == id; }
+
+// Where the ray through a texel meets the plane of a surface.
+vec3 onPlane(ivec2 at, vec3 point_ws, vec3 normal_ws) {
   Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(at));
-  bool same = isInside(at, ivec2(frame.size)) && texelFetch(id_tex, at, 0).x == id;
-  float depth = same ? texelFetch(depth_tex, at, 0).x
-                     : dot(point_ws - ray.origin, normal_ws) / dot(ray.direction, normal_ws);
-  return ray.origin + ray.direction * depth;
+  return ray.origin + ray.direction * (dot(point_ws - ray.origin, normal_ws) / dot(ray.direction, normal_ws));
 }
 
-// Length at `slice`, px, of the longer of a pixel's two sides on a surface. To the side where the object goes on.
+vec3 pointAt(ivec2 at) {
+  Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(at));
+  return ray.origin + ray.direction * texelFetch(depth_tex, at, 0).x;
+}
+
+// Length at `slice`, px, of the longest way to the texels beside, of the same object. Where there is none along an axis, the
+// object is turned away: the surface's plane says where they would be.
 float growthAt(uint slice, ivec2 pixel, uint id, vec3 point_ws, vec3 normal_ws) {
   vec2 here = pathOfPoint(slice, id - 1u, point_ws);
   float growth = 0.0;
   for (int axis = 0; axis < 2; ++axis) {
-    ivec2 further = axis == 0 ? ivec2(1, 0) : ivec2(0, 1);
-    ivec2 at = pixel + further;
-    if (!isInside(at, ivec2(frame.size)) || texelFetch(id_tex, at, 0).x != id) further = -further;
-    vec2 there = pathOfPoint(slice, id - 1u, besides(pixel, further, id, point_ws, normal_ws));
-    growth = max(growth, lengthOf(vec2(further) + there - here));
+    ivec2 step = axis == 0 ? ivec2(1, 0) : ivec2(0, 1);
+    bool alone = !isSame(pixel + step, id) && !isSame(pixel - step, id);
+    for (int side = -1; side <= 1; side += 2) {
+      ivec2 at = pixel + side * step;
+      if (!alone && !isSame(at, id)) continue;
+      vec3 there_ws = alone ? onPlane(at, point_ws, normal_ws) : pointAt(at);
+      growth = max(growth, lengthOf(vec2(side * step) + pathOfPoint(slice, id - 1u, there_ws) - here));
+    }
   }
   return growth;
 }

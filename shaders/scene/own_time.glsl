@@ -4,9 +4,11 @@
 // In:  seen (linear, sum of the samples that layers explain over the number of all; alpha: their share), open (a bit for
 //      each of the loop's times at which nothing does); hit, color, depth, id of what raster saw at the capture, and
 //      revealed_color, revealed_depth, revealed_id, revealed_valid of what was revealed behind it.
-// Out: color (linear, alpha 1).
+// Out: picture (linear, alpha 1). In the share `audit` of pixels the other samples are traced too; `wrong` counts those whose
+//      mean is otherwise by `wrong_by` of it.
 // What a ray meets and a layer of the capture holds has that layer's colour, at the nearest pixel, as a tap of a filter
 // has. Before a camera at rest, what is at rest is found once, and what moves is traced before it.
+#include "lib/audit.glsl"
 #include "lib/blur.glsl"
 #include "lib/sanitise.glsl"
 #include "mixin/shade.glsl"
@@ -72,21 +74,39 @@ vec3 seenAt(ivec2 pixel, uint slice, inout Ground ground) {
   return color;
 }
 
+// The mean of what is seen at these times.
+vec3 meanOf(ivec2 pixel, uint times, inout Ground ground) {
+  int count = bitCount(times);
+  vec3 sum = vec3(0);
+  while (times != 0u) {
+    uint number = uint(findLSB(times));
+    times &= times - 1u;
+    sum += toSum(seenAt(pixel, SLICE_SAMPLE + number, ground));
+  }
+  return fromSum(sum / float(count));
+}
+
+// Traces what the layers explain, and counts where they are wrong.
+void audit(ivec2 pixel, vec4 seen, uint explained, inout Ground ground) {
+  vec3 is_so = meanOf(pixel, explained, ground), said = vec3(seen) / seen.a;
+  vec3 apart = abs(said - is_so), larger = max(abs(said), abs(is_so));
+  float most = max(apart.r, max(apart.g, apart.b)), of = max(larger.r, max(larger.g, larger.b));
+  count_audited(1u);
+  if (most > params.wrong_by * of + 1e-3) count_wrong(1u);
+}
+
 void run(ivec2 pixel) {
   vec4 seen = texelFetch(seen_tex, pixel, 0);
-  uint open = texelFetch(open_tex, pixel, 0).x;
-  if (frame.slice_count < 32u) open &= (1u << frame.slice_count) - 1u;
-  int count = bitCount(open);
-  if (count > 0) {
-    vec3 sum = vec3(0);
+  uint all_times = frame.slice_count < 32u ? (1u << frame.slice_count) - 1u : ~0u;
+  uint open = texelFetch(open_tex, pixel, 0).x & all_times;
+  bool audited = seen.a > 0.0 && open != all_times && isAudited(pixel, params.audit);
+  if (open != 0u || audited) {
     Ground ground = groundAt(pixel);
-    while (open != 0u) {
-      uint number = uint(findLSB(open));
-      open &= open - 1u;
-      sum += toSum(seenAt(pixel, SLICE_SAMPLE + number, ground));
+    if (audited) audit(pixel, seen, all_times & ~open, ground);
+    if (open != 0u) {
+      count_samples(uint(bitCount(open)));
+      seen.rgb += (1.0 - seen.a) * meanOf(pixel, open, ground);
     }
-    count_samples(uint(count));
-    seen.rgb += (1.0 - seen.a) * fromSum(sum / float(count));
   }
   if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
   imageStore(picture_img, pixel, vec4(seen.rgb, 1));

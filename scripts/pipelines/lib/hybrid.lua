@@ -63,6 +63,11 @@ function hybrid.mask_params()
   }
 end
 
+-- What samples that have a ray or not, by thresholds and by cells, are no longer.
+local by_cell = "which samples have a ray is decided by cells, which begin at the picture's corner"
+local of_doubt = { mirrored = by_cell, shifted = by_cell,
+                   scaled = "which samples have a ray is decided by thresholds, to whose other side rounding may lead" }
+
 function hybrid.params()
   local choice = pipeline.choice
   return options.with(options.with(options.blur(40), hybrid.mask_params()), {
@@ -105,7 +110,9 @@ function hybrid.params()
                       "each. Fails for what comes out and goes in again within the exposure.",
         uncertain = "Those too that fall within a pixel of a silhouette in motion, of which a filter's nearest pixel may " ..
                     "be on the wrong side.",
-      } },
+      },
+      breaks = { unexplained = of_doubt, uncertain = of_doubt },
+    },
   })
 end
 
