@@ -15,7 +15,8 @@ local function error_of(r, shot, arm, samples)
 end
 
 local function over(weights)
-  return { name = names[weights], pipeline = "hybrid", set = { preset = "captured", composite = "alpha_over", weights = weights } }
+  return { name = names[weights], pipeline = "hybrid",
+           set = { preset = "captured", composite = "alpha_over", weights = weights } }
 end
 
 local function bar(name, title, d_f, d_b, note)

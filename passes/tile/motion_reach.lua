@@ -22,9 +22,9 @@ return pass.compute {
     reach = reach,
   },
   writes = {
-    moved  = { cleared = true, format = "r8_unorm", doc = "1 where something that moves is at some time, 0 where all is at rest" },
+    moved  = { cleared = true, format = "r8_unorm", doc = "1 where something that moves is at some time, 0 where all rests" },
     behind = { cleared = true, format = "r8_unorm", doc = "1 where something revealed is at some time" },
-    missed = { cleared = true, format = "r8_unorm", doc = "1 where something comes that moves like none of these displacements" },
+    missed = { cleared = true, format = "r8_unorm", doc = "1 where something comes that moves like none of these" },
   },
   params = {
     cell_side = blur.cell_side,

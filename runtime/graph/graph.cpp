@@ -10,10 +10,13 @@ namespace strobe::graph {
 using plan::Plan;
 using plan::Step;
 
+constexpr uint32_t kUsualSlices = 32;
+
 uint32_t Graph::sampleSlices(const Plan& plan) {
   uint32_t slices = 0;
   for (const auto& loop : plan.loops) slices = std::max(slices, uint32_t(loop.slices));
-  return slices;
+  // Shaders are compiled for a number of slices: of several there is room for as many as are usual.
+  return slices <= 1 ? slices : std::max(slices, kUsualSlices);
 }
 
 static bool traces(const Plan& plan, const plan::PlanNode& node) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Per cell, between which displacements all of it lie.
-// In:  velocity, after_velocity (px over the exposure; absent: velocity), valid (> 1/2: the texel counts); others (bounds of another layer).
-// Out: bounds (of both layers; least x and y, greatest x and y, px over the exposure, shortened to the limit as filters shorten them).
+// In:  velocity, after_velocity (px over the exposure; absent: velocity), valid (> 1/2: the texel counts);
+//      others (bounds of another layer).
+// Out: bounds (of both; least x and y, greatest x and y, px over the exposure, shortened to the limit as by filters).
 //      A cell without texels that count holds kNoBounds. The last cells may be partial.
 #include "lib/bounds.glsl"
 #include "lib/sanitise.glsl"

@@ -21,7 +21,7 @@ class RenderCells : public RenderTest {
     return shot;
   }
   static lab::Picture celled(const lab::Shot& shot, const std::vector<std::string>& nodes, int cell) {
-    std::vector<std::string> settings = {"tile=20"};
+    std::vector<std::string> settings = {"preset=captured", "tile=20"};
     for (const std::string& node : nodes) settings.push_back(fmt::format("{}.cell_side={}", node, cell));
     return render(with(shot, "hybrid", settings));
   }

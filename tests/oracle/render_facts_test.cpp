@@ -107,11 +107,25 @@ class RenderFacts : public oracle::RenderTest {
 
 TEST_F(RenderFacts, AreWhatTheScenesSay) {
   for (const Case& one : cases()) {
-    Shot shot = with(one.shot, "none");
+    Shot shot = with(one.shot, "none", {}, "centre");
     auto held = bench().scene(shot);
     EXPECT_EQ(absentFacts(shot, held->loaded.scene), one.absent) << one.name;
     shot.model_everything = true;
     EXPECT_TRUE(absentFacts(shot, held->loaded.scene).empty());
+  }
+}
+
+// Of the parts of an exposure: what looks at an end of it that is the capture is not required.
+TEST_F(RenderFacts, OfEachAnchor) {
+  const std::map<std::string, std::vector<std::string>> lacked = {
+      {"close", {"after"}}, {"centre", {}}, {"open", {"before"}}};
+  for (const auto& [anchor, absent] : lacked) {
+    Shot shot = with(cases()[1].shot, "hybrid", {}, anchor);
+    std::vector<std::string> found = absentFacts(shot, bench().scene(shot)->loaded.scene);
+    std::erase_if(found, [](const std::string& fact) { return fact != "before" && fact != "after"; });
+    EXPECT_EQ(found, absent) << anchor;
+    EXPECT_EQ(hashOf(render(shot).frame.outputs.at("color")), hashOf(everythingOf(shot).frame.outputs.at("color")))
+        << anchor;
   }
 }
 
@@ -124,9 +138,9 @@ TEST_F(RenderFacts, OfTheHybrid) { compareAll("hybrid"); }
 
 TEST_F(RenderFacts, AreInTheRecord) {
   Picture still = render(with(cases()[0].shot, "hybrid")), moving = render(with(cases()[1].shot, "hybrid"));
-  EXPECT_EQ(still.record["facts"], Json::array({"shadows"}));
-  EXPECT_EQ(moving.record["facts"], Json::array({"motion", "shadows"}));
-  EXPECT_EQ(everythingOf(with(cases()[0].shot, "hybrid")).record["facts"].size(), 5u);
+  EXPECT_EQ(still.record["facts"], Json::array({"shadows", "before"}));
+  EXPECT_EQ(moving.record["facts"], Json::array({"motion", "shadows", "before"}));
+  EXPECT_EQ(everythingOf(with(cases()[0].shot, "hybrid")).record["facts"].size(), 7u);
 }
 
 // A tap of what is left out is what stands in for it.

@@ -107,7 +107,7 @@ class RenderLayers : public RenderTest {
  protected:
   lab::Picture layered(const Stripes& stripes, Case c, const std::string& mask, int samples = 32,
                        const std::string& anchor = "close") {
-    std::vector<std::string> more = {"composite=layered", "mask=" + mask, "edge=id", "own_edge=true"};
+    std::vector<std::string> more = {"preset=captured", "mask=" + mask, "edge=id", "own_edge=true"};
     return render(with(stripes.shot(c), "hybrid", settings(samples, more), anchor));
   }
   RowError preset(const Stripes& stripes, Case c, const std::string& name) {
@@ -144,15 +144,15 @@ RowError RenderLayers::checkRelative(const Stripes& stripes, Case c, const std::
 
 void RenderLayers::checkTable(const Stripes& stripes) {
   std::string table =
-      fmt::format("| {}: f, b | own N=32 | relative N=32 | seed | seed_linear | best |\n", stripes.name);
+      fmt::format("| {}: f, b | own N=32 | relative N=32 | seed_text | seed_linear | captured |\n", stripes.name);
   for (Case c : kCases) {
     std::string what = fmt::format("{} f {} b {}", stripes.name, c.d_front, c.d_back);
     RowError own = checkOwn(stripes, c, what), relative = checkRelative(stripes, c, what);
     bool own_is_wrong = c.d_front * c.d_back < 0 || c.d_front == 0;
     EXPECT_GE(own.rms, own_is_wrong ? 2.5 * relative.rms : 0) << what;
 
-    RowError seed = preset(stripes, c, "seed"), linear = preset(stripes, c, "seed_linear"),
-             best = preset(stripes, c, "best");
+    RowError seed = preset(stripes, c, "seed_text"), linear = preset(stripes, c, "seed_linear"),
+             best = preset(stripes, c, "captured");
     RowError simulated_best = layeredError(stripes.bar(c), Mask::kRelative,
                                            {.samples = 16, .both_ways = true, .ask_twice = true}, kCloseAnchor);
     EXPECT_NEAR(best.rms, simulated_best.rms, .002) << what;
@@ -236,10 +236,10 @@ TEST_F(RenderLayers, WhatIsHiddenAtTheCaptureComesOut) {
   Strips strips{{40, 72, 0, {.5}}, {50, 62, 20, {1}}, {-kInfinity, kInfinity, 0, {.1}}};
   for (const char* tiles : {"separate", "union"}) {
     for (const Anchor& anchor : anchors()) {
-      lab::Picture picture = render(with(
-          shot, "hybrid",
-          {"mask=all", "tile=20", "limit=0.2", fmt::format("tiles={}", tiles), fmt::format("samples={}", kSamples)},
-          anchor.name));
+      lab::Picture picture = render(with(shot, "hybrid",
+                                         {"preset=captured", "mask=all", "tile=20", "limit=0.2",
+                                          fmt::format("tiles={}", tiles), fmt::format("samples={}", kSamples)},
+                                         anchor.name));
       expectWithin(
           colorOf(picture), [&](int x, int) { return exposeCentre(strips, anchor.window, x); },
           [&](const Exposure& e) { return e.variation * (1. / (2 * kSamples) + .5 / 20) + 1e-4; },

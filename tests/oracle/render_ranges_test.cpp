@@ -87,7 +87,7 @@ struct Method {
   std::string name() const { return fmt::format("{} {}", pipeline, fmt::join(settings, " ")); }
 };
 const Method kUniform{"mcguire2012", {"weights=uniform"}}, kLinear{"hybrid", {"preset=seed_linear"}},
-    kBest{"hybrid", {"preset=best"}};
+    kBest{"hybrid", {"preset=captured"}};
 const Method kInGather{"hybrid", {"composite=in_gather"}};
 const std::vector<Method> kSplitting = {kUniform, kLinear, kBest, kInGather};
 
@@ -129,9 +129,14 @@ lab::Shot crowd(const Numbers& numbers = {}) { return shotOf("crowd", 64, 40, nu
 TEST_F(RenderRanges, EachAnchorIsNearestToItsOwnExposure) {
   Strips bar{{36, 68, 14, {1}}, {-kInfinity, kInfinity, 0, {0}}};
   lab::Shot shot = shotOf("bar", kWidth, 4, {{"left", 36}, {"right", 68}, {"d_f", 14}});
-  const std::vector<Method> methods = {
-      {"mcguire2012", {}},         kUniform, {"ue4", {}}, {"guertin2014", {}}, {"jimenez2014", {}},
-      {"hybrid", {"preset=seed_text"}}, kLinear,  kBest};
+  const std::vector<Method> methods = {{"mcguire2012", {}},
+                                       kUniform,
+                                       {"ue4", {}},
+                                       {"guertin2014", {}},
+                                       {"jimenez2014", {}},
+                                       {"hybrid", {"preset=seed_text"}},
+                                       kLinear,
+                                       kBest};
   for (const Method& method : methods) {
     for (const Anchor& anchor : anchors()) {
       image::Image color = colorBy(method, shot, {}, anchor.name);

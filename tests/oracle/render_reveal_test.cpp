@@ -285,7 +285,7 @@ struct Striped {
     return error;
   }
   lab::Shot hybrid(std::vector<std::string> more) const {
-    more.insert(more.end(), {"tile=20", "limit=0.2", "samples=32"});
+    more.insert(more.end(), {"preset=captured", "tile=20", "limit=0.2", "samples=32"});
     return with(shot(), "hybrid", more);
   }
 };

@@ -127,7 +127,7 @@ TEST_F(ReloadTest, ABrokenScriptKeepsThePicture) {
   for (const Mistake& mistake : {Mistake{"return pipeline {", "return pipeline {{", "hybrid.lua"},
                                  Mistake{"return pipeline", "while true do end return pipeline", "endless loop"},
                                  Mistake{"return pipeline {", "return 3 --{", "hybrid"},
-                                 Mistake{"revealed.velocity,", "revealed.velocty,", "did you mean 'velocity'"}}) {
+                                 Mistake{"first.velocity,", "first.velocty,", "did you mean 'velocity'"}}) {
     home_.edit(file, mistake.from, mistake.to);
     Reload told = awaited(session);
     EXPECT_FALSE(told.swapped) << mistake.to;

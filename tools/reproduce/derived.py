@@ -140,7 +140,7 @@ DERIVED = [
     gather("no_harvest", lines(LAYERED, "no_harvest"), LAYERED),
     gather("one_way", lines(LAYERED, "one_way", (0, 1)), LAYERED),
     layers("rendered_layers", rendered_layers),
-    layers("rendered_best", lambda bench: rendered(bench, "harsh", "0, 20", "best")),
+    layers("rendered_best", lambda bench: rendered(bench, "harsh", "0, 20", "captured")),
     layers("rendered_seed_linear", seed_linear),
     Numbers("correlated", PROGRAM + "RenderReveal.CompositesOnCorrelatedStripes", 10, "one time sample in one pixel",
             read=correlated, places=1),
