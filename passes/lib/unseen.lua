@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- What an end of the exposure sees and no layer of the capture holds: the description of a pass.
 local pass   = require "strobe.pass"
+local stored = require "passes.lib.stored"
 
 -- `end_of`: "start" or "end"; `fact`: that the exposure has a part before, or after, the capture.
 return function(name, end_of, fact)
@@ -20,13 +21,15 @@ return function(name, end_of, fact)
     },
     writes = {
       unseen   = { format = "r8_unorm", doc = "1 where no layer of the capture holds what is seen" },
-      velocity = { format = "rg32f", doc = "displacement over the exposure of what is seen, px" },
-      bend     = { format = "rg32f", doc = "how far its path is from a straight line, px in the middle of the exposure" },
+      velocity = { format = stored.velocity, doc = "displacement over the exposure of what is seen, px" },
+      bend     = { format = stored.velocity, doc = "how far its path is from a straight line, px in the middle of the exposure" },
     },
     without = { motion = { unseen = 0, velocity = 0, bend = 0 }, [fact] = { unseen = 0, velocity = 0, bend = 0 } },
     params = {
+      velocity_format = stored.velocity_format,
       same_depth = pass.float { 0.01, min = 0, max = 1, doc = "share of the depth over which two depths count as one" },
     },
+    counters = { velocity_clamped = stored.counters.velocity_clamped },
     fails  = "A surface that comes out and goes in again between the ends of the exposure is not known to either.",
   }
 end

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Where paths over the exposure are no straight lines.
-local pass = require "strobe.pass"
+local pass   = require "strobe.pass"
+local stored = require "passes.lib.stored"
 
 return pass.compute {
   name   = "bend",
@@ -15,15 +16,17 @@ return pass.compute {
     normal   = { optional = true, doc = "unit, world space; sky = 0; absent: growth is not looked at" },
   },
   writes = {
-    bend = { format = "rg32f", doc = "px in the middle of the exposure" },
+    bend = { format = stored.velocity, doc = "px in the middle of the exposure" },
     bent = { format = "r8_unorm", doc = "1 where the path is farther from a line than that" },
   },
   without = { motion = { bend = 0, bent = 0 } },
   params = {
+    velocity_format = stored.velocity_format,
     most_bend = pass.float { 0.5, min = 0, max = 1000, unit = "px",
       doc = "how far a path may be from the line between its ends, in the middle of the exposure" },
     most_growth = pass.float { 1.5, min = 1, max = 1000, unit = "px",
       doc = "to how much a side of a pixel of a surface may grow; a filter's taps have holes beyond" },
   },
+  counters = { velocity_clamped = stored.counters.velocity_clamped },
   fails  = "A path that swings to and fro within half of the exposure is taken for a line.",
 }

@@ -22,6 +22,7 @@ return pass.trace {
     revealed_valid = { doc = "above 1/2 where something was revealed" },
   },
   writes = { picture = { format = "rgba32f", doc = "linear; alpha 1" } },
+  without = { motion = { picture = "seen" } },
   params = {
     audit      = adaptive.audit { 0.01, doc = "share of pixels in which rays check what layers explain" },
     wrong_by   = pass.float { 0.1, min = 0, max = 1,

@@ -6,6 +6,7 @@
 //      exposure), normal (unit, world; absent: growth is not looked at).
 // Out: bend (how far, px), bent (1 where it is more than `most_bend` px, or a pixel grows to more than `most_growth` px).
 #include "lib/blur.glsl"
+#include "mixin/stored.glsl"
 #include "mixin/surface.glsl"
 
 // Where the point of an instance that is at `position_ws` at the capture is on the screen at `slice`, from there, px.
@@ -74,6 +75,6 @@ void run(ivec2 pixel) {
     grows = growsAt(pixel, ray, id, depth);
   }
   bool bent = !(lengthOf(bend) <= params.most_bend) || grows;
-  imageStore(bend_img, pixel, vec4(bend, 0, 0));
+  imageStore(bend_img, pixel, vec4(storedVelocity(bend), 0, 0));
   imageStore(bent_img, pixel, vec4(bent ? 1 : 0));
 }

@@ -6,6 +6,7 @@
 // Out: unseen (1: neither has it), velocity (px over the exposure, of what that end sees), bend (px in the middle of the
 //      exposure: how far its path is from the line between its ends).
 #include "lib/blur.glsl"
+#include "mixin/stored.glsl"
 #include "mixin/surface.glsl"
 
 // Is a surface of this id and depth among the four texels around a place? In that layer or the one behind.
@@ -46,6 +47,6 @@ void run(ivec2 pixel) {
                   pathOf(SLICE_CLOSE, hit, capture_ws));
   }
   imageStore(unseen_img, pixel, vec4(held ? 0 : 1));
-  imageStore(velocity_img, pixel, vec4(velocity, 0, 0));
-  imageStore(bend_img, pixel, vec4(bend, 0, 0));
+  imageStore(velocity_img, pixel, vec4(storedVelocity(velocity), 0, 0));
+  imageStore(bend_img, pixel, vec4(storedVelocity(bend), 0, 0));
 }

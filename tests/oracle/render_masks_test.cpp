@@ -44,7 +44,7 @@ class RenderMasks : public RenderTest {
  protected:
   static lab::Picture masked(const lab::Shot& shot, const std::string& mask, std::vector<std::string> settings = {},
                              const std::string& anchor = "close") {
-    settings.insert(settings.end(), {"mask=" + mask, "tile=8", "limit=0.25"});
+    settings.insert(settings.end(), {"preset=captured", "mask=" + mask, "tile=8", "limit=0.25"});
     return render(with(shot, "hybrid", settings, anchor));
   }
   // The mask alone.

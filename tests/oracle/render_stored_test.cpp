@@ -129,6 +129,8 @@ TEST_F(RenderStored, EveryImageOnTheWayFollowsAndIsHalfTheSize) {
 
 // No image of full resolution holds four or two floats of 32 bits but normals (which no parameter is about) and the
 // picture: whoever adds a pass that keeps colours or displacements in fp32 regardless is told here.
+const char* const kOpenPicture = "composite.blurred";  // the picture, but for the samples that rays add
+
 TEST_F(RenderStored, NothingElseIsKeptInSinglePrecision) {
   for (const Keeper& keeper : keepers()) {
     plan::Plan plan = planOf(crowd(keeper, {"velocity_format=fp16", "color_format=fp16"}));
@@ -136,7 +138,7 @@ TEST_F(RenderStored, NothingElseIsKeptInSinglePrecision) {
     for (size_t i = 0; i < plan.images.size(); ++i) {
       const plan::VirtualImage& image = plan.images[i];
       bool wide = image.format == "rgba32f" || image.format == "rg32f";
-      bool known = int(i) == picture || image.name == "gbuffer.normal";
+      bool known = int(i) == picture || image.name == "gbuffer.normal" || image.name == kOpenPicture;
       EXPECT_TRUE(known || !wide || image.divide != 1) << name(keeper) << ": " << image.name << " is " << image.format;
     }
   }
