@@ -31,6 +31,7 @@ std::vector<std::string> absentFacts(const Shot& shot, const scene::Scene& scene
   if (!facts.blend) absent.push_back("blend");
   if (!facts.one_sided) absent.push_back("one_sided");
   if (!facts.shadows) absent.push_back("shadows");
+  if (!facts.bends) absent.push_back("bends");
   return absent;
 }
 
