@@ -72,7 +72,7 @@
 ---@field doc string what it counts
 ---@field limit? string what was done to the picture there and what to do about it: a warning where the count is not 0
 
----@alias strobe.Fact "motion"|"alpha"|"blend"|"one_sided"|"shadows"
+---@alias strobe.Fact "motion"|"alpha"|"blend"|"one_sided"|"shadows"|"bends"
 
 ---@class strobe.PassTable
 ---@field name string unique; nodes are called this unless `as` says otherwise

@@ -203,7 +203,7 @@ struct PlanOptions {
 // What rays have to go through in the shot's scene; needs no device.
 std::string treeText(const lab::Shot& shot, const scene::Scene& scene) {
   scene::Pose pose = lab::frameSetup(shot, scene).pose_at(shot.captureTime());
-  scene::SceneTree tree = scene::treeOf(scene, pose.world_from_instance);
+  scene::SceneTree tree = scene::treeOf(scene, pose);
   std::string text =
       fmt::format("scene {}: {} triangles in {} instances; ", shot.scene, tree.triangles, tree.instances);
   return text + fmt::format("a random line meets {:.0f} nodes of the tree over them, in the file's order {:.0f}\n",

@@ -16,6 +16,7 @@
 #include "math/bounds.h"
 #include "plan/canonical.h"
 #include "plan/filled_images.h"
+#include "scene/bend.h"
 
 namespace strobe::archive {
 
@@ -76,12 +77,8 @@ Json nodesOf(const lab::Shot& shot, const scene::Scene& scene) {
   scene::Pose pose = lab::frameSetup(shot, scene).pose_at(shot.captureTime());
   std::vector<scene::Instance> instances = scene::instancesOf(scene);
   std::map<std::string, Bounds> bounds;
-  for (size_t i = 0; i < instances.size(); ++i) {
-    Bounds& own = bounds[scene.nodes[size_t(instances[i].node)].name];
-    for (const scene::Geometry& geometry : scene.meshes[size_t(instances[i].mesh)].geometries)
-      for (const scene::Vertex& vertex : geometry.vertices)
-        own.add(dvec3(pose.world_from_instance[i] * dvec4(dvec3(vertex.position), 1)));
-  }
+  for (size_t i = 0; i < instances.size(); ++i)
+    bounds[scene.nodes[size_t(instances[i].node)].name].add(scene::posedBounds(scene, instances, i, pose));
   Json nodes = Json::object();
   for (const auto& [name, own] : bounds)
     if (!name.empty() && !own.empty()) nodes[name] = {own.middle().x, own.middle().y, own.middle().z};

@@ -56,41 +56,54 @@ static VkDeviceAddress alignedScratch(const Device& device, const Buffer& scratc
   return (scratch.address() + alignment - 1) / alignment * alignment;
 }
 
-Acceleration buildBottomLevel(const Device& device, const std::string& name,
-                              const std::vector<TriangleGeometry>& geometries) {
-  std::vector<VkAccelerationStructureGeometryKHR> described;
-  std::vector<VkAccelerationStructureBuildRangeInfoKHR> ranges;
+static VkAccelerationStructureGeometryKHR described(const TriangleGeometry& source) {
+  VkAccelerationStructureGeometryKHR geometry{VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR};
+  geometry.geometryType = VK_GEOMETRY_TYPE_TRIANGLES_KHR;
+  geometry.flags = source.opaque ? VK_GEOMETRY_OPAQUE_BIT_KHR : VK_GEOMETRY_NO_DUPLICATE_ANY_HIT_INVOCATION_BIT_KHR;
+  auto& triangles = geometry.geometry.triangles;
+  triangles.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_TRIANGLES_DATA_KHR;
+  triangles.vertexFormat = VK_FORMAT_R32G32B32_SFLOAT;
+  triangles.vertexData.deviceAddress = source.vertices;
+  triangles.vertexStride = source.vertex_stride;
+  triangles.maxVertex = source.vertex_count ? source.vertex_count - 1 : 0;
+  triangles.indexType = VK_INDEX_TYPE_UINT32;
+  triangles.indexData.deviceAddress = source.indices;
+  return geometry;
+}
+
+VkAccelerationStructureBuildGeometryInfoKHR BottomLevel::buildInfo() const {
+  return gpu::buildInfo(VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR, geometries_.data(), geometries_.size());
+}
+
+BottomLevel::BottomLevel(const Device& device, const std::string& name, const std::vector<TriangleGeometry>& geometries)
+    : device_(&device) {
   std::vector<uint32_t> counts;
   for (const TriangleGeometry& source : geometries) {
-    VkAccelerationStructureGeometryKHR geometry{VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR};
-    geometry.geometryType = VK_GEOMETRY_TYPE_TRIANGLES_KHR;
-    geometry.flags = source.opaque ? VK_GEOMETRY_OPAQUE_BIT_KHR : VK_GEOMETRY_NO_DUPLICATE_ANY_HIT_INVOCATION_BIT_KHR;
-    auto& triangles = geometry.geometry.triangles;
-    triangles.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_TRIANGLES_DATA_KHR;
-    triangles.vertexFormat = VK_FORMAT_R32G32B32_SFLOAT;
-    triangles.vertexData.deviceAddress = source.vertices;
-    triangles.vertexStride = source.vertex_stride;
-    triangles.maxVertex = source.vertex_count ? source.vertex_count - 1 : 0;
-    triangles.indexType = VK_INDEX_TYPE_UINT32;
-    triangles.indexData.deviceAddress = source.indices;
-    described.push_back(geometry);
+    geometries_.push_back(described(source));
     VkAccelerationStructureBuildRangeInfoKHR range{};
     range.primitiveCount = source.triangle_count;
-    ranges.push_back(range);
+    ranges_.push_back(range);
     counts.push_back(source.triangle_count);
   }
-
-  auto info = buildInfo(VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR, described.data(), described.size());
+  auto info = buildInfo();
   auto sizes = buildSizes(device, info, counts);
-  Acceleration result = makeAcceleration(device, name, info.type, sizes.accelerationStructureSize);
-  Buffer scratch = scratchBuffer(device, name, sizes.buildScratchSize);
-  info.dstAccelerationStructure = result.handle();
-  info.scratchData.deviceAddress = alignedScratch(device, scratch);
-  const VkAccelerationStructureBuildRangeInfoKHR* range_pointer = ranges.data();
-  device.submit([&](VkCommandBuffer commands) {
-    device.vk().CmdBuildAccelerationStructuresKHR(commands, 1, &info, &range_pointer);
-  });
-  return result;
+  structure_ = makeAcceleration(device, name, info.type, sizes.accelerationStructureSize);
+  scratch_ = scratchBuffer(device, name, sizes.buildScratchSize);
+}
+
+void BottomLevel::recordBuild(VkCommandBuffer commands) const {
+  auto info = buildInfo();
+  info.dstAccelerationStructure = structure_.handle();
+  info.scratchData.deviceAddress = alignedScratch(*device_, scratch_);
+  const VkAccelerationStructureBuildRangeInfoKHR* ranges = ranges_.data();
+  device_->vk().CmdBuildAccelerationStructuresKHR(commands, 1, &info, &ranges);
+}
+
+Acceleration buildBottomLevel(const Device& device, const std::string& name,
+                              const std::vector<TriangleGeometry>& geometries) {
+  BottomLevel level(device, name, geometries);
+  device.submit([&](VkCommandBuffer commands) { level.recordBuild(commands); });
+  return std::move(level).finish();
 }
 
 VkAccelerationStructureBuildGeometryInfoKHR TopLevel::buildInfo(VkAccelerationStructureGeometryKHR& geometry) const {

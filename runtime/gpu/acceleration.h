@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Acceleration structures: one bottom level per mesh, top levels rebuilt for every pose that a frame needs.
+// Acceleration structures: one bottom level per mesh, and per pose of what bends; top levels rebuilt for every pose
+// that a frame needs.
 #pragma once
 
 #include <string>
@@ -34,6 +35,28 @@ class Acceleration {
 // Builds and waits. At least one triangle in all.
 Acceleration buildBottomLevel(const Device& device, const std::string& name,
                               const std::vector<TriangleGeometry>& geometries);
+
+// A bottom level over vertices that change, rebuilt in place by `recordBuild`.
+class BottomLevel {
+ public:
+  BottomLevel() = default;
+  // At least one triangle in all.
+  BottomLevel(const Device& device, const std::string& name, const std::vector<TriangleGeometry>& geometries);
+  VkAccelerationStructureKHR handle() const { return structure_.handle(); }
+  VkDeviceAddress address() const { return structure_.address(); }
+  // Records the build alone: whoever traces it, or builds over it, waits for that.
+  void recordBuild(VkCommandBuffer commands) const;
+  // The structure, once it is built for good.
+  Acceleration finish() && { return std::move(structure_); }
+
+ private:
+  VkAccelerationStructureBuildGeometryInfoKHR buildInfo() const;
+  const Device* device_ = nullptr;
+  std::vector<VkAccelerationStructureGeometryKHR> geometries_;
+  std::vector<VkAccelerationStructureBuildRangeInfoKHR> ranges_;
+  Acceleration structure_;
+  Buffer scratch_;
+};
 
 // A top level over `capacity` instances, rebuilt in place by `recordBuild`.
 class TopLevel {

@@ -31,6 +31,7 @@ std::vector<std::string> absentFacts(const Shot& shot, const scene::Scene& scene
   if (!facts.blend) absent.push_back("blend");
   if (!facts.one_sided) absent.push_back("one_sided");
   if (!facts.shadows) absent.push_back("shadows");
+  if (!facts.bends) absent.push_back("bends");
   if (!(shot.window()[0] < shot.captureTime())) absent.push_back("before");
   if (!(shot.window()[1] > shot.captureTime())) absent.push_back("after");
   return absent;

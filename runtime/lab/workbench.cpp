@@ -22,12 +22,18 @@ bool isGltf(const std::string& scene) { return scene.ends_with(".glb") || scene.
 // Identity of meshes and textures, wherever a file keeps them.
 static std::string contentHash(const scene::Scene& scene) {
   std::string hashes;
+  auto add = [&](const auto& values) {
+    if (!values.empty()) hashes += hashBytes(values.data(), values.size() * sizeof values[0]);
+  };
   for (const scene::Mesh& mesh : scene.meshes) {
     for (const scene::Geometry& geometry : mesh.geometries) {
       hashes += hashBytes(geometry.vertices.data(), geometry.vertices.size() * sizeof(scene::Vertex));
       hashes += hashBytes(geometry.indices.data(), geometry.indices.size() * sizeof(uint32_t));
+      add(geometry.influences.joints), add(geometry.influences.shares);
+      for (const scene::MorphTarget& target : geometry.targets) add(target.positions), add(target.normals);
     }
   }
+  for (const scene::Skin& skin : scene.skins) add(skin.inverse_binds);
   for (const scene::Texture& texture : scene.textures)
     for (const auto& level : texture.levels) hashes += hashBytes(level.data(), level.size());
   return hashText(hashes);
@@ -36,8 +42,12 @@ static std::string contentHash(const scene::Scene& scene) {
 static uint64_t bytesOf(const scene::Scene& scene) {
   uint64_t bytes = 0;
   for (const scene::Mesh& mesh : scene.meshes)
-    for (const scene::Geometry& geometry : mesh.geometries)
+    for (const scene::Geometry& geometry : mesh.geometries) {
       bytes += geometry.vertices.size() * sizeof(scene::Vertex) + geometry.indices.size() * sizeof(uint32_t);
+      bytes += geometry.influences.joints.size() * (sizeof(uint32_t) + sizeof(double));
+      for (const scene::MorphTarget& target : geometry.targets)
+        bytes += (target.positions.size() + target.normals.size()) * sizeof(vec3);
+    }
   for (const scene::Texture& texture : scene.textures)
     for (const auto& level : texture.levels) bytes += level.size();
   return bytes;

@@ -6,6 +6,7 @@
 #include "base/log.h"
 #include "live/widgets.h"
 #include "math/bounds.h"
+#include "scene/bend.h"
 
 namespace strobe::live {
 
@@ -121,10 +122,7 @@ double Sides::costOf(const std::string& name) const {
 static double distanceToMiddle(const scene::Scene& scene, const scene::Pose& pose) {
   Bounds bounds;
   std::vector<scene::Instance> instances = scene::instancesOf(scene);
-  for (size_t i = 0; i < instances.size(); ++i)
-    for (const scene::Geometry& geometry : scene.meshes[size_t(instances[i].mesh)].geometries)
-      for (const scene::Vertex& vertex : geometry.vertices)
-        bounds.add(dvec3(pose.world_from_instance[i] * dvec4(dvec3(vertex.position), 1)));
+  for (size_t i = 0; i < instances.size(); ++i) bounds.add(scene::posedBounds(scene, instances, i, pose));
   if (bounds.empty()) return 1;
   dvec3 ahead = -glm::normalize(dvec3(pose.world_from_camera[2]));
   double distance = glm::dot(bounds.middle() - dvec3(pose.world_from_camera[3]), ahead);

@@ -12,6 +12,7 @@ const std::vector<Fact>& facts() {
       {"blend", "no material is blended by its alpha", true},
       {"one_sided", "no material is seen from one side alone", true},
       {"shadows", "no light casts shadows", true},
+      {"bends", "nothing is bent by joints or morph targets", true},
       {"before", "the exposure has no part before the capture"},
       {"after", "the exposure has no part after the capture"},
   };

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "math/constants.h"
+#include "scene/bend.h"
 #include "scene/motion.h"
+#include "scene/tree_order.h"
 
 namespace strobe::scene {
 
@@ -16,13 +18,17 @@ static Bounds boundsOf(const Mesh& mesh) {
   return bounds;
 }
 
-static Bounds boundsOf(const Scene& scene, const std::vector<Bounds>& meshes, const std::vector<dmat4>& worlds) {
+// `worlds`: world from node, of every node, of which the pose is made.
+static Bounds boundsOf(const Scene& scene, const std::vector<Bounds>& meshes, const std::vector<dmat4>& worlds,
+                       const Pose& pose) {
   Bounds all;
-  for (const Instance& instance : instancesOf(scene)) {
-    const Bounds& own = meshes[instance.mesh];
+  const std::vector<Instance> instances = instancesOf(scene);
+  for (size_t i = 0; i < instances.size(); ++i) {
+    const Bounds& own = meshes[size_t(instances[i].mesh)];
     if (own.empty()) continue;
-    dmat4 world = worlds[instance.node] * instance.node_from_instance;
-    for (int i = 0; i < 8; ++i) all.add(dvec3(world * dvec4(own.corner(i), 1)));
+    const bool follows = scene.nodes[size_t(instances[i].node)].skin >= 0;
+    if (follows || bends(scene, instances[i])) all.add(posedBounds(scene, instances, i, pose));
+    else all.add(moved(own, worlds[size_t(instances[i].node)] * instances[i].node_from_instance));
   }
   return all;
 }
@@ -33,7 +39,7 @@ static std::vector<Bounds> meshBounds(const Scene& scene) {
   return meshes;
 }
 
-Bounds boundsOf(const Scene& scene) { return boundsOf(scene, meshBounds(scene), restWorlds(scene)); }
+Bounds boundsOf(const Scene& scene) { return boundsOf(scene, meshBounds(scene), restWorlds(scene), restPose(scene)); }
 
 // Of all poses of the scene's animations, by samples over the longest clip.
 static Bounds boundsInTime(const Scene& scene) {
@@ -45,7 +51,7 @@ static Bounds boundsInTime(const Scene& scene) {
   int samples = duration_s > 0 ? 16 : 1;
   for (int i = 0; i < samples; ++i) {
     double time_s = samples > 1 ? duration_s * i / (samples - 1) : 0;
-    all.add(boundsOf(scene, meshes, poser.nodesAt(time_s, time_s)));
+    all.add(boundsOf(scene, meshes, poser.nodesAt(time_s, time_s), poser.at(time_s)));
   }
   return all;
 }

@@ -6,17 +6,10 @@
 #include <cmath>
 #include <optional>
 
-#include "math/bounds.h"
+#include "scene/bend.h"
 #include "scene/motion.h"
 
 namespace strobe::scene {
-
-static Bounds boundsOf(const Mesh& mesh) {
-  Bounds bounds;
-  for (const Geometry& geometry : mesh.geometries)
-    for (const Vertex& vertex : geometry.vertices) bounds.add(dvec3(vertex.position));
-  return bounds;
-}
 
 // Pixel coordinates of a world position, nothing when it is not clearly in front of the camera.
 static std::optional<dvec2> project(const dmat4& camera_from_world, const Camera& camera, const dvec3& position_ws,
@@ -62,13 +55,30 @@ static bool isFollowed(const Scene& scene, double open_s, double close_s, int ti
   for (const Animation& clip : scene.animations) {
     if (beginsAgain(clip, open_s, close_s)) return false;
     double from_s = clipTime(open_s, clip.duration), to_s = clipTime(close_s, clip.duration);
-    for (const Track& track : clip.tracks) {
+    // Two poses between keys, which are half a turn apart at most.
+    auto is_dense = [&](const Track& track) {
       auto first = std::upper_bound(track.times.begin(), track.times.end(), from_s);
       auto last = std::lower_bound(track.times.begin(), track.times.end(), to_s);
-      if (last - first > times / 2) return false;  // two poses between keys, which are half a turn apart at most
-    }
+      return last - first > times / 2;
+    };
+    if (std::any_of(clip.tracks.begin(), clip.tracks.end(), is_dense)) return false;
+    for (const WeightTrack& track : clip.weights)
+      if (is_dense(track.keys)) return false;
   }
   return true;
+}
+
+// The pixels around what an instance covers.
+static void addTo(PixelArea& reach, const Area& area, int width, int height) {
+  double margin = area.step_px + 2;
+  PixelArea own = {int(std::floor(std::clamp(area.low.x - margin, 0.0, double(width)))),
+                   int(std::floor(std::clamp(area.low.y - margin, 0.0, double(height)))),
+                   int(std::ceil(std::clamp(area.high.x + margin, 0.0, double(width)))),
+                   int(std::ceil(std::clamp(area.high.y + margin, 0.0, double(height))))};
+  if (own.empty()) return;
+  if (reach.empty()) reach = own;
+  reach = {std::min(reach.x0, own.x0), std::min(reach.y0, own.y0), std::max(reach.x1, own.x1),
+           std::max(reach.y1, own.y1)};
 }
 
 PixelArea reachOfMotion(const Scene& scene, const std::function<Pose(double)>& pose_at, double capture_s, double open_s,
@@ -86,36 +96,30 @@ PixelArea reachOfMotion(const Scene& scene, const std::function<Pose(double)>& p
 
   PixelArea reach;
   for (size_t i = 0; i < instances.size(); ++i) {
-    const dmat4& at_capture = capture.world_from_instance[i];
-    bool moves =
-        std::any_of(poses.begin(), poses.end(), [&](const Pose& p) { return p.world_from_instance[i] != at_capture; });
-    Bounds bounds = moves ? boundsOf(scene.meshes[size_t(instances[i].mesh)]) : Bounds();
-    if (bounds.empty()) continue;
+    auto differs = [&](const Pose& pose) {
+      return pose.world_from_instance[i] != capture.world_from_instance[i] || pose.bends[i] != capture.bends[i];
+    };
+    if (std::none_of(poses.begin(), poses.end(), differs)) continue;
+    const Hull hull(scene, instances[i]);
     poses.push_back(capture);
-    Area area;
-    std::array<dvec2, 8> before{};
-    for (size_t k = 0; k < poses.size(); ++k) {
-      std::array<dvec2, 8> now;
-      for (size_t c = 0; c < 8; ++c) {
-        dvec3 position_ws = dvec3(poses[k].world_from_instance[i] * dvec4(bounds.corner(int(c)), 1));
-        std::optional<dvec2> pixel = project(camera_from_world, capture.camera, position_ws, width, height);
-        if (!pixel) return everywhere;
-        now[c] = *pixel;
+    for (size_t box = 0; box < hull.boxes(); ++box) {
+      Area area;
+      std::array<dvec2, 8> before{};
+      for (size_t k = 0; k < poses.size(); ++k) {
+        std::array<dvec3, 8> corners = hull.corners(poses[k], i, box);
+        std::array<dvec2, 8> now;
+        for (size_t c = 0; c < 8; ++c) {
+          std::optional<dvec2> pixel = project(camera_from_world, capture.camera, corners[c], width, height);
+          if (!pixel) return everywhere;
+          now[c] = *pixel;
+        }
+        bool consecutive = k > 0 && k + 1 < poses.size();
+        area.add(now, consecutive ? &before : nullptr);
+        before = now;
       }
-      bool consecutive = k > 0 && k + 1 < poses.size();
-      area.add(now, consecutive ? &before : nullptr);
-      before = now;
+      addTo(reach, area, width, height);
     }
     poses.pop_back();
-    double margin = area.step_px + 2;
-    PixelArea own = {int(std::floor(std::clamp(area.low.x - margin, 0.0, double(width)))),
-                     int(std::floor(std::clamp(area.low.y - margin, 0.0, double(height)))),
-                     int(std::ceil(std::clamp(area.high.x + margin, 0.0, double(width)))),
-                     int(std::ceil(std::clamp(area.high.y + margin, 0.0, double(height))))};
-    if (own.empty()) continue;
-    if (reach.empty()) reach = own;
-    reach = {std::min(reach.x0, own.x0), std::min(reach.y0, own.y0), std::max(reach.x1, own.x1),
-             std::max(reach.y1, own.y1)};
   }
   return reach;
 }
@@ -145,6 +149,10 @@ static bool varies(const Animation& clip, const Track& track, double from_s, dou
   return varies(track, clipTime(from_s, clip.duration), clipTime(to_s, clip.duration));
 }
 
+static bool isMotion(const ConstantMotion& motion) {
+  return motion.velocity != dvec3(0) || motion.angular_velocity != 0;
+}
+
 // By node: may it, or what it hangs on, move between two times?
 static std::vector<bool> movingNodes(const Scene& scene, const std::string& animation, double from_s, double to_s) {
   std::vector<bool> moves(scene.nodes.size(), false);
@@ -152,12 +160,31 @@ static std::vector<bool> movingNodes(const Scene& scene, const std::string& anim
     for (const Track& track : clip->tracks)
       if (varies(*clip, track, from_s, to_s)) moves[size_t(track.node)] = true;
   for (const ConstantMotion& motion : scene.motions)
-    if (motion.velocity != dvec3(0) || motion.angular_velocity != 0) moves[size_t(motion.node)] = true;
+    if (isMotion(motion)) moves[size_t(motion.node)] = true;
   for (int node : hierarchyOrder(scene)) {
     int parent = scene.nodes[size_t(node)].parent;
     if (parent >= 0 && moves[size_t(parent)]) moves[size_t(node)] = true;
   }
   return moves;
+}
+
+// By node: may the weights of its morph targets change between two times?
+static std::vector<bool> morphingNodes(const Scene& scene, const std::string& animation, double from_s, double to_s) {
+  std::vector<bool> morphs(scene.nodes.size(), false);
+  for (const Animation* clip : clipsOf(scene, animation))
+    for (const WeightTrack& track : clip->weights)
+      if (varies(*clip, track.keys, from_s, to_s)) morphs[size_t(track.node)] = true;
+  return morphs;
+}
+
+// May what a node shows move, given which nodes do? The joints of a skin decide, not the node.
+static bool showsMotion(const Scene& scene, int index, const std::vector<bool>& moves) {
+  const Node& node = scene.nodes[size_t(index)];
+  if (node.skin < 0) return moves[size_t(index)];
+  for (const ConstantMotion& motion : scene.motions)
+    if (motion.node == index && isMotion(motion)) return true;
+  const std::vector<int>& joints = scene.skins[size_t(node.skin)].joints;
+  return std::any_of(joints.begin(), joints.end(), [&](int joint) { return moves[size_t(joint)]; });
 }
 
 static bool hasTriangles(const Geometry& geometry) { return !geometry.indices.empty(); }
@@ -199,6 +226,7 @@ Facts factsOf(const Scene& scene, const FrameView& view) {
   const std::array<double, 4> times = {view.capture_s, view.open_s, view.close_s, view.previous_s};
   auto [from, to] = std::minmax_element(times.begin(), times.end());
   std::vector<bool> moves = movingNodes(scene, view.animation, *from, *to);
+  std::vector<bool> morphs = morphingNodes(scene, view.animation, *from, *to);
   Poser poser(scene, view.camera_node, view.animation);
   std::vector<Pose> poses;
   for (double time_s : times) poses.push_back(poser.at(time_s, view.capture_s));
@@ -212,14 +240,17 @@ Facts factsOf(const Scene& scene, const FrameView& view) {
                                                  differs([](const Pose& pose) { return pose.world_from_camera; }));
   facts.camera_moves = camera_moves || varying.lens || differs([](const Pose& pose) { return pose.camera; });
   facts.motion = facts.camera_moves || varying.lights || differs([](const Pose& pose) { return pose.lights; });
-  facts.alpha = facts.blend = facts.one_sided = facts.shadows = false;
+  facts.alpha = facts.blend = facts.one_sided = facts.shadows = facts.bends = false;
   std::vector<Instance> instances = instancesOf(scene);
   for (size_t i = 0; i < instances.size(); ++i) {
     const Mesh& mesh = scene.meshes[size_t(instances[i].mesh)];
     const bool empty = isEmpty(mesh);
-    facts.moves.push_back(!empty && (moves[size_t(instances[i].node)] ||
-                                     differs([&](const Pose& pose) { return pose.world_from_instance[i]; })));
+    facts.moves.push_back(!empty &&
+                          (showsMotion(scene, instances[i].node, moves) || morphs[size_t(instances[i].node)] ||
+                           differs([&](const Pose& pose) { return pose.world_from_instance[i]; }) ||
+                           differs([&](const Pose& pose) { return pose.bends[i]; })));
     if (empty) continue;
+    facts.bends = facts.bends || bends(scene, instances[i]);
     addMaterials(scene, mesh, facts);
     facts.motion = facts.motion || facts.moves[i];
   }

@@ -18,9 +18,10 @@ struct PixelArea {
 };
 
 // The pixels in which anything that moves during [open_s, close_s] can be seen at any time of it; the whole picture
-// when the camera moves or a moving object comes near the camera. Bounds of instances are posed at 33 times, and the
-// area is widened by the farthest a bound's corner goes in between, so it may only be too large; the whole picture too
-// where those times do not show it (turns of more than a right angle in between, many keys, a clip that begins again).
+// when the camera moves or a moving object comes near the camera. Bounds of instances, and of what follows each joint,
+// are posed at 33 times, and the area is widened by the farthest a bound's corner goes in between, so it may only be
+// too large; the whole picture too where those times do not show it (turns of more than a right angle in between, many
+// keys, a clip that begins again).
 PixelArea reachOfMotion(const Scene& scene, const std::function<Pose(double)>& pose_at, double capture_s, double open_s,
                         double close_s, int width, int height);
 
@@ -41,6 +42,7 @@ struct Facts {
   bool blend = true;         // something with triangles is blended by its alpha
   bool one_sided = true;     // something with triangles is not seen from behind
   bool shadows = true;       // a light casts shadows
+  bool bends = true;         // something with triangles may be bent by joints or morph targets
 };
 
 // By the keys and rates that drive nodes, not by poses, which are equal at both ends of a motion that returns; and by

@@ -10,6 +10,7 @@
 #include "scene/gltf_animation.h"
 #include "scene/gltf_material.h"
 #include "scene/gltf_mesh.h"
+#include "scene/gltf_skin.h"
 #include "scene/motion.h"
 
 namespace strobe::scene {
@@ -35,9 +36,11 @@ class Loader {
     readCameras();
     readLights();
     readNodes();
+    hierarchyOrder(scene_);
+    readSkins(file_, scene_);
     keepReachable();
     readAnimations(file_, scene_);
-    hierarchyOrder(scene_);
+    dropIdleWeights(scene_);
     warnOfUnusedExtensions();
     readAttribution();
     moderateLights(scene_);
@@ -135,15 +138,6 @@ class Loader {
       readInstancing(nodes[i], where, node);
       readChildren(nodes[i], where, int(i));
       if (node.camera >= 0 && scene_.cameras[node.camera].name.empty()) scene_.cameras[node.camera].name = node.name;
-      warnOfMorphing(node);
-    }
-  }
-
-  void warnOfMorphing(const Node& node) {
-    if (node.mesh < 0) return;
-    for (const Json& primitive : file_.list(file_.all("meshes").at(node.mesh), "primitives", "")) {
-      if (file_.list(primitive, "targets", "").empty()) continue;
-      return warn(fmt::format("node '{}': morph targets are not supported; its base mesh is shown", node.name));
     }
   }
 
@@ -215,7 +209,6 @@ class Loader {
 
   // Nodes that are not in the shown scene stay in the list, but show nothing.
   void keepReachable() {
-    hierarchyOrder(scene_);
     const Json& scenes = file_.all("scenes");
     if (scenes.empty()) return;
     int shown = std::max(0, file_.index(file_.json(), "scene", "scenes", ""));

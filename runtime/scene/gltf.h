@@ -13,12 +13,11 @@ struct GltfOptions {
 };
 
 // The file's default scene (else its first, else all of it): meshes, metallic-roughness and unlit materials, textures
-// with all levels, cameras, punctual lights (see `moderateLights`), rigid animation, also of lenses and lights. Nodes
-// keep the file's order and names (unnamed ones are "node_N"; of equal names the later get "#2", "#3"...). A skinned
-// mesh moves with its joint of most weight, unbent; it and morph targets (base mesh) each give a warning. Throws
-// `Error` in one line for a file that is missing, cut short, inconsistent, needs an unsupported extension, or names a
-// file that lies outside of its own folder, links followed (with `allow_outside` those are read); exit code 2 for a
-// variant that it does not have.
+// with all levels, cameras, punctual lights (see `moderateLights`), skins, morph targets, animation of nodes, weights,
+// lenses and lights. Nodes keep the file's order and names (unnamed ones are "node_N"; of equal names the later get
+// "#2", "#3"...). Throws `Error` in one line for a file that is missing, cut short, inconsistent, needs an unsupported
+// extension, or names a file that lies outside of its own folder, links followed (with `allow_outside` those are read);
+// exit code 2 for a variant that it does not have.
 Scene loadGltf(const Path& file, const GltfOptions& options = {});
 
 }  // namespace strobe::scene

@@ -32,36 +32,6 @@ class AnimationReader {
     }
   }
 
-  // A skin's vertices stand in its joints, not in the node that shows it: the mesh is put where the bind pose of the
-  // joint of most weight has it, and moves with that joint. Where that joint has all the weight this is exact.
-  void placeSkins() {
-    const Json& nodes = file_.all("nodes");
-    std::set<int> animated, parents;
-    for (const Animation& animation : scene_.animations)
-      for (const Track& track : animation.tracks) animated.insert(track.node);
-    for (const Node& node : scene_.nodes) parents.insert(node.parent);
-    for (size_t i = 0; i < nodes.size(); ++i) {
-      std::string where = fmt::format("nodes[{}]", i);
-      int skin_index = file_.index(nodes[i], "skin", "skins", where);
-      Node& node = scene_.nodes[i];
-      if (skin_index < 0 || node.mesh < 0) continue;
-      const Json& skin = file_.all("skins").at(skin_index);
-      const Json& joints = file_.list(skin, "joints", where);
-      std::vector<double> weights = jointWeights(node.mesh, joints.size());
-      size_t heaviest = std::max_element(weights.begin(), weights.end()) - weights.begin();
-      double total = 0;
-      for (double weight : weights) total += weight;
-      bool exact = heaviest < weights.size() && weights[heaviest] >= 0.999 * total;
-      if (!exact) warn(fmt::format("node '{}': bending by its skin is not supported; it is shown rigid", node.name));
-      if (weights.empty() || animated.count(int(i)) || parents.count(int(i))) continue;
-      Json holder = {{"joint", joints[heaviest]}};
-      int joint = file_.index(holder, "joint", "nodes", fmt::format("skins[{}]", skin_index));
-      if (joint == int(i)) continue;
-      node.parent = joint;
-      node.matrix = inverseBind(skin, heaviest, joints.size(), fmt::format("skins[{}]", skin_index));
-    }
-  }
-
  private:
   void warn(const std::string& text) { scene_.warnings.push_back(text); }
 
@@ -71,10 +41,12 @@ class AnimationReader {
     const Json& samplers = file_.list(json, "samplers", where);
     size_t sampler = file_.size(channel, "sampler", std::nullopt, where);
     if (sampler >= samplers.size()) file_.refuse(where, fmt::format("'sampler' is {} of {}", sampler, samplers.size()));
+    if (!target->morphed.empty()) return readWeights(samplers[sampler], where, *target, animation);
     Track track;
     track.node = target->node;
     track.target = target->target;
-    readSampler(samplers[sampler], where, target->components, track);
+    readKeys(samplers[sampler], where, track);
+    readValues(samplers[sampler], where, target->components, track);
     animation.duration = std::max(animation.duration, track.times.back());
     if (target->property) return animation.properties.push_back({*target->property, target->index, std::move(track)});
     splitMatrix(scene_.nodes[track.node]);
@@ -90,11 +62,11 @@ class AnimationReader {
     PointerTarget result;
     result.node = file_.index(target, "node", "nodes", where);
     if (result.node < 0) return warn(where + ": names no node and is left out"), std::nullopt;
-    if (path == "weights") return leftOut(result.node);
+    if (path == "weights") return once(weightsOf(file_, {result.node}, where), pointerTo(result.node, path), where);
     if (path == "rotation") result.target = Track::Target::Rotation, result.components = 4;
     else if (path == "scale") result.target = Track::Target::Scale;
     else if (path != "translation") return warn(fmt::format("{}: path '{}' is left out", where, path)), std::nullopt;
-    return once(result, fmt::format("/nodes/{}/{}", result.node, path), where);
+    return once(result, pointerTo(result.node, path), where);
   }
 
   std::optional<PointerTarget> pointed(const Json& target, const std::string& where) {
@@ -106,10 +78,7 @@ class AnimationReader {
     return once(*result, pointer, where);
   }
 
-  std::optional<PointerTarget> leftOut(int node) {
-    warn(fmt::format("node '{}': its morph animation is left out", scene_.nodes[node].name));
-    return std::nullopt;
-  }
+  static std::string pointerTo(int node, const std::string& path) { return fmt::format("/nodes/{}/{}", node, path); }
 
   // Channels of one animation drive different things.
   std::optional<PointerTarget> once(const PointerTarget& target, const std::string& pointer, const std::string& where) {
@@ -118,7 +87,7 @@ class AnimationReader {
     return target;
   }
 
-  void readSampler(const Json& sampler, const std::string& where, int components, Track& track) {
+  void readKeys(const Json& sampler, const std::string& where, Track& track) {
     int input = file_.index(sampler, "input", "accessors", where);
     int output = file_.index(sampler, "output", "accessors", where);
     if (input < 0 || output < 0) file_.refuse(where, "its sampler lacks input or output");
@@ -132,15 +101,42 @@ class AnimationReader {
       bool sound = std::isfinite(track.times[i]) && (i == 0 || track.times[i] > track.times[i - 1]);
       if (!sound) file_.refuse(where, fmt::format("its key times do not increase at key {}", i));
     }
-    Values values = file_.accessor(output, where, {components == 1 ? "SCALAR" : fmt::format("VEC{}", components)});
-    size_t wanted = track.times.size() * (track.interpolation == Track::Interpolation::CubicSpline ? 3 : 1);
+  }
+
+  // What the sampler has for each key, `each` values for a number of a key.
+  Values outputOf(const Json& sampler, const std::string& where, const std::string& type, size_t each,
+                  const Track& track) {
+    Values values = file_.accessor(file_.index(sampler, "output", "accessors", where), where, {type});
+    size_t wanted = each * track.times.size() * (track.interpolation == Track::Interpolation::CubicSpline ? 3 : 1);
     if (values.count != wanted)
       file_.refuse(where, fmt::format("{} keys need {} values, not {}", track.times.size(), wanted, values.count));
+    for (size_t i = 0; i < values.numbers.size(); ++i)
+      if (!std::isfinite(values.numbers[i]))
+        file_.refuse(where, fmt::format("its value {} is not finite", i / size_t(values.width)));
+    return values;
+  }
+
+  void readValues(const Json& sampler, const std::string& where, int components, Track& track) {
+    const std::string type = components == 1 ? "SCALAR" : fmt::format("VEC{}", components);
+    const Values values = outputOf(sampler, where, type, 1, track);
     for (size_t i = 0; i < values.count; ++i) {
       dvec4 value(0);
       for (int c = 0; c < components; ++c) value[c] = values.at(i, c);
-      if (!std::isfinite(glm::dot(value, value))) file_.refuse(where, fmt::format("its value {} is not finite", i));
       track.values.push_back(value);
+    }
+  }
+
+  // A track for each weight: the values of a key (or of its tangents) are those of all weights, one after the other.
+  void readWeights(const Json& sampler, const std::string& where, const PointerTarget& target, Animation& animation) {
+    Track keys;
+    readKeys(sampler, where, keys);
+    const size_t count = size_t(target.components);
+    const Values values = outputOf(sampler, where, "SCALAR", count, keys);
+    animation.duration = std::max(animation.duration, keys.times.back());
+    for (size_t w = 0; w < count; ++w) {
+      keys.values.clear();
+      for (size_t i = w; i < values.count; i += count) keys.values.push_back(dvec4(values.numbers[i], 0, 0, 0));
+      for (int node : target.morphed) animation.weights.push_back({node, target.first_weight + w, keys});
     }
   }
 
@@ -158,42 +154,6 @@ class AnimationReader {
     node.matrix.reset();
   }
 
-  // The weight of each joint, summed over the mesh's vertices.
-  std::vector<double> jointWeights(int mesh, size_t joints) {
-    std::vector<double> sums(joints, 0.0);
-    for (const Json& primitive : file_.list(file_.all("meshes").at(mesh), "primitives", "")) {
-      std::string where = fmt::format("meshes[{}]", mesh);
-      const Json& attributes = file_.object(primitive, "attributes", where);
-      int index = file_.index(attributes, "JOINTS_0", "accessors", where);
-      int weight = file_.index(attributes, "WEIGHTS_0", "accessors", where);
-      if (index < 0 || weight < 0) continue;
-      Values indices = file_.accessor(index, where, {"VEC4"}), weights = file_.accessor(weight, where, {"VEC4"});
-      for (size_t i = 0; i < std::min(indices.count, weights.count); ++i) {
-        for (int c = 0; c < 4; ++c) {
-          double joint = indices.at(i, c), amount = weights.at(i, c);
-          if (!(amount > 0) || !std::isfinite(amount)) continue;
-          if (!(joint >= 0 && joint < double(joints)))
-            file_.refuse(where, fmt::format("joint {} of {}", joint, joints));
-          sums[size_t(joint)] += amount;
-        }
-      }
-    }
-    return sums;
-  }
-
-  dmat4 inverseBind(const Json& skin, size_t joint, size_t joints, const std::string& where) {
-    int index = file_.index(skin, "inverseBindMatrices", "accessors", where);
-    if (index < 0) return dmat4(1);
-    Values values = file_.accessor(index, where, {"MAT4"});
-    if (values.count < joints) file_.refuse(where, fmt::format("{} joints have {} matrices", joints, values.count));
-    dmat4 matrix;
-    for (int k = 0; k < 16; ++k) {
-      matrix[k / 4][k % 4] = values.at(joint, k);
-      if (!std::isfinite(values.at(joint, k))) file_.refuse(where, "an inverse bind matrix is not finite");
-    }
-    return matrix;
-  }
-
   const GltfFile& file_;
   Scene& scene_;
   std::set<std::string> driven_;  // by channels of the animation that is read, as pointers
@@ -201,10 +161,6 @@ class AnimationReader {
 
 }  // namespace
 
-void readAnimations(const GltfFile& file, Scene& scene) {
-  AnimationReader reader(file, scene);
-  reader.readAnimations();
-  reader.placeSkins();
-}
+void readAnimations(const GltfFile& file, Scene& scene) { AnimationReader(file, scene).readAnimations(); }
 
 }  // namespace strobe::scene

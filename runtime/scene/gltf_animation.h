@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// glTF animations and skins.
+// glTF animations.
 #pragma once
 
 #include "scene/gltf_file.h"
 
 namespace strobe::scene {
 
-// Adds the animations of the file to the scene, whose nodes are read already, and puts skinned meshes where their
-// joints have them. Nodes that are animated get their transform in parts. What is left out is added to the warnings.
+// Adds the animations of the file to the scene, whose nodes are read already. Nodes that are animated get their
+// transform in parts. What is left out is added to the warnings.
 void readAnimations(const GltfFile& file, Scene& scene);
 
 }  // namespace strobe::scene

@@ -19,7 +19,19 @@ struct Primitive {
   std::vector<uint32_t> indices;
   bool has_normals = false;
   int material = 0;
+  Influences influences;
+  std::vector<MorphTarget> targets;
 };
+
+// Elements of a list with `width` for each vertex, of these vertices; nothing of an empty list.
+template <class T>
+std::vector<T> picked(const std::vector<T>& list, const std::vector<uint32_t>& vertices, size_t width) {
+  std::vector<T> result;
+  for (size_t i = 0; i < vertices.size() && !list.empty(); ++i)
+    result.insert(result.end(), list.begin() + std::ptrdiff_t(vertices[i] * width),
+                  list.begin() + std::ptrdiff_t((vertices[i] + 1) * width));
+  return result;
+}
 
 bool usable(const dvec3& p) {
   return std::abs(p.x) < kFarthest && std::abs(p.y) < kFarthest && std::abs(p.z) < kFarthest;  // false for NaN
@@ -39,6 +51,9 @@ class MeshReader {
     if (mesh.name.empty()) mesh.name = fmt::format("mesh_{}", index);
     const Json& list = file_.list(json, "primitives", where_);
     if (list.empty()) file_.refuse(where_, "has no primitives");
+    for (const Json& primitive : list)
+      if (file_.list(primitive, "targets", where_).size() != file_.list(list[0], "targets", where_).size())
+        file_.refuse(where_, "its primitives have different numbers of morph targets");
     std::vector<Primitive> primitives;
     for (size_t i = 0; i < list.size(); ++i) {
       where_ = fmt::format("meshes[{}].primitives[{}]", index, i);
@@ -69,6 +84,8 @@ class MeshReader {
     primitive.material = materialOf(json, choice);
     if (!readPositions(attributes, primitive)) return std::nullopt;
     readAttributes(attributes, primitive);
+    readInfluences(attributes, primitive);
+    readTargets(json, attributes, primitive);
     readIndices(json, int(mode), primitive);
     dropBadTriangles(primitive);
     if (!primitive.has_normals) facet(primitive);
@@ -122,9 +139,10 @@ class MeshReader {
   void requireFormat(int accessor, const std::string& name) {
     const Json& json = file_.all("accessors").at(accessor);
     size_t type = file_.size(json, "componentType", std::nullopt, where_);
-    bool may_be_share = name.starts_with("TEXCOORD") || name.starts_with("COLOR");
+    bool may_be_share = name.starts_with("TEXCOORD") || name.starts_with("COLOR") || name.starts_with("WEIGHTS");
     bool is_share = (type == 5121 || type == 5123) && file_.flag(json, "normalized", where_);
-    if (type == 5126 || (may_be_share && is_share) || isQuantised()) return;
+    if (type == 5126 || (may_be_share && is_share)) return;
+    if (isQuantised() && !name.starts_with("WEIGHTS")) return;
     file_.refuse(where_, fmt::format("{} is of integers, but the file does not use KHR_mesh_quantization", name));
   }
 
@@ -161,6 +179,79 @@ class MeshReader {
       vertices[i].color = sound ? color : vec4(1);
     }
     warnOfUnsound(unsound, "colours that are negative or not finite; white serves instead");
+  }
+
+  // JOINTS_0 and WEIGHTS_0, JOINTS_1 and WEIGHTS_1, as many as there are.
+  void readInfluences(const Json& attributes, Primitive& primitive) {
+    size_t named = 0, sets = 0;
+    for (const auto& [name, value] : attributes.items())
+      named += name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_");
+    std::vector<Values> joints, shares;
+    for (; 2 * sets < named; ++sets) {
+      const std::string joint_name = fmt::format("JOINTS_{}", sets), share_name = fmt::format("WEIGHTS_{}", sets);
+      if (!attributes.contains(joint_name)) file_.refuse(where_, joint_name + " is missing");
+      if (!attributes.contains(share_name)) file_.refuse(where_, share_name + " is missing");
+      joints.push_back(jointNumbers(attributes, joint_name, primitive.vertices.size()));
+      shares.push_back(*attribute(attributes, share_name, primitive.vertices.size(), {"VEC4"}));
+    }
+    primitive.influences.count = int(4 * sets);
+    for (size_t v = 0; v < primitive.vertices.size() && sets > 0; ++v) addInfluences(joints, shares, v, primitive);
+  }
+
+  Values jointNumbers(const Json& attributes, const std::string& name, size_t count) {
+    int index = file_.index(attributes, name, "accessors", where_);
+    const Json& json = file_.all("accessors").at(index);
+    size_t type = file_.size(json, "componentType", std::nullopt, where_);
+    if ((type != 5121 && type != 5123) || file_.flag(json, "normalized", where_))
+      file_.refuse(where_, name + " is not of bytes or shorts without sign");
+    Values values = file_.accessor(index, where_, {"VEC4"});
+    if (values.count != count)
+      file_.refuse(where_, fmt::format("{} has {} elements, not {}", name, values.count, count));
+    return values;
+  }
+
+  void addInfluences(const std::vector<Values>& joints, const std::vector<Values>& shares, size_t vertex,
+                     Primitive& primitive) {
+    double sum = 0;
+    for (const Values& set : shares)
+      for (int c = 0; c < 4; ++c) {
+        const double share = set.at(vertex, c);
+        if (!(share >= 0 && share < 1e9)) file_.refuse(where_, fmt::format("vertex {} has a weight {}", vertex, share));
+        sum += share;
+      }
+    if (sum == 0) file_.refuse(where_, fmt::format("vertex {} has weights of 0 alone", vertex));
+    for (size_t s = 0; s < joints.size(); ++s)
+      for (int c = 0; c < 4; ++c) {
+        primitive.influences.joints.push_back(uint32_t(joints[s].at(vertex, c)));
+        primitive.influences.shares.push_back(shares[s].at(vertex, c) / sum);
+      }
+  }
+
+  void readTargets(const Json& json, const Json& attributes, Primitive& primitive) {
+    const std::string own = where_;
+    const Json& targets = file_.list(json, "targets", where_);
+    for (size_t t = 0; t < targets.size(); ++t) {
+      where_ = fmt::format("{}.targets[{}]", own, t);
+      if (!targets[t].is_object()) file_.refuse(where_, "is not an object");
+      for (const auto& [name, value] : targets[t].items())
+        if (!attributes.contains(name)) file_.refuse(where_, fmt::format("changes {}, which is not there", name));
+      MorphTarget target;
+      target.positions = changesOf(targets[t], "POSITION", primitive);
+      target.normals = changesOf(targets[t], "NORMAL", primitive);
+      changesOf(targets[t], "TANGENT", primitive);
+      primitive.targets.push_back(std::move(target));
+    }
+    where_ = own;
+  }
+
+  std::vector<vec3> changesOf(const Json& target, const char* name, const Primitive& primitive) {
+    std::vector<vec3> changes;
+    auto values = attribute(target, name, primitive.vertices.size(), {"VEC3"});
+    for (size_t i = 0; values && i < values->count; ++i) {
+      if (!usable(values->vector3(i))) file_.refuse(where_, fmt::format("{} {} is not finite", name, i));
+      changes.push_back(vec3(values->vector3(i)));
+    }
+    return changes;
   }
 
   void readIndices(const Json& json, int mode, Primitive& primitive) {
@@ -229,6 +320,12 @@ class MeshReader {
       flat.vertices.back().normal = facetNormal(primitive, i / 3);
       flat.indices.push_back(uint32_t(i));
     }
+    const std::vector<uint32_t>& corners = primitive.indices;
+    const Influences& influences = primitive.influences;
+    flat.influences = {influences.count, picked(influences.joints, corners, size_t(influences.count)),
+                       picked(influences.shares, corners, size_t(influences.count))};
+    for (const MorphTarget& target : primitive.targets)
+      flat.targets.push_back({picked(target.positions, corners, 1), {}});
     primitive = std::move(flat);
   }
 
@@ -240,7 +337,11 @@ class MeshReader {
     for (Primitive& primitive : primitives) {
       for (size_t i = 0; i < primitive.vertices.size(); ++i)
         primitive.vertices[i].position = vec3(primitive.positions[i] - mesh.origin);
-      mesh.geometries.push_back({std::move(primitive.vertices), std::move(primitive.indices), primitive.material});
+      Geometry geometry{std::move(primitive.vertices), std::move(primitive.indices), primitive.material};
+      geometry.influences = std::move(primitive.influences);
+      geometry.targets = std::move(primitive.targets);
+      geometry.faceted = !primitive.has_normals;
+      mesh.geometries.push_back(std::move(geometry));
     }
   }
 

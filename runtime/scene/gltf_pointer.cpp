@@ -3,6 +3,8 @@
 
 #include <charconv>
 
+#include "scene/gltf_skin.h"
+
 namespace strobe::scene {
 
 namespace {
@@ -41,9 +43,8 @@ const Row kRows[] = {
     {kLights, "/spot/outerConeAngle", "spot", Property::OuterCone},
 };
 
-// The number that a pointer has between the two parts of a row; nothing where it has other parts.
-std::optional<size_t> numberIn(const std::string& pointer, const Row& row) {
-  const std::string list = row.list, rest = row.rest;
+// The number that a pointer has between two parts; nothing where it has others.
+std::optional<size_t> numberIn(const std::string& pointer, const std::string& list, const std::string& rest) {
   if (!pointer.starts_with(list) || !pointer.ends_with(rest) || pointer.size() <= list.size() + rest.size()) return {};
   size_t number = 0;
   const char *from = pointer.data() + list.size(), *to = pointer.data() + pointer.size() - rest.size();
@@ -51,11 +52,52 @@ std::optional<size_t> numberIn(const std::string& pointer, const Row& row) {
   return failure == std::errc() && end == to ? std::optional(number) : std::nullopt;
 }
 
+// Nodes that have the weights of a mesh, because they state none of their own.
+std::vector<int> nodesWithWeightsOf(const GltfFile& file, int mesh) {
+  std::vector<int> found;
+  const Json& nodes = file.all("nodes");
+  for (size_t i = 0; i < nodes.size(); ++i)
+    if (file.index(nodes[i], "mesh", "meshes", "") == mesh && !nodes[i].contains("weights")) found.push_back(int(i));
+  return found;
+}
+
+// Of /nodes/N/weights, /meshes/N/weights, and either with the number of one weight behind it.
+std::optional<PointerTarget> weightsTarget(const GltfFile& file, const std::string& pointer, const std::string& where) {
+  const size_t at = pointer.find("/weights");
+  if (at == std::string::npos) return std::nullopt;
+  const std::string list = pointer.starts_with("/meshes/") ? "meshes" : "nodes", rest = pointer.substr(at);
+  const std::optional<size_t> number = numberIn(pointer, "/" + list + "/", rest);
+  const std::optional<size_t> one = numberIn(rest, "/weights/", "");
+  if (!number || (rest != "/weights" && !one)) return std::nullopt;
+  auto refuse = [&] { file.refuse(where, fmt::format("its pointer '{}' leads to nothing", pointer)); };
+  if (*number >= file.all(list).size()) refuse();
+  const bool of_mesh = list == "meshes";
+  const int mesh = of_mesh ? int(*number) : file.index(file.all("nodes")[*number], "mesh", "meshes", where);
+  const size_t count = mesh < 0 ? 0 : targetsOf(file, mesh);
+  if (count == 0 || (one && *one >= count)) refuse();
+  PointerTarget result;
+  result.morphed = of_mesh ? nodesWithWeightsOf(file, mesh) : std::vector<int>{int(*number)};
+  result.first_weight = one.value_or(0);
+  result.components = one ? 1 : int(count);
+  return result;
+}
+
 }  // namespace
+
+PointerTarget weightsOf(const GltfFile& file, const std::vector<int>& nodes, const std::string& where) {
+  PointerTarget result;
+  result.morphed = nodes;
+  for (int node : nodes) {
+    const int mesh = file.index(file.all("nodes").at(node), "mesh", "meshes", where);
+    result.components = mesh < 0 ? 0 : int(targetsOf(file, mesh));
+    if (result.components == 0) file.refuse(where, fmt::format("drives weights of node {}, which has none", node));
+  }
+  return result;
+}
 
 std::optional<PointerTarget> pointerTarget(const GltfFile& file, const std::string& pointer, const std::string& where) {
   for (const Row& row : kRows) {
-    std::optional<size_t> number = numberIn(pointer, row);
+    std::optional<size_t> number = numberIn(pointer, row.list, row.rest);
     if (!number) continue;
     const Json& list = listAt(file, row.list);
     bool is_there = *number < list.size() && (!*row.needs || list[*number].contains(row.needs));
@@ -67,7 +109,7 @@ std::optional<PointerTarget> pointerTarget(const GltfFile& file, const std::stri
     result.components = row.components;
     return result;
   }
-  return std::nullopt;
+  return weightsTarget(file, pointer, where);
 }
 
 }  // namespace strobe::scene

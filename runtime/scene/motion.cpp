@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/bend.h"
+
 namespace strobe::scene {
 
 dmat4 Transform::matrix() const {
@@ -199,6 +201,58 @@ std::vector<dmat4> Poser::nodesAt(double time_s, double held_time_s) const {
   return worlds;
 }
 
+std::vector<std::vector<double>> Poser::weightsAt(double time_s, double held_time_s) const {
+  std::vector<std::vector<double>> weights;
+  for (const Node& node : scene_.nodes) weights.push_back(node.weights);
+  for (const Animation* clip : clips_) {
+    for (const WeightTrack& track : clip->weights) {
+      bool step = track.keys.interpolation == Track::Interpolation::Step;
+      weights[size_t(track.node)][track.target] =
+          valueAt(track.keys, clipTime(step ? held_time_s : time_s, clip->duration)).x;
+    }
+  }
+  return weights;
+}
+
+// Moves a node that shows a skin: its joints go along, about where the first has the mesh's origin.
+static void moveJoints(const std::vector<ConstantMotion>& motions, int node, double time_s,
+                       std::vector<dmat4>& joints) {
+  for (const ConstantMotion& motion : motions) {
+    if (motion.node != node) continue;
+    const dmat4 pivot = glm::translate(dmat4(1), dvec3(joints[0][3]));
+    const dmat4 step = movedBy(motion, pivot, time_s) * glm::inverse(pivot);
+    for (dmat4& joint : joints) joint = step * joint;
+  }
+}
+
+// Adds an instance to a pose in which nodes stand thus, with its motions at a
+// constant rate at that time; without one at rest.
+static void place(const Scene& scene, const Instance& instance, const std::vector<dmat4>& worlds,
+                  const std::vector<double>& weights, std::optional<double> time_s, Pose& pose) {
+  const Node& node = scene.nodes[size_t(instance.node)];
+  dmat4 world = worlds[size_t(instance.node)] * instance.node_from_instance;
+  Bend bend;
+  bend.weights = weights;
+  if (node.skin >= 0) {
+    std::vector<dmat4> joints = jointsOf(scene, instance, worlds);
+    if (time_s) moveJoints(scene.motions, instance.node, *time_s, joints);
+    if (node.sole_joint >= 0) world = joints[size_t(node.sole_joint)];
+    else bend.joints = std::move(joints);
+  }
+  if (bend.joints.empty()) world = glm::translate(world, scene.meshes[size_t(instance.mesh)].origin);
+  else world = glm::scale(dmat4(1), dvec3(instance.mirrored ? -1 : 1, 1, 1));
+  pose.world_from_instance.push_back(world);
+  pose.bends.push_back(std::move(bend));
+}
+
+Pose restPose(const Scene& scene) {
+  const std::vector<dmat4> worlds = restWorlds(scene);
+  Pose pose;
+  for (const Instance& instance : instancesOf(scene))
+    place(scene, instance, worlds, scene.nodes[size_t(instance.node)].weights, std::nullopt, pose);
+  return pose;
+}
+
 // The view direction is kept, the up direction made square to it, scale and mirroring dropped.
 static dmat4 unitFrame(const dmat4& world, const std::string& name) {
   dvec3 z = dvec3(world[2]), y = dvec3(world[1]);
@@ -244,10 +298,10 @@ Pose Poser::at(double time_s) const { return at(time_s, time_s); }
 
 Pose Poser::at(double time_s, double held_time_s) const {
   std::vector<dmat4> worlds = nodesAt(time_s, held_time_s);
+  const std::vector<std::vector<double>> weights = weightsAt(time_s, held_time_s);
   Pose pose;
   for (const Instance& instance : instances_) {
-    dmat4 world = worlds[instance.node] * instance.node_from_instance;
-    pose.world_from_instance.push_back(glm::translate(world, scene_.meshes[instance.mesh].origin));
+    place(scene_, instance, worlds, weights[size_t(instance.node)], time_s, pose);
   }
   for (int light : lights_) {
     pose.world_from_light.push_back(worlds[light]);

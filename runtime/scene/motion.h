@@ -31,6 +31,9 @@ std::vector<int> hierarchyOrder(const Scene& scene);
 // World from node at rest, of every node.
 std::vector<dmat4> restWorlds(const Scene& scene);
 
+// Instances at rest; without camera and lights.
+Pose restPose(const Scene& scene);
+
 // The index of the node called `name`. Throws `Error` with the nearest name.
 int nodeByName(const Scene& scene, const std::string& name);
 

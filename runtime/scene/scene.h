@@ -22,12 +22,27 @@ struct Vertex {
   vec4 color = vec4(1);  // linear factor of the base colour
 };
 
+// Which joints of a skin each vertex follows, `count` of them, and to what share; shares of a vertex add up to 1.
+struct Influences {
+  int count = 0;  // 0: there are none
+  std::vector<uint32_t> joints = {};
+  std::vector<double> shares = {};
+};
+
+// What is added to each vertex, times the weight of the target; empty: nothing.
+struct MorphTarget {
+  std::vector<vec3> positions = {}, normals = {};
+};
+
 // Triangles of one material.
 struct Geometry {
   std::vector<Vertex> vertices;
   std::vector<uint32_t> indices;  // three per triangle
   int material = 0;
   std::vector<uint32_t> source = {};  // which triangle of the file each was (scene/tree_order.h); empty: the same
+  Influences influences = {};
+  std::vector<MorphTarget> targets = {};  // as many as other geometries of the mesh have
+  bool faceted = false;                   // normals are those of the triangles, however they bend
 };
 
 // Positions are relative to `origin`, which poses add back in double (a mesh may lie far from its node's origin).
@@ -122,11 +137,19 @@ struct PropertyTrack {
   bool isOfCamera() const { return property <= Property::Near; }
 };
 
+// The keyed weight of a morph target.
+struct WeightTrack {
+  int node = -1;  // whose Node::weights has it
+  size_t target = 0;
+  Track keys;  // of no node: x is the weight
+};
+
 struct Animation {
   std::string name;
   std::vector<Track> tracks;
   double duration = 0;  // seconds; time past the end repeats from the start
   std::vector<PropertyTrack> properties = {};
+  std::vector<WeightTrack> weights = {};
 };
 
 // Rigid motion at a constant rate, in world axes: of `--move`, `--spin` and of scenes described in Lua.
@@ -139,6 +162,12 @@ struct ConstantMotion {
   double rest_time = 0;         // seconds
 };
 
+// Nodes that vertices follow. A vertex of a mesh comes to the world by joint * inverse_bind.
+struct Skin {
+  std::vector<int> joints;           // nodes
+  std::vector<dmat4> inverse_binds;  // of each
+};
+
 struct Node {
   std::string name;
   int parent = -1;
@@ -148,6 +177,10 @@ struct Node {
   std::optional<dmat4> matrix;  // instead of the three above
   int mesh = -1, camera = -1, light = -1;
   std::vector<dmat4> instances;  // of EXT_mesh_gpu_instancing: node-from-instance; empty means one, identity
+  // Of its mesh. With a skin the joints say where that is, and the transform of the node counts for nothing but its
+  // handedness. `sole_joint` (within the skin) has all vertices, which it then moves without bending them; else -1.
+  int skin = -1, sole_joint = -1;
+  std::vector<double> weights;  // of the morph targets, at rest; empty where none ever counts
 };
 
 // Radiance of rays that leave the scene, and the light that reaches surfaces from everywhere:
@@ -168,6 +201,7 @@ struct Scene {
   std::string name;
   std::vector<Node> nodes;  // a parent may stand after its child
   std::vector<Mesh> meshes;
+  std::vector<Skin> skins;
   std::vector<Material> materials;  // at least one
   std::vector<Texture> textures;
   std::vector<std::string> variants;  // sets of materials that the file offers, by name
@@ -187,19 +221,29 @@ struct Instance {
   int node = -1;
   int mesh = -1;
   dmat4 node_from_instance = dmat4(1);
-  bool mirrored = false;
+  bool mirrored = false;  // at rest
 };
 
 // The drawables in a fixed order (node order, then instance order).
 std::vector<Instance> instancesOf(const Scene& scene);
 
+// How an instance is bent: what its vertices are made from (scene/bend.h).
+struct Bend {
+  std::vector<dmat4> joints;    // world-from-mesh of each joint of its skin; empty: it has none, or a sole joint
+  std::vector<double> weights;  // of the morph targets
+  bool operator==(const Bend&) const = default;
+};
+
 // Where everything is at one time, in world space.
 struct Pose {
-  std::vector<dmat4> world_from_instance;  // one per instance, the mesh's `origin` already included
-  std::vector<dmat4> world_from_light;     // one per light node, see `lightsOf`
-  std::vector<Light> lights;               // as they shine then, one per light node
-  dmat4 world_from_camera = dmat4(1);      // camera looks along -z, y up; unit scale
-  Camera camera;                           // its lens then
+  // One per instance, the mesh's `origin` already included. Where joints bend it, the axes of the world, x turned round
+  // where the instance is mirrored.
+  std::vector<dmat4> world_from_instance;
+  std::vector<Bend> bends;              // one per instance; of what does not bend empty
+  std::vector<dmat4> world_from_light;  // one per light node, see `lightsOf`
+  std::vector<Light> lights;            // as they shine then, one per light node
+  dmat4 world_from_camera = dmat4(1);   // camera looks along -z, y up; unit scale
+  Camera camera;                        // its lens then
 };
 
 // Light nodes: indices into Scene::nodes, in order.
@@ -223,6 +267,7 @@ class Poser {
 
  private:
   void keyProperties(Pose& pose, double time_s, double held_time_s) const;
+  std::vector<std::vector<double>> weightsAt(double time_s, double held_time_s) const;
   const Scene& scene_;
   std::vector<Instance> instances_;
   std::vector<int> lights_;

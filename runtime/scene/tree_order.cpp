@@ -8,6 +8,8 @@
 #include <future>
 #include <thread>
 
+#include "scene/bend.h"
+
 namespace strobe::scene {
 
 namespace {
@@ -220,7 +222,7 @@ Bounds moved(const Bounds& box, const dmat4& transform) {
   return result;
 }
 
-SceneTree treeOf(const Scene& scene, const std::vector<dmat4>& world_from_instance) {
+SceneTree treeOf(const Scene& scene, const Pose& pose) {
   SceneTree tree;
   struct OfMesh {
     Bounds bounds;
@@ -236,7 +238,9 @@ SceneTree treeOf(const Scene& scene, const std::vector<dmat4>& world_from_instan
   std::vector<Instance> instances = instancesOf(scene);
   std::vector<Bounds> boxes;
   for (size_t i = 0; i < instances.size(); ++i)
-    boxes.push_back(moved(meshes[size_t(instances[i].mesh)].bounds, world_from_instance[i]));
+    boxes.push_back(bends(scene, instances[i])
+                        ? posedBounds(scene, instances, i, pose)
+                        : moved(meshes[size_t(instances[i].mesh)].bounds, pose.world_from_instance[i]));
   tree.instances = instances.size(), tree.visits = tree.visits_as_given = treeCost(boxes);
   Bounds whole;
   for (const Bounds& box : boxes) whole.add(box);

@@ -30,11 +30,11 @@ Bounds moved(const Bounds& box, const dmat4& transform);
 // over that of the outermost (the surface area heuristic; MacDonald and Booth 1990). 0 without boxes.
 double treeCost(const std::vector<Bounds>& boxes);
 
-// The same of a scene: a tree over instances as they stand, and in each the tree of its mesh.
+// The same of a scene: a tree over instances as they stand, and in each the tree of its mesh, unbent.
 struct SceneTree {
   size_t triangles = 0, instances = 0;     // triangles of all instances
   double visits = 0, visits_as_given = 0;  // as ordered; in the order of the scene's file
 };
-SceneTree treeOf(const Scene& scene, const std::vector<dmat4>& world_from_instance);
+SceneTree treeOf(const Scene& scene, const Pose& pose);
 
 }  // namespace strobe::scene

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "world/structures.h"
 
@@ -8,11 +9,15 @@ namespace strobe::world {
 
 namespace {
 
+constexpr gpu::Touch kBuilt = {VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR,
+                               VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR};
+
 class DriverStructures : public Structures {
  public:
   DriverStructures(const gpu::Device& device, const scene::Scene& scene,
-                   const std::vector<std::vector<gpu::TriangleGeometry>>& meshes, uint32_t slices)
-      : device_(device), instances_(scene::instancesOf(scene)), slices_(slices) {
+                   const std::vector<std::vector<gpu::TriangleGeometry>>& meshes, const BentInstances& bent,
+                   uint32_t slices)
+      : device_(device), instances_(scene::instancesOf(scene)), bent_(bent), slices_(slices) {
     for (size_t m = 0; m < meshes.size(); ++m) {
       uint64_t triangles = 0;
       for (const gpu::TriangleGeometry& geometry : meshes[m]) triangles += geometry.triangle_count;
@@ -24,6 +29,8 @@ class DriverStructures : public Structures {
       flags_.push_back(isOneSided(scene, mesh) ? 0 : VK_GEOMETRY_INSTANCE_TRIANGLE_FACING_CULL_DISABLE_BIT_KHR);
     for (uint32_t level = 0; level <= levelOf(slices - 1); ++level)
       top_levels_.emplace_back(device, fmt::format("scene.top_level.{}", level), uint32_t(instances_.size()));
+    for (uint32_t level = 0; level < top_levels_.size(); ++level)
+      for (size_t item = 0; item < bent.items().size(); ++item) addBent(scene, meshes, level, item);
   }
 
   VkDescriptorSetLayoutBinding binding(uint32_t number) const override {
@@ -57,19 +64,57 @@ class DriverStructures : public Structures {
       instance.accelerationStructureReference = mesh.handle() ? mesh.address() : 0;
       posed[i] = instance;
     }
+    for (size_t item = 0; item < bent_.items().size(); ++item)
+      posed[bent_.items()[item].instance].accelerationStructureReference = bentAt(level, item).structure.address();
   }
 
-  void recordBuild(VkCommandBuffer commands, uint32_t level) const override {
+  void recordBuild(VkCommandBuffer commands, uint32_t level) override {
+    bool any = false;
+    for (size_t item = 0; item < bent_.items().size(); ++item) {
+      Bent& bent = bentAt(level, item);
+      const uint64_t version = bent_.version(sliceOf(level), item);
+      if (std::exchange(bent.version, version) == version || !bent.structure.handle()) continue;
+      bent.structure.recordBuild(commands);
+      any = true;
+    }
+    if (any)
+      recordBarrier(device_, commands, kBuilt,
+                    {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR});
     top_levels_[level].recordBuild(commands, uint32_t(instances_.size()));
   }
 
  private:
+  // An instance that bends, as it is at a level.
+  struct Bent {
+    gpu::BottomLevel structure;  // none where it has no triangles
+    uint64_t version = 0;        // of the vertices it was built over
+  };
+  Bent& bentAt(uint32_t level, size_t item) { return bents_[level * bent_.items().size() + item]; }
+
+  void addBent(const scene::Scene& scene, const std::vector<std::vector<gpu::TriangleGeometry>>& meshes, uint32_t level,
+               size_t item) {
+    const size_t mesh = size_t(instances_[bent_.items()[item].instance].mesh);
+    std::vector<gpu::TriangleGeometry> geometries = meshes[mesh];
+    VkDeviceAddress at = bent_.address(sliceOf(level), item);
+    uint64_t triangles = 0;
+    for (gpu::TriangleGeometry& geometry : geometries) {
+      geometry.vertices = at;
+      geometry.vertex_stride = sizeof(shared::SceneBentVertex);
+      at += VkDeviceAddress(geometry.vertex_count) * geometry.vertex_stride;
+      triangles += geometry.triangle_count;
+    }
+    const std::string name = fmt::format("scene.bent.{}.{}", scene.meshes[mesh].name, level);
+    bents_.push_back({triangles ? gpu::BottomLevel(device_, name, geometries) : gpu::BottomLevel(), 0});
+  }
+
   const gpu::Device& device_;
   std::vector<scene::Instance> instances_;
+  const BentInstances& bent_;
   uint32_t slices_;
   std::vector<VkGeometryInstanceFlagsKHR> flags_;  // of instances of each mesh
   std::vector<gpu::Acceleration> bottom_levels_;   // of each mesh, empty where it has no triangles
   std::vector<gpu::TopLevel> top_levels_;
+  std::vector<Bent> bents_;  // by level, then item
 };
 
 }  // namespace
@@ -82,8 +127,8 @@ bool isOneSided(const scene::Scene& scene, const scene::Mesh& mesh) {
 
 std::unique_ptr<Structures> makeDriverStructures(const gpu::Device& device, const scene::Scene& scene,
                                                  const std::vector<std::vector<gpu::TriangleGeometry>>& meshes,
-                                                 uint32_t slices) {
-  return std::make_unique<DriverStructures>(device, scene, meshes, slices);
+                                                 const BentInstances& bent, uint32_t slices) {
+  return std::make_unique<DriverStructures>(device, scene, meshes, bent, slices);
 }
 
 }  // namespace strobe::world

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "world/fits.h"
 
+#include "scene/bend.h"
 #include "shared/bvh.h"
 #include "shared/scene.h"
 #include "world/limits.h"
@@ -12,11 +13,14 @@ using namespace scene;
 namespace {
 
 struct Counts {
-  uint64_t vertices = 0, indices = 0;
+  uint64_t vertices = 0, indices = 0, bending = 0;  // of vertices, those of instances that bend
   explicit Counts(const Scene& scene) {
     for (const Mesh& mesh : scene.meshes)
       for (const Geometry& geometry : mesh.geometries)
         vertices += geometry.vertices.size(), indices += geometry.indices.size();
+    for (const Instance& instance : instancesOf(scene))
+      if (bends(scene, instance)) bending += vertexCount(scene, instance);
+    vertices += bending;
   }
 };
 
@@ -61,6 +65,7 @@ void requireFits(const Scene& scene, uint32_t slices, const gpu::DeviceLimits& l
   };
   requireBytes("vertices", counts.vertices * sizeof(shared::SceneVertex), limits.array_bytes);
   requireBytes("indices", counts.indices * sizeof(uint32_t), limits.array_bytes);
+  requireBytes("bent vertices", counts.bending * slices * sizeof(shared::SceneBentVertex), limits.array_bytes);
   requireBytes("transforms", instances * slices * sizeof(shared::SceneTransform), limits.buffer_bytes);
   for (const Texture& texture : scene.textures)
     beyond.require(gpu::kImageLimit, fmt::format("texture '{}'", texture.name),

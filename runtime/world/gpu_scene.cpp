@@ -18,7 +18,8 @@ static constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BI
 
 // What SceneMeshes of shaders/shared/bindings.glsl has.
 struct MeshAddresses {
-  VkDeviceAddress vertices, indices;
+  VkDeviceAddress vertices, indices, bent;
+  uint32_t first_bending, bending_count;
 };
 
 template <class T>
@@ -34,13 +35,16 @@ GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slice
       slices_(std::max(slices, SLICE_SAMPLE)),
       instances_(instancesOf(scene)),
       light_nodes_(lightsOf(scene)),
-      meshes_(meshes) {
+      meshes_(meshes),
+      bent_(device, scene, *meshes, slices_),
+      bent_items_(instances_.size(), -1) {
+  for (size_t i = 0; i < bent_.items().size(); ++i) bent_items_[bent_.items()[i].instance] = int(i);
   uploadGeometry(scene);
   uploadMaterials(scene);
   uploadTextures(scene);
   structures_ = structures == StructureKind::Own
-                    ? makeOwnStructures(device, scene, meshes->trees(), meshes->treeTriangles(), slices_)
-                    : makeDriverStructures(device, scene, meshes->triangles(), slices_);
+                    ? makeOwnStructures(device, scene, meshes->trees(), meshes->treeTriangles(), bent_, slices_)
+                    : makeDriverStructures(device, scene, meshes->triangles(), bent_, slices_);
   auto host_array = [&](const char* name, size_t bytes, VkBufferUsageFlags usage) {
     return Buffer(device_, name, bytes, usage, Buffer::Memory::Host);
   };
@@ -48,7 +52,8 @@ GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slice
   lights_ = host_array("scene.lights", slices_ * light_nodes_.size() * sizeof(SceneLight), kStorage);
   transforms_ = host_array("scene.transforms", slices_ * instances_.size() * sizeof(SceneTransform), kStorage);
   addresses_ = host_array("scene.meshes", sizeof(MeshAddresses), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-  addresses_.write(std::vector<MeshAddresses>{{meshes->vertices().address(), meshes->indices().address()}});
+  addresses_.write(std::vector<MeshAddresses>{{meshes->vertices().address(), meshes->indices().address(),
+                                               bent_.address(), meshes->firstBendingVertex(), bent_.vertexCount()}});
   cameras_ = host_array("scene.cameras", slices_ * sizeof(SceneCamera), kStorage);
   makeSet();
 }
@@ -60,6 +65,7 @@ void GpuScene::uploadGeometry(const Scene& scene) {
   for (size_t i = 0; i < instances_.size(); ++i) {
     const Mesh& mesh = scene.meshes[size_t(instances_[i].mesh)];
     uint32_t first = meshes_->firstGeometry()[size_t(instances_[i].mesh)];
+    if (bent_items_[i] >= 0) first = bent_.items()[size_t(bent_items_[i])].first_geometry;
     instance_data.push_back({first, uint32_t(mesh.geometries.size()), 1});
     for (uint32_t g = 0; g < mesh.geometries.size(); ++g) {
       const SceneGeometry& geometry = geometries[first + g];
@@ -214,15 +220,17 @@ void GpuScene::setFrame(const FrameData& frame) { std::memcpy(frame_.mapped(), &
 
 // How far behind the near plane of a parallel camera the farthest corner of any bounds is; at least 1024 times half its
 // height, so that depths do not depend on what is far within that.
-double GpuScene::depthRange(const Pose& pose) const {
+double GpuScene::depthRange(uint32_t slice, const Pose& pose) const {
   const Camera& camera = pose.camera;
   double least = 1024 * camera.half_height, farthest = 0;
   dvec3 back = glm::normalize(dvec3(pose.world_from_camera[2])), eye = dvec3(pose.world_from_camera[3]);
   for (size_t i = 0; i < instances_.size() && camera.orthographic; ++i) {
-    const Bounds& bounds = meshes_->bounds()[size_t(instances_[i].mesh)];
+    const int item = bent_items_[i];
+    const dmat4& world = item < 0 ? pose.world_from_instance[i] : bent_.world(slice, size_t(item));
+    const Bounds& bounds = item < 0 ? meshes_->bounds()[size_t(instances_[i].mesh)] : bent_.bounds(slice, size_t(item));
     if (bounds.empty()) continue;
     for (int k = 0; k < 8; ++k) {
-      dvec3 corner(pose.world_from_instance[i] * dvec4(bounds.corner(k), 1));
+      dvec3 corner(world * dvec4(bounds.corner(k), 1));
       farthest = std::max(farthest, glm::dot(eye - corner, back));
     }
   }
@@ -243,6 +251,9 @@ static SceneCamera cameraData(const Pose& pose, double aspect, const dvec3& orig
   data.orthographic = camera.orthographic ? 1 : 0;
   return data;
 }
+
+// Single precision has squares of lengths up to 1e18, with room for sums of them.
+constexpr double kFarthest = 1e18;
 
 static SceneTransform transformData(const dmat4& world_from_instance, const dvec3& origin) {
   dmat4 m = world_from_instance;
@@ -266,11 +277,16 @@ static SceneLight lightData(const Light& light, const dmat4& world_from_light, c
   return data;
 }
 
-// Single precision has squares of lengths up to 1e18, with room for sums of them.
 static bool isUsable(const SceneTransform& transform) {
   bool usable = true;
   for (const vec4* row : {&transform.row_x, &transform.row_y, &transform.row_z})
-    for (int i = 0; i < 4; ++i) usable = usable && std::abs((*row)[i]) < 1e18f;  // false for NaN
+    for (int i = 0; i < 4; ++i) usable = usable && std::abs((*row)[i]) < float(kFarthest);  // false for NaN
+  return usable;
+}
+
+static bool isUsable(const Bounds& bounds) {
+  bool usable = true;
+  for (int i = 0; i < 3; ++i) usable = usable && bounds.low[i] > -kFarthest && bounds.high[i] < kFarthest;
   return usable;
 }
 
@@ -281,13 +297,17 @@ void GpuScene::refuseTransform(int node) const {
 
 void GpuScene::setPose(uint32_t slice, const Pose& pose, double aspect, const dvec3& origin) {
   STROBE_ASSERT(slice < slices_ && pose.world_from_instance.size() == instances_.size(), "slice {}", slice);
+  bent_.pose(slice, pose, origin);
   SceneCamera& posed = static_cast<SceneCamera*>(cameras_.mapped())[slice];
   posed = cameraData(pose, aspect, origin);
-  posed.depth_range = float(depthRange(pose));
+  posed.depth_range = float(depthRange(slice, pose));
   auto* transforms = static_cast<SceneTransform*>(transforms_.mapped()) + slice * instances_.size();
   for (size_t i = 0; i < instances_.size(); ++i) {
-    transforms[i] = transformData(pose.world_from_instance[i], origin);
-    if (!isUsable(transforms[i])) refuseTransform(instances_[i].node);
+    const int item = bent_items_[i];
+    const dmat4& world = item < 0 ? pose.world_from_instance[i] : bent_.world(slice, size_t(item));
+    transforms[i] = transformData(world, origin);
+    const bool is_bent_usable = item < 0 || isUsable(bent_.bounds(slice, size_t(item)));
+    if (!isUsable(transforms[i]) || !is_bent_usable) refuseTransform(instances_[i].node);
   }
   auto* lights = static_cast<SceneLight*>(lights_.mapped()) + slice * light_nodes_.size();
   for (size_t i = 0; i < light_nodes_.size(); ++i)

@@ -10,6 +10,7 @@
 #include "scene/scene.h"
 #include "shared/frame.h"
 #include "shared/scene.h"
+#include "world/bent_instances.h"
 #include "world/scene_meshes.h"
 #include "world/structures.h"
 
@@ -56,7 +57,7 @@ class GpuScene {
   void uploadTextures(const scene::Scene& scene);
   void makeSet();
   [[noreturn]] void refuseTransform(int node) const;
-  double depthRange(const scene::Pose& pose) const;
+  double depthRange(uint32_t slice, const scene::Pose& pose) const;
 
   const gpu::Device& device_;
   const scene::Scene& scene_;
@@ -66,6 +67,8 @@ class GpuScene {
   std::vector<int> light_nodes_;
   std::vector<Draw> draws_;
   std::shared_ptr<SceneMeshes> meshes_;
+  BentInstances bent_;
+  std::vector<int> bent_items_;  // by instance: its number among those that bend, else -1
   gpu::Buffer frame_, addresses_, geometry_buffer_, instance_buffer_, draw_buffer_, materials_, lights_, transforms_,
       cameras_;
   std::vector<gpu::Image> textures_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "world/refit.h"
 
 namespace strobe::world {
 
@@ -24,8 +25,17 @@ class Triangles {
 
   uint32_t count() const { return count_; }
 
+  // Which vertices a triangle has, counted across the geometries.
+  std::array<uint32_t, 3> verticesOf(uint32_t index) const {
+    const size_t g = geometryOf(index);
+    uint32_t first = 0;
+    for (size_t before = 0; before < g; ++before) first += uint32_t(mesh_.geometries[before].vertices.size());
+    const uint32_t* corner = &mesh_.geometries[g].indices[3 * size_t(index - firsts_[g])];
+    return {first + corner[0], first + corner[1], first + corner[2]};
+  }
+
   BvhTriangle at(uint32_t index) const {
-    const size_t g = size_t(std::upper_bound(firsts_.begin(), firsts_.end(), index) - firsts_.begin()) - 1;
+    const size_t g = geometryOf(index);
     const scene::Geometry& geometry = mesh_.geometries[g];
     const scene::Material& material = scene_.materials[size_t(geometry.material)];
     const bool opaque = material.alpha == scene::Material::Alpha::Opaque && material.double_sided;
@@ -38,6 +48,10 @@ class Triangles {
   }
 
  private:
+  size_t geometryOf(uint32_t index) const {
+    return size_t(std::upper_bound(firsts_.begin(), firsts_.end(), index) - firsts_.begin()) - 1;
+  }
+
   const scene::Scene& scene_;
   const scene::Mesh& mesh_;
   std::vector<uint32_t> firsts_;
@@ -76,6 +90,34 @@ MeshTrees buildMeshTrees(const scene::Scene& scene) {
     for (const BvhItem& item : items) trees.triangles.push_back(triangles.at(item.index));
   }
   return trees;
+}
+
+BendingTree::BendingTree(const scene::Scene& scene, const scene::Mesh& mesh) {
+  const Triangles triangles(scene, mesh);
+  boxes_.resize(triangles.count());
+  for (uint32_t i = 0; i < triangles.count(); ++i) boxes_[i] = boxOf(triangles.at(i));
+  bvh_ = buildBvh(boxes_);
+  for (uint32_t index : bvh_.order) {
+    triangles_.push_back(triangles.at(index));
+    vertices_.push_back(triangles.verticesOf(index));
+  }
+}
+
+void BendingTree::fit(std::span<const shared::SceneBentVertex> vertices, uint32_t first_node, uint32_t first_triangle,
+                      BvhNode* nodes, BvhTriangle* triangles) {
+  bounds_ = {};
+  for (size_t i = 0; i < triangles_.size(); ++i) {
+    for (size_t c = 0; c < 3; ++c) triangles_[i].corner[c] = vertices[vertices_[i][c]].position;
+    Box& box = boxes_[bvh_.order[i]] = boxOf(triangles_[i]);
+    bounds_.add(box);
+    triangles[i] = triangles_[i];
+  }
+  refitBvh(bvh_, boxes_);
+  for (const BvhNode& node : bvh_.nodes) {
+    *nodes = node;
+    for (uint32_t& child : nodes->children) child += child & BVH_LEAF ? first_triangle : first_node;
+    ++nodes;
+  }
 }
 
 }  // namespace strobe::world

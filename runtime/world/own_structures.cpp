@@ -11,6 +11,7 @@ namespace strobe::world {
 
 using shared::BvhInstance;
 using shared::BvhNode;
+using shared::BvhTriangle;
 
 namespace {
 
@@ -72,17 +73,23 @@ Box posedBox(const Box& mesh, const Rows& world_from_object, const Rows& object_
 class OwnStructures : public Structures {
  public:
   OwnStructures(const gpu::Device& device, const scene::Scene& scene, const MeshTrees& trees,
-                const gpu::Buffer& triangles, uint32_t slices)
-      : device_(device), instances_(scene::instancesOf(scene)), roots_(trees.roots), bounds_(trees.bounds) {
+                const gpu::Buffer& triangles, const BentInstances& bent, uint32_t slices)
+      : device_(device),
+        instances_(scene::instancesOf(scene)),
+        bent_(bent),
+        roots_(trees.roots),
+        bounds_(trees.bounds) {
     for (uint32_t root : roots_) reaches_.push_back(trees.nodes[root].reach);
     size_t levels = levelOf(slices - 1) + 1;
     nodes_per_tree_ = std::max<size_t>(1, instances_.size());
     first_root_ = trees.nodes.size();
+    numberBending(scene, triangles, levels);
     refuseNodes(scene.name, levels);
     size_t mesh_bytes = first_root_ * sizeof(BvhNode), top_bytes = 2 * levels * nodes_per_tree_ * sizeof(BvhNode);
     size_t instance_bytes = levels * instances_.size() * sizeof(BvhInstance);
     using gpu::Buffer;
-    gpu::Upload nodes(device, "scene.bvh.nodes", mesh_bytes + top_bytes, kRead);
+    gpu::Upload nodes(device, "scene.bvh.nodes", mesh_bytes + top_bytes + levels * bending_nodes_ * sizeof(BvhNode),
+                      kRead);
     nodes.append(trees.nodes.data(), mesh_bytes);
     nodes_ = nodes.finish();
     posed_ = Buffer(device, "scene.bvh.instances", instance_bytes, kRead, Buffer::Memory::Device);
@@ -91,8 +98,11 @@ class OwnStructures : public Structures {
     };
     next_nodes_ = staging("scene.bvh.next_nodes", top_bytes);
     next_posed_ = staging("scene.bvh.next_instances", instance_bytes);
-    Addresses addresses{nodes_.address(), triangles.address(), posed_.address(), uint32_t(first_root_),
-                        uint32_t(nodes_per_tree_)};
+    next_bent_nodes_ = staging("scene.bvh.next_bent_nodes", levels * bending_nodes_ * sizeof(BvhNode));
+    next_triangles_ = staging("scene.bvh.next_triangles", levels * bending_triangles_ * sizeof(BvhTriangle));
+    if (!bending_.empty()) makeTriangles(triangles, levels);
+    Addresses addresses{nodes_.address(), bending_.empty() ? triangles.address() : triangles_.address(),
+                        posed_.address(), uint32_t(first_root_), uint32_t(nodes_per_tree_)};
     addresses_ =
         Buffer(device, "scene.bvh", sizeof addresses, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, Buffer::Memory::Host);
     std::memcpy(addresses_.mapped(), &addresses, sizeof addresses);
@@ -114,6 +124,7 @@ class OwnStructures : public Structures {
   }
 
   void pose(uint32_t level, const shared::SceneTransform* transforms, const std::vector<bool>& moves) override {
+    for (size_t b = 0; b < bending_.size(); ++b) fit(level, b);
     auto* posed = static_cast<BvhInstance*>(next_posed_.mapped()) + level * instances_.size();
     std::vector<Box> boxes(instances_.size());
     for (size_t i = 0; i < instances_.size(); ++i) {
@@ -124,14 +135,27 @@ class OwnStructures : public Structures {
       bool empty = bounds_[mesh].low.x > bounds_[mesh].high.x;
       if (!empty) boxes[i] = posedBox(bounds_[mesh], forward, back);
     }
+    for (size_t b = 0; b < bending_.size(); ++b) {
+      const Bending& bending = bending_[b];
+      const size_t i = bent_.items()[b].instance;
+      const Fit& fit = bending.fits[level];
+      Rows forward{{dvec4(transforms[i].row_x), dvec4(transforms[i].row_y), dvec4(transforms[i].row_z)}};
+      posed[i].root = firstNode(level, bending), posed[i].reach = fit.reach;
+      boxes[i] = bending.tree.triangles() > 0 ? posedBox(fit.bounds, forward, inverseOf(forward)) : Box();
+    }
     putTree(2 * level, boxes);
     for (size_t i = 0; i < boxes.size(); ++i)
       if (!moves[i]) boxes[i] = {};
     putTree(2 * level + 1, boxes);
   }
 
-  void recordBuild(VkCommandBuffer commands, uint32_t level) const override {
+  void recordBuild(VkCommandBuffer commands, uint32_t level) override {
     const size_t nodes = 2 * nodes_per_tree_ * sizeof(BvhNode), posed = instances_.size() * sizeof(BvhInstance);
+    const size_t bent = bending_nodes_ * sizeof(BvhNode), triangles = bending_triangles_ * sizeof(BvhTriangle);
+    recordCopy(commands, next_bent_nodes_, level * bent, nodes_, first_bending_node_ * sizeof(BvhNode) + level * bent,
+               bent);
+    recordCopy(commands, next_triangles_, level * triangles, triangles_,
+               first_bending_triangle_ * sizeof(BvhTriangle) + level * triangles, triangles);
     recordCopy(commands, next_nodes_, level * nodes, nodes_, first_root_ * sizeof(BvhNode) + level * nodes, nodes);
     recordCopy(commands, next_posed_, level * posed, posed_, level * posed, posed);
     recordBarrier(device_, commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
@@ -139,11 +163,66 @@ class OwnStructures : public Structures {
   }
 
  private:
+  // The tree of an instance that bends, as it is at a level.
+  struct Fit {
+    uint64_t version = 0;
+    Box bounds;
+    float reach = 0;
+  };
+  struct Bending {
+    BendingTree tree;
+    size_t first_node = 0, first_triangle = 0;  // at each level
+    std::vector<Fit> fits;                      // of each level
+  };
+
+  void numberBending(const scene::Scene& scene, const gpu::Buffer& triangles, size_t levels) {
+    for (const SceneMeshes::Bending& item : bent_.items()) {
+      const size_t mesh = size_t(instances_[item.instance].mesh);
+      Bending bending{BendingTree(scene, scene.meshes[mesh]), bending_nodes_, bending_triangles_, {}};
+      bending.fits.resize(levels);
+      bending_nodes_ += bending.tree.nodes();
+      bending_triangles_ += bending.tree.triangles();
+      bending_.push_back(std::move(bending));
+    }
+    first_bending_node_ = first_root_ + 2 * levels * nodes_per_tree_;
+    first_bending_triangle_ = triangles.size() / sizeof(BvhTriangle);
+  }
+
+  // Those of all meshes, and room for those of what bends at each level.
+  void makeTriangles(const gpu::Buffer& meshes, size_t levels) {
+    const size_t bytes = (first_bending_triangle_ + levels * bending_triangles_) * sizeof(BvhTriangle);
+    triangles_ = gpu::Buffer(device_, "scene.bvh.all_triangles", bytes, kRead, gpu::Buffer::Memory::Device);
+    device_.submit([&](VkCommandBuffer commands) {
+      recordCopy(commands, meshes, 0, triangles_, 0, first_bending_triangle_ * sizeof(BvhTriangle));
+    });
+  }
+
+  uint32_t firstNode(uint32_t level, const Bending& bending) const {
+    return uint32_t(first_bending_node_ + level * bending_nodes_ + bending.first_node);
+  }
+
+  void fit(uint32_t level, size_t b) {
+    Bending& bending = bending_[b];
+    Fit& fit = bending.fits[level];
+    const uint32_t slice = sliceOf(level);
+    if (fit.version == bent_.version(slice, b)) return;
+    fit.version = bent_.version(slice, b);
+    const size_t node = level * bending_nodes_ + bending.first_node;
+    const size_t triangle = level * bending_triangles_ + bending.first_triangle;
+    bending.tree.fit(bent_.vertices(slice, b), firstNode(level, bending), uint32_t(first_bending_triangle_ + triangle),
+                     static_cast<BvhNode*>(next_bent_nodes_.mapped()) + node,
+                     static_cast<BvhTriangle*>(next_triangles_.mapped()) + triangle);
+    fit.bounds = bending.tree.bounds(), fit.reach = bending.tree.reach();
+  }
+
   void refuseNodes(const std::string& scene, size_t levels) const {
-    const size_t nodes = first_root_ + 2 * levels * nodes_per_tree_;
-    if (nodes <= BVH_MOST_NODES) return;
-    throw Error(kTreeLimit.text(fmt::format("{}: its tree, posed {} times at once, has {} nodes of at most {}", scene,
-                                            levels, nodes, BVH_MOST_NODES)));
+    const size_t nodes = first_bending_node_ + levels * bending_nodes_;
+    const size_t triangles = first_bending_triangle_ + levels * bending_triangles_;
+    if (nodes <= BVH_MOST_NODES && triangles <= size_t{1} << BVH_LEAF_COUNT) return;
+    throw Error(
+        kTreeLimit.text(fmt::format("{}: its tree, posed {} times at once, has {} nodes of at most {} and {} "
+                                    "triangles of at most {}",
+                                    scene, levels, nodes, BVH_MOST_NODES, triangles, size_t{1} << BVH_LEAF_COUNT)));
   }
 
   // Each level has two trees: of all instances, and of those that move.
@@ -166,18 +245,24 @@ class OwnStructures : public Structures {
 
   const gpu::Device& device_;
   std::vector<scene::Instance> instances_;
+  const BentInstances& bent_;
+  std::vector<Bending> bending_;
   std::vector<uint32_t> roots_;
   std::vector<float> reaches_;
   std::vector<Box> bounds_;
   size_t first_root_ = 0, nodes_per_tree_ = 0;
+  size_t first_bending_node_ = 0, bending_nodes_ = 0;          // of level 0; of each level
+  size_t first_bending_triangle_ = 0, bending_triangles_ = 0;  // the same
   gpu::Buffer nodes_, posed_, next_nodes_, next_posed_, addresses_;
+  gpu::Buffer triangles_, next_bent_nodes_, next_triangles_;  // of a scene in which something bends
 };
 
 }  // namespace
 
 std::unique_ptr<Structures> makeOwnStructures(const gpu::Device& device, const scene::Scene& scene,
-                                              const MeshTrees& trees, const gpu::Buffer& triangles, uint32_t slices) {
-  return std::make_unique<OwnStructures>(device, scene, trees, triangles, slices);
+                                              const MeshTrees& trees, const gpu::Buffer& triangles,
+                                              const BentInstances& bent, uint32_t slices) {
+  return std::make_unique<OwnStructures>(device, scene, trees, triangles, bent, slices);
 }
 
 }  // namespace strobe::world

@@ -3,6 +3,7 @@
 
 #include <glm/gtc/packing.hpp>
 
+#include "scene/bend.h"
 #include "world/limits.h"
 #include "world/structures.h"
 
@@ -38,6 +39,25 @@ void SceneMeshes::numberGeometries() {
       index_count_ += source.indices.size();
     }
   }
+  first_bending_vertex_ = uint32_t(vertex_count_);
+  numberBending();
+}
+
+void SceneMeshes::numberBending() {
+  const std::vector<Instance> instances = instancesOf(scene_);
+  for (size_t i = 0; i < instances.size(); ++i) {
+    if (!bends(scene_, instances[i])) continue;
+    Bending bending{uint32_t(i), uint32_t(geometries_.size()), uint32_t(vertex_count_), 0};
+    const size_t mesh = size_t(instances[i].mesh), first = first_geometry_[mesh];
+    for (size_t g = 0; g < scene_.meshes[mesh].geometries.size(); ++g) {
+      SceneGeometry geometry = geometries_[first + g];
+      geometry.first_vertex = uint32_t(vertex_count_);
+      geometries_.push_back(geometry);
+      vertex_count_ += scene_.meshes[mesh].geometries[g].vertices.size();
+    }
+    bending.vertex_count = uint32_t(vertex_count_) - bending.first_vertex;
+    bending_.push_back(bending);
+  }
 }
 
 // The geometries of all meshes, one after the other.
@@ -48,15 +68,25 @@ static std::vector<const Geometry*> geometriesOf(const Scene& scene) {
   return all;
 }
 
+// And of instances that bend.
+static std::vector<const Geometry*> bendingGeometriesOf(const Scene& scene) {
+  std::vector<const Geometry*> all;
+  for (const Instance& instance : instancesOf(scene))
+    for (const Geometry& geometry : scene.meshes[size_t(instance.mesh)].geometries)
+      if (bends(scene, instance)) all.push_back(&geometry);
+  return all;
+}
+
 static SceneVertex deviceVertex(const Vertex& v) {
   return {v.position, v.normal, v.uv0, v.uv1, glm::packUnorm4x8(v.color)};
 }
 
 gpu::Buffer SceneMeshes::uploadVertices(VkBufferUsageFlags usage) const {
   gpu::Upload upload(device_, "scene.vertices", vertex_count_ * sizeof(SceneVertex), usage);
-  for (const Geometry* geometry : geometriesOf(scene_))
-    upload.append<SceneVertex>(geometry->vertices.size(),
-                               [&](size_t i) { return deviceVertex(geometry->vertices[i]); });
+  for (const std::vector<const Geometry*>& geometries : {geometriesOf(scene_), bendingGeometriesOf(scene_)})
+    for (const Geometry* geometry : geometries)
+      upload.append<SceneVertex>(geometry->vertices.size(),
+                                 [&](size_t i) { return deviceVertex(geometry->vertices[i]); });
   return upload.finish();
 }
 
@@ -98,7 +128,8 @@ const MeshTrees& SceneMeshes::trees() {
   const std::vector<BvhTriangle>& triangles = trees->triangles;
   tree_triangles_ =
       gpu::uploadBuffer(device_, "scene.bvh.triangles", triangles.data(), triangles.size() * sizeof(BvhTriangle),
-                        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT);
+                        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT |
+                            VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
   trees->triangles = {};
   trees_ = std::move(trees);
   return *trees_;

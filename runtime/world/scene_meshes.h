@@ -20,7 +20,17 @@ class SceneMeshes {
 
   const gpu::Buffer& vertices() const { return vertices_; }
   const gpu::Buffer& indices() const { return indices_; }
-  // Of all meshes, and the first of each.
+  // An instance that bends has vertices and geometries of its own, behind those of all meshes, in the order of
+  // instances: unbent, and over the indices of its mesh.
+  struct Bending {
+    uint32_t instance = 0;
+    uint32_t first_geometry = 0;
+    uint32_t first_vertex = 0, vertex_count = 0;  // of all its geometries
+  };
+  const std::vector<Bending>& bending() const { return bending_; }
+  // Those from this one bend.
+  uint32_t firstBendingVertex() const { return first_bending_vertex_; }
+  // Of all meshes and of what bends, and the first of each mesh.
   const std::vector<shared::SceneGeometry>& geometries() const { return geometries_; }
   const std::vector<uint32_t>& firstGeometry() const { return first_geometry_; }
   // Of each mesh, relative to its origin.
@@ -35,6 +45,7 @@ class SceneMeshes {
 
  private:
   void numberGeometries();
+  void numberBending();
   gpu::Buffer uploadVertices(VkBufferUsageFlags usage) const;
   gpu::Buffer uploadIndices(VkBufferUsageFlags usage) const;
 
@@ -43,6 +54,8 @@ class SceneMeshes {
   std::vector<shared::SceneGeometry> geometries_;
   std::vector<uint32_t> first_geometry_;
   std::vector<Bounds> bounds_;
+  std::vector<Bending> bending_;
+  uint32_t first_bending_vertex_ = 0;
   size_t vertex_count_ = 0, index_count_ = 0;
   gpu::Buffer vertices_, indices_, tree_triangles_;
   std::unique_ptr<MeshTrees> trees_;

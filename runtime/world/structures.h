@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What rays traverse: over the triangles of each mesh once, over the instances for every pose. Pure interface; a row of
-// shader/backends.h says which kind a tracing backend needs.
+// What rays traverse: over the triangles of each mesh once, over those that bend and the instances for every pose. Pure
+// interface; a row of shader/backends.h says which kind a tracing backend needs.
 #pragma once
 
 #include <memory>
@@ -10,6 +10,7 @@
 #include "scene/scene.h"
 #include "shader/backends.h"
 #include "shared/scene.h"
+#include "world/bent_instances.h"
 #include "world/mesh_trees.h"
 
 namespace strobe::world {
@@ -21,26 +22,29 @@ class Structures {
   virtual VkDescriptorSetLayoutBinding binding(uint32_t number) const = 0;
   virtual void write(VkDescriptorSet set, uint32_t number) const = 0;
   // Poses the instances at a level: 0 is the capture, 1 + i sample i. World-from-object transforms, and whether it
-  // moves (rays may ask for these alone), one of each instance. The device must be idle.
+  // moves (rays may ask for these alone), one of each instance; what bends is posed already. The device must be idle.
   virtual void pose(uint32_t level, const shared::SceneTransform* transforms, const std::vector<bool>& moves) = 0;
   // Records what makes the pose of a level ready to be traced by later work.
-  virtual void recordBuild(VkCommandBuffer commands, uint32_t level) const = 0;
+  virtual void recordBuild(VkCommandBuffer commands, uint32_t level) = 0;
 };
 
 // Are all its triangles of materials that are seen from one side alone? A driver then leaves out what is behind.
 bool isOneSided(const scene::Scene& scene, const scene::Mesh& mesh);
 
-// Acceleration structures of the driver. `meshes`: the triangles of each.
+// Acceleration structures of the driver. `meshes`: the triangles of each. `bent` must outlive it.
 std::unique_ptr<Structures> makeDriverStructures(const gpu::Device& device, const scene::Scene& scene,
                                                  const std::vector<std::vector<gpu::TriangleGeometry>>& meshes,
-                                                 uint32_t slices);
+                                                 const BentInstances& bent, uint32_t slices);
 
-// The runtime's own trees (shaders/shared/bvh.h). `triangles`: those of the trees, on the device; must outlive it.
+// The runtime's own trees (shaders/shared/bvh.h). `triangles`: those of the trees, on the device; it and `bent` must
+// outlive it.
 std::unique_ptr<Structures> makeOwnStructures(const gpu::Device& device, const scene::Scene& scene,
-                                              const MeshTrees& trees, const gpu::Buffer& triangles, uint32_t slices);
+                                              const MeshTrees& trees, const gpu::Buffer& triangles,
+                                              const BentInstances& bent, uint32_t slices);
 
 // Whose level a slice's pose is; slices between the capture and the samples are never traced.
 inline bool isTraced(uint32_t slice) { return slice == SLICE_CAPTURE || slice >= SLICE_SAMPLE; }
 inline uint32_t levelOf(uint32_t slice) { return slice < SLICE_SAMPLE ? 0 : slice - SLICE_SAMPLE + 1; }
+inline uint32_t sliceOf(uint32_t level) { return level == 0 ? SLICE_CAPTURE : level - 1 + SLICE_SAMPLE; }
 
 }  // namespace strobe::world

@@ -57,8 +57,21 @@ vec3 positionOf(uint slice, Hit hit) {
   return worldFromObject(transformOf(slice, hit.instance), position_os);
 }
 
-// Where a point would be at `slice` if it had been fixed to an instance at the capture.
+// Do vertices of the instance move against each other?
+bool bends(uint instance) {
+#if FACT_bends
+  return isBending(geometryOf(instance, 0u).first_vertex);
+#else
+  return false;
+#endif
+}
+
+// Where a point would be at `slice` if it had been fixed to an instance at the capture. What bends carries nothing as a
+// whole: then it is no number, and near nothing.
 vec3 carriedBy(uint instance, uint slice, vec3 position_ws) {
+#if FACT_bends
+  if (bends(instance)) return vec3(uintBitsToFloat(0x7fc00000u));
+#endif
   SceneTransform m = transformOf(SLICE_CAPTURE, instance);
   mat3 rows = mat3(m.row_x.xyz, m.row_y.xyz, m.row_z.xyz);
   vec3 position_os = inverse(transpose(rows)) * (position_ws - vec3(m.row_x.w, m.row_y.w, m.row_z.w));
@@ -115,7 +128,7 @@ Surface surfaceOf(uint slice, Hit hit) {
 }
 
 // Where the point a hit names, which is at `capture_ws` at the capture, is at `slice`. Moved by the difference of the
-// poses: what stands still stands still exactly, and a point of a large mesh is as precise as the ray that met it.
+// poses and of the vertices: what stands still stands still exactly, and a point of a large mesh is as precise as the ray that met it.
 vec3 movedTo(uint slice, Hit hit, vec3 capture_ws) {
   SceneTransform then = transformOf(slice, hit.instance), now = transformOf(SLICE_CAPTURE, hit.instance);
   SceneTransform step = SceneTransform(then.row_x - now.row_x, then.row_y - now.row_y, then.row_z - now.row_z);
@@ -124,6 +137,15 @@ vec3 movedTo(uint slice, Hit hit, vec3 capture_ws) {
   vec3 position_os = vec3(0);
   for (uint corner = 0u; corner < 3u; ++corner)
     position_os += weights[corner] * vertexPosition(slice, triangle.vertex[corner]);
+#if FACT_bends
+  if (isBending(triangle.vertex[0])) {
+    vec3 step_os = vec3(0);
+    for (uint corner = 0u; corner < 3u; ++corner)
+      step_os += weights[corner] * (vertexPosition(slice, triangle.vertex[corner]) -
+                                    vertexPosition(SLICE_CAPTURE, triangle.vertex[corner]));
+    capture_ws += vec3(dot(now.row_x.xyz, step_os), dot(now.row_y.xyz, step_os), dot(now.row_z.xyz, step_os));
+  }
+#endif
   return capture_ws + worldFromObject(step, position_os);
 }
 

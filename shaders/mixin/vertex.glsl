@@ -11,9 +11,27 @@ uint vertexOf(SceneGeometry geometry, uint primitive, uint corner) {
   return geometry.first_vertex + scene_meshes.indices.at[geometry.first_index + 3u * triangle + corner];
 }
 
-// Object space, at the slice. Meshes are rigid: it is the same at all.
+// Object space, at the slice. Of what does not bend it is the same at all.
+#if FACT_bends
+bool isBending(uint vertex) { return vertex >= scene_meshes.first_bending; }
+
+uint bentAt(uint slice, uint vertex) {
+  return slice * scene_meshes.bending_count + (vertex - scene_meshes.first_bending);
+}
+
+vec3 vertexPosition(uint slice, uint vertex) {
+  if (isBending(vertex)) return scene_meshes.bent.at[bentAt(slice, vertex)].position;
+  return scene_meshes.vertices.at[vertex].position;
+}
+
+vec3 vertexNormal(uint slice, uint vertex) {
+  if (isBending(vertex)) return scene_meshes.bent.at[bentAt(slice, vertex)].normal;
+  return scene_meshes.vertices.at[vertex].normal;
+}
+#else
 vec3 vertexPosition(uint slice, uint vertex) { return scene_meshes.vertices.at[vertex].position; }
 vec3 vertexNormal(uint slice, uint vertex) { return scene_meshes.vertices.at[vertex].normal; }
+#endif
 
 vec2 vertexUv0(uint vertex) { return scene_meshes.vertices.at[vertex].uv0; }
 vec2 vertexUv1(uint vertex) { return scene_meshes.vertices.at[vertex].uv1; }

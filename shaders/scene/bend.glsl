@@ -4,7 +4,8 @@
 // In a loop whose one time is the middle.
 // In:  depth (view depth, m, sky +inf, 0 where the layer has nothing), id (instance + 1, 0 = sky), velocity (px over the
 //      exposure), normal (unit, world; absent: growth is not looked at).
-// Out: bend (how far, px), bent (1 where it is more than `most_bend` px, or a pixel grows to more than `most_growth` px).
+// Out: bend (how far, px), bent (1 where it is more than `most_bend` px, or a pixel grows to more than `most_growth` px, or
+//      joints or morph targets bend the surface).
 #include "lib/blur.glsl"
 #include "mixin/stored.glsl"
 #include "mixin/surface.glsl"
@@ -70,9 +71,12 @@ void run(ivec2 pixel) {
   if (depth > 0.0 && d != vec2(0)) {
     Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(pixel));
     uint id = texelFetch(id_tex, pixel, 0).x;
-    vec2 ends = pathOfTexel(SLICE_OPEN, ray, id, depth) + pathOfTexel(SLICE_CLOSE, ray, id, depth);
-    bend = pathOfTexel(SLICE_SAMPLE, ray, id, depth) - 0.5 * ends;
-    grows = growsAt(pixel, ray, id, depth);
+    grows = id != 0u && bends(id - 1u);
+    if (!grows) {
+      vec2 ends = pathOfTexel(SLICE_OPEN, ray, id, depth) + pathOfTexel(SLICE_CLOSE, ray, id, depth);
+      bend = pathOfTexel(SLICE_SAMPLE, ray, id, depth) - 0.5 * ends;
+      grows = growsAt(pixel, ray, id, depth);
+    }
   }
   bool bent = !(lengthOf(bend) <= params.most_bend) || grows;
   imageStore(bend_img, pixel, vec4(storedVelocity(bend), 0, 0));

@@ -8,9 +8,17 @@
 // By address: what is bound as a buffer may be no larger than 128 MiB. mixin/vertex.glsl reads them.
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneVertices { SceneVertex at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneIndices { uint at[]; };
+#if FACT_bends
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneBentVertices { SceneBentVertex at[]; };
+#endif
 layout(set = 0, binding = 1, scalar) uniform SceneMeshes {
   SceneVertices vertices;
   SceneIndices indices;
+#if FACT_bends
+  SceneBentVertices bent;  // per slice
+  uint first_bending;      // vertices from this one bend,
+  uint bending_count;      // so many
+#endif
 } scene_meshes;  // `MeshAddresses` of runtime/world/gpu_scene.cpp
 layout(set = 0, binding = 2, scalar) readonly buffer SceneGeometries { SceneGeometry scene_geometries[]; };
 layout(set = 0, binding = 3, scalar) readonly buffer SceneInstances { SceneInstance scene_instances[]; };
@@ -30,8 +38,8 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Bvh
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer BvhInstances { BvhInstance at[]; };
 layout(set = 0, binding = 10, scalar) uniform SceneBvh {
   BvhNodes nodes;          // of all meshes, then at each level (the capture, then each sample) of all instances, of those
-                           // that move
-  BvhTriangles triangles;  // of all meshes
+                           // that move; then of what bends at each level
+  BvhTriangles triangles;  // of all meshes, then of what bends at each level
   BvhInstances instances;  // at each level
   uint first_root;         // of the instances at the capture
   uint nodes_per_tree;

@@ -24,6 +24,12 @@ struct SceneVertex {
   uint color;  // rgba8 unorm, linear
 };
 
+// Of what bends, at one slice.
+struct SceneBentVertex {
+  vec3 position;  // first: acceleration structures read it
+  vec3 normal;    // unit; 0: that of the triangle
+};
+
 struct SceneInstance {
   uint first_geometry;
   uint geometry_count;
@@ -98,6 +104,7 @@ struct SceneCamera {
 STROBE_SHARED_END
 #ifdef __cplusplus
 static_assert(sizeof(strobe::shared::SceneVertex) == 44);
+static_assert(sizeof(strobe::shared::SceneBentVertex) == 24);
 static_assert(sizeof(strobe::shared::SceneTextureUse) == 36);
 static_assert(sizeof(strobe::shared::SceneMaterial) == 204);
 static_assert(sizeof(strobe::shared::SceneLight) == 56);

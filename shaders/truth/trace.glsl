@@ -29,6 +29,11 @@ bool sameTransform(SceneTransform a, SceneTransform b) {
   return a.row_x == b.row_x && a.row_y == b.row_y && a.row_z == b.row_z;
 }
 
+// Is the instance where it is at the capture? Unknown of what bends.
+bool isPosedAlike(uint slice, uint instance) {
+  return !bends(instance) && sameTransform(transformOf(slice, instance), transformOf(SLICE_CAPTURE, instance));
+}
+
 bool cameraIsStill(uint slice) {
   if (frame.camera_rests != 0u) return true;
   SceneCamera a = scene_cameras[slice], b = scene_cameras[SLICE_CAPTURE];
@@ -253,7 +258,7 @@ void run(ivec2 pixel) {
 #if PARAM_mark_regions
   uint known = regionsBefore(pixel);
   bool is_still = PARAM_pixel == pixel_centre && kFrozen && cameraIsStill(slice) &&
-                  (at_rest || sameTransform(transformOf(slice, hit.instance), transformOf(SLICE_CAPTURE, hit.instance)));
+                  (at_rest || isPosedAlike(slice, hit.instance));
   uint regions = regionsOf(pixel, slice, ray, hit, is_still, known);
   if (regions != known) imageStore(regions_img, pixel, uvec4(regions, 0u, 0u, 0u));
 #endif

@@ -3,11 +3,13 @@
 // in double precision.
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "common/home.h"
 #include "common/source.h"
 #include "oracle/render.h"
+#include "scene/bend.h"
 #include "scene/defaults.h"
 
 namespace strobe::oracle {
@@ -33,6 +35,7 @@ class RenderDisplacements : public RenderTest {
     lab::Picture picture;
     const scene::Scene* scene = nullptr;
     scene::Pose capture, open, close;
+    std::array<std::vector<std::vector<scene::BentVertex>>, 3> bent;  // at these poses; of instances that bend
     std::shared_ptr<lab::HeldScene> held;
   };
 
@@ -68,8 +71,34 @@ class RenderDisplacements : public RenderTest {
     seen.capture = setup.pose_at(setup.capture_s);
     seen.open = setup.pose_at(setup.open_s);
     seen.close = setup.pose_at(setup.close_s);
+    const std::vector<scene::Instance> instances = scene::instancesOf(*seen.scene);
+    const scene::Pose* poses[] = {&seen.capture, &seen.open, &seen.close};
+    for (size_t p = 0; p < 3; ++p)
+      for (size_t i = 0; i < instances.size(); ++i) {
+        seen.bent[p].emplace_back();
+        if (scene::bends(*seen.scene, instances[i]))
+          seen.bent[p][i] = scene::bentVertices(*seen.scene, instances[i], poses[p]->bends[i]);
+      }
     seen.picture = render(shot);
     return seen;
+  }
+
+  // Where the corners of the triangle of a hit are at a pose (0: the capture, 1: open, 2: close), world space.
+  static std::array<dvec3, 3> cornersAt(const Seen& seen, size_t pose, size_t instance, uint32_t geometry,
+                                        uint32_t triangle) {
+    const scene::Mesh& mesh = seen.scene->meshes[size_t(scene::instancesOf(*seen.scene)[instance].mesh)];
+    const std::vector<scene::BentVertex>& bent = seen.bent[pose][instance];
+    const scene::Pose& posed = pose == 0 ? seen.capture : pose == 1 ? seen.open : seen.close;
+    size_t first = 0;
+    for (size_t g = 0; g < geometry; ++g) first += mesh.geometries[g].vertices.size();
+    std::array<dvec3, 3> corners;
+    for (size_t c = 0; c < 3; ++c) {
+      const size_t vertex = mesh.geometries[geometry].indices[3 * size_t(triangle) + c];
+      dvec3 position =
+          bent.empty() ? dvec3(mesh.geometries[geometry].vertices[vertex].position) : bent[first + vertex].position;
+      corners[c] = dvec3(posed.world_from_instance[instance] * dvec4(position, 1));
+    }
+    return corners;
   }
 
   // The node of the drawable of most triangles.
@@ -104,15 +133,8 @@ class RenderDisplacements : public RenderTest {
   // Of the point of a triangle that a pixel's centre sees, from where it is projected to at both ends of the exposure;
   // nothing where its plane is met outside of the triangle, or too flat to be met by single precision.
   static std::optional<dvec2> differenceAt(const Seen& seen, int x, int y, const image::UintImage& hit) {
-    const scene::Instance instance = scene::instancesOf(*seen.scene)[hit.at(x, y, 0) - 1];
-    const scene::Mesh& mesh = seen.scene->meshes[size_t(instance.mesh)];
-    const scene::Geometry& geometry = mesh.geometries[hit.at(x, y, 1)];
-    dvec3 corner[3], world[3];
     const size_t at = hit.at(x, y, 0) - 1;
-    for (size_t c = 0; c < 3; ++c) {
-      corner[c] = dvec3(geometry.vertices[geometry.indices[3 * hit.at(x, y, 2) + c]].position);
-      world[c] = dvec3(seen.capture.world_from_instance[at] * dvec4(corner[c], 1));
-    }
+    const auto world = cornersAt(seen, 0, at, hit.at(x, y, 1), hit.at(x, y, 2));
     const scene::Camera& camera = seen.capture.camera;
     const dmat4& frame = seen.capture.world_from_camera;
     double up = camera.orthographic ? camera.half_height : std::tan(camera.vertical_fov / 2);
@@ -127,9 +149,11 @@ class RenderDisplacements : public RenderTest {
     dvec3 from = origin - world[0], q = glm::cross(from, edge1);
     double u = glm::dot(from, p) / determinant, v = glm::dot(direction, q) / determinant;
     if (!(u >= 0 && v >= 0 && u + v <= 1)) return std::nullopt;
-    dvec4 point(corner[0] + u * (corner[1] - corner[0]) + v * (corner[2] - corner[0]), 1);
-    auto end = pixelOf(seen.close, dvec3(seen.close.world_from_instance[at] * point));
-    auto start = pixelOf(seen.open, dvec3(seen.open.world_from_instance[at] * point));
+    auto pointAt = [&](size_t pose) {
+      const auto corner = cornersAt(seen, pose, at, hit.at(x, y, 1), hit.at(x, y, 2));
+      return corner[0] + u * (corner[1] - corner[0]) + v * (corner[2] - corner[0]);
+    };
+    auto end = pixelOf(seen.close, pointAt(2)), start = pixelOf(seen.open, pointAt(1));
     if (!start || !end) return std::nullopt;
     return *end - *start;
   }
@@ -163,7 +187,7 @@ class RenderDisplacements : public RenderTest {
 
 TEST_F(RenderDisplacements, AreDifferencesOfProjectedPositions) {
   if (files().empty()) GTEST_SKIP() << "no shared scenes (set STROBE_DATA)";
-  int moving = 0, all = 0;
+  int moving = 0, bending = 0, all = 0;
   for (const Path& file : files()) {
     Seen seen = see(movingShot(file));
     Found found = measure(seen);
@@ -171,12 +195,42 @@ TEST_F(RenderDisplacements, AreDifferencesOfProjectedPositions) {
     EXPECT_LE(found.against_rays, 1e-3) << file;
     EXPECT_GT(found.pixels, 10) << file;
     moving += found.longest > 0.05;
+    for (const auto& bent : seen.bent[0]) bending += !bent.empty();
     ++all;
     RecordProperty(file.filename().string(),
                    fmt::format("{:.2e} {:.2e} px of {:.2f}, {} and {} pixels", found.against_difference,
                                found.against_rays, found.longest, found.pixels, found.alike));
   }
   EXPECT_GE(moving, all - 1);
+  EXPECT_GE(bending, 20);
+}
+
+// The same from near, of what joints and morph targets bend, at several times of their clips.
+TEST_F(RenderDisplacements, OfWhatBendsFromNear) {
+  std::optional<Path> data = home().data();
+  if (!data || files().empty()) GTEST_SKIP() << "no shared scenes (set STROBE_DATA)";
+  for (const char* name :
+       {"khronos_samples/CesiumMan.glb", "khronos_samples/RiggedSimple.glb", "khronos_samples/AnimatedMorphCube.glb",
+        "khronos_samples/AnimatedMorphSphere.glb", "vintage_desk_fan/vintage_desk_fan.glb"})
+    for (int frame : {5, 14, 23}) {
+      lab::Shot shot = shotOfFile(*data / "scenes" / name);
+      if (!fs::exists(shot.scene)) continue;
+      shot.frame = frame;
+      const scene::Scene& scene = bench().scene(shot)->loaded.scene;
+      const scene::Pose pose = lab::frameSetup(shot, scene).pose_at(shot.captureTime());
+      const std::vector<scene::Instance> instances = scene::instancesOf(scene);
+      Bounds bounds;
+      for (size_t i = 0; i < instances.size(); ++i) bounds.add(scene::posedBounds(scene, instances, i, pose));
+      const dvec3 at = bounds.middle(), from = at + bounds.radius() * dvec3(0.7, 0.5, 1.4);
+      shot.view = {from.x, from.y, from.z, at.x, at.y, at.z};
+      Found found = measure(see(shot));
+      EXPECT_LE(found.against_difference, 1e-3) << name << ", up to " << found.longest << " px";
+      EXPECT_LE(found.against_rays, 1e-3) << name;
+      EXPECT_GT(found.pixels, 150) << name;
+      RecordProperty(fmt::format("{}.{}", name, frame),
+                     fmt::format("{:.2e} {:.2e} px of {:.2f}, {} and {} pixels", found.against_difference,
+                                 found.against_rays, found.longest, found.pixels, found.alike));
+    }
 }
 
 // Jumps of stepped channels leave no displacement, whichever side of the capture they lie on.

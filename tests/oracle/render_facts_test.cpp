@@ -4,6 +4,7 @@
 // moves each method is the capture. All bit for bit.
 #include <gtest/gtest.h>
 
+#include "common/home.h"
 #include "lab/frame_facts.h"
 #include "lab/record.h"
 #include "oracle/render.h"
@@ -24,19 +25,27 @@ struct Case {
 };
 
 // Bars and cards in front of each other under a lamp; paper that is cut out; a blended card; cards that are seen from
-// one side; a plane whose light casts no shadow.
+// one side; a plane whose light casts no shadow; a post that joints bend, where there are shared scenes.
 std::vector<Case> cases() {
   Shot follows = shotOf("crowd", kWidth, kHeight, {{"speed", 0}});
   follows.moves = {"camera=0.2,0,0"};
-  return {
-      {"crowd at rest", shotOf("crowd", kWidth, kHeight, {{"speed", 0}}), {"motion", "alpha", "blend", "one_sided"}},
-      {"crowd", shotOf("crowd", kWidth, kHeight), {"alpha", "blend", "one_sided"}},
-      {"crowd seen from a moving camera", follows, {"alpha", "blend", "one_sided"}},
-      {"cut out", shotOf("cut_out", kWidth, kHeight), {"motion", "blend", "one_sided", "shadows"}},
-      {"veil", shotOf("veil", kWidth, kHeight, {{"shift", 9}}), {"one_sided", "shadows"}},
-      {"sides", shotOf("sides", kWidth, kHeight), {"motion", "alpha", "blend", "shadows"}},
-      {"lit", shotOf("lit", kWidth, kHeight), {"motion", "alpha", "blend", "one_sided", "shadows"}},
+  std::vector<Case> all = {
+      {"crowd at rest",
+       shotOf("crowd", kWidth, kHeight, {{"speed", 0}}),
+       {"motion", "alpha", "blend", "one_sided", "bends"}},
+      {"crowd", shotOf("crowd", kWidth, kHeight), {"alpha", "blend", "one_sided", "bends"}},
+      {"crowd seen from a moving camera", follows, {"alpha", "blend", "one_sided", "bends"}},
+      {"cut out", shotOf("cut_out", kWidth, kHeight), {"motion", "blend", "one_sided", "shadows", "bends"}},
+      {"veil", shotOf("veil", kWidth, kHeight, {{"shift", 9}}), {"one_sided", "shadows", "bends"}},
+      {"sides", shotOf("sides", kWidth, kHeight), {"motion", "alpha", "blend", "shadows", "bends"}},
+      {"lit", shotOf("lit", kWidth, kHeight), {"motion", "alpha", "blend", "one_sided", "shadows", "bends"}},
   };
+  Shot bent;
+  bent.width = kWidth, bent.height = kHeight;
+  bent.scene = home().data().value_or("") / "scenes/khronos_samples/RiggedSimple.glb";
+  bent.frame = 20;
+  if (std::filesystem::exists(bent.scene)) all.push_back({"a bent post", bent, {"alpha", "blend", "shadows"}});
+  return all;
 }
 
 // Of those that have them: other graphs than presets make.
@@ -140,7 +149,7 @@ TEST_F(RenderFacts, AreInTheRecord) {
   Picture still = render(with(cases()[0].shot, "hybrid")), moving = render(with(cases()[1].shot, "hybrid"));
   EXPECT_EQ(still.record["facts"], Json::array({"shadows", "before"}));
   EXPECT_EQ(moving.record["facts"], Json::array({"motion", "shadows", "before"}));
-  EXPECT_EQ(everythingOf(with(cases()[0].shot, "hybrid")).record["facts"].size(), 7u);
+  EXPECT_EQ(everythingOf(with(cases()[0].shot, "hybrid")).record["facts"].size(), 8u);
 }
 
 // A tap of what is left out is what stands in for it.

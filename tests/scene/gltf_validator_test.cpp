@@ -43,7 +43,33 @@ std::string refusalOf(const Path& file) {
   return "";
 }
 
-// A file with something of everything: a textured and lit triangle, an index list, two cameras, two clips, instances.
+// A second mesh, of a triangle with two joints and a morph target, shown by node 4; nodes 5 and 6 are the joints.
+void addBending(Asset& asset, int times) {
+  Json& json = asset.json;
+  int joints = asset.add<uint8_t>({0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, "VEC4", 4, 5121);
+  int weights = asset.add<float>({1, 0, 0, 0, 1, 0, 0, 0, 0.5f, 0.5f, 0, 0}, "VEC4", 4, 5126);
+  int binds =
+      asset.add<float>({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1},
+                       "MAT4", 16, 5126);
+  int change = asset.add<float>({0, 0, 0, 0, 1, 0, 0, 0, 0}, "VEC3", 3, 5126);
+  int keys = asset.add<float>({0, 1}, "SCALAR", 1, 5126);
+  json["accessors"][change]["min"] = {0, 0, 0};
+  json["accessors"][change]["max"] = {0, 1, 0};
+  json["meshes"].push_back(
+      {{"primitives", Json::array({{{"attributes", {{"POSITION", 0}, {"JOINTS_0", joints}, {"WEIGHTS_0", weights}}},
+                                    {"targets", Json::array({{{"POSITION", change}}})}}})},
+       {"weights", {0.5}}});
+  json["skins"] = Json::array({{{"joints", {5, 6}}, {"inverseBindMatrices", binds}, {"skeleton", 5}}});
+  json["nodes"].push_back({{"mesh", 1}, {"skin", 0}, {"weights", {0.25}}});
+  json["nodes"].push_back({{"children", {6}}});
+  json["nodes"].push_back({{"translation", {0, 1, 0}}});
+  for (int node : {4, 5}) json["scenes"][0]["nodes"].push_back(node);
+  Json& clip = json["animations"][0];
+  clip["samplers"].push_back({{"input", times}, {"output", keys}});
+  clip["channels"].push_back({{"sampler", 2}, {"target", {{"node", 4}, {"path", "weights"}}}});
+}
+
+// A file with something of everything: a textured and lit triangle, an index list, two cameras, clips, what bends.
 Asset everything() {
   Asset asset = triangle();
   int uvs = asset.add<float>({0, 0, 1, 0, 0, 1}, "VEC2", 2, 5126);
@@ -83,6 +109,7 @@ Asset everything() {
       {{{"samplers", Json::array({{{"input", times}, {"output", moves}}, {{"input", times}, {"output", turns}}})},
         {"channels", Json::array({{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}},
                                   {{"sampler", 1}, {"target", {{"node", 1}, {"path", "rotation"}}}}})}}});
+  addBending(asset, times);
   for (size_t i = 0; i < json["accessors"].size(); ++i) json["accessors"][i].erase("normalized");
   return asset;
 }
@@ -103,7 +130,7 @@ const std::vector<Change>& changes() {
       {"/scene", "main"},
       {"/scenes/0/nodes/0", 9},
       {"/scenes/0/nodes/0", 1},
-      {"/scenes/0/nodes", {0, 0, 2, 3}},
+      {"/scenes/0/nodes", {0, 0, 2, 3, 4, 5}},
       {"/nodes/0/mesh", 1},
       {"/nodes/0/mesh", -1},
       {"/nodes/0/mesh", 0.5},
@@ -215,6 +242,36 @@ const std::vector<Change>& changes() {
       {"/animations/0/samplers/0/input", "(gone)"},
       {"/animations/0/samplers/0/output", 0},
       {"/animations/0/samplers/0/output", 50},
+      {"/nodes/4/skin", 1},
+      {"/nodes/4/mesh", "(gone)"},
+      {"/nodes/4/mesh", 0},
+      {"/nodes/4/weights", {1, 2}},
+      {"/nodes/4/weights", {"x"}},
+      {"/nodes/0/weights", {1}},
+      {"/nodes/2/skin", 0},
+      {"/meshes/1/weights", {1, 2}},
+      {"/meshes/1/primitives/0/attributes/JOINTS_0", "(gone)"},
+      {"/meshes/1/primitives/0/attributes/WEIGHTS_0", "(gone)"},
+      {"/meshes/1/primitives/0/attributes/JOINTS_0", 7},
+      {"/meshes/1/primitives/0/attributes/WEIGHTS_0", 0},
+      {"/meshes/1/primitives/0/attributes/WEIGHTS_1", 7},
+      {"/meshes/1/primitives/0/targets/0/POSITION", 50},
+      {"/meshes/1/primitives/0/targets/0/POSITION", 4},
+      {"/meshes/1/primitives/0/targets/0/NORMAL", 9},
+      {"/meshes/1/primitives/0/targets/0", 5},
+      {"/meshes/1/primitives/0/targets", "(gone)"},
+      {"/skins/0/joints", "(gone)"},
+      {"/skins/0/joints", {5, 5}},
+      {"/skins/0/joints", {5, 60}},
+      {"/skins/0/joints", Json::array({5})},
+      {"/skins/0/joints", {5, 6, 4}},
+      {"/skins/0/skeleton", 60},
+      {"/skins/0/inverseBindMatrices", 0},
+      {"/skins/0/inverseBindMatrices", "(gone)"},
+      {"/animations/0/channels/2/target/node", 0},
+      {"/animations/0/channels/2/sampler", 0},
+      {"/animations/0/samplers/2/interpolation", "CUBICSPLINE"},
+      {"/animations/0/samplers/2/interpolation", "STEP"},
       {"/extensionsRequired", Json::array({"KHR_texture_transform"})},
       {"/extensionsRequired", "KHR_texture_transform"},
       {"/materials/0/doubleSided", false},

@@ -115,5 +115,26 @@ TEST_F(Shaders, EveryFileThatWasReadIsReported) {
   EXPECT_EQ(compiled.files.front(), file);
 }
 
+// Of a pass that sees the scene: what it declares, and the code that reads vertices, where nothing bends.
+TEST_F(Shaders, WhatASceneDoesNotHaveLeavesNoTrace) {
+  auto words = [&](bool bends) {
+    Interface in;
+    in.pass = "visibility";
+    in.raster = in.scene = true;
+    in.writes = {{"hit", "rgba32ui", true, false}};
+    for (const char* fact : {"alpha", "blend", "one_sided", "shadows"}) in.facts.push_back({fact, true});
+    in.facts.push_back({"bends", bends});
+    return compilePass(home(), in, home().at("shaders/scene/visibility.vert.glsl"), Stage::Vertex).spirv;
+  };
+  auto names = [](const std::vector<uint32_t>& spirv) {
+    return std::string(reinterpret_cast<const char*>(spirv.data()), spirv.size() * sizeof(uint32_t));
+  };
+  EXPECT_NE(names(words(true)).find("first_bending"), std::string::npos);
+  EXPECT_NE(names(words(true)).find("SceneBentVert"), std::string::npos);
+  for (const char* trace : {"bend", "bent", "Bend", "Bent"})
+    EXPECT_EQ(names(words(false)).find(trace), std::string::npos) << trace;
+  EXPECT_LT(words(false).size(), words(true).size());
+}
+
 }  // namespace
 }  // namespace strobe::shader

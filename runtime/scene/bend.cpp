@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "scene/bend.h"
+
+#include <algorithm>
+#include <future>
+#include <thread>
+
+namespace strobe::scene {
+
+static const Mesh& meshOf(const Scene& scene, const Instance& instance) { return scene.meshes[size_t(instance.mesh)]; }
+
+// Do several joints of a skin have its vertices?
+static bool followsJoints(const Scene& scene, const Instance& instance) {
+  const Node& node = scene.nodes[size_t(instance.node)];
+  return node.skin >= 0 && node.sole_joint < 0;
+}
+
+bool bends(const Scene& scene, const Instance& instance) {
+  bool may = followsJoints(scene, instance) || !scene.nodes[size_t(instance.node)].weights.empty();
+  return may && vertexCount(scene, instance) > 0;
+}
+
+size_t vertexCount(const Scene& scene, const Instance& instance) {
+  size_t count = 0;
+  for (const Geometry& geometry : meshOf(scene, instance).geometries) count += geometry.vertices.size();
+  return count;
+}
+
+std::vector<dmat4> jointsOf(const Scene& scene, const Instance& instance, const std::vector<dmat4>& worlds) {
+  const Skin& skin = scene.skins[size_t(scene.nodes[size_t(instance.node)].skin)];
+  std::vector<dmat4> joints;
+  for (size_t j = 0; j < skin.joints.size(); ++j)
+    joints.push_back(worlds[size_t(skin.joints[j])] * skin.inverse_binds[j]);
+  return joints;
+}
+
+// ---- vertices
+
+namespace {
+
+// Normals go with the cofactors of the matrix, and keep their side where it mirrors.
+dvec3 normalBy(const dmat4& matrix, const dvec3& normal) {
+  dvec3 x(matrix[0]), y(matrix[1]), z(matrix[2]);
+  dvec3 turned = glm::cross(y, z) * normal.x + glm::cross(z, x) * normal.y + glm::cross(x, y) * normal.z;
+  return glm::dot(x, glm::cross(y, z)) < 0 ? -turned : turned;
+}
+
+dvec3 unitOrNone(const dvec3& normal) {
+  double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+  return largest > 0 && std::isfinite(largest) ? glm::normalize(normal / largest) : dvec3(0);
+}
+
+// Vertices of one geometry as they are bent.
+class Bending {
+ public:
+  Bending(const Mesh& mesh, const Geometry& geometry, const Bend& bend, bool mirrored)
+      : mesh_(mesh), geometry_(geometry), bend_(bend), mirrored_(mirrored) {}
+
+  BentVertex at(size_t v) const {
+    BentVertex vertex = morphed(v);
+    if (geometry_.faceted) vertex.normal = dvec3(0);
+    if (bend_.joints.empty()) return {vertex.position, unitOrNone(vertex.normal)};
+    const dmat4 matrix = matrixOf(v);
+    vertex.position = dvec3(matrix * dvec4(mesh_.origin + vertex.position, 1));
+    vertex.normal = unitOrNone(normalBy(matrix, vertex.normal));
+    if (mirrored_) vertex.position.x = -vertex.position.x, vertex.normal.x = -vertex.normal.x;
+    return vertex;
+  }
+
+ private:
+  BentVertex morphed(size_t v) const {
+    BentVertex vertex{dvec3(geometry_.vertices[v].position), dvec3(geometry_.vertices[v].normal)};
+    for (size_t t = 0; t < bend_.weights.size() && t < geometry_.targets.size(); ++t) {
+      const MorphTarget& target = geometry_.targets[t];
+      if (!target.positions.empty()) vertex.position += bend_.weights[t] * dvec3(target.positions[v]);
+      if (!target.normals.empty()) vertex.normal += bend_.weights[t] * dvec3(target.normals[v]);
+    }
+    return vertex;
+  }
+
+  // The mean of its joints.
+  dmat4 matrixOf(size_t v) const {
+    const Influences& influences = geometry_.influences;
+    dmat4 matrix(0);
+    for (size_t k = v * size_t(influences.count), end = k + size_t(influences.count); k < end; ++k)
+      if (influences.shares[k] != 0) matrix += influences.shares[k] * bend_.joints[influences.joints[k]];
+    return matrix;
+  }
+
+  const Mesh& mesh_;
+  const Geometry& geometry_;
+  const Bend& bend_;
+  bool mirrored_;
+};
+
+constexpr size_t kWorthAThread = 20000;
+
+void bendAll(const Bending& bending, size_t begin, size_t end, unsigned threads, BentVertex* to) {
+  std::future<void> left;
+  if (threads > 1 && end - begin > kWorthAThread) {
+    const size_t middle = begin + (end - begin) / 2;
+    left = std::async(std::launch::async, [=] { bendAll(bending, begin, middle, threads / 2, to); });
+    bendAll(bending, middle, end, threads - threads / 2, to + (middle - begin));
+    return left.get();
+  }
+  for (size_t v = begin; v < end; ++v) *to++ = bending.at(v);
+}
+
+}  // namespace
+
+std::vector<BentVertex> bentVertices(const Scene& scene, const Instance& instance, const Bend& bend) {
+  const Mesh& mesh = meshOf(scene, instance);
+  std::vector<BentVertex> vertices(vertexCount(scene, instance));
+  const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+  BentVertex* to = vertices.data();
+  for (const Geometry& geometry : mesh.geometries) {
+    bendAll(Bending(mesh, geometry, bend, instance.mirrored), 0, geometry.vertices.size(), threads, to);
+    to += geometry.vertices.size();
+  }
+  return vertices;
+}
+
+// ---- bounds
+
+Bounds posedBounds(const Scene& scene, const std::vector<Instance>& instances, size_t index, const Pose& pose) {
+  const dmat4& world = pose.world_from_instance[index];
+  Bounds bounds;
+  auto add = [&](const dvec3& position) { bounds.add(dvec3(world * dvec4(position, 1))); };
+  if (bends(scene, instances[index])) {
+    for (const BentVertex& vertex : bentVertices(scene, instances[index], pose.bends[index])) add(vertex.position);
+    return bounds;
+  }
+  for (const Geometry& geometry : meshOf(scene, instances[index]).geometries)
+    for (const Vertex& vertex : geometry.vertices) add(dvec3(vertex.position));
+  return bounds;
+}
+
+Hull::Hull(const Scene& scene, const Instance& instance) {
+  const Mesh& mesh = meshOf(scene, instance);
+  const bool follows = followsJoints(scene, instance);
+  const int skin = scene.nodes[size_t(instance.node)].skin;
+  boxes_.resize(follows ? scene.skins[size_t(skin)].joints.size() : 1);
+  for (size_t j = 0; j < boxes_.size() && follows; ++j) boxes_[j].joint = int(j);
+  for (const Geometry& geometry : mesh.geometries) {
+    const size_t count = follows ? size_t(geometry.influences.count) : 0;
+    for (size_t v = 0; v < geometry.vertices.size(); ++v) {
+      if (!follows) add(geometry, v, dvec3(0), 0);
+      for (size_t k = v * count; k < (v + 1) * count; ++k)
+        if (geometry.influences.shares[k] != 0) add(geometry, v, mesh.origin, geometry.influences.joints[k]);
+    }
+  }
+  std::erase_if(boxes_, [](const Box& box) { return box.rest.empty(); });
+}
+
+void Hull::add(const Geometry& geometry, size_t vertex, const dvec3& origin, size_t box) {
+  boxes_[box].rest.add(origin + dvec3(geometry.vertices[vertex].position));
+  std::vector<Bounds>& targets = boxes_[box].targets;
+  targets.resize(std::max(targets.size(), geometry.targets.size()), Bounds{dvec3(0), dvec3(0)});
+  for (size_t t = 0; t < geometry.targets.size(); ++t)
+    if (!geometry.targets[t].positions.empty()) targets[t].add(dvec3(geometry.targets[t].positions[vertex]));
+}
+
+std::array<dvec3, 8> Hull::corners(const Pose& pose, size_t index, size_t box) const {
+  const Box& own = boxes_[box];
+  const Bend& bend = pose.bends[index];
+  Bounds bounds = own.rest;
+  for (size_t t = 0; t < std::min(own.targets.size(), bend.weights.size()); ++t) {
+    const dvec3 low = bend.weights[t] * own.targets[t].low, high = bend.weights[t] * own.targets[t].high;
+    bounds.low += glm::min(low, high), bounds.high += glm::max(low, high);
+  }
+  const dmat4& world = own.joint < 0 ? pose.world_from_instance[index] : bend.joints[size_t(own.joint)];
+  std::array<dvec3, 8> corners;
+  for (size_t c = 0; c < 8; ++c) corners[c] = dvec3(world * dvec4(bounds.corner(int(c)), 1));
+  return corners;
+}
+
+}  // namespace strobe::scene

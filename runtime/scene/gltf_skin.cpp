@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "scene/gltf_skin.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/motion.h"
+
+namespace strobe::scene {
+
+namespace {
+
+class SkinReader {
+ public:
+  SkinReader(const GltfFile& file, Scene& scene) : file_(file), scene_(scene) {}
+
+  void read() {
+    const Json& skins = file_.all("skins");
+    for (size_t i = 0; i < skins.size(); ++i) scene_.skins.push_back(readSkin(skins[i], fmt::format("skins[{}]", i)));
+    for (size_t m = 0; m < file_.all("meshes").size(); ++m) {
+      const std::vector<double> none(targetsOf(file_, int(m)), 0.0);
+      weights_.push_back(file_.numbers(file_.all("meshes")[m], "weights", none, fmt::format("meshes[{}]", m)));
+    }
+    const Json& nodes = file_.all("nodes");
+    for (size_t i = 0; i < nodes.size(); ++i) readNode(nodes[i], fmt::format("nodes[{}]", i), scene_.nodes[i]);
+    const std::vector<dmat4> worlds = restWorlds(scene_);
+    for (size_t i = 0; i < nodes.size(); ++i)
+      if (scene_.nodes[i].skin >= 0) scene_.nodes[i].sole_joint = soleJoint(scene_.nodes[i], worlds, worlds[i]);
+  }
+
+ private:
+  Skin readSkin(const Json& json, const std::string& where) {
+    Skin skin;
+    for (const Json& joint : file_.list(json, "joints", where)) {
+      const Json holder = {{"joint", joint}};
+      const int node = file_.index(holder, "joint", "nodes", where);
+      if (std::count(skin.joints.begin(), skin.joints.end(), node))
+        file_.refuse(where, fmt::format("lists joint {} twice", node));
+      skin.joints.push_back(node);
+    }
+    if (skin.joints.empty()) file_.refuse(where, "has no joints");
+    file_.index(json, "skeleton", "nodes", where);
+    skin.inverse_binds.assign(skin.joints.size(), dmat4(1));
+    const int matrices = file_.index(json, "inverseBindMatrices", "accessors", where);
+    if (matrices >= 0) readInverseBinds(matrices, where, skin);
+    return skin;
+  }
+
+  void readInverseBinds(int index, const std::string& where, Skin& skin) {
+    const Values values = file_.accessor(index, where, {"MAT4"});
+    const size_t joints = skin.joints.size();
+    if (values.count < joints) file_.refuse(where, fmt::format("{} joints have {} matrices", joints, values.count));
+    for (size_t j = 0; j < joints; ++j) {
+      dmat4& matrix = skin.inverse_binds[j];
+      for (int k = 0; k < 16; ++k) matrix[k / 4][k % 4] = values.at(j, k);
+      double sum = 0;
+      for (int c = 0; c < 4; ++c) sum += glm::dot(glm::abs(matrix[c]), dvec4(1));
+      if (!std::isfinite(sum)) file_.refuse(where, fmt::format("its inverse bind matrix {} is not finite", j));
+      if (dvec4(matrix[0].w, matrix[1].w, matrix[2].w, matrix[3].w) != dvec4(0, 0, 0, 1))
+        file_.refuse(where, fmt::format("its inverse bind matrix {} is not affine", j));
+    }
+  }
+
+  void readNode(const Json& json, const std::string& where, Node& node) {
+    node.skin = file_.index(json, "skin", "skins", where);
+    for (const char* key : {"skin", "weights"})
+      if (json.contains(key) && node.mesh < 0) file_.refuse(where, fmt::format("has {} and no mesh", key));
+    if (node.mesh < 0) return;
+    const std::string mesh_name = fmt::format("meshes[{}]", node.mesh);
+    node.weights = file_.numbers(json, "weights", weights_[size_t(node.mesh)], where);
+    if (node.skin < 0) return;
+    const size_t joints = scene_.skins[size_t(node.skin)].joints.size();
+    for (const Geometry& geometry : scene_.meshes[size_t(node.mesh)].geometries) {
+      if (geometry.influences.count == 0)
+        file_.refuse(where, fmt::format("has a skin, but {} has no joints", mesh_name));
+      for (uint32_t joint : geometry.influences.joints)
+        if (joint >= joints)
+          file_.refuse(where, fmt::format("{} follows joint {}, but its skin has {}", mesh_name, joint, joints));
+    }
+  }
+
+  // The joint that all vertices follow alone, if it has the handedness of the node; else -1.
+  int soleJoint(const Node& node, const std::vector<dmat4>& worlds, const dmat4& own) const {
+    int sole = -1;
+    for (const Geometry& geometry : scene_.meshes[size_t(node.mesh)].geometries)
+      for (size_t k = 0; k < geometry.influences.shares.size(); ++k) {
+        const int joint = int(geometry.influences.joints[k]);
+        if (geometry.influences.shares[k] == 0 || joint == sole) continue;
+        if (sole >= 0) return -1;
+        sole = joint;
+      }
+    if (sole < 0) return -1;
+    const Skin& skin = scene_.skins[size_t(node.skin)];
+    const dmat4 posed = worlds[size_t(skin.joints[size_t(sole)])] * skin.inverse_binds[size_t(sole)];
+    return (glm::determinant(dmat3(posed)) < 0) == (glm::determinant(dmat3(own)) < 0) ? sole : -1;
+  }
+
+  const GltfFile& file_;
+  Scene& scene_;
+  std::vector<std::vector<double>> weights_;  // of meshes
+};
+
+}  // namespace
+
+void readSkins(const GltfFile& file, Scene& scene) { SkinReader(file, scene).read(); }
+
+size_t targetsOf(const GltfFile& file, int mesh) {
+  const Json& primitives = file.list(file.all("meshes").at(mesh), "primitives", "");
+  return primitives.empty() ? 0 : file.list(primitives[0], "targets", "").size();
+}
+
+void dropIdleWeights(Scene& scene) {
+  std::vector<bool> driven(scene.nodes.size(), false);
+  for (const Animation& clip : scene.animations)
+    for (const WeightTrack& track : clip.weights) driven[size_t(track.node)] = true;
+  for (size_t i = 0; i < scene.nodes.size(); ++i) {
+    std::vector<double>& weights = scene.nodes[i].weights;
+    bool idle = std::all_of(weights.begin(), weights.end(), [](double weight) { return weight == 0; });
+    if (idle && !driven[i]) weights.clear();
+  }
+}
+
+}  // namespace strobe::scene

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "world/bent_instances.h"
+
+#include "scene/bend.h"
+
+namespace strobe::world {
+
+using shared::SceneBentVertex;
+
+BentInstances::BentInstances(const gpu::Device& device, const scene::Scene& scene, const SceneMeshes& meshes,
+                             uint32_t slices)
+    : scene_(scene),
+      instances_(scene::instancesOf(scene)),
+      items_(meshes.bending()),
+      first_vertex_(meshes.firstBendingVertex()) {
+  for (const SceneMeshes::Bending& item : items_) vertex_count_ += item.vertex_count;
+  posed_.resize(slices * items_.size());
+  VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
+  if (device.info().has("accelerationStructure"))
+    usage |= VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR;
+  buffer_ = gpu::Buffer(device, "scene.bent_vertices", size_t(slices) * vertex_count_ * sizeof(SceneBentVertex), usage,
+                        gpu::Buffer::Memory::Host);
+}
+
+VkDeviceAddress BentInstances::address(uint32_t slice, size_t item) const {
+  const size_t first = size_t(slice) * vertex_count_ + (items_[item].first_vertex - first_vertex_);
+  return buffer_.address() + first * sizeof(SceneBentVertex);
+}
+
+std::span<const SceneBentVertex> BentInstances::vertices(uint32_t slice, size_t item) const {
+  const size_t first = size_t(slice) * vertex_count_ + (items_[item].first_vertex - first_vertex_);
+  return {static_cast<const SceneBentVertex*>(buffer_.mapped()) + first, items_[item].vertex_count};
+}
+
+void BentInstances::pose(uint32_t slice, const scene::Pose& pose, const dvec3& origin) {
+  for (size_t i = 0; i < items_.size(); ++i) {
+    const dmat4& world = pose.world_from_instance[items_[i].instance];
+    const scene::Bend& bend = pose.bends[items_[i].instance];
+    // Joints have vertices in the axes of the world, of which one may be turned round: the matrix is its own inverse.
+    const dvec3 shift = bend.joints.empty() ? dvec3(0) : dmat3(world) * origin;
+    Posed& posed = posed_[slice * items_.size() + i];
+    posed.world = glm::translate(world, shift);
+    if (posed.version > 0 && posed.bend == bend && posed.shift == shift) continue;
+    posed.bend = bend, posed.shift = shift;
+    this->bend(slice, i, posed);
+    ++posed.version;
+  }
+}
+
+void BentInstances::bend(uint32_t slice, size_t item, Posed& posed) {
+  auto* to = const_cast<SceneBentVertex*>(vertices(slice, item).data());
+  posed.bounds = {};
+  dvec3 sum(0);  // not finite where one of them is not
+  for (const scene::BentVertex& vertex : scene::bentVertices(scene_, instances_[items_[item].instance], posed.bend)) {
+    *to = {vec3(vertex.position - posed.shift), vec3(vertex.normal)};
+    posed.bounds.add(dvec3(to->position));
+    sum += vertex.position;
+    ++to;
+  }
+  if (!std::isfinite(sum.x + sum.y + sum.z)) posed.bounds.high = dvec3(HUGE_VAL);
+}
+
+}  // namespace strobe::world
