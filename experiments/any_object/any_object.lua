@@ -102,9 +102,11 @@ local shots = {
   object("stacked", "Three movers", "Three boxes one behind the other, each moving its own way."),
   object("stacked_alike", "Four movers alike", "Four of them, all of one plain colour.",
          { scene = "objects/stacked", ["scene.count"] = 4, ["scene.equal"] = true }),
+  { name = "walker", title = "Walking figure", scene = samples .. "CesiumMan.glb",
+    note = "A figure that its joints bend walks on the spot.", fps = 6, frame = 4, exposure = 1,
+    view = { 2.2, 1.3, 2.2, 0, 0.8, 0 } },
   { name = "desk_fan", title = "Desk fan", scene = "shared:scenes/vintage_desk_fan/vintage_desk_fan.glb",
-    note = "Head, cage and blades turn to the side together, by 36 degrees, as rigid: a cage of wires before and behind " ..
-           "the blades.",
+    note = "Head, cage and blades turn to the side together, by 36 degrees: a cage of wires before and behind the blades.",
     fps = 24, exposure = 0.5, animation = "none", view = { 6, 34, 70, 0, 29, 0 },
     spin = { fanHead_low = { 0, 1, 0, 72 }, fanBlade_low = { 0, 1, 0, 72 } } },
   { name = "truck", title = "Milk truck", scene = samples .. "CesiumMilkTruck.glb",

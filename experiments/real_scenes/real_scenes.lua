@@ -49,7 +49,7 @@ return experiment {
   arms = {
     { name = "no blur", pipeline = "none" },
     { name = "McGuire 2012", pipeline = "mcguire2012" },
-    { name = "UE4-style", pipeline = "ue4" },
+    { name = "UE4-style", pipeline = "ue4", set = { limit = 0.1 } },
     { name = "hybrid (as published)", pipeline = "hybrid", set = { preset = "seed" } },
     { name = "hybrid (as published, uniform weights)", pipeline = "hybrid", set = { preset = "seed_linear" },
       shown = false },

@@ -6,20 +6,26 @@
 //      after_*, revealed_after_*: the same displacements for the times after the capture, where the exposure is split
 //      there (absent: motion is linear throughout). d(Y) and the candidates are then those of the part that t_i is in;
 //      moved, behind (> 1/2, per cell): something that moves, something revealed may be at its pixels at some time
-//      (absent: everywhere).
-// Out: blurred (linear, alpha 1). Where nothing moved it is color.
+//      (absent: everywhere); missed (> 1/2, per cell): something comes that no displacement of the tile leads to;
+//      doubtful (a bit for each sample, per cell): what comes then is not where layers say; silhouettes (> 1/2: next to
+//      something that moves otherwise); revealed_2_*, revealed_3_*, revealed_4_*: the surfaces behind what was revealed.
+// Out: blurred (linear, alpha 1). Where nothing moved it is color. With `leaves_open`: of the samples that layers explain, the
+//      sum over the number of all, and in alpha their share; open: a bit for each of the others (of more than 32 samples one
+//      for several).
 // For t_i at the midpoints (i + 1/2 + jitter)/N of the exposure: each candidate displacement g says where a surface
 //   that is at X at t_i would be now, Y = X - t_i*g. A texel Y of a layer is at X then if |Y + t_i*d(Y) - X| <=
 //   max(3/4, |g|/(2N)) (3/4 px: the rounding of Y); one that is not leads to a second guess, by its own d. The nearest
 //   texel that is there is what X shows at t_i; of equal depths the earlier candidate and the raster layer win. The
 //   mean over i is the result: weights add up to 1 by construction, order in depth and correlation of movements come
 //   out right.
-// Candidates: the tile's displacements (dominant, second, revealed), those of X in both layers, and those met in both
-//   layers (the one behind where it may be at X) at the taps X - t_i*d along d = dominant and second, and at X + t_i*d, as far as they differ by more than
-//   half a pixel from all before; kMaxCandidates in all. Without the taps the slower of two moving surfaces is missed,
-//   without those to the other side a slower one that moves against the dominant one, without `second` one that
-//   crosses it.
-// If no layer has anything at X at t_i, it is what was revealed at X, else what raster saw there (counter `fallback`).
+// Candidates: the tile's displacements (dominant, second, revealed), those of X in all layers, and those met in all
+//   layers (those behind where they may be at X) at the taps X - t_i*d along d = dominant and second, and at X + t_i*d, as
+//   far as they differ by more than half a pixel from all before; kMaxCandidates in all. Without the taps the slower of
+//   two moving surfaces is missed, without those to the other side a slower one that moves against the dominant one,
+//   without `second` one that crosses it.
+// If no layer has anything at X at t_i, it is what was revealed at X, else what raster saw there (counter `fallback`); with
+//   `leaves_open` the sample is left open, as are those beside a silhouette, and all of a pixel with more motions than
+//   candidates.
 // Fails: surfaces hidden at the capture and not revealed (second layer and beyond); motion that bends or magnifies by
 //   more than the tolerance within the distance moved; more motions at one pixel than candidates.
 #include "mixin/limit.glsl"
@@ -369,25 +375,27 @@ vec3 colorFound(Seen seen, ivec2 pixel, float t) {
   return colorOf(seen.layer, seen.now);
 }
 
+uint bitOf(int i) { return 1u << uint(i * 32 / max(params.samples, 32)); }
+
+// `part`: of the picture, of the samples that are explained, of which `share` is that of all.
+void finish(ivec2 pixel, vec3 part, float share, uint open) {
+#if PARAM_leaves_open
+  imageStore(open_img, pixel, uvec4(open, 0u, 0u, 0u));
+#endif
+  imageStore(blurred_img, pixel, vec4(part, share));
+}
+
 void run(ivec2 pixel) {
   ivec2 cell = pixel / params.cell_side;
-#if PARAM_leaves_open
+  const uint all_open = params.samples < 32 ? (1u << uint(params.samples)) - 1u : ~0u;
   uint open = doubtful(cell);
-  uint all_bits = params.samples < 32 ? (1u << uint(params.samples)) - 1u : ~0u;
-  if (open == all_bits) {
-    imageStore(open_img, pixel, uvec4(open, 0u, 0u, 0u));
-    imageStore(blurred_img, pixel, vec4(0));
+  if (open == all_open) {
+    finish(pixel, vec3(0), 0.0, open);
     return;
   }
-#endif
   if (!isMoved(cell)) {
-#if PARAM_leaves_open
-    float explained = 1.0 - float(bitCount(open)) / float(min(params.samples, 32));
-    imageStore(open_img, pixel, uvec4(open, 0u, 0u, 0u));
-    imageStore(blurred_img, pixel, vec4(explained * vec3(texelFetch(color_tex, pixel, 0)), explained));
-#else
-    imageStore(blurred_img, pixel, vec4(vec3(texelFetch(color_tex, pixel, 0)), 1));
-#endif
+    float share = 1.0 - float(bitCount(open)) / float(min(params.samples, 32));
+    finish(pixel, share * vec3(texelFetch(color_tex, pixel, 0)), share, open);
     return;
   }
 
@@ -398,42 +406,32 @@ void run(ivec2 pixel) {
 #if HAS_after_velocity
   after = candidatesOf(pixel, dominantAfter(tile), jitter, behind, true);
 #endif
-
-#if PARAM_leaves_open
-  if (before.crowded || after.crowded || isMissed(cell)) {
-    imageStore(open_img, pixel, uvec4(all_bits, 0u, 0u, 0u));
-    imageStore(blurred_img, pixel, vec4(0));
+  if (PARAM_leaves_open != 0 && (before.crowded || after.crowded || isMissed(cell))) {
+    finish(pixel, vec3(0), 0.0, all_open);
     return;
   }
-#endif
 
   vec3 sum = vec3(0);
-  uint fallbacks = 0u;
+  uint left_out = 0u, fallbacks = 0u;
   for (int i = 0; i < params.samples; ++i) {
-#if PARAM_leaves_open
-    uint bit = 1u << uint(i * 32 / max(params.samples, 32));
-    if ((open & bit) != 0u) {
-      fallbacks += 1u;
+    if ((open & bitOf(i)) != 0u) {
+      left_out += 1u;
       continue;
     }
-#endif
     float t = sampleTime(i, params.samples, jitter, frame.shutter);
     Seen seen = seenAt(pixel, t > 0.0 ? after : before, behind, t);
     if (seen.layer == kNothing || seen.unsure) {
       fallbacks += 1u;
-#if PARAM_leaves_open
-      open |= bit;
-      continue;
-#endif
+      if (PARAM_leaves_open != 0) {
+        open |= bitOf(i);
+        left_out += 1u;
+        continue;
+      }
       seen.layer = isRevealed(kRevealed, pixel) ? kRevealed : kRaster;
     }
     sum += toSum(colorFound(seen, pixel, t));
   }
   if (fallbacks > 0u) count_fallback(fallbacks);
-#if PARAM_leaves_open
-  imageStore(open_img, pixel, uvec4(open, 0u, 0u, 0u));
-  imageStore(blurred_img, pixel, vec4(fromSum(sum / float(params.samples)), 1.0 - float(fallbacks) / float(params.samples)));
-#else
-  imageStore(blurred_img, pixel, vec4(fromSum(sum / float(params.samples)), 1));
-#endif
+  float n = float(params.samples);
+  finish(pixel, fromSum(sum / n), 1.0 - float(left_out) / n, open);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The surface behind the foreground, along the same ray as the raster's sample (Tan, Cui, Bhojan 2020, "Ray Reveal").
 // In:  hit_tex (foreground), mask_tex (> 0.5: reveal).
-// Out: found (instance + 1, geometry, primitive), color, depth, id, velocity, valid as the G-buffer has them; everything 0 where nothing is revealed.
+// Out: color, depth, id, velocity, valid as the G-buffer has them, found (instance + 1, geometry, primitive); everything 0
+//      where nothing is revealed.
 //      With `divide` = 2 a texel stands for a square of 2x2 pixels, and its ray is that of sourcePixel().
 // Goes from hit to hit by `advance` until `termination` holds or `max_layers` hits did not end it (counter `capped`).
 // Under instance_filter the foreground is passed over within the traversal: instance and geometry termination then end
