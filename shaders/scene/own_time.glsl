@@ -6,8 +6,8 @@
 //      revealed_color, revealed_depth, revealed_id, revealed_valid of what was revealed behind it.
 // Out: picture (linear, alpha 1). In the share `audit` of pixels the other samples are traced too; `wrong` counts those whose
 //      mean is otherwise by `wrong_by` of it.
-// What a ray meets and a layer of the capture holds has that layer's colour, at the nearest pixel, as a tap of a filter
-// has. Before a camera at rest, what is at rest is found once, and what moves is traced before it.
+// What a ray meets and a layer of the capture holds has that layer's colour, blended as that of a filter's tap.
+// Before a camera at rest, what is at rest is found once, and what moves is traced before it.
 #include "lib/audit.glsl"
 #include "lib/blur.glsl"
 #include "lib/sanitise.glsl"
@@ -17,21 +17,39 @@ const float kFar = 3.0e38;
 
 bool isAtRest(Hit hit) { return !isHit(hit) || scene_instances[hit.instance].moves == 0u; }
 
-// The colour of a surface point: the capture's, or what was revealed behind it, where they hold the point.
+// Does raster's texel show the surface, or what was revealed behind it?
+bool isSeen(ivec2 at, uvec2 id, float depth) {
+  return texelFetch(id_tex, at, 0).xy == id && relativeGap(texelFetch(depth_tex, at, 0).x, depth) <= params.same_depth;
+}
+
+bool isRevealed(ivec2 at, uvec2 id, float depth) {
+  return texelFetch(revealed_valid_tex, at, 0).x > 0.5 && texelFetch(revealed_id_tex, at, 0).xy == id &&
+         relativeGap(texelFetch(revealed_depth_tex, at, 0).x, depth) <= params.same_depth;
+}
+
+// The colour of a surface point: blended from the texels around that hold it, of what raster saw or was revealed.
 vec3 colorOf(Hit hit) {
   vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, positionOf(SLICE_CAPTURE, hit));
   SceneCamera camera = scene_cameras[SLICE_CAPTURE];
   bool in_front = camera.orthographic != 0u || capture_vs.z > camera.near;
-  ivec2 at = in_front ? ivec2(floor(pixelFromView(SLICE_CAPTURE, capture_vs) - frame.subpixel)) : ivec2(-1);
-  if (isInside(at, ivec2(frame.size))) {
-    uvec2 id = uvec2(hit.instance, hit.geometry) + 1u;
-    bool same = texelFetch(id_tex, at, 0).xy == id;
-    if (same && relativeGap(texelFetch(depth_tex, at, 0).x, capture_vs.z) <= params.same_depth)
-      return finiteColor(texelFetch(color_tex, at, 0));
-    bool behind = texelFetch(revealed_valid_tex, at, 0).x > 0.5 && texelFetch(revealed_id_tex, at, 0).xy == id;
-    if (behind && relativeGap(texelFetch(revealed_depth_tex, at, 0).x, capture_vs.z) <= params.same_depth)
-      return finiteColor(texelFetch(revealed_color_tex, at, 0));
+  vec2 place = in_front ? pixelFromView(SLICE_CAPTURE, capture_vs) - frame.subpixel - 0.5 : vec2(-2);
+  vec2 low = clamp(floor(place), vec2(-2), vec2(frame.size) + 1.0), share = place - low;
+  uvec2 id = uvec2(hit.instance, hit.geometry) + 1u;
+  vec3 sum = vec3(0);
+  float weights = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    ivec2 corner = ivec2(k & 1, k >> 1), at = ivec2(low) + corner;
+    vec2 part = mix(1.0 - share, share, equal(corner, ivec2(1)));
+    float weight = part.x * part.y;
+    if (weight < 1e-3 || !isInside(at, ivec2(frame.size))) continue;
+    vec4 texel;
+    if (isSeen(at, id, capture_vs.z)) texel = texelFetch(color_tex, at, 0);
+    else if (isRevealed(at, id, capture_vs.z)) texel = texelFetch(revealed_color_tex, at, 0);
+    else continue;
+    sum += weight * toSum(finiteColor(texel));
+    weights += weight;
   }
+  if (weights > 0.0) return fromSum(sum / weights);
   count_shaded(1u);
   return shade(SLICE_CAPTURE, hit);
 }

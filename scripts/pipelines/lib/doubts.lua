@@ -27,7 +27,8 @@ end
 
 local function bend_of(layer, name)
   return bend {
-    depth = layer.depth, id = layer.id, velocity = layer.velocity, normal = layer.normal, as = name .. "_bend",
+    depth = layer.depth, id = layer.id, velocity = layer.velocity, hit = layer.hit, normal = layer.normal,
+    as = name .. "_bend",
   }
 end
 

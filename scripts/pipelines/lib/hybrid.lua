@@ -164,6 +164,7 @@ function hybrid.divided(p, revealed)
   local divided = {}
   for number, of in ipairs(revealed) do
     local layer = { color = of.color, depth = of.depth, id = of.id, velocity = of.velocity, valid = of.valid }
+    if p.reveal_resolution() == "full" then layer.hit = of.found end
     if p.reveal_velocity() == "own" then
       layer = ranges.divided(p, layer, number == 1 and "revealed_halves" or ("revealed_%d_halves"):format(number))
     elseif ranges.are_split(p) then
