@@ -29,6 +29,7 @@
 ---@field unit? string "px", "m", "image widths"
 ---@field doc string what it means
 ---@field role? strobe.Role what it is
+---@field auto? boolean "auto" is a value too (float that is never negative)
 ---@field variant? boolean compiled into the shader instead of passed to it (int and float)
 
 ---The choices in order, `{ "a", "b", default = "b", doc = "which" }`; the first is the default of the default.
@@ -72,7 +73,7 @@
 ---@field doc string what it counts
 ---@field limit? string what was done to the picture there and what to do about it: a warning where the count is not 0
 
----@alias strobe.Fact "motion"|"alpha"|"blend"|"one_sided"|"shadows"|"bends"
+---@alias strobe.Fact "motion"|"alpha"|"blend"|"one_sided"|"shadows"|"bends"|"before"|"after"
 
 ---@class strobe.PassTable
 ---@field name string unique; nodes are called this unless `as` says otherwise

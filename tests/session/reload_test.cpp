@@ -152,8 +152,7 @@ TEST_F(ReloadTest, OneBrokenPassDoesNotStopOthers) {
   // GLSL: one shader broken, another changed.
   std::string good = home_.read("shaders/mask/relative.glsl"), before = colorHash(session);
   home_.write("shaders/mask/relative.glsl", "void run(ivec2 pixel) { nonsense }");
-  home_.edit("shaders/composite/layered.glsl", "fromSum(sum / float(params.samples))",
-             "fromSum(0.5 * sum / float(params.samples))");
+  home_.edit("shaders/composite/layered.glsl", "fromSum(sum / n)", "fromSum(0.5 * sum / n)");
   auto told = session.reload(true);
   ASSERT_TRUE(told);
   EXPECT_EQ(joined(told->rebuilt), "composite");

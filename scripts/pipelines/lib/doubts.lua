@@ -2,8 +2,8 @@
 -- Where the layers of the capture do not say what is seen at other times, and rays at their own time that do.
 local pass          = require "strobe.pass"
 local pipeline      = require "strobe.pipeline"
-local silhouettes   = require "passes.mask.silhouettes"
-local bend          = require "passes.scene.bend"
+local moving_silhouettes = require "passes.mask.moving_silhouettes"
+local path_bend     = require "passes.scene.path_bend"
 local own_time      = require "passes.scene.own_time"
 local unseen_close  = require "passes.scene.unseen_close"
 local unseen_open   = require "passes.scene.unseen_open"
@@ -26,7 +26,7 @@ local function at_middle(name, body)
 end
 
 local function bend_of(layer, name)
-  return bend {
+  return path_bend {
     depth = layer.depth, id = layer.id, velocity = layer.velocity, hit = layer.hit, normal = layer.normal,
     as = name .. "_bend",
   }
@@ -98,7 +98,7 @@ end
 -- Where a sample may fall to either side of an edge, if rays are to tell; else nil.
 function doubts.silhouettes(p, seen)
   if p.own_time() ~= "uncertain" then return nil end
-  return silhouettes { velocity = seen.velocity, after_velocity = seen.after_velocity }.near
+  return moving_silhouettes { velocity = seen.velocity, after_velocity = seen.after_velocity }.near
 end
 
 -- The picture, from what a composite made that left samples open; `revealed` is the first layer behind.

@@ -4,8 +4,8 @@ local pass            = require "strobe.pass"
 local pipeline        = require "strobe.pipeline"
 local layered         = require "passes.composite.layered"
 local mcguire2012     = require "passes.gather.mcguire2012"
-local farthest        = require "passes.tile.farthest"
-local goes_on         = require "passes.mask.goes_on"
+local longest_motion  = require "passes.tile.longest_motion"
+local moving_behind   = require "passes.mask.moving_behind"
 local motion_bounds   = require "passes.tile.motion_bounds"
 local motion_reach    = require "passes.tile.motion_reach"
 local reveal          = require "passes.scene.reveal"
@@ -77,7 +77,7 @@ function hybrid.params()
     same_motion = reveal.params.same_motion,
     advance     = reveal.params.advance,
     max_layers  = reveal.params.max_layers,
-    layers      = pipeline.int { 1, min = 1, max = 4,
+    revealed_layers = pipeline.int { 1, min = 1, max = 4,
       doc = "composite layered: surfaces revealed one behind another; the next where the last one moves on the screen" },
     on_cap      = reveal.params.on_cap,
     reveal_velocity   = reveal.params.reveal_velocity,
@@ -139,8 +139,8 @@ hybrid.presets = {
 
 -- What lies behind the masked pixels: a list of layers, nearest first, each the ports of the pass `reveal`.
 function hybrid.revealed(p, seen, mask)
-  local half, count = p.reveal_resolution() == "half", p.layers()
-  if half and count > 1 then error("layers > 1: a ray per pixel is needed, reveal_resolution = full", 0) end
+  local half, count = p.reveal_resolution() == "half", p.revealed_layers()
+  if half and count > 1 then error("revealed_layers > 1: a ray per pixel is needed, reveal_resolution = full", 0) end
   local rays = reveal {
     hit = seen.hit, mask = mask, divide = half and 2 or 1, as = "reveal",
   }
@@ -153,7 +153,7 @@ function hybrid.revealed(p, seen, mask)
   local layers = { rays }
   for number = 2, count do
     local last = layers[number - 1]
-    local on = goes_on { valid = last.valid, id = last.id, velocity = last.velocity, as = "goes_on_" .. number }.mask
+    local on = moving_behind { valid = last.valid, id = last.id, velocity = last.velocity, as = "moving_behind_" .. number }.mask
     layers[number] = reveal { hit = last.found, mask = on, as = "reveal_" .. number }
   end
   return layers
@@ -234,9 +234,9 @@ local function reached_cells(seen, revealed, images)
     dominant = images.dominant, after_dominant = images.after_dominant,
     second = images.second, after_second = images.after_second,
     revealed_dominant = images.revealed_dominant, revealed_after_dominant = images.revealed_after_dominant,
-    reach = farthest {
+    reach = longest_motion {
       longest = images.dominant, after = images.after_dominant,
-      revealed = images.revealed_dominant, revealed_after = images.revealed_after_dominant, as = "farthest_of_all",
+      revealed = images.revealed_dominant, revealed_after = images.revealed_after_dominant, as = "longest_of_all",
     }.reach,
   }
   return { moved = cells.moved, behind = cells.behind, missed = cells.missed }
@@ -249,7 +249,7 @@ function hybrid.composited(p, seen, revealed, doubted)
   local apart = pass.reads(composite, "front")
   local further = pass.reads(composite, "revealed_2_color") or false
   if #revealed > 1 and not further then
-    error(("layers > 1: composite = %s knows one layer behind; it needs composite = layered"):format(p.composite()), 0)
+    error(("revealed_layers > 1: composite = %s knows one layer behind; it needs composite = layered"):format(p.composite()), 0)
   end
   local images = apart and blurred(p, seen, revealed[1]) or layers(p, seen, revealed, composite)
   if pass.reads(composite, "moved") then put(images, "", reached_cells(seen, revealed, images)) end

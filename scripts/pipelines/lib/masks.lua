@@ -7,7 +7,7 @@ local moving           = require "passes.mask.moving"
 local near_motions     = require "passes.mask.near_motions"
 local range_check      = require "passes.mask.range_check"
 local relative         = require "passes.mask.relative"
-local farthest         = require "passes.tile.farthest"
+local longest_motion   = require "passes.tile.longest_motion"
 local id_bounds        = require "passes.tile.id_bounds"
 local motion_bounds    = require "passes.tile.motion_bounds"
 local edges            = require "scripts.pipelines.lib.edges"
@@ -32,7 +32,7 @@ end
 -- Motion relative to the background decides.
 masks["relative"] = function(_, seen)
   local motions = tiles.motions(seen)
-  local reach = farthest { longest = motions, as = "mask_farthest" }.reach
+  local reach = longest_motion { longest = motions, as = "mask_longest_motion" }.reach
   local near = near_motions { motions = motions, reach = reach }
   local bounds = motion_bounds { velocity = seen.velocity, as = "mask_bounds" }.bounds
   local ids = id_bounds { id = seen.id, as = "mask_ids" }.ids

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Displacements per tile.
 local pipeline      = require "strobe.pipeline"
-local farthest      = require "passes.tile.farthest"
+local longest_motion = require "passes.tile.longest_motion"
 local neighbour_max = require "passes.tile.neighbour_max"
 local neighbour_min = require "passes.tile.neighbour_min"
 local tile_max      = require "passes.tile.tile_max"
@@ -19,7 +19,7 @@ local function in_one_part(p, layer, given)
     as = prefix .. "tile_max",
   }.longest
   local motions = given.second and tiles.motions(layer) or nil
-  local reach = farthest { longest = longest, as = prefix .. "farthest" }.reach
+  local reach = longest_motion { longest = longest, as = prefix .. "longest_motion" }.reach
   local around = neighbour_max {
     longest = longest, motions = motions, reach = reach, rule = p.tile_rule, as = prefix .. "neighbour_max",
   }

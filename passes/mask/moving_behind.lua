@@ -3,8 +3,8 @@
 local pass = require "strobe.pass"
 
 return pass.compute {
-  name   = "mask_goes_on",
-  shader = "mask/goes_on",
+  name   = "mask_moving_behind",
+  shader = "mask/moving_behind",
   doc    = "Pixels where what was revealed moves on the screen, so that it may uncover something itself",
   fails  = "What rests on the screen and is left by what is before it alone uncovers nothing: none is missed. Marks too " ..
            "much: most of what is behind is never seen.",

@@ -3,8 +3,8 @@
 local pass = require "strobe.pass"
 
 return pass.compute {
-  name   = "mask_silhouettes",
-  shader = "mask/silhouettes",
+  name   = "mask_moving_silhouettes",
+  shader = "mask/moving_silhouettes",
   doc    = "Texels of which one around moves otherwise: between them lies a silhouette",
   fails  = "What is narrower than a pixel and lies between texels is not there.",
   size   = { of = "velocity" },

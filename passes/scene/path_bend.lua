@@ -4,8 +4,8 @@ local pass   = require "strobe.pass"
 local stored = require "passes.lib.stored"
 
 return pass.compute {
-  name   = "bend",
-  shader = "scene/bend",
+  name   = "path_bend",
+  shader = "scene/path_bend",
   doc    = "Where the surfaces of a layer leave the straight line between the ends of their paths",
   size   = { of = "velocity" },
   scene  = true,

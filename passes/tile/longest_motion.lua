@@ -5,8 +5,8 @@ local pass = require "strobe.pass"
 local more = { optional = true, doc = "the same of another layer, or of times after the capture" }
 
 return pass.compute {
-  name   = "farthest",
-  shader = "tile/farthest",
+  name   = "longest_motion",
+  shader = "tile/longest_motion",
   doc    = "The longest displacement of the picture",
   fails  = "Never. One thread reads all tiles: of a large picture with tiles of a pixel or two that takes long.",
   size   = { 1, 1 },
