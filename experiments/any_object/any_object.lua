@@ -51,7 +51,13 @@ local rules = {
 }
 
 -- Why the expectations that are known to fail do: by shot, then by number of the rule.
-local known = {}
+local fine = "its texture is looked up by nearest texels and has detail finer than a pixel: one sample per pixel of the " ..
+             "capture does not hold that, and samples that blend pixels blur it"
+local known = {
+  walker = { [2] = fine },
+  truck = { [2] = fine },
+  box_rises = { [2] = "by 365 pixels beside silhouettes, of which no cause has been found" },
+}
 
 local function expected(shots)
   local list = {}
@@ -144,5 +150,5 @@ return experiment {
   truth = { pipeline = "ground_truth", set = { samples = 256, times = "stratified" } },
   shots = shots,
   expect = expected(shots),
-  layout = { pictures = { crop_size = { 96, 54 } }, table = {} },
+  layout = { table = {} },
 }

@@ -1,11 +1,11 @@
 -- SPDX-License-Identifier: MIT
 -- What an end of the exposure sees and no layer of the capture holds: the description of a pass.
-local pass   = require "strobe.pass"
+local param  = require "strobe.param"
 local stored = require "passes.lib.stored"
 
 -- `end_of`: "start" or "end"; `fact`: that the exposure has a part before, or after, the capture.
 return function(name, end_of, fact)
-  return pass.compute {
+  return {
     name   = name,
     shader = "scene/unseen",
     doc    = ("What is seen at the %s of the exposure that neither the capture nor rays from it have found"):format(end_of),
@@ -27,7 +27,7 @@ return function(name, end_of, fact)
     without = { motion = { unseen = 0, velocity = 0, bend = 0 }, [fact] = { unseen = 0, velocity = 0, bend = 0 } },
     params = {
       velocity_format = stored.velocity_format,
-      same_depth = pass.float { 0.01, min = 0, max = 1, doc = "share of the depth over which two depths count as one" },
+      same_depth = param.float { 0.01, min = 0, max = 1, doc = "share of the depth over which two depths count as one" },
     },
     counters = { velocity_clamped = stored.counters.velocity_clamped },
     fails  = "A surface that comes out and goes in again between the ends of the exposure is not known to either.",

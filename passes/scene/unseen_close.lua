@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- What the end of the exposure sees and no layer of the capture holds.
+local pass   = require "strobe.pass"
 local unseen = require "passes.lib.unseen"
 
-return unseen("unseen_close", "end", "after")
+return pass.compute(unseen("unseen_close", "end", "after"))
