@@ -153,7 +153,9 @@ function hybrid.revealed(p, seen, mask)
   local layers = { rays }
   for number = 2, count do
     local last = layers[number - 1]
-    local on = moving_behind { valid = last.valid, id = last.id, velocity = last.velocity, as = "moving_behind_" .. number }.mask
+    local on = moving_behind {
+      valid = last.valid, id = last.id, velocity = last.velocity, as = "moving_behind_" .. number,
+    }.mask
     layers[number] = reveal { hit = last.found, mask = on, as = "reveal_" .. number }
   end
   return layers
