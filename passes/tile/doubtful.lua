@@ -2,6 +2,7 @@
 -- Cells and times at which layers are not to be trusted.
 local pass  = require "strobe.pass"
 local blur  = require "passes.lib.blur"
+local reach = require "passes.lib.reach"
 
 local at_end = { optional = true, doc = "the same of what an end of the exposure alone sees; absent: nothing" }
 local behind = { optional = true, doc = "the same of what was revealed; absent: nothing was" }
@@ -16,6 +17,7 @@ return pass.compute {
     bounds        = { doc = "of the displacements of what is doubtful in each cell, px over the exposure" },
     bends         = { doc = "of how far its paths are from straight lines, px in the middle of the exposure" },
     behind_bounds = behind, behind_bends = behind,
+    reach         = reach,
     open_bounds   = at_end, open_bends = at_end, close_bounds = at_end, close_bends = at_end,
   },
   updates = { doubtful = { format = "r32ui",

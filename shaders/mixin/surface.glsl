@@ -155,6 +155,12 @@ vec2 pathOf(uint slice, Hit hit, vec3 capture_ws) {
   return pathFromCapture(capture_vs, slice, viewFromWorld(slice, movedTo(slice, hit, capture_ws)));
 }
 
+// The same of the point of a rigid instance that is at `position_ws` at the capture.
+vec2 pathOfPoint(uint slice, uint instance, vec3 position_ws) {
+  vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, carriedBy(instance, SLICE_CAPTURE, position_ws));
+  return pathFromCapture(capture_vs, slice, viewFromWorld(slice, carriedBy(instance, slice, position_ws)));
+}
+
 // A direction, of which the capture sees a depth of 1, is behind the camera where its depth is less: directions have no
 // lengths, and no near plane.
 const float kSkyNear = 1.0 / 64.0;

@@ -11,12 +11,6 @@
 #include "mixin/stored.glsl"
 #include "mixin/surface.glsl"
 
-// Of the point of an instance that is at `position_ws` at the capture.
-vec2 pathOfPoint(uint slice, uint instance, vec3 position_ws) {
-  vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, carriedBy(instance, SLICE_CAPTURE, position_ws));
-  return pathFromCapture(capture_vs, slice, viewFromWorld(slice, carriedBy(instance, slice, position_ws)));
-}
-
 vec2 pathOfTexel(uint slice, Ray ray, uint id, float depth) {
   if (id == 0u) return pathOfSky(slice, ray.direction);
   return pathOfPoint(slice, id - 1u, ray.origin + ray.direction * depth);

@@ -11,13 +11,7 @@
 #include "mixin/stored.glsl"
 #include "mixin/surface.glsl"
 
-// Where the point of an instance that is at `position_ws` at the capture is on the screen at `slice`, from there, px.
-vec2 pathOfPoint(uint slice, uint instance, vec3 position_ws) {
-  vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, carriedBy(instance, SLICE_CAPTURE, position_ws));
-  return pathFromCapture(capture_vs, slice, viewFromWorld(slice, carriedBy(instance, slice, position_ws)));
-}
-
-// The same of what a texel shows.
+// Screen path of what a texel shows, px, from the capture to the pose of `slice`.
 vec2 pathOfTexel(uint slice, ivec2 at) {
   Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(at));
   uint id = texelFetch(id_tex, at, 0).x;

@@ -4,6 +4,7 @@
 // In:  bounds, bends (of the displacements of what is doubtful in each cell at the capture, px over the exposure, and of how
 //      far its paths are from straight lines in the middle of the exposure, px); behind_bounds, behind_bends (the same of
 //      what was revealed); open_*, close_* (the same of what the ends of the exposure alone see).
+//      reach (px over the exposure: longest of the picture; where it is no motion, nothing is doubted).
 // Out: doubtful (a bit for each of `samples` times, at most 32).
 #include "lib/bounds.glsl"
 
@@ -48,7 +49,17 @@ void doubtAll(ivec2 cell, vec4 bounds, vec4 bends, float seen) {
   }
 }
 
+// Does anything in the picture move, as far as filters handle it?
+bool isStill() {
+#if HAS_reach
+  return reachFactor(frame.shutter) * texelFetch(reach_tex, ivec2(0), 0).x <= kStillRadius;
+#else
+  return false;
+#endif
+}
+
 void run(ivec2 cell) {
+  if (isStill()) return;
   doubtAll(cell, texelFetch(bounds_tex, cell, 0), texelFetch(bends_tex, cell, 0), 0.0);
 #if HAS_behind_bounds && HAS_behind_bends
   doubtAll(cell, texelFetch(behind_bounds_tex, cell, 0), texelFetch(behind_bends_tex, cell, 0), 0.0);

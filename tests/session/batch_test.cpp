@@ -24,7 +24,8 @@ class BatchTest : public SessionTest {
   static Shot point(int i) {
     Shot shot = smallShot(std::vector<std::string>{"hybrid", "mcguire2012", "none"}[size_t(i % 3)]);
     shot.exposure = 0.1 + 0.005 * i;
-    if (i % 3 < 2) shot.sets.push_back({"samples", 3 + i});
+    if (i % 3 == 0) shot.sets.push_back({"depth_extent", 0.01 + 0.001 * i});
+    if (i % 3 == 1) shot.sets.push_back({"samples", 3 + i});
     if (i % 3 == 1) shot.sets.push_back({"limit", 0.01 + 0.001 * i});
     return shot;
   }

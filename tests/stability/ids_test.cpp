@@ -33,9 +33,9 @@ std::vector<std::vector<std::string>> settings() {
           {"preset=seed", "edge=silhouette"},
           {"preset=seed", "edge=sobel"},
           {"preset=seed", "own_edge=true"},
-          {"preset=best"},
-          {"composite=in_gather"},
-          {"mask=moving"}};
+          {"preset=captured"},
+          {"preset=captured", "composite=in_gather"},
+          {"preset=captured", "mask=moving"}};
 }
 
 TEST_F(Ids, BeyondTheirLowestBitInSinglePrecisionAreTold) {

@@ -9,7 +9,9 @@ local unseen_close  = require "passes.scene.unseen_close"
 local unseen_open   = require "passes.scene.unseen_open"
 local visibility    = require "passes.scene.visibility"
 local doubtful      = require "passes.tile.doubtful"
+local longest_motion = require "passes.tile.longest_motion"
 local motion_bounds = require "passes.tile.motion_bounds"
+local tiles         = require "scripts.pipelines.lib.tiles"
 
 local doubts = {}
 
@@ -91,7 +93,7 @@ function doubts.cells(p, seen, revealed, raster)
   return doubtful {
     bounds = raster.bounds, bends = raster.bends, behind_bounds = behind.bounds, behind_bends = behind.bends,
     open_bounds = open.bounds, open_bends = open.bends, close_bounds = close.bounds, close_bends = close.bends,
-    jittered = jittered(p),
+    reach = longest_motion { longest = tiles.motions(seen), as = "raster_longest_motion" }.reach, jittered = jittered(p),
   }.doubtful
 end
 
