@@ -70,7 +70,7 @@ const std::map<std::string, std::vector<Context>> kContexts = {
       {{"mask=seed", "edge=canny", "scene=solids", "slide=30", "limit=10", "edge_gradient.depth_threshold=1",
         "edge_gradient.normal_threshold=1"},
        {}},
-      {{"preset=captured"}, {"layered.harvest"}},
+      {{"preset=captured"}, {"layered.harvest", "tiles"}},
       {{"scene=solids", "anchor=centre"}, {"unseen_open.same_depth", "unseen_close.same_depth", "own_time.same_depth"}},
       {{"mask=seed", "edge=plane", "scene=solids", "slide=30", "limit=10"}, {}},
       {{"mask=seed", "edge=laplacian", "scene=solids", "slide=30", "limit=10"}, {}},
