@@ -1,7 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- Raster and ray-revealed background, blurred and composited. Tan, Cui and Bhojan 2020, "Hybrid MBlur".
 local pipeline = require "strobe.pipeline"
-local doubts   = require "scripts.pipelines.lib.doubts"
 local hybrid   = require "scripts.pipelines.lib.hybrid"
 local masks    = require "scripts.pipelines.lib.masks"
 local ranges   = require "scripts.pipelines.lib.ranges"
@@ -27,13 +26,12 @@ return pipeline {
   },
   build = function(p)
     local seen = scene.captured()
-    local doubted = doubts.are_asked(p) and doubts.of_raster(seen) or nil
     local moving = ranges.divided(p, seen, "halves")
     local mask = ranges.mask(p, moving, masks[p.mask()])
     local revealed = hybrid.revealed(p, seen, mask)
     local first = revealed[1]
     return scene.outputs(seen, {
-      color = hybrid.composited(p, moving, hybrid.divided(p, revealed), doubted), mask = mask,
+      color = hybrid.composited(p, moving, hybrid.divided(p, revealed)), mask = mask,
       revealed = first.color, revealed_depth = first.depth, revealed_velocity = first.velocity,
       revealed_id = first.id, revealed_valid = first.valid,
     })

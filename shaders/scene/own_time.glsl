@@ -59,18 +59,16 @@ struct Ground {
   bool is_known;
   Hit hit;
   float t;  // as a ray measures it
-  bool has_color;
   vec3 color;
 };
 
 // What the capture sees, if that is at rest: nothing at rest is nearer.
 Ground groundAt(ivec2 pixel) {
-  Ground ground = Ground(false, noHit(), kFar, false, vec3(0));
+  Ground ground = Ground(false, noHit(), kFar, vec3(0));
   if (frame.camera_rests == 0u) return ground;
   uvec4 seen = texelFetch(hit_tex, pixel, 0);
   if (seen.x != 0u && scene_instances[seen.x - 1u].moves != 0u) return ground;
   ground.is_known = true;
-  ground.has_color = true;
   ground.color = finiteColor(texelFetch(color_tex, pixel, 0));
   if (seen.x != 0u) {
     ground.hit = hitOnTriangle(SLICE_CAPTURE, cameraRay(SLICE_CAPTURE, samplePosition(pixel)), seen.x - 1u, seen.y, seen.z);
@@ -86,9 +84,9 @@ vec3 seenAt(ivec2 pixel, uint slice, inout Ground ground) {
   if (!isHit(hit) && ground.is_known) hit = ground.hit;
   else if (isHit(hit)) hit = hitOnTriangle(slice, ray, hit.instance, hit.geometry, hit.primitive);
   bool is_ground = frame.camera_rests != 0u && isAtRest(hit);
-  if (is_ground && ground.has_color) return ground.color;
+  if (is_ground && ground.is_known) return ground.color;
   vec3 color = isHit(hit) ? colorOf(hit) : environment(ray.direction);
-  if (is_ground) ground = Ground(true, hit, isHit(hit) ? hit.t : kFar, true, color);
+  if (is_ground) ground = Ground(true, hit, isHit(hit) ? hit.t : kFar, color);
   return color;
 }
 

@@ -22,14 +22,12 @@ end
 
 local function jittered(p) return p.jitter() == "none" and 0 or 1 end
 
--- What a body of passes finds at the middle of the exposure.
-local function at_middle(name, body)
-  return pipeline.loop { name = name, count = 1, times = "midpoint", slices = 1, body = body }
-end
+-- Over the whole exposure, into however many parts the range is divided.
+local function whole_of(layer) return layer.whole_velocity or layer.velocity end
 
 local function bend_of(layer, name)
   return path_bend {
-    depth = layer.depth, id = layer.id, velocity = layer.velocity, hit = layer.hit, normal = layer.normal,
+    depth = layer.depth, id = layer.id, velocity = whole_of(layer), hit = layer.hit, normal = layer.normal,
     as = name .. "_bend",
   }
 end
@@ -45,15 +43,6 @@ local function bounds_of(name, velocity, bent, valid, others)
   }
 end
 
--- What of raster's surfaces bends or grows: its bounds, and where it comes to, where all is found by rays in any case.
-function doubts.of_raster(seen)
-  local found = at_middle("raster_middle", function()
-    local of = bend_of(seen, "raster")
-    return { bend = of.bend, bent = of.bent }
-  end)
-  return bounds_of("raster_bent", seen.velocity, found.bend, found.bent)
-end
-
 -- What an end of the exposure sees and no layer holds.
 local function unseen_of(which, unseen, hit, seen, revealed)
   return unseen {
@@ -63,28 +52,30 @@ local function unseen_of(which, unseen, hit, seen, revealed)
 end
 
 -- The cells and times at which something is there of which layers do not say where it is: what bends or grows, and what an
--- end of the exposure alone sees. `raster` is of doubts.of_raster.
-function doubts.cells(p, seen, revealed, raster)
+-- end of the exposure alone sees.
+function doubts.cells(p, seen, revealed)
   local hits = {
     open = visibility { time = "open", as = "open_visibility" }.hit,
     close = visibility { time = "close", as = "close_visibility" }.hit,
   }
-  local found = at_middle("middle", function()
+  local found = pipeline.loop { name = "middle", count = 1, times = "midpoint", slices = 1, body = function()
     local result = {}
     local function keep(name, of, images)
       for _, image in ipairs(images) do result[name .. "_" .. image] = of[image] end
     end
+    keep("raster", bend_of(seen, "raster"), { "bend", "bent" })
     keep("open", unseen_of("open", unseen_open, hits.open, seen, revealed[1]), { "unseen", "velocity", "bend" })
     keep("close", unseen_of("close", unseen_close, hits.close, seen, revealed[1]), { "unseen", "velocity", "bend" })
     for number, layer in ipairs(revealed) do
       keep("revealed_" .. number, bend_of(layer, "revealed_" .. number), { "bend", "bent" })
     end
     return result
-  end)
+  end }
+  local raster = bounds_of("raster_bent", whole_of(seen), found.raster_bend, found.raster_bent)
   local behind
   for number, layer in ipairs(revealed) do
     local name = "revealed_" .. number
-    behind = bounds_of(name .. "_bent", layer.velocity, found[name .. "_bend"], found[name .. "_bent"], behind)
+    behind = bounds_of(name .. "_bent", whole_of(layer), found[name .. "_bend"], found[name .. "_bent"], behind)
   end
   local function at_end(which)
     return bounds_of(which .. "_unseen", found[which .. "_velocity"], found[which .. "_bend"], found[which .. "_unseen"])

@@ -245,8 +245,7 @@ local function reached_cells(seen, revealed, images)
 end
 
 -- The picture, by the composite chosen: a pass that reads blurred layers (front, back) or the layers themselves.
--- `doubted`: of lib/doubts.lua, if samples are traced at their own time.
-function hybrid.composited(p, seen, revealed, doubted)
+function hybrid.composited(p, seen, revealed)
   local composite = pass.member("composite", p.composite())
   local apart = pass.reads(composite, "front")
   local further = pass.reads(composite, "revealed_2_color") or false
@@ -255,10 +254,11 @@ function hybrid.composited(p, seen, revealed, doubted)
   end
   local images = apart and blurred(p, seen, revealed[1]) or layers(p, seen, revealed, composite)
   if pass.reads(composite, "moved") then put(images, "", reached_cells(seen, revealed, images)) end
+  local doubted = doubts.are_asked(p)
   if doubted then
-    images.doubtful, images.silhouettes = doubts.cells(p, seen, revealed, doubted), doubts.silhouettes(p, seen)
+    images.doubtful, images.silhouettes = doubts.cells(p, seen, revealed), doubts.silhouettes(p, seen)
   end
-  local made = composite(pass.wired(composite, images, { as = "composite", leaves_open = doubted and true or nil }))
+  local made = composite(pass.wired(composite, images, { as = "composite", leaves_open = doubted or nil }))
   if doubted then return doubts.traced(p, seen, revealed[1], made) end
   return apart and made.color or made.blurred
 end

@@ -24,7 +24,8 @@ function ranges.are_split(p)
 end
 
 -- What `layer` (a plain table: depth, id, velocity and whatever else) is to a filter: if the range is split, its
--- velocity becomes that before the capture and it gets an after_velocity. `name` names the node.
+-- velocity becomes that before the capture and it gets an after_velocity; what it was is its whole_velocity.
+-- `name` names the node.
 function ranges.divided(p, layer, name)
   if not ranges.are_split(p) then return layer end
   local parts = halves {
@@ -32,7 +33,7 @@ function ranges.divided(p, layer, name)
   }
   local divided = {}
   for key, value in pairs(layer) do divided[key] = value end
-  divided.velocity, divided.after_velocity = parts.before, parts.after
+  divided.velocity, divided.after_velocity, divided.whole_velocity = parts.before, parts.after, layer.velocity
   return divided
 end
 
