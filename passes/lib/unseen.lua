@@ -8,11 +8,11 @@ return function(name, end_of, fact)
   return {
     name   = name,
     shader = "scene/unseen",
-    doc    = ("What is seen at the %s of the exposure that neither the capture nor rays from it have found"):format(end_of),
+    doc    = ("What moves and the %s of the exposure sees, that neither the capture nor its rays have found"):format(end_of),
     size   = { of = "hit" },
     scene  = true,
     reads  = {
-      hit   = { uint = true, doc = "of that end: instance + 1 (0 = sky), geometry, primitive" },
+      hit   = { uint = true, doc = "of that end: instance + 1, geometry, primitive; 0 = sky, or what is at rest" },
       depth = { doc = "of the capture: linear view depth, metres; sky = +inf" },
       id    = { uint = true, doc = "of the capture: instance + 1; sky = 0" },
       revealed_depth = { doc = "of what was revealed behind it: linear view depth, metres; sky = +inf" },
@@ -20,7 +20,7 @@ return function(name, end_of, fact)
       revealed_valid = { doc = "above 1/2 where something was revealed" },
     },
     writes = {
-      unseen   = { format = "r8_unorm", doc = "1 where no layer of the capture holds what is seen" },
+      unseen   = { format = "r8_unorm", doc = "1 where no layer of the capture holds what is seen and moves" },
       velocity = { format = stored.velocity, doc = "displacement over the exposure of what is seen, px" },
       bend     = { format = stored.velocity, doc = "how far its path is from a line, px in the middle of the exposure" },
     },

@@ -78,7 +78,7 @@ void Graph::setParams(const Plan& plan) {
 FrameResult Graph::run(const FrameSetup& setup, const std::function<void(int, int)>& on_iteration) {
   FrameResult result;
   ++runs_;
-  recording_.setFrame(*plan_, setup.wanted, setup.reach);
+  recording_.setFrame(*plan_, setup);
   submission_.beginFrame();
   poseFixedSlices(scene_, *plan_, setup);
   shared::FrameData frame = frameData(*plan_, scene_, setup);

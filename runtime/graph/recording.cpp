@@ -155,10 +155,11 @@ void Recording::raster(VkCommandBuffer commands, const Node& node, const PlanNod
   vk.CmdSetScissor(commands, 0, 1, &info.renderArea);
   const bool indexed = !node.pipeline->interface.separate_triangles;
   if (indexed) vk.CmdBindIndexBuffer(commands, scene_.indexBuffer(), 0, VK_INDEX_TYPE_UINT32);
+  const bool moving_alone = planned.moving_alone && camera_rests_;
   const auto& draws = scene_.draws();
   for (uint32_t i = 0; i < draws.size(); ++i) {
     const auto& draw = draws[i];
-    if (draw.index_count == 0) continue;
+    if (draw.index_count == 0 || (moving_alone && !scene_.mayMove(draw.instance))) continue;
     if (indexed) vk.CmdDrawIndexed(commands, draw.index_count, 1, draw.first_index, draw.first_vertex, i);
     else vk.CmdDraw(commands, draw.index_count, 1, draw.first_index, i);
   }

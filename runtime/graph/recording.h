@@ -22,10 +22,9 @@ class Recording {
   Recording(const gpu::Device& device, const world::GpuScene& scene, const PlanImages& images, const PlanNodes& nodes)
       : device_(device), scene_(scene), images_(images), nodes_(nodes) {}
 
-  // Goes on with a plan; `wanted` (may be null: all) are the outputs and taps of the frame to read back, `reach` is
-  // where anything that moves can be seen.
-  void setFrame(const plan::Plan& plan, const std::set<std::string>* wanted, const scene::PixelArea& reach) {
-    plan_ = &plan, wanted_ = wanted, reach_ = reach;
+  // Goes on with a plan in a frame.
+  void setFrame(const plan::Plan& plan, const FrameSetup& setup) {
+    plan_ = &plan, wanted_ = setup.wanted, reach_ = setup.reach, camera_rests_ = setup.camera_rests;
   }
   bool wants(const std::string& name) const { return !wanted_ || wanted_->count(name); }
 
@@ -53,6 +52,7 @@ class Recording {
   const plan::Plan* plan_ = nullptr;
   const std::set<std::string>* wanted_ = nullptr;
   scene::PixelArea reach_;
+  bool camera_rests_ = false;
 };
 
 }  // namespace strobe::graph

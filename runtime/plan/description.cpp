@@ -28,8 +28,9 @@ const std::vector<std::string>& invariantNames() {
 }
 
 const std::vector<std::string>& roleNames() {
-  static const std::vector<std::string> names = {"tile",    "sample_count", "reach",   "depth_tolerance", "jitter",
-                                                 "shading", "sample_times", "regions", "still_once"};
+  static const std::vector<std::string> names = {"tile",       "sample_count", "reach",        "depth_tolerance",
+                                                 "jitter",     "shading",      "sample_times", "regions",
+                                                 "still_once", "moving_alone"};
   return names;
 }
 

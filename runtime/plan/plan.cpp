@@ -79,9 +79,10 @@ class Compiler {
                 plan_.pipeline.loops[loop].place);
   }
 
-  static bool isStillOnce(const PassDesc& pass, const std::vector<std::pair<std::string, Value>>& params) {
+  // Is a bool of that role true?
+  static bool isSet(Role role, const PassDesc& pass, const std::vector<std::pair<std::string, Value>>& params) {
     for (size_t i = 0; i < pass.params.size(); ++i) {
-      if (pass.params[i].role == Role::StillOnce) return std::get<bool>(params[i].second);
+      if (pass.params[i].role == role) return std::get<bool>(params[i].second);
     }
     return false;
   }
@@ -94,13 +95,14 @@ class Compiler {
     node.pass = wired.pass;
     node.loop = loop;
     node.params = wired.params;
-    node.still_once = loop >= 0 && pass.kind != PassDesc::Kind::Raster && isStillOnce(pass, node.params);
+    bool raster = pass.kind == PassDesc::Kind::Raster;
+    node.still_once = loop >= 0 && !raster && isSet(Role::StillOnce, pass, node.params);
+    node.moving_alone = raster && isSet(Role::MovingAlone, pass, node.params);
     node.counters = !pass.counters.empty();
     for (const Source& source : wired.reads) node.reads.push_back(source.node < 0 ? -1 : imageOf(source));
     const NodeSize& size = sizes_.of(index);
     node.width = size.width, node.height = size.height, node.divide = size.divide;
 
-    bool raster = pass.kind == PassDesc::Kind::Raster;
     uint32_t usage = raster ? kUsageColorAttachment : kUsageStorage;
     for (const PortDesc& port : pass.writes) {
       int image = addImage(node, port.name, formatOf(port, node.params), usage);

@@ -64,7 +64,8 @@ struct PlanNode {
   // In a loop, after its first iteration, it works on the pixels that something in motion reaches, and the others keep
   // what they have (Role::StillOnce).
   bool still_once = false;
-  bool counters = false;  // has a buffer of 32-bit event counts, in the order of the pass's declaration
+  bool moving_alone = false;  // before a camera at rest it draws what moves alone (Role::MovingAlone)
+  bool counters = false;      // has a buffer of 32-bit event counts, in the order of the pass's declaration
 };
 
 struct PlanLoop {

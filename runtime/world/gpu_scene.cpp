@@ -69,7 +69,8 @@ void GpuScene::uploadGeometry(const Scene& scene) {
     instance_data.push_back({first, uint32_t(mesh.geometries.size()), 1});
     for (uint32_t g = 0; g < mesh.geometries.size(); ++g) {
       const SceneGeometry& geometry = geometries[first + g];
-      draws_.push_back({geometry.first_index, 3 * geometry.triangle_count, int32_t(geometry.first_vertex)});
+      draws_.push_back(
+          {geometry.first_index, 3 * geometry.triangle_count, int32_t(geometry.first_vertex), uint32_t(i)});
       draw_data.push_back({uint32_t(i), g});
     }
   }

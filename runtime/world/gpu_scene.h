@@ -36,6 +36,7 @@ class GpuScene {
   struct Draw {
     uint32_t first_index, index_count;
     int32_t first_vertex;
+    uint32_t instance;
   };
   // In the order of instances, then geometries; `gl_InstanceIndex` of draw i is i.
   const std::vector<Draw>& draws() const { return draws_; }
@@ -46,6 +47,7 @@ class GpuScene {
   // empty: each may. The device must be idle.
   void setMoving(const std::vector<bool>& moves);
   uint32_t movingCount() const;
+  bool mayMove(uint32_t instance) const { return moves_[instance]; }
   // Poses slice `slice`; positions become relative to `origin`. The device must be idle. `aspect` is width / height.
   void setPose(uint32_t slice, const scene::Pose& pose, double aspect, const dvec3& origin);
   // Records what makes a posed slice ready to be traced; those between the capture and the samples never are.

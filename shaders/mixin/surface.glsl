@@ -57,6 +57,9 @@ vec3 positionOf(uint slice, Hit hit) {
   return worldFromObject(transformOf(slice, hit.instance), position_os);
 }
 
+// May nothing of it move within the frame? The sky's share is the camera's.
+bool isAtRest(Hit hit) { return !isHit(hit) || scene_instances[hit.instance].moves == 0u; }
+
 // Do vertices of the instance move against each other?
 bool bends(uint instance) {
 #if FACT_bends

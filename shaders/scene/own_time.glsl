@@ -15,8 +15,6 @@
 
 const float kFar = 3.0e38;
 
-bool isAtRest(Hit hit) { return !isHit(hit) || scene_instances[hit.instance].moves == 0u; }
-
 // Does raster's texel show the surface, or what was revealed behind it?
 bool isSeen(ivec2 at, uvec2 id, float depth) {
   return texelFetch(id_tex, at, 0).xy == id && relativeGap(texelFetch(depth_tex, at, 0).x, depth) <= params.same_depth;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What an end of the exposure sees that neither the capture nor rays from it have found: what faces the camera only then,
-// is outside of the picture at the capture, or behind more than one surface. Node time: that end, in a loop whose one time is
-// the middle of the exposure.
+// What moves on the screen, and an end of the exposure sees, that neither the capture nor rays from it have found: what
+// faces the camera only then, is outside of the picture at the capture, or behind more than one surface. What does not move
+// there is no concern: it explains no sample but that at its own pixel, and where no layer holds it nothing else does. Node
+// time: that end, in a loop whose one time is the middle of the exposure.
 // In:  hit (of that end); depth, id of what raster saw at the capture; revealed_depth, revealed_id, revealed_valid.
 // Out: unseen (1: neither has it), velocity (px over the exposure, of what that end sees), bend (px in the middle of the
 //      exposure: how far its path is from the line between its ends).
@@ -26,27 +27,54 @@ bool isHeld(vec2 position_px, uint id, float depth) {
 // How far a path is from the line between its ends in the middle of the exposure, px; `path` is from the capture.
 vec2 bendOf(vec2 to_open, vec2 to_middle, vec2 to_close) { return to_middle - 0.5 * (to_open + to_close); }
 
+bool isHiding(ivec2 pixel, uint id, float depth_there, float depth) {
+  return id != 0u && scene_instances[id - 1u].moves == 0u && depth_there < depth;
+}
+
+// Is what is at rest in front, before a camera at rest? The end is drawn without it, and the capture has it.
+bool isHidden(ivec2 pixel, float depth) {
+  if (frame.camera_rests == 0u) return false;
+  if (isHiding(pixel, texelFetch(id_tex, pixel, 0).x, texelFetch(depth_tex, pixel, 0).x, depth)) return true;
+  return texelFetch(revealed_valid_tex, pixel, 0).x > 0.5 &&
+         isHiding(pixel, texelFetch(revealed_id_tex, pixel, 0).x, texelFetch(revealed_depth_tex, pixel, 0).x, depth);
+}
+
+// What that end sees at a pixel: does it matter, and where does it go?
+struct Unseen {
+  bool is_so;
+  vec2 velocity, bend;
+};
+
+Unseen unseenSky(ivec2 pixel, Ray ray) {
+  vec2 velocity = displacementOfSky(ray.direction);
+  if (velocity == vec2(0)) return Unseen(false, vec2(0), vec2(0));
+  bool held = isHeld(vec2(pixel) + 0.5 - pathOfSky(TIME_SLICE, ray.direction), 0u, uintBitsToFloat(0x7f800000u));
+  vec2 bend = bendOf(pathOfSky(SLICE_OPEN, ray.direction), pathOfSky(SLICE_SAMPLE, ray.direction),
+                     pathOfSky(SLICE_CLOSE, ray.direction));
+  return Unseen(!held, velocity, bend);
+}
+
+Unseen unseenSurface(ivec2 pixel, Hit hit) {
+  vec3 capture_ws = positionOf(SLICE_CAPTURE, hit);
+  vec2 velocity = displacementOf(hit, capture_ws);
+  if (velocity == vec2(0) || isHidden(pixel, hit.t)) return Unseen(false, vec2(0), vec2(0));
+  vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, capture_ws);
+  bool in_front = scene_cameras[SLICE_CAPTURE].orthographic != 0u || capture_vs.z > scene_cameras[SLICE_CAPTURE].near;
+  bool held = in_front && isHeld(pixelFromView(SLICE_CAPTURE, capture_vs) - frame.subpixel, hit.instance + 1u, capture_vs.z);
+  vec2 bend = bendOf(pathOf(SLICE_OPEN, hit, capture_ws), pathOf(SLICE_SAMPLE, hit, capture_ws),
+                     pathOf(SLICE_CLOSE, hit, capture_ws));
+  return Unseen(!held, velocity, bend);
+}
+
 void run(ivec2 pixel) {
   uvec4 seen = texelFetch(hit_tex, pixel, 0);
-  Ray ray = cameraRay(TIME_SLICE, samplePosition(pixel));
-  bool held;
-  vec2 velocity, bend;
-  if (seen.x == 0u) {
-    velocity = displacementOfSky(ray.direction);
-    held = isHeld(vec2(pixel) + 0.5 - pathOfSky(TIME_SLICE, ray.direction), 0u, uintBitsToFloat(0x7f800000u));
-    bend = bendOf(pathOfSky(SLICE_OPEN, ray.direction), pathOfSky(SLICE_SAMPLE, ray.direction),
-                  pathOfSky(SLICE_CLOSE, ray.direction));
-  } else {
-    Hit hit = hitOnTriangle(TIME_SLICE, ray, seen.x - 1u, seen.y, seen.z);
-    vec3 capture_ws = positionOf(SLICE_CAPTURE, hit);
-    vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, capture_ws);
-    velocity = displacementOf(hit, capture_ws);
-    bool in_front = scene_cameras[SLICE_CAPTURE].orthographic != 0u || capture_vs.z > scene_cameras[SLICE_CAPTURE].near;
-    held = in_front && isHeld(pixelFromView(SLICE_CAPTURE, capture_vs) - frame.subpixel, seen.x, capture_vs.z);
-    bend = bendOf(pathOf(SLICE_OPEN, hit, capture_ws), pathOf(SLICE_SAMPLE, hit, capture_ws),
-                  pathOf(SLICE_CLOSE, hit, capture_ws));
+  Unseen unseen = Unseen(false, vec2(0), vec2(0));
+  if (seen.x != 0u || frame.camera_rests == 0u) {
+    Ray ray = cameraRay(TIME_SLICE, samplePosition(pixel));
+    if (seen.x == 0u) unseen = unseenSky(pixel, ray);
+    else unseen = unseenSurface(pixel, hitOnTriangle(TIME_SLICE, ray, seen.x - 1u, seen.y, seen.z));
   }
-  imageStore(unseen_img, pixel, vec4(held ? 0 : 1));
-  imageStore(velocity_img, pixel, vec4(storedVelocity(velocity), 0, 0));
-  imageStore(bend_img, pixel, vec4(storedVelocity(bend), 0, 0));
+  imageStore(unseen_img, pixel, vec4(unseen.is_so ? 1 : 0));
+  imageStore(velocity_img, pixel, vec4(storedVelocity(unseen.velocity), 0, 0));
+  imageStore(bend_img, pixel, vec4(storedVelocity(unseen.bend), 0, 0));
 }

@@ -41,8 +41,6 @@ bool cameraIsStill(uint slice) {
          a.half_extent == b.half_extent;
 }
 
-bool isAtRest(Hit hit) { return !isHit(hit) || scene_instances[hit.instance].moves == 0u; }
-
 uvec4 seenAtRest(Hit hit) {
   return isHit(hit) ? uvec4(hit.instance + 2u, hit.geometry, hit.primitive, 0u) : uvec4(kSeenSky, 0u, 0u, 0u);
 }

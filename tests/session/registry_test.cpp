@@ -109,6 +109,7 @@ const std::map<std::string, std::string> kNoPicture = {
     {"truth_audit.audit", "which tiles are checked; which have all samples is decided before"},
     {"own_time.audit", "which pixels are checked"},
     {"own_time.wrong_by", "what a check counts"},
+    {"visibility_moving.only_moving", "what is at rest is passed over when it is drawn too"},
     {"doubtful.jittered", "samples more than need be are traced, which come out the same"},
     {"truth_audit.order", "of what a check expects"},
     {"truth_audit.pilot", "of what a check expects"},

@@ -46,11 +46,11 @@ TEST_P(Shipped, HoldsEveryInvariantOrSaysWhyNot) {
   Report report = check(batch, GetParam().pipeline, options);
   EXPECT_EQ(report.total().failed, 0) << textOf(report);
   EXPECT_GT(report.total().held, 0);
-  // Or most of this would mean nothing.
+  // Or most of this would mean nothing; scenes at rest and limits of 0 are drawn too.
   const lab::Evaluated& evaluated = batch.evaluate(GetParam().pipeline, {});
   bool is_blur = numberOf(*evaluated.pipeline, "samples", 0) > 0;
   if (is_blur) {
-    EXPECT_GE(report.blurred, report.drawn * 7 / 8);
+    EXPECT_GE(report.blurred, report.drawn * 3 / 4);
   }
 }
 

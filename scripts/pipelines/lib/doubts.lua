@@ -7,7 +7,7 @@ local path_bend     = require "passes.scene.path_bend"
 local own_time      = require "passes.scene.own_time"
 local unseen_close  = require "passes.scene.unseen_close"
 local unseen_open   = require "passes.scene.unseen_open"
-local visibility    = require "passes.scene.visibility"
+local visibility_moving = require "passes.scene.visibility_moving"
 local doubtful      = require "passes.tile.doubtful"
 local longest_motion = require "passes.tile.longest_motion"
 local motion_bounds = require "passes.tile.motion_bounds"
@@ -54,10 +54,10 @@ end
 -- The cells and times at which something is there of which layers do not say where it is: what bends or grows, and what an
 -- end of the exposure alone sees.
 function doubts.cells(p, seen, revealed)
-  local hits = {
-    open = visibility { time = "open", as = "open_visibility" }.hit,
-    close = visibility { time = "close", as = "close_visibility" }.hit,
-  }
+  local function hit_at(which)
+    return visibility_moving { time = which, as = which .. "_visibility" }.hit
+  end
+  local hits = { open = hit_at "open", close = hit_at "close" }
   local found = pipeline.loop { name = "middle", count = 1, times = "midpoint", slices = 1, body = function()
     local result = {}
     local function keep(name, of, images)
