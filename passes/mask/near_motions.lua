@@ -13,12 +13,17 @@ return pass.compute {
   fails  = "Of more than eight movements near a tile the far ones are lost, and of those equally far the last in " ..
            "raster order.",
   size   = { of = "motions" },
-  reads  = { motions = { doc = "two displacements per tile, px over the exposure" }, reach = reach },
+  reads  = {
+    motions  = { doc = "two displacements per tile, px over the exposure" },
+    farthest = { doc = "depth of the farthest that moves in each tile, metres; 0 = none" },
+    reach    = reach,
+  },
   writes = {
     motions_0 = pair "first and second displacement, px over the exposure; 1e9 = none",
     motions_1 = pair "third and fourth",
     motions_2 = pair "fifth and sixth",
     motions_3 = pair "seventh and eighth",
+    farthest_around = { format = "r32f", doc = "depth of the farthest that moves around each tile, metres; 0 = none" },
   },
   params = {
     tile  = blur.tile,

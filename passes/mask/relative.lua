@@ -12,8 +12,8 @@ return pass.compute {
   shader = "mask/relative",
   doc    = "Pixels that leave their silhouette, relative to what is beyond it, within the exposure",
   fails  = "Background whose motion is visible nowhere near is not looked for. Blind to self-occlusion of one " ..
-           "instance, to what comes into the picture from outside, and to the ninth and further movements near a " ..
-           "tile.",
+           "instance, to what comes into the picture from outside, to the ninth and further movements near a tile, and " ..
+           "to what moves behind a surface at rest if all that is seen of it is in front of that.",
   size   = { of = "depth" },
   reads  = {
     depth     = { doc = "linear view depth, metres, sky = +inf" },
@@ -22,12 +22,14 @@ return pass.compute {
     bounds    = { doc = "of the displacements of each cell, px over the exposure" },
     ids       = { uint = true, doc = "least and greatest instance + 1 of each cell" },
     crossing_0 = crossing, crossing_1 = crossing, crossing_2 = crossing, crossing_3 = crossing,
+    farthest_around = { doc = "depth of the farthest that moves around each tile, metres; 0 = none" },
     reach = reach,
   },
   writes = { mask = { format = "r8_unorm", doc = "1 where something is to be revealed" } },
   without = { motion = { mask = 0 } },
   params = {
     cell_side = blur.cell_side,
+    tile      = blur.tile,
     limit     = blur.limit,
     match     = path.match,
     margin    = path.margin,

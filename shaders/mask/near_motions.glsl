@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Per tile, up to eight distinct displacements found around it, nearest tiles first: the movements that what is hidden
 // behind its pixels may have.
-// In:  motions (two displacements per tile, px over the exposure).
-// Out: motions_0 .. motions_3 (two displacements each, px over the exposure; kNoMotion where there are fewer).
+// In:  motions (two displacements per tile, px over the exposure), farthest (view depth of the farthest that moves, per tile).
+// Out: motions_0 .. motions_3 (two displacements each, px over the exposure; kNoMotion where there are fewer),
+//      farthest_around (of all tiles that were asked).
 // Two displacements are distinct if they differ by more than a pixel and by more than a tenth of the longer one. Tiles
 // are asked as far as two surfaces can part within the exposure, 2 * limit * width * reach px.
 // Fails: of more than eight movements the far ones are lost, and of those equally far the last in raster order.
@@ -41,6 +42,15 @@ Motions withRing(Motions motions, ivec2 tile, int ring) {
   return motions;
 }
 
+float farthestAround(ivec2 tile, int radius, ivec2 size) {
+  ivec2 from = max(tile - radius, ivec2(0)), to = min(tile + radius, size - 1);
+  float farthest = 0.0;
+  for (int y = from.y; y <= to.y; ++y) {
+    for (int x = from.x; x <= to.x; ++x) farthest = max(farthest, texelFetch(farthest_tex, ivec2(x, y), 0).x);
+  }
+  return farthest;
+}
+
 void run(ivec2 pixel) {
   ivec2 size = textureSize(motions_tex, 0);
   float reach_px = 2.0 * reachPx() * reachFactor(frame.shutter);
@@ -55,4 +65,5 @@ void run(ivec2 pixel) {
   imageStore(motions_1_img, pixel, vec4(motions.d[2], motions.d[3]));
   imageStore(motions_2_img, pixel, vec4(motions.d[4], motions.d[5]));
   imageStore(motions_3_img, pixel, vec4(motions.d[6], motions.d[7]));
+  imageStore(farthest_around_img, pixel, vec4(farthestAround(pixel, radius, size)));
 }

@@ -8,7 +8,9 @@
 //
 // In:  depth (view depth, sky +inf), id (instance + 1, 0 = sky), velocity (px over the exposure);
 //      crossing_0 .. crossing_3: displacements found around each cell, the candidates for b (kNoMotion after the last).
-//      bounds, ids: the displacements and instances of each cell, so that walks pass over cells which cannot matter.
+//      bounds, ids: the displacements and instances of each cell, so that walks pass over cells which cannot matter;
+//      farthest_around: view depth of the farthest that moves around each tile. What is at rest on the screen and farther
+//      away than that hides nothing which moves.
 // Out: mask, 1 if for one candidate b the path meets a pixel q of another instance, not nearer (by `occluder`) than the
 //   last pixel of y's own instance met, that does move by about b (within a pixel, or match * |d - b|). If the first q
 //   that moves relative to y moves otherwise, the path is walked once more with q's own displacement for b. Candidates
@@ -148,13 +150,18 @@ bool uncovers(ivec2 pixel, uint own, vec2 d, vec2 b, float t) {
   return walk.crosses;
 }
 
+// Is it at rest on the screen, and everything that moves in front of it?
+bool isBehindMotion(ivec2 pixel, vec2 d) {
+  return d == vec2(0) && occludes(texelFetch(farthest_around_tex, pixel / params.tile, 0).x, depthAt(pixel));
+}
+
 void run(ivec2 pixel) {
   ivec2 cell = pixel / params.cell_side;
   vec4 pair = texelFetch(crossing_0_tex, cell, 0);
   bool mask = false;
   uint own = texelFetch(id_tex, pixel, 0).x;
-  if (isMotion(vec2(pair.x, pair.y)) && own != 0u) {
-    vec2 d = displacementAt(pixel);
+  vec2 d = displacementAt(pixel);
+  if (isMotion(vec2(pair.x, pair.y)) && own != 0u && !isBehindMotion(pixel, d)) {
     vec4 pairs[4] = vec4[4](pair, texelFetch(crossing_1_tex, cell, 0), texelFetch(crossing_2_tex, cell, 0),
                             texelFetch(crossing_3_tex, cell, 0));
     for (int k = 0; k < 2 * kMaxMotions && !mask; ++k) {

@@ -31,9 +31,9 @@ end
 
 -- Motion relative to the background decides.
 masks["relative"] = function(_, seen)
-  local motions = tiles.motions(seen)
+  local motions, farthest = tiles.motions(seen)
   local reach = longest_motion { longest = motions, as = "mask_longest_motion" }.reach
-  local near = near_motions { motions = motions, reach = reach }
+  local near = near_motions { motions = motions, farthest = farthest, reach = reach }
   local bounds = motion_bounds { velocity = seen.velocity, as = "mask_bounds" }.bounds
   local ids = id_bounds { id = seen.id, as = "mask_ids" }.ids
   local crossing = crossing_motions {
@@ -42,7 +42,7 @@ masks["relative"] = function(_, seen)
   }
   return relative {
     depth = seen.depth, id = seen.id, velocity = seen.velocity, as = "mask", bounds = bounds, ids = ids, reach = reach,
-    crossing_0 = crossing.crossing_0, crossing_1 = crossing.crossing_1,
+    farthest_around = near.farthest_around, crossing_0 = crossing.crossing_0, crossing_1 = crossing.crossing_1,
     crossing_2 = crossing.crossing_2, crossing_3 = crossing.crossing_3,
   }.mask
 end

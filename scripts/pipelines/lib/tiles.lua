@@ -53,10 +53,10 @@ function tiles.variance(around)
   return variance { longest = around.longest, dominant = around.dominant }.variance
 end
 
--- Two displacements that stand for all in each tile of a layer; made once.
+-- Two displacements that stand for all in each tile of a layer, and the depth of the farthest that moves; made once.
 function tiles.motions(seen)
-  seen.motions = seen.motions or tile_motions { velocity = seen.velocity }.motions
-  return seen.motions
+  seen.motions = seen.motions or tile_motions { velocity = seen.velocity, depth = seen.depth }
+  return seen.motions.motions, seen.motions.farthest
 end
 
 return tiles
