@@ -187,7 +187,7 @@ return experiment {
   arms     = {
     { name = "McGuire 2012", pipeline = "mcguire2012", lacks = names },
     { name = "UE4-style", pipeline = "ue4", set = { limit = 0.1 }, lacks = names },
-    { name = "hybrid", pipeline = "hybrid" },
+    { name = "hybrid", pipeline = "hybrid", set = { preset = "captured" } },
   },
   base     = "McGuire 2012",
   truth    = { pipeline = "ground_truth", set = { samples = 256, times = "stratified" } },

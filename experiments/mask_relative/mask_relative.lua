@@ -28,12 +28,15 @@ local function bar(name, title, d_f, d_b, note)
            ["scene.right"] = 192, ["scene.d_f"] = d_f, ["scene.d_b"] = d_b }
 end
 
-local function arm(name, set) return { name = name, pipeline = "hybrid", set = set } end
+local function arm(name, set)
+  set.preset = "captured"
+  return { name = name, pipeline = "hybrid", set = set }
+end
 
 return experiment {
   title    = "Which pixels get a ray",
   question = "Where does a mask by relative motion gain over the published one, in tracking shots and opposite motion?",
-  note     = "All arms are the hybrid with preset best but for the mask. A striped bar moves over a striped background " ..
+  note     = "All arms are the hybrid with preset captured but for the mask. A striped bar moves over a striped background " ..
              "that moves too; and the living room, before a camera at rest and one that goes with the vase. Times are " ..
              "ratios to no rays.",
   size     = { 320, 180 },

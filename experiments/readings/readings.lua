@@ -39,7 +39,7 @@ local arms = {
 }
 
 local function with(set, more)
-  local merged = { preset = "seed" }
+  local merged = { preset = "seed_text" }
   for _, from in ipairs { set, more } do
     for name, value in pairs(from) do merged[name] = value end
   end
@@ -73,9 +73,9 @@ return experiment {
   title    = "Readings of the paper",
   question = "Which readings of what the paper leaves open bear its claims out, that the hybrid corresponds to ground " ..
              "truth where post-process does not?",
-  note     = "\"as written\" is the preset seed. Arms with + change one thing after the other and keep what came before; " ..
-             "the others change one thing of as written. A vase slides past a striped cushion: hollow and of one colour, as " ..
-             "the paper's is; hollow and patterned; solid; and the living room's.",
+  note     = "\"as written\" is the preset seed_text, \"+ even weights\" the preset seed. Arms with + change one thing and " ..
+             "keep what came before; the others change one thing of as written. A vase slides past a striped cushion: " ..
+             "hollow and of one colour, as the paper's is; hollow and patterned; solid; and the living room's.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {

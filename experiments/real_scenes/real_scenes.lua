@@ -36,6 +36,20 @@ local function together(motion, nodes)
   return moves
 end
 
+-- What the paper's figure shows, of its own vase.
+local function corresponds(shot)
+  return { "as published, the hybrid is nearer to truth than both post-processes, by RMSE and by FLIP of the whole picture",
+    shot = shot, function(r)
+      local function at(arm) return r.at { shot = shot, arm = arm, region = "whole", anchor = "close" } end
+      local own, first, second = at "hybrid (as published)", at(baselines[1]), at(baselines[2])
+      return own.rmse < math.min(first.rmse, second.rmse) and own.flip < math.min(first.flip, second.flip),
+        ("RMSE %.4f, %s %.4f, %s %.4f; FLIP %.4f, %.4f, %.4f"):format(own.rmse, baselines[1], first.rmse, baselines[2],
+          second.rmse, own.flip, first.flip, second.flip)
+    end }
+end
+
+local modern = "shared:scenes/modern_living_room_partial/modern_living_room_partial.glb"
+local modern_by = "\"The Modern Living Room\" by Wig42, CC BY 3.0, tungsten version by Benedikt Bitterli; 28 of 35 meshes"
 local kitchen = "shared:scenes/country_kitchen/country_kitchen.glb"
 local kitchen_by = "\"Country Kitchen\" by Jay-Artist, CC BY 3.0, pbrt version by Benedikt Bitterli; converted, simplified"
 
@@ -82,9 +96,10 @@ return experiment {
       move = together({ 0.5, 0, 0 }, { "Mesh052_Lamp", "Mesh050_LampInside", "Mesh055_Bulb", "Mesh053_LampCable" }),
       attribution = kitchen_by },
     { name = "bowl", title = "Modern living room", note = "The small red bowl slides over the table before two vases.",
-      scene = "shared:scenes/modern_living_room_partial/modern_living_room_partial.glb", exposure = 0.5,
-      move = { Mesh017_Glass = { -0.25, 0, -0.122 } },
-      attribution = "\"The Modern Living Room\" by Wig42, CC BY 3.0, tungsten version by Benedikt Bitterli; 28 of 35 meshes" },
+      scene = modern, exposure = 0.5, move = { Mesh017_Glass = { -0.25, 0, -0.122 } }, attribution = modern_by },
+    { name = "vase", title = "Modern living room, the paper's vase",
+      note = "The vase of the paper's figure slides before the cushions.",
+      scene = modern, exposure = 0.5, move = { Mesh035_Glass = { -0.25, 0, -0.122 } }, attribution = modern_by },
   },
   expect = {
     expected "living_room", expected "pot",
@@ -92,6 +107,7 @@ return experiment {
     expected("lamp", "four instances, one behind the other, move together: termination by instance reveals the lamp's " ..
                      "own inside; termination by motion advances past what goes along with the foreground, and holds"),
     expected "bowl",
+    corresponds "vase",
   },
   layout = { pictures = { crop_size = { 120, 68 } } },
 }

@@ -22,7 +22,7 @@ local function half_over_full(r, shot)
 end
 
 local function hits(name, set)
-  set.mask, set.advance = "relative", "origin_kept"
+  set.preset, set.advance = "captured", "origin_kept"
   return { name = name, pipeline = "hybrid", set = set, lacks = { "reveal_resolution" } }
 end
 
@@ -35,7 +35,7 @@ end
 return experiment {
   title    = "Resolution and depth of reveal",
   question = "What does a ray for every four pixels save and cost, and how many hits must a ray be allowed to try?",
-  note     = "All arms are the hybrid with preset best. \"one ray\" ignores the instance in front and needs no cap; the " ..
+  note     = "All arms are the hybrid with preset captured. \"one ray\" ignores the instance in front and needs no cap; the " ..
              "others go from hit to hit until one is another instance, or another luminance, and at the cap reveal " ..
              "nothing, or the last hit as the paper has it. Times are ratios to one ray per pixel.",
   size     = { 320, 180 },
@@ -46,7 +46,7 @@ return experiment {
     fine(3), fine(5), fine(9),
   },
   arms     = {
-    { name = "one ray", pipeline = "hybrid", lacks = { "max_layers" } },
+    { name = "one ray", pipeline = "hybrid", set = { preset = "captured" }, lacks = { "max_layers" } },
     hits("instance, nothing at the cap", {}),
     hits("instance, last hit at the cap", { on_cap = "last_hit" }),
     hits("luminance, last hit at the cap", { termination = "luminance", on_cap = "last_hit" }),
