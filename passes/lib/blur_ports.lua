@@ -45,6 +45,17 @@ for number = 2, 4 do
   docs[layer .. "after_velocity"] = { optional = true, doc = layer .. "velocity at times after the capture" }
 end
 
+-- What an end of the exposure sees and none of the others holds, where it is then.
+for _, which in ipairs { "open", "close" } do
+  local layer = which .. "_"
+  docs[layer .. "color"]    = { optional = true,
+    doc = ("linear, of what the exposure's %s alone sees; absent: nothing"):format(which == "open" and "start" or "end") }
+  docs[layer .. "depth"]    = { optional = true, doc = "its linear view depth then, metres" }
+  docs[layer .. "velocity"] = { optional = true, doc = displacement }
+  docs[layer .. "valid"]    = { optional = true, doc = "above 1/2 where there is any" }
+  docs[layer .. "dominant"] = { optional = true, doc = "px over the exposure, per tile, of that alone" }
+end
+
 local function reads(names, more)
   local list = {}
   for _, name in ipairs(names) do list[name] = docs[name] or error(("no filter reads '%s'"):format(name), 3) end
@@ -70,6 +81,14 @@ function blur_ports.further(names)
   local parts = { "color", "depth", "velocity", "valid", "after_velocity" }
   for number = 2, 4 do
     for _, part in ipairs(parts) do names[#names + 1] = ("revealed_%d_%s"):format(number, part) end
+  end
+  return names
+end
+
+-- What it reads of the ends of the exposure.
+function blur_ports.ends(names)
+  for _, which in ipairs { "open", "close" } do
+    for _, part in ipairs { "color", "depth", "velocity", "valid", "dominant" } do names[#names + 1] = which .. "_" .. part end
   end
   return names
 end

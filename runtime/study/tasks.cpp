@@ -53,14 +53,12 @@ std::vector<std::string> measuresOf(const Experiment& experiment, const Group& g
 
 // ---- cost
 
-// Time samples of what runs in loops, truth and floors; 0 without loops.
-int loopCost(lab::Batch& batch, const lab::Shot& shot) {
-  lab::Evaluated evaluated = batch.evaluate(shot.pipeline, shot.sets);
-  if (!evaluated.pipeline) throw lab::Refusal(evaluated.refusal);
+// Times through the loops of a pipeline; 0 without loops.
+int loopCost(const plan::PipelineDesc& pipeline) {
   int64_t cost = 0;
-  for (const plan::LoopDesc& loop : evaluated.pipeline->loops) {
+  for (const plan::LoopDesc& loop : pipeline.loops) {
     if (loop.count.value) cost += std::get<int64_t>(*loop.count.value);
-    for (const auto& [name, value] : evaluated.pipeline->values)
+    for (const auto& [name, value] : pipeline.values)
       if (name == loop.count.follows) cost += std::get<int64_t>(value);
   }
   return int(cost);
@@ -121,11 +119,14 @@ Json partsOf(const Experiment& experiment, const TaskGroup& group, const Task& t
 
 void complete(const Experiment& experiment, const TaskGroup& group, Task& task, lab::Batch& batch) {
   try {
-    int loops = loopCost(batch, task.shot);
-    task.cost = (loops ? loops : kFrameCost) * int(sequenceOf(experiment, *group.group, task.shot).size());
+    lab::Evaluated evaluated = batch.evaluate(task.shot.pipeline, task.shot.sets);
+    if (!evaluated.pipeline) throw lab::Refusal(evaluated.refusal);
+    bool is_truth = evaluated.pipeline->kind == plan::PipelineDesc::Kind::Truth;
+    int cost = loopCost(*evaluated.pipeline) + (is_truth ? 0 : kFrameCost);
+    task.cost = cost * int(sequenceOf(experiment, *group.group, task.shot).size());
     for (const std::string& name : task.measures) {
       const Measure& measure = measureNamed(name);
-      task.timed = task.timed || (measure.is_time && loops == 0);
+      task.timed = task.timed || (measure.is_time && !is_truth);
       task.compares = task.compares || measure.is_change;
     }
     task.key = hashText(partsOf(experiment, group, task, batch).dump());

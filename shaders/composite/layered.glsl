@@ -8,7 +8,9 @@
 //      moved, behind (> 1/2, per cell): something that moves, something revealed may be at its pixels at some time
 //      (absent: everywhere); missed (> 1/2, per cell): something comes that no displacement of the tile leads to;
 //      doubtful (a bit for each sample, per cell): what comes then is not where layers say; silhouettes (> 1/2: next to
-//      something that moves otherwise); revealed_2_*, revealed_3_*, revealed_4_*: the surfaces behind what was revealed.
+//      something that moves otherwise); revealed_2_*, revealed_3_*, revealed_4_*: the surfaces behind what was revealed;
+//      open_*, close_*: what an end of the exposure sees and none of these holds, where it is then (open_valid > 1/2), with
+//      the displacement open_dominant per tile; arriving (> 0, per cell): that comes there.
 // Out: blurred (linear, alpha 1). Where nothing moved it is color. With `leaves_open`: of the samples that layers explain, the
 //      sum over the number of all, and in alpha their share; open: a bit for each of the others (of more than 32 samples one
 //      for several).
@@ -53,8 +55,9 @@ struct Candidates {
 
 const float kUnused = 1e9;
 
-// What is at a pixel at some time: nothing, what raster saw, or the first, second ... surface revealed behind it.
-const int kNothing = 0, kRaster = 1, kRevealed = 2;
+// What is at a pixel at some time: nothing, what raster saw, the first, second ... surface revealed behind it, or what an end
+// of the exposure alone sees.
+const int kNothing = 0, kRaster = 1, kRevealed = 2, kOpenEnd = 6, kCloseEnd = 7;
 const int kLastRevealed = kRevealed + HAS_revealed_2_valid + HAS_revealed_3_valid + HAS_revealed_4_valid;
 
 struct Seen {
@@ -66,10 +69,16 @@ struct Seen {
 
 vec2 limited(vec4 texel) { return clampLength(finiteDisplacement(texel), limitPx()); }
 
-// --- Revealed layers, from kRevealed to kLastRevealed
+// --- Layers that hold something here and there: those revealed, from kRevealed to kLastRevealed, and those of the ends
 // ----------------------------------------------------------------------------------------------------------------
 
-bool isRevealed(int layer, ivec2 pixel) {
+bool isHeld(int layer, ivec2 pixel) {
+#if HAS_open_valid
+  if (layer == kOpenEnd) return texelFetch(open_valid_tex, pixel, 0).x > 0.5;
+#endif
+#if HAS_close_valid
+  if (layer == kCloseEnd) return texelFetch(close_valid_tex, pixel, 0).x > 0.5;
+#endif
 #if HAS_revealed_2_valid
   if (layer == kRevealed + 1) return texelFetch(revealed_2_valid_tex, pixel, 0).x > 0.5;
 #endif
@@ -82,7 +91,13 @@ bool isRevealed(int layer, ivec2 pixel) {
   return texelFetch(revealed_valid_tex, pixel, 0).x > 0.5;
 }
 
-float revealedDepth(int layer, ivec2 pixel) {
+float depthOf(int layer, ivec2 pixel) {
+#if HAS_open_depth
+  if (layer == kOpenEnd) return saneDepth(texelFetch(open_depth_tex, pixel, 0).x);
+#endif
+#if HAS_close_depth
+  if (layer == kCloseEnd) return saneDepth(texelFetch(close_depth_tex, pixel, 0).x);
+#endif
 #if HAS_revealed_2_depth
   if (layer == kRevealed + 1) return saneDepth(texelFetch(revealed_2_depth_tex, pixel, 0).x);
 #endif
@@ -103,7 +118,13 @@ vec2 displacementAt(ivec2 pixel, bool after) {
   return limited(texelFetch(velocity_tex, pixel, 0));
 }
 
-vec2 revealedDisplacementAt(int layer, ivec2 pixel, bool after) {
+vec2 heldDisplacementAt(int layer, ivec2 pixel, bool after) {
+#if HAS_open_velocity
+  if (layer == kOpenEnd) return limited(texelFetch(open_velocity_tex, pixel, 0));
+#endif
+#if HAS_close_velocity
+  if (layer == kCloseEnd) return limited(texelFetch(close_velocity_tex, pixel, 0));
+#endif
 #if HAS_revealed_2_after_velocity
   if (after && layer == kRevealed + 1) return limited(texelFetch(revealed_2_after_velocity_tex, pixel, 0));
 #endif
@@ -130,6 +151,12 @@ vec2 revealedDisplacementAt(int layer, ivec2 pixel, bool after) {
 
 vec3 colorOf(int layer, ivec2 now) {
   if (layer == kRaster) return finiteColor(texelFetch(color_tex, now, 0));
+#if HAS_open_color
+  if (layer == kOpenEnd) return finiteColor(texelFetch(open_color_tex, now, 0));
+#endif
+#if HAS_close_color
+  if (layer == kCloseEnd) return finiteColor(texelFetch(close_color_tex, now, 0));
+#endif
 #if HAS_revealed_2_color
   if (layer == kRevealed + 1) return finiteColor(texelFetch(revealed_2_color_tex, now, 0));
 #endif
@@ -140,6 +167,15 @@ vec3 colorOf(int layer, ivec2 now) {
   if (layer == kRevealed + 3) return finiteColor(texelFetch(revealed_4_color_tex, now, 0));
 #endif
   return finiteColor(texelFetch(revealed_color_tex, now, 0));
+}
+
+// The time from when a layer has things where they are to t, both in exposures from the capture.
+float timeFrom(int layer, float t) {
+#if HAS_open_valid || HAS_close_valid
+  return layer == kOpenEnd ? t - frame.shutter.x : layer == kCloseEnd ? t - frame.shutter.y : t;
+#else
+  return t;
+#endif
 }
 
 // --- Candidates
@@ -163,8 +199,14 @@ Candidates withCandidate(Candidates candidates, vec2 d) {
 
 Candidates withAllLayers(Candidates candidates, ivec2 at, bool behind, bool after) {
   candidates = withCandidate(candidates, displacementAt(at, after));
-  for (int layer = kRevealed; behind && layer <= kLastRevealed && isRevealed(layer, at); ++layer)
-    candidates = withCandidate(candidates, revealedDisplacementAt(layer, at, after));
+  for (int layer = kRevealed; behind && layer <= kLastRevealed && isHeld(layer, at); ++layer)
+    candidates = withCandidate(candidates, heldDisplacementAt(layer, at, after));
+#if HAS_open_valid
+  if (isHeld(kOpenEnd, at)) candidates = withCandidate(candidates, heldDisplacementAt(kOpenEnd, at, after));
+#endif
+#if HAS_close_valid
+  if (isHeld(kCloseEnd, at)) candidates = withCandidate(candidates, heldDisplacementAt(kCloseEnd, at, after));
+#endif
   return candidates;
 }
 
@@ -232,6 +274,12 @@ Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool behin
   candidates = withCandidate(candidates, dominant.d);
   candidates = withCandidate(candidates, dominant.second);
   candidates = withCandidate(candidates, dominant.revealed);
+#if HAS_open_dominant
+  candidates = withCandidate(candidates, vec2(texelFetch(open_dominant_tex, pixel / params.tile, 0)));
+#endif
+#if HAS_close_dominant
+  candidates = withCandidate(candidates, vec2(texelFetch(close_dominant_tex, pixel / params.tile, 0)));
+#endif
   candidates = withAllLayers(candidates, pixel, behind, after);
 #if PARAM_harvest
   candidates = harvested(candidates, pixel, dominant.d, jitter, behind, after);
@@ -266,16 +314,24 @@ Seen nearerRaster(Seen seen, ivec2 pixel, ivec2 now, float t, float tolerance_px
   return seen;
 }
 
-Seen nearerRevealed(Seen seen, int layer, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
+Seen nearerHeld(Seen seen, int layer, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
   bool after = t > 0.0;
-  for (int i = 0; i < kGuesses && isRevealed(layer, now); ++i) {
-    vec2 d = revealedDisplacementAt(layer, now, after);
-    if (isAt(pixel, now, d, t, tolerance_px)) return nearer(seen, layer, now, revealedDepth(layer, now));
-    ivec2 next = asked(pixel, d, t);
+  float way = timeFrom(layer, t);
+  for (int i = 0; i < kGuesses && isHeld(layer, now); ++i) {
+    vec2 d = heldDisplacementAt(layer, now, after);
+    if (isAt(pixel, now, d, way, tolerance_px)) return nearer(seen, layer, now, depthOf(layer, now));
+    ivec2 next = asked(pixel, d, way);
     if (next == now || !isInside(next, textureSize(color_tex, 0))) break;
     now = next;
   }
   return seen;
+}
+
+// Of what an end of the exposure alone sees, which may be outside of the picture at the capture.
+Seen nearerEnd(Seen seen, int layer, ivec2 pixel, vec2 d, float t, float tolerance_px) {
+  ivec2 now = asked(pixel, d, timeFrom(layer, t));
+  if (!isInside(now, textureSize(color_tex, 0))) return seen;
+  return nearerHeld(seen, layer, pixel, now, t, tolerance_px);
 }
 
 // Does a silhouette pass between the four texels around what is at a pixel, of which some then are there and some not?
@@ -301,14 +357,20 @@ Seen seenAt(ivec2 pixel, Candidates candidates, bool behind, float t) {
   Seen seen = Seen(kNothing, pixel, 0.0, false);
   for (int k = 0; k < candidates.count; ++k) {
     vec2 d = vec2(candidates.x[k], candidates.y[k]);
+    float tolerance_px = candidates.tolerance_px[k];
+#if HAS_open_valid
+    seen = nearerEnd(seen, kOpenEnd, pixel, d, t, tolerance_px);
+#endif
+#if HAS_close_valid
+    seen = nearerEnd(seen, kCloseEnd, pixel, d, t, tolerance_px);
+#endif
     vec2 offset = tapOffset(d, t);
     ivec2 now = pixel + roundSymmetric(offset);
     if (!isInside(now, size)) continue;
     seen.unsure = seen.unsure || isUnsure(pixel, now, offset, t);
-    float tolerance_px = candidates.tolerance_px[k];
     seen = nearerRaster(seen, pixel, now, t, tolerance_px);
     for (int layer = kRevealed; behind && layer <= kLastRevealed; ++layer)
-      seen = nearerRevealed(seen, layer, pixel, now, t, tolerance_px);
+      seen = nearerHeld(seen, layer, pixel, now, t, tolerance_px);
   }
   return seen;
 }
@@ -319,6 +381,15 @@ bool isMoved(ivec2 cell) {
   return texelFetch(moved_tex, cell, 0).x > 0.5;
 #else
   return true;
+#endif
+}
+
+// Does something come that an end of the exposure alone sees?
+bool isArriving(ivec2 cell) {
+#if HAS_arriving
+  return texelFetch(arriving_tex, cell, 0).x != 0u;
+#else
+  return false;
 #endif
 }
 
@@ -348,7 +419,7 @@ bool isBehind(ivec2 cell) {
 }
 
 vec2 displacementOf(int layer, ivec2 at, bool after) {
-  return layer == kRaster ? displacementAt(at, after) : revealedDisplacementAt(layer, at, after);
+  return layer == kRaster ? displacementAt(at, after) : heldDisplacementAt(layer, at, after);
 }
 
 // The colour of what was found: of the texel, or where the sample lies between the centres of four, of those of them that
@@ -356,7 +427,8 @@ vec2 displacementOf(int layer, ivec2 at, bool after) {
 vec3 colorFound(Seen seen, ivec2 pixel, float t) {
 #if PARAM_taps == taps_linear
   bool after = t > 0.0;
-  vec2 offset = tapOffset(displacementOf(seen.layer, seen.now, after), t);
+  float way = timeFrom(seen.layer, t);
+  vec2 offset = tapOffset(displacementOf(seen.layer, seen.now, after), way);
   vec2 low = floor(offset), share = offset - low;
   ivec2 first = pixel + ivec2(low), size = textureSize(color_tex, 0);
   vec3 sum = vec3(0);
@@ -365,8 +437,8 @@ vec3 colorFound(Seen seen, ivec2 pixel, float t) {
     ivec2 corner = ivec2(k & 1, k >> 1), at = first + corner;
     vec2 part = mix(1.0 - share, share, equal(corner, ivec2(1)));
     float weight = part.x * part.y;
-    if (weight < 1e-3 || !isInside(at, size) || (seen.layer != kRaster && !isRevealed(seen.layer, at))) continue;
-    if (!isAt(pixel, at, displacementOf(seen.layer, at, after), t, 1.5)) continue;
+    if (weight < 1e-3 || !isInside(at, size) || (seen.layer != kRaster && !isHeld(seen.layer, at))) continue;
+    if (!isAt(pixel, at, displacementOf(seen.layer, at, after), way, 1.5)) continue;
     sum += weight * toSum(colorOf(seen.layer, at));
     weights += weight;
   }
@@ -393,7 +465,7 @@ void run(ivec2 pixel) {
     finish(pixel, vec3(0), 0.0, open);
     return;
   }
-  if (!isMoved(cell)) {
+  if (!isMoved(cell) && !isArriving(cell)) {
     float share = 1.0 - float(bitCount(open)) / float(min(params.samples, 32));
     finish(pixel, share * vec3(texelFetch(color_tex, pixel, 0)), share, open);
     return;
@@ -427,7 +499,7 @@ void run(ivec2 pixel) {
         left_out += 1u;
         continue;
       }
-      seen.layer = isRevealed(kRevealed, pixel) ? kRevealed : kRaster;
+      seen.layer = isHeld(kRevealed, pixel) ? kRevealed : kRaster;
     }
     sum += toSum(colorFound(seen, pixel, t));
   }

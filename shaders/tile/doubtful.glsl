@@ -4,9 +4,10 @@
 // In:  bounds, bends (of the displacements of what is doubtful in each cell at the capture, px over the exposure, and of how
 //      far its paths are from straight lines in the middle of the exposure, px); behind_bounds, behind_bends (the same of
 //      what was revealed); open_*, close_* (the same of what the ends of the exposure alone see).
-//      reach (px over the exposure: longest of the picture; where it is no motion, nothing is doubted).
+//      What moves too little for filters to take notice of it is not doubted.
 // Out: doubtful (a bit for each of `samples` times, at most 32).
 #include "lib/bounds.glsl"
+#include "mixin/limit.glsl"
 
 const float kSlack = 1.5;  // px: rounding, and the width of a tap
 
@@ -31,9 +32,12 @@ void doubt(ivec2 cell, vec4 way, uint bit) {
   }
 }
 
+// As far as filters handle it.
+bool isStill(vec4 bounds) { return reachFactor(frame.shutter) * min(longestIn(bounds), limitPx()) <= kStillRadius; }
+
 // `seen`: the time, in exposures from the capture, at which the surfaces are where the cell says.
 void doubtAll(ivec2 cell, vec4 bounds, vec4 bends, float seen) {
-  if (isEmpty(bounds)) return;
+  if (isEmpty(bounds) || isStill(bounds)) return;
   int count = min(params.samples, 32);
   float part = 0.5 / float(count);
   for (int i = 0; i < count; ++i) {
@@ -49,17 +53,7 @@ void doubtAll(ivec2 cell, vec4 bounds, vec4 bends, float seen) {
   }
 }
 
-// Does anything in the picture move, as far as filters handle it?
-bool isStill() {
-#if HAS_reach
-  return reachFactor(frame.shutter) * texelFetch(reach_tex, ivec2(0), 0).x <= kStillRadius;
-#else
-  return false;
-#endif
-}
-
 void run(ivec2 cell) {
-  if (isStill()) return;
   doubtAll(cell, texelFetch(bounds_tex, cell, 0), texelFetch(bends_tex, cell, 0), 0.0);
 #if HAS_behind_bounds && HAS_behind_bends
   doubtAll(cell, texelFetch(behind_bounds_tex, cell, 0), texelFetch(behind_bends_tex, cell, 0), 0.0);

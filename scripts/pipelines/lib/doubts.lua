@@ -4,16 +4,25 @@ local pass          = require "strobe.pass"
 local pipeline      = require "strobe.pipeline"
 local moving_silhouettes = require "passes.mask.moving_silhouettes"
 local path_bend     = require "passes.scene.path_bend"
+local end_layer     = require "passes.scene.end_layer"
 local own_time      = require "passes.scene.own_time"
 local unseen_close  = require "passes.scene.unseen_close"
 local unseen_open   = require "passes.scene.unseen_open"
 local visibility_moving = require "passes.scene.visibility_moving"
 local doubtful      = require "passes.tile.doubtful"
-local longest_motion = require "passes.tile.longest_motion"
 local motion_bounds = require "passes.tile.motion_bounds"
 local tiles         = require "scripts.pipelines.lib.tiles"
 
 local doubts = {}
+
+-- Do pictures of other times than the capture's count as layers? Only a composite that reads them has any.
+function doubts.have_end_layers(p)
+  local known = pass.reads(pass.member("composite", p.composite()), "open_color")
+  if p.end_layers() and not known then
+    error(("end_layers: composite = %s knows no time but the capture's; it needs composite = layered"):format(p.composite()), 0)
+  end
+  return p.end_layers()
+end
 
 -- Does the pipeline trace samples at their own time? Only a composite that leaves them open has any.
 function doubts.are_asked(p)
@@ -51,13 +60,13 @@ local function unseen_of(which, unseen, hit, seen, revealed)
   }
 end
 
--- The cells and times at which something is there of which layers do not say where it is: what bends or grows, and what an
--- end of the exposure alone sees.
-function doubts.cells(p, seen, revealed)
-  local function hit_at(which)
-    return visibility_moving { time = which, as = which .. "_visibility" }.hit
+-- What the pose in the middle of the exposure and those at its ends tell of the layers: how far paths bend, and what an end
+-- sees that none of them holds. What nobody asks for does not run.
+function doubts.looked_at(seen, revealed)
+  local hits = {}
+  for _, which in ipairs { "open", "close" } do
+    hits[which] = visibility_moving { time = which, as = which .. "_visibility" }.hit
   end
-  local hits = { open = hit_at "open", close = hit_at "close" }
   local found = pipeline.loop { name = "middle", count = 1, times = "midpoint", slices = 1, body = function()
     local result = {}
     local function keep(name, of, images)
@@ -77,15 +86,41 @@ function doubts.cells(p, seen, revealed)
     local name = "revealed_" .. number
     behind = bounds_of(name .. "_bent", whole_of(layer), found[name .. "_bend"], found[name .. "_bent"], behind)
   end
-  local function at_end(which)
-    return bounds_of(which .. "_unseen", found[which .. "_velocity"], found[which .. "_bend"], found[which .. "_unseen"])
+  local ends = {}
+  for _, which in ipairs { "open", "close" } do
+    local unseen, velocity = found[which .. "_unseen"], found[which .. "_velocity"]
+    ends[which] = { hit = hits[which], unseen = unseen, velocity = velocity,
+                    bounds = bounds_of(which .. "_unseen", velocity, found[which .. "_bend"], unseen) }
   end
-  local open, close = at_end "open", at_end "close"
+  return { raster = raster, behind = behind, ends = ends }
+end
+
+-- The cells and times at which something is there of which layers do not say where it is: what bends or grows, and, with
+-- `ends`, what an end of the exposure alone sees. `found` is from doubts.looked_at.
+function doubts.cells(p, found, ends, name)
+  local raster, behind = found.raster, found.behind
+  local open, close = ends and found.ends.open.bounds or {}, ends and found.ends.close.bounds or {}
   return doubtful {
     bounds = raster.bounds, bends = raster.bends, behind_bounds = behind.bounds, behind_bends = behind.bends,
     open_bounds = open.bounds, open_bends = open.bends, close_bounds = close.bounds, close_bends = close.bends,
-    reach = longest_motion { longest = tiles.motions(seen), as = "raster_longest_motion" }.reach, jittered = jittered(p),
+    jittered = jittered(p), as = name,
   }.doubtful
+end
+
+-- What a composite reads of the ends of the exposure as layers: open_color, ..., close_dominant.
+function doubts.end_layers(p, found)
+  local images = {}
+  for _, which in ipairs { "open", "close" } do
+    local seen = found.ends[which]
+    local own = { velocity = seen.velocity, valid = seen.unseen }
+    local layer = end_layer {
+      hit = seen.hit, unseen = seen.unseen, end_of = which == "open" and "start" or "finish", as = which .. "_layer",
+    }
+    own.color, own.depth = layer.color, layer.depth
+    own.dominant = tiles.dominant(p, own, { prefix = which .. "_" }).dominant
+    for name, image in pairs(own) do images[which .. "_" .. name] = image end
+  end
+  return images
 end
 
 -- Where a sample may fall to either side of an edge, if rays are to tell; else nil.

@@ -100,6 +100,8 @@ function hybrid.params()
     directions  = mcguire2012.params.directions,
     composite   = choice(composite_choice()),
     taps        = layered.params.taps,
+    end_layers  = pipeline.bool { false,
+      doc = "composite layered: what an end of the exposure sees and no layer of the capture holds is a layer too" },
     own_time    = choice { "none", "unexplained", "uncertain", default = "none",
       doc = "composite layered: samples that are traced at their own time",
       values = {
@@ -254,9 +256,15 @@ function hybrid.composited(p, seen, revealed)
   end
   local images = apart and blurred(p, seen, revealed[1]) or layers(p, seen, revealed, composite)
   if pass.reads(composite, "moved") then put(images, "", reached_cells(seen, revealed, images)) end
-  local doubted = doubts.are_asked(p)
+  local doubted, ends = doubts.are_asked(p), doubts.have_end_layers(p)
+  local found = (doubted or ends) and doubts.looked_at(seen, revealed)
+  if ends then
+    put(images, "", doubts.end_layers(p, found))
+    images.arriving = doubts.cells(p, found, true, "arriving")
+  end
   if doubted then
-    images.doubtful, images.silhouettes = doubts.cells(p, seen, revealed), doubts.silhouettes(p, seen)
+    images.doubtful = doubts.cells(p, found, not ends, "doubtful")
+    images.silhouettes = doubts.silhouettes(p, seen)
   end
   local made = composite(pass.wired(composite, images, { as = "composite", leaves_open = doubted or nil }))
   if doubted then return doubts.traced(p, seen, revealed[1], made) end

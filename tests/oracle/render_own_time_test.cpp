@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// What no layer of the capture holds: found by rays at their own time, or by layers of the ends of the exposure; and
+// what more layers behind each other hold. Against the samples of a bar in closed form, and against truth of the same
+// samples.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "oracle/render.h"
+
+namespace strobe::oracle {
+namespace {
+
+constexpr int kWidth = 64, kHeight = 12, kRow = 6, kSamples = 16;
+constexpr double kLight = .8, kDark = .2;
+
+// The bar [left, right) at the capture, which moves by d over the exposure that ends there.
+struct Bar {
+  std::string what;
+  double left, right, d;
+
+  lab::Shot shot() const {
+    return shotOf("bar", kWidth, kHeight,
+                  {{"left", left}, {"right", right}, {"d_f", d}, {"foreground", kLight}, {"background", kDark}});
+  }
+  // The mean of what is seen at a pixel's centre in the middle of each part of the exposure.
+  double sampledAt(int x) const {
+    int covered = 0;
+    for (int i = 0; i < kSamples; ++i) {
+      double shift = d * ((i + .5) / kSamples - 1);
+      covered += left + shift <= x + .5 && x + .5 < right + shift;
+    }
+    return kDark + (kLight - kDark) * covered / kSamples;
+  }
+};
+
+// It was in the picture only before the capture; it is half in and half out; it comes from outside.
+const Bar kBars[] = {{"has left", 70.3, 90.3, 40}, {"leaves", 50.3, 80.3, 30}, {"comes in", 12.3, 28.3, 40}};
+
+std::vector<std::string> settings(const std::string& preset, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> all = {"preset=" + preset, fmt::format("samples={}", kSamples), "tile=16"};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+class RenderOwnTime : public RenderTest {
+ protected:
+  static double largestError(const Bar& bar, const std::vector<std::string>& set) {
+    const lab::Picture picture = render(with(bar.shot(), "hybrid", set, "close"));
+    double largest = 0;
+    for (int x = 0; x < kWidth; ++x)
+      largest = std::max(largest, std::abs(colorOf(picture).at(x, kRow, 0) - bar.sampledAt(x)));
+    return largest;
+  }
+  static lab::Picture stacked(int count, bool equal, const std::vector<std::string>& set) {
+    lab::Shot shot = shotOf("../objects/stacked", 160, 90, {{"count", double(count)}, {"pixels", 27}});
+    shot.sets.push_back({"scene.equal", std::string(equal ? "true" : "false")});
+    return render(with(shot, set.empty() ? "ground_truth" : "hybrid",
+                       set.empty() ? std::vector<std::string>{"samples=32", "times=stratified"} : set));
+  }
+};
+
+}  // namespace
+
+// The capture does not see it, or not all of it; a ray at each sample's time does.
+TEST_F(RenderOwnTime, FindsWhatTheCaptureDoesNotSee) {
+  for (const Bar& bar : kBars) {
+    EXPECT_LE(largestError(bar, settings("best", {"taps=nearest"})), 1e-5) << bar.what;
+    EXPECT_LE(largestError(bar, settings("best", {"taps=nearest", "mask=none"})), 1e-5) << bar.what;
+  }
+  EXPECT_GE(largestError(kBars[0], settings("captured")), .25);
+}
+
+// Edges to within a pixel and a half, which is less than two samples at these speeds. Rays reveal behind all that
+// moves: a path that leaves the picture tells the relative mask nothing.
+TEST_F(RenderOwnTime, LayersOfTheEndsHoldWhatTheEndsSee) {
+  const double sample = (kLight - kDark) / kSamples;
+  for (const Bar& bar : kBars)
+    EXPECT_LE(largestError(bar, settings("captured", {"end_layers=true", "mask=moving"})), 2.01 * sample) << bar.what;
+}
+
+// And save the rays that would look for it.
+TEST_F(RenderOwnTime, LayersOfTheEndsSaveRays) {
+  auto traced = [](const std::vector<std::string>& set) {
+    return counterOf(render(with(kBars[0].shot(), "hybrid", set, "close")), "own_time.samples");
+  };
+  EXPECT_LT(2 * traced(settings("best", {"end_layers=true"})), traced(settings("best")));
+}
+
+TEST_F(RenderOwnTime, EndLayersNeedAComposite) {
+  for (const char* composite : {"alpha_over", "in_gather"}) {
+    lab::Shot shot = with(kBars[0].shot(), "hybrid", {fmt::format("composite={}", composite), "end_layers=true"});
+    EXPECT_THROW(render(shot), Error) << composite;
+  }
+}
+
+// Of boxes behind each other, each moving its own way: each layer that there is something for lowers the error,
+// whatever colours they have, and finds the same pixels.
+TEST_F(RenderOwnTime, EachLayerBehindLowersTheError) {
+  for (int count : {2, 3, 4}) {
+    std::vector<uint64_t> revealed;
+    for (bool equal : {false, true}) {
+      const lab::Picture truth = stacked(count, equal, {});
+      double last = INFINITY;
+      for (int layers = 1; layers < count; ++layers) {
+        const lab::Picture own =
+            stacked(count, equal, {"preset=captured", fmt::format("revealed_layers={}", layers), "samples=32"});
+        double error = rmsDifference(colorOf(own), colorOf(truth));
+        EXPECT_LT(error, last) << count << " boxes, " << layers << " layers, alike: " << equal;
+        last = error;
+        if (layers == count - 1)
+          revealed.push_back(
+              counterOf(own, layers == 1 ? "reveal.revealed" : fmt::format("reveal_{}.revealed", layers)));
+      }
+    }
+    EXPECT_EQ(revealed[0], revealed[1]) << count;
+  }
+}
+
+}  // namespace strobe::oracle
