@@ -181,6 +181,9 @@ float timeFrom(int layer, float t) {
 // --- Candidates
 // ----------------------------------------------------------------------------------------------------------------
 
+// How far from where it should be a texel may be, px.
+float toleranceOf(vec2 d) { return max(0.75, lengthOf(d) / float(2 * params.samples)); }
+
 Candidates withCandidate(Candidates candidates, vec2 d) {
   vec4 x = candidates.x - d.x, y = candidates.y - d.y;
   vec4 squares = x * x + y * y;
@@ -192,7 +195,7 @@ Candidates withCandidate(Candidates candidates, vec2 d) {
   }
   candidates.x[candidates.count] = d.x;
   candidates.y[candidates.count] = d.y;
-  candidates.tolerance_px[candidates.count] = max(0.75, lengthOf(d) / float(2 * params.samples));
+  candidates.tolerance_px[candidates.count] = toleranceOf(d);
   candidates.count += 1;
   return candidates;
 }
@@ -201,12 +204,6 @@ Candidates withAllLayers(Candidates candidates, ivec2 at, bool behind, bool afte
   candidates = withCandidate(candidates, displacementAt(at, after));
   for (int layer = kRevealed; behind && layer <= kLastRevealed && isHeld(layer, at); ++layer)
     candidates = withCandidate(candidates, heldDisplacementAt(layer, at, after));
-#if HAS_open_valid
-  if (isHeld(kOpenEnd, at)) candidates = withCandidate(candidates, heldDisplacementAt(kOpenEnd, at, after));
-#endif
-#if HAS_close_valid
-  if (isHeld(kCloseEnd, at)) candidates = withCandidate(candidates, heldDisplacementAt(kCloseEnd, at, after));
-#endif
   return candidates;
 }
 
@@ -274,12 +271,6 @@ Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool behin
   candidates = withCandidate(candidates, dominant.d);
   candidates = withCandidate(candidates, dominant.second);
   candidates = withCandidate(candidates, dominant.revealed);
-#if HAS_open_dominant
-  candidates = withCandidate(candidates, vec2(texelFetch(open_dominant_tex, pixel / params.tile, 0)));
-#endif
-#if HAS_close_dominant
-  candidates = withCandidate(candidates, vec2(texelFetch(close_dominant_tex, pixel / params.tile, 0)));
-#endif
   candidates = withAllLayers(candidates, pixel, behind, after);
 #if PARAM_harvest
   candidates = harvested(candidates, pixel, dominant.d, jitter, behind, after);
@@ -327,11 +318,24 @@ Seen nearerHeld(Seen seen, int layer, ivec2 pixel, ivec2 now, float t, float tol
   return seen;
 }
 
-// Of what an end of the exposure alone sees, which may be outside of the picture at the capture.
-Seen nearerEnd(Seen seen, int layer, ivec2 pixel, vec2 d, float t, float tolerance_px) {
+// Of what an end of the exposure alone sees, by a displacement; what it is at is followed from there.
+Seen nearerEnd(Seen seen, int layer, ivec2 pixel, vec2 d, float t) {
   ivec2 now = asked(pixel, d, timeFrom(layer, t));
   if (!isInside(now, textureSize(color_tex, 0))) return seen;
-  return nearerHeld(seen, layer, pixel, now, t, tolerance_px);
+  return nearerHeld(seen, layer, pixel, now, t, toleranceOf(d));
+}
+
+// By the displacement of its tile and by that at the pixel, which are no candidates for other layers.
+Seen nearerEnds(Seen seen, ivec2 pixel, float t) {
+#if HAS_open_valid
+  seen = nearerEnd(seen, kOpenEnd, pixel, vec2(texelFetch(open_dominant_tex, pixel / params.tile, 0)), t);
+  if (isHeld(kOpenEnd, pixel)) seen = nearerEnd(seen, kOpenEnd, pixel, heldDisplacementAt(kOpenEnd, pixel, false), t);
+#endif
+#if HAS_close_valid
+  seen = nearerEnd(seen, kCloseEnd, pixel, vec2(texelFetch(close_dominant_tex, pixel / params.tile, 0)), t);
+  if (isHeld(kCloseEnd, pixel)) seen = nearerEnd(seen, kCloseEnd, pixel, heldDisplacementAt(kCloseEnd, pixel, false), t);
+#endif
+  return seen;
 }
 
 // Does a silhouette pass between the four texels around what is at a pixel, of which some then are there and some not?
@@ -354,15 +358,15 @@ bool isUnsure(ivec2 pixel, ivec2 now, vec2 offset, float t) {
 
 Seen seenAt(ivec2 pixel, Candidates candidates, bool behind, float t) {
   ivec2 size = textureSize(color_tex, 0);
-  Seen seen = Seen(kNothing, pixel, 0.0, false);
+  Seen seen = nearerEnds(Seen(kNothing, pixel, 0.0, false), pixel, t);
   for (int k = 0; k < candidates.count; ++k) {
     vec2 d = vec2(candidates.x[k], candidates.y[k]);
     float tolerance_px = candidates.tolerance_px[k];
 #if HAS_open_valid
-    seen = nearerEnd(seen, kOpenEnd, pixel, d, t, tolerance_px);
+    seen = nearerEnd(seen, kOpenEnd, pixel, d, t);
 #endif
 #if HAS_close_valid
-    seen = nearerEnd(seen, kCloseEnd, pixel, d, t, tolerance_px);
+    seen = nearerEnd(seen, kCloseEnd, pixel, d, t);
 #endif
     vec2 offset = tapOffset(d, t);
     ivec2 now = pixel + roundSymmetric(offset);

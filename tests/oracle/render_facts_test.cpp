@@ -4,6 +4,8 @@
 // moves each method is the capture. All bit for bit.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "common/home.h"
 #include "lab/frame_facts.h"
 #include "lab/record.h"
@@ -125,6 +127,12 @@ class RenderFacts : public oracle::RenderTest {
     EXPECT_LE(differ, a.width * a.height / 100);
   }
 
+  static std::vector<std::string> nodesOf(const Picture& picture) {
+    std::vector<std::string> nodes;
+    for (const auto& step : picture.frame.times) nodes.push_back(step.name);
+    return nodes;
+  }
+
   void compareAll(const std::string& pipeline) {
     for (const std::vector<std::string>& settings : graphsOf(pipeline))
       for (const Case& one : cases()) compare(one, pipeline, settings);
@@ -182,15 +190,57 @@ TEST_F(RenderFacts, TapsOfWhatIsLeftOut) {
 
 // What runs where nothing moves is what the capture alone needs.
 TEST_F(RenderFacts, AStillFrameCostsWhatTheCaptureCosts) {
-  auto nodesOf = [](const Picture& picture) {
-    std::vector<std::string> nodes;
-    for (const auto& step : picture.frame.times) nodes.push_back(step.name);
-    return nodes;
-  };
   std::vector<std::string> capture = nodesOf(render(with(cases()[0].shot, "none")));
   for (const std::string& name : script::pipelineNames(bench().home())) {
     if (isMethod(name)) {
       EXPECT_EQ(nodesOf(render(with(cases()[0].shot, name))), capture) << name;
     }
   }
+}
+
+// Rays at their own time, more layers, layers of the ends: what is not asked for does not run, and of the ends of the
+// exposure that which is the capture does not.
+TEST_F(RenderFacts, WhatIsNotAskedForDoesNotRun) {
+  const Shot crowd = cases()[1].shot;
+  auto runs = [&](const std::string& anchor, const std::vector<std::string>& settings, const std::string& node) {
+    std::vector<std::string> nodes = nodesOf(render(with(crowd, "hybrid", settings, anchor)));
+    return std::count(nodes.begin(), nodes.end(), node) > 0;
+  };
+  for (const char* node : {"own_time", "open_visibility", "unseen_open", "raster_bend", "doubtful",
+                           "mask_moving_silhouettes", "open_layer", "moving_behind_2", "reveal_2"})
+    EXPECT_FALSE(runs("close", {"preset=captured"}, node)) << node;
+  EXPECT_TRUE(runs("close", {"preset=captured", "revealed_layers=2"}, "reveal_2"));
+  EXPECT_TRUE(runs("close", {"preset=captured", "end_layers=true"}, "open_layer"));
+  const std::map<std::string, std::pair<bool, bool>> ends = {
+      {"close", {true, false}}, {"centre", {true, true}}, {"open", {false, true}}};
+  for (const auto& [anchor, seen] : ends) {
+    EXPECT_EQ(runs(anchor, {}, "open_visibility"), seen.first) << anchor;
+    EXPECT_EQ(runs(anchor, {}, "close_visibility"), seen.second) << anchor;
+  }
+}
+
+// Before a camera at rest an end of the exposure is drawn without what is at rest; before one that moves with it.
+TEST_F(RenderFacts, EndsAreDrawnWithoutWhatIsAtRest) {
+  auto seenAtOpen = [](Shot shot) {
+    shot = with(shot, "hybrid", {}, "close");
+    shot.taps = {"open_visibility.hit"};
+    Picture picture = render(shot);
+    std::set<uint32_t> seen;
+    const image::UintImage& hit = picture.frame.taps.at("open_visibility.hit").uints;
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x) seen.insert(hit.at(x, y, 0));
+    return seen;
+  };
+  auto mayMove = [](const Shot& shot) {
+    scene::Facts facts = factsOf(shot, bench().scene(shot)->loaded.scene);
+    return facts.moves;
+  };
+  const Shot before_rest = with(cases()[1].shot, "hybrid", {}, "close");
+  const std::vector<bool> moves = mayMove(before_rest);
+  ASSERT_GT(std::count(moves.begin(), moves.end(), false), 0);
+  for (uint32_t id : seenAtOpen(before_rest)) {
+    if (id > 0) EXPECT_TRUE(moves[id - 1]) << id;
+  }
+  const Shot before_motion = with(cases()[2].shot, "hybrid", {}, "close");
+  EXPECT_GT(seenAtOpen(before_motion).size(), 2u);
 }

@@ -258,7 +258,8 @@ def pass_shares(bench):
     share = shares(bench)
     few = ("mask_crossings", "mask_near_motions", "mask_tile_motions")
     least = ("mask_bounds", "mask_ids", "motion_reach", "raster_bounds", "revealed_bounds")
-    alone = ("shade", "visibility", "composite", "reveal", "gbuffer", "mask", "tile_max")
+    alone = ("shade", "visibility", "composite", "own_time", "reveal", "gbuffer", "open_visibility", "raster_bend", "mask",
+             "unseen_open", "revealed_1_bend", "mask_moving_silhouettes", "tile_max")
     return [share[node] for node in alone] + [max(share[node] for node in nodes) for nodes in (few, least)] + [
         share["neighbour_max"]]
 
