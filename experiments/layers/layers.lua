@@ -27,8 +27,7 @@ local arms = { { name = "McGuire 2012", pipeline = "mcguire2012" } }
 for count, name in ipairs(names) do
   arms[#arms + 1] = { name = name, pipeline = "hybrid", set = { preset = "captured", revealed_layers = count } }
 end
-arms[#arms + 1] = { name = with_end, pipeline = "hybrid",
-  set = { preset = "captured", revealed_layers = 4, end_layers = true } }
+arms[#arms + 1] = { name = with_end, pipeline = "hybrid", set = { preset = "layers" } }
 arms[#arms + 1] = { name = own_times, pipeline = "hybrid", set = { preset = "best" } }
 arms[#arms + 1] = { name = own_times .. " and the end's layer", pipeline = "hybrid",
   set = { preset = "best", end_layers = true } }

@@ -15,15 +15,6 @@ local tiles         = require "scripts.pipelines.lib.tiles"
 
 local doubts = {}
 
--- Do pictures of other times than the capture's count as layers? Only a composite that reads them has any.
-function doubts.have_end_layers(p)
-  local known = pass.reads(pass.member("composite", p.composite()), "open_color")
-  if p.end_layers() and not known then
-    error(("end_layers: composite = %s knows no time but the capture's; it needs composite = layered"):format(p.composite()), 0)
-  end
-  return p.end_layers()
-end
-
 -- Does the pipeline trace samples at their own time? Only a composite that leaves them open has any.
 function doubts.are_asked(p)
   return p.own_time() ~= "none" and pass.reads(pass.member("composite", p.composite()), "doubtful")

@@ -129,6 +129,7 @@ local captured = {
   mask = "relative", termination = "instance", advance = "instance_filter", on_cap = "fallback",
   tiles = "union", weights = "uniform", composite = "layered", taps = "nearest", own_time = "none",
 }
+local layers_of_ends = options.with(options.with({}, captured), { revealed_layers = 4, end_layers = true })
 local best = options.with(options.with({}, captured), { taps = "linear", own_time = "uncertain" })
 hybrid.presets = {
   seed        = { doc = "as published, read so that its claims hold: rays pass over the object in front, taps count alike",
@@ -136,12 +137,17 @@ hybrid.presets = {
   seed_text   = { doc = "as published, to the letter", set = seed_text },
   seed_linear = { doc = "to the letter, but each tap counts as an equal share of the exposure", set = seed_linear },
   captured    = { doc = "the layers of the capture alone, per time sample", set = captured },
+  layers      = { doc = "all that layers can hold: four behind each other, and what the ends of the exposure see",
+                  set = layers_of_ends },
   best        = { doc = "the least error of what has been tried", set = best },
 }
 
+-- Does the composite chosen read that? What others know nothing of is not made for them.
+local function knows(p, image) return pass.reads(pass.member("composite", p.composite()), image) end
+
 -- What lies behind the masked pixels: a list of layers, nearest first, each the ports of the pass `reveal`.
 function hybrid.revealed(p, seen, mask)
-  local half, count = p.reveal_resolution() == "half", p.revealed_layers()
+  local half, count = p.reveal_resolution() == "half", knows(p, "revealed_2_color") and p.revealed_layers() or 1
   if half and count > 1 then error("revealed_layers > 1: a ray per pixel is needed, reveal_resolution = full", 0) end
   local rays = reveal {
     hit = seen.hit, mask = mask, divide = half and 2 or 1, as = "reveal",
@@ -250,13 +256,9 @@ end
 function hybrid.composited(p, seen, revealed)
   local composite = pass.member("composite", p.composite())
   local apart = pass.reads(composite, "front")
-  local further = pass.reads(composite, "revealed_2_color") or false
-  if #revealed > 1 and not further then
-    error(("revealed_layers > 1: composite = %s knows one layer behind; it needs composite = layered"):format(p.composite()), 0)
-  end
   local images = apart and blurred(p, seen, revealed[1]) or layers(p, seen, revealed, composite)
   if pass.reads(composite, "moved") then put(images, "", reached_cells(seen, revealed, images)) end
-  local doubted, ends = doubts.are_asked(p), doubts.have_end_layers(p)
+  local doubted, ends = doubts.are_asked(p), p.end_layers() and knows(p, "open_color")
   local found = (doubted or ends) and doubts.looked_at(seen, revealed)
   if ends then
     put(images, "", doubts.end_layers(p, found))
