@@ -231,12 +231,8 @@ TEST_F(RenderFacts, EndsAreDrawnWithoutWhatIsAtRest) {
       for (int x = 0; x < kWidth; ++x) seen.insert(hit.at(x, y, 0));
     return seen;
   };
-  auto mayMove = [](const Shot& shot) {
-    scene::Facts facts = factsOf(shot, bench().scene(shot)->loaded.scene);
-    return facts.moves;
-  };
-  const Shot before_rest = with(cases()[1].shot, "hybrid", {}, "close");
-  const std::vector<bool> moves = mayMove(before_rest);
+  Shot before_rest = with(cases()[1].shot, "hybrid", {}, "close");
+  const std::vector<bool> moves = lab::factsOf(before_rest, bench().scene(before_rest)->loaded.scene).moves;
   ASSERT_GT(std::count(moves.begin(), moves.end(), false), 0);
   for (uint32_t id : seenAtOpen(before_rest)) {
     if (id > 0) EXPECT_TRUE(moves[id - 1]) << id;
