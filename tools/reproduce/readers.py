@@ -29,19 +29,14 @@ def real_inner(results, shot, arm):
 
 
 def real_rows(with_ratios):
-    """Rows of the table of real scenes; the lamp's has termination by motion beside the best."""
+    """Rows of the table of real scenes."""
     def read(bench):
         results, row = bench.results("real_scenes"), []
         for shot in REAL_SHOTS:
             row += [real_inner(results, shot, arm) for arm in REAL_ARMS]
-            motion = real_inner(results, shot, "hybrid (best, termination motion)")
             own, floor = row[-1], real_inner(results, shot, "truth, 16 samples")
             baseline = min(real_inner(results, shot, arm) for arm in REAL_ARMS[1:3])
-            row += ([motion] if shot == "lamp" else []) + [floor]
-            if with_ratios and shot == "lamp":
-                row += [own / baseline, motion / baseline, own / floor, motion / floor]
-            elif with_ratios:
-                row += [own / baseline, own / floor]
+            row += [floor] + ([own / baseline, own / floor] if with_ratios else [])
         return row
     return read
 
