@@ -60,7 +60,6 @@ EXPERIMENTS.append(Experiment(
 MEASURED = [
     of_results("readme_real_scenes", "real_scenes", read.real_rows(False)),
     of_results("real_scenes_inner", "real_scenes", read.real_rows(True)),
-    of_results("mug_floor", "real_scenes", read.mug_floor_share),
     of_results("readme_frame_time", "real_scenes", read.frame_ratios, tolerance=0.25),
     of_results("frame_time", "real_scenes", read.frame_ratios, tolerance=0.25),
     of_results("precision_room", "precision", read.precision_room),

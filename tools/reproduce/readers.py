@@ -41,11 +41,6 @@ def real_rows(with_ratios):
     return read
 
 
-def mug_floor_share(bench):
-    results = bench.results("real_scenes")
-    return [real_inner(results, "mug", "truth, 16 samples") / real_inner(results, "mug", "UE4-style")]
-
-
 def frame_ratios(bench):
     """The least and the largest time of a hybrid frame as a multiple of one of McGuire 2012, over the scenes."""
     results = bench.results("real_scenes")
