@@ -7,10 +7,10 @@ return experiment {
   size = { 320, 180 },
   shots = { { name = "living_room", scene = "living_room" } },
   arms = {
-    { name = "as given", pipeline = "hybrid" },
+    { name = "as given", pipeline = "hybrid", set = { preset = "captured" } },
     { name = "preset", pipeline = "hybrid", set = { preset = "experiments/tune/living_room.lua" } },
     { name = "other", pipeline = "hybrid",
-      set = { composite = "alpha_over", weights = "jimenez2014", depth_extent = 0.005, limit = 0.05 } },
+      set = { preset = "captured", composite = "alpha_over", weights = "jimenez2014", depth_extent = 0.005, limit = 0.05 } },
   },
   truth = { pipeline = "ground_truth", set = { samples = 256 } },
   regions = { "whole", "inner" },
