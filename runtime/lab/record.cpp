@@ -43,9 +43,15 @@ Json makeRecord(const RecordContext& c, const graph::FrameResult& frame) {
   pipeline["name"] = plan.pipeline.name;
   if (!plan.pipeline.preset.empty()) pipeline["preset"] = plan.pipeline.preset;
   for (const auto& [name, value] : plan.pipeline.values) pipeline["values"][name] = plan::toJson(value);
-  for (const auto& node : plan.nodes)
-    for (const auto& [name, value] : node.params)
+  for (const auto& node : plan.nodes) {
+    const auto& declared = plan.pipeline.passes[size_t(node.pass)].params;
+    for (size_t i = 0; i < declared.size(); ++i) {
+      // It decides what is drawn, as facts do, not what is right: a node that runs for a tap alone says it too.
+      if (declared[i].role == plan::Role::MovingAlone) continue;
+      const auto& [name, value] = node.params[i];
       pipeline["nodes"][plan.pipeline.nodes[size_t(node.node)].name][name] = plan::toJson(value);
+    }
+  }
   pipeline["plan"] = c.drawing.planned().hash;
   record["facts"] = Json::array();
   for (const plan::Fact& fact : plan::facts())

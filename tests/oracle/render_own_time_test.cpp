@@ -99,22 +99,21 @@ TEST_F(RenderOwnTime, OtherCompositesKnowOneLayer) {
   }
 }
 
-// Of boxes behind each other, each moving its own way: each layer that there is something for lowers the error,
-// whatever colours they have, and finds the same pixels.
+// Of boxes behind each other, each moving its own way: up to three layers, each lowers the error, whatever
+// colours they have, and finds the same pixels.
 TEST_F(RenderOwnTime, EachLayerBehindLowersTheError) {
   for (int count : {2, 4}) {
     std::vector<uint64_t> revealed;
     for (bool equal : {false, true}) {
       const lab::Picture truth = stacked(count, equal, {});
       double last = INFINITY;
-      for (int layers = 1; layers < count; ++layers) {
+      const int most = std::min(count, 3);
+      for (int layers = 1; layers <= most; ++layers) {
         const lab::Picture own = stacked(count, equal, {"preset=captured", fmt::format("revealed_layers={}", layers)});
         double error = rmsDifference(colorOf(own), colorOf(truth));
         EXPECT_LT(error, last) << count << " boxes, " << layers << " layers, alike: " << equal;
         last = error;
-        if (layers == count - 1)
-          revealed.push_back(
-              counterOf(own, layers == 1 ? "reveal.revealed" : fmt::format("reveal_{}.revealed", layers)));
+        if (layers == most) revealed.push_back(counterOf(own, fmt::format("reveal_{}.revealed", layers)));
       }
     }
     EXPECT_EQ(revealed[0], revealed[1]) << count;
