@@ -47,6 +47,7 @@
 ---@field uint? boolean the texels are unsigned integers
 ---@field optional? boolean may be left unwired; the shader sees HAS_<name> 0
 ---@field linear? boolean sampled with a linear filter instead of fetched
+---@field needs? string|string[] reads, perhaps itself, of which one must be wired, and to more than zeros, else it is not
 
 ---A format that a choice parameter of the pass decides: `{ by = "precision", fp32 = "rg32f", fp16 = "rg16f" }`.
 ---@class strobe.ChosenFormat
@@ -73,7 +74,7 @@
 ---@field doc string what it counts
 ---@field limit? string what was done to the picture there and what to do about it: a warning where the count is not 0
 
----@alias strobe.Fact "motion"|"alpha"|"blend"|"one_sided"|"shadows"|"bends"|"before"|"after"
+---@alias strobe.Fact "motion"|"curves"|"arrives"|"alpha"|"blend"|"one_sided"|"shadows"|"bends"|"before"|"after"
 
 ---@class strobe.PassTable
 ---@field name string unique; nodes are called this unless `as` says otherwise

@@ -24,7 +24,7 @@ return pass.compute {
       doc = "per cell, above 1/2 where something that moves is at some time, elsewhere the picture is copied; absent: 1" },
     doubtful = { optional = true, uint = true,
       doc = "per cell, a bit for each sample at which no layer is to be trusted; with leaves_open" },
-    arriving = { optional = true, uint = true,
+    arriving = { optional = true, uint = true, needs = { "open_valid", "close_valid" },
       doc = "per cell, above 0 where something comes that an end of the exposure alone sees; absent: 0" },
     silhouettes = { optional = true,
       doc = "above 1/2 next to something that moves otherwise; with it, samples within a pixel of that are left open" },

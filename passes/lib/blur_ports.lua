@@ -45,6 +45,14 @@ for number = 2, 4 do
   docs[layer .. "after_velocity"] = { optional = true, doc = layer .. "velocity at times after the capture" }
 end
 
+-- Without a surface that it holds no image of a layer is of use.
+local function needing_valid(layer, names)
+  for _, name in ipairs(names) do docs[layer .. name].needs = layer .. "valid" end
+end
+for number = 2, 4 do
+  needing_valid(("revealed_%d_"):format(number), { "color", "depth", "velocity", "valid", "after_velocity" })
+end
+
 -- What an end of the exposure sees and none of the others holds, where it is then.
 for _, which in ipairs { "open", "close" } do
   local layer = which .. "_"
@@ -54,6 +62,7 @@ for _, which in ipairs { "open", "close" } do
   docs[layer .. "velocity"] = { optional = true, doc = displacement }
   docs[layer .. "valid"]    = { optional = true, doc = "above 1/2 where there is any" }
   docs[layer .. "dominant"] = { optional = true, doc = "px over the exposure, per tile, of that alone" }
+  needing_valid(layer, { "color", "depth", "velocity", "valid", "dominant" })
 end
 
 local function reads(names, more)

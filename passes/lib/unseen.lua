@@ -5,6 +5,7 @@ local stored = require "passes.lib.stored"
 
 -- `end_of`: "start" or "end"; `fact`: that the exposure has a part before, or after, the capture.
 return function(name, end_of, fact)
+  local nothing = { unseen = 0, velocity = 0, bend = 0 }
   return {
     name   = name,
     shader = "scene/unseen",
@@ -24,7 +25,7 @@ return function(name, end_of, fact)
       velocity = { format = stored.velocity, doc = "displacement over the exposure of what is seen, px" },
       bend     = { format = stored.velocity, doc = "how far its path is from a line, px in the middle of the exposure" },
     },
-    without = { motion = { unseen = 0, velocity = 0, bend = 0 }, [fact] = { unseen = 0, velocity = 0, bend = 0 } },
+    without = { motion = nothing, arrives = nothing, [fact] = nothing },
     params = {
       velocity_format = stored.velocity_format,
       same_depth = param.float { 0.01, min = 0, max = 1, doc = "share of the depth over which two depths count as one" },

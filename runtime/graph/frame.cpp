@@ -40,7 +40,7 @@ static double aspect(const Plan& plan) { return double(plan.width) / plan.height
 
 void poseFixedSlices(world::GpuScene& scene, const Plan& plan, const FrameSetup& setup) {
   dvec3 origin = frameOrigin(setup);
-  scene.setMoving(setup.moves);
+  scene.setMotion(setup.moves, setup.paths);
   const double times[] = {setup.capture_s, setup.open_s, setup.close_s, setup.capture_s - setup.frame_s};
   for (uint32_t slice : {SLICE_CAPTURE, SLICE_OPEN, SLICE_CLOSE, SLICE_PREVIOUS})
     scene.setPose(slice, setup.pose_at(times[slice]), aspect(plan), origin);

@@ -10,7 +10,7 @@
 
 #include "image/image.h"
 #include "plan/plan.h"
-#include "scene/facts.h"
+#include "scene/screen_motion.h"
 #include "world/gpu_scene.h"
 
 namespace strobe::graph {
@@ -28,6 +28,7 @@ struct FrameSetup {
   scene::Environment environment;
   scene::PixelArea reach;                         // where anything that moves can be seen
   std::vector<bool> moves;                        // by instance: may it move within the exposure? Empty: each may
+  std::vector<scene::ScreenPath> paths;           // by instance; empty: not known
   bool camera_rests = false;                      // within the exposure
   const std::set<std::string>* wanted = nullptr;  // outputs and taps to read back; null: all
 };

@@ -43,8 +43,11 @@ graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene) {
   setup.frame = uint32_t(shot.frame);
   setup.seed = shot.seed;
   setup.environment = scene.environment;
-  setup.reach =
-      scene::reachOfMotion(scene, setup.pose_at, setup.capture_s, setup.open_s, setup.close_s, shot.width, shot.height);
+  const double previous_s = setup.capture_s - setup.frame_s;
+  scene::ScreenMotion motion = scene::screenMotionOf(
+      scene, setup.pose_at, {setup.capture_s, setup.open_s, setup.close_s, previous_s, shot.width, shot.height});
+  setup.reach = motion.reach;
+  setup.paths = std::move(motion.paths);
   if (shot.model_everything) return setup;
   scene::Facts facts = factsOf(shot, scene);
   setup.moves = facts.moves;

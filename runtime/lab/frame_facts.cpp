@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "lab/frame_facts.h"
 
+#include <algorithm>
+
+#include "lab/drawing.h"
+
 namespace strobe::lab {
 
 // Whether what stands in a shot instead of the scene's camera moves; nothing where that is not so.
@@ -25,8 +29,13 @@ scene::Facts factsOf(const Shot& shot, const scene::Scene& scene) {
 std::vector<std::string> absentFacts(const Shot& shot, const scene::Scene& scene) {
   if (shot.model_everything) return {};
   const scene::Facts facts = factsOf(shot, scene);
+  const std::vector<scene::ScreenPath> paths = frameSetup(shot, scene).paths;
+  auto any = [&](auto holds) { return std::any_of(paths.begin(), paths.end(), holds); };
   std::vector<std::string> absent;
   if (!facts.motion) absent.push_back("motion");
+  if (!any([](const scene::ScreenPath& path) { return path.curved || path.turns; })) absent.push_back("curves");
+  if (!any([](const scene::ScreenPath& path) { return path.covered; })) absent.push_back("covered");
+  if (!any([](const scene::ScreenPath& path) { return path.arrives; })) absent.push_back("arrives");
   if (!facts.alpha) absent.push_back("alpha");
   if (!facts.blend) absent.push_back("blend");
   if (!facts.one_sided) absent.push_back("one_sided");

@@ -246,8 +246,13 @@ static Json paramJson(const ParamDesc& param) {
 }
 
 static Json readJson(const PortDesc& port) {
-  return {{"name", port.name},         {"doc", port.doc},       {"uint", port.uint},
-          {"optional", port.optional}, {"linear", port.linear}, {"place", placeJson(port.place)}};
+  return {{"name", port.name},
+          {"doc", port.doc},
+          {"uint", port.uint},
+          {"optional", port.optional},
+          {"linear", port.linear},
+          {"needs", port.needs},
+          {"place", placeJson(port.place)}};
 }
 
 static Json writeJson(const PortDesc& port) {

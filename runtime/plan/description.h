@@ -90,8 +90,11 @@ struct PortDesc {
   bool uint = false;      // reads: the texels are unsigned integers
   bool optional = false;  // reads: may be left unwired; the shader then sees HAS_<name> 0
   bool linear = false;    // reads: sampled with a linear filter instead of texel fetches
-  bool cleared = false;   // writes: zero when the pass begins, which writes only where it has something
-  bool history = false;   // updates: kept from frame to frame instead of zero at the start of each
+  // Reads that are optional: reads, it itself perhaps among them, of which one at least must be wired, and to more than
+  // nothing but zeros, for it to be of use; otherwise it is not wired either. Empty: it is of use alone.
+  std::vector<std::string> needs;
+  bool cleared = false;  // writes: zero when the pass begins, which writes only where it has something
+  bool history = false;  // updates: kept from frame to frame instead of zero at the start of each
   Place place;
 };
 

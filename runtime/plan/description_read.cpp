@@ -152,8 +152,16 @@ PortDesc readRead(const Json& json) {
   port.uint = reader.boolean("uint", false);
   port.optional = reader.boolean("optional", false);
   port.linear = reader.boolean("linear", false);
+  port.needs = reader.texts("needs");
   reader.finish();
   return port;
+}
+
+void checkNeeds(const PortDesc& read, const PassDesc& pass, const Reader& reader) {
+  if (!read.needs.empty() && !read.optional) reader.fail(fmt::format("read '{}' is always wired", read.name));
+  for (const std::string& needed : read.needs)
+    if (!find(pass.reads, needed))
+      reader.fail(fmt::format("read '{}' needs '{}', which is no read", read.name, needed));
 }
 
 PortDesc readWrite(const Json& json) {
@@ -245,6 +253,7 @@ PassDesc passFromJson(const Json& json) {
   if (reader.has("breaks")) pass.breaks = breaksOf(reader, reader.table("breaks"));
   pass.scene = reader.boolean("scene", false);
   pass.reads = itemsOf(reader.list("reads"), readRead);
+  for (const PortDesc& read : pass.reads) checkNeeds(read, pass, reader);
   pass.writes = itemsOf(reader.list("writes"), readWrite);
   pass.updates = itemsOf(reader.list("updates"), readWrite);
   bool cleared = std::any_of(pass.writes.begin(), pass.writes.end(), [](const PortDesc& port) { return port.cleared; });

@@ -8,6 +8,9 @@ namespace strobe::plan {
 const std::vector<Fact>& facts() {
   static const std::vector<Fact> facts = {
       {"motion", "nothing moves in this frame"},
+      {"curves", "what moves goes over the picture as a whole, in a straight line at an even speed"},
+      {"covered", "what moves is in front of everything, and moves as a whole"},
+      {"arrives", "what moves is in the picture throughout, in front of everything, and moves as a whole"},
       {"alpha", "no material is cut out or blended by its alpha", true},
       {"blend", "no material is blended by its alpha", true},
       {"one_sided", "no material is seen from one side alone", true},

@@ -41,11 +41,26 @@ class Omitter {
       visit(source.node);
       source = standIn(source);
     }
+    unwireUseless(node);
     for (const WithoutDesc& without : passOf(index).without) {
       if (!lacks(index, without.name) || !readsBackAlike(index, without)) continue;
       chosen_[size_t(index)] = &without;
       node.blank = true;
       return;
+    }
+  }
+
+  // What other reads must hold something for.
+  void unwireUseless(WiredNode& node) {
+    const std::vector<PortDesc>& reads = pipeline_.passes[size_t(node.pass)].reads;
+    const std::vector<Source> sources = node.reads;
+    auto isWithout = [&](const std::string& needed) {
+      const Source& source = sources[size_t(indexOf(reads, needed))];
+      return source.node < 0 || isZero(source);
+    };
+    for (size_t r = 0; r < reads.size(); ++r) {
+      const std::vector<std::string>& needs = reads[r].needs;
+      if (!needs.empty() && std::all_of(needs.begin(), needs.end(), isWithout)) node.reads[r] = Source();
     }
   }
 

@@ -71,6 +71,11 @@ double clipTime(double time_s, double duration_s) {
   return duration_s > 0 ? std::fmod(time_s, duration_s) : 0;
 }
 
+bool beginsAgain(const Animation& clip, double from_s, double to_s) {
+  bool goes_round = to_s > clip.duration && to_s - from_s >= clip.duration;
+  return goes_round || clipTime(to_s, clip.duration) < clipTime(from_s, clip.duration);
+}
+
 std::vector<int> hierarchyOrder(const Scene& scene) {
   enum { New, Open, Done };
   std::vector<int> state(scene.nodes.size(), New), order, chain;

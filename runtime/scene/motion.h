@@ -22,6 +22,9 @@ dvec4 valueAt(const Track& track, double time_s);
 // `time_s` folded into a clip of `duration_s`: itself up to the end, then again from 0.
 double clipTime(double time_s, double duration_s);
 
+// Does the clip repeat between two times?
+bool beginsAgain(const Animation& clip, double from_s, double to_s);
+
 // The clips that `animation` ("all", "none" or a name) means. Throws `Error` for an unknown one, naming the nearest.
 std::vector<const Animation*> clipsOf(const Scene& scene, const std::string& animation);
 

@@ -316,12 +316,21 @@ void GpuScene::setPose(uint32_t slice, const Pose& pose, double aspect, const dv
   if (isTraced(slice)) structures_->pose(levelOf(slice), transforms, moves_);
 }
 
-void GpuScene::setMoving(const std::vector<bool>& moves) {
+static uint32_t bitsOf(const scene::ScreenPath& path) {
+  return (path.curved ? PATH_CURVED : 0) | (path.turns ? PATH_TURNS : 0) | (path.covered ? PATH_COVERED : 0) |
+         (path.arrives ? PATH_ARRIVES : 0);
+}
+
+void GpuScene::setMotion(const std::vector<bool>& moves, const std::vector<scene::ScreenPath>& paths) {
   STROBE_ASSERT(moves.empty() || moves.size() == moves_.size(), "{} of {}", moves.size(), moves_.size());
+  STROBE_ASSERT(paths.empty() || paths.size() == moves_.size(), "{} of {}", paths.size(), moves_.size());
   if (moves.empty()) moves_.assign(moves_.size(), true);
   else moves_ = moves;
   auto* instances = static_cast<SceneInstance*>(instance_buffer_.mapped());
-  for (size_t i = 0; i < moves_.size(); ++i) instances[i].moves = moves_[i] ? 1 : 0;
+  for (size_t i = 0; i < moves_.size(); ++i) {
+    instances[i].moves = moves_[i] ? 1 : 0;
+    instances[i].path = bitsOf(paths.empty() ? scene::ScreenPath() : paths[i]);
+  }
 }
 
 uint32_t GpuScene::movingCount() const { return uint32_t(std::count(moves_.begin(), moves_.end(), true)); }

@@ -8,6 +8,7 @@
 
 #include "gpu/pipeline.h"
 #include "scene/scene.h"
+#include "scene/screen_motion.h"
 #include "shared/frame.h"
 #include "shared/scene.h"
 #include "world/bent_instances.h"
@@ -43,9 +44,9 @@ class GpuScene {
 
   // The frame's block; the device must be idle.
   void setFrame(const shared::FrameData& frame);
-  // Which instances may move within the frame's exposure: rays may ask for these alone. Before the poses of the frame;
-  // empty: each may. The device must be idle.
-  void setMoving(const std::vector<bool>& moves);
+  // Which instances may move within the frame's exposure, as rays may ask for these alone, and how they go over the
+  // picture. Before the poses of the frame; empty: each may, in any way. The device must be idle.
+  void setMotion(const std::vector<bool>& moves, const std::vector<scene::ScreenPath>& paths);
   uint32_t movingCount() const;
   bool mayMove(uint32_t instance) const { return moves_[instance]; }
   // Poses slice `slice`; positions become relative to `origin`. The device must be idle. `aspect` is width / height.

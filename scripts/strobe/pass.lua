@@ -12,7 +12,7 @@ pass.keys = {
   "name", "shader", "doc", "fails", "breaks", "size", "scene", "reads", "writes", "updates", "params", "counters",
   "without",
 }
-pass.read_keys  = { "doc", "uint", "optional", "linear" }
+pass.read_keys  = { "doc", "uint", "optional", "linear", "needs" }
 pass.write_keys = { "doc", "format", "cleared" }
 pass.update_keys = { "doc", "format", "history" }
 pass.format_keys = { "by" }  -- and the choices of that parameter
@@ -44,6 +44,20 @@ local function is_port_table(problems, name, port, place, what)
   return true
 end
 
+-- The reads of which an optional read needs one, as a list.
+local function check_needs(problems, reads, port, at, what)
+  local needs = type(port.needs) == "string" and { port.needs } or port.needs or {}
+  if type(needs) ~= "table" then
+    problems:add(at, "%s needs %s, which is no name of a read and no list of such", what, check.quoted(port.needs))
+    return {}
+  end
+  if #needs > 0 and not port.optional then problems:add(at, "%s needs others and is not optional", what) end
+  for _, needed in ipairs(needs) do
+    if reads[needed] == nil then problems:add(at, "%s needs %s, which is no read of it", what, check.quoted(needed)) end
+  end
+  return needs
+end
+
 local function declare_reads(problems, t, place, owner)
   local list = {}
   for name, port in pairs(t.reads or {}) do
@@ -56,6 +70,7 @@ local function declare_reads(problems, t, place, owner)
         result[key] = port[key] or false
         if port[key] ~= nil then check.field(problems, port, key, "boolean", place, what, { "reads", name }) end
       end
+      result.needs = check_needs(problems, t.reads, port, at, what)
       if port.uint and port.linear then problems:add(at, "%s cannot be both uint and linear", what) end
       list[#list + 1] = result
     end

@@ -55,6 +55,7 @@ Unseen unseenSky(ivec2 pixel, Ray ray) {
 }
 
 Unseen unseenSurface(ivec2 pixel, Hit hit) {
+  if ((scene_instances[hit.instance].path & PATH_ARRIVES) == 0u) return Unseen(false, vec2(0), vec2(0));
   vec3 capture_ws = positionOf(SLICE_CAPTURE, hit);
   vec2 velocity = displacementOf(hit, capture_ws);
   if (velocity == vec2(0) || isHidden(pixel, hit.t)) return Unseen(false, vec2(0), vec2(0));

@@ -16,6 +16,13 @@ STROBE_SHARED_BEGIN
 #define RAYS_TO_ALL 0xffu
 #define RAYS_TO_MOVING 0x80u
 
+// How an instance goes over the picture within the exposure, and since the frame before. Each is set unless it surely
+// is not so, to within 1/20 px.
+#define PATH_CURVED 1u   // a point of it leaves the straight line between the ends of its path, or is not even in time
+#define PATH_TURNS 2u    // points of it move differently
+#define PATH_COVERED 4u  // something else may be in front of it, or a part of it that moves differently
+#define PATH_ARRIVES 8u  // something of it is seen at another time that the capture does not show
+
 struct SceneVertex {
   vec3 position;  // first: acceleration structures read it
   vec3 normal;
@@ -34,6 +41,7 @@ struct SceneInstance {
   uint first_geometry;
   uint geometry_count;
   uint moves;  // 0 where it surely stands still within the exposure
+  uint path;   // PATH_*
 };
 
 struct SceneGeometry {

@@ -10,7 +10,8 @@ local unseen_close  = require "passes.scene.unseen_close"
 local unseen_open   = require "passes.scene.unseen_open"
 local visibility_moving = require "passes.scene.visibility_moving"
 local doubtful      = require "passes.tile.doubtful"
-local motion_bounds = require "passes.tile.motion_bounds"
+local bent_bounds   = require "passes.tile.bent_bounds"
+local joined_bounds = require "passes.tile.bent_bounds_joined"
 local tiles         = require "scripts.pipelines.lib.tiles"
 
 local doubts = {}
@@ -34,13 +35,11 @@ end
 
 -- Per cell, of the texels of a layer that `valid` marks, bounds of their displacements and of how far their paths are from
 -- straight lines, joined with those of `others`.
-local function bounds_of(name, velocity, bent, valid, others)
-  local function bounds(of, what, joined)
-    return motion_bounds { velocity = of, valid = valid, others = joined, as = name .. what }.bounds
-  end
-  return {
-    bounds = bounds(velocity, "_bounds", others and others.bounds), bends = bounds(bent, "_bends", others and others.bends),
-  }
+local function bounds_of(name, velocity, bend, valid, others)
+  local images = { velocity = velocity, bend = bend, valid = valid, as = name .. "_bounds" }
+  if not others then return bent_bounds(images) end
+  images.others_bounds, images.others_bends = others.bounds, others.bends
+  return joined_bounds(images)
 end
 
 -- What an end of the exposure sees and no layer holds.

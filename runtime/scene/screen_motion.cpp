@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+#include "scene/screen_motion.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "scene/bend.h"
+#include "scene/motion.h"
+
+namespace strobe::scene {
+
+namespace {
+
+constexpr int kTimes = 33;
+constexpr double kTolerancePx = 0.05;
+// What is at rest is not looked at in scenes with more vertices: it would take longer than what it may spare.
+constexpr size_t kMostVertices = 200'000;
+
+// A world position in the picture: (x, y) / z in px from its middle, y down; z the depth, or 1 before an orthographic
+// camera. What is a mean of points at one time is the same mean of these at any time.
+using Homogeneous = dvec3;
+
+struct View {
+  dmat4 camera_from_world;
+  Camera camera;
+  double height_px = 0;
+
+  View(const Pose& pose, double height)
+      : camera_from_world(glm::inverse(pose.world_from_camera)), camera(pose.camera), height_px(height) {}
+
+  // Nothing when it is not clearly in front of the camera.
+  std::optional<Homogeneous> of(const dvec3& position_ws) const {
+    dvec3 p = dvec3(camera_from_world * dvec4(position_ws, 1));
+    if (!camera.orthographic && -p.z < 2 * camera.near) return std::nullopt;
+    double half_height = camera.orthographic ? camera.half_height : std::tan(camera.vertical_fov / 2);
+    double pixels = height_px / (2 * half_height);
+    return dvec3(p.x * pixels, -p.y * pixels, camera.orthographic ? 1 : -p.z);
+  }
+};
+
+dvec2 pixelOf(const Homogeneous& h) { return dvec2(h) / h.z; }
+
+// A box of an instance at each time.
+using Corners = std::array<Homogeneous, 8>;
+using Track8 = std::vector<Corners>;
+
+// Around what an instance covers, px from the middle of the picture, and how near it comes.
+struct Extent {
+  dvec2 low{INFINITY}, high{-INFINITY};
+  double nearest = INFINITY, farthest = -INFINITY;
+
+  void add(const Corners& corners) {
+    for (const Homogeneous& h : corners) {
+      low = glm::min(low, pixelOf(h));
+      high = glm::max(high, pixelOf(h));
+      nearest = std::min(nearest, h.z);
+      farthest = std::max(farthest, h.z);
+    }
+  }
+  void add(const Extent& other) {
+    low = glm::min(low, other.low), high = glm::max(high, other.high);
+    nearest = std::min(nearest, other.nearest), farthest = std::max(farthest, other.farthest);
+  }
+  // The farthest from the middle of the picture, px.
+  double most() const { return glm::length(glm::max(glm::abs(low), glm::abs(high))); }
+};
+
+// How far two places in the picture may be apart that differ by `by`, `most` px from its middle or nearer, at depths of
+// `nearest` or more.
+double apart(const Homogeneous& by, double most, double nearest) {
+  return (glm::length(dvec2(by)) + most * std::abs(by.z)) / nearest;
+}
+
+// How far, px, a point of a box may be from where it would be on a straight way from the first time to the last, at an
+// even speed. Between two places (x, y, z), in a straight line, a point is in the picture on the line between its ends,
+// but ahead or behind by at most a quarter of the share by which its depth changes.
+double bentBy(const Track8& box, const std::vector<double>& times, const Extent& extent) {
+  double bent = 0, change = 0;
+  const Corners &first = box.front(), &last = box.back();
+  for (size_t c = 0; c < 8; ++c)
+    change = std::max({change, std::abs(last[c].z / first[c].z - 1), std::abs(first[c].z / last[c].z - 1)});
+  for (size_t k = 0; k < times.size(); ++k) {
+    double part = (times[k] - times.front()) / (times.back() - times.front());
+    for (size_t c = 0; c < 8; ++c)
+      bent = std::max(bent, apart(box[k][c] - glm::mix(first[c], last[c], part), extent.most(), extent.nearest));
+  }
+  return bent + 0.25 * change * glm::length(extent.high - extent.low);
+}
+
+// How far, px, a point of a box may be at the last time from where it would be if it had moved as the box's first
+// corner.
+double turnedBy(const Track8& box, const Extent& extent) {
+  const Corners &first = box.front(), &last = box.back();
+  const dvec2 moved = pixelOf(last[0]) - pixelOf(first[0]);
+  double turned = 0;
+  for (size_t c = 0; c < 8; ++c)
+    turned = std::max(turned, apart(last[c] - first[c] - dvec3(first[c].z * moved, 0), extent.most(), extent.nearest));
+  return turned;
+}
+
+}  // namespace
+
+// Do poses at so many times show where everything comes? Not of what turns by more than a right angle from one to the
+// next, which they may even show at rest.
+static bool isFollowed(const Scene& scene, double from_s, double to_s, double step_s) {
+  for (const ConstantMotion& motion : scene.motions)
+    if (std::abs(motion.angular_velocity) * step_s > 1.57) return false;
+  for (const Animation& clip : scene.animations) {
+    if (beginsAgain(clip, from_s, to_s)) return false;
+    double first_s = clipTime(from_s, clip.duration), last_s = clipTime(to_s, clip.duration);
+    // Two poses between keys, which are half a turn apart at most.
+    auto is_dense = [&](const Track& track) {
+      auto first = std::upper_bound(track.times.begin(), track.times.end(), first_s);
+      auto last = std::lower_bound(track.times.begin(), track.times.end(), last_s);
+      return last - first > kTimes / 2;
+    };
+    if (std::any_of(clip.tracks.begin(), clip.tracks.end(), is_dense)) return false;
+    for (const WeightTrack& track : clip.weights)
+      if (is_dense(track.keys)) return false;
+  }
+  return true;
+}
+
+// Those at which the scene is posed: evenly over the exposure, and at keys on the way.
+static std::vector<double> timesOf(const Scene& scene, const ExposedFrame& frame) {
+  std::vector<double> times = {frame.capture_s, frame.previous_s};
+  for (int i = 0; i < kTimes; ++i) times.push_back(glm::mix(frame.open_s, frame.close_s, i / (kTimes - 1.0)));
+  auto [first, last] = std::minmax_element(times.begin(), times.end());
+  const double from_s = *first, to_s = *last;
+  for (const Animation& clip : scene.animations) {
+    const double offset_s = from_s - clipTime(from_s, clip.duration);
+    for (const Track& track : clip.tracks)
+      for (double key_s : track.times)
+        if (key_s + offset_s > from_s && key_s + offset_s < to_s) times.push_back(key_s + offset_s);
+  }
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+// ---- the reach
+
+// The pixels around a box during the exposure.
+static void addTo(PixelArea& reach, const Track8& box, const std::vector<double>& times, const ExposedFrame& frame) {
+  Extent extent;
+  double step_px = 0;
+  const Corners* before = nullptr;
+  for (size_t k = 0; k < times.size(); ++k) {
+    if (times[k] < frame.open_s || times[k] > frame.close_s) {
+      if (times[k] == frame.capture_s) extent.add(box[k]);
+      continue;
+    }
+    extent.add(box[k]);
+    for (size_t c = 0; c < 8 && before; ++c)
+      step_px = std::max(step_px, glm::length(pixelOf(box[k][c]) - pixelOf((*before)[c])));
+    before = &box[k];
+  }
+  const double margin = step_px + 2;
+  const dvec2 middle = dvec2(frame.width, frame.height) * 0.5, size = middle * 2.0;
+  const dvec2 low = glm::clamp(glm::floor(middle + extent.low - margin), dvec2(0), size);
+  const dvec2 high = glm::clamp(glm::ceil(middle + extent.high + margin), dvec2(0), size);
+  PixelArea own = {int(low.x), int(low.y), int(high.x), int(high.y)};
+  if (own.empty()) return;
+  if (reach.empty()) reach = own;
+  reach = {std::min(reach.x0, own.x0), std::min(reach.y0, own.y0), std::max(reach.x1, own.x1),
+           std::max(reach.y1, own.y1)};
+}
+
+// ---- paths
+
+// May what moves come into the picture, or leave it?
+static bool mayCross(const Extent& extent, const ExposedFrame& frame) {
+  const dvec2 half = dvec2(frame.width, frame.height) * 0.5;
+  return glm::any(glm::lessThan(extent.low, -half)) || glm::any(glm::greaterThan(extent.high, half));
+}
+
+// May something else be in front of it?
+static bool mayBeCovered(const std::vector<std::optional<Extent>>& extents, size_t index) {
+  const Extent& own = *extents[index];
+  for (size_t i = 0; i < extents.size(); ++i) {
+    if (i == index) continue;
+    if (!extents[i]) return true;
+    const Extent& other = *extents[i];
+    const bool beside =
+        glm::any(glm::lessThan(other.high + 2.0, own.low)) || glm::any(glm::greaterThan(other.low - 2.0, own.high));
+    if (!beside && !(other.nearest > own.farthest)) return true;
+  }
+  return false;
+}
+
+// Of what is at rest, where the scene is small enough; nothing of what is not in front of the camera.
+static std::optional<Extent> extentAtRest(const Scene& scene, const Instance& instance, size_t index, const Pose& pose,
+                                          const View& view) {
+  const Hull hull(scene, instance);
+  Extent extent;
+  for (size_t box = 0; box < hull.boxes(); ++box) {
+    Corners posed;
+    const std::array<dvec3, 8> corners = hull.corners(pose, index, box);
+    for (size_t c = 0; c < 8; ++c) {
+      std::optional<Homogeneous> h = view.of(corners[c]);
+      if (!h) return std::nullopt;
+      posed[c] = *h;
+    }
+    extent.add(posed);
+  }
+  return extent;
+}
+
+static bool isSmall(const Scene& scene, const std::vector<Instance>& instances) {
+  size_t vertices = 0;
+  for (const Instance& instance : instances) vertices += vertexCount(scene, instance);
+  return vertices <= kMostVertices;
+}
+
+// A box at each pose; nothing when a corner is not clearly in front of the camera.
+static std::optional<Track8> posedBox(const Hull& hull, size_t box, const std::vector<Pose>& poses, size_t index,
+                                      const View& view) {
+  Track8 track;
+  for (const Pose& pose : poses) {
+    const std::array<dvec3, 8> corners = hull.corners(pose, index, box);
+    Corners& posed = track.emplace_back();
+    for (size_t c = 0; c < 8; ++c) {
+      std::optional<Homogeneous> h = view.of(corners[c]);
+      if (!h) return std::nullopt;
+      posed[c] = *h;
+    }
+  }
+  return track;
+}
+
+ScreenMotion screenMotionOf(const Scene& scene, const std::function<Pose(double)>& pose_at, const ExposedFrame& frame) {
+  const std::vector<Instance> instances = instancesOf(scene);
+  ScreenMotion unknown;
+  unknown.reach = {0, 0, frame.width, frame.height};
+  unknown.paths.resize(instances.size());
+  const std::vector<double> times = timesOf(scene, frame);
+  if (!isFollowed(scene, times.front(), times.back(), (frame.close_s - frame.open_s) / (kTimes - 1))) return unknown;
+  std::vector<Pose> poses;
+  for (double time_s : times) poses.push_back(pose_at(time_s));
+  const Pose capture = pose_at(frame.capture_s);
+  for (const Pose& pose : poses)
+    if (pose.world_from_camera != capture.world_from_camera || pose.camera != capture.camera) return unknown;
+  const View view(capture, frame.height);
+
+  ScreenMotion motion;
+  motion.paths.assign(instances.size(), {false, false, false, false});
+  std::vector<std::optional<Extent>> extents(instances.size());
+  std::vector<bool> moves(instances.size());
+  for (size_t i = 0; i < instances.size(); ++i) {
+    auto differs = [&](const Pose& pose) {
+      return pose.world_from_instance[i] != capture.world_from_instance[i] || pose.bends[i] != capture.bends[i];
+    };
+    moves[i] = std::any_of(poses.begin(), poses.end(), differs);
+    if (!moves[i]) continue;
+    ScreenPath& path = motion.paths[i];
+    path.curved = path.turns = bends(scene, instances[i]);
+    extents[i].emplace();
+    const Hull hull(scene, instances[i]);
+    for (size_t box = 0; box < hull.boxes(); ++box) {
+      std::optional<Track8> posed = posedBox(hull, box, poses, i, view);
+      if (!posed) return unknown;
+      addTo(motion.reach, *posed, times, frame);
+      Extent extent;
+      for (const Corners& corners : *posed) extent.add(corners);
+      path.curved = path.curved || !(bentBy(*posed, times, extent) <= kTolerancePx);
+      path.turns = path.turns || path.curved || !(turnedBy(*posed, extent) <= kTolerancePx);
+      extents[i]->add(extent);
+    }
+  }
+  const bool is_small = isSmall(scene, instances);
+  for (size_t i = 0; i < instances.size(); ++i)
+    if (!moves[i] && is_small) extents[i] = extentAtRest(scene, instances[i], i, capture, view);
+  for (size_t i = 0; i < instances.size(); ++i) {
+    if (!moves[i]) continue;
+    ScreenPath& path = motion.paths[i];
+    path.covered = path.turns || mayBeCovered(extents, i);
+    path.arrives = path.covered || mayCross(*extents[i], frame);
+  }
+  return motion;
+}
+
+}  // namespace strobe::scene

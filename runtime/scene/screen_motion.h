@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// How what moves goes over the picture within an exposure, as far as bounds of its instances tell.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace strobe::scene {
+
+// Pixels [x0, x1) x [y0, y1).
+struct PixelArea {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  bool empty() const { return x0 >= x1 || y0 >= y1; }
+};
+
+// The times of a frame, s, and the size of its picture, px.
+struct ExposedFrame {
+  double capture_s = 0, open_s = 0, close_s = 0, previous_s = 0;
+  int width = 0, height = 0;
+};
+
+// How an instance goes over the picture. Each holds unless it surely does not, to within 1/20 px, at any time of the
+// exposure, at the capture and back to one frame before it.
+struct ScreenPath {
+  bool curved = true;   // a point of it leaves the straight line between the ends of its path, or is not even in time
+  bool turns = true;    // points of it move differently
+  bool covered = true;  // something else may be in front of it, or a part of it that moves differently
+  bool arrives = true;  // a side of it, or a part, is seen at another time that the capture does not show
+};
+
+struct ScreenMotion {
+  // The pixels in which anything that moves during [open_s, close_s] can be seen at any time of it; the whole picture
+  // when the camera moves or a moving object comes near the camera. Bounds of instances, and of what follows each
+  // joint, are posed at 33 times, and the area is widened by the farthest a bound's corner goes in between, so it may
+  // only be too large; the whole picture too where those times do not show it (turns of more than a right angle in
+  // between, many keys, a clip that begins again).
+  PixelArea reach;
+  std::vector<ScreenPath> paths;  // by instance, from the same poses; of what does not move none of the four holds
+};
+
+// `pose_at`: the scene at a time, in seconds.
+ScreenMotion screenMotionOf(const Scene& scene, const std::function<Pose(double)>& pose_at, const ExposedFrame& frame);
+
+}  // namespace strobe::scene

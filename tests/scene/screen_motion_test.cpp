@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// How things go over the picture: plain cases, and random ones against points inside, posed and projected one by one.
+#include "scene/screen_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "scene/motion.h"
+
+namespace strobe::scene {
+namespace {
+
+constexpr double kFrame = 1.0 / 24;
+constexpr int kWidth = 400, kHeight = 300;
+
+// 300 px at depth 10 are 10 m high.
+constexpr double kMetre = 30;
+
+ExposedFrame frameAtOne() { return {kFrame, 0.5 * kFrame, kFrame, 0, kWidth, kHeight}; }
+
+// Boxes by node, half a `size` to each side of `at`; the last node is the camera, at the origin, looking along -z.
+class Boxes {
+ public:
+  Boxes() {
+    scene_.materials.resize(1);
+    scene_.cameras.resize(1);
+    scene_.cameras[0].vertical_fov = 2 * std::atan(0.5);
+    add(dvec3(0), dvec3(0));
+    scene_.nodes[0].mesh = -1;
+    scene_.nodes[0].camera = 0;
+  }
+
+  int add(const dvec3& at, const dvec3& size) {
+    Mesh& mesh = scene_.meshes.emplace_back();
+    Geometry& geometry = mesh.geometries.emplace_back();
+    for (int i = 0; i < 8; ++i) {
+      dvec3 sign(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+      geometry.vertices.push_back({vec3(size * sign * 0.5), vec3(0, 0, 1)});
+    }
+    geometry.indices = {0, 1, 2};
+    Node& node = scene_.nodes.emplace_back();
+    node.mesh = int(scene_.meshes.size()) - 1;
+    node.translation = at;
+    return int(scene_.nodes.size()) - 1;
+  }
+
+  // Per frame.
+  void move(int node, const dvec3& by) { motionOf(node).velocity = by / kFrame; }
+  void spin(int node, const dvec3& axis, double radians) {
+    motionOf(node).axis = glm::normalize(axis);
+    motionOf(node).angular_velocity = radians / kFrame;
+  }
+
+  const Scene& scene() const { return scene_; }
+
+  ScreenMotion motion() const {
+    Poser poser(scene_, 0);
+    return screenMotionOf(
+        scene_, [&](double time_s) { return poser.at(time_s); }, frameAtOne());
+  }
+
+  // Of the only box that moves.
+  ScreenPath path(int node = 1) const { return motion().paths.at(size_t(node) - 1); }
+
+ private:
+  ConstantMotion& motionOf(int node) {
+    for (ConstantMotion& motion : scene_.motions)
+      if (motion.node == node) return motion;
+    scene_.motions.emplace_back().node = node;
+    scene_.motions.back().rest_time = kFrame;
+    return scene_.motions.back();
+  }
+
+  Scene scene_;
+};
+
+std::string textOf(const ScreenPath& path) {
+  return std::string(path.curved ? "curved " : "") + (path.turns ? "turns " : "") + (path.covered ? "covered " : "") +
+         (path.arrives ? "arrives " : "");
+}
+
+const dvec3 kCard(2, 2, 0), kBox(2, 2, 2);
+
+}  // namespace
+
+TEST(ScreenMotion, OfACardThatSlides) {
+  Boxes boxes;
+  int card = boxes.add({0, 0, -10}, kCard);
+  boxes.add({0, 0, -15}, {30, 30, 0});
+  EXPECT_EQ(textOf(boxes.path()), "");
+  boxes.move(card, {2, 1, 0});
+  EXPECT_EQ(textOf(boxes.path()), "");
+  EXPECT_EQ(boxes.motion().reach.x1, int(kWidth / 2 + kMetre + 2 + std::ceil(kMetre / 32)));
+}
+
+TEST(ScreenMotion, OfWhatHasDepth) {
+  Boxes boxes;
+  boxes.move(boxes.add({0, 0, -10}, kBox), {2, 0, 0});
+  EXPECT_EQ(textOf(boxes.path()), "turns covered arrives ");
+}
+
+TEST(ScreenMotion, OfWhatTurnsOrComesNearer) {
+  Boxes spun, nearer;
+  spun.spin(spun.add({0, 0, -10}, kCard), {0, 0, 1}, 0.5);
+  EXPECT_EQ(textOf(spun.path()), "curved turns covered arrives ");
+  nearer.move(nearer.add({1, 0, -10}, kCard), {0, 0, 2});
+  EXPECT_EQ(textOf(nearer.path()), "curved turns covered arrives ");
+}
+
+TEST(ScreenMotion, OfWhatIsCovered) {
+  for (double depth : {5, 9, 11}) {
+    Boxes boxes;
+    boxes.move(boxes.add({0, 0, -10}, kCard), {1, 0, 0});
+    boxes.add({0, 0, -depth}, {0.1, 0.1, 0});
+    EXPECT_EQ(textOf(boxes.path()), depth < 10 ? "covered arrives " : "") << depth;
+  }
+  Boxes beside;
+  beside.move(beside.add({0, 0, -10}, kCard), {1, 0, 0});
+  beside.add({0, 2, -5}, {0.1, 0.1, 0});
+  EXPECT_EQ(textOf(beside.path()), "");
+}
+
+TEST(ScreenMotion, OfWhatLeavesThePicture) {
+  Boxes boxes;
+  boxes.move(boxes.add({6, 0, -10}, kCard), {1, 0, 0});
+  EXPECT_EQ(textOf(boxes.path()), "arrives ");
+}
+
+TEST(ScreenMotion, OfWhatIsNotKnown) {
+  Boxes behind, round;
+  behind.move(behind.add({0, 0, 1}, kCard), {1, 0, 0});
+  EXPECT_EQ(textOf(behind.path()), "curved turns covered arrives ");
+  EXPECT_EQ(behind.motion().reach.x1 - behind.motion().reach.x0, kWidth);
+  round.spin(round.add({0, 0, -10}, kCard), {0, 0, 1}, 400);
+  EXPECT_EQ(round.motion().reach.x1 - round.motion().reach.x0, kWidth);
+}
+
+// What is said to be straight, or to move as a whole, is so for any point inside.
+TEST(ScreenMotion, HoldsForEveryPoint) {
+  std::mt19937 random(1);
+  auto between = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+  int straight = 0, whole = 0;
+  for (int round = 0; round < 400; ++round) {
+    Boxes boxes;
+    const dvec3 size(between(0.1, 3), between(0.1, 3), round % 3 ? std::pow(10, between(-5, 0)) : 0);
+    const int node = boxes.add({between(-4, 4), between(-3, 3), between(-20, -6)}, size);
+    const double deep = round % 2 ? std::pow(10, between(-6, -1)) : 0;
+    boxes.move(node, {between(-2, 2), between(-2, 2), deep});
+    if (round % 5 == 0) boxes.spin(node, {between(-1, 1), between(-1, 1), 1}, std::pow(10, between(-5, -1)));
+    const ScreenPath path = boxes.path();
+    straight += !path.curved, whole += !path.turns;
+    Poser poser(boxes.scene(), 0);
+    auto pixel = [&](const dvec3& inside, double part) {
+      dvec3 p = poser.at(part * kFrame).world_from_instance[0] * dvec4(inside * size * 0.5, 1);
+      return dvec2(p.x, -p.y) / -p.z * double(kHeight);
+    };
+    const dvec2 first = pixel(dvec3(-1), 1) - pixel(dvec3(-1), 0);
+    for (int k = 0; k < 50; ++k) {
+      const dvec3 inside(between(-1, 1), between(-1, 1), between(-1, 1));
+      const double part = between(0, 1);
+      const dvec2 from = pixel(inside, 0), to = pixel(inside, 1);
+      if (!path.curved) EXPECT_LE(glm::length(pixel(inside, part) - glm::mix(from, to, part)), 0.05) << round;
+      if (!path.turns) EXPECT_LE(glm::length(to - from - first), 0.1) << round;
+    }
+  }
+  EXPECT_GT(straight, 100);
+  EXPECT_LT(straight, 400);
+  EXPECT_GT(whole, 40);
+  EXPECT_LT(whole, straight);
+}
+
+}  // namespace strobe::scene
