@@ -18,7 +18,7 @@ return pass.compute {
   },
   size   = { of = "color" },
   reads  = ports.of_both(ports.ends(ports.further {
-    "second", "after_second", "revealed_dominant", "revealed_after_dominant",
+    "second", "after_second", "revealed_dominant", "revealed_after_dominant", "curve", "revealed_curve", "dominant_curve",
   }), {
     moved  = { optional = true,
       doc = "per cell, above 1/2 where something that moves is at some time, elsewhere the picture is copied; absent: 1" },

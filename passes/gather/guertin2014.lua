@@ -17,7 +17,7 @@ return pass.compute {
     .. "background in them is the picture from outside. Things that move along neither of the two directions stay "
     .. "sharp or leave noise, and half of the samples see each direction.",
   size   = { of = "color" },
-  reads  = ports.of_layer({ "second", "slowest" }, {
+  reads  = ports.of_layer({ "second", "slowest", "curve", "dominant_curve" }, {
     variance = { optional = true, doc = "0 (alike) to 1, of directions, per tile; absent: half of the samples" },
   }),
   writes = ports.layer,

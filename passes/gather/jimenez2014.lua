@@ -14,7 +14,7 @@ return pass.compute {
     .. "second time; outside, the background under a blurred object comes from the opposite side. Motions that cross "
     .. "the dominant one are blurred along it.",
   size   = { of = "color" },
-  reads  = ports.of_layer { "slowest" },
+  reads  = ports.of_layer { "slowest", "curve", "dominant_curve" },
   writes = ports.layer,
   without = ports.still,
   params = {

@@ -19,7 +19,7 @@ return pass.compute {
     converging = "opacity grows with the number of samples: the pixel itself weighs as much however many there are",
   },
   size   = { of = "color" },
-  reads  = ports.of_layer { "second" },
+  reads  = ports.of_layer { "second", "curve", "dominant_curve" },
   writes = ports.layer,
   without = ports.still,
   params = {

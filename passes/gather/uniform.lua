@@ -14,7 +14,7 @@ return pass.compute {
     .. "moves under a moving silhouette the product of two means is not the mean of the product. Motions that cross "
     .. "the dominant one by more than 3/4 px are not found.",
   size   = { of = "color" },
-  reads  = ports.of_layer { "after_velocity", "after_dominant" },
+  reads  = ports.of_layer { "after_velocity", "after_dominant", "curve", "dominant_curve" },
   writes = ports.layer,
   without = ports.still,
   params = {

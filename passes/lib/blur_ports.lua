@@ -20,6 +20,10 @@ local docs = {
   after_dominant = { optional = true, doc = "px over the exposure, per tile, at times after the capture" },
   after_second   = { optional = true, doc = "second at times after the capture" },
 
+  curve          = { optional = true, needs = "curve", doc = "of its path, px; absent: lines" },
+  revealed_curve = { optional = true, needs = "curve", doc = "the same of what was revealed" },
+  dominant_curve = { optional = true, needs = "curve", doc = "of the path of dominant, px; absent: a line" },
+
   -- Of one layer, where another lies behind it.
   valid        = { optional = true, doc = "above 1/2 where the layer holds something; absent: everywhere" },
   behind_depth = { optional = true, doc = "linear view depth of what was revealed behind each pixel" },

@@ -13,6 +13,7 @@ return pass.compute {
   reads  = {
     longest = { doc = "px over the exposure, longest of each tile" },
     after = more, revealed = more, revealed_after = more,
+    curve = { optional = true, needs = "curve", doc = "of the paths of longest, px; absent: lines" },
   },
   writes = { reach = { format = "r32f", doc = "px over the exposure, one texel" } },
   without = { motion = { reach = 0 } },

@@ -12,6 +12,7 @@ return pass.compute {
   reads  = {
     velocity       = { doc = "px over the exposure" },
     after_velocity = { optional = true, doc = "px over the exposure, at times after the capture" },
+    curve          = { optional = true, needs = "curve", doc = "of their paths, px; absent: lines" },
     others         = { optional = true, doc = "bounds of another layer, to be joined with them" },
     valid          = { optional = true, doc = "above 1/2 where they count; absent: everywhere" },
   },

@@ -15,13 +15,15 @@ return pass.compute {
   reads  = {
     longest = { doc = "px over the exposure, longest of each tile" },
     motions = { optional = true, doc = "two displacements that stand for all in a tile, px over the exposure" },
+    curve = { optional = true, needs = "curve", doc = "of the path of that, px; absent: lines" },
     reach = reach,
   },
   writes = {
     dominant = { format = "rg32f", doc = "px over the exposure" },
+    dominant_curve = { format = "rgba32f", doc = "of its path, px" },
     second   = { format = "rg32f", doc = "what differs most from it, px over the exposure; dominant if nothing does" },
   },
-  without = { motion = { dominant = 0, second = 0 } },
+  without = { motion = { dominant = 0, dominant_curve = 0, second = 0 } },
   params = {
     tile  = blur.tile,
     limit = blur.limit,

@@ -12,11 +12,14 @@ return pass.compute {
   reads  = {
     velocity       = { doc = "px over the exposure" },
     valid          = { optional = true, doc = "above 1/2 where velocity counts; absent: everywhere" },
+    curve          = { optional = true, needs = "curve", doc = "of its path, px; absent: lines" },
+    extra_curve    = { optional = true, needs = "curve", doc = "the same of the second layer" },
     extra_velocity = { optional = true, doc = "px over the exposure, of a second layer over the same pixels" },
     extra_valid    = { optional = true, doc = "above 1/2 where extra_velocity counts; absent: everywhere" },
   },
-  writes = { longest = { format = "rg32f", doc = "px over the exposure; of equal lengths the first in raster order" } },
-  without = { motion = { longest = 0 } },
+  writes = { longest = { format = "rg32f", doc = "px over the exposure; of equal lengths the first in raster order" },
+             curve_of_it = { format = "rgba32f", doc = "of its path, px" } },
+  without = { motion = { longest = 0, curve_of_it = 0 } },
   params = {
     tile  = blur.tile,
     limit = blur.limit,

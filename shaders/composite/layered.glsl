@@ -32,6 +32,7 @@
 //   more than the tolerance within the distance moved; more motions at one pixel than candidates.
 #include "mixin/limit.glsl"
 #include "mixin/jitter.glsl"
+#include "mixin/path.glsl"
 #include "lib/sanitise.glsl"
 
 const int kMaxCandidates = 4;
@@ -43,11 +44,18 @@ const float kSameDepth = 1.0 - 1.0 / 65536.0;
 const float kCentre = 0.05;
 
 // How often what a texel says is followed to another.
-const int kGuesses = 2;
+const int kGuesses = 2 + 2 * HAS_curve;
 
-// Displacements, the unused ones out of reach.
+// A path that changes by more from texel to texel is another thing's, px.
+const float kMostSlope = 2.0;
+
+// Displacements, the unused ones out of reach; how their paths are curved, and the texels that they are of.
 struct Candidates {
   vec4 x, y;
+#if HAS_curve
+  vec4 curves[kMaxCandidates];
+  ivec2 texels[kMaxCandidates];
+#endif
   vec4 tolerance_px;
   int count;
   bool crowded;  // one was left out that none of the others leads to
@@ -66,8 +74,6 @@ struct Seen {
   float depth;
   bool unsure;  // a silhouette passes within a pixel
 };
-
-vec2 limited(vec4 texel) { return clampLength(finiteDisplacement(texel), limitPx()); }
 
 // --- Layers that hold something here and there: those revealed, from kRevealed to kLastRevealed, and those of the ends
 // ----------------------------------------------------------------------------------------------------------------
@@ -110,43 +116,59 @@ float depthOf(int layer, ivec2 pixel) {
   return saneDepth(texelFetch(revealed_depth_tex, pixel, 0).x);
 }
 
-// Displacements of the two layers in the part of the exposure after the capture, or before it.
-vec2 displacementAt(ivec2 pixel, bool after) {
-#if HAS_after_velocity
-  if (after) return limited(texelFetch(after_velocity_tex, pixel, 0));
+// How paths of the first two layers are curved; of the others they are straight.
+vec4 curveAt(int layer, ivec2 pixel) {
+#if HAS_curve
+  if (layer == kRaster) return texelFetch(curve_tex, pixel, 0);
 #endif
-  return limited(texelFetch(velocity_tex, pixel, 0));
+#if HAS_revealed_curve
+  if (layer == kRevealed) return texelFetch(revealed_curve_tex, pixel, 0);
+#endif
+  return vec4(0);
 }
 
-vec2 heldDisplacementAt(int layer, ivec2 pixel, bool after) {
+// Displacements of the layers in the part of the exposure after the capture, or before it.
+vec4 displacementAt(ivec2 pixel, bool after) {
+#if HAS_after_velocity
+  if (after) return texelFetch(after_velocity_tex, pixel, 0);
+#endif
+  return texelFetch(velocity_tex, pixel, 0);
+}
+
+vec4 heldDisplacementAt(int layer, ivec2 pixel, bool after) {
 #if HAS_open_velocity
-  if (layer == kOpenEnd) return limited(texelFetch(open_velocity_tex, pixel, 0));
+  if (layer == kOpenEnd) return texelFetch(open_velocity_tex, pixel, 0);
 #endif
 #if HAS_close_velocity
-  if (layer == kCloseEnd) return limited(texelFetch(close_velocity_tex, pixel, 0));
+  if (layer == kCloseEnd) return texelFetch(close_velocity_tex, pixel, 0);
 #endif
 #if HAS_revealed_2_after_velocity
-  if (after && layer == kRevealed + 1) return limited(texelFetch(revealed_2_after_velocity_tex, pixel, 0));
+  if (after && layer == kRevealed + 1) return texelFetch(revealed_2_after_velocity_tex, pixel, 0);
 #endif
 #if HAS_revealed_3_after_velocity
-  if (after && layer == kRevealed + 2) return limited(texelFetch(revealed_3_after_velocity_tex, pixel, 0));
+  if (after && layer == kRevealed + 2) return texelFetch(revealed_3_after_velocity_tex, pixel, 0);
 #endif
 #if HAS_revealed_4_after_velocity
-  if (after && layer == kRevealed + 3) return limited(texelFetch(revealed_4_after_velocity_tex, pixel, 0));
+  if (after && layer == kRevealed + 3) return texelFetch(revealed_4_after_velocity_tex, pixel, 0);
 #endif
 #if HAS_revealed_after_velocity
-  if (after) return limited(texelFetch(revealed_after_velocity_tex, pixel, 0));
+  if (after) return texelFetch(revealed_after_velocity_tex, pixel, 0);
 #endif
 #if HAS_revealed_2_velocity
-  if (layer == kRevealed + 1) return limited(texelFetch(revealed_2_velocity_tex, pixel, 0));
+  if (layer == kRevealed + 1) return texelFetch(revealed_2_velocity_tex, pixel, 0);
 #endif
 #if HAS_revealed_3_velocity
-  if (layer == kRevealed + 2) return limited(texelFetch(revealed_3_velocity_tex, pixel, 0));
+  if (layer == kRevealed + 2) return texelFetch(revealed_3_velocity_tex, pixel, 0);
 #endif
 #if HAS_revealed_4_velocity
-  if (layer == kRevealed + 3) return limited(texelFetch(revealed_4_velocity_tex, pixel, 0));
+  if (layer == kRevealed + 3) return texelFetch(revealed_4_velocity_tex, pixel, 0);
 #endif
-  return limited(texelFetch(revealed_velocity_tex, pixel, 0));
+  return texelFetch(revealed_velocity_tex, pixel, 0);
+}
+
+Path pathOf(int layer, ivec2 pixel, bool after) {
+  vec4 d = layer == kRaster ? displacementAt(pixel, after) : heldDisplacementAt(layer, pixel, after);
+  return limitedPath(d, curveAt(layer, pixel));
 }
 
 vec3 colorOf(int layer, ivec2 now) {
@@ -184,9 +206,27 @@ float timeFrom(int layer, float t) {
 // How far from where it should be a texel may be, px.
 float toleranceOf(vec2 d) { return max(0.75, lengthOf(d) / float(2 * params.samples)); }
 
-Candidates withCandidate(Candidates candidates, vec2 d) {
+Path candidate(Candidates candidates, int k) {
+#if HAS_curve
+  return onCurve(vec2(candidates.x[k], candidates.y[k]), candidates.curves[k]);
+#else
+  return straight(vec2(candidates.x[k], candidates.y[k]));
+#endif
+}
+
+// Of a tile's displacement nobody knows the texel.
+const ivec2 kNoTexel = ivec2(-1);
+
+Candidates withCandidate(Candidates candidates, Path path, ivec2 texel) {
+  vec2 d = path.d;
   vec4 x = candidates.x - d.x, y = candidates.y - d.y;
   vec4 squares = x * x + y * y;
+#if HAS_curve
+  for (int k = 0; k < kMaxCandidates; ++k) {
+    vec4 apart = candidates.curves[k] - path.curve;
+    squares[k] += dot(apart, apart);
+  }
+#endif
   float nearest = min(min(squares.x, squares.y), min(squares.z, squares.w));
   if (nearest <= 0.25) return candidates;
   if (candidates.count == kMaxCandidates) {
@@ -195,15 +235,19 @@ Candidates withCandidate(Candidates candidates, vec2 d) {
   }
   candidates.x[candidates.count] = d.x;
   candidates.y[candidates.count] = d.y;
+#if HAS_curve
+  candidates.curves[candidates.count] = path.curve;
+  candidates.texels[candidates.count] = texel;
+#endif
   candidates.tolerance_px[candidates.count] = toleranceOf(d);
   candidates.count += 1;
   return candidates;
 }
 
 Candidates withAllLayers(Candidates candidates, ivec2 at, bool behind, bool after) {
-  candidates = withCandidate(candidates, displacementAt(at, after));
+  candidates = withCandidate(candidates, pathOf(kRaster, at, after), at);
   for (int layer = kRevealed; behind && layer <= kLastRevealed && isHeld(layer, at); ++layer)
-    candidates = withCandidate(candidates, heldDisplacementAt(layer, at, after));
+    candidates = withCandidate(candidates, pathOf(layer, at, after), at);
   return candidates;
 }
 
@@ -219,12 +263,12 @@ int nearest(int k) {
 }
 
 // From the pixel outwards, since only the first few count: the same whichever way time runs.
-Candidates harvested(Candidates candidates, ivec2 pixel, vec2 d, float jitter, bool behind, bool after) {
+Candidates harvested(Candidates candidates, ivec2 pixel, Path path, float jitter, bool behind, bool after) {
   ivec2 size = textureSize(color_tex, 0);
   bool one_sided = !isCentred(frame.shutter);  // else the taps lie to both sides already
   for (int k = 0; k < params.samples && !isFull(candidates); ++k) {
     int i = clamp(nearest(k), 0, params.samples - 1);
-    ivec2 offset = roundSymmetric(tapOffset(d, sampleTime(i, params.samples, jitter, frame.shutter)));
+    ivec2 offset = roundSymmetric(tapOffset(path, sampleTime(i, params.samples, jitter, frame.shutter)));
     if (isInside(pixel + offset, size)) candidates = withAllLayers(candidates, pixel + offset, behind, after);
     if (one_sided && isInside(pixel - offset, size)) {
       candidates = withAllLayers(candidates, pixel - offset, behind, after);
@@ -235,30 +279,30 @@ Candidates harvested(Candidates candidates, ivec2 pixel, vec2 d, float jitter, b
 
 // The displacements of the tile.
 struct Dominant {
-  vec2 d, second, revealed;
+  Path longest, second, revealed;
 };
 
 Dominant dominantBefore(ivec2 tile) {
-  vec2 d = vec2(texelFetch(dominant_tex, tile, 0));
-  Dominant dominant = Dominant(d, d, d);
+  Path longest = dominantPath(vec2(texelFetch(dominant_tex, tile, 0)), tile);
+  Dominant dominant = Dominant(longest, longest, longest);
 #if HAS_second
-  dominant.second = vec2(texelFetch(second_tex, tile, 0));
+  dominant.second = straight(vec2(texelFetch(second_tex, tile, 0)));
 #endif
 #if HAS_revealed_dominant
-  dominant.revealed = vec2(texelFetch(revealed_dominant_tex, tile, 0));
+  dominant.revealed = straight(vec2(texelFetch(revealed_dominant_tex, tile, 0)));
 #endif
   return dominant;
 }
 
 Dominant dominantAfter(ivec2 tile) {
 #if HAS_after_dominant
-  vec2 d = vec2(texelFetch(after_dominant_tex, tile, 0));
-  Dominant dominant = Dominant(d, d, d);
+  Path longest = straight(vec2(texelFetch(after_dominant_tex, tile, 0)));
+  Dominant dominant = Dominant(longest, longest, longest);
 #if HAS_after_second
-  dominant.second = vec2(texelFetch(after_second_tex, tile, 0));
+  dominant.second = straight(vec2(texelFetch(after_second_tex, tile, 0)));
 #endif
 #if HAS_revealed_after_dominant
-  dominant.revealed = vec2(texelFetch(revealed_after_dominant_tex, tile, 0));
+  dominant.revealed = straight(vec2(texelFetch(revealed_after_dominant_tex, tile, 0)));
 #endif
   return dominant;
 #else
@@ -267,14 +311,24 @@ Dominant dominantAfter(ivec2 tile) {
 }
 
 Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool behind, bool after) {
-  Candidates candidates = Candidates(vec4(kUnused), vec4(kUnused), vec4(0), 0, false);
-  candidates = withCandidate(candidates, dominant.d);
-  candidates = withCandidate(candidates, dominant.second);
-  candidates = withCandidate(candidates, dominant.revealed);
+  Candidates candidates;
+  candidates.x = candidates.y = vec4(kUnused);
+  candidates.tolerance_px = vec4(0);
+  candidates.count = 0;
+  candidates.crowded = false;
+#if HAS_curve
+  for (int k = 0; k < kMaxCandidates; ++k) {
+    candidates.curves[k] = vec4(0);
+    candidates.texels[k] = kNoTexel;
+  }
+#endif
+  candidates = withCandidate(candidates, dominant.longest, kNoTexel);
+  candidates = withCandidate(candidates, dominant.second, kNoTexel);
+  candidates = withCandidate(candidates, dominant.revealed, kNoTexel);
   candidates = withAllLayers(candidates, pixel, behind, after);
 #if PARAM_harvest
-  candidates = harvested(candidates, pixel, dominant.d, jitter, behind, after);
-  if (lengthOf(dominant.second - dominant.d) > 0.5) {
+  candidates = harvested(candidates, pixel, dominant.longest, jitter, behind, after);
+  if (lengthOf(dominant.second.d - dominant.longest.d) > 0.5) {
     candidates = harvested(candidates, pixel, dominant.second, jitter, behind, after);
   }
 #endif
@@ -286,7 +340,34 @@ Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool behin
 
 // Where, of a guess, what the texel there says instead: motion that varies over a surface (perspective, turning) is met
 // by asking once more from where the first guess led. A texel that passes `isAt` is at the pixel, however it was found.
-ivec2 asked(ivec2 pixel, vec2 d, float t) { return pixel + roundSymmetric(tapOffset(d, t)); }
+ivec2 asked(ivec2 pixel, Path path, float t) { return pixel + roundSymmetric(tapOffset(path, t)); }
+
+#if HAS_curve
+// By how much a path changes from a texel to the next along an axis, px at time t; 0 where the texels beside it are of
+// something else.
+vec2 slopeOf(int layer, ivec2 now, ivec2 axis, vec2 offset, float t) {
+  for (int side = 1; side >= -1; side -= 2) {
+    ivec2 at = now + side * axis;
+    if (!isInside(at, textureSize(color_tex, 0)) || (layer != kRaster && !isHeld(layer, at))) continue;
+    vec2 slope = float(side) * (tapOffset(pathOf(layer, at, t > 0.0), t) - offset);
+    if (dot(slope, slope) <= kMostSlope * kMostSlope) return slope;
+  }
+  return vec2(0);
+}
+#endif
+
+// The same of a texel `now` of a layer. Where paths are curved things turn: they vary over a surface by as much as it turns,
+// so that Newton's step is taken; it leads there at once where a surface is turned or stretched alike.
+ivec2 askedOf(int layer, ivec2 pixel, ivec2 now, Path path, float t) {
+#if HAS_curve
+  vec2 offset = tapOffset(path, t);
+  vec2 off = vec2(now - pixel) - offset;
+  mat2 change = mat2(vec2(1, 0) - slopeOf(layer, now, ivec2(1, 0), offset, t),
+                     vec2(0, 1) - slopeOf(layer, now, ivec2(0, 1), offset, t));
+  if (abs(determinant(change)) >= 0.1) return ivec2(round(vec2(now) - inverse(change) * off));
+#endif
+  return asked(pixel, path, t);
+}
 
 Seen nearer(Seen seen, int layer, ivec2 now, float depth) {
   if (seen.layer != kNothing && depth >= seen.depth * kSameDepth) return seen;
@@ -296,9 +377,11 @@ Seen nearer(Seen seen, int layer, ivec2 now, float depth) {
 Seen nearerRaster(Seen seen, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
   bool after = t > 0.0;
   for (int i = 0; i < kGuesses; ++i) {
-    vec2 d = displacementAt(now, after);
-    if (isAt(pixel, now, d, t, tolerance_px)) return nearer(seen, kRaster, now, saneDepth(texelFetch(depth_tex, now, 0).x));
-    ivec2 next = asked(pixel, d, t);
+    Path path = pathOf(kRaster, now, after);
+    if (isAt(pixel, now, path, t, tolerance_px)) {
+      return nearer(seen, kRaster, now, saneDepth(texelFetch(depth_tex, now, 0).x));
+    }
+    ivec2 next = askedOf(kRaster, pixel, now, path, t);
     if (next == now || !isInside(next, textureSize(color_tex, 0))) break;
     now = next;
   }
@@ -309,9 +392,9 @@ Seen nearerHeld(Seen seen, int layer, ivec2 pixel, ivec2 now, float t, float tol
   bool after = t > 0.0;
   float way = timeFrom(layer, t);
   for (int i = 0; i < kGuesses && isHeld(layer, now); ++i) {
-    vec2 d = heldDisplacementAt(layer, now, after);
-    if (isAt(pixel, now, d, way, tolerance_px)) return nearer(seen, layer, now, depthOf(layer, now));
-    ivec2 next = asked(pixel, d, way);
+    Path path = pathOf(layer, now, after);
+    if (isAt(pixel, now, path, way, tolerance_px)) return nearer(seen, layer, now, depthOf(layer, now));
+    ivec2 next = askedOf(layer, pixel, now, path, way);
     if (next == now || !isInside(next, textureSize(color_tex, 0))) break;
     now = next;
   }
@@ -320,7 +403,7 @@ Seen nearerHeld(Seen seen, int layer, ivec2 pixel, ivec2 now, float t, float tol
 
 // Of what an end of the exposure alone sees, by a displacement; what it is at is followed from there.
 Seen nearerEnd(Seen seen, int layer, ivec2 pixel, vec2 d, float t) {
-  ivec2 now = asked(pixel, d, timeFrom(layer, t));
+  ivec2 now = asked(pixel, straight(d), timeFrom(layer, t));
   if (!isInside(now, textureSize(color_tex, 0))) return seen;
   return nearerHeld(seen, layer, pixel, now, t, toleranceOf(d));
 }
@@ -329,11 +412,11 @@ Seen nearerEnd(Seen seen, int layer, ivec2 pixel, vec2 d, float t) {
 Seen nearerEnds(Seen seen, ivec2 pixel, float t) {
 #if HAS_open_valid
   seen = nearerEnd(seen, kOpenEnd, pixel, vec2(texelFetch(open_dominant_tex, pixel / params.tile, 0)), t);
-  if (isHeld(kOpenEnd, pixel)) seen = nearerEnd(seen, kOpenEnd, pixel, heldDisplacementAt(kOpenEnd, pixel, false), t);
+  if (isHeld(kOpenEnd, pixel)) seen = nearerEnd(seen, kOpenEnd, pixel, pathOf(kOpenEnd, pixel, false).d, t);
 #endif
 #if HAS_close_valid
   seen = nearerEnd(seen, kCloseEnd, pixel, vec2(texelFetch(close_dominant_tex, pixel / params.tile, 0)), t);
-  if (isHeld(kCloseEnd, pixel)) seen = nearerEnd(seen, kCloseEnd, pixel, heldDisplacementAt(kCloseEnd, pixel, false), t);
+  if (isHeld(kCloseEnd, pixel)) seen = nearerEnd(seen, kCloseEnd, pixel, pathOf(kCloseEnd, pixel, false).d, t);
 #endif
   return seen;
 }
@@ -348,7 +431,7 @@ bool isUnsure(ivec2 pixel, ivec2 now, vec2 offset, float t) {
   int there = 0;
   for (int k = 0; k < 4; ++k) {
     ivec2 at = clampToImage(now + ivec2(k & 1, k >> 1) * beside, size);
-    there += isAt(pixel, at, displacementAt(at, t > 0.0), t, 1.5) ? 1 : 0;
+    there += isAt(pixel, at, pathOf(kRaster, at, t > 0.0), t, 1.5) ? 1 : 0;
   }
   return there % 4 != 0;
 #else
@@ -356,25 +439,36 @@ bool isUnsure(ivec2 pixel, ivec2 now, vec2 offset, float t) {
 #endif
 }
 
+// Where the search begins that a candidate leads to `now`: on curves at its texel, from which Newton's step leads farther.
+ivec2 startAt(int layer, Candidates candidates, int k, ivec2 now) {
+#if HAS_curve
+  ivec2 texel = candidates.texels[k];
+  if (texel != kNoTexel && (layer == kRaster || isHeld(layer, texel))) return texel;
+#endif
+  return now;
+}
+
 Seen seenAt(ivec2 pixel, Candidates candidates, bool behind, float t) {
   ivec2 size = textureSize(color_tex, 0);
   Seen seen = nearerEnds(Seen(kNothing, pixel, 0.0, false), pixel, t);
   for (int k = 0; k < candidates.count; ++k) {
-    vec2 d = vec2(candidates.x[k], candidates.y[k]);
+    Path path = candidate(candidates, k);
     float tolerance_px = candidates.tolerance_px[k];
 #if HAS_open_valid
-    seen = nearerEnd(seen, kOpenEnd, pixel, d, t);
+    seen = nearerEnd(seen, kOpenEnd, pixel, path.d, t);
 #endif
 #if HAS_close_valid
-    seen = nearerEnd(seen, kCloseEnd, pixel, d, t);
+    seen = nearerEnd(seen, kCloseEnd, pixel, path.d, t);
 #endif
-    vec2 offset = tapOffset(d, t);
-    ivec2 now = pixel + roundSymmetric(offset);
-    if (!isInside(now, size)) continue;
-    seen.unsure = seen.unsure || isUnsure(pixel, now, offset, t);
-    seen = nearerRaster(seen, pixel, now, t, tolerance_px);
-    for (int layer = kRevealed; behind && layer <= kLastRevealed; ++layer)
-      seen = nearerHeld(seen, layer, pixel, now, t, tolerance_px);
+    vec2 offset = tapOffset(path, t);
+    ivec2 now = pixel + roundSymmetric(offset), start = startAt(kRaster, candidates, k, now);
+    if (!isInside(start, size)) continue;
+    if (isInside(now, size)) seen.unsure = seen.unsure || isUnsure(pixel, now, offset, t);
+    seen = nearerRaster(seen, pixel, start, t, tolerance_px);
+    for (int layer = kRevealed; behind && layer <= kLastRevealed; ++layer) {
+      start = startAt(layer, candidates, k, now);
+      if (isInside(start, size)) seen = nearerHeld(seen, layer, pixel, start, t, tolerance_px);
+    }
   }
   return seen;
 }
@@ -422,17 +516,13 @@ bool isBehind(ivec2 cell) {
 #endif
 }
 
-vec2 displacementOf(int layer, ivec2 at, bool after) {
-  return layer == kRaster ? displacementAt(at, after) : heldDisplacementAt(layer, at, after);
-}
-
 // The colour of what was found: of the texel, or where the sample lies between the centres of four, of those of them that
 // are there too.
 vec3 colorFound(Seen seen, ivec2 pixel, float t) {
 #if PARAM_taps == taps_linear
   bool after = t > 0.0;
   float way = timeFrom(seen.layer, t);
-  vec2 offset = tapOffset(displacementOf(seen.layer, seen.now, after), way);
+  vec2 offset = tapOffset(pathOf(seen.layer, seen.now, after), way);
   vec2 low = floor(offset), share = offset - low;
   ivec2 first = pixel + ivec2(low), size = textureSize(color_tex, 0);
   vec3 sum = vec3(0);
@@ -442,7 +532,7 @@ vec3 colorFound(Seen seen, ivec2 pixel, float t) {
     vec2 part = mix(1.0 - share, share, equal(corner, ivec2(1)));
     float weight = part.x * part.y;
     if (weight < 1e-3 || !isInside(at, size) || (seen.layer != kRaster && !isHeld(seen.layer, at))) continue;
-    if (!isAt(pixel, at, displacementOf(seen.layer, at, after), way, 1.5)) continue;
+    if (!isAt(pixel, at, pathOf(seen.layer, at, after), way, 1.5)) continue;
     sum += weight * toSum(colorOf(seen.layer, at));
     weights += weight;
   }

@@ -4,7 +4,9 @@
 // In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure), dominant (the same, per tile);
 //      slowest (px over the exposure, the shortest displacement around, per tile; absent: no cheap path);
 //      valid (> 1/2: the layer has a texel there; absent: everywhere);
-//      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere).
+//      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere);
+//      curve, dominant_curve (of the paths of velocity and dominant, px; absent: lines): taps then lie on the curve of the
+//      dominant one, and a pixel spreads as far as its own goes; all else is as it was.
 // Out: blurred, colour times alpha and alpha.
 // Paths: copy where nothing around spreads farther than copy_below; cheap, the plain mean of the taps, where the
 //   slowest displacement around is longer than cheap_ratio times the dominant one; else full. Counters tell how many took each.
@@ -24,6 +26,7 @@
 //   there appear a second time; outside, the background under the object comes from the opposite side. One direction.
 #include "mixin/jitter.glsl"
 #include "mixin/layer.glsl"
+#include "mixin/path.glsl"
 #include "mixin/stored.glsl"
 
 struct Tap {
@@ -51,7 +54,7 @@ struct Sums {
 
 Tap tapAt(ivec2 pixel, float reach) {
   Texel texel = texelAt(pixel);
-  return Tap(texel.color, texel.depth, texel.d, reach * lengthOf(texel.d));
+  return Tap(texel.color, texel.depth, texel.d, reach * spreadAt(pixel, texel.d));
 }
 
 // How much of what a tap spreads along its own motion falls along the dominant one.
@@ -91,11 +94,11 @@ float frontShare(Gather gather, Tap tap, float steps) {
   return inFrontOf(tap.depth, gather.behind, params.depth_extent) * spreadOver(gather, tap.radius, steps);
 }
 
-Sums withPair(Sums sums, Gather gather, ivec2 pixel, ivec2 offset, float steps) {
+Sums withPair(Sums sums, Gather gather, ivec2 pixel, ivec2 offset, ivec2 opposite, float steps) {
   ivec2 size = textureSize(color_tex, 0);
-  ivec2 at_a = clampToImage(pixel + offset, size), at_b = clampToImage(pixel - offset, size);
+  ivec2 at_a = clampToImage(pixel + offset, size), at_b = clampToImage(pixel + opposite, size);
   Tap a = tapAt(at_a, gather.reach), b = tapAt(at_b, gather.reach);
-  vec2 weights = vec2(tapWeight(gather, a, steps, offset), tapWeight(gather, b, steps, -offset));
+  vec2 weights = vec2(tapWeight(gather, a, steps, offset), tapWeight(gather, b, steps, opposite));
 #if PARAM_mirror
   if (isValid(at_a) && isValid(at_b)) weights = mirrored(a, b, weights);
 #endif
@@ -130,6 +133,9 @@ int sampleCount(vec2 d) {
 
 // Does everything around move nearly as fast as the dominant displacement?
 bool movesAsOne(ivec2 pixel, vec2 d) {
+#if HAS_curve && HAS_dominant_curve
+  if (texelFetch(dominant_curve_tex, pixel / params.tile, 0) != vec4(0)) return false;  // the mean is taken along a line
+#endif
 #if HAS_slowest
   return texelFetch(slowest_tex, pixel / params.tile, 0).x > params.cheap_ratio * lengthOf(d);
 #else
@@ -153,16 +159,25 @@ vec3 plainMean(ivec2 pixel, vec2 d, int count, float jitter) {
   return fromSum(sum / float(count));
 }
 
-vec4 fullGather(ivec2 pixel, Gather gather, int count, float jitter) {
+vec4 fullGather(ivec2 pixel, Gather gather, Path path, int count, float jitter) {
   Sums sums = Sums(vec4(0), 0.0);
   vec2 far_end = farEnd(gather.d);
   int taken = isCentred(frame.shutter) ? count / 2 : count;
   for (int i = 0; i < taken; ++i) {
     float steps = float(i) + 0.5 + jitter;
+    float part = steps / float(count);
     if (isCentred(frame.shutter)) {
-      sums = withPair(sums, gather, pixel, roundSymmetric(gather.d * (steps / float(count))), steps);
+      ivec2 offset = roundSymmetric(gather.d * part), opposite = -offset;
+#if HAS_curve
+      offset = roundSymmetric(tapOffset(path, -part)), opposite = roundSymmetric(tapOffset(path, part));
+#endif
+      sums = withPair(sums, gather, pixel, offset, opposite, steps);
     } else {
-      sums = withTap(sums, gather, pixel, roundSymmetric(far_end * (steps / float(count))), steps);
+      ivec2 offset = roundSymmetric(far_end * part);
+#if HAS_curve
+      offset = roundSymmetric(tapOffset(path, part * (frame.shutter.x < 0.0 ? frame.shutter.x : frame.shutter.y)));
+#endif
+      sums = withTap(sums, gather, pixel, offset, steps);
     }
   }
   vec4 shown = sums.shown / float(count);
@@ -197,5 +212,5 @@ void run(ivec2 pixel) {
   count_full(1u);
   Tap here = tapAt(pixel, reach);
   Gather gather = Gather(here, d, reach, lengthOf(d) / float(count), over, behindDepth(pixel, here.depth));
-  imageStore(blurred_img, pixel, storedColor(fullGather(pixel, gather, count, jitter)));
+  imageStore(blurred_img, pixel, storedColor(fullGather(pixel, gather, dominantPath(d, pixel / params.tile), count, jitter)));
 }

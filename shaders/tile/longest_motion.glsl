@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The length of the longest displacement of the whole picture, from those of its tiles.
 // In:  longest, after, revealed, revealed_after (xy: px over the exposure, longest of each tile; absent: nothing).
+//      curve (of the paths of longest, px; absent: lines): a curved one is as long as the straight one that comes as far.
 // Out: reach (px over the exposure), one texel.
-#include "lib/blur.glsl"
+#include "lib/path.glsl"
 
 float longestOf(sampler2D tiles) {
   ivec2 size = textureSize(tiles, 0);
@@ -13,8 +14,22 @@ float longestOf(sampler2D tiles) {
   return longest;
 }
 
+float longestCurved() {
+  float longest = 0.0;
+#if HAS_curve
+  ivec2 size = textureSize(longest_tex, 0);
+  for (int y = 0; y < size.y; ++y) {
+    for (int x = 0; x < size.x; ++x) {
+      vec2 d = vec2(texelFetch(longest_tex, ivec2(x, y), 0));
+      longest = max(longest, reachOf(d, texelFetch(curve_tex, ivec2(x, y), 0), frame.shutter));
+    }
+  }
+#endif
+  return longest;
+}
+
 void run(ivec2 pixel) {
-  float reach = longestOf(longest_tex);
+  float reach = max(longestOf(longest_tex), longestCurved());
 #if HAS_after
   reach = max(reach, longestOf(after_tex));
 #endif

@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: MIT
 // Per cell, between which displacements all of it lie.
 // In:  velocity, after_velocity (px over the exposure; absent: velocity), valid (> 1/2: the texel counts);
+//      curve (of their paths, px; absent: lines): counted as the straight displacements that hold a path;
 //      others (bounds of another layer).
 // Out: bounds (of both; least x and y, greatest x and y, px over the exposure, shortened to the limit as by filters).
 //      A cell without texels that count holds kNoBounds. The last cells may be partial.
 #include "lib/bounds.glsl"
-#include "lib/sanitise.glsl"
-#include "mixin/limit.glsl"
+#include "mixin/path.glsl"
 
 vec4 with(vec4 bounds, vec4 texel) {
   vec2 d = clampLength(finiteDisplacement(texel), limitPx());
   return vec4(min(lowOf(bounds), d), max(highOf(bounds), d));
+}
+
+vec4 withCurve(vec4 bounds, ivec2 pixel) {
+#if HAS_curve
+  Path path = limitedPath(texelFetch(velocity_tex, pixel, 0), texelFetch(curve_tex, pixel, 0));
+  vec2 around[4];
+  straightened(path.d, path.curve, frame.shutter, around);
+  for (int k = 0; k < 4; ++k) bounds = vec4(min(lowOf(bounds), around[k]), max(highOf(bounds), around[k]));
+#endif
+  return bounds;
 }
 
 bool counts(ivec2 pixel) {
@@ -33,7 +43,7 @@ void run(ivec2 cell) {
     for (int x = first.x; x < end.x; ++x) {
       ivec2 pixel = ivec2(x, y);
       if (!counts(pixel)) continue;
-      bounds = with(bounds, texelFetch(velocity_tex, pixel, 0));
+      bounds = withCurve(with(bounds, texelFetch(velocity_tex, pixel, 0)), pixel);
 #if HAS_after_velocity
       bounds = with(bounds, texelFetch(after_velocity_tex, pixel, 0));
 #endif

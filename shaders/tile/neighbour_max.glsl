@@ -3,7 +3,8 @@
 // one that differs from it.
 // In:  longest (px over the exposure, per tile); motions (xy, zw: two displacements that stand for all in a tile;
 //      absent: longest is all there is).
-// Out: dominant, the longest accepted; second, the one accepted that differs most from it and is not at rest (dominant
+//      curve (of the path of longest, px; absent: it is a line).
+// Out: dominant, the longest accepted, and dominant_curve; second, the one accepted that differs most from it and is not at rest (dominant
 //      again if there is none): what else moves here. Both px over the exposure.
 // Tiles up to ceil(limit * width * reach / tile) away are asked, reach = 1 one-sided, 1/2 centred. Rule `all` accepts
 // each of them. Rule `sign` is that of Guertin et al. 2014: a displacement must have a component along each axis on
@@ -13,7 +14,7 @@
 // raster order.
 // Fails: dominant judges a tile by its longest displacement; a slower pixel in it that comes this way while the longest
 // does not is lost.
-#include "mixin/limit.glsl"
+#include "mixin/path.glsl"
 
 // Open interval of times at which a tile `offset` tiles away that moves by d (px along one axis) overlaps this tile
 // along that axis: |offset * tile + d * t| < tile.
@@ -42,6 +43,38 @@ bool pointsHere(ivec2 offset, vec2 d) {
   return found == (frame.shutter.x < 0.0 ? needed : -needed);
 }
 
+// How far the longest of a tile comes, as a straight displacement.
+float lengthAt(ivec2 tile, vec2 d) {
+#if HAS_curve
+  return reachOf(d, texelFetch(curve_tex, tile, 0), frame.shutter);
+#else
+  return lengthOf(d);
+#endif
+}
+
+bool isCurved(ivec2 tile) {
+#if HAS_curve
+  return texelFetch(curve_tex, tile, 0) != vec4(0);
+#else
+  return false;
+#endif
+}
+
+// Does the tile's box, moved along its curve, overlap this tile within the exposure? Looked at in steps of half a tile, or
+// of 1/64 of the exposure, whatever the rule.
+bool comesHere(ivec2 tile, ivec2 offset, vec2 d) {
+#if HAS_curve
+  vec4 curve = texelFetch(curve_tex, tile, 0);
+  vec2 at = vec2(offset * params.tile), side = vec2(params.tile);
+  int steps = clamp(int(4.0 * reachOf(d, curve, frame.shutter)) / params.tile, 4, 64);
+  for (int i = 0; i <= steps; ++i) {
+    vec2 moved = movedBy(d, curve, timeAt(float(i), steps, frame.shutter), frame.shutter);
+    if (all(lessThan(abs(at + moved), side))) return true;
+  }
+#endif
+  return false;
+}
+
 bool accepts(ivec2 offset, vec2 d) {
 #if PARAM_rule == rule_reach
   return reaches(offset, d);
@@ -65,13 +98,19 @@ void run(ivec2 pixel) {
   ivec2 last = min(pixel + radius, size - 1);
 
   vec2 dominant = vec2(0);
+  vec4 curve = vec4(0);
   float dominant_length = 0.0;
   for (int y = first.y; y <= last.y; ++y) {
     for (int x = first.x; x <= last.x; ++x) {
       vec2 d = vec2(texelFetch(longest_tex, ivec2(x, y), 0));
-      float d_length = lengthOf(d);
-      if (d_length <= dominant_length || !accepts(ivec2(x, y) - pixel, d)) continue;
+      ivec2 tile = ivec2(x, y);
+      float d_length = lengthAt(tile, d);
+      if (d_length <= dominant_length) continue;
+      if (!(isCurved(tile) ? comesHere(tile, tile - pixel, d) : accepts(tile - pixel, d))) continue;
       dominant = d;
+#if HAS_curve
+      curve = texelFetch(curve_tex, tile, 0);
+#endif
       dominant_length = d_length;
     }
   }
@@ -89,5 +128,6 @@ void run(ivec2 pixel) {
     }
   }
   imageStore(dominant_img, pixel, vec4(dominant, 0, 0));
+  imageStore(dominant_curve_img, pixel, curve);
   imageStore(second_img, pixel, vec4(second, 0, 0));
 }

@@ -2,23 +2,27 @@
 // Per tile, the longest displacement in it (McGuire 2012, TileMax), shortened to the limit.
 // In:  velocity (px over the exposure), valid (> 1/2: the texel counts; absent: all count);
 //      extra_velocity and extra_valid: a second layer over the same pixels, its texels count as well.
+//      curve, extra_curve (of their paths, px; absent: lines): a curved path is as long as the straight one that comes as far.
 // Out: longest (px over the exposure, at most limit * image width long). Of equal lengths the first in raster order
-//      wins, and of the two layers the first. A tile without texels that count holds 0. The last tiles may be partial.
+//      wins, and of the two layers the first; curve_of_it. A tile without texels that count holds 0. The last tiles may be partial.
 // Fails: one vector stands for a tile; crossing motions in it are lost.
-#include "mixin/limit.glsl"
-#include "lib/sanitise.glsl"
+#include "mixin/path.glsl"
 
 struct Longest {
   vec2 d;
-  float d_length;
+  vec4 curve;
+  float d_length;  // of the straight displacement that comes as far
   uint clamped;  // texels longer than the limit
 };
 
-Longest longestOf(Longest so_far, vec2 d, float limit_px) {
+Longest longestOf(Longest so_far, vec2 d, vec4 curve, float limit_px) {
   float d_length = lengthOf(d);
   uint clamped = so_far.clamped + (d_length > limit_px ? 1u : 0u);
-  if (d_length > so_far.d_length) return Longest(d, d_length, clamped);
-  return Longest(so_far.d, so_far.d_length, clamped);
+#if HAS_curve
+  if (curve != vec4(0)) d_length = reachOf(d, curve, frame.shutter);
+#endif
+  if (d_length > so_far.d_length) return Longest(d, curve, d_length, clamped);
+  return Longest(so_far.d, so_far.curve, so_far.d_length, clamped);
 }
 
 bool counts(ivec2 pixel) {
@@ -37,25 +41,50 @@ bool extraCounts(ivec2 pixel) {
 #endif
 }
 
+vec4 curveAt(ivec2 pixel) {
+#if HAS_curve
+  return texelFetch(curve_tex, pixel, 0);
+#else
+  return vec4(0);
+#endif
+}
+
+vec4 extraCurveAt(ivec2 pixel) {
+#if HAS_extra_curve
+  return texelFetch(extra_curve_tex, pixel, 0);
+#else
+  return vec4(0);
+#endif
+}
+
 void run(ivec2 pixel) {
   ivec2 size = textureSize(velocity_tex, 0);
   ivec2 first = pixel * params.tile;
   ivec2 end = min(first + params.tile, size);
   float limit_px = limitPx();
 
-  Longest longest = Longest(vec2(0), 0.0, 0u);
+  Longest longest = Longest(vec2(0), vec4(0), 0.0, 0u);
   for (int y = first.y; y < end.y; ++y) {
     for (int x = first.x; x < end.x; ++x) {
       ivec2 p = ivec2(x, y);
-      if (counts(p)) longest = longestOf(longest, finiteDisplacement(texelFetch(velocity_tex, p, 0)), limit_px);
+      if (counts(p)) {
+        longest = longestOf(longest, finiteDisplacement(texelFetch(velocity_tex, p, 0)), curveAt(p), limit_px);
+      }
 #if HAS_extra_velocity
       if (extraCounts(p)) {
-        longest = longestOf(longest, finiteDisplacement(texelFetch(extra_velocity_tex, p, 0)), limit_px);
+        vec2 d = finiteDisplacement(texelFetch(extra_velocity_tex, p, 0));
+        longest = longestOf(longest, d, extraCurveAt(p), limit_px);
       }
 #endif
     }
   }
 
   if (longest.clamped > 0u) count_clamped(longest.clamped);
-  imageStore(longest_img, pixel, vec4(clampLength(longest.d, limit_px), 0, 0));
+  Path path = limitedPath(vec4(longest.d, 0, 0), longest.curve);
+  imageStore(longest_img, pixel, vec4(path.d, 0, 0));
+#if HAS_curve
+  imageStore(curve_of_it_img, pixel, path.curve);
+#else
+  imageStore(curve_of_it_img, pixel, vec4(0));
+#endif
 }

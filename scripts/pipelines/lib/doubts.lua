@@ -62,19 +62,25 @@ function doubts.looked_at(seen, revealed)
     local function keep(name, of, images)
       for _, image in ipairs(images) do result[name .. "_" .. image] = of[image] end
     end
-    keep("raster", bend_of(seen, "raster"), { "bend", "bent" })
+    local function keep_bend(name, layer)
+      if not layer.curve then keep(name, bend_of(layer, name), { "bend", "bent" }) end
+    end
+    keep_bend("raster", seen)
     keep("open", unseen_of("open", unseen_open, hits.open, seen, revealed[1]), { "unseen", "velocity", "bend" })
     keep("close", unseen_of("close", unseen_close, hits.close, seen, revealed[1]), { "unseen", "velocity", "bend" })
     for number, layer in ipairs(revealed) do
-      keep("revealed_" .. number, bend_of(layer, "revealed_" .. number), { "bend", "bent" })
+      keep_bend("revealed_" .. number, layer)
     end
     return result
   end }
-  local raster = bounds_of("raster_bent", whole_of(seen), found.raster_bend, found.raster_bent)
+  local function bounds_of_layer(name, layer, others)
+    local bend, bent = layer.bend or found[name .. "_bend"], layer.bent or found[name .. "_bent"]
+    return bounds_of(name .. "_bent", whole_of(layer), bend, bent, others)
+  end
+  local raster = bounds_of_layer("raster", seen)
   local behind
   for number, layer in ipairs(revealed) do
-    local name = "revealed_" .. number
-    behind = bounds_of(name .. "_bent", whole_of(layer), found[name .. "_bend"], found[name .. "_bent"], behind)
+    behind = bounds_of_layer("revealed_" .. number, layer, behind)
   end
   local ends = {}
   for _, which in ipairs { "open", "close" } do

@@ -30,6 +30,7 @@ function gathers.images(layer, around, behind)
   return {
     color = layer.color, depth = layer.depth, velocity = layer.velocity, valid = layer.valid,
     after_velocity = layer.after_velocity,
+    curve = layer.curve, dominant_curve = around.dominant_curve,
     dominant = around.dominant, second = around.second, after_dominant = around.after_dominant,
     behind_depth = behind and behind.depth, behind_valid = behind and behind.valid,
   }

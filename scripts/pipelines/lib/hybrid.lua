@@ -10,6 +10,7 @@ local motion_bounds   = require "passes.tile.motion_bounds"
 local motion_reach    = require "passes.tile.motion_reach"
 local reveal          = require "passes.scene.reveal"
 local reveal_upsample = require "passes.scene.reveal_upsample"
+local curves          = require "scripts.pipelines.lib.curves"
 local doubts          = require "scripts.pipelines.lib.doubts"
 local edges           = require "scripts.pipelines.lib.edges"
 local gathers         = require "scripts.pipelines.lib.gathers"
@@ -232,7 +233,8 @@ end
 local function reached_cells(seen, revealed, images)
   local function bounds(layer, name, others)
     return motion_bounds {
-      velocity = layer.velocity, after_velocity = layer.after_velocity, valid = layer.valid, others = others, as = name,
+      velocity = layer.velocity, after_velocity = layer.after_velocity, curve = layer.curve, valid = layer.valid,
+      others = others, as = name,
     }.bounds
   end
   local behind
@@ -245,7 +247,7 @@ local function reached_cells(seen, revealed, images)
     second = images.second, after_second = images.after_second,
     revealed_dominant = images.revealed_dominant, revealed_after_dominant = images.revealed_after_dominant,
     reach = longest_motion {
-      longest = images.dominant, after = images.after_dominant,
+      longest = images.dominant, curve = images.dominant_curve, after = images.after_dominant,
       revealed = images.revealed_dominant, revealed_after = images.revealed_after_dominant, as = "longest_of_all",
     }.reach,
   }
@@ -256,6 +258,9 @@ end
 function hybrid.composited(p, seen, revealed)
   local composite = pass.member("composite", p.composite())
   local apart = pass.reads(composite, "front")
+  curves.require(p, apart and pass.member("gather", p.weights()) or composite,
+    apart and "weights = " .. p.weights() or "composite = " .. p.composite())
+  curves.add(p, { { "raster", seen }, { "revealed", revealed[1] } })
   local images = apart and blurred(p, seen, revealed[1]) or layers(p, seen, revealed, composite)
   if pass.reads(composite, "moved") then put(images, "", reached_cells(seen, revealed, images)) end
   local doubted, ends = doubts.are_asked(p), p.end_layers() and knows(p, "open_color")

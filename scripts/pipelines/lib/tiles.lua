@@ -14,16 +14,21 @@ local tiles = {}
 
 local function in_one_part(p, layer, given)
   local prefix, extra = given.prefix or "", given.extra or {}
-  local longest = tile_max {
+  local tile = tile_max {
     velocity = layer.velocity, valid = layer.valid, extra_velocity = extra.velocity, extra_valid = extra.valid,
-    as = prefix .. "tile_max",
-  }.longest
-  local motions = given.second and tiles.motions(layer) or nil
-  local reach = longest_motion { longest = longest, as = prefix .. "longest_motion" }.reach
-  local around = neighbour_max {
-    longest = longest, motions = motions, reach = reach, rule = p.tile_rule, as = prefix .. "neighbour_max",
+    curve = layer.curve, extra_curve = extra.curve, as = prefix .. "tile_max",
   }
-  return { dominant = around.dominant, second = around.second, longest = longest, reach = reach }
+  local longest, curve = tile.longest, (layer.curve or extra.curve) and tile.curve_of_it or nil
+  local motions = given.second and tiles.motions(layer) or nil
+  local reach = longest_motion { longest = longest, curve = curve, as = prefix .. "longest_motion" }.reach
+  local around = neighbour_max {
+    longest = longest, curve = curve, motions = motions, reach = reach, rule = p.tile_rule,
+    as = prefix .. "neighbour_max",
+  }
+  return {
+    dominant = around.dominant, dominant_curve = curve and around.dominant_curve or nil, second = around.second,
+    longest = longest, reach = reach,
+  }
 end
 
 -- `layer` has velocity and may have valid. Options: `extra`, a second layer united with it; `second` = true, to look

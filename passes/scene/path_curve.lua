@@ -1,0 +1,37 @@
+-- SPDX-License-Identifier: MIT
+-- How paths over the exposure are curved, and where that does not say where they go.
+local pass   = require "strobe.pass"
+local blur   = require "passes.lib.blur"
+local stored = require "passes.lib.stored"
+
+return pass.compute {
+  name   = "path_curve",
+  shader = "scene/path_curve",
+  doc    = "Polynomials in time for the paths of the surfaces of a layer, through poses inside of the exposure",
+  size   = { of = "velocity" },
+  scene  = true,
+  reads  = {
+    depth    = { doc = "linear view depth, metres; sky = +inf, 0 where the layer has nothing" },
+    id       = { uint = true, doc = "instance + 1 (0 = sky)" },
+    velocity = { doc = "displacement over the exposure, px" },
+    hit      = { optional = true, uint = true,
+      doc = "instance + 1 (0 = sky), geometry, primitive; absent: joints and morph targets are not followed" },
+    normal   = { optional = true, doc = "unit, world space; sky = 0; absent: growth is not looked at" },
+  },
+  writes = {
+    bend = { format = stored.velocity, doc = "px in the middle of the exposure" },
+    bent = { format = "r8_unorm", doc = "1 where the curve does not say where the surface is" },
+    curve = { format = "rgba32f", doc = "px: b and c of 4 u (1 - u) (b + (2u - 1) c), by which a path leaves its line" },
+  },
+  without = { motion = { bend = 0, bent = 0, curve = 0 }, curves = { bend = 0, bent = 0, curve = 0 } },
+  params = {
+    velocity_format = stored.velocity_format,
+    curve = blur.curve,
+    most_bend = pass.float { 0.5, min = 0, max = 1000, unit = "px",
+      doc = "how far the path may be from the curve" },
+    most_growth = pass.float { 1.5, min = 1, max = 1000, unit = "px",
+      doc = "to how much a side of a pixel of a surface may grow; a filter's taps have holes beyond" },
+  },
+  counters = { velocity_clamped = stored.counters.velocity_clamped },
+  fails  = "What turns by more than about a third of a turn leaves a cubic, and a quadratic from a sixth of a turn on.",
+}

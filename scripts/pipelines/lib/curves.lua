@@ -1,0 +1,57 @@
+-- SPDX-License-Identifier: MIT
+-- Paths over the exposure that are no straight lines.
+local pass       = require "strobe.pass"
+local pipeline   = require "strobe.pipeline"
+local path_curve = require "passes.scene.path_curve"
+local ranges     = require "scripts.pipelines.lib.ranges"
+local scene      = require "scripts.pipelines.lib.scene"
+
+local curves = {}
+
+function curves.are_asked(p) return p.curve() ~= "line" end
+
+-- Stops where a filter would take no notice of them, or where displacements are not those of the exposure.
+function curves.require(p, filter, setting)
+  if not curves.are_asked(p) then return end
+  if p.displacement() ~= "window" then
+    error(("curve = %s: curves are those of true poses, displacement = window"):format(p.curve()), 0)
+  end
+  if pass.reads(filter, "after_velocity") and ranges.are_split(p) then
+    error(("curve = %s: range = split has straight paths; it needs range = whole"):format(p.curve()), 0)
+  end
+  if not pass.reads(filter, "curve") then
+    error(("curve = %s: %s knows straight paths alone; it needs curve = line"):format(p.curve(), setting), 0)
+  end
+end
+
+-- Gives each of the layers, { name, layer (plain tables: depth, id, velocity, perhaps hit and normal) }, its curve, and what
+-- that does not say: bend, bent. From poses inside of the exposure. Nothing where paths are lines.
+function curves.add(p, layers)
+  if not curves.are_asked(p) then return end
+  local found = pipeline.loop { name = "inside", count = 1, times = "midpoint", slices = 3, body = function()
+    local result = {}
+    for _, given in ipairs(layers) do
+      local name, layer = given[1], given[2]
+      local of = path_curve {
+        depth = layer.depth, id = layer.id, velocity = layer.velocity, hit = layer.hit, normal = layer.normal,
+        as = name .. "_curve",
+      }
+      for _, image in ipairs { "curve", "bend", "bent" } do result[name .. "_" .. image] = of[image] end
+    end
+    return result
+  end }
+  for _, given in ipairs(layers) do
+    local name, layer = given[1], given[2]
+    for _, image in ipairs { "curve", "bend", "bent" } do layer[image] = found[name .. "_" .. image] end
+  end
+end
+
+-- What raster sees, with its curves, for a file of passes/gather.
+function curves.captured(p, weights)
+  local seen = scene.captured()
+  curves.require(p, pass.member("gather", weights), "weights = " .. weights)
+  curves.add(p, { { "raster", seen } })
+  return seen
+end
+
+return curves

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Needs: frame, params.limit; may have: curve_tex, dominant_curve_tex, reach_tex.
+// The path of a surface over the picture: a displacement, and how it leaves the straight line (lib/path.glsl) where the
+// pass reads that; else lines, with no arithmetic more.
+#ifndef STROBE_MIXIN_PATH_GLSL
+#define STROBE_MIXIN_PATH_GLSL
+#include "mixin/limit.glsl"
+#include "lib/path.glsl"
+#include "lib/sanitise.glsl"
+
+struct Path {
+  vec2 d;  // px over the exposure
+#if HAS_curve
+  vec4 curve;
+#endif
+};
+
+Path onCurve(vec2 d, vec4 curve) {
+#if HAS_curve
+  return Path(d, curve);
+#else
+  return Path(d);
+#endif
+}
+
+Path straight(vec2 d) { return onCurve(d, vec4(0)); }
+
+// From what textures hold, shortened to the limit; its curve by as much.
+Path limitedPath(vec4 velocity, vec4 curve) {
+  vec2 d = finiteDisplacement(velocity), shortened = clampLength(d, limitPx());
+#if HAS_curve
+  if (any(isnan(curve)) || any(isinf(curve))) curve = vec4(0);
+  if (shortened != d) curve *= lengthOf(shortened) / lengthOf(d);
+#endif
+  return onCurve(shortened, curve);
+}
+
+// How far the surface at a texel, which moves by d, comes: the length of d, or of the straight displacement that holds its
+// curve, px.
+float spreadAt(ivec2 texel, vec2 d) {
+#if HAS_curve
+  return reachOf(d, texelFetch(curve_tex, texel, 0), frame.shutter);
+#else
+  return lengthOf(d);
+#endif
+}
+
+// The path of a tile's dominant displacement.
+Path dominantPath(vec2 d, ivec2 tile) {
+#if HAS_curve && HAS_dominant_curve
+  return onCurve(d, texelFetch(dominant_curve_tex, tile, 0));
+#else
+  return straight(d);
+#endif
+}
+
+// Where, relative to the pixel, the surface that is there at time t is now.
+vec2 tapOffset(Path path, float t) {
+#if HAS_curve
+  return -movedBy(path.d, path.curve, t, frame.shutter);
+#else
+  return tapOffset(path.d, t);
+#endif
+}
+
+bool isAt(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px) {
+#if HAS_curve
+  vec2 off = vec2(now - pixel) + movedBy(path.d, path.curve, t, frame.shutter);
+  float within_px = tolerance_px * (1.0 + 1e-4);
+  return dot(off, off) <= within_px * within_px;
+#else
+  return isAt(pixel, now, path.d, t, tolerance_px);
+#endif
+}
+
+#endif

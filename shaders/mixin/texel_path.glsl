@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Needs: scene, depth_tex, id_tex, velocity_tex, params.most_growth; may have: hit_tex, normal_tex.
+// How what the texels of a layer show goes over the picture, from true poses, and whether it covers more of it on the way.
+#ifndef STROBE_TEXEL_PATH_GLSL
+#define STROBE_TEXEL_PATH_GLSL
+#include "lib/blur.glsl"
+#include "mixin/surface.glsl"
+
+// Screen path of what a texel shows, px, from the capture to the pose of `slice`.
+vec2 pathOfTexel(uint slice, ivec2 at) {
+  Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(at));
+  uint id = texelFetch(id_tex, at, 0).x;
+  if (id == 0u) return pathOfSky(slice, ray.direction);
+  vec3 point_ws = ray.origin + ray.direction * texelFetch(depth_tex, at, 0).x;
+#if HAS_hit
+  uvec4 seen = texelFetch(hit_tex, at, 0);
+  return pathOf(slice, hitOnTriangle(SLICE_CAPTURE, ray, id - 1u, seen.y, seen.z), point_ws);
+#else
+  return pathOfPoint(slice, id - 1u, point_ws);
+#endif
+}
+
+// How an instance goes over the picture; the sky as the camera does.
+uint pathKind(uint id) { return id == 0u ? PATH_CURVED | PATH_TURNS : scene_instances[id - 1u].path; }
+
+// Of a texel of what is not curved its displacement says all.
+vec2 shiftAt(uint slice, float t, ivec2 at, uint kind) {
+  if ((kind & PATH_CURVED) != 0u) return pathOfTexel(slice, at);
+  return t * vec2(texelFetch(velocity_tex, at, 0));
+}
+
+bool isSame(ivec2 at, uint id) { return isInside(at, ivec2(frame.size)) && texelFetch(id_tex, at, 0).x == id; }
+
+// Where the ray through a texel meets the plane of a surface.
+vec3 onPlane(ivec2 at, vec3 point_ws, vec3 normal_ws) {
+  Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(at));
+  return ray.origin + ray.direction * (dot(point_ws - ray.origin, normal_ws) / dot(ray.direction, normal_ws));
+}
+
+// Length at `slice`, which is at the time t, px, of the longest way to the texels beside, of the same object. Where there
+// is none along an axis, the object is turned away: the surface's plane says where they would be.
+float growthAt(uint slice, float t, ivec2 pixel, uint id, vec3 normal_ws) {
+  if (t == 0.0) return 1.0;
+  uint kind = pathKind(id);
+  vec2 here = shiftAt(slice, t, pixel, kind);
+  float growth = 0.0;
+  for (int axis = 0; axis < 2; ++axis) {
+    ivec2 step = axis == 0 ? ivec2(1, 0) : ivec2(0, 1);
+    bool alone = !isSame(pixel + step, id) && !isSame(pixel - step, id);
+    for (int side = -1; side <= 1; side += 2) {
+      ivec2 at = pixel + side * step;
+      if (!alone && !isSame(at, id)) continue;
+      vec2 there;
+      if (alone) {
+        Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(pixel));
+        vec3 point_ws = ray.origin + ray.direction * texelFetch(depth_tex, pixel, 0).x;
+        there = pathOfPoint(slice, id - 1u, onPlane(at, point_ws, normal_ws));
+      } else {
+        there = shiftAt(slice, t, at, kind);
+      }
+      growth = max(growth, lengthOf(vec2(side * step) + there - here));
+    }
+  }
+  return growth;
+}
+
+bool growsAt(ivec2 pixel, uint id) {
+#if HAS_normal
+  vec3 normal_ws = vec3(texelFetch(normal_tex, pixel, 0));
+  if (id == 0u || dot(normal_ws, normal_ws) < 0.5) return false;
+  float growth = max(growthAt(SLICE_OPEN, frame.shutter.x, pixel, id, normal_ws),
+                     growthAt(SLICE_CLOSE, frame.shutter.y, pixel, id, normal_ws));
+  return !(growth <= params.most_growth);
+#else
+  return false;
+#endif
+}
+
+// Does the layer have something there that moves?
+bool isMoving(ivec2 pixel) {
+  return texelFetch(depth_tex, pixel, 0).x > 0.0 && vec2(texelFetch(velocity_tex, pixel, 0)) != vec2(0);
+}
+
+#endif
