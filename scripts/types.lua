@@ -74,7 +74,7 @@
 ---@field doc string what it counts
 ---@field limit? string what was done to the picture there and what to do about it: a warning where the count is not 0
 
----@alias strobe.Fact "motion"|"curves"|"arrives"|"alpha"|"blend"|"one_sided"|"shadows"|"bends"|"before"|"after"
+---@alias strobe.Fact "motion"|"curves"|"covered"|"arrives"|"alpha"|"blend"|"one_sided"|"shadows"|"bends"|"before"|"after"
 
 ---@class strobe.PassTable
 ---@field name string unique; nodes are called this unless `as` says otherwise

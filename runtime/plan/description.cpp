@@ -246,13 +246,10 @@ static Json paramJson(const ParamDesc& param) {
 }
 
 static Json readJson(const PortDesc& port) {
-  return {{"name", port.name},
-          {"doc", port.doc},
-          {"uint", port.uint},
-          {"optional", port.optional},
-          {"linear", port.linear},
-          {"needs", port.needs},
-          {"place", placeJson(port.place)}};
+  Json json = {{"name", port.name},         {"doc", port.doc},       {"uint", port.uint},
+               {"optional", port.optional}, {"linear", port.linear}, {"place", placeJson(port.place)}};
+  if (!port.needs.empty()) json["needs"] = port.needs;
+  return json;
 }
 
 static Json writeJson(const PortDesc& port) {

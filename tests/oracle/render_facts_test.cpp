@@ -34,13 +34,23 @@ std::vector<Case> cases() {
   std::vector<Case> all = {
       {"crowd at rest",
        shotOf("crowd", kWidth, kHeight, {{"speed", 0}}),
-       {"motion", "alpha", "blend", "one_sided", "bends"}},
-      {"crowd", shotOf("crowd", kWidth, kHeight), {"alpha", "blend", "one_sided", "bends"}},
+       {"motion", "curves", "covered", "arrives", "alpha", "blend", "one_sided", "bends"}},
+      {"crowd", shotOf("crowd", kWidth, kHeight), {"curves", "alpha", "blend", "one_sided", "bends"}},
       {"crowd seen from a moving camera", follows, {"alpha", "blend", "one_sided", "bends"}},
-      {"cut out", shotOf("cut_out", kWidth, kHeight), {"motion", "blend", "one_sided", "shadows", "bends"}},
-      {"veil", shotOf("veil", kWidth, kHeight, {{"shift", 9}}), {"one_sided", "shadows", "bends"}},
-      {"sides", shotOf("sides", kWidth, kHeight), {"motion", "alpha", "blend", "shadows", "bends"}},
-      {"lit", shotOf("lit", kWidth, kHeight), {"motion", "alpha", "blend", "one_sided", "shadows", "bends"}},
+      {"cut out",
+       shotOf("cut_out", kWidth, kHeight),
+       {"motion", "curves", "covered", "arrives", "blend", "one_sided", "shadows", "bends"}},
+      {"veil", shotOf("veil", kWidth, kHeight, {{"shift", 9}}), {"curves", "one_sided", "shadows", "bends"}},
+      {"sides",
+       shotOf("sides", kWidth, kHeight),
+       {"motion", "curves", "covered", "arrives", "alpha", "blend", "shadows", "bends"}},
+      {"a square that slides",
+       shotOf("quad_2d", kWidth, kHeight,
+              {{"left", 18}, {"right", 28}, {"top", 10}, {"bottom", 18}, {"d_x", 8}, {"d_y", -4}}),
+       {"curves", "covered", "arrives", "alpha", "blend", "one_sided", "shadows", "bends"}},
+      {"lit",
+       shotOf("lit", kWidth, kHeight),
+       {"motion", "curves", "covered", "arrives", "alpha", "blend", "one_sided", "shadows", "bends"}},
   };
   Shot bent;
   bent.width = kWidth, bent.height = kHeight;
@@ -52,11 +62,13 @@ std::vector<Case> cases() {
 
 // Of those that have them: other graphs than presets make.
 const std::map<std::string, std::vector<std::vector<std::string>>> kGraphs = {
-    {"mcguire2012", {{"weights=uniform", "range=split"}, {"color_format=fp16"}, {"displacement=extrapolated"}}},
+    {"mcguire2012",
+     {{"weights=uniform", "range=split"}, {"color_format=fp16"}, {"displacement=extrapolated"}, {"path=quadratic"}}},
     {"guertin2014", {{"second_share=variance", "color_format=fp16"}, {"uniform_path=false"}}},
     {"jimenez2014", {{"color_format=fp16", "copy_below=0"}}},
     {"hybrid",
      {{"mask=all"},
+      {"preset=captured", "path=cubic"},
       {"mask=moving", "mask.min_displacement=0"},
       {"mask=none"},
       {"mask=seed", "mask.min_displacement=0", "mask_candidate.min_displacement=0", "edge=canny"},
@@ -175,8 +187,8 @@ TEST_F(RenderFacts, OfTheHybrid) { compareAll("hybrid"); }
 TEST_F(RenderFacts, AreInTheRecord) {
   Picture still = render(with(cases()[0].shot, "hybrid")), moving = render(with(cases()[1].shot, "hybrid"));
   EXPECT_EQ(still.record["facts"], Json::array({"shadows", "before"}));
-  EXPECT_EQ(moving.record["facts"], Json::array({"motion", "shadows", "before"}));
-  EXPECT_EQ(everythingOf(with(cases()[0].shot, "hybrid")).record["facts"].size(), 8u);
+  EXPECT_EQ(moving.record["facts"], Json::array({"motion", "covered", "arrives", "shadows", "before"}));
+  EXPECT_EQ(everythingOf(with(cases()[0].shot, "hybrid")).record["facts"].size(), 11u);
 }
 
 // A tap of what is left out is what stands in for it.

@@ -91,7 +91,7 @@ TEST(ScreenMotion, OfACardThatSlides) {
   EXPECT_EQ(textOf(boxes.path()), "");
   boxes.move(card, {2, 1, 0});
   EXPECT_EQ(textOf(boxes.path()), "");
-  EXPECT_EQ(boxes.motion().reach.x1, int(kWidth / 2 + kMetre + 2 + std::ceil(kMetre / 32)));
+  EXPECT_EQ(boxes.motion().reach.x1, int(std::ceil(kWidth / 2 + kMetre + 2 + kMetre * std::hypot(1, 0.5) / 32)));
 }
 
 TEST(ScreenMotion, OfWhatHasDepth) {

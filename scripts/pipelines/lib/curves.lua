@@ -8,19 +8,19 @@ local scene      = require "scripts.pipelines.lib.scene"
 
 local curves = {}
 
-function curves.are_asked(p) return p.curve() ~= "line" end
+function curves.are_asked(p) return p.path() ~= "line" end
 
 -- Stops where a filter would take no notice of them, or where displacements are not those of the exposure.
 function curves.require(p, filter, setting)
   if not curves.are_asked(p) then return end
   if p.displacement() ~= "window" then
-    error(("curve = %s: curves are those of true poses, displacement = window"):format(p.curve()), 0)
+    error(("path = %s: curves are those of true poses, displacement = window"):format(p.path()), 0)
   end
   if pass.reads(filter, "after_velocity") and ranges.are_split(p) then
-    error(("curve = %s: range = split has straight paths; it needs range = whole"):format(p.curve()), 0)
+    error(("path = %s: range = split has straight paths; it needs range = whole"):format(p.path()), 0)
   end
   if not pass.reads(filter, "curve") then
-    error(("curve = %s: %s knows straight paths alone; it needs curve = line"):format(p.curve(), setting), 0)
+    error(("path = %s: %s knows straight paths alone; it needs path = line"):format(p.path(), setting), 0)
   end
 end
 

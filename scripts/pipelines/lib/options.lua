@@ -18,7 +18,7 @@ function options.blur(tile)
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
     displacement = gbuffer.params.displacement,
-    curve        = blur.curve,
+    path         = blur.path,
     tile_rule    = neighbour_max.params.rule,
     velocity_format = stored.velocity_format,
     color_format    = stored.color_format,

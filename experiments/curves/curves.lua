@@ -1,0 +1,94 @@
+-- SPDX-License-Identifier: MIT
+-- What curved paths are worth: lines, parabolas and cubics for things that turn or come nearer.
+--   strobe sweep experiments/curves/curves.lua -o out/curves
+local experiment = require "strobe.experiment"
+
+local shots = { "wheel", "fan", "pendulum", "nearer", "telescope" }
+local curves = { "line", "quadratic", "cubic" }
+
+local function at(r, shot, arm, region) return r.at { shot = shot, arm = arm, region = region or "whole" } end
+
+local function layers(curve) return "layers, " .. curve end
+
+-- Error beyond that of truth with as many samples: squares add up.
+local function beyond(r, shot, arm, region)
+  local own, floor = at(r, shot, arm, region).rmse, at(r, shot, "truth, 16 samples", region).rmse
+  return math.sqrt(math.max(own * own - floor * floor, 0))
+end
+
+local arms = {}
+local function add(name, pipeline, set) arms[#arms + 1] = { name = name, pipeline = pipeline, set = set } end
+for _, curve in ipairs(curves) do
+  add(layers(curve), "hybrid", { preset = "captured", taps = "linear", mask = "moving", path = curve })
+end
+for _, baseline in ipairs { { "McGuire 2012", "mcguire2012" }, { "UE4-style", "ue4" } } do
+  for _, curve in ipairs { "line", "cubic" } do
+    add(baseline[1] .. ", " .. curve, baseline[2], { path = curve, limit = "auto" })
+  end
+end
+add("own times", "hybrid", { preset = "best" })
+arms[#arms + 1] = { name = "truth, 16 samples", pipeline = "ground_truth", role = "floor",
+  set = { samples = 16, times = "midpoint" } }
+
+-- The largest ratio of two numbers over all shots, with its shot.
+local function largest(of)
+  local most, where = 0, ""
+  for _, shot in ipairs(shots) do
+    local ratio = of(shot)
+    if ratio > most then most, where = ratio, shot end
+  end
+  return most, where
+end
+
+return experiment {
+  title    = "Curved paths",
+  question = "What are curved paths worth where things turn or come nearer, and to whom?",
+  note     = "Layers of the capture alone, revealed behind all that moves, with paths of first, second and third order; two " ..
+             "baselines with lines and cubics; rays at their own time.",
+  size     = { 320, 180 },
+  size_params = { "width", "height" },
+  shots    = {
+    { name = "wheel", title = "A wheel rolls by 45 degrees", scene = "objects/spoked_wheel" },
+    { name = "fan", title = "A fan behind its cage", scene = "objects/caged_fan" },
+    { name = "pendulum", title = "A pendulum", scene = "objects/pendulum" },
+    { name = "nearer", title = "A box comes nearer by half its distance", scene = "objects/nearer" },
+    { name = "telescope", title = "A telescope turns to the camera", scene = "objects/telescope" },
+  },
+  arms     = arms,
+  truth    = { pipeline = "ground_truth", set = { samples = 256, times = "stratified" } },
+  regions  = { "whole", "inner", "hidden", "outer", "self" },
+  measures = { "rmse", "flip", "rays", "pixels" },
+  expect   = {
+    { "wheel, fan, pendulum and what comes nearer: cubics leave at most half of what lines leave beyond truth with as many " ..
+      "samples", function(r)
+      local most, where = 0, ""
+      for _, shot in ipairs { "wheel", "fan", "pendulum", "nearer" } do
+        local ratio = beyond(r, shot, layers "cubic") / beyond(r, shot, layers "line")
+        if ratio > most then most, where = ratio, shot end
+      end
+      return most <= 0.5, ("at most %.2f (%s)"):format(most, where)
+    end },
+    { "a parabola is nearly as good as a cubic up to 45 degrees", function(r)
+      local most, where = largest(function(shot)
+        return at(r, shot, layers "quadratic").rmse / at(r, shot, layers "cubic").rmse
+      end)
+      return most <= 1.1, ("at most %.2f of its error (%s)"):format(most, where)
+    end },
+    { "found afterwards: to a gather along one direction per tile curves are worth nothing: its error is that of what it " ..
+      "cannot see", function(r)
+        local least, where = math.huge, ""
+        for _, shot in ipairs(shots) do
+          for _, name in ipairs { "McGuire 2012", "UE4-style" } do
+            local ratio = at(r, shot, name .. ", cubic").rmse / at(r, shot, name .. ", line").rmse
+            if ratio < least then least, where = ratio, shot .. ", " .. name end
+          end
+        end
+        return least >= 0.9, ("at least %.2f of its error with lines (%s)"):format(least, where)
+      end },
+    { "rays at their own time leave less than curves, in every shot", function(r)
+      local most, where = largest(function(shot) return at(r, shot, "own times").rmse / at(r, shot, layers "cubic").rmse end)
+      return most < 1, ("at most %.2f of it (%s)"):format(most, where)
+    end },
+  },
+  layout   = { table = {} },
+}

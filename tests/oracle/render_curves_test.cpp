@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Curved paths: against rotations in closed form, and against straight ones where nothing turns.
+#include <algorithm>
+#include <map>
+
+#include "oracle/render.h"
+
+namespace strobe::oracle {
+namespace {
+
+class RenderCurves : public RenderTest {};
+
+constexpr int kSide = 96;
+constexpr double kDegrees = 60;
+
+lab::Shot wedge() { return shotOf("wedge", kSide, kSide, {{"from", 20}, {"to", 65}, {"degrees", kDegrees}}); }
+
+glm::dvec2 turned(glm::dvec2 p, double t) {
+  double angle = -glm::radians(kDegrees * t);  // y points down
+  return {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y};
+}
+
+// From the middle of the picture, px.
+glm::dvec2 placeOf(int x, int y) { return glm::dvec2(x + .5, y + .5) - kSide / 2.; }
+
+RotatingPolygon exactWedge() {
+  RotatingPolygon wedge{{{kSide / 2., kSide / 2.}}, {kSide / 2., kSide / 2.}};
+  wedge.angle = -glm::radians(kDegrees);
+  for (double direction : {20.0, 42.5, 65.0}) {
+    double phi = glm::radians(direction), radius = 4 * kSide;
+    wedge.corners.push_back({kSide / 2. + radius * std::cos(phi), kSide / 2. - radius * std::sin(phi)});
+  }
+  return wedge;
+}
+
+// Of the pixels whose surfaces stay in the picture, root mean square.
+double errorOf(const lab::Picture& picture, Window window) {
+  const RotatingPolygon exact = exactWedge();
+  double sum = 0;
+  int count = 0;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      if (glm::length(placeOf(x, y)) > kSide / 2. - 1) continue;
+      sum += std::pow(colorOf(picture).at(x, y, 0) - exposeCentre(exact, window, x, y).colour, 2);
+      ++count;
+    }
+  return std::sqrt(sum / count);
+}
+
+}  // namespace
+
+// In the middle of the exposure a curve is where the point is, and the third order takes up what differs between early
+// and late; both leave what they should leave of 60 degrees: less than half a pixel.
+TEST_F(RenderCurves, ArePolynomialsThroughTurningPoints) {
+  for (const Anchor& anchor : anchors()) {
+    lab::Shot shot = with(wedge(), "mcguire2012", {"path=cubic"}, anchor.name);
+    shot.taps = {"raster_curve.curve", "raster_curve.bent"};
+    lab::Picture picture = render(shot);
+    const image::Image &curve = picture.frame.taps.at("raster_curve.curve").floats,
+                       &bent = picture.frame.taps.at("raster_curve.bent").floats;
+    int seen = 0;
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) {
+        if (imageOf(picture, "velocity").at(x, y, 0) == 0) continue;
+        ++seen;
+        auto at = [&](double u) { return turned(placeOf(x, y), glm::mix(anchor.window.open, anchor.window.close, u)); };
+        auto fromLine = [&](double u) { return at(u) - glm::mix(at(0), at(1), u); };
+        glm::dvec2 b = fromLine(.5), c = 27 / 20. * (fromLine(5 / 6.) - fromLine(1 / 6.));
+        const double expected[] = {b.x, b.y, c.x, c.y};
+        for (int k = 0; k < 4; ++k) EXPECT_NEAR(curve.at(x, y, k), expected[k], 1e-3) << anchor.name;
+        EXPECT_EQ(bent.at(x, y, 0), 0) << anchor.name;
+      }
+    EXPECT_GT(seen, 500);
+  }
+}
+
+TEST_F(RenderCurves, FollowATurningWedge) {
+  for (const Anchor& anchor : anchors()) {
+    std::map<std::string, double> errors;
+    for (const char* curve : {"line", "quadratic", "cubic"})
+      errors[curve] = errorOf(
+          render(with(wedge(), "hybrid", {"preset=captured", "mask=all", "samples=64", fmt::format("path={}", curve)},
+                      anchor.name)),
+          anchor.window);
+    EXPECT_LE(errors["cubic"], errors["line"] / 5) << anchor.name;
+    EXPECT_LE(errors["quadratic"], errors["line"] / 5) << anchor.name;
+    EXPECT_LE(errors["cubic"], errors["quadratic"] + 1e-3) << anchor.name;
+    for (const auto& [curve, error] : errors) fmt::print("{} {}: {:.4f}\n", anchor.name, curve, error);
+  }
+}
+
+// Where nothing turns no curve is looked for, and every picture is that of straight paths.
+TEST_F(RenderCurves, StraightPathsCostNothing) {
+  const lab::Shot slides = shotOf("textured_bar", 64, 24);
+  for (const char* pipeline : {"hybrid", "mcguire2012", "guertin2014", "jimenez2014", "ue4"}) {
+    lab::Picture line = render(with(slides, pipeline, {"path=line"}));
+    lab::Picture cubic = render(with(slides, pipeline, {"path=cubic"}));
+    EXPECT_TRUE(identical(colorOf(line), colorOf(cubic))) << pipeline;
+    for (const auto& step : cubic.frame.times) EXPECT_EQ(step.name.find("_curve"), std::string::npos) << step.name;
+    lab::Shot turning = with(wedge(), pipeline, {"path=cubic"});
+    lab::Picture turned = render(turning);
+    bool runs = std::any_of(turned.frame.times.begin(), turned.frame.times.end(),
+                            [](const auto& step) { return step.name == "raster_curve"; });
+    EXPECT_TRUE(runs) << pipeline;
+  }
+}
+
+TEST_F(RenderCurves, AreRefusedWhereTheySayNothing) {
+  auto problemOf = [&](const std::string& pipeline, const std::vector<std::string>& settings) -> std::string {
+    try {
+      render(with(wedge(), pipeline, settings));
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(problemOf("hybrid", {"path=cubic", "composite=in_gather"}).find("knows straight paths alone"),
+            std::string::npos);
+  EXPECT_NE(problemOf("hybrid", {"path=cubic", "range=split"}).find("needs range = whole"), std::string::npos);
+  EXPECT_NE(problemOf("ue4", {"path=cubic", "displacement=extrapolated"}).find("displacement = window"),
+            std::string::npos);
+}
+
+}  // namespace strobe::oracle
