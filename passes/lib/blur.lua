@@ -16,7 +16,7 @@ return {
   depth_extent = param.float { 0.01, min = 1e-6, max = 1, role = "depth_tolerance",
     doc = "share of the depth over which two depths count as one" },
 
-  path = param.choice { "line", "quadratic", "cubic", default = "line",
+  trajectory = param.choice { "line", "quadratic", "cubic", default = "line",
     doc = "how a point goes over the picture within the exposure",
     values = {
       line = "In a straight line at an even pace. Fails where things turn: wheels blur in straight lines.",

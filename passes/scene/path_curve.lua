@@ -26,7 +26,7 @@ return pass.compute {
   without = { motion = { bend = 0, bent = 0, curve = 0 }, curves = { bend = 0, bent = 0, curve = 0 } },
   params = {
     velocity_format = stored.velocity_format,
-    path = blur.path,
+    trajectory = blur.trajectory,
     most_bend = pass.float { 0.5, min = 0, max = 1000, unit = "px",
       doc = "how far the path may be from the curve" },
     most_growth = pass.float { 1.5, min = 1, max = 1000, unit = "px",

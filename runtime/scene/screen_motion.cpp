@@ -19,8 +19,8 @@ constexpr double kTolerancePx = 0.05;
 constexpr size_t kMostVertices = 200'000;
 
 // A world position in the picture: (x, y) / z in px from its middle, y down; z the depth, or 1 before an orthographic
-// camera. What is a mean of points at one time is the same mean of these at any time.
-using Homogeneous = dvec3;
+// camera; w the depth. What is a mean of points at one time is the same mean of these at any time.
+using Homogeneous = dvec4;
 
 struct View {
   dmat4 camera_from_world;
@@ -36,7 +36,7 @@ struct View {
     if (!camera.orthographic && -p.z < 2 * camera.near) return std::nullopt;
     double half_height = camera.orthographic ? camera.half_height : std::tan(camera.vertical_fov / 2);
     double pixels = height_px / (2 * half_height);
-    return dvec3(p.x * pixels, -p.y * pixels, camera.orthographic ? 1 : -p.z);
+    return dvec4(p.x * pixels, -p.y * pixels, camera.orthographic ? 1 : -p.z, -p.z);
   }
 };
 
@@ -49,28 +49,25 @@ using Track8 = std::vector<Corners>;
 // Around what an instance covers, px from the middle of the picture, and how near it comes.
 struct Extent {
   dvec2 low{INFINITY}, high{-INFINITY};
-  double nearest = INFINITY, farthest = -INFINITY;
+  double least_z = INFINITY;
+  double nearest = INFINITY, farthest = -INFINITY;  // depths
 
   void add(const Corners& corners) {
     for (const Homogeneous& h : corners) {
       low = glm::min(low, pixelOf(h));
       high = glm::max(high, pixelOf(h));
-      nearest = std::min(nearest, h.z);
-      farthest = std::max(farthest, h.z);
+      least_z = std::min(least_z, h.z);
+      nearest = std::min(nearest, h.w);
+      farthest = std::max(farthest, h.w);
     }
-  }
-  void add(const Extent& other) {
-    low = glm::min(low, other.low), high = glm::max(high, other.high);
-    nearest = std::min(nearest, other.nearest), farthest = std::max(farthest, other.farthest);
   }
   // The farthest from the middle of the picture, px.
   double most() const { return glm::length(glm::max(glm::abs(low), glm::abs(high))); }
 };
 
-// How far two places in the picture may be apart that differ by `by`, `most` px from its middle or nearer, at depths of
-// `nearest` or more.
-double apart(const Homogeneous& by, double most, double nearest) {
-  return (glm::length(dvec2(by)) + most * std::abs(by.z)) / nearest;
+// How far apart in the picture two places may be that differ by `by` and lie within the extent.
+double apart(const Homogeneous& by, const Extent& extent) {
+  return (glm::length(dvec2(by)) + extent.most() * std::abs(by.z)) / extent.least_z;
 }
 
 // How far, px, a point of a box may be from where it would be on a straight way from the first time to the last, at an
@@ -83,8 +80,7 @@ double bentBy(const Track8& box, const std::vector<double>& times, const Extent&
     change = std::max({change, std::abs(last[c].z / first[c].z - 1), std::abs(first[c].z / last[c].z - 1)});
   for (size_t k = 0; k < times.size(); ++k) {
     double part = (times[k] - times.front()) / (times.back() - times.front());
-    for (size_t c = 0; c < 8; ++c)
-      bent = std::max(bent, apart(box[k][c] - glm::mix(first[c], last[c], part), extent.most(), extent.nearest));
+    for (size_t c = 0; c < 8; ++c) bent = std::max(bent, apart(box[k][c] - glm::mix(first[c], last[c], part), extent));
   }
   return bent + 0.25 * change * glm::length(extent.high - extent.low);
 }
@@ -96,7 +92,7 @@ double turnedBy(const Track8& box, const Extent& extent) {
   const dvec2 moved = pixelOf(last[0]) - pixelOf(first[0]);
   double turned = 0;
   for (size_t c = 0; c < 8; ++c)
-    turned = std::max(turned, apart(last[c] - first[c] - dvec3(first[c].z * moved, 0), extent.most(), extent.nearest));
+    turned = std::max(turned, apart(last[c] - first[c] - dvec4(first[c].z * moved, 0, 0), extent));
   return turned;
 }
 
@@ -190,30 +186,6 @@ static bool mayBeCovered(const std::vector<std::optional<Extent>>& extents, size
   return false;
 }
 
-// Of what is at rest, where the scene is small enough; nothing of what is not in front of the camera.
-static std::optional<Extent> extentAtRest(const Scene& scene, const Instance& instance, size_t index, const Pose& pose,
-                                          const View& view) {
-  const Hull hull(scene, instance);
-  Extent extent;
-  for (size_t box = 0; box < hull.boxes(); ++box) {
-    Corners posed;
-    const std::array<dvec3, 8> corners = hull.corners(pose, index, box);
-    for (size_t c = 0; c < 8; ++c) {
-      std::optional<Homogeneous> h = view.of(corners[c]);
-      if (!h) return std::nullopt;
-      posed[c] = *h;
-    }
-    extent.add(posed);
-  }
-  return extent;
-}
-
-static bool isSmall(const Scene& scene, const std::vector<Instance>& instances) {
-  size_t vertices = 0;
-  for (const Instance& instance : instances) vertices += vertexCount(scene, instance);
-  return vertices <= kMostVertices;
-}
-
 // A box at each pose; nothing when a corner is not clearly in front of the camera.
 static std::optional<Track8> posedBox(const Hull& hull, size_t box, const std::vector<Pose>& poses, size_t index,
                                       const View& view) {
@@ -230,6 +202,41 @@ static std::optional<Track8> posedBox(const Hull& hull, size_t box, const std::v
   return track;
 }
 
+// Around an instance at all of these poses; nothing when it is not clearly in front of the camera.
+static std::optional<Extent> extentOf(const Hull& hull, const std::vector<Pose>& poses, size_t index,
+                                      const View& view) {
+  Extent extent;
+  for (size_t box = 0; box < hull.boxes(); ++box) {
+    std::optional<Track8> posed = posedBox(hull, box, poses, index, view);
+    if (!posed) return std::nullopt;
+    for (const Corners& corners : *posed) extent.add(corners);
+  }
+  return extent;
+}
+
+// Adds what moves to the reach, and says whether it is curved and turns; false when it is not clearly in front of the
+// camera.
+static bool follow(const Hull& hull, const std::vector<Pose>& poses, const std::vector<double>& times, size_t index,
+                   const View& view, const ExposedFrame& frame, ScreenMotion& motion) {
+  ScreenPath& path = motion.paths[index];
+  for (size_t box = 0; box < hull.boxes(); ++box) {
+    std::optional<Track8> posed = posedBox(hull, box, poses, index, view);
+    if (!posed) return false;
+    addTo(motion.reach, *posed, times, frame);
+    Extent extent;
+    for (const Corners& corners : *posed) extent.add(corners);
+    path.curved = path.curved || !(bentBy(*posed, times, extent) <= kTolerancePx);
+    path.turns = path.turns || path.curved || !(turnedBy(*posed, extent) <= kTolerancePx);
+  }
+  return true;
+}
+
+static bool isSmall(const Scene& scene, const std::vector<Instance>& instances) {
+  size_t vertices = 0;
+  for (const Instance& instance : instances) vertices += vertexCount(scene, instance);
+  return vertices <= kMostVertices;
+}
+
 ScreenMotion screenMotionOf(const Scene& scene, const std::function<Pose(double)>& pose_at, const ExposedFrame& frame) {
   const std::vector<Instance> instances = instancesOf(scene);
   ScreenMotion unknown;
@@ -239,39 +246,27 @@ ScreenMotion screenMotionOf(const Scene& scene, const std::function<Pose(double)
   if (!isFollowed(scene, times.front(), times.back(), (frame.close_s - frame.open_s) / (kTimes - 1))) return unknown;
   std::vector<Pose> poses;
   for (double time_s : times) poses.push_back(pose_at(time_s));
-  const Pose capture = pose_at(frame.capture_s);
+  const std::vector<Pose> capture = {pose_at(frame.capture_s)};
   for (const Pose& pose : poses)
-    if (pose.world_from_camera != capture.world_from_camera || pose.camera != capture.camera) return unknown;
-  const View view(capture, frame.height);
+    if (pose.world_from_camera != capture[0].world_from_camera || pose.camera != capture[0].camera) return unknown;
+  const View view(capture[0], frame.height);
 
   ScreenMotion motion;
   motion.paths.assign(instances.size(), {false, false, false, false});
   std::vector<std::optional<Extent>> extents(instances.size());
   std::vector<bool> moves(instances.size());
-  for (size_t i = 0; i < instances.size(); ++i) {
-    auto differs = [&](const Pose& pose) {
-      return pose.world_from_instance[i] != capture.world_from_instance[i] || pose.bends[i] != capture.bends[i];
-    };
-    moves[i] = std::any_of(poses.begin(), poses.end(), differs);
-    if (!moves[i]) continue;
-    ScreenPath& path = motion.paths[i];
-    path.curved = path.turns = bends(scene, instances[i]);
-    extents[i].emplace();
-    const Hull hull(scene, instances[i]);
-    for (size_t box = 0; box < hull.boxes(); ++box) {
-      std::optional<Track8> posed = posedBox(hull, box, poses, i, view);
-      if (!posed) return unknown;
-      addTo(motion.reach, *posed, times, frame);
-      Extent extent;
-      for (const Corners& corners : *posed) extent.add(corners);
-      path.curved = path.curved || !(bentBy(*posed, times, extent) <= kTolerancePx);
-      path.turns = path.turns || path.curved || !(turnedBy(*posed, extent) <= kTolerancePx);
-      extents[i]->add(extent);
-    }
-  }
   const bool is_small = isSmall(scene, instances);
-  for (size_t i = 0; i < instances.size(); ++i)
-    if (!moves[i] && is_small) extents[i] = extentAtRest(scene, instances[i], i, capture, view);
+  for (size_t i = 0; i < instances.size(); ++i) {
+    moves[i] = std::any_of(poses.begin(), poses.end(), [&](const Pose& pose) {
+      return pose.world_from_instance[i] != capture[0].world_from_instance[i] || pose.bends[i] != capture[0].bends[i];
+    });
+    if (!moves[i] && !is_small) continue;
+    const Hull hull(scene, instances[i]);
+    extents[i] = extentOf(hull, moves[i] ? poses : capture, i, view);
+    if (!moves[i]) continue;
+    motion.paths[i].curved = motion.paths[i].turns = bends(scene, instances[i]);
+    if (!follow(hull, poses, times, i, view, frame, motion)) return unknown;
+  }
   for (size_t i = 0; i < instances.size(); ++i) {
     if (!moves[i]) continue;
     ScreenPath& path = motion.paths[i];

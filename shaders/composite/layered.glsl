@@ -43,8 +43,8 @@ const float kSameDepth = 1.0 - 1.0 / 65536.0;
 // A tap this near to a texel's centre is what the texel says, px.
 const float kCentre = 0.05;
 
-// How often what a texel says is followed to another.
-const int kGuesses = 2 + 2 * HAS_curve;
+// How often what a texel says is followed to another, and where paths are curved.
+const int kGuesses = 2, kCurvedGuesses = 4;
 
 // A path that changes by more from texel to texel is another thing's, px.
 const float kMostSlope = 2.0;
@@ -360,6 +360,7 @@ vec2 slopeOf(int layer, ivec2 now, ivec2 axis, vec2 offset, float t) {
 // so that Newton's step is taken; it leads there at once where a surface is turned or stretched alike.
 ivec2 askedOf(int layer, ivec2 pixel, ivec2 now, Path path, float t) {
 #if HAS_curve
+  if (!isCurved(path)) return asked(pixel, path, t);
   vec2 offset = tapOffset(path, t);
   vec2 off = vec2(now - pixel) - offset;
   mat2 change = mat2(vec2(1, 0) - slopeOf(layer, now, ivec2(1, 0), offset, t),
@@ -376,11 +377,12 @@ Seen nearer(Seen seen, int layer, ivec2 now, float depth) {
 
 Seen nearerRaster(Seen seen, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
   bool after = t > 0.0;
-  for (int i = 0; i < kGuesses; ++i) {
+  for (int i = 0; i < kCurvedGuesses; ++i) {
     Path path = pathOf(kRaster, now, after);
     if (isAt(pixel, now, path, t, tolerance_px)) {
       return nearer(seen, kRaster, now, saneDepth(texelFetch(depth_tex, now, 0).x));
     }
+    if (i + 1 >= kGuesses && !isCurved(path)) break;
     ivec2 next = askedOf(kRaster, pixel, now, path, t);
     if (next == now || !isInside(next, textureSize(color_tex, 0))) break;
     now = next;
@@ -391,9 +393,10 @@ Seen nearerRaster(Seen seen, ivec2 pixel, ivec2 now, float t, float tolerance_px
 Seen nearerHeld(Seen seen, int layer, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
   bool after = t > 0.0;
   float way = timeFrom(layer, t);
-  for (int i = 0; i < kGuesses && isHeld(layer, now); ++i) {
+  for (int i = 0; i < kCurvedGuesses && isHeld(layer, now); ++i) {
     Path path = pathOf(layer, now, after);
     if (isAt(pixel, now, path, way, tolerance_px)) return nearer(seen, layer, now, depthOf(layer, now));
+    if (i + 1 >= kGuesses && !isCurved(path)) break;
     ivec2 next = askedOf(layer, pixel, now, path, way);
     if (next == now || !isInside(next, textureSize(color_tex, 0))) break;
     now = next;
@@ -443,7 +446,8 @@ bool isUnsure(ivec2 pixel, ivec2 now, vec2 offset, float t) {
 ivec2 startAt(int layer, Candidates candidates, int k, ivec2 now) {
 #if HAS_curve
   ivec2 texel = candidates.texels[k];
-  if (texel != kNoTexel && (layer == kRaster || isHeld(layer, texel))) return texel;
+  bool is_known = texel != kNoTexel && isCurved(candidate(candidates, k));
+  if (is_known && (layer == kRaster || isHeld(layer, texel))) return texel;
 #endif
   return now;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Needs: frame, params.limit; may have: curve_tex, dominant_curve_tex, reach_tex.
+// Needs: params.limit; may have: curve_tex, dominant_curve_tex, reach_tex.
 // The path of a surface over the picture: a displacement, and how it leaves the straight line (lib/path.glsl) where the
 // pass reads that; else lines, with no arithmetic more.
 #ifndef STROBE_MIXIN_PATH_GLSL
@@ -24,6 +24,14 @@ Path onCurve(vec2 d, vec4 curve) {
 }
 
 Path straight(vec2 d) { return onCurve(d, vec4(0)); }
+
+bool isCurved(Path path) {
+#if HAS_curve
+  return path.curve != vec4(0);
+#else
+  return false;
+#endif
+}
 
 // From what textures hold, shortened to the limit; its curve by as much.
 Path limitedPath(vec4 velocity, vec4 curve) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Needs: scene, depth_tex, id_tex, velocity_tex, params.most_growth; may have: hit_tex, normal_tex.
+// Needs: depth_tex, id_tex, scene, velocity_tex; may have: PARAM_displacement, hit_tex, normal_tex, params.most_growth.
 // How what the texels of a layer show goes over the picture, from true poses, and whether it covers more of it on the way.
 #ifndef STROBE_TEXEL_PATH_GLSL
 #define STROBE_TEXEL_PATH_GLSL

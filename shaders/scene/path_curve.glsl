@@ -24,7 +24,7 @@ void run(ivec2 pixel) {
       vec2 open = pathOfTexel(SLICE_OPEN, pixel), close = pathOfTexel(SLICE_CLOSE, pixel), from_line[3];
       for (uint k = 0u; k < 3u; ++k) from_line[k] = pathOfTexel(SLICE_SAMPLE + k, pixel) - mix(open, close, kTimes[k]);
       curve.xy = from_line[1];
-#if PARAM_path == path_cubic
+#if PARAM_trajectory == trajectory_cubic
       curve.zw = 27.0 / 20.0 * (from_line[2] - from_line[0]);
 #endif
       for (int k = 0; k < 3; ++k) off_px = max(off_px, lengthOf(from_line[k] - fromLine(curve, kTimes[k])));

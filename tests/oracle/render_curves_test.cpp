@@ -53,7 +53,7 @@ double errorOf(const lab::Picture& picture, Window window) {
 // and late; both leave what they should leave of 60 degrees: less than half a pixel.
 TEST_F(RenderCurves, ArePolynomialsThroughTurningPoints) {
   for (const Anchor& anchor : anchors()) {
-    lab::Shot shot = with(wedge(), "mcguire2012", {"path=cubic"}, anchor.name);
+    lab::Shot shot = with(wedge(), "mcguire2012", {"trajectory=cubic"}, anchor.name);
     shot.taps = {"raster_curve.curve", "raster_curve.bent"};
     lab::Picture picture = render(shot);
     const image::Image &curve = picture.frame.taps.at("raster_curve.curve").floats,
@@ -79,8 +79,8 @@ TEST_F(RenderCurves, FollowATurningWedge) {
     std::map<std::string, double> errors;
     for (const char* curve : {"line", "quadratic", "cubic"})
       errors[curve] = errorOf(
-          render(with(wedge(), "hybrid", {"preset=captured", "mask=all", "samples=64", fmt::format("path={}", curve)},
-                      anchor.name)),
+          render(with(wedge(), "hybrid",
+                      {"preset=captured", "mask=all", "samples=64", fmt::format("trajectory={}", curve)}, anchor.name)),
           anchor.window);
     EXPECT_LE(errors["cubic"], errors["line"] / 5) << anchor.name;
     EXPECT_LE(errors["quadratic"], errors["line"] / 5) << anchor.name;
@@ -93,11 +93,11 @@ TEST_F(RenderCurves, FollowATurningWedge) {
 TEST_F(RenderCurves, StraightPathsCostNothing) {
   const lab::Shot slides = shotOf("textured_bar", 64, 24);
   for (const char* pipeline : {"hybrid", "mcguire2012", "guertin2014", "jimenez2014", "ue4"}) {
-    lab::Picture line = render(with(slides, pipeline, {"path=line"}));
-    lab::Picture cubic = render(with(slides, pipeline, {"path=cubic"}));
+    lab::Picture line = render(with(slides, pipeline, {"trajectory=line"}));
+    lab::Picture cubic = render(with(slides, pipeline, {"trajectory=cubic"}));
     EXPECT_TRUE(identical(colorOf(line), colorOf(cubic))) << pipeline;
     for (const auto& step : cubic.frame.times) EXPECT_EQ(step.name.find("_curve"), std::string::npos) << step.name;
-    lab::Shot turning = with(wedge(), pipeline, {"path=cubic"});
+    lab::Shot turning = with(wedge(), pipeline, {"trajectory=cubic"});
     lab::Picture turned = render(turning);
     bool runs = std::any_of(turned.frame.times.begin(), turned.frame.times.end(),
                             [](const auto& step) { return step.name == "raster_curve"; });
@@ -114,10 +114,10 @@ TEST_F(RenderCurves, AreRefusedWhereTheySayNothing) {
     }
     return "";
   };
-  EXPECT_NE(problemOf("hybrid", {"path=cubic", "composite=in_gather"}).find("knows straight paths alone"),
+  EXPECT_NE(problemOf("hybrid", {"trajectory=cubic", "composite=in_gather"}).find("knows straight paths alone"),
             std::string::npos);
-  EXPECT_NE(problemOf("hybrid", {"path=cubic", "range=split"}).find("needs range = whole"), std::string::npos);
-  EXPECT_NE(problemOf("ue4", {"path=cubic", "displacement=extrapolated"}).find("displacement = window"),
+  EXPECT_NE(problemOf("hybrid", {"trajectory=cubic", "range=split"}).find("needs range = whole"), std::string::npos);
+  EXPECT_NE(problemOf("ue4", {"trajectory=cubic", "displacement=extrapolated"}).find("displacement = window"),
             std::string::npos);
 }
 

@@ -27,7 +27,7 @@ struct Context {
 
 // Of gathers: what only motion that bends at the capture, another frame or a fast path shows.
 const Context kJitter = {{"jitter=hash", "frame=1"}, {"jitter_frame"}};
-const Context kBent = {{"scene=bent", "anchor=centre"}, {"displacement"}};
+const Context kBent = {{"scene=bent", "anchor=centre"}, {"displacement", "trajectory"}};
 
 const std::map<std::string, std::vector<Context>> kContexts = {
     {"none", {{{}, {}}}},
@@ -62,6 +62,7 @@ const std::map<std::string, std::vector<Context>> kContexts = {
       kJitter,
       kBent,
       {{"scene=bent", "anchor=centre", "mask=all"}, {"range"}},
+      {{"scene=solids", "trajectory=cubic"}, {}},
       {{"termination=luminance", "advance=origin_kept", "mask=all"}, {"tolerance", "max_layers", "advance"}},
       {{"termination=motion", "advance=origin_kept", "mask=all"}, {"same_motion"}},
       {{"termination=luminance", "advance=origin_kept", "mask=all", "max_layers=1", "tolerance=0.5"}, {"on_cap"}},
@@ -71,7 +72,8 @@ const std::map<std::string, std::vector<Context>> kContexts = {
         "edge_gradient.normal_threshold=1"},
        {}},
       {{"preset=captured"}, {"layered.harvest", "tiles"}},
-      {{"scene=solids", "anchor=centre"}, {"unseen_open.same_depth", "unseen_close.same_depth", "own_time.same_depth"}},
+      {{"scene=solids", "anchor=centre"},
+       {"path_bend.most_growth", "unseen_open.same_depth", "unseen_close.same_depth", "own_time.same_depth"}},
       {{"mask=seed", "edge=plane", "scene=solids", "slide=30", "limit=10"}, {}},
       {{"mask=seed", "edge=laplacian", "scene=solids", "slide=30", "limit=10"}, {}},
       {{"mask=seed", "edge=prewitt", "scene=solids", "slide=30", "limit=10"}, {}},

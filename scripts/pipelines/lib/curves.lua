@@ -8,19 +8,19 @@ local scene      = require "scripts.pipelines.lib.scene"
 
 local curves = {}
 
-function curves.are_asked(p) return p.path() ~= "line" end
+function curves.are_asked(p) return p.trajectory() ~= "line" end
 
 -- Stops where a filter would take no notice of them, or where displacements are not those of the exposure.
 function curves.require(p, filter, setting)
   if not curves.are_asked(p) then return end
   if p.displacement() ~= "window" then
-    error(("path = %s: curves are those of true poses, displacement = window"):format(p.path()), 0)
+    error(("trajectory = %s: curves are those of true poses, displacement = window"):format(p.trajectory()), 0)
   end
   if pass.reads(filter, "after_velocity") and ranges.are_split(p) then
-    error(("path = %s: range = split has straight paths; it needs range = whole"):format(p.path()), 0)
+    error(("trajectory = %s: range = split has straight paths; it needs range = whole"):format(p.trajectory()), 0)
   end
   if not pass.reads(filter, "curve") then
-    error(("path = %s: %s knows straight paths alone; it needs path = line"):format(p.path(), setting), 0)
+    error(("trajectory = %s: %s knows straight paths alone; it needs trajectory = line"):format(p.trajectory(), setting), 0)
   end
 end
 

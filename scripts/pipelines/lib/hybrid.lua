@@ -7,6 +7,7 @@ local mcguire2012     = require "passes.gather.mcguire2012"
 local longest_motion  = require "passes.tile.longest_motion"
 local moving_behind   = require "passes.mask.moving_behind"
 local motion_bounds   = require "passes.tile.motion_bounds"
+local joined_bounds   = require "passes.tile.motion_bounds_joined"
 local motion_reach    = require "passes.tile.motion_reach"
 local reveal          = require "passes.scene.reveal"
 local reveal_upsample = require "passes.scene.reveal_upsample"
@@ -232,7 +233,7 @@ end
 -- The cells in which anything happens, for composites that leave out the others.
 local function reached_cells(seen, revealed, images)
   local function bounds(layer, name, others)
-    return motion_bounds {
+    return (others and joined_bounds or motion_bounds) {
       velocity = layer.velocity, after_velocity = layer.after_velocity, curve = layer.curve, valid = layer.valid,
       others = others, as = name,
     }.bounds

@@ -18,7 +18,7 @@ function options.blur(tile)
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
     displacement = gbuffer.params.displacement,
-    path         = blur.path,
+    trajectory   = blur.trajectory,
     tile_rule    = neighbour_max.params.rule,
     velocity_format = stored.velocity_format,
     color_format    = stored.color_format,
