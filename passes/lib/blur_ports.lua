@@ -76,6 +76,9 @@ local function reads(names, more)
   return list
 end
 
+-- A filter of one picture, with what else it reads in `more`.
+function blur_ports.of(names, more) return reads(names, more) end
+
 -- A filter of one layer that another may lie behind, with what else it reads: by name, and in `more`.
 function blur_ports.of_layer(names, more)
   local all = { "color", "depth", "velocity", "dominant", "valid", "behind_depth", "behind_valid" }

@@ -6,7 +6,7 @@ local stands = "the pattern stands on the screen: it is neither mirrored nor mov
 local runs_on = "a shift towards the start of the exposure stays one when time runs backwards"
 local pattern = { mirrored = stands, shifted = stands, reversed = runs_on }
 
-return {
+local shared = {
   jitter = param.choice {
     "none", "ign", "r2", "blue", "checker", "hash", default = "none", role = "jitter",
     doc = "shift of the samples per pixel, by up to half the distance of two",
@@ -36,3 +36,10 @@ return {
     },
   },
 }
+
+-- Of what has no tiles, whose picture of a scene that moves by an odd number of pixels is the moved picture without it.
+shared.without_tiles = shared.jitter {
+  breaks = { ign = pattern, r2 = pattern, blue = pattern, hash = pattern, checker = pattern },
+}
+
+return shared

@@ -209,7 +209,7 @@ for _, tile in ipairs { 1, 7, 1024 } do
 end
 
 case("tile_1_limit_10", "tiles", "a reach of thousands of tiles ends at the picture", function()
-  local moving = bar_in(24, 8, 12, 17, 31, { limit = 10, tile = 1 })
+  local moving = bar_in(36, 8, 12, 17, 31, { limit = 10, tile = 1 })
   return { between(moving), nearer(moving) }
 end)
 

@@ -53,6 +53,7 @@ const std::map<std::string, std::vector<Context>> kContexts = {
       {{"anchor=centre"}, {"mirror"}},
       {{"tile=8", "pan=10", "limit=1"}, {"cheap_ratio"}},
       {{"tile=8", "pan=10", "limit=1", "gather.cheap_ratio=0.5"}, {"cheap"}}}},
+    {"bevy", {{{}, {}}, kJitter, kBent}},
     {"ue4", {{{}, {}}, kJitter, kBent, {{"tile=8"}, {"tile_rule"}}, {{"anchor=centre"}, {"mirror"}}}},
     {"hybrid",
      {{{}, {}},
@@ -320,11 +321,12 @@ TEST_F(Registry, KnowsEveryPipelineThatShips) {
     EXPECT_TRUE(kContexts.count(name)) << name << " is walked by no test";
 }
 
-// Two drawn by seed from each of six pipelines: a dozen in all.
+// Two drawn by seed from each pipeline.
 TEST_F(Registry, McGuire2012) { walk("mcguire2012", 1); }
 TEST_F(Registry, Guertin2014) { walk("guertin2014", 2); }
 TEST_F(Registry, Jimenez2014) { walk("jimenez2014", 3); }
 TEST_F(Registry, Ue4) { walk("ue4", 4); }
+TEST_F(Registry, Bevy) { walk("bevy", 7); }
 TEST_F(Registry, Hybrid) { walk("hybrid", 5); }
 TEST_F(Registry, GroundTruth) { walk("ground_truth", 6); }
 

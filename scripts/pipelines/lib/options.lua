@@ -8,27 +8,34 @@ local neighbour_max = require "passes.tile.neighbour_max"
 
 local options = {}
 
--- `tile` is a default; the rest is equal everywhere, so that methods are compared alike.
-function options.blur(tile)
-  return {
-    samples      = blur.samples,
-    tile         = blur.tile { tile },
-    limit        = blur.limit,
-    depth_extent = blur.depth_extent,
-    jitter       = jitter.jitter,
-    jitter_frame = jitter.jitter_frame,
-    displacement = gbuffer.params.displacement,
-    trajectory   = blur.trajectory,
-    tile_rule    = neighbour_max.params.rule,
-    velocity_format = stored.velocity_format,
-    color_format    = stored.color_format,
-    depth_encoding  = stored.depth_encoding,
-  }
-end
-
 function options.with(base, more)
   for name, param in pairs(more) do base[name] = param end
   return base
+end
+
+-- Of what takes samples of pictures; equal everywhere, so that methods are compared alike.
+function options.of_picture(more)
+  return options.with({
+    samples      = blur.samples,
+    limit        = blur.limit,
+    jitter       = jitter.without_tiles,
+    jitter_frame = jitter.jitter_frame,
+    displacement = gbuffer.params.displacement,
+    velocity_format = stored.velocity_format,
+    color_format    = stored.color_format,
+    depth_encoding  = stored.depth_encoding,
+  }, more)
+end
+
+-- Of what looks around by tiles. `tile` is a default.
+function options.blur(tile)
+  return options.of_picture {
+    tile         = blur.tile { tile },
+    jitter       = jitter.jitter,
+    depth_extent = blur.depth_extent,
+    trajectory   = blur.trajectory,
+    tile_rule    = neighbour_max.params.rule,
+  }
 end
 
 return options
