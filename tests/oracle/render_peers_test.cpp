@@ -30,10 +30,13 @@ TEST_F(RenderPeers, BevyBlursNothingBeyondASilhouette) {
     for (int x = 0; x < kWidth; ++x) {
       double exact = exposeCentre(bar, anchor.window, x).colour;
       bool inside = x >= 96 && x < 160;
-      if (inside) EXPECT_NEAR(color.at(x, kRow, 0), exact, 1. / kSamples + 1e-6) << x;
-      if (!inside) EXPECT_EQ(color.at(x, kRow, 0), sharp.at(x, kRow, 0)) << x;
-      if (inside) softest = std::min(softest, double(color.at(x, kRow, 0)));
-      else missed = std::max(missed, exact);
+      if (inside) {
+        EXPECT_NEAR(color.at(x, kRow, 0), exact, 1. / kSamples + 1e-6) << x;
+        softest = std::min(softest, double(color.at(x, kRow, 0)));
+      } else {
+        EXPECT_EQ(color.at(x, kRow, 0), sharp.at(x, kRow, 0)) << x;
+        missed = std::max(missed, exact);
+      }
     }
     bool centred = anchor.name == "centre";
     EXPECT_LT(softest, centred ? .55 : .1);  // half of the ramp, or all of it
@@ -49,6 +52,88 @@ TEST_F(RenderPeers, BevyTakesWhatGoesAwayForWhatComes) {
   // To the right of a bar that has come from the left nothing but the background of .2 is ever seen.
   EXPECT_GT(color.at(162, kRow, 0), .4);
   EXPECT_FLOAT_EQ(color.at(180, kRow, 0), .2f);
+}
+
+// --- Lee, Kwon and Oh 2024: full layers, searched back along displacements
+
+// Three cards one right behind the other that move apart, before a wall at rest.
+const Strips kStack = {{32, 96, 20, {.9}}, {32, 96, 16, {.6}}, {32, 96, 12, {.3}}, {-kInfinity, kInfinity, 0, {.1}}};
+
+lab::Shot stacked() {
+  Numbers numbers;
+  for (size_t k = 0; k < 3; ++k) {
+    const Strip& card = kStack[k];
+    for (const auto& [name, value] :
+         Numbers{{"left", card.left}, {"right", card.right}, {"d", card.d}, {"v", card.pattern.even}})
+      numbers.push_back({fmt::format("{}{}", name, k), value});
+  }
+  return shotOf("cards", 128, kRows, numbers);
+}
+
+// Which surface is the farthest that a pixel sees within the exposure, 0 the first.
+int farthestSeen(const Strips& strips, Window window, int x) {
+  int farthest = 0;
+  for (int i = 0; i < 256; ++i) {
+    double t = window.open + (window.close - window.open) * (i + .5) / 256;
+    farthest = std::max(farthest, seenAt(strips, x + .5, t).surface);
+  }
+  return farthest;
+}
+
+// As many layers as surfaces: exact up to the number of samples, inside of the silhouettes, where each layer's own
+// displacement is searched for. With fewer, exactly those pixels are wrong that see what is in no layer.
+TEST_F(RenderPeers, Layers2024SeeAsFarAsTheyHaveLayers) {
+  constexpr int kSamples = 64;
+  for (int layers = 1; layers <= 4; ++layers)
+    for (const Anchor& anchor : anchors()) {
+      SCOPED_TRACE(fmt::format("{} layers, {}", layers, anchor.name));
+      lab::Shot shot =
+          with(stacked(), "layers2024",
+               {fmt::format("layer_count={}", layers), fmt::format("samples={}", kSamples), "tile=20"}, anchor.name);
+      image::Image color = colorOf(render(shot));
+      double worst = 0;
+      for (int x = 32; x < 96; ++x) {
+        Exposure exact = exposeCentre(kStack, anchor.window, x);
+        double error = std::abs(color.at(x, kRow, 0) - exact.colour);
+        bool is_held = farthestSeen(kStack, anchor.window, x) < layers;
+        if (is_held) {
+          EXPECT_LE(error, exact.variation / kSamples + 1e-4) << x;
+        }
+        if (!is_held) worst = std::max(worst, error);
+      }
+      EXPECT_EQ(worst > .1, layers < 4) << worst;
+    }
+}
+
+// What is outside of the picture at the capture is in no layer, however many there are.
+TEST_F(RenderPeers, Layers2024MissWhatHasLeft) {
+  const Strips gone = {{260, 300, 60, {1}}, {-kInfinity, kInfinity, 0, {0}}};
+  lab::Shot shot = shotOf("bar", kWidth, kRows, {{"left", 260}, {"right", 300}, {"d_f", 60}});
+  image::Image color = colorOf(render(with(shot, "layers2024", {"layer_count=4"}, "close")));
+  for (int x = 0; x < kWidth; ++x) EXPECT_EQ(color.at(x, kRow, 0), 0) << x;
+  EXPECT_GT(exposeCentre(gone, kCloseAnchor, 230).colour, .4);
+}
+
+// Its cost: each layer draws all that lies over each other at a pixel, while one ray behind a silhouette meets one
+// surface.
+TEST_F(RenderPeers, PeelingDrawsEverythingForEachLayer) {
+  lab::Picture picture = render(with(stacked(), "layers2024", {"layer_count=4"}, "close"));
+  constexpr uint64_t kDrawn = 128 * kRows + 3 * 64 * kRows;  // wall, three cards
+  for (int layer = 2; layer <= 4; ++layer)
+    EXPECT_EQ(counterOf(picture, fmt::format("layer_{}_peel.fragments", layer)), kDrawn) << layer;
+}
+
+// A pixel that is at none of its layers' paths knows of what passes over it by its tile alone.
+TEST_F(RenderPeers, Layers2024FindNothingOutsideByOwnDisplacements) {
+  lab::Shot shot = shotOf("bar", kWidth, kRows);
+  image::Image own = colorOf(render(with(shot, "layers2024", {"paths=own"}, "close")));
+  image::Image tiles = colorOf(render(with(shot, "layers2024", {"paths=tiles", "samples=64"}, "close")));
+  image::Image sharp = colorOf(render(with(shot, "none")));
+  const Strips bar = {{96, 160, 20, {1}}, {-kInfinity, kInfinity, 0, {0}}};
+  for (int x = 70; x < 96; ++x) {
+    EXPECT_EQ(own.at(x, kRow, 0), sharp.at(x, kRow, 0)) << x;
+    EXPECT_NEAR(tiles.at(x, kRow, 0), exposeCentre(bar, kCloseAnchor, x).colour, 1. / 64 + 1e-4) << x;
+  }
 }
 
 }  // namespace

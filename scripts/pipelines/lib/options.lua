@@ -28,14 +28,14 @@ function options.of_picture(more)
 end
 
 -- Of what looks around by tiles. `tile` is a default.
-function options.blur(tile)
-  return options.of_picture {
-    tile         = blur.tile { tile },
-    jitter       = jitter.jitter,
-    depth_extent = blur.depth_extent,
-    trajectory   = blur.trajectory,
-    tile_rule    = neighbour_max.params.rule,
-  }
+function options.by_tiles(tile, more)
+  return options.with(options.of_picture {
+    tile      = blur.tile { tile },
+    tile_rule = neighbour_max.params.rule,
+    jitter    = jitter.jitter,
+  }, more)
 end
+
+function options.blur(tile) return options.by_tiles(tile, { depth_extent = blur.depth_extent, trajectory = blur.trajectory }) end
 
 return options

@@ -1,0 +1,56 @@
+-- SPDX-License-Identifier: MIT
+-- Lee, Kwon and Oh 2024, "Real-Time Motion Blur Using Multi-Layer Motion Vectors": full layers by depth peeling.
+local pipeline = require "strobe.pipeline"
+local filter   = require "passes.filter.layers2024"
+local gbuffer  = require "passes.scene.gbuffer"
+local peel     = require "passes.scene.peel"
+local shade    = require "passes.scene.shade"
+local options  = require "scripts.pipelines.lib.options"
+local scene    = require "scripts.pipelines.lib.scene"
+local tiles    = require "scripts.pipelines.lib.tiles"
+
+local function layer_behind(front, number)
+  local name = ("layer_%d"):format(number)
+  local hit = peel { front = front.hit, as = name .. "_peel" }.hit
+  local g = gbuffer { hit = hit, as = name .. "_gbuffer" }
+  return {
+    hit = hit, depth = g.depth, velocity = g.velocity,
+    color = shade { hit = hit, shading = "frozen", as = name .. "_shade" }.color,
+  }
+end
+
+-- What a filter reads of the layers, the first of which is what is seen.
+local function images(p, layers)
+  local read = { id = layers[1].id, color = layers[1].color, depth = layers[1].depth, velocity = layers[1].velocity }
+  for number = 2, #layers do
+    for _, part in ipairs { "color", "depth", "velocity" } do
+      read[("layer_%d_%s"):format(number, part)] = layers[number][part]
+    end
+  end
+  if p.paths() == "own" then return read end
+  read.dominant = tiles.dominant(p, layers[1], { extra = layers[2] }).dominant
+  if layers[3] then read.deep_dominant = tiles.dominant(p, layers[3], { extra = layers[4], prefix = "deep_" }).dominant end
+  return read
+end
+
+return pipeline {
+  doc = "Lee, Kwon and Oh 2024: full raster layers one behind the other, searched back along displacements",
+  params = options.by_tiles(40, {
+    layer_count = pipeline.int { 4, min = 1, max = 4, doc = "surfaces one behind the other, the first of which is seen" },
+    sides  = peel.params.sides,
+    paths = pipeline.choice { "tiles", "own", default = "tiles", doc = "along which displacements a pixel looks",
+      values = {
+        tiles = "Its own in every layer, and the longest of the tiles around. Fails where something else comes as well.",
+        own = "Its own in every layer. Fails beside silhouettes: what passes over a pixel that it is not at is not found.",
+      } },
+    agreement = filter.params.agreement,
+  }),
+  build = function(p)
+    local seen = scene.captured()
+    local layers = { seen }
+    for number = 2, p.layer_count() do layers[number] = layer_behind(layers[number - 1], number) end
+    local read = images(p, layers)
+    read.as = "search"
+    return scene.outputs(seen, { color = filter(read).blurred })
+  end,
+}

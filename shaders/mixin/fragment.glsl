@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Needs: scene.
+// What the fragments of scene/visibility.vert.glsl know of the triangle they are of, and whether they are there at all.
+#ifndef STROBE_FRAGMENT_GLSL
+#define STROBE_FRAGMENT_GLSL
+#include "mixin/trace_payload.glsl"
+
+layout(location = 0) flat in uvec2 draw;  // instance, geometry
+layout(location = 1) in vec2 uv0;
+layout(location = 2) in vec2 uv1;
+layout(location = 3) in float alpha;
+#ifdef STROBE_SEPARATE_TRIANGLES
+layout(location = 4) flat in uint triangle;
+#else
+uint triangle = uint(gl_PrimitiveID);
+#endif
+#if FACT_one_sided
+layout(location = 5) flat in uint mirrored;
+#endif
+#if FACT_blend
+layout(location = 6) in vec3 position_os;
+#else
+const vec3 position_os = vec3(0);
+#endif
+
+// Is it what alpha leaves out, by the same tests as rays use, or the back of what is seen from one side alone?
+bool isLeftOut() {
+#if FACT_one_sided
+  if (gl_FrontFacing == (mirrored != 0u) && isOneSided(draw.x, draw.y)) return true;
+#endif
+#if FACT_alpha
+  SceneGeometry geometry = scene_geometries[scene_instances[draw.x].first_geometry + draw.y];
+  SceneMaterial material = scene_materials[geometry.material];
+  if ((material.flags & (MATERIAL_ALPHA_MASK | MATERIAL_ALPHA_BLEND)) != 0u) {
+    float coverage = alpha * material.base_color.a;
+    int texture_index = material.base_color_use.texture;
+    if (texture_index >= 0) {
+      vec2 uv = transformedUv(material.base_color_use, uv0, uv1);
+      coverage *= textureLod(scene_textures[nonuniformEXT(texture_index)], uv, 0.0).a;
+    }
+    if (coverage < leastAlpha(material, draw.x, draw.y, position_os)) return true;
+  }
+#endif
+  return false;
+}
+
+#endif

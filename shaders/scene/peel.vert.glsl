@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+// As what is nearest is drawn.
+#include "scene/visibility.vert.glsl"
