@@ -136,5 +136,60 @@ TEST_F(RenderPeers, Layers2024FindNothingOutsideByOwnDisplacements) {
   }
 }
 
+// --- Unity HDRP: tiles scattered along their motion, weights by how motions are aligned
+
+// A bar of four tiles that comes from 90 px away: tiles of 16 px hold its displacement as far as it was, not
+// everywhere, and its blur is as long.
+TEST_F(RenderPeers, HdrpBlursFartherThanItsTilesAreWide) {
+  const Strips bar = {{160, 224, 90, {1}}, {-kInfinity, kInfinity, 0, {0}}};
+  lab::Shot shot = shotOf("bar", kWidth, 16, {{"left", 160}, {"right", 224}, {"d_f", 90}});
+  shot = with(shot, "hdrp", {"samples=64"}, "close");
+  shot.taps = {"scatter_max.dominant"};
+  lab::Picture picture = render(shot);
+  const image::Image& dominant = picture.frame.taps.at(shot.taps[0]).floats;
+  for (int tile = 0; tile < kWidth / 16; ++tile) {
+    double covered = 0;
+    for (int x = 16 * tile; x < 16 * tile + 16; ++x) covered += exposeCentre(bar, kCloseAnchor, x).coverage;
+    if (covered > 0) {
+      EXPECT_FLOAT_EQ(dominant.at(tile, 0, 0), 90) << tile;
+    }
+    bool far_off = 16 * (tile + 2) < 70 || 16 * (tile - 1) > 224;  // of all that it passes, by a tile and more
+    if (far_off) {
+      EXPECT_EQ(dominant.at(tile, 0, 0), 0) << tile;
+    }
+  }
+  for (int x = 0; x < kWidth; ++x)
+    EXPECT_NEAR(colorOf(picture).at(x, kRow, 0), exposeCentre(bar, kCloseAnchor, x).colour, 1.5 / 64) << x;
+}
+
+// `a` moves 12 px to the right, `b` 10 px down; both lie in one tile, far from each other.
+lab::Shot crossing(double a_x) {
+  return shotOf("crossing", 96, 96,
+                {{"a_left", 0}, {"a_top", 64}, {"a_x", a_x}, {"b_left", 40}, {"b_top", 20}, {"b_x", 0}, {"b_y", 10}});
+}
+
+TEST_F(RenderPeers, HdrpLosesOneOfTwoMotionsInATile) {
+  auto color = [](double a_x, const std::string& pipeline, const std::vector<std::string>& settings) {
+    return colorOf(render(with(crossing(a_x), pipeline, settings, "close")));
+  };
+  const std::vector<std::string> one_tile = {"tile=96"};
+  image::Image alone = color(0, "hdrp", one_tile), crossed = color(12, "hdrp", one_tile), sharp = color(12, "none", {});
+  for (int y = 8; y < 56; ++y) {
+    double exact = .2 + .4 * barAtCentre(20, 52, 10, kCloseAnchor, y);
+    EXPECT_NEAR(alone.at(56, y, 0), exact, .4 / 10) << y;  // where nothing else moves it is blurred, by 10 taps
+    EXPECT_NEAR(crossed.at(56, y, 0), sharp.at(56, y, 0), 1e-5) << y;  // where something faster does it is sharp
+  }
+  EXPECT_NEAR(barAtCentre(20, 52, 10, kCloseAnchor, 15), .55, 1e-9);  // of which half was to be seen
+}
+
+// What the weights are for: what moves across the dominant displacement is not smeared along it.
+TEST_F(RenderPeers, HdrpSpreadsNothingAcrossItsOwnMotion) {
+  auto beside = [](const std::string& pipeline) {
+    return colorOf(render(with(crossing(12), pipeline, {"tile=96"}, "close"))).at(36, 36, 0);
+  };
+  EXPECT_NEAR(beside("hdrp"), .2, 1e-6);
+  EXPECT_GT(beside("jimenez2014"), .3);
+}
+
 }  // namespace
 }  // namespace strobe::oracle

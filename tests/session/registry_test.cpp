@@ -54,6 +54,13 @@ const std::map<std::string, std::vector<Context>> kContexts = {
       {{"tile=8", "pan=10", "limit=1"}, {"cheap_ratio"}},
       {{"tile=8", "pan=10", "limit=1", "gather.cheap_ratio=0.5"}, {"cheap"}}}},
     {"bevy", {{{}, {}}, kJitter, kBent}},
+    {"hdrp",
+     {{{}, {}},
+      kJitter,
+      kBent,
+      {{"anchor=centre"}, {"mirror"}},
+      {{"tile=8", "pan=10", "limit=1"}, {"cheap_ratio"}},
+      {{"tile=8", "pan=10", "limit=1", "cheap_ratio=0.5"}, {"cheap"}}}},
     {"layers2024",
      {{{}, {}},
       kJitter,
@@ -333,6 +340,7 @@ TEST_F(Registry, Guertin2014) { walk("guertin2014", 2); }
 TEST_F(Registry, Jimenez2014) { walk("jimenez2014", 3); }
 TEST_F(Registry, Ue4) { walk("ue4", 4); }
 TEST_F(Registry, Bevy) { walk("bevy", 7); }
+TEST_F(Registry, Hdrp) { walk("hdrp", 9); }
 TEST_F(Registry, Layers2024) { walk("layers2024", 8); }
 TEST_F(Registry, Hybrid) { walk("hybrid", 5); }
 TEST_F(Registry, GroundTruth) { walk("ground_truth", 6); }

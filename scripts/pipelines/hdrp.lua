@@ -1,0 +1,48 @@
+-- SPDX-License-Identifier: MIT
+-- The motion blur of Unity's High Definition Render Pipeline (since 2019), for any anchor.
+local pipeline = require "strobe.pipeline"
+local blur     = require "passes.lib.blur"
+local jitter   = require "passes.lib.jitter"
+local gather   = require "passes.gather.jimenez2014"
+local scatter_length = require "passes.tile.scatter_length"
+local scatter_source = require "passes.tile.scatter_source"
+local scatter_max    = require "passes.tile.scatter_max"
+local longest_motion = require "passes.tile.longest_motion"
+local tile_max       = require "passes.tile.tile_max"
+local gathers  = require "scripts.pipelines.lib.gathers"
+local options  = require "scripts.pipelines.lib.options"
+local scene    = require "scripts.pipelines.lib.scene"
+local tiles    = require "scripts.pipelines.lib.tiles"
+
+-- As tiles.dominant, from where things are instead of from where they come to.
+local function dominant(seen)
+  local longest = tile_max { velocity = seen.velocity }.longest
+  local length = scatter_length { longest = longest }.length
+  local source = scatter_source { longest = longest, length = length }.source
+  return {
+    dominant = scatter_max { longest = longest, source = source }.dominant,
+    reach = longest_motion { longest = longest }.reach,
+  }
+end
+
+return pipeline {
+  doc = "Unity HDRP: pairs of taps as Jimenez 2014, tiles scattered along their motion, weights by how motions are aligned",
+  params = options.of_picture {
+    tile         = blur.tile { 16 },
+    depth_extent = blur.depth_extent,
+    jitter       = jitter.jitter,
+    mirror       = gather.params.mirror,
+    count        = gather.params.count { default = "adaptive" },
+    direction    = gather.params.direction { default = "projected" },
+    copy_below   = gather.params.copy_below,
+    cheap_ratio  = gather.params.cheap_ratio,
+    cheap        = pipeline.bool { true, doc = "where all around moves alike, taps are averaged instead of weighed" },
+  },
+  build = function(p)
+    local seen = scene.captured()
+    local around = dominant(seen)
+    local images = gathers.images(seen, around)
+    if p.cheap() then images.slowest = tiles.slowest(seen, around) end
+    return scene.outputs(seen, { color = gathers.blurred("jimenez2014", images, "gather") })
+  end,
+}

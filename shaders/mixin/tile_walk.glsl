@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Needs: params.tile.
+// Where a tile goes within the exposure, if all of it moves by its longest displacement: tiles along the line of its centre, one
+// for each along the longer axis, from where it begins to where it ends.
+#ifndef STROBE_TILE_WALK_GLSL
+#define STROBE_TILE_WALK_GLSL
+#include "lib/blur.glsl"
+
+struct Walk {
+  ivec2 from;
+  vec2 d;           // tiles over the exposure
+  float steps;      // tiles over the exposure, along the longer axis
+  int first, last;  // steps from where it is now
+};
+
+// `tiles`: how many there are; what leaves them does not come back.
+Walk walkOf(ivec2 tile, vec2 d_px, ivec2 tiles) {
+  vec2 d = d_px / float(params.tile);
+  float steps = max(abs(d.x), abs(d.y)), most = float(max(tiles.x, tiles.y));
+  int before = int(ceil(min(-frame.shutter.x * steps, most))), after = int(ceil(min(frame.shutter.y * steps, most)));
+  return Walk(tile, d, steps, -before, after);
+}
+
+// The tile at a step from `first` to `last`; the outermost are where the exposure ends.
+ivec2 placeOf(Walk walk, int step) {
+  if (step == 0) return walk.from;
+  float t = clamp(float(step) / walk.steps, frame.shutter.x, frame.shutter.y);
+  return walk.from + roundSymmetric(walk.d * t);
+}
+
+#endif
