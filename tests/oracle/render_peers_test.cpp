@@ -191,5 +191,83 @@ TEST_F(RenderPeers, HdrpSpreadsNothingAcrossItsOwnMotion) {
   EXPECT_GT(beside("jimenez2014"), .3);
 }
 
+// --- Oberberger, Chajdas and Westermann 2022: one ray per pixel at a time of its own, a filter along the motion
+
+// A striped bar over stripes at rest, the mean over rows and seeds of each column against the exact exposure.
+constexpr int kTallRows = 64, kSeeds = 16;
+const Strips kStriped = {{96, 160, 20, {.9, .6, 8, 96}}, {-kInfinity, kInfinity, 0, {.4, .1, 8, 0}}};
+
+lab::Shot oneRay(int levels, int seed) {
+  lab::Shot shot =
+      with(shotOf("textured_bar", kWidth, kTallRows), "temporal1", {fmt::format("octaves={}", levels)}, "close");
+  shot.seed = uint32_t(seed);
+  return shot;
+}
+
+double meanOfColumn(const image::Image& color, int x) {
+  double sum = 0;
+  for (int y = 0; y < kTallRows; ++y) sum += color.at(x, y, 0) / kTallRows;
+  return sum;
+}
+
+// What a column sees, on average over the times that pixels draw from: the middles of 32 parts of the exposure.
+double meanOfTimes(int x) {
+  double sum = 0;
+  for (int i = 0; i < 32; ++i) sum += seenAt(kStriped, x + .5, (i + .5) / 32 - 1).colour / 32;
+  return sum;
+}
+
+// Worst column of the mean over seeds, where the bar is seen at some time.
+double biasOf(const std::vector<image::Image>& pictures) {
+  double worst = 0;
+  for (int x = 76; x < 160; ++x) {
+    double mean = 0;
+    for (const image::Image& color : pictures) mean += meanOfColumn(color, x) / double(pictures.size());
+    worst = std::max(worst, std::abs(mean - meanOfTimes(x)));
+  }
+  return worst;
+}
+
+// Noise: how far pixels of a column are from the mean of it.
+double noiseOf(const image::Image& color) {
+  double squares = 0;
+  for (int x = 76; x < 160; ++x) {
+    double mean = meanOfColumn(color, x);
+    for (int y = 0; y < kTallRows; ++y) squares += std::pow(color.at(x, y, 0) - mean, 2) / (84 * kTallRows);
+  }
+  return std::sqrt(squares);
+}
+
+// Rays alone are right on average and noisy; the filter takes away most of the noise, and what it leaves is wrong
+// however many pictures are averaged. Colours lie in a range of .8: no standard deviation is more than half of that.
+TEST_F(RenderPeers, Temporal1IsRightOnAverageUntilItIsFiltered) {
+  std::vector<image::Image> rays, filtered;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    rays.push_back(colorOf(render(oneRay(0, seed))));
+    filtered.push_back(colorOf(render(oneRay(4, seed))));
+  }
+  double four_errors = 4 * .4 / std::sqrt(kSeeds * kTallRows);
+  EXPECT_LT(biasOf(rays), four_errors);
+  EXPECT_GT(biasOf(filtered), .1);
+  double before = noiseOf(rays.front()), after = noiseOf(filtered.front());
+  EXPECT_LT(after, .5 * before);
+  EXPECT_GT(after, .01);
+}
+
+// Where motions differ all are blurred along the longer one: a wall at rest before which something passes is smeared,
+// which in truth is as sharp as ever wherever it is seen.
+TEST_F(RenderPeers, Temporal1BlursWhatRestsAlongWhatMoves) {
+  // Of stripes at rest under a bar of one colour the contrast is what is left of them by the bar's share of the time.
+  lab::Shot shot = shotOf("textured_bar", kWidth, kTallRows, {{"f_light", .25}, {"f_dark", .25}, {"period_b", 2}});
+  auto contrast = [&](int levels) {
+    image::Image color = colorOf(render(with(shot, "temporal1", {fmt::format("octaves={}", levels)}, "close")));
+    double sum = 0;
+    for (int x = 80; x < 92; x += 4) sum += meanOfColumn(color, x) - meanOfColumn(color, x + 2);
+    return sum / 3;
+  };
+  EXPECT_LT(contrast(4), .5 * contrast(0));
+  EXPECT_GT(contrast(0), .1);
+}
+
 }  // namespace
 }  // namespace strobe::oracle

@@ -67,6 +67,7 @@ const std::map<std::string, std::vector<Context>> kContexts = {
       kBent,
       {{"tile=8"}, {"tile_rule"}},
       {{"scene=solids", "slide=5", "limit=10", "layer_count=2"}, {"sides"}}}},
+    {"temporal1", {{{}, {}}, {{"frame=1"}, {"jitter_frame"}}, kBent, {{"tile=8"}, {"tile_rule"}}}},
     {"ue4", {{{}, {}}, kJitter, kBent, {{"tile=8"}, {"tile_rule"}}, {{"anchor=centre"}, {"mirror"}}}},
     {"hybrid",
      {{{}, {}},
@@ -341,6 +342,7 @@ TEST_F(Registry, Jimenez2014) { walk("jimenez2014", 3); }
 TEST_F(Registry, Ue4) { walk("ue4", 4); }
 TEST_F(Registry, Bevy) { walk("bevy", 7); }
 TEST_F(Registry, Hdrp) { walk("hdrp", 9); }
+TEST_F(Registry, Temporal1) { walk("temporal1", 10); }
 TEST_F(Registry, Layers2024) { walk("layers2024", 8); }
 TEST_F(Registry, Hybrid) { walk("hybrid", 5); }
 TEST_F(Registry, GroundTruth) { walk("ground_truth", 6); }

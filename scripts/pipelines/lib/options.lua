@@ -36,6 +36,8 @@ function options.by_tiles(tile, more)
   }, more)
 end
 
-function options.blur(tile) return options.by_tiles(tile, { depth_extent = blur.depth_extent, trajectory = blur.trajectory }) end
+function options.blur(tile)
+  return options.by_tiles(tile, { depth_extent = blur.depth_extent, trajectory = blur.trajectory })
+end
 
 return options

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// One level of an a-trous wavelet filter in one direction (Oberberger, Chajdas, Westermann 2022, "Spatiotemporal Variance-Guided
+// Filtering for Motion Blur", after Schied et al. 2017, SVGF).
+// In:  noisy (linear), variance (of its tone, mixin/along_motion.glsl), dominant (px over the exposure, per tile).
+// Out: blurred = sum of h(k) w(k) C(k) over that of h(k) w(k), k = -2..2 at k * 2^octave px along the dominant displacement, with the
+//   B-spline h = 1/16, 1/4, 3/8, 1/4, 1/16 and w = exp(-|difference of tones| / (deviations * standard deviation + kSlack)), the deviation from 3
+//   pixels along the line; less = sum of h^2 w^2 variance over the square of that.
+// Where the variance is 0, and where pixels lie farther apart than half of the displacement, the level does nothing.
+#include "mixin/along_motion.glsl"
+
+const float kSpline[3] = float[3](3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0);
+
+// Of tones: less is rounding.
+const float kSlack = 1e-3;
+
+float varianceAt(ivec2 at) { return max(finite(texelFetch(variance_tex, at, 0).x), 0.0); }
+
+float deviationAt(ivec2 pixel, vec2 d, ivec2 size) {
+  float sum = 0.0, weights = 0.0;
+  for (int i = -1; i <= 1; ++i) {
+    ivec2 at = alongBy(pixel, d, float(i));
+    if (!isInside(at, size)) continue;
+    float weight = i == 0 ? 0.5 : 0.25;
+    sum += weight * varianceAt(at);
+    weights += weight;
+  }
+  return sqrt(sum / weights);
+}
+
+void run(ivec2 pixel) {
+  vec4 own = texelFetch(noisy_tex, pixel, 0);
+  float variance = varianceAt(pixel), apart = exp2(float(params.octave));
+  vec2 d = dominantAt(pixel);
+  if (variance == 0.0 || apart > max(0.5 * lengthOf(d), 1.0)) {
+    imageStore(blurred_img, pixel, own);
+    imageStore(less_img, pixel, vec4(variance));
+    return;
+  }
+
+  ivec2 size = textureSize(noisy_tex, 0);
+  float here = tone(finiteColor(own)), within = params.deviations * deviationAt(pixel, d, size) + kSlack;
+  vec3 sum = vec3(0);
+  float weights = 0.0, left = 0.0;
+  for (int k = -2; k <= 2; ++k) {
+    ivec2 at = alongBy(pixel, d, float(k) * apart);
+    if (!isInside(at, size)) continue;
+    vec3 color = finiteColor(texelFetch(noisy_tex, at, 0));
+    float weight = kSpline[abs(k)] * exp(-abs(tone(color) - here) / within);
+    sum += weight * toSum(color);
+    weights += weight;
+    left += weight * weight * varianceAt(at);
+  }
+  imageStore(blurred_img, pixel, vec4(fromSum(sum / weights), 1));
+  imageStore(less_img, pixel, vec4(left / (weights * weights)));
+}
