@@ -136,6 +136,51 @@ TEST(Omission, ZerosLiveFromTheirClearToTheirLastReader) {
 
 TEST(Omission, AMaskThatRunsKeepsWhatReadsIt) { EXPECT_EQ(order(planned(masked(), {"alpha"})).size(), 4u); }
 
+// base -> mask (0 without motion) -> layer (reads the mask) -> filter, of which `layer` and `mask` need the mask
+Builder layered() {
+  Builder b;
+  b.compute("base", {}, {"x"});
+  b.compute("mask", {{"x", "base.x"}}, {"m"}).without = {without("motion", {{"m", ""}})};
+  b.compute("layer", {{"m", "mask.m"}}, {"l"});
+  PassDesc& filter = b.compute("filter", {{"x", "base.x"}, {"layer", "layer.l"}, {"mask", "mask.m"}}, {"z"});
+  for (PortDesc& read : filter.reads)
+    if (read.name != "x") read.optional = true, read.needs = {"mask"};
+  b.output("color", "filter.z");
+  return b;
+}
+
+TEST(Omission, AReadOfNoUseIsNotWired) {
+  Plan plan = planned(layered(), {"motion"});
+  EXPECT_EQ(order(plan), (Names{"base", "filter"}));
+  EXPECT_EQ(plan.nodes[1].reads, (std::vector<int>{plan.nodes[1].reads[0], -1, -1}));
+  EXPECT_TRUE(cleared(plan).empty());
+  EXPECT_EQ(order(planned(layered(), {})).size(), 4u);
+}
+
+// One of several is enough.
+TEST(Omission, AReadThatNeedsAnyOfSeveralStaysWithOne) {
+  Builder b = layered();
+  for (PortDesc& read : b.pipeline.passes.back().reads)
+    if (read.name == "layer") read.needs = {"mask", "x"};
+  EXPECT_EQ(order(planned(b, {"motion"})), (Names{"base", "layer", "filter"}));
+}
+
+TEST(Omission, NeedsAreReadWithoutTrust) {
+  auto refused = [](const std::string& needed, bool optional) -> std::string {
+    PassDesc pass = layered().pipeline.passes.back();
+    for (PortDesc& read : pass.reads)
+      if (read.name == "layer") read.needs = {needed}, read.optional = optional;
+    try {
+      return toJson(passFromJson(toJson(pass))).dump() == toJson(pass).dump() ? "" : "changed";
+    } catch (const Error& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(refused("mask", true), "");
+  EXPECT_NE(refused("fog", true).find("read 'layer' needs 'fog', which is no read"), std::string::npos);
+  EXPECT_NE(refused("mask", false).find("read 'layer' is always wired"), std::string::npos);
+}
+
 TEST(Omission, AnotherFormatOrSizeRuns) {
   Builder format = filtered();
   format.pipeline.passes[2].writes[0].format = "rgba32f";
