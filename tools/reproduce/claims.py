@@ -36,6 +36,7 @@ EXPERIMENTS = [
     experiment("any_object", "shot=door", 60, 900),
     experiment("layers", "shot=two", 60, 600),
     experiment("curves", "shot=pendulum", 30, 60),
+    experiment("peers", "shot=enters", 40, 60),
     experiment("samples", "samples=4", 50, 400),
     experiment("composites", "shot=still,samples=16", 50, 1200),
     experiment("edge_detectors", "shot=near,depth=0.05", 50, 1200),
