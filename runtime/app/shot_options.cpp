@@ -59,6 +59,8 @@ lab::Shot ShotOptions::resolve() const {
     auto given = given_.find(option.name);
     if (given != given_.end() && !given->second.empty()) setFromTexts(option, shot, given->second);
   }
+  if (!given("exposure").empty() && !given("exposure_time").empty())
+    throw Error("--exposure and --exposure-time exclude one another", {}, 2);
   if (samples) shot.sets.push_back({"samples", int64_t(samples)});
   if (!shading.empty()) shot.sets.push_back({"shading", shading});
   for (const std::string& set : sets) shot.sets.push_back(script::settingFromText(set));

@@ -10,6 +10,20 @@ namespace strobe::graph {
 
 using plan::Plan;
 
+// The curve as shaders have it.
+static void setCurve(const ShutterCurve& curve, shared::FrameData& frame) {
+  static_assert(ShutterCurve::kMostKnots <= CURVE_KNOTS);
+  vec4* const halves[] = {frame.curve_opening, frame.curve_closing};
+  for (int end : {0, 1}) {
+    const std::vector<ShutterCurve::Knot>& knots = curve.knotsFrom(end);
+    for (size_t i = 0; i < knots.size(); ++i)
+      halves[end][i] = vec4(knots[i].distance, knots[i].share, knots[i].weight, knots[i].slope);
+    frame.curve_counts[end] = uint32_t(knots.size());
+    double at_capture = end == 0 ? -frame.shutter.x : frame.shutter.y;  // from that end
+    frame.curve_sides[end] = float(end == 0 ? curve.shareBefore(at_capture) : 1 - curve.shareBefore(1 - at_capture));
+  }
+}
+
 shared::FrameData frameData(const Plan& plan, const world::GpuScene& scene, const FrameSetup& setup) {
   shared::FrameData frame{};
   frame.size = uvec2(plan.width, plan.height);
@@ -29,6 +43,7 @@ shared::FrameData frameData(const Plan& plan, const world::GpuScene& scene, cons
   frame.camera_rests = setup.camera_rests ? 1 : 0;
   frame.moving_count = scene.movingCount();
   frame.exposure = float((setup.close_s - setup.open_s) / setup.frame_s);
+  setCurve(setup.curve, frame);
   if (setup.environment.background) frame.background = vec4(*setup.environment.background, 1);
   return frame;
 }
@@ -64,7 +79,9 @@ void poseSamples(world::GpuScene& scene, const Plan& plan, const FrameSetup& set
       uint32_t index = uint32_t(part) * uint32_t(loop.slices) + uint32_t(q);
       in_stratum = (q + hashUniform(setup.seed, setup.frame, index, uint32_t(loop.loop))) / loop.slices;
     }
-    double time_s = setup.open_s + (setup.close_s - setup.open_s) * ((part + in_stratum) / loop.parts);
+    double share = (part + in_stratum) / loop.parts;
+    if (loop.times != "even") share = setup.curve.timeOf(share);
+    double time_s = setup.open_s + (setup.close_s - setup.open_s) * share;
     scene.setPose(SLICE_SAMPLE + uint32_t(q), setup.pose_at(time_s), aspect(plan), origin);
   }
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "math/shutter_curve.h"
 #include "plan/plan.h"
 #include "scene/screen_motion.h"
 #include "world/gpu_scene.h"
@@ -20,6 +21,7 @@ struct FrameSetup {
   std::function<scene::Pose(double time_s)> pose_at;
   double capture_s = 0;            // scene time of the capture
   double open_s = 0, close_s = 0;  // the exposure window
+  ShutterCurve curve;              // how much its times count
   double frame_s = 0;              // time from frame to frame
   uint32_t anchor = 0;             // ANCHOR_* of shaders/shared/frame.h
   uint32_t frame = 0;
@@ -64,7 +66,7 @@ void poseFixedSlices(world::GpuScene& scene, const plan::Plan& plan, const Frame
 // or takes some of them, does so by steps of the golden ratio: however many were taken, they lie all over the exposure.
 int partOf(const plan::PlanLoop& loop, int iteration);
 // Poses the sample slices of an iteration, which counts from `loop.first`: midpoints of strata, or a random time in
-// each of their parts.
+// each of their parts. Strata have equal shares of the shutter curve's weight, in loops of even times of the exposure.
 void poseSamples(world::GpuScene& scene, const plan::Plan& plan, const FrameSetup& setup, const plan::PlanLoop& loop,
                  int iteration);
 

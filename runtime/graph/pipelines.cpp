@@ -52,7 +52,7 @@ static shader::Interface interfaceOf(const PassDesc& pass, Backend backend, cons
   in.raster = pass.kind == PassDesc::Kind::Raster;
   in.scene = pass.scene || pass.kind != PassDesc::Kind::Compute;
   for (const plan::Fact& fact : plan::facts())
-    if (in.scene && fact.compiled_in)
+    if (fact.compiled_into_all || (in.scene && fact.compiled_in))
       in.facts.push_back({fact.name, !std::count(absent.begin(), absent.end(), fact.name)});
   in.backend = pass.kind == PassDesc::Kind::Trace ? backend : Backend::None;
   for (size_t i = 0; i < pass.reads.size(); ++i) in.reads.push_back({pass.reads[i].name, pass.reads[i].uint, wired[i]});

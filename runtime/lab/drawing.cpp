@@ -9,6 +9,7 @@
 #include "lab/record.h"
 #include "lab/warnings.h"
 #include "plan/canonical.h"
+#include "scene/frame_poser.h"
 #include "scene/motion.h"
 #include "scene/tree_order.h"
 
@@ -25,19 +26,20 @@ static dmat4 worldFromView(const std::array<double, 6>& view) {
 
 graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene) {
   int camera_node = scene::cameraNode(scene, shot.camera);
-  auto poser = std::make_shared<scene::Poser>(scene, camera_node, shot.animation);
+  scene::FrameTimes times{shot.captureTime(), shot.window()[0], shot.window()[1], shot.camera_blur, shot.object_blur};
+  if (!shot.follow.empty()) times.followed = scene::nodeByName(scene, shot.follow);
+  auto poser = std::make_shared<scene::FramePoser>(scene, camera_node, shot.animation, times);
   graph::FrameSetup setup;
-  // Stepped channels stay as they are at the capture: a jump is no motion and must not blur.
-  setup.pose_at = [poser, view = shot.view, keys = cameraKeys(shot.path), fps = shot.fps,
-                   capture_s = shot.captureTime()](double time_s) {
-    scene::Pose pose = poser->at(time_s, capture_s);
+  setup.pose_at = [poser, view = shot.view, keys = cameraKeys(shot.path), fps = shot.fps](double time_s) {
+    scene::Pose pose = poser->at(time_s);
     if (view) pose.world_from_camera = worldFromView(*view);
-    else if (!keys.empty()) pose.world_from_camera = worldFromView(viewAt(keys, time_s * fps));
+    else if (!keys.empty()) pose.world_from_camera = worldFromView(viewAt(keys, poser->cameraTime(time_s) * fps));
     return pose;
   };
   setup.capture_s = shot.captureTime();
   setup.open_s = shot.window()[0];
   setup.close_s = shot.window()[1];
+  setup.curve = ShutterCurve::from(shot.shutter_curve);
   setup.frame_s = 1 / shot.fps;
   setup.anchor = anchorCode(shot.anchor);
   setup.frame = uint32_t(shot.frame);

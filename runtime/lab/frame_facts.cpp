@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "lab/drawing.h"
+#include "math/shutter_curve.h"
 
 namespace strobe::lab {
 
@@ -43,6 +44,7 @@ std::vector<std::string> absentFacts(const Shot& shot, const scene::Scene& scene
   if (!facts.bends) absent.push_back("bends");
   if (!(shot.window()[0] < shot.captureTime())) absent.push_back("before");
   if (!(shot.window()[1] > shot.captureTime())) absent.push_back("after");
+  if (ShutterCurve::from(shot.shutter_curve).isBox()) absent.push_back("weighted");
   return absent;
 }
 

@@ -128,8 +128,13 @@ void Session::set(const std::string& name, const plan::Value& value, const std::
   // Nodes that the shot moves stay at rest where they were.
   bool moves = !shot.moves.empty() || !shot.spins.empty();
   if (name == "frame" && moves && shot.rest_frame < 0) shot.rest_frame = shot.frame;
-  if (field) ShotField{declarationOf(*field, scene()), field->member}.set(shot, value);
-  else setFromTexts(*option, shot, {plan::textOf(value)});
+  if (field) {
+    ShotField offered = *field;
+    offered.declaration = declarationOf(*field, scene());
+    offered.set(shot, value);
+  } else {
+    setFromTexts(*option, shot, {plan::textOf(value)});
+  }
   // Drawn anew if that concerns the frame alone, and requires nothing else of the plan.
   bool frame_alone = option->concern == Concern::Frame || option->concern == Concern::Motion;
   frame_alone = frame_alone && sceneIdentity(shot) == sceneIdentity(shot_);

@@ -10,7 +10,7 @@
 namespace strobe::lab {
 
 std::array<double, 2> Shot::window() const {
-  double length_s = exposure / fps;
+  double length_s = exposureSeconds();
   double before = anchor == "close" ? 1 : anchor == "centre" ? 0.5 : 0;
   return {captureTime() - before * length_s, captureTime() + (1 - before) * length_s};
 }
@@ -26,6 +26,10 @@ void fillShot(Shot& shot, const Json& description) {
     for (const ShotField& field : option.fields) {
       if (!option.is(ShotOption::kSuggested) || !field.isOpen(shot)) continue;
       const std::string& name = field.declaration.name;
+      if (name == "exposure" && shot.exposure_time >= 0) {
+        shot.exposure = shot.exposure_time * shot.fps;
+        continue;
+      }
       field.set(shot,
                 suggested.contains(name) ? plan::valueFromJson(suggested[name]) : field.declaration.default_value);
     }
@@ -163,6 +167,7 @@ std::string commandOf(const Shot& shot) {
   std::string line = "strobe render " + shellWord(shot.pipeline);
   for (const ShotOption& option : shotOptions()) {
     if (option.is(ShotOption::kNoPicture)) continue;
+    if (option.name == "exposure" && shot.exposure_time >= 0) continue;
     std::vector<std::string> texts = textsOf(option, shot);
     if (texts.empty() && option.is(ShotOption::kSpelled)) texts = {jsonOf(option, shot).get<std::string>()};
     bool is_flag = option.fields.front().declaration.type == plan::ParamDesc::Type::Bool;

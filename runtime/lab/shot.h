@@ -20,10 +20,14 @@ struct Shot {
   script::Settings sets;              // `--set`, in order
   int width = 0, height = 0;          // pixels
   double fps = 0;
-  int frame = -1;        // the capture is at frame / fps seconds
-  double exposure = -1;  // shutter open time in frame intervals
+  int frame = -1;             // the capture is at frame / fps seconds
+  double exposure = -1;       // shutter open time in frame intervals
+  double exposure_time = -1;  // the same in seconds, where that was asked for: `exposure` follows from it
   std::string anchor = "close";
-  std::string camera;  // "" takes the scene's first
+  std::string shutter_curve = "box";        // how much the times of the exposure count (math/shutter_curve.h)
+  double camera_blur = 1, object_blur = 1;  // shares of their motion that blur
+  std::string follow;                       // a node that blurs as the camera does
+  std::string camera;                       // "" takes the scene's first
   // Instead of the camera's pose: it stands at the first three (metres), looks at the last three, y is up, all through.
   std::optional<std::array<double, 6>> view;
   std::vector<std::string> path;  // FRAME=ex,ey,ez,tx,ty,tz: a camera that moves through them (lab/camera_path.h)
@@ -42,6 +46,8 @@ struct Shot {
 
   double captureTime() const { return frame / fps; }
   double restTime() const { return (rest_frame < 0 ? frame : rest_frame) / fps; }
+  // Length of the exposure, seconds.
+  double exposureSeconds() const { return exposure_time >= 0 ? exposure_time : exposure / fps; }
   // Start and end of the exposure window, seconds.
   std::array<double, 2> window() const;
 };

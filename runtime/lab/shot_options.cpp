@@ -6,6 +6,7 @@
 
 #include "base/numbers.h"
 #include "lab/camera_path.h"
+#include "math/shutter_curve.h"
 #include "shader/backends.h"
 
 namespace strobe::lab {
@@ -13,6 +14,8 @@ namespace strobe::lab {
 using plan::ParamDesc;
 using plan::Value;
 using Type = ParamDesc::Type;
+
+constexpr double kMostFrames = 1000;  // of an exposure
 
 // ---- the table
 
@@ -48,6 +51,13 @@ static ShotField text(const char* name, ShotMember member, const char* otherwise
   field.declaration.variant = true;
   return field;
 }
+
+static ShotField checked(ShotField field, void (*check)(const std::string&)) {
+  field.check = check;
+  return field;
+}
+
+static void checkCurve(const std::string& text) { ShutterCurve::from(text); }
 
 static ShotField flag(const char* name, ShotMember member) {
   ShotField field{{}, member};
@@ -90,11 +100,22 @@ static std::vector<ShotOption> allOptions() {
           O::kSuggested | O::kControl),
       one(whole("frame", &S::frame, 1, 0, kLastFrame), "the capture is at frame / fps seconds", Concern::Motion,
           O::kSuggested | O::kControl),
-      one(real("exposure", &S::exposure, 0.5, 0, 1000, "frames"),
+      one(real("exposure", &S::exposure, 0.5, 0, kMostFrames, "frames"),
           "time the shutter is open, as a share of the frame interval", Concern::Frame, O::kSuggested | O::kControl),
+      one(real("exposure_time", &S::exposure_time, 0, 0, 1e6, "s"),
+          "the same in seconds, instead: equal at any number of frames per second", Concern::Frame),
       one(text("anchor", &S::anchor, "close", {"close", "centre", "open"}),
           "where the exposure lies: it ends at the capture, is centred on it, or opens at it", Concern::Frame,
           O::kSpelled | O::kControl),
+      one(checked(text("shutter_curve", &S::shutter_curve, "box"), checkCurve),
+          "how much the times of the exposure count: box, triangle, trapezoid:OPENING,CLOSING, gaussian:SIGMA (shares "
+          "of the exposure), or weights from opening to closing: 0,1,1,0.5 or TIME=WEIGHT,...",
+          Concern::Frame, O::kControl),
+      one(real("camera_blur", &S::camera_blur, 1, 0, 1, ""), "share of the camera's motion that blurs", Concern::Frame,
+          O::kControl),
+      one(real("object_blur", &S::object_blur, 1, 0, 1, ""), "share of the motion of objects and lights that blurs",
+          Concern::Frame, O::kControl),
+      one(text("follow", &S::follow, ""), "a node that blurs as the camera does, with all below it", Concern::Frame),
       one(text("camera", &S::camera, ""), "a camera of the scene (default: its first)", Concern::Scene, O::kControl),
       one(text("view", &S::view, ""), "EX,EY,EZ,TX,TY,TZ: camera at E, looking at T, instead of its pose in the scene",
           Concern::Frame),
@@ -160,10 +181,26 @@ Value ShotField::get(const Shot& shot) const {
   return shot.*std::get<std::string Shot::*>(member);
 }
 
+// Exposures in frames and in seconds exclude one another: the later stands, and that in frames follows from that in
+// seconds.
+static void settleExposure(const ShotMember& member, Shot& shot) {
+  const auto* set = std::get_if<double Shot::*>(&member);
+  if (!set || (*set != &Shot::exposure && *set != &Shot::exposure_time && *set != &Shot::fps)) return;
+  if (*set == &Shot::exposure) shot.exposure_time = Shot().exposure_time;
+  if (shot.exposure_time < 0) return;
+  shot.exposure = shot.fps > 0 ? shot.exposure_time * shot.fps : Shot().exposure;
+  if (shot.exposure <= kMostFrames) return;
+  throw Error(fmt::format("--exposure-time {} is {:.6g} frame intervals at {} frames per second, above max {}",
+                          shot.exposure_time, shot.exposure, shot.fps, kMostFrames),
+              {}, 2);
+}
+
 void ShotField::set(Shot& shot, const Value& value) const {
   if (const auto* at = std::get_if<std::string Shot::*>(&member)) {
     bool any = declaration.choices.empty();
-    shot.** at = plan::textOf(any ? value : plan::checkValue(declaration, value, {}));
+    std::string text = plan::textOf(any ? value : plan::checkValue(declaration, value, {}));
+    if (check) check(text);
+    shot.** at = text;
     return;
   }
   Value checked = plan::checkValue(declaration, value, {});
@@ -171,6 +208,7 @@ void ShotField::set(Shot& shot, const Value& value) const {
   if (const auto* at = std::get_if<int Shot::*>(&member)) shot.** at = int(std::get<int64_t>(checked));
   if (const auto* at = std::get_if<uint32_t Shot::*>(&member)) shot.** at = uint32_t(std::get<int64_t>(checked));
   if (const auto* at = std::get_if<double Shot::*>(&member)) shot.** at = std::get<double>(checked);
+  settleExposure(member, shot);
 }
 
 bool ShotField::isOpen(const Shot& shot) const {

@@ -23,6 +23,7 @@ using ShotMember = std::variant<bool Shot::*, int Shot::*, uint32_t Shot::*, dou
 struct ShotField {
   plan::ParamDesc declaration;  // default_value: what holds where neither the shot nor its scene says one
   ShotMember member;
+  void (*check)(const std::string& text) = nullptr;  // of a text: throws `Error` (exit code 2) for a wrong one
 
   // Of numbers, choices and texts alone: as a value. `set` throws `Error` for another type or one out of range.
   bool isValue() const;

@@ -272,7 +272,8 @@ std::string shapeOf(const Plan& plan) {
   Json json = toJson(plan);
   for (const char* key : {"values", "preset", "absent"}) json.erase(key);
   for (const Fact& fact : facts())
-    if (fact.compiled_in && lacks(plan, fact.name)) json["compiled_without"].push_back(fact.name);
+    if ((fact.compiled_in || fact.compiled_into_all) && lacks(plan, fact.name))
+      json["compiled_without"].push_back(fact.name);
   for (size_t i = 0; i < plan.nodes.size(); ++i) {
     for (const ParamDesc& param : passOf(plan, static_cast<int>(i)).params)
       if (!isCompiledIn(param)) json["nodes"][i]["params"].erase(param.name);

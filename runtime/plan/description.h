@@ -165,7 +165,7 @@ struct NodeDesc {
 struct LoopDesc {
   std::string name;
   Binding count;
-  Binding times;      // choice "midpoint" | "stratified"
+  Binding times;      // choice "midpoint" | "stratified" (of equal weights) | "even" (of equal lengths)
   Binding slices;     // scene times per iteration among which a pixel may draw one; 1 for midpoint times
   std::string until;  // "node.port" of a 1x1 r32f image in the loop, non-zero to stop early; or ""
   // Of how many parts of the exposure this loop takes `count`, from which on, in an order in which any run of them lies

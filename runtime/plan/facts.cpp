@@ -18,6 +18,7 @@ const std::vector<Fact>& facts() {
       {"bends", "nothing is bent by joints or morph targets", true},
       {"before", "the exposure has no part before the capture"},
       {"after", "the exposure has no part after the capture"},
+      {"weighted", "all times of the exposure count alike", false, true},
   };
   return facts;
 }

@@ -12,6 +12,8 @@ struct Fact {
   std::string absent;  // what is said to people where it does not hold
   // Of the scene alone, and seen by shaders: FACT_<name> is 0 or 1 in passes that see the scene.
   bool compiled_in = false;
+  // Of the times of the exposure, and seen by the shaders of all passes.
+  bool compiled_into_all = false;
 };
 
 // In the order in which they are listed to people.

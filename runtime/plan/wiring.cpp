@@ -344,8 +344,8 @@ class Wirer {
     Value times = valueOf(loop.times, std::string("midpoint"));
     const std::string* text = std::get_if<std::string>(&times);
     if (text) wired.times = *text;
-    if (!text || (*text != "midpoint" && *text != "stratified")) {
-      problem(loop.times.place, "times of loop '{}' must be 'midpoint' or 'stratified'", loop.name);
+    if (!text || (*text != "midpoint" && *text != "stratified" && *text != "even")) {
+      problem(loop.times.place, "times of loop '{}' must be 'midpoint', 'stratified' or 'even'", loop.name);
     }
     wired.first = loop.first;
     wired.parts = loop.parts > 0 ? loop.parts : wired.count;

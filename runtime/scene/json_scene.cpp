@@ -31,6 +31,7 @@ class Builder {
     if (const Json* nodes = fields.need("nodes")) readNodes(*nodes, -1, fields, 0);
     if (const Json* animations = fields.find("animations"))
       for (const Json& animation : listIn(*animations, "animations", fields)) readAnimation(animation, fields.place());
+    scene_.cuts = readCuts(fields);
     fields.finish();
     problems_.throwIfAny();
     return std::move(scene_);
@@ -61,6 +62,18 @@ class Builder {
       else fields.number(one.name, one.min, one.min, one.max);
     }
     fields.finish();
+  }
+
+  // Seconds at which something jumps.
+  std::vector<double> readCuts(Fields& fields) {
+    if (!fields.has("cuts")) return {};
+    std::vector<double> cuts = fields.numbers("cuts", 1, 100000);
+    for (size_t i = 1; i < cuts.size(); ++i)
+      if (!(cuts[i] > cuts[i - 1])) {
+        fields.problem("'cuts' do not increase");
+        break;
+      }
+    return cuts;
   }
 
   void readEnvironment(const Json& json, const Place& outer) {
@@ -105,6 +118,7 @@ class Builder {
       if (scene_.cameras.back().name.empty()) scene_.cameras.back().name = node.name;
     }
     if (const Json* motion = fields.find("motion")) readMotion(*motion, index, fields);
+    node.cuts = readCuts(fields);
     scene_.nodes.push_back(std::move(node));
     if (const Json* children = fields.find("children")) readNodes(*children, index, fields, depth + 1);
     fields.finish();

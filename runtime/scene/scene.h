@@ -181,6 +181,7 @@ struct Node {
   // handedness. `sole_joint` (within the skin) has all vertices, which it then moves without bending them; else -1.
   int skin = -1, sole_joint = -1;
   std::vector<double> weights;  // of the morph targets, at rest; empty where none ever counts
+  std::vector<double> cuts;     // seconds at which it and all below it jump: no frame blurs over one
 };
 
 // Radiance of rays that leave the scene, and the light that reaches surfaces from everywhere:
@@ -210,6 +211,7 @@ struct Scene {
   std::vector<Animation> animations;
   std::vector<ConstantMotion> motions;
   Environment environment;
+  std::vector<double> cuts;              // seconds at which everything jumps, the camera included
   std::vector<std::string> warnings;     // what was not understood, naming the node
   std::vector<std::string> assumptions;  // defaults supplied for what the file lacks, for the run record
   Json attribution;                      // licence and author where the file or its folder states them

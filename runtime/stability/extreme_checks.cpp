@@ -127,6 +127,9 @@ lab::Shot readShot(const Json& json, const std::string& what, const Place& place
   shot.frame = fields.integer("frame", 0, 0, std::numeric_limits<int>::max());
   shot.anchor = fields.choice("anchor", shot.anchor, {"close", "centre", "open"});
   if (fields.has("exposure")) shot.exposure = fields.number("exposure", 0, 0);
+  shot.shutter_curve = fields.text("shutter_curve", shot.shutter_curve);
+  shot.camera_blur = fields.number("camera_blur", shot.camera_blur, 0, 1);
+  shot.object_blur = fields.number("object_blur", shot.object_blur, 0, 1);
   shot.moves = fields.texts("moves");
   shot.spins = fields.texts("spins");
   readSettings(fields.table("scene_set"), "scene.", shot.sets);

@@ -241,6 +241,31 @@ for _, anchor in ipairs(anchors) do
   end)
 end
 
+-- Of a shutter that opens and closes evenly: the share of the weight before t.
+local function triangle(t)
+  t = math.max(0, math.min(1, t))
+  return t < 0.5 and 2 * t * t or 1 - 2 * (1 - t) * (1 - t)
+end
+
+for _, anchor in ipairs(anchors) do
+  case("shutter_curve_" .. anchor, "exposure",
+       "times that count unequally: truth is the exact weighted coverage; every blur is nearer to it than none", function()
+    local from = window_start[anchor]
+    local curved = bar(12, { limit = 10, tile = 8 }, { anchor = anchor, shutter_curve = "triangle" })
+    local function covered(x) -- from when to when
+      return triangle((x - 16) / 12 - from) - triangle((x - 32) / 12 - from)
+    end
+    local function value(x) return back_value + (bar_value - back_value) * covered(x) end
+    return { truth(curved, value, bar_tolerance), between(curved), nearer(curved) }
+  end)
+end
+
+case("no_share_of_motion_blurs", "exposure", "neither the camera's motion nor that of objects: the capture, bit for bit",
+     function()
+  local still = { camera_blur = 0, object_blur = 0 }
+  return { as_captured(shot("stability/extreme", 48, 32, {}, { limit = 10 }, still)) }
+end)
+
 case("exposure_1", "exposure", "a whole frame: every blur is nearer to truth than none",
      function() return { nearer(bar(6, { limit = 10, tile = 8 }, { exposure = 1 })) } end)
 

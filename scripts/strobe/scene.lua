@@ -69,7 +69,7 @@ scene.camera = constructor("camera", "perspective")
 scene.orthographic_camera = constructor("camera", "orthographic")
 
 -- node { name, position, rotation = {x, y, z} | look_at = {x, y, z}, scale, shape, material | parts, light, camera,
---        motion = { velocity, axis, degrees_per_second, rest_time }, children }
+--        motion = { velocity, axis, degrees_per_second, rest_time }, cuts = { seconds }, children }
 -- parts: a list of { shape, material, position, rotation, look_at, scale }, drawn as one object.
 -- Rotations turn about z, then x, then y. Motion is in world axes, the spin about the node's own origin.
 scene.node = constructor "node"
@@ -104,7 +104,7 @@ function scene.param(name, default)
   return value
 end
 
--- scene { name, nodes, environment = { sky, ground, background }, animations,
+-- scene { name, nodes, environment = { sky, ground, background }, animations, cuts = { seconds },
 --         shot = { width, height, fps, frame, exposure } }   of its pictures, where the command line is silent
 return setmetatable(scene, { __call = function(_, fields)
   if type(fields) ~= "table" then error("scene takes a table, got a " .. type(fields), 2) end

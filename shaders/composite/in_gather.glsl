@@ -16,6 +16,7 @@
 // Fails: see passes/composite/in_gather.lua.
 #include "mixin/limit.glsl"
 #include "mixin/jitter.glsl"
+#include "lib/times.glsl"
 #include "lib/sanitise.glsl"
 
 struct Tap {
@@ -112,7 +113,7 @@ void run(ivec2 pixel) {
   vec3 sum = vec3(0);
   uint fallbacks = 0u;
   for (int i = 0; i < params.samples; ++i) {
-    float t = sampleTime(i, params.samples, jitter, frame.shutter);
+    float t = sampleTime(i, params.samples, jitter);
     Tap back = backgroundOf(pixel, t > 0.0);
     Cover cover = nearer(coverAt(pixel, dominantOf(pixel, t > 0.0), t, back),
                          coverAt(pixel, rasterAt(pixel, t > 0.0).d, t, back));

@@ -33,6 +33,7 @@
 #include "mixin/limit.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/path.glsl"
+#include "lib/times.glsl"
 #include "lib/sanitise.glsl"
 
 const int kMaxCandidates = 4;
@@ -268,7 +269,7 @@ Candidates harvested(Candidates candidates, ivec2 pixel, Path path, float jitter
   bool one_sided = !isCentred(frame.shutter);  // else the taps lie to both sides already
   for (int k = 0; k < params.samples && !isFull(candidates); ++k) {
     int i = clamp(nearest(k), 0, params.samples - 1);
-    ivec2 offset = roundSymmetric(tapOffset(path, sampleTime(i, params.samples, jitter, frame.shutter)));
+    ivec2 offset = roundSymmetric(tapOffset(path, sampleTime(i, params.samples, jitter)));
     if (isInside(pixel + offset, size)) candidates = withAllLayers(candidates, pixel + offset, behind, after);
     if (one_sided && isInside(pixel - offset, size)) {
       candidates = withAllLayers(candidates, pixel - offset, behind, after);
@@ -588,7 +589,7 @@ void run(ivec2 pixel) {
       left_out += 1u;
       continue;
     }
-    float t = sampleTime(i, params.samples, jitter, frame.shutter);
+    float t = sampleTime(i, params.samples, jitter);
     Seen seen = seenAt(pixel, t > 0.0 ? after : before, behind, t);
     if (seen.layer == kNothing || seen.unsure) {
       fallbacks += 1u;

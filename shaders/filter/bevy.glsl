@@ -10,6 +10,7 @@
 //   1 one-sided, 1/2 centred. The rest is not there: the result is the mean of the taps that count.
 // Paths: what moves less than copy_below, and what has no tap that counts, is copied.
 // Fails: nothing blurs beyond its silhouette; background inside of it is the picture from outside.
+#include "lib/times.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/limit.glsl"
 #include "lib/sanitise.glsl"
@@ -46,7 +47,7 @@ void run(ivec2 pixel) {
   vec3 sum = vec3(0);
   float weights = 0.0;
   for (int i = 0; i < params.samples; ++i) {
-    vec2 offset = tapOffset(d, sampleTime(i, params.samples, jitter, frame.shutter));
+    vec2 offset = tapOffset(d, sampleTime(i, params.samples, jitter));
     ivec2 at = pixel + roundSymmetric(offset);
     if (!isInside(at, size) || !counts(at, depth, d, lengthOf(offset), reach)) continue;
     sum += toSum(finiteColor(texelFetch(color_tex, at, 0)));

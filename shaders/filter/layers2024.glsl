@@ -14,6 +14,7 @@
 //   id (instance + 1, geometry + 1) of what is seen at the capture, by which it is counted where its own path leads to another
 //   part of it that moves otherwise, and something behind it is taken.
 // Fails: what is in no layer; displacements that are neither the pixel's nor its tile's longest.
+#include "lib/times.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/limit.glsl"
 #include "lib/sanitise.glsl"
@@ -146,7 +147,7 @@ void run(ivec2 pixel) {
   int found = 0;
   uint varied = 0u;
   for (int i = 0; i < params.samples; ++i) {
-    float t = sampleTime(i, params.samples, jitter, frame.shutter);
+    float t = sampleTime(i, params.samples, jitter);
     Seen seen = seenAt(pixel, searched, t, size);
     if (seen.layer < 0) continue;
     if (seen.layer > 0 && isVaried(pixel, t, size)) varied += 1u;

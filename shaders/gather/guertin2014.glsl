@@ -29,6 +29,7 @@
 #include "mixin/path.glsl"
 #include "mixin/stored.glsl"
 #include "mixin/tile_lookup.glsl"
+#include "lib/times.glsl"
 
 const float kCopiedRadius = 0.505;   // px
 const float kUniformShare = 0.65;    // of the dominant displacement
@@ -52,7 +53,7 @@ struct Sample {
 };
 
 Sample sampleAt(int i, Path path, vec2 second, bool along_second, float jitter) {
-  float t = timeAt(float(params.samples - i) - params.eta * jitter, params.samples + 1, frame.shutter);
+  float t = timeAt(float(params.samples - i) - params.eta * jitter, params.samples + 1);
   float d_length = lengthOf(path.d);
   vec2 offset = tapOffset(along_second ? straight(d_length * second) : path, t);
   return Sample(roundSymmetric(offset), abs(t) * d_length, along_second ? second : unitOf(path.d));
@@ -114,7 +115,7 @@ void run(ivec2 pixel) {
   Tap here = tapFrom(own, own.d, reach * spreadAt(pixel, own.d));
   vec2 second = secondAt(pixel, tile, d, here.radius, params.gamma);
   int second_count = secondCount(tile);
-  int skipped = isCentred(frame.shutter) && params.samples % 2 == 1 ? (params.samples - 1) / 2 : -1;
+  int skipped = sampleAtCapture(params.samples);
   bool over = hasBehind(pixel);
   float behind = behindDepth(pixel, here.depth);
   float jitter = jitterOf(pixel);

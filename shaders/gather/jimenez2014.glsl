@@ -28,6 +28,7 @@
 #include "mixin/layer.glsl"
 #include "mixin/path.glsl"
 #include "mixin/stored.glsl"
+#include "lib/times.glsl"
 
 struct Tap {
   vec3 color;
@@ -71,15 +72,24 @@ float alongDominant(Gather gather, Tap tap, ivec2 offset) {
 #endif
 }
 
-// Share of a step that something which spreads over `radius` px covers, `steps` away.
-float spreadOver(Gather gather, float radius, float steps) {
-  return clamp(radius / gather.step_length - max(steps - 1.0, 0.0), 0.0, 1.0);
+// Share of a step that something which spreads over `radius` px covers, `steps` away, on the side of the times before the
+// capture or after it. By a shutter curve, steps are what counts alike: those over which it spreads are the share of
+// what counts until the dominant motion has gone as far.
+float spreadOver(Gather gather, float radius, float steps, bool after) {
+  float over = radius / gather.step_length;
+#if FACT_weighted
+  if (isWeighted()) {
+    float farthest = lengthOf(gather.d) * gather.reach;
+    over = farthest / gather.step_length * shareWithin(after, radius / lengthOf(gather.d));
+  }
+#endif
+  return clamp(over - max(steps - 1.0, 0.0), 0.0, 1.0);
 }
 
-float tapWeight(Gather gather, Tap tap, float steps, ivec2 offset) {
+float tapWeight(Gather gather, Tap tap, float steps, ivec2 offset, bool after) {
   float back = 0.5 + 0.5 * depthOrder(gather.here.depth, tap.depth, params.depth_extent);
-  float spread_here = spreadOver(gather, gather.here.radius, steps);
-  float spread_tap = spreadOver(gather, tap.radius, steps) * alongDominant(gather, tap, offset);
+  float spread_here = spreadOver(gather, gather.here.radius, steps, after);
+  float spread_tap = spreadOver(gather, tap.radius, steps, after) * alongDominant(gather, tap, offset);
   return back * spread_here + (1.0 - back) * spread_tap;
 }
 
@@ -90,22 +100,44 @@ vec2 mirrored(Tap a, Tap b, vec2 weights) {
 }
 
 // The part of a tap's weight that is foreground, where the background is known from elsewhere.
-float frontShare(Gather gather, Tap tap, float steps) {
-  return inFrontOf(tap.depth, gather.behind, params.depth_extent) * spreadOver(gather, tap.radius, steps);
+float frontShare(Gather gather, Tap tap, float steps, bool after) {
+  return inFrontOf(tap.depth, gather.behind, params.depth_extent) * spreadOver(gather, tap.radius, steps, after);
 }
 
-Sums withPair(Sums sums, Gather gather, ivec2 pixel, ivec2 offset, ivec2 opposite, float steps) {
+// Where the two taps of a pair are, relative to the pixel: for a time before the capture and for one after it.
+struct Pair {
+  ivec2 before, after;
+};
+
+Pair pairAt(Path path, int count, float steps) {
+#if FACT_weighted
+  if (isWeighted()) {
+    float share = 2.0 * steps / float(count);
+    return Pair(roundSymmetric(tapOffset(path, timeOutwards(false, share))),
+                roundSymmetric(tapOffset(path, timeOutwards(true, share))));
+  }
+#endif
+  float part = steps / float(count);
+  if (isCurved(path)) return Pair(roundSymmetric(tapOffset(path, -part)), roundSymmetric(tapOffset(path, part)));
+  ivec2 offset = roundSymmetric(path.d * part);
+  return Pair(offset, -offset);
+}
+
+Sums withPair(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps) {
   ivec2 size = textureSize(color_tex, 0);
-  ivec2 at_a = clampToImage(pixel + offset, size), at_b = clampToImage(pixel + opposite, size);
+  ivec2 at_a = clampToImage(pixel + pair.before, size), at_b = clampToImage(pixel + pair.after, size);
   Tap a = tapAt(at_a, gather.reach), b = tapAt(at_b, gather.reach);
-  vec2 weights = vec2(tapWeight(gather, a, steps, offset), tapWeight(gather, b, steps, opposite));
+  vec2 weights = vec2(tapWeight(gather, a, steps, pair.before, false), tapWeight(gather, b, steps, pair.after, true));
 #if PARAM_mirror
   if (isValid(at_a) && isValid(at_b)) weights = mirrored(a, b, weights);
 #endif
   if (!isValid(at_a)) weights.x = 0.0;
   if (!isValid(at_b)) weights.y = 0.0;
+#if FACT_weighted
+  weights *= vec2(sideFactor(false), sideFactor(true));
+#endif
   sums.all += weights.x + weights.y;
-  if (gather.over) weights *= vec2(frontShare(gather, a, steps), frontShare(gather, b, steps));
+  if (gather.over) weights *= vec2(frontShare(gather, a, steps, false), frontShare(gather, b, steps, true));
   sums.shown += vec4(weights.x * toSum(a.color) + weights.y * toSum(b.color), weights.x + weights.y);
   return sums;
 }
@@ -114,9 +146,10 @@ Sums withTap(Sums sums, Gather gather, ivec2 pixel, ivec2 offset, float steps) {
   ivec2 at = clampToImage(pixel + offset, textureSize(color_tex, 0));
   if (!isValid(at)) return sums;
   Tap tap = tapAt(at, gather.reach);
-  float weight = tapWeight(gather, tap, steps, offset);
+  bool after = frame.shutter.y > 0.0;
+  float weight = tapWeight(gather, tap, steps, offset, after);
   sums.all += weight;
-  if (gather.over) weight *= frontShare(gather, tap, steps);
+  if (gather.over) weight *= frontShare(gather, tap, steps, after);
   sums.shown += vec4(weight * toSum(tap.color), weight);
   return sums;
 }
@@ -143,42 +176,39 @@ bool movesAsOne(ivec2 pixel, vec2 d) {
 #endif
 }
 
-// To the farther side of the window, where it has only one.
-vec2 farEnd(vec2 d) { return tapOffset(d, frame.shutter.x < 0.0 ? frame.shutter.x : frame.shutter.y); }
+// A single tap, where the window has only one side.
+ivec2 singleAt(Path path, int count, float steps) {
+  bool after = frame.shutter.y > 0.0;
+  float end = after ? frame.shutter.y : frame.shutter.x, part = steps / float(count);
+#if FACT_weighted
+  if (isWeighted()) return roundSymmetric(tapOffset(path, timeOutwards(after, part)));
+#endif
+  return roundSymmetric(isCurved(path) ? tapOffset(path, end * part) : tapOffset(path.d, end) * part);
+}
 
 vec3 plainMean(ivec2 pixel, vec2 d, int count, float jitter) {
   ivec2 size = textureSize(color_tex, 0);
   vec3 sum = vec3(0);
-  int taken = isCentred(frame.shutter) ? count / 2 : count;
+  bool centred = isCentred(frame.shutter);
+  int taken = centred ? count / 2 : count;
   for (int i = 0; i < taken; ++i) {
-    vec2 along = isCentred(frame.shutter) ? d : farEnd(d);
-    ivec2 offset = roundSymmetric(along * ((float(i) + 0.5 + jitter) / float(count)));
-    sum += toSum(texelAt(clampToImage(pixel + offset, size)).color);
-    if (isCentred(frame.shutter)) sum += toSum(texelAt(clampToImage(pixel - offset, size)).color);
+    float steps = float(i) + 0.5 + jitter;
+    Pair pair = pairAt(straight(d), count, steps);
+    ivec2 offset = centred ? pair.before : singleAt(straight(d), count, steps);
+    sum += sideFactor(false) * toSum(texelAt(clampToImage(pixel + offset, size)).color);
+    if (centred) sum += sideFactor(true) * toSum(texelAt(clampToImage(pixel + pair.after, size)).color);
   }
   return fromSum(sum / float(count));
 }
 
 vec4 fullGather(ivec2 pixel, Gather gather, Path path, int count, float jitter) {
   Sums sums = Sums(vec4(0), 0.0);
-  vec2 far_end = farEnd(gather.d);
-  int taken = isCentred(frame.shutter) ? count / 2 : count;
+  bool centred = isCentred(frame.shutter);
+  int taken = centred ? count / 2 : count;
   for (int i = 0; i < taken; ++i) {
     float steps = float(i) + 0.5 + jitter;
-    float part = steps / float(count);
-    if (isCentred(frame.shutter)) {
-      ivec2 offset = roundSymmetric(gather.d * part), opposite = -offset;
-#if HAS_curve
-      offset = roundSymmetric(tapOffset(path, -part)), opposite = roundSymmetric(tapOffset(path, part));
-#endif
-      sums = withPair(sums, gather, pixel, offset, opposite, steps);
-    } else {
-      ivec2 offset = roundSymmetric(far_end * part);
-#if HAS_curve
-      offset = roundSymmetric(tapOffset(path, part * (frame.shutter.x < 0.0 ? frame.shutter.x : frame.shutter.y)));
-#endif
-      sums = withTap(sums, gather, pixel, offset, steps);
-    }
+    if (centred) sums = withPair(sums, gather, pixel, pairAt(path, count, steps), steps);
+    else sums = withTap(sums, gather, pixel, singleAt(path, count, steps), steps);
   }
   vec4 shown = sums.shown / float(count);
   float rest = 1.0 - sums.all / float(count);

@@ -27,6 +27,7 @@
 #include "mixin/layer.glsl"
 #include "mixin/path.glsl"
 #include "mixin/stored.glsl"
+#include "lib/times.glsl"
 
 struct Tap {
   vec3 color;
@@ -61,7 +62,7 @@ void run(ivec2 pixel) {
   ivec2 size = textureSize(color_tex, 0);
   bool over = hasBehind(pixel);
   float jitter = jitterOf(pixel);
-  int skipped = isCentred(frame.shutter) && params.samples % 2 == 1 ? (params.samples - 1) / 2 : -1;
+  int skipped = sampleAtCapture(params.samples);
 
   Tap here = tapAt(pixel, reach);
   float behind = behindDepth(pixel, here.depth);
@@ -74,7 +75,7 @@ void run(ivec2 pixel) {
   vec2 second_d = second == vec2(0) ? d : lengthOf(d) * second;
   for (int i = 0; i < params.samples; ++i) {
     if (i == skipped) continue;
-    float t = timeAt(float(params.samples - i) - jitter, params.samples + 1, frame.shutter);
+    float t = timeAt(float(params.samples - i) - jitter, params.samples + 1);
     vec2 offset = tapOffset(isAlongSecond(i, params.samples / 2) ? straight(second_d) : path, t);
     ivec2 at = clampToImage(pixel + roundSymmetric(offset), size);
     if (!isValid(at)) continue;

@@ -29,6 +29,7 @@
 #include "mixin/layer.glsl"
 #include "mixin/path.glsl"
 #include "mixin/stored.glsl"
+#include "lib/times.glsl"
 
 struct Tap {
   ivec2 at;
@@ -46,12 +47,18 @@ Tap tapAt(ivec2 pixel) {
   return Tap(pixel, texel.color, texel.depth, texel.d, d_after);
 }
 
+// By which displacement, in px over the exposure, a tap taken at `offset` for time t passes over the pixel.
+struct Passing {
+  bool passes;
+  vec2 d;
+};
+
 #if HAS_curve
 // Velocity at time t on a path, px over the exposure.
 vec2 velocityAt(Path path, float t) { return 32.0 * (tapOffset(path, t - 1.0 / 64.0) - tapOffset(path, t + 1.0 / 64.0)); }
 
 // The same on a curve: from the tap's time on to that at which the tap's own surface is nearest to the pixel.
-float passingSpeedOnCurve(Tap tap, ivec2 offset, float t) {
+Passing passingOnCurve(Tap tap, ivec2 offset, float t) {
   Path path = onCurve(tap.d, texelFetch(curve_tex, tap.at, 0));
   for (int i = 0; i < 2; ++i) {
     vec2 velocity = velocityAt(path, t);
@@ -60,37 +67,66 @@ float passingSpeedOnCurve(Tap tap, ivec2 offset, float t) {
     t = clamp(t - dot(vec2(offset) - tapOffset(path, t), velocity) / speed, frame.shutter.x, frame.shutter.y);
   }
   vec2 off = vec2(offset) - tapOffset(path, t);
-  return dot(off, off) <= 0.75 * 0.75 ? lengthOf(velocityAt(path, t)) : -1.0;
+  return Passing(dot(off, off) <= 0.75 * 0.75, velocityAt(path, t));
 }
 #endif
 
-// How fast, in px over the exposure, a tap taken at `offset` for time t passes over the pixel; below 0 if it does not.
-float passingSpeed(Tap tap, ivec2 offset, float t, bool turns_back) {
+Passing passingOf(Tap tap, ivec2 offset, float t, bool turns_back) {
   bool after = t > 0.0;
 #if HAS_curve
-  if (texelFetch(curve_tex, tap.at, 0) != vec4(0)) return passingSpeedOnCurve(tap, offset, t);
+  if (texelFetch(curve_tex, tap.at, 0) != vec4(0)) return passingOnCurve(tap, offset, t);
 #endif
 #if HAS_after_velocity
   vec2 own = after ? tap.d_after : tap.d, other = after ? tap.d : tap.d_after;
   vec2 before_part = partBefore(frame.shutter), after_part = partAfter(frame.shutter);
-  if (motionReaches(vec2(offset), own, after ? after_part : before_part)) return lengthOf(own);
-  if (turns_back) return -1.0;
-  return motionReaches(vec2(offset), other, after ? before_part : after_part) ? lengthOf(other) : -1.0;
+  if (motionReaches(vec2(offset), own, after ? after_part : before_part)) return Passing(true, own);
+  if (turns_back) return Passing(false, own);
+  return Passing(motionReaches(vec2(offset), other, after ? before_part : after_part), other);
 #else
-  return motionReaches(vec2(offset), tap.d, frame.shutter) ? lengthOf(tap.d) : -1.0;
+  return Passing(motionReaches(vec2(offset), tap.d, frame.shutter), tap.d);
 #endif
 }
 
-// Share of the exposure that a tap stands for which passes over the pixel at `speed`.
-float timeShare(float speed, float dominant_px) {
+#if FACT_weighted
+// What counts of the times at which a surface that moves by `d` passes over the i-th part of the way along the dominant
+// displacement.
+float weightOfPart(int i, vec2 d, vec2 along) {
+  float dominant_px = max(lengthOf(along), 0.5);
+  float longer = dominant_px / clamp(lengthOf(d), 0.5, dominant_px) * (dot(d, along) < 0.0 ? -1.0 : 1.0);
+  vec2 ends = vec2(timeAt(float(i), params.samples), timeAt(float(i + 1), params.samples)) * longer;
+  return abs(shareFromEnd(false, ends.y) - shareFromEnd(false, ends.x));
+}
+#endif
+
+// What a tap counts of the mean of several, as those do whose surface moves by `d`: with an even shutter all alike.
+float shareOfMean(int i, vec2 d, vec2 along) {
+#if FACT_weighted
+  if (isWeighted()) {
+    float slower = clamp(lengthOf(d) / max(lengthOf(along), 0.5), 0.5 / max(lengthOf(along), 0.5), 1.0);
+    return float(params.samples) * slower * weightOfPart(i, d, along);
+  }
+#endif
+  return 1.0;
+}
+
+// Share of the exposure for which the i-th tap's surface is at the pixel, which passes over it by `d`: the tap stands for
+// the part of the way along the dominant displacement that this takes the i-th part of the exposure for, a slower surface
+// longer. By a shutter curve, what counts of the times at which that surface passes over this part of the way.
+float timeShare(int i, vec2 d, vec2 along) {
+  float dominant_px = max(lengthOf(along), 0.5), speed = lengthOf(d);
+#if FACT_weighted
+  if (isWeighted()) return weightOfPart(i, d, along);
+#endif
   return dominant_px / (float(params.samples) * clamp(speed, 0.5, dominant_px));
 }
 
-// Is a tap that is not foreground a sample of the pixel's background? `spread_px`: how far the pixel's surface moves.
-float backgroundWeight(Tap here, Tap tap, ivec2 offset, float spread_px, bool passes) {
+// Is the i-th tap, as far as it is not foreground, a sample of the pixel's background? `here_d`: how the pixel's surface
+// moves.
+float backgroundWeight(Tap here, Tap tap, int i, ivec2 offset, vec2 here_d, Passing passing, vec2 along) {
   float same = softDepth(here.depth, tap.depth, params.depth_extent);  // a nearer tap counts by what is not foreground
-  float spread = length(vec2(offset)) <= max(spread_px, 0.5) + 0.5 ? 1.0 : 0.0;
-  return mix(spread, passes ? 1.0 : 0.0, same);
+  float spread_px = reachFactor(frame.shutter) * lengthOf(here_d);
+  float spread = length(vec2(offset)) <= max(spread_px, 0.5) + 0.5 ? shareOfMean(i, here_d, along) : 0.0;
+  return mix(spread, passing.passes ? shareOfMean(i, passing.d, along) : 0.0, same);
 }
 
 // What rests is there for all of the exposure, but only a tap that falls on the pixel itself would meet it.
@@ -123,7 +159,7 @@ void run(ivec2 pixel) {
   float front = 0.0, back = 0.0;
 
   for (int i = 0; i < params.samples; ++i) {
-    float t = sampleTime(i, params.samples, jitter, frame.shutter);
+    float t = sampleTime(i, params.samples, jitter);
     bool after = t > 0.0;
     vec2 along = after ? d_after : d;
     ivec2 at = clampToImage(pixel + roundSymmetric(tapOffset(dominantPath(along, pixel / params.tile), t)), size);
@@ -131,13 +167,13 @@ void run(ivec2 pixel) {
 
     Tap tap = tapAt(at);
     float in_front = inFrontOf(tap.depth, behind, params.depth_extent);
-    float speed = passingSpeed(tap, at - pixel, t, turns_back);
-    float weight = speed < 0.0 ? 0.0 : in_front * timeShare(speed, max(lengthOf(along), 0.5));
+    Passing passing = passingOf(tap, at - pixel, t, turns_back);
+    float weight = passing.passes ? in_front * timeShare(i, passing.d, along) : 0.0;
     front += weight;
     front_sum += weight * toSum(tap.color);
 
-    float spread_px = reach * lengthOf(after ? here.d_after : here.d);
-    float back_weight = (1.0 - in_front) * backgroundWeight(here, tap, at - pixel, spread_px, speed >= 0.0);
+    vec2 here_d = after ? here.d_after : here.d;
+    float back_weight = (1.0 - in_front) * backgroundWeight(here, tap, i, at - pixel, here_d, passing, along);
     back += back_weight;
     back_sum += back_weight * toSum(tap.color);
   }

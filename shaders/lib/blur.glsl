@@ -39,14 +39,11 @@ bool isInside(ivec2 pixel, ivec2 size) {
 // --- The exposure window
 // -----------------------------------------------------------------------------------------------
 
-// Time at the fraction part / parts of the window. Run backwards, a window has the same times but for their sign, bit for
+// Time at the fraction part / parts of the window's length. Run backwards, a window has the same times but for their sign, bit for
 // bit: a tap half-way between two pixels goes to the same one.
-float timeAt(float part, int parts, vec2 shutter) {
+float evenTimeAt(float part, int parts, vec2 shutter) {
   return (shutter.x * (float(parts) - part) + shutter.y * part) / float(parts);
 }
-
-// Midpoint of the i-th of n equal parts of the window, moved by a jitter in [-1/2, 1/2] of a part.
-float sampleTime(int i, int n, float jitter, vec2 shutter) { return timeAt(float(i) + 0.5 + jitter, n, shutter); }
 
 // How far a displacement of length 1 moves to its farther side within the window: 1 one-sided, 1/2 centred.
 float reachFactor(vec2 shutter) { return max(abs(shutter.x), abs(shutter.y)); }

@@ -9,6 +9,8 @@ STROBE_SHARED_BEGIN
 #define ANCHOR_CENTRE 1u  // the capture is in its middle:          t in [-1/2, 1/2]
 #define ANCHOR_OPEN 2u    // the exposure starts at the capture:    t in [0, 1]
 
+#define CURVE_KNOTS 64  // most of either half of a shutter curve
+
 struct FrameData {
   uvec2 size;     // pixels
   vec2 subpixel;  // offset of the sample from the pixel's centre, px
@@ -29,10 +31,16 @@ struct FrameData {
   float exposure;     // length of the exposure, in frames
   uint camera_rests;  // 1 where the camera surely stands still within the exposure
   uint moving_count;  // instances that may move within it
+  // The shutter curve (runtime/math/shutter_curve.h), from the opening and from the closing to the middle of its weight:
+  // distance from that end, share of the weight so far, weight, slope of the weight.
+  uvec2 curve_counts;  // knots from either end; 0: all times count alike
+  vec2 curve_sides;    // shares of the weight before and after the capture
+  vec4 curve_opening[CURVE_KNOTS];
+  vec4 curve_closing[CURVE_KNOTS];
 };
 
 STROBE_SHARED_END
 #ifdef __cplusplus
-static_assert(sizeof(strobe::shared::FrameData) == 128);
+static_assert(sizeof(strobe::shared::FrameData) == 144 + 2 * CURVE_KNOTS * 16);
 #endif
 #endif

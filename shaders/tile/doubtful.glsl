@@ -8,6 +8,7 @@
 // Out: doubtful (a bit for each of `samples` times, at most 32).
 #include "lib/bounds.glsl"
 #include "mixin/limit.glsl"
+#include "lib/times.glsl"
 
 const float kSlack = 1.5;  // px: rounding, and the width of a tap
 
@@ -41,11 +42,17 @@ void doubtAll(ivec2 cell, vec4 bounds, vec4 bends, float seen) {
   int count = min(params.samples, 32);
   float part = 0.5 / float(count);
   for (int i = 0; i < count; ++i) {
-    float t = sampleTime(i, count, 0.0, frame.shutter);
+    float t = sampleTime(i, count, 0.0);
     float low = t - seen, high = low;
     if (params.jittered != 0 || params.samples > 32) {
       low -= part;
       high += part;
+#if FACT_weighted
+      if (isWeighted()) {
+        low = timeAt(float(i), count) - seen;
+        high = timeAt(float(i + 1), count) - seen;
+      }
+#endif
     }
     float bent = bentShare(t, frame.shutter) - bentShare(seen, frame.shutter);
     vec4 way = times(bounds, low, high) + times(bends, min(bent, bent * 1.1), max(bent, bent * 1.1));

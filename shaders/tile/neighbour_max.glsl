@@ -68,7 +68,7 @@ bool comesHere(ivec2 tile, ivec2 offset, vec2 d) {
   vec2 at = vec2(offset * params.tile), side = vec2(params.tile);
   int steps = clamp(int(4.0 * reachOf(d, curve, frame.shutter)) / params.tile, 4, 64);
   for (int i = 0; i <= steps; ++i) {
-    vec2 moved = movedBy(d, curve, timeAt(float(i), steps, frame.shutter), frame.shutter);
+    vec2 moved = movedBy(d, curve, evenTimeAt(float(i), steps, frame.shutter), frame.shutter);
     if (all(lessThan(abs(at + moved), side))) return true;
   }
 #endif

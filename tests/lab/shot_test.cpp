@@ -22,7 +22,12 @@ const std::map<std::string, Given> kGiven = {
     {"fps", {{"29.97"}, 29.97}},
     {"frame", {{"7"}, 7}},
     {"exposure", {{"0.25"}, 0.25}},
+    {"exposure_time", {{"0.02"}, 0.02}},
     {"anchor", {{"centre"}, "centre"}},
+    {"shutter_curve", {{"trapezoid:0.2,0.3"}, "trapezoid:0.2,0.3"}},
+    {"camera_blur", {{"0.5"}, 0.5}},
+    {"object_blur", {{"0"}, 0.0}},
+    {"follow", {{"bar"}, "bar"}},
     {"camera", {{"far away"}, "far away"}},
     {"view", {{"1,-2,40,0,0.5,0"}, {1, -2, 40, 0, 0.5, 0}}},
     {"path", {{"0=1,2,3,0,0,0", "1.5=2,2,3,0,0,0"}, {"0=1,2,3,0,0,0", "1.5=2,2,3,0,0,0"}}},
@@ -178,6 +183,42 @@ TEST(ShotOptions, AScenesSuggestionFillsWhatIsOpen) {
   EXPECT_EQ(commandOf(plain),
             "strobe render '' --scene living_room --size 960x540 --fps 24 --frame 1 --exposure 0.5 --anchor close "
             "-o out.exr");
+}
+
+// In seconds the exposure is the same however many frames a second has; in frames it follows from that.
+TEST(ShotOptions, AnExposureInSecondsIsTheLaterOfTheTwo) {
+  for (double fps : {12.0, 24.0, 60.0, 144.0}) {
+    const std::vector<std::string> rate = {"hybrid", "--fps", fmt::format("{}", fps), "--frame",
+                                           fmt::format("{}", fps / 2)};
+    std::vector<std::string> timed = rate;
+    timed.insert(timed.end(), {"--exposure-time", "0.02"});
+    Shot shot = filled(parsed(timed));
+    EXPECT_EQ(shot.window(), (std::array<double, 2>{0.5 - 0.02, 0.5}));
+    EXPECT_DOUBLE_EQ(shot.exposure, 0.02 * fps);
+    Shot framed = shot;
+    setFromTexts(*findShotOption("exposure"), framed, {"0.25"});
+    EXPECT_DOUBLE_EQ(framed.window()[0], 0.5 - 0.25 / fps);
+    setFromTexts(*findShotOption("exposure_time"), framed, {"0.02"});
+    EXPECT_EQ(canonical(framed), canonical(shot));
+    setFromTexts(*findShotOption("fps"), framed, {"48"});
+    EXPECT_DOUBLE_EQ(framed.exposure, 0.02 * 48);
+  }
+  auto refusal = [](const std::vector<std::string>& arguments) -> std::string {
+    try {
+      filled(parsed(arguments));
+    } catch (const Error& error) {
+      return fmt::format("{} {}", error.exitCode(), error.what());
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(refusal({"hybrid", "--exposure-time", "0.02", "--exposure", "0.5"}),
+            "2 --exposure and --exposure-time exclude one another");
+  EXPECT_EQ(refusal({"hybrid", "--exposure-time", "2", "--fps", "1000"}),
+            "2 --exposure-time 2 is 2000 frame intervals at 1000 frames per second, above max 1000");
+  EXPECT_EQ(
+      refusal({"hybrid", "--shutter-curve", "trapezod"}),
+      "2 --shutter-curve 'trapezod': is none of box, triangle, trapezoid:OPENING,CLOSING, gaussian:SIGMA, weights "
+      "0,1,1,0 or TIME=WEIGHT,...; did you mean 'trapezoid'?");
 }
 
 TEST(Settings, AreTypedInRecords) {

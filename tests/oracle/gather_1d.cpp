@@ -17,6 +17,9 @@ double smoothStep(double from, double to, double x) {
 
 const Texel& clampedAt(const Row& row, int x) { return row[std::clamp(x, 0, static_cast<int>(row.size()) - 1)]; }
 
+// A place -1 ... 1 from the closing's end of the taps to the opening's, moved to where a shutter curve has it.
+double curvedPlace(double place, const TimeOf& time_of) { return time_of ? 1 - 2 * time_of((1 - place) / 2) : place; }
+
 // Adds a displacement that differs from all known ones by more than half a pixel, while there is room.
 void addCandidate(std::vector<double>& candidates, double d, size_t limit) {
   bool known = std::any_of(candidates.begin(), candidates.end(), [&](double c) { return std::abs(c - d) <= 0.5; });
@@ -128,9 +131,10 @@ double mcguireAt(const Row& row, double dominant, int x, const McGuire& options)
   double sum = weight * row[x].colour;
   for (int i = 0; i < options.samples; ++i) {
     // The middle tap would be the pixel itself, which is already in.
-    if (!options.one_sided && i == (options.samples - 1) / 2) continue;
+    bool is_centre = std::abs(curvedPlace(0, options.time_of)) < 1e-9;
+    if (!options.one_sided && is_centre && i == (options.samples - 1) / 2) continue;
 
-    double t = -1 + 2 * (i + options.jitter + 1) / (options.samples + 1);
+    double t = curvedPlace(-1 + 2 * (i + options.jitter + 1) / (options.samples + 1), options.time_of);
     double offset = options.one_sided ? dominant * (t + 1) / 2 : dominant / 2 * t;
     int y = tapAt(x, offset);
     const Texel& tap = clampedAt(row, y);
@@ -159,10 +163,12 @@ double guertinAt(const Row& row, double dominant, int x, const Guertin& options)
   double weight = options.samples / (options.kappa * radius);
   double sum = weight * row[x].colour;
   for (int i = 0; i < options.samples; ++i) {
-    if (centred && options.samples % 2 == 1 && i == options.samples / 2) continue;
+    bool is_centre = std::abs(curvedPlace(0, options.time_of)) < 1e-9;
+    if (centred && is_centre && options.samples % 2 == 1 && i == options.samples / 2) continue;
     // One-sided samples are counted from the pixel outwards; after the capture the jitter runs the other way.
     bool after = options.window.open >= 0;
     double t = -1 + 2 * (i + (after ? -1 : 1) * options.eta * options.jitter + 1) / (options.samples + 1);
+    t = after ? -curvedPlace(-t, options.time_of) : curvedPlace(t, options.time_of);
     bool along_own = options.two && i % 2 == 1;
     double direction = along_own ? own : sign(dominant);
     if (direction == 0) continue;

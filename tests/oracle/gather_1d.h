@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "oracle/closed_form.h"
@@ -35,6 +36,9 @@ std::vector<double> meanJitters();
 // `layers` are read at each pixel in their order.
 std::vector<double> dominantDisplacement(const std::vector<const Row*>& layers, int tile, Window window);
 
+// Of a shutter curve: the time before which a share of the weight lies, both in [0, 1] from the opening; none: even.
+using TimeOf = std::function<double(double share)>;
+
 // --- McGuire, Hennessy, Bukowski and Osman 2012, "A Reconstruction Filter for Plausible Motion Blur" ---
 
 struct McGuire {
@@ -43,6 +47,7 @@ struct McGuire {
   double soft_extent = 0.1;      // depth over which two surfaces count as one
   bool one_sided = false;        // taps on [x, x + d], all of them kept, spread |d|, instead of [x - d/2, x + d/2]
   bool rounded_distance = true;  // of a tap: between the centres of the two pixels
+  TimeOf time_of = {};
 };
 double mcguireAt(const Row& row, double dominant, int x, const McGuire& options);
 
@@ -65,6 +70,7 @@ struct Guertin {
   // The edits of McGuire's filter that preceded it: a cylinder without soft border, distances between pixels.
   bool hard_cylinder = false;
   bool rounded_distance = false;
+  TimeOf time_of = {};
 };
 double guertinAt(const Row& row, double dominant, int x, const Guertin& options);
 

@@ -160,7 +160,12 @@ TEST_F(RenderFacts, AreWhatTheScenesSay) {
   for (const Case& one : cases()) {
     Shot shot = with(one.shot, "none", {}, "centre");
     auto held = bench().scene(shot);
-    EXPECT_EQ(absentFacts(shot, held->loaded.scene), one.absent) << one.name;
+    std::vector<std::string> absent = one.absent;
+    shot.shutter_curve = "triangle";
+    EXPECT_EQ(absentFacts(shot, held->loaded.scene), absent) << one.name;
+    shot.shutter_curve = "box";
+    absent.push_back("weighted");
+    EXPECT_EQ(absentFacts(shot, held->loaded.scene), absent) << one.name;
     shot.model_everything = true;
     EXPECT_TRUE(absentFacts(shot, held->loaded.scene).empty());
   }
@@ -191,7 +196,7 @@ TEST_F(RenderFacts, AreInTheRecord) {
   Picture still = render(with(cases()[0].shot, "hybrid")), moving = render(with(cases()[1].shot, "hybrid"));
   EXPECT_EQ(still.record["facts"], Json::array({"shadows", "before"}));
   EXPECT_EQ(moving.record["facts"], Json::array({"motion", "covered", "arrives", "shadows", "before"}));
-  EXPECT_EQ(everythingOf(with(cases()[0].shot, "hybrid")).record["facts"].size(), 11u);
+  EXPECT_EQ(everythingOf(with(cases()[0].shot, "hybrid")).record["facts"].size(), 12u);
 }
 
 // A tap of what is left out is what stands in for it.

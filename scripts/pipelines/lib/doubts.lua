@@ -57,7 +57,7 @@ function doubts.looked_at(seen, revealed)
   for _, which in ipairs { "open", "close" } do
     hits[which] = visibility_moving { time = which, as = which .. "_visibility" }.hit
   end
-  local found = pipeline.loop { name = "middle", count = 1, times = "midpoint", slices = 1, body = function()
+  local found = pipeline.loop { name = "middle", count = 1, times = "even", slices = 1, body = function()
     local result = {}
     local function keep(name, of, images)
       for _, image in ipairs(images) do result[name .. "_" .. image] = of[image] end

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "scene/frame_poser.h"
+
+#include <algorithm>
+
+#include "scene/motion.h"
+
+namespace strobe::scene {
+
+// Is there a cut after the first time, up to the second or at it?
+static bool crosses(const std::vector<double>& cuts, double from_s, double to_s) {
+  return std::any_of(cuts.begin(), cuts.end(), [&](double cut_s) { return from_s < cut_s && cut_s <= to_s; });
+}
+
+FramePoser::FramePoser(const Scene& scene, int camera_node, const std::string& animation, const FrameTimes& times)
+    : poser_(scene, camera_node, animation), times_(times) {
+  std::vector<NodeTime> nodes(scene.nodes.size());
+  for (int index : hierarchyOrder(scene)) {
+    const Node& node = scene.nodes[size_t(index)];
+    NodeTime& own = nodes[size_t(index)];
+    if (node.parent >= 0) own = nodes[size_t(node.parent)];
+    else own.cuts = scene.cuts;
+    own.cuts.insert(own.cuts.end(), node.cuts.begin(), node.cuts.end());
+    if (index == times.followed) own.clock = Clock::Camera;
+  }
+  for (const Instance& instance : instancesOf(scene)) instances_.push_back(ofInstance(scene, instance, nodes));
+  for (int light : lightsOf(scene)) lights_.push_back(nodes[size_t(light)]);
+  if (camera_node >= 0) camera_ = nodes[size_t(camera_node)];
+  else camera_.cuts = scene.cuts;
+  camera_.clock = Clock::Camera;
+}
+
+// What a skin bends follows the joints too.
+FramePoser::NodeTime FramePoser::ofInstance(const Scene& scene, const Instance& instance,
+                                            const std::vector<NodeTime>& nodes) const {
+  NodeTime time = nodes[size_t(instance.node)];
+  const Node& node = scene.nodes[size_t(instance.node)];
+  if (node.skin < 0) return time;
+  for (int joint : scene.skins[size_t(node.skin)].joints) {
+    const NodeTime& other = nodes[size_t(joint)];
+    if (other.clock == Clock::Camera) time.clock = Clock::Camera;
+    time.cuts.insert(time.cuts.end(), other.cuts.begin(), other.cuts.end());
+  }
+  return time;
+}
+
+// A frame whose exposure spans a cut stands still: it shows the side of the cut that its capture is on. Of the poses
+// outside of the exposure only those beyond a cut do.
+double FramePoser::timeOf(const NodeTime& node, double time_s) const {
+  const double capture_s = times_.capture_s;
+  if (crosses(node.cuts, std::min(times_.open_s, capture_s), std::max(times_.close_s, capture_s))) return capture_s;
+  if (crosses(node.cuts, std::min(time_s, capture_s), std::max(time_s, capture_s))) return capture_s;
+  const double share = node.clock == Clock::Camera ? times_.camera_share : times_.object_share;
+  return share == 1 ? time_s : capture_s + share * (time_s - capture_s);
+}
+
+double FramePoser::cameraTime(double time_s) const { return timeOf(camera_, time_s); }
+
+const Pose& FramePoser::posed(double time_s, std::vector<std::pair<double, Pose>>& poses) const {
+  auto known = std::find_if(poses.begin(), poses.end(), [&](const auto& one) { return one.first == time_s; });
+  if (known != poses.end()) return known->second;
+  poses.emplace_back(time_s, poser_.at(time_s, times_.capture_s));
+  return poses.back().second;
+}
+
+Pose FramePoser::at(double time_s) const {
+  std::vector<std::pair<double, Pose>> poses;  // by time; those of the camera, of objects, of the capture
+  const double camera_s = cameraTime(time_s);
+  Pose pose = posed(camera_s, poses);
+  for (size_t i = 0; i < instances_.size(); ++i) {
+    const double own_s = timeOf(instances_[i], time_s);
+    if (own_s == camera_s) continue;
+    const Pose& own = posed(own_s, poses);
+    pose.world_from_instance[i] = own.world_from_instance[i];
+    pose.bends[i] = own.bends[i];
+  }
+  for (size_t i = 0; i < lights_.size(); ++i) {
+    const double own_s = timeOf(lights_[i], time_s);
+    if (own_s == camera_s) continue;
+    const Pose& own = posed(own_s, poses);
+    pose.world_from_light[i] = own.world_from_light[i];
+    pose.lights[i] = own.lights[i];
+  }
+  return pose;
+}
+
+}  // namespace strobe::scene

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The poses of one frame: the scene at its times, without what must not blur. What jumps (STEP channels, cuts) stands
+// as it does at the capture; of the motion of the camera and of objects a share is kept. Whoever draws the frame has
+// these poses, truth and filters alike.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace strobe::scene {
+
+struct FrameTimes {
+  double capture_s = 0, open_s = 0, close_s = 0;
+  // Shares of the motion that are kept, 0 (none) to 1: at a time t things are where they truly are at capture + share *
+  // (t - capture).
+  double camera_share = 1, object_share = 1;
+  int followed = -1;  // a node that keeps the camera's share instead, with all below it; -1: none
+};
+
+class FramePoser {
+ public:
+  // `scene` must outlive it. Throws as `Poser` does.
+  FramePoser(const Scene& scene, int camera_node, const std::string& animation, const FrameTimes& times);
+
+  Pose at(double time_s) const;
+  // The time at which the camera is where `at(time_s)` has it.
+  double cameraTime(double time_s) const;
+
+ private:
+  // Whose time a node follows.
+  enum class Clock { Objects, Camera };
+  struct NodeTime {
+    Clock clock = Clock::Objects;
+    std::vector<double> cuts;  // of the node and all above it, and the scene's
+  };
+
+  NodeTime ofInstance(const Scene& scene, const Instance& instance, const std::vector<NodeTime>& nodes) const;
+  double timeOf(const NodeTime& node, double time_s) const;
+  const Pose& posed(double time_s, std::vector<std::pair<double, Pose>>& poses) const;
+
+  Poser poser_;
+  FrameTimes times_;
+  std::vector<NodeTime> instances_, lights_;
+  NodeTime camera_;
+};
+
+}  // namespace strobe::scene

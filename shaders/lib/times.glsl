@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// The times at which every filter takes its samples: times that count alike, by the frame's shutter curve. With the
+// curve `box` these are even, and where a frame has no other curve (FACT_weighted) nothing of it is compiled.
+// A curve is known from both ends of the exposure to the middle of its weight, so that a curve that is its own mirror
+// image has mirrored times, bit for bit. Of the frame alone. docs/exposure.md, docs/derivations.md.
+#ifndef STROBE_TIMES_GLSL
+#define STROBE_TIMES_GLSL
+#include "lib/blur.glsl"
+
+#if FACT_weighted
+bool isWeighted() { return frame.curve_counts.x > 0u; }
+
+// Distance from the end, share of the weight so far, weight, slope of the weight.
+vec4 curveKnot(bool closing, uint i) { return closing ? frame.curve_closing[i] : frame.curve_opening[i]; }
+
+// The last knot whose distance (0) or share (1) is not above the value.
+vec4 curveKnotBefore(bool closing, int what, float value) {
+  uint low = 0u, high = closing ? frame.curve_counts.y : frame.curve_counts.x;
+  while (high - low > 1u) {
+    uint middle = (low + high) / 2u;
+    if (curveKnot(closing, middle)[what] <= value) low = middle;
+    else high = middle;
+  }
+  return curveKnot(closing, low);
+}
+
+// How far from an end, as a share of the exposure, the share of its weight has passed: at most 1/2.
+float distanceToShare(bool closing, float share) {
+  vec4 knot = curveKnotBefore(closing, 1, share);
+  float more = share - knot.y;
+  float twice_mean = knot.z + sqrt(max(knot.z * knot.z + 2.0 * knot.w * more, 0.0));
+  return more > 0.0 && twice_mean > 0.0 ? knot.x + 2.0 * more / twice_mean : knot.x;
+}
+
+// The time at a distance from an end.
+float timeFromEnd(bool closing, float away) {
+  return closing ? frame.shutter.y * (1.0 - away) + frame.shutter.x * away
+                 : frame.shutter.x * (1.0 - away) + frame.shutter.y * away;
+}
+
+// The time with these shares of the weight between it and an end, and between it and the other end.
+float timeBetween(bool closing, float share, float others) {
+  if (share < others) return timeFromEnd(closing, distanceToShare(closing, share));
+  if (share > others) return timeFromEnd(!closing, distanceToShare(!closing, others));
+  return 0.5 * (timeFromEnd(closing, distanceToShare(closing, 0.5)) + timeFromEnd(!closing, distanceToShare(!closing, 0.5)));
+}
+
+float distanceFromEnd(bool closing, float t) {
+  vec2 window = frame.shutter;
+  return clamp((closing ? window.y - t : t - window.x) / (window.y - window.x), 0.0, 1.0);
+}
+
+// The share of the weight that has passed this far from an end, at most 1/2.
+float shareToDistance(bool closing, float away) {
+  vec4 knot = curveKnotBefore(closing, 0, away);
+  float more = away - knot.x;
+  return min(knot.y + more * (knot.z + 0.5 * knot.w * more), 0.5);
+}
+
+// The share of the weight between a time and an end.
+float shareFromEnd(bool closing, float t) {
+  float away = distanceFromEnd(closing, t);
+  uint last = (closing ? frame.curve_counts.y : frame.curve_counts.x) - 1u;
+  if (away <= curveKnot(closing, last).x) return shareToDistance(closing, away);
+  return 1.0 - shareToDistance(!closing, distanceFromEnd(!closing, t));
+}
+#endif
+
+// Time at the fraction part / parts of the exposure's weight.
+float timeAt(float part, int parts) {
+#if FACT_weighted
+  if (isWeighted()) return timeBetween(false, part / float(parts), (float(parts) - part) / float(parts));
+#endif
+  return evenTimeAt(part, parts, frame.shutter);
+}
+
+// Midpoint of the i-th of n parts of the exposure that count alike, moved by a jitter in [-1/2, 1/2] of a part.
+float sampleTime(int i, int n, float jitter) { return timeAt(float(i) + 0.5 + jitter, n); }
+
+// Which of n samples, taken at the parts 1 ... n of n + 1, falls on the capture in the middle of the exposure; -1: none.
+int sampleAtCapture(int n) {
+  if (!isCentred(frame.shutter) || n % 2 == 0) return -1;
+#if FACT_weighted
+  if (isWeighted() && timeAt(float(n + 1) * 0.5, n + 1) != 0.0) return -1;
+#endif
+  return (n - 1) / 2;
+}
+
+// ---- from the capture to one end: `after` it or before
+
+// Of all that counts, what lies on that side, as a multiple of half of it where the exposure has both sides.
+float sideFactor(bool after) {
+#if FACT_weighted
+  if (isWeighted() && isCentred(frame.shutter)) return 2.0 * (after ? frame.curve_sides.y : frame.curve_sides.x);
+#endif
+  return 1.0;
+}
+
+// The time, from the capture outwards, at which a share of what counts on a side has passed.
+float timeOutwards(bool after, float share) {
+  float end = after ? frame.shutter.y : frame.shutter.x;
+#if FACT_weighted
+  if (isWeighted()) {
+    float rest = (after ? frame.curve_sides.y : frame.curve_sides.x) * max(1.0 - share, 0.0);
+    return timeBetween(after, rest, 1.0 - rest);
+  }
+#endif
+  return end * share;
+}
+
+// The share of what counts on a side that lies within the time `span` (>= 0) of the capture.
+float shareWithin(bool after, float span) {
+#if FACT_weighted
+  if (isWeighted()) {
+    float side = after ? frame.curve_sides.y : frame.curve_sides.x;
+    if (side <= 0.0) return 0.0;
+    return clamp(1.0 - shareFromEnd(after, after ? span : -span) / side, 0.0, 1.0);
+  }
+#endif
+  return span / (after ? frame.shutter.y : -frame.shutter.x);
+}
+
+#endif

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "scene/frame_poser.h"
+
+#include <gtest/gtest.h>
+
+#include "scene/json_scene.h"
+
+namespace strobe::scene {
+namespace {
+
+// A car with a wheel on it, a ball, a lamp and a camera, each going its own way at 1 m/s.
+Scene sceneWith(const std::string& of_scene, const std::string& of_car, const std::string& of_camera) {
+  auto cuts = [](const std::string& times) { return times.empty() ? "" : ",\"cuts\":[" + times + "]"; };
+  const std::string sphere = R"("shape":{"kind":"shape","type":"sphere","segments":8})";
+  const std::string x = R"("motion":{"velocity":[1,0,0]})";
+  std::string text = R"({"kind":"scene","name":"s","nodes":[)";
+  text += R"({"kind":"node","name":"car",)" + sphere + "," + x + cuts(of_car) +
+          R"(,"children":[{"kind":"node","name":"wheel",)" + sphere + R"(,"motion":{"velocity":[0,1,0]}}]},)";
+  text += R"({"kind":"node","name":"ball",)" + sphere + "," + x + "},";
+  text += R"({"kind":"node","name":"lamp","light":{"kind":"light","type":"point"},)" + x + "},";
+  text +=
+      R"({"kind":"node","name":"eye","camera":{"kind":"camera","type":"perspective"},)" + x + cuts(of_camera) + "}]";
+  return sceneFromJson(Json::parse(text + cuts(of_scene) + "}"), "test.lua");
+}
+
+struct Places {
+  dvec3 car, wheel, ball, lamp, eye;
+};
+
+Places placesAt(const Scene& scene, const FrameTimes& times, double time_s) {
+  Pose pose = FramePoser(scene, cameraNode(scene, ""), "all", times).at(time_s);
+  auto place = [](const dmat4& world) { return dvec3(world[3]); };
+  return {place(pose.world_from_instance[0]), place(pose.world_from_instance[1]), place(pose.world_from_instance[2]),
+          place(pose.world_from_light[0]), place(pose.world_from_camera)};
+}
+
+const FrameTimes kTimes{2, 1, 2};  // the exposure from 1 s to 2 s, the capture at its end
+
+TEST(FramePoser, IsThePoserWhereNothingIsCut) {
+  Scene scene = sceneWith("", "", "");
+  Poser poser(scene, cameraNode(scene, ""));
+  FramePoser frame(scene, cameraNode(scene, ""), "all", kTimes);
+  for (double time_s : {0., 1., 1.3, 2.}) {
+    Pose expected = poser.at(time_s, 2), pose = frame.at(time_s);
+    EXPECT_EQ(pose.world_from_instance, expected.world_from_instance);
+    EXPECT_EQ(pose.world_from_camera, expected.world_from_camera);
+    EXPECT_EQ(pose.world_from_light, expected.world_from_light);
+  }
+}
+
+TEST(FramePoser, ACutWithinTheExposureStandsAllStill) {
+  for (const char* cut : {"1.5", "2", "0.3, 1.01, 9"}) {
+    Scene scene = sceneWith(cut, "", "");
+    for (double time_s : {0., 1., 1.5, 1.9, 2.}) {
+      Places at = placesAt(scene, kTimes, time_s);
+      for (const dvec3& place : {at.car, at.ball, at.lamp, at.eye}) EXPECT_EQ(place, dvec3(2, 0, 0)) << cut;
+      EXPECT_EQ(at.wheel, dvec3(2, 2, 0)) << cut;
+    }
+  }
+}
+
+// It opens at the cut, or the cut comes later; a pose before the cut is no pose of this side of it.
+TEST(FramePoser, ACutOutsideOfTheExposureIsNoneOfIt) {
+  for (const char* cut : {"1", "2.01"}) {
+    Scene scene = sceneWith(cut, "", "");
+    EXPECT_EQ(placesAt(scene, kTimes, 1).ball, dvec3(1, 0, 0)) << cut;
+    EXPECT_EQ(placesAt(scene, kTimes, .5).ball, dvec3(cut == std::string("1") ? 2 : .5, 0, 0)) << cut;
+  }
+}
+
+TEST(FramePoser, ACutOfANodeIsOneOfAllBelowIt) {
+  Places at = placesAt(sceneWith("", "1.5", ""), kTimes, 1);
+  EXPECT_EQ(at.car, dvec3(2, 0, 0));
+  EXPECT_EQ(at.wheel, dvec3(2, 2, 0));
+  EXPECT_EQ(at.ball, dvec3(1, 0, 0));
+  EXPECT_EQ(at.eye, dvec3(1, 0, 0));
+  at = placesAt(sceneWith("", "", "1.5"), kTimes, 1);
+  EXPECT_EQ(at.eye, dvec3(2, 0, 0));
+  EXPECT_EQ(at.car, dvec3(1, 0, 0));
+}
+
+TEST(FramePoser, SharesAreOfTheTimeFromTheCapture) {
+  Scene scene = sceneWith("", "", "");
+  FrameTimes times = kTimes;
+  times.camera_share = .25;
+  times.object_share = .5;
+  Places at = placesAt(scene, times, 1);
+  EXPECT_EQ(at.eye, dvec3(1.75, 0, 0));
+  EXPECT_EQ(at.ball, dvec3(1.5, 0, 0));
+  EXPECT_EQ(at.lamp, dvec3(1.5, 0, 0));
+  EXPECT_EQ(at.wheel, dvec3(1.5, 1.5, 0));
+  times.followed = 0;
+  at = placesAt(scene, times, 1);
+  EXPECT_EQ(at.car, dvec3(1.75, 0, 0));
+  EXPECT_EQ(at.wheel, dvec3(1.75, 1.75, 0));
+  EXPECT_EQ(at.ball, dvec3(1.5, 0, 0));
+  EXPECT_EQ(FramePoser(scene, cameraNode(scene, ""), "all", times).cameraTime(1), 1.75);
+}
+
+std::string failure(const std::string& cuts) {
+  try {
+    sceneFromJson(Json::parse(R"({"kind":"scene","nodes":[{"kind":"node","name":"a","cuts":)" + cuts + "}]}"),
+                  "test.lua");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(FramePoser, CutsAreTimesThatIncrease) {
+  EXPECT_EQ(failure("[0.5, 1]"), "");
+  EXPECT_NE(failure("[1, 0.5]").find("node 'a': 'cuts' do not increase"), std::string::npos) << failure("[1, 0.5]");
+  EXPECT_NE(failure("[1, 1]").find("'cuts' do not increase"), std::string::npos);
+  EXPECT_NE(failure("0.5").find("'cuts'"), std::string::npos);
+  EXPECT_NE(failure("[\"half\"]").find("'cuts'"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace strobe::scene
