@@ -17,7 +17,6 @@ FRAGMENTS = [
     ("ARTIFACT.md", "| `./strobe demo` | 0 |", "an exit code"),
     ("ARTIFACT.md", "| `./strobe reproduce --quick` | 0 |", "an exit code"),
     ("ARTIFACT.md", "-o out.exr` | 0 |", "an exit code"),
-    ("README.md", "longer than 10 % of the image width (`limit`)", "a default"),
     ("docs/benchmarks.md", "with a probability of at least 95 %", "a definition"),
     ("docs/benchmarks.md", "where the 95 % interval of the ratio", "a definition"),
     ("docs/benchmarks.md", "(default 0.05)", "a default"),
