@@ -32,7 +32,7 @@
 //   more than the tolerance within the distance moved; more motions at one pixel than candidates.
 #include "mixin/limit.glsl"
 #include "mixin/jitter.glsl"
-#include "mixin/path.glsl"
+#include "mixin/layers.glsl"
 #include "lib/times.glsl"
 #include "lib/sanitise.glsl"
 
@@ -64,142 +64,12 @@ struct Candidates {
 
 const float kUnused = 1e9;
 
-// What is at a pixel at some time: nothing, what raster saw, the first, second ... surface revealed behind it, or what an end
-// of the exposure alone sees.
-const int kNothing = 0, kRaster = 1, kRevealed = 2, kOpenEnd = 6, kCloseEnd = 7;
-const int kLastRevealed = kRevealed + HAS_revealed_2_valid + HAS_revealed_3_valid + HAS_revealed_4_valid;
-
 struct Seen {
   int layer;
   ivec2 now;  // where it is at the capture
   float depth;
   bool unsure;  // a silhouette passes within a pixel
 };
-
-// --- Layers that hold something here and there: those revealed, from kRevealed to kLastRevealed, and those of the ends
-// ----------------------------------------------------------------------------------------------------------------
-
-bool isHeld(int layer, ivec2 pixel) {
-#if HAS_open_valid
-  if (layer == kOpenEnd) return texelFetch(open_valid_tex, pixel, 0).x > 0.5;
-#endif
-#if HAS_close_valid
-  if (layer == kCloseEnd) return texelFetch(close_valid_tex, pixel, 0).x > 0.5;
-#endif
-#if HAS_revealed_2_valid
-  if (layer == kRevealed + 1) return texelFetch(revealed_2_valid_tex, pixel, 0).x > 0.5;
-#endif
-#if HAS_revealed_3_valid
-  if (layer == kRevealed + 2) return texelFetch(revealed_3_valid_tex, pixel, 0).x > 0.5;
-#endif
-#if HAS_revealed_4_valid
-  if (layer == kRevealed + 3) return texelFetch(revealed_4_valid_tex, pixel, 0).x > 0.5;
-#endif
-  return texelFetch(revealed_valid_tex, pixel, 0).x > 0.5;
-}
-
-float depthOf(int layer, ivec2 pixel) {
-#if HAS_open_depth
-  if (layer == kOpenEnd) return saneDepth(texelFetch(open_depth_tex, pixel, 0).x);
-#endif
-#if HAS_close_depth
-  if (layer == kCloseEnd) return saneDepth(texelFetch(close_depth_tex, pixel, 0).x);
-#endif
-#if HAS_revealed_2_depth
-  if (layer == kRevealed + 1) return saneDepth(texelFetch(revealed_2_depth_tex, pixel, 0).x);
-#endif
-#if HAS_revealed_3_depth
-  if (layer == kRevealed + 2) return saneDepth(texelFetch(revealed_3_depth_tex, pixel, 0).x);
-#endif
-#if HAS_revealed_4_depth
-  if (layer == kRevealed + 3) return saneDepth(texelFetch(revealed_4_depth_tex, pixel, 0).x);
-#endif
-  return saneDepth(texelFetch(revealed_depth_tex, pixel, 0).x);
-}
-
-// How paths of the first two layers are curved; of the others they are straight.
-vec4 curveAt(int layer, ivec2 pixel) {
-#if HAS_curve
-  if (layer == kRaster) return texelFetch(curve_tex, pixel, 0);
-#endif
-#if HAS_revealed_curve
-  if (layer == kRevealed) return texelFetch(revealed_curve_tex, pixel, 0);
-#endif
-  return vec4(0);
-}
-
-// Displacements of the layers in the part of the exposure after the capture, or before it.
-vec4 displacementAt(ivec2 pixel, bool after) {
-#if HAS_after_velocity
-  if (after) return texelFetch(after_velocity_tex, pixel, 0);
-#endif
-  return texelFetch(velocity_tex, pixel, 0);
-}
-
-vec4 heldDisplacementAt(int layer, ivec2 pixel, bool after) {
-#if HAS_open_velocity
-  if (layer == kOpenEnd) return texelFetch(open_velocity_tex, pixel, 0);
-#endif
-#if HAS_close_velocity
-  if (layer == kCloseEnd) return texelFetch(close_velocity_tex, pixel, 0);
-#endif
-#if HAS_revealed_2_after_velocity
-  if (after && layer == kRevealed + 1) return texelFetch(revealed_2_after_velocity_tex, pixel, 0);
-#endif
-#if HAS_revealed_3_after_velocity
-  if (after && layer == kRevealed + 2) return texelFetch(revealed_3_after_velocity_tex, pixel, 0);
-#endif
-#if HAS_revealed_4_after_velocity
-  if (after && layer == kRevealed + 3) return texelFetch(revealed_4_after_velocity_tex, pixel, 0);
-#endif
-#if HAS_revealed_after_velocity
-  if (after) return texelFetch(revealed_after_velocity_tex, pixel, 0);
-#endif
-#if HAS_revealed_2_velocity
-  if (layer == kRevealed + 1) return texelFetch(revealed_2_velocity_tex, pixel, 0);
-#endif
-#if HAS_revealed_3_velocity
-  if (layer == kRevealed + 2) return texelFetch(revealed_3_velocity_tex, pixel, 0);
-#endif
-#if HAS_revealed_4_velocity
-  if (layer == kRevealed + 3) return texelFetch(revealed_4_velocity_tex, pixel, 0);
-#endif
-  return texelFetch(revealed_velocity_tex, pixel, 0);
-}
-
-Path pathOf(int layer, ivec2 pixel, bool after) {
-  vec4 d = layer == kRaster ? displacementAt(pixel, after) : heldDisplacementAt(layer, pixel, after);
-  return limitedPath(d, curveAt(layer, pixel));
-}
-
-vec3 colorOf(int layer, ivec2 now) {
-  if (layer == kRaster) return finiteColor(texelFetch(color_tex, now, 0));
-#if HAS_open_color
-  if (layer == kOpenEnd) return finiteColor(texelFetch(open_color_tex, now, 0));
-#endif
-#if HAS_close_color
-  if (layer == kCloseEnd) return finiteColor(texelFetch(close_color_tex, now, 0));
-#endif
-#if HAS_revealed_2_color
-  if (layer == kRevealed + 1) return finiteColor(texelFetch(revealed_2_color_tex, now, 0));
-#endif
-#if HAS_revealed_3_color
-  if (layer == kRevealed + 2) return finiteColor(texelFetch(revealed_3_color_tex, now, 0));
-#endif
-#if HAS_revealed_4_color
-  if (layer == kRevealed + 3) return finiteColor(texelFetch(revealed_4_color_tex, now, 0));
-#endif
-  return finiteColor(texelFetch(revealed_color_tex, now, 0));
-}
-
-// The time from when a layer has things where they are to t, both in exposures from the capture.
-float timeFrom(int layer, float t) {
-#if HAS_open_valid || HAS_close_valid
-  return layer == kOpenEnd ? t - frame.shutter.x : layer == kCloseEnd ? t - frame.shutter.y : t;
-#else
-  return t;
-#endif
-}
 
 // --- Candidates
 // ----------------------------------------------------------------------------------------------------------------
