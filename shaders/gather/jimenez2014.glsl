@@ -76,14 +76,14 @@ float alongDominant(Gather gather, Tap tap, ivec2 offset) {
 // capture or after it. By a shutter curve, steps are what counts alike: those over which it spreads are the share of
 // what counts until the dominant motion has gone as far.
 float spreadOver(Gather gather, float radius, float steps, bool after) {
-  float over = radius / gather.step_length;
 #if FACT_weighted
   if (isWeighted()) {
     float farthest = lengthOf(gather.d) * gather.reach;
-    over = farthest / gather.step_length * shareWithin(after, radius / lengthOf(gather.d));
+    float over = farthest / gather.step_length * shareWithin(after, radius / lengthOf(gather.d));
+    return clamp(over - max(steps - 1.0, 0.0), 0.0, 1.0);
   }
 #endif
-  return clamp(over - max(steps - 1.0, 0.0), 0.0, 1.0);
+  return clamp(radius / gather.step_length - max(steps - 1.0, 0.0), 0.0, 1.0);
 }
 
 float tapWeight(Gather gather, Tap tap, float steps, ivec2 offset, bool after) {
@@ -123,7 +123,8 @@ Pair pairAt(Path path, int count, float steps) {
   return Pair(offset, -offset);
 }
 
-Sums withPair(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps) {
+// `sides`: what a tap before the capture and one after it count for.
+Sums withPairOf(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps, vec2 sides) {
   ivec2 size = textureSize(color_tex, 0);
   ivec2 at_a = clampToImage(pixel + pair.before, size), at_b = clampToImage(pixel + pair.after, size);
   Tap a = tapAt(at_a, gather.reach), b = tapAt(at_b, gather.reach);
@@ -133,13 +134,21 @@ Sums withPair(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps) {
 #endif
   if (!isValid(at_a)) weights.x = 0.0;
   if (!isValid(at_b)) weights.y = 0.0;
-#if FACT_weighted
-  weights *= vec2(sideFactor(false), sideFactor(true));
-#endif
+  weights *= sides;
   sums.all += weights.x + weights.y;
   if (gather.over) weights *= vec2(frontShare(gather, a, steps, false), frontShare(gather, b, steps, true));
   sums.shown += vec4(weights.x * toSum(a.color) + weights.y * toSum(b.color), weights.x + weights.y);
   return sums;
+}
+
+// Sums are added up in each branch for itself: so an even shutter has the same, bit for bit, whether others are known or not.
+Sums withPair(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps) {
+#if FACT_weighted
+  if (isWeighted()) {
+    return withPairOf(sums, gather, pixel, pair, steps, vec2(sideFactor(false), sideFactor(true)));
+  }
+#endif
+  return withPairOf(sums, gather, pixel, pair, steps, vec2(1));
 }
 
 Sums withTap(Sums sums, Gather gather, ivec2 pixel, ivec2 offset, float steps) {
