@@ -189,10 +189,11 @@ TEST_F(ReloadTest, ARenamedOrRetypedBindingIsRefusedByTheNameOfItsPass) {
     std::string file, from, to, says;
   };
   for (const Case& one :
-       {Case{"passes/gather/mcguire2012.lua", "of_layer { \"second\" }",
-             "of_layer({ \"second\" }, { prevailing = { doc = \"x\" } })", "pass 'gather_mcguire2012' is not given"},
-        Case{"passes/gather/mcguire2012.lua", "of_layer { \"second\" }",
-             "of_layer({ \"second\" }, { velocity = { uint = true, doc = \"x\" } })",
+       {Case{"passes/gather/mcguire2012.lua", "of_layer { \"second\", \"curve\", \"dominant_curve\" }",
+             "of_layer({ \"second\", \"curve\", \"dominant_curve\" }, { prevailing = { doc = \"x\" } })",
+             "pass 'gather_mcguire2012' is not given"},
+        Case{"passes/gather/mcguire2012.lua", "of_layer { \"second\", \"curve\", \"dominant_curve\" }",
+             "of_layer({ \"second\", \"curve\", \"dominant_curve\" }, { velocity = { uint = true, doc = \"x\" } })",
              "read 'velocity' of pass 'gather_mcguire2012' wants unsigned integers"},
         Case{"passes/gather/mcguire2012.lua", "depth_extent = blur", "depth_range = blur", "gather_mcguire2012"},
         Case{"shaders/gather/mcguire2012.glsl", "dominant_tex", "prevailing_tex", "gather_mcguire2012"}}) {

@@ -16,9 +16,9 @@ local function in_one_part(p, layer, given)
   local prefix, extra = given.prefix or "", given.extra or {}
   local tile = tile_max {
     velocity = layer.velocity, valid = layer.valid, extra_velocity = extra.velocity, extra_valid = extra.valid,
-    curve = layer.curve, extra_curve = extra.curve, as = prefix .. "tile_max",
+    curve = layer.curve, extra_curve = rawget(extra, "curve"), as = prefix .. "tile_max",
   }
-  local longest, curve = tile.longest, (layer.curve or extra.curve) and tile.curve_of_it or nil
+  local longest, curve = tile.longest, (layer.curve or rawget(extra, "curve")) and tile.curve_of_it or nil
   local motions = given.second and tiles.motions(layer) or nil
   local reach = longest_motion { longest = longest, curve = curve, as = prefix .. "longest_motion" }.reach
   local around = neighbour_max {
