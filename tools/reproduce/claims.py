@@ -35,6 +35,7 @@ def history(id, because, date, revision):
 EXPERIMENTS = [
     experiment("any_object", "shot=door", 60, 900),
     experiment("layers", "shot=two", 60, 600),
+    experiment("not_required", "", 80, 80),
     experiment("curves", "shot=pendulum", 30, 60),
     experiment("peers", "shot=enters", 40, 60),
     experiment("samples", "samples=4", 50, 400),
