@@ -24,6 +24,8 @@ static void setCurve(const ShutterCurve& curve, shared::FrameData& frame) {
   }
 }
 
+static ivec4 vectorOf(const scene::PixelArea& area) { return ivec4(area.x0, area.y0, area.x1, area.y1); }
+
 shared::FrameData frameData(const Plan& plan, const world::GpuScene& scene, const FrameSetup& setup) {
   shared::FrameData frame{};
   frame.size = uvec2(plan.width, plan.height);
@@ -39,10 +41,14 @@ shared::FrameData frameData(const Plan& plan, const world::GpuScene& scene, cons
   frame.light_count = scene.lightCount();
   frame.sky = setup.environment.sky;
   frame.ground = setup.environment.ground;
-  frame.reach = ivec4(setup.reach.x0, setup.reach.y0, setup.reach.x1, setup.reach.y1);
+  frame.reach = vectorOf(setup.reach);
+  frame.crossing = vectorOf(setup.crossing.area);
+  const double exposure_s = setup.close_s - setup.open_s;
+  if (exposure_s > 0)
+    frame.crossing_times = vec2((dvec2(setup.crossing.from_s, setup.crossing.to_s) - setup.capture_s) / exposure_s);
   frame.camera_rests = setup.camera_rests ? 1 : 0;
   frame.moving_count = scene.movingCount();
-  frame.exposure = float((setup.close_s - setup.open_s) / setup.frame_s);
+  frame.exposure = float(exposure_s / setup.frame_s);
   setCurve(setup.curve, frame);
   if (setup.environment.background) frame.background = vec4(*setup.environment.background, 1);
   return frame;

@@ -29,6 +29,7 @@ struct FrameSetup {
   vec2 subpixel = vec2(0);  // sample position relative to the pixel's centre, px
   scene::Environment environment;
   scene::PixelArea reach;                         // where anything that moves can be seen
+  scene::Crossing crossing;                       // where something crosses between the ends of the exposure
   std::vector<bool> moves;                        // by instance: may it move within the exposure? Empty: each may
   std::vector<scene::ScreenPath> paths;           // by instance; empty: not known
   bool camera_rests = false;                      // within the exposure

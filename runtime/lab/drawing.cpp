@@ -49,6 +49,7 @@ graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene) {
   scene::ScreenMotion motion = scene::screenMotionOf(
       scene, setup.pose_at, {setup.capture_s, setup.open_s, setup.close_s, previous_s, shot.width, shot.height});
   setup.reach = motion.reach;
+  setup.crossing = motion.crossing;
   setup.paths = std::move(motion.paths);
   if (shot.model_everything) return setup;
   scene::Facts facts = factsOf(shot, scene);

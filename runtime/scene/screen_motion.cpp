@@ -30,9 +30,11 @@ struct View {
   View(const Pose& pose, double height)
       : camera_from_world(glm::inverse(pose.world_from_camera)), camera(pose.camera), height_px(height) {}
 
+  dvec3 inCamera(const dvec3& position_ws) const { return dvec3(camera_from_world * dvec4(position_ws, 1)); }
+
   // Nothing when it is not clearly in front of the camera.
   std::optional<Homogeneous> of(const dvec3& position_ws) const {
-    dvec3 p = dvec3(camera_from_world * dvec4(position_ws, 1));
+    dvec3 p = inCamera(position_ws);
     if (!camera.orthographic && -p.z < 2 * camera.near) return std::nullopt;
     double half_height = camera.orthographic ? camera.half_height : std::tan(camera.vertical_fov / 2);
     double pixels = height_px / (2 * half_height);
@@ -136,7 +138,22 @@ static std::vector<double> timesOf(const Scene& scene, const ExposedFrame& frame
   return times;
 }
 
-// ---- the reach
+// ---- areas of the picture
+
+// Around the pixels [low, high) from the middle of the picture, as far as they lie in it.
+static PixelArea areaOf(const dvec2& low, const dvec2& high, const ExposedFrame& frame) {
+  const dvec2 middle = dvec2(frame.width, frame.height) * 0.5, size = middle * 2.0;
+  const dvec2 from = glm::clamp(glm::floor(middle + low), dvec2(0), size);
+  const dvec2 to = glm::clamp(glm::ceil(middle + high), dvec2(0), size);
+  return {int(from.x), int(from.y), int(to.x), int(to.y)};
+}
+
+static void include(PixelArea& area, const PixelArea& other) {
+  if (other.empty()) return;
+  if (area.empty()) area = other;
+  area = {std::min(area.x0, other.x0), std::min(area.y0, other.y0), std::max(area.x1, other.x1),
+          std::max(area.y1, other.y1)};
+}
 
 // The pixels around a box during the exposure.
 static void addTo(PixelArea& reach, const Track8& box, const std::vector<double>& times, const ExposedFrame& frame) {
@@ -154,14 +171,7 @@ static void addTo(PixelArea& reach, const Track8& box, const std::vector<double>
     before = &box[k];
   }
   const double margin = step_px + 2;
-  const dvec2 middle = dvec2(frame.width, frame.height) * 0.5, size = middle * 2.0;
-  const dvec2 low = glm::clamp(glm::floor(middle + extent.low - margin), dvec2(0), size);
-  const dvec2 high = glm::clamp(glm::ceil(middle + extent.high + margin), dvec2(0), size);
-  PixelArea own = {int(low.x), int(low.y), int(high.x), int(high.y)};
-  if (own.empty()) return;
-  if (reach.empty()) reach = own;
-  reach = {std::min(reach.x0, own.x0), std::min(reach.y0, own.y0), std::max(reach.x1, own.x1),
-           std::max(reach.y1, own.y1)};
+  include(reach, areaOf(extent.low - margin, extent.high + margin, frame));
 }
 
 // ---- paths
@@ -231,6 +241,92 @@ static bool follow(const Hull& hull, const std::vector<Pose>& poses, const std::
   return true;
 }
 
+// ---- what crosses
+
+namespace {
+
+// A box in the picture at one time: px from its middle.
+struct Outline {
+  dvec2 low{INFINITY}, high{-INFINITY};
+  bool is_partly_behind = false;  // the near plane: where it is in the picture is not known
+  bool empty() const { return low.x > high.x && !is_partly_behind; }
+};
+
+}  // namespace
+
+static Outline outlineOf(const std::array<dvec3, 8>& corners, const View& view) {
+  Outline outline;
+  int behind = 0;
+  for (const dvec3& corner : corners) {
+    std::optional<Homogeneous> h = view.of(corner);
+    if (!h) {
+      behind += -view.inCamera(corner).z < view.camera.near;
+      outline.is_partly_behind = true;
+      continue;
+    }
+    outline.low = glm::min(outline.low, pixelOf(*h));
+    outline.high = glm::max(outline.high, pixelOf(*h));
+  }
+  return behind == 8 ? Outline() : outline;
+}
+
+static PixelArea areaOf(const Outline& outline, const ExposedFrame& frame) {
+  if (outline.empty()) return {};
+  if (outline.is_partly_behind) return {0, 0, frame.width, frame.height};
+  return areaOf(outline.low, outline.high, frame);
+}
+
+// From one pose to the next: around both, and half the way between them.
+static PixelArea areaOf(const Outline& from, const Outline& to, const ExposedFrame& frame) {
+  Outline both = from;
+  if (from.empty() || to.empty() || from.is_partly_behind || to.is_partly_behind) {
+    both.is_partly_behind = !areaOf(from, frame).empty() || !areaOf(to, frame).empty();
+    return both.is_partly_behind ? areaOf(both, frame) : PixelArea();
+  }
+  const double margin = 0.5 * std::max(glm::length(to.low - from.low), glm::length(to.high - from.high));
+  both.low = glm::min(from.low, to.low), both.high = glm::max(from.high, to.high);
+  if (areaOf(both, frame).empty()) return {};
+  both.low -= margin, both.high += margin;
+  return areaOf(both, frame);
+}
+
+// A box that neither the capture nor an end of the exposure has in the picture, at the times between.
+static void addTo(Crossing& crossing, const std::vector<Outline>& outlines, const std::vector<double>& times,
+                  const ExposedFrame& frame) {
+  for (size_t k = 0; k < times.size(); ++k)
+    if (times[k] == frame.capture_s || times[k] == frame.open_s || times[k] == frame.close_s)
+      if (!areaOf(outlines[k], frame).empty()) return;
+  for (size_t k = 0; k + 1 < times.size(); ++k) {
+    if (times[k] < frame.open_s || times[k + 1] > frame.close_s) continue;
+    const PixelArea area = areaOf(outlines[k], outlines[k + 1], frame);
+    if (area.empty()) continue;
+    const bool is_first = crossing.area.empty();
+    include(crossing.area, area);
+    crossing.from_s = is_first ? times[k] : std::min(crossing.from_s, times[k]);
+    crossing.to_s = is_first ? times[k + 1] : std::max(crossing.to_s, times[k + 1]);
+  }
+}
+
+static Crossing crossingOf(const std::vector<std::optional<Hull>>& hulls, const std::vector<Pose>& poses,
+                           const std::vector<bool>& moves, const std::vector<double>& times,
+                           const ExposedFrame& frame) {
+  Crossing crossing;
+  std::vector<View> views;
+  for (const Pose& pose : poses) views.emplace_back(pose, frame.height);
+  for (size_t i = 0; i < hulls.size(); ++i) {
+    if (!moves[i]) continue;
+    for (size_t box = 0; box < hulls[i]->boxes(); ++box) {
+      std::vector<Outline> outlines;
+      for (size_t k = 0; k < poses.size(); ++k)
+        outlines.push_back(outlineOf(hulls[i]->corners(poses[k], i, box), views[k]));
+      addTo(crossing, outlines, times, frame);
+    }
+  }
+  return crossing;
+}
+
+// ---- all
+
 static bool isSmall(const Scene& scene, const std::vector<Instance>& instances) {
   size_t vertices = 0;
   for (const Instance& instance : instances) vertices += vertexCount(scene, instance);
@@ -247,25 +343,33 @@ ScreenMotion screenMotionOf(const Scene& scene, const std::function<Pose(double)
   std::vector<Pose> poses;
   for (double time_s : times) poses.push_back(pose_at(time_s));
   const std::vector<Pose> capture = {pose_at(frame.capture_s)};
-  for (const Pose& pose : poses)
-    if (pose.world_from_camera != capture[0].world_from_camera || pose.camera != capture[0].camera) return unknown;
+  const bool camera_moves = std::any_of(poses.begin(), poses.end(), [&](const Pose& pose) {
+    return pose.world_from_camera != capture[0].world_from_camera || pose.camera != capture[0].camera;
+  });
+  const bool is_small = isSmall(scene, instances);
+  std::vector<bool> moves(instances.size());  // over the picture
+  for (size_t i = 0; i < instances.size(); ++i)
+    moves[i] = (camera_moves && is_small) || std::any_of(poses.begin(), poses.end(), [&](const Pose& pose) {
+                 return pose.world_from_instance[i] != capture[0].world_from_instance[i] ||
+                        pose.bends[i] != capture[0].bends[i];
+               });
+  std::vector<std::optional<Hull>> hulls(instances.size());
+  for (size_t i = 0; i < instances.size(); ++i)
+    if (moves[i] || is_small) hulls[i].emplace(scene, instances[i]);
+  unknown.crossing = crossingOf(hulls, poses, moves, times, frame);
+  if (camera_moves) return unknown;
   const View view(capture[0], frame.height);
 
   ScreenMotion motion;
   motion.paths.assign(instances.size(), {false, false, false, false});
+  motion.crossing = unknown.crossing;
   std::vector<std::optional<Extent>> extents(instances.size());
-  std::vector<bool> moves(instances.size());
-  const bool is_small = isSmall(scene, instances);
   for (size_t i = 0; i < instances.size(); ++i) {
-    moves[i] = std::any_of(poses.begin(), poses.end(), [&](const Pose& pose) {
-      return pose.world_from_instance[i] != capture[0].world_from_instance[i] || pose.bends[i] != capture[0].bends[i];
-    });
-    if (!moves[i] && !is_small) continue;
-    const Hull hull(scene, instances[i]);
-    extents[i] = extentOf(hull, moves[i] ? poses : capture, i, view);
+    if (!hulls[i]) continue;
+    extents[i] = extentOf(*hulls[i], moves[i] ? poses : capture, i, view);
     if (!moves[i]) continue;
     motion.paths[i].curved = motion.paths[i].turns = bends(scene, instances[i]);
-    if (!follow(hull, poses, times, i, view, frame, motion)) return unknown;
+    if (!follow(*hulls[i], poses, times, i, view, frame, motion)) return unknown;
   }
   for (size_t i = 0; i < instances.size(); ++i) {
     if (!moves[i]) continue;

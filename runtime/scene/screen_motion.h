@@ -30,6 +30,12 @@ struct ScreenPath {
   bool arrives = true;  // a side of it, or a part, is seen at another time that the capture does not show
 };
 
+// Where and when something is in the picture that is outside of it at the capture and at both ends of the exposure.
+struct Crossing {
+  PixelArea area;  // empty: nothing is
+  double from_s = 0, to_s = 0;
+};
+
 struct ScreenMotion {
   // The pixels in which anything that moves during [open_s, close_s] can be seen at any time of it; the whole picture
   // when the camera moves or a moving object comes near the camera. Bounds of instances, and of what follows each
@@ -38,6 +44,9 @@ struct ScreenMotion {
   // between, many keys, a clip that begins again).
   PixelArea reach;
   std::vector<ScreenPath> paths;  // by instance, from the same poses; of what does not move none of the four holds
+  // From the same poses, of a camera that moves too: boxes as they are from one pose to the next. What one pose alone
+  // would show is not found where those times do not show it.
+  Crossing crossing;
 };
 
 // `pose_at`: the scene at a time, in seconds.

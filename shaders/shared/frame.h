@@ -24,15 +24,17 @@ struct FrameData {
   uint slice_count;      // scene times among which a pixel of this iteration may draw, else 1
   uint instance_count;
   uint light_count;
-  vec3 sky;           // radiance from above,
-  vec3 ground;        // from below
-  vec4 background;    // rgb and 1 if rays that miss see this instead of the two above
-  ivec4 reach;        // pixels [x, z) x [y, w) in which anything that moves can be seen
-  float exposure;     // length of the exposure, in frames
-  uint camera_rests;  // 1 where the camera surely stands still within the exposure
-  uint moving_count;  // instances that may move within it
-  // The shutter curve (runtime/math/shutter_curve.h), from the opening and from the closing to the middle of its weight:
-  // distance from that end, share of the weight so far, weight, slope of the weight.
+  vec3 sky;         // radiance from above,
+  vec3 ground;      // from below
+  vec4 background;  // rgb and 1 if rays that miss see this instead of the two above
+  ivec4 reach;      // pixels [x, z) x [y, w) in which anything that moves can be seen
+  ivec4 crossing;   // pixels in which something may be seen that is outside of the picture at the capture and the ends,
+  vec2 crossing_times;  // at these times, in exposures from the capture
+  float exposure;       // length of the exposure, in frames
+  uint camera_rests;    // 1 where the camera surely stands still within the exposure
+  uint moving_count;    // instances that may move within it
+  // The shutter curve (runtime/math/shutter_curve.h), from the opening and from the closing to the middle of its
+  // weight: distance from that end, share of the weight so far, weight, slope of the weight.
   uvec2 curve_counts;  // knots from either end; 0: all times count alike
   vec2 curve_sides;    // shares of the weight before and after the capture
   vec4 curve_opening[CURVE_KNOTS];
@@ -41,6 +43,6 @@ struct FrameData {
 
 STROBE_SHARED_END
 #ifdef __cplusplus
-static_assert(sizeof(strobe::shared::FrameData) == 144 + 2 * CURVE_KNOTS * 16);
+static_assert(sizeof(strobe::shared::FrameData) == 168 + 2 * CURVE_KNOTS * 16);
 #endif
 #endif

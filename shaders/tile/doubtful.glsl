@@ -33,6 +33,12 @@ void doubt(ivec2 cell, vec4 way, uint bit) {
   }
 }
 
+// From when to when a sample may be.
+vec2 partTimes(int number, int count) {
+  if (params.jittered == 0 && params.samples <= 32) return vec2(sampleTime(number, count, 0.0));
+  return vec2(timeAt(float(number), count), timeAt(float(number + 1), count));
+}
+
 // As far as filters handle it.
 bool isStill(vec4 bounds) { return reachFactor(frame.shutter) * min(longestIn(bounds), limitPx()) <= kStillRadius; }
 
@@ -40,27 +46,30 @@ bool isStill(vec4 bounds) { return reachFactor(frame.shutter) * min(longestIn(bo
 void doubtAll(ivec2 cell, vec4 bounds, vec4 bends, float seen) {
   if (isEmpty(bounds) || isStill(bounds)) return;
   int count = min(params.samples, 32);
-  float part = 0.5 / float(count);
   for (int i = 0; i < count; ++i) {
     float t = sampleTime(i, count, 0.0);
-    float low = t - seen, high = low;
-    if (params.jittered != 0 || params.samples > 32) {
-      low -= part;
-      high += part;
-#if FACT_weighted
-      if (isWeighted()) {
-        low = timeAt(float(i), count) - seen;
-        high = timeAt(float(i + 1), count) - seen;
-      }
-#endif
-    }
+    vec2 during = partTimes(i, count);
+    float low = during.x - seen, high = during.y - seen;
     float bent = bentShare(t, frame.shutter) - bentShare(seen, frame.shutter);
     vec4 way = times(bounds, low, high) + times(bends, min(bent, bent * 1.1), max(bent, bent * 1.1));
     doubt(cell, way, 1u << uint(i));
   }
 }
 
+// Whatever crosses the picture between the ends of the exposure: no layer holds it.
+void doubtCrossing(ivec2 cell) {
+  ivec4 pixels = ivec4(cell, cell + 1) * params.cell_side, area = frame.crossing;
+  if (any(lessThanEqual(area.zw, pixels.xy)) || any(greaterThanEqual(area.xy, pixels.zw))) return;
+  int count = min(params.samples, 32);
+  for (int i = 0; i < count; ++i) {
+    vec2 during = partTimes(i, count);
+    if (during.y >= frame.crossing_times.x && during.x <= frame.crossing_times.y)
+      imageAtomicOr(doubtful_img, cell, 1u << uint(i));
+  }
+}
+
 void run(ivec2 cell) {
+  doubtCrossing(cell);
   doubtAll(cell, texelFetch(bounds_tex, cell, 0), texelFetch(bends_tex, cell, 0), 0.0);
 #if HAS_behind_bounds && HAS_behind_bends
   doubtAll(cell, texelFetch(behind_bounds_tex, cell, 0), texelFetch(behind_bends_tex, cell, 0), 0.0);

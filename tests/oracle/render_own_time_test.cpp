@@ -36,6 +36,8 @@ struct Bar {
 
 // It was in the picture only before the capture; it is half in and half out; it comes from outside.
 const Bar kBars[] = {{"has left", 70.3, 90.3, 40}, {"leaves", 50.3, 80.3, 30}, {"comes in", 12.3, 28.3, 40}};
+// It is outside at the capture, which ends the exposure, and where that begins.
+const Bar kCrosses = {"crosses", 80.3, 100.3, 220};
 
 std::vector<std::string> settings(const std::string& preset, const std::vector<std::string>& more = {}) {
   std::vector<std::string> all = {"preset=" + preset, fmt::format("samples={}", kSamples), "tile=16"};
@@ -69,6 +71,12 @@ TEST_F(RenderOwnTime, FindsWhatTheCaptureDoesNotSee) {
     EXPECT_LE(largestError(bar, settings("best", {"taps=nearest", "mask=none"})), 1e-5) << bar.what;
   }
   EXPECT_GE(largestError(kBars[0], settings("captured")), .25);
+}
+
+TEST_F(RenderOwnTime, FindsWhatCrossesThePictureBetweenTheEnds) {
+  EXPECT_LE(largestError(kCrosses, settings("best", {"taps=nearest"})), 1e-5);
+  EXPECT_LE(largestError(kCrosses, settings("best", {"taps=nearest", "samples=64"})), (kLight - kDark) / 32);
+  EXPECT_GE(largestError(kCrosses, settings("captured", {"end_layers=true"})), .05);
 }
 
 // Edges to within a pixel and a half, which is less than two samples at these speeds. Rays reveal behind all that
