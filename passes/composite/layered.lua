@@ -34,8 +34,8 @@ return pass.compute {
   }),
   writes = {
     blurred = { format = "rgba32f", doc = "linear; alpha 1, with leaves_open the share of samples that are seen" },
-    open = { format = "r32ui", cleared = true,
-      doc = "with leaves_open, a bit for each sample at which no layer has anything; of more than 32 for as many together" },
+    open = { format = "rg32ui", cleared = true,
+      doc = "with leaves_open, a bit for each sample at which no layer has anything; of more than 64 for as many together" },
   },
   without = { motion = { blurred = "color", open = 0 } },
   params = {
@@ -50,6 +50,12 @@ return pass.compute {
       },
       breaks = { linear = { uniform = "texels around a sample are blended, which the mean of nearest ones is not" } } },
     leaves_open  = pass.bool { false, doc = "leave samples out at which no layer has anything, for rays to find" },
+    leaves_unlike = pass.bool { false, doc = "with leaves_open: so too those between texels that differ" },
+    unlike       = pass.float { 0.02, min = 0, max = 1, doc = "share of their colour by which these may differ" },
+    detail_below = pass.float { 0.75, min = 0, max = 1e6, unit = "px",
+      doc = "and only of what moves by no more than this from sample to sample: else these are too few for it to show" },
+    slowest      = pass.float { 0.5, min = 0, max = 100, unit = "px",
+      doc = "with leaves_unlike: least difference of displacements between which a silhouette may lie" },
     harvest      = pass.bool { true, doc = "also try the displacements met along the dominant one" },
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,

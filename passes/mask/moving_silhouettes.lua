@@ -13,5 +13,9 @@ return pass.compute {
     after_velocity = { optional = true, doc = "px over the exposure, at times after the capture" },
   },
   writes = { near = { format = "r8_unorm", doc = "1 next to something that moves otherwise" } },
+  params = {
+    slowest = pass.float { 0.5, min = 0, max = 100, unit = "px",
+      doc = "least difference of displacements that counts, of what moves slowly" },
+  },
   without = { motion = { near = 0 } },
 }

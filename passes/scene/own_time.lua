@@ -27,6 +27,10 @@ return pass.trace {
     audit      = adaptive.audit { 0.001, doc = "share of pixels in which rays check what layers explain" },
     wrong_by   = pass.float { 0.1, min = 0, max = 1,
       doc = "share of its colour by which the mean of a pixel's explained samples may be off" },
+    shades_unlike = pass.bool { false, doc = "shade what lies between texels that differ, instead of taking their colour" },
+    unlike     = pass.float { 0.02, min = 0, max = 1, doc = "share of their colour by which these may differ" },
+    detail_below = pass.float { 0.75, min = 0, max = 1e6, unit = "px",
+      doc = "and only of what moves by no more than this from sample to sample" },
     same_depth = pass.float { 0.01, min = 0, max = 1, doc = "share of the depth over which two depths count as one" },
   },
   counters = {
@@ -36,5 +40,5 @@ return pass.trace {
     wrong   = "of those, pixels that layers explain wrongly",
     not_finite = shade.counters.not_finite,
   },
-  fails  = "Times are those of at most 32 parts of the exposure, without jitter. Never by what it sees.",
+  fails  = "Times are those of at most 64 parts of the exposure, without jitter. Never by what it sees.",
 }

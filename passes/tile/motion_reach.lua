@@ -30,6 +30,7 @@ return pass.compute {
     cell_side = blur.cell_side,
     tile      = blur.tile,
     limit     = blur.limit,
+    slowest   = pass.float { 0.5, min = 0, max = 100, unit = "px", doc = "up to here what moves counts as at rest" },
     samples   = blur.samples { doc = "time samples, whose distance decides how exactly places are met" },
   },
 }

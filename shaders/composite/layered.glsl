@@ -12,7 +12,7 @@
 //      open_*, close_*: what an end of the exposure sees and none of these holds, where it is then (open_valid > 1/2), with
 //      the displacement open_dominant per tile; arriving (> 0, per cell): that comes there.
 // Out: blurred (linear, alpha 1). Where nothing moved it is color. With `leaves_open`: of the samples that layers explain, the
-//      sum over the number of all, and in alpha their share; open: a bit for each of the others (of more than 32 samples one
+//      sum over the number of all, and in alpha their share; open: a bit for each of the others (of more than 64 samples one
 //      for several).
 // For t_i at the midpoints (i + 1/2 + jitter)/N of the exposure: each candidate displacement g says where a surface
 //   that is at X at t_i would be now, Y = X - t_i*g. A texel Y of a layer is at X then if |Y + t_i*d(Y) - X| <=
@@ -27,12 +27,15 @@
 //   without `second` one that crosses it.
 // If no layer has anything at X at t_i, it is what was revealed at X, else what raster saw there (counter `fallback`); with
 //   `leaves_open` the sample is left open, as are those beside a silhouette, and all of a pixel with more motions than
-//   candidates.
+//   candidates; with `leaves_unlike` those too between texels that differ by more than the share `unlike`, if
+//   samples are less than `detail_below` px apart.
 // Fails: surfaces hidden at the capture and not revealed (second layer and beyond); motion that bends or magnifies by
 //   more than the tolerance within the distance moved; more motions at one pixel than candidates.
 #include "mixin/limit.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/layers.glsl"
+#include "lib/parts.glsl"
+#include "lib/spread.glsl"
 #include "lib/times.glsl"
 #include "lib/sanitise.glsl"
 
@@ -42,7 +45,7 @@ const int kMaxCandidates = 4;
 const float kSameDepth = 1.0 - 1.0 / 65536.0;
 
 // A tap this near to a texel's centre is what the texel says, px.
-const float kCentre = 0.05;
+const float kCentre = PARAM_leaves_unlike != 0 ? 1e-3 : 0.05;
 
 // How often what a texel says is followed to another, and where paths are curved.
 const int kGuesses = 2, kCurvedGuesses = 4;
@@ -302,6 +305,15 @@ bool isUnsure(ivec2 pixel, ivec2 now, vec2 offset, float t) {
   ivec2 beside = ivec2(sign(off_centre)) * ivec2(greaterThan(abs(off_centre), vec2(kCentre)));
   if (beside == ivec2(0) || texelFetch(silhouettes_tex, now, 0).x < 0.5) return false;
   ivec2 size = textureSize(color_tex, 0);
+#if PARAM_leaves_unlike
+  vec2 d = pathOf(kRaster, now, t > 0.0).d;
+  bool otherwise = false;
+  for (int k = 1; k < 4; ++k) {
+    ivec2 at = clampToImage(now + ivec2(k & 1, k >> 1) * beside, size);
+    otherwise = otherwise || movesOtherwise(pathOf(kRaster, at, t > 0.0).d, d, params.slowest);
+  }
+  return otherwise;
+#endif
   int there = 0;
   for (int k = 0; k < 4; ++k) {
     ivec2 at = clampToImage(now + ivec2(k & 1, k >> 1) * beside, size);
@@ -392,9 +404,10 @@ bool isBehind(ivec2 cell) {
 }
 
 // The colour of what was found: of the texel, or where the sample lies between the centres of four, of those of them that
-// are there too.
-vec3 colorFound(Seen seen, ivec2 pixel, float t) {
-#if PARAM_taps == taps_linear
+// are there too. `alike`: all of these are, and look the same.
+vec3 colorFound(Seen seen, ivec2 pixel, float t, out bool alike) {
+  alike = true;
+#if PARAM_taps == taps_linear || PARAM_leaves_unlike
   bool after = t > 0.0;
   float way = timeFrom(seen.layer, t);
   vec2 offset = tapOffset(pathOf(seen.layer, seen.now, after), way);
@@ -402,40 +415,68 @@ vec3 colorFound(Seen seen, ivec2 pixel, float t) {
   ivec2 first = pixel + ivec2(low), size = textureSize(color_tex, 0);
   vec3 sum = vec3(0);
   float weights = 0.0;
+  Spread spread = noSpread();
   for (int k = 0; k < 4; ++k) {
     ivec2 corner = ivec2(k & 1, k >> 1), at = first + corner;
     vec2 part = mix(1.0 - share, share, equal(corner, ivec2(1)));
     float weight = part.x * part.y;
-    if (weight < 1e-3 || !isInside(at, size) || (seen.layer != kRaster && !isHeld(seen.layer, at))) continue;
-    if (!isAt(pixel, at, pathOf(seen.layer, at, after), way, 1.5)) continue;
-    sum += weight * toSum(colorOf(seen.layer, at));
+    if (weight < 1e-3) continue;
+    bool held = isInside(at, size) && (seen.layer == kRaster || isHeld(seen.layer, at));
+    if (!held || !isAt(pixel, at, pathOf(seen.layer, at, after), way, 1.5)) {
+      alike = false;
+      continue;
+    }
+    vec3 color = colorOf(seen.layer, at);
+    spread = withColor(spread, color);
+    sum += weight * toSum(color);
     weights += weight;
   }
+#endif
+#if PARAM_leaves_unlike
+  bool fine = lengthOf(pathOf(seen.layer, seen.now, after).d) <= params.detail_below * float(params.samples);
+  alike = !fine || (alike && isNarrow(spread, params.unlike));
+#endif
+#if PARAM_taps == taps_linear
   if (weights > 0.0) return fromSum(sum / weights);
 #endif
   return colorOf(seen.layer, seen.now);
 }
 
-uint bitOf(int i) { return 1u << uint(i * 32 / max(params.samples, 32)); }
+// ---- samples that are left open
+
+// Those of a cell of which layers are not asked have a bit for each of at most so many parts.
+const int kDoubtParts = 32;
+
+uvec2 partOf(int i) { return partBit(params.samples > kMostParts ? i * kMostParts / params.samples : i); }
+
+uvec2 openOf(uint doubts) {
+  if (params.samples <= kDoubtParts) return uvec2(doubts, 0u);
+  int parts = min(params.samples, kMostParts);
+  uvec2 open = uvec2(0u);
+  for (int k = 0; k < parts && doubts != 0u; ++k) {
+    if ((doubts >> uint(k * kDoubtParts / parts) & 1u) != 0u) open |= partBit(k);
+  }
+  return open;
+}
 
 // `part`: of the picture, of the samples that are explained, of which `share` is that of all.
-void finish(ivec2 pixel, vec3 part, float share, uint open) {
+void finish(ivec2 pixel, vec3 part, float share, uvec2 open) {
 #if PARAM_leaves_open
-  imageStore(open_img, pixel, uvec4(open, 0u, 0u, 0u));
+  imageStore(open_img, pixel, uvec4(open, 0u, 0u));
 #endif
   imageStore(blurred_img, pixel, vec4(part, share));
 }
 
 void run(ivec2 pixel) {
   ivec2 cell = pixel / params.cell_side;
-  const uint all_open = params.samples < 32 ? (1u << uint(params.samples)) - 1u : ~0u;
-  uint open = doubtful(cell);
+  const uvec2 all_open = allParts(params.samples);
+  uvec2 open = openOf(doubtful(cell));
   if (open == all_open) {
     finish(pixel, vec3(0), 0.0, open);
     return;
   }
   if (!isMoved(cell) && !isArriving(cell)) {
-    float share = 1.0 - float(bitCount(open)) / float(min(params.samples, 32));
+    float share = 1.0 - float(countParts(open)) / float(min(params.samples, kMostParts));
     finish(pixel, share * vec3(texelFetch(color_tex, pixel, 0)), share, open);
     return;
   }
@@ -455,22 +496,24 @@ void run(ivec2 pixel) {
   vec3 sum = vec3(0);
   uint left_out = 0u, fallbacks = 0u;
   for (int i = 0; i < params.samples; ++i) {
-    if ((open & bitOf(i)) != 0u) {
+    if (hasParts(open & partOf(i))) {
       left_out += 1u;
       continue;
     }
     float t = sampleTime(i, params.samples, jitter);
     Seen seen = seenAt(pixel, t > 0.0 ? after : before, behind, t);
-    if (seen.layer == kNothing || seen.unsure) {
+    bool is_known = seen.layer != kNothing && !seen.unsure, alike = true;
+    if (!is_known) {
       fallbacks += 1u;
-      if (PARAM_leaves_open != 0) {
-        open |= bitOf(i);
-        left_out += 1u;
-        continue;
-      }
       seen.layer = isHeld(kRevealed, pixel) ? kRevealed : kRaster;
     }
-    sum += toSum(colorFound(seen, pixel, t));
+    vec3 color = is_known || PARAM_leaves_open == 0 ? colorFound(seen, pixel, t, alike) : vec3(0);
+    if (PARAM_leaves_open != 0 && !(is_known && (alike || PARAM_leaves_unlike == 0))) {
+      open |= partOf(i);
+      left_out += 1u;
+      continue;
+    }
+    sum += toSum(color);
   }
   if (fallbacks > 0u) count_fallback(fallbacks);
   float n = float(params.samples);

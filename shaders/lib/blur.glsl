@@ -71,6 +71,12 @@ bool isAt(ivec2 pixel, ivec2 now, vec2 d, float t, float tolerance_px) {
   return dot(off, off) <= within_px * within_px;
 }
 
+// Do two texels move so differently that a silhouette may lie between them? By half a pixel; with `slowest` below that, what
+// moves slowly does by less. On one surface displacements vary from texel to texel.
+bool movesOtherwise(vec2 d, vec2 other, float slowest) {
+  return lengthOf(d - other) >= min(max(slowest, 0.05 * min(lengthOf(d), lengthOf(other))), max(slowest, 0.5));
+}
+
 // Does the surface now at `offset` from a pixel pass over that pixel within the window? Rounding of the tap and of the
 // path may each put it half a pixel off: across its path 3/4 px pass (the diagonal of both, nearly), along it 1/2.
 bool motionReaches(vec2 offset, vec2 d, vec2 shutter) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Texels next to which something moves otherwise.
 // In:  velocity, after_velocity (px over the exposure; absent: velocity).
-// Out: near (1 where a texel of the eight around, within the picture, moves otherwise by half a pixel or more).
+// Out: near (1 where a texel of the eight around, within the picture, moves otherwise).
 #include "lib/blur.glsl"
 #include "lib/sanitise.glsl"
 
@@ -18,8 +18,9 @@ void run(ivec2 pixel) {
   vec4 here = motionAt(pixel);
   bool otherwise = false;
   for (int k = 0; k < 9; ++k) {
-    vec4 apart = motionAt(clampToImage(pixel + ivec2(k % 3, k / 3) - 1, size)) - here;
-    otherwise = otherwise || max(lengthOf(apart.xy), lengthOf(apart.zw)) >= 0.5;
+    vec4 there = motionAt(clampToImage(pixel + ivec2(k % 3, k / 3) - 1, size));
+    otherwise = otherwise || movesOtherwise(there.xy, here.xy, params.slowest) ||
+                movesOtherwise(there.zw, here.zw, params.slowest);
   }
   imageStore(near_img, pixel, vec4(otherwise ? 1 : 0));
 }

@@ -6,11 +6,15 @@
 //      revealed_color, revealed_depth, revealed_id, revealed_valid of what was revealed behind it.
 // Out: picture (linear, alpha 1). In the share `audit` of pixels the other samples are traced too; `wrong` counts those whose
 //      mean is otherwise by `wrong_by` of it.
-// What a ray meets and a layer of the capture holds has that layer's colour, blended as that of a filter's tap.
+// What a ray meets and a layer of the capture holds has that layer's colour, blended as that of a filter's tap; with
+// `shades_unlike` only where the four texels around hold it and differ by no more than the share `unlike`, or it moves by
+// more than `detail_below` px from sample to sample.
 // Before a camera at rest, what is at rest is found once, and what moves is traced before it.
 #include "lib/audit.glsl"
 #include "lib/blur.glsl"
+#include "lib/parts.glsl"
 #include "lib/sanitise.glsl"
+#include "lib/spread.glsl"
 #include "mixin/shade.glsl"
 
 const float kFar = 3.0e38;
@@ -25,6 +29,13 @@ bool isRevealed(ivec2 at, uvec2 id, float depth) {
          relativeGap(texelFetch(revealed_depth_tex, at, 0).x, depth) <= params.same_depth;
 }
 
+// How far a surface point moves from sample to sample, px.
+float spacingOf(Hit hit) {
+  vec3 open_vs = viewFromWorld(SLICE_OPEN, positionOf(SLICE_OPEN, hit));
+  vec3 close_vs = viewFromWorld(SLICE_CLOSE, positionOf(SLICE_CLOSE, hit));
+  return lengthOf(pixelFromView(SLICE_CLOSE, close_vs) - pixelFromView(SLICE_OPEN, open_vs)) / float(frame.slice_count);
+}
+
 // The colour of a surface point: blended from the texels around that hold it, of what raster saw or was revealed.
 vec3 colorOf(Hit hit) {
   vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, positionOf(SLICE_CAPTURE, hit));
@@ -35,18 +46,26 @@ vec3 colorOf(Hit hit) {
   uvec2 id = uvec2(hit.instance, hit.geometry) + 1u;
   vec3 sum = vec3(0);
   float weights = 0.0;
+  bool alike = true;
+  Spread spread = noSpread();
   for (int k = 0; k < 4; ++k) {
     ivec2 corner = ivec2(k & 1, k >> 1), at = ivec2(low) + corner;
     vec2 part = mix(1.0 - share, share, equal(corner, ivec2(1)));
     float weight = part.x * part.y;
-    if (weight < 1e-3 || !isInside(at, ivec2(frame.size))) continue;
-    vec4 texel;
-    if (isSeen(at, id, capture_vs.z)) texel = texelFetch(color_tex, at, 0);
-    else if (isRevealed(at, id, capture_vs.z)) texel = texelFetch(revealed_color_tex, at, 0);
-    else continue;
-    sum += weight * toSum(finiteColor(texel));
+    if (weight < 1e-3) continue;
+    bool inside = isInside(at, ivec2(frame.size)), seen = inside && isSeen(at, id, capture_vs.z);
+    if (!seen && !(inside && isRevealed(at, id, capture_vs.z))) {
+      alike = false;
+      continue;
+    }
+    vec3 color = finiteColor(seen ? texelFetch(color_tex, at, 0) : texelFetch(revealed_color_tex, at, 0));
+    spread = withColor(spread, color);
+    sum += weight * toSum(color);
     weights += weight;
   }
+#if PARAM_shades_unlike
+  if ((!alike || !isNarrow(spread, params.unlike)) && !(spacingOf(hit) > params.detail_below)) weights = 0.0;
+#endif
   if (weights > 0.0) return fromSum(sum / weights);
   count_shaded(1u);
   return shade(SLICE_CAPTURE, hit);
@@ -89,19 +108,19 @@ vec3 seenAt(ivec2 pixel, uint slice, inout Ground ground) {
 }
 
 // The mean of what is seen at these times.
-vec3 meanOf(ivec2 pixel, uint times, inout Ground ground) {
-  int count = bitCount(times);
+vec3 meanOf(ivec2 pixel, uvec2 times, inout Ground ground) {
+  int count = countParts(times);
   vec3 sum = vec3(0);
-  while (times != 0u) {
-    uint number = uint(findLSB(times));
-    times &= times - 1u;
-    sum += toSum(seenAt(pixel, SLICE_SAMPLE + number, ground));
+  while (hasParts(times)) {
+    int number = firstPart(times);
+    times &= ~partBit(number);
+    sum += toSum(seenAt(pixel, SLICE_SAMPLE + uint(number), ground));
   }
   return fromSum(sum / float(count));
 }
 
 // Traces what the layers explain, and counts where they are wrong.
-void audit(ivec2 pixel, vec4 seen, uint explained, inout Ground ground) {
+void audit(ivec2 pixel, vec4 seen, uvec2 explained, inout Ground ground) {
   vec3 is_so = meanOf(pixel, explained, ground), said = vec3(seen) / seen.a;
   vec3 apart = abs(said - is_so), larger = max(abs(said), abs(is_so));
   float most = max(apart.r, max(apart.g, apart.b)), of = max(larger.r, max(larger.g, larger.b));
@@ -111,14 +130,14 @@ void audit(ivec2 pixel, vec4 seen, uint explained, inout Ground ground) {
 
 void run(ivec2 pixel) {
   vec4 seen = texelFetch(seen_tex, pixel, 0);
-  uint all_times = frame.slice_count < 32u ? (1u << frame.slice_count) - 1u : ~0u;
-  uint open = texelFetch(open_tex, pixel, 0).x & all_times;
+  uvec2 all_times = allParts(int(frame.slice_count));
+  uvec2 open = texelFetch(open_tex, pixel, 0).xy & all_times;
   bool audited = seen.a > 0.0 && open != all_times && isAudited(pixel, params.audit);
-  if (open != 0u || audited) {
+  if (hasParts(open) || audited) {
     Ground ground = groundAt(pixel);
     if (audited) audit(pixel, seen, all_times & ~open, ground);
-    if (open != 0u) {
-      count_samples(uint(bitCount(open)));
+    if (hasParts(open)) {
+      count_samples(uint(countParts(open)));
       seen.rgb += (1.0 - seen.a) * meanOf(pixel, open, ground);
     }
   }

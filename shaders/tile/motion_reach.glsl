@@ -10,7 +10,9 @@
 #include "lib/bounds.glsl"
 #include "mixin/limit.glsl"
 
-bool isStill(vec4 bounds) { return reachFactor(frame.shutter) * longestIn(bounds) <= kStillRadius; }
+bool isStill(vec4 bounds) {
+  return reachFactor(frame.shutter) * longestIn(bounds) <= params.slowest + (kStillRadius - 0.5);
+}
 
 // Is a displacement so near to those of a box that a filter that tries it is led to them?
 bool leadsTo(vec4 bounds, vec2 d) {

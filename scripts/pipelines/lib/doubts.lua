@@ -21,6 +21,12 @@ function doubts.are_asked(p)
   return p.own_time() ~= "none" and pass.reads(pass.member("composite", p.composite()), "doubtful")
 end
 
+-- Of samples between texels that differ too?
+function doubts.of_detail(p) return p.own_time() == "detailed" end
+
+-- The slowest motion that a filter takes notice of, px; nil: that of every blur, half a pixel.
+function doubts.slowest(p) return doubts.of_detail(p) and 0.02 or nil end
+
 local function jittered(p) return p.jitter() == "none" and 0 or 1 end
 
 -- Over the whole exposure, into however many parts the range is divided.
@@ -121,17 +127,19 @@ end
 
 -- Where a sample may fall to either side of an edge, if rays are to tell; else nil.
 function doubts.silhouettes(p, seen)
-  if p.own_time() ~= "uncertain" then return nil end
-  return moving_silhouettes { velocity = seen.velocity, after_velocity = seen.after_velocity }.near
+  if p.own_time() ~= "uncertain" and not doubts.of_detail(p) then return nil end
+  return moving_silhouettes {
+    velocity = seen.velocity, after_velocity = seen.after_velocity, slowest = doubts.slowest(p),
+  }.near
 end
 
 -- The picture, from what a composite made that left samples open; `revealed` is the first layer behind.
 function doubts.traced(p, seen, revealed, made)
   return pipeline.loop {
-    name = "own_times", count = 1, times = "midpoint", slices = math.min(p.samples(), 32),
+    name = "own_times", count = 1, times = "midpoint", slices = math.min(p.samples(), 64),
     body = function()
       return { picture = own_time {
-        seen = made.blurred, open = made.open, time = "sample",
+        seen = made.blurred, open = made.open, time = "sample", shades_unlike = doubts.of_detail(p),
         hit = seen.hit, color = seen.color, depth = seen.depth, id = seen.id, revealed_color = revealed.color,
         revealed_depth = revealed.depth, revealed_id = revealed.id, revealed_valid = revealed.valid,
       }.picture }

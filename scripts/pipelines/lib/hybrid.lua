@@ -104,7 +104,7 @@ function hybrid.params()
     taps        = layered.params.taps,
     end_layers  = pipeline.bool { false,
       doc = "composite layered: what an end of the exposure sees and no layer of the capture holds is a layer too" },
-    own_time    = choice { "none", "unexplained", "uncertain", default = "none",
+    own_time    = choice { "none", "unexplained", "uncertain", "detailed", default = "none",
       doc = "composite layered: samples that are traced at their own time",
       values = {
         none = "None: where no layer has anything to show, what was revealed at the pixel stands in. Fails where " ..
@@ -114,9 +114,13 @@ function hybrid.params()
                       "each. Fails for what comes out and goes in again within the exposure.",
         uncertain = "Those too that fall within a pixel of a silhouette in motion, of which a filter's nearest pixel may " ..
                     "be on the wrong side.",
+        detailed = "Those too that fall between texels that differ, however slow the motion; shaded where the ray meets " ..
+                   "them. Texture in motion is met to a part of a pixel, for a ray wherever it has an edge.",
       },
-      breaks = { unexplained = of_doubt, uncertain = of_doubt },
+      breaks = { unexplained = of_doubt, uncertain = of_doubt, detailed = of_doubt },
     },
+    unlike      = layered.params.unlike,
+    detail_below = layered.params.detail_below,
   })
 end
 
@@ -142,6 +146,8 @@ hybrid.presets = {
   layers      = { doc = "all that layers can hold: four behind each other, and what the ends of the exposure see",
                   set = layers_of_ends },
   best        = { doc = "the least error of what has been tried", set = best },
+  detailed    = { doc = "best, with texture and silhouettes to a part of a pixel, for slow motion and many samples",
+                  set = options.with(options.with({}, best), { own_time = "detailed" }) },
 }
 
 -- Does the composite chosen read that? What others know nothing of is not made for them.
@@ -231,7 +237,7 @@ local function layers(p, seen, revealed, composite)
 end
 
 -- The cells in which anything happens, for composites that leave out the others.
-local function reached_cells(seen, revealed, images)
+local function reached_cells(p, seen, revealed, images)
   local function bounds(layer, name, others)
     return (others and joined_bounds or motion_bounds) {
       velocity = layer.velocity, after_velocity = layer.after_velocity, curve = layer.curve, valid = layer.valid,
@@ -243,7 +249,7 @@ local function reached_cells(seen, revealed, images)
     behind = bounds(layer, number == 1 and "revealed_bounds" or ("revealed_%d_bounds"):format(number), behind)
   end
   local cells = motion_reach {
-    bounds = bounds(seen, "raster_bounds"), behind_bounds = behind,
+    bounds = bounds(seen, "raster_bounds"), behind_bounds = behind, slowest = doubts.slowest(p),
     dominant = images.dominant, after_dominant = images.after_dominant,
     second = images.second, after_second = images.after_second,
     revealed_dominant = images.revealed_dominant, revealed_after_dominant = images.revealed_after_dominant,
@@ -263,7 +269,7 @@ function hybrid.composited(p, seen, revealed)
     apart and "weights = " .. p.weights() or "composite = " .. p.composite())
   curves.add(p, { { "raster", seen }, { "revealed", revealed[1] } })
   local images = apart and blurred(p, seen, revealed[1]) or layers(p, seen, revealed, composite)
-  if pass.reads(composite, "moved") then put(images, "", reached_cells(seen, revealed, images)) end
+  if pass.reads(composite, "moved") then put(images, "", reached_cells(p, seen, revealed, images)) end
   local doubted, ends = doubts.are_asked(p), p.end_layers() and knows(p, "open_color")
   local found = (doubted or ends) and doubts.looked_at(seen, revealed)
   if ends then
@@ -274,7 +280,10 @@ function hybrid.composited(p, seen, revealed)
     images.doubtful = doubts.cells(p, found, not ends, "doubtful")
     images.silhouettes = doubts.silhouettes(p, seen)
   end
-  local made = composite(pass.wired(composite, images, { as = "composite", leaves_open = doubted or nil }))
+  local made = composite(pass.wired(composite, images, {
+    as = "composite", leaves_open = doubted or nil, leaves_unlike = doubted and doubts.of_detail(p) or nil,
+    slowest = doubted and doubts.slowest(p) or nil,
+  }))
   if doubted then return doubts.traced(p, seen, revealed[1], made) end
   return apart and made.color or made.blurred
 end
