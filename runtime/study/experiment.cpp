@@ -252,7 +252,8 @@ static lab::Shot bareShot(const Experiment& experiment, const Group& group) {
   lab::Shot shot = studied.shot;
   if (shot.width == 0) shot.width = experiment.width, shot.height = experiment.height;
   shot.sets.clear();
-  for (size_t i = 0; i < experiment.size_params.size() && i < 2; ++i)
+  size_t sized = lab::isGltf(shot.scene) ? 0 : std::min<size_t>(experiment.size_params.size(), 2);
+  for (size_t i = 0; i < sized; ++i)
     shot.sets.emplace_back("scene." + experiment.size_params[i], int64_t(i == 0 ? shot.width : shot.height));
   shot.sets = joined(shot.sets, studied.shot.sets);
   for (const At& at : group.at) {

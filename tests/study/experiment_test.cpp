@@ -80,6 +80,19 @@ TEST(Points, SetWhatTheirAxesName) {
   EXPECT_NE(lab::commandOf(truth).find("--set samples=64"), std::string::npos) << "parameters of arms are not";
 }
 
+TEST(Points, GiveGltfScenesNoParametersOfSize) {
+  Experiment experiment = readText(R"lua(
+return require "strobe.experiment" {
+  title = "Two scenes", size_params = { "width", "height" }, truth = { pipeline = "ground_truth" },
+  shots = { { name = "lua", scene = "living_room" }, { name = "gltf", scene = "x.gltf" } },
+  arms = { { name = "none", pipeline = "none" } },
+})lua");
+  ASSERT_EQ(experiment.groups.size(), 2u);
+  EXPECT_EQ(shotOf(experiment, experiment.groups[0], experiment.arms[0]).sets.size(), 2u);
+  EXPECT_TRUE(shotOf(experiment, experiment.groups[1], experiment.arms[0]).sets.empty());
+  EXPECT_TRUE(truthShotOf(experiment, experiment.groups[1]).sets.empty());
+}
+
 // Text with fields in the places of ARM, SHOT, AXIS, MORE.
 std::string with(const std::string& arm, const std::string& shot = "", const std::string& axis = "",
                  const std::string& more = "") {

@@ -89,6 +89,26 @@ def front(bench):
     return [points + [next(results.points(role="truth"))[1]]]
 
 
+def exhibits():
+    """Of each complaint what goes wrong, what mends it, and truth."""
+    plain = [("wheel", "layers, straight paths", "hybrid, best"), ("silhouette", "Bevy", BEST),
+             ("halo", "McGuire 2012", BEST), ("glass", "McGuire 2012", BEST), ("sky", "no vectors", BEST),
+             ("short", "UE4-style, limit 0.05", BEST), ("shadow", "McGuire 2012", BEST), ("chase", "McGuire 2012", BEST),
+             ("drive", "McGuire 2012", BEST), ("skin", "no vectors", BEST)]
+    rows = {shot: columns(shot, (wrong, mended, "ground truth"), case="as it is") for shot, wrong, mended in plain}
+    rows["rate"] = [{"shot": "share", "arm": BEST, "rate": 144}, {"shot": "seconds", "arm": BEST, "rate": 144},
+                    {"shot": "seconds", "arm": "ground truth", "rate": 24}]
+    rows["jump"] = columns("jump", ("McGuire 2012, last frame's path", "McGuire 2012", "ground truth"), cut=False)
+    rows["followed"] = [{"shot": "followed", "arm": BEST, "follow": "nothing"}, {"shot": "followed", "arm": BEST, "follow": "car"},
+                        {"shot": "followed", "arm": "ground truth", "follow": "car"}]
+    order = ("wheel", "silhouette", "halo", "glass", "sky", "rate", "jump", "followed", "short", "shadow", "chase", "drive",
+             "skin")
+    return [rows[name] for name in order]
+
+
+BEST = "hybrid, best"
+EXHIBITS_REGIONS = [(x, y, 144, 81) for x, y in ((90, 64), (100, 62), (60, 70), (100, 30), (60, 20), (90, 70), (150, 60), (60, 70),
+                                                 (60, 70), (50, 50), (85, 80), (20, 60), (85, 15))]
 ROOM, ROOM_WIDE, CARD, ALL_OF_IT = (148, 72, 72, 64), (120, 60, 100, 90), (164, 48, 72, 64), (110, 45, 100, 90)
 OVER = ("over, McGuire", "over, Guertin", "over, Jimenez", "over, uniform", "in gather", "layered", "ground truth")
 ENDS = ("no rays", "luminance", "geometry", "instance", "motion", "ground truth")
@@ -118,6 +138,8 @@ SHEETS = [
                                  {"shot": shot, "arm": "ground truth", "resolution": "full"}]
                                 for shot in ("vase", "cells_3", "cells_9")], [ROOM_WIDE, ALL_OF_IT, ALL_OF_IT], 4),
     crops("everything", front, [ROOM_WIDE], 4),
+    crops("exhibits", lambda bench: [[bench.results("exhibits").point(**at) for at in row] for row in exhibits()],
+          EXHIBITS_REGIONS),
     crops("samples", [[{"shot": "vase", "arm": arm, "samples": samples, "tile": 20} for samples in (4, 16, 64)] +
                       [{"shot": "vase", "arm": "ground truth", "samples": 64, "tile": 20}]
                       for arm in ("McGuire 2012", "UE4-style", "hybrid (best)")], [ROOM_WIDE] * 3, 4),

@@ -96,8 +96,9 @@ function studio.floor(given)
   }
 end
 
--- The scene of these nodes and lists of nodes, with the camera "main" (moved by `camera_motion`) and a sun.
-function studio:scene(name, given, camera_motion)
+-- The scene of these nodes and lists of nodes, with the camera "main" (moved by `camera_motion`), a sun, and
+-- perhaps animations.
+function studio:scene(name, given, camera_motion, animations)
   local nodes = {}
   for _, entry in ipairs(given) do
     if entry.kind then nodes[#nodes + 1] = entry
@@ -108,7 +109,8 @@ function studio:scene(name, given, camera_motion)
   nodes[#nodes + 1] = node { name = "camera", position = self.eye, look_at = self.aim, motion = camera_motion,
     camera = scene.camera { name = "main", fov = self.fov, near = 0.05 } }
   return scene {
-    name = name, nodes = nodes, environment = { sky = { 0.5, 0.54, 0.62 }, ground = { 0.28, 0.25, 0.21 } },
+    name = name, nodes = nodes, animations = animations,
+    environment = { sky = { 0.5, 0.54, 0.62 }, ground = { 0.28, 0.25, 0.21 } },
     shot = { width = self.width, height = self.height, fps = self.fps, frame = 0, exposure = self.exposure },
   }
 end
