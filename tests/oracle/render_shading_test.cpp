@@ -191,6 +191,131 @@ TEST_F(RenderShading, ShadowsAreWhereTheLightIsHidden) {
   EXPECT_GE(bright, 100);
 }
 
+// ---- within the exposure: truth shades at each sample's own time, or as at the capture
+
+constexpr int kTimes = 16;
+
+// Of sample `k`, in exposures before the capture: an exposure of a frame ends there.
+double timeOf(int k) { return (k + .5) / kTimes - 1; }
+
+// Mean over the samples' times.
+template <typename Function>
+dvec3 meanOf(Function&& at) {
+  dvec3 sum(0);
+  for (int k = 0; k < kTimes; ++k) sum += at(timeOf(k));
+  return sum / double(kTimes);
+}
+
+class RenderShadingInMotion : public RenderShading {
+ protected:
+  // `moves` and `spins` as on the command line, per frame.
+  static image::Image truth(const Lit& lit, const std::string& shading, std::vector<std::string> moves,
+                            std::vector<std::string> spins = {}) {
+    lab::Shot shot = with(lit.shot(), "ground_truth",
+                          {fmt::format("samples={}", kTimes), "times=midpoint", "shading=" + shading}, "close");
+    shot.exposure = 1;
+    shot.moves = std::move(moves), shot.spins = std::move(spins);
+    return colorOf(render(shot));
+  }
+
+  // Single precision, as above.
+  template <typename Expected>
+  static void expect(const image::Image& color, const Lit& lit, const Expected& expected, const std::string& what) {
+    int seen = 0;
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x) {
+        if (!lit.isSeen(x, y)) continue;
+        ++seen;
+        dvec3 value = expected(lit.pointAt(x, y));
+        for (int c = 0; c < 3; ++c)
+          EXPECT_NEAR(color.at(x, y, c), value[c], 2e-4 * value[c] + 1e-6) << what << " " << x << " " << y;
+      }
+    EXPECT_GT(seen, kWidth * kHeight / 3) << what;
+  }
+};
+
+// A plane that turns about its own normal looks the same at any time, its highlight too; frozen, the highlight is
+// carried along with the surface.
+TEST_F(RenderShadingInMotion, HighlightsStandOrAreCarriedAlong) {
+  Lit lit{.light = 2, .roughness = .35, .at = dvec3(1, 1, -3)};
+  const double degrees = 40;
+  auto still = [&](dvec3 point) { return lit.expected(point); };
+  auto carried = [&](dvec3 point) {
+    return meanOf([&](double time) {
+      double angle = glm::radians(-degrees * time), c = std::cos(angle), s = std::sin(angle);
+      return lit.expected(dvec3(c * point.x - s * point.y, s * point.x + c * point.y, point.z));
+    });
+  };
+  std::vector<std::string> spin = {fmt::format("plane=0,0,1,{}", degrees)};
+  image::Image full = truth(lit, "full", {}, spin), frozen = truth(lit, "frozen", {}, spin);
+  expect(full, lit, still, "full");
+  expect(frozen, lit, carried, "frozen");
+  EXPECT_GT(rmsDifference(full, frozen), .01) << "the two differ";
+}
+
+// A light that moves over what stands still: frozen, nothing blurs.
+TEST_F(RenderShadingInMotion, LightsMoveInFullTruthAlone) {
+  Lit lit{.light = 2, .at = dvec3(1, 1, -3)};
+  const dvec3 way(-2, .5, .25);
+  std::vector<std::string> move = {"light=-2,0.5,0.25"};
+  auto moved = [&](dvec3 point) {
+    return meanOf([&](double time) {
+      Lit then = lit;
+      then.at += way * time;
+      return then.expected(point);
+    });
+  };
+  expect(truth(lit, "full", move), lit, moved, "full");
+  EXPECT_LE(largestDifference(truth(lit, "frozen", move), colorOf(render(lit.shot()))), 1e-6)
+      << "the capture's picture";
+}
+
+// The shadow of a card that moves over a plane at rest. Not looked at: what is on the card at some time, and what is at
+// the shadow's edge at one of the samples.
+TEST_F(RenderShadingInMotion, ShadowsOfMoversStandOrMove) {
+  Lit lit{.light = 2, .at = dvec3(1, 2, 0), .card = .8};
+  const double way = -.6;
+  image::Image full = truth(lit, "full", {"card=-0.6,0,0"}), frozen = truth(lit, "frozen", {"card=-0.6,0,0"});
+  auto at = [&](double time) {
+    Lit then = lit;
+    then.card_x += way * time;
+    return then;
+  };
+  int partly = 0, still = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      dvec3 point = lit.pointAt(x, y), seen = point * (-lit.card_z / point.z);
+      bool looked_at = true;
+      double free = 0;
+      for (int k = -1; k < kTimes; ++k) {
+        Lit then = at(k < 0 ? 0 : timeOf(k));
+        bool on_card =
+            std::abs(seen.x - then.card_x) < lit.card / 2 + .01 && std::abs(seen.y - lit.card_y) < lit.card / 2 + .01;
+        looked_at = looked_at && !on_card && then.isShadowed(point, 1e-3) == then.isShadowed(point, -1e-3);
+        if (k >= 0) free += then.isShadowed(point, 0) ? 0 : 1. / kTimes;
+      }
+      if (!looked_at) continue;
+      partly += free > 0 && free < 1;
+      still += !lit.isShadowed(point, 0);
+      double bright = lit.expected(point).x, captured = lit.isShadowed(point, 0) ? 0 : bright;
+      EXPECT_NEAR(full.at(x, y, 0), free * bright, 1e-4 + 1e-3 * bright) << x << " " << y;
+      EXPECT_NEAR(frozen.at(x, y, 0), captured, 1e-4 + 1e-3 * bright) << x << " " << y;
+    }
+  EXPECT_GE(partly, 6);
+  EXPECT_GE(still, 80);
+}
+
+// Light from everywhere alike, and a matt plane that moves within itself: both ways of shading are one. Not green,
+// whose ground is darker.
+TEST_F(RenderShadingInMotion, EvenLightFreezesNothing) {
+  Lit lit{.light = 0, .roughness = 1, .sky = .5, .ground = .5};
+  image::Image full = truth(lit, "full", {"plane=1,0.5,0"}), frozen = truth(lit, "frozen", {"plane=1,0.5,0"});
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      for (int c : {0, 2}) EXPECT_NEAR(full.at(x, y, c), frozen.at(x, y, c), 1e-6) << x << " " << y;
+  EXPECT_GT(rms(full), .1);
+}
+
 // Of the middle of the picture: the mean, and the root mean square distance from one half.
 struct Contrast {
   double mean = 0, spread = 0;

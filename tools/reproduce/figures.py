@@ -140,6 +140,9 @@ SHEETS = [
     crops("everything", front, [ROOM_WIDE], 4),
     crops("exhibits", lambda bench: [[bench.results("exhibits").point(**at) for at in row] for row in exhibits()],
           EXHIBITS_REGIONS),
+    crops("shading_under_motion", [columns(shot, ("no blur", "McGuire 2012", BEST, "ground truth", "truth, light in motion"))
+                                   for shot in ("lamp", "shadow", "gloss")],
+          [(180, 70, 130, 110), (80, 62, 130, 110), (100, 20, 130, 110)]),
     crops("samples", [[{"shot": "vase", "arm": arm, "samples": samples, "tile": 20} for samples in (4, 16, 64)] +
                       [{"shot": "vase", "arm": "ground truth", "samples": 64, "tile": 20}]
                       for arm in ("McGuire 2012", "UE4-style", "hybrid (best)")], [ROOM_WIDE] * 3, 4),
