@@ -79,6 +79,33 @@ TEST_F(RenderOwnTime, FindsWhatCrossesThePictureBetweenTheEnds) {
   EXPECT_GE(largestError(kCrosses, settings("captured", {"end_layers=true"})), .05);
 }
 
+// However slow the bar: to a part of a pixel, as rays at the samples' times do.
+TEST_F(RenderOwnTime, OfDetailMeetsEdgesBetweenPixels) {
+  for (double d : {.3, .9, 2.6, 6.1}) {
+    const Bar bar = {"slow", 20.27, 41.73, d};
+    const std::string what = fmt::format("{} px", d);
+    EXPECT_LE(largestError(bar, settings("detailed")), 1e-5) << what;
+    EXPECT_LE(largestError(bar, settings("detailed", {"taps=nearest"})), 1e-5) << what;
+    EXPECT_GE(largestError(bar, settings("captured")), .02) << what;
+  }
+}
+
+// Texture too: as truth of the same samples, of which there may be more than 32. Where samples lie farther apart than
+// `detail_below` texels are blended.
+TEST_F(RenderOwnTime, OfDetailMeetsTextureBetweenPixels) {
+  auto rendered = [](double speed, const std::string& samples, const std::string& pipeline, const std::string& set) {
+    return render(with(shotOf("../stability/passage", 96, 54, {{"speed", speed}, {"angle", 17}}), pipeline,
+                       {"samples=" + samples, set}));
+  };
+  for (auto [speed, samples] : {std::pair{.4, "16"}, {3.0, "16"}, {3.0, "64"}, {20.0, "64"}}) {
+    const lab::Picture truth = rendered(speed, samples, "ground_truth", "times=midpoint");
+    const lab::Picture detailed = rendered(speed, samples, "hybrid", "preset=detailed");
+    EXPECT_LE(largestDifference(colorOf(detailed), colorOf(truth)), 1e-5) << speed << ", " << samples << " samples";
+  }
+  const lab::Picture truth = rendered(20, "16", "ground_truth", "times=midpoint");
+  EXPECT_GE(largestDifference(colorOf(rendered(20, "16", "hybrid", "preset=detailed")), colorOf(truth)), .01);
+}
+
 // Edges to within a pixel and a half, which is less than two samples at these speeds. Rays reveal behind all that
 // moves: a path that leaves the picture tells the relative mask nothing.
 TEST_F(RenderOwnTime, LayersOfTheEndsHoldWhatTheEndsSee) {

@@ -1,0 +1,79 @@
+-- SPDX-License-Identifier: MIT
+-- What is left where things move by little, or samples are many: stairs, and texture smoothed by the pixels of a layer.
+--   strobe sweep experiments/sub_pixel/sub_pixel.lua -o out/sub_pixel
+local experiment = require "strobe.experiment"
+
+local speeds, counts = { 0.3, 1, 3, 10, 30, 100 }, { 1, 4, 16, 64 }
+local detailed, best, floor = "hybrid (detailed)", "hybrid (best)", "truth, as many samples"
+
+-- The largest and least ratio of two arms' errors over all speeds and numbers of samples, and where these are.
+local function ratios(r, arm, other)
+  local most, least, most_at, least_at = 0, math.huge, "", ""
+  for _, speed in ipairs(speeds) do
+    for _, count in ipairs(counts) do
+      local function error_of(name) return r.at { arm = name, speed = speed, samples = count }.rmse end
+      local ratio, where = error_of(arm) / error_of(other), ("%g px, %d samples"):format(speed, count)
+      if ratio > most then most, most_at = ratio, where end
+      if ratio < least then least, least_at = ratio, where end
+    end
+  end
+  return most, most_at, least, least_at
+end
+
+local function arm(name, pipeline, set) return { name = name, pipeline = pipeline, set = set } end
+
+return experiment {
+  title    = "To a part of a pixel",
+  question = "Does a hybrid follow truth with as many samples, from motion by a part of a pixel on?",
+  note     = "A panel of cells passes a wall of cells, along a line that follows no row of pixels; through pixel centres. " ..
+             "Speeds are px over the exposure.",
+  size     = { 240, 136 },
+  shots    = { { name = "passage", title = "A panel passes a wall", scene = "stability/passage", ["scene.angle"] = 17 } },
+  arms     = {
+    arm("McGuire 2012", "mcguire2012", { limit = "auto" }),
+    arm(best, "hybrid", { preset = "best" }),
+    arm(detailed, "hybrid", { preset = "detailed" }),
+    { name = floor, pipeline = "ground_truth", role = "floor", set = { times = "midpoint" } },
+  },
+  truth    = { pipeline = "ground_truth", set = { samples = 1024, times = "midpoint" } },
+  vary     = {
+    experiment.list { name = "speed", title = "Speed", unit = "px", scale = "log", benign = 30, region = "whole",
+      values = speeds, at = function(speed) return { ["scene.speed"] = speed } end },
+    experiment.list { name = "samples", title = "Samples", scale = "log", benign = 16, region = "whole", values = counts },
+  },
+  regions  = { "whole", "inner", "outer" },
+  measures = { "rmse", "flip", "rays", "pixels" },
+  expect   = {
+    { "the preset detailed follows truth with as many samples within 1.3, at every speed and number of samples", function(r)
+      local most, where = ratios(r, detailed, floor)
+      return most <= 1.3, ("at most %.2f times its error (%s)"):format(most, where)
+    end },
+    { "found afterwards: it needs at most a tenth of that truth's rays, from 4 samples on", function(r)
+      local most, where = 0, ""
+      for _, speed in ipairs(speeds) do
+        for _, count in ipairs { 4, 16, 64 } do
+          local function rays_of(name) return r.at { arm = name, speed = speed, samples = count }.rays end
+          local ratio = rays_of(detailed) / rays_of(floor)
+          if ratio > most then most, where = ratio, ("%g px, %d samples"):format(speed, count) end
+        end
+      end
+      return most <= 0.1, ("at most %.3f (%s)"):format(most, where)
+    end },
+    { "the preset best does not where what moves slowly has many samples", function(r)
+      local most, where = ratios(r, best, floor)
+      return most > 1.3, ("up to %.0f times its error (%s)"):format(most, where)
+    end },
+    { "no gather does, anywhere beyond a pixel and a sample", function(r)
+      local least, where = math.huge, ""
+      for _, speed in ipairs { 3, 10, 30, 100 } do
+        for _, count in ipairs { 4, 16, 64 } do
+          local function error_of(name) return r.at { arm = name, speed = speed, samples = count }.rmse end
+          local ratio = error_of("McGuire 2012") / error_of(floor)
+          if ratio < least then least, where = ratio, ("%g px, %d samples"):format(speed, count) end
+        end
+      end
+      return least > 1.3, ("at least %.1f times its error (%s)"):format(least, where)
+    end },
+  },
+  layout   = { curves = { factor = 1.3 }, table = {} },
+}
