@@ -4,8 +4,8 @@
 // In:  seen (linear, sum of the samples that layers explain over the number of all; alpha: their share), open (a bit for
 //      each of the loop's times at which nothing does); hit, color, depth, id of what raster saw at the capture, and
 //      revealed_color, revealed_depth, revealed_id, revealed_valid of what was revealed behind it.
-// Out: picture (linear, alpha 1). In the share `audit` of pixels the other samples are traced too; `wrong` counts those whose
-//      mean is otherwise by `wrong_by` of it.
+// Out: picture (linear, alpha 1). In the share `audit` of pixels that motion may reach the other samples are traced too;
+//      `wrong` counts those whose mean is otherwise by `wrong_by` of it.
 // What a ray meets and a layer of the capture holds has that layer's colour, blended as that of a filter's tap; with
 // `shades_unlike` only where the four texels around hold it and differ by no more than the share `unlike`, or it moves by
 // more than `detail_below` px from sample to sample.
@@ -119,6 +119,11 @@ vec3 meanOf(ivec2 pixel, uvec2 times, inout Ground ground) {
   return fromSum(sum / float(count));
 }
 
+// May anything that moves be seen there?
+bool isReached(ivec2 pixel) {
+  return all(greaterThanEqual(pixel, frame.reach.xy)) && all(lessThan(pixel, frame.reach.zw));
+}
+
 // Traces what the layers explain, and counts where they are wrong.
 void audit(ivec2 pixel, vec4 seen, uvec2 explained, inout Ground ground) {
   vec3 is_so = meanOf(pixel, explained, ground), said = vec3(seen) / seen.a;
@@ -132,7 +137,7 @@ void run(ivec2 pixel) {
   vec4 seen = texelFetch(seen_tex, pixel, 0);
   uvec2 all_times = allParts(int(frame.slice_count));
   uvec2 open = texelFetch(open_tex, pixel, 0).xy & all_times;
-  bool audited = seen.a > 0.0 && open != all_times && isAudited(pixel, params.audit);
+  bool audited = seen.a > 0.0 && open != all_times && isReached(pixel) && isAudited(pixel, params.audit);
   if (hasParts(open) || audited) {
     Ground ground = groundAt(pixel);
     if (audited) audit(pixel, seen, all_times & ~open, ground);
