@@ -36,6 +36,10 @@ struct View {
   std::optional<Homogeneous> of(const dvec3& position_ws) const {
     dvec3 p = inCamera(position_ws);
     if (!camera.orthographic && -p.z < 2 * camera.near) return std::nullopt;
+    return project(p);
+  }
+
+  Homogeneous project(const dvec3& p) const {
     double half_height = camera.orthographic ? camera.half_height : std::tan(camera.vertical_fov / 2);
     double pixels = height_px / (2 * half_height);
     return dvec4(p.x * pixels, -p.y * pixels, camera.orthographic ? 1 : -p.z, -p.z);
@@ -245,47 +249,49 @@ static bool follow(const Hull& hull, const std::vector<Pose>& poses, const std::
 
 namespace {
 
-// A box in the picture at one time: px from its middle.
+// What is in front of the camera of a box at one time, px from the middle of the picture.
 struct Outline {
   dvec2 low{INFINITY}, high{-INFINITY};
-  bool is_partly_behind = false;  // the near plane: where it is in the picture is not known
-  bool empty() const { return low.x > high.x && !is_partly_behind; }
+  bool empty() const { return low.x > high.x; }
+
+  void add(const dvec2& pixel) {
+    low = glm::min(low, pixel);
+    high = glm::max(high, pixel);
+  }
 };
 
 }  // namespace
 
 static Outline outlineOf(const std::array<dvec3, 8>& corners, const View& view) {
+  std::array<dvec3, 8> places;
+  std::transform(corners.begin(), corners.end(), places.begin(), [&](const dvec3& c) { return view.inCamera(c); });
+  const double near = view.camera.near;
+  auto in_front = [&](const dvec3& p) { return view.camera.orthographic || -p.z >= near; };
   Outline outline;
-  int behind = 0;
-  for (const dvec3& corner : corners) {
-    std::optional<Homogeneous> h = view.of(corner);
-    if (!h) {
-      behind += -view.inCamera(corner).z < view.camera.near;
-      outline.is_partly_behind = true;
-      continue;
+  for (size_t i = 0; i < places.size(); ++i) {
+    if (!in_front(places[i])) continue;
+    outline.add(pixelOf(view.project(places[i])));
+    for (const dvec3& behind : places) {
+      if (in_front(behind)) continue;
+      dvec3 between = glm::mix(behind, places[i], (-near - behind.z) / (places[i].z - behind.z));
+      outline.add(pixelOf(view.project({between.x, between.y, -near})));
     }
-    outline.low = glm::min(outline.low, pixelOf(*h));
-    outline.high = glm::max(outline.high, pixelOf(*h));
   }
-  return behind == 8 ? Outline() : outline;
+  return outline;
 }
 
 static PixelArea areaOf(const Outline& outline, const ExposedFrame& frame) {
-  if (outline.empty()) return {};
-  if (outline.is_partly_behind) return {0, 0, frame.width, frame.height};
-  return areaOf(outline.low, outline.high, frame);
+  return outline.empty() ? PixelArea() : areaOf(outline.low, outline.high, frame);
 }
 
 // From one pose to the next: around both, and half the way between them.
 static PixelArea areaOf(const Outline& from, const Outline& to, const ExposedFrame& frame) {
+  if (from.empty() || to.empty()) return areaOf(from.empty() ? to : from, frame);
   Outline both = from;
-  if (from.empty() || to.empty() || from.is_partly_behind || to.is_partly_behind) {
-    both.is_partly_behind = !areaOf(from, frame).empty() || !areaOf(to, frame).empty();
-    return both.is_partly_behind ? areaOf(both, frame) : PixelArea();
-  }
-  const double margin = 0.5 * std::max(glm::length(to.low - from.low), glm::length(to.high - from.high));
-  both.low = glm::min(from.low, to.low), both.high = glm::max(from.high, to.high);
+  both.add(to.low);
+  both.add(to.high);
   if (areaOf(both, frame).empty()) return {};
+  const double margin = 0.5 * std::max(glm::length(to.low - from.low), glm::length(to.high - from.high));
   both.low -= margin, both.high += margin;
   return areaOf(both, frame);
 }

@@ -174,7 +174,8 @@ TEST(ScreenMotion, OfWhatACameraPassesOver) {
   };
   for (const Case& c : {Case{"45 degrees to the right", {10, 0, -10}, true}, Case{"ahead", {0, 0, -10}, false},
                         Case{"to the right", {10, 0, 0}, false}, Case{"to the left", {-10, 0, -10}, false},
-                        Case{"behind", {-5, 0, 10}, false}, Case{"above", {10, 10, -10}, false}}) {
+                        Case{"behind", {-5, 0, 10}, false}, Case{"above", {10, 10, -10}, false},
+                        Case{"beside it throughout", {0.3, -10, 0}, false}}) {
     Boxes boxes;
     boxes.add(c.at, kCard);
     EXPECT_EQ(textOf(boxes.motion().crossing.area), kNowhere) << c.what;

@@ -37,6 +37,7 @@ EXPERIMENTS = [
     experiment("layers", "shot=two", 60, 600),
     experiment("not_required", "", 80, 80),
     experiment("curves", "shot=pendulum", 30, 60),
+    experiment("depths", "shot=nearer", 20, 40),
     experiment("sub_pixel", "speed=3,samples=16", 20, 60),
     experiment("peers", "shot=enters", 40, 60),
     experiment("exhibits", "shot=jump", 40, 400),

@@ -79,6 +79,12 @@ FRAGMENTS = [
     ("docs/writing-experiments.md", "Intervals are 95 % of Student's t", "a definition"),
     ("experiments/README.md", "with at most 1.1 times its error?", "a question"),
     ("experiments/README.md", "threshold 0.05", "a setting"),
+    ("experiments/README.md", "never more than 1.3 times its error", "an expectation that the experiment checks"),
+    ("docs/any-object.md", "posed at 33 times", "a constant of the program"),
+    ("docs/any-object.md", "(2 % of their colour)", "a default"),
+    ("docs/any-object.md", "(0.75 px)", "a default"),
+    ("docs/any-object.md", "(from 0.02 px over the exposure)", "a constant of the pipeline"),
+    ("docs/any-object.md", "from 0.3 px on and from 1 to 64", "settings of the experiment"),
 ] + [("docs/how-a-pass-travels.md", f"| {step} | `{folder}", "the number of a step") for step, folder in enumerate(
     ("passes/", "runtime/script", "runtime/script", "runtime/plan", "runtime/shader", "runtime/shader", "runtime/gpu",
      "runtime/graph", "runtime/lab"), 1)]
