@@ -9,6 +9,7 @@
 #include "lab/record.h"
 #include "lab/warnings.h"
 #include "plan/canonical.h"
+#include "scene/depth_bounds.h"
 #include "scene/frame_poser.h"
 #include "scene/motion.h"
 #include "scene/tree_order.h"
@@ -37,6 +38,13 @@ graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene) {
     return pose;
   };
   setup.capture_s = shot.captureTime();
+  std::vector<double> shares;  // of their motion that instances keep; empty: all of it
+  if (!shot.motion_depths.empty()) {
+    shares = scene::motionShares(scene, setup.pose_at(setup.capture_s), scene::DepthBounds::from(shot.motion_depths));
+    setup.pose_at = [true_pose = setup.pose_at, shares, capture_s = setup.capture_s](double time_s) {
+      return scene::boundedPose(true_pose, shares, capture_s, time_s);
+    };
+  }
   setup.open_s = shot.window()[0];
   setup.close_s = shot.window()[1];
   setup.curve = ShutterCurve::from(shot.shutter_curve);
@@ -54,6 +62,9 @@ graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene) {
   if (shot.model_everything) return setup;
   scene::Facts facts = factsOf(shot, scene);
   setup.moves = facts.moves;
+  // What keeps less than its motion goes along with the camera.
+  for (size_t i = 0; i < shares.size() && i < setup.moves.size(); ++i)
+    if (shares[i] < 1) setup.moves[i] = facts.camera_moves || (setup.moves[i] && shares[i] > 0);
   setup.camera_rests = !facts.camera_moves;
   return setup;
 }

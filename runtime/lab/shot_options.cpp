@@ -7,6 +7,7 @@
 #include "base/numbers.h"
 #include "lab/camera_path.h"
 #include "math/shutter_curve.h"
+#include "scene/depth_bounds.h"
 #include "shader/backends.h"
 
 namespace strobe::lab {
@@ -58,6 +59,10 @@ static ShotField checked(ShotField field, void (*check)(const std::string&)) {
 }
 
 static void checkCurve(const std::string& text) { ShutterCurve::from(text); }
+
+static void checkDepths(const std::string& text) {
+  if (!text.empty()) scene::DepthBounds::from(text);
+}
 
 static ShotField flag(const char* name, ShotMember member) {
   ShotField field{{}, member};
@@ -116,6 +121,10 @@ static std::vector<ShotOption> allOptions() {
       one(real("object_blur", &S::object_blur, 1, 0, 1, ""), "share of the motion of objects and lights that blurs",
           Concern::Frame, O::kControl),
       one(text("follow", &S::follow, ""), "a node that blurs as the camera does, with all below it", Concern::Frame),
+      one(checked(text("motion_depths", &S::motion_depths, ""), checkDepths),
+          "NEAR,FAR[,SOFT]: view depths, metres, of what blurs; what is elsewhere at the capture stands still on the "
+          "screen, and over SOFT beyond them keeps a share of its motion",
+          Concern::Frame),
       one(text("camera", &S::camera, ""), "a camera of the scene (default: its first)", Concern::Scene, O::kControl),
       one(text("view", &S::view, ""), "EX,EY,EZ,TX,TY,TZ: camera at E, looking at T, instead of its pose in the scene",
           Concern::Frame),

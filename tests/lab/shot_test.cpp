@@ -28,6 +28,7 @@ const std::map<std::string, Given> kGiven = {
     {"camera_blur", {{"0.5"}, 0.5}},
     {"object_blur", {{"0"}, 0.0}},
     {"follow", {{"bar"}, "bar"}},
+    {"motion_depths", {{"1,5"}, "1,5"}},
     {"camera", {{"far away"}, "far away"}},
     {"view", {{"1,-2,40,0,0.5,0"}, {1, -2, 40, 0, 0.5, 0}}},
     {"path", {{"0=1,2,3,0,0,0", "1.5=2,2,3,0,0,0"}, {"0=1,2,3,0,0,0", "1.5=2,2,3,0,0,0"}}},

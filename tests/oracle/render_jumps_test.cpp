@@ -113,6 +113,27 @@ TEST_F(RenderJumps, WhatTheCameraFollowsStaysSharp) {
   EXPECT_THROW(render(with(followed, "none")), Error);
 }
 
+// Of `a` (at a depth of 100 m), `b` (105 m) and what is behind (120 m), at rest but for a camera that moves.
+TEST_F(RenderJumps, BetweenDepthsOtherThingsStandStill) {
+  const Numbers rests = {{"camera_x", 0}};
+  lab::Shot all = jumps({}), near = jumps(rests), far = jumps(rests), soft = jumps(rests);
+  all.motion_depths = "0,inf";
+  near.motion_depths = "90,102";
+  far.motion_depths = "105,105";
+  soft.motion_depths = "100,104,2";
+  expectAlike(all, jumps({}), "close", "all");
+  for (const char* anchor : {"close", "centre"}) {
+    expectAlike(near, jumps({{"camera_x", 0}, {"b_y", 0}}), anchor, "near");
+    expectAlike(far, jumps({{"camera_x", 0}, {"a_x", 0}}), anchor, "far");
+    expectAlike(soft, jumps({{"camera_x", 0}, {"b_y", 4}}), anchor, "a metre of two beyond the end");
+  }
+  lab::Shot none = jumps({});
+  none.motion_depths = "1,2";
+  for (const Method& method : methods())
+    EXPECT_LE(largestDifference(drawn(none, method, "close"), drawn(jumps({}), {"none", {}}, "close")), 1e-5)
+        << method.pipeline;
+}
+
 // --- Seconds
 
 // Half a second in, a 48th of a second long: 20 px of the bar, at any number of frames per second, bit for bit.
