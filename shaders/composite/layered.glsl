@@ -494,6 +494,7 @@ void run(ivec2 pixel) {
   }
 
   vec3 sum = vec3(0);
+  Spread all_seen = noSpread();
   uint left_out = 0u, fallbacks = 0u;
   for (int i = 0; i < params.samples; ++i) {
     if (hasParts(open & partOf(i))) {
@@ -514,8 +515,13 @@ void run(ivec2 pixel) {
       continue;
     }
     sum += toSum(color);
+    all_seen = withColor(all_seen, color);
   }
   if (fallbacks > 0u) count_fallback(fallbacks);
   float n = float(params.samples);
-  finish(pixel, fromSum(sum / n), 1.0 - float(left_out) / n, open);
+  vec3 mean = fromSum(sum / n);
+#if PARAM_leaves_unlike
+  if (left_out == 0u && isNarrow(all_seen, 0.0)) mean = all_seen.low;  // of equal colours not rounded
+#endif
+  finish(pixel, mean, 1.0 - float(left_out) / n, open);
 }

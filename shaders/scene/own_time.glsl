@@ -111,11 +111,17 @@ vec3 seenAt(ivec2 pixel, uint slice, inout Ground ground) {
 vec3 meanOf(ivec2 pixel, uvec2 times, inout Ground ground) {
   int count = countParts(times);
   vec3 sum = vec3(0);
+  Spread all_seen = noSpread();
   while (hasParts(times)) {
     int number = firstPart(times);
     times &= ~partBit(number);
-    sum += toSum(seenAt(pixel, SLICE_SAMPLE + uint(number), ground));
+    vec3 color = seenAt(pixel, SLICE_SAMPLE + uint(number), ground);
+    sum += toSum(color);
+    all_seen = withColor(all_seen, color);
   }
+#if PARAM_shades_unlike
+  if (isNarrow(all_seen, 0.0)) return all_seen.low;  // of equal colours not rounded
+#endif
   return fromSum(sum / float(count));
 }
 
