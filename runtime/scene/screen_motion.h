@@ -44,8 +44,8 @@ struct ScreenMotion {
   // between, many keys, a clip that begins again).
   PixelArea reach;
   std::vector<ScreenPath> paths;  // by instance, from the same poses; of what does not move none of the four holds
-  // From the same poses, of a camera that moves too: boxes as they are from one pose to the next. What one pose alone
-  // would show is not found where those times do not show it.
+  // From boxes at the same poses, also before a camera that moves: then of what is at rest too, but for scenes of more
+  // than 200,000 vertices. Empty where those poses do not follow the motion.
   Crossing crossing;
 };
 

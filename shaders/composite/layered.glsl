@@ -313,13 +313,14 @@ bool isUnsure(ivec2 pixel, ivec2 now, vec2 offset, float t) {
     otherwise = otherwise || movesOtherwise(pathOf(kRaster, at, t > 0.0).d, d, params.slowest);
   }
   return otherwise;
-#endif
+#else
   int there = 0;
   for (int k = 0; k < 4; ++k) {
     ivec2 at = clampToImage(now + ivec2(k & 1, k >> 1) * beside, size);
     there += isAt(pixel, at, pathOf(kRaster, at, t > 0.0), t, 1.5) ? 1 : 0;
   }
   return there % 4 != 0;
+#endif
 #else
   return false;
 #endif

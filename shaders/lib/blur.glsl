@@ -74,7 +74,7 @@ bool isAt(ivec2 pixel, ivec2 now, vec2 d, float t, float tolerance_px) {
 // Do two texels move so differently that a silhouette may lie between them? By half a pixel; with `slowest` below that, what
 // moves slowly does by less. On one surface displacements vary from texel to texel.
 bool movesOtherwise(vec2 d, vec2 other, float slowest) {
-  return lengthOf(d - other) >= min(max(slowest, 0.05 * min(lengthOf(d), lengthOf(other))), max(slowest, 0.5));
+  return lengthOf(d - other) >= clamp(0.05 * min(lengthOf(d), lengthOf(other)), slowest, max(slowest, 0.5));
 }
 
 // Does the surface now at `offset` from a pixel pass over that pixel within the window? Rounding of the tap and of the

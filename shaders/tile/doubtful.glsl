@@ -5,6 +5,7 @@
 //      far its paths are from straight lines in the middle of the exposure, px); behind_bounds, behind_bends (the same of
 //      what was revealed); open_*, close_* (the same of what the ends of the exposure alone see).
 //      What moves too little for filters to take notice of it is not doubted.
+//      What crosses the picture between the ends of the exposure (frame.crossing) is doubted wherever it may be.
 // Out: doubtful (a bit for each of `samples` times, at most 32).
 #include "lib/bounds.glsl"
 #include "mixin/limit.glsl"
