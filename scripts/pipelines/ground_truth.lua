@@ -9,36 +9,19 @@ local accumulate    = require "passes.truth.accumulate"
 local agreement     = require "passes.truth.agreement"
 local audit         = require "passes.truth.audit"
 local budget_met    = require "passes.truth.budget_met"
-local joined_halves = require "passes.truth.joined_halves"
 local mean          = require "passes.truth.mean"
 local regions       = require "passes.truth.regions"
 local sample_budget = require "passes.truth.sample_budget"
 local sample_rate   = require "passes.truth.sample_rate"
 local spread        = require "passes.truth.spread"
-local stop          = require "passes.truth.stop"
 local tile_error    = require "passes.truth.tile_error"
-local trace         = require "passes.truth.trace"
 local scene         = require "scripts.pipelines.lib.scene"
+local truth         = require "scripts.pipelines.lib.truth"
 
 local drawn = "a sample's time or place is drawn by its pixel on the screen"
 local smooth = "a pixel sees all of its square, whose silhouettes are smooth where they rest too"
 
 local snapped = "vertices are snapped to 1/256 px: a silhouette as close to a pixel's centre falls to either side"
-
--- A time sample by rays. `t.before`: what samples before this one have come to. Where they agree, nothing is traced
--- again, unless `t.every_ray`.
-local function traced_sample(p, seen, t)
-  local before, agreed = t.before or {}, t.agreed or {}
-  return trace {
-    hit = seen.hit, pixel = p.pixel, mark_regions = p.mark_regions, time = "sample", every_ray = t.every_ray,
-    keeps_notes = t.notes, audit = p.audit, as = t.as,
-    known_hit = agreed.known_hit, known_shadows = agreed.known_shadows,
-    even_color = not t.adaptive and agreed.even_color or nil,
-    first_ground = before.ground, first_still = before.still, first_regions = before.regions,
-    budget = t.budget, taken = t.taken, least_budget = t.least, tile = t.budget and p.tile or nil,
-    once_where_still = not t.every_ray and not t.adaptive and p.pixel() == "centre" and p.shading() == "frozen",
-  }
-end
 
 -- The same by the raster pipeline, which shares no visibility with rays: to check one against the other.
 local function rastered_sample(p)
@@ -49,18 +32,6 @@ local function rastered_sample(p)
   return accumulate { color = color }
 end
 
-local function stop_test(p, means)
-  local blocks = spread { mean_a = means.mean_a, mean_b = means.mean_b }.spread
-  return stop { spread = blocks, tolerance = p.tolerance, as = "stop" }.stop
-end
-
-local function joined(first, more, name)
-  return joined_halves {
-    first_a = first.mean_a, first_b = first.mean_b, first_regions = first.regions,
-    more_a = more.mean_a, more_b = more.mean_b, more_regions = more.regions, as = name,
-  }
-end
-
 -- ---- one number of samples for all pixels
 
 local function rastered(p)
@@ -69,50 +40,9 @@ local function rastered(p)
     until_ = p.tolerance() > 0 and function(results) return results.stop end or nil,
     body = function()
       local s = rastered_sample(p)
-      return { mean_a = s.mean_a, mean_b = s.mean_b, stop = p.tolerance() > 0 and stop_test(p, s) or nil }
+      return { mean_a = s.mean_a, mean_b = s.mean_b, stop = p.tolerance() > 0 and truth.stop_test(p, s) or nil }
     end,
   }
-end
-
--- `t.count` samples of `t.parts`; joined with those before them where these are given.
-local function shutter(p, seen, t)
-  local stops = p.tolerance() > 0 and not t.notes
-  return pipeline.loop {
-    name = t.name, count = t.count, first = t.first, parts = t.parts, times = p.times, slices = p.slices,
-    until_ = stops and function(results) return results.stop end or nil,
-    body = function()
-      local s = traced_sample(p, seen, t)
-      return {
-        mean_a = s.mean_a, mean_b = s.mean_b, regions = s.regions, ground = s.ground, still = s.still,
-        unlike = s.unlike, shadows = s.shadows,
-        stop = stops and stop_test(p, t.before and joined(t.before, s, "truth_so_far") or s) or nil,
-      }
-    end,
-  }
-end
-
-local function agreement_of(p, t)
-  return agreement { ground = t.ground, still = t.still, unlike = t.unlike, shadows = t.shadows, even_within = p.even_within }
-end
-
--- A few samples all over the exposure; then the others, for which rays are traced where these do not agree.
-local function everywhere(p, seen)
-  local every_ray, count = p.mode() == "brute", p.samples()
-  local stops = p.tolerance() > 0
-  local eighth = math.max(count // 8, 8)
-  local few = math.min(p.first_samples() > 0 and p.first_samples() or stops and math.min(eighth, 64) or eighth, count)
-  if few == count then
-    return shutter(p, seen, { name = "shutter", count = count, first = 0, parts = count, every_ray = every_ray })
-  end
-  local before = shutter(p, seen, {
-    name = "first", count = few, first = 0, parts = count, every_ray = every_ray, notes = not every_ray,
-    as = "truth_first",
-  })
-  local more = shutter(p, seen, {
-    name = "shutter", count = count - few, first = few, parts = count, every_ray = every_ray, before = before,
-    agreed = not every_ray and agreement_of(p, before) or nil,
-  })
-  return joined(before, more, "truth_sum")
 end
 
 -- ---- more samples where they differ more
@@ -125,7 +55,7 @@ local function level(p, seen, t)
     name = t.name, count = t.count, times = "stratified", slices = p.slices,
     until_ = t.budget and function(results) return results.stop end or nil,
     body = function()
-      local s = traced_sample(p, seen, {
+      local s = truth.traced_sample(p, seen, {
         as = "truth_" .. t.name, budget = t.budget, taken = t.taken, least = t.least, adaptive = true,
         notes = not t.budget, before = t.before, agreed = t.agreed,
       })
@@ -148,7 +78,7 @@ local function adaptive(p, seen)
   local before = level(p, seen, { name = "pilot", count = few, taken = 0, least = 0 })
   local sum = before
   if few == p.samples() then return sum end
-  local agreed = agreement_of(p, before)
+  local agreed = truth.agreement_of(p, before)
   local blocks = spread { mean_a = sum.mean_a, mean_b = sum.mean_b, block = p.tile }.spread
   local errors = tile_error { spread = blocks }.tile_error
   local rate = sample_rate { tile_error = errors, samples = p.samples, order = p.order, most = most_per_tile }.rate
@@ -163,7 +93,7 @@ local function adaptive(p, seen)
       name = "level_" .. number, count = taken, taken = taken, budget = budget, rate = rate, least = least,
       before = before, agreed = agreed,
     })
-    sum = joined(sum, more, "truth_sum_" .. number)
+    sum = truth.joined(sum, more, "truth_sum_" .. number)
     taken = 2 * taken
   end
   local function audited(error)
@@ -243,7 +173,7 @@ return pipeline {
     local rays = p.mode() ~= "raster"
     local seen = scene.captured(rays and traced or visibility)
     local sampled = { adaptive = adaptive, raster = rastered }
-    local means, audited = (sampled[p.mode()] or everywhere)(p, seen)
+    local means, audited = (sampled[p.mode()] or truth.everywhere)(p, seen)
     local result = mean { mean_a = means.mean_a, mean_b = means.mean_b }
     local where = rays and regions { regions = means.regions } or {}
     return scene.outputs(seen, {

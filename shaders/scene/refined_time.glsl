@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// The mean of what a pixel sees over the times of the exposure, by rays at few of them: first `step` parts apart; then, between
+// two rays whose colours differ, halfway, until they do not or are neighbours. What lies between two is the mean of both. Where
+// a gather is certain, its picture.
+// In:  color (linear), depth (view depth, sky +inf), id, hit of what the capture sees; gathered (linear), certain (per cell,
+//      above 1/2: the gather is right).
+// Out: picture (linear, alpha 1).
+// With c_i the colour at time i of n, and two rays at a < b: the times between are traced unless
+//   |c_a - c_b| (b - a) / n <= within, by the largest channel. With within = 0 the picture is the mean of all n.
+// Source: adaptive quadrature; along a ray's time as along any line.
+#include "lib/blur.glsl"
+#include "lib/sanitise.glsl"
+#include "lib/times.glsl"
+#include "mixin/shade.glsl"
+
+const float kFar = 3.0e38;
+const int kLevels = 12;  // of halving: more than any number of times has
+
+// What is at rest on a pixel's ray, before a camera at rest.
+struct Ground {
+  bool is_known;
+  Hit hit;
+  float t;  // as a ray measures it
+  vec3 color;
+};
+
+// What the capture sees, if that is at rest: nothing at rest is nearer.
+Ground groundAt(ivec2 pixel) {
+  Ground ground = Ground(false, noHit(), kFar, vec3(0));
+  if (frame.camera_rests == 0u) return ground;
+  uvec4 seen = texelFetch(hit_tex, pixel, 0);
+  if (seen.x != 0u && scene_instances[seen.x - 1u].moves != 0u) return ground;
+  ground.is_known = true;
+  ground.color = finiteColor(texelFetch(color_tex, pixel, 0));
+  if (seen.x != 0u) {
+    ground.hit = hitOnTriangle(SLICE_CAPTURE, cameraRay(SLICE_CAPTURE, samplePosition(pixel)), seen.x - 1u, seen.y, seen.z);
+    ground.t = ground.hit.t;
+  }
+  return ground;
+}
+
+// What a ray sees. Colours are smaller by kSumScale.
+struct Sample {
+  vec3 color;
+  uvec2 id;     // instance + 1, geometry + 1; 0 for the sky, kAtRest for what is at rest before a camera at rest
+  vec3 place;   // where that is in the capture: texel, view depth
+  float apart;  // largest difference of its colour from that of the capture there; kFar where that does not show it
+};
+
+const uvec2 kAtRest = uvec2(0xffffffffu);
+
+// The texel of the capture at a place, if it shows the surface.
+bool isKept(vec3 place, uvec2 id, out vec3 color) {
+  color = vec3(0);
+  ivec2 at = ivec2(round(clamp(vec2(place), vec2(-2), vec2(frame.size) + 1.0)));
+  if (!isInside(at, ivec2(frame.size)) || texelFetch(id_tex, at, 0).xy != id) return false;
+  if (relativeGap(texelFetch(depth_tex, at, 0).x, place.z) > params.same_depth) return false;
+  color = toSum(finiteColor(texelFetch(color_tex, at, 0)));
+  return true;
+}
+
+float apart(vec3 a, vec3 b) {
+  vec3 by = abs(a - b);
+  return max(by.r, max(by.g, by.b));
+}
+
+// Where a hit is in the capture, if that is before the camera.
+bool placeOf(Hit hit, out vec3 place) {
+  vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, positionOf(SLICE_CAPTURE, hit));
+  SceneCamera camera = scene_cameras[SLICE_CAPTURE];
+  place = vec3(0);
+  if (camera.orthographic == 0u && capture_vs.z <= camera.near) return false;
+  place = vec3(pixelFromView(SLICE_CAPTURE, capture_vs) - frame.subpixel - 0.5, capture_vs.z);
+  return true;
+}
+
+uint traced = 0u;
+
+Sample seenAt(ivec2 pixel, int part, inout Ground ground) {
+  ++traced;
+  uint slice = SLICE_SAMPLE + uint(part);
+  Ray ray = cameraRay(slice, samplePosition(pixel));
+  uint mask = ground.is_known ? RAYS_TO_MOVING : RAYS_TO_ALL;
+  Hit hit = traceExcept(slice, mask, ray, scene_cameras[slice].near, ground.t, NO_INSTANCE, NO_INSTANCE);
+  if (!isHit(hit) && ground.is_known) hit = ground.hit;
+  else if (isHit(hit)) hit = hitOnTriangle(slice, ray, hit.instance, hit.geometry, hit.primitive);
+  bool is_ground = frame.camera_rests != 0u && isAtRest(hit);
+  if (is_ground && ground.is_known) return Sample(toSum(ground.color), kAtRest, vec3(0), kFar);
+  Sample result = Sample(vec3(0), isHit(hit) ? uvec2(hit.instance, hit.geometry) + 1u : uvec2(0u), vec3(0), kFar);
+  vec3 kept;
+  bool is_kept = !is_ground && isHit(hit) && placeOf(hit, result.place) && isKept(result.place, result.id, kept);
+  result.color = kept;
+#if PARAM_colors == colors_kept
+  if (is_kept) result.apart = 0.0;
+  if (is_kept) return result;
+#endif
+  vec3 color = isHit(hit) ? shade(SLICE_CAPTURE, hit) : environment(ray.direction);
+  if (is_ground) {
+    ground = Ground(true, hit, isHit(hit) ? hit.t : kFar, color);
+    result.id = kAtRest;
+  }
+  result.color = toSum(color);
+  if (is_kept) result.apart = apart(kept, result.color);
+  return result;
+}
+
+// Does the capture say what is between two samples?
+bool isTold(Sample a, Sample b) { return a.id == b.id && max(a.apart, b.apart) < kFar; }
+
+// Does the capture show something that comes to the pixel at a part of the exposure, on the way d, and that is neither of
+// these?
+bool comesAnother(ivec2 pixel, vec2 d, int part, int count, uvec2 a, uvec2 b) {
+  float t = sampleTime(part, count, 0.0);
+  ivec2 now = pixel + roundSymmetric(tapOffset(d, t));
+  if (!isInside(now, ivec2(frame.size))) return false;
+  uvec2 id = texelFetch(id_tex, now, 0).xy;
+  if (id == a || id == b) return false;
+  return isAt(pixel, now, finiteDisplacement(texelFetch(velocity_tex, now, 0)), t, 0.75);
+}
+
+// Is what lies between two samples known well enough? Then `sum` is that over the times between: of what the capture shows on
+// the way, else of both.
+bool isKnown(ivec2 pixel, vec2 d, Sample a, Sample b, int at, int end, int count, out vec3 sum) {
+  bool told = isTold(a, b);
+  sum = 0.5 * float(end - at - 1) * (a.color + b.color);
+  float unknown = told ? max(a.apart, b.apart) : apart(a.color, b.color);
+  if (unknown * float(end - at) > params.within * kSumScale * float(count)) return false;
+  if (told) sum = vec3(0);
+  for (int part = at + 1; part < end; ++part) {
+    if (d != vec2(0) && comesAnother(pixel, d, part, count, a.id, b.id)) return false;
+    vec3 color;
+    if (told && !isKept(mix(a.place, b.place, float(part - at) / float(end - at)), a.id, color)) return false;
+    if (told) sum += color;
+  }
+  return true;
+}
+
+// How many parts of `count` lie between the first rays: a power of two.
+int firstStep(vec2 d, int count) {
+  float longest = lengthOf(d);
+  int step = 1;
+  while (2 * step < count && longest * float(2 * step) <= params.pace * float(int(frame.size.x) * (count - 1))) step *= 2;
+  return step;
+}
+
+// The samples after `from`, at `at`, that are traced already and wait for what lies before them: the last is the nearest.
+vec3 meanOver(ivec2 pixel) {
+  vec2 d = vec2(texelFetch(longest_tex, pixel / params.cell_side, 0));
+  int count = int(frame.slice_count), step = firstStep(d, count);
+  Ground ground = groundAt(pixel);
+  Sample from, waiting[kLevels];
+  int ends[kLevels], at = -1, depth = 0;
+  ends[0] = 0;
+  vec3 sum = vec3(0);
+  while (at < count - 1) {
+    waiting[depth] = seenAt(pixel, ends[depth], ground);
+    while (depth >= 0) {
+      Sample to = waiting[depth];
+      int end = ends[depth];
+      vec3 between = vec3(0);
+      if (end - at > 1 && !isKnown(pixel, d, from, to, at, end, count, between)) break;
+      sum += to.color + between;
+      from = to;
+      at = end;
+      --depth;
+    }
+    int end = depth < 0 ? at + 2 * step : ends[depth];
+    ++depth;
+    ends[depth] = min((at + end) / 2, count - 1);
+  }
+  return fromSum(sum / float(count));
+}
+
+// Can anything that moves be seen there?
+bool isReached(ivec2 pixel) {
+  return all(greaterThanEqual(pixel, frame.reach.xy)) && all(lessThan(pixel, frame.reach.zw));
+}
+
+// Where all around moves alike: the mean of the texels that come to the pixel.
+vec3 gathered(ivec2 pixel) {
+  vec2 d = finiteDisplacement(texelFetch(velocity_tex, pixel, 0));
+  ivec2 size = ivec2(frame.size);
+  vec3 sum = vec3(0);
+  for (int i = 0; i < params.samples; ++i) {
+    ivec2 at = pixel + roundSymmetric(tapOffset(d, sampleTime(i, params.samples, 0.0)));
+    sum += toSum(finiteColor(texelFetch(color_tex, clampToImage(at, size), 0)));
+  }
+  return fromSum(sum / float(params.samples));
+}
+
+void run(ivec2 pixel) {
+  vec3 color = vec3(texelFetch(color_tex, pixel, 0));
+  float certain = texelFetch(certain_tex, pixel / params.cell_side, 0).x;
+  if (isReached(pixel) && certain < 0.25) {
+    color = meanOver(pixel);
+    count_samples(traced);
+  } else if (isReached(pixel)) {
+    count_gathered(1u);
+    if (certain > 0.75) color = gathered(pixel);
+  }
+  if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
+  imageStore(picture_img, pixel, vec4(color, 1));
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Per cell, whether a gather along the motion is certain to be right: the picture around shifts as a whole.
+// In:  bounds (of the displacements of each cell, px over the exposure), velocity (px over the exposure) and id (instance + 1,
+//      0 = sky) of what the capture sees; in a loop over times of the exposure.
+// Out: longest (px: of these displacements), certain (1: the displacements of all cells whose surfaces come here lie within a box of `apart_px`, something of it
+//      moves, and `checks` rays, each from a pixel and at a time of its own, meet the instance that this motion brings there).
+// What no displacement of the capture tells (paths that bend, what comes from behind or from outside) the rays find, where
+// it is not much smaller than a cell.
+#include "lib/bounds.glsl"
+#include "lib/random.glsl"
+#include "lib/sanitise.glsl"
+#include "lib/times.glsl"
+#include "mixin/limit.glsl"
+#include "mixin/trace.glsl"
+
+// Does anything of a cell that moves within these bounds come to another one, `way` cells away?
+bool comes(vec4 bounds, ivec2 way) {
+  vec4 path = travelled(bounds, frame.shutter);
+  vec2 side = vec2(params.cell_side), off = vec2(way) * side;
+  return all(lessThan(off + lowOf(path), side)) && all(greaterThan(off + highOf(path), -side));
+}
+
+vec4 joined(vec4 a, vec4 b) { return vec4(min(lowOf(a), lowOf(b)), max(highOf(a), highOf(b))); }
+
+// Bounds of the displacements of all that comes.
+vec4 boundsOfComing(ivec2 cell) {
+  ivec2 last = pass_size() - 1;
+  float reach_px = reachFactor(frame.shutter) * reachPx();
+  int around = min(int(ceil(reach_px / float(params.cell_side))), max(last.x, last.y));
+  ivec2 low = max(cell - around - 1, ivec2(0)), high = min(cell + around + 1, last);
+  vec4 all_of_it = texelFetch(bounds_tex, cell, 0);
+  for (int y = low.y; y <= high.y; ++y) {
+    for (int x = low.x; x <= high.x; ++x) {
+      vec4 bounds = texelFetch(bounds_tex, ivec2(x, y), 0);
+      if (!isEmpty(bounds) && comes(bounds, ivec2(x, y) - cell)) all_of_it = joined(all_of_it, bounds);
+    }
+  }
+  return all_of_it;
+}
+
+// Is there an instance at a place of the capture, to within a pixel?
+bool shows(ivec2 at, uint id) {
+  ivec2 last = ivec2(frame.size) - 1;
+  for (int k = 0; k < 9; ++k) {
+    ivec2 near = clamp(at + ivec2(k % 3, k / 3) - 1, ivec2(0), last);
+    if (texelFetch(id_tex, near, 0).x == id) return true;
+  }
+  return false;
+}
+
+// Does a ray meet what the motion brings to its pixel then?
+bool agrees(ivec2 cell, uint number) {
+  uint index = uint(cell.y * pass_size().x + cell.x);
+  uint drawn = randomUint(index, number, 3u);
+  uvec2 within = uvec2(drawn & 0xffffu, drawn >> 16u) % uint(params.cell_side);
+  ivec2 pixel = min(cell * params.cell_side + ivec2(within), ivec2(frame.size) - 1);
+  uint part = min(number * frame.slice_count / uint(max(params.checks - 1, 1)), frame.slice_count - 1u);
+  uint slice = SLICE_SAMPLE + part;
+  Ray ray = cameraRay(slice, samplePosition(pixel));
+  Hit hit = traceNearest(slice, ray, scene_cameras[slice].near, 3.0e38);
+  vec2 d = finiteDisplacement(texelFetch(velocity_tex, pixel, 0));
+  float t = sampleTime(int(part), int(frame.slice_count), 0.0);
+  return shows(pixel + roundSymmetric(tapOffset(d, t)), isHit(hit) ? hit.instance + 1u : 0u);
+}
+
+// The corner of a box that is farthest away.
+vec2 longestOf(vec4 bounds) {
+  vec2 low = lowOf(bounds), high = highOf(bounds);
+  return mix(low, high, greaterThan(abs(high), abs(low)));
+}
+
+void run(ivec2 cell) {
+  vec4 bounds = boundsOfComing(cell);
+  float longest_px = longestIn(bounds);
+  bool is_even = lengthOf(highOf(bounds) - lowOf(bounds)) <= params.apart_px;
+  bool moves = reachFactor(frame.shutter) * longest_px > kStillRadius;
+  float certain = moves ? 1.0 : 0.5;
+  if (is_even) {
+    count_checked(1u);
+    for (int number = 0; number < params.checks && is_even; ++number) is_even = agrees(cell, uint(number));
+    if (!is_even) count_refuted(1u);
+  }
+  imageStore(certain_img, cell, vec4(is_even ? certain : 0.0));
+  imageStore(longest_img, cell, vec4(longestOf(bounds), 0, 0));
+}
