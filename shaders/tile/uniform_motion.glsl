@@ -13,6 +13,9 @@
 #include "mixin/limit.glsl"
 #include "mixin/trace.glsl"
 
+// What nobody has foreseen is taken to go as far as this, in widths of the picture.
+const float kUnknown = 0.5;
+
 // Does anything of a cell that moves within these bounds come to another one, `way` cells away?
 bool comes(vec4 bounds, ivec2 way) {
   vec4 path = travelled(bounds, frame.shutter);
@@ -75,11 +78,14 @@ void run(ivec2 cell) {
   bool is_even = lengthOf(highOf(bounds) - lowOf(bounds)) <= params.apart_px;
   bool moves = reachFactor(frame.shutter) * longest_px > kStillRadius;
   float certain = moves ? 1.0 : 0.5;
+  bool is_refuted = false;
   if (is_even) {
     count_checked(1u);
-    for (int number = 0; number < params.checks && is_even; ++number) is_even = agrees(cell, uint(number));
-    if (!is_even) count_refuted(1u);
+    for (int number = 0; number < params.checks && !is_refuted; ++number) is_refuted = !agrees(cell, uint(number));
+    if (is_refuted) count_refuted(1u);
   }
-  imageStore(certain_img, cell, vec4(is_even ? certain : 0.0));
-  imageStore(longest_img, cell, vec4(longestOf(bounds), 0, 0));
+  imageStore(certain_img, cell, vec4(is_even && !is_refuted ? certain : 0.0));
+  vec2 longest = longestOf(bounds);
+  if (is_refuted && lengthOf(longest) < kUnknown * float(frame.size.x)) longest = vec2(kUnknown * float(frame.size.x), 0);
+  imageStore(longest_img, cell, vec4(longest, 0, 0));
 }

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// One number from a post-process blur to truth: its ends are these two bit for bit, between them more of it costs more
+// rays and errs less, and where all moves alike nothing but a gather is done. Against closed forms, truth and other
+// pipelines.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "oracle/render.h"
+
+namespace strobe::oracle {
+namespace {
+
+constexpr int kWidth = 96, kHeight = 54;
+
+class RenderSelective : public RenderTest {
+ protected:
+  static lab::Shot shot(const std::string& scene) {
+    return scene == "crowd" ? shotOf("crowd", kWidth, kHeight) : shotOf("../objects/" + scene, kWidth, kHeight, {{"pixels", 14}});
+  }
+  static lab::Picture at(const lab::Shot& shot, double effort, std::vector<std::string> more = {},
+                         const std::string& anchor = "") {
+    more.push_back(fmt::format("effort={}", effort));
+    return render(with(shot, "selective", more, anchor));
+  }
+  // Rays of all passes.
+  static uint64_t raysOf(const lab::Picture& picture) {
+    uint64_t rays = 0;
+    for (const auto& [name, count] : picture.frame.counters)
+      if (name.find(".rays_") != std::string::npos) rays += count;
+    return rays;
+  }
+};
+
+}  // namespace
+
+TEST_F(RenderSelective, IsAPostProcessAtOneEnd) {
+  for (const Anchor& anchor : anchors())
+    for (const char* scene : {"crowd", "stacked"}) {
+      SCOPED_TRACE(fmt::format("{} {}", scene, anchor.name));
+      const lab::Picture own = at(shot(scene), 0, {}, anchor.name);
+      const lab::Picture gather = render(with(shot(scene), "mcguire2012", {}, anchor.name));
+      EXPECT_TRUE(identical(colorOf(own), colorOf(gather)));
+      EXPECT_EQ(raysOf(own), raysOf(gather));
+    }
+}
+
+TEST_F(RenderSelective, IsTruthAtTheOther) {
+  for (const char* scene : {"stacked", "tracking_parallax"}) {
+    SCOPED_TRACE(scene);
+    const lab::Picture own = at(shot(scene), 1, {"samples=8"});
+    EXPECT_TRUE(identical(colorOf(own),
+                          colorOf(render(with(shot(scene), "ground_truth", {"samples=128", "mark_regions=false"})))));
+    // Of other samples, by their own standard error and that of midpoints, which is no larger.
+    const lab::Picture truth = render(with(shot(scene), "ground_truth", {"samples=128", "times=stratified"}));
+    EXPECT_LE(rmsDifference(colorOf(own), colorOf(truth)), 2 * rms(imageOf(truth, "error")));
+  }
+}
+
+TEST_F(RenderSelective, MoreEffortTracesMoreAndErrsLess) {
+  for (const char* scene : {"stacked", "tracking_parallax", "caged_fan"}) {
+    const lab::Picture truth = render(with(shot(scene), "ground_truth", {"samples=512", "mark_regions=false"}));
+    double last = INFINITY;
+    uint64_t rays = 0;
+    for (double effort : {0., .1, .3, .5, .7, .9}) {
+      SCOPED_TRACE(fmt::format("{} {}", scene, effort));
+      const lab::Picture own = at(shot(scene), effort);
+      const double error = rmsDifference(colorOf(own), colorOf(truth));
+      EXPECT_LT(error, last);
+      EXPECT_GT(raysOf(own), rays);
+      last = error, rays = raysOf(own);
+    }
+  }
+}
+
+// A bar and what is behind it that move alike: of the pixels that no border of the picture comes to none is traced, and
+// each is the mean of the texels that come to it.
+TEST_F(RenderSelective, GathersWhereAllMovesAlike) {
+  constexpr int kSamples = 8, kBorder = 30;
+  const lab::Shot alike = shotOf("textured_bar", 128, 40, {{"d_f", 16}, {"d_b", 16}});
+  const lab::Picture own = at(alike, .4, {"samples=8"}, "close");
+  const image::Image sharp = colorOf(render(with(alike, "none", {}, "close")));
+  double worst = 0;
+  for (int y = 10; y < 30; ++y)
+    for (int x = kBorder; x < 128 - kBorder; ++x) {
+      double sum = 0;
+      for (int i = 0; i < kSamples; ++i)
+        sum += sharp.at(x + int(std::floor(16 * (1 - (i + .5) / kSamples) + .5)), y, 0);
+      worst = std::max(worst, std::abs(colorOf(own).at(x, y, 0) - sum / kSamples));
+    }
+  EXPECT_LE(worst, 1e-6);
+  EXPECT_GE(counterOf(own, "refined_time.gathered"), 128u * 40 / 3);
+}
+
+// What the capture does not show is found by rays: a bar that was in the picture only before the capture, one that is
+// half in and half out, one that comes in from outside. To within what is let be between two rays.
+TEST_F(RenderSelective, FindsWhatTheCaptureDoesNotSee) {
+  struct Bar {
+    double left, right, d;
+  };
+  for (const Bar& bar : {Bar{70.3, 90.3, 40}, Bar{50.3, 80.3, 30}, Bar{12.3, 28.3, 40}}) {
+    SCOPED_TRACE(bar.left);
+    const lab::Shot moving = shotOf("bar", 64, 12, {{"left", bar.left}, {"right", bar.right}, {"d_f", bar.d}});
+    const Strips exact = {{bar.left, bar.right, bar.d, {1}}, {-kInfinity, kInfinity, 0, {0}}};
+    const lab::Picture own = at(moving, .7, {}, "close");
+    for (int x = 0; x < 64; ++x)
+      EXPECT_NEAR(colorOf(own).at(x, 6, 0), exposeCentre(exact, kCloseAnchor, x).colour, 1. / 32 + 1e-4) << x;
+  }
+}
+
+// Something that no displacement of the capture tells of comes before what rests or moves alike: rays of the cells see
+// it.
+TEST_F(RenderSelective, RaysRefuteCellsThatSeemCertain) {
+  const lab::Picture own = at(shotOf("bar", 64, 40, {{"left", 70.3}, {"right", 90.3}, {"d_f", 40}}), .4, {}, "close");
+  EXPECT_GT(counterOf(own, "uniform_motion.checked"), counterOf(own, "uniform_motion.refuted"));
+  EXPECT_GT(counterOf(own, "uniform_motion.refuted"), 0u);
+}
+
+}  // namespace strobe::oracle
