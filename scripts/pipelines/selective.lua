@@ -57,6 +57,11 @@ return pipeline {
       doc = "0: the gather of mcguire2012; up to 0.75: rays in time where a gather is not certain; above: truth, at 1 with 16 " ..
             "times `samples`" },
   }),
+  presets = {
+    post_process = { doc = "a post-process blur, without a ray", set = { effort = 0 } },
+    few_rays     = { doc = "rays where a gather is not certain, as few as there are", set = { effort = 0.1 } },
+    every_sample = { doc = "truth with four times `samples`", set = { effort = 0.8 } },
+  },
   compare_with = "mcguire2012",
   equals = {
     { when = { effort = 0 }, pipeline = "mcguire2012" },
