@@ -68,21 +68,22 @@ arms[#arms + 1] = { name = exact, pipeline = "ground_truth", set = { samples = 6
 
 -- ---- curves
 
--- Cost and error of an arm in a shot, as multiples of those of the base.
+-- Cost and error of an arm in a shot: time and error as multiples of those of the base, rays per pixel.
 local function in_shot(r, one, name, cost)
   local here, least = r.at { shot = one.name, arm = name }, r.at { shot = one.name, arm = base }
-  local of = cost == "rays" and (here.rays + 1) / (least.rays + 1) or here.ms_ratio
+  local of = cost == "rays" and here.rays / (width * height) or here.ms_ratio
   return of, math.max(here.rmse, 1e-6) / math.max(least.rmse, 1e-6)
 end
 
--- The same over all shots, geometric means.
+-- The same over all shots, geometric means; of rays, which may be 0, the mean.
 local function over_all(r, name, cost)
   local costs, errors = 0, 0
   for _, one in ipairs(shots) do
     local of, error = in_shot(r, one, name, cost)
-    costs, errors = costs + math.log(of), errors + math.log(error)
+    costs, errors = costs + (cost == "rays" and of or math.log(of)), errors + math.log(error)
   end
-  return math.exp(costs / #shots), math.exp(errors / #shots)
+  costs = costs / #shots
+  return cost == "rays" and costs or math.exp(costs), math.exp(errors / #shots)
 end
 
 local function points(names, at)
@@ -135,13 +136,13 @@ local function fronts(r, cost)
   return points(own, at), points(others, at)
 end
 
-local function of_curve(cost, words)
+local function of_curve(cost, words, known)
   return {
     { ("over all scenes no other pipeline's point lies below the curve of %s"):format(words), function(r)
       local curve, list = fronts(r, cost)
       local found = below(curve, list)
       return #found == 0, #found == 0 and "none of " .. #list or table.concat(found, ", ")
-    end },
+    end, known = known },
     { ("over all scenes at least five settings are on the front of %s"):format(words), function(r)
       local names = on_front(fronts(r, cost))
       return #names >= 5, ("%d: %s"):format(#names, table.concat(names, ", "))
@@ -161,7 +162,8 @@ local function scene_by_scene(r, cost)
 end
 
 local expect = {}
-for _, part in ipairs { of_curve("ms", "error against time"), of_curve("rays", "error against rays") } do
+local few_rays = "layers of the capture are made by raster passes and few rays; they are cheap in rays and dear in time"
+for _, part in ipairs { of_curve("ms", "error against time"), of_curve("rays", "error against rays", few_rays) } do
   for _, one in ipairs(part) do expect[#expect + 1] = one end
 end
 local function also(text, holds, known) expect[#expect + 1] = { text, holds, known = known } end
@@ -169,7 +171,7 @@ local function also(text, holds, known) expect[#expect + 1] = { text, holds, kno
 also("nor in any scene by itself, against time", function(r)
   local good, texts = scene_by_scene(r, "ms")
   return good == #shots, ("in %d of %d; %s"):format(good, #shots, table.concat(texts, "; "))
-end, "layers that hold everything need no ray, and a software device has many rays for the price of the passes that a gather needs")
+end, "where layers of the capture hold all that is seen, they err less for as much time; some scenes are such")
 also("the first setting, which is McGuire 2012, is on the front too", function(r)
   local curve, list = fronts(r, "ms")
   local names = {}
@@ -205,11 +207,12 @@ end)
 
 return experiment {
   title    = "Selective",
-  question = "Is one number from a post-process blur to truth, which traces where a gather is not certain, the front of speed " ..
-             "against accuracy?",
-  note     = "All scenes of the repository, displacements as shares of the picture as at their own sizes. Errors and times are " ..
-             "ratios to McGuire 2012 of the same scene; over all scenes, geometric means. Between two settings the curve is " ..
-             "straight in logarithms. What costs less than its first setting is not asked for. Pairs are (cost, error).",
+  question = "Is one number from a post-process blur to truth, which traces where a gather is not certain, the front of " ..
+             "speed against accuracy?",
+  note     = "All scenes of the repository but those of the exhibits, displacements as shares of the picture as at their " ..
+             "own sizes. Errors and times are ratios to McGuire 2012 of the same scene; over all scenes, geometric means. " ..
+             "Between two settings the curve is straight in logarithms. What costs less than its first setting is not " ..
+             "asked for. Pairs are (cost, error).",
   size     = { width, height },
   shots    = shots,
   arms     = arms,

@@ -8,6 +8,7 @@ return pass.trace {
   name   = "refined_time",
   shader = "scene/refined_time",
   doc    = "For each pixel in which no gather is certain, rays at a few times, and between two that differ at further times",
+  breaks = { linear = "which times have a ray is decided by how much colours differ" },
   size   = { of = "color" },
   reads  = {
     color    = { doc = "linear, of what the capture sees" },
@@ -25,9 +26,10 @@ return pass.trace {
     samples   = blur.samples { doc = "taps along the motion where a gather is certain" },
     pace      = pass.float { 0.02, min = 1e-6, max = 1e6, unit = "image widths",
       doc = "how far what comes to a cell may go from one of the first rays to the next" },
-    within    = pass.float { 0.01, min = 0, max = 1000,
-      doc = "linear radiance: what two rays do not foretell of the time between them, times its share of the exposure, that is let be" },
-    colors    = pass.choice { "shaded", "kept", default = "shaded", doc = "what colour the hit of a ray has",
+    allowance = pass.float { 0.01, min = 0, max = 1000,
+      doc = "linear radiance: what two rays do not foretell of the time between them, times its share of the exposure, " ..
+            "that is let be" },
+    hit_color = pass.choice { "shaded", "kept", default = "shaded", doc = "what colour the hit of a ray has",
       values = {
         shaded = "It is shaded, as it is at the capture.",
         kept = "That of the texel of the capture that shows it, else it is shaded. Fails by half a pixel: stairs in textures.",

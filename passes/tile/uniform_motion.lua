@@ -7,7 +7,7 @@ local reach = require "passes.lib.reach"
 return pass.trace {
   name   = "uniform_motion",
   shader = "tile/uniform_motion",
-  doc    = "Whether all that comes to a cell within the exposure moves alike, on straight paths, and a few rays find nothing else",
+  doc    = "Whether all that comes to a cell within the exposure moves alike, and a few rays find nothing else",
   fails  = "What is smaller than a cell, and neither seen at the capture nor met by one of the rays, is missed.",
   size   = { of = "bounds" },
   reads  = {
@@ -26,7 +26,7 @@ return pass.trace {
     limit     = blur.limit,
     apart_px  = pass.float { 0.5, min = 0, max = 1000, unit = "px",
       doc = "by how much displacements that come to a cell may differ" },
-    checks    = pass.int { 8, min = 0, max = 64, doc = "rays of a cell, each at a place and time of its own" },
+    audit_rays = pass.int { 8, min = 0, max = 64, doc = "rays of a cell, each at a place and time of its own" },
   },
   counters = {
     checked = "cells whose motion is even, in which rays looked for anything else",

@@ -35,7 +35,7 @@ local function refined(p)
     }
     return { picture = refined_time {
       color = seen.color, depth = seen.depth, id = seen.id, hit = seen.hit, velocity = seen.velocity, certain = cells.certain,
-      longest = cells.longest, pace = set.pace, within = set.within, colors = set.colors, time = "sample",
+      longest = cells.longest, pace = set.pace, allowance = set.allowance, hit_color = set.hit_color, time = "sample",
     }.picture }
   end }.picture
   return scene.outputs(seen, { color = color })
@@ -54,13 +54,12 @@ return pipeline {
   doc = "From post-process to truth by one number: gather where that is certain, rays in time where it is not",
   params = options.with(options.blur(40), {
     effort = pipeline.float { 0.4, min = 0, max = 1,
-      doc = "0: the gather of mcguire2012; up to 0.75: rays in time where a gather is not certain; above: truth, at 1 with 16 " ..
-            "times `samples`" },
+      doc = "0: the gather of mcguire2012; below 0.75: rays in time where a gather is not certain; from there on: truth, " ..
+            "at 1 with 16 times `samples`" },
   }),
   presets = {
     post_process = { doc = "a post-process blur, without a ray", set = { effort = 0 } },
     few_rays     = { doc = "rays where a gather is not certain, as few as there are", set = { effort = 0.1 } },
-    every_sample = { doc = "truth with four times `samples`", set = { effort = 0.8 } },
   },
   compare_with = "mcguire2012",
   equals = {

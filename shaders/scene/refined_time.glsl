@@ -6,7 +6,7 @@
 //      above 1/2: the gather is right).
 // Out: picture (linear, alpha 1).
 // With c_i the colour at time i of n, and two rays at a < b: the times between are traced unless
-//   |c_a - c_b| (b - a) / n <= within, by the largest channel. With within = 0 the picture is the mean of all n.
+//   |c_a - c_b| (b - a) / n <= allowance, by the largest channel. With allowance = 0 the picture is the mean of all n.
 // Source: adaptive quadrature; along a ray's time as along any line.
 #include "lib/blur.glsl"
 #include "lib/sanitise.glsl"
@@ -90,7 +90,7 @@ Sample seenAt(ivec2 pixel, int part, inout Ground ground) {
   vec3 kept;
   bool is_kept = !is_ground && isHit(hit) && placeOf(hit, result.place) && isKept(result.place, result.id, kept);
   result.color = kept;
-#if PARAM_colors == colors_kept
+#if PARAM_hit_color == hit_color_kept
   if (is_kept) result.apart = 0.0;
   if (is_kept) return result;
 #endif
@@ -124,7 +124,7 @@ bool isKnown(ivec2 pixel, vec2 d, Sample a, Sample b, int at, int end, int count
   bool told = isTold(a, b);
   sum = 0.5 * float(end - at - 1) * (a.color + b.color);
   float unknown = told ? max(a.apart, b.apart) : apart(a.color, b.color);
-  if (unknown * float(end - at) > params.within * kSumScale * float(count)) return false;
+  if (unknown * float(end - at) > params.allowance * kSumScale * float(count)) return false;
   if (told) sum = vec3(0);
   for (int part = at + 1; part < end; ++part) {
     if (d != vec2(0) && comesAnother(pixel, d, part, count, a.id, b.id)) return false;

@@ -3,7 +3,7 @@
 // In:  bounds (of the displacements of each cell, px over the exposure), velocity (px over the exposure) and id (instance + 1,
 //      0 = sky) of what the capture sees; in a loop over times of the exposure.
 // Out: longest (px: of these displacements), certain (1: the displacements of all cells whose surfaces come here lie within a box of `apart_px`, something of it
-//      moves, and `checks` rays, each from a pixel and at a time of its own, meet the instance that this motion brings there).
+//      moves, and `audit_rays` rays, each from a pixel and at a time of its own, meet the instance that this motion brings there).
 // What no displacement of the capture tells (paths that bend, what comes from behind or from outside) the rays find, where
 // it is not much smaller than a cell.
 #include "lib/bounds.glsl"
@@ -57,7 +57,7 @@ bool agrees(ivec2 cell, uint number) {
   uint drawn = randomUint(index, number, 3u);
   uvec2 within = uvec2(drawn & 0xffffu, drawn >> 16u) % uint(params.cell_side);
   ivec2 pixel = min(cell * params.cell_side + ivec2(within), ivec2(frame.size) - 1);
-  uint part = min(number * frame.slice_count / uint(max(params.checks - 1, 1)), frame.slice_count - 1u);
+  uint part = min(number * frame.slice_count / uint(max(params.audit_rays - 1, 1)), frame.slice_count - 1u);
   uint slice = SLICE_SAMPLE + part;
   Ray ray = cameraRay(slice, samplePosition(pixel));
   Hit hit = traceNearest(slice, ray, scene_cameras[slice].near, 3.0e38);
@@ -81,7 +81,7 @@ void run(ivec2 cell) {
   bool is_refuted = false;
   if (is_even) {
     count_checked(1u);
-    for (int number = 0; number < params.checks && !is_refuted; ++number) is_refuted = !agrees(cell, uint(number));
+    for (int number = 0; number < params.audit_rays && !is_refuted; ++number) is_refuted = !agrees(cell, uint(number));
     if (is_refuted) count_refuted(1u);
   }
   imageStore(certain_img, cell, vec4(is_even && !is_refuted ? certain : 0.0));

@@ -17,7 +17,8 @@ constexpr int kWidth = 96, kHeight = 54;
 class RenderSelective : public RenderTest {
  protected:
   static lab::Shot shot(const std::string& scene) {
-    return scene == "crowd" ? shotOf("crowd", kWidth, kHeight) : shotOf("../objects/" + scene, kWidth, kHeight, {{"pixels", 14}});
+    return scene == "crowd" ? shotOf("crowd", kWidth, kHeight)
+                            : shotOf("../objects/" + scene, kWidth, kHeight, {{"pixels", 14}});
   }
   static lab::Picture at(const lab::Shot& shot, double effort, std::vector<std::string> more = {},
                          const std::string& anchor = "") {

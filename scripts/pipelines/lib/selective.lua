@@ -20,13 +20,13 @@ end
 -- Below truth, by tenths: what is let be halves with each, the way between first rays with every second.
 function selective.settings(effort, samples)
   local tenths = 10 * effort - 1
-  local finer = 1 << math.max(0, math.min(2, tenths // 2 | 0))
+  local finer = math.floor(math.max(0, math.min(2, tenths / 2)))
   return {
     pace = 0.08 * 2 ^ (-tenths / 2),
-    within = 0.08 * 2 ^ -tenths,
+    allowance = 0.08 * 2 ^ -tenths,
     apart_px = 2 ^ (-tenths / 2),
-    colors = effort < 0.25 and "kept" or "shaded",
-    parts = math.min(samples * finer, most_parts),
+    hit_color = effort < 0.25 and "kept" or "shaded",
+    parts = math.min(2 ^ (math.floor(math.log(samples, 2)) + finer) // 1 | 0, most_parts),  -- a power of two: halved evenly
   }
 end
 

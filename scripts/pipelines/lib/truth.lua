@@ -70,7 +70,8 @@ function truth.everywhere(p, seen)
   local every_ray, count = valued(p.mode) == "brute", valued(p.samples)
   local stops = valued(p.tolerance) > 0
   local eighth = math.max(count // 8, 8)
-  local few = math.min(valued(p.first_samples) > 0 and valued(p.first_samples) or stops and math.min(eighth, 64) or eighth, count)
+  local asked = valued(p.first_samples)
+  local few = math.min(asked > 0 and asked or stops and math.min(eighth, 64) or eighth, count)
   if few == count then
     return truth.shutter(p, seen, { name = "shutter", count = count, first = 0, parts = count, every_ray = every_ray })
   end
