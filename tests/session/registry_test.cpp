@@ -67,6 +67,16 @@ const std::map<std::string, std::vector<Context>> kContexts = {
       kBent,
       {{"tile=8"}, {"tile_rule"}},
       {{"scene=solids", "slide=5", "limit=10", "layer_count=2"}, {"sides"}}}},
+    {"selective",
+     {{{"effort=0"}, {}},
+      {{"effort=0", "jitter=hash", "frame=1"}, {"jitter_frame"}},
+      {{"effort=0", "scene=bent", "anchor=centre"}, {"displacement", "trajectory"}},
+      {{"effort=0", "tile=8"}, {"tile_rule"}},
+      {{}, {"preset"}},
+      {{"effort=0.1", "scene=solids"},
+       {"refined_time.pace", "refined_time.allowance", "refined_time.hit_color", "refined_time.same_depth",
+        "refined_time.cell_side", "uniform_motion.apart_px", "uniform_motion.audit_rays"}},
+      {{"effort=0.8", "samples=4"}, {}}}},
     {"temporal1", {{{}, {}}, {{"frame=1"}, {"jitter_frame"}}, kBent, {{"tile=8"}, {"tile_rule"}}}},
     {"ue4", {{{}, {}}, kJitter, kBent, {{"tile=8"}, {"tile_rule"}}, {{"anchor=centre"}, {"mirror"}}}},
     {"hybrid",
@@ -131,6 +141,12 @@ const std::map<std::string, std::string> kNoPicture = {
     {"own_time.wrong_by", "what a check counts"},
     {"visibility_moving.only_moving", "what is at rest is passed over when it is drawn too"},
     {"doubtful.jittered", "samples more than need be are traced, which come out the same"},
+    {"uniform_motion.audit_rays", "which cells are checked; where no ray finds anything they stay what they are"},
+    {"selective: truth_agreement.even_within", "centres are sampled alone, whose rays are one"},
+    {"selective: truth_trace.audit", "which pixels are checked"},
+    {"selective: truth_trace.least_budget", "all tiles have the same number of samples"},
+    {"selective: truth_trace.taken", "numbers of samples that are at no random place"},
+    {"selective: truth_trace.tile", "all tiles have the same number of samples"},
     {"truth_audit.order", "of what a check expects"},
     {"truth_audit.pilot", "of what a check expects"},
     {"truth_audit.tile", "the tiles that are checked"},
@@ -347,6 +363,7 @@ TEST_F(Registry, Bevy) { walk("bevy", 7); }
 TEST_F(Registry, Hdrp) { walk("hdrp", 9); }
 TEST_F(Registry, Temporal1) { walk("temporal1", 10); }
 TEST_F(Registry, Layers2024) { walk("layers2024", 8); }
+TEST_F(Registry, Selective) { walk("selective", 11); }
 TEST_F(Registry, Hybrid) { walk("hybrid", 5); }
 TEST_F(Registry, GroundTruth) { walk("ground_truth", 6); }
 
