@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The mean of what a pixel sees over the times of the exposure, by rays at few of them: first `step` parts apart; then, between
-// two rays whose colours differ, halfway, until they do not or are neighbours. What lies between two is the mean of both. Where
-// a gather is certain, its picture.
-// In:  color (linear), depth (view depth, sky +inf), id, hit of what the capture sees; gathered (linear), certain (per cell,
-//      above 1/2: the gather is right).
+// The mean of what a pixel sees over the times of the exposure, by rays at few of them: first some parts apart, by how far
+// what comes there moves; then, between two rays whose colours differ, halfway, until they do not or are neighbours. What
+// lies between two is the mean of both, or what the capture shows on the way from one to the other. Where that is certain,
+// the mean of the texels along the motion.
+// In:  color (linear), depth (view depth, sky +inf), id, hit, velocity (px over the exposure) of what the capture sees;
+//      certain (per cell, 1: texels along the motion are right, 1/2: nothing moves), longest (per cell, px: of what comes).
 // Out: picture (linear, alpha 1).
 // With c_i the colour at time i of n, and two rays at a < b: the times between are traced unless
 //   |c_a - c_b| (b - a) / n <= allowance, by the largest channel. With allowance = 0 the picture is the mean of all n.
@@ -42,12 +43,10 @@ Ground groundAt(ivec2 pixel) {
 // What a ray sees. Colours are smaller by kSumScale.
 struct Sample {
   vec3 color;
-  uvec2 id;     // instance + 1, geometry + 1; 0 for the sky, kAtRest for what is at rest before a camera at rest
+  uvec2 id;     // instance + 1, geometry + 1; 0 for the sky
   vec3 place;   // where that is in the capture: texel, view depth
   float apart;  // largest difference of its colour from that of the capture there; kFar where that does not show it
 };
-
-const uvec2 kAtRest = uvec2(0xffffffffu);
 
 // The texel of the capture at a place, if it shows the surface.
 bool isKept(vec3 place, uvec2 id, out vec3 color) {
@@ -85,8 +84,11 @@ Sample seenAt(ivec2 pixel, int part, inout Ground ground) {
   if (!isHit(hit) && ground.is_known) hit = ground.hit;
   else if (isHit(hit)) hit = hitOnTriangle(slice, ray, hit.instance, hit.geometry, hit.primitive);
   bool is_ground = frame.camera_rests != 0u && isAtRest(hit);
-  if (is_ground && ground.is_known) return Sample(toSum(ground.color), kAtRest, vec3(0), kFar);
   Sample result = Sample(vec3(0), isHit(hit) ? uvec2(hit.instance, hit.geometry) + 1u : uvec2(0u), vec3(0), kFar);
+  if (is_ground && ground.is_known) {
+    result.color = toSum(ground.color);
+    return result;
+  }
   vec3 kept;
   bool is_kept = !is_ground && isHit(hit) && placeOf(hit, result.place) && isKept(result.place, result.id, kept);
   result.color = kept;
@@ -95,10 +97,7 @@ Sample seenAt(ivec2 pixel, int part, inout Ground ground) {
   if (is_kept) return result;
 #endif
   vec3 color = isHit(hit) ? shade(SLICE_CAPTURE, hit) : environment(ray.direction);
-  if (is_ground) {
-    ground = Ground(true, hit, isHit(hit) ? hit.t : kFar, color);
-    result.id = kAtRest;
-  }
+  if (is_ground) ground = Ground(true, hit, isHit(hit) ? hit.t : kFar, color);
   result.color = toSum(color);
   if (is_kept) result.apart = apart(kept, result.color);
   return result;

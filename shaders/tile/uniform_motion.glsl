@@ -2,8 +2,9 @@
 // Per cell, whether a gather along the motion is certain to be right: the picture around shifts as a whole.
 // In:  bounds (of the displacements of each cell, px over the exposure), velocity (px over the exposure) and id (instance + 1,
 //      0 = sky) of what the capture sees; in a loop over times of the exposure.
-// Out: longest (px: of these displacements), certain (1: the displacements of all cells whose surfaces come here lie within a box of `apart_px`, something of it
-//      moves, and `audit_rays` rays, each from a pixel and at a time of its own, meet the instance that this motion brings there).
+// Out: longest (px: of these displacements), certain (1: the displacements of all cells whose surfaces come here lie within a
+//      box of `apart_px`, something of it moves, and `audit_rays` rays, each from a pixel and at a time of its own, meet the
+//      instance that this motion brings there).
 // What no displacement of the capture tells (paths that bend, what comes from behind or from outside) the rays find, where
 // it is not much smaller than a cell.
 #include "lib/bounds.glsl"
