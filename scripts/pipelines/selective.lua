@@ -54,8 +54,8 @@ return pipeline {
   doc = "From post-process to truth by one number: gather where that is certain, rays in time where it is not",
   params = options.with(options.blur(40), {
     effort = pipeline.float { 0.4, min = 0, max = 1,
-      doc = "0: the gather of mcguire2012; below 0.75: rays in time where a gather is not certain; from there on: truth, " ..
-            "at 1 with 16 times `samples`" },
+      doc = "0: the gather of mcguire2012, as with limit = 0; below 0.75: rays in time where a gather is not certain; " ..
+            "from there on: truth, at 1 with 16 times `samples`" },
   }),
   presets = {
     post_process = { doc = "a post-process blur, without a ray", set = { effort = 0 } },
@@ -67,7 +67,7 @@ return pipeline {
     { when = { effort = 1, samples = 4 }, pipeline = "ground_truth", set = { samples = 64, mark_regions = false } },
   },
   build = function(p)
-    if selective.is_gather(p.effort()) then return gathered(p) end
+    if selective.is_gather(p.effort()) or p.limit() == 0 then return gathered(p) end
     return selective.is_truth(p.effort()) and true_times(p) or refined(p)
   end,
 }

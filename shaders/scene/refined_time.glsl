@@ -190,10 +190,11 @@ vec3 gathered(ivec2 pixel) {
 void run(ivec2 pixel) {
   vec3 color = vec3(texelFetch(color_tex, pixel, 0));
   float certain = texelFetch(certain_tex, pixel / params.cell_side, 0).x;
-  if (isReached(pixel) && certain < 0.25) {
+  bool is_reached = frame.exposure > 0.0 && isReached(pixel);
+  if (is_reached && certain < 0.25) {
     color = meanOver(pixel);
     count_samples(traced);
-  } else if (isReached(pixel)) {
+  } else if (is_reached) {
     count_gathered(1u);
     if (certain > 0.75) color = gathered(pixel);
   }
