@@ -16,7 +16,7 @@ local selective = require "scripts.pipelines.lib.selective"
 local tiles     = require "scripts.pipelines.lib.tiles"
 local truth     = require "scripts.pipelines.lib.truth"
 
-local weights = "mcguire2012"
+local weights = "jimenez2014"
 
 local function gathered(p)
   local seen = curves.captured(p, weights)
@@ -52,18 +52,18 @@ end
 
 return pipeline {
   doc = "From post-process to truth by one number: gather where that is certain, rays in time where it is not",
-  params = options.with(options.blur(40), {
+  params = options.with(options.blur(16), {
     effort = pipeline.float { 0.4, min = 0, max = 1,
-      doc = "0: the gather of mcguire2012, as with limit = 0; below 0.75: rays in time where a gather is not certain; " ..
+      doc = "0: the gather of ue4, as with limit = 0; below 0.75: rays in time where a gather is not certain; " ..
             "from there on: truth, at 1 with 16 times `samples`" },
   }),
   presets = {
     post_process = { doc = "a post-process blur, without a ray", set = { effort = 0 } },
     few_rays     = { doc = "rays where a gather is not certain, as few as there are", set = { effort = 0.1 } },
   },
-  compare_with = "mcguire2012",
+  compare_with = "ue4",
   equals = {
-    { when = { effort = 0 }, pipeline = "mcguire2012" },
+    { when = { effort = 0 }, pipeline = "ue4" },
     { when = { effort = 1, samples = 4 }, pipeline = "ground_truth", set = { samples = 64, mark_regions = false } },
   },
   build = function(p)

@@ -41,7 +41,7 @@ TEST_F(RenderSelective, IsAPostProcessAtOneEnd) {
     for (const char* scene : {"crowd", "stacked"}) {
       SCOPED_TRACE(fmt::format("{} {}", scene, anchor.name));
       const lab::Picture own = at(shot(scene), 0, {}, anchor.name);
-      const lab::Picture gather = render(with(shot(scene), "mcguire2012", {}, anchor.name));
+      const lab::Picture gather = render(with(shot(scene), "ue4", {}, anchor.name));
       EXPECT_TRUE(identical(colorOf(own), colorOf(gather)));
       EXPECT_EQ(raysOf(own), raysOf(gather));
     }
