@@ -71,6 +71,7 @@ const std::map<std::string, std::vector<Context>> kContexts = {
      {{{"effort=0"}, {}},
       {{"effort=0", "jitter=hash", "frame=1"}, {"jitter_frame"}},
       {{"effort=0", "scene=bent", "anchor=centre"}, {"displacement", "trajectory"}},
+      {{"effort=0", "anchor=centre"}, {"gather_jimenez2014.mirror"}},
       {{"effort=0", "tile=8"}, {"tile_rule"}},
       {{}, {"preset"}},
       {{"effort=0.1", "scene=solids"},
@@ -131,6 +132,7 @@ const std::map<std::string, std::vector<Context>> kContexts = {
 // Parameters that change how a picture comes about and never the picture, with the reason.
 const std::map<std::string, std::string> kNoPicture = {
     {"shade.shading", "at the capture both ways of shading are the same; truth shades at other times"},
+    {"selective: gather_jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
     {"ue4: gather_jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
     {"hybrid: gather_jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
     {"mask_crossings.margin", "which of the candidates that come to nothing are tried all the same"},
