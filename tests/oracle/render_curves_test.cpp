@@ -47,6 +47,55 @@ double errorOf(const lab::Picture& picture, Window window) {
   return std::sqrt(sum / count);
 }
 
+// Wedges evenly around a hub that goes to the left by `slide` px over the exposure: points go along cycloids.
+struct Wheel {
+  std::string what;
+  double from, to;  // degrees from +x, y up
+  int blades;
+  double slide;
+  double hub;  // px from the hub's path within which a blade is narrower than a pixel and a half, and no layer has it
+};
+
+lab::Shot shotOfWheel(const Wheel& wheel) {
+  return shotOf("wedge", kSide, kSide,
+                {{"from", wheel.from},
+                 {"to", wheel.to},
+                 {"degrees", kDegrees},
+                 {"blades", double(wheel.blades)},
+                 {"slide", wheel.slide}});
+}
+
+// Is the point of the picture on a blade?
+bool isOnBlade(const Wheel& wheel, glm::dvec2 place, double t) {
+  const glm::dvec2 own = place + glm::dvec2(wheel.slide * t, 0);
+  const double apart = 360.0 / wheel.blades;
+  const double angle = glm::degrees(std::atan2(-own.y, own.x)) - kDegrees * t - wheel.from;
+  return angle - apart * std::floor(angle / apart) < wheel.to - wheel.from;
+}
+
+// Of the pixels whose surfaces stay in the picture, beyond the hub; root mean square.
+double errorOf(const Wheel& wheel, const lab::Picture& picture, Window window) {
+  constexpr int kTimes = 4096;
+  double sum = 0;
+  int count = 0;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const glm::dvec2 place = placeOf(x, y);
+      auto timeOf = [&](int k) { return glm::mix(window.open, window.close, (k + .5) / kTimes); };
+      double nearest = INFINITY, farthest = 0, covered = 0;
+      for (int k = 0; k < kTimes; ++k) {
+        const double from_hub = glm::length(place + glm::dvec2(wheel.slide * timeOf(k), 0));
+        nearest = std::min(nearest, from_hub), farthest = std::max(farthest, from_hub);
+        covered += isOnBlade(wheel, place, timeOf(k));
+      }
+      if (nearest < wheel.hub || farthest > kSide / 2. - 1 - wheel.slide) continue;
+      sum += std::pow(colorOf(picture).at(x, y, 0) - covered / kTimes, 2);
+      ++count;
+    }
+  EXPECT_GT(count, 300) << wheel.what;
+  return std::sqrt(sum / count);
+}
+
 }  // namespace
 
 // In the middle of the exposure a curve is where the point is, and the third order takes up what differs between early
@@ -87,6 +136,23 @@ TEST_F(RenderCurves, FollowATurningWedge) {
     EXPECT_LE(errors["cubic"], errors["quadratic"] + 1e-3) << anchor.name;
     for (const auto& [curve, error] : errors) fmt::print("{} {}: {:.4f}\n", anchor.name, curve, error);
   }
+}
+
+TEST_F(RenderCurves, FollowABladeAndAWheelThatRolls) {
+  for (const Wheel& wheel :
+       {Wheel{"blade", 35, 45, 1, 0, 8}, Wheel{"fan", 20, 30, 6, 0, 8}, Wheel{"wheel", 0, 45, 4, 20, 4}})
+    for (const Anchor& anchor : anchors()) {
+      std::map<std::string, double> errors;
+      for (const char* curve : {"line", "cubic"})
+        errors[curve] =
+            errorOf(wheel,
+                    render(with(shotOfWheel(wheel), "hybrid",
+                                {"preset=captured", "mask=all", "samples=64", fmt::format("trajectory={}", curve)},
+                                anchor.name)),
+                    anchor.window);
+      EXPECT_LE(errors["cubic"], errors["line"] / 5) << wheel.what << ", " << anchor.name;
+      fmt::print("{} {}: {:.4f}, {:.4f}\n", wheel.what, anchor.name, errors["line"], errors["cubic"]);
+    }
 }
 
 // Where nothing turns no curve is looked for, and every picture is that of straight paths.

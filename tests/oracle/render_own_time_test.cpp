@@ -85,8 +85,8 @@ TEST_F(RenderOwnTime, OfDetailMeetsEdgesBetweenPixels) {
   for (double d : {.3, .9, 2.6, 6.1}) {
     const Bar bar = {"slow", 20.27, 41.73, d};
     const std::string what = fmt::format("{} px", d);
-    EXPECT_LE(largestError(bar, settings("detailed")), 1e-5) << what;
-    EXPECT_LE(largestError(bar, settings("detailed", {"taps=nearest"})), 1e-5) << what;
+    EXPECT_LE(largestError(bar, settings("best")), 1e-5) << what;
+    EXPECT_LE(largestError(bar, settings("best", {"taps=nearest"})), 1e-5) << what;
     EXPECT_GE(largestError(bar, settings("captured")), .02) << what;
   }
 }
@@ -100,11 +100,11 @@ TEST_F(RenderOwnTime, OfDetailMeetsTextureBetweenPixels) {
   };
   for (auto [speed, samples] : {std::pair{.4, "16"}, {3.0, "16"}, {3.0, "64"}, {20.0, "64"}}) {
     const lab::Picture truth = rendered(speed, samples, "ground_truth", "times=midpoint");
-    const lab::Picture detailed = rendered(speed, samples, "hybrid", "preset=detailed");
-    EXPECT_LE(largestDifference(colorOf(detailed), colorOf(truth)), 1e-5) << speed << ", " << samples << " samples";
+    const lab::Picture best = rendered(speed, samples, "hybrid", "preset=best");
+    EXPECT_LE(largestDifference(colorOf(best), colorOf(truth)), 1e-5) << speed << ", " << samples << " samples";
   }
   const lab::Picture truth = rendered(20, "16", "ground_truth", "times=midpoint");
-  EXPECT_GE(largestDifference(colorOf(rendered(20, "16", "hybrid", "preset=detailed")), colorOf(truth)), .01);
+  EXPECT_GE(largestDifference(colorOf(rendered(20, "16", "hybrid", "preset=best")), colorOf(truth)), .01);
 }
 
 // Edges to within a pixel and a half, which is less than two samples at these speeds. Rays reveal behind all that

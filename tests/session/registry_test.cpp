@@ -98,7 +98,7 @@ const std::map<std::string, std::vector<Context>> kContexts = {
         "edge_gradient.normal_threshold=1"},
        {}},
       {{"preset=captured"}, {"layered.harvest", "tiles"}},
-      {{"preset=detailed", "samples=64"},
+      {{"samples=64"},
        {"unlike", "detail_below", "layered.slowest", "layered.unlike", "layered.detail_below", "own_time.unlike",
         "own_time.detail_below"}},
       {{"scene=solids", "anchor=centre"},

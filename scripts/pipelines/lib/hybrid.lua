@@ -136,7 +136,7 @@ local captured = {
   tiles = "union", weights = "uniform", composite = "layered", taps = "nearest", own_time = "none",
 }
 local layers_of_ends = options.with(options.with({}, captured), { revealed_layers = 4, end_layers = true })
-local best = options.with(options.with({}, captured), { taps = "linear", own_time = "uncertain" })
+local best = options.with(options.with({}, captured), { taps = "linear", own_time = "detailed" })
 hybrid.presets = {
   seed        = { doc = "as published, read so that its claims hold: rays pass over the object in front, taps count alike",
                   set = seed },
@@ -146,8 +146,6 @@ hybrid.presets = {
   layers      = { doc = "all that layers can hold: four behind each other, and what the ends of the exposure see",
                   set = layers_of_ends },
   best        = { doc = "the least error of what has been tried", set = best },
-  detailed    = { doc = "best, with texture and silhouettes to a part of a pixel, for slow motion and many samples",
-                  set = options.with(options.with({}, best), { own_time = "detailed" }) },
 }
 
 -- Does the composite chosen read that? What others know nothing of is not made for them.

@@ -1,26 +1,30 @@
 -- SPDX-License-Identifier: MIT
 -- A wedge that turns about its tip at the centre of the picture, anticlockwise by `degrees` over the exposure, over a
 -- constant background (docs/derivations.md). At frame 0 it covers the directions from `from` to `to` degrees
--- (anticlockwise from +x, y up); it reaches beyond the picture.
+-- (anticlockwise from +x, y up); it reaches beyond the picture. `blades` are as many wedges evenly around the tip, and
+-- `slide` px to the left over the exposure make a wheel of it whose points go along cycloids.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 
 local picture = pixels.picture(128, 128)
 local from, to = scene.param("from", 20), scene.param("to", 65)
 local degrees = scene.param("degrees", 30)
+local blades, slide = scene.param("blades", 1), scene.param("slide", 0)
 local foreground = scene.param("foreground", 1)
 local background = scene.param("background", 0)
 
 -- Its far side is a fan of steps of at most 15 degrees, all of it outside of the picture.
 local radius = picture.width + picture.height
 local steps = math.max(1, math.ceil((to - from) / 15))
-local function rim(step)
-  local angle = math.rad(from + (to - from) * step / steps)
+local function rim(blade, step)
+  local angle = math.rad(from + 360 * blade / blades + (to - from) * step / steps)
   return { radius * math.cos(angle), radius * math.sin(angle), 0 }
 end
 local positions = {}
-for step = 0, steps - 1 do
-  for _, corner in ipairs { { 0, 0, 0 }, rim(step), rim(step + 1) } do positions[#positions + 1] = corner end
+for blade = 0, blades - 1 do
+  for step = 0, steps - 1 do
+    for _, corner in ipairs { { 0, 0, 0 }, rim(blade, step), rim(blade, step + 1) } do positions[#positions + 1] = corner end
+  end
 end
 
 return pixels.scene(picture, "wedge", {
@@ -28,6 +32,9 @@ return pixels.scene(picture, "wedge", {
     pixels.flat("background", background)),
   scene.node {
     name = "wedge", shape = scene.triangles { positions = positions }, material = pixels.flat("wedge", foreground),
-    motion = { axis = { 0, 0, 1 }, degrees_per_second = degrees * picture.fps / picture.exposure },
+    motion = {
+      axis = { 0, 0, 1 }, degrees_per_second = degrees * picture.fps / picture.exposure,
+      velocity = { -slide * picture.fps / picture.exposure, 0, 0 },
+    },
   },
 })
