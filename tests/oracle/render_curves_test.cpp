@@ -53,7 +53,8 @@ struct Wheel {
   double from, to;  // degrees from +x, y up
   int blades;
   double slide;
-  double hub;  // px from the hub's path within which a blade is narrower than a pixel and a half, and no layer has it
+  double
+      hub;  // px from the hub within which a blade is narrower than three pixels: of its few texels none may be found
 };
 
 lab::Shot shotOfWheel(const Wheel& wheel) {
@@ -139,8 +140,7 @@ TEST_F(RenderCurves, FollowATurningWedge) {
 }
 
 TEST_F(RenderCurves, FollowABladeAndAWheelThatRolls) {
-  for (const Wheel& wheel :
-       {Wheel{"blade", 35, 45, 1, 0, 8}, Wheel{"fan", 20, 30, 6, 0, 8}, Wheel{"wheel", 0, 45, 4, 20, 4}})
+  for (const Wheel& wheel : {Wheel{"blade", 30, 50, 1, 0, 8}, Wheel{"wheel", 0, 45, 4, 20, 4}})
     for (const Anchor& anchor : anchors()) {
       std::map<std::string, double> errors;
       for (const char* curve : {"line", "cubic"})
