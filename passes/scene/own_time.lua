@@ -25,7 +25,7 @@ return pass.trace {
   without = { motion = { picture = "seen" } },
   params = {
     audit      = adaptive.audit {
-      0.01, doc = "share of the pixels that motion may reach, in which rays check what layers explain" },
+      0.01, doc = "share of the blocks of 4x2 pixels that motion may reach, in which rays check what layers explain" },
     wrong_by   = pass.float { 0.1, min = 0, max = 1,
       doc = "share of its colour by which the mean of a pixel's explained samples may be off" },
     shades_unlike = pass.bool { false, doc = "shade what lies between texels that differ, instead of taking their colour" },

@@ -4,20 +4,19 @@
 // In:  seen (linear, sum of the samples that layers explain over the number of all; alpha: their share), open (a bit for
 //      each of the loop's times at which nothing does); hit, color, depth, id of what raster saw at the capture, and
 //      revealed_color, revealed_depth, revealed_id, revealed_valid of what was revealed behind it.
-// Out: picture (linear, alpha 1). In the share `audit` of pixels that motion may reach the other samples are traced too;
-//      `wrong` counts those whose mean is otherwise by `wrong_by` of it.
+// Out: picture (linear, alpha 1). In the share `audit` of blocks of pixels that motion may reach the other samples are
+//      traced too; `wrong` counts pixels whose mean is otherwise by `wrong_by` of it.
 // What a ray meets and a layer of the capture holds has that layer's colour, blended as that of a filter's tap; with
 // `shades_unlike` only where the four texels around hold it and differ by no more than the share `unlike`, or it moves by
 // more than `detail_below` px from sample to sample.
-// Before a camera at rest, what is at rest is found once, and what moves is traced before it.
 #include "lib/audit.glsl"
 #include "lib/blur.glsl"
 #include "lib/parts.glsl"
-#include "lib/sanitise.glsl"
+#include "lib/reached.glsl"
 #include "lib/spread.glsl"
-#include "mixin/shade.glsl"
+#include "mixin/ground.glsl"
 
-const float kFar = 3.0e38;
+const ivec2 kBlock = ivec2(4, 2);  // pixels that run as one on a software device: audited together they cost as one
 
 // Does raster's texel show the surface, or what was revealed behind it?
 bool isSeen(ivec2 at, uvec2 id, float depth) {
@@ -71,39 +70,12 @@ vec3 colorOf(Hit hit) {
   return shade(SLICE_CAPTURE, hit);
 }
 
-// What is at rest on a pixel's ray, before a camera at rest.
-struct Ground {
-  bool is_known;
-  Hit hit;
-  float t;  // as a ray measures it
-  vec3 color;
-};
-
-// What the capture sees, if that is at rest: nothing at rest is nearer.
-Ground groundAt(ivec2 pixel) {
-  Ground ground = Ground(false, noHit(), kFar, vec3(0));
-  if (frame.camera_rests == 0u) return ground;
-  uvec4 seen = texelFetch(hit_tex, pixel, 0);
-  if (seen.x != 0u && scene_instances[seen.x - 1u].moves != 0u) return ground;
-  ground.is_known = true;
-  ground.color = finiteColor(texelFetch(color_tex, pixel, 0));
-  if (seen.x != 0u) {
-    ground.hit = hitOnTriangle(SLICE_CAPTURE, cameraRay(SLICE_CAPTURE, samplePosition(pixel)), seen.x - 1u, seen.y, seen.z);
-    ground.t = ground.hit.t;
-  }
-  return ground;
-}
-
 vec3 seenAt(ivec2 pixel, uint slice, inout Ground ground) {
   Ray ray = cameraRay(slice, samplePosition(pixel));
-  uint mask = ground.is_known ? RAYS_TO_MOVING : RAYS_TO_ALL;
-  Hit hit = traceExcept(slice, mask, ray, scene_cameras[slice].near, ground.t, NO_INSTANCE, NO_INSTANCE);
-  if (!isHit(hit) && ground.is_known) hit = ground.hit;
-  else if (isHit(hit)) hit = hitOnTriangle(slice, ray, hit.instance, hit.geometry, hit.primitive);
-  bool is_ground = frame.camera_rests != 0u && isAtRest(hit);
-  if (is_ground && ground.is_known) return ground.color;
+  Hit hit = nearestAt(slice, ray, ground);
+  if (isGround(hit) && ground.is_known) return ground.color;
   vec3 color = isHit(hit) ? colorOf(hit) : environment(ray.direction);
-  if (is_ground) ground = Ground(true, hit, isHit(hit) ? hit.t : kFar, color);
+  if (isGround(hit)) ground = groundOf(hit, color);
   return color;
 }
 
@@ -125,11 +97,6 @@ vec3 meanOf(ivec2 pixel, uvec2 times, inout Ground ground) {
   return fromSum(sum / float(count));
 }
 
-// May anything that moves be seen there?
-bool isReached(ivec2 pixel) {
-  return all(greaterThanEqual(pixel, frame.reach.xy)) && all(lessThan(pixel, frame.reach.zw));
-}
-
 // Traces what the layers explain, and counts where they are wrong.
 void audit(ivec2 pixel, vec4 seen, uvec2 explained, inout Ground ground) {
   vec3 is_so = meanOf(pixel, explained, ground), said = vec3(seen) / seen.a;
@@ -143,7 +110,7 @@ void run(ivec2 pixel) {
   vec4 seen = texelFetch(seen_tex, pixel, 0);
   uvec2 all_times = allParts(int(frame.slice_count));
   uvec2 open = texelFetch(open_tex, pixel, 0).xy & all_times;
-  bool audited = seen.a > 0.0 && open != all_times && isReached(pixel) && isAudited(pixel, params.audit);
+  bool audited = seen.a > 0.0 && open != all_times && isReached(pixel) && isAudited(pixel / kBlock, params.audit);
   if (hasParts(open) || audited) {
     Ground ground = groundAt(pixel);
     if (audited) audit(pixel, seen, all_times & ~open, ground);

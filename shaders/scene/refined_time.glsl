@@ -10,35 +10,11 @@
 //   |c_a - c_b| (b - a) / n <= allowance, by the largest channel. With allowance = 0 the picture is the mean of all n.
 // Source: adaptive quadrature; along a ray's time as along any line.
 #include "lib/blur.glsl"
-#include "lib/sanitise.glsl"
+#include "lib/reached.glsl"
 #include "lib/times.glsl"
-#include "mixin/shade.glsl"
+#include "mixin/ground.glsl"
 
-const float kFar = 3.0e38;
 const int kLevels = 12;  // of halving: more than any number of times has
-
-// What is at rest on a pixel's ray, before a camera at rest.
-struct Ground {
-  bool is_known;
-  Hit hit;
-  float t;  // as a ray measures it
-  vec3 color;
-};
-
-// What the capture sees, if that is at rest: nothing at rest is nearer.
-Ground groundAt(ivec2 pixel) {
-  Ground ground = Ground(false, noHit(), kFar, vec3(0));
-  if (frame.camera_rests == 0u) return ground;
-  uvec4 seen = texelFetch(hit_tex, pixel, 0);
-  if (seen.x != 0u && scene_instances[seen.x - 1u].moves != 0u) return ground;
-  ground.is_known = true;
-  ground.color = finiteColor(texelFetch(color_tex, pixel, 0));
-  if (seen.x != 0u) {
-    ground.hit = hitOnTriangle(SLICE_CAPTURE, cameraRay(SLICE_CAPTURE, samplePosition(pixel)), seen.x - 1u, seen.y, seen.z);
-    ground.t = ground.hit.t;
-  }
-  return ground;
-}
 
 // What a ray sees. Colours are smaller by kSumScale.
 struct Sample {
@@ -79,11 +55,8 @@ Sample seenAt(ivec2 pixel, int part, inout Ground ground) {
   ++traced;
   uint slice = SLICE_SAMPLE + uint(part);
   Ray ray = cameraRay(slice, samplePosition(pixel));
-  uint mask = ground.is_known ? RAYS_TO_MOVING : RAYS_TO_ALL;
-  Hit hit = traceExcept(slice, mask, ray, scene_cameras[slice].near, ground.t, NO_INSTANCE, NO_INSTANCE);
-  if (!isHit(hit) && ground.is_known) hit = ground.hit;
-  else if (isHit(hit)) hit = hitOnTriangle(slice, ray, hit.instance, hit.geometry, hit.primitive);
-  bool is_ground = frame.camera_rests != 0u && isAtRest(hit);
+  Hit hit = nearestAt(slice, ray, ground);
+  bool is_ground = isGround(hit);
   Sample result = Sample(vec3(0), isHit(hit) ? uvec2(hit.instance, hit.geometry) + 1u : uvec2(0u), vec3(0), kFar);
   if (is_ground && ground.is_known) {
     result.color = toSum(ground.color);
@@ -97,7 +70,7 @@ Sample seenAt(ivec2 pixel, int part, inout Ground ground) {
   if (is_kept) return result;
 #endif
   vec3 color = isHit(hit) ? shade(SLICE_CAPTURE, hit) : environment(ray.direction);
-  if (is_ground) ground = Ground(true, hit, isHit(hit) ? hit.t : kFar, color);
+  if (is_ground) ground = groundOf(hit, color);
   result.color = toSum(color);
   if (is_kept) result.apart = apart(kept, result.color);
   return result;
@@ -168,11 +141,6 @@ vec3 meanOver(ivec2 pixel) {
     ends[depth] = min((at + end) / 2, count - 1);
   }
   return fromSum(sum / float(count));
-}
-
-// Can anything that moves be seen there?
-bool isReached(ivec2 pixel) {
-  return all(greaterThanEqual(pixel, frame.reach.xy)) && all(lessThan(pixel, frame.reach.zw));
 }
 
 // Where all around moves alike: the mean of the texels that come to the pixel.

@@ -17,6 +17,7 @@
 //   something does.
 #include "lib/audit.glsl"
 #include "lib/mean.glsl"
+#include "lib/reached.glsl"
 #include "lib/regions.glsl"
 #include "lib/seen.glsl"
 #define STROBE_KEEPS_SHADOWS
@@ -137,11 +138,6 @@ uint regionsBefore(ivec2 pixel) {
   regions |= texelFetch(first_regions_tex, pixel, 0).r;
 #endif
   return regions;
-}
-
-// Can anything that moves be seen there?
-bool isReached(ivec2 pixel) {
-  return all(greaterThanEqual(pixel, frame.reach.xy)) && all(lessThan(pixel, frame.reach.zw));
 }
 
 // What a sample sees, given what is at rest on its ray, if that is known. Of hits at one distance the first in the scene
