@@ -3,51 +3,57 @@
 -- Expected, written before measuring, of the hybrid (best) in each shot, with the part of an error above the floor e
 -- being sqrt(e^2 - floor^2), 0 where e is less, and the floor that of 16 midpoint samples of truth:
 --   where something is uncovered (inner, hidden, self), its RMSE above the floor is at most a third of that of the best
---     baseline there;
+--     post-process there;
 --   in every region its RMSE is at most 1.5 times the floor;
---   in no region does a baseline have a smaller RMSE.
+--   in no region does a baseline have a smaller RMSE, rivals with layers or rays included (which came later).
 --   strobe sweep experiments/any_object/any_object.lua -o out/any_object
 -- The last shots are shared data (STROBE_DATA); without them they are skipped.
 local experiment = require "strobe.experiment"
 
 local hybrid, shaded, floor = "hybrid (best)", "hybrid (every hit shaded)", "truth, 16 samples"
 local baselines = { mcguire2012 = "McGuire 2012", ue4 = "UE4-style", guertin2014 = "Guertin 2014",
-  jimenez2014 = "Jimenez 2014" }
-local order = { "mcguire2012", "ue4", "guertin2014", "jimenez2014" }
+  jimenez2014 = "Jimenez 2014", bevy = "Bevy", hdrp = "HDRP", layers2024 = "layers 2024", temporal1 = "temporal1" }
+local postprocesses = { "mcguire2012", "ue4", "guertin2014", "jimenez2014", "bevy", "hdrp" }
+local others = { "layers2024", "temporal1" }
 local regions = { "whole", "inner", "hidden", "outer", "self" }
 local uncovered = { "inner", "hidden", "self" }
 
 local least_pixels = 100  -- of a region that is judged
 
--- What is measured in a region of a shot: RMSE of the floor, of the hybrid, of the best baseline and its name; nothing
--- where the region is all but empty or displacements were shortened.
+-- What is measured in a region of a shot: RMSE of the floor, of the hybrid, of the best post-process and of the best of all
+-- baselines, each with its name; nothing where the region is all but empty or displacements were shortened.
 local function errors(r, shot, region)
   local function at(arm) return r.at { shot = shot, arm = arm, region = region } end
   local own = at(hybrid)
   if own.pixels < least_pixels or own.clamped > 0 then return nil end
-  local found = { own = own.rmse, floor = at(floor).rmse, best = math.huge }
-  for _, pipeline in ipairs(order) do
-    local baseline = at(baselines[pipeline])
-    if baseline.clamped == 0 and baseline.rmse < found.best then
-      found.best, found.name = baseline.rmse, baselines[pipeline]
+  local function best_of(least, pipelines)
+    for _, pipeline in ipairs(pipelines) do
+      local baseline = at(baselines[pipeline])
+      if baseline.clamped == 0 and baseline.rmse < least.rmse then
+        least = { rmse = baseline.rmse, name = baselines[pipeline] }
+      end
     end
+    return least
   end
-  return found.name and found or nil
+  local best = best_of({ rmse = math.huge }, postprocesses)
+  return best.name and { own = own.rmse, floor = at(floor).rmse, best = best, any = best_of(best, others) } or nil
 end
 
 local function above(error, least) return math.sqrt(math.max(0, error * error - least * least)) end
 
 -- Each rule: which regions, and what one of them has to say: does it hold, and the numbers.
 local rules = {
-  { text = "where something is uncovered, the hybrid's error above the floor is at most a third of the best baseline's",
+  { text = "where something is uncovered, the hybrid's error above the floor is at most a third of the best post-process's",
     regions = uncovered, holds = function(e)
-      local own, best = above(e.own, e.floor), above(e.best, e.floor)
-      return own <= best / 3, ("%.4f of %.4f (%s)"):format(own, best, e.name)
+      local own, best = above(e.own, e.floor), above(e.best.rmse, e.floor)
+      return own <= best / 3, ("%.4f of %.4f (%s)"):format(own, best, e.best.name)
     end },
   { text = "the hybrid's error is at most 1.5 times the floor, in every region",
     regions = regions, holds = function(e) return e.own <= 1.5 * e.floor, ("%.2f"):format(e.own / e.floor) end },
   { text = "no baseline has a smaller error than the hybrid, in any region",
-    regions = regions, holds = function(e) return e.own <= e.best, ("%.4f, %.4f (%s)"):format(e.own, e.best, e.name) end },
+    regions = regions, holds = function(e)
+      return e.own <= e.any.rmse, ("%.4f, %.4f (%s)"):format(e.own, e.any.rmse, e.any.name)
+    end },
 }
 
 -- Why the expectations that are known to fail do: by shot, then by number of the rule.
@@ -142,9 +148,10 @@ local shots = {
 }
 
 local arms = { { name = "no blur", pipeline = "none" } }
-for _, pipeline in ipairs(order) do
-  arms[#arms + 1] = { name = baselines[pipeline], pipeline = pipeline }
+for _, list in ipairs { postprocesses, others } do
+  for _, pipeline in ipairs(list) do arms[#arms + 1] = { name = baselines[pipeline], pipeline = pipeline } end
 end
+arms[#arms + 1] = { name = "selective", pipeline = "selective" }
 arms[#arms + 1] = { name = "hybrid (captured)", pipeline = "hybrid", set = { preset = "captured" } }
 arms[#arms + 1] = { name = hybrid, pipeline = "hybrid", set = { preset = "best" } }
 arms[#arms + 1] = { name = shaded, pipeline = "hybrid", shown = false,
@@ -157,7 +164,7 @@ return experiment {
   question = "Is the hybrid right on any object: turning, of many parts, entering, leaving?",
   note = "All methods have 16 samples, the exposure ends at the capture, and nothing is shortened. Expected of the hybrid " ..
          "(best): above the floor of its own 16 samples at most a third of the error of the " ..
-         "best baseline where something is uncovered; at most 1.5 times the floor, and no baseline nearer to the " ..
+         "best post-process where something is uncovered; at most 1.5 times the floor, and no baseline nearer to the " ..
          "truth, in any region.",
   size = { 480, 270 },
   regions = regions,

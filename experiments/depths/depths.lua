@@ -19,7 +19,7 @@ arms[#arms + 1] = { name = floor, pipeline = "ground_truth", role = "floor", set
 -- Of a measure in a region, the share that `best` has of the best baseline's: the largest over all shots that have the
 -- region. Errors are those beyond truth with as many samples, whose squares add up.
 local function largest_share(r, measure, region)
-  local most, where = 0, ""
+  local most, where = -1, "nowhere"
   for _, shot in ipairs(shots) do
     local function beyond(arm)
       local own = r.at { shot = shot, arm = arm, region = region }[measure]

@@ -4,7 +4,7 @@
 local experiment = require "strobe.experiment"
 
 local speeds, counts = { 0.3, 1, 3, 10, 30, 100 }, { 1, 4, 16, 64 }
-local best, blended, floor = "hybrid (best)", "hybrid (texels' colours)", "truth, as many samples"
+local best, blended, floor = "hybrid (best)", "hybrid (blended)", "truth, as many samples"
 
 -- The largest and least ratio of two arms' errors over all speeds and numbers of samples, and where these are.
 local function ratios(r, arm, other)
@@ -31,7 +31,7 @@ return experiment {
   shots    = { { name = "passage", title = "A panel passes a wall", scene = "stability/passage", ["scene.angle"] = 17 } },
   arms     = {
     arm("McGuire 2012", "mcguire2012", { limit = "auto" }),
-    arm(blended, "hybrid", { preset = "best", own_time = "uncertain" }),
+    arm(blended, "hybrid", { preset = "blended" }),
     arm(best, "hybrid", { preset = "best" }),
     { name = floor, pipeline = "ground_truth", role = "floor", set = { times = "midpoint" } },
   },
@@ -59,7 +59,7 @@ return experiment {
       end
       return most <= 0.1, ("at most %.3f (%s)"):format(most, where)
     end },
-    { "without rays between texels that differ it does not, where what moves slowly has many samples", function(r)
+    { "the preset blended does not, where what moves slowly has many samples", function(r)
       local most, where = ratios(r, blended, floor)
       return most > 1.3, ("up to %.0f times its error (%s)"):format(most, where)
     end },

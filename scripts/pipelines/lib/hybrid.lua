@@ -146,6 +146,8 @@ hybrid.presets = {
   layers      = { doc = "all that layers can hold: four behind each other, and what the ends of the exposure see",
                   set = layers_of_ends },
   best        = { doc = "the least error of what has been tried", set = best },
+  blended     = { doc = "best, but what layers hold between texels is blended: fewer rays, smoothed texture",
+                  set = options.with(options.with({}, best), { own_time = "uncertain" }) },
 }
 
 -- Does the composite chosen read that? What others know nothing of is not made for them.
