@@ -60,7 +60,6 @@ local rules = {
 local fine = "texels of the capture stand for texture that is finer than they are, and for bends of half a pixel: with " ..
              "every hit shaded and every bend traced it is as good as the floor"
 local known = {
-  walker = { [2] = fine },
   truck = { [2] = fine },
   box_rises = { [2] = fine },
 }

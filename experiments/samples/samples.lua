@@ -6,6 +6,8 @@ local function inner(r, arm, samples, tile)
   return r.at { arm = arm, samples = samples, tile = tile, region = "inner" }.rmse
 end
 
+local few_left = "with 64 samples a twenty-fifth is left of what 4 leave, and a tenth of that is little"
+
 return experiment {
   title    = "Samples and tiles",
   question = "What does a sample buy, does the tile size matter, and what does time buy?",
@@ -42,7 +44,7 @@ return experiment {
       local ratio = inner(r, "hybrid (best)", 64, 40) / inner(r, "hybrid (best)", 4, 40)
       return ratio <= 0.5, ("to %.2f"):format(ratio)
     end },
-    { "the tile size changes the hybrid's inner error by at most a tenth", function(r)
+    { "the tile size changes the hybrid's inner error by at most a tenth", known = few_left, function(r)
       local most = 0
       for _, samples in ipairs { 4, 8, 16, 32, 64 } do
         local middle = inner(r, "hybrid (best)", samples, 20)

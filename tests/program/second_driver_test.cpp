@@ -62,9 +62,11 @@ TEST(SecondDriver, GivesEveryPipelineItsPicture) {
       // Silhouettes fall to other pixels; nothing else is another object.
       if (layer.at("image") == "id") EXPECT_LE(pixels, 0.05) << name;
       // What is left is the filter of the checker's texture: a mean FLIP of 0.0125 for each method. Truths, of 8 and 24
-      // samples all over a pixel, were measured at 0.036.
-      bool whole_pixels = name.starts_with("card.truth") || name.starts_with("card.adaptive");
-      if (layer.contains("flip")) EXPECT_LE(layer.at("flip").get<double>(), whole_pixels ? 0.05 : 0.02) << name;
+      // samples all over a pixel, were measured at 0.036, and 0.028 where a pixel has one ray: a ray that falls to the
+      // other side of a silhouette is all that it sees.
+      bool by_few_rays =
+          name.starts_with("card.truth") || name.starts_with("card.adaptive") || name.starts_with("card.temporal1");
+      if (layer.contains("flip")) EXPECT_LE(layer.at("flip").get<double>(), by_few_rays ? 0.05 : 0.02) << name;
     }
 }
 
