@@ -89,11 +89,11 @@ return experiment {
       "as the paper claims, the hybrid as published errs less inside what moves than the best post-process"),
     { "hybrid (best) stays within twice the floor of its own 16 samples inside what moves, camera at rest",
       function(r)
-      local ratio, where = most({ "object" }, function(...)
-        return at(r, best, ...).rmse / at(r, "truth, 16 samples", ...).rmse
-      end)
-      return ratio <= 2, ("at most %.2f times (%s)"):format(ratio, where)
-    end },
+        local ratio, where = most({ "object" }, function(...)
+          return at(r, best, ...).rmse / at(r, "truth, 16 samples", ...).rmse
+        end)
+        return ratio <= 2, ("at most %.2f times (%s)"):format(ratio, where)
+      end },
     { "found afterwards: from 6 px on hybrid (best) errs less than the best post-process in the tracking shot too",
       function(r)
         local ratio, where = most({ "tracking" }, function(shot, speed, exposure)

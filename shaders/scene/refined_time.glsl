@@ -62,7 +62,7 @@ Sample seenAt(ivec2 pixel, int part, inout Ground ground) {
     result.color = toSum(ground.color);
     return result;
   }
-  vec3 kept;
+  vec3 kept = vec3(0);
   bool is_kept = !is_ground && isHit(hit) && placeOf(hit, result.place) && isKept(result.place, result.id, kept);
   result.color = kept;
 #if PARAM_hit_color == hit_color_kept

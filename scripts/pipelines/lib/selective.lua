@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: MIT
 -- What one number from 0 to 1 means: which part of a frame's work is done, and how finely.
 --   0              a post-process blur, and nothing else
---   up to kTruth   rays in time where a gather is not certain: first ones `pace` apart, more where they differ
---   from kTruth    truth, at 1 with 16 times `samples`
+--   below 0.75     rays in time where a gather is not certain: first ones `pace` apart, more where they differ
+--   from 0.75 on   truth, at 1 with 16 times `samples`
 local selective = {}
 
 local truth_from = 0.75  -- effort from which every sample is traced
