@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: MIT
--- What curved paths are worth: lines, parabolas and cubics for things that turn or come nearer.
+-- What curved paths are worth: lines, parabolas, cubics and arcs for things that turn or come nearer.
 --   strobe sweep experiments/curves/curves.lua -o out/curves
 local experiment = require "strobe.experiment"
 
-local shots = { "wheel", "fan", "pendulum", "nearer", "telescope" }
-local curves = { "line", "quadratic", "cubic" }
+local shots = { "wheel", "fan", "pendulum", "nearer", "telescope" } -- that turn by less than a fifth of a turn
+local curves = { "line", "quadratic", "cubic", "arc" }
 
 local function at(r, shot, arm, region) return r.at { shot = shot, arm = arm, region = region or "whole" } end
 
@@ -43,13 +43,15 @@ end
 return experiment {
   title    = "Curved paths",
   question = "What are curved paths worth where things turn or come nearer, and to whom?",
-  note     = "Layers of the capture alone, revealed behind all that moves, with paths of first, second and third order; two " ..
-             "baselines with lines and cubics; rays at their own time.",
+  note     = "Layers of the capture alone, revealed behind all that moves, with paths of first, second and third order and " ..
+             "with arcs; two baselines with lines and cubics; rays at their own time.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {
     { name = "wheel", title = "A wheel rolls by 45 degrees", scene = "objects/spoked_wheel" },
     { name = "fan", title = "A fan behind its cage", scene = "objects/caged_fan" },
+    { name = "fan_200", title = "The fan, by more than half a turn", scene = "objects/caged_fan", ["scene.degrees"] = 200,
+      ["scene.pixels"] = 260 },
     { name = "pendulum", title = "A pendulum", scene = "objects/pendulum" },
     { name = "nearer", title = "A box comes nearer by half its distance", scene = "objects/nearer" },
     { name = "telescope", title = "A telescope turns to the camera", scene = "objects/telescope" },
@@ -73,6 +75,15 @@ return experiment {
         return at(r, shot, layers "quadratic").rmse / at(r, shot, layers "cubic").rmse
       end)
       return most <= 1.1, ("at most %.2f of its error (%s)"):format(most, where)
+    end },
+    { "an arc is at least as good as a cubic, but for a fiftieth", function(r)
+      local most, where = largest(function(shot) return at(r, shot, layers "arc").rmse / at(r, shot, layers "cubic").rmse end)
+      return most <= 1.02, ("at most %.3f of its error (%s)"):format(most, where)
+    end },
+    { "beyond half a turn arcs leave at most half of what cubics leave beyond truth with as many samples", function(r)
+      local ratio = beyond(r, "fan_200", layers "arc") / beyond(r, "fan_200", layers "cubic")
+      return ratio <= 0.5, ("%.2f of it; of what lines leave, %.2f"):format(ratio,
+        beyond(r, "fan_200", layers "arc") / beyond(r, "fan_200", layers "line"))
     end },
     { "found afterwards: to a gather along one direction per tile curves are worth nothing: its error is that of what it " ..
       "cannot see", function(r)

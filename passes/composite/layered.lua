@@ -19,6 +19,7 @@ return pass.compute {
   size   = { of = "color" },
   reads  = ports.of_both(ports.ends(ports.further {
     "second", "after_second", "revealed_dominant", "revealed_after_dominant", "curve", "revealed_curve", "dominant_curve",
+    "dominant_place",
   }), {
     moved  = { optional = true,
       doc = "per cell, above 1/2 where something that moves is at some time, elsewhere the picture is copied; absent: 1" },
@@ -43,6 +44,7 @@ return pass.compute {
     tile         = blur.tile,
     cell_side    = blur.cell_side,
     limit        = blur.limit,
+    trajectory   = blur.trajectory,
     taps         = pass.choice { "nearest", "linear", default = "nearest", doc = "what of a layer stands for a sample",
       values = {
         nearest = "The texel that is nearest to it. Fails by half a pixel: stairs in textures and highlights.",

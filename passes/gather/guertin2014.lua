@@ -33,6 +33,7 @@ return pass.compute {
       breaks = { two = { reversed = every_other } } },
     tile         = blur.tile,
     limit        = blur.limit,
+    trajectory   = blur.trajectory,
     depth_extent = blur.depth_extent,
     kappa        = pass.float { 40, min = 1e-3, max = 1e6,
       doc = "the pixel itself weighs samples / (kappa * its radius): larger hides what is at rest under blur" },

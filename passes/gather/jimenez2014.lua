@@ -27,6 +27,7 @@ return pass.compute {
       } },
     tile         = blur.tile { 16 },
     limit        = blur.limit,
+    trajectory   = blur.trajectory,
     depth_extent = blur.depth_extent { doc = "share of the depth over which order is undecided" },
     mirror       = pass.bool { true, doc = "the nearer and faster tap of a pair gives both their weight" },
     direction    = pass.choice { "none", "projected", "cosine", "opposing", default = "none",

@@ -33,6 +33,7 @@ return pass.compute {
       breaks = { two = { reversed = every_other } } },
     tile         = blur.tile,
     limit        = blur.limit,
+    trajectory   = blur.trajectory,
     depth_extent = blur.depth_extent,
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,

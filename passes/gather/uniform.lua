@@ -21,6 +21,7 @@ return pass.compute {
     samples      = blur.samples { doc = "taps along the displacement" },
     tile         = blur.tile,
     limit        = blur.limit,
+    trajectory   = blur.trajectory,
     depth_extent = blur.depth_extent,
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,

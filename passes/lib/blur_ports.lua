@@ -23,6 +23,7 @@ local docs = {
   curve          = { optional = true, needs = "curve", doc = "of its path, px; absent: lines" },
   revealed_curve = { optional = true, needs = "curve", doc = "the same of what was revealed" },
   dominant_curve = { optional = true, needs = "curve", doc = "of the path of dominant, px; absent: a line" },
+  dominant_place = { optional = true, needs = "curve", doc = "px, the texel that has dominant" },
 
   -- Of one layer, where another lies behind it.
   valid        = { optional = true, doc = "above 1/2 where the layer holds something; absent: everywhere" },

@@ -25,6 +25,7 @@ return function(name, joined)
     params = {
       cell_side = blur.cell_side,
       limit     = blur.limit,
+      trajectory = blur.trajectory,
     },
   }
 end

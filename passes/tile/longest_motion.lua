@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- How far anything in the picture moves: what limit = auto stands for.
 local pass = require "strobe.pass"
+local blur = require "passes.lib.blur"
 
 local more = { optional = true, doc = "the same of another layer, or of times after the capture" }
 
@@ -17,4 +18,5 @@ return pass.compute {
   },
   writes = { reach = { format = "r32f", doc = "px over the exposure, one texel" } },
   without = { motion = { reach = 0 } },
+  params = { trajectory = blur.trajectory },
 }

@@ -16,17 +16,20 @@ return pass.compute {
     longest = { doc = "px over the exposure, longest of each tile" },
     motions = { optional = true, doc = "two displacements that stand for all in a tile, px over the exposure" },
     curve = { optional = true, needs = "curve", doc = "of the path of that, px; absent: lines" },
+    place = { optional = true, needs = "curve", doc = "px, the texel that has it" },
     reach = reach,
   },
   writes = {
     dominant = { format = "rg32f", doc = "px over the exposure" },
     dominant_curve = { format = "rgba32f", doc = "of its path, px" },
+    dominant_place = { format = "rg32f", doc = "px, the texel that has it; 0 where paths are lines" },
     second   = { format = "rg32f", doc = "what differs most from it, px over the exposure; dominant if nothing does" },
   },
-  without = { motion = { dominant = 0, dominant_curve = 0, second = 0 } },
+  without = { motion = { dominant = 0, dominant_curve = 0, dominant_place = 0, second = 0 } },
   params = {
     tile  = blur.tile,
     limit = blur.limit,
+    trajectory = blur.trajectory,
     rule  = pass.choice { "reach", "sign", "all", default = "reach", doc = "which of the tiles around count",
       values = {
         reach = "Those whose box moves over this one within the exposure. Fails for a slow pixel of a tile whose "

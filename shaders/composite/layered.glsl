@@ -88,7 +88,7 @@ Path candidate(Candidates candidates, int k) {
 #endif
 }
 
-// Of a tile's displacement nobody knows the texel.
+// Of displacements whose texel nobody knows.
 const ivec2 kNoTexel = ivec2(-1);
 
 Candidates withCandidate(Candidates candidates, Path path, ivec2 texel) {
@@ -96,10 +96,7 @@ Candidates withCandidate(Candidates candidates, Path path, ivec2 texel) {
   vec4 x = candidates.x - d.x, y = candidates.y - d.y;
   vec4 squares = x * x + y * y;
 #if HAS_curve
-  for (int k = 0; k < kMaxCandidates; ++k) {
-    vec4 apart = candidates.curves[k] - path.curve;
-    squares[k] += dot(apart, apart);
-  }
+  for (int k = 0; k < kMaxCandidates; ++k) squares[k] += apartSquared(candidates.curves[k], path.curve);
 #endif
   float nearest = min(min(squares.x, squares.y), min(squares.z, squares.w));
   if (nearest <= 0.25) return candidates;
@@ -154,11 +151,20 @@ Candidates harvested(Candidates candidates, ivec2 pixel, Path path, float jitter
 // The displacements of the tile.
 struct Dominant {
   Path longest, second, revealed;
+  ivec2 place;  // the texel that has the longest
 };
+
+ivec2 placeOfDominant(ivec2 tile) {
+#if HAS_dominant_place
+  return ivec2(texelFetch(dominant_place_tex, tile, 0).xy);
+#else
+  return kNoTexel;
+#endif
+}
 
 Dominant dominantBefore(ivec2 tile) {
   Path longest = dominantPath(vec2(texelFetch(dominant_tex, tile, 0)), tile);
-  Dominant dominant = Dominant(longest, longest, longest);
+  Dominant dominant = Dominant(longest, longest, longest, placeOfDominant(tile));
 #if HAS_second
   dominant.second = straight(vec2(texelFetch(second_tex, tile, 0)));
 #endif
@@ -171,7 +177,7 @@ Dominant dominantBefore(ivec2 tile) {
 Dominant dominantAfter(ivec2 tile) {
 #if HAS_after_dominant
   Path longest = straight(vec2(texelFetch(after_dominant_tex, tile, 0)));
-  Dominant dominant = Dominant(longest, longest, longest);
+  Dominant dominant = Dominant(longest, longest, longest, kNoTexel);
 #if HAS_after_second
   dominant.second = straight(vec2(texelFetch(after_second_tex, tile, 0)));
 #endif
@@ -196,7 +202,7 @@ Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool behin
     candidates.texels[k] = kNoTexel;
   }
 #endif
-  candidates = withCandidate(candidates, dominant.longest, kNoTexel);
+  candidates = withCandidate(candidates, dominant.longest, dominant.place);
   candidates = withCandidate(candidates, dominant.second, kNoTexel);
   candidates = withCandidate(candidates, dominant.revealed, kNoTexel);
   candidates = withAllLayers(candidates, pixel, behind, after);

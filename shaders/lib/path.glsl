@@ -1,19 +1,71 @@
 // SPDX-License-Identifier: MIT
-// Paths over the picture that are no straight lines: polynomials of second or third order in time through poses inside of
-// the exposure. With u in [0, 1] from its start to its end a point leaves the line between the ends of its path by
-//   4 u (1 - u) (b + (2u - 1) c),   b = curve.xy, c = curve.zw, px;
-// b is how far it is from that line in the middle, and c, by how much more on the way to the end than from the start.
-// A curve of 0 is the straight line, bit for bit.
+// Paths over the picture that are no straight lines, through poses inside of the exposure. With u in [0, 1] from its start
+// to its end, and x = u - 1/2, a point leaves the line between the ends of its path
+//   on a polynomial of second or third order by   4 u (1 - u) (b + 2 x c),   b = curve.xy, c = curve.zw, px;
+//   on an arc by                                  b (exp(w x) - cosh(w/2) - 2 x sinh(w/2)) / (1 - cosh(w/2)),   w = curve.zw,
+// products of complex numbers. b is how far it is from that line in the middle; c, by how much more on the way to the end
+// than from the start; w turns and stretches a circle about a centre that goes along a line: w.y radians and a factor of
+// exp(w.x) over the exposure. Wheels that roll are arcs. w = 0 is the parabola, and a curve of 0 the straight line, bit
+// for bit.
 #ifndef STROBE_PATH_GLSL
 #define STROBE_PATH_GLSL
 #include "lib/blur.glsl"
 
+#if defined(PARAM_trajectory) && PARAM_trajectory == trajectory_arc
+#define HAS_ARCS 1
+#else
+#define HAS_ARCS 0
+#endif
+
+vec2 complexProduct(vec2 a, vec2 b) { return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x); }
+vec2 complexQuotient(vec2 a, vec2 b) { return complexProduct(a, vec2(b.x, -b.y)) / dot(b, b); }
+vec2 complexExp(vec2 z) { return exp(z.x) * vec2(cos(z.y), sin(z.y)); }
+
+#if HAS_ARCS
+// Below, an arc's formula is the difference of nearly equal numbers, and three terms of its series say the same.
+const float kSmallTurn = 0.3;
+
+vec2 fromLine(vec4 curve, float u) {
+  vec2 w = curve.zw;
+  float x = u - 0.5;
+  vec2 share;
+  if (dot(w, w) < kSmallTurn * kSmallTurn) {
+    vec2 w2 = complexProduct(w, w), even = vec2(1, 0) + w2 / 48.0;
+    vec2 odd = complexProduct(w, vec2(1, 0) + w2 * ((x * x + 0.25) / 20.0));
+    vec2 series = vec2(1, 0) + odd * (x / 3.0) + w2 * ((x * x + 0.25) / 12.0);
+    share = 4.0 * u * (1.0 - u) * complexQuotient(series, even);
+  } else {
+    vec2 late = complexExp(0.5 * w), early = complexExp(-0.5 * w), level = 0.5 * (late + early);
+    share = complexQuotient(complexExp(w * x) - level - x * (late - early), vec2(1, 0) - level);
+  }
+  return complexProduct(curve.xy, share);
+}
+#else
 vec2 fromLine(vec4 curve, float u) { return 4.0 * u * (1.0 - u) * (curve.xy + (2.0 * u - 1.0) * curve.zw); }
+#endif
 
 // Where what moves by d over the exposure, on that curve, is at time t, from where it is at the capture, px.
 vec2 movedBy(vec2 d, vec4 curve, float t, vec2 shutter) {
   if (curve == vec4(0)) return d * t;
   return d * t + fromLine(curve, t - shutter.x) - fromLine(curve, -shutter.x);
+}
+
+// How much two curves differ, squared px.
+float apartSquared(vec4 a, vec4 b) {
+  vec4 apart = a - b;
+#if HAS_ARCS
+  apart.zw *= max(lengthOf(a.xy), lengthOf(b.xy));
+#endif
+  return dot(apart, apart);
+}
+
+// A curve made shorter, as its displacement is.
+vec4 shortenedCurve(vec4 curve, float share) {
+#if HAS_ARCS
+  return vec4(curve.xy * share, curve.zw);
+#else
+  return curve * share;
+#endif
 }
 
 // The three control points of the path as a cubic Bezier curve but the first, from where it is at the start, px: the path is
@@ -24,16 +76,40 @@ void controlPoints(vec2 d, vec4 curve, out vec2 points[3]) {
   points[2] = d;
 }
 
+#if HAS_ARCS
+// The same of an arc: the corners of a box around places along it, and by how much it leaves the lines between these.
+void arcStraightened(vec2 d, vec4 curve, vec2 shutter, out vec2 around[4]) {
+  const int kPlaces = 16;
+  vec2 low = vec2(0), high = vec2(0), bulge = vec2(0), from = vec2(0);
+  for (int i = 1; i <= kPlaces; ++i) {
+    float u = float(i) / float(kPlaces);
+    vec2 to = fromLine(curve, u), middle = fromLine(curve, u - 0.5 / float(kPlaces));
+    low = min(low, d * u + to);
+    high = max(high, d * u + to);
+    bulge = max(bulge, abs(middle - 0.5 * (from + to)));
+    from = to;
+  }
+  vec2 now = -shutter.x * d + fromLine(curve, -shutter.x);
+  float far = abs(shutter.x) > abs(shutter.y) ? shutter.x : shutter.y;
+  vec2 a = (low - 1.25 * bulge - now) / far, b = (high + 1.25 * bulge - now) / far;
+  around = vec2[4](a, vec2(b.x, a.y), vec2(a.x, b.y), b);
+}
+#endif
+
 // Displacements px over the exposure that, in a straight line, come where the path's control points lie: their box holds
 // it. Each is d where the curve is straight.
 void straightened(vec2 d, vec4 curve, vec2 shutter, out vec2 around[4]) {
   around = vec2[4](d, d, d, d);
   if (curve == vec4(0)) return;
+#if HAS_ARCS
+  arcStraightened(d, curve, shutter, around);
+#else
   vec2 points[3];
   controlPoints(d, curve, points);
   vec2 now = -shutter.x * d + fromLine(curve, -shutter.x);
   float far = abs(shutter.x) > abs(shutter.y) ? shutter.x : shutter.y;
   around = vec2[4](-now / far, (points[0] - now) / far, (points[1] - now) / far, (points[2] - now) / far);
+#endif
 }
 
 // How long a straight displacement must be to reach as far, px.

@@ -38,7 +38,7 @@ Path limitedPath(vec4 velocity, vec4 curve) {
   vec2 d = finiteDisplacement(velocity), shortened = clampLength(d, limitPx());
 #if HAS_curve
   if (any(isnan(curve)) || any(isinf(curve))) curve = vec4(0);
-  if (shortened != d) curve *= lengthOf(shortened) / lengthOf(d);
+  if (shortened != d) curve = shortenedCurve(curve, lengthOf(shortened) / lengthOf(d));
 #endif
   return onCurve(shortened, curve);
 }

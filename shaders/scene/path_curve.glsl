@@ -1,33 +1,56 @@
 // SPDX-License-Identifier: MIT
-// How a layer's paths are curved: polynomials of second or third order (lib/path.glsl) through poses inside of the exposure,
-// and what these do not say. In a loop of three times: at 1/6, 1/2 and 5/6 of the exposure.
+// How a layer's paths are curved: polynomials of second or third order or arcs (lib/path.glsl) through poses inside of the
+// exposure, and what these do not say. In a loop of three times, at 1/6, 1/2 and 5/6 of the exposure; for arcs of five, at
+// 1/10, 3/10, ... of it.
 // In:  depth, id, velocity, hit, normal as path_bend has them.
-// Out: curve (px: of second order the first two, of third order all four), bend (px: how far the path is from the line between
+// Out: curve (px: of second order the first two, of third order all four; of arcs px and a turn), bend (px: how far the path is from the line between
 //      its ends in the middle), bent (1 where the curve is farther than `most_bend` px from the path at one of the times, or
 //      a pixel grows to more than `most_growth` px).
 // The second order meets the path in the middle; the third order takes from the other two times by how much more it is off
-// the line late than early, which leaves what both have in common to `bent`.
-// Fails: of a full turn three poses see a third each: what turns by more than half a turn is `bent`.
+// the line late than early, which leaves what both have in common to `bent`. On an arc second differences turn and grow as
+// it does, whatever its centre and the line that this goes along: two of them say by how much.
+// Fails: of a full turn three poses see a third each: what turns by more than half a turn is `bent`. Five poses tell turns
+// apart up to one and a quarter; a circle seen aslant is no arc.
 #include "mixin/stored.glsl"
 #include "mixin/texel_path.glsl"
 #include "lib/path.glsl"
 
-const float kTimes[3] = float[3](1.0 / 6.0, 0.5, 5.0 / 6.0);
+const int kPoses = PARAM_trajectory == trajectory_arc ? 5 : 3;
+
+float timeOfPose(int k) { return (float(k) + 0.5) / float(kPoses); }
+
+#if HAS_ARCS
+// Second differences below are rounding, px; beyond, a factor over the exposure is (its logarithm).
+const float kLeastDifference = 1e-3, kMostGrowth = 4.0;
+
+// By how much a path turns and grows over the exposure, of its places at the five times.
+vec2 turnOf(vec2 places[kPoses]) {
+  vec2 early = places[0] - 2.0 * places[1] + places[2], late = places[2] - 2.0 * places[3] + places[4];
+  if (min(lengthOf(early), lengthOf(late)) < kLeastDifference) return vec2(0);
+  vec2 change = complexQuotient(late, early);
+  vec2 turn = vec2(log(lengthOf(change)), atan(change.y, change.x)) / (timeOfPose(3) - timeOfPose(1));
+  return abs(turn.x) <= kMostGrowth ? turn : vec2(0);
+}
+#endif
 
 void run(ivec2 pixel) {
   uint id = texelFetch(id_tex, pixel, 0).x, kind = pathKind(id);
   vec4 curve = vec4(0);
   float off_px = 0.0;
   bool grows = false;
-  if (isMoving(pixel)) {
-    if ((kind & PATH_CURVED) != 0u) {
-      vec2 open = pathOfTexel(SLICE_OPEN, pixel), close = pathOfTexel(SLICE_CLOSE, pixel), from_line[3];
-      for (uint k = 0u; k < 3u; ++k) from_line[k] = pathOfTexel(SLICE_SAMPLE + k, pixel) - mix(open, close, kTimes[k]);
-      curve.xy = from_line[1];
+  bool is_curved = (kind & PATH_CURVED) != 0u && texelFetch(depth_tex, pixel, 0).x > 0.0;
+  if (is_curved || isMoving(pixel)) {
+    if (is_curved) {
+      vec2 open = pathOfTexel(SLICE_OPEN, pixel), close = pathOfTexel(SLICE_CLOSE, pixel), from_line[kPoses];
+      for (int k = 0; k < kPoses; ++k)
+        from_line[k] = pathOfTexel(SLICE_SAMPLE + uint(k), pixel) - mix(open, close, timeOfPose(k));
+      curve.xy = from_line[kPoses / 2];
 #if PARAM_trajectory == trajectory_cubic
       curve.zw = 27.0 / 20.0 * (from_line[2] - from_line[0]);
+#elif HAS_ARCS
+      curve.zw = turnOf(from_line);
 #endif
-      for (int k = 0; k < 3; ++k) off_px = max(off_px, lengthOf(from_line[k] - fromLine(curve, kTimes[k])));
+      for (int k = 0; k < kPoses; ++k) off_px = max(off_px, lengthOf(from_line[k] - fromLine(curve, timeOfPose(k))));
     }
     if ((kind & PATH_TURNS) != 0u) grows = growsAt(pixel, id);
   }

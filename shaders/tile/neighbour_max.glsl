@@ -3,9 +3,9 @@
 // one that differs from it.
 // In:  longest (px over the exposure, per tile); motions (xy, zw: two displacements that stand for all in a tile;
 //      absent: longest is all there is).
-//      curve (of the path of longest, px; absent: it is a line).
-// Out: dominant, the longest accepted, and dominant_curve; second, the one accepted that differs most from it and is not at rest (dominant
-//      again if there is none): what else moves here. Both px over the exposure.
+//      curve (of the path of longest, px; absent: it is a line); place (the texel that has it, px).
+// Out: dominant, the longest accepted, with dominant_curve and dominant_place; second, the one accepted that differs most
+//      from it and is not at rest (dominant again if there is none): what else moves here. Both px over the exposure.
 // Tiles up to ceil(limit * width * reach / tile) away are asked, reach = 1 one-sided, 1/2 centred. Rule `all` accepts
 // each of them. Rule `sign` is that of Guertin et al. 2014: a displacement must have a component along each axis on
 // which its tile lies off this one, both or neither pointing here; for one-sided exposures all of them must bring it
@@ -99,6 +99,7 @@ void run(ivec2 pixel) {
 
   vec2 dominant = vec2(0);
   vec4 curve = vec4(0);
+  vec2 place = vec2(0);
   float dominant_length = 0.0;
   for (int y = first.y; y <= last.y; ++y) {
     for (int x = first.x; x <= last.x; ++x) {
@@ -110,6 +111,9 @@ void run(ivec2 pixel) {
       dominant = d;
 #if HAS_curve
       curve = texelFetch(curve_tex, tile, 0);
+#endif
+#if HAS_place
+      place = vec2(texelFetch(place_tex, tile, 0));
 #endif
       dominant_length = d_length;
     }
@@ -129,5 +133,6 @@ void run(ivec2 pixel) {
   }
   imageStore(dominant_img, pixel, vec4(dominant, 0, 0));
   imageStore(dominant_curve_img, pixel, curve);
+  imageStore(dominant_place_img, pixel, vec4(place, 0, 0));
   imageStore(second_img, pixel, vec4(second, 0, 0));
 }

@@ -4,25 +4,27 @@
 //      extra_velocity and extra_valid: a second layer over the same pixels, its texels count as well.
 //      curve, extra_curve (of their paths, px; absent: lines): a curved path is as long as the straight one that comes as far.
 // Out: longest (px over the exposure, at most limit * image width long). Of equal lengths the first in raster order
-//      wins, and of the two layers the first; curve_of_it. A tile without texels that count holds 0. The last tiles may be partial.
+//      wins, and of the two layers the first; curve_of_it; place_of_it (the texel that has it, px).
+//      A tile without texels that count holds 0. The last tiles may be partial.
 // Fails: one vector stands for a tile; crossing motions in it are lost.
 #include "mixin/path.glsl"
 
 struct Longest {
   vec2 d;
   vec4 curve;
+  ivec2 place;
   float d_length;  // of the straight displacement that comes as far
   uint clamped;  // texels longer than the limit
 };
 
-Longest longestOf(Longest so_far, vec2 d, vec4 curve, float limit_px) {
+Longest longestOf(Longest so_far, vec2 d, vec4 curve, ivec2 place, float limit_px) {
   float d_length = lengthOf(d);
   uint clamped = so_far.clamped + (d_length > limit_px ? 1u : 0u);
 #if HAS_curve
   if (curve != vec4(0)) d_length = reachOf(d, curve, frame.shutter);
 #endif
-  if (d_length > so_far.d_length) return Longest(d, curve, d_length, clamped);
-  return Longest(so_far.d, so_far.curve, so_far.d_length, clamped);
+  if (d_length > so_far.d_length) return Longest(d, curve, place, d_length, clamped);
+  return Longest(so_far.d, so_far.curve, so_far.place, so_far.d_length, clamped);
 }
 
 bool counts(ivec2 pixel) {
@@ -63,17 +65,17 @@ void run(ivec2 pixel) {
   ivec2 end = min(first + params.tile, size);
   float limit_px = limitPx();
 
-  Longest longest = Longest(vec2(0), vec4(0), 0.0, 0u);
+  Longest longest = Longest(vec2(0), vec4(0), ivec2(0), 0.0, 0u);
   for (int y = first.y; y < end.y; ++y) {
     for (int x = first.x; x < end.x; ++x) {
       ivec2 p = ivec2(x, y);
       if (counts(p)) {
-        longest = longestOf(longest, finiteDisplacement(texelFetch(velocity_tex, p, 0)), curveAt(p), limit_px);
+        longest = longestOf(longest, finiteDisplacement(texelFetch(velocity_tex, p, 0)), curveAt(p), p, limit_px);
       }
 #if HAS_extra_velocity
       if (extraCounts(p)) {
         vec2 d = finiteDisplacement(texelFetch(extra_velocity_tex, p, 0));
-        longest = longestOf(longest, d, extraCurveAt(p), limit_px);
+        longest = longestOf(longest, d, extraCurveAt(p), p, limit_px);
       }
 #endif
     }
@@ -84,7 +86,9 @@ void run(ivec2 pixel) {
   imageStore(longest_img, pixel, vec4(path.d, 0, 0));
 #if HAS_curve
   imageStore(curve_of_it_img, pixel, path.curve);
+  imageStore(place_of_it_img, pixel, vec4(longest.place, 0, 0));
 #else
   imageStore(curve_of_it_img, pixel, vec4(0));
+  imageStore(place_of_it_img, pixel, vec4(0));
 #endif
 }

@@ -55,13 +55,14 @@ struct Wheel {
   double slide;
   double
       hub;  // px from the hub within which a blade is narrower than three pixels: of its few texels none may be found
+  double degrees = kDegrees;
 };
 
 lab::Shot shotOfWheel(const Wheel& wheel) {
   return shotOf("wedge", kSide, kSide,
                 {{"from", wheel.from},
                  {"to", wheel.to},
-                 {"degrees", kDegrees},
+                 {"degrees", wheel.degrees},
                  {"blades", double(wheel.blades)},
                  {"slide", wheel.slide}});
 }
@@ -70,13 +71,13 @@ lab::Shot shotOfWheel(const Wheel& wheel) {
 bool isOnBlade(const Wheel& wheel, glm::dvec2 place, double t) {
   const glm::dvec2 own = place + glm::dvec2(wheel.slide * t, 0);
   const double apart = 360.0 / wheel.blades;
-  const double angle = glm::degrees(std::atan2(-own.y, own.x)) - kDegrees * t - wheel.from;
+  const double angle = glm::degrees(std::atan2(-own.y, own.x)) - wheel.degrees * t - wheel.from;
   return angle - apart * std::floor(angle / apart) < wheel.to - wheel.from;
 }
 
 // Of the pixels whose surfaces stay in the picture, beyond the hub; root mean square.
 double errorOf(const Wheel& wheel, const lab::Picture& picture, Window window) {
-  constexpr int kTimes = 4096;
+  constexpr int kTimes = 1024;
   double sum = 0;
   int count = 0;
   for (int y = 0; y < kSide; ++y)
@@ -155,14 +156,61 @@ TEST_F(RenderCurves, FollowABladeAndAWheelThatRolls) {
     }
 }
 
+// An arc says by how much a point turns, whatever its centre does; over a full turn too, whose ends are in one place.
+TEST_F(RenderCurves, ArcsSayHowFarPointsTurn) {
+  for (double slide : {0., 15.})
+    for (double degrees : {30., 170., 360., 430.})
+      for (const Anchor& anchor : anchors()) {
+        const std::string what = fmt::format("{}, {} degrees, {} px", anchor.name, degrees, slide);
+        lab::Shot shot =
+            with(shotOfWheel({what, 20, 65, 1, slide, 0, degrees}), "mcguire2012", {"trajectory=arc"}, anchor.name);
+        shot.taps = {"raster_curve.curve", "raster_curve.bent"};
+        const lab::Picture picture = render(shot);
+        const image::Image &curve = picture.frame.taps.at("raster_curve.curve").floats,
+                           &bent = picture.frame.taps.at("raster_curve.bent").floats;
+        int seen = 0;
+        for (int y = 0; y < kSide; ++y)
+          for (int x = 0; x < kSide; ++x) {
+            if (glm::length(placeOf(x, y)) < 4 || (curve.at(x, y, 0) == 0 && curve.at(x, y, 1) == 0)) continue;
+            ++seen;
+            EXPECT_NEAR(curve.at(x, y, 2), 0, 5e-3) << what;
+            EXPECT_NEAR(curve.at(x, y, 3), -glm::radians(degrees), 5e-3) << what;  // y points down
+            EXPECT_EQ(bent.at(x, y, 0), 0) << what;
+          }
+        EXPECT_GT(seen, 500) << what;
+      }
+}
+
+// Beyond a third of a turn, which cubics leave.
+TEST_F(RenderCurves, ArcsFollowFurtherThanCubics) {
+  for (const Wheel& wheel : {Wheel{"half a turn", 20, 65, 1, 0, 4, 180}, Wheel{"a full turn", 20, 65, 1, 0, 4, 360},
+                             Wheel{"rolls", 0, 45, 3, 12, 6, 300}})
+    for (const Anchor& anchor : anchors()) {
+      std::map<std::string, double> errors;
+      for (const char* curve : {"line", "cubic", "arc"})
+        errors[curve] =
+            errorOf(wheel,
+                    render(with(shotOfWheel(wheel), "hybrid",
+                                {"preset=captured", "mask=all", "samples=64", fmt::format("trajectory={}", curve)},
+                                anchor.name)),
+                    anchor.window);
+      const std::string what = wheel.what + ", " + anchor.name;
+      EXPECT_LE(errors["arc"], errors["line"] / 5) << what;
+      EXPECT_LE(errors["arc"], wheel.degrees > 200 ? errors["cubic"] / 2 : errors["cubic"] + 1e-3) << what;
+      fmt::print("{}: {:.4f}, {:.4f}, {:.4f}\n", what, errors["line"], errors["cubic"], errors["arc"]);
+    }
+}
+
 // Where nothing turns no curve is looked for, and every picture is that of straight paths.
 TEST_F(RenderCurves, StraightPathsCostNothing) {
   const lab::Shot slides = shotOf("textured_bar", 64, 24);
   for (const char* pipeline : {"hybrid", "mcguire2012", "guertin2014", "jimenez2014", "ue4"}) {
     lab::Picture line = render(with(slides, pipeline, {"trajectory=line"}));
-    lab::Picture cubic = render(with(slides, pipeline, {"trajectory=cubic"}));
-    EXPECT_TRUE(identical(colorOf(line), colorOf(cubic))) << pipeline;
-    for (const auto& step : cubic.frame.times) EXPECT_EQ(step.name.find("_curve"), std::string::npos) << step.name;
+    for (const char* curve : {"cubic", "arc"}) {
+      lab::Picture curved = render(with(slides, pipeline, {fmt::format("trajectory={}", curve)}));
+      EXPECT_TRUE(identical(colorOf(line), colorOf(curved))) << pipeline << ", " << curve;
+      for (const auto& step : curved.frame.times) EXPECT_EQ(step.name.find("_curve"), std::string::npos) << step.name;
+    }
     lab::Shot turning = with(wedge(), pipeline, {"trajectory=cubic"});
     lab::Picture turned = render(turning);
     bool runs = std::any_of(turned.frame.times.begin(), turned.frame.times.end(),

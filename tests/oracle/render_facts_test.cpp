@@ -74,6 +74,7 @@ const std::map<std::string, std::vector<std::vector<std::string>>> kGraphs = {
     {"hybrid",
      {{"mask=all"},
       {"preset=captured", "trajectory=cubic"},
+      {"preset=captured", "trajectory=arc"},
       {"mask=moving", "mask.min_displacement=0"},
       {"mask=none"},
       {"mask=seed", "mask.min_displacement=0", "mask_candidate.min_displacement=0", "edge=canny"},

@@ -129,6 +129,8 @@ const std::map<std::string, std::vector<Context>> kContexts = {
       {{"samples=256", "tolerance=0.1"}, {"tolerance"}}}},
 };
 
+const char* const kLines = "of this pipeline all paths are lines";
+
 // Parameters that change how a picture comes about and never the picture, with the reason.
 const std::map<std::string, std::string> kNoPicture = {
     {"shade.shading", "at the capture both ways of shading are the same; truth shades at other times"},
@@ -141,6 +143,16 @@ const std::map<std::string, std::string> kNoPicture = {
     {"truth_audit.audit", "which tiles are checked; which have all samples is decided before"},
     {"own_time.audit", "which pixels are checked"},
     {"own_time.wrong_by", "what a check counts"},
+    // Of pipelines whose paths are lines; the others bind it.
+    {"tile_max.trajectory", kLines},
+    {"longest_motion.trajectory", kLines},
+    {"neighbour_max.trajectory", kLines},
+    {"motion_bounds.trajectory", kLines},
+    {"gather_mcguire2012.trajectory", kLines},
+    {"gather_guertin2014.trajectory", kLines},
+    {"gather_jimenez2014.trajectory", kLines},
+    {"gather_uniform.trajectory", kLines},
+    {"layered.trajectory", kLines},
     {"visibility_moving.only_moving", "what is at rest is passed over when it is drawn too"},
     {"doubtful.jittered", "samples more than need be are traced, which come out the same"},
     {"uniform_motion.audit_rays", "which cells are checked; where no ray finds anything they stay what they are"},

@@ -28,7 +28,8 @@ end
 -- that does not say: bend, bent. From poses inside of the exposure. Nothing where paths are lines.
 function curves.add(p, layers)
   if not curves.are_asked(p) then return end
-  local found = pipeline.loop { name = "inside", count = 1, times = "even", slices = 3, body = function()
+  local poses = p.trajectory() == "arc" and 5 or 3
+  local found = pipeline.loop { name = "inside", count = 1, times = "even", slices = poses, body = function()
     local result = {}
     for _, given in ipairs(layers) do
       local name, layer = given[1], given[2]

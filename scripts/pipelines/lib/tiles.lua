@@ -18,16 +18,17 @@ local function in_one_part(p, layer, given)
     velocity = layer.velocity, valid = layer.valid, extra_velocity = extra.velocity, extra_valid = extra.valid,
     curve = layer.curve, extra_curve = rawget(extra, "curve"), as = prefix .. "tile_max",
   }
-  local longest, curve = tile.longest, (layer.curve or rawget(extra, "curve")) and tile.curve_of_it or nil
+  local longest, is_curved = tile.longest, layer.curve or rawget(extra, "curve")
+  local curve = is_curved and tile.curve_of_it or nil
   local motions = given.second and tiles.motions(layer) or nil
   local reach = longest_motion { longest = longest, curve = curve, as = prefix .. "longest_motion" }.reach
   local around = neighbour_max {
-    longest = longest, curve = curve, motions = motions, reach = reach, rule = p.tile_rule,
-    as = prefix .. "neighbour_max",
+    longest = longest, curve = curve, place = is_curved and tile.place_of_it or nil, motions = motions, reach = reach,
+    rule = p.tile_rule, as = prefix .. "neighbour_max",
   }
   return {
-    dominant = around.dominant, dominant_curve = curve and around.dominant_curve or nil, second = around.second,
-    longest = longest, reach = reach,
+    dominant = around.dominant, second = around.second, longest = longest, reach = reach,
+    dominant_curve = curve and around.dominant_curve or nil, dominant_place = curve and around.dominant_place or nil,
   }
 end
 
