@@ -16,10 +16,10 @@
 //      for several).
 // For t_i at the midpoints (i + 1/2 + jitter)/N of the exposure: each candidate displacement g says where a surface
 //   that is at X at t_i would be now, Y = X - t_i*g. A texel Y of a layer is at X then if |Y + t_i*d(Y) - X| <=
-//   max(3/4, |g|/(2N)) (3/4 px: the rounding of Y); one that is not leads to a second guess, by its own d. The nearest
-//   texel that is there is what X shows at t_i; of equal depths the earlier candidate and the raster layer win. The
-//   mean over i is the result: weights add up to 1 by construction, order in depth and correlation of movements come
-//   out right.
+//   max(3/4, .99 min(|g|, |d(Y)|)/(2N)) (3/4 px: the rounding of Y); one that is not leads to a second guess, by its own d.
+//   The nearest texel that is there is what X shows at t_i; of equal depths the earlier candidate and the raster layer
+//   win. The mean over i is the result: weights add up to 1 by construction, order in depth and correlation of movements
+//   come out right.
 // Candidates: the tile's displacements (dominant, second, revealed), those of X in all layers, and those met in all
 //   layers (those behind where they may be at X) at the taps X - t_i*d along d = dominant and second, and at X + t_i*d, as
 //   far as they differ by more than half a pixel from all before; kMaxCandidates in all. Without the taps the slower of
@@ -43,6 +43,9 @@ const int kMaxCandidates = 4;
 
 // Rays and raster find one surface at depths that differ by rounding: nearer by less than this share is equal.
 const float kSameDepth = 1.0 - 1.0 / 65536.0;
+
+// The rounding of a place to a texel, px.
+const float kNearest = 0.75;
 
 // A tap this near to a texel's centre is what the texel says, px.
 const float kCentre = PARAM_leaves_unlike != 0 ? 1e-3 : 0.05;
@@ -77,8 +80,16 @@ struct Seen {
 // --- Candidates
 // ----------------------------------------------------------------------------------------------------------------
 
-// How far from where it should be a texel may be, px.
-float toleranceOf(vec2 d) { return max(0.75, lengthOf(d) / float(2 * params.samples)); }
+// How far from where a displacement looks for it something may be: as far as that goes in nearly half the time between two
+// samples, px. What is half-way is as near to the next sample: what is at the pixel at the capture would be there at the
+// samples beside it.
+float toleranceOf(vec2 d) { return 0.99 * lengthOf(d) / float(2 * params.samples); }
+
+// Is what a texel shows at the pixel at time t, as far as nearest texels tell? Where displacements vary over a surface none
+// may be nearer than about half-way to the next sample; so far off may be what moves as fast.
+bool isThere(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px) {
+  return isAt(pixel, now, path, t, max(kNearest, min(tolerance_px, toleranceOf(path.d))));
+}
 
 Path candidate(Candidates candidates, int k) {
 #if HAS_curve
@@ -259,7 +270,7 @@ Seen nearerRaster(Seen seen, ivec2 pixel, ivec2 now, float t, float tolerance_px
   bool after = t > 0.0;
   for (int i = 0; i < kCurvedGuesses; ++i) {
     Path path = pathOf(kRaster, now, after);
-    if (isAt(pixel, now, path, t, tolerance_px)) {
+    if (isThere(pixel, now, path, t, tolerance_px)) {
       return nearer(seen, kRaster, now, saneDepth(texelFetch(depth_tex, now, 0).x));
     }
     if (i + 1 >= kGuesses && !isCurved(path)) break;
@@ -275,7 +286,7 @@ Seen nearerHeld(Seen seen, int layer, ivec2 pixel, ivec2 now, float t, float tol
   float way = timeFrom(layer, t);
   for (int i = 0; i < kCurvedGuesses && isHeld(layer, now); ++i) {
     Path path = pathOf(layer, now, after);
-    if (isAt(pixel, now, path, way, tolerance_px)) return nearer(seen, layer, now, depthOf(layer, now));
+    if (isThere(pixel, now, path, way, tolerance_px)) return nearer(seen, layer, now, depthOf(layer, now));
     if (i + 1 >= kGuesses && !isCurved(path)) break;
     ivec2 next = askedOf(layer, pixel, now, path, way);
     if (next == now || !isInside(next, textureSize(color_tex, 0))) break;

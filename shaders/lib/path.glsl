@@ -17,11 +17,11 @@
 #define HAS_ARCS 0
 #endif
 
+#if HAS_ARCS
 vec2 complexProduct(vec2 a, vec2 b) { return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x); }
 vec2 complexQuotient(vec2 a, vec2 b) { return complexProduct(a, vec2(b.x, -b.y)) / dot(b, b); }
 vec2 complexExp(vec2 z) { return exp(z.x) * vec2(cos(z.y), sin(z.y)); }
 
-#if HAS_ARCS
 // Below, an arc's formula is the difference of nearly equal numbers, and three terms of its series say the same.
 const float kSmallTurn = 0.3;
 
