@@ -248,12 +248,16 @@ vec2 slopeOf(int layer, ivec2 now, ivec2 axis, vec2 offset, float t) {
 #endif
 
 // The same of a texel `now` of a layer. Where paths are curved things turn: they vary over a surface by as much as it turns,
-// so that Newton's step is taken; it leads there at once where a surface is turned or stretched alike.
+// which is known of what turns on an arc and which the texels beside it show of others, so that Newton's step is taken. It
+// leads there at once where a surface is turned or stretched alike.
 ivec2 askedOf(int layer, ivec2 pixel, ivec2 now, Path path, float t) {
 #if HAS_curve
   if (!isCurved(path)) return asked(pixel, path, t);
   vec2 offset = tapOffset(path, t);
   vec2 off = vec2(now - pixel) - offset;
+#if HAS_ARCS
+  if (isTurning(path.curve)) return ivec2(round(vec2(now) - complexQuotient(off, complexExp(t * path.curve.zw))));
+#endif
   mat2 change = mat2(vec2(1, 0) - slopeOf(layer, now, ivec2(1, 0), offset, t),
                      vec2(0, 1) - slopeOf(layer, now, ivec2(0, 1), offset, t));
   if (abs(determinant(change)) >= 0.1) return ivec2(round(vec2(now) - inverse(change) * off));

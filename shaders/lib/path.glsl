@@ -25,6 +25,9 @@ vec2 complexExp(vec2 z) { return exp(z.x) * vec2(cos(z.y), sin(z.y)); }
 // Below, an arc's formula is the difference of nearly equal numbers, and three terms of its series say the same.
 const float kSmallTurn = 0.3;
 
+// Does an arc turn, and hardly grow? Things that do turn in the picture as a whole, about one centre.
+bool isTurning(vec4 curve) { return 8.0 * abs(curve.z) < abs(curve.w); }
+
 vec2 fromLine(vec4 curve, float u) {
   vec2 w = curve.zw;
   float x = u - 0.5;

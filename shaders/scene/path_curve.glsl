@@ -20,8 +20,9 @@ const int kPoses = PARAM_trajectory == trajectory_arc ? 5 : 3;
 float timeOfPose(int k) { return (float(k) + 0.5) / float(kPoses); }
 
 #if HAS_ARCS
-// Second differences below are rounding, px; beyond, a factor over the exposure is (its logarithm).
-const float kLeastDifference = 1e-3, kMostGrowth = 4.0;
+// Second differences below are rounding, px; beyond, a factor over the exposure is (its logarithm); turns nearly as large
+// as two poses can tell may be what turns the other way, radians.
+const float kLeastDifference = 1e-3, kMostGrowth = 4.0, kMostTurn = 7.7;
 
 // By how much a path turns and grows over the exposure, of its places at the five times.
 vec2 turnOf(vec2 places[kPoses]) {
@@ -29,7 +30,7 @@ vec2 turnOf(vec2 places[kPoses]) {
   if (min(lengthOf(early), lengthOf(late)) < kLeastDifference) return vec2(0);
   vec2 change = complexQuotient(late, early);
   vec2 turn = vec2(log(lengthOf(change)), atan(change.y, change.x)) / (timeOfPose(3) - timeOfPose(1));
-  return abs(turn.x) <= kMostGrowth ? turn : vec2(0);
+  return abs(turn.x) <= kMostGrowth && abs(turn.y) <= kMostTurn ? turn : vec2(0);
 }
 #endif
 
