@@ -255,7 +255,7 @@ ivec2 askedOf(int layer, ivec2 pixel, ivec2 now, Path path, float t) {
   if (!isCurved(path)) return asked(pixel, path, t);
   vec2 offset = tapOffset(path, t);
   vec2 off = vec2(now - pixel) - offset;
-#if HAS_ARCS
+#if ON_ARCS
   if (isTurning(path.curve)) return ivec2(round(vec2(now) - complexQuotient(off, complexExp(t * path.curve.zw))));
 #endif
   mat2 change = mat2(vec2(1, 0) - slopeOf(layer, now, ivec2(1, 0), offset, t),

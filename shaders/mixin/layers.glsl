@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Needs: color_tex, params.limit, revealed_color_tex, revealed_depth_tex, revealed_valid_tex, revealed_velocity_tex,
-//   velocity_tex; may have: after_velocity_tex, close_color_tex, close_depth_tex, close_valid_tex, close_velocity_tex,
-//   curve_tex, dominant_curve_tex, open_color_tex, open_depth_tex, open_valid_tex, open_velocity_tex, reach_tex,
-//   revealed_2_after_velocity_tex, revealed_2_color_tex, revealed_2_depth_tex, revealed_2_valid_tex,
-//   revealed_2_velocity_tex, revealed_3_after_velocity_tex, revealed_3_color_tex, revealed_3_depth_tex,
-//   revealed_3_valid_tex, revealed_3_velocity_tex, revealed_4_after_velocity_tex, revealed_4_color_tex,
-//   revealed_4_depth_tex, revealed_4_valid_tex, revealed_4_velocity_tex, revealed_after_velocity_tex,
-//   revealed_curve_tex.
+//   velocity_tex; may have: PARAM_trajectory, after_velocity_tex, close_color_tex, close_depth_tex, close_valid_tex,
+//   close_velocity_tex, curve_tex, dominant_curve_tex, open_color_tex, open_depth_tex, open_valid_tex,
+//   open_velocity_tex, reach_tex, revealed_2_after_velocity_tex, revealed_2_color_tex, revealed_2_depth_tex,
+//   revealed_2_valid_tex, revealed_2_velocity_tex, revealed_3_after_velocity_tex, revealed_3_color_tex,
+//   revealed_3_depth_tex, revealed_3_valid_tex, revealed_3_velocity_tex, revealed_4_after_velocity_tex,
+//   revealed_4_color_tex, revealed_4_depth_tex, revealed_4_valid_tex, revealed_4_velocity_tex,
+//   revealed_after_velocity_tex, revealed_curve_tex.
 // The layers that a composite chooses from, by number: what raster saw, what was revealed behind it, what the ends of the
 // exposure alone see. Raster is everywhere; the others hold something here and there.
 #ifndef STROBE_LAYERS_GLSL

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Needs: params.limit; may have: curve_tex, dominant_curve_tex, reach_tex.
-// The path of a surface over the picture: a displacement, and how it leaves the straight line (lib/path.glsl) where the
+// Needs: params.limit; may have: PARAM_trajectory, curve_tex, dominant_curve_tex, reach_tex.
+// The path of a surface over the picture: a displacement, and how it leaves the straight line (mixin/curve.glsl) where the
 // pass reads that; else lines, with no arithmetic more.
 #ifndef STROBE_MIXIN_PATH_GLSL
 #define STROBE_MIXIN_PATH_GLSL
 #include "mixin/limit.glsl"
-#include "lib/path.glsl"
+#include "mixin/curve.glsl"
 #include "lib/sanitise.glsl"
 
 struct Path {

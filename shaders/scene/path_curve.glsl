@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a layer's paths are curved: polynomials of second or third order or arcs (lib/path.glsl) through poses inside of the
+// How a layer's paths are curved: polynomials of second or third order or arcs (mixin/curve.glsl) through poses inside of the
 // exposure, and what these do not say. In a loop of three times, at 1/6, 1/2 and 5/6 of the exposure; for arcs of five, at
 // 1/10, 3/10, ... of it.
 // In:  depth, id, velocity, hit, normal as path_bend has them.
@@ -13,13 +13,13 @@
 // apart up to one and a quarter; a circle seen aslant is no arc.
 #include "mixin/stored.glsl"
 #include "mixin/texel_path.glsl"
-#include "lib/path.glsl"
+#include "mixin/curve.glsl"
 
 const int kPoses = PARAM_trajectory == trajectory_arc ? 5 : 3;
 
 float timeOfPose(int k) { return (float(k) + 0.5) / float(kPoses); }
 
-#if HAS_ARCS
+#if ON_ARCS
 // Second differences below are rounding, px; beyond, a factor over the exposure is (its logarithm); turns nearly as large
 // as two poses can tell may be what turns the other way, radians.
 const float kLeastDifference = 1e-3, kMostGrowth = 4.0, kMostTurn = 7.7;
@@ -48,7 +48,7 @@ void run(ivec2 pixel) {
       curve.xy = from_line[kPoses / 2];
 #if PARAM_trajectory == trajectory_cubic
       curve.zw = 27.0 / 20.0 * (from_line[2] - from_line[0]);
-#elif HAS_ARCS
+#elif ON_ARCS
       curve.zw = turnOf(from_line);
 #endif
       for (int k = 0; k < kPoses; ++k) off_px = max(off_px, lengthOf(from_line[k] - fromLine(curve, timeOfPose(k))));

@@ -3,7 +3,7 @@
 // In:  longest, after, revealed, revealed_after (xy: px over the exposure, longest of each tile; absent: nothing).
 //      curve (of the paths of longest, px; absent: lines): a curved one is as long as the straight one that comes as far.
 // Out: reach (px over the exposure), one texel.
-#include "lib/path.glsl"
+#include "mixin/curve.glsl"
 
 float longestOf(sampler2D tiles) {
   ivec2 size = textureSize(tiles, 0);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Needs: nothing; may have: PARAM_trajectory.
 // Paths over the picture that are no straight lines, through poses inside of the exposure. With u in [0, 1] from its start
 // to its end, and x = u - 1/2, a point leaves the line between the ends of its path
 //   on a polynomial of second or third order by   4 u (1 - u) (b + 2 x c),   b = curve.xy, c = curve.zw, px;
@@ -7,17 +8,17 @@
 // than from the start; w turns and stretches a circle about a centre that goes along a line: w.y radians and a factor of
 // exp(w.x) over the exposure. Wheels that roll are arcs. w = 0 is the parabola, and a curve of 0 the straight line, bit
 // for bit.
-#ifndef STROBE_PATH_GLSL
-#define STROBE_PATH_GLSL
+#ifndef STROBE_CURVE_GLSL
+#define STROBE_CURVE_GLSL
 #include "lib/blur.glsl"
 
 #if defined(PARAM_trajectory) && PARAM_trajectory == trajectory_arc
-#define HAS_ARCS 1
+#define ON_ARCS 1
 #else
-#define HAS_ARCS 0
+#define ON_ARCS 0
 #endif
 
-#if HAS_ARCS
+#if ON_ARCS
 vec2 complexProduct(vec2 a, vec2 b) { return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x); }
 vec2 complexQuotient(vec2 a, vec2 b) { return complexProduct(a, vec2(b.x, -b.y)) / dot(b, b); }
 vec2 complexExp(vec2 z) { return exp(z.x) * vec2(cos(z.y), sin(z.y)); }
@@ -56,7 +57,7 @@ vec2 movedBy(vec2 d, vec4 curve, float t, vec2 shutter) {
 // How much two curves differ, squared px.
 float apartSquared(vec4 a, vec4 b) {
   vec4 apart = a - b;
-#if HAS_ARCS
+#if ON_ARCS
   apart.zw *= max(lengthOf(a.xy), lengthOf(b.xy));
 #endif
   return dot(apart, apart);
@@ -64,7 +65,7 @@ float apartSquared(vec4 a, vec4 b) {
 
 // A curve made shorter, as its displacement is.
 vec4 shortenedCurve(vec4 curve, float share) {
-#if HAS_ARCS
+#if ON_ARCS
   return vec4(curve.xy * share, curve.zw);
 #else
   return curve * share;
@@ -79,7 +80,7 @@ void controlPoints(vec2 d, vec4 curve, out vec2 points[3]) {
   points[2] = d;
 }
 
-#if HAS_ARCS
+#if ON_ARCS
 // The same of an arc: the corners of a box around places along it, and by how much it leaves the lines between these.
 void arcStraightened(vec2 d, vec4 curve, vec2 shutter, out vec2 around[4]) {
   const int kPlaces = 16;
@@ -104,7 +105,7 @@ void arcStraightened(vec2 d, vec4 curve, vec2 shutter, out vec2 around[4]) {
 void straightened(vec2 d, vec4 curve, vec2 shutter, out vec2 around[4]) {
   around = vec2[4](d, d, d, d);
   if (curve == vec4(0)) return;
-#if HAS_ARCS
+#if ON_ARCS
   arcStraightened(d, curve, shutter, around);
 #else
   vec2 points[3];
