@@ -88,7 +88,8 @@ float toleranceOf(vec2 d) { return 0.99 * lengthOf(d) / float(2 * params.samples
 // Is what a texel shows at the pixel at time t, as far as nearest texels tell? Where displacements vary over a surface none
 // may be nearer than about half-way to the next sample; so far off may be what moves as fast.
 bool isThere(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px) {
-  return isAt(pixel, now, path, t, max(kNearest, min(tolerance_px, toleranceOf(path.d))));
+  if (!isAt(pixel, now, path, t, max(kNearest, tolerance_px))) return false;
+  return tolerance_px <= kNearest || isAt(pixel, now, path, t, max(kNearest, min(tolerance_px, toleranceOf(path.d))));
 }
 
 Path candidate(Candidates candidates, int k) {
