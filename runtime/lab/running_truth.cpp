@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/log.h"
 #include "lab/capture.h"
 #include "lab/session.h"
 
@@ -12,9 +13,9 @@ namespace strobe::lab {
 // Seeds of steps lie far apart: a pipeline may use the seeds next to its own as well.
 constexpr uint32_t kSeedStride = 0x9e3779b9u;
 
-RunningTruth::RunningTruth(Workbench& bench, std::string pipeline, int samples_per_step)
-    : bench_(bench), pipeline_(std::move(pipeline)), samples_per_step_(samples_per_step) {
-  STROBE_ASSERT(samples_per_step >= 1, "{}", samples_per_step);
+RunningTruth::RunningTruth(Workbench& bench, std::string pipeline, const Steps& steps)
+    : bench_(bench), pipeline_(std::move(pipeline)), steps_(steps) {
+  STROBE_ASSERT(steps.first >= 1 && steps.most >= steps.first, "{} to {}", steps.first, steps.most);
 }
 
 RunningTruth::~RunningTruth() = default;
@@ -23,17 +24,20 @@ RunningTruth::~RunningTruth() = default;
 const script::Settings& RunningTruth::settings() {
   if (!settings_.empty()) return settings_;
   plan::PipelineDesc pipeline = script::evaluatePipeline(bench_.home(), {pipeline_, {}}, nullptr, bench_.limits);
-  if (!plan::paramOf(pipeline, plan::Role::SampleCount))
+  const plan::ParamDesc* count = plan::paramOf(pipeline, plan::Role::SampleCount);
+  if (!count)
     throw Error(
         fmt::format("pipeline '{}' cannot be the truth: it has no parameter of the role sample_count", pipeline_));
-  putRole(settings_, pipeline, plan::Role::SampleCount, int64_t(samples_per_step_));
+  count_ = count->name;
+  putRole(settings_, pipeline, plan::Role::SampleCount, int64_t(steps_.first));
   putRole(settings_, pipeline, plan::Role::SampleTimes, "stratified");
   putRole(settings_, pipeline, plan::Role::Regions, false);
   return settings_;
 }
 
 void RunningTruth::restart(const Shot& shot) {
-  steps_ = 0;
+  taken_ = samples_ = 0;
+  next_ = steps_.first;
   mean_ = {};
   session_.reset();
   if (pipeline_.empty())
@@ -51,34 +55,42 @@ void RunningTruth::restart(const Shot& shot) {
 bool RunningTruth::step() {
   if (!session_) return false;
   static const std::set<std::string> wanted = {"color"};
-  uint32_t seed = seed_ + uint32_t(steps_) * kSeedStride;
+  uint32_t seed = seed_ + uint32_t(taken_) * kSeedStride;
   if (session_->shot().seed != seed) session_->set("seed", int64_t(seed), "running truth");
   Picture picture;
+  double started_s = clockSeconds();
   picture.frame = session_->draw(&wanted);
-  add(colorOf(picture));
+  double took_s = clockSeconds() - started_s;
+  int samples = next_;
+  add(colorOf(picture), samples);
+  if (samples_ >= 2 * samples && 2 * samples <= steps_.most && took_s <= steps_.longest_s) {
+    next_ = 2 * samples;
+    session_->set(count_, int64_t(next_), "running truth");
+  }
   return true;
 }
 
-// Welford's sums: no difference of large numbers.
-void RunningTruth::add(const image::Image& color) {
-  if (steps_ == 0) {
+// Welford's sums, weighted by samples: no difference of large numbers.
+void RunningTruth::add(const image::Image& color, int samples) {
+  if (taken_ == 0) {
     mean_ = image::Image(color.width, color.height, color.channels);
-    sum_.assign(color.values.size(), 0);
+    mean_so_far_.assign(color.values.size(), 0);
     squares_.assign(color.values.size(), 0);
   }
-  ++steps_;
+  ++taken_;
+  samples_ += samples;
   for (size_t i = 0; i < color.values.size(); ++i) {
-    double value = color.values[i], before = steps_ > 1 ? sum_[i] / (steps_ - 1) : value;
-    sum_[i] += value;
-    squares_[i] += (value - before) * (value - sum_[i] / steps_);
-    mean_.values[i] = float(sum_[i] / steps_);
+    double off = color.values[i] - mean_so_far_[i];
+    mean_so_far_[i] += off * samples / samples_;
+    squares_[i] += samples * off * (color.values[i] - mean_so_far_[i]);
+    mean_.values[i] = float(mean_so_far_[i]);
   }
 }
 
 double RunningTruth::standardError() const {
-  if (steps_ < 2) return std::numeric_limits<double>::infinity();
+  if (taken_ < 2) return std::numeric_limits<double>::infinity();
   double sum = 0;
-  for (double squares : squares_) sum += squares / (steps_ - 1) / steps_;
+  for (double squares : squares_) sum += squares / (taken_ - 1) / samples_;
   return std::sqrt(sum / double(squares_.size()));
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Truth that gets better while one looks: steps of a few samples each, averaged in double precision.
+// Truth that gets better while one looks: steps of a few samples each, averaged in double precision. A step takes as
+// many samples as all before it while it is short enough: what a step does once, where things rest, is done for more of
+// them then, and their times lie more evenly.
 #pragma once
 
 #include <memory>
@@ -14,9 +16,15 @@ class Session;
 
 class RunningTruth {
  public:
+  struct Steps {
+    int first = 4, most = 64;  // samples
+    double longest_s = 0.5;  // a step that took longer is not followed by a larger one; infinite: the same steps always
+  };
+
   // `pipeline`: "" for the one that declares kind = "truth". It has a parameter of the role sample_count, and may have
   // those of the roles sample_times and regions; its output is "color". The bench must outlive this.
-  explicit RunningTruth(Workbench& bench, std::string pipeline = "", int samples_per_step = 4);
+  explicit RunningTruth(Workbench& bench, std::string pipeline, const Steps& steps);
+  explicit RunningTruth(Workbench& bench, std::string pipeline = "") : RunningTruth(bench, std::move(pipeline), {}) {}
   ~RunningTruth();
 
   // Forgets everything and starts on another shot (its pipeline's settings are not taken, the scene's are).
@@ -31,23 +39,24 @@ class RunningTruth {
   const std::string& pipeline() const { return pipeline_; }
   // Linear colour of three channels; empty before the first step.
   const image::Image& mean() const { return mean_; }
-  int samples() const { return steps_ * samples_per_step_; }
+  int samples() const { return samples_; }
 
   // Of the mean: root mean square over pixels and channels, from how the steps differ; infinite before the second.
   double standardError() const;
 
  private:
-  void add(const image::Image& color);
+  void add(const image::Image& color, int samples);
   const script::Settings& settings();
 
   Workbench& bench_;
   std::string pipeline_;
-  int samples_per_step_ = 0;
-  script::Settings settings_;  // of a step; empty until they are needed
+  Steps steps_;
+  script::Settings settings_;  // of the first step; empty until they are needed
+  std::string count_;          // the parameter of the role sample_count
   std::unique_ptr<Session> session_;
   uint32_t seed_ = 0;
-  int steps_ = 0;
-  std::vector<double> sum_, squares_;  // of the steps' colours, and of their differences from the mean so far
+  int taken_ = 0, samples_ = 0, next_ = 0;     // steps, samples of all, samples of the next
+  std::vector<double> mean_so_far_, squares_;  // of colours by samples, and of the steps' differences from it
   image::Image mean_;
 };
 

@@ -2,6 +2,7 @@
 #include "live/sweep.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "base/log.h"
 #include "image/metrics.h"
@@ -12,6 +13,9 @@ namespace strobe::live {
 
 static const size_t kMostBytes = size_t{2} << 30;  // of pictures that are kept for their errors
 static const double kBetter = 1.25;                // times as many samples of truth: errors are measured again
+
+// Of truths of single values: the same however long they take, so that equal values have equal errors.
+static const lab::RunningTruth::Steps kOwnSteps{4, 16, std::numeric_limits<double>::infinity()};
 
 std::optional<double> SweepPoint::median() const {
   if (ms.empty()) return {};
@@ -44,7 +48,7 @@ static std::vector<SweepPoint> pointsOf(const lab::Shot& shot, const std::vector
 
 Sweep::Sweep(lab::Workbench& bench, const lab::Shot& shot, std::vector<SweepAxis> axes, const lab::Shot& shown,
              const std::string& truth)
-    : batch_(bench), shot_(shot), axes_(std::move(axes)), own_(bench, truth) {
+    : batch_(bench), shot_(shot), axes_(std::move(axes)), own_(bench, truth, kOwnSteps) {
   shot_.taps.clear();
   points_ = pointsOf(shot_, axes_);
   if (points_.empty() || axes_.empty()) throw Error("a sweep needs values");

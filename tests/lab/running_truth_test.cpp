@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "lab/capture.h"
 #include "oracle/render.h"
@@ -31,7 +32,7 @@ class RunningTruthTest : public oracle::RenderTest {
 TEST_F(RunningTruthTest, ErrorIsAsStated) {
   image::Image reference =
       lab::colorOf(render(oracle::with(shot(), "ground_truth", {"samples=512", "mark_regions=false"})));
-  RunningTruth truth(bench(), "ground_truth", 4);
+  RunningTruth truth(bench(), "ground_truth", {4, 4});
   truth.restart(shot());
   EXPECT_TRUE(std::isinf(truth.standardError()));
   double before = 1;
@@ -46,8 +47,37 @@ TEST_F(RunningTruthTest, ErrorIsAsStated) {
   EXPECT_EQ(truth.samples(), 96);
 }
 
+// A step has as many samples as all before it, up to the most: spread over more strata they err less.
+TEST_F(RunningTruthTest, StepsGrow) {
+  const double always = std::numeric_limits<double>::infinity();
+  image::Image reference =
+      lab::colorOf(render(oracle::with(shot(), "ground_truth", {"samples=512", "mark_regions=false"})));
+  RunningTruth growing(bench(), "ground_truth", {2, 16, always}), even(bench(), "ground_truth", {2, 2});
+  growing.restart(shot());
+  even.restart(shot());
+  std::vector<int> samples;
+  for (int i = 0; i < 6; ++i) {
+    take(growing, 1);
+    samples.push_back(growing.samples());
+  }
+  EXPECT_EQ(samples, (std::vector<int>{2, 4, 8, 16, 32, 48}));
+  take(even, 24);
+  EXPECT_EQ(even.samples(), 48);
+  double error = oracle::rmsDifference(growing.mean(), reference);
+  EXPECT_LT(error, oracle::rmsDifference(even.mean(), reference) / 2);
+  EXPECT_LE(error, 3 * growing.standardError());
+  growing.restart(shot());
+  take(growing, 1);
+  EXPECT_EQ(growing.samples(), 2) << "small again";
+
+  RunningTruth slow(bench(), "ground_truth", {2, 16, 0});
+  slow.restart(shot());
+  take(slow, 4);
+  EXPECT_EQ(slow.samples(), 8) << "each step takes longer than none";
+}
+
 TEST_F(RunningTruthTest, RestartForgets) {
-  RunningTruth truth(bench(), "ground_truth", 2);
+  RunningTruth truth(bench(), "ground_truth", {2, 2});
   EXPECT_FALSE(truth.step()) << "no shot yet";
   truth.restart(shot());
   take(truth, 3);
@@ -66,7 +96,7 @@ TEST_F(RunningTruthTest, RestartForgets) {
 
 // A seed of the shot's own gives other steps; steps differ from each other.
 TEST_F(RunningTruthTest, StepsHaveSeedsOfTheirOwn) {
-  RunningTruth truth(bench(), "ground_truth", 1);
+  RunningTruth truth(bench(), "ground_truth", {1, 1});
   truth.restart(shot());
   take(truth, 1);
   image::Image one = truth.mean();
@@ -82,7 +112,7 @@ TEST_F(RunningTruthTest, StepsHaveSeedsOfTheirOwn) {
 
 // The settings of the pipeline that is looked at mean nothing to truth.
 TEST_F(RunningTruthTest, TakesNoSettingsOfOtherPipelines) {
-  RunningTruth truth(bench(), "ground_truth", 1);
+  RunningTruth truth(bench(), "ground_truth", {1, 1});
   truth.restart(oracle::with(shot(), "hybrid", {"preset=seed"}));
   take(truth, 1);
   EXPECT_EQ(truth.samples(), 1);

@@ -2,6 +2,8 @@
 // Sweeps without a window: pictures, errors and times of every value, what is taken, what makes it stale.
 #include "live/sweep.h"
 
+#include <limits>
+
 #include "image/metrics.h"
 #include "image/tone.h"
 #include "live/sweeper.h"
@@ -88,7 +90,7 @@ TEST_F(SweepTest, ValuesThatChangeTruthHaveTheirOwn) {
   EXPECT_FALSE(sweeper.sweep().sharesTruth());
   finish(desk, sweeper, Sweep::kOwnSamples);
   for (const SweepPoint& point : sweeper.sweep().points()) {
-    lab::RunningTruth truth(bench());
+    lab::RunningTruth truth(bench(), "", {4, 16, std::numeric_limits<double>::infinity()});
     truth.restart(point.shot);
     while (truth.samples() < Sweep::kOwnSamples) truth.step();
     EXPECT_EQ(*point.error, image::rootMeanSquaredError(point.color, truth.mean()));
