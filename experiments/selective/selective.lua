@@ -65,7 +65,7 @@ for _, effort in ipairs { 0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8 } do
   arm(own, ("effort %g"):format(effort), "selective", { effort = effort })
 end
 local exact = "ground truth, 64"
-arms[#arms + 1] = { name = exact, pipeline = "ground_truth", set = { samples = 64, mark_regions = false } }
+arms[#arms + 1] = { name = exact, pipeline = "ground_truth", timed = true, set = { samples = 64, mark_regions = false } }
 
 -- ---- curves
 

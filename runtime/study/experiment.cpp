@@ -25,6 +25,7 @@ Arm armOf(const Json& json, const Path& script) {
   arm.pipeline = lab::besideScript(script, json.at("pipeline"));
   take(json, "lacks", arm.lacks);
   take(json, "shown", arm.shown);
+  if (json.contains("timed")) arm.timed = json["timed"].get<bool>();
   arm.sets = lab::settingsFrom(json, "set");
   arm.box = lab::settingsFrom(json, "box");
   if (json.value("role", "") == "floor") arm.role = Role::floor;

@@ -27,6 +27,7 @@ struct Arm {
   script::Settings box;            // on top of `sets` in a picture of several samples per pixel
   std::vector<std::string> lacks;  // settings of axes that are not given to it
   bool shown = true;               // on sheet and page; tables have every arm
+  std::optional<bool> timed;       // where times are measured; without it every method is, and no truth
   std::optional<Published> published;
 };
 

@@ -126,7 +126,7 @@ void complete(const Experiment& experiment, const TaskGroup& group, Task& task, 
     task.cost = cost * int(sequenceOf(experiment, *group.group, task.shot).size());
     for (const std::string& name : task.measures) {
       const Measure& measure = measureNamed(name);
-      task.timed = task.timed || (measure.is_time && !is_truth);
+      task.timed = task.timed || (measure.is_time && task.arm->timed.value_or(!is_truth));
       task.compares = task.compares || measure.is_change;
     }
     task.key = hashText(partsOf(experiment, group, task, batch).dump());

@@ -36,11 +36,12 @@ experiment.fields = {
   },
   -- role: "method", or "floor" (truth at a method's own samples). lacks: settings of axes that are not given to it.
   -- box: settings of the picture that is shown, where it has several samples per pixel. shown: whether its pictures
-  -- are on sheet and page. published: frames per second that somebody else measured in a shot.
+  -- are on sheet and page. timed: whether times are measured; of a truth they are not without it. published: frames per
+  -- second that somebody else measured in a shot.
   arm = {
     name = { text }, pipeline = { text }, set = { map, optional = true }, role = { text, optional = true },
     lacks = { list, optional = true }, box = { map, optional = true },
-    shown = { bool, optional = true }, published = { map, optional = true },
+    shown = { bool, optional = true }, timed = { bool, optional = true }, published = { map, optional = true },
   },
   published = { fps = { number }, shot = { text }, by = { text } },
   -- full: settings of a second truth, to be measured against as well (measure rmse_full).

@@ -93,7 +93,10 @@ return experiment {
   measures = { "rmse", "pixels", "p999", "psnr", "ssim", "smape", "relmse", "ms", "ms_low", "ms_high", "ms_ratio" },
   regions = { "whole", "moving", "edge" },
   truth = { pipeline = "ground_truth", set = { samples = 64 } },
-  arms = { { name = "none", pipeline = "none" }, { name = "again", pipeline = "none" } },
+  arms = { { name = "none", pipeline = "none" }, { name = "again", pipeline = "none" },
+           { name = "few", pipeline = "ground_truth", set = { samples = 2 } },
+           { name = "few, timed", pipeline = "ground_truth", timed = true, set = { samples = 3 } },
+           { name = "never", pipeline = "mcguire2012", timed = false } },
   shots = { { name = "bar", scene = "oracles/bar", frame = 0, ["scene.d_f"] = 6, ["scene.left"] = 16, ["scene.right"] = 32 } },
 }
 )lua";
@@ -115,6 +118,9 @@ TEST_F(Measuring, RegionsOfTheCaptureAndTimesAsRatios) {
   EXPECT_GT(none.value("ms_ratio"), 0);
   EXPECT_GT(results.groups[0].points[2].value("ms_ratio"), 0) << "the base too";
   EXPECT_EQ(none.image, results.groups[0].points[2].image);
+  EXPECT_TRUE(std::isnan(results.groups[0].points[3].value("ms"))) << "a truth";
+  EXPECT_GT(results.groups[0].points[4].value("ms"), 0) << "which says so";
+  EXPECT_TRUE(std::isnan(results.groups[0].points[5].value("ms")));
 }
 
 // The same bar from frame to frame: none jumps by whole displacements where truth has ramps.
