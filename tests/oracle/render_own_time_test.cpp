@@ -107,6 +107,15 @@ TEST_F(RenderOwnTime, OfDetailMeetsTextureBetweenPixels) {
   EXPECT_GE(largestDifference(colorOf(rendered(20, "16", "hybrid", "preset=best")), colorOf(truth)), .01);
 }
 
+// Raster rounds places: at some pixels of the cage's wires it sees one where rays pass beside it, at some the other way
+// round. What rays at rest know of a pixel is what they see there themselves.
+TEST_F(RenderOwnTime, SilhouettesAtRestAreThoseOfRays) {
+  lab::Shot shot = with(shotOf("../objects/caged_fan", 320, 180, {}), "hybrid", {"preset=best"}, "close");
+  const lab::Picture known = render(shot);
+  shot.model_everything = true;  // every ray asks for what is at rest too
+  EXPECT_LE(largestDifference(colorOf(known), colorOf(render(shot))), 1e-3);
+}
+
 // Edges to within a pixel and a half, which is less than two samples at these speeds. Rays reveal behind all that
 // moves: a path that leaves the picture tells the relative mask nothing.
 TEST_F(RenderOwnTime, LayersOfTheEndsHoldWhatTheEndsSee) {
