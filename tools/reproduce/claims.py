@@ -55,6 +55,8 @@ EXPERIMENTS = [
     experiment("real_scenes", "", 2400, 2400, shared=True),
     experiment("reveal_resolution", "shot=cells_9,cap=8", 50, 900),
     experiment("tracing", "shot=cells,backend=bvh", 60, 650),
+    experiment("truth", "shot=plain,samples=16", 100, 1100),
+    experiment("knobs", "shot=panel", 60, 400),
     experiment("sampling_range", "shot=thin,anchor=close", 50, 900),
     experiment("termination", "shot=plain", 50, 900),
 ]

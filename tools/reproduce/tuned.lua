@@ -7,10 +7,9 @@ return experiment {
   size = { 320, 180 },
   shots = { { name = "living_room", scene = "living_room" } },
   arms = {
-    { name = "as given", pipeline = "hybrid", set = { preset = "captured" } },
+    { name = "as given", pipeline = "hybrid" },
     { name = "preset", pipeline = "hybrid", set = { preset = "experiments/tune/living_room.lua" } },
-    { name = "other", pipeline = "hybrid",
-      set = { preset = "captured", composite = "alpha_over", weights = "jimenez2014", depth_extent = 0.005, limit = 0.05 } },
+    { name = "other", pipeline = "hybrid", set = { own_time = "none" } },
   },
   truth = { pipeline = "ground_truth", set = { samples = 256 } },
   regions = { "whole", "inner" },

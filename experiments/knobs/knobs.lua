@@ -1,0 +1,108 @@
+-- SPDX-License-Identifier: MIT
+-- What each knob of cost saves, what it costs in error, and which scenes require what it leaves out.
+--   strobe sweep experiments/knobs/knobs.lua -o out/knobs
+local experiment = require "strobe.experiment"
+
+local moving = { "vase", "panel", "fan", "stacked", "tracking" }  -- the shots in which something does
+
+-- Of a knob `set` are parameters of the hybrid and `run` options of the shot that it changes. `needed` names the shots whose
+-- error it raises by more than a twentieth: what it takes away is required there.
+local knobs = {
+  { name = "no revealed layer", set = { mask = "none" }, needed = {} },
+  { name = "reveal behind all that moves", set = { mask = "moving" }, needed = {} },
+  { name = "a ray for four pixels", set = { reveal_resolution = "half" }, needed = moving },
+  { name = "two revealed layers", set = { revealed_layers = 2 }, needed = {} },
+  { name = "layers of the ends", set = { end_layers = true }, needed = {} },
+  { name = "arcs", set = { trajectory = "arc" }, needed = {} },
+  { name = "texels blended", set = { own_time = "uncertain" }, needed = { "vase" } },
+  { name = "silhouettes too", set = { own_time = "unexplained" }, needed = { "vase", "stacked" } },
+  { name = "no rays at own times", set = { own_time = "none", taps = "nearest" }, needed = moving },
+  { name = "every hit shaded", set = { ["own_time.same_depth"] = 0 }, needed = { "fan", "stacked" } },
+  { name = "four samples", set = { samples = 4 }, needed = moving },
+  { name = "64 samples", set = { samples = 64 }, needed = {} },
+  { name = "tiles of 20 px", set = { tile = 20 }, needed = {} },
+  { name = "half floats", set = { color_format = "fp16", velocity_format = "fp16" }, needed = {} },
+  { name = "no omission", run = { model_everything = true }, needed = {} },
+  { name = "ray queries", run = { backend = "query" }, needed = {} },
+  { name = "ray pipelines", run = { backend = "pipeline" }, needed = {} },
+}
+local plain, best, base = "as it is", "hybrid (best)", "McGuire 2012"
+
+local arms, runs, ways = {
+  { name = base, pipeline = "mcguire2012" },
+  { name = best, pipeline = "hybrid" },
+}, { plain }, { [plain] = {} }
+for _, knob in ipairs(knobs) do
+  if knob.set then
+    arms[#arms + 1] = { name = knob.name, pipeline = "hybrid", set = knob.set }
+  else
+    runs[#runs + 1], ways[knob.name] = knob.name, knob.run
+  end
+end
+
+local shots = {
+  { name = "still", title = "Living room, nothing moves", scene = "living_room", camera = "main", ["scene.pixels"] = 0 },
+  { name = "vase", title = "Living room, the vase slides", scene = "living_room", camera = "main", ["scene.pixels"] = 24 },
+  { name = "panel", title = "A panel slides, unlit", scene = "stability/passage", ["scene.speed"] = 40,
+    ["scene.angle"] = 17 },
+  { name = "fan", title = "A fan behind its cage", scene = "objects/caged_fan" },
+  { name = "stacked", title = "Four things one behind another", scene = "objects/stacked" },
+  { name = "tracking", title = "A camera follows a car", scene = "objects/tracking_parallax" },
+}
+
+local function at(r, shot, knob)
+  return r.at { shot = shot, arm = (knob == plain or ways[knob]) and best or knob, run = ways[knob] and knob or plain }
+end
+
+-- Of a measure, its ratio to the hybrid as it is; 1 where both are nothing.
+local function ratio(r, shot, knob, measure)
+  local own, other = at(r, shot, knob)[measure], at(r, shot, plain)[measure]
+  if other == 0 then return own == 0 and 1 or math.huge end
+  return own / other
+end
+
+-- "time .83 (fan) to 1.01 (still), error 1.00 (still) to 2.3 (fan)"
+local function range(r, knob, measure, what)
+  local least, most, least_at, most_at = math.huge, -math.huge, "", ""
+  for _, shot in ipairs(shots) do
+    local value = ratio(r, shot.name, knob, measure)
+    if value < least then least, least_at = value, shot.name end
+    if value > most then most, most_at = value, shot.name end
+  end
+  return ("%s %.2f (%s) to %.2f (%s)"):format(what, least, least_at, most, most_at)
+end
+
+local function listed(found) return #found == 0 and "no shot" or table.concat(found, ", ") end
+
+local expected = {}
+for _, knob in ipairs(knobs) do
+  expected[#expected + 1] = {
+    ("%s: the error grows by more than a twentieth in %s"):format(knob.name, listed(knob.needed)), known = knob.known,
+    function(r)
+      local found = {}
+      for _, shot in ipairs(shots) do
+        if ratio(r, shot.name, knob.name, "rmse") > 1.05 then found[#found + 1] = shot.name end
+      end
+      return listed(found) == listed(knob.needed), ("%s, %s; in %s"):format(
+        range(r, knob.name, "ms_ratio", "time"), range(r, knob.name, "rmse", "error"), listed(found))
+    end }
+end
+
+return experiment {
+  title    = "Knobs of cost",
+  question = "What does each knob save, what does it cost in error, and which scenes require it?",
+  note     = "One knob at a time away from the hybrid (best). Times are ratios to McGuire 2012 with 16 samples in the same " ..
+             "shot, alternately in one run; those of the sentences to the hybrid as it is.",
+  size     = { 320, 180 },
+  shots    = shots,
+  arms     = arms,
+  base     = base,
+  truth    = { pipeline = "ground_truth", set = { samples = 256, times = "stratified" } },
+  rounds   = 5,
+  vary     = { experiment.list { name = "run", title = "Run", values = runs, at = function(name) return ways[name] end } },
+  skip     = function(point) return point.run ~= plain and point.arm ~= best end,
+  regions  = { "whole" },
+  measures = { "rmse", "flip", "ms_ratio", "rays" },
+  expect   = expected,
+  layout   = { front = { x = "ms_ratio", y = "rmse", region = "whole" }, table = {} },
+}
