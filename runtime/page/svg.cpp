@@ -108,7 +108,7 @@ void Svg::upwardText(const std::string& classes, double x, double y, const std::
 
 void Svg::mark(int style, double x, double y, bool hollow, const std::string& tip) {
   if (style < 0) return;
-  const Shape& shape = kShapes[style % kStyles];
+  const Shape& shape = kShapes[(style + style / kStyles) % kStyles];
   std::string classes = classed(hollow ? "hollow" : "");
   if (shape.corners == 0)
     text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"{}>{}</circle>", x, y, shape.radius, classes,

@@ -238,6 +238,18 @@ TEST(Chart, MarksAndHatchesDifferByStyle) {
   EXPECT_EQ(hatches.size(), size_t(kStyles));
 }
 
+// Colours come again, with other marks.
+TEST(Chart, ManySeriesDifferByColourAndMark) {
+  std::set<std::string> looks;
+  const int many = 4 * kStyles;
+  for (int style = 0; style < many; ++style) {
+    Svg svg(10, 10, "");
+    svg.mark(style, 5, 5);
+    looks.insert(classOf(style) + svg.finished());
+  }
+  EXPECT_EQ(looks.size(), size_t(many));
+}
+
 TEST(Chart, EveryClassHasAStyle) {
   Chart chart = withAxes();
   Point point{1, 0, "", true};
