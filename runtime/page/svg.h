@@ -7,8 +7,8 @@
 
 namespace strobe::page {
 
-// Colours, dashes and hatches differ in this many styles; later ones repeat, with the marks of the next colour each time.
-// Below 0 are styles without marks.
+// Colours, dashes and hatches differ in this many styles; later ones repeat, with the marks of the next colour each
+// time. Below 0 are styles without marks.
 inline constexpr int kStyles = 8;
 inline constexpr int kReferenceStyle = -1;    // thin, the colour of text: what others are held against
 inline constexpr int kUncertaintyStyle = -2;  // grey dots: what is not known better
