@@ -3,9 +3,9 @@
 // exposure, and what these do not say. In a loop of three times, at 1/6, 1/2 and 5/6 of the exposure; for arcs of five, at
 // 1/10, 3/10, ... of it.
 // In:  depth, id, velocity, hit, normal as path_bend has them.
-// Out: curve (px: of second order the first two, of third order all four; of arcs px and a turn), bend (px: how far the path is from the line between
-//      its ends in the middle), bent (1 where the curve is farther than `most_bend` px from the path at one of the times, or
-//      a pixel grows to more than `most_growth` px).
+// Out: curve (px: of second order the first two, of third order all four; of arcs px and a turn), bend (px: how far the path
+//      is from the line between its ends in the middle), bent (1 where the curve is farther than `most_bend` px from the path
+//      at one of the times, or a pixel grows to more than `most_growth` px).
 // The second order meets the path in the middle; the third order takes from the other two times by how much more it is off
 // the line late than early, which leaves what both have in common to `bent`. On an arc second differences turn and grow as
 // it does, whatever its centre and the line that this goes along: two of them say by how much.
