@@ -113,7 +113,7 @@ TEST_F(RenderOwnTime, SilhouettesAtRestAreThoseOfRays) {
   lab::Shot shot = with(shotOf("../objects/caged_fan", 320, 180, {}), "hybrid", {"preset=best"}, "close");
   const lab::Picture known = render(shot);
   shot.model_everything = true;  // every ray asks for what is at rest too
-  EXPECT_LE(largestDifference(colorOf(known), colorOf(render(shot))), 1e-5);
+  EXPECT_LE(largestDifference(colorOf(known), colorOf(render(shot))), 1e-4) << "rounding; a wrong pixel is off by .3";
 }
 
 // Edges to within a pixel and a half, which is less than two samples at these speeds. Rays reveal behind all that
