@@ -40,7 +40,7 @@ void collect(std::vector<std::string>& problems, const Step& step, bool as_given
 // Does it choose among the files of a folder of passes?
 bool choosesPasses(const Home& home, const plan::ParamDesc& param) {
   std::set<Path> folders;
-  for (const Path& pass : home.namesBelow("passes", ".lua")) folders.insert(pass.parent_path());
+  for (const std::string& pass : home.namesBelow("passes", ".lua")) folders.insert(Path(pass).parent_path());
   for (const Path& folder : folders) {
     std::vector<std::string> files = home.namesIn("passes" / folder, ".lua");
     auto is_file = [&](const auto& choice) { return std::find(files.begin(), files.end(), choice) != files.end(); };

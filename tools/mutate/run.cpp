@@ -86,18 +86,20 @@ class Kept {
     save();
   }
 
-  // What was found out about tests, by name.
-  std::map<std::string, TestCase> survey(const std::string& key) const {
+  // What was found out about tests, by name, as far as it still holds.
+  std::map<std::string, TestCase> survey() const {
     std::map<std::string, TestCase> tests;
-    if (!json_.contains("survey") || json_["survey"].at("key") != key) return tests;
-    for (const Json& test : json_["survey"].at("tests")) tests[test.at("name").get<std::string>()] = testFromJson(test);
+    if (!json_.contains("survey")) return tests;
+    for (const Json& kept : json_["survey"]) {
+      TestCase test = testFromJson(kept);
+      if (test.includes == includesOf(home_, test.shaders)) tests[test.name] = test;
+    }
     return tests;
   }
 
-  void putSurvey(const std::string& key, const std::vector<TestCase>& tests) {
-    Json list = Json::array();
-    for (const TestCase& test : tests) list.push_back(toJson(test));
-    json_["survey"] = {{"key", key}, {"tests", list}};
+  void putSurvey(const std::vector<TestCase>& tests) {
+    json_["survey"] = Json::array();
+    for (const TestCase& test : tests) json_["survey"].push_back(toJson(test));
     save();
   }
 
@@ -107,10 +109,9 @@ class Kept {
   Json json_;
 };
 
-// A test is looked at once, as long as the shaders include each other as they did.
+// A test is looked at once, as long as the shaders that it reads include what they did.
 std::vector<TestCase> testsFor(const Path& home, const MutationOptions& options, const MutationPlan& plan, Kept& kept) {
-  std::string key = includesOf(home);
-  std::map<std::string, TestCase> known = kept.survey(key);
+  std::map<std::string, TestCase> known = kept.survey();
   std::vector<TestCase> tests, fresh;
   for (const TestCase& test : listTests(options.tests, home, plan)) {
     auto found = known.find(test.name);
@@ -120,7 +121,7 @@ std::vector<TestCase> testsFor(const Path& home, const MutationOptions& options,
     note(fmt::format("running {} tests alone on the unchanged shaders", fresh.size()));
     surveyTests(options.tests, home, fresh, options.jobs, [&](const TestCase& test) {
       tests.push_back(test);
-      kept.putSurvey(key, tests);
+      kept.putSurvey(tests);
     });
   }
   std::erase_if(tests, [&](const TestCase& test) { return test.seconds > plan.longest_s; });

@@ -32,12 +32,16 @@ MutationPlan readMutationPlan(const Path& file) {
 }
 
 Json toJson(const TestCase& test) {
-  return {{"program", test.program}, {"name", test.name}, {"seconds", test.seconds}, {"shaders", test.shaders}};
+  return {{"program", test.program},
+          {"name", test.name},
+          {"seconds", test.seconds},
+          {"shaders", test.shaders},
+          {"includes", test.includes}};
 }
 
 TestCase testFromJson(const Json& json) {
   return {json.at("program").get<std::string>(), json.at("name").get<std::string>(), json.at("seconds").get<double>(),
-          json.at("shaders").get<std::vector<std::string>>()};
+          json.at("shaders").get<std::vector<std::string>>(), json.at("includes").get<std::string>()};
 }
 
 std::vector<std::string> TestFolder::environment(const Path& home) const {
@@ -129,6 +133,7 @@ bool survey(const TestFolder& tests, const HomeCopy& home, TestCase& test) {
   ProgramEnd end = runFiltered(tests, home.folder(), test.program, test.name, kLongestTest_s, look);
   look();
   test.seconds = end.seconds;
+  test.includes = includesOf(home.folder(), test.shaders);
   if (!complete) throw Error(fmt::format("{}: too many files were read at once to know which", test.name));
   return end.succeeded();
 }
@@ -155,7 +160,7 @@ TestOutcome runTests(const TestFolder& tests, const Path& home, const std::strin
 std::vector<TestCase> listTests(const TestFolder& tests, const Path& home, const MutationPlan& plan) {
   std::vector<TestCase> all;
   for (const auto& program : plan.programs)
-    for (const std::string& name : namesOf(tests, home, program)) all.push_back({program.name, name, 0, {}});
+    for (const std::string& name : namesOf(tests, home, program)) all.push_back({program.name, name, 0, {}, {}});
   return all;
 }
 
@@ -195,15 +200,17 @@ std::vector<std::string> failingTests(const TestFolder& tests, const Path& home,
   return failing;
 }
 
-std::string includesOf(const Path& home) {
-  std::set<std::string> lines;
-  for (const auto& entry : fs::recursive_directory_iterator(home / "shaders")) {
-    if (!entry.is_regular_file()) continue;
-    std::istringstream text(readText(entry.path()));
+std::string includesOf(const Path& home, const std::vector<std::string>& shaders) {
+  std::string lines;
+  for (const std::string& shader : shaders) {
+    const Path file = home / "shaders" / shader;
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored)) continue;
+    std::istringstream text(readText(file));
     for (std::string line; std::getline(text, line);)
-      if (line.starts_with("#include")) lines.insert(entry.path().lexically_relative(home).string() + line);
+      if (line.starts_with("#include")) lines += shader + line + "\n";
   }
-  return hashText(fmt::format("{}", fmt::join(lines, "\n")));
+  return hashText(lines);
 }
 
 double TestOrder::cost(const TestCase& test) const {

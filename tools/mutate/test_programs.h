@@ -30,6 +30,7 @@ struct TestCase {
   std::string program, name;
   double seconds = 0;                // alone, on the unchanged shaders
   std::vector<std::string> shaders;  // files it reads, below shaders/
+  std::string includes;              // what these include: it reads the same ones as long as this is the same
 };
 Json toJson(const TestCase& test);
 TestCase testFromJson(const Json& json);
@@ -61,8 +62,8 @@ void surveyTests(const TestFolder& tests, const Path& home, const std::vector<Te
 // Those of the tests that fail on the unchanged shaders now.
 std::vector<std::string> failingTests(const TestFolder& tests, const Path& home, const std::vector<TestCase>& cases);
 
-// Which shader includes which: what tests read is the same as long as this is.
-std::string includesOf(const Path& home);
+// A hash of what each of the shaders includes; one that is gone includes nothing.
+std::string includesOf(const Path& home, const std::vector<std::string>& shaders);
 
 // Puts those first that caught most per second, on the same shader above all.
 class TestOrder {
