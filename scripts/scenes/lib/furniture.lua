@@ -1,21 +1,13 @@
 -- SPDX-License-Identifier: MIT
 -- Furniture of several nodes, each built from a table of place, sizes and materials.
-local scene = require "strobe.scene"
+local scene  = require "strobe.scene"
+local studio = require "scripts.scenes.lib.studio"
 
 local node, srgb = scene.node, scene.srgb
 local furniture = {}
 
 -- `point` moved by `by`.
 local function plus(point, by) return { point[1] + by[1], point[2] + by[2], point[3] + by[3] } end
-
--- Numbers in 0..1 that depend on the seed alone.
-local function generator(seed)
-  local state = seed * 7919 + 17
-  return function()
-    state = (state * 1103515245 + 12345) % 2147483648
-    return (state // 256) % 65536 / 65536
-  end
-end
 
 -- A sofa whose seat faces +z: base, legs, arms, three seats and three backs.
 function furniture.sofa(given)
@@ -159,7 +151,7 @@ function furniture.bookshelf(given)
   for i = 0, boards - 1 do board({ width - 0.03, 0.026, depth }, { 0, 0.06 + i * gap, 0 }) end
   local nodes = { node { name = "shelf", position = at, parts = parts } }
 
-  local random = generator(12)
+  local random = studio.generator(12)
   local function books(shelf, from, to)
     local x, count = from, 0
     local y = 0.06 + shelf * gap + 0.013
@@ -212,7 +204,7 @@ end
 
 -- A pot with bending leaves; `size` is the height of the tallest.
 function furniture.plant(given)
-  local size, random = given.size, generator(given.seed)
+  local size, random = given.size, studio.generator(given.seed)
   local pot = size * 0.16
   local leaves = {}
   for i = 1, given.leaves do
@@ -265,7 +257,7 @@ end
 
 -- Parts of a few thin branches with berries, growing from `given.position`.
 function furniture.twigs(given)
-  local random = generator(given.seed)
+  local random = studio.generator(given.seed)
   local bark = scene.material { name = "bark", color = srgb "#5b3d28", roughness = 0.9 }
   local berry = scene.material { name = "berry", color = srgb "#c63b2b", roughness = 0.35 }
   local parts = {}
