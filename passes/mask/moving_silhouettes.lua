@@ -12,7 +12,7 @@ return pass.compute {
     velocity       = { doc = "px over the exposure" },
     after_velocity = { optional = true, doc = "px over the exposure, at times after the capture" },
   },
-  writes = { near = { format = "r8_unorm", doc = "1 next to something that moves otherwise" } },
+  writes = { near = { format = "r8_unorm", cleared = true, doc = "1 next to something that moves otherwise" } },
   params = {
     slowest = pass.float { 0.5, min = 0, max = 100, unit = "px",
       doc = "least difference of displacements that counts, of what moves slowly" },

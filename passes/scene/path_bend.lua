@@ -18,8 +18,8 @@ return pass.compute {
     normal   = { optional = true, doc = "unit, world space; sky = 0; absent: growth is not looked at" },
   },
   writes = {
-    bend = { format = stored.velocity, doc = "px in the middle of the exposure" },
-    bent = { format = "r8_unorm", doc = "1 where the path is farther from a line than that" },
+    bend = { format = stored.velocity, cleared = true, doc = "px in the middle of the exposure" },
+    bent = { format = "r8_unorm", cleared = true, doc = "1 where the path is farther from a line than that" },
   },
   without = { motion = { bend = 0, bent = 0 }, curves = { bend = 0, bent = 0 } },
   params = {

@@ -19,8 +19,11 @@ void run(ivec2 pixel) {
   bool otherwise = false;
   for (int k = 0; k < 9; ++k) {
     vec4 there = motionAt(clampToImage(pixel + ivec2(k % 3, k / 3) - 1, size));
-    otherwise = otherwise || movesOtherwise(there.xy, here.xy, params.slowest) ||
-                movesOtherwise(there.zw, here.zw, params.slowest);
+    if (there == here) continue;
+    otherwise = otherwise || movesOtherwise(there.xy, here.xy, params.slowest);
+#if HAS_after_velocity
+    otherwise = otherwise || movesOtherwise(there.zw, here.zw, params.slowest);
+#endif
   }
-  imageStore(near_img, pixel, vec4(otherwise ? 1 : 0));
+  if (otherwise) imageStore(near_img, pixel, vec4(1));
 }

@@ -19,14 +19,10 @@ vec2 bendAt(ivec2 pixel) {
 }
 
 void run(ivec2 pixel) {
+  if (!isMoving(pixel)) return;
   uint id = texelFetch(id_tex, pixel, 0).x, kind = pathKind(id);
-  vec2 bend = vec2(0);
-  bool grows = false;
-  if (isMoving(pixel)) {
-    if ((kind & PATH_CURVED) != 0u) bend = bendAt(pixel);
-    if ((kind & PATH_TURNS) != 0u) grows = growsAt(pixel, id);
-  }
-  bool bent = !(lengthOf(bend) <= params.most_bend) || grows;
-  imageStore(bend_img, pixel, vec4(storedVelocity(bend), 0, 0));
-  imageStore(bent_img, pixel, vec4(bent ? 1 : 0));
+  vec2 bend = (kind & PATH_CURVED) != 0u ? bendAt(pixel) : vec2(0);
+  bool grows = (kind & PATH_TURNS) != 0u && growsAt(pixel, id);
+  if (bend != vec2(0)) imageStore(bend_img, pixel, vec4(storedVelocity(bend), 0, 0));
+  if (!(lengthOf(bend) <= params.most_bend) || grows) imageStore(bent_img, pixel, vec4(1));
 }

@@ -69,13 +69,13 @@ Unseen unseenSurface(ivec2 pixel, Hit hit) {
 
 void run(ivec2 pixel) {
   uvec4 seen = texelFetch(hit_tex, pixel, 0);
-  Unseen unseen = Unseen(false, vec2(0), vec2(0));
-  if (seen.x != 0u || frame.camera_rests == 0u) {
-    Ray ray = cameraRay(TIME_SLICE, samplePosition(pixel));
-    if (seen.x == 0u) unseen = unseenSky(pixel, ray);
-    else unseen = unseenSurface(pixel, hitOnTriangle(TIME_SLICE, ray, seen.x - 1u, seen.y, seen.z));
-  }
-  imageStore(unseen_img, pixel, vec4(unseen.is_so ? 1 : 0));
+  if (seen.x == 0u && frame.camera_rests != 0u) return;
+  Ray ray = cameraRay(TIME_SLICE, samplePosition(pixel));
+  Unseen unseen;
+  if (seen.x == 0u) unseen = unseenSky(pixel, ray);
+  else unseen = unseenSurface(pixel, hitOnTriangle(TIME_SLICE, ray, seen.x - 1u, seen.y, seen.z));
+  if (unseen.is_so) imageStore(unseen_img, pixel, vec4(1));
+  if (unseen.velocity == vec2(0)) return;
   imageStore(velocity_img, pixel, vec4(storedVelocity(unseen.velocity), 0, 0));
   imageStore(bend_img, pixel, vec4(storedVelocity(unseen.bend), 0, 0));
 }
