@@ -31,6 +31,7 @@
 ---@field role? strobe.Role what it is
 ---@field auto? boolean "auto" is a value too (float that is never negative)
 ---@field variant? boolean compiled into the shader instead of passed to it (int and float)
+---@field breaks? table<string, table<strobe.Invariant, string>> invariants that a value breaks, each with the reason; of a number `other`
 
 ---The choices in order, `{ "a", "b", default = "b", doc = "which" }`; the first is the default of the default.
 ---@class strobe.ChoiceTable

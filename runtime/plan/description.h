@@ -52,6 +52,9 @@ const std::vector<std::string>& roleNames();
 // What "auto" is held as, and what a shader sees of it. No other negative number is in the range of such a parameter.
 inline constexpr double kAuto = -1;
 
+// Stands for any number but the default where a parameter says what its values break.
+inline constexpr const char* kOtherNumbers = "other";
+
 struct ParamDesc {
   enum class Type { Bool, Int, Float, Choice };
   std::string name;
@@ -60,7 +63,7 @@ struct ParamDesc {
   std::optional<double> min, max;                           // of Int and Float, inclusive
   std::vector<std::string> choices;                         // of Choice
   std::vector<std::pair<std::string, std::string>> values;  // of Choice: what a choice does and where it fails
-  std::vector<std::pair<std::string, Breaks>> breaks;       // of Choice and Bool: what a value breaks
+  std::vector<std::pair<std::string, Breaks>> breaks;       // what a value breaks; of numbers kOtherNumbers
   std::string unit;                                         // "px", "m", ... or ""
   std::string doc;
   Role role = Role::None;

@@ -110,7 +110,11 @@ std::vector<std::pair<std::string, Breaks>> valueBreaks(Reader& reader, const Pa
   std::vector<std::pair<std::string, Breaks>> result;
   if (!reader.has("breaks")) return result;
   for (const auto& [value, breaks] : reader.table("breaks").items()) {
-    checkValue(param, Value(value), param.place);
+    bool is_number = param.type == ParamDesc::Type::Int || param.type == ParamDesc::Type::Float;
+    if (is_number && value != kOtherNumbers)
+      reader.fail(fmt::format("'breaks' of '{}' is about '{}'; of a number it is about '{}'", param.name, value,
+                              kOtherNumbers));
+    if (!is_number) checkValue(param, Value(value), param.place);
     result.emplace_back(value, breaksOf(reader, breaks));
   }
   return result;

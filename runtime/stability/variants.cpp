@@ -162,8 +162,10 @@ static void addBreaks(std::vector<Declared>& found, const plan::Breaks& breaks, 
 
 static void addValueBreaks(std::vector<Declared>& found, const ParamDesc& param, const plan::Value& value,
                            const std::string& invariant) {
+  bool is_number = param.type == ParamDesc::Type::Int || param.type == ParamDesc::Type::Float;
+  std::string named = !is_number ? textOf(value) : value != param.default_value ? plan::kOtherNumbers : "";
   for (const auto& [choice, breaks] : param.breaks) {
-    if (choice != textOf(value)) continue;
+    if (choice != named) continue;
     std::string what = param.name + " = " + choice;
     addBreaks(found, breaks, invariant, what, what);
   }

@@ -144,7 +144,8 @@ return pipeline {
                      "on average, with noise instead of bands. Fails by up to twice the error at each silhouette.",
       },
       breaks = { stratified = { mirrored = drawn, shifted = drawn, reversed = drawn } } },
-    slices       = int { 1, min = 1, max = 64, doc = "scene times per iteration; a pixel draws one of them" },
+    slices       = int { 1, min = 1, max = 64, doc = "scene times per iteration; a pixel draws one of them",
+      breaks = { other = { mirrored = drawn, shifted = drawn, reversed = drawn } } },
     shading      = shade.params.shading,
     pixel        = choice { "centre", "box", default = "centre", doc = "where in the pixel a sample is",
       values = {

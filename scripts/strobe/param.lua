@@ -8,8 +8,8 @@ local param = {}
 
 param.keys = {
   bool   = { 1, "default", "doc", "unit", "role", "breaks" },
-  int    = { 1, "default", "min", "max", "unit", "doc", "role", "variant" },
-  float  = { 1, "default", "min", "max", "unit", "doc", "role", "variant", "auto" },
+  int    = { 1, "default", "min", "max", "unit", "doc", "role", "variant", "breaks" },
+  float  = { 1, "default", "min", "max", "unit", "doc", "role", "variant", "auto", "breaks" },
   choice = { "default", "doc", "unit", "role", "values", "breaks" },  -- and the choices as 1, 2, 3 ...
 }
 
@@ -104,7 +104,7 @@ end
 local LARGEST = { int = 2147483647, float = 3.4028234e38 }
 
 -- Invariants that a value breaks: `breaks = { value = { invariant = "reason" } }`. Of a bool, `value` is "true" or
--- "false".
+-- "false"; of a number "other", which is any but its default.
 local function check_breaks(problems, given, choices, place, what)
   if given.breaks == nil or not check.field(problems, given, "breaks", "table", place, what) then return nil end
   local breaks = {}
@@ -207,9 +207,8 @@ function param.declare(problems, name, declared, at, owner)
     result.choices = check_choices(problems, given, place, what)
     result.values = check_values(problems, given, result.choices, place, what)
   end
-  if kind == "choice" or kind == "bool" then
-    result.breaks = check_breaks(problems, given, result.choices or { "true", "false" }, place, what)
-  end
+  local breaking = result.choices or (kind == "bool" and { "true", "false" } or { "other" })
+  result.breaks = check_breaks(problems, given, breaking, place, what)
   if kind == "int" or kind == "float" then check_bounds(problems, result, given, place, what) end
   if #problems.list > before then return nil end
 
