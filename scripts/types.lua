@@ -178,7 +178,7 @@ function pass.choice(t) end
 ---@field count integer|strobe.Parameter how often
 ---@field first? integer the part of the exposure it begins with, from 0; with `parts`
 ---@field parts? integer parts of the exposure of which it takes `count`; default all, one after another
----@field times? "midpoint"|"stratified"|"even"|strobe.Parameter where in the exposure an iteration is; default "midpoint"
+---@field times? "midpoint"|"stratified"|"even"|"frames"|strobe.Parameter where in the exposure an iteration is; default "midpoint"
 ---@field slices? integer|strobe.Parameter scene times among which a pixel draws one; default 1
 ---@field until_? strobe.Image|fun(results: strobe.Ports): strobe.Image 1x1 r32f image that ends the loop when not zero
 ---@field body fun(): table<string, strobe.Image> runs once to make the nodes that are repeated

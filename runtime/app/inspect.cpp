@@ -237,7 +237,7 @@ void plan(const Home& home, const PlanOptions& options) {
   plan::PipelineDesc pipeline = script::evaluatePipeline(home, {shot.pipeline, shot.sets});
   // Which of them runs in compute makes no difference to the plan.
   graph::Backend backend = shot.backend == "pipeline" ? graph::Backend::Pipeline : graph::Backend::Query;
-  plan::Plan planned = lab::planOf(shot, pipeline, backend, lab::absentFacts(in_scene, loaded.scene));
+  plan::Plan planned = lab::planOf(shot, pipeline, backend, lab::absentFacts(in_scene, loaded.scene, pipeline));
   std::string text = options.dot    ? plan::toDot(planned)
                      : options.json ? plan::toJson(planned).dump(2) + "\n"
                                     : plan::describe(planned);

@@ -74,22 +74,26 @@ int partOf(const plan::PlanLoop& loop, int iteration) {
   return int(iteration * stride % loop.parts);
 }
 
+// The time of slice `q` of a part, s.
+static double sampleTime(const FrameSetup& setup, const plan::PlanLoop& loop, int part, int q) {
+  if (loop.times == "frames") return setup.capture_s - (double(part) * loop.slices + q + 1) * setup.frame_s;
+  // Midpoints of the stratum's parts, or a random time in each of them; other times in each loop.
+  double in_stratum = (q + 0.5) / loop.slices;
+  if (loop.times == "stratified") {
+    uint32_t index = uint32_t(part) * uint32_t(loop.slices) + uint32_t(q);
+    in_stratum = (q + hashUniform(setup.seed, setup.frame, index, uint32_t(loop.loop))) / loop.slices;
+  }
+  double share = (part + in_stratum) / loop.parts;
+  if (loop.times != "even") share = setup.curve.timeOf(share);
+  return setup.open_s + (setup.close_s - setup.open_s) * share;
+}
+
 void poseSamples(world::GpuScene& scene, const Plan& plan, const FrameSetup& setup, const plan::PlanLoop& loop,
                  int iteration) {
   dvec3 origin = frameOrigin(setup);
   int part = partOf(loop, iteration);
-  for (int q = 0; q < loop.slices; ++q) {
-    // Midpoints of the stratum's parts, or a random time in each of them; other times in each loop.
-    double in_stratum = (q + 0.5) / loop.slices;
-    if (loop.times == "stratified") {
-      uint32_t index = uint32_t(part) * uint32_t(loop.slices) + uint32_t(q);
-      in_stratum = (q + hashUniform(setup.seed, setup.frame, index, uint32_t(loop.loop))) / loop.slices;
-    }
-    double share = (part + in_stratum) / loop.parts;
-    if (loop.times != "even") share = setup.curve.timeOf(share);
-    double time_s = setup.open_s + (setup.close_s - setup.open_s) * share;
-    scene.setPose(SLICE_SAMPLE + uint32_t(q), setup.pose_at(time_s), aspect(plan), origin);
-  }
+  for (int q = 0; q < loop.slices; ++q)
+    scene.setPose(SLICE_SAMPLE + uint32_t(q), setup.pose_at(sampleTime(setup, loop, part, q)), aspect(plan), origin);
 }
 
 }  // namespace strobe::graph

@@ -68,6 +68,7 @@ void poseFixedSlices(world::GpuScene& scene, const plan::Plan& plan, const Frame
 int partOf(const plan::PlanLoop& loop, int iteration);
 // Poses the sample slices of an iteration, which counts from `loop.first`: midpoints of strata, or a random time in
 // each of their parts. Strata have equal shares of the shutter curve's weight, in loops of even times of the exposure.
+// In a loop of frames a slice is a frame before the last one, and the first of the first part one before the capture.
 void poseSamples(world::GpuScene& scene, const plan::Plan& plan, const FrameSetup& setup, const plan::PlanLoop& loop,
                  int iteration);
 

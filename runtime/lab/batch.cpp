@@ -90,13 +90,14 @@ Shot Batch::filled(const Shot& shot) {
 
 const Batch::KnownPlan& Batch::known(const Shot& shot, const HeldScene& scene, const Outputs& outputs) {
   constexpr size_t kMost = 512;
-  std::string key = fmt::format("{}x{}|{}|{}|{}|{}|{}|{}", shot.width, shot.height, shot.backend, shot.pipeline,
-                                settingsIdentity(shot.sets, false), fmt::join(shot.taps, ","),
-                                fmt::join(absentFacts(shot, scene.loaded.scene), ","), fmt::join(outputs, ","));
-  auto found = plans_.find(key);
-  if (found != plans_.end()) return found->second;
   Evaluated evaluated = evaluate(shot.pipeline, shot.sets);
   if (!evaluated.pipeline) throw Refusal(evaluated.refusal);
+  std::string key =
+      fmt::format("{}x{}|{}|{}|{}|{}|{}|{}", shot.width, shot.height, shot.backend, shot.pipeline,
+                  settingsIdentity(shot.sets, false), fmt::join(shot.taps, ","),
+                  fmt::join(absentFacts(shot, scene.loaded.scene, *evaluated.pipeline), ","), fmt::join(outputs, ","));
+  auto found = plans_.find(key);
+  if (found != plans_.end()) return found->second;
   KnownPlan known{plannedOf(bench_, shot, scene.loaded.scene, *evaluated.pipeline, outputs), ""};
   known.identity = identityOf(*known.planned.plan);
   if (plans_.size() >= kMost) plans_.clear();

@@ -25,9 +25,10 @@ static dmat4 worldFromView(const std::array<double, 6>& view) {
   return dmat4(dvec4(right, 0), dvec4(glm::cross(back, right), 0), dvec4(back, 0), dvec4(eye, 1));
 }
 
-graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene) {
+graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene, int earlier_frames) {
   int camera_node = scene::cameraNode(scene, shot.camera);
   scene::FrameTimes times{shot.captureTime(), shot.window()[0], shot.window()[1], shot.camera_blur, shot.object_blur};
+  times.cuts = scene::cutsFromOption(shot.cuts);
   if (!shot.follow.empty()) times.followed = scene::nodeByName(scene, shot.follow);
   auto poser = std::make_shared<scene::FramePoser>(scene, camera_node, shot.animation, times);
   graph::FrameSetup setup;
@@ -54,8 +55,9 @@ graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene) {
   setup.seed = shot.seed;
   setup.environment = scene.environment;
   const double previous_s = setup.capture_s - setup.frame_s;
-  scene::ScreenMotion motion = scene::screenMotionOf(
-      scene, setup.pose_at, {setup.capture_s, setup.open_s, setup.close_s, previous_s, shot.width, shot.height});
+  scene::ExposedFrame exposed{setup.capture_s, setup.open_s, setup.close_s, previous_s, shot.width, shot.height};
+  for (int k = 2; k <= earlier_frames; ++k) exposed.earlier_s.push_back(setup.capture_s - k * setup.frame_s);
+  scene::ScreenMotion motion = scene::screenMotionOf(scene, setup.pose_at, exposed);
   setup.reach = motion.reach;
   setup.crossing = motion.crossing;
   setup.paths = std::move(motion.paths);
@@ -86,7 +88,7 @@ static Planned plannedFor(const Workbench& bench, const Shot& shot, const plan::
 
 Planned plannedOf(const Workbench& bench, const Shot& shot, const scene::Scene& scene,
                   const plan::PipelineDesc& pipeline, const std::set<std::string>& outputs) {
-  return plannedFor(bench, shot, pipeline, absentFacts(shot, scene), outputs);
+  return plannedFor(bench, shot, pipeline, absentFacts(shot, scene, pipeline), outputs);
 }
 
 Planned plannedOf(const Workbench& bench, const Shot& shot, const plan::PipelineDesc& pipeline) {
@@ -135,7 +137,7 @@ static void nameTriangles(graph::FrameResult& frame, const scene::Scene& scene) 
 
 graph::FrameResult Drawing::draw(const Shot& shot, const std::set<std::string>* outputs,
                                  const std::function<void(int, int)>& progress) {
-  graph::FrameSetup frame = frameSetup(shot, scene().scene);
+  graph::FrameSetup frame = frameSetup(shot, scene().scene, plan::earlierFrames(plan().pipeline));
   frame.wanted = outputs;
   graph::FrameResult result = graph_->run(frame, progress);
   nameTriangles(result, scene().scene);
@@ -227,7 +229,7 @@ Picture Drawing::capture(const Shot& shot, const std::set<std::string>* outputs,
   if (id_coverage) requireIds(plan());
   auto seen = std::make_shared<image::IdCoverage>();
   double started_s = clockSeconds();
-  graph::FrameSetup setup = frameSetup(shot, scene().scene);
+  graph::FrameSetup setup = frameSetup(shot, scene().scene, plan::earlierFrames(plan().pipeline));
   setup.wanted = outputs;
   Picture picture;
   double ready_s = clockSeconds();

@@ -27,10 +27,10 @@ scene::Facts factsOf(const Shot& shot, const scene::Scene& scene) {
   return scene::factsOf(scene, view);
 }
 
-std::vector<std::string> absentFacts(const Shot& shot, const scene::Scene& scene) {
+std::vector<std::string> absentFacts(const Shot& shot, const scene::Scene& scene, const plan::PipelineDesc& pipeline) {
   if (shot.model_everything) return {};
   const scene::Facts facts = factsOf(shot, scene);
-  const std::vector<scene::ScreenPath> paths = frameSetup(shot, scene).paths;
+  const std::vector<scene::ScreenPath> paths = frameSetup(shot, scene, plan::earlierFrames(pipeline)).paths;
   auto any = [&](auto holds) { return std::any_of(paths.begin(), paths.end(), holds); };
   std::vector<std::string> absent;
   if (!facts.motion) absent.push_back("motion");

@@ -10,7 +10,9 @@ namespace strobe::lab {
 // Of a shot whose gaps are filled. Throws `Error` for an unknown camera or animation.
 scene::Facts factsOf(const Shot& shot, const scene::Scene& scene);
 
-// Those that do not hold, in the order of plan::facts(); none with --model-everything.
-std::vector<std::string> absentFacts(const Shot& shot, const scene::Scene& scene);
+// Those that do not hold, in the order of plan::facts(); none with --model-everything. For a pipeline that looks back
+// at earlier frames paths are those since them.
+std::vector<std::string> absentFacts(const Shot& shot, const scene::Scene& scene,
+                                     const plan::PipelineDesc& pipeline = {});
 
 }  // namespace strobe::lab

@@ -138,7 +138,7 @@ void Session::set(const std::string& name, const plan::Value& value, const std::
   // Drawn anew if that concerns the frame alone, and requires nothing else of the plan.
   bool frame_alone = option->concern == Concern::Frame || option->concern == Concern::Motion;
   frame_alone = frame_alone && sceneIdentity(shot) == sceneIdentity(shot_);
-  if (frame_alone && absentFacts(shot, scene()) == plan().absent) shot_ = shot;
+  if (frame_alone && absentFacts(shot, scene(), plan().pipeline) == plan().absent) shot_ = shot;
   else apply(shot);
   if (field) origins_[name] = origin;
   for (const ShotField& one : option->fields)

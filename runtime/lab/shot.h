@@ -27,6 +27,7 @@ struct Shot {
   std::string shutter_curve = "box";        // how much the times of the exposure count (math/shutter_curve.h)
   double camera_blur = 1, object_blur = 1;  // shares of their motion that blur
   std::string follow;                       // a node that blurs as the camera does
+  std::string cuts;                         // seconds at which everything jumps, beside the scene's own; "" none
   std::string motion_depths;                // between which motion blurs (scene/depth_bounds.h); "" all
   std::string camera;                       // "" takes the scene's first
   // Instead of the camera's pose: it stands at the first three (metres), looks at the last three, y is up, all through.

@@ -8,6 +8,7 @@
 #include "lab/camera_path.h"
 #include "math/shutter_curve.h"
 #include "scene/depth_bounds.h"
+#include "scene/motion.h"
 #include "shader/backends.h"
 
 namespace strobe::lab {
@@ -63,6 +64,8 @@ static void checkCurve(const std::string& text) { ShutterCurve::from(text); }
 static void checkDepths(const std::string& text) {
   if (!text.empty()) scene::DepthBounds::from(text);
 }
+
+static void checkCuts(const std::string& text) { scene::cutsFromOption(text); }
 
 static ShotField flag(const char* name, ShotMember member) {
   ShotField field{{}, member};
@@ -125,6 +128,11 @@ static std::vector<ShotOption> allOptions() {
       one(checked(text("motion_depths", &S::motion_depths, ""), checkDepths),
           "NEAR,FAR[,SOFT]: view depths, metres, of what blurs; what is elsewhere at the capture stands still on the "
           "screen, and over SOFT beyond them keeps a share of its motion",
+          Concern::Frame, O::kControl),
+      one(checked(text("cuts", &S::cuts, ""), checkCuts),
+          "T,T,...: seconds of scene time, increasing, at which everything jumps: no frame blurs over one; beside "
+          "those "
+          "that the scene states",
           Concern::Frame, O::kControl),
       one(text("camera", &S::camera, ""), "a camera of the scene (default: its first)", Concern::Scene, O::kControl),
       one(text("view", &S::view, ""), "EX,EY,EZ,TX,TY,TZ: camera at E, looking at T, instead of its pose in the scene",

@@ -116,8 +116,9 @@ class Workbench {
   int evaluations_ = 0;
 };
 
-// How the frame of a shot sees the scene, which must outlive what is returned.
-graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene);
+// How the frame of a shot sees the scene, which must outlive what is returned; paths are those since `earlier_frames`
+// before it (plan::earlierFrames), at least since one.
+graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene, int earlier_frames = 1);
 
 // The plan of a shot's pipeline at its size, for a frame that lacks the facts `absent` and is asked for `outputs`
 // (empty: all).

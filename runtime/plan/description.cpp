@@ -61,6 +61,25 @@ const Value* valueOf(const PipelineDesc& pipeline, const std::string& name) {
   return nullptr;
 }
 
+// A number that does not follow from the pipeline's parameters is `otherwise`.
+static int64_t wholeOf(const PipelineDesc& pipeline, const Binding& binding, int64_t otherwise) {
+  const Value* value = binding.value ? &*binding.value : valueOf(pipeline, binding.follows);
+  const int64_t* number = value ? std::get_if<int64_t>(value) : nullptr;
+  return number ? *number : otherwise;
+}
+
+int earlierFrames(const PipelineDesc& pipeline) {
+  constexpr int64_t kMost = 64;
+  int64_t most = 0;
+  for (const LoopDesc& loop : pipeline.loops) {
+    const Value* times = loop.times.value ? &*loop.times.value : valueOf(pipeline, loop.times.follows);
+    if (!times || *times != Value(std::string("frames"))) continue;
+    const int64_t parts = loop.parts > 0 ? loop.parts : wholeOf(pipeline, loop.count, 1);
+    most = std::max(most, parts * wholeOf(pipeline, loop.slices, 1));
+  }
+  return int(std::min(most, kMost));
+}
+
 // ---- values
 
 Json toJson(const Value& value) {

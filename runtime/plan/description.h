@@ -168,7 +168,9 @@ struct NodeDesc {
 struct LoopDesc {
   std::string name;
   Binding count;
-  Binding times;      // choice "midpoint" | "stratified" (of equal weights) | "even" (of equal lengths)
+  // Choice "midpoint" | "stratified" (of equal weights) | "even" (of equal lengths) | "frames" (captures of earlier
+  // frames, the last one first).
+  Binding times;
   Binding slices;     // scene times per iteration among which a pixel may draw one; 1 for midpoint times
   std::string until;  // "node.port" of a 1x1 r32f image in the loop, non-zero to stop early; or ""
   // Of how many parts of the exposure this loop takes `count`, from which on, in an order in which any run of them lies
@@ -232,6 +234,8 @@ const ParamDesc* paramOf(const PipelineDesc& pipeline, Role role);
 
 // The value of a parameter of the pipeline; null where there is none.
 const Value* valueOf(const PipelineDesc& pipeline, const std::string& name);
+// How many frames before the capture its loops of times "frames" look back at; 64 stands for more.
+int earlierFrames(const PipelineDesc& pipeline);
 
 // Both read what another process wrote and so trust nothing: names, references, types and ranges are checked, and
 // `Error` is thrown at the place of the first mistake.

@@ -13,7 +13,7 @@ inline const std::vector<std::string> kParamTypes = {"bool", "int", "float", "ch
 inline const std::vector<std::string> kPassKinds = {"raster", "compute", "trace"};
 inline const std::vector<std::string> kSizeKinds = {"frame", "port", "fixed"};
 inline const std::vector<std::string> kNodeTimes = {"capture", "open", "close", "sample"};
-inline const std::vector<std::string> kSampleTimes = {"midpoint", "stratified", "even"};
+inline const std::vector<std::string> kSampleTimes = {"midpoint", "stratified", "even", "frames"};
 
 // "" for Role::None.
 std::string roleName(Role role);

@@ -71,7 +71,7 @@ struct PlanNode {
 struct PlanLoop {
   int loop = 0;  // index into `pipeline.loops`
   int count = 0;
-  std::string times;  // "midpoint", "stratified" or "even"
+  std::string times;  // "midpoint", "stratified", "even" or "frames"
   int slices = 1;
   int first = 0, parts = 0;  // it takes `count` of so many parts of the exposure, from this on
   int until = -1;            // image read back after each iteration, non-zero to stop; or -1

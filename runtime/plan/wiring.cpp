@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "plan/description_words.h"
 #include "plan/facts.h"
 #include "plan/formats.h"
 
@@ -344,8 +345,8 @@ class Wirer {
     Value times = valueOf(loop.times, std::string("midpoint"));
     const std::string* text = std::get_if<std::string>(&times);
     if (text) wired.times = *text;
-    if (!text || (*text != "midpoint" && *text != "stratified" && *text != "even")) {
-      problem(loop.times.place, "times of loop '{}' must be 'midpoint', 'stratified' or 'even'", loop.name);
+    if (!text || std::find(kSampleTimes.begin(), kSampleTimes.end(), *text) == kSampleTimes.end()) {
+      problem(loop.times.place, "times of loop '{}' must be one of {}", loop.name, fmt::join(kSampleTimes, ", "));
     }
     wired.first = loop.first;
     wired.parts = loop.parts > 0 ? loop.parts : wired.count;

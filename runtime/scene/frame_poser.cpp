@@ -14,20 +14,43 @@ static bool crosses(const std::vector<double>& cuts, double from_s, double to_s)
 
 FramePoser::FramePoser(const Scene& scene, int camera_node, const std::string& animation, const FrameTimes& times)
     : poser_(scene, camera_node, animation), times_(times) {
+  NodeTime everything{Clock::Objects, scene.cuts, {}};
+  everything.add({Clock::Objects, times.cuts, {}});
   std::vector<NodeTime> nodes(scene.nodes.size());
+  addClips(scene, animation, nodes);
   for (int index : hierarchyOrder(scene)) {
     const Node& node = scene.nodes[size_t(index)];
     NodeTime& own = nodes[size_t(index)];
-    if (node.parent >= 0) own = nodes[size_t(node.parent)];
-    else own.cuts = scene.cuts;
-    own.cuts.insert(own.cuts.end(), node.cuts.begin(), node.cuts.end());
+    const NodeTime& above = node.parent >= 0 ? nodes[size_t(node.parent)] : everything;
+    own.clock = above.clock;
+    own.add(above);
+    own.add({Clock::Objects, node.cuts, {}});
     if (index == times.followed) own.clock = Clock::Camera;
   }
   for (const Instance& instance : instancesOf(scene)) instances_.push_back(ofInstance(scene, instance, nodes));
   for (int light : lightsOf(scene)) lights_.push_back(nodes[size_t(light)]);
   if (camera_node >= 0) camera_ = nodes[size_t(camera_node)];
-  else camera_.cuts = scene.cuts;
+  else camera_ = everything;
   camera_.clock = Clock::Camera;
+}
+
+void FramePoser::NodeTime::add(const NodeTime& other) {
+  cuts.insert(cuts.end(), other.cuts.begin(), other.cuts.end());
+  for (const Animation* clip : other.clips)
+    if (std::find(clips.begin(), clips.end(), clip) == clips.end()) clips.push_back(clip);
+}
+
+// A clip's cuts are those of the nodes that it drives, or whose cameras, lights and weights it does.
+void FramePoser::addClips(const Scene& scene, const std::string& animation, std::vector<NodeTime>& nodes) const {
+  for (const Animation* clip : clipsOf(scene, animation)) {
+    if (clip->cuts.empty()) continue;
+    const NodeTime its{Clock::Objects, {}, {clip}};
+    for (const Track& track : clip->tracks) nodes[size_t(track.node)].add(its);
+    for (const WeightTrack& track : clip->weights) nodes[size_t(track.node)].add(its);
+    for (const PropertyTrack& track : clip->properties)
+      for (size_t i = 0; i < nodes.size(); ++i)
+        if ((track.isOfCamera() ? scene.nodes[i].camera : scene.nodes[i].light) == track.index) nodes[i].add(its);
+  }
 }
 
 // What a skin bends follows the joints too.
@@ -39,17 +62,23 @@ FramePoser::NodeTime FramePoser::ofInstance(const Scene& scene, const Instance& 
   for (int joint : scene.skins[size_t(node.skin)].joints) {
     const NodeTime& other = nodes[size_t(joint)];
     if (other.clock == Clock::Camera) time.clock = Clock::Camera;
-    time.cuts.insert(time.cuts.end(), other.cuts.begin(), other.cuts.end());
+    time.add(other);
   }
   return time;
+}
+
+bool FramePoser::isCut(const NodeTime& node, double from_s, double to_s) const {
+  if (crosses(node.cuts, from_s, to_s)) return true;
+  return std::any_of(node.clips.begin(), node.clips.end(),
+                     [&](const Animation* clip) { return comesToACut(*clip, from_s, to_s); });
 }
 
 // A frame whose exposure spans a cut stands still: it shows the side of the cut that its capture is on. Of the poses
 // outside of the exposure only those beyond a cut do.
 double FramePoser::timeOf(const NodeTime& node, double time_s) const {
   const double capture_s = times_.capture_s;
-  if (crosses(node.cuts, std::min(times_.open_s, capture_s), std::max(times_.close_s, capture_s))) return capture_s;
-  if (crosses(node.cuts, std::min(time_s, capture_s), std::max(time_s, capture_s))) return capture_s;
+  if (isCut(node, std::min(times_.open_s, capture_s), std::max(times_.close_s, capture_s))) return capture_s;
+  if (isCut(node, std::min(time_s, capture_s), std::max(time_s, capture_s))) return capture_s;
   const double share = node.clock == Clock::Camera ? times_.camera_share : times_.object_share;
   return share == 1 ? time_s : capture_s + share * (time_s - capture_s);
 }

@@ -13,7 +13,8 @@ struct FrameTimes {
   // Shares of the motion that are kept, 0 (none) to 1: at a time t things are where they truly are at capture + share *
   // (t - capture).
   double camera_share = 1, object_share = 1;
-  int followed = -1;  // a node that keeps the camera's share instead, with all below it; -1: none
+  int followed = -1;              // a node that keeps the camera's share instead, with all below it; -1: none
+  std::vector<double> cuts = {};  // seconds at which everything jumps, beside the scene's own
 };
 
 class FramePoser {
@@ -30,10 +31,14 @@ class FramePoser {
   enum class Clock { Objects, Camera };
   struct NodeTime {
     Clock clock = Clock::Objects;
-    std::vector<double> cuts;  // of the node and all above it, and the scene's
+    std::vector<double> cuts;             // of the node and all above it, the scene's and the frame's
+    std::vector<const Animation*> clips;  // with cuts, that drive the node or one above it
+    void add(const NodeTime& other);
   };
 
+  void addClips(const Scene& scene, const std::string& animation, std::vector<NodeTime>& nodes) const;
   NodeTime ofInstance(const Scene& scene, const Instance& instance, const std::vector<NodeTime>& nodes) const;
+  bool isCut(const NodeTime& node, double from_s, double to_s) const;
   double timeOf(const NodeTime& node, double time_s) const;
   const Pose& posed(double time_s, std::vector<std::pair<double, Pose>>& poses) const;
 

@@ -38,7 +38,7 @@ class Loader {
     readNodes();
     hierarchyOrder(scene_);
     readSkins(file_, scene_);
-    keepReachable();
+    readShownScene();
     readAnimations(file_, scene_);
     dropIdleWeights(scene_);
     warnOfUnusedExtensions();
@@ -132,6 +132,7 @@ class Loader {
       std::string where = fmt::format("nodes[{}]", i);
       node.name = file_.uniqueName(nodes[i], fmt::format("node_{}", i), taken);
       readTransform(nodes[i], where, node);
+      node.cuts = cutsOf(file_, nodes[i], where);
       node.mesh = file_.index(nodes[i], "mesh", "meshes", where);
       node.camera = file_.index(nodes[i], "camera", "cameras", where);
       node.light = lightIndex(nodes[i], where);
@@ -207,12 +208,13 @@ class Loader {
     }
   }
 
-  // Nodes that are not in the shown scene stay in the list, but show nothing.
-  void keepReachable() {
+  // The cuts of the shown scene. Nodes that are not in it stay in the list, but show nothing.
+  void readShownScene() {
     const Json& scenes = file_.all("scenes");
     if (scenes.empty()) return;
     int shown = std::max(0, file_.index(file_.json(), "scene", "scenes", ""));
     std::string where = fmt::format("scenes[{}]", shown);
+    scene_.cuts = cutsOf(file_, scenes.at(shown), where);
     std::set<int> roots;
     for (const Json& root : file_.list(scenes.at(shown), "nodes", "scenes")) {
       Json holder = {{"node", root}};

@@ -28,12 +28,22 @@ class AnimationReader {
       driven_.clear();
       for (size_t k = 0; k < channels.size(); ++k)
         readChannel(animations[i], channels[k], fmt::format("animations[{}].channels[{}]", i, k), animation);
+      animation.cuts = readCuts(animations[i], fmt::format("animations[{}]", i), animation.duration);
       scene_.animations.push_back(std::move(animation));
     }
   }
 
  private:
   void warn(const std::string& text) { scene_.warnings.push_back(text); }
+
+  std::vector<double> readCuts(const Json& json, const std::string& where, double duration_s) {
+    std::vector<double> cuts = cutsOf(file_, json, where);
+    for (double cut : cuts)
+      if (cut < 0 || cut > duration_s)
+        file_.refuse(where + ".extras",
+                     fmt::format("'cuts' has {}, not from 0 to the clip's end at {} s", cut, duration_s));
+    return cuts;
+  }
 
   void readChannel(const Json& json, const Json& channel, const std::string& where, Animation& animation) {
     std::optional<PointerTarget> target = targetOf(channel, where);

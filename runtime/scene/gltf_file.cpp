@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/hash.h"
+#include "scene/motion.h"
 
 namespace strobe::scene {
 
@@ -393,6 +394,16 @@ std::vector<double> sharesOf(const GltfFile& file, const Json& object, const std
   for (double value : values)
     if (value < 0 || value > 1) file.refuse(where, fmt::format("'{}' has {}, not from 0 to 1", key, value));
   return values;
+}
+
+std::vector<double> cutsOf(const GltfFile& file, const Json& object, const std::string& where) {
+  if (!object.is_object() || !object.contains("extras")) return {};
+  const Json& extras = object["extras"];
+  const std::string place = where + ".extras";
+  const std::vector<double> none(file.list(extras, "cuts", place).size());
+  std::vector<double> cuts = file.numbers(extras, "cuts", none, place);
+  if (!increase(cuts)) file.refuse(place, "'cuts' do not increase");
+  return cuts;
 }
 
 }  // namespace strobe::scene

@@ -98,4 +98,7 @@ class GltfFile {
 std::vector<double> sharesOf(const GltfFile& file, const Json& object, const std::string& key,
                              std::vector<double> fallback, const std::string& where);
 
+// `extras.cuts` of a scene, a node or an animation: seconds that increase. Extras of another form have none.
+std::vector<double> cutsOf(const GltfFile& file, const Json& object, const std::string& where);
+
 }  // namespace strobe::scene

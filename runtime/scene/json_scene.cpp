@@ -68,11 +68,7 @@ class Builder {
   std::vector<double> readCuts(Fields& fields) {
     if (!fields.has("cuts")) return {};
     std::vector<double> cuts = fields.numbers("cuts", 1, 100000);
-    for (size_t i = 1; i < cuts.size(); ++i)
-      if (!(cuts[i] > cuts[i - 1])) {
-        fields.problem("'cuts' do not increase");
-        break;
-      }
+    if (!increase(cuts)) fields.problem("'cuts' do not increase");
     return cuts;
   }
 

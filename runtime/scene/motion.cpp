@@ -76,6 +76,22 @@ bool beginsAgain(const Animation& clip, double from_s, double to_s) {
   return goes_round || clipTime(to_s, clip.duration) < clipTime(from_s, clip.duration);
 }
 
+bool comesToACut(const Animation& clip, double from_s, double to_s) {
+  if (clip.cuts.empty()) return false;
+  const bool again = beginsAgain(clip, from_s, to_s);
+  if (again && to_s - from_s >= clip.duration) return true;
+  const double from = clipTime(from_s, clip.duration), to = clipTime(to_s, clip.duration);
+  return std::any_of(clip.cuts.begin(), clip.cuts.end(), [&](double cut) {
+    if (cut <= 0 || cut >= clip.duration) return again;
+    return again ? from < cut || cut <= to : from < cut && cut <= to;
+  });
+}
+
+bool increase(const std::vector<double>& numbers) {
+  return std::adjacent_find(numbers.begin(), numbers.end(), [](double a, double b) { return !(a < b); }) ==
+         numbers.end();
+}
+
 std::vector<int> hierarchyOrder(const Scene& scene) {
   enum { New, Open, Done };
   std::vector<int> state(scene.nodes.size(), New), order, chain;

@@ -25,6 +25,12 @@ double clipTime(double time_s, double duration_s);
 // Does the clip repeat between two times?
 bool beginsAgain(const Animation& clip, double from_s, double to_s);
 
+// Does it come to one of its cuts after the first time, up to the second or at it?
+bool comesToACut(const Animation& clip, double from_s, double to_s);
+
+// Whether each number is above the one before.
+bool increase(const std::vector<double>& numbers);
+
 // The clips that `animation` ("all", "none" or a name) means. Throws `Error` for an unknown one, naming the nearest.
 std::vector<const Animation*> clipsOf(const Scene& scene, const std::string& animation);
 
@@ -44,5 +50,8 @@ int nodeByName(const Scene& scene, const std::string& name);
 // origin), at rest at `rest_time_s`. Throw `Error` for bad numbers, a zero axis or an unknown node.
 ConstantMotion moveFromOption(const Scene& scene, const std::string& text, double fps, double rest_time_s);
 ConstantMotion spinFromOption(const Scene& scene, const std::string& text, double fps, double rest_time_s);
+
+// `T,T,...`, seconds that increase; of an empty text none. Throws `Error` (exit code 2) for others.
+std::vector<double> cutsFromOption(const std::string& text);
 
 }  // namespace strobe::scene

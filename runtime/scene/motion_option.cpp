@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `--move` and `--spin` (motion.h).
+// `--move`, `--spin` and `--cuts` (motion.h).
 #include <charconv>
 #include <cmath>
 
@@ -17,6 +17,19 @@ static std::optional<double> numberIn(std::string_view text) {
   return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
+// The numbers between commas; nothing where one is none.
+static std::optional<std::vector<double>> numbersOf(std::string_view text) {
+  std::vector<double> numbers;
+  for (size_t at = 0; at <= text.size();) {
+    size_t comma = std::min(text.find(',', at), text.size());
+    std::optional<double> number = numberIn(text.substr(at, comma - at));
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+    at = comma + 1;
+  }
+  return numbers;
+}
+
 struct Asked {
   int node;
   std::vector<double> numbers;
@@ -28,17 +41,11 @@ static Asked parse(const Scene& scene, const std::string& option, const std::str
   size_t equals = text.rfind('=');
   if (equals == std::string::npos || equals == 0)
     throw Error(fmt::format("{} '{}' is not {}", option, text, form), {}, 2);
-  std::vector<double> numbers;
-  for (size_t at = equals + 1; at <= text.size();) {
-    size_t comma = std::min(text.find(',', at), text.size());
-    std::optional<double> number = numberIn(std::string_view(text).substr(at, comma - at));
-    if (!number) throw Error(fmt::format("{} '{}' is not {}", option, text, form), {}, 2);
-    numbers.push_back(*number);
-    at = comma + 1;
-  }
-  if (numbers.size() != count)
-    throw Error(fmt::format("{} '{}' has {} numbers, not {}: {}", option, text, numbers.size(), count, form), {}, 2);
-  return {nodeByName(scene, text.substr(0, equals)), numbers};
+  std::optional<std::vector<double>> numbers = numbersOf(std::string_view(text).substr(equals + 1));
+  if (!numbers) throw Error(fmt::format("{} '{}' is not {}", option, text, form), {}, 2);
+  if (numbers->size() != count)
+    throw Error(fmt::format("{} '{}' has {} numbers, not {}: {}", option, text, numbers->size(), count, form), {}, 2);
+  return {nodeByName(scene, text.substr(0, equals)), *numbers};
 }
 
 ConstantMotion moveFromOption(const Scene& scene, const std::string& text, double fps, double rest_time_s) {
@@ -61,6 +68,14 @@ ConstantMotion spinFromOption(const Scene& scene, const std::string& text, doubl
   motion.angular_velocity = glm::radians(asked.numbers[3]) * fps;
   motion.rest_time = rest_time_s;
   return motion;
+}
+
+std::vector<double> cutsFromOption(const std::string& text) {
+  if (text.empty()) return {};
+  std::optional<std::vector<double>> cuts = numbersOf(text);
+  if (!cuts) throw Error(fmt::format("--cuts '{}' is not T,T,...: seconds", text), {}, 2);
+  if (!increase(*cuts)) throw Error(fmt::format("--cuts '{}': its seconds do not increase", text), {}, 2);
+  return *cuts;
 }
 
 }  // namespace strobe::scene

@@ -150,6 +150,9 @@ struct Animation {
   double duration = 0;  // seconds; time past the end repeats from the start
   std::vector<PropertyTrack> properties = {};
   std::vector<WeightTrack> weights = {};
+  // Seconds of the clip, from 0 to its duration, at which what it drives jumps, each time that it comes there. At 0 and
+  // at its end: where it begins again.
+  std::vector<double> cuts = {};
 };
 
 // Rigid motion at a constant rate, in world axes: of `--move`, `--spin` and of scenes described in Lua.

@@ -127,7 +127,8 @@ static bool isFollowed(const Scene& scene, double from_s, double to_s, double st
 
 // Those at which the scene is posed: evenly over the exposure, and at keys on the way.
 static std::vector<double> timesOf(const Scene& scene, const ExposedFrame& frame) {
-  std::vector<double> times = {frame.capture_s, frame.previous_s};
+  std::vector<double> times = frame.earlier_s;
+  times.insert(times.end(), {frame.capture_s, frame.previous_s});
   for (int i = 0; i < kTimes; ++i) times.push_back(glm::mix(frame.open_s, frame.close_s, i / (kTimes - 1.0)));
   auto [first, last] = std::minmax_element(times.begin(), times.end());
   const double from_s = *first, to_s = *last;

@@ -19,10 +19,11 @@ struct PixelArea {
 struct ExposedFrame {
   double capture_s = 0, open_s = 0, close_s = 0, previous_s = 0;
   int width = 0, height = 0;
+  std::vector<double> earlier_s = {};  // captures of frames before the previous one, where a frame looks back so far
 };
 
 // How an instance goes over the picture. Each holds unless it surely does not, to within 1/20 px, at any time of the
-// exposure, at the capture and back to one frame before it.
+// exposure, at the capture and back to one frame before it, or to the earlier ones.
 struct ScreenPath {
   bool curved = true;   // a point of it leaves the straight line between the ends of its path, or is not even in time
   bool turns = true;    // points of it move differently

@@ -125,7 +125,7 @@ local function whole(name, max)
   return { name = name, type = "int", min = 1, max = max, unit = "", default = 1 }
 end
 local count_parameter, slices_parameter = whole("count", 1 << 20), whole("slices", 1024)
-local times_parameter = { name = "times", type = "choice", choices = { "midpoint", "stratified", "even" }, unit = "",
+local times_parameter = { name = "times", type = "choice", choices = { "midpoint", "stratified", "even", "frames" }, unit = "",
                           default = "midpoint" }
 
 local function check_results(problems, results, place)

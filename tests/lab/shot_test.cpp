@@ -28,6 +28,7 @@ const std::map<std::string, Given> kGiven = {
     {"camera_blur", {{"0.5"}, 0.5}},
     {"object_blur", {{"0"}, 0.0}},
     {"follow", {{"bar"}, "bar"}},
+    {"cuts", {{"0.5,2"}, "0.5,2"}},
     {"motion_depths", {{"1,5"}, "1,5"}},
     {"camera", {{"far away"}, "far away"}},
     {"view", {{"1,-2,40,0,0.5,0"}, {1, -2, 40, 0, 0.5, 0}}},
@@ -220,6 +221,10 @@ TEST(ShotOptions, AnExposureInSecondsIsTheLaterOfTheTwo) {
       refusal({"hybrid", "--shutter-curve", "trapezod"}),
       "2 --shutter-curve 'trapezod': is none of box, triangle, trapezoid:OPENING,CLOSING, gaussian:SIGMA, weights "
       "0,1,1,0 or TIME=WEIGHT,...; did you mean 'trapezoid'?");
+  EXPECT_EQ(refusal({"hybrid", "--cuts", "0.5,1.5"}), "accepted");
+  EXPECT_EQ(refusal({"hybrid", "--cuts", "soon"}), "2 --cuts 'soon' is not T,T,...: seconds");
+  EXPECT_EQ(refusal({"hybrid", "--cuts", "1,"}), "2 --cuts '1,' is not T,T,...: seconds");
+  EXPECT_EQ(refusal({"hybrid", "--cuts", "1,1"}), "2 --cuts '1,1': its seconds do not increase");
 }
 
 TEST(Settings, AreTypedInRecords) {

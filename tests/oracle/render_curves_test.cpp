@@ -231,8 +231,151 @@ TEST_F(RenderCurves, AreRefusedWhereTheySayNothing) {
   EXPECT_NE(problemOf("hybrid", {"trajectory=cubic", "composite=in_gather"}).find("knows straight paths alone"),
             std::string::npos);
   EXPECT_NE(problemOf("hybrid", {"trajectory=cubic", "range=split"}).find("needs range = whole"), std::string::npos);
-  EXPECT_NE(problemOf("ue4", {"trajectory=cubic", "displacement=extrapolated"}).find("displacement = window"),
-            std::string::npos);
+  for (const char* pipeline : {"ue4", "hybrid"})
+    EXPECT_NE(problemOf(pipeline, {"trajectory=arc", "displacement=extrapolated"})
+                  .find("trajectory = arc: arcs need poses inside of the exposure"),
+              std::string::npos)
+        << pipeline;
+}
+
+// --- From poses of earlier frames
+
+constexpr double kSlow = 5;  // degrees over the exposure of a half that the scene is made for
+constexpr double kPerFrame = 2 * kSlow;
+
+lab::Shot slowWedge() { return shotOf("wedge", kSide, kSide, {{"from", 20}, {"to", 65}, {"degrees", kSlow}}); }
+
+const std::map<std::string, int> kFramesOf = {{"quadratic", 2}, {"cubic", 3}};
+
+std::vector<std::string> foretold(const std::string& trajectory) {
+  return {"displacement=extrapolated", "trajectory=" + trajectory};
+}
+
+// As many frames as the curve has poses of earlier ones, up to the capture: it goes through all of them.
+TEST_F(RenderCurves, MeetThePosesOfEarlierFrames) {
+  for (const auto& [trajectory, frames] : kFramesOf) {
+    lab::Shot shot = with(slowWedge(), "mcguire2012", foretold(trajectory), "close");
+    shot.exposure = frames;
+    shot.taps = {"raster_curve.curve"};
+    const lab::Picture picture = render(shot);
+    const image::Image &velocity = imageOf(picture, "velocity"),
+                       &curve = picture.frame.taps.at("raster_curve.curve").floats;
+    int seen = 0;
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) {
+        const glm::dvec2 d(velocity.at(x, y, 0), velocity.at(x, y, 1)), b(curve.at(x, y, 0), curve.at(x, y, 1)),
+            c(curve.at(x, y, 2), curve.at(x, y, 3));
+        if (glm::length(d) == 0) continue;
+        ++seen;
+        for (int k = 1; k <= frames; ++k) {
+          const double u = 1 - double(k) / frames;
+          const glm::dvec2 at = d * (u - 1) + 4 * u * (1 - u) * (b + (2 * u - 1) * c);
+          const glm::dvec2 expected = turned(placeOf(x, y), -k * kPerFrame / kDegrees) - placeOf(x, y);
+          // Places of single precision, times the sums of their coefficients, which are below 32.
+          EXPECT_LE(glm::length(at - expected), 1e-3) << trajectory << ", " << -k << ", " << x << " " << y;
+        }
+      }
+    EXPECT_GT(seen, 500) << trajectory;
+  }
+}
+
+// x = 12 t + 5 t^2 / 2, t in exposures: the curve of second order is the path, wherever the exposure lies.
+TEST_F(RenderCurves, AreWhatAcceleratesEvenly) {
+  const lab::Shot bent = shotOf("bent", 96, 32, {{"before", 12}, {"after", 12}, {"bend", 5}});
+  for (const auto& [trajectory, frames] : kFramesOf)
+    for (const char* pipeline : {"mcguire2012", "hybrid"})
+      for (const Anchor& anchor : anchors()) {
+        if (pipeline == std::string("hybrid") && anchor.name != "open") continue;
+        lab::Shot shot = with(bent, pipeline, foretold(trajectory), anchor.name);
+        if (pipeline == std::string("hybrid")) lab::putSetting(shot.sets, "preset", std::string("captured"));
+        shot.taps = {"raster_curve.curve", "raster_curve.bent"};
+        const lab::Picture picture = render(shot);
+        const image::Image& curve = picture.frame.taps.at("raster_curve.curve").floats;
+        const std::string what = fmt::format("{}, {}, {}", trajectory, pipeline, anchor.name);
+        for (int x = 32; x < 60; ++x) {
+          EXPECT_NEAR(imageOf(picture, "velocity").at(x, 16, 0),
+                      12 + 5 * (anchor.window.open + anchor.window.close) / 2, 1e-3)
+              << what;
+          EXPECT_NEAR(curve.at(x, 16, 0), -5. / 8, 1e-3) << what;
+          for (int k = 1; k < 4; ++k) EXPECT_NEAR(curve.at(x, 16, k), 0, 1e-3) << what;
+          EXPECT_EQ(picture.frame.taps.at("raster_curve.bent").floats.at(x, 16, 0), 0) << what;
+        }
+      }
+}
+
+// Over an exposure of half a frame, twenty degrees from frame to frame. Of the path that turns, the straight one leaves
+// out what second differences say, f (f + 1) / 2 of them at f frames, the second order f (f + 1) (f + 2) / 6 of the
+// third ones, and each difference is a third of the one before: at the ends of these exposures less than a third is
+// left by each order.
+TEST_F(RenderCurves, FromEarlierFramesFollowWhatTurns) {
+  for (const Anchor& anchor : anchors()) {
+    std::map<std::string, double> farthest;
+    for (const char* trajectory : {"line", "quadratic", "cubic"}) {
+      lab::Shot shot = shotOf("wedge", kSide, kSide, {{"from", 20}, {"to", 65}, {"degrees", 2 * kSlow}});
+      shot = with(shot, "mcguire2012", foretold(trajectory), anchor.name);
+      const bool is_line = trajectory == std::string("line");
+      if (!is_line) shot.taps = {"raster_curve.curve"};
+      const lab::Picture picture = render(shot);
+      const image::Image& velocity = imageOf(picture, "velocity");
+      for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+          const glm::dvec2 d(velocity.at(x, y, 0), velocity.at(x, y, 1));
+          if (glm::length(d) == 0) continue;
+          glm::dvec2 b(0), c(0);
+          if (!is_line) {
+            const image::Image& curve = picture.frame.taps.at("raster_curve.curve").floats;
+            b = {curve.at(x, y, 0), curve.at(x, y, 1)}, c = {curve.at(x, y, 2), curve.at(x, y, 3)};
+          }
+          const double open = anchor.window.open;
+          auto off = [&](double t) { return 4 * (t - open) * (1 - t + open) * (b + (2 * (t - open) - 1) * c); };
+          for (double t : {open, open + .25, open + .5, open + .75, open + 1}) {
+            const glm::dvec2 at = d * t + off(t) - off(0);
+            const glm::dvec2 exact = turned(placeOf(x, y), t * 2 * kSlow / kDegrees) - placeOf(x, y);
+            farthest[trajectory] = std::max(farthest[trajectory], glm::length(at - exact));
+          }
+        }
+    }
+    EXPECT_GT(farthest["line"], .5) << anchor.name;
+    EXPECT_LE(farthest["quadratic"], farthest["line"] / 2.5) << anchor.name;
+    EXPECT_LE(farthest["cubic"], farthest["quadratic"] / 2.5) << anchor.name;
+  }
+}
+
+// What is straight is not looked at; and where all is modelled, each texel of it keeps its displacement bit for bit.
+TEST_F(RenderCurves, FromEarlierFramesStraightPathsAreWhatTheyWere) {
+  for (const char* pipeline : {"hybrid", "mcguire2012"}) {
+    auto drawn = [&](const std::string& trajectory, bool everything) {
+      lab::Shot shot = with(shotOf("textured_bar", 64, 24), pipeline, foretold(trajectory));
+      if (pipeline == std::string("hybrid")) lab::putSetting(shot.sets, "preset", std::string("captured"));
+      shot.model_everything = everything;
+      return render(shot);
+    };
+    const image::Image expected = colorOf(drawn("line", false));
+    for (const auto& [trajectory, everything] : {std::pair("quadratic", false), {"cubic", false}, {"cubic", true}}) {
+      if (everything && pipeline == std::string("hybrid")) continue;  // which has many more shaders then
+      const lab::Picture picture = drawn(trajectory, everything);
+      EXPECT_TRUE(identical(colorOf(picture), expected)) << pipeline << ", " << trajectory << ", " << everything;
+      bool runs = std::any_of(picture.frame.times.begin(), picture.frame.times.end(),
+                              [](const auto& step) { return step.name == "raster_curve"; });
+      EXPECT_EQ(runs, everything) << pipeline << ", " << trajectory;
+    }
+  }
+}
+
+// Poses beyond a cut are none: of one pose the path is straight, of two a curve of second order.
+TEST_F(RenderCurves, FromEarlierFramesEndAtACut) {
+  auto drawn = [&](const std::string& trajectory, const std::string& cuts) {
+    lab::Shot shot = with(slowWedge(), "mcguire2012", foretold(trajectory));
+    shot.cuts = cuts;
+    return colorOf(render(shot));
+  };
+  const std::string in_the_second = fmt::format("{}", -1.5 / 24), in_the_third = fmt::format("{}", -2.5 / 24);
+  const image::Image line = drawn("line", ""), quadratic = drawn("quadratic", "");
+  EXPECT_TRUE(identical(drawn("quadratic", in_the_second), line));
+  EXPECT_TRUE(identical(drawn("cubic", in_the_second), line));
+  EXPECT_LE(largestDifference(drawn("cubic", in_the_third), quadratic), 1e-5);  // a curve of 0 beyond it
+  EXPECT_TRUE(identical(drawn("quadratic", in_the_third), quadratic));
+  EXPECT_GT(largestDifference(line, quadratic), .01);
 }
 
 }  // namespace strobe::oracle

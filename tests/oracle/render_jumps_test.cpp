@@ -2,8 +2,12 @@
 // What of the motion does not blur: cuts, and shares of the camera's motion and of objects'. Each picture is that of a
 // scene in which the rest moves as much less, by every method and by truth. And exposures in seconds.
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include <set>
 
 #include "oracle/render.h"
+#include "scene/gltf_asset.h"
 
 namespace strobe::oracle {
 namespace {
@@ -81,6 +85,87 @@ TEST_F(RenderJumps, ACutOfOneThingStandsItStill) {
     double cut = anchor == std::string("open") ? .4 : -.4;
     expectAlike(jumps({{"a_cut", cut}}), jumps({{"a_x", 0}}), anchor, "object");
     expectAlike(jumps({{"camera_cut", cut}}), jumps({{"camera_x", 0}}), anchor, "camera");
+  }
+}
+
+// Two cards of a glTF file, `a` and `b`, and its camera go 2 m within a second, each by a clip of its own: those that
+// are not held where they are at half a second. `extend` adds what it likes.
+class RenderJumpsInGltf : public RenderJumps {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(file().parent_path()); }
+  void TearDown() override {
+    std::filesystem::remove_all(file().parent_path());
+    RenderTest::TearDown();
+  }
+  static Path file() {
+    return std::filesystem::temp_directory_path() / fmt::format("strobe_cuts_{}/a.gltf", ::getpid());
+  }
+
+  static lab::Shot shot(const std::set<int>& held, const std::function<void(Json&)>& extend = {}) {
+    scene::Asset asset;
+    asset.add<float>({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, -1, 0, 1, 1, 0, -1, 1, 0}, "VEC3", 3, 5126);
+    const int times = asset.add<float>({0, 1}, "SCALAR", 1, 5126);
+    Json& json = asset.json;
+    json["nodes"] = Json::parse(R"([{"mesh":0,"name":"a"},{"mesh":0,"name":"b"},{"camera":0,"name":"eye"},
+        {"mesh":0,"name":"wall","translation":[0,0,-4],"scale":[2,2,1]}])");
+    json["scenes"][0]["nodes"] = {0, 1, 2, 3};
+    json["cameras"] = Json::parse(R"([{"type":"perspective","perspective":{"yfov":1,"znear":0.1}}])");
+    json["animations"] = Json::array();
+    for (int node = 0; node < 3; ++node) {
+      const float x = node == 0 ? -1.5f : node == 1 ? 1.5f : 0, y = node == 1 ? 1 : 0, z = node == 2 ? 6 : 0;
+      json["nodes"][size_t(node)]["translation"] = {x + 1, y, z};
+      if (held.count(node)) continue;
+      const int values = asset.add<float>({x, y, z, x + 2, y, z}, "VEC3", 3, 5126);
+      json["animations"].push_back(
+          {{"samplers", Json::array({{{"input", times}, {"output", values}}})},
+           {"channels", Json::array({{{"sampler", 0}, {"target", {{"node", node}, {"path", "translation"}}}}})}});
+    }
+    if (json["animations"].empty()) json.erase("animations");
+    if (extend) extend(json);
+    scene::writeQuickly(file(), asset.whole().dump());
+    lab::Shot result;
+    result.scene = file();
+    result.width = 96;
+    result.height = 64;
+    result.fps = 10;
+    result.frame = 5;
+    result.exposure = 1;
+    return result;
+  }
+
+  static std::vector<image::Image> pictures(const lab::Shot& shot) {
+    std::vector<image::Image> all;
+    for (const Method& method : {methods()[0], Method{"hybrid", {"preset=captured"}}, methods()[9]})
+      all.push_back(drawn(shot, method, "close"));
+    return all;
+  }
+  static void expectSame(const std::vector<image::Image>& a, const std::vector<image::Image>& b, const char* what) {
+    for (size_t i = 0; i < a.size(); ++i) EXPECT_TRUE(identical(a[i], b[i])) << what << " " << i;
+  }
+};
+
+TEST_F(RenderJumpsInGltf, ACutOfTheSceneOrOfTheShotIsThePictureWithoutBlur) {
+  const Json cuts = {0.2, 0.45};
+  lab::Shot moving = shot({}), option = moving;
+  const image::Image none = drawn(moving, {"none", {}}, "close");
+  const std::vector<image::Image> sharp(3, none);
+  for (const image::Image& blurred : pictures(moving)) EXPECT_FALSE(identical(blurred, none));
+  option.cuts = "0.2,0.45";
+  expectSame(pictures(option), sharp, "shot");
+  option.cuts = "0.4,0.51";  // it opens at the one, and the other comes later
+  expectSame(pictures(option), pictures(moving), "outside");
+  expectSame(pictures(shot({}, [&](Json& json) { json["scenes"][0]["extras"]["cuts"] = cuts; })), sharp, "scene");
+}
+
+TEST_F(RenderJumpsInGltf, ACutOfANodeOrAClipStandsItStill) {
+  const Json cuts = {0.2, 0.45};
+  for (int node : {0, 2}) {
+    const std::vector<image::Image> held = pictures(shot({node}));
+    auto cut = [&](const char* list) {
+      return pictures(shot({}, [&](Json& json) { json[list][size_t(node)]["extras"]["cuts"] = cuts; }));
+    };
+    expectSame(cut("nodes"), held, "node");
+    expectSame(cut("animations"), held, "clip");
   }
 }
 

@@ -224,6 +224,25 @@ TEST(Params, LoopsFollowThePipeline) {
   EXPECT_EQ(plan.loops.at(0).slices, 4);
 }
 
+TEST(Params, LoopsOfFramesSayHowFarTheyLookBack) {
+  Builder b;
+  for (const char* name : {"shutter", "earlier"}) {
+    b.beginLoop(name, 2);
+    b.compute(name + std::string("_sum"), {}, {}, {"sum"});
+    b.endLoop();
+    b.output(name, name + std::string("_sum.sum"));
+  }
+  b.pipeline.params = {intParam("poses", 3, 1, 1024)};
+  b.pipeline.values = {{"poses", int64_t{3}}};
+  for (LoopDesc& loop : b.pipeline.loops) loop.slices = following("poses");
+  EXPECT_EQ(earlierFrames(b.pipeline), 0);
+  b.pipeline.loops[1].times = bound(std::string("frames"));
+  EXPECT_EQ(earlierFrames(b.pipeline), 2 * 3);
+  EXPECT_EQ(compile(b.pipeline, optionsOf(64, 32)).loops.at(1).times, "frames");
+  b.pipeline.values = {{"poses", int64_t{1000}}};
+  EXPECT_EQ(earlierFrames(b.pipeline), 64);
+}
+
 TEST(Memory, AliasesAChain) {
   Builder b;
   b.compute("n0", {}, {"x"});

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/json_scene.h"
+#include "scene/motion.h"
 
 namespace strobe::scene {
 namespace {
@@ -95,6 +96,41 @@ TEST(FramePoser, SharesAreOfTheTimeFromTheCapture) {
   EXPECT_EQ(at.wheel, dvec3(1.75, 1.75, 0));
   EXPECT_EQ(at.ball, dvec3(1.5, 0, 0));
   EXPECT_EQ(FramePoser(scene, cameraNode(scene, ""), "all", times).cameraTime(1), 1.75);
+}
+
+// Of the frame's own times, beside the scene's.
+TEST(FramePoser, TimesOfAFrameCutToo) {
+  Scene scene = sceneWith("9", "", "");
+  FrameTimes times = kTimes;
+  times.cuts = {.5, 1.5};
+  Places at = placesAt(scene, times, 1);
+  for (const dvec3& place : {at.car, at.ball, at.lamp, at.eye}) EXPECT_EQ(place, dvec3(2, 0, 0));
+  EXPECT_EQ(FramePoser(scene, cameraNode(scene, ""), "all", times).cameraTime(1), 2);
+}
+
+// A clip of 2 s with a cut half a second in, and where it begins again.
+TEST(FramePoser, ClipsComeToTheirCutsEachTimeRound) {
+  Animation clip;
+  clip.duration = 2;
+  auto comes = [&](double from_s, double to_s) { return comesToACut(clip, from_s, to_s); };
+  EXPECT_FALSE(comes(0, 100));
+  clip.cuts = {.5};
+  EXPECT_TRUE(comes(.4, .5));
+  EXPECT_FALSE(comes(.5, .6));
+  EXPECT_FALSE(comes(.6, 2.4));
+  EXPECT_TRUE(comes(2.4, 2.6));
+  EXPECT_TRUE(comes(1.9, 2.6));
+  EXPECT_TRUE(comes(.4, 2.1));
+  EXPECT_TRUE(comes(.6, 2.7));  // all the way round
+  for (double again : {0., 2.}) {
+    clip.cuts = {again};
+    EXPECT_FALSE(comes(-1, 1)) << again;
+    EXPECT_FALSE(comes(1, 2)) << again;  // its end is of the round before
+    EXPECT_TRUE(comes(1.9, 2.1)) << again;
+    EXPECT_TRUE(comes(2, 2.1)) << again;
+    EXPECT_FALSE(comes(2.1, 3.9)) << again;
+    EXPECT_TRUE(comes(3.9, 4)) << again;
+  }
 }
 
 std::string failure(const std::string& cuts) {

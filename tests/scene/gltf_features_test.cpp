@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scene/defaults.h"
+#include "scene/frame_poser.h"
 #include "scene/gltf_asset.h"
 #include "scene/motion.h"
 
@@ -244,6 +245,75 @@ TEST_F(Gltf, ChannelsOfOneAnimationDriveDifferentThings) {
   Json json = Pointed().moving("/nodes/0/translation", {0, 0, 0, 4, 0, 0});
   json["animations"][0]["channels"].push_back({{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}});
   EXPECT_NE(failure(json).find("drives /nodes/0/translation, as another channel does"), std::string::npos);
+}
+
+// ---- cuts
+
+// The mesh goes 4 m along x within two seconds, and begins again.
+Json sliding() { return Pointed().moving("/nodes/0/translation", {0, 0, 0, 4, 0, 0}); }
+
+TEST_F(Gltf, ScenesNodesAndAnimationsHaveCuts) {
+  Json json = sliding();
+  json["scenes"][0]["extras"]["cuts"] = {0.5, 1};
+  json["nodes"][1]["extras"]["cuts"] = {2.5};
+  json["animations"][0]["extras"]["cuts"] = {0, 1.5, 2};
+  Scene scene = load(json);
+  EXPECT_EQ(scene.cuts, (std::vector<double>{0.5, 1}));
+  EXPECT_EQ(scene.nodes[1].cuts, std::vector<double>{2.5});
+  EXPECT_EQ(scene.animations[0].cuts, (std::vector<double>{0, 1.5, 2}));
+  EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST_F(Gltf, ExtrasOfAnotherFormHaveNoCuts) {
+  for (const char* text : {"3", "\"cuts\"", "[1, 0]", "{\"cuts\": []}", "{\"other\": 1}"}) {
+    const Json extras = Json::parse(text);
+    Json json = sliding();
+    json["scenes"][0]["extras"] = json["nodes"][1]["extras"] = json["animations"][0]["extras"] = extras;
+    EXPECT_EQ(failure(json), "") << text;
+    EXPECT_TRUE(load(json).cuts.empty());
+  }
+}
+
+TEST_F(Gltf, MalformedCutsAreRefusedWithTheirPlace) {
+  const std::pair<const char*, const char*> places[] = {
+      {"/scenes/0/extras/cuts", "a.gltf: scenes[0].extras: "},
+      {"/nodes/1/extras/cuts", "a.gltf: nodes[1].extras: "},
+      {"/animations/0/extras/cuts", "a.gltf: animations[0].extras: "}};
+  const std::pair<const char*, const char*> mistakes[] = {{"0.5", "'cuts' is not a list"},
+                                                          {"[\"half\"]", "'cuts' holds what is not a finite number"},
+                                                          {"[1, 0.5]", "'cuts' do not increase"},
+                                                          {"[1, 1]", "'cuts' do not increase"}};
+  for (const auto& [pointer, place] : places)
+    for (const auto& [cuts, what] : mistakes) {
+      Json json = sliding();
+      json[Json::json_pointer(pointer)] = Json::parse(cuts);
+      const std::string found = failure(json);
+      EXPECT_TRUE(found.ends_with(std::string(place) + what)) << found;
+    }
+  for (double beyond : {-0.5, 2.5}) {
+    Json json = sliding();
+    json["animations"][0]["extras"]["cuts"] = {beyond};
+    EXPECT_NE(failure(json).find("animations[0].extras: 'cuts' has"), std::string::npos) << failure(json);
+  }
+}
+
+// From 1.75 s to 2.25 s, the capture at the end: the clip begins again within the exposure.
+TEST_F(Gltf, AClipIsCutForWhatItDrives) {
+  auto placeAt = [&](const Json& json, const std::string& animation, double time_s) {
+    const Scene scene = load(json);
+    const FramePoser poser(scene, cameraNode(scene, "p"), animation, {2.25, 1.75, 2.25});
+    return poser.at(time_s).world_from_instance.at(0)[3].x - 1;  // the mesh's middle is at x 1
+  };
+  Json json = sliding();
+  EXPECT_NEAR(placeAt(json, "all", 1.75), 3.5, 1e-6);
+  json["animations"][0]["extras"]["cuts"] = {2};
+  EXPECT_NEAR(placeAt(json, "all", 1.75), 0.5, 1e-6);
+  EXPECT_NEAR(placeAt(json, "none", 1.75), 0, 1e-6);
+  json = Pointed().moving("/cameras/0/perspective/yfov", {1, 0.5});
+  json["animations"][0]["extras"]["cuts"] = {0};
+  const Scene scene = load(json);
+  EXPECT_EQ(FramePoser(scene, cameraNode(scene, "p"), "all", {2.25, 1.75, 2.25}).cameraTime(1.75), 2.25);
+  EXPECT_EQ(FramePoser(scene, cameraNode(scene, "o"), "all", {2.25, 1.75, 2.25}).cameraTime(1.75), 1.75);
 }
 
 }  // namespace

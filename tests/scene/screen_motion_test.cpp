@@ -101,6 +101,18 @@ TEST(ScreenMotion, OfACardThatSlides) {
   EXPECT_EQ(boxes.motion().reach.x1, int(std::ceil(kWidth / 2 + kMetre + 2 + kMetre * std::hypot(1, 0.5) / 32)));
 }
 
+// It stands until the frame before, and slides since: where a frame looks back farther, that is no even way.
+TEST(ScreenMotion, OfEarlierFrames) {
+  Boxes boxes;
+  boxes.move(boxes.add({0, 0, -10}, kCard), {2, 1, 0});
+  Poser poser(boxes.scene(), 0);
+  auto pose_at = [&](double time_s) { return poser.at(std::max(time_s, 0.0)); };
+  ExposedFrame frame = frameAtOne();
+  EXPECT_FALSE(screenMotionOf(boxes.scene(), pose_at, frame).paths.at(0).curved);
+  frame.earlier_s = {-kFrame};
+  EXPECT_TRUE(screenMotionOf(boxes.scene(), pose_at, frame).paths.at(0).curved);
+}
+
 TEST(ScreenMotion, OfWhatHasDepth) {
   Boxes boxes;
   boxes.move(boxes.add({0, 0, -10}, kBox), {2, 0, 0});

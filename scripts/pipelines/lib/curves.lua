@@ -1,21 +1,22 @@
 -- SPDX-License-Identifier: MIT
 -- Paths over the exposure that are no straight lines.
-local pass       = require "strobe.pass"
-local pipeline   = require "strobe.pipeline"
-local path_curve = require "passes.scene.path_curve"
-local ranges     = require "scripts.pipelines.lib.ranges"
-local scene      = require "scripts.pipelines.lib.scene"
+local pass          = require "strobe.pass"
+local pipeline      = require "strobe.pipeline"
+local earlier_curve = require "passes.scene.earlier_curve"
+local path_curve    = require "passes.scene.path_curve"
+local ranges        = require "scripts.pipelines.lib.ranges"
+local scene         = require "scripts.pipelines.lib.scene"
 
 local curves = {}
 
 function curves.are_asked(p) return p.trajectory() ~= "line" end
 
--- Stops where a filter would take no notice of them, or where displacements are not those of the exposure.
+-- From poses of earlier frames, which say displacements too?
+function curves.are_foretold(p) return curves.are_asked(p) and p.displacement() == "extrapolated" end
+
+-- Stops where a filter would take no notice of them.
 function curves.require(p, filter, setting)
   if not curves.are_asked(p) then return end
-  if p.displacement() ~= "window" then
-    error(("trajectory = %s: curves are those of true poses, displacement = window"):format(p.trajectory()), 0)
-  end
   if pass.reads(filter, "after_velocity") and ranges.are_split(p) then
     error(("trajectory = %s: range = split has straight paths; it needs range = whole"):format(p.trajectory()), 0)
   end
@@ -24,26 +25,43 @@ function curves.require(p, filter, setting)
   end
 end
 
--- Gives each of the layers, { name, layer (plain tables: depth, id, velocity, perhaps hit and normal) }, its curve, and what
--- that does not say: bend, bent. From poses inside of the exposure. Nothing where paths are lines.
+-- How many poses curves go through, beside those at the ends of the exposure or that of the capture.
+local function poses_of(p)
+  if not curves.are_foretold(p) then return p.trajectory() == "arc" and 5 or 3 end
+  if p.trajectory() == "arc" then
+    error("trajectory = arc: arcs need poses inside of the exposure, displacement = window; poses of earlier frames make " ..
+          "a quadratic or a cubic", 0)
+  end
+  return p.trajectory() == "cubic" and 3 or 2
+end
+
+-- Gives each of the layers, { name, layer (plain tables: depth, id, velocity, perhaps hit and normal), keeps_velocity }, its
+-- curve, and what that does not say: bend, bent. From poses inside of the exposure; or from those of earlier frames, and
+-- then its velocity too, unless it keeps its own. Nothing where paths are lines.
 function curves.add(p, layers)
   if not curves.are_asked(p) then return end
-  local poses = p.trajectory() == "arc" and 5 or 3
-  local found = pipeline.loop { name = "inside", count = 1, times = "even", slices = poses, body = function()
-    local result = {}
-    for _, given in ipairs(layers) do
-      local name, layer = given[1], given[2]
-      local of = path_curve {
-        depth = layer.depth, id = layer.id, velocity = layer.velocity, hit = layer.hit, normal = layer.normal,
-        as = name .. "_curve",
-      }
-      for _, image in ipairs { "curve", "bend", "bent" } do result[name .. "_" .. image] = of[image] end
-    end
-    return result
-  end }
+  local foretold, poses = curves.are_foretold(p), poses_of(p)
+  local images = { "curve", "bend", "bent", foretold and "velocity" or nil }
+  local found = pipeline.loop {
+    name = foretold and layers[1][1] .. "_earlier" or "inside",
+    count = 1, times = foretold and "frames" or "even", slices = poses,
+    body = function()
+      local result = {}
+      for _, given in ipairs(layers) do
+        local name, layer = given[1], given[2]
+        local of = (foretold and earlier_curve or path_curve) {
+          depth = layer.depth, id = layer.id, velocity = layer.velocity, hit = layer.hit, normal = layer.normal,
+          as = name .. "_curve",
+        }
+        for _, image in ipairs(images) do result[name .. "_" .. image] = of[image] end
+      end
+      return result
+    end }
   for _, given in ipairs(layers) do
-    local name, layer = given[1], given[2]
-    for _, image in ipairs { "curve", "bend", "bent" } do layer[image] = found[name .. "_" .. image] end
+    local name, layer, keeps_velocity = given[1], given[2], given[3]
+    for _, image in ipairs(images) do
+      if image ~= "velocity" or not keeps_velocity then layer[image] = found[name .. "_" .. image] end
+    end
   end
 end
 

@@ -261,13 +261,24 @@ local function reached_cells(p, seen, revealed, images)
   return { moved = cells.moved, behind = cells.behind, missed = cells.missed }
 end
 
+-- Curves from inside of the exposure are those of the first two layers. From earlier frames each has a displacement too, and
+-- the raster layer has had its own (pipelines/hybrid.lua).
+local function add_curves(p, seen, revealed)
+  if not curves.are_foretold(p) then return curves.add(p, { { "raster", seen }, { "revealed", revealed[1] } }) end
+  local behind, keeps_velocity = {}, p.reveal_velocity() ~= "own"
+  for number, layer in ipairs(revealed) do
+    behind[number] = { number == 1 and "revealed" or "revealed_" .. number, layer, keeps_velocity }
+  end
+  curves.add(p, behind)
+end
+
 -- The picture, by the composite chosen: a pass that reads blurred layers (front, back) or the layers themselves.
 function hybrid.composited(p, seen, revealed)
   local composite = pass.member("composite", p.composite())
   local apart = pass.reads(composite, "front")
   curves.require(p, apart and pass.member("gather", p.weights()) or composite,
     apart and "weights = " .. p.weights() or "composite = " .. p.composite())
-  curves.add(p, { { "raster", seen }, { "revealed", revealed[1] } })
+  add_curves(p, seen, revealed)
   local images = apart and blurred(p, seen, revealed[1]) or layers(p, seen, revealed, composite)
   if pass.reads(composite, "moved") then put(images, "", reached_cells(p, seen, revealed, images)) end
   local doubted, ends = doubts.are_asked(p), p.end_layers() and knows(p, "open_color")
