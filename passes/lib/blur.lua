@@ -26,5 +26,8 @@ return {
         "roll, up to one and a quarter turns. Fails where circles are seen aslant: cubics are nearer to these.",
     } },
 
+  seen_at = param.choice { "capture", "start", "finish", default = "capture",
+    doc = "the time at which a layer has things where they are then: the capture, or an end of the exposure" },
+
   directions = param.choice { "one", "two", default = "one", doc = "along how many directions taps are taken" },
 }

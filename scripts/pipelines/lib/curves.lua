@@ -24,18 +24,18 @@ function curves.require(p, filter, setting)
   end
 end
 
--- Gives each of the layers, { name, layer (plain tables: depth, id, velocity, perhaps hit and normal) }, its curve, and what
--- that does not say: bend, bent. From poses inside of the exposure. Nothing where paths are lines.
-function curves.add(p, layers)
+-- Gives each of the layers, { name, layer (plain tables: depth, id, velocity, perhaps hit, normal, seen_at) }, its curve, and
+-- what that does not say: bend, bent. From poses inside of the exposure, in a loop of that name. Nothing where paths are lines.
+function curves.add(p, layers, loop_name)
   if not curves.are_asked(p) then return end
   local poses = p.trajectory() == "arc" and 5 or 3
-  local found = pipeline.loop { name = "inside", count = 1, times = "even", slices = poses, body = function()
+  local found = pipeline.loop { name = loop_name or "inside", count = 1, times = "even", slices = poses, body = function()
     local result = {}
     for _, given in ipairs(layers) do
       local name, layer = given[1], given[2]
       local of = path_curve {
         depth = layer.depth, id = layer.id, velocity = layer.velocity, hit = layer.hit, normal = layer.normal,
-        as = name .. "_curve",
+        seen_at = layer.seen_at or "capture", as = name .. "_curve",
       }
       for _, image in ipairs { "curve", "bend", "bent" } do result[name .. "_" .. image] = of[image] end
     end
@@ -47,12 +47,15 @@ function curves.add(p, layers)
   end
 end
 
--- What raster sees, with its curves, for a file of passes/gather.
-function curves.captured(p, weights)
+-- What raster sees, with its curves, for a filter that is called so in what is said where it knows none.
+function curves.seen(p, filter, setting)
   local seen = scene.captured()
-  curves.require(p, pass.member("gather", weights), "weights = " .. weights)
+  curves.require(p, filter, setting)
   curves.add(p, { { "raster", seen } })
   return seen
 end
+
+-- The same for a file of passes/gather.
+function curves.captured(p, weights) return curves.seen(p, pass.member("gather", weights), "weights = " .. weights) end
 
 return curves

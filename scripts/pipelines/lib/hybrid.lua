@@ -261,13 +261,22 @@ local function reached_cells(p, seen, revealed, images)
   return { moved = cells.moved, behind = cells.behind, missed = cells.missed }
 end
 
+-- The layers with the names of their curves.
+function hybrid.named(seen, revealed)
+  local named = { { "raster", seen } }
+  for number, layer in ipairs(revealed) do
+    named[#named + 1] = { number == 1 and "revealed" or ("revealed_%d"):format(number), layer }
+  end
+  return named
+end
+
 -- The picture, by the composite chosen: a pass that reads blurred layers (front, back) or the layers themselves.
 function hybrid.composited(p, seen, revealed)
   local composite = pass.member("composite", p.composite())
   local apart = pass.reads(composite, "front")
   curves.require(p, apart and pass.member("gather", p.weights()) or composite,
     apart and "weights = " .. p.weights() or "composite = " .. p.composite())
-  curves.add(p, { { "raster", seen }, { "revealed", revealed[1] } })
+  curves.add(p, hybrid.named(seen, revealed))
   local images = apart and blurred(p, seen, revealed[1]) or layers(p, seen, revealed, composite)
   if pass.reads(composite, "moved") then put(images, "", reached_cells(p, seen, revealed, images)) end
   local doubted, ends = doubts.are_asked(p), p.end_layers() and knows(p, "open_color")
