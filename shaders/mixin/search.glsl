@@ -23,16 +23,32 @@ bool holds(int layer, ivec2 texel);
 ivec2 asked(ivec2 pixel, Path path, float t, vec2 window) { return pixel + roundSymmetric(tapOffset(path, t, window)); }
 
 #if HAS_curve
-// By how much a path changes from a texel to the next along an axis, px at time t; 0 where the texels beside it are of
-// something else.
-vec2 slopeOf(int layer, ivec2 now, ivec2 axis, vec2 offset, float t, vec2 window) {
+// By how much a path changes from a texel to the next along an axis, px at time t; not known where the texels beside it are
+// of something else.
+struct Slope {
+  vec2 px;
+  bool is_known;
+};
+
+Slope slopeOf(int layer, ivec2 now, ivec2 axis, Path path, float t, vec2 window) {
+  vec2 offset = tapOffset(path, t, window);
   for (int side = 1; side >= -1; side -= 2) {
     ivec2 at = now + side * axis;
     if (!holds(layer, at)) continue;
-    vec2 slope = float(side) * (tapOffset(pathOf(layer, at, t > 0.0), t, window) - offset);
-    if (dot(slope, slope) <= kMostSlope * kMostSlope) return slope;
+    Path beside = pathOf(layer, at, t > 0.0);
+    vec2 slope = tapOffset(beside, t, window) - offset, over_all = beside.d - path.d;
+    if (max(dot(slope, slope), dot(over_all, over_all)) <= kMostSlope * kMostSlope) return Slope(float(side) * slope, true);
   }
-  return vec2(0);
+  return Slope(vec2(0), false);
+}
+
+// By how much the place at time t changes with the texel. At corners, where one axis alone is known, as if what is there
+// turned and grew alike in all directions: half-known it would lead far astray from afar.
+mat2 changeOf(int layer, ivec2 now, Path path, float t, vec2 window) {
+  Slope x = slopeOf(layer, now, ivec2(1, 0), path, t, window), y = slopeOf(layer, now, ivec2(0, 1), path, t, window);
+  if (!x.is_known) x.px = vec2(y.px.y, -y.px.x);
+  if (!y.is_known) y.px = vec2(-x.px.y, x.px.x);
+  return mat2(vec2(1, 0) - x.px, vec2(0, 1) - y.px);
 }
 #endif
 
@@ -47,8 +63,7 @@ ivec2 askedOf(int layer, ivec2 pixel, ivec2 now, Path path, float t, vec2 window
 #if ON_ARCS
   if (isTurning(path.curve)) return ivec2(round(vec2(now) - complexQuotient(off, complexExp(t * path.curve.zw))));
 #endif
-  mat2 change = mat2(vec2(1, 0) - slopeOf(layer, now, ivec2(1, 0), offset, t, window),
-                     vec2(0, 1) - slopeOf(layer, now, ivec2(0, 1), offset, t, window));
+  mat2 change = changeOf(layer, now, path, t, window);
   if (abs(determinant(change)) >= 0.1) return ivec2(round(vec2(now) - inverse(change) * off));
 #endif
   return asked(pixel, path, t, window);

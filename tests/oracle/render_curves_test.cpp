@@ -152,7 +152,8 @@ TEST_F(RenderCurves, FollowATurningWedge) {
 }
 
 TEST_F(RenderCurves, FollowABladeAndAWheelThatRolls) {
-  for (const Wheel& wheel : {Wheel{"blade", 30, 50, 1, 0, 8}, Wheel{"wheel", 0, 45, 4, 20, 4}})
+  for (const Wheel& wheel :
+       {Wheel{"blade", 30, 50, 1, 0, 8}, Wheel{"wheel", 0, 45, 4, 20, 4}, Wheel{"fan", 0, 30, 5, 0, 6}})
     for (const Anchor& anchor : anchors()) {
       std::map<std::string, double> errors;
       for (const char* curve : {"line", "cubic"})
