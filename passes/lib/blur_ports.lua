@@ -48,6 +48,7 @@ for number = 2, 4 do
   docs[layer .. "velocity"] = { optional = true, doc = displacement }
   docs[layer .. "valid"]    = { optional = true, doc = "above 1/2 where something was revealed" }
   docs[layer .. "after_velocity"] = { optional = true, doc = layer .. "velocity at times after the capture" }
+  docs[layer .. "curve"] = { optional = true, needs = layer .. "curve", doc = "of its path, px; absent: lines" }
 end
 
 -- Without a surface that it holds no image of a layer is of use.
@@ -68,6 +69,10 @@ for _, which in ipairs { "open", "close" } do
   docs[layer .. "valid"]    = { optional = true, doc = "above 1/2 where there is any" }
   docs[layer .. "dominant"] = { optional = true, doc = "px over the exposure, per tile, of that alone" }
   needing_valid(layer, { "color", "depth", "velocity", "valid", "dominant" })
+  local curve = layer .. "curve"
+  docs[curve] = { optional = true, needs = curve, doc = "of its path, px; absent: lines" }
+  docs[layer .. "dominant_curve"] = { optional = true, needs = curve, doc = "of the path of dominant, px; absent: a line" }
+  docs[layer .. "dominant_place"] = { optional = true, needs = curve, doc = "px, the texel that has dominant" }
 end
 
 local function reads(names, more)
@@ -95,7 +100,7 @@ end
 
 -- What a filter reads of further layers behind.
 function blur_ports.further(names)
-  local parts = { "color", "depth", "velocity", "valid", "after_velocity" }
+  local parts = { "color", "depth", "velocity", "valid", "after_velocity", "curve" }
   for number = 2, 4 do
     for _, part in ipairs(parts) do names[#names + 1] = ("revealed_%d_%s"):format(number, part) end
   end
@@ -105,7 +110,8 @@ end
 -- What it reads of the ends of the exposure.
 function blur_ports.ends(names)
   for _, which in ipairs { "open", "close" } do
-    for _, part in ipairs { "color", "depth", "velocity", "valid", "dominant" } do names[#names + 1] = which .. "_" .. part end
+    local parts = { "color", "depth", "velocity", "valid", "dominant", "curve", "dominant_curve", "dominant_place" }
+    for _, part in ipairs(parts) do names[#names + 1] = which .. "_" .. part end
   end
   return names
 end

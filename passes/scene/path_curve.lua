@@ -24,10 +24,12 @@ return pass.compute {
     curve = { format = "rgba32f", doc = "px: b and c of 4 u (1 - u) (b + (2u - 1) c), by which a path leaves its line; " ..
       "of arcs b, and the logarithm of a factor and radians by which it grows and turns over the exposure" },
   },
-  without = { motion = { bend = 0, bent = 0, curve = 0 }, curves = { bend = 0, bent = 0, curve = 0 } },
+  without = { motion = { bend = 0, bent = 0, curve = 0 }, curves = { bend = 0, bent = 0, curve = 0 },
+    depth = { bend = 0, bent = 0, curve = 0 } },
   params = {
     velocity_format = stored.velocity_format,
     trajectory = blur.trajectory,
+    seen_at    = blur.seen_at,
     most_bend = pass.float { 0.5, min = 0, max = 1000, unit = "px",
       doc = "how far the path may be from the curve" },
     most_growth = pass.float { 1.5, min = 1, max = 1000, unit = "px",

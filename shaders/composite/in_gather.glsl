@@ -3,63 +3,62 @@
 // read from the revealed layer where raster saw something in front of it.
 // In:  color (linear), depth (view depth, sky +inf), id, velocity (px over the exposure), dominant (the same, per tile)
 //      of what raster saw; revealed_color, _depth, _id, _velocity, _valid (> 1/2) of what lies behind; after_*,
-//      revealed_after_*: displacements for times after the capture, where the exposure is split there.
+//      revealed_after_*: displacements for times after the capture, where the exposure is split there; curve, revealed_curve,
+//      dominant_curve (of these paths, px; absent: lines), dominant_place (px: the texel that has dominant).
 // Out: blurred (linear, alpha 1).
 // The background B of X is what was revealed there, else what raster saw there. For t_i at the midpoints
 //   (i + 1/2 + jitter)/N of the exposure:
 //   Foreground: the tap Y = X - t_i*d along the tile's dominant displacement, and that along X's own. A tap that by its
 //   own motion is not at X at t_i (|Y + t_i*d(Y) - X| > max(3/4, |d|/(2N)) px) leads once to another, by its own d. Of
-//   those that are, the nearest counts to the degree that it is in front of B.
+//   those that are, the nearest counts to the degree that it is in front of B. Along curves it is Newton's step that leads to
+//   another, up to three times, and the first tap is the texel that has the dominant displacement (mixin/search.glsl).
 //   Background: the tap Y = X - t_i*d(B). Where raster shows B's instance, or nothing in front of it, that; else what
 //   was revealed at Y; else B itself (counter `fallback`).
 // Each t_i has the weight 1/N: weights add up to 1, and coverage and background vary together as they do in truth.
 // Fails: see passes/composite/in_gather.lua.
 #include "mixin/limit.glsl"
 #include "mixin/jitter.glsl"
+#include "mixin/layers.glsl"
+#include "mixin/search.glsl"
 #include "lib/times.glsl"
 #include "lib/sanitise.glsl"
 
 struct Tap {
   vec3 color;
   float depth;
-  vec2 d;  // px over the exposure, in the part of it that was asked for
+  Path path;  // in the part of the exposure that was asked for
   uint instance;
 };
 
-vec2 limited(vec4 texel) { return clampLength(finiteDisplacement(texel), limitPx()); }
-
 Tap rasterAt(ivec2 pixel, bool after) {
-  vec4 d = texelFetch(velocity_tex, pixel, 0);
-#if HAS_after_velocity
-  if (after) d = texelFetch(after_velocity_tex, pixel, 0);
-#endif
-  return Tap(finiteColor(texelFetch(color_tex, pixel, 0)), saneDepth(texelFetch(depth_tex, pixel, 0).x), limited(d),
+  return Tap(colorOf(kRaster, pixel), saneDepth(texelFetch(depth_tex, pixel, 0).x), pathOf(kRaster, pixel, after),
              texelFetch(id_tex, pixel, 0).x);
 }
 
-bool isRevealed(ivec2 pixel) { return texelFetch(revealed_valid_tex, pixel, 0).x > 0.5; }
-
-vec3 revealedColor(ivec2 pixel) { return finiteColor(texelFetch(revealed_color_tex, pixel, 0)); }
-
 // The background of a pixel: what was revealed there, else what raster saw there.
 Tap backgroundOf(ivec2 pixel, bool after) {
-  if (!isRevealed(pixel)) return rasterAt(pixel, after);
-  vec4 d = texelFetch(revealed_velocity_tex, pixel, 0);
-#if HAS_revealed_after_velocity
-  if (after) d = texelFetch(revealed_after_velocity_tex, pixel, 0);
-#endif
-  return Tap(revealedColor(pixel), saneDepth(texelFetch(revealed_depth_tex, pixel, 0).x), limited(d),
+  if (!isHeld(kRevealed, pixel)) return rasterAt(pixel, after);
+  return Tap(colorOf(kRevealed, pixel), depthOf(kRevealed, pixel), pathOf(kRevealed, pixel, after),
              texelFetch(revealed_id_tex, pixel, 0).x);
 }
 
-vec2 dominantOf(ivec2 pixel, bool after) {
+Path dominantOf(ivec2 pixel, bool after) {
+  ivec2 tile = pixel / params.tile;
 #if HAS_after_dominant
-  if (after) return vec2(texelFetch(after_dominant_tex, pixel / params.tile, 0));
+  if (after) return straight(vec2(texelFetch(after_dominant_tex, tile, 0)));
 #endif
-  return vec2(texelFetch(dominant_tex, pixel / params.tile, 0));
+  return dominantPath(vec2(texelFetch(dominant_tex, tile, 0)), tile);
 }
 
-ivec2 tapFor(ivec2 pixel, vec2 d, float t) { return pixel + roundSymmetric(tapOffset(d, t)); }
+ivec2 tapFor(ivec2 pixel, Path path, float t) { return asked(pixel, path, t, frame.shutter); }
+
+// The first tap along the dominant displacement: on curves the texel that has it.
+ivec2 dominantTap(ivec2 pixel, Path path, float t) {
+#if HAS_dominant_place
+  if (isCurved(path)) return ivec2(texelFetch(dominant_place_tex, pixel / params.tile, 0).xy);
+#endif
+  return tapFor(pixel, path, t);
+}
 
 // A surface in front of the background, to the degree `share`.
 struct Cover {
@@ -70,16 +69,16 @@ struct Cover {
 
 const Cover kNoCover = Cover(vec3(0), 0.0, 0.0);
 
-// What raster saw in front of the background that is at the pixel at t, if it moves by about d.
-Cover coverAt(ivec2 pixel, vec2 d, float t, Tap back) {
-  float tolerance_px = max(0.75, lengthOf(d) / float(2 * params.samples));
-  ivec2 now = tapFor(pixel, d, t);
-  for (int guess = 0; guess < 2; ++guess) {
+// What raster saw in front of the background that is at the pixel at t, if it moves about so; from a tap on.
+Cover coverAt(ivec2 pixel, Path path, ivec2 now, float t, Tap back) {
+  float tolerance_px = max(0.75, lengthOf(path.d) / float(2 * params.samples));
+  for (int guess = 0; guess < kCurvedGuesses; ++guess) {
     if (!isInside(now, textureSize(color_tex, 0))) return kNoCover;
     Tap tap = rasterAt(now, t > 0.0);
-    if (isAt(pixel, now, tap.d, t, tolerance_px))
+    if (isAt(pixel, now, tap.path, t, tolerance_px))
       return Cover(tap.color, tap.depth, inFrontOf(tap.depth, back.depth, params.depth_extent));
-    now = tapFor(pixel, tap.d, t);
+    if (!isAskedAgain(guess, tap.path)) break;
+    now = askedOf(kRaster, pixel, now, tap.path, t, frame.shutter);
   }
   return kNoCover;
 }
@@ -91,19 +90,19 @@ Cover nearer(Cover a, Cover b) {
 }
 
 vec3 backgroundAt(ivec2 pixel, float t, Tap back, inout uint fallbacks) {
-  ivec2 now = tapFor(pixel, back.d, t);
+  ivec2 now = tapFor(pixel, back.path, t);
   if (isInside(now, textureSize(color_tex, 0))) {
     Tap tap = rasterAt(now, t > 0.0);
     bool in_view = tap.instance == back.instance || inFrontOf(tap.depth, back.depth, params.depth_extent) == 0.0;
     if (in_view) return tap.color;
-    if (isRevealed(now)) return revealedColor(now);
+    if (isHeld(kRevealed, now)) return colorOf(kRevealed, now);
   }
   fallbacks += 1u;
   return back.color;
 }
 
 void run(ivec2 pixel) {
-  float fastest = max(lengthOf(dominantOf(pixel, false)), lengthOf(dominantOf(pixel, true)));
+  float fastest = max(reachOf(dominantOf(pixel, false)), reachOf(dominantOf(pixel, true)));
   if (reachFactor(frame.shutter) * fastest <= kStillRadius) {
     imageStore(blurred_img, pixel, vec4(vec3(texelFetch(color_tex, pixel, 0)), 1));
     return;
@@ -115,8 +114,9 @@ void run(ivec2 pixel) {
   for (int i = 0; i < params.samples; ++i) {
     float t = sampleTime(i, params.samples, jitter);
     Tap back = backgroundOf(pixel, t > 0.0);
-    Cover cover = nearer(coverAt(pixel, dominantOf(pixel, t > 0.0), t, back),
-                         coverAt(pixel, rasterAt(pixel, t > 0.0).d, t, back));
+    Path dominant = dominantOf(pixel, t > 0.0), own = pathOf(kRaster, pixel, t > 0.0);
+    Cover cover = nearer(coverAt(pixel, dominant, dominantTap(pixel, dominant, t), t, back),
+                         coverAt(pixel, own, tapFor(pixel, own, t), t, back));
     vec3 color = cover.color;
     if (cover.share < 1.0) color = mix(backgroundAt(pixel, t, back, fallbacks), color, cover.share);
     sum += toSum(color);

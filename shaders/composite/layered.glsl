@@ -34,6 +34,7 @@
 #include "mixin/limit.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/layers.glsl"
+#include "mixin/search.glsl"
 #include "lib/parts.glsl"
 #include "lib/spread.glsl"
 #include "lib/times.glsl"
@@ -49,12 +50,6 @@ const float kNearest = 0.75;
 
 // A tap this near to a texel's centre is what the texel says, px.
 const float kCentre = PARAM_leaves_unlike != 0 ? 1e-3 : 0.05;
-
-// How often what a texel says is followed to another, and where paths are curved.
-const int kGuesses = 2, kCurvedGuesses = 4;
-
-// A path that changes by more from texel to texel is another thing's, px.
-const float kMostSlope = 2.0;
 
 // Displacements, the unused ones out of reach; how their paths are curved, and the texels that they are of.
 struct Candidates {
@@ -87,9 +82,10 @@ float toleranceOf(vec2 d) { return 0.99 * lengthOf(d) / float(2 * params.samples
 
 // Is what a texel shows at the pixel at time t, as far as nearest texels tell? Where displacements vary over a surface none
 // may be nearer than about half-way to the next sample; so far off may be what moves as fast.
-bool isThere(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px) {
-  if (!isAt(pixel, now, path, t, max(kNearest, tolerance_px))) return false;
-  return tolerance_px <= kNearest || isAt(pixel, now, path, t, max(kNearest, min(tolerance_px, toleranceOf(path.d))));
+bool isThere(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px, vec2 window) {
+  if (!isAt(pixel, now, path, t, max(kNearest, tolerance_px), window)) return false;
+  if (tolerance_px <= kNearest) return true;
+  return isAt(pixel, now, path, t, max(kNearest, min(tolerance_px, toleranceOf(path.d))), window);
 }
 
 Path candidate(Candidates candidates, int k) {
@@ -230,42 +226,6 @@ Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool behin
 // --- What is at a pixel
 // ----------------------------------------------------------------------------------------------------------------
 
-// Where, of a guess, what the texel there says instead: motion that varies over a surface (perspective, turning) is met
-// by asking once more from where the first guess led. A texel that passes `isAt` is at the pixel, however it was found.
-ivec2 asked(ivec2 pixel, Path path, float t) { return pixel + roundSymmetric(tapOffset(path, t)); }
-
-#if HAS_curve
-// By how much a path changes from a texel to the next along an axis, px at time t; 0 where the texels beside it are of
-// something else.
-vec2 slopeOf(int layer, ivec2 now, ivec2 axis, vec2 offset, float t) {
-  for (int side = 1; side >= -1; side -= 2) {
-    ivec2 at = now + side * axis;
-    if (!isInside(at, textureSize(color_tex, 0)) || (layer != kRaster && !isHeld(layer, at))) continue;
-    vec2 slope = float(side) * (tapOffset(pathOf(layer, at, t > 0.0), t) - offset);
-    if (dot(slope, slope) <= kMostSlope * kMostSlope) return slope;
-  }
-  return vec2(0);
-}
-#endif
-
-// The same of a texel `now` of a layer. Where paths are curved things turn: they vary over a surface by as much as it turns,
-// which is known of what turns on an arc and which the texels beside it show of others, so that Newton's step is taken. It
-// leads there at once where a surface is turned or stretched alike.
-ivec2 askedOf(int layer, ivec2 pixel, ivec2 now, Path path, float t) {
-#if HAS_curve
-  if (!isCurved(path)) return asked(pixel, path, t);
-  vec2 offset = tapOffset(path, t);
-  vec2 off = vec2(now - pixel) - offset;
-#if ON_ARCS
-  if (isTurning(path.curve)) return ivec2(round(vec2(now) - complexQuotient(off, complexExp(t * path.curve.zw))));
-#endif
-  mat2 change = mat2(vec2(1, 0) - slopeOf(layer, now, ivec2(1, 0), offset, t),
-                     vec2(0, 1) - slopeOf(layer, now, ivec2(0, 1), offset, t));
-  if (abs(determinant(change)) >= 0.1) return ivec2(round(vec2(now) - inverse(change) * off));
-#endif
-  return asked(pixel, path, t);
-}
-
 Seen nearer(Seen seen, int layer, ivec2 now, float depth) {
   if (seen.layer != kNothing && depth >= seen.depth * kSameDepth) return seen;
   return Seen(layer, now, depth, seen.unsure);
@@ -275,11 +235,11 @@ Seen nearerRaster(Seen seen, ivec2 pixel, ivec2 now, float t, float tolerance_px
   bool after = t > 0.0;
   for (int i = 0; i < kCurvedGuesses; ++i) {
     Path path = pathOf(kRaster, now, after);
-    if (isThere(pixel, now, path, t, tolerance_px)) {
+    if (isThere(pixel, now, path, t, tolerance_px, frame.shutter)) {
       return nearer(seen, kRaster, now, saneDepth(texelFetch(depth_tex, now, 0).x));
     }
-    if (i + 1 >= kGuesses && !isCurved(path)) break;
-    ivec2 next = askedOf(kRaster, pixel, now, path, t);
+    if (!isAskedAgain(i, path)) break;
+    ivec2 next = askedOf(kRaster, pixel, now, path, t, frame.shutter);
     if (next == now || !isInside(next, textureSize(color_tex, 0))) break;
     now = next;
   }
@@ -289,33 +249,74 @@ Seen nearerRaster(Seen seen, ivec2 pixel, ivec2 now, float t, float tolerance_px
 Seen nearerHeld(Seen seen, int layer, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
   bool after = t > 0.0;
   float way = timeFrom(layer, t);
+  vec2 window = windowFrom(layer);
   for (int i = 0; i < kCurvedGuesses && isHeld(layer, now); ++i) {
     Path path = pathOf(layer, now, after);
-    if (isThere(pixel, now, path, way, tolerance_px)) return nearer(seen, layer, now, depthOf(layer, now));
-    if (i + 1 >= kGuesses && !isCurved(path)) break;
-    ivec2 next = askedOf(layer, pixel, now, path, way);
+    if (isThere(pixel, now, path, way, tolerance_px, window)) return nearer(seen, layer, now, depthOf(layer, now));
+    if (!isAskedAgain(i, path)) break;
+    ivec2 next = askedOf(layer, pixel, now, path, way, window);
     if (next == now || !isInside(next, textureSize(color_tex, 0))) break;
     now = next;
   }
   return seen;
 }
 
-// Of what an end of the exposure alone sees, by a displacement; what it is at is followed from there.
-Seen nearerEnd(Seen seen, int layer, ivec2 pixel, vec2 d, float t) {
-  ivec2 now = asked(pixel, straight(d), timeFrom(layer, t));
+// Of what an end of the exposure alone sees, by a path; what it is at is followed from there. On curves from the texel that
+// the path is of, where that is known.
+Seen nearerEnd(Seen seen, int layer, ivec2 pixel, Path path, ivec2 texel, float t) {
+  ivec2 now = isCurved(path) && holds(layer, texel) ? texel : asked(pixel, path, timeFrom(layer, t), windowFrom(layer));
   if (!isInside(now, textureSize(color_tex, 0))) return seen;
-  return nearerHeld(seen, layer, pixel, now, t, toleranceOf(d));
+  return nearerHeld(seen, layer, pixel, now, t, toleranceOf(path.d));
 }
+
+#if HAS_open_valid
+Path openDominant(ivec2 tile) {
+  vec2 d = vec2(texelFetch(open_dominant_tex, tile, 0));
+#if HAS_open_dominant_curve
+  return onCurve(d, texelFetch(open_dominant_curve_tex, tile, 0));
+#else
+  return straight(d);
+#endif
+}
+
+ivec2 openPlace(ivec2 tile) {
+#if HAS_open_dominant_place
+  return ivec2(texelFetch(open_dominant_place_tex, tile, 0).xy);
+#else
+  return kNoTexel;
+#endif
+}
+#endif
+
+#if HAS_close_valid
+Path closeDominant(ivec2 tile) {
+  vec2 d = vec2(texelFetch(close_dominant_tex, tile, 0));
+#if HAS_close_dominant_curve
+  return onCurve(d, texelFetch(close_dominant_curve_tex, tile, 0));
+#else
+  return straight(d);
+#endif
+}
+
+ivec2 closePlace(ivec2 tile) {
+#if HAS_close_dominant_place
+  return ivec2(texelFetch(close_dominant_place_tex, tile, 0).xy);
+#else
+  return kNoTexel;
+#endif
+}
+#endif
 
 // By the displacement of its tile and by that at the pixel, which are no candidates for other layers.
 Seen nearerEnds(Seen seen, ivec2 pixel, float t) {
+  ivec2 tile = pixel / params.tile;
 #if HAS_open_valid
-  seen = nearerEnd(seen, kOpenEnd, pixel, vec2(texelFetch(open_dominant_tex, pixel / params.tile, 0)), t);
-  if (isHeld(kOpenEnd, pixel)) seen = nearerEnd(seen, kOpenEnd, pixel, pathOf(kOpenEnd, pixel, false).d, t);
+  seen = nearerEnd(seen, kOpenEnd, pixel, openDominant(tile), openPlace(tile), t);
+  if (isHeld(kOpenEnd, pixel)) seen = nearerEnd(seen, kOpenEnd, pixel, pathOf(kOpenEnd, pixel, false), pixel, t);
 #endif
 #if HAS_close_valid
-  seen = nearerEnd(seen, kCloseEnd, pixel, vec2(texelFetch(close_dominant_tex, pixel / params.tile, 0)), t);
-  if (isHeld(kCloseEnd, pixel)) seen = nearerEnd(seen, kCloseEnd, pixel, pathOf(kCloseEnd, pixel, false).d, t);
+  seen = nearerEnd(seen, kCloseEnd, pixel, closeDominant(tile), closePlace(tile), t);
+  if (isHeld(kCloseEnd, pixel)) seen = nearerEnd(seen, kCloseEnd, pixel, pathOf(kCloseEnd, pixel, false), pixel, t);
 #endif
   return seen;
 }
@@ -352,8 +353,7 @@ bool isUnsure(ivec2 pixel, ivec2 now, vec2 offset, float t) {
 ivec2 startAt(int layer, Candidates candidates, int k, ivec2 now) {
 #if HAS_curve
   ivec2 texel = candidates.texels[k];
-  bool is_known = texel != kNoTexel && isCurved(candidate(candidates, k));
-  if (is_known && (layer == kRaster || isHeld(layer, texel))) return texel;
+  if (isCurved(candidate(candidates, k)) && holds(layer, texel)) return texel;
 #endif
   return now;
 }
@@ -365,10 +365,10 @@ Seen seenAt(ivec2 pixel, Candidates candidates, bool behind, float t) {
     Path path = candidate(candidates, k);
     float tolerance_px = candidates.tolerance_px[k];
 #if HAS_open_valid
-    seen = nearerEnd(seen, kOpenEnd, pixel, path.d, t);
+    seen = nearerEnd(seen, kOpenEnd, pixel, path, kNoTexel, t);
 #endif
 #if HAS_close_valid
-    seen = nearerEnd(seen, kCloseEnd, pixel, path.d, t);
+    seen = nearerEnd(seen, kCloseEnd, pixel, path, kNoTexel, t);
 #endif
     vec2 offset = tapOffset(path, t);
     ivec2 now = pixel + roundSymmetric(offset), start = startAt(kRaster, candidates, k, now);
@@ -433,9 +433,9 @@ vec3 colorFound(Seen seen, ivec2 pixel, float t, out bool alike) {
 #if PARAM_taps == taps_linear || PARAM_leaves_unlike
   bool after = t > 0.0;
   float way = timeFrom(seen.layer, t);
-  vec2 offset = tapOffset(pathOf(seen.layer, seen.now, after), way);
+  vec2 window = windowFrom(seen.layer), offset = tapOffset(pathOf(seen.layer, seen.now, after), way, window);
   vec2 low = floor(offset), share = offset - low;
-  ivec2 first = pixel + ivec2(low), size = textureSize(color_tex, 0);
+  ivec2 first = pixel + ivec2(low);
   vec3 sum = vec3(0);
   float weights = 0.0;
   Spread spread = noSpread();
@@ -444,8 +444,7 @@ vec3 colorFound(Seen seen, ivec2 pixel, float t, out bool alike) {
     vec2 part = mix(1.0 - share, share, equal(corner, ivec2(1)));
     float weight = part.x * part.y;
     if (weight < 1e-3) continue;
-    bool held = isInside(at, size) && (seen.layer == kRaster || isHeld(seen.layer, at));
-    if (!held || !isAt(pixel, at, pathOf(seen.layer, at, after), way, 1.5)) {
+    if (!holds(seen.layer, at) || !isAt(pixel, at, pathOf(seen.layer, at, after), way, 1.5, window)) {
       alike = false;
       continue;
     }

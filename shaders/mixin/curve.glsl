@@ -123,4 +123,7 @@ float reachOf(vec2 d, vec4 curve, vec2 shutter) {
   return max(max(lengthOf(around[0]), lengthOf(around[1])), max(lengthOf(around[2]), lengthOf(around[3])));
 }
 
+// In how many steps tiles of so many px are followed along a curve: half a tile each, or 1/64 of the exposure.
+int stepsAlong(vec2 d, vec4 curve, int tile) { return clamp(int(4.0 * reachOf(d, curve, frame.shutter)) / tile, 4, 64); }
+
 #endif

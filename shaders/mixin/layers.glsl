@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Needs: color_tex, params.limit, revealed_color_tex, revealed_depth_tex, revealed_valid_tex, revealed_velocity_tex,
-//   velocity_tex; may have: PARAM_trajectory, after_velocity_tex, close_color_tex, close_depth_tex, close_valid_tex,
-//   close_velocity_tex, curve_tex, dominant_curve_tex, open_color_tex, open_depth_tex, open_valid_tex,
-//   open_velocity_tex, reach_tex, revealed_2_after_velocity_tex, revealed_2_color_tex, revealed_2_depth_tex,
-//   revealed_2_valid_tex, revealed_2_velocity_tex, revealed_3_after_velocity_tex, revealed_3_color_tex,
-//   revealed_3_depth_tex, revealed_3_valid_tex, revealed_3_velocity_tex, revealed_4_after_velocity_tex,
-//   revealed_4_color_tex, revealed_4_depth_tex, revealed_4_valid_tex, revealed_4_velocity_tex,
+//   velocity_tex; may have: PARAM_trajectory, after_velocity_tex, close_color_tex, close_curve_tex, close_depth_tex,
+//   close_valid_tex, close_velocity_tex, curve_tex, dominant_curve_tex, open_color_tex, open_curve_tex, open_depth_tex,
+//   open_valid_tex, open_velocity_tex, reach_tex, revealed_2_after_velocity_tex, revealed_2_color_tex,
+//   revealed_2_curve_tex, revealed_2_depth_tex, revealed_2_valid_tex, revealed_2_velocity_tex,
+//   revealed_3_after_velocity_tex, revealed_3_color_tex, revealed_3_curve_tex, revealed_3_depth_tex,
+//   revealed_3_valid_tex, revealed_3_velocity_tex, revealed_4_after_velocity_tex, revealed_4_color_tex,
+//   revealed_4_curve_tex, revealed_4_depth_tex, revealed_4_valid_tex, revealed_4_velocity_tex,
 //   revealed_after_velocity_tex, revealed_curve_tex.
 // The layers that a composite chooses from, by number: what raster saw, what was revealed behind it, what the ends of the
 // exposure alone see. Raster is everywhere; the others hold something here and there.
@@ -17,7 +18,11 @@
 // What is at a pixel at some time: nothing, what raster saw, the first, second ... surface revealed behind it, or what an end
 // of the exposure alone sees.
 const int kNothing = 0, kRaster = 1, kRevealed = 2, kOpenEnd = 6, kCloseEnd = 7;
+#if defined(HAS_revealed_2_valid)
 const int kLastRevealed = kRevealed + HAS_revealed_2_valid + HAS_revealed_3_valid + HAS_revealed_4_valid;
+#else
+const int kLastRevealed = kRevealed;
+#endif
 
 bool isHeld(int layer, ivec2 pixel) {
 #if HAS_open_valid
@@ -36,6 +41,11 @@ bool isHeld(int layer, ivec2 pixel) {
   if (layer == kRevealed + 3) return texelFetch(revealed_4_valid_tex, pixel, 0).x > 0.5;
 #endif
   return texelFetch(revealed_valid_tex, pixel, 0).x > 0.5;
+}
+
+// Is there a texel of a layer, that holds something?
+bool holds(int layer, ivec2 texel) {
+  return isInside(texel, textureSize(color_tex, 0)) && (layer == kRaster || isHeld(layer, texel));
 }
 
 float depthOf(int layer, ivec2 pixel) {
@@ -57,10 +67,25 @@ float depthOf(int layer, ivec2 pixel) {
   return saneDepth(texelFetch(revealed_depth_tex, pixel, 0).x);
 }
 
-// How paths of the first two layers are curved; of the others they are straight.
+// How paths are curved.
 vec4 curveAt(int layer, ivec2 pixel) {
 #if HAS_curve
   if (layer == kRaster) return texelFetch(curve_tex, pixel, 0);
+#endif
+#if HAS_open_curve
+  if (layer == kOpenEnd) return texelFetch(open_curve_tex, pixel, 0);
+#endif
+#if HAS_close_curve
+  if (layer == kCloseEnd) return texelFetch(close_curve_tex, pixel, 0);
+#endif
+#if HAS_revealed_2_curve
+  if (layer == kRevealed + 1) return texelFetch(revealed_2_curve_tex, pixel, 0);
+#endif
+#if HAS_revealed_3_curve
+  if (layer == kRevealed + 2) return texelFetch(revealed_3_curve_tex, pixel, 0);
+#endif
+#if HAS_revealed_4_curve
+  if (layer == kRevealed + 3) return texelFetch(revealed_4_curve_tex, pixel, 0);
 #endif
 #if HAS_revealed_curve
   if (layer == kRevealed) return texelFetch(revealed_curve_tex, pixel, 0);
@@ -140,5 +165,8 @@ float timeFrom(int layer, float t) {
   return t;
 #endif
 }
+
+// The window of the exposure from then.
+vec2 windowFrom(int layer) { return vec2(timeFrom(layer, frame.shutter.x), timeFrom(layer, frame.shutter.y)); }
 
 #endif

@@ -53,6 +53,15 @@ float spreadAt(ivec2 texel, vec2 d) {
 #endif
 }
 
+// How far a path comes: the length of its displacement, or of the straight one that holds its curve, px.
+float reachOf(Path path) {
+#if HAS_curve
+  return reachOf(path.d, path.curve, frame.shutter);
+#else
+  return lengthOf(path.d);
+#endif
+}
+
 // The path of a tile's dominant displacement.
 Path dominantPath(vec2 d, ivec2 tile) {
 #if HAS_curve && HAS_dominant_curve
@@ -62,23 +71,30 @@ Path dominantPath(vec2 d, ivec2 tile) {
 #endif
 }
 
-// Where, relative to the pixel, the surface that is there at time t is now.
-vec2 tapOffset(Path path, float t) {
+// Where, relative to the pixel, the surface that is there at time t is now. `window` is that of the exposure from the time at
+// which things are where they are now; t as well.
+vec2 tapOffset(Path path, float t, vec2 window) {
 #if HAS_curve
-  return -movedBy(path.d, path.curve, t, frame.shutter);
+  return -movedBy(path.d, path.curve, t, window);
 #else
   return tapOffset(path.d, t);
 #endif
 }
 
-bool isAt(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px) {
+vec2 tapOffset(Path path, float t) { return tapOffset(path, t, frame.shutter); }
+
+bool isAt(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px, vec2 window) {
 #if HAS_curve
-  vec2 off = vec2(now - pixel) + movedBy(path.d, path.curve, t, frame.shutter);
+  vec2 off = vec2(now - pixel) + movedBy(path.d, path.curve, t, window);
   float within_px = tolerance_px * (1.0 + 1e-4);
   return dot(off, off) <= within_px * within_px;
 #else
   return isAt(pixel, now, path.d, t, tolerance_px);
 #endif
+}
+
+bool isAt(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px) {
+  return isAt(pixel, now, path, t, tolerance_px, frame.shutter);
 }
 
 #endif

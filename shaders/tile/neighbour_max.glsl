@@ -12,6 +12,8 @@
 // here. Rule `reach` accepts a displacement only if its tile's box, swept along it over the exposure window,
 // overlaps this tile: never more than `sign` accepts, and exact for boxes at any distance. Ties go to the first in
 // raster order.
+// Layers of an end of the exposure have things where they are then: curves are followed from there, straight displacements
+// are asked as if it were the capture.
 // Fails: dominant judges a tile by its longest displacement; a slower pixel in it that comes this way while the longest
 // does not is lost.
 #include "mixin/path.glsl"
@@ -60,15 +62,27 @@ bool isCurved(ivec2 tile) {
 #endif
 }
 
+// The exposure, from the time at which things are in these tiles.
+vec2 windowFrom() {
+#if PARAM_seen_at == seen_at_start
+  return frame.shutter - frame.shutter.x;
+#elif PARAM_seen_at == seen_at_finish
+  return frame.shutter - frame.shutter.y;
+#else
+  return frame.shutter;
+#endif
+}
+
 // Does the tile's box, moved along its curve, overlap this tile within the exposure? Looked at in steps of half a tile, or
 // of 1/64 of the exposure, whatever the rule.
 bool comesHere(ivec2 tile, ivec2 offset, vec2 d) {
 #if HAS_curve
   vec4 curve = texelFetch(curve_tex, tile, 0);
   vec2 at = vec2(offset * params.tile), side = vec2(params.tile);
-  int steps = clamp(int(4.0 * reachOf(d, curve, frame.shutter)) / params.tile, 4, 64);
+  int steps = stepsAlong(d, curve, params.tile);
+  vec2 window = windowFrom();
   for (int i = 0; i <= steps; ++i) {
-    vec2 moved = movedBy(d, curve, evenTimeAt(float(i), steps, frame.shutter), frame.shutter);
+    vec2 moved = movedBy(d, curve, evenTimeAt(float(i), steps, window), window);
     if (all(lessThan(abs(at + moved), side))) return true;
   }
 #endif

@@ -35,28 +35,36 @@ local function poses_of(p)
   return p.trajectory() == "cubic" and 3 or 2
 end
 
--- Gives each of the layers, { name, layer (plain tables: depth, id, velocity, perhaps hit and normal), keeps_velocity }, its
--- curve, and what that does not say: bend, bent. From poses inside of the exposure; or from those of earlier frames, and
--- then its velocity too, unless it keeps its own. Nothing where paths are lines.
-function curves.add(p, layers)
+local function curve_of(p, name, layer)
+  local images = {
+    depth = layer.depth, id = layer.id, velocity = layer.velocity, hit = layer.hit, normal = layer.normal,
+    as = name .. "_curve",
+  }
+  if curves.are_foretold(p) then return earlier_curve(images) end
+  images.seen_at = layer.seen_at or "capture"
+  return path_curve(images)
+end
+
+-- Gives each of the layers, { name, layer (plain tables: depth, id, velocity, perhaps hit, normal, seen_at), keeps_velocity },
+-- its curve, and what that does not say: bend, bent. From poses inside of the exposure; or from those of earlier frames, and
+-- then its velocity too, unless it keeps its own. The loop over the poses is called after the first layer, or `inside`, or
+-- as `loop_name` says. Nothing where paths are lines.
+function curves.add(p, layers, loop_name)
   if not curves.are_asked(p) then return end
-  local foretold, poses = curves.are_foretold(p), poses_of(p)
+  local foretold = curves.are_foretold(p)
   local images = { "curve", "bend", "bent", foretold and "velocity" or nil }
   local found = pipeline.loop {
-    name = foretold and layers[1][1] .. "_earlier" or "inside",
-    count = 1, times = foretold and "frames" or "even", slices = poses,
+    name = loop_name or (foretold and layers[1][1] .. "_earlier" or "inside"),
+    count = 1, times = foretold and "frames" or "even", slices = poses_of(p),
     body = function()
       local result = {}
       for _, given in ipairs(layers) do
-        local name, layer = given[1], given[2]
-        local of = (foretold and earlier_curve or path_curve) {
-          depth = layer.depth, id = layer.id, velocity = layer.velocity, hit = layer.hit, normal = layer.normal,
-          as = name .. "_curve",
-        }
-        for _, image in ipairs(images) do result[name .. "_" .. image] = of[image] end
+        local of = curve_of(p, given[1], given[2])
+        for _, image in ipairs(images) do result[given[1] .. "_" .. image] = of[image] end
       end
       return result
-    end }
+    end,
+  }
   for _, given in ipairs(layers) do
     local name, layer, keeps_velocity = given[1], given[2], given[3]
     for _, image in ipairs(images) do
@@ -65,12 +73,15 @@ function curves.add(p, layers)
   end
 end
 
--- What raster sees, with its curves, for a file of passes/gather.
-function curves.captured(p, weights)
+-- What raster sees, with its curves, for a filter that is called so in what is said where it knows none.
+function curves.seen(p, filter, setting)
   local seen = scene.captured()
-  curves.require(p, pass.member("gather", weights), "weights = " .. weights)
+  curves.require(p, filter, setting)
   curves.add(p, { { "raster", seen } })
   return seen
 end
+
+-- The same for a file of passes/gather.
+function curves.captured(p, weights) return curves.seen(p, pass.member("gather", weights), "weights = " .. weights) end
 
 return curves

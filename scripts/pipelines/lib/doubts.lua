@@ -12,6 +12,7 @@ local visibility_moving = require "passes.scene.visibility_moving"
 local doubtful      = require "passes.tile.doubtful"
 local bent_bounds   = require "passes.tile.bent_bounds"
 local joined_bounds = require "passes.tile.bent_bounds_joined"
+local curves        = require "scripts.pipelines.lib.curves"
 local tiles         = require "scripts.pipelines.lib.tiles"
 
 local doubts = {}
@@ -111,16 +112,25 @@ end
 
 -- What a composite reads of the ends of the exposure as layers: open_color, ..., close_dominant.
 function doubts.end_layers(p, found)
-  local images = {}
+  local layers = {}
   for _, which in ipairs { "open", "close" } do
-    local seen = found.ends[which]
-    local own = { velocity = seen.velocity, valid = seen.unseen }
-    local layer = end_layer {
-      hit = seen.hit, unseen = seen.unseen, end_of = which == "open" and "start" or "finish", as = which .. "_layer",
-    }
-    own.color, own.depth = layer.color, layer.depth
-    own.dominant = tiles.dominant(p, own, { prefix = which .. "_" }).dominant
-    for name, image in pairs(own) do images[which .. "_" .. name] = image end
+    local seen, end_of = found.ends[which], which == "open" and "start" or "finish"
+    local made = end_layer { hit = seen.hit, unseen = seen.unseen, end_of = end_of, as = which .. "_layer" }
+    layers[#layers + 1] = { which, {
+      color = made.color, depth = made.depth, velocity = seen.velocity, valid = seen.unseen, id = seen.hit, hit = seen.hit,
+      seen_at = end_of,
+    } }
+  end
+  -- Who knows poses of earlier frames has none at the ends.
+  if not curves.are_foretold(p) then curves.add(p, layers, "inside_ends") end
+  local images = {}
+  for _, given in ipairs(layers) do
+    local which, own = given[1], given[2]
+    local around = tiles.dominant(p, own, { prefix = which .. "_", seen_at = own.seen_at })
+    for _, part in ipairs { "color", "depth", "velocity", "valid", "curve" } do images[which .. "_" .. part] = own[part] end
+    for _, part in ipairs { "dominant", "dominant_curve", "dominant_place" } do
+      images[which .. "_" .. part] = around[part]
+    end
   end
   return images
 end

@@ -261,15 +261,14 @@ local function reached_cells(p, seen, revealed, images)
   return { moved = cells.moved, behind = cells.behind, missed = cells.missed }
 end
 
--- Curves from inside of the exposure are those of the first two layers. From earlier frames each has a displacement too, and
--- the raster layer has had its own (pipelines/hybrid.lua).
-local function add_curves(p, seen, revealed)
-  if not curves.are_foretold(p) then return curves.add(p, { { "raster", seen }, { "revealed", revealed[1] } }) end
-  local behind, keeps_velocity = {}, p.reveal_velocity() ~= "own"
+-- The layers with the names of their curves. From earlier frames the raster layer has had its own (pipelines/hybrid.lua), and
+-- what was revealed keeps a displacement that is not its own.
+local function named(p, seen, revealed)
+  local layers = curves.are_foretold(p) and {} or { { "raster", seen } }
   for number, layer in ipairs(revealed) do
-    behind[number] = { number == 1 and "revealed" or "revealed_" .. number, layer, keeps_velocity }
+    layers[#layers + 1] = { number == 1 and "revealed" or ("revealed_%d"):format(number), layer, p.reveal_velocity() ~= "own" }
   end
-  curves.add(p, behind)
+  return layers
 end
 
 -- The picture, by the composite chosen: a pass that reads blurred layers (front, back) or the layers themselves.
@@ -278,7 +277,7 @@ function hybrid.composited(p, seen, revealed)
   local apart = pass.reads(composite, "front")
   curves.require(p, apart and pass.member("gather", p.weights()) or composite,
     apart and "weights = " .. p.weights() or "composite = " .. p.composite())
-  add_curves(p, seen, revealed)
+  curves.add(p, named(p, seen, revealed))
   local images = apart and blurred(p, seen, revealed[1]) or layers(p, seen, revealed, composite)
   if pass.reads(composite, "moved") then put(images, "", reached_cells(p, seen, revealed, images)) end
   local doubted, ends = doubts.are_asked(p), p.end_layers() and knows(p, "open_color")

@@ -2,7 +2,8 @@
 -- A wedge that turns about its tip at the centre of the picture, anticlockwise by `degrees` over the exposure, over a
 -- constant background (docs/derivations.md). At frame 0 it covers the directions from `from` to `to` degrees
 -- (anticlockwise from +x, y up); it reaches beyond the picture. `blades` are as many wedges evenly around the tip, and
--- `slide` px to the left over the exposure make a wheel of it whose points go along cycloids.
+-- `slide` px to the left over the exposure make a wheel of it whose points go along cycloids. `slides_off`: two cards as dark
+-- as the background cover what is right of the tip at frame 0, and slide so many px to the right over the exposure; 0: none.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 
@@ -10,6 +11,7 @@ local picture = pixels.picture(128, 128)
 local from, to = scene.param("from", 20), scene.param("to", 65)
 local degrees = scene.param("degrees", 30)
 local blades, slide = scene.param("blades", 1), scene.param("slide", 0)
+local slides_off = scene.param("slides_off", 0)
 local foreground = scene.param("foreground", 1)
 local background = scene.param("background", 0)
 
@@ -27,7 +29,7 @@ for blade = 0, blades - 1 do
   end
 end
 
-return pixels.scene(picture, "wedge", {
+local nodes = {
   pixels.rectangle(picture, "background", { -8, -8, picture.width + 8, picture.height + 8 }, -10,
     pixels.flat("background", background)),
   scene.node {
@@ -37,4 +39,10 @@ return pixels.scene(picture, "wedge", {
       velocity = { -slide * picture.fps / picture.exposure, 0, 0 },
     },
   },
-})
+}
+for number = 1, slides_off > 0 and 2 or 0 do
+  nodes[#nodes + 1] = pixels.rectangle(picture, "card_" .. number,
+    { picture.width / 2, -8, 2 * picture.width, picture.height + 8 }, 10 * number, pixels.flat("card", background),
+    pixels.motion(picture, slides_off))
+end
+return pixels.scene(picture, "wedge", nodes)
