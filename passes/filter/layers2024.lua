@@ -15,6 +15,7 @@ for number = 2, 4 do
   more[layer .. "color"]    = { optional = true, doc = "linear, of the next surface behind; absent: there is none" }
   more[layer .. "depth"]    = { optional = true, doc = "linear view depth, metres, sky = +inf" }
   more[layer .. "velocity"] = { optional = true, doc = "px over the exposure" }
+  more[layer .. "depth_change"] = { optional = true, doc = "of its depth, metres over the exposure" }
 end
 
 return pass.compute {
@@ -29,7 +30,7 @@ return pass.compute {
     mirrored = "of displacements equally long, and of surfaces equally deep, those first in raster order count",
   },
   size   = { of = "color" },
-  reads  = ports.of({ "color", "depth", "velocity" }, more),
+  reads  = ports.of({ "color", "depth", "velocity", "depth_change" }, more),
   writes = ports.picture,
   without = ports.still,
   params = {

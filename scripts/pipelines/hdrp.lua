@@ -9,6 +9,7 @@ local scatter_source = require "passes.tile.scatter_source"
 local scatter_max    = require "passes.tile.scatter_max"
 local longest_motion = require "passes.tile.longest_motion"
 local tile_max       = require "passes.tile.tile_max"
+local depths   = require "scripts.pipelines.lib.depths"
 local gathers  = require "scripts.pipelines.lib.gathers"
 local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
@@ -30,6 +31,7 @@ return pipeline {
   params = options.of_picture {
     tile         = blur.tile { 16 },
     depth_extent = blur.depth_extent,
+    depths       = depths.param,
     jitter       = jitter.jitter,
     mirror       = gather.params.mirror,
     count        = gather.params.count { default = "adaptive" },
@@ -40,6 +42,7 @@ return pipeline {
   },
   build = function(p)
     local seen = scene.captured()
+    depths.add(p, { { "raster", seen } })
     local around = dominant(seen)
     local images = gathers.images(seen, around)
     if p.cheap() then images.slowest = tiles.slowest(seen, around) end

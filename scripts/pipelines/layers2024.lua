@@ -5,6 +5,7 @@ local filter   = require "passes.filter.layers2024"
 local gbuffer  = require "passes.scene.gbuffer"
 local peel     = require "passes.scene.peel"
 local shade    = require "passes.scene.shade"
+local depths   = require "scripts.pipelines.lib.depths"
 local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
@@ -21,9 +22,10 @@ end
 
 -- What a filter reads of the layers, the first of which is what is seen.
 local function images(p, layers)
-  local read = { id = layers[1].id, color = layers[1].color, depth = layers[1].depth, velocity = layers[1].velocity }
+  local read = { id = layers[1].id, color = layers[1].color, depth = layers[1].depth, velocity = layers[1].velocity,
+                 depth_change = layers[1].depth_change }
   for number = 2, #layers do
-    for _, part in ipairs { "color", "depth", "velocity" } do
+    for _, part in ipairs { "color", "depth", "velocity", "depth_change" } do
       read[("layer_%d_%s"):format(number, part)] = layers[number][part]
     end
   end
@@ -44,11 +46,13 @@ return pipeline {
         own = "Its own in every layer. Fails beside silhouettes: what passes over a pixel that it is not at is not found.",
       } },
     agreement = filter.params.agreement,
+    depths    = depths.param,
   }),
   build = function(p)
     local seen = scene.captured()
     local layers = { seen }
     for number = 2, p.layer_count() do layers[number] = layer_behind(layers[number - 1], number) end
+    for number, layer in ipairs(layers) do depths.add(p, { { number == 1 and "raster" or "layer_" .. number, layer } }) end
     local read = images(p, layers)
     read.as = "search"
     return scene.outputs(seen, { color = filter(read).blurred })

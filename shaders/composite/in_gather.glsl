@@ -14,6 +14,7 @@
 //   was revealed at Y; else B itself (counter `fallback`).
 // Each t_i has the weight 1/N: weights add up to 1, and coverage and background vary together as they do in truth.
 // Fails: see passes/composite/in_gather.lua.
+#include "mixin/depths.glsl"
 #include "mixin/limit.glsl"
 #include "mixin/jitter.glsl"
 #include "lib/times.glsl"
@@ -52,6 +53,14 @@ Tap backgroundOf(ivec2 pixel, bool after) {
              texelFetch(revealed_id_tex, pixel, 0).x);
 }
 
+// Of that background, the depth at time t.
+float backgroundDepthAt(ivec2 pixel, float depth, float t) {
+#if HAS_revealed_depth_change
+  if (isRevealed(pixel)) return depthThen(depth, texelFetch(revealed_depth_change_tex, pixel, 0), t);
+#endif
+  return isRevealed(pixel) ? depth : depthAt(pixel, depth, t);
+}
+
 vec2 dominantOf(ivec2 pixel, bool after) {
 #if HAS_after_dominant
   if (after) return vec2(texelFetch(after_dominant_tex, pixel / params.tile, 0));
@@ -70,13 +79,14 @@ struct Cover {
 
 const Cover kNoCover = Cover(vec3(0), 0.0, 0.0);
 
-// What raster saw in front of the background that is at the pixel at t, if it moves by about d.
+// What raster saw in front of the background that is at the pixel at t, if it moves by about d. Depths are those at t.
 Cover coverAt(ivec2 pixel, vec2 d, float t, Tap back) {
   float tolerance_px = max(0.75, lengthOf(d) / float(2 * params.samples));
   ivec2 now = tapFor(pixel, d, t);
   for (int guess = 0; guess < 2; ++guess) {
     if (!isInside(now, textureSize(color_tex, 0))) return kNoCover;
     Tap tap = rasterAt(now, t > 0.0);
+    tap.depth = depthAt(now, tap.depth, t);
     if (isAt(pixel, now, tap.d, t, tolerance_px))
       return Cover(tap.color, tap.depth, inFrontOf(tap.depth, back.depth, params.depth_extent));
     now = tapFor(pixel, tap.d, t);
@@ -94,6 +104,7 @@ vec3 backgroundAt(ivec2 pixel, float t, Tap back, inout uint fallbacks) {
   ivec2 now = tapFor(pixel, back.d, t);
   if (isInside(now, textureSize(color_tex, 0))) {
     Tap tap = rasterAt(now, t > 0.0);
+    tap.depth = depthAt(now, tap.depth, t);
     bool in_view = tap.instance == back.instance || inFrontOf(tap.depth, back.depth, params.depth_extent) == 0.0;
     if (in_view) return tap.color;
     if (isRevealed(now)) return revealedColor(now);
@@ -115,6 +126,7 @@ void run(ivec2 pixel) {
   for (int i = 0; i < params.samples; ++i) {
     float t = sampleTime(i, params.samples, jitter);
     Tap back = backgroundOf(pixel, t > 0.0);
+    back.depth = backgroundDepthAt(pixel, back.depth, t);
     Cover cover = nearer(coverAt(pixel, dominantOf(pixel, t > 0.0), t, back),
                          coverAt(pixel, rasterAt(pixel, t > 0.0).d, t, back));
     vec3 color = cover.color;

@@ -268,6 +268,7 @@ ivec2 askedOf(int layer, ivec2 pixel, ivec2 now, Path path, float t) {
 
 Seen nearer(Seen seen, int layer, ivec2 now, float depth) {
   if (seen.layer != kNothing && depth >= seen.depth * kSameDepth) return seen;
+  if (HAS_depth_change != 0 && depth == 0.0) return seen;  // it has passed the camera
   return Seen(layer, now, depth, seen.unsure);
 }
 
@@ -276,7 +277,7 @@ Seen nearerRaster(Seen seen, ivec2 pixel, ivec2 now, float t, float tolerance_px
   for (int i = 0; i < kCurvedGuesses; ++i) {
     Path path = pathOf(kRaster, now, after);
     if (isThere(pixel, now, path, t, tolerance_px)) {
-      return nearer(seen, kRaster, now, saneDepth(texelFetch(depth_tex, now, 0).x));
+      return nearer(seen, kRaster, now, depthAt(now, saneDepth(texelFetch(depth_tex, now, 0).x), t));
     }
     if (i + 1 >= kGuesses && !isCurved(path)) break;
     ivec2 next = askedOf(kRaster, pixel, now, path, t);
@@ -291,7 +292,7 @@ Seen nearerHeld(Seen seen, int layer, ivec2 pixel, ivec2 now, float t, float tol
   float way = timeFrom(layer, t);
   for (int i = 0; i < kCurvedGuesses && isHeld(layer, now); ++i) {
     Path path = pathOf(layer, now, after);
-    if (isThere(pixel, now, path, way, tolerance_px)) return nearer(seen, layer, now, depthOf(layer, now));
+    if (isThere(pixel, now, path, way, tolerance_px)) return nearer(seen, layer, now, depthAt(layer, now, way));
     if (i + 1 >= kGuesses && !isCurved(path)) break;
     ivec2 next = askedOf(layer, pixel, now, path, way);
     if (next == now || !isInside(next, textureSize(color_tex, 0))) break;

@@ -16,6 +16,7 @@
 // Fails: what is in no layer; displacements that are neither the pixel's nor its tile's longest.
 #include "lib/times.glsl"
 #include "mixin/jitter.glsl"
+#include "mixin/depths.glsl"
 #include "mixin/limit.glsl"
 #include "lib/sanitise.glsl"
 
@@ -54,6 +55,20 @@ float depthOf(int layer, ivec2 at) {
   if (layer == 3) return saneDepth(texelFetch(layer_4_depth_tex, at, 0).x);
 #endif
   return saneDepth(texelFetch(depth_tex, at, 0).x);
+}
+
+// The same at time t.
+float depthAt(int layer, ivec2 at, float t) {
+#if HAS_layer_2_depth_change
+  if (layer == 1) return depthThen(depthOf(layer, at), texelFetch(layer_2_depth_change_tex, at, 0), t);
+#endif
+#if HAS_layer_3_depth_change
+  if (layer == 2) return depthThen(depthOf(layer, at), texelFetch(layer_3_depth_change_tex, at, 0), t);
+#endif
+#if HAS_layer_4_depth_change
+  if (layer == 3) return depthThen(depthOf(layer, at), texelFetch(layer_4_depth_change_tex, at, 0), t);
+#endif
+  return layer == 0 ? depthAt(at, depthOf(layer, at), t) : depthOf(layer, at);
 }
 
 vec2 displacementOf(int layer, ivec2 at) {
@@ -110,9 +125,10 @@ bool agree(vec2 a, vec2 b) {
 }
 
 // The nearer of what was seen and what a layer has where a displacement leads.
-Seen nearer(Seen seen, int layer, ivec2 at, vec2 d) {
+Seen nearer(Seen seen, int layer, ivec2 at, vec2 d, float t) {
   if (!agree(displacementOf(layer, at), d)) return seen;
-  float depth = depthOf(layer, at);
+  float depth = depthAt(layer, at, t);
+  if (HAS_depth_change != 0 && depth == 0.0) return seen;  // it has passed the camera
   if (seen.layer >= 0 && depth >= seen.depth * kSameDepth) return seen;
   return Seen(layer, at, depth);
 }
@@ -121,7 +137,7 @@ Seen seenAt(ivec2 pixel, Searched searched, float t, ivec2 size) {
   Seen seen = Seen(-1, pixel, 0.0);
   for (int k = 0; k < searched.count; ++k) {
     ivec2 at = clampToImage(pixel + roundSymmetric(tapOffset(searched.d[k], t)), size);
-    for (int layer = 0; layer < kLayers; ++layer) seen = nearer(seen, layer, at, searched.d[k]);
+    for (int layer = 0; layer < kLayers; ++layer) seen = nearer(seen, layer, at, searched.d[k], t);
   }
   return seen;
 }

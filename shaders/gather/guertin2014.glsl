@@ -47,6 +47,7 @@ Tap tapFrom(Texel texel, vec2 d, float spread) {
 }
 
 struct Sample {
+  float t;
   ivec2 offset;
   float distance_px;
   vec2 direction;  // unit
@@ -56,7 +57,7 @@ Sample sampleAt(int i, Path path, vec2 second, bool along_second, float jitter) 
   float t = timeAt(float(params.samples - i) - params.eta * jitter, params.samples + 1);
   float d_length = lengthOf(path.d);
   vec2 offset = tapOffset(along_second ? straight(d_length * second) : path, t);
-  return Sample(roundSymmetric(offset), abs(t) * d_length, along_second ? second : unitOf(path.d));
+  return Sample(t, roundSymmetric(offset), abs(t) * d_length, along_second ? second : unitOf(path.d));
 }
 
 // How many samples go along the second direction.
@@ -134,9 +135,11 @@ void run(ivec2 pixel) {
     Texel texel = texelAt(at);
     vec2 tap_d = uniform_motion ? d : texel.d;
     Tap tap = tapFrom(texel, tap_d, reach * (uniform_motion ? lengthOf(d) : spreadAt(at, texel.d)));
+    tap.depth = depthAt(at, tap.depth, taken.t);
+    here.depth = depthAt(pixel, own.depth, taken.t);
     float weight = tapWeight(here, tap, taken, second);
     all += weight;
-    if (over) weight *= inFrontOf(tap.depth, behind, params.depth_extent) * covers(tap, taken);
+    if (over) weight *= inFrontOf(tap.depth, behindAt(pixel, behind, taken.t), params.depth_extent) * covers(tap, taken);
     front += weight;
     sum += weight * toSum(tap.color);
   }

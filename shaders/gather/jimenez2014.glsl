@@ -45,6 +45,7 @@ struct Gather {
   float step_length;  // px
   bool over;          // something was revealed behind
   float behind;
+  int count;          // of samples
 };
 
 // Sums over taps: weighted colours and weights of what is shown, and all weights.
@@ -56,6 +57,25 @@ struct Sums {
 Tap tapAt(ivec2 pixel, float reach) {
   Texel texel = texelAt(pixel);
   return Tap(texel.color, texel.depth, texel.d, reach * spreadAt(pixel, texel.d));
+}
+
+// The same with the depth that it has at time t.
+Tap tapAt(ivec2 pixel, float reach, float t) {
+  Tap tap = tapAt(pixel, reach);
+  tap.depth = depthAt(pixel, tap.depth, t);
+  return tap;
+}
+
+// The time of a tap that is so many steps away.
+float timeAway(Gather gather, float steps, bool after) {
+  return timeOutwards(after, (isCentred(frame.shutter) ? 2.0 : 1.0) * steps / float(gather.count));
+}
+
+// What is gathered, with depths at the time of a tap.
+Gather atTime(Gather gather, ivec2 pixel, float t) {
+  gather.here.depth = depthAt(pixel, gather.here.depth, t);
+  gather.behind = behindAt(pixel, gather.behind, t);
+  return gather;
 }
 
 // How much of what a tap spreads along its own motion falls along the dominant one.
@@ -127,8 +147,10 @@ Pair pairAt(Path path, int count, float steps) {
 Sums withPairOf(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps, vec2 sides) {
   ivec2 size = textureSize(color_tex, 0);
   ivec2 at_a = clampToImage(pixel + pair.before, size), at_b = clampToImage(pixel + pair.after, size);
-  Tap a = tapAt(at_a, gather.reach), b = tapAt(at_b, gather.reach);
-  vec2 weights = vec2(tapWeight(gather, a, steps, pair.before, false), tapWeight(gather, b, steps, pair.after, true));
+  float t_a = timeAway(gather, steps, false), t_b = timeAway(gather, steps, true);
+  Gather before = atTime(gather, pixel, t_a), after = atTime(gather, pixel, t_b);
+  Tap a = tapAt(at_a, gather.reach, t_a), b = tapAt(at_b, gather.reach, t_b);
+  vec2 weights = vec2(tapWeight(before, a, steps, pair.before, false), tapWeight(after, b, steps, pair.after, true));
 #if PARAM_mirror
   if (isValid(at_a) && isValid(at_b)) weights = mirrored(a, b, weights);
 #endif
@@ -136,7 +158,7 @@ Sums withPairOf(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps, v
   if (!isValid(at_b)) weights.y = 0.0;
   weights *= sides;
   sums.all += weights.x + weights.y;
-  if (gather.over) weights *= vec2(frontShare(gather, a, steps, false), frontShare(gather, b, steps, true));
+  if (gather.over) weights *= vec2(frontShare(before, a, steps, false), frontShare(after, b, steps, true));
   sums.shown += vec4(weights.x * toSum(a.color) + weights.y * toSum(b.color), weights.x + weights.y);
   return sums;
 }
@@ -154,8 +176,10 @@ Sums withPair(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps) {
 Sums withTap(Sums sums, Gather gather, ivec2 pixel, ivec2 offset, float steps) {
   ivec2 at = clampToImage(pixel + offset, textureSize(color_tex, 0));
   if (!isValid(at)) return sums;
-  Tap tap = tapAt(at, gather.reach);
   bool after = frame.shutter.y > 0.0;
+  float t = timeAway(gather, steps, after);
+  gather = atTime(gather, pixel, t);
+  Tap tap = tapAt(at, gather.reach, t);
   float weight = tapWeight(gather, tap, steps, offset, after);
   sums.all += weight;
   if (gather.over) weight *= frontShare(gather, tap, steps, after);
@@ -250,6 +274,6 @@ void run(ivec2 pixel) {
 
   count_full(1u);
   Tap here = tapAt(pixel, reach);
-  Gather gather = Gather(here, d, reach, lengthOf(d) / float(count), over, behindDepth(pixel, here.depth));
+  Gather gather = Gather(here, d, reach, lengthOf(d) / float(count), over, behindDepth(pixel, here.depth), count);
   imageStore(blurred_img, pixel, storedColor(fullGather(pixel, gather, dominantPath(d, pixel / params.tile), count, jitter)));
 }

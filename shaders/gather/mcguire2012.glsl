@@ -65,7 +65,7 @@ void run(ivec2 pixel) {
   int skipped = sampleAtCapture(params.samples);
 
   Tap here = tapAt(pixel, reach);
-  float behind = behindDepth(pixel, here.depth);
+  float depth = here.depth, behind = behindDepth(pixel, depth);
   float all = 1.0 / here.radius;
   float front = all * (over ? inFrontOf(here.depth, behind, params.depth_extent) : 1.0);
   vec3 sum = toSum(here.color) * front;
@@ -81,10 +81,12 @@ void run(ivec2 pixel) {
     if (!isValid(at)) continue;
 
     Tap tap = tapAt(at, reach);
+    tap.depth = depthAt(at, tap.depth, t);
+    here.depth = depthAt(pixel, depth, t);
     float distance_px = length(vec2(at - pixel));
     float weight = tapWeight(here, tap, distance_px);
     all += weight;
-    if (over) weight *= inFrontOf(tap.depth, behind, params.depth_extent) * cylinder(distance_px, tap.radius);
+    if (over) weight *= inFrontOf(tap.depth, behindAt(pixel, behind, t), params.depth_extent) * cylinder(distance_px, tap.radius);
     front += weight;
     sum += weight * toSum(tap.color);
   }

@@ -152,7 +152,7 @@ void run(ivec2 pixel) {
 
   ivec2 size = textureSize(color_tex, 0);
   Tap here = tapAt(pixel);
-  float behind = behindDepth(pixel, here.depth);
+  float depth = here.depth, behind = behindDepth(pixel, depth);
   float jitter = jitterOf(pixel);
   bool turns_back = dot(d, d_after) <= 0.0;
   vec3 front_sum = vec3(0), back_sum = vec3(0);
@@ -166,7 +166,9 @@ void run(ivec2 pixel) {
     if (!isValid(at)) continue;
 
     Tap tap = tapAt(at);
-    float in_front = inFrontOf(tap.depth, behind, params.depth_extent);
+    tap.depth = depthAt(at, tap.depth, t);
+    here.depth = depthAt(pixel, depth, t);
+    float in_front = inFrontOf(tap.depth, behindAt(pixel, behind, t), params.depth_extent);
     Passing passing = passingOf(tap, at - pixel, t, turns_back);
     float weight = passing.passes ? in_front * timeShare(i, passing.d, along) : 0.0;
     front += weight;
@@ -183,6 +185,7 @@ void run(ivec2 pixel) {
     front = 1.0;
   }
   if (hasBehind(pixel)) {
+    here.depth = depth;
     float own = restsInFront(here, behind) * (1.0 - front);
     front_sum += own * toSum(here.color);
     front += own;

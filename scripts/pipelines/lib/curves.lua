@@ -3,6 +3,7 @@
 local pass       = require "strobe.pass"
 local pipeline   = require "strobe.pipeline"
 local path_curve = require "passes.scene.path_curve"
+local depths     = require "scripts.pipelines.lib.depths"
 local ranges     = require "scripts.pipelines.lib.ranges"
 local scene      = require "scripts.pipelines.lib.scene"
 
@@ -47,11 +48,12 @@ function curves.add(p, layers)
   end
 end
 
--- What raster sees, with its curves, for a file of passes/gather.
+-- What raster sees, with its curves and the changes of its depths, for a file of passes/gather.
 function curves.captured(p, weights)
   local seen = scene.captured()
   curves.require(p, pass.member("gather", weights), "weights = " .. weights)
   curves.add(p, { { "raster", seen } })
+  depths.add(p, { { "raster", seen } })
   return seen
 end
 

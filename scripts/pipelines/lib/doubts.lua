@@ -12,6 +12,7 @@ local visibility_moving = require "passes.scene.visibility_moving"
 local doubtful      = require "passes.tile.doubtful"
 local bent_bounds   = require "passes.tile.bent_bounds"
 local joined_bounds = require "passes.tile.bent_bounds_joined"
+local depths        = require "scripts.pipelines.lib.depths"
 local tiles         = require "scripts.pipelines.lib.tiles"
 
 local doubts = {}
@@ -119,6 +120,7 @@ function doubts.end_layers(p, found)
       hit = seen.hit, unseen = seen.unseen, end_of = which == "open" and "start" or "finish", as = which .. "_layer",
     }
     own.color, own.depth = layer.color, layer.depth
+    own.depth_change = depths.change(p, which, { depth = layer.depth, hit = seen.hit, time = which })
     own.dominant = tiles.dominant(p, own, { prefix = which .. "_" }).dominant
     for name, image in pairs(own) do images[which .. "_" .. name] = image end
   end

@@ -12,6 +12,7 @@ local motion_reach    = require "passes.tile.motion_reach"
 local reveal          = require "passes.scene.reveal"
 local reveal_upsample = require "passes.scene.reveal_upsample"
 local curves          = require "scripts.pipelines.lib.curves"
+local depths          = require "scripts.pipelines.lib.depths"
 local doubts          = require "scripts.pipelines.lib.doubts"
 local edges           = require "scripts.pipelines.lib.edges"
 local gathers         = require "scripts.pipelines.lib.gathers"
@@ -268,6 +269,10 @@ function hybrid.composited(p, seen, revealed)
   curves.require(p, apart and pass.member("gather", p.weights()) or composite,
     apart and "weights = " .. p.weights() or "composite = " .. p.composite())
   curves.add(p, { { "raster", seen }, { "revealed", revealed[1] } })
+  depths.add(p, { { "raster", seen } })
+  for number, layer in ipairs(revealed) do
+    depths.add(p, { { number == 1 and "revealed" or "revealed_" .. number, layer } })
+  end
   local images = apart and blurred(p, seen, revealed[1]) or layers(p, seen, revealed, composite)
   if pass.reads(composite, "moved") then put(images, "", reached_cells(p, seen, revealed, images)) end
   local doubted, ends = doubts.are_asked(p), p.end_layers() and knows(p, "open_color")
