@@ -86,9 +86,10 @@ Cover coverAt(ivec2 pixel, vec2 d, float t, Tap back) {
   for (int guess = 0; guess < 2; ++guess) {
     if (!isInside(now, textureSize(color_tex, 0))) return kNoCover;
     Tap tap = rasterAt(now, t > 0.0);
-    tap.depth = depthAt(now, tap.depth, t);
-    if (isAt(pixel, now, tap.d, t, tolerance_px))
-      return Cover(tap.color, tap.depth, inFrontOf(tap.depth, back.depth, params.depth_extent));
+    if (isAt(pixel, now, tap.d, t, tolerance_px)) {
+      float depth = depthAt(now, tap.depth, t), behind = backgroundDepthAt(pixel, back.depth, t);
+      return Cover(tap.color, depth, inFrontOf(depth, behind, params.depth_extent));
+    }
     now = tapFor(pixel, tap.d, t);
   }
   return kNoCover;
@@ -100,11 +101,11 @@ Cover nearer(Cover a, Cover b) {
   return b.share > 0.0 && inFrontOf(b.depth, a.depth, params.depth_extent) > 0.5 ? b : a;
 }
 
+// The background that is at the pixel at t. What raster saw there hides it if it was in front at the capture.
 vec3 backgroundAt(ivec2 pixel, float t, Tap back, inout uint fallbacks) {
   ivec2 now = tapFor(pixel, back.d, t);
   if (isInside(now, textureSize(color_tex, 0))) {
     Tap tap = rasterAt(now, t > 0.0);
-    tap.depth = depthAt(now, tap.depth, t);
     bool in_view = tap.instance == back.instance || inFrontOf(tap.depth, back.depth, params.depth_extent) == 0.0;
     if (in_view) return tap.color;
     if (isRevealed(now)) return revealedColor(now);
@@ -126,7 +127,6 @@ void run(ivec2 pixel) {
   for (int i = 0; i < params.samples; ++i) {
     float t = sampleTime(i, params.samples, jitter);
     Tap back = backgroundOf(pixel, t > 0.0);
-    back.depth = backgroundDepthAt(pixel, back.depth, t);
     Cover cover = nearer(coverAt(pixel, dominantOf(pixel, t > 0.0), t, back),
                          coverAt(pixel, rasterAt(pixel, t > 0.0).d, t, back));
     vec3 color = cover.color;

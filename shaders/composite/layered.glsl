@@ -268,7 +268,6 @@ ivec2 askedOf(int layer, ivec2 pixel, ivec2 now, Path path, float t) {
 
 Seen nearer(Seen seen, int layer, ivec2 now, float depth) {
   if (seen.layer != kNothing && depth >= seen.depth * kSameDepth) return seen;
-  if (HAS_depth_change != 0 && depth == 0.0) return seen;  // it has passed the camera
   return Seen(layer, now, depth, seen.unsure);
 }
 

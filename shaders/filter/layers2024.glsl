@@ -128,7 +128,6 @@ bool agree(vec2 a, vec2 b) {
 Seen nearer(Seen seen, int layer, ivec2 at, vec2 d, float t) {
   if (!agree(displacementOf(layer, at), d)) return seen;
   float depth = depthAt(layer, at, t);
-  if (HAS_depth_change != 0 && depth == 0.0) return seen;  // it has passed the camera
   if (seen.layer >= 0 && depth >= seen.depth * kSameDepth) return seen;
   return Seen(layer, at, depth);
 }

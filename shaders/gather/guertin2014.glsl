@@ -79,10 +79,12 @@ bool movesAsOne(ivec2 tile, vec2 d, float reach) {
 #endif
 }
 
-float tapWeight(Tap here, Tap tap, Sample taken, vec2 second) {
+// `then`: depths of the pixel and of the tap at the tap's time. What is in front by then passes over the pixel; what the
+// pixel's surface hides is seen once that has gone, in front by then or not.
+float tapWeight(Tap here, Tap tap, vec2 then, Sample taken, vec2 second) {
   float along_here = abs(dot(second, taken.direction));
   float along_tap = abs(dot(tap.direction, taken.direction));
-  float in_front = softDepth(here.depth, tap.depth, params.depth_extent);
+  float in_front = softDepth(then.x, then.y, params.depth_extent);
   float at_back = softDepth(tap.depth, here.depth, params.depth_extent);
   return in_front * cone(taken.distance_px, tap.radius) * along_tap +
          at_back * cone(taken.distance_px, here.radius) * along_here +
@@ -135,11 +137,10 @@ void run(ivec2 pixel) {
     Texel texel = texelAt(at);
     vec2 tap_d = uniform_motion ? d : texel.d;
     Tap tap = tapFrom(texel, tap_d, reach * (uniform_motion ? lengthOf(d) : spreadAt(at, texel.d)));
-    tap.depth = depthAt(at, tap.depth, taken.t);
-    here.depth = depthAt(pixel, own.depth, taken.t);
-    float weight = tapWeight(here, tap, taken, second);
+    vec2 then = vec2(depthAt(pixel, here.depth, taken.t), depthAt(at, tap.depth, taken.t));
+    float weight = tapWeight(here, tap, then, taken, second);
     all += weight;
-    if (over) weight *= inFrontOf(tap.depth, behindAt(pixel, behind, taken.t), params.depth_extent) * covers(tap, taken);
+    if (over) weight *= inFrontOf(then.y, behindAt(pixel, behind, taken.t), params.depth_extent) * covers(tap, taken);
     front += weight;
     sum += weight * toSum(tap.color);
   }

@@ -33,6 +33,7 @@
 struct Tap {
   vec3 color;
   float depth;
+  float then;    // depth at the time of the tap that is looked at
   vec2 d;        // px over the exposure
   float radius;  // px
 };
@@ -54,16 +55,9 @@ struct Sums {
   float all;
 };
 
-Tap tapAt(ivec2 pixel, float reach) {
-  Texel texel = texelAt(pixel);
-  return Tap(texel.color, texel.depth, texel.d, reach * spreadAt(pixel, texel.d));
-}
-
-// The same with the depth that it has at time t.
 Tap tapAt(ivec2 pixel, float reach, float t) {
-  Tap tap = tapAt(pixel, reach);
-  tap.depth = depthAt(pixel, tap.depth, t);
-  return tap;
+  Texel texel = texelAt(pixel);
+  return Tap(texel.color, texel.depth, depthAt(pixel, texel.depth, t), texel.d, reach * spreadAt(pixel, texel.d));
 }
 
 // The time of a tap that is so many steps away.
@@ -73,7 +67,7 @@ float timeAway(Gather gather, float steps, bool after) {
 
 // What is gathered, with depths at the time of a tap.
 Gather atTime(Gather gather, ivec2 pixel, float t) {
-  gather.here.depth = depthAt(pixel, gather.here.depth, t);
+  gather.here.then = depthAt(pixel, gather.here.depth, t);
   gather.behind = behindAt(pixel, gather.behind, t);
   return gather;
 }
@@ -110,7 +104,13 @@ float tapWeight(Gather gather, Tap tap, float steps, ivec2 offset, bool after) {
   float back = 0.5 + 0.5 * depthOrder(gather.here.depth, tap.depth, params.depth_extent);
   float spread_here = spreadOver(gather, gather.here.radius, steps, after);
   float spread_tap = spreadOver(gather, tap.radius, steps, after) * alongDominant(gather, tap, offset);
+#if HAS_depth_change
+  // What is in front by then passes over the pixel; what the pixel's surface hides is seen once that has gone.
+  float front = 0.5 - 0.5 * depthOrder(gather.here.then, tap.then, params.depth_extent);
+  return min(back * spread_here + front * spread_tap, 1.0);
+#else
   return back * spread_here + (1.0 - back) * spread_tap;
+#endif
 }
 
 vec2 mirrored(Tap a, Tap b, vec2 weights) {
@@ -121,7 +121,7 @@ vec2 mirrored(Tap a, Tap b, vec2 weights) {
 
 // The part of a tap's weight that is foreground, where the background is known from elsewhere.
 float frontShare(Gather gather, Tap tap, float steps, bool after) {
-  return inFrontOf(tap.depth, gather.behind, params.depth_extent) * spreadOver(gather, tap.radius, steps, after);
+  return inFrontOf(tap.then, gather.behind, params.depth_extent) * spreadOver(gather, tap.radius, steps, after);
 }
 
 // Where the two taps of a pair are, relative to the pixel: for a time before the capture and for one after it.
@@ -273,7 +273,7 @@ void run(ivec2 pixel) {
   }
 
   count_full(1u);
-  Tap here = tapAt(pixel, reach);
+  Tap here = tapAt(pixel, reach, 0.0);
   Gather gather = Gather(here, d, reach, lengthOf(d) / float(count), over, behindDepth(pixel, here.depth), count);
   imageStore(blurred_img, pixel, storedColor(fullGather(pixel, gather, dominantPath(d, pixel / params.tile), count, jitter)));
 }

@@ -40,8 +40,10 @@ Tap tapAt(ivec2 pixel, float reach) {
   return Tap(texel.color, texel.depth, max(reach * spreadAt(pixel, texel.d), 0.5));
 }
 
-float tapWeight(Tap here, Tap tap, float distance_px) {
-  float in_front = softDepth(here.depth, tap.depth, params.depth_extent);
+// `then`: depths of the pixel and of the tap at the tap's time. What is in front by then passes over the pixel; what the
+// pixel's surface hides is seen once that has gone, in front by then or not.
+float tapWeight(Tap here, Tap tap, vec2 then, float distance_px) {
+  float in_front = softDepth(then.x, then.y, params.depth_extent);
   float at_back = softDepth(tap.depth, here.depth, params.depth_extent);
   return in_front * cone(distance_px, tap.radius) + at_back * cone(distance_px, here.radius) +
          2.0 * cylinder(distance_px, tap.radius) * cylinder(distance_px, here.radius);
@@ -65,7 +67,7 @@ void run(ivec2 pixel) {
   int skipped = sampleAtCapture(params.samples);
 
   Tap here = tapAt(pixel, reach);
-  float depth = here.depth, behind = behindDepth(pixel, depth);
+  float behind = behindDepth(pixel, here.depth);
   float all = 1.0 / here.radius;
   float front = all * (over ? inFrontOf(here.depth, behind, params.depth_extent) : 1.0);
   vec3 sum = toSum(here.color) * front;
@@ -81,12 +83,11 @@ void run(ivec2 pixel) {
     if (!isValid(at)) continue;
 
     Tap tap = tapAt(at, reach);
-    tap.depth = depthAt(at, tap.depth, t);
-    here.depth = depthAt(pixel, depth, t);
+    vec2 then = vec2(depthAt(pixel, here.depth, t), depthAt(at, tap.depth, t));
     float distance_px = length(vec2(at - pixel));
-    float weight = tapWeight(here, tap, distance_px);
+    float weight = tapWeight(here, tap, then, distance_px);
     all += weight;
-    if (over) weight *= inFrontOf(tap.depth, behindAt(pixel, behind, t), params.depth_extent) * cylinder(distance_px, tap.radius);
+    if (over) weight *= inFrontOf(then.y, behindAt(pixel, behind, t), params.depth_extent) * cylinder(distance_px, tap.radius);
     front += weight;
     sum += weight * toSum(tap.color);
   }

@@ -152,7 +152,7 @@ void run(ivec2 pixel) {
 
   ivec2 size = textureSize(color_tex, 0);
   Tap here = tapAt(pixel);
-  float depth = here.depth, behind = behindDepth(pixel, depth);
+  float behind = behindDepth(pixel, here.depth);
   float jitter = jitterOf(pixel);
   bool turns_back = dot(d, d_after) <= 0.0;
   vec3 front_sum = vec3(0), back_sum = vec3(0);
@@ -166,16 +166,16 @@ void run(ivec2 pixel) {
     if (!isValid(at)) continue;
 
     Tap tap = tapAt(at);
-    tap.depth = depthAt(at, tap.depth, t);
-    here.depth = depthAt(pixel, depth, t);
-    float in_front = inFrontOf(tap.depth, behindAt(pixel, behind, t), params.depth_extent);
+    float in_front = inFrontOf(tap.depth, behind, params.depth_extent);
     Passing passing = passingOf(tap, at - pixel, t, turns_back);
-    float weight = passing.passes ? in_front * timeShare(i, passing.d, along) : 0.0;
+    float then = inFrontOf(depthAt(at, tap.depth, t), behindAt(pixel, behind, t), params.depth_extent);
+    float hides = passing.passes ? then : 0.0;
+    float weight = hides > 0.0 ? hides * timeShare(i, passing.d, along) : 0.0;
     front += weight;
     front_sum += weight * toSum(tap.color);
 
     vec2 here_d = after ? here.d_after : here.d;
-    float back_weight = (1.0 - in_front) * backgroundWeight(here, tap, i, at - pixel, here_d, passing, along);
+    float back_weight = (1.0 - max(in_front, hides)) * backgroundWeight(here, tap, i, at - pixel, here_d, passing, along);
     back += back_weight;
     back_sum += back_weight * toSum(tap.color);
   }
@@ -185,7 +185,6 @@ void run(ivec2 pixel) {
     front = 1.0;
   }
   if (hasBehind(pixel)) {
-    here.depth = depth;
     float own = restsInFront(here, behind) * (1.0 - front);
     front_sum += own * toSum(here.color);
     front += own;

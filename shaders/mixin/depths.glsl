@@ -6,11 +6,12 @@
 #define STROBE_DEPTHS_GLSL
 #include "lib/sanitise.glsl"
 
-// Of what is at a depth, t exposures later; `change` is what scene/depth_change.glsl writes. What has passed the camera is
-// at 0.
+// Of what is at a depth, t exposures later; `change` is what scene/depth_change.glsl writes. What has passed the camera hides
+// nothing: it is as far away as the sky.
 float depthThen(float depth, vec4 change, float t) {
   vec2 paces = finiteDisplacement(change);
-  return saneDepth(depth + (t < 0.0 ? paces.x : paces.y) * t);
+  float then = depth + (t < 0.0 ? paces.x : paces.y) * t;
+  return then > 0.0 ? then : uintBitsToFloat(0x7f800000u);
 }
 
 // At time t, of what raster saw at a pixel, where it is at `depth` at the capture.
