@@ -114,7 +114,9 @@ end
 -- What it reads of the ends of the exposure.
 function blur_ports.ends(names)
   for _, which in ipairs { "open", "close" } do
-    for _, part in ipairs { "color", "depth", "velocity", "valid", "dominant", "depth_change" } do names[#names + 1] = which .. "_" .. part end
+    for _, part in ipairs { "color", "depth", "velocity", "valid", "dominant", "depth_change" } do
+      names[#names + 1] = which .. "_" .. part
+    end
   end
   return names
 end

@@ -3,13 +3,14 @@
 // read from the revealed layer where raster saw something in front of it.
 // In:  color (linear), depth (view depth, sky +inf), id, velocity (px over the exposure), dominant (the same, per tile)
 //      of what raster saw; revealed_color, _depth, _id, _velocity, _valid (> 1/2) of what lies behind; after_*,
-//      revealed_after_*: displacements for times after the capture, where the exposure is split there.
+//      revealed_after_*: displacements for times after the capture, where the exposure is split there; depth_change,
+//      revealed_depth_change (m over the exposure, mixin/depths.glsl; absent: depths are those of the capture).
 // Out: blurred (linear, alpha 1).
 // The background B of X is what was revealed there, else what raster saw there. For t_i at the midpoints
 //   (i + 1/2 + jitter)/N of the exposure:
 //   Foreground: the tap Y = X - t_i*d along the tile's dominant displacement, and that along X's own. A tap that by its
 //   own motion is not at X at t_i (|Y + t_i*d(Y) - X| > max(3/4, |d|/(2N)) px) leads once to another, by its own d. Of
-//   those that are, the nearest counts to the degree that it is in front of B.
+//   those that are, the nearest counts to the degree that it is in front of B, by depths at t_i.
 //   Background: the tap Y = X - t_i*d(B). Where raster shows B's instance, or nothing in front of it, that; else what
 //   was revealed at Y; else B itself (counter `fallback`).
 // Each t_i has the weight 1/N: weights add up to 1, and coverage and background vary together as they do in truth.

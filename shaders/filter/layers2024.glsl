@@ -2,12 +2,13 @@
 // Lee, Kwon, Oh 2024, "Real-Time Motion Blur Using Multi-Layer Motion Vectors" (Applied Sciences 14, 4626), for any anchor.
 // In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure) of what is seen at the capture;
 //      layer_2_* to layer_4_*: the same of what lies behind it, all over the picture;
+//      depth_change, layer_2_depth_change, ... (m over the exposure, mixin/depths.glsl; absent: depths are those of the capture);
 //      dominant, deep_dominant (px over the exposure, per tile): of the first two layers, and of those behind (absent: none).
 // Out: blurred (linear, alpha 1).
 // For each t_i at the midpoints (i + 1/2 + jitter)/N of the exposure, each displacement g searched and each layer: the texel
 //   Y = X - t_i*g (outside of the picture the one at its border) counts if its own displacement is within `agreement` of g, and
-//   nearer to it than half of the longer one. The nearest counts alone; of equal depths that of the first displacement. The mean
-//   over the i at which there is any is the result.
+//   nearer to it than half of the longer one. The nearest at t_i counts alone; of equal depths that of the first displacement.
+//   The mean over the i at which there is any is the result.
 // Searched: the displacements of X in all layers, and those of its tile. The paper's text says that a colour is taken where it
 //   shares its displacement with where the search began; which displacements begin at a pixel that something else passes over it
 //   was not at hand for: here they are found as other filters find them.

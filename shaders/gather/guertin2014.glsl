@@ -7,7 +7,8 @@
 //      valid (> 1/2: the layer has a texel there; absent: everywhere);
 //      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere);
 //      curve, dominant_curve (of the paths of velocity and dominant, px; absent: lines): taps then lie on the curve of the
-//      dominant one, and a pixel spreads as far as its own goes; all else is as it was.
+//      dominant one, and a pixel spreads as far as its own goes; all else is as it was;
+//      depth_change, behind_depth_change (m over the exposure, mixin/depths.glsl; absent: depths are those of the capture).
 // Out: blurred, colour times alpha and alpha.
 // Samples: t_i = lerp(-1, 1, (i + eta*jitter + 1) / (N + 1)) of the length r_N that the dominant displacement spreads
 //   over: |d|/2 to both sides with the capture in the middle of the exposure (where the tap on the pixel itself, which
@@ -16,7 +17,8 @@
 //   of those is round(N/2 * smoothstep(0, 1/2, variance)). They are left out where there is no such direction.
 // Weights, D = |t_i| r_N, e the direction sampled, r what X and Y spread over, at least 1/2 px:
 //   f*cone(D, rY)*wB + b*cone(D, rX)*wA + 2*cylinder(D, min(rX, rY))*max(wA, wB), wA = |v_c . e|, wB = |direction of
-//   d(Y) . e|; of the pixel itself N / (kappa*rX); divided by their sum. f and b compare depths as shares of the depth.
+//   d(Y) . e|; of the pixel itself N / (kappa*rX); divided by their sum. f and b compare depths as shares of the depth;
+//   f those at the tap's time (it then passes over X), b those at the capture (X hides it, and goes).
 // Paths: nothing around spreads over more than 0.505 px: copied. The shortest displacement around is at least 0.65 of
 //   the dominant one and spreads over 4 px: d(Y) is taken to be the dominant one and not read. Counters tell how many.
 // Alpha: as in McGuire's gather (mcguire2012.glsl): 1, or, where something was revealed behind the pixel, the share of

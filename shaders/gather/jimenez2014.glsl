@@ -6,7 +6,8 @@
 //      valid (> 1/2: the layer has a texel there; absent: everywhere);
 //      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere);
 //      curve, dominant_curve (of the paths of velocity and dominant, px; absent: lines): taps then lie on the curve of the
-//      dominant one, and a pixel spreads as far as its own goes; all else is as it was.
+//      dominant one, and a pixel spreads as far as its own goes; all else is as it was;
+//      depth_change, behind_depth_change (m over the exposure, mixin/depths.glsl; absent: depths are those of the capture).
 // Out: blurred, colour times alpha and alpha.
 // Paths: copy where nothing around spreads farther than copy_below; cheap, the plain mean of the taps, where the
 //   slowest displacement around is longer than cheap_ratio times the dominant one; else full. Counters tell how many took each.
@@ -17,7 +18,8 @@
 //   w = back * clamp(u*r(X) - max(s - 1, 0), 0, 1) + front * clamp(u*r(Y) - max(s - 1, 0), 0, 1), where back + front =
 //   1 by the order of the depths (1/2 each where equal). Of a pair the nearer and faster tap gives both their weight
 //   (the mirror); both comparisons are strict, so that ties give a mirrored picture a mirrored result. `direction`
-//   scales what Y spreads by how far it moves along d.
+//   scales what Y spreads by how far it moves along d. With depth_change, front is of depths at the tap's time (Y is in front
+//   then and passes over X), back and the mirror of those at the capture (X hides Y, and goes); w is at most 1.
 //   Result: sum of w*C / N, the rest of the exposure goes to the pixel itself.
 // Alpha: 1, unless something was revealed behind the pixel. Then the result is the foreground alone, to be laid over
 //   the blurred background: every tap counts as far as it is in front of what was revealed and spreads over X, the rest
