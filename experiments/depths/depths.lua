@@ -54,24 +54,24 @@ end
 
 -- In no shot a larger error by depths at the time of a sample, and in one a smaller by a tenth at least.
 local function gains(name)
-  return { ("%s, depths of taps: in no shot a larger error by more than 1 %%, in one a smaller by a tenth at least"):format(name),
-    function(r)
-      local shares, least, most = {}, math.huge, -1
-      for _, shot in ipairs(shots) do
-        local function error_of(arm) return r.at { shot = shot, arm = arm, region = "whole" }.rmse end
-        local share = error_of(at_tap[name]) / error_of(name)
-        shares[#shares + 1] = ("%s %.2f"):format(shot, share)
-        least, most = math.min(least, share), math.max(most, share)
-      end
-      return most <= 1.01 and least <= 0.9, table.concat(shares, ", ") .. " of its error"
-    end }
+  local text = "%s, depths of taps: in no shot a larger error by more than 1 %%, in one a smaller by a tenth at least"
+  return { text:format(name), function(r)
+    local shares, least, most = {}, math.huge, -1
+    for _, shot in ipairs(shots) do
+      local function error_of(arm) return r.at { shot = shot, arm = arm, region = "whole" }.rmse end
+      local share = error_of(at_tap[name]) / error_of(name)
+      shares[#shares + 1] = ("%s %.2f"):format(shot, share)
+      least, most = math.min(least, share), math.max(most, share)
+    end
+    return most <= 1.01 and least <= 0.9, table.concat(shares, ", ") .. " of its error"
+  end }
 end
 
 return experiment {
   title    = "Depths at the time of a sample",
   question = "Which of two things is in front depends on when: what do methods make of it that compare depths of the capture?",
-  note     = "Errors are compared beyond those of truth with as many samples. The box that is thrown away was added after the " ..
-    "other shots had been measured, in which nothing passes from before one thing to behind it.",
+  note     = "Errors are compared beyond those of truth with as many samples. The box that is thrown away was added after " ..
+    "the other shots had been measured, in which nothing passes from before one thing to behind it.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "oracle/render.h"
 
@@ -113,10 +114,12 @@ Cards rising(Window window) {
 // One card that slides and rises past the camera in the middle of the exposure, of which the capture is the start.
 Cards passing() { return {{{44, 76, 0, .9, 20, 200}}}; }
 
-// One card that the capture at the start of the exposure does not see: it enters the picture, and comes out of the wall.
+// One card that the capture at the start of the exposure does not see: it enters the picture, and comes out of the
+// wall.
 Cards entering() { return {{{-40, -2, -50 - 40 * .6, .9, 40, 40}}}; }
 
-// A card 4 m before the camera that comes `nearer` within the exposure, before a wall: tests/oracle/scenes/approach.lua.
+// A card 4 m before the camera that comes `nearer` within the exposure, before a wall:
+// tests/oracle/scenes/approach.lua.
 lab::Shot approach(double nearer) {
   lab::Shot shot = shotOf("approach", 64, 48);
   shot.sets.clear();
@@ -129,9 +132,10 @@ lab::Shot tapped(lab::Shot shot, const std::vector<std::string>& taps) {
   return shot;
 }
 
-// Wherever a layer has something at a depth that moves, its change is that of the pose, elsewhere 0. 1e-4: depths of 100 m
-// in single precision, over half of the exposure. Returns at how many pixels.
-int expectChange(const lab::Picture& picture, const image::Image& depths, const std::string& change, double depth, double of) {
+// Wherever a layer has something at a depth that moves, its change is that of the pose, elsewhere 0. 1e-4: depths of
+// 100 m in single precision, over half of the exposure. Returns at how many pixels.
+int expectChange(const lab::Picture& picture, const image::Image& depths, const std::string& change, double depth,
+                 glm::dvec2 of) {
   const image::Image& changes = picture.frame.taps.at(change).floats;
   int found = 0;
   for (int y = 0; y < depths.height; ++y)
@@ -139,15 +143,15 @@ int expectChange(const lab::Picture& picture, const image::Image& depths, const 
       const bool moves = std::abs(depths.at(x, y, 0) - depth) < 1e-3;
       found += moves;
       for (int part = 0; part < 2; ++part)
-        EXPECT_NEAR(changes.at(x, y, part), moves ? of : 0, 1e-4) << change << " at " << x << ", " << y;
+        EXPECT_NEAR(changes.at(x, y, part), moves ? of[part] : 0, 1e-4) << change << " at " << x << ", " << y;
     }
   return found;
 }
 
 }  // namespace
 
-// At the pace of both parts of the exposure, through the camera and beyond it; by both ways of telling displacements, since the
-// motion is even.
+// At the pace of both parts of the exposure, through the camera and beyond it; by both ways of telling displacements,
+// since the motion is even.
 TEST_F(RenderDepths, ChangesAreThoseOfThePoses) {
   const std::string change = "raster_depth_change.change";
   for (const char* displacement : {"window", "extrapolated"})
@@ -155,11 +159,23 @@ TEST_F(RenderDepths, ChangesAreThoseOfThePoses) {
       for (double nearer : {1., 5.}) {
         const std::vector<std::string> set = {"depths=tap", fmt::format("displacement={}", displacement)};
         lab::Picture picture = render(tapped(with(approach(nearer), "jimenez2014", set, anchor.name), {change}));
-        EXPECT_GT(expectChange(picture, imageOf(picture, "depth"), change, 4, -nearer), 100);
+        EXPECT_GT(expectChange(picture, imageOf(picture, "depth"), change, 4, glm::dvec2(-nearer)), 100);
       }
 }
 
-// Of what is revealed, by what a ray hit and by what its instance carries, and of what the end of the exposure alone sees.
+// What turns back in depth at the capture has two paces; an exposure that has one of the parts knows that one alone.
+TEST_F(RenderDepths, ChangesAreThoseOfBothParts) {
+  const std::string change = "raster_depth_change.change";
+  const std::map<std::string, glm::dvec2> expected = {{"close", {-12, -12}}, {"centre", {-12, 20}}, {"open", {20, 20}}};
+  for (const Anchor& anchor : anchors()) {
+    lab::Shot shot = shotOf("bent", 96, 32, {{"before_z", 12}, {"after_z", -20}});
+    lab::Picture picture = render(tapped(with(shot, "jimenez2014", {"depths=tap"}, anchor.name), {change}));
+    EXPECT_EQ(expectChange(picture, imageOf(picture, "depth"), change, kCamera, expected.at(anchor.name)), 32 * 32);
+  }
+}
+
+// Of what is revealed, by what a ray hit and by what its instance carries, and of what the end of the exposure alone
+// sees.
 TEST_F(RenderDepths, ChangesOfOtherLayersAreToo) {
   const Cards covered{{{40, 72, 0, .5}, {50, 62, -5, 1, 20, -30}}};
   const std::string change = "revealed_depth_change.change";
@@ -168,17 +184,20 @@ TEST_F(RenderDepths, ChangesOfOtherLayersAreToo) {
       const std::vector<std::string> set = {"preset=captured", "mask=all", "depths=tap",
                                             fmt::format("reveal_resolution={}", resolution)};
       lab::Picture picture = render(tapped(with(covered.shot(), "hybrid", set, anchor.name), {change}));
-      EXPECT_EQ(expectChange(picture, imageOf(picture, "revealed_depth"), change, 105, 30), 12 * kHeight) << resolution;
+      EXPECT_EQ(expectChange(picture, imageOf(picture, "revealed_depth"), change, 105, glm::dvec2(30)), 12 * kHeight)
+          << resolution;
     }
   lab::Picture picture = render(tapped(with(entering().shot(), "hybrid", {"preset=layers", "depths=tap"}, "open"),
                                        {"close_layer.depth", "close_depth_change.change"}));
   const image::Image& depths = picture.frame.taps.at("close_layer.depth").floats;
-  EXPECT_GT(expectChange(picture, depths, "close_depth_change.change", kCamera - entering().cards[0].z - 40, -40), 100);
+  EXPECT_GT(
+      expectChange(picture, depths, "close_depth_change.change", kCamera - entering().cards[0].z - 40, glm::dvec2(-40)),
+      100);
 }
 
-// What is in front of all layers changes within the exposure: two cards that cross and change places, one that goes past the
-// camera, one that only the end of the exposure sees. The bound is that of as many samples, and half a pixel of the slowest
-// card's way: places are rounded to texels. Depths of the capture are wrong by much more.
+// What is in front of all layers changes within the exposure: two cards that cross and change places, one that goes
+// past the camera, one that only the end of the exposure sees. The bound is that of as many samples, and half a pixel
+// of the slowest card's way: places are rounded to texels. Depths of the capture are wrong by much more.
 TEST_F(RenderDepths, LayersChangePlacesWithinTheExposure) {
   struct Case {
     std::string what;
@@ -208,15 +227,17 @@ TEST_F(RenderDepths, LayersChangePlacesWithinTheExposure) {
     expectWithin(
         colorOf(tap), [&](int x, int) { return c.cards.at(x, c.anchor.window); },
         [&](const Exposure& e) { return e.variation * (1. / (2 * kSamples) + .5 / c.slowest) + 1e-4; }, what);
-    const double error = c.cards.errorOf(tap, c.anchor.window), before = c.cards.errorOf(drawn("capture"), c.anchor.window);
+    const double error = c.cards.errorOf(tap, c.anchor.window),
+                 before = c.cards.errorOf(drawn("capture"), c.anchor.window);
     EXPECT_GE(before, 8 * error) << what;
   }
 }
 
-// A card that comes out of the wall within the exposure, or goes into it. Where the capture sees the wall, what passes over it
-// counts only at times at which it is in front; where it sees the card, only a method knows the wall to which it is revealed.
-// What is left of the error is that of a method's weights: samples, for those that count each tap as a share of the exposure or
-// have straight ramps; much, for those that are too opaque; of alpha_over's uniform ones what rests in front of the sky.
+// A card that comes out of the wall within the exposure, or goes into it. Where the capture sees the wall, what passes
+// over it counts only at times at which it is in front; where it sees the card, only a method knows the wall to which
+// it is revealed. What is left of the error is that of a method's weights: samples, for those that count each tap as a
+// share of the exposure or have straight ramps; much, for those that are too opaque; of alpha_over's uniform ones what
+// rests in front of the sky.
 TEST_F(RenderDepths, EveryFilterHasThem) {
   struct Filter {
     std::string pipeline;
@@ -259,7 +280,8 @@ TEST_F(RenderDepths, EvenDepthsAreThoseOfTheCapture) {
     const lab::Picture capture = render(with(slides, pipeline, set));
     set.push_back("depths=tap");
     EXPECT_TRUE(identical(colorOf(capture), colorOf(render(with(slides, pipeline, set))))) << pipeline;
-    for (const auto& step : capture.frame.times) EXPECT_EQ(step.name.find("depth_change"), std::string::npos) << step.name;
+    for (const auto& step : capture.frame.times)
+      EXPECT_EQ(step.name.find("depth_change"), std::string::npos) << step.name;
   }
 }
 
