@@ -10,16 +10,17 @@
 //      doubtful (a bit for each sample, per cell): what comes then is not where layers say; silhouettes (> 1/2: next to
 //      something that moves otherwise); revealed_2_*, revealed_3_*, revealed_4_*: the surfaces behind what was revealed;
 //      open_*, close_*: what an end of the exposure sees and none of these holds, where it is then (open_valid > 1/2), with
-//      the displacement open_dominant per tile; arriving (> 0, per cell): that comes there.
+//      the displacement open_dominant per tile; arriving (> 0, per cell): that comes there; depth_change,
+//      revealed_depth_change, ...: m over the exposure (mixin/depths.glsl; absent: depths are those of the layers).
 // Out: blurred (linear, alpha 1). Where nothing moved it is color. With `leaves_open`: of the samples that layers explain, the
 //      sum over the number of all, and in alpha their share; open: a bit for each of the others (of more than 64 samples one
 //      for several).
 // For t_i at the midpoints (i + 1/2 + jitter)/N of the exposure: each candidate displacement g says where a surface
 //   that is at X at t_i would be now, Y = X - t_i*g. A texel Y of a layer is at X then if |Y + t_i*d(Y) - X| <=
 //   max(3/4, .99 min(|g|, |d(Y)|)/(2N)) (3/4 px: the rounding of Y); one that is not leads to a second guess, by its own d.
-//   The nearest texel that is there is what X shows at t_i; of equal depths the earlier candidate and the raster layer
-//   win. The mean over i is the result: weights add up to 1 by construction, order in depth and correlation of movements
-//   come out right.
+//   The nearest texel that is there, by its depth at t_i, is what X shows at t_i; of equal depths the earlier candidate
+//   and the raster layer win. The mean over i is the result: weights add up to 1 by construction, order in depth and
+//   correlation of movements come out right.
 // Candidates: the tile's displacements (dominant, second, revealed), those of X in all layers, and those met in all
 //   layers (those behind where they may be at X) at the taps X - t_i*d along d = dominant and second, and at X + t_i*d, as
 //   far as they differ by more than half a pixel from all before; kMaxCandidates in all. Without the taps the slower of
@@ -236,7 +237,7 @@ Seen nearerRaster(Seen seen, ivec2 pixel, ivec2 now, float t, float tolerance_px
   for (int i = 0; i < kCurvedGuesses; ++i) {
     Path path = pathOf(kRaster, now, after);
     if (isThere(pixel, now, path, t, tolerance_px, frame.shutter)) {
-      return nearer(seen, kRaster, now, saneDepth(texelFetch(depth_tex, now, 0).x));
+      return nearer(seen, kRaster, now, depthAt(now, saneDepth(texelFetch(depth_tex, now, 0).x), t));
     }
     if (!isAskedAgain(i, path)) break;
     ivec2 next = askedOf(kRaster, pixel, now, path, t, frame.shutter);
@@ -252,7 +253,7 @@ Seen nearerHeld(Seen seen, int layer, ivec2 pixel, ivec2 now, float t, float tol
   vec2 window = windowFrom(layer);
   for (int i = 0; i < kCurvedGuesses && isHeld(layer, now); ++i) {
     Path path = pathOf(layer, now, after);
-    if (isThere(pixel, now, path, way, tolerance_px, window)) return nearer(seen, layer, now, depthOf(layer, now));
+    if (isThere(pixel, now, path, way, tolerance_px, window)) return nearer(seen, layer, now, depthAt(layer, now, way));
     if (!isAskedAgain(i, path)) break;
     ivec2 next = askedOf(layer, pixel, now, path, way, window);
     if (next == now || !isInside(next, textureSize(color_tex, 0))) break;

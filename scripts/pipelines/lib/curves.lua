@@ -4,6 +4,7 @@ local pass          = require "strobe.pass"
 local pipeline      = require "strobe.pipeline"
 local earlier_curve = require "passes.scene.earlier_curve"
 local path_curve    = require "passes.scene.path_curve"
+local depths        = require "scripts.pipelines.lib.depths"
 local ranges        = require "scripts.pipelines.lib.ranges"
 local scene         = require "scripts.pipelines.lib.scene"
 
@@ -81,7 +82,11 @@ function curves.seen(p, filter, setting)
   return seen
 end
 
--- The same for a file of passes/gather.
-function curves.captured(p, weights) return curves.seen(p, pass.member("gather", weights), "weights = " .. weights) end
+-- The same for a file of passes/gather, with the changes of depths.
+function curves.captured(p, weights)
+  local seen = curves.seen(p, pass.member("gather", weights), "weights = " .. weights)
+  depths.add(p, { { "raster", seen } })
+  return seen
+end
 
 return curves

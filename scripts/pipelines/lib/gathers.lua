@@ -33,6 +33,7 @@ function gathers.images(layer, around, behind)
     curve = layer.curve, dominant_curve = around.dominant_curve,
     dominant = around.dominant, second = around.second, after_dominant = around.after_dominant,
     behind_depth = behind and behind.depth, behind_valid = behind and behind.valid,
+    depth_change = layer.depth_change, behind_depth_change = behind and behind.depth_change,
   }
 end
 

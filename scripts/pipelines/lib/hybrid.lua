@@ -12,6 +12,7 @@ local motion_reach    = require "passes.tile.motion_reach"
 local reveal          = require "passes.scene.reveal"
 local reveal_upsample = require "passes.scene.reveal_upsample"
 local curves          = require "scripts.pipelines.lib.curves"
+local depths          = require "scripts.pipelines.lib.depths"
 local doubts          = require "scripts.pipelines.lib.doubts"
 local edges           = require "scripts.pipelines.lib.edges"
 local gathers         = require "scripts.pipelines.lib.gathers"
@@ -261,10 +262,9 @@ local function reached_cells(p, seen, revealed, images)
   return { moved = cells.moved, behind = cells.behind, missed = cells.missed }
 end
 
--- The layers with the names of their curves. From earlier frames the raster layer has had its own (pipelines/hybrid.lua), and
--- what was revealed keeps a displacement that is not its own.
+-- The layers with their names. What was revealed keeps a displacement that is not its own.
 local function named(p, seen, revealed)
-  local layers = curves.are_foretold(p) and {} or { { "raster", seen } }
+  local layers = { { "raster", seen } }
   for number, layer in ipairs(revealed) do
     layers[#layers + 1] = { number == 1 and "revealed" or ("revealed_%d"):format(number), layer, p.reveal_velocity() ~= "own" }
   end
@@ -277,7 +277,10 @@ function hybrid.composited(p, seen, revealed)
   local apart = pass.reads(composite, "front")
   curves.require(p, apart and pass.member("gather", p.weights()) or composite,
     apart and "weights = " .. p.weights() or "composite = " .. p.composite())
-  curves.add(p, named(p, seen, revealed))
+  local all = named(p, seen, revealed)
+  -- From earlier frames the raster layer has had its curves (pipelines/hybrid.lua).
+  curves.add(p, curves.are_foretold(p) and { table.unpack(all, 2) } or all)
+  depths.add(p, all)
   local images = apart and blurred(p, seen, revealed[1]) or layers(p, seen, revealed, composite)
   if pass.reads(composite, "moved") then put(images, "", reached_cells(p, seen, revealed, images)) end
   local doubted, ends = doubts.are_asked(p), p.end_layers() and knows(p, "open_color")
