@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Raster and ray-revealed background, blurred and composited. Tan, Cui and Bhojan 2020, "Hybrid MBlur".
 local pipeline = require "strobe.pipeline"
+local budget   = require "scripts.pipelines.lib.budget"
 local hybrid   = require "scripts.pipelines.lib.hybrid"
 local masks    = require "scripts.pipelines.lib.masks"
 local ranges   = require "scripts.pipelines.lib.ranges"
@@ -27,11 +28,12 @@ return pipeline {
   build = function(p)
     local seen = scene.captured()
     local moving = ranges.divided(p, seen, "halves")
-    local mask = ranges.mask(p, moving, masks[p.mask()])
+    local mask = budget.masked(p, seen, ranges.mask(p, moving, masks[p.mask()]))
     local revealed = hybrid.revealed(p, seen, mask)
     local first = revealed[1]
+    local color, traced = hybrid.composited(p, moving, hybrid.divided(p, revealed), mask)
     return scene.outputs(seen, {
-      color = hybrid.composited(p, moving, hybrid.divided(p, revealed)), mask = mask,
+      color = color, mask = mask, traced = budget.is_set(p) and traced or nil,
       revealed = first.color, revealed_depth = first.depth, revealed_velocity = first.velocity,
       revealed_id = first.id, revealed_valid = first.valid,
     })
