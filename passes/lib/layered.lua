@@ -39,9 +39,11 @@ return function(name, guesses)
     writes = {
       blurred = { format = "rgba32f", doc = "linear; alpha 1, with leaves_open the share of samples that are seen" },
       open = { format = "rg32ui", cleared = true,
-        doc = "with leaves_open, a bit for each sample at which no layer has anything; of more than 64 for as many together" },
-      guess = guesses and { format = "rgba32f", cleared = true, doc = "linear, of the samples that are left open what layers " ..
-        "say nevertheless, over the number of all; alpha: by how much that may be off" } or nil,
+        doc = "with leaves_open, a bit for each sample at which no layer has anything; of more than 64 for as many " ..
+              "together" },
+      guess = guesses and { format = "rgba32f", cleared = true,
+        doc = "linear, of the samples that are left open what layers say nevertheless, over the number of all; alpha: by " ..
+              "how much that may be off" } or nil,
     },
     without = { motion = { blurred = "color", open = 0, guess = guesses and 0 or nil } },
     params = {

@@ -14,5 +14,8 @@ return pass.compute {
     group  = { optional = true, uint = true, doc = "the group, and how many pixels are ahead of it; absent: of groups" },
   },
   writes = { limit = { format = "rg32ui", doc = "that group or rank, and how many pixels are ahead of it" } },
-  params = { share = pass.float { 1, min = 0, max = 1, doc = "share of the picture's pixels" } },
+  params = {
+    share = pass.float { 1, min = 0, max = 1, doc = "share of the picture's pixels" },
+    part  = pass.float { 1, min = 0, max = 1, doc = "part of that share which these may have" },
+  },
 }

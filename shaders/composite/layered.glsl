@@ -495,33 +495,39 @@ uvec2 openOf(uint doubts) {
 }
 
 // What layers say of samples that are left open. By how much they may be off: where texels differ by a part of that, to
-// either side, at random from texel to texel of the way; where nothing is known by as much as all differs that is seen.
+// either side, at random from texel to texel of the way; where a layer is not to be trusted by a part of what all differs
+// that the pixel sees; where nothing is known by all of that, black included.
 struct Guess {
   vec3 sum;
   float squares;  // of differences between texels, each as often as samples fall between the same ones
-  int unknown;    // samples of which nothing is known
+  int doubted;    // samples at which no layer is to be trusted
+  int unknown;    // samples at which none has anything
 };
 
 // Of the difference of the texels around a sample.
 const float kBetweenTexels = 0.3;
 
+// Of the difference of all that a pixel sees.
+const float kDoubted = 0.125;
+
 float mostOf(vec3 value) { return max(value.r, max(value.g, value.b)); }
 
 float widthOf(Spread spread) { return max(mostOf(spread.high - spread.low), 0.0); }
 
-Guess withGuess(Guess guess, vec3 color, Spread spread, Path path, bool is_known) {
+Guess withGuess(Guess guess, vec3 color, Spread spread, Path path, bool is_found, bool is_doubted) {
   guess.sum += toSum(color);
-  if (!is_known) {
-    guess.unknown += 1;
-    return guess;
-  }
+  guess.unknown += is_found ? 0 : 1;
+  guess.doubted += is_found && is_doubted ? 1 : 0;
+  if (!is_found || is_doubted) return guess;
   float apart = kBetweenTexels * widthOf(spread), n = float(params.samples);
   guess.squares += apart * apart * n / clamp(lengthOf(path.d), 1.0, n);
   return guess;
 }
 
 float offBy(Guess guess, Spread all_seen) {
-  return (sqrt(guess.squares) + float(guess.unknown) * widthOf(all_seen)) / float(params.samples);
+  float doubted = kDoubted * float(guess.doubted) * widthOf(all_seen);
+  float unknown = float(guess.unknown) * widthOf(withColor(all_seen, vec3(0)));
+  return (sqrt(guess.squares) + doubted + unknown) / float(params.samples);
 }
 
 void finishGuess(ivec2 pixel, vec3 part, float off_by) {
@@ -569,7 +575,7 @@ void run(ivec2 pixel) {
 
   vec3 sum = vec3(0);
   Spread all_seen = noSpread();
-  Guess guess = Guess(vec3(0), 0.0, 0);
+  Guess guess = Guess(vec3(0), 0.0, 0, 0);
   uint left_out = 0u, fallbacks = 0u;
   for (int i = 0; i < params.samples; ++i) {
     bool is_doubted = hasParts(open & partOf(i));
@@ -589,7 +595,7 @@ void run(ivec2 pixel) {
       open |= partOf(i);
       left_out += 1u;
       if (kIsGuessed) {
-        guess = withGuess(guess, color, spread, pathOf(seen.layer, seen.now, t > 0.0), is_found && !is_doubted);
+        guess = withGuess(guess, color, spread, pathOf(seen.layer, seen.now, t > 0.0), is_found, is_doubted);
         all_seen = withColor(all_seen, color);
       }
       continue;
@@ -603,7 +609,6 @@ void run(ivec2 pixel) {
 #if PARAM_leaves_unlike
   if (left_out == 0u && isNarrow(all_seen, 0.0)) mean = all_seen.low;  // of equal colours not rounded
 #endif
-  if (guess.unknown > 0) all_seen = withColor(withColor(all_seen, colorOf(kRaster, pixel)), vec3(0));
-  if (left_out > 0u) finishGuess(pixel, fromSum(guess.sum / n), offBy(guess, all_seen));
+  if (left_out > 0u) finishGuess(pixel, fromSum(guess.sum / n), offBy(guess, withColor(all_seen, colorOf(kRaster, pixel))));
   finish(pixel, mean, 1.0 - float(left_out) / n, open);
 }

@@ -81,7 +81,8 @@ TEST_F(RenderBudget, ErrorFallsWithTheShare) {
     if (share == 0) first = error;
     if (share == .3) half_way = error;
   }
-  EXPECT_LT(half_way - before, .5 * (first - before)) << "three tenths of the pixels, chosen well, are worth most of it";
+  EXPECT_LT(half_way - before, .5 * (first - before))
+      << "three tenths of the pixels, chosen well, are worth most of it";
 }
 
 }  // namespace strobe::oracle

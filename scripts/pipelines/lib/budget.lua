@@ -7,21 +7,29 @@ local uncovered_rank = require "passes.mask.uncovered_rank"
 local rank_counts    = require "passes.tile.rank_counts"
 local rank_limit     = require "passes.tile.rank_limit"
 local pipeline       = require "strobe.pipeline"
+local doubts         = require "scripts.pipelines.lib.doubts"
 local tiles          = require "scripts.pipelines.lib.tiles"
 
 local budget = {}
 
 budget.param = pipeline.float { 1, min = 0, max = 1,
+  variant = true,  -- below 1 the graph is another one
   doc = "share of the picture's pixels that may have rays of the method's own; those where they promise most have them" }
 
 -- Is there any? Else nothing of this runs.
 function budget.is_set(p) return p.most_rays() < 1 end
 
--- The first by rank, as many as there may be.
-local function first(p, rank, name)
+-- Of that share, what reveals where there are rays at their own time too: what is left to these goes to where layers know
+-- least once something is revealed.
+local revealing = 0.6
+
+-- The first by rank, as many as there may be, or a part of them.
+local function first(p, rank, name, part)
   local function limit(of, group)
     local counts = rank_counts { rank = rank, group = group, as = name .. of .. "_counts" }.counts
-    return rank_limit { rank = rank, counts = counts, group = group, share = p.most_rays, as = name .. of .. "_limit" }.limit
+    return rank_limit {
+      rank = rank, counts = counts, group = group, share = p.most_rays, part = part, as = name .. of .. "_limit",
+    }.limit
   end
   return ahead { rank = rank, limit = limit("_rank", limit("_group")), as = name }.mask
 end
@@ -33,7 +41,7 @@ function budget.masked(p, seen, mask)
   local rank = uncovered_rank {
     mask = mask, color = seen.color, depth = seen.depth, id = seen.id, velocity = seen.velocity, dominant = dominant,
   }.rank
-  return first(p, rank, "masked")
+  return first(p, rank, "masked", doubts.are_asked(p) and revealing or nil)
 end
 
 -- What a composite made that left samples open and guessed them, with rays for some pixels: those of `mask`, which had one,
