@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Raster and ray-revealed background, blurred and composited. Tan, Cui and Bhojan 2020, "Hybrid MBlur".
 local pipeline = require "strobe.pipeline"
+local budget   = require "scripts.pipelines.lib.budget"
 local curves   = require "scripts.pipelines.lib.curves"
 local hybrid   = require "scripts.pipelines.lib.hybrid"
 local masks    = require "scripts.pipelines.lib.masks"
@@ -29,12 +30,13 @@ return pipeline {
     local seen = scene.captured()
     if curves.are_foretold(p) then curves.add(p, { { "raster", seen } }) end
     local moving = ranges.divided(p, seen, "halves")
-    local mask = ranges.mask(p, moving, masks[p.mask()])
+    local mask = budget.masked(p, seen, ranges.mask(p, moving, masks[p.mask()]))
     local revealed = hybrid.revealed(p, seen, mask)
     local first, layers = revealed[1], hybrid.divided(p, revealed)
-    local color = hybrid.composited(p, moving, layers)
+    local color, traced = hybrid.composited(p, moving, layers, mask)
     return scene.outputs(seen, {
-      color = color, mask = mask, revealed = first.color, revealed_depth = first.depth,
+      color = color, mask = mask, traced = budget.is_set(p) and traced or nil,
+      revealed = first.color, revealed_depth = first.depth,
       revealed_velocity = curves.are_foretold(p) and layers[1].velocity or first.velocity,
       revealed_id = first.id, revealed_valid = first.valid,
     })

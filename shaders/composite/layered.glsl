@@ -14,7 +14,8 @@
 //      revealed_depth_change, ...: m over the exposure (mixin/depths.glsl; absent: depths are those of the layers).
 // Out: blurred (linear, alpha 1). Where nothing moved it is color. With `leaves_open`: of the samples that layers explain, the
 //      sum over the number of all, and in alpha their share; open: a bit for each of the others (of more than 64 samples one
-//      for several).
+//      for several). guess (layered_guessing.glsl alone): of what is left open the sum over the number of all of what layers
+//      say nevertheless, and in alpha by how much that may be off (Guess).
 // For t_i at the midpoints (i + 1/2 + jitter)/N of the exposure: each candidate displacement g says where a surface
 //   that is at X at t_i would be now, Y = X - t_i*g. A texel Y of a layer is at X then if |Y + t_i*d(Y) - X| <=
 //   max(3/4, .99 min(|g|, |d(Y)|)/(2N)) (3/4 px: the rounding of Y); one that is not leads to a second guess, by its own d.
@@ -40,6 +41,13 @@
 #include "lib/spread.glsl"
 #include "lib/times.glsl"
 #include "lib/sanitise.glsl"
+
+// Do samples that are left open have a guess? Then layers are asked for each.
+#ifdef GUESSES
+const bool kIsGuessed = true;
+#else
+const bool kIsGuessed = false;
+#endif
 
 const int kMaxCandidates = 4;
 
@@ -429,8 +437,10 @@ bool isBehind(ivec2 cell) {
 
 // The colour of what was found: of the texel, or where the sample lies between the centres of four, of those of them that
 // are there too. `alike`: all of these are, and look the same.
-vec3 colorFound(Seen seen, ivec2 pixel, float t, out bool alike) {
+// `spread`: with GUESSES, of these and of what raster saw where others are missing.
+vec3 colorFound(Seen seen, ivec2 pixel, float t, out bool alike, out Spread spread) {
   alike = true;
+  spread = noSpread();
 #if PARAM_taps == taps_linear || PARAM_leaves_unlike
   bool after = t > 0.0;
   float way = timeFrom(seen.layer, t);
@@ -439,7 +449,6 @@ vec3 colorFound(Seen seen, ivec2 pixel, float t, out bool alike) {
   ivec2 first = pixel + ivec2(low);
   vec3 sum = vec3(0);
   float weights = 0.0;
-  Spread spread = noSpread();
   for (int k = 0; k < 4; ++k) {
     ivec2 corner = ivec2(k & 1, k >> 1), at = first + corner;
     vec2 part = mix(1.0 - share, share, equal(corner, ivec2(1)));
@@ -447,6 +456,9 @@ vec3 colorFound(Seen seen, ivec2 pixel, float t, out bool alike) {
     if (weight < 1e-3) continue;
     if (!holds(seen.layer, at) || !isAt(pixel, at, pathOf(seen.layer, at, after), way, 1.5, window)) {
       alike = false;
+#ifdef GUESSES
+      spread = withColor(spread, colorOf(kRaster, clampToImage(at, size)));
+#endif
       continue;
     }
     vec3 color = colorOf(seen.layer, at);
@@ -482,6 +494,48 @@ uvec2 openOf(uint doubts) {
   return open;
 }
 
+// What layers say of samples that are left open. By how much they may be off: where texels differ by a part of that, to
+// either side, at random from texel to texel of the way; where a layer is not to be trusted by a part of what all differs
+// that the pixel sees; where nothing is known by all of that, black included.
+struct Guess {
+  vec3 sum;
+  float squares;  // of differences between texels, each as often as samples fall between the same ones
+  int doubted;    // samples at which no layer is to be trusted
+  int unknown;    // samples at which none has anything
+};
+
+// Of the difference of the texels around a sample.
+const float kBetweenTexels = 0.3;
+
+// Of the difference of all that a pixel sees.
+const float kDoubted = 0.125;
+
+float mostOf(vec3 value) { return max(value.r, max(value.g, value.b)); }
+
+float widthOf(Spread spread) { return max(mostOf(spread.high - spread.low), 0.0); }
+
+Guess withGuess(Guess guess, vec3 color, Spread spread, Path path, bool is_found, bool is_doubted) {
+  guess.sum += toSum(color);
+  guess.unknown += is_found ? 0 : 1;
+  guess.doubted += is_found && is_doubted ? 1 : 0;
+  if (!is_found || is_doubted) return guess;
+  float apart = kBetweenTexels * widthOf(spread), n = float(params.samples);
+  guess.squares += apart * apart * n / clamp(lengthOf(path.d), 1.0, n);
+  return guess;
+}
+
+float offBy(Guess guess, Spread all_seen) {
+  float doubted = kDoubted * float(guess.doubted) * widthOf(all_seen);
+  float unknown = float(guess.unknown) * widthOf(withColor(all_seen, vec3(0)));
+  return (sqrt(guess.squares) + doubted + unknown) / float(params.samples);
+}
+
+void finishGuess(ivec2 pixel, vec3 part, float off_by) {
+#ifdef GUESSES
+  imageStore(guess_img, pixel, vec4(part, off_by));
+#endif
+}
+
 // `part`: of the picture, of the samples that are explained, of which `share` is that of all.
 void finish(ivec2 pixel, vec3 part, float share, uvec2 open) {
 #if PARAM_leaves_open
@@ -494,13 +548,15 @@ void run(ivec2 pixel) {
   ivec2 cell = pixel / params.cell_side;
   const uvec2 all_open = allParts(params.samples);
   uvec2 open = openOf(doubtful(cell));
-  if (open == all_open) {
+  if (open == all_open && !kIsGuessed) {
     finish(pixel, vec3(0), 0.0, open);
     return;
   }
   if (!isMoved(cell) && !isArriving(cell)) {
     float share = 1.0 - float(countParts(open)) / float(min(params.samples, kMostParts));
-    finish(pixel, share * vec3(texelFetch(color_tex, pixel, 0)), share, open);
+    vec3 color = vec3(texelFetch(color_tex, pixel, 0));
+    finishGuess(pixel, (1.0 - share) * color, (1.0 - share) * mostOf(finiteColor(vec4(color, 1))));
+    finish(pixel, share * color, share, open);
     return;
   }
 
@@ -512,29 +568,36 @@ void run(ivec2 pixel) {
   after = candidatesOf(pixel, dominantAfter(tile), jitter, behind, true);
 #endif
   if (PARAM_leaves_open != 0 && (before.crowded || after.crowded || isMissed(cell))) {
-    finish(pixel, vec3(0), 0.0, all_open);
-    return;
+    open = all_open;
+    finish(pixel, vec3(0), 0.0, open);
+    if (!kIsGuessed) return;
   }
 
   vec3 sum = vec3(0);
   Spread all_seen = noSpread();
+  Guess guess = Guess(vec3(0), 0.0, 0, 0);
   uint left_out = 0u, fallbacks = 0u;
   for (int i = 0; i < params.samples; ++i) {
-    if (hasParts(open & partOf(i))) {
+    bool is_doubted = hasParts(open & partOf(i));
+    if (is_doubted && !kIsGuessed) {
       left_out += 1u;
       continue;
     }
     float t = sampleTime(i, params.samples, jitter);
     Seen seen = seenAt(pixel, t > 0.0 ? after : before, behind, t);
-    bool is_known = seen.layer != kNothing && !seen.unsure, alike = true;
-    if (!is_known) {
-      fallbacks += 1u;
-      seen.layer = isHeld(kRevealed, pixel) ? kRevealed : kRaster;
-    }
-    vec3 color = is_known || PARAM_leaves_open == 0 ? colorFound(seen, pixel, t, alike) : vec3(0);
-    if (PARAM_leaves_open != 0 && !(is_known && (alike || PARAM_leaves_unlike == 0))) {
+    bool is_found = seen.layer != kNothing, is_known = is_found && !seen.unsure, alike = true;
+    if (!is_known) fallbacks += 1u;
+    if (!is_known && !(kIsGuessed && is_found)) seen.layer = isHeld(kRevealed, pixel) ? kRevealed : kRaster;
+    Spread spread = noSpread();
+    bool is_asked = is_known || PARAM_leaves_open == 0 || kIsGuessed;
+    vec3 color = is_asked ? colorFound(seen, pixel, t, alike, spread) : vec3(0);
+    if (is_doubted || (PARAM_leaves_open != 0 && !(is_known && (alike || PARAM_leaves_unlike == 0)))) {
       open |= partOf(i);
       left_out += 1u;
+      if (kIsGuessed) {
+        guess = withGuess(guess, color, spread, pathOf(seen.layer, seen.now, t > 0.0), is_found, is_doubted);
+        all_seen = withColor(all_seen, color);
+      }
       continue;
     }
     sum += toSum(color);
@@ -546,5 +609,6 @@ void run(ivec2 pixel) {
 #if PARAM_leaves_unlike
   if (left_out == 0u && isNarrow(all_seen, 0.0)) mean = all_seen.low;  // of equal colours not rounded
 #endif
+  if (left_out > 0u) finishGuess(pixel, fromSum(guess.sum / n), offBy(guess, withColor(all_seen, colorOf(kRaster, pixel))));
   finish(pixel, mean, 1.0 - float(left_out) / n, open);
 }

@@ -111,6 +111,7 @@ const std::map<std::string, std::vector<Context>> kContexts = {
       {{"mask=seed", "edge=silhouette", "scene=solids", "slide=30", "limit=10"}, {}},
       {{"mask=seed", "edge=id"}, {}},
       {{"mask=moving"}, {}},
+      {{"most_rays=0.05"}, {}},
       {{"composite=in_gather"}, {}},
       {{"composite=alpha_over"}, {"weights", "depth_extent"}},
       {{"composite=alpha_over", "weights=mcguire2012"}, {"directions"}},

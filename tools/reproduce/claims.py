@@ -40,6 +40,7 @@ EXPERIMENTS = [
     experiment("depths", "shot=nearer", 20, 40),
     experiment("sub_pixel", "speed=3,samples=16", 20, 60),
     experiment("peers", "shot=enters", 40, 60),
+    experiment("ray_budget", "shot=enters", 40, 240),
     experiment("exhibits", "shot=jump", 40, 400),
     experiment("shading_under_motion", "shot=lamp", 50, 240),
     experiment("selective", "shot=enters", 60, 360),

@@ -146,13 +146,15 @@ function doubts.silhouettes(p, seen)
   }.near
 end
 
--- The picture, from what a composite made that left samples open; `revealed` is the first layer behind.
-function doubts.traced(p, seen, revealed, made)
+-- The picture, from what a composite made that left samples open; `revealed` is the first layer behind. Of `limited` rays
+-- none checks what layers explain.
+function doubts.traced(p, seen, revealed, made, limited)
   return pipeline.loop {
     name = "own_times", count = 1, times = "midpoint", slices = math.min(p.samples(), 64),
     body = function()
       return { picture = own_time {
         seen = made.blurred, open = made.open, time = "sample", shades_unlike = doubts.of_detail(p),
+        audit = limited and 0 or nil,
         hit = seen.hit, color = seen.color, depth = seen.depth, id = seen.id, revealed_color = revealed.color,
         revealed_depth = revealed.depth, revealed_id = revealed.id, revealed_valid = revealed.valid,
       }.picture }

@@ -3,6 +3,7 @@
 local pass            = require "strobe.pass"
 local pipeline        = require "strobe.pipeline"
 local layered         = require "passes.composite.layered"
+local guessing        = require "passes.filter.layered_guessing"
 local mcguire2012     = require "passes.gather.mcguire2012"
 local longest_motion  = require "passes.tile.longest_motion"
 local moving_behind   = require "passes.mask.moving_behind"
@@ -11,6 +12,7 @@ local joined_bounds   = require "passes.tile.motion_bounds_joined"
 local motion_reach    = require "passes.tile.motion_reach"
 local reveal          = require "passes.scene.reveal"
 local reveal_upsample = require "passes.scene.reveal_upsample"
+local budget          = require "scripts.pipelines.lib.budget"
 local curves          = require "scripts.pipelines.lib.curves"
 local depths          = require "scripts.pipelines.lib.depths"
 local doubts          = require "scripts.pipelines.lib.doubts"
@@ -120,6 +122,7 @@ function hybrid.params()
       },
       breaks = { unexplained = of_doubt, uncertain = of_doubt, detailed = of_doubt },
     },
+    most_rays   = budget.param,
     unlike      = layered.params.unlike,
     detail_below = layered.params.detail_below,
   })
@@ -271,8 +274,9 @@ local function named(p, seen, revealed)
   return layers
 end
 
--- The picture, by the composite chosen: a pass that reads blurred layers (front, back) or the layers themselves.
-function hybrid.composited(p, seen, revealed)
+-- The picture, by the composite chosen: a pass that reads blurred layers (front, back) or the layers themselves; and where
+-- rays are: `mask`, or of a share of the pixels all that have some.
+function hybrid.composited(p, seen, revealed, mask)
   local composite = pass.member("composite", p.composite())
   local apart = pass.reads(composite, "front")
   curves.require(p, apart and pass.member("gather", p.weights()) or composite,
@@ -293,12 +297,15 @@ function hybrid.composited(p, seen, revealed)
     images.doubtful = doubts.cells(p, found, not ends, "doubtful")
     images.silhouettes = doubts.silhouettes(p, seen)
   end
-  local made = composite(pass.wired(composite, images, {
+  local limited = doubted and budget.is_set(p)
+  local made = (limited and guessing or composite)(pass.wired(composite, images, {
     as = "composite", leaves_open = doubted or nil, leaves_unlike = doubted and doubts.of_detail(p) or nil,
     slowest = doubted and doubts.slowest(p) or nil,
   }))
-  if doubted then return doubts.traced(p, seen, revealed[1], made) end
-  return apart and made.color or made.blurred
+  if not doubted then return apart and made.color or made.blurred, mask end
+  local traced = mask
+  if limited then made, traced = budget.open(p, made, mask) end
+  return doubts.traced(p, seen, revealed[1], made, limited), traced
 end
 
 return hybrid

@@ -1,0 +1,145 @@
+-- SPDX-License-Identifier: MIT
+-- Rays for a share of the pixels, chosen by what they promise, against full layers drawn everywhere.
+--   strobe sweep experiments/ray_budget/ray_budget.lua -o out/ray_budget
+local experiment = require "strobe.experiment"
+
+local width, height = 160, 90
+
+local function shot(name, title, scene, more)
+  local one = { name = name, title = title, scene = scene }
+  if scene ~= "cards" then one["scene.width"], one["scene.height"] = width, height end
+  for key, value in pairs(more or {}) do one[key] = value end
+  return one
+end
+
+local shots = {
+  shot("room", "Living room", "living_room", { camera = "main", ["scene.pixels"] = 14 }),
+  shot("room_tracking", "Living room, tracking", "living_room", { camera = "tracking", ["scene.pixels"] = 14 }),
+  shot("vase", "Vase and cushion", "vase_and_cushion", { ["scene.pixels"] = 12 }),
+  shot("turns_back", "Turns back", "turns_back", { anchor = "centre", frame = 1 }),
+  shot("behind", "Behind", "behind"),
+  shot("cards", "Cards", "cards"),
+}
+-- How far things go, px: as shares of the picture what the scenes have at their own sizes.
+local objects = { { "tracking_parallax", 17 }, { "stacked", 27 }, { "enters", 33 }, { "car_and_road", 33 }, { "caged_fan", 27 },
+  { "door", 33 }, { "leaves", 20 }, { "nearer" }, { "pendulum", 33 }, { "spoked_wheel", 20 }, { "telescope", 33 },
+  { "chase" }, { "drive" }, { "glass", 13 }, { "gloss", 13 }, { "jump", 13 }, { "panorama", 13 }, { "shadow", 17 } }
+local oracles = { "bar", "half_plane", "hidden_white", "quad_2d", "textured_bar", "wedge" }
+local properties = { "crowd", "extreme", "grazing", "passage" }
+local function add(folder, names)
+  for _, of in ipairs(names) do
+    local name, pixels = of, nil
+    if type(of) == "table" then name, pixels = of[1], of[2] end
+    local title = name:gsub("_", " "):gsub("^%l", string.upper)
+    shots[#shots + 1] = shot(name, title, folder .. "/" .. name, { ["scene.pixels"] = pixels })
+  end
+end
+add("objects", objects)
+add("oracles", oracles)
+add("stability", properties)
+shots[#shots + 1] = shot("planes", "Planes", "stability/planes", { ["scene.kind"] = 2, ["scene.velocity_x"] = 0.83 })
+
+local layers = "layers 2024"
+local most = 0.15
+local arms = { { name = layers, pipeline = "layers2024" } }
+
+-- The curve, in these shots alone: from no ray to all that are asked for.
+local curve_shots = { "room", "room_tracking", "tracking_parallax", "stacked", "enters", "car_and_road" }
+local curve, only_there, has_curve = {}, {}, {}
+for _, name in ipairs(curve_shots) do has_curve[name] = true end
+for _, share in ipairs { 0, 0.05, most, 0.3, 1 } do
+  local name = share == 1 and "hybrid, best" or ("hybrid, rays for %g %%"):format(100 * share)
+  curve[#curve + 1] = name
+  only_there[name] = share ~= most
+  arms[#arms + 1] = { name = name, pipeline = "hybrid", set = { preset = "best", most_rays = share } }
+end
+local limited = curve[3]
+
+-- Why a failed expectation fails.
+local grain = "what is blended by its alpha is drawn as a share of points, whose grain is most of the error there: a layer " ..
+              "carries its points along, rays at their own time draw others each"
+local blended = "glass"
+
+-- In a region of every shot that has one, but for the one named `but`.
+local function below(region, but)
+  local text = ("in the region %s of every scene%s the hybrid with rays for %g %% errs no more than full layers")
+    :format(region, but and " but that of blended glass" or "", 100 * most)
+  return { but and "found afterwards: " .. text or text, known = not but and grain or nil, function(r)
+    local worst, where, count, above = 0, "", 0, {}
+    for _, one in ipairs(shots) do
+      if one.name == but then goto next end
+      local own = r.at { shot = one.name, arm = limited, region = region }
+      local other = r.at { shot = one.name, arm = layers, region = region }
+      if own.pixels and own.pixels > 0 then
+        local ratio = own.rmse / math.max(other.rmse, 1e-9)
+        count = count + 1
+        if ratio > worst then worst, where = ratio, one.title end
+        if ratio > 1.0001 then above[#above + 1] = ("%s: %.2f"):format(one.title, ratio) end
+      end
+      ::next::
+    end
+    local which = #above > 0 and "; more in " .. table.concat(above, ", ") or ""
+    return #above == 0, ("%d scenes; at most %.2f of it (%s)%s"):format(count, worst, where, which)
+  end }
+end
+
+-- The geometric mean over the shots of the curve of an arm's error as a share of that without rays.
+local function over_curve(r, name)
+  local sum = 0
+  for _, shot_name in ipairs(curve_shots) do
+    local own = r.at { shot = shot_name, arm = name, region = "whole" }.rmse
+    sum = sum + math.log(own / r.at { shot = shot_name, arm = curve[1], region = "whole" }.rmse)
+  end
+  return math.exp(sum / #curve_shots)
+end
+
+return experiment {
+  title    = "Rays for a share of the pixels",
+  question = "With rays for at most 15 % of the pixels, does the hybrid err no more than full layers drawn everywhere?",
+  note     = "All scenes of the repository in which something is uncovered, displacements as shares of the picture as at " ..
+             "their own sizes; 16 samples. `traced`: pixels that have rays of the hybrid's own, which reveal or are at " ..
+             "their own time; rays that shade are not among them, which both methods have.",
+  size     = { width, height },
+  shots    = shots,
+  arms     = arms,
+  skip     = function(point)
+    local asked = has_curve[point.shot] or (point.shot == blended and point.arm == curve[#curve])
+    return only_there[point.arm] and not asked
+  end,
+  truth    = { pipeline = "ground_truth", set = { samples = 128, times = "stratified" } },
+  regions  = { "whole", "inner", "hidden" },
+  measures = { "rmse", "pixels", "masked", "traced", "rays" },
+  expect   = {
+    below("inner"),
+    below("hidden"),
+    { ("and never are there rays for more than %g %% of the pixels"):format(100 * most), function(r)
+      local largest, where = 0, ""
+      for _, one in ipairs(shots) do
+        local share = r.at { shot = one.name, arm = limited, region = "whole" }.traced / (width * height)
+        if share > largest then largest, where = share, one.title end
+      end
+      return largest <= most, ("at most %.2f %% (%s)"):format(100 * largest, where)
+    end },
+    { "over the shots of the curve error falls with the share", function(r)
+      local falls, before, texts = true, 2, {}
+      for _, name in ipairs(curve) do
+        local error = over_curve(r, name)
+        falls, before = falls and error < before, error
+        texts[#texts + 1] = ("%s %.3f"):format(name, error)
+      end
+      return falls, table.concat(texts, "; ")
+    end },
+    { ("and rays for %g %% of the pixels are worth more than half of what all are"):format(100 * most), function(r)
+      local all, some = 1 - over_curve(r, curve[#curve]), 1 - over_curve(r, limited)
+      return some > 0.5 * all, ("%.2f of it"):format(some / all)
+    end },
+    below("inner", blended),
+    below("hidden", blended),
+    { "found afterwards: before blended glass all rays that are asked for err more than full layers too", function(r)
+      local own = r.at { shot = blended, arm = curve[#curve], region = "inner" }.rmse
+      local ratio = own / r.at { shot = blended, arm = layers, region = "inner" }.rmse
+      return ratio > 1, ("%.2f of it"):format(ratio)
+    end },
+  },
+  layout   = { front = { x = "traced", y = "rmse", region = "inner" }, table = {} },
+}
