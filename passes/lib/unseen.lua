@@ -23,7 +23,8 @@ return function(name, end_of, fact)
     writes = {
       unseen   = { format = "r8_unorm", cleared = true, doc = "1 where no layer of the capture holds what is seen and moves" },
       velocity = { format = stored.velocity, cleared = true, doc = "displacement over the exposure of what is seen, px" },
-      bend     = { format = stored.velocity, cleared = true, doc = "how far its path is from a line, px in the middle of the exposure" },
+      bend     = { format = stored.velocity, cleared = true,
+        doc = "how far its path is from a line, px in the middle of the exposure" },
     },
     without = { motion = nothing, arrives = nothing, [fact] = nothing },
     params = {

@@ -2,6 +2,7 @@
 -- How paths are curved over the exposure, as poses of earlier frames foretell it.
 local pass       = require "strobe.pass"
 local blur       = require "passes.lib.blur"
+local followed   = require "passes.lib.followed"
 local stored     = require "passes.lib.stored"
 local path_curve = require "passes.scene.path_curve"
 
@@ -13,14 +14,7 @@ return pass.compute {
   doc    = "Polynomials in time for the paths of the surfaces of a layer, through their places in this frame and earlier ones",
   size   = { of = "velocity" },
   scene  = true,
-  reads  = {
-    depth    = { doc = "linear view depth, metres; sky = +inf, 0 where the layer has nothing" },
-    id       = { uint = true, doc = "instance + 1 (0 = sky)" },
-    velocity = { doc = "displacement over the exposure, px, as the frame before foretells it" },
-    hit      = { optional = true, uint = true,
-      doc = "instance + 1 (0 = sky), geometry, primitive; absent: joints and morph targets are not followed" },
-    normal   = { optional = true, doc = "unit, world space; sky = 0; absent: growth is not looked at" },
-  },
+  reads  = followed,
   writes = {
     velocity = { format = stored.velocity, doc = "px between the ends of the curve; what is straight keeps its own" },
     bend = { format = stored.velocity, doc = "px in the middle of the exposure" },
@@ -36,6 +30,6 @@ return pass.compute {
   },
   counters = { velocity_clamped = stored.counters.velocity_clamped },
   fails  = "What changes its way after the capture goes on as before; the farther the exposure reaches beyond the poses, " ..
-    "the more an error of theirs counts. At the first frames of a clip, whose earlier ones stand still. What is where it was " ..
-    "one frame ago is taken to be at rest.",
+    "the more an error of theirs counts. At the first frames of a clip, whose earlier ones stand still. What is where it " ..
+    "was one frame ago is taken to be at rest.",
 }

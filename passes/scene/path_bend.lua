@@ -1,7 +1,8 @@
 -- SPDX-License-Identifier: MIT
 -- Where paths over the exposure are no straight lines.
-local pass   = require "strobe.pass"
-local stored = require "passes.lib.stored"
+local pass     = require "strobe.pass"
+local followed = require "passes.lib.followed"
+local stored   = require "passes.lib.stored"
 
 return pass.compute {
   name   = "path_bend",
@@ -9,14 +10,7 @@ return pass.compute {
   doc    = "Where the surfaces of a layer leave the straight line between the ends of their paths",
   size   = { of = "velocity" },
   scene  = true,
-  reads  = {
-    depth    = { doc = "linear view depth, metres; sky = +inf, 0 where the layer has nothing" },
-    id       = { uint = true, doc = "instance + 1 (0 = sky)" },
-    velocity = { doc = "displacement over the exposure, px" },
-    hit      = { optional = true, uint = true,
-      doc = "instance + 1 (0 = sky), geometry, primitive; absent: joints and morph targets are not followed" },
-    normal   = { optional = true, doc = "unit, world space; sky = 0; absent: growth is not looked at" },
-  },
+  reads  = followed,
   writes = {
     bend = { format = stored.velocity, cleared = true, doc = "px in the middle of the exposure" },
     bent = { format = "r8_unorm", cleared = true, doc = "1 where the path is farther from a line than that" },

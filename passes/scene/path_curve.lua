@@ -1,8 +1,9 @@
 -- SPDX-License-Identifier: MIT
 -- How paths over the exposure are curved, and where that does not say where they go.
-local pass   = require "strobe.pass"
-local blur   = require "passes.lib.blur"
-local stored = require "passes.lib.stored"
+local pass     = require "strobe.pass"
+local blur     = require "passes.lib.blur"
+local followed = require "passes.lib.followed"
+local stored   = require "passes.lib.stored"
 
 return pass.compute {
   name   = "path_curve",
@@ -10,14 +11,7 @@ return pass.compute {
   doc    = "Polynomials in time, or arcs, for the paths of the surfaces of a layer, through poses inside of the exposure",
   size   = { of = "velocity" },
   scene  = true,
-  reads  = {
-    depth    = { doc = "linear view depth, metres; sky = +inf, 0 where the layer has nothing" },
-    id       = { uint = true, doc = "instance + 1 (0 = sky)" },
-    velocity = { doc = "displacement over the exposure, px" },
-    hit      = { optional = true, uint = true,
-      doc = "instance + 1 (0 = sky), geometry, primitive; absent: joints and morph targets are not followed" },
-    normal   = { optional = true, doc = "unit, world space; sky = 0; absent: growth is not looked at" },
-  },
+  reads  = followed,
   writes = {
     bend = { format = stored.velocity, doc = "px in the middle of the exposure" },
     bent = { format = "r8_unorm", doc = "1 where the curve does not say where the surface is" },

@@ -111,9 +111,6 @@ Path pathOf(int layer, ivec2 at, bool after) { return limitedPath(displacementOf
 
 bool holds(int layer, ivec2 at) { return isInside(at, textureSize(color_tex, 0)); }
 
-// Of displacements whose texel nobody knows.
-const ivec2 kNoTexel = ivec2(-1);
-
 struct Searched {
   Path paths[kMost];
   ivec2 texels[kMost];  // that have them

@@ -7,6 +7,9 @@
 #define STROBE_SEARCH_GLSL
 #include "mixin/path.glsl"
 
+// Of displacements whose texel nobody knows.
+const ivec2 kNoTexel = ivec2(-1);
+
 // How often what a texel says is followed to another, and where paths are curved.
 const int kGuesses = 2, kCurvedGuesses = 4;
 

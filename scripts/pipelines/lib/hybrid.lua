@@ -267,11 +267,11 @@ end
 
 -- The layers with their names. What was revealed keeps a displacement that is not its own.
 local function named(p, seen, revealed)
-  local layers = { { "raster", seen } }
+  local all = { { "raster", seen } }
   for number, layer in ipairs(revealed) do
-    layers[#layers + 1] = { number == 1 and "revealed" or ("revealed_%d"):format(number), layer, p.reveal_velocity() ~= "own" }
+    all[#all + 1] = { number == 1 and "revealed" or ("revealed_%d"):format(number), layer, p.reveal_velocity() ~= "own" }
   end
-  return layers
+  return all
 end
 
 -- The picture, by the composite chosen: a pass that reads blurred layers (front, back) or the layers themselves; and where

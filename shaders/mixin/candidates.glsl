@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// Needs: PARAM_harvest, PARAM_leaves_open, color_tex, dominant_tex, params.limit, params.samples, revealed_color_tex,
+//   revealed_depth_tex, revealed_valid_tex, revealed_velocity_tex, velocity_tex; may have: PARAM_trajectory,
+//   after_dominant_tex, after_second_tex, after_velocity_tex, close_color_tex, close_curve_tex, close_depth_change_tex,
+//   close_depth_tex, close_valid_tex, close_velocity_tex, curve_tex, depth_change_tex, dominant_curve_tex,
+//   dominant_place_tex, open_color_tex, open_curve_tex, open_depth_change_tex, open_depth_tex, open_valid_tex,
+//   open_velocity_tex, reach_tex, revealed_2_after_velocity_tex, revealed_2_color_tex, revealed_2_curve_tex,
+//   revealed_2_depth_change_tex, revealed_2_depth_tex, revealed_2_valid_tex, revealed_2_velocity_tex,
+//   revealed_3_after_velocity_tex, revealed_3_color_tex, revealed_3_curve_tex, revealed_3_depth_change_tex,
+//   revealed_3_depth_tex, revealed_3_valid_tex, revealed_3_velocity_tex, revealed_4_after_velocity_tex,
+//   revealed_4_color_tex, revealed_4_curve_tex, revealed_4_depth_change_tex, revealed_4_depth_tex, revealed_4_valid_tex,
+//   revealed_4_velocity_tex, revealed_after_dominant_tex, revealed_after_velocity_tex, revealed_curve_tex,
+//   revealed_depth_change_tex, revealed_dominant_tex, second_tex.
+// The displacements by which a composite of layers looks for what is at a pixel at some time: those of its tile, its own, and
+// those met along the way, as far as they differ. composite/layered.glsl says which, and why.
+#ifndef STROBE_CANDIDATES_GLSL
+#define STROBE_CANDIDATES_GLSL
+#include "mixin/layers.glsl"
+#include "mixin/search.glsl"
+#include "lib/times.glsl"
+
+const int kMaxCandidates = 4;
+
+// The rounding of a place to a texel, px.
+const float kNearest = 0.75;
+
+// Displacements, the unused ones out of reach; how their paths are curved, and the texels that they are of.
+struct Candidates {
+  vec4 x, y;
+#if HAS_curve
+  vec4 curves[kMaxCandidates];
+  ivec2 texels[kMaxCandidates];
+#endif
+  vec4 tolerance_px;
+  int count;
+  bool crowded;  // one was left out that none of the others leads to
+};
+
+const float kUnused = 1e9;
+
+// How far from where a displacement looks for it something may be: as far as that goes in nearly half the time between two
+// samples, px. What is half-way is as near to the next sample: what is at the pixel at the capture would be there at the
+// samples beside it.
+float toleranceOf(vec2 d) { return 0.99 * lengthOf(d) / float(2 * params.samples); }
+
+// Is what a texel shows at the pixel at time t, as far as nearest texels tell? Where displacements vary over a surface none
+// may be nearer than about half-way to the next sample; so far off may be what moves as fast.
+bool isThere(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px, vec2 window) {
+  if (!isAt(pixel, now, path, t, max(kNearest, tolerance_px), window)) return false;
+  if (tolerance_px <= kNearest) return true;
+  return isAt(pixel, now, path, t, max(kNearest, min(tolerance_px, toleranceOf(path.d))), window);
+}
+
+Path candidate(Candidates candidates, int k) {
+#if HAS_curve
+  return onCurve(vec2(candidates.x[k], candidates.y[k]), candidates.curves[k]);
+#else
+  return straight(vec2(candidates.x[k], candidates.y[k]));
+#endif
+}
+
+Candidates withCandidate(Candidates candidates, Path path, ivec2 texel) {
+  vec2 d = path.d;
+  vec4 x = candidates.x - d.x, y = candidates.y - d.y;
+  vec4 squares = x * x + y * y;
+#if HAS_curve
+  for (int k = 0; k < kMaxCandidates; ++k) squares[k] += apartSquared(candidates.curves[k], path.curve);
+#endif
+  float nearest = min(min(squares.x, squares.y), min(squares.z, squares.w));
+  if (nearest <= 0.25) return candidates;
+  if (candidates.count == kMaxCandidates) {
+    candidates.crowded = candidates.crowded || nearest > max(4.0, 0.02 * dot(d, d));
+    return candidates;
+  }
+  candidates.x[candidates.count] = d.x;
+  candidates.y[candidates.count] = d.y;
+#if HAS_curve
+  candidates.curves[candidates.count] = path.curve;
+  candidates.texels[candidates.count] = texel;
+#endif
+  candidates.tolerance_px[candidates.count] = toleranceOf(d);
+  candidates.count += 1;
+  return candidates;
+}
+
+Candidates withAllLayers(Candidates candidates, ivec2 at, bool behind, bool after) {
+  candidates = withCandidate(candidates, pathOf(kRaster, at, after), at);
+  for (int layer = kRevealed; behind && layer <= kLastRevealed && isHeld(layer, at); ++layer)
+    candidates = withCandidate(candidates, pathOf(layer, at, after), at);
+  return candidates;
+}
+
+// Is there nothing more to learn from others?
+bool isFull(Candidates candidates) {
+  return candidates.count == kMaxCandidates && (PARAM_leaves_open == 0 || candidates.crowded);
+}
+
+// The k-th nearest of the taps. Of two equally far away, with the capture in the middle, the one before it comes first.
+int nearest(int k) {
+  if (isCentred(frame.shutter)) return params.samples / 2 + (k % 2 == 0 ? -1 - k / 2 : k / 2) + (params.samples % 2);
+  return frame.shutter.x < 0.0 ? params.samples - 1 - k : k;
+}
+
+// From the pixel outwards, since only the first few count: the same whichever way time runs.
+Candidates harvested(Candidates candidates, ivec2 pixel, Path path, float jitter, bool behind, bool after) {
+  ivec2 size = textureSize(color_tex, 0);
+  bool one_sided = !isCentred(frame.shutter);  // else the taps lie to both sides already
+  for (int k = 0; k < params.samples && !isFull(candidates); ++k) {
+    int i = clamp(nearest(k), 0, params.samples - 1);
+    ivec2 offset = roundSymmetric(tapOffset(path, sampleTime(i, params.samples, jitter)));
+    if (isInside(pixel + offset, size)) candidates = withAllLayers(candidates, pixel + offset, behind, after);
+    if (one_sided && isInside(pixel - offset, size)) {
+      candidates = withAllLayers(candidates, pixel - offset, behind, after);
+    }
+  }
+  return candidates;
+}
+
+// The displacements of the tile.
+struct Dominant {
+  Path longest, second, revealed;
+  ivec2 place;  // the texel that has the longest
+};
+
+ivec2 placeOfDominant(ivec2 tile) {
+#if HAS_dominant_place
+  return ivec2(texelFetch(dominant_place_tex, tile, 0).xy);
+#else
+  return kNoTexel;
+#endif
+}
+
+Dominant dominantBefore(ivec2 tile) {
+  Path longest = dominantPath(vec2(texelFetch(dominant_tex, tile, 0)), tile);
+  Dominant dominant = Dominant(longest, longest, longest, placeOfDominant(tile));
+#if HAS_second
+  dominant.second = straight(vec2(texelFetch(second_tex, tile, 0)));
+#endif
+#if HAS_revealed_dominant
+  dominant.revealed = straight(vec2(texelFetch(revealed_dominant_tex, tile, 0)));
+#endif
+  return dominant;
+}
+
+Dominant dominantAfter(ivec2 tile) {
+#if HAS_after_dominant
+  Path longest = straight(vec2(texelFetch(after_dominant_tex, tile, 0)));
+  Dominant dominant = Dominant(longest, longest, longest, kNoTexel);
+#if HAS_after_second
+  dominant.second = straight(vec2(texelFetch(after_second_tex, tile, 0)));
+#endif
+#if HAS_revealed_after_dominant
+  dominant.revealed = straight(vec2(texelFetch(revealed_after_dominant_tex, tile, 0)));
+#endif
+  return dominant;
+#else
+  return dominantBefore(tile);
+#endif
+}
+
+Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool behind, bool after) {
+  Candidates candidates;
+  candidates.x = candidates.y = vec4(kUnused);
+  candidates.tolerance_px = vec4(0);
+  candidates.count = 0;
+  candidates.crowded = false;
+#if HAS_curve
+  for (int k = 0; k < kMaxCandidates; ++k) {
+    candidates.curves[k] = vec4(0);
+    candidates.texels[k] = kNoTexel;
+  }
+#endif
+  candidates = withCandidate(candidates, dominant.longest, dominant.place);
+  candidates = withCandidate(candidates, dominant.second, kNoTexel);
+  candidates = withCandidate(candidates, dominant.revealed, kNoTexel);
+  candidates = withAllLayers(candidates, pixel, behind, after);
+#if PARAM_harvest
+  candidates = harvested(candidates, pixel, dominant.longest, jitter, behind, after);
+  if (lengthOf(dominant.second.d - dominant.longest.d) > 0.5) {
+    candidates = harvested(candidates, pixel, dominant.second, jitter, behind, after);
+  }
+#endif
+  return candidates;
+}
+
+#endif
