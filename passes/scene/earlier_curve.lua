@@ -36,6 +36,6 @@ return pass.compute {
   },
   counters = { velocity_clamped = stored.counters.velocity_clamped },
   fails  = "What changes its way after the capture goes on as before; the farther the exposure reaches beyond the poses, " ..
-    "the more an error of theirs counts. At the first frames of a clip, whose earlier ones stand still. What is where it was " ..
-    "one frame ago is taken to be at rest.",
+    "the more an error of theirs counts. At the first frames of a clip, whose earlier ones stand still. What is where it " ..
+    "was one frame ago is taken to be at rest.",
 }
