@@ -9,6 +9,7 @@ return pass.trace {
   shader = "tile/uniform_motion",
   doc    = "Whether all that comes to a cell within the exposure moves alike, and a few rays find nothing else",
   fails  = "What is smaller than a cell, and neither seen at the capture nor met by one of the rays, is missed.",
+  breaks = { mirrored = "which pixels of a cell have a ray is drawn by the cell's place" },
   size   = { of = "bounds" },
   reads  = {
     bounds   = { doc = "of the displacements of each cell, px over the exposure" },

@@ -203,7 +203,7 @@ TEST_F(RenderCurves, LayersOfTheEndsFollowABladeThatLeaves) {
     auto errorWith = [&](const std::string& trajectory) {
       return errorOf(blade,
                      render(with(shotOfWheel(blade), "hybrid",
-                                 {"preset=captured", "end_layers=true", "mask=all", "samples=64",
+                                 {"preset=captured", "end_layers=true", "tile=8", "mask=all", "samples=64",
                                   fmt::format("trajectory={}", trajectory)},
                                  anchor.name)),
                      anchor.window);
