@@ -5,6 +5,31 @@ local blur   = require "passes.lib.blur"
 local ports  = require "passes.lib.blur_ports"
 local jitter = require "passes.lib.jitter"
 
+-- One table for all, so that they follow the same parameters of a pipeline.
+local params = {
+  samples      = blur.samples { doc = "time samples" },
+  tile         = blur.tile,
+  cell_side    = blur.cell_side,
+  limit        = blur.limit,
+  trajectory   = blur.trajectory,
+  taps         = param.choice { "nearest", "linear", default = "nearest", doc = "what of a layer stands for a sample",
+    values = {
+      nearest = "The texel that is nearest to it. Fails by half a pixel: stairs in textures and highlights.",
+      linear = "The four around it, as far as they are there too. Fails by smoothing across the motion.",
+    },
+    breaks = { linear = { uniform = "texels around a sample are blended, which the mean of nearest ones is not" } } },
+  leaves_open  = param.bool { false, doc = "leave samples out at which no layer has anything, for rays to find" },
+  leaves_unlike = param.bool { false, doc = "with leaves_open: so too those between texels that differ" },
+  unlike       = param.float { 0.02, min = 0, max = 1, doc = "share of their colour by which these may differ" },
+  detail_below = param.float { 0.75, min = 0, max = 1e6, unit = "px",
+    doc = "and only of what moves by no more than this from sample to sample: else these are too few for it to show" },
+  slowest      = param.float { 0.5, min = 0, max = 100, unit = "px",
+    doc = "with leaves_unlike: least difference of displacements between which a silhouette may lie" },
+  harvest      = param.bool { true, doc = "also try the displacements met along the dominant one" },
+  jitter       = jitter.jitter,
+  jitter_frame = jitter.jitter_frame,
+}
+
 -- `guesses`: of samples that are left open it also says what layers would have.
 return function(name, guesses)
   return {
@@ -46,29 +71,7 @@ return function(name, guesses)
               "how much that may be off" } or nil,
     },
     without = { motion = { blurred = "color", open = 0, guess = guesses and 0 or nil } },
-    params = {
-      samples      = blur.samples { doc = "time samples" },
-      tile         = blur.tile,
-      cell_side    = blur.cell_side,
-      limit        = blur.limit,
-      trajectory   = blur.trajectory,
-      taps         = param.choice { "nearest", "linear", default = "nearest", doc = "what of a layer stands for a sample",
-        values = {
-          nearest = "The texel that is nearest to it. Fails by half a pixel: stairs in textures and highlights.",
-          linear = "The four around it, as far as they are there too. Fails by smoothing across the motion.",
-        },
-        breaks = { linear = { uniform = "texels around a sample are blended, which the mean of nearest ones is not" } } },
-      leaves_open  = param.bool { false, doc = "leave samples out at which no layer has anything, for rays to find" },
-      leaves_unlike = param.bool { false, doc = "with leaves_open: so too those between texels that differ" },
-      unlike       = param.float { 0.02, min = 0, max = 1, doc = "share of their colour by which these may differ" },
-      detail_below = param.float { 0.75, min = 0, max = 1e6, unit = "px",
-        doc = "and only of what moves by no more than this from sample to sample: else these are too few for it to show" },
-      slowest      = param.float { 0.5, min = 0, max = 100, unit = "px",
-        doc = "with leaves_unlike: least difference of displacements between which a silhouette may lie" },
-      harvest      = param.bool { true, doc = "also try the displacements met along the dominant one" },
-      jitter       = jitter.jitter,
-      jitter_frame = jitter.jitter_frame,
-    },
+    params = params,
     counters = { fallback = "time samples at which no layer had anything to show" },
   }
 end

@@ -15,7 +15,7 @@ return pass.compute {
   },
   writes = { limit = { format = "rg32ui", doc = "that group or rank, and how many pixels are ahead of it" } },
   params = {
-    share = pass.float { 1, min = 0, max = 1, doc = "share of the picture's pixels" },
-    part  = pass.float { 1, min = 0, max = 1, doc = "part of that share which these may have" },
+    most_pixels = pass.float { 1, min = 0, max = 1, doc = "share of the picture's pixels" },
+    most_part   = pass.float { 1, min = 0, max = 1, doc = "part of that share which these may have" },
   },
 }

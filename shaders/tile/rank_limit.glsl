@@ -15,7 +15,7 @@ uint countOf(uint number) {
 
 void run(ivec2 texel) {
   ivec2 size = textureSize(rank_tex, 0);
-  uint most = uint(params.part * params.share * float(size.x * size.y)), ahead = 0u, first = 0u;
+  uint most = uint(params.most_part * params.most_pixels * float(size.x * size.y)), ahead = 0u, first = 0u;
 #if HAS_group
   uvec2 group = texelFetch(group_tex, ivec2(0), 0).xy;
   ahead = group.y;

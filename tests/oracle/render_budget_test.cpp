@@ -27,6 +27,8 @@ class RenderBudget : public RenderTest {
   }
 };
 
+// It goes 16 px, and its right end is at the border between two pixels.
+const Numbers kBar = {{"left", 20}, {"right", 42}, {"d_f", 16}};
 const char* const kTracking = "../objects/tracking_parallax";
 
 }  // namespace
@@ -35,14 +37,15 @@ const char* const kTracking = "../objects/tracking_parallax";
 TEST_F(RenderBudget, NoMorePixelsThanTheShareHaveRays) {
   const std::vector<std::string> all_masked = {"preset=captured", "mask=all"}, half = {"reveal_resolution=half"};
   for (const lab::Shot& shot : {moving(kTracking, {{"pixels", 8}}), moving("../objects/enters", {{"pixels", 14}}),
-                                moving("textured_bar", {{"d_f", 20}})}) {
+                                moving("textured_bar", kBar)}) {
     for (double share : {0., .03, .15}) {
       for (const std::vector<std::string>& set : {std::vector<std::string>{"preset=best"}, all_masked, half}) {
         const lab::Picture picture = limited(shot, share, set);
         const int64_t most = int64_t(share * kWidth * kHeight), pixels = traced(picture);
         EXPECT_LE(pixels, most) << shot.scene << ' ' << share;
         EXPECT_LE(counterOf(picture, "reveal.revealed") + counterOf(picture, "reveal.capped"), uint64_t(pixels));
-        if (set != all_masked) EXPECT_LE(counterOf(picture, "own_time.samples"), uint64_t(16 * pixels));
+        if (set == all_masked) continue;  // none at their own time
+        EXPECT_LE(counterOf(picture, "own_time.samples"), uint64_t(16 * pixels));
       }
     }
   }
@@ -52,6 +55,34 @@ TEST_F(RenderBudget, NoMorePixelsThanTheShareHaveRays) {
 TEST_F(RenderBudget, TheShareIsUsed) {
   const lab::Picture picture = limited(moving(kTracking, {{"pixels", 8}}), .15);
   EXPECT_GE(double(traced(picture)), .14 * kWidth * kHeight) << "those of one rank go together; few have the same";
+}
+
+// With one more rank it would be exceeded: counted here one by one.
+TEST_F(RenderBudget, TheFirstRanksHaveThem) {
+  lab::Shot shot = with(moving(kTracking, {{"pixels", 8}}), "hybrid", {"preset=best", "most_rays=0.1"});
+  shot.taps = {"mask_open_rank.rank"};
+  const lab::Picture picture = render(shot);
+  const image::UintImage& image = picture.frame.taps.at(shot.taps.front()).uints;
+  ASSERT_EQ(image.channels, 1);
+  const std::vector<uint32_t>& ranks = image.values;
+  const std::vector<float>& marked = imageOf(picture, "traced").values;
+  ASSERT_EQ(ranks.size(), marked.size());
+  std::vector<uint32_t> sorted = ranks;
+  std::sort(sorted.rbegin(), sorted.rend());
+  const uint32_t beyond = sorted[size_t(.1 * double(sorted.size()))];  // of the first pixel that may have none
+  int wrong = 0;
+  for (size_t i = 0; i < ranks.size(); ++i) wrong += (marked[i] >= .5f) != (ranks[i] > beyond);
+  EXPECT_EQ(wrong, 0);
+  EXPECT_GT(beyond, 0u) << "not all that ask for rays have them";
+}
+
+// A bar went to where it is: what is behind its right end is uncovered nearly all the time, farther in for less.
+TEST_F(RenderBudget, WhatIsUncoveredLongestIsRevealedFirst) {
+  const int columns = 5;
+  const lab::Picture picture =
+      limited(with(moving("bar", kBar), "hybrid", {}, "close"), (columns + .5) / kWidth, {"preset=captured"});
+  for (int x = 0; x < kWidth; ++x)
+    EXPECT_EQ(imageOf(picture, "mask").at(x, kHeight / 2, 0) >= .5f, 42 - columns <= x && x < 42) << x;
 }
 
 // A share that is more than is asked for takes nothing away.
@@ -64,9 +95,10 @@ TEST_F(RenderBudget, EnoughIsAll) {
 
 // Without any ray the picture is the composite's of what raster saw, texels blended.
 TEST_F(RenderBudget, WithoutRaysLayersSayWhatIsSeen) {
-  const lab::Shot shot = moving("textured_bar", {{"d_f", 20}});
+  const lab::Shot shot = moving("textured_bar", kBar);
   const lab::Picture layers = render(with(shot, "hybrid", {"preset=captured", "taps=linear", "mask=none"}));
   EXPECT_LE(largestDifference(colorOf(limited(shot, 0)), colorOf(layers)), 1e-5) << "rounding of two sums";
+  EXPECT_GT(counterOf(layers, "composite.fallback"), 0u) << "something is guessed";
 }
 
 // More rays, less error: those that were taken first were not worth less.

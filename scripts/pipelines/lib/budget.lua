@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- No more than a share of the picture's pixels have rays: those where they are expected to gain most.
-local ahead          = require "passes.mask.ahead"
+local first_ranks    = require "passes.mask.first_ranks"
 local guessed        = require "passes.filter.guessed"
 local open_rank      = require "passes.mask.open_rank"
 local uncovered_rank = require "passes.mask.uncovered_rank"
@@ -28,10 +28,10 @@ local function first(p, rank, name, part)
   local function limit(of, group)
     local counts = rank_counts { rank = rank, group = group, as = name .. of .. "_counts" }.counts
     return rank_limit {
-      rank = rank, counts = counts, group = group, share = p.most_rays, part = part, as = name .. of .. "_limit",
+      rank = rank, counts = counts, group = group, most_pixels = p.most_rays, most_part = part, as = name .. of .. "_limit",
     }.limit
   end
-  return ahead { rank = rank, limit = limit("_rank", limit("_group")), as = name }.mask
+  return first_ranks { rank = rank, limit = limit("_rank", limit("_group")), as = name }.mask
 end
 
 -- Of a mask, where to reveal.

@@ -3,8 +3,8 @@
 local pass = require "strobe.pass"
 
 return pass.compute {
-  name   = "mask_ahead",
-  shader = "mask/ahead",
+  name   = "mask_first_ranks",
+  shader = "mask/first_ranks",
   doc    = "Pixels ahead of a rank",
   fails  = "Never.",
   size   = { of = "rank" },
