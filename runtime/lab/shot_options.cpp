@@ -130,9 +130,8 @@ static std::vector<ShotOption> allOptions() {
           "screen, and over SOFT beyond them keeps a share of its motion",
           Concern::Frame, O::kControl),
       one(checked(text("cuts", &S::cuts, ""), checkCuts),
-          "T,T,...: seconds of scene time, increasing, at which everything jumps: no frame blurs over one; beside "
-          "those "
-          "that the scene states",
+          "T,T,...: seconds of scene time, increasing, at which everything jumps, beside those of the scene: no frame "
+          "blurs over one",
           Concern::Frame, O::kControl),
       one(text("camera", &S::camera, ""), "a camera of the scene (default: its first)", Concern::Scene, O::kControl),
       one(text("view", &S::view, ""), "EX,EY,EZ,TX,TY,TZ: camera at E, looking at T, instead of its pose in the scene",
