@@ -49,12 +49,23 @@ bool choosesPasses(const Home& home, const plan::ParamDesc& param) {
   return false;
 }
 
-script::Settings with(script::Settings sets, const std::string& name, const std::string& value) {
+script::Settings with(script::Settings sets, const std::string& name, const plan::Value& value) {
   sets.emplace_back(name, value);
   return sets;
 }
 
-// Every preset of a pipeline is a graph of its own, and in each of them every pass that can be chosen.
+// Values of a parameter by which a pipeline may be another graph: passes that it chooses among, and the bounds of a
+// number that is compiled in.
+std::vector<plan::Value> shapingValues(const Home& home, const plan::ParamDesc& param) {
+  std::vector<plan::Value> values;
+  if (choosesPasses(home, param)) values.assign(param.choices.begin(), param.choices.end());
+  if (!param.variant) return values;
+  if (param.type == plan::ParamDesc::Type::Float) values = {*param.min, *param.max};
+  if (param.type == plan::ParamDesc::Type::Int) values = {int64_t(*param.min), int64_t(*param.max)};
+  return values;
+}
+
+// Every preset of a pipeline is a graph of its own, and in each of them every value that makes another one.
 std::vector<script::PipelineRequest> shapesOf(const Home& home, const std::string& name,
                                               const plan::PipelineDesc& pipeline) {
   std::vector<script::Settings> presets;
@@ -65,8 +76,8 @@ std::vector<script::PipelineRequest> shapesOf(const Home& home, const std::strin
     bool known = preset.empty() || preset.front().second == plan::Value(pipeline.preset);
     if (!known) shapes.push_back({name, preset});
     for (const auto& param : pipeline.params)
-      for (const std::string& choice : choosesPasses(home, param) ? param.choices : std::vector<std::string>())
-        shapes.push_back({name, with(preset, param.name, choice)});
+      for (const plan::Value& value : shapingValues(home, param))
+        shapes.push_back({name, with(preset, param.name, value)});
   }
   return shapes;
 }

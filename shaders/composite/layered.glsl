@@ -286,7 +286,7 @@ vec3 colorFound(Seen seen, ivec2 pixel, float t, out bool alike, out Spread spre
     if (!holds(seen.layer, at) || !isAt(pixel, at, pathOf(seen.layer, at, after), way, 1.5, window)) {
       alike = false;
 #ifdef GUESSES
-      spread = withColor(spread, colorOf(kRaster, clampToImage(at, size)));
+      spread = withColor(spread, colorOf(kRaster, clampToImage(at, textureSize(color_tex, 0))));
 #endif
       continue;
     }
