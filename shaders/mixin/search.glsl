@@ -10,8 +10,12 @@
 // Of displacements whose texel nobody knows.
 const ivec2 kNoTexel = ivec2(-1);
 
-// How often what a texel says is followed to another, and where paths are curved.
+// How often what a texel says is followed to another, and where paths are curved. Loops over two are unrolled.
+#if HAS_curve
 const int kGuesses = 2, kCurvedGuesses = 4;
+#else
+const int kGuesses = 2, kCurvedGuesses = kGuesses;
+#endif
 
 // Is there another guess after the i-th?
 bool isAskedAgain(int i, Path path) { return i + 1 < (isCurved(path) ? kCurvedGuesses : kGuesses); }
