@@ -166,8 +166,8 @@ TEST_F(ReloadTest, OneBrokenPassDoesNotStopOthers) {
   // Lua: one pass broken, another with a new parameter.
   good = home_.read("passes/mask/relative.lua");
   home_.write("passes/mask/relative.lua", "return nothing at all");
-  home_.edit("passes/composite/layered.lua", "harvest  ",
-             "dimmed = pass.float { 1, min = 0, max = 1, doc = \"of the result\" },\n    harvest  ");
+  home_.edit("passes/lib/layered.lua", "harvest  ",
+             "dimmed = param.float { 1, min = 0, max = 1, doc = \"of the result\" },\n    harvest  ");
   home_.edit("shaders/composite/layered.glsl", "fromSum(0.5 * sum", "fromSum(params.dimmed * sum");
   told = session.reload(true);
   ASSERT_TRUE(told);
