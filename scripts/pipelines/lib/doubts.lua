@@ -26,8 +26,8 @@ end
 -- Of samples between texels that differ too?
 function doubts.of_detail(p) return p.own_time() == "detailed" end
 
--- The slowest motion that a filter takes notice of, px; nil: that of every blur, half a pixel.
-function doubts.slowest(p) return doubts.of_detail(p) and 0.02 or nil end
+-- The slowest motion that a filter takes notice of, px; nil: that of every blur, half a pixel. What moves by less needs rays.
+function doubts.slowest(p) return doubts.of_detail(p) and p.most_rays() > 0 and 0.02 or nil end
 
 local function jittered(p) return p.jitter() == "none" and 0 or 1 end
 
