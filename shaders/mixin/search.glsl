@@ -59,7 +59,7 @@ mat2 changeOf(int layer, ivec2 now, Path path, float t, vec2 window) {
 }
 #endif
 
-// The same of a texel `now` of a layer. Where paths are curved things turn: they vary over a surface by as much as it turns,
+// Where a texel `now` of a layer leads. Where paths are curved things turn: they vary over a surface by as much as it turns,
 // which is known of what turns on an arc and which the texels beside it show of others, so that Newton's step is taken. It
 // leads there at once where a surface is turned or stretched alike.
 ivec2 askedOf(int layer, ivec2 pixel, ivec2 now, Path path, float t, vec2 window) {
