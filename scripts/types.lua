@@ -29,6 +29,7 @@
 ---@field unit? string "px", "m", "image widths"
 ---@field doc string what it means
 ---@field role? strobe.Role what it is
+---@field wired? boolean of a pass: says what else is in the graph, so that the pipeline alone sets it
 ---@field auto? boolean "auto" is a value too (float that is never negative)
 ---@field variant? boolean compiled into the shader instead of passed to it (int and float)
 ---@field breaks? table<string, table<strobe.Invariant, string>> invariants that a value breaks, each with the reason; of a number `other`
@@ -40,6 +41,7 @@
 ---@field unit? string
 ---@field doc string what it means
 ---@field role? strobe.Role what it is
+---@field wired? boolean of a pass: says what else is in the graph, so that the pipeline alone sets it
 ---@field values? table<string, string> what each choice does, and where it fails
 ---@field breaks? table<string, table<strobe.Invariant, string>> invariants that a choice breaks, each with the reason
 

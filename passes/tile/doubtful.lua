@@ -24,6 +24,7 @@ return pass.compute {
     cell_side = blur.cell_side,
     limit     = blur.limit,
     samples   = blur.samples { doc = "time samples" },
-    jittered  = pass.int { 0, min = 0, max = 1, doc = "1 where a sample may be anywhere in its part of the exposure" },
+    jittered  = pass.int { 0, min = 0, max = 1, wired = true,
+      doc = "1 where a sample may be anywhere in its part of the exposure" },
   },
 }

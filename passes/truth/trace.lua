@@ -44,7 +44,7 @@ return pass.trace {
     least_budget = pass.float { 0, min = 0, max = 1e6, doc = "samples of a tile that takes part" },
     tile = adaptive.tile,
     every_ray = pass.bool { false, doc = "trace what other samples have found already" },
-    keeps_notes = pass.bool { false, doc = "keep what samples see, for truth_agreement" },
+    keeps_notes = pass.bool { false, wired = true, doc = "keep what samples see, for truth_agreement" },
     audit = adaptive.audit,
     once_where_still = pass.bool { false, role = "still_once",
       doc = "what nothing in motion reaches is sampled once, for all samples: right for centres under frozen shading" },

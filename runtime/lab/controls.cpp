@@ -81,6 +81,7 @@ void addNode(Collector& into, const plan::PipelineDesc& pipeline, const plan::Pl
   const plan::NodeDesc& described = pipeline.nodes[size_t(node.node)];
   const std::vector<plan::ParamDesc>& params = pipeline.passes[size_t(node.pass)].params;
   for (size_t i = 0; i < params.size(); ++i) {
+    if (params[i].wired) continue;
     plan::ParamDesc declaration = params[i];
     declaration.name = described.name + "." + params[i].name;
     auto bound = std::find_if(described.params.begin(), described.params.end(),

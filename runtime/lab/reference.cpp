@@ -87,7 +87,7 @@ std::string paramTable(const std::vector<ParamDesc>& params, bool in_glsl) {
                              plainText(param, param.default_value),
                              rangeOf(param),
                              param.unit,
-                             param.doc,
+                             param.wired ? param.doc + "; set by its pipeline alone" : param.doc,
                              in_glsl ? paramInGlsl(param) : ""};
                    });
 }

@@ -259,6 +259,7 @@ static Json paramJson(const ParamDesc& param) {
   if (param.role != Role::None) json["role"] = roleName(param.role);
   json["unit"] = param.unit;
   json["doc"] = param.doc;
+  if (param.wired) json["wired"] = true;
   json["variant"] = param.variant;
   json["place"] = placeJson(param.place);
   return json;

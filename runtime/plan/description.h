@@ -68,6 +68,7 @@ struct ParamDesc {
   std::string doc;
   Role role = Role::None;
   bool has_auto = false;  // of Float: "auto" is a value too, held as kAuto; what it stands for is the shader's to find
+  bool wired = false;     // of a pass: says what else is in the graph, so that its pipeline alone sets it
   bool variant = false;   // compiled into the shader instead of passed to it (always so for Choice and Bool)
   Place place;
 };

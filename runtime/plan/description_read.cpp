@@ -139,6 +139,7 @@ ParamDesc readParam(const Json& json) {
   bool may_have = param.type == ParamDesc::Type::Float && param.min && *param.min > kAuto;
   if (param.has_auto && !may_have)
     reader.fail(fmt::format("'auto' of '{}' needs a float that is never negative", param.name));
+  param.wired = reader.boolean("wired", false);
   param.variant = reader.boolean("variant", false);
   param.variant = isCompiledIn(param);
   param.breaks = valueBreaks(reader, param);

@@ -30,6 +30,7 @@ static void setOfNode(PipelineDesc& pipeline, const std::string& node_name, cons
   if (!node) throw Error(fmt::format("there is no node '{}'", node_name));
   const ParamDesc* param = named(named(pipeline.passes, node->pass)->params, name);
   if (!param) throw Error(fmt::format("node '{}' has no parameter '{}'", node_name, name));
+  if (param->wired) throw Error(fmt::format("the pipeline alone sets '{}' of node '{}'", name, node_name));
   Binding bound{checkValue(*param, value, {}), "", {fmt::format("--set {}.{}={}", node_name, name, textOf(value)), 0}};
   for (auto& [held, binding] : node->params)
     if (held == name) binding = bound;

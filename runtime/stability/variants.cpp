@@ -52,7 +52,7 @@ struct Try {
 
 static std::vector<Try> triesOf(const std::string& name, const ParamDesc& param, const plan::Value& now) {
   std::vector<Try> tries;
-  if (!plan::isCompiledIn(param)) return tries;
+  if (!plan::isCompiledIn(param) || param.wired) return tries;
   for (const std::string& value : valuesOf(param))
     if (value != textOf(now)) tries.push_back({name, value});
   return tries;

@@ -7,10 +7,10 @@ local native = require "strobe.native"
 local param = {}
 
 param.keys = {
-  bool   = { 1, "default", "doc", "unit", "role", "breaks" },
-  int    = { 1, "default", "min", "max", "unit", "doc", "role", "variant", "breaks" },
-  float  = { 1, "default", "min", "max", "unit", "doc", "role", "variant", "auto", "breaks" },
-  choice = { "default", "doc", "unit", "role", "values", "breaks" },  -- and the choices as 1, 2, 3 ...
+  bool   = { 1, "default", "doc", "unit", "role", "wired", "breaks" },
+  int    = { 1, "default", "min", "max", "unit", "doc", "role", "wired", "variant", "breaks" },
+  float  = { 1, "default", "min", "max", "unit", "doc", "role", "wired", "variant", "auto", "breaks" },
+  choice = { "default", "doc", "unit", "role", "wired", "values", "breaks" },  -- and the choices as 1, 2, 3 ...
 }
 
 -- Words a GLSL parameter block or #define cannot have as a name.
@@ -196,6 +196,9 @@ function param.declare(problems, name, declared, at, owner)
   if given.unit ~= nil and check.field(problems, given, "unit", "string", place, what) then result.unit = given.unit end
   if given.variant ~= nil and check.field(problems, given, "variant", "boolean", place, what) then
     result.variant = given.variant
+  end
+  if given.wired ~= nil and check.field(problems, given, "wired", "boolean", place, what) then
+    result.wired = given.wired
   end
   if given.auto ~= nil and check.field(problems, given, "auto", "boolean", place, what) then
     result.auto = given.auto

@@ -100,6 +100,11 @@ local function declare(place, t)
     problems:add(native.key_place(place, "params", "preset"),
                  "a parameter cannot be called 'preset': --set preset=NAME takes one of the presets")
   end
+  for _, one in ipairs(params) do
+    if one.wired then
+      problems:add(one.place, "'wired' is of a pass's parameter: '%s' of the pipeline is set by who uses it", one.name)
+    end
+  end
   problems:raise()
   local result = { doc = doc, params = params, build = t.build, place = place }
   result.kind = check_kind(problems, t, place)
@@ -332,7 +337,9 @@ local function settable_names(self, graph)
   local names = { #self.presets > 0 and "preset" or nil }
   for _, one in ipairs(self.params) do names[#names + 1] = one.name end
   for _, made in ipairs(graph.nodes) do
-    for name in pairs(made.params) do names[#names + 1] = made.name .. "." .. name end
+    for name in pairs(made.params) do
+      if not param.find(graph.passes[made.pass].params, name).wired then names[#names + 1] = made.name .. "." .. name end
+    end
   end
   return names
 end
@@ -341,7 +348,8 @@ end
 local function nodes_with(graph, name)
   local found = {}
   for _, made in ipairs(graph.nodes) do
-    if made.params[name] then found[#found + 1] = ("'%s.%s'"):format(made.name, name) end
+    local own = param.find(graph.passes[made.pass].params, name)
+    if own and not own.wired then found[#found + 1] = ("'%s.%s'"):format(made.name, name) end
   end
   return #found > 0 and "; nodes have it: " .. table.concat(found, ", ") or nil
 end
@@ -359,7 +367,9 @@ local function apply_node_sets(problems, self, graph, sets, unknown, dropped)
       if one.name == node_name then made = one end
     end
     local wanted = made and param.find(graph.passes[made.pass].params, name)
-    if wanted then
+    if wanted and wanted.wired then
+      refuse(problems, dropped, set, "the pipeline alone sets '%s' of node '%s'", name, node_name)
+    elseif wanted then
       local value, wrong = native.check_value(wanted, set.value)
       if wrong then refuse(problems, dropped, set, "node '%s': %s", node_name, wrong) end
       if not wrong then made.params[name] = { value = value, place = set.place } end

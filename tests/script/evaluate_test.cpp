@@ -7,6 +7,7 @@
 #include <set>
 
 #include "home.h"
+#include "plan/settings.h"
 
 namespace strobe::script {
 
@@ -288,6 +289,24 @@ TEST_F(Evaluate, NodeSettingsReplaceBindings) {
   EXPECT_TRUE(bindingOf(nodeOf(p, "far"), "tile").follows.empty());
   EXPECT_EQ(std::get<double>(*bindingOf(nodeOf(p, "near"), "bias").value), 0.25);
   EXPECT_EQ(std::get<bool>(*bindingOf(nodeOf(p, "near"), "fast").value), true);
+}
+
+TEST_F(Evaluate, ThePipelineAloneSetsWhatIsWired) {
+  home_.write("passes/mask.lua", R"(local pass = require "strobe.pass"
+return pass.compute { name = "mask", shader = "mask", doc = "x", size = "frame",
+  writes = { mask = { format = "rgba16f", doc = "x" } },
+  params = { is_last = pass.bool { false, wired = true, doc = "nothing comes after it" } } }
+)");
+  home_.write("scripts/pipelines/sample.lua", R"(local pipeline = require "strobe.pipeline"
+local mask = require "passes.mask"
+return pipeline { doc = "x", build = function() return { color = mask { is_last = true }.mask } end }
+)");
+  plan::PipelineDesc plain = evaluate();
+  EXPECT_EQ(std::get<bool>(*bindingOf(nodeOf(plain, "mask"), "is_last").value), true);
+  EXPECT_EQ(failure({{"mask.is_last", "false"}}),
+            "--set mask.is_last=false: the pipeline alone sets 'is_last' of node 'mask'");
+  EXPECT_EQ(failure({{"is_last", "false"}}), "--set is_last=false: the pipeline has no parameter 'is_last'");
+  EXPECT_THROW(plan::withSettings(plain, {{"mask.is_last", false}}), Error);
 }
 
 TEST_F(Evaluate, WrongSettingsAreRefusedWithTheNearestName) {

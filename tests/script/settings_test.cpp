@@ -29,7 +29,7 @@ Settings others(const plan::PipelineDesc& pipeline) {
   for (const plan::NodeDesc& node : pipeline.nodes)
     for (const plan::PassDesc& pass : pipeline.passes)
       for (const ParamDesc& param : pass.params)
-        if (pass.name == node.pass) sets.push_back({node.name + "." + param.name, otherValue(param)});
+        if (pass.name == node.pass && !param.wired) sets.push_back({node.name + "." + param.name, otherValue(param)});
   return sets;
 }
 

@@ -149,7 +149,6 @@ const std::map<std::string, std::string> kNoPicture = {
     {"temporal1: neighbour_max.trajectory", kLines},
     {"neighbour_max.seen_at", "of curved paths alone, from another time than that at which a layer has things"},
     {"visibility_moving.only_moving", "what is at rest is passed over when it is drawn too"},
-    {"doubtful.jittered", "samples more than need be are traced, which come out the same"},
     {"uniform_motion.audit_rays", "which cells are checked; where no ray finds anything they stay what they are"},
     {"selective: truth_agreement.even_within", "centres are sampled alone, whose rays are one"},
     {"selective: truth_trace.audit", "which pixels are checked"},
