@@ -7,12 +7,18 @@
 namespace strobe::lab {
 
 // Files that changed since they were evaluated are left out: the next look at them finds out. Those in `given` have
-// their text there.
-static script::Texts textsOf(const std::vector<script::Dependency>& files, const script::Texts& given) {
+// their text there; `known` are texts of earlier, which need not be read again.
+static script::Texts textsOf(const std::vector<script::Dependency>& files, const script::Texts& given,
+                             const script::Texts& known) {
   script::Texts texts;
   for (const auto& file : files) {
     auto held = given.find(file.path);
     if (held != given.end()) {
+      texts.insert(*held);
+      continue;
+    }
+    held = known.find(file.path);
+    if (held != known.end() && hashText(held->second) == file.hash) {
       texts.insert(*held);
       continue;
     }
@@ -32,19 +38,19 @@ Evaluation evaluated(const Home& home, const std::string& pipeline, const script
                      const script::Limits& limits) {
   Evaluation evaluation;
   evaluation.pipeline = script::evaluatePipeline(home, {pipeline, sets}, &evaluation.scripts, limits);
-  evaluation.texts = textsOf(evaluation.scripts, {});
+  evaluation.texts = textsOf(evaluation.scripts, {}, {});
   return evaluation;
 }
 
 Attempt attempt(const Home& home, const Shot& shot, const script::Texts& texts, const script::Limits& limits,
-                bool lenient) {
+                bool lenient, const script::Texts& known) {
   Attempt tried;
   double started_s = clockSeconds();
   try {
     script::PipelineRequest request{shot.pipeline, shot.sets, texts};
     auto* dropped = lenient ? &tried.dropped : nullptr;
     tried.good.pipeline = script::evaluatePipeline(home, request, &tried.good.scripts, limits, dropped);
-    tried.good.texts = textsOf(tried.good.scripts, texts);
+    tried.good.texts = textsOf(tried.good.scripts, texts, known);
     tried.usable = true;
   } catch (const std::exception& error) {  // an `Error`, or a folder that goes while it is listed
     tried.problems.push_back(error.what());
@@ -64,7 +70,7 @@ static script::Texts changedTexts(const script::Texts& good) {
 // The newest files; where they fail, as many of them as work: files are put back to their last good text, those an
 // error names first.
 Attempt attemptAround(const Home& home, const Shot& shot, const script::Texts& good, const script::Limits& limits) {
-  Attempt newest = attempt(home, shot, {}, limits, true);
+  Attempt newest = attempt(home, shot, {}, limits, true, good);
   if (newest.usable || good.empty()) return newest;
   script::Texts changed = changedTexts(good), put_back;
   std::vector<std::string> problems = newest.problems;
@@ -75,7 +81,7 @@ Attempt attemptAround(const Home& home, const Shot& shot, const script::Texts& g
       if (problems.back().find(home.shown(file)) != std::string::npos) put_back[file] = text;
     if (put_back.size() == before) put_back = changed;
     if (put_back.size() == changed.size()) break;  // nothing new is left to try
-    Attempt around = attempt(home, shot, put_back, limits, true);
+    Attempt around = attempt(home, shot, put_back, limits, true, good);
     ms += around.ms;
     problems.insert(problems.end(), around.problems.begin(), around.problems.end());
     if (!around.usable) continue;

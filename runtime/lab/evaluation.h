@@ -26,9 +26,10 @@ struct Attempt {
   double ms = 0;
 };
 
-// With these texts in the place of what their files hold now. `lenient`: settings that do not fit are dropped.
+// With these texts in the place of what their files hold now. `lenient`: settings that do not fit are dropped. `known`:
+// what files said earlier, which saves reading those that say it still.
 Attempt attempt(const Home& home, const Shot& shot, const script::Texts& texts, const script::Limits& limits,
-                bool lenient);
+                bool lenient, const script::Texts& known = {});
 
 // The newest files; where they fail, as many of them as work: files are put back to their last `good` text, those an
 // error names first. Lenient.

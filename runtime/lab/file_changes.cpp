@@ -8,15 +8,20 @@
 
 namespace strobe::lab {
 
-void ChangedFiles::remember(const Drawing& running, const std::vector<script::Dependency>& tried) {
-  for (const auto& file : tried) noted_[file.path] = file.hash;
+void ChangedFiles::note(const Path& path, const std::string& hash) {
+  Noted& noted = noted_[path];
+  if (noted.hash != hash) noted = {hash, std::nullopt};
+}
+
+void ChangedFiles::remember(const Drawing& running, const std::vector<script::Dependency>& tried, bool sound) {
+  for (const auto& file : tried) note(file.path, file.hash);
   for (const auto* files : {&running.evaluation().scripts, &running.scene().dependencies})
-    for (const auto& file : *files) noted_.emplace(file.path, file.hash);
-  auto note = [this](const Path& file) {
-    if (!noted_.count(file)) noted_[file] = script::hashOfPath(file);
+    for (const auto& file : *files) noted_.emplace(file.path, Noted{file.hash, std::nullopt});
+  auto note_as_it_is = [this](const Path& file) {
+    if (!noted_.count(file)) note(file, script::hashOfPath(file));
   };
   const plan::Plan& plan = running.plan();
-  for (const auto& node : plan.nodes)
+  for (const auto& node : sound ? std::vector<plan::PlanNode>() : plan.nodes)
     for (const Path& file : graph::shaderFiles(bench_.home(), plan.pipeline.passes[size_t(node.pass)])) {
       std::vector<Path> reached = {file};
       try {
@@ -24,10 +29,10 @@ void ChangedFiles::remember(const Drawing& running, const std::vector<script::De
       } catch (const Error&) {
         // Reported where it is compiled.
       }
-      for (const Path& one : reached) note(one);
+      for (const Path& one : reached) note_as_it_is(one);
     }
   for (const auto& [node, pipeline] : running.graph().pipelines())
-    for (const Path& file : pipeline->files) note(file);
+    for (const Path& file : pipeline->files) note_as_it_is(file);
   if (watch_) watchFolders(running);
 }
 
@@ -45,10 +50,12 @@ FileChanges ChangedFiles::changedSince(const Drawing& running) {
   auto is_among = [](const std::vector<script::Dependency>& files, const Path& path) {
     return std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.path == path; });
   };
-  for (auto& [path, hash] : noted_) {
+  for (auto& [path, noted] : noted_) {
+    if (noted.stamps && noted.stamps->current()) continue;
+    noted.stamps.emplace().add(path);
     std::string now = script::hashOfPath(path);
-    if (now == hash) continue;
-    hash = now;
+    if (now == noted.hash) continue;
+    noted.hash = now;
     changes.files.push_back(bench_.home().shown(path));
     // The library is of both; what is of neither was part of an attempt that failed.
     bool scene = is_among(running.scene().dependencies, path);

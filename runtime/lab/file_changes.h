@@ -4,6 +4,7 @@
 
 #include <future>
 
+#include "base/stamps.h"
 #include "base/watch.h"
 #include "lab/drawing.h"
 
@@ -23,8 +24,9 @@ class ChangedFiles {
   explicit ChangedFiles(Workbench& bench) : bench_(bench) {}
 
   // Notes the state of all files of what runs, so that the next change is seen. Files that are known already stay as
-  // they were noted: they may have changed since. Those `tried` last count as they were then.
-  void remember(const Drawing& running, const std::vector<script::Dependency>& tried);
+  // they were noted: they may have changed since. Those `tried` last count as they were then. `sound`: what runs is all
+  // that was tried; else shaders that it keeps the last good version of are looked at too.
+  void remember(const Drawing& running, const std::vector<script::Dependency>& tried, bool sound);
 
   // What runs, and whether its newest files (its scripts) failed when they were tried last.
   struct Running {
@@ -46,7 +48,14 @@ class ChangedFiles {
   FileChanges changedSince(const Drawing& running);
 
   Workbench& bench_;
-  std::map<Path, std::string> noted_;  // hash of every file and folder
+  // A file or folder.
+  struct Noted {
+    std::string hash;
+    std::optional<Stamps> stamps;  // from before it was read
+  };
+  void note(const Path& path, const std::string& hash);
+
+  std::map<Path, Noted> noted_;
   std::unique_ptr<Watch> watch_;
   std::optional<Pending> pending_;
 };

@@ -26,7 +26,7 @@ Session::Session(Workbench& bench, const Shot& shot, const std::string& origin)
   std::shared_ptr<const Evaluation> evaluation = bench.evaluate(shot.pipeline, shot.sets);
   bench_.scene(shot_);
   running_ = build(shot_, evaluation, nullptr);
-  files_.remember(*running_, evaluation->scripts);
+  files_.remember(*running_, evaluation->scripts, problems_.empty());
   for (const auto& [name, value] : shot.sets) origins_[name] = origin;
 }
 
@@ -110,7 +110,7 @@ void Session::apply(const Shot& shot) {
   dropLostTaps(filled, evaluation->pipeline);
   running_ = build(filled, evaluation, nullptr);
   shot_ = filled;
-  files_.remember(*running_, {});
+  files_.remember(*running_, {}, problems_.empty());
 }
 
 void Session::set(const std::string& name, const plan::Value& value, const std::string& origin) {
@@ -209,7 +209,7 @@ std::optional<Reload> Session::reload(bool wait) {
   replace(shot, std::move(evaluated), changes->scene, result);
   for (const auto& name : result.reset) origins_.erase(name.substr(0, name.find(" = ")));
   problems_ = result.problems;
-  files_.remember(*running_, tried);
+  files_.remember(*running_, tried, problems_.empty());
   return result;
 }
 
@@ -273,7 +273,7 @@ Reload Session::usePipeline(const std::string& name_or_path) {
   result.swapped = true;
   problems_ = result.problems;
   script_problem_ = false;
-  files_.remember(*running_, tried);
+  files_.remember(*running_, tried, problems_.empty());
   return result;
 }
 

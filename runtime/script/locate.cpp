@@ -152,15 +152,16 @@ Found searchTable(const std::vector<Token>& tokens, size_t open, const std::vect
 
 int lineOfKey(std::string_view source, int line, const std::vector<std::string>& path) {
   const std::vector<Token>& tokens = tokensOf(source);
-  auto isTable = [](const Token& token) { return !token.word && token.text == "{"; };
-  auto opensOn = [&](int on) {
-    return std::any_of(tokens.begin(), tokens.end(), [&](const Token& t) { return t.line == on && isTable(t); });
+  auto firstOn = [&](int on) {
+    return std::lower_bound(tokens.begin(), tokens.end(), on, [](const Token& t, int at) { return t.line < at; });
   };
-  int table_line = opensOn(line) ? line : line + 1;
+  auto isTable = [](const Token& token) { return !token.word && token.text == "{"; };
+  auto begin = firstOn(line), end = firstOn(line + 1);
+  if (std::none_of(begin, end, isTable)) begin = end, end = firstOn(line + 2);
   Found best{0, line};
-  for (size_t i = 0; i < tokens.size() && !path.empty(); ++i) {
-    if (tokens[i].line != table_line || !isTable(tokens[i])) continue;
-    Found found = searchTable(tokens, i, path, 0);
+  for (auto token = begin; token != end && !path.empty(); ++token) {
+    if (!isTable(*token)) continue;
+    Found found = searchTable(tokens, size_t(token - tokens.begin()), path, 0);
     if (found.keys > best.keys) best = found;
   }
   return best.line;

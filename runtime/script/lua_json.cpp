@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "script/lua_json.h"
 
+#include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "base/error.h"
 
@@ -31,46 +31,66 @@ void pushJson(lua_State* lua, const Json& json) {
   for (const auto& [key, value] : json.items()) pushJson(lua, value), lua_setfield(lua, -2, key.c_str());
 }
 
-static Json valueAt(lua_State* lua, int index, const std::string& path, int depth);
+namespace {
 
-[[noreturn]] static void refuse(const std::string& path, const std::string& what) {
+// The way to a value, for errors: keys from the innermost out.
+struct Way {
+  const Way* outer = nullptr;
+  const char* key = nullptr;  // null: the place in a list
+  lua_Integer place = 0;
+  int depth = 0;
+
+  std::string text() const {
+    std::string before = outer ? outer->text() : "";
+    if (depth == 0) return before;
+    if (!key) return fmt::format("{}[{}]", before, place);
+    return before.empty() ? key : before + "." + key;
+  }
+};
+
+Json valueAt(lua_State* lua, int index, const Way& way);
+
+[[noreturn]] void refuse(const Way& way, const std::string& what) {
+  const std::string path = way.text();
   throw Error(fmt::format("{} {}", path.empty() ? "the result" : "'" + path + "'", what));
 }
 
-static Json arrayAt(lua_State* lua, int index, const std::string& path, int depth) {
+Json arrayAt(lua_State* lua, int index, const Way& way) {
   Json array = Json::array();
   lua_Integer count = static_cast<lua_Integer>(lua_rawlen(lua, index));
   for (lua_Integer i = 1; i <= count; ++i) {
     lua_rawgeti(lua, index, i);
-    array.push_back(valueAt(lua, lua_gettop(lua), fmt::format("{}[{}]", path, i), depth + 1));
+    array.push_back(valueAt(lua, lua_gettop(lua), {&way, nullptr, i, way.depth + 1}));
     lua_pop(lua, 1);
   }
   return array;
 }
 
-// The keys first: text of the key to its value, which sorts them.
-static Json objectAt(lua_State* lua, int index, const std::string& path, int depth) {
-  std::map<std::string, Json> fields;
+// Keys in order, whatever order the table has.
+Json objectAt(lua_State* lua, int index, const Way& way) {
+  std::vector<std::pair<std::string, Json>> fields;
   for (lua_pushnil(lua); lua_next(lua, index); lua_pop(lua, 1)) {
-    if (lua_type(lua, -2) != LUA_TSTRING) refuse(path, "has keys that are neither names nor 1, 2, 3 ...");
+    if (lua_type(lua, -2) != LUA_TSTRING) refuse(way, "has keys that are neither names nor 1, 2, 3 ...");
     size_t size = 0;
     const char* key = lua_tolstring(lua, -2, &size);
-    std::string name(key, size);
-    fields[name] = valueAt(lua, lua_gettop(lua), path.empty() ? name : path + "." + name, depth + 1);
+    fields.emplace_back(std::string(key, size), valueAt(lua, lua_gettop(lua), {&way, key, 0, way.depth + 1}));
   }
+  std::sort(fields.begin(), fields.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   Json object = Json::object();
-  for (auto& [key, value] : fields) object[key] = std::move(value);
+  auto& entries = object.get_ref<Json::object_t&>();
+  entries.reserve(fields.size());
+  for (auto& [key, value] : fields) entries.push_back({key, std::move(value)});
   return object;
 }
 
-static bool isList(lua_State* lua, int index) {
+bool isList(lua_State* lua, int index) {
   size_t entries = 0;
   for (lua_pushnil(lua); lua_next(lua, index); lua_pop(lua, 1)) ++entries;
   return entries == lua_rawlen(lua, index);
 }
 
-static Json valueAt(lua_State* lua, int index, const std::string& path, int depth) {
-  if (depth > kDepth || !lua_checkstack(lua, 4)) refuse(path, "is nested too deeply; does a table contain itself?");
+Json valueAt(lua_State* lua, int index, const Way& way) {
+  if (way.depth > kDepth || !lua_checkstack(lua, 4)) refuse(way, "is nested too deeply; does a table contain itself?");
   switch (lua_type(lua, index)) {
     case LUA_TNIL:
       return nullptr;
@@ -84,16 +104,18 @@ static Json valueAt(lua_State* lua, int index, const std::string& path, int dept
     case LUA_TNUMBER: {
       if (lua_isinteger(lua, index)) return static_cast<int64_t>(lua_tointeger(lua, index));
       double number = lua_tonumber(lua, index);
-      if (!std::isfinite(number)) refuse(path, "is not a finite number");
+      if (!std::isfinite(number)) refuse(way, "is not a finite number");
       return number + 0.0;  // no negative zero
     }
     case LUA_TTABLE:
-      return isList(lua, index) ? arrayAt(lua, index, path, depth) : objectAt(lua, index, path, depth);
+      return isList(lua, index) ? arrayAt(lua, index, way) : objectAt(lua, index, way);
     default:
-      refuse(path, fmt::format("is a {}, not plain data", lua_typename(lua, lua_type(lua, index))));
+      refuse(way, fmt::format("is a {}, not plain data", lua_typename(lua, lua_type(lua, index))));
   }
 }
 
-Json jsonAt(lua_State* lua, int index) { return valueAt(lua, lua_absindex(lua, index), "", 0); }
+}  // namespace
+
+Json jsonAt(lua_State* lua, int index) { return valueAt(lua, lua_absindex(lua, index), {}); }
 
 }  // namespace strobe::script

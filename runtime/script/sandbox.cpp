@@ -189,19 +189,28 @@ struct Sandbox::Callbacks {
   }
 
   static plan::ParamDesc paramAt(lua_State* lua, int index) {
-    Json json = jsonAt(lua, index);
+    auto field = [&](const char* name) {
+      lua_getfield(lua, index, name);
+      Json value = jsonAt(lua, -1);
+      lua_pop(lua, 1);
+      return value;
+    };
     static const std::map<std::string, plan::ParamDesc::Type> types = {{"bool", plan::ParamDesc::Type::Bool},
                                                                        {"int", plan::ParamDesc::Type::Int},
                                                                        {"float", plan::ParamDesc::Type::Float},
                                                                        {"choice", plan::ParamDesc::Type::Choice}};
     plan::ParamDesc param;
-    param.name = json.value("name", "");
-    param.type = types.at(json.value("type", ""));
-    if (json.contains("min")) param.min = json["min"].get<double>();
-    if (json.contains("max")) param.max = json["max"].get<double>();
-    if (json.contains("choices")) param.choices = json["choices"].get<std::vector<std::string>>();
-    param.unit = json.value("unit", "");
-    param.has_auto = json.value("auto", false);
+    auto text = [&](const char* name) {
+      Json value = field(name);
+      return value.is_string() ? value.get<std::string>() : std::string();
+    };
+    param.name = text("name");
+    param.type = types.at(text("type"));
+    if (Json min = field("min"); !min.is_null()) param.min = min.get<double>();
+    if (Json max = field("max"); !max.is_null()) param.max = max.get<double>();
+    if (Json choices = field("choices"); !choices.is_null()) param.choices = choices.get<std::vector<std::string>>();
+    param.unit = text("unit");
+    param.has_auto = field("auto") == true;
     return param;
   }
 

@@ -125,8 +125,8 @@ std::vector<std::string> namesOf(const TestFolder& tests, const Path& home, cons
   return names;
 }
 
-// What one test reads and takes; false where it does not pass.
-bool survey(const TestFolder& tests, const HomeCopy& home, TestCase& test) {
+// What one test reads and takes; why it takes no part, or "".
+std::string survey(const TestFolder& tests, const HomeCopy& home, TestCase& test) {
   OpenedFiles opened(home.folder() / "shaders");
   bool complete = true;
   auto look = [&] { complete = opened.collect(test.shaders) && complete; };
@@ -135,7 +135,8 @@ bool survey(const TestFolder& tests, const HomeCopy& home, TestCase& test) {
   test.seconds = end.seconds;
   test.includes = includesOf(home.folder(), test.shaders);
   if (!complete) throw Error(fmt::format("{}: too many files were read at once to know which", test.name));
-  return end.succeeded();
+  if (end.timed_out) return fmt::format("takes more than {} s", kLongestTest_s);
+  return end.succeeded() ? "" : "fails on the unchanged shaders";
 }
 
 }  // namespace
@@ -175,10 +176,10 @@ void surveyTests(const TestFolder& tests, const Path& original, const std::vecto
       HomeCopy home(original);
       for (size_t i; (i = next++) < all.size();) {
         TestCase test = all[i];
-        bool passes = survey(tests, home, test);
+        const std::string problem = survey(tests, home, test);
         std::lock_guard lock(mutex);
-        if (passes) passed(test);
-        else warn(test.name + " fails on the unchanged shaders and takes no part");
+        if (problem.empty()) passed(test);
+        else warn(test.name + " " + problem + " and takes no part");
         progress.advance();
       }
     } catch (const Error& error) {
