@@ -17,6 +17,7 @@
 #include "plan/canonical.h"
 #include "plan/dot.h"
 #include "plan/facts.h"
+#include "plan/settings.h"
 #include "scene/json_scene.h"
 #include "scene/tree_order.h"
 #include "study/experiment.h"
@@ -37,16 +38,21 @@ void collect(std::vector<std::string>& problems, const Step& step, bool as_given
   }
 }
 
-// Does it choose among the files of a folder of passes?
-bool choosesPasses(const Home& home, const plan::ParamDesc& param) {
+// Which passes there are to choose from: the names of the files of each folder.
+std::vector<std::vector<std::string>> passFolders(const Home& home) {
   std::set<Path> folders;
   for (const std::string& pass : home.namesBelow("passes", ".lua")) folders.insert(Path(pass).parent_path());
-  for (const Path& folder : folders) {
-    std::vector<std::string> files = home.namesIn("passes" / folder, ".lua");
+  std::vector<std::vector<std::string>> names;
+  for (const Path& folder : folders) names.push_back(home.namesIn("passes" / folder, ".lua"));
+  return names;
+}
+
+// Does it choose among the files of a folder of passes?
+bool choosesPasses(const std::vector<std::vector<std::string>>& folders, const plan::ParamDesc& param) {
+  return std::any_of(folders.begin(), folders.end(), [&](const std::vector<std::string>& files) {
     auto is_file = [&](const auto& choice) { return std::find(files.begin(), files.end(), choice) != files.end(); };
-    if (std::count_if(param.choices.begin(), param.choices.end(), is_file) > 1) return true;
-  }
-  return false;
+    return std::count_if(param.choices.begin(), param.choices.end(), is_file) > 1;
+  });
 }
 
 script::Settings with(script::Settings sets, const std::string& name, const plan::Value& value) {
@@ -54,30 +60,45 @@ script::Settings with(script::Settings sets, const std::string& name, const plan
   return sets;
 }
 
+// Does anything come of a parameter as a pipeline stands: another graph, or another shader of a node that follows it?
+bool counts(const plan::PipelineDesc& pipeline, const plan::ParamDesc& param) {
+  auto follows = [&](const plan::NodeDesc& node) {
+    return std::any_of(node.params.begin(), node.params.end(),
+                       [&](const auto& bound) { return bound.second.follows == param.name; });
+  };
+  return plan::decidesGraph(pipeline, param.name) || std::any_of(pipeline.nodes.begin(), pipeline.nodes.end(), follows);
+}
+
 // Values of a parameter by which a pipeline may be another graph: passes that it chooses among, and the bounds of a
 // number that is compiled in.
-std::vector<plan::Value> shapingValues(const Home& home, const plan::ParamDesc& param) {
+std::vector<plan::Value> shapingValues(const std::vector<std::vector<std::string>>& folders,
+                                       const plan::ParamDesc& param) {
   std::vector<plan::Value> values;
-  if (choosesPasses(home, param)) values.assign(param.choices.begin(), param.choices.end());
+  if (choosesPasses(folders, param)) values.assign(param.choices.begin(), param.choices.end());
   if (!param.variant) return values;
   if (param.type == plan::ParamDesc::Type::Float) values = {*param.min, *param.max};
   if (param.type == plan::ParamDesc::Type::Int) values = {int64_t(*param.min), int64_t(*param.max)};
   return values;
 }
 
-// Every preset of a pipeline is a graph of its own, and in each of them every value that makes another one.
-std::vector<script::PipelineRequest> shapesOf(const Home& home, const std::string& name,
+// The presets of a pipeline but for the one that it has.
+std::vector<script::PipelineRequest> presetsOf(const std::string& name, const plan::PipelineDesc& pipeline) {
+  std::vector<script::PipelineRequest> presets;
+  for (const auto& preset : pipeline.presets)
+    if (preset.name != pipeline.preset) presets.push_back({name, {{plan::kPresetSetting, preset.name}}});
+  return presets;
+}
+
+// Every value that may make another graph of what `request` gives.
+std::vector<script::PipelineRequest> shapesOf(const std::vector<std::vector<std::string>>& folders,
+                                              const script::PipelineRequest& request,
                                               const plan::PipelineDesc& pipeline) {
-  std::vector<script::Settings> presets;
-  for (const auto& preset : pipeline.presets) presets.push_back({{plan::kPresetSetting, preset.name}});
-  if (presets.empty()) presets.push_back({});
   std::vector<script::PipelineRequest> shapes;
-  for (const script::Settings& preset : presets) {
-    bool known = preset.empty() || preset.front().second == plan::Value(pipeline.preset);
-    if (!known) shapes.push_back({name, preset});
-    for (const auto& param : pipeline.params)
-      for (const plan::Value& value : shapingValues(home, param))
-        shapes.push_back({name, with(preset, param.name, value)});
+  for (const auto& param : pipeline.params) {
+    if (!counts(pipeline, param)) continue;
+    for (const plan::Value& value : shapingValues(folders, param))
+      if (value != *plan::valueOf(pipeline, param.name))
+        shapes.push_back({request.name_or_path, with(request.sets, param.name, value)});
   }
   return shapes;
 }
@@ -91,23 +112,37 @@ void addPlans(plan::PipelineDesc pipeline, graph::ShaderCheck& shaders) {
     shaders.add(lab::planOf(shot, pipeline, row.backend), row.backend);
 }
 
-// Checks pipelines and, of those that are sound, with `shapes` each shape too.
+// Checks pipelines and, of those that are sound, with `shapes` every preset, and in each every value that makes another
+// graph of it.
 void checkPipelines(const Home& home, const std::vector<script::PipelineRequest>& requests, bool shapes,
                     std::vector<std::string>& problems) {
   graph::ShaderCheck shaders(home);
-  std::vector<script::PipelineRequest> more;
-  auto all = script::evaluatePipelines(home, requests);
-  for (size_t i = 0; i < all.size(); ++i) {
-    auto plan_and_note = [&] {
-      plan::PipelineDesc pipeline = all[i].take();
-      addPlans(pipeline, shaders);
-      std::vector<script::PipelineRequest> own;
-      if (shapes) own = shapesOf(home, requests[i].name_or_path, pipeline);
-      more.insert(more.end(), own.begin(), own.end());
-    };
-    collect(problems, plan_and_note, true);
-  }
-  for (auto& shape : script::evaluatePipelines(home, more)) collect(problems, [&] { addPlans(shape.take(), shaders); });
+  const auto folders = passFolders(home);
+  auto check_all = [&](const std::vector<script::PipelineRequest>& asked, const auto& look) {
+    auto all = script::evaluatePipelines(home, asked);
+    for (size_t i = 0; i < all.size(); ++i) {
+      auto plan_and_look = [&] {
+        plan::PipelineDesc pipeline = all[i].take();
+        addPlans(pipeline, shaders);
+        look(asked[i], pipeline);
+      };
+      collect(problems, plan_and_look, &asked == &requests);
+    }
+  };
+  std::vector<script::PipelineRequest> presets, more;
+  auto note = [](std::vector<script::PipelineRequest>& list, const std::vector<script::PipelineRequest>& added) {
+    list.insert(list.end(), added.begin(), added.end());
+  };
+  auto note_shapes = [&](const script::PipelineRequest& request, const plan::PipelineDesc& pipeline) {
+    note(more, shapesOf(folders, request, pipeline));
+  };
+  check_all(requests, [&](const script::PipelineRequest& request, const plan::PipelineDesc& pipeline) {
+    if (!shapes) return;
+    note(presets, presetsOf(request.name_or_path, pipeline));
+    note_shapes(request, pipeline);
+  });
+  check_all(presets, note_shapes);
+  check_all(more, [](const auto&, const auto&) {});
   for (const std::string& problem : shaders.run()) collect(problems, [&] { throw Error(problem); });
 }
 
