@@ -4,8 +4,6 @@
 #include <sys/inotify.h>
 #include <unistd.h>
 
-#include <algorithm>
-
 namespace strobe {
 
 namespace fs = std::filesystem;
@@ -28,19 +26,11 @@ void Watch::addOne(const Folder& folder) {
   held = {folder.path, held.deep || folder.deep};
 }
 
-bool Watch::isWatched(const Folder& folder) const {
-  return std::any_of(folders_.begin(), folders_.end(), [&](const auto& held) {
-    return held.second.path == folder.path && (held.second.deep || !folder.deep);
-  });
-}
-
-void Watch::addFlat(const Path& folder) {
-  if (!isWatched({folder, false})) addOne({folder, false});
-}
+void Watch::addFlat(const Path& folder) { addOne({folder, false}); }
 
 void Watch::add(const Path& folder) {
   std::error_code ignored;
-  if (descriptor_ < 0 || isWatched({folder, true}) || !fs::is_directory(folder, ignored)) return;
+  if (descriptor_ < 0 || !fs::is_directory(folder, ignored)) return;
   addOne({folder, true});
   for (auto it = fs::recursive_directory_iterator(folder, ignored); it != fs::recursive_directory_iterator();
        it.increment(ignored))

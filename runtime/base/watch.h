@@ -17,7 +17,7 @@ class Watch {
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  // `folder` and all below it; nothing happens for one that does not exist or is watched already.
+  // `folder` and all below it; nothing happens for one that does not exist.
   void add(const Path& folder);
   // `folder` alone: what lies around a user's own file may be a whole disk.
   void addFlat(const Path& folder);
@@ -30,7 +30,6 @@ class Watch {
     bool deep = false;  // what appears in it is watched as well
   };
   void addOne(const Folder& folder);
-  bool isWatched(const Folder& folder) const;
 
   int descriptor_ = -1;
   std::map<int, Folder> folders_;  // by watch descriptor
