@@ -161,19 +161,35 @@ static void requireFiles(const Home& home, const PassDesc& pass) {
 
 static Path backendFile(const Home& home, const char* name) { return home.at(Path("shaders/backend") / name); }
 
+struct StageFile {
+  Path file;
+  Stage stage;
+};
+
+// Those that a pass has of its own.
+static std::vector<StageFile> ownStages(const Home& home, const shader::Interface& in, const PassDesc& pass) {
+  requireFiles(home, pass);
+  if (in.raster)
+    return {{shaderFile(home, pass, ".vert.glsl"), Stage::Vertex},
+            {shaderFile(home, pass, ".frag.glsl"), Stage::Fragment}};
+  return {{shaderFile(home, pass, ".glsl"), hasStages(in) ? Stage::RayGeneration : Stage::Compute}};
+}
+
+// Those that all passes of a backend with stages share.
+static std::vector<StageFile> sharedStages(const Home& home) {
+  return {{backendFile(home, "miss.glsl"), Stage::Miss},
+          {backendFile(home, "closest_hit.glsl"), Stage::ClosestHit},
+          {backendFile(home, "any_hit.glsl"), Stage::AnyHit}};
+}
+
 // The SPIR-V of a pass's stages, in the order that `make` and `compileAlone` expect.
 static std::vector<shader::Compiled> compileStages(const Home& home, const shader::Interface& in,
                                                    const PassDesc& pass) {
-  requireFiles(home, pass);
-  if (in.raster)
-    return {compilePass(home, in, shaderFile(home, pass, ".vert.glsl"), Stage::Vertex),
-            compilePass(home, in, shaderFile(home, pass, ".frag.glsl"), Stage::Fragment)};
-  Path file = shaderFile(home, pass, ".glsl");
-  if (!hasStages(in)) return {compilePass(home, in, file, Stage::Compute)};
-  return {compilePass(home, in, file, Stage::RayGeneration),
-          compilePass(home, in, backendFile(home, "miss.glsl"), Stage::Miss),
-          compilePass(home, in, backendFile(home, "closest_hit.glsl"), Stage::ClosestHit),
-          compilePass(home, in, backendFile(home, "any_hit.glsl"), Stage::AnyHit)};
+  std::vector<shader::Compiled> compiled;
+  for (const StageFile& own : ownStages(home, in, pass)) compiled.push_back(compilePass(home, in, own.file, own.stage));
+  if (!hasStages(in)) return compiled;
+  for (const StageFile& one : sharedStages(home)) compiled.push_back(compilePass(home, in, one.file, one.stage));
+  return compiled;
 }
 
 std::string textOf(const shader::Interface& in) {
@@ -200,7 +216,7 @@ static std::string contentKey(const Home& home, const shader::Interface& in, con
   // What the generated declarations include.
   add(home.at(in.scene ? "shaders/shared/bindings.glsl" : "shaders/shared/frame.h"));
   if (hasStages(in))
-    for (const char* name : {"miss.glsl", "closest_hit.glsl", "any_hit.glsl"}) add(backendFile(home, name));
+    for (const StageFile& one : sharedStages(home)) add(one.file);
   return hashText(key);
 }
 
@@ -249,26 +265,39 @@ void ShaderCheck::add(const plan::Plan& plan, Backend backend) {
     const PassDesc& pass = plan.pipeline.passes[size_t(node.pass)];
     shader::Interface in = interfaceOf(plan, node, backend, SLICE_SAMPLE + 1);
     std::string key = fmt::format("{}|{}|{}|{}", pass.name, pass.shader, int(pass.kind), textOf(in));
-    if (noted_.insert(key).second) jobs_.push_back({in, pass});
+    if (!noted_.insert(key).second) continue;
+    // Shared stages are the same for all passes that have the same in front of them.
+    bool first = hasStages(in) && noted_.insert(preamble(in, Stage::Miss)).second;
+    jobs_[fmt::format("{}|{}", pass.shader, int(pass.kind))].push_back({in, pass, first});
   }
 }
 
-// What is wrong with one pass as it is compiled for one node.
-static std::vector<std::string> problemsOf(const Home& home, const shader::Interface& in, const PassDesc& pass) {
-  try {
-    compileStages(home, in, pass);
-    return unusedNames(home, in, shaderFiles(home, pass));
-  } catch (const Error& error) {
-    return {error.what()};
-  }
+// A shader is read for its names once, however many ways it is compiled in.
+std::set<std::string> ShaderCheck::problemsOf(const std::vector<Job>& jobs) const {
+  std::set<std::string> problems;
+  std::optional<std::unordered_set<std::string>> used;
+  for (const Job& job : jobs) try {
+      std::vector<StageFile> stages = ownStages(home_, job.interface, job.pass);
+      for (const StageFile& shared : job.with_shared ? sharedStages(home_) : std::vector<StageFile>())
+        stages.push_back(shared);
+      for (const auto& [file, stage] : stages) compilePass(home_, job.interface, file, stage, shader::Output::None);
+      const std::vector<Path> files = shaderFiles(home_, job.pass);
+      if (!used) used = shader::namesUsed(home_, files);
+      for (const std::string& problem : unusedNames(home_, job.interface, files, *used)) problems.insert(problem);
+    } catch (const Error& error) {
+      problems.insert(error.what());
+    }
+  return problems;
 }
 
 std::vector<std::string> ShaderCheck::run() {
-  std::vector<std::vector<std::string>> found(jobs_.size());
-  forEachOnAllCores(jobs_.size(), [&](size_t i) { found[i] = problemsOf(home_, jobs_[i].interface, jobs_[i].pass); });
+  std::vector<std::vector<Job>> shaders;
+  for (auto& [shader, jobs] : jobs_) shaders.push_back(std::move(jobs));
   jobs_.clear();
+  std::vector<std::set<std::string>> found(shaders.size());
+  forEachOnAllCores(shaders.size(), [&](size_t i) { found[i] = problemsOf(shaders[i]); });
   std::set<std::string> problems;
-  for (const auto& some : found) problems.insert(some.begin(), some.end());
+  for (auto& some : found) problems.merge(some);
   return {problems.begin(), problems.end()};
 }
 
@@ -335,7 +364,8 @@ static std::vector<VkDescriptorSetLayoutBinding> bindingsOf(const shader::Interf
 std::shared_ptr<const NodePipeline> PipelineCache::make(const shader::Interface& in, const PassDesc& pass,
                                                         VkDescriptorSetLayout scene_layout) const {
   std::vector<shader::Compiled> stages = compileStages(home_, in, pass);
-  throwIfAny(unusedNames(home_, in, shaderFiles(home_, pass)));
+  const std::vector<Path> shaders = shaderFiles(home_, pass);
+  throwIfAny(unusedNames(home_, in, shaders, shader::namesUsed(home_, shaders)));
   auto made = std::make_shared<NodePipeline>();
   made->interface = in;
   for (const auto& stage : stages) made->files.insert(made->files.end(), stage.files.begin(), stage.files.end());

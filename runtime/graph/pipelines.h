@@ -63,9 +63,12 @@ class ShaderCheck {
   struct Job {
     shader::Interface interface;
     plan::PassDesc pass;
+    bool with_shared;  // the stages that passes share as well
   };
+  std::set<std::string> problemsOf(const std::vector<Job>& jobs) const;
+
   Home home_;
-  std::vector<Job> jobs_;
+  std::map<std::string, std::vector<Job>> jobs_;  // by shader
   std::set<std::string> noted_;
 };
 

@@ -135,7 +135,7 @@ void startCompiler() {
   }
 }
 
-Compiled compile(const Home& home, const Source& source, Stage stage) {
+Compiled compile(const Home& home, const Source& source, Stage stage, Output output) {
   startOnce();
   Compiled result;
   result.files.push_back(source.file);
@@ -154,6 +154,7 @@ Compiled compile(const Home& home, const Source& source, Stage stage) {
   glslang::TProgram program;
   program.addShader(&shader);
   if (!program.link(kRules)) throw Error(readable(home, program.getInfoLog(), source.file));
+  if (output == Output::None) return result;
   glslang::SpvOptions options;
   options.disableOptimizer = true;
   glslang::GlslangToSpv(*program.getIntermediate(language(stage)), result.spirv, &options);

@@ -13,6 +13,9 @@ namespace strobe::shader {
 
 enum class Stage { Vertex, Fragment, Compute, RayGeneration, Miss, ClosestHit, AnyHit };
 
+// Mistakes are found ahead of the making of SPIR-V, which a check goes without.
+enum class Output { Spirv, None };
+
 struct Source {
   std::string preamble;  // generated declarations; not part of the user's line numbers
   Path file;             // below shaders/ or anywhere; the text of the pass
@@ -26,7 +29,7 @@ struct Compiled {
 
 // Throws `Error` whose lines each read "file:line: message", all of the compiler's errors at once.
 // `#include "a/b.glsl"` is looked up beside the including file, then in the shaders folder.
-Compiled compile(const Home& home, const Source& source, Stage stage);
+Compiled compile(const Home& home, const Source& source, Stage stage, Output output = Output::Spirv);
 
 // Every file `file` reaches through includes, and their joined text; for checks that need no compiler.
 std::string textWithIncludes(const Home& home, const Path& file, std::vector<Path>* files = nullptr);

@@ -32,6 +32,11 @@ static std::string variantText(const Interface& in) {
       text += fmt::format("#define {}_{} {}\n", variant.name, variant.choices[i], i);
   }
   for (const auto& read : in.reads) text += fmt::format("#define HAS_{} {}\n", read.name, int(read.wired));
+  return text;
+}
+
+static std::string factText(const Interface& in) {
+  std::string text;
   for (const auto& [fact, holds] : in.facts) text += fmt::format("#define FACT_{} {}\n", fact, int(holds));
   return text;
 }
@@ -73,9 +78,9 @@ static std::string resourceText(const Interface& in, Stage stage) {
 }
 
 std::string preamble(const Interface& in, Stage stage) {
-  std::string text = header(in) + variantText(in) + frameText(in);
-  bool hit_stage = stage == Stage::Miss || stage == Stage::ClosestHit || stage == Stage::AnyHit;
-  if (!hit_stage) text += resourceText(in, stage);
+  bool shared = stage == Stage::Miss || stage == Stage::ClosestHit || stage == Stage::AnyHit;
+  std::string text = header(in) + (shared ? "" : variantText(in)) + factText(in) + frameText(in);
+  if (!shared) text += resourceText(in, stage);
   if (stage == Stage::Compute) text += fmt::format("layout(local_size_x = {0}, local_size_y = {0}) in;\n", kGroupSize);
   return text;
 }
@@ -131,9 +136,9 @@ static std::string withoutComments(const std::string& glsl) {
 }
 
 // Every name in the code; of members also "params.x" where "x" follows "params.".
-static std::set<std::string> namesIn(const std::string& code) {
+static std::unordered_set<std::string> namesIn(const std::string& code) {
   auto in_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
-  std::set<std::string> names;
+  std::unordered_set<std::string> names;
   std::string last;
   bool after_dot = false;
   for (size_t at = 0; at < code.size();) {
@@ -153,10 +158,14 @@ static std::set<std::string> namesIn(const std::string& code) {
 }
 
 // Not from the compiler's reflection, which knows one choice of the variants at a time and no macros.
-std::vector<std::string> unusedNames(const Home& home, const Interface& in, const std::vector<Path>& shader_files) {
+std::unordered_set<std::string> namesUsed(const Home& home, const std::vector<Path>& shader_files) {
   std::string code;
   for (const Path& file : shader_files) code += withoutComments(textWithIncludes(home, file));
-  std::set<std::string> used = namesIn(code);
+  return namesIn(code);
+}
+
+std::vector<std::string> unusedNames(const Home& home, const Interface& in, const std::vector<Path>& shader_files,
+                                     const std::unordered_set<std::string>& used) {
   std::vector<std::string> problems;
   auto expect = [&](const std::string& spelled, const char* kind, const std::string& name) {
     if (used.count(spelled)) return;
@@ -213,9 +222,9 @@ static std::string withDeclarations(const Interface& in, const std::string& log)
   return text;
 }
 
-Compiled compilePass(const Home& home, const Interface& in, const Path& file, Stage stage) {
+Compiled compilePass(const Home& home, const Interface& in, const Path& file, Stage stage, Output output) {
   try {
-    return compile(home, {preamble(in, stage), file, epilogue(in, stage)}, stage);
+    return compile(home, {preamble(in, stage), file, epilogue(in, stage)}, stage, output);
   } catch (const Error& error) {
     throw Error(withDeclarations(in, error.what()));
   }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -67,11 +68,17 @@ constexpr uint32_t kGroupSize = 8;
 std::string preamble(const Interface& interface, Stage stage);
 std::string epilogue(const Interface& interface, Stage stage);
 
-// Names declared in Lua that the shader's code uses under no choice, each with both places; comments do not count.
+// Every name in the code of shader files and what they include, under any choice; of members also "params.x". Comments
+// do not count.
+std::unordered_set<std::string> namesUsed(const Home& home, const std::vector<Path>& shader_files);
+
+// Names declared in Lua that are not among `used`, those of `shader_files`; each with both places.
 std::vector<std::string> unusedNames(const Home& home, const Interface& interface,
-                                     const std::vector<Path>& shader_files);
+                                     const std::vector<Path>& shader_files,
+                                     const std::unordered_set<std::string>& used);
 
 // Compiles `file` as `stage` of the pass; errors about unknown names say what the pass declares.
-Compiled compilePass(const Home& home, const Interface& interface, const Path& file, Stage stage);
+Compiled compilePass(const Home& home, const Interface& interface, const Path& file, Stage stage,
+                     Output output = Output::Spirv);
 
 }  // namespace strobe::shader

@@ -41,6 +41,10 @@ class Shaders : public ::testing::Test {
     return "";
   }
 
+  std::vector<std::string> unused(const std::vector<Path>& files) {
+    return unusedNames(home(), interface_, files, namesUsed(home(), files));
+  }
+
   Path folder_;
   Interface interface_;
 };
@@ -56,15 +60,15 @@ const char* kGood =
 
 TEST_F(Shaders, NamesNeedNoNumbers) {
   EXPECT_EQ(errorOf(kGood), "");
-  EXPECT_TRUE(unusedNames(home(), interface_, {folder_ / "scale.glsl"}).empty());
+  EXPECT_TRUE(unused({folder_ / "scale.glsl"}).empty());
 }
 
 TEST_F(Shaders, AParameterThatDecidesAFormatNeedNotBeNamed) {
   interface_.variants.push_back({"precision", {"full", "half"}, 0});
   EXPECT_EQ(errorOf(kGood), "");
-  EXPECT_EQ(unusedNames(home(), interface_, {folder_ / "scale.glsl"}).size(), 1u);
+  EXPECT_EQ(unused({folder_ / "scale.glsl"}).size(), 1u);
   interface_.variants.back().decides_format = true;
-  EXPECT_TRUE(unusedNames(home(), interface_, {folder_ / "scale.glsl"}).empty());
+  EXPECT_TRUE(unused({folder_ / "scale.glsl"}).empty());
 }
 
 TEST_F(Shaders, ErrorsHaveTheUsersLineAndBothPlaces) {
@@ -91,7 +95,7 @@ TEST_F(Shaders, ErrorsInsideAnIncludeNameTheInclude) {
 
 TEST_F(Shaders, WhatIsDeclaredMustBeUsed) {
   Path file = write("scale.glsl", "void run(ivec2 p) { imageStore(result_img, p, vec4(1)); }\n");
-  std::vector<std::string> problems = unusedNames(home(), interface_, {file});
+  std::vector<std::string> problems = unused({file});
   EXPECT_EQ(problems.size(), 3u);  // the read, the parameter and the variant
   for (const std::string& problem : problems)
     EXPECT_NE(problem.find("passes/scale.lua:3"), std::string::npos) << problem;
@@ -101,10 +105,10 @@ TEST_F(Shaders, CommentsUseNothing) {
   Path file = write("scale.glsl",
                     "// depth_tex, params.factor\n/* PARAM_mode\n params.factor */\n"
                     "void run(ivec2 p) { imageStore(result_img, p, vec4(other.factor)); }\n");
-  EXPECT_EQ(unusedNames(home(), interface_, {file}).size(), 3u);
+  EXPECT_EQ(unused({file}).size(), 3u);
   write("part.glsl", "#if PARAM_mode == 9\n  float f = texelFetch(depth_tex, p, 0).x * params\n  . factor;\n#endif\n");
   file = write("scale.glsl", "#include \"part.glsl\"\nvoid run(ivec2 p) { imageStore(result_img, p, vec4(1)); }\n");
-  EXPECT_TRUE(unusedNames(home(), interface_, {file}).empty());
+  EXPECT_TRUE(unused({file}).empty());
 }
 
 TEST_F(Shaders, EveryFileThatWasReadIsReported) {
