@@ -85,6 +85,30 @@ TEST_F(RenderBudget, WhatIsUncoveredLongestIsRevealedFirst) {
     EXPECT_EQ(imageOf(picture, "mask").at(x, kHeight / 2, 0) >= .5f, 42 - columns <= x && x < 42) << x;
 }
 
+// Ranks as lib/rank.glsl counts them: 256 to each doubling of the gain, which is the share of the times at which the
+// wall is seen, times the channel by which it differs most.
+TEST_F(RenderBudget, RanksAreThoseOfTheirFormula) {
+  constexpr int kSamples = 16;
+  constexpr double kBluer = .25;
+  Numbers numbers = kBar;
+  numbers.push_back({"bluer", kBluer});
+  lab::Shot shot = with(moving("blue_behind", numbers), "hybrid",
+                        {"preset=captured", "most_rays=0.5", fmt::format("samples={}", kSamples)}, "close");
+  shot.taps = {"mask_uncovered_rank.rank"};
+  const lab::Picture picture = render(shot);
+  const image::UintImage& rank = picture.frame.taps.at(shot.taps.front()).uints;
+  int masked = 0;
+  for (int x = 0; x < kWidth; ++x) {
+    if (rank.at(x, kHeight / 2, 0) == 0) continue;
+    ++masked;
+    int seen = 0;
+    for (int i = 0; i < kSamples; ++i) seen += x + int((i + .5) / kSamples * 16 + .5) >= 42;
+    const double gain = std::max(.001, kBluer * seen / kSamples);
+    EXPECT_NEAR(rank.at(x, kHeight / 2, 0), 256 * (std::log2(gain) + 12), 1.01) << x;
+  }
+  EXPECT_GE(masked, 16) << "as far as the bar goes";
+}
+
 // A share that is more than is asked for takes nothing away.
 TEST_F(RenderBudget, EnoughIsAll) {
   const lab::Shot shot = moving("../objects/stacked", {{"pixels", 9}});

@@ -136,6 +136,31 @@ TEST_F(RenderCurves, ArePolynomialsThroughTurningPoints) {
   }
 }
 
+// How far paths are from the line between their ends in the middle of the exposure, in closed form; and where that is
+// more than they may be.
+TEST_F(RenderCurves, BendsAreThoseOfTurningPoints) {
+  for (const Anchor& anchor : anchors()) {
+    lab::Shot shot = with(wedge(), "hybrid", {"preset=best", "raster_bend.most_bend=2"}, anchor.name);
+    shot.taps = {"raster_bend.bend", "raster_bend.bent"};
+    lab::Picture picture = render(shot);
+    const image::Image &bend = picture.frame.taps.at("raster_bend.bend").floats,
+                       &bent = picture.frame.taps.at("raster_bend.bent").floats;
+    int near = 0, far = 0;
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) {
+        if (imageOf(picture, "velocity").at(x, y, 0) == 0) continue;
+        auto at = [&](double u) { return turned(placeOf(x, y), glm::mix(anchor.window.open, anchor.window.close, u)); };
+        const glm::dvec2 expected = at(.5) - .5 * (at(0) + at(1));
+        for (int k = 0; k < 2; ++k) EXPECT_NEAR(bend.at(x, y, k), expected[k], 1e-3) << anchor.name;
+        const double px = glm::length(expected);
+        if (std::abs(px - 2) > .01) EXPECT_EQ(bent.at(x, y, 0), px > 2) << anchor.name << ' ' << px;
+        ++(px > 2 ? far : near);
+      }
+    EXPECT_GT(near, 50) << anchor.name;
+    EXPECT_GT(far, 50) << anchor.name;
+  }
+}
+
 TEST_F(RenderCurves, FollowATurningWedge) {
   for (const Anchor& anchor : anchors()) {
     std::map<std::string, double> errors;

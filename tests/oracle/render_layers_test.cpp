@@ -219,6 +219,31 @@ TEST_F(RenderLayers, TapsToBothSidesFindTheSlowerSurface) {
   }
 }
 
+// Tiles in which both surfaces are seen have the longer displacement, and the other one.
+TEST_F(RenderLayers, TilesHaveTheOtherMotionToo) {
+  constexpr int kTile = 40;
+  for (Case c : {Case{20, 12}, {6, 20}, {12, -12.5}}) {
+    lab::Shot shot = with(kGentle.shot(c), "hybrid", {"preset=captured", fmt::format("tile={}", kTile)});
+    shot.taps = {"neighbour_max.dominant", "neighbour_max.second"};
+    const lab::Picture picture = render(shot);
+    const image::Image &dominant = picture.frame.taps.at(shot.taps[0]).floats,
+                       &second = picture.frame.taps.at(shot.taps[1]).floats;
+    const bool front_is_longer = std::abs(c.d_front) > std::abs(c.d_back);
+    const double longer = front_is_longer ? c.d_front : c.d_back, other = front_is_longer ? c.d_back : c.d_front;
+    int both_seen = 0;
+    for (int tile = 0; tile < dominant.width; ++tile) {
+      bool seen[2] = {};
+      for (int x = tile * kTile; x < std::min((tile + 1) * kTile, shot.width); ++x)
+        seen[std::abs(imageOf(picture, "velocity").at(x, 0, 0) - c.d_front) < 1e-3] = true;
+      if (!seen[0] || !seen[1]) continue;
+      ++both_seen;
+      EXPECT_NEAR(dominant.at(tile, 0, 0), longer, 1e-3) << c.d_front << ' ' << c.d_back << ' ' << tile;
+      EXPECT_NEAR(second.at(tile, 0, 0), other, 1e-3) << c.d_front << ' ' << c.d_back << ' ' << tile;
+    }
+    EXPECT_GT(both_seen, 0) << c.d_front << ' ' << c.d_back;
+  }
+}
+
 // Nothing that raster sees moves, but what was revealed comes out from behind it. With displacements per layer only
 // those of the revealed one tell.
 TEST_F(RenderLayers, WhatIsHiddenAtTheCaptureComesOut) {

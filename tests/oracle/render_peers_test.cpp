@@ -3,6 +3,7 @@
 // Against closed forms, and against truth where there is none.
 #include <fmt/format.h>
 
+#include <bit>
 #include <cmath>
 
 #include "oracle/render.h"
@@ -160,6 +161,24 @@ TEST_F(RenderPeers, HdrpBlursFartherThanItsTilesAreWide) {
   }
   for (int x = 0; x < kWidth; ++x)
     EXPECT_NEAR(colorOf(picture).at(x, kRow, 0), exposeCentre(bar, kCloseAnchor, x).colour, 1.5 / 64) << x;
+}
+
+// Tiles 10 to 13 tell those that they pass, up to where they are when the exposure begins and ends, and no others.
+TEST_F(RenderPeers, HdrpTilesTellAllThatTheyPass) {
+  constexpr int kTiles = kWidth / 16;
+  constexpr double kLength = 90, kFrom = 10, kTo = 13;
+  for (const Anchor& anchor : anchors()) {
+    lab::Shot shot = shotOf("bar", kWidth, 16, {{"left", 16 * kFrom}, {"right", 16 * (kTo + 1)}, {"d_f", kLength}});
+    shot = with(shot, "hdrp", {}, anchor.name);
+    shot.taps = {"scatter_length.length"};
+    const lab::Picture picture = render(shot);
+    const image::UintImage& length = picture.frame.taps.at(shot.taps[0]).uints;
+    const double first = kFrom + std::round(kLength / 16 * anchor.window.open),
+                 last = kTo + std::round(kLength / 16 * anchor.window.close);
+    for (int tile = 0; tile < kTiles; ++tile)
+      EXPECT_EQ(std::bit_cast<float>(length.at(tile, 0, 0)), first <= tile && tile <= last ? kLength : 0)
+          << anchor.name << ' ' << tile;
+  }
 }
 
 // `a` moves 12 px to the right, `b` 10 px down; both lie in one tile, far from each other.

@@ -315,6 +315,67 @@ TEST_F(RenderTruth, AdaptiveIsAsExactForFewerRays) {
   EXPECT_LE(counterOf(adaptive, "truth_audit.off"), counterOf(adaptive, "truth_audit.audited") / 4);
 }
 
+// Each step of the sharing of samples, from what the one before left.
+TEST_F(RenderTruth, AdaptiveSharesSamplesByItsFormulas) {
+  constexpr double kSamples = 256, kOrder = .75, kPilot = 16, kMost = 4, kPower = 2 / (2 * kOrder + 1);
+  lab::Shot shot = shotOf("crowd", 160, 92);
+  shot.taps = {"truth_spread.spread", "truth_tile_error.tile_error", "truth_sample_rate.rate",
+               "truth_sample_budget.budget"};
+  auto one = [&](const char* audit) {
+    return render(with(shot, "ground_truth",
+                       truth(int(kSamples), {"pixel=box", "times=stratified", "mode=adaptive", "least=0", audit,
+                                             fmt::format("order={}", kOrder)})));
+  };
+  lab::Picture picture = one("audit=0");
+  auto tap = [&](int k) -> const image::Image& { return picture.frame.taps.at(shot.taps[size_t(k)]).floats; };
+  const image::Image &spread = tap(0), &tile_error = tap(1), &rate = tap(2), &budget = tap(3);
+  auto squareOf = [&](int x, int y) { return .25 * spread.at(x, y, 0) / (3 * spread.at(x, y, 1)); };
+  double squares = 0, left = 0, largest = 0, tiles = 0;
+  for (int y = 0; y < spread.height; ++y)
+    for (int x = 0; x < spread.width; ++x) {
+      double own = squareOf(x, y), around = 0, count = 0;
+      for (int j = std::max(y - 1, 0); j <= std::min(y + 1, spread.height - 1); ++j)
+        for (int i = std::max(x - 1, 0); i <= std::min(x + 1, spread.width - 1); ++i, ++count) around += squareOf(i, j);
+      const double smooth = std::sqrt(std::max(own, around / count));
+      EXPECT_NEAR(tile_error.at(x, y, 0), std::sqrt(own), 1e-5 * std::sqrt(own));
+      EXPECT_NEAR(tile_error.at(x, y, 1), smooth, 1e-5 * smooth);
+      squares += own;
+      if (own > 0) left += own * std::pow(smooth, -2 * kOrder * kPower);
+      largest = std::max(largest, smooth);
+      ++tiles;
+    }
+  const double expected_rate = kSamples * std::pow(left / squares, 1 / (2 * kOrder));
+  const double most =
+      std::max(std::min(std::ceil(expected_rate * std::pow(largest, kPower)), kMost * kSamples), kSamples);
+  EXPECT_NEAR(rate.at(0, 0, 0), expected_rate, 1e-4 * expected_rate);
+  EXPECT_NEAR(rate.at(0, 0, 1), most, 1.5);
+  int fewer = 0;
+  for (int y = 0; y < budget.height; ++y)
+    for (int x = 0; x < budget.width; ++x) {
+      double samples = std::min(rate.at(0, 0, 0) * std::pow(tile_error.at(x, y, 1), kPower), double(rate.at(0, 0, 1)));
+      EXPECT_NEAR(budget.at(x, y, 0), samples, 1e-4 * samples);
+      fewer += samples < kSamples / 2;
+    }
+  EXPECT_GT(fewer, tiles / 4) << "where little differs";
+
+  // All audited: each is off where the error that it has is more than twice what its first samples let expect.
+  picture = one("audit=1");
+  const image::Image& error = imageOf(picture, "error");
+  uint64_t off = 0;
+  for (int y = 0; y < spread.height; ++y)
+    for (int x = 0; x < spread.width; ++x) {
+      double sum = 0, pixels = 0;
+      for (int j = 8 * y; j < std::min(8 * y + 8, error.height); ++j)
+        for (int i = 8 * x; i < std::min(8 * x + 8, error.width); ++i, ++pixels)
+          for (int k = 0; k < 3; ++k) sum += std::pow(error.at(i, j, k), 2);
+      const double share = kPilot / error.at(8 * x, 8 * y, 3);
+      off += std::sqrt(sum / (3 * pixels)) > 2 * tap(1).at(x, y, 1) * std::pow(share, kOrder) + 1e-6;
+    }
+  EXPECT_EQ(counterOf(picture, "truth_audit.audited"), uint64_t(tiles));
+  EXPECT_EQ(counterOf(picture, "truth_audit.off"), off);
+  EXPECT_GT(off, 0u);
+}
+
 // With no more samples than the first ones it is truth everywhere; where all is one colour it has no more than those.
 TEST_F(RenderTruth, AdaptiveTakesNoMoreThanItNeeds) {
   StripedScene scene;
