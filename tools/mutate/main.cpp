@@ -76,6 +76,9 @@ static void declare(CLI::App& program, Options& options) {
       ->type_name("FILE");
   program.add_flag("--again", options.run.again, "try those that survived without a reason once more");
   program.add_option("--jobs", options.run.jobs, "mutants at a time")->check(CLI::Range(1, 64))->capture_default_str();
+  program.add_option("--first", options.run.first, "tests to try before others, by how their names begin")
+      ->type_name("TEST")
+      ->delimiter(',');
   program.add_option("--budget", options.run.budget_s, "seconds of tests after which a mutant survives")
       ->capture_default_str();
   program.add_option("--write", options.page, "write the page about it")->type_name("FILE");

@@ -260,7 +260,7 @@ std::vector<MutationResult> runMutants(const Home& original, const std::vector<M
     if (results[i].fate == Fate::Untried) wanted.push_back(i);
   if (wanted.empty()) return results;
   std::vector<TestCase> tests = testsFor(home, options, plan, kept);
-  TestOrder order(tests);
+  TestOrder order(tests, options.first);
   for (const MutationResult& result : results)
     if (result.fate == Fate::Caught) order.caught(result.mutant.file, result.by);
   testAll(home, results, wanted, options, order, kept);

@@ -19,8 +19,9 @@ struct MutationOptions {
   Path results;  // kept up to date, and continued from
   Path reasons;  // why survivors are harmless, see giveReasons
   int jobs = 1;
-  double budget_s = 90;  // of tests per mutant
-  bool again = false;    // those that survived without a reason are tried once more
+  double budget_s = 90;            // of tests per mutant
+  bool again = false;              // those that survived without a reason are tried once more
+  std::vector<std::string> first;  // how the names of tests begin that come before all others
 };
 
 enum class Fate { Untried, Refused, Equivalent, Caught, Survived };

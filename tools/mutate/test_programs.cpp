@@ -223,7 +223,9 @@ double TestOrder::cost(const TestCase& test) const {
 double TestOrder::worth(const TestCase& test, const std::string& shader) const {
   auto here = caught_in_.find({shader, test.name});
   auto anywhere = caught_.find(test.name);
-  double catches = 2.0 / double(test.shaders.size()) + (here == caught_in_.end() ? 0 : 3.0 * here->second) +
+  bool first = std::any_of(first_.begin(), first_.end(), [&](const auto& name) { return test.name.starts_with(name); });
+  double catches = (first ? 1e6 : 0.0) + 2.0 / double(test.shaders.size()) +
+                   (here == caught_in_.end() ? 0 : 3.0 * here->second) +
                    (anywhere == caught_.end() ? 0 : 0.3 * anywhere->second);
   return catches / cost(test);
 }

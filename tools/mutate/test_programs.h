@@ -68,7 +68,9 @@ std::string includesOf(const Path& home, const std::vector<std::string>& shaders
 // Puts those first that caught most per second, on the same shader above all.
 class TestOrder {
  public:
-  explicit TestOrder(std::vector<TestCase> tests) : tests_(std::move(tests)) {}
+  // `first`: how the names of those begin that come before all others.
+  TestOrder(std::vector<TestCase> tests, std::vector<std::string> first)
+      : tests_(std::move(tests)), first_(std::move(first)) {}
   // Of those that read the shader, in batches: each for one program, the first ones short.
   struct Batch {
     std::string program;
@@ -85,6 +87,7 @@ class TestOrder {
 
   mutable std::mutex mutex_;
   std::vector<TestCase> tests_;
+  std::vector<std::string> first_;
   std::map<std::string, int> caught_;
   std::map<std::pair<std::string, std::string>, int> caught_in_;  // by shader and test
   std::map<std::string, double> took_;
