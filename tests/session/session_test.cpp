@@ -27,6 +27,20 @@ TEST_F(SessionTest, DrawsWhatRenderDraws) {
   EXPECT_EQ(hashes(session.draw()), hashes(session.capture().frame));
 }
 
+TEST_F(SessionTest, WhatThePipelineAloneSetsHasNoControl) {
+  Session session(bench(), smallShot("hybrid"));
+  int wired = 0;
+  const plan::Plan& plan = session.running().plan();
+  for (const plan::PlanNode& node : plan.nodes)
+    for (const plan::ParamDesc& param : plan.pipeline.passes[size_t(node.pass)].params) {
+      if (!param.wired) continue;
+      ++wired;
+      const std::string name = plan.pipeline.nodes[size_t(node.node)].name + "." + param.name;
+      for (const lab::Control& control : session.controls()) EXPECT_NE(control.declaration.name, name);
+    }
+  EXPECT_GT(wired, 0) << "it has such parameters";
+}
+
 TEST_F(SessionTest, AValueCanBeSetAndGivenBack) {
   Session session(bench(), smallShot("hybrid"));
   std::string before = colorHash(session), plan = session.running().planned().hash;

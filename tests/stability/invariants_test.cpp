@@ -59,6 +59,28 @@ INSTANTIATE_TEST_SUITE_P(Pipelines, Shipped, testing::ValuesIn(shares()), [](con
          (info.param.shards > 1 ? fmt::format("_{}of{}", info.param.shard + 1, info.param.shards) : "");
 });
 
+// ---- what is no setting is no variant
+
+class Walked : public StabilityTest {};
+
+TEST_F(Walked, WhatThePipelineAloneSetsIsLeftAlone) {
+  lab::Batch batch(bench());
+  const Walk found = walk(batch, "ground_truth");
+  ASSERT_GT(found.variants.size(), 10u);
+  int wired = 0;
+  for (const Variant& variant : found.variants) {
+    const plan::PipelineDesc& pipeline = *variant.description;
+    for (const plan::NodeDesc& node : pipeline.nodes)
+      for (const plan::PassDesc& pass : pipeline.passes)
+        for (const plan::ParamDesc& param : pass.params) {
+          if (pass.name != node.pass || !param.wired) continue;
+          ++wired;
+          for (const auto& [name, value] : variant.sets) EXPECT_NE(name, node.name + "." + param.name);
+        }
+  }
+  EXPECT_GT(wired, 0) << "it has such parameters";
+}
+
 // ---- what is broken is found, and becomes small
 
 class Broken : public StabilityTest {
