@@ -2,6 +2,8 @@
 #include "graph/pipelines.h"
 
 #include <algorithm>
+#include <optional>
+#include <unordered_set>
 
 #include "base/cores.h"
 #include "base/hash.h"
@@ -276,17 +278,25 @@ void ShaderCheck::add(const plan::Plan& plan, Backend backend) {
 std::set<std::string> ShaderCheck::problemsOf(const std::vector<Job>& jobs) const {
   std::set<std::string> problems;
   std::optional<std::unordered_set<std::string>> used;
-  for (const Job& job : jobs) try {
-      std::vector<StageFile> stages = ownStages(home_, job.interface, job.pass);
-      for (const StageFile& shared : job.with_shared ? sharedStages(home_) : std::vector<StageFile>())
-        stages.push_back(shared);
-      for (const auto& [file, stage] : stages) compilePass(home_, job.interface, file, stage, shader::Output::None);
-      const std::vector<Path> files = shaderFiles(home_, job.pass);
-      if (!used) used = shader::namesUsed(home_, files);
-      for (const std::string& problem : unusedNames(home_, job.interface, files, *used)) problems.insert(problem);
+  auto note = [&](const auto& find) {
+    try {
+      find();
     } catch (const Error& error) {
       problems.insert(error.what());
     }
+  };
+  for (const auto& [in, pass, with_shared] : jobs) {
+    auto compile = [&, &in = in](const std::vector<StageFile>& stages) {
+      for (const auto& [file, stage] : stages) compilePass(home_, in, file, stage, shader::Output::None);
+    };
+    note([&, &in = in, &pass = pass] {
+      compile(ownStages(home_, in, pass));
+      const std::vector<Path> files = shaderFiles(home_, pass);
+      if (!used) used = shader::namesUsed(home_, files);
+      for (const std::string& problem : unusedNames(home_, in, files, *used)) problems.insert(problem);
+    });
+    if (with_shared) note([&] { compile(sharedStages(home_)); });
+  }
   return problems;
 }
 
