@@ -86,7 +86,7 @@ TEST_F(RenderBudget, WhatIsUncoveredLongestIsRevealedFirst) {
 }
 
 // Ranks as lib/rank.glsl counts them: 256 to each doubling of the gain, which is the share of the times at which the
-// wall is seen, times the channel by which it differs most.
+// wall is seen, times the channel by which it differs most; cut to a whole number.
 TEST_F(RenderBudget, RanksAreThoseOfTheirFormula) {
   constexpr int kSamples = 16;
   constexpr double kBluer = .25;

@@ -315,7 +315,8 @@ TEST_F(RenderTruth, AdaptiveIsAsExactForFewerRays) {
   EXPECT_LE(counterOf(adaptive, "truth_audit.off"), counterOf(adaptive, "truth_audit.audited") / 4);
 }
 
-// Each step of the sharing of samples, from what the one before left.
+// Each step of the sharing of samples, from what the one before left, to the rounding of floats and of their powers; a
+// whole number that is rounded up may be one more.
 TEST_F(RenderTruth, AdaptiveSharesSamplesByItsFormulas) {
   constexpr double kSamples = 256, kOrder = .75, kPilot = 16, kMost = 4, kPower = 2 / (2 * kOrder + 1);
   lab::Shot shot = shotOf("crowd", 160, 92);

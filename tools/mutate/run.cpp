@@ -260,6 +260,9 @@ std::vector<MutationResult> runMutants(const Home& original, const std::vector<M
     if (results[i].fate == Fate::Untried) wanted.push_back(i);
   if (wanted.empty()) return results;
   std::vector<TestCase> tests = testsFor(home, options, plan, kept);
+  for (const std::string& name : options.first)
+    if (std::none_of(tests.begin(), tests.end(), [&](const TestCase& test) { return test.name.starts_with(name); }))
+      throw Error(fmt::format("--first: the name of no test that takes part begins with '{}'", name), {}, 2);
   TestOrder order(tests, options.first);
   for (const MutationResult& result : results)
     if (result.fate == Fate::Caught) order.caught(result.mutant.file, result.by);
