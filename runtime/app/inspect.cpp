@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <set>
 
@@ -26,6 +27,10 @@ namespace strobe::app {
 
 namespace {
 
+void addOnce(std::vector<std::string>& problems, const std::string& problem) {
+  if (std::find(problems.begin(), problems.end(), problem) == problems.end()) problems.push_back(problem);
+}
+
 // Runs `step`, keeping what it complains about; where it does what the command line says, misuse of that is thrown.
 template <class Step>
 void collect(std::vector<std::string>& problems, const Step& step, bool as_given = false) {
@@ -33,9 +38,18 @@ void collect(std::vector<std::string>& problems, const Step& step, bool as_given
     step();
   } catch (const Error& error) {
     if (as_given && error.exitCode() == 2) throw;
-    bool known = std::find(problems.begin(), problems.end(), error.what()) != problems.end();
-    if (!known) problems.push_back(error.what());
+    addOnce(problems, error.what());
   }
+}
+
+// The problems that `check` adds to a list, found beside other work.
+template <class Check>
+std::future<std::vector<std::string>> beside(const Check& check) {
+  return std::async(std::launch::async, [check] {
+    std::vector<std::string> problems;
+    check(problems);
+    return problems;
+  });
 }
 
 // Which passes there are to choose from: the names of the files of each folder.
@@ -128,6 +142,7 @@ void checkPipelines(const Home& home, const std::vector<script::PipelineRequest>
       };
       collect(problems, plan_and_look, &asked == &requests);
     }
+    shaders.start();
   };
   std::vector<script::PipelineRequest> presets, more;
   auto note = [](std::vector<script::PipelineRequest>& list, const std::vector<script::PipelineRequest>& added) {
@@ -143,7 +158,7 @@ void checkPipelines(const Home& home, const std::vector<script::PipelineRequest>
   });
   check_all(presets, note_shapes);
   check_all(more, [](const auto&, const auto&) {});
-  for (const std::string& problem : shaders.run()) collect(problems, [&] { throw Error(problem); });
+  for (const std::string& problem : shaders.finish()) addOnce(problems, problem);
 }
 
 void checkScenes(const Home& home, const std::vector<std::string>& names, std::vector<std::string>& problems) {
@@ -207,8 +222,8 @@ void check(const Home& home, const CheckOptions& options) {
   if (files.empty() && !options.sets.empty()) throw Error("--set needs a pipeline to set it in", {}, 2);
   script::Settings sets;
   for (const std::string& set : options.sets) sets.push_back(script::settingFromText(set));
-  std::vector<std::string> problems;
-  std::vector<std::string> scenes;
+  std::vector<std::string> problems, scenes;
+  std::vector<std::future<std::vector<std::string>>> passes_and_scenes;
   Own own;
   if (files.empty()) {
     if (home.hasProject()) throwIfAny(home.mistakesOfProject());
@@ -219,14 +234,17 @@ void check(const Home& home, const CheckOptions& options) {
         if (archive::readCapture(home, file).measured) study::readExperiment(home, file, true);
       });
     }
-    collect(problems, [&] { script::evaluateAllPasses(home); });
     scenes = script::sceneNames(home);
+    passes_and_scenes.push_back(
+        beside([&](auto& problems) { collect(problems, [&] { script::evaluateAllPasses(home); }); }));
+    passes_and_scenes.push_back(beside([&](auto& problems) { checkScenes(home, scenes, problems); }));
   }
   std::vector<std::string> pipelines = files.empty() ? shippedPipelines(home) : files;
   std::vector<script::PipelineRequest> requests;
   for (const std::string& name : pipelines) requests.push_back({name, sets});
   checkPipelines(home, requests, sets.empty(), problems);
-  checkScenes(home, scenes, problems);
+  for (auto& some : passes_and_scenes)
+    for (const std::string& problem : some.get()) addOnce(problems, problem);
   if (options.json) {
     Json report;
     report["roots"] = home.roots();

@@ -300,14 +300,26 @@ std::set<std::string> ShaderCheck::problemsOf(const std::vector<Job>& jobs) cons
   return problems;
 }
 
-std::vector<std::string> ShaderCheck::run() {
-  std::vector<std::vector<Job>> shaders;
-  for (auto& [shader, jobs] : jobs_) shaders.push_back(std::move(jobs));
-  jobs_.clear();
+std::set<std::string> ShaderCheck::problemsOf(const Shaders& shaders) const {
   std::vector<std::set<std::string>> found(shaders.size());
   forEachOnAllCores(shaders.size(), [&](size_t i) { found[i] = problemsOf(shaders[i]); });
   std::set<std::string> problems;
   for (auto& some : found) problems.merge(some);
+  return problems;
+}
+
+void ShaderCheck::start() {
+  Shaders shaders;
+  for (auto& [shader, jobs] : jobs_) shaders.push_back(std::move(jobs));
+  jobs_.clear();
+  started_.push_back(
+      std::async(std::launch::async, [this, shaders = std::move(shaders)] { return problemsOf(shaders); }));
+}
+
+std::vector<std::string> ShaderCheck::finish() {
+  std::set<std::string> problems;
+  for (auto& some : started_) problems.merge(some.get());
+  started_.clear();
   return {problems.begin(), problems.end()};
 }
 

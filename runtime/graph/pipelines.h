@@ -2,6 +2,7 @@
 // A pass's pipeline for the variants, formats and backend of one node, made once per distinct content.
 #pragma once
 
+#include <future>
 #include <map>
 #include <memory>
 #include <set>
@@ -56,8 +57,10 @@ class ShaderCheck {
   explicit ShaderCheck(Home home) : home_(std::move(home)) {}
   // Notes what the plan's nodes need that has not been noted before.
   void add(const plan::Plan& plan, Backend backend);
-  // Compiles what was noted since the last call; all problems of all passes, sorted, each once.
-  std::vector<std::string> run();
+  // Begins to compile what was noted since the last call, on all cores, and returns.
+  void start();
+  // Waits for all that was started; all problems of all passes, sorted, each once.
+  std::vector<std::string> finish();
 
  private:
   struct Job {
@@ -65,11 +68,14 @@ class ShaderCheck {
     plan::PassDesc pass;
     bool with_shared;  // the stages that passes share as well
   };
+  using Shaders = std::vector<std::vector<Job>>;
   std::set<std::string> problemsOf(const std::vector<Job>& jobs) const;
+  std::set<std::string> problemsOf(const Shaders& shaders) const;
 
   Home home_;
   std::map<std::string, std::vector<Job>> jobs_;  // by shader
   std::set<std::string> noted_;
+  std::vector<std::future<std::set<std::string>>> started_;
 };
 
 // Pipelines by the content they come from: the same text compiled the same way is the same pipeline, so nothing stale

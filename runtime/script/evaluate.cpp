@@ -9,6 +9,7 @@
 
 #include "base/cores.h"
 #include "base/hash.h"
+#include "base/json_text.h"
 #include "script/batch.h"
 
 namespace strobe::script {
@@ -138,13 +139,13 @@ std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::er
 // trust.
 Json resultOf(const Main& main, const ProgramEnd& child, std::vector<Dependency>* dependencies, const Limits& limits) {
   bool answered = child.succeeded() && !child.too_long;
-  Json answer = answered ? Json::parse(child.output, nullptr, false) : Json();
+  Json answer = answered ? jsonFromText(child.output) : Json();
   if (!answer.is_object()) throw Error(endedBy(child, limits), {main.shown});
   try {
     if (dependencies) *dependencies = dependenciesOf(answer.at("files"));
     if (answer.contains("out_of_memory")) throw Error(outOfMemory(limits), {main.shown});
     if (answer.contains("errors")) throwProblems(answer["errors"]);
-    return answer.at("result");
+    return std::move(answer.at("result"));
   } catch (const Json::exception&) {
     throw Error("the script's process gave an answer in a wrong form", {main.shown});
   }

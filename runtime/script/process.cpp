@@ -14,7 +14,7 @@ namespace strobe::script {
 static constexpr const char* kInsideChild = "STROBE_SCRIPT_CHILD";
 
 // The child stops a script itself, with a line, at its limits; those of the process are a little wider and stop what
-// never returns to Lua's loop (a long library call, a finalizer).
+// never returns to Lua's loop (a long library call).
 static Program childOf(const Path& path, const Limits& limits) {
   // A program that does not know the option would evaluate again, and so on without end.
   if (std::getenv(kInsideChild)) throw Error("a script child was asked to start another; is STROBE_PROGRAM strobe?");

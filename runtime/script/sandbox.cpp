@@ -460,6 +460,9 @@ Sandbox::Sandbox(Options options)
   lua_ = lua_newstate(allocate, this);
   STROBE_ASSERT(lua_ != nullptr);
   *static_cast<Sandbox**>(lua_getextraspace(lua_)) = this;
+  // Garbage is collected at the limit of memory alone: marking what lives would copy its pages in a forked process, and
+  // no finalizer of a script runs at a time of its own.
+  lua_gc(lua_, LUA_GCSTOP);
   openLibraries();
   loadPrelude();
 }
