@@ -30,6 +30,120 @@ class RenderCells : public RenderTest {
 const std::vector<std::string> kOfMask = {"mask_bounds", "mask_ids", "mask_crossings", "mask"};
 const std::vector<std::string> kOfComposite = {"raster_bounds", "revealed_bounds", "motion_reach", "composite"};
 
+// Those of its pixels and of no others; the last cells are cut off by the picture's border.
+TEST_F(RenderCells, KnowTheInstancesThatTheyShow) {
+  constexpr int kSide = 7;
+  std::vector<std::string> settings = {"preset=captured"};
+  for (const std::string& node : kOfMask) settings.push_back(fmt::format("{}.cell_side={}", node, kSide));
+  lab::Shot shot = with(shotOf("crowd", 64, 40), "hybrid", settings);
+  shot.taps = {"mask_ids.ids"};
+  const lab::Picture picture = render(shot);
+  const image::UintImage &ids = picture.frame.taps.at(shot.taps[0]).uints, &id = picture.frame.outputs.at("id").uints;
+  ASSERT_EQ(ids.height, (40 + kSide - 1) / kSide);
+  for (int y = 0; y < ids.height; ++y)
+    for (int x = 0; x < ids.width; ++x) {
+      uint32_t least = UINT32_MAX, greatest = 0;
+      for (int j = kSide * y; j < std::min(kSide * y + kSide, id.height); ++j)
+        for (int i = kSide * x; i < std::min(kSide * x + kSide, id.width); ++i) {
+          least = std::min(least, id.at(i, j, 0));
+          greatest = std::max(greatest, id.at(i, j, 0));
+        }
+      EXPECT_EQ(ids.at(x, y, 0), least) << x << ' ' << y;
+      EXPECT_EQ(ids.at(x, y, 1), greatest) << x << ' ' << y;
+    }
+}
+
+// Cells as the relative mask has them.
+struct MaskCells {
+  const image::Image& bounds;  // of the displacements in each
+  const image::UintImage& ids;
+  int side, picture;
+
+  vec2 low(ivec2 cell) const { return {bounds.at(cell.x, cell.y, 0), bounds.at(cell.x, cell.y, 1)}; }
+  vec2 high(ivec2 cell) const { return {bounds.at(cell.x, cell.y, 2), bounds.at(cell.x, cell.y, 3)}; }
+
+  // May a walk from `own` for b that enters a cell end there otherwise than with "no"? Lengths are compared to within
+  // `slack` px.
+  bool concerns(ivec2 own, ivec2 cell, vec2 b, float t, float slack) const {
+    const uint32_t only = ids.at(own.x, own.y, 0);
+    if (ids.at(own.x, own.y, 1) == only && ids.at(cell.x, cell.y, 0) == only && ids.at(cell.x, cell.y, 1) == only)
+      return false;
+    const float longest = glm::length(glm::max(glm::abs(low(own) - b), glm::abs(high(own) - b)));
+    const float from_b = glm::length(glm::clamp(b, low(cell), high(cell)) - b);
+    const vec2 apart = glm::max(glm::abs(high(cell) - low(own)), glm::abs(high(own) - low(cell)));
+    return from_b <= std::max(1.f, .25f * longest) + slack || std::abs(t) * glm::length(apart) >= .5f - slack;
+  }
+
+  // Does a path for b enter such a cell, of displacements and pixels all over `own`, a step per pixel, as far as it
+  // goes and `farther` px on?
+  bool isCrossed(ivec2 own, vec2 b, float t, int farther) const {
+    for (int k = 0; k < 25 * 4; ++k) {
+      const vec2 d = glm::mix(low(own), high(own), vec2(float(k % 5), float(k / 5 % 5)) / 4.f);
+      const ivec2 from = glm::min(own * side + ivec2(k / 25 % 2, k / 50) * (side - 1), picture - 1);
+      const vec2 whole = -t * (d - b);
+      const float whole_px = glm::length(whole);
+      if (whole_px < .51f) continue;
+      for (int i = 1; i <= int(std::ceil(whole_px)) + farther; ++i) {
+        const ivec2 at = from + ivec2(glm::round(whole / whole_px * float(i)));
+        if (glm::min(at.x, at.y) < 0 || glm::max(at.x, at.y) >= picture) break;
+        if (concerns(own, at / side, b, t, -.01f)) return true;
+      }
+    }
+    return false;
+  }
+
+  // Is there such a cell anywhere that a path might come to, in whatever direction?
+  bool isNearAny(ivec2 own, vec2 b, float t, int farther) const {
+    const float longest = std::abs(t) * glm::length(glm::max(glm::abs(low(own) - b), glm::abs(high(own) - b)));
+    if (longest < .49f) return false;
+    const int around = (int(longest) + farther) / side + 2;
+    for (int y = std::max(own.y - around, 0); y <= std::min(own.y + around, bounds.height - 1); ++y)
+      for (int x = std::max(own.x - around, 0); x <= std::min(own.x + around, bounds.width - 1); ++x)
+        if (concerns(own, {x, y}, b, t, .01f)) return true;
+    return false;
+  }
+};
+
+// Of the displacements found around its tile a cell has all for which a path comes to where a walk may end, and none
+// for which there is no such place around.
+TEST_F(RenderCells, HaveTheMotionsThatCross) {
+  constexpr int kSide = 10, kTile = 20, kPicture = 96, kLimit = 24, kMargin = 1;
+  for (const Anchor& anchor : anchors()) {
+    lab::Shot shot = with(shotOf("wedge", kPicture, kPicture, {{"from", 20}, {"to", 65}, {"degrees", 60}}), "hybrid",
+                          {"preset=captured", fmt::format("tile={}", kTile), "limit=0.25"}, anchor.name);
+    shot.taps = {"mask_bounds.bounds", "mask_ids.ids"};
+    for (int k = 0; k < 4; ++k) shot.taps.push_back(fmt::format("mask_near_motions.motions_{}", k));
+    for (int k = 0; k < 4; ++k) shot.taps.push_back(fmt::format("mask_crossings.crossing_{}", k));
+    const lab::Picture picture = render(shot);
+    const MaskCells cells{picture.frame.taps.at(shot.taps[0]).floats, picture.frame.taps.at(shot.taps[1]).uints, kSide,
+                          kPicture};
+    auto motion = [&](int of, ivec2 at, int k) {
+      const image::Image& image = picture.frame.taps.at(shot.taps[size_t(of + k / 2)]).floats;
+      return vec2(image.at(at.x, at.y, k % 2 * 2), image.at(at.x, at.y, k % 2 * 2 + 1));
+    };
+    int kept = 0, left_out = 0;
+    for (int y = 0; y < cells.bounds.height; ++y)
+      for (int x = 0; x < cells.bounds.width; ++x)
+        for (int k = 0; k < 8; ++k) {
+          const ivec2 own(x, y);
+          const vec2 b = motion(2, own * kSide / kTile, k);
+          if (b.x > 1e8f) continue;  // none
+          bool has = false, crossed = false, any = false;
+          for (int i = 0; i < 8; ++i) has = has || motion(6, own, i) == b;
+          for (double t : {anchor.window.open, anchor.window.close}) {
+            if (t == 0) continue;
+            crossed = crossed || cells.isCrossed(own, b, float(t), kMargin + kLimit);
+            any = any || cells.isNearAny(own, b, float(t), kMargin + kLimit + 4);
+          }
+          if (crossed) EXPECT_TRUE(has) << anchor.name << ' ' << x << ' ' << y << ' ' << b.x << ' ' << b.y;
+          if (!any) EXPECT_FALSE(has) << anchor.name << ' ' << x << ' ' << y << ' ' << b.x << ' ' << b.y;
+          ++(has ? kept : left_out);
+        }
+    EXPECT_GT(kept, 50) << anchor.name;
+    EXPECT_GT(left_out, 50) << anchor.name;
+  }
+}
+
 // Cells that divide tiles: of one that does not the candidates of several tiles are tried.
 TEST_F(RenderCells, DoNotShowInTheMask) {
   for (const char* camera : {"main", "tracking"})
