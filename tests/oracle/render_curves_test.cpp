@@ -109,6 +109,53 @@ double errorOf(const Wheel& wheel, const lab::Picture& picture, Window window) {
   return std::sqrt(sum / count);
 }
 
+// Displacements, and bends, of what is doubtful in each cell of a layer, which has things where they are at a time.
+struct DoubtedLayer {
+  const image::Image &bounds, &bends;
+  double seen;
+
+  // A corner of the box of a cell, k in [0, 4).
+  static glm::dvec2 corner(const image::Image& boxes, glm::ivec2 cell, int k) {
+    return {boxes.at(cell.x, cell.y, k % 2 * 2), boxes.at(cell.x, cell.y, k / 2 * 2 + 1)};
+  }
+};
+
+// Cells of 10 px in which something doubtful certainly is, and may be, a bit for each of four parts of an exposure
+// around the capture.
+struct Doubts {
+  static constexpr int kParts = 4;
+  static constexpr double kCell = 10, kOpen = -.5, kClose = .5, kRounding = 1e-2;
+  glm::ivec2 cells;
+  std::vector<uint32_t> least = std::vector<uint32_t>(size_t(cells.x * cells.y)), most = least;
+
+  void mark(std::vector<uint32_t>& marked, glm::dvec2 low, glm::dvec2 high, int part) const {
+    const glm::dvec2 first = glm::max(glm::floor(low / kCell), 0.),
+                     last = glm::min(glm::floor(high / kCell), glm::dvec2(cells) - 1.);
+    for (double y = first.y; y <= last.y; ++y)
+      for (double x = first.x; x <= last.x; ++x) marked[size_t(y) * size_t(cells.x) + size_t(x)] |= 1u << part;
+  }
+
+  // Where a layer's cell goes: certainly where any corner of its boxes takes it, and perhaps anywhere between all of
+  // them, by a tenth of the bend and by `slack` px farther.
+  void add(const DoubtedLayer& layer, glm::ivec2 cell, int part, double slack) {
+    auto bentShare = [](double t) { return 4 * (t - kOpen) * (kClose - t); };
+    const double bent = bentShare(kOpen + (part + .5) / kParts) - bentShare(layer.seen);
+    const glm::dvec2 from = glm::dvec2(cell) * kCell;
+    glm::dvec2 low(INFINITY), high(-INFINITY);
+    double longest = 0;
+    for (int k = 0; k < 4 * 4 * 2; ++k) {
+      const glm::dvec2 d = layer.corner(layer.bounds, cell, k % 4), b = layer.corner(layer.bends, cell, k / 4 % 4);
+      const double t = kOpen + double(part + k / 16) / kParts - layer.seen;
+      const glm::dvec2 way = d * t + b * bent, bent_more = d * t + 1.1 * b * bent;
+      longest = std::max(longest, glm::length(d));
+      if (glm::length(d) / 2 > .51) mark(least, from + way + kRounding, from + way + kCell - kRounding, part);
+      low = glm::min(low, glm::min(way, bent_more)), high = glm::max(high, glm::max(way, bent_more));
+    }
+    if (longest / 2 < .49) return;  // at rest
+    mark(most, from + low - slack - kRounding, from + high + kCell + slack + kRounding, part);
+  }
+};
+
 }  // namespace
 
 // In the middle of the exposure a curve is where the point is, and the third order takes up what differs between early
@@ -159,6 +206,77 @@ TEST_F(RenderCurves, BendsAreThoseOfTurningPoints) {
     EXPECT_GT(near, 50) << anchor.name;
     EXPECT_GT(far, 50) << anchor.name;
   }
+}
+
+// Cells of a pixel: their bounds hold the point at all times, as displacements that lead there in a straight line; and
+// beyond its path, and the displacement over all of the exposure, nothing that is farther than a quarter more than a
+// sixteenth of the arc bends.
+TEST_F(RenderCurves, BoundsOfArcsHoldEveryPoint) {
+  for (const Anchor& anchor : anchors()) {
+    std::vector<std::string> settings = {"preset=captured", "trajectory=arc"};
+    for (const char* node : {"raster_bounds", "revealed_bounds", "motion_reach", "composite"})
+      settings.push_back(fmt::format("{}.cell_side=1", node));
+    lab::Shot shot = with(wedge(), "hybrid", settings, anchor.name);
+    shot.taps = {"raster_bounds.bounds"};
+    const lab::Picture picture = render(shot);
+    const image::Image& bounds = picture.frame.taps.at(shot.taps[0]).floats;
+    const double open = anchor.window.open, close = anchor.window.close, far = -open > close ? open : close;
+    int seen = 0;
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) {
+        if (imageOf(picture, "velocity").at(x, y, 0) == 0) continue;
+        ++seen;
+        const glm::dvec2 place = placeOf(x, y);
+        glm::dvec2 low = turned(place, close) - turned(place, open), high = low;
+        for (int k = 0; k <= 256; ++k) {
+          const glm::dvec2 there = (turned(place, glm::mix(open, close, k / 256.)) - place) / far;
+          low = glm::min(low, there), high = glm::max(high, there);
+        }
+        const double bulge = glm::length(place) * std::pow(glm::radians(kDegrees) / 16, 2) / 8;
+        const double wider = 1.25 * bulge / std::abs(far);
+        for (int k = 0; k < 2; ++k) {
+          // The curve is known to 1e-3 px, the places here in 256 steps.
+          EXPECT_LE(bounds.at(x, y, k), low[k] + 5e-3) << anchor.name << ' ' << x << ' ' << y;
+          EXPECT_GE(bounds.at(x, y, k), low[k] - wider - 5e-3) << anchor.name << ' ' << x << ' ' << y;
+          EXPECT_GE(bounds.at(x, y, 2 + k), high[k] - 5e-3) << anchor.name << ' ' << x << ' ' << y;
+          EXPECT_LE(bounds.at(x, y, 2 + k), high[k] + wider + 5e-3) << anchor.name << ' ' << x << ' ' << y;
+        }
+      }
+    EXPECT_GT(seen, 500) << anchor.name;
+  }
+}
+
+// In each part of the exposure, in which a jittered sample may be anywhere, cells are doubted in which something
+// doubtful is; and none farther off than the pixel and a half that rounding and the width of a tap make.
+TEST_F(RenderCurves, CellsAreDoubtedWhereWhatBendsMayBe) {
+  lab::Shot shot = with(shotOf("swerve", kSide, 64), "hybrid",
+                        {"preset=best", fmt::format("samples={}", Doubts::kParts), "jitter=hash"}, "centre");
+  shot.taps = {"doubtful.doubtful"};
+  const std::pair<const char*, double> layers[] = {{"raster_bent_bounds", 0},
+                                                   {"revealed_1_bent_bounds", 0},
+                                                   {"open_unseen_bounds", Doubts::kOpen},
+                                                   {"close_unseen_bounds", Doubts::kClose}};
+  for (const auto& layer : layers)
+    for (const char* of : {"bounds", "bends"}) shot.taps.push_back(fmt::format("{}.{}", layer.first, of));
+  const lab::Picture picture = render(shot);
+  const image::UintImage& doubtful = picture.frame.taps.at(shot.taps[0]).uints;
+  Doubts doubts{{doubtful.width, doubtful.height}};
+  for (size_t l = 0; l < std::size(layers); ++l) {
+    const DoubtedLayer layer{picture.frame.taps.at(shot.taps[2 * l + 1]).floats,
+                             picture.frame.taps.at(shot.taps[2 * l + 2]).floats, layers[l].second};
+    for (int c = 0; c < doubts.cells.x * doubts.cells.y * Doubts::kParts; ++c) {
+      const int cell = c / Doubts::kParts;
+      doubts.add(layer, {cell % doubts.cells.x, cell / doubts.cells.x}, c % Doubts::kParts, 1.5);
+    }
+  }
+  int doubted = 0, trusted = 0;
+  for (size_t c = 0; c < doubtful.values.size(); ++c) {
+    EXPECT_EQ(doubts.least[c] & ~doubtful.values[c], 0u) << c;
+    EXPECT_EQ(doubtful.values[c] & ~doubts.most[c], 0u) << c;
+    for (int i = 0; i < Doubts::kParts; ++i) ++((doubtful.values[c] >> i & 1) != 0 ? doubted : trusted);
+  }
+  EXPECT_GT(doubted, 20);
+  EXPECT_GT(trusted, 20);
 }
 
 TEST_F(RenderCurves, FollowATurningWedge) {
@@ -355,6 +473,25 @@ TEST_F(RenderCurves, StraightPathsCostNothing) {
     bool runs = std::any_of(turned.frame.times.begin(), turned.frame.times.end(),
                             [](const auto& step) { return step.name == "raster_curve"; });
     EXPECT_TRUE(runs) << pipeline;
+  }
+}
+
+// What goes straight is blurred as if all did, whatever turns beside it, farther off than either goes.
+TEST_F(RenderCurves, BesideWhatTurnsStraightPathsAreWhatTheyWere) {
+  const lab::Shot shot = shotOf("beside", 160, 32);
+  const std::vector<std::pair<std::string, std::string>> methods = {{"hybrid", "preset=captured"},
+                                                                    {"mcguire2012", "directions=two"},
+                                                                    {"guertin2014", "samples=16"},
+                                                                    {"jimenez2014", "samples=16"}};
+  for (const auto& [pipeline, setting] : methods) {
+    const image::Image line = colorOf(render(with(shot, pipeline, {"tile=8", setting, "trajectory=line"}))),
+                       curved = colorOf(render(with(shot, pipeline, {"tile=8", setting, "trajectory=cubic"})));
+    int different = 0, turned = 0;
+    for (int y = 0; y < line.height; ++y)
+      for (int x = 0; x < line.width; ++x)
+        for (int k = 0; k < 3; ++k) (x < 56 ? turned : different) += line.at(x, y, k) != curved.at(x, y, k);
+    EXPECT_EQ(different, 0) << pipeline;
+    EXPECT_GT(turned, 0) << pipeline;
   }
 }
 
