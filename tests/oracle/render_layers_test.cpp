@@ -219,6 +219,34 @@ TEST_F(RenderLayers, TapsToBothSidesFindTheSlowerSurface) {
   }
 }
 
+// The same where that one is no longer than its way and the taps to either side of it: those meet it that lie within
+// the exposure, as many of them as there are.
+TEST_F(RenderLayers, TapsWithinTheExposureFindASmallSurface) {
+  constexpr double kFrom = 40, kTo = 60, kSlow = -12, kFast = 20;
+  constexpr int kSamples = 32;
+  const std::string pipeline = sourceFolder().string() + "/tests/oracle/pipelines/layered_alone.lua";
+  const lab::Shot shot = shotOf("cards", 128, 4,
+                                {{"left0", 100},
+                                 {"right0", 120},
+                                 {"z0", 0},
+                                 {"v0", .5},
+                                 {"d0", kFast},
+                                 {"left1", kFrom},
+                                 {"right1", kTo},
+                                 {"z1", -5},
+                                 {"v1", 1},
+                                 {"d1", kSlow}});
+  const Strips strips{{100, 120, kFast, {.5}}, {kFrom, kTo, kSlow, {1}}, {-kInfinity, kInfinity, 0, {.1}}};
+  for (const Anchor& anchor : anchors()) {
+    const lab::Picture picture =
+        render(with(shot, pipeline, {"tile=128", "limit=0.2", fmt::format("samples={}", kSamples)}, anchor.name));
+    expectWithin(
+        colorOf(picture), [&](int x, int) { return exposeCentre(strips, anchor.window, x); },
+        // Of samples, and of the 3/4 px off its place at which a texel is taken to be there.
+        [&](const Exposure& e) { return e.variation * (1. / (2 * kSamples) + .75 / -kSlow) + 1e-4; }, anchor.name);
+  }
+}
+
 // Tiles in which both surfaces are seen have the longer displacement, and the other one.
 TEST_F(RenderLayers, TilesHaveTheOtherMotionToo) {
   constexpr int kTile = 40;
