@@ -28,7 +28,7 @@ class RenderLenses : public RenderTest {
 
   // A white card of 4 by 4 m that faces a camera and a directional light; `pointer` goes from one value to the other
   // within a second.
-  static lab::Shot shot(const std::string& pointer, float from, float to, bool unlit) {
+  static lab::Shot shot(const std::string& pointer, float from, float to, bool unlit, double vertical_fov = 1) {
     scene::Asset asset;
     asset.add<float>({-2, -2, 0, 2, -2, 0, 2, 2, 0, -2, -2, 0, 2, 2, 0, -2, 2, 0}, "VEC3", 3, 5126);
     int times = asset.add<float>({0, 1}, "SCALAR", 1, 5126), values = asset.add<float>({from, to}, "SCALAR", 1, 5126);
@@ -36,7 +36,7 @@ class RenderLenses : public RenderTest {
     json["nodes"] = Json::parse(R"([{"mesh":0},{"camera":0,"name":"eye","translation":[0,0,5]},
         {"translation":[0,0,5],"extensions":{"KHR_lights_punctual":{"light":0}}}])");
     json["scenes"][0]["nodes"] = {0, 1, 2};
-    json["cameras"] = Json::parse(R"([{"type":"perspective","perspective":{"yfov":1,"znear":0.1}}])");
+    json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", vertical_fov}, {"znear", .1}}}}};
     json["extensions"]["KHR_lights_punctual"]["lights"] = Json::parse(R"([{"type":"directional","intensity":2}])");
     json["extensionsUsed"] = {"KHR_lights_punctual", "KHR_animation_pointer", "KHR_materials_unlit"};
     json["materials"] = Json::parse(R"([{"pbrMetallicRoughness":{"metallicFactor":0}}])");
@@ -96,6 +96,34 @@ TEST_F(RenderLenses, ZoomsBlurTruth) {
     EXPECT_NEAR(color.at(x, kHeight / 2, 0), covered, 1. / samples) << x;
   }
   EXPECT_GE(between, 2);
+}
+
+// The camera comes nearer, from 5.5 m at the start of the exposure to 4.5 m at its end, and so does its near plane,
+// which starts at 5.24 m: at the capture, 5 m off, the card is seen all the same. What is not lies outside of the
+// picture then.
+TEST_F(RenderLenses, NearPlanesMoveFromWhatTheCaptureSees) {
+  constexpr double kFov = .6, kStretch = 5.5 / 5;  // of the card, from the start to the capture
+  lab::Shot nearing = shot("/cameras/0/perspective/znear", 8.84f, .84f, true, kFov);
+  nearing.moves = {"eye=0,0,-1"};
+  nearing = with(nearing, "hybrid", {"preset=best"}, "centre");
+  nearing.taps = {"unseen_open.unseen", "unseen_close.unseen"};
+  const lab::Picture picture = render(nearing);
+  const image::Image &open = picture.frame.taps.at(nearing.taps[0]).floats,
+                     &close = picture.frame.taps.at(nearing.taps[1]).floats;
+  const double beside =
+      2 / 5.5 / std::tan(kFov / 2) * kHeight / 2;  // the card's border at the start, px from the middle
+  int seen = 0, unseen = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      EXPECT_EQ(close.at(x, y, 0), 0) << x << ' ' << y;
+      const double at_capture = std::abs(y + .5 - kHeight / 2.) * kStretch;
+      if (std::abs(x + .5 - kWidth / 2.) > beside - 1 || std::abs(at_capture - kHeight / 2.) < 1) continue;
+      const bool is_outside = at_capture > kHeight / 2.;
+      EXPECT_EQ(open.at(x, y, 0) > .5f, is_outside) << x << ' ' << y;
+      ++(is_outside ? unseen : seen);
+    }
+  EXPECT_GT(seen, 500);
+  EXPECT_GT(unseen, 50);
 }
 
 // Shaded at its own time, a point takes the mean of the light; frozen, that of the capture.
