@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "common/home.h"
 #include "common/source.h"
 #include "oracle/render.h"
 
@@ -94,6 +95,28 @@ TEST_F(RenderMasks, OverABackgroundAtRestEveryMaskReachesTheBound) {
     }
 }
 
+// However near it is: here all is nearer than a metre.
+TEST_F(RenderMasks, TilesKnowTheFarthestThatMoves) {
+  constexpr int kTile = 8;
+  lab::Shot shot = shotOf("crowd", 64, 40, {{"scale", .01}});
+  shot.taps = {"mask_tile_motions.farthest"};
+  const lab::Picture picture = marked(shot, "relative");
+  const image::Image &farthest = picture.frame.taps.at(shot.taps[0]).floats, &depth = imageOf(picture, "depth"),
+                     &velocity = imageOf(picture, "velocity");
+  int moving = 0, still = 0;
+  for (int y = 0; y < farthest.height; ++y)
+    for (int x = 0; x < farthest.width; ++x) {
+      float expected = 0;
+      for (int j = kTile * y; j < std::min(kTile * y + kTile, depth.height); ++j)
+        for (int i = kTile * x; i < std::min(kTile * x + kTile, depth.width); ++i)
+          if (velocity.at(i, j, 0) != 0 || velocity.at(i, j, 1) != 0) expected = std::max(expected, depth.at(i, j, 0));
+      EXPECT_EQ(farthest.at(x, y, 0), expected) << x << ' ' << y;
+      ++(expected > 0 ? moving : still);
+    }
+  EXPECT_GT(moving, 10);
+  EXPECT_GT(still, 0);
+}
+
 // --- Gaps
 
 // Displaced by 20 px every tooth lies on the next, by 5 or 15 px half of it between two: one tap finds nothing, four
@@ -113,6 +136,31 @@ TEST_F(RenderMasks, SeveralTapsFindGapsThatOneJumpsOver) {
   image::Image exact = truth(comb);
   double without = rmsDifference(colorOf(one), exact), with_taps = rmsDifference(colorOf(four), exact);
   EXPECT_LE(with_taps, .5 * without) << with_taps << " " << without;
+}
+
+// However far something goes, by more pixels than there are whole numbers: what the others uncover is looked for. Its
+// own paths leave the picture.
+TEST_F(RenderMasks, WhatGoesBeyondNumbersHidesNothingOfTheRest) {
+  const std::string pipeline = sourceFolder().string() + "/tests/oracle/pipelines/masks_alone.lua";
+  lab::Shot slow = shotOf("crowd", 64, 40, {{"scale", 1e-8}}), fast = slow;
+  slow.moves = {"near=0,0,0"}, fast.moves = {"near=1e5,0,0"};
+  for (const Anchor& anchor : anchors()) {
+    auto maskOf = [&](const lab::Shot& shot) {
+      return render(with(shot, pipeline, {"mask=relative", "tile=8", "limit=auto"}, anchor.name));
+    };
+    const lab::Picture without = maskOf(slow), with_it = maskOf(fast);
+    int marked = 0, missing = 0, beyond = 0;
+    for (int y = 0; y < 40; ++y)
+      for (int x = 0; x < 64; ++x) {
+        const bool is_it = std::abs(imageOf(with_it, "velocity").at(x, y, 0)) > 1e12;
+        const bool is_marked = !is_it && imageOf(without, "mask").at(x, y, 0) > .5f;
+        beyond += is_it, marked += is_marked;
+        missing += is_marked && imageOf(with_it, "mask").at(x, y, 0) < .5f;
+      }
+    EXPECT_EQ(missing, 0) << anchor.name;
+    EXPECT_GE(marked, 100) << anchor.name;
+    EXPECT_GE(beyond, 50) << anchor.name;
+  }
 }
 
 // --- Cost and worth
@@ -142,6 +190,17 @@ TEST_F(RenderMasks, WhatIsStillIsNotMarked) {
   EXPECT_GE(moving.front(), 96 - 20 - 2 * 8);
   EXPECT_GE(moving.back(), 159);
   EXPECT_LE(moving.back(), 160 + 2 * 8);
+}
+
+// Of a displacement that is no number what is one counts: NaN is 0, infinity far.
+TEST_F(RenderMasks, DamagedDisplacementsMoveByWhatIsLeftOfThem) {
+  const Path project = sourceFolder() / "tests/oracle/damaged";
+  lab::Workbench damaged(Home({project, home().shipped()}, home().data(), home().program()), bench());
+  const lab::Picture picture = damaged.render(with(shotOf("bar", 128, 16), "damaged_masks", {}, "close"));
+  for (int x = 0; x < 8; ++x) {
+    const bool moves = x / 2 == 1 || x / 2 == 2 || x % 2 == 1;  // infinite, or by 5 px down
+    EXPECT_EQ(imageOf(picture, "mask").at(x, 8, 0) > .5f, moves) << x;
+  }
 }
 
 // Silhouettes between things that move alike uncover nothing.

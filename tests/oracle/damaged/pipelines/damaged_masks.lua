@@ -1,0 +1,19 @@
+-- SPDX-License-Identifier: MIT
+-- The mask `moving` of damaged displacements, where tiles know of none.
+local pipeline = require "strobe.pipeline"
+local damage   = require "passes.damage"
+local moving   = require "passes.mask.moving"
+local options  = require "scripts.pipelines.lib.options"
+local scene    = require "scripts.pipelines.lib.scene"
+local tiles    = require "scripts.pipelines.lib.tiles"
+
+return pipeline {
+  doc = "What moves, by displacements of which some are no numbers",
+  params = options.blur(8, 0.1),
+  build = function(p)
+    local seen = scene.captured()
+    local velocity = damage { velocity = seen.velocity }.velocity
+    local mask = moving { velocity = velocity, dominant = tiles.dominant(p, seen).dominant }.mask
+    return scene.outputs(seen, { color = seen.color, mask = mask })
+  end,
+}
