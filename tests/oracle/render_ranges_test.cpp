@@ -201,6 +201,18 @@ TEST_F(RenderRanges, LinearMotionIsTheSameSplitOrWhole) {
     }
 }
 
+// Of 28 px, 21.5 are left of each displacement: the last tap lies 7.6 px off along either axis, and is rounded to 8,
+// which what moves by more would pass.
+TEST_F(RenderRanges, LinearMotionIsShortenedAlikeSplitOrWhole) {
+  const lab::Shot shot = Bent{.before_y = 20, .after_y = 20, .light = .1}.shot();
+  const std::vector<std::string> shortened = {"limit=0.224", "samples=256"};
+  std::vector<std::string> split = shortened;
+  split.push_back("range=split");
+  const image::Image whole = colorBy(kUniform, shot, shortened);
+  EXPECT_EQ(image::countDifferent(whole, colorBy(kUniform, shot, split), 1e-5), 0);
+  EXPECT_GT(image::countDifferent(whole, colorBy(kUniform, shot, {"samples=256"}), 1e-5), 0);
+}
+
 TEST_F(RenderRanges, SplitRunsBothWaysInTime) {
   for (const Method& method : kSplitting) {
     Bent there{.before = -8.25, .after = 19.125, .d_back = 5}, back{.before = -19.125, .after = 8.25, .d_back = -5};
@@ -325,6 +337,27 @@ TEST_F(RenderRanges, SkyMovesWithTheTurningCamera) {
       EXPECT_LE(farthest(imageOf(picture, "velocity"), exact, sky), 1e-3) << anchor.name << " " << displacement;
     }
   }
+}
+
+// Where nothing was revealed there is nothing that moves, the sky does not show through either.
+TEST_F(RenderRanges, WhatIsNotThereDoesNotMoveWithTheTurningCamera) {
+  lab::Shot shot = crowd();
+  shot.spins = {"camera=0,1,0,8"};
+  shot = with(shot, "hybrid", {"preset=captured", "range=split"}, "centre");
+  shot.taps = {"revealed_halves.before", "revealed_halves.after"};
+  const lab::Picture picture = render(shot);
+  const image::Image& depth = imageOf(picture, "revealed_depth");
+  int there = 0, nothing = 0;
+  for (const std::string& tap : shot.taps)
+    for (int y = 0; y < depth.height; ++y)
+      for (int x = 0; x < depth.width; ++x) {
+        const image::Image& d = picture.frame.taps.at(tap).floats;
+        const bool moves = d.at(x, y, 0) != 0 || d.at(x, y, 1) != 0;
+        EXPECT_EQ(moves, depth.at(x, y, 0) > 0) << tap << ' ' << x << ' ' << y;
+        ++(moves ? there : nothing);
+      }
+  EXPECT_GT(there, 100);
+  EXPECT_GT(nothing, 100);
 }
 
 // Focal length times the camera's path over the depth, whatever the anchor; the sky stands still.
