@@ -118,4 +118,40 @@ TEST_F(RenderSelective, RaysRefuteCellsThatSeemCertain) {
   EXPECT_GT(counterOf(own, "uniform_motion.refuted"), 0u);
 }
 
+// Raster puts the left edge of a card at rest, a thousandth of a pixel to the right of a pixel's centre, on that centre
+// and sees the card there; rays pass beside it. At no time does the pixel see anything but what moves behind, and comes
+// there.
+TEST_F(RenderSelective, CardsAtRestBeginWhereRaysMeetThem) {
+  constexpr float kCard = .5, kBehind = .75;
+  for (const Anchor& anchor : anchors()) {
+    const lab::Shot shot = shotOf("cards", 96, 8,
+                                  {{"left0", 30.501},
+                                   {"right0", 60},
+                                   {"v0", kCard},
+                                   {"left1", -80},
+                                   {"right1", 170},
+                                   {"z1", -5},
+                                   {"v1", kBehind},
+                                   {"d1", anchor.name == "close" ? -6 : 6}});
+    const image::Image sharp = colorOf(render(with(shot, "none"))), color = colorOf(at(shot, .4, {}, anchor.name));
+    for (int y = 0; y < color.height; ++y) {
+      EXPECT_FLOAT_EQ(sharp.at(30, y, 0), kCard) << anchor.name << ' ' << y;
+      EXPECT_FLOAT_EQ(color.at(30, y, 0), kBehind) << anchor.name << ' ' << y;
+      EXPECT_FLOAT_EQ(color.at(31, y, 0), kCard) << anchor.name << ' ' << y;
+    }
+  }
+}
+
+// The last cells are cut off by the picture's border, at which what moves ends too: rays look at no pixel beyond it.
+TEST_F(RenderSelective, RaysLookAtThePictureAlone) {
+  constexpr int kHigh = 34;
+  const lab::Shot moves = shotOf(
+      "crossing", 64, kHigh, {{"a_left", -200}, {"a_width", 400}, {"a_top", -8}, {"a_height", 8 + kHigh}, {"a_x", 12}});
+  for (const Anchor& anchor : anchors()) {
+    const lab::Picture own = at(moves, .4, {}, anchor.name);
+    EXPECT_GT(counterOf(own, "uniform_motion.checked"), 0u) << anchor.name;
+    EXPECT_EQ(counterOf(own, "uniform_motion.refuted"), 0u) << anchor.name;
+  }
+}
+
 }  // namespace strobe::oracle
