@@ -375,6 +375,23 @@ TEST_F(RenderTextures, AreBlurredAlongTheDirectionInWhichTheyRecede) {
   EXPECT_LT(stripes(20, 8, 0, 0, 70).spread, .05);
 }
 
+// Planes that recede faster than 1:16 are filtered as those that just do, along the same direction: stripes that lie
+// along it stay as sharp.
+TEST_F(RenderTextures, AtGrazingAnglesAreBlurredAlongTheSameDirection) {
+  auto spreadAt = [](double facing) {
+    const image::Image color = colorOf(render(with(shotOf("grazing", 32, 32, {{"facing", facing}}), "none")));
+    double sum = 0;
+    for (float value : color.values) sum += value;
+    const double mean = sum / double(color.values.size());
+    double squares = 0;
+    for (float value : color.values) squares += std::pow(value - mean, 2);
+    return std::sqrt(squares / double(color.values.size()));
+  };
+  const double not_yet = spreadAt(.0626), just = spreadAt(.0624);
+  EXPECT_GT(not_yet, .4);
+  EXPECT_NEAR(just, not_yet, .01) << "the planes themselves lie a little otherwise";
+}
+
 // By raster and by rays alike.
 TEST_F(RenderTextures, HolesAreSeenThrough) {
   for (double alpha : {.25, .75}) {
