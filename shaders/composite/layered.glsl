@@ -69,13 +69,43 @@ Seen nearer(Seen seen, int layer, ivec2 now, float depth) {
   return Seen(layer, now, depth, seen.unsure);
 }
 
-Seen nearerRaster(Seen seen, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
+// What raster saw at the pixel itself, where most searches end: read once.
+struct Own {
+  Path before, after;
+  float depth;
+  vec4 depth_change;
+};
+
+Own ownOf(ivec2 pixel) {
+  float depth = saneDepth(texelFetch(depth_tex, pixel, 0).x);
+  Own own = Own(pathOf(kRaster, pixel, false), pathOf(kRaster, pixel, true), depth, vec4(0));
+#if HAS_depth_change
+  own.depth_change = texelFetch(depth_change_tex, pixel, 0);
+#endif
+  return own;
+}
+
+Path rasterPath(Own own, ivec2 pixel, ivec2 now, bool after) {
+  if (now != pixel) return pathOf(kRaster, now, after);
+  if (after) return own.after;
+  return own.before;
+}
+
+float rasterDepth(Own own, ivec2 pixel, ivec2 now, float t) {
+  if (now != pixel) return depthAt(now, saneDepth(texelFetch(depth_tex, now, 0).x), t);
+#if HAS_depth_change
+  return depthThen(own.depth, own.depth_change, t);
+#else
+  return own.depth;
+#endif
+}
+
+Seen nearerRaster(Seen seen, Own own, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
   bool after = t > 0.0;
   for (int i = 0; i < kCurvedGuesses; ++i) {
-    Path path = pathOf(kRaster, now, after);
-    if (isThere(pixel, now, path, t, tolerance_px, frame.shutter)) {
-      return nearer(seen, kRaster, now, depthAt(now, saneDepth(texelFetch(depth_tex, now, 0).x), t));
-    }
+    Path path = rasterPath(own, pixel, now, after);
+    if (isThere(pixel, now, path, t, tolerance_px, frame.shutter))
+      return nearer(seen, kRaster, now, rasterDepth(own, pixel, now, t));
     if (!isAskedAgain(i, path)) break;
     ivec2 next = askedOf(kRaster, pixel, now, path, t, frame.shutter);
     if (next == now || !isInside(next, textureSize(color_tex, 0))) break;
@@ -163,7 +193,7 @@ Seen nearerEnds(Seen seen, ivec2 pixel, float t) {
 bool isUnsure(ivec2 pixel, ivec2 now, vec2 offset, float t) {
 #if HAS_silhouettes
   vec2 off_centre = offset - vec2(now - pixel);
-  ivec2 beside = ivec2(sign(off_centre)) * ivec2(greaterThan(abs(off_centre), vec2(kCentre)));
+  ivec2 beside = ivec2(greaterThan(off_centre, vec2(kCentre))) - ivec2(lessThan(off_centre, vec2(-kCentre)));
   if (beside == ivec2(0) || texelFetch(silhouettes_tex, now, 0).x < 0.5) return false;
   ivec2 size = textureSize(color_tex, 0);
 #if PARAM_leaves_unlike
@@ -196,7 +226,7 @@ ivec2 startAt(int layer, Candidates candidates, int k, ivec2 now) {
   return now;
 }
 
-Seen seenAt(ivec2 pixel, Candidates candidates, bool behind, float t) {
+Seen seenAt(ivec2 pixel, Own own, Candidates candidates, bool behind, float t) {
   ivec2 size = textureSize(color_tex, 0);
   Seen seen = nearerEnds(Seen(kNothing, pixel, 0.0, false), pixel, t);
   for (int k = 0; k < candidates.count; ++k) {
@@ -212,7 +242,7 @@ Seen seenAt(ivec2 pixel, Candidates candidates, bool behind, float t) {
     ivec2 now = pixel + roundSymmetric(offset), start = startAt(kRaster, candidates, k, now);
     if (!isInside(start, size)) continue;
     if (isInside(now, size)) seen.unsure = seen.unsure || isUnsure(pixel, now, offset, t);
-    seen = nearerRaster(seen, pixel, start, t, tolerance_px);
+    seen = nearerRaster(seen, own, pixel, start, t, tolerance_px);
     for (int layer = kRevealed; behind && layer <= kLastRevealed; ++layer) {
       start = startAt(layer, candidates, k, now);
       if (isInside(start, size)) seen = nearerHeld(seen, layer, pixel, start, t, tolerance_px);
@@ -275,7 +305,7 @@ vec3 colorFound(Seen seen, ivec2 pixel, float t, out bool alike, out Spread spre
   float way = timeFrom(seen.layer, t);
   vec2 window = windowFrom(seen.layer), offset = tapOffset(pathOf(seen.layer, seen.now, after), way, window);
   vec2 low = floor(offset), share = offset - low;
-  ivec2 first = pixel + ivec2(low);
+  ivec2 first = pixel + wholeOf(low);
   vec3 sum = vec3(0);
   float weights = 0.0;
   for (int k = 0; k < 4; ++k) {
@@ -402,6 +432,7 @@ void run(ivec2 pixel) {
     if (!kIsGuessed) return;
   }
 
+  Own own = ownOf(pixel);
   vec3 sum = vec3(0);
   Spread all_seen = noSpread();
   Guess guess = Guess(vec3(0), 0.0, 0, 0);
@@ -413,7 +444,7 @@ void run(ivec2 pixel) {
       continue;
     }
     float t = sampleTime(i, params.samples, jitter);
-    Seen seen = seenAt(pixel, t > 0.0 ? after : before, behind, t);
+    Seen seen = seenAt(pixel, own, t > 0.0 ? after : before, behind, t);
     bool is_found = seen.layer != kNothing, is_known = is_found && !seen.unsure, alike = true;
     if (!is_known) fallbacks += 1u;
     if (!is_known && !(kIsGuessed && is_found)) seen.layer = isHeld(kRevealed, pixel) ? kRevealed : kRaster;

@@ -27,8 +27,13 @@ vec2 clampLength(vec2 d, float limit) {
   return scaled * (limit / length(scaled));
 }
 
-// To the nearest integer, halves away from zero: mirrored offsets stay mirrored.
-ivec2 roundSymmetric(vec2 offset) { return ivec2(offset + 0.5 * sign(offset)); }
+// The integers that floats hold, up to 2^22; of what is farther away, that. The bits of a float between 2^23 and 2^24 count
+// by ones: a device whose conversion goes component by component, invocation by invocation, has them in one step.
+ivec2 wholeOf(vec2 whole) { return floatBitsToInt(clamp(whole, -4194304.0, 4194303.0) + 12582912.0) - 0x4B400000; }
+
+// To the nearest integer, halves away from zero: mirrored offsets stay mirrored. Offsets beyond 2^22 are cut off there, far
+// outside of any picture.
+ivec2 roundSymmetric(vec2 offset) { return wholeOf(trunc(offset + 0.5 * sign(offset))); }
 
 ivec2 clampToImage(ivec2 pixel, ivec2 size) { return clamp(pixel, ivec2(0), size - 1); }
 
@@ -74,6 +79,7 @@ bool isAt(ivec2 pixel, ivec2 now, vec2 d, float t, float tolerance_px) {
 // Do two texels move so differently that a silhouette may lie between them? By half a pixel; with `slowest` below that, what
 // moves slowly does by less. On one surface displacements vary from texel to texel.
 bool movesOtherwise(vec2 d, vec2 other, float slowest) {
+  if (d == other && slowest > 0.0) return false;
   return lengthOf(d - other) >= clamp(0.05 * min(lengthOf(d), lengthOf(other)), slowest, max(slowest, 0.5));
 }
 

@@ -56,6 +56,7 @@ vec2 movedBy(vec2 d, vec4 curve, float t, vec2 shutter) {
 
 // How much two curves differ, squared px.
 float apartSquared(vec4 a, vec4 b) {
+  if (a == b) return 0.0;
   vec4 apart = a - b;
 #if ON_ARCS
   apart.zw *= max(lengthOf(a.xy), lengthOf(b.xy));
