@@ -247,6 +247,37 @@ TEST_F(RenderLayers, TapsWithinTheExposureFindASmallSurface) {
   }
 }
 
+// A surface that the taps along the tile's longest displacement step over is met by those along its second.
+TEST_F(RenderLayers, TapsAlongTheSecondDisplacementFindWhatOthersStepOver) {
+  constexpr double kFrom = 20, kTo = 24, kSmall = 8, kLongest = 60, kSecond = -20;
+  constexpr int kSamples = 4;
+  const lab::Shot shot = shotOf("cards", 128, 4,
+                                {{"left0", 100},
+                                 {"right0", 120},
+                                 {"z0", 0},
+                                 {"d0", kLongest},
+                                 {"left1", 50},
+                                 {"right1", 70},
+                                 {"z1", -5},
+                                 {"d1", kSecond},
+                                 {"left2", kFrom},
+                                 {"right2", kTo},
+                                 {"z2", -10},
+                                 {"v2", 1},
+                                 {"d2", kSmall}});
+  const Strips strips{{kFrom, kTo, kSmall, {1}}, {-kInfinity, kInfinity, 0, {.1}}};
+  const lab::Picture picture = render(with(
+      shot, "hybrid", {"preset=captured", "tile=128", "limit=0.5", fmt::format("samples={}", kSamples)}, "centre"));
+  const image::Image& color = colorOf(picture);
+  // Left of where the second card comes.
+  for (int x = 0; x < 40; ++x) {
+    const Exposure exact = exposeCentre(strips, {-.5, .5}, x);
+    // Of samples, and of the 3/4 px off its place at which a texel is taken to be there.
+    const double tolerance = exact.variation * (1. / (2 * kSamples) + .75 / kSmall) + 1e-4;
+    EXPECT_NEAR(color.at(x, 1, 0), exact.colour, tolerance) << x;
+  }
+}
+
 // Tiles in which both surfaces are seen have the longer displacement, and the other one.
 TEST_F(RenderLayers, TilesHaveTheOtherMotionToo) {
   constexpr int kTile = 40;
