@@ -41,7 +41,7 @@ function(add_suite room suite tests program strobe folder)
     string(MAKE_C_IDENTIFIER "${name}" file)
     add_test("${name}" "${program}" "--gtest_filter=${suite}.*")
     set_tests_properties("${name}" PROPERTIES TIMEOUT 1200 COST ${cost} ENVIRONMENT
-      "${device};MESA_SHADER_CACHE_DIR=${folder}/compiled;STROBE_PROGRAM=${strobe};STROBE_NODE_MODULES=${folder}/node_modules;STROBE_TEST_RESULTS=${folder}/results/${file}.txt;GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}")
+      "${device};MESA_SHADER_CACHE_DIR=${folder}/compiled;STROBE_CACHE=${folder}/cache;STROBE_PROGRAM=${strobe};STROBE_NODE_MODULES=${folder}/node_modules;STROBE_TEST_RESULTS=${folder}/results/${file}.txt;GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}")
   endforeach()
 endfunction()
 

@@ -341,6 +341,7 @@ void doctor(const Home& home, bool json) {
   report["files"] = home.roots();
   auto data = home.data();
   report["shared_data"] = data ? Json(data->string()) : Json(nullptr);
+  report["cache"] = home.cache().empty() ? Json(nullptr) : Json(home.cache().string());
   bool suffices = !devices.empty() && devices.front().missing().empty();
   report["suffices"] = suffices;
   if (json) {
@@ -364,6 +365,7 @@ void doctor(const Home& home, bool json) {
       std::printf("scene: %s\n", error.what());
     }
     std::printf("shared data: %s\n", data ? data->c_str() : "none (STROBE_DATA names its folder)");
+    std::printf("compiled shaders: %s\n", home.cache().empty() ? "not kept" : home.cache().c_str());
   }
   if (devices.empty())
     throw Error("no Vulkan device: install a driver (Debian: mesa-vulkan-drivers gives a software device)");

@@ -113,7 +113,7 @@ void render(const Home& home, Options options) {
   if (!options.pixel.empty()) lab::parsePixel(options.pixel);
   // While the device is made: the processes that scripts run in, and what the compiler has to read first.
   script::expectChildren(home.program(), {}, lab::isGltf(shot.scene) ? 1 : 2);
-  std::future<void> started = std::async(std::launch::async, shader::startCompiler);
+  std::future<void> started = std::async(std::launch::async, shader::startCompiler, std::cref(home));
   lab::Workbench bench(home, shot.device, validationWanted());
   lab::Trail trail;
   lab::Picture picture = renderedBy(bench, options, shot, trail);

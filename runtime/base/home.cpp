@@ -21,6 +21,13 @@ std::optional<Path> fromVariable(const char* name) {
   return Path(value);
 }
 
+Path cacheFolder() {
+  if (const char* named = std::getenv("STROBE_CACHE")) return named;  // "" is none
+  if (std::optional<Path> shared = fromVariable("XDG_CACHE_HOME")) return *shared / "strobe";
+  std::optional<Path> own = fromVariable("HOME");
+  return own ? *own / ".cache/strobe" : Path();
+}
+
 bool isThere(const Path& path) {
   std::error_code ignored;
   return fs::exists(path, ignored);
@@ -88,14 +95,18 @@ Path Home::shippedWith(const Path& program) {
   return isFolder(installed / "scripts") || !isFolder(sources) ? installed : sources;
 }
 
-Home::Home(const std::vector<Path>& roots, std::optional<Path> data, Path program)
-    : data_(std::move(data)), program_(std::move(program)) {
+Home::Home(const std::vector<Path>& roots, std::optional<Path> data, Path program, Path cache)
+    : data_(std::move(data)), program_(std::move(program)), cache_(std::move(cache)) {
   STROBE_ASSERT(!roots.empty());
   for (const Path& root : roots) {
     roots_.push_back(fs::absolute(root).lexically_normal());
     real_roots_.push_back(real(roots_.back()));
   }
   if (!data_) data_ = shipped().parent_path() / "shared";
+}
+
+Home Home::with(const std::vector<Path>& roots, std::optional<Path> data) const {
+  return Home(roots, std::move(data), program_, cache_);
 }
 
 Home Home::fromEnvironment() {
@@ -105,7 +116,7 @@ Home Home::fromEnvironment() {
   if (std::optional<Path> project = failed ? std::nullopt : projectAround(here)) roots.push_back(*project);
   std::optional<Path> named = fromVariable("STROBE_HOME");
   roots.push_back(named ? *named : shippedWith(fs::read_symlink(ownProgram(), failed)));
-  return Home(roots, fromVariable("STROBE_DATA"), fromVariable("STROBE_PROGRAM").value_or(ownProgram()));
+  return Home(roots, fromVariable("STROBE_DATA"), fromVariable("STROBE_PROGRAM").value_or(ownProgram()), cacheFolder());
 }
 
 std::optional<Path> Home::data() const { return isFolder(*data_) ? data_ : std::nullopt; }

@@ -23,12 +23,13 @@ class Home {
   static constexpr const char *kProjectPrefix = "project:", *kShippedPrefix = "strobe:";
 
   // `roots`: the project's folder, if any, and the shipped one. `data` is the folder of shared data; without it,
-  // `shared` beside that one.
-  explicit Home(const std::vector<Path>& roots, std::optional<Path> data = {}, Path program = ownProgram());
+  // `shared` beside that one. `cache` is a folder for what can be made again; empty: none.
+  explicit Home(const std::vector<Path>& roots, std::optional<Path> data = {}, Path program = ownProgram(),
+                Path cache = {});
   explicit Home(const Path& shipped) : Home(std::vector<Path>{shipped}) {}
 
   // The project that the current folder lies in, if any; STROBE_HOME, else what is shipped with this program;
-  // STROBE_DATA; STROBE_PROGRAM.
+  // STROBE_DATA; STROBE_PROGRAM; STROBE_CACHE, else XDG_CACHE_HOME/strobe, else ~/.cache/strobe.
   static Home fromEnvironment();
   // PREFIX/share/strobe of a program that is PREFIX/bin/strobe. Where that has no scripts: the source tree this program
   // was built from, if there is one.
@@ -43,6 +44,9 @@ class Home {
   std::optional<Path> data() const;
   // What is started to evaluate a script.
   const Path& program() const { return program_; }
+  const Path& cache() const { return cache_; }
+  // The same with other roots and other shared data.
+  Home with(const std::vector<Path>& roots, std::optional<Path> data) const;
 
   // The file or folder of this name in the first root that has it.
   std::optional<Path> find(const Path& name) const;
@@ -86,7 +90,7 @@ class Home {
   std::vector<Path> roots_;
   std::vector<Path> real_roots_;  // links followed
   std::optional<Path> data_;
-  Path program_;
+  Path program_, cache_;
 };
 
 // Does `file` lie in `folder`, links followed?

@@ -10,6 +10,8 @@
 #include <set>
 #include <sstream>
 
+#include "base/hash.h"
+#include "shader/spirv_cache.h"
 #include "shader/start.h"
 
 namespace strobe::shader {
@@ -34,37 +36,59 @@ Path findInclude(const Home& home, const std::string& name, const Path& from) {
   return isFile(shared) && home.nameOf(shared.lexically_normal()) ? shared.lexically_normal() : Path();
 }
 
-void addOnce(std::vector<Path>& files, const Path& file) {
-  if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+// A file and its text, as it was read once.
+struct Text {
+  Path file;
+  std::string text;
+};
+
+void addIncludes(const Home& home, const std::string& text, const Path& file, std::vector<Text>& texts);
+
+void addText(const Home& home, const Path& file, std::vector<Text>& texts) {
+  if (std::any_of(texts.begin(), texts.end(), [&](const Text& one) { return one.file == file; })) return;
+  std::string text = home.read(file);
+  texts.push_back({file, text});
+  addIncludes(home, text, file, texts);
+}
+
+// All that a text of `file` reaches through includes, in branches that are compiled or not.
+void addIncludes(const Home& home, const std::string& text, const Path& file, std::vector<Text>& texts) {
+  for (size_t at = 0; (at = text.find("#include", at)) != std::string::npos; ++at) {
+    size_t open = text.find_first_of("\"<\n", at);
+    size_t close = open == std::string::npos ? open : text.find_first_of("\">\n", open + 1);
+    if (close == std::string::npos || text[open] == '\n' || text[close] == '\n') continue;
+    Path found = findInclude(home, text.substr(open + 1, close - open - 1), file);
+    if (!found.empty()) addText(home, found, texts);
+  }
 }
 
 class Includer : public glslang::TShader::Includer {
  public:
-  // `files` already holds the file that is compiled.
-  Includer(const Home& home, std::vector<Path>& files) : home_(home), main_(files.front()), files_(files) {}
+  // The first of `texts` is the file that is compiled.
+  Includer(const Home& home, const std::vector<Text>& texts) : home_(home), texts_(texts) {}
 
   IncludeResult* includeLocal(const char* name, const char* includer, size_t) override { return load(name, includer); }
   IncludeResult* includeSystem(const char* name, const char* includer, size_t) override { return load(name, includer); }
-  void releaseInclude(IncludeResult* result) override {
-    if (!result) return;
-    delete static_cast<std::string*>(result->userData);
-    delete result;
-  }
+  void releaseInclude(IncludeResult* result) override { delete result; }
+
+  // Numbers, among the texts, of the files that were included, in order of first use.
+  const std::vector<uint32_t>& included() const { return included_; }
 
  private:
   IncludeResult* load(const char* name, const char* includer) {
     // glslang knows the names of included files, not that of the first.
     std::error_code ignored;
-    bool included = std::filesystem::is_regular_file(includer, ignored);
-    Path file = findInclude(home_, name, included ? Path(includer) : main_);
-    if (file.empty()) return nullptr;
-    addOnce(files_, file);
-    auto* text = new std::string(home_.read(file));
-    return new IncludeResult(file.string(), text->data(), text->size(), text);
+    bool is_file = std::filesystem::is_regular_file(includer, ignored);
+    Path file = findInclude(home_, name, is_file ? Path(includer) : texts_.front().file);
+    auto found = std::find_if(texts_.begin(), texts_.end(), [&](const Text& one) { return one.file == file; });
+    if (file.empty() || found == texts_.end()) return nullptr;
+    const uint32_t number = uint32_t(found - texts_.begin());
+    if (std::find(included_.begin(), included_.end(), number) == included_.end()) included_.push_back(number);
+    return new IncludeResult(file.string(), found->text.data(), found->text.size(), nullptr);
   }
   const Home& home_;
-  Path main_;
-  std::vector<Path>& files_;
+  const std::vector<Text>& texts_;
+  std::vector<uint32_t> included_;
 };
 
 EShLanguage language(Stage stage) {
@@ -124,7 +148,8 @@ constexpr auto kRules = EShMessages(EShMsgSpvRules | EShMsgVulkanRules | EShMsgC
 
 }  // namespace
 
-void startCompiler() {
+void startCompiler(const Home& home) {
+  if (!SpirvCache(home.cache()).empty()) return;
   startOnce();
   for (Stage stage : {Stage::Vertex, Stage::Fragment, Stage::Compute}) {
     glslang::TShader shader(language(stage));
@@ -135,53 +160,69 @@ void startCompiler() {
   }
 }
 
-Compiled compile(const Home& home, const Source& source, Stage stage, Output output) {
+// All that decides what a shader is compiled to: the compiler and its rules, the stage, and every text with the name it
+// is included by.
+static std::string keyOf(const Home& home, const Source& source, Stage stage, const std::vector<Text>& texts) {
+  std::string key = fmt::format("{} {} {} {} {}\n", STROBE_VERSION, glslang::GetSpirvGeneratorVersion(), int(kRules),
+                                int(stage), texts.size());
+  for (const std::string* text : {&source.preamble, &source.epilogue})
+    key += fmt::format("{}\n{}", text->size(), *text);
+  for (const auto& [file, text] : texts) key += fmt::format("{}\n{}\n{}", home.shown(file), text.size(), text);
+  return hashText(key);
+}
+
+static KeptCode compileAnew(const Home& home, const Source& source, Stage stage, const std::vector<Text>& texts,
+                            Output output) {
   startOnce();
-  Compiled result;
-  result.files.push_back(source.file);
-  std::string body = home.read(source.file);
   std::string end = "\n" + source.epilogue;
   std::string name = source.file.string();
-  const char* strings[] = {source.preamble.c_str(), body.c_str(), end.c_str()};
+  const char* strings[] = {source.preamble.c_str(), texts.front().text.c_str(), end.c_str()};
   const char* names[] = {"generated declarations", name.c_str(), "generated code"};
 
   glslang::TShader shader(language(stage));
   shader.setStringsWithLengthsAndNames(strings, nullptr, names, 3);
   setRules(shader, language(stage));
-  Includer includer(home, result.files);
+  Includer includer(home, texts);
   if (!shader.parse(GetDefaultResources(), 460, false, kRules, includer))
     throw Error(readable(home, shader.getInfoLog(), source.file));
   glslang::TProgram program;
   program.addShader(&shader);
   if (!program.link(kRules)) throw Error(readable(home, program.getInfoLog(), source.file));
-  if (output == Output::None) return result;
+  KeptCode code{{}, includer.included()};
+  if (output == Output::None) return code;
   glslang::SpvOptions options;
   options.disableOptimizer = true;
-  glslang::GlslangToSpv(*program.getIntermediate(language(stage)), result.spirv, &options);
+  glslang::GlslangToSpv(*program.getIntermediate(language(stage)), code.spirv, &options);
+  return code;
+}
+
+Compiled compile(const Home& home, const Source& source, Stage stage, Output output) {
+  std::vector<Text> texts;
+  addText(home, source.file, texts);
+  addIncludes(home, source.preamble, source.file, texts);
+  const SpirvCache cache(home.cache());
+  const std::string key = keyOf(home, source, stage, texts);
+  std::optional<KeptCode> code = cache.find(key);
+  if (!code || (code->spirv.empty() && output == Output::Spirv)) {
+    code = compileAnew(home, source, stage, texts, output);
+    cache.keep(key, *code);
+  }
+  Compiled result{std::move(code->spirv), {source.file}};
+  for (uint32_t number : code->files)
+    if (number > 0 && number < texts.size()) result.files.push_back(texts[number].file);
   return result;
 }
 
-static void appendText(const Home& home, const Path& file, std::vector<Path>& files, std::string& text) {
-  if (std::find(files.begin(), files.end(), file) != files.end()) return;
-  files.push_back(file);
-  std::string own = home.read(file);
-  text += own;
-  for (size_t at = 0; (at = own.find("#include", at)) != std::string::npos; ++at) {
-    size_t open = own.find_first_of("\"<\n", at);
-    size_t close = open == std::string::npos ? open : own.find_first_of("\">\n", open + 1);
-    if (close == std::string::npos || own[open] == '\n' || own[close] == '\n') continue;
-    Path found = findInclude(home, own.substr(open + 1, close - open - 1), file);
-    if (!found.empty()) appendText(home, found, files, text);
-  }
-}
-
 std::string textWithIncludes(const Home& home, const Path& file, std::vector<Path>* files) {
-  std::vector<Path> local;
-  std::vector<Path>& reached = files ? *files : local;
-  reached.clear();
-  std::string text;
-  appendText(home, file, reached, text);
-  return text;
+  std::vector<Text> texts;
+  addText(home, file, texts);
+  std::string joined;
+  if (files) files->clear();
+  for (const auto& [reached, text] : texts) {
+    joined += text;
+    if (files) files->push_back(reached);
+  }
+  return joined;
 }
 
 }  // namespace strobe::shader

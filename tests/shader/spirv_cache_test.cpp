@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "shader/spirv_cache.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "common/home.h"
+#include "shader/compiler.h"
+
+namespace strobe::shader {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kPreamble = "#version 460\n#extension GL_GOOGLE_include_directive : require\n";
+
+class SpirvCaches : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "strobe_cache_XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  size_t kept() const {
+    std::error_code none;
+    return size_t(std::distance(fs::directory_iterator(folder_ / "cache/spirv", none), fs::directory_iterator()));
+  }
+
+  Compiled compiled(Output output = Output::Spirv) const {
+    const Home cached(home().roots(), {}, home().program(), folder_ / "cache");
+    return compile(cached, {kPreamble, folder_ / "main.glsl", ""}, Stage::Compute, output);
+  }
+
+  void write(const std::string& name, const std::string& text) const { writeFileAtomically(folder_ / name, text); }
+
+  Path folder_;
+};
+
+TEST_F(SpirvCaches, WhatWasKeptIsFoundByItsKey) {
+  const SpirvCache cache(folder_);
+  cache.keep("a", {{1, 2, 3}, {4}});
+  const std::optional<KeptCode> found = cache.find("a");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->spirv, (std::vector<uint32_t>{1, 2, 3}));
+  EXPECT_EQ(found->files, (std::vector<uint32_t>{4}));
+  EXPECT_FALSE(cache.find("b"));
+}
+
+TEST_F(SpirvCaches, WhatIsNotWholeIsNotThere) {
+  const SpirvCache cache(folder_);
+  cache.keep("a", {{1, 2, 3}, {4}});
+  const std::string whole = readText(folder_ / "spirv/a");
+  for (size_t size = 0; size < whole.size(); ++size) {
+    write("spirv/a", whole.substr(0, size));
+    EXPECT_FALSE(cache.find("a")) << size << " bytes";
+  }
+  std::string other = whole;
+  other.back() ^= 1;
+  write("spirv/a", other);
+  EXPECT_FALSE(cache.find("a"));
+  write("spirv/a", whole);
+  EXPECT_TRUE(cache.find("a"));
+}
+
+TEST_F(SpirvCaches, NothingIsKeptWhereItCannotBe) {
+  write("spirv", "a file in the place of the folder");
+  for (const Path& folder : {folder_, Path()}) {
+    SpirvCache(folder).keep("a", {{1}, {}});
+    EXPECT_FALSE(SpirvCache(folder).find("a"));
+  }
+}
+
+TEST_F(SpirvCaches, TheOldestMakeWay) {
+  const SpirvCache cache(folder_);
+  for (int i = 0; i < 9; ++i) {
+    cache.keep(std::to_string(i), {{1}, {}});
+    fs::last_write_time(folder_ / "spirv" / std::to_string(i),
+                        fs::file_time_type::clock::now() - std::chrono::hours(9 - i));
+  }
+  cache.makeRoom(9);
+  EXPECT_TRUE(cache.find("0")) << "there is room";
+  cache.makeRoom(8);
+  EXPECT_FALSE(cache.find("2"));
+  for (int i = 3; i < 9; ++i) EXPECT_TRUE(cache.find(std::to_string(i))) << i;
+}
+
+TEST_F(SpirvCaches, CompilesWhatItHasNotSeen) {
+  write("main.glsl", "#include \"part.glsl\"\n#if 0\n#include \"other.glsl\"\n#endif\nvoid main() { part(); }\n");
+  write("part.glsl", "void part() {}\n");
+  write("other.glsl", "this is not compiled\n");
+  const Compiled first = compiled(), second = compiled();
+  EXPECT_EQ(kept(), 1u);
+  EXPECT_EQ(first.spirv, second.spirv);
+  EXPECT_EQ(first.files, (std::vector<Path>{folder_ / "main.glsl", folder_ / "part.glsl"}));
+  EXPECT_EQ(first.files, second.files);
+  EXPECT_EQ(first.spirv, compile(home(), {kPreamble, folder_ / "main.glsl", ""}, Stage::Compute).spirv);
+
+  write("part.glsl", "shared int sum;\nvoid part() { sum = 1; }\n");
+  EXPECT_NE(compiled().spirv, first.spirv);
+  EXPECT_EQ(kept(), 2u);
+  write("part.glsl", "void part() {}\n");
+  EXPECT_EQ(compiled().spirv, first.spirv);
+  EXPECT_EQ(kept(), 2u);
+}
+
+TEST_F(SpirvCaches, ACheckKeepsThatItCompiles) {
+  write("main.glsl", "void main() {}\n");
+  EXPECT_TRUE(compiled(Output::None).spirv.empty());
+  EXPECT_EQ(kept(), 1u);
+  EXPECT_FALSE(compiled().spirv.empty());
+  EXPECT_EQ(kept(), 1u) << "in the same place";
+  EXPECT_EQ(compiled(Output::None).files, std::vector<Path>{folder_ / "main.glsl"});
+}
+
+TEST_F(SpirvCaches, MistakesAreReportedEachTime) {
+  write("main.glsl", "void main() { nothing_of_that_name(); }\n");
+  EXPECT_THROW(compiled(), Error);
+  EXPECT_THROW(compiled(), Error);
+  EXPECT_EQ(kept(), 0u);
+}
+
+}  // namespace
+}  // namespace strobe::shader
