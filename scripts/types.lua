@@ -5,6 +5,7 @@
 
 ---@alias strobe.Format
 ---| "r8_unorm" | "rgba8_unorm" | "r32f" | "rg16f" | "rg32f" | "rgba16f" | "rgba32f" | "r32ui" | "rg32ui" | "rgba32ui"
+---| "buffer32ui"
 
 ---@alias strobe.Time "capture" | "open" | "close" | "sample"
 
@@ -50,6 +51,7 @@
 ---@field uint? boolean the texels are unsigned integers
 ---@field optional? boolean may be left unwired; the shader sees HAS_<name> 0
 ---@field linear? boolean sampled with a linear filter instead of fetched
+---@field buffer? boolean a buffer of unsigned integers instead of an image
 ---@field needs? string|string[] reads, perhaps itself, of which one must be wired, and to more than zeros, else it is not
 
 ---A format that a choice parameter of the pass decides: `{ by = "precision", fp32 = "rg32f", fp16 = "rg16f" }`.
@@ -61,11 +63,13 @@
 ---@field format strobe.Format|strobe.ChosenFormat
 ---@field doc string meaning, unit, range
 ---@field cleared? boolean zero when the pass begins, which then writes where it has something (not of raster passes)
+---@field each? integer entries of a buffer for each pixel of the size
 
 ---@class strobe.Update
 ---@field format strobe.Format|strobe.ChosenFormat
 ---@field doc string meaning, unit, range
 ---@field history? boolean kept from frame to frame (zero in the first) instead of zero at the start of each
+---@field each? integer entries of a buffer for each pixel of the size
 
 ---@class strobe.Size
 ---@field of? string as large as the image wired to this read
@@ -87,6 +91,7 @@
 ---@field breaks? table<strobe.Invariant, string> invariants that do not hold where it is used, each with the reason
 ---@field size? "frame"|strobe.Size of what it writes; default "frame"
 ---@field scene? boolean (compute) the shader sees the scene; raster and trace passes always do
+---@field over? string the read, a buffer, of the pixels that it runs for
 ---@field reads? table<string, strobe.Read> images it samples
 ---@field writes? table<string, strobe.Write> images of which it fills every pixel
 ---@field updates? table<string, strobe.Update> images it reads and writes; zero at the first execution in a frame

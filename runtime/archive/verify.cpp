@@ -47,7 +47,7 @@ Home homeOf(const Home& home, const Manifest& manifest) {
   std::vector<Path> roots;
   if (fs::is_directory(inputs / "project")) roots.push_back(inputs / "project");
   roots.push_back(inputs / "strobe");
-  return home.with(roots, inputs / "shared");
+  return Home(home, roots, inputs / "shared");
 }
 
 Path scriptOf(const Home& home, const Manifest& manifest, bool bundle) {

@@ -71,7 +71,7 @@ Home copy(const Home& home, const Path& folder, const Path& other) {
     if (!other.empty() && fs::is_directory(others)) copyFolder(others, roots.back(), false);
   }
   if (!other.empty() && fs::exists(other / FrozenHome::kAbsent)) leaveOut(home, roots, other / FrozenHome::kAbsent);
-  return home.with(roots, home.data());
+  return Home(home, roots, home.data());
 }
 
 Home copied(const Home& home, const Path& folder, const Path& other) {

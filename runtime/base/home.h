@@ -19,13 +19,18 @@ class Home {
  public:
   static constexpr const char* kProjectFile = "strobe.project.lua";
 
+  static constexpr const char* kOwnProgram = "/proc/self/exe";
+
   // In front of names of files, where it matters in which root they lie.
   static constexpr const char *kProjectPrefix = "project:", *kShippedPrefix = "strobe:";
 
   // `roots`: the project's folder, if any, and the shipped one. `data` is the folder of shared data; without it,
   // `shared` beside that one. `cache` is a folder for what can be made again; empty: none.
-  explicit Home(const std::vector<Path>& roots, std::optional<Path> data = {}, Path program = ownProgram(),
+  explicit Home(const std::vector<Path>& roots, std::optional<Path> data = {}, Path program = kOwnProgram,
                 Path cache = {});
+  // Other roots and other shared data, the rest as there.
+  Home(const Home& other, const std::vector<Path>& roots, std::optional<Path> data)
+      : Home(roots, std::move(data), other.program(), other.cache()) {}
   explicit Home(const Path& shipped) : Home(std::vector<Path>{shipped}) {}
 
   // The project that the current folder lies in, if any; STROBE_HOME, else what is shipped with this program;
@@ -45,8 +50,6 @@ class Home {
   // What is started to evaluate a script.
   const Path& program() const { return program_; }
   const Path& cache() const { return cache_; }
-  // The same with other roots and other shared data.
-  Home with(const std::vector<Path>& roots, std::optional<Path> data) const;
 
   // The file or folder of this name in the first root that has it.
   std::optional<Path> find(const Path& name) const;
@@ -79,7 +82,6 @@ class Home {
   std::string read(const Path& file) const;
 
  private:
-  static Path ownProgram();
   static std::optional<size_t> rootOf(const Path& file, const std::vector<Path>& roots);
   std::optional<std::string> named(const Path& file, std::optional<size_t> bare) const;
   void requireInside(const Path& file) const;

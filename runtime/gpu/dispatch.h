@@ -33,7 +33,7 @@ namespace strobe::gpu {
   X(CreateComputePipelines) X(CreateGraphicsPipelines) X(DestroyPipeline) X(CreateDescriptorPool)                \
   X(DestroyDescriptorPool) X(AllocateDescriptorSets) X(UpdateDescriptorSets) X(CreateQueryPool)                  \
   X(DestroyQueryPool) X(GetQueryPoolResults) X(CmdPipelineBarrier2) X(CmdBindPipeline) X(CmdBindDescriptorSets)  \
-  X(CmdDispatch) X(CmdBeginRendering) X(CmdEndRendering) X(CmdSetViewport) X(CmdSetScissor)                      \
+  X(CmdDispatch) X(CmdDispatchIndirect) X(CmdBeginRendering) X(CmdEndRendering) X(CmdSetViewport) X(CmdSetScissor)                      \
   X(CmdBindIndexBuffer) X(CmdDraw) X(CmdDrawIndexed) X(CmdCopyBuffer) X(CmdCopyBufferToImage)                   \
   X(CmdCopyImageToBuffer) X(CmdClearColorImage) X(CmdFillBuffer) X(CmdResetQueryPool) X(CmdWriteTimestamp2)          \
   X(CmdBindVertexBuffers) X(CmdPushConstants)

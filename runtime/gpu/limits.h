@@ -31,9 +31,10 @@ inline constexpr Limit kTriangleLimit{"triangles", Limit::Kind::Refused,
 inline constexpr Limit kGeometryLimit{"geometries", Limit::Kind::Refused,
                                       "a mesh has more parts than the device's acceleration structures",
                                       "nothing is drawn; merge its materials, or split it"};
-inline constexpr Limit kBufferLimit{
-    "buffers", Limit::Kind::Refused, "a scene's buffer is larger than what a shader may see of one",
-    "nothing is drawn; take fewer vertices or instances, fewer `slices` of truth, or another device"};
+inline constexpr Limit kBufferLimit{"buffers", Limit::Kind::Refused,
+                                    "a buffer of a scene or a pass is larger than what a shader may see of one",
+                                    "nothing is drawn; take fewer vertices or instances, fewer `slices` of truth, a "
+                                    "smaller picture, or another device"};
 inline constexpr Limit kMemoryLimit{
     "memory", Limit::Kind::Refused, "a scene takes more memory than the device has free",
     "nothing is drawn; end other programs, take fewer vertices or smaller textures, or another device"};

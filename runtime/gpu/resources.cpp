@@ -191,6 +191,7 @@ const FormatInfo& formatInfo(const std::string& name) {
       {"r32ui", {VK_FORMAT_R32_UINT, "r32ui", 1, 4, true}},
       {"rg32ui", {VK_FORMAT_R32G32_UINT, "rg32ui", 2, 8, true}},
       {"rgba32ui", {VK_FORMAT_R32G32B32A32_UINT, "rgba32ui", 4, 16, true}},
+      {"buffer32ui", {VK_FORMAT_R32_UINT, "r32ui", 1, 4, true}},
   };
   auto found = table.find(name);
   if (found == table.end()) throw Error(fmt::format("unknown image format '{}'", name));

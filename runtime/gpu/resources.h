@@ -164,7 +164,8 @@ struct SamplerDesc {
 inline constexpr SamplerDesc kLinear = {VK_FILTER_LINEAR, VK_FILTER_LINEAR, VK_SAMPLER_MIPMAP_MODE_LINEAR};
 Owned<VkSampler> makeSampler(const Device& device, const std::string& name, const SamplerDesc& desc);
 
-// Bytes per texel and VkFormat of the format names of a pass ("rgba16f"); throws `Error` for an unknown name.
+// Bytes per texel and VkFormat of the format names of a pass ("rgba16f"), of a buffer those of its entries; throws
+// `Error` for an unknown name.
 struct FormatInfo {
   VkFormat vk;
   const char* glsl;  // image layout qualifier

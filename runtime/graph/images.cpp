@@ -4,6 +4,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include "gpu/limits.h"
+#include "plan/formats.h"
 
 namespace strobe::graph {
 
@@ -58,12 +59,23 @@ void PlanImages::giveBack(PlanImages& previous) {
 
 // Before any of them is allocated.
 static void requireImages(const gpu::Device& device, const Plan& plan) {
-  uint64_t most = gpu::limitsOf(device).image_side;
+  const gpu::DeviceLimits limits = gpu::limitsOf(device);
+  const uint64_t most = limits.image_side;
   for (const plan::VirtualImage& image : plan.images) {
+    const uint64_t bytes = plan::isBuffer(image.format) ? plan::bytesOf(image.format, image.width, image.height) : 0;
+    if (bytes > limits.buffer_bytes)
+      throw Error(gpu::kBufferLimit.text(fmt::format("'{}' takes {} bytes, of at most {} on device '{}'", image.name,
+                                                     bytes, limits.buffer_bytes, device.info().name)));
     if (uint64_t(std::max(image.width, image.height)) <= most) continue;
     throw Error(gpu::kImageLimit.text(fmt::format("'{}' is {}x{} pixels, of at most {} a side on device '{}'",
                                                   image.name, image.width, image.height, most, device.info().name)));
   }
+}
+
+static gpu::Buffer bufferOf(const gpu::Device& device, const std::string& name, uint64_t bytes) {
+  const VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
+                                   VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+  return gpu::Buffer(device, name, bytes, usage, gpu::Buffer::Memory::Device);
 }
 
 void PlanImages::make(PlanImages* previous) {
@@ -71,6 +83,11 @@ void PlanImages::make(PlanImages* previous) {
   std::vector<size_t> fresh;
   for (size_t i = 0; i < plan_->slots.size(); ++i) {
     const plan::Slot& slot = plan_->slots[i];
+    if (plan::isBuffer(slot.format)) {
+      buffers_[int(i)] = bufferOf(device_, fmt::format("slot {}", i), slot.bytes);
+      slots_.emplace_back();
+      continue;
+    }
     gpu::ImageDesc desc;
     desc.format = vulkanFormat(slot.format);
     desc.width = uint32_t(slot.width);
@@ -102,6 +119,7 @@ void PlanImages::makeUnwired() {
   unwired_ = gpu::Image(device_, "unwired", one);
   one.format = VK_FORMAT_R32_UINT;
   unwired_uint_ = gpu::Image(device_, "unwired uint", one);
+  unwired_buffer_ = bufferOf(device_, "unwired buffer", plan::kBufferHead);
   device_.submit([&](VkCommandBuffer commands) {
     for (const gpu::Image* image : {&unwired_, &unwired_uint_})
       gpu::recordFirstLayout(device_, commands, image->handle(), VK_IMAGE_ASPECT_COLOR_BIT);
@@ -121,6 +139,8 @@ void PlanImages::keepReadBack() {
 }
 
 const gpu::Image& PlanImages::of(int image) const { return slots_[size_t(plan_->images[size_t(image)].slot)]; }
+
+const gpu::Buffer& PlanImages::buffer(int image) const { return buffers_.at(plan_->images[size_t(image)].slot); }
 
 static float unpackHalf(uint16_t bits) { return glm::unpackHalf1x16(bits); }
 

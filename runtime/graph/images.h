@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The images of one plan: slots of memory that they share, histories kept from frame to frame, buffers to read back.
+// The images and buffers of one plan: slots of memory that they share, histories kept from frame to frame, buffers to
+// read back.
 #pragma once
 
 #include "gpu/resources.h"
@@ -19,9 +20,12 @@ class PlanImages {
   // Undoes the taking over.
   void giveBack(PlanImages& previous);
 
+  // One of them, as the format of the plan's image says.
   const gpu::Image& of(int image) const;
+  const gpu::Buffer& buffer(int image) const;
   // What stands behind optional reads that nothing is wired to.
   const gpu::Image& unwired(bool uint) const { return uint ? unwired_uint_ : unwired_; }
+  const gpu::Buffer& unwiredBuffer() const { return unwired_buffer_; }
   const gpu::Buffer& readBack(int image) const { return read_back_.at(image); }
   ReadImage fetch(int image) const;
 
@@ -40,7 +44,9 @@ class PlanImages {
   const gpu::Device& device_;
   const plan::Plan* plan_;
   std::vector<gpu::Image> slots_;
+  std::map<int, gpu::Buffer> buffers_;  // by slot; its image is then empty
   gpu::Image unwired_, unwired_uint_;
+  gpu::Buffer unwired_buffer_;
   std::map<int, gpu::Buffer> read_back_;                // by virtual image
   std::map<int, bool> history_;                         // by virtual image: holds an earlier frame
   std::set<std::string> taken_over_;                    // histories of a previous graph

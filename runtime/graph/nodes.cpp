@@ -61,9 +61,10 @@ void PlanNodes::findPipelines(PipelineCache& cache, const world::GpuScene& scene
 
 static void makeBuffers(const gpu::Device& device, const std::string& name, Node& node) {
   const shader::Interface& in = node.pipeline->interface;
-  if (!in.params.empty())
-    node.params = gpu::Buffer(device, name + ".params", in.params.size() * 4, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
-                              gpu::Buffer::Memory::Host);
+  const size_t words = in.params.size() + (in.sizeIsGiven() ? 2 : 0);
+  if (in.hasParams())
+    node.params =
+        gpu::Buffer(device, name + ".params", words * 4, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::Buffer::Memory::Host);
   if (!in.counters.empty()) {
     node.counters = gpu::Buffer(device, name + ".counters", in.counters.size() * 4, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                                 gpu::Buffer::Memory::Host);
@@ -108,13 +109,15 @@ void PlanNodes::writeParams(size_t i) {
     }
     words.push_back(word);
   }
+  if (node.pipeline->interface.sizeIsGiven())
+    words.insert(words.end(), {uint32_t(planned(i).width), uint32_t(planned(i).height)});
   if (!words.empty()) node.params.write(words);
 }
 
 void PlanNodes::fillSet(size_t i, const PlanImages& plan_images) {
   Node& node = nodes_[i];
   const shader::Interface& in = node.pipeline->interface;
-  std::vector<VkDescriptorBufferInfo> buffers(2);
+  std::vector<VkDescriptorBufferInfo> buffers(2 + in.reads.size() + in.writes.size());
   std::vector<VkDescriptorImageInfo> images;
   images.reserve(in.reads.size() + in.writes.size());
   std::vector<VkWriteDescriptorSet> writes;
@@ -127,23 +130,32 @@ void PlanNodes::fillSet(size_t i, const PlanImages& plan_images) {
     writes.push_back(write);
     return writes.back();
   };
-  if (!in.params.empty()) {
+  auto add_buffer = [&](size_t at, uint32_t binding, const gpu::Buffer& buffer) {
+    buffers[at] = {buffer.handle(), 0, VK_WHOLE_SIZE};
+    add(binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER).pBufferInfo = &buffers[at];
+  };
+  if (in.hasParams()) {
     buffers[0] = {node.params.handle(), 0, VK_WHOLE_SIZE};
     add(shader::Interface::kParamsBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER).pBufferInfo = &buffers[0];
   }
-  if (!in.counters.empty()) {
-    buffers[1] = {node.counters.handle(), 0, VK_WHOLE_SIZE};
-    add(shader::Interface::kCountersBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER).pBufferInfo = &buffers[1];
-  }
+  if (!in.counters.empty()) add_buffer(1, shader::Interface::kCountersBinding, node.counters);
   for (size_t r = 0; r < in.reads.size(); ++r) {
-    VkImageView view = planned(i).reads[r] >= 0 ? plan_images.of(planned(i).reads[r]).view()
-                                                : plan_images.unwired(in.reads[r].uint).view();
+    const int read = planned(i).reads[r];
+    if (in.reads[r].buffer) {
+      add_buffer(2 + r, in.readBinding(r), read >= 0 ? plan_images.buffer(read) : plan_images.unwiredBuffer());
+      continue;
+    }
+    VkImageView view = read >= 0 ? plan_images.of(read).view() : plan_images.unwired(in.reads[r].uint).view();
     images.push_back({pass(i).reads[r].linear ? linear_.get() : nearest_.get(), view, VK_IMAGE_LAYOUT_GENERAL});
     add(in.readBinding(r), VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER).pImageInfo = &images.back();
   }
   std::vector<int> written = planned(i).writes;
   written.insert(written.end(), planned(i).updates.begin(), planned(i).updates.end());
   for (size_t w = 0; w < in.writes.size() && !in.raster; ++w) {
+    if (in.writes[w].buffer) {
+      add_buffer(2 + in.reads.size() + w, in.writeBinding(w), plan_images.buffer(written[w]));
+      continue;
+    }
     images.push_back({VK_NULL_HANDLE, plan_images.of(written[w]).view(), VK_IMAGE_LAYOUT_GENERAL});
     add(in.writeBinding(w), VK_DESCRIPTOR_TYPE_STORAGE_IMAGE).pImageInfo = &images.back();
   }

@@ -8,6 +8,7 @@
 #include "base/cores.h"
 #include "base/hash.h"
 #include "plan/facts.h"
+#include "plan/formats.h"
 #include "shared/scene.h"
 
 namespace strobe::graph {
@@ -57,11 +58,14 @@ static shader::Interface interfaceOf(const PassDesc& pass, Backend backend, cons
     if (fact.compiled_into_all || (in.scene && fact.compiled_in))
       in.facts.push_back({fact.name, !std::count(absent.begin(), absent.end(), fact.name)});
   in.backend = pass.kind == PassDesc::Kind::Trace ? backend : Backend::None;
-  for (size_t i = 0; i < pass.reads.size(); ++i) in.reads.push_back({pass.reads[i].name, pass.reads[i].uint, wired[i]});
+  for (size_t i = 0; i < pass.reads.size(); ++i) {
+    const plan::PortDesc& read = pass.reads[i];
+    in.reads.push_back({read.name, read.uint, wired[i], read.buffer, read.name == pass.over});
+  }
   auto add_write = [&](const plan::PortDesc& port, bool update) {
     const std::string& name = formatOf(port, values);
     const gpu::FormatInfo& format = gpu::formatInfo(name);
-    in.writes.push_back({port.name, format.glsl, format.uint, update, name});
+    in.writes.push_back({port.name, format.glsl, format.uint, update, name, plan::isBuffer(name)});
   };
   for (const auto& port : pass.writes) add_write(port, false);
   for (const auto& port : pass.updates) add_write(port, true);
@@ -287,12 +291,12 @@ std::set<std::string> ShaderCheck::problemsOf(const std::vector<Job>& jobs) cons
   };
   for (const auto& [in, pass, with_shared] : jobs) {
     auto compile = [&, &in = in](const std::vector<StageFile>& stages) {
-      for (const auto& [file, stage] : stages) compilePass(home_, in, file, stage, shader::Output::None);
+      for (const auto& [file, stage] : stages) compilePass(home_, in, file, stage, shader::Output::None, &sources_);
     };
     note([&, &in = in, &pass = pass] {
       compile(ownStages(home_, in, pass));
       const std::vector<Path> files = shaderFiles(home_, pass);
-      if (!used) used = shader::namesUsed(home_, files);
+      if (!used) used = shader::namesUsed(home_, files, &sources_);
       for (const std::string& problem : unusedNames(home_, in, files, *used)) problems.insert(problem);
     });
     if (with_shared) note([&] { compile(sharedStages(home_)); });
@@ -376,10 +380,13 @@ static std::vector<VkDescriptorSetLayoutBinding> bindingsOf(const shader::Interf
   auto add = [&bindings](uint32_t binding, VkDescriptorType type) {
     bindings.push_back({binding, type, 1, VK_SHADER_STAGE_ALL, nullptr});
   };
-  if (!in.params.empty()) add(shader::Interface::kParamsBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
+  if (in.hasParams()) add(shader::Interface::kParamsBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
   if (!in.counters.empty()) add(shader::Interface::kCountersBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
-  for (size_t i = 0; i < in.reads.size(); ++i) add(in.readBinding(i), VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
-  for (size_t i = 0; i < in.writes.size() && !in.raster; ++i) add(in.writeBinding(i), VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
+  for (size_t i = 0; i < in.reads.size(); ++i)
+    add(in.readBinding(i),
+        in.reads[i].buffer ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
+  for (size_t i = 0; i < in.writes.size() && !in.raster; ++i)
+    add(in.writeBinding(i), in.writes[i].buffer ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
   return bindings;
 }
 

@@ -12,6 +12,7 @@
 #include "gpu/pipeline.h"
 #include "plan/plan.h"
 #include "shader/interface.h"
+#include "shader/sources.h"
 #include "world/gpu_scene.h"
 
 namespace strobe::graph {
@@ -54,7 +55,8 @@ std::vector<shader::Interface> interfacesOf(const plan::PassDesc& pass, Backend 
 // Compiles shaders without a device, each variant of each pass once, on all cores.
 class ShaderCheck {
  public:
-  explicit ShaderCheck(Home home) : home_(std::move(home)) {}
+  explicit ShaderCheck(Home home) : home_(std::move(home)), sources_(home_) {}
+  ShaderCheck(const ShaderCheck&) = delete;
   // Notes what the plan's nodes need that has not been noted before.
   void add(const plan::Plan& plan, Backend backend);
   // Begins to compile what was noted since the last call, on all cores, and returns.
@@ -73,6 +75,7 @@ class ShaderCheck {
   std::set<std::string> problemsOf(const Shaders& shaders) const;
 
   Home home_;
+  mutable shader::Sources sources_;
   std::map<std::string, std::vector<Job>> jobs_;  // by shader
   std::set<std::string> noted_;
   std::vector<std::future<std::set<std::string>>> started_;

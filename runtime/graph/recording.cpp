@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "graph/recording.h"
 
+#include "plan/formats.h"
+
 namespace strobe::graph {
 
 using plan::PlanNode;
@@ -17,6 +19,7 @@ static VkPipelineStageFlags2 vulkanStages(uint32_t stages) {
   if (stages & plan::kStageColor) flags |= VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
   if (stages & plan::kStageTransfer) flags |= VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
   if (stages & plan::kStageHost) flags |= VK_PIPELINE_STAGE_2_HOST_BIT;
+  if (stages & plan::kStageIndirect) flags |= VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT;
   return flags;
 }
 
@@ -31,6 +34,7 @@ static VkAccessFlags2 vulkanAccess(uint32_t access) {
   if (access & plan::kAccessTransferRead) flags |= VK_ACCESS_2_TRANSFER_READ_BIT;
   if (access & plan::kAccessTransferWrite) flags |= VK_ACCESS_2_TRANSFER_WRITE_BIT;
   if (access & plan::kAccessHostRead) flags |= VK_ACCESS_2_HOST_READ_BIT;
+  if (access & plan::kAccessIndirectRead) flags |= VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT;
   return flags;
 }
 
@@ -78,6 +82,10 @@ static void recordHistoryBarrier(const gpu::Device& device, VkCommandBuffer comm
 
 void Recording::clear(VkCommandBuffer commands, int image) const {
   if (images_.holdsEarlierFrame(image)) return recordHistoryBarrier(device_, commands);
+  if (isBuffer(image)) {
+    device_.vk().CmdFillBuffer(commands, images_.buffer(image).handle(), 0, VK_WHOLE_SIZE, 0);
+    return;
+  }
   VkClearColorValue zero{};
   VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
   device_.vk().CmdClearColorImage(commands, images_.of(image).handle(), VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &range);
@@ -85,6 +93,12 @@ void Recording::clear(VkCommandBuffer commands, int image) const {
 
 void Recording::read(VkCommandBuffer commands, int image) const {
   if (wanted_ && !isRead(image)) return;
+  if (isBuffer(image)) {
+    const gpu::Buffer& target = images_.readBack(image);
+    VkBufferCopy entries{plan::kBufferHead, 0, target.size()};
+    device_.vk().CmdCopyBuffer(commands, images_.buffer(image).handle(), target.handle(), 1, &entries);
+    return;
+  }
   const plan::VirtualImage& source = plan_->images[size_t(image)];
   VkBufferImageCopy copy{};
   copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
@@ -121,7 +135,9 @@ void Recording::pass(VkCommandBuffer commands, size_t node_index, int iteration,
   }
   int begin = stamps ? stamps->timer.recordStamp(commands) : -1;
   bind(commands, node);
+  const bool in_stages = hasStages(node.pipeline->interface);
   if (node.pipeline->interface.raster) raster(commands, node, planned);
+  else if (planned.over >= 0 && !in_stages) vk.CmdDispatchIndirect(commands, images_.buffer(planned.over).handle(), 0);
   else if (planned.still_once && plan_->loops[size_t(planned.loop)].first + iteration > 0)
     work(commands, node, widthOf(reach_), heightOf(reach_));
   else work(commands, node, uint32_t(planned.width), uint32_t(planned.height));
@@ -175,6 +191,8 @@ void Recording::emptyPass(VkCommandBuffer commands, const Node& node) const {
   bind(commands, node);
   work(commands, node, 0, 0);
 }
+
+bool Recording::isBuffer(int image) const { return plan::isBuffer(plan_->images[size_t(image)].format); }
 
 bool Recording::isRead(int image) const {
   for (const auto& loop : plan_->loops)

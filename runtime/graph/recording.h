@@ -44,6 +44,7 @@ class Recording {
   void clear(VkCommandBuffer commands, int image) const;
   void read(VkCommandBuffer commands, int image) const;
   bool isRead(int image) const;
+  bool isBuffer(int image) const;
 
   const gpu::Device& device_;
   const world::GpuScene& scene_;

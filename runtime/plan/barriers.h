@@ -24,8 +24,9 @@ enum Stage : uint32_t {
   kStageColor = 1 << 4,  // colour attachment output
   kStageTransfer = 1 << 5,
   kStageHost = 1 << 6,
+  kStageIndirect = 1 << 7,  // numbers of groups are read
 };
-constexpr int kStageCount = 7;
+constexpr int kStageCount = 8;
 
 // What it does to memory, as bits.
 enum Access : uint32_t {
@@ -38,6 +39,7 @@ enum Access : uint32_t {
   kAccessTransferRead = 1 << 6,
   kAccessTransferWrite = 1 << 7,
   kAccessHostRead = 1 << 8,
+  kAccessIndirectRead = 1 << 9,
 };
 constexpr uint32_t kAccessAnyWrite = kAccessStorageWrite | kAccessColorWrite | kAccessDepthWrite | kAccessTransferWrite;
 

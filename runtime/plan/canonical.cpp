@@ -60,12 +60,12 @@ Json bitNames(uint32_t bits, const std::vector<const char*>& names) {
 }
 
 Json stageNames(uint32_t stages) {
-  return bitNames(stages, {"compute", "trace", "fragment", "depth", "color", "transfer", "host"});
+  return bitNames(stages, {"compute", "trace", "fragment", "depth", "color", "transfer", "host", "indirect"});
 }
 
 Json accessNames(uint32_t access) {
   return bitNames(access, {"sampled_read", "storage_read", "storage_write", "color_write", "depth_read", "depth_write",
-                           "transfer_read", "transfer_write", "host_read"});
+                           "transfer_read", "transfer_write", "host_read", "indirect_read"});
 }
 
 Json usageNames(uint32_t usage) {
@@ -106,6 +106,7 @@ Json nodeJson(const Plan& plan, int index) {
   json["loop"] = node.loop < 0 ? "" : loopName(plan, node.loop);
   json["params"] = Json::object();
   for (const auto& [name, value] : node.params) json["params"][name] = toJson(value);
+  if (node.over >= 0) json["over"] = plan.images[node.over].name;
   json["reads"] = portsJson(plan, pass.reads, node.reads);
   json["writes"] = portsJson(plan, pass.writes, node.writes);
   json["updates"] = portsJson(plan, pass.updates, node.updates);
@@ -200,6 +201,7 @@ std::string nodeText(const Plan& plan, int index, const std::string& indent) {
   std::string text =
       fmt::format("{}{:<24} {:<8} {}x{}", indent, desc.name, kindName(pass.kind), node.width, node.height);
   if (desc.name != pass.name) text += "  pass " + pass.name;
+  if (node.over >= 0) text += "  over " + plan.images[node.over].name;
   if (desc.time != "capture") text += "  time " + desc.time;
   text += "\n";
   auto line = [&](const char* what, const std::string& rest) {

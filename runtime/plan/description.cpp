@@ -212,6 +212,8 @@ Value checkValue(const ParamDesc& param, const Value& value, const Place& where)
 
 // ---- formats
 
+bool isCleared(const PortDesc& port) { return port.cleared || isBuffer(port.format); }
+
 const std::string& formatOf(const PortDesc& port, const std::vector<std::pair<std::string, Value>>& params) {
   if (port.format_by.empty()) return port.format;
   auto named = [](const auto& list, const std::string& name) {
@@ -268,6 +270,7 @@ static Json paramJson(const ParamDesc& param) {
 static Json readJson(const PortDesc& port) {
   Json json = {{"name", port.name},         {"doc", port.doc},       {"uint", port.uint},
                {"optional", port.optional}, {"linear", port.linear}, {"place", placeJson(port.place)}};
+  if (port.buffer) json["buffer"] = true;
   if (!port.needs.empty()) json["needs"] = port.needs;
   return json;
 }
@@ -276,6 +279,7 @@ static Json writeJson(const PortDesc& port) {
   Json json = {{"name", port.name}, {"doc", port.doc}, {"format", port.format}, {"place", placeJson(port.place)}};
   if (!port.format_by.empty()) json["format_by"] = port.format_by;
   for (const auto& [choice, format] : port.formats) json["formats"][choice] = format;
+  if (port.each != 1) json["each"] = port.each;
   if (port.cleared) json["cleared"] = true;
   if (port.history) json["history"] = true;
   return json;
@@ -301,6 +305,7 @@ Json toJson(const PassDesc& pass) {
   json["fails"] = pass.fails;
   if (!pass.breaks.empty()) json["breaks"] = breaksJson(pass.breaks);
   json["size"] = sizeJson(pass.size);
+  if (!pass.over.empty()) json["over"] = pass.over;
   json["scene"] = pass.scene;
   json["reads"] = listOf(pass.reads, readJson);
   json["writes"] = listOf(pass.writes, writeJson);

@@ -82,7 +82,7 @@ inline bool isCompiledIn(const ParamDesc& param) {
 // where a number is wanted, and text as typed on a command line is converted.
 Value checkValue(const ParamDesc& param, const Value& value, const Place& where);
 
-// An image port of a pass.
+// An image port of a pass, or one of a buffer: a write or update of the format kBufferFormat (plan/formats.h).
 struct PortDesc {
   std::string name;
   std::string doc;
@@ -94,13 +94,18 @@ struct PortDesc {
   bool uint = false;      // reads: the texels are unsigned integers
   bool optional = false;  // reads: may be left unwired; the shader then sees HAS_<name> 0
   bool linear = false;    // reads: sampled with a linear filter instead of texel fetches
+  bool buffer = false;    // reads: a buffer (of unsigned integers) instead of an image
   // Reads that are optional: reads, it itself perhaps among them, of which one at least must be wired, and to more than
   // nothing but zeros, for it to be of use; otherwise it is not wired either. Empty: it is of use alone.
   std::vector<std::string> needs;
+  int each = 1;          // writes and updates, of a buffer: entries for each pixel of the pass's size
   bool cleared = false;  // writes: zero when the pass begins, which writes only where it has something
   bool history = false;  // updates: kept from frame to frame instead of zero at the start of each
   Place place;
 };
+
+// Is a write zero when the pass begins? Of buffers each is.
+bool isCleared(const PortDesc& port);
 
 // The format that a write or update has in a node with these values of the pass's parameters.
 const std::string& formatOf(const PortDesc& port, const std::vector<std::pair<std::string, Value>>& params);
@@ -137,6 +142,9 @@ struct PassDesc {
   std::string fails;  // when what it computes is wrong, and how; or ""
   Breaks breaks;      // invariants that do not hold where it is used
   SizeDesc size;
+  // The read, a buffer, whose entries are the pixels that it runs for, once each; all pixels where that is not wired.
+  // Its writes are all cleared. "": it runs for all pixels.
+  std::string over;
   bool scene = false;             // the shader sees the scene's buffers, textures and acceleration structures
   std::vector<PortDesc> reads;    // images it samples
   std::vector<PortDesc> writes;   // images it fills; every pixel is written
@@ -240,7 +248,8 @@ int earlierFrames(const PipelineDesc& pipeline);
 
 // Both read what another process wrote and so trust nothing: names, references, types and ranges are checked, and
 // `Error` is thrown at the place of the first mistake.
-PipelineDesc pipelineFromJson(const Json& json);
+// A number n in the place of a pass stands for the nth of `known`, from 1.
+PipelineDesc pipelineFromJson(const Json& json, const std::vector<PassDesc>& known = {});
 PassDesc passFromJson(const Json& json);
 
 Json toJson(const PipelineDesc& pipeline);

@@ -8,11 +8,13 @@
 #include "base/strict.h"
 #include "plan/description.h"
 #include "plan/description_words.h"
+#include "plan/formats.h"
 #include "plan/without.h"
 
 namespace strobe::plan {
 
 static constexpr int kMaxSide = 32768;
+static constexpr int kMostOfEach = 4096;
 
 namespace {
 
@@ -157,6 +159,7 @@ PortDesc readRead(const Json& json) {
   port.uint = reader.boolean("uint", false);
   port.optional = reader.boolean("optional", false);
   port.linear = reader.boolean("linear", false);
+  port.buffer = reader.boolean("buffer", false);
   port.needs = reader.texts("needs");
   reader.finish();
   return port;
@@ -178,6 +181,7 @@ PortDesc readWrite(const Json& json) {
   port.format = formatNames()[reader.oneOf("format", formatNames())];
   port.format_by = reader.text("format_by");
   port.formats = choiceTexts(reader, "formats");
+  port.each = reader.integer("each", 1, 1, kMostOfEach);
   port.cleared = reader.boolean("cleared", false);
   port.history = reader.boolean("history", false);
   reader.finish();
@@ -201,6 +205,7 @@ void checkFormats(const Reader& reader, const PortDesc& port, const PassDesc& pa
     bool known = std::find(formatNames().begin(), formatNames().end(), format) != formatNames().end();
     if (!known) wrong(fmt::format("but there is no format '{}'{}", format, didYouMean(format, formatNames())));
     if (isUint(format) != isUint(port.format)) wrong("but mixes unsigned integers and numbers");
+    if (isBuffer(format)) wrong("but a buffer is one whatever is chosen");
     bool is_default = Value(choice) == by->default_value;
     if (is_default && format != port.format) wrong(fmt::format("whose default is not {}", port.format));
   }
@@ -236,6 +241,38 @@ SizeDesc readSize(const Json& json, const PassDesc& pass) {
   return size;
 }
 
+// What a pass that runs over the entries of a buffer must be like.
+void checkOver(const Reader& reader, const PassDesc& pass) {
+  if (pass.over.empty()) return;
+  const PortDesc* list = find(pass.reads, pass.over);
+  if (!list || !list->buffer)
+    reader.fail(fmt::format("it runs over '{}', which is no read that is a buffer", pass.over));
+  if (pass.kind == PassDesc::Kind::Raster) reader.fail("a raster pass runs over triangles");
+  for (const PortDesc& write : pass.writes)
+    if (!isCleared(write))
+      reader.fail(fmt::format("it runs over '{}', but its write '{}' is not cleared", pass.over, write.name));
+  for (const ParamDesc& param : pass.params)
+    if (param.role == Role::StillOnce)
+      reader.fail(fmt::format("it runs over '{}' and has a parameter that is still_once", pass.over));
+}
+
+// Buffers are of compute and trace passes, and of one frame.
+void checkBuffers(const Reader& reader, const PassDesc& pass) {
+  for (const PortDesc& read : pass.reads)
+    if (read.buffer && !read.uint)
+      reader.fail(fmt::format("read '{}' is a buffer, but not of unsigned integers", read.name));
+  for (const auto* ports : {&pass.writes, &pass.updates})
+    for (const PortDesc& port : *ports) {
+      if (!isBuffer(port.format)) {
+        if (port.each != 1) reader.fail(fmt::format("'{}' is an image, which has one texel for each pixel", port.name));
+        continue;
+      }
+      if (pass.kind == PassDesc::Kind::Raster)
+        reader.fail(fmt::format("a raster pass writes images; '{}' is a buffer", port.name));
+      if (port.history) reader.fail(fmt::format("'{}' is a buffer, which is not kept from frame to frame", port.name));
+    }
+}
+
 void checkShaderPath(const Reader& reader, const std::string& shader) {
   const char* allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./";
   bool plain = !shader.empty() && shader[0] != '/' && shader.find_first_not_of(allowed) == std::string::npos;
@@ -266,6 +303,9 @@ PassDesc passFromJson(const Json& json) {
   pass.params = itemsOf(reader.list("params"), readParam);
   pass.counters = itemsOf(reader.list("counters"), readCounter);
   pass.size = readSize(reader.at("size"), pass);
+  pass.over = reader.text("over");
+  checkOver(reader, pass);
+  checkBuffers(reader, pass);
 
   std::vector<PortDesc> outputs = pass.writes;
   outputs.insert(outputs.end(), pass.updates.begin(), pass.updates.end());
@@ -328,7 +368,7 @@ void readInputs(const Json& json, const PipelineDesc& pipeline, const PassDesc& 
     const PortDesc* read = find(pass.reads, name);
     if (!read) throw Error(fmt::format("pass '{}' has no read '{}'", pass.name, name), node.place);
     const PortDesc& port = checkSource(pipeline, source, node.place);
-    if (isUint(port.format) != read->uint) {
+    if (isUint(port.format) != read->uint || isBuffer(port.format) != read->buffer) {
       throw Error(fmt::format("'{}' of '{}' cannot read {}", name, node.name, port.format), node.place);
     }
     node.inputs.emplace_back(name, source.get<std::string>());
@@ -496,9 +536,16 @@ void refuseTwinRoles(const Reader& reader, const std::vector<ParamDesc>& params)
   }
 }
 
+PassDesc passOf(const Reader& reader, const Json& json, const std::vector<PassDesc>& known) {
+  if (!json.is_number_integer()) return passFromJson(json);
+  const int64_t number = json.get<int64_t>();
+  if (number < 1 || uint64_t(number) > known.size()) reader.fail(fmt::format("there is no pass number {}", number));
+  return known[size_t(number) - 1];
+}
+
 }  // namespace
 
-PipelineDesc pipelineFromJson(const Json& json) {
+PipelineDesc pipelineFromJson(const Json& json, const std::vector<PassDesc>& known) {
   Reader reader(json, "pipeline");
   PipelineDesc pipeline;
   pipeline.name = reader.text("name", std::nullopt);
@@ -515,7 +562,7 @@ PipelineDesc pipelineFromJson(const Json& json) {
   if (reader.has("breaks")) pipeline.breaks = breaksOf(reader, reader.table("breaks"));
   pipeline.compare_with = reader.text("compare_with");
   pipeline.equals = itemsOf(reader.list("equals"), [&](const Json& equal) { return readEqual(equal, pipeline); });
-  pipeline.passes = itemsOf(reader.list("passes"), passFromJson);
+  pipeline.passes = itemsOf(reader.list("passes"), [&](const Json& pass) { return passOf(reader, pass, known); });
   refuseTwins(pipeline.passes, reader, "passes");
   pipeline.loops = itemsOf(reader.list("loops"), [&](const Json& loop) { return readLoop(loop, pipeline); });
   refuseTwins(pipeline.loops, reader, "loops");

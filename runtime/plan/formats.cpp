@@ -5,9 +5,9 @@ namespace strobe::plan {
 
 const std::vector<Format>& portFormats() {
   static const std::vector<Format> formats = {
-      {"r8_unorm", 1, 1, false}, {"rgba8_unorm", 4, 4, false}, {"r32f", 1, 4, false},     {"rg16f", 2, 4, false},
-      {"rg32f", 2, 8, false},    {"rgba16f", 4, 8, false},     {"rgba32f", 4, 16, false}, {"r32ui", 1, 4, true},
-      {"rg32ui", 2, 8, true},    {"rgba32ui", 4, 16, true}};
+      {"r8_unorm", 1, 1, false}, {"rgba8_unorm", 4, 4, false}, {"r32f", 1, 4, false},      {"rg16f", 2, 4, false},
+      {"rg32f", 2, 8, false},    {"rgba16f", 4, 8, false},     {"rgba32f", 4, 16, false},  {"r32ui", 1, 4, true},
+      {"rg32ui", 2, 8, true},    {"rgba32ui", 4, 16, true},    {kBufferFormat, 1, 4, true}};
   return formats;
 }
 
@@ -18,6 +18,11 @@ const Format* findFormat(const std::string& name) {
     if (format.name == name) return &format;
   }
   return nullptr;
+}
+
+uint64_t bytesOf(const std::string& format, int width, int height) {
+  const uint64_t texels = uint64_t(width) * uint64_t(height);
+  return texels * uint64_t(findFormat(format)->bytes) + (isBuffer(format) ? kBufferHead : 0);
 }
 
 }  // namespace strobe::plan

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The texel formats a pass may write, by the name used in Lua, in plans and in records.
+// The texel formats a pass may write, by the name used in Lua, in plans and in records; and buffers, which have no
+// texels but as many entries as an image of their size would have.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,15 @@ struct Format {
   int bytes = 0;      // of one texel
   bool uint = false;  // unsigned integers, sampled as such
 };
+
+// A buffer of 32-bit unsigned integers in the place of an image: a head, then an entry for each pixel.
+inline constexpr const char* kBufferFormat = "buffer32ui";
+// The head: three numbers of groups, as an indirect dispatch has them, and the number of entries in use; bytes.
+inline constexpr uint64_t kBufferHead = 16;
+inline bool isBuffer(const std::string& format) { return format == kBufferFormat; }
+
+// What it takes in memory.
+uint64_t bytesOf(const std::string& format, int width, int height);
 
 // Formats a port may have, in the order in which they are listed to people.
 const std::vector<Format>& portFormats();

@@ -106,16 +106,20 @@ class Compiler {
     uint32_t usage = raster ? kUsageColorAttachment : kUsageStorage;
     for (const PortDesc& port : pass.writes) {
       int image = addImage(node, port.name, formatOf(port, node.params), usage);
-      plan_.images[image].cleared = port.cleared;
-      if (port.cleared) plan_.images[image].usage |= kUsageTransferTarget;
+      plan_.images[image].width *= port.each;
+      plan_.images[image].cleared = isCleared(port);
+      if (isCleared(port)) plan_.images[image].usage |= kUsageTransferTarget;
       node.writes.push_back(image);
     }
     for (const PortDesc& port : pass.updates) {
       int image = addImage(node, port.name, formatOf(port, node.params), kUsageStorage | kUsageTransferTarget);
+      plan_.images[image].width *= port.each;
       plan_.images[image].update = true;
       plan_.images[image].history = port.history;
       node.updates.push_back(image);
     }
+    for (size_t i = 0; i < pass.reads.size(); ++i)
+      if (pass.reads[i].name == pass.over) node.over = node.reads[i];
     if (raster) node.depth = addImage(node, "@depth", "d32f", kUsageDepthAttachment);
     for (int image : node.reads) markRead(image);
 
@@ -129,7 +133,7 @@ class Compiler {
     image.format = format;
     image.width = node.width;
     image.height = node.height;
-    image.divide = node.divide;
+    image.divide = isBuffer(format) ? 0 : node.divide;
     image.usage = usage;
     plan_.images.push_back(std::move(image));
     return static_cast<int>(plan_.images.size()) - 1;
@@ -160,6 +164,7 @@ class Compiler {
     node.width = size.width, node.height = size.height, node.divide = size.divide;
     const std::string& format = formatOf(port, wiring_.nodes[source.node].params);
     known->second = addImage(node, port.name, format, kUsageSampled | kUsageTransferTarget);
+    plan_.images[known->second].width *= port.each;
     plan_.images[known->second].zero = true;
     return known->second;
   }
@@ -228,8 +233,11 @@ class Compiler {
     std::vector<Use> uses;
     for (int image : node.reads) {
       bool seen = std::any_of(uses.begin(), uses.end(), [&](const Use& use) { return use.image == image; });
-      if (image >= 0 && !seen) uses.push_back(imageUse(image, shader, kAccessSampledRead));
+      if (image < 0 || seen) continue;
+      const bool buffer = isBuffer(plan_.images[image].format);
+      uses.push_back(imageUse(image, shader, buffer ? kAccessStorageRead : kAccessSampledRead));
     }
+    if (node.over >= 0) uses.push_back(imageUse(node.over, kStageIndirect, kAccessIndirectRead));
     for (int image : node.writes) {
       bool raster = kind == PassDesc::Kind::Raster;
       uses.push_back(raster ? imageUse(image, kStageColor, kAccessColorWrite)

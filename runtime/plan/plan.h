@@ -60,7 +60,8 @@ struct PlanNode {
   std::vector<int> reads;                             // image per read port; -1 where an optional port is not wired
   std::vector<int> writes;                            // image per write port
   std::vector<int> updates;                           // image per update port
-  int depth = -1;                                     // image of a raster node's depth attachment
+  int over = -1;   // image, a buffer, of the pixels that it runs for; -1: all of them
+  int depth = -1;  // image of a raster node's depth attachment
   // In a loop, after its first iteration, it works on the pixels that something in motion reaches, and the others keep
   // what they have (Role::StillOnce).
   bool still_once = false;

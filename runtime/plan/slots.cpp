@@ -35,8 +35,7 @@ bool sameKind(const Slot& slot, const VirtualImage& image) {
 }
 
 Slot slotFor(const VirtualImage& image) {
-  uint64_t texels = static_cast<uint64_t>(image.width) * image.height;
-  return {image.format, image.width, image.height, 0, texels * findFormat(image.format)->bytes};
+  return {image.format, image.width, image.height, 0, bytesOf(image.format, image.width, image.height)};
 }
 
 }  // namespace

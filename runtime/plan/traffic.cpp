@@ -12,7 +12,7 @@ static uint64_t bytesOf(const Plan& plan, const std::set<int>& images) {
   for (int index : images) {
     if (index < 0) continue;
     const VirtualImage& image = plan.images[size_t(index)];
-    bytes += uint64_t(image.width) * uint64_t(image.height) * uint64_t(findFormat(image.format)->bytes);
+    bytes += bytesOf(image.format, image.width, image.height);
   }
   return bytes;
 }

@@ -311,6 +311,11 @@ class Wirer {
 
   void checkTexels(const NodeDesc& node, const PortDesc& read, const Source& source, const std::string& text) {
     const PortDesc& written = portOf(pipeline_, wiring_, source);
+    if (isBuffer(written.format) != read.buffer) {
+      problem(node.place, "node '{}' reads '{}' as {}, but '{}' is {} ({})", node.name, read.name,
+              read.buffer ? "a buffer" : "an image", text, written.format, written.place.text());
+      return;
+    }
     if (findFormat(written.format)->uint == read.uint) return;
     problem(node.place, "node '{}' reads '{}' as {}, but '{}' is {} ({})", node.name, read.name,
             read.uint ? "unsigned integers" : "numbers", text, written.format, written.place.text());
@@ -381,6 +386,8 @@ class Wirer {
     Place place{pipeline_.file};
     for (const auto& [name, text] : pipeline_.outputs) {
       Source source = sourceOf(text, fmt::format("output '{}'", name), place);
+      if (source.node >= 0 && isBuffer(portOf(pipeline_, wiring_, source).format))
+        problem(place, "output '{}' is '{}', a buffer instead of an image", name, text);
       bool asked_for = options_.outputs.empty() || options_.outputs.count(name);
       wiring_.outputs.push_back(asked_for ? source : Source());
     }

@@ -26,7 +26,7 @@ std::string standInOf(const Json& given, const PortDesc& write, const PassDesc& 
   std::string name = given.get<std::string>();
   const PortDesc* read = portNamed(pass.reads, name);
   if (!read || read->optional) fail(pass, place, fmt::format("'{}' is not a read that is always wired", name));
-  bool alike = read->uint == findFormat(write.format)->uint;
+  bool alike = read->uint == findFormat(write.format)->uint && read->buffer == isBuffer(write.format);
   if (!alike) fail(pass, place, fmt::format("'{}' and '{}' hold different numbers", write.name, name));
   return name;
 }

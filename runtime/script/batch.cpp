@@ -93,8 +93,11 @@ bool answerLoaded(const std::vector<Json>& requests, double wall_s, const Answer
   pid_t loader = ::fork();
   if (loader < 0) ::_exit(1);
   if (loader == 0) {
-    if (!answering.load(requests.front())) ::_exit(1);
+    std::optional<std::string> shared = answering.load(requests.front());
+    if (!shared) ::_exit(1);
     writeAll(ends[1], "+");
+    Json head = {{"shared", shared->size()}, {"requests", requests.size()}};
+    writeAll(STDOUT_FILENO, head.dump() + "\n" + *shared);
     for (const Json& request : requests) send(forked(request, wall_s, answering.evaluate));
     ::_exit(0);
   }
@@ -110,13 +113,21 @@ bool answerLoaded(const std::vector<Json>& requests, double wall_s, const Answer
 
 // ---- the parent's side
 
-// Results as `send` wrote them; none for what is cut off.
-std::vector<ProgramEnd> received(const std::string& text) {
-  std::vector<ProgramEnd> results;
+// What `answerLoaded` and `send` wrote; none for what is cut off.
+std::vector<Answer> received(const std::string& text) {
+  std::vector<Answer> results;
+  std::shared_ptr<const std::string> shared;
+  size_t sharing = 0;  // of the requests to come
   for (size_t at = 0; at < text.size();) {
     size_t end = text.find('\n', at);
     Json head = Json::parse(text.substr(at, end - at), nullptr, false);
     if (end == std::string::npos || !head.is_object()) break;
+    if (head.contains("shared")) {
+      shared = std::make_shared<const std::string>(text.substr(end + 1, head.at("shared").get<size_t>()));
+      sharing = head.at("requests").get<size_t>();
+      at = end + 1 + shared->size();
+      continue;
+    }
     ProgramEnd result;
     result.exit_status = head.at("exit_status").get<int>();
     result.signal = head.at("signal").get<int>();
@@ -124,34 +135,35 @@ std::vector<ProgramEnd> received(const std::string& text) {
     result.too_long = head.at("too_long").get<bool>();
     result.output = text.substr(end + 1, head.at("bytes").get<size_t>());
     at = end + 1 + result.output.size();
-    results.push_back(std::move(result));
+    results.push_back({std::move(result), sharing > 0 ? shared : nullptr});
+    if (sharing > 0) --sharing;
   }
   return results;
 }
 
-std::vector<ProgramEnd> runShare(const Path& program, const std::vector<Json>& requests, Limits limits) {
+std::vector<Answer> runShare(const Path& program, const std::vector<Json>& requests, Limits limits) {
   Json batch = {{"batch", requests}, {"wall_s", limits.wall_s}};
   std::string input = batch.dump(-1, ' ', false, Json::error_handler_t::replace);
   limits.wall_s *= double(requests.size());
   ProgramEnd child = runChild(program, input, limits);
-  std::vector<ProgramEnd> results = received(child.output);
+  std::vector<Answer> results = received(child.output);
   ProgramEnd lost = child;  // of what the child never came to
   lost.output.clear();
-  results.resize(requests.size(), lost);
+  results.resize(requests.size(), {lost, nullptr});
   return results;
 }
 
 }  // namespace
 
-std::vector<ProgramEnd> runChildren(const Path& program, const std::vector<Json>& requests, const Limits& limits) {
+std::vector<Answer> runChildren(const Path& program, const std::vector<Json>& requests, const Limits& limits) {
   size_t shares = std::min<size_t>(std::max(1u, std::thread::hardware_concurrency()), requests.size());
   std::vector<std::vector<Json>> dealt(shares);
   for (size_t i = 0; i < requests.size(); ++i) dealt[i % shares].push_back(requests[i]);
-  std::vector<std::future<std::vector<ProgramEnd>>> running;
+  std::vector<std::future<std::vector<Answer>>> running;
   for (const auto& share : dealt) running.push_back(std::async(std::launch::async, runShare, program, share, limits));
-  std::vector<ProgramEnd> results(requests.size());
+  std::vector<Answer> results(requests.size());
   for (size_t k = 0; k < shares; ++k) {
-    std::vector<ProgramEnd> some = running[k].get();
+    std::vector<Answer> some = running[k].get();
     for (size_t i = 0; i < some.size(); ++i) results[i * shares + k] = std::move(some[i]);
   }
   return results;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <new>
+#include <optional>
 
 #include "script/batch.h"
 #include "script/evaluate.h"
@@ -21,7 +22,8 @@ namespace {
 // For the signal handler and the hook it sets, which take no argument.
 Sandbox* g_sandbox = nullptr;
 double g_cpu_s = 0;
-bool g_loading = false;  // there is no request to answer yet
+bool g_loading = false;     // there is no request to answer yet
+bool g_names_files = true;  // the answer does
 
 std::string readAll(int descriptor) {
   std::string text;
@@ -46,6 +48,7 @@ std::string readAll(int descriptor) {
 
 Json filesJson(const Sandbox& sandbox) {
   Json files = Json::array();
+  if (!g_names_files) return files;
   for (const Dependency& file : sandbox.files()) {
     files.push_back({{"path", file.path.string()}, {"shown", file.shown}, {"hash", file.hash}});
   }
@@ -83,6 +86,7 @@ void startTimer(double cpu_s) {
 // The sandbox of this process; there is never more than one.
 Sandbox& sandboxFor(const Json& request) {
   g_cpu_s = request.at("cpu_s").get<double>();
+  g_names_files = request.at("names_files").get<bool>();
   if (!g_sandbox) {
     Sandbox::Options options{.home = Home(request.at("roots").get<std::vector<Path>>())};
     options.main = request.at("main").get<std::string>();
@@ -99,12 +103,13 @@ Sandbox& sandboxFor(const Json& request) {
 }
 
 // Only a pipeline's file is the same whatever is set.
-bool load(const Json& request) {
+std::optional<std::string> load(const Json& request) {
   g_loading = true;
-  Json nothing;
-  bool loaded = request.at("function") == "pipeline" && sandboxFor(request).run("load", {}, nothing);
+  Json passes;
+  bool loaded = request.at("function") == "pipeline" && sandboxFor(request).run("load", {}, passes);
   g_loading = false;
-  return loaded;
+  if (!loaded) return std::nullopt;
+  return passes.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 void evaluate(const Json& request) {

@@ -116,7 +116,8 @@ Json requestOf(const Home& home, const Main& main, const std::string& function, 
                const Limits& limits, const Texts& texts) {
   return {{"function", function},       {"argument", argument},          {"roots", home.roots()},
           {"main", main.file.string()}, {"shown", main.shown},           {"own_folder", main.own_folder},
-          {"cpu_s", limits.cpu_s},      {"memory_mb", limits.memory_mb}, {"texts", Json(texts)}};
+          {"cpu_s", limits.cpu_s},      {"memory_mb", limits.memory_mb}, {"texts", Json(texts)},
+          {"names_files", true}};
 }
 
 // The file of the preset that is set, if it is one: in the roots, which may be a copy of them, else as it lies here.
@@ -182,6 +183,35 @@ Prepared prepared(const Prepare& prepare) {
   return one;
 }
 
+// The passes that answers refer to, each text of them read once; on all cores.
+class SharedPasses {
+ public:
+  explicit SharedPasses(const std::vector<Answer>& answers) {
+    for (const Answer& answer : answers)
+      if (answer.shared && passes_.try_emplace(answer.shared.get()).second) texts_.push_back(answer.shared.get());
+    forEachOnAllCores(texts_.size(), [&](size_t i) { passes_.at(texts_[i]) = read(*texts_[i]); });
+  }
+  const std::vector<plan::PassDesc>& of(const Answer& answer) const {
+    static const std::vector<plan::PassDesc> none;
+    return answer.shared ? passes_.at(answer.shared.get()) : none;
+  }
+
+ private:
+  // Those before the first mistake: who refers to others is refused.
+  static std::vector<plan::PassDesc> read(const std::string& text) {
+    std::vector<plan::PassDesc> passes;
+    try {
+      for (const Json& pass : jsonFromText(text)) passes.push_back(plan::passFromJson(pass));
+    } catch (const Error&) {
+    } catch (const Json::exception&) {
+    }
+    return passes;
+  }
+
+  std::vector<const std::string*> texts_;
+  std::map<const std::string*, std::vector<plan::PassDesc>> passes_;
+};
+
 // The outcome of each, as `read` makes it of what its script returned; on all cores.
 template <class Value, class Read>
 std::vector<Outcome<Value>> outcomesOf(const Home& home, const std::vector<Prepared>& all, const Limits& limits,
@@ -190,13 +220,16 @@ std::vector<Outcome<Value>> outcomesOf(const Home& home, const std::vector<Prepa
   std::vector<size_t> asked;
   for (size_t i = 0; i < all.size(); ++i)
     if (!all[i].error) requests.push_back(all[i].request), asked.push_back(i);
-  std::vector<ProgramEnd> children = runChildren(home.program(), requests, limits);
+  for (Json& request : requests) request["names_files"] = false;
+  const std::vector<Answer> answers = runChildren(home.program(), requests, limits);
+  const SharedPasses shared(answers);
   std::vector<Outcome<Value>> outcomes(all.size());
   for (size_t i = 0; i < all.size(); ++i) outcomes[i].error = all[i].error;
   forEachOnAllCores(asked.size(), [&](size_t k) {
     Outcome<Value>& outcome = outcomes[asked[k]];
     try {
-      outcome.value = read(all[asked[k]].main, resultOf(all[asked[k]].main, children[k], nullptr, limits));
+      const Main& main = all[asked[k]].main;
+      outcome.value = read(main, resultOf(main, answers[k].end, nullptr, limits), shared.of(answers[k]));
     } catch (const Error&) {
       outcome.error = std::current_exception();
     }
@@ -261,11 +294,12 @@ static Json pipelineRequest(const Home& home, const Main& main, const PipelineRe
   return request;
 }
 
-static plan::PipelineDesc pipelineOf(const Main& main, Json result, std::vector<DroppedSetting>* dropped) {
+static plan::PipelineDesc pipelineOf(const Main& main, Json result, std::vector<DroppedSetting>* dropped,
+                                     const std::vector<plan::PassDesc>& passes = {}) {
   try {
     if (dropped) *dropped = droppedSettings(result.at("dropped"));
     result.erase("dropped");
-    return plan::pipelineFromJson(result);
+    return plan::pipelineFromJson(result, passes);
   } catch (const Json::exception&) {
     throw Error("the description of the pipeline has a wrong form", {main.shown});
   }
@@ -288,8 +322,10 @@ std::vector<Outcome<plan::PipelineDesc>> evaluatePipelines(const Home& home,
       one.main = mainOf(home, request.name_or_path, "pipeline", request.texts);
       one.request = pipelineRequest(home, one.main, request, false, limits);
     }));
-  return outcomesOf<plan::PipelineDesc>(
-      home, all, limits, [](const Main& main, Json result) { return pipelineOf(main, std::move(result), nullptr); });
+  return outcomesOf<plan::PipelineDesc>(home, all, limits,
+                                        [](const Main& main, Json result, const std::vector<plan::PassDesc>& passes) {
+                                          return pipelineOf(main, std::move(result), nullptr, passes);
+                                        });
 }
 
 Json evaluateScene(const Home& home, const std::string& name_or_path, const Settings& sets,
@@ -308,7 +344,7 @@ std::vector<Outcome<Json>> evaluateScenes(const Home& home, const std::vector<st
       Json argument = {{"file", one.main.shown}, {"sets", Json::array()}};
       one.request = requestOf(home, one.main, "scene", argument, limits, {});
     }));
-  return outcomesOf<Json>(home, all, limits, [](const Main&, Json result) { return result; });
+  return outcomesOf<Json>(home, all, limits, [](const Main&, Json result, const auto&) { return result; });
 }
 
 Json evaluateData(const Home& home, const std::string& path, const Json& arguments,

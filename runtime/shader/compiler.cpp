@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "base/hash.h"
+#include "shader/sources.h"
 #include "shader/spirv_cache.h"
 #include "shader/start.h"
 
@@ -18,54 +19,41 @@ namespace strobe::shader {
 
 namespace {
 
-bool isFile(const Path& file) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(file, ignored);
-}
-
-// Beside the including file, then in the shaders folders of the home; empty if in neither. A file outside of the home
-// (a test's) includes what lies in its own folder.
-Path findInclude(const Home& home, const std::string& name, const Path& from) {
-  Path folder = std::filesystem::absolute(from.parent_path()).lexically_normal();
-  Path beside = (folder / name).lexically_normal();
-  if (isFile(beside)) {
-    if (std::optional<std::string> known = home.nameOf(beside)) return home.find(*known).value_or(Path());
-    if (liesIn(beside, folder)) return beside;
-  }
-  Path shared = home.at(Path("shaders") / name);
-  return isFile(shared) && home.nameOf(shared.lexically_normal()) ? shared.lexically_normal() : Path();
-}
-
-// A file and its text, as it was read once.
-struct Text {
-  Path file;
-  std::string text;
+// What a shader is made of: its file first, then all that it and the preamble reach through includes, in branches that
+// are compiled or not, each once.
+struct Texts {
+  struct One {
+    Path file;
+    const std::string* text;
+  };
+  std::vector<One> all;
+  std::string included;  // for each include in the order in which they were found, the number of its text
 };
 
-void addIncludes(const Home& home, const std::string& text, const Path& file, std::vector<Text>& texts);
+void addIncludes(Sources& sources, const std::string& text, const Path& file, Texts& texts);
 
-void addText(const Home& home, const Path& file, std::vector<Text>& texts) {
-  if (std::any_of(texts.begin(), texts.end(), [&](const Text& one) { return one.file == file; })) return;
-  std::string text = home.read(file);
-  texts.push_back({file, text});
-  addIncludes(home, text, file, texts);
+void addText(Sources& sources, const Path& file, Texts& texts) {
+  auto known = std::find_if(texts.all.begin(), texts.all.end(), [&](const auto& one) { return one.file == file; });
+  texts.included += fmt::format("{},", known - texts.all.begin());
+  if (known != texts.all.end()) return;
+  const std::string& text = sources.read(file);
+  texts.all.push_back({file, &text});
+  addIncludes(sources, text, file, texts);
 }
 
-// All that a text of `file` reaches through includes, in branches that are compiled or not.
-void addIncludes(const Home& home, const std::string& text, const Path& file, std::vector<Text>& texts) {
+void addIncludes(Sources& sources, const std::string& text, const Path& file, Texts& texts) {
   for (size_t at = 0; (at = text.find("#include", at)) != std::string::npos; ++at) {
     size_t open = text.find_first_of("\"<\n", at);
     size_t close = open == std::string::npos ? open : text.find_first_of("\">\n", open + 1);
     if (close == std::string::npos || text[open] == '\n' || text[close] == '\n') continue;
-    Path found = findInclude(home, text.substr(open + 1, close - open - 1), file);
-    if (!found.empty()) addText(home, found, texts);
+    Path found = sources.included(text.substr(open + 1, close - open - 1), file);
+    if (!found.empty()) addText(sources, found, texts);
   }
 }
 
 class Includer : public glslang::TShader::Includer {
  public:
-  // The first of `texts` is the file that is compiled.
-  Includer(const Home& home, const std::vector<Text>& texts) : home_(home), texts_(texts) {}
+  Includer(Sources& sources, const Texts& texts) : sources_(sources), texts_(texts.all) {}
 
   IncludeResult* includeLocal(const char* name, const char* includer, size_t) override { return load(name, includer); }
   IncludeResult* includeSystem(const char* name, const char* includer, size_t) override { return load(name, includer); }
@@ -79,15 +67,15 @@ class Includer : public glslang::TShader::Includer {
     // glslang knows the names of included files, not that of the first.
     std::error_code ignored;
     bool is_file = std::filesystem::is_regular_file(includer, ignored);
-    Path file = findInclude(home_, name, is_file ? Path(includer) : texts_.front().file);
-    auto found = std::find_if(texts_.begin(), texts_.end(), [&](const Text& one) { return one.file == file; });
+    Path file = sources_.included(name, is_file ? Path(includer) : texts_.front().file);
+    auto found = std::find_if(texts_.begin(), texts_.end(), [&](const auto& one) { return one.file == file; });
     if (file.empty() || found == texts_.end()) return nullptr;
     const uint32_t number = uint32_t(found - texts_.begin());
     if (std::find(included_.begin(), included_.end(), number) == included_.end()) included_.push_back(number);
-    return new IncludeResult(file.string(), found->text.data(), found->text.size(), nullptr);
+    return new IncludeResult(file.string(), found->text->data(), found->text->size(), nullptr);
   }
-  const Home& home_;
-  const std::vector<Text>& texts_;
+  Sources& sources_;
+  const std::vector<Texts::One>& texts_;
   std::vector<uint32_t> included_;
 };
 
@@ -160,29 +148,30 @@ void startCompiler(const Home& home) {
   }
 }
 
-// All that decides what a shader is compiled to: the compiler and its rules, the stage, and every text with the name it
-// is included by.
-static std::string keyOf(const Home& home, const Source& source, Stage stage, const std::vector<Text>& texts) {
-  std::string key = fmt::format("{} {} {} {} {}\n", STROBE_VERSION, glslang::GetSpirvGeneratorVersion(), int(kRules),
-                                int(stage), texts.size());
-  for (const std::string* text : {&source.preamble, &source.epilogue})
-    key += fmt::format("{}\n{}", text->size(), *text);
-  for (const auto& [file, text] : texts) key += fmt::format("{}\n{}\n{}", home.shown(file), text.size(), text);
+// All that decides what a shader is compiled to: the compiler and its rules, the stage, every text, and which of them
+// each include means.
+static std::string keyOf(const Source& source, Stage stage, const Texts& texts) {
+  std::string key = fmt::format("{} {} {} {} {}", STROBE_VERSION, glslang::GetSpirvGeneratorVersion(), int(kRules),
+                                int(stage), texts.included);
+  auto add = [&](const std::string& text) { key += fmt::format("\n{}\n", text.size()) + text; };
+  add(source.preamble);
+  add(source.epilogue);
+  for (const auto& one : texts.all) add(*one.text);
   return hashText(key);
 }
 
-static KeptCode compileAnew(const Home& home, const Source& source, Stage stage, const std::vector<Text>& texts,
+static KeptCode compileAnew(const Home& home, const Source& source, Stage stage, Sources& sources, const Texts& texts,
                             Output output) {
   startOnce();
   std::string end = "\n" + source.epilogue;
   std::string name = source.file.string();
-  const char* strings[] = {source.preamble.c_str(), texts.front().text.c_str(), end.c_str()};
+  const char* strings[] = {source.preamble.c_str(), texts.all.front().text->c_str(), end.c_str()};
   const char* names[] = {"generated declarations", name.c_str(), "generated code"};
 
   glslang::TShader shader(language(stage));
   shader.setStringsWithLengthsAndNames(strings, nullptr, names, 3);
   setRules(shader, language(stage));
-  Includer includer(home, texts);
+  Includer includer(sources, texts);
   if (!shader.parse(GetDefaultResources(), 460, false, kRules, includer))
     throw Error(readable(home, shader.getInfoLog(), source.file));
   glslang::TProgram program;
@@ -196,31 +185,34 @@ static KeptCode compileAnew(const Home& home, const Source& source, Stage stage,
   return code;
 }
 
-Compiled compile(const Home& home, const Source& source, Stage stage, Output output) {
-  std::vector<Text> texts;
-  addText(home, source.file, texts);
-  addIncludes(home, source.preamble, source.file, texts);
+Compiled compile(const Home& home, const Source& source, Stage stage, Output output, Sources* shared) {
+  Sources own(home);
+  Sources& sources = shared ? *shared : own;
+  Texts texts;
+  addText(sources, source.file, texts);
+  addIncludes(sources, source.preamble, source.file, texts);
   const SpirvCache cache(home.cache());
-  const std::string key = keyOf(home, source, stage, texts);
+  const std::string key = keyOf(source, stage, texts);
   std::optional<KeptCode> code = cache.find(key);
   if (!code || (code->spirv.empty() && output == Output::Spirv)) {
-    code = compileAnew(home, source, stage, texts, output);
+    code = compileAnew(home, source, stage, sources, texts, output);
     cache.keep(key, *code);
   }
   Compiled result{std::move(code->spirv), {source.file}};
   for (uint32_t number : code->files)
-    if (number > 0 && number < texts.size()) result.files.push_back(texts[number].file);
+    if (number > 0 && number < texts.all.size()) result.files.push_back(texts.all[number].file);
   return result;
 }
 
-std::string textWithIncludes(const Home& home, const Path& file, std::vector<Path>* files) {
-  std::vector<Text> texts;
-  addText(home, file, texts);
+std::string textWithIncludes(const Home& home, const Path& file, std::vector<Path>* files, Sources* shared) {
+  Sources own(home);
+  Texts texts;
+  addText(shared ? *shared : own, file, texts);
   std::string joined;
   if (files) files->clear();
-  for (const auto& [reached, text] : texts) {
-    joined += text;
-    if (files) files->push_back(reached);
+  for (const auto& one : texts.all) {
+    joined += *one.text;
+    if (files) files->push_back(one.file);
   }
   return joined;
 }

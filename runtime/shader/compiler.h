@@ -11,6 +11,8 @@
 
 namespace strobe::shader {
 
+class Sources;
+
 enum class Stage { Vertex, Fragment, Compute, RayGeneration, Miss, ClosestHit, AnyHit };
 
 // Mistakes are found ahead of the making of SPIR-V, which a check goes without.
@@ -29,9 +31,12 @@ struct Compiled {
 
 // Throws `Error` whose lines each read "file:line: message", all of the compiler's errors at once.
 // `#include "a/b.glsl"` is looked up beside the including file, then in the shaders folder.
-Compiled compile(const Home& home, const Source& source, Stage stage, Output output = Output::Spirv);
+// `sources` (may be null) remembers files between calls.
+Compiled compile(const Home& home, const Source& source, Stage stage, Output output = Output::Spirv,
+                 Sources* sources = nullptr);
 
 // Every file `file` reaches through includes, and their joined text; for checks that need no compiler.
-std::string textWithIncludes(const Home& home, const Path& file, std::vector<Path>* files = nullptr);
+std::string textWithIncludes(const Home& home, const Path& file, std::vector<Path>* files = nullptr,
+                             Sources* sources = nullptr);
 
 }  // namespace strobe::shader

@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "shader/interface.h"
 
+#include <algorithm>
 #include <cctype>
 #include <regex>
 #include <set>
 #include <sstream>
 
 namespace strobe::shader {
+
+bool Interface::sizeIsGiven() const {
+  return std::all_of(writes.begin(), writes.end(), [](const Write& write) { return write.buffer; });
+}
+
+const Interface::Read* Interface::over() const {
+  auto found = std::find_if(reads.begin(), reads.end(), [](const Read& read) { return read.over && read.wired; });
+  return found == reads.end() ? nullptr : &*found;
+}
 
 static std::string header(const Interface& in) {
   std::string text = "#version 460\n";
@@ -48,11 +58,19 @@ static std::string frameText(const Interface& in) {
   return text;
 }
 
+// A head as an indirect dispatch reads it, the number of entries in use, and the entries.
+static std::string bufferText(const char* access, uint32_t binding, const std::string& block, const std::string& name) {
+  return fmt::format(
+      "layout(set = 1, binding = {}, scalar) {}buffer {} {{ uvec3 groups; uint count; uint entries[]; }} {}_buf;\n",
+      binding, access, block, name);
+}
+
 static std::string resourceText(const Interface& in, Stage stage) {
   std::string text;
-  if (!in.params.empty()) {
+  if (in.hasParams()) {
     text += fmt::format("layout(set = 1, binding = {}, scalar) uniform Params {{\n", Interface::kParamsBinding);
     for (const auto& param : in.params) text += fmt::format("  {} {};\n", param.integer ? "int" : "float", param.name);
+    if (in.sizeIsGiven()) text += "  ivec2 size_;\n";
     text += "} params;\n";
   }
   if (!in.counters.empty()) {
@@ -61,19 +79,27 @@ static std::string resourceText(const Interface& in, Stage stage) {
     for (size_t i = 0; i < in.counters.size(); ++i)
       text += fmt::format("void count_{}(uint n) {{ atomicAdd(counters_.values[{}], n); }}\n", in.counters[i], i);
   }
-  for (size_t i = 0; i < in.reads.size(); ++i)
-    text += fmt::format("layout(set = 1, binding = {}) uniform {}sampler2D {}_tex;\n", in.readBinding(i),
-                        in.reads[i].uint ? "u" : "", in.reads[i].name);
+  for (size_t i = 0; i < in.reads.size(); ++i) {
+    const auto& read = in.reads[i];
+    if (read.buffer) text += bufferText("readonly ", in.readBinding(i), read.name + "_read_", read.name);
+    else
+      text += fmt::format("layout(set = 1, binding = {}) uniform {}sampler2D {}_tex;\n", in.readBinding(i),
+                          read.uint ? "u" : "", read.name);
+  }
   for (size_t i = 0; i < in.writes.size(); ++i) {
     const auto& write = in.writes[i];
     if (in.raster && stage == Stage::Fragment)
       text += fmt::format("layout(location = {}) out {}vec4 {}_out;\n", i, write.uint ? "u" : "", write.name);
     if (in.raster) continue;
-    text += fmt::format("layout(set = 1, binding = {}, {}) uniform {} {}image2D {}_img;\n", in.writeBinding(i),
-                        write.format, write.update ? "" : "writeonly", write.uint ? "u" : "", write.name);
+    if (write.buffer) text += bufferText("", in.writeBinding(i), write.name + "_write_", write.name);
+    else
+      text += fmt::format("layout(set = 1, binding = {}, {}) uniform {} {}image2D {}_img;\n", in.writeBinding(i),
+                          write.format, write.update ? "" : "writeonly", write.uint ? "u" : "", write.name);
   }
-  if (!in.raster && !in.writes.empty())
-    text += fmt::format("ivec2 pass_size() {{ return imageSize({}_img); }}\n", in.writes[0].name);
+  if (in.raster) return text;
+  auto image = std::find_if(in.writes.begin(), in.writes.end(), [](const auto& write) { return !write.buffer; });
+  std::string size = in.sizeIsGiven() ? "params.size_" : fmt::format("imageSize({}_img)", image->name);
+  text += fmt::format("ivec2 pass_size() {{ return {}; }}\n", size);
   return text;
 }
 
@@ -101,12 +127,27 @@ static const char* kInBlocks = R"(uvec2 in_group_() {
 }
 )";
 
+// Which entry of a buffer an invocation runs for.
+static const char* kIndexInGroups =
+    "(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * (gl_WorkGroupSize.x * gl_WorkGroupSize.y) + "
+    "gl_LocalInvocationIndex";
+static const char* kIndexOfLaunch = "gl_LaunchIDEXT.y * gl_LaunchSizeEXT.x + gl_LaunchIDEXT.x";
+
 std::string epilogue(const Interface& in, Stage stage) {
   if (stage != Stage::Compute && stage != Stage::RayGeneration) return "";
   bool dealt = stage == Stage::Compute && in.deal_rows;
   std::string pixel = dealt ? "dealt_()" : stage == Stage::Compute ? "gl_GlobalInvocationID.xy" : "gl_LaunchIDEXT.xy";
+  const Interface::Read* over = in.over();
+  if (over) dealt = false, pixel = "0";
   std::string text = dealt ? std::string(in.backend == Backend::None ? kInRows : kInBlocks) + kDealtRows : "";
   text += fmt::format("void main() {{\n  ivec2 pixel_ = ivec2({});\n", pixel);
+  if (over) {
+    const char* index = stage == Stage::Compute ? kIndexInGroups : kIndexOfLaunch;
+    text += fmt::format(
+        "  uint index_ = {0};\n  if (index_ >= min({1}_buf.count, uint({1}_buf.entries.length()))) return;\n"
+        "  pixel_ = ivec2({1}_buf.entries[index_] & 0xffffu, {1}_buf.entries[index_] >> 16);\n",
+        index, over->name);
+  }
   if (in.still_once)
     text +=
         "  if (frame.iteration > 0u) {\n    pixel_ += frame.reach.xy;\n"
@@ -158,10 +199,16 @@ static std::unordered_set<std::string> namesIn(const std::string& code) {
 }
 
 // Not from the compiler's reflection, which knows one choice of the variants at a time and no macros.
-std::unordered_set<std::string> namesUsed(const Home& home, const std::vector<Path>& shader_files) {
+std::unordered_set<std::string> namesUsed(const Home& home, const std::vector<Path>& shader_files, Sources* sources) {
   std::string code;
-  for (const Path& file : shader_files) code += withoutComments(textWithIncludes(home, file));
+  for (const Path& file : shader_files) code += withoutComments(textWithIncludes(home, file, nullptr, sources));
   return namesIn(code);
+}
+
+// The names that GLSL has for them.
+static std::string spelled(const Interface::Read& read) { return read.name + (read.buffer ? "_buf" : "_tex"); }
+static std::string spelled(const Interface& in, const Interface::Write& write) {
+  return write.name + (write.buffer ? "_buf" : in.raster ? "_out" : "_img");
 }
 
 std::vector<std::string> unusedNames(const Home& home, const Interface& in, const std::vector<Path>& shader_files,
@@ -172,9 +219,9 @@ std::vector<std::string> unusedNames(const Home& home, const Interface& in, cons
     problems.push_back(fmt::format("{}: pass '{}' declares the {} '{}', but {} never uses {}", in.place, in.pass, kind,
                                    name, home.shown(shader_files.front()), spelled));
   };
-  for (const auto& read : in.reads) expect(read.name + "_tex", "read", read.name);
-  for (const auto& write : in.writes)
-    expect(write.name + (in.raster ? "_out" : "_img"), write.update ? "update" : "write", write.name);
+  for (const auto& read : in.reads)
+    if (!read.over) expect(spelled(read), "read", read.name);
+  for (const auto& write : in.writes) expect(spelled(in, write), write.update ? "update" : "write", write.name);
   for (const auto& param : in.params) expect("params." + param.name, "parameter", param.name);
   for (const auto& variant : in.variants)
     if (!variant.decides_format) expect("PARAM_" + variant.name, "parameter", variant.name);
@@ -185,8 +232,8 @@ std::vector<std::string> unusedNames(const Home& home, const Interface& in, cons
 
 static std::vector<std::string> declaredNames(const Interface& in) {
   std::vector<std::string> names;
-  for (const auto& read : in.reads) names.push_back(read.name + "_tex");
-  for (const auto& write : in.writes) names.push_back(write.name + (in.raster ? "_out" : "_img"));
+  for (const auto& read : in.reads) names.push_back(spelled(read));
+  for (const auto& write : in.writes) names.push_back(spelled(in, write));
   for (const std::string& counter : in.counters) names.push_back("count_" + counter);
   for (const auto& variant : in.variants) names.push_back("PARAM_" + variant.name);
   return names;
@@ -208,8 +255,8 @@ static std::string withDeclarations(const Interface& in, const std::string& log)
       // What was called with the unknown name is only its consequence.
       if (place == last_unknown_place && match[2] != "undeclared identifier") continue;
       last_unknown_place = place;
-      bool generated =
-          name.ends_with("_tex") || name.ends_with("_img") || name.ends_with("_out") || name.starts_with("count_");
+      bool generated = name.ends_with("_tex") || name.ends_with("_img") || name.ends_with("_buf") ||
+                       name.ends_with("_out") || name.starts_with("count_");
       if (generated)
         line += fmt::format(": pass '{}' ({}) declares no such name{}", in.pass, in.place,
                             didYouMean(name, declaredNames(in)));
@@ -222,9 +269,10 @@ static std::string withDeclarations(const Interface& in, const std::string& log)
   return text;
 }
 
-Compiled compilePass(const Home& home, const Interface& in, const Path& file, Stage stage, Output output) {
+Compiled compilePass(const Home& home, const Interface& in, const Path& file, Stage stage, Output output,
+                     Sources* sources) {
   try {
-    return compile(home, {preamble(in, stage), file, epilogue(in, stage)}, stage, output);
+    return compile(home, {preamble(in, stage), file, epilogue(in, stage)}, stage, output, sources);
   } catch (const Error& error) {
     throw Error(withDeclarations(in, error.what()));
   }

@@ -19,6 +19,8 @@ struct Interface {
     std::string name;
     bool uint = false;
     bool wired = true;  // false: an optional read left open; HAS_<name> is 0 and nothing may be fetched
+    bool buffer = false;
+    bool over = false;  // where it is wired, the pass runs for the pixels that are its entries
   };
   struct Write {
     std::string name;
@@ -26,6 +28,7 @@ struct Interface {
     bool uint = false;
     bool update = false;      // read and written
     std::string texels = {};  // the format by the name used in Lua: "r8_unorm"
+    bool buffer = false;
   };
   struct Param {
     std::string name;
@@ -58,6 +61,11 @@ struct Interface {
   std::vector<std::string> counters;  // a trace pass has "rays_" and its backend added by the caller
 
   static constexpr uint32_t kParamsBinding = 0, kCountersBinding = 1, kFirstImageBinding = 2;
+  // The read whose entries it runs for; null: it runs for all pixels.
+  const Read* over() const;
+  // Without an image among its writes its size is a parameter of the runtime's, behind its own.
+  bool sizeIsGiven() const;
+  bool hasParams() const { return !params.empty() || sizeIsGiven(); }
   uint32_t readBinding(size_t index) const { return kFirstImageBinding + uint32_t(index); }
   uint32_t writeBinding(size_t index) const { return kFirstImageBinding + uint32_t(reads.size() + index); }
 };
@@ -70,7 +78,8 @@ std::string epilogue(const Interface& interface, Stage stage);
 
 // Every name in the code of shader files and what they include, under any choice; of members also "params.x". Comments
 // do not count.
-std::unordered_set<std::string> namesUsed(const Home& home, const std::vector<Path>& shader_files);
+std::unordered_set<std::string> namesUsed(const Home& home, const std::vector<Path>& shader_files,
+                                          Sources* sources = nullptr);
 
 // Names declared in Lua that are not among `used`, those of `shader_files`; each with both places.
 std::vector<std::string> unusedNames(const Home& home, const Interface& interface,
@@ -79,6 +88,6 @@ std::vector<std::string> unusedNames(const Home& home, const Interface& interfac
 
 // Compiles `file` as `stage` of the pass; errors about unknown names say what the pass declares.
 Compiled compilePass(const Home& home, const Interface& interface, const Path& file, Stage stage,
-                     Output output = Output::Spirv);
+                     Output output = Output::Spirv, Sources* sources = nullptr);
 
 }  // namespace strobe::shader

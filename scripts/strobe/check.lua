@@ -4,6 +4,8 @@ local native = require "strobe.native"
 
 local check = {}
 
+local invariants = native.invariants()
+
 local Problems = {}
 Problems.__index = Problems
 
@@ -36,9 +38,14 @@ function check.is_uint(format)
   return format:find("ui$") ~= nil
 end
 
+-- Is it a buffer of such instead of an image?
+function check.is_buffer(format)
+  return format == "buffer32ui"
+end
+
 function check.contains(list, value)
-  for _, item in ipairs(list) do
-    if item == value then return true end
+  for i = 1, #list do  -- without a call for each: thousands of names are looked up
+    if list[i] == value then return true end
   end
   return false
 end
@@ -104,7 +111,7 @@ function check.breaks(problems, given, place, what, path)
     problems:add(at, "'breaks' of %s is a %s instead of a table { invariant = \"reason\" }", what, type(given))
     return nil
   end
-  local known, result = native.invariants(), {}
+  local known, result = invariants, {}
   for name, reason in pairs(given) do
     local where = native.key_place(place, table.unpack(check.joined(path, name)))
     if not check.contains(known, name) then

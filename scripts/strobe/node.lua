@@ -159,7 +159,10 @@ local function wire(problems, pass, read, value, at)
     return nil
   end
   local format = rawget(value, "format")
-  if check.is_uint(format) ~= read.uint then
+  if check.is_buffer(format) ~= read.buffer then
+    problems:add(at, "%s wants %s, but '%s' is %s", what, read.buffer and "a buffer" or "an image", node.source(value),
+                 format)
+  elseif check.is_uint(format) ~= read.uint then
     local wants = read.uint and "unsigned integers" or "numbers"
     problems:add(at, "%s wants %s, but '%s' is %s", what, wants, node.source(value), format)
   end

@@ -14,7 +14,8 @@ param.keys = {
 }
 
 -- Words a GLSL parameter block or #define cannot have as a name.
-param.reserved = {
+local reserved = {}
+for _, word in ipairs {
   "active", "asm", "bool", "break", "buffer", "case", "cast", "class", "common", "const", "continue", "default",
   "discard", "do", "double", "else", "enum", "extern", "external", "false", "filter", "fixed", "flat", "float", "for",
   "goto", "half", "if", "in", "inline", "inout", "input", "int", "interface", "invariant", "layout", "long",
@@ -22,7 +23,7 @@ param.reserved = {
   "resource", "restrict", "return", "sample", "shared", "short", "sizeof", "smooth", "static", "struct", "subroutine",
   "superp", "switch", "template", "this", "true", "typedef", "uint", "uniform", "union", "unsigned", "using",
   "varying", "void", "volatile", "while",
-}
+} do reserved[word] = true end
 
 local Param = {}
 
@@ -143,10 +144,11 @@ local function check_bounds(problems, result, given, place, what)
   end
 end
 
+local roles = native.roles()
+
 -- What a parameter is, for commands that ask without knowing its name: one of native.roles(), or nil.
 local function check_role(problems, given, place, what)
   if given.role == nil then return nil end
-  local roles = native.roles()
   if check.contains(roles, given.role) then return given.role end
   local near = type(given.role) == "string" and native.nearest(given.role, roles) or ""
   if near == "" then near = "; roles are " .. table.concat(roles, ", ") end
@@ -184,7 +186,7 @@ function param.declare(problems, name, declared, at, owner)
     return nil
   end
   local given, place, kind = declared.given, declared.place, declared.type
-  if check.contains(param.reserved, name) then problems:add(place, "'%s' is a reserved word of GLSL", name) end
+  if reserved[name] then problems:add(place, "'%s' is a reserved word of GLSL", name) end
 
   local known = { table.unpack(param.keys[kind]) }
   for i = 1, kind == "choice" and #given or 0 do known[#known + 1] = i end
@@ -265,8 +267,8 @@ end
 
 -- The declaration named `name` in a list, or nil.
 function param.find(list, name)
-  for _, one in ipairs(list) do
-    if one.name == name then return one end
+  for i = 1, #list do  -- a search without a call for each: there are thousands of these
+    if list[i].name == name then return list[i] end
   end
   return nil
 end

@@ -10,17 +10,17 @@ local pass = { int = param.int, float = param.float, bool = param.bool, choice =
 
 pass.keys = {
   "name", "shader", "doc", "fails", "breaks", "size", "scene", "reads", "writes", "updates", "params", "counters",
-  "without",
+  "without", "over",
 }
-pass.read_keys  = { "doc", "uint", "optional", "linear", "needs" }
-pass.write_keys = { "doc", "format", "cleared" }
-pass.update_keys = { "doc", "format", "history" }
+pass.read_keys  = { "doc", "uint", "optional", "linear", "needs", "buffer" }
+pass.write_keys = { "doc", "format", "cleared", "each" }
+pass.update_keys = { "doc", "format", "history", "each" }
 pass.format_keys = { "by" }  -- and the choices of that parameter
 pass.counter_keys = { "doc", "limit" }
 pass.size_keys  = { "of", "divide", 1, 2 }
 pass.call_keys  = { "as", "time" }  -- of a call in a pipeline, so no port or parameter may be called this
 
-local MAX_SIDE = 32768
+local MAX_SIDE, MAX_EACH = 32768, 4096
 local formats = native.formats()
 
 local function port_names(list)
@@ -66,10 +66,12 @@ local function declare_reads(problems, t, place, owner)
       local what = ("read '%s' of %s"):format(name, owner)
       check.keys(problems, port, pass.read_keys, place, what, { "reads", name })
       local result = { name = name, place = at, doc = check.doc(problems, port, place, what, { "reads", name }) }
-      for _, key in ipairs { "uint", "optional", "linear" } do
+      for _, key in ipairs { "uint", "optional", "linear", "buffer" } do
         result[key] = port[key] or false
         if port[key] ~= nil then check.field(problems, port, key, "boolean", place, what, { "reads", name }) end
       end
+      if port.buffer and port.linear then problems:add(at, "%s cannot be both buffer and linear", what) end
+      if port.buffer then result.uint = true end
       result.needs = check_needs(problems, t.reads, port, at, what)
       if port.uint and port.linear then problems:add(at, "%s cannot be both uint and linear", what) end
       list[#list + 1] = result
@@ -124,6 +126,9 @@ local function chosen_format(problems, format, params, declared, path, place, wh
       sound = false
     elseif not is_format(problems, one, at(choice), what) then
       sound = false
+    elseif check.is_buffer(one) then
+      problems:add(at(choice), "%s is an image or a buffer whatever is chosen, but '%s' gives %s", what, choice, one)
+      sound = false
     elseif first and check.is_uint(one) ~= check.is_uint(first) then
       problems:add(at(choice), "the formats of %s mix unsigned integers and numbers: %s and %s", what, first, one)
       sound = false
@@ -143,7 +148,21 @@ local function format_of(problems, port, params, declared, path, place, what)
   return port.format
 end
 
-local function declare_writes(problems, t, key, params, place, owner)
+-- Buffers are of one frame, and nothing is drawn into them.
+local function check_buffer(problems, port, kind, at, what)
+  local each = port.each or 1
+  if math.type(each) ~= "integer" or each < 1 or each > MAX_EACH then
+    problems:add(at, "'each' of %s is no integer from 1 to %d", what, MAX_EACH)
+  end
+  if not check.is_buffer(port.format) then
+    if port.each then problems:add(at, "%s is an image, which has one texel for each pixel", what) end
+    return
+  end
+  if kind == "raster" then problems:add(at, "%s is a buffer; a raster pass writes images", what) end
+  if port.history then problems:add(at, "%s is a buffer, which is not kept from frame to frame", what) end
+end
+
+local function declare_writes(problems, t, key, params, kind, place, owner)
   local list = {}
   for name, port in pairs(t[key] or {}) do
     local at = native.key_place(place, key, name)
@@ -154,9 +173,10 @@ local function declare_writes(problems, t, key, params, place, owner)
         if port[flag] ~= nil then check.field(problems, port, flag, "boolean", place, what, { key, name }) end
       end
       local result = { name = name, place = at, doc = check.doc(problems, port, place, what, { key, name }) }
-      result.history, result.cleared = port.history, port.cleared
+      result.history, result.cleared, result.each = port.history, port.cleared, port.each
       result.format, result.format_by, result.formats =
         format_of(problems, port, params, t.params, { key, name, "format" }, place, what)
+      check_buffer(problems, port, kind, at, what)
       list[#list + 1] = result
     end
   end
@@ -183,6 +203,33 @@ local function declare_counters(problems, t, place, owner)
     list[#list + 1] = { name = name, doc = counter.doc, limit = counter.limit }
   end
   return list
+end
+
+-- `over`: the read, a buffer, whose entries are the pixels that the pass runs for.
+local function declare_over(problems, t, kind, result, place, owner)
+  if t.over == nil then return "" end
+  local at = native.key_place(place, "over")
+  local read
+  for _, port in ipairs(result.reads) do
+    if port.name == t.over then read = port end
+  end
+  if not read or not read.buffer then
+    local near = type(t.over) == "string" and not read and native.nearest(t.over, port_names(result.reads)) or ""
+    problems:add(at, "%s runs over %s, which is no read of it that is a buffer%s", owner, check.quoted(t.over), near)
+  end
+  if kind == "raster" then problems:add(at, "%s is a raster pass, which runs over triangles", owner) end
+  for _, write in ipairs(result.writes) do
+    if not write.cleared and not check.is_buffer(write.format or "") then
+      problems:add(write.place, "'%s' of %s, which runs over '%s', wants cleared = true: zero where it does not run",
+                   write.name, owner, t.over)
+    end
+  end
+  for _, one in ipairs(result.params) do
+    if one.role == "still_once" then
+      problems:add(one.place, "'%s' of %s, which runs over '%s', cannot be still_once", one.name, owner, t.over)
+    end
+  end
+  return t.over
 end
 
 local function check_divide(problems, size, params, declared, at, owner)
@@ -265,6 +312,9 @@ local function check_shader(problems, t, place, owner)
   end
 end
 
+-- Descriptions of the passes that files declare; not of those that a build makes, which may be others each time.
+pass.declared = {}
+
 local Pass = {}
 
 local function declare(kind, place, t)
@@ -291,15 +341,17 @@ local function declare(kind, place, t)
   result.scene    = kind ~= "compute" or t.scene == true
   result.params   = param.declare_all(problems, t.params or {}, place, owner)
   result.reads    = declare_reads(problems, t, place, owner)
-  result.writes   = declare_writes(problems, t, "writes", result.params, place, owner)
-  result.updates  = declare_writes(problems, t, "updates", result.params, place, owner)
+  result.writes   = declare_writes(problems, t, "writes", result.params, kind, place, owner)
+  result.updates  = declare_writes(problems, t, "updates", result.params, kind, place, owner)
   result.counters = declare_counters(problems, t, place, owner)
   result.breaks   = check.breaks(problems, t.breaks, place, owner, { "breaks" })
   result.size     = declare_size(problems, t, place, result, owner)
+  result.over     = declare_over(problems, t, kind, result, place, owner)
   result.without  = without.declare(problems, t.without, result, place, owner)
   check_twins(problems, result, owner)
   problems:raise()
   param.note_pass(result.params)
+  if not require("strobe.node").graph then pass.declared[#pass.declared + 1] = result end
   return setmetatable({ description = result, params = t.params or {}, counters = t.counters or {} }, Pass)
 end
 

@@ -7,11 +7,14 @@ local pipeline = require "strobe.pipeline"
 
 local run = {}
 
--- A pipeline's file, ahead of the settings to describe it for.
+-- A pipeline's file, ahead of the settings to describe it for; yields the passes that are declared then, which answers
+-- name by their numbers.
 local loaded
+local numbers = {}
 function run.load()
   loaded = native.main()
-  return {}
+  for number, description in ipairs(pass.declared) do numbers[description] = number end
+  return pass.declared
 end
 
 function run.pipeline(request)
@@ -20,7 +23,9 @@ function run.pipeline(request)
     local what = pass.is_pass(result) and "a pass" or (result == nil and "nothing" or "a " .. type(result))
     check.fail({ file = request.file, line = 0 }, "returns %s instead of a pipeline { ... }", what)
   end
-  return pipeline.describe(result, request.name, request.file, request.sets, request.lenient)
+  local described = pipeline.describe(result, request.name, request.file, request.sets, request.lenient)
+  for i, one in ipairs(described.passes) do described.passes[i] = numbers[one] or one end
+  return described
 end
 
 -- The kind of each pipeline, by the name of its file; nothing of those that do not load.

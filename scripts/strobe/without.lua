@@ -45,6 +45,8 @@ local function check_stand_in(problems, write, given, reads, at, what)
                  near(given, names_of(reads, {})))
   elseif read.optional then
     problems:add(at, "%s: '%s' is '%s', which is optional and may not be there", what, write.name, given)
+  elseif write.format and check.is_buffer(write.format) ~= read.buffer then
+    problems:add(at, "%s: '%s' and '%s' are not both buffers", what, write.name, given)
   elseif write.format and check.is_uint(write.format) ~= read.uint then
     problems:add(at, "%s: '%s' and '%s' do not both hold unsigned integers", what, write.name, given)
   end

@@ -227,7 +227,7 @@ TEST_F(RenderMasks, WhatIsStillIsNotMarked) {
 
 // Of a displacement that is no number what is one counts: NaN is 0, infinity far.
 TEST_F(RenderMasks, DamagedDisplacementsMoveByWhatIsLeftOfThem) {
-  const Path project = sourceFolder() / "tests/oracle/damaged";
+  const Path project = sourceFolder() / "tests/oracle/project";
   lab::Workbench damaged(Home({project, home().shipped()}, home().data(), home().program()), bench());
   const lab::Picture picture = damaged.render(with(shotOf("bar", 128, 16), "damaged_masks", {}, "close"));
   for (int x = 0; x < 8; ++x) {

@@ -45,6 +45,7 @@ PassDesc& Builder::add(PassDesc::Kind kind, const std::string& name, const Wires
     desc.name = read;
     const Format* format = findFormat(formatOf(pipeline, source));
     desc.uint = format && format->uint;
+    desc.buffer = format && isBuffer(format->name);
     pass.reads.push_back(desc);
   }
   for (const std::string& text : writes) pass.writes.push_back(port(text));

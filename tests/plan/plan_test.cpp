@@ -257,6 +257,40 @@ TEST(Memory, AliasesAChain) {
   EXPECT_EQ(bytesAliased(plan), 3u * 64 * 32 * 4);
 }
 
+// A head of four numbers, then one for each pixel; shared with buffers alone.
+TEST(Memory, BuffersHaveAHead) {
+  Builder b;
+  b.compute("a", {}, {"x buffer32ui"});
+  b.compute("b", {{"x", "a.x"}}, {"x r32ui"});
+  b.compute("c", {{"x", "b.x"}}, {"x buffer32ui"});
+  b.compute("d", {{"x", "c.x"}}, {"x"});
+  b.output("color", "d.x");
+  Plan plan = compiled(b.pipeline);
+  EXPECT_EQ(plan.slots.size(), 3u);
+  EXPECT_EQ(plan.images.at(0).slot, plan.images.at(2).slot);
+  EXPECT_EQ(plan.slots.at(0).bytes, 64u * 32 * 4 + 16);
+}
+
+// What runs over a list waits for its groups as well as for its entries.
+TEST(Buffers, ARunOverAListReadsItsGroups) {
+  Builder b;
+  b.compute("list", {}, {"x buffer32ui"});
+  PassDesc& over = b.compute("over", {{"x", "list.x"}}, {"y"});
+  over.over = "x", over.writes[0].cleared = true;
+  b.output("color", "over.y");
+  Plan plan = compiled(b.pipeline);
+  EXPECT_EQ(plan.nodes.at(1).over, plan.nodes.at(0).writes.at(0));
+  uint32_t stages = 0, access = 0;
+  for (const Step& step : plan.steps)
+    for (const Barrier& barrier : step.barriers)
+      if (step.kind == Step::Kind::Pass && step.index == 1 && barrier.image == plan.nodes.at(1).over)
+        stages |= barrier.dst_stages, access |= barrier.dst_access;
+  EXPECT_TRUE(plan.images.at(size_t(plan.nodes.at(1).over)).cleared);
+  EXPECT_EQ(stages, kStageCompute | kStageIndirect);
+  EXPECT_EQ(access, kAccessStorageRead | kAccessIndirectRead);
+  EXPECT_NE(describe(plan).find("over list.x"), std::string::npos);
+}
+
 TEST(Memory, OtherFormatsAndSizesDoNotShare) {
   Builder b;
   b.compute("a", {}, {"x r32f"});
@@ -504,6 +538,21 @@ TEST(Refusals, NumbersReadAsUnsignedAndBack) {
   b.pipeline.passes[0].writes[0].place = {"passes/first.lua", 4};
   EXPECT_EQ(refusal(b.pipeline),
             "test.lua:2: node 'second' reads 'x' as numbers, but 'first.x' is r32ui (passes/first.lua:4)");
+}
+
+TEST(Refusals, BuffersReadAsImagesAndBack) {
+  Builder b;
+  b.compute("first", {}, {"x buffer32ui"});
+  b.compute("second", {{"x", "first.x"}}, {"y"});
+  b.output("color", "second.y");
+  EXPECT_EQ(refusal(b.pipeline), "accepted");
+  b.output("list", "first.x");
+  EXPECT_EQ(refusal(b.pipeline), "test.lua: output 'list' is 'first.x', a buffer instead of an image");
+  b.pipeline.outputs.pop_back();
+  b.pipeline.passes[1].reads[0].buffer = false;
+  b.pipeline.passes[0].writes[0].place = {"passes/first.lua", 4};
+  EXPECT_EQ(refusal(b.pipeline),
+            "test.lua:2: node 'second' reads 'x' as an image, but 'first.x' is buffer32ui (passes/first.lua:4)");
 }
 
 TEST(Refusals, OptionalInputsMayBeLeftOutButNotAsASize) {

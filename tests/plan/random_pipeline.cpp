@@ -4,6 +4,7 @@
 #include <random>
 
 #include "plan/builder.h"
+#include "plan/formats.h"
 
 namespace strobe::plan::test {
 namespace {
@@ -18,8 +19,8 @@ class Maker {
       moveLoop(i);
       addNode(fmt::format("n{}", i));
     }
-    builder_.output("color", any(sources_));
-    for (int i = below(2); i > 0; --i) builder_.output(fmt::format("more{}", i), any(sources_));
+    builder_.output("color", any(images_));
+    for (int i = below(2); i > 0; --i) builder_.output(fmt::format("more{}", i), any(images_));
 
     RandomPipeline result;
     result.options.width = 40, result.options.height = 24;
@@ -43,8 +44,9 @@ class Maker {
   }
 
   void addNode(const std::string& name) {
-    static const std::vector<std::string> formats = {"r32f", "rgba16f", "r32ui"};
-    PassDesc::Kind kind = static_cast<PassDesc::Kind>(below(3));
+    PassDesc::Kind kind = sources_.empty() ? PassDesc::Kind::Raster : static_cast<PassDesc::Kind>(below(3));
+    std::vector<std::string> formats = {"r32f", "rgba16f", "r32ui"};
+    if (kind != PassDesc::Kind::Raster) formats.push_back(kBufferFormat);
     Wires inputs;
     for (int i = sources_.empty() ? 0 : below(4); i > 0; --i) inputs.emplace_back("in" + std::to_string(i), pick());
     std::vector<std::string> writes, updates;
@@ -59,8 +61,14 @@ class Maker {
       pass.size.divide = "tile";
       pass.params = {intParam("tile", 1 + below(8), 1, 16)};
     }
-    for (const PortDesc& port : pass.writes) sources_.push_back(name + "." + port.name);
-    for (const PortDesc& port : pass.updates) sources_.push_back(name + "." + port.name);
+    for (const PortDesc& read : pass.reads)
+      if (read.buffer && kind != PassDesc::Kind::Raster && below(2)) pass.over = read.name;
+    for (PortDesc& port : pass.writes) port.cleared = !pass.over.empty();
+    for (const auto* ports : {&pass.writes, &pass.updates})
+      for (const PortDesc& port : *ports) {
+        sources_.push_back(name + "." + port.name);
+        if (!isBuffer(port.format)) images_.push_back(sources_.back());
+      }
   }
 
   // Mostly what was written lately, so that lifetimes end and slots are shared.
@@ -71,7 +79,7 @@ class Maker {
 
   std::mt19937 random_;
   Builder builder_;
-  std::vector<std::string> sources_;
+  std::vector<std::string> sources_, images_;
 };
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <array>
 #include <map>
 
+#include "plan/formats.h"
+
 namespace strobe::plan::test {
 namespace {
 
@@ -138,8 +140,13 @@ class Replay {
     bool raster = pass.kind == PassDesc::Kind::Raster;
     uint32_t stage = raster ? kStageFragment : pass.kind == PassDesc::Kind::Trace ? trace_stage_ : kStageCompute;
     for (int read : node.reads) {
-      if (read >= 0) touches.push_back(image(read, stage, kAccessSampledRead, 0));
+      if (read < 0) continue;
+      const bool buffer = isBuffer(plan_.images[read].format);
+      touches.push_back(image(read, stage, buffer ? kAccessStorageRead : kAccessSampledRead, 0));
     }
+    for (size_t i = 0; i < pass.reads.size(); ++i)
+      if (pass.reads[i].name == pass.over && node.reads[i] >= 0)
+        touches.push_back(image(node.reads[i], kStageIndirect, kAccessIndirectRead, 0));
     for (int write : node.writes) {
       touches.push_back(raster ? image(write, kStageColor, 0, kAccessColorWrite)
                                : image(write, stage, 0, kAccessStorageWrite));

@@ -13,7 +13,7 @@ namespace {
 // Names alone: the checks of a case are evaluated by its test.
 const std::vector<Extreme>& cases() {
   static const Extremes extremes =
-      readExtremes(Home({home().shipped()}, {}, STROBE_PROGRAM_FILE), {}, std::vector<std::string>());
+      readExtremes(Home(std::vector{home().shipped()}, {}, STROBE_PROGRAM_FILE), {}, std::vector<std::string>());
   return extremes.cases;
 }
 

@@ -18,6 +18,7 @@ local depths          = require "scripts.pipelines.lib.depths"
 local doubts          = require "scripts.pipelines.lib.doubts"
 local edges           = require "scripts.pipelines.lib.edges"
 local gathers         = require "scripts.pipelines.lib.gathers"
+local lists           = require "scripts.pipelines.lib.lists"
 local options         = require "scripts.pipelines.lib.options"
 local ranges          = require "scripts.pipelines.lib.ranges"
 local tiles           = require "scripts.pipelines.lib.tiles"
@@ -93,6 +94,12 @@ function hybrid.params()
                "is revealed, and moves silhouettes in it by up to a pixel.",
       },
       breaks = { half = { mirrored = "which pixel of a square has the ray is not mirrored" } } },
+    reveal_over = choice { "picture", "list", default = "picture", doc = "what the ray reveal runs over: no matter to pictures",
+      values = {
+        picture = "The whole picture; pixels outside of the mask end at once, beside others that do not.",
+        list    = "A list of the masked pixels, so that invocations which run together all have a ray. Three small " ..
+                  "passes make it.",
+      } },
     tiles       = choice { "separate", "union", default = "union", doc = "dominant motion per layer, or of both",
       values = {
         separate = "Each layer has the longest displacements of its own, as published. Fails where only the " ..
@@ -161,9 +168,11 @@ local function knows(p, image) return pass.reads(pass.member("composite", p.comp
 function hybrid.revealed(p, seen, mask)
   local half, count = p.reveal_resolution() == "half", knows(p, "revealed_2_color") and p.revealed_layers() or 1
   if half and count > 1 then error("revealed_layers > 1: a ray per pixel is needed, reveal_resolution = full", 0) end
-  local rays = reveal {
-    hit = seen.hit, mask = mask, divide = half and 2 or 1, as = "reveal",
-  }
+  local function revealed(hit, on, divide, name)
+    local listed = p.reveal_over() == "list" and lists.of(on, name, divide) or nil
+    return reveal { hit = hit, mask = on, listed = listed, divide = divide, as = name }
+  end
+  local rays = revealed(seen.hit, mask, half and 2 or 1, "reveal")
   if half then
     return { reveal_upsample {
       hit = seen.hit, mask = mask, front_depth = seen.depth, color = rays.color, depth = rays.depth, id = rays.id,
@@ -176,7 +185,7 @@ function hybrid.revealed(p, seen, mask)
     local on = moving_behind {
       valid = last.valid, id = last.id, velocity = last.velocity, as = "moving_behind_" .. number,
     }.mask
-    layers[number] = reveal { hit = last.found, mask = on, as = "reveal_" .. number }
+    layers[number] = revealed(last.found, on, 1, "reveal_" .. number)
   end
   return layers
 end

@@ -1,3 +1,0 @@
--- SPDX-License-Identifier: MIT
--- Passes that no picture needs, for tests of what filters do with numbers that are none.
-return { name = "damaged" }

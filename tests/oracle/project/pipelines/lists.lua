@@ -1,0 +1,28 @@
+-- SPDX-License-Identifier: MIT
+-- A pass over the list of what moves, or over the picture.
+local pipeline   = require "strobe.pipeline"
+local moving     = require "passes.mask.moving"
+local marked     = require "passes.marked"
+local drawn_bins = require "passes.drawn_bins"
+local lists      = require "scripts.pipelines.lib.lists"
+local options    = require "scripts.pipelines.lib.options"
+local scene      = require "scripts.pipelines.lib.scene"
+local tiles      = require "scripts.pipelines.lib.tiles"
+
+local params = options.blur(8, 0.1)
+params.over = pipeline.choice { "list", "picture", default = "list", doc = "what the pass runs over" }
+
+return pipeline {
+  doc = "How often a pass runs at each pixel",
+  params = params,
+  build = function(p)
+    local seen = scene.captured()
+    local mask = moving { velocity = seen.velocity, dominant = tiles.dominant(p, seen).dominant }.mask
+    local listed = p.over() == "list" and lists.of(mask, "moving", 1) or nil
+    local made = marked { color = seen.color, listed = listed }
+    return scene.outputs(seen, {
+      color = seen.color, mask = mask, times = made.times, copied = made.copied,
+      bins = drawn_bins { bins = made.bins }.drawn,
+    })
+  end,
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Passes that run over lists of pixels, and buffers: against what the masks say, and against the same without lists.
+#include <fmt/format.h>
+
+#include <array>
+
+#include "common/home.h"
+#include "common/source.h"
+#include "oracle/render.h"
+
+namespace strobe::oracle {
+namespace {
+
+class RenderLists : public RenderTest {
+ protected:
+  static lab::Picture listed(lab::Shot shot, const std::vector<std::string>& settings,
+                             std::vector<std::string> taps = {}) {
+    const Path project = sourceFolder() / "tests/oracle/project";
+    lab::Workbench own(Home({project, home().shipped()}, home().data(), home().program()), bench());
+    shot.taps = std::move(taps);
+    return own.render(with(shot, "lists", settings, "close"));
+  }
+};
+
+// A side that is no multiple of 8, so that squares at the border are cut off.
+lab::Shot crowd() { return shotOf("crowd", 90, 51); }
+
+TEST_F(RenderLists, EachMaskedPixelOnceAndNoOther) {
+  const lab::Picture picture = listed(crowd(), {});
+  const image::Image &mask = imageOf(picture, "mask"), &copied = imageOf(picture, "copied");
+  const image::UintImage& times = picture.frame.outputs.at("times").uints;
+  int masked = 0;
+  for (int y = 0; y < mask.height; ++y)
+    for (int x = 0; x < mask.width; ++x) {
+      const bool is = mask.at(x, y, 0) > .5f;
+      masked += is;
+      ASSERT_EQ(times.at(x, y, 0), is ? 1u : 0u) << x << ", " << y;
+      ASSERT_EQ(copied.at(x, y, 0), is ? colorOf(picture).at(x, y, 0) : 0.f) << x << ", " << y;
+    }
+  EXPECT_GT(masked, 200);
+  EXPECT_LT(masked, mask.width * mask.height - 200);
+}
+
+TEST_F(RenderLists, WithoutAListThePictureIsRunOver) {
+  const lab::Picture picture = listed(crowd(), {"over=picture"});
+  for (uint32_t times : picture.frame.outputs.at("times").uints.values) ASSERT_EQ(times, 1u);
+}
+
+// Squares of 8x8 pixels row by row, in each blocks of 4x2 pixels, two beside each other.
+TEST_F(RenderLists, TheOrderIsThatOfTheSquares) {
+  const lab::Picture picture = listed(crowd(), {}, {"moving_list.list"});
+  const image::Image& mask = imageOf(picture, "mask");
+  const std::vector<uint32_t>& entries = picture.frame.taps.at("moving_list.list").uints.values;
+  size_t at = 0;
+  for (int top = 0; top < mask.height; top += 8)
+    for (int left = 0; left < mask.width; left += 8)
+      for (int block_y = 0; block_y < 8; block_y += 2)
+        for (int block_x = 0; block_x < 8; block_x += 4)
+          for (int i = 0; i < 8; ++i) {
+            const int x = left + block_x + i % 4, y = top + block_y + i / 4;
+            if (x >= mask.width || y >= mask.height || mask.at(x, y, 0) <= .5f) continue;
+            ASSERT_EQ(entries.at(at++), uint32_t(x) | uint32_t(y) << 16);
+          }
+  for (; at < entries.size(); ++at) ASSERT_EQ(entries.at(at), 0u) << "behind the list";
+}
+
+TEST_F(RenderLists, BuffersCountAtomically) {
+  const lab::Picture picture = listed(crowd(), {});
+  std::array<int, 16> expected{};
+  const image::Image &mask = imageOf(picture, "mask"), &color = colorOf(picture);
+  for (int y = 0; y < mask.height; ++y)
+    for (int x = 0; x < mask.width; ++x)
+      if (mask.at(x, y, 0) > .5f) ++expected.at(size_t(std::clamp(int(color.at(x, y, 0) * 16.f), 0, 15)));
+  for (int i = 0; i < 16; ++i) EXPECT_EQ(imageOf(picture, "bins").at(i, 0, 0), float(expected.at(size_t(i)))) << i;
+}
+
+// Where nothing moves there is no list, and where nothing is masked it has no groups.
+TEST_F(RenderLists, AnEmptyListRunsNothing) {
+  const lab::Picture picture = listed(shotOf("bar", 64, 16, {{"d_f", 0}}), {});
+  for (uint32_t times : picture.frame.outputs.at("times").uints.values) ASSERT_EQ(times, 0u);
+}
+
+TEST_F(RenderLists, RevealIsTheSameOverAList) {
+  const std::vector<std::pair<std::string, std::string>> cases = {{"bvh", "preset=best"},
+                                                                  {"bvh", "preset=layers"},
+                                                                  {"bvh", "reveal_resolution=half"},
+                                                                  {"query", "preset=seed"},
+                                                                  {"pipeline", "preset=seed"}};
+  for (const auto& [backend, settings] : cases) {
+    lab::Shot shot = crowd();
+    shot.backend = backend;
+    const lab::Picture over_list = render(with(shot, "hybrid", {settings, "reveal_over=list"}));
+    const lab::Picture over_picture = render(with(shot, "hybrid", {settings, "reveal_over=picture"}));
+    EXPECT_TRUE(identical(colorOf(over_list), colorOf(over_picture))) << backend << ", " << settings;
+    EXPECT_EQ(counterOf(over_list, "reveal.revealed"), counterOf(over_picture, "reveal.revealed")) << settings;
+    EXPECT_GT(counterOf(over_list, "reveal.revealed"), 0u) << settings;
+  }
+}
+
+}  // namespace
+}  // namespace strobe::oracle
