@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Read by ctest when it starts. Each suite of a test program becomes one test "ROOM.SUITE", which runs in one process: its
 # tests share a device and what was compiled for them. A suite that takes longer than `share_s` (costs.txt) is divided
-# into shards, "ROOM.SUITE (1 of 3)". The longest start first.
+# into shards, "ROOM.SUITE (1 of 3)". The longest start first. On few cores no two shards of a suite run at a time: they
+# would compile the same shaders beside each other, where the later one finds what the earlier one made.
 # What each process ran is written to results/, for `./strobe test` to count (common/report.cpp).
 cmake_minimum_required(VERSION 3.25)
 
@@ -11,6 +12,7 @@ cmake_minimum_required(VERSION 3.25)
 set(device "GALLIVM_PERF=nopt;LP_NATIVE_VECTOR_WIDTH=128")
 
 set(share_s 60)
+cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
 file(STRINGS "${CMAKE_CURRENT_LIST_DIR}/costs.txt" costs REGEX "^[^#]")
 
 # Processor seconds of a suite, and how many shards it makes.
@@ -42,6 +44,9 @@ function(add_suite room suite tests program strobe folder)
     add_test("${name}" "${program}" "--gtest_filter=${suite}.*")
     set_tests_properties("${name}" PROPERTIES TIMEOUT 1200 COST ${cost} ENVIRONMENT
       "${device};MESA_SHADER_CACHE_DIR=${folder}/compiled;STROBE_CACHE=${folder}/cache;STROBE_PROGRAM=${strobe};STROBE_NODE_MODULES=${folder}/node_modules;STROBE_TEST_RESULTS=${folder}/results/${file}.txt;GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}")
+    if(shards GREATER 1 AND cores LESS_EQUAL 4)
+      set_tests_properties("${name}" PROPERTIES RESOURCE_LOCK "${room}.${suite}")
+    endif()
   endforeach()
 endfunction()
 

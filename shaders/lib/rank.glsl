@@ -13,7 +13,4 @@ uint rankOf(float gain) {
   return uint(clamp(step, 1.0, float(kFirstRank - 1u)));
 }
 
-// They are counted twice: by groups, then within the one in which the limit lies.
-const uint kGroup = 64u;
-
 #endif

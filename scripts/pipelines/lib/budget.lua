@@ -25,13 +25,11 @@ local revealing = 0.6
 
 -- The first by rank, as many as there may be, or a part of them.
 local function first(p, rank, name, part)
-  local function limit(of, group)
-    local counts = rank_counts { rank = rank, group = group, as = name .. of .. "_counts" }.counts
-    return rank_limit {
-      rank = rank, counts = counts, group = group, most_pixels = p.most_rays, most_part = part, as = name .. of .. "_limit",
-    }.limit
-  end
-  return first_ranks { rank = rank, limit = limit("_rank", limit("_group")), as = name }.mask
+  local counts = rank_counts { rank = rank, as = name .. "_counts" }.counts
+  local limit = rank_limit {
+    rank = rank, counts = counts, most_pixels = p.most_rays, most_part = part, as = name .. "_limit",
+  }.limit
+  return first_ranks { rank = rank, limit = limit, as = name }.mask
 end
 
 -- Of a mask, where to reveal.
