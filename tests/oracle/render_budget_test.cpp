@@ -109,6 +109,16 @@ TEST_F(RenderBudget, RanksAreThoseOfTheirFormula) {
   EXPECT_GE(masked, 16) << "as far as the bar goes";
 }
 
+// However much a ray promises, what has one already comes first.
+TEST_F(RenderBudget, NoGainHasTheFirstRank) {
+  Numbers numbers = kBar;
+  numbers.push_back({"bluer", 1e4});
+  lab::Shot shot = with(moving("blue_behind", numbers), "hybrid", {"preset=captured", "most_rays=0.5"}, "close");
+  shot.taps = {"mask_uncovered_rank.rank"};
+  const std::vector<uint32_t> ranks = render(shot).frame.taps.at(shot.taps.front()).uints.values;
+  EXPECT_EQ(*std::max_element(ranks.begin(), ranks.end()), 4094u);
+}
+
 // A share that is more than is asked for takes nothing away.
 TEST_F(RenderBudget, EnoughIsAll) {
   const lab::Shot shot = moving("../objects/stacked", {{"pixels", 9}});
