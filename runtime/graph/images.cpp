@@ -62,10 +62,12 @@ static void requireImages(const gpu::Device& device, const Plan& plan) {
   const gpu::DeviceLimits limits = gpu::limitsOf(device);
   const uint64_t most = limits.image_side;
   for (const plan::VirtualImage& image : plan.images) {
-    const uint64_t bytes = plan::isBuffer(image.format) ? plan::bytesOf(image.format, image.width, image.height) : 0;
-    if (bytes > limits.buffer_bytes)
+    if (plan::isBuffer(image.format)) {
+      const uint64_t bytes = plan::bytesOf(image.format, image.width, image.height);
+      if (bytes <= limits.buffer_bytes) continue;
       throw Error(gpu::kBufferLimit.text(fmt::format("'{}' takes {} bytes, of at most {} on device '{}'", image.name,
                                                      bytes, limits.buffer_bytes, device.info().name)));
+    }
     if (uint64_t(std::max(image.width, image.height)) <= most) continue;
     throw Error(gpu::kImageLimit.text(fmt::format("'{}' is {}x{} pixels, of at most {} a side on device '{}'",
                                                   image.name, image.width, image.height, most, device.info().name)));

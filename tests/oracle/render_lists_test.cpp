@@ -80,6 +80,16 @@ TEST_F(RenderLists, AnEmptyListRunsNothing) {
   for (uint32_t times : picture.frame.outputs.at("times").uints.values) ASSERT_EQ(times, 0u);
 }
 
+// Its entries in a row are more than an image may be wide.
+TEST_F(RenderLists, AWidePictureHasALongList) {
+  const lab::Picture picture = listed(shotOf("bar", 2200, 8, {{"d_f", 20}}), {"limit=0.02"});
+  const std::vector<uint32_t>& times = picture.frame.outputs.at("times").uints.values;
+  const std::vector<float>& mask = imageOf(picture, "mask").values;
+  ASSERT_EQ(times.size(), mask.size());
+  for (size_t i = 0; i < times.size(); ++i) ASSERT_EQ(times[i], mask[i] > .5f ? 1u : 0u) << i;
+  EXPECT_GT(std::count(times.begin(), times.end(), 1u), 0);
+}
+
 TEST_F(RenderLists, RevealIsTheSameOverAList) {
   const std::vector<std::pair<std::string, std::string>> cases = {{"bvh", "preset=best"},
                                                                   {"bvh", "preset=layers"},
