@@ -126,10 +126,16 @@ void startOnce() {
   STROBE_ASSERT(started, "glslang");
 }
 
+// What all shaders are compiled by; part of the key under which they are kept.
+constexpr int kDialect = 460;
+constexpr auto kClient = glslang::EShTargetVulkan_1_3;
+constexpr auto kTarget = glslang::EShTargetSpv_1_6;
+constexpr bool kOptimizes = false;
+
 void setRules(glslang::TShader& shader, EShLanguage stage) {
-  shader.setEnvInput(glslang::EShSourceGlsl, stage, glslang::EShClientVulkan, 460);
-  shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_3);
-  shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);
+  shader.setEnvInput(glslang::EShSourceGlsl, stage, glslang::EShClientVulkan, kDialect);
+  shader.setEnvClient(glslang::EShClientVulkan, kClient);
+  shader.setEnvTarget(glslang::EShTargetSpv, kTarget);
 }
 
 constexpr auto kRules = EShMessages(EShMsgSpvRules | EShMsgVulkanRules | EShMsgCascadingErrors | EShMsgDebugInfo);
@@ -144,15 +150,19 @@ void startCompiler(const Home& home) {
     const char* text = "#version 460\nvoid main() {}\n";
     shader.setStrings(&text, 1);
     setRules(shader, language(stage));
-    shader.parse(GetDefaultResources(), 460, false, kRules);
+    shader.parse(GetDefaultResources(), kDialect, false, kRules);
   }
 }
 
 // All that decides what a shader is compiled to: the compiler and its rules, the stage, every text, and which of them
 // each include means.
 static std::string keyOf(const Source& source, Stage stage, const Texts& texts) {
-  std::string key = fmt::format("{} {} {} {} {}", STROBE_VERSION, glslang::GetSpirvGeneratorVersion(), int(kRules),
-                                int(stage), texts.included);
+  const glslang::Version compiler = glslang::GetVersion();
+  std::string key = fmt::format("{} {}.{}.{}{} {} ", STROBE_VERSION, compiler.major, compiler.minor, compiler.patch,
+                                compiler.flavor, glslang::GetSpirvGeneratorVersion());
+  for (int rule : {kDialect, int(kClient), int(kTarget), int(kOptimizes), int(kRules), int(stage)})
+    key += fmt::format("{} ", rule);
+  key += texts.included;
   auto add = [&](const std::string& text) { key += fmt::format("\n{}\n", text.size()) + text; };
   add(source.preamble);
   add(source.epilogue);
@@ -172,7 +182,7 @@ static KeptCode compileAnew(const Home& home, const Source& source, Stage stage,
   shader.setStringsWithLengthsAndNames(strings, nullptr, names, 3);
   setRules(shader, language(stage));
   Includer includer(sources, texts);
-  if (!shader.parse(GetDefaultResources(), 460, false, kRules, includer))
+  if (!shader.parse(GetDefaultResources(), kDialect, false, kRules, includer))
     throw Error(readable(home, shader.getInfoLog(), source.file));
   glslang::TProgram program;
   program.addShader(&shader);
@@ -180,7 +190,7 @@ static KeptCode compileAnew(const Home& home, const Source& source, Stage stage,
   KeptCode code{{}, includer.included()};
   if (output == Output::None) return code;
   glslang::SpvOptions options;
-  options.disableOptimizer = true;
+  options.disableOptimizer = !kOptimizes;
   glslang::GlslangToSpv(*program.getIntermediate(language(stage)), code.spirv, &options);
   return code;
 }
