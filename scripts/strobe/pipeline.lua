@@ -301,8 +301,7 @@ local function check_outputs(problems, outputs, build)
       local fits, other = node.has_format(value, "^rgba%d+f$")
       if node.has_format(value, "^buffer") then
         problems:add(at, "output '%s' is '%s', a buffer; outputs are images", name, sources[name])
-      end
-      if name == "color" and not fits then
+      elseif name == "color" and not fits then
         problems:add(at, "output 'color' is '%s' of format %s; it wants rgba16f or rgba32f", sources[name], other)
       end
     end

@@ -80,6 +80,7 @@ TEST(BadInput, ScenesThatAreMissingOrCutShort) {
 TEST(BadInput, ScriptsThatDoNotEnd) {
   TemporaryFolder folder;
   writeText(folder / "endless.lua", "while true do end\n");
+  // Of processor time, in the words that script.Limits tests; on a machine with other work, of wall clock.
   expectRefusal("render " + (folder / "endless.lua") + kScene, 1, "(the limit for a script)");
   writeText(folder / "hungry.lua", "local t = {}\nfor i = 1, 1e9 do t[i] = ('x'):rep(1000) .. i end\n");
   expectRefusal("render " + (folder / "hungry.lua") + kScene, 1, "of memory");
