@@ -123,6 +123,11 @@ class Upload {
 // A device-local buffer holding `size` bytes from `data`; waits for the copy.
 Buffer uploadBuffer(const Device& device, const std::string& name, const void* data, size_t size,
                     VkBufferUsageFlags usage);
+template <class T>
+Buffer uploadArray(const Device& device, const std::string& name, const std::vector<T>& values,
+                   VkBufferUsageFlags usage) {
+  return uploadBuffer(device, name, values.data(), values.size() * sizeof(T), usage);
+}
 
 struct ImageDesc {
   VkFormat format = VK_FORMAT_UNDEFINED;

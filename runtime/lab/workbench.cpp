@@ -102,10 +102,10 @@ std::shared_ptr<world::GpuScene> HeldScene::onDevice(const gpu::Device& device, 
   std::shared_ptr<world::GpuScene>& held = on_device[{slices, structures}];
   if (!held) {
     const double started_s = clockSeconds();
-    if (!meshes) world::requireMemory(loaded.scene, structures, gpu::limitsOf(device));
+    if (!unposed) world::requireMemory(loaded.scene, structures, gpu::limitsOf(device));
     world::requireFits(loaded.scene, slices, gpu::limitsOf(device));
-    if (!meshes) meshes = std::make_shared<world::SceneMeshes>(device, loaded.scene);
-    held = std::make_shared<world::GpuScene>(device, loaded.scene, slices, meshes, structures);
+    if (!unposed) unposed = std::make_shared<world::UnposedScene>(device, loaded.scene);
+    held = std::make_shared<world::GpuScene>(device, loaded.scene, slices, unposed, structures);
     if (device_s == 0) device_s = clockSeconds() - started_s;
   }
   std::shared_ptr<world::GpuScene> copy = held;

@@ -36,8 +36,8 @@ LoadedScene loadScene(const Home& home, Shot& shot);
 // them. A copy must not outlive it.
 struct HeldScene {
   LoadedScene loaded;
-  std::shared_ptr<world::SceneMeshes> meshes;  // of all copies
-  double device_s = 0;                         // what it took to bring it to the device, the first time
+  std::shared_ptr<world::UnposedScene> unposed;  // of all copies
+  double device_s = 0;                           // what it took to bring it to the device, the first time
   std::map<std::pair<uint32_t, shader::StructureKind>, std::shared_ptr<world::GpuScene>> on_device;
 
   // The copy for so many poses, made unless it is there. Copies that are not in use go, but for one.

@@ -14,23 +14,20 @@ constexpr gpu::Touch kBuilt = {VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_
 
 class DriverStructures : public Structures {
  public:
-  DriverStructures(const gpu::Device& device, const scene::Scene& scene,
-                   const std::vector<std::vector<gpu::TriangleGeometry>>& meshes, const BentInstances& bent,
+  DriverStructures(const gpu::Device& device, const scene::Scene& scene, SceneMeshes& meshes, const BentInstances& bent,
                    uint32_t slices)
-      : device_(device), instances_(scene::instancesOf(scene)), bent_(bent), slices_(slices) {
-    for (size_t m = 0; m < meshes.size(); ++m) {
-      uint64_t triangles = 0;
-      for (const gpu::TriangleGeometry& geometry : meshes[m]) triangles += geometry.triangle_count;
-      bottom_levels_.push_back(triangles
-                                   ? gpu::buildBottomLevel(device, "scene.mesh." + scene.meshes[m].name, meshes[m])
-                                   : gpu::Acceleration());
-    }
+      : device_(device),
+        instances_(scene::instancesOf(scene)),
+        bent_(bent),
+        slices_(slices),
+        bottom_levels_(meshes.bottomLevels()) {
+    const std::vector<std::vector<gpu::TriangleGeometry>> triangles = meshes.triangles();
     for (const scene::Mesh& mesh : scene.meshes)
       flags_.push_back(isOneSided(scene, mesh) ? 0 : VK_GEOMETRY_INSTANCE_TRIANGLE_FACING_CULL_DISABLE_BIT_KHR);
     for (uint32_t level = 0; level <= levelOf(slices - 1); ++level)
       top_levels_.emplace_back(device, fmt::format("scene.top_level.{}", level), uint32_t(instances_.size()));
     for (uint32_t level = 0; level < top_levels_.size(); ++level)
-      for (size_t item = 0; item < bent.items().size(); ++item) addBent(scene, meshes, level, item);
+      for (size_t item = 0; item < bent.items().size(); ++item) addBent(scene, triangles, level, item);
   }
 
   VkDescriptorSetLayoutBinding binding(uint32_t number) const override {
@@ -111,8 +108,8 @@ class DriverStructures : public Structures {
   std::vector<scene::Instance> instances_;
   const BentInstances& bent_;
   uint32_t slices_;
-  std::vector<VkGeometryInstanceFlagsKHR> flags_;  // of instances of each mesh
-  std::vector<gpu::Acceleration> bottom_levels_;   // of each mesh, empty where it has no triangles
+  std::vector<VkGeometryInstanceFlagsKHR> flags_;        // of instances of each mesh
+  const std::vector<gpu::Acceleration>& bottom_levels_;  // of each mesh
   std::vector<gpu::TopLevel> top_levels_;
   std::vector<Bent> bents_;  // by level, then item
 };
@@ -126,8 +123,7 @@ bool isOneSided(const scene::Scene& scene, const scene::Mesh& mesh) {
 }
 
 std::unique_ptr<Structures> makeDriverStructures(const gpu::Device& device, const scene::Scene& scene,
-                                                 const std::vector<std::vector<gpu::TriangleGeometry>>& meshes,
-                                                 const BentInstances& bent, uint32_t slices) {
+                                                 SceneMeshes& meshes, const BentInstances& bent, uint32_t slices) {
   return std::make_unique<DriverStructures>(device, scene, meshes, bent, slices);
 }
 

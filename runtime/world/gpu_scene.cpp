@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "scene/limits.h"
-#include "scene/textures.h"
 
 namespace strobe::world {
 
@@ -22,29 +21,22 @@ struct MeshAddresses {
   uint32_t first_bending, bending_count;
 };
 
-template <class T>
-static Buffer uploadArray(const gpu::Device& device, const std::string& name, const std::vector<T>& values,
-                          VkBufferUsageFlags usage) {
-  return gpu::uploadBuffer(device, name, values.data(), values.size() * sizeof(T), usage);
-}
-
 GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slices,
-                   const std::shared_ptr<SceneMeshes>& meshes, StructureKind structures)
+                   const std::shared_ptr<UnposedScene>& unposed, StructureKind structures)
     : device_(device),
       scene_(scene),
       slices_(std::max(slices, SLICE_SAMPLE)),
       instances_(instancesOf(scene)),
       light_nodes_(lightsOf(scene)),
-      meshes_(meshes),
-      bent_(device, scene, *meshes, slices_),
+      unposed_(unposed),
+      bent_(device, scene, unposed->meshes, slices_),
       bent_items_(instances_.size(), -1) {
   for (size_t i = 0; i < bent_.items().size(); ++i) bent_items_[bent_.items()[i].instance] = int(i);
   uploadGeometry(scene);
-  uploadMaterials(scene);
-  uploadTextures(scene);
+  SceneMeshes& meshes = unposed->meshes;
   structures_ = structures == StructureKind::Own
-                    ? makeOwnStructures(device, scene, meshes->trees(), meshes->treeTriangles(), bent_, slices_)
-                    : makeDriverStructures(device, scene, meshes->triangles(), bent_, slices_);
+                    ? makeOwnStructures(device, scene, meshes.trees(), meshes.treeTriangles(), bent_, slices_)
+                    : makeDriverStructures(device, scene, meshes, bent_, slices_);
   auto host_array = [&](const char* name, size_t bytes, VkBufferUsageFlags usage) {
     return Buffer(device_, name, bytes, usage, Buffer::Memory::Host);
   };
@@ -52,19 +44,20 @@ GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slice
   lights_ = host_array("scene.lights", slices_ * light_nodes_.size() * sizeof(SceneLight), kStorage);
   transforms_ = host_array("scene.transforms", slices_ * instances_.size() * sizeof(SceneTransform), kStorage);
   addresses_ = host_array("scene.meshes", sizeof(MeshAddresses), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-  addresses_.write(std::vector<MeshAddresses>{{meshes->vertices().address(), meshes->indices().address(),
-                                               bent_.address(), meshes->firstBendingVertex(), bent_.vertexCount()}});
+  addresses_.write(std::vector<MeshAddresses>{{meshes.vertices().address(), meshes.indices().address(), bent_.address(),
+                                               meshes.firstBendingVertex(), bent_.vertexCount()}});
   cameras_ = host_array("scene.cameras", slices_ * sizeof(SceneCamera), kStorage);
   makeSet();
 }
 
 void GpuScene::uploadGeometry(const Scene& scene) {
-  const std::vector<SceneGeometry>& geometries = meshes_->geometries();
+  const SceneMeshes& meshes = unposed_->meshes;
+  const std::vector<SceneGeometry>& geometries = meshes.geometries();
   std::vector<SceneInstance> instance_data;
   std::vector<SceneDraw> draw_data;
   for (size_t i = 0; i < instances_.size(); ++i) {
     const Mesh& mesh = scene.meshes[size_t(instances_[i].mesh)];
-    uint32_t first = meshes_->firstGeometry()[size_t(instances_[i].mesh)];
+    uint32_t first = meshes.firstGeometry()[size_t(instances_[i].mesh)];
     if (bent_items_[i] >= 0) first = bent_.items()[size_t(bent_items_[i])].first_geometry;
     instance_data.push_back({first, uint32_t(mesh.geometries.size()), 1});
     for (uint32_t g = 0; g < mesh.geometries.size(); ++g) {
@@ -74,120 +67,25 @@ void GpuScene::uploadGeometry(const Scene& scene) {
       draw_data.push_back({uint32_t(i), g});
     }
   }
-  geometry_buffer_ = uploadArray(device_, "scene.geometries", geometries, kStorage);
+  geometry_buffer_ = gpu::uploadArray(device_, "scene.geometries", geometries, kStorage);
   instance_buffer_ =
       Buffer(device_, "scene.instances", instance_data.size() * sizeof(SceneInstance), kStorage, Buffer::Memory::Host);
   instance_buffer_.write(instance_data);
   moves_.assign(instances_.size(), true);
-  draw_buffer_ = uploadArray(device_, "scene.draws", draw_data, kStorage);
-}
-
-// Only what blends texels blends several along the direction in which a surface recedes.
-static constexpr uint32_t kMostTaps = 4;
-
-static SceneTextureUse textureUse(const Scene& scene, const TextureUse& use) {
-  const auto& m = use.uv_transform;
-  uint32_t taps = kMostTaps;
-  if (use.texture >= 0) {
-    const Texture& texture = scene.textures[size_t(use.texture)];
-    bool blends = texture.minify == Texture::Filter::Linear && texture.between != Texture::Levels::None;
-    taps = blends ? kMostTaps : 1;
-  }
-  return {use.texture, uint32_t(use.uv_set), vec2(m[0]), vec2(m[1]), vec2(m[2]), taps};
-}
-
-static uint32_t flagsOf(const Material& material) {
-  return (material.unlit ? MATERIAL_UNLIT : 0) | (material.alpha == Material::Alpha::Mask ? MATERIAL_ALPHA_MASK : 0) |
-         (material.alpha == Material::Alpha::Blend ? MATERIAL_ALPHA_BLEND : 0) |
-         (material.double_sided ? 0 : MATERIAL_ONE_SIDED);
-}
-
-// One colour for all of a material: its factor times the mean of its texture.
-static vec3 meanColor(const Scene& scene, const Material& material) {
-  vec3 factor(material.base_color);
-  int texture = material.base_color_texture.texture;
-  return texture < 0 ? factor : factor * meanColor(scene.textures[size_t(texture)]);
-}
-
-void GpuScene::uploadMaterials(const Scene& scene) {
-  std::vector<SceneMaterial> materials;
-  for (const Material& source : scene.materials) {
-    SceneMaterial material;
-    material.base_color = source.base_color;
-    material.mean_color = meanColor(scene, source);
-    material.emissive = source.emissive;
-    material.metallic = source.metallic;
-    material.roughness = source.roughness;
-    material.alpha_cutoff = source.alpha_cutoff;
-    material.normal_scale = source.normal_scale;
-    material.flags = flagsOf(source);
-    material.base_color_use = textureUse(scene, source.base_color_texture);
-    material.metallic_roughness_use = textureUse(scene, source.metallic_roughness_texture);
-    material.normal_use = textureUse(scene, source.normal_texture);
-    material.emissive_use = textureUse(scene, source.emissive_texture);
-    materials.push_back(material);
-  }
-  materials_ = uploadArray(device_, "scene.materials", materials, kStorage);
-}
-
-// In the order of Texture::Format and Texture::Wrap.
-static constexpr VkFormat kFormats[] = {VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_R8G8B8A8_UNORM,
-                                        VK_FORMAT_R32G32B32A32_SFLOAT};
-static constexpr VkSamplerAddressMode kWraps[] = {
-    VK_SAMPLER_ADDRESS_MODE_REPEAT, VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE};
-
-static VkFilter filterOf(Texture::Filter filter) {
-  return filter == Texture::Filter::Linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
-}
-
-static gpu::SamplerDesc samplerOf(const Texture& texture) {
-  gpu::SamplerDesc desc;
-  desc.magnify = filterOf(texture.magnify);
-  desc.minify = filterOf(texture.minify);
-  desc.between =
-      texture.between == Texture::Levels::Linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
-  desc.first_level_only = texture.between == Texture::Levels::None;
-  desc.wrap_u = kWraps[int(texture.wrap_u)];
-  desc.wrap_v = kWraps[int(texture.wrap_v)];
-  return desc;
-}
-
-// Of a texture whose one level is looked up by one filter at any size, no other level is needed.
-static size_t levelsOf(const Texture& texture) {
-  bool alike = texture.between == Texture::Levels::None && texture.magnify == texture.minify;
-  return alike ? 1 : texture.levels.size();
-}
-
-void GpuScene::uploadTextures(const Scene& scene) {
-  // A white texel stands in where a scene has none, so that the array is never empty.
-  Texture white;
-  white.name = "white";
-  white.width = white.height = 1;
-  white.levels = {{255, 255, 255, 255}};
-  std::vector<const Texture*> sources;
-  for (const Texture& texture : scene.textures) sources.push_back(&texture);
-  if (sources.empty()) sources.push_back(&white);
-  for (const Texture* source : sources) {
-    gpu::ImageDesc desc;
-    desc.format = kFormats[int(source->format)];
-    desc.width = uint32_t(source->width);
-    desc.height = uint32_t(source->height);
-    desc.levels = uint32_t(levelsOf(*source));
-    std::vector<std::vector<uint8_t>> levels(source->levels.begin(), source->levels.begin() + desc.levels);
-    textures_.push_back(gpu::uploadImage(device_, "scene.texture." + source->name, desc, levels));
-    samplers_.push_back(gpu::makeSampler(device_, "scene.sampler." + source->name, samplerOf(*source)));
-  }
+  draw_buffer_ = gpu::uploadArray(device_, "scene.draws", draw_data, kStorage);
 }
 
 void GpuScene::makeSet() {
   const VkShaderStageFlags all = VK_SHADER_STAGE_ALL;
-  const Buffer* buffers[] = {&frame_,     &addresses_, &geometry_buffer_, &instance_buffer_, &draw_buffer_,
-                             &materials_, &lights_,    &transforms_,      &cameras_};
+  const SceneSurfaces& surfaces = unposed_->surfaces;
+  const Buffer* buffers[] = {&frame_,           &addresses_,   &geometry_buffer_,
+                             &instance_buffer_, &draw_buffer_, &surfaces.materials(),
+                             &lights_,          &transforms_,  &cameras_};
   std::vector<VkDescriptorSetLayoutBinding> bindings;
   for (uint32_t i = 0; i < std::size(buffers); ++i)
     bindings.push_back(
         {i, i < 2 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, all, nullptr});
-  uint32_t texture_count = uint32_t(textures_.size());
+  uint32_t texture_count = uint32_t(surfaces.textures().size());
   const uint32_t textures = uint32_t(bindings.size());
   bindings.push_back({textures, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, texture_count, all, nullptr});
   const uint32_t count = uint32_t(bindings.size());
@@ -198,9 +96,6 @@ void GpuScene::makeSet() {
 
   std::vector<VkDescriptorBufferInfo> written;
   for (const Buffer* buffer : buffers) written.push_back({buffer->handle(), 0, VK_WHOLE_SIZE});
-  std::vector<VkDescriptorImageInfo> images;
-  for (uint32_t i = 0; i < texture_count; ++i)
-    images.push_back({samplers_[i].get(), textures_[i].view(), VK_IMAGE_LAYOUT_GENERAL});
   std::vector<VkWriteDescriptorSet> writes;
   for (uint32_t i = 0; i < count; ++i) {
     const VkDescriptorSetLayoutBinding& binding = bindings[i];
@@ -210,7 +105,7 @@ void GpuScene::makeSet() {
     write.descriptorType = binding.descriptorType;
     write.descriptorCount = binding.descriptorCount;
     if (binding.binding < textures) write.pBufferInfo = &written[binding.binding];
-    else write.pImageInfo = images.data();
+    else write.pImageInfo = surfaces.textures().data();
     writes.push_back(write);
   }
   device_.vk().UpdateDescriptorSets(device_.handle(), uint32_t(writes.size()), writes.data(), 0, nullptr);
@@ -228,7 +123,8 @@ double GpuScene::depthRange(uint32_t slice, const Pose& pose) const {
   for (size_t i = 0; i < instances_.size() && camera.orthographic; ++i) {
     const int item = bent_items_[i];
     const dmat4& world = item < 0 ? pose.world_from_instance[i] : bent_.world(slice, size_t(item));
-    const Bounds& bounds = item < 0 ? meshes_->bounds()[size_t(instances_[i].mesh)] : bent_.bounds(slice, size_t(item));
+    const Bounds& bounds =
+        item < 0 ? unposed_->meshes.bounds()[size_t(instances_[i].mesh)] : bent_.bounds(slice, size_t(item));
     if (bounds.empty()) continue;
     for (int k = 0; k < 8; ++k) {
       dvec3 corner(world * dvec4(bounds.corner(k), 1));
@@ -341,7 +237,7 @@ void GpuScene::recordBuild(VkCommandBuffer commands, uint32_t slice) const {
 }
 
 std::string GpuScene::layoutText() const {
-  return fmt::format("{} slices, {} textures, {}", slices_, textures_.size(),
+  return fmt::format("{} slices, {} textures, {}", slices_, unposed_->surfaces.textures().size(),
                      int(structures_->binding(0).descriptorType));
 }
 

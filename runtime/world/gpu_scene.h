@@ -13,17 +13,26 @@
 #include "shared/scene.h"
 #include "world/bent_instances.h"
 #include "world/scene_meshes.h"
+#include "world/scene_surfaces.h"
 #include "world/structures.h"
 
 namespace strobe::world {
+
+// What no pose changes of a scene, on the device: once for all its copies that are posed apart.
+struct UnposedScene {
+  // The device and the scene must outlive it.
+  UnposedScene(const gpu::Device& device, const scene::Scene& scene) : meshes(device, scene), surfaces(device, scene) {}
+  SceneMeshes meshes;
+  SceneSurfaces surfaces;
+};
 
 // Owns descriptor set 0, which every pass is bound to: the frame's uniform block and the scene's arrays.
 class GpuScene {
  public:
   // `slices`: how many times the scene can be posed at once, at least SLICE_SAMPLE (the capture and its neighbours).
-  // `meshes` are the scene's, which must fit (world/fits.h); the driver's structures need a device that has them.
+  // `unposed` is of the scene, which must fit (world/fits.h); the driver's structures need a device that has them.
   GpuScene(const gpu::Device& device, const scene::Scene& scene, uint32_t slices,
-           const std::shared_ptr<SceneMeshes>& meshes, shader::StructureKind structures);
+           const std::shared_ptr<UnposedScene>& unposed, shader::StructureKind structures);
 
   VkDescriptorSetLayout setLayout() const { return set_layout_.get(); }
   // What decides the layout of the set: scenes that say the same have compatible layouts.
@@ -32,7 +41,7 @@ class GpuScene {
   uint32_t slices() const { return slices_; }
   uint32_t instanceCount() const { return uint32_t(instances_.size()); }
   uint32_t lightCount() const { return uint32_t(light_nodes_.size()); }
-  VkBuffer indexBuffer() const { return meshes_->indices().handle(); }
+  VkBuffer indexBuffer() const { return unposed_->meshes.indices().handle(); }
 
   struct Draw {
     uint32_t first_index, index_count;
@@ -56,8 +65,6 @@ class GpuScene {
 
  private:
   void uploadGeometry(const scene::Scene& scene);
-  void uploadMaterials(const scene::Scene& scene);
-  void uploadTextures(const scene::Scene& scene);
   void makeSet();
   [[noreturn]] void refuseTransform(int node) const;
   double depthRange(uint32_t slice, const scene::Pose& pose) const;
@@ -69,13 +76,10 @@ class GpuScene {
   std::vector<bool> moves_;  // by instance
   std::vector<int> light_nodes_;
   std::vector<Draw> draws_;
-  std::shared_ptr<SceneMeshes> meshes_;
+  std::shared_ptr<UnposedScene> unposed_;
   BentInstances bent_;
   std::vector<int> bent_items_;  // by instance: its number among those that bend, else -1
-  gpu::Buffer frame_, addresses_, geometry_buffer_, instance_buffer_, draw_buffer_, materials_, lights_, transforms_,
-      cameras_;
-  std::vector<gpu::Image> textures_;
-  std::vector<gpu::Owned<VkSampler>> samplers_;
+  gpu::Buffer frame_, addresses_, geometry_buffer_, instance_buffer_, draw_buffer_, lights_, transforms_, cameras_;
   std::unique_ptr<Structures> structures_;
   gpu::Owned<VkDescriptorSetLayout> set_layout_;
   gpu::Owned<VkDescriptorPool> pool_;

@@ -119,6 +119,19 @@ std::vector<std::vector<gpu::TriangleGeometry>> SceneMeshes::triangles() const {
   return meshes;
 }
 
+const std::vector<gpu::Acceleration>& SceneMeshes::bottomLevels() {
+  if (!bottom_levels_.empty()) return bottom_levels_;
+  std::vector<gpu::Acceleration> levels;
+  for (const std::vector<gpu::TriangleGeometry>& mesh : triangles()) {
+    uint64_t count = 0;
+    for (const gpu::TriangleGeometry& geometry : mesh) count += geometry.triangle_count;
+    const std::string name = "scene.mesh." + scene_.meshes[levels.size()].name;
+    levels.push_back(count ? gpu::buildBottomLevel(device_, name, mesh) : gpu::Acceleration());
+  }
+  bottom_levels_ = std::move(levels);
+  return bottom_levels_;
+}
+
 const MeshTrees& SceneMeshes::trees() {
   if (trees_) return *trees_;
   auto trees = std::make_unique<MeshTrees>(buildMeshTrees(scene_));

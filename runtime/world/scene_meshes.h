@@ -37,6 +37,8 @@ class SceneMeshes {
   const std::vector<Bounds>& bounds() const { return bounds_; }
   // What the driver's structures are built from, of each mesh.
   std::vector<std::vector<gpu::TriangleGeometry>> triangles() const;
+  // The driver's structures of each mesh, empty where it has no triangles; built when they are first asked for.
+  const std::vector<gpu::Acceleration>& bottomLevels();
 
   // The runtime's own trees and the buffer of their triangles, built when they are first asked for. Throws `Error`
   // where there are more nodes than can be numbered.
@@ -59,6 +61,7 @@ class SceneMeshes {
   size_t vertex_count_ = 0, index_count_ = 0;
   gpu::Buffer vertices_, indices_, tree_triangles_;
   std::unique_ptr<MeshTrees> trees_;
+  std::vector<gpu::Acceleration> bottom_levels_;
 };
 
 }  // namespace strobe::world

@@ -12,6 +12,7 @@
 #include "shared/scene.h"
 #include "world/bent_instances.h"
 #include "world/mesh_trees.h"
+#include "world/scene_meshes.h"
 
 namespace strobe::world {
 
@@ -31,10 +32,9 @@ class Structures {
 // Are all its triangles of materials that are seen from one side alone? A driver then leaves out what is behind.
 bool isOneSided(const scene::Scene& scene, const scene::Mesh& mesh);
 
-// Acceleration structures of the driver. `meshes`: the triangles of each. `bent` must outlive it.
+// Acceleration structures of the driver. `meshes` are the scene's; they and `bent` must outlive it.
 std::unique_ptr<Structures> makeDriverStructures(const gpu::Device& device, const scene::Scene& scene,
-                                                 const std::vector<std::vector<gpu::TriangleGeometry>>& meshes,
-                                                 const BentInstances& bent, uint32_t slices);
+                                                 SceneMeshes& meshes, const BentInstances& bent, uint32_t slices);
 
 // The runtime's own trees (shaders/shared/bvh.h). `triangles`: those of the trees, on the device; it and `bent` must
 // outlive it.
