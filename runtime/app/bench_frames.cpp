@@ -28,6 +28,7 @@ struct Options {
   std::string out, save, against;
   double moved = 0.05;
   int blocks = 8;
+  size_t in_flight = 0;  // 0: what suits the device
   bool json = false;
 };
 
@@ -82,6 +83,7 @@ std::vector<std::string> wordsOf(const Options& options, const bench::Subject& s
   for (const auto& size : subject.sizes) words.push_back(fmt::format("--size={}x{}", size[0], size[1]));
   for (const std::string& word : options.shot.words(kSeveral)) words.push_back(word);
   words.push_back(fmt::format("--rounds={}", options.rounds.least));
+  if (options.in_flight > 0) words.push_back(fmt::format("--in-flight={}", options.in_flight));
   return words;
 }
 
@@ -120,6 +122,7 @@ struct Measured {
 
 void measureAlone(const Home& home, const Options& options, const bench::Subject& subject, Measured& measured) {
   lab::Workbench bench(home, subject.shot.device, validationWanted());
+  if (options.in_flight > 0) bench.frames_in_flight = options.in_flight;
   std::optional<bench::Run> saved;
   if (!options.against.empty()) {
     saved = bench::readRun(options.against);
@@ -202,6 +205,10 @@ void registerBenchFrames(CLI::App& bench, const Home& home) {
   command->add_option("--most-rounds", options->rounds.most, "at most so many then")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
+  command
+      ->add_option("--in-flight", options->in_flight,
+                   "frames of each that are under way at once (default: 1 on a software device, else 2)")
+      ->check(CLI::Range(1, 8));
   command->add_option("-o,--out", options->out, "folder for index.html, bench.json and trace.json");
   command->add_option("--save", options->save, "file for the times, which --against takes later");
   command->add_option("--against", options->against,

@@ -74,6 +74,7 @@ Prepared prepared(lab::Batch& batch, const std::vector<NamedShot>& shots) {
   result.run = {"", STROBE_VERSION, lab::programHash(), device.name, device.driver};
   result.run.backend = shader::backendName(bench.chooseBackend(shots.front().shot.backend));
   result.run.software = device.software;
+  result.run.frames_in_flight = bench.frames_in_flight;
   result.run.threads = std::thread::hardware_concurrency();
   result.run.environment = driverEnvironment();
   for (const NamedShot& named : shots) {
@@ -127,6 +128,8 @@ Run measure(lab::Workbench& bench, const std::vector<NamedShot>& shots, const la
   for (size_t i = 0; i < timings.size(); ++i) {
     ShotTimes& shot = of.run.shots[i];
     shot.ms = timings[i].ms;
+    if (bench.frames_in_flight > 1) shot.interval_ms = timings[i].interval_ms;
+    if (!of.run.timesPasses()) continue;
     for (const auto& [name, ms] : timings[i].passes) shot.passes.push_back({name, ms});
     addWork(shot.passes, *batch.planOf(of.shots[i]), timings[i]);
   }

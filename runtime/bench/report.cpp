@@ -68,13 +68,23 @@ page::Table timesTable(const Run& run, const std::vector<const ShotTimes*>& shot
                    {"95 % interval", true},
                    {"bytes touched", true},
                    {"rays", true}};
+  const bool has_intervals = run.frames_in_flight > 1;
+  if (has_intervals)
+    table.columns.insert(table.columns.begin() + 3, {{"from frame to frame", true}, {"frames/s", true}});
   for (const ShotTimes* shot : shots) {
     Estimate ms = estimatedMedian(shot->ms), ratio = ratioToBase(run, *shot);
     bool is_base = shot == shots.front();
-    table.add({shot->method, Cell(ms.value, shownTime(ms.value)), shownRange(ms, shownTime),
-               Cell(ratio.value, is_base ? "1" : shownRatio(ratio.value)),
-               is_base ? "base" : shownRange(ratio, shownRatio), countCell(bytesOf(*shot), shownBytes(bytesOf(*shot))),
-               countCell(raysOf(*shot), shownCount(raysOf(*shot)))});
+    std::vector<Cell> row = {shot->method, Cell(ms.value, shownTime(ms.value)), shownRange(ms, shownTime)};
+    if (has_intervals) {
+      const double interval_ms = median(shot->interval_ms);
+      row.push_back(Cell(interval_ms, shownTime(interval_ms)));
+      row.push_back(Cell(1000 / interval_ms, fmt::format("{:.1f}", 1000 / interval_ms)));
+    }
+    row.push_back(Cell(ratio.value, is_base ? "1" : shownRatio(ratio.value)));
+    row.push_back(is_base ? "base" : shownRange(ratio, shownRatio));
+    row.push_back(countCell(bytesOf(*shot), shownBytes(bytesOf(*shot))));
+    row.push_back(countCell(raysOf(*shot), shownCount(raysOf(*shot))));
+    table.add(std::move(row));
   }
   return table;
 }
@@ -201,6 +211,7 @@ void addPlace(std::vector<page::Block>& blocks, const Run& run, const std::vecto
               size_t index) {
   blocks.push_back(page::Heading{shots.front()->place(), 2, fmt::format("place-{}", index + 1)});
   blocks.push_back(timesTable(run, shots));
+  if (!run.timesPasses()) return;
   std::vector<page::Waterfall> waterfalls;
   for (const ShotTimes* shot : shots) waterfalls.push_back(waterfallOf(*shot));
   page::align(waterfalls);

@@ -26,8 +26,10 @@ std::string shownBytes(uint64_t bytes) {
 std::string shownCount(uint64_t count) { return count == 0 ? page::kNotMeasured : std::to_string(count); }
 
 std::string roundsOf(const Run& run) {
-  return fmt::format("{} rounds of a frame of each shot in turn; the first frames, which compile, do not count",
-                     run.shots.front().ms.size());
+  std::string of = "a frame";
+  if (run.frames_in_flight > 1) of = fmt::format("frames, {} under way at once,", run.frames_in_flight);
+  return fmt::format("{} rounds of {} of each shot in turn; the first frames, which compile, do not count",
+                     run.shots.front().ms.size(), of);
 }
 
 std::string deviceOf(const Run& run) {
@@ -37,10 +39,12 @@ std::string deviceOf(const Run& run) {
 }
 
 std::string cautionOf(const Run& run) {
-  return run.software
-             ? "A software device: its milliseconds are not comparable across machines, nor with a GPU's; ratios "
-               "are what counts."
-             : "Clocks are not locked.";
+  if (!run.software) return "Clocks are not locked.";
+  std::string text =
+      "A software device: its milliseconds are not comparable across machines, nor with a GPU's; ratios are what "
+      "counts.";
+  if (!run.timesPasses()) text += " It has no clock for passes while several frames are under way.";
+  return text;
 }
 
 const char* const kWorkNote =

@@ -49,6 +49,7 @@ Run joined(const std::vector<Run>& blocks) {
     for (size_t s = 0; s < all.shots.size(); ++s) {
       const ShotTimes& more = blocks[b].shots[s];
       append(all.shots[s].ms, more.ms);
+      append(all.shots[s].interval_ms, more.interval_ms);
       STROBE_ASSERT(more.passes.size() == all.shots[s].passes.size(), "{}", more.name());
       for (size_t p = 0; p < more.passes.size(); ++p) append(all.shots[s].passes[p].ms, more.passes[p].ms);
     }
@@ -71,6 +72,7 @@ static Json toJson(const PassTimes& pass) {
 static Json toJson(const ShotTimes& shot) {
   Json json = {{"scene", shot.scene}, {"width", shot.width}, {"height", shot.height},  {"method", shot.method},
                {"shot", shot.shot},   {"ms", shot.ms},       {"passes", Json::array()}};
+  if (!shot.interval_ms.empty()) json["interval_ms"] = shot.interval_ms;
   for (const PassTimes& pass : shot.passes) json["passes"].push_back(toJson(pass));
   return json;
 }
@@ -82,6 +84,7 @@ Json toJson(const Run& run) {
       {"strobe", {{"version", run.version}, {"program", run.program}}},
       {"device", {{"name", run.device}, {"driver", run.driver}, {"backend", run.backend}, {"software", run.software}}},
       {"threads", run.threads},
+      {"frames_in_flight", run.frames_in_flight},
       {"environment", run.environment},
       {"shots", Json::array()}};
   for (const ShotTimes& shot : run.shots) json["shots"].push_back(toJson(shot));
@@ -94,23 +97,38 @@ static PassTimes passFrom(const Json& json) {
 }
 
 static ShotTimes shotFrom(const Json& json) {
-  ShotTimes shot{
-      json.at("scene"), json.at("method"), json.at("width"), json.at("height"), json.at("shot"), json.at("ms"), {}};
+  ShotTimes shot{json.at("scene"),
+                 json.at("method"),
+                 json.at("width"),
+                 json.at("height"),
+                 json.at("shot"),
+                 json.at("ms"),
+                 json.value("interval_ms", std::vector<double>()),
+                 {}};
   for (const Json& pass : json.at("passes")) shot.passes.push_back(passFrom(pass));
   return shot;
 }
 
 static Run runFrom(const Json& json) {
   const Json &strobe = json.at("strobe"), &device = json.at("device");
-  Run run{
-      json.at("command"),   strobe.at("version"),  strobe.at("program"), device.at("name"),      device.at("driver"),
-      device.at("backend"), device.at("software"), json.at("threads"),   json.at("environment"), {}};
+  Run run{json.at("command"),
+          strobe.at("version"),
+          strobe.at("program"),
+          device.at("name"),
+          device.at("driver"),
+          device.at("backend"),
+          device.at("software"),
+          json.at("threads"),
+          json.value("frames_in_flight", size_t{1}),
+          json.at("environment"),
+          {}};
   for (const Json& shot : json.at("shots")) run.shots.push_back(shotFrom(shot));
   return run;
 }
 
-// Every pass has a time in each round in which its frame has one.
+// Every pass, and the interval, has a time in each round in which its frame has one.
 static bool isWhole(const ShotTimes& shot) {
+  if (!shot.interval_ms.empty() && shot.interval_ms.size() != shot.ms.size()) return false;
   return !shot.ms.empty() && std::all_of(shot.passes.begin(), shot.passes.end(),
                                          [&](const PassTimes& pass) { return pass.ms.size() == shot.ms.size(); });
 }

@@ -29,9 +29,10 @@ inline constexpr const char* kRest = "(rest)";
 struct ShotTimes {
   std::string scene, method;  // as the command line has them
   int width = 0, height = 0;
-  Json shot;                      // lab::toJson
-  std::vector<double> ms;         // of a frame, by round
-  std::vector<PassTimes> passes;  // in the order of execution
+  Json shot;                        // lab::toJson
+  std::vector<double> ms;           // of a frame, by round
+  std::vector<double> interval_ms;  // from frame to frame, by round; empty unless several are under way at once
+  std::vector<PassTimes> passes;    // in the order of execution
 
   std::string size() const;   // "320x180"
   std::string place() const;  // "living_room, 320x180": those that are compared with each other have the same
@@ -48,10 +49,14 @@ struct Run {
   std::string version, program;  // of Strobe, and the hash of its file
   std::string device, driver, backend;
   bool software = false;
-  unsigned threads = 0;                            // of the processor
+  unsigned threads = 0;  // of the processor
+  size_t frames_in_flight = 1;
   std::map<std::string, std::string> environment;  // variables that change what a software device does
   std::vector<ShotTimes> shots;                    // by scene, then by size; the first method of each is the base
 
+  // A software device stamps passes as it takes their commands, not as it executes them: with several frames under way
+  // no pass has a time, and shots have none.
+  bool timesPasses() const { return !software || frames_in_flight == 1; }
   // The shot that the ratios of another are to: the first of the same scene and size.
   const ShotTimes& baseOf(const ShotTimes& shot) const;
 };

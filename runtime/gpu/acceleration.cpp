@@ -119,7 +119,7 @@ TopLevel::TopLevel(const Device& device, const std::string& name, uint32_t capac
   instances_ = Buffer(
       device, name + ".instances", bytes,
       VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT,
-      Buffer::Memory::Host);
+      Buffer::Memory::Device);
   VkAccelerationStructureGeometryKHR geometry;
   auto sizes = buildSizes(device, buildInfo(geometry), {std::max(1u, capacity)});
   structure_ =

@@ -64,10 +64,8 @@ class TopLevel {
   TopLevel() = default;
   TopLevel(const Device& device, const std::string& name, uint32_t capacity);
   VkAccelerationStructureKHR handle() const { return structure_.handle(); }
-  // What the next build reads; host-visible, filled by the caller before the commands run.
-  VkAccelerationStructureInstanceKHR* instances() {
-    return static_cast<VkAccelerationStructureInstanceKHR*>(instances_.mapped());
-  }
+  // What the next build reads: a VkAccelerationStructureInstanceKHR each.
+  const Buffer& instances() const { return instances_; }
   // Records the build of the first `count` instances and the barrier that lets every later stage trace.
   void recordBuild(VkCommandBuffer commands, uint32_t count) const;
 

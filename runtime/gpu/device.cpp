@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <map>
 #include <mutex>
 #include <utility>
 
+#include "gpu/commands.h"
 #include "gpu/features.h"
 
 namespace strobe::gpu {
@@ -64,7 +66,7 @@ Device::Device(const DeviceOptions& options) : messages_(std::make_unique<Messag
     createInstance(options);
     choosePhysicalDevice(options.device);
     createDevice(options.device_extensions);
-    createCommandPool();
+    commands_ = std::make_unique<Commands>(*this, "commands");
   } catch (...) {
     destroy();
     throw;
@@ -76,8 +78,7 @@ Device::~Device() { destroy(); }
 void Device::destroy() {
   if (device_) {
     vk_.DeviceWaitIdle(device_);
-    if (fence_) vk_.DestroyFence(device_, fence_, nullptr);
-    if (command_pool_) vk_.DestroyCommandPool(device_, command_pool_, nullptr);
+    commands_.reset();
     vk_.DestroyDevice(device_, nullptr);
   }
   if (messenger_) vk_.DestroyDebugUtilsMessengerEXT(instance_, messenger_, nullptr);
@@ -328,19 +329,6 @@ void Device::createDevice(const std::vector<std::string>& more_extensions) {
   timestamp_period_ns_ = properties.properties.limits.timestampPeriod;
 }
 
-void Device::createCommandPool() {
-  VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
-  pool.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
-  pool.queueFamilyIndex = queue_family_;
-  check(vk_.CreateCommandPool(device_, &pool, nullptr, &command_pool_), "creating the command pool");
-  VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
-  allocate.commandPool = command_pool_;
-  allocate.commandBufferCount = 1;
-  check(vk_.AllocateCommandBuffers(device_, &allocate, &command_buffer_), "allocating the command buffer");
-  VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-  check(vk_.CreateFence(device_, &fence, nullptr, &fence_), "creating the fence");
-}
-
 uint32_t Device::memoryType(uint32_t type_bits, VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags preferred) const {
   for (VkMemoryPropertyFlags flags : {wanted | preferred, wanted}) {
     for (uint32_t i = 0; i < memory_.memoryTypeCount; ++i) {
@@ -365,26 +353,19 @@ void Device::setTimeLimit(double seconds, OnOverrun on_overrun) {
   on_overrun_ = std::move(on_overrun);
 }
 
+uint64_t Device::limitNs(double allowance_s) const {
+  return time_limit_s_ > 0 ? uint64_t((time_limit_s_ + allowance_s) * 1e9) : UINT64_MAX;
+}
+
+void Device::overrun(const std::string& what) const {
+  on_overrun_(what);
+  std::abort();
+}
+
 void Device::submit(const std::function<void(VkCommandBuffer)>& record, const std::string& what,
                     double allowance_s) const {
-  check(vk_.ResetCommandPool(device_, command_pool_, 0), "resetting the command pool");
-  VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-  begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-  check(vk_.BeginCommandBuffer(command_buffer_, &begin), "beginning commands");
-  record(command_buffer_);
-  check(vk_.EndCommandBuffer(command_buffer_), "ending commands");
-
-  VkCommandBufferSubmitInfo buffer{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
-  buffer.commandBuffer = command_buffer_;
-  VkSubmitInfo2 submit{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
-  submit.commandBufferInfoCount = 1;
-  submit.pCommandBufferInfos = &buffer;
-  check(vk_.QueueSubmit2(queue_, 1, &submit, fence_), "submitting commands");
-  uint64_t limit_ns = time_limit_s_ > 0 ? uint64_t((time_limit_s_ + allowance_s) * 1e9) : UINT64_MAX;
-  VkResult waited = vk_.WaitForFences(device_, 1, &fence_, VK_TRUE, limit_ns);
-  if (waited == VK_TIMEOUT) on_overrun_(what);
-  check(waited, "waiting for the device");
-  check(vk_.ResetFences(device_, 1, &fence_), "resetting the fence");
+  commands_->submit(record);
+  commands_->wait(what, allowance_s);
 }
 
 std::vector<std::string> Device::takeMessages() const {

@@ -44,9 +44,9 @@ struct DeviceInfo {
 std::vector<DeviceInfo> listDevices();
 
 struct MessageSink;
+class Commands;
 
 // Owns instance, device and queue. Everything made from a Device must be destroyed before it.
-// Work is submitted and waited for: when `submit` returns, the GPU is idle.
 class Device {
  public:
   // Throws `Error` when there is no device, none of that name, or it lacks a required feature (each is named with
@@ -73,8 +73,8 @@ class Device {
 
   void setName(VkObjectType type, uint64_t handle, const std::string& name) const;
 
-  // Records with `record`, submits and waits. Throws `Error` on device loss. `what` names the work, should it never
-  // end; `allowance_s` is added to its time limit.
+  // Records with `record`, submits and waits: the device is idle then. Throws `Error` on device loss. `what` names the
+  // work, should it never end; `allowance_s` is added to its time limit.
   void submit(const std::function<void(VkCommandBuffer)>& record, const std::string& what = "",
               double allowance_s = 0) const;
 
@@ -82,6 +82,9 @@ class Device {
   // cannot be aborted, so neither can the device be used or destroyed any more. 0 waits for ever.
   using OnOverrun = std::function<void(const std::string& what)>;
   void setTimeLimit(double seconds, OnOverrun on_overrun);
+  // How long to wait for work, ns, and what ends it.
+  uint64_t limitNs(double allowance_s) const;
+  [[noreturn]] void overrun(const std::string& what) const;
 
   // Validation messages since the last call; always empty without validation.
   std::vector<std::string> takeMessages() const;
@@ -92,7 +95,6 @@ class Device {
   void createInstance(const DeviceOptions& options);
   void choosePhysicalDevice(const std::string& wanted);
   void createDevice(const std::vector<std::string>& more_extensions);
-  void createCommandPool();
   void destroy();
 
   std::unique_ptr<MessageSink> messages_;
@@ -105,9 +107,7 @@ class Device {
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;
   uint32_t queue_family_ = 0;
-  VkCommandPool command_pool_ = VK_NULL_HANDLE;
-  VkCommandBuffer command_buffer_ = VK_NULL_HANDLE;
-  VkFence fence_ = VK_NULL_HANDLE;
+  std::unique_ptr<Commands> commands_;  // those of `submit`
   VkPhysicalDeviceMemoryProperties memory_{};
   VkPhysicalDeviceRayTracingPipelinePropertiesKHR ray_properties_{};
   uint32_t scratch_alignment_ = 256;

@@ -59,12 +59,12 @@ static dvec3 frameOrigin(const FrameSetup& setup) { return dvec3(setup.pose_at(s
 
 static double aspect(const Plan& plan) { return double(plan.width) / plan.height; }
 
-void poseFixedSlices(world::GpuScene& scene, const Plan& plan, const FrameSetup& setup) {
+void poseFixedSlices(world::GpuScene& scene, gpu::Staging& staging, const Plan& plan, const FrameSetup& setup) {
   dvec3 origin = frameOrigin(setup);
-  scene.setMotion(setup.moves, setup.paths);
+  scene.setMotion(staging, setup.moves, setup.paths);
   const double times[] = {setup.capture_s, setup.open_s, setup.close_s, setup.capture_s - setup.frame_s};
   for (uint32_t slice : {SLICE_CAPTURE, SLICE_OPEN, SLICE_CLOSE, SLICE_PREVIOUS})
-    scene.setPose(slice, setup.pose_at(times[slice]), aspect(plan), origin);
+    scene.setPose(staging, slice, setup.pose_at(times[slice]), aspect(plan), origin);
 }
 
 int partOf(const plan::PlanLoop& loop, int iteration) {
@@ -88,12 +88,13 @@ static double sampleTime(const FrameSetup& setup, const plan::PlanLoop& loop, in
   return setup.open_s + (setup.close_s - setup.open_s) * share;
 }
 
-void poseSamples(world::GpuScene& scene, const Plan& plan, const FrameSetup& setup, const plan::PlanLoop& loop,
-                 int iteration) {
+void poseSamples(world::GpuScene& scene, gpu::Staging& staging, const Plan& plan, const FrameSetup& setup,
+                 const plan::PlanLoop& loop, int iteration) {
   dvec3 origin = frameOrigin(setup);
   int part = partOf(loop, iteration);
   for (int q = 0; q < loop.slices; ++q)
-    scene.setPose(SLICE_SAMPLE + uint32_t(q), setup.pose_at(sampleTime(setup, loop, part, q)), aspect(plan), origin);
+    scene.setPose(staging, SLICE_SAMPLE + uint32_t(q), setup.pose_at(sampleTime(setup, loop, part, q)), aspect(plan),
+                  origin);
 }
 
 }  // namespace strobe::graph

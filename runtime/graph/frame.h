@@ -62,14 +62,14 @@ struct FrameResult {
 shared::FrameData frameData(const plan::Plan& plan, const world::GpuScene& scene, const FrameSetup& setup);
 
 // Poses what every frame sees: the capture, the ends of the exposure, the frame before.
-void poseFixedSlices(world::GpuScene& scene, const plan::Plan& plan, const FrameSetup& setup);
+void poseFixedSlices(world::GpuScene& scene, gpu::Staging& staging, const plan::Plan& plan, const FrameSetup& setup);
 // Which of the parts of the exposure an iteration samples, which counts from `loop.first`. A loop that may stop early,
 // or takes some of them, does so by steps of the golden ratio: however many were taken, they lie all over the exposure.
 int partOf(const plan::PlanLoop& loop, int iteration);
 // Poses the sample slices of an iteration, which counts from `loop.first`: midpoints of strata, or a random time in
 // each of their parts. Strata have equal shares of the shutter curve's weight, in loops of even times of the exposure.
 // In a loop of frames a slice is a frame before the last one, and the first of the first part one before the capture.
-void poseSamples(world::GpuScene& scene, const plan::Plan& plan, const FrameSetup& setup, const plan::PlanLoop& loop,
-                 int iteration);
+void poseSamples(world::GpuScene& scene, gpu::Staging& staging, const plan::Plan& plan, const FrameSetup& setup,
+                 const plan::PlanLoop& loop, int iteration);
 
 }  // namespace strobe::graph

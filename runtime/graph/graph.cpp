@@ -45,18 +45,29 @@ static PlanNodes nodesOf(const gpu::Device& device, const Plan& plan, PipelineCa
   return nodes;
 }
 
+// Whether the host waits for iterations: of loops that end by what they find, and of those that take long, which report
+// how far they are and would fill the memory of what is written for them.
+static bool waitsForLoops(const Plan& plan) {
+  constexpr int kShort = 4;
+  return std::any_of(plan.loops.begin(), plan.loops.end(),
+                     [](const plan::PlanLoop& loop) { return loop.until >= 0 || loop.count > kShort; });
+}
+
 Graph::Graph(const gpu::Device& device, PipelineCache& cache, const Plan& plan, world::GpuScene& scene, Backend backend,
-             Graph* previous, std::vector<std::string>* problems)
+             size_t in_flight, Graph* previous, std::vector<std::string>* problems)
     : plan_(&plan),
       scene_(scene),
+      waits_(waitsForLoops(plan)),
+      in_flight_(waits_ ? 1 : in_flight),
       traces_(traces(plan)),
       nodes_(
           nodesOf(device, plan, cache, scene, backend, previous ? &previous->nodes_ : nullptr, problems, compile_ms_)),
       recording_(device, scene, images_, nodes_),
-      submission_(device, scene, recording_, nodes_),
-      images_(device, plan, previous ? &previous->images_ : nullptr) {
+      submission_(device, scene, recording_, nodes_, in_flight_),
+      images_(device, plan, in_flight_, previous ? &previous->images_ : nullptr) {
+  STROBE_ASSERT(!previous || previous->underWay() == 0);
   try {
-    nodes_.make(images_);
+    nodes_.make(images_, in_flight_);
   } catch (...) {
     if (previous) images_.giveBack(previous->images_);
     throw;
@@ -75,75 +86,125 @@ void Graph::setParams(const Plan& plan) {
   nodes_.setPlan(plan);
 }
 
-FrameResult Graph::run(const FrameSetup& setup, const std::function<void(int, int)>& on_iteration) {
-  FrameResult result;
-  ++runs_;
-  recording_.setFrame(*plan_, setup);
-  submission_.beginFrame();
-  poseFixedSlices(scene_, *plan_, setup);
-  shared::FrameData frame = frameData(*plan_, scene_, setup);
-  scene_.setFrame(frame);
-
-  // Steps between loops go to the device together; each iteration of a loop is a submission of its own, because the
-  // host poses the scene anew in between.
-  bool first = true;
-  std::vector<const Step*> pending;
-  auto flush = [&] {
-    submission_.run(pending, 0, 0, first && traces_ ? 1 : 0);
-    first = false;
-    pending.clear();
-  };
-  for (const Step& step : plan_->steps) {
-    if (step.kind != Step::Kind::Loop) {
-      pending.push_back(&step);
-      continue;
-    }
-    flush();
-    runLoop(setup, step, frame, result, on_iteration);
-    scene_.setFrame(frame);
+Graph::~Graph() {
+  try {
+    drop();
+  } catch (const std::exception&) {
+    // The device is lost, which whoever uses it next is told.
   }
-  flush();
-  images_.frameIsDrawn();
-  collect(result);
-  return result;
 }
 
-void Graph::runLoop(const FrameSetup& setup, const Step& step, shared::FrameData frame, FrameResult& result,
-                    const std::function<void(int, int)>& on_iteration) {
+FrameResult Graph::run(const FrameSetup& setup, const OnIteration& on_iteration) {
+  drop();
+  begin(setup, on_iteration);
+  return finish();
+}
+
+void Graph::drop() {
+  while (!under_way_.empty()) takeFirst();
+}
+
+// The first of those under way, once the device has executed it.
+Graph::UnderWay Graph::takeFirst() {
+  UnderWay frame = std::move(under_way_.front());
+  under_way_.pop_front();
+  submission_.wait(frame.index);
+  return frame;
+}
+
+void Graph::begin(const FrameSetup& setup, const OnIteration& on_iteration) {
+  STROBE_ASSERT(underWay() < mostUnderWay(), "{} frames are under way", underWay());
+  UnderWay frame{next_};
+  if (setup.wanted) frame.wanted = *setup.wanted;
+  ++runs_;
+  try {
+    draw(setup, frame, on_iteration);
+  } catch (...) {
+    // The scene takes what was written of it for written.
+    submission_.submit(frame.index, {});
+    submission_.wait(frame.index);
+    throw;
+  }
+  images_.frameIsRecorded();
+  next_ = (next_ + 1) % in_flight_;
+  under_way_.push_back(std::move(frame));
+}
+
+void Graph::draw(const FrameSetup& setup, UnderWay& frame, const OnIteration& on_iteration) {
+  gpu::Staging& staging = submission_.staging(frame.index);
+  recording_.setFrame(*plan_, frame.index, setup);
+  nodes_.begin(frame.index);
+  submission_.begin(frame.index);
+  poseFixedSlices(scene_, staging, *plan_, setup);
+  shared::FrameData data = frameData(*plan_, scene_, setup);
+  scene_.setFrame(staging, data);
+
+  // Steps between loops go to the device together; each iteration of a loop is a submission of its own, because it sees
+  // the scene posed anew.
+  Submission::Part part;
+  part.slice_count = traces_ ? 1 : 0;
+  for (const Step& step : plan_->steps) {
+    if (step.kind != Step::Kind::Loop) {
+      part.steps.push_back(&step);
+      continue;
+    }
+    submission_.submit(frame.index, part);
+    if (waits_) submission_.wait(frame.index);
+    part = {};
+    runLoop(setup, step, data, frame, on_iteration);
+    scene_.setFrame(staging, data);
+  }
+  submission_.submit(frame.index, part);
+}
+
+void Graph::runLoop(const FrameSetup& setup, const Step& step, shared::FrameData data, UnderWay& frame,
+                    const OnIteration& on_iteration) {
   const plan::PlanLoop& loop = plan_->loops[size_t(step.index)];
-  std::vector<const Step*> body;
-  for (const Step& inner : step.body) body.push_back(&inner);
-  frame.iteration_count = uint32_t(loop.parts);
-  frame.slice_count = uint32_t(loop.slices);
-  const bool traced = traces(*plan_, step.body);
+  gpu::Staging& staging = submission_.staging(frame.index);
+  Submission::Part part;
+  for (const Step& inner : step.body) part.steps.push_back(&inner);
+  part.first_slice = SLICE_SAMPLE;
+  part.slice_count = traces(*plan_, step.body) ? uint32_t(loop.slices) : 0;
+  data.iteration_count = uint32_t(loop.parts);
+  data.slice_count = uint32_t(loop.slices);
   int iteration = 0;
   bool stop = false;
   while (iteration < loop.count && !stop) {
-    poseSamples(scene_, *plan_, setup, loop, loop.first + iteration);
-    frame.iteration = uint32_t(loop.first + iteration);
-    frame.part = loop.until < 0 ? uint32_t(partOf(loop, loop.first + iteration)) : frame.iteration;
-    scene_.setFrame(frame);
-    submission_.run(body, iteration, SLICE_SAMPLE, traced ? uint32_t(loop.slices) : 0);
+    poseSamples(scene_, staging, *plan_, setup, loop, loop.first + iteration);
+    data.iteration = uint32_t(loop.first + iteration);
+    data.part = loop.until < 0 ? uint32_t(partOf(loop, loop.first + iteration)) : data.iteration;
+    scene_.setFrame(staging, data);
+    part.iteration = iteration;
+    submission_.submit(frame.index, part);
+    if (waits_) submission_.wait(frame.index);
     ++iteration;
-    if (loop.until >= 0) stop = static_cast<const float*>(images_.readBack(loop.until).mapped())[0] != 0;
+    if (loop.until >= 0) stop = static_cast<const float*>(images_.readBack(loop.until, frame.index).mapped())[0] != 0;
     if (on_iteration) on_iteration(iteration, loop.count);
   }
-  result.iterations.push_back({plan_->pipeline.loops[size_t(loop.loop)].name, iteration});
+  frame.result.iterations.push_back({plan_->pipeline.loops[size_t(loop.loop)].name, iteration});
 }
 
-void Graph::collect(FrameResult& result) const {
+FrameResult Graph::finish() {
+  STROBE_ASSERT(!under_way_.empty(), "no frame is under way");
+  UnderWay frame = takeFirst();
+  collect(frame);
+  return std::move(frame.result);
+}
+
+void Graph::collect(UnderWay& frame) const {
+  FrameResult& result = frame.result;
   for (const auto& [name, image] : plan_->outputs)
-    if (recording_.wants(name)) result.outputs[name] = images_.fetch(image);
+    if (frame.wants(name)) result.outputs[name] = images_.fetch(image, frame.index);
   for (const auto& [name, image] : plan_->taps)
-    if (recording_.wants(name)) result.taps[name] = images_.fetch(image);
+    if (frame.wants(name)) result.taps[name] = images_.fetch(image, frame.index);
   for (size_t i = 0; i < nodes_.size(); ++i) {
     const std::string& name = nodes_.name(i);
+    const NodeInFrame& node = nodes_[i].frames[frame.index];
     const auto& counters = nodes_[i].pipeline->interface.counters;
-    for (size_t c = 0; c < counters.size(); ++c)
-      result.counters.push_back({name + "." + counters[c], nodes_[i].counts[c]});
-    result.times.push_back({name, nodes_[i].gpu_ms, nodes_[i].executions});
+    for (size_t c = 0; c < counters.size(); ++c) result.counters.push_back({name + "." + counters[c], node.counts[c]});
+    result.times.push_back({name, node.gpu_ms, node.executions});
   }
-  result.gpu_ms = submission_.gpuMs();
+  result.gpu_ms = submission_.gpuMs(frame.index);
 }
 
 }  // namespace strobe::graph

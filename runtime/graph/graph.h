@@ -2,6 +2,9 @@
 // Runs a plan on a device: makes its images, records its commands, reads back what it keeps.
 #pragma once
 
+#include <deque>
+#include <optional>
+
 #include "graph/submission.h"
 
 namespace strobe::graph {
@@ -9,15 +12,34 @@ namespace strobe::graph {
 // Owns the device memory of one plan. The plan, the scene and the device must outlive it.
 class Graph {
  public:
-  // Throws `Error` for shaders that do not compile or do not match their declarations. With `previous`, takes its place
-  // and takes over the images and histories that are described alike; a shader that does not compile keeps the pipeline
-  // of the node of that name, if that serves the same interface; what was wrong is added to `problems`. Throws where
-  // nothing serves or memory runs out, and `previous` is as it was.
-  Graph(const gpu::Device& device, PipelineCache& cache, const plan::Plan& plan, world::GpuScene& scene,
-        Backend backend, Graph* previous = nullptr, std::vector<std::string>* problems = nullptr);
+  // How often an iteration of a loop is done, of how many.
+  using OnIteration = std::function<void(int done, int of)>;
 
-  // Draws one frame and waits for it. `on_iteration` (may be empty) is called after each iteration of a loop.
-  FrameResult run(const FrameSetup& setup, const std::function<void(int done, int of)>& on_iteration = {});
+  // `in_flight`: how many frames may be under way at once. Throws `Error` for shaders that do not compile or do not
+  // match their declarations. With `previous`, takes its place and takes over the images and histories that are
+  // described alike, while none of its frames is under way; a shader that does not compile keeps the pipeline of the
+  // node of that name, if that serves the same interface; what was wrong is added to `problems`. Throws where nothing
+  // serves or memory runs out, and `previous` is as it was.
+  Graph(const gpu::Device& device, PipelineCache& cache, const plan::Plan& plan, world::GpuScene& scene,
+        Backend backend, size_t in_flight, Graph* previous = nullptr, std::vector<std::string>* problems = nullptr);
+  // Waits for the frames that are under way.
+  ~Graph();
+
+  // Draws one frame and waits for it; drops those that are under way. `on_iteration` (may be empty) is called after
+  // each iteration of a loop.
+  FrameResult run(const FrameSetup& setup, const OnIteration& on_iteration = {});
+
+  // Frames that the device still works on while the host readies the next ones and looks at those before. They are
+  // executed in the order in which they begin, and each gives what it would by itself. A frame whose loops are
+  // long, or end by what they find, is alone: the host waits for each of their iterations.
+  size_t mostUnderWay() const { return in_flight_; }
+  size_t underWay() const { return under_way_.size(); }
+  // Begins a frame, while fewer than the most are under way.
+  void begin(const FrameSetup& setup, const OnIteration& on_iteration = {});
+  // Waits for the frame that began first of those under way.
+  FrameResult finish();
+  // Waits for all of them and forgets them.
+  void drop();
 
   // Goes on with a plan that differs in parameters which are not compiled in, and in nothing else.
   void setParams(const plan::Plan& plan);
@@ -37,12 +59,26 @@ class Graph {
   static uint32_t sampleSlices(const plan::Plan& plan);
 
  private:
-  void runLoop(const FrameSetup& setup, const plan::Step& step, shared::FrameData frame, FrameResult& result,
-               const std::function<void(int, int)>& on_iteration);
-  void collect(FrameResult& result) const;
+  // A frame from its beginning to its end.
+  struct UnderWay {
+    size_t index = 0;  // of its buffers and commands
+    std::optional<std::set<std::string>> wanted = {};
+    FrameResult result = {};
+
+    bool wants(const std::string& name) const { return !wanted || wanted->count(name); }
+  };
+  UnderWay takeFirst();
+  void draw(const FrameSetup& setup, UnderWay& frame, const OnIteration& on_iteration);
+  void runLoop(const FrameSetup& setup, const plan::Step& step, shared::FrameData data, UnderWay& frame,
+               const OnIteration& on_iteration);
+  void collect(UnderWay& frame) const;
 
   const plan::Plan* plan_;
   world::GpuScene& scene_;
+  bool waits_ = false;  // for each iteration of loops
+  size_t in_flight_ = 1;
+  std::deque<UnderWay> under_way_;  // in the order in which they began
+  size_t next_ = 0;                 // index of the frame that begins next
   bool traces_ = false;
   double compile_ms_ = 0;
   uint64_t runs_ = 0;

@@ -25,12 +25,12 @@ static VkFormat vulkanFormat(const std::string& format) {
   return format == "d32f" ? VK_FORMAT_D32_SFLOAT : gpu::formatInfo(format).vk;
 }
 
-PlanImages::PlanImages(const gpu::Device& device, const Plan& plan, PlanImages* previous)
+PlanImages::PlanImages(const gpu::Device& device, const Plan& plan, size_t frames, PlanImages* previous)
     : device_(device), plan_(&plan) {
   try {
     make(previous);
     makeUnwired();
-    keepReadBack();
+    keepReadBack(frames);
   } catch (...) {
     if (previous) giveBack(*previous);
     throw;
@@ -128,11 +128,13 @@ void PlanImages::makeUnwired() {
   });
 }
 
-void PlanImages::keepReadBack() {
-  auto keep = [this](int image) {
+void PlanImages::keepReadBack(size_t frames) {
+  auto keep = [&](int image) {
     const plan::VirtualImage& kept = plan_->images[size_t(image)];
     size_t bytes = size_t(kept.width) * kept.height * gpu::formatInfo(kept.format).bytes;
-    read_back_[image] = gpu::Buffer(device_, kept.name + ".read_back", bytes, 0, gpu::Buffer::Memory::Host);
+    std::vector<gpu::Buffer>& buffers = read_back_[image];
+    while (buffers.size() < frames)
+      buffers.emplace_back(device_, kept.name + ".read_back", bytes, 0, gpu::Buffer::Memory::Host);
   };
   for (const auto& [name, image] : plan_->outputs) keep(image);
   for (const auto& [name, image] : plan_->taps) keep(image);
@@ -146,10 +148,10 @@ const gpu::Buffer& PlanImages::buffer(int image) const { return buffers_.at(plan
 
 static float unpackHalf(uint16_t bits) { return glm::unpackHalf1x16(bits); }
 
-ReadImage PlanImages::fetch(int image) const {
+ReadImage PlanImages::fetch(int image, size_t frame) const {
   const plan::VirtualImage& source = plan_->images[size_t(image)];
   const gpu::FormatInfo& format = gpu::formatInfo(source.format);
-  const void* data = read_back_.at(image).mapped();
+  const void* data = readBack(image, frame).mapped();
   size_t count = size_t(source.width) * source.height * format.channels;
   ReadImage read;
   read.format = source.format;
@@ -176,7 +178,7 @@ bool PlanImages::holdsEarlierFrame(int image) const {
   return history != history_.end() && history->second;
 }
 
-void PlanImages::frameIsDrawn() {
+void PlanImages::frameIsRecorded() {
   for (auto& [image, earlier] : history_) earlier = true;
 }
 

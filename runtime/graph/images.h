@@ -11,9 +11,10 @@ namespace strobe::graph {
 // The plan and the device must outlive it.
 class PlanImages {
  public:
-  // Images and histories that are described alike are moved out of `previous` (may be null). Throws `Error` where
-  // memory or sides do not suffice; `previous` is then as it was.
-  PlanImages(const gpu::Device& device, const plan::Plan& plan, PlanImages* previous);
+  // Images and histories that are described alike are moved out of `previous` (may be null). What is read back has a
+  // buffer for each of `frames`, those under way at once. Throws `Error` where memory or sides do not suffice;
+  // `previous` is then as it was.
+  PlanImages(const gpu::Device& device, const plan::Plan& plan, size_t frames, PlanImages* previous);
 
   // Goes on with a plan of the same shape.
   void setPlan(const plan::Plan& plan) { plan_ = &plan; }
@@ -26,11 +27,11 @@ class PlanImages {
   // What stands behind optional reads that nothing is wired to.
   const gpu::Image& unwired(bool uint) const { return uint ? unwired_uint_ : unwired_; }
   const gpu::Buffer& unwiredBuffer() const { return unwired_buffer_; }
-  const gpu::Buffer& readBack(int image) const { return read_back_.at(image); }
-  ReadImage fetch(int image) const;
+  const gpu::Buffer& readBack(int image, size_t frame) const { return read_back_.at(image)[frame]; }
+  ReadImage fetch(int image, size_t frame) const;
 
   bool holdsEarlierFrame(int image) const;
-  void frameIsDrawn();
+  void frameIsRecorded();
   void forgetHistories();
   // "node.port" of the histories that were taken over, and of those that begin anew.
   std::vector<std::string> histories(bool taken_over) const;
@@ -38,7 +39,7 @@ class PlanImages {
  private:
   void make(PlanImages* previous);
   void makeUnwired();
-  void keepReadBack();
+  void keepReadBack(size_t frames);
   gpu::Image takeOver(const plan::VirtualImage& image, const gpu::ImageDesc& desc, PlanImages& previous);
 
   const gpu::Device& device_;
@@ -47,7 +48,7 @@ class PlanImages {
   std::map<int, gpu::Buffer> buffers_;  // by slot; its image is then empty
   gpu::Image unwired_, unwired_uint_;
   gpu::Buffer unwired_buffer_;
-  std::map<int, gpu::Buffer> read_back_;                // by virtual image
+  std::map<int, std::vector<gpu::Buffer>> read_back_;   // by virtual image, then frame
   std::map<int, bool> history_;                         // by virtual image: holds an earlier frame
   std::set<std::string> taken_over_;                    // histories of a previous graph
   std::vector<std::pair<size_t, size_t>> taken_slots_;  // this one's, and that of a previous graph it came from

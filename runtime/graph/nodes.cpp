@@ -5,12 +5,12 @@
 
 namespace strobe::graph {
 
-void Node::beginFrame() {
+void NodeInFrame::begin() {
   gpu_ms = executions = 0;
-  counts.assign(pipeline->interface.counters.size(), 0);
+  std::fill(counts.begin(), counts.end(), 0);
 }
 
-void Node::takeCounts() {
+void NodeInFrame::takeCounts() {
   auto* counted = static_cast<uint32_t*>(counters.mapped());
   for (size_t c = 0; c < counts.size(); ++c) counts[c] += std::exchange(counted[c], 0u);
 }
@@ -59,39 +59,52 @@ void PlanNodes::findPipelines(PipelineCache& cache, const world::GpuScene& scene
   throwIfAny(fatal);
 }
 
-static void makeBuffers(const gpu::Device& device, const std::string& name, Node& node) {
+void PlanNodes::makeFrames(size_t i, size_t frames) {
+  Node& node = nodes_[i];
   const shader::Interface& in = node.pipeline->interface;
   const size_t words = in.params.size() + (in.sizeIsGiven() ? 2 : 0);
-  if (in.hasParams())
-    node.params =
-        gpu::Buffer(device, name + ".params", words * 4, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::Buffer::Memory::Host);
-  if (!in.counters.empty()) {
-    node.counters = gpu::Buffer(device, name + ".counters", in.counters.size() * 4, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                                gpu::Buffer::Memory::Host);
-    std::memset(node.counters.mapped(), 0, node.counters.size());
+  node.pool = gpu::makeDescriptorPool(device_, name(i), node.pipeline->bindings, uint32_t(frames));
+  node.frames.resize(frames);
+  for (NodeInFrame& frame : node.frames) {
+    using gpu::Buffer;
+    if (in.hasParams())
+      frame.params =
+          Buffer(device_, name(i) + ".params", words * 4, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, Buffer::Memory::Host);
+    if (!in.counters.empty()) {
+      frame.counters = Buffer(device_, name(i) + ".counters", in.counters.size() * 4,
+                              VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Buffer::Memory::Host);
+      std::memset(frame.counters.mapped(), 0, frame.counters.size());
+    }
+    frame.counts.assign(in.counters.size(), 0);
+    frame.set = gpu::allocateSet(device_, node.pool.get(), node.pipeline->set_layout.get());
   }
-  node.pool = gpu::makeDescriptorPool(device, name, node.pipeline->bindings, 1);
-  node.set = gpu::allocateSet(device, node.pool.get(), node.pipeline->set_layout.get());
 }
 
-void PlanNodes::make(const PlanImages& images) {
+void PlanNodes::make(const PlanImages& images, size_t frames) {
   nearest_ = gpu::makeSampler(device_, "nearest", {});
   linear_ = gpu::makeSampler(device_, "linear", gpu::kLinear);
+  has_params_.assign(frames, false);
   for (size_t i = 0; i < nodes_.size(); ++i) {
-    makeBuffers(device_, name(i), nodes_[i]);
-    writeParams(i);
-    fillSet(i, images);
+    makeFrames(i, frames);
+    for (size_t frame = 0; frame < frames; ++frame) fillSet(i, frame, images);
   }
 }
 
 void PlanNodes::setPlan(const plan::Plan& plan) {
   STROBE_ASSERT(plan.nodes.size() == nodes_.size(), "{} nodes", plan.nodes.size());
   plan_ = &plan;
-  for (size_t i = 0; i < nodes_.size(); ++i) writeParams(i);
+  has_params_.assign(has_params_.size(), false);
 }
 
-void PlanNodes::writeParams(size_t i) {
-  Node& node = nodes_[i];
+void PlanNodes::begin(size_t frame) {
+  for (Node& node : nodes_) node.frames[frame].begin();
+  if (has_params_[frame]) return;
+  for (size_t i = 0; i < nodes_.size(); ++i) writeParams(i, frame);
+  has_params_[frame] = true;
+}
+
+void PlanNodes::writeParams(size_t i, size_t frame) {
+  const Node& node = nodes_[i];
   std::vector<uint32_t> words;
   for (const auto& param : node.pipeline->interface.params) {
     auto found = std::find_if(planned(i).params.begin(), planned(i).params.end(),
@@ -111,11 +124,12 @@ void PlanNodes::writeParams(size_t i) {
   }
   if (node.pipeline->interface.sizeIsGiven())
     words.insert(words.end(), {uint32_t(planned(i).width), uint32_t(planned(i).height)});
-  if (!words.empty()) node.params.write(words);
+  if (!words.empty()) nodes_[i].frames[frame].params.write(words);
 }
 
-void PlanNodes::fillSet(size_t i, const PlanImages& plan_images) {
-  Node& node = nodes_[i];
+void PlanNodes::fillSet(size_t i, size_t frame, const PlanImages& plan_images) {
+  const Node& node = nodes_[i];
+  const NodeInFrame& own = node.frames[frame];
   const shader::Interface& in = node.pipeline->interface;
   std::vector<VkDescriptorBufferInfo> buffers(2 + in.reads.size() + in.writes.size());
   std::vector<VkDescriptorImageInfo> images;
@@ -123,7 +137,7 @@ void PlanNodes::fillSet(size_t i, const PlanImages& plan_images) {
   std::vector<VkWriteDescriptorSet> writes;
   auto add = [&](uint32_t binding, VkDescriptorType type) -> VkWriteDescriptorSet& {
     VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-    write.dstSet = node.set;
+    write.dstSet = own.set;
     write.dstBinding = binding;
     write.descriptorCount = 1;
     write.descriptorType = type;
@@ -135,10 +149,10 @@ void PlanNodes::fillSet(size_t i, const PlanImages& plan_images) {
     add(binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER).pBufferInfo = &buffers[at];
   };
   if (in.hasParams()) {
-    buffers[0] = {node.params.handle(), 0, VK_WHOLE_SIZE};
+    buffers[0] = {own.params.handle(), 0, VK_WHOLE_SIZE};
     add(shader::Interface::kParamsBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER).pBufferInfo = &buffers[0];
   }
-  if (!in.counters.empty()) add_buffer(1, shader::Interface::kCountersBinding, node.counters);
+  if (!in.counters.empty()) add_buffer(1, shader::Interface::kCountersBinding, own.counters);
   for (size_t r = 0; r < in.reads.size(); ++r) {
     const int read = planned(i).reads[r];
     if (in.reads[r].buffer) {

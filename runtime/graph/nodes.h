@@ -7,18 +7,23 @@
 
 namespace strobe::graph {
 
-struct Node {
-  std::shared_ptr<const NodePipeline> pipeline;
-  gpu::Owned<VkDescriptorPool> pool;
+// What a node has in one of the frames that are under way at once.
+struct NodeInFrame {
   VkDescriptorSet set = VK_NULL_HANDLE;
   gpu::Buffer params, counters;
-  std::vector<uint64_t> counts;  // of this frame
+  std::vector<uint64_t> counts;
   double gpu_ms = 0;
   int executions = 0;
 
-  void beginFrame();
+  void begin();
   // Moves what the device counted into 64 bits, so that a long loop does not overflow.
   void takeCounts();
+};
+
+struct Node {
+  std::shared_ptr<const NodePipeline> pipeline;
+  gpu::Owned<VkDescriptorPool> pool;
+  std::vector<NodeInFrame> frames;
 };
 
 // The nodes of one plan, in its order. The plan and the device must outlive it.
@@ -30,10 +35,12 @@ class PlanNodes {
   // serves the same interface; what was wrong is then added to `problems`. Throws `Error` with all that nothing serves.
   void findPipelines(PipelineCache& cache, const world::GpuScene& scene, Backend backend, const PlanNodes* previous,
                      std::vector<std::string>* problems);
-  // Makes buffers and sets for the images.
-  void make(const PlanImages& images);
+  // Makes buffers and sets for the images and for each of the frames that are under way at once.
+  void make(const PlanImages& images, size_t frames);
   // Goes on with a plan of the same shape.
   void setPlan(const plan::Plan& plan);
+  // Readies the nodes for one of these frames, which is not under way.
+  void begin(size_t frame);
 
   size_t size() const { return nodes_.size(); }
   Node& operator[](size_t i) { return nodes_[i]; }
@@ -45,13 +52,15 @@ class PlanNodes {
   const plan::PassDesc& pass(size_t i) const { return plan_->pipeline.passes[size_t(planned(i).pass)]; }
 
  private:
-  void writeParams(size_t i);
-  void fillSet(size_t i, const PlanImages& images);
+  void makeFrames(size_t i, size_t frames);
+  void writeParams(size_t i, size_t frame);
+  void fillSet(size_t i, size_t frame, const PlanImages& images);
   const Node* named(const std::string& name) const;
 
   const gpu::Device& device_;
   const plan::Plan* plan_;
   std::vector<Node> nodes_;
+  std::vector<bool> has_params_;  // by frame: those of the plan
   gpu::Owned<VkSampler> nearest_, linear_;
 };
 

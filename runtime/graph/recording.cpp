@@ -73,15 +73,14 @@ void Recording::step(VkCommandBuffer commands, const Step& step, int iteration, 
   }
 }
 
-// What an earlier frame left in an image, made visible to what follows.
-static void recordHistoryBarrier(const gpu::Device& device, VkCommandBuffer commands) {
+void Recording::frameBarrier(VkCommandBuffer commands) const {
   gpu::recordBarrier(
-      device, commands, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT},
+      device_, commands, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT},
       {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT});
 }
 
 void Recording::clear(VkCommandBuffer commands, int image) const {
-  if (images_.holdsEarlierFrame(image)) return recordHistoryBarrier(device_, commands);
+  if (images_.holdsEarlierFrame(image)) return frameBarrier(commands);
   if (isBuffer(image)) {
     device_.vk().CmdFillBuffer(commands, images_.buffer(image).handle(), 0, VK_WHOLE_SIZE, 0);
     return;
@@ -94,7 +93,7 @@ void Recording::clear(VkCommandBuffer commands, int image) const {
 void Recording::read(VkCommandBuffer commands, int image) const {
   if (wanted_ && !isRead(image)) return;
   if (isBuffer(image)) {
-    const gpu::Buffer& target = images_.readBack(image);
+    const gpu::Buffer& target = images_.readBack(image, frame_);
     VkBufferCopy entries{plan::kBufferHead, 0, target.size()};
     device_.vk().CmdCopyBuffer(commands, images_.buffer(image).handle(), target.handle(), 1, &entries);
     return;
@@ -104,12 +103,12 @@ void Recording::read(VkCommandBuffer commands, int image) const {
   copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
   copy.imageExtent = {uint32_t(source.width), uint32_t(source.height), 1};
   device_.vk().CmdCopyImageToBuffer(commands, images_.of(image).handle(), VK_IMAGE_LAYOUT_GENERAL,
-                                    images_.readBack(image).handle(), 1, &copy);
+                                    images_.readBack(image, frame_).handle(), 1, &copy);
 }
 
 void Recording::bind(VkCommandBuffer commands, const Node& node) const {
   const gpu::Pipeline& pipeline = node.pipeline->pipeline;
-  VkDescriptorSet sets[] = {scene_.set(), node.set};
+  VkDescriptorSet sets[] = {scene_.set(), node.frames[frame_].set};
   device_.vk().CmdBindPipeline(commands, pipeline.bindPoint(), pipeline.handle());
   device_.vk().CmdBindDescriptorSets(commands, pipeline.bindPoint(), pipeline.layout(), 0, 2, sets, 0, nullptr);
 }

@@ -22,16 +22,18 @@ class Recording {
   Recording(const gpu::Device& device, const world::GpuScene& scene, const PlanImages& images, const PlanNodes& nodes)
       : device_(device), scene_(scene), images_(images), nodes_(nodes) {}
 
-  // Goes on with a plan in a frame.
-  void setFrame(const plan::Plan& plan, const FrameSetup& setup) {
-    plan_ = &plan, wanted_ = setup.wanted, reach_ = setup.reach, camera_rests_ = setup.camera_rests;
+  // Goes on with a plan in one of the frames that are under way at once.
+  void setFrame(const plan::Plan& plan, size_t frame, const FrameSetup& setup) {
+    plan_ = &plan, frame_ = frame;
+    wanted_ = setup.wanted, reach_ = setup.reach, camera_rests_ = setup.camera_rests;
   }
-  bool wants(const std::string& name) const { return !wanted_ || wanted_->count(name); }
 
   // A step but a loop. `stamps` may be null.
   void step(VkCommandBuffer commands, const plan::Step& step, int iteration, PassStamps* stamps) const;
   // A compute or trace pass on no pixels at all.
   void emptyPass(VkCommandBuffer commands, const Node& node) const;
+  // Lets what follows use the images as earlier frames left them.
+  void frameBarrier(VkCommandBuffer commands) const;
   // Makes what shaders wrote to host memory visible to the host.
   void hostBarrier(VkCommandBuffer commands) const;
 
@@ -43,6 +45,7 @@ class Recording {
   void raster(VkCommandBuffer commands, const Node& node, const plan::PlanNode& planned) const;
   void clear(VkCommandBuffer commands, int image) const;
   void read(VkCommandBuffer commands, int image) const;
+  bool wants(const std::string& name) const { return !wanted_ || wanted_->count(name); }
   bool isRead(int image) const;
   bool isBuffer(int image) const;
 
@@ -51,6 +54,7 @@ class Recording {
   const PlanImages& images_;
   const PlanNodes& nodes_;
   const plan::Plan* plan_ = nullptr;
+  size_t frame_ = 0;
   const std::set<std::string>* wanted_ = nullptr;
   scene::PixelArea reach_;
   bool camera_rests_ = false;

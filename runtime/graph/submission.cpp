@@ -8,23 +8,20 @@ namespace strobe::graph {
 using plan::Step;
 
 Submission::Submission(const gpu::Device& device, const world::GpuScene& scene, const Recording& recording,
-                       PlanNodes& nodes)
-    : device_(device), scene_(scene), recording_(recording), nodes_(nodes) {
-  stamps_.timer = gpu::Timer(device, uint32_t(2 * nodes.size() + 2));
+                       PlanNodes& nodes, size_t frames)
+    : device_(device), scene_(scene), recording_(recording), nodes_(nodes), frames_(frames) {
+  for (Frame& frame : frames_) frame.staging = gpu::Staging(device);
 }
 
-void Submission::beginFrame() {
-  gpu_ms_ = 0;
-  for (Node& node : nodes_) node.beginFrame();
+void Submission::submit(size_t frame, const Part& part) {
+  if (device_.info().software && frames_.size() == 1) runStepwise(frame, part);
+  else submitStamped(frames_[frame], part);
 }
 
-void Submission::run(const std::vector<const Step*>& steps, int iteration, uint32_t first_slice, uint32_t slice_count) {
-  auto record_builds = [&](VkCommandBuffer commands) {
-    for (uint32_t i = 0; i < slice_count; ++i) scene_.recordBuild(commands, first_slice + i);
-  };
-  if (device_.info().software) runStepwise(steps, iteration, slice_count, record_builds);
-  else runStamped(steps, iteration, record_builds);
-  for (Node& node : nodes_) node.takeCounts();
+// What the host wrote, and the structures over it.
+void Submission::recordScene(VkCommandBuffer commands, Frame& frame, const Part& part) const {
+  frame.staging.recordCopies(commands);
+  for (uint32_t i = 0; i < part.slice_count; ++i) scene_.recordBuild(commands, part.first_slice + i);
 }
 
 // Of the node that a step runs, "" for other steps.
@@ -47,49 +44,71 @@ double Submission::compileBeforeUse(const Step& step) {
 }
 
 // A software device executes when something waits, against its time stamps: one submission per step, by the clock.
-void Submission::runStepwise(const std::vector<const Step*>& steps, int iteration, uint32_t slice_count,
-                             const Record& record_builds) {
+void Submission::runStepwise(size_t index, const Part& part) {
+  Frame& frame = frames_[index];
   double start_s = clockSeconds();
-  if (slice_count > 0) {
-    device_.submit(record_builds);
-    gpu_ms_ += 1000 * (clockSeconds() - start_s);
-  }
-  for (const Step* step : steps) {
+  device_.submit([&](VkCommandBuffer commands) { recordScene(commands, frame, part); });
+  frame.staging.reset();
+  frame.gpu_ms += 1000 * (clockSeconds() - start_s);
+  for (const Step* step : part.steps) {
     double allowance_s = compileBeforeUse(*step);
     start_s = clockSeconds();
     auto record_step = [&](VkCommandBuffer commands) {
-      recording_.step(commands, *step, iteration, nullptr);
+      recording_.step(commands, *step, part.iteration, nullptr);
       recording_.hostBarrier(commands);
     };
     device_.submit(record_step, nameOf(*step), allowance_s);
     double ms = 1000 * (clockSeconds() - start_s);
-    gpu_ms_ += ms;
+    frame.gpu_ms += ms;
     if (step->kind != Step::Kind::Pass) continue;
-    nodes_[size_t(step->index)].gpu_ms += ms;
-    ++nodes_[size_t(step->index)].executions;
+    NodeInFrame& node = nodes_[size_t(step->index)].frames[index];
+    node.gpu_ms += ms;
+    ++node.executions;
   }
+  for (Node& node : nodes_) node.frames[index].takeCounts();
 }
 
-void Submission::runStamped(const std::vector<const Step*>& steps, int iteration, const Record& record_builds) {
-  stamps_.pending.clear();
-  std::string names;
-  for (const Step* step : steps)
-    if (step->kind == Step::Kind::Pass) names += (names.empty() ? "" : ", ") + nameOf(*step);
-  auto record_all = [&](VkCommandBuffer commands) {
-    stamps_.timer.recordReset(commands);
-    stamps_.timer.recordStamp(commands);
-    record_builds(commands);
-    for (const Step* step : steps) recording_.step(commands, *step, iteration, &stamps_);
-    stamps_.timer.recordStamp(commands);
-    recording_.hostBarrier(commands);
-  };
-  device_.submit(record_all, names);
-  std::vector<double> ms = stamps_.timer.readMs();
-  gpu_ms_ += ms.back();
-  for (const PassStamps::Pending& stamp : stamps_.pending) {
-    nodes_[stamp.node].gpu_ms += ms[size_t(stamp.end)] - ms[size_t(stamp.begin)];
-    ++nodes_[stamp.node].executions;
+void Submission::submitStamped(Frame& frame, const Part& part) {
+  if (frame.pending == frame.parts.size())
+    frame.parts.push_back(
+        {gpu::Commands(device_, "frame"), {gpu::Timer(device_, uint32_t(2 * nodes_.size() + 2)), {}}});
+  Submitted& submitted = frame.parts[frame.pending];
+  submitted.stamps.pending.clear();
+  submitted.names.clear();
+  submitted.allowance_s = 0;
+  for (const Step* step : part.steps) {
+    if (step->kind != Step::Kind::Pass) continue;
+    submitted.names += (submitted.names.empty() ? "" : ", ") + nameOf(*step);
+    if (device_.info().software) submitted.allowance_s += compileBeforeUse(*step);
   }
+  submitted.commands.submit([&](VkCommandBuffer commands) {
+    submitted.stamps.timer.recordReset(commands);
+    recording_.frameBarrier(commands);
+    submitted.stamps.timer.recordStamp(commands);
+    recordScene(commands, frame, part);
+    for (const Step* step : part.steps) recording_.step(commands, *step, part.iteration, &submitted.stamps);
+    submitted.stamps.timer.recordStamp(commands);
+    recording_.hostBarrier(commands);
+  });
+  ++frame.pending;
+}
+
+void Submission::wait(size_t index) {
+  Frame& frame = frames_[index];
+  for (size_t i = 0; i < frame.pending; ++i) {
+    Submitted& part = frame.parts[i];
+    part.commands.wait(part.names, part.allowance_s);
+    std::vector<double> ms = part.stamps.timer.readMs();
+    frame.gpu_ms += ms.back();
+    for (const PassStamps::Pending& stamp : part.stamps.pending) {
+      NodeInFrame& node = nodes_[stamp.node].frames[index];
+      node.gpu_ms += ms[size_t(stamp.end)] - ms[size_t(stamp.begin)];
+      ++node.executions;
+    }
+  }
+  if (std::exchange(frame.pending, 0) == 0) return;
+  frame.staging.reset();
+  for (Node& node : nodes_) node.frames[index].takeCounts();
 }
 
 }  // namespace strobe::graph

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/hash.h"
+#include "base/log.h"
 #include "lab/frame_facts.h"
 #include "math/statistics.h"
 #include "plan/canonical.h"
@@ -152,6 +153,8 @@ void Batch::forgetDrawings() {
   }
 }
 
+static const Batch::Outputs kColor = {"color"};
+
 // ---- pictures
 
 static size_t bytesOf(const Picture& picture) {
@@ -194,7 +197,6 @@ void Batch::forgetColorsOf(const std::string& pipeline) {
 }
 
 std::shared_ptr<const image::Image> Batch::color(const Shot& wanted) {
-  static const Outputs kColor = {"color"};
   Shot shot = wanted;
   std::shared_ptr<HeldScene> scene = bench_.scene(shot);
   std::string key = fmt::format("{}|{}|{}|{}", shot.pipeline, known(shot, *scene, kColor).identity, frameIdentity(shot),
@@ -215,8 +217,34 @@ static bool isKnown(const Timing& timing, double within) {
   return middle.value - middle.low <= within * middle.value && middle.high - middle.value <= within * middle.value;
 }
 
-static void addRound(Timing& timing, const graph::FrameResult& frame) {
+// A frame, and the time from the one before to it.
+struct Timed {
+  graph::FrameResult frame;
+  double interval_ms = 0;
+};
+
+// Where several frames can be under way, the interval is the mean over as many, while as many are.
+static Timed timed(Drawing& drawing, const Shot& shot) {
+  graph::Graph& graph = drawing.graph();
+  graph.drop();
+  const size_t most = graph.mostUnderWay(), before = most > 1 ? most : 0, after = before;
+  double start_s = clockSeconds();
+  size_t begun = 0;
+  Timed result;
+  for (size_t finished = 0; finished < before + most;) {
+    for (; begun < before + most + after && graph.underWay() < most; ++begun) drawing.begin(shot, &kColor);
+    result.frame = drawing.finish();
+    if (++finished == before) start_s = clockSeconds();
+  }
+  result.interval_ms = 1000 * (clockSeconds() - start_s) / double(most);
+  graph.drop();
+  return result;
+}
+
+static void addRound(Timing& timing, const Timed& drawn) {
+  const graph::FrameResult& frame = drawn.frame;
   timing.ms.push_back(frame.gpu_ms);
+  timing.interval_ms.push_back(drawn.interval_ms);
   if (timing.passes.empty())
     for (const graph::StepTime& step : frame.times) timing.passes.push_back({step.name, {}});
   for (size_t i = 0; i < timing.passes.size(); ++i) timing.passes[i].second.push_back(frame.times[i].gpu_ms);
@@ -226,7 +254,6 @@ static void addRound(Timing& timing, const graph::FrameResult& frame) {
 }
 
 std::vector<Timing> Batch::timeInTurn(const std::vector<Shot>& shots, const Rounds& rounds) {
-  static const Outputs kColor = {"color"};
   std::vector<Timing> timings(shots.size());
   auto known = [&](const Timing& timing) { return isKnown(timing, rounds.within); };
   for (int round = -1; round < rounds.most; ++round) {
@@ -234,8 +261,8 @@ std::vector<Timing> Batch::timeInTurn(const std::vector<Shot>& shots, const Roun
     for (size_t i = 0; i < shots.size(); ++i) {
       Shot shot = shots[i];
       std::shared_ptr<HeldScene> scene = bench_.scene(shot);
-      graph::FrameResult frame = drawing(shot, scene, kColor).draw(shot, &kColor);
-      if (round >= 0) addRound(timings[i], frame);
+      Timed drawn = timed(drawing(shot, scene, kColor), shot);
+      if (round >= 0) addRound(timings[i], drawn);
     }
   }
   for (Timing& timing : timings) {

@@ -33,6 +33,7 @@ std::string identityOf(const plan::Plan& plan);
 // Milliseconds of a shot's frames, each a frame of every shot in turn.
 struct Timing {
   std::vector<double> ms;                                           // by round
+  std::vector<double> interval_ms;                                  // by round, by the clock: from frame to frame
   std::vector<std::pair<std::string, std::vector<double>>> passes;  // of each node in the order of execution, by round
   double median = 0;
   double low = 0, high = 0;  // quartiles
@@ -86,7 +87,9 @@ class Batch {
   void forgetColorsOf(const std::string& pipeline);
 
   // Draws a frame of each shot in turn, round after round, of which the colour alone is asked for; a first frame of
-  // each, which may pay for compiling, does not count. On a software device times are only comparable within one call.
+  // each, which may pay for compiling, does not count. Where several can be under way at once (`frames_in_flight` of
+  // the bench) it is several frames, one behind the other, of which the last is timed. On a software device times are
+  // only comparable within one call.
   std::vector<Timing> timeInTurn(const std::vector<Shot>& shots, const Rounds& rounds);
 
   int drawn() const { return drawn_; }  // pictures and colours, without frames that were timed

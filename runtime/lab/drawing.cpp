@@ -101,6 +101,7 @@ Drawing::Drawing(Workbench& bench, std::shared_ptr<HeldScene> scene, Planned pla
   const gpu::Device& device = bench.device();
   on_device_ = scene_->onDevice(device, SLICE_SAMPLE + graph::Graph::sampleSlices(plan()),
                                 shader::rowOf(planned_.backend).structures);
+  if (previous && previous->graph_) previous->graph_->drop();
   if (previous && !problems && previous->fits(planned_, *scene_)) {
     graph_ = std::move(previous->graph_);
     graph_->setParams(plan());
@@ -108,7 +109,8 @@ Drawing::Drawing(Workbench& bench, std::shared_ptr<HeldScene> scene, Planned pla
   }
   std::vector<std::string> known;  // reported when they were found
   graph_ = std::make_unique<graph::Graph>(device, bench.pipelines(), plan(), *on_device_, planned_.backend,
-                                          previous ? previous->graph_.get() : nullptr, problems ? problems : &known);
+                                          bench.frames_in_flight, previous ? previous->graph_.get() : nullptr,
+                                          problems ? problems : &known);
 }
 
 bool Drawing::fits(const Planned& planned, const HeldScene& scene) const {
@@ -140,6 +142,18 @@ graph::FrameResult Drawing::draw(const Shot& shot, const std::set<std::string>* 
   graph::FrameSetup frame = frameSetup(shot, scene().scene, plan::earlierFrames(plan().pipeline));
   frame.wanted = outputs;
   graph::FrameResult result = graph_->run(frame, progress);
+  nameTriangles(result, scene().scene);
+  return result;
+}
+
+void Drawing::begin(const Shot& shot, const std::set<std::string>* outputs) {
+  graph::FrameSetup frame = frameSetup(shot, scene().scene, plan::earlierFrames(plan().pipeline));
+  frame.wanted = outputs;
+  graph_->begin(frame);
+}
+
+graph::FrameResult Drawing::finish() {
+  graph::FrameResult result = graph_->finish();
   nameTriangles(result, scene().scene);
   return result;
 }
@@ -233,18 +247,24 @@ Picture Drawing::capture(const Shot& shot, const std::set<std::string>* outputs,
   setup.wanted = outputs;
   Picture picture;
   double ready_s = clockSeconds();
+  int taken = 0;
+  auto take = [&] {
+    graph::FrameResult frame = finish();
+    if (id_coverage) seen->add(frame.outputs.at("id").uints);
+    if (taken++ == 0) picture.frame = std::move(frame);
+    else accumulate(picture.frame, frame);
+  };
+  graph_->drop();
   for (int i = 0; i < shot.aa; ++i) {
     setup.subpixel = subpixelOffset(i, shot.aa);
     auto advance = [&](int done, int of) {
       if (progress) progress(i * of + done, shot.aa * of);
     };
+    if (graph_->underWay() == graph_->mostUnderWay()) take();
     graph_->forgetHistories();
-    graph::FrameResult frame = graph_->run(setup, advance);
-    nameTriangles(frame, scene().scene);
-    if (id_coverage) seen->add(frame.outputs.at("id").uints);
-    if (i == 0) picture.frame = std::move(frame);
-    else accumulate(picture.frame, frame);
+    graph_->begin(setup, advance);
   }
+  while (graph_->underWay() > 0) take();
   if (shot.aa > 1) divide(picture.frame, shot.aa);
   if (id_coverage) picture.id_coverage = std::move(seen);
   double done_s = clockSeconds();

@@ -48,6 +48,10 @@ class Drawing {
   // taps ("node.port") are read back, null: all.
   graph::FrameResult draw(const Shot& shot, const std::set<std::string>* outputs = nullptr,
                           const std::function<void(int done, int of)>& progress = {});
+  // The same in two steps, so that other frames are begun meanwhile, while fewer than the most are under way
+  // (graph::Graph); they are finished in the order in which they began.
+  void begin(const Shot& shot, const std::set<std::string>* outputs = nullptr);
+  graph::FrameResult finish();
   // The frame with sub-pixel samples, run record and timings; histories begin anew. With `id_coverage` the ids of all
   // samples are counted; throws `Error` (exit code 2) for a pipeline without an output "id" of integers.
   Picture capture(const Shot& shot, const std::set<std::string>* outputs = nullptr,

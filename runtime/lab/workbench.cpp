@@ -127,10 +127,16 @@ plan::Plan planOf(const Shot& shot, const plan::PipelineDesc& pipeline, graph::B
 }
 
 Workbench::Workbench(const Home& home, const gpu::DeviceOptions& device)
-    : home_(home), device_(std::make_shared<gpu::Device>(device)), cache_(home, *device_) {}
+    : home_(home), device_(std::make_shared<gpu::Device>(device)), cache_(home, *device_) {
+  if (device_->info().software) frames_in_flight = 1;
+}
 
 Workbench::Workbench(const Home& home, const Workbench& other)
-    : limits(other.limits), home_(home), device_(other.device_), cache_(home, *device_) {}
+    : limits(other.limits),
+      frames_in_flight(other.frames_in_flight),
+      home_(home),
+      device_(other.device_),
+      cache_(home, *device_) {}
 
 Workbench::~Workbench() = default;
 

@@ -90,6 +90,9 @@ class Workbench {
 
   // What scripts may use.
   script::Limits limits;
+  // Frames that are under way at once where several are drawn one after the other: at least 1, which it is on a
+  // software device unless it is set, since that has no clock for its passes (graph/submission.cpp).
+  size_t frames_in_flight = 2;
 
   // Pipelines compiled, and scripts run for pipelines, since the workbench exists.
   int compilations() const { return cache_.compilations(); }

@@ -15,24 +15,24 @@ BentInstances::BentInstances(const gpu::Device& device, const scene::Scene& scen
       first_vertex_(meshes.firstBendingVertex()) {
   for (const SceneMeshes::Bending& item : items_) vertex_count_ += item.vertex_count;
   posed_.resize(slices * items_.size());
+  bent_.resize(items_.size());
+  bent_at_.resize(items_.size());
   VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
   if (device.info().has("accelerationStructure"))
     usage |= VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR;
   buffer_ = gpu::Buffer(device, "scene.bent_vertices", size_t(slices) * vertex_count_ * sizeof(SceneBentVertex), usage,
-                        gpu::Buffer::Memory::Host);
+                        gpu::Buffer::Memory::Device);
+}
+
+size_t BentInstances::firstVertex(uint32_t slice, size_t item) const {
+  return size_t(slice) * vertex_count_ + (items_[item].first_vertex - first_vertex_);
 }
 
 VkDeviceAddress BentInstances::address(uint32_t slice, size_t item) const {
-  const size_t first = size_t(slice) * vertex_count_ + (items_[item].first_vertex - first_vertex_);
-  return buffer_.address() + first * sizeof(SceneBentVertex);
+  return buffer_.address() + firstVertex(slice, item) * sizeof(SceneBentVertex);
 }
 
-std::span<const SceneBentVertex> BentInstances::vertices(uint32_t slice, size_t item) const {
-  const size_t first = size_t(slice) * vertex_count_ + (items_[item].first_vertex - first_vertex_);
-  return {static_cast<const SceneBentVertex*>(buffer_.mapped()) + first, items_[item].vertex_count};
-}
-
-void BentInstances::pose(uint32_t slice, const scene::Pose& pose, const dvec3& origin) {
+void BentInstances::pose(gpu::Staging& staging, uint32_t slice, const scene::Pose& pose, const dvec3& origin) {
   for (size_t i = 0; i < items_.size(); ++i) {
     const dmat4& world = pose.world_from_instance[items_[i].instance];
     const scene::Bend& bend = pose.bends[items_[i].instance];
@@ -42,22 +42,30 @@ void BentInstances::pose(uint32_t slice, const scene::Pose& pose, const dvec3& o
     posed.world = glm::translate(world, shift);
     if (posed.version > 0 && posed.bend == bend && posed.shift == shift) continue;
     posed.bend = bend, posed.shift = shift;
-    this->bend(slice, i, posed);
+    this->bend(i, posed);
+    staging.write(buffer_, firstVertex(slice, i), bent_[i].data(), bent_[i].size());
+    bent_at_[i] = slice;
     ++posed.version;
   }
 }
 
-void BentInstances::bend(uint32_t slice, size_t item, Posed& posed) {
-  auto* to = const_cast<SceneBentVertex*>(vertices(slice, item).data());
+void BentInstances::bend(size_t item, Posed& posed) {
+  std::vector<SceneBentVertex>& bent = bent_[item];
+  bent.clear();
   posed.bounds = {};
   dvec3 sum(0);  // not finite where one of them is not
   for (const scene::BentVertex& vertex : scene::bentVertices(scene_, instances_[items_[item].instance], posed.bend)) {
-    *to = {vec3(vertex.position - posed.shift), vec3(vertex.normal)};
-    posed.bounds.add(dvec3(to->position));
+    bent.push_back({vec3(vertex.position - posed.shift), vec3(vertex.normal)});
+    posed.bounds.add(dvec3(bent.back().position));
     sum += vertex.position;
-    ++to;
   }
   if (!std::isfinite(sum.x + sum.y + sum.z)) posed.bounds.high = dvec3(HUGE_VAL);
+}
+
+const std::vector<SceneBentVertex>& BentInstances::vertices(uint32_t slice, size_t item) {
+  if (bent_at_[item] != slice) bend(item, posed_[slice * items_.size() + item]);
+  bent_at_[item] = slice;
+  return bent_[item];
 }
 
 }  // namespace strobe::world

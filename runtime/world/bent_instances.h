@@ -2,10 +2,9 @@
 // Instances that bend: their vertices on the device, as they are at each slice.
 #pragma once
 
-#include <span>
 #include <vector>
 
-#include "gpu/resources.h"
+#include "gpu/staging.h"
 #include "math/bounds.h"
 #include "scene/scene.h"
 #include "shared/scene.h"
@@ -25,13 +24,12 @@ class BentInstances {
   VkDeviceAddress address(uint32_t slice, size_t item) const;
   VkDeviceAddress address() const { return buffer_.address(); }
 
-  // Bends all items, unless the slice has them thus. Positions are relative to `origin` where joints have them. The
-  // device must be idle.
-  void pose(uint32_t slice, const scene::Pose& pose, const dvec3& origin);
+  // Bends all items, unless the slice has them thus. Positions are relative to `origin` where joints have them.
+  void pose(gpu::Staging& staging, uint32_t slice, const scene::Pose& pose, const dvec3& origin);
   // World from item, as its vertices are at the slice.
   const dmat4& world(uint32_t slice, size_t item) const { return at(slice, item).world; }
-  // As they are at the slice, and around them; not finite where a joint is nowhere.
-  std::span<const shared::SceneBentVertex> vertices(uint32_t slice, size_t item) const;
+  // As they are at a slice that is posed, until the next call; and around them. Not finite where a joint is nowhere.
+  const std::vector<shared::SceneBentVertex>& vertices(uint32_t slice, size_t item);
   const Bounds& bounds(uint32_t slice, size_t item) const { return at(slice, item).bounds; }
   // Another number whenever they change.
   uint64_t version(uint32_t slice, size_t item) const { return at(slice, item).version; }
@@ -45,13 +43,16 @@ class BentInstances {
     uint64_t version = 0;
   };
   const Posed& at(uint32_t slice, size_t item) const { return posed_[slice * items_.size() + item]; }
-  void bend(uint32_t slice, size_t item, Posed& posed);
+  void bend(size_t item, Posed& posed);
+  size_t firstVertex(uint32_t slice, size_t item) const;
 
   const scene::Scene& scene_;
   std::vector<scene::Instance> instances_;
   std::vector<SceneMeshes::Bending> items_;
   uint32_t first_vertex_ = 0, vertex_count_ = 0;
-  std::vector<Posed> posed_;  // by slice, then item
+  std::vector<Posed> posed_;                                // by slice, then item
+  std::vector<std::vector<shared::SceneBentVertex>> bent_;  // by item, those that were asked for last
+  std::vector<uint32_t> bent_at_;                           // and at which slice
   gpu::Buffer buffer_;
 };
 

@@ -14,7 +14,7 @@ constexpr gpu::Touch kBuilt = {VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_
 
 class DriverStructures : public Structures {
  public:
-  DriverStructures(const gpu::Device& device, const scene::Scene& scene, SceneMeshes& meshes, const BentInstances& bent,
+  DriverStructures(const gpu::Device& device, const scene::Scene& scene, SceneMeshes& meshes, BentInstances& bent,
                    uint32_t slices)
       : device_(device),
         instances_(scene::instancesOf(scene)),
@@ -49,11 +49,12 @@ class DriverStructures : public Structures {
     device_.vk().UpdateDescriptorSets(device_.handle(), 1, &write, 0, nullptr);
   }
 
-  void pose(uint32_t level, const shared::SceneTransform* transforms, const std::vector<bool>& moves) override {
-    VkAccelerationStructureInstanceKHR* posed = top_levels_[level].instances();
+  void pose(gpu::Staging& staging, uint32_t level, const std::vector<shared::SceneTransform>& transforms,
+            const std::vector<bool>& moves) override {
+    std::vector<VkAccelerationStructureInstanceKHR> posed(instances_.size());
     for (size_t i = 0; i < instances_.size(); ++i) {
       VkAccelerationStructureInstanceKHR instance{};
-      static_assert(sizeof instance.transform == sizeof *transforms);
+      static_assert(sizeof instance.transform == sizeof transforms[0]);
       std::memcpy(&instance.transform, &transforms[i], sizeof instance.transform);
       instance.mask = moves[i] ? RAYS_TO_ALL : RAYS_TO_ALL & ~RAYS_TO_MOVING;
       instance.flags = flags_[size_t(instances_[i].mesh)];
@@ -63,6 +64,7 @@ class DriverStructures : public Structures {
     }
     for (size_t item = 0; item < bent_.items().size(); ++item)
       posed[bent_.items()[item].instance].accelerationStructureReference = bentAt(level, item).structure.address();
+    staging.write(top_levels_[level].instances(), 0, posed.data(), posed.size());
   }
 
   void recordBuild(VkCommandBuffer commands, uint32_t level) override {
@@ -106,7 +108,7 @@ class DriverStructures : public Structures {
 
   const gpu::Device& device_;
   std::vector<scene::Instance> instances_;
-  const BentInstances& bent_;
+  BentInstances& bent_;
   uint32_t slices_;
   std::vector<VkGeometryInstanceFlagsKHR> flags_;        // of instances of each mesh
   const std::vector<gpu::Acceleration>& bottom_levels_;  // of each mesh
@@ -123,7 +125,7 @@ bool isOneSided(const scene::Scene& scene, const scene::Mesh& mesh) {
 }
 
 std::unique_ptr<Structures> makeDriverStructures(const gpu::Device& device, const scene::Scene& scene,
-                                                 SceneMeshes& meshes, const BentInstances& bent, uint32_t slices) {
+                                                 SceneMeshes& meshes, BentInstances& bent, uint32_t slices) {
   return std::make_unique<DriverStructures>(device, scene, meshes, bent, slices);
 }
 

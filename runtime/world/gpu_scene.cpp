@@ -37,29 +37,29 @@ GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slice
   structures_ = structures == StructureKind::Own
                     ? makeOwnStructures(device, scene, meshes.trees(), meshes.treeTriangles(), bent_, slices_)
                     : makeDriverStructures(device, scene, meshes, bent_, slices_);
-  auto host_array = [&](const char* name, size_t bytes, VkBufferUsageFlags usage) {
-    return Buffer(device_, name, bytes, usage, Buffer::Memory::Host);
+  auto array = [&](const char* name, size_t bytes, VkBufferUsageFlags usage) {
+    return Buffer(device_, name, bytes, usage, Buffer::Memory::Device);
   };
-  frame_ = host_array("frame", sizeof(FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-  lights_ = host_array("scene.lights", slices_ * light_nodes_.size() * sizeof(SceneLight), kStorage);
-  transforms_ = host_array("scene.transforms", slices_ * instances_.size() * sizeof(SceneTransform), kStorage);
-  addresses_ = host_array("scene.meshes", sizeof(MeshAddresses), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-  addresses_.write(std::vector<MeshAddresses>{{meshes.vertices().address(), meshes.indices().address(), bent_.address(),
-                                               meshes.firstBendingVertex(), bent_.vertexCount()}});
-  cameras_ = host_array("scene.cameras", slices_ * sizeof(SceneCamera), kStorage);
+  frame_ = array("frame", sizeof(FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+  lights_ = array("scene.lights", slices_ * light_nodes_.size() * sizeof(SceneLight), kStorage);
+  transforms_ = array("scene.transforms", slices_ * instances_.size() * sizeof(SceneTransform), kStorage);
+  const MeshAddresses addresses{meshes.vertices().address(), meshes.indices().address(), bent_.address(),
+                                meshes.firstBendingVertex(), bent_.vertexCount()};
+  addresses_ =
+      gpu::uploadBuffer(device_, "scene.meshes", &addresses, sizeof addresses, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+  cameras_ = array("scene.cameras", slices_ * sizeof(SceneCamera), kStorage);
   makeSet();
 }
 
 void GpuScene::uploadGeometry(const Scene& scene) {
   const SceneMeshes& meshes = unposed_->meshes;
   const std::vector<SceneGeometry>& geometries = meshes.geometries();
-  std::vector<SceneInstance> instance_data;
   std::vector<SceneDraw> draw_data;
   for (size_t i = 0; i < instances_.size(); ++i) {
     const Mesh& mesh = scene.meshes[size_t(instances_[i].mesh)];
     uint32_t first = meshes.firstGeometry()[size_t(instances_[i].mesh)];
     if (bent_items_[i] >= 0) first = bent_.items()[size_t(bent_items_[i])].first_geometry;
-    instance_data.push_back({first, uint32_t(mesh.geometries.size()), 1});
+    instance_data_.push_back({first, uint32_t(mesh.geometries.size()), 1});
     for (uint32_t g = 0; g < mesh.geometries.size(); ++g) {
       const SceneGeometry& geometry = geometries[first + g];
       draws_.push_back(
@@ -68,9 +68,8 @@ void GpuScene::uploadGeometry(const Scene& scene) {
     }
   }
   geometry_buffer_ = gpu::uploadArray(device_, "scene.geometries", geometries, kStorage);
-  instance_buffer_ =
-      Buffer(device_, "scene.instances", instance_data.size() * sizeof(SceneInstance), kStorage, Buffer::Memory::Host);
-  instance_buffer_.write(instance_data);
+  instance_buffer_ = Buffer(device_, "scene.instances", instance_data_.size() * sizeof(SceneInstance), kStorage,
+                            Buffer::Memory::Device);
   moves_.assign(instances_.size(), true);
   draw_buffer_ = gpu::uploadArray(device_, "scene.draws", draw_data, kStorage);
 }
@@ -112,7 +111,7 @@ void GpuScene::makeSet() {
   structures_->write(set_, count);
 }
 
-void GpuScene::setFrame(const FrameData& frame) { std::memcpy(frame_.mapped(), &frame, sizeof frame); }
+void GpuScene::setFrame(gpu::Staging& staging, const FrameData& frame) const { staging.write(frame_, 0, &frame, 1); }
 
 // How far behind the near plane of a parallel camera the farthest corner of any bounds is; at least 1024 times half its
 // height, so that depths do not depend on what is far within that.
@@ -192,24 +191,26 @@ void GpuScene::refuseTransform(int node) const {
       fmt::format("{}: the transform of node '{}' cannot be drawn", scene_.name, scene_.nodes[size_t(node)].name)));
 }
 
-void GpuScene::setPose(uint32_t slice, const Pose& pose, double aspect, const dvec3& origin) {
+void GpuScene::setPose(gpu::Staging& staging, uint32_t slice, const Pose& pose, double aspect, const dvec3& origin) {
   STROBE_ASSERT(slice < slices_ && pose.world_from_instance.size() == instances_.size(), "slice {}", slice);
-  bent_.pose(slice, pose, origin);
-  SceneCamera& posed = static_cast<SceneCamera*>(cameras_.mapped())[slice];
-  posed = cameraData(pose, aspect, origin);
-  posed.depth_range = float(depthRange(slice, pose));
-  auto* transforms = static_cast<SceneTransform*>(transforms_.mapped()) + slice * instances_.size();
+  bent_.pose(staging, slice, pose, origin);
+  SceneCamera camera = cameraData(pose, aspect, origin);
+  camera.depth_range = float(depthRange(slice, pose));
+  staging.write(cameras_, slice, &camera, 1);
+  std::vector<SceneTransform> transforms;
   for (size_t i = 0; i < instances_.size(); ++i) {
     const int item = bent_items_[i];
     const dmat4& world = item < 0 ? pose.world_from_instance[i] : bent_.world(slice, size_t(item));
-    transforms[i] = transformData(world, origin);
+    transforms.push_back(transformData(world, origin));
     const bool is_bent_usable = item < 0 || isUsable(bent_.bounds(slice, size_t(item)));
     if (!isUsable(transforms[i]) || !is_bent_usable) refuseTransform(instances_[i].node);
   }
-  auto* lights = static_cast<SceneLight*>(lights_.mapped()) + slice * light_nodes_.size();
+  staging.write(transforms_, slice * instances_.size(), transforms.data(), transforms.size());
+  std::vector<SceneLight> lights;
   for (size_t i = 0; i < light_nodes_.size(); ++i)
-    lights[i] = lightData(pose.lights[i], pose.world_from_light[i], origin);
-  if (isTraced(slice)) structures_->pose(levelOf(slice), transforms, moves_);
+    lights.push_back(lightData(pose.lights[i], pose.world_from_light[i], origin));
+  staging.write(lights_, slice * lights.size(), lights.data(), lights.size());
+  if (isTraced(slice)) structures_->pose(staging, levelOf(slice), transforms, moves_);
 }
 
 static uint32_t bitsOf(const scene::ScreenPath& path) {
@@ -217,16 +218,17 @@ static uint32_t bitsOf(const scene::ScreenPath& path) {
          (path.arrives ? PATH_ARRIVES : 0);
 }
 
-void GpuScene::setMotion(const std::vector<bool>& moves, const std::vector<scene::ScreenPath>& paths) {
+void GpuScene::setMotion(gpu::Staging& staging, const std::vector<bool>& moves,
+                         const std::vector<scene::ScreenPath>& paths) {
   STROBE_ASSERT(moves.empty() || moves.size() == moves_.size(), "{} of {}", moves.size(), moves_.size());
   STROBE_ASSERT(paths.empty() || paths.size() == moves_.size(), "{} of {}", paths.size(), moves_.size());
   if (moves.empty()) moves_.assign(moves_.size(), true);
   else moves_ = moves;
-  auto* instances = static_cast<SceneInstance*>(instance_buffer_.mapped());
   for (size_t i = 0; i < moves_.size(); ++i) {
-    instances[i].moves = moves_[i] ? 1 : 0;
-    instances[i].path = bitsOf(paths.empty() ? scene::ScreenPath() : paths[i]);
+    instance_data_[i].moves = moves_[i] ? 1 : 0;
+    instance_data_[i].path = bitsOf(paths.empty() ? scene::ScreenPath() : paths[i]);
   }
+  staging.write(instance_buffer_, 0, instance_data_.data(), instance_data_.size());
 }
 
 uint32_t GpuScene::movingCount() const { return uint32_t(std::count(moves_.begin(), moves_.end(), true)); }

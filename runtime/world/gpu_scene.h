@@ -51,15 +51,18 @@ class GpuScene {
   // In the order of instances, then geometries; `gl_InstanceIndex` of draw i is i.
   const std::vector<Draw>& draws() const { return draws_; }
 
-  // The frame's block; the device must be idle.
-  void setFrame(const shared::FrameData& frame);
+  // What follows is written through `staging`, whose copies must be recorded before work that reads it: later writes of
+  // other frames leave alone what work before them reads.
+  // The frame's block.
+  void setFrame(gpu::Staging& staging, const shared::FrameData& frame) const;
   // Which instances may move within the frame's exposure, as rays may ask for these alone, and how they go over the
-  // picture. Before the poses of the frame; empty: each may, in any way. The device must be idle.
-  void setMotion(const std::vector<bool>& moves, const std::vector<scene::ScreenPath>& paths);
+  // picture. Before the poses of the frame; empty: each may, in any way.
+  void setMotion(gpu::Staging& staging, const std::vector<bool>& moves, const std::vector<scene::ScreenPath>& paths);
   uint32_t movingCount() const;
   bool mayMove(uint32_t instance) const { return moves_[instance]; }
-  // Poses slice `slice`; positions become relative to `origin`. The device must be idle. `aspect` is width / height.
-  void setPose(uint32_t slice, const scene::Pose& pose, double aspect, const dvec3& origin);
+  // Poses slice `slice`; positions become relative to `origin`. `aspect` is width / height. Throws `Error` for a pose
+  // that cannot be drawn; what is written by then must be copied all the same.
+  void setPose(gpu::Staging& staging, uint32_t slice, const scene::Pose& pose, double aspect, const dvec3& origin);
   // Records what makes a posed slice ready to be traced; those between the capture and the samples never are.
   void recordBuild(VkCommandBuffer commands, uint32_t slice) const;
 
@@ -76,6 +79,7 @@ class GpuScene {
   std::vector<bool> moves_;  // by instance
   std::vector<int> light_nodes_;
   std::vector<Draw> draws_;
+  std::vector<shared::SceneInstance> instance_data_;
   std::shared_ptr<UnposedScene> unposed_;
   BentInstances bent_;
   std::vector<int> bent_items_;  // by instance: its number among those that bend, else -1

@@ -73,7 +73,7 @@ Box posedBox(const Box& mesh, const Rows& world_from_object, const Rows& object_
 class OwnStructures : public Structures {
  public:
   OwnStructures(const gpu::Device& device, const scene::Scene& scene, const MeshTrees& trees,
-                const gpu::Buffer& triangles, const BentInstances& bent, uint32_t slices)
+                const gpu::Buffer& triangles, BentInstances& bent, uint32_t slices)
       : device_(device),
         instances_(scene::instancesOf(scene)),
         bent_(bent),
@@ -93,13 +93,6 @@ class OwnStructures : public Structures {
     nodes.append(trees.nodes.data(), mesh_bytes);
     nodes_ = nodes.finish();
     posed_ = Buffer(device, "scene.bvh.instances", instance_bytes, kRead, Buffer::Memory::Device);
-    auto staging = [&](const char* name, size_t bytes) {
-      return Buffer(device, name, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, Buffer::Memory::Host);
-    };
-    next_nodes_ = staging("scene.bvh.next_nodes", top_bytes);
-    next_posed_ = staging("scene.bvh.next_instances", instance_bytes);
-    next_bent_nodes_ = staging("scene.bvh.next_bent_nodes", levels * bending_nodes_ * sizeof(BvhNode));
-    next_triangles_ = staging("scene.bvh.next_triangles", levels * bending_triangles_ * sizeof(BvhTriangle));
     if (!bending_.empty()) makeTriangles(triangles, levels);
     Addresses addresses{nodes_.address(), bending_.empty() ? triangles.address() : triangles_.address(),
                         posed_.address(), uint32_t(first_root_), uint32_t(nodes_per_tree_)};
@@ -123,9 +116,10 @@ class OwnStructures : public Structures {
     device_.vk().UpdateDescriptorSets(device_.handle(), 1, &write, 0, nullptr);
   }
 
-  void pose(uint32_t level, const shared::SceneTransform* transforms, const std::vector<bool>& moves) override {
-    for (size_t b = 0; b < bending_.size(); ++b) fit(level, b);
-    auto* posed = static_cast<BvhInstance*>(next_posed_.mapped()) + level * instances_.size();
+  void pose(gpu::Staging& staging, uint32_t level, const std::vector<shared::SceneTransform>& transforms,
+            const std::vector<bool>& moves) override {
+    for (size_t b = 0; b < bending_.size(); ++b) fit(staging, level, b);
+    std::vector<BvhInstance> posed(instances_.size());
     std::vector<Box> boxes(instances_.size());
     for (size_t i = 0; i < instances_.size(); ++i) {
       const size_t mesh = size_t(instances_[i].mesh);
@@ -143,24 +137,15 @@ class OwnStructures : public Structures {
       posed[i].root = firstNode(level, bending), posed[i].reach = fit.reach;
       boxes[i] = bending.tree.triangles() > 0 ? posedBox(fit.bounds, forward, inverseOf(forward)) : Box();
     }
-    putTree(2 * level, boxes);
+    staging.write(posed_, level * posed.size(), posed.data(), posed.size());
+    putTree(staging, 2 * level, boxes);
     for (size_t i = 0; i < boxes.size(); ++i)
       if (!moves[i]) boxes[i] = {};
-    putTree(2 * level + 1, boxes);
+    putTree(staging, 2 * level + 1, boxes);
   }
 
-  void recordBuild(VkCommandBuffer commands, uint32_t level) override {
-    const size_t nodes = 2 * nodes_per_tree_ * sizeof(BvhNode), posed = instances_.size() * sizeof(BvhInstance);
-    const size_t bent = bending_nodes_ * sizeof(BvhNode), triangles = bending_triangles_ * sizeof(BvhTriangle);
-    recordCopy(commands, next_bent_nodes_, level * bent, nodes_, first_bending_node_ * sizeof(BvhNode) + level * bent,
-               bent);
-    recordCopy(commands, next_triangles_, level * triangles, triangles_,
-               first_bending_triangle_ * sizeof(BvhTriangle) + level * triangles, triangles);
-    recordCopy(commands, next_nodes_, level * nodes, nodes_, first_root_ * sizeof(BvhNode) + level * nodes, nodes);
-    recordCopy(commands, next_posed_, level * posed, posed_, level * posed, posed);
-    recordBarrier(device_, commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
-                  {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT});
-  }
+  // The copies are all.
+  void recordBuild(VkCommandBuffer, uint32_t) override {}
 
  private:
   // The tree of an instance that bends, as it is at a level.
@@ -193,7 +178,8 @@ class OwnStructures : public Structures {
     const size_t bytes = (first_bending_triangle_ + levels * bending_triangles_) * sizeof(BvhTriangle);
     triangles_ = gpu::Buffer(device_, "scene.bvh.all_triangles", bytes, kRead, gpu::Buffer::Memory::Device);
     device_.submit([&](VkCommandBuffer commands) {
-      recordCopy(commands, meshes, 0, triangles_, 0, first_bending_triangle_ * sizeof(BvhTriangle));
+      VkBufferCopy copy{0, 0, first_bending_triangle_ * sizeof(BvhTriangle)};
+      if (copy.size > 0) device_.vk().CmdCopyBuffer(commands, meshes.handle(), triangles_.handle(), 1, &copy);
     });
   }
 
@@ -201,17 +187,19 @@ class OwnStructures : public Structures {
     return uint32_t(first_bending_node_ + level * bending_nodes_ + bending.first_node);
   }
 
-  void fit(uint32_t level, size_t b) {
+  void fit(gpu::Staging& staging, uint32_t level, size_t b) {
     Bending& bending = bending_[b];
     Fit& fit = bending.fits[level];
     const uint32_t slice = sliceOf(level);
     if (fit.version == bent_.version(slice, b)) return;
     fit.version = bent_.version(slice, b);
-    const size_t node = level * bending_nodes_ + bending.first_node;
-    const size_t triangle = level * bending_triangles_ + bending.first_triangle;
-    bending.tree.fit(bent_.vertices(slice, b), firstNode(level, bending), uint32_t(first_bending_triangle_ + triangle),
-                     static_cast<BvhNode*>(next_bent_nodes_.mapped()) + node,
-                     static_cast<BvhTriangle*>(next_triangles_.mapped()) + triangle);
+    const size_t node = firstNode(level, bending);
+    const size_t triangle = first_bending_triangle_ + level * bending_triangles_ + bending.first_triangle;
+    std::vector<BvhNode> nodes(bending.tree.nodes());
+    std::vector<BvhTriangle> triangles(bending.tree.triangles());
+    bending.tree.fit(bent_.vertices(slice, b), uint32_t(node), uint32_t(triangle), nodes.data(), triangles.data());
+    staging.write(nodes_, node, nodes.data(), nodes.size());
+    staging.write(triangles_, triangle, triangles.data(), triangles.size());
     fit.bounds = bending.tree.bounds(), fit.reach = bending.tree.reach();
   }
 
@@ -226,26 +214,18 @@ class OwnStructures : public Structures {
   }
 
   // Each level has two trees: of all instances, and of those that move.
-  void putTree(size_t tree, const std::vector<Box>& boxes) {
+  void putTree(gpu::Staging& staging, size_t tree, const std::vector<Box>& boxes) {
     Bvh bvh = buildBvh(boxes, {1, BVH_TOP_DEPTH});
-    auto* nodes = static_cast<BvhNode*>(next_nodes_.mapped()) + tree * nodes_per_tree_;
     const uint32_t first = uint32_t(first_root_ + tree * nodes_per_tree_);
-    for (BvhNode& node : bvh.nodes) {
+    for (BvhNode& node : bvh.nodes)
       for (uint32_t& child : node.children)
         if (!(child & BVH_LEAF)) child += first;
-      *nodes++ = node;
-    }
-  }
-
-  void recordCopy(VkCommandBuffer commands, const gpu::Buffer& from, size_t from_at, const gpu::Buffer& to,
-                  size_t to_at, size_t bytes) const {
-    VkBufferCopy copy{from_at, to_at, bytes};
-    if (bytes > 0) device_.vk().CmdCopyBuffer(commands, from.handle(), to.handle(), 1, &copy);
+    staging.write(nodes_, first, bvh.nodes.data(), bvh.nodes.size());
   }
 
   const gpu::Device& device_;
   std::vector<scene::Instance> instances_;
-  const BentInstances& bent_;
+  BentInstances& bent_;
   std::vector<Bending> bending_;
   std::vector<uint32_t> roots_;
   std::vector<float> reaches_;
@@ -253,15 +233,15 @@ class OwnStructures : public Structures {
   size_t first_root_ = 0, nodes_per_tree_ = 0;
   size_t first_bending_node_ = 0, bending_nodes_ = 0;          // of level 0; of each level
   size_t first_bending_triangle_ = 0, bending_triangles_ = 0;  // the same
-  gpu::Buffer nodes_, posed_, next_nodes_, next_posed_, addresses_;
-  gpu::Buffer triangles_, next_bent_nodes_, next_triangles_;  // of a scene in which something bends
+  gpu::Buffer nodes_, posed_, addresses_;
+  gpu::Buffer triangles_;  // of a scene in which something bends
 };
 
 }  // namespace
 
 std::unique_ptr<Structures> makeOwnStructures(const gpu::Device& device, const scene::Scene& scene,
-                                              const MeshTrees& trees, const gpu::Buffer& triangles,
-                                              const BentInstances& bent, uint32_t slices) {
+                                              const MeshTrees& trees, const gpu::Buffer& triangles, BentInstances& bent,
+                                              uint32_t slices) {
   return std::make_unique<OwnStructures>(device, scene, trees, triangles, bent, slices);
 }
 

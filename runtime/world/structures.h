@@ -23,9 +23,10 @@ class Structures {
   virtual VkDescriptorSetLayoutBinding binding(uint32_t number) const = 0;
   virtual void write(VkDescriptorSet set, uint32_t number) const = 0;
   // Poses the instances at a level: 0 is the capture, 1 + i sample i. World-from-object transforms, and whether it
-  // moves (rays may ask for these alone), one of each instance; what bends is posed already. The device must be idle.
-  virtual void pose(uint32_t level, const shared::SceneTransform* transforms, const std::vector<bool>& moves) = 0;
-  // Records what makes the pose of a level ready to be traced by later work.
+  // moves (rays may ask for these alone), one of each instance; what bends is posed already.
+  virtual void pose(gpu::Staging& staging, uint32_t level, const std::vector<shared::SceneTransform>& transforms,
+                    const std::vector<bool>& moves) = 0;
+  // Records what makes the pose of a level ready to be traced by later work, behind the copies of what was written.
   virtual void recordBuild(VkCommandBuffer commands, uint32_t level) = 0;
 };
 
@@ -34,13 +35,13 @@ bool isOneSided(const scene::Scene& scene, const scene::Mesh& mesh);
 
 // Acceleration structures of the driver. `meshes` are the scene's; they and `bent` must outlive it.
 std::unique_ptr<Structures> makeDriverStructures(const gpu::Device& device, const scene::Scene& scene,
-                                                 SceneMeshes& meshes, const BentInstances& bent, uint32_t slices);
+                                                 SceneMeshes& meshes, BentInstances& bent, uint32_t slices);
 
 // The runtime's own trees (shaders/shared/bvh.h). `triangles`: those of the trees, on the device; it and `bent` must
 // outlive it.
 std::unique_ptr<Structures> makeOwnStructures(const gpu::Device& device, const scene::Scene& scene,
-                                              const MeshTrees& trees, const gpu::Buffer& triangles,
-                                              const BentInstances& bent, uint32_t slices);
+                                              const MeshTrees& trees, const gpu::Buffer& triangles, BentInstances& bent,
+                                              uint32_t slices);
 
 // Whose level a slice's pose is; slices between the capture and the samples are never traced.
 inline bool isTraced(uint32_t slice) { return slice == SLICE_CAPTURE || slice >= SLICE_SAMPLE; }

@@ -79,6 +79,26 @@ TEST_F(Bench, WritesAPageAndATrace) {
 }
 
 // Rays are those that the counters of the passes tell, and stay the same from run to run.
+TEST_F(Bench, TimesFramesInFlight) {
+  const std::string out = *folder_ / "in_flight";
+  Outcome outcome = frames("mcguire2012 hybrid " + kShot + "--rounds 2 --in-flight 2 -o " + out, "STROBE_VALIDATION=1");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("from frame to frame"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("2 under way at once"), std::string::npos) << outcome.out;
+  Json run = fileOf("in_flight/bench.json");
+  EXPECT_EQ(run["frames_in_flight"], 2);
+  ASSERT_EQ(run["shots"].size(), 2u);
+  const bool software = run["device"]["software"];
+  for (const Json& shot : run["shots"]) {
+    EXPECT_EQ(shot["interval_ms"].size(), 2u);
+    EXPECT_EQ(shot["passes"].empty(), software) << "a software device has no clock for them";
+  }
+  EXPECT_EQ(outcome.out.find("no clock for passes") != std::string::npos, software) << outcome.out;
+  EXPECT_NE(run["command"].get<std::string>().find("--in-flight=2"), std::string::npos);
+  EXPECT_FALSE(fileOf("out/bench.json")["shots"][0].contains("interval_ms"));
+  expectRefusal("hybrid " + kShot + "--in-flight 9", 2, "Value 9 not in range 1 to 8");
+}
+
 TEST_F(Bench, ComparesWithASavedRun) {
   Outcome outcome = frames(kMethods + kShot + "--rounds 2 --json --against " + saved());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

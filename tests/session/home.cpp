@@ -102,6 +102,27 @@ lab::Shot smallShot(const std::string& pipeline, int width, int height) {
   return shot;
 }
 
+void writeRunningMean(const EditableHome& home) {
+  home.write("passes/test/running_mean.lua", R"(local pass = require "strobe.pass"
+return pass.compute {
+  name = "running_mean", shader = "test/running_mean", doc = "mean of all frames so far",
+  reads = { color = { doc = "linear" } },
+  writes = { color = { format = "rgba32f", doc = "mean" } },
+  updates = { sum = { format = "rgba32f", doc = "sum; a = weight of the frames", history = true } },
+  params = { weight = pass.float { 1, min = 0, max = 10, doc = "of every frame" } },
+}
+)");
+  home.write("shaders/test/running_mean.glsl", R"(void run(ivec2 pixel) {
+  vec4 color = texelFetch(color_tex, pixel, 0);
+  vec4 sum = imageLoad(sum_img, pixel) + params.weight * vec4(color.rgb, 1);
+  imageStore(sum_img, pixel, sum);
+  imageStore(color_img, pixel, vec4(sum.rgb / max(sum.a, 1e-6), 1));
+}
+)");
+  home.write("scripts/pipelines/running_mean.lua",
+             readText(sourceFolder() / "tests/session/pipelines/running_mean.lua"));
+}
+
 std::map<std::string, std::string> hashes(const graph::FrameResult& frame) {
   std::map<std::string, std::string> hashes;
   for (const auto& [name, image] : frame.outputs) hashes[name] = lab::hashOf(image);

@@ -46,6 +46,9 @@ class SessionTest : public testing::Test {
 // A small picture of two moving bars that every pipeline can blur.
 lab::Shot smallShot(const std::string& pipeline, int width = 64, int height = 36);
 
+// The pipeline "running_mean": the mean of all frames since it was made, each with `weight`, and their "sum".
+void writeRunningMean(const EditableHome& home);
+
 // Hash of every output, by name.
 std::map<std::string, std::string> hashes(const graph::FrameResult& frame);
 std::string colorHash(lab::Session& session);
