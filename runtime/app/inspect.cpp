@@ -131,9 +131,10 @@ void addPlans(plan::PipelineDesc pipeline, graph::ShaderCheck& shaders) {
 void checkPipelines(const Home& home, const std::vector<script::PipelineRequest>& requests, bool shapes,
                     std::vector<std::string>& problems) {
   graph::ShaderCheck shaders(home);
+  script::PipelineEvaluator evaluator(home);
   const auto folders = passFolders(home);
   auto check_all = [&](const std::vector<script::PipelineRequest>& asked, const auto& look) {
-    auto all = script::evaluatePipelines(home, asked);
+    auto all = evaluator.evaluate(asked);
     for (size_t i = 0; i < all.size(); ++i) {
       auto plan_and_look = [&] {
         plan::PipelineDesc pipeline = all[i].take();

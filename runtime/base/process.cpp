@@ -73,8 +73,9 @@ class Feeding {
 
   int descriptor() const { return descriptor_.get(); }
 
-  // Of what the child has not been given yet.
-  void give(std::string text) { rest_ = std::move(text), done_ = 0; }
+  // Of what the child has not been given yet. What is not the last stays open after it.
+  void give(std::string text, bool is_last) { rest_ = std::move(text), done_ = 0, is_last_ = is_last; }
+  bool hasMore() const { return is_last_ || done_ < rest_.size(); }
 
   // As much as the child takes at once; it is closed after the last of it, and where the child reads no more.
   void write() {
@@ -90,6 +91,7 @@ class Feeding {
   Descriptor descriptor_;
   std::string rest_;
   size_t done_ = 0;
+  bool is_last_ = true;
 };
 
 // A stream of the child and what has been read from it.
@@ -205,17 +207,21 @@ double leftOf(const Program& program, double started_s) {
   return program.wall_s > 0 ? started_s + program.wall_s - clockSeconds() : 1e9;
 }
 
-// Until the child closes its streams, or its time or its room is used up.
-void collect(const Program& program, std::array<Stream, 2>& streams, Feeding* feeding, double started_s,
-             ProgramEnd& end) {
+// Whether what a child has written to stdout is all that it is waited for; empty: it is waited for its end.
+using IsWhole = std::function<bool(const std::string& output)>;
+
+// Until the child closes its streams, or its time or its room is used up; true where what it wrote is whole before.
+bool collect(const Program& program, std::array<Stream, 2>& streams, Feeding* feeding, double started_s,
+             const IsWhole& is_whole, ProgramEnd& end) {
   for (;;) {
+    if (is_whole && is_whole(streams[0].text)) return true;
     std::array<pollfd, 3> waiting{pollfd{streams[0].reading.get(), POLLIN, 0},
                                   pollfd{streams[1].reading.get(), POLLIN, 0},
-                                  pollfd{feeding ? feeding->descriptor() : -1, POLLOUT, 0}};
-    if (waiting[0].fd < 0 && waiting[1].fd < 0) return;
+                                  pollfd{feeding && feeding->hasMore() ? feeding->descriptor() : -1, POLLOUT, 0}};
+    if (waiting[0].fd < 0 && waiting[1].fd < 0) return false;
     double left_s = leftOf(program, started_s);
     end.timed_out = left_s <= 0;
-    if (end.timed_out || (end.too_long && !program.drops_rest)) return;
+    if (end.timed_out || (end.too_long && !program.drops_rest)) return false;
     double longest_s = program.meanwhile ? 0.02 : 3600;
     int ready = ::poll(waiting.data(), waiting.size(), int(std::min(left_s, longest_s) * 1000) + 1);
     if (program.meanwhile) program.meanwhile();
@@ -266,33 +272,36 @@ void start(Child& child, const Program& program, bool feeds) {
   for (Stream& stream : child.streams) stream.writing.reset();
 }
 
-ProgramEnd ended(Child& child, const Program& program, double started_s) {
-  ProgramEnd end;
+// What it has written by its end, or by when that is whole: true.
+bool answered(Child& child, const Program& program, const IsWhole& is_whole, ProgramEnd& end) {
+  const double started_s = clockSeconds();
+  bool whole = false;
   try {
-    collect(program, child.streams, child.feeding ? &*child.feeding : nullptr, started_s, end);
+    whole = collect(program, child.streams, child.feeding ? &*child.feeding : nullptr, started_s, is_whole, end);
   } catch (...) {
     endAndRethrow(child.id);
   }
-  reap(child.id, program, started_s, end);
-  end.output = std::move(child.streams[0].text);
-  end.errors = std::move(child.streams[1].text);
+  if (!whole) reap(child.id, program, started_s, end);
+  end.output = std::exchange(child.streams[0].text, {});
+  end.errors = std::exchange(child.streams[1].text, {});
   end.seconds = clockSeconds() - started_s;
-  return end;
+  return whole;
 }
 
 }  // namespace
 
 ProgramEnd run(const Program& program) {
-  double started_s = clockSeconds();
   Child child;
   start(child, program, program.more_input != nullptr);
-  return ended(child, program, started_s);
+  ProgramEnd end;
+  answered(child, program, {}, end);
+  return end;
 }
 
 struct WaitingProgram::State {
   Program program;
   Child child;
-  bool was_run = false;
+  bool is_over = false;
 };
 
 WaitingProgram::WaitingProgram(Program program) : state_(std::make_unique<State>()) {
@@ -300,9 +309,11 @@ WaitingProgram::WaitingProgram(Program program) : state_(std::make_unique<State>
   start(state_->child, state_->program, true);
 }
 
+WaitingProgram::WaitingProgram(WaitingProgram&&) noexcept = default;
+
 WaitingProgram::~WaitingProgram() {
+  if (!state_ || state_->is_over) return;
   const pid_t child = state_->child.id;
-  if (child < 0 || state_->was_run) return;
   ::kill(-child, SIGKILL);
   while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) continue;
 }
@@ -310,13 +321,25 @@ WaitingProgram::~WaitingProgram() {
 bool WaitingProgram::waits() const {
   siginfo_t info{};
   const pid_t child = state_->child.id;
-  return !state_->was_run && ::waitid(P_PID, id_t(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0;
+  return !state_->is_over && ::waitid(P_PID, id_t(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0;
 }
 
 ProgramEnd WaitingProgram::run(std::string input) {
-  STROBE_ASSERT(!std::exchange(state_->was_run, true), "it was run before");
-  state_->child.feeding->give(std::move(input));
-  return ended(state_->child, state_->program, clockSeconds());
+  STROBE_ASSERT(!std::exchange(state_->is_over, true), "it has ended");
+  state_->child.feeding->give(std::move(input), true);
+  ProgramEnd end;
+  answered(state_->child, state_->program, {}, end);
+  return end;
+}
+
+ProgramEnd WaitingProgram::ask(std::string input, double wall_s, const IsWhole& is_whole) {
+  STROBE_ASSERT(!state_->is_over, "it has ended");
+  state_->program.wall_s = wall_s;
+  state_->child.feeding->give(std::move(input), false);
+  ProgramEnd end;
+  state_->is_over = true;
+  state_->is_over = !answered(state_->child, state_->program, is_whole, end);
+  return end;
 }
 
 }  // namespace strobe

@@ -55,17 +55,22 @@ struct ProgramEnd {
 // where this process ends first. Throws `Error` where the program cannot be started.
 ProgramEnd run(const Program& program);
 
-// A program that is started before it is known what it reads, so that its start takes no time later. It is ended with
-// this object, unless it was run; and, by the system, with the thread that made it.
+// A program that is started before it is known what it reads, so that its start takes no time later, or that reads and
+// answers again and again. It is ended with this object, unless it has ended; and, by the system, with the thread that
+// made it.
 class WaitingProgram {
  public:
   // Throws `Error` where it cannot be started.
   explicit WaitingProgram(Program program);
+  WaitingProgram(WaitingProgram&&) noexcept;
   ~WaitingProgram();
   // Whether it still waits.
   bool waits() const;
-  // As `run` with this input, once; the limit of the wall clock counts from here.
+  // As `run` with this input, and the last; the limit of the wall clock counts from here.
   ProgramEnd run(std::string input);
+  // Hands it `input` and waits until `is_whole` says so of what it has written to stdout since; then it waits again.
+  // Where it ends before, or exceeds a limit, it is over, as the end says. `wall_s` counts from here.
+  ProgramEnd ask(std::string input, double wall_s, const std::function<bool(const std::string& output)>& is_whole);
 
  private:
   struct State;

@@ -6,7 +6,7 @@ namespace strobe::gpu {
 // Little enough to be there for each frame, enough for most frames.
 static constexpr size_t kPart = size_t{1} << 20;
 
-void* Staging::write(const Buffer& to, size_t at, size_t bytes) {
+void* Staging::placeFor(const Buffer& to, size_t at, size_t bytes) {
   STROBE_ASSERT(bytes > 0 && at + bytes <= to.size(), "{} bytes from {} on into {}", bytes, at, to.size());
   const size_t room = (bytes + 15) & ~size_t{15};
   while (part_ < parts_.size() && parts_[part_].size() - used_ < room) ++part_, used_ = 0;

@@ -15,13 +15,12 @@ class Staging {
   Staging() = default;
   explicit Staging(const Device& device) : device_(&device) {}
 
-  // Where to write `bytes` bytes, aligned to 16, that the next `recordCopies` copies to a buffer, from its byte `at`
-  // on. Everything there is to be written, and before that call; reading is slow. Of two writes to one place, both
-  // before that call, neither is sure to last. Throws `Error` where memory runs out.
-  void* write(const Buffer& to, size_t at, size_t bytes);
+  // Writes `count` values, which the next `recordCopies` copies to a buffer of such values, from the one numbered
+  // `first` on. Of two writes to one place, both before that call, neither is sure to last. Throws `Error` where memory
+  // runs out.
   template <class T>
   void write(const Buffer& to, size_t first, const T* values, size_t count) {
-    if (count > 0) std::memcpy(write(to, first * sizeof(T), count * sizeof(T)), values, count * sizeof(T));
+    if (count > 0) std::memcpy(placeFor(to, first * sizeof(T), count * sizeof(T)), values, count * sizeof(T));
   }
   bool isEmpty() const { return copies_.empty(); }
 
@@ -36,6 +35,9 @@ class Staging {
     VkBuffer from, to;
     VkBufferCopy region;
   };
+  // In host memory, for bytes that go to a buffer from its byte `at` on.
+  void* placeFor(const Buffer& to, size_t at, size_t bytes);
+
   const Device* device_ = nullptr;
   std::vector<Buffer> parts_;
   size_t part_ = 0, used_ = 0;  // of the part that is filled

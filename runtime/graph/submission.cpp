@@ -47,7 +47,8 @@ double Submission::compileBeforeUse(const Step& step) {
 void Submission::runStepwise(size_t index, const Part& part) {
   Frame& frame = frames_[index];
   double start_s = clockSeconds();
-  device_.submit([&](VkCommandBuffer commands) { recordScene(commands, frame, part); });
+  if (!frame.staging.isEmpty() || part.slice_count > 0)
+    device_.submit([&](VkCommandBuffer commands) { recordScene(commands, frame, part); });
   frame.staging.reset();
   frame.gpu_ms += 1000 * (clockSeconds() - start_s);
   for (const Step* step : part.steps) {

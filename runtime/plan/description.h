@@ -246,11 +246,17 @@ const Value* valueOf(const PipelineDesc& pipeline, const std::string& name);
 // How many frames before the capture its loops of times "frames" look back at; 64 stands for more.
 int earlierFrames(const PipelineDesc& pipeline);
 
-// Both read what another process wrote and so trust nothing: names, references, types and ranges are checked, and
+// They read what another process wrote and so trust nothing: names, references, types and ranges are checked, and
 // `Error` is thrown at the place of the first mistake.
-// A number n in the place of a pass stands for the nth of `known`, from 1.
-PipelineDesc pipelineFromJson(const Json& json, const std::vector<PassDesc>& known = {});
 PassDesc passFromJson(const Json& json);
+// What descriptions of one pipeline have in common, for which they have a number n in the place of a pass, the nth of
+// these from 1, and no "params".
+struct Known {
+  std::vector<PassDesc> passes;
+  std::vector<ParamDesc> params;
+};
+Known knownFromJson(const Json& json);
+PipelineDesc pipelineFromJson(const Json& json, const Known& known = {});
 
 Json toJson(const PipelineDesc& pipeline);
 Json toJson(const PassDesc& pass);

@@ -536,16 +536,26 @@ void refuseTwinRoles(const Reader& reader, const std::vector<ParamDesc>& params)
   }
 }
 
-PassDesc passOf(const Reader& reader, const Json& json, const std::vector<PassDesc>& known) {
+PassDesc passOf(const Reader& reader, const Json& json, const Known& known) {
   if (!json.is_number_integer()) return passFromJson(json);
   const int64_t number = json.get<int64_t>();
-  if (number < 1 || uint64_t(number) > known.size()) reader.fail(fmt::format("there is no pass number {}", number));
-  return known[size_t(number) - 1];
+  if (number < 1 || uint64_t(number) > known.passes.size())
+    reader.fail(fmt::format("there is no pass number {}", number));
+  return known.passes[size_t(number) - 1];
 }
 
 }  // namespace
 
-PipelineDesc pipelineFromJson(const Json& json, const std::vector<PassDesc>& known) {
+Known knownFromJson(const Json& json) {
+  Reader reader(json, "what is known");
+  Known known;
+  known.params = itemsOf(reader.list("params"), readParam);
+  for (const Json& pass : reader.list("passes")) known.passes.push_back(passFromJson(pass));
+  reader.finish();
+  return known;
+}
+
+PipelineDesc pipelineFromJson(const Json& json, const Known& known) {
   Reader reader(json, "pipeline");
   PipelineDesc pipeline;
   pipeline.name = reader.text("name", std::nullopt);
@@ -553,7 +563,7 @@ PipelineDesc pipelineFromJson(const Json& json, const std::vector<PassDesc>& kno
   pipeline.doc = reader.text("doc");
   reader.setPlace({pipeline.file});
   if (reader.has("kind")) pipeline.kind = static_cast<PipelineDesc::Kind>(reader.oneOf("kind", pipelineKindNames()));
-  pipeline.params = itemsOf(reader.list("params"), readParam);
+  pipeline.params = reader.has("params") ? itemsOf(reader.list("params"), readParam) : known.params;
   refuseTwins(pipeline.params, reader, "parameters");
   pipeline.graph_params = namesIn(reader.list("graph_params"), pipeline);
   refuseTwinRoles(reader, pipeline.params);

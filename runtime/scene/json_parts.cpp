@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string_view>
 
 #include "scene/motion.h"
 #include "scene/textures.h"
@@ -14,23 +15,33 @@ bool isKind(const Json& json, const std::string& kind) {
   return json.is_object() && json.contains("kind") && json["kind"] == kind;
 }
 
-static Json withoutPlaces(const Json& json) {
-  if (!json.is_structured()) return json;
-  if (json.is_array() && (json.empty() || json[0].is_number())) return json;
-  Json copy = json.is_array() ? Json::array() : Json::object();
-  if (json.is_array()) {
-    for (const Json& item : json) copy.push_back(withoutPlaces(item));
-    return copy;
+static void appendContent(const Json& json, std::string& text) {
+  const bool is_plain_list = json.is_array() && (json.empty() || json[0].is_number());
+  if (!json.is_structured() || is_plain_list) {
+    text += json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return;
   }
-  std::map<std::string, const Json*> sorted;
-  for (const auto& [key, value] : json.items()) sorted[key] = &value;
-  sorted.erase("place");
-  for (const auto& [key, value] : sorted) copy[key] = withoutPlaces(*value);
-  return copy;
+  text += json.is_array() ? '[' : '{';
+  if (json.is_array()) {
+    for (const Json& item : json) appendContent(item, text), text += ',';
+  } else {
+    std::map<std::string_view, const Json*> sorted;
+    for (const auto& [key, value] : json.items())
+      if (key != "place") sorted.emplace(key, &value);
+    for (const auto& [key, value] : sorted) {
+      text += '"';
+      text += key;
+      text += "\":";
+      appendContent(*value, text), text += ',';
+    }
+  }
+  text += json.is_array() ? ']' : '}';
 }
 
 std::string contentOf(const Json& json) {
-  return withoutPlaces(json).dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string text;
+  appendContent(json, text);
+  return text;
 }
 
 static dquat lookingAt(Fields& fields, const dvec3& from, const dvec3& at) {

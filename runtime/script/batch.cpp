@@ -71,96 +71,167 @@ ProgramEnd forked(const Json& request, double wall_s, const std::function<void(c
   return result;
 }
 
-// A line of JSON that says how a request ended, then what it wrote.
-void send(const ProgramEnd& result) {
-  Json head = {{"exit_status", result.exit_status},
-               {"signal", result.signal},
-               {"timed_out", result.timed_out},
-               {"too_long", result.too_long},
-               {"bytes", result.output.size()}};
+// A line of JSON that says how a request ended, then what it wrote. `loaded`: the number of what it refers to, or -1.
+void send(const ProgramEnd& result, int loaded) {
+  Json head = {{"exit_status", result.exit_status}, {"signal", result.signal}, {"timed_out", result.timed_out},
+               {"too_long", result.too_long},       {"loaded", loaded},        {"bytes", result.output.size()}};
   writeAll(STDOUT_FILENO, head.dump() + "\n" + result.output);
 }
 
+std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 std::string withoutArgument(Json request) {
   request.erase("argument");
-  return request.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return textOf(request);
 }
 
-// Answers requests, each in a copy of a process that has loaded what they share. False: it could not load that.
-bool answerLoaded(const std::vector<Json>& requests, double wall_s, const Answering& answering) {
-  int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) ::_exit(1);
-  pid_t loader = ::fork();
-  if (loader < 0) ::_exit(1);
-  if (loader == 0) {
-    std::optional<std::string> shared = answering.load(requests.front());
-    if (!shared) ::_exit(1);
-    writeAll(ends[1], "+");
-    Json head = {{"shared", shared->size()}, {"requests", requests.size()}};
-    writeAll(STDOUT_FILENO, head.dump() + "\n" + *shared);
-    for (const Json& request : requests) send(forked(request, wall_s, answering.evaluate));
-    ::_exit(0);
+// Lines of a descriptor.
+class Lines {
+ public:
+  explicit Lines(int descriptor) : descriptor_(descriptor) {}
+
+  std::optional<std::string> next() {
+    char buffer[65536];
+    for (;;) {
+      if (size_t end = text_.find('\n', searched_); end != std::string::npos) {
+        std::string line = text_.substr(0, end);
+        text_.erase(0, end + 1);
+        searched_ = 0;
+        return line;
+      }
+      searched_ = text_.size();
+      ssize_t got = ::read(descriptor_, buffer, sizeof buffer);
+      if (got < 0 && errno == EINTR) continue;
+      if (got > 0) text_.append(buffer, static_cast<size_t>(got));
+      if (got > 0) continue;
+      if (text_.empty()) return std::nullopt;
+      searched_ = 0;
+      return std::exchange(text_, {});
+    }
   }
-  ::close(ends[1]);
-  char loaded = 0;
-  while (::read(ends[0], &loaded, 1) < 0 && errno == EINTR) continue;
-  ::close(ends[0]);
-  int status = 0;
-  while (::waitpid(loader, &status, 0) < 0 && errno == EINTR) continue;
-  if (loaded && status != 0) ::_exit(1);
-  return loaded;
-}
+
+ private:
+  int descriptor_;
+  std::string text_;
+  size_t searched_ = 0;
+};
+
+// A process that has loaded what requests share, and answers each in a copy of itself.
+class Loader {
+ public:
+  // False: it could not load that.
+  bool start(int number, const Json& request, double wall_s, const Answering& answering) {
+    int asks[2], says[2];
+    if (::pipe2(asks, O_CLOEXEC) != 0 || ::pipe2(says, O_CLOEXEC) != 0) ::_exit(1);
+    pid_t loader = ::fork();
+    if (loader < 0) ::_exit(1);
+    if (loader == 0) {
+      ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+      ::close(asks[1]), ::close(says[0]);
+      std::optional<std::string> shared = answering.load(request);
+      if (!shared) ::_exit(1);
+      Json head = {{"loaded", number}, {"shared", shared->size()}};
+      writeAll(STDOUT_FILENO, head.dump() + "\n" + *shared);
+      writeAll(says[1], "+");
+      Lines lines(asks[0]);
+      while (std::optional<std::string> line = lines.next()) {
+        send(forked(Json::parse(*line), wall_s, answering.evaluate), number);
+        writeAll(says[1], "+");
+      }
+      ::_exit(0);
+    }
+    ::close(asks[0]), ::close(says[1]);
+    asks_ = asks[1], says_ = says[0];
+    return isDone();
+  }
+
+  // False: it has ended without an answer.
+  bool answer(const Json& request) {
+    writeAll(asks_, textOf(request) + "\n");
+    return isDone();
+  }
+
+ private:
+  bool isDone() {
+    char done = 0;
+    while (::read(says_, &done, 1) < 0 && errno == EINTR) continue;
+    return done == '+';
+  }
+
+  int asks_ = -1, says_ = -1;
+};
 
 // ---- the parent's side
 
-// What `answerLoaded` and `send` wrote; none for what is cut off.
-std::vector<Answer> received(const std::string& text) {
-  std::vector<Answer> results;
-  std::shared_ptr<const std::string> shared;
-  size_t sharing = 0;  // of the requests to come
-  for (size_t at = 0; at < text.size();) {
-    size_t end = text.find('\n', at);
-    Json head = Json::parse(text.substr(at, end - at), nullptr, false);
-    if (end == std::string::npos || !head.is_object()) break;
-    if (head.contains("shared")) {
-      shared = std::make_shared<const std::string>(text.substr(end + 1, head.at("shared").get<size_t>()));
-      sharing = head.at("requests").get<size_t>();
-      at = end + 1 + shared->size();
-      continue;
+// The answers of a child as they arrive: heads, each with the bytes that follow it.
+class Arriving {
+ public:
+  Arriving(size_t count, std::map<int, std::shared_ptr<const std::string>>& loaded) : count_(count), loaded_(loaded) {}
+
+  // Takes what has arrived since; whether all is there.
+  bool take(const std::string& text) {
+    while (answers.size() < count_ && takeOne(text)) continue;
+    return answers.size() == count_ || is_damaged_;
+  }
+
+  std::vector<Answer> answers;
+
+ private:
+  bool takeOne(const std::string& text) {
+    const size_t end = text.find('\n', at_);
+    if (is_damaged_ || end == std::string::npos) return false;
+    const Json head = Json::parse(text.begin() + ptrdiff_t(at_), text.begin() + ptrdiff_t(end), nullptr, false);
+    is_damaged_ = !head.is_object();
+    if (is_damaged_) return false;
+    const bool is_shared = head.contains("shared");
+    const size_t bytes = head.at(is_shared ? "shared" : "bytes").get<size_t>();
+    if (text.size() - end - 1 < bytes) return false;
+    std::string body = text.substr(end + 1, bytes);
+    at_ = end + 1 + bytes;
+    const int loaded = head.at("loaded").get<int>();
+    if (is_shared) {
+      loaded_[loaded] = std::make_shared<const std::string>(std::move(body));
+      return true;
     }
     ProgramEnd result;
     result.exit_status = head.at("exit_status").get<int>();
     result.signal = head.at("signal").get<int>();
     result.timed_out = head.at("timed_out").get<bool>();
     result.too_long = head.at("too_long").get<bool>();
-    result.output = text.substr(end + 1, head.at("bytes").get<size_t>());
-    at = end + 1 + result.output.size();
-    results.push_back({std::move(result), sharing > 0 ? shared : nullptr});
-    if (sharing > 0) --sharing;
+    result.output = std::move(body);
+    auto shared = loaded_.find(loaded);
+    answers.push_back({std::move(result), shared == loaded_.end() ? nullptr : shared->second});
+    return true;
   }
-  return results;
-}
 
-std::vector<Answer> runShare(const Path& program, const std::vector<Json>& requests, Limits limits) {
-  Json batch = {{"batch", requests}, {"wall_s", limits.wall_s}};
-  std::string input = batch.dump(-1, ' ', false, Json::error_handler_t::replace);
-  limits.wall_s *= double(requests.size());
-  ProgramEnd child = runChild(program, input, limits);
-  std::vector<Answer> results = received(child.output);
-  ProgramEnd lost = child;  // of what the child never came to
-  lost.output.clear();
-  results.resize(requests.size(), {lost, nullptr});
-  return results;
-}
+  size_t count_;
+  std::map<int, std::shared_ptr<const std::string>>& loaded_;
+  size_t at_ = 0;
+  bool is_damaged_ = false;
+};
 
 }  // namespace
 
-std::vector<Answer> runChildren(const Path& program, const std::vector<Json>& requests, const Limits& limits) {
-  size_t shares = std::min<size_t>(std::max(1u, std::thread::hardware_concurrency()), requests.size());
+std::vector<Answer> Children::ask(Child& child, const std::vector<Json>& requests) const {
+  const Json batch = {{"batch", requests}, {"wall_s", limits_.wall_s}};
+  Arriving arriving(requests.size(), child.loaded);
+  ProgramEnd lost = child.program.ask(textOf(batch) + "\n", limits_.wall_s * double(requests.size()),
+                                      [&](const std::string& text) { return arriving.take(text); });
+  child.is_lost = arriving.answers.size() < requests.size();
+  lost.output.clear();  // of what the child never came to
+  arriving.answers.resize(requests.size(), {lost, nullptr});
+  return std::move(arriving.answers);
+}
+
+std::vector<Answer> Children::answers(const std::vector<Json>& requests) {
+  const size_t shares = std::min<size_t>(std::max(1u, std::thread::hardware_concurrency()), requests.size());
+  std::erase_if(children_, [](const std::unique_ptr<Child>& child) { return child->is_lost; });
+  while (children_.size() < shares) children_.push_back(std::make_unique<Child>(startedChild(program_, limits_)));
   std::vector<std::vector<Json>> dealt(shares);
   for (size_t i = 0; i < requests.size(); ++i) dealt[i % shares].push_back(requests[i]);
   std::vector<std::future<std::vector<Answer>>> running;
-  for (const auto& share : dealt) running.push_back(std::async(std::launch::async, runShare, program, share, limits));
+  for (size_t k = 0; k < shares; ++k)
+    running.push_back(std::async(std::launch::async, [&, k] { return ask(*children_[k], dealt[k]); }));
   std::vector<Answer> results(requests.size());
   for (size_t k = 0; k < shares; ++k) {
     std::vector<Answer> some = running[k].get();
@@ -169,18 +240,32 @@ std::vector<Answer> runChildren(const Path& program, const std::vector<Json>& re
   return results;
 }
 
-bool isBatch(const Json& request) { return request.contains("batch"); }
+// ---- the child's side
 
-void answerBatch(const Json& batch, const Answering& answering) {
+static Lines& input() {
+  static Lines lines(STDIN_FILENO);
+  return lines;
+}
+
+std::optional<std::string> readLine() { return input().next(); }
+
+void answerBatches(std::string line, const Answering& answering) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  double wall_s = batch.at("wall_s").get<double>();
-  auto requests = batch.at("batch").get<std::vector<Json>>();
-  for (size_t first = 0, end = 0; first < requests.size(); first = end) {
-    std::string shared = withoutArgument(requests[first]);
-    while (end < requests.size() && withoutArgument(requests[end]) == shared) ++end;
-    std::vector<Json> alike(requests.begin() + first, requests.begin() + end);
-    if (alike.size() > 1 && answerLoaded(alike, wall_s, answering)) continue;
-    for (const Json& request : alike) send(forked(request, wall_s, answering.evaluate));
+  std::map<std::string, std::optional<Loader>> loaders;  // by what their requests share; none where that does not load
+  for (std::optional<std::string> next = std::move(line); next; next = readLine()) {
+    const Json batch = Json::parse(*next);
+    const double wall_s = batch.at("wall_s").get<double>();
+    for (const Json& request : batch.at("batch")) {
+      if (!answering.loads(request)) {
+        send(forked(request, wall_s, answering.evaluate), -1);
+        continue;
+      }
+      auto [known, is_new] = loaders.try_emplace(withoutArgument(request));
+      std::optional<Loader>& loader = known->second;
+      if (is_new && !loader.emplace().start(int(loaders.size()), request, wall_s, answering)) loader.reset();
+      if (!loader) send(forked(request, wall_s, answering.evaluate), -1);
+      else if (!loader->answer(request)) ::_exit(1);
+    }
   }
   ::_exit(0);
 }

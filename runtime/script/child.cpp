@@ -25,17 +25,6 @@ double g_cpu_s = 0;
 bool g_loading = false;     // there is no request to answer yet
 bool g_names_files = true;  // the answer does
 
-std::string readAll(int descriptor) {
-  std::string text;
-  char buffer[65536];
-  for (;;) {
-    ssize_t got = ::read(descriptor, buffer, sizeof buffer);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return text;
-    text.append(buffer, static_cast<size_t>(got));
-  }
-}
-
 [[noreturn]] void answer(const Json& json) {
   std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   for (size_t done = 0; done < text.size();) {
@@ -103,10 +92,12 @@ Sandbox& sandboxFor(const Json& request) {
 }
 
 // Only a pipeline's file is the same whatever is set.
+bool loads(const Json& request) { return request.at("function") == "pipeline"; }
+
 std::optional<std::string> load(const Json& request) {
   g_loading = true;
   Json passes;
-  bool loaded = request.at("function") == "pipeline" && sandboxFor(request).run("load", {}, passes);
+  bool loaded = sandboxFor(request).run("load", {}, passes);
   g_loading = false;
   if (!loaded) return std::nullopt;
   return passes.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -130,8 +121,10 @@ void runScriptChild() {
   // At the limit of the address space even destructors may fail to find memory: end at once.
   std::set_new_handler([] { ::_exit(kOutOfMemory); });
   try {
-    Json request = Json::parse(readAll(STDIN_FILENO));
-    if (isBatch(request)) answerBatch(request, {evaluate, load});
+    std::optional<std::string> line = readLine();
+    if (!line) ::_exit(0);  // nobody asks
+    Json request = Json::parse(*line);
+    if (request.contains("batch")) answerBatches(std::move(*line), {evaluate, loads, load});
     evaluate(request);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "script child: %s\n", error.what());

@@ -183,46 +183,46 @@ Prepared prepared(const Prepare& prepare) {
   return one;
 }
 
-// The passes that answers refer to, each text of them read once; on all cores.
-class SharedPasses {
+// What answers have in common, each text of it read once; on all cores.
+class Shared {
  public:
-  explicit SharedPasses(const std::vector<Answer>& answers) {
+  void add(const std::vector<Answer>& answers) {
+    std::vector<std::shared_ptr<const std::string>> texts;
     for (const Answer& answer : answers)
-      if (answer.shared && passes_.try_emplace(answer.shared.get()).second) texts_.push_back(answer.shared.get());
-    forEachOnAllCores(texts_.size(), [&](size_t i) { passes_.at(texts_[i]) = read(*texts_[i]); });
+      if (answer.shared && known_.try_emplace(answer.shared).second) texts.push_back(answer.shared);
+    forEachOnAllCores(texts.size(), [&](size_t i) { known_.find(texts[i])->second = read(*texts[i]); });
   }
-  const std::vector<plan::PassDesc>& of(const Answer& answer) const {
-    static const std::vector<plan::PassDesc> none;
-    return answer.shared ? passes_.at(answer.shared.get()) : none;
+  const plan::Known& of(const Answer& answer) const {
+    static const plan::Known none;
+    return answer.shared ? known_.find(answer.shared)->second : none;
   }
 
  private:
-  // Those before the first mistake: who refers to others is refused.
-  static std::vector<plan::PassDesc> read(const std::string& text) {
-    std::vector<plan::PassDesc> passes;
+  // Nothing where there is a mistake: who refers to it is refused.
+  static plan::Known read(const std::string& text) {
     try {
-      for (const Json& pass : jsonFromText(text)) passes.push_back(plan::passFromJson(pass));
+      return plan::knownFromJson(jsonFromText(text));
     } catch (const Error&) {
     } catch (const Json::exception&) {
     }
-    return passes;
+    return {};
   }
 
-  std::vector<const std::string*> texts_;
-  std::map<const std::string*, std::vector<plan::PassDesc>> passes_;
+  // The texts are held, so that none of them is another one at the same place.
+  std::map<std::shared_ptr<const std::string>, plan::Known> known_;
 };
 
 // The outcome of each, as `read` makes it of what its script returned; on all cores.
 template <class Value, class Read>
-std::vector<Outcome<Value>> outcomesOf(const Home& home, const std::vector<Prepared>& all, const Limits& limits,
-                                       const Read& read) {
+std::vector<Outcome<Value>> outcomesOf(Children& children, Shared& shared, const std::vector<Prepared>& all,
+                                       const Limits& limits, const Read& read) {
   std::vector<Json> requests;
   std::vector<size_t> asked;
   for (size_t i = 0; i < all.size(); ++i)
     if (!all[i].error) requests.push_back(all[i].request), asked.push_back(i);
   for (Json& request : requests) request["names_files"] = false;
-  const std::vector<Answer> answers = runChildren(home.program(), requests, limits);
-  const SharedPasses shared(answers);
+  const std::vector<Answer> answers = children.answers(requests);
+  shared.add(answers);
   std::vector<Outcome<Value>> outcomes(all.size());
   for (size_t i = 0; i < all.size(); ++i) outcomes[i].error = all[i].error;
   forEachOnAllCores(asked.size(), [&](size_t k) {
@@ -295,11 +295,11 @@ static Json pipelineRequest(const Home& home, const Main& main, const PipelineRe
 }
 
 static plan::PipelineDesc pipelineOf(const Main& main, Json result, std::vector<DroppedSetting>* dropped,
-                                     const std::vector<plan::PassDesc>& passes = {}) {
+                                     const plan::Known& known = {}) {
   try {
     if (dropped) *dropped = droppedSettings(result.at("dropped"));
     result.erase("dropped");
-    return plan::pipelineFromJson(result, passes);
+    return plan::pipelineFromJson(result, known);
   } catch (const Json::exception&) {
     throw Error("the description of the pipeline has a wrong form", {main.shown});
   }
@@ -313,18 +313,28 @@ plan::PipelineDesc evaluatePipeline(const Home& home, const PipelineRequest& req
   return pipelineOf(main, evaluate(home, main, asked, dependencies, limits), dropped);
 }
 
-std::vector<Outcome<plan::PipelineDesc>> evaluatePipelines(const Home& home,
-                                                           const std::vector<PipelineRequest>& requests,
-                                                           const Limits& limits) {
+struct PipelineEvaluator::State {
+  Home home;
+  Limits limits;
+  Children children;
+  Shared shared = {};
+};
+
+PipelineEvaluator::PipelineEvaluator(const Home& home, const Limits& limits)
+    : state_(new State{home, limits, Children(home.program(), limits)}) {}
+
+PipelineEvaluator::~PipelineEvaluator() = default;
+
+std::vector<Outcome<plan::PipelineDesc>> PipelineEvaluator::evaluate(const std::vector<PipelineRequest>& requests) {
   std::vector<Prepared> all;
   for (const PipelineRequest& request : requests)
     all.push_back(prepared([&](Prepared& one) {
-      one.main = mainOf(home, request.name_or_path, "pipeline", request.texts);
-      one.request = pipelineRequest(home, one.main, request, false, limits);
+      one.main = mainOf(state_->home, request.name_or_path, "pipeline", request.texts);
+      one.request = pipelineRequest(state_->home, one.main, request, false, state_->limits);
     }));
-  return outcomesOf<plan::PipelineDesc>(home, all, limits,
-                                        [](const Main& main, Json result, const std::vector<plan::PassDesc>& passes) {
-                                          return pipelineOf(main, std::move(result), nullptr, passes);
+  return outcomesOf<plan::PipelineDesc>(state_->children, state_->shared, all, state_->limits,
+                                        [](const Main& main, Json result, const plan::Known& known) {
+                                          return pipelineOf(main, std::move(result), nullptr, known);
                                         });
 }
 
@@ -344,7 +354,9 @@ std::vector<Outcome<Json>> evaluateScenes(const Home& home, const std::vector<st
       Json argument = {{"file", one.main.shown}, {"sets", Json::array()}};
       one.request = requestOf(home, one.main, "scene", argument, limits, {});
     }));
-  return outcomesOf<Json>(home, all, limits, [](const Main&, Json result, const auto&) { return result; });
+  Children children(home.program(), limits);
+  Shared none;
+  return outcomesOf<Json>(children, none, all, limits, [](const Main&, Json result, const auto&) { return result; });
 }
 
 Json evaluateData(const Home& home, const std::string& path, const Json& arguments,

@@ -5,6 +5,7 @@
 
 #include <exception>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -74,11 +75,19 @@ struct Outcome {
   }
 };
 
-// Many at once, in the order of `requests`: each as `evaluatePipeline` has it, with limits of its own, but without a
-// program started for each.
-std::vector<Outcome<plan::PipelineDesc>> evaluatePipelines(const Home& home,
-                                                           const std::vector<PipelineRequest>& requests,
-                                                           const Limits& limits = {});
+// Many at once, each as `evaluatePipeline` has it, with limits of its own, but without a program started for each.
+class PipelineEvaluator {
+ public:
+  explicit PipelineEvaluator(const Home& home, const Limits& limits = {});
+  ~PipelineEvaluator();
+
+  // In the order of `requests`. A file counts as it was when one of them was read first. To be asked by one thread.
+  std::vector<Outcome<plan::PipelineDesc>> evaluate(const std::vector<PipelineRequest>& requests);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 // The plain data a scene file returns, keys sorted; an empty table is an empty array. `name_or_path` as above, of
 // scripts/scenes. Those of `sets` that begin with "scene." are in the global `scene_params` (without that prefix);

@@ -76,6 +76,12 @@ ProgramEnd runChild(const Path& path, const std::string& input, const Limits& li
   return run(program);
 }
 
+WaitingProgram startedChild(const Path& path, const Limits& limits) {
+  std::list<Expected> expected = taken(path, limits);
+  if (!expected.empty()) return std::move(expected.front().program);
+  return WaitingProgram(childOf(path, limits));
+}
+
 void expectChildren(const Path& path, const Limits& limits, size_t count) {
   AllExpected& all = allExpected();
   std::lock_guard lock(all.mutex);

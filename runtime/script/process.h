@@ -17,6 +17,9 @@ inline constexpr int kOutOfMemory = 4;
 // end. Throws `Error` where no process can be started.
 ProgramEnd runChild(const Path& program, const std::string& input, const Limits& limits);
 
+// A child that waits for batches (script/batch.h), one already started if there is one; else as `runChild`.
+WaitingProgram startedChild(const Path& program, const Limits& limits);
+
 // Starts so many children ahead of their requests, less those that wait already: `runChild` with these limits then
 // waits for no start. Each answers one request, as any child. To be called from a thread that goes on, since the system
 // ends children with the thread that started them.

@@ -7,14 +7,14 @@ local pipeline = require "strobe.pipeline"
 
 local run = {}
 
--- A pipeline's file, ahead of the settings to describe it for; yields the passes that are declared then, which answers
--- name by their numbers.
+-- A pipeline's file, ahead of the settings to describe it for; yields what all answers have in common: the passes that
+-- are declared then, which answers name by their numbers, and the pipeline's parameters, which they leave out.
 local loaded
 local numbers = {}
 function run.load()
   loaded = native.main()
   for number, description in ipairs(pass.declared) do numbers[description] = number end
-  return pass.declared
+  return { passes = pass.declared, params = pipeline.is_pipeline(loaded) and loaded.params or {} }
 end
 
 function run.pipeline(request)
@@ -25,6 +25,7 @@ function run.pipeline(request)
   end
   local described = pipeline.describe(result, request.name, request.file, request.sets, request.lenient)
   for i, one in ipairs(described.passes) do described.passes[i] = numbers[one] or one end
+  if loaded then described.params = nil end
   return described
 end
 

@@ -150,6 +150,28 @@ TEST(Process, ProcessorTimeAndMemoryAreLimited) {
   EXPECT_EQ(run(program).output, "262144\n0\n");
 }
 
+// As long as it answers, it is asked again; what ends it is said, and it is asked no more.
+TEST(Process, AWaitingProgramAnswersAgainAndAgain) {
+  auto line = [](const std::string& output) { return output.ends_with('\n'); };
+  WaitingProgram waiting(
+      shell("while read line; do test $line = end && exit 3; test $line = sleep && sleep 9; "
+            "echo \"got $line\"; done"));
+  for (const char* word : {"a", "b"}) {
+    ProgramEnd end = waiting.ask(std::string(word) + "\n", 10, line);
+    EXPECT_EQ(end.output, fmt::format("got {}\n", word));
+    EXPECT_TRUE(end.succeeded());
+    EXPECT_TRUE(waiting.waits());
+  }
+  std::string large(200000, 'x');  // more than a pipe holds
+  EXPECT_EQ(waiting.ask(large + "\n", 10, line).output.size(), large.size() + 5);
+  EXPECT_EQ(waiting.ask("end\n", 10, line).code(), 3);
+  EXPECT_FALSE(waiting.waits());
+  WaitingProgram slow(shell("while read line; do sleep 9; done"));
+  ProgramEnd end = slow.ask("a\n", 0.2, line);
+  EXPECT_TRUE(end.timed_out);
+  EXPECT_FALSE(slow.waits());
+}
+
 TEST(Process, OutputIsBounded) {
   Program program = shell("printf 123456; sleep 0.1; printf 789; echo end >&2");
   program.output_bytes = 7;

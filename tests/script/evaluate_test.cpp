@@ -229,7 +229,7 @@ TEST_F(Evaluate, ManyAtOnceAreAsOneAtATime) {
   home_.write("scripts/pipelines/endless.lua", "while true do end");
   Limits limits;
   limits.cpu_s = 0.3;
-  auto outcomes = evaluatePipelines(home_.home(), requests, limits);
+  auto outcomes = PipelineEvaluator(home_.home(), limits).evaluate(requests);
   ASSERT_EQ(outcomes.size(), requests.size());
   for (size_t i = 0; i < requests.size(); ++i) {
     std::string alone, together;
@@ -245,6 +245,39 @@ TEST_F(Evaluate, ManyAtOnceAreAsOneAtATime) {
     }
     EXPECT_EQ(together, alone);
   }
+}
+
+// What was loaded for some is kept for those that are asked later, whatever became of others.
+TEST_F(Evaluate, AskedAgainTheyAreAsTheyWereRead) {
+  std::string text = readText(home_.folder() / "scripts/pipelines/sample.lua");
+  auto loop = text;
+  loop.insert(loop.find("build = function(p)") + 19, " while p.method() == \"truth\" do end ");
+  home_.write("scripts/pipelines/loop.lua", loop);
+  Limits limits;
+  limits.cpu_s = 0.3;
+  PipelineEvaluator evaluator(home_.home(), limits);
+  auto texts = [&](const std::vector<PipelineRequest>& requests) {
+    std::vector<std::string> texts;
+    for (auto& outcome : evaluator.evaluate(requests)) {
+      try {
+        texts.push_back(toJson(outcome.take()).dump());
+      } catch (const Error& error) {
+        texts.push_back(error.what());
+      }
+    }
+    return texts;
+  };
+  const std::vector<PipelineRequest> sound = {{"sample", {}}, {"loop", {}}, {"sample", {{"preset", "coarse"}}}};
+  const std::vector<std::string> first = texts(sound);
+  EXPECT_EQ(first[0], toJson(evaluate({})).dump());
+  for (int i = 0; i < 3; ++i) {
+    std::vector<std::string> stopped = texts({{"loop", {{"method", "truth"}}}, {"loop", {{"method", "truth"}}}});
+    for (const std::string& one : stopped) EXPECT_NE(one.find("endless loop"), std::string::npos) << one;
+    EXPECT_EQ(texts(sound), first);
+  }
+  home_.write("scripts/pipelines/sample.lua", "return 1");
+  EXPECT_EQ(texts(sound), first);
+  EXPECT_NE(PipelineEvaluator(home_.home()).evaluate({{"sample", {}}})[0].error, nullptr);
 }
 
 TEST_F(Evaluate, EachOfManyHasAStateOfItsOwn) {
@@ -472,7 +505,8 @@ TEST_F(PresetFile, IsTakenWhereANameIs) {
   EXPECT_EQ(p.presets[2].doc, "found");
   EXPECT_EQ(valuesOf(evaluate({{"tile", "4"}, {"preset", file}}))["tile"], 4) << "a setting of its own wins";
   EXPECT_EQ(valuesOf(evaluate({{"preset", "tried/found.lua"}}))["tile"], 8) << "of the home where it is not here";
-  Outcome<plan::PipelineDesc> one = std::move(evaluatePipelines(home_.home(), {{"sample", {{"preset", file}}}})[0]);
+  Outcome<plan::PipelineDesc> one =
+      std::move(PipelineEvaluator(home_.home()).evaluate({{"sample", {{"preset", file}}}})[0]);
   EXPECT_EQ(valuesOf(one.take())["tile"], 8);
 }
 
