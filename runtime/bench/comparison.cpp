@@ -83,6 +83,7 @@ std::vector<std::string> differencesOf(const Run& now, const Run& before) {
   compare("driver", now.driver, before.driver);
   compare("backend", now.backend, before.backend);
   compare("threads", std::to_string(now.threads), std::to_string(before.threads));
+  compare("frames in flight", std::to_string(now.frames_in_flight), std::to_string(before.frames_in_flight));
   compare("environment", textOf(now.environment), textOf(before.environment));
   return differ;
 }

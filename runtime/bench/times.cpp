@@ -16,6 +16,7 @@ std::string ShotTimes::place() const { return scene + ", " + size(); }
 std::string ShotTimes::name() const { return method + ", " + place(); }
 
 std::vector<PassTimes> ShotTimes::parts() const {
+  if (passes.empty()) return {};
   std::vector<PassTimes> parts = passes;
   PassTimes rest{kRest, ms, 1};
   for (const PassTimes& pass : passes)
@@ -119,9 +120,9 @@ static Run runFrom(const Json& json) {
           device.at("backend"),
           device.at("software"),
           json.at("threads"),
-          json.value("frames_in_flight", size_t{1}),
           json.at("environment"),
-          {}};
+          {},
+          json.value("frames_in_flight", size_t{1})};
   for (const Json& shot : json.at("shots")) run.shots.push_back(shotFrom(shot));
   return run;
 }

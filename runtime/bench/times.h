@@ -38,7 +38,7 @@ struct ShotTimes {
   std::string place() const;  // "living_room, 320x180": those that are compared with each other have the same
   std::string name() const;   // "METHOD, living_room, 320x180"
   // The passes and kRest, whose milliseconds add up to those of the frame in each round. (Passes that overlap on a
-  // device may add up to more; the rest is 0 then.)
+  // device may add up to more; the rest is 0 then.) None where no pass is timed.
   std::vector<PassTimes> parts() const;
   // The round whose frame took the time nearest to the median.
   size_t typicalRound() const;
@@ -49,10 +49,10 @@ struct Run {
   std::string version, program;  // of Strobe, and the hash of its file
   std::string device, driver, backend;
   bool software = false;
-  unsigned threads = 0;  // of the processor
-  size_t frames_in_flight = 1;
+  unsigned threads = 0;                            // of the processor
   std::map<std::string, std::string> environment;  // variables that change what a software device does
   std::vector<ShotTimes> shots;                    // by scene, then by size; the first method of each is the base
+  size_t frames_in_flight = 1;                     // under way at once
 
   // A software device stamps passes as it takes their commands, not as it executes them: with several frames under way
   // no pass has a time, and shots have none.

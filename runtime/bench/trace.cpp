@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bench/trace.h"
 
+#include <algorithm>
+
 namespace strobe::bench {
 
 static constexpr int kThread = 1;
@@ -33,7 +35,8 @@ static void addShot(Json& events, const ShotTimes& shot, int process) {
     end_us += length_us;
   }
   events.insert(events.begin() + std::ptrdiff_t(at),
-                completeEvent("frame", process, 0, end_us, {{"round", round}, {"ms", shot.ms[round]}}));
+                completeEvent("frame", process, 0, std::max(end_us, 1000 * shot.ms[round]),
+                              {{"round", round}, {"ms", shot.ms[round]}}));
 }
 
 Json traceOf(const Run& run) {

@@ -86,10 +86,11 @@ TEST(Comparison, OfAnotherDeviceIsRelativeAndSaysSo) {
   bench::Run before = timed(1), now = timed(5);
   before.driver = "an older driver";
   before.environment = {{"LP_NUM_THREADS", "2"}};
+  before.frames_in_flight = 2;
   Comparison comparison = compared(now, before, 0.05);
   EXPECT_EQ(comparison.kind, Comparison::Kind::base);
-  EXPECT_EQ(comparison.differ,
-            (Names{"driver an older driver, now a driver", "environment LP_NUM_THREADS=2, now nothing"}));
+  EXPECT_EQ(comparison.differ, (Names{"driver an older driver, now a driver", "frames in flight 2, now 1",
+                                      "environment LP_NUM_THREADS=2, now nothing"}));
 }
 
 // The machine gets slower from block to block, which both programs see alike: milliseconds of the pair are compared.

@@ -94,6 +94,10 @@ TEST_F(Bench, TimesFramesInFlight) {
     EXPECT_EQ(shot["passes"].empty(), software) << "a software device has no clock for them";
   }
   EXPECT_EQ(outcome.out.find("no clock for passes") != std::string::npos, software) << outcome.out;
+  size_t complete = 0;
+  const Json trace = fileOf("in_flight/trace.json");
+  for (const Json& event : trace["traceEvents"]) complete += event["ph"] == "X";
+  EXPECT_EQ(complete == 2, software) << complete << ", frames alone";
   EXPECT_NE(run["command"].get<std::string>().find("--in-flight=2"), std::string::npos);
   EXPECT_FALSE(fileOf("out/bench.json")["shots"][0].contains("interval_ms"));
   expectRefusal("hybrid " + kShot + "--in-flight 9", 2, "Value 9 not in range 1 to 8");
