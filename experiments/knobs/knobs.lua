@@ -22,6 +22,7 @@ local knobs = {
   { name = "four samples", set = { samples = 4 }, needed = moving },
   { name = "64 samples", set = { samples = 64 }, needed = {} },
   { name = "tiles of 20 px", set = { tile = 20 }, needed = {} },
+  { name = "each shadow ray traced", set = { ["shadow_shafts.shafts"] = false }, needed = {} },
   { name = "half floats", set = { color_format = "fp16", velocity_format = "fp16" }, needed = {} },
   { name = "no omission", run = { model_everything = true }, needed = {} },
   { name = "ray queries", run = { backend = "query" }, needed = {} },

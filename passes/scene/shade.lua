@@ -8,7 +8,10 @@ return pass.trace {
   shader = "scene/shade",
   doc    = "Colour of what each pixel sees, posed at the capture; lights cast traced shadows",
   size   = { of = "hit" },
-  reads  = { hit = { uint = true, doc = "instance + 1 (0 = sky), geometry, primitive" } },
+  reads  = {
+    hit  = { uint = true, doc = "instance + 1 (0 = sky), geometry, primitive" },
+    sure = { uint = true, optional = true, needs = "sure", doc = "of `shadow_shafts`: what is known of shadow rays untraced" },
+  },
   writes = { color = { format = stored.color, doc = "linear radiance; alpha 1" } },
   counters = {
     not_finite = {
@@ -19,6 +22,8 @@ return pass.trace {
   },
   params = {
     color_format = stored.color_format,
+    shadow_tile = pass.int { 8, min = 1, max = 64, unit = "px", wired = true,
+      doc = "side of a tile, whose shadow rays towards a light may be answered all at once" },
     shading = pass.choice { "frozen", "full", default = "frozen", role = "shading",
       doc = "pose at which points are shaded: the capture's, or the node's own time",
       values = {

@@ -5,7 +5,6 @@ local blur     = require "passes.lib.blur"
 local filter   = require "passes.filter.layers2024"
 local gbuffer  = require "passes.scene.gbuffer"
 local peel     = require "passes.scene.peel"
-local shade    = require "passes.scene.shade"
 local curves   = require "scripts.pipelines.lib.curves"
 local depths   = require "scripts.pipelines.lib.depths"
 local options  = require "scripts.pipelines.lib.options"
@@ -18,7 +17,7 @@ local function layer_behind(front, number)
   local g = gbuffer { hit = hit, as = name .. "_gbuffer" }
   return {
     hit = hit, depth = g.depth, id = g.id, velocity = g.velocity,
-    color = shade { hit = hit, shading = "frozen", as = name .. "_shade" }.color,
+    color = scene.shaded(hit, name .. "_"),
   }
 end
 

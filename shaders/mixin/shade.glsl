@@ -123,24 +123,35 @@ vec3 reflected(Reflectance r, vec3 n, vec3 view, vec3 light) {
   return (r.diffuse / kPi * (1.0 - fresnel) + fresnel * distribution * visibility) * n_l;
 }
 
-// Distances at which single precision can no longer tell a surface from its own shadow ray: 2^-14 of the distance to the
-// origin of the frame or to the light, never an absolute length.
+// How far from its surface a shadow ray starts, for single precision to tell them apart: a share (2^-14) of the
+// distance to the origin of the frame or to the light, never an absolute length.
+const float kShadowLift = 6.1e-5;
 vec3 shadowOrigin(Surface surface, float extent) {
   vec3 p = abs(surface.position_ws);
   float reach = max(max(p.x, max(p.y, p.z)), extent);
-  return surface.position_ws + surface.face_normal_ws * (reach * 6.1e-5);
+  return surface.position_ws + surface.face_normal_ws * (reach * kShadowLift);
 }
 
 #ifdef STROBE_KEEPS_SHADOWS
 // Lights by bits, the first 32 of them: whose rays are known to be free, and to be blocked, without being traced; whose
 // were found to be so.
 uint known_free = 0u, known_blocked = 0u, found_free = 0u, found_blocked = 0u;
+
+uint bitOf(uint number) { return number < 32u ? 1u << number : 0u; }
 #endif
+
+bool isKnownBlocked(uint number) {
+#ifdef STROBE_KEEPS_SHADOWS
+  return (known_blocked & bitOf(number)) != 0u;
+#else
+  return false;
+#endif
+}
 
 bool isShadowed(uint slice, uint number, Ray ray, float t_max) {
 #ifdef STROBE_KEEPS_SHADOWS
-  uint bit = number < 32u ? 1u << number : 0u;
-  if (((known_free | known_blocked) & bit) != 0u) return (known_blocked & bit) != 0u;
+  uint bit = bitOf(number);
+  if ((known_free & bit) != 0u) return false;
   bool blocked = isBlocked(slice, ray, 0.0, t_max);
   if (blocked) found_blocked |= bit;
   else found_free |= bit;
@@ -224,8 +235,10 @@ vec3 radianceOf(uint slice, Hit hit) {
   vec3 view = camera.orthographic != 0u ? -camera.forward : unitOr(camera.position - surface.position_ws, -camera.forward);
   vec3 radiance = material.emissive * sampleTexture(material.emissive_use, surface, footprint_ws).rgb;
   for (uint i = 0u; i < frame.light_count; ++i) {
+    if (isKnownBlocked(i)) continue;
     vec3 towards;
     vec3 irradiance = incident(slice, i, surface, towards);
+    if (irradiance == vec3(0)) continue;
     radiance += irradiance * reflected(r, surface.normal_ws, view, towards);
   }
   // From everywhere: diffuse by the normal, specular by the mirror direction, dimmer for rough surfaces.

@@ -148,24 +148,16 @@ vec4 planes(uint bytes) { return vec4(ivec4((uvec4(bytes) >> uvec4(0, 8, 16, 24)
 vec4 largestDistance(vec4 a, vec4 b) { return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b))); }
 vec4 smallestDistance(vec4 a, vec4 b) { return intBitsToFloat(min(floatBitsToInt(a), floatBitsToInt(b))); }
 
-// The nearest child of a node that the ray meets from t_min, 0 or more, to t_max; kNextOnStack without any. `others`: an
-// entry of the stack for the others that it meets; 0: there are none.
-uint nearestChild(uint node, BvhRay ray, float t_min, float t_max, out uint others) {
-  BvhNode at = loadedNode(node);
-  uint steps = at.steps;
-  vec3 step_t = uintBitsToFloat((uvec3(steps) << uvec3(23, 15, 7)) & 0x7f800000u) * ray.inverse;
-  vec3 offset = (at.origin - ray.origin) * ray.inverse;
-  vec3 slack = (abs(offset) + 255.0 * abs(step_t)) * (1.0 / 1048576.0);  // what rounding may take away
-  vec3 in_offset = offset - slack, out_offset = offset + slack;
-  bvec3 backward = lessThan(ray.inverse, vec3(0));
-  uvec3 nearer = mix(at.low, at.high, backward), farther = mix(at.high, at.low, backward);
-  vec4 enter = largestDistance(
-      largestDistance(planes(nearer.x) * step_t.x + in_offset.x, planes(nearer.y) * step_t.y + in_offset.y),
-      largestDistance(planes(nearer.z) * step_t.z + in_offset.z, vec4(t_min)));
-  vec4 leave = smallestDistance(
-      smallestDistance(planes(farther.x) * step_t.x + out_offset.x, planes(farther.y) * step_t.y + out_offset.y),
-      smallestDistance(planes(farther.z) * step_t.z + out_offset.z, vec4(t_max)));
-  uvec4 met = uvec4(lessThanEqual(enter, leave)) & uvec4(lessThan(uvec4(0, 1, 2, 3), uvec4(steps >> 24)));
+// The length of a node's steps.
+vec3 stepsOf(BvhNode at) { return uintBitsToFloat((uvec3(at.steps) << uvec3(23, 15, 7)) & 0x7f800000u); }
+
+// What rounding may take away from distances to planes.
+vec3 slackOf(vec3 offset, vec3 step_t) { return (abs(offset) + 255.0 * abs(step_t)) * (1.0 / 1048576.0); }
+
+// The first of the children that are met from `enter`, 0 or more, to `leave`; kNextOnStack where none is. `others`: an
+// entry of the stack for the others that are met; 0: there are none.
+uint firstMet(BvhNode at, uint node, vec4 enter, vec4 leave, out uint others) {
+  uvec4 met = uvec4(lessThanEqual(enter, leave)) & uvec4(lessThan(uvec4(0, 1, 2, 3), uvec4(at.steps >> 24)));
   // Distances with the child in their last bits, sorted; children that are missed come last.
   uvec4 keys = (floatBitsToUint(enter) & ~3u) | uvec4(0, 1, 2, 3) | (met - 1u);
   uvec2 first = min(keys.xz, keys.yw), second = max(keys.xz, keys.yw);
@@ -180,6 +172,24 @@ uint nearestChild(uint node, BvhRay ray, float t_min, float t_max, out uint othe
   return hits == 0u ? kNextOnStack : nearest;
 }
 
+// The nearest child of a node that the ray meets from t_min, 0 or more, to t_max, and the others: as firstMet.
+uint nearestChild(uint node, BvhRay ray, float t_min, float t_max, out uint others) {
+  BvhNode at = loadedNode(node);
+  vec3 step_t = stepsOf(at) * ray.inverse;
+  vec3 offset = (at.origin - ray.origin) * ray.inverse;
+  vec3 slack = slackOf(offset, step_t);
+  vec3 in_offset = offset - slack, out_offset = offset + slack;
+  bvec3 backward = lessThan(ray.inverse, vec3(0));
+  uvec3 nearer = mix(at.low, at.high, backward), farther = mix(at.high, at.low, backward);
+  vec4 enter = largestDistance(
+      largestDistance(planes(nearer.x) * step_t.x + in_offset.x, planes(nearer.y) * step_t.y + in_offset.y),
+      largestDistance(planes(nearer.z) * step_t.z + in_offset.z, vec4(t_min)));
+  vec4 leave = smallestDistance(
+      smallestDistance(planes(farther.x) * step_t.x + out_offset.x, planes(farther.y) * step_t.y + out_offset.y),
+      smallestDistance(planes(farther.z) * step_t.z + out_offset.z, vec4(t_max)));
+  return firstMet(at, node, enter, leave, others);
+}
+
 // Does a ray from `origin`, in object space, meet the triangle from behind, where that matters?
 bool isFromBehind(vec3 origin, uint triangle) {
 #if FACT_one_sided
@@ -191,15 +201,22 @@ bool isFromBehind(vec3 origin, uint triangle) {
 #endif
 }
 
+// The trees of a slice; as levelOf of runtime/world/structures.h.
+uint levelOf(uint slice) { return slice < SLICE_SAMPLE ? 0u : slice - SLICE_SAMPLE + 1u; }
+
+// Root of the tree over instances, of all or of those that move.
+uint rootOf(uint level, uint mask) {
+  return scene_bvh.first_root + (2u * level + uint(mask == RAYS_TO_MOVING)) * scene_bvh.nodes_per_tree;
+}
+
 // As traceExcept of mixin/trace.glsl; `mask`: RAYS_TO_*; `any_hit`: the first that is found; `both_sides`: of whatever is
 // met from behind.
 TraceResult launch(uint slice, uint mask, bool any_hit, bool both_sides, Ray world_ray, float t_min, float t_max,
                    uint skip_instance, uint skip_geometry) {
   TraceResult found = TraceResult(NO_INSTANCE, 0u, 0u, vec2(0), t_max);
   uint nearest = 0u;  // triangle
-  uint level = slice < SLICE_SAMPLE ? 0u : slice - SLICE_SAMPLE + 1u;  // levelOf of runtime/world/structures.h
-  uint tree = 2u * level + uint(mask == RAYS_TO_MOVING);
-  uint reference = scene_bvh.first_root + tree * scene_bvh.nodes_per_tree;
+  uint level = levelOf(slice);
+  uint reference = rootOf(level, mask);
   vec3 world_inverse =
       boundedInverse(world_ray.origin, world_ray.direction, scene_bvh.nodes.at[reference].reach);
   BvhRay ray = BvhRay(world_ray.origin, world_inverse, vec3(0), 0, false);

@@ -32,7 +32,7 @@ TEST_F(RenderBackends, AllGiveTheSamePictures) {
     lab::Shot shot;
   };
   const Traced cases[] = {
-      {"shade", crowd("none")},
+      {"shade", crowd("none", {"shadow_shafts.shafts=false"})},
       {"reveal", crowd("hybrid", {"preset=best", "tile=8", "limit=0.25"})},
       {"reveal", crowd("hybrid", {"preset=seed_text", "tile=8", "limit=0.25"})},
       {"reveal", crowd("hybrid", {"mask=all", "advance=offset", "tile=8", "limit=0.25"})},

@@ -80,6 +80,8 @@ MEASURED = [
     of_results("precision_color_saving", "precision", read.precision_color_saving),
     of_results("precision_velocity_largest", "precision", read.precision_velocity_largest),
     of_results("everything_front", "everything", read.everything_front),
+    Numbers("shadow_rays_left", "./strobe render none --size 960x540, with shadow_shafts.shafts and without", 3,
+            "another tracing backend asks no tiles", read=read.shadow_rays_left, tolerance=0.02),
     Numbers("tutorial_detectors", "./strobe sweep experiments/detectors.lua -o FOLDER", 45, OTHER_DEVICE,
             read=read.tutorial_row, tolerance=0.02),
     Numbers("mutants_caught", "committed: tools/mutate/mutations.md", 1, "the page that the tool wrote",

@@ -259,6 +259,17 @@ def tile_pass_share(bench):
     return [sum(share[node] for node in ("mask_tile_motions", "mask_near_motions", "tile_max", "neighbour_max"))]
 
 
+def shadow_rays_left(bench):
+    """Of a hundred shadow rays of the living room those that are traced where whole tiles are asked first."""
+    rays = []
+    for shafts in ("true", "false"):
+        record = json.loads(bench.run(bench.program, "render", "none", "--size", "960x540", "--set",
+                                      f"shadow_shafts.shafts={shafts}", "-o", bench.folder("shafts") / f"{shafts}.exr",
+                                      "--json"))
+        rays.append(sum(count for name, count in record["counters"].items() if name.startswith("shade.rays_")))
+    return [100 * rays[0] / rays[1]]
+
+
 def live_rate(bench):
     """Frames of the window per second while it plays: of the time that 40 more frames take."""
     rates = []

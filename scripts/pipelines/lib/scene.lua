@@ -3,8 +3,17 @@
 local visibility = require "passes.scene.visibility"
 local gbuffer    = require "passes.scene.gbuffer"
 local shade      = require "passes.scene.shade"
+local shadow_shafts = require "passes.tile.shadow_shafts"
 
 local scene = {}
+
+-- The colour of what the pixels see, shaded at the capture, where both ways of shading are the same. `prefix` stands before
+-- the names of its nodes, nothing by default.
+function scene.shaded(hit, prefix)
+  prefix = prefix or ""
+  local sure = shadow_shafts { hit = hit, as = prefix .. "shadow_shafts" }.sure
+  return shade { hit = hit, sure = sure, shading = "frozen", as = prefix .. "shade" }.color
+end
 
 -- depth, normal, id, velocity, color and hit of what raster sees, or what another pass finds visible. Without the
 -- parameters of a blur (options.blur) the displacement is that of the window, and all is kept as it was computed.
@@ -12,8 +21,7 @@ function scene.captured(visible)
   local hit = (visible or visibility) {}.hit
   local g = gbuffer { hit = hit }
   return {
-    hit = hit, depth = g.depth, normal = g.normal, id = g.id, velocity = g.velocity,
-    color = shade { hit = hit, shading = "frozen" }.color, -- at the capture both ways of shading are the same
+    hit = hit, depth = g.depth, normal = g.normal, id = g.id, velocity = g.velocity, color = scene.shaded(hit),
   }
 end
 

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+// Needs: rays, scene; may have: PARAM_displacement.
+// What becomes of all shadow rays of a tile towards one light: does something surely stop each of them, or surely
+// nothing any? Found by walking the runtime's own tree with the volume that the rays sweep (Haines and Wallace, "Shaft
+// Culling for Efficient Ray-Cast Radiosity", 1991). Bounds have room for more than rounding moves a ray or a triangle
+// by, so what is sure is what each ray would find. Other structures cannot be walked: there nothing is sure.
+#ifndef STROBE_SHAFT_GLSL
+#define STROBE_SHAFT_GLSL
+#include "mixin/trace.glsl"
+
+const uint kUnsure = 0u, kFree = 1u, kStopped = 2u;
+
+// Where the rays of a tile start: in a box, and each at least `raised` above one of some planes (`start_planes`), where
+// the light is too.
+struct ShaftStart {
+  vec3 centre, extent;  // world
+  vec3 one;             // where one ray starts
+  uint plane_count;     // 0: planes are not known
+  uint unused_planes;   // by bits, those that no ray to the light starts from
+  float raised;
+};
+const uint kMostStartPlanes = 12u;
+vec4 start_planes[kMostStartPlanes];  // unit normal, and the least dot(normal, p) of what is on it
+
+#ifdef STROBE_STRUCTURES_OWN
+
+const int kMostShaftNodes = 64;           // that a walk visits before it gives up
+const float kRounding = 1.0 / 1048576.0;  // of the largest coordinate on the way from one space to another
+
+// Rays between a box and a light, in the space of a tree: at u from 0 to `u_end` they are between
+// from_low + u * to_low and from_high + u * to_high. They begin at a light that has a place, else in the box.
+struct Shaft {
+  vec3 from_low, from_high;
+  vec3 low_inverse, high_inverse;  // 1 / to_low, 1 / to_high, bounded
+  float u_end;
+};
+
+vec3 ofSizes(mat3 m, vec3 sizes) { return mat3(abs(m[0]), abs(m[1]), abs(m[2])) * sizes; }
+
+// `light`: a place, w = 1, or a direction, w = 0. `space`: of the tree, from world coordinates. No coordinate of the
+// tree's planes is larger than `reach`, none of what is brought there than `size`.
+Shaft shaftIn(mat4x3 space, float reach, vec3 centre, vec3 extent, vec4 light, float size) {
+  mat3 turned = mat3(space);
+  vec3 room = kRounding * (ofSizes(turned, vec3(size)) + abs(space[3]) + reach);
+  vec3 middle = space * vec4(centre, 1), around = ofSizes(turned, extent) + room, towards = space * light;
+  Shaft shaft;
+  vec3 to_low, to_high;
+  if (light.w != 0.0) {
+    shaft.from_low = towards - room;
+    shaft.from_high = towards + room;
+    to_low = middle - around - shaft.from_low;
+    to_high = middle + around - shaft.from_high;
+    shaft.u_end = 1.0;
+  } else {
+    shaft.from_low = middle - around;
+    shaft.from_high = middle + around;
+    room = kRounding * ofSizes(turned, abs(light.xyz));
+    to_low = towards - room;
+    to_high = towards + room;
+    shaft.u_end = 3.0e38;
+  }
+  shaft.low_inverse = boundedInverse(shaft.from_low, to_low, reach);
+  shaft.high_inverse = boundedInverse(shaft.from_high, to_high, reach);
+  return shaft;
+}
+
+// The first child of a node that the shaft meets, and the others: as nearestChild.
+uint firstChild(uint node, Shaft shaft, out uint others) {
+  BvhNode at = loadedNode(node);
+  vec3 step_size = stepsOf(at);
+  vec3 low_step = step_size * shaft.low_inverse, high_step = step_size * shaft.high_inverse;
+  vec3 low_offset = (at.origin - shaft.from_low) * shaft.low_inverse;
+  vec3 high_offset = (at.origin - shaft.from_high) * shaft.high_inverse;
+  vec3 low_slack = slackOf(low_offset, low_step), high_slack = slackOf(high_offset, high_step);
+  vec4 enter = vec4(0), leave = vec4(shaft.u_end);
+  for (int axis = 0; axis < 3; ++axis) {
+    // The shaft's lower bound is below the child's upper plane, its upper bound above the child's lower plane.
+    vec4 lower = planes(at.high[axis]) * low_step[axis] + low_offset[axis];
+    vec4 upper = planes(at.low[axis]) * high_step[axis] + high_offset[axis];
+    if (shaft.low_inverse[axis] < 0.0) enter = max(enter, lower - low_slack[axis]);
+    else leave = min(leave, lower + low_slack[axis]);
+    if (shaft.high_inverse[axis] < 0.0) leave = min(leave, upper + high_slack[axis]);
+    else enter = max(enter, upper - high_slack[axis]);
+  }
+  return firstMet(at, node, enter, leave, others);
+}
+
+// What a triangle does to the rays: it stops none of them, maybe some, each, or each that passes on the inner side of
+// its edge of that number (+ 4 where the corners go round the other way as the light sees them).
+const uint kStopsNone = 0u, kStopsSome = 1u, kStopsAll = 2u, kStopsInside = 3u;
+
+// `rounding`: of the coordinates of rays and corners.
+uint stops(ShaftStart start, vec4 light, vec3 corner[3], float rounding) {
+  bool is_below = start.plane_count > 0u;
+  for (uint i = 0u; i < start.plane_count && is_below; ++i) {
+    vec3 n = start_planes[i].xyz;
+    float highest = max(dot(n, corner[0]), max(dot(n, corner[1]), dot(n, corner[2])));
+    is_below = (start.unused_planes >> i & 1u) != 0u || highest < start_planes[i].w + start.raised - rounding;
+  }
+  if (is_below) return kStopsNone;
+
+  vec3 edge1 = corner[1] - corner[0], edge2 = corner[2] - corner[0];
+  vec3 here = start.centre - corner[0], towards = light.xyz - light.w * corner[0];
+  vec3 sizes = max(abs(edge1), abs(edge2));
+  float edge = max(sizes.x, max(sizes.y, sizes.z));
+  sizes = abs(here) + start.extent;
+  float away = max(sizes.x, max(sizes.y, sizes.z)) + edge;
+  float far = max(abs(towards.x), max(abs(towards.y), abs(towards.z))) + edge;
+
+  // Is its plane between the light and the starts? With the light in the plane nothing is known.
+  vec3 normal = cross(edge1, edge2);
+  float room = 8.0 * rounding * edge * (edge + max(away, far));
+  float light_side = dot(normal, towards), start_side = dot(normal, here), wide = dot(abs(normal), start.extent);
+  float facing = light_side < 0.0 ? -1.0 : 1.0;
+  if (!(abs(light_side) > room)) return kStopsSome;
+  if (facing * start_side - wide > room) return kStopsNone;
+  bool between = facing * start_side + wide < -room;
+
+  // Are the starts on the inner sides of the planes through the light and its edges?
+  room = 8.0 * rounding * (edge * away + edge * far + away * far);
+  uint open = 0u, open_edge = 0u;
+  for (uint i = 0u; i < 3u; ++i) {
+    vec3 from = corner[i];
+    normal = cross(corner[(i + 1u) % 3u] - from, light.xyz - light.w * from);
+    float inside = -facing * dot(normal, start.centre - from);
+    wide = dot(abs(normal), start.extent);
+    if (inside + wide < -room) return kStopsNone;
+    if (inside - wide > room) continue;
+    ++open;
+    open_edge = i;
+  }
+  if (!between || open > 1u) return kStopsSome;
+  return open == 0u ? kStopsAll : kStopsInside + open_edge + (facing < 0.0 ? 4u : 0u);
+}
+
+// Does a hit on the triangle count wherever it is?
+bool isSolid(uint instance, uint geometry) {
+  if ((geometry & BVH_OPAQUE) != 0u) return true;
+#if FACT_alpha
+  uint flags = scene_materials[geometryOf(instance, geometry).material].flags;
+  return (flags & (MATERIAL_ALPHA_MASK | MATERIAL_ALPHA_BLEND)) == 0u;
+#else
+  return true;
+#endif
+}
+
+mat4x3 columnsOf(vec4 x, vec4 y, vec4 z) { return transpose(mat3x4(x, y, z)); }
+
+// kFree, kStopped or kUnsure. `light`: its place, w = 1, or the direction towards it as long as `reach`, w = 0. Neither
+// coordinates of starts and light nor distances between them are larger than `reach`.
+// Walks along one ray first, for a triangle, or two with a common edge, that stop all: these are on that ray, or beside
+// it. Where there are none, walks with the whole shaft until anything may stop some.
+uint restOf(uint slice, ShaftStart start, vec4 light, float reach) {
+  uint level = levelOf(slice), root = rootOf(level, RAYS_TO_ALL);
+  for (uint walk = 0u; walk < 2u; ++walk) {
+    bool along_one = walk == 0u;
+    vec3 centre = along_one ? start.one : start.centre, extent = along_one ? vec3(0) : start.extent;
+    Shaft world = shaftIn(mat4x3(1.0), scene_bvh.nodes.at[root].reach, centre, extent, light, reach);
+    Shaft shaft = world;
+    uint instance = NO_INSTANCE, reference = root;
+    mat4x3 world_from_object;
+    vec3 object_sizes;
+    vec3 open_from, open_to;  // an edge, on the inner side of which a triangle stops all
+    uint open_instance = NO_INSTANCE;
+    BvhStack stack = noEntries();
+    int visited = 0;
+    while (true) {
+      // To the next leaf.
+      while (true) {
+        if (reference == kNextOnStack) {
+          if (top(stack) == kInstanceEnds) {
+            drop(stack);
+            instance = NO_INSTANCE;
+            shaft = world;
+          }
+          reference = takeFrom(stack);
+        }
+        if (reference >= BVH_LEAF) break;
+        if (++visited > kMostShaftNodes) return kUnsure;
+        uint others;
+        reference = firstChild(reference, shaft, others);
+        push(stack, others, others != 0u);
+      }
+      if (reference == kNothingLeft) break;
+
+      if (instance == NO_INSTANCE) {
+        instance = reference & ~BVH_LEAF;
+        BvhInstance of = loadedInstance(level * frame.instance_count + instance);
+        SceneTransform m = transformOf(slice, instance);
+        mat4x3 object_from_world = columnsOf(of.row_x, of.row_y, of.row_z);
+        world_from_object = columnsOf(m.row_x, m.row_y, m.row_z);
+        object_sizes = ofSizes(mat3(object_from_world), vec3(reach)) + abs(object_from_world[3]);
+        shaft = shaftIn(object_from_world, of.reach, centre, extent, light, reach);
+        reference = of.root;
+        push(stack, kInstanceEnds, true);
+        continue;
+      }
+      uint triangle = reference & ((1u << BVH_LEAF_COUNT) - 1u);
+      uint end = triangle + ((reference >> BVH_LEAF_COUNT) & 3u) + 1u;
+      for (; triangle < end; ++triangle) {
+        BvhTriangle of = loadedTriangle(triangle);
+        vec3 corner[3];
+        vec3 sizes = object_sizes;
+        for (int i = 0; i < 3; ++i) {
+          corner[i] = world_from_object * vec4(of.corner[i], 1);
+          sizes = max(sizes, abs(of.corner[i]));
+        }
+        sizes = ofSizes(mat3(world_from_object), sizes) + abs(world_from_object[3]);
+        uint stopping = stops(start, light, corner, kRounding * max(sizes.x, max(sizes.y, sizes.z)));
+        if (stopping == kStopsNone) continue;
+        if (!along_one) return kUnsure;
+        if (stopping == kStopsSome || !isSolid(instance, of.geometry)) continue;
+        if (stopping == kStopsAll) return kStopped;
+        uint edge = (stopping - kStopsInside) & 3u, next = (edge + 1u) % 3u;
+        bool turned = stopping - kStopsInside > 3u;
+        vec3 from = corner[turned ? next : edge], to = corner[turned ? edge : next];
+        if (open_instance == instance && from == open_to && to == open_from) return kStopped;
+        open_instance = instance;
+        open_from = from;
+        open_to = to;
+      }
+      reference = kNextOnStack;
+    }
+  }
+  return kFree;
+}
+
+#else
+
+uint restOf(uint slice, ShaftStart start, vec4 light, float reach) { return kUnsure; }
+
+#endif
+#endif

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// Per tile, the lights to which surely no shadow ray of its pixels is stopped, and those to which surely each is.
+// In:  hit (instance + 1, geometry, primitive).  Out: sure (bits of lights, free and stopped). The last tiles may be
+//      partial.
+// Rays start in the box around what the pixels see, above planes, one for each direction in which surfaces there face.
+#include "mixin/shade.glsl"
+#include "mixin/shaft.glsl"
+
+const float kFarthest = 1e12;  // m; beyond, products of three coordinates are too large for single precision
+const float kSameFacing = 0.9995, kMostTurned = 0.0316;  // cosine and sine between normals that share a plane
+const uint kMostBits = 32u;
+
+float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
+
+// What the pixels of a tile see.
+struct Seen {
+  bool any, has_planes;
+  vec3 low, high, one;
+  float near;  // the least of the points' largest coordinates
+  uint plane_count;
+};
+
+// The number of the plane for what faces along `normal_ws`, a new one if there is room.
+uint planeOf(inout Seen seen, vec3 normal_ws) {
+  uint i = 0u;
+  while (i < seen.plane_count && dot(start_planes[i].xyz, normal_ws) < kSameFacing) ++i;
+  if (i == kMostStartPlanes) {
+    seen.has_planes = false;
+    return 0u;
+  }
+  if (i == seen.plane_count) start_planes[seen.plane_count++] = vec4(normal_ws, 3e38);
+  return i;
+}
+
+Seen seenIn(ivec2 first, ivec2 end) {
+  Seen seen = Seen(false, true, vec3(3e38), vec3(-3e38), vec3(0), 3e38, 0u);
+  uint current = 0u;
+  vec4 plane = vec4(0);  // of that number, while points are added to it
+  for (int y = first.y; y < end.y; ++y) {
+    for (int x = first.x; x < end.x; ++x) {
+      uvec4 hit = texelFetch(hit_tex, ivec2(x, y), 0);
+      if (hit.x == 0u) continue;
+      Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(ivec2(x, y)));
+      Surface surface = surfaceOf(SLICE_CAPTURE, hitOnTriangle(SLICE_CAPTURE, ray, hit.x - 1u, hit.y, hit.z));
+      vec3 point = surface.position_ws;
+      if (!seen.any || ivec2(x, y) == (first + end) / 2) seen.one = point;
+      seen.low = min(seen.low, point);
+      seen.high = max(seen.high, point);
+      seen.near = min(seen.near, largest(abs(point)));
+      if (!(dot(plane.xyz, surface.face_normal_ws) >= kSameFacing)) {
+        if (seen.any) start_planes[current].w = plane.w;
+        current = planeOf(seen, surface.face_normal_ws);
+        plane = start_planes[current];
+      }
+      plane.w = min(plane.w, dot(plane.xyz, point));
+      seen.any = true;
+    }
+  }
+  if (seen.any) start_planes[current].w = plane.w;
+  return seen;
+}
+
+// What becomes of the rays from there to a light; kUnsure also where none is traced.
+uint restTowards(Seen seen, SceneLight light) {
+  bool is_place = light.type != LIGHT_DIRECTIONAL;
+  vec3 centre = 0.5 * (seen.low + seen.high), extent = 0.5 * (seen.high - seen.low);
+  vec3 away = abs(light.position - centre);
+  float reach = largest(max(abs(seen.low), abs(seen.high)));
+  if (is_place) reach = max(max(reach, largest(abs(light.position))), length(away + extent));
+  if (!(reach < kFarthest)) return kUnsure;
+  vec4 at = is_place ? vec4(light.position, 1) : vec4(-light.direction * reach, 0);
+
+  // As shadowOrigin lifts them.
+  float least = max(seen.near, is_place ? length(max(away - extent, vec3(0))) : 0.0);
+  ShaftStart start = ShaftStart(centre, extent + reach * (1.02 * kShadowLift), seen.one, seen.plane_count, 0u,
+                                0.9 * kShadowLift * least);
+  bool is_lit = !seen.has_planes;
+  for (uint i = 0u; i < seen.plane_count; ++i) {
+    float height = dot(start_planes[i].xyz, at.xyz) - at.w * start_planes[i].w;
+    bool turned_away = height < -1.1 * kMostTurned * reach;
+    if (turned_away) start.unused_planes |= 1u << i;
+    else if (!(height > start.raised)) start.plane_count = 0u;
+    is_lit = is_lit || !turned_away;
+  }
+  if (!seen.has_planes) start.plane_count = 0u;
+  return is_lit ? restOf(SLICE_CAPTURE, start, at, reach) : kUnsure;
+}
+
+void run(ivec2 tile) {
+  uvec2 sure = uvec2(0);
+#if PARAM_shafts && defined(STROBE_STRUCTURES_OWN)
+  ivec2 first = tile * params.shadow_tile;
+  Seen seen = seenIn(first, min(first + params.shadow_tile, textureSize(hit_tex, 0)));
+  uvec3 counts = uvec3(0);
+  for (uint i = 0u; i < min(frame.light_count, kMostBits) && seen.any; ++i) {
+    SceneLight light = scene_lights[SLICE_CAPTURE * frame.light_count + i];
+    if (light.shadow == 0u) continue;
+    uint rest = restTowards(seen, light);
+    sure |= uvec2(rest == kFree ? 1u << i : 0u, rest == kStopped ? 1u << i : 0u);
+    ++counts[rest];
+  }
+  if (counts[kFree] > 0u) count_free_shafts(counts[kFree]);
+  if (counts[kStopped] > 0u) count_stopped_shafts(counts[kStopped]);
+#endif
+  imageStore(sure_img, tile, uvec4(sure, 0u, 0u));
+}
