@@ -28,7 +28,7 @@ return experiment {
   title    = "Peers since 2020",
   question = "What do full layers drawn everywhere leave to masked rays, and what do other blurs since 2020 do?",
   note     = "All at 16 samples but for temporal1, which has one ray per pixel. Rays are those of shading too: a shadow ray " ..
-             "for each light of each texel that is shaded.",
+             "for each light of each texel that is shaded, unless its tile is answered at once.",
   size     = { 160, 90 },
   size_params = { "width", "height" },
   shots    = {
