@@ -246,12 +246,14 @@ def shares(bench):
 
 def pass_shares(bench):
     share = shares(bench)
-    few = ("mask_crossings", "mask_near_motions", "mask_tile_motions")
-    least = ("mask_bounds", "mask_ids", "motion_reach", "raster_bounds", "revealed_bounds")
-    alone = ("shade", "visibility", "composite", "own_time", "reveal", "gbuffer", "open_visibility", "raster_bend", "mask",
-             "unseen_open", "revealed_1_bend", "mask_moving_silhouettes", "tile_max")
-    return [share[node] for node in alone] + [max(share[node] for node in nodes) for nodes in (few, least)] + [
-        share["neighbour_max"]]
+    alone = ("shade", "visibility", "composite", "own_time", "shadow_shafts", "gbuffer", "reveal", "open_visibility",
+             "mask", "raster_bend", "mask_moving_silhouettes", "unseen_open", "mask_tile_motions", "revealed_1_bend",
+             "tile_max")
+    alike = (("mask_bounds", "mask_crossings", "mask_ids"),
+             ("mask_near_motions", "open_unseen_bounds", "raster_bent_bounds", "raster_bounds", "revealed_1_bent_bounds",
+              "revealed_bounds"),
+             ("doubtful", "longest_motion", "mask_longest_motion", "motion_reach", "neighbour_max"))
+    return [share[node] for node in alone] + [max(share[node] for node in nodes) for nodes in alike]
 
 
 def tile_pass_share(bench):
