@@ -24,9 +24,10 @@ local function turned() return { between(0, 360), between(0, 360), between(0, 36
 
 local solid = scene.material { name = "solid", color = { 0.7, 0.7, 0.7 } }
 local one_sided = scene.material { name = "one_sided", color = { 0.8, 0.5, 0.4 }, double_sided = false }
+local there, hole = { 0.4, 0.6, 0.8, 1 }, { 0.4, 0.6, 0.8, 0 }
 local cut_out = scene.material { name = "cut_out", alpha_cutoff = 0.5,
-  color_texture = scene.texture.checker { colors = { { 0.4, 0.6, 0.8, 1 }, { 0, 0, 0, 0 } }, count = 4,
-                                          size = { 64, 64 } } }
+  color_texture = scene.texture.texels { width = 4, height = 2,
+                                         texels = { there, hole, there, hole, hole, there, hole, there } } }
 
 local function soup()
   local positions = {}
@@ -93,7 +94,7 @@ for _ = 1, math.floor(between(2, 7)) do
   if random() < 0.5 then
     add { shape = pick { scene.cylinder { radius = 0.2, top_radius = 0.1, height = 0.3, segments = 24 },
                          scene.sphere { radius = 0.15, segments = 12 }, scene.quad { size = { 0.5, 0.5 } } },
-          material = pick { solid, one_sided }, position = sized(at), scale = { scale, scale, scale },
+          material = pick { solid, one_sided, cut_out }, position = sized(at), scale = { scale, scale, scale },
           rotation = random() < 0.5 and { 0, 0, 0 } or turned() }
   end
 end
