@@ -11,6 +11,7 @@
 #include "app/files.h"
 #include "app/shot_options.h"
 #include "archive/capture_file.h"
+#include "base/cores.h"
 #include "graph/pipelines.h"
 #include "lab/frame_facts.h"
 #include "lab/workbench.h"
@@ -118,7 +119,7 @@ std::vector<script::PipelineRequest> shapesOf(const std::vector<std::vector<std:
 }
 
 // Plans what was evaluated, and notes which shaders that needs.
-void addPlans(plan::PipelineDesc pipeline, graph::ShaderCheck& shaders) {
+void addPlans(const plan::PipelineDesc& pipeline, graph::ShaderCheck& shaders) {
   lab::Shot shot;
   shot.width = 64;
   shot.height = 36;
@@ -135,15 +136,17 @@ void checkPipelines(const Home& home, const std::vector<script::PipelineRequest>
   const auto folders = passFolders(home);
   auto check_all = [&](const std::vector<script::PipelineRequest>& asked, const auto& look) {
     auto all = evaluator.evaluate(asked);
-    for (size_t i = 0; i < all.size(); ++i) {
-      auto plan_and_look = [&] {
-        plan::PipelineDesc pipeline = all[i].take();
-        addPlans(pipeline, shaders);
-        look(asked[i], pipeline);
-      };
-      collect(problems, plan_and_look, &asked == &requests);
-    }
+    forEachOnAllCores(all.size(), [&](size_t i) {
+      try {
+        if (all[i].value) addPlans(*all[i].value, shaders);
+      } catch (const Error&) {
+        all[i].error = std::current_exception();
+      }
+    });
     shaders.start();
+    for (size_t i = 0; i < all.size(); ++i)
+      collect(
+          problems, [&] { look(asked[i], all[i].take()); }, &asked == &requests);
   };
   std::vector<script::PipelineRequest> presets, more;
   auto note = [](std::vector<script::PipelineRequest>& list, const std::vector<script::PipelineRequest>& added) {

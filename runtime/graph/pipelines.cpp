@@ -271,6 +271,7 @@ void ShaderCheck::add(const plan::Plan& plan, Backend backend) {
     const PassDesc& pass = plan.pipeline.passes[size_t(node.pass)];
     shader::Interface in = interfaceOf(plan, node, backend, SLICE_SAMPLE + 1);
     std::string key = fmt::format("{}|{}|{}|{}", pass.name, pass.shader, int(pass.kind), textOf(in));
+    std::lock_guard lock(mutex_);
     if (!noted_.insert(key).second) continue;
     // Shared stages are the same for all passes that have the same in front of them.
     bool first = hasStages(in) && noted_.insert(preamble(in, Stage::Miss)).second;

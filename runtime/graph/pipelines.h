@@ -5,6 +5,7 @@
 #include <future>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <set>
 #include <string>
 
@@ -57,7 +58,7 @@ class ShaderCheck {
  public:
   explicit ShaderCheck(Home home) : home_(std::move(home)), sources_(home_) {}
   ShaderCheck(const ShaderCheck&) = delete;
-  // Notes what the plan's nodes need that has not been noted before.
+  // Notes what the plan's nodes need that has not been noted before. Threads may do so at once.
   void add(const plan::Plan& plan, Backend backend);
   // Begins to compile what was noted since the last call, on all cores, and returns.
   void start();
@@ -76,6 +77,7 @@ class ShaderCheck {
 
   Home home_;
   mutable shader::Sources sources_;
+  std::mutex mutex_;                              // of what is noted
   std::map<std::string, std::vector<Job>> jobs_;  // by shader
   std::set<std::string> noted_;
   std::vector<std::future<std::set<std::string>>> started_;
