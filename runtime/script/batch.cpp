@@ -223,19 +223,38 @@ std::vector<Answer> Children::ask(Child& child, const std::vector<Json>& request
   return std::move(arriving.answers);
 }
 
+std::vector<std::vector<size_t>> Children::dealt(const std::vector<Json>& requests, size_t shares) {
+  constexpr double kLoad = 3.0;  // what a load takes, in requests
+  std::vector<std::vector<size_t>> result(shares);
+  std::vector<double> work(shares, 0.0);
+  for (size_t i = 0; i < requests.size(); ++i) {
+    const std::string needed = withoutArgument(requests[i]);
+    auto workWith = [&](size_t k) { return work[k] + (children_[k]->asked_for.count(needed) ? 1.0 : 1.0 + kLoad); };
+    size_t least = 0;
+    for (size_t k = 1; k < shares; ++k)
+      if (workWith(k) < workWith(least)) least = k;
+    work[least] = workWith(least);
+    children_[least]->asked_for.insert(needed);
+    result[least].push_back(i);
+  }
+  return result;
+}
+
 std::vector<Answer> Children::answers(const std::vector<Json>& requests) {
   const size_t shares = std::min<size_t>(std::max(1u, std::thread::hardware_concurrency()), requests.size());
   std::erase_if(children_, [](const std::unique_ptr<Child>& child) { return child->is_lost; });
   while (children_.size() < shares) children_.push_back(std::make_unique<Child>(startedChild(program_, limits_)));
-  std::vector<std::vector<Json>> dealt(shares);
-  for (size_t i = 0; i < requests.size(); ++i) dealt[i % shares].push_back(requests[i]);
+  const std::vector<std::vector<size_t>> shared_out = dealt(requests, shares);
   std::vector<std::future<std::vector<Answer>>> running;
-  for (size_t k = 0; k < shares; ++k)
-    running.push_back(std::async(std::launch::async, [&, k] { return ask(*children_[k], dealt[k]); }));
+  for (size_t k = 0; k < shares; ++k) {
+    std::vector<Json> own;
+    for (size_t i : shared_out[k]) own.push_back(requests[i]);
+    running.push_back(std::async(std::launch::async, [&, k, own = std::move(own)] { return ask(*children_[k], own); }));
+  }
   std::vector<Answer> results(requests.size());
   for (size_t k = 0; k < shares; ++k) {
     std::vector<Answer> some = running[k].get();
-    for (size_t i = 0; i < some.size(); ++i) results[i * shares + k] = std::move(some[i]);
+    for (size_t i = 0; i < some.size(); ++i) results[shared_out[k][i]] = std::move(some[i]);
   }
   return results;
 }

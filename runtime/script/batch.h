@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,10 @@ class Children {
     WaitingProgram program;
     bool is_lost = false;                                      // it has not answered all
     std::map<int, std::shared_ptr<const std::string>> loaded;  // what answers refer to, by the number it goes by
+    std::set<std::string> asked_for;                           // requests without their arguments
   };
+  // Which child gets which requests: as few load the same as keeps all at work.
+  std::vector<std::vector<size_t>> dealt(const std::vector<Json>& requests, size_t shares);
   std::vector<Answer> ask(Child& child, const std::vector<Json>& requests) const;
 
   Path program_;

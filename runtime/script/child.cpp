@@ -100,6 +100,7 @@ std::optional<std::string> load(const Json& request) {
   bool loaded = sandboxFor(request).run("load", {}, passes);
   g_loading = false;
   if (!loaded) return std::nullopt;
+  g_sandbox->prepareSources();
   return passes.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <map>
+#include <set>
 
 namespace strobe::script {
 
@@ -117,16 +117,6 @@ struct Found {
   int line = 0;     // of the last of them
 };
 
-// Of a source once, however often it is asked about: a script child looks up hundreds of fields in a few dozen files.
-const std::vector<Token>& tokensOf(std::string_view source) {
-  static std::map<std::string, std::vector<Token>, std::less<>> known;
-  auto found = known.find(source);
-  if (found != known.end()) return found->second;
-  auto added = known.emplace(source, std::vector<Token>()).first;
-  added->second = Lexer(added->first).tokens();
-  return added->second;
-}
-
 // Follows `path` from its key number `done` on through the table that opens at tokens[open].
 Found searchTable(const std::vector<Token>& tokens, size_t open, const std::vector<std::string>& path, size_t done) {
   Found found{done, tokens[open].line};
@@ -150,8 +140,32 @@ Found searchTable(const std::vector<Token>& tokens, size_t open, const std::vect
 
 }  // namespace
 
-int lineOfKey(std::string_view source, int line, const std::vector<std::string>& path) {
-  const std::vector<Token>& tokens = tokensOf(source);
+struct Source::Read {
+  std::vector<Token> tokens;
+  std::set<std::string_view> fields;  // that are read of anything
+};
+
+Source::Source(std::string text) : text_(std::move(text)) {}
+
+Source::~Source() = default;
+
+const Source::Read& Source::read() const {
+  if (read_) return *read_;
+  auto read = std::make_unique<Read>();
+  read->tokens = Lexer(text_).tokens();
+  const std::vector<Token>& tokens = read->tokens;
+  for (size_t i = 1; i < tokens.size(); ++i) {
+    bool of_something = tokens[i - 1].text == "." && (i < 2 || tokens[i - 2].text != ".");
+    if (tokens[i].word && of_something) read->fields.insert(tokens[i].text);
+  }
+  read_ = std::move(read);
+  return *read_;
+}
+
+void Source::prepare() const { read(); }
+
+int Source::lineOfKey(int line, const std::vector<std::string>& path) const {
+  const std::vector<Token>& tokens = read().tokens;
   auto firstOn = [&](int on) {
     return std::lower_bound(tokens.begin(), tokens.end(), on, [](const Token& t, int at) { return t.line < at; });
   };
@@ -167,8 +181,8 @@ int lineOfKey(std::string_view source, int line, const std::vector<std::string>&
   return best.line;
 }
 
-int lineOfReturn(std::string_view source, int first, int last, const std::vector<std::string>& path) {
-  const std::vector<Token>& tokens = tokensOf(source);
+int Source::lineOfReturn(int first, int last, const std::vector<std::string>& path) const {
+  const std::vector<Token>& tokens = read().tokens;
   int best = 0;
   for (size_t i = 0; i < tokens.size(); ++i) {
     if (!tokens[i].word || tokens[i].text != "return" || tokens[i].line < first || tokens[i].line > last) continue;
@@ -180,14 +194,6 @@ int lineOfReturn(std::string_view source, int first, int last, const std::vector
   return best;
 }
 
-bool readsField(std::string_view source, std::string_view name) {
-  const std::vector<Token>& tokens = tokensOf(source);
-  for (size_t i = 1; i < tokens.size(); ++i) {
-    bool named = tokens[i].word && tokens[i].text == name;
-    bool of_something = tokens[i - 1].text == "." && (i < 2 || tokens[i - 2].text != ".");
-    if (named && of_something) return true;
-  }
-  return false;
-}
+bool Source::readsField(std::string_view name) const { return read().fields.count(name) > 0; }
 
 }  // namespace strobe::script

@@ -17,15 +17,17 @@ local function before(a, b)
 end
 
 local function ordered_keys(t)
-  local keys = {}
+  local keys, first, mixed = {}, nil, false
   for key in raw_next, t do
     local kind = type(key)
     if kind ~= "number" and kind ~= "string" and kind ~= "boolean" then
       error("keys of type " .. kind .. " have no fixed order; keep a list beside the table", 3)
     end
+    first = first or kind
+    mixed = mixed or kind ~= first or kind == "boolean"
     keys[#keys + 1] = key
   end
-  sort(keys, before)
+  if mixed then sort(keys, before) else sort(keys) end  -- of one kind: without a call for each pair
   return keys
 end
 

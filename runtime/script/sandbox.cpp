@@ -108,7 +108,7 @@ struct Sandbox::Callbacks {
     sandbox.guarded([&] {
       auto source = sandbox.sources_.find(file);
       std::vector<std::string> path(keys, keys + count);
-      if (source != sandbox.sources_.end()) line = lineOfKey(source->second, line, path);
+      if (source != sandbox.sources_.end()) line = source->second.lineOfKey(line, path);
     });
     pushPlace(lua, file, line);
     return 1;
@@ -129,8 +129,8 @@ struct Sandbox::Callbacks {
     sandbox.guarded([&] {
       auto source = sandbox.sources_.find(file);
       std::vector<std::string> path(keys, keys + count);
-      int found =
-          source == sandbox.sources_.end() ? 0 : lineOfReturn(source->second, ar.linedefined, ar.lastlinedefined, path);
+      if (source == sandbox.sources_.end()) return;
+      int found = source->second.lineOfReturn(ar.linedefined, ar.lastlinedefined, path);
       if (found) line = found;
     });
     pushPlace(lua, file, line);
@@ -144,7 +144,7 @@ struct Sandbox::Callbacks {
     Sandbox& sandbox = self(lua);
     sandbox.guarded([&] {
       for (const auto& [shown, source] : sandbox.sources_) {
-        found = found || (!sandbox.isLibrary(shown) && readsField(source, name));
+        found = found || (!sandbox.isLibrary(shown) && source.readsField(name));
       }
     });
     lua_pushboolean(lua, found);
@@ -374,7 +374,7 @@ void Sandbox::read(const Path& file, const std::string& shown) {
   auto given = options_.texts.find(file.string());
   source_ = given == options_.texts.end() ? options_.home.read(file) : given->second;
   chunk_ = "@" + shown;
-  if (!sources_.emplace(shown, source_).second) return;
+  if (!sources_.try_emplace(shown, source_).second) return;
   files_.push_back({file, shown, hashText(source_)});
 }
 
@@ -545,6 +545,10 @@ bool Sandbox::run(const std::string& function, const Json& request, Json& result
     addProblem("the error is a table of a wrong form");
   }
   return !out_of_memory_ && problems_.empty();
+}
+
+void Sandbox::prepareSources() const {
+  for (const auto& [shown, source] : sources_) source.prepare();
 }
 
 // ---- errors

@@ -15,6 +15,7 @@
 #include "base/home.h"
 #include "base/json.h"
 #include "script/evaluate.h"
+#include "script/locate.h"
 
 namespace strobe::script {
 
@@ -44,6 +45,9 @@ class Sandbox {
 
   // Calls `function` of scripts/strobe/run.lua with `request` as a table. False after mistakes: see `problems`.
   bool run(const std::string& function, const Json& request, Json& result);
+
+  // Reads what has been loaded ahead of questions about the places in it, for the copies of this process.
+  void prepareSources() const;
 
   const std::vector<Problem>& problems() const { return problems_; }
   const std::vector<Dependency>& files() const { return files_; }
@@ -79,7 +83,7 @@ class Sandbox {
   size_t used_bytes_ = 0;
   bool out_of_memory_ = false;
   std::vector<Dependency> files_;
-  std::map<std::string, std::string> sources_;  // by shown name
+  std::map<std::string, Source> sources_;  // by shown name
   std::vector<Problem> problems_;
   std::string text_;                // a callback's result or failure
   plan::Value value_;               // a callback's result

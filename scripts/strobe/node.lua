@@ -27,7 +27,7 @@ function node.is_value(value)
 end
 
 function node.source(value)
-  return ("%s.%s"):format(rawget(value, "node"), rawget(value, "port"))
+  return rawget(value, "node") .. "." .. rawget(value, "port")
 end
 
 -- The format of an image that is `wanted` (a pattern) whatever is chosen, or nil and one that is not.
@@ -41,7 +41,7 @@ end
 -- What is wrong with a thing that was passed where an image is wanted.
 local function not_a_value(value)
   if getmetatable(value) == Ports then
-    local ports = rawget(value, "names")
+    local ports = check.names(rawget(value, "values"))
     return ("is all that %s yields; say which image: %s"):format(rawget(value, "node"), table.concat(ports, ", "))
   end
   if node.is_reference(value) then return ("is the parameter '%s' instead of an image"):format(value.name) end
@@ -50,9 +50,10 @@ end
 node.not_a_value = not_a_value
 
 Ports.__index = native.at_caller(function(place, ports, key)
-  local values, names, name = rawget(ports, "values"), rawget(ports, "names"), rawget(ports, "node")
+  local values, name = rawget(ports, "values"), rawget(ports, "node")
   rawget(ports, "record").used = true
   if values[key] then return values[key] end
+  local names = check.names(values)
   local near = type(key) == "string" and native.nearest(key, names) or ""
   if near == "" then near = "; it has " .. table.concat(names, ", ") end
   check.fail(place, "%s has no output %s%s", name, check.quoted(key), near)
@@ -64,7 +65,7 @@ end)
 
 -- A result with the fields `values`; `record.used` is set at the first use of one.
 function node.ports(name, values, record)
-  return setmetatable({ node = name, values = values, names = check.names(values), record = record }, Ports)
+  return setmetatable({ node = name, values = values, record = record }, Ports)
 end
 
 -- ---- parameters
@@ -135,12 +136,13 @@ end
 -- ---- calls
 
 local function check_argument_names(problems, pass, arguments, place)
-  local known = { "as", "time" }
-  for _, list in ipairs { pass.reads, pass.params } do
-    for _, one in ipairs(list) do known[#known + 1] = one.name end
-  end
   for key in pairs(arguments) do
-    if not check.contains(known, key) then
+    local is_known = key == "as" or key == "time" or param.find(pass.reads, key) or param.find(pass.params, key)
+    if not is_known then
+      local known = { "as", "time" }
+      for _, list in ipairs { pass.reads, pass.params } do
+        for _, one in ipairs(list) do known[#known + 1] = one.name end
+      end
       local near = type(key) == "string" and native.nearest(key, known) or "; name the port: port = image"
       local at = native.key_place(place, key)
       problems:add(at, "pass '%s' has no input or parameter %s%s", pass.name, check.quoted(key), near)
@@ -149,22 +151,23 @@ local function check_argument_names(problems, pass, arguments, place)
 end
 
 local function wire(problems, pass, read, value, at)
-  local what = ("read '%s' of pass '%s'"):format(read.name, pass.name)
+  local function refuse(text, ...)
+    problems:add(at, "read '%s' of pass '%s' %s", read.name, pass.name, text:format(...))
+  end
   if not node.is_value(value) then
-    problems:add(at, "%s %s", what, not_a_value(value))
+    refuse("%s", not_a_value(value))
     return nil
   end
   if rawget(value, "graph") ~= node.graph then
-    problems:add(at, "%s is an image of another pipeline", what)
+    refuse("is an image of another pipeline")
     return nil
   end
   local format = rawget(value, "format")
   if check.is_buffer(format) ~= read.buffer then
-    problems:add(at, "%s wants %s, but '%s' is %s", what, read.buffer and "a buffer" or "an image", node.source(value),
-                 format)
+    refuse("wants %s, but '%s' is %s", read.buffer and "a buffer" or "an image", node.source(value), format)
   elseif check.is_uint(format) ~= read.uint then
     local wants = read.uint and "unsigned integers" or "numbers"
-    problems:add(at, "%s wants %s, but '%s' is %s", what, wants, node.source(value), format)
+    refuse("wants %s, but '%s' is %s", wants, node.source(value), format)
   end
   return node.source(value)
 end
@@ -173,9 +176,8 @@ local function wire_reads(problems, pass, arguments, place)
   local inputs = {}
   for _, read in ipairs(pass.reads) do
     local value = arguments[read.name]
-    local at = native.key_place(place, read.name)
     if value ~= nil then
-      inputs[read.name] = wire(problems, pass, read, value, at)
+      inputs[read.name] = wire(problems, pass, read, value, native.key_place(place, read.name))
     elseif not read.optional then
       problems:add(place, "read '%s' of pass '%s' is not given (%s)", read.name, pass.name, read.doc)
     end
@@ -185,7 +187,7 @@ end
 
 local function choose_name(problems, pass, arguments, place)
   local name = arguments.as == nil and pass.name or arguments.as
-  local at = native.key_place(place, "as")
+  local at = arguments.as == nil and place or native.key_place(place, "as")
   if type(name) == "string" then name = (node.graph.prefix or "") .. name end
   if not check.is_name(name) or name == "scene" then
     problems:add(at, "%s cannot name a node (a-z, then a-z, 0-9 and _, but not 'scene')", check.quoted(name))
@@ -240,9 +242,8 @@ function node.create(place, pass, arguments)
   made.inputs = wire_reads(problems, pass, arguments, place)
   local owner = ("pass '%s'"):format(pass.name)
   for _, wanted in ipairs(pass.params) do
-    local at = native.key_place(place, wanted.name)
-    local given = arguments[wanted.name]
-    if given == nil then given = shared(wanted) end
+    local given, at = arguments[wanted.name], place
+    if given == nil then given = shared(wanted) else at = native.key_place(place, wanted.name) end
     made.params[wanted.name] = node.bind(problems, wanted, given, at, owner)
   end
   problems:raise()

@@ -26,12 +26,12 @@ return pass.compute {
 )";
 
 TEST(Place, FindsTheLineOfAField) {
-  EXPECT_EQ(lineOfKey(kSource, 3, {"name"}), 4);
-  EXPECT_EQ(lineOfKey(kSource, 3, {"size"}), 6);
-  EXPECT_EQ(lineOfKey(kSource, 3, {"reads", "normal"}), 8);
-  EXPECT_EQ(lineOfKey(kSource, 3, {"reads", "depth"}), 9);
-  EXPECT_EQ(lineOfKey(kSource, 3, {"params"}), 16);
-  EXPECT_EQ(lineOfKey(kSource, 3, {"params", "a", "min"}), 17);
+  EXPECT_EQ(Source(kSource).lineOfKey(3, {"name"}), 4);
+  EXPECT_EQ(Source(kSource).lineOfKey(3, {"size"}), 6);
+  EXPECT_EQ(Source(kSource).lineOfKey(3, {"reads", "normal"}), 8);
+  EXPECT_EQ(Source(kSource).lineOfKey(3, {"reads", "depth"}), 9);
+  EXPECT_EQ(Source(kSource).lineOfKey(3, {"params"}), 16);
+  EXPECT_EQ(Source(kSource).lineOfKey(3, {"params", "a", "min"}), 17);
 }
 
 TEST(Place, FindsTheLineOfAnEntryOfAList) {
@@ -44,42 +44,42 @@ TEST(Place, FindsTheLineOfAnEntryOfAList) {
     n = 4, 5,
   },
 })";
-  EXPECT_EQ(lineOfKey(source, 1, {"arms", "1"}), 3);
-  EXPECT_EQ(lineOfKey(source, 1, {"arms", "2"}), 4);
-  EXPECT_EQ(lineOfKey(source, 1, {"arms", "2", "set", "x"}), 5);
-  EXPECT_EQ(lineOfKey(source, 1, {"arms", "3"}), 5);
-  EXPECT_EQ(lineOfKey(source, 1, {"arms", "3", "3"}), 6);
-  EXPECT_EQ(lineOfKey(source, 1, {"arms", "4"}), 7);
-  EXPECT_EQ(lineOfKey(source, 1, {"arms", "n"}), 7);
-  EXPECT_EQ(lineOfKey(source, 1, {"arms", "5"}), 2);
+  EXPECT_EQ(Source(source).lineOfKey(1, {"arms", "1"}), 3);
+  EXPECT_EQ(Source(source).lineOfKey(1, {"arms", "2"}), 4);
+  EXPECT_EQ(Source(source).lineOfKey(1, {"arms", "2", "set", "x"}), 5);
+  EXPECT_EQ(Source(source).lineOfKey(1, {"arms", "3"}), 5);
+  EXPECT_EQ(Source(source).lineOfKey(1, {"arms", "3", "3"}), 6);
+  EXPECT_EQ(Source(source).lineOfKey(1, {"arms", "4"}), 7);
+  EXPECT_EQ(Source(source).lineOfKey(1, {"arms", "n"}), 7);
+  EXPECT_EQ(Source(source).lineOfKey(1, {"arms", "5"}), 2);
 }
 
 TEST(Place, StaysAtTheCallWhereThereIsNoSuchField) {
-  EXPECT_EQ(lineOfKey(kSource, 3, {"reads", "colour"}), 7);
-  EXPECT_EQ(lineOfKey(kSource, 8, {"doc", "colour"}), 8);
-  EXPECT_EQ(lineOfKey(kSource, 8, {"colour"}), 8);
-  EXPECT_EQ(lineOfKey(kSource, 3, {"nothing"}), 3);
-  EXPECT_EQ(lineOfKey("", 3, {"nothing"}), 3);
-  EXPECT_EQ(lineOfKey("{ \"unfinished", 1, {"a", "b"}), 1);
-  EXPECT_EQ(lineOfKey("{ a = ", 1, {"a", "b"}), 1);
-  EXPECT_EQ(lineOfKey("{ [", 1, {"a"}), 1);
-  EXPECT_EQ(lineOfKey("--[==[", 1, {"a"}), 1);
+  EXPECT_EQ(Source(kSource).lineOfKey(3, {"reads", "colour"}), 7);
+  EXPECT_EQ(Source(kSource).lineOfKey(8, {"doc", "colour"}), 8);
+  EXPECT_EQ(Source(kSource).lineOfKey(8, {"colour"}), 8);
+  EXPECT_EQ(Source(kSource).lineOfKey(3, {"nothing"}), 3);
+  EXPECT_EQ(Source("").lineOfKey(3, {"nothing"}), 3);
+  EXPECT_EQ(Source("{ \"unfinished").lineOfKey(1, {"a", "b"}), 1);
+  EXPECT_EQ(Source("{ a = ").lineOfKey(1, {"a", "b"}), 1);
+  EXPECT_EQ(Source("{ [").lineOfKey(1, {"a"}), 1);
+  EXPECT_EQ(Source("--[==[").lineOfKey(1, {"a"}), 1);
 }
 
 TEST(Place, FindsTheLastReturnOfAFunction) {
-  EXPECT_EQ(lineOfReturn(kSource, 11, 15, {}), 13);
-  EXPECT_EQ(lineOfReturn(kSource, 11, 15, {"depth"}), 14);
-  EXPECT_EQ(lineOfReturn(kSource, 11, 15, {"other"}), 13);
-  EXPECT_EQ(lineOfReturn(kSource, 16, 17, {}), 0);
+  EXPECT_EQ(Source(kSource).lineOfReturn(11, 15, {}), 13);
+  EXPECT_EQ(Source(kSource).lineOfReturn(11, 15, {"depth"}), 14);
+  EXPECT_EQ(Source(kSource).lineOfReturn(11, 15, {"other"}), 13);
+  EXPECT_EQ(Source(kSource).lineOfReturn(16, 17, {}), 0);
 }
 
 TEST(Place, TellsWhetherAFieldIsRead) {
-  EXPECT_TRUE(readsField("x = p.tile", "tile"));
-  EXPECT_TRUE(readsField("x = p . tile()", "tile"));
-  EXPECT_FALSE(readsField("x = { tile = 1 } -- p.tile", "tile"));
-  EXPECT_FALSE(readsField("x = a..tile", "tile"));
-  EXPECT_FALSE(readsField("x = 'p.tile'", "tile"));
-  EXPECT_FALSE(readsField("x = p.tiles", "tile"));
+  EXPECT_TRUE(Source("x = p.tile").readsField("tile"));
+  EXPECT_TRUE(Source("x = p . tile()").readsField("tile"));
+  EXPECT_FALSE(Source("x = { tile = 1 } -- p.tile").readsField("tile"));
+  EXPECT_FALSE(Source("x = a..tile").readsField("tile"));
+  EXPECT_FALSE(Source("x = 'p.tile'").readsField("tile"));
+  EXPECT_FALSE(Source("x = p.tiles").readsField("tile"));
 }
 
 }  // namespace strobe::script
