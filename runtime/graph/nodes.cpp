@@ -76,7 +76,7 @@ void PlanNodes::makeFrames(size_t i, size_t frames) {
       std::memset(frame.counters.mapped(), 0, frame.counters.size());
     }
     frame.counts.assign(in.counters.size(), 0);
-    frame.set = gpu::allocateSet(device_, node.pool.get(), node.pipeline->set_layout.get());
+    frame.set = gpu::allocateSet(device_, node.pool.get(), node.pipeline->driver->set_layout.get());
   }
 }
 

@@ -339,7 +339,7 @@ std::shared_ptr<const NodePipeline> PipelineCache::get(const shader::Interface& 
   std::string key = seen.content + "|" + scene.layoutText();
   auto found = made_.find(key);
   if (found == made_.end()) {
-    found = made_.emplace(key, Held{make(in, pass, scene.setLayout())}).first;
+    found = made_.emplace(key, Held{make(in, pass, scene)}).first;
     ++compilations_;
   }
   found->second.asked = ++questions_;
@@ -365,15 +365,17 @@ PipelineCache::Seen PipelineCache::lookAt(const shader::Interface& in, const Pas
 // Hours of edits would fill the memory: every one leaves pipelines behind.
 void PipelineCache::forgetOldest() {
   constexpr size_t kMost = 512;  // more than all presets of all pipelines have
+  if (made_.size() <= kMost) return;
   while (made_.size() > kMost) {
     auto oldest = made_.end();
     for (auto it = made_.begin(); it != made_.end(); ++it) {
       bool used = it->second.pipeline.use_count() > 1;
       if (!used && (oldest == made_.end() || it->second.asked < oldest->second.asked)) oldest = it;
     }
-    if (oldest == made_.end()) return;
+    if (oldest == made_.end()) break;
     made_.erase(oldest);
   }
+  std::erase_if(drivers_, [](const auto& known) { return known.second.expired(); });
 }
 
 static std::vector<VkDescriptorSetLayoutBinding> bindingsOf(const shader::Interface& in) {
@@ -391,8 +393,35 @@ static std::vector<VkDescriptorSetLayoutBinding> bindingsOf(const shader::Interf
   return bindings;
 }
 
+std::shared_ptr<const DriverPipeline> PipelineCache::driverOf(const NodePipeline& node, const PassDesc& pass,
+                                                              const std::vector<shader::Compiled>& stages,
+                                                              const world::GpuScene& scene) {
+  const shader::Interface& in = node.interface;
+  std::string key = pass.name + "|" + scene.layoutText();
+  for (const shader::Compiled& stage : stages) key += "|" + hashOfCode(stage.spirv);
+  for (const auto& binding : node.bindings) key += fmt::format("|{} {}", binding.binding, int(binding.descriptorType));
+  for (const auto& write : in.writes) key += "|" + write.texels;
+  std::weak_ptr<const DriverPipeline>& known = drivers_[key];
+  if (std::shared_ptr<const DriverPipeline> driver = known.lock()) return driver;
+  auto driver = std::make_shared<DriverPipeline>();
+  driver->set_layout = gpu::makeSetLayout(device_, pass.name, node.bindings);
+  std::vector<VkDescriptorSetLayout> sets = {scene.setLayout(), driver->set_layout.get()};
+  if (in.raster) {
+    gpu::RasterShaders shaders{stages[0].spirv, stages[1].spirv, {}};
+    for (const auto& write : in.writes) shaders.color_formats.push_back(gpu::formatInfo(write.texels).vk);
+    driver->pipeline = gpu::Pipeline::raster(device_, pass.name, shaders, sets);
+  } else if (hasStages(in)) {
+    gpu::TraceShaders shaders{stages[0].spirv, stages[1].spirv, stages[2].spirv, stages[3].spirv};
+    driver->pipeline = gpu::Pipeline::trace(device_, pass.name, shaders, sets);
+  } else {
+    driver->pipeline = gpu::Pipeline::compute(device_, pass.name, stages[0].spirv, sets);
+  }
+  known = driver;
+  return driver;
+}
+
 std::shared_ptr<const NodePipeline> PipelineCache::make(const shader::Interface& in, const PassDesc& pass,
-                                                        VkDescriptorSetLayout scene_layout) const {
+                                                        const world::GpuScene& scene) {
   std::vector<shader::Compiled> stages = compileStages(home_, in, pass);
   const std::vector<Path> shaders = shaderFiles(home_, pass);
   throwIfAny(unusedNames(home_, in, shaders, shader::namesUsed(home_, shaders)));
@@ -401,18 +430,7 @@ std::shared_ptr<const NodePipeline> PipelineCache::make(const shader::Interface&
   for (const auto& stage : stages) made->files.insert(made->files.end(), stage.files.begin(), stage.files.end());
   made->sources = sourcesOf(home_, pass);
   made->bindings = bindingsOf(in);
-  made->set_layout = gpu::makeSetLayout(device_, pass.name, made->bindings);
-  std::vector<VkDescriptorSetLayout> sets = {scene_layout, made->set_layout.get()};
-  if (in.raster) {
-    gpu::RasterShaders shaders{stages[0].spirv, stages[1].spirv, {}};
-    for (const auto& write : in.writes) shaders.color_formats.push_back(gpu::formatInfo(write.texels).vk);
-    made->pipeline = gpu::Pipeline::raster(device_, pass.name, shaders, sets);
-  } else if (hasStages(in)) {
-    gpu::TraceShaders shaders{stages[0].spirv, stages[1].spirv, stages[2].spirv, stages[3].spirv};
-    made->pipeline = gpu::Pipeline::trace(device_, pass.name, shaders, sets);
-  } else {
-    made->pipeline = gpu::Pipeline::compute(device_, pass.name, stages[0].spirv, sets);
-  }
+  made->driver = driverOf(*made, pass, stages, scene);
   return made;
 }
 

@@ -20,10 +20,15 @@ namespace strobe::graph {
 
 using shader::Backend;
 
-struct NodePipeline {
+// What the driver has of a pass: one for all interfaces that compile to the same code.
+struct DriverPipeline {
   gpu::Owned<VkDescriptorSetLayout> set_layout;
-  std::vector<VkDescriptorSetLayoutBinding> bindings;
   gpu::Pipeline pipeline;
+};
+
+struct NodePipeline {
+  std::shared_ptr<const DriverPipeline> driver;
+  std::vector<VkDescriptorSetLayoutBinding> bindings;
   shader::Interface interface;
   std::vector<Path> files;              // its shaders and what they include
   std::map<Path, std::string> sources;  // hashes of those that are the pass's own, as they were compiled
@@ -100,7 +105,10 @@ class PipelineCache {
     std::string content;
   };
   std::shared_ptr<const NodePipeline> make(const shader::Interface& interface, const plan::PassDesc& pass,
-                                           VkDescriptorSetLayout scene_layout) const;
+                                           const world::GpuScene& scene);
+  std::shared_ptr<const DriverPipeline> driverOf(const NodePipeline& node, const plan::PassDesc& pass,
+                                                 const std::vector<shader::Compiled>& stages,
+                                                 const world::GpuScene& scene);
   Seen lookAt(const shader::Interface& interface, const plan::PassDesc& pass) const;
   void forgetOldest();
 
@@ -110,8 +118,9 @@ class PipelineCache {
   };
   const Home home_;
   const gpu::Device& device_;
-  std::map<std::string, Seen> seen_;  // by interface
-  std::map<std::string, Held> made_;  // by content
+  std::map<std::string, Seen> seen_;                                    // by interface
+  std::map<std::string, Held> made_;                                    // by content
+  std::map<std::string, std::weak_ptr<const DriverPipeline>> drivers_;  // by pass, code and what it is bound to
   uint64_t questions_ = 0;
   int compilations_ = 0;
 };

@@ -107,7 +107,7 @@ void Recording::read(VkCommandBuffer commands, int image) const {
 }
 
 void Recording::bind(VkCommandBuffer commands, const Node& node) const {
-  const gpu::Pipeline& pipeline = node.pipeline->pipeline;
+  const gpu::Pipeline& pipeline = node.pipeline->driver->pipeline;
   VkDescriptorSet sets[] = {scene_.set(), node.frames[frame_].set};
   device_.vk().CmdBindPipeline(commands, pipeline.bindPoint(), pipeline.handle());
   device_.vk().CmdBindDescriptorSets(commands, pipeline.bindPoint(), pipeline.layout(), 0, 2, sets, 0, nullptr);
@@ -118,7 +118,7 @@ static uint32_t heightOf(const scene::PixelArea& area) { return area.empty() ? 0
 
 // A compute or trace pass over this many pixels.
 void Recording::work(VkCommandBuffer commands, const Node& node, uint32_t width, uint32_t height) const {
-  if (hasStages(node.pipeline->interface)) return node.pipeline->pipeline.recordTrace(commands, width, height);
+  if (hasStages(node.pipeline->interface)) return node.pipeline->driver->pipeline.recordTrace(commands, width, height);
   const uint32_t group = shader::kGroupSize;
   device_.vk().CmdDispatch(commands, (width + group - 1) / group, (height + group - 1) / group, 1);
 }
