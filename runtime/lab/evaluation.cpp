@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lab/evaluation.h"
 
+#include <algorithm>
+
 #include "base/hash.h"
 #include "base/log.h"
 
@@ -39,6 +41,37 @@ Evaluation evaluated(const Home& home, const std::string& pipeline, const script
   Evaluation evaluation;
   evaluation.pipeline = script::evaluatePipeline(home, {pipeline, sets}, &evaluation.scripts, limits);
   evaluation.texts = textsOf(evaluation.scripts, {}, {});
+  return evaluation;
+}
+
+Stamps stampsOf(const std::vector<script::Dependency>& files) {
+  Stamps stamps;
+  for (const auto& file : files) stamps.add(file.path);
+  return stamps;
+}
+
+bool isCurrent(const std::vector<script::Dependency>& files) {
+  return std::all_of(files.begin(), files.end(),
+                     [](const auto& file) { return script::hashOfPath(file.path) == file.hash; });
+}
+
+Evaluation Evaluator::evaluate(const std::string& pipeline, const script::Settings& sets) {
+  auto loaded = loaded_.find(pipeline);
+  if (loaded != loaded_.end() && !loaded->second.files.current()) {
+    loaded_.clear();
+    evaluator_.reset();
+    loaded = loaded_.end();
+  }
+  if (loaded == loaded_.end()) {
+    Evaluation first = evaluated(home_, pipeline, sets, limits_);
+    Stamps files = stampsOf(first.scripts);
+    if (isCurrent(first.scripts)) loaded_[pipeline] = {std::move(files), first.texts};
+    return first;
+  }
+  if (!evaluator_) evaluator_ = std::make_unique<script::PipelineEvaluator>(home_, limits_);
+  Evaluation evaluation;
+  evaluation.pipeline = evaluator_->evaluate({pipeline, sets}, &evaluation.scripts);
+  evaluation.texts = textsOf(evaluation.scripts, {}, loaded->second.texts);
   return evaluation;
 }
 

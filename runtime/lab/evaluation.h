@@ -2,6 +2,10 @@
 // What the scripts of a pipeline give with some settings, and how to go on where the newest of them fail.
 #pragma once
 
+#include <map>
+#include <memory>
+
+#include "base/stamps.h"
 #include "lab/shot.h"
 
 namespace strobe::lab {
@@ -15,6 +19,32 @@ struct Evaluation {
 // Throws `Error`, with the places of the user's lines.
 Evaluation evaluated(const Home& home, const std::string& pipeline, const script::Settings& sets,
                      const script::Limits& limits);
+
+// Evaluations of the same pipelines with many settings, each as `evaluated` gives it: all but the first of a pipeline
+// fork from a process that has loaded its scripts, as long as none of these changes. To be asked by one thread at a
+// time.
+class Evaluator {
+ public:
+  // Both must outlive it.
+  Evaluator(const Home& home, const script::Limits& limits) : home_(home), limits_(limits) {}
+  Evaluation evaluate(const std::string& pipeline, const script::Settings& sets);
+
+ private:
+  // Of a pipeline, when it was evaluated first.
+  struct Loaded {
+    Stamps files;
+    script::Texts texts;
+  };
+
+  const Home& home_;
+  const script::Limits& limits_;
+  std::map<std::string, Loaded> loaded_;
+  std::unique_ptr<script::PipelineEvaluator> evaluator_;
+};
+
+// Whether files still hold what they held when they were evaluated.
+bool isCurrent(const std::vector<script::Dependency>& files);
+Stamps stampsOf(const std::vector<script::Dependency>& files);
 
 // An evaluation that may have failed; the following two never throw.
 struct Attempt {

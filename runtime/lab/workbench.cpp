@@ -146,17 +146,6 @@ graph::Backend Workbench::chooseBackend(const std::string& asked) const {
 
 // ---- scripts
 
-static Stamps stampsOf(const std::vector<script::Dependency>& files) {
-  Stamps stamps;
-  for (const auto& file : files) stamps.add(file.path);
-  return stamps;
-}
-
-static bool isCurrent(const std::vector<script::Dependency>& files) {
-  return std::all_of(files.begin(), files.end(),
-                     [](const auto& file) { return script::hashOfPath(file.path) == file.hash; });
-}
-
 std::shared_ptr<const Evaluation> Workbench::evaluate(const std::string& pipeline, const script::Settings& sets) {
   constexpr size_t kMost = 1024;
   std::string key = pipeline + settingsIdentity(sets, false);
@@ -165,7 +154,7 @@ std::shared_ptr<const Evaluation> Workbench::evaluate(const std::string& pipelin
   if (known != evaluated_.end()) evaluated_.erase(known);
   if (evaluated_.size() >= kMost) evaluated_.clear();
   ++evaluations_;
-  auto evaluation = std::make_shared<Evaluation>(evaluated(home_, pipeline, sets, limits));
+  auto evaluation = std::make_shared<Evaluation>(evaluator_.evaluate(pipeline, sets));
   // Stamps first, contents after: a change in between makes them differ.
   Stamps files = stampsOf(evaluation->scripts);
   if (isCurrent(evaluation->scripts)) evaluated_[key] = {std::move(files), evaluation};

@@ -115,6 +115,7 @@ class Workbench {
   std::shared_ptr<gpu::Device> device_;
   graph::PipelineCache cache_;
   std::list<KnownScene> scenes_;  // used last first
+  Evaluator evaluator_{home_, limits};
   std::map<std::string, KnownEvaluation> evaluated_;
   int evaluations_ = 0;
 };

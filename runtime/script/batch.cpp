@@ -200,7 +200,7 @@ class Arriving {
     result.too_long = head.at("too_long").get<bool>();
     result.output = std::move(body);
     auto shared = loaded_.find(loaded);
-    answers.push_back({std::move(result), shared == loaded_.end() ? nullptr : shared->second});
+    answers.push_back({std::move(result), shared == loaded_.end() ? nullptr : shared->second, false});
     return true;
   }
 
@@ -219,7 +219,7 @@ std::vector<Answer> Children::ask(Child& child, const std::vector<Json>& request
                                       [&](const std::string& text) { return arriving.take(text); });
   child.is_lost = arriving.answers.size() < requests.size();
   lost.output.clear();  // of what the child never came to
-  arriving.answers.resize(requests.size(), {lost, nullptr});
+  arriving.answers.resize(requests.size(), {lost, nullptr, true});
   return std::move(arriving.answers);
 }
 

@@ -338,6 +338,16 @@ std::vector<Outcome<plan::PipelineDesc>> PipelineEvaluator::evaluate(const std::
                                         });
 }
 
+plan::PipelineDesc PipelineEvaluator::evaluate(const PipelineRequest& request, std::vector<Dependency>* dependencies) {
+  const auto& [home, limits, children, shared] = *state_;
+  Main main = mainOf(home, request.name_or_path, "pipeline", request.texts);
+  const std::vector<Answer> answers = state_->children.answers({pipelineRequest(home, main, request, false, limits)});
+  const Answer& answer = answers.front();
+  if (answer.is_lost) return evaluatePipeline(home, request, dependencies, limits);
+  state_->shared.add(answers);
+  return pipelineOf(main, resultOf(main, answer.end, dependencies, limits), nullptr, shared.of(answer));
+}
+
 Json evaluateScene(const Home& home, const std::string& name_or_path, const Settings& sets,
                    std::vector<Dependency>* dependencies, const Limits& limits, const Texts& texts) {
   Main main = mainOf(home, name_or_path, "scene", texts);

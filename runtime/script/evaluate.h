@@ -81,8 +81,11 @@ class PipelineEvaluator {
   explicit PipelineEvaluator(const Home& home, const Limits& limits = {});
   ~PipelineEvaluator();
 
-  // In the order of `requests`. A file counts as it was when one of them was read first. To be asked by one thread.
+  // In the order of `requests`. A file counts as it was when it was read first for one of them. To be asked by one
+  // thread at a time.
   std::vector<Outcome<plan::PipelineDesc>> evaluate(const std::vector<PipelineRequest>& requests);
+  // One, with what `dependencies` is for `evaluatePipeline`.
+  plan::PipelineDesc evaluate(const PipelineRequest& request, std::vector<Dependency>* dependencies);
 
  private:
   struct State;

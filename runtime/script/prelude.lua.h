@@ -7,27 +7,29 @@ namespace strobe::script {
 
 inline constexpr const char* kPrelude = R"lua(
 local native = ...
-local raw_next, raw_format, raw_tostring, sort = next, string.format, tostring, table.sort
+local raw_next, raw_format, raw_tostring, sort, insert = next, string.format, tostring, table.sort, table.insert
 local type, error, pcall, rawget, rawset, getmetatable = type, error, pcall, rawget, rawset, getmetatable
 local setmetatable, select, unpack, find, stderr_write = setmetatable, select, table.unpack, string.find, native.write
 
-local function before(a, b)
-  if type(a) == type(b) and type(a) ~= "boolean" then return a < b end
-  return raw_tostring(type(a)) .. raw_tostring(a) < raw_tostring(type(b)) .. raw_tostring(b)
-end
-
+-- false, true, numbers, strings. Sorted kind by kind, which takes no call for each pair.
 local function ordered_keys(t)
-  local keys, first, mixed = {}, nil, false
+  local keys, strings = {}, {}
   for key in raw_next, t do
     local kind = type(key)
-    if kind ~= "number" and kind ~= "string" and kind ~= "boolean" then
+    if kind == "string" then
+      strings[#strings + 1] = key
+    elseif kind == "number" then
+      keys[#keys + 1] = key
+    elseif kind ~= "boolean" then
       error("keys of type " .. kind .. " have no fixed order; keep a list beside the table", 3)
     end
-    first = first or kind
-    mixed = mixed or kind ~= first or kind == "boolean"
-    keys[#keys + 1] = key
   end
-  if mixed then sort(keys, before) else sort(keys) end  -- of one kind: without a call for each pair
+  sort(keys)
+  if rawget(t, true) ~= nil then insert(keys, 1, true) end
+  if rawget(t, false) ~= nil then insert(keys, 1, false) end
+  sort(strings)
+  if #keys == 0 then return strings end
+  for i = 1, #strings do keys[#keys + 1] = strings[i] end
   return keys
 end
 

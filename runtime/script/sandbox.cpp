@@ -151,6 +151,25 @@ struct Sandbox::Callbacks {
     return 1;
   }
 
+  // native.has_other_keys(t, names): whether a table has a key that is not in a list.
+  static int hasOtherKeys(lua_State* lua) {
+    luaL_checktype(lua, 1, LUA_TTABLE);
+    luaL_checktype(lua, 2, LUA_TTABLE);
+    const auto count = lua_Integer(lua_rawlen(lua, 2));
+    for (lua_pushnil(lua); lua_next(lua, 1);) {
+      lua_pop(lua, 1);
+      bool found = false;
+      for (lua_Integer i = 1; i <= count && !found; ++i) {
+        lua_rawgeti(lua, 2, i);
+        found = lua_rawequal(lua, -1, -2);
+        lua_pop(lua, 1);
+      }
+      if (!found) return lua_pushboolean(lua, true), 1;
+    }
+    lua_pushboolean(lua, false);
+    return 1;
+  }
+
   // native.nearest(name, names): "; did you mean 'x'?" or "".
   static int nearest(lua_State* lua) {
     const char* name = luaL_tolstring(lua, 1, nullptr);
@@ -485,6 +504,7 @@ void Sandbox::loadPrelude() {
                                        {"key_place", Callbacks::keyPlace},
                                        {"return_place", Callbacks::returnPlace},
                                        {"reads_field", Callbacks::readsFieldAnywhere},
+                                       {"has_other_keys", Callbacks::hasOtherKeys},
                                        {"nearest", Callbacks::nearest},
                                        {"check_value", Callbacks::checkValue},
                                        {"formats", Callbacks::formats},

@@ -167,17 +167,22 @@ class Evaluation {
 
   void pipeline(const lab::Shot& shot) {
     if (!known_.insert(formOf(shot, false)).second) return;
-    collect(problems_, [&] { script::evaluatePipeline(home_, {shot.pipeline, shot.sets}); });
+    pipelines_.push_back({shot.pipeline, shot.sets});
   }
   void scene(lab::Shot shot) {
     if (!known_.insert("scene " + formOf(shot, true)).second) return;
     collect(problems_, [&] { lab::loadScene(home_, shot); });
+  }
+  void finish() {
+    for (auto& outcome : script::PipelineEvaluator(home_).evaluate(pipelines_))
+      collect(problems_, [&] { outcome.take(); });
   }
 
  private:
   const Home& home_;
   std::vector<std::string>& problems_;
   std::set<std::string> known_;
+  std::vector<script::PipelineRequest> pipelines_;
 };
 
 void evaluateAll(const Home& home, const Experiment& experiment, std::vector<std::string>& problems) {
@@ -195,6 +200,7 @@ void evaluateAll(const Home& home, const Experiment& experiment, std::vector<std
     if (experiment.full_truth) evaluation.pipeline(truthShotOf(experiment, group, *experiment.full_truth));
     if (experiment.shots[group.shot].missing.empty()) evaluation.scene(truth);
   }
+  evaluation.finish();
 }
 
 void check(const Home& home, const Experiment& experiment, const std::string& file, bool evaluate) {

@@ -65,6 +65,7 @@ end
 
 -- Reports every key of `t` that is not in `known`. `path` leads from the call at `place` to `t`.
 function check.keys(problems, t, known, place, what, path)
+  if type(t) == "table" and not native.has_other_keys(t, known) then return end
   path = path or {}
   for key in pairs(t) do
     if not check.contains(known, key) then

@@ -135,14 +135,24 @@ end
 
 -- ---- calls
 
+local argument_names = setmetatable({}, { __mode = "k" })  -- by pass
+
+local function argument_names_of(pass)
+  local known = argument_names[pass]
+  if known then return known end
+  known = { "as", "time" }
+  for _, list in ipairs { pass.reads, pass.params } do
+    for _, one in ipairs(list) do known[#known + 1] = one.name end
+  end
+  argument_names[pass] = known
+  return known
+end
+
 local function check_argument_names(problems, pass, arguments, place)
+  local known = argument_names_of(pass)
+  if not native.has_other_keys(arguments, known) then return end
   for key in pairs(arguments) do
-    local is_known = key == "as" or key == "time" or param.find(pass.reads, key) or param.find(pass.params, key)
-    if not is_known then
-      local known = { "as", "time" }
-      for _, list in ipairs { pass.reads, pass.params } do
-        for _, one in ipairs(list) do known[#known + 1] = one.name end
-      end
+    if not check.contains(known, key) then
       local near = type(key) == "string" and native.nearest(key, known) or "; name the port: port = image"
       local at = native.key_place(place, key)
       problems:add(at, "pass '%s' has no input or parameter %s%s", pass.name, check.quoted(key), near)

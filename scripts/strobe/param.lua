@@ -180,7 +180,7 @@ function param.declare(problems, name, declared, at, owner)
     problems:add(at, "%s is not a name for a parameter (a-z, then a-z, 0-9 and _)", check.quoted(name))
     return nil
   end
-  local what = ("parameter '%s' of %s"):format(name, owner)
+  local what = "parameter '" .. name .. "' of " .. owner
   if not param.is_param(declared) then
     problems:add(at, "%s is a %s; declare it with int { }, float { }, bool { } or choice { }", what, type(declared))
     return nil

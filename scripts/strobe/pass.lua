@@ -63,7 +63,7 @@ local function declare_reads(problems, t, place, owner)
   for name, port in pairs(t.reads or {}) do
     local at = native.key_place(place, "reads", name)
     if is_port_table(problems, name, port, at, "a read of " .. owner) then
-      local what = ("read '%s' of %s"):format(name, owner)
+      local what = "read '" .. name .. "' of " .. owner
       check.keys(problems, port, pass.read_keys, place, what, { "reads", name })
       local result = { name = name, place = at, doc = check.doc(problems, port, place, what, { "reads", name }) }
       for _, key in ipairs { "uint", "optional", "linear", "buffer" } do
@@ -166,8 +166,8 @@ local function declare_writes(problems, t, key, params, kind, place, owner)
   local list = {}
   for name, port in pairs(t[key] or {}) do
     local at = native.key_place(place, key, name)
-    if is_port_table(problems, name, port, at, ("%s of %s"):format(key, owner)) then
-      local what = ("'%s' of the %s of %s"):format(name, key, owner)
+    if is_port_table(problems, name, port, at, key .. " of " .. owner) then
+      local what = "'" .. name .. "' of the " .. key .. " of " .. owner
       check.keys(problems, port, key == "updates" and pass.update_keys or pass.write_keys, place, what, { key, name })
       for _, flag in ipairs { "history", "cleared" } do
         if port[flag] ~= nil then check.field(problems, port, flag, "boolean", place, what, { key, name }) end

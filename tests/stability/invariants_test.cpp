@@ -30,7 +30,7 @@ std::vector<Share> shares() {
   for (const std::string& name : home().namesIn("scripts/pipelines", ".lua")) {
     std::string text = readText(home().at("scripts/pipelines/" + name + ".lua"));
     bool few = text.find("presets") == std::string::npos;
-    for (int i = 0; i < (few ? 1 : 6); ++i) list.push_back({name, i, few ? 1 : 6, few ? 4 : 16});
+    for (int i = 0; i < (few ? 1 : 4); ++i) list.push_back({name, i, few ? 1 : 4, few ? 4 : 16});
   }
   return list;
 }
