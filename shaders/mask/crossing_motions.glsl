@@ -78,8 +78,11 @@ bool crossesWithin(Cell own, vec2 b, float t) {
 }
 
 bool crosses(Cell own, vec2 b) {
-  if (frame.shutter.x < 0.0 && crossesWithin(own, b, frame.shutter.x)) return true;
-  return frame.shutter.y > 0.0 && crossesWithin(own, b, frame.shutter.y);
+  for (int side = 0; side < 2; ++side) {
+    float t = side == 0 ? min(frame.shutter.x, 0.0) : max(frame.shutter.y, 0.0);
+    if (t != 0.0 && crossesWithin(own, b, t)) return true;
+  }
+  return false;
 }
 
 // Those that count, in order; `asked` has those that were looked at.
@@ -103,16 +106,12 @@ Motions with(Motions motions, Cell own, vec2 b) {
   return motions;
 }
 
-Motions withPair(Motions motions, Cell own, vec4 pair) {
-  motions = with(motions, own, vec2(pair.x, pair.y));
-  return with(motions, own, vec2(pair.z, pair.w));
-}
-
 Motions withTile(Motions motions, Cell own, ivec2 tile) {
-  motions = withPair(motions, own, texelFetch(motions_0_tex, tile, 0));
-  motions = withPair(motions, own, texelFetch(motions_1_tex, tile, 0));
-  motions = withPair(motions, own, texelFetch(motions_2_tex, tile, 0));
-  return withPair(motions, own, texelFetch(motions_3_tex, tile, 0));
+  vec4 pairs[kMaxMotions / 2] = vec4[kMaxMotions / 2](texelFetch(motions_0_tex, tile, 0), texelFetch(motions_1_tex, tile, 0),
+                                                      texelFetch(motions_2_tex, tile, 0), texelFetch(motions_3_tex, tile, 0));
+  for (int i = 0; i < kMaxMotions; ++i)
+    motions = with(motions, own, (i & 1) == 0 ? pairs[i / 2].xy : pairs[i / 2].zw);
+  return motions;
 }
 
 void run(ivec2 cell) {
@@ -121,10 +120,11 @@ void run(ivec2 cell) {
   motions.count = motions.asked_count = 0;
   // One tile, unless the cell lies across the border of some.
   ivec2 from = own.first / params.tile, to = own.last / params.tile;
-  motions = withTile(motions, own, from);
-  if (to.x != from.x) motions = withTile(motions, own, ivec2(to.x, from.y));
-  if (to.y != from.y) motions = withTile(motions, own, ivec2(from.x, to.y));
-  if (to.x != from.x && to.y != from.y) motions = withTile(motions, own, to);
+  for (int k = 0; k < 4; ++k) {  // in a loop: each copy of what a motion crosses takes long to compile
+    bool is_right = (k & 1) != 0, is_below = (k & 2) != 0;
+    if ((is_right && to.x == from.x) || (is_below && to.y == from.y)) continue;
+    motions = withTile(motions, own, ivec2(is_right ? to.x : from.x, is_below ? to.y : from.y));
+  }
   for (int i = motions.count; i < kMaxMotions; ++i) motions.d[i] = vec2(kNoMotion);
 
   imageStore(crossing_0_img, cell, vec4(motions.d[0], motions.d[1]));

@@ -61,8 +61,7 @@ vec2 uvAlong(Surface surface, vec3 direction_ws, vec2 uv_edge1, vec2 uv_edge2) {
 vec4 sampleTexture(SceneTextureUse use, Surface surface, mat2x3 footprint_ws) {
   if (use.texture < 0) return vec4(1);
   vec2 uv = transformedUv(use, surface.uv0, surface.uv1);
-  if (textureQueryLevels(scene_textures[nonuniformEXT(use.texture)]) == 1)
-    return textureLod(scene_textures[nonuniformEXT(use.texture)], uv, 0.0);
+  bool is_plain = textureQueryLevels(scene_textures[nonuniformEXT(use.texture)]) == 1;
   vec2 edge1 = use.uv_set == 0u ? surface.uv0_edge1 : surface.uv1_edge1;
   vec2 edge2 = use.uv_set == 0u ? surface.uv0_edge2 : surface.uv1_edge2;
   edge1 = use.u * edge1.x + use.v * edge1.y;
@@ -74,12 +73,11 @@ vec4 sampleTexture(SceneTextureUse use, Surface surface, mat2x3 footprint_ws) {
   bool right_longer = right_texels >= down_texels;
   float longer = max(right_texels, down_texels), shorter = min(right_texels, down_texels);
   vec2 axis = right_longer ? uv_right : uv_down;
-  int taps = clamp(int(ceil(longer / max(shorter, 1.0))), 1, int(use.most_taps));
-  float level = log2(max(longer / float(taps), 1e-6));
-  if (taps == 1) return textureLod(scene_textures[nonuniformEXT(use.texture)], uv, level);
+  int taps = is_plain ? 1 : clamp(int(ceil(longer / max(shorter, 1.0))), 1, int(use.most_taps));
+  float level = is_plain ? 0.0 : log2(max(longer / float(taps), 1e-6));
   vec4 sum = vec4(0);
   for (int i = 0; i < taps; ++i) {
-    vec2 tap = uv + axis * ((float(i) + 0.5) / float(taps) - 0.5);
+    vec2 tap = taps == 1 ? uv : uv + axis * ((float(i) + 0.5) / float(taps) - 0.5);
     sum += textureLod(scene_textures[nonuniformEXT(use.texture)], tap, level);
   }
   return sum / float(taps);
