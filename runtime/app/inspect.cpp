@@ -139,7 +139,7 @@ void checkPipelines(const Home& home, const std::vector<script::PipelineRequest>
     forEachOnAllCores(all.size(), [&](size_t i) {
       try {
         if (all[i].value) addPlans(*all[i].value, shaders);
-      } catch (const Error&) {
+      } catch (...) {
         all[i].error = std::current_exception();
       }
     });

@@ -273,9 +273,7 @@ void ShaderCheck::add(const plan::Plan& plan, Backend backend) {
     std::string key = fmt::format("{}|{}|{}|{}", pass.name, pass.shader, int(pass.kind), textOf(in));
     std::lock_guard lock(mutex_);
     if (!noted_.insert(key).second) continue;
-    // Shared stages are the same for all passes that have the same in front of them.
-    bool first = hasStages(in) && noted_.insert(preamble(in, Stage::Miss)).second;
-    jobs_[fmt::format("{}|{}", pass.shader, int(pass.kind))].push_back({in, pass, first});
+    jobs_[fmt::format("{}|{}", pass.shader, int(pass.kind))].push_back({in, pass, key});
   }
 }
 
@@ -290,7 +288,7 @@ std::set<std::string> ShaderCheck::problemsOf(const std::vector<Job>& jobs) cons
       problems.insert(error.what());
     }
   };
-  for (const auto& [in, pass, with_shared] : jobs) {
+  for (const auto& [in, pass, key, with_shared] : jobs) {
     auto compile = [&, &in = in](const std::vector<StageFile>& stages) {
       for (const auto& [file, stage] : stages) compilePass(home_, in, file, stage, shader::Output::None, &sources_);
     };
@@ -315,7 +313,13 @@ std::set<std::string> ShaderCheck::problemsOf(const Shaders& shaders) const {
 
 void ShaderCheck::start() {
   Shaders shaders;
-  for (auto& [shader, jobs] : jobs_) shaders.push_back(std::move(jobs));
+  for (auto& [shader, jobs] : jobs_) {
+    std::sort(jobs.begin(), jobs.end(), [](const Job& a, const Job& b) { return a.key < b.key; });
+    // Shared stages are the same for all passes that have the same in front of them.
+    for (Job& job : jobs)
+      job.with_shared = hasStages(job.interface) && noted_.insert(preamble(job.interface, Stage::Miss)).second;
+    shaders.push_back(std::move(jobs));
+  }
   jobs_.clear();
   started_.push_back(
       std::async(std::launch::async, [this, shaders = std::move(shaders)] { return problemsOf(shaders); }));

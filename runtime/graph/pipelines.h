@@ -74,7 +74,8 @@ class ShaderCheck {
   struct Job {
     shader::Interface interface;
     plan::PassDesc pass;
-    bool with_shared;  // the stages that passes share as well
+    std::string key;
+    bool with_shared = false;  // the stages that passes share as well
   };
   using Shaders = std::vector<std::vector<Job>>;
   std::set<std::string> problemsOf(const std::vector<Job>& jobs) const;
