@@ -2,6 +2,7 @@
 #include "lab/evaluation.h"
 
 #include <algorithm>
+#include <set>
 
 #include "base/hash.h"
 #include "base/log.h"
@@ -55,6 +56,19 @@ bool isCurrent(const std::vector<script::Dependency>& files) {
                      [](const auto& file) { return script::hashOfPath(file.path) == file.hash; });
 }
 
+// The files, and the folders of all roots in which one may appear that takes the place of another.
+static Stamps stampsOfPlaces(const Home& home, const std::vector<script::Dependency>& files) {
+  Stamps stamps = stampsOf(files);
+  std::set<Path> folders;
+  for (const auto& file : files) {
+    folders.insert(file.path.parent_path());
+    if (auto name = home.nameOf(file.path))
+      for (const Path& place : home.places(Path(*name).parent_path())) folders.insert(place);
+  }
+  for (const Path& folder : folders) stamps.add(folder);
+  return stamps;
+}
+
 Evaluation Evaluator::evaluate(const std::string& pipeline, const script::Settings& sets) {
   auto loaded = loaded_.find(pipeline);
   if (loaded != loaded_.end() && !loaded->second.files.current()) {
@@ -64,11 +78,14 @@ Evaluation Evaluator::evaluate(const std::string& pipeline, const script::Settin
   }
   if (loaded == loaded_.end()) {
     Evaluation first = evaluated(home_, pipeline, sets, limits_);
-    Stamps files = stampsOf(first.scripts);
+    Stamps files = stampsOfPlaces(home_, first.scripts);
     if (isCurrent(first.scripts)) loaded_[pipeline] = {std::move(files), first.texts};
     return first;
   }
-  if (!evaluator_) evaluator_ = std::make_unique<script::PipelineEvaluator>(home_, limits_);
+  if (!evaluator_ || within_ != limits_) {
+    within_ = limits_;
+    evaluator_ = std::make_unique<script::PipelineEvaluator>(home_, limits_);
+  }
   Evaluation evaluation;
   evaluation.pipeline = evaluator_->evaluate({pipeline, sets}, &evaluation.scripts);
   evaluation.texts = textsOf(evaluation.scripts, {}, loaded->second.texts);

@@ -21,8 +21,8 @@ Evaluation evaluated(const Home& home, const std::string& pipeline, const script
                      const script::Limits& limits);
 
 // Evaluations of the same pipelines with many settings, each as `evaluated` gives it: all but the first of a pipeline
-// fork from a process that has loaded its scripts, as long as none of these changes. To be asked by one thread at a
-// time.
+// fork from a process that has loaded its scripts, as long as none of these changes and no file comes beside them. To
+// be asked by one thread at a time.
 class Evaluator {
  public:
   // Both must outlive it.
@@ -39,6 +39,7 @@ class Evaluator {
   const Home& home_;
   const script::Limits& limits_;
   std::map<std::string, Loaded> loaded_;
+  script::Limits within_;  // of the next
   std::unique_ptr<script::PipelineEvaluator> evaluator_;
 };
 

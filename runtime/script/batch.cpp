@@ -142,7 +142,10 @@ class Loader {
     }
     ::close(asks[0]), ::close(says[1]);
     asks_ = asks[1], says_ = says[0];
-    return isDone();
+    if (isDone()) return true;
+    ::close(asks_), ::close(says_);
+    while (::waitpid(loader, nullptr, 0) < 0 && errno == EINTR) continue;
+    return false;
   }
 
   // False: it has ended without an answer.
@@ -215,7 +218,7 @@ class Arriving {
 std::vector<Answer> Children::ask(Child& child, const std::vector<Json>& requests) const {
   const Json batch = {{"batch", requests}, {"wall_s", limits_.wall_s}};
   Arriving arriving(requests.size(), child.loaded);
-  ProgramEnd lost = child.program.ask(textOf(batch) + "\n", limits_.wall_s * double(requests.size()),
+  ProgramEnd lost = child.program.ask(textOf(batch) + "\n", limits_.wall_s * double(requests.size() + 1),
                                       [&](const std::string& text) { return arriving.take(text); });
   child.is_lost = arriving.answers.size() < requests.size();
   lost.output.clear();  // of what the child never came to

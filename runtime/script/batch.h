@@ -21,7 +21,7 @@ namespace strobe::script {
 struct Answer {
   ProgramEnd end;                             // as `runChild` gives it
   std::shared_ptr<const std::string> shared;  // what was loaded for it and others alike; null where nothing was
-  bool is_lost = false;                       // the child ended ahead of it, whatever the request was
+  bool is_lost = false;                       // the child ended without it, or was ended after too long
 };
 
 // As many children as the machine has cores share the requests. What they loaded for some, they keep for later ones: a

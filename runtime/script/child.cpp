@@ -72,6 +72,13 @@ void startTimer(double cpu_s) {
   ::setitimer(ITIMER_PROF, &timer, nullptr);
 }
 
+// A process that has loaded scripts serves as long as it is asked.
+void stopTimer() {
+  const itimerval none{};
+  ::setitimer(ITIMER_PROF, &none, nullptr);
+  lua_sethook(g_sandbox->state(), nullptr, 0, 0);
+}
+
 // The sandbox of this process; there is never more than one.
 Sandbox& sandboxFor(const Json& request) {
   g_cpu_s = request.at("cpu_s").get<double>();
@@ -98,6 +105,7 @@ std::optional<std::string> load(const Json& request) {
   g_loading = true;
   Json passes;
   bool loaded = sandboxFor(request).run("load", {}, passes);
+  stopTimer();
   g_loading = false;
   if (!loaded) return std::nullopt;
   g_sandbox->prepareSources();

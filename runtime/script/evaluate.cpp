@@ -343,7 +343,8 @@ plan::PipelineDesc PipelineEvaluator::evaluate(const PipelineRequest& request, s
   Main main = mainOf(home, request.name_or_path, "pipeline", request.texts);
   const std::vector<Answer> answers = state_->children.answers({pipelineRequest(home, main, request, false, limits)});
   const Answer& answer = answers.front();
-  if (answer.is_lost) return evaluatePipeline(home, request, dependencies, limits);
+  if (answer.is_lost && !answer.end.timed_out) return evaluatePipeline(home, request, dependencies, limits);
+  if (dependencies) *dependencies = {{main.file, main.shown, hashOfPath(main.file)}};
   state_->shared.add(answers);
   return pipelineOf(main, resultOf(main, answer.end, dependencies, limits), nullptr, shared.of(answer));
 }

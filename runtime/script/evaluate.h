@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Lua files to plain data. Every call evaluates in a fresh child process (the program starting itself) with limits on
-// processor time, memory and wall clock; what comes back is validated before anything uses it. Drawing needs no Lua.
+// Lua files to plain data. Every call evaluates in a child process of its own (the program starting itself, or for a
+// `PipelineEvaluator` a copy of one that has loaded the scripts) with limits on processor time, memory and wall clock;
+// what comes back is validated before anything uses it. Drawing needs no Lua.
 #pragma once
 
 #include <exception>
@@ -41,6 +42,7 @@ struct Limits {
   double cpu_s = 5;     // processor time
   double wall_s = 10;   // until the child is killed in any case
   int memory_mb = 256;  // of Lua's heap; the address space of the child is limited to twice that
+  bool operator==(const Limits&) const = default;
 };
 
 struct PipelineRequest {

@@ -37,10 +37,7 @@ struct Expected {
   WaitingProgram program;
 
   Expected(const Path& path, const Limits& limits) : path(path), limits(limits), program(childOf(path, limits)) {}
-  bool serves(const Path& wanted, const Limits& within) const {
-    return path == wanted && limits.cpu_s == within.cpu_s && limits.wall_s == within.wall_s &&
-           limits.memory_mb == within.memory_mb;
-  }
+  bool serves(const Path& wanted, const Limits& within) const { return path == wanted && limits == within; }
 };
 
 struct AllExpected {

@@ -173,6 +173,7 @@ class Evaluation {
     if (!known_.insert("scene " + formOf(shot, true)).second) return;
     collect(problems_, [&] { lab::loadScene(home_, shot); });
   }
+  // Of pipelines after those of scenes.
   void finish() {
     for (auto& outcome : script::PipelineEvaluator(home_).evaluate(pipelines_))
       collect(problems_, [&] { outcome.take(); });

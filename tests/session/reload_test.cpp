@@ -61,6 +61,23 @@ TEST_F(ReloadTest, EveryWayOfSavingIsSeen) {
   EXPECT_FALSE(session.reload(true)) << "the same text is no change";
 }
 
+TEST_F(ReloadTest, TheDriverKeepsWhatCompilesToTheSameCode) {
+  Session session(bench(), smallShot("mcguire2012"));
+  auto gather = [&] { return session.running().graph().pipelines().at("gather"); };
+  const std::string picture = colorHash(session);
+  auto before = gather();
+  home_.edit(kGather, "\n", "\n// Edited.\n");
+  EXPECT_TRUE(session.reload(true));
+  EXPECT_NE(gather(), before);
+  EXPECT_EQ(gather()->driver, before->driver);
+  EXPECT_EQ(colorHash(session), picture);
+  home_.edit(kGather, "float all = 1.0 /", "float all = 2.0 /");
+  EXPECT_TRUE(session.reload(true));
+  EXPECT_NE(gather()->driver, before->driver);
+  EXPECT_NE(colorHash(session), picture);
+  expectColdStart(session, "after an edit that changes the code");
+}
+
 TEST_F(ReloadTest, AFileStillBeingWrittenIsLeftAlone) {
   Session session(bench(), smallShot("mcguire2012"));
   session.reload(false);

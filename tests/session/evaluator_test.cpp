@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// Evaluations that fork from a process which has loaded the scripts are those of a process of their own.
+#include <thread>
+
+#include "plan/description.h"
+#include "session/home.h"
+
+namespace strobe::session {
+namespace {
+
+using lab::Evaluation;
+using script::Settings;
+
+const char* const kPass = "passes/gather/mcguire2012.lua";
+
+std::string textOf(const Evaluation& evaluation) {
+  std::string text = toJson(evaluation.pipeline).dump();
+  for (const script::Dependency& file : evaluation.scripts) text += fmt::format("\n{} {}", file.shown, file.hash);
+  for (const auto& [path, source] : evaluation.texts) text += fmt::format("\n{} {}", path, source.size());
+  return text;
+}
+
+template <class Evaluate>
+std::string textOrError(const Evaluate& evaluate) {
+  try {
+    return textOf(evaluate());
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+class EvaluatorTest : public SessionTest {
+ protected:
+  std::string forked(const std::string& pipeline, const Settings& sets) {
+    return textOrError([&] { return evaluator_.evaluate(pipeline, sets); });
+  }
+  std::string alone(const std::string& pipeline, const Settings& sets) {
+    return textOrError([&] { return lab::evaluated(EditableHome::home(), pipeline, sets, limits_); });
+  }
+
+  const Home the_home_ = EditableHome::home();
+  script::Limits limits_;
+  lab::Evaluator evaluator_{the_home_, limits_};
+};
+
+TEST_F(EvaluatorTest, OtherSettingsGiveWhatAProcessOfTheirOwnGives) {
+  const std::vector<Settings> some = {{},
+                                      {{"samples", int64_t{4}}},
+                                      {{"samples", std::string("many")}},
+                                      {{"nothing", true}},
+                                      {{"preset", std::string("seed")}}};
+  for (int round = 0; round < 2; ++round)
+    for (const char* pipeline : {"mcguire2012", "hybrid", "nowhere"})
+      for (const Settings& sets : some) EXPECT_EQ(forked(pipeline, sets), alone(pipeline, sets)) << pipeline;
+}
+
+TEST_F(EvaluatorTest, AChangedFileCounts) {
+  for (int i = 0; i < 3; ++i) {
+    for (int64_t samples : {3, 4, 5})
+      EXPECT_EQ(forked("mcguire2012", {{"samples", samples}}), alone("mcguire2012", {{"samples", samples}}));
+    const std::string before = forked("mcguire2012", {});
+    home_.edit(kPass, "doc    = \"", "doc    = \"edited ", i == 0 ? Save::InPlace : Save::Rename);
+    EXPECT_NE(forked("mcguire2012", {}), before);
+  }
+  home_.write(kPass, "return nil +");
+  EXPECT_EQ(forked("mcguire2012", {}), alone("mcguire2012", {}));
+}
+
+TEST_F(EvaluatorTest, ServesLongerThanAScriptMayRun) {
+  limits_.cpu_s = 0.1;
+  const std::string once = alone("mcguire2012", {});
+  for (int i = 0; i < 400 && !HasFailure(); ++i) EXPECT_EQ(forked("mcguire2012", {}), once) << i;
+  limits_.cpu_s = 0.001;
+  EXPECT_NE(forked("mcguire2012", {}).find("more than 0.001 s"), std::string::npos);
+  limits_ = {};
+  EXPECT_EQ(forked("mcguire2012", {}), once);
+}
+
+TEST_F(EvaluatorTest, AFileThatTakesAnothersPlaceCounts) {
+  const Path project = testing::TempDir() + "evaluator_project";
+  std::filesystem::remove_all(project);
+  std::filesystem::create_directories(project);
+  writeFileAtomically(project / Home::kProjectFile, std::string_view(""));
+  const Home home(EditableHome::home(), {project, EditableHome::home().shipped()}, {});
+  lab::Evaluator evaluator(home, limits_);
+  auto text = [&] { return textOrError([&] { return evaluator.evaluate("mcguire2012", {}); }); };
+  auto expectFresh = [&] {
+    EXPECT_EQ(text(), textOrError([&] { return lab::evaluated(home, "mcguire2012", {}, limits_); }));
+  };
+  for (int i = 0; i < 2; ++i) expectFresh();
+  for (const auto& [own, shipped] : {std::pair<std::string, std::string>("passes/gather/mcguire2012.lua", kPass),
+                                     {"pipelines/mcguire2012.lua", "scripts/pipelines/mcguire2012.lua"}}) {
+    const std::string before = text();
+    std::filesystem::create_directories((project / own).parent_path());
+    for (const std::string edit : {"", "-- again\n"}) {
+      writeFileAtomically(project / own, "-- replaces = true\n" + edit + home_.read(shipped));
+      for (int i = 0; i < 3; ++i) expectFresh();
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      for (int i = 0; i < 3; ++i) expectFresh();
+    }
+    EXPECT_NE(text(), before);
+  }
+  std::filesystem::remove_all(project);
+}
+
+// What was loaded ends with the thread that asked first.
+TEST_F(EvaluatorTest, AnotherThreadMayGoOn) {
+  const std::string once = forked("mcguire2012", {});
+  std::thread([&] { EXPECT_EQ(forked("mcguire2012", {}), once); }).join();
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(forked("mcguire2012", {}), once);
+}
+
+}  // namespace
+}  // namespace strobe::session
