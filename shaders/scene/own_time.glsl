@@ -114,11 +114,10 @@ void run(ivec2 pixel) {
   if (hasParts(open) || audited) {
     Ground ground = groundAt(pixel);
     // What is audited, then what is open: in one loop, since each copy of what is seen takes seconds to compile.
-    vec4 said = seen;
     for (int round = audited ? 0 : 1; round < (hasParts(open) ? 2 : 1); ++round) {
       bool is_open = round == 1;
       vec3 mean = meanOf(pixel, is_open ? open : all_times & ~open, ground);
-      if (!is_open) audit(said, mean);
+      if (!is_open) audit(seen, mean);
       if (is_open) count_samples(uint(countParts(open)));
       if (is_open) seen.rgb += (1.0 - seen.a) * mean;
     }
