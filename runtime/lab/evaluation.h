@@ -39,7 +39,7 @@ class Evaluator {
   const Home& home_;
   const script::Limits& limits_;
   std::map<std::string, Loaded> loaded_;
-  script::Limits within_;  // of the next
+  script::Limits within_;  // those of `evaluator_`
   std::unique_ptr<script::PipelineEvaluator> evaluator_;
 };
 

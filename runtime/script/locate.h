@@ -17,8 +17,6 @@ class Source {
   Source(const Source&) = delete;
   Source& operator=(const Source&) = delete;
 
-  const std::string& text() const { return text_; }
-
   // Reads it ahead of the questions.
   void prepare() const;
 
