@@ -238,12 +238,13 @@ class Compiler {
       uses.push_back(imageUse(image, shader, buffer ? kAccessStorageRead : kAccessSampledRead));
     }
     if (node.over >= 0) uses.push_back(imageUse(node.over, kStageIndirect, kAccessIndirectRead));
+    const bool raster = kind == PassDesc::Kind::Raster;
+    const uint32_t read_write = kAccessStorageRead | kAccessStorageWrite;
     for (int image : node.writes) {
-      bool raster = kind == PassDesc::Kind::Raster;
+      const bool adds = isBuffer(plan_.images[image].format);  // to what it was cleared to
       uses.push_back(raster ? imageUse(image, kStageColor, kAccessColorWrite)
-                            : imageUse(image, shader, kAccessStorageWrite));
+                            : imageUse(image, shader, adds ? read_write : kAccessStorageWrite));
     }
-    uint32_t read_write = kAccessStorageRead | kAccessStorageWrite;
     for (int image : node.updates) uses.push_back(imageUse(image, shader, read_write));
     if (node.depth >= 0) uses.push_back(imageUse(node.depth, kStageDepth, kAccessDepthRead | kAccessDepthWrite));
     if (node.counters) uses.push_back(counterUse(index, shader, read_write));

@@ -322,6 +322,18 @@ TEST(Barriers, WhatALoopOnlyReadsNeedsOneBarrier) {
   EXPECT_EQ(before(plan, "add", "first.x", &Step::barriers_next).size(), 0u);
 }
 
+// What is added to a buffer with atomics is added to what it was cleared to: it is read, too.
+TEST(Barriers, WhoWritesABufferReadsWhatItWasClearedTo) {
+  Builder b;
+  b.compute("count", {}, {"x buffer32ui"});
+  b.compute("use", {{"x", "count.x"}}, {"y"});
+  b.output("color", "use.y");
+  expectExact(b.pipeline);
+  std::vector<Found> expected = {{kStageTransfer, kAccessTransferWrite, kStageCompute, kStorageReadWrite,
+                                  Hazard::ReadAfterWrite, false, false}};
+  EXPECT_EQ(before(compiled(b.pipeline), "count", "count.x"), expected);
+}
+
 // The copy of the stop condition must be over before the next iteration writes it again.
 TEST(Barriers, StopConditionIsReadBackInEachIteration) {
   Builder b;
