@@ -23,18 +23,23 @@ Ray cameraRay(uint slice, vec2 position_px) {
 // The sample position of a pixel of this frame.
 vec2 samplePosition(ivec2 pixel) { return vec2(pixel) + 0.5 + frame.subpixel; }
 
+// From here on `precise`: a device that contracts a product and a difference to one rounding may do so at one end of a path
+// and not at the other, and then what stands still moves by some millionths of a pixel.
+
 // View space: x right, y up, z the view depth (positive in front).
 vec3 viewFromWorld(uint slice, vec3 position_ws) {
   SceneCamera camera = scene_cameras[slice];
   vec3 offset = position_ws - camera.position;
-  return vec3(dot(offset, camera.right), dot(offset, camera.up), dot(offset, camera.forward));
+  precise vec3 position_vs = vec3(dot(offset, camera.right), dot(offset, camera.up), dot(offset, camera.forward));
+  return position_vs;
 }
 
 vec2 pixelFromView(uint slice, vec3 position_vs) {
   SceneCamera camera = scene_cameras[slice];
   float scale = camera.orthographic != 0u ? 1.0 : position_vs.z;
-  vec2 ndc = position_vs.xy / (scale * camera.half_extent);
-  return vec2(0.5 + 0.5 * ndc.x, 0.5 - 0.5 * ndc.y) * vec2(frame.size);
+  precise vec2 ndc = position_vs.xy / (scale * camera.half_extent);
+  precise vec2 position_px = vec2(0.5 + 0.5 * ndc.x, 0.5 - 0.5 * ndc.y) * vec2(frame.size);
+  return position_px;
 }
 
 // Has this invocation extrapolated a path from the near plane?
@@ -47,7 +52,8 @@ vec2 pathFromCapture(vec3 capture_vs, uint slice, vec3 other_vs, float near) {
   bool in_front = scene_cameras[slice].orthographic != 0u || other_vs.z >= near || capture_vs.z <= near;
   if (in_front) {
     if (scene_cameras[slice].orthographic == 0u) other_vs.z = max(other_vs.z, near);
-    return pixelFromView(slice, other_vs) - start;
+    precise vec2 path = pixelFromView(slice, other_vs) - start;
+    return path;
   }
   met_near_plane = true;
   float s = (capture_vs.z - near) / (capture_vs.z - other_vs.z);
