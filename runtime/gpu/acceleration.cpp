@@ -127,19 +127,20 @@ TopLevel::TopLevel(const Device& device, const std::string& name, uint32_t capac
   scratch_ = scratchBuffer(device, name, sizes.buildScratchSize);
 }
 
-void TopLevel::recordBuild(VkCommandBuffer commands, uint32_t count) const {
-  VkAccelerationStructureGeometryKHR geometry;
-  VkAccelerationStructureBuildGeometryInfoKHR info = buildInfo(geometry);
-  info.dstAccelerationStructure = structure_.handle();
-  info.scratchData.deviceAddress = alignedScratch(*device_, scratch_);
+void TopLevel::recordBuilds(VkCommandBuffer commands, std::span<const TopLevel> levels, uint32_t count) {
+  if (levels.empty()) return;
   VkAccelerationStructureBuildRangeInfoKHR range{};
   range.primitiveCount = count;
-  const VkAccelerationStructureBuildRangeInfoKHR* ranges = &range;
-  device_->vk().CmdBuildAccelerationStructuresKHR(commands, 1, &info, &ranges);
-  recordBarrier(
-      *device_, commands,
-      {VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR, VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR},
-      {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR});
+  std::vector<VkAccelerationStructureGeometryKHR> geometries(levels.size());
+  std::vector<VkAccelerationStructureBuildGeometryInfoKHR> infos;
+  for (size_t i = 0; i < levels.size(); ++i) {
+    infos.push_back(levels[i].buildInfo(geometries[i]));
+    infos.back().dstAccelerationStructure = levels[i].structure_.handle();
+    infos.back().scratchData.deviceAddress = alignedScratch(*levels[i].device_, levels[i].scratch_);
+  }
+  const std::vector<const VkAccelerationStructureBuildRangeInfoKHR*> ranges(levels.size(), &range);
+  levels[0].device_->vk().CmdBuildAccelerationStructuresKHR(commands, uint32_t(infos.size()), infos.data(),
+                                                            ranges.data());
 }
 
 }  // namespace strobe::gpu

@@ -3,6 +3,7 @@
 // that a frame needs.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -66,8 +67,9 @@ class TopLevel {
   VkAccelerationStructureKHR handle() const { return structure_.handle(); }
   // What the next build reads: a VkAccelerationStructureInstanceKHR each.
   const Buffer& instances() const { return instances_; }
-  // Records the build of the first `count` instances and the barrier that lets every later stage trace.
-  void recordBuild(VkCommandBuffer commands, uint32_t count) const;
+  // Records the builds of several at once, each over its first `count` instances, alone: whoever traces them waits for
+  // that. They were made with room for as many.
+  static void recordBuilds(VkCommandBuffer commands, std::span<const TopLevel> levels, uint32_t count);
 
  private:
   VkAccelerationStructureBuildGeometryInfoKHR buildInfo(VkAccelerationStructureGeometryKHR& geometry) const;

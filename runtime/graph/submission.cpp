@@ -14,14 +14,14 @@ Submission::Submission(const gpu::Device& device, const world::GpuScene& scene, 
 }
 
 void Submission::submit(size_t frame, const Part& part) {
-  if (device_.info().software && frames_.size() == 1) runStepwise(frame, part);
+  if (isStepwise()) runStepwise(frame, part);
   else submitStamped(frames_[frame], part);
 }
 
 // What the host wrote, and the structures over it.
 void Submission::recordScene(VkCommandBuffer commands, Frame& frame, const Part& part) const {
   frame.staging.recordCopies(commands);
-  for (uint32_t i = 0; i < part.slice_count; ++i) scene_.recordBuild(commands, part.first_slice + i);
+  if (part.slice_count > 0) scene_.recordBuild(commands, part.first_slice, part.slice_count);
 }
 
 // Of the node that a step runs, "" for other steps.

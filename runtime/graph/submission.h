@@ -21,6 +21,8 @@ class Submission {
     int iteration = 0;
     uint32_t first_slice = 0, slice_count = 0;  // of which structures are built before
   };
+  // Step by step, each waited for: one frame on a software device.
+  bool isStepwise() const { return device_.info().software && frames_.size() == 1; }
   // Begins one of the frames, which is not under way.
   void begin(size_t frame) { frames_[frame].gpu_ms = 0; }
   // Through which the host writes for the part of the frame that is submitted next.

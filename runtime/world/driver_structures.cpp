@@ -67,7 +67,19 @@ class DriverStructures : public Structures {
     staging.write(top_levels_[level].instances(), 0, posed.data(), posed.size());
   }
 
-  void recordBuild(VkCommandBuffer commands, uint32_t level) override {
+  // Levels have nothing in common, so a device may build them all at once.
+  void recordBuild(VkCommandBuffer commands, uint32_t first_level, uint32_t count) override {
+    bool any = false;
+    for (uint32_t level = first_level; level < first_level + count; ++level) any |= recordBents(commands, level);
+    if (any) recordBuilt(commands);
+    const std::span<const gpu::TopLevel> built(&top_levels_.at(first_level), count);
+    gpu::TopLevel::recordBuilds(commands, built, uint32_t(instances_.size()));
+    recordBuilt(commands);
+  }
+
+ private:
+  // Whether there is any that changed.
+  bool recordBents(VkCommandBuffer commands, uint32_t level) {
     bool any = false;
     for (size_t item = 0; item < bent_.items().size(); ++item) {
       Bent& bent = bentAt(level, item);
@@ -76,13 +88,14 @@ class DriverStructures : public Structures {
       bent.structure.recordBuild(commands);
       any = true;
     }
-    if (any)
-      recordBarrier(device_, commands, kBuilt,
-                    {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR});
-    top_levels_[level].recordBuild(commands, uint32_t(instances_.size()));
+    return any;
   }
 
- private:
+  void recordBuilt(VkCommandBuffer commands) const {
+    recordBarrier(device_, commands, kBuilt,
+                  {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR});
+  }
+
   // An instance that bends, as it is at a level.
   struct Bent {
     gpu::BottomLevel structure;  // none where it has no triangles

@@ -233,9 +233,10 @@ void GpuScene::setMotion(gpu::Staging& staging, const std::vector<bool>& moves,
 
 uint32_t GpuScene::movingCount() const { return uint32_t(std::count(moves_.begin(), moves_.end(), true)); }
 
-void GpuScene::recordBuild(VkCommandBuffer commands, uint32_t slice) const {
-  STROBE_ASSERT(isTraced(slice), "slice {}", slice);
-  structures_->recordBuild(commands, levelOf(slice));
+void GpuScene::recordBuild(VkCommandBuffer commands, uint32_t first_slice, uint32_t count) const {
+  STROBE_ASSERT(isTraced(first_slice) && (count == 1 || first_slice >= SLICE_SAMPLE), "slices {}, {}", first_slice,
+                count);
+  structures_->recordBuild(commands, levelOf(first_slice), count);
 }
 
 std::string GpuScene::layoutText() const {

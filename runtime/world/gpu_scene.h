@@ -63,8 +63,8 @@ class GpuScene {
   // Poses slice `slice`; positions become relative to `origin`. `aspect` is width / height. Throws `Error` for a pose
   // that cannot be drawn; what is written by then must be copied all the same.
   void setPose(gpu::Staging& staging, uint32_t slice, const scene::Pose& pose, double aspect, const dvec3& origin);
-  // Records what makes a posed slice ready to be traced; those between the capture and the samples never are.
-  void recordBuild(VkCommandBuffer commands, uint32_t slice) const;
+  // Records what makes `count` posed slices, at least one, ready to be traced: the capture, or samples.
+  void recordBuild(VkCommandBuffer commands, uint32_t first_slice, uint32_t count) const;
 
  private:
   void uploadGeometry(const scene::Scene& scene);

@@ -145,7 +145,7 @@ class OwnStructures : public Structures {
   }
 
   // The copies are all.
-  void recordBuild(VkCommandBuffer, uint32_t) override {}
+  void recordBuild(VkCommandBuffer, uint32_t, uint32_t) override {}
 
  private:
   // The tree of an instance that bends, as it is at a level.

@@ -26,8 +26,9 @@ class Structures {
   // moves (rays may ask for these alone), one of each instance; what bends is posed already.
   virtual void pose(gpu::Staging& staging, uint32_t level, const std::vector<shared::SceneTransform>& transforms,
                     const std::vector<bool>& moves) = 0;
-  // Records what makes the pose of a level ready to be traced by later work, behind the copies of what was written.
-  virtual void recordBuild(VkCommandBuffer commands, uint32_t level) = 0;
+  // Records what makes the poses of `count` levels ready to be traced by later work, behind the copies of what was
+  // written.
+  virtual void recordBuild(VkCommandBuffer commands, uint32_t first_level, uint32_t count) = 0;
 };
 
 // Are all its triangles of materials that are seen from one side alone? A driver then leaves out what is behind.
