@@ -92,6 +92,7 @@
 ---@field size? "frame"|strobe.Size of what it writes; default "frame"
 ---@field scene? boolean (compute) the shader sees the scene; raster and trace passes always do
 ---@field over? string the read, a buffer, of the pixels that it runs for
+---@field group? boolean (compute) a work group runs for each pixel of what it writes, instead of an invocation
 ---@field reads? table<string, strobe.Read> images it samples
 ---@field writes? table<string, strobe.Write> images of which it fills every pixel
 ---@field updates? table<string, strobe.Update> images it reads and writes; zero at the first execution in a frame

@@ -9,6 +9,7 @@ return pass.compute {
   doc    = "The longest displacement of each tile and the one that differs most from it",
   fails  = "The third of three movements in a tile is lost.",
   size   = { of = "velocity", divide = "tile" },
+  group  = true,
   reads  = {
     velocity = { doc = "px over the exposure" },
     depth    = { doc = "linear view depth, metres, sky = +inf" },

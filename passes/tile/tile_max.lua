@@ -9,6 +9,7 @@ return pass.compute {
   doc    = "Longest displacement of each tile, shortened to what the filters handle",
   fails  = "One displacement stands for a tile: slower ones, and others of equal length, are lost.",
   size   = { of = "velocity", divide = "tile" },
+  group  = true,
   reads  = {
     velocity       = { doc = "px over the exposure" },
     valid          = { optional = true, doc = "above 1/2 where velocity counts; absent: everywhere" },

@@ -9,6 +9,7 @@ return pass.compute {
   doc    = "Length of the shortest displacement of each tile",
   fails  = "Directions are not compared: a turning tile looks as uniform as one that slides.",
   size   = { of = "velocity", divide = "tile" },
+  group  = true,
   reads  = {
     velocity = { doc = "px over the exposure" },
     valid    = { optional = true, doc = "above 1/2 where velocity counts; absent: everywhere" },

@@ -57,6 +57,7 @@ static shader::Interface interfaceOf(const PassDesc& pass, Backend backend, cons
   for (const plan::Fact& fact : plan::facts())
     if (fact.compiled_into_all || (in.scene && fact.compiled_in))
       in.facts.push_back({fact.name, !std::count(absent.begin(), absent.end(), fact.name)});
+  in.group = pass.group;
   in.backend = pass.kind == PassDesc::Kind::Trace ? backend : Backend::None;
   for (size_t i = 0; i < pass.reads.size(); ++i) {
     const plan::PortDesc& read = pass.reads[i];

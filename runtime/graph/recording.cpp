@@ -119,7 +119,7 @@ static uint32_t heightOf(const scene::PixelArea& area) { return area.empty() ? 0
 // A compute or trace pass over this many pixels.
 void Recording::work(VkCommandBuffer commands, const Node& node, uint32_t width, uint32_t height) const {
   if (hasStages(node.pipeline->interface)) return node.pipeline->driver->pipeline.recordTrace(commands, width, height);
-  const uint32_t group = shader::kGroupSize;
+  const uint32_t group = node.pipeline->interface.group ? 1 : shader::kGroupSize;
   device_.vk().CmdDispatch(commands, (width + group - 1) / group, (height + group - 1) / group, 1);
 }
 

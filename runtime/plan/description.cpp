@@ -306,6 +306,7 @@ Json toJson(const PassDesc& pass) {
   if (!pass.breaks.empty()) json["breaks"] = breaksJson(pass.breaks);
   json["size"] = sizeJson(pass.size);
   if (!pass.over.empty()) json["over"] = pass.over;
+  if (pass.group) json["group"] = true;
   json["scene"] = pass.scene;
   json["reads"] = listOf(pass.reads, readJson);
   json["writes"] = listOf(pass.writes, writeJson);

@@ -145,6 +145,7 @@ struct PassDesc {
   // The read, a buffer, whose entries are the pixels that it runs for, once each; all pixels where that is not wired.
   // Its writes are all cleared. "": it runs for all pixels.
   std::string over;
+  bool group = false;             // compute: a work group runs for each pixel, instead of an invocation
   bool scene = false;             // the shader sees the scene's buffers, textures and acceleration structures
   std::vector<PortDesc> reads;    // images it samples
   std::vector<PortDesc> writes;   // images it fills; every pixel is written

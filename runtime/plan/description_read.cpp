@@ -256,6 +256,15 @@ void checkOver(const Reader& reader, const PassDesc& pass) {
       reader.fail(fmt::format("it runs over '{}' and has a parameter that is still_once", pass.over));
 }
 
+// What a pass that has a group for each pixel must be like.
+void checkGroup(const Reader& reader, const PassDesc& pass) {
+  if (!pass.group) return;
+  if (pass.kind != PassDesc::Kind::Compute) reader.fail("compute passes alone have a group for each pixel");
+  if (!pass.over.empty()) reader.fail(fmt::format("it has a group for each pixel and runs over '{}'", pass.over));
+  for (const ParamDesc& param : pass.params)
+    if (param.role == Role::StillOnce) reader.fail("it has a group for each pixel and a parameter that is still_once");
+}
+
 // Buffers are of compute and trace passes, and of one frame.
 void checkBuffers(const Reader& reader, const PassDesc& pass) {
   for (const PortDesc& read : pass.reads)
@@ -305,6 +314,8 @@ PassDesc passFromJson(const Json& json) {
   pass.size = readSize(reader.at("size"), pass);
   pass.over = reader.text("over");
   checkOver(reader, pass);
+  pass.group = reader.boolean("group", false);
+  checkGroup(reader, pass);
   checkBuffers(reader, pass);
 
   std::vector<PortDesc> outputs = pass.writes;

@@ -117,13 +117,16 @@ std::string preamble(const Interface& in, Stage stage) {
 static const char* kDealtRows = R"(uvec2 dealt_() {
   uint half_ = (gl_NumWorkGroups.y + 1u) / 2u, row = gl_WorkGroupID.y;
   for (int i = 0; i < 3; ++i) row = row < half_ ? 2u * row : 2u * (row - half_) + 1u;
-  return uvec2(gl_WorkGroupID.x, row) * gl_WorkGroupSize.xy + in_group_();
+  return pixel_of_(uvec2(gl_WorkGroupID.x, row));
 }
 )";
-static const char* kInRows = "uvec2 in_group_() { return gl_LocalInvocationID.xy; }\n";
-static const char* kInBlocks = R"(uvec2 in_group_() {
+// The pixel of an invocation of a group.
+static const char* kGroupItself = "uvec2 pixel_of_(uvec2 group) { return group; }\n";
+static const char* kInRows =
+    "uvec2 pixel_of_(uvec2 group) { return group * gl_WorkGroupSize.xy + gl_LocalInvocationID.xy; }\n";
+static const char* kInBlocks = R"(uvec2 pixel_of_(uvec2 group) {
   uint i = gl_LocalInvocationIndex, block = i / 8u;
-  return uvec2(i & 3u, (i >> 2) & 1u) + uvec2(block & 1u, block >> 1) * uvec2(4, 2);
+  return group * gl_WorkGroupSize.xy + uvec2(i & 3u, (i >> 2) & 1u) + uvec2(block & 1u, block >> 1) * uvec2(4, 2);
 }
 )";
 
@@ -135,14 +138,17 @@ static const char* kIndexOfLaunch = "gl_LaunchIDEXT.y * gl_LaunchSizeEXT.x + gl_
 
 std::string epilogue(const Interface& in, Stage stage) {
   if (stage != Stage::Compute && stage != Stage::RayGeneration) return "";
-  bool dealt = stage == Stage::Compute && in.deal_rows;
-  std::string pixel = dealt ? "dealt_()" : stage == Stage::Compute ? "gl_GlobalInvocationID.xy" : "gl_LaunchIDEXT.xy";
+  const bool compute = stage == Stage::Compute;
+  bool dealt = compute && in.deal_rows;
+  std::string pixel = dealt ? "dealt_()" : compute ? "gl_GlobalInvocationID.xy" : "gl_LaunchIDEXT.xy";
+  if (in.group && !dealt) pixel = "gl_WorkGroupID.xy";
   const Interface::Read* over = in.over();
   if (over) dealt = false, pixel = "0";
-  std::string text = dealt ? std::string(in.backend == Backend::None ? kInRows : kInBlocks) + kDealtRows : "";
+  const char* pixel_of = in.group ? kGroupItself : in.backend == Backend::None ? kInRows : kInBlocks;
+  std::string text = dealt ? std::string(pixel_of) + kDealtRows : "";
   text += fmt::format("void main() {{\n  ivec2 pixel_ = ivec2({});\n", pixel);
   if (over) {
-    const char* index = stage == Stage::Compute ? kIndexInGroups : kIndexOfLaunch;
+    const char* index = compute ? kIndexInGroups : kIndexOfLaunch;
     text += fmt::format(
         "  uint index_ = {0};\n  if (index_ >= min({1}_buf.count, uint({1}_buf.entries.length()))) return;\n"
         "  pixel_ = ivec2({1}_buf.entries[index_] & 0xffffu, {1}_buf.entries[index_] >> 16);\n",

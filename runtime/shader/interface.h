@@ -50,6 +50,7 @@ struct Interface {
   Backend backend = Backend::None;
   bool doubles = false;             // trace: the device computes at double precision
   bool deal_rows = false;           // compute: groups next to each other are not dispatched one after the other
+  bool group = false;               // compute: a work group for each pixel
   bool still_once = false;          // in iterations after the first: on the pixels of frame.reach alone
   bool separate_triangles = false;  // raster: vertices are not indexed, and number the triangles
   uint32_t slices = 1;              // poses the scene's arrays hold
@@ -70,7 +71,7 @@ struct Interface {
   uint32_t writeBinding(size_t index) const { return kFirstImageBinding + uint32_t(reads.size() + index); }
 };
 
-// Side of a compute work group, px.
+// Side of a compute work group, invocations.
 constexpr uint32_t kGroupSize = 8;
 
 std::string preamble(const Interface& interface, Stage stage);

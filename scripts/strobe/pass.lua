@@ -10,7 +10,7 @@ local pass = { int = param.int, float = param.float, bool = param.bool, choice =
 
 pass.keys = {
   "name", "shader", "doc", "fails", "breaks", "size", "scene", "reads", "writes", "updates", "params", "counters",
-  "without", "over",
+  "without", "over", "group",
 }
 pass.read_keys  = { "doc", "uint", "optional", "linear", "needs", "buffer" }
 pass.write_keys = { "doc", "format", "cleared", "each" }
@@ -232,6 +232,20 @@ local function declare_over(problems, t, kind, result, place, owner)
   return t.over
 end
 
+-- `group`: a work group runs for each pixel instead of an invocation.
+local function declare_group(problems, t, kind, result, place, owner)
+  if t.group == nil or not check.field(problems, t, "group", "boolean", place, owner) or not t.group then return false end
+  local at = native.key_place(place, "group")
+  if kind ~= "compute" then problems:add(at, "%s is a %s pass; compute passes alone have groups", owner, kind) end
+  if result.over ~= "" then problems:add(at, "%s runs over '%s', an invocation for each", owner, result.over) end
+  for _, one in ipairs(result.params) do
+    if one.role == "still_once" then
+      problems:add(one.place, "'%s' of %s, which has a group for each pixel, cannot be still_once", one.name, owner)
+    end
+  end
+  return true
+end
+
 local function check_divide(problems, size, params, declared, at, owner)
   local names = {}
   for i, one in ipairs(params) do names[i] = one.name end
@@ -347,6 +361,7 @@ local function declare(kind, place, t)
   result.breaks   = check.breaks(problems, t.breaks, place, owner, { "breaks" })
   result.size     = declare_size(problems, t, place, result, owner)
   result.over     = declare_over(problems, t, kind, result, place, owner)
+  result.group    = declare_group(problems, t, kind, result, place, owner)
   result.without  = without.declare(problems, t.without, result, place, owner)
   check_twins(problems, result, owner)
   problems:raise()

@@ -8,23 +8,26 @@
 //      A tile without texels that count holds 0. The last tiles may be partial.
 // Fails: one vector stands for a tile; crossing motions in it are lost.
 #include "mixin/path.glsl"
+#include "lib/group.glsl"
 
 struct Longest {
   vec2 d;
   vec4 curve;
   ivec2 place;
   float d_length;  // of the straight displacement that comes as far
-  uint clamped;  // texels longer than the limit
+  uint layer;
 };
 
-Longest longestOf(Longest so_far, vec2 d, vec4 curve, ivec2 place, float limit_px) {
+uint clamped = 0u;  // texels longer than the limit
+
+Longest longestOf(Longest so_far, vec2 d, vec4 curve, ivec2 place, uint layer, float limit_px) {
   float d_length = lengthOf(d);
-  uint clamped = so_far.clamped + (d_length > limit_px ? 1u : 0u);
+  clamped += d_length > limit_px ? 1u : 0u;
 #if HAS_curve
   if (curve != vec4(0)) d_length = reachOf(d, curve, frame.shutter);
 #endif
-  if (d_length > so_far.d_length) return Longest(d, curve, place, d_length, clamped);
-  return Longest(so_far.d, so_far.curve, so_far.place, so_far.d_length, clamped);
+  if (d_length > so_far.d_length) return Longest(d, curve, place, d_length, layer);
+  return so_far;
 }
 
 bool counts(ivec2 pixel) {
@@ -59,36 +62,41 @@ vec4 extraCurveAt(ivec2 pixel) {
 #endif
 }
 
-void run(ivec2 pixel) {
+void run(ivec2 tile) {
   ivec2 size = textureSize(velocity_tex, 0);
-  ivec2 first = pixel * params.tile;
+  ivec2 first = tile * params.tile;
   ivec2 end = min(first + params.tile, size);
   float limit_px = limitPx();
 
   Longest longest = Longest(vec2(0), vec4(0), ivec2(0), 0.0, 0u);
-  for (int y = first.y; y < end.y; ++y) {
-    for (int x = first.x; x < end.x; ++x) {
+  ivec2 own = ownFirst(first);
+  for (int y = own.y; y < end.y; y += kGroupSide) {
+    for (int x = own.x; x < end.x; x += kGroupSide) {
       ivec2 p = ivec2(x, y);
       if (counts(p)) {
-        longest = longestOf(longest, finiteDisplacement(texelFetch(velocity_tex, p, 0)), curveAt(p), p, limit_px);
+        longest = longestOf(longest, finiteDisplacement(texelFetch(velocity_tex, p, 0)), curveAt(p), p, 0u, limit_px);
       }
 #if HAS_extra_velocity
       if (extraCounts(p)) {
         vec2 d = finiteDisplacement(texelFetch(extra_velocity_tex, p, 0));
-        longest = longestOf(longest, d, extraCurveAt(p), p, limit_px);
+        longest = longestOf(longest, d, extraCurveAt(p), p, 1u, limit_px);
       }
 #endif
     }
   }
+  if (clamped > 0u) count_clamped(clamped);
+  // Of equal lengths the first in raster order, of two layers the first.
+  uint place = 2u * placeInTile(longest.place, first, params.tile) + longest.layer;
+  if (longest.d_length == 0.0) place = gl_LocalInvocationIndex;
+  if (!isGreatest(longest.d_length, place)) return;
 
-  if (longest.clamped > 0u) count_clamped(longest.clamped);
   Path path = limitedPath(vec4(longest.d, 0, 0), longest.curve);
-  imageStore(longest_img, pixel, vec4(path.d, 0, 0));
+  imageStore(longest_img, tile, vec4(path.d, 0, 0));
 #if HAS_curve
-  imageStore(curve_of_it_img, pixel, path.curve);
-  imageStore(place_of_it_img, pixel, vec4(longest.place, 0, 0));
+  imageStore(curve_of_it_img, tile, path.curve);
+  imageStore(place_of_it_img, tile, vec4(longest.place, 0, 0));
 #else
-  imageStore(curve_of_it_img, pixel, vec4(0));
-  imageStore(place_of_it_img, pixel, vec4(0));
+  imageStore(curve_of_it_img, tile, vec4(0));
+  imageStore(place_of_it_img, tile, vec4(0));
 #endif
 }

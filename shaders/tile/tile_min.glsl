@@ -5,6 +5,7 @@
 //      The last tiles may be partial.
 // Fails: lengths only; a tile that turns looks as uniform as one that slides.
 #include "mixin/limit.glsl"
+#include "lib/group.glsl"
 #include "lib/sanitise.glsl"
 
 bool counts(ivec2 pixel) {
@@ -15,16 +16,23 @@ bool counts(ivec2 pixel) {
 #endif
 }
 
-void run(ivec2 pixel) {
-  ivec2 size = textureSize(velocity_tex, 0);
-  ivec2 first = pixel * params.tile;
-  ivec2 end = min(first + params.tile, size);
+shared uint shortest_bits;  // of a length, which is at least 0
+
+void run(ivec2 tile) {
+  bool is_first = gl_LocalInvocationIndex == 0u;
+  if (is_first) shortest_bits = floatBitsToUint(limitPx());
+  barrier();
+  ivec2 first = tile * params.tile;
+  ivec2 end = min(first + params.tile, textureSize(velocity_tex, 0));
   float shortest = limitPx();
-  for (int y = first.y; y < end.y; ++y) {
-    for (int x = first.x; x < end.x; ++x) {
+  ivec2 own = ownFirst(first);
+  for (int y = own.y; y < end.y; y += kGroupSide) {
+    for (int x = own.x; x < end.x; x += kGroupSide) {
       if (!counts(ivec2(x, y))) continue;
       shortest = min(shortest, lengthOf(finiteDisplacement(texelFetch(velocity_tex, ivec2(x, y), 0))));
     }
   }
-  imageStore(shortest_img, pixel, vec4(shortest, 0, 0, 0));
+  atomicMin(shortest_bits, floatBitsToUint(shortest));
+  barrier();
+  if (is_first) imageStore(shortest_img, tile, vec4(uintBitsToFloat(shortest_bits), 0, 0, 0));
 }
