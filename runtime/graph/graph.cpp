@@ -62,12 +62,15 @@ Graph::Graph(const gpu::Device& device, PipelineCache& cache, const Plan& plan, 
       traces_(traces(plan)),
       nodes_(
           nodesOf(device, plan, cache, scene, backend, previous ? &previous->nodes_ : nullptr, problems, compile_ms_)),
-      recording_(device, scene, images_, nodes_),
+      clears_(device),
+      recording_(device, scene, images_, nodes_, clears_),
       submission_(device, scene, recording_, nodes_, in_flight_),
       images_(device, plan, in_flight_, previous ? &previous->images_ : nullptr) {
   STROBE_ASSERT(!previous || previous->underWay() == 0);
   try {
     nodes_.make(images_, in_flight_);
+    // A software device has nothing faster than its own clears.
+    if (!submission_.isStepwise()) clears_.make(cache, plan, images_, scene);
   } catch (...) {
     if (previous) images_.giveBack(previous->images_);
     throw;

@@ -83,6 +83,7 @@ class Graph {
   double compile_ms_ = 0;
   uint64_t runs_ = 0;
   PlanNodes nodes_;
+  Clears clears_;
   Recording recording_;
   Submission submission_;
   PlanImages images_;  // last: taken over from a graph before only when all else is there

@@ -17,7 +17,9 @@ static VkPipelineStageFlags2 vulkanStages(uint32_t stages) {
   if (stages & plan::kStageDepth)
     flags |= VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
   if (stages & plan::kStageColor) flags |= VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
-  if (stages & plan::kStageTransfer) flags |= VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
+  // Clears may be dispatches.
+  if (stages & plan::kStageTransfer)
+    flags |= VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
   if (stages & plan::kStageHost) flags |= VK_PIPELINE_STAGE_2_HOST_BIT;
   if (stages & plan::kStageIndirect) flags |= VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT;
   return flags;
@@ -32,7 +34,8 @@ static VkAccessFlags2 vulkanAccess(uint32_t access) {
   if (access & plan::kAccessDepthRead) flags |= VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT;
   if (access & plan::kAccessDepthWrite) flags |= VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT;
   if (access & plan::kAccessTransferRead) flags |= VK_ACCESS_2_TRANSFER_READ_BIT;
-  if (access & plan::kAccessTransferWrite) flags |= VK_ACCESS_2_TRANSFER_WRITE_BIT;
+  if (access & plan::kAccessTransferWrite)
+    flags |= VK_ACCESS_2_TRANSFER_WRITE_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
   if (access & plan::kAccessHostRead) flags |= VK_ACCESS_2_HOST_READ_BIT;
   if (access & plan::kAccessIndirectRead) flags |= VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT;
   return flags;
@@ -85,6 +88,7 @@ void Recording::clear(VkCommandBuffer commands, int image) const {
     device_.vk().CmdFillBuffer(commands, images_.buffer(image).handle(), 0, VK_WHOLE_SIZE, 0);
     return;
   }
+  if (clears_.has(image)) return clears_.record(commands, image, scene_);
   VkClearColorValue zero{};
   VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
   device_.vk().CmdClearColorImage(commands, images_.of(image).handle(), VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &range);

@@ -2,6 +2,7 @@
 // How a plan's steps become commands.
 #pragma once
 
+#include "graph/clears.h"
 #include "graph/nodes.h"
 
 namespace strobe::graph {
@@ -19,8 +20,9 @@ struct PassStamps {
 // What it refers to must outlive it.
 class Recording {
  public:
-  Recording(const gpu::Device& device, const world::GpuScene& scene, const PlanImages& images, const PlanNodes& nodes)
-      : device_(device), scene_(scene), images_(images), nodes_(nodes) {}
+  Recording(const gpu::Device& device, const world::GpuScene& scene, const PlanImages& images, const PlanNodes& nodes,
+            const Clears& clears)
+      : device_(device), scene_(scene), images_(images), nodes_(nodes), clears_(clears) {}
 
   // Goes on with a plan in one of the frames that are under way at once.
   void setFrame(const plan::Plan& plan, size_t frame, const FrameSetup& setup) {
@@ -53,6 +55,7 @@ class Recording {
   const world::GpuScene& scene_;
   const PlanImages& images_;
   const PlanNodes& nodes_;
+  const Clears& clears_;
   const plan::Plan* plan_ = nullptr;
   size_t frame_ = 0;
   const std::set<std::string>* wanted_ = nullptr;
