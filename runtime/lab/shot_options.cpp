@@ -84,7 +84,7 @@ static std::vector<std::string> backendNames() {
 static std::string backendDoc() {
   std::string text = "how rays are traced: ";
   for (const shader::BackendRow& row : shader::backends()) text += fmt::format("{}, {}; ", row.name, row.doc);
-  return text + "auto: the first that the device has, on a software device bvh";
+  return text + "auto: query on a device that is not software and has it, else bvh";
 }
 
 // An option of one value, which is called like it.

@@ -33,9 +33,9 @@ const char* backendName(Backend backend);  // "none" of None
 
 bool isPresent(const BackendRow& row, const gpu::DeviceInfo& device);
 
-// `asked`: a name, or "auto", the first that the device has in the order of the rows; on a software device, which walks
-// its driver's structures one ray at a time, the runtime's own come first (docs/tracing.md has the times). Throws
-// `Error` where the device cannot do what is asked for.
+// `asked`: a name, or "auto", the first that the device has in the order of the rows; on a software device, and on one
+// without ray queries, the runtime's own structures come first (docs/tracing.md has the times). Throws `Error` where
+// the device cannot do what is asked for.
 Backend chooseBackend(const gpu::DeviceInfo& device, const std::string& asked);
 
 }  // namespace strobe::shader

@@ -47,6 +47,7 @@ class InFlightTest : public SessionTest {
   // Frames of a pipeline from this shot on, under way together and alone.
   void expectSame(Shot shot, int count) {
     lab::Workbench single(EditableHome::home(), bench());
+    single.frames_in_flight = 1;
     std::unique_ptr<Drawing> together = drawingOf(flying_, shot), alone = drawingOf(single, shot);
     EXPECT_EQ(together->graph().mostUnderWay(), kInFlight);
     EXPECT_EQ(alone->graph().mostUnderWay(), 1u);

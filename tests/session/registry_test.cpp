@@ -168,6 +168,7 @@ Shot shotIn(const std::string& pipeline, const Settings& context) {
   shot.width = 64;
   shot.height = 40;
   shot.frame = 0;
+  shot.backend = "bvh";  // shadow shafts are walks of its tree
   for (const std::string& setting : context) {
     size_t equals = setting.find('=');
     std::string name = setting.substr(0, equals), value = setting.substr(equals + 1);
