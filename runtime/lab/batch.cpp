@@ -153,7 +153,7 @@ void Batch::forgetDrawings() {
   }
 }
 
-static const Batch::Outputs kColor = {"color"};
+static const Batch::Outputs kColor = {"color"}, kNothing = {};
 
 // ---- pictures
 
@@ -232,7 +232,7 @@ static Timed timed(Drawing& drawing, const Shot& shot) {
   size_t begun = 0;
   Timed result;
   for (size_t finished = 0; finished < before + most;) {
-    for (; begun < before + most + after && graph.underWay() < most; ++begun) drawing.begin(shot, &kColor);
+    for (; begun < before + most + after && graph.underWay() < most; ++begun) drawing.begin(shot, &kNothing);
     result.frame = drawing.finish();
     if (++finished == before) start_s = clockSeconds();
   }

@@ -86,8 +86,8 @@ class Batch {
   // Forgets colours drawn by a pipeline; evaluations, scenes and pictures by other pipelines stay.
   void forgetColorsOf(const std::string& pipeline);
 
-  // Draws a frame of each shot in turn, round after round, of which the colour alone is asked for; a first frame of
-  // each, which may pay for compiling, does not count. Where several can be under way at once (`frames_in_flight` of
+  // Draws a frame of each shot in turn, round after round, of which the colour alone is asked for and nothing is read
+  // back; a first frame of each, which may pay for compiling, does not count. Where several can be under way at once (`frames_in_flight` of
   // the bench) it is several frames, one behind the other, of which the last is timed. On a software device times are
   // only comparable within one call.
   std::vector<Timing> timeInTurn(const std::vector<Shot>& shots, const Rounds& rounds);
