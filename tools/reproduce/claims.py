@@ -84,6 +84,7 @@ MEASURED = [
             "another tracing backend asks no tiles", read=read.shadow_rays_left, tolerance=0.02),
     Numbers("tutorial_detectors", "./strobe sweep experiments/detectors.lua -o FOLDER", 45, OTHER_DEVICE,
             read=read.tutorial_row, tolerance=0.02),
+    Numbers("gpu_frames", "committed: docs/gpu/h200/bench.json", 1, "made on another machine", read=read.gpu_frames),
     Numbers("mutants_caught", "committed: tools/mutate/mutations.md", 1, "the page that the tool wrote",
             read=read.caught_mutants),
 ]

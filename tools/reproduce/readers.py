@@ -2,6 +2,7 @@
 """How claims read their numbers out of results and out of what commands print."""
 import json
 import re
+import statistics
 import time
 
 from bench import Failed, Results
@@ -55,6 +56,14 @@ def rays_held(bench):
     text = bench.run(test, "--gtest_filter=RenderRays*", environment={"STROBE_RAYS": "2500000"})
     rows = re.findall(r"^\w+, (?:pipeline|bvh|Embree): (\d+) rays, (\d+) tied, (\d+) bordering, (\d+) others", text, re.M)
     return [float(number) for row in rows for number in row]
+
+
+def gpu_frames(bench):
+    """Milliseconds of the frames of a saved run, by method, then size."""
+    shots = json.loads((bench.root / "docs/gpu/h200/bench.json").read_text())["shots"]
+    order = ["none", "mcguire2012", "ue4", "guertin2014", "jimenez2014", "hybrid:preset=seed", "hybrid"]
+    shots.sort(key=lambda shot: (order.index(shot["method"]), shot["width"]))
+    return [statistics.median(shot["ms"]) for shot in shots]
 
 
 # --- what tests and commands print
