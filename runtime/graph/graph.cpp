@@ -69,8 +69,8 @@ Graph::Graph(const gpu::Device& device, PipelineCache& cache, const Plan& plan, 
   STROBE_ASSERT(!previous || previous->underWay() == 0);
   try {
     nodes_.make(images_, in_flight_);
-    // A software device has nothing faster than its own clears.
-    if (!submission_.isStepwise()) clears_.make(cache, plan, images_, scene);
+    // One step at a time a software device has nothing faster than its own clears.
+    if (!submission_.isStepwise()) clears_.make(cache, plan, images_);
   } catch (...) {
     if (previous) images_.giveBack(previous->images_);
     throw;

@@ -425,6 +425,30 @@ std::shared_ptr<const DriverPipeline> PipelineCache::driverOf(const NodePipeline
   return driver;
 }
 
+// With the side of a group, the format, and the letter in front of types of unsigned integers.
+static constexpr char kClear[] = R"(#version 460
+layout(local_size_x = {0}, local_size_y = {0}) in;
+layout(set = 0, binding = 0, {1}) uniform writeonly {2}image2D cleared;
+void main() {{
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (all(lessThan(pixel, imageSize(cleared)))) imageStore(cleared, pixel, {2}vec4(0));
+}}
+)";
+
+const DriverPipeline& PipelineCache::clearOf(const std::string& format) {
+  auto found = clears_.find(format);
+  if (found != clears_.end()) return found->second;
+  DriverPipeline clear;
+  const gpu::FormatInfo& info = gpu::formatInfo(format);
+  const std::string glsl = fmt::format(kClear, shader::kGroupSize, info.glsl, info.uint ? "u" : "");
+  const VkDescriptorSetLayoutBinding binding{0, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, 1, VK_SHADER_STAGE_COMPUTE_BIT,
+                                             nullptr};
+  clear.set_layout = gpu::makeSetLayout(device_, "clear", {binding});
+  clear.pipeline =
+      gpu::Pipeline::compute(device_, "clear", shader::compileText(glsl, Stage::Compute), {clear.set_layout.get()});
+  return clears_.emplace(format, std::move(clear)).first->second;
+}
+
 std::shared_ptr<const NodePipeline> PipelineCache::make(const shader::Interface& in, const PassDesc& pass,
                                                         const world::GpuScene& scene) {
   std::vector<shader::Compiled> stages = compileStages(home_, in, pass);

@@ -96,7 +96,10 @@ class PipelineCache {
   PipelineCache(const Home& home, const gpu::Device& device) : home_(home), device_(device) {}
   std::shared_ptr<const NodePipeline> get(const shader::Interface& interface, const plan::PassDesc& pass,
                                           const world::GpuScene& scene);
-  // Pipelines made since the cache exists.
+  // Clears an image of this format, the one storage image of its only set, to zero: a work group for 8x8 pixels. It is
+  // no file, so that nobody's edit or bundle lacks it.
+  const DriverPipeline& clearOf(const std::string& format);
+  // Pipelines of passes made since the cache exists.
   int compilations() const { return compilations_; }
 
  private:
@@ -122,6 +125,7 @@ class PipelineCache {
   std::map<std::string, Seen> seen_;                                    // by interface
   std::map<std::string, Held> made_;                                    // by content
   std::map<std::string, std::weak_ptr<const DriverPipeline>> drivers_;  // by pass, code and what it is bound to
+  std::map<std::string, DriverPipeline> clears_;                        // by format
   uint64_t questions_ = 0;
   int compilations_ = 0;
 };

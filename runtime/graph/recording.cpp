@@ -88,7 +88,7 @@ void Recording::clear(VkCommandBuffer commands, int image) const {
     device_.vk().CmdFillBuffer(commands, images_.buffer(image).handle(), 0, VK_WHOLE_SIZE, 0);
     return;
   }
-  if (clears_.has(image)) return clears_.record(commands, image, scene_);
+  if (clears_.has(image)) return clears_.record(commands, image);
   VkClearColorValue zero{};
   VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
   device_.vk().CmdClearColorImage(commands, images_.of(image).handle(), VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &range);

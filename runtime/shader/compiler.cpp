@@ -214,6 +214,21 @@ Compiled compile(const Home& home, const Source& source, Stage stage, Output out
   return result;
 }
 
+std::vector<uint32_t> compileText(const std::string& glsl, Stage stage) {
+  startOnce();
+  glslang::TShader shader(language(stage));
+  const char* text = glsl.c_str();
+  shader.setStrings(&text, 1);
+  setRules(shader, language(stage));
+  glslang::TProgram program;
+  program.addShader(&shader);
+  if (!shader.parse(GetDefaultResources(), kDialect, false, kRules)) throw Error(shader.getInfoLog());
+  if (!program.link(kRules)) throw Error(program.getInfoLog());
+  std::vector<uint32_t> spirv;
+  glslang::GlslangToSpv(*program.getIntermediate(language(stage)), spirv);
+  return spirv;
+}
+
 std::string textWithIncludes(const Home& home, const Path& file, std::vector<Path>* files, Sources* shared) {
   Sources own(home);
   Texts texts;

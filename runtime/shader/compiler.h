@@ -35,6 +35,9 @@ struct Compiled {
 Compiled compile(const Home& home, const Source& source, Stage stage, Output output = Output::Spirv,
                  Sources* sources = nullptr);
 
+// The program's own GLSL, without includes. Throws `Error`.
+std::vector<uint32_t> compileText(const std::string& glsl, Stage stage);
+
 // Every file `file` reaches through includes, and their joined text; for checks that need no compiler.
 std::string textWithIncludes(const Home& home, const Path& file, std::vector<Path>* files = nullptr,
                              Sources* sources = nullptr);
