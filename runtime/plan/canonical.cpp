@@ -107,6 +107,7 @@ Json nodeJson(const Plan& plan, int index) {
   json["params"] = Json::object();
   for (const auto& [name, value] : node.params) json["params"][name] = toJson(value);
   if (node.over >= 0) json["over"] = plan.images[node.over].name;
+  if (pass.group) json["group"] = true;
   json["reads"] = portsJson(plan, pass.reads, node.reads);
   json["writes"] = portsJson(plan, pass.writes, node.writes);
   json["updates"] = portsJson(plan, pass.updates, node.updates);
@@ -202,6 +203,7 @@ std::string nodeText(const Plan& plan, int index, const std::string& indent) {
       fmt::format("{}{:<24} {:<8} {}x{}", indent, desc.name, kindName(pass.kind), node.width, node.height);
   if (desc.name != pass.name) text += "  pass " + pass.name;
   if (node.over >= 0) text += "  over " + plan.images[node.over].name;
+  if (pass.group) text += "  a group for each pixel";
   if (desc.time != "capture") text += "  time " + desc.time;
   text += "\n";
   auto line = [&](const char* what, const std::string& rest) {

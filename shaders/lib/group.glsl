@@ -16,8 +16,8 @@ uint placeInTile(ivec2 texel, ivec2 first, int width) {
 
 shared uint group_greatest, group_first;
 
-// Has this invocation the greatest value of the group, each at least 0, and of those as great the first place? All invocations
-// ask.
+// Has this invocation the greatest value of the group, each at least 0, and of those as great the first place? One has, where
+// no two that are as great have one place. All invocations ask: it waits for them.
 bool isGreatest(float value, uint place) {
   if (gl_LocalInvocationIndex == 0u) {
     group_greatest = 0u;

@@ -19,7 +19,7 @@ shared uint farthest_bits;  // of a depth, which is at least 0
 vec2 farthestFrom(vec2 from, ivec2 first, ivec2 end) {
   vec2 farthest = displacementAt(first);
   float distance_px = lengthOf(farthest - from);
-  uint at = 0u;
+  uint at = gl_LocalInvocationIndex == 0u ? 0u : ~0u;  // the first texel is that invocation's
   ivec2 own = ownFirst(first);
   for (int y = own.y; y < end.y; y += kGroupSide) {
     for (int x = own.x; x < end.x; x += kGroupSide) {
