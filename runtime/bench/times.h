@@ -22,7 +22,7 @@ struct PassTimes {
   uint64_t bytes() const { return bytes_read + bytes_written; }
 };
 
-// What of a frame is in no pass: structures that are built, images that are cleared and copied.
+// What of a frame is in no pass: structures that are built, images that are cleared.
 inline constexpr const char* kRest = "(rest)";
 
 // Drawn once in every round. Scene, size and method identify it within a run.

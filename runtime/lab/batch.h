@@ -87,9 +87,9 @@ class Batch {
   void forgetColorsOf(const std::string& pipeline);
 
   // Draws a frame of each shot in turn, round after round, of which the colour alone is asked for and nothing is read
-  // back; a first frame of each, which may pay for compiling, does not count. Where several can be under way at once (`frames_in_flight` of
-  // the bench) it is several frames, one behind the other, of which the last is timed. On a software device times are
-  // only comparable within one call.
+  // back; a first frame of each, which may pay for compiling, does not count. Where several can be under way at once
+  // (`frames_in_flight` of the bench) it is several frames, one behind the other, of which the last is timed. On a
+  // software device times are only comparable within one call.
   std::vector<Timing> timeInTurn(const std::vector<Shot>& shots, const Rounds& rounds);
 
   int drawn() const { return drawn_; }  // pictures and colours, without frames that were timed

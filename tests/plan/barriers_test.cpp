@@ -329,8 +329,8 @@ TEST(Barriers, WhoWritesABufferReadsWhatItWasClearedTo) {
   b.compute("use", {{"x", "count.x"}}, {"y"});
   b.output("color", "use.y");
   expectExact(b.pipeline);
-  std::vector<Found> expected = {{kStageTransfer, kAccessTransferWrite, kStageCompute, kStorageReadWrite,
-                                  Hazard::ReadAfterWrite, false, false}};
+  std::vector<Found> expected = {
+      {kStageTransfer, kAccessTransferWrite, kStageCompute, kStorageReadWrite, Hazard::ReadAfterWrite, false, false}};
   EXPECT_EQ(before(compiled(b.pipeline), "count", "count.x"), expected);
 }
 

@@ -84,7 +84,10 @@ MEASURED = [
             "another tracing backend asks no tiles", read=read.shadow_rays_left, tolerance=0.02),
     Numbers("tutorial_detectors", "./strobe sweep experiments/detectors.lua -o FOLDER", 45, OTHER_DEVICE,
             read=read.tutorial_row, tolerance=0.02),
-    Numbers("gpu_frames", "committed: docs/gpu/h200/bench.json", 1, "made on another machine", read=read.gpu_frames),
+    *[Numbers(id, "committed: docs/gpu/h200", 1, "made on another machine", read=reader)
+      for id, reader in (("gpu_frames", read.gpu_frames), ("gpu_published", read.gpu_published),
+                         ("gpu_passes", read.gpu_passes), ("gpu_pairs", read.gpu_pairs))],
+    History("gpu_rounding", because="no such GPU is at hand", date="2026-11-26", device="NVIDIA H200", revision="fe62734"),
     Numbers("mutants_caught", "committed: tools/mutate/mutations.md", 1, "the page that the tool wrote",
             read=read.caught_mutants),
 ]

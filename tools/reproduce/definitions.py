@@ -28,6 +28,7 @@ FRAGMENTS = [
     ("docs/benchmarks.md", "the paper measured 295 frames per second", "a result of the paper"),
     ("docs/benchmarks.md", "616 GB/s is the bandwidth of its memory", "a data sheet"),
     ("docs/benchmarks.md", "An RTX 3080 has 760 GB/s", "a data sheet"),
+    ("docs/benchmarks.md", "in the paper it is 295 / 205 = 1.44", "a result of the paper"),
     ("docs/captures.md", "(default 0.005)", "a default"),
     ("docs/commands.md", "(0.5: 180 degrees)", "a unit"),
     ("docs/derivations.md", "the 20 pixels inside the leading edge read .975, .925, ... .025.", "the formula beside it"),

@@ -58,12 +58,37 @@ def rays_held(bench):
     return [float(number) for row in rows for number in row]
 
 
+# --- runs on a GPU
+
+def gpu_times(bench, file="bench"):
+    """Of a saved run, by method and width, the medians of the frame ("") and of each pass."""
+    shots = json.loads((bench.root / f"docs/gpu/h200/{file}.json").read_text())["shots"]
+    return {(shot["method"], shot["width"]): {"": statistics.median(shot["ms"])} |
+            {one["name"]: statistics.median(one["ms"]) for one in shot["passes"]} for shot in shots}
+
+
 def gpu_frames(bench):
-    """Milliseconds of the frames of a saved run, by method, then size."""
-    shots = json.loads((bench.root / "docs/gpu/h200/bench.json").read_text())["shots"]
-    order = ["none", "mcguire2012", "ue4", "guertin2014", "jimenez2014", "hybrid:preset=seed", "hybrid"]
-    shots.sort(key=lambda shot: (order.index(shot["method"]), shot["width"]))
-    return [statistics.median(shot["ms"]) for shot in shots]
+    times = gpu_times(bench)
+    methods = ("none", "mcguire2012", "ue4", "guertin2014", "jimenez2014", "hybrid:preset=seed", "hybrid")
+    return [times[method, width][""] for method in methods for width in (960, 1920, 3840)]
+
+
+def gpu_published(bench):
+    times = gpu_times(bench)
+    return [times["hybrid:preset=seed", 1920][""] / times["mcguire2012", 1920][""]]
+
+
+def gpu_passes(bench):
+    times = gpu_times(bench)
+    mcguire, best = times["mcguire2012", 1920], times["hybrid", 1920]
+    return [mcguire["visibility"], mcguire["gather"], 2 * best[""] - sum(best.values())]
+
+
+def gpu_pairs(bench):
+    """With a work group for each tile and without; then frames by `pipeline`."""
+    now, before, pipeline = (gpu_times(bench, file) for file in ("bench", "one_invocation_per_tile", "pipeline"))
+    passes = [run["hybrid", 1920][name] for name in ("mask_tile_motions", "tile_max") for run in (now, before)]
+    return passes + [pipeline[method, 1920][""] for method in ("none", "hybrid")]
 
 
 # --- what tests and commands print
