@@ -333,10 +333,10 @@ TEST_F(Live, AnEndlessShaderIsNamedAndTheShotIsKept) {
   for (const char* part : {"passes", "scripts", "shaders"})
     fs::copy(strobe::home().shipped() / part, home / part, fs::copy_options::recursive);
   fs::path shader = home / "shaders/tile/tile_max.glsl";
-  std::string text = contentOf(shader), head = "void run(ivec2 pixel) {\n";
+  std::string text = contentOf(shader), head = "void run(ivec2 tile) {\n";
   ASSERT_NE(text.find(head), std::string::npos);
   text.insert(text.find(head) + head.size(),
-              "  while (texelFetch(velocity_tex, pixel, 0).x < 1e30) imageStore(longest_img, pixel, vec4(1));\n");
+              "  while (texelFetch(velocity_tex, tile, 0).x < 1e30) imageStore(longest_img, tile, vec4(1));\n");
   writeText(shader, text);
   std::string line = "export STROBE_HOME=" + home.string() + "\n" + command("wait 2\nquit\n", "hybrid --time-limit 2");
   Outcome outcome = onDisplay(line);
