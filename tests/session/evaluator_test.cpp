@@ -70,8 +70,12 @@ TEST_F(EvaluatorTest, ServesLongerThanAScriptMayRun) {
   limits_.cpu_s = 0.1;
   const std::string once = alone("mcguire2012", {});
   for (int i = 0; i < 400 && !HasFailure(); ++i) EXPECT_EQ(forked("mcguire2012", {}), once) << i;
+  // A limit is looked at when the kernel's clock ticks, every few milliseconds: of many forks some are seen.
   limits_.cpu_s = 0.001;
-  EXPECT_NE(forked("mcguire2012", {}).find("more than 0.001 s"), std::string::npos);
+  bool is_stopped = false;
+  for (int i = 0; i < 400 && !is_stopped; ++i)
+    is_stopped = forked("hybrid", {}).find("more than 0.001 s") != std::string::npos;
+  EXPECT_TRUE(is_stopped);
   limits_ = {};
   EXPECT_EQ(forked("mcguire2012", {}), once);
 }
