@@ -128,7 +128,6 @@ TopLevel::TopLevel(const Device& device, const std::string& name, uint32_t capac
 }
 
 void TopLevel::recordBuilds(VkCommandBuffer commands, std::span<const TopLevel> levels, uint32_t count) {
-  if (levels.empty()) return;
   VkAccelerationStructureBuildRangeInfoKHR range{};
   range.primitiveCount = count;
   std::vector<VkAccelerationStructureGeometryKHR> geometries(levels.size());

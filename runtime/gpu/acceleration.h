@@ -67,8 +67,8 @@ class TopLevel {
   VkAccelerationStructureKHR handle() const { return structure_.handle(); }
   // What the next build reads: a VkAccelerationStructureInstanceKHR each.
   const Buffer& instances() const { return instances_; }
-  // Records the builds of several at once, each over its first `count` instances, alone: whoever traces them waits for
-  // that. They were made with room for as many.
+  // Records the builds of at least one at once, each over its first `count` instances, for which it has room. Whoever
+  // traces them waits for that.
   static void recordBuilds(VkCommandBuffer commands, std::span<const TopLevel> levels, uint32_t count);
 
  private:
