@@ -87,7 +87,7 @@ MEASURED = [
     *[Numbers(id, "committed: docs/gpu/h200", 1, "made on another machine", read=reader)
       for id, reader in (("gpu_frames", read.gpu_frames), ("gpu_published", read.gpu_published),
                          ("gpu_passes", read.gpu_passes), ("gpu_pairs", read.gpu_pairs))],
-    History("gpu_rounding", because="no such GPU is at hand", date="2026-11-26", device="NVIDIA H200", revision="fe62734"),
+    History("gpu_rounding", because="no such GPU is at hand", date="2026-11-26", device="NVIDIA H200", revision="8f25415"),
     Numbers("mutants_caught", "committed: tools/mutate/mutations.md", 1, "the page that the tool wrote",
             read=read.caught_mutants),
 ]
