@@ -40,17 +40,24 @@ static bool hasDoubles(Backend backend) { return backend != Backend::None && sha
 
 void PlanNodes::findPipelines(PipelineCache& cache, const world::GpuScene& scene, Backend backend,
                               const PlanNodes* previous, std::vector<std::string>* problems) {
-  std::vector<std::string> fatal;
+  std::vector<PipelineRequest> requests;
   for (size_t i = 0; i < nodes_.size(); ++i) {
     shader::Interface wanted = interfaceOf(*plan_, planned(i), backend, scene.slices());
     wanted.doubles = hasDoubles(wanted.backend) && device_.info().has("shaderFloat64");
     wanted.deal_rows = device_.info().software;
     wanted.separate_triangles = wanted.raster && !device_.info().has("geometryShader");
+    requests.push_back({std::move(wanted), &pass(i)});
+  }
+  const std::vector<PipelineFound> found = cache.get(requests, scene);
+  std::vector<std::string> fatal;
+  for (size_t i = 0; i < nodes_.size(); ++i) {
+    nodes_[i].pipeline = found[i].pipeline;
+    if (!found[i].error) continue;
     try {
-      nodes_[i].pipeline = cache.get(wanted, pass(i), scene);
+      std::rethrow_exception(found[i].error);
     } catch (const Error& error) {
       const Node* before = previous ? previous->named(name(i)) : nullptr;
-      if (before) nodes_[i].pipeline = ifItServes(before->pipeline, wanted);
+      if (before) nodes_[i].pipeline = ifItServes(before->pipeline, requests[i].interface);
       (nodes_[i].pipeline ? *problems : fatal).push_back(error.what());
     }
   }

@@ -333,24 +333,65 @@ std::vector<std::string> ShaderCheck::finish() {
   return {problems.begin(), problems.end()};
 }
 
-std::shared_ptr<const NodePipeline> PipelineCache::get(const shader::Interface& in, const PassDesc& pass,
-                                                       const world::GpuScene& scene) {
+struct PipelineCache::Making {
+  const PipelineRequest* request;
+  std::string key;
+  std::vector<shader::Compiled> stages;
+  std::shared_ptr<NodePipeline> pipeline;
+  std::exception_ptr error;
+};
+
+// What `work` throws; null where it does not.
+template <typename Work>
+static std::exception_ptr thrownBy(const Work& work) {
+  try {
+    work();
+  } catch (...) {
+    return std::current_exception();
+  }
+  return nullptr;
+}
+
+std::vector<PipelineFound> PipelineCache::get(const std::vector<PipelineRequest>& requests,
+                                              const world::GpuScene& scene) {
+  std::vector<PipelineFound> found(requests.size());
+  std::vector<std::string> keys(requests.size());
+  std::vector<Making> making;
+  std::map<std::string, std::exception_ptr> failed;  // by key
+  for (size_t i = 0; i < requests.size(); ++i) {
+    const auto& [interface, pass] = requests[i];
+    // Scenes whose sets are laid out alike share pipelines.
+    found[i].error = thrownBy([&] { keys[i] = contentOf(interface, *pass) + "|" + scene.layoutText(); });
+    if (!found[i].error && !made_.contains(keys[i]) && failed.emplace(keys[i], nullptr).second)
+      making.push_back({&requests[i], keys[i], {}, {}, {}});
+  }
+  make(making, scene);
+  for (Making& one : making) {
+    failed[one.key] = one.error;
+    if (one.error) continue;
+    made_.emplace(one.key, Held{std::move(one.pipeline)});
+    ++compilations_;
+  }
+  for (size_t i = 0; i < requests.size(); ++i) {
+    if (found[i].error) continue;
+    if (auto held = made_.find(keys[i]); held != made_.end()) {
+      held->second.asked = ++questions_;
+      found[i].pipeline = held->second.pipeline;
+    } else {
+      found[i].error = failed.at(keys[i]);
+    }
+  }
+  forgetOldest();
+  return found;
+}
+
+const std::string& PipelineCache::contentOf(const shader::Interface& in, const PassDesc& pass) {
   Seen& seen = seen_[interfaceKey(home_, in, pass)];
   if (seen.content.empty() || !seen.files.current()) {
     requireFiles(home_, pass);
     seen = lookAt(in, pass);
   }
-  // Scenes whose sets are laid out alike share pipelines.
-  std::string key = seen.content + "|" + scene.layoutText();
-  auto found = made_.find(key);
-  if (found == made_.end()) {
-    found = made_.emplace(key, Held{make(in, pass, scene)}).first;
-    ++compilations_;
-  }
-  found->second.asked = ++questions_;
-  std::shared_ptr<const NodePipeline> pipeline = found->second.pipeline;
-  forgetOldest();
-  return pipeline;
+  return seen.content;
 }
 
 PipelineCache::Seen PipelineCache::lookAt(const shader::Interface& in, const PassDesc& pass) const {
@@ -398,30 +439,34 @@ static std::vector<VkDescriptorSetLayoutBinding> bindingsOf(const shader::Interf
   return bindings;
 }
 
-std::shared_ptr<const DriverPipeline> PipelineCache::driverOf(const NodePipeline& node, const PassDesc& pass,
-                                                              const std::vector<shader::Compiled>& stages,
-                                                              const world::GpuScene& scene) {
-  const shader::Interface& in = node.interface;
+// Nodes of the same key share what the driver makes.
+static std::string driverKey(const NodePipeline& node, const PassDesc& pass,
+                             const std::vector<shader::Compiled>& stages, const world::GpuScene& scene) {
   std::string key = pass.name + "|" + scene.layoutText();
   for (const shader::Compiled& stage : stages) key += "|" + hashOfCode(stage.spirv);
   for (const auto& binding : node.bindings) key += fmt::format("|{} {}", binding.binding, int(binding.descriptorType));
-  for (const auto& write : in.writes) key += "|" + write.texels;
-  std::weak_ptr<const DriverPipeline>& known = drivers_[key];
-  if (std::shared_ptr<const DriverPipeline> driver = known.lock()) return driver;
+  for (const auto& write : node.interface.writes) key += "|" + write.texels;
+  return key;
+}
+
+static std::shared_ptr<const DriverPipeline> makeDriver(const gpu::Device& device, const NodePipeline& node,
+                                                        const PassDesc& pass,
+                                                        const std::vector<shader::Compiled>& stages,
+                                                        const world::GpuScene& scene) {
+  const shader::Interface& in = node.interface;
   auto driver = std::make_shared<DriverPipeline>();
-  driver->set_layout = gpu::makeSetLayout(device_, pass.name, node.bindings);
+  driver->set_layout = gpu::makeSetLayout(device, pass.name, node.bindings);
   std::vector<VkDescriptorSetLayout> sets = {scene.setLayout(), driver->set_layout.get()};
   if (in.raster) {
     gpu::RasterShaders shaders{stages[0].spirv, stages[1].spirv, {}};
     for (const auto& write : in.writes) shaders.color_formats.push_back(gpu::formatInfo(write.texels).vk);
-    driver->pipeline = gpu::Pipeline::raster(device_, pass.name, shaders, sets);
+    driver->pipeline = gpu::Pipeline::raster(device, pass.name, shaders, sets);
   } else if (hasStages(in)) {
     gpu::TraceShaders shaders{stages[0].spirv, stages[1].spirv, stages[2].spirv, stages[3].spirv};
-    driver->pipeline = gpu::Pipeline::trace(device_, pass.name, shaders, sets);
+    driver->pipeline = gpu::Pipeline::trace(device, pass.name, shaders, sets);
   } else {
-    driver->pipeline = gpu::Pipeline::compute(device_, pass.name, stages[0].spirv, sets);
+    driver->pipeline = gpu::Pipeline::compute(device, pass.name, stages[0].spirv, sets);
   }
-  known = driver;
   return driver;
 }
 
@@ -449,18 +494,39 @@ const DriverPipeline& PipelineCache::clearOf(const std::string& format) {
   return clears_.emplace(format, std::move(clear)).first->second;
 }
 
-std::shared_ptr<const NodePipeline> PipelineCache::make(const shader::Interface& in, const PassDesc& pass,
-                                                        const world::GpuScene& scene) {
-  std::vector<shader::Compiled> stages = compileStages(home_, in, pass);
-  const std::vector<Path> shaders = shaderFiles(home_, pass);
+void PipelineCache::compile(Making& one) const {
+  const auto& [in, pass] = *one.request;
+  one.stages = compileStages(home_, in, *pass);
+  const std::vector<Path> shaders = shaderFiles(home_, *pass);
   throwIfAny(unusedNames(home_, in, shaders, shader::namesUsed(home_, shaders)));
-  auto made = std::make_shared<NodePipeline>();
-  made->interface = in;
-  for (const auto& stage : stages) made->files.insert(made->files.end(), stage.files.begin(), stage.files.end());
-  made->sources = sourcesOf(home_, pass);
-  made->bindings = bindingsOf(in);
-  made->driver = driverOf(*made, pass, stages, scene);
-  return made;
+  one.pipeline = std::make_shared<NodePipeline>();
+  one.pipeline->interface = in;
+  for (const auto& stage : one.stages)
+    one.pipeline->files.insert(one.pipeline->files.end(), stage.files.begin(), stage.files.end());
+  one.pipeline->sources = sourcesOf(home_, *pass);
+  one.pipeline->bindings = bindingsOf(in);
+}
+
+void PipelineCache::make(std::vector<Making>& making, const world::GpuScene& scene) {
+  forEachOnAllCores(making.size(), [&](size_t i) { making[i].error = thrownBy([&] { compile(making[i]); }); });
+  // What has the same code is made by the driver once.
+  std::map<std::string, std::vector<Making*>> by_driver;
+  for (Making& one : making) {
+    if (one.error) continue;
+    const std::string key = driverKey(*one.pipeline, *one.request->pass, one.stages, scene);
+    one.pipeline->driver = drivers_[key].lock();
+    if (!one.pipeline->driver) by_driver[key].push_back(&one);
+  }
+  const std::vector<std::pair<std::string, std::vector<Making*>>> drivers(by_driver.begin(), by_driver.end());
+  forEachOnAllCores(drivers.size(), [&](size_t i) {
+    const auto& sharing = drivers[i].second;
+    const Making& first = *sharing.front();
+    std::shared_ptr<const DriverPipeline> driver;
+    const std::exception_ptr error =
+        thrownBy([&] { driver = makeDriver(device_, *first.pipeline, *first.request->pass, first.stages, scene); });
+    for (Making* one : sharing) one->pipeline->driver = driver, one->error = error;
+  });
+  for (const auto& [key, sharing] : drivers) drivers_[key] = sharing.front()->pipeline->driver;
 }
 
 }  // namespace strobe::graph

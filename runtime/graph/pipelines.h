@@ -2,6 +2,7 @@
 // A pass's pipeline for the variants, formats and backend of one node, made once per distinct content.
 #pragma once
 
+#include <exception>
 #include <future>
 #include <map>
 #include <memory>
@@ -89,13 +90,25 @@ class ShaderCheck {
   std::vector<std::future<std::set<std::string>>> started_;
 };
 
+// A pass by its interface in one node of a plan, which must outlive the request.
+struct PipelineRequest {
+  shader::Interface interface;
+  const plan::PassDesc* pass;
+};
+
+// The answer to a request.
+struct PipelineFound {
+  std::shared_ptr<const NodePipeline> pipeline;
+  std::exception_ptr error;  // why there is none; of a mistake in a shader or a pass an `Error`
+};
+
 // Pipelines by the content they come from: the same text compiled the same way is the same pipeline, so nothing stale
 // can be served and nothing is compiled twice. Of those no longer in use, the last few hundred are kept.
 class PipelineCache {
  public:
   PipelineCache(const Home& home, const gpu::Device& device) : home_(home), device_(device) {}
-  std::shared_ptr<const NodePipeline> get(const shader::Interface& interface, const plan::PassDesc& pass,
-                                          const world::GpuScene& scene);
+  // An answer for each request, in their order. What is not held is compiled on all cores, by the driver as well.
+  std::vector<PipelineFound> get(const std::vector<PipelineRequest>& requests, const world::GpuScene& scene);
   // Clears an image of this format, the one storage image of its only set, to zero: a work group for 8x8 pixels. It is
   // no file, so that nobody's edit or bundle lacks it.
   const DriverPipeline& clearOf(const std::string& format);
@@ -108,11 +121,11 @@ class PipelineCache {
     Stamps files;
     std::string content;
   };
-  std::shared_ptr<const NodePipeline> make(const shader::Interface& interface, const plan::PassDesc& pass,
-                                           const world::GpuScene& scene);
-  std::shared_ptr<const DriverPipeline> driverOf(const NodePipeline& node, const plan::PassDesc& pass,
-                                                 const std::vector<shader::Compiled>& stages,
-                                                 const world::GpuScene& scene);
+  // A pipeline that is being made.
+  struct Making;
+  const std::string& contentOf(const shader::Interface& interface, const plan::PassDesc& pass);
+  void make(std::vector<Making>& making, const world::GpuScene& scene);
+  void compile(Making& one) const;
   Seen lookAt(const shader::Interface& interface, const plan::PassDesc& pass) const;
   void forgetOldest();
 
