@@ -93,9 +93,9 @@ const Pose& FramePoser::posed(double time_s, std::vector<std::pair<double, Pose>
 }
 
 Pose FramePoser::at(double time_s) const {
-  std::vector<std::pair<double, Pose>> poses;  // by time; those of the camera, of objects, of the capture
+  std::vector<std::pair<double, Pose>> poses;  // by time; those of objects, of the capture
   const double camera_s = cameraTime(time_s);
-  Pose pose = posed(camera_s, poses);
+  Pose pose = poser_.at(camera_s, times_.capture_s);
   for (size_t i = 0; i < instances_.size(); ++i) {
     const double own_s = timeOf(instances_[i], time_s);
     if (own_s == camera_s) continue;

@@ -184,14 +184,6 @@ std::vector<const Animation*> clipsOf(const Scene& scene, const std::string& ani
               {}, 2);
 }
 
-Poser::Poser(const Scene& scene, int camera_node, const std::string& animation)
-    : scene_(scene),
-      instances_(instancesOf(scene)),
-      lights_(lightsOf(scene)),
-      camera_node_(camera_node),
-      clips_(clipsOf(scene, animation)),
-      order_(hierarchyOrder(scene)) {}
-
 static void applyTrack(const Track& track, double time_s, Transform& transform) {
   dvec4 value = valueAt(track, time_s);
   if (track.target == Track::Target::Rotation) transform.rotation = quaternion(value);
@@ -199,25 +191,25 @@ static void applyTrack(const Track& track, double time_s, Transform& transform) 
 }
 
 std::vector<dmat4> Poser::nodesAt(double time_s, double held_time_s) const {
-  std::vector<Transform> transforms;
-  std::vector<char> keyed(scene_.nodes.size());
-  for (const Node& node : scene_.nodes) transforms.push_back({node.translation, node.rotation, node.scale});
+  std::vector<Transform> transforms(scene_.nodes.size());
+  for (const Driven& driven : driven_) {
+    const Node& node = scene_.nodes[size_t(driven.node)];
+    if (driven.keyed) transforms[size_t(driven.node)] = {node.translation, node.rotation, node.scale};
+  }
   for (const Animation* clip : clips_) {
     for (const Track& track : clip->tracks) {
       bool step = track.interpolation == Track::Interpolation::Step;
-      applyTrack(track, clipTime(step ? held_time_s : time_s, clip->duration), transforms[track.node]);
-      keyed[track.node] = true;
+      applyTrack(track, clipTime(step ? held_time_s : time_s, clip->duration), transforms[size_t(track.node)]);
     }
   }
 
-  std::vector<dmat4> worlds(scene_.nodes.size());
-  std::vector<std::vector<const ConstantMotion*>> motions(scene_.nodes.size());
-  for (const ConstantMotion& motion : scene_.motions) motions[motion.node].push_back(&motion);
-  for (int node : order_) {
-    int parent = scene_.nodes[node].parent;
-    dmat4 own = keyed[node] ? transforms[node].matrix() : restMatrix(scene_.nodes[node]);
-    worlds[node] = parent < 0 ? own : worlds[parent] * own;
-    for (const ConstantMotion* motion : motions[node]) worlds[node] = movedBy(*motion, worlds[node], time_s);
+  std::vector<dmat4> worlds = rest_worlds_;
+  for (const auto& [node, keyed, motions] : driven_) {
+    int parent = scene_.nodes[size_t(node)].parent;
+    dmat4 own = keyed ? transforms[size_t(node)].matrix() : restMatrix(scene_.nodes[size_t(node)]);
+    dmat4& world = worlds[size_t(node)];
+    world = parent < 0 ? own : worlds[size_t(parent)] * own;
+    for (const ConstantMotion* motion : motions) world = movedBy(*motion, world, time_s);
   }
   return worlds;
 }
@@ -246,14 +238,14 @@ static void moveJoints(const std::vector<ConstantMotion>& motions, int node, dou
   }
 }
 
-// Adds an instance to a pose in which nodes stand thus, with its motions at a
-// constant rate at that time; without one at rest.
+// Puts an instance into a pose in which nodes stand thus, with its motions at a constant rate at that time; without one
+// at rest.
 static void place(const Scene& scene, const Instance& instance, const std::vector<dmat4>& worlds,
-                  const std::vector<double>& weights, std::optional<double> time_s, Pose& pose) {
+                  const std::vector<double>& weights, std::optional<double> time_s, dmat4& world, Bend& bend) {
   const Node& node = scene.nodes[size_t(instance.node)];
-  dmat4 world = worlds[size_t(instance.node)] * instance.node_from_instance;
-  Bend bend;
+  world = worlds[size_t(instance.node)] * instance.node_from_instance;
   bend.weights = weights;
+  bend.joints.clear();
   if (node.skin >= 0) {
     std::vector<dmat4> joints = jointsOf(scene, instance, worlds);
     if (time_s) moveJoints(scene.motions, instance.node, *time_s, joints);
@@ -262,17 +254,19 @@ static void place(const Scene& scene, const Instance& instance, const std::vecto
   }
   if (bend.joints.empty()) world = glm::translate(world, scene.meshes[size_t(instance.mesh)].origin);
   else world = glm::scale(dmat4(1), dvec3(instance.mirrored ? -1 : 1, 1, 1));
-  pose.world_from_instance.push_back(world);
-  pose.bends.push_back(std::move(bend));
 }
 
-Pose restPose(const Scene& scene) {
-  const std::vector<dmat4> worlds = restWorlds(scene);
+static Pose restPose(const Scene& scene, const std::vector<Instance>& instances, const std::vector<dmat4>& worlds) {
   Pose pose;
-  for (const Instance& instance : instancesOf(scene))
-    place(scene, instance, worlds, scene.nodes[size_t(instance.node)].weights, std::nullopt, pose);
+  pose.world_from_instance.resize(instances.size());
+  pose.bends.resize(instances.size());
+  for (size_t i = 0; i < instances.size(); ++i)
+    place(scene, instances[i], worlds, scene.nodes[size_t(instances[i].node)].weights, std::nullopt,
+          pose.world_from_instance[i], pose.bends[i]);
   return pose;
 }
+
+Pose restPose(const Scene& scene) { return restPose(scene, instancesOf(scene), restWorlds(scene)); }
 
 // The view direction is kept, the up direction made square to it, scale and mirroring dropped.
 static dmat4 unitFrame(const dmat4& world, const std::string& name) {
@@ -315,15 +309,56 @@ void Poser::keyProperties(Pose& pose, double time_s, double held_time_s) const {
   }
 }
 
+Poser::Poser(const Scene& scene, int camera_node, const std::string& animation)
+    : scene_(scene),
+      instances_(instancesOf(scene)),
+      lights_(lightsOf(scene)),
+      camera_node_(camera_node),
+      clips_(clipsOf(scene, animation)),
+      rest_worlds_(restWorlds(scene)),
+      rest_(restPose(scene, instances_, rest_worlds_)),
+      driven_(drivenNodes()),
+      driven_instances_(drivenInstances()) {}
+
+std::vector<Poser::Driven> Poser::drivenNodes() const {
+  std::vector<Driven> all(scene_.nodes.size());
+  for (const Animation* clip : clips_)
+    for (const Track& track : clip->tracks) all[size_t(track.node)].keyed = true;
+  for (const ConstantMotion& motion : scene_.motions) all[size_t(motion.node)].motions.push_back(&motion);
+  std::vector<Driven> driven;
+  for (int node : hierarchyOrder(scene_)) {
+    const int parent = scene_.nodes[size_t(node)].parent;
+    Driven& own = all[size_t(node)];
+    const bool is_below = parent >= 0 && all[size_t(parent)].node >= 0;
+    if (!own.keyed && own.motions.empty() && !is_below) continue;
+    own.node = node;
+    driven.push_back(own);
+  }
+  return driven;
+}
+
+std::vector<size_t> Poser::drivenInstances() const {
+  std::vector<bool> may_move(scene_.nodes.size());
+  for (const Driven& driven : driven_) may_move[size_t(driven.node)] = true;
+  for (const Animation* clip : clips_)
+    for (const WeightTrack& track : clip->weights) may_move[size_t(track.node)] = true;
+  std::vector<size_t> driven;
+  for (size_t i = 0; i < instances_.size(); ++i) {
+    const size_t node = size_t(instances_[i].node);
+    if (may_move[node] || scene_.nodes[node].skin >= 0) driven.push_back(i);
+  }
+  return driven;
+}
+
 Pose Poser::at(double time_s) const { return at(time_s, time_s); }
 
 Pose Poser::at(double time_s, double held_time_s) const {
   std::vector<dmat4> worlds = nodesAt(time_s, held_time_s);
   const std::vector<std::vector<double>> weights = weightsAt(time_s, held_time_s);
-  Pose pose;
-  for (const Instance& instance : instances_) {
-    place(scene_, instance, worlds, weights[size_t(instance.node)], time_s, pose);
-  }
+  Pose pose = rest_;
+  for (size_t i : driven_instances_)
+    place(scene_, instances_[i], worlds, weights[size_t(instances_[i].node)], time_s, pose.world_from_instance[i],
+          pose.bends[i]);
   for (int light : lights_) {
     pose.world_from_light.push_back(worlds[light]);
     pose.lights.push_back(scene_.lights[scene_.nodes[light].light]);

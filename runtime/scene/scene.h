@@ -271,6 +271,15 @@ class Poser {
   std::vector<dmat4> nodesAt(double time_s, double held_time_s) const;
 
  private:
+  // A node that keys or a motion at a constant rate move, or one below it.
+  struct Driven {
+    int node = -1;
+    bool keyed = false;
+    std::vector<const ConstantMotion*> motions;
+  };
+
+  std::vector<Driven> drivenNodes() const;
+  std::vector<size_t> drivenInstances() const;
   void keyProperties(Pose& pose, double time_s, double held_time_s) const;
   std::vector<std::vector<double>> weightsAt(double time_s, double held_time_s) const;
   const Scene& scene_;
@@ -278,7 +287,10 @@ class Poser {
   std::vector<int> lights_;
   int camera_node_;
   std::vector<const Animation*> clips_;
-  std::vector<int> order_;  // parents before children
+  std::vector<dmat4> rest_worlds_;        // of every node
+  Pose rest_;                             // of every instance
+  std::vector<Driven> driven_;            // parents before children
+  std::vector<size_t> driven_instances_;  // all that may not be as at rest
 };
 
 }  // namespace strobe::scene

@@ -79,8 +79,12 @@ struct Bins {
   }
 };
 
-// One byte of a plane, rounded away from what is inside.
-uint32_t plane(double distance, double step, bool up) {
+// One byte of the plane at `place`, from `origin`, rounded away from what is inside.
+uint32_t plane(double place, double origin, double step, bool up) {
+  double distance = place - origin;
+  // What the difference is short of, exactly (Knuth, TAOCP 2, 4.2.2): of sizes far apart it rounds to either side.
+  const double taken = place - distance, rest = (place - (distance + taken)) + (taken - origin);
+  if (up ? rest > 0 : rest < 0) distance = std::nextafter(distance, up ? HUGE_VAL : -HUGE_VAL);
   double steps = up ? std::ceil(distance / step) : std::floor(distance / step);
   return uint32_t(std::clamp(steps, 0.0, 255.0));
 }
@@ -100,8 +104,8 @@ Box setBounds(shared::BvhNode& node, std::span<const Box> children) {
     double step = std::ldexp(1.0, exponent);
     node.steps |= uint32_t(exponent + 127) << (8 * axis);
     for (size_t c = 0; c < children.size(); ++c) {
-      node.low[axis] |= plane(double(children[c].low[axis]) - node.origin[axis], step, false) << (8 * c);
-      node.high[axis] |= plane(double(children[c].high[axis]) - node.origin[axis], step, true) << (8 * c);
+      node.low[axis] |= plane(children[c].low[axis], node.origin[axis], step, false) << (8 * c);
+      node.high[axis] |= plane(children[c].high[axis], node.origin[axis], step, true) << (8 * c);
     }
   }
   return box;
@@ -397,6 +401,7 @@ Bvh buildBvh(std::vector<BvhItem>& items, const BvhOptions& options) {
   bvh.nodes.front().reach = reachOf(bvh.nodes.front());
   const double whole = halfArea(root.box);
   bvh.cost = whole > 0 ? tree.cost / whole : 1;
+  bvh.bounds = root.box;
   return bvh;
 }
 
@@ -407,6 +412,26 @@ Bvh buildBvh(const std::vector<Box>& boxes, const BvhOptions& options) {
   Bvh bvh = buildBvh(items, options);
   for (const BvhItem& item : items) bvh.order.push_back(item.index);
   return bvh;
+}
+
+Bvh joined(const Bvh& a, const Bvh& b) {
+  Bvh both;
+  both.nodes.push_back({});
+  std::vector<Box> boxes;
+  for (const Bvh* part : {&a, &b}) {
+    if (!(part->bounds.low.x <= part->bounds.high.x)) continue;
+    const uint32_t first = uint32_t(both.nodes.size());
+    both.nodes.front().children[boxes.size()] = first;
+    boxes.push_back(part->bounds);
+    for (shared::BvhNode node : part->nodes) {
+      for (uint32_t& child : node.children) child += child & BVH_LEAF ? 0 : first;
+      both.nodes.push_back(node);
+    }
+  }
+  if (boxes.empty()) return both;
+  both.bounds = setBounds(both.nodes.front(), boxes);
+  both.nodes.front().reach = reachOf(both.nodes.front());
+  return both;
 }
 
 void refitBvh(Bvh& bvh, const std::vector<Box>& boxes) {

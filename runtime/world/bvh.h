@@ -20,6 +20,7 @@ struct Box {
     low = glm::min(low, other.low);
     high = glm::max(high, other.high);
   }
+  bool operator==(const Box&) const = default;
 };
 
 struct BvhItem {
@@ -32,6 +33,7 @@ struct Bvh {
   std::vector<uint32_t> order;         // boxes as leaves have them
   // Expected cost of a random line that meets the root: a node costs 1, a box in a leaf 1; before levels are joined.
   double cost = 0;
+  Box bounds;
 };
 
 struct BvhOptions {
@@ -44,5 +46,7 @@ struct BvhOptions {
 Bvh buildBvh(const std::vector<Box>& boxes, const BvhOptions& options = {});
 // The same of items of different indices, which are left as leaves have them; `order` stays empty.
 Bvh buildBvh(std::vector<BvhItem>& items, const BvhOptions& options = {});
+// One tree over two with one box to a leaf, as deep as the deeper and a node on top. `order` stays empty, and `cost` 0.
+Bvh joined(const Bvh& a, const Bvh& b);
 
 }  // namespace strobe::world

@@ -80,6 +80,8 @@ class OwnStructures : public Structures {
         roots_(trees.roots),
         bounds_(trees.bounds) {
     for (uint32_t root : roots_) reaches_.push_back(trees.nodes[root].reach);
+    const shared::SceneTransform nowhere{vec4(NAN), vec4(NAN), vec4(NAN)};
+    placed_.resize(instances_.size(), {nowhere, {}, {}});
     size_t levels = levelOf(slices - 1) + 1;
     nodes_per_tree_ = std::max<size_t>(1, instances_.size());
     first_root_ = trees.nodes.size();
@@ -122,12 +124,8 @@ class OwnStructures : public Structures {
     std::vector<BvhInstance> posed(instances_.size());
     std::vector<Box> boxes(instances_.size());
     for (size_t i = 0; i < instances_.size(); ++i) {
-      const size_t mesh = size_t(instances_[i].mesh);
-      Rows forward{{dvec4(transforms[i].row_x), dvec4(transforms[i].row_y), dvec4(transforms[i].row_z)}};
-      Rows back = inverseOf(forward);
-      posed[i] = {vec4(back.rows[0]), vec4(back.rows[1]), vec4(back.rows[2]), roots_[mesh], reaches_[mesh]};
-      bool empty = bounds_[mesh].low.x > bounds_[mesh].high.x;
-      if (!empty) boxes[i] = posedBox(bounds_[mesh], forward, back);
+      placeAt(transforms[i], i);
+      posed[i] = placed_[i].posed, boxes[i] = placed_[i].box;
     }
     for (size_t b = 0; b < bending_.size(); ++b) {
       const Bending& bending = bending_[b];
@@ -138,10 +136,7 @@ class OwnStructures : public Structures {
       boxes[i] = bending.tree.triangles() > 0 ? posedBox(fit.bounds, forward, inverseOf(forward)) : Box();
     }
     staging.write(posed_, level * posed.size(), posed.data(), posed.size());
-    putTree(staging, 2 * level, boxes);
-    for (size_t i = 0; i < boxes.size(); ++i)
-      if (!moves[i]) boxes[i] = {};
-    putTree(staging, 2 * level + 1, boxes);
+    putTrees(staging, level, boxes, moves);
   }
 
   // The copies are all.
@@ -159,6 +154,25 @@ class OwnStructures : public Structures {
     size_t first_node = 0, first_triangle = 0;  // at each level
     std::vector<Fit> fits;                      // of each level
   };
+
+  // An instance that does not bend, as it was posed last.
+  struct Placed {
+    shared::SceneTransform transform;
+    BvhInstance posed;
+    Box box;
+  };
+
+  void placeAt(const shared::SceneTransform& transform, size_t i) {
+    Placed& placed = placed_[i];
+    if (std::memcmp(&placed.transform, &transform, sizeof transform) == 0) return;
+    const size_t mesh = size_t(instances_[i].mesh);
+    const Rows forward{{dvec4(transform.row_x), dvec4(transform.row_y), dvec4(transform.row_z)}};
+    const Rows back = inverseOf(forward);
+    placed = {
+        transform, {vec4(back.rows[0]), vec4(back.rows[1]), vec4(back.rows[2]), roots_[mesh], reaches_[mesh]}, {}};
+    const bool is_empty = bounds_[mesh].low.x > bounds_[mesh].high.x;
+    if (!is_empty) placed.box = posedBox(bounds_[mesh], forward, back);
+  }
 
   void numberBending(const scene::Scene& scene, const gpu::Buffer& triangles, size_t levels) {
     for (const SceneMeshes::Bending& item : bent_.items()) {
@@ -213,9 +227,24 @@ class OwnStructures : public Structures {
                                     scene, levels, nodes, BVH_MOST_NODES, triangles, size_t{1} << BVH_LEAF_COUNT)));
   }
 
-  // Each level has two trees: of all instances, and of those that move.
-  void putTree(gpu::Staging& staging, size_t tree, const std::vector<Box>& boxes) {
-    Bvh bvh = buildBvh(boxes, {1, BVH_TOP_DEPTH});
+  // Each level has two trees: of all instances, and of those that move. Where many are at rest, a tree over these is
+  // built when they change, and joined with the other.
+  void putTrees(gpu::Staging& staging, uint32_t level, const std::vector<Box>& boxes, const std::vector<bool>& moves) {
+    constexpr ptrdiff_t kMany = 64;
+    std::vector<Box> moving = boxes, resting = boxes;
+    for (size_t i = 0; i < boxes.size(); ++i) (moves[i] ? resting : moving)[i] = {};
+    const Bvh moving_tree = buildBvh(moving, {1, BVH_TOP_DEPTH - 1});
+    putTree(staging, 2 * level + 1, moving_tree);
+    if (std::count(moves.begin(), moves.end(), false) < kMany) {
+      putTree(staging, 2 * level, buildBvh(boxes, {1, BVH_TOP_DEPTH}));
+      return;
+    }
+    if (resting != resting_) resting_tree_ = buildBvh(resting, {1, BVH_TOP_DEPTH - 1});
+    resting_ = std::move(resting);
+    putTree(staging, 2 * level, joined(resting_tree_, moving_tree));
+  }
+
+  void putTree(gpu::Staging& staging, size_t tree, Bvh bvh) {
     const uint32_t first = uint32_t(first_root_ + tree * nodes_per_tree_);
     for (BvhNode& node : bvh.nodes)
       for (uint32_t& child : node.children)
@@ -235,6 +264,9 @@ class OwnStructures : public Structures {
   size_t first_bending_triangle_ = 0, bending_triangles_ = 0;  // the same
   gpu::Buffer nodes_, posed_, addresses_;
   gpu::Buffer triangles_;  // of a scene in which something bends
+  std::vector<Placed> placed_;
+  std::vector<Box> resting_;  // those of instances at rest, of which the tree is
+  Bvh resting_tree_;
 };
 
 }  // namespace

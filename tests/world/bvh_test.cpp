@@ -135,6 +135,25 @@ TEST(Bvh, HasEveryBoxOnceBetweenItsPlanes) {
     }
 }
 
+TEST(Bvh, JoinedHasEveryBoxOfBothOnce) {
+  const BvhOptions options{1, BVH_TOP_DEPTH - 1};
+  for (const auto& [name, boxes] : hardLists())
+    for (size_t in_first : {size_t(0), size_t(1), boxes.size() / 3, boxes.size()}) {
+      SCOPED_TRACE(fmt::format("{}, {} in the first", name, in_first));
+      Boxes first = boxes, second = boxes;
+      for (size_t i = 0; i < boxes.size(); ++i) (i < in_first ? second : first)[i] = Box();
+      const Bvh bvh = joined(buildBvh(first, options), buildBvh(second, options));
+      Walk walk{bvh, boxes, options, {}, {}};
+      EXPECT_EQ(walk.down(0, 1), bvh.bounds);
+      EXPECT_EQ(walk.met.size(), boxes.size());
+      EXPECT_EQ(std::set<uint32_t>(walk.met.begin(), walk.met.end()).size(), boxes.size());
+      EXPECT_EQ(walk.nodes.size(), bvh.nodes.size());
+      EXPECT_LE(walk.deepest, BVH_TOP_DEPTH);
+      EXPECT_LE(bvh.nodes.size(), boxes.size() + 1);
+    }
+  EXPECT_EQ(joined(buildBvh(Boxes()), buildBvh(Boxes(3))).nodes.size(), 1u);
+}
+
 TEST(Bvh, OfNothingHasANodeWithoutChildren) {
   for (const Boxes& boxes : {Boxes(), Boxes(3)}) {
     Bvh bvh = buildBvh(boxes);
