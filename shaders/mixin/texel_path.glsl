@@ -47,39 +47,39 @@ vec3 onPlane(ivec2 at, vec3 point_ws, vec3 normal_ws) {
   return ray.origin + ray.direction * (dot(point_ws - ray.origin, normal_ws) / dot(ray.direction, normal_ws));
 }
 
-// Length at `slice`, which is at the time t, px, of the longest way to the texels beside, of the same object. Where there
-// is none along an axis, the object is turned away: the surface's plane says where they would be.
-float growthAt(uint slice, float t, ivec2 pixel, uint id, vec3 normal_ws) {
-  if (t == 0.0) return 1.0;
-  uint kind = pathKind(id);
-  vec2 here = shiftAt(slice, t, pixel, kind);
-  float growth = 0.0;
-  for (int axis = 0; axis < 2; ++axis) {
-    ivec2 step = axis == 0 ? ivec2(1, 0) : ivec2(0, 1);
-    bool alone = !isSame(pixel + step, id) && !isSame(pixel - step, id);
-    for (int side = -1; side <= 1; side += 2) {
-      ivec2 at = pixel + side * step;
-      if (!alone && !isSame(at, id)) continue;
-      vec2 there;
-      if (alone) {
-        Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(pixel));
-        vec3 point_ws = ray.origin + ray.direction * texelFetch(depth_tex, pixel, 0).x;
-        there = pathOfPoint(slice, id - 1u, onPlane(at, point_ws, normal_ws));
-      } else {
-        there = shiftAt(slice, t, at, kind);
-      }
-      growth = max(growth, lengthOf(vec2(side * step) + there - here));
-    }
-  }
-  return growth;
-}
+// The texel itself, and those beside it.
+const ivec2 kCross[5] = ivec2[5](ivec2(0), ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
 
+// Is the longest way to the texels beside, of the same object, longer at an end of the exposure than `most_growth` px? Where
+// there is none along an axis, the object is turned away: the surface's plane says where they would be. Paths stand here
+// once, in one loop over both ends and all texels: each copy of them takes long to compile.
 bool growsAt(ivec2 pixel, uint id) {
 #if HAS_normal
   vec3 normal_ws = vec3(texelFetch(normal_tex, pixel, 0));
   if (id == 0u || dot(normal_ws, normal_ws) < 0.5) return false;
-  float growth = max(growthAt(SLICE_OPEN, frame.shutter.x, pixel, id, normal_ws),
-                     growthAt(SLICE_CLOSE, frame.shutter.y, pixel, id, normal_ws));
+  uint kind = pathKind(id);
+  float growth = any(equal(frame.shutter, vec2(0))) ? 1.0 : 0.0;
+  vec2 here = vec2(0);
+  for (int i = 0; i < 10; ++i) {
+    bool is_open = i < 5;
+    uint slice = is_open ? SLICE_OPEN : SLICE_CLOSE;
+    float t = is_open ? frame.shutter.x : frame.shutter.y;
+    if (t == 0.0) continue;
+    ivec2 step = kCross[i % 5], at = pixel + step;
+    bool is_beside = step != ivec2(0), same = !is_beside || isSame(at, id);
+    bool alone = !same && !isSame(pixel - step, id);
+    if (!same && !alone) continue;
+    vec2 there;
+    if (alone) {
+      Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(pixel));
+      vec3 point_ws = ray.origin + ray.direction * texelFetch(depth_tex, pixel, 0).x;
+      there = pathOfPoint(slice, id - 1u, onPlane(at, point_ws, normal_ws));
+    } else {
+      there = shiftAt(slice, t, at, kind);
+    }
+    if (is_beside) growth = max(growth, lengthOf(vec2(step) + there - here));
+    else here = there;
+  }
   return !(growth <= params.most_growth);
 #else
   return false;

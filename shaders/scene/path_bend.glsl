@@ -10,11 +10,18 @@
 #include "mixin/stored.glsl"
 #include "mixin/texel_path.glsl"
 
+// The middle of the exposure, and its ends.
+const uint kSlices[3] = uint[3](SLICE_SAMPLE, SLICE_OPEN, SLICE_CLOSE);
+
 // How far the path of what a texel shows is from the line between its ends, in its middle.
 vec2 bendAt(ivec2 pixel) {
-  vec2 bend = pathOfTexel(SLICE_SAMPLE, pixel);
-  if (frame.shutter.x != 0.0) bend -= 0.5 * pathOfTexel(SLICE_OPEN, pixel);
-  if (frame.shutter.y != 0.0) bend -= 0.5 * pathOfTexel(SLICE_CLOSE, pixel);
+  vec2 bend = vec2(0);
+  for (int k = 0; k < 3; ++k) {
+    if (k > 0 && frame.shutter[k - 1] == 0.0) continue;
+    vec2 path = pathOfTexel(kSlices[k], pixel);
+    if (k == 0) bend = path;
+    else bend -= 0.5 * path;
+  }
   return bend;
 }
 

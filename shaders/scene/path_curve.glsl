@@ -42,9 +42,13 @@ void run(ivec2 pixel) {
   bool is_curved = (kind & PATH_CURVED) != 0u && texelFetch(depth_tex, pixel, 0).x > 0.0;
   if (is_curved || isMoving(pixel)) {
     if (is_curved) {
-      vec2 open = pathOfTexel(SLICE_OPEN, pixel), close = pathOfTexel(SLICE_CLOSE, pixel), from_line[kPoses];
-      for (int k = 0; k < kPoses; ++k)
-        from_line[k] = pathOfTexel(SLICE_SAMPLE + uint(k), pixel) - mix(open, close, timeOfPose(k));
+      vec2 open = vec2(0), close = vec2(0), from_line[kPoses];
+      for (int k = -2; k < kPoses; ++k) {
+        vec2 path = pathOfTexel(k == -2 ? SLICE_OPEN : k == -1 ? SLICE_CLOSE : SLICE_SAMPLE + uint(k), pixel);
+        if (k == -2) open = path;
+        else if (k == -1) close = path;
+        else from_line[k] = path - mix(open, close, timeOfPose(k));
+      }
       curve.xy = from_line[kPoses / 2];
 #if PARAM_trajectory == trajectory_cubic
       curve.zw = 27.0 / 20.0 * (from_line[2] - from_line[0]);
