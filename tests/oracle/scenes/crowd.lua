@@ -2,13 +2,14 @@
 -- Lit cards at several depths that move in several directions before a wall, for a pinhole camera: for properties that
 -- hold of any picture. At 64x40, 64 px of focal length: 1 px at depth z is z / 64. No two cards are equally fast.
 -- mirror = -1 mirrors left and right, speed multiplies all motion, scale all lengths (light too, so that the picture
--- stays), brightness the light alone; value > 0 gives everything that colour.
+-- stays), brightness the light alone; value > 0 gives everything that colour; crumbs are as many small cards at rest.
 local scene = require "strobe.scene"
 
 scene.param("width", 64) -- given to every scene; nothing here depends on it
 local height = scene.param("height", 40)
 local mirror, speed, scale = scene.param("mirror", 1), scene.param("speed", 1), scene.param("scale", 1)
 local value, brightness = scene.param("value", 0), scene.param("brightness", 1)
+local crumbs = scene.param("crumbs", 0)
 local exposures_per_second = 24 / 0.5
 
 local function material(name, color)
@@ -27,23 +28,32 @@ local function card(name, depth, centre, size, displacement, color)
   }
 end
 
+-- In rows of 20, each at a depth of its own.
+local function crumb(i)
+  local place = { 3.25 * (i % 20) - 30.875, 2.5 * (i // 20) - 18 }
+  return card("crumb " .. i, 20 + i / 64, place, { 1.5, 1.25 }, { 0, 0 }, { 0.3, 0.6, 0.2 })
+end
+
+local nodes = {
+  card("wall", 32, { 2.375, 4.5 }, { 48.5, 40.5 }, { 0, 0 }, { 0.5, 0.4, 0.3 }),
+  card("band", 24, { 0, 3.25 }, { 96, 6.5 }, { -6.25, 0 }, { 0.2, 0.7, 0.3 }),
+  card("high", 16, { -12.125, -6.75 }, { 14.5, 10.5 }, { 9.125, 3.25 }, { 0.9, 0.2, 0.1 }),
+  card("low", 12, { 9.875, 8.25 }, { 11.5, 12.5 }, { 0.75, -7.125 }, { 0.1, 0.2, 0.9 }),
+  card("near", 8, { 13.375, -8.5 }, { 6.5, 15.5 }, { -11.25, 1.375 }, { 0.8, 0.8, 0.1 }),
+  card("still", 9, { -20.125, 8.25 }, { 8.5, 9.5 }, { 0, 0 }, { 0.6, 0.1, 0.6 }),
+  scene.node {
+    name = "lamp", position = { mirror * 0.5 * scale, 2 * scale, -2 * scale },
+    light = scene.point_light { intensity = 400 * scale * scale * brightness },
+  },
+  scene.node {
+    name = "camera",
+    camera = scene.camera { name = "main", fov = math.deg(2 * math.atan(height / 2 / 64)), near = 0.5 * scale },
+  },
+}
+for i = 0, crumbs - 1 do table.insert(nodes, crumb(i)) end
+
 return scene {
   name = "crowd",
   environment = { background = value > 0 and { value, value, value } or { 0.25, 0.5, 1 } },
-  nodes = {
-    card("wall", 32, { 2.375, 4.5 }, { 48.5, 40.5 }, { 0, 0 }, { 0.5, 0.4, 0.3 }),
-    card("band", 24, { 0, 3.25 }, { 96, 6.5 }, { -6.25, 0 }, { 0.2, 0.7, 0.3 }),
-    card("high", 16, { -12.125, -6.75 }, { 14.5, 10.5 }, { 9.125, 3.25 }, { 0.9, 0.2, 0.1 }),
-    card("low", 12, { 9.875, 8.25 }, { 11.5, 12.5 }, { 0.75, -7.125 }, { 0.1, 0.2, 0.9 }),
-    card("near", 8, { 13.375, -8.5 }, { 6.5, 15.5 }, { -11.25, 1.375 }, { 0.8, 0.8, 0.1 }),
-    card("still", 9, { -20.125, 8.25 }, { 8.5, 9.5 }, { 0, 0 }, { 0.6, 0.1, 0.6 }),
-    scene.node {
-      name = "lamp", position = { mirror * 0.5 * scale, 2 * scale, -2 * scale },
-      light = scene.point_light { intensity = 400 * scale * scale * brightness },
-    },
-    scene.node {
-      name = "camera",
-      camera = scene.camera { name = "main", fov = math.deg(2 * math.atan(height / 2 / 64)), near = 0.5 * scale },
-    },
-  },
+  nodes = nodes,
 }
