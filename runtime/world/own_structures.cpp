@@ -227,8 +227,9 @@ class OwnStructures : public Structures {
                                     scene, levels, nodes, BVH_MOST_NODES, triangles, size_t{1} << BVH_LEAF_COUNT)));
   }
 
-  // Each level has two trees: of all instances, and of those that move. Where it would take the host longer to build the
-  // first than rays lose by it, the tree over what is at rest is built when that changes, and joined with the second.
+  // Each level has two trees: of all instances, and of those that move. Where it would take the host longer to build
+  // the first than rays lose by it, the tree over what is at rest is built when that changes, and joined with the
+  // second.
   void putTrees(gpu::Staging& staging, uint32_t level, const std::vector<Box>& boxes, const std::vector<bool>& moves) {
     constexpr ptrdiff_t kMany = 256;
     std::vector<Box> moving = boxes, resting = boxes;

@@ -86,7 +86,8 @@ MEASURED = [
             read=read.tutorial_row, tolerance=0.02),
     *[Numbers(id, "committed: docs/gpu/h200", 1, "made on another machine", read=reader)
       for id, reader in (("gpu_frames", read.gpu_frames), ("gpu_published", read.gpu_published),
-                         ("gpu_passes", read.gpu_passes), ("gpu_pairs", read.gpu_pairs))],
+                         ("gpu_kitchen", read.gpu_kitchen), ("gpu_passes", read.gpu_passes),
+                         ("gpu_by_rays", read.gpu_by_rays), ("gpu_pairs", read.gpu_pairs), ("gpu_reload", read.gpu_reload))],
     History("gpu_rounding", because="no such GPU is at hand", date="2026-11-26", device="NVIDIA H200", revision="8f25415"),
     Numbers("mutants_caught", "committed: tools/mutate/mutations.md", 1, "the page that the tool wrote",
             read=read.caught_mutants),

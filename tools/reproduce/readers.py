@@ -78,18 +78,35 @@ def gpu_published(bench):
     return [times["hybrid:preset=seed", 1920][""] / times["mcguire2012", 1920][""]]
 
 
+def gpu_kitchen(bench):
+    times = gpu_times(bench, "kitchen")
+    return [times[method, 1920][""] for method in ("none", "mcguire2012", "hybrid:preset=seed", "hybrid")]
+
+
 def gpu_passes(bench):
-    times = gpu_times(bench)
-    mcguire, seed, best = (times[method, 1920] for method in ("mcguire2012", "hybrid:preset=seed", "hybrid"))
-    in_no_pass = [2 * shot[""] - sum(shot.values()) for shot in (best, seed, mcguire)]
-    return [mcguire["visibility"], mcguire["gather"], *in_no_pass]
+    mcguire = gpu_times(bench)["mcguire2012", 1920]
+    return [mcguire["visibility"], mcguire["gather"]]
+
+
+def gpu_by_rays(bench):
+    times = gpu_times(bench, "visibility_by_rays")
+    return [times[method, 1920][""] for method in ("none_rays", "none")]
 
 
 def gpu_pairs(bench):
-    """With a work group for each tile and without; then frames by `pipeline`."""
-    now, before, pipeline = (gpu_times(bench, file) for file in ("bench", "one_invocation_per_tile", "pipeline"))
-    passes = [run["hybrid", 1920][name] for name in ("mask_tile_motions", "tile_max") for run in (now, before)]
-    return passes + [pipeline[method, 1920][""] for method in ("none", "hybrid")]
+    """Of frames ("") and passes, with another choice and as they are."""
+    now = gpu_times(bench)
+    pairs = [("clears_by_driver", "hybrid", ""), ("clears_by_driver", "hybrid:preset=seed", ""),
+             ("one_invocation_per_tile", "hybrid", "mask_tile_motions"), ("one_invocation_per_tile", "hybrid", "tile_max"),
+             ("pipeline", "none", ""), ("pipeline", "hybrid", "")]
+    return [run[method, 1920][name] for file, method, name in pairs for run in (gpu_times(bench, file), now)]
+
+
+def gpu_reload(bench):
+    """Seconds to compile after edits of two shaders, and to make images anew."""
+    edits = {edit["edited"]: edit for edit in json.loads((bench.root / "docs/gpu/h200/reload.json").read_text())["reload"]}
+    one, many = edits["shader of one pass"], edits["shader library of 23 passes"]
+    return [one["compile_ms"] / 1000, many["compile_ms"] / 1000, one["build_ms"] / 1000]
 
 
 # --- what tests and commands print
