@@ -246,6 +246,7 @@ class OwnStructures : public Structures {
   }
 
   void putTree(gpu::Staging& staging, size_t tree, Bvh bvh) {
+    STROBE_ASSERT(bvh.nodes.size() <= nodes_per_tree_, "{} nodes", bvh.nodes.size());
     const uint32_t first = uint32_t(first_root_ + tree * nodes_per_tree_);
     for (BvhNode& node : bvh.nodes)
       for (uint32_t& child : node.children)

@@ -89,6 +89,7 @@ MEASURED = [
                          ("gpu_kitchen", read.gpu_kitchen), ("gpu_passes", read.gpu_passes),
                          ("gpu_by_rays", read.gpu_by_rays), ("gpu_pairs", read.gpu_pairs), ("gpu_reload", read.gpu_reload))],
     History("gpu_rounding", because="no such GPU is at hand", date="2026-11-26", device="NVIDIA H200", revision="8f25415"),
+    History("gpu_verify", because="no such GPU is at hand", date="2026-11-26", device="NVIDIA H200", revision="b89ed81"),
     Numbers("mutants_caught", "committed: tools/mutate/mutations.md", 1, "the page that the tool wrote",
             read=read.caught_mutants),
 ]

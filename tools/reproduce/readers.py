@@ -103,7 +103,7 @@ def gpu_pairs(bench):
 
 
 def gpu_reload(bench):
-    """Seconds to compile after edits of two shaders, and to make images anew."""
+    """Seconds to compile after edits of two shaders, and to make the graph anew."""
     edits = {edit["edited"]: edit for edit in json.loads((bench.root / "docs/gpu/h200/reload.json").read_text())["reload"]}
     one, many = edits["shader of one pass"], edits["shader library of 23 passes"]
     return [one["compile_ms"] / 1000, many["compile_ms"] / 1000, one["build_ms"] / 1000]
