@@ -66,7 +66,7 @@ void requireFits(const Scene& scene, uint32_t slices, const gpu::DeviceLimits& l
   requireBytes("vertices", counts.vertices * sizeof(shared::SceneVertex), limits.array_bytes);
   requireBytes("indices", counts.indices * sizeof(uint32_t), limits.array_bytes);
   requireBytes("bent vertices", counts.bending * slices * sizeof(shared::SceneBentVertex), limits.array_bytes);
-  requireBytes("transforms", instances * slices * sizeof(shared::SceneTransform), limits.buffer_bytes);
+  requireBytes("transforms", instances * slices * sizeof(shared::SceneTransform), limits.array_bytes);
   for (const Texture& texture : scene.textures)
     beyond.require(gpu::kImageLimit, fmt::format("texture '{}'", texture.name),
                    uint64_t(std::max(texture.width, texture.height)), "pixels a side", limits.image_side);

@@ -13,11 +13,12 @@ using namespace scene;
 using namespace shared;
 using shader::StructureKind;
 
-static constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+static constexpr VkBufferUsageFlags kByAddress =
+    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
 
-// What SceneMeshes of shaders/shared/bindings.glsl has.
-struct MeshAddresses {
-  VkDeviceAddress vertices, indices, bent;
+// What SceneArrays of shaders/shared/bindings.glsl has.
+struct SceneAddresses {
+  VkDeviceAddress vertices, indices, geometries, instances, draws, materials, lights, transforms, cameras, bent;
   uint32_t first_bending, bending_count;
 };
 
@@ -41,13 +42,17 @@ GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slice
     return Buffer(device_, name, bytes, usage, Buffer::Memory::Device);
   };
   frame_ = array("frame", sizeof(FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-  lights_ = array("scene.lights", slices_ * light_nodes_.size() * sizeof(SceneLight), kStorage);
-  transforms_ = array("scene.transforms", slices_ * instances_.size() * sizeof(SceneTransform), kStorage);
-  const MeshAddresses addresses{meshes.vertices().address(), meshes.indices().address(), bent_.address(),
-                                meshes.firstBendingVertex(), bent_.vertexCount()};
+  lights_ = array("scene.lights", slices_ * light_nodes_.size() * sizeof(SceneLight), kByAddress);
+  transforms_ = array("scene.transforms", slices_ * instances_.size() * sizeof(SceneTransform), kByAddress);
+  cameras_ = array("scene.cameras", slices_ * sizeof(SceneCamera), kByAddress);
+  const SceneAddresses addresses{meshes.vertices().address(), meshes.indices().address(),
+                                 geometry_buffer_.address(),  instance_buffer_.address(),
+                                 draw_buffer_.address(),      unposed->surfaces.materials().address(),
+                                 lights_.address(),           transforms_.address(),
+                                 cameras_.address(),          bent_.address(),
+                                 meshes.firstBendingVertex(), bent_.vertexCount()};
   addresses_ =
-      gpu::uploadBuffer(device_, "scene.meshes", &addresses, sizeof addresses, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-  cameras_ = array("scene.cameras", slices_ * sizeof(SceneCamera), kStorage);
+      gpu::uploadBuffer(device_, "scene.arrays", &addresses, sizeof addresses, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
   makeSet();
 }
 
@@ -67,23 +72,20 @@ void GpuScene::uploadGeometry(const Scene& scene) {
       draw_data.push_back({uint32_t(i), g});
     }
   }
-  geometry_buffer_ = gpu::uploadArray(device_, "scene.geometries", geometries, kStorage);
-  instance_buffer_ = Buffer(device_, "scene.instances", instance_data_.size() * sizeof(SceneInstance), kStorage,
+  geometry_buffer_ = gpu::uploadArray(device_, "scene.geometries", geometries, kByAddress);
+  instance_buffer_ = Buffer(device_, "scene.instances", instance_data_.size() * sizeof(SceneInstance), kByAddress,
                             Buffer::Memory::Device);
   moves_.assign(instances_.size(), true);
-  draw_buffer_ = gpu::uploadArray(device_, "scene.draws", draw_data, kStorage);
+  draw_buffer_ = gpu::uploadArray(device_, "scene.draws", draw_data, kByAddress);
 }
 
 void GpuScene::makeSet() {
   const VkShaderStageFlags all = VK_SHADER_STAGE_ALL;
   const SceneSurfaces& surfaces = unposed_->surfaces;
-  const Buffer* buffers[] = {&frame_,           &addresses_,   &geometry_buffer_,
-                             &instance_buffer_, &draw_buffer_, &surfaces.materials(),
-                             &lights_,          &transforms_,  &cameras_};
+  const Buffer* buffers[] = {&frame_, &addresses_};
   std::vector<VkDescriptorSetLayoutBinding> bindings;
   for (uint32_t i = 0; i < std::size(buffers); ++i)
-    bindings.push_back(
-        {i, i < 2 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, all, nullptr});
+    bindings.push_back({i, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, all, nullptr});
   uint32_t texture_count = uint32_t(surfaces.textures().size());
   const uint32_t textures = uint32_t(bindings.size());
   bindings.push_back({textures, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, texture_count, all, nullptr});

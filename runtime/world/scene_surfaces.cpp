@@ -59,7 +59,8 @@ void SceneSurfaces::uploadMaterials(const gpu::Device& device, const Scene& scen
     material.emissive_use = textureUse(scene, source.emissive_texture);
     materials.push_back(material);
   }
-  materials_ = gpu::uploadArray(device, "scene.materials", materials, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  materials_ = gpu::uploadArray(device, "scene.materials", materials,
+                                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT);
 }
 
 // In the order of Texture::Format and Texture::Wrap.

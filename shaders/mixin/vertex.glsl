@@ -8,33 +8,33 @@
 // have is its last one.
 uint vertexOf(SceneGeometry geometry, uint primitive, uint corner) {
   uint triangle = min(primitive, max(geometry.triangle_count, 1u) - 1u);
-  return geometry.first_vertex + scene_meshes.indices.at[geometry.first_index + 3u * triangle + corner];
+  return geometry.first_vertex + scene_arrays.indices.at[geometry.first_index + 3u * triangle + corner];
 }
 
 // Object space, at the slice. Of what does not bend it is the same at all.
 #if FACT_bends
-bool isBending(uint vertex) { return vertex >= scene_meshes.first_bending; }
+bool isBending(uint vertex) { return vertex >= scene_arrays.first_bending; }
 
 uint bentAt(uint slice, uint vertex) {
-  return slice * scene_meshes.bending_count + (vertex - scene_meshes.first_bending);
+  return slice * scene_arrays.bending_count + (vertex - scene_arrays.first_bending);
 }
 
 vec3 vertexPosition(uint slice, uint vertex) {
-  if (isBending(vertex)) return scene_meshes.bent.at[bentAt(slice, vertex)].position;
-  return scene_meshes.vertices.at[vertex].position;
+  if (isBending(vertex)) return scene_arrays.bent.at[bentAt(slice, vertex)].position;
+  return scene_arrays.vertices.at[vertex].position;
 }
 
 vec3 vertexNormal(uint slice, uint vertex) {
-  if (isBending(vertex)) return scene_meshes.bent.at[bentAt(slice, vertex)].normal;
-  return scene_meshes.vertices.at[vertex].normal;
+  if (isBending(vertex)) return scene_arrays.bent.at[bentAt(slice, vertex)].normal;
+  return scene_arrays.vertices.at[vertex].normal;
 }
 #else
-vec3 vertexPosition(uint slice, uint vertex) { return scene_meshes.vertices.at[vertex].position; }
-vec3 vertexNormal(uint slice, uint vertex) { return scene_meshes.vertices.at[vertex].normal; }
+vec3 vertexPosition(uint slice, uint vertex) { return scene_arrays.vertices.at[vertex].position; }
+vec3 vertexNormal(uint slice, uint vertex) { return scene_arrays.vertices.at[vertex].normal; }
 #endif
 
-vec2 vertexUv0(uint vertex) { return scene_meshes.vertices.at[vertex].uv0; }
-vec2 vertexUv1(uint vertex) { return scene_meshes.vertices.at[vertex].uv1; }
-vec4 vertexColor(uint vertex) { return unpackUnorm4x8(scene_meshes.vertices.at[vertex].color); }
+vec2 vertexUv0(uint vertex) { return scene_arrays.vertices.at[vertex].uv0; }
+vec2 vertexUv1(uint vertex) { return scene_arrays.vertices.at[vertex].uv1; }
+vec4 vertexColor(uint vertex) { return unpackUnorm4x8(scene_arrays.vertices.at[vertex].color); }
 
 #endif

@@ -5,38 +5,54 @@
 #define STROBE_BINDINGS_GLSL
 #include "shared/scene.h"
 
-// By address: what is bound as a buffer may be no larger than 128 MiB. mixin/vertex.glsl reads them.
+// By address: what is bound as a buffer may be no larger than 128 MiB, and from one a software device loads invocation by
+// invocation, with branches that take most of a shader's time to compile. No load is checked: an index must be one of the
+// array. mixin/vertex.glsl reads vertices and indices.
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneVertices { SceneVertex at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneIndices { uint at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneGeometries { SceneGeometry at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneInstances { SceneInstance at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneDraws { SceneDraw at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneMaterials { SceneMaterial at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneLights { SceneLight at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer SceneTransforms { SceneTransform at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneCameras { SceneCamera at[]; };
 #if FACT_bends
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneBentVertices { SceneBentVertex at[]; };
 #endif
-layout(set = 0, binding = 1, scalar) uniform SceneMeshes {
+layout(set = 0, binding = 1, scalar) uniform SceneArrays {
   SceneVertices vertices;
   SceneIndices indices;
+  SceneGeometries geometries;
+  SceneInstances instances;
+  SceneDraws draws;
+  SceneMaterials materials;
+  SceneLights lights;          // per slice
+  SceneTransforms transforms;  // per slice
+  SceneCameras cameras;        // per slice
 #if FACT_bends
   SceneBentVertices bent;  // per slice
   uint first_bending;      // vertices from this one bend,
   uint bending_count;      // so many
 #endif
-} scene_meshes;  // `MeshAddresses` of runtime/world/gpu_scene.cpp
-layout(set = 0, binding = 2, scalar) readonly buffer SceneGeometries { SceneGeometry scene_geometries[]; };
-layout(set = 0, binding = 3, scalar) readonly buffer SceneInstances { SceneInstance scene_instances[]; };
-layout(set = 0, binding = 4, scalar) readonly buffer SceneDraws { SceneDraw scene_draws[]; };
-layout(set = 0, binding = 5, scalar) readonly buffer SceneMaterials { SceneMaterial scene_materials[]; };
-layout(set = 0, binding = 6, scalar) readonly buffer SceneLights { SceneLight scene_lights[]; };          // per slice
-layout(set = 0, binding = 7, scalar) readonly buffer SceneTransforms { SceneTransform scene_transforms[]; };  // per slice
-layout(set = 0, binding = 8, scalar) readonly buffer SceneCameras { SceneCamera scene_cameras[]; };      // per slice
-layout(set = 0, binding = 9) uniform sampler2D scene_textures[];
+} scene_arrays;  // `SceneAddresses` of runtime/world/gpu_scene.cpp
+#define scene_geometries scene_arrays.geometries.at
+#define scene_instances scene_arrays.instances.at
+#define scene_draws scene_arrays.draws.at
+#define scene_materials scene_arrays.materials.at
+#define scene_lights scene_arrays.lights.at
+#define scene_transforms scene_arrays.transforms.at
+#define scene_cameras scene_arrays.cameras.at
+layout(set = 0, binding = 2) uniform sampler2D scene_textures[];
 #ifdef STROBE_STRUCTURES_DRIVER
-layout(set = 0, binding = 10) uniform accelerationStructureEXT scene_top_levels[STROBE_SLICES];  // per slice
+layout(set = 0, binding = 3) uniform accelerationStructureEXT scene_top_levels[STROBE_SLICES];  // per slice
 #endif
 #ifdef STROBE_STRUCTURES_OWN
 #include "shared/bvh.h"
 layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer BvhNodes { BvhNode at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer BvhTriangles { BvhTriangle at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer BvhInstances { BvhInstance at[]; };
-layout(set = 0, binding = 10, scalar) uniform SceneBvh {
+layout(set = 0, binding = 3, scalar) uniform SceneBvh {
   BvhNodes nodes;          // of all meshes, then at each level (the capture, then each sample) of all instances, of those
                            // that move; then of what bends at each level
   BvhTriangles triangles;  // of all meshes, then of what bends at each level

@@ -120,7 +120,7 @@ std::string refusalOf(const gpu::DeviceLimits& limits) {
 
 TEST(DeviceLimits, AreNamedBeforeAnythingIsAllocated) {
   const gpu::DeviceLimits enough{
-      .image_side = 8, .buffer_bytes = 3 * 4 * 48, .array_bytes = 176, .instances = 3, .geometries = 1, .triangles = 2};
+      .image_side = 8, .array_bytes = 3 * 4 * 48, .instances = 3, .geometries = 1, .triangles = 2};
   EXPECT_EQ(refusalOf(enough), "");
   auto with = [&](auto change) {
     gpu::DeviceLimits limits = enough;
@@ -134,7 +134,7 @@ TEST(DeviceLimits, AreNamedBeforeAnythingIsAllocated) {
   EXPECT_NE(with([](auto& l) { l.geometries = 0; }).find("mesh 'square' has 1 parts of at most 0"), std::string::npos);
   EXPECT_NE(with([](auto& l) { l.image_side = 7; }).find("texture 'stripe' has 8 pixels a side of at most 7"),
             std::string::npos);
-  std::string bytes = with([](auto& l) { l.buffer_bytes = l.array_bytes = 175; });
+  std::string bytes = with([](auto& l) { l.array_bytes = 175; });
   EXPECT_NE(bytes.find("the buffer of all vertices has 176 bytes of at most 175"), std::string::npos) << bytes;
   EXPECT_NE(bytes.find("the buffer of all transforms has 576 bytes of at most 175"), std::string::npos) << bytes;
 }
