@@ -53,10 +53,10 @@ void SceneSurfaces::uploadMaterials(const gpu::Device& device, const Scene& scen
     material.alpha_cutoff = source.alpha_cutoff;
     material.normal_scale = source.normal_scale;
     material.flags = flagsOf(source);
-    material.base_color_use = textureUse(scene, source.base_color_texture);
-    material.metallic_roughness_use = textureUse(scene, source.metallic_roughness_texture);
-    material.normal_use = textureUse(scene, source.normal_texture);
-    material.emissive_use = textureUse(scene, source.emissive_texture);
+    material.uses[USE_BASE_COLOR] = textureUse(scene, source.base_color_texture);
+    material.uses[USE_METALLIC_ROUGHNESS] = textureUse(scene, source.metallic_roughness_texture);
+    material.uses[USE_NORMAL] = textureUse(scene, source.normal_texture);
+    material.uses[USE_EMISSIVE] = textureUse(scene, source.emissive_texture);
     materials.push_back(material);
   }
   materials_ = gpu::uploadArray(device, "scene.materials", materials,

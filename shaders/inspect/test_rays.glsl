@@ -24,7 +24,7 @@ struct Corners {
 
 Corners anyTriangle() {
   uint instance = anyUint() % frame.instance_count;
-  uint count = scene_instances[instance].geometry_count;
+  uint count = instanceAt(instance).geometry_count;
   Corners corners = Corners(vec3[3](vec3(0), vec3(0), vec3(0)));
   if (count == 0u) return corners;
   SceneGeometry geometry = geometryOf(instance, anyUint() % count);

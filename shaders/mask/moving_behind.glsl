@@ -4,7 +4,7 @@
 #include "lib/blur.glsl"
 
 // What nothing is in front of was revealed behind itself, and moves as that does: nothing comes out behind it.
-bool isCovered(uint id) { return id != 0u && (scene_instances[id - 1u].path & PATH_COVERED) != 0u; }
+bool isCovered(uint id) { return id != 0u && (instanceAt(id - 1u).path & PATH_COVERED) != 0u; }
 
 void run(ivec2 pixel) {
   bool revealed = texelFetch(valid_tex, pixel, 0).x > 0.5 && isCovered(texelFetch(id_tex, pixel, 0).x);

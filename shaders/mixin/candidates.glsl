@@ -82,9 +82,9 @@ Candidates withCandidate(Candidates candidates, Path path, ivec2 texel) {
   return candidates;
 }
 
+// Those of all layers at a texel: of what is behind raster, where it holds something.
 Candidates withAllLayers(Candidates candidates, ivec2 at, bool behind, bool after) {
-  candidates = withCandidate(candidates, pathOf(kRaster, at, after), at);
-  for (int layer = kRevealed; behind && layer <= kLastRevealed && isHeld(layer, at); ++layer)
+  for (int layer = kRaster; layer == kRaster || (behind && layer <= kLastRevealed && isHeld(layer, at)); ++layer)
     candidates = withCandidate(candidates, pathOf(layer, at, after), at);
   return candidates;
 }
@@ -98,21 +98,6 @@ bool isFull(Candidates candidates) {
 int nearest(int k) {
   if (isCentred(frame.shutter)) return params.samples / 2 + (k % 2 == 0 ? -1 - k / 2 : k / 2) + (params.samples % 2);
   return frame.shutter.x < 0.0 ? params.samples - 1 - k : k;
-}
-
-// From the pixel outwards, since only the first few count: the same whichever way time runs.
-Candidates harvested(Candidates candidates, ivec2 pixel, Path path, float jitter, bool behind, bool after) {
-  ivec2 size = textureSize(color_tex, 0);
-  bool one_sided = !isCentred(frame.shutter);  // else the taps lie to both sides already
-  for (int k = 0; k < params.samples && !isFull(candidates); ++k) {
-    int i = clamp(nearest(k), 0, params.samples - 1);
-    ivec2 offset = roundSymmetric(tapOffset(path, sampleTime(i, params.samples, jitter)));
-    if (isInside(pixel + offset, size)) candidates = withAllLayers(candidates, pixel + offset, behind, after);
-    if (one_sided && isInside(pixel - offset, size)) {
-      candidates = withAllLayers(candidates, pixel - offset, behind, after);
-    }
-  }
-  return candidates;
 }
 
 // The displacements of the tile.
@@ -157,6 +142,32 @@ Dominant dominantAfter(ivec2 tile) {
 #endif
 }
 
+// Those met at the pixel, then at the taps along the longest and the second of its tile, from the pixel outwards, since only
+// the first few count: the same whichever way time runs. In one loop: each copy of what is asked there takes long to compile.
+Candidates harvested(Candidates candidates, ivec2 pixel, Dominant dominant, float jitter, bool behind, bool after) {
+  ivec2 size = textureSize(color_tex, 0);
+  int ways = PARAM_harvest == 0 ? 1 : lengthOf(dominant.second.d - dominant.longest.d) > 0.5 ? 3 : 2;
+  for (int way = 0; way < ways; ++way) {
+    bool along = way > 0;
+    Path path = dominant.longest;
+    if (way == 2) path = dominant.second;
+    int taps = along ? params.samples : 1;
+    int sides = along && !isCentred(frame.shutter) ? 2 : 1;  // centred the taps lie to both sides already
+    for (int k = 0; k < taps && !isFull(candidates); ++k) {
+      ivec2 offset = ivec2(0);
+      if (along) {
+        int i = clamp(nearest(k), 0, params.samples - 1);
+        offset = roundSymmetric(tapOffset(path, sampleTime(i, params.samples, jitter)));
+      }
+      for (int side = 0; side < sides; ++side) {
+        ivec2 at = side == 0 ? pixel + offset : pixel - offset;
+        if (isInside(at, size)) candidates = withAllLayers(candidates, at, behind, after);
+      }
+    }
+  }
+  return candidates;
+}
+
 Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool behind, bool after) {
   Candidates candidates;
   candidates.x = candidates.y = vec4(kUnused);
@@ -172,14 +183,7 @@ Candidates candidatesOf(ivec2 pixel, Dominant dominant, float jitter, bool behin
   candidates = withCandidate(candidates, dominant.longest, dominant.place);
   candidates = withCandidate(candidates, dominant.second, kNoTexel);
   candidates = withCandidate(candidates, dominant.revealed, kNoTexel);
-  candidates = withAllLayers(candidates, pixel, behind, after);
-#if PARAM_harvest
-  candidates = harvested(candidates, pixel, dominant.longest, jitter, behind, after);
-  if (lengthOf(dominant.second.d - dominant.longest.d) > 0.5) {
-    candidates = harvested(candidates, pixel, dominant.second, jitter, behind, after);
-  }
-#endif
-  return candidates;
+  return harvested(candidates, pixel, dominant, jitter, behind, after);
 }
 
 #endif

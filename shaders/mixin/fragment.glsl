@@ -29,13 +29,13 @@ bool isLeftOut() {
   if (gl_FrontFacing == (mirrored != 0u) && isOneSided(draw.x, draw.y)) return true;
 #endif
 #if FACT_alpha
-  SceneGeometry geometry = scene_geometries[scene_instances[draw.x].first_geometry + draw.y];
+  SceneGeometry geometry = geometryOf(draw.x, draw.y);
   SceneMaterial material = scene_materials[geometry.material];
   if ((material.flags & (MATERIAL_ALPHA_MASK | MATERIAL_ALPHA_BLEND)) != 0u) {
     float coverage = alpha * material.base_color.a;
-    int texture_index = material.base_color_use.texture;
+    int texture_index = material.uses[USE_BASE_COLOR].texture;
     if (texture_index >= 0) {
-      vec2 uv = transformedUv(material.base_color_use, uv0, uv1);
+      vec2 uv = transformedUv(material.uses[USE_BASE_COLOR], uv0, uv1);
       coverage *= textureLod(scene_textures[nonuniformEXT(texture_index)], uv, 0.0).a;
     }
     if (coverage < leastAlpha(material, draw.x, draw.y, position_os)) return true;

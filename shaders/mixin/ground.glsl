@@ -33,7 +33,7 @@ bool isBesideOther(ivec2 pixel, uvec2 thing) {
   for (int k = 0; k < 9; ++k) {
     ivec2 at = clampToImage(pixel + ivec2(k % 3, k / 3) - 1, ivec2(frame.size));
     uvec2 other = texelFetch(hit_tex, at, 0).xy;
-    if (other != thing && (other.x == 0u || scene_instances[other.x - 1u].moves == 0u)) return true;
+    if (other != thing && (other.x == 0u || instanceAt(other.x - 1u).moves == 0u)) return true;
   }
   return false;
 }
@@ -43,7 +43,7 @@ Ground groundAt(ivec2 pixel) {
   Ground ground = Ground(false, noHit(), kFar, vec3(0));
   if (frame.camera_rests == 0u) return ground;
   uvec4 seen = texelFetch(hit_tex, pixel, 0);
-  if (seen.x != 0u && scene_instances[seen.x - 1u].moves != 0u) return ground;
+  if (seen.x != 0u && instanceAt(seen.x - 1u).moves != 0u) return ground;
   if (isBesideOther(pixel, seen.xy)) return ground;
   Hit hit = noHit();
   if (seen.x != 0u) {

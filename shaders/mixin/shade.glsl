@@ -56,10 +56,9 @@ vec2 uvAlong(Surface surface, vec3 direction_ws, vec2 uv_edge1, vec2 uv_edge2) {
   return ((p * c - q * b) * uv_edge1 + (q * a - p * b) * uv_edge2) / determinant;
 }
 
-// Filtered texel of a use, footprint from the surface: taps along the longer axis, mip level from the shorter. A texture
-// of a single level is looked up as it is.
+// Filtered texel of a use that has a texture, footprint from the surface: taps along the longer axis, mip level from the
+// shorter. A texture of a single level is looked up as it is.
 vec4 sampleTexture(SceneTextureUse use, Surface surface, mat2x3 footprint_ws) {
-  if (use.texture < 0) return vec4(1);
   vec2 uv = transformedUv(use, surface.uv0, surface.uv1);
   bool is_plain = textureQueryLevels(scene_textures[nonuniformEXT(use.texture)]) == 1;
   vec2 edge1 = use.uv_set == 0u ? surface.uv0_edge1 : surface.uv1_edge1;
@@ -83,13 +82,34 @@ vec4 sampleTexture(SceneTextureUse use, Surface surface, mat2x3 footprint_ws) {
   return sum / float(taps);
 }
 
+// What textures say of a surface point: 1 of each that its material has not.
+struct Texels {
+  vec4 base_color, metallic_roughness, normal, emissive;
+};
+
+// Of the first `count` uses. In one loop: each copy of a lookup takes long to compile.
+Texels texelsOf(Surface surface, int count, mat2x3 footprint_ws) {
+  Texels texels = Texels(vec4(1), vec4(1), vec4(1), vec4(1));
+  for (int i = 0; i < count; ++i) {
+    SceneTextureUse use = scene_materials[surface.material].uses[i];
+    if (use.texture < 0) continue;
+    vec4 texel = sampleTexture(use, surface, footprint_ws);
+    if (i == USE_BASE_COLOR) texels.base_color = texel;
+    else if (i == USE_METALLIC_ROUGHNESS) texels.metallic_roughness = texel;
+    else if (i == USE_NORMAL) texels.normal = texel;
+    else texels.emissive = texel;
+  }
+  return texels;
+}
+
 // Tangent-space normal map, its frame from the triangle's texture gradients.
-vec3 bumpedNormal(SceneMaterial material, Surface surface, mat2x3 footprint_ws) {
-  if (material.normal_use.texture < 0) return surface.normal_ws;
-  vec3 n = sampleTexture(material.normal_use, surface, footprint_ws).xyz * 2.0 - 1.0;
+vec3 bumpedNormal(SceneMaterial material, Surface surface, vec4 texel) {
+  SceneTextureUse use = material.uses[USE_NORMAL];
+  if (use.texture < 0) return surface.normal_ws;
+  vec3 n = texel.xyz * 2.0 - 1.0;
   n.xy *= material.normal_scale;
-  vec2 d1 = material.normal_use.uv_set == 0u ? surface.uv0_edge1 : surface.uv1_edge1;
-  vec2 d2 = material.normal_use.uv_set == 0u ? surface.uv0_edge2 : surface.uv1_edge2;
+  vec2 d1 = use.uv_set == 0u ? surface.uv0_edge1 : surface.uv1_edge1;
+  vec2 d2 = use.uv_set == 0u ? surface.uv0_edge2 : surface.uv1_edge2;
   float determinant = d1.x * d2.y - d1.y * d2.x;
   if (determinant == 0.0) return surface.normal_ws;
   vec3 tangent = (surface.edge1_ws * d2.y - surface.edge2_ws * d1.y) * sign(determinant);
@@ -207,31 +227,30 @@ vec3 finiteRadiance(vec3 radiance) {
   return sound;
 }
 
-// Base colour of a surface point, filtered over the pixel as shading filters it.
-vec3 baseColorOf(SceneMaterial material, Surface surface, mat2x3 footprint_ws) {
-  return material.base_color.rgb * surface.color.rgb *
-         sampleTexture(material.base_color_use, surface, footprint_ws).rgb;
+// Base colour of a surface point, by the texel of its texture.
+vec3 baseColorOf(SceneMaterial material, Surface surface, vec4 texel) {
+  return material.base_color.rgb * surface.color.rgb * texel.rgb;
 }
 
 vec3 radianceOf(uint slice, Hit hit) {
   Surface surface = surfaceOf(slice, hit);
   SceneMaterial material = scene_materials[surface.material];
-  mat2x3 footprint_ws = footprintOf(slice, surface);
-  vec3 base = baseColorOf(material, surface, footprint_ws);
-  if ((material.flags & MATERIAL_UNLIT) != 0u) return base;
+  bool is_lit = (material.flags & MATERIAL_UNLIT) == 0u;
+  Texels texels = texelsOf(surface, is_lit ? 4 : 1, footprintOf(slice, surface));
+  vec3 base = baseColorOf(material, surface, texels.base_color);
+  if (!is_lit) return base;
 
-  vec3 metallic_roughness = sampleTexture(material.metallic_roughness_use, surface, footprint_ws).rgb;
-  float metallic = clamp(material.metallic * metallic_roughness.b, 0.0, 1.0);
-  float roughness = clamp(material.roughness * metallic_roughness.g, 0.05, 1.0);
+  float metallic = clamp(material.metallic * texels.metallic_roughness.b, 0.0, 1.0);
+  float roughness = clamp(material.roughness * texels.metallic_roughness.g, 0.05, 1.0);
   Reflectance r;
   r.diffuse = base * (1.0 - metallic);
   r.specular = mix(vec3(0.04), base, metallic);
   r.alpha = roughness * roughness;
 
-  surface.normal_ws = bumpedNormal(material, surface, footprint_ws);
+  surface.normal_ws = bumpedNormal(material, surface, texels.normal);
   SceneCamera camera = scene_cameras[slice];
   vec3 view = camera.orthographic != 0u ? -camera.forward : unitOr(camera.position - surface.position_ws, -camera.forward);
-  vec3 radiance = material.emissive * sampleTexture(material.emissive_use, surface, footprint_ws).rgb;
+  vec3 radiance = material.emissive * texels.emissive.rgb;
   for (uint i = 0u; i < frame.light_count; ++i) {
     if (isKnownBlocked(i)) continue;
     vec3 towards;

@@ -16,14 +16,6 @@ Triangle triangleOf(SceneGeometry geometry, uint primitive) {
   return triangle;
 }
 
-SceneGeometry geometryOf(uint instance, uint geometry) {
-  return scene_geometries[scene_instances[instance].first_geometry + geometry];
-}
-
-SceneTransform transformOf(uint slice, uint instance) {
-  return scene_transforms[slice * frame.instance_count + instance];
-}
-
 vec3 worldFromObject(SceneTransform transform, vec3 position_os) {
   vec4 p = vec4(position_os, 1);
   return vec3(dot(transform.row_x, p), dot(transform.row_y, p), dot(transform.row_z, p));
@@ -58,7 +50,7 @@ vec3 positionOf(uint slice, Hit hit) {
 }
 
 // May nothing of it move within the frame? The sky's share is the camera's.
-bool isAtRest(Hit hit) { return !isHit(hit) || scene_instances[hit.instance].moves == 0u; }
+bool isAtRest(Hit hit) { return !isHit(hit) || instanceAt(hit.instance).moves == 0u; }
 
 // Do vertices of the instance move against each other?
 bool bends(uint instance) {

@@ -31,7 +31,7 @@ vec2 pathOfTexel(uint slice, ivec2 at) {
 }
 
 // How an instance goes over the picture; the sky as the camera does.
-uint pathKind(uint id) { return id == 0u ? PATH_CURVED | PATH_TURNS : scene_instances[id - 1u].path; }
+uint pathKind(uint id) { return id == 0u ? PATH_CURVED | PATH_TURNS : instanceAt(id - 1u).path; }
 
 // Of a texel of what is not curved its displacement says all.
 vec2 shiftAt(uint slice, float t, ivec2 at, uint kind) {

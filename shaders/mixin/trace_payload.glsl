@@ -24,7 +24,7 @@ vec2 transformedUv(SceneTextureUse use, vec2 uv0, vec2 uv1) {
 // or not whenever and by whatever it is seen, and sub-pixel samples see different ones (Wyman and McGuire, "Hashed Alpha
 // Testing", I3D 2017).
 float blendThreshold(uint instance, uint geometry, vec3 position_os) {
-  SceneTransform m = scene_transforms[SLICE_CAPTURE * frame.instance_count + instance];
+  SceneTransform m = transformOf(SLICE_CAPTURE, instance);
   SceneCamera camera = scene_cameras[SLICE_CAPTURE];
   vec4 p = vec4(position_os, 1);
   vec3 position_ws = vec3(dot(m.row_x, p), dot(m.row_y, p), dot(m.row_z, p));
@@ -47,7 +47,7 @@ float leastAlpha(SceneMaterial material, uint instance, uint geometry, vec3 posi
 
 // Is a material not there at a point, by its alpha? Of full-resolution texels, so that raster and rays agree.
 bool isCutOut(uint instance, uint geometry_index, uint primitive, vec2 barycentrics) {
-  SceneGeometry geometry = scene_geometries[scene_instances[instance].first_geometry + geometry_index];
+  SceneGeometry geometry = geometryOf(instance, geometry_index);
   SceneMaterial material = scene_materials[geometry.material];
   if ((material.flags & (MATERIAL_ALPHA_MASK | MATERIAL_ALPHA_BLEND)) == 0u) return false;
   vec3 weights = vec3(1.0 - barycentrics.x - barycentrics.y, barycentrics);
@@ -64,16 +64,16 @@ bool isCutOut(uint instance, uint geometry_index, uint primitive, vec2 barycentr
     alpha += weights[corner] * vertexColor(vertex).a;
   }
   alpha *= material.base_color.a;
-  int texture_index = material.base_color_use.texture;
+  int texture_index = material.uses[USE_BASE_COLOR].texture;
   if (texture_index >= 0) {
-    vec2 uv = transformedUv(material.base_color_use, uv0, uv1);
+    vec2 uv = transformedUv(material.uses[USE_BASE_COLOR], uv0, uv1);
     alpha *= textureLod(scene_textures[nonuniformEXT(texture_index)], uv, 0.0).a;
   }
   return alpha < leastAlpha(material, instance, geometry_index, position_os);
 }
 
 bool isOneSided(uint instance, uint geometry_index) {
-  SceneGeometry geometry = scene_geometries[scene_instances[instance].first_geometry + geometry_index];
+  SceneGeometry geometry = geometryOf(instance, geometry_index);
   return (scene_materials[geometry.material].flags & MATERIAL_ONE_SIDED) != 0u;
 }
 

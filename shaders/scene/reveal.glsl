@@ -97,7 +97,8 @@ struct Found {
 vec3 comparedColor(Hit hit) {
 #if PARAM_luminance_of == luminance_of_base_color
   Surface surface = surfaceOf(SLICE_CAPTURE, hit);
-  return baseColorOf(scene_materials[surface.material], surface, footprintOf(SLICE_CAPTURE, surface));
+  vec4 texel = texelsOf(surface, 1, footprintOf(SLICE_CAPTURE, surface)).base_color;
+  return baseColorOf(scene_materials[surface.material], surface, texel);
 #elif PARAM_luminance_of == luminance_of_material
   return scene_materials[geometryOf(hit.instance, hit.geometry).material].mean_color;
 #else

@@ -28,7 +28,7 @@ bool isHeld(vec2 position_px, uint id, float depth) {
 vec2 bendOf(vec2 to_open, vec2 to_middle, vec2 to_close) { return to_middle - 0.5 * (to_open + to_close); }
 
 bool isHiding(ivec2 pixel, uint id, float depth_there, float depth) {
-  return id != 0u && scene_instances[id - 1u].moves == 0u && depth_there < depth;
+  return id != 0u && instanceAt(id - 1u).moves == 0u && depth_there < depth;
 }
 
 // Is what is at rest in front, before a camera at rest? The end is drawn without it, and the capture has it.
@@ -55,7 +55,7 @@ Unseen unseenSky(ivec2 pixel, Ray ray) {
 }
 
 Unseen unseenSurface(ivec2 pixel, Hit hit) {
-  if ((scene_instances[hit.instance].path & PATH_ARRIVES) == 0u) return Unseen(false, vec2(0), vec2(0));
+  if ((instanceAt(hit.instance).path & PATH_ARRIVES) == 0u) return Unseen(false, vec2(0), vec2(0));
   vec3 capture_ws = positionOf(SLICE_CAPTURE, hit);
   vec2 velocity = displacementOf(hit, capture_ws);
   if (velocity == vec2(0) || isHidden(pixel, hit.t)) return Unseen(false, vec2(0), vec2(0));

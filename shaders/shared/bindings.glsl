@@ -7,7 +7,7 @@
 
 // By address: what is bound as a buffer may be no larger than 128 MiB, and from one a software device loads invocation by
 // invocation, with branches that take most of a shader's time to compile. No load is checked: an index must be one of the
-// array. mixin/vertex.glsl reads vertices and indices.
+// array. Of instances and what they have the functions below take any; mixin/vertex.glsl reads vertices and indices.
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneVertices { SceneVertex at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneIndices { uint at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneGeometries { SceneGeometry at[]; };
@@ -36,13 +36,25 @@ layout(set = 0, binding = 1, scalar) uniform SceneArrays {
   uint bending_count;      // so many
 #endif
 } scene_arrays;  // `SceneAddresses` of runtime/world/gpu_scene.cpp
-#define scene_geometries scene_arrays.geometries.at
-#define scene_instances scene_arrays.instances.at
 #define scene_draws scene_arrays.draws.at
 #define scene_materials scene_arrays.materials.at
 #define scene_lights scene_arrays.lights.at
-#define scene_transforms scene_arrays.transforms.at
 #define scene_cameras scene_arrays.cameras.at
+
+// Of an id that no instance has, which a pass that is being edited may write, the last one.
+uint knownInstance(uint instance) { return min(instance, max(frame.instance_count, 1u) - 1u); }
+
+SceneInstance instanceAt(uint instance) { return scene_arrays.instances.at[knownInstance(instance)]; }
+
+SceneTransform transformOf(uint slice, uint instance) {
+  return scene_arrays.transforms.at[slice * frame.instance_count + knownInstance(instance)];
+}
+
+SceneGeometry geometryOf(uint instance, uint geometry) {
+  SceneInstance of = instanceAt(instance);
+  return scene_arrays.geometries.at[of.first_geometry + min(geometry, max(of.geometry_count, 1u) - 1u)];
+}
+
 layout(set = 0, binding = 2) uniform sampler2D scene_textures[];
 #ifdef STROBE_STRUCTURES_DRIVER
 layout(set = 0, binding = 3) uniform accelerationStructureEXT scene_top_levels[STROBE_SLICES];  // per slice

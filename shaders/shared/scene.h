@@ -69,6 +69,12 @@ struct SceneTextureUse {
 #define MATERIAL_ALPHA_BLEND 4u
 #define MATERIAL_ONE_SIDED 8u
 
+// What a material has textures for.
+#define USE_BASE_COLOR 0
+#define USE_METALLIC_ROUGHNESS 1
+#define USE_NORMAL 2
+#define USE_EMISSIVE 3
+
 struct SceneMaterial {
   vec4 base_color;
   vec3 mean_color;  // base_color times the mean of its texture over its whole area; linear
@@ -78,7 +84,7 @@ struct SceneMaterial {
   float alpha_cutoff;
   float normal_scale;
   uint flags;
-  SceneTextureUse base_color_use, metallic_roughness_use, normal_use, emissive_use;
+  SceneTextureUse uses[4];  // by USE_*
 };
 
 #define LIGHT_DIRECTIONAL 0u
