@@ -6,9 +6,11 @@
 #include "mixin/trace_payload.glsl"
 
 layout(location = 0) flat in uvec2 draw;  // instance, geometry
+#if FACT_alpha
 layout(location = 1) in vec2 uv0;
 layout(location = 2) in vec2 uv1;
 layout(location = 3) in float alpha;
+#endif
 #ifdef STROBE_SEPARATE_TRIANGLES
 layout(location = 4) flat in uint triangle;
 #else

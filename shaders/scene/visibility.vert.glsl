@@ -4,9 +4,11 @@
 #include "mixin/surface.glsl"
 
 layout(location = 0) flat out uvec2 draw;  // instance, geometry
+#if FACT_alpha
 layout(location = 1) out vec2 uv0;
 layout(location = 2) out vec2 uv1;
 layout(location = 3) out float alpha;
+#endif
 #ifdef STROBE_SEPARATE_TRIANGLES
 layout(location = 4) flat out uint triangle;
 #endif
@@ -31,9 +33,11 @@ void main() {
   vec3 vertex_os = vertexPosition(TIME_SLICE, vertex);
   vec3 p = viewFromWorld(TIME_SLICE, worldFromObject(transform, vertex_os));
   draw = uvec2(self.instance, self.geometry);
+#if FACT_alpha
   uv0 = vertexUv0(vertex);
   uv1 = vertexUv1(vertex);
   alpha = vertexColor(vertex).a;
+#endif
 #if FACT_one_sided
   mirrored = dot(transform.row_x.xyz, cross(transform.row_y.xyz, transform.row_z.xyz)) < 0.0 ? 1u : 0u;
 #endif
