@@ -7,7 +7,7 @@
 
 // By address: what is bound as a buffer may be no larger than 128 MiB, and from one a software device loads invocation by
 // invocation, with branches that take most of a shader's time to compile. No load is checked: an index must be one of the
-// array. Of instances and what they have the functions below take any; mixin/vertex.glsl reads vertices and indices.
+// array. The functions below take any id of an instance and of a geometry; mixin/vertex.glsl reads vertices and indices.
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneVertices { SceneVertex at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneIndices { uint at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneGeometries { SceneGeometry at[]; };
