@@ -278,18 +278,20 @@ std::string treeText(const lab::Shot& shot, const scene::Scene& scene) {
                             tree.visits, tree.visits_as_given);
 }
 
-std::string motionText(const lab::Shot& shot, const scene::Scene& scene) {
-  scene::PixelArea reach = lab::frameSetup(shot, scene).reach;
-  return fmt::format("{}, in {}x{} of {}x{} px", lab::factsOf(shot, scene).camera_moves ? "the camera too" : "objects",
-                     reach.x1 - reach.x0, reach.y1 - reach.y0, shot.width, shot.height);
+std::string motionText(const lab::Shot& shot, const scene::Scene& scene, int earlier_frames) {
+  scene::PixelArea reach = lab::frameSetup(shot, scene, earlier_frames).reach;
+  const bool camera_moves = lab::factsOf(shot, scene, earlier_frames).camera_moves;
+  return fmt::format("{}, in {}x{} of {}x{} px", camera_moves ? "the camera too" : "objects", reach.x1 - reach.x0,
+                     reach.y1 - reach.y0, shot.width, shot.height);
 }
 
 // Which facts hold in the frame, and what the plan has less than `whole`, which is made for any frame.
 std::string factsText(const lab::Shot& shot, const scene::Scene& scene, const plan::Plan& planned,
                       const plan::Plan& whole) {
   std::string text = fmt::format("frame {} of {}\n", shot.frame, shot.scene);
+  const std::string motion = motionText(shot, scene, plan::earlierFrames(planned.pipeline));
   for (const plan::Fact& fact : plan::facts()) {
-    std::string holds = fact.name == "motion" ? "yes: " + motionText(shot, scene) : "yes";
+    std::string holds = fact.name == "motion" ? "yes: " + motion : "yes";
     text += fmt::format("  {}: {}\n", fact.name, plan::lacks(planned, fact.name) ? "no, " + fact.absent : holds);
   }
   double mebibytes = double(plan::bytesAliased(whole) - plan::bytesAliased(planned)) / (1024.0 * 1024.0);

@@ -27,10 +27,7 @@ static dmat4 worldFromView(const std::array<double, 6>& view) {
 
 graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene, int earlier_frames) {
   int camera_node = scene::cameraNode(scene, shot.camera);
-  scene::FrameTimes times{shot.captureTime(), shot.window()[0], shot.window()[1], shot.camera_blur, shot.object_blur};
-  times.cuts = scene::cutsFromOption(shot.cuts);
-  if (!shot.follow.empty()) times.followed = scene::nodeByName(scene, shot.follow);
-  auto poser = std::make_shared<scene::FramePoser>(scene, camera_node, shot.animation, times);
+  auto poser = std::make_shared<scene::FramePoser>(scene, camera_node, shot.animation, frameTimesOf(shot, scene));
   graph::FrameSetup setup;
   setup.pose_at = [poser, view = shot.view, keys = cameraKeys(shot.path), fps = shot.fps](double time_s) {
     scene::Pose pose = poser->at(time_s);
@@ -54,7 +51,7 @@ graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene, int ea
   setup.frame = uint32_t(shot.frame);
   setup.seed = shot.seed;
   setup.environment = scene.environment;
-  const double previous_s = setup.capture_s - setup.frame_s;
+  const double previous_s = previousTime(shot, earlier_frames);
   scene::ExposedFrame exposed{setup.capture_s, setup.open_s, setup.close_s, previous_s, shot.width, shot.height};
   for (int k = 2; k <= earlier_frames; ++k) exposed.earlier_s.push_back(setup.capture_s - k * setup.frame_s);
   scene::ScreenMotion motion = scene::screenMotionOf(scene, setup.pose_at, exposed);
@@ -62,7 +59,7 @@ graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene, int ea
   setup.crossing = motion.crossing;
   setup.paths = std::move(motion.paths);
   if (shot.model_everything) return setup;
-  scene::Facts facts = factsOf(shot, scene);
+  scene::Facts facts = factsOf(shot, scene, earlier_frames);
   setup.moves = facts.moves;
   // What keeps less than its motion goes along with the camera.
   for (size_t i = 0; i < shares.size() && i < setup.moves.size(); ++i)

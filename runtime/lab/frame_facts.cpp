@@ -5,6 +5,7 @@
 
 #include "lab/drawing.h"
 #include "math/shutter_curve.h"
+#include "scene/motion.h"
 
 namespace strobe::lab {
 
@@ -15,22 +16,33 @@ static std::optional<bool> movesOfItself(const Shot& shot) {
   return shot.path.size() > 1;
 }
 
-scene::Facts factsOf(const Shot& shot, const scene::Scene& scene) {
+scene::FrameTimes frameTimesOf(const Shot& shot, const scene::Scene& scene) {
+  scene::FrameTimes times{shot.captureTime(), shot.window()[0], shot.window()[1], shot.camera_blur, shot.object_blur};
+  times.cuts = scene::cutsFromOption(shot.cuts);
+  if (!shot.follow.empty()) times.followed = scene::nodeByName(scene, shot.follow);
+  return times;
+}
+
+double previousTime(const Shot& shot, int earlier_frames) {
+  const bool looks = earlier_frames > 0 || shot.window()[0] < shot.window()[1];
+  return looks ? shot.captureTime() - 1 / shot.fps : shot.captureTime();
+}
+
+scene::Facts factsOf(const Shot& shot, const scene::Scene& scene, int earlier_frames) {
   scene::FrameView view;
   view.camera_node = scene::cameraNode(scene, shot.camera);
   view.animation = shot.animation;
-  view.capture_s = shot.captureTime();
-  view.open_s = shot.window()[0];
-  view.close_s = shot.window()[1];
-  view.previous_s = shot.captureTime() - 1 / shot.fps;
+  view.times = frameTimesOf(shot, scene);
+  view.previous_s = previousTime(shot, earlier_frames);
   view.camera_moves = movesOfItself(shot);
   return scene::factsOf(scene, view);
 }
 
 std::vector<std::string> absentFacts(const Shot& shot, const scene::Scene& scene, const plan::PipelineDesc& pipeline) {
   if (shot.model_everything) return {};
-  const scene::Facts facts = factsOf(shot, scene);
-  const std::vector<scene::ScreenPath> paths = frameSetup(shot, scene, plan::earlierFrames(pipeline)).paths;
+  const int earlier_frames = plan::earlierFrames(pipeline);
+  const scene::Facts facts = factsOf(shot, scene, earlier_frames);
+  const std::vector<scene::ScreenPath> paths = frameSetup(shot, scene, earlier_frames).paths;
   auto any = [&](auto holds) { return std::any_of(paths.begin(), paths.end(), holds); };
   std::vector<std::string> absent;
   if (!facts.motion) absent.push_back("motion");

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <map>
+#include <utility>
 
 #include "scene/bend.h"
 #include "scene/motion.h"
@@ -89,62 +90,102 @@ static void addMaterials(const Scene& scene, const Mesh& mesh, Facts& facts) {
   }
 }
 
-// Do keys of the lens, or of a light that shines, change between two times?
-struct VaryingProperties {
-  bool lens = false, lights = false;
+// From the first to the last of the times at which something is posed.
+using Span = std::pair<double, double>;
+
+// What drives a scene, asked for the times that each thing has of its own.
+class Driven {
+ public:
+  Driven(const Scene& scene, const std::string& animation) : scene_(scene), animation_(animation) {}
+
+  bool isNode(int node, Span span) { return within(span).nodes[size_t(node)]; }
+
+  bool isInstance(const Instance& instance, Span span) {
+    const Moving& moving = within(span);
+    return showsMotion(scene_, instance.node, moving.nodes) || moving.morphs[size_t(instance.node)];
+  }
+
+  // Do keys of a camera's lens, or of what a light sends out, change?
+  bool isProperty(bool of_camera, int index, Span span) const {
+    for (const Animation* clip : clipsOf(scene_, animation_))
+      for (const PropertyTrack& track : clip->properties)
+        if (track.isOfCamera() == of_camera && track.index == index && isTime(span) &&
+            varies(*clip, track.keys, span.first, span.second))
+          return true;
+    return false;
+  }
+
+  static bool isTime(Span span) { return span.first < span.second; }
+
+ private:
+  struct Moving {
+    std::vector<bool> nodes, morphs;
+  };
+
+  const Moving& within(Span span) {
+    auto [found, is_new] = moving_.try_emplace(span);
+    if (!is_new) return found->second;
+    const std::vector<bool> none(scene_.nodes.size(), false);
+    if (!isTime(span)) found->second = {none, none};
+    else
+      found->second = {movingNodes(scene_, animation_, span.first, span.second),
+                       morphingNodes(scene_, animation_, span.first, span.second)};
+    return found->second;
+  }
+
+  const Scene& scene_;
+  const std::string& animation_;
+  std::map<Span, Moving> moving_;
 };
 
-static VaryingProperties varyingProperties(const Scene& scene, const FrameView& view, double from_s, double to_s) {
-  VaryingProperties varying;
-  const int camera = scene.nodes[size_t(view.camera_node)].camera;
-  for (const Animation* clip : clipsOf(scene, view.animation)) {
-    for (const PropertyTrack& track : clip->properties) {
-      if (!varies(*clip, track.keys, from_s, to_s)) continue;
-      if (!track.isOfCamera()) varying.lights = true;
-      else if (track.index == camera) varying.lens = true;
-    }
-  }
-  return varying;
-}
-
 Facts factsOf(const Scene& scene, const FrameView& view) {
-  const std::array<double, 4> times = {view.capture_s, view.open_s, view.close_s, view.previous_s};
-  auto [from, to] = std::minmax_element(times.begin(), times.end());
-  std::vector<bool> moves = movingNodes(scene, view.animation, *from, *to);
-  std::vector<bool> morphs = morphingNodes(scene, view.animation, *from, *to);
-  Poser poser(scene, view.camera_node, view.animation);
+  const std::array<double, 4> times = {view.times.capture_s, view.times.open_s, view.times.close_s, view.previous_s};
+  const FramePoser poser(scene, view.camera_node, view.animation, view.times);
   std::vector<Pose> poses;
-  for (double time_s : times) poses.push_back(poser.at(time_s, view.capture_s));
+  for (double time_s : times) poses.push_back(poser.at(time_s));
   auto differs = [&](auto part) {
     return std::any_of(poses.begin(), poses.end(), [&](const Pose& pose) { return part(pose) != part(poses[0]); });
   };
+  auto spanOf = [&](auto own) {
+    std::array<double, 4> owned;
+    std::transform(times.begin(), times.end(), owned.begin(), own);
+    auto [from, to] = std::minmax_element(owned.begin(), owned.end());
+    return Span(*from, *to);
+  };
+  Driven driven(scene, view.animation);
 
   Facts facts;
-  VaryingProperties varying = varyingProperties(scene, view, *from, *to);
-  bool camera_moves = view.camera_moves.value_or(moves[size_t(view.camera_node)] ||
-                                                 differs([](const Pose& pose) { return pose.world_from_camera; }));
-  facts.camera_moves = camera_moves || varying.lens || differs([](const Pose& pose) { return pose.camera; });
-  facts.motion = facts.camera_moves || varying.lights || differs([](const Pose& pose) { return pose.lights; });
+  const Span span = spanOf([&](double time_s) { return poser.cameraTime(time_s); });
+  if (view.camera_moves) facts.camera_moves = *view.camera_moves && Driven::isTime(span);
+  else
+    facts.camera_moves =
+        driven.isNode(view.camera_node, span) || differs([](const Pose& pose) { return pose.world_from_camera; });
+  facts.camera_moves = facts.camera_moves ||
+                       driven.isProperty(true, scene.nodes[size_t(view.camera_node)].camera, span) ||
+                       differs([](const Pose& pose) { return pose.camera; });
+  facts.motion = facts.camera_moves;
   facts.alpha = facts.blend = facts.one_sided = facts.shadows = facts.bends = false;
-  std::vector<Instance> instances = instancesOf(scene);
+  const std::vector<Instance> instances = instancesOf(scene);
   for (size_t i = 0; i < instances.size(); ++i) {
     const Mesh& mesh = scene.meshes[size_t(instances[i].mesh)];
     const bool empty = isEmpty(mesh);
-    facts.moves.push_back(!empty &&
-                          (showsMotion(scene, instances[i].node, moves) || morphs[size_t(instances[i].node)] ||
-                           differs([&](const Pose& pose) { return pose.world_from_instance[i]; }) ||
-                           differs([&](const Pose& pose) { return pose.bends[i]; })));
+    const Span own = spanOf([&](double time_s) { return poser.instanceTime(i, time_s); });
+    facts.moves.push_back(!empty && (driven.isInstance(instances[i], own) ||
+                                     differs([&](const Pose& pose) { return pose.world_from_instance[i]; }) ||
+                                     differs([&](const Pose& pose) { return pose.bends[i]; })));
     if (empty) continue;
     facts.bends = facts.bends || bends(scene, instances[i]);
     addMaterials(scene, mesh, facts);
     facts.motion = facts.motion || facts.moves[i];
   }
-  std::vector<int> lights = lightsOf(scene);
+  const std::vector<int> lights = lightsOf(scene);
   for (size_t i = 0; i < lights.size(); ++i) {
-    const Node& node = scene.nodes[size_t(lights[i])];
-    facts.shadows = facts.shadows || scene.lights[size_t(node.light)].shadow;
-    facts.motion =
-        facts.motion || moves[size_t(lights[i])] || differs([&](const Pose& pose) { return pose.world_from_light[i]; });
+    const int light = scene.nodes[size_t(lights[i])].light;
+    const Span own = spanOf([&](double time_s) { return poser.lightTime(i, time_s); });
+    facts.shadows = facts.shadows || scene.lights[size_t(light)].shadow;
+    facts.motion = facts.motion || driven.isNode(lights[i], own) || driven.isProperty(false, light, own) ||
+                   differs([&](const Pose& pose) { return pose.lights[i]; }) ||
+                   differs([&](const Pose& pose) { return pose.world_from_light[i]; });
   }
   return facts;
 }

@@ -6,16 +6,18 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/frame_poser.h"
 
 namespace strobe::scene {
 
-// Whose camera a frame sees through, and the times at which it poses the scene.
+// Whose camera a frame sees through, and when it poses the scene: at the times of its exposure and at `previous_s`, by
+// a `FramePoser`.
 struct FrameView {
   int camera_node = -1;
   std::string animation = "all";
-  double capture_s = 0, open_s = 0, close_s = 0, previous_s = 0;
-  std::optional<bool> camera_moves;  // within these times, where something else than the scene moves the camera
+  FrameTimes times;
+  double previous_s = 0;
+  std::optional<bool> camera_moves;  // with time, where something else than the scene moves the camera
 };
 
 // What a frame has. Each holds unless it surely does not.
@@ -31,7 +33,8 @@ struct Facts {
 };
 
 // By the keys and rates that drive nodes, not by poses, which are equal at both ends of a motion that returns; and by
-// the poses at the four times, which must be equal to the last bit.
+// the poses at the four times, which must be equal to the last bit. What the frame keeps no motion of (a share of 0, a
+// cut, an exposure of 0 where nothing is asked of the frame before) does not move.
 Facts factsOf(const Scene& scene, const FrameView& view);
 
 }  // namespace strobe::scene

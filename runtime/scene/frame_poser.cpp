@@ -83,8 +83,6 @@ double FramePoser::timeOf(const NodeTime& node, double time_s) const {
   return share == 1 ? time_s : capture_s + share * (time_s - capture_s);
 }
 
-double FramePoser::cameraTime(double time_s) const { return timeOf(camera_, time_s); }
-
 const Pose& FramePoser::posed(double time_s, std::vector<std::pair<double, Pose>>& poses) const {
   auto known = std::find_if(poses.begin(), poses.end(), [&](const auto& one) { return one.first == time_s; });
   if (known != poses.end()) return known->second;
@@ -97,14 +95,14 @@ Pose FramePoser::at(double time_s) const {
   const double camera_s = cameraTime(time_s);
   Pose pose = poser_.at(camera_s, times_.capture_s);
   for (size_t i = 0; i < instances_.size(); ++i) {
-    const double own_s = timeOf(instances_[i], time_s);
+    const double own_s = instanceTime(i, time_s);
     if (own_s == camera_s) continue;
     const Pose& own = posed(own_s, poses);
     pose.world_from_instance[i] = own.world_from_instance[i];
     pose.bends[i] = own.bends[i];
   }
   for (size_t i = 0; i < lights_.size(); ++i) {
-    const double own_s = timeOf(lights_[i], time_s);
+    const double own_s = lightTime(i, time_s);
     if (own_s == camera_s) continue;
     const Pose& own = posed(own_s, poses);
     pose.world_from_light[i] = own.world_from_light[i];

@@ -23,8 +23,11 @@ class FramePoser {
   FramePoser(const Scene& scene, int camera_node, const std::string& animation, const FrameTimes& times);
 
   Pose at(double time_s) const;
-  // The time at which the camera is where `at(time_s)` has it.
-  double cameraTime(double time_s) const;
+  // The times at which the camera, an instance and a light (of instancesOf and lightsOf) are where `at(time_s)` has
+  // them.
+  double cameraTime(double time_s) const { return timeOf(camera_, time_s); }
+  double instanceTime(size_t instance, double time_s) const { return timeOf(instances_[instance], time_s); }
+  double lightTime(size_t light, double time_s) const { return timeOf(lights_[light], time_s); }
 
  private:
   // Whose time a node follows.

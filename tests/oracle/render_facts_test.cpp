@@ -32,12 +32,22 @@ struct Case {
 std::vector<Case> cases() {
   Shot follows = shotOf("crowd", kWidth, kHeight, {{"speed", 0}});
   follows.moves = {"camera=0.2,0,0"};
+  Shot held = follows;
+  held.camera_blur = held.object_blur = 0;
+  Shot instant = follows;
+  instant.exposure = 0;
   std::vector<Case> all = {
       {"crowd at rest",
        shotOf("crowd", kWidth, kHeight, {{"speed", 0}}),
        {"motion", "curves", "covered", "arrives", "alpha", "blend", "one_sided", "bends"}},
       {"crowd", shotOf("crowd", kWidth, kHeight), {"curves", "alpha", "blend", "one_sided", "bends"}},
       {"crowd seen from a moving camera", follows, {"alpha", "blend", "one_sided", "bends"}},
+      {"crowd whose motion is not kept",
+       held,
+       {"motion", "curves", "covered", "arrives", "alpha", "blend", "one_sided", "bends"}},
+      {"crowd in no time",
+       instant,
+       {"motion", "curves", "covered", "arrives", "alpha", "blend", "one_sided", "bends", "before", "after"}},
       {"cut out",
        shotOf("cut_out", kWidth, kHeight),
        {"motion", "curves", "covered", "arrives", "blend", "one_sided", "shadows", "bends"}},
@@ -267,7 +277,7 @@ TEST_F(RenderFacts, EndsAreDrawnWithoutWhatIsAtRest) {
     return seen;
   };
   Shot before_rest = with(cases()[1].shot, "hybrid", {}, "close");
-  const std::vector<bool> moves = lab::factsOf(before_rest, bench().scene(before_rest)->loaded.scene).moves;
+  const std::vector<bool> moves = lab::factsOf(before_rest, bench().scene(before_rest)->loaded.scene, 0).moves;
   ASSERT_GT(std::count(moves.begin(), moves.end(), false), 0);
   for (uint32_t id : seenAtOpen(before_rest)) {
     if (id > 0) EXPECT_TRUE(moves[id - 1]) << id;

@@ -29,9 +29,9 @@ Scene still() {
 FrameView viewAt(double frame) {
   FrameView view;
   view.camera_node = 2;
-  view.capture_s = view.close_s = frame * kFrame;
-  view.open_s = view.capture_s - kFrame / 2;
-  view.previous_s = view.capture_s - kFrame;
+  view.times.capture_s = view.times.close_s = frame * kFrame;
+  view.times.open_s = view.times.capture_s - kFrame / 2;
+  view.previous_s = view.times.capture_s - kFrame;
   return view;
 }
 
@@ -123,7 +123,7 @@ TEST(Facts, ThePoseOfTheFrameBeforeCounts) {
   EXPECT_TRUE(moves(scene, 1));
   EXPECT_FALSE(moves(scene, 2));
   FrameView view = viewAt(1);
-  view.previous_s = view.open_s;
+  view.previous_s = view.times.open_s;
   EXPECT_FALSE(factsOf(scene, view).motion);
 }
 
@@ -153,6 +153,49 @@ TEST(Facts, TheCameraMovesUnlessAnotherStandsInItsPlace) {
   EXPECT_FALSE(factsOf(scene, view).motion);
   view.camera_moves = true;
   EXPECT_TRUE(factsOf(still(), view).motion);
+}
+
+TEST(Facts, WhatKeepsNoShareOfItsMotionRests) {
+  FrameView view = viewAt(1);
+  view.times.object_share = 0;
+  EXPECT_FALSE(factsOf(spun(0, 0.1), view).motion) << "a triangle";
+  EXPECT_FALSE(factsOf(spun(1, 0.1), view).motion) << "a light";
+  EXPECT_TRUE(factsOf(spun(2, 0.1), view).motion) << "the camera";
+  view.times.followed = 0;
+  EXPECT_TRUE(factsOf(spun(0, 0.1), view).motion) << "what keeps the camera's";
+  view.times.camera_share = 0;
+  for (int node : {0, 1, 2}) EXPECT_FALSE(factsOf(spun(node, 0.1), view).motion) << node;
+  view.camera_moves = true;
+  EXPECT_FALSE(factsOf(still(), view).motion);
+}
+
+TEST(Facts, WithinNoTimeNothingMoves) {
+  FrameView view = viewAt(1);
+  view.times.open_s = view.previous_s = view.times.capture_s;
+  for (int node : {0, 1, 2}) EXPECT_FALSE(factsOf(spun(node, 0.1), view).motion) << node;
+  EXPECT_FALSE(factsOf(animated({0, 4}, {0, 1}), view).motion);
+}
+
+TEST(Facts, AFrameThatSpansACutRests) {
+  Scene scene = spun(0, 0.1);
+  scene.cuts = {0.75 * kFrame};
+  EXPECT_FALSE(moves(scene, 1));
+  EXPECT_TRUE(moves(scene, 2));
+}
+
+TEST(Facts, KeysOfALensAndOfLightCount) {
+  for (bool of_camera : {true, false}) {
+    Scene scene = animated({0, 4}, {1, 1});
+    PropertyTrack track;
+    track.property = of_camera ? PropertyTrack::Property::FieldOfView : PropertyTrack::Property::Intensity;
+    track.index = 0;
+    track.keys = {0, Track::Target::Translation, Interpolation::Linear, {0, 4 * kFrame}, {dvec4(1), dvec4(2)}};
+    scene.animations[0].properties = {track};
+    FrameView view = viewAt(1);
+    EXPECT_TRUE(factsOf(scene, view).motion) << of_camera;
+    (of_camera ? view.times.camera_share : view.times.object_share) = 0;
+    EXPECT_FALSE(factsOf(scene, view).motion) << of_camera;
+  }
 }
 
 TEST(Facts, AnAnimationThatIsNotPlayedRests) {

@@ -207,8 +207,8 @@ Facts factsAt(Scene scene, double capture_s) {
   scene.nodes.back().camera = 0;
   FrameView view;
   view.camera_node = int(scene.nodes.size()) - 1;
-  view.capture_s = view.close_s = capture_s;
-  view.open_s = capture_s - 0.02;
+  view.times.capture_s = view.times.close_s = capture_s;
+  view.times.open_s = capture_s - 0.02;
   view.previous_s = capture_s - 0.04;
   return factsOf(scene, view);
 }
