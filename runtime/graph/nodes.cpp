@@ -11,7 +11,6 @@ void NodeInFrame::begin() {
 }
 
 void NodeInFrame::takeCounts() {
-  auto* counted = static_cast<uint32_t*>(counters.mapped());
   for (size_t c = 0; c < counts.size(); ++c) counts[c] += std::exchange(counted[c], 0u);
 }
 
@@ -66,34 +65,45 @@ void PlanNodes::findPipelines(PipelineCache& cache, const world::GpuScene& scene
   throwIfAny(fatal);
 }
 
-void PlanNodes::makeFrames(size_t i, size_t frames) {
-  Node& node = nodes_[i];
-  const shader::Interface& in = node.pipeline->interface;
-  const size_t words = in.params.size() + (in.sizeIsGiven() ? 2 : 0);
-  node.pool = gpu::makeDescriptorPool(device_, name(i), node.pipeline->bindings, uint32_t(frames));
-  node.frames.resize(frames);
-  for (NodeInFrame& frame : node.frames) {
-    using gpu::Buffer;
-    if (in.hasParams())
-      frame.params =
-          Buffer(device_, name(i) + ".params", words * 4, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, Buffer::Memory::Host);
-    if (!in.counters.empty()) {
-      frame.counters = Buffer(device_, name(i) + ".counters", in.counters.size() * 4,
-                              VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Buffer::Memory::Host);
-      std::memset(frame.counters.mapped(), 0, frame.counters.size());
+// Where each node has its parameters and counters, and the buffer with them.
+void PlanNodes::layOut(size_t frames) {
+  constexpr size_t kAlignment = 256;  // no device needs more
+  size_t end = 0;
+  auto take = [&](size_t words) {
+    BufferPart part{end, 4 * words};
+    end += (part.bytes + kAlignment - 1) / kAlignment * kAlignment;
+    return part;
+  };
+  for (Node& node : nodes_) {
+    const shader::Interface& in = node.pipeline->interface;
+    node.frames.resize(frames);
+    for (NodeInFrame& frame : node.frames) {
+      frame.params = take(in.params.size() + (in.sizeIsGiven() ? 2 : 0));
+      frame.counters = take(in.counters.size());
+      frame.counts.assign(in.counters.size(), 0);
     }
-    frame.counts.assign(in.counters.size(), 0);
-    frame.set = gpu::allocateSet(device_, node.pool.get(), node.pipeline->driver->set_layout.get());
   }
+  numbers_ =
+      gpu::Buffer(device_, "parameters and counters", end,
+                  VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::Buffer::Memory::Host);
+  std::memset(numbers_.mapped(), 0, numbers_.size());
+  for (Node& node : nodes_)
+    for (NodeInFrame& frame : node.frames)
+      frame.counted = reinterpret_cast<uint32_t*>(static_cast<char*>(numbers_.mapped()) + frame.counters.offset);
 }
 
 void PlanNodes::make(const PlanImages& images, size_t frames) {
   nearest_ = gpu::makeSampler(device_, "nearest", {});
   linear_ = gpu::makeSampler(device_, "linear", gpu::kLinear);
   has_params_.assign(frames, false);
+  layOut(frames);
   for (size_t i = 0; i < nodes_.size(); ++i) {
-    makeFrames(i, frames);
-    for (size_t frame = 0; frame < frames; ++frame) fillSet(i, frame, images);
+    Node& node = nodes_[i];
+    node.pool = gpu::makeDescriptorPool(device_, name(i), node.pipeline->bindings, uint32_t(frames));
+    for (size_t frame = 0; frame < frames; ++frame) {
+      node.frames[frame].set = gpu::allocateSet(device_, node.pool.get(), node.pipeline->driver->set_layout.get());
+      fillSet(i, frame, images);
+    }
   }
 }
 
@@ -131,7 +141,9 @@ void PlanNodes::writeParams(size_t i, size_t frame) {
   }
   if (node.pipeline->interface.sizeIsGiven())
     words.insert(words.end(), {uint32_t(planned(i).width), uint32_t(planned(i).height)});
-  if (!words.empty()) nodes_[i].frames[frame].params.write(words);
+  const BufferPart& part = node.frames[frame].params;
+  STROBE_ASSERT(4 * words.size() == part.bytes, "{} words in {} bytes", words.size(), part.bytes);
+  if (!words.empty()) std::memcpy(static_cast<char*>(numbers_.mapped()) + part.offset, words.data(), part.bytes);
 }
 
 void PlanNodes::fillSet(size_t i, size_t frame, const PlanImages& plan_images) {
@@ -156,10 +168,13 @@ void PlanNodes::fillSet(size_t i, size_t frame, const PlanImages& plan_images) {
     add(binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER).pBufferInfo = &buffers[at];
   };
   if (in.hasParams()) {
-    buffers[0] = {own.params.handle(), 0, VK_WHOLE_SIZE};
+    buffers[0] = {numbers_.handle(), own.params.offset, own.params.bytes};
     add(shader::Interface::kParamsBinding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER).pBufferInfo = &buffers[0];
   }
-  if (!in.counters.empty()) add_buffer(1, shader::Interface::kCountersBinding, own.counters);
+  if (!in.counters.empty()) {
+    buffers[1] = {numbers_.handle(), own.counters.offset, own.counters.bytes};
+    add(shader::Interface::kCountersBinding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER).pBufferInfo = &buffers[1];
+  }
   for (size_t r = 0; r < in.reads.size(); ++r) {
     const int read = planned(i).reads[r];
     if (in.reads[r].buffer) {

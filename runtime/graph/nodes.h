@@ -7,10 +7,16 @@
 
 namespace strobe::graph {
 
+// A part of the buffer that all nodes share.
+struct BufferPart {
+  size_t offset = 0, bytes = 0;
+};
+
 // What a node has in one of the frames that are under way at once.
 struct NodeInFrame {
   VkDescriptorSet set = VK_NULL_HANDLE;
-  gpu::Buffer params, counters;
+  BufferPart params, counters;
+  uint32_t* counted = nullptr;  // by the device, in `counters`
   std::vector<uint64_t> counts;
   double gpu_ms = 0;
   int executions = 0;
@@ -52,7 +58,7 @@ class PlanNodes {
   const plan::PassDesc& pass(size_t i) const { return plan_->pipeline.passes[size_t(planned(i).pass)]; }
 
  private:
-  void makeFrames(size_t i, size_t frames);
+  void layOut(size_t frames);
   void writeParams(size_t i, size_t frame);
   void fillSet(size_t i, size_t frame, const PlanImages& images);
   const Node* named(const std::string& name) const;
@@ -60,6 +66,7 @@ class PlanNodes {
   const gpu::Device& device_;
   const plan::Plan* plan_;
   std::vector<Node> nodes_;
+  gpu::Buffer numbers_;  // parameters and counters of all nodes in all frames: drivers take long over each allocation
   std::vector<bool> has_params_;  // by frame: those of the plan
   gpu::Owned<VkSampler> nearest_, linear_;
 };
