@@ -112,7 +112,7 @@ void render(const Home& home, Options options) {
   if (!options.tev.empty()) viewer = std::make_unique<lab::Tev>(lab::parseTevAddress(options.tev));
   if (!options.pixel.empty()) lab::parsePixel(options.pixel);
   // While the device is made: the processes that scripts run in, and what the compiler has to read first.
-  script::expectChildren(home.program(), {}, lab::isGltf(shot.scene) ? 1 : 2);
+  script::expectChildren(home, {}, lab::isGltf(shot.scene) ? 1 : 2);
   std::future<void> started = std::async(std::launch::async, shader::startCompiler, std::cref(home));
   lab::Workbench bench(home, shot.device, validationWanted());
   lab::Trail trail;

@@ -73,8 +73,12 @@ class Feeding {
 
   int descriptor() const { return descriptor_.get(); }
 
-  // Of what the child has not been given yet. What is not the last stays open after it.
-  void give(std::string text, bool is_last) { rest_ = std::move(text), done_ = 0, is_last_ = is_last; }
+  // After what the child has not been given yet. What is not the last stays open after it.
+  void give(const std::string& text, bool is_last) {
+    rest_.erase(0, std::exchange(done_, 0));
+    rest_ += text;
+    is_last_ = is_last;
+  }
   bool hasMore() const { return is_last_ || done_ < rest_.size(); }
 
   // As much as the child takes at once; it is closed after the last of it, and where the child reads no more.
@@ -307,6 +311,10 @@ struct WaitingProgram::State {
 WaitingProgram::WaitingProgram(Program program) : state_(std::make_unique<State>()) {
   state_->program = std::move(program);
   start(state_->child, state_->program, true);
+  // As much of it as is taken now; what is left goes with the next.
+  Feeding& feeding = *state_->child.feeding;
+  feeding.give("", false);
+  if (feeding.hasMore()) feeding.write();
 }
 
 WaitingProgram::WaitingProgram(WaitingProgram&&) noexcept = default;
@@ -324,18 +332,18 @@ bool WaitingProgram::waits() const {
   return !state_->is_over && ::waitid(P_PID, id_t(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0;
 }
 
-ProgramEnd WaitingProgram::run(std::string input) {
+ProgramEnd WaitingProgram::run(const std::string& input) {
   STROBE_ASSERT(!std::exchange(state_->is_over, true), "it has ended");
-  state_->child.feeding->give(std::move(input), true);
+  state_->child.feeding->give(input, true);
   ProgramEnd end;
   answered(state_->child, state_->program, {}, end);
   return end;
 }
 
-ProgramEnd WaitingProgram::ask(std::string input, double wall_s, const IsWhole& is_whole) {
+ProgramEnd WaitingProgram::ask(const std::string& input, double wall_s, const IsWhole& is_whole) {
   STROBE_ASSERT(!state_->is_over, "it has ended");
   state_->program.wall_s = wall_s;
-  state_->child.feeding->give(std::move(input), false);
+  state_->child.feeding->give(input, false);
   ProgramEnd end;
   state_->is_over = true;
   state_->is_over = !answered(state_->child, state_->program, is_whole, end);

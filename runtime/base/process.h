@@ -60,17 +60,18 @@ ProgramEnd run(const Program& program);
 // made it.
 class WaitingProgram {
  public:
-  // Throws `Error` where it cannot be started.
+  // Hands it `program.input` at once, which is not the last. Throws `Error` where it cannot be started.
   explicit WaitingProgram(Program program);
   WaitingProgram(WaitingProgram&&) noexcept;
   ~WaitingProgram();
   // Whether it still waits.
   bool waits() const;
   // As `run` with this input, and the last; the limit of the wall clock counts from here.
-  ProgramEnd run(std::string input);
+  ProgramEnd run(const std::string& input);
   // Hands it `input` and waits until `is_whole` says so of what it has written to stdout since; then it waits again.
   // Where it ends before, or exceeds a limit, it is over, as the end says. `wall_s` counts from here.
-  ProgramEnd ask(std::string input, double wall_s, const std::function<bool(const std::string& output)>& is_whole);
+  ProgramEnd ask(const std::string& input, double wall_s,
+                 const std::function<bool(const std::string& output)>& is_whole);
 
  private:
   struct State;

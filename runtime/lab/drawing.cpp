@@ -2,6 +2,7 @@
 #include "lab/drawing.h"
 
 #include <cmath>
+#include <future>
 
 #include "base/log.h"
 #include "lab/camera_path.h"
@@ -70,26 +71,31 @@ graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene, int ea
 
 // ---- what is drawn
 
+// `absent` yields the facts that do not hold. What a record names the plan by, which is the same whatever a frame
+// requires, is found meanwhile.
 static Planned plannedFor(const Workbench& bench, const Shot& shot, const plan::PipelineDesc& pipeline,
-                          const std::vector<std::string>& absent, const std::set<std::string>& outputs) {
+                          const std::function<std::vector<std::string>()>& absent,
+                          const std::set<std::string>& outputs) {
   Planned planned;
   planned.backend = bench.chooseBackend(shot.backend);
-  planned.plan = std::make_shared<const plan::Plan>(planOf(shot, pipeline, planned.backend, absent, outputs));
-  planned.shape = plan::shapeOf(*planned.plan);
   Shot untapped = shot;
   untapped.taps.clear();
-  bool is_whole = shot.taps.empty() && absent.empty() && outputs.empty();
-  planned.hash = plan::hashOf(is_whole ? *planned.plan : planOf(untapped, pipeline, planned.backend));
+  std::future<std::string> hash =
+      std::async(std::launch::async, [&] { return plan::hashOf(planOf(untapped, pipeline, planned.backend)); });
+  planned.plan = std::make_shared<const plan::Plan>(planOf(shot, pipeline, planned.backend, absent(), outputs));
+  planned.shape = plan::shapeOf(*planned.plan);
+  planned.hash = hash.get();
   return planned;
 }
 
 Planned plannedOf(const Workbench& bench, const Shot& shot, const scene::Scene& scene,
                   const plan::PipelineDesc& pipeline, const std::set<std::string>& outputs) {
-  return plannedFor(bench, shot, pipeline, absentFacts(shot, scene, pipeline), outputs);
+  return plannedFor(
+      bench, shot, pipeline, [&] { return absentFacts(shot, scene, pipeline); }, outputs);
 }
 
 Planned plannedOf(const Workbench& bench, const Shot& shot, const plan::PipelineDesc& pipeline) {
-  return plannedFor(bench, shot, pipeline, {}, {});
+  return plannedFor(bench, shot, pipeline, [] { return std::vector<std::string>(); }, {});
 }
 
 Drawing::Drawing(Workbench& bench, std::shared_ptr<HeldScene> scene, Planned planned,

@@ -37,6 +37,7 @@ class Drawing {
   const LoadedScene& scene() const { return scene_->loaded; }
   const std::shared_ptr<HeldScene>& held() const { return scene_; }
   const Evaluation& evaluation() const { return *evaluation_; }
+  const std::shared_ptr<const Evaluation>& heldEvaluation() const { return evaluation_; }
   graph::Graph& graph() { return *graph_; }
   const graph::Graph& graph() const { return *graph_; }
   // Whether a plan of a scene can be drawn by `become`.

@@ -93,14 +93,16 @@ Evaluation Evaluator::evaluate(const std::string& pipeline, const script::Settin
 }
 
 Attempt attempt(const Home& home, const Shot& shot, const script::Texts& texts, const script::Limits& limits,
-                bool lenient, const script::Texts& known) {
+                bool lenient, const Evaluation& before) {
   Attempt tried;
   double started_s = clockSeconds();
   try {
     script::PipelineRequest request{shot.pipeline, shot.sets, texts};
     auto* dropped = lenient ? &tried.dropped : nullptr;
-    tried.good.pipeline = script::evaluatePipeline(home, request, &tried.good.scripts, limits, dropped);
-    tried.good.texts = textsOf(tried.good.scripts, texts, known);
+    tried.good.described = before.described;
+    tried.good.pipeline =
+        script::evaluatePipeline(home, request, &tried.good.scripts, limits, dropped, &tried.good.described);
+    tried.good.texts = textsOf(tried.good.scripts, texts, before.texts);
     tried.usable = true;
   } catch (const std::exception& error) {  // an `Error`, or a folder that goes while it is listed
     tried.problems.push_back(error.what());
@@ -119,10 +121,10 @@ static script::Texts changedTexts(const script::Texts& good) {
 
 // The newest files; where they fail, as many of them as work: files are put back to their last good text, those an
 // error names first.
-Attempt attemptAround(const Home& home, const Shot& shot, const script::Texts& good, const script::Limits& limits) {
+Attempt attemptAround(const Home& home, const Shot& shot, const Evaluation& good, const script::Limits& limits) {
   Attempt newest = attempt(home, shot, {}, limits, true, good);
-  if (newest.usable || good.empty()) return newest;
-  script::Texts changed = changedTexts(good), put_back;
+  if (newest.usable || good.texts.empty()) return newest;
+  script::Texts changed = changedTexts(good.texts), put_back;
   std::vector<std::string> problems = newest.problems;
   double ms = newest.ms;
   while (put_back.size() < changed.size()) {

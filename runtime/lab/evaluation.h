@@ -12,8 +12,9 @@ namespace strobe::lab {
 
 struct Evaluation {
   plan::PipelineDesc pipeline;
-  std::vector<script::Dependency> scripts;  // that were read
-  script::Texts texts;                      // of the scripts, where files still hold them
+  std::vector<script::Dependency> scripts;                  // that were read
+  script::Texts texts;                                      // of the scripts, where files still hold them
+  std::shared_ptr<const script::Described> described = {};  // for the next evaluation
 };
 
 // Throws `Error`, with the places of the user's lines.
@@ -57,13 +58,13 @@ struct Attempt {
   double ms = 0;
 };
 
-// With these texts in the place of what their files hold now. `lenient`: settings that do not fit are dropped. `known`:
-// what files said earlier, which saves reading those that say it still.
+// With these texts in the place of what their files hold now. `lenient`: settings that do not fit are dropped.
+// `before`: an earlier evaluation, which saves reading files that say still what they said.
 Attempt attempt(const Home& home, const Shot& shot, const script::Texts& texts, const script::Limits& limits,
-                bool lenient, const script::Texts& known = {});
+                bool lenient, const Evaluation& before = {});
 
-// The newest files; where they fail, as many of them as work: files are put back to their last `good` text, those an
-// error names first. Lenient.
-Attempt attemptAround(const Home& home, const Shot& shot, const script::Texts& good, const script::Limits& limits);
+// The newest files; where they fail, as many of them as work: files are put back to their last text that was `good`,
+// those an error names first. Lenient.
+Attempt attemptAround(const Home& home, const Shot& shot, const Evaluation& good, const script::Limits& limits);
 
 }  // namespace strobe::lab

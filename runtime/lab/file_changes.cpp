@@ -33,11 +33,12 @@ void ChangedFiles::remember(const Drawing& running, const std::vector<script::De
     }
   for (const auto& [node, pipeline] : running.graph().pipelines())
     for (const Path& file : pipeline->files) note_as_it_is(file);
-  if (watch_) watchFolders(running);
+  watches_all_ = false;  // what new files lie in is watched from the next look on: the picture comes first
 }
 
 void ChangedFiles::watchFolders(const Drawing& running) {
   if (!watch_) watch_ = std::make_unique<Watch>();
+  watches_all_ = true;
   for (const char* name : {"passes", "shaders", "scripts", "scripts/pipelines", "scripts/scenes"})
     for (const Path& folder : bench_.home().folders(name)) watch_->add(folder);
   for (const auto* files : {&running.evaluation().scripts, &running.scene().dependencies})
@@ -68,8 +69,8 @@ FileChanges ChangedFiles::changedSince(const Drawing& running) {
 }
 
 std::optional<FileChanges> ChangedFiles::look(const Running& running, bool wait) {
-  if (!wait && !pending_) script::expectChildren(bench_.home().program(), bench_.limits, 1);
-  bool first = !watch_;
+  if (!wait && !pending_) script::expectChildren(bench_.home(), bench_.limits, 1, running.drawing.evaluation().scripts);
+  const bool first = !watches_all_;
   if (first) watchFolders(running.drawing);
   FileChanges changes;
   if (pending_) {
@@ -95,8 +96,8 @@ std::optional<FileChanges> ChangedFiles::look(const Running& running, bool wait)
       return changes;
     }
   }
-  auto evaluate = [&home = bench_.home(), shot = running.shot, texts = running.drawing.evaluation().texts,
-                   limits = bench_.limits] { return attemptAround(home, shot, texts, limits); };
+  auto evaluate = [&home = bench_.home(), shot = running.shot, good = running.drawing.heldEvaluation(),
+                   limits = bench_.limits] { return attemptAround(home, shot, *good, limits); };
   if (wait) {
     changes.evaluated = evaluate();
     return changes;

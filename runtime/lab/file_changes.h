@@ -57,6 +57,7 @@ class ChangedFiles {
 
   std::map<Path, Noted> noted_;
   std::unique_ptr<Watch> watch_;
+  bool watches_all_ = false;  // the folders of all files that are noted
   std::optional<Pending> pending_;
 };
 

@@ -94,7 +94,7 @@ std::shared_ptr<const Evaluation> Session::evaluationOf(const Shot& shot) const 
   auto decides = [&](const script::Setting& set) { return plan::decidesGraph(now.pipeline, set.first); };
   if (changed && std::none_of(changed->begin(), changed->end(), decides)) try {
       return std::make_shared<Evaluation>(
-          Evaluation{plan::withSettings(now.pipeline, *changed), now.scripts, now.texts});
+          Evaluation{plan::withSettings(now.pipeline, *changed), now.scripts, now.texts, now.described});
     } catch (const Error&) {
       // The scripts say better what is wrong.
     }

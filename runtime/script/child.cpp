@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 // The child's side: one evaluation, then the answer on stdout.
+#include <malloc.h>
 #include <signal.h>
 #include <sys/time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <new>
 #include <optional>
 
+#include "base/hash.h"
 #include "script/batch.h"
 #include "script/evaluate.h"
 #include "script/process.h"
@@ -21,12 +25,17 @@ namespace {
 
 // For the signal handler and the hook it sets, which take no argument.
 Sandbox* g_sandbox = nullptr;
+Json g_roots;            // its home's
+size_t g_memory_mb = 0;  // its limit
 double g_cpu_s = 0;
+bool g_has_task = false;
 bool g_loading = false;     // there is no request to answer yet
 bool g_names_files = true;  // the answer does
 
+std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 [[noreturn]] void answer(const Json& json) {
-  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string text = textOf(json);
   for (size_t done = 0; done < text.size();) {
     ssize_t written = ::write(STDOUT_FILENO, text.data() + done, text.size() - done);
     if (written < 0 && errno != EINTR) break;
@@ -79,20 +88,31 @@ void stopTimer() {
   lua_sethook(g_sandbox->state(), nullptr, 0, 0);
 }
 
-// The sandbox of this process; there is never more than one.
+// With the roots and the memory that are asked for; one that has them already serves.
+void makeSandbox(const Json& asked) {
+  Json roots = asked.at("roots");
+  const size_t memory_mb = asked.at("memory_mb").get<size_t>();
+  if (g_sandbox && roots == g_roots && memory_mb == g_memory_mb) return;
+  g_sandbox = new Sandbox(Home(roots.get<std::vector<Path>>()), memory_mb << 20);
+  g_roots = std::move(roots);
+  g_memory_mb = memory_mb;
+}
+
+// The sandbox of this process; there is never more than one at work.
 Sandbox& sandboxFor(const Json& request) {
   g_cpu_s = request.at("cpu_s").get<double>();
   g_names_files = request.at("names_files").get<bool>();
-  if (!g_sandbox) {
-    Sandbox::Options options{.home = Home(request.at("roots").get<std::vector<Path>>())};
-    options.main = request.at("main").get<std::string>();
-    options.shown = request.at("shown").get<std::string>();
-    options.own_folder = request.at("own_folder").get<bool>();
-    options.preset = request.value("preset", "");
-    options.preset_shown = request.value("preset_shown", "");
-    options.texts = request.at("texts").get<std::map<std::string, std::string>>();
-    options.memory_bytes = request.at("memory_mb").get<size_t>() << 20;
-    g_sandbox = new Sandbox(options);
+  if (!g_has_task) {
+    makeSandbox(request);
+    Sandbox::Task task;
+    task.main = request.at("main").get<std::string>();
+    task.shown = request.at("shown").get<std::string>();
+    task.own_folder = request.at("own_folder").get<bool>();
+    task.preset = request.value("preset", "");
+    task.preset_shown = request.value("preset_shown", "");
+    task.texts = request.at("texts").get<std::map<std::string, std::string>>();
+    g_sandbox->setTask(std::move(task));
+    g_has_task = true;
   }
   startTimer(g_cpu_s);
   return *g_sandbox;
@@ -109,14 +129,50 @@ std::optional<std::string> load(const Json& request) {
   g_loading = false;
   if (!loaded) return std::nullopt;
   g_sandbox->prepareSources();
-  return passes.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return textOf(passes);
+}
+
+// Has the pages that a request is going to need given to this process, which the allocator keeps.
+void touchMemory() {
+  constexpr size_t kBytes = size_t{8} << 20;
+  ::mallopt(M_MMAP_THRESHOLD, int(2 * kBytes));
+  ::mallopt(M_TRIM_THRESHOLD, int(2 * kBytes));
+  auto* pages = static_cast<char*>(std::malloc(kBytes));
+  for (size_t at = 0; pages && at < kBytes; at += 4096) static_cast<volatile char&>(pages[at]) = 0;
+  std::free(pages);
+}
+
+// For a request that `expectChildren` expects.
+void readAhead(const Json& asked) {
+  makeSandbox(asked);
+  for (const Json& file : asked.at("ahead"))
+    g_sandbox->readAhead(file.at("path").get<std::string>(), file.at("shown").get<std::string>());
+  touchMemory();
+}
+
+// The hashes of what a pipeline describes, which leaves out what `known` has already: a pass is then its number, as for
+// run.lua's `load`.
+Json withoutKnown(Json& pipeline, const Json& known) {
+  const auto passes = known.at("passes").get<std::vector<std::string>>();
+  Json hashes = {{"passes", Json::array()}, {"params", hashText(textOf(pipeline.at("params")))}};
+  for (Json& pass : pipeline.at("passes")) {
+    std::string hash = hashText(textOf(pass));
+    auto found = std::find(passes.begin(), passes.end(), hash);
+    if (found != passes.end()) pass = found - passes.begin() + 1;
+    hashes["passes"].push_back(std::move(hash));
+  }
+  if (hashes["params"] == known.at("params")) pipeline.erase("params");
+  return hashes;
 }
 
 void evaluate(const Json& request) {
   Sandbox& sandbox = sandboxFor(request);
   Json result;
   if (sandbox.run(request.at("function").get<std::string>(), request.at("argument"), result)) {
-    answer({{"result", std::move(result)}, {"files", filesJson(sandbox)}});
+    Json answered = {{"files", filesJson(sandbox)}};
+    if (request.contains("known")) answered["hashes"] = withoutKnown(result, request["known"]);
+    answered["result"] = std::move(result);
+    answer(answered);
   }
   if (sandbox.outOfMemory()) answer({{"out_of_memory", true}, {"files", filesJson(sandbox)}});
   Json errors = Json::array();
@@ -133,6 +189,12 @@ void runScriptChild() {
     std::optional<std::string> line = readLine();
     if (!line) ::_exit(0);  // nobody asks
     Json request = Json::parse(*line);
+    if (request.contains("ahead")) {
+      readAhead(request);
+      line = readLine();
+      if (!line) ::_exit(0);
+      request = Json::parse(*line);
+    }
     if (request.contains("batch")) answerBatches(std::move(*line), {evaluate, loads, load});
     evaluate(request);
   } catch (const std::exception& error) {

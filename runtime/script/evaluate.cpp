@@ -138,7 +138,8 @@ std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::er
 
 // What the answer to a request holds. It comes from a process that ran a stranger's script: nothing in it is taken on
 // trust.
-Json resultOf(const Main& main, const ProgramEnd& child, std::vector<Dependency>* dependencies, const Limits& limits) {
+Json resultOf(const Main& main, const ProgramEnd& child, std::vector<Dependency>* dependencies, const Limits& limits,
+              Json* hashes = nullptr) {
   bool answered = child.succeeded() && !child.too_long;
   Json answer = answered ? jsonFromText(child.output) : Json();
   if (!answer.is_object()) throw Error(endedBy(child, limits), {main.shown});
@@ -146,18 +147,19 @@ Json resultOf(const Main& main, const ProgramEnd& child, std::vector<Dependency>
     if (dependencies) *dependencies = dependenciesOf(answer.at("files"));
     if (answer.contains("out_of_memory")) throw Error(outOfMemory(limits), {main.shown});
     if (answer.contains("errors")) throwProblems(answer["errors"]);
+    if (hashes) *hashes = std::move(answer.at("hashes"));
     return std::move(answer.at("result"));
   } catch (const Json::exception&) {
     throw Error("the script's process gave an answer in a wrong form", {main.shown});
   }
 }
 
-// What run.lua's `function` returns.
+// What run.lua's `function` returns; of a pipeline `hashes` too, if they are asked for.
 Json evaluate(const Home& home, const Main& main, const Json& request, std::vector<Dependency>* dependencies,
-              const Limits& limits) {
+              const Limits& limits, Json* hashes = nullptr) {
   if (dependencies) *dependencies = {};
   if (dependencies && !main.file.empty()) *dependencies = {{main.file, main.shown, hashOfPath(main.file)}};
-  return resultOf(main, runChild(home.program(), textOf(request), limits), dependencies, limits);
+  return resultOf(main, runChild(home.program(), textOf(request), limits), dependencies, limits, hashes);
 }
 
 Json evaluate(const Home& home, const Main& main, const std::string& function, const Json& argument,
@@ -307,10 +309,24 @@ static plan::PipelineDesc pipelineOf(const Main& main, Json result, std::vector<
 
 plan::PipelineDesc evaluatePipeline(const Home& home, const PipelineRequest& request,
                                     std::vector<Dependency>* dependencies, const Limits& limits,
-                                    std::vector<DroppedSetting>* dropped) {
+                                    std::vector<DroppedSetting>* dropped, std::shared_ptr<const Described>* described) {
   Main main = mainOf(home, request.name_or_path, "pipeline", request.texts);
   Json asked = pipelineRequest(home, main, request, dropped != nullptr, limits);
-  return pipelineOf(main, evaluate(home, main, asked, dependencies, limits), dropped);
+  if (!described) return pipelineOf(main, evaluate(home, main, asked, dependencies, limits), dropped);
+  const Described none, &before = *described ? **described : none;
+  asked["known"] = {{"passes", before.pass_hashes}, {"params", before.params_hash}};
+  Json hashes;
+  Json result = evaluate(home, main, asked, dependencies, limits, &hashes);
+  plan::PipelineDesc pipeline = pipelineOf(main, std::move(result), dropped, before.known);
+  auto now = std::make_shared<Described>(Described{{pipeline.passes, pipeline.params}, {}, {}});
+  try {
+    now->pass_hashes = hashes.at("passes").get<std::vector<std::string>>();
+    now->params_hash = hashes.at("params").get<std::string>();
+  } catch (const Json::exception&) {
+    throw Error("the script's process gave an answer in a wrong form", {main.shown});
+  }
+  if (now->pass_hashes.size() == pipeline.passes.size()) *described = std::move(now);
+  return pipeline;
 }
 
 struct PipelineEvaluator::State {

@@ -45,6 +45,13 @@ struct Limits {
   bool operator==(const Limits&) const = default;
 };
 
+// What an evaluation described: passes and parameters that the next one describes alike it only names.
+struct Described {
+  plan::Known known;
+  std::vector<std::string> pass_hashes;  // of the descriptions of the passes as the child had them
+  std::string params_hash;
+};
+
 struct PipelineRequest {
   std::string name_or_path;  // "x" for scripts/pipelines/x.lua, or a path that ends in ".lua"
   // "PARAM" of the pipeline (a preset may be a file "x.lua"), "NODE.PARAM"; "scene.PARAM" is left to `evaluateScene`.
@@ -59,10 +66,12 @@ struct DroppedSetting {
 
 // With `dropped`, settings that do not fit are left out and listed there instead of being errors.
 // All of these throw `Error` with the places of the user's lines, all mistakes of one table at once; `dependencies`
-// is filled on failure too, so that a reload can wait for the next save.
+// is filled on failure too, so that a reload can wait for the next save. `described`: of an evaluation before, or null,
+// then of this one, where it succeeds.
 plan::PipelineDesc evaluatePipeline(const Home& home, const PipelineRequest& request,
                                     std::vector<Dependency>* dependencies = nullptr, const Limits& limits = {},
-                                    std::vector<DroppedSetting>* dropped = nullptr);
+                                    std::vector<DroppedSetting>* dropped = nullptr,
+                                    std::shared_ptr<const Described>* described = nullptr);
 
 // What became of one of many: `error` is null where there is a `value`.
 template <class Value>

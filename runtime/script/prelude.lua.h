@@ -7,57 +7,11 @@ namespace strobe::script {
 
 inline constexpr const char* kPrelude = R"lua(
 local native = ...
-local raw_next, raw_format, raw_tostring, sort, insert = next, string.format, tostring, table.sort, table.insert
-local type, error, pcall, rawget, rawset, getmetatable = type, error, pcall, rawget, rawset, getmetatable
+local raw_next, raw_format, raw_tostring, sort = next, string.format, tostring, table.sort
+local type, error, pcall, rawset, getmetatable = type, error, pcall, rawset, getmetatable
 local setmetatable, select, unpack, find, stderr_write = setmetatable, select, table.unpack, string.find, native.write
 
--- false, true, numbers, strings. Sorted kind by kind, which takes no call for each pair.
-local function ordered_keys(t)
-  local keys, strings = {}, {}
-  for key in raw_next, t do
-    local kind = type(key)
-    if kind == "string" then
-      strings[#strings + 1] = key
-    elseif kind == "number" then
-      keys[#keys + 1] = key
-    elseif kind ~= "boolean" then
-      error("keys of type " .. kind .. " have no fixed order; keep a list beside the table", 3)
-    end
-  end
-  sort(keys)
-  if rawget(t, true) ~= nil then insert(keys, 1, true) end
-  if rawget(t, false) ~= nil then insert(keys, 1, false) end
-  sort(strings)
-  if #keys == 0 then return strings end
-  for i = 1, #strings do keys[#keys + 1] = strings[i] end
-  return keys
-end
-
 local safe = {}
-
-function safe.pairs(t)
-  local meta = getmetatable(t)
-  if type(meta) == "table" and meta.__pairs then return meta.__pairs(t) end
-  if type(t) ~= "table" then error("pairs wants a table, got " .. type(t), 2) end
-  local keys, i = ordered_keys(t), 0
-  return function()
-    local value
-    repeat
-      i = i + 1
-      if keys[i] == nil then return nil end
-      value = rawget(t, keys[i])
-    until value ~= nil
-    return keys[i], value
-  end, t, nil
-end
-
-function safe.next(t, key)
-  if type(t) ~= "table" then error("next wants a table, got " .. type(t), 2) end
-  if key ~= nil then error("next answers only whether a table is empty; walk it with pairs", 2) end
-  if raw_next(t) == nil then return nil end
-  local first = ordered_keys(t)[1]
-  return first, rawget(t, first)
-end
 
 function safe.tostring(value)
   local kind = type(value)
@@ -97,7 +51,7 @@ math.randomseed = randomseed
 
 local env = {
   _VERSION = _VERSION, assert = assert, error = error, getmetatable = getmetatable, ipairs = ipairs, math = math,
-  next = safe.next, pairs = safe.pairs, pcall = pcall, print = safe.print, rawequal = rawequal, rawget = rawget,
+  next = native.next, pairs = native.pairs, pcall = pcall, print = safe.print, rawequal = rawequal, rawget = rawget,
   rawlen = rawlen, select = select, setmetatable = setmetatable, string = string, table = table, tonumber = tonumber,
   tostring = safe.tostring, type = type, utf8 = utf8, require = native.require, caller_place = native.caller_place,
 }

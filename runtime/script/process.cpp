@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/json.h"
 #include "script/evaluate.h"
 
 namespace strobe::script {
@@ -29,6 +30,20 @@ static Program childOf(const Path& path, const Limits& limits) {
   return program;
 }
 
+// A line that has a child read files ahead of its request.
+static std::string aheadOf(const Home& home, const Limits& limits, const std::vector<Dependency>& files) {
+  Json ahead = Json::array();
+  for (const Dependency& file : files) ahead.push_back({{"path", file.path.string()}, {"shown", file.shown}});
+  const Json line = {{"ahead", ahead}, {"roots", home.roots()}, {"memory_mb", limits.memory_mb}};
+  return line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+static Program expectedChild(const Home& home, const Limits& limits, const std::vector<Dependency>& files) {
+  Program program = childOf(home.program(), limits);
+  if (!files.empty()) program.input = aheadOf(home, limits, files);
+  return program;
+}
+
 namespace {
 
 struct Expected {
@@ -36,7 +51,8 @@ struct Expected {
   Limits limits;
   WaitingProgram program;
 
-  Expected(const Path& path, const Limits& limits) : path(path), limits(limits), program(childOf(path, limits)) {}
+  Expected(const Home& home, const Limits& limits, const std::vector<Dependency>& files)
+      : path(home.program()), limits(limits), program(expectedChild(home, limits, files)) {}
   bool serves(const Path& wanted, const Limits& within) const { return path == wanted && limits == within; }
 };
 
@@ -79,14 +95,14 @@ WaitingProgram startedChild(const Path& path, const Limits& limits) {
   return WaitingProgram(childOf(path, limits));
 }
 
-void expectChildren(const Path& path, const Limits& limits, size_t count) {
+void expectChildren(const Home& home, const Limits& limits, size_t count, const std::vector<Dependency>& files) {
   AllExpected& all = allExpected();
   std::lock_guard lock(all.mutex);
   all.children.remove_if([](const Expected& one) { return !one.program.waits(); });
   size_t waiting = 0;
-  for (const Expected& one : all.children) waiting += one.serves(path, limits);
+  for (const Expected& one : all.children) waiting += one.serves(home.program(), limits);
   try {
-    for (; waiting < count; ++waiting) all.children.emplace_back(path, limits);
+    for (; waiting < count; ++waiting) all.children.emplace_back(home, limits, files);
   } catch (const Error&) {
     // The request itself finds out, and has someone to tell.
   }

@@ -4,10 +4,12 @@
 
 #include <string>
 
+#include "base/home.h"
 #include "base/process.h"
 
 namespace strobe::script {
 
+struct Dependency;
 struct Limits;
 
 // Exit status of a child that found no memory for its answer.
@@ -21,8 +23,8 @@ ProgramEnd runChild(const Path& program, const std::string& input, const Limits&
 WaitingProgram startedChild(const Path& program, const Limits& limits);
 
 // Starts so many children ahead of their requests, less those that wait already: `runChild` with these limits then
-// waits for no start. Each answers one request, as any child. To be called from a thread that goes on, since the system
-// ends children with the thread that started them.
-void expectChildren(const Path& program, const Limits& limits, size_t count);
+// waits for no start, nor for the reading of those `files` that stay as they are. Each answers one request, as any
+// child. To be called from a thread that goes on, since the system ends children with the thread that started them.
+void expectChildren(const Home& home, const Limits& limits, size_t count, const std::vector<Dependency>& files = {});
 
 }  // namespace strobe::script

@@ -9,6 +9,7 @@
 #include "plan/facts.h"
 #include "script/locate.h"
 #include "script/lua_json.h"
+#include "script/ordered_pairs.h"
 #include "script/prelude.lua.h"
 
 namespace strobe::script {
@@ -75,7 +76,7 @@ struct Sandbox::Callbacks {
   static int callWithPlace(lua_State* lua) {
     lua_pushvalue(lua, lua_upvalueindex(1));
     lua_insert(lua, 1);
-    pushUserPlace(lua, 1, self(lua).options_.shown.c_str());
+    pushUserPlace(lua, 1, self(lua).task_.shown.c_str());
     lua_insert(lua, 2);
     lua_call(lua, lua_gettop(lua) - 1, LUA_MULTRET);
     return lua_gettop(lua);
@@ -91,7 +92,7 @@ struct Sandbox::Callbacks {
   // caller_place(level): 1 is the function that asks, 2 its caller. Frames of C and of the library are skipped; a
   // caller that ended in `return f()` is gone, so constructors are better made with `native.at_caller`.
   static int callerPlace(lua_State* lua) {
-    pushUserPlace(lua, static_cast<int>(luaL_optinteger(lua, 1, 1)), self(lua).options_.shown.c_str());
+    pushUserPlace(lua, static_cast<int>(luaL_optinteger(lua, 1, 1)), self(lua).task_.shown.c_str());
     return 1;
   }
 
@@ -263,6 +264,10 @@ struct Sandbox::Callbacks {
   // Pushes the text in `source_` as a function of the sandbox's environment, named `chunk_`.
   static void loadChunk(lua_State* lua) {
     Sandbox& sandbox = self(lua);
+    if (sandbox.ready_chunk_ != 0) {
+      lua_rawgeti(lua, LUA_REGISTRYINDEX, sandbox.ready_chunk_);
+      return;
+    }
     if (luaL_loadbufferx(lua, sandbox.source_.data(), sandbox.source_.size(), sandbox.chunk_.c_str(), "t") != LUA_OK) {
       lua_error(lua);
     }
@@ -346,24 +351,31 @@ struct Sandbox::Callbacks {
     loadChunk(lua);
   }
 
+  // Keeps the text in `source_` as a function of the registry: `ready_chunk_`.
+  static int keepChunk(lua_State* lua) {
+    loadChunk(lua);
+    self(lua).ready_chunk_ = luaL_ref(lua, LUA_REGISTRYINDEX);
+    return 0;
+  }
+
   // native.preset(): runs the file of the preset that was asked for; true, what it returns, and how errors name it, or
   // false where there is no such file.
   static int preset(lua_State* lua) {
     Sandbox& sandbox = self(lua);
     bool there = false;
-    sandbox.guarded([&] { there = sandbox.isThere(sandbox.options_.preset); });
+    sandbox.guarded([&] { there = sandbox.isThere(sandbox.task_.preset); });
     lua_pushboolean(lua, there);
     if (!there) return 1;
-    loadFile(lua, sandbox.options_.preset, sandbox.options_.preset_shown);
+    loadFile(lua, sandbox.task_.preset, sandbox.task_.preset_shown);
     lua_call(lua, 0, 1);
-    lua_pushstring(lua, sandbox.options_.preset_shown.c_str());
+    lua_pushstring(lua, sandbox.task_.preset_shown.c_str());
     return 3;
   }
 
   // native.main(...): runs the file that was asked for.
   static int main(lua_State* lua) {
     Sandbox& sandbox = self(lua);
-    loadFile(lua, sandbox.options_.main, sandbox.options_.shown);
+    loadFile(lua, sandbox.task_.main, sandbox.task_.shown);
     lua_insert(lua, 1);
     lua_call(lua, lua_gettop(lua) - 1, 1);
     return 1;
@@ -389,33 +401,79 @@ static bool isModuleName(const std::string& name) {
   return plain && name.front() != '.' && name.back() != '.' && name.find("..") == std::string::npos;
 }
 
-void Sandbox::read(const Path& file, const std::string& shown) {
-  auto given = options_.texts.find(file.string());
-  source_ = given == options_.texts.end() ? options_.home.read(file) : given->second;
+void Sandbox::readAhead(const Path& file, const std::string& shown) {
+  Ahead ahead;
+  ahead.stamps.add(file);
+  ready_chunk_ = 0;
   chunk_ = "@" + shown;
+  if (!guarded([&] { source_ = home_.read(file); })) return;
+  lua_settop(lua_, 0);
+  lua_pushcfunction(lua_, Callbacks::keepChunk);
+  if (lua_pcall(lua_, 0, 0, 0) != LUA_OK) return;
+  std::map<std::string, Source> sources;
+  sources.try_emplace(shown, source_).first->second.prepare();
+  ahead.shown = shown, ahead.text = source_, ahead.hash = hashText(source_);
+  ahead.chunk = ready_chunk_;
+  ahead.source = sources.extract(shown);
+  ahead_[file.string()] = std::move(ahead);
+}
+
+// What was read ahead of a file, where the file, or what stands in its place, says that still; or null.
+Sandbox::Ahead* Sandbox::stillAhead(const Path& file) {
+  auto found = ahead_.find(file.string());
+  if (found == ahead_.end()) return nullptr;
+  auto given = task_.texts.find(found->first);
+  Ahead& ahead = found->second;
+  return (given == task_.texts.end() ? ahead.stamps.current() : given->second == ahead.text) ? &ahead : nullptr;
+}
+
+void Sandbox::take(const Path& file, Ahead& ahead) {
+  chunk_ = "@" + ahead.shown;
+  source_ = ahead.text;
+  ready_chunk_ = ahead.chunk;
+  if (!ahead.source) return;
+  sources_.insert(std::move(ahead.source));
+  files_.push_back({file, ahead.shown, ahead.hash});
+}
+
+// A file of the home folder that was found where it is when it was read ahead. Looking for it in each root, and whether
+// links lead out of them, takes longer than running most modules.
+bool Sandbox::takeAhead(const Path& relative) {
+  for (const Path& place : home_.places(relative)) {
+    if (Ahead* ahead = stillAhead(place)) return take(place, *ahead), true;
+    if (isThere(place)) return false;
+  }
+  return false;
+}
+
+void Sandbox::read(const Path& file, const std::string& shown) {
+  Ahead* ahead = stillAhead(file);
+  if (ahead && ahead->shown == shown) return take(file, *ahead);
+  chunk_ = "@" + shown;
+  ready_chunk_ = 0;
+  auto given = task_.texts.find(file.string());
+  source_ = given == task_.texts.end() ? home_.read(file) : given->second;
   if (!sources_.try_emplace(shown, source_).second) return;
   files_.push_back({file, shown, hashText(source_)});
 }
 
 void Sandbox::list(const std::string& folder) {
-  if (folder.find("..") != std::string::npos || options_.home.folders(folder).empty())
+  if (folder.find("..") != std::string::npos || home_.folders(folder).empty())
     throw Error(fmt::format("there is no folder '{}'", folder));
-  names_ = options_.home.namesIn(folder, ".lua");
+  names_ = home_.namesIn(folder, ".lua");
   // A folder that a project may get is a dependency as well.
-  for (const Path& path : options_.home.places(folder)) {
+  for (const Path& path : home_.places(folder)) {
     auto listed = std::find_if(files_.begin(), files_.end(), [&](const Dependency& file) { return file.path == path; });
-    if (listed == files_.end()) files_.push_back({path, options_.home.shown(path), hashOfPath(path)});
+    if (listed == files_.end()) files_.push_back({path, home_.shown(path), hashOfPath(path)});
   }
 }
 
 bool Sandbox::liesInHome(const Path& file) const {
-  const auto& roots = options_.home.roots();
+  const auto& roots = home_.roots();
   return std::any_of(roots.begin(), roots.end(), [&](const Path& root) { return liesIn(file, root); });
 }
 
-bool Sandbox::isThere(const Path& file) const {
-  return options_.texts.count(file.string()) || fs::is_regular_file(file);
-}
+bool Sandbox::isThere(const Path& file) const { return task_.texts.count(file.string()) || fs::is_regular_file(file); }
 
 // Where `require` looks: the library, passes and scripts of the home folder, then the folder of the user's own file.
 void Sandbox::resolve(const std::string& module) {
@@ -429,13 +487,14 @@ void Sandbox::resolve(const std::string& module) {
   if (root == "strobe") relative = "scripts/" + relative;
 
   bool in_home = root == "strobe" || root == "passes" || root == "scripts";
-  Path file = options_.home.at(relative);
-  if (in_home && isThere(file)) return read(file, options_.home.shown(file));
-  Path own = options_.main.parent_path() / relative;
-  if (options_.own_folder && isThere(own)) {
-    if (!liesIn(own, options_.main.parent_path()) && !liesInHome(own))
+  if (in_home && takeAhead(relative)) return;
+  Path file = home_.at(relative);
+  if (in_home && isThere(file)) return read(file, home_.shown(file));
+  Path own = task_.main.parent_path() / relative;
+  if (task_.own_folder && isThere(own)) {
+    if (!liesIn(own, task_.main.parent_path()) && !liesInHome(own))
       throw Error(fmt::format("module '{}' is a link that leads out of its folder", module));
-    Path shown = Path(options_.shown).parent_path() / relative;
+    Path shown = Path(task_.shown).parent_path() / relative;
     return read(own, shown.string());
   }
   std::string near = didYouMean(module, moduleNames());
@@ -446,7 +505,7 @@ void Sandbox::resolve(const std::string& module) {
 std::vector<std::string> Sandbox::moduleNames() const {
   std::vector<std::string> names;
   auto add = [&](const std::string& folder, const std::string& prefix) {
-    for (std::string name : options_.home.namesBelow(folder, ".lua")) {
+    for (std::string name : home_.namesBelow(folder, ".lua")) {
       std::replace(name.begin(), name.end(), '/', '.');
       names.push_back(prefix + name);
     }
@@ -469,13 +528,15 @@ void* Sandbox::allocate(void* data, void* block, size_t old_size, size_t new_siz
     return nullptr;
   }
   size_t wanted = sandbox.used_bytes_ - freed + new_size;
-  void* grown = wanted <= sandbox.options_.memory_bytes ? std::realloc(block, new_size) : nullptr;
+  void* grown = wanted <= sandbox.memory_bytes_ ? std::realloc(block, new_size) : nullptr;
   if (grown) sandbox.used_bytes_ = wanted;
   return grown;
 }
 
-Sandbox::Sandbox(Options options)
-    : options_(std::move(options)), library_(options_.home.shown(options_.home.shipped() / "scripts/strobe") + "/") {
+Sandbox::Sandbox(Home home, size_t memory_bytes)
+    : home_(std::move(home)),
+      memory_bytes_(memory_bytes),
+      library_(home_.shown(home_.shipped() / "scripts/strobe") + "/") {
   lua_ = lua_newstate(allocate, this);
   STROBE_ASSERT(lua_ != nullptr);
   *static_cast<Sandbox**>(lua_getextraspace(lua_)) = this;
@@ -505,6 +566,8 @@ void Sandbox::loadPrelude() {
                                        {"return_place", Callbacks::returnPlace},
                                        {"reads_field", Callbacks::readsFieldAnywhere},
                                        {"has_other_keys", Callbacks::hasOtherKeys},
+                                       {"pairs", orderedPairs},
+                                       {"next", firstPair},
                                        {"nearest", Callbacks::nearest},
                                        {"check_value", Callbacks::checkValue},
                                        {"formats", Callbacks::formats},
@@ -612,7 +675,7 @@ void Sandbox::addProblem(const std::string& raw) {
     problems_.push_back(problem);
     return;
   }
-  Problem problem{Place{options_.shown}, message};
+  Problem problem{Place{task_.shown}, message};
   problems_.push_back(problem);
 }
 

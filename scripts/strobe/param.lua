@@ -124,17 +124,17 @@ end
 local function check_bounds(problems, result, given, place, what)
   for _, key in ipairs { "min", "max" } do
     local bound = given[key]
-    local where = native.key_place(place, key)
+    local function wrong(...) problems:add(native.key_place(place, key), ...) end
     local finite = type(bound) == "number" and bound == bound and math.abs(bound) < math.huge
     if bound == nil then
-      problems:add(where, "%s has no '%s'; every number has a range", what, key)
+      wrong("%s has no '%s'; every number has a range", what, key)
     elseif not finite then
-      problems:add(where, "'%s' of %s is %s, not a number", key, what, check.quoted(bound))
+      wrong("'%s' of %s is %s, not a number", key, what, check.quoted(bound))
     elseif result.type == "int" and not math.tointeger(bound) then
-      problems:add(where, "'%s' = %s of %s is not an integer", key, bound, what)
+      wrong("'%s' = %s of %s is not an integer", key, bound, what)
     elseif math.abs(bound) > LARGEST[result.type] then
-      problems:add(where, "'%s' = %s of %s is more than a shader's %s can hold (%s)", key, bound, what, result.type,
-                   LARGEST[result.type])
+      wrong("'%s' = %s of %s is more than a shader's %s can hold (%s)", key, bound, what, result.type,
+            LARGEST[result.type])
     else
       result[key] = result.type == "int" and math.tointeger(bound) or bound + 0.0
     end
@@ -173,8 +173,20 @@ function param.is_of_a_pass(declared)
   return of_passes[origins[declared]] == true
 end
 
+-- Of parameters without mistakes their checked declarations: many passes have the same.
+local checked = setmetatable({}, { __mode = "k" })
+
+local function copy_of(declaration)
+  local copy = {}
+  for key, value in pairs(declaration) do copy[key] = value end
+  origins[copy] = origins[declaration]
+  return copy
+end
+
 -- The checked declaration of the parameter `name`, or nil after mistakes. `at` is where the name was written.
 function param.declare(problems, name, declared, at, owner)
+  local same = checked[declared]
+  if same and same.name == name then return copy_of(same) end
   local before = #problems.list
   if not check.is_name(name) then
     problems:add(at, "%s is not a name for a parameter (a-z, then a-z, 0-9 and _)", check.quoted(name))
@@ -230,6 +242,7 @@ function param.declare(problems, name, declared, at, owner)
   end
   result.default = value
   origins[result] = declared.origin
+  checked[declared] = copy_of(result)
   return result
 end
 

@@ -168,6 +168,28 @@ return { seen = seen, random = { math.random(), math.random(1000) }, address = t
   for (int i = 0; i < 10; ++i) ASSERT_EQ(evaluateScene(home.home(), "order", {}).dump(), first);
 }
 
+// false, true, numbers of both kinds by what they are worth, texts by their bytes; what has gone by its turn is left
+// out.
+TEST(Sandbox, PairsComeInOneOrder) {
+  TestHome home;
+  home.write("scripts/scenes/order.lua", R"(
+local t = { b = 1, a = 1, B = 1, ["a\0b"] = 1, [true] = 1, [false] = 1, [2] = 1, [1.5] = 1, [-1] = 1,
+            [9007199254740993] = 1, [9007199254740992.0] = 1, [math.huge] = 1 }
+local seen, gone = {}, { a = 1, b = 2, c = 3 }
+for key in pairs(t) do seen[#seen + 1] = type(key) == "string" and #key .. key:sub(1, 1) or tostring(key) end
+for key in pairs(gone) do seen[#seen + 1] = key gone.b = nil end
+local named = setmetatable({}, { __pairs = function(of) return function(_, i) if i < 2 then return i + 1, "n" end end, of, 0 end })
+for i, n in pairs(named) do seen[#seen + 1] = i .. n end
+local key, value = next { z = 5, y = 4 }
+return { seen = table.concat(seen, " "), first = key .. value }
+)");
+  Json scene = evaluateScene(home.home(), "order", {});
+  EXPECT_EQ(scene["seen"], "false true -1 1.5 2 9007199254740992 9007199254740993 inf 1B 1a 3a 1b a c 1n 2n");
+  EXPECT_EQ(scene["first"], "y4");
+  EXPECT_EQ(failureOf(home, "none", "pairs(3)"), "scripts/scenes/none.lua:1: pairs wants a table, got number");
+  EXPECT_EQ(failureOf(home, "none", "next(3)"), "scripts/scenes/none.lua:1: next wants a table, got number");
+}
+
 TEST(Sandbox, ErrorsInsideTheLibraryPointAtTheUsersLine) {
   TestHome home;
   home.write("scripts/pipelines/odd.lua", R"(local pipeline = require "strobe.pipeline"
