@@ -4,6 +4,8 @@
 #include <sys/inotify.h>
 #include <unistd.h>
 
+#include "base/log.h"
+
 namespace strobe {
 
 namespace fs = std::filesystem;
@@ -11,6 +13,9 @@ namespace fs = std::filesystem;
 // In-place saves are seen when the file is closed, never half written; of what is created, only folders matter.
 static constexpr uint32_t kEvents =
     IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE | IN_CREATE | IN_DELETE_SELF | IN_ONLYDIR;
+
+// Between looks where the system reports nothing.
+static constexpr double kBlindly_s = 0.1;
 
 Watch::Watch() : descriptor_(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {}
 
@@ -38,7 +43,11 @@ void Watch::add(const Path& folder) {
 }
 
 bool Watch::changed() {
-  if (descriptor_ < 0) return true;
+  if (descriptor_ < 0) {
+    if (clockSeconds() < look_again_s_) return false;
+    look_again_s_ = clockSeconds() + kBlindly_s;
+    return true;
+  }
   bool changed = false;
   alignas(inotify_event) char buffer[16384];
   for (ssize_t got; (got = ::read(descriptor_, buffer, sizeof buffer)) > 0;) {

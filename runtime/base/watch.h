@@ -9,7 +9,7 @@
 namespace strobe {
 
 // Sees files that were written and closed, renamed, made by renaming or removed; not those still being written. Folders
-// that appear later are followed too. Where the system cannot watch, `changed` is always true.
+// that appear later are followed too. Where the system cannot watch, `changed` is true ten times a second.
 class Watch {
  public:
   Watch();
@@ -32,6 +32,7 @@ class Watch {
   void addOne(const Folder& folder);
 
   int descriptor_ = -1;
+  double look_again_s_ = 0;        // where there is none
   std::map<int, Folder> folders_;  // by watch descriptor
 };
 

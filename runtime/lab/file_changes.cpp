@@ -10,13 +10,14 @@ namespace strobe::lab {
 
 void ChangedFiles::note(const Path& path, const std::string& hash) {
   Noted& noted = noted_[path];
-  if (noted.hash != hash) noted = {hash, std::nullopt};
+  if (noted.hash != hash) noted = {hash};
 }
 
 void ChangedFiles::remember(const Drawing& running, const std::vector<script::Dependency>& tried, bool sound) {
+  const size_t noted_before = noted_.size();
   for (const auto& file : tried) note(file.path, file.hash);
   for (const auto* files : {&running.evaluation().scripts, &running.scene().dependencies})
-    for (const auto& file : *files) noted_.emplace(file.path, Noted{file.hash, std::nullopt});
+    for (const auto& file : *files) noted_.emplace(file.path, Noted{file.hash});
   auto note_as_it_is = [this](const Path& file) {
     if (!noted_.count(file)) note(file, script::hashOfPath(file));
   };
@@ -33,7 +34,8 @@ void ChangedFiles::remember(const Drawing& running, const std::vector<script::De
     }
   for (const auto& [node, pipeline] : running.graph().pipelines())
     for (const Path& file : pipeline->files) note_as_it_is(file);
-  watches_all_ = false;  // what new files lie in is watched from the next look on: the picture comes first
+  // What files lie in that came, or came again, is watched from the next look on: the picture comes first.
+  if (!tried.empty() || noted_.size() > noted_before) watches_all_ = false;
 }
 
 void ChangedFiles::watchFolders(const Drawing& running) {
@@ -45,9 +47,19 @@ void ChangedFiles::watchFolders(const Drawing& running) {
     for (const auto& file : *files) watch_->addFlat(file.path.parent_path());
 }
 
-FileChanges ChangedFiles::changedSince(const Drawing& running) {
+// Editors that keep a copy of the old text put it away first: for a moment the file is not there.
+bool ChangedFiles::isBeingSaved(Noted& noted, const std::string& now) {
+  constexpr double kMoment_s = 0.1;
+  if (!now.empty() || noted.hash.empty()) return noted.gone_at_s = 0, false;
+  if (noted.gone_at_s == 0) noted.gone_at_s = clockSeconds();
+  return clockSeconds() < noted.gone_at_s + kMoment_s;
+}
+
+// With `wait`, what is gone counts as deleted at once.
+FileChanges ChangedFiles::changedSince(const Drawing& running, bool wait) {
   FileChanges changes;
   double started_s = clockSeconds();
+  looks_again_ = false;
   auto is_among = [](const std::vector<script::Dependency>& files, const Path& path) {
     return std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.path == path; });
   };
@@ -55,8 +67,13 @@ FileChanges ChangedFiles::changedSince(const Drawing& running) {
     if (noted.stamps && noted.stamps->current()) continue;
     noted.stamps.emplace().add(path);
     std::string now = script::hashOfPath(path);
+    if (isBeingSaved(noted, now) && !wait) {
+      noted.stamps.reset();
+      looks_again_ = true;
+      continue;
+    }
     if (now == noted.hash) continue;
-    noted.hash = now;
+    noted = {now, noted.stamps};
     changes.files.push_back(bench_.home().shown(path));
     // The library is of both; what is of neither was part of an attempt that failed.
     bool scene = is_among(running.scene().dependencies, path);
@@ -84,8 +101,8 @@ std::optional<FileChanges> ChangedFiles::look(const Running& running, bool wait)
     if (!overtaken) return changes;
   } else {
     bool event = watch_->changed();
-    if (!event && !first && !wait) return {};
-    changes = changedSince(running.drawing);
+    if (!event && !first && !wait && !looks_again_) return {};
+    changes = changedSince(running.drawing, wait);
     // After a failure a file that nothing could name yet may have appeared.
     bool retry = event && running.failed;
     if (changes.files.empty() && !retry) return {};

@@ -37,6 +37,8 @@ class ChangedFiles {
   // Looks for changes. Without `wait`, scripts are evaluated in the background: nothing is returned until a later call
   // finds them done, on the settings as they are then. From the first call on, folders are watched.
   std::optional<FileChanges> look(const Running& running, bool wait);
+  // Whether scripts are evaluated in the background.
+  bool evaluates() const { return pending_.has_value(); }
 
  private:
   struct Pending {
@@ -45,15 +47,18 @@ class ChangedFiles {
     std::future<Attempt> evaluated;  // its destructor waits
   };
   void watchFolders(const Drawing& running);
-  FileChanges changedSince(const Drawing& running);
+  FileChanges changedSince(const Drawing& running, bool wait);
 
   Workbench& bench_;
   // A file or folder.
   struct Noted {
     std::string hash;
     std::optional<Stamps> stamps;  // from before it was read
+    double gone_at_s = 0;          // since when it is missed; 0: it is not
   };
+  bool isBeingSaved(Noted& noted, const std::string& now);
   void note(const Path& path, const std::string& hash);
+  bool looks_again_ = false;  // whatever the system reports
 
   std::map<Path, Noted> noted_;
   std::unique_ptr<Watch> watch_;

@@ -67,6 +67,8 @@ class Session {
   // background: nothing is returned until a later call finds it done, on the values as they are then. Nothing is
   // returned when nothing changed. Never throws for what users write.
   std::optional<Reload> reload(bool wait);
+  // Whether Lua is evaluated in the background for a later call.
+  bool evaluates() const { return files_.evaluates(); }
 
   // Draws the frame as it stands, reading back the outputs ("color") and taps ("node.port") named; null: all.
   graph::FrameResult draw(const std::set<std::string>* outputs = nullptr) { return running_->draw(shot_, outputs); }

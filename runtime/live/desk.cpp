@@ -8,8 +8,7 @@
 
 namespace strobe::live {
 
-static const double kLookEvery_s = 0.1;  // at edited files
-static const int kFlickerFrames = 12;    // frames of the window for which each side shows
+static const int kFlickerFrames = 12;  // frames of the window for which each side shows
 
 const std::vector<std::string>& modeNames() {
   static const std::vector<std::string> names = {"single", "wipe", "flicker", "difference", "error"};
@@ -93,13 +92,9 @@ bool Desk::busy() const {
 }
 
 bool Desk::turn() {
-  bool news = false;
-  if (clockSeconds() - looked_at_files_s_ > kLookEvery_s) {
-    auto looked = sides_.lookAtFiles();
-    news = looked.news;
-    if (looked.swapped) truth_.forget();
-    looked_at_files_s_ = clockSeconds();
-  }
+  auto looked = sides_.lookAtFiles();
+  bool news = looked.news;
+  if (looked.swapped) truth_.forget();
   if (playing && !a().stale) goToFrame(shot().frame >= sides_.lastFrame() ? sides_.firstFrame() : shot().frame + 1);
   bool redrawn = a().stale;
   if (sides_.draw(look_.port)) news = picture_stale_ = true;

@@ -104,7 +104,6 @@ class Desk {
   int truth_wanted_ = 0, truth_of_sweep_ = 0;
   PinnedPixel pixel_;
   Look look_, shown_look_;
-  double looked_at_files_s_ = 0;
   image::Image picture_;
   bool picture_stale_ = true, picture_of_b_ = false;
 };

@@ -20,7 +20,8 @@ namespace strobe::live {
 
 namespace {
 
-constexpr double kIdle_s = 0.1;  // between looks at edited files while nothing happens
+// Between looks at edited files while nothing else happens, and while edited scripts run.
+constexpr double kIdle_s = 0.02, kEvaluates_s = 0.002;
 constexpr int kSoftwareWidth = 320, kSoftwareHeight = 180;
 
 // ImGui with its fonts and its view of the window's mouse and keyboard.
@@ -317,7 +318,7 @@ void Live::drawWindow() {
 void Live::turn() {
   bool spoke = state_.speaks();
   bool awake = settle_ > 0 || desk_.busy() || sweeper_.busy() || (drive_ && !drive_->done());
-  window_.takeEvents(awake ? 0 : kIdle_s);
+  window_.takeEvents(awake ? 0 : desk_.sides().evaluate() ? kEvaluates_s : kIdle_s);
   if (window_.stirred() || spoke != state_.speaks()) settle_ = kSettleFrames;
   if (drive_) drive_->advance();
   bool news = desk_.turn();

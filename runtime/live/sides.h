@@ -60,6 +60,8 @@ class Sides {
     bool news = false, swapped = false;
   };
   Looked lookAtFiles();
+  // Whether edited scripts of either run in the background, which a look soon finds done.
+  bool evaluate() const { return a_.session->evaluates() || (b_.session && b_.session->evaluates()); }
   // What the last reload has to say in the window; once.
   std::string takeMessage() { return std::exchange(message_, ""); }
   int reloads() const { return reloads_; }  // edits of A that were swapped in or refused

@@ -95,6 +95,26 @@ TEST_F(ReloadTest, AFileStillBeingWrittenIsLeftAlone) {
   EXPECT_TRUE(awaited(session).swapped);
 }
 
+// As editors save that keep the old text as a backup.
+TEST_F(ReloadTest, AFileThatIsPutAwayWhileItIsSavedIsNotMissed) {
+  Session session(bench(), smallShot("mcguire2012"));
+  session.reload(false);
+  const std::string text = home_.read(kGather);
+  const Path away = home_.path(kGather + std::string("~"));
+  std::filesystem::rename(home_.path(kGather), away);
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_FALSE(session.reload(false));
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  home_.write(kGather, text + "// more\n");
+  std::filesystem::remove(away);
+  Reload told = awaited(session);
+  EXPECT_TRUE(told.swapped);
+  EXPECT_EQ(joined(told.problems), "");
+  home_.remove(kGather);
+  EXPECT_NE(joined(awaited(session).problems), "") << "it stays away";
+}
+
 TEST_F(ReloadTest, ABrokenShaderKeepsThePicture) {
   Session session(bench(), smallShot("mcguire2012"));
   session.reload(false);
