@@ -29,8 +29,9 @@ PlanImages::PlanImages(const gpu::Device& device, const Plan& plan, size_t frame
     : device_(device), plan_(&plan) {
   try {
     make(previous);
-    makeUnwired();
-    keepReadBack(frames);
+    if (previous) unwired_ = previous->unwired_;
+    else makeUnwired();
+    keepReadBack(frames, previous);
   } catch (...) {
     if (previous) giveBack(*previous);
     throw;
@@ -74,10 +75,14 @@ static void requireImages(const gpu::Device& device, const Plan& plan) {
   }
 }
 
-static gpu::Buffer bufferOf(const gpu::Device& device, const std::string& name, uint64_t bytes) {
+static gpu::Buffer madeBuffer(const gpu::Device& device, const std::string& name, uint64_t bytes) {
   const VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
                                    VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
   return gpu::Buffer(device, name, bytes, usage, gpu::Buffer::Memory::Device);
+}
+
+static std::shared_ptr<const gpu::Buffer> share(gpu::Buffer&& buffer) {
+  return std::make_shared<const gpu::Buffer>(std::move(buffer));
 }
 
 void PlanImages::make(PlanImages* previous) {
@@ -86,7 +91,10 @@ void PlanImages::make(PlanImages* previous) {
   for (size_t i = 0; i < plan_->slots.size(); ++i) {
     const plan::Slot& slot = plan_->slots[i];
     if (plan::isBuffer(slot.format)) {
-      buffers_[int(i)] = bufferOf(device_, fmt::format("slot {}", i), slot.bytes);
+      auto held = previous ? previous->buffers_.find(int(i)) : buffers_.end();
+      bool alike = previous && held != previous->buffers_.end() && held->second->size() == slot.bytes;
+      if (alike) buffers_[int(i)] = held->second;
+      else buffers_[int(i)] = share(madeBuffer(device_, fmt::format("slot {}", i), slot.bytes));
       slots_.emplace_back();
       continue;
     }
@@ -115,26 +123,36 @@ void PlanImages::make(PlanImages* previous) {
 }
 
 void PlanImages::makeUnwired() {
+  auto made = std::make_shared<Unwired>();
   gpu::ImageDesc one;
   one.usage = VK_IMAGE_USAGE_SAMPLED_BIT;
   one.format = VK_FORMAT_R32_SFLOAT;
-  unwired_ = gpu::Image(device_, "unwired", one);
+  made->image = gpu::Image(device_, "unwired", one);
   one.format = VK_FORMAT_R32_UINT;
-  unwired_uint_ = gpu::Image(device_, "unwired uint", one);
-  unwired_buffer_ = bufferOf(device_, "unwired buffer", plan::kBufferHead);
+  made->uint_image = gpu::Image(device_, "unwired uint", one);
+  made->buffer = madeBuffer(device_, "unwired buffer", plan::kBufferHead);
   device_.submit([&](VkCommandBuffer commands) {
-    for (const gpu::Image* image : {&unwired_, &unwired_uint_})
+    for (const gpu::Image* image : {&made->image, &made->uint_image})
       gpu::recordFirstLayout(device_, commands, image->handle(), VK_IMAGE_ASPECT_COLOR_BIT);
   });
+  unwired_ = std::move(made);
 }
 
-void PlanImages::keepReadBack(size_t frames) {
+// The buffers into which an image of this name and size is read back; none where there is no such image.
+std::vector<PlanImages::SharedBuffer> PlanImages::readBackOf(const std::string& name, size_t bytes) const {
+  for (const auto& [image, buffers] : read_back_)
+    if (plan_->images[size_t(image)].name == name && buffers.front()->size() == bytes) return buffers;
+  return {};
+}
+
+void PlanImages::keepReadBack(size_t frames, const PlanImages* previous) {
   auto keep = [&](int image) {
     const plan::VirtualImage& kept = plan_->images[size_t(image)];
     size_t bytes = size_t(kept.width) * kept.height * gpu::formatInfo(kept.format).bytes;
-    std::vector<gpu::Buffer>& buffers = read_back_[image];
+    std::vector<SharedBuffer>& buffers = read_back_[image];
+    if (buffers.empty() && previous) buffers = previous->readBackOf(kept.name, bytes);
     while (buffers.size() < frames)
-      buffers.emplace_back(device_, kept.name + ".read_back", bytes, 0, gpu::Buffer::Memory::Host);
+      buffers.push_back(share(gpu::Buffer(device_, kept.name + ".read_back", bytes, 0, gpu::Buffer::Memory::Host)));
   };
   for (const auto& [name, image] : plan_->outputs) keep(image);
   for (const auto& [name, image] : plan_->taps) keep(image);
@@ -144,7 +162,7 @@ void PlanImages::keepReadBack(size_t frames) {
 
 const gpu::Image& PlanImages::of(int image) const { return slots_[size_t(plan_->images[size_t(image)].slot)]; }
 
-const gpu::Buffer& PlanImages::buffer(int image) const { return buffers_.at(plan_->images[size_t(image)].slot); }
+const gpu::Buffer& PlanImages::buffer(int image) const { return *buffers_.at(plan_->images[size_t(image)].slot); }
 
 static float unpackHalf(uint16_t bits) { return glm::unpackHalf1x16(bits); }
 

@@ -11,9 +11,9 @@ namespace strobe::graph {
 // The plan and the device must outlive it.
 class PlanImages {
  public:
-  // Images and histories that are described alike are moved out of `previous` (may be null). What is read back has a
-  // buffer for each of `frames`, those under way at once. Throws `Error` where memory or sides do not suffice;
-  // `previous` is then as it was.
+  // Images and histories that are described alike are moved out of `previous` (may be null), and buffers are shared
+  // with it: drivers take long over each allocation. What is read back has a buffer for each of `frames`, those under
+  // way at once. Throws `Error` where memory or sides do not suffice; `previous` is then as it was.
   PlanImages(const gpu::Device& device, const plan::Plan& plan, size_t frames, PlanImages* previous);
 
   // Goes on with a plan of the same shape.
@@ -25,9 +25,9 @@ class PlanImages {
   const gpu::Image& of(int image) const;
   const gpu::Buffer& buffer(int image) const;
   // What stands behind optional reads that nothing is wired to.
-  const gpu::Image& unwired(bool uint) const { return uint ? unwired_uint_ : unwired_; }
-  const gpu::Buffer& unwiredBuffer() const { return unwired_buffer_; }
-  const gpu::Buffer& readBack(int image, size_t frame) const { return read_back_.at(image)[frame]; }
+  const gpu::Image& unwired(bool uint) const { return uint ? unwired_->uint_image : unwired_->image; }
+  const gpu::Buffer& unwiredBuffer() const { return unwired_->buffer; }
+  const gpu::Buffer& readBack(int image, size_t frame) const { return *read_back_.at(image)[frame]; }
   ReadImage fetch(int image, size_t frame) const;
 
   bool holdsEarlierFrame(int image) const;
@@ -37,18 +37,24 @@ class PlanImages {
   std::vector<std::string> histories(bool taken_over) const;
 
  private:
+  using SharedBuffer = std::shared_ptr<const gpu::Buffer>;
+  struct Unwired {
+    gpu::Image image, uint_image;
+    gpu::Buffer buffer;
+  };
+
   void make(PlanImages* previous);
   void makeUnwired();
-  void keepReadBack(size_t frames);
+  void keepReadBack(size_t frames, const PlanImages* previous);
+  std::vector<SharedBuffer> readBackOf(const std::string& name, size_t bytes) const;
   gpu::Image takeOver(const plan::VirtualImage& image, const gpu::ImageDesc& desc, PlanImages& previous);
 
   const gpu::Device& device_;
   const plan::Plan* plan_;
   std::vector<gpu::Image> slots_;
-  std::map<int, gpu::Buffer> buffers_;  // by slot; its image is then empty
-  gpu::Image unwired_, unwired_uint_;
-  gpu::Buffer unwired_buffer_;
-  std::map<int, std::vector<gpu::Buffer>> read_back_;   // by virtual image, then frame
+  std::map<int, SharedBuffer> buffers_;  // by slot; its image is then empty
+  std::shared_ptr<const Unwired> unwired_;
+  std::map<int, std::vector<SharedBuffer>> read_back_;  // by virtual image, then frame
   std::map<int, bool> history_;                         // by virtual image: holds an earlier frame
   std::set<std::string> taken_over_;                    // histories of a previous graph
   std::vector<std::pair<size_t, size_t>> taken_slots_;  // this one's, and that of a previous graph it came from
