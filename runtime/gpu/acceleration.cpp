@@ -47,8 +47,7 @@ static VkAccelerationStructureBuildSizesInfoKHR buildSizes(const Device& device,
 }
 
 static Buffer scratchBuffer(const Device& device, const std::string& name, VkDeviceSize size) {
-  return Buffer(device, name + ".scratch", size + device.scratchAlignment(),
-                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT, Buffer::Memory::Device);
+  return Buffer(device, name + ".scratch", size + device.scratchAlignment(), kReadByAddress, Buffer::Memory::Device);
 }
 
 static VkDeviceAddress alignedScratch(const Device& device, const Buffer& scratch) {

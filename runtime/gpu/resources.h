@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,6 +64,10 @@ struct LayoutChange {
 void recordBarrier(const Device& device, VkCommandBuffer commands, const Touch& before, const Touch& after,
                    const LayoutChange& change);
 
+// Usage of a buffer that shaders read by its address.
+inline constexpr VkBufferUsageFlags kReadByAddress =
+    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
+
 // A storage buffer. Host memory is mapped for its whole life and coherent; device memory is filled through `upload`.
 class Buffer {
  public:
@@ -77,12 +80,6 @@ class Buffer {
   size_t size() const { return size_; }
   VkDeviceAddress address() const { return address_; }
   void* mapped() const { return mapped_; }
-
-  template <class T>
-  void write(const std::vector<T>& values) {
-    STROBE_ASSERT(mapped_ && values.size() * sizeof(T) <= size_, "{} bytes into {}", values.size() * sizeof(T), size_);
-    if (!values.empty()) std::memcpy(mapped_, values.data(), values.size() * sizeof(T));
-  }
 
  private:
   Owned<VkDeviceMemory> memory_;

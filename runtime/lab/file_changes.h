@@ -41,28 +41,27 @@ class ChangedFiles {
   bool evaluates() const { return pending_.has_value(); }
 
  private:
-  struct Pending {
-    FileChanges changes;
-    Shot shot;                       // as it was when the evaluation began
-    std::future<Attempt> evaluated;  // its destructor waits
-  };
-  void watchFolders(const Drawing& running);
-  FileChanges changedSince(const Drawing& running, bool wait);
-
-  Workbench& bench_;
   // A file or folder.
   struct Noted {
     std::string hash;
     std::optional<Stamps> stamps;  // from before it was read
     double gone_at_s = 0;          // since when it is missed; 0: it is not
   };
-  bool isBeingSaved(Noted& noted, const std::string& now);
+  struct Pending {
+    FileChanges changes;
+    Shot shot;                       // as it was when the evaluation began
+    std::future<Attempt> evaluated;  // its destructor waits
+  };
   void note(const Path& path, const std::string& hash);
-  bool looks_again_ = false;  // whatever the system reports
+  bool isBeingSaved(Noted& noted, const std::string& now);
+  void watchFolders(const Drawing& running);
+  FileChanges changedSince(const Drawing& running, bool wait);
 
+  Workbench& bench_;
   std::map<Path, Noted> noted_;
   std::unique_ptr<Watch> watch_;
   bool watches_all_ = false;  // the folders of all files that are noted
+  bool looks_again_ = false;  // even if no event of a folder comes
   std::optional<Pending> pending_;
 };
 

@@ -17,7 +17,7 @@ BentInstances::BentInstances(const gpu::Device& device, const scene::Scene& scen
   posed_.resize(slices * items_.size());
   bent_.resize(items_.size());
   bent_at_.resize(items_.size());
-  VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
+  VkBufferUsageFlags usage = gpu::kReadByAddress;
   if (device.info().has("accelerationStructure"))
     usage |= VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR;
   buffer_ = gpu::Buffer(device, "scene.bent_vertices", size_t(slices) * vertex_count_ * sizeof(SceneBentVertex), usage,

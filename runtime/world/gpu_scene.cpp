@@ -13,9 +13,6 @@ using namespace scene;
 using namespace shared;
 using shader::StructureKind;
 
-static constexpr VkBufferUsageFlags kByAddress =
-    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
-
 // What SceneArrays of shaders/shared/bindings.glsl has.
 struct SceneAddresses {
   VkDeviceAddress vertices, indices, geometries, instances, draws, materials, lights, transforms, cameras, bent;
@@ -42,9 +39,9 @@ GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slice
     return Buffer(device_, name, bytes, usage, Buffer::Memory::Device);
   };
   frame_ = array("frame", sizeof(FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-  lights_ = array("scene.lights", slices_ * light_nodes_.size() * sizeof(SceneLight), kByAddress);
-  transforms_ = array("scene.transforms", slices_ * instances_.size() * sizeof(SceneTransform), kByAddress);
-  cameras_ = array("scene.cameras", slices_ * sizeof(SceneCamera), kByAddress);
+  lights_ = array("scene.lights", slices_ * light_nodes_.size() * sizeof(SceneLight), gpu::kReadByAddress);
+  transforms_ = array("scene.transforms", slices_ * instances_.size() * sizeof(SceneTransform), gpu::kReadByAddress);
+  cameras_ = array("scene.cameras", slices_ * sizeof(SceneCamera), gpu::kReadByAddress);
   const SceneAddresses addresses{meshes.vertices().address(), meshes.indices().address(),
                                  geometry_buffer_.address(),  instance_buffer_.address(),
                                  draw_buffer_.address(),      unposed->surfaces.materials().address(),
@@ -72,11 +69,11 @@ void GpuScene::uploadGeometry(const Scene& scene) {
       draw_data.push_back({uint32_t(i), g});
     }
   }
-  geometry_buffer_ = gpu::uploadArray(device_, "scene.geometries", geometries, kByAddress);
-  instance_buffer_ = Buffer(device_, "scene.instances", instance_data_.size() * sizeof(SceneInstance), kByAddress,
-                            Buffer::Memory::Device);
+  geometry_buffer_ = gpu::uploadArray(device_, "scene.geometries", geometries, gpu::kReadByAddress);
+  instance_buffer_ = Buffer(device_, "scene.instances", instance_data_.size() * sizeof(SceneInstance),
+                            gpu::kReadByAddress, Buffer::Memory::Device);
   moves_.assign(instances_.size(), true);
-  draw_buffer_ = gpu::uploadArray(device_, "scene.draws", draw_data, kByAddress);
+  draw_buffer_ = gpu::uploadArray(device_, "scene.draws", draw_data, gpu::kReadByAddress);
 }
 
 void GpuScene::makeSet() {

@@ -15,8 +15,7 @@ using shared::BvhTriangle;
 
 namespace {
 
-constexpr VkBufferUsageFlags kRead =
-    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+constexpr VkBufferUsageFlags kRead = gpu::kReadByAddress | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
 
 // What SceneBvh of shaders/shared/bindings.glsl has.
 struct Addresses {

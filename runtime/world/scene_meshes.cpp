@@ -20,7 +20,7 @@ static Bounds ownBounds(const Mesh& mesh) {
 }
 
 SceneMeshes::SceneMeshes(const gpu::Device& device, const Scene& scene) : device_(device), scene_(scene) {
-  VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
+  VkBufferUsageFlags usage = gpu::kReadByAddress;
   if (device.info().has("accelerationStructure"))
     usage |= VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR;
   numberGeometries();
@@ -141,8 +141,7 @@ const MeshTrees& SceneMeshes::trees() {
   const std::vector<BvhTriangle>& triangles = trees->triangles;
   tree_triangles_ =
       gpu::uploadBuffer(device_, "scene.bvh.triangles", triangles.data(), triangles.size() * sizeof(BvhTriangle),
-                        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT |
-                            VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
+                        gpu::kReadByAddress | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
   trees->triangles = {};
   trees_ = std::move(trees);
   return *trees_;

@@ -59,8 +59,7 @@ void SceneSurfaces::uploadMaterials(const gpu::Device& device, const Scene& scen
     material.uses[USE_EMISSIVE] = textureUse(scene, source.emissive_texture);
     materials.push_back(material);
   }
-  materials_ = gpu::uploadArray(device, "scene.materials", materials,
-                                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT);
+  materials_ = gpu::uploadArray(device, "scene.materials", materials, gpu::kReadByAddress);
 }
 
 // In the order of Texture::Format and Texture::Wrap.

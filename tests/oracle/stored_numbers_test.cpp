@@ -94,8 +94,9 @@ class StoredNumbers : public RenderTest {
 
     gpu::Buffer io(device, "io", padded.size() * 4, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::Buffer::Memory::Host);
     gpu::Buffer more(device, "more", 16, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::Buffer::Memory::Host);
-    io.write(padded);
-    more.write(std::vector<uint32_t>{0, 0, 0, std::bit_cast<uint32_t>(near)});
+    std::memcpy(io.mapped(), padded.data(), padded.size() * 4);
+    const uint32_t others[] = {0, 0, 0, std::bit_cast<uint32_t>(near)};
+    std::memcpy(more.mapped(), others, sizeof(others));
     dispatch(device, spirv, io, more, uint32_t(padded.size() / 4));
 
     Result result{Floats(values.size())};
