@@ -99,6 +99,16 @@ EShLanguage language(Stage stage) {
   return EShLangCompute;
 }
 
+// What the code before and behind a shader is called in glslang's messages.
+constexpr const char* kBefore = "generated declarations";
+constexpr const char* kBehind = "generated code";
+
+// An error in the code behind a shader comes of the shader: it has no `run`, or does not end its last block.
+std::string errorBehind(const std::string& line, const std::string& message) {
+  if (message.rfind("'run'", 0) == 0) return "no function 'void run(ivec2 pixel)'";
+  return fmt::format("{} (line {} of the {} behind the shader)", message, line, kBehind);
+}
+
 // glslang says "ERROR: file:line: 'token' : message"; users read "file:line: 'token': message", paths as they know
 // them.
 std::string readable(const Home& home, const std::string& log, const Path& file) {
@@ -110,7 +120,9 @@ std::string readable(const Home& home, const std::string& log, const Path& file)
     std::smatch match;
     if (line.rfind("ERROR:", 0) != 0 || line.find("compilation errors") != std::string::npos) continue;
     std::string message;
-    if (std::regex_match(line, match, form)) {
+    if (std::regex_match(line, match, form) && match[1] == kBehind) {
+      message = fmt::format("{}: {}", home.shown(file), errorBehind(match[2].str(), match[3].str()));
+    } else if (!match.empty()) {
       message = fmt::format("{}:{}: {}", home.shown(Path(match[1].str())), match[2].str(), match[3].str());
     } else {
       message = fmt::format("{}: {}", home.shown(file), line.substr(std::min<size_t>(7, line.size())));
@@ -176,7 +188,7 @@ static KeptCode compileAnew(const Home& home, const Source& source, Stage stage,
   std::string end = "\n" + source.epilogue;
   std::string name = source.file.string();
   const char* strings[] = {source.preamble.c_str(), texts.all.front().text->c_str(), end.c_str()};
-  const char* names[] = {"generated declarations", name.c_str(), "generated code"};
+  const char* names[] = {kBefore, name.c_str(), kBehind};
 
   glslang::TShader shader(language(stage));
   shader.setStringsWithLengthsAndNames(strings, nullptr, names, 3);

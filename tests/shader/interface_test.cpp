@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -91,6 +92,16 @@ TEST_F(Shaders, ErrorsInsideAnIncludeNameTheInclude) {
   write("part.glsl", "float part() {\n  return absent;\n}\n");
   std::string error = errorOf(std::string("#include \"part.glsl\"\n") + kGood);
   EXPECT_NE(error.find("part.glsl:2: "), std::string::npos) << error;
+}
+
+TEST_F(Shaders, ErrorsOfTheCodeBehindNameTheShader) {
+  std::string misspelt = kGood;
+  misspelt.replace(misspelt.find("run"), 3, "ran");
+  std::string error = errorOf(misspelt);
+  EXPECT_NE(error.find("scale.glsl: no function 'void run(ivec2 pixel)'"), std::string::npos) << error;
+  error = errorOf(std::string(kGood, strlen(kGood) - 2));  // without its last brace
+  EXPECT_NE(error.find("scale.glsl: "), std::string::npos) << error;
+  EXPECT_NE(error.find("behind the shader"), std::string::npos) << error;
 }
 
 TEST_F(Shaders, WhatIsDeclaredMustBeUsed) {
