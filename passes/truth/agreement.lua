@@ -5,18 +5,19 @@ local pass = require "strobe.pass"
 return pass.compute {
   name   = "truth_agreement",
   shader = "truth/agreement",
-  doc    = "Triangles at rest that all first samples of a pixel and its neighbours see, and colours that all have",
+  doc    = "What is at rest that all first samples of a pixel and its neighbours see, its shadows, and colours that all have",
   fails  = "What is smaller than a pixel and falls between all of these samples is not known to be there.",
   size   = { of = "ground" },
   reads  = {
     ground = { uint = true, doc = "what samples have seen at rest: 0 nothing, 1 sky, 2 + instance; geometry, triangle" },
     still  = { doc = "rgb: mean colour of what is at rest" },
     unlike = { doc = "the farthest of its colours from the mean before it, in parts of that" },
-    shadows = { uint = true, doc = "lights by bits: free from what is at rest at all samples, blocked" },
+    shadows = { uint = true, doc = "of two instances: whose, lights by bits (free at all samples; from bit 16 on blocked)" },
   },
   writes = {
-    known_hit = { format = "rgba32ui", doc = "the triangle that all see, as `ground`; 0 where there is none" },
-    known_shadows = { format = "rg32ui", doc = "lights by bits: free at all of these samples, blocked" },
+    known_hit = { format = "rgba32ui",
+      doc = "the surface that all see, as `ground`; its triangle is 2^32 - 1 where they see several; 0 where there is none" },
+    known_shadows = { format = "rgba32ui", doc = "the same as all of these samples have it" },
     even_color = { format = "rgba32f", doc = "rgb: colour of what is at rest; a = 1 where that is one colour, else 0" },
   },
   params = {

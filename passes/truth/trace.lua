@@ -13,7 +13,7 @@ return pass.trace {
   reads  = {
     hit = { uint = true, doc = "what each pixel sees at the capture: instance + 1 (0 = sky), geometry, primitive" },
     budget = { optional = true, doc = "samples of each tile; absent: all take all" },
-    known_hit     = { optional = true, uint = true, doc = "triangles that no ray has to find, of truth_agreement" },
+    known_hit     = { optional = true, uint = true, doc = "surfaces and triangles that samples see, of truth_agreement" },
     known_shadows = { optional = true, uint = true, doc = "shadows that no ray has to find, of truth_agreement" },
     even_color    = { optional = true, doc = "colours of what is at rest that need no more samples, of truth_agreement" },
     first_ground  = { optional = true, uint = true, doc = "`ground` of the samples before these" },
@@ -21,19 +21,20 @@ return pass.trace {
     first_regions = { optional = true, uint = true, doc = "`regions` of the samples before these" },
   },
   updates = {
-    mean_a  = { format = "rgba32f", doc = "mean radiance of even iterations; a = their number" },
-    mean_b  = { format = "rgba32f", doc = "mean radiance of odd iterations; a = their number" },
+    mean_a  = { format = "rgba32f", doc = "mean radiance of one half of the samples; a = their number" },
+    mean_b  = { format = "rgba32f", doc = "mean radiance of the others; a = their number" },
     regions = { format = "r32ui", doc = "bits: 1 inner, 2 hidden, 4 outer, 8 self" },
     still   = { format = "rgba32f", doc = "rgb: mean colour of what is at rest; a: number of samples" },
     unlike  = { format = "r32f", doc = "the farthest of its colours from the mean before it, in parts of that" },
     ground  = { format = "rgba32ui",
       doc = "what samples have seen at rest: 0 nothing, 1 sky, 2 + instance, 2^32 - 1 several; geometry, triangle, distance" },
-    shadows = { format = "rg32ui", doc = "first 32 lights by bits: free from what is at rest at all samples, blocked" },
+    shadows = { format = "rgba32ui",
+      doc = "of two instances: whose, first 16 lights by bits (free at all samples; from bit 16 on blocked)" },
   },
   counters = {
     not_finite = shade.counters.not_finite,
     audited    = "samples that were traced in full, to check what is known without",
-    missed     = "of those, samples that see another triangle, or another shadow",
+    missed     = "of those, samples that see another surface or triangle, or another shadow",
   },
   params = {
     shading = shade.params.shading {
@@ -43,8 +44,13 @@ return pass.trace {
     taken = pass.int { 0, min = 0, max = 1048576, doc = "samples that loops before this one have taken" },
     least_budget = pass.float { 0, min = 0, max = 1e6, doc = "samples of a tile that takes part" },
     tile = adaptive.tile,
+    in_turn = pass.bool { false, wired = true,
+      doc = "places in the pixel go by the sample's turn, evenly spread wherever the loop stops; else by its part of the " ..
+            "exposure, evenly spread together with the times" },
     every_ray = pass.bool { false, doc = "trace what other samples have found already" },
     keeps_notes = pass.bool { false, wired = true, doc = "keep what samples see, for truth_agreement" },
+    surveys = pass.bool { false, wired = true,
+      doc = "before a moving camera, see and keep what the capture shows: a second ray, and its shadows" },
     audit = adaptive.audit,
     once_where_still = pass.bool { false, role = "still_once",
       doc = "what nothing in motion reaches is sampled once, for all samples: right for centres under frozen shading" },

@@ -175,7 +175,7 @@ void Graph::runLoop(const FrameSetup& setup, const Step& step, shared::FrameData
   while (iteration < loop.count && !stop) {
     poseSamples(scene_, staging, *plan_, setup, loop, loop.first + iteration);
     data.iteration = uint32_t(loop.first + iteration);
-    data.part = loop.until < 0 ? uint32_t(partOf(loop, loop.first + iteration)) : data.iteration;
+    data.part = uint32_t(partOf(loop, loop.first + iteration));
     scene_.setFrame(staging, data);
     part.iteration = iteration;
     submission_.submit(frame.index, part);

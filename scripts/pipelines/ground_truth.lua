@@ -123,9 +123,10 @@ return pipeline {
       values = {
         rays   = "Rays: whole pixels or their centres, several times at once, and regions. What is at rest is found " ..
                  "once, and what moves is traced before it at each time; before a camera at rest, what all of the first " ..
-                 "samples of a pixel and its neighbours agree about, a triangle, the shadows there or one colour of " ..
-                 "what is at rest, holds for the others, and an audit traces it all the same in some pixels. Fails to " ..
-                 "see what lies between all of these samples.",
+                 "samples of a pixel and its neighbours agree about, a surface, its shadows or one colour of what is " ..
+                 "at rest, holds for the others, before a moving one what they see at the capture, for the points that the " ..
+                 "capture shows; an audit traces it all the same in some pixels. Fails to see what lies between all of " ..
+                 "these samples.",
         brute  = "The same samples, each traced in full with its shadows: what the audit compares with, everywhere.",
         adaptive = "Rays through whole pixels (needs pixel = box), more of them where they differ more, in strata: up to " ..
                    "the error of `samples` everywhere as the first ones foretell it, for a fraction of the rays. Fails " ..

@@ -12,4 +12,22 @@ bool isOneTriangle(uvec4 seen) { return isOneSurface(seen) && seen.z != kSeenSev
 
 uint instanceOf(uvec4 seen) { return seen.x - 2u; }
 
+// Shadows of the first 16 lights by bits: free at all samples, and from bit 16 on blocked at all samples. Of two
+// instances: (the first + 2, its shadows, the second + 2, its shadows). With a third the second is kSeenSeveral.
+uint shadowsFrom(uvec2 free_and_blocked) { return (free_and_blocked.x & 0xffffu) | (free_and_blocked.y << 16u); }
+uvec2 lightsOf(uint shadows) { return uvec2(shadows & 0xffffu, shadows >> 16u); }
+
+uint shadowsOf(uvec4 kept, uint instance) {
+  return kept.x == instance + 2u ? kept.y : kept.z == instance + 2u ? kept.w : 0u;
+}
+
+uvec4 withShadows(uvec4 kept, uint instance, uint shadows) {
+  uint whose = instance + 2u;
+  if (kept.x == kSeenNothing) return uvec4(whose, shadows, kSeenNothing, 0u);
+  if (kept.x == whose) return uvec4(whose, kept.y & shadows, kept.zw);
+  if (kept.z == kSeenNothing) return uvec4(kept.xy, whose, shadows);
+  if (kept.z == whose) return uvec4(kept.xyz, kept.w & shadows);
+  return uvec4(kept.xy, kSeenSeveral, 0u);
+}
+
 #endif

@@ -45,6 +45,16 @@ Hit traceExcept(uint slice, uint mask, Ray ray, float t_min, float t_max, uint s
   return hit;
 }
 
+// The nearest hit where that is one of `instance`, which backend `bvh` asks alone; the others ask all.
+Hit traceInstance(uint slice, uint instance, Ray ray, float t_min, float t_max) {
+#ifdef STROBE_BACKEND_BVH
+  uint mask = RAYS_TO_ONE + instance;
+#else
+  uint mask = RAYS_TO_ALL;
+#endif
+  return traceExcept(slice, mask, ray, t_min, t_max, NO_INSTANCE, NO_INSTANCE);
+}
+
 Hit traceNearest(uint slice, Ray ray, float t_min, float t_max) {
   return traceExcept(slice, RAYS_TO_ALL, ray, t_min, t_max, NO_INSTANCE, NO_INSTANCE);
 }

@@ -220,6 +220,7 @@ TraceResult launch(uint slice, uint mask, bool any_hit, bool both_sides, Ray wor
   vec3 world_inverse =
       boundedInverse(world_ray.origin, world_ray.direction, scene_bvh.nodes.at[reference].reach);
   BvhRay ray = BvhRay(world_ray.origin, world_inverse, vec3(0), 0, false);
+  if (mask >= RAYS_TO_ONE) reference = BVH_LEAF | (mask - RAYS_TO_ONE);
   uint instance = NO_INSTANCE;  // of the tree that the ray is in; NO_INSTANCE: the tree over instances
   BvhStack stack = noEntries();
   while (true) {

@@ -20,7 +20,7 @@ struct FrameData {
   uint seed;
   uint iteration;        // of the loop a pass is in, else 0
   uint iteration_count;  // of that loop and those that share its exposure with it, else 1
-  uint part;             // of as many parts of the exposure; of a loop that may stop early: the iteration
+  uint part;             // of as many parts of the exposure
   uint slice_count;      // scene times among which a pixel of this iteration may draw, else 1
   uint instance_count;
   uint light_count;

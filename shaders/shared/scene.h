@@ -12,9 +12,10 @@ STROBE_SHARED_BEGIN
 #define SLICE_PREVIOUS 3u  // one frame before the capture
 #define SLICE_SAMPLE 4u    // first of a loop's sample times
 #define NO_INSTANCE 0xffffffffu
-// Masks of rays: what they may hit.
+// Masks of rays: what they may hit. RAYS_TO_ONE + i: instance i alone, of backend `bvh`.
 #define RAYS_TO_ALL 0xffu
 #define RAYS_TO_MOVING 0x80u
+#define RAYS_TO_ONE 0x100u
 
 // How an instance goes over the picture within the exposure, and since the frame before. Each is set unless it surely
 // is not so, to within 1/20 px.

@@ -11,10 +11,12 @@
 //   What is at rest is found once on a ray; what moves has a tree of its own and is traced before it at each time.
 //   Nothing is assumed.
 //   Before a camera at rest, what all first samples of a pixel and its neighbours agree about (truth_agreement) holds
-//   for the others: a triangle at rest, the shadows on a surface at rest, one colour of it; where nothing moves before
-//   one colour, no more samples are taken. That assumes that nothing lies between all of these samples, of which there
-//   are the more the more samples are asked for. The pixels of an audit trace it all the same, and count how often
-//   something does.
+//   for the others: a triangle or surface at rest, the shadows on an instance at rest, one colour of a surface; where
+//   nothing moves before one colour, no more samples are taken.
+//   Before a moving camera, first samples look at the capture too (`surveys`). What they agree about there holds for the
+//   points that the capture shows: a triangle, which is not hidden then, and the shadows on an instance.
+// Both assume that nothing lies between all of these samples, of which there are the more the more samples are asked for.
+// The pixels of an audit trace it all the same, and count how often something does.
 #include "lib/audit.glsl"
 #include "lib/mean.glsl"
 #include "lib/reached.glsl"
@@ -42,7 +44,7 @@ bool cameraIsStill(uint slice) {
          a.half_extent == b.half_extent;
 }
 
-uvec4 seenAtRest(Hit hit) {
+uvec4 seenAs(Hit hit) {
   return isHit(hit) ? uvec4(hit.instance + 2u, hit.geometry, hit.primitive, 0u) : uvec4(kSeenSky, 0u, 0u, 0u);
 }
 
@@ -51,20 +53,39 @@ bool misses = false;
 
 // Was a point hidden from the capture's camera? The last 2^-12 of the way is the point's own surface. What is at rest
 // before a camera at rest can be hidden by what moves alone.
-bool wasOccluded(Hit hit) {
+bool wasOccluded(ivec2 pixel, Hit hit) {
+  bool by_moving = PARAM_every_ray == 0 && frame.camera_rests != 0u && isAtRest(hit);
+  if (by_moving && !isReached(pixel)) return false;
   vec3 capture_ws = positionOf(SLICE_CAPTURE, hit);
   SceneCamera camera = scene_cameras[SLICE_CAPTURE];
   vec3 position_vs = viewFromWorld(SLICE_CAPTURE, capture_ws);
   if (position_vs.z <= camera.near) return true;
-  bool by_moving = PARAM_every_ray == 0 && frame.camera_rests != 0u && isAtRest(hit);
-  if (by_moving && frame.moving_count == 0u) return false;
   Ray ray = cameraRay(SLICE_CAPTURE, pixelFromView(SLICE_CAPTURE, position_vs));
   uint mask = by_moving ? RAYS_TO_MOVING : RAYS_TO_ALL;
   return isHidden(SLICE_CAPTURE, mask, ray, camera.near, position_vs.z * (1.0 - 1.0 / 4096.0));
 }
 
+// Where the capture's picture has a point; false where that is outside of the picture.
+bool isInCapture(Hit hit, out ivec2 place) {
+  vec3 position_vs = viewFromWorld(SLICE_CAPTURE, positionOf(SLICE_CAPTURE, hit));
+  vec2 place_px = pixelFromView(SLICE_CAPTURE, position_vs);
+  place = ivec2(0);
+  if (!(position_vs.z > scene_cameras[SLICE_CAPTURE].near)) return false;
+  if (!all(greaterThanEqual(place_px, vec2(0))) || !all(lessThan(place_px, vec2(frame.size)))) return false;
+  place = ivec2(place_px);
+  return true;
+}
+
+// The regions of what was hidden at the capture that a sample may be in, and is not known to be in.
+uint askedRegions(ivec2 pixel, Hit hit, uint known) {
+  if (!isHit(hit)) return 0u;
+  uint asked = hit.instance + 1u == texelFetch(hit_tex, pixel, 0).x ? kRegionHidden | kRegionSelf : kRegionHidden;
+  return (known & asked) != asked ? asked : 0u;
+}
+
 // `is_still`: nothing about the sample has moved, so the capture's own ray tells what was hidden behind what.
-uint regionsOf(ivec2 pixel, uint slice, Ray ray, Hit hit, bool is_still, uint known) {
+// `hidden`: else the regions in which it is if its point was hidden at the capture.
+uint regionsOf(ivec2 pixel, uint slice, Ray ray, Hit hit, bool is_still, uint hidden) {
   uvec4 seen = texelFetch(hit_tex, pixel, 0);
   uint id = isHit(hit) ? hit.instance + 1u : 0u;
   uint found = 0u;
@@ -78,10 +99,8 @@ uint regionsOf(ivec2 pixel, uint slice, Ray ray, Hit hit, bool is_still, uint kn
     if (farther) found |= kRegionInner;
     if (now < before) found |= kRegionOuter;
   }
-  if (is_still) return known | found | (farther && isHit(hit) ? kRegionHidden : 0u);
-  uint asked = id == seen.x ? kRegionHidden | kRegionSelf : kRegionHidden;
-  if (isHit(hit) && (known & asked) != asked && wasOccluded(hit)) found |= asked;
-  return known | found;
+  if (is_still) hidden = farther && isHit(hit) ? kRegionHidden : 0u;
+  return found | hidden;
 }
 
 // Does a triangle that one ray hits let others through?
@@ -94,9 +113,10 @@ bool hasHoles(uvec4 seen) {
 #endif
 }
 
-// Means of even and odd iterations are kept apart: their difference tells how far off the mean of both can be.
-void addSample(ivec2 pixel, vec3 color) {
-  if ((frame.iteration & 1u) == 0u) imageStore(mean_a_img, pixel, withSample(imageLoad(mean_a_img, pixel), color));
+// Means of two halves of the samples are kept apart: their difference tells how far off the mean of both can be.
+void addSample(ivec2 pixel, uint number, vec3 color) {
+  uint half_of = PARAM_pixel == pixel_box ? stratifiedHalf(number) : frame.iteration & 1u;
+  if (half_of == 0u) imageStore(mean_a_img, pixel, withSample(imageLoad(mean_a_img, pixel), color));
   else imageStore(mean_b_img, pixel, withSample(imageLoad(mean_b_img, pixel), color));
 }
 
@@ -140,6 +160,19 @@ uint regionsBefore(ivec2 pixel) {
   return regions;
 }
 
+// The point of an agreed surface on a ray; no hit where the ray passes beside it, or through a hole.
+Hit hitOnAgreed(uint slice, Ray ray, uvec4 agreed, out float t) {
+  uint instance = instanceOf(agreed);
+  bool one_triangle = isOneTriangle(agreed) && !hasHoles(agreed);
+  Hit hit = Hit(instance, agreed.y, agreed.z, vec2(0), 0.0, true);
+  if (!one_triangle) hit = traceInstance(slice, instance, ray, scene_cameras[slice].near, kFar);
+  t = hit.t;
+  if (!isHit(hit)) return hit;
+  hit = hitOnTriangle(slice, ray, hit.instance, hit.geometry, hit.primitive);
+  if (one_triangle) t = hit.t;
+  return hit;
+}
+
 // What a sample sees, given what is at rest on its ray, if that is known. Of hits at one distance the first in the scene
 // counts. `t`: as the ray measures it.
 Hit nearestHit(ivec2 pixel, uint slice, Ray ray, bool is_known, Hit ground, inout float t) {
@@ -153,12 +186,10 @@ Hit nearestHit(ivec2 pixel, uint slice, Ray ray, bool is_known, Hit ground, inou
   return isHit(hit) ? hitOnTriangle(slice, ray, hit.instance, hit.geometry, hit.primitive) : hit;
 }
 
-vec3 colorOf(ivec2 pixel, uint slice, Ray ray, Hit hit, bool spares_rays) {
+// `shadows`: what is known of them, as lib/seen.glsl has it.
+vec3 colorOf(uint slice, Ray ray, Hit hit, uint shadows, bool spares_rays) {
   if (!isHit(hit)) return environment(ray.direction);
-  uvec2 known = uvec2(0u);
-#if HAS_known_shadows
-  if (kFrozen && frame.camera_rests != 0u && isAtRest(hit)) known = texelFetch(known_shadows_tex, pixel, 0).xy;
-#endif
+  uvec2 known = lightsOf(shadows);
   if (spares_rays) {
     known_free = known.x;
     known_blocked = known.y;
@@ -168,9 +199,9 @@ vec3 colorOf(ivec2 pixel, uint slice, Ray ray, Hit hit, bool spares_rays) {
   return color;
 }
 
-// What is at rest, for the agreement of samples, and for those after this one.
+// What is at rest, or at the capture, for the agreement of samples, and for those after this one.
 void note(ivec2 pixel, Hit hit, float ground_t, vec3 color) {
-  uvec4 ground = imageLoad(ground_img, pixel), seen = seenAtRest(hit);
+  uvec4 ground = imageLoad(ground_img, pixel), seen = seenAs(hit);
   bool is_first = ground.x == kSeenNothing;
   if (is_first) ground = uvec4(seen.xyz, floatBitsToUint(ground_t));
   else if (ground.xy != seen.xy) ground = uvec4(kSeenSeveral, 0u, 0u, 0u);
@@ -182,15 +213,29 @@ void note(ivec2 pixel, Hit hit, float ground_t, vec3 color) {
   vec3 change = abs(color - still.rgb);
   float unlike = max(change.r, max(change.g, change.b)) / max(max(still.r, max(still.g, still.b)), 1e-6);
   if (!is_first) imageStore(unlike_img, pixel, vec4(max(unlike, imageLoad(unlike_img, pixel).x)));
-  uvec2 found = uvec2(found_free, found_blocked), shadows = imageLoad(shadows_img, pixel).xy;
-  imageStore(shadows_img, pixel, uvec4(is_first ? found : shadows & found, 0u, 0u));
+  if (isHit(hit)) {
+    uint shadows = shadowsFrom(uvec2(found_free, found_blocked));
+    imageStore(shadows_img, pixel, withShadows(imageLoad(shadows_img, pixel), hit.instance, shadows));
+  }
 #endif
 }
+
+#if PARAM_surveys
+// Notes what the capture shows at a place of the pixel.
+void survey(ivec2 pixel, vec2 position_px) {
+  Ray ray = cameraRay(SLICE_CAPTURE, position_px);
+  float t = kFar;
+  Hit hit = nearestHit(pixel, SLICE_CAPTURE, ray, false, noHit(), t);
+  found_free = 0u;
+  found_blocked = 0u;
+  note(pixel, hit, t, colorOf(SLICE_CAPTURE, ray, hit, 0u, false));
+}
+#endif
 
 void run(ivec2 pixel) {
   if (!takesPart(pixel)) return;
   uint index = uint(pixel.y) * frame.size.x + uint(pixel.x);
-  uint number = frame.part + uint(params.taken);
+  uint number = (PARAM_in_turn != 0 ? frame.iteration : frame.part) + uint(params.taken);
   uint slice = TIME_SLICE;
   if (frame.slice_count > 1u) slice += randomUint(index, number, 0u) % frame.slice_count;
   vec2 position_px = samplePosition(pixel);
@@ -224,40 +269,68 @@ void run(ivec2 pixel) {
   }
 #if HAS_known_hit
   uvec4 agreed = !is_found && frame.camera_rests != 0u ? texelFetch(known_hit_tex, pixel, 0) : uvec4(0u);
-  bool is_agreed = isOneTriangle(agreed) && !hasHoles(agreed);
+  bool is_agreed = isOneSurface(agreed);
   if (is_agreed && spares_rays) {
-    is_known = true;
-    if (agreed.x != kSeenSky) ground = hitOnTriangle(slice, ray, instanceOf(agreed), agreed.y, agreed.z);
-    if (isHit(ground)) t = ground.t;
+    if (agreed.x != kSeenSky) ground = hitOnAgreed(slice, ray, agreed, t);
+    is_known = agreed.x == kSeenSky || isHit(ground);
+    if (!isHit(ground)) t = kFar;
   }
 #endif
   Hit hit = nearestHit(pixel, slice, ray, is_known, ground, t);
   bool at_rest = isAtRest(hit);
+#if HAS_known_hit
+  uvec4 seen = seenAs(hit);
+  if (!isOneTriangle(agreed)) seen.z = agreed.z;
+  misses = is_agreed && !spares_rays && at_rest && agreed.xyz != seen.xyz;
+#endif
+
+  // Was the point hidden at the capture? Asked for regions, and before a moving camera where shadows that are known then
+  // spare several rays.
+  uint regions = 0u, asked = 0u, shadows = 0u;
+  bool is_still = false, is_shown = false;
+#if PARAM_mark_regions
+  regions = regionsBefore(pixel);
+  is_still = PARAM_pixel == pixel_centre && kFrozen && cameraIsStill(slice) &&
+             (at_rest || isPosedAlike(slice, hit.instance));
+  if (!is_still) asked = askedRegions(pixel, hit, regions);
+#endif
+#if HAS_known_hit
+  if (kFrozen && frame.camera_rests != 0u && at_rest && isHit(hit))
+    shadows = shadowsOf(texelFetch(known_shadows_tex, pixel, 0), hit.instance);
+  ivec2 place;
+  if (kFrozen && frame.camera_rests == 0u && isHit(hit) && isInCapture(hit, place)) {
+    shadows = shadowsOf(texelFetch(known_shadows_tex, place, 0), hit.instance);
+    uvec4 shown = texelFetch(known_hit_tex, place, 0);
+    is_shown = isOneTriangle(shown) && shown.xyz == seenAs(hit).xyz;
+  }
+#endif
+  bool looks = !(is_shown && spares_rays) && (asked != 0u || (frame.camera_rests == 0u && bitCount(shadows) > 1));
+  bool is_hidden = looks && wasOccluded(pixel, hit);
+  misses = misses || (is_shown && is_hidden);
+  if (frame.camera_rests == 0u && (looks ? is_hidden : !is_shown)) shadows = 0u;
+
   vec3 color;
   if (is_found && at_rest) color = stillBefore(pixel).rgb;
   else if (is_even && at_rest) color = even.rgb;
-  else color = colorOf(pixel, slice, ray, hit, spares_rays);
+  else color = colorOf(slice, ray, hit, shadows, spares_rays);
   if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
-  if (!is_known && at_rest && (PARAM_keeps_notes != 0 || one_ray)) note(pixel, hit, t, color);
-#if HAS_known_hit
-  misses = misses || (is_agreed && !is_known && at_rest && agreed.xyz != seenAtRest(hit).xyz);
-#endif
+  if (frame.camera_rests != 0u && !is_known && at_rest && (PARAM_keeps_notes != 0 || one_ray)) note(pixel, hit, t, color);
 #if PARAM_once_where_still
-  if (isReached(pixel)) addSample(pixel, color);
+  if (isReached(pixel)) addSample(pixel, number, color);
   else setSamples(pixel, color);
 #else
-  addSample(pixel, color);
+  addSample(pixel, number, color);
 #endif
 
 #if PARAM_mark_regions
-  uint known = regionsBefore(pixel);
-  bool is_still = PARAM_pixel == pixel_centre && kFrozen && cameraIsStill(slice) &&
-                  (at_rest || isPosedAlike(slice, hit.instance));
-  uint regions = regionsOf(pixel, slice, ray, hit, is_still, known);
-  if (regions != known) imageStore(regions_img, pixel, uvec4(regions, 0u, 0u, 0u));
+  uint now = regions | regionsOf(pixel, slice, ray, hit, is_still, is_hidden ? asked : 0u);
+  if (now != regions) imageStore(regions_img, pixel, uvec4(now, 0u, 0u, 0u));
 #endif
 #if HAS_known_hit
   if (audited) count_audited(1u);
   if (audited && misses) count_missed(1u);
+#endif
+#if PARAM_surveys
+  if (kFrozen && frame.camera_rests == 0u) survey(pixel, vec2(pixel) + stratified2(index, number));
 #endif
 }

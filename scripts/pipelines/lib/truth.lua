@@ -23,7 +23,8 @@ function truth.traced_sample(p, seen, t)
   local before, agreed = t.before or {}, t.agreed or {}
   return trace {
     hit = seen.hit, pixel = p.pixel, mark_regions = p.mark_regions, time = "sample", every_ray = t.every_ray,
-    keeps_notes = t.notes, audit = p.audit, as = t.as,
+    keeps_notes = t.notes, surveys = t.surveys, in_turn = not t.adaptive and valued(p.tolerance) > 0 or nil,
+    audit = p.audit, as = t.as,
     known_hit = agreed.known_hit, known_shadows = agreed.known_shadows,
     even_color = not t.adaptive and agreed.even_color or nil,
     first_ground = before.ground, first_still = before.still, first_regions = before.regions,
@@ -77,7 +78,7 @@ function truth.everywhere(p, seen)
   end
   local before = truth.shutter(p, seen, {
     name = "first", count = few, first = 0, parts = count, every_ray = every_ray, notes = not every_ray,
-    as = "truth_first",
+    surveys = not every_ray and valued(p.shading) == "frozen" and count >= 8 * few, as = "truth_first",
   })
   local more = truth.shutter(p, seen, {
     name = "shutter", count = count - few, first = few, parts = count, every_ray = every_ray, before = before,
