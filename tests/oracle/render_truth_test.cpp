@@ -514,7 +514,11 @@ TEST_F(RenderTruth, SparesRaysToWhatTheCaptureShows) {
     EXPECT_LE(sum(spared, "missed") * 1000, sum(spared, "audited")) << pixel;
     EXPECT_LT(sum(spared, "rays_") * 4, sum(all, "rays_") * 3) << pixel;
   }
-  // Shaded at each time, no sample is spared.
+  // Of few samples none is spared, nor where each is shaded at its time: two pictures of the same rays.
+  for (const char* pixel : {"pixel=box", "pixel=centre"})
+    EXPECT_TRUE(identical(colorOf(render(with(shot, "ground_truth", truth(16, {pixel})))),
+                          colorOf(render(with(shot, "ground_truth", truth(16, {pixel, "mode=brute"}))))))
+        << pixel;
   std::vector<std::string> full = truth(16, {"pixel=box", "shading=full"});
   lab::Picture lit = render(with(shot, "ground_truth", full));
   full.push_back("mode=brute");
