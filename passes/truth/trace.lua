@@ -12,7 +12,9 @@ return pass.trace {
   size   = { of = "hit" },
   reads  = {
     hit = { uint = true, doc = "what each pixel sees at the capture: instance + 1 (0 = sky), geometry, primitive" },
+    listed = { buffer = true, optional = true, doc = "the pixels that take part; absent: all" },
     budget = { optional = true, doc = "samples of each tile; absent: all take all" },
+    sure = { optional = true, uint = true, doc = "shadows that no ray has to find, of shadow_shafts" },
     known_hit     = { optional = true, uint = true, doc = "surfaces and triangles that samples see, of truth_agreement" },
     known_shadows = { optional = true, uint = true, doc = "shadows that no ray has to find, of truth_agreement" },
     even_color    = { optional = true, doc = "colours of what is at rest that need no more samples, of truth_agreement" },
@@ -20,6 +22,7 @@ return pass.trace {
     first_still   = { optional = true, doc = "`still` of the samples before these" },
     first_regions = { optional = true, uint = true, doc = "`regions` of the samples before these" },
   },
+  over = "listed",
   updates = {
     mean_a  = { format = "rgba32f", doc = "mean radiance of one half of the samples; a = their number" },
     mean_b  = { format = "rgba32f", doc = "mean radiance of the others; a = their number" },
@@ -27,7 +30,8 @@ return pass.trace {
     still   = { format = "rgba32f", doc = "rgb: mean colour of what is at rest; a: number of samples" },
     unlike  = { format = "r32f", doc = "the farthest of its colours from the mean before it, in parts of that" },
     ground  = { format = "rgba32ui",
-      doc = "what samples have seen at rest: 0 nothing, 1 sky, 2 + instance, 2^32 - 1 several; geometry, triangle, distance" },
+      doc = "what samples have seen at rest, or through whole pixels where that is nothing in motion: 0 nothing, 1 sky, " ..
+            "2 + instance, 2^32 - 1 several; geometry, triangle, distance" },
     shadows = { format = "rgba32ui",
       doc = "of two instances: whose, first 16 lights by bits (free at all samples; from bit 16 on blocked)" },
   },
@@ -47,6 +51,7 @@ return pass.trace {
     in_turn = pass.bool { false, wired = true,
       doc = "places in the pixel go by the sample's turn, evenly spread wherever the loop stops; else by its part of the " ..
             "exposure, evenly spread together with the times" },
+    shadow_tile = shade.params.shadow_tile,
     every_ray = pass.bool { false, doc = "trace what other samples have found already" },
     keeps_notes = pass.bool { false, wired = true, doc = "keep what samples see, for truth_agreement" },
     surveys = pass.bool { false, wired = true,

@@ -57,14 +57,19 @@ shared::FrameData frameData(const Plan& plan, const world::GpuScene& scene, cons
 // One origin for every pose of the frame: the camera at the capture.
 static dvec3 frameOrigin(const FrameSetup& setup) { return dvec3(setup.pose_at(setup.capture_s).world_from_camera[3]); }
 
-static double aspect(const Plan& plan) { return double(plan.width) / plan.height; }
+static void setPose(world::GpuScene& scene, gpu::Staging& staging, uint32_t slice, const Plan& plan,
+                    const FrameSetup& setup, double time_s, const dvec3& origin) {
+  const scene::Pose pose = setup.pose_at(time_s);
+  const ivec4 moving = vectorOf(setup.area_at ? setup.area_at(pose) : setup.reach);
+  scene.setPose(staging, slice, pose, double(plan.width) / plan.height, origin, moving);
+}
 
 void poseFixedSlices(world::GpuScene& scene, gpu::Staging& staging, const Plan& plan, const FrameSetup& setup) {
   dvec3 origin = frameOrigin(setup);
   scene.setMotion(staging, setup.moves, setup.paths);
   const double times[] = {setup.capture_s, setup.open_s, setup.close_s, setup.capture_s - setup.frame_s};
   for (uint32_t slice : {SLICE_CAPTURE, SLICE_OPEN, SLICE_CLOSE, SLICE_PREVIOUS})
-    scene.setPose(staging, slice, setup.pose_at(times[slice]), aspect(plan), origin);
+    setPose(scene, staging, slice, plan, setup, times[slice], origin);
 }
 
 int partOf(const plan::PlanLoop& loop, int iteration) {
@@ -93,8 +98,7 @@ void poseSamples(world::GpuScene& scene, gpu::Staging& staging, const Plan& plan
   dvec3 origin = frameOrigin(setup);
   int part = partOf(loop, iteration);
   for (int q = 0; q < loop.slices; ++q)
-    scene.setPose(staging, SLICE_SAMPLE + uint32_t(q), setup.pose_at(sampleTime(setup, loop, part, q)), aspect(plan),
-                  origin);
+    setPose(scene, staging, SLICE_SAMPLE + uint32_t(q), plan, setup, sampleTime(setup, loop, part, q), origin);
 }
 
 }  // namespace strobe::graph

@@ -57,6 +57,7 @@ graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene, int ea
   for (int k = 2; k <= earlier_frames; ++k) exposed.earlier_s.push_back(setup.capture_s - k * setup.frame_s);
   scene::ScreenMotion motion = scene::screenMotionOf(scene, setup.pose_at, exposed);
   setup.reach = motion.reach;
+  setup.area_at = std::move(motion.area_at);
   setup.crossing = motion.crossing;
   setup.paths = std::move(motion.paths);
   if (shot.model_everything) return setup;

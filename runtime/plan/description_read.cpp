@@ -251,9 +251,6 @@ void checkOver(const Reader& reader, const PassDesc& pass) {
   for (const PortDesc& write : pass.writes)
     if (!isCleared(write))
       reader.fail(fmt::format("it runs over '{}', but its write '{}' is not cleared", pass.over, write.name));
-  for (const ParamDesc& param : pass.params)
-    if (param.role == Role::StillOnce)
-      reader.fail(fmt::format("it runs over '{}' and has a parameter that is still_once", pass.over));
 }
 
 // What a pass that has a group for each pixel must be like.

@@ -120,6 +120,7 @@ class Compiler {
     }
     for (size_t i = 0; i < pass.reads.size(); ++i)
       if (pass.reads[i].name == pass.over) node.over = node.reads[i];
+    if (node.over >= 0) node.still_once = false;
     if (raster) node.depth = addImage(node, "@depth", "d32f", kUsageDepthAttachment);
     for (int image : node.reads) markRead(image);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 #include "scene/bend.h"
@@ -229,6 +230,19 @@ static std::optional<Extent> extentOf(const Hull& hull, const std::vector<Pose>&
   return extent;
 }
 
+// The pixels around all that moves at one pose, before the capture's camera; the whole picture when some of it is not
+// clearly in front of that.
+static PixelArea areaAt(const Pose& pose, const std::vector<std::pair<size_t, Hull>>& moving, const View& view,
+                        const ExposedFrame& frame) {
+  PixelArea area;
+  for (const auto& [index, hull] : moving) {
+    std::optional<Extent> extent = extentOf(hull, {pose}, index, view);
+    if (!extent) return {0, 0, frame.width, frame.height};
+    include(area, areaOf(extent->low - 2.0, extent->high + 2.0, frame));
+  }
+  return area;
+}
+
 // Adds what moves to the reach, and says whether it is curved and turns; false when it is not clearly in front of the
 // camera.
 static bool follow(const Hull& hull, const std::vector<Pose>& poses, const std::vector<double>& times, size_t index,
@@ -384,6 +398,10 @@ ScreenMotion screenMotionOf(const Scene& scene, const std::function<Pose(double)
     path.covered = path.turns || mayBeCovered(extents, i);
     path.arrives = path.covered || mayCross(*extents[i], frame);
   }
+  auto moving = std::make_shared<std::vector<std::pair<size_t, Hull>>>();
+  for (size_t i = 0; i < instances.size(); ++i)
+    if (moves[i]) moving->emplace_back(i, std::move(*hulls[i]));
+  motion.area_at = [moving, view, frame](const Pose& pose) { return areaAt(pose, *moving, view, frame); };
   return motion;
 }
 

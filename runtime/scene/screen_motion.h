@@ -44,6 +44,8 @@ struct ScreenMotion {
   // only be too large; the whole picture too where those times do not show it (turns of more than a right angle in
   // between, many keys, a clip that begins again).
   PixelArea reach;
+  // The same at one of the frame's poses; none: `reach` is all that is known.
+  std::function<PixelArea(const Pose&)> area_at;
   std::vector<ScreenPath> paths;  // by instance, from the same poses; of what does not move none of the four holds
   // From boxes at the same poses, also before a camera that moves: then of what is at rest too, but for scenes of more
   // than 200,000 vertices. Empty where those poses do not follow the motion.

@@ -113,11 +113,12 @@ std::string preamble(const Interface& in, Stage stage) {
 
 // A software device gives each of its threads one run of consecutive groups, and what costs stands close together in a
 // picture. So rows of groups are dealt out like cards, three times: each eighth of the dispatch has every eighth row.
-// Eight invocations run as one: those of a pass that traces are 4x2 pixels, whose rays are closer than those of a row.
-static const char* kDealtRows = R"(uvec2 dealt_() {
-  uint half_ = (gl_NumWorkGroups.y + 1u) / 2u, row = gl_WorkGroupID.y;
-  for (int i = 0; i < 3; ++i) row = row < half_ ? 2u * row : 2u * (row - half_) + 1u;
-  return pixel_of_(uvec2(gl_WorkGroupID.x, row));
+// Of a list groups are. Eight invocations run as one: those of a pass that traces are 4x2 pixels, whose rays are closer
+// than those of a row.
+static const char* kDealt = R"(uint dealt_(uint which, uint count) {
+  uint half_ = (count + 1u) / 2u;
+  for (int i = 0; i < 3; ++i) which = which < half_ ? 2u * which : 2u * (which - half_) + 1u;
+  return which;
 }
 )";
 // The pixel of an invocation of a group.
@@ -131,24 +132,26 @@ static const char* kInBlocks = R"(uvec2 pixel_of_(uvec2 group) {
 )";
 
 // Which entry of a buffer an invocation runs for.
-static const char* kIndexInGroups =
-    "(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * (gl_WorkGroupSize.x * gl_WorkGroupSize.y) + "
-    "gl_LocalInvocationIndex";
+static const char* kGroup = "gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x";
+static const char* kGroups = "gl_NumWorkGroups.x * gl_NumWorkGroups.y";
 static const char* kIndexOfLaunch = "gl_LaunchIDEXT.y * gl_LaunchSizeEXT.x + gl_LaunchIDEXT.x";
 
 std::string epilogue(const Interface& in, Stage stage) {
   if (stage != Stage::Compute && stage != Stage::RayGeneration) return "";
   const bool compute = stage == Stage::Compute;
-  bool dealt = compute && in.deal_rows;
-  std::string pixel = dealt ? "dealt_()" : compute ? "gl_GlobalInvocationID.xy" : "gl_LaunchIDEXT.xy";
-  if (in.group && !dealt) pixel = "gl_WorkGroupID.xy";
+  const bool dealt = compute && in.deal_rows;
+  std::string pixel = compute ? "gl_GlobalInvocationID.xy" : "gl_LaunchIDEXT.xy";
+  if (in.group) pixel = "gl_WorkGroupID.xy";
+  if (dealt) pixel = "pixel_of_(uvec2(gl_WorkGroupID.x, dealt_(gl_WorkGroupID.y, gl_NumWorkGroups.y)))";
   const Interface::Read* over = in.over();
-  if (over) dealt = false, pixel = "0";
+  if (over) pixel = "0";
   const char* pixel_of = in.group ? kGroupItself : in.backend == Backend::None ? kInRows : kInBlocks;
-  std::string text = dealt ? std::string(pixel_of) + kDealtRows : "";
+  std::string text = dealt ? std::string(over ? "" : pixel_of) + kDealt : "";
   text += fmt::format("void main() {{\n  ivec2 pixel_ = ivec2({});\n", pixel);
   if (over) {
-    const char* index = compute ? kIndexInGroups : kIndexOfLaunch;
+    std::string group = dealt ? fmt::format("dealt_({}, {})", kGroup, kGroups) : fmt::format("({})", kGroup);
+    std::string index = group + " * (gl_WorkGroupSize.x * gl_WorkGroupSize.y) + gl_LocalInvocationIndex";
+    if (!compute) index = kIndexOfLaunch;
     text += fmt::format(
         "  uint index_ = {0};\n  if (index_ >= min({1}_buf.count, uint({1}_buf.entries.length()))) return;\n"
         "  pixel_ = ivec2({1}_buf.entries[index_] & 0xffffu, {1}_buf.entries[index_] >> 16);\n",

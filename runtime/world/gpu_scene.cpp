@@ -190,11 +190,13 @@ void GpuScene::refuseTransform(int node) const {
       fmt::format("{}: the transform of node '{}' cannot be drawn", scene_.name, scene_.nodes[size_t(node)].name)));
 }
 
-void GpuScene::setPose(gpu::Staging& staging, uint32_t slice, const Pose& pose, double aspect, const dvec3& origin) {
+void GpuScene::setPose(gpu::Staging& staging, uint32_t slice, const Pose& pose, double aspect, const dvec3& origin,
+                       const ivec4& moving) {
   STROBE_ASSERT(slice < slices_ && pose.world_from_instance.size() == instances_.size(), "slice {}", slice);
   bent_.pose(staging, slice, pose, origin);
   SceneCamera camera = cameraData(pose, aspect, origin);
   camera.depth_range = float(depthRange(slice, pose));
+  camera.moving = moving;
   staging.write(cameras_, slice, &camera, 1);
   std::vector<SceneTransform> transforms;
   for (size_t i = 0; i < instances_.size(); ++i) {

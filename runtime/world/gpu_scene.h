@@ -60,9 +60,11 @@ class GpuScene {
   void setMotion(gpu::Staging& staging, const std::vector<bool>& moves, const std::vector<scene::ScreenPath>& paths);
   uint32_t movingCount() const;
   bool mayMove(uint32_t instance) const { return moves_[instance]; }
-  // Poses slice `slice`; positions become relative to `origin`. `aspect` is width / height. Throws `Error` for a pose
-  // that cannot be drawn; what is written by then must be copied all the same.
-  void setPose(gpu::Staging& staging, uint32_t slice, const scene::Pose& pose, double aspect, const dvec3& origin);
+  // Poses slice `slice`; positions become relative to `origin`. `aspect` is width / height, `moving` the pixels in
+  // which something that moves may be seen then. Throws `Error` for a pose that cannot be drawn; what is written by
+  // then must be copied all the same.
+  void setPose(gpu::Staging& staging, uint32_t slice, const scene::Pose& pose, double aspect, const dvec3& origin,
+               const ivec4& moving);
   // Records what makes `count` posed slices, at least one, ready to be traced: the capture, or samples.
   void recordBuild(VkCommandBuffer commands, uint32_t first_slice, uint32_t count) const;
 

@@ -224,11 +224,6 @@ local function declare_over(problems, t, kind, result, place, owner)
                    write.name, owner, t.over)
     end
   end
-  for _, one in ipairs(result.params) do
-    if one.role == "still_once" then
-      problems:add(one.place, "'%s' of %s, which runs over '%s', cannot be still_once", one.name, owner, t.over)
-    end
-  end
   return t.over
 end
 

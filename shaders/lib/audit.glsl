@@ -4,6 +4,9 @@
 #define STROBE_AUDIT_GLSL
 #include "lib/random.glsl"
 
+// Pixels that run as one on a software device: audited together they cost as one.
+const ivec2 kAuditBlock = ivec2(4, 2);
+
 bool isAudited(ivec2 tile, float share) {
   return float(pcgHash(uint(tile.x) ^ pcgHash(uint(tile.y))) >> 8) < share * 16777216.0;
 }

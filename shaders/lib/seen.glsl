@@ -12,10 +12,15 @@ bool isOneTriangle(uvec4 seen) { return isOneSurface(seen) && seen.z != kSeenSev
 
 uint instanceOf(uvec4 seen) { return seen.x - 2u; }
 
-// Shadows of the first 16 lights by bits: free at all samples, and from bit 16 on blocked at all samples. Of two
-// instances: (the first + 2, its shadows, the second + 2, its shadows). With a third the second is kSeenSeveral.
-uint shadowsFrom(uvec2 free_and_blocked) { return (free_and_blocked.x & 0xffffu) | (free_and_blocked.y << 16u); }
-uvec2 lightsOf(uint shadows) { return uvec2(shadows & 0xffffu, shadows >> 16u); }
+// Shadows of the first 16 lights by bits: free at all samples that asked, and from bit 16 on blocked at all of them; both where
+// none asked, as where a surface turns away from the light. Of two instances: (the first + 2, its shadows, the second + 2, its shadows). With a third the second is kSeenSeveral.
+uint shadowsFrom(uvec2 free_and_blocked) {
+  uvec2 never = ~free_and_blocked.yx;
+  return (never.x & 0xffffu) | (never.y << 16u);
+}
+// Lights that are known to be free, and to be blocked.
+uvec2 lightsOf(uint shadows) { return uvec2(shadows & ~(shadows >> 16u) & 0xffffu, (shadows & ~(shadows << 16u)) >> 16u); }
+int countLights(uint shadows) { return bitCount((shadows ^ (shadows >> 16u)) & 0xffffu); }
 
 uint shadowsOf(uvec4 kept, uint instance) {
   return kept.x == instance + 2u ? kept.y : kept.z == instance + 2u ? kept.w : 0u;

@@ -20,6 +20,12 @@ Ray cameraRay(uint slice, vec2 position_px) {
   return Ray(camera.position, camera.forward + sideways);
 }
 
+// Can anything that moves be seen in a pixel at that time?
+bool isReachedAt(uint slice, ivec2 pixel) {
+  ivec4 area = scene_cameras[slice].moving;
+  return all(greaterThanEqual(pixel, area.xy)) && all(lessThan(pixel, area.zw));
+}
+
 // The sample position of a pixel of this frame.
 vec2 samplePosition(ivec2 pixel) { return vec2(pixel) + 0.5 + frame.subpixel; }
 

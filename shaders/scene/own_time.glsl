@@ -16,7 +16,6 @@
 #include "lib/spread.glsl"
 #include "mixin/ground.glsl"
 
-const ivec2 kBlock = ivec2(4, 2);  // pixels that run as one on a software device: audited together they cost as one
 
 // Does raster's texel show the surface, or what was revealed behind it?
 bool isSeen(ivec2 at, uvec2 id, float depth) {
@@ -110,7 +109,7 @@ void run(ivec2 pixel) {
   vec4 seen = texelFetch(seen_tex, pixel, 0);
   uvec2 all_times = allParts(int(frame.slice_count));
   uvec2 open = texelFetch(open_tex, pixel, 0).xy & all_times;
-  bool audited = seen.a > 0.0 && open != all_times && isReached(pixel) && isAudited(pixel / kBlock, params.audit);
+  bool audited = seen.a > 0.0 && open != all_times && isReached(pixel) && isAudited(pixel / kAuditBlock, params.audit);
   if (hasParts(open) || audited) {
     Ground ground = groundAt(pixel);
     // What is audited, then what is open: in one loop, since each copy of what is seen takes seconds to compile.

@@ -114,6 +114,7 @@ struct SceneCamera {
   vec2 half_extent;         // perspective: tangents of the half angles; orthographic: metres
   uint orthographic;
   float depth_range;  // orthographic: metres behind the near plane up to which something may be seen
+  ivec4 moving;       // pixels [x, z) x [y, w) in which something that moves may be seen at this time
 };
 
 STROBE_SHARED_END
@@ -124,6 +125,6 @@ static_assert(sizeof(strobe::shared::SceneTextureUse) == 36);
 static_assert(sizeof(strobe::shared::SceneMaterial) == 204);
 static_assert(sizeof(strobe::shared::SceneLight) == 56);
 static_assert(sizeof(strobe::shared::SceneTransform) == 48);
-static_assert(sizeof(strobe::shared::SceneCamera) == 68);
+static_assert(sizeof(strobe::shared::SceneCamera) == 84);
 #endif
 #endif

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What the first samples of a pixel and of the eight around it agree about. A silhouette that cuts off less of a pixel
 // than samples lie apart is seen by its neighbours.
-// In:  ground (what samples have seen at rest: whose, geometry, triangle), still (rgb: mean colour of that), unlike (how
+// In:  ground (what samples have seen at rest, or where that is nothing in motion: whose, geometry, triangle), still (rgb: mean colour of that), unlike (how
 //      far the colours are from it), shadows (of two instances, as lib/seen.glsl has them).
-// Out: known_hit (the surface at rest that all see, and its triangle if that is one; whose = 0 without any),
+// Out: known_hit (the surface that all see, and its triangle if that is one; whose = 0 without any),
 //      known_shadows (of the pixel's instances, where all samples that see one agree), even_color (rgb: that colour,
-//      a = 1 where all see one surface, in colours as good as equal).
+//      a = 1 where all see one surface, in colours as good as equal), more (0 where these samples are enough: of one colour
+//      before a camera at rest, where nothing in motion can be seen).
+#include "lib/audit.glsl"
+#include "lib/reached.glsl"
 #include "lib/seen.glsl"
 
 // Which of an instance's shadows samples of another pixel bear out.
@@ -32,6 +35,10 @@ void run(ivec2 pixel) {
   uvec4 known_hit = one_triangle ? own : uvec4(own.xy, kSeenSeveral, 0u);
   imageStore(known_hit_img, pixel, one_surface ? known_hit : uvec4(kSeenNothing));
   imageStore(known_shadows_img, pixel, known_shadows);
-  bool is_even = one_surface && unlike <= params.even_within;
-  imageStore(even_color_img, pixel, is_even ? vec4(texelFetch(still_tex, pixel, 0).rgb, 1) : vec4(0));
+  vec4 still = texelFetch(still_tex, pixel, 0);
+  bool is_even = one_surface && unlike <= params.even_within && still.a > 0.0;
+  imageStore(even_color_img, pixel, is_even ? vec4(still.rgb, 1) : vec4(0));
+  bool stands = PARAM_shading == shading_frozen && frame.camera_rests != 0u && !isReached(pixel);
+  bool is_enough = stands && is_even && !isAudited(pixel / kAuditBlock, params.audit);
+  imageStore(more_img, pixel, vec4(is_enough ? 0.0 : 1.0));
 }

@@ -10,9 +10,10 @@
 // Rays are spared where others have found the same.
 //   What is at rest is found once on a ray; what moves has a tree of its own and is traced before it at each time.
 //   Nothing is assumed.
+//   First samples take shadows of the capture's shafts (shadow_shafts), where all around shows what they see.
 //   Before a camera at rest, what all first samples of a pixel and its neighbours agree about (truth_agreement) holds
-//   for the others: a triangle or surface at rest, the shadows on an instance at rest, one colour of a surface; where
-//   nothing moves before one colour, no more samples are taken.
+//   for the others: a triangle or surface at rest, a surface in motion before all that rests, the shadows on an instance
+//   at rest, one colour of a surface; where nothing moves before one colour, no more samples are taken.
 //   Before a moving camera, first samples look at the capture too (`surveys`). What they agree about there holds for the
 //   points that the capture shows: a triangle, which is not hidden then, and the shadows on an instance.
 // Both assume that nothing lies between all of these samples, of which there are the more the more samples are asked for.
@@ -51,15 +52,22 @@ uvec4 seenAs(Hit hit) {
 // Samples that contradict what they were taken to know.
 bool misses = false;
 
-// Was a point hidden from the capture's camera? The last 2^-12 of the way is the point's own surface. What is at rest
-// before a camera at rest can be hidden by what moves alone.
+// Does what a pixel has seen move?
+bool isMoving(uvec4 seen) {
+  return frame.camera_rests != 0u && isOneSurface(seen) && seen.x != kSeenSky && instanceAt(instanceOf(seen)).moves != 0u;
+}
+
+// Was a point hidden from the capture's camera? The last 2^-12 of the way is the point's own surface. Before a camera at rest
+// what is at rest can be hidden by what moves alone, and what moves as a whole in front of everything by nothing.
 bool wasOccluded(ivec2 pixel, Hit hit) {
   bool by_moving = PARAM_every_ray == 0 && frame.camera_rests != 0u && isAtRest(hit);
-  if (by_moving && !isReached(pixel)) return false;
+  if (by_moving && !isReachedAt(SLICE_CAPTURE, pixel)) return false;
   vec3 capture_ws = positionOf(SLICE_CAPTURE, hit);
   SceneCamera camera = scene_cameras[SLICE_CAPTURE];
   vec3 position_vs = viewFromWorld(SLICE_CAPTURE, capture_ws);
   if (position_vs.z <= camera.near) return true;
+  bool is_foremost = PARAM_every_ray == 0 && !by_moving && (instanceAt(hit.instance).path & PATH_COVERED) == 0u;
+  if (frame.camera_rests != 0u && is_foremost) return false;
   Ray ray = cameraRay(SLICE_CAPTURE, pixelFromView(SLICE_CAPTURE, position_vs));
   uint mask = by_moving ? RAYS_TO_MOVING : RAYS_TO_ALL;
   return isHidden(SLICE_CAPTURE, mask, ray, camera.near, position_vs.z * (1.0 - 1.0 / 4096.0));
@@ -163,7 +171,7 @@ uint regionsBefore(ivec2 pixel) {
 // The point of an agreed surface on a ray; no hit where the ray passes beside it, or through a hole.
 Hit hitOnAgreed(uint slice, Ray ray, uvec4 agreed, out float t) {
   uint instance = instanceOf(agreed);
-  bool one_triangle = isOneTriangle(agreed) && !hasHoles(agreed);
+  bool one_triangle = isOneTriangle(agreed) && !hasHoles(agreed) && !isMoving(agreed);
   Hit hit = Hit(instance, agreed.y, agreed.z, vec2(0), 0.0, true);
   if (!one_triangle) hit = traceInstance(slice, instance, ray, scene_cameras[slice].near, kFar);
   t = hit.t;
@@ -173,10 +181,10 @@ Hit hitOnAgreed(uint slice, Ray ray, uvec4 agreed, out float t) {
   return hit;
 }
 
-// What a sample sees, given what is at rest on its ray, if that is known. Of hits at one distance the first in the scene
-// counts. `t`: as the ray measures it.
+// What a sample sees, given what is at rest on its ray, if that is known, or something in motion before that. Of hits at one
+// distance the first in the scene counts. `t`: as the ray measures it.
 Hit nearestHit(ivec2 pixel, uint slice, Ray ray, bool is_known, Hit ground, inout float t) {
-  if (is_known && !isReached(pixel)) return ground;
+  if (is_known && (!isAtRest(ground) || !isReachedAt(slice, pixel))) return ground;
   uint mask = is_known ? RAYS_TO_MOVING : RAYS_TO_ALL;
   float end = is_known && isHit(ground) ? uintBitsToFloat(floatBitsToUint(t) + 1u) : kFar;
   Hit hit = traceExcept(slice, mask, ray, scene_cameras[slice].near, end, NO_INSTANCE, NO_INSTANCE);
@@ -186,27 +194,38 @@ Hit nearestHit(ivec2 pixel, uint slice, Ray ray, bool is_known, Hit ground, inou
   return isHit(hit) ? hitOnTriangle(slice, ray, hit.instance, hit.geometry, hit.primitive) : hit;
 }
 
-// `shadows`: what is known of them, as lib/seen.glsl has it.
-vec3 colorOf(uint slice, Ray ray, Hit hit, uint shadows, bool spares_rays) {
+// `known`: lights that are free, and blocked.
+vec3 colorOf(uint slice, Ray ray, Hit hit, uvec2 known, bool spares_rays) {
   if (!isHit(hit)) return environment(ray.direction);
-  uvec2 known = lightsOf(shadows);
-  if (spares_rays) {
-    known_free = known.x;
-    known_blocked = known.y;
-  }
+  known_free = spares_rays ? known.x : 0u;
+  known_blocked = spares_rays ? known.y : 0u;
+  found_free = known_free;
+  found_blocked = known_blocked;
   vec3 color = shade(kFrozen ? SLICE_CAPTURE : slice, hit);
   misses = misses || ((known.x & found_blocked) | (known.y & found_free)) != 0u;
   return color;
 }
 
+// What samples have seen, and one more.
+uvec4 withSeen(uvec4 before, uvec4 seen) {
+  if (before.x == kSeenNothing) return seen;
+  if (before.xy != seen.xy) return uvec4(kSeenSeveral, 0u, 0u, 0u);
+  if (before.z != seen.z) before.z = kSeenSeveral;
+  return before;
+}
+
+// What moves, where samples have seen nothing at rest.
+void noteMoving(ivec2 pixel, Hit hit) {
+  uvec4 before = imageLoad(ground_img, pixel);
+  if (before.x == kSeenNothing || isMoving(before)) imageStore(ground_img, pixel, withSeen(before, seenAs(hit)));
+}
+
 // What is at rest, or at the capture, for the agreement of samples, and for those after this one.
 void note(ivec2 pixel, Hit hit, float ground_t, vec3 color) {
-  uvec4 ground = imageLoad(ground_img, pixel), seen = seenAs(hit);
-  bool is_first = ground.x == kSeenNothing;
-  if (is_first) ground = uvec4(seen.xyz, floatBitsToUint(ground_t));
-  else if (ground.xy != seen.xy) ground = uvec4(kSeenSeveral, 0u, 0u, 0u);
-  else if (ground.z != seen.z) ground.z = kSeenSeveral;
-  imageStore(ground_img, pixel, ground);
+  uvec4 before = imageLoad(ground_img, pixel);
+  bool is_first = before.x == kSeenNothing || isMoving(before);
+  if (is_first) before = uvec4(kSeenNothing);
+  imageStore(ground_img, pixel, withSeen(before, uvec4(seenAs(hit).xyz, floatBitsToUint(ground_t))));
   vec4 still = imageLoad(still_img, pixel);
   imageStore(still_img, pixel, withSample(still, color));
 #if PARAM_keeps_notes
@@ -220,15 +239,35 @@ void note(ivec2 pixel, Hit hit, float ground_t, vec3 color) {
 #endif
 }
 
+// Lights that the capture's shafts know to be free, and blocked, from a point that it shows at the pixel: what it sees there, or
+// through whole pixels what it sees all around.
+uvec2 sureShadows(ivec2 pixel, Hit hit) {
+  uvec2 sure = uvec2(0u);
+#if HAS_sure
+  if (!isHit(hit)) return sure;
+  uvec3 seen = uvec3(hit.instance + 1u, hit.geometry, hit.primitive);
+#if PARAM_pixel == pixel_box
+  bool is_shown = true;
+  ivec2 last = textureSize(hit_tex, 0) - 1;
+  for (int i = 0; i < 9; ++i) {
+    ivec2 at = clamp(pixel + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last);
+    is_shown = is_shown && texelFetch(hit_tex, at, 0).xy == seen.xy;
+  }
+#else
+  bool is_shown = texelFetch(hit_tex, pixel, 0).xyz == seen;
+#endif
+  if (is_shown) sure = texelFetch(sure_tex, pixel / params.shadow_tile, 0).xy;
+#endif
+  return sure;
+}
+
 #if PARAM_surveys
 // Notes what the capture shows at a place of the pixel.
 void survey(ivec2 pixel, vec2 position_px) {
   Ray ray = cameraRay(SLICE_CAPTURE, position_px);
   float t = kFar;
   Hit hit = nearestHit(pixel, SLICE_CAPTURE, ray, false, noHit(), t);
-  found_free = 0u;
-  found_blocked = 0u;
-  note(pixel, hit, t, colorOf(SLICE_CAPTURE, ray, hit, 0u, false));
+  note(pixel, hit, t, colorOf(SLICE_CAPTURE, ray, hit, sureShadows(pixel, hit), true));
 }
 #endif
 
@@ -243,22 +282,20 @@ void run(ivec2 pixel) {
   position_px = vec2(pixel) + stratified2(index, number);
 #endif
   Ray ray = cameraRay(slice, position_px);
-  bool audited = isAudited(pixel, params.audit);
+  bool audited = isAudited(pixel / kAuditBlock, params.audit);
   bool spares_rays = PARAM_every_ray == 0 && !audited;
   // Before a camera at rest, rays through centres are one ray.
   bool one_ray = PARAM_every_ray == 0 && kFrozen && PARAM_pixel == pixel_centre && frame.camera_rests != 0u;
 
-  // Where all colours are one, and nothing comes, the first samples are enough.
   bool is_even = false;
 #if HAS_even_color
   vec4 even = texelFetch(even_color_tex, pixel, 0);
   is_even = kFrozen && even.a != 0.0 && spares_rays && !one_ray && frame.camera_rests != 0u;
-  if (is_even && !isReached(pixel)) return;
 #else
   vec4 even = vec4(0);
 #endif
 
-  // What is at rest on the ray, where that is known.
+  // What is at rest on the ray, or moves before that, where it is known.
   Hit ground = noHit();
   float t = kFar;
   uvec4 found = one_ray ? groundBefore(pixel) : uvec4(0u);
@@ -281,7 +318,12 @@ void run(ivec2 pixel) {
 #if HAS_known_hit
   uvec4 seen = seenAs(hit);
   if (!isOneTriangle(agreed)) seen.z = agreed.z;
-  misses = is_agreed && !spares_rays && at_rest && agreed.xyz != seen.xyz;
+  if (is_agreed && !spares_rays && isMoving(agreed)) {
+    Hit taken = hitOnAgreed(slice, ray, agreed, t);
+    misses = isHit(taken) && seenAs(taken) != seenAs(hit);
+  } else if (is_agreed && !spares_rays) {
+    misses = at_rest && agreed.xyz != seen.xyz;
+  }
 #endif
 
   // Was the point hidden at the capture? Asked for regions, and before a moving camera where shadows that are known then
@@ -304,17 +346,20 @@ void run(ivec2 pixel) {
     is_shown = isOneTriangle(shown) && shown.xyz == seenAs(hit).xyz;
   }
 #endif
-  bool looks = !(is_shown && spares_rays) && (asked != 0u || (frame.camera_rests == 0u && bitCount(shadows) > 1));
+  bool looks = !(is_shown && spares_rays) && (asked != 0u || (frame.camera_rests == 0u && countLights(shadows) > 1));
   bool is_hidden = looks && wasOccluded(pixel, hit);
   misses = misses || (is_shown && is_hidden);
   if (frame.camera_rests == 0u && (looks ? is_hidden : !is_shown)) shadows = 0u;
 
+  bool is_sure = kFrozen && frame.camera_rests != 0u && at_rest && shadows == 0u;
   vec3 color;
   if (is_found && at_rest) color = stillBefore(pixel).rgb;
   else if (is_even && at_rest) color = even.rgb;
-  else color = colorOf(slice, ray, hit, shadows, spares_rays);
+  else color = colorOf(slice, ray, hit, is_sure ? sureShadows(pixel, hit) : lightsOf(shadows), spares_rays);
   if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
-  if (frame.camera_rests != 0u && !is_known && at_rest && (PARAM_keeps_notes != 0 || one_ray)) note(pixel, hit, t, color);
+  bool notes = frame.camera_rests != 0u && !is_known && (PARAM_keeps_notes != 0 || one_ray);
+  if (notes && at_rest) note(pixel, hit, t, color);
+  else if (notes && !one_ray) noteMoving(pixel, hit);
 #if PARAM_once_where_still
   if (isReached(pixel)) addSample(pixel, number, color);
   else setSamples(pixel, color);

@@ -497,6 +497,19 @@ TEST_F(RenderTruth, SparesRaysWhereNeighboursAgree) {
             .02 * rms(imageOf(lit, "error")));
 }
 
+// A bar in front of everything moves as a whole: where it hides all that is at rest it alone is asked, nothing of it
+// was hidden, and beside it at each time nothing in motion is.
+TEST_F(RenderTruth, SparesRaysOfWhatMovesAsAWhole) {
+  const lab::Shot bar = shotOf("bar", 96, 32, {{"left", 20}, {"right", 60}, {"d_f", 12}});
+  lab::Picture spared = render(with(bar, "ground_truth", truth(64, {"pixel=box", "audit=0.1"})));
+  lab::Picture all = render(with(bar, "ground_truth", truth(64, {"pixel=box", "mode=brute"})));
+  for (const char* output : {"color", "inner", "hidden", "outer", "self"})
+    EXPECT_TRUE(identical(imageOf(spared, output), imageOf(all, output))) << output;
+  EXPECT_GT(sum(spared, "audited"), 1000u);
+  EXPECT_EQ(sum(spared, "missed"), 0u);
+  EXPECT_LT(sum(spared, "rays_") * 2, sum(all, "rays_"));
+}
+
 // The same before a moving camera, by what first samples see at the capture: of points that the capture shows.
 TEST_F(RenderTruth, SparesRaysToWhatTheCaptureShows) {
   lab::Shot shot;

@@ -101,6 +101,28 @@ TEST(ScreenMotion, OfACardThatSlides) {
   EXPECT_EQ(boxes.motion().reach.x1, int(std::ceil(kWidth / 2 + kMetre + 2 + kMetre * std::hypot(1, 0.5) / 32)));
 }
 
+// What moves at a pose is in the area of that pose, to the two pixels of its margin; that is within the reach.
+TEST(ScreenMotion, AreaAtAPose) {
+  Boxes boxes;
+  int card = boxes.add({0, 0, -10}, kCard);
+  boxes.move(card, {2, 0, 0});
+  const ScreenMotion motion = boxes.motion();
+  Poser poser(boxes.scene(), 0);
+  ASSERT_TRUE(motion.area_at);
+  const PixelArea now = motion.area_at(poser.at(kFrame)), before = motion.area_at(poser.at(0.75 * kFrame));
+  EXPECT_EQ(now.x1, int(std::ceil(kWidth / 2 + kMetre + 2)));
+  EXPECT_EQ(before.x1, int(std::ceil(kWidth / 2 + 0.5 * kMetre + 2)));
+  EXPECT_EQ(now.y0, before.y0);
+  for (const PixelArea& area : {now, before}) {
+    EXPECT_GE(area.x0, motion.reach.x0);
+    EXPECT_LE(area.x1, motion.reach.x1);
+  }
+
+  Boxes behind;
+  behind.move(behind.add({0, 0, 1}, kCard), {1, 0, 0});
+  EXPECT_FALSE(behind.motion().area_at) << "not clearly in front of the camera";
+}
+
 // It stands until the frame before, and slides since: where a frame looks back farther, that is no even way.
 TEST(ScreenMotion, OfEarlierFrames) {
   Boxes boxes;

@@ -7,22 +7,21 @@ local shadow_shafts = require "passes.tile.shadow_shafts"
 
 local scene = {}
 
--- The colour of what the pixels see, shaded at the capture, where both ways of shading are the same. `prefix` stands before
--- the names of its nodes, nothing by default.
+-- The colour of what the pixels see, shaded at the capture, where both ways of shading are the same; which shadow rays that
+-- took none. `prefix` stands before the names of its nodes, nothing by default.
 function scene.shaded(hit, prefix)
   prefix = prefix or ""
   local sure = shadow_shafts { hit = hit, as = prefix .. "shadow_shafts" }.sure
-  return shade { hit = hit, sure = sure, shading = "frozen", as = prefix .. "shade" }.color
+  return shade { hit = hit, sure = sure, shading = "frozen", as = prefix .. "shade" }.color, sure
 end
 
--- depth, normal, id, velocity, color and hit of what raster sees, or what another pass finds visible. Without the
+-- depth, normal, id, velocity, color, sure and hit of what raster sees, or what another pass finds visible. Without the
 -- parameters of a blur (options.blur) the displacement is that of the window, and all is kept as it was computed.
 function scene.captured(visible)
   local hit = (visible or visibility) {}.hit
   local g = gbuffer { hit = hit }
-  return {
-    hit = hit, depth = g.depth, normal = g.normal, id = g.id, velocity = g.velocity, color = scene.shaded(hit),
-  }
+  local color, sure = scene.shaded(hit)
+  return { hit = hit, depth = g.depth, normal = g.normal, id = g.id, velocity = g.velocity, color = color, sure = sure }
 end
 
 -- The outputs every pipeline has, and those given. Depth and velocity are what filters read, after whatever formats did

@@ -7,6 +7,7 @@ local joined_halves = require "passes.truth.joined_halves"
 local spread        = require "passes.truth.spread"
 local stop          = require "passes.truth.stop"
 local trace         = require "passes.truth.trace"
+local lists         = require "scripts.pipelines.lib.lists"
 
 local truth = {}
 
@@ -21,15 +22,17 @@ end
 -- again, unless `t.every_ray`.
 function truth.traced_sample(p, seen, t)
   local before, agreed = t.before or {}, t.agreed or {}
+  local frozen = valued(p.shading) == "frozen"
   return trace {
     hit = seen.hit, pixel = p.pixel, mark_regions = p.mark_regions, time = "sample", every_ray = t.every_ray,
     keeps_notes = t.notes, surveys = t.surveys, in_turn = not t.adaptive and valued(p.tolerance) > 0 or nil,
     audit = p.audit, as = t.as,
-    known_hit = agreed.known_hit, known_shadows = agreed.known_shadows,
+    sure = frozen and not t.every_ray and not t.agreed and seen.sure or nil,
+    listed = t.listed, known_hit = agreed.known_hit, known_shadows = agreed.known_shadows,
     even_color = not t.adaptive and agreed.even_color or nil,
     first_ground = before.ground, first_still = before.still, first_regions = before.regions,
     budget = t.budget, taken = t.taken, least_budget = t.least, tile = t.budget and p.tile or nil,
-    once_where_still = not t.every_ray and not t.adaptive and valued(p.pixel) == "centre" and valued(p.shading) == "frozen",
+    once_where_still = not t.every_ray and not t.adaptive and valued(p.pixel) == "centre" and frozen,
   }
 end
 
@@ -63,7 +66,9 @@ function truth.shutter(p, seen, t)
 end
 
 function truth.agreement_of(p, t)
-  return agreement { ground = t.ground, still = t.still, unlike = t.unlike, shadows = t.shadows, even_within = p.even_within }
+  return agreement {
+    ground = t.ground, still = t.still, unlike = t.unlike, shadows = t.shadows, even_within = p.even_within, audit = p.audit,
+  }
 end
 
 -- A few samples all over the exposure; then the others, for which rays are traced where these do not agree.
@@ -80,9 +85,11 @@ function truth.everywhere(p, seen)
     name = "first", count = few, first = 0, parts = count, every_ray = every_ray, notes = not every_ray,
     surveys = not every_ray and valued(p.shading) == "frozen" and count >= 8 * few, as = "truth_first",
   })
+  local agreed = not every_ray and truth.agreement_of(p, before) or nil
+  local has_list = agreed and valued(p.pixel) == "box"  -- through centres what nothing reaches is left out already
   local more = truth.shutter(p, seen, {
     name = "shutter", count = count - few, first = few, parts = count, every_ray = every_ray, before = before,
-    agreed = not every_ray and truth.agreement_of(p, before) or nil,
+    agreed = agreed, listed = has_list and lists.of(agreed.more, "truth", 1) or nil,
   })
   return truth.joined(before, more, "truth_sum")
 end
