@@ -181,6 +181,63 @@ Hit hitOnAgreed(uint slice, Ray ray, uvec4 agreed, out float t) {
   return hit;
 }
 
+// What is at rest on a sample's ray, or moves before that, without tracing all.
+struct Known {
+  bool is_known, is_found;  // found: at rest, by samples before this one on the same ray
+  Hit hit;
+  float t;       // as the ray measures it
+  uvec4 agreed;  // what first samples agree about
+  Hit taken;     // the point of it on this ray
+};
+
+Known knownOn(ivec2 pixel, uint slice, Ray ray, bool one_ray, bool spares_rays) {
+  Known known = Known(false, false, noHit(), kFar, uvec4(kSeenNothing), noHit());
+  uvec4 found = one_ray ? groundBefore(pixel) : uvec4(kSeenNothing);
+  known.is_found = known.is_known = isOneSurface(found);
+  if (known.is_found && found.x != kSeenSky) {
+    known.hit = Hit(instanceOf(found), found.y, found.z, vec2(0), 0.0, true);
+    known.t = uintBitsToFloat(found.w);
+  }
+#if HAS_known_hit
+  if (known.is_found || frame.camera_rests == 0u) return known;
+  known.agreed = texelFetch(known_hit_tex, pixel, 0);
+  if (!isOneSurface(known.agreed)) return known;
+  float t = kFar;
+  bool is_sky = known.agreed.x == kSeenSky;
+  if (!is_sky && (spares_rays || isMoving(known.agreed))) known.taken = hitOnAgreed(slice, ray, known.agreed, t);
+  known.is_known = spares_rays && (is_sky || isHit(known.taken));
+  if (known.is_known) known.hit = known.taken;
+  if (isHit(known.hit)) known.t = t;
+#endif
+  return known;
+}
+
+// Does a sample that was traced in full see something else than would have been taken for it?
+bool contradicts(Known known, Hit hit) {
+  if (!isOneSurface(known.agreed)) return false;
+  uvec4 seen = seenAs(hit);
+  if (isMoving(known.agreed)) return isHit(known.taken) && seenAs(known.taken) != seen;
+  if (!isOneTriangle(known.agreed)) seen.z = known.agreed.z;
+  return isAtRest(hit) && known.agreed.xyz != seen.xyz;
+}
+
+// What is known of a point's shadows, as lib/seen.glsl has them. `is_shown`: first samples see the point at the capture.
+uint shadowsAt(ivec2 pixel, Hit hit, out bool is_shown) {
+  is_shown = false;
+  uint shadows = 0u;
+#if HAS_known_hit
+  if (!kFrozen || !isHit(hit)) return 0u;
+  ivec2 place = pixel;
+  bool camera_rests = frame.camera_rests != 0u;
+  if (camera_rests && !isAtRest(hit)) return 0u;
+  if (!camera_rests && !isInCapture(hit, place)) return 0u;
+  shadows = shadowsOf(texelFetch(known_shadows_tex, place, 0), hit.instance);
+  uvec4 shown = texelFetch(known_hit_tex, place, 0);
+  is_shown = !camera_rests && isOneTriangle(shown) && shown.xyz == seenAs(hit).xyz;
+#endif
+  return shadows;
+}
+
 // What a sample sees, given what is at rest on its ray, if that is known, or something in motion before that. Of hits at one
 // distance the first in the scene counts. `t`: as the ray measures it.
 Hit nearestHit(ivec2 pixel, uint slice, Ray ray, bool is_known, Hit ground, inout float t) {
@@ -295,57 +352,23 @@ void run(ivec2 pixel) {
   vec4 even = vec4(0);
 #endif
 
-  // What is at rest on the ray, or moves before that, where it is known.
-  Hit ground = noHit();
-  float t = kFar;
-  uvec4 found = one_ray ? groundBefore(pixel) : uvec4(0u);
-  bool is_found = isOneSurface(found), is_known = is_found;
-  if (is_found && found.x != kSeenSky) {
-    ground = Hit(instanceOf(found), found.y, found.z, vec2(0), 0.0, true);
-    t = uintBitsToFloat(found.w);
-  }
-#if HAS_known_hit
-  uvec4 agreed = !is_found && frame.camera_rests != 0u ? texelFetch(known_hit_tex, pixel, 0) : uvec4(0u);
-  bool is_agreed = isOneSurface(agreed);
-  if (is_agreed && spares_rays) {
-    if (agreed.x != kSeenSky) ground = hitOnAgreed(slice, ray, agreed, t);
-    is_known = agreed.x == kSeenSky || isHit(ground);
-    if (!isHit(ground)) t = kFar;
-  }
-#endif
-  Hit hit = nearestHit(pixel, slice, ray, is_known, ground, t);
+  Known known = knownOn(pixel, slice, ray, one_ray, spares_rays);
+  float t = known.t;
+  Hit hit = nearestHit(pixel, slice, ray, known.is_known, known.hit, t);
   bool at_rest = isAtRest(hit);
-#if HAS_known_hit
-  uvec4 seen = seenAs(hit);
-  if (!isOneTriangle(agreed)) seen.z = agreed.z;
-  if (is_agreed && !spares_rays && isMoving(agreed)) {
-    Hit taken = hitOnAgreed(slice, ray, agreed, t);
-    misses = isHit(taken) && seenAs(taken) != seenAs(hit);
-  } else if (is_agreed && !spares_rays) {
-    misses = at_rest && agreed.xyz != seen.xyz;
-  }
-#endif
+  misses = !spares_rays && contradicts(known, hit);
 
   // Was the point hidden at the capture? Asked for regions, and before a moving camera where shadows that are known then
   // spare several rays.
-  uint regions = 0u, asked = 0u, shadows = 0u;
-  bool is_still = false, is_shown = false;
+  uint regions = 0u, asked = 0u;
+  bool is_still = false, is_shown;
 #if PARAM_mark_regions
   regions = regionsBefore(pixel);
   is_still = PARAM_pixel == pixel_centre && kFrozen && cameraIsStill(slice) &&
              (at_rest || isPosedAlike(slice, hit.instance));
   if (!is_still) asked = askedRegions(pixel, hit, regions);
 #endif
-#if HAS_known_hit
-  if (kFrozen && frame.camera_rests != 0u && at_rest && isHit(hit))
-    shadows = shadowsOf(texelFetch(known_shadows_tex, pixel, 0), hit.instance);
-  ivec2 place;
-  if (kFrozen && frame.camera_rests == 0u && isHit(hit) && isInCapture(hit, place)) {
-    shadows = shadowsOf(texelFetch(known_shadows_tex, place, 0), hit.instance);
-    uvec4 shown = texelFetch(known_hit_tex, place, 0);
-    is_shown = isOneTriangle(shown) && shown.xyz == seenAs(hit).xyz;
-  }
-#endif
+  uint shadows = shadowsAt(pixel, hit, is_shown);
   bool looks = !(is_shown && spares_rays) && (asked != 0u || (frame.camera_rests == 0u && countLights(shadows) > 1));
   bool is_hidden = looks && wasOccluded(pixel, hit);
   misses = misses || (is_shown && is_hidden);
@@ -353,11 +376,11 @@ void run(ivec2 pixel) {
 
   bool is_sure = kFrozen && frame.camera_rests != 0u && at_rest && shadows == 0u;
   vec3 color;
-  if (is_found && at_rest) color = stillBefore(pixel).rgb;
+  if (known.is_found && at_rest) color = stillBefore(pixel).rgb;
   else if (is_even && at_rest) color = even.rgb;
   else color = colorOf(slice, ray, hit, is_sure ? sureShadows(pixel, hit) : lightsOf(shadows), spares_rays);
   if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
-  bool notes = frame.camera_rests != 0u && !is_known && (PARAM_keeps_notes != 0 || one_ray);
+  bool notes = frame.camera_rests != 0u && !known.is_known && (PARAM_keeps_notes != 0 || one_ray);
   if (notes && at_rest) note(pixel, hit, t, color);
   else if (notes && !one_ray) noteMoving(pixel, hit);
 #if PARAM_once_where_still
