@@ -1,8 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- What the first samples of truth agree about, so that the others need no rays for it.
-local pass     = require "strobe.pass"
-local adaptive = require "passes.lib.adaptive"
-local shade    = require "passes.scene.shade"
+local pass = require "strobe.pass"
 
 return pass.compute {
   name   = "truth_agreement",
@@ -27,7 +25,7 @@ return pass.compute {
   params = {
     even_within = pass.float { 0.02, min = 0, max = 1,
       doc = "how far colours may be from their mean, in parts of it, to be one" },
-    shading = shade.params.shading,
-    audit   = adaptive.audit,
+    frozen = pass.bool { true, wired = true, doc = "samples are shaded as at the capture: one colour may be enough" },
+    audit  = pass.float { 0, min = 0, max = 1, wired = true, doc = "share of the pixels that take all samples, to check them" },
   },
 }

@@ -382,7 +382,7 @@ void run(ivec2 pixel) {
   if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
   bool notes = frame.camera_rests != 0u && !known.is_known && (PARAM_keeps_notes != 0 || one_ray);
   if (notes && at_rest) note(pixel, hit, t, color);
-  else if (notes && !one_ray) noteMoving(pixel, hit);
+  else if (notes && PARAM_pixel == pixel_box) noteMoving(pixel, hit);
 #if PARAM_once_where_still
   if (isReached(pixel)) addSample(pixel, number, color);
   else setSamples(pixel, color);

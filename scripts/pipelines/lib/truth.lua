@@ -67,7 +67,8 @@ end
 
 function truth.agreement_of(p, t)
   return agreement {
-    ground = t.ground, still = t.still, unlike = t.unlike, shadows = t.shadows, even_within = p.even_within, audit = p.audit,
+    ground = t.ground, still = t.still, unlike = t.unlike, shadows = t.shadows, even_within = p.even_within,
+    frozen = valued(p.shading) == "frozen", audit = p.audit,
   }
 end
 
