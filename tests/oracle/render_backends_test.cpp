@@ -30,6 +30,7 @@ TEST_F(RenderBackends, AllGiveTheSamePictures) {
   struct Traced {
     std::string node;
     lab::Shot shot;
+    bool asks_alike = true;  // not where rays to one instance alone are asked of the own tree, and of the others all
   };
   const Traced cases[] = {
       {"shade", crowd("none", {"shadow_shafts.shafts=false"})},
@@ -40,8 +41,7 @@ TEST_F(RenderBackends, AllGiveTheSamePictures) {
       {"reveal", with(shotOf("crowd", 64, 40, {{"crumbs", 300}}), "hybrid", {"preset=best", "tile=8", "limit=0.25"})},
       // A box has a back, which rays that skip it pass over at once.
       {"reveal", with(shotOf("turning_box", 64, 36, {}), "hybrid", {"mask=all"})},
-      {"truth_trace", crowd("ground_truth",
-                            {"samples=12", "pixel=box", "times=stratified", "slices=4", "shadow_shafts.shafts=false"})},
+      {"truth_trace", crowd("ground_truth", {"samples=12", "pixel=box", "times=stratified", "slices=4"}), false},
   };
   for (Traced traced : cases) {
     std::map<std::string, lab::Picture> pictures;
@@ -54,10 +54,12 @@ TEST_F(RenderBackends, AllGiveTheSamePictures) {
     for (const std::string& name : names) {
       EXPECT_EQ(outputs(first), outputs(pictures.at(name))) << traced.node << ", " << name;
       // Each took its own path, and asked as many rays.
-      for (const std::string& other : names)
-        EXPECT_EQ(raysOf(pictures.at(name), traced.node, other),
-                  name == other ? raysOf(first, traced.node, names.front()) : 0u)
-            << traced.node << ", " << name;
+      for (const std::string& other : names) {
+        const uint64_t rays = raysOf(pictures.at(name), traced.node, other);
+        if (name != other) EXPECT_EQ(rays, 0u) << traced.node << ", " << name;
+        else if (!traced.asks_alike) EXPECT_GT(rays, 0u) << traced.node << ", " << name;
+        else EXPECT_EQ(rays, raysOf(first, traced.node, names.front())) << traced.node << ", " << name;
+      }
     }
   }
 }
