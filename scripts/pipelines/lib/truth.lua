@@ -84,7 +84,7 @@ function truth.everywhere(p, seen)
   end
   local before = truth.shutter(p, seen, {
     name = "first", count = few, first = 0, parts = count, every_ray = every_ray, notes = not every_ray,
-    surveys = not every_ray and valued(p.shading) == "frozen" and count >= 8 * few, as = "truth_first",
+    surveys = not every_ray and valued(p.shading) == "frozen" and count >= 4 * few, as = "truth_first",
   })
   local agreed = not every_ray and truth.agreement_of(p, before) or nil
   local has_list = agreed and valued(p.pixel) == "box"  -- through centres what nothing reaches is left out already
