@@ -25,7 +25,7 @@ return pass.compute {
   params = {
     even_within = pass.float { 0.02, min = 0, max = 1,
       doc = "how far colours may be from their mean, in parts of it, to be one" },
-    frozen = pass.bool { true, wired = true, doc = "samples are shaded as at the capture: one colour may be enough" },
-    audit  = pass.float { 0, min = 0, max = 1, wired = true, doc = "share of the pixels that take all samples, to check them" },
+    one_shading = pass.bool { true, wired = true, doc = "samples are shaded as at the capture: one colour may be enough" },
+    audit = pass.float { 0, min = 0, max = 1, wired = true, doc = "share of the pixels that take all samples, to check them" },
   },
 }

@@ -38,7 +38,7 @@ void run(ivec2 pixel) {
   vec4 still = texelFetch(still_tex, pixel, 0);
   bool is_even = one_surface && unlike <= params.even_within && still.a > 0.0;
   imageStore(even_color_img, pixel, is_even ? vec4(still.rgb, 1) : vec4(0));
-  bool stands = PARAM_frozen != 0 && frame.camera_rests != 0u && !isReached(pixel);
+  bool stands = PARAM_one_shading != 0 && frame.camera_rests != 0u && !isReached(pixel);
   bool is_enough = stands && is_even && !isAudited(pixel / kAuditBlock, params.audit);
   imageStore(more_img, pixel, vec4(is_enough ? 0.0 : 1.0));
 }

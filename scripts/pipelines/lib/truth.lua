@@ -68,7 +68,7 @@ end
 function truth.agreement_of(p, t)
   return agreement {
     ground = t.ground, still = t.still, unlike = t.unlike, shadows = t.shadows, even_within = p.even_within,
-    frozen = valued(p.shading) == "frozen", audit = p.audit,
+    one_shading = valued(p.shading) == "frozen", audit = p.audit,
   }
 end
 
