@@ -13,7 +13,8 @@ return pass.compute {
       "2 + instance; geometry, triangle" },
     still  = { doc = "rgb: mean colour of what is at rest" },
     unlike = { doc = "the farthest of its colours from the mean before it, in parts of that" },
-    shadows = { uint = true, doc = "of two instances: whose, lights by bits (free at all samples; from bit 16 on blocked)" },
+    shadows = { uint = true, doc = "of two instances: whose, lights by bits (free at all that asked; " ..
+      "from bit 16 on blocked; both: none did)" },
   },
   writes = {
     known_hit = { format = "rgba32ui",

@@ -33,7 +33,8 @@ return pass.trace {
       doc = "what samples have seen at rest, or through whole pixels where that is nothing in motion: 0 nothing, 1 sky, " ..
             "2 + instance, 2^32 - 1 several; geometry, triangle, distance" },
     shadows = { format = "rgba32ui",
-      doc = "of two instances: whose, first 16 lights by bits (free at all samples; from bit 16 on blocked)" },
+      doc = "of two instances: whose, first 16 lights by bits (free at all that asked; " ..
+      "from bit 16 on blocked; both: none did)" },
   },
   counters = {
     not_finite = shade.counters.not_finite,
