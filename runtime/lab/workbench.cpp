@@ -11,6 +11,7 @@
 #include "scene/defaults.h"
 #include "scene/gltf.h"
 #include "scene/json_scene.h"
+#include "scene/kept_textures.h"
 #include "scene/motion.h"
 #include "scene/tree_order.h"
 #include "world/fits.h"
@@ -76,7 +77,8 @@ LoadedScene loadScene(const Home& home, Shot& shot) {
     if (!shot.variant.empty())
       throw Error(fmt::format("--variant {}: only glTF scenes have variants of materials", shot.variant), {}, 2);
     loaded.description = script::evaluateScene(home, shot.scene, shot.sets, &loaded.dependencies);
-    loaded.scene = scene::sceneFromJson(loaded.description, shot.scene, suggestions());
+    loaded.scene =
+        scene::sceneFromJson(loaded.description, shot.scene, suggestions(), scene::keptPainter(home.cache()));
   }
   fillShot(shot, loaded.description);
   checkShot(shot);

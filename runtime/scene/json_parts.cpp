@@ -213,7 +213,7 @@ static Texture readTexels(Fields& f) {
   return texelTexture(width, height, texels);
 }
 
-static Texture readPattern(Fields& f, const std::string& type, bool painted) {
+static Texture readPattern(Fields& f, const std::string& type, const Painter& paint) {
   Pattern pattern;
   pattern.type = type;
   dvec2 size = f.vector2("size", dvec2(512), 1, 4096);
@@ -233,11 +233,10 @@ static Texture readPattern(Fields& f, const std::string& type, bool painted) {
   pattern.amount = f.number("amount", 0.5, 0, 1);
   pattern.line = f.number("line", 0.06, 0, 1);
   pattern.seed = f.integer("seed", 1, 0, 1000000);
-  if (!painted) pattern.width = pattern.height = 1;
-  return paintPattern(pattern);
+  return paint(pattern);
 }
 
-Texture readTexture(const Json& json, const Place& place, Problems& problems, bool painted) {
+Texture readTexture(const Json& json, const Place& place, Problems& problems, const Painter& paint) {
   std::string type = typeOf(json);
   const std::vector<std::string>& names = patternNames();
   bool pattern = std::find(names.begin(), names.end(), type) != names.end();
@@ -247,7 +246,7 @@ Texture readTexture(const Json& json, const Place& place, Problems& problems, bo
     return {};
   }
   std::string wrap = fields.choice("wrap", "repeat", {"repeat", "mirror", "clamp"});
-  Texture texture = pattern ? readPattern(fields, type, painted) : readTexels(fields);
+  Texture texture = pattern ? readPattern(fields, type, paint) : readTexels(fields);
   texture.name = fields.text("name", type);
   texture.wrap_u = wrap == "repeat"   ? Texture::Wrap::Repeat
                    : wrap == "mirror" ? Texture::Wrap::Mirror

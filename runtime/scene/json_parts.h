@@ -5,6 +5,7 @@
 
 #include "scene/fields.h"
 #include "scene/shapes.h"
+#include "scene/textures.h"
 
 namespace strobe::scene {
 
@@ -18,8 +19,7 @@ struct Placement {
 Placement readPlacement(Fields& fields);
 
 Shape readShape(const Json& json, const Place& place, Problems& problems);
-// Not `painted`: a pattern is checked, and one texel of it is painted.
-Texture readTexture(const Json& json, const Place& place, Problems& problems, bool painted);
+Texture readTexture(const Json& json, const Place& place, Problems& problems, const Painter& paint);
 Light readLight(const Json& json, const Place& place, Problems& problems);
 Camera readCamera(const Json& json, const Place& place, Problems& problems);
 

@@ -6,7 +6,6 @@
 
 #include "scene/json_parts.h"
 #include "scene/motion.h"
-#include "scene/textures.h"
 
 namespace strobe::scene {
 
@@ -18,8 +17,8 @@ constexpr int kDeepest = 100;
 
 class Builder {
  public:
-  Builder(const std::string& file, const std::vector<Suggestion>& suggestions, bool painted)
-      : file_{file}, suggestions_(suggestions), painted_(painted) {}
+  Builder(const std::string& file, const std::vector<Suggestion>& suggestions, const Painter& paint)
+      : file_{file}, suggestions_(suggestions), paint_(paint) {}
 
   Scene build(const Json& json) {
     Fields fields(json, "scene", file_, problems_);
@@ -230,7 +229,7 @@ class Builder {
   int textureIndex(const Json& json, const Place& outer, bool is_color) {
     auto [known, is_new] = textures_.emplace(contentOf(json) + (is_color ? "" : "#"), int(scene_.textures.size()));
     if (!is_new) return known->second;
-    Texture texture = readTexture(json, outer, problems_, painted_);
+    Texture texture = readTexture(json, outer, problems_, paint_);
     if (!is_color && texture.format == Texture::Format::Rgba8Srgb) texture.format = Texture::Format::Rgba8Unorm;
     scene_.textures.push_back(std::move(texture));
     return known->second;
@@ -289,8 +288,8 @@ class Builder {
 
   Place file_;
   const std::vector<Suggestion>& suggestions_;
+  const Painter& paint_;
   Problems problems_;
-  bool painted_ = true;
   Scene scene_;
   std::map<std::string, int> names_, meshes_, materials_, textures_;
   size_t vertices_ = 0;
@@ -298,12 +297,17 @@ class Builder {
 
 }  // namespace
 
-Scene sceneFromJson(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions) {
-  return Builder(file, suggestions, true).build(description);
+Scene sceneFromJson(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions,
+                    const Painter& paint) {
+  return Builder(file, suggestions, paint).build(description);
 }
 
 void checkScene(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions) {
-  Builder(file, suggestions, false).build(description);
+  const Painter of_one_texel = [](Pattern pattern) {
+    pattern.width = pattern.height = 1;
+    return paintPattern(pattern);
+  };
+  Builder(file, suggestions, of_one_texel).build(description);
 }
 
 }  // namespace strobe::scene

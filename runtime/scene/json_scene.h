@@ -3,7 +3,7 @@
 // may be written) becomes a `Scene`; shapes and textures are made here.
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/textures.h"
 
 namespace strobe::scene {
 
@@ -16,7 +16,8 @@ struct Suggestion {
 
 // `file` is what errors show for tables that say no place of their own. Equal meshes, materials and textures are made
 // once. Throws one `Error` with all mistakes: unknown keys, wrong types, values out of range, unknown node names.
-Scene sceneFromJson(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions = {});
+Scene sceneFromJson(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions = {},
+                    const Painter& paint = paintPattern);
 
 // Throws what `sceneFromJson` would, without painting its textures.
 void checkScene(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions = {});

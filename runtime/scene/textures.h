@@ -42,7 +42,11 @@ struct Pattern {
 // gradient (2: top, bottom), leaf (2: blade, vein).
 const std::vector<std::string>& patternNames();
 size_t patternColors(const std::string& type);  // how many a pattern needs at least
+// Its texture as `paint` makes it, of 2x2 points a texel.
 Texture paintPattern(const Pattern& pattern);
+
+// Who paints the patterns of a scene.
+using Painter = std::function<Texture(const Pattern&)>;
 
 // Texels given one by one (top row first), sampled without any filter: for pictures that have a closed form.
 Texture texelTexture(int width, int height, const std::vector<vec4>& texels);

@@ -2,12 +2,24 @@
 #include "scene/textures.h"
 
 #include <gtest/gtest.h>
+#include <stdlib.h>
 
 #include <cmath>
 #include <cstring>
 
+#include "scene/kept_textures.h"
+
 namespace strobe::scene {
 namespace {
+
+Pattern patternOf(const std::string& type) {
+  Pattern pattern;
+  pattern.type = type;
+  pattern.width = 48;
+  pattern.height = 32;
+  for (size_t i = 0; i < patternColors(type); ++i) pattern.colors.push_back(vec3(0.1f + 0.15f * i, 0.5f, 0.3f));
+  return pattern;
+}
 
 TEST(Srgb, IsItsOwnInverse) {
   for (int i = 0; i < 256; ++i) EXPECT_NEAR(srgbFromLinear(linearFromSrgb(i / 255.0)), i / 255.0, 1e-7);
@@ -70,15 +82,52 @@ TEST(Patterns, StripesHaveTheirShares) {
 
 TEST(Patterns, AllPaintTheSameTwice) {
   for (const std::string& type : patternNames()) {
-    Pattern pattern;
-    pattern.type = type;
-    pattern.width = 48;
-    pattern.height = 32;
-    for (size_t i = 0; i < patternColors(type); ++i) pattern.colors.push_back(vec3(0.1f + 0.15f * i, 0.5f, 0.3f));
+    const Pattern pattern = patternOf(type);
     Texture texture = paintPattern(pattern);
     EXPECT_EQ(texture.levels.size(), 6u) << type;
     EXPECT_EQ(texture.levels, paintPattern(pattern).levels) << type;
   }
+}
+
+TEST(KeptTextures, AreWhatWasPainted) {
+  namespace fs = std::filesystem;
+  std::string folder = (fs::temp_directory_path() / "strobe_textures_XXXXXX").string();
+  ASSERT_TRUE(::mkdtemp(folder.data()));
+  auto kept = [&] { return std::distance(fs::directory_iterator(folder + "/textures"), fs::directory_iterator()); };
+  for (const std::string& type : patternNames()) {
+    const Pattern pattern = patternOf(type);
+    const Texture painted = paintPattern(pattern);
+    for (const char* time : {"first", "second"}) {
+      const Texture texture = keptPainter(folder)(pattern);
+      EXPECT_EQ(texture.levels, painted.levels) << type << " " << time;
+      EXPECT_EQ(texture.name, painted.name);
+      EXPECT_EQ(ivec2(texture.width, texture.height), ivec2(painted.width, painted.height));
+      EXPECT_EQ(texture.format, painted.format);
+    }
+  }
+  EXPECT_EQ(size_t(kept()), patternNames().size());
+
+  // Every number of a pattern counts.
+  const Pattern stripes = patternOf("stripes");
+  const auto before = kept();
+  int count = 0;
+  auto paintedAnew = [&](auto change) {
+    Pattern other = stripes;
+    change(other);
+    EXPECT_EQ(keptPainter(folder)(other).levels, paintPattern(other).levels);
+    EXPECT_EQ(kept(), before + ++count) << "change " << count;
+  };
+  paintedAnew([](Pattern& p) { p.width = 24; });
+  paintedAnew([](Pattern& p) { p.height = 24; });
+  paintedAnew([](Pattern& p) { p.colors[0].y = 0.25f; });
+  paintedAnew([](Pattern& p) { p.colors.push_back(vec3(1)); });
+  paintedAnew([](Pattern& p) { p.count.x = 3; });
+  paintedAnew([](Pattern& p) { p.count.y = 3; });
+  paintedAnew([](Pattern& p) { p.widths = {0.25}; });
+  paintedAnew([](Pattern& p) { p.amount = 0.25; });
+  paintedAnew([](Pattern& p) { p.line = 0.25; });
+  paintedAnew([](Pattern& p) { p.seed = 2; });
+  fs::remove_all(folder);
 }
 
 // The example of KHR_texture_transform's text: offset, rotation, scale as matrices.
