@@ -21,6 +21,8 @@ inline constexpr const char* kBufferFormat = "buffer32ui";
 // The head: three numbers of groups, as an indirect dispatch has them, and the number of entries in use; bytes.
 inline constexpr uint64_t kBufferHead = 16;
 inline bool isBuffer(const std::string& format) { return format == kBufferFormat; }
+// Of texels, or entries, that are unsigned integers?
+inline bool isUint(const std::string& format) { return format.ends_with("ui"); }
 
 // What it takes in memory.
 uint64_t bytesOf(const std::string& format, int width, int height);

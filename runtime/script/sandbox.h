@@ -67,7 +67,7 @@ class Sandbox {
   bool isLibrary(std::string_view shown) const { return shown.starts_with(library_); }
 
  private:
-  struct Callbacks;  // the C functions Lua calls
+  struct Callbacks;  // what Lua calls (callbacks.h)
   static void* allocate(void* self, void* block, size_t old_size, size_t new_size);
 
   // A file that was read ahead of what asks for it.

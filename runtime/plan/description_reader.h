@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Reading of the canonical form, for passes and pipelines alike.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/strict.h"
+#include "plan/description.h"
+
+namespace strobe::plan {
+
+// A table of the canonical form; the first mistake is thrown. `what` names it in errors ("pass 'x'").
+class Reader : public Fields {
+ public:
+  Reader(const Json& json, std::string what, const Place& outer = {})
+      : Fields(json, std::move(what), outer, thrownAtOnce()) {}
+
+  const Json& at(const char* key) { return *need(key); }
+
+  std::optional<double> number(const char* key) {
+    constexpr double kMost = std::numeric_limits<double>::max();
+    return has(key) ? std::optional(Fields::number(key, std::nullopt, -kMost, kMost)) : std::nullopt;
+  }
+
+  size_t oneOf(const char* key, const std::vector<std::string>& names) {
+    std::string name = choice(key, std::nullopt, names);
+    return static_cast<size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+  }
+
+  [[noreturn]] void fail(const std::string& message) const { throw Error(what() + ": " + message, place()); }
+
+ private:
+  static Problems& thrownAtOnce();
+};
+
+// a-z, then a-z, 0-9 and _; at most 64.
+bool isName(const std::string& name);
+std::string nameOf(Reader& reader);
+
+template <class Item>
+std::vector<std::string> namesOf(const std::vector<Item>& items) {
+  std::vector<std::string> names;
+  for (const Item& item : items) names.push_back(item.name);
+  return names;
+}
+
+template <class Item>
+const Item* find(const std::vector<Item>& items, const std::string& name) {
+  auto found = std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
+  return found == items.end() ? nullptr : &*found;
+}
+
+template <class Item>
+void refuseTwins(const std::vector<Item>& items, const Reader& reader, const char* what) {
+  std::set<std::string> seen;
+  for (const Item& item : items) {
+    if (!seen.insert(item.name).second) reader.fail(fmt::format("two {} are named '{}'", what, item.name));
+  }
+}
+
+// `json` holds no other kind of entry than `read` accepts.
+template <class Read>
+auto itemsOf(const Json& json, Read read) {
+  std::vector<decltype(read(json))> items;
+  for (const Json& entry : json) items.push_back(read(entry));
+  return items;
+}
+
+// A text for each of some choices.
+std::vector<std::pair<std::string, std::string>> choiceTexts(Reader& reader, const char* key);
+
+// Invariants and why they are broken.
+Breaks breaksOf(const Reader& reader, const Json& json);
+
+ParamDesc readParam(const Json& json);
+
+}  // namespace strobe::plan

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// A pass of the canonical form, trusting nothing.
+#include <algorithm>
+
+#include "plan/description_reader.h"
+#include "plan/description_words.h"
+#include "plan/formats.h"
+#include "plan/without.h"
+
+namespace strobe::plan {
+
+static constexpr int kMaxSide = 32768;
+static constexpr int kMostOfEach = 4096;
+
+namespace {
+
+PortDesc readRead(const Json& json) {
+  Reader reader(json, "read");
+  PortDesc port;
+  port.place = reader.place();
+  port.name = nameOf(reader);
+  port.doc = reader.text("doc");
+  port.uint = reader.boolean("uint", false);
+  port.optional = reader.boolean("optional", false);
+  port.linear = reader.boolean("linear", false);
+  port.buffer = reader.boolean("buffer", false);
+  port.needs = reader.texts("needs");
+  reader.finish();
+  return port;
+}
+
+void checkNeeds(const PortDesc& read, const PassDesc& pass, const Reader& reader) {
+  if (!read.needs.empty() && !read.optional) reader.fail(fmt::format("read '{}' is always wired", read.name));
+  for (const std::string& needed : read.needs)
+    if (!find(pass.reads, needed))
+      reader.fail(fmt::format("read '{}' needs '{}', which is no read", read.name, needed));
+}
+
+PortDesc readWrite(const Json& json) {
+  Reader reader(json, "write");
+  PortDesc port;
+  port.place = reader.place();
+  port.name = nameOf(reader);
+  port.doc = reader.text("doc");
+  port.format = formatNames()[reader.oneOf("format", formatNames())];
+  port.format_by = reader.text("format_by");
+  port.formats = choiceTexts(reader, "formats");
+  port.each = reader.integer("each", 1, 1, kMostOfEach);
+  port.cleared = reader.boolean("cleared", false);
+  port.history = reader.boolean("history", false);
+  reader.finish();
+  return port;
+}
+
+// A port whose format a parameter decides has one for each choice, of one kind of texels.
+void checkFormats(const Reader& reader, const PortDesc& port, const PassDesc& pass) {
+  if (port.format_by.empty() && port.formats.empty()) return;
+  auto wrong = [&](const std::string& reason) {
+    reader.fail(fmt::format("the format of '{}' is chosen by '{}', {}", port.name, port.format_by, reason));
+  };
+  const ParamDesc* by = find(pass.params, port.format_by);
+  if (!by || by->type != ParamDesc::Type::Choice) wrong("which is no choice parameter of it");
+  if (by->choices.size() != port.formats.size()) wrong("but there is not one format for each of its choices");
+  for (const auto& [choice, format] : port.formats) {
+    bool is_choice = std::find(by->choices.begin(), by->choices.end(), choice) != by->choices.end();
+    if (!is_choice) wrong(fmt::format("which has no choice '{}'{}", choice, didYouMean(choice, by->choices)));
+    bool known = std::find(formatNames().begin(), formatNames().end(), format) != formatNames().end();
+    if (!known) wrong(fmt::format("but there is no format '{}'{}", format, didYouMean(format, formatNames())));
+    if (isUint(format) != isUint(port.format)) wrong("but mixes unsigned integers and numbers");
+    if (isBuffer(format)) wrong("but a buffer is one whatever is chosen");
+    bool is_default = Value(choice) == by->default_value;
+    if (is_default && format != port.format) wrong(fmt::format("whose default is not {}", port.format));
+  }
+}
+
+CounterDesc readCounter(const Json& json) {
+  Reader reader(json, "counter");
+  CounterDesc counter{nameOf(reader), reader.text("doc"), reader.text("limit")};
+  reader.finish();
+  return counter;
+}
+
+SizeDesc readSize(const Json& json, const PassDesc& pass) {
+  Reader reader(json, fmt::format("size of pass '{}'", pass.name), pass.place);
+  for (const char* key : {"kind", "port", "divide", "width", "height"}) reader.allow(key);  // which depend on the kind
+  reader.finish();
+  SizeDesc size;
+  size.kind = static_cast<SizeDesc::Kind>(reader.oneOf("kind", kSizeKinds));
+  if (size.kind == SizeDesc::Kind::Fixed) {
+    size.width = reader.integer("width", std::nullopt, 1, kMaxSide);
+    size.height = reader.integer("height", std::nullopt, 1, kMaxSide);
+  }
+  if (size.kind != SizeDesc::Kind::Port) return size;
+
+  size.port = reader.text("port", std::nullopt);
+  const PortDesc* port = find(pass.reads, size.port);
+  if (!port || port->optional) reader.fail(fmt::format("'{}' is not a read that is always wired", size.port));
+  size.divide = reader.text("divide");
+  if (size.divide.empty()) return size;
+  const ParamDesc* divide = find(pass.params, size.divide);
+  bool positive = divide && divide->type == ParamDesc::Type::Int && divide->min && *divide->min >= 1;
+  if (!positive) reader.fail(fmt::format("'{}' is not an integer parameter of at least 1", size.divide));
+  return size;
+}
+
+// What a pass that runs over the entries of a buffer must be like.
+void checkOver(const Reader& reader, const PassDesc& pass) {
+  if (pass.over.empty()) return;
+  const PortDesc* list = find(pass.reads, pass.over);
+  if (!list || !list->buffer)
+    reader.fail(fmt::format("it runs over '{}', which is no read that is a buffer", pass.over));
+  if (pass.kind == PassDesc::Kind::Raster) reader.fail("a raster pass runs over triangles");
+  for (const PortDesc& write : pass.writes)
+    if (!isCleared(write))
+      reader.fail(fmt::format("it runs over '{}', but its write '{}' is not cleared", pass.over, write.name));
+}
+
+// What a pass that has a group for each pixel must be like.
+void checkGroup(const Reader& reader, const PassDesc& pass) {
+  if (!pass.group) return;
+  if (pass.kind != PassDesc::Kind::Compute) reader.fail("compute passes alone have a group for each pixel");
+  if (!pass.over.empty()) reader.fail(fmt::format("it has a group for each pixel and runs over '{}'", pass.over));
+  for (const ParamDesc& param : pass.params)
+    if (param.role == Role::StillOnce) reader.fail("it has a group for each pixel and a parameter that is still_once");
+}
+
+// Buffers are of compute and trace passes, and of one frame.
+void checkBuffers(const Reader& reader, const PassDesc& pass) {
+  for (const PortDesc& read : pass.reads)
+    if (read.buffer && !read.uint)
+      reader.fail(fmt::format("read '{}' is a buffer, but not of unsigned integers", read.name));
+  for (const auto* ports : {&pass.writes, &pass.updates})
+    for (const PortDesc& port : *ports) {
+      if (!isBuffer(port.format)) {
+        if (port.each != 1) reader.fail(fmt::format("'{}' is an image, which has one texel for each pixel", port.name));
+        continue;
+      }
+      if (pass.kind == PassDesc::Kind::Raster)
+        reader.fail(fmt::format("a raster pass writes images; '{}' is a buffer", port.name));
+      if (port.history) reader.fail(fmt::format("'{}' is a buffer, which is not kept from frame to frame", port.name));
+    }
+}
+
+void checkShaderPath(const Reader& reader, const std::string& shader) {
+  const char* allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./";
+  bool plain = !shader.empty() && shader[0] != '/' && shader.find_first_not_of(allowed) == std::string::npos;
+  bool climbs = shader.find("..") != std::string::npos;
+  if (!plain || climbs) reader.fail(fmt::format("'{}' is not a path below shaders/", shader));
+}
+
+}  // namespace
+
+PassDesc passFromJson(const Json& json) {
+  Reader reader(json, "pass");
+  PassDesc pass;
+  pass.place = reader.place();
+  pass.name = nameOf(reader);
+  pass.kind = static_cast<PassDesc::Kind>(reader.oneOf("kind", kPassKinds));
+  pass.shader = reader.text("shader", std::nullopt);
+  checkShaderPath(reader, pass.shader);
+  pass.doc = reader.text("doc");
+  pass.fails = reader.text("fails");
+  if (reader.has("breaks")) pass.breaks = breaksOf(reader, reader.table("breaks"));
+  pass.scene = reader.boolean("scene", false);
+  pass.reads = itemsOf(reader.list("reads"), readRead);
+  for (const PortDesc& read : pass.reads) checkNeeds(read, pass, reader);
+  pass.writes = itemsOf(reader.list("writes"), readWrite);
+  pass.updates = itemsOf(reader.list("updates"), readWrite);
+  bool cleared = std::any_of(pass.writes.begin(), pass.writes.end(), [](const PortDesc& port) { return port.cleared; });
+  if (cleared && pass.kind == PassDesc::Kind::Raster) reader.fail("a raster pass writes all of its pixels");
+  pass.params = itemsOf(reader.list("params"), readParam);
+  pass.counters = itemsOf(reader.list("counters"), readCounter);
+  pass.size = readSize(reader.at("size"), pass);
+  pass.over = reader.text("over");
+  checkOver(reader, pass);
+  pass.group = reader.boolean("group", false);
+  checkGroup(reader, pass);
+  checkBuffers(reader, pass);
+
+  std::vector<PortDesc> outputs = pass.writes;
+  outputs.insert(outputs.end(), pass.updates.begin(), pass.updates.end());
+  if (outputs.empty()) reader.fail(fmt::format("'{}' writes nothing", pass.name));
+  refuseTwins(outputs, reader, "writes");
+  for (const PortDesc& port : outputs) checkFormats(reader, port, pass);
+  refuseTwins(pass.reads, reader, "reads");
+  refuseTwins(pass.params, reader, "parameters");
+  refuseTwins(pass.counters, reader, "counters");
+  pass.without = withoutFromJson(reader.list("without"), pass);
+  reader.finish();
+  return pass;
+}
+
+}  // namespace strobe::plan
