@@ -135,6 +135,7 @@ PAST = [
     history("mended_sky", "a mistake that is mended", "2026-11-21", "5d06a84"),
     history("mended_mesh", "a mistake that is mended", "2026-11-21", "5d06a84"),
     history("precision_times", "times of frames drawn in turns", "2026-11-21", "79be7cf"),
+    history("wide_vectors", "times on one processor, in turns", "2026-11-27", "ac214d2"),
 ]
 
 CLAIMS = MEASURED + TUNED + DERIVED + EXPERIMENTS + FIGURES + OF_A_MACHINE + PAST
