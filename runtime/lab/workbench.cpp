@@ -8,6 +8,7 @@
 #include "base/log.h"
 #include "lab/drawing.h"
 #include "lab/shot_options.h"
+#include "scene/bend.h"
 #include "scene/defaults.h"
 #include "scene/gltf.h"
 #include "scene/json_scene.h"
@@ -93,6 +94,7 @@ LoadedScene loadScene(const Home& home, Shot& shot) {
   loaded.bytes = bytesOf(loaded.scene);
   const double read_s = clockSeconds();
   scene::orderTriangles(loaded.scene);
+  scene::findBounds(loaded.scene);
   loaded.read_s = read_s - started_s;
   loaded.order_s = clockSeconds() - read_s;
   return loaded;

@@ -135,6 +135,26 @@ Bounds posedBounds(const Scene& scene, const std::vector<Instance>& instances, s
   return bounds;
 }
 
+// Adds a vertex to what is around others of its geometry.
+static void addVertex(const Geometry& geometry, size_t vertex, const dvec3& origin, VertexBounds& bounds) {
+  bounds.rest.add(origin + dvec3(geometry.vertices[vertex].position));
+  std::vector<Bounds>& targets = bounds.targets;
+  targets.resize(std::max(targets.size(), geometry.targets.size()), Bounds{dvec3(0), dvec3(0)});
+  for (size_t t = 0; t < geometry.targets.size(); ++t)
+    if (!geometry.targets[t].positions.empty()) targets[t].add(dvec3(geometry.targets[t].positions[vertex]));
+}
+
+static VertexBounds boundsOf(const Geometry& geometry) {
+  VertexBounds bounds;
+  for (size_t v = 0; v < geometry.vertices.size(); ++v) addVertex(geometry, v, dvec3(0), bounds);
+  return bounds;
+}
+
+void findBounds(Scene& scene) {
+  for (Mesh& mesh : scene.meshes)
+    for (Geometry& geometry : mesh.geometries) geometry.bounds = boundsOf(geometry);
+}
+
 Hull::Hull(const Scene& scene, const Instance& instance) {
   const Mesh& mesh = meshOf(scene, instance);
   const bool follows = followsJoints(scene, instance);
@@ -143,21 +163,12 @@ Hull::Hull(const Scene& scene, const Instance& instance) {
   for (size_t j = 0; j < boxes_.size() && follows; ++j) boxes_[j].joint = int(j);
   for (const Geometry& geometry : mesh.geometries) {
     const size_t count = follows ? size_t(geometry.influences.count) : 0;
-    for (size_t v = 0; v < geometry.vertices.size(); ++v) {
-      if (!follows) add(geometry, v, dvec3(0), 0);
-      for (size_t k = v * count; k < (v + 1) * count; ++k)
-        if (geometry.influences.shares[k] != 0) add(geometry, v, mesh.origin, geometry.influences.joints[k]);
-    }
+    for (size_t k = 0; k < geometry.vertices.size() * count; ++k)
+      if (geometry.influences.shares[k] != 0)
+        addVertex(geometry, k / count, mesh.origin, boxes_[geometry.influences.joints[k]]);
+    if (!follows) boxes_[0].add(geometry.bounds ? *geometry.bounds : boundsOf(geometry));
   }
   std::erase_if(boxes_, [](const Box& box) { return box.rest.empty(); });
-}
-
-void Hull::add(const Geometry& geometry, size_t vertex, const dvec3& origin, size_t box) {
-  boxes_[box].rest.add(origin + dvec3(geometry.vertices[vertex].position));
-  std::vector<Bounds>& targets = boxes_[box].targets;
-  targets.resize(std::max(targets.size(), geometry.targets.size()), Bounds{dvec3(0), dvec3(0)});
-  for (size_t t = 0; t < geometry.targets.size(); ++t)
-    if (!geometry.targets[t].positions.empty()) targets[t].add(dvec3(geometry.targets[t].positions[vertex]));
 }
 
 std::array<dvec3, 8> Hull::corners(const Pose& pose, size_t index, size_t box) const {

@@ -30,6 +30,10 @@ std::vector<BentVertex> bentVertices(const Scene& scene, const Instance& instanc
 // Around all vertices of `instances[index]` as posed, world space.
 Bounds posedBounds(const Scene& scene, const std::vector<Instance>& instances, size_t index, const Pose& pose);
 
+// Finds the bounds of all geometries, whose vertices stay what they are from then on: what follows their motion, at
+// each frame, does not look at each of them.
+void findBounds(Scene& scene);
+
 // Boxes that an instance never leaves: its vertices are means of points in them. As many at every pose.
 class Hull {
  public:
@@ -39,12 +43,9 @@ class Hull {
   std::array<dvec3, 8> corners(const Pose& pose, size_t index, size_t box) const;
 
  private:
-  struct Box {
-    Bounds rest;                  // of what follows the joint, in its mesh
-    std::vector<Bounds> targets;  // of what each target adds
-    int joint = -1;               // -1: of the instance's space
+  struct Box : VertexBounds {  // of what follows the joint, in its mesh
+    int joint = -1;            // -1: all, in the instance's space
   };
-  void add(const Geometry& geometry, size_t vertex, const dvec3& origin, size_t box);
   std::vector<Box> boxes_;
 };
 

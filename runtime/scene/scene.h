@@ -3,6 +3,7 @@
 // file's unit), y up, right-handed; times are seconds; transforms are double (target-from-source, column vectors).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "math/bounds.h"
 #include "math/geometry.h"
 
 namespace strobe::scene {
@@ -34,6 +36,18 @@ struct MorphTarget {
   std::vector<vec3> positions = {}, normals = {};
 };
 
+// Boxes around vertices, and around what each morph target adds to them.
+struct VertexBounds {
+  Bounds rest;
+  std::vector<Bounds> targets = {};
+
+  void add(const VertexBounds& other) {
+    rest.add(other.rest);
+    targets.resize(std::max(targets.size(), other.targets.size()), Bounds{dvec3(0), dvec3(0)});
+    for (size_t t = 0; t < other.targets.size(); ++t) targets[t].add(other.targets[t]);
+  }
+};
+
 // Triangles of one material.
 struct Geometry {
   std::vector<Vertex> vertices;
@@ -41,8 +55,9 @@ struct Geometry {
   int material = 0;
   std::vector<uint32_t> source = {};  // which triangle of the file each was (scene/tree_order.h); empty: the same
   Influences influences = {};
-  std::vector<MorphTarget> targets = {};  // as many as other geometries of the mesh have
-  bool faceted = false;                   // normals are those of the triangles, however they bend
+  std::vector<MorphTarget> targets = {};    // as many as other geometries of the mesh have
+  bool faceted = false;                     // normals are those of the triangles, however they bend
+  std::optional<VertexBounds> bounds = {};  // of these vertices, once `findBounds` has found them
 };
 
 // Positions are relative to `origin`, which poses add back in double (a mesh may lie far from its node's origin).

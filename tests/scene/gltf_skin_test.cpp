@@ -258,6 +258,22 @@ TEST_F(Gltf, HullsHoldWhatBends) {
   }
 }
 
+TEST_F(Gltf, HullsOfBoundsFoundAheadAreTheSame) {
+  Morphed morphed;
+  morphed.drive({{"node", 0}, {"path", "weights"}}, {0, 0, 1, -2}, "SCALAR", 1);
+  for (Scene& scene :
+       std::vector<Scene>{load(morphed.asset.whole()), load(Skinned().asset.whole()), load(triangle().whole())}) {
+    const std::vector<Instance> instances = instancesOf(scene);
+    const Hull each_time(scene, instances[0]);
+    findBounds(scene);
+    const Hull ahead(scene, instances[0]);
+    ASSERT_EQ(ahead.boxes(), each_time.boxes());
+    const Pose pose = Poser(scene, -1).at(0.5);
+    for (size_t box = 0; box < ahead.boxes(); ++box)
+      EXPECT_EQ(ahead.corners(pose, 0, box), each_time.corners(pose, 0, box));
+  }
+}
+
 // ---- damage
 
 TEST_F(Gltf, DamagedSkinsAreRefusedWithTheirPlace) {
