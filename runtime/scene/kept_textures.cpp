@@ -2,6 +2,7 @@
 #include "scene/kept_textures.h"
 
 #include <fmt/format.h>
+#include <gnu/libc-version.h>
 
 #include "base/hash.h"
 #include "base/kept_files.h"
@@ -10,10 +11,12 @@ namespace strobe::scene {
 
 namespace {
 
-// All that a painted texture depends on: the sources of the painting, the pattern.
+// All that a painted texture depends on: the sources of the painting, what they were compiled with, the sines and roots
+// that they call, the pattern.
 std::string keyOf(const Pattern& p) {
-  std::string key = fmt::format("{} {} {}x{} {:a} {:a} {:a} {:a} {}", STROBE_PAINTING, p.type, p.width, p.height,
-                                p.count.x, p.count.y, p.amount, p.line, p.seed);
+  std::string key =
+      fmt::format("{} {} {} {} {}x{} {:a} {:a} {:a} {:a} {}", STROBE_PAINTING, __VERSION__, ::gnu_get_libc_version(),
+                  p.type, p.width, p.height, p.count.x, p.count.y, p.amount, p.line, p.seed);
   for (const vec3& color : p.colors) key += fmt::format(" c{:a},{:a},{:a}", color.x, color.y, color.z);
   for (double width : p.widths) key += fmt::format(" w{:a}", width);
   return hashText(key);

@@ -2,9 +2,10 @@
 #include "base/kept_files.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <chrono>
+
+#include "common/temporary_folder.h"
 
 namespace strobe {
 namespace {
@@ -13,27 +14,19 @@ namespace fs = std::filesystem;
 
 class KeptFilesIn : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "strobe_kept_XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   void write(const std::string& name, const std::string& text) const { writeFileAtomically(folder_ / name, text); }
 
-  Path folder_;
+  const testing::TemporaryFolder temporary_;
+  const Path folder_ = temporary_.path();
 };
 
 TEST_F(KeptFilesIn, WhatWasKeptIsFoundByItsKey) {
   const KeptFiles kept(folder_ / "new");
   EXPECT_TRUE(kept.empty());
-  kept.keep("a", std::string("1\0"
-                             "2",
-                             3));
+  const std::string bytes = {'1', 0, '2'};
+  kept.keep("a", bytes);
   EXPECT_FALSE(kept.empty());
-  EXPECT_EQ(kept.find("a"), std::string("1\0"
-                                        "2",
-                                        3));
+  EXPECT_EQ(kept.find("a"), bytes);
   EXPECT_FALSE(kept.find("b"));
   kept.keep("none", "");
   EXPECT_EQ(kept.find("none"), "");

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/process.h"
+#include "common/temporary_folder.h"
 
 namespace strobe::testing {
 
@@ -17,24 +18,6 @@ namespace fs = std::filesystem;
 struct Outcome {
   int exit_code = -1;  // 128 + signal for a crash
   std::string out, err;
-};
-
-// A folder of its own, removed with everything in it.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "strobe_test_XXXXXX").string();
-    path_ = ::mkdtemp(pattern.data());
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  fs::path path() const { return path_; }
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  fs::path path_;
 };
 
 inline std::string contentOf(const fs::path& file) {

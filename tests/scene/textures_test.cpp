@@ -2,11 +2,11 @@
 #include "scene/textures.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <cmath>
 #include <cstring>
 
+#include "common/temporary_folder.h"
 #include "scene/kept_textures.h"
 
 namespace strobe::scene {
@@ -91,14 +91,13 @@ TEST(Patterns, AllPaintTheSameTwice) {
 
 TEST(KeptTextures, AreWhatWasPainted) {
   namespace fs = std::filesystem;
-  std::string folder = (fs::temp_directory_path() / "strobe_textures_XXXXXX").string();
-  ASSERT_TRUE(::mkdtemp(folder.data()));
-  auto kept = [&] { return std::distance(fs::directory_iterator(folder + "/textures"), fs::directory_iterator()); };
+  const testing::TemporaryFolder folder;
+  auto kept = [&] { return std::distance(fs::directory_iterator(folder / "textures"), fs::directory_iterator()); };
   for (const std::string& type : patternNames()) {
     const Pattern pattern = patternOf(type);
     const Texture painted = paintPattern(pattern);
     for (const char* time : {"first", "second"}) {
-      const Texture texture = keptPainter(folder)(pattern);
+      const Texture texture = keptPainter(folder.path())(pattern);
       EXPECT_EQ(texture.levels, painted.levels) << type << " " << time;
       EXPECT_EQ(texture.name, painted.name);
       EXPECT_EQ(ivec2(texture.width, texture.height), ivec2(painted.width, painted.height));
@@ -114,7 +113,7 @@ TEST(KeptTextures, AreWhatWasPainted) {
   auto paintedAnew = [&](auto change) {
     Pattern other = stripes;
     change(other);
-    EXPECT_EQ(keptPainter(folder)(other).levels, paintPattern(other).levels);
+    EXPECT_EQ(keptPainter(folder.path())(other).levels, paintPattern(other).levels);
     EXPECT_EQ(kept(), before + ++count) << "change " << count;
   };
   paintedAnew([](Pattern& p) { p.width = 24; });
@@ -127,7 +126,6 @@ TEST(KeptTextures, AreWhatWasPainted) {
   paintedAnew([](Pattern& p) { p.amount = 0.25; });
   paintedAnew([](Pattern& p) { p.line = 0.25; });
   paintedAnew([](Pattern& p) { p.seed = 2; });
-  fs::remove_all(folder);
 }
 
 // The example of KHR_texture_transform's text: offset, rotation, scale as matrices.

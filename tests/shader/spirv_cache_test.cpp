@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "common/home.h"
+#include "common/temporary_folder.h"
 #include "shader/compiler.h"
 
 namespace strobe::shader {
@@ -17,12 +18,6 @@ constexpr const char* kPreamble = "#version 460\n#extension GL_GOOGLE_include_di
 
 class SpirvCaches : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "strobe_cache_XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   size_t kept() const {
     std::error_code none;
     return size_t(std::distance(fs::directory_iterator(folder_ / "cache/spirv", none), fs::directory_iterator()));
@@ -35,7 +30,8 @@ class SpirvCaches : public ::testing::Test {
 
   void write(const std::string& name, const std::string& text) const { writeFileAtomically(folder_ / name, text); }
 
-  Path folder_;
+  const testing::TemporaryFolder temporary_;
+  const Path folder_ = temporary_.path();
 };
 
 TEST_F(SpirvCaches, WhatWasKeptIsFoundByItsKey) {
