@@ -72,6 +72,11 @@ graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene, int ea
 
 // ---- what is drawn
 
+const std::string& Planned::shape() const {
+  if (shape_.empty()) shape_ = plan::shapeOf(*plan);
+  return shape_;
+}
+
 // `absent` yields the facts that do not hold. What a record names the plan by, which is the same whatever a frame
 // requires, is found meanwhile.
 static Planned plannedFor(const Workbench& bench, const Shot& shot, const plan::PipelineDesc& pipeline,
@@ -84,7 +89,6 @@ static Planned plannedFor(const Workbench& bench, const Shot& shot, const plan::
   std::future<std::string> hash =
       std::async(std::launch::async, [&] { return plan::hashOf(planOf(untapped, pipeline, planned.backend)); });
   planned.plan = std::make_shared<const plan::Plan>(planOf(shot, pipeline, planned.backend, absent(), outputs));
-  planned.shape = plan::shapeOf(*planned.plan);
   planned.hash = hash.get();
   return planned;
 }
@@ -118,7 +122,7 @@ Drawing::Drawing(Workbench& bench, std::shared_ptr<HeldScene> scene, Planned pla
 }
 
 bool Drawing::fits(const Planned& planned, const HeldScene& scene) const {
-  return planned_.shape == planned.shape && planned_.backend == planned.backend && scene_.get() == &scene;
+  return planned_.shape() == planned.shape() && planned_.backend == planned.backend && scene_.get() == &scene;
 }
 
 void Drawing::become(Planned planned, std::shared_ptr<const Evaluation> evaluation) {

@@ -8,11 +8,17 @@
 namespace strobe::lab {
 
 // A plan with what is derived from it.
-struct Planned {
+class Planned {
+ public:
   std::shared_ptr<const plan::Plan> plan;
-  std::string shape;  // plan::shapeOf
-  std::string hash;   // identity of the pictures: of the plan with all facts and outputs, without taps
+  std::string hash;  // identity of the pictures: of the plan with all facts and outputs, without taps
   graph::Backend backend = graph::Backend::None;
+
+  // plan::shapeOf, found when it is first asked for. By one thread at a time.
+  const std::string& shape() const;
+
+ private:
+  mutable std::string shape_;
 };
 
 // Of a shot whose gaps are filled, for what its frame requires of the scene and for the outputs asked for (empty: all).

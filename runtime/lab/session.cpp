@@ -2,6 +2,7 @@
 #include "lab/session.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/log.h"
 #include "lab/frame_facts.h"
@@ -234,7 +235,7 @@ void Session::replace(Shot shot, Attempt evaluated, bool scene, Reload& result) 
       if (!before.count(node) || before[node] != pipeline) result.rebuilt.push_back(node);
     bool new_scene = version->held() != running_->held();
     bool new_plan = version->planned().hash != running_->planned().hash;
-    running_ = std::move(version);
+    replaced_ = std::exchange(running_, std::move(version));
     shot_ = shot;
     result.swapped = new_scene || new_plan || !result.rebuilt.empty();
   } catch (const Error& error) {

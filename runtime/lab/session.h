@@ -71,7 +71,11 @@ class Session {
   bool evaluates() const { return files_.evaluates(); }
 
   // Draws the frame as it stands, reading back the outputs ("color") and taps ("node.port") named; null: all.
-  graph::FrameResult draw(const std::set<std::string>* outputs = nullptr) { return running_->draw(shot_, outputs); }
+  graph::FrameResult draw(const std::set<std::string>* outputs = nullptr) {
+    graph::FrameResult frame = running_->draw(shot_, outputs);
+    replaced_.reset();
+    return frame;
+  }
   // The limits that a frame met as it was drawn, a line each: its shot's, then its passes'.
   std::vector<std::string> limitsMet(const graph::FrameResult& frame) const {
     return running_->limitsMet(shot_, frame);
@@ -94,6 +98,7 @@ class Session {
   std::string given_by_;
   std::map<std::string, std::string> origins_;  // of settings and options, by name
   std::unique_ptr<Drawing> running_;
+  std::unique_ptr<Drawing> replaced_;  // ends after the first picture of what runs: that comes first
   std::vector<std::string> problems_;
   bool script_problem_ = false;  // one of them is Lua's: evaluated again at the next change of any file
   ChangedFiles files_;

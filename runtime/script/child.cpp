@@ -150,13 +150,18 @@ void readAhead(const Json& asked) {
   touchMemory();
 }
 
+std::string hashOfData(const Json& json) {
+  const std::vector<uint8_t> bytes = Json::to_msgpack(json);
+  return hashBytes(bytes.data(), bytes.size());
+}
+
 // The hashes of what a pipeline describes, which leaves out what `known` has already: a pass is then its number, as for
 // run.lua's `load`.
 Json withoutKnown(Json& pipeline, const Json& known) {
   const auto passes = known.at("passes").get<std::vector<std::string>>();
-  Json hashes = {{"passes", Json::array()}, {"params", hashText(textOf(pipeline.at("params")))}};
+  Json hashes = {{"passes", Json::array()}, {"params", hashOfData(pipeline.at("params"))}};
   for (Json& pass : pipeline.at("passes")) {
-    std::string hash = hashText(textOf(pass));
+    std::string hash = hashOfData(pass);
     auto found = std::find(passes.begin(), passes.end(), hash);
     if (found != passes.end()) pass = found - passes.begin() + 1;
     hashes["passes"].push_back(std::move(hash));

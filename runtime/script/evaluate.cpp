@@ -26,10 +26,13 @@ struct Main {
   bool own_folder = false;
 };
 
-// "bar", "oracles/bar"; modules in folders called lib are not among them.
+// Modules in folders called lib are no names of files to begin with.
+bool isInLib(const Path& name) { return name.parent_path().filename() == "lib"; }
+
+// "bar", "oracles/bar".
 std::vector<std::string> mainNames(const Home& home, const Path& folder) {
   std::vector<std::string> names = home.namesBelow(folder, ".lua");
-  std::erase_if(names, [](const Path& name) { return name.parent_path().filename() == "lib"; });
+  std::erase_if(names, isInLib);
   return names;
 }
 
@@ -53,9 +56,12 @@ Main mainOf(const Home& home, const std::string& name_or_path, const std::string
   if (is_path) return mainFile(home, name_or_path, texts);
   Path folder = Path("scripts") / (what + "s");
   Path file = home.at(folder / (name_or_path + ".lua"));
-  std::vector<std::string> names = mainNames(home, folder);
-  bool known = std::find(names.begin(), names.end(), name_or_path) != names.end();
-  if (!known && !texts.count(file)) {
+  // One that is there is not looked for among all, which takes longer than the rest.
+  const Path name = name_or_path;
+  bool is_name =
+      !name.empty() && name.is_relative() && name == name.lexically_normal() && *name.begin() != ".." && !isInLib(name);
+  if (!(is_name && fs::is_regular_file(file)) && !texts.count(file)) {
+    std::vector<std::string> names = mainNames(home, folder);
     throw Error(fmt::format("there is no {} '{}'{}", what, name_or_path, didYouMean(name_or_path, names)), {}, 2);
   }
   Main main = mainFile(home, file.string(), texts);
