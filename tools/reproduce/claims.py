@@ -36,6 +36,7 @@ EXPERIMENTS = [
     experiment("any_object", "shot=door", 60, 900),
     experiment("layers", "shot=two", 60, 600),
     experiment("not_required", "", 80, 80),
+    experiment("all_moves", "shot=vase", 40, 110),
     experiment("curves", "shot=pendulum", 30, 60),
     experiment("depths", "shot=nearer", 20, 40),
     experiment("sub_pixel", "speed=3,samples=16", 20, 60),
@@ -135,6 +136,7 @@ PAST = [
     history("mended_sky", "a mistake that is mended", "2026-11-21", "5d06a84"),
     history("mended_mesh", "a mistake that is mended", "2026-11-21", "5d06a84"),
     history("precision_times", "times of frames drawn in turns", "2026-11-21", "79be7cf"),
+    history("read_by_address", "times in turns of a program that was not kept", "2026-11-27", "ea973e8"),
     history("wide_vectors", "times on one processor, in turns", "2026-11-27", "ac214d2"),
 ]
 

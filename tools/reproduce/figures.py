@@ -159,7 +159,7 @@ FIGURES = [
               region=region, because="the picture alone: panels show times")
       for name, region in (("compare", MIDDLE), ("inspect", MIDDLE), ("problem", MIDDLE), ("sweep", ABOVE))],
     picture("figure_demo", "demo", "demo.png", 200, compare="pixels", share=0.002, step=2),
-    Figure("stability_page", "./strobe stability --write FILE", 3000, "counts of cases", file="docs/stability.md",
+    Figure("stability_page", "./strobe stability --write FILE", 1500, "counts of cases", file="docs/stability.md",
            make=written(("stability", "--write"))),
     Figure("extreme_cases_page", "./strobe stability --extremes --write FILE", 600, "counts of cases",
            file="docs/extreme-cases.md", make=written(("stability", "--extremes", "--write"))),
