@@ -122,7 +122,7 @@ Drawing::Drawing(Workbench& bench, std::shared_ptr<HeldScene> scene, Planned pla
 }
 
 bool Drawing::fits(const Planned& planned, const HeldScene& scene) const {
-  return planned_.shape() == planned.shape() && planned_.backend == planned.backend && scene_.get() == &scene;
+  return planned_.backend == planned.backend && scene_.get() == &scene && planned_.shape() == planned.shape();
 }
 
 void Drawing::become(Planned planned, std::shared_ptr<const Evaluation> evaluation) {
