@@ -58,8 +58,8 @@ Main mainOf(const Home& home, const std::string& name_or_path, const std::string
   Path file = home.at(folder / (name_or_path + ".lua"));
   // One that is there is not looked for among all, which takes longer than the rest.
   const Path name = name_or_path;
-  bool is_name =
-      !name.empty() && name.is_relative() && name == name.lexically_normal() && *name.begin() != ".." && !isInLib(name);
+  bool is_name = !name.empty() && name.is_relative() && name_or_path == name.lexically_normal().string() &&
+                 *name.begin() != ".." && !isInLib(name);
   if (!(is_name && fs::is_regular_file(file)) && !texts.count(file)) {
     std::vector<std::string> names = mainNames(home, folder);
     throw Error(fmt::format("there is no {} '{}'{}", what, name_or_path, didYouMean(name_or_path, names)), {}, 2);
