@@ -377,6 +377,14 @@ TEST_F(Evaluate, NamesAndPaths) {
   EXPECT_THROW(evaluatePipeline(home_.home(), {"nowhere/x.lua", {}}), Error);
 }
 
+TEST_F(Evaluate, ANameHasOneSpelling) {
+  home_.write("scripts/pipelines/of/other.lua", kPipeline);
+  home_.write("scripts/pipelines/lib/part.lua", kPipeline);
+  EXPECT_EQ(evaluatePipeline(home_.home(), {"of/other", {}}).name, "other");
+  for (const char* name : {"of//other", "./sample", "of/../sample", "../pipelines/sample", "lib/part", "sample/", ""})
+    EXPECT_THROW(evaluatePipeline(home_.home(), {name, {}}), Error) << name;
+}
+
 TEST_F(Evaluate, AFileOfTheUsersOwnFindsItsNeighbours) {
   std::string own = kPipeline;
   std::string name = "require \"passes.smear\"";
