@@ -2,6 +2,7 @@
 -- What no layer explains, by rays at their own time.
 local pass  = require "strobe.pass"
 local adaptive = require "passes.lib.adaptive"
+local captured_color = require "passes.lib.captured_color"
 local shade = require "passes.scene.shade"
 
 return pass.trace {
@@ -28,11 +29,10 @@ return pass.trace {
       0.01, doc = "share of the blocks of 4x2 pixels that motion may reach, in which rays check what layers explain" },
     wrong_by   = pass.float { 0.1, min = 0, max = 1,
       doc = "share of its colour by which the mean of a pixel's explained samples may be off" },
-    shades_unlike = pass.bool { false, doc = "shade what lies between texels that differ, instead of taking their colour" },
-    unlike     = pass.float { 0.02, min = 0, max = 1, doc = "share of their colour by which these may differ" },
-    detail_below = pass.float { 0.75, min = 0, max = 1e6, unit = "px",
-      doc = "and only of what moves by no more than this from sample to sample" },
-    same_depth = pass.float { 0.01, min = 0, max = 1, doc = "share of the depth over which two depths count as one" },
+    shades_unlike = captured_color.shades_unlike,
+    unlike        = captured_color.unlike,
+    detail_below  = captured_color.detail_below,
+    same_depth    = captured_color.same_depth,
   },
   counters = {
     samples = "samples of pixels that had a ray at their own time",

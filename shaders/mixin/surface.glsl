@@ -49,6 +49,15 @@ vec3 positionOf(uint slice, Hit hit) {
   return worldFromObject(transformOf(slice, hit.instance), position_os);
 }
 
+// Where the point a hit names is in the capture's picture: texels, whole numbers at their centres, and view depth; false
+// where it is not before the camera.
+bool placeInCapture(Hit hit, out vec3 place) {
+  vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, positionOf(SLICE_CAPTURE, hit));
+  place = vec3(pixelFromView(SLICE_CAPTURE, capture_vs) - frame.subpixel - 0.5, capture_vs.z);
+  SceneCamera camera = scene_cameras[SLICE_CAPTURE];
+  return camera.orthographic != 0u || capture_vs.z > camera.near;
+}
+
 // May nothing of it move within the frame? The sky's share is the camera's.
 bool isAtRest(Hit hit) { return !isHit(hit) || instanceAt(hit.instance).moves == 0u; }
 

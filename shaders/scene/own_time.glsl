@@ -6,74 +6,18 @@
 //      revealed_color, revealed_depth, revealed_id, revealed_valid of what was revealed behind it.
 // Out: picture (linear, alpha 1). In the share `audit` of blocks of pixels that motion may reach the other samples are
 //      traced too; `wrong` counts pixels whose mean is otherwise by `wrong_by` of it.
-// What a ray meets and a layer of the capture holds has that layer's colour, blended as that of a filter's tap; with
-// `shades_unlike` only where the four texels around hold it and differ by no more than the share `unlike`, or it moves by
-// more than `detail_below` px from sample to sample.
+// What a ray meets and a layer of the capture holds has that layer's colour (mixin/captured_color.glsl).
 #include "lib/audit.glsl"
-#include "lib/blur.glsl"
 #include "lib/parts.glsl"
 #include "lib/reached.glsl"
-#include "lib/spread.glsl"
+#include "mixin/captured_color.glsl"
 #include "mixin/ground.glsl"
-
-
-// Does raster's texel show the surface, or what was revealed behind it?
-bool isSeen(ivec2 at, uvec2 id, float depth) {
-  return texelFetch(id_tex, at, 0).xy == id && relativeGap(texelFetch(depth_tex, at, 0).x, depth) <= params.same_depth;
-}
-
-bool isRevealed(ivec2 at, uvec2 id, float depth) {
-  return texelFetch(revealed_valid_tex, at, 0).x > 0.5 && texelFetch(revealed_id_tex, at, 0).xy == id &&
-         relativeGap(texelFetch(revealed_depth_tex, at, 0).x, depth) <= params.same_depth;
-}
-
-// How far a surface point moves from sample to sample, px.
-float spacingOf(Hit hit) {
-  vec3 open_vs = viewFromWorld(SLICE_OPEN, positionOf(SLICE_OPEN, hit));
-  vec3 close_vs = viewFromWorld(SLICE_CLOSE, positionOf(SLICE_CLOSE, hit));
-  return lengthOf(pixelFromView(SLICE_CLOSE, close_vs) - pixelFromView(SLICE_OPEN, open_vs)) / float(frame.slice_count);
-}
-
-// The colour of a surface point: blended from the texels around that hold it, of what raster saw or was revealed.
-vec3 colorOf(Hit hit) {
-  vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, positionOf(SLICE_CAPTURE, hit));
-  SceneCamera camera = scene_cameras[SLICE_CAPTURE];
-  bool in_front = camera.orthographic != 0u || capture_vs.z > camera.near;
-  vec2 place = in_front ? pixelFromView(SLICE_CAPTURE, capture_vs) - frame.subpixel - 0.5 : vec2(-2);
-  vec2 low = clamp(floor(place), vec2(-2), vec2(frame.size) + 1.0), share = place - low;
-  uvec2 id = uvec2(hit.instance, hit.geometry) + 1u;
-  vec3 sum = vec3(0);
-  float weights = 0.0;
-  bool alike = true;
-  Spread spread = noSpread();
-  for (int k = 0; k < 4; ++k) {
-    ivec2 corner = ivec2(k & 1, k >> 1), at = ivec2(low) + corner;
-    vec2 part = mix(1.0 - share, share, equal(corner, ivec2(1)));
-    float weight = part.x * part.y;
-    if (weight < 1e-3) continue;
-    bool inside = isInside(at, ivec2(frame.size)), seen = inside && isSeen(at, id, capture_vs.z);
-    if (!seen && !(inside && isRevealed(at, id, capture_vs.z))) {
-      alike = false;
-      continue;
-    }
-    vec3 color = finiteColor(seen ? texelFetch(color_tex, at, 0) : texelFetch(revealed_color_tex, at, 0));
-    spread = withColor(spread, color);
-    sum += weight * toSum(color);
-    weights += weight;
-  }
-#if PARAM_shades_unlike
-  if ((!alike || !isNarrow(spread, params.unlike)) && !(spacingOf(hit) > params.detail_below)) weights = 0.0;
-#endif
-  if (weights > 0.0) return fromSum(sum / weights);
-  count_shaded(1u);
-  return shade(SLICE_CAPTURE, hit);
-}
 
 vec3 seenAt(ivec2 pixel, uint slice, inout Ground ground) {
   Ray ray = cameraRay(slice, samplePosition(pixel));
   Hit hit = nearestAt(slice, ray, ground);
   if (isGround(hit) && ground.is_known) return ground.color;
-  vec3 color = isHit(hit) ? colorOf(hit) : environment(ray.direction);
+  vec3 color = isHit(hit) ? capturedColorOf(hit) : environment(ray.direction);
   if (isGround(hit)) ground = groundOf(hit, color);
   return color;
 }

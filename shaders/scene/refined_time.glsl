@@ -39,16 +39,6 @@ float apart(vec3 a, vec3 b) {
   return max(by.r, max(by.g, by.b));
 }
 
-// Where a hit is in the capture, if that is before the camera.
-bool placeOf(Hit hit, out vec3 place) {
-  vec3 capture_vs = viewFromWorld(SLICE_CAPTURE, positionOf(SLICE_CAPTURE, hit));
-  SceneCamera camera = scene_cameras[SLICE_CAPTURE];
-  place = vec3(0);
-  if (camera.orthographic == 0u && capture_vs.z <= camera.near) return false;
-  place = vec3(pixelFromView(SLICE_CAPTURE, capture_vs) - frame.subpixel - 0.5, capture_vs.z);
-  return true;
-}
-
 uint traced = 0u;
 
 Sample seenAt(ivec2 pixel, int part, inout Ground ground) {
@@ -63,7 +53,7 @@ Sample seenAt(ivec2 pixel, int part, inout Ground ground) {
     return result;
   }
   vec3 kept = vec3(0);
-  bool is_kept = !is_ground && isHit(hit) && placeOf(hit, result.place) && isKept(result.place, result.id, kept);
+  bool is_kept = !is_ground && isHit(hit) && placeInCapture(hit, result.place) && isKept(result.place, result.id, kept);
   result.color = kept;
 #if PARAM_hit_color == hit_color_kept
   if (is_kept) result.apart = 0.0;

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Needs: color_tex, depth_tex, id_tex, rays, scene, count_shaded, the parameters of passes/lib/captured_color.lua; may have:
+// revealed_color_tex, revealed_depth_tex, revealed_id_tex, revealed_valid_tex.
+// The colour that what is seen at another time has at the capture: that of a layer of the capture which holds it, blended as
+// that of a filter's tap, else shaded anew. With `shades_unlike` the layer's only where the four texels around hold it and
+// differ by no more than the share `unlike`, or it moves by more than `detail_below` px from sample to sample.
+#ifndef STROBE_CAPTURED_COLOR_GLSL
+#define STROBE_CAPTURED_COLOR_GLSL
+#include "lib/blur.glsl"
+#include "lib/sanitise.glsl"
+#include "lib/spread.glsl"
+#include "mixin/shade.glsl"
+
+// Does raster's texel show the surface, or what was revealed behind it?
+bool isSeen(ivec2 at, uvec2 id, float depth) {
+  return texelFetch(id_tex, at, 0).xy == id && relativeGap(texelFetch(depth_tex, at, 0).x, depth) <= params.same_depth;
+}
+
+bool isRevealed(ivec2 at, uvec2 id, float depth) {
+#if HAS_revealed_valid
+  return texelFetch(revealed_valid_tex, at, 0).x > 0.5 && texelFetch(revealed_id_tex, at, 0).xy == id &&
+         relativeGap(texelFetch(revealed_depth_tex, at, 0).x, depth) <= params.same_depth;
+#else
+  return false;
+#endif
+}
+
+vec3 texelOf(ivec2 at, bool seen) {
+#if HAS_revealed_valid
+  return finiteColor(seen ? texelFetch(color_tex, at, 0) : texelFetch(revealed_color_tex, at, 0));
+#else
+  return finiteColor(texelFetch(color_tex, at, 0));
+#endif
+}
+
+// How far a surface point moves from sample to sample, px.
+float spacingOf(Hit hit) {
+  vec3 open_vs = viewFromWorld(SLICE_OPEN, positionOf(SLICE_OPEN, hit));
+  vec3 close_vs = viewFromWorld(SLICE_CLOSE, positionOf(SLICE_CLOSE, hit));
+  return lengthOf(pixelFromView(SLICE_CLOSE, close_vs) - pixelFromView(SLICE_OPEN, open_vs)) /
+         float(frame.slice_count * frame.iteration_count);
+}
+
+vec3 capturedColorOf(Hit hit) {
+  vec3 place;
+  if (!placeInCapture(hit, place)) place.xy = vec2(-2);
+  vec2 low = clamp(floor(place.xy), vec2(-2), vec2(frame.size) + 1.0), share = place.xy - low;
+  uvec2 id = uvec2(hit.instance, hit.geometry) + 1u;
+  vec3 sum = vec3(0);
+  float weights = 0.0;
+  bool alike = true;
+  Spread spread = noSpread();
+  for (int k = 0; k < 4; ++k) {
+    ivec2 corner = ivec2(k & 1, k >> 1), at = ivec2(low) + corner;
+    vec2 part = mix(1.0 - share, share, equal(corner, ivec2(1)));
+    float weight = part.x * part.y;
+    if (weight < 1e-3) continue;
+    bool inside = isInside(at, ivec2(frame.size)), seen = inside && isSeen(at, id, place.z);
+    if (!seen && !(inside && isRevealed(at, id, place.z))) {
+      alike = false;
+      continue;
+    }
+    vec3 color = texelOf(at, seen);
+    spread = withColor(spread, color);
+    sum += weight * toSum(color);
+    weights += weight;
+  }
+#if PARAM_shades_unlike
+  if ((!alike || !isNarrow(spread, params.unlike)) && !(spacingOf(hit) > params.detail_below)) weights = 0.0;
+#endif
+  if (weights > 0.0) return fromSum(sum / weights);
+  count_shaded(1u);
+  return shade(SLICE_CAPTURE, hit);
+}
+
+#endif
