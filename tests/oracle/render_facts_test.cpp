@@ -100,6 +100,7 @@ const std::map<std::string, std::vector<std::vector<std::string>>> kGraphs = {
       {"reveal_resolution=half", "depths=tap"},
       {"velocity_format=fp16", "color_format=fp16", "depth_encoding=reversed"},
       {"termination=motion", "advance=origin_kept", "mask=all"}}},
+    {"accumulation", {{"samples=4", "reuse=none"}, {"samples=3", "reuse=blended"}}},
     {"ground_truth", {{"samples=4"}, {"samples=2", "mode=raster"}}},
 };
 

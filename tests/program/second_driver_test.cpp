@@ -31,6 +31,7 @@ return capture {
     { name = "layers2024", pipeline = "layers2024" },
     { name = "temporal1", pipeline = "temporal1" },
     { name = "selective", pipeline = "selective" },
+    { name = "accumulation", pipeline = "accumulation" },
     { name = "best", pipeline = "hybrid", set = { preset = "best" } },
     { name = "seed", pipeline = "hybrid", set = { preset = "seed" } },
     { name = "truth", pipeline = "ground_truth", set = { samples = 8, pixel = "box" } },
@@ -53,7 +54,7 @@ TEST(SecondDriver, GivesEveryPipelineItsPicture) {
   Json json = Json::parse(verified.out, nullptr, false);
   ASSERT_TRUE(json.is_object()) << verified.out << verified.err;
   EXPECT_FALSE(json.at("same_device").get<bool>());
-  ASSERT_EQ(json.at("pictures").size(), 14u) << verified.out;
+  ASSERT_EQ(json.at("pictures").size(), 15u) << verified.out;
   for (const Json& picture : json.at("pictures"))
     for (const Json& layer : picture.at("layers")) {
       std::string name = picture.at("name").get<std::string>() + " " + layer.at("image").get<std::string>();

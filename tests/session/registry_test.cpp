@@ -78,6 +78,7 @@ const std::map<std::string, std::vector<Context>> kContexts = {
        {"refined_time.pace", "refined_time.allowance", "refined_time.hit_color", "refined_time.same_depth",
         "refined_time.cell_side", "uniform_motion.apart_px", "uniform_motion.audit_rays"}},
       {{"effort=0.8", "samples=4"}, {}}}},
+    {"accumulation", {{{"scene=solids"}, {}}, {{"scene=solids", "samples=64"}, {"unlike", "detail_below"}}}},
     {"temporal1", {{{}, {}}, {{"frame=1"}, {"jitter_frame"}}, kBent, {{"tile=8"}, {"tile_rule"}}}},
     {"ue4", {{{}, {}}, kJitter, kBent, {{"tile=8"}, {"tile_rule"}}, {{"anchor=centre"}, {"mirror"}}}},
     {"hybrid",
@@ -139,6 +140,7 @@ const std::map<std::string, std::string> kNoPicture = {
     {"ue4: gather_jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
     {"hybrid: gather_jimenez2014.cheap_ratio", "this pipeline never takes the cheap path"},
     {"mask_crossings.margin", "which of the candidates that come to nothing are tried all the same"},
+    {"accumulated.where_reached", "elsewhere there is nothing to add"},
     {"truth_trace.once_where_still", "what is at rest comes out the same however often it is sampled"},
     {"truth_spread.block", "in which groups differences are added up"},
     {"truth_audit.audit", "which tiles are checked; which have all samples is decided before"},
@@ -373,6 +375,7 @@ TEST_F(Registry, Hdrp) { walk("hdrp", 9); }
 TEST_F(Registry, Temporal1) { walk("temporal1", 10); }
 TEST_F(Registry, Layers2024) { walk("layers2024", 8); }
 TEST_F(Registry, Selective) { walk("selective", 11); }
+TEST_F(Registry, Accumulation) { walk("accumulation", 12); }
 TEST_F(Registry, Hybrid) { walk("hybrid", 5); }
 TEST_F(Registry, GroundTruth) { walk("ground_truth", 6); }
 

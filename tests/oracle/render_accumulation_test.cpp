@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// The accumulation buffer is truth at as many times: by the closed form of what is seen at each, and against truth by
+// raster, which has neither the ground nor the colours that it keeps.
+#include <fmt/format.h>
+
+#include "oracle/render.h"
+
+namespace strobe::oracle {
+namespace {
+
+constexpr int kWidth = 128, kRows = 8, kRow = 4;
+
+class RenderAccumulation : public RenderTest {
+ protected:
+  static lab::Shot solids(const std::vector<std::string>& moves) {
+    lab::Shot shot = shotOf("solids", 96, 64);
+    shot.moves = moves;
+    return shot;
+  }
+
+  static image::Image accumulated(const lab::Shot& shot, const std::vector<std::string>& settings,
+                                  const std::string& anchor) {
+    return colorOf(render(with(shot, "accumulation", settings, anchor)));
+  }
+};
+
+const std::vector<std::string> kObjects = {"ball=0.7,0.2,0", "box=0.6,0,0.3"};
+const std::vector<std::string> kAll = {"ball=0.7,0.2,0", "box=0.6,0,0.3", "wall=-0.8,0,0", "camera=0.5,0,0"};
+
+// Cards one behind the other that move apart before a wall at rest: what each time sees, hidden surfaces included. No
+// edge passes a pixel's centre at any of the times.
+TEST_F(RenderAccumulation, SeesWhatIsThereAtEachTime) {
+  const Strips stack = {{32, 96, 20, {.9}}, {32, 96, 16, {.6}}, {32, 96, 12, {.3}}, {-kInfinity, kInfinity, 0, {.1}}};
+  constexpr int kSamples = 24;
+  Numbers numbers;
+  for (size_t k = 0; k < 3; ++k)
+    for (const auto& [name, value] :
+         Numbers{{"left", stack[k].left}, {"right", stack[k].right}, {"d", stack[k].d}, {"v", stack[k].pattern.even}})
+      numbers.push_back({fmt::format("{}{}", name, k), value});
+  for (const Anchor& anchor : anchors())
+    for (const char* reuse : {"none", "blended", "detailed"}) {
+      image::Image color =
+          accumulated(shotOf("cards", kWidth, kRows, numbers),
+                      {fmt::format("samples={}", kSamples), fmt::format("reuse={}", reuse)}, anchor.name);
+      for (int x = 0; x < kWidth; ++x) {
+        double mean = 0;
+        for (int i = 0; i < kSamples; ++i) {
+          double t = anchor.window.open + (anchor.window.close - anchor.window.open) * (i + .5) / kSamples;
+          mean += seenAt(stack, x + .5, t).colour / kSamples;
+        }
+        EXPECT_NEAR(color.at(x, kRow, 0), mean, 1e-5) << anchor.name << ' ' << reuse << ' ' << x;
+      }
+    }
+}
+
+// Shaded anew at each time it is truth by raster with as many samples, whatever moves: both draw the same times.
+TEST_F(RenderAccumulation, IsTruthOfAsManySamples) {
+  for (const auto& moves : {kObjects, kAll})
+    for (const Anchor& anchor : anchors()) {
+      lab::Shot shot = solids(moves);
+      image::Image truth =
+          colorOf(render(with(shot, "ground_truth", {"mode=raster", "samples=7", "shading=frozen"}, anchor.name)));
+      image::Image color = accumulated(shot, {"samples=7", "reuse=none"}, anchor.name);
+      EXPECT_GT(rmsDifference(truth, colorOf(render(with(shot, "none")))), .01);
+      EXPECT_LT(largestDifference(truth, color), 1e-5) << anchor.name << ' ' << moves.size();
+    }
+}
+
+// Colours that are kept are those of texels: what is smooth there is right to a share of it, and few are shaded.
+TEST_F(RenderAccumulation, KeepsTheCapturesColours) {
+  for (const auto& moves : {kObjects, kAll}) {
+    lab::Shot shot = solids(moves);
+    lab::Picture anew = render(with(shot, "accumulation", {"reuse=none"}, "centre"));
+    lab::Picture kept = render(with(shot, "accumulation", {}, "centre"));
+    lab::Picture blended = render(with(shot, "accumulation", {"reuse=blended"}, "centre"));
+    EXPECT_LT(rmsDifference(colorOf(anew), colorOf(kept)), .002);
+    EXPECT_LT(rmsDifference(colorOf(anew), colorOf(blended)), .01);
+    const char* const kShaded = "accumulated.shaded";
+    EXPECT_LT(counterOf(kept, kShaded), counterOf(anew, kShaded) / 2);
+    EXPECT_LE(counterOf(blended, kShaded), counterOf(kept, kShaded));
+    EXPECT_EQ(counterOf(kept, "over_ground.samples"), counterOf(anew, "over_ground.samples"));
+  }
+}
+
+// Before a camera at rest only what moves is drawn, and rays look behind it once, not for each sample.
+TEST_F(RenderAccumulation, FindsTheGroundOnce) {
+  lab::Picture few = render(with(solids(kObjects), "accumulation", {"samples=2"}, "centre"));
+  lab::Picture many = render(with(solids(kObjects), "accumulation", {"samples=32"}, "centre"));
+  EXPECT_GT(counterOf(few, "ground.rays"), 0u);
+  EXPECT_EQ(counterOf(few, "ground.rays"), counterOf(many, "ground.rays"));
+  EXPECT_EQ(counterOf(render(with(solids(kAll), "accumulation", {}, "centre")), "ground.rays"), 0u);
+}
+
+}  // namespace
+}  // namespace strobe::oracle
