@@ -63,7 +63,7 @@ class InFlightTest : public SessionTest {
 };
 
 TEST_F(InFlightTest, FramesAreWhatTheyAreAlone) {
-  for (const char* pipeline : {"none", "mcguire2012", "hybrid", "temporal1", "selective", "accumulation"})
+  for (const char* pipeline : {"none", "mcguire2012", "hybrid", "temporal1", "selective"})
     expectSame(smallShot(pipeline), 7);
 }
 
