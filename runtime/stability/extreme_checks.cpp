@@ -187,6 +187,7 @@ const std::map<std::string, Kind>& kinds() {
 }
 
 bool isAbout(const std::string& by, const Probe& probe) {
+  if (by == "blurs") return probe.blurs();
   if (by == "filters") return probe.filters();
   if (by == "others") return !probe.filters();
   if (by == "truth") return probe.isTruth();
@@ -200,7 +201,7 @@ void readSettings(const Json& table, const std::string& prefix, script::Settings
 }
 
 ExtremeCheck readCheck(const Json& json, const std::string& what, const Place& place, Problems& problems) {
-  static const std::vector<std::string> groups = {"all", "filters", "others", "truth", "all_but_truth"};
+  static const std::vector<std::string> groups = {"all", "blurs", "filters", "others", "truth", "all_but_truth"};
   std::vector<std::string> names;
   for (const auto& [name, kind] : kinds()) names.push_back(name);
   Fields fields(json, what, place, problems);

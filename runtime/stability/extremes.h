@@ -62,7 +62,9 @@ class Probe {
 
   bool isTruth() const { return method_.pipeline == extremes_.truth.pipeline; }
   bool isSharp() const { return method_.pipeline == extremes_.sharp.pipeline; }
-  bool filters() const { return !isTruth() && !isSharp(); }
+  bool blurs() const { return !isTruth() && !isSharp(); }
+  // Is it a blur that looks as far as displacements reach?
+  bool filters() const { return blurs() && plan::paramOf(*method_.description, plan::Role::Reach); }
 
   // The shot by this method: settings of the pipeline that it does not have are left out. By name: without blur; truth.
   const lab::Picture& picture(const lab::Shot& shot);

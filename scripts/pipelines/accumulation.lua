@@ -9,8 +9,11 @@ local over_ground = require "passes.scene.over_ground"
 local visibility_moving = require "passes.scene.visibility_moving"
 local scene    = require "scripts.pipelines.lib.scene"
 
+local snapped = "vertices are snapped to 1/256 px: a silhouette as close to a pixel's centre falls to either side"
+
 return pipeline {
   doc = "The scene drawn at each time sample, in the colours of the capture (Haeberli and Akeley 1990)",
+  breaks = { mirrored = snapped, scaled = snapped },
   params = {
     samples = blur.samples { doc = "times at which the scene is drawn" },
     reuse   = pipeline.choice { "none", "blended", "detailed", default = "detailed",

@@ -15,7 +15,8 @@
 --   truth         truth's red channel is `exact` within `tolerance`
 --   sharp_at      the sharp picture has the red value `value` at a pixel, within `tolerance`
 --   warns, silent some warning contains `text`, or none does
--- by: "all", "filters", "others" (truth and the sharp picture), "truth", "all_but_truth".
+-- by: "all", "blurs" (all but truth and the sharp picture), "filters" (blurs that have a `limit`), "others" (all but these),
+-- "truth", "all_but_truth".
 -- A shot's settings that a pipeline does not have are left out.
 local wanted = ...
 
@@ -32,7 +33,7 @@ end
 local function draws(shot) return { check = "draws", shot = shot } end
 local function as_captured(shot, pixels) return { check = "as_captured", shot = shot, pixels = pixels } end
 local function within(shot, low, high) return { check = "within", shot = shot, low = low, high = high } end
-local function nearer(shot) return { check = "nearer", shot = shot, by = "filters" } end
+local function nearer(shot) return { check = "nearer", shot = shot, by = "blurs" } end
 local function warns(shot, text, by) return { check = "warns", shot = shot, text = text, by = by } end
 local function silent(shot, text, by) return { check = "silent", shot = shot, text = text, by = by } end
 

@@ -68,7 +68,7 @@ vec3 capturedColorOf(Hit hit) {
 #if PARAM_shades_unlike
   if ((!alike || !isNarrow(spread, params.unlike)) && !(spacingOf(hit) > params.detail_below)) weights = 0.0;
 #endif
-  if (weights > 0.0) return fromSum(sum / weights);
+  if (weights > 0.0) return isNarrow(spread, 0.0) ? spread.low : fromSum(sum / weights);  // of equal colours not rounded
   count_shaded(1u);
   return shade(SLICE_CAPTURE, hit);
 }

@@ -22,7 +22,7 @@ void run(ivec2 pixel) {
 #endif
   bool camera_rests = frame.camera_rests != 0u;
   uvec4 seen = texelFetch(hit_tex, pixel, 0);
-  if (seen.x == 0u && camera_rests) return;
+  if (camera_rests && (seen.x == 0u || instanceAt(seen.x - 1u).moves == 0u)) return;
   Ray ray = cameraRay(TIME_SLICE, samplePosition(pixel));
   Hit hit = noHit();
   if (seen.x != 0u) hit = hitOnTriangle(TIME_SLICE, ray, seen.x - 1u, seen.y, seen.z);
