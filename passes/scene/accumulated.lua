@@ -25,7 +25,8 @@ return pass.trace {
     unlike        = captured_color.unlike,
     detail_below  = captured_color.detail_below,
     same_depth    = captured_color.same_depth,
-    where_reached = pass.bool { true, role = "still_once", doc = "leave out what nothing in motion reaches: there is nothing to add" },
+    where_reached = pass.bool { true, role = "still_once",
+      doc = "leave out what nothing in motion reaches: there is nothing to add" },
   },
   counters = {
     shaded     = "samples that the capture does not show, or not finely enough: they were shaded",

@@ -3,9 +3,9 @@
 local pipeline = require "strobe.pipeline"
 local blur     = require "passes.lib.blur"
 local captured_color = require "passes.lib.captured_color"
-local accumulated = require "passes.scene.accumulated"
-local ground      = require "passes.scene.ground"
-local over_ground = require "passes.scene.over_ground"
+local accumulated  = require "passes.scene.accumulated"
+local over_ground  = require "passes.scene.over_ground"
+local still_ground = require "passes.scene.still_ground"
 local visibility_moving = require "passes.scene.visibility_moving"
 local scene    = require "scripts.pipelines.lib.scene"
 
@@ -28,16 +28,16 @@ return pipeline {
   },
   build = function(p)
     local seen = scene.captured()
-    local rest = ground { hit = seen.hit, color = seen.color, depth = seen.depth }.ground
+    local ground = still_ground { hit = seen.hit, color = seen.color, depth = seen.depth }.ground
     local moving = pipeline.loop { name = "shutter", count = p.samples, times = "midpoint", body = function()
       local hit = visibility_moving { time = "sample", as = "sample_visibility" }.hit
       return { moving = accumulated {
-        hit = hit, color = seen.color, depth = seen.depth, id = seen.id, ground = rest, time = "sample",
+        hit = hit, color = seen.color, depth = seen.depth, id = seen.id, ground = ground, time = "sample",
         reused = p.reuse() ~= "none", shades_unlike = p.reuse() == "detailed",
       }.moving }
     end }.moving
     return scene.outputs(seen, {
-      color = over_ground { moving = moving, ground = rest }.picture,
+      color = over_ground { moving = moving, ground = ground }.picture,
     })
   end,
 }

@@ -4,8 +4,8 @@ local pass  = require "strobe.pass"
 local shade = require "passes.scene.shade"
 
 return pass.trace {
-  name   = "ground",
-  shader = "scene/ground",
+  name   = "still_ground",
+  shader = "scene/still_ground",
   doc    = "What is at rest on each pixel's ray, before a camera at rest; else what the capture sees",
   fails  = "What is at rest is shaded as at the capture, with the shadows that it has then.",
   size   = { of = "hit" },
