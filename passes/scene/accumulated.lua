@@ -16,7 +16,7 @@ return pass.trace {
     color  = { doc = "linear, of what the capture sees" },
     depth  = { doc = "its linear view depth, metres; sky = +inf" },
     id     = { uint = true, doc = "its instance + 1, geometry + 1; sky = 0" },
-    ground = { doc = "linear, of what is at rest before a camera at rest; alpha: its linear view depth, metres" },
+    ground = { doc = "of what is at rest behind what moves, alpha: linear view depth, metres; 0: it is what the capture sees" },
   },
   updates = { moving = { format = "rgba32f", doc = "mean of what moves and is seen, linear; alpha: number of times" } },
   params = {

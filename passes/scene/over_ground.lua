@@ -10,10 +10,11 @@ return pass.compute {
   size   = { of = "moving" },
   reads  = {
     moving = { doc = "mean of what moves and is seen, linear; alpha: number of times" },
-    ground = { doc = "linear, of what is at rest" },
+    ground = { doc = "linear, of what is at rest behind what moves; alpha 0: it is what the capture sees" },
+    color  = { doc = "linear, of what the capture sees" },
   },
   writes = { picture = { format = "rgba32f", doc = "linear; alpha 1" } },
-  without = { motion = { picture = "ground" } },
+  without = { motion = { picture = "color" } },
   counters = { samples = "samples of pixels at which something that moves is seen" },
   params = { samples = blur.samples { doc = "number of all samples" } },
 }

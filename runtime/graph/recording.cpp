@@ -139,7 +139,7 @@ void Recording::pass(VkCommandBuffer commands, size_t node_index, int iteration,
   int begin = stamps ? stamps->timer.recordStamp(commands) : -1;
   bind(commands, node);
   const bool in_stages = hasStages(node.pipeline->interface);
-  if (node.pipeline->interface.raster) raster(commands, node, planned);
+  if (node.pipeline->interface.raster) raster(commands, node, planned, iteration);
   else if (planned.over >= 0 && !in_stages) vk.CmdDispatchIndirect(commands, images_.buffer(planned.over).handle(), 0);
   else if (planned.still_once && plan_->loops[size_t(planned.loop)].first + iteration > 0)
     work(commands, node, widthOf(reach_), heightOf(reach_));
@@ -163,7 +163,7 @@ void Recording::raster(VkCommandBuffer commands, const Node& node, const PlanNod
   for (int image : planned.writes) colors.push_back(attachment(image));
   VkRenderingAttachmentInfo depth = attachment(planned.depth);
   VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
-  info.renderArea.extent = {uint32_t(planned.width), uint32_t(planned.height)};
+  info.renderArea = area;
   info.layerCount = 1;
   info.colorAttachmentCount = uint32_t(colors.size());
   info.pColorAttachments = colors.data();
@@ -174,7 +174,7 @@ void Recording::raster(VkCommandBuffer commands, const Node& node, const PlanNod
   vk.CmdSetScissor(commands, 0, 1, &info.renderArea);
   const bool indexed = !node.pipeline->interface.separate_triangles;
   if (indexed) vk.CmdBindIndexBuffer(commands, scene_.indexBuffer(), 0, VK_INDEX_TYPE_UINT32);
-  const bool moving_alone = planned.moving_alone && camera_rests_;
+  const bool moving_alone = isOfMoving(planned);
   const auto& draws = scene_.draws();
   for (uint32_t i = 0; i < draws.size(); ++i) {
     const auto& draw = draws[i];

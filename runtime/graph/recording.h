@@ -44,7 +44,9 @@ class Recording {
   void pass(VkCommandBuffer commands, size_t node_index, int iteration, PassStamps* stamps) const;
   void bind(VkCommandBuffer commands, const Node& node) const;
   void work(VkCommandBuffer commands, const Node& node, uint32_t width, uint32_t height) const;
-  void raster(VkCommandBuffer commands, const Node& node, const plan::PlanNode& planned) const;
+  bool isOfMoving(const plan::PlanNode& planned) const { return planned.moving_alone && camera_rests_; }
+  VkRect2D drawnArea(const plan::PlanNode& planned, int iteration) const;
+  void raster(VkCommandBuffer commands, const Node& node, const plan::PlanNode& planned, int iteration) const;
   void clear(VkCommandBuffer commands, int image) const;
   void read(VkCommandBuffer commands, int image) const;
   bool wants(const std::string& name) const { return !wanted_ || wanted_->count(name); }

@@ -28,7 +28,7 @@ return pipeline {
   },
   build = function(p)
     local seen = scene.captured()
-    local ground = still_ground { hit = seen.hit, color = seen.color, depth = seen.depth }.ground
+    local ground = still_ground { hit = seen.hit }.ground
     local moving = pipeline.loop { name = "shutter", count = p.samples, times = "midpoint", body = function()
       local hit = visibility_moving { time = "sample", as = "sample_visibility" }.hit
       return { moving = accumulated {
@@ -37,7 +37,7 @@ return pipeline {
       }.moving }
     end }.moving
     return scene.outputs(seen, {
-      color = over_ground { moving = moving, ground = ground }.picture,
+      color = over_ground { moving = moving, ground = ground, color = seen.color }.picture,
     })
   end,
 }

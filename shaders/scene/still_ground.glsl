@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Before a camera at rest, what is at rest on each pixel's ray: what the capture sees, or what rays find behind it where
-// that may move. Before a moving one, what the capture sees.
-// In:  hit, color (linear), depth (view depth, m, sky +inf) of what the capture sees.
-// Out: ground (linear; alpha: view depth, m, +inf without a surface).
-#include "lib/sanitise.glsl"
+// Before a camera at rest, what rays find at rest behind what the capture sees in motion.
+// In:  hit (what the capture sees).
+// Out: ground (linear; alpha: view depth, m, +inf without a surface), where the capture sees something that may move.
+#include "lib/reached.glsl"
 #include "mixin/shade.glsl"
 
 bool isMoving(uvec4 seen) { return seen.x != 0u && instanceAt(seen.x - 1u).moves != 0u; }
@@ -17,18 +16,18 @@ Hit atRestOn(Ray ray, uint first_moving) {
 }
 
 void run(ivec2 pixel) {
-  vec4 ground = vec4(finiteColor(texelFetch(color_tex, pixel, 0)), texelFetch(depth_tex, pixel, 0).x);
+  if (frame.camera_rests == 0u || !isReached(pixel)) return;
   uvec4 seen = texelFetch(hit_tex, pixel, 0);
-  if (frame.camera_rests != 0u && isMoving(seen)) {
-    count_rays(1u);
-    Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(pixel));
-    Hit hit = atRestOn(ray, seen.x - 1u);
-    if (isHit(hit)) {
-      hit = hitOnTriangle(SLICE_CAPTURE, ray, hit.instance, hit.geometry, hit.primitive);
-      ground = vec4(shade(SLICE_CAPTURE, hit), hit.t);
-    } else {
-      ground = vec4(environment(ray.direction), uintBitsToFloat(0x7f800000u));
-    }
+  if (!isMoving(seen)) return;
+  count_rays(1u);
+  Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(pixel));
+  Hit hit = atRestOn(ray, seen.x - 1u);
+  vec4 ground = vec4(0, 0, 0, uintBitsToFloat(0x7f800000u));
+  if (isHit(hit)) {
+    hit = hitOnTriangle(SLICE_CAPTURE, ray, hit.instance, hit.geometry, hit.primitive);
+    ground = vec4(shade(SLICE_CAPTURE, hit), hit.t);
+  } else {
+    ground.rgb = environment(ray.direction);
   }
   if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
   imageStore(ground_img, pixel, ground);
