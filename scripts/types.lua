@@ -17,7 +17,7 @@
 ---What a parameter is, for commands that ask without knowing its name; at most one of each in a pipeline.
 ---@alias strobe.Role
 ---| "tile" | "sample_count" | "reach" | "depth_tolerance" | "jitter" | "shading" | "sample_times" | "regions"
----| "still_once" | "moving_alone"
+---| "still_once" | "moving_alone" | "within_reach"
 
 ---@class strobe.Param A declared parameter.
 

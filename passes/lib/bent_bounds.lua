@@ -22,7 +22,7 @@ return function(name, others)
       bounds = { format = "rgba32f", doc = "least x and y, greatest x and y, px over the exposure; 0 where nothing counts" },
       bends  = { format = "rgba32f", doc = "the same of the bends" },
     },
-    without = { valid = none },
+    without = { valid = none, reached = none },
     params = {
       cell_side = blur.cell_side,
       limit     = blur.limit,

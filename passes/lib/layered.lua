@@ -71,7 +71,10 @@ return function(name, guesses)
         doc = "linear, of the samples that are left open what layers say nevertheless, over the number of all; alpha: by " ..
               "how much that may be off" } or nil,
     },
-    without = { motion = { blurred = "color", open = 0, guess = guesses and 0 or nil } },
+    without = {
+      motion = { blurred = "color", open = 0, guess = guesses and 0 or nil },
+      reached = { blurred = "color", open = 0, guess = guesses and 0 or nil },
+    },
     params = params,
     counters = { fallback = "time samples at which no layer had anything to show" },
   }

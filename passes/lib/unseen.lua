@@ -26,7 +26,7 @@ return function(name, end_of, fact)
       bend     = { format = stored.velocity, cleared = true,
         doc = "how far its path is from a line, px in the middle of the exposure" },
     },
-    without = { motion = nothing, arrives = nothing, [fact] = nothing },
+    without = { motion = nothing, arrives = nothing, reached = nothing, [fact] = nothing },
     params = {
       velocity_format = stored.velocity_format,
       same_depth = param.float { 0.01, min = 0, max = 1, doc = "share of the depth over which two depths count as one" },

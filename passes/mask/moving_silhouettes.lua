@@ -17,5 +17,5 @@ return pass.compute {
     slowest = pass.float { 0.5, min = 0, max = 100, unit = "px",
       doc = "least difference of displacements that counts, of what moves slowly" },
   },
-  without = { motion = { near = 0 } },
+  without = { motion = { near = 0 }, reached = { near = 0 } },
 }

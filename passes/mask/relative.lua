@@ -26,7 +26,7 @@ return pass.compute {
     reach = reach,
   },
   writes = { mask = { format = "r8_unorm", doc = "1 where something is to be revealed" } },
-  without = { motion = { mask = 0 } },
+  without = { motion = { mask = 0 }, reached = { mask = 0 } },
   params = {
     cell_side = blur.cell_side,
     tile      = blur.tile,

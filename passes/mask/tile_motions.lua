@@ -18,7 +18,7 @@ return pass.compute {
     motions  = { format = "rgba32f", doc = "two displacements, px over the exposure" },
     farthest = { format = "r32f", doc = "depth of the farthest that moves, metres; 0 where nothing does" },
   },
-  without = { motion = { motions = 0, farthest = 0 } },
+  without = { motion = { motions = 0, farthest = 0 }, reached = { motions = 0, farthest = 0 } },
   params = {
     tile  = blur.tile,
     limit = blur.limit,

@@ -14,7 +14,7 @@ return pass.compute {
     color  = { doc = "linear, of what the capture sees" },
   },
   writes = { picture = { format = "rgba32f", doc = "linear; alpha 1" } },
-  without = { motion = { picture = "color" } },
+  without = { motion = { picture = "color" }, reached = { picture = "color" } },
   counters = { samples = "samples of pixels at which something that moves is seen" },
   params = { samples = blur.samples { doc = "number of all samples" } },
 }

@@ -23,7 +23,7 @@ return pass.trace {
     revealed_valid = { doc = "above 1/2 where something was revealed" },
   },
   writes = { picture = { format = "rgba32f", doc = "linear; alpha 1" } },
-  without = { motion = { picture = "seen" } },
+  without = { motion = { picture = "seen" }, reached = { picture = "seen" } },
   params = {
     audit      = adaptive.audit {
       0.01, doc = "share of the blocks of 4x2 pixels that motion may reach, in which rays check what layers explain" },

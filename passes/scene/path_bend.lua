@@ -15,7 +15,7 @@ return pass.compute {
     bend = { format = stored.velocity, cleared = true, doc = "px in the middle of the exposure" },
     bent = { format = "r8_unorm", cleared = true, doc = "1 where the path is farther from a line than that" },
   },
-  without = { motion = { bend = 0, bent = 0 }, curves = { bend = 0, bent = 0 } },
+  without = { motion = { bend = 0, bent = 0 }, curves = { bend = 0, bent = 0 }, reached = { bend = 0, bent = 0 } },
   params = {
     velocity_format = stored.velocity_format,
     most_bend = pass.float { 0.5, min = 0, max = 1000, unit = "px",

@@ -6,6 +6,8 @@ local gbuffer = require "passes.scene.gbuffer"
 local shade   = require "passes.scene.shade"
 local stored  = require "passes.lib.stored"
 
+local nothing = { color = 0, depth = 0, id = 0, velocity = 0, valid = 0, found = 0 }
+
 return pass.trace {
   name   = "reveal",
   shader = "scene/reveal",
@@ -27,11 +29,13 @@ return pass.trace {
     valid    = { cleared = true, format = "r8_unorm", doc = "1 where something is revealed" },
   },
   over = "listed",
-  without = { mask = { color = 0, depth = 0, id = 0, velocity = 0, valid = 0, found = 0 } },
+  without = { mask = nothing, reached = nothing },
   fails  = "A second layer behind the revealed one stays hidden. Of two surfaces in one place (within 4 " ..
            "representable numbers of depth, more under restart and offset) the second is lost. Glass is revealed " ..
            "as if it were opaque.",
   params = {
+    mask_reached = pass.bool { false, wired = true, role = "within_reach",
+      doc = "the mask is 0 wherever nothing in motion reaches" },
     displacement = gbuffer.params.displacement,
     velocity_format = stored.velocity_format,
     color_format    = stored.color_format,

@@ -16,7 +16,7 @@ return pass.trace {
     ground = { format = "rgba32f", cleared = true,
       doc = "linear; alpha: linear view depth, metres, +inf without a surface; 0 where the capture sees what is at rest" },
   },
-  without = { motion = { ground = 0 } },
+  without = { motion = { ground = 0 }, reached = { ground = 0 } },
   counters = {
     rays       = "pixels in which the capture sees what moves, and rays look behind it",
     not_finite = shade.counters.not_finite,

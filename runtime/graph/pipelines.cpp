@@ -72,7 +72,7 @@ static shader::Interface interfaceOf(const PassDesc& pass, Backend backend, cons
   for (const auto& port : pass.updates) add_write(port, true);
   for (size_t i = 0; i < pass.params.size(); ++i) {
     const ParamDesc& param = pass.params[i];
-    if (param.role == plan::Role::MovingAlone) continue;  // which draws there are is no matter of the shader
+    if (plan::isOfRuntime(param)) continue;
     if (!isCompiledIn(param)) {
       in.params.push_back({param.name, param.type == ParamDesc::Type::Int});
       continue;
@@ -92,6 +92,7 @@ shader::Interface interfaceOf(const plan::Plan& plan, const plan::PlanNode& node
   shader::Interface in = interfaceOf(pass, backend, wired, node.params, plan.absent);
   in.slices = slices;
   in.still_once = node.still_once;
+  in.within_reach = node.within_reach;
   in.time_slice = timeSlice(plan.pipeline.nodes[size_t(node.node)].time);
   return in;
 }

@@ -63,6 +63,8 @@ void Recording::step(VkCommandBuffer commands, const Step& step, int iteration, 
   switch (step.kind) {
     case Step::Kind::ClearImage:
       return clear(commands, step.index);
+    case Step::Kind::CopyOutside:
+      return copyOutside(commands, step.index);
     case Step::Kind::Pass:
       return pass(commands, size_t(step.index), iteration, stamps);
     case Step::Kind::ReadImage:
@@ -92,6 +94,16 @@ void Recording::clear(VkCommandBuffer commands, int image) const {
   VkClearColorValue zero{};
   VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
   device_.vk().CmdClearColorImage(commands, images_.of(image).handle(), VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &range);
+}
+
+void Recording::copyOutside(VkCommandBuffer commands, int image) const {
+  if (reaches_all_) return;
+  const plan::VirtualImage& target = plan_->images[size_t(image)];
+  VkImageCopy all{};
+  all.srcSubresource = all.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+  all.extent = {uint32_t(target.width), uint32_t(target.height), 1};
+  device_.vk().CmdCopyImage(commands, images_.of(target.outside).handle(), VK_IMAGE_LAYOUT_GENERAL,
+                            images_.of(image).handle(), VK_IMAGE_LAYOUT_GENERAL, 1, &all);
 }
 
 void Recording::read(VkCommandBuffer commands, int image) const {
@@ -127,6 +139,17 @@ void Recording::work(VkCommandBuffer commands, const Node& node, uint32_t width,
   device_.vk().CmdDispatch(commands, (width + group - 1) / group, (height + group - 1) / group, 1);
 }
 
+// Over the texels that the reach is in, at least, from where the shader begins (shader/interface.cpp).
+void Recording::workWithinReach(VkCommandBuffer commands, const Node& node, const PlanNode& planned) const {
+  auto texels = [](int from_px, int to_px, int texels, int pixels) {
+    if (texels == pixels) return uint32_t(to_px - from_px);
+    return uint32_t((to_px * texels + pixels - 1) / pixels - from_px * (texels - 1) / pixels);
+  };
+  if (reach_.empty()) return;
+  work(commands, node, texels(reach_.x0, reach_.x1, planned.width, plan_->width),
+       texels(reach_.y0, reach_.y1, planned.height, plan_->height));
+}
+
 void Recording::pass(VkCommandBuffer commands, size_t node_index, int iteration, PassStamps* stamps) const {
   const auto& vk = device_.vk();
   const PlanNode& planned = nodes_.planned(node_index);
@@ -141,6 +164,7 @@ void Recording::pass(VkCommandBuffer commands, size_t node_index, int iteration,
   const bool in_stages = hasStages(node.pipeline->interface);
   if (node.pipeline->interface.raster) raster(commands, node, planned, iteration);
   else if (planned.over >= 0 && !in_stages) vk.CmdDispatchIndirect(commands, images_.buffer(planned.over).handle(), 0);
+  else if (planned.within_reach) workWithinReach(commands, node, planned);
   else if (planned.still_once && plan_->loops[size_t(planned.loop)].first + iteration > 0)
     work(commands, node, widthOf(reach_), heightOf(reach_));
   else work(commands, node, uint32_t(planned.width), uint32_t(planned.height));
@@ -149,8 +173,17 @@ void Recording::pass(VkCommandBuffer commands, size_t node_index, int iteration,
   if (device_.debugLabels()) vk.CmdEndDebugUtilsLabelEXT(commands);
 }
 
-void Recording::raster(VkCommandBuffer commands, const Node& node, const PlanNode& planned) const {
+// Before a camera at rest, what moves is nowhere but in the reach: in a loop, the first iteration has cleared the rest.
+VkRect2D Recording::drawnArea(const PlanNode& planned, int iteration) const {
+  const bool of_reach = isOfMoving(planned) && planned.divide == 1 && iteration > 0;
+  if (!of_reach) return {{0, 0}, {uint32_t(planned.width), uint32_t(planned.height)}};
+  return {{reach_.x0, reach_.y0}, {widthOf(reach_), heightOf(reach_)}};
+}
+
+void Recording::raster(VkCommandBuffer commands, const Node& node, const PlanNode& planned, int iteration) const {
   const auto& vk = device_.vk();
+  const VkRect2D area = drawnArea(planned, iteration);
+  if (area.extent.width == 0 || area.extent.height == 0) return;
   auto attachment = [this](int image) {
     VkRenderingAttachmentInfo info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
     info.imageView = images_.of(image).view();

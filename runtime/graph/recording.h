@@ -28,6 +28,8 @@ class Recording {
   void setFrame(const plan::Plan& plan, size_t frame, const FrameSetup& setup) {
     plan_ = &plan, frame_ = frame;
     wanted_ = setup.wanted, reach_ = setup.reach, camera_rests_ = setup.camera_rests;
+    const scene::PixelArea& reach = setup.reach;
+    reaches_all_ = reach.x0 <= 0 && reach.y0 <= 0 && reach.x1 >= plan.width && reach.y1 >= plan.height;
   }
 
   // A step but a loop. `stamps` may be null.
@@ -45,9 +47,11 @@ class Recording {
   void bind(VkCommandBuffer commands, const Node& node) const;
   void work(VkCommandBuffer commands, const Node& node, uint32_t width, uint32_t height) const;
   bool isOfMoving(const plan::PlanNode& planned) const { return planned.moving_alone && camera_rests_; }
+  void workWithinReach(VkCommandBuffer commands, const Node& node, const plan::PlanNode& planned) const;
   VkRect2D drawnArea(const plan::PlanNode& planned, int iteration) const;
   void raster(VkCommandBuffer commands, const Node& node, const plan::PlanNode& planned, int iteration) const;
   void clear(VkCommandBuffer commands, int image) const;
+  void copyOutside(VkCommandBuffer commands, int image) const;
   void read(VkCommandBuffer commands, int image) const;
   bool wants(const std::string& name) const { return !wanted_ || wanted_->count(name); }
   bool isRead(int image) const;
@@ -62,6 +66,7 @@ class Recording {
   size_t frame_ = 0;
   const std::set<std::string>* wanted_ = nullptr;
   scene::PixelArea reach_;
+  bool reaches_all_ = false;
   bool camera_rests_ = false;
 };
 

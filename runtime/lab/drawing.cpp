@@ -60,6 +60,7 @@ graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene, int ea
   setup.area_at = std::move(motion.area_at);
   setup.crossing = motion.crossing;
   setup.paths = std::move(motion.paths);
+  if (shot.model_everything) setup.reach = {0, 0, shot.width, shot.height};
   if (shot.model_everything) return setup;
   scene::Facts facts = factsOf(shot, scene, earlier_frames);
   setup.moves = facts.moves;

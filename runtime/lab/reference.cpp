@@ -122,7 +122,8 @@ std::string withoutText(const PassDesc& pass) {
   Table table{"", {"where there is no", "write", "is"}};
   for (const plan::WithoutDesc& without : pass.without)
     for (const auto& [write, read] : without.writes)
-      table.add({code(without.name), code(write), read.empty() ? "0" : code(read)});
+      table.add({without.name == plan::kReached ? "motion that reaches the pixel" : code(without.name), code(write),
+                 read.empty() ? "0" : code(read)});
   return tableText(table);
 }
 

@@ -13,6 +13,8 @@ const char* kindName(Step::Kind kind) {
   switch (kind) {
     case Step::Kind::ClearImage:
       return "clear_image";
+    case Step::Kind::CopyOutside:
+      return "copy_outside";
     case Step::Kind::ClearCounters:
       return "clear_counters";
     case Step::Kind::Pass:
@@ -80,7 +82,8 @@ const PassDesc& passOf(const Plan& plan, int node) { return plan.pipeline.passes
 const std::string& loopName(const Plan& plan, int loop) { return plan.pipeline.loops[plan.loops[loop].loop].name; }
 
 std::string stepName(const Plan& plan, const Step& step) {
-  bool image = step.kind == Step::Kind::ClearImage || step.kind == Step::Kind::ReadImage;
+  bool image =
+      step.kind == Step::Kind::ClearImage || step.kind == Step::Kind::CopyOutside || step.kind == Step::Kind::ReadImage;
   if (image) return plan.images[step.index].name;
   return step.kind == Step::Kind::Loop ? loopName(plan, step.index) : nodeName(plan, step.index);
 }
@@ -108,6 +111,7 @@ Json nodeJson(const Plan& plan, int index) {
   for (const auto& [name, value] : node.params) json["params"][name] = toJson(value);
   if (node.over >= 0) json["over"] = plan.images[node.over].name;
   if (pass.group) json["group"] = true;
+  if (node.within_reach) json["within_reach"] = true;
   json["reads"] = portsJson(plan, pass.reads, node.reads);
   json["writes"] = portsJson(plan, pass.writes, node.writes);
   json["updates"] = portsJson(plan, pass.updates, node.updates);
@@ -135,6 +139,7 @@ Json imageJson(const VirtualImage& image) {
   json["life"] = {image.first, image.last};
   json["slot"] = image.slot;
   if (image.history) json["history"] = true;
+  if (image.outside >= 0) json["outside"] = image.outside;
   if (image.zero) json["zero"] = true;
   return json;
 }
@@ -204,6 +209,7 @@ std::string nodeText(const Plan& plan, int index, const std::string& indent) {
   if (desc.name != pass.name) text += "  pass " + pass.name;
   if (node.over >= 0) text += "  over " + plan.images[node.over].name;
   if (pass.group) text += "  a group for each pixel";
+  if (node.within_reach) text += "  where motion reaches";
   if (desc.time != "capture") text += "  time " + desc.time;
   text += "\n";
   auto line = [&](const char* what, const std::string& rest) {

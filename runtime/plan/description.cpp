@@ -30,7 +30,7 @@ const std::vector<std::string>& invariantNames() {
 const std::vector<std::string>& roleNames() {
   static const std::vector<std::string> names = {"tile",       "sample_count", "reach",        "depth_tolerance",
                                                  "jitter",     "shading",      "sample_times", "regions",
-                                                 "still_once", "moving_alone"};
+                                                 "still_once", "moving_alone", "within_reach"};
   return names;
 }
 

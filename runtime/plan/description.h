@@ -43,6 +43,7 @@ enum class Role {
   Regions,         // bool: find the regions in which errors are measured
   StillOnce,       // bool of a pass: iterations of a loop after the first do only what something in motion reaches
   MovingAlone,     // bool of a raster pass: before a camera at rest it draws what moves alone
+  WithinReach,     // bool of a pass: what stands in for it where nothing in motion reaches (kReached) may
 };
 
 // Their names, but for None, in that order.
@@ -72,6 +73,11 @@ struct ParamDesc {
   bool variant = false;   // compiled into the shader instead of passed to it (always so for Choice and Bool)
   Place place;
 };
+
+// Does it say how the runtime runs a pass, and nothing to the shader?
+inline bool isOfRuntime(const ParamDesc& param) {
+  return param.role == Role::MovingAlone || param.role == Role::WithinReach;
+}
 
 // Whether a value of it makes another shader.
 inline bool isCompiledIn(const ParamDesc& param) {
@@ -125,8 +131,11 @@ struct CounterDesc {
   std::string limit;  // what was done to the picture where it counted, and what to do about it; or "": just an event
 };
 
+// The name of what stands in at each pixel in which nothing that moves is seen at any time.
+inline const char* const kReached = "reached";
+
 // What stands in for a pass where a fact of the frame does not hold (plan/facts.h), or where a read is nothing but
-// zeros: bit for bit what it would write. It does not run then.
+// zeros: bit for bit what it would write. It does not run then; of `kReached`, it may run on the other pixels alone.
 struct WithoutDesc {
   std::string name;                                         // of the fact or the read
   std::vector<std::pair<std::string, std::string>> writes;  // each write in order -> the read that it equals; "": zeros

@@ -121,11 +121,53 @@ class Compiler {
     for (size_t i = 0; i < pass.reads.size(); ++i)
       if (pass.reads[i].name == pass.over) node.over = node.reads[i];
     if (node.over >= 0) node.still_once = false;
+    node.within_reach = keepsWithinReach(node, pass);
     if (raster) node.depth = addImage(node, "@depth", "d32f", kUsageDepthAttachment);
     for (int image : node.reads) markRead(image);
 
     of_desc_[index] = static_cast<int>(plan_.nodes.size());
     plan_.nodes.push_back(std::move(node));
+  }
+
+  // It may be, unless a parameter says otherwise.
+  static bool isWithinReach(const PassDesc& pass, const std::vector<std::pair<std::string, Value>>& params) {
+    for (const ParamDesc& param : pass.params)
+      if (param.role == Role::WithinReach) return isSet(Role::WithinReach, pass, params);
+    return true;
+  }
+
+  // Where a pass says what stands in for it at pixels that nothing in motion reaches, these need not run. They do where
+  // that could read back otherwise: what stands in has another format or size.
+  bool keepsWithinReach(const PlanNode& node, const PassDesc& pass) {
+    const WithoutDesc* outside = nullptr;
+    for (const WithoutDesc& without : pass.without)
+      if (without.name == kReached) outside = &without;
+    if (!outside || !isWithinReach(pass, node.params) || node.over >= 0) return false;
+    std::vector<int> stand_ins;
+    for (size_t i = 0; i < node.writes.size(); ++i) {
+      const VirtualImage& image = plan_.images[node.writes[i]];
+      const int stand_in = readNamed(node, pass, outside->writes[i].second);
+      if (stand_in >= 0) {
+        const VirtualImage& other = plan_.images[stand_in];
+        if (other.format != image.format || other.width != image.width || other.height != image.height) return false;
+      }
+      stand_ins.push_back(stand_in);
+    }
+    for (size_t i = 0; i < stand_ins.size(); ++i) {
+      VirtualImage& image = plan_.images[node.writes[i]];
+      image.usage |= kUsageTransferTarget;
+      if (stand_ins[i] < 0) image.cleared = true;
+      else plan_.images[stand_ins[i]].usage |= kUsageTransferSource;
+      image.outside = stand_ins[i];
+    }
+    return true;
+  }
+
+  // The image of a read; -1 for "".
+  static int readNamed(const PlanNode& node, const PassDesc& pass, const std::string& name) {
+    for (size_t i = 0; i < pass.reads.size(); ++i)
+      if (!name.empty() && pass.reads[i].name == name) return node.reads[i];
+    return -1;
   }
 
   int addImage(const PlanNode& node, const std::string& port, const std::string& format, uint32_t usage) {
@@ -196,6 +238,12 @@ class Compiler {
     return {{Resource::Kind::Counters, node}, -1, stages, access};
   }
 
+  void addCopyOutside(std::vector<Step>& steps, int image) {
+    addStep(steps, Step::Kind::CopyOutside, image,
+            {imageUse(plan_.images[image].outside, kStageTransfer, kAccessTransferRead),
+             imageUse(image, kStageTransfer, kAccessTransferWrite)});
+  }
+
   static void addClear(std::vector<Step>& steps, int image) {
     addStep(steps, Step::Kind::ClearImage, image, {imageUse(image, kStageTransfer, kAccessTransferWrite)});
   }
@@ -229,8 +277,10 @@ class Compiler {
     if (kind == PassDesc::Kind::Raster) shader = kStageFragment;
     if (kind == PassDesc::Kind::Trace) shader = options_.trace_stage;
 
-    for (int image : node.writes)
+    for (int image : node.writes) {
       if (plan_.images[image].cleared) addClear(steps, image);
+      if (plan_.images[image].outside >= 0) addCopyOutside(steps, image);
+    }
     std::vector<Use> uses;
     for (int image : node.reads) {
       bool seen = std::any_of(uses.begin(), uses.end(), [&](const Use& use) { return use.image == image; });

@@ -32,6 +32,7 @@ struct VirtualImage {
   uint32_t usage = 0;       // of this image alone
   int divide = 1;           // pixels of the frame per texel along an axis (tiles); 0: not a picture of the frame
   bool cleared = false;     // to zero whenever the node that writes it begins
+  int outside = -1;         // image that it equals where nothing in motion reaches (PlanNode::within_reach), or -1
   bool zero = false;        // cleared to zero at the start of the frame and written by no node
   bool update = false;      // cleared to zero at the start of the frame, then read and written
   bool history = false;     // an updated image that is cleared before its first frame only
@@ -66,7 +67,10 @@ struct PlanNode {
   // what they have (Role::StillOnce).
   bool still_once = false;
   bool moving_alone = false;  // before a camera at rest it draws what moves alone (Role::MovingAlone)
-  bool counters = false;      // has a buffer of 32-bit event counts, in the order of the pass's declaration
+  // It works on the pixels that something in motion reaches; the others have what stands in for it there: zeros, or a
+  // copy of VirtualImage::outside.
+  bool within_reach = false;
+  bool counters = false;  // has a buffer of 32-bit event counts, in the order of the pass's declaration
 };
 
 struct PlanLoop {
@@ -82,6 +86,7 @@ struct PlanLoop {
 struct Step {
   enum class Kind {
     ClearImage,     // fill image `index` with zero
+    CopyOutside,    // copy to image `index` what it equals outside of the reach, where there is such an outside
     ClearCounters,  // fill the counters of node `index` with zero
     Pass,           // run node `index`
     Loop,           // run `body` for each iteration of loop `index`

@@ -37,7 +37,7 @@ WithoutDesc readOne(const Json& json, const PassDesc& pass) {
   WithoutDesc without;
   without.place = fields.place();
   without.name = fields.text("name", std::nullopt);
-  bool known = findFact(without.name) != nullptr;
+  bool known = findFact(without.name) != nullptr || without.name == kReached;
   if (known == (portNamed(pass.reads, without.name) != nullptr))
     fail(pass, without.place, fmt::format("'{}' is not a fact or else a read", without.name));
   const Json& writes = fields.table("writes");

@@ -161,6 +161,11 @@ std::string epilogue(const Interface& in, Stage stage) {
     text +=
         "  if (frame.iteration > 0u) {\n    pixel_ += frame.reach.xy;\n"
         "    if (any(greaterThanEqual(pixel_, frame.reach.zw))) return;\n  }\n";
+  // Of fewer texels than the picture has pixels, from no farther than the one that the reach begins in.
+  if (in.within_reach)
+    text +=
+        "  bool whole_ = pass_size() == ivec2(frame.size);\n"
+        "  pixel_ += whole_ ? frame.reach.xy : frame.reach.xy * (pass_size() - 1) / ivec2(frame.size);\n";
   text += "  if (any(greaterThanEqual(pixel_, pass_size()))) return;\n  run(pixel_);\n";
   if (in.backend != Backend::None) {
     text += "#ifdef STROBE_TRACE_GLSL\n";

@@ -52,6 +52,7 @@ struct Interface {
   bool deal_rows = false;           // compute: groups next to each other are not dispatched one after the other
   bool group = false;               // compute: a work group for each pixel
   bool still_once = false;          // in iterations after the first: on the pixels of frame.reach alone
+  bool within_reach = false;        // on these in every iteration
   bool separate_triangles = false;  // raster: vertices are not indexed, and number the triangles
   uint32_t slices = 1;              // poses the scene's arrays hold
   uint32_t time_slice = 0;          // the one this node sees

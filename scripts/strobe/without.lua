@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- The field `without` of a pass: what stands in for its writes where a fact of the frame does not hold, or where a read
--- is nothing but zeros. `without = { motion = { blurred = "color" }, mask = { color = 0, depth = 0 } }`.
+-- is nothing but zeros. `without = { motion = { blurred = "color" }, mask = { color = 0, depth = 0 } }`. Of `reached`: what
+-- stands in at each pixel in which nothing that moves is seen at any time.
 local check  = require "strobe.check"
 local native = require "strobe.native"
 
@@ -22,9 +23,10 @@ local function near(name, names)
   return type(name) == "string" and native.nearest(name, names) or ""
 end
 
--- The name of a fact, or of a read.
+-- The name of a fact, of a read, or `reached`.
 local function check_name(problems, name, reads, at, owner)
   local facts = native.facts()
+  facts[#facts + 1] = "reached"
   local is_fact, is_read = check.contains(facts, name), type(name) == "string" and port_named(reads, name) ~= nil
   if is_fact and is_read then
     problems:add(at, "without '%s' of %s: that is a fact and a read; the read wants another name", name, owner)

@@ -119,6 +119,9 @@ class Replay {
     switch (step.kind) {
       case Step::Kind::ClearImage:
         return {image(step.index, kStageTransfer, 0, kAccessTransferWrite)};
+      case Step::Kind::CopyOutside:
+        return {image(plan_.images[step.index].outside, kStageTransfer, kAccessTransferRead, 0),
+                image(step.index, kStageTransfer, 0, kAccessTransferWrite)};
       case Step::Kind::ReadImage:
         return {image(step.index, kStageTransfer, kAccessTransferRead, 0)};
       case Step::Kind::ClearCounters:
@@ -177,6 +180,8 @@ class Replay {
     switch (step.kind) {
       case Step::Kind::ClearImage:
         return "clear of " + plan_.images[step.index].name;
+      case Step::Kind::CopyOutside:
+        return "copy to " + plan_.images[step.index].name;
       case Step::Kind::ReadImage:
         return "read-back of " + plan_.images[step.index].name;
       case Step::Kind::ClearCounters:

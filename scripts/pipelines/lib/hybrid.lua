@@ -170,7 +170,7 @@ function hybrid.revealed(p, seen, mask)
   if half and count > 1 then error("revealed_layers > 1: a ray per pixel is needed, reveal_resolution = full", 0) end
   local function revealed(hit, on, divide, name)
     local listed = p.reveal_over() == "list" and lists.of(on, name, divide) or nil
-    return reveal { hit = hit, mask = on, listed = listed, divide = divide, as = name }
+    return reveal { hit = hit, mask = on, listed = listed, divide = divide, mask_reached = p.mask() == "relative", as = name }
   end
   local rays = revealed(seen.hit, mask, half and 2 or 1, "reveal")
   if half then
