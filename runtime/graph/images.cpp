@@ -29,6 +29,7 @@ PlanImages::PlanImages(const gpu::Device& device, const Plan& plan, size_t frame
     : device_(device), plan_(&plan) {
   try {
     make(previous);
+    makeZeros();
     if (previous) unwired_ = previous->unwired_;
     else makeUnwired();
     keepReadBack(frames, previous);
@@ -120,6 +121,21 @@ void PlanImages::make(PlanImages* previous) {
       gpu::recordFirstLayout(device_, commands, slots_[i].handle(), aspect);
     }
   });
+}
+
+void PlanImages::makeZeros() {
+  uint64_t most = 0;
+  for (const plan::Slot& slot : plan_->slots)
+    if (slot.zero_outside) most = std::max(most, slot.bytes);
+  if (most == 0) return;
+  zeros_ = madeBuffer(device_, "zeros", (most / 4 + 3) / 4 * 4);
+  device_.submit(
+      [&](VkCommandBuffer commands) { device_.vk().CmdFillBuffer(commands, zeros_.handle(), 0, VK_WHOLE_SIZE, 0); });
+}
+
+const scene::PixelArea* PlanImages::touched(int image) const {
+  auto found = touched_.find(slotOf(image));
+  return found == touched_.end() ? nullptr : &found->second;
 }
 
 void PlanImages::makeUnwired() {

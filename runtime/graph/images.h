@@ -30,6 +30,13 @@ class PlanImages {
   const gpu::Buffer& readBack(int image, size_t frame) const { return *read_back_.at(image)[frame]; }
   ReadImage fetch(int image, size_t frame) const;
 
+  // Of what is zero outside of the reach of a frame: the pixels that may not be zero, null: any; and those that may not
+  // be from now on.
+  const scene::PixelArea* touched(int image) const;
+  void touch(int image, const scene::PixelArea& area) { touched_[slotOf(image)] = area; }
+  // As many bytes of zeros as a quarter of the largest of these has.
+  const gpu::Buffer& zeros() const { return zeros_; }
+
   bool holdsEarlierFrame(int image) const;
   void frameIsRecorded();
   void forgetHistories();
@@ -43,7 +50,9 @@ class PlanImages {
     gpu::Buffer buffer;
   };
 
+  int slotOf(int image) const { return plan_->images[size_t(image)].slot; }
   void make(PlanImages* previous);
+  void makeZeros();
   void makeUnwired();
   void keepReadBack(size_t frames, const PlanImages* previous);
   std::vector<SharedBuffer> readBackOf(const std::string& name, size_t bytes) const;
@@ -54,6 +63,8 @@ class PlanImages {
   std::vector<gpu::Image> slots_;
   std::map<int, SharedBuffer> buffers_;  // by slot; its image is then empty
   std::shared_ptr<const Unwired> unwired_;
+  std::map<int, scene::PixelArea> touched_;  // by slot
+  gpu::Buffer zeros_;
   std::map<int, std::vector<SharedBuffer>> read_back_;  // by virtual image, then frame
   std::map<int, bool> history_;                         // by virtual image: holds an earlier frame
   std::set<std::string> taken_over_;                    // histories of a previous graph

@@ -41,6 +41,9 @@ static VkAccessFlags2 vulkanAccess(uint32_t access) {
   return flags;
 }
 
+static uint32_t widthOf(const scene::PixelArea& area) { return area.empty() ? 0 : uint32_t(area.x1 - area.x0); }
+static uint32_t heightOf(const scene::PixelArea& area) { return area.empty() ? 0 : uint32_t(area.y1 - area.y0); }
+
 void Recording::barriers(VkCommandBuffer commands, const std::vector<plan::Barrier>& barriers) const {
   std::vector<VkMemoryBarrier2> memory;
   for (const plan::Barrier& barrier : barriers) {
@@ -90,10 +93,32 @@ void Recording::clear(VkCommandBuffer commands, int image) const {
     device_.vk().CmdFillBuffer(commands, images_.buffer(image).handle(), 0, VK_WHOLE_SIZE, 0);
     return;
   }
+  if (plan_->images[size_t(image)].zero_outside && clearTouched(commands, image)) return;
   if (clears_.has(image)) return clears_.record(commands, image);
   VkClearColorValue zero{};
   VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
   device_.vk().CmdClearColorImage(commands, images_.of(image).handle(), VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &range);
+}
+
+// Of what is zero outside of the reach, the part that this frame or the last one to write there reaches, where that is
+// small and known.
+bool Recording::clearTouched(VkCommandBuffer commands, int image) const {
+  const plan::VirtualImage& target = plan_->images[size_t(image)];
+  const bool of_pixels = target.width == plan_->width && target.height == plan_->height;
+  const scene::PixelArea* touched = images_.touched(image);
+  scene::PixelArea area = reach_;
+  if (of_pixels && touched) include(area, *touched);
+  const bool fits = of_pixels && touched &&
+                    plan::bytesOf(target.format, int(widthOf(area)), int(heightOf(area))) <= images_.zeros().size();
+  if (of_pixels) images_.touch(image, reach_);
+  if (!fits || area.empty()) return fits;
+  VkBufferImageCopy zeros{};
+  zeros.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+  zeros.imageOffset = {area.x0, area.y0, 0};
+  zeros.imageExtent = {widthOf(area), heightOf(area), 1};
+  device_.vk().CmdCopyBufferToImage(commands, images_.zeros().handle(), images_.of(image).handle(),
+                                    VK_IMAGE_LAYOUT_GENERAL, 1, &zeros);
+  return true;
 }
 
 void Recording::copyOutside(VkCommandBuffer commands, int image) const {
@@ -128,9 +153,6 @@ void Recording::bind(VkCommandBuffer commands, const Node& node) const {
   device_.vk().CmdBindPipeline(commands, pipeline.bindPoint(), pipeline.handle());
   device_.vk().CmdBindDescriptorSets(commands, pipeline.bindPoint(), pipeline.layout(), 0, 2, sets, 0, nullptr);
 }
-
-static uint32_t widthOf(const scene::PixelArea& area) { return area.empty() ? 0 : uint32_t(area.x1 - area.x0); }
-static uint32_t heightOf(const scene::PixelArea& area) { return area.empty() ? 0 : uint32_t(area.y1 - area.y0); }
 
 // A compute or trace pass over this many pixels.
 void Recording::work(VkCommandBuffer commands, const Node& node, uint32_t width, uint32_t height) const {

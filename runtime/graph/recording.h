@@ -20,7 +20,7 @@ struct PassStamps {
 // What it refers to must outlive it.
 class Recording {
  public:
-  Recording(const gpu::Device& device, const world::GpuScene& scene, const PlanImages& images, const PlanNodes& nodes,
+  Recording(const gpu::Device& device, const world::GpuScene& scene, PlanImages& images, const PlanNodes& nodes,
             const Clears& clears)
       : device_(device), scene_(scene), images_(images), nodes_(nodes), clears_(clears) {}
 
@@ -51,6 +51,7 @@ class Recording {
   VkRect2D drawnArea(const plan::PlanNode& planned, int iteration) const;
   void raster(VkCommandBuffer commands, const Node& node, const plan::PlanNode& planned, int iteration) const;
   void clear(VkCommandBuffer commands, int image) const;
+  bool clearTouched(VkCommandBuffer commands, int image) const;
   void copyOutside(VkCommandBuffer commands, int image) const;
   void read(VkCommandBuffer commands, int image) const;
   bool wants(const std::string& name) const { return !wanted_ || wanted_->count(name); }
@@ -59,7 +60,7 @@ class Recording {
 
   const gpu::Device& device_;
   const world::GpuScene& scene_;
-  const PlanImages& images_;
+  PlanImages& images_;
   const PlanNodes& nodes_;
   const Clears& clears_;
   const plan::Plan* plan_ = nullptr;

@@ -156,7 +156,7 @@ class Compiler {
     for (size_t i = 0; i < stand_ins.size(); ++i) {
       VirtualImage& image = plan_.images[node.writes[i]];
       image.usage |= kUsageTransferTarget;
-      if (stand_ins[i] < 0) image.cleared = true;
+      if (stand_ins[i] < 0) image.cleared = image.zero_outside = true;
       else plan_.images[stand_ins[i]].usage |= kUsageTransferSource;
       image.outside = stand_ins[i];
     }

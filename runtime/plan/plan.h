@@ -29,10 +29,12 @@ struct VirtualImage {
   std::string name;  // "node.port"
   std::string format;
   int width = 0, height = 0;
-  uint32_t usage = 0;       // of this image alone
-  int divide = 1;           // pixels of the frame per texel along an axis (tiles); 0: not a picture of the frame
-  bool cleared = false;     // to zero whenever the node that writes it begins
-  int outside = -1;         // image that it equals where nothing in motion reaches (PlanNode::within_reach), or -1
+  uint32_t usage = 0;    // of this image alone
+  int divide = 1;        // pixels of the frame per texel along an axis (tiles); 0: not a picture of the frame
+  bool cleared = false;  // to zero whenever the node that writes it begins
+  // Of a node that works within the reach: the image that it equals outside of that, or -1; is it zero there?
+  int outside = -1;
+  bool zero_outside = false;
   bool zero = false;        // cleared to zero at the start of the frame and written by no node
   bool update = false;      // cleared to zero at the start of the frame, then read and written
   bool history = false;     // an updated image that is cleared before its first frame only
@@ -48,6 +50,7 @@ struct Slot {
   int width = 0, height = 0;
   uint32_t usage = 0;
   uint64_t bytes = 0;
+  bool zero_outside = false;  // as all images that share it
 };
 
 // A node that runs. Ports are in the order of the pass's declaration.

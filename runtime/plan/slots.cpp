@@ -31,11 +31,13 @@ void findLifetimes(Plan& plan) {
 bool alone(const VirtualImage& image) { return image.kept || image.update; }
 
 bool sameKind(const Slot& slot, const VirtualImage& image) {
-  return slot.format == image.format && slot.width == image.width && slot.height == image.height;
+  return slot.format == image.format && slot.width == image.width && slot.height == image.height &&
+         slot.zero_outside == image.zero_outside;
 }
 
 Slot slotFor(const VirtualImage& image) {
-  return {image.format, image.width, image.height, 0, bytesOf(image.format, image.width, image.height)};
+  const uint64_t bytes = bytesOf(image.format, image.width, image.height);
+  return {image.format, image.width, image.height, 0, bytes, image.zero_outside};
 }
 
 }  // namespace

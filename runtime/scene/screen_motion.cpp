@@ -154,7 +154,7 @@ static PixelArea areaOf(const dvec2& low, const dvec2& high, const ExposedFrame&
   return {int(from.x), int(from.y), int(to.x), int(to.y)};
 }
 
-static void include(PixelArea& area, const PixelArea& other) {
+void include(PixelArea& area, const PixelArea& other) {
   if (other.empty()) return;
   if (area.empty()) area = other;
   area = {std::min(area.x0, other.x0), std::min(area.y0, other.y0), std::max(area.x1, other.x1),

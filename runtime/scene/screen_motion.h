@@ -15,6 +15,9 @@ struct PixelArea {
   bool empty() const { return x0 >= x1 || y0 >= y1; }
 };
 
+// Widens an area to one around both.
+void include(PixelArea& area, const PixelArea& other);
+
 // The times of a frame, s, and the size of its picture, px.
 struct ExposedFrame {
   double capture_s = 0, open_s = 0, close_s = 0, previous_s = 0;

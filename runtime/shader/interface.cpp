@@ -165,7 +165,8 @@ std::string epilogue(const Interface& in, Stage stage) {
   if (in.within_reach)
     text +=
         "  bool whole_ = pass_size() == ivec2(frame.size);\n"
-        "  pixel_ += whole_ ? frame.reach.xy : frame.reach.xy * (pass_size() - 1) / ivec2(frame.size);\n";
+        "  pixel_ += whole_ ? frame.reach.xy : frame.reach.xy * (pass_size() - 1) / ivec2(frame.size);\n"
+        "  if (whole_ && any(greaterThanEqual(pixel_, frame.reach.zw))) return;\n";
   text += "  if (any(greaterThanEqual(pixel_, pass_size()))) return;\n  run(pixel_);\n";
   if (in.backend != Backend::None) {
     text += "#ifdef STROBE_TRACE_GLSL\n";
