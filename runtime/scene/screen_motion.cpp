@@ -61,12 +61,15 @@ struct Extent {
 
   void add(const Corners& corners) {
     for (const Homogeneous& h : corners) {
-      low = glm::min(low, pixelOf(h));
-      high = glm::max(high, pixelOf(h));
+      add(pixelOf(h));
       least_z = std::min(least_z, h.z);
       nearest = std::min(nearest, h.w);
       farthest = std::max(farthest, h.w);
     }
+  }
+  void add(const dvec2& pixel) {
+    low = glm::min(low, pixel);
+    high = glm::max(high, pixel);
   }
   // The farthest from the middle of the picture, px.
   double most() const { return glm::length(glm::max(glm::abs(low), glm::abs(high))); }
@@ -161,6 +164,22 @@ void include(PixelArea& area, const PixelArea& other) {
           std::max(area.y1, other.y1)};
 }
 
+// Where it would be at the ends of the exposure if it went on as since the frame before the capture, for those that
+// know no more.
+static void addForetold(Extent& extent, const Track8& box, const std::vector<double>& times,
+                        const ExposedFrame& frame) {
+  const auto at = [&](double time_s) -> const Corners& {
+    return box[size_t(std::lower_bound(times.begin(), times.end(), time_s) - times.begin())];
+  };
+  if (!(frame.previous_s < frame.capture_s)) return;
+  const Corners &now = at(frame.capture_s), &previous = at(frame.previous_s);
+  for (double end_s : {frame.open_s, frame.close_s})
+    for (size_t c = 0; c < now.size(); ++c) {
+      const double frames = (end_s - frame.capture_s) / (frame.capture_s - frame.previous_s);
+      extent.add(pixelOf(now[c]) + frames * (pixelOf(now[c]) - pixelOf(previous[c])));
+    }
+}
+
 // The pixels around a box during the exposure.
 static void addTo(PixelArea& reach, const Track8& box, const std::vector<double>& times, const ExposedFrame& frame) {
   Extent extent;
@@ -176,6 +195,7 @@ static void addTo(PixelArea& reach, const Track8& box, const std::vector<double>
       step_px = std::max(step_px, glm::length(pixelOf(box[k][c]) - pixelOf((*before)[c])));
     before = &box[k];
   }
+  addForetold(extent, box, times, frame);
   const double margin = step_px + 2;
   include(reach, areaOf(extent.low - margin, extent.high + margin, frame));
 }
@@ -398,6 +418,8 @@ ScreenMotion screenMotionOf(const Scene& scene, const std::function<Pose(double)
     path.covered = path.turns || mayBeCovered(extents, i);
     path.arrives = path.covered || mayCross(*extents[i], frame);
   }
+  // Paths through places in earlier frames may go on anywhere.
+  if (!frame.earlier_s.empty()) motion.reach = unknown.reach;
   auto moving = std::make_shared<std::vector<std::pair<size_t, Hull>>>();
   for (size_t i = 0; i < instances.size(); ++i)
     if (moves[i]) moving->emplace_back(i, std::move(*hulls[i]));

@@ -231,6 +231,34 @@ TEST_F(RenderFacts, AreInTheRecord) {
   EXPECT_EQ(everythingOf(with(cases()[0].shot, "hybrid")).record["facts"].size(), 12u);
 }
 
+// What goes on otherwise after the capture than displacements foretell is blurred as they do, to where it never comes.
+TEST_F(RenderFacts, WhatIsForetoldIsReached) {
+  for (const char* anchor : {"close", "centre", "open"}) {
+    Shot shot = shotOf("bent", 96, 32, {{"before", 20}, {"after", -6}, {"top", 8}, {"bottom", 20}});
+    for (const std::vector<std::string>& settings :
+         {std::vector<std::string>{"preset=captured", "displacement=extrapolated"},
+          {"preset=captured", "displacement=extrapolated", "trajectory=quadratic"}}) {
+      const Shot foretold = with(shot, "hybrid", settings, anchor);
+      EXPECT_EQ(hashOf(render(foretold).frame.outputs.at("color")),
+                hashOf(everythingOf(foretold).frame.outputs.at("color")))
+          << anchor;
+    }
+  }
+}
+
+// Outside of where anything moves, passes that know what stands in for them do not run; what they leave is the same.
+TEST_F(RenderFacts, OfPixelsThatNothingReaches) {
+  Shot shot = with(shotOf("quad_2d", kWidth, kHeight, {{"left", 18}, {"right", 24}, {"top", 10}, {"bottom", 15}}),
+                   "hybrid", {"preset=best"}, "close");
+  shot.taps = {"composite.open",   "mask.mask",        "reveal.found",
+               "raster_bend.bend", "tile_max.longest", "composite.blurred"};
+  Picture required = render(shot), everything = everythingOf(shot);
+  for (const auto& [name, image] : everything.frame.taps)
+    EXPECT_EQ(hashOf(required.frame.taps.at(name)), hashOf(image)) << name;
+  const Picture none = render(with(shot, "none", {}, "close"));
+  EXPECT_FALSE(oracle::identical(oracle::colorOf(required), oracle::colorOf(none)));
+}
+
 // A tap of what is left out is what stands in for it.
 TEST_F(RenderFacts, TapsOfWhatIsLeftOut) {
   Shot shot = with(cases()[0].shot, "hybrid");
