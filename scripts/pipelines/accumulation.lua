@@ -23,8 +23,9 @@ return pipeline {
         blended = "It has, blended of the four texels around, wherever these show it. Fails by smoothing texture.",
         detailed = "Only where these texels are alike, or it moves by more than `detail_below` from sample to sample.",
       } },
-    unlike       = captured_color.unlike,
-    detail_below = captured_color.detail_below,
+    unlike = captured_color.unlike { doc = "with reuse = detailed: share of their colour by which such texels may differ" },
+    detail_below = captured_color.detail_below {
+      doc = "with reuse = detailed: what moves by more from sample to sample is blended, however they differ" },
   },
   build = function(p)
     local seen = scene.captured()

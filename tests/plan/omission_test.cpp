@@ -115,6 +115,63 @@ Builder masked() {
   return b;
 }
 
+// ---- pixels that nothing in motion reaches
+
+// base -> mask (0 there) -> filter (base there) -> color
+Builder reached(const std::string& filtered_format) {
+  Builder b;
+  b.compute("base", {}, {"x rgba16f"});
+  b.compute("mask", {{"x", "base.x"}}, {"m r8_unorm"}).without = {without("reached", {{"m", ""}})};
+  b.compute("filter", {{"x", "base.x"}, {"m", "mask.m"}}, {"z " + filtered_format}).without = {
+      without("reached", {{"z", "x"}})};
+  b.output("color", "filter.z");
+  return b;
+}
+
+Names copied(const Plan& plan) {
+  Names names;
+  for (const Step& step : plan.steps)
+    if (step.kind == Step::Kind::CopyOutside) {
+      const VirtualImage& image = plan.images[size_t(step.index)];
+      names.push_back(plan.images[size_t(image.outside)].name + " to " + image.name);
+    }
+  return names;
+}
+
+TEST(Omission, WhereNothingReachesAReadIsCopiedAndZerosAreCleared) {
+  Plan plan = planned(reached("rgba16f"), {});
+  EXPECT_EQ(order(plan), (Names{"base", "mask", "filter"}));
+  EXPECT_FALSE(plan.nodes[0].within_reach);
+  EXPECT_TRUE(plan.nodes[1].within_reach && plan.nodes[2].within_reach);
+  EXPECT_EQ(cleared(plan), Names{"mask.m"});
+  EXPECT_EQ(copied(plan), Names{"base.x to filter.z"});
+  EXPECT_TRUE(plan.images[size_t(findImage(plan, "mask.m"))].zero_outside);
+  EXPECT_TRUE(plan.images[size_t(findImage(plan, "base.x"))].usage & kUsageTransferSource);
+}
+
+TEST(Omission, WhatStandsInOutsideHasTheFormatOfTheWrite) {
+  Plan plan = planned(reached("rgba32f"), {});
+  EXPECT_TRUE(plan.nodes[1].within_reach);
+  EXPECT_FALSE(plan.nodes[2].within_reach);
+  EXPECT_TRUE(copied(plan).empty());
+}
+
+// Their memory is zero outside from frame to frame, which no other image may disturb.
+TEST(Omission, ZerosOutsideShareMemoryAmongThemselves) {
+  Builder b;
+  b.compute("a", {}, {"x"});
+  b.compute("b", {{"x", "a.x"}}, {"y"}).without = {without("reached", {{"y", ""}})};
+  b.compute("c", {{"y", "b.y"}}, {"z"});
+  b.compute("d", {{"z", "c.z"}}, {"y"}).without = {without("reached", {{"y", ""}})};
+  b.compute("e", {{"y", "d.y"}}, {"z"});
+  b.output("color", "e.z");
+  Plan plan = planned(b, {});
+  auto slot = [&](const char* name) { return plan.images[size_t(findImage(plan, name))].slot; };
+  EXPECT_EQ(slot("b.y"), slot("d.y"));
+  EXPECT_NE(slot("b.y"), slot("a.x"));
+  EXPECT_NE(slot("b.y"), slot("c.z"));
+}
+
 TEST(Omission, ZerosAreClearedOnceAndLeaveOutWhatFollowsFromThem) {
   Plan plan = planned(masked(), {"motion"});
   EXPECT_EQ(order(plan), Names{"end"});
