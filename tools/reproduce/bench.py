@@ -111,6 +111,8 @@ class Bench:
             if not Path(file).exists():
                 raise Missing(why)
 
-    def need_shared_scenes(self):
-        self.need(Path(os.environ.get("STROBE_DATA", self.root.parent / "shared")) / "scenes",
-                  why="the shared scenes (STROBE_DATA) are not here")
+    def shared_scenes(self):
+        """Their folder, which has to be here."""
+        folder = Path(os.environ.get("STROBE_DATA", self.root.parent / "shared")) / "scenes"
+        self.need(folder, why="the shared scenes (STROBE_DATA) are not here")
+        return folder

@@ -117,6 +117,8 @@ OF_A_MACHINE = [
     Numbers("reload_added", "./strobe bench reload hybrid", 90, TIMES, read=read.reload_added, asserted=False),
     Numbers("pass_shares", "docs/pictures/make passes", 40, TIMES, read=read.pass_shares, asserted=False),
     Numbers("tile_pass_share", "docs/pictures/make passes", 40, TIMES, read=read.tile_pass_share, asserted=False),
+    Numbers("frames_at_rest", "./strobe bench frames hybrid accumulation mcguire2012 --size 960x540", 60, TIMES,
+            read=read.frames_at_rest, asserted=False),
     Numbers("live_rate", "xvfb-run ./strobe live hybrid --size WxH --drive FILE", 50, TIMES, read=read.live_rate,
             asserted=False),
     Numbers("sweep_seconds", "./strobe sweep tools/reproduce/thousand.lua -o FOLDER", 100, TIMES,

@@ -110,7 +110,7 @@ class Experiment(Claim):
 
     def check(self, bench, numbers):
         if self.shared:
-            bench.need_shared_scenes()
+            bench.shared_scenes()
         stated = bench.committed(self.name)
         now = self.make(bench) if self.make else bench.swept(self.file, self.name, self.quick if bench.quick else "")
         known = {key(at): point for at, point in stated.points()}

@@ -313,6 +313,20 @@ def tile_pass_share(bench):
     return [sum(share[node] for node in ("mask_tile_motions", "mask_near_motions", "tile_max", "neighbour_max"))]
 
 
+def frames_at_rest(bench):
+    """A frame's time as a multiple of one of McGuire 2012, the median over rounds: of the hybrid and of the accumulation
+    buffer where a pot moves in the country kitchen, then where the vase does in the living room."""
+    pot = ["--scene", bench.shared_scenes() / "country_kitchen/country_kitchen.glb", "--move", "Mesh080_SteelPot=0.4,0,-0.195"]
+    ratios = []
+    for shot in pot, ["--scene", "living_room"]:
+        bench_of = json.loads(bench.run(bench.program, "bench", "frames", "hybrid", "accumulation", "mcguire2012", *shot,
+                                        "--size", "960x540", "--rounds", "9", "--json"))
+        ms = {one["method"]: one["ms"] for one in bench_of["shots"]}
+        for method in "hybrid", "accumulation":
+            ratios.append(statistics.median(a / b for a, b in zip(ms[method], ms["mcguire2012"])))
+    return ratios
+
+
 def shadow_rays_left(bench):
     """Of a hundred shadow rays of the living room those that are traced where whole tiles are asked first."""
     rays = []
