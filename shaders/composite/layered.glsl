@@ -466,9 +466,7 @@ void run(ivec2 pixel) {
   if (fallbacks > 0u) count_fallback(fallbacks);
   float n = float(params.samples);
   vec3 mean = fromSum(sum / n);
-#if PARAM_leaves_unlike
   if (left_out == 0u && isNarrow(all_seen, 0.0)) mean = all_seen.low;  // of equal colours not rounded
-#endif
   if (left_out > 0u) finishGuess(pixel, fromSum(guess.sum / n), offBy(guess, withColor(all_seen, colorOf(kRaster, pixel))));
   finish(pixel, mean, 1.0 - float(left_out) / n, open);
 }
