@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- Between which displacements all of a cell lie: the description of a pass.
 local blur = require "passes.lib.blur"
+local param = require "strobe.param"
 
 -- `joined`: of what is valid alone, with the bounds of another layer; else of a layer that may be everywhere.
 return function(name, joined)
@@ -21,11 +22,13 @@ return function(name, joined)
     },
     writes = { bounds = { format = "rgba32f",
       doc = "least x and y, greatest x and y, px over the exposure; least above greatest where nothing counts" } },
-    without = joined and { valid = { bounds = "others" } } or nil,
+    without = joined and { valid = { bounds = "others" } } or { reached = { bounds = 0 } },
     params = {
       cell_side = blur.cell_side,
       limit     = blur.limit,
       trajectory = blur.trajectory,
+      all_count = not joined and param.bool { false, wired = true, role = "within_reach",
+        doc = "`valid` is absent, so that cells at rest lie between zeros" } or nil,
     },
   }
 end

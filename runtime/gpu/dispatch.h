@@ -35,8 +35,8 @@ namespace strobe::gpu {
   X(DestroyQueryPool) X(GetQueryPoolResults) X(CmdPipelineBarrier2) X(CmdBindPipeline) X(CmdBindDescriptorSets)  \
   X(CmdDispatch) X(CmdDispatchIndirect) X(CmdBeginRendering) X(CmdEndRendering) X(CmdSetViewport) X(CmdSetScissor)                      \
   X(CmdBindIndexBuffer) X(CmdDraw) X(CmdDrawIndexed) X(CmdCopyBuffer) X(CmdCopyBufferToImage)                   \
-  X(CmdCopyImageToBuffer) X(CmdCopyImage) X(CmdClearColorImage) X(CmdFillBuffer) X(CmdResetQueryPool) X(CmdWriteTimestamp2)          \
-  X(CmdBindVertexBuffers) X(CmdPushConstants)
+  X(CmdCopyImageToBuffer) X(CmdClearColorImage) X(CmdFillBuffer) X(CmdResetQueryPool) X(CmdWriteTimestamp2)          \
+  X(CmdBindVertexBuffers) X(CmdPushConstants) X(CmdCopyImage)
 
 // Absent (null) on a device without ray tracing.
 #define STROBE_RAY_CALLS(X)                                                                                    \

@@ -130,7 +130,7 @@ Json loopJson(const Plan& plan, int index) {
   return json;
 }
 
-Json imageJson(const VirtualImage& image) {
+Json imageJson(const Plan& plan, const VirtualImage& image) {
   Json json;
   json["name"] = image.name;
   json["format"] = image.format;
@@ -139,7 +139,7 @@ Json imageJson(const VirtualImage& image) {
   json["life"] = {image.first, image.last};
   json["slot"] = image.slot;
   if (image.history) json["history"] = true;
-  if (image.outside >= 0) json["outside"] = image.outside;
+  if (image.outside >= 0) json["outside"] = plan.images[size_t(image.outside)].name;
   if (image.zero) json["zero"] = true;
   return json;
 }
@@ -269,7 +269,7 @@ Json toJson(const Plan& plan) {
   for (const CulledNode& node : plan.culled) json["culled"][node.name] = node.reason;
   if (!plan.absent.empty()) json["absent"] = plan.absent;
   json["images"] = Json::array();
-  for (const VirtualImage& image : plan.images) json["images"].push_back(imageJson(image));
+  for (const VirtualImage& image : plan.images) json["images"].push_back(imageJson(plan, image));
   json["slots"] = Json::array();
   for (const Slot& slot : plan.slots) json["slots"].push_back(slotJson(slot));
   json["steps"] = stepsJson(plan, plan.steps, false);

@@ -27,7 +27,7 @@ end
 local function refined(p)
   local set = selective.settings(p.effort(), p.samples())
   local seen = scene.captured()
-  local bounds = motion_bounds { velocity = seen.velocity }.bounds
+  local bounds = motion_bounds { velocity = seen.velocity, all_count = true }.bounds
   local reach = longest_motion { longest = tile_max { velocity = seen.velocity }.longest }.reach
   local color = pipeline.loop { name = "times", count = 1, times = "midpoint", slices = set.parts + 1, body = function()
     local cells = uniform_motion {

@@ -254,7 +254,7 @@ local function reached_cells(p, seen, revealed, images)
   local function bounds(layer, name, others)
     return (others and joined_bounds or motion_bounds) {
       velocity = layer.velocity, after_velocity = layer.after_velocity, curve = layer.curve, valid = layer.valid,
-      others = others, as = name,
+      others = others, all_count = not layer.valid or nil, as = name,
     }.bounds
   end
   local behind

@@ -34,7 +34,7 @@ masks["relative"] = function(_, seen)
   local motions, farthest = tiles.motions(seen)
   local reach = longest_motion { longest = motions, as = "mask_longest_motion" }.reach
   local near = near_motions { motions = motions, farthest = farthest, reach = reach }
-  local bounds = motion_bounds { velocity = seen.velocity, as = "mask_bounds" }.bounds
+  local bounds = motion_bounds { velocity = seen.velocity, all_count = true, as = "mask_bounds" }.bounds
   local ids = id_bounds { id = seen.id, as = "mask_ids" }.ids
   local crossing = crossing_motions {
     bounds = bounds, ids = ids, reach = reach,
