@@ -123,7 +123,8 @@ void Graph::begin(const FrameSetup& setup, const OnIteration& on_iteration) {
   try {
     draw(setup, frame, on_iteration);
   } catch (...) {
-    // The scene takes what was written of it for written.
+    // The scene takes what was written of it for written, images what was cleared for cleared.
+    images_.forgetTouched();
     submission_.submit(frame.index, {});
     submission_.wait(frame.index);
     throw;

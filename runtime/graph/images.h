@@ -34,6 +34,7 @@ class PlanImages {
   // be from now on.
   const scene::PixelArea* touched(int image) const;
   void touch(int image, const scene::PixelArea& area) { touched_[slotOf(image)] = area; }
+  void forgetTouched() { touched_.clear(); }
   // As many bytes of zeros as a quarter of the largest of these has.
   const gpu::Buffer& zeros() const { return zeros_; }
 

@@ -121,7 +121,7 @@ class Compiler {
     for (size_t i = 0; i < pass.reads.size(); ++i)
       if (pass.reads[i].name == pass.over) node.over = node.reads[i];
     if (node.over >= 0) node.still_once = false;
-    node.within_reach = keepsWithinReach(node, pass);
+    node.within_reach = !raster && !node.still_once && keepsWithinReach(node, pass);
     if (raster) node.depth = addImage(node, "@depth", "d32f", kUsageDepthAttachment);
     for (int image : node.reads) markRead(image);
 
@@ -137,7 +137,8 @@ class Compiler {
   }
 
   // Where a pass says what stands in for it at pixels that nothing in motion reaches, these need not run. They do where
-  // that could read back otherwise: what stands in has another format or size.
+  // that could read back otherwise: what stands in has another format or size, or holds elsewhere what it has within
+  // the reach alone, because it could not be left out there itself.
   bool keepsWithinReach(const PlanNode& node, const PassDesc& pass) {
     const WithoutDesc* outside = nullptr;
     for (const WithoutDesc& without : pass.without)
@@ -147,7 +148,9 @@ class Compiler {
     for (size_t i = 0; i < node.writes.size(); ++i) {
       const VirtualImage& image = plan_.images[node.writes[i]];
       const int stand_in = readNamed(node, pass, outside->writes[i].second);
+      if (isBuffer(image.format)) return false;
       if (stand_in >= 0) {
+        if (runsOutside(stand_in)) return false;
         const VirtualImage& other = plan_.images[stand_in];
         if (other.format != image.format || other.width != image.width || other.height != image.height) return false;
       }
@@ -161,6 +164,17 @@ class Compiler {
       image.outside = stand_ins[i];
     }
     return true;
+  }
+
+  // Is it written at pixels for which its pass has a stand-in?
+  bool runsOutside(int image) const {
+    for (const PlanNode& node : plan_.nodes) {
+      if (std::find(node.writes.begin(), node.writes.end(), image) == node.writes.end()) continue;
+      const std::vector<WithoutDesc>& without = plan_.pipeline.passes[node.pass].without;
+      auto of_pixels = [](const WithoutDesc& one) { return one.name == kReached; };
+      return !node.within_reach && std::any_of(without.begin(), without.end(), of_pixels);
+    }
+    return false;
   }
 
   // The image of a read; -1 for "".

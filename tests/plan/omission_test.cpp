@@ -156,6 +156,17 @@ TEST(Omission, WhatStandsInOutsideHasTheFormatOfTheWrite) {
   EXPECT_TRUE(copied(plan).empty());
 }
 
+// What stands in holds there what its own pass wrote, not what stands in for that.
+TEST(Omission, WhatStandsInOutsideIsNotOfAPassThatRunsThere) {
+  for (const std::string& format : {"rgba16f", "rgba32f"}) {
+    Builder b = reached(format);
+    b.compute("last", {{"x", "filter.z"}}, {"z " + format}).without = {without("reached", {{"z", "x"}})};
+    b.output("other", "last.z");
+    Plan plan = planned(b, {});
+    EXPECT_EQ(plan.nodes[3].within_reach, plan.nodes[2].within_reach) << format;
+  }
+}
+
 // Their memory is zero outside from frame to frame, which no other image may disturb.
 TEST(Omission, ZerosOutsideShareMemoryAmongThemselves) {
   Builder b;
