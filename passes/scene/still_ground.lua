@@ -7,7 +7,8 @@ return pass.trace {
   name   = "still_ground",
   shader = "scene/still_ground",
   doc    = "Where the capture sees something that moves, what is at rest behind it, before a camera at rest",
-  fails  = "What is at rest is shaded as at the capture, with the shadows that it has then.",
+  fails  = "What is at rest is shaded as at the capture, with the shadows that it has then. Of what rests in one place with " ..
+           "something that moves behind the first, nothing is found.",
   size   = { of = "hit" },
   reads  = {
     hit = { uint = true, doc = "what the capture sees: instance + 1 (0 = sky), geometry, primitive" },
