@@ -28,7 +28,7 @@ struct FrameSetup {
   uint32_t seed = 0;
   vec2 subpixel = vec2(0);  // sample position relative to the pixel's centre, px
   scene::Environment environment;
-  scene::PixelArea reach;                                       // as scene::ScreenMotion::reach
+  scene::PixelArea reach;                                       // where anything that moves can be seen
   std::function<scene::PixelArea(const scene::Pose&)> area_at;  // the same at one pose; none: not known
   scene::Crossing crossing;                       // where something crosses between the ends of the exposure
   std::vector<bool> moves;                        // by instance: may it move within the exposure? Empty: each may

@@ -135,8 +135,7 @@ struct CounterDesc {
 inline const char* const kReached = "reached";
 
 // What stands in for a pass where a fact of the frame does not hold (plan/facts.h), or where a read is nothing but
-// zeros: bit for bit what it would write. It does not run then. Of `kReached` it may run on the other pixels alone:
-// where it would round, or show what never comes there, what stands in is right.
+// zeros: bit for bit what it would write. It does not run then; of `kReached`, it may run on the other pixels alone.
 struct WithoutDesc {
   std::string name;                                         // of the fact or the read
   std::vector<std::pair<std::string, std::string>> writes;  // each write in order -> the read that it equals; "": zeros
