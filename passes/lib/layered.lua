@@ -33,6 +33,7 @@ local params = {
 
 -- `guesses`: of samples that are left open it also says what layers would have.
 return function(name, guesses)
+  local copied = { blurred = "color", open = 0, guess = guesses and 0 or nil }
   return {
     name   = name,
     shader = guesses and "composite/layered_guessing" or "composite/layered",
@@ -71,10 +72,7 @@ return function(name, guesses)
         doc = "linear, of the samples that are left open what layers say nevertheless, over the number of all; alpha: by " ..
               "how much that may be off" } or nil,
     },
-    without = {
-      motion = { blurred = "color", open = 0, guess = guesses and 0 or nil },
-      reached = { blurred = "color", open = 0, guess = guesses and 0 or nil },
-    },
+    without = { motion = copied, reached = copied },
     params = params,
     counters = { fallback = "time samples at which no layer had anything to show" },
   }

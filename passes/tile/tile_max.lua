@@ -3,6 +3,8 @@
 local pass = require "strobe.pass"
 local blur = require "passes.lib.blur"
 
+local nothing = { longest = 0, curve_of_it = 0, place_of_it = 0 }
+
 return pass.compute {
   name   = "tile_max",
   shader = "tile/tile_max",
@@ -21,10 +23,7 @@ return pass.compute {
   writes = { longest = { format = "rg32f", doc = "px over the exposure; of equal lengths the first in raster order" },
              curve_of_it = { format = "rgba32f", doc = "of its path, px" },
              place_of_it = { format = "rg32f", doc = "px, the texel that has it; 0 where paths are lines" } },
-  without = {
-    motion = { longest = 0, curve_of_it = 0, place_of_it = 0 },
-    reached = { longest = 0, curve_of_it = 0, place_of_it = 0 },
-  },
+  without = { motion = nothing, reached = nothing },
   params = {
     tile  = blur.tile,
     limit = blur.limit,
