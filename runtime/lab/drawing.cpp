@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lab/drawing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <future>
 
@@ -14,6 +15,7 @@
 #include "scene/frame_poser.h"
 #include "scene/motion.h"
 #include "scene/tree_order.h"
+#include "shader/interface.h"
 
 namespace strobe::lab {
 
@@ -24,6 +26,16 @@ static dmat4 worldFromView(const std::array<double, 6>& view) {
   dvec3 up = std::abs(back.y) > 0.9999 ? dvec3(0, 0, 1) : dvec3(0, 1, 0);
   dvec3 right = glm::normalize(glm::cross(up, back));
   return dmat4(dvec4(right, 0), dvec4(glm::cross(back, right), 0), dvec4(back, 0), dvec4(eye, 1));
+}
+
+// Widened to whole groups of invocations. Pixels then run beside the same ones wherever the area lies, as some devices
+// filter textures to the last bit by what runs beside.
+static scene::PixelArea inWholeGroups(const scene::PixelArea& area, int width, int height) {
+  if (area.empty()) return area;
+  const int group = int(shader::kGroupSize);
+  const auto up = [&](int x) { return (x + group - 1) / group * group; };
+  return {area.x0 / group * group, area.y0 / group * group, std::min(up(area.x1), width),
+          std::min(up(area.y1), height)};
 }
 
 graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene, int earlier_frames) {
@@ -56,7 +68,7 @@ graph::FrameSetup frameSetup(const Shot& shot, const scene::Scene& scene, int ea
   scene::ExposedFrame exposed{setup.capture_s, setup.open_s, setup.close_s, previous_s, shot.width, shot.height};
   for (int k = 2; k <= earlier_frames; ++k) exposed.earlier_s.push_back(setup.capture_s - k * setup.frame_s);
   scene::ScreenMotion motion = scene::screenMotionOf(scene, setup.pose_at, exposed);
-  setup.reach = motion.reach;
+  setup.reach = inWholeGroups(motion.reach, shot.width, shot.height);
   setup.area_at = std::move(motion.area_at);
   setup.crossing = motion.crossing;
   setup.paths = std::move(motion.paths);

@@ -164,20 +164,41 @@ void include(PixelArea& area, const PixelArea& other) {
           std::max(area.y1, other.y1)};
 }
 
+static const Corners& cornersAt(const Track8& box, const std::vector<double>& times, double time_s) {
+  return box[size_t(std::lower_bound(times.begin(), times.end(), time_s) - times.begin())];
+}
+
 // Where it would be at the ends of the exposure if it went on as since the frame before the capture, for those that
-// know no more.
-static void addForetold(Extent& extent, const Track8& box, const std::vector<double>& times,
-                        const ExposedFrame& frame) {
-  const auto at = [&](double time_s) -> const Corners& {
-    return box[size_t(std::lower_bound(times.begin(), times.end(), time_s) - times.begin())];
-  };
-  if (!(frame.previous_s < frame.capture_s)) return;
-  const Corners &now = at(frame.capture_s), &previous = at(frame.previous_s);
+// know no more; returns how far from there it is at most. Points between the corners are no farther from what these
+// foretell than that.
+static double addForetold(Extent& extent, const Track8& box, const std::vector<double>& times,
+                          const ExposedFrame& frame) {
+  double off_px = 0;
+  if (!(frame.previous_s < frame.capture_s)) return off_px;
+  const Corners &now = cornersAt(box, times, frame.capture_s), &previous = cornersAt(box, times, frame.previous_s);
   for (double end_s : {frame.open_s, frame.close_s})
     for (size_t c = 0; c < now.size(); ++c) {
       const double frames = (end_s - frame.capture_s) / (frame.capture_s - frame.previous_s);
-      extent.add(pixelOf(now[c]) + frames * (pixelOf(now[c]) - pixelOf(previous[c])));
+      const dvec2 foretold = pixelOf(now[c]) + frames * (pixelOf(now[c]) - pixelOf(previous[c]));
+      extent.add(foretold);
+      off_px = std::max(off_px, glm::length(foretold - pixelOf(cornersAt(box, times, end_s)[c])));
     }
+  return off_px;
+}
+
+// How far a corner is at most from the straight and even way between the ends of the exposure. A line through the
+// capture is off by as much, and a parabola, a cubic or an arc through poses on the way by at most about as much again.
+static double offTheLine(const Track8& box, const std::vector<double>& times, const ExposedFrame& frame) {
+  double off_px = 0;
+  if (!(frame.open_s < frame.close_s)) return off_px;
+  const Corners &open = cornersAt(box, times, frame.open_s), &close = cornersAt(box, times, frame.close_s);
+  for (size_t k = 0; k < times.size(); ++k) {
+    if (times[k] < frame.open_s || times[k] > frame.close_s) continue;
+    const double part = (times[k] - frame.open_s) / (frame.close_s - frame.open_s);
+    for (size_t c = 0; c < open.size(); ++c)
+      off_px = std::max(off_px, glm::length(pixelOf(box[k][c]) - glm::mix(pixelOf(open[c]), pixelOf(close[c]), part)));
+  }
+  return off_px;
 }
 
 // The pixels around a box during the exposure.
@@ -195,8 +216,8 @@ static void addTo(PixelArea& reach, const Track8& box, const std::vector<double>
       step_px = std::max(step_px, glm::length(pixelOf(box[k][c]) - pixelOf((*before)[c])));
     before = &box[k];
   }
-  addForetold(extent, box, times, frame);
-  const double margin = step_px + 2;
+  const double foretold_px = addForetold(extent, box, times, frame);
+  const double margin = step_px + 2 + foretold_px + 2 * offTheLine(box, times, frame);
   include(reach, areaOf(extent.low - margin, extent.high + margin, frame));
 }
 
