@@ -113,8 +113,8 @@ std::string preamble(const Interface& in, Stage stage) {
 
 // A software device gives each of its threads one run of consecutive groups, and what costs stands close together in a
 // picture. So rows of groups are dealt out like cards, three times: each eighth of the dispatch has every eighth row.
-// Of a list groups are. Eight invocations run as one: those of a pass that traces are 4x2 pixels, whose rays are closer
-// than those of a row.
+// Of a list groups are. Eight invocations run as one: those of a pass that traces, or that asks more of pixels near
+// what moves, are 4x2 pixels, which need the same more often than those of a row.
 static const char* kDealt = R"(uint dealt_(uint which, uint count) {
   uint half_ = (count + 1u) / 2u;
   for (int i = 0; i < 3; ++i) which = which < half_ ? 2u * which : 2u * (which - half_) + 1u;
@@ -145,7 +145,8 @@ std::string epilogue(const Interface& in, Stage stage) {
   if (dealt) pixel = "pixel_of_(uvec2(gl_WorkGroupID.x, dealt_(gl_WorkGroupID.y, gl_NumWorkGroups.y)))";
   const Interface::Read* over = in.over();
   if (over) pixel = "0";
-  const char* pixel_of = in.group ? kGroupItself : in.backend == Backend::None ? kInRows : kInBlocks;
+  const bool in_blocks = in.backend != Backend::None || in.within_reach;
+  const char* pixel_of = in.group ? kGroupItself : in_blocks ? kInBlocks : kInRows;
   std::string text = dealt ? std::string(over ? "" : pixel_of) + kDealt : "";
   text += fmt::format("void main() {{\n  ivec2 pixel_ = ivec2({});\n", pixel);
   if (over) {

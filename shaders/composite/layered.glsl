@@ -74,11 +74,12 @@ struct Own {
   Path before, after;
   float depth;
   vec4 depth_change;
+  vec3 color;
 };
 
 Own ownOf(ivec2 pixel) {
   float depth = saneDepth(texelFetch(depth_tex, pixel, 0).x);
-  Own own = Own(pathOf(kRaster, pixel, false), pathOf(kRaster, pixel, true), depth, vec4(0));
+  Own own = Own(pathOf(kRaster, pixel, false), pathOf(kRaster, pixel, true), depth, vec4(0), colorOf(kRaster, pixel));
 #if HAS_depth_change
   own.depth_change = texelFetch(depth_change_tex, pixel, 0);
 #endif
@@ -336,6 +337,13 @@ vec3 colorFound(Seen seen, ivec2 pixel, float t, out bool alike, out Spread spre
   return colorOf(seen.layer, seen.now);
 }
 
+// Is what was found what raster saw at the pixel, at rest? Its colour is that of the texel alone.
+bool isOwnAtRest(Own own, Seen seen, ivec2 pixel, float t) {
+  Path path = own.before;
+  if (t > 0.0) path = own.after;
+  return seen.layer == kRaster && seen.now == pixel && path.d == vec2(0) && !isCurved(path);
+}
+
 // ---- samples that are left open
 
 // Those of a cell of which layers are not asked have a bit for each of at most so many parts.
@@ -450,7 +458,13 @@ void run(ivec2 pixel) {
     if (!is_known && !(kIsGuessed && is_found)) seen.layer = isHeld(kRevealed, pixel) ? kRevealed : kRaster;
     Spread spread = noSpread();
     bool is_asked = is_known || PARAM_leaves_open == 0 || kIsGuessed;
-    vec3 color = is_asked ? colorFound(seen, pixel, t, alike, spread) : vec3(0);
+    vec3 color = vec3(0);
+    if (isOwnAtRest(own, seen, pixel, t)) {
+      color = own.color;
+      spread = withColor(spread, color);
+    } else if (is_asked) {
+      color = colorFound(seen, pixel, t, alike, spread);
+    }
     if (is_doubted || (PARAM_leaves_open != 0 && !(is_known && (alike || PARAM_leaves_unlike == 0)))) {
       open |= partOf(i);
       left_out += 1u;
