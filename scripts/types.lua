@@ -51,6 +51,7 @@
 ---@field uint? boolean the texels are unsigned integers
 ---@field optional? boolean may be left unwired; the shader sees HAS_<name> 0
 ---@field linear? boolean sampled with a linear filter instead of fetched
+---@field pointwise? boolean looked up at the pixel of the invocation alone
 ---@field buffer? boolean a buffer of unsigned integers instead of an image
 ---@field needs? string|string[] reads, perhaps itself, of which one must be wired, and to more than zeros, else it is not
 

@@ -11,7 +11,7 @@ return pass.trace {
   doc    = "For each sample of a pixel at which no layer has anything, a ray at that time",
   size   = { of = "seen" },
   reads  = {
-    seen  = { doc = "linear, the samples that are explained over the number of all; alpha: their share" },
+    seen  = { pointwise = true, doc = "linear, the samples that are explained over the number of all; alpha: their share" },
     open  = { uint = true, doc = "a bit for each time at which nothing explains what is seen" },
     hit   = { uint = true, doc = "what raster saw at the capture: instance + 1 (0 = sky), geometry, primitive" },
     color = { doc = "linear, of that" },

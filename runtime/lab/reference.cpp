@@ -170,6 +170,7 @@ std::string readsText(const PassDesc& pass) {
     std::vector<std::string> notes;
     if (read.uint) notes.push_back("unsigned integers");
     if (read.linear) notes.push_back("filtered");
+    if (read.pointwise) notes.push_back("at its own pixel alone");
     if (read.optional) notes.push_back(fmt::format("optional: `HAS_{}`", read.name));
     if (!read.needs.empty()) notes.push_back(fmt::format("of use with `{}`", fmt::join(read.needs, "` or `")));
     std::string texel = read.linear ? "textureLod({}_tex, uv, 0)" : "texelFetch({}_tex, p, 0)";

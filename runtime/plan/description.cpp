@@ -271,6 +271,7 @@ static Json readJson(const PortDesc& port) {
   Json json = {{"name", port.name},         {"doc", port.doc},       {"uint", port.uint},
                {"optional", port.optional}, {"linear", port.linear}, {"place", placeJson(port.place)}};
   if (port.buffer) json["buffer"] = true;
+  if (port.pointwise) json["pointwise"] = true;
   if (!port.needs.empty()) json["needs"] = port.needs;
   return json;
 }

@@ -97,10 +97,11 @@ struct PortDesc {
   // of them unsigned integers or none. `format` is then the one of its default; ask `formatOf` for a node's.
   std::string format_by;
   std::vector<std::pair<std::string, std::string>> formats;
-  bool uint = false;      // reads: the texels are unsigned integers
-  bool optional = false;  // reads: may be left unwired; the shader then sees HAS_<name> 0
-  bool linear = false;    // reads: sampled with a linear filter instead of texel fetches
-  bool buffer = false;    // reads: a buffer (of unsigned integers) instead of an image
+  bool uint = false;       // reads: the texels are unsigned integers
+  bool optional = false;   // reads: may be left unwired; the shader then sees HAS_<name> 0
+  bool linear = false;     // reads: sampled with a linear filter instead of texel fetches
+  bool buffer = false;     // reads: a buffer (of unsigned integers) instead of an image
+  bool pointwise = false;  // reads: at the pixel that the pass runs for, and nowhere else
   // Reads that are optional: reads, it itself perhaps among them, of which one at least must be wired, and to more than
   // nothing but zeros, for it to be of use; otherwise it is not wired either. Empty: it is of use alone.
   std::vector<std::string> needs;

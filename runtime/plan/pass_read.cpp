@@ -24,6 +24,7 @@ PortDesc readRead(const Json& json) {
   port.optional = reader.boolean("optional", false);
   port.linear = reader.boolean("linear", false);
   port.buffer = reader.boolean("buffer", false);
+  port.pointwise = reader.boolean("pointwise", false);
   port.needs = reader.texts("needs");
   reader.finish();
   return port;

@@ -36,6 +36,8 @@ class Compiler {
       if (!needed[i] || wiring_.nodes[i].blank) addCulled(i, with_all_facts[i], left_out[i]);
     makeNodes(units);
     keepImages();
+    followStandIns();
+    leaveOutCopies();
     addClears();
     for (const Unit& unit : units) addUnit(unit);
     addReadBacks();
@@ -175,6 +177,27 @@ class Compiler {
       return !node.within_reach && std::any_of(without.begin(), without.end(), of_pixels);
     }
     return false;
+  }
+
+  // What equals a copy outside of the reach equals what that is a copy of.
+  void followStandIns() {
+    for (VirtualImage& image : plan_.images) {
+      if (image.outside < 0) continue;
+      for (int next; (next = plan_.images[image.outside].outside) >= 0;) image.outside = next;
+      plan_.images[image.outside].usage |= kUsageTransferSource;
+    }
+  }
+
+  // No copy is made of what nobody looks at outside of the reach.
+  void leaveOutCopies() {
+    std::vector<bool> looked_at(plan_.images.size());
+    for (const PlanNode& node : plan_.nodes) {
+      const std::vector<PortDesc>& reads = plan_.pipeline.passes[node.pass].reads;
+      for (size_t i = 0; i < reads.size(); ++i)
+        if (node.reads[i] >= 0 && !(node.within_reach && reads[i].pointwise)) looked_at[node.reads[i]] = true;
+    }
+    for (size_t i = 0; i < plan_.images.size(); ++i)
+      if (!looked_at[i] && !plan_.images[i].kept) plan_.images[i].outside = -1;
   }
 
   // The image of a read; -1 for "".

@@ -43,10 +43,10 @@ struct Crossing {
 struct ScreenMotion {
   // The pixels in which anything that moves during [open_s, close_s] can be seen at any time of it, or would be if it
   // went on as since the frame before, or on lines and curves through a few of its poses; the whole picture when the
-  // camera moves, a moving object comes near the camera, or the frame looks farther back. Bounds of instances, and of what follows each joint, are posed at 33 times, and
-  // the area is widened by the farthest a bound's corner goes in between, so it may only be too large; the whole
-  // picture too where those times do not show it (turns of more than a right angle in between, many keys, a clip that
-  // begins again).
+  // camera moves, a moving object comes near the camera, or the frame looks farther back. Bounds of instances, and of
+  // what follows each joint, are posed at 33 times, and the area is widened by the farthest a bound's corner goes in
+  // between, so it may only be too large; the whole picture too where those times do not show it (turns of more than a
+  // right angle in between, many keys, a clip that begins again).
   PixelArea reach;
   // The same at one of the frame's poses; none: `reach` is all that is known.
   std::function<PixelArea(const Pose&)> area_at;

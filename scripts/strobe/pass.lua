@@ -12,7 +12,7 @@ pass.keys = {
   "name", "shader", "doc", "fails", "breaks", "size", "scene", "reads", "writes", "updates", "params", "counters",
   "without", "over", "group",
 }
-pass.read_keys  = { "doc", "uint", "optional", "linear", "needs", "buffer" }
+pass.read_keys  = { "doc", "uint", "optional", "linear", "needs", "buffer", "pointwise" }
 pass.write_keys = { "doc", "format", "cleared", "each" }
 pass.update_keys = { "doc", "format", "history", "each" }
 pass.format_keys = { "by" }  -- and the choices of that parameter
@@ -66,11 +66,14 @@ local function declare_reads(problems, t, place, owner)
       local what = "read '" .. name .. "' of " .. owner
       check.keys(problems, port, pass.read_keys, place, what, { "reads", name })
       local result = { name = name, place = at, doc = check.doc(problems, port, place, what, { "reads", name }) }
-      for _, key in ipairs { "uint", "optional", "linear", "buffer" } do
+      for _, key in ipairs { "uint", "optional", "linear", "buffer", "pointwise" } do
         result[key] = port[key] or false
         if port[key] ~= nil then check.field(problems, port, key, "boolean", place, what, { "reads", name }) end
       end
       if port.buffer and port.linear then problems:add(at, "%s cannot be both buffer and linear", what) end
+      if port.pointwise and (port.buffer or port.linear) then
+        problems:add(at, "%s cannot be both pointwise and %s", what, port.buffer and "buffer" or "linear")
+      end
       if port.buffer then result.uint = true end
       result.needs = check_needs(problems, t.reads, port, at, what)
       if port.uint and port.linear then problems:add(at, "%s cannot be both uint and linear", what) end

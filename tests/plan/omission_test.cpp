@@ -167,6 +167,24 @@ TEST(Omission, WhatStandsInOutsideIsNotOfAPassThatRunsThere) {
   }
 }
 
+// base -> filter (base there) -> last (what was filtered there) -> color
+TEST(Omission, NobodyCopiesWhatNobodyLooksAtOutside) {
+  for (bool pointwise : {false, true})
+    for (bool is_output : {false, true}) {
+      Builder b;
+      b.compute("base", {}, {"x rgba16f"});
+      b.compute("filter", {{"x", "base.x"}}, {"z rgba16f"}).without = {without("reached", {{"z", "x"}})};
+      PassDesc& last = b.compute("last", {{"x", "filter.z"}}, {"z rgba16f"});
+      last.without = {without("reached", {{"z", "x"}})};
+      last.reads[0].pointwise = pointwise;
+      b.output("color", "last.z");
+      if (is_output) b.output("filtered", "filter.z");
+      Names copies = {"base.x to last.z"};
+      if (!pointwise || is_output) copies.insert(copies.begin(), "base.x to filter.z");
+      EXPECT_EQ(copied(planned(b, {})), copies) << pointwise << is_output;
+    }
+}
+
 // Their memory is zero outside from frame to frame, which no other image may disturb.
 TEST(Omission, ZerosOutsideShareMemoryAmongThemselves) {
   Builder b;

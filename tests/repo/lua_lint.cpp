@@ -203,4 +203,25 @@ Findings lintTechniques(const std::vector<Source>& sources, const TechniqueNames
   return lint.findings();
 }
 
+Findings lintPointwise(const std::vector<Source>& sources) {
+  static const std::regex shader(R"re(\bshader\s*=\s*"([\w/]+)")re"), read(R"((\w+)\s*=\s*\{[^{}]*\bpointwise = true)");
+  std::map<std::string, std::set<std::string>> reads;  // by file
+  for (const Source& source : sources) {
+    std::smatch file;
+    if (!source.path.starts_with("passes/") || !std::regex_search(source.text, file, shader)) continue;
+    forMatches(source.text, read,
+               [&](const std::string& name) { reads["shaders/" + file[1].str() + ".glsl"].insert(name); });
+  }
+  Findings findings;
+  for (const Source& source : sources)
+    for (const std::string& name : reads[source.path])
+      forLines(source.text, [&](int number, std::string line) {
+        const std::string texture = name + "_tex", lookup = fmt::format("texelFetch({}, pixel, 0)", texture);
+        for (size_t at; (at = line.find(lookup)) != std::string::npos;) line.erase(at, lookup.size());
+        if (line.find(texture) != std::string::npos)
+          findings.push_back(finding(source, number, fmt::format("'{}' is read pointwise", name)));
+      });
+  return findings;
+}
+
 }  // namespace strobe::repo

@@ -32,4 +32,8 @@ KnownWords parseKnownWords(const std::string& text);
 // of one (as a whole string). What `known` lists without need is a finding too, but for files that are gone.
 Findings lintTechniques(const std::vector<Source>& sources, const TechniqueNames& techniques, const KnownWords& known);
 
+// Shaders of passes/ look up what is read `pointwise` at their own pixel: NAME_tex stands in texelFetch(NAME_tex,
+// pixel, 0).
+Findings lintPointwise(const std::vector<Source>& sources);
+
 }  // namespace strobe::repo

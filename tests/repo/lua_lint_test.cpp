@@ -36,6 +36,17 @@ TEST(LuaProject, CppNamesNoTechnique) {
   EXPECT_EQ(joined(lintTechniques(project(), techniques, known)), "");
 }
 
+TEST(LuaProject, WhatIsReadPointwiseIsLookedUpSo) { EXPECT_EQ(joined(lintPointwise(project())), ""); }
+
+TEST(LuaLint, FindsWhatIsNotReadPointwise) {
+  const Source pass{"passes/a.lua",
+                    "shader = \"list/a\",\n  seen = { pointwise = true, doc = \"x\" },\n  hit = { uint = true },\n"};
+  auto lint = [&](const char* text) { return joined(lintPointwise({pass, {"shaders/list/a.glsl", text}})); };
+  EXPECT_EQ(lint("vec4 a = texelFetch(seen_tex, pixel, 0) + texelFetch(hit_tex, at, 0);\n"), "");
+  EXPECT_EQ(lint("\nvec4 a = texelFetch(seen_tex, pixel, 0) + texelFetch(seen_tex, at, 0);\n"),
+            "shaders/list/a.glsl:2: 'seen' is read pointwise\n");
+}
+
 TEST(LuaLint, FindsRequiresOfAFloorAbove) {
   Floors floors =
       parseFloors("0 scripts/strobe\n1 passes/lib\n2 passes\n2 scripts/scenes not passes/lib\n3 scripts/pipelines\n");
