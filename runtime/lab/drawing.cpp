@@ -28,8 +28,8 @@ static dmat4 worldFromView(const std::array<double, 6>& view) {
   return dmat4(dvec4(right, 0), dvec4(glm::cross(back, right), 0), dvec4(back, 0), dvec4(eye, 1));
 }
 
-// Widened to whole groups of invocations. Pixels then run beside the same ones wherever the area lies, as some devices
-// filter textures to the last bit by what runs beside.
+// Widened to whole groups of invocations. In passes of the picture's size pixels then run beside the same ones wherever
+// the area lies, as some devices filter textures to the last bit by what runs beside.
 static scene::PixelArea inWholeGroups(const scene::PixelArea& area, int width, int height) {
   if (area.empty()) return area;
   const int group = int(shader::kGroupSize);

@@ -36,7 +36,6 @@ class Compiler {
       if (!needed[i] || wiring_.nodes[i].blank) addCulled(i, with_all_facts[i], left_out[i]);
     makeNodes(units);
     keepImages();
-    followStandIns();
     leaveOutCopies();
     addClears();
     for (const Unit& unit : units) addUnit(unit);
@@ -145,7 +144,7 @@ class Compiler {
     const WithoutDesc* outside = nullptr;
     for (const WithoutDesc& without : pass.without)
       if (without.name == kReached) outside = &without;
-    if (!outside || !isWithinReach(pass, node.params) || node.over >= 0) return false;
+    if (!outside || !isWithinReach(pass, node.params) || node.over >= 0 || stopsLoop(node)) return false;
     std::vector<int> stand_ins;
     for (size_t i = 0; i < node.writes.size(); ++i) {
       const VirtualImage& image = plan_.images[node.writes[i]];
@@ -160,12 +159,22 @@ class Compiler {
     }
     for (size_t i = 0; i < stand_ins.size(); ++i) {
       VirtualImage& image = plan_.images[node.writes[i]];
-      image.usage |= kUsageTransferTarget;
-      if (stand_ins[i] < 0) image.cleared = image.zero_outside = true;
-      else plan_.images[stand_ins[i]].usage |= kUsageTransferSource;
       image.outside = stand_ins[i];
+      if (image.outside < 0) {
+        image.cleared = image.zero_outside = true;
+        image.usage |= kUsageTransferTarget;
+        continue;
+      }
+      // What equals a copy equals what that is a copy of.
+      const int copied = plan_.images[image.outside].outside;
+      if (copied >= 0) image.outside = copied;
     }
     return true;
+  }
+
+  bool stopsLoop(const PlanNode& node) const {
+    return std::any_of(wiring_.loops.begin(), wiring_.loops.end(),
+                       [&](const WiredLoop& loop) { return loop.until.node == node.node; });
   }
 
   // Is it written at pixels for which its pass has a stand-in?
@@ -179,22 +188,17 @@ class Compiler {
     return false;
   }
 
-  // What equals a copy outside of the reach equals what that is a copy of.
-  void followStandIns() {
-    for (VirtualImage& image : plan_.images) {
-      if (image.outside < 0) continue;
-      for (int next; (next = plan_.images[image.outside].outside) >= 0;) image.outside = next;
-      plan_.images[image.outside].usage |= kUsageTransferSource;
-    }
-  }
-
   // No copy is made of what nobody looks at outside of the reach.
   void leaveOutCopies() {
     std::vector<bool> looked_at(plan_.images.size());
+    auto is_whole = [&](const auto& one) { return one.width == plan_.width && one.height == plan_.height; };
     for (const PlanNode& node : plan_.nodes) {
       const std::vector<PortDesc>& reads = plan_.pipeline.passes[node.pass].reads;
-      for (size_t i = 0; i < reads.size(); ++i)
-        if (node.reads[i] >= 0 && !(node.within_reach && reads[i].pointwise)) looked_at[node.reads[i]] = true;
+      for (size_t i = 0; i < reads.size(); ++i) {
+        if (node.reads[i] < 0) continue;
+        const bool same_pixel = reads[i].pointwise && is_whole(node) && is_whole(plan_.images[node.reads[i]]);
+        if (!node.within_reach || !same_pixel) looked_at[node.reads[i]] = true;
+      }
     }
     for (size_t i = 0; i < plan_.images.size(); ++i)
       if (!looked_at[i] && !plan_.images[i].kept) plan_.images[i].outside = -1;
@@ -276,6 +280,8 @@ class Compiler {
   }
 
   void addCopyOutside(std::vector<Step>& steps, int image) {
+    plan_.images[image].usage |= kUsageTransferTarget;
+    plan_.images[plan_.images[image].outside].usage |= kUsageTransferSource;
     addStep(steps, Step::Kind::CopyOutside, image,
             {imageUse(plan_.images[image].outside, kStageTransfer, kAccessTransferRead),
              imageUse(image, kStageTransfer, kAccessTransferWrite)});

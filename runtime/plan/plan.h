@@ -32,7 +32,8 @@ struct VirtualImage {
   uint32_t usage = 0;    // of this image alone
   int divide = 1;        // pixels of the frame per texel along an axis (tiles); 0: not a picture of the frame
   bool cleared = false;  // to zero whenever the node that writes it begins
-  // Of a node that works within the reach: the image that it equals outside of that, or -1; is it zero there?
+  // Of a node that works within the reach: the image that it equals outside of that, or -1, also where nobody looks and
+  // it has no contents; is it zero there?
   int outside = -1;
   bool zero_outside = false;
   bool zero = false;        // cleared to zero at the start of the frame and written by no node
@@ -71,7 +72,7 @@ struct PlanNode {
   bool still_once = false;
   bool moving_alone = false;  // before a camera at rest it draws what moves alone (Role::MovingAlone)
   // It works on the pixels that something in motion reaches; the others have what stands in for it there: zeros, or a
-  // copy of VirtualImage::outside.
+  // copy of VirtualImage::outside, or nothing where nobody looks.
   bool within_reach = false;
   bool counters = false;  // has a buffer of 32-bit event counts, in the order of the pass's declaration
 };

@@ -168,11 +168,11 @@ static const Corners& cornersAt(const Track8& box, const std::vector<double>& ti
   return box[size_t(std::lower_bound(times.begin(), times.end(), time_s) - times.begin())];
 }
 
-// Where it would be at the ends of the exposure if it went on as since the frame before the capture, for those that
-// know no more; returns how far from there it is at most. Points between the corners are no farther from what these
-// foretell than that.
-static double addForetold(Extent& extent, const Track8& box, const std::vector<double>& times,
-                          const ExposedFrame& frame) {
+// How far off it is at most, at the ends of the exposure, where it would be if it went on as since the frame before the
+// capture: for those that know no more.
+static double offTheForetold(const Track8& box, const std::vector<double>& times, const ExposedFrame& frame) {
+  // Points of a box are between its corners, seen from near by not in the same shares.
+  constexpr double kPerspective = 1.25;
   double off_px = 0;
   if (!(frame.previous_s < frame.capture_s)) return off_px;
   const Corners &now = cornersAt(box, times, frame.capture_s), &previous = cornersAt(box, times, frame.previous_s);
@@ -180,10 +180,9 @@ static double addForetold(Extent& extent, const Track8& box, const std::vector<d
     for (size_t c = 0; c < now.size(); ++c) {
       const double frames = (end_s - frame.capture_s) / (frame.capture_s - frame.previous_s);
       const dvec2 foretold = pixelOf(now[c]) + frames * (pixelOf(now[c]) - pixelOf(previous[c]));
-      extent.add(foretold);
       off_px = std::max(off_px, glm::length(foretold - pixelOf(cornersAt(box, times, end_s)[c])));
     }
-  return off_px;
+  return kPerspective * off_px;
 }
 
 // How far a corner is at most from the straight and even way between the ends of the exposure. A line through the
@@ -216,8 +215,8 @@ static void addTo(PixelArea& reach, const Track8& box, const std::vector<double>
       step_px = std::max(step_px, glm::length(pixelOf(box[k][c]) - pixelOf((*before)[c])));
     before = &box[k];
   }
-  const double foretold_px = addForetold(extent, box, times, frame);
-  const double margin = step_px + 2 + foretold_px + 2 * offTheLine(box, times, frame);
+  const double bent_px = offTheForetold(box, times, frame) + 2 * offTheLine(box, times, frame);
+  const double margin = step_px + 2 + bent_px;
   include(reach, areaOf(extent.low - margin, extent.high + margin, frame));
 }
 

@@ -339,8 +339,7 @@ vec3 colorFound(Seen seen, ivec2 pixel, float t, out bool alike, out Spread spre
 
 // Is what was found what raster saw at the pixel, at rest? Its colour is that of the texel alone.
 bool isOwnAtRest(Own own, Seen seen, ivec2 pixel, float t) {
-  Path path = own.before;
-  if (t > 0.0) path = own.after;
+  Path path = rasterPath(own, pixel, pixel, t > 0.0);
   return seen.layer == kRaster && seen.now == pixel && path.d == vec2(0) && !isCurved(path);
 }
 
@@ -459,12 +458,8 @@ void run(ivec2 pixel) {
     Spread spread = noSpread();
     bool is_asked = is_known || PARAM_leaves_open == 0 || kIsGuessed;
     vec3 color = vec3(0);
-    if (isOwnAtRest(own, seen, pixel, t)) {
-      color = own.color;
-      spread = withColor(spread, color);
-    } else if (is_asked) {
-      color = colorFound(seen, pixel, t, alike, spread);
-    }
+    if (isOwnAtRest(own, seen, pixel, t)) color = own.color;
+    else if (is_asked) color = colorFound(seen, pixel, t, alike, spread);
     if (is_doubted || (PARAM_leaves_open != 0 && !(is_known && (alike || PARAM_leaves_unlike == 0)))) {
       open |= partOf(i);
       left_out += 1u;

@@ -247,17 +247,18 @@ TEST_F(RenderFacts, AreInTheRecord) {
 
 // What goes on otherwise after the capture than displacements say is blurred as they do, to where it never comes.
 TEST_F(RenderFacts, WhatIsForetoldIsReached) {
-  const std::vector<std::vector<std::string>> paths = {{"displacement=extrapolated"},
-                                                       {"displacement=extrapolated", "trajectory=quadratic"},
-                                                       {"trajectory=line"},
-                                                       {"trajectory=quadratic"},
-                                                       {"trajectory=cubic"}};
+  const std::vector<std::vector<std::string>> paths = {
+      {"displacement=extrapolated"}, {"displacement=extrapolated", "trajectory=quadratic"},
+      {"trajectory=line"},           {"trajectory=quadratic"},
+      {"trajectory=cubic"},          {"trajectory=arc"}};
   for (double after : {-6., 60.})
     for (const char* anchor : {"close", "centre", "open"})
       for (std::vector<std::string> settings : paths) {
-        Shot shot = shotOf("bent", 96, 32, {{"before", 20}, {"after", after}, {"top", 8}, {"bottom", 20}});
+        Shot shot = shotOf("bent", 256, 32, {{"before", 20}, {"after", after}, {"top", 8}, {"bottom", 20}});
         settings.push_back("preset=captured");
         const Shot foretold = with(shot, "hybrid", settings, anchor);
+        const scene::PixelArea reach = lab::frameSetup(foretold, bench().scene(shot)->loaded.scene).reach;
+        EXPECT_LT(reach.x1 - reach.x0, 256) << anchor << ' ' << after;
         EXPECT_EQ(hashOf(render(foretold).frame.outputs.at("color")),
                   hashOf(everythingOf(foretold).frame.outputs.at("color")))
             << anchor << ' ' << after << ' ' << settings[0];

@@ -185,6 +185,35 @@ TEST(Omission, NobodyCopiesWhatNobodyLooksAtOutside) {
     }
 }
 
+// The pixel of a smaller picture is another one.
+TEST(Omission, PixelsOfAnotherSizeAreLookedAt) {
+  Builder b;
+  b.compute("base", {}, {"x rgba16f"});
+  b.compute("filter", {{"x", "base.x"}}, {"z rgba16f"}).without = {without("reached", {{"z", "x"}})};
+  PassDesc& last = b.compute("last", {{"x", "filter.z"}}, {"m r8_unorm"});
+  last.without = {without("reached", {{"m", ""}})};
+  last.reads[0].pointwise = true;
+  last.size = {SizeDesc::Kind::Fixed, "", "", 2, 2};
+  b.output("color", "last.m");
+  EXPECT_EQ(copied(planned(b, {})), Names{"base.x to filter.z"});
+}
+
+// What it stops by is read back, written or not.
+TEST(Omission, WhatALoopStopsByRunsOutsideToo) {
+  for (bool stops : {false, true}) {
+    Builder b;
+    b.compute("base", {}, {"x"}).size = {SizeDesc::Kind::Fixed, "", "", 1, 1};
+    b.beginLoop("times", 4, stops ? "stop.y" : "");
+    PassDesc& stop = b.compute("stop", {{"x", "base.x"}}, {"y"});
+    stop.size = {SizeDesc::Kind::Fixed, "", "", 1, 1};
+    stop.without = {without("reached", {{"y", "x"}})};
+    b.compute("sum", {{"y", "stop.y"}}, {}, {"s"});
+    b.endLoop();
+    b.output("color", "sum.s");
+    EXPECT_EQ(planned(b, {}).nodes[1].within_reach, !stops);
+  }
+}
+
 // Their memory is zero outside from frame to frame, which no other image may disturb.
 TEST(Omission, ZerosOutsideShareMemoryAmongThemselves) {
   Builder b;

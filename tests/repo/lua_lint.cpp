@@ -203,24 +203,38 @@ Findings lintTechniques(const std::vector<Source>& sources, const TechniqueNames
   return lint.findings();
 }
 
+// A file of shaders/ and all that it includes.
+static void addWithIncludes(const std::map<std::string, const Source*>& files, const std::string& path,
+                            std::set<const Source*>& found) {
+  static const std::regex include(R"re(#include "([\w./]+)")re");
+  auto file = files.find(path);
+  if (file == files.end() || !found.insert(file->second).second) return;
+  forMatches(file->second->text, include,
+             [&](const std::string& name) { addWithIncludes(files, "shaders/" + name, found); });
+}
+
 Findings lintPointwise(const std::vector<Source>& sources) {
   static const std::regex shader(R"re(\bshader\s*=\s*"([\w/]+)")re"), read(R"((\w+)\s*=\s*\{[^{}]*\bpointwise = true)");
-  std::map<std::string, std::set<std::string>> reads;  // by file
-  for (const Source& source : sources) {
-    std::smatch file;
-    if (!source.path.starts_with("passes/") || !std::regex_search(source.text, file, shader)) continue;
-    forMatches(source.text, read,
-               [&](const std::string& name) { reads["shaders/" + file[1].str() + ".glsl"].insert(name); });
-  }
+  std::map<std::string, const Source*> files;
+  for (const Source& source : sources) files[source.path] = &source;
   Findings findings;
-  for (const Source& source : sources)
-    for (const std::string& name : reads[source.path])
-      forLines(source.text, [&](int number, std::string line) {
-        const std::string texture = name + "_tex", lookup = fmt::format("texelFetch({}, pixel, 0)", texture);
-        for (size_t at; (at = line.find(lookup)) != std::string::npos;) line.erase(at, lookup.size());
-        if (line.find(texture) != std::string::npos)
-          findings.push_back(finding(source, number, fmt::format("'{}' is read pointwise", name)));
-      });
+  auto look = [&](const Source& source, const std::string& name) {
+    const std::regex texture("\\b" + name + "_tex\\b"), lookup("\\btexelFetch\\(" + name + "_tex, pixel, 0\\)");
+    forLines(source.text, [&](int number, const std::string& line) {
+      const bool is_note = line.starts_with("//");
+      if (!is_note && std::regex_search(std::regex_replace(line, lookup, ""), texture))
+        findings.push_back(finding(source, number, fmt::format("'{}' is read pointwise", name)));
+    });
+  };
+  for (const Source& pass : sources) {
+    std::smatch file;
+    if (!pass.path.starts_with("passes/") || !std::regex_search(pass.text, file, shader)) continue;
+    std::set<const Source*> found;
+    addWithIncludes(files, "shaders/" + file[1].str() + ".glsl", found);
+    forMatches(pass.text, read, [&](const std::string& name) {
+      for (const Source* source : found) look(*source, name);
+    });
+  }
   return findings;
 }
 

@@ -41,10 +41,13 @@ TEST(LuaProject, WhatIsReadPointwiseIsLookedUpSo) { EXPECT_EQ(joined(lintPointwi
 TEST(LuaLint, FindsWhatIsNotReadPointwise) {
   const Source pass{"passes/a.lua",
                     "shader = \"list/a\",\n  seen = { pointwise = true, doc = \"x\" },\n  hit = { uint = true },\n"};
-  auto lint = [&](const char* text) { return joined(lintPointwise({pass, {"shaders/list/a.glsl", text}})); };
+  const Source mixin{"shaders/mixin/b.glsl", "vec4 b = texelFetch(seen_tex, at, 0);\n"};
+  auto lint = [&](const char* text) { return joined(lintPointwise({pass, {"shaders/list/a.glsl", text}, mixin})); };
   EXPECT_EQ(lint("vec4 a = texelFetch(seen_tex, pixel, 0) + texelFetch(hit_tex, at, 0);\n"), "");
   EXPECT_EQ(lint("\nvec4 a = texelFetch(seen_tex, pixel, 0) + texelFetch(seen_tex, at, 0);\n"),
             "shaders/list/a.glsl:2: 'seen' is read pointwise\n");
+  EXPECT_EQ(lint("#include \"mixin/b.glsl\"\n"), "shaders/mixin/b.glsl:1: 'seen' is read pointwise\n");
+  EXPECT_EQ(lint("vec4 a = texelFetch(unseen_tex, at, 0);\n"), "");
 }
 
 TEST(LuaLint, FindsRequiresOfAFloorAbove) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <random>
 
 #include "scene/motion.h"
@@ -99,6 +100,28 @@ TEST(ScreenMotion, OfACardThatSlides) {
   boxes.move(card, {2, 1, 0});
   EXPECT_EQ(textOf(boxes.path()), "");
   EXPECT_EQ(boxes.motion().reach.x1, int(std::ceil(kWidth / 2 + kMetre + 2 + kMetre * std::hypot(1, 0.5) / 32)));
+}
+
+// Lines and curves through motion that is not even go on beside it, and so does what is foretold of it.
+TEST(ScreenMotion, OfWhatIsNotEven) {
+  Boxes boxes;
+  int card = boxes.add({0, 0, -10}, kCard);
+  boxes.move(card, {2, 0, 0});
+  Poser poser(boxes.scene(), 0);
+  // Frames that it has gone, by those that have passed.
+  auto left_edge = [&](const std::function<double(double)>& gone) {
+    auto pose_at = [&](double time_s) { return poser.at(gone(time_s / kFrame) * kFrame); };
+    return screenMotionOf(boxes.scene(), pose_at, frameAtOne()).reach.x0;
+  };
+  const double even_px = left_edge([](double frames) { return frames; });
+  EXPECT_NEAR(even_px, kWidth / 2 - 2 * kMetre - 2, 2);
+  // A quarter of a frame ahead in the middle of the exposure; nowhere farther to the left than before.
+  const double ahead_px = 0.25 * 2 * kMetre;
+  EXPECT_NEAR(left_edge([](double frames) { return frames + 4 * std::max(frames - 0.5, 0.0) * (1 - frames); }),
+              even_px - 2 * ahead_px, 3);
+  // As fast again before the exposure: foretold to be half as far again to the left as it is when that opens.
+  EXPECT_NEAR(left_edge([](double frames) { return frames < 0.5 ? 3 * frames - 1 : frames; }),
+              even_px - 1.25 * 0.5 * 2 * kMetre, 2);
 }
 
 // What moves at a pose is in the area of that pose, to the two pixels of its margin; that is within the reach.
