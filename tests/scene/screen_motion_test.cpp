@@ -121,7 +121,7 @@ TEST(ScreenMotion, OfWhatIsNotEven) {
               even_px - 2 * ahead_px, 3);
   // As fast again before the exposure: foretold to be half as far again to the left as it is when that opens.
   EXPECT_NEAR(left_edge([](double frames) { return frames < 0.5 ? 3 * frames - 1 : frames; }),
-              even_px - 1.25 * 0.5 * 2 * kMetre, 2);
+              even_px - 0.5 * 2 * kMetre, 2);
 }
 
 // What moves at a pose is in the area of that pose, to the two pixels of its margin; that is within the reach.
