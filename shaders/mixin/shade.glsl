@@ -217,6 +217,18 @@ vec3 incident(uint slice, uint number, Surface surface, out vec3 towards) {
 #endif
 }
 
+#ifdef STROBE_KEEPS_SHADOWS
+// Finds the shadows of a point as `shade` does, but for lights that a normal map turns away from it or towards it.
+void findShadows(uint slice, Hit hit) {
+  Surface surface = surfaceOf(slice, hit);
+  if ((scene_materials[surface.material].flags & MATERIAL_UNLIT) != 0u) return;
+  for (uint i = 0u; i < frame.light_count; ++i) {
+    vec3 towards;
+    if (!isKnownBlocked(i)) incident(slice, i, surface, towards);
+  }
+}
+#endif
+
 // Radiances this invocation has replaced because they were not finite.
 uint replaced_radiances = 0u;
 

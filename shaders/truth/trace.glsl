@@ -251,13 +251,16 @@ Hit nearestHit(ivec2 pixel, uint slice, Ray ray, bool is_known, Hit ground, inou
   return isHit(hit) ? hitOnTriangle(slice, ray, hit.instance, hit.geometry, hit.primitive) : hit;
 }
 
+// Lights that are free, and blocked.
+void takeAsKnown(uvec2 lights) {
+  known_free = found_free = lights.x;
+  known_blocked = found_blocked = lights.y;
+}
+
 // `known`: lights that are free, and blocked.
 vec3 colorOf(uint slice, Ray ray, Hit hit, uvec2 known, bool spares_rays) {
   if (!isHit(hit)) return environment(ray.direction);
-  known_free = spares_rays ? known.x : 0u;
-  known_blocked = spares_rays ? known.y : 0u;
-  found_free = known_free;
-  found_blocked = known_blocked;
+  takeAsKnown(spares_rays ? known : uvec2(0u));
   vec3 color = shade(kFrozen ? SLICE_CAPTURE : slice, hit);
   misses = misses || ((known.x & found_blocked) | (known.y & found_free)) != 0u;
   return color;
@@ -277,22 +280,30 @@ void noteMoving(ivec2 pixel, Hit hit) {
   if (before.x == kSeenNothing || isMoving(before)) imageStore(ground_img, pixel, withSeen(before, seenAs(hit)));
 }
 
-// What is at rest, or at the capture, for the agreement of samples, and for those after this one.
-void note(ivec2 pixel, Hit hit, float ground_t, vec3 color) {
+// What is at rest, or at the capture, and its shadows, for the agreement of samples, and for those after this one. False: the
+// first of the pixel.
+bool noteSurface(ivec2 pixel, Hit hit, float ground_t) {
   uvec4 before = imageLoad(ground_img, pixel);
   bool is_first = before.x == kSeenNothing || isMoving(before);
   if (is_first) before = uvec4(kSeenNothing);
   imageStore(ground_img, pixel, withSeen(before, uvec4(seenAs(hit).xyz, floatBitsToUint(ground_t))));
+#if PARAM_keeps_notes
+  if (isHit(hit)) {
+    uint shadows = shadowsFrom(uvec2(found_free, found_blocked));
+    imageStore(shadows_img, pixel, withShadows(imageLoad(shadows_img, pixel), hit.instance, shadows));
+  }
+#endif
+  return !is_first;
+}
+
+void note(ivec2 pixel, Hit hit, float ground_t, vec3 color) {
+  bool was_seen = noteSurface(pixel, hit, ground_t);
   vec4 still = imageLoad(still_img, pixel);
   imageStore(still_img, pixel, withSample(still, color));
 #if PARAM_keeps_notes
   vec3 change = abs(color - still.rgb);
   float unlike = max(change.r, max(change.g, change.b)) / max(max(still.r, max(still.g, still.b)), 1e-6);
-  if (!is_first) imageStore(unlike_img, pixel, vec4(max(unlike, imageLoad(unlike_img, pixel).x)));
-  if (isHit(hit)) {
-    uint shadows = shadowsFrom(uvec2(found_free, found_blocked));
-    imageStore(shadows_img, pixel, withShadows(imageLoad(shadows_img, pixel), hit.instance, shadows));
-  }
+  if (was_seen) imageStore(unlike_img, pixel, vec4(max(unlike, imageLoad(unlike_img, pixel).x)));
 #endif
 }
 
@@ -319,12 +330,14 @@ uvec2 sureShadows(ivec2 pixel, Hit hit) {
 }
 
 #if PARAM_surveys
-// Notes what the capture shows at a place of the pixel.
+// Notes what the capture shows at a place of the pixel. Nothing asks for its colour before a moving camera.
 void survey(ivec2 pixel, vec2 position_px) {
   Ray ray = cameraRay(SLICE_CAPTURE, position_px);
   float t = kFar;
   Hit hit = nearestHit(pixel, SLICE_CAPTURE, ray, false, noHit(), t);
-  note(pixel, hit, t, colorOf(SLICE_CAPTURE, ray, hit, sureShadows(pixel, hit), true));
+  takeAsKnown(sureShadows(pixel, hit));
+  if (isHit(hit)) findShadows(SLICE_CAPTURE, hit);
+  noteSurface(pixel, hit, t);
 }
 #endif
 
