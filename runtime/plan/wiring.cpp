@@ -103,8 +103,9 @@ class Wirer {
       for (const PortDesc& port : *ports) checkFormat(pass, port);
     }
     for (const PortDesc& port : pass.reads) {
-      if (!port.linear || !port.uint) continue;
-      problem(port.place, "read '{}' of pass '{}' is both uint and linear", port.name, pass.name);
+      if (!port.linear || !(port.uint || port.pointwise)) continue;
+      problem(port.place, "read '{}' of pass '{}' is both {} and linear", port.name, pass.name,
+              port.uint ? "uint" : "pointwise");
     }
     checkSize(pass);
   }

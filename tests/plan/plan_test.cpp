@@ -576,6 +576,15 @@ TEST(Refusals, TwoWriters) {
   EXPECT_EQ(refusal(c.pipeline), "passes/first.lua:1: pass 'first' writes 'x' twice");
 }
 
+TEST(Refusals, FilteredReads) {
+  Builder b = chain();
+  PortDesc& read = b.pipeline.passes[1].reads[0];
+  read.linear = read.pointwise = true;
+  EXPECT_TRUE(refusal(b.pipeline).ends_with("read '" + read.name + "' of pass 'second' is both pointwise and linear"));
+  read.uint = true;
+  EXPECT_TRUE(refusal(b.pipeline).ends_with("read '" + read.name + "' of pass 'second' is both uint and linear"));
+}
+
 TEST(Refusals, Parameters) {
   Builder b = chain();
   b.pipeline.passes[0].params = {intParam("tile", 20, 1, 256)};
