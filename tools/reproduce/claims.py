@@ -54,7 +54,7 @@ EXPERIMENTS = [
     experiment("mask_relative", "shot=bar", 50, 900),
     experiment("precision", "shot=wedge", 50, 400),
     experiment("readings", "shot=plain", 50, 900),
-    experiment("real_scenes", "", 2400, 2400, shared=True),
+    experiment("real_scenes", "", 180, 180, shared=True),
     experiment("reveal_resolution", "shot=cells_9,cap=8", 50, 900),
     experiment("tracing", "shot=cells,backend=bvh", 60, 650),
     experiment("truth", "shot=plain,samples=16", 100, 1100),
