@@ -16,13 +16,13 @@ namespace strobe::app {
 
 namespace {
 
-struct Options {
+struct ReloadOptions {
   ShotOptions shot;
   int repeats = 15;
   bool json = false;
 };
 
-void reload(const Home& own, const Options& options) {
+void reload(const Home& own, const ReloadOptions& options) {
   lab::Shot shot = options.shot.resolve();
   if (shot.width == 0) shot.width = 160, shot.height = 90;
   FrozenHome copy(own, std::filesystem::temp_directory_path() / fmt::format("strobe_bench_{}", ::getpid()));
@@ -54,7 +54,7 @@ void reload(const Home& own, const Options& options) {
 void registerBench(CLI::App& program, const Home& home) {
   CLI::App* command = program.add_subcommand("bench", "Measure what the program costs");
   command->require_subcommand(1);
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReloadOptions>();
   CLI::App* of_reload = command->add_subcommand("reload", "From saving a file to the first picture made of it");
   of_reload->add_option("--repeats", options->repeats, "edits of each kind")
       ->check(CLI::Range(1, 1000))

@@ -21,7 +21,7 @@ namespace strobe::app {
 
 namespace {
 
-struct Options {
+struct FramesOptions {
   ShotOptions shot;
   std::vector<std::string> methods;
   lab::Rounds rounds{15, 100, 0};
@@ -32,7 +32,7 @@ struct Options {
   bool json = false;
 };
 
-// Options of a shot that may be given several times.
+// FramesOptions of a shot that may be given several times.
 const std::set<std::string> kSeveral = {"scene", "size"};
 constexpr const char* kUsualSize = "320x180";
 
@@ -52,7 +52,7 @@ std::vector<std::string> shippedMethods(const Home& home) {
   return names;
 }
 
-bench::Subject subjectOf(const Home& home, Options& options) {
+bench::Subject subjectOf(const Home& home, FramesOptions& options) {
   bench::Subject subject;
   if (options.methods.empty()) options.methods = shippedMethods(home);
   subject.scenes = options.shot.given("scene");
@@ -69,14 +69,14 @@ bench::Subject subjectOf(const Home& home, Options& options) {
   return subject;
 }
 
-lab::Rounds roundsOf(const Options& options) {
+lab::Rounds roundsOf(const FramesOptions& options) {
   lab::Rounds rounds = options.rounds;
   rounds.most = rounds.within > 0 ? std::max(rounds.least, rounds.most) : rounds.least;
   return rounds;
 }
 
 // What is measured, as words of a command line; another program understands them too.
-std::vector<std::string> wordsOf(const Options& options, const bench::Subject& subject) {
+std::vector<std::string> wordsOf(const FramesOptions& options, const bench::Subject& subject) {
   std::vector<std::string> words = {"bench", "frames"};
   words.insert(words.end(), options.methods.begin(), options.methods.end());
   for (const std::string& scene : subject.scenes) words.push_back("--scene=" + scene);
@@ -88,7 +88,7 @@ std::vector<std::string> wordsOf(const Options& options, const bench::Subject& s
 }
 
 // The command as somebody would repeat it.
-std::string commandOf(const Options& options, const bench::Subject& subject) {
+std::string commandOf(const FramesOptions& options, const bench::Subject& subject) {
   std::string line = "strobe";
   for (const std::string& word : wordsOf(options, subject)) line += " " + lab::shellWord(word);
   if (options.rounds.within > 0)
@@ -101,7 +101,7 @@ bool isProgram(const std::string& file) {
   return std::filesystem::is_regular_file(file) && ::access(file.c_str(), X_OK) == 0;
 }
 
-void requireSound(const Options& options) {
+void requireSound(const FramesOptions& options) {
   if (!options.out.empty()) requireWritable(options.out);
   if (!options.save.empty()) requireWritable(std::filesystem::absolute(options.save).parent_path(), "--save");
   if (options.against.empty()) return;
@@ -120,7 +120,7 @@ struct Measured {
   std::optional<bench::Comparison> comparison;
 };
 
-void measureAlone(const Home& home, const Options& options, const bench::Subject& subject, Measured& measured) {
+void measureAlone(const Home& home, const FramesOptions& options, const bench::Subject& subject, Measured& measured) {
   lab::Workbench bench(home, subject.shot.device, validationWanted());
   if (options.in_flight > 0) bench.frames_in_flight = options.in_flight;
   std::optional<bench::Run> saved;
@@ -133,7 +133,7 @@ void measureAlone(const Home& home, const Options& options, const bench::Subject
   if (saved) measured.comparison = bench::compared(measured.run, *saved, options.moved);
 }
 
-void measureInTurn(const Home& home, const Options& options, const bench::Subject& subject, Measured& measured) {
+void measureInTurn(const Home& home, const FramesOptions& options, const bench::Subject& subject, Measured& measured) {
   bench::outlineOf(*std::make_unique<lab::Workbench>(home, subject.shot.device, false), subject);
   std::vector<std::string> words = wordsOf(options, subject);
   words.push_back("--json");
@@ -154,7 +154,7 @@ Json jsonOf(const Measured& measured) {
   return json;
 }
 
-std::vector<Path> write(const Options& options, const Measured& measured) {
+std::vector<Path> write(const FramesOptions& options, const Measured& measured) {
   std::vector<Path> files;
   auto keep = [&](const Path& file, const std::string& text) {
     files.push_back(file);
@@ -170,7 +170,7 @@ std::vector<Path> write(const Options& options, const Measured& measured) {
   return files;
 }
 
-void frames(const Home& home, Options options) {
+void frames(const Home& home, FramesOptions options) {
   bench::Subject subject = subjectOf(home, options);
   requireSound(options);
   Measured measured;
@@ -190,7 +190,7 @@ void frames(const Home& home, Options options) {
 }  // namespace
 
 void registerBenchFrames(CLI::App& bench, const Home& home) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<FramesOptions>();
   CLI::App* command = bench.add_subcommand("frames", "What a frame of each method costs, all drawn in turn");
   command->add_option("pipelines", options->methods,
                       "PIPELINE or PIPELINE:NAME=VALUE,NAME=VALUE with settings of its own; the first is the base "

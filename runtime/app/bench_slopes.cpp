@@ -19,7 +19,7 @@ namespace strobe::app {
 
 namespace {
 
-struct Options {
+struct SlopesOptions {
   std::string file = "experiments/costs/costs.lua";
   std::string size, only, out, device;
   int rounds = 0;
@@ -134,7 +134,7 @@ std::vector<bench::Demand> demandsOf(lab::Workbench& bench, const study::Experim
 
 // ---- the command
 
-study::Experiment experimentOf(const Home& home, const Options& options) {
+study::Experiment experimentOf(const Home& home, const SlopesOptions& options) {
   study::Experiment experiment = study::readExperiment(home, hereOrAtHome(home, options.file));
   if (!options.only.empty()) study::keepOnly(experiment, options.only);
   if (!options.size.empty()) {
@@ -145,7 +145,7 @@ study::Experiment experimentOf(const Home& home, const Options& options) {
   return experiment;
 }
 
-std::string commandOf(const Home& home, const Options& options) {
+std::string commandOf(const Home& home, const SlopesOptions& options) {
   std::string line = "strobe bench slopes " + lab::shellWord(home.shown(options.file));
   if (!options.size.empty()) line += " --size=" + options.size;
   if (!options.only.empty()) line += " --only=" + lab::shellWord(options.only);
@@ -154,7 +154,7 @@ std::string commandOf(const Home& home, const Options& options) {
          fmt::format(" --bandwidth={:g} --ray-rate={:g}", options.gpu.gigabytes_per_s, options.gpu.gigarays_per_s);
 }
 
-bench::Slopes slopesOf(const Home& home, const Options& options) {
+bench::Slopes slopesOf(const Home& home, const SlopesOptions& options) {
   study::Experiment experiment = experimentOf(home, options);
   std::vector<Points> points = pointsOf(experiment);
   bench::Slopes slopes{commandOf(home, options), experiment.title, experiment.question, {}, {}, {}, options.gpu};
@@ -171,7 +171,7 @@ bench::Slopes slopesOf(const Home& home, const Options& options) {
   return slopes;
 }
 
-void slopes(const Home& home, const Options& options) {
+void slopes(const Home& home, const SlopesOptions& options) {
   if (!options.out.empty()) requireWritable(options.out);
   const bench::Slopes found = slopesOf(home, options);
   std::string json = bench::toJson(found).dump(1) + "\n";
@@ -188,7 +188,7 @@ void slopes(const Home& home, const Options& options) {
 }  // namespace
 
 void registerBenchSlopes(CLI::App& bench, const Home& home) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SlopesOptions>();
   CLI::App* command =
       bench.add_subcommand("slopes", "How the time of a frame follows what it has, one thing at a time");
   command->add_option("file", options->file, "an experiment whose axes vary one thing each")->capture_default_str();

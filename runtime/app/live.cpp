@@ -10,7 +10,7 @@ namespace strobe::app {
 
 namespace {
 
-struct Options {
+struct LiveCommandOptions {
   ShotOptions shot;
   std::string versus, truth, out = "out/live", window = "1400x900", drive, tev;
   std::vector<std::string> versus_sets;
@@ -23,7 +23,7 @@ void checkPipelines(const Home& home, const live::DeskOptions& desk) {
   if (!desk.versus.empty()) script::evaluatePipeline(home, {desk.versus, desk.versus_sets});
 }
 
-void live(const Home& home, const Options& options) {
+void live(const Home& home, const LiveCommandOptions& options) {
   live::LiveOptions wanted;
   wanted.desk.shot = options.shot.resolve();
   wanted.desk.versus = options.versus;
@@ -47,7 +47,7 @@ void live(const Home& home, const Options& options) {
 }  // namespace
 
 void registerLive(CLI::App& program, const Home& home) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<LiveCommandOptions>();
   CLI::App* command =
       program.add_subcommand("live", "Show a pipeline in a window; edits of scripts and shaders are taken in");
   options->shot.addWithPipeline(*command);

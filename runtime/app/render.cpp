@@ -21,7 +21,7 @@ namespace strobe::app {
 
 namespace {
 
-struct Options {
+struct RenderOptions {
   ShotOptions shot;
   std::string out, pixel, tev, views;
   lab::ExrOptions exr;
@@ -37,13 +37,13 @@ void printCounters(const Json& record) {
 }
 
 // Where the picture goes if --out does not say; "" where something else was asked for.
-std::string usualOut(const Options& options, const lab::Shot& shot) {
+std::string usualOut(const RenderOptions& options, const lab::Shot& shot) {
   if (!options.pixel.empty() || !options.tev.empty() || !options.views.empty()) return "";
   bool exr = !shot.taps.empty() || options.asksForExr();
   return (Path("out") / Path(shot.pipeline).stem()).string() + (exr ? ".exr" : ".png");
 }
 
-void checkOptions(const Options& options, const lab::Shot& shot) {
+void checkOptions(const RenderOptions& options, const lab::Shot& shot) {
   if (!options.out.empty()) {
     lab::checkPictureName(options.out);
     requireWritable(std::filesystem::absolute(options.out).parent_path());
@@ -57,7 +57,7 @@ void checkOptions(const Options& options, const lab::Shot& shot) {
 }
 
 // The picture; with `--pixel` also what every pass left there.
-lab::Picture renderedBy(lab::Workbench& bench, const Options& options, const lab::Shot& shot, lab::Trail& trail) {
+lab::Picture renderedBy(lab::Workbench& bench, const RenderOptions& options, const lab::Shot& shot, lab::Trail& trail) {
   std::unique_ptr<Progress> progress;
   auto advance = [&](int, int of) {
     if (!progress) progress = std::make_unique<Progress>(shot.pipeline, of);
@@ -92,7 +92,7 @@ std::vector<Path> writeViews(lab::Workbench& bench, lab::Shot shot, const lab::P
   return files;
 }
 
-void print(const Options& options, const lab::Picture& picture, const lab::Trail& trail,
+void print(const RenderOptions& options, const lab::Picture& picture, const lab::Trail& trail,
            const std::vector<Path>& files) {
   bool pixel = !options.pixel.empty();
   if (options.json) {
@@ -104,7 +104,7 @@ void print(const Options& options, const lab::Picture& picture, const lab::Trail
   for (const Path& file : files) std::printf("%s\n", file.c_str());
 }
 
-void render(const Home& home, Options options) {
+void render(const Home& home, RenderOptions options) {
   lab::Shot shot = options.shot.resolve();
   if (options.out.empty()) options.out = usualOut(options, shot);
   checkOptions(options, shot);
@@ -130,7 +130,7 @@ void render(const Home& home, Options options) {
 }  // namespace
 
 void registerRender(CLI::App& program, const Home& home) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderOptions>();
   CLI::App* command = program.add_subcommand("render", "Render one picture of a scene with a pipeline");
   command->add_option("-o,--out", options->out,
                       "picture to write, .exr or .png; record and timings go beside it (default: out/PIPELINE.png, "

@@ -23,7 +23,7 @@ namespace strobe::app {
 
 namespace {
 
-struct Options {
+struct SweepOptions {
   std::string file, out, only, size, device;
   bool dry_run = false, json = false, exr = false;
   int jobs = 1;
@@ -42,7 +42,7 @@ const ResultNames kDemoNames = {"demo.html", "",           "demo.json",         
                                 "table.csv", "passes.csv", "demo.unfinished.json"};
 
 // The command as somebody would repeat it.
-std::string commandOf(const Home& home, const std::string& name, const Options& options) {
+std::string commandOf(const Home& home, const std::string& name, const SweepOptions& options) {
   std::string line = "strobe " + name;
   auto add = [&line](const char* option, const std::string& value) {
     if (!value.empty()) line += fmt::format(" {}{}{}", option, *option ? " " : "", value);
@@ -70,7 +70,7 @@ void show(const study::Results& results, const Path& folder, const ResultNames& 
   throwIfAny(wrong);
 }
 
-study::Experiment experimentOf(const Home& home, const std::string& file, const Options& options) {
+study::Experiment experimentOf(const Home& home, const std::string& file, const SweepOptions& options) {
   std::array<int, 2> size = options.size.empty() ? std::array<int, 2>{} : lab::parseSize(options.size);
   study::Experiment experiment = study::readExperiment(home, file, !options.dry_run);
   if (!options.only.empty()) study::keepOnly(experiment, options.only);
@@ -107,7 +107,7 @@ study::Results concluded(study::Results results, const std::string& command, con
   return study::resultsFrom(study::toJson(results), "the results");
 }
 
-void sweep(const Home& home, const Options& options) {
+void sweep(const Home& home, const SweepOptions& options) {
   double started_s = clockSeconds();
   std::string file = hereOrAtHome(home, options.file);
   if (!options.dry_run) requireWritable(options.out);
@@ -146,7 +146,7 @@ study::Results measured(const study::Experiment& experiment, archive::Capturing&
   return study::run(experiment, batch, store, started);
 }
 
-void demo(const Home& home, const Options& options) {
+void demo(const Home& home, const SweepOptions& options) {
   double started_s = clockSeconds();
   archive::Order order;
   order.file = hereOrAtHome(home, options.file), order.folder = options.out;
@@ -169,13 +169,13 @@ void demo(const Home& home, const Options& options) {
   show(concluded(std::move(results), command, outline), options.out, kDemoNames, options.json, false, figures);
 }
 
-void addCommon(CLI::App& command, Options& options) {
+void addCommon(CLI::App& command, SweepOptions& options) {
   command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels (default: the file's)");
   command.add_option("--device", options.device, "index or part of the name of a Vulkan device");
   command.add_flag("--json", options.json, "print the results as JSON");
 }
 
-void addSweep(CLI::App& command, Options& options) {
+void addSweep(CLI::App& command, SweepOptions& options) {
   addCommon(command, options);
   command.add_option("--jobs", options.jobs, "processes that draw; times are measured by one alone")
       ->check(CLI::Range(1, 256))
@@ -210,7 +210,7 @@ void report(const Home& home, const ReportOptions& options) {
 }  // namespace
 
 void registerSweep(CLI::App& program, const Home& home) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SweepOptions>();
   CLI::App* command = program.add_subcommand(
       "sweep", "Run an experiment, or go on with one that was interrupted, and lay out its results");
   command->add_option("file", options->file, "an experiment (docs/writing-experiments.md)")->required();
@@ -238,7 +238,7 @@ void registerReport(CLI::App& program, const Home& home) {
 }
 
 void registerDemo(CLI::App& program, const Home& home) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SweepOptions>();
   options->file = "scripts/captures/demo.lua";
   options->out = "out/demo";
   CLI::App* command = program.add_subcommand("demo", "Take a capture, measure it, and show every method beside truth");

@@ -21,7 +21,7 @@ namespace strobe::app {
 
 namespace {
 
-struct Options {
+struct TuneOptions {
   ShotOptions shot;
   double budget_ms = 0, budget_ratio = 0;
   std::string max_error;  // "0.01", or "1.1x"
@@ -50,7 +50,7 @@ std::vector<std::string> errorNames() {
   return names;
 }
 
-void setLimit(study::Wish& wish, const Options& options) {
+void setLimit(study::Wish& wish, const TuneOptions& options) {
   using Limit = study::Wish::Limit;
   int given = (options.budget_ms > 0) + (options.budget_ratio > 0) + !options.max_error.empty();
   if (given != 1)
@@ -75,7 +75,7 @@ void setLimit(study::Wish& wish, const Options& options) {
         {}, 2);
 }
 
-study::Wish wishOf(const Options& options) {
+study::Wish wishOf(const TuneOptions& options) {
   study::Wish wish;
   setLimit(wish, options);
   wish.shot = options.shot.resolve();
@@ -89,7 +89,7 @@ study::Wish wishOf(const Options& options) {
 }
 
 // The command as somebody would repeat it.
-std::string commandOf(const Options& options, const study::Wish& wish) {
+std::string commandOf(const TuneOptions& options, const study::Wish& wish) {
   std::string line = lab::commandOf(wish.shot);
   line.replace(0, line.find(" render ") + 8, "strobe tune ");
   if (size_t out = line.rfind(" -o "); out != std::string::npos) line.erase(out);
@@ -104,7 +104,7 @@ std::string commandOf(const Options& options, const study::Wish& wish) {
   add("--measure", options.measure, "rmse");
   add("--region", options.region, "inner");
   add("--vary", fmt::format("{}", fmt::join(options.vary, ",")));
-  add("--evaluations", std::to_string(options.evaluations), std::to_string(Options().evaluations));
+  add("--evaluations", std::to_string(options.evaluations), std::to_string(TuneOptions().evaluations));
   add("-o", options.out);
   return line;
 }
@@ -209,7 +209,7 @@ void explain(const study::Wish& wish, study::Tuned& tuned) {
       wish.own ? "the passes that a frame without blur does not have" : "a frame", base);
 }
 
-void tune(const Home& home, Options options) {
+void tune(const Home& home, TuneOptions options) {
   double started_s = clockSeconds();
   study::Wish wish = wishOf(options);
   if (options.out.empty()) options.out = (Path("out/tune") / Path(wish.shot.pipeline).stem()).string() + ".lua";
@@ -253,7 +253,7 @@ void tune(const Home& home, Options options) {
 }  // namespace
 
 void registerTune(CLI::App& program, const Home& home) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TuneOptions>();
   CLI::App* command = program.add_subcommand(
       "tune", "Find the best setting of a pipeline within a budget, or the cheapest within an error, as a preset");
   command->add_option("--budget-ms", options->budget_ms, "most milliseconds: the least error within them")

@@ -69,4 +69,6 @@ Json jsonFromText(const std::string& text) {
   return Json::sax_parse(text, &builder) ? builder.take() : Json(Json::value_t::discarded);
 }
 
+std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 }  // namespace strobe

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// JSON from text, for what is large: the library's own way copies the fields of an object whenever that grows.
+// JSON from text and to text. The reader is for large texts: the library's own copies the fields of an object whenever
+// it grows.
 #pragma once
 
 #include <string>
@@ -10,5 +11,8 @@ namespace strobe {
 
 // `is_discarded()` where the text is no JSON. An object that has a key twice keeps both; the first is found.
 Json jsonFromText(const std::string& text);
+
+// JSON on one line. Bytes that are not UTF-8 (of a file name, of a setting) become replacement characters.
+std::string textOf(const Json& json);
 
 }  // namespace strobe

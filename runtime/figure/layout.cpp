@@ -11,7 +11,7 @@ namespace strobe::figure {
 
 using image::Image;
 using image::Rectangle;
-using Kind = lab::Legend::Kind;
+using LegendKind = lab::Legend::Kind;
 
 namespace {
 
@@ -93,7 +93,7 @@ Image barOf(const lab::Legend& legend, int width, int height) {
 
 // What stands below the ends and the middle of a bar.
 std::array<std::string, 3> barTexts(const lab::Legend& legend) {
-  if (legend.kind != Kind::depth)
+  if (legend.kind != LegendKind::depth)
     return {fmt::format("{:.3g}", legend.low), legend.text, fmt::format("{:.3g}", legend.high)};
   auto metres = [](double value) { return fmt::format("{:.3g} m", value); };
   return {metres(legend.low), metres(std::sqrt(legend.low * legend.high)), metres(legend.high)};
@@ -172,11 +172,11 @@ int Layout::outerWidth(const Block& block) const {
 int Layout::keyHeight(const lab::Legend& legend) const {
   double small = 0.8 * text_;
   switch (legend.kind) {
-    case Kind::none:
+    case LegendKind::none:
       return 0;
-    case Kind::words:
+    case LegendKind::words:
       return ceilOf(lineHeight(small));
-    case Kind::wheel:
+    case LegendKind::wheel:
       return 2 * int(std::lround(1.3 * text_)) + 1;
     default:
       return ceilOf(0.7 * text_ + lineHeight(small) + 0.15 * text_);
@@ -366,8 +366,8 @@ void Layout::drawKey(Canvas& canvas, const Key& key) const {
     fit(text, size, width);
     canvas.text(x + aligned * (width - textWidth(text, size)), y, text, size, kSoft);
   };
-  if (key.legend.kind == Kind::words) return line(area.x, area.y, area.width, key.legend.text, 0);
-  if (key.legend.kind == Kind::wheel) {
+  if (key.legend.kind == LegendKind::words) return line(area.x, area.y, area.width, key.legend.text, 0);
+  if (key.legend.kind == LegendKind::wheel) {
     Image wheel = wheelOf((area.height - 1) / 2);
     canvas.picture(wheel, area.x, area.y);
     double x = area.x + wheel.width + 0.5 * small;

@@ -7,7 +7,7 @@ namespace strobe::figure {
 
 namespace {
 
-using Kind = Shape::Kind;
+using ShapeKind = Shape::Kind;
 
 class Drawer {
  public:
@@ -20,18 +20,18 @@ class Drawer {
     dvec2 to = lens_.inFigure(*tip), from = to - dvec2(34, 34) * size_;
     if (arrow.from) from = lens_.inFigure(lens_.centre(*arrow.from));
     if (arrow.by) from = lens_.inFigure(*tip + *arrow.by * lens_.scale());
-    add(Kind::arrow, arrow).from = from;
+    add(ShapeKind::arrow, arrow).from = from;
     shapes_.back().to = to;
     if (arrow.text.empty()) return;
     double length = glm::length(to - from);
     dvec2 back = length > 0 ? (from - to) / length : dvec2(0, -1);
-    add(Kind::words, arrow).to = from + back * 11.0 * size_;
+    add(ShapeKind::words, arrow).to = from + back * 11.0 * size_;
   }
 
   void draw(const Circle& circle) {
     std::optional<dvec2> at = placed(circle.at, circle, "a circle");
     if (!at) return;
-    add(Kind::ring, circle).to = lens_.inFigure(*at);
+    add(ShapeKind::ring, circle).to = lens_.inFigure(*at);
     shapes_.back().radius = circle.radius * lens_.scale().x * lens_.zoom();
     if (!circle.text.empty()) words(circle, lens_.inFigure(*at) + dvec2(0, shapes_.back().radius + 12 * size_));
   }
@@ -40,7 +40,7 @@ class Drawer {
     dvec2 corner(box.area.x, box.area.y), far = corner + dvec2(box.area.width, box.area.height);
     dvec2 middle = lens_.corner(0.5 * (corner + far));
     if (!lens_.shows(middle)) return problem(box, "a box has its middle");
-    add(Kind::box, box).from = lens_.inFigure(lens_.corner(corner));
+    add(ShapeKind::box, box).from = lens_.inFigure(lens_.corner(corner));
     shapes_.back().to = lens_.inFigure(lens_.corner(far));
     if (box.text.empty()) return;
     dvec2 below(0.5 * (shapes_.back().from.x + shapes_.back().to.x), shapes_.back().to.y + 11 * size_);
@@ -67,18 +67,18 @@ class Drawer {
       }
       for (int i = 0; i < range.samples; ++i) {
         double t = window->x + (window->y - window->x) * (i + 0.5) / range.samples;
-        add(Kind::disc, range).to = end(t);
+        add(ShapeKind::disc, range).to = end(t);
         shapes_.back().radius = 0.9 * range.width * size_;
       }
       if (range.displacement) {
         dvec2 aside = across * (3 * range.width + 6) * size_;
-        add(Kind::arrow, range).from = pixel - aside;
+        add(ShapeKind::arrow, range).from = pixel - aside;
         shapes_.back().to = lens_.inFigure(at + d) - aside;
         shapes_.back().colour = {1, 1, 1};
         shapes_.back().width = 0.75 * range.width * size_;
       }
     }
-    add(Kind::disc, range).to = pixel;
+    add(ShapeKind::disc, range).to = pixel;
     shapes_.back().radius = 1.7 * range.width * size_;
     shapes_.back().colour = {1, 1, 1};
     if (!range.text.empty()) words(range, pixel + dvec2(0, (3 * range.width + 10) * size_));
@@ -93,15 +93,15 @@ class Drawer {
   std::vector<Shape> finished() { return std::move(shapes_); }
 
  private:
-  Shape& add(Kind kind, const Mark& mark) {
+  Shape& add(ShapeKind kind, const Mark& mark) {
     Shape& shape = shapes_.emplace_back();
     shape.kind = kind, shape.colour = mark.colour, shape.width = mark.width * size_;
-    if (kind == Kind::words) shape.text = mark.text;
+    if (kind == ShapeKind::words) shape.text = mark.text;
     return shape;
   }
-  void words(const Mark& mark, dvec2 centre) { add(Kind::words, mark).to = centre; }
+  void words(const Mark& mark, dvec2 centre) { add(ShapeKind::words, mark).to = centre; }
   void stroke(const Mark& mark, dvec2 from, dvec2 to) {
-    add(Kind::line, mark).from = from;
+    add(ShapeKind::line, mark).from = from;
     shapes_.back().to = to;
   }
   void problem(const Mark& mark, const std::string& what) {

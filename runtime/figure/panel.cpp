@@ -16,7 +16,7 @@ namespace {
 
 using image::Image;
 using image::Rectangle;
-using Kind = lab::Legend::Kind;
+using LegendKind = lab::Legend::Kind;
 
 // What a cell shows, in full size: linear colour that a tone curve makes visible, or a display image.
 struct Source {
@@ -33,7 +33,7 @@ struct Source {
   }
 };
 
-const Image* colorOf(const Taken& taken) {
+const Image* colorImageOf(const Taken& taken) {
   auto found = taken.picture->frame.outputs.find("color");
   return found == taken.picture->frame.outputs.end() ? nullptr : &found->second.floats;
 }
@@ -60,7 +60,7 @@ Source viewOf(const Cell& cell, const Taken& taken, const graph::ReadImage& imag
 }
 
 Source flipOf(const Image& a, const Image& b) {
-  return {image::heatMap(image::ldrFlip(a, b), 0, 1), {}, {Kind::bar, 0, 1, "FLIP"}};
+  return {image::heatMap(image::ldrFlip(a, b), 0, 1), {}, {LegendKind::bar, 0, 1, "FLIP"}};
 }
 
 std::optional<Source> differenceOf(const Cell& cell, const Taken& taken, const Taken& other, Problems& problems) {
@@ -77,8 +77,8 @@ std::optional<Source> differenceOf(const Cell& cell, const Taken& taken, const T
   if (cell.difference == "channels")
     return Source{image::absoluteDifference(first, second, float(cell.gain)),
                   {},
-                  {Kind::words, 0, 0, fmt::format("|difference from {}| × {:g}", other.arm, cell.gain)}};
-  lab::Legend legend{Kind::bar, 0, 1 / cell.gain, fmt::format("|difference from {}|", other.arm)};
+                  {LegendKind::words, 0, 0, fmt::format("|difference from {}| × {:g}", other.arm, cell.gain)}};
+  lab::Legend legend{LegendKind::bar, 0, 1 / cell.gain, fmt::format("|difference from {}|", other.arm)};
   return Source{image::differenceHeat(first, second, float(cell.gain)), {}, legend};
 }
 
@@ -121,7 +121,7 @@ class Maker {
     block_.row = cell_.row, block_.column = cell_.column;
     std::optional<Taken> taken = found(cell_.arm);
     if (!taken) return block_;
-    const Image* color = colorOf(*taken);
+    const Image* color = colorImageOf(*taken);
     if (!color) {
       findImage(*taken, "color", cell_.place, problems_);
       return block_;

@@ -34,6 +34,9 @@ Image shrunk(const Image& linear, int width, int height);
 void fill(Image& onto, Rectangle area, const Colour& colour);
 void paste(Image& onto, const Image& what, int x, int y);  // top left corner of `what` at (x, y)
 
+// Blend `colour` over the pixel (x, y); coverage in [0,1].
+void blend(Image& onto, int x, int y, const Colour& colour, float coverage);
+
 // DejaVu Sans, the font of everything the program draws. Throws `Error` saying what to install when it is absent.
 Path fontFile();
 

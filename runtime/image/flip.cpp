@@ -280,7 +280,7 @@ Image exposed(const Image& image, double stops, FlipCurve curve) {
   return out;
 }
 
-void assertAlike(const Image& test, const Image& reference) {
+void assertComparable(const Image& test, const Image& reference) {
   STROBE_ASSERT(sameSize(test, reference) && !test.empty(), "{}x{} and {}x{}", test.width, test.height, reference.width,
                 reference.height);
 }
@@ -300,7 +300,7 @@ Image clampUnit(Image image) {
 }  // namespace
 
 Image ldrFlip(const Image& test, const Image& reference, double pixels_per_degree) {
-  assertAlike(test, reference);
+  assertComparable(test, reference);
   return flipOfDisplayable(clampUnit(threeChannels(test)), clampUnit(threeChannels(reference)), pixels_per_degree);
 }
 
@@ -332,7 +332,7 @@ Exposures automaticExposures(const Image& test, const Image& reference, FlipCurv
 }
 
 HdrFlip hdrFlip(const Image& test, const Image& reference, const HdrFlipOptions& options) {
-  assertAlike(test, reference);
+  assertComparable(test, reference);
   Image x = threeChannels(test), r = threeChannels(reference);
   HdrFlip result;
   result.exposures = options.exposures ? *options.exposures : automaticExposures(x, r, options.curve);

@@ -15,12 +15,6 @@ constexpr Colour kInk = {0.96f, 0.96f, 0.97f};
 constexpr Colour kSoftInk = {0.72f, 0.73f, 0.76f};
 constexpr Colour kBorder = {0.03f, 0.03f, 0.04f};
 
-void blend(Image& onto, int x, int y, const Colour& colour, float coverage) {
-  if (x < 0 || y < 0 || x >= onto.width || y >= onto.height || !(coverage > 0)) return;
-  float* pixel = onto.pixel(x, y);
-  for (int c = 0; c < 3; ++c) pixel[c] += std::min(coverage, 1.0f) * (colour[size_t(c)] - pixel[c]);
-}
-
 // A machine without the font shows pictures without words.
 bool hasFont() {
   static const bool has = [] {

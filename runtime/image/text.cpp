@@ -63,11 +63,6 @@ std::vector<Glyph> layOut(const std::string& text, float scale, float& end) {
   return glyphs;
 }
 
-void blend(Image& onto, int x, int y, const Colour& colour, float coverage) {
-  if (x < 0 || y < 0 || x >= onto.width || y >= onto.height) return;
-  for (int c = 0; c < 3; ++c) onto.at(x, y, c) += coverage * (colour[c] - onto.at(x, y, c));
-}
-
 void drawGlyph(Image& onto, const Glyph& glyph, float scale, int x, int baseline, const Colour& colour) {
   float pen = x + glyph.x, fraction = pen - std::floor(pen);
   int width = 0, height = 0, left = 0, top = 0;

@@ -9,7 +9,7 @@
 
 namespace strobe::lab {
 
-using View = std::array<double, 6>;
+using PathView = std::array<double, 6>;
 
 static CameraKey keyOf(const std::string& text) {
   auto refuse = [&] {
@@ -38,29 +38,29 @@ std::vector<CameraKey> cameraKeys(const std::vector<std::string>& texts) {
 }
 
 // Per frame.
-static View rateAt(const std::vector<CameraKey>& keys, size_t i) {
+static PathView rateAt(const std::vector<CameraKey>& keys, size_t i) {
   const CameraKey &before = keys[i == 0 ? 0 : i - 1], &after = keys[std::min(i + 1, keys.size() - 1)];
-  View rate{};
+  PathView rate{};
   for (size_t c = 0; c < 6; ++c) rate[c] = (after.view[c] - before.view[c]) / (after.frame - before.frame);
   return rate;
 }
 
-static View beyond(const std::vector<CameraKey>& keys, size_t i, double frame) {
-  View view = keys[i].view, rate = rateAt(keys, i);
+static PathView beyond(const std::vector<CameraKey>& keys, size_t i, double frame) {
+  PathView view = keys[i].view, rate = rateAt(keys, i);
   for (size_t c = 0; c < 6; ++c) view[c] += rate[c] * (frame - keys[i].frame);
   return view;
 }
 
-View viewAt(const std::vector<CameraKey>& keys, double frame) {
+PathView viewAt(const std::vector<CameraKey>& keys, double frame) {
   if (keys.size() == 1) return keys.front().view;
   if (frame <= keys.front().frame) return beyond(keys, 0, frame);
   if (frame >= keys.back().frame) return beyond(keys, keys.size() - 1, frame);
   size_t next = 1;
   while (keys[next].frame < frame) ++next;
   const CameraKey &a = keys[next - 1], &b = keys[next];
-  const View rate_a = rateAt(keys, next - 1), rate_b = rateAt(keys, next);
+  const PathView rate_a = rateAt(keys, next - 1), rate_b = rateAt(keys, next);
   double length = b.frame - a.frame, t = (frame - a.frame) / length, s = 1 - t;
-  View view{};
+  PathView view{};
   for (size_t c = 0; c < 6; ++c)  // Hermite's form
     view[c] = s * s * (1 + 2 * t) * a.view[c] + t * t * (3 - 2 * t) * b.view[c] +
               length * s * t * (s * rate_a[c] - t * rate_b[c]);

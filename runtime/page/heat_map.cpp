@@ -13,7 +13,7 @@ namespace strobe::page {
 
 namespace {
 
-constexpr double kLegend = 150, kRow = 34, kBelow = 68, kGap = 1.5, kSwatch = 18;
+constexpr double kLegend = 150, kRow = 34, kBelow = 68, kGap = 1.5, kScaleWidth = 18;
 
 struct Place {
   size_t row = 0, column = 0;
@@ -97,15 +97,15 @@ class HeatDrawing {
     svg_.text("title", frame_.right() + 24, frame_.top() + 10, map_.value_title);
     for (int step = 0; step < kSteps; ++step) {
       svg_.open(fmt::format("step{}", step));
-      svg_.rectangle("cell", x, top + height * (kSteps - 1 - step) / kSteps, kSwatch, height / kSteps);
+      svg_.rectangle("cell", x, top + height * (kSteps - 1 - step) / kSteps, kScaleWidth, height / kSteps);
       svg_.close();
     }
     double last = INFINITY;
     for (const Tick& tick : values_.ticks()) {
       double y = top + height * (1 - tick.at);
       if (tick.label.empty() || last - y < 16) continue;
-      svg_.path("tickmark", fmt::format("M{:.1f} {:.1f}h5", x + kSwatch, y));
-      svg_.text("tick", x + kSwatch + 9, y + 4, tick.label);
+      svg_.path("tickmark", fmt::format("M{:.1f} {:.1f}h5", x + kScaleWidth, y));
+      svg_.text("tick", x + kScaleWidth + 9, y + 4, tick.label);
       last = y;
     }
   }

@@ -52,7 +52,7 @@ std::string markedMarkdown(const Cell& cell) {
   return bold && !text.empty() && text.find("**") == std::string::npos ? "**" + text + "**" : text;
 }
 
-const char* classOf(Mark mark) {
+const char* cellClassOf(Mark mark) {
   switch (mark) {
     case Mark::best:
       return "best";
@@ -68,7 +68,7 @@ const char* classOf(Mark mark) {
 
 std::string classesOf(const Column& column, Mark mark) {
   std::string classes = column.numeric ? "number" : "";
-  if (mark != Mark::none) classes += (classes.empty() ? "" : " ") + std::string(classOf(mark));
+  if (mark != Mark::none) classes += (classes.empty() ? "" : " ") + std::string(cellClassOf(mark));
   return classes;
 }
 

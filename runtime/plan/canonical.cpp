@@ -96,7 +96,7 @@ Json portsJson(const Plan& plan, const std::vector<PortDesc>& ports, const std::
   return json;
 }
 
-Json nodeJson(const Plan& plan, int index) {
+Json plannedNodeJson(const Plan& plan, int index) {
   const PlanNode& node = plan.nodes[index];
   const PassDesc& pass = passOf(plan, index);
   Json json;
@@ -118,7 +118,7 @@ Json nodeJson(const Plan& plan, int index) {
   return json;
 }
 
-Json loopJson(const Plan& plan, int index) {
+Json plannedLoopJson(const Plan& plan, int index) {
   const PlanLoop& loop = plan.loops[index];
   Json json;
   json["name"] = loopName(plan, index);
@@ -260,9 +260,9 @@ Json toJson(const Plan& plan) {
   json["values"] = Json::object();
   for (const auto& [name, value] : plan.pipeline.values) json["values"][name] = toJson(value);
   json["nodes"] = Json::array();
-  for (size_t i = 0; i < plan.nodes.size(); ++i) json["nodes"].push_back(nodeJson(plan, static_cast<int>(i)));
+  for (size_t i = 0; i < plan.nodes.size(); ++i) json["nodes"].push_back(plannedNodeJson(plan, static_cast<int>(i)));
   json["loops"] = Json::array();
-  for (size_t i = 0; i < plan.loops.size(); ++i) json["loops"].push_back(loopJson(plan, static_cast<int>(i)));
+  for (size_t i = 0; i < plan.loops.size(); ++i) json["loops"].push_back(plannedLoopJson(plan, static_cast<int>(i)));
   json["outputs"] = namedImages(plan, plan.outputs);
   json["taps"] = namedImages(plan, plan.taps);
   json["culled"] = Json::object();

@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "base/error.h"
+#include "base/json_text.h"
 #include "base/log.h"
 #include "script/evaluate.h"
 
@@ -77,8 +78,6 @@ void send(const ProgramEnd& result, int loaded) {
                {"too_long", result.too_long},       {"loaded", loaded},        {"bytes", result.output.size()}};
   writeAll(STDOUT_FILENO, head.dump() + "\n" + result.output);
 }
-
-std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 std::string withoutArgument(Json request) {
   request.erase("argument");

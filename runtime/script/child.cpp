@@ -14,6 +14,7 @@
 #include <optional>
 
 #include "base/hash.h"
+#include "base/json_text.h"
 #include "script/batch.h"
 #include "script/evaluate.h"
 #include "script/process.h"
@@ -31,8 +32,6 @@ double g_cpu_s = 0;
 bool g_has_task = false;
 bool g_loading = false;     // there is no request to answer yet
 bool g_names_files = true;  // the answer does
-
-std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 [[noreturn]] void answer(const Json& json) {
   std::string text = textOf(json);

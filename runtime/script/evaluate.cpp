@@ -139,9 +139,6 @@ void addPreset(const Home& home, const Settings& sets, const Texts& texts, Json&
   request["preset_shown"] = home.shown(file);
 }
 
-// Bytes that are no UTF-8 (in a file name, in a setting) become replacement characters.
-std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
 // What the answer to a request holds. It comes from a process that ran a stranger's script: nothing in it is taken on
 // trust.
 Json resultOf(const Main& main, const ProgramEnd& child, std::vector<Dependency>* dependencies, const Limits& limits,

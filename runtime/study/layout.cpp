@@ -5,7 +5,7 @@
 
 namespace strobe::study {
 
-std::optional<PicturesLayout> picturesOf(const Json& layout) {
+std::optional<PicturesLayout> picturesLayoutOf(const Json& layout) {
   if (!layout.contains("pictures")) return std::nullopt;
   const Json& json = layout["pictures"];
   PicturesLayout result;

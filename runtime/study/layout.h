@@ -35,7 +35,7 @@ struct FrontLayout {
   std::string x = "ms", y = "rmse", region = "whole";
 };
 
-std::optional<PicturesLayout> picturesOf(const Json& layout);
+std::optional<PicturesLayout> picturesLayoutOf(const Json& layout);
 std::optional<CurvesLayout> curvesOf(const Json& layout);
 std::optional<FrontLayout> frontOf(const Json& layout);
 // Without any layout: a table of all points.

@@ -21,7 +21,7 @@ class PointRenderer {
 
   // All must outlive it.
   PointRenderer(const Experiment& experiment, lab::Batch& batch, const Store& store)
-      : experiment_(experiment), batch_(batch), store_(store), pictures_(picturesOf(experiment.layout)) {}
+      : experiment_(experiment), batch_(batch), store_(store), pictures_(picturesLayoutOf(experiment.layout)) {}
 
   // Keeps a point for each task that has none, with the reason where it cannot be drawn. Throws `Error` where the store
   // cannot keep it.

@@ -137,14 +137,14 @@ std::string describeLibrary(const page::Library& library) {
 }  // namespace
 
 Report::Report(const Results& results, const Path& folder) : results_(results), folder_(folder) {
-  if (!picturesOf(results.layout)) return;
+  if (!picturesLayoutOf(results.layout)) return;
   for (const ShotSummary& shot : results.shots) galleries_.push_back(galleryOf(results, shot, folder));
 }
 
 // Without paragraphs that say nothing.
 Parts Report::parts(const std::optional<PictureSize>& size) const {
   Parts sections;
-  if (picturesOf(results_.layout)) append(sections, pictureParts(results_, galleries_, size));
+  if (picturesLayoutOf(results_.layout)) append(sections, pictureParts(results_, galleries_, size));
   if (curvesOf(results_.layout)) append(sections, curveParts(results_));
   std::optional<TableLayout> table = tableOf(results_.layout);
   if (frontOf(results_.layout)) append(sections, still(frontParts(results_)));

@@ -15,7 +15,7 @@ namespace strobe::study {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 // A method at a point of a shot.
 struct Candidate {
@@ -56,7 +56,7 @@ class Front {
   page::Axis axis(const Measure& measure) const {
     page::Axis axis;
     axis.title = titleOf(measure, layout_.region);
-    double least = kInfinity, most = 0;
+    double least = kUnbounded, most = 0;
     for (const Candidate& one : all_) {
       double value = &measure == &x_ ? one.x : one.y;
       least = std::min(least, value), most = std::max(most, value);

@@ -117,16 +117,16 @@ page::Picture pictureOf(const std::string& caption, const Image& display, const 
   return {std::move(file), display.width, display.height, caption, "", name};
 }
 
-std::string nameOf(const Gallery& gallery, const ShownPoint& one) {
+std::string armNameOf(const Gallery& gallery, const ShownPoint& one) {
   return lab::fileNameOf(gallery.shot->name + " " + one.point->arm);
 }
 
 // With truth; it starts with the last method: usually the one that the page is about.
 page::Comparison wipeOf(const Gallery& gallery) {
   page::Comparison wipe;
-  wipe.reference = nameOf(gallery, gallery.truth());
+  wipe.reference = armNameOf(gallery, gallery.truth());
   for (const ShownPoint& one : gallery.shown) {
-    if (!one.isTruth()) wipe.others.push_back(nameOf(gallery, one));
+    if (!one.isTruth()) wipe.others.push_back(armNameOf(gallery, one));
     if (one.point->role == Role::method) wipe.chosen = wipe.others.back();
   }
   return wipe;
@@ -137,7 +137,7 @@ page::Pictures picturesOf(const Gallery& gallery, const PictureSize& size) {
   for (const ShownPoint& one : gallery.shown) {
     Image smaller = image::shrunk(one.shown, one.shown.width / size.divisor, one.shown.height / size.divisor);
     pictures.pictures.push_back(
-        pictureOf(one.point->arm, image::toneMap(smaller, gallery.shot->tone), nameOf(gallery, one), size.quality));
+        pictureOf(one.point->arm, image::toneMap(smaller, gallery.shot->tone), armNameOf(gallery, one), size.quality));
   }
   return pictures;
 }
@@ -164,7 +164,7 @@ page::Pictures differencesOf(const Gallery& gallery, double gain) {
 }
 
 void addPictures(const Results& results, const Gallery& gallery, const PictureSize& size, Parts& parts) {
-  double gain = study::picturesOf(results.layout)->difference_gain;
+  double gain = picturesLayoutOf(results.layout)->difference_gain;
   parts.push_back(heading("Pictures", 3, "", Part::kPage));
   parts.push_back({picturesOf(gallery, size), Part::kPage});
   for (const image::Rectangle& area : gallery.shot->crops) {

@@ -161,7 +161,7 @@ void describeShot(const Experiment& experiment, const TaskGroup& group, const St
   std::shared_ptr<const lab::Picture> truth = store.truth(group.truth_keys.front(), none);
   if (summary.attribution.empty()) summary.attribution = lab::attributionOf(truth->record);
   if (experiment.shots[group.group->shot].crops.empty()) return;
-  PicturesLayout pictures = picturesOf(experiment.layout).value_or(PicturesLayout());
+  PicturesLayout pictures = picturesLayoutOf(experiment.layout).value_or(PicturesLayout());
   TruthPicture against = truthPictureOf(experiment, *truth);
   for (const Crop& crop : experiment.shots[group.group->shot].crops)
     summary.crops.push_back(placedCrop(experiment, crop, pictures, against));

@@ -33,7 +33,7 @@ std::vector<std::string> measuresOf(const Experiment& experiment, const Group& g
   std::vector<std::string> wanted = experiment.measures;
   auto add = [&](const std::vector<std::string>& names) { wanted.insert(wanted.end(), names.begin(), names.end()); };
   add({"rmse", "pixels", "broken"});
-  if (picturesOf(experiment.layout)) add({"displacement", "clamped"});
+  if (picturesLayoutOf(experiment.layout)) add({"displacement", "clamped"});
   if (curvesOf(experiment.layout)) add({"contrast", "change", "changed"});
   if (std::optional<FrontLayout> front = frontOf(experiment.layout)) add({front->x, front->y});
   if (experiment.background) add({"background_deviation", "background_difference", "background_pixels", "clamped"});
@@ -108,7 +108,7 @@ Json partsOf(const Experiment& experiment, const TaskGroup& group, const Task& t
       if (arm.name == background->front)
         parts["front"] = contentsOf(experiment, *group.group, shotOf(experiment, *group.group, arm), batch);
   const StudiedShot& studied = experiment.shots[group.group->shot];
-  if (picturesOf(experiment.layout)) {
+  if (picturesLayoutOf(experiment.layout)) {
     lab::Shot box = task.shot;
     box.sets = joined(box.sets, task.arm->box);
     parts["shown"] = {batch.contentOf(box),    studied.picture_aa, studied.tone.stops,

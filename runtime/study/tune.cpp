@@ -26,8 +26,8 @@ const std::vector<Level> kLevels = {{0.5, 64, {5, 5, 0}}, {1, 64, {5, 5, 0}}, {1
 // Of the few settings among which the choice is made.
 const lab::Rounds kAtLast = {15, 45, 0.02};
 constexpr size_t kChosenAmong = 5, kTimedAgain = 20;
-constexpr double kSecondsBetween = 20;  // of reports on the way
-constexpr int kStartsTried = 6;         // times as many as can be measured: some are refused, some alike
+constexpr double kSaidEvery_s = 20;  // of reports on the way
+constexpr int kStartsTried = 6;      // times as many as can be measured: some are refused, some alike
 
 bool isSet(const lab::Shot& shot, const std::string& name) {
   return std::any_of(shot.sets.begin(), shot.sets.end(), [&](const auto& set) { return set.first == name; });
@@ -337,7 +337,7 @@ Tuned Tuner::tune() {
     std::vector<Score> scores;
     for (const PointGroup* group : see(spots, level, kLevels[size_t(level)].rounds))
       scores.push_back(group->points[1].failed.empty() ? scoreOf(group->points[1], level) : Score());
-    if (clockSeconds() - said_s_ > kSecondsBetween) this->report("searching", *running);
+    if (clockSeconds() - said_s_ > kSaidEvery_s) this->report("searching", *running);
     return scores;
   };
   auto report = [&](const std::string& what) { this->report(what, *running); };

@@ -14,7 +14,7 @@ namespace strobe::study {
 
 namespace {
 
-constexpr double kSecondsBetween = 10;
+constexpr double kReportEvery_s = 10;
 constexpr size_t kMostPoints = 6;  // of a shot, in one report
 
 struct Seen {
@@ -91,9 +91,9 @@ void Watch::advance(int cost) {
   bool is_new = quarters > quarters_ && quarters < 4;
   double waited_s = clockSeconds() - said_s_;
   bool terminal = ::isatty(STDERR_FILENO);
-  if (!terminal && waited_s > kSecondsBetween) report();
+  if (!terminal && waited_s > kReportEvery_s) report();
   // What is over in a moment needs no reports on the way.
-  if (!is_new || clockSeconds() - started_s_ < kSecondsBetween) return;
+  if (!is_new || clockSeconds() - started_s_ < kReportEvery_s) return;
   quarters_ = quarters;
   std::string front = frontSoFar(now_());
   if (!front.empty()) note((terminal ? "\r\033[K" : "") + front.substr(0, front.size() - 1));

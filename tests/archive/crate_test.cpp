@@ -8,7 +8,7 @@
 #include "program/run.h"
 
 namespace strobe::archive {
-namespace {
+namespace crate_test {
 
 using strobe::testing::TemporaryFolder;
 using strobe::testing::writeText;
@@ -114,5 +114,5 @@ TEST_F(Day, IsTheFirstOneWhereNothingIsKnown) {
   EXPECT_EQ(crateDate(Home(none.path())), "1970-01-01");
 }
 
-}  // namespace
+}  // namespace crate_test
 }  // namespace strobe::archive

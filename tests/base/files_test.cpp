@@ -10,7 +10,7 @@
 #include "base/error.h"
 
 namespace strobe {
-namespace {
+namespace files_test {
 
 namespace fs = std::filesystem;
 
@@ -68,5 +68,5 @@ TEST(Names, TheNearestIsAMisspellingOnly) {
   EXPECT_EQ(nearestName("zzzzzz", names), "");
 }
 
-}  // namespace
+}  // namespace files_test
 }  // namespace strobe

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace strobe {
-namespace {
+namespace hash_test {
 
 // FIPS 180-4, examples of NIST.
 TEST(Hash, Sha256IsThatOfTheStandard) {
@@ -14,5 +14,5 @@ TEST(Hash, Sha256IsThatOfTheStandard) {
   EXPECT_EQ(sha256(std::string(1000000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-}  // namespace
+}  // namespace hash_test
 }  // namespace strobe

@@ -10,11 +10,11 @@
 #include "common/source.h"
 
 namespace strobe {
-namespace {
+namespace home_test {
 
 namespace fs = std::filesystem;
 
-class Homes : public testing::Test {
+class Homes : public ::testing::Test {
  protected:
   void SetUp() override {
     std::string pattern = (fs::temp_directory_path() / "strobe_home_XXXXXX").string();
@@ -181,5 +181,5 @@ TEST_F(Homes, AreFrozenWithOtherFiles) {
   EXPECT_TRUE(fs::exists(folder_ / "mine/passes/own.lua"));
 }
 
-}  // namespace
+}  // namespace home_test
 }  // namespace strobe

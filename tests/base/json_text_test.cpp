@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace strobe {
+namespace json_text_test {
 
 TEST(JsonText, IsWhatTheLibraryReads) {
   const char* texts[] = {"{}",
@@ -26,4 +27,5 @@ TEST(JsonText, IsDiscardedWhereItIsNone) {
 
 TEST(JsonText, FindsTheFirstOfTwoFieldsOfAName) { EXPECT_EQ(jsonFromText(R"({"a": 1, "a": 2})").at("a"), 1); }
 
+}  // namespace json_text_test
 }  // namespace strobe

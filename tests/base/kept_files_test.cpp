@@ -8,7 +8,7 @@
 #include "common/temporary_folder.h"
 
 namespace strobe {
-namespace {
+namespace kept_files_test {
 
 namespace fs = std::filesystem;
 
@@ -78,5 +78,5 @@ TEST_F(KeptFilesIn, OneProcessDoesNotFillTheDisk) {
   EXPECT_LE(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 27);
 }
 
-}  // namespace
+}  // namespace kept_files_test
 }  // namespace strobe

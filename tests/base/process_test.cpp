@@ -13,7 +13,7 @@
 #include "base/log.h"
 
 namespace strobe {
-namespace {
+namespace process_test {
 
 Program shell(const std::string& script) { return {.arguments = {"sh", "-c", script}}; }
 
@@ -66,7 +66,7 @@ TEST(Process, WaitingIsNoPartOfItsTime) {
 TEST(Process, EndsWithWhatItWaitsFor) {
   pid_t child = 0;
   {
-    const std::string file = testing::TempDir() + "strobe_waiting_" + std::to_string(::getpid());
+    const std::string file = ::testing::TempDir() + "strobe_waiting_" + std::to_string(::getpid());
     WaitingProgram waiting(shell("echo $$ > " + file + ".part; mv " + file + ".part " + file + "; cat"));
     while (!std::filesystem::exists(file)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     child = pid_t(std::stol(readText(file)));
@@ -203,5 +203,5 @@ TEST(Process, ThreadsMayRunProgramsSideBySide) {
   for (size_t i = 0; i < outputs.size(); ++i) EXPECT_EQ(outputs[i].get(), std::to_string(i) + "\n");
 }
 
-}  // namespace
+}  // namespace process_test
 }  // namespace strobe

@@ -7,9 +7,9 @@
 #include <thread>
 
 namespace strobe {
-namespace {
+namespace stamps_test {
 
-class StampsTest : public testing::Test {
+class StampsTest : public ::testing::Test {
  protected:
   StampsTest() { std::filesystem::create_directories(folder_); }
   ~StampsTest() override { std::filesystem::remove_all(folder_); }
@@ -21,7 +21,7 @@ class StampsTest : public testing::Test {
     return stamps;
   }
 
-  Path folder_ = Path(testing::TempDir()) / "stamps_test";
+  Path folder_ = Path(::testing::TempDir()) / "stamps_test";
   Path file_ = folder_ / "a.txt";
 };
 
@@ -51,5 +51,5 @@ TEST_F(StampsTest, SeeFilesThatAppear) {
   EXPECT_FALSE(missing.current());
 }
 
-}  // namespace
+}  // namespace stamps_test
 }  // namespace strobe

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace strobe {
-namespace {
+namespace strict_test {
 
 const Place kOuter{"a.lua", 1};
 
@@ -74,5 +74,5 @@ TEST(Strict, TheFirstMistakeIsThrownWhereThatIsAskedFor) {
   }
 }
 
-}  // namespace
+}  // namespace strict_test
 }  // namespace strobe

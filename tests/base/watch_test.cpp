@@ -6,18 +6,18 @@
 #include <fstream>
 
 namespace strobe {
-namespace {
+namespace watch_test {
 
 namespace fs = std::filesystem;
 
-class WatchTest : public testing::Test {
+class WatchTest : public ::testing::Test {
  protected:
   WatchTest() { fs::create_directories(folder_ / "inner"); }
   ~WatchTest() override { fs::remove_all(folder_); }
 
   void save(const std::string& name) { std::ofstream(folder_ / name) << "text\n"; }
 
-  Path folder_ = Path(testing::TempDir()) / "watch_test";
+  Path folder_ = Path(::testing::TempDir()) / "watch_test";
   Watch watch_;
 };
 
@@ -92,5 +92,5 @@ TEST_F(WatchTest, WhatIsNotThereIsNoMistake) {
   EXPECT_FALSE(watch_.changed());
 }
 
-}  // namespace
+}  // namespace watch_test
 }  // namespace strobe

@@ -8,7 +8,7 @@
 #include "bench/synthetic.h"
 
 namespace strobe::bench::test {
-namespace {
+namespace comparison_test {
 
 constexpr int kRounds = 18;
 
@@ -139,5 +139,5 @@ TEST(Comparison, IsToldInWordsAndAsData) {
   EXPECT_EQ(page::htmlOf(pageOf(now, nullptr)).find("Against"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace comparison_test
 }  // namespace strobe::bench::test

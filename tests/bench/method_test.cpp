@@ -5,7 +5,7 @@
 #include "bench/measure.h"
 
 namespace strobe::bench::test {
-namespace {
+namespace method_test {
 
 void expectRefusal(const std::string& text, const std::string& wanted) {
   try {
@@ -36,5 +36,5 @@ TEST(Method, OtherSpellingsAreRefused) {
   expectRefusal("hybrid:samples=3,,x=1", "'' is not NAME=VALUE");
 }
 
-}  // namespace
+}  // namespace method_test
 }  // namespace strobe::bench::test

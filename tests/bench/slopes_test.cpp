@@ -10,7 +10,7 @@
 #include "bench/slopes_report.h"
 
 namespace strobe::bench::test {
-namespace {
+namespace slopes_test {
 
 // Milliseconds of a pass at x.
 using PassMs = double (*)(double x);
@@ -128,5 +128,5 @@ TEST(SlopesReport, ShowsWhatIsExpectedAndWhatIsPublished) {
   EXPECT_EQ(json["demands"][0]["published"]["fps"], 250);
 }
 
-}  // namespace
+}  // namespace slopes_test
 }  // namespace strobe::bench::test

@@ -8,7 +8,7 @@
 #include "bench/synthetic.h"
 
 namespace strobe::bench::test {
-namespace {
+namespace times_test {
 
 double inOrder(const std::string&, const std::string& pass, int round) {
   return (pass == "gather" ? 2 : 1) * (1 + 0.1 * round);
@@ -133,5 +133,5 @@ TEST(Times, RunsOfOtherShotsAreRefused) {
   EXPECT_NE(refusalOf(other, run).find("set null"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace times_test
 }  // namespace strobe::bench::test

@@ -7,7 +7,7 @@
 #include "bench/synthetic.h"
 
 namespace strobe::bench::test {
-namespace {
+namespace trace_test {
 
 std::vector<Json> eventsOf(const Json& trace, int process, const std::string& phase) {
   std::vector<Json> events;
@@ -61,5 +61,5 @@ TEST_F(Trace, EventsAreCompleteAndSayWhatThePassDid) {
   EXPECT_EQ(pass["args"], Json::parse(R"({"executions": 1, "bytes_read": 100, "bytes_written": 200, "rays": 7})"));
 }
 
-}  // namespace
+}  // namespace trace_test
 }  // namespace strobe::bench::test

@@ -14,7 +14,7 @@
 namespace strobe {
 namespace {
 
-std::string reasonOf(const testing::TestResult& result) {
+std::string reasonOf(const ::testing::TestResult& result) {
   for (int i = 0; i < result.total_part_count(); ++i) {
     std::string reason = result.GetTestPartResult(i).message();
     if (result.GetTestPartResult(i).skipped()) return reason.substr(0, reason.find('\n'));
@@ -22,9 +22,9 @@ std::string reasonOf(const testing::TestResult& result) {
   return "";
 }
 
-class Report : public testing::EmptyTestEventListener {
+class Report : public ::testing::EmptyTestEventListener {
  public:
-  void OnTestProgramStart(const testing::UnitTest& program) override {
+  void OnTestProgramStart(const ::testing::UnitTest& program) override {
     const char* file = std::getenv("STROBE_TEST_RESULTS");
     if (!file || testing::GTEST_FLAG(list_tests)) return;
     std::filesystem::create_directories(std::filesystem::path(file).parent_path());
@@ -32,8 +32,8 @@ class Report : public testing::EmptyTestEventListener {
     lines_ << "tests " << program.test_to_run_count() << std::endl;
   }
 
-  void OnTestEnd(const testing::TestInfo& test) override {
-    const testing::TestResult& result = *test.result();
+  void OnTestEnd(const ::testing::TestInfo& test) override {
+    const ::testing::TestResult& result = *test.result();
     std::string name = fmt::format("{}.{}", test.test_suite_name(), test.name());
     const char* end = result.Failed() ? "failed" : result.Skipped() ? "skipped" : "passed";
     lines_ << fmt::format("{} {} {:.3f}", end, name, double(result.elapsed_time()) / 1000);
@@ -52,7 +52,7 @@ class Report : public testing::EmptyTestEventListener {
 };
 
 const bool kReports = [] {
-  testing::UnitTest::GetInstance()->listeners().Append(new Report);
+  ::testing::UnitTest::GetInstance()->listeners().Append(new Report);
   return true;
 }();
 

@@ -6,7 +6,7 @@
 #include "figures.h"
 
 namespace strobe::figure {
-namespace {
+namespace figure_script_test {
 
 TEST(FigureScript, TheMoreParticularCountsAndMarksAddUp) {
   FigureData figure = figureFrom(dataOf(R"(name = "x", shot = "still", zoom = 2, arrows = { { to = { 1, 1 } } },
@@ -88,5 +88,5 @@ TEST(FigureScript, EveryMistakeIsReportedAtItsLine) {
   }
 }
 
-}  // namespace
+}  // namespace figure_script_test
 }  // namespace strobe::figure

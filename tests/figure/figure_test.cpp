@@ -17,7 +17,7 @@
 #include "program/run.h"
 
 namespace strobe::figure {
-namespace {
+namespace figure_test {
 
 using image::Image;
 using image::Rectangle;
@@ -341,5 +341,5 @@ TEST(Figure, MistakesAreReportedTogetherAtTheirLines) {
   }
 }
 
-}  // namespace
+}  // namespace figure_test
 }  // namespace strobe::figure

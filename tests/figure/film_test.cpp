@@ -10,7 +10,7 @@
 #include "program/run.h"
 
 namespace strobe::figure {
-namespace {
+namespace film_test {
 
 using strobe::testing::contentOf;
 using strobe::testing::TemporaryFolder;
@@ -99,5 +99,5 @@ TEST(Film, AMissingPictureEndsIt) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
-}  // namespace
+}  // namespace film_test
 }  // namespace strobe::figure

@@ -6,7 +6,7 @@
 #include "gpu/resources.h"
 
 namespace strobe::gpu {
-namespace {
+namespace device_test {
 
 DeviceInfo sufficient() {
   DeviceInfo info;
@@ -58,5 +58,5 @@ TEST(Device, UnknownNamesAreRefusedWithThoseThereAre) {
   }
 }
 
-}  // namespace
+}  // namespace device_test
 }  // namespace strobe::gpu

@@ -7,7 +7,7 @@
 #include "gpu/commands.h"
 
 namespace strobe::gpu {
-namespace {
+namespace staging_test {
 
 constexpr size_t kInFlight = 3, kWords = 400000;  // more than a part of the staging memory
 
@@ -99,5 +99,5 @@ TEST(Commands, AreWaitedForAtTheirEnd) {
   EXPECT_EQ(device.takeMessages(), std::vector<std::string>());
 }
 
-}  // namespace
+}  // namespace staging_test
 }  // namespace strobe::gpu

@@ -12,7 +12,7 @@
 using namespace strobe;
 using namespace strobe::image;
 
-namespace {
+namespace cryptomatte_test {
 
 UintImage ids(std::vector<uint32_t> values) { return {2, 1, 2, std::move(values)}; }
 
@@ -29,8 +29,6 @@ CryptomatteLayer layer() {
 float idOf(const char* name) { return std::bit_cast<float>(cryptomatteId(name)); }
 
 float at(const ExrPart& part, const std::string& channel, size_t pixel) { return part.find(channel)->values[pixel]; }
-
-}  // namespace
 
 // Of the reference implementation of MurmurHash3_x86_32 with seed 0: tails of none to three bytes.
 TEST(Cryptomatte, HashesAreThoseOfMurmurHash3) {
@@ -124,3 +122,5 @@ TEST(Cryptomatte, TheManifestNamesEveryMatte) {
             fmt::format(R"({{"ball":"{:08x}","floor":"{:08x}"}})", cryptomatteId("ball"), cryptomatteId("floor")));
   EXPECT_LT((key + "conversion").size(), 32u);  // what readers of OpenEXR 1 take
 }
+
+}  // namespace cryptomatte_test

@@ -14,7 +14,7 @@
 using namespace strobe;
 using namespace strobe::image;
 
-namespace {
+namespace draw_test {
 
 constexpr Colour kWhite = {1, 1, 1}, kBlack = {0, 0, 0};
 
@@ -37,8 +37,6 @@ Image one(std::vector<float> values) {
   image.values = std::move(values);
   return image;
 }
-
-}  // namespace
 
 TEST(Draw, CropThenPasteRestores) {
   Image whole = numbered(9, 7), copy = whole;
@@ -125,3 +123,5 @@ TEST(FalseColour, NearIsPaleAndNothingIsBlack) {
   EXPECT_EQ(colourAt(shown, 1, 0), magma(0.1f));
   EXPECT_EQ(colourAt(shown, 2, 0), kBlack);
 }
+
+}  // namespace draw_test

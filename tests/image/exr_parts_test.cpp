@@ -13,9 +13,9 @@
 using namespace strobe;
 using namespace strobe::image;
 
-namespace {
+namespace exr_parts_test {
 
-class ExrParts : public testing::Test {
+class ExrParts : public ::testing::Test {
  protected:
   ExrParts() : file_(std::filesystem::temp_directory_path() / fmt::format("strobe_parts_{}.exr", ::getpid())) {}
   ~ExrParts() override { std::filesystem::remove(file_); }
@@ -57,8 +57,6 @@ ExrFile sample() {
   ids.texts["strobe"] = "of this part alone";
   return content;
 }
-
-}  // namespace
 
 TEST_F(ExrParts, KeepTheirNamesSizesAndValues) {
   ExrFile written = sample();
@@ -135,3 +133,5 @@ TEST_F(ExrParts, DamageNeverCrashes) {
     EXPECT_THROW(readExr(file_), Error) << length;
   }
 }
+
+}  // namespace exr_parts_test

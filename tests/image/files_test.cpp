@@ -20,9 +20,9 @@
 using namespace strobe;
 using namespace strobe::image;
 
-namespace {
+namespace files_test {
 
-class ImageFiles : public testing::Test {
+class ImageFiles : public ::testing::Test {
  protected:
   ImageFiles() : folder_(std::filesystem::temp_directory_path() / fmt::format("strobe_image_{}", ::getpid())) {
     std::filesystem::create_directories(folder_);
@@ -76,8 +76,6 @@ ExrFile sample() {
   content.ndc_from_world = glm::perspective(1.0f, 1.5f, 0.1f, 100.0f);
   return content;
 }
-
-}  // namespace
 
 TEST_F(ImageFiles, ExrKeepsEverything) {
   ExrFile written = sample();
@@ -235,3 +233,5 @@ TEST(ToneMapping, ExposesThenClamps) {
   EXPECT_LT(filmic.at(1, 0, 0), 1);
   EXPECT_GT(filmic.at(1, 0, 0), filmic.at(0, 0, 0));
 }
+
+}  // namespace files_test

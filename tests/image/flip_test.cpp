@@ -20,7 +20,7 @@
 using namespace strobe;
 using namespace strobe::image;
 
-namespace {
+namespace flip_test {
 
 using Rgb = std::array<float, 3>;
 using Formula = std::function<Rgb(int x, int y)>;
@@ -98,8 +98,6 @@ void expectExposures(const Exposures& found, double start, double stop, int coun
   EXPECT_NEAR(found.stop, stop, kTolerance);
   EXPECT_EQ(found.count, count);
 }
-
-}  // namespace
 
 TEST(LdrFlip, ConstantColours) {
   expectLdr(constant(32, grey(0)), constant(32, grey(1)), 0.967388, 0.967388);
@@ -241,3 +239,5 @@ TEST(Flip, ColoursRunFromBlackToPale) {
   EXPECT_LT(colours.at(0, 0, 0), 0.02f);
   EXPECT_GT(colours.at(1, 0, 0), 0.97f);
 }
+
+}  // namespace flip_test

@@ -22,7 +22,7 @@
 using namespace strobe;
 using namespace strobe::image;
 
-namespace {
+namespace metrics_test {
 
 // The same values on every machine: a 32-bit linear congruential generator.
 struct Noise {
@@ -73,8 +73,6 @@ struct Folder {
   Folder() { std::filesystem::create_directories(path); }
   ~Folder() { std::filesystem::remove_all(path); }
 };
-
-}  // namespace
 
 TEST(Metrics, HandWorkedValues) {
   Image test = pixels({0.5f, 0.25f, 0}), reference = pixels({0.25f, 0.25f, 0.5f});
@@ -242,3 +240,5 @@ TEST(Comparison, JsonOfEqualImages) {
   EXPECT_EQ(hdr["hdr_flip_exposures"], 2);
   EXPECT_EQ(hdr["hdr_flip_source"], "reference");
 }
+
+}  // namespace metrics_test

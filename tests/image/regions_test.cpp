@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace strobe::image {
-namespace {
+namespace regions_test {
 
 // Two pixels side by side, of three colours and an alpha that never counts.
 Image pair(std::vector<float> left, std::vector<float> right) {
@@ -48,5 +48,5 @@ TEST(Regions, WhatIsNoNumberDiffers) {
   EXPECT_TRUE(std::isinf(largestDifference(a, b).value));
 }
 
-}  // namespace
+}  // namespace regions_test
 }  // namespace strobe::image

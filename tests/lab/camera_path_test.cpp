@@ -7,7 +7,7 @@
 #include "base/error.h"
 
 namespace strobe::lab {
-namespace {
+namespace camera_path_test {
 
 double xAt(const std::vector<std::string>& texts, double frame) { return viewAt(cameraKeys(texts), frame)[0]; }
 
@@ -38,5 +38,5 @@ TEST(CameraPath, RefusesWhatIsNoPath) {
   EXPECT_THROW(cameraKeys({"1=1,2,3,0,0,0", "1=2,2,3,0,0,0"}), Error);
 }
 
-}  // namespace
+}  // namespace camera_path_test
 }  // namespace strobe::lab

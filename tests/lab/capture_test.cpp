@@ -16,7 +16,7 @@
 using namespace strobe;
 using namespace strobe::lab;
 
-namespace {
+namespace capture_test {
 
 class CaptureTest : public oracle::RenderTest {
  protected:
@@ -46,8 +46,6 @@ std::set<std::string> channelsOf(const image::ExrPart& part) {
   for (const auto& channel : part.channels) names.insert(channel.name);
   return names;
 }
-
-}  // namespace
 
 // Formats of all kinds and sizes: half floats, bytes, tiles, a reveal at half resolution, integers.
 TEST_F(CaptureTest, EveryTapComesBackBitForBit) {
@@ -83,18 +81,18 @@ TEST_F(CaptureTest, PartsKeepImagesOfAnotherSize) {
   Shot shot = crowd("mcguire2012");
   shot.taps = {"neighbour_max.dominant", "gbuffer.depth"};
   Picture picture = render(shot);
-  testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStderr();
   image::ExrFile single = exrOf(picture);
-  std::string warning = testing::internal::GetCapturedStderr();
+  std::string warning = ::testing::internal::GetCapturedStderr();
   EXPECT_NE(warning.find("'neighbour_max.dominant' is"), std::string::npos) << warning;
   EXPECT_NE(warning.find("--multipart keeps it"), std::string::npos) << warning;
   EXPECT_EQ(single.find("neighbour_max.dominant.X"), nullptr);
   for (const char* wanted : {"R", "A", "Z", "N.X", "velocity.Y", "id", "geometry", "gbuffer.depth.Y"})
     EXPECT_NE(single.find(wanted), nullptr) << wanted;
 
-  testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStderr();
   image::ExrFile several = readBack(exrOf(picture, {.multipart = true}));
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
   EXPECT_EQ(several.name, "color");
   EXPECT_EQ(channelsOf(several), (std::set<std::string>{"A", "B", "G", "R"}));
   ASSERT_NE(several.part("neighbour_max.dominant"), nullptr);
@@ -185,3 +183,5 @@ TEST_F(CaptureTest, MattesNeedIds) {
   picture.frame.outputs.erase("id");
   EXPECT_THROW(exrOf(picture, {.cryptomatte = true}), Error);
 }
+
+}  // namespace capture_test

@@ -12,7 +12,7 @@
 #include "script/evaluate.h"
 
 namespace strobe::lab {
-namespace {
+namespace reference_test {
 
 namespace fs = std::filesystem;
 
@@ -190,5 +190,5 @@ TEST(Alternatives, EachChoiceIsDescribed) {
   EXPECT_TRUE(missing.empty()) << fmt::format("{}", fmt::join(missing, "\n"));
 }
 
-}  // namespace
+}  // namespace reference_test
 }  // namespace strobe::lab

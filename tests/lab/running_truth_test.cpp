@@ -13,7 +13,7 @@
 using namespace strobe;
 using namespace strobe::lab;
 
-namespace {
+namespace running_truth_test {
 
 class RunningTruthTest : public oracle::RenderTest {
  protected:
@@ -24,8 +24,6 @@ class RunningTruthTest : public oracle::RenderTest {
     for (int i = 0; i < steps; ++i) ASSERT_TRUE(truth.step());
   }
 };
-
-}  // namespace
 
 // The error against 512 samples at once (whose own is 1/512 at most) is what the spread of the steps says: neither
 // more than three times as large nor, or the statement were worthless, more than three times smaller.
@@ -117,3 +115,5 @@ TEST_F(RunningTruthTest, TakesNoSettingsOfOtherPipelines) {
   take(truth, 1);
   EXPECT_EQ(truth.samples(), 1);
 }
+
+}  // namespace running_truth_test

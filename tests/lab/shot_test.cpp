@@ -9,7 +9,7 @@
 #include "lab/shot_options.h"
 
 namespace strobe::lab {
-namespace {
+namespace shot_test {
 
 // A value of each option that is not its default, as typed, and its form in a record.
 struct Given {
@@ -95,7 +95,7 @@ Shot filled(Shot shot) {
 }
 
 Shot recorded(const Shot& shot) {
-  Path file = Path(testing::TempDir()) / "shot_test.record.json";
+  Path file = Path(::testing::TempDir()) / "shot_test.record.json";
   writeFileAtomically(file, Json{{"shot", toJson(shot)}}.dump());
   return shotFromRecord(file);
 }
@@ -239,7 +239,7 @@ TEST(Settings, AreTypedInRecords) {
 TEST(Settings, OfAnOldRecordAreRead) {
   Json shot = toJson(filled(parsed({"hybrid"})));
   shot["set"] = {{"samples", "7"}};
-  Path file = Path(testing::TempDir()) / "old.record.json";
+  Path file = Path(::testing::TempDir()) / "old.record.json";
   writeFileAtomically(file, Json{{"shot", shot}}.dump());
   EXPECT_EQ(canonical(shotFromRecord(file)), canonical(filled(parsed({"hybrid", "--set", "samples=7"}))));
 }
@@ -252,5 +252,5 @@ TEST(Settings, TheLastOfANameCountsForIdentity) {
   EXPECT_NE(identity({"hybrid", "--set", "a=3"}), identity({"hybrid", "--set", "a=4"}));
 }
 
-}  // namespace
+}  // namespace shot_test
 }  // namespace strobe::lab

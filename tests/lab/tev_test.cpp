@@ -19,7 +19,7 @@
 using namespace strobe;
 using namespace strobe::lab;
 
-namespace {
+namespace tev_test {
 
 // A viewer on a free port of this machine that takes what it is sent until the sender hangs up.
 class Viewer {
@@ -157,8 +157,6 @@ double secondsOf(const std::function<void()>& action) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-}  // namespace
-
 TEST(Tev, ShowsImagesAsTheyAre) {
   Viewer viewer;
   std::future<std::string> bytes = viewer.receive();
@@ -213,10 +211,10 @@ TEST(Tev, PacketsByteForByte) {
 TEST(Tev, NobodyThereIsSilentAndQuick) {
   TevAddress gone;
   { gone = Viewer().address(); }
-  testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStderr();
   Tev tev(gone, 0.1);
   EXPECT_LT(secondsOf([&] { EXPECT_FALSE(tev.send("color", numbered(4, 4, 3))); }), 2);
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
 // A viewer that answers no more connections: the system by itself would try for minutes.
@@ -271,3 +269,5 @@ TEST(Tev, Addresses) {
     }
   }
 }
+
+}  // namespace tev_test

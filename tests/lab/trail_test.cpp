@@ -16,7 +16,7 @@
 using namespace strobe;
 using namespace strobe::lab;
 
-namespace {
+namespace trail_test {
 
 class TrailTest : public oracle::RenderTest {
  protected:
@@ -55,9 +55,9 @@ int compareWithFile(const Trail& trail, const image::ExrFile& file) {
 // The shot with everything tapped, by way of a file.
 image::ExrFile fileOf(const Picture& picture) {
   Path file = std::filesystem::temp_directory_path() / fmt::format("strobe_trail_{}.exr", getpid());
-  testing::internal::CaptureStderr();  // tile images are left out, and said to be
+  ::testing::internal::CaptureStderr();  // tile images are left out, and said to be
   image::writeExr(file, exrOf(picture));
-  testing::internal::GetCapturedStderr();
+  ::testing::internal::GetCapturedStderr();
   image::ExrFile read = image::readExr(file);
   std::filesystem::remove(file);
   return read;
@@ -70,8 +70,6 @@ TrailRow rowOf(const std::string& format, std::vector<double> values) {
   row.values = std::move(values);
   return row;
 }
-
-}  // namespace
 
 // The trail of a pixel of the shot, all ports of which are in the file but those of at least two tile images.
 void TrailTest::expectWhatTheFileHolds(const Shot& shot) {
@@ -181,3 +179,5 @@ TEST(Trail, WhatIsNotFiniteIsNamed) {
   EXPECT_NE(tableOf(trail).find("nan  inf  -inf"), std::string::npos);
   EXPECT_NE(tableOf(trail).find("meets nothing"), std::string::npos);
 }
+
+}  // namespace trail_test

@@ -14,7 +14,7 @@
 #include "program/run.h"
 
 namespace strobe::lab {
-namespace {
+namespace tutorial_test {
 
 namespace fs = std::filesystem;
 using strobe::testing::Outcome;
@@ -196,5 +196,5 @@ TEST_F(Following, CheckFindsTheMistake) {
   EXPECT_EQ(outcome.err, "strobe: " + mistake.error + "\n");
 }
 
-}  // namespace
+}  // namespace tutorial_test
 }  // namespace strobe::lab

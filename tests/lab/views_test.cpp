@@ -17,7 +17,7 @@ using graph::ReadImage;
 using image::Colour;
 using image::Image;
 
-namespace {
+namespace views_test {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
 constexpr Colour kMagenta = {1, 0, 1}, kYellow = {1, 1, 0}, kBlack = {0, 0, 0};
@@ -39,8 +39,6 @@ Image view(const ReadImage& image, const std::string& port, const std::string& k
 void expectNear(const Colour& a, const Colour& b, float tolerance) {
   for (size_t c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], tolerance) << "channel " << c;
 }
-
-}  // namespace
 
 TEST(Views, AutomaticKinds) {
   Image one(2, 2, 1), two(2, 2, 2), four(2, 2, 4);
@@ -259,3 +257,5 @@ TEST(Views, NiceNumbers) {
   EXPECT_DOUBLE_EQ(image::niceCeiling(0), 1);
   EXPECT_DOUBLE_EQ(image::niceCeiling(NAN), 1);
 }
+
+}  // namespace views_test

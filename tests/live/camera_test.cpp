@@ -7,7 +7,7 @@
 #include <cstdio>
 
 namespace strobe::live {
-namespace {
+namespace camera_test {
 
 constexpr double kTiny = 1e-12;  // a handful of double operations on numbers of order one
 
@@ -88,5 +88,5 @@ TEST(Camera, TextReadsBackTheSame) {
   EXPECT_EQ(Viewpoint({{v[0], v[1], v[2]}, {v[3], v[4], v[5]}}), view);
 }
 
-}  // namespace
+}  // namespace camera_test
 }  // namespace strobe::live

@@ -5,7 +5,7 @@
 #include "oracle/render.h"
 
 namespace strobe::live {
-namespace {
+namespace desk_test {
 
 using DeskTest = oracle::RenderTest;
 
@@ -23,5 +23,5 @@ TEST_F(DeskTest, TimesAreKnownBeforeAnyChange) {
   EXPECT_EQ(desk.a().frames_drawn, 2);
 }
 
-}  // namespace
+}  // namespace desk_test
 }  // namespace strobe::live

@@ -7,7 +7,7 @@
 #include <set>
 
 namespace strobe::live {
-namespace {
+namespace drive_test {
 
 std::string refusalOf(const std::string& text) {
   try {
@@ -97,5 +97,5 @@ TEST(Drive, AFailureNamesTheLine) {
   }
 }
 
-}  // namespace
+}  // namespace drive_test
 }  // namespace strobe::live

@@ -10,7 +10,7 @@
 #include "live/keys.h"
 
 namespace strobe::live {
-namespace {
+namespace guide_test {
 
 // Rows of the guide's tables as "first cell | second cell", without escapes.
 std::string guide() {
@@ -33,5 +33,5 @@ TEST(Guide, HasEveryCommand) {
   }
 }
 
-}  // namespace
+}  // namespace guide_test
 }  // namespace strobe::live

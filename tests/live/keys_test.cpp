@@ -10,7 +10,7 @@
 #include "base/error.h"
 
 namespace strobe::live {
-namespace {
+namespace keys_test {
 
 TEST(Keys, EveryKeyStandsOnce) {
   std::set<int> codes;
@@ -37,5 +37,5 @@ TEST(Keys, AreFoundByCodeAndName) {
   EXPECT_THROW(actionNamed("Spcae"), Error);
 }
 
-}  // namespace
+}  // namespace keys_test
 }  // namespace strobe::live

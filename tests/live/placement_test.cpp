@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace strobe::live {
-namespace {
+namespace placement_test {
 
 const Area kArea{100, 50, 800, 600};
 
@@ -53,5 +53,5 @@ TEST(Placement, ZoomHasEnds) {
   EXPECT_DOUBLE_EQ(magnified({}, 1e-9, {500, 350}, kArea, 320, 180).zoom, 0.25);
 }
 
-}  // namespace
+}  // namespace placement_test
 }  // namespace strobe::live

@@ -14,7 +14,7 @@
 #include "program/run.h"
 
 namespace strobe::live {
-namespace {
+namespace recorded_files_test {
 
 namespace fs = std::filesystem;
 
@@ -83,5 +83,5 @@ TEST(Editor, GetsItsArguments) {
   ::unsetenv("STROBE_EDITOR");
 }
 
-}  // namespace
+}  // namespace recorded_files_test
 }  // namespace strobe::live

@@ -5,7 +5,7 @@
 #include "live/capture_text.h"
 
 namespace strobe::live {
-namespace {
+namespace recording_test {
 
 Moment moment(int frame = 0) {
   Moment moment;
@@ -15,12 +15,12 @@ Moment moment(int frame = 0) {
   return moment;
 }
 
-Moment with(const std::string& name, const plan::Value& value, Moment moment = live::moment()) {
+Moment with(const std::string& name, const plan::Value& value, Moment moment = recording_test::moment()) {
   lab::putSetting(moment.shots[0].sets, name, value);
   return moment;
 }
 
-Moment at(double x, Moment moment = live::moment()) {
+Moment at(double x, Moment moment = recording_test::moment()) {
   for (lab::Shot& shot : moment.shots) shot.view = {{x, 0, 2, 0, 0, 0}};
   return moment;
 }
@@ -141,5 +141,5 @@ TEST(CaptureText, ShowsWhatWasSavedElseEverything) {
   EXPECT_EQ(saved.find("column = 2"), std::string::npos) << saved;
 }
 
-}  // namespace
+}  // namespace recording_test
 }  // namespace strobe::live

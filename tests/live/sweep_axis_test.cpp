@@ -8,7 +8,7 @@
 #include <functional>
 
 namespace strobe::live {
-namespace {
+namespace sweep_axis_test {
 
 using plan::ParamDesc;
 using plan::Value;
@@ -108,5 +108,5 @@ TEST(SweepAxis, RefusesARangeThatCannotBe) {
   EXPECT_NE(messageOf([&] { axisOf(declaration, std::vector<std::string>{"3"}); }), "");
 }
 
-}  // namespace
+}  // namespace sweep_axis_test
 }  // namespace strobe::live

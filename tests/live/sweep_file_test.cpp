@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace strobe::live {
-namespace {
+namespace sweep_file_test {
 
 SweepAxis axis(const std::string& name, plan::ParamDesc::Type type, std::vector<plan::Value> values) {
   SweepAxis axis;
@@ -71,5 +71,5 @@ TEST(SweepFile, AxesThatAreNoParameters) {
   expectLine(sweep, "{ name = \"kind\", values = { \"near\", \"far\" } }");
 }
 
-}  // namespace
+}  // namespace sweep_file_test
 }  // namespace strobe::live

@@ -11,7 +11,7 @@
 #include "oracle/render.h"
 
 namespace strobe::live {
-namespace {
+namespace sweep_test {
 
 class SweepTest : public oracle::RenderTest {
  protected:
@@ -223,5 +223,5 @@ TEST_F(SweepTest, ThumbnailsAreMeans) {
       << "as the window's brightness has it";
 }
 
-}  // namespace
+}  // namespace sweep_test
 }  // namespace strobe::live

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace strobe::live {
-namespace {
+namespace times_test {
 
 graph::FrameResult frame(std::vector<graph::StepTime> times, double total) {
   graph::FrameResult result;
@@ -48,5 +48,5 @@ TEST(Times, OnlyTheLastFramesAreKept) {
   EXPECT_FLOAT_EQ(history.total().ms.front(), 10);
 }
 
-}  // namespace
+}  // namespace times_test
 }  // namespace strobe::live

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace strobe::live {
-namespace {
+namespace widgets_test {
 
 using plan::ParamDesc;
 using Kind = Widget::Kind;
@@ -108,5 +108,5 @@ TEST(Widgets, NamesAreShortInTheirGroup) {
   EXPECT_EQ(shortName(control), "edges.reach");
 }
 
-}  // namespace
+}  // namespace widgets_test
 }  // namespace strobe::live

@@ -10,7 +10,7 @@
 #include "math/constants.h"
 
 namespace strobe {
-namespace {
+namespace effects_test {
 
 // What 97.5 % of Student's t with 1 and 2 degrees of freedom lie below, in closed form.
 const double kT1 = std::tan(0.475 * kPi), kT2 = 0.95 * std::sqrt(2 / 0.0975);
@@ -94,5 +94,5 @@ TEST(Effects, SlopeWithinStrata) {
   EXPECT_TRUE(std::isnan(slopeWithin({1, 2}, {2, 3}, {0, 0}).slope.low)) << "no degrees of freedom";
 }
 
-}  // namespace
+}  // namespace effects_test
 }  // namespace strobe

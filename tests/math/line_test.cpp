@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace strobe {
-namespace {
+namespace line_test {
 
 // Sums of squares about the means 2 and 5: 10 of x, 21 of both, 46 of y, so that 46 - 44.1 = 1.9 are left. What 97.5 %
 // of Student's t with 3 degrees of freedom lie below is scipy.stats.t.ppf(0.975, 3).
@@ -34,5 +34,5 @@ TEST(Line, SaysNothingOfTooLittle) {
   EXPECT_TRUE(std::isnan(lineThrough({}, {}).intercept));
 }
 
-}  // namespace
+}  // namespace line_test
 }  // namespace strobe

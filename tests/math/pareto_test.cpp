@@ -7,6 +7,7 @@
 #include <random>
 
 namespace strobe {
+namespace pareto_test {
 
 TEST(Pareto, TheFrontIsWhatNothingDominates) {
   const double none = std::numeric_limits<double>::quiet_NaN();
@@ -33,4 +34,5 @@ TEST(Pareto, IsThatOfTheDefinition) {
   }
 }
 
+}  // namespace pareto_test
 }  // namespace strobe

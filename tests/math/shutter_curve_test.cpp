@@ -11,7 +11,7 @@
 #include "base/error.h"
 
 namespace strobe {
-namespace {
+namespace shutter_curve_test {
 
 // The share of the weight before a time.
 struct Case {
@@ -130,5 +130,5 @@ TEST(ShutterCurve, MistakesAreNamed) {
   for (const auto& [text, part] : mistakes) EXPECT_NE(refusal(text).find(part), std::string::npos) << refusal(text);
 }
 
-}  // namespace
+}  // namespace shutter_curve_test
 }  // namespace strobe

@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace strobe {
-namespace {
+namespace statistics_test {
 
 TEST(Statistics, TheMedianOfAnEvenNumberIsTheMeanOfTheTwoInTheMiddle) {
   EXPECT_EQ(median({7}), 7);
@@ -80,5 +80,5 @@ TEST(Statistics, TooFewValuesGiveNoNumber) {
   EXPECT_TRUE(std::isnan(standardError({1})));
 }
 
-}  // namespace
+}  // namespace statistics_test
 }  // namespace strobe

@@ -14,7 +14,7 @@
 #include "mutate/shader_code.h"
 
 namespace strobe::mutate {
-namespace {
+namespace mutate_test {
 
 std::vector<Mutant> mutantsIn(const std::string& text) {
   return mutantsOf("a.glsl", text, {{{"finite", "float"}}, {"unlike"}});
@@ -216,9 +216,9 @@ TEST(MutationRun, CatchesAWrongSign) {
   MutationOptions options;
   options.tests = {Path(program).parent_path() / "tests", program, home().data()};
   options.results = std::filesystem::temp_directory_path() / fmt::format("strobe_mutations_{}.json", ::getpid());
-  testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStderr();
   std::vector<MutationResult> results = runMutants(home(), wanted, options, plan);
-  testing::internal::GetCapturedStderr();
+  ::testing::internal::GetCapturedStderr();
   ASSERT_EQ(results.size(), 1u);
   EXPECT_EQ(results[0].fate, Fate::Caught);
   EXPECT_EQ(results[0].by, test);
@@ -228,5 +228,5 @@ TEST(MutationRun, CatchesAWrongSign) {
   std::filesystem::remove(options.results);
 }
 
-}  // namespace
+}  // namespace mutate_test
 }  // namespace strobe::mutate

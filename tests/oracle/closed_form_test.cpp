@@ -11,7 +11,7 @@
 #include <numbers>
 
 namespace strobe::oracle {
-namespace {
+namespace closed_form_test {
 
 constexpr Window kAnchors[] = {kCloseAnchor, kCentreAnchor, kOpenAnchor};
 
@@ -235,5 +235,5 @@ TEST(Rotation, AFullTurnCoversEveryDirectionEqually) {
     EXPECT_NEAR(exposeCentre(blade(turn), kCentreAnchor, x, y).coverage, share, 1e-9);
 }
 
-}  // namespace
+}  // namespace closed_form_test
 }  // namespace strobe::oracle

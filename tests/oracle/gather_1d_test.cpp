@@ -12,7 +12,7 @@
 #include "oracle/printed.h"
 
 namespace strobe::oracle {
-namespace {
+namespace gather_1d_test {
 
 double overJitters(const std::function<double(double)>& at_jitter) {
   auto jitters = meanJitters();
@@ -229,7 +229,7 @@ constexpr LayeredCase kGentleTable[] = {
 };
 
 void expectCase(const StripedBar& bar, const LayeredCase& c, const std::string& name) {
-  SCOPED_TRACE(testing::Message() << "foreground " << c.d_front << " px, background " << c.d_back << " px");
+  SCOPED_TRACE(::testing::Message() << "foreground " << c.d_front << " px, background " << c.d_back << " px");
   Layered options{.samples = 32, .both_ways = true};
   RowError own = layeredError(bar, Mask::kOwn, options, kCloseAnchor);
   RowError relative = layeredError(bar, Mask::kRelative, options, kCloseAnchor);
@@ -344,5 +344,5 @@ TEST(HiddenMask, OfATrackingShotNeedsTheRelativeMotion) {
   }
 }
 
-}  // namespace
+}  // namespace gather_1d_test
 }  // namespace strobe::oracle

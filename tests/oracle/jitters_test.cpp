@@ -10,7 +10,7 @@
 #include <numbers>
 
 namespace strobe::oracle {
-namespace {
+namespace jitters_test {
 
 // Values published with the formula, for integer pixels.
 TEST(Jitters, InterleavedGradientNoiseHasItsPublishedValues) {
@@ -91,5 +91,5 @@ TEST(Jitters, FramesDifferByTheGoldenRatioOrAreDrawnAnew) {
   }
 }
 
-}  // namespace
+}  // namespace jitters_test
 }  // namespace strobe::oracle

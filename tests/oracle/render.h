@@ -15,7 +15,7 @@
 
 namespace strobe::oracle {
 
-class RenderTest : public testing::Test {
+class RenderTest : public ::testing::Test {
  protected:
   void TearDown() override;
 

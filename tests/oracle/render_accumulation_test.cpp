@@ -6,7 +6,7 @@
 #include "oracle/render.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_accumulation_test {
 
 constexpr int kWidth = 128, kRows = 8, kRow = 4;
 
@@ -91,5 +91,5 @@ TEST_F(RenderAccumulation, FindsTheGroundOnce) {
   EXPECT_EQ(counterOf(render(with(solids(kAll), "accumulation", {}, "centre")), "still_ground.rays"), 0u);
 }
 
-}  // namespace
+}  // namespace render_accumulation_test
 }  // namespace strobe::oracle

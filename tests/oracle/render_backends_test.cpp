@@ -5,7 +5,7 @@
 #include "oracle/render.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_backends_test {
 
 class RenderBackends : public RenderTest {
  protected:
@@ -99,5 +99,5 @@ TEST_F(RenderBackends, LookingChangesNothing) {
   }
 }
 
-}  // namespace
+}  // namespace render_backends_test
 }  // namespace strobe::oracle

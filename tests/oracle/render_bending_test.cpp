@@ -12,7 +12,7 @@
 #include "shader/backends.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_bending_test {
 
 namespace fs = std::filesystem;
 
@@ -172,5 +172,5 @@ TEST_F(RenderBending, WhatFollowsOneJointIsRigid) {
   EXPECT_EQ(bending, 1);
 }
 
-}  // namespace
+}  // namespace render_bending_test
 }  // namespace strobe::oracle

@@ -8,7 +8,7 @@
 #include "oracle/render.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_budget_test {
 
 constexpr int kWidth = 64, kHeight = 36;
 
@@ -30,8 +30,6 @@ class RenderBudget : public RenderTest {
 // It goes 16 px, and its right end is at the border between two pixels.
 const Numbers kBar = {{"left", 20}, {"right", 42}, {"d_f", 16}};
 const char* const kTracking = "../objects/tracking_parallax";
-
-}  // namespace
 
 // Whatever asks for them: masks, samples that layers do not explain, one ray for four pixels.
 TEST_F(RenderBudget, NoMorePixelsThanTheShareHaveRays) {
@@ -151,4 +149,5 @@ TEST_F(RenderBudget, ErrorFallsWithTheShare) {
       << "three tenths of the pixels, chosen well, are worth most of it";
 }
 
+}  // namespace render_budget_test
 }  // namespace strobe::oracle

@@ -7,7 +7,7 @@
 #include "oracle/render.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_cells_test {
 
 class RenderCells : public RenderTest {
  protected:
@@ -208,5 +208,5 @@ TEST_F(RenderCells, LeaveOutWhatNothingReaches) {
   EXPECT_GT(left_out, still.width * still.height / 2);
 }
 
-}  // namespace
+}  // namespace render_cells_test
 }  // namespace strobe::oracle

@@ -6,7 +6,7 @@
 #include "oracle/render.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_curves_test {
 
 class RenderCurves : public RenderTest {};
 
@@ -155,8 +155,6 @@ struct Doubts {
     mark(most, from + low - slack - kRounding, from + high + kCell + slack + kRounding, part);
   }
 };
-
-}  // namespace
 
 // In the middle of the exposure a curve is where the point is, and the third order takes up what differs between early
 // and late; both leave what they should leave of 60 degrees: less than half a pixel.
@@ -652,4 +650,5 @@ TEST_F(RenderCurves, FromEarlierFramesEndAtACut) {
   EXPECT_GT(largestDifference(line, quadratic), .01);
 }
 
+}  // namespace render_curves_test
 }  // namespace strobe::oracle

@@ -9,7 +9,7 @@
 #include "oracle/render.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_depths_test {
 
 constexpr int kWidth = 128, kHeight = 4, kSamples = 32;
 constexpr double kCamera = 100;  // its height; depths are those below it
@@ -153,8 +153,6 @@ int expectChange(const lab::Picture& picture, const image::Image& depths, const 
     }
   return found;
 }
-
-}  // namespace
 
 // At the pace of both parts of the exposure, through the camera and beyond it; by both ways of telling displacements,
 // since the motion is even.
@@ -305,4 +303,5 @@ TEST_F(RenderDepths, EvenDepthsAreThoseOfTheCapture) {
   }
 }
 
+}  // namespace render_depths_test
 }  // namespace strobe::oracle

@@ -13,7 +13,7 @@
 #include "scene/defaults.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_displacements_test {
 
 namespace fs = std::filesystem;
 
@@ -254,5 +254,5 @@ TEST_F(RenderDisplacements, StepsLeaveNone) {
   EXPECT_EQ(clips, 3);
 }
 
-}  // namespace
+}  // namespace render_displacements_test
 }  // namespace strobe::oracle

@@ -13,7 +13,7 @@
 #include "oracle/render.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_edges_test {
 
 const std::vector<std::string> kDetectors = {"canny",   "id",     "laplacian",  "plane", "prewitt",
                                              "roberts", "scharr", "silhouette", "sobel"};
@@ -506,5 +506,5 @@ TEST_F(RenderEdges, PowersOfTwoChangeNothing) {
     }
 }
 
-}  // namespace
+}  // namespace render_edges_test
 }  // namespace strobe::oracle

@@ -18,7 +18,7 @@ using namespace strobe::lab;
 using strobe::oracle::shotOf;
 using strobe::oracle::with;
 
-namespace {
+namespace render_facts_test {
 
 constexpr int kWidth = 48, kHeight = 30;
 
@@ -200,8 +200,6 @@ class RenderFacts : public oracle::RenderTest {
   }
 };
 
-}  // namespace
-
 TEST_F(RenderFacts, AreWhatTheScenesSay) {
   for (const Case& one : cases()) {
     Shot shot = with(one.shot, "none", {}, "centre");
@@ -339,3 +337,5 @@ TEST_F(RenderFacts, EndsAreDrawnWithoutWhatIsAtRest) {
   const Shot before_motion = with(cases()[2].shot, "hybrid", {}, "close");
   EXPECT_GT(seenAtOpen(before_motion).size(), 2u);
 }
+
+}  // namespace render_facts_test

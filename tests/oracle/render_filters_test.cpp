@@ -11,7 +11,7 @@
 #include "oracle/row_case.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_filters_test {
 
 constexpr int kRows = 160;
 
@@ -168,5 +168,5 @@ TEST_F(RenderFilters, UniformGatherIsABoxFilterOfSurfacesCloseInDepth) {
   }
 }
 
-}  // namespace
+}  // namespace render_filters_test
 }  // namespace strobe::oracle

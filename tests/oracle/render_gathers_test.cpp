@@ -11,7 +11,7 @@
 #include "oracle/row_case.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_gathers_test {
 
 constexpr int kWidth = 256, kRows = 24;
 
@@ -432,5 +432,5 @@ TEST_F(RenderGathers, OrderAgainstTruth) {
   EXPECT_LT(error("two"), .9 * error("one"));  // .073 and .101
 }
 
-}  // namespace
+}  // namespace render_gathers_test
 }  // namespace strobe::oracle

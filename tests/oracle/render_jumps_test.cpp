@@ -10,7 +10,7 @@
 #include "scene/gltf_asset.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_jumps_test {
 
 struct Method {
   std::string pipeline;
@@ -242,5 +242,5 @@ TEST_F(RenderJumps, AnExposureInSecondsIsTheSameAtAnyRate) {
   }
 }
 
-}  // namespace
+}  // namespace render_jumps_test
 }  // namespace strobe::oracle

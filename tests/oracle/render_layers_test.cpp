@@ -10,7 +10,7 @@
 #include "oracle/render.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_layers_test {
 
 constexpr int kWidth = 320, kRow = 20, kMargin = 45;
 
@@ -332,5 +332,5 @@ TEST_F(RenderLayers, WhatIsHiddenAtTheCaptureComesOut) {
   }
 }
 
-}  // namespace
+}  // namespace render_layers_test
 }  // namespace strobe::oracle

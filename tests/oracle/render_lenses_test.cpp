@@ -9,7 +9,7 @@
 #include "scene/gltf_asset.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_lenses_test {
 
 constexpr int kWidth = 64, kHeight = 40;
 constexpr double kDistance = 5;  // from the camera to the card
@@ -138,5 +138,5 @@ TEST_F(RenderLenses, LightsFadeWithinTheExposure) {
   EXPECT_NEAR(full / frozen, (4 - 4 * .45) / (4 - 4 * .5), 1e-4);  // the middle of the exposure is at .45 s
 }
 
-}  // namespace
+}  // namespace render_lenses_test
 }  // namespace strobe::oracle

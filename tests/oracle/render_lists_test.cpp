@@ -9,7 +9,7 @@
 #include "oracle/render.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_lists_test {
 
 class RenderLists : public RenderTest {
  protected:
@@ -107,5 +107,5 @@ TEST_F(RenderLists, RevealIsTheSameOverAList) {
   }
 }
 
-}  // namespace
+}  // namespace render_lists_test
 }  // namespace strobe::oracle

@@ -10,7 +10,7 @@
 #include "oracle/render.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_masks_test {
 
 using Columns = std::vector<int>;
 
@@ -262,5 +262,5 @@ TEST_F(RenderMasks, RevealingIsWorthMoreThanRevealingEverything) {
   EXPECT_NEAR(error["moving"], error["all"], 1e-3);  // what is still and stays uncovered needs nothing
 }
 
-}  // namespace
+}  // namespace render_masks_test
 }  // namespace strobe::oracle

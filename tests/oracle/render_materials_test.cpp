@@ -8,7 +8,7 @@
 #include "oracle/render.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_materials_test {
 
 const std::string kTwoWays = sourceFolder() / "tests/oracle/pipelines/two_ways.lua";
 
@@ -165,5 +165,5 @@ TEST_F(RenderMaterials, FiltersAreThoseAskedFor) {
   EXPECT_GT(blended("linear", 37), .99);
 }
 
-}  // namespace
+}  // namespace render_materials_test
 }  // namespace strobe::oracle

@@ -9,7 +9,7 @@
 #include "oracle/render.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_own_time_test {
 
 constexpr int kWidth = 64, kHeight = 12, kRow = 6, kSamples = 16;
 constexpr double kLight = .8, kDark = .2;
@@ -62,8 +62,6 @@ class RenderOwnTime : public RenderTest {
                        set.empty() ? std::vector<std::string>{"samples=32", "times=stratified"} : set));
   }
 };
-
-}  // namespace
 
 // The capture does not see it, or not all of it; a ray at each sample's time does.
 TEST_F(RenderOwnTime, FindsWhatTheCaptureDoesNotSee) {
@@ -165,4 +163,5 @@ TEST_F(RenderOwnTime, EachLayerBehindLowersTheError) {
   }
 }
 
+}  // namespace render_own_time_test
 }  // namespace strobe::oracle

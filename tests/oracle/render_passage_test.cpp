@@ -7,7 +7,7 @@
 #include "oracle/render.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_passage_test {
 
 constexpr int kWidth = 96, kHeight = 54;
 constexpr double kAngle = 17;  // degrees, upwards
@@ -81,8 +81,6 @@ class RenderPassage : public RenderTest {
   }
 };
 
-}  // namespace
-
 // The closed form itself: truth of many samples comes to it.
 TEST_F(RenderPassage, IsWhatTruthConvergesTo) {
   for (const Anchor& anchor : anchors()) {
@@ -111,4 +109,5 @@ TEST_F(RenderPassage, IsFollowedByBestAtEverySpeedAndNumberOfSamples) {
   fmt::print("at most {:.3f} times the error of truth of as many samples\n", most);
 }
 
+}  // namespace render_passage_test
 }  // namespace strobe::oracle

@@ -9,7 +9,7 @@
 #include "oracle/render.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_peers_test {
 
 constexpr int kWidth = 256, kRows = 8, kRow = 4;
 
@@ -288,5 +288,5 @@ TEST_F(RenderPeers, Temporal1BlursWhatRestsAlongWhatMoves) {
   EXPECT_GT(contrast(0), .1);
 }
 
-}  // namespace
+}  // namespace render_peers_test
 }  // namespace strobe::oracle

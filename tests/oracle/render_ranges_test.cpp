@@ -11,7 +11,7 @@
 #include "oracle/render.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_ranges_test {
 
 constexpr int kWidth = 96, kHeight = 20, kSamples = 16, kMargin = 16;
 
@@ -421,5 +421,5 @@ TEST_F(RenderRanges, PointsOfATurningWedgeAreDisplacedAsItTurns) {
   }
 }
 
-}  // namespace
+}  // namespace render_ranges_test
 }  // namespace strobe::oracle

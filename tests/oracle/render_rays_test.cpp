@@ -25,7 +25,7 @@
 #endif
 
 namespace strobe::oracle {
-namespace {
+namespace render_rays_test {
 
 const std::string kRays = sourceFolder().string() + "/scripts/inspect/test_rays.lua";
 const char* const kKinds[] = {"through", "vertex", "edge", "axis", "grazing", "afar", "surface", "plane"};
@@ -308,5 +308,5 @@ TEST_F(RenderRays, MeetWhatEmbreeMeets) {
 TEST_F(RenderRays, MeetWhatEmbreeMeets) { GTEST_SKIP() << "there is no Embree 3"; }
 #endif
 
-}  // namespace
+}  // namespace render_rays_test
 }  // namespace strobe::oracle

@@ -9,7 +9,7 @@
 #include "oracle/render.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_regions_test {
 
 // Seen from above, x to the right and z towards the camera, whose lines of sight are parallel to z.
 struct Box {
@@ -120,5 +120,5 @@ TEST_F(RenderRegions, SelfIsAlsoWhatAPostHid) {
   }
 }
 
-}  // namespace
+}  // namespace render_regions_test
 }  // namespace strobe::oracle

@@ -11,7 +11,7 @@
 #include "oracle/render.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_reveal_test {
 
 constexpr int kWidth = 16, kHeight = 8;
 const std::string kPipelines = sourceFolder().string() + "/tests/oracle/pipelines/";
@@ -456,5 +456,5 @@ TEST_F(RenderReveal, CompositesOnCorrelatedStripes) {
   printed("correlated", {alpha_over.rms, alpha_over.max, product});
 }
 
-}  // namespace
+}  // namespace render_reveal_test
 }  // namespace strobe::oracle

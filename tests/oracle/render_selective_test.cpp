@@ -10,7 +10,7 @@
 #include "oracle/render.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_selective_test {
 
 constexpr int kWidth = 96, kHeight = 54;
 
@@ -33,8 +33,6 @@ class RenderSelective : public RenderTest {
     return rays;
   }
 };
-
-}  // namespace
 
 TEST_F(RenderSelective, IsAPostProcessAtOneEnd) {
   for (const Anchor& anchor : anchors())
@@ -154,4 +152,5 @@ TEST_F(RenderSelective, RaysLookAtThePictureAlone) {
   }
 }
 
+}  // namespace render_selective_test
 }  // namespace strobe::oracle

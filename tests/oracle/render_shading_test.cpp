@@ -10,7 +10,7 @@
 #include "oracle/render.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_shading_test {
 
 using glm::dmat3;
 using glm::dvec3;
@@ -404,5 +404,5 @@ TEST_F(RenderTextures, HolesAreSeenThrough) {
   }
 }
 
-}  // namespace
+}  // namespace render_shading_test
 }  // namespace strobe::oracle

@@ -6,7 +6,7 @@
 #include "shader/backends.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_shadows_test {
 
 class RenderShadows : public RenderTest {
  protected:
@@ -83,5 +83,5 @@ TEST_F(RenderShadows, OtherBackendsTraceEachRay) {
   EXPECT_GT(counterOf(query, "shade.rays_query"), raysOf(own));
 }
 
-}  // namespace
+}  // namespace render_shadows_test
 }  // namespace strobe::oracle

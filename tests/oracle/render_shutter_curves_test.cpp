@@ -12,7 +12,7 @@
 #include "oracle/row_case.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_shutter_curves_test {
 
 // The share of the weight before a time, both in [0, 1] from the opening to the closing.
 using Share = std::function<double(double)>;
@@ -296,5 +296,5 @@ TEST_F(RenderShutterCurves, EvenCurvesAreTheBoxBitForBit) {
             1e-6);
 }
 
-}  // namespace
+}  // namespace render_shutter_curves_test
 }  // namespace strobe::oracle

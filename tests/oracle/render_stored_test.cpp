@@ -11,7 +11,7 @@
 #include "script/evaluate.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_stored_test {
 
 constexpr double kHalf = 0x1p-11;              // relative error of half floats, rounded to the nearest
 constexpr double kTwoDivisions = 5 * 0x1p-23;  // 2.5 units in the last place each, on any device
@@ -241,5 +241,5 @@ TEST_F(RenderStored, StillPicturesAreWhatWasStored) {
   }
 }
 
-}  // namespace
+}  // namespace render_stored_test
 }  // namespace strobe::oracle

@@ -11,7 +11,7 @@
 #include "oracle/render.h"
 
 namespace strobe::oracle {
-namespace {
+namespace render_truth_test {
 
 constexpr double kRounding = 1e-4;
 
@@ -565,5 +565,5 @@ TEST_F(RenderTruth, RasterRefusesWhatOnlyRaysCan) {
   }
 }
 
-}  // namespace
+}  // namespace render_truth_test
 }  // namespace strobe::oracle

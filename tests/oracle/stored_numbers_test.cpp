@@ -16,7 +16,7 @@
 #include "shader/compiler.h"
 
 namespace strobe::oracle {
-namespace {
+namespace stored_numbers_test {
 
 using Floats = std::vector<float>;
 
@@ -296,5 +296,5 @@ TEST_F(StoredNumbers, NothingIsKeptAsNothingAndNothingIsNearerThanNear) {
   }
 }
 
-}  // namespace
+}  // namespace stored_numbers_test
 }  // namespace strobe::oracle

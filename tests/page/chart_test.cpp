@@ -15,7 +15,7 @@
 #include "page/templates.h"
 
 namespace strobe::page {
-namespace {
+namespace chart_test {
 
 struct Element {
   std::string name;
@@ -330,5 +330,5 @@ TEST(HeatMap, TheSmallestIsFramed) {
   EXPECT_NEAR(frame.number("y") + frame.number("height") / 2, cell.number("y") + cell.number("height") / 2, 0.11);
 }
 
-}  // namespace
+}  // namespace chart_test
 }  // namespace strobe::page

@@ -10,7 +10,7 @@
 #include "page/templates.h"
 
 namespace strobe::page {
-namespace {
+namespace page_test {
 
 // The names of elements that are open at the end, or the first that closes another; "" where all is sound.
 std::string unsound(const std::string& html) {
@@ -138,5 +138,5 @@ TEST(Base64, OfEachLength) {
   EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
 }
 
-}  // namespace
+}  // namespace page_test
 }  // namespace strobe::page

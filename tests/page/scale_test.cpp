@@ -9,7 +9,7 @@
 #include "page/number.h"
 
 namespace strobe::page {
-namespace {
+namespace scale_test {
 
 std::vector<std::string> labelsOf(const Scale& scale) {
   std::vector<std::string> labels;
@@ -108,5 +108,5 @@ TEST(Numbers, AsPeopleWriteThem) {
   EXPECT_EQ(shownMs(12.7), "13 ms");
 }
 
-}  // namespace
+}  // namespace scale_test
 }  // namespace strobe::page

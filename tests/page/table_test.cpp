@@ -11,7 +11,7 @@
 #include "page/markup.h"
 
 namespace strobe::page {
-namespace {
+namespace table_test {
 
 std::vector<std::string> linesOf(const std::string& text) {
   std::vector<std::string> lines;
@@ -139,5 +139,5 @@ TEST(DisplayWidth, CountsColumns) {
   EXPECT_EQ(paddedLeft("é", 3), "  é");
 }
 
-}  // namespace
+}  // namespace table_test
 }  // namespace strobe::page

@@ -7,7 +7,7 @@
 #include <regex>
 
 namespace strobe::page {
-namespace {
+namespace waterfall_test {
 
 struct Bar {
   double x, y, width;
@@ -57,5 +57,5 @@ TEST(Waterfall, AlignedOnesShareAnAxis) {
   EXPECT_LT(first[0].width, barsOf(svgOf(three()))[0].width) << "a longer extent than its own";
 }
 
-}  // namespace
+}  // namespace waterfall_test
 }  // namespace strobe::page

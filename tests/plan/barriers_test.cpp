@@ -10,7 +10,7 @@
 #include "plan/replay.h"
 
 namespace strobe::plan::test {
-namespace {
+namespace barriers_test {
 
 Plan compiled(const PipelineDesc& pipeline, Stage trace_stage = kStageCompute) {
   CompileOptions options;
@@ -430,5 +430,5 @@ TEST(Barriers, WriteAfterReadWithoutAnEarlierWrite) {
   EXPECT_EQ(barrier.dst_stages, uint32_t{kStageCompute});
 }
 
-}  // namespace
+}  // namespace barriers_test
 }  // namespace strobe::plan::test

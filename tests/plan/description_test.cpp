@@ -8,6 +8,7 @@
 #include <limits>
 
 namespace strobe::plan {
+namespace description_test {
 
 static const char* kCanonical =
     R"({"name":"p","file":"p.lua","doc":"d","kind":"truth","breaks":{"linear":"r"},"compare_with":"q",
@@ -237,4 +238,5 @@ TEST(CheckValue, RefusesOtherTypesAndValuesOutOfRange) {
   }
 }
 
+}  // namespace description_test
 }  // namespace strobe::plan

@@ -7,7 +7,7 @@
 #include "plan/builder.h"
 
 namespace strobe::plan::test {
-namespace {
+namespace dot_test {
 
 std::string dotOf(const PipelineDesc& pipeline) {
   CompileOptions options;
@@ -54,5 +54,5 @@ TEST(Dot, ALoopIsACluster) {
   EXPECT_GT(dot.find("\"mean\" ["), end) << dot;
 }
 
-}  // namespace
+}  // namespace dot_test
 }  // namespace strobe::plan::test

@@ -9,7 +9,7 @@
 #include "plan/plan.h"
 
 namespace strobe::plan::test {
-namespace {
+namespace omission_test {
 
 using Names = std::vector<std::string>;
 
@@ -427,5 +427,5 @@ TEST(Cleared, IsZeroWhenItsPassBegins) {
   EXPECT_TRUE(waited & kStageTransfer);
 }
 
-}  // namespace
+}  // namespace omission_test
 }  // namespace strobe::plan::test

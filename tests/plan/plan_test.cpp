@@ -12,7 +12,7 @@
 #include "plan/random_pipeline.h"
 
 namespace strobe::plan::test {
-namespace {
+namespace plan_test {
 
 CompileOptions optionsOf(int width, int height) {
   CompileOptions options;
@@ -652,5 +652,5 @@ TEST(Refusals, AllAtOnce) {
   EXPECT_NE(text.find("'secnd.y'"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace plan_test
 }  // namespace strobe::plan::test

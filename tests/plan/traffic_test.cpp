@@ -7,7 +7,7 @@
 #include "plan/builder.h"
 
 namespace strobe::plan::test {
-namespace {
+namespace traffic_test {
 
 constexpr uint64_t kWidth = 10, kHeight = 6, kTexels = kWidth * kHeight;
 
@@ -58,5 +58,5 @@ TEST(Traffic, IsOfTheSizeOfEachImageAndOfOneExecution) {
   EXPECT_EQ(trafficOf(plan, "last").written, 5 * 16u) << "a third of what its loop does";
 }
 
-}  // namespace
+}  // namespace traffic_test
 }  // namespace strobe::plan::test

@@ -10,7 +10,7 @@
 #include "program/run.h"
 
 namespace strobe::testing {
-namespace {
+namespace bad_input_test {
 
 // Runs `arguments` with an output in an empty folder and expects a refusal that mentions `wanted`.
 void expectRefusal(const std::string& arguments, int exit_code, const std::string& wanted,
@@ -146,5 +146,5 @@ TEST(BadInput, OutputsThatCannotBeWritten) {
   EXPECT_NE(outcome.err.find(".exr nor .png"), std::string::npos) << outcome.err;
 }
 
-}  // namespace
+}  // namespace bad_input_test
 }  // namespace strobe::testing

@@ -7,7 +7,7 @@
 #include "program/run.h"
 
 namespace strobe::testing {
-namespace {
+namespace bench_test {
 
 const std::string kMethods = "mcguire2012 mcguire2012:samples=4,jitter=hash hybrid ";
 const std::string kShot = "--scene oracles/bar --size 32x18 ";
@@ -154,5 +154,5 @@ TEST_F(Bench, RefusesOtherRuns) {
   expectRefusal("hybrid " + kShot + "--against /bin/true", 1, "/bin/true bench frames: this is no run");
 }
 
-}  // namespace
+}  // namespace bench_test
 }  // namespace strobe::testing

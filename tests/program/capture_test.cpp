@@ -15,7 +15,7 @@
 #include "program/run.h"
 
 namespace strobe::testing {
-namespace {
+namespace capture_test {
 
 const char* const kCapture = R"lua(
 local capture = require "strobe.capture"
@@ -371,5 +371,5 @@ TEST_F(Capture, RefusesWhatIsWrong) {
   EXPECT_NE(run("verify " + path("out")).err.find("script 'capture:small.lua' is not there"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace capture_test
 }  // namespace strobe::testing

@@ -13,7 +13,7 @@
 #include "program/run.h"
 
 namespace strobe::testing {
-namespace {
+namespace exr_test {
 
 // A bar that moves, its edges within pixels.
 const std::string kShot =
@@ -78,8 +78,6 @@ void expectTheSame(const Json& found, const image::ExrFile& read) {
     for (const auto& [name, text] : part.texts) EXPECT_EQ(found[i]["attributes"][name], text) << name;
   }
 }
-
-}  // namespace
 
 TEST_F(Exr, OnePartAsOpenImageIoReadsIt) {
   std::string file = drawn("mcguire2012", "--tap gbuffer.depth --cryptomatte");
@@ -196,4 +194,5 @@ return pipeline { doc = "no ids", build = function() return { color = scene.capt
   EXPECT_FALSE(fs::exists(folder_ / "bare.exr"));
 }
 
+}  // namespace exr_test
 }  // namespace strobe::testing

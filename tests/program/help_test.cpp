@@ -7,7 +7,7 @@
 #include "program/run.h"
 
 namespace strobe::testing {
-namespace {
+namespace help_test {
 
 TEST(Help, ListsTopicsAndPrintsPages) {
   Outcome topics = run("help");
@@ -67,5 +67,5 @@ TEST(Help, WritesEveryPage) {
   EXPECT_TRUE(fs::exists(own));
 }
 
-}  // namespace
+}  // namespace help_test
 }  // namespace strobe::testing

@@ -6,7 +6,7 @@
 #include "program/run.h"
 
 namespace strobe::testing {
-namespace {
+namespace inspect_test {
 
 const std::string kShot = " --scene oracles/bar --size 64x32";
 
@@ -94,5 +94,5 @@ TEST(Inspect, NoViewerIsNoError) {
   EXPECT_EQ(outcome.err, "");
 }
 
-}  // namespace
+}  // namespace inspect_test
 }  // namespace strobe::testing

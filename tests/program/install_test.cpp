@@ -9,7 +9,7 @@
 #include "program/run.h"
 
 namespace strobe::testing {
-namespace {
+namespace install_test {
 
 class Installed : public ::testing::Test {
  protected:
@@ -127,5 +127,5 @@ TEST_F(Completion, KnowsParametersOfThePipeline) {
   EXPECT_EQ(of("strobe render nothing --set edge="), " ");
 }
 
-}  // namespace
+}  // namespace install_test
 }  // namespace strobe::testing

@@ -11,7 +11,7 @@
 #include "program/run.h"
 
 namespace strobe::testing {
-namespace {
+namespace large_scene_test {
 
 using Corner = std::array<float, 3>;
 
@@ -71,5 +71,5 @@ TEST(LargeScene, IsDrawnAsItsUsedVerticesAlone) {
   EXPECT_NE(outputsOf(folder, "other.gltf", "none"), drawn);
 }
 
-}  // namespace
+}  // namespace large_scene_test
 }  // namespace strobe::testing

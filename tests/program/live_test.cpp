@@ -17,7 +17,7 @@
 #include "program/run.h"
 
 namespace strobe::testing {
-namespace {
+namespace live_test {
 
 // The same with the card in green.
 std::string greenScene() {
@@ -355,5 +355,5 @@ TEST(LiveWithoutDisplay, SaysWhatItNeeds) {
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
 }
 
-}  // namespace
+}  // namespace live_test
 }  // namespace strobe::testing

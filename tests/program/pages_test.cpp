@@ -16,7 +16,7 @@
 #include "script/evaluate.h"
 
 namespace strobe::testing {
-namespace {
+namespace pages_test {
 
 // --- How a pass travels
 
@@ -195,5 +195,5 @@ TEST_F(Scenes, ThePageHasEveryField) {
   }
 }
 
-}  // namespace
+}  // namespace pages_test
 }  // namespace strobe::testing

@@ -11,7 +11,7 @@
 #include "program/run.h"
 
 namespace strobe::testing {
-namespace {
+namespace project_test {
 
 class Project : public ::testing::Test {
  protected:
@@ -262,5 +262,5 @@ TEST(NewProject, RefusesWhatItCannotMake) {
   EXPECT_EQ(run("new '" + (folder / "empty") + "'").exit_code, 0);
 }
 
-}  // namespace
+}  // namespace project_test
 }  // namespace strobe::testing

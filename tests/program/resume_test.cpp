@@ -16,7 +16,7 @@
 #include "program/run.h"
 
 namespace strobe::testing {
-namespace {
+namespace resume_test {
 
 // 300 points: 2 arms x 150 combinations, of which 5 have a truth of their own.
 const char* const kMany = R"lua(
@@ -278,5 +278,5 @@ TEST_F(Resume, WhatIsEditedMeanwhileDoesNotCount) {
   EXPECT_EQ(file("edited", "table.csv"), file("plain", "table.csv"));
 }
 
-}  // namespace
+}  // namespace resume_test
 }  // namespace strobe::testing

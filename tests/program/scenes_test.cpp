@@ -10,7 +10,7 @@
 #include "program/run.h"
 
 namespace strobe::testing {
-namespace {
+namespace scenes_test {
 
 std::vector<fs::path> sceneFiles() {
   std::vector<fs::path> files;
@@ -50,5 +50,5 @@ TEST(ObjectScenes, EachRenders) {
   EXPECT_GE(rendered, 10);
 }
 
-}  // namespace
+}  // namespace scenes_test
 }  // namespace strobe::testing

@@ -10,7 +10,7 @@
 #include "program/run.h"
 
 namespace strobe::testing {
-namespace {
+namespace second_driver_test {
 
 const char* const kDriver = "/usr/lib/chromium/vk_swiftshader_icd.json";
 
@@ -71,5 +71,5 @@ TEST(SecondDriver, GivesEveryPipelineItsPicture) {
     }
 }
 
-}  // namespace
+}  // namespace second_driver_test
 }  // namespace strobe::testing

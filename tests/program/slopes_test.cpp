@@ -7,7 +7,7 @@
 #include "program/run.h"
 
 namespace strobe::testing {
-namespace {
+namespace slopes_test {
 
 // Sizes, and a mover whose masked pixels are counted.
 const std::string kExperiment = R"lua(
@@ -86,5 +86,5 @@ TEST_F(BenchSlopes, RefusesMisuse) {
       "one thing varied at a time");
 }
 
-}  // namespace
+}  // namespace slopes_test
 }  // namespace strobe::testing

@@ -12,7 +12,7 @@
 #include "program/run.h"
 
 namespace strobe::testing {
-namespace {
+namespace sweep_test {
 
 const char* const kDemo = R"lua(
 local capture = require "strobe.capture"
@@ -289,5 +289,5 @@ TEST(Sweep, ListsItsPointsAndRefusesWhatIsNone) {
   EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
-}  // namespace
+}  // namespace sweep_test
 }  // namespace strobe::testing

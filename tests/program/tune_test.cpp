@@ -6,7 +6,7 @@
 #include "program/run.h"
 
 namespace strobe::testing {
-namespace {
+namespace tune_test {
 
 class Tune : public ::testing::Test {
  protected:
@@ -117,5 +117,5 @@ TEST_F(Tune, RefusesMisuse) {
   expectRefusal(shot_ + "--budget-ratio 1 -o " + (folder_ / "found.txt"), "a preset is a .lua file");
 }
 
-}  // namespace
+}  // namespace tune_test
 }  // namespace strobe::testing

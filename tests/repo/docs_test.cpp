@@ -12,7 +12,7 @@
 #include "repo/lint.h"
 
 namespace strobe::repo {
-namespace {
+namespace docs_test {
 
 namespace fs = std::filesystem;
 
@@ -157,5 +157,5 @@ TEST(Docs, TheIndexHasEveryPage) {
     if (name != "README") EXPECT_NE(index.find("(" + name + ".md"), std::string::npos) << name;
 }
 
-}  // namespace
+}  // namespace docs_test
 }  // namespace strobe::repo

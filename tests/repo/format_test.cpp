@@ -10,7 +10,7 @@
 #include "common/home.h"
 
 namespace strobe::repo {
-namespace {
+namespace format_test {
 
 struct Outcome {
   int code = -1;
@@ -46,10 +46,10 @@ TEST(Format, EveryCppFileIsAsClangFormatWritesIt) {
   std::string top = "'" + home().shipped().string() + "'";
   std::string find = fmt::format("find {0}/runtime {0}/tests -name '*.cpp' -print0 -o -name '*.h' -print0", top);
   EXPECT_EQ(complaints(program, find), "");
-  std::string wrong = testing::TempDir() + "wrong.cpp";
+  std::string wrong = ::testing::TempDir() + "wrong.cpp";
   writeFileAtomically(wrong, "int  f( ) {return 1;}\n");
   EXPECT_NE(complaints(program, "printf '" + wrong + "\\0'"), "");
 }
 
-}  // namespace
+}  // namespace format_test
 }  // namespace strobe::repo

@@ -7,7 +7,7 @@
 #include "common/home.h"
 
 namespace strobe::repo {
-namespace {
+namespace launcher_test {
 
 struct Outcome {
   int code = -1;
@@ -16,8 +16,8 @@ struct Outcome {
 
 // Runs `script` after the launcher has been read.
 Outcome launcher(const std::string& script) {
-  std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();  // tests may run side by side
-  std::string file = testing::TempDir() + "launcher_" + test + ".sh";
+  std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();  // tests may run side by side
+  std::string file = ::testing::TempDir() + "launcher_" + test + ".sh";
   writeFileAtomically(file, "source '" + (home().shipped() / "strobe").string() + "'; " + script);
   ProgramEnd end = run({.arguments = {"bash", file}, .errors = Program::Errors::with_output});
   std::filesystem::remove(file);
@@ -25,7 +25,7 @@ Outcome launcher(const std::string& script) {
 }
 
 std::string written(const std::string& name, const std::string& text) {
-  std::string file = testing::TempDir() + name;
+  std::string file = ::testing::TempDir() + name;
   writeFileAtomically(file, text);
   return file;
 }
@@ -136,5 +136,5 @@ TEST(Launcher, AddsBackportsOnlyWhereTheyAreNeededAndMissing) {
   EXPECT_EQ(none.text, "apt: update\n");
 }
 
-}  // namespace
+}  // namespace launcher_test
 }  // namespace strobe::repo

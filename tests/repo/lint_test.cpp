@@ -9,7 +9,7 @@
 #include "common/home.h"
 
 namespace strobe::repo {
-namespace {
+namespace lint_test {
 
 const std::vector<Source>& project() {
   static const std::vector<Source> sources = readSources(home().shipped());
@@ -168,5 +168,5 @@ TEST(Lint, FindsMachines) {
   EXPECT_EQ(count(std::string("from deb.debian.") + "org"), 1u);
 }
 
-}  // namespace
+}  // namespace lint_test
 }  // namespace strobe::repo

@@ -27,7 +27,7 @@ void forMatches(const std::string& line, const std::regex& pattern,
     visit((*match)[1].str());
 }
 
-std::string finding(const Source& source, int line, const std::string& what) {
+std::string luaFinding(const Source& source, int line, const std::string& what) {
   return fmt::format("{}:{}: {}", source.path, line, what);
 }
 
@@ -47,7 +47,7 @@ std::string fileOf(std::string module) {
   return (module.starts_with("strobe/") ? "scripts/" : "") + module + ".lua";
 }
 
-std::string whyNot(const std::string& room, const std::string& module, const Floors& floors) {
+std::string whyNotRequired(const std::string& room, const std::string& module, const Floors& floors) {
   std::string file = fileOf(module);
   if (file.empty()) return "";
   std::string other = roomOf(file, floors);
@@ -132,7 +132,7 @@ class TechniqueLint {
   void report(const Source& source, int number, const std::string& name, bool is_name) {
     if (!is_name) return;
     if (known_.at.count({source.path, name})) met_.insert({source.path, name});
-    else findings_.push_back(finding(source, number, fmt::format("names a technique: '{}'", name)));
+    else findings_.push_back(luaFinding(source, number, fmt::format("names a technique: '{}'", name)));
   }
 
   const KnownWords& known_;
@@ -150,11 +150,11 @@ Findings lintRequires(const std::vector<Source>& sources, const Floors& floors) 
   for (const Source& source : sources) {
     if (!source.path.ends_with(".lua") || source.path == "scripts/types.lua") continue;
     std::string room = roomOf(source.path, floors);
-    if (room.empty()) findings.push_back(finding(source, 1, "is in no room"));
+    if (room.empty()) findings.push_back(luaFinding(source, 1, "is in no room"));
     forLines(source.text, [&](int number, const std::string& line) {
       forMatches(line.substr(0, line.find("--")), require, [&](const std::string& module) {
-        std::string why = room.empty() ? "" : whyNot(room, module, floors);
-        if (!why.empty()) findings.push_back(finding(source, number, why));
+        std::string why = room.empty() ? "" : whyNotRequired(room, module, floors);
+        if (!why.empty()) findings.push_back(luaFinding(source, number, why));
       });
     });
   }
@@ -223,7 +223,7 @@ Findings lintPointwise(const std::vector<Source>& sources) {
     forLines(source.text, [&](int number, const std::string& line) {
       const bool is_note = line.starts_with("//");
       if (!is_note && std::regex_search(std::regex_replace(line, lookup, ""), texture))
-        findings.push_back(finding(source, number, fmt::format("'{}' is read pointwise", name)));
+        findings.push_back(luaFinding(source, number, fmt::format("'{}' is read pointwise", name)));
     });
   };
   for (const Source& pass : sources) {

@@ -9,7 +9,7 @@
 #include "common/source.h"
 
 namespace strobe::repo {
-namespace {
+namespace lua_lint_test {
 
 const std::vector<Source>& project() {
   static const std::vector<Source> sources = readSources(sourceFolder());
@@ -106,5 +106,5 @@ TEST(LuaLint, ExceptionsAreForOnePlaceAndMustBeNeeded) {
   EXPECT_THROW(parseKnownWords("stop: x\n"), Error);
 }
 
-}  // namespace
+}  // namespace lua_lint_test
 }  // namespace strobe::repo

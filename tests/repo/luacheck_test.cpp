@@ -9,7 +9,7 @@
 #include "common/source.h"
 
 namespace strobe::repo {
-namespace {
+namespace luacheck_test {
 
 std::string outputOf(const std::string& command) {
   FILE* pipe = popen((command + " 2>&1").c_str(), "r");
@@ -29,12 +29,12 @@ TEST(Luacheck, EveryLuaFilePasses) {
   if (outputOf("luacheck --version").find("Luacheck:") == std::string::npos)
     GTEST_SKIP() << "no luacheck (the package lua-check of Debian)";
   EXPECT_EQ(complaints("passes scripts experiments tests tools"), "");
-  std::string wrong = testing::TempDir() + "wrong.lua";
+  std::string wrong = ::testing::TempDir() + "wrong.lua";
   writeFileAtomically(wrong, "local unused = os.time()\n");
   std::string found = complaints(fmt::format("--config .luacheckrc '{}'", wrong));
   EXPECT_NE(found.find("undefined variable 'os'"), std::string::npos) << found;
   EXPECT_NE(found.find("unused variable 'unused'"), std::string::npos) << found;
 }
 
-}  // namespace
+}  // namespace luacheck_test
 }  // namespace strobe::repo

@@ -11,7 +11,7 @@
 #include "common/source.h"
 
 namespace strobe::repo {
-namespace {
+namespace reproduce_test {
 
 namespace fs = std::filesystem;
 
@@ -131,5 +131,5 @@ TEST_F(Reproduce, UnknownClaimsAreRefused) {
   EXPECT_EQ(reproduce({"--nonsense"}).code, 2);
 }
 
-}  // namespace
+}  // namespace reproduce_test
 }  // namespace strobe::repo

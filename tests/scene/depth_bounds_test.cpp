@@ -8,7 +8,7 @@
 #include "scene/motion.h"
 
 namespace strobe::scene {
-namespace {
+namespace depth_bounds_test {
 
 // A ball that is 4 m before the camera and goes to the right, and a wall 10 m before it; the camera turns and goes
 // ahead.
@@ -31,8 +31,6 @@ double apart(const dmat4& a, const dmat4& b) {
   for (int i = 0; i < 4; ++i) most = std::max(most, glm::length(a[i] - b[i]));
   return most;
 }
-
-}  // namespace
 
 TEST(DepthBounds, Text) {
   for (const char* wrong : {"", "1", "1,2,3,4", "2,1", "-1,2", "1,2,-1", "a,b", "nan,2", "inf,inf", "1,2,inf", "1;2"})
@@ -73,4 +71,5 @@ TEST(DepthBounds, WhatIsElsewhereStandsStillBeforeTheCamera) {
   }
 }
 
+}  // namespace depth_bounds_test
 }  // namespace strobe::scene

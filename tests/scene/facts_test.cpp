@@ -7,7 +7,7 @@
 #include "math/constants.h"
 
 namespace strobe::scene {
-namespace {
+namespace facts_test {
 
 constexpr double kFrame = 1.0 / 24;
 
@@ -224,5 +224,5 @@ TEST(Facts, ShadowsAreThoseOfLightsThatCastThem) {
   EXPECT_FALSE(factsOf(scene, viewAt(1)).shadows);
 }
 
-}  // namespace
+}  // namespace facts_test
 }  // namespace strobe::scene

@@ -7,7 +7,7 @@
 #include "scene/motion.h"
 
 namespace strobe::scene {
-namespace {
+namespace frame_poser_test {
 
 // A car with a wheel on it, a ball, a lamp and a camera, each going its own way at 1 m/s.
 Scene sceneWith(const std::string& of_scene, const std::string& of_car, const std::string& of_camera) {
@@ -151,5 +151,5 @@ TEST(FramePoser, CutsAreTimesThatIncrease) {
   EXPECT_NE(failure("[\"half\"]").find("'cuts'"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace frame_poser_test
 }  // namespace strobe::scene

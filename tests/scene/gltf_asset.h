@@ -20,7 +20,7 @@ inline void writeQuickly(const Path& file, std::string_view bytes) {
   std::ofstream(file, std::ios::binary).write(bytes.data(), std::streamsize(bytes.size()));
 }
 
-class Gltf : public testing::Test {
+class Gltf : public ::testing::Test {
  protected:
   void SetUp() override {
     folder_ = std::filesystem::temp_directory_path() / fmt::format("strobe_gltf_{}", ::getpid());

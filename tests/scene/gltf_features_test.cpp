@@ -8,7 +8,7 @@
 #include "scene/motion.h"
 
 namespace strobe::scene {
-namespace {
+namespace gltf_features_test {
 
 using Filter = Texture::Filter;
 using Levels = Texture::Levels;
@@ -316,5 +316,5 @@ TEST_F(Gltf, AClipIsCutForWhatItDrives) {
   EXPECT_EQ(FramePoser(scene, cameraNode(scene, "o"), "all", {2.25, 1.75, 2.25}).cameraTime(1.75), 1.75);
 }
 
-}  // namespace
+}  // namespace gltf_features_test
 }  // namespace strobe::scene

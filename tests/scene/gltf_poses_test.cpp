@@ -14,14 +14,14 @@
 #include "scene/motion.h"
 
 namespace strobe::scene {
-namespace {
+namespace gltf_poses_test {
 
 namespace fs = std::filesystem;
 
 // Starts, ends, and times of which most lie between keys.
 const std::vector<double> kShares = {0, 0.0625, 0.125, 0.25, 0.3, 0.4375, 0.5, 0.6, 0.75, 0.875, 0.95, 1};
 
-class Poses : public testing::Test {
+class Poses : public ::testing::Test {
  protected:
   static std::vector<Path> filesIn(const std::string& folder) {
     std::vector<Path> files;
@@ -170,5 +170,5 @@ TEST_F(Poses, StepsStandStillWithinAFrame) {
   EXPECT_GE(steps, 9);
 }
 
-}  // namespace
+}  // namespace gltf_poses_test
 }  // namespace strobe::scene

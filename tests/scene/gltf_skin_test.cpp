@@ -9,7 +9,7 @@
 #include "scene/motion.h"
 
 namespace strobe::scene {
-namespace {
+namespace gltf_skin_test {
 
 // A triangle of which corner 0 follows joint 0, corner 1 joint 1, corner 2 half of each. Node 0 shows it, node 1 and
 // its child 2 are the joints.
@@ -371,5 +371,5 @@ TEST_F(Gltf, DamagedMorphsAreRefusedWithTheirPlace) {
             std::string::npos);
 }
 
-}  // namespace
+}  // namespace gltf_skin_test
 }  // namespace strobe::scene

@@ -12,7 +12,7 @@
 #include "scene/motion.h"
 
 namespace strobe::scene {
-namespace {
+namespace gltf_test {
 
 namespace fs = std::filesystem;
 
@@ -371,5 +371,5 @@ TEST(SharedScenes, DamagedBytesDoNotCrash) {
   EXPECT_GT(loaded + refused, 0);
 }
 
-}  // namespace
+}  // namespace gltf_test
 }  // namespace strobe::scene

@@ -10,7 +10,7 @@
 #include "scene/gltf_asset.h"
 
 namespace strobe::scene {
-namespace {
+namespace gltf_validator_test {
 
 namespace fs = std::filesystem;
 
@@ -336,5 +336,5 @@ TEST(GltfValidator, WhatItAcceptsLoads) {
   EXPECT_GE(files.size(), 30u);
 }
 
-}  // namespace
+}  // namespace gltf_validator_test
 }  // namespace strobe::scene

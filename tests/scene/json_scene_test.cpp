@@ -8,7 +8,7 @@
 #include "scene/motion.h"
 
 namespace strobe::scene {
-namespace {
+namespace json_scene_test {
 
 Json parsed(const char* text) { return Json::parse(text); }
 
@@ -134,5 +134,5 @@ TEST(JsonScene, LiteralTrianglesCountFromOne) {
   EXPECT_EQ(mesh.geometries[0].vertices[1].normal, vec3(0, 0, 1));
 }
 
-}  // namespace
+}  // namespace json_scene_test
 }  // namespace strobe::scene

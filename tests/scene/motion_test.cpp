@@ -9,7 +9,7 @@
 #include "math/constants.h"
 
 namespace strobe::scene {
-namespace {
+namespace motion_test {
 
 // Double arithmetic of a few operations on numbers of size one.
 constexpr double kTiny = 1e-12;
@@ -252,5 +252,5 @@ TEST(MotionOptions, MistakesAreExplained) {
   }
 }
 
-}  // namespace
+}  // namespace motion_test
 }  // namespace strobe::scene

@@ -10,7 +10,7 @@
 #include "scene/motion.h"
 
 namespace strobe::scene {
-namespace {
+namespace screen_motion_test {
 
 constexpr double kFrame = 1.0 / 24;
 constexpr int kWidth = 400, kHeight = 300;
@@ -89,8 +89,6 @@ std::string textOf(const PixelArea& area) {
 
 const std::string kNowhere = "0 0 0 0";
 const dvec3 kCard(2, 2, 0), kBox(2, 2, 2);
-
-}  // namespace
 
 TEST(ScreenMotion, OfACardThatSlides) {
   Boxes boxes;
@@ -275,4 +273,5 @@ TEST(ScreenMotion, HoldsForEveryPoint) {
   EXPECT_LT(whole, straight);
 }
 
+}  // namespace screen_motion_test
 }  // namespace strobe::scene

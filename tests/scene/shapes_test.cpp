@@ -13,7 +13,7 @@
 #include "math/constants.h"
 
 namespace strobe::scene {
-namespace {
+namespace shapes_test {
 
 double volume(const Shape& shape) {
   double six = 0;
@@ -188,5 +188,5 @@ TEST(Shapes, MeshIsRelativeToItsOrigin) {
   }
 }
 
-}  // namespace
+}  // namespace shapes_test
 }  // namespace strobe::scene

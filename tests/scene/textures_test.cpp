@@ -10,7 +10,7 @@
 #include "scene/kept_textures.h"
 
 namespace strobe::scene {
-namespace {
+namespace textures_test {
 
 Pattern patternOf(const std::string& type) {
   Pattern pattern;
@@ -138,5 +138,5 @@ TEST(UvTransform, ComposesScaleRotationOffset) {
   EXPECT_NEAR(got.y, -std::sin(angle) * scaled.x + std::cos(angle) * scaled.y + 0.2, 1e-12);
 }
 
-}  // namespace
+}  // namespace textures_test
 }  // namespace strobe::scene

@@ -11,7 +11,7 @@
 #include <set>
 
 namespace strobe::scene {
-namespace {
+namespace tree_order_test {
 
 Bounds unitBox(double x, double y = 0, double z = 0) {
   Bounds box;
@@ -165,5 +165,5 @@ TEST(TreeOrder, TrianglesAreFoundByWhatTheDeviceCallsThem) {
   EXPECT_EQ(sourceTriangle(scene, instances, 1, 2, 0), 0u) << "no such geometry";
 }
 
-}  // namespace
+}  // namespace tree_order_test
 }  // namespace strobe::scene

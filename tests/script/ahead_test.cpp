@@ -11,6 +11,7 @@
 #include "script/process.h"
 
 namespace strobe::script {
+namespace ahead_test {
 
 static const char* kPipeline = R"(local pipeline = require "strobe.pipeline"
 local base  = require "passes.base"
@@ -25,7 +26,7 @@ return pipeline {
 }
 )";
 
-class Ahead : public testing::Test {
+class Ahead : public ::testing::Test {
  protected:
   void SetUp() override {
     home_.write("scripts/pipelines/sample.lua", kPipeline);
@@ -172,4 +173,5 @@ TEST_F(Ahead, AFailureKeepsWhatWasDescribed) {
   EXPECT_EQ(described, before);
 }
 
+}  // namespace ahead_test
 }  // namespace strobe::script

@@ -10,6 +10,7 @@
 #include "plan/settings.h"
 
 namespace strobe::script {
+namespace evaluate_test {
 
 static const char* kPipeline = R"(local pipeline = require "strobe.pipeline"
 local base    = require "passes.base"
@@ -51,7 +52,7 @@ return pipeline {
 }
 )";
 
-class Evaluate : public testing::Test {
+class Evaluate : public ::testing::Test {
  protected:
   void SetUp() override { home_.write("scripts/pipelines/sample.lua", kPipeline); }
 
@@ -568,4 +569,5 @@ TEST_F(PresetFile, ThatIsGoneIsDroppedWhereSettingsMayBe) {
   EXPECT_EQ(p.preset, "fine");
 }
 
+}  // namespace evaluate_test
 }  // namespace strobe::script

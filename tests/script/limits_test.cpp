@@ -10,6 +10,7 @@
 #include "script/evaluate.h"
 
 namespace strobe::script {
+namespace limits_test {
 
 static const Limits kShort{.cpu_s = 0.3, .wall_s = 4, .memory_mb = 64};
 static const Limits kSmall{.cpu_s = 10, .wall_s = 30, .memory_mb = 64};
@@ -234,4 +235,5 @@ TEST(Sandbox, AProgramThatIsNoChildIsRefused) {
     EXPECT_THROW(evaluateScene(home.home(program), "x", {}), Error) << program;
 }
 
+}  // namespace limits_test
 }  // namespace strobe::script

@@ -8,7 +8,7 @@
 #include "script/evaluate.h"
 
 namespace strobe::script {
-namespace {
+namespace lua_text_test {
 
 // What Lua makes of an expression.
 Json readBack(const std::string& expression) {
@@ -35,5 +35,5 @@ TEST(LuaText, NamesStandInBracketsWhereLuaNeedsIt) {
     EXPECT_EQ(readBack(tableOf({field(name, "1")})), Json({{name, 1}})) << name;
 }
 
-}  // namespace
+}  // namespace lua_text_test
 }  // namespace strobe::script

@@ -6,6 +6,7 @@
 #include "script/evaluate.h"
 
 namespace strobe::script {
+namespace mistakes_test {
 
 static const char* kPipeline = R"(local pipeline = require "strobe.pipeline"
 local base     = require "passes.base"
@@ -86,4 +87,5 @@ TEST(Mistakes, EachIsRefusedWithItsLineAndTheNearestName) {
   EXPECT_GE(std::size(kMistakes), 60u);
 }
 
+}  // namespace mistakes_test
 }  // namespace strobe::script

@@ -4,6 +4,7 @@
 #include "script/locate.h"
 
 namespace strobe::script {
+namespace place_test {
 
 static const char* kSource = R"(local pass = require "strobe.pass"
 -- reads = { depth = 1 }
@@ -82,4 +83,5 @@ TEST(Place, TellsWhetherAFieldIsRead) {
   EXPECT_FALSE(Source("x = p.tiles").readsField("tile"));
 }
 
+}  // namespace place_test
 }  // namespace strobe::script

@@ -8,7 +8,7 @@
 #include "script/evaluate.h"
 
 namespace strobe::script {
-namespace {
+namespace settings_test {
 
 using plan::ParamDesc;
 
@@ -71,5 +71,5 @@ TEST(Settings, ReadAsTheyAreTyped) {
   EXPECT_THROW(settingFromText("=x"), Error);
 }
 
-}  // namespace
+}  // namespace settings_test
 }  // namespace strobe::script

@@ -12,6 +12,7 @@
 #include "script/evaluate.h"
 
 namespace strobe::script {
+namespace types_test {
 
 // Fields by class, of lines like "---@field name? type"; "[1]?" is "1".
 static std::map<std::string, std::set<std::string>> declaredFields() {
@@ -82,4 +83,5 @@ TEST(Types, NameTheFormats) {
   }
 }
 
+}  // namespace types_test
 }  // namespace strobe::script

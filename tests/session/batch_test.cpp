@@ -6,7 +6,7 @@
 #include "session/home.h"
 
 namespace strobe::session {
-namespace {
+namespace batch_test {
 
 namespace fs = std::filesystem;
 using lab::Batch;
@@ -135,5 +135,5 @@ TEST_F(BatchTest, TimesAreOfFramesInTurn) {
   EXPECT_LT(times[0].low, times[1].low) << "a busy machine slows single frames of both";
 }
 
-}  // namespace
+}  // namespace batch_test
 }  // namespace strobe::session

@@ -11,7 +11,7 @@
 #include "lab/record.h"
 
 namespace strobe::session {
-namespace {
+namespace edits_test {
 
 using lab::Session;
 
@@ -107,5 +107,5 @@ TEST_F(Edits, AThousandMistakesTakeNothingAway) {
   report(tallies, clockSeconds() - started_s);
 }
 
-}  // namespace
+}  // namespace edits_test
 }  // namespace strobe::session

@@ -6,7 +6,7 @@
 #include "session/home.h"
 
 namespace strobe::session {
-namespace {
+namespace evaluator_test {
 
 using lab::Evaluation;
 using script::Settings;
@@ -81,7 +81,7 @@ TEST_F(EvaluatorTest, ServesLongerThanAScriptMayRun) {
 }
 
 TEST_F(EvaluatorTest, AFileThatTakesAnothersPlaceCounts) {
-  const Path project = testing::TempDir() + "evaluator_project";
+  const Path project = ::testing::TempDir() + "evaluator_project";
   std::filesystem::remove_all(project);
   std::filesystem::create_directories(project);
   writeFileAtomically(project / Home::kProjectFile, std::string_view(""));
@@ -114,5 +114,5 @@ TEST_F(EvaluatorTest, AnotherThreadMayGoOn) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(forked("mcguire2012", {}), once);
 }
 
-}  // namespace
+}  // namespace evaluator_test
 }  // namespace strobe::session

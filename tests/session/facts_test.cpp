@@ -8,7 +8,7 @@
 #include "session/home.h"
 
 namespace strobe::session {
-namespace {
+namespace facts_test {
 
 using lab::Session;
 using lab::Shot;
@@ -111,5 +111,5 @@ TEST_F(FactsTest, TimedFramesRunWhatTheirColourNeeds) {
   EXPECT_EQ(batch.color(shots[0])->values, batch.color(shots[1])->values);
 }
 
-}  // namespace
+}  // namespace facts_test
 }  // namespace strobe::session

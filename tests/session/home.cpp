@@ -66,11 +66,11 @@ namespace {
 std::unique_ptr<lab::Workbench> the_bench;
 
 // The device must be gone before the libraries it came from are.
-class BenchEnvironment : public testing::Environment {
+class BenchEnvironment : public ::testing::Environment {
  public:
   void TearDown() override { the_bench.reset(); }
 };
-const testing::Environment* const kEnvironment = testing::AddGlobalTestEnvironment(new BenchEnvironment);
+const ::testing::Environment* const kEnvironment = ::testing::AddGlobalTestEnvironment(new BenchEnvironment);
 
 }  // namespace
 

@@ -35,7 +35,7 @@ class EditableHome {
 };
 
 // One device with validation serves the tests of a program; a message fails the test that caused it.
-class SessionTest : public testing::Test {
+class SessionTest : public ::testing::Test {
  protected:
   void TearDown() override;
   static lab::Workbench& bench();

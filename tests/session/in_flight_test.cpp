@@ -8,7 +8,7 @@
 #include "shader/backends.h"
 
 namespace strobe::session {
-namespace {
+namespace in_flight_test {
 
 namespace fs = std::filesystem;
 using lab::Drawing;
@@ -204,5 +204,5 @@ TEST_F(InFlightTest, FramesAreTimed) {
   }
 }
 
-}  // namespace
+}  // namespace in_flight_test
 }  // namespace strobe::session

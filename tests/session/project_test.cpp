@@ -6,7 +6,7 @@
 #include "session/home.h"
 
 namespace strobe::session {
-namespace {
+namespace project_test {
 
 namespace fs = std::filesystem;
 using lab::Session;
@@ -116,5 +116,5 @@ TEST_F(ProjectSession, IsCopiedToMeasureReloads) {
   EXPECT_EQ(readText(project_ / kShader), before);
 }
 
-}  // namespace
+}  // namespace project_test
 }  // namespace strobe::session

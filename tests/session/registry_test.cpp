@@ -11,7 +11,7 @@
 #include "study/experiment.h"
 
 namespace strobe::session {
-namespace {
+namespace registry_test {
 
 using lab::Session;
 using lab::Shot;
@@ -400,5 +400,5 @@ TEST_F(Registry, OptionsOfTheShotChangeThePicture) {
   }
 }
 
-}  // namespace
+}  // namespace registry_test
 }  // namespace strobe::session

@@ -9,7 +9,7 @@
 #include "session/home.h"
 
 namespace strobe::session {
-namespace {
+namespace reload_test {
 
 using lab::Reload;
 using lab::Session;
@@ -393,5 +393,5 @@ TEST_F(ReloadTest, CompilesWhatDependsOnTheEditAndNothingElse) {
   }
 }
 
-}  // namespace
+}  // namespace reload_test
 }  // namespace strobe::session

@@ -5,7 +5,7 @@
 #include "session/home.h"
 
 namespace strobe::session {
-namespace {
+namespace session_test {
 
 using lab::Session;
 using lab::Shot;
@@ -188,5 +188,5 @@ TEST_F(SessionTest, AnImageIsKeptFromFrameToFrame) {
   EXPECT_EQ(session.capture().frame.outputs.at("sum").floats.values[3], 2);
 }
 
-}  // namespace
+}  // namespace session_test
 }  // namespace strobe::session

@@ -6,7 +6,7 @@
 #include "base/error.h"
 
 namespace strobe::shader {
-namespace {
+namespace backends_test {
 
 gpu::DeviceInfo deviceWith(const std::vector<std::string>& features, bool software = false) {
   gpu::DeviceInfo info;
@@ -27,5 +27,5 @@ TEST(Backends, WhatIsAskedForByNameIsTakenOrRefused) {
   EXPECT_THROW(chooseBackend(deviceWith({"rayTracingPipeline"}), "query"), Error);
 }
 
-}  // namespace
+}  // namespace backends_test
 }  // namespace strobe::shader

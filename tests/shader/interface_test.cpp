@@ -11,7 +11,7 @@
 #include "common/home.h"
 
 namespace strobe::shader {
-namespace {
+namespace interface_test {
 
 class Shaders : public ::testing::Test {
  protected:
@@ -151,5 +151,5 @@ TEST_F(Shaders, WhatASceneDoesNotHaveLeavesNoTrace) {
   EXPECT_LT(words(false).size(), words(true).size());
 }
 
-}  // namespace
+}  // namespace interface_test
 }  // namespace strobe::shader

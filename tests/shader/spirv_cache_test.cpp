@@ -10,7 +10,7 @@
 #include "shader/compiler.h"
 
 namespace strobe::shader {
-namespace {
+namespace spirv_cache_test {
 
 namespace fs = std::filesystem;
 
@@ -90,5 +90,5 @@ TEST_F(SpirvCaches, MistakesAreReportedEachTime) {
   EXPECT_EQ(kept(), 0u);
 }
 
-}  // namespace
+}  // namespace spirv_cache_test
 }  // namespace strobe::shader

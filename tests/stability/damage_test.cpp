@@ -8,7 +8,7 @@
 #include "oracle/render.h"
 
 namespace strobe::stability {
-namespace {
+namespace damage_test {
 
 const float kNan = std::nanf(""), kInf = INFINITY;
 
@@ -149,5 +149,5 @@ TEST_F(Damage, KeysThatAreNoNumbersAreRefused) {
   expectRefused(file, "its value 1 is not finite");
 }
 
-}  // namespace
+}  // namespace damage_test
 }  // namespace strobe::stability

@@ -8,7 +8,7 @@
 #include "oracle/render.h"
 
 namespace strobe::stability {
-namespace {
+namespace extremes_test {
 
 // Names alone: the checks of a case are evaluated by its test.
 const std::vector<Extreme>& cases() {
@@ -17,7 +17,7 @@ const std::vector<Extreme>& cases() {
   return extremes.cases;
 }
 
-class ExtremeCases : public oracle::RenderTest, public testing::WithParamInterface<size_t> {};
+class ExtremeCases : public oracle::RenderTest, public ::testing::WithParamInterface<size_t> {};
 
 TEST_P(ExtremeCases, Holds) {
   static const std::vector<Method> methods = methodsOf(home(), bench().limits);
@@ -29,7 +29,7 @@ TEST_P(ExtremeCases, Holds) {
       ADD_FAILURE() << outcome.method << ": " << failure << "\n(" << extreme.says << ")\n" << outcome.command;
 }
 
-INSTANTIATE_TEST_SUITE_P(Case, ExtremeCases, testing::Range<size_t>(0, cases().size()),
+INSTANTIATE_TEST_SUITE_P(Case, ExtremeCases, ::testing::Range<size_t>(0, cases().size()),
                          [](const auto& index) { return cases()[index.param].name; });
 
 TEST(ExtremeTable, HasCasesOfManyKindsUnderNamesOfTheirOwn) {
@@ -153,5 +153,5 @@ TEST(ExtremeChecks, MistakesAreNamed) {
             "cases.lua: case 'x': check 1: 'exact' has 2 of 192");
 }
 
-}  // namespace
+}  // namespace extremes_test
 }  // namespace strobe::stability

@@ -8,7 +8,7 @@
 #include "session/home.h"
 
 namespace strobe::stability {
-namespace {
+namespace ids_test {
 
 using oracle::with;
 
@@ -74,5 +74,5 @@ TEST_F(Ids, AreWrittenAsTheyAre) {
   for (const Path& one : written) std::filesystem::remove(one);
 }
 
-}  // namespace
+}  // namespace ids_test
 }  // namespace strobe::stability

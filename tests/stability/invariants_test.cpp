@@ -11,7 +11,7 @@
 #include "stability/suite.h"
 
 namespace strobe::stability {
-namespace {
+namespace invariants_test {
 
 using StabilityTest = oracle::RenderTest;
 
@@ -35,7 +35,7 @@ std::vector<Share> shares() {
   return list;
 }
 
-class Shipped : public StabilityTest, public testing::WithParamInterface<Share> {};
+class Shipped : public StabilityTest, public ::testing::WithParamInterface<Share> {};
 
 TEST_P(Shipped, HoldsEveryInvariantOrSaysWhyNot) {
   lab::Batch batch(bench());
@@ -54,7 +54,7 @@ TEST_P(Shipped, HoldsEveryInvariantOrSaysWhyNot) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Pipelines, Shipped, testing::ValuesIn(shares()), [](const auto& info) {
+INSTANTIATE_TEST_SUITE_P(Pipelines, Shipped, ::testing::ValuesIn(shares()), [](const auto& info) {
   return info.param.pipeline +
          (info.param.shards > 1 ? fmt::format("_{}of{}", info.param.shard + 1, info.param.shards) : "");
 });
@@ -123,5 +123,5 @@ TEST_F(Broken, WeightsThatAddUpToMore) {
   EXPECT_GT(report.failures.size(), 0u);
 }
 
-}  // namespace
+}  // namespace invariants_test
 }  // namespace strobe::stability

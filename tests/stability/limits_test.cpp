@@ -11,7 +11,7 @@
 #include "world/fits.h"
 
 namespace strobe::stability {
-namespace {
+namespace limits_test {
 
 using oracle::shotOf;
 using oracle::with;
@@ -183,5 +183,5 @@ TEST(LimitTable, WhatIsReportedIsUsedAndWhatIsKnownIsNot) {
   EXPECT_GE(names.size(), 11u);
 }
 
-}  // namespace
+}  // namespace limits_test
 }  // namespace strobe::stability

@@ -10,7 +10,7 @@
 #include "stability/variants.h"
 
 namespace strobe::stability {
-namespace {
+namespace parts_test {
 
 // ---- the mean along a motion
 
@@ -104,5 +104,5 @@ TEST(Shrunk, LeavesWhatTheFailureNeeds) {
   EXPECT_EQ(tried, 10);
 }
 
-}  // namespace
+}  // namespace parts_test
 }  // namespace strobe::stability

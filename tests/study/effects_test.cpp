@@ -13,7 +13,7 @@
 #include "program/run.h"
 
 namespace strobe::study {
-namespace {
+namespace effects_test {
 
 struct Made {
   Results results;
@@ -173,5 +173,5 @@ TEST(EffectsOfResults, OfOneShotAlone) {
   EXPECT_LT(far.points, both.points);
 }
 
-}  // namespace
+}  // namespace effects_test
 }  // namespace strobe::study

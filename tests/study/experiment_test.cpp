@@ -7,7 +7,7 @@
 #include "study/points.h"
 
 namespace strobe::study {
-namespace {
+namespace experiment_test {
 
 using strobe::testing::TemporaryFolder;
 using strobe::testing::writeText;
@@ -271,5 +271,5 @@ TEST(Vary, MistakesAreSaidAtTheirLine) {
   }
 }
 
-}  // namespace
+}  // namespace experiment_test
 }  // namespace strobe::study

@@ -13,7 +13,7 @@
 #include "study/report.h"
 
 namespace strobe::study {
-namespace {
+namespace report_page_test {
 
 using image::Image;
 
@@ -202,5 +202,5 @@ TEST(ReportPage, InABrowser) {
   EXPECT_NE(outcome.out.find("checks, all passed"), std::string::npos) << outcome.out;
 }
 
-}  // namespace
+}  // namespace report_page_test
 }  // namespace strobe::study

@@ -15,7 +15,7 @@
 #include "study/report.h"
 
 namespace strobe::study {
-namespace {
+namespace results_test {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
@@ -259,5 +259,5 @@ TEST_P(Committed, PagesStateEveryExpectation) {
 
 INSTANTIATE_TEST_SUITE_P(Questions, Committed, ::testing::ValuesIn(answered()));
 
-}  // namespace
+}  // namespace results_test
 }  // namespace strobe::study

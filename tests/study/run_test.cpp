@@ -11,7 +11,7 @@
 #include "program/run.h"
 
 namespace strobe::study {
-namespace {
+namespace run_test {
 
 class Measuring : public oracle::RenderTest {
  protected:
@@ -242,5 +242,5 @@ TEST_F(Measuring, BytesDifferencesAndLimits) {
   EXPECT_NE(results.expectations[5].detail.find("nothing was measured of 'flip'"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace run_test
 }  // namespace strobe::study

@@ -11,7 +11,7 @@
 #include "script/evaluate.h"
 
 namespace strobe::study {
-namespace {
+namespace search_test {
 
 using Type = plan::ParamDesc::Type;
 
@@ -162,5 +162,5 @@ TEST(Searching, TakesValuesOfTheRange) {
   EXPECT_NEAR(changed, 32, 2) << "half of them";
 }
 
-}  // namespace
+}  // namespace search_test
 }  // namespace strobe::study

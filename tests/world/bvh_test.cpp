@@ -19,7 +19,7 @@
 #endif
 
 namespace strobe::world {
-namespace {
+namespace bvh_test {
 
 using Boxes = std::vector<Box>;
 
@@ -370,5 +370,5 @@ TEST(Bvh, CostsNoMoreThanEmbrees) {
 TEST(Bvh, CostsNoMoreThanEmbrees) { GTEST_SKIP() << "there is no Embree 3"; }
 #endif
 
-}  // namespace
+}  // namespace bvh_test
 }  // namespace strobe::world
