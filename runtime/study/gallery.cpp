@@ -80,8 +80,8 @@ std::string describeBackground(const PointGroup& group) {
     if (!(pixels > 0)) continue;
     double deviation = point.value("background_deviation"), difference = point.value("background_difference");
     return fmt::format(
-        "Behind the inner blur ({:.0f} px): the background's standard deviation is {:.4f}, its mean difference from "
-        "the front {:.4f} (ratio {:.2f}).",
+        "Background in the region inner ({:.0f} px): standard deviation {:.4f}, mean difference from the foreground "
+        "{:.4f} (ratio {:.2f}; the higher the ratio, the more a blur that invents the background errs).",
         pixels, deviation, difference, deviation / difference);
   }
   return "";

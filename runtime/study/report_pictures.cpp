@@ -59,7 +59,8 @@ std::vector<const Point*> rowsOf(const Results& results, const PointGroup& group
   return rows;
 }
 
-// Bold is what is smallest (or largest). Errors that differ by less than ten standard errors of truth are not ranked.
+// Mark the smallest (or largest) value bold. Truth's noise shifts each RMSE by at most its own RMSE, `sigma` (triangle
+// inequality), so errors that differ by more than 2 sigma are in the right order, and others are not ranked.
 void rank(page::Table& table, size_t column, const Shown& shown, const PointGroup& group) {
   if (!shown.measure->per_region || shown.measure->better == Better::neither) return;
   double sigma = shown.measure->name == "rmse" ? group.truth().value("rmse", shown.region) : 0;
@@ -68,13 +69,13 @@ void rank(page::Table& table, size_t column, const Shown& shown, const PointGrou
     if (row[column].mark == page::Mark::none && std::isfinite(row[column].value)) cells.push_back(&row[column]);
   auto less = [](const page::Cell* a, const page::Cell* b) { return a->value < b->value; };
   std::sort(cells.begin(), cells.end(), less);
-  auto near = [&](const page::Cell* cell) { return cell->value < cells.front()->value + 10 * sigma; };
+  auto near = [&](const page::Cell* cell) { return cell->value < cells.front()->value + 2 * sigma; };
   auto end = std::partition_point(cells.begin(), cells.end(), near);
   bool alike = end == cells.begin() || (*(end - 1))->value == cells.front()->value;
   if (alike) return page::markBest(table, column, shown.measure->better == Better::higher);
   for (auto cell = cells.begin(); cell != end; ++cell) (*cell)->text += "?";
   if (table.notes.empty())
-    table.notes.push_back("?: these differ by less than ten standard errors of truth, too little to rank them.");
+    table.notes.push_back("?: errors that differ by less than two standard errors of truth; their order may be truth's noise.");
 }
 
 page::Table errorTable(const Results& results, const PointGroup& group) {
@@ -87,7 +88,10 @@ page::Table errorTable(const Results& results, const PointGroup& group) {
     page::Row row = {nameCell(*point)};
     page::Mark mark = point->role == Role::method ? page::Mark::none : page::Mark::faint;
     for (const Shown& shown : columns) {
-      row.push_back(cellOf(*shown.measure, point->value(shown.measure->name, shown.region)));
+      const bool of_itself = point->role == Role::truth && shown.measure->per_region &&
+                             !shown.measure->name.starts_with("rmse");  // these are its standard error
+      row.push_back(of_itself ? page::Cell("–")
+                              : cellOf(*shown.measure, point->value(shown.measure->name, shown.region)));
       row.back().mark = mark;
     }
     row.push_back(page::Cell(fmt::format("{:.0f}", point->value("clamped")), mark));
@@ -192,8 +196,8 @@ void addShot(const Results& results, const Gallery& gallery, const std::optional
     parts.push_back({errorTable(results, *group)});
   }
   parts.push_back(
-      text("± is truth's own standard error. A floor is truth at a method's own samples: what no "
-           "filter with as many can pass.",
+      text("±: standard error of truth. Floor: ground truth with as many samples per pixel as a method. A method that "
+           "also reuses neighbouring pixels can be below it.",
            Tone::soft, Part::kPage));
   parts.push_back(text(describeBackground(*gallery.group), Tone::soft));
   append(parts, expectationParts(results, shot.name, ""));
@@ -217,8 +221,9 @@ Parts pictureParts(const Results& results, const std::vector<Gallery>& galleries
   for (const Gallery& gallery : galleries) addShot(results, gallery, size, parts);
   parts.push_back(text(
       "RMSE of linear values over all channels; FLIP at 67 pixels per degree; one sample per pixel at its centre, for "
-      "methods and truth alike. Regions are the truth's: inner, where the exposure shows what is farther than the "
-      "capture sees; hidden, what the capture could not see; outer, what is nearer.",
+      "methods and truth alike. Regions are computed from truth. Inner: pixels that show a farther surface at another "
+      "time of the exposure. Hidden: surfaces that are visible only at another time. Outer: pixels that show a nearer "
+      "surface at another time.",
       Tone::soft, Part::kPage));
   if (size && size->quality > 0) parts.push_back(text(describe(*size), Tone::soft, Part::kPage));
   return parts;

@@ -1,22 +1,25 @@
 -- SPDX-License-Identifier: MIT
 -- Figure 1 of Tan, Cui and Bhojan 2020, with numbers: a vase slides past a cushion, and a camera goes with it.
--- Expected: inside the silhouette of what moves the hybrid errs less than either baseline.
+-- Expected: in the region inner the hybrid (best) has a smaller error than either baseline, by more than two standard
+-- errors of truth. Truth's noise shifts each error by at most one (triangle inequality).
 --   strobe demo
 local capture = require "strobe.capture"
 
 local truth = "ground truth"
 local title = "Hybrid motion blur: what lies behind a moving object"
 local note = "After figure 1 of Tan, Cui and Bhojan, \"Hybrid MBlur\" (SIGGRAPH '20 Posters): inside a moving object's " ..
-             "silhouette the blur uncovers a background that the raster image does not have."
+             "silhouette the blur uncovers a background that the raster image does not have. Letter: the paper's text, " ..
+             "step by step. Our reading: the settings under which the paper's claims hold."
 local baselines = { "McGuire 2012", "UE4-style" }
 local crop_size, colors = { 120, 68 }, { "#ffc208", "#1abff2" }
 
 local function less_than_baselines(shot)
-  return { "hybrid (best) errs less than either baseline inside what moves", shot = shot, function(r)
+  return { "in the region inner the error of hybrid (best) is below that of either baseline", shot = shot, function(r)
     local function error_of(arm) return r.at { shot = shot, arm = arm, region = "inner" }.rmse end
-    local own, best = error_of "hybrid (best)", math.huge
+    local own, best, noise = error_of "hybrid (best)", math.huge, error_of(truth)
     for _, name in ipairs(baselines) do best = math.min(best, error_of(name)) end
-    return own < best, ("RMSE %.5f, %.2f of the better baseline's"):format(own, own / best)
+    return own + 2 * noise < best,
+      ("RMSE %.5f, %.2f of the better baseline's; truth's standard error %.5f"):format(own, own / best, noise)
   end }
 end
 
@@ -63,7 +66,8 @@ return capture {
     { name = "no blur", pipeline = "none" },
     { name = "McGuire 2012", pipeline = "mcguire2012" },
     { name = "UE4-style", pipeline = "ue4" },
-    { name = "hybrid (as published)", pipeline = "hybrid", set = { preset = "seed" } },
+    { name = "hybrid (letter)", pipeline = "hybrid", set = { preset = "seed_text" } },
+    { name = "hybrid (our reading)", pipeline = "hybrid", set = { preset = "seed" } },
     { name = "hybrid (best)", pipeline = "hybrid", set = { preset = "best" } },
     { name = "ray-traced, 16 samples", pipeline = "ground_truth", role = "floor", shown = false,
       set = { samples = 16, times = "midpoint" } },
@@ -78,11 +82,11 @@ return capture {
   figures = {
     {
       name = "demo", title = title,
-      note = note .. " Errors are of linear values against truth, whole and where the blur uncovers what is behind (inner).",
+      note = note .. " Errors are RMSE of linear values against truth: whole picture and region inner (the silhouette).",
       cell_width = 480, text_size = 24, gap = 10, margin = 28, rows = rows, cells = cells,
       columns = {
-        { arm = "no blur" }, { arm = "McGuire 2012" }, { arm = "UE4-style" }, { arm = "hybrid (as published)" },
-        { arm = "hybrid (best)" }, { arm = truth },
+        { arm = "no blur" }, { arm = "McGuire 2012" }, { arm = "UE4-style" }, { arm = "hybrid (letter)" },
+        { arm = "hybrid (our reading)" }, { arm = "hybrid (best)" }, { arm = truth },
       },
     },
   },

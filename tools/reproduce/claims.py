@@ -74,6 +74,8 @@ MEASURED = [
     of_results("real_scenes_inner", "real_scenes", read.real_rows(True)),
     of_results("readme_frame_time", "real_scenes", read.frame_ratios, tolerance=0.25),
     of_results("frame_time", "real_scenes", read.frame_ratios, tolerance=0.25),
+    of_results("readme_moving_camera", "all_moves", read.moving_camera_ratios, tolerance=0.25),
+    of_results("moving_camera", "all_moves", read.moving_camera_ratios, tolerance=0.25),
     of_results("precision_room", "precision", read.precision_room),
     of_results("precision_oracles", "precision", read.precision_oracles),
     of_results("precision_color", "precision", read.precision_color),

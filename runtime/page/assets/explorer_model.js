@@ -77,7 +77,8 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
 
   // ---- what truth cannot tell apart
 
-  // Errors less than ten standard errors of truth above the smallest of their group are not ranked: numbers of points.
+  // Numbers of the points whose error is less than two standard errors of truth above the smallest of their group:
+  // their order may be truth's noise (triangle inequality).
   const ties = new Map();
   function tiedIn(g, region) {
     const key = g + " " + region;
@@ -86,7 +87,7 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
     const error = point => value(point, "rmse", region);
     const list = points.filter(one => one.g === g && data.arms[one.a].role === "method" && !Number.isNaN(error(one)));
     const least = Math.min(...list.map(error));
-    const near = list.filter(one => error(one) < least + 10 * sigma);
+    const near = list.filter(one => error(one) < least + 2 * sigma);
     const ranked = near.every(one => error(one) === least);
     ties.set(key, new Set(ranked ? [] : near.map(one => one.n)));
     return ties.get(key);

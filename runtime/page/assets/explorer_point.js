@@ -136,7 +136,7 @@
   function deviations(table, point) {
     const row = table.tBodies[0].insertRow();
     row.append(explorer.element("th", "truth ± (RMSE)", { scope: "row",
-      title: "standard error of truth; errors closer than ten of it are not ranked" }));
+      title: "standard error of truth; errors closer than two of it are not ranked" }));
     for (const sigma of point.group.sigma) {
       const cell = row.insertCell();
       cell.className = "number faint", cell.textContent = sigma === null ? "–" : "";
