@@ -75,7 +75,8 @@ void rank(page::Table& table, size_t column, const Shown& shown, const PointGrou
   if (alike) return page::markBest(table, column, shown.measure->better == Better::higher);
   for (auto cell = cells.begin(); cell != end; ++cell) (*cell)->text += "?";
   if (table.notes.empty())
-    table.notes.push_back("?: errors that differ by less than two standard errors of truth; their order may be truth's noise.");
+    table.notes.push_back(
+        "?: errors that differ by less than two standard errors of truth; their order may be truth's noise.");
 }
 
 page::Table errorTable(const Results& results, const PointGroup& group) {
