@@ -63,8 +63,7 @@ class InFlightTest : public SessionTest {
 };
 
 TEST_F(InFlightTest, FramesAreWhatTheyAreAlone) {
-  for (const char* pipeline : {"none", "mcguire2012", "hybrid", "temporal1", "selective"})
-    expectSame(smallShot(pipeline), 7);
+  for (const char* pipeline : {"none", "hybrid", "temporal1"}) expectSame(smallShot(pipeline), 7);
 }
 
 TEST_F(InFlightTest, WithRaysOfEachBackendOverAList) {

@@ -24,13 +24,14 @@ struct Share {
 
 void PrintTo(const Share& share, std::ostream* out) { *out << share.pipeline << " " << share.shard; }
 
-// A pipeline with presets has several times as many variants as others.
+// A pipeline with presets has several times as many variants as others. The oracles catch all but 1 of the mistakes that
+// tools/mutate draws before a drawn case does, so few cases are drawn here; `strobe stability` draws all.
 std::vector<Share> shares() {
   std::vector<Share> list;
   for (const std::string& name : home().namesIn("scripts/pipelines", ".lua")) {
     std::string text = readText(home().at("scripts/pipelines/" + name + ".lua"));
     bool few = text.find("presets") == std::string::npos;
-    for (int i = 0; i < (few ? 1 : 4); ++i) list.push_back({name, i, few ? 1 : 4, few ? 4 : 16});
+    for (int i = 0; i < (few ? 1 : 4); ++i) list.push_back({name, i, few ? 1 : 4, few ? 12 : 48});
   }
   return list;
 }
@@ -42,7 +43,7 @@ TEST_P(Shipped, HoldsEveryInvariantOrSaysWhyNot) {
   Options options;
   options.shard = GetParam().shard;
   options.shards = GetParam().shards;
-  options.thinned = GetParam().thinned;  // `strobe stability` takes all
+  options.thinned = GetParam().thinned;
   Report report = check(batch, GetParam().pipeline, options);
   EXPECT_EQ(report.total().failed, 0) << textOf(report);
   EXPECT_GT(report.total().held, 0);
