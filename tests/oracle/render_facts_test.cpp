@@ -202,7 +202,8 @@ class RenderFacts : public oracle::RenderTest {
     const size_t whole = graphs.size() - (more == kGraphs.end() ? 0 : more->second.size());
     for (size_t i = 0; i < graphs.size(); ++i)
       for (size_t k = 0; k < scenes.size(); ++k)
-        if (i < whole || k == i % scenes.size() || k == (i + 3) % scenes.size()) compare(scenes[k], pipeline, graphs[i]);
+        if (i < whole || k == i % scenes.size() || k == (i + 3) % scenes.size())
+          compare(scenes[k], pipeline, graphs[i]);
   }
 };
 
