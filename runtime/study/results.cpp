@@ -233,7 +233,7 @@ void requireSound(const Results& results) {
           fmt::format("the size is {}x{}", results.width, results.height));
   require(!results.arms.empty(), "there are no arms");
   requireMeasures(results);
-  picturesOf(results.layout), curvesOf(results.layout);  // throw for fields of another type
+  picturesLayoutOf(results.layout), curvesOf(results.layout);  // throw for fields of another type
   for (const AxisSummary& axis : results.axes) requireSound(results, axis);
   for (const ShotSummary& shot : results.shots) requireSound(results, shot);
   for (const PointGroup& group : results.groups) requireSound(results, group);
