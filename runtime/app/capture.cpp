@@ -49,7 +49,7 @@ struct VerifyOptions {
   bool json = false;
 };
 
-// What `work` gives; a field that it misses in a manifest is damage.
+// Result of `work`. Throws `Error` if a field of a manifest is missing.
 template <class Work>
 auto ofManifests(const std::string& manifests, const Work& work) {
   try {

@@ -55,7 +55,7 @@ std::string commandOf(const Home& home, const std::string& name, const SweepOpti
   return line;
 }
 
-// Results and files on stdout, with those that were written besides. A point that failed or is missing, a damaged file,
+// Prints results and names of files, those of `besides` too. A point that failed or is missing, a damaged file,
 // or an expectation that the results contradict ends the command with exit code 1.
 void show(const study::Results& results, const Path& folder, const ResultNames& names, bool json, bool still = false,
           const std::vector<Path>& besides = {}, const std::vector<Path>& damaged = {}) {

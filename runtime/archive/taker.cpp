@@ -222,7 +222,8 @@ std::shared_ptr<const lab::Picture> Taker::draw(const Frame& frame, const Progre
   Path file = folder_ / "pictures" / (name + ".json");
   if (fs::exists(file)) {
     std::optional<Json> known = unsealed(readText(file));
-    if (!known) warn(fmt::format("{}: is damaged, or of an earlier program; its picture is taken again", file.string()));
+    if (!known)
+      warn(fmt::format("{}: is damaged, or of an earlier program; its picture is taken again", file.string()));
     bool same = known && known->value("key", "") == key && isThere(folder_, known->at("files"));
     if (same && areCurrent(known->at("inputs"))) {
       entries_[name] = *known;

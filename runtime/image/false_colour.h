@@ -10,8 +10,7 @@ namespace strobe::image {
 // |a - b| * gain per colour channel, shown as it is (no encoding): black is no difference.
 Image absoluteDifference(const Image& a, const Image& b, float gain = 1);
 
-// Marks the pixels of three-channel `display` at which a colour of `data` is not finite: magenta where one is NaN, else
-// yellow.
+// Marks pixels of `display` (three channels) if a colour of `data` is not finite there: magenta for NaN, else yellow.
 inline constexpr Colour kNanColour = {1, 0, 1}, kInfiniteColour = {1, 1, 0};
 void markNotFinite(Image& display, const Image& data);
 

@@ -24,7 +24,7 @@ struct Difference {
 };
 Difference largestDifference(const Image& a, const Image& b, const Image& mask = {});
 
-// Pixels with a colour that is not finite, and the first of them in reading order with that value.
+// Number of pixels with a colour that is not finite; place and value of the first in reading order.
 struct NotFinite {
   size_t pixels = 0;
   int x = 0, y = 0;

@@ -80,7 +80,8 @@ void shout(Image& display, const Image& data, int channels, bool sky = false) {
       nan = nan || std::isnan(value[c]);
       infinite = infinite || (std::isinf(value[c]) && !(sky && value[c] > 0));
     }
-    if (nan || infinite) std::copy_n((nan ? image::kNanColour : image::kInfiniteColour).begin(), 3, &display.values[3 * i]);
+    if (nan || infinite)
+      std::copy_n((nan ? image::kNanColour : image::kInfiniteColour).begin(), 3, &display.values[3 * i]);
   }
 }
 

@@ -34,9 +34,9 @@ std::vector<std::string> limitsMet(const graph::FrameResult& frame) {
   const image::Image& image = color->second.floats;
   const image::NotFinite found = image::notFiniteIn(image);
   if (found.pixels == 0) return {};
-  return {kNotFiniteLimit.text(fmt::format("color: {} of {} pixels {} not finite, the first at {},{} ({})", found.pixels,
-                                           image.width * image.height, found.pixels == 1 ? "is" : "are", found.x,
-                                           found.y, found.value))};
+  return {kNotFiniteLimit.text(fmt::format("color: {} of {} pixels {} not finite, the first at {},{} ({})",
+                                           found.pixels, image.width * image.height, found.pixels == 1 ? "is" : "are",
+                                           found.x, found.y, found.value))};
 }
 
 // Is a clip in another pose at its end than where it begins again?

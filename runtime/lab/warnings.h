@@ -15,7 +15,7 @@ namespace strobe::lab {
 // "NODE: COUNT WHAT; what was done and what to do about it" for every count of a frame that is declared as a limit.
 std::vector<std::string> limitsMet(const plan::Plan& plan, const graph::FrameResult& frame);
 
-// Of the colours of a frame, if they are read back.
+// Warnings about the colours of a frame, if its colour is read back.
 std::vector<std::string> limitsMet(const graph::FrameResult& frame);
 
 // Of the times a shot asks of its scene.

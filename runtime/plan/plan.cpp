@@ -388,8 +388,7 @@ Plan compile(const PipelineDesc& pipeline, const CompileOptions& options) {
   return Compiler(pipeline, options).compile();
 }
 
-// The pass that decides the size of "node.port": the first, from there on against the wires, that is neither as large as
-// the frame nor as large as what it reads.
+// The pass that decides the size of "node.port": follows passes that are as large as a read.
 static const PassDesc& sizingPass(const PipelineDesc& pipeline, std::string source) {
   auto named = [](const auto& list, const std::string& name) {
     return std::find_if(list.begin(), list.end(), [&](const auto& one) { return one.name == name; });
@@ -413,11 +412,11 @@ void requireWholeOutputs(const Plan& plan) {
     bool has_to_be = std::find(whole.begin(), whole.end(), name) != whole.end();
     if (!has_to_be || image.divide == 1) continue;
     const PassDesc& pass = sizingPass(pipeline, image.name);
-    throw Error(fmt::format("output '{}' of pipeline '{}' is '{}', which is {}x{} in a frame of {}x{}; it has to be as "
-                            "large as the frame, and pass '{}' decides its size",
-                            name, pipeline.name, image.name, image.width, image.height, plan.width, plan.height,
-                            pass.name),
-                pass.size.place);
+    throw Error(
+        fmt::format("output '{}' of pipeline '{}' is '{}', which is {}x{} in a frame of {}x{}; it has to be as "
+                    "large as the frame, and pass '{}' decides its size",
+                    name, pipeline.name, image.name, image.width, image.height, plan.width, plan.height, pass.name),
+        pass.size.place);
   }
 }
 

@@ -59,7 +59,8 @@ Gallery galleryOf(const Results& results, const ShotSummary& shot, const Path& f
     if (!point || !arm.shown || point->measured.empty()) continue;
     if (std::optional<ShownPoint> one = shownPoint(*point, arm, folder)) gallery.shown.push_back(std::move(*one));
   }
-  auto truth = std::find_if(gallery.shown.begin(), gallery.shown.end(), [](const ShownPoint& one) { return one.isTruth(); });
+  auto truth =
+      std::find_if(gallery.shown.begin(), gallery.shown.end(), [](const ShownPoint& one) { return one.isTruth(); });
   image::Image reference = truth == gallery.shown.end() ? image::Image() : truth->measured;
   std::erase_if(gallery.shown, [&](const ShownPoint& one) { return !image::sameSize(one.measured, reference); });
   return gallery;

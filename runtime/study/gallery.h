@@ -22,15 +22,16 @@ struct Gallery {
   std::vector<ShownPoint> shown;
 
   const ShownPoint& truth() const;
-  // |difference from truth| times `gain`, in linear values, to be shown as it is. Pixels that are not finite are marked.
+  // |difference from truth| times `gain`, in linear values, to be shown as it is. Pixels that are not finite are
+  // marked.
   image::Image difference(const ShownPoint& point, double gain) const;
 };
 
 // Groups of a shot, the first of them first.
 std::vector<const PointGroup*> groupsOf(const Results& results, const ShotSummary& shot);
 
-// Pictures that are not below `folder` as they were written are left out. Pixels of `shown` that are not finite are marked
-// as in the window.
+// Pictures that are not below `folder` as they were written are left out. Pixels of `shown` that are not finite are
+// marked as in the window.
 Gallery galleryOf(const Results& results, const ShotSummary& shot, const Path& folder);
 
 // "time, ms"
@@ -38,7 +39,7 @@ std::string headOf(const Measure& measure);
 // A value of a measure with its unit.
 std::string shownValue(const Measure& measure, double value);
 
-// `shown`, or why there is no value where the point should have one: "failed", "2 px not finite".
+// `shown`, or the reason for a missing value: "failed", "2 px not finite".
 std::string orLack(const std::string& shown, double value, const PointGroup& group, const Point& point);
 
 // What was taken how: size, exposure, anchor, motion.

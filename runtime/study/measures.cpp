@@ -110,8 +110,8 @@ bool isFinite(const Image& image) { return image::notFiniteIn(image).pixels == 0
 bool isDefined(const Measure& measure, const Sight& sight, bool finite) {
   if (measure.of_any || measure.is_time) return true;
   bool benign = !measure.is_change || !sight.benign || isFinite(*sight.benign);
-  bool before = !measure.of_sequence || !sight.before ||
-                (isFinite(sight.before->color) && isFinite(sight.before->truth->color));
+  bool before =
+      !measure.of_sequence || !sight.before || (isFinite(sight.before->color) && isFinite(sight.before->truth->color));
   return finite && benign && before;
 }
 
@@ -259,23 +259,25 @@ const std::vector<Measure>& measures() {
        "median over the rounds of a frame's own time as a multiple of the base's in the same round", ownRatio, true,
        false, true},
       ofAny({"memory", "memory", "MiB", kLower, false, "all images that a frame holds at once, as they share memory",
-       [](const Sight& s, const std::string&, const Image&) { return double(s.bytes) / (1 << 20); }}),
+             [](const Sight& s, const std::string&, const Image&) { return double(s.bytes) / (1 << 20); }}),
       ofAny({"bytes", "bytes per pixel", "B", kLower, false, "the same, per pixel of the picture",
-       [](const Sight& s, const std::string&, const Image&) {
-         return double(s.bytes) / (double(s.color.width) * s.color.height);
-       }}),
+             [](const Sight& s, const std::string&, const Image&) {
+               return double(s.bytes) / (double(s.color.width) * s.color.height);
+             }}),
       ofAny({"rays", "rays", "", kLower, false, "rays launched for the picture: revealing, shadows, truth", rays}),
       ofAny({"masked", "masked", "px", kLower, false, "pixels of the output `mask`: behind which something is sought",
-       masked}),
+             masked}),
       ofAny({"traced", "traced", "px", kLower, false,
-       "pixels of the output `traced`: all that have rays of the method's own, where their number is limited", traced}),
-      ofAny({"clamped", "clamped", "px", kLower, false, "pixels whose displacement was shortened to the limit", clamped}),
+             "pixels of the output `traced`: all that have rays of the method's own, where their number is limited",
+             traced}),
+      ofAny(
+          {"clamped", "clamped", "px", kLower, false, "pixels whose displacement was shortened to the limit", clamped}),
       ofAny({"broken", "not finite", "px", kLower, false, "pixels with a colour that is not a finite number", broken}),
       ofAny({"pixels", "pixels", "px", kNeither, true, "pixels of the region", pixels}),
       {"contrast", "contrast", "", kNeither, false,
        "standard deviation of the colours: root mean square of those of the channels", contrast},
       ofAny({"displacement", "displacement", "px", kNeither, false,
-       "median length of the displacement over the pixels of what moves", displacement}),
+             "median length of the displacement over the pixels of what moves", displacement}),
       {"change", "largest change", "", kLower, false,
        "largest difference of any channel from the same arm's picture at the benign value", change, false, true},
       {"changed", "changed pixels", "", kLower, false,

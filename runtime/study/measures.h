@@ -70,8 +70,8 @@ const std::vector<Measure>& measures();
 std::vector<std::string> measureNames();
 const Measure& measureNamed(const std::string& name);  // asserts that there is one
 
-// Values by region, "all" for what is not per region; what was not measured is not among them. A value that a picture or
-// truth with colours that are not finite would have is NaN.
+// Values by region, "all" for a measure that is not per region. Values that were not measured are left out. Colours of
+// the picture or of truth that are not finite make a value NaN.
 using Values = std::map<std::string, std::map<std::string, double>>;
 Values measured(const Sight& sight, const std::vector<std::string>& names, const std::vector<std::string>& regions);
 

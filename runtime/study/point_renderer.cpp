@@ -48,7 +48,7 @@ std::vector<std::string> limitsMet(const lab::Picture& picture) {
   return met;
 }
 
-// As it is shown; pixels that are not finite are marked.
+// Display values with marks on pixels that are not finite.
 Image displayed(const Image& linear, const image::ToneMap& tone) {
   Image display = image::toneMap(linear, tone);
   image::markNotFinite(display, linear);

@@ -88,7 +88,8 @@ page::Table AxisTable::table() const {
       page::Row row = {arm.name, axis_.labels[value]};
       for (const std::string& measure : layout_.once) {
         double once = first->value(measure);
-        row.push_back({once, orLack(shownValue(measureNamed(measure), once), once, *groupAt(value, shots_.front()), *first)});
+        row.push_back(
+            {once, orLack(shownValue(measureNamed(measure), once), once, *groupAt(value, shots_.front()), *first)});
       }
       for (const std::string& shot : shots_) row.push_back(cell(arm.name, value, shot));
       table.add(std::move(row));

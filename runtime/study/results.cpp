@@ -221,8 +221,8 @@ void requireSound(const Results& results, const PointGroup& group) {
     require(find(results.arms, point.arm) != results.arms.end(), fmt::format("there is no arm '{}'", point.arm));
   for (const auto& [name, value] : group.at) {
     auto axis = find(results.axes, name);
-    bool known = axis != results.axes.end() &&
-                 std::find(axis->values.begin(), axis->values.end(), value) != axis->values.end();
+    bool known =
+        axis != results.axes.end() && std::find(axis->values.begin(), axis->values.end(), value) != axis->values.end();
     require(known, fmt::format("axis '{}' has no value {}", name, value.dump()));
   }
 }
@@ -404,8 +404,9 @@ Json toJson(const Results& results) {
 
 Results resultsFrom(const Json& json, const std::string& file) {
   auto refuse = [&](const std::string& reason) {
-    throw Error(fmt::format("is not a result of an experiment, or is damaged{}; the same sweep writes it again", reason),
-                {file});
+    throw Error(
+        fmt::format("is not a result of an experiment, or is damaged{}; the same sweep writes it again", reason),
+        {file});
   };
   Results results;
   try {

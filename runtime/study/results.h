@@ -126,7 +126,8 @@ std::string describe(const PointGroup& group, const std::string& without = "");
 
 // Numbers with nine significant digits: as exact as the pictures, and the same on a rerun.
 Json toJson(const Results& results);
-// Throws `Error` naming the file if it is not a result of an experiment, or has names or numbers that cannot be laid out.
+// Throws `Error` naming the file if it is not a result of an experiment, or has names or numbers that cannot be laid
+// out.
 Results resultsFrom(const Json& json, const std::string& file);
 
 // Results as a file, with the sum by which damage is noticed; the same from a file, with or without sum.
@@ -142,8 +143,8 @@ void judgeResults(const Home& home, Results& results, const std::string& file);
 // Puts the experiment's texts and layout over those of its results, and judges its expectations.
 void retell(const Home& home, Results& results, const Experiment& experiment);
 
-// A row per point and region: point, arm, shot, region, each axis, each measure; if a point lacks values it should have,
-// also `note`, which says why.
+// A row per point and region: point, arm, shot, region, each axis, each measure; if a point lacks values it should
+// have, also `note`, which says why.
 std::string csvOf(const Results& results);
 // A row per point that was timed and pass: point, arm, shot, pass, each axis, ms, ms_low, ms_high; "" without times.
 std::string passesCsvOf(const Results& results);

@@ -103,7 +103,7 @@ std::shared_ptr<const lab::Picture> decoded(const std::string& key, const Path& 
       picture->frame.outputs[output] = std::move(read);
     }
     return picture;
-  } catch (const std::exception&) {  // not OpenEXR, or without what was written into it
+  } catch (const std::exception&) {  // not OpenEXR, or without the fields of a truth
     return nullptr;
   }
 }
@@ -197,9 +197,8 @@ void Store::belongTo(const std::string& title) const {
   const auto& [other, version] = *known;
   if (version != kVersion) throw Error("is not of this version of Strobe; take another folder", {file.string()}, 2);
   if (other != title)
-    throw Error(
-        fmt::format("has points of another experiment, '{}', not of '{}'; take another folder", other, title),
-        {folder_.string()}, 2);
+    throw Error(fmt::format("has points of another experiment, '{}', not of '{}'; take another folder", other, title),
+                {folder_.string()}, 2);
 }
 
 std::optional<Point> Store::point(const std::string& key) const {
@@ -210,7 +209,7 @@ std::optional<Point> Store::point(const std::string& key) const {
   return point;
 }
 
-// Pictures of a layout have the names of their arms, so that those of other values may lie there by now.
+// Pictures of a layout have the names of their arms, so that pictures of other values may have replaced them.
 static bool isOfAnother(const Path& folder, const Point& point) {
   if (point.record.empty() || !fs::exists(folder / point.record)) return false;
   Json record = Json::parse(readText(folder / point.record), nullptr, false);
@@ -237,8 +236,8 @@ bool Store::hasFiles(const Point& point) const {
 bool Store::has(const std::string& key) const {
   if (had_.count(key)) return true;
   std::optional<Point> kept = point(key);
-  bool is_had = kept && kept->failed.empty() && hasFiles(*kept) &&
-                (!requires_exr || fs::exists(pointFile(folder_, key, ".exr")));
+  bool is_had =
+      kept && kept->failed.empty() && hasFiles(*kept) && (!requires_exr || fs::exists(pointFile(folder_, key, ".exr")));
   if (is_had) had_.insert(key);
   return is_had;
 }

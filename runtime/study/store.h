@@ -16,11 +16,11 @@ namespace strobe::study {
 // Files of a folder of results: points/KEY.json, points/KEY.png (as shown), points/KEY.exr (linear, on request).
 Path pointFile(const Path& folder, const std::string& key, const std::string& ending);
 
-// Puts what the folder has of the points of `results` into them; the others stay as they are. Needs no lock. Returns the
-// files of points that are damaged: cut short, altered, or of another point.
+// Fills in the points of `results` that the folder has; the others stay as they are. Needs no lock. Returns the files
+// of points that are damaged: cut short, altered, or of another point.
 std::vector<Path> takePoints(Results& results, const Path& folder);
 
-// Files of the points of `results`, as the points name them, that are in the folder and differ from what was written.
+// Files of the points of `results` that are in the folder and differ from their hash.
 std::vector<Path> alteredFiles(const Results& results, const Path& folder);
 // True if a file of the point is in the folder as it was written.
 bool isAsWritten(const Point& point, const Path& folder, const std::string& name);
@@ -42,8 +42,7 @@ class Store {
   // Points without the file of linear colour are not had.
   bool requires_exr = false;
 
-  // folder/points/KEY.json, if it is there. A point that failed, or whose pictures are gone, damaged or those of another
-  // by now, is not had.
+  // folder/points/KEY.json, if it is there. `has` is false for a point that failed, or that lacks a whole file.
   std::optional<Point> point(const std::string& key) const;
   bool has(const std::string& key) const;
   void keep(const std::string& key, const Point& point) const;

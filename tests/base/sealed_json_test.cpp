@@ -8,7 +8,8 @@ namespace strobe {
 namespace sealed_json_test {
 
 TEST(SealedJson, GivesTheObjectOrNothing) {
-  const Json object = {{"title", "A \"title\", ä"}, {"values", {{"rmse", 0.1}, {"n", -3}}}, {"list", {1.5, nullptr, true}}};
+  const Json object = {
+      {"title", "A \"title\", ä"}, {"values", {{"rmse", 0.1}, {"n", -3}}}, {"list", {1.5, nullptr, true}}};
   const std::string text = sealed(object);
   ASSERT_TRUE(unsealed(text));
   EXPECT_EQ(unsealed(text)->dump(), object.dump());
@@ -21,7 +22,8 @@ TEST(SealedJson, GivesTheObjectOrNothing) {
       EXPECT_TRUE(!read || read->dump() == object.dump()) << "byte " << i << ", bit " << bit;
     }
   }
-  for (const char* other : {"", "[]", "{}", "null", "3", "{\"sum\": 3}", "{\"sum\": \"\"}"}) EXPECT_FALSE(unsealed(other)) << other;
+  for (const char* other : {"", "[]", "{}", "null", "3", "{\"sum\": 3}", "{\"sum\": \"\"}"})
+    EXPECT_FALSE(unsealed(other)) << other;
 }
 
 }  // namespace sealed_json_test

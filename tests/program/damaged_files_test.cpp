@@ -105,8 +105,8 @@ TEST_F(DamagedFiles, OfPointsAreDrawnAgain) {
   Files points = filesIn(path("copy/points"), ".json");
   ASSERT_EQ(points.size(), 12u);
   const std::string whole = contentOf(points[0]), other = contentOf(points[11]);
-  const std::vector<std::string> contents = {"",   whole.substr(0, 120), "[]", "{}", "null", "3", std::string(200, '\0'),
-                                             other};
+  const std::vector<std::string> contents = {"",  whole.substr(0, 120),   "[]", "{}", "null",
+                                             "3", std::string(200, '\0'), other};
   for (size_t i = 0; i < contents.size(); ++i) writeText(points[i], contents[i]);
   Outcome report = program("report copy");
   EXPECT_EQ(report.exit_code, 1);
@@ -187,8 +187,9 @@ TEST_F(DamagedFiles, OfTheFolderAreWrittenAgain) {
   fs::resize_file(path("copy/result.json"), 200);
   Outcome report = program("report copy");
   EXPECT_EQ(report.exit_code, 1);
-  EXPECT_EQ(report.err, "strobe: copy/result.json: is not a result of an experiment, or is damaged; the same sweep writes it "
-                        "again\n");
+  EXPECT_EQ(report.err,
+            "strobe: copy/result.json: is not a result of an experiment, or is damaged; the same sweep writes it "
+            "again\n");
   expectMadeAgain(0);
 }
 
@@ -227,9 +228,10 @@ void damage(const fs::path& file, const Files& others, std::mt19937& random) {
 
 // Ends by itself, in words of its own.
 void expectEnded(const Outcome& outcome, const std::string& what) {
-  EXPECT_TRUE(outcome.exit_code >= 0 && outcome.exit_code <= 2) << what << ": " << outcome.exit_code << "\n" << outcome.err;
-  for (const char* foreign : {"json.exception", "std::", "vector::", "basic_string", "map::at", "stoi", "filesystem error",
-                              "bad_alloc", "internal error", "terminate", "what():"})
+  EXPECT_TRUE(outcome.exit_code >= 0 && outcome.exit_code <= 2) << what << ": " << outcome.exit_code << "\n"
+                                                                << outcome.err;
+  for (const char* foreign : {"json.exception", "std::", "vector::", "basic_string", "map::at", "stoi",
+                              "filesystem error", "bad_alloc", "internal error", "terminate", "what():"})
     EXPECT_EQ(outcome.err.find(foreign), std::string::npos) << what << ": " << outcome.err;
 }
 

@@ -162,12 +162,24 @@ TEST(Results, DamageIsRefused) {
   EXPECT_EQ(refusal([](Json& json) { json["measures"][0] = "rmsf"; }),
             "result.json: is not a result of an experiment, or is damaged: there is no measure 'rmsf'; the same sweep "
             "writes it again");
-  for (const auto& [path, value] : std::vector<std::pair<std::string, Json>>{
-           {"/size/0", 0}, {"/size/0", 1 << 20}, {"/groups/0/shot", "shit"}, {"/groups/1/points/1/arm", "god"},
-           {"/groups/0/at/speed", 2}, {"/axes/0/labels", {"1"}}, {"/axes/0/benign", 5}, {"/axes/0/values/0", "x"},
-           {"/shots/0/crops/0/0", 63}, {"/shots/0/crops/0/2", -1}, {"/layout", {{"front", {{"x", "rsme"}}}}},
-           {"/layout", {{"front", {{"x", 3}}}}}, {"/layout", {{"pictures", {{"crop_size", 3}}}}}, {"/arms", Json::array()},
-           {"/groups/0/points/0/role", "method"}, {"/groups/0/points", 3}, {"/device", "x"}}) {
+  for (const auto& [path, value] :
+       std::vector<std::pair<std::string, Json>>{{"/size/0", 0},
+                                                 {"/size/0", 1 << 20},
+                                                 {"/groups/0/shot", "shit"},
+                                                 {"/groups/1/points/1/arm", "god"},
+                                                 {"/groups/0/at/speed", 2},
+                                                 {"/axes/0/labels", {"1"}},
+                                                 {"/axes/0/benign", 5},
+                                                 {"/axes/0/values/0", "x"},
+                                                 {"/shots/0/crops/0/0", 63},
+                                                 {"/shots/0/crops/0/2", -1},
+                                                 {"/layout", {{"front", {{"x", "rsme"}}}}},
+                                                 {"/layout", {{"front", {{"x", 3}}}}},
+                                                 {"/layout", {{"pictures", {{"crop_size", 3}}}}},
+                                                 {"/arms", Json::array()},
+                                                 {"/groups/0/points/0/role", "method"},
+                                                 {"/groups/0/points", 3},
+                                                 {"/device", "x"}}) {
     auto damage = [&path = path, &value = value](Json& json) { json[Json::json_pointer(path)] = value; };
     EXPECT_NE(refusal(damage).find("is damaged"), std::string::npos) << path << " = " << value;
     EXPECT_EQ(refusal(damage).find("json.exception"), std::string::npos) << path;
@@ -276,8 +288,8 @@ TEST(Measures, OfColoursThatAreNotFiniteHaveNoValue) {
   Sight sight;
   sight.truth = &truth, sight.picture = &picture, sight.bytes = 64;
   sight.color = image::Image(4, 4, 3, 0.25f);
-  const std::vector<std::string> colours = {"rmse", "mse", "flip", "flip_max", "p999", "relmse", "relmse_trimmed", "smape",
-                                            "psnr", "contrast"};
+  const std::vector<std::string> colours = {"rmse",           "mse",   "flip", "flip_max", "p999", "relmse",
+                                            "relmse_trimmed", "smape", "psnr", "contrast"};
   std::vector<std::string> names = colours;
   names.insert(names.end(), {"broken", "pixels", "bytes"});
   for (const std::string& name : names)
