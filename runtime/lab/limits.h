@@ -17,9 +17,9 @@ inline constexpr Limit kClipSeamLimit{
     "what is keyed jumps back within the exposure and is blurred over the whole jump; take a frame whose exposure lies "
     "within the clip"};
 inline constexpr Limit kNotFiniteLimit{"not_finite", Limit::Kind::Warned, "pixels of the picture are not finite",
-                                       "no measure of their colours means anything. `--pixel` at the first of them "
-                                       "prints what every pass left there: look "
-                                       "for a division by zero"};
+                                       "measures of their colours have no value. Print the values of every pass there "
+                                       "with `--pixel` and look for a division "
+                                       "by zero"};
 inline constexpr Limit kOutsideLimit{
     "outside", Limit::Kind::Known, "what the exposure shows was outside of the picture at the capture",
     "filters of one picture know nothing of it, and what is at the border stands in; truth shows it. Render a larger "
