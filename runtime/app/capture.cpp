@@ -49,11 +49,23 @@ struct VerifyOptions {
   bool json = false;
 };
 
+// Result of `work`. Throws `Error` if a field of a manifest is missing.
+template <class Work>
+auto ofManifests(const std::string& manifests, const Work& work) {
+  try {
+    return work();
+  } catch (const Json::exception&) {
+    throw Error("is damaged: a field of the manifest is missing or of another type", {manifests});
+  }
+}
+
 void verify(const Home& home, const VerifyOptions& options) {
   if (!options.out.empty()) requireWritable(options.out);
   archive::Manifest manifest = archive::readManifest(options.manifest);
-  archive::Verdict verdict = archive::verify(home, manifest, options.device, validationWanted(), options.out,
-                                             [](const std::string& line) { note(line); });
+  archive::Verdict verdict = ofManifests(options.manifest, [&] {
+    return archive::verify(home, manifest, options.device, validationWanted(), options.out,
+                           [](const std::string& line) { note(line); });
+  });
   Json json = archive::toJson(verdict.differences);
   json["holds"] = verdict.holds, json["same_device"] = verdict.same_device, json["most_flip"] = verdict.most_flip;
   std::fputs((options.json ? json.dump(1) + "\n" : archive::textOf(verdict)).c_str(), stdout);
@@ -67,8 +79,9 @@ struct DiffOptions {
 
 void diff(const DiffOptions& options) {
   if (!options.out.empty()) requireWritable(options.out);
-  archive::Differences differences =
-      archive::differencesOf(archive::readManifest(options.first), archive::readManifest(options.second), options.out);
+  archive::Manifest first = archive::readManifest(options.first), second = archive::readManifest(options.second);
+  archive::Differences differences = ofManifests(options.first + " or " + options.second,
+                                                 [&] { return archive::differencesOf(first, second, options.out); });
   std::string text = archive::textOf(differences);
   if (text.empty()) text = "no differences\n";
   std::fputs((options.json ? archive::toJson(differences).dump(1) + "\n" : text).c_str(), stdout);

@@ -19,7 +19,7 @@ std::vector<Path> writeResults(const study::Results& results, const Path& folder
     image::writePng(files.back(), report.sheet());
   }
   keep(names.page, report.page(still ? page::Library() : page::findLibrary()));
-  keep(names.results, study::toJson(results).dump(1) + "\n");
+  keep(names.results, study::textOf(results));
   keep(names.text, report.markdown(names.page));
   for (const auto& [name, svg] : report.figures()) keep(name, svg);
   keep(names.table, study::csvOf(results));

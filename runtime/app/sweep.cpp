@@ -31,8 +31,8 @@ struct SweepOptions {
 };
 
 // Results as far as they are there.
-study::Results resultsIn(const Path& file) {
-  study::Results results = study::resultsFrom(Json::parse(readText(file), nullptr, false), file.string());
+study::Results resultsSoFar(const Path& file) {
+  study::Results results = study::resultsIn(file);
   study::takePoints(results, file.parent_path());
   return results;
 }
@@ -55,17 +55,21 @@ std::string commandOf(const Home& home, const std::string& name, const SweepOpti
   return line;
 }
 
-// Results and files on stdout, with those that were written besides; a point that failed, or an expectation that the
-// results contradict, ends the command with exit code 1.
+// Prints results and names of files, those of `besides` too. A point that failed or is missing, a damaged file,
+// or an expectation that the results contradict ends the command with exit code 1.
 void show(const study::Results& results, const Path& folder, const ResultNames& names, bool json, bool still = false,
-          const std::vector<Path>& besides = {}) {
+          const std::vector<Path>& besides = {}, const std::vector<Path>& damaged = {}) {
   std::vector<Path> files = writeResults(results, folder, names, still);
   files.insert(files.end(), besides.begin(), besides.end());
-  std::fputs((json ? study::toJson(results).dump(1) + "\n" : study::Report(results, folder).text() + "\n").c_str(),
-             stdout);
+  std::fputs((json ? study::textOf(results) : study::Report(results, folder).text() + "\n").c_str(), stdout);
   for (const Path& file : files)
     if (!json) std::printf("%s\n", file.c_str());
-  std::vector<std::string> wrong = results.failed(), contradicted = results.contradicted();
+  std::vector<std::string> wrong, contradicted = results.contradicted();
+  for (const Path& file : damaged)
+    wrong.push_back(file.string() + ": is damaged and left out; the same sweep makes it again");
+  if (std::string missing = results.missingText(); !missing.empty())
+    wrong.push_back("not drawn yet: " + missing + "; the same sweep goes on with them");
+  for (const std::string& failure : results.failed()) wrong.push_back(failure);
   wrong.insert(wrong.end(), contradicted.begin(), contradicted.end());
   throwIfAny(wrong);
 }
@@ -96,7 +100,7 @@ void list(const study::Experiment& experiment, bool json) {
 study::Started keptOutline(const Path& outline, const std::string& command) {
   return [=](study::Results results) {
     results.command = command;
-    writeFileAtomically(outline, study::toJson(results).dump(1) + "\n");
+    writeFileAtomically(outline, study::textOf(results));
   };
 }
 
@@ -123,7 +127,7 @@ void sweep(const Home& home, const SweepOptions& options) {
   const std::string command = commandOf(home, "sweep", options);
   Path outline = store.folder() / names.outline;
   study::Started started = keptOutline(outline, command);
-  auto now = [&] { return resultsIn(outline); };
+  auto now = [&] { return resultsSoFar(outline); };
   bool good = options.jobs <= 1 || study::renderInProcesses(experiment, make, store, options.jobs, started, now);
   std::unique_ptr<lab::Workbench> bench = make();
   study::Results results = study::run(experiment, *bench, store, started);
@@ -201,10 +205,12 @@ void report(const Home& home, const ReportOptions& options) {
   if (!std::filesystem::exists(file))
     throw Error(fmt::format("there are no results in '{}' ({})", options.folder, ResultNames().results), {}, 2);
   requireWritable(folder, "the folder");
-  study::Results results = resultsIn(file);
+  study::Results results = study::resultsIn(file);
+  std::vector<Path> damaged = study::takePoints(results, folder), altered = study::alteredFiles(results, folder);
+  damaged.insert(damaged.end(), altered.begin(), altered.end());
   if (!options.file.empty())
     study::retell(home, results, study::readExperiment(home, hereOrAtHome(home, options.file), false));
-  show(results, folder, names, options.json, options.still);
+  show(results, folder, names, options.json, options.still, {}, damaged);
 }
 
 }  // namespace

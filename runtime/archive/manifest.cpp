@@ -8,6 +8,7 @@
 #include <charconv>
 #include <filesystem>
 #include <regex>
+#include <sstream>
 
 #include "base/hash.h"
 #include "base/process.h"
@@ -59,18 +60,33 @@ Json deviceJson(const gpu::DeviceInfo& device) {
   return json;
 }
 
+// The sum that SHA256SUMS states for a file beside it; "" if it does not list the file.
+static std::string statedSum(const Path& file) {
+  Path sums = file.parent_path() / kSumsFile;
+  if (!fs::is_regular_file(sums)) return "";
+  std::istringstream lines(readText(sums));
+  for (std::string sum, name; lines >> sum >> name;)
+    if (name == file.filename()) return sum;
+  return "";
+}
+
 Manifest readManifest(const Path& given) {
   Path file = fs::is_directory(given) ? given / kManifestFile : given;
   Place place{file.string()};
-  Json json = Json::parse(readText(file), nullptr, false);
-  if (!json.is_object() || json.value("format", "") != kManifestFormat)
-    throw Error("is no manifest of a capture, or it is cut short", place);
-  int version = json.value("format_version", 0);
+  std::string text = readText(file);
+  Json json = Json::parse(text, nullptr, false);
+  bool has_format = json.is_object() && json.contains("format") && json.contains("format_version");
+  if (!has_format || json["format"] != kManifestFormat || !json["format_version"].is_number_integer())
+    throw Error("is not a manifest of a capture, or it is cut short", place);
+  int version = json["format_version"];
   if (version > kManifestVersion)
     throw Error(fmt::format("is a manifest of format {}; this program reads up to {}", version, kManifestVersion),
                 place);
   for (const char* part : {"capture", "program", "device", "inputs", "pictures", "files"})
     if (!json.contains(part)) throw Error(fmt::format("is a manifest without '{}'", part), place);
+  std::string stated = statedSum(file);
+  if (!stated.empty() && stated != sha256(text))
+    throw Error(fmt::format("differs from its sum in {}: one of the two is damaged or was edited", kSumsFile), place);
   return {file.parent_path(), std::move(json)};
 }
 

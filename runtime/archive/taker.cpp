@@ -7,6 +7,8 @@
 #include "archive/layers.h"
 #include "archive/manifest.h"
 #include "base/hash.h"
+#include "base/log.h"
+#include "base/sealed_json.h"
 #include "image/png.h"
 #include "lab/capture.h"
 #include "lab/controls.h"
@@ -219,10 +221,12 @@ std::shared_ptr<const lab::Picture> Taker::draw(const Frame& frame, const Progre
   std::string key = keyOf(frame, *drawing, shot);
   Path file = folder_ / "pictures" / (name + ".json");
   if (fs::exists(file)) {
-    Json known = Json::parse(readText(file), nullptr, false);
-    bool same = known.is_object() && known.value("key", "") == key && isThere(folder_, known.at("files"));
-    if (same && areCurrent(known.at("inputs"))) {
-      entries_[name] = known;
+    std::optional<Json> known = unsealed(readText(file));
+    if (!known)
+      warn(fmt::format("{}: is damaged, or of an earlier program; its picture is taken again", file.string()));
+    bool same = known && known->value("key", "") == key && isThere(folder_, known->at("files"));
+    if (same && areCurrent(known->at("inputs"))) {
+      entries_[name] = *known;
       return nullptr;
     }
   }
@@ -231,7 +235,7 @@ std::shared_ptr<const lab::Picture> Taker::draw(const Frame& frame, const Progre
   ++drawn_;
   Json entry = take(frame, shot, *drawing, picture, drawing->graph().runs() - before);
   entry["key"] = key;
-  writeFileAtomically(file, entry.dump(1) + "\n");
+  writeFileAtomically(file, sealed(entry));
   entries_[name] = std::move(entry);
   return withoutTaps(std::move(picture));
 }

@@ -126,16 +126,11 @@ std::string filledIn(const CaptionPart& part, const Taken& taken, const std::fun
 }  // namespace
 
 Image regionOf(const Taken& truth, const std::string& region) {
-  Image mask;
   try {
-    mask = lab::maskOf(*truth.picture, region);
+    return lab::maskOf(*truth.picture, region);
   } catch (const Error& error) {
     throw Error(error.message() + ", or its file does not keep it: see `layers`");
   }
-  if (mask.empty() && region != "whole")
-    throw Error(
-        fmt::format("the file of truth keeps no `velocity` and `id` for the region '{}': see `layers`", region));
-  return mask;
 }
 
 std::string captionOf(const std::vector<CaptionPart>& parts, const Taken& taken,

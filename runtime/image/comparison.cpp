@@ -8,6 +8,7 @@
 #include "image/exr.h"
 #include "image/metrics.h"
 #include "image/png.h"
+#include "image/regions.h"
 #include "image/tone.h"
 
 namespace strobe::image {
@@ -22,11 +23,9 @@ static FileKind kindOf(const Path& file) {
 }
 
 static void requireFinite(const Image& image, const Path& file) {
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      for (int c = 0; c < image.channels; ++c)
-        if (!std::isfinite(image.at(x, y, c)))
-          throw Error(fmt::format("pixel {},{} is not finite ({})", x, y, image.at(x, y, c)), {file.string()});
+  const NotFinite found = notFiniteIn(image);
+  if (found.pixels > 0)
+    throw Error(fmt::format("pixel {},{} is not finite ({})", found.x, found.y, found.value), {file.string()});
 }
 
 Picture readPicture(const Path& file, const std::string& layer) {

@@ -54,6 +54,19 @@ uint32_t scatter(uint32_t id) {
 
 }  // namespace
 
+void markNotFinite(Image& display, const Image& data) {
+  STROBE_ASSERT(sameSize(display, data) && display.channels == 3, "{} channels", display.channels);
+  for (size_t i = 0; i < display.values.size() / 3; ++i) {
+    bool nan = false, finite = true;
+    for (int c = 0; c < 3; ++c) {
+      float value = colourOf(data, i, c);
+      nan = nan || std::isnan(value), finite = finite && std::isfinite(value);
+    }
+    const Colour& colour = nan ? kNanColour : kInfiniteColour;
+    if (!finite) std::copy(colour.begin(), colour.end(), &display.values[3 * i]);
+  }
+}
+
 Image absoluteDifference(const Image& a, const Image& b, float gain) {
   assertAlike(a, b);
   return painted(a.width, a.height, [&](size_t i) {

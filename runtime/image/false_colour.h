@@ -10,6 +10,10 @@ namespace strobe::image {
 // |a - b| * gain per colour channel, shown as it is (no encoding): black is no difference.
 Image absoluteDifference(const Image& a, const Image& b, float gain = 1);
 
+// Marks pixels of `display` (three channels) if a colour of `data` is not finite there: magenta for NaN, else yellow.
+inline constexpr Colour kNanColour = {1, 0, 1}, kInfiniteColour = {1, 1, 0};
+void markNotFinite(Image& display, const Image& data);
+
 // The mean of |a - b| over the colour channels in magma; its upper end is 1/gain.
 Image differenceHeat(const Image& a, const Image& b, float gain = 1);
 

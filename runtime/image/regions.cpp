@@ -76,6 +76,19 @@ Difference largestDifference(const Image& a, const Image& b, const Image& mask) 
   return largest;
 }
 
+NotFinite notFiniteIn(const Image& image) {
+  NotFinite found;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < coloursOf(image); ++c) {
+        float value = image.at(x, y, c);
+        if (std::isfinite(value)) continue;
+        if (found.pixels++ == 0) found.x = x, found.y = y, found.value = value;
+        break;
+      }
+  return found;
+}
+
 int countDifferent(const Image& a, const Image& b, double tolerance, const Image& mask) {
   int count = 0;
   forDifferences(a, b, mask, [&](int, int, double difference) { count += difference > tolerance; });

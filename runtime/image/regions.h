@@ -24,6 +24,14 @@ struct Difference {
 };
 Difference largestDifference(const Image& a, const Image& b, const Image& mask = {});
 
+// Number of pixels with a colour that is not finite; place and value of the first in reading order.
+struct NotFinite {
+  size_t pixels = 0;
+  int x = 0, y = 0;
+  float value = 0;
+};
+NotFinite notFiniteIn(const Image& image);
+
 // Pixels of which a channel differs by more than the tolerance, or by no number.
 int countDifferent(const Image& a, const Image& b, double tolerance, const Image& mask = {});
 

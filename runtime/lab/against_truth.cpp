@@ -16,6 +16,8 @@ image::Image movingMask(const Picture& picture) {
   if (velocity == outputs.end() || id == outputs.end()) return {};
   const image::Image& v = velocity->second.floats;
   const image::UintImage& ids = id->second.uints;
+  bool fits = ids.width == v.width && ids.height == v.height && v.channels >= 2;
+  if (!fits) return {};
   std::set<uint32_t> moving;
   for (int y = 0; y < v.height; ++y)
     for (int x = 0; x < v.width; ++x)
@@ -55,8 +57,12 @@ image::Image edgeMask(const Picture& picture) {
 
 image::Image maskOf(const Picture& truth, const std::string& region) {
   if (region == "whole") return {};
-  if (region == "moving") return movingMask(truth);
-  if (region == "edge") return edgeMask(truth);
+  if (region == "moving" || region == "edge") {
+    image::Image mask = region == "moving" ? movingMask(truth) : edgeMask(truth);
+    if (!mask.empty()) return mask;
+    throw Error(fmt::format("pipeline '{}' of the truth has no outputs `velocity` and `id` for the region '{}'",
+                            truth.record["pipeline"]["name"].get<std::string>(), region));
+  }
   auto found = truth.frame.outputs.find(region);
   if (found == truth.frame.outputs.end())
     throw Error(fmt::format("pipeline '{}' of the truth has no output '{}' for the region of that name",

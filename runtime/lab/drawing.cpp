@@ -246,6 +246,7 @@ static void describe(const Home& home, Picture& picture, const Drawing& drawing,
   picture.id_names = idNamesOf(drawing.scene().scene);
   picture.warnings = drawing.scene().scene.warnings;
   for (std::string& met : drawing.limitsMet(shot, picture.frame)) picture.warnings.push_back(std::move(met));
+  for (std::string& met : limitsMet(picture.frame)) picture.warnings.push_back(std::move(met));
   picture.record = makeRecord({home, shot, drawing, device}, picture.frame);
   picture.record["warnings"] = picture.warnings;
 }

@@ -16,12 +16,16 @@ inline constexpr Limit kClipSeamLimit{
     "clip_seam", Limit::Kind::Warned, "the exposure spans the end of a clip, which then begins again",
     "what is keyed jumps back within the exposure and is blurred over the whole jump; take a frame whose exposure lies "
     "within the clip"};
+inline constexpr Limit kNotFiniteLimit{"not_finite", Limit::Kind::Warned, "pixels of the picture are not finite",
+                                       "measures of their colours have no value. Print the values of every pass there "
+                                       "with `--pixel` and look for a division "
+                                       "by zero"};
 inline constexpr Limit kOutsideLimit{
     "outside", Limit::Kind::Known, "what the exposure shows was outside of the picture at the capture",
     "filters of one picture know nothing of it, and what is at the border stands in; truth shows it. Render a larger "
     "picture and crop it"};
 
-inline constexpr std::array kLimits = {kBeforeClipLimit, kClipSeamLimit, kOutsideLimit};
+inline constexpr std::array kLimits = {kBeforeClipLimit, kClipSeamLimit, kNotFiniteLimit, kOutsideLimit};
 
 // Those of devices, of scenes and of shots, in this order.
 std::vector<Limit> allLimits();

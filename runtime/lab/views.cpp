@@ -18,7 +18,7 @@ using image::Image;
 
 namespace {
 
-constexpr Colour kNan = {1, 0, 1}, kInfinite = {1, 1, 0}, kTint = {1.0f, 0.50f, 0.08f};
+constexpr Colour kTint = {1.0f, 0.50f, 0.08f};
 
 // What "auto" needs to know of a port: its own name, without the node's.
 std::string nameOf(const std::string& port) { return port.substr(port.rfind('.') + 1); }
@@ -80,7 +80,8 @@ void shout(Image& display, const Image& data, int channels, bool sky = false) {
       nan = nan || std::isnan(value[c]);
       infinite = infinite || (std::isinf(value[c]) && !(sky && value[c] > 0));
     }
-    if (nan || infinite) std::copy_n((nan ? kNan : kInfinite).begin(), 3, &display.values[3 * i]);
+    if (nan || infinite)
+      std::copy_n((nan ? image::kNanColour : image::kInfiniteColour).begin(), 3, &display.values[3 * i]);
   }
 }
 

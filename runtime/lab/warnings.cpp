@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "image/regions.h"
 #include "lab/limits.h"
 #include "scene/motion.h"
 
@@ -25,6 +26,17 @@ std::vector<std::string> limitsMet(const plan::Plan& plan, const graph::FrameRes
     }
   }
   return met;
+}
+
+std::vector<std::string> limitsMet(const graph::FrameResult& frame) {
+  auto color = frame.outputs.find("color");
+  if (color == frame.outputs.end()) return {};
+  const image::Image& image = color->second.floats;
+  const image::NotFinite found = image::notFiniteIn(image);
+  if (found.pixels == 0) return {};
+  return {kNotFiniteLimit.text(fmt::format("color: {} of {} pixels {} not finite, the first at {},{} ({})",
+                                           found.pixels, image.width * image.height, found.pixels == 1 ? "is" : "are",
+                                           found.x, found.y, found.value))};
 }
 
 // Is a clip in another pose at its end than where it begins again?

@@ -15,6 +15,9 @@ namespace strobe::lab {
 // "NODE: COUNT WHAT; what was done and what to do about it" for every count of a frame that is declared as a limit.
 std::vector<std::string> limitsMet(const plan::Plan& plan, const graph::FrameResult& frame);
 
+// Warnings about the colours of a frame, if its colour is read back.
+std::vector<std::string> limitsMet(const graph::FrameResult& frame);
+
 // Of the times a shot asks of its scene.
 std::vector<std::string> limitsMet(const Shot& shot, const scene::Scene& scene);
 

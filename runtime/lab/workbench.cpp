@@ -127,7 +127,9 @@ plan::Plan planOf(const Shot& shot, const plan::PipelineDesc& pipeline, graph::B
   options.absent = absent;
   options.outputs = outputs;
   options.trace_stage = shader::rowOf(backend).has_stages ? plan::kStageTrace : plan::kStageCompute;
-  return plan::compile(pipeline, options);
+  plan::Plan plan = plan::compile(pipeline, options);
+  plan::requireWholeOutputs(plan);
+  return plan;
 }
 
 Workbench::Workbench(const Home& home, const gpu::DeviceOptions& device)

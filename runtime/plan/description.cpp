@@ -291,6 +291,7 @@ static Json sizeJson(const SizeDesc& size) {
   if (size.kind == SizeDesc::Kind::Port) json["port"] = size.port;
   if (size.kind == SizeDesc::Kind::Port && !size.divide.empty()) json["divide"] = size.divide;
   if (size.kind == SizeDesc::Kind::Fixed) json["width"] = size.width, json["height"] = size.height;
+  if (size.kind != SizeDesc::Kind::Frame) json["place"] = placeJson(size.place);
   return json;
 }
 

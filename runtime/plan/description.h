@@ -124,6 +124,7 @@ struct SizeDesc {
   std::string port;           // Kind::Port: as large as the image wired to this read
   std::string divide;         // ... divided (rounding up) by this integer parameter of the pass, or ""
   int width = 0, height = 0;  // Kind::Fixed
+  Place place;                // of the field; of the pass where a file does not have it
 };
 
 struct CounterDesc {

@@ -87,6 +87,7 @@ SizeDesc readSize(const Json& json, const PassDesc& pass) {
   reader.finish();
   SizeDesc size;
   size.kind = static_cast<SizeDesc::Kind>(reader.oneOf("kind", kSizeKinds));
+  size.place = reader.place();
   if (size.kind == SizeDesc::Kind::Fixed) {
     size.width = reader.integer("width", std::nullopt, 1, kMaxSide);
     size.height = reader.integer("height", std::nullopt, 1, kMaxSide);

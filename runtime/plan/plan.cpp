@@ -388,6 +388,38 @@ Plan compile(const PipelineDesc& pipeline, const CompileOptions& options) {
   return Compiler(pipeline, options).compile();
 }
 
+// The pass that decides the size of "node.port": follows passes that are as large as a read.
+static const PassDesc& sizingPass(const PipelineDesc& pipeline, std::string source) {
+  auto named = [](const auto& list, const std::string& name) {
+    return std::find_if(list.begin(), list.end(), [&](const auto& one) { return one.name == name; });
+  };
+  while (true) {
+    const NodeDesc& node = *named(pipeline.nodes, source.substr(0, source.find('.')));
+    const PassDesc& pass = *named(pipeline.passes, node.pass);
+    if (pass.size.kind != SizeDesc::Kind::Port || !pass.size.divide.empty()) return pass;
+    for (const auto& [read, from] : node.inputs)
+      if (read == pass.size.port) source = from;
+  }
+}
+
+void requireWholeOutputs(const Plan& plan) {
+  const PipelineDesc& pipeline = plan.pipeline;
+  std::vector<std::string> whole = {"color"};
+  for (const RegionDesc& region : pipeline.regions) whole.push_back(region.name);
+  if (pipeline.kind == PipelineDesc::Kind::Truth) whole.push_back("error");
+  for (const auto& [name, index] : plan.outputs) {
+    const VirtualImage& image = plan.images[size_t(index)];
+    bool has_to_be = std::find(whole.begin(), whole.end(), name) != whole.end();
+    if (!has_to_be || image.divide == 1) continue;
+    const PassDesc& pass = sizingPass(pipeline, image.name);
+    throw Error(
+        fmt::format("output '{}' of pipeline '{}' is '{}', which is {}x{} in a frame of {}x{}; it has to be as "
+                    "large as the frame, and pass '{}' decides its size",
+                    name, pipeline.name, image.name, image.width, image.height, plan.width, plan.height, pass.name),
+        pass.size.place);
+  }
+}
+
 bool lacks(const Plan& plan, const std::string& fact) {
   return std::find(plan.absent.begin(), plan.absent.end(), fact) != plan.absent.end();
 }

@@ -145,6 +145,10 @@ Plan compile(const PipelineDesc& pipeline, const CompileOptions& options);
 // Whether a fact does not hold in the plan's frame.
 bool lacks(const Plan& plan, const std::string& fact);
 
+// Throws `Error` if an output that has to be as large as the frame is not: the colour, a region's mask, truth's error.
+// Its place is the `size` of the pass that decides the size.
+void requireWholeOutputs(const Plan& plan);
+
 // The image of "node.port", or -1.
 int findImage(const Plan& plan, const std::string& name);
 

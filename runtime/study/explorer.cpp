@@ -122,6 +122,7 @@ Json pointsJson(const Results& results, const PageImages& images, Counts& counts
                    {"command", point.command},
                    {"sweep", sweepOf(results, group, point)}};
       if (!point.limits.empty()) json["limits"] = point.limits;
+      if (std::string lack = group.lackOf(point); lack.starts_with("truth: ")) json["limits"].push_back(lack);
       for (const PassTime& pass : point.passes)
         json["passes"].push_back({pass.pass, number(pass.ms), number(pass.low), number(pass.high)});
       if (!point.failed.empty()) json["failed"] = point.failed, ++counts.failed;

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
-#include "image/comparison.h"
+#include "image/exr.h"
 #include "image/false_colour.h"
 #include "page/number.h"
+#include "study/store.h"
 
 namespace strobe::study {
 
@@ -19,7 +19,9 @@ const ShownPoint& Gallery::truth() const {
 }
 
 image::Image Gallery::difference(const ShownPoint& point, double gain) const {
-  return image::absoluteDifference(point.measured, truth().measured, float(gain));
+  image::Image difference = image::absoluteDifference(point.measured, truth().measured, float(gain));
+  image::markNotFinite(difference, difference);
+  return difference;
 }
 
 std::vector<const PointGroup*> groupsOf(const Results& results, const ShotSummary& shot) {
@@ -27,6 +29,23 @@ std::vector<const PointGroup*> groupsOf(const Results& results, const ShotSummar
   for (const PointGroup& group : results.groups)
     if (group.shot == shot.name) groups.push_back(&group);
   return groups;
+}
+
+// Linear colour of an OpenEXR file.
+static image::Image linearIn(const Path& file) { return image::colourOf(image::readExrLayer(file, ""), "", file); }
+
+static std::optional<ShownPoint> shownPoint(const Point& point, const ArmSummary& arm, const Path& folder) {
+  // Results that travel without their pictures are laid out without them.
+  for (const std::string& name : {point.measured, point.shown})
+    if (!isAsWritten(point, folder, name)) return std::nullopt;
+  try {
+    ShownPoint one{&point, &arm, linearIn(folder / point.measured), {}};
+    one.shown = point.shown == point.measured ? one.measured : linearIn(folder / point.shown);
+    image::markNotFinite(one.shown, one.shown);
+    return one;
+  } catch (const Error&) {  // of results without hashes of their files
+    return std::nullopt;
+  }
 }
 
 Gallery galleryOf(const Results& results, const ShotSummary& shot, const Path& folder) {
@@ -38,16 +57,12 @@ Gallery galleryOf(const Results& results, const ShotSummary& shot, const Path& f
   for (const ArmSummary& arm : results.arms) {
     const Point* point = gallery.group->find(arm.name);
     if (!point || !arm.shown || point->measured.empty()) continue;
-    // Results that travel without their pictures are laid out without them.
-    if (!std::filesystem::exists(folder / point->measured) || !std::filesystem::exists(folder / point->shown)) continue;
-    ShownPoint one{point, &arm, image::readPicture(folder / point->measured).linear, {}};
-    bool same = point->shown == point->measured;
-    one.shown = same ? one.measured : image::readPicture(folder / point->shown).linear;
-    gallery.shown.push_back(std::move(one));
+    if (std::optional<ShownPoint> one = shownPoint(*point, arm, folder)) gallery.shown.push_back(std::move(*one));
   }
-  bool has_truth = std::any_of(gallery.shown.begin(), gallery.shown.end(),
-                               [](const ShownPoint& one) { return one.arm->role == Role::truth; });
-  if (!has_truth) gallery.shown.clear();
+  auto truth =
+      std::find_if(gallery.shown.begin(), gallery.shown.end(), [](const ShownPoint& one) { return one.isTruth(); });
+  image::Image reference = truth == gallery.shown.end() ? image::Image() : truth->measured;
+  std::erase_if(gallery.shown, [&](const ShownPoint& one) { return !image::sameSize(one.measured, reference); });
   return gallery;
 }
 
@@ -63,6 +78,11 @@ std::string shownValue(const Measure& measure, double value) {
   if (value == std::floor(value) && std::abs(value) < 1e15) return fmt::format("{:.0f}", value);
   if (measure.unit == "px") return fmt::format("{:.1f}", value);
   return measure.name.starts_with("change") ? fmt::format("{:.3g}", value) : page::shownError(value);
+}
+
+std::string orLack(const std::string& shown, double value, const PointGroup& group, const Point& point) {
+  std::string lack = std::isnan(value) ? group.lackOf(point) : "";
+  return lack.empty() ? shown : lack;
 }
 
 std::string describeShot(const Results& results, const ShotSummary& shot) {

@@ -22,20 +22,25 @@ struct Gallery {
   std::vector<ShownPoint> shown;
 
   const ShownPoint& truth() const;
-  // |difference from truth| times `gain`, in linear values, to be shown as it is.
+  // |difference from truth| times `gain`, in linear values, to be shown as it is. Pixels that are not finite are
+  // marked.
   image::Image difference(const ShownPoint& point, double gain) const;
 };
 
 // Groups of a shot, the first of them first.
 std::vector<const PointGroup*> groupsOf(const Results& results, const ShotSummary& shot);
 
-// Throws `Error` for pictures that cannot be read below `folder`.
+// Pictures that are not below `folder` as they were written are left out. Pixels of `shown` that are not finite are
+// marked as in the window.
 Gallery galleryOf(const Results& results, const ShotSummary& shot, const Path& folder);
 
 // "time, ms"
 std::string headOf(const Measure& measure);
 // A value of a measure with its unit.
 std::string shownValue(const Measure& measure, double value);
+
+// `shown`, or the reason for a missing value: "failed", "2 px not finite".
+std::string orLack(const std::string& shown, double value, const PointGroup& group, const Point& point);
 
 // What was taken how: size, exposure, anchor, motion.
 std::string describeShot(const Results& results, const ShotSummary& shot);

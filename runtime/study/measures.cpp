@@ -101,8 +101,24 @@ double ownRatio(const Sight& sight, const std::string&, const Image&) {
 double contrast(const Sight& sight, const std::string&, const Image&) { return image::contrast(sight.color); }
 
 double broken(const Sight& sight, const std::string&, const Image&) {
-  const std::vector<float>& values = sight.color.values;
-  return double(std::count_if(values.begin(), values.end(), [](float value) { return !std::isfinite(value); }));
+  return double(image::notFiniteIn(sight.color).pixels);
+}
+
+bool isFinite(const Image& image) { return image::notFiniteIn(image).pixels == 0; }
+
+// True if a measure's value means something; `finite`: the picture and its truth have finite colours.
+bool isDefined(const Measure& measure, const Sight& sight, bool finite) {
+  if (measure.of_any || measure.is_time) return true;
+  bool benign = !measure.is_change || !sight.benign || isFinite(*sight.benign);
+  bool before =
+      !measure.of_sequence || !sight.before || (isFinite(sight.before->color) && isFinite(sight.before->truth->color));
+  return finite && benign && before;
+}
+
+// An entry of the registry that does not compute with colours.
+Measure ofAny(Measure measure) {
+  measure.of_any = true;
+  return measure;
 }
 
 double clamped(const Sight& sight, const std::string&, const Image&) {
@@ -242,24 +258,26 @@ const std::vector<Measure>& measures() {
       {"own_ratio", "own time ratio", "", kLower, false,
        "median over the rounds of a frame's own time as a multiple of the base's in the same round", ownRatio, true,
        false, true},
-      {"memory", "memory", "MiB", kLower, false, "all images that a frame holds at once, as they share memory",
-       [](const Sight& s, const std::string&, const Image&) { return double(s.bytes) / (1 << 20); }},
-      {"bytes", "bytes per pixel", "B", kLower, false, "the same, per pixel of the picture",
-       [](const Sight& s, const std::string&, const Image&) {
-         return double(s.bytes) / (double(s.color.width) * s.color.height);
-       }},
-      {"rays", "rays", "", kLower, false, "rays launched for the picture: revealing, shadows, truth", rays},
-      {"masked", "masked", "px", kLower, false, "pixels of the output `mask`: behind which something is sought",
-       masked},
-      {"traced", "traced", "px", kLower, false,
-       "pixels of the output `traced`: all that have rays of the method's own, where their number is limited", traced},
-      {"clamped", "clamped", "px", kLower, false, "pixels whose displacement was shortened to the limit", clamped},
-      {"broken", "not finite", "", kLower, false, "values that are no finite number", broken},
-      {"pixels", "pixels", "px", kNeither, true, "pixels of the region", pixels},
+      ofAny({"memory", "memory", "MiB", kLower, false, "all images that a frame holds at once, as they share memory",
+             [](const Sight& s, const std::string&, const Image&) { return double(s.bytes) / (1 << 20); }}),
+      ofAny({"bytes", "bytes per pixel", "B", kLower, false, "the same, per pixel of the picture",
+             [](const Sight& s, const std::string&, const Image&) {
+               return double(s.bytes) / (double(s.color.width) * s.color.height);
+             }}),
+      ofAny({"rays", "rays", "", kLower, false, "rays launched for the picture: revealing, shadows, truth", rays}),
+      ofAny({"masked", "masked", "px", kLower, false, "pixels of the output `mask`: behind which something is sought",
+             masked}),
+      ofAny({"traced", "traced", "px", kLower, false,
+             "pixels of the output `traced`: all that have rays of the method's own, where their number is limited",
+             traced}),
+      ofAny(
+          {"clamped", "clamped", "px", kLower, false, "pixels whose displacement was shortened to the limit", clamped}),
+      ofAny({"broken", "not finite", "px", kLower, false, "pixels with a colour that is not a finite number", broken}),
+      ofAny({"pixels", "pixels", "px", kNeither, true, "pixels of the region", pixels}),
       {"contrast", "contrast", "", kNeither, false,
        "standard deviation of the colours: root mean square of those of the channels", contrast},
-      {"displacement", "displacement", "px", kNeither, false,
-       "median length of the displacement over the pixels of what moves", displacement},
+      ofAny({"displacement", "displacement", "px", kNeither, false,
+             "median length of the displacement over the pixels of what moves", displacement}),
       {"change", "largest change", "", kLower, false,
        "largest difference of any channel from the same arm's picture at the benign value", change, false, true},
       {"changed", "changed pixels", "", kLower, false,
@@ -292,14 +310,17 @@ const Measure& measureNamed(const std::string& name) {
 
 Values measured(const Sight& sight, const std::vector<std::string>& names, const std::vector<std::string>& regions) {
   Values values;
-  auto put = [&](const std::string& name, const std::string& region, double value) {
-    if (!std::isnan(value)) values[name][region] = value;
-  };
+  const bool finite = isFinite(sight.color) && isFinite(sight.truth->color);
   for (const std::string& name : names) {
     const Measure& measure = measureNamed(name);
-    if (!measure.per_region) put(name, "all", measure.of(sight, "", {}));
+    const bool is_defined = isDefined(measure, sight, finite);
+    auto put = [&](const std::string& region, const Image& mask) {
+      double value = is_defined ? measure.of(sight, region, mask) : kNothing;
+      if (!is_defined || !std::isnan(value)) values[name][region.empty() ? "all" : region] = value;
+    };
+    if (!measure.per_region) put("", {});
     for (const std::string& region : measure.per_region ? regions : std::vector<std::string>())
-      put(name, region, measure.of(sight, region, sight.truth->masks.at(region)));
+      put(region, sight.truth->masks.at(region));
   }
   return values;
 }

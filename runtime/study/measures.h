@@ -63,13 +63,15 @@ struct Measure {
   bool is_change = false;    // compared with the benign value
   bool to_base = false;      // a ratio to what the base measures
   bool of_sequence = false;  // needs two frames at least
+  bool of_any = false;       // measured of a picture with colours that are not finite, too; times are
 };
 
 const std::vector<Measure>& measures();
 std::vector<std::string> measureNames();
 const Measure& measureNamed(const std::string& name);  // asserts that there is one
 
-// Values by region, "all" for what is not per region; what was not measured is not among them.
+// Values by region, "all" for a measure that is not per region. Values that were not measured are left out. Colours of
+// the picture or of truth that are not finite make a value NaN.
 using Values = std::map<std::string, std::map<std::string, double>>;
 Values measured(const Sight& sight, const std::vector<std::string>& names, const std::vector<std::string>& regions);
 

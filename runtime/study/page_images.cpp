@@ -15,6 +15,7 @@
 #include "image/jpeg.h"
 #include "image/png.h"
 #include "page/page.h"
+#include "study/store.h"
 
 namespace strobe::study {
 
@@ -101,12 +102,12 @@ class Collection {
 };
 
 int Collection::pictureOf(const Point& point) {
-  std::vector<Path> files;
-  if (!point.key.empty()) files.push_back(folder_ / "points" / (point.key + ".png"));
-  if (!point.picture.empty()) files.push_back(folder_ / point.picture);
-  for (const Path& file : files) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored)) continue;
+  std::vector<std::string> names;
+  if (!point.key.empty()) names.push_back("points/" + point.key + ".png");
+  if (!point.picture.empty()) names.push_back(point.picture);
+  for (const std::string& name : names) {
+    if (!isAsWritten(point, folder_, name)) continue;
+    Path file = folder_ / name;
     std::string png = readText(file);
     auto [found, added] = by_content_.emplace(hashText(png), int(sources_.size()));
     if (added) sources_.push_back({std::move(png), file.string()});

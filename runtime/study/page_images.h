@@ -23,8 +23,8 @@ struct PageImages {
   std::vector<std::vector<PointImages>> points;  // by group and point
 };
 
-// Reads folder/points/KEY.png, else the picture that a layout of pictures wrote. FLIP is of these display values.
-// Throws `Error` for a file that is no PNG.
+// Reads folder/points/KEY.png, else the picture of the layout. Leaves out files that differ from their hash. FLIP is of
+// these display values. Throws `Error` if a file without a hash is not a PNG.
 PageImages pageImagesOf(const Results& results, const Path& folder);
 
 // As a page has them.

@@ -10,6 +10,7 @@
 #include "base/hash.h"
 #include "base/log.h"
 #include "image/crops.h"
+#include "image/false_colour.h"
 #include "image/metrics.h"
 #include "image/png.h"
 #include "lab/against_truth.h"
@@ -45,6 +46,19 @@ std::vector<std::string> limitsMet(const lab::Picture& picture) {
     if (std::find(of_scene.begin(), of_scene.end(), warning) == of_scene.end())
       met.push_back(warning.substr(0, warning.find(';')));
   return met;
+}
+
+// Display values with marks on pixels that are not finite.
+Image displayed(const Image& linear, const image::ToneMap& tone) {
+  Image display = image::toneMap(linear, tone);
+  image::markNotFinite(display, linear);
+  return display;
+}
+
+void requireSize(const Image& image, const Image& picture, const std::string& what) {
+  if (image::sameSize(image, picture)) return;
+  throw Error(fmt::format("{} has {}x{} pixels, the picture {}x{}", what, image.width, image.height, picture.width,
+                          picture.height));
 }
 
 }  // namespace
@@ -123,7 +137,7 @@ void PointRenderer::prepareTruth(const TaskGroup& group) {
     loadTruth(group);
   } catch (const WriteError&) {
     throw;
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     failed = error.what();
     throw;
   }
@@ -158,6 +172,7 @@ Sight PointRenderer::sightOf(const TaskGroup& group, const Task& task, const lab
   sight.truth = &held_against_[frame];
   sight.picture = &picture;
   sight.color = lab::colorOf(picture);
+  requireSize(sight.truth->color, sight.color, "truth");
   sight.bytes = plan::bytesAliased(*batch_.planOf(task.shot));
   if (std::optional<Group> benign = benignOf(experiment_, *group.group); benign && task.compares) {
     bool is_truth = task.arm->role == Role::truth;
@@ -166,18 +181,23 @@ Sight PointRenderer::sightOf(const TaskGroup& group, const Task& task, const lab
       return store_.truth(truthKeyOf(experiment_, batch_, shot), [&] { return drawnTruth(shot, task.cost); });
     };
     benign_ = is_truth ? lab::colorOf(*truth()) : lab::colorOf(*batch_.picture(shot));
+    requireSize(benign_, sight.color, "the picture at the benign value");
     sight.benign = &benign_;
   }
   const std::optional<Background>& background = experiment_.background;
   if (!background || background->arm != task.arm->name) return sight;
-  for (const std::string& output : {background->color, background->valid})
-    if (!picture.frame.outputs.count(output))
+  for (const std::string& output : {background->color, background->valid}) {
+    auto found = picture.frame.outputs.find(output);
+    if (found == picture.frame.outputs.end())
       throw Error(fmt::format("arm '{}' has no output '{}', which the background names", task.arm->name, output),
                   {experiment_.file});
+    requireSize(found->second.floats, sight.color, fmt::format("output '{}', which the background names,", output));
+  }
   sight.background = &*background;
   for (const Arm& arm : experiment_.arms)
     if (arm.name == background->front) {
       front_ = lab::colorOf(*batch_.picture(atFrame(shotOf(experiment_, *group.group, arm))));
+      requireSize(front_, sight.color, fmt::format("arm '{}'", arm.name));
       sight.front = &front_;
     }
   return sight;
@@ -230,18 +250,27 @@ Point PointRenderer::measuredPoint(const TaskGroup& group, const Task& task) {
   std::string at = describe(experiment_, *group.group);
   warnOnce(fmt::format("{}{}, {}", studied.title, at.empty() ? "" : ", " + at, task.arm->name), picture->warnings);
   Stopwatch watch(spent_.keeping_s);
-  keepFiles(group, task, *picture);
+  keepFiles(group, task, *picture, point);
   if (pictures_) write(group, task, *picture, point);
   return point;
 }
 
+// A file that belongs to a point, by its name below the folder.
+void PointRenderer::noteFile(Point& point, const Path& file) const {
+  point.files[file.lexically_relative(store_.folder()).generic_string()] = hashText(readText(file));
+}
+
 // The picture as shown, and linear if that is requested.
-void PointRenderer::keepFiles(const TaskGroup& group, const Task& task, const lab::Picture& picture) {
+void PointRenderer::keepFiles(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point) {
   const image::ToneMap& tone = experiment_.shots[group.group->shot].tone;
-  std::string png = image::encodePng(image::toneMap(lab::colorOf(picture), tone), image::PngEffort::fast);
+  std::string png = image::encodePng(displayed(lab::colorOf(picture), tone), image::PngEffort::fast);
+  Path file = pointFile(store_.folder(), task.key, ".png");
   // The file of the point itself, written after it, waits for the disk.
-  writeFileAtomically(pointFile(store_.folder(), task.key, ".png"), png, Flush::no);
-  if (store_.requires_exr) lab::writePicture(picture, pointFile(store_.folder(), task.key, ".exr"));
+  writeFileAtomically(file, png, Flush::no);
+  noteFile(point, file);
+  if (!store_.requires_exr) return;
+  for (const Path& linear : lab::writePicture(picture, pointFile(store_.folder(), task.key, ".exr")))
+    noteFile(point, linear);
 }
 
 // The EXR holds colour and what tables are made from; the record has the hash of every output.
@@ -269,9 +298,9 @@ void PointRenderer::write(const TaskGroup& group, const Task& task, const lab::P
   }
   point.record = stem + ".record.json";
   point.picture = stem + ".png";
-  std::string png = image::encodePng(image::toneMap(shown, studied.tone));
-  writeFileAtomically(store_.folder() / point.picture, png);
-  point.picture_hash = hashText(png);
+  image::writePng(store_.folder() / point.picture, displayed(shown, studied.tone));
+  for (const std::string& file : {point.measured, point.shown, point.record, point.picture})
+    noteFile(point, store_.folder() / file);
 }
 
 void PointRenderer::renderTask(const TaskGroup& group, const Task& task) {
@@ -280,13 +309,20 @@ void PointRenderer::renderTask(const TaskGroup& group, const Task& task) {
     point = measuredPoint(group, task);
   } catch (const WriteError&) {
     throw;
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
+    point = {};
     point.failed = error.what();
     std::string at = describe(experiment_, *group.group);
     warn(fmt::format("{}{}, {}: failed: {}", experiment_.shots[group.group->shot].name, at.empty() ? "" : ", " + at,
                      task.arm->name, point.failed));
   }
   store_.keep(task.key, point);
+}
+
+std::shared_ptr<const lab::Picture> PointRenderer::firstTruth(const TaskGroup& group) {
+  progress_ = [](int) {};
+  lab::Shot shot = sequenceOf(experiment_, *group.group, group.truth().shot).front();
+  return store_.truth(group.truth_keys.front(), [&] { return drawnTruth(shot, 0); });
 }
 
 void PointRenderer::render(const TaskGroup& group, const Progress& progress) {

@@ -27,6 +27,9 @@ class PointRenderer {
   // cannot keep it.
   void render(const TaskGroup& group, const Progress& progress);
 
+  // The first truth of a group: from the store, or drawn where the store does not have it.
+  std::shared_ptr<const lab::Picture> firstTruth(const TaskGroup& group);
+
   // Seconds so far.
   struct Spent {
     double drawing_s = 0, measuring_s = 0, keeping_s = 0;
@@ -41,7 +44,8 @@ class PointRenderer {
   void loadTruth(const TaskGroup& group);
   Sight sightOf(const TaskGroup& group, const Task& task, const lab::Picture& picture, size_t frame);
   Point measuredPoint(const TaskGroup& group, const Task& task);
-  void keepFiles(const TaskGroup& group, const Task& task, const lab::Picture& picture);
+  void noteFile(Point& point, const Path& file) const;
+  void keepFiles(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point);
   void write(const TaskGroup& group, const Task& task, const lab::Picture& picture, Point& point);
   void warnOnce(const std::string& who, const std::vector<std::string>& warnings);
 

@@ -152,10 +152,8 @@ Parts Report::parts(const std::optional<PictureSize>& size) const {
   if (table) append(sections, table->axes.empty() ? still(tableParts(results_)) : tableParts(results_));
 
   Parts parts = outcomesOf(expectationsBeside(results_, sections), true);
-  if (size_t missing = results_.missing())
-    parts.push_back(
-        study::text(fmt::format("{} points are not drawn yet; the sweep goes on where it is given again.", missing),
-                    Tone::failure));
+  if (std::string missing = results_.missingText(); !missing.empty())
+    parts.push_back(study::text("Not drawn yet: " + missing + ". The same sweep goes on with them.", Tone::failure));
   append(parts, std::move(sections));
   std::erase_if(parts, [](const Part& part) {
     const auto* paragraph = std::get_if<page::Paragraph>(&part.block);

@@ -6,6 +6,7 @@
 #include "page/chart.h"
 #include "page/number.h"
 #include "study/curves.h"
+#include "study/gallery.h"
 #include "study/report.h"
 
 namespace strobe::study {
@@ -163,8 +164,9 @@ page::Table numbersTable(const Curve& curve, const std::string& region) {
     page::Row row = {curve.label(i)};
     for (const std::string& arm : curve.arms()) {
       const Point* point = group.find(arm);
-      std::string mark = !point ? "" : point->value("broken") > 0 ? " (not finite)" : !point->limits.empty() ? "°" : "";
-      row.push_back(point ? shownRmse(point->value("rmse", region)) + mark : "–");
+      double rmse = point ? point->value("rmse", region) : NAN;
+      std::string mark = point && !point->limits.empty() ? "°" : "";
+      row.push_back(point ? orLack(shownRmse(rmse) + mark, rmse, group, *point) : "–");
     }
     row.push_back(group.floor() ? shownRmse(group.floor()->value("rmse", region)) : "–");
     row.push_back(shownRmse(group.truth().value("rmse", region)));

@@ -19,8 +19,9 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-page::Cell cellOf(const Measure& measure, double value) {
-  return {value, measure.unit == "ms" ? page::shownMs(value) : page::shownError(value)};
+page::Cell cellOf(const Measure& measure, const PointGroup& group, const Point& point, const std::string& region) {
+  double value = point.value(measure.name, region);
+  return {value, orLack(measure.unit == "ms" ? page::shownMs(value) : page::shownError(value), value, group, point)};
 }
 
 // What a row is: floor and truth are no methods.
@@ -91,8 +92,7 @@ page::Table errorTable(const Results& results, const PointGroup& group) {
     for (const Shown& shown : columns) {
       const bool of_itself = point->role == Role::truth && shown.measure->per_region &&
                              !shown.measure->name.starts_with("rmse");  // these are its standard error
-      row.push_back(of_itself ? page::Cell("–")
-                              : cellOf(*shown.measure, point->value(shown.measure->name, shown.region)));
+      row.push_back(of_itself ? page::Cell("–") : cellOf(*shown.measure, group, *point, shown.region));
       row.back().mark = mark;
     }
     row.push_back(page::Cell(fmt::format("{:.0f}", point->value("clamped")), mark));
@@ -177,6 +177,7 @@ void addPictures(const Results& results, const Gallery& gallery, const PictureSi
         heading(fmt::format("Crop {}x{} at {},{}", area.width, area.height, area.x, area.y), 3, "", Part::kPage));
     parts.push_back({cropsOf(gallery, area), Part::kPage});
   }
+  if (gallery.shown.size() == 1) return;  // truth alone
   parts.push_back(heading(fmt::format("|Difference from truth| × {:g}, linear values", gain), 3, "", Part::kPage));
   parts.push_back({differencesOf(gallery, gain), Part::kPage});
 }
@@ -189,7 +190,8 @@ void addShot(const Results& results, const Gallery& gallery, const std::optional
   parts.push_back(text(shot.note, Tone::plain, Part::kRead));
   parts.push_back(text(describeShot(results, shot) + ".", Tone::soft));
   bool pictures = size && !gallery.shown.empty();
-  if (pictures) parts.push_back({wipeOf(gallery), Part::kPage});
+  bool compares = pictures && gallery.shown.size() > 1;
+  if (compares) parts.push_back({wipeOf(gallery), Part::kPage});
   for (const PointGroup* group : groupsOf(results, shot)) {
     parts.push_back(heading("Errors, anchor " + group->anchor + valuesText(*group), 3, "", Part::kPage));
     parts.push_back(text("Regions: " + regionsText(results, *group) + valuesText(*group) + ".", Tone::soft,

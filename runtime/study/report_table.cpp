@@ -60,8 +60,9 @@ const Point* AxisTable::find(const std::string& arm, size_t value, const std::st
 std::string AxisTable::shown(const std::string& measure, const PointGroup& group, const Point& point) const {
   double value = point.value(measure);
   bool is_error = measure == "rmse" || measure == "rmse_full";
-  if (layout_.share && is_error) return page::shownShare(value / group.truth().value("contrast"));
-  return shownValue(measureNamed(measure), value);
+  bool shares = layout_.share && is_error;
+  if (shares) value /= group.truth().value("contrast");
+  return orLack(shares ? page::shownShare(value) : shownValue(measureNamed(measure), value), value, group, point);
 }
 
 std::string AxisTable::cell(const std::string& arm, size_t value, const std::string& shot) const {
@@ -85,8 +86,11 @@ page::Table AxisTable::table() const {
       const Point* first = find(arm.name, value, shots_.front());
       if (!first || arm.role != Role::method) continue;
       page::Row row = {arm.name, axis_.labels[value]};
-      for (const std::string& measure : layout_.once)
-        row.push_back({first->value(measure), shownValue(measureNamed(measure), first->value(measure))});
+      for (const std::string& measure : layout_.once) {
+        double once = first->value(measure);
+        row.push_back(
+            {once, orLack(shownValue(measureNamed(measure), once), once, *groupAt(value, shots_.front()), *first)});
+      }
       for (const std::string& shot : shots_) row.push_back(cell(arm.name, value, shot));
       table.add(std::move(row));
     }
@@ -138,7 +142,7 @@ page::Table pointTable(const Results& results) {
       row.push_back(page::Cell(point.arm + (point.role == Role::truth ? " ±" : ""), mark));
       for (const auto& [measure, region] : columns) {
         double value = point.value(measure->name, region);
-        row.push_back(page::Cell(value, shownValue(*measure, value), mark));
+        row.push_back(page::Cell(value, orLack(shownValue(*measure, value), value, group, point), mark));
       }
       table.add(std::move(row));
     }

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "base/sealed_json.h"
+#include "study/layout.h"
+
 namespace strobe::study {
 
 namespace {
@@ -35,7 +38,7 @@ void forTexts(It& point, const Visit& visit, const Point*) {
   visit("image", point.image);
   visit("measured", point.measured);
   visit("shown", point.shown), visit("picture", point.picture), visit("record", point.record);
-  visit("picture_hash", point.picture_hash), visit("times", point.times);
+  visit("times", point.times);
 }
 template <class It, class Visit>
 void forTexts(It& expectation, const Visit& visit, const Expectation*) {
@@ -74,9 +77,14 @@ Point pointOf(const Json& json) {
     for (const auto& [region, value] : values.items())
       if (!value.is_null()) point.values[measure][region] = value.get<double>();
   point.limits = json.value("limits", std::vector<std::string>());
+  point.files = json.value("files", point.files);
   for (const Json& pass : json.value("passes", Json::array()))
     point.passes.push_back({pass.at(0), pass.at(1), pass.at(2), pass.at(3)});
   return point;
+}
+
+void require(bool sound, const std::string& mistake) {
+  if (!sound) throw Error(mistake);
 }
 
 Json groupJson(const PointGroup& group) {
@@ -86,11 +94,11 @@ Json groupJson(const PointGroup& group) {
   return json;
 }
 
-PointGroup groupOf(const Json& json, const std::string& file) {
+PointGroup groupOf(const Json& json) {
   PointGroup group{json.at("shot"), json.at("anchor"), {}, {}};
   for (const auto& [axis, value] : json.at("at").items()) group.at.emplace_back(axis, value);
   for (const Json& point : json.at("points")) group.points.push_back(pointOf(point));
-  if (group.points.empty() || group.truth().role != Role::truth) throw Error("a group of points has no truth", {file});
+  require(!group.points.empty() && group.truth().role == Role::truth, "a group of points has no truth");
   return group;
 }
 
@@ -146,7 +154,7 @@ Json armJson(const ArmSummary& arm) {
   return {{"name", arm.name}, {"pipeline", arm.pipeline}, {"role", nameOf(arm.role)}, {"shown", arm.shown}};
 }
 
-Results read(const Json& json, const std::string& file) {
+Results read(const Json& json) {
   Results results;
   takeTexts(json, results);
   results.device = json.at("device").at("name");
@@ -162,17 +170,73 @@ Results read(const Json& json, const std::string& file) {
   for (const Json& shot : json.at("shots")) results.shots.push_back(shotOf(shot));
   for (const Json& axis : json.at("axes")) results.axes.push_back(axisOf(axis));
   results.layout = json.at("layout");
-  for (const Json& group : json.at("groups")) results.groups.push_back(groupOf(group, file));
+  for (const Json& group : json.at("groups")) results.groups.push_back(groupOf(group));
   for (const Json& expectation : json.at("expectations")) takeTexts(expectation, results.expectations.emplace_back());
   for (const auto& [name, hash] : json.at("scripts").items()) results.scripts.emplace_back(name, hash);
   return results;
 }
 
 template <class It>
+auto find(const std::vector<It>& all, const std::string& name) {
+  return std::find_if(all.begin(), all.end(), [&](const It& one) { return one.name == name; });
+}
+
+template <class It>
 const It& named(const std::vector<It>& all, const std::string& name) {
-  auto found = std::find_if(all.begin(), all.end(), [&](const It& one) { return one.name == name; });
+  auto found = find(all, name);
   STROBE_ASSERT(found != all.end(), "{}", name);
   return *found;
+}
+
+// ---- soundness: names and numbers by which results are laid out. Each throws `Error` for the first that is wrong.
+
+void requireMeasures(const Results& results) {
+  std::vector<std::string> names = results.measures, known = measureNames();
+  if (std::optional<FrontLayout> front = frontOf(results.layout)) names.insert(names.end(), {front->x, front->y});
+  if (std::optional<TableLayout> table = tableOf(results.layout))
+    for (const auto* list : {&table->cells, &table->once}) names.insert(names.end(), list->begin(), list->end());
+  for (const std::string& name : names)
+    require(std::find(known.begin(), known.end(), name) != known.end(), fmt::format("there is no measure '{}'", name));
+}
+
+void requireSound(const Results& results, const AxisSummary& axis) {
+  const size_t count = axis.values.size();
+  require(axis.labels.size() == count && axis.benign.value_or(0) < std::max<size_t>(count, 1),
+          fmt::format("axis '{}' has {} values and {} labels", axis.name, count, axis.labels.size()));
+  bool numbers = std::all_of(axis.values.begin(), axis.values.end(), [](const Json& one) { return one.is_number(); });
+  require(numbers || !axis.hasCurves() || !curvesOf(results.layout),
+          fmt::format("axis '{}' has curves and values that are not numbers", axis.name));
+}
+
+void requireSound(const Results& results, const ShotSummary& shot) {
+  for (const image::Rectangle& crop : shot.crops)
+    require(crop.x >= 0 && crop.y >= 0 && crop.width > 0 && crop.height > 0 &&
+                int64_t(crop.x) + crop.width <= results.width && int64_t(crop.y) + crop.height <= results.height,
+            fmt::format("a crop of shot '{}' lies outside of the picture", shot.name));
+}
+
+void requireSound(const Results& results, const PointGroup& group) {
+  require(find(results.shots, group.shot) != results.shots.end(), fmt::format("there is no shot '{}'", group.shot));
+  for (const Point& point : group.points)
+    require(find(results.arms, point.arm) != results.arms.end(), fmt::format("there is no arm '{}'", point.arm));
+  for (const auto& [name, value] : group.at) {
+    auto axis = find(results.axes, name);
+    bool known =
+        axis != results.axes.end() && std::find(axis->values.begin(), axis->values.end(), value) != axis->values.end();
+    require(known, fmt::format("axis '{}' has no value {}", name, value.dump()));
+  }
+}
+
+void requireSound(const Results& results) {
+  constexpr int kMost = 16384;
+  require(std::min(results.width, results.height) >= 1 && std::max(results.width, results.height) <= kMost,
+          fmt::format("the size is {}x{}", results.width, results.height));
+  require(!results.arms.empty(), "there are no arms");
+  requireMeasures(results);
+  picturesLayoutOf(results.layout), curvesOf(results.layout);  // throw for fields of another type
+  for (const AxisSummary& axis : results.axes) requireSound(results, axis);
+  for (const ShotSummary& shot : results.shots) requireSound(results, shot);
+  for (const PointGroup& group : results.groups) requireSound(results, group);
 }
 
 // As a spreadsheet reads it.
@@ -221,6 +285,19 @@ double Point::value(const std::string& measure, const std::string& region) const
   if (values_of == values.end()) return kNothing;
   auto found = values_of->second.find(measureNamed(measure).per_region ? region : "all");
   return found == values_of->second.end() ? kNothing : found->second;
+}
+
+std::string Point::lack() const {
+  if (!failed.empty()) return "failed";
+  if (isMissing()) return "not drawn";
+  double pixels = value("broken");
+  return pixels > 0 ? fmt::format("{:g} px not finite", pixels) : "";
+}
+
+std::string PointGroup::lackOf(const Point& point) const {
+  std::string own = point.lack(), of_truth = truth().lack();
+  if (!own.empty() || &point == &truth() || of_truth.empty()) return own;
+  return "truth: " + of_truth;
 }
 
 const Point* PointGroup::floor() const {
@@ -276,6 +353,15 @@ size_t Results::missing() const {
   return count;
 }
 
+std::string Results::missingText() const {
+  size_t points = 0, truths = 0;
+  for (const PointGroup& group : groups) points += group.points.size() - 1, truths += group.truth().isMissing();
+  std::vector<std::string> parts;
+  if (size_t left = missing()) parts.push_back(fmt::format("{} of {} points", left, points));
+  if (truths > 0) parts.push_back(fmt::format("{} of {} truths", truths, groups.size()));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 Json toJson(const Point& point) {
   Json json = textsOf(point);
   json["role"] = nameOf(point.role);
@@ -283,6 +369,7 @@ Json toJson(const Point& point) {
   for (const auto& [measure, values] : point.values)
     for (const auto& [region, value] : values) json["values"][measure][region] = number(value);
   if (!point.limits.empty()) json["limits"] = point.limits;
+  if (!point.files.empty()) json["files"] = point.files;
   for (const PassTime& pass : point.passes)
     json["passes"].push_back({pass.pass, number(pass.ms), number(pass.low), number(pass.high)});
   return json;
@@ -291,8 +378,8 @@ Json toJson(const Point& point) {
 Point pointFrom(const Json& json, const std::string& file) {
   try {
     return pointOf(json);
-  } catch (const Json::exception& error) {
-    throw Error(fmt::format("is no point of an experiment: {}", error.what()), {file});
+  } catch (const Json::exception&) {
+    throw Error("is not a point of an experiment", {file});
   }
 }
 
@@ -316,12 +403,31 @@ Json toJson(const Results& results) {
 }
 
 Results resultsFrom(const Json& json, const std::string& file) {
+  auto refuse = [&](const std::string& reason) {
+    throw Error(
+        fmt::format("is not a result of an experiment, or is damaged{}; the same sweep writes it again", reason),
+        {file});
+  };
+  Results results;
   try {
-    return read(json, file);
-  } catch (const Json::exception& error) {
-    throw Error(fmt::format("is no result of an experiment: {}", error.what()), {file});
+    results = read(json);
+    requireSound(results);
+  } catch (const Json::exception&) {
+    refuse("");
+  } catch (const Error& error) {
+    refuse(": " + error.message());
   }
+  return results;
 }
+
+Results resultsIn(const Path& file) {
+  std::string text = readText(file);
+  Json json = Json::parse(text, nullptr, false);
+  if (json.is_object() && json.contains("sum")) json = unsealed(text).value_or(Json());
+  return resultsFrom(json, file.string());
+}
+
+std::string textOf(const Results& results) { return sealed(toJson(results)); }
 
 static AxisSummary summaryOf(const Axis& axis) {
   AxisSummary result{axis.name,  axis.title, axis.unit,    axis.scale,        axis.region,
@@ -375,8 +481,13 @@ void judgeResults(const Home& home, Results& results, const std::string& file) {
 std::string csvOf(const Results& results) {
   std::string text = csvHead(results, "region");
   for (const std::string& measure : results.measures) text += "," + measure;
-  text += "\n";
+  bool has_notes = false;
+  forPoints(results, [&](size_t, const PointGroup& group, const Point& point) {
+    has_notes = has_notes || !group.lackOf(point).empty();
+  });
+  text += has_notes ? ",note\n" : "\n";
   forPoints(results, [&](size_t number, const PointGroup& group, const Point& point) {
+    std::string note = group.lackOf(point) + (point.failed.empty() ? "" : ": " + point.failed);
     for (const std::string& region : results.regions) {
       text += fmt::format("{},{},{},{}{}", number, csvCell(point.arm), csvCell(group.shot), region,
                           csvAxes(results, group));
@@ -384,7 +495,7 @@ std::string csvOf(const Results& results) {
         double value = point.value(measure, region);
         text += std::isnan(value) ? "," : fmt::format(",{:.9g}", value);
       }
-      text += "\n";
+      text += (has_notes ? "," + csvCell(note) : "") + "\n";
     }
   });
   return text;

@@ -3,6 +3,7 @@
 // names, so that a report on disk can be laid out again.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,10 +35,12 @@ struct Point {
   std::string failed;               // why it could not be drawn; "": it was
   // Beside the results, "" where none was written: linear colour as measured and as shown (OpenEXR), and for people.
   std::string measured, shown, picture, record;
-  std::string picture_hash;  // of the file for people
-  std::string times;         // what decides its times: rounds, and what they are ratios to
+  std::map<std::string, std::string> files;  // hashes of all files written for it, by name below the results' folder
+  std::string times;                         // what decides its times: rounds, and what they are ratios to
 
   bool isMissing() const { return values.empty() && failed.empty(); }  // not drawn yet
+  // "failed", "not drawn", "2 px not finite": why values are missing that the point should have; "": none are.
+  std::string lack() const;
   // NaN where it was not measured. `region` has no meaning for what is not per region.
   double value(const std::string& measure, const std::string& region = "whole") const;
 };
@@ -49,6 +52,8 @@ struct PointGroup {
   std::vector<Point> points;
 
   const Point& truth() const { return points.front(); }
+  // `Point::lack`, of truth where that is the reason; `point` is one of the group.
+  std::string lackOf(const Point& point) const;
   const Point* floor() const;  // nullptr: there is none
   const Point* find(const std::string& arm) const;
 };
@@ -107,6 +112,7 @@ struct Results {
   std::vector<std::string> contradicted() const;  // expectations, in words
   std::vector<std::string> failed() const;        // points, with their reasons
   size_t missing() const;                         // points that are not drawn yet: the sweep was interrupted
+  std::string missingText() const;                // "3 of 8 points, 1 of 2 truths" that are not drawn yet; "": none
 };
 
 Json toJson(const Point& point);
@@ -120,8 +126,13 @@ std::string describe(const PointGroup& group, const std::string& without = "");
 
 // Numbers with nine significant digits: as exact as the pictures, and the same on a rerun.
 Json toJson(const Results& results);
-// Throws `Error` naming the file for what is no result of an experiment.
+// Throws `Error` naming the file if it is not a result of an experiment, or has names or numbers that cannot be laid
+// out.
 Results resultsFrom(const Json& json, const std::string& file);
+
+// Results as a file, with the sum by which damage is noticed; the same from a file, with or without sum.
+std::string textOf(const Results& results);
+Results resultsIn(const Path& file);
 
 // Everything that is known before a picture is drawn: texts, arms, shots, axes, layout.
 Results outlineOf(const Experiment& experiment);
@@ -132,7 +143,8 @@ void judgeResults(const Home& home, Results& results, const std::string& file);
 // Puts the experiment's texts and layout over those of its results, and judges its expectations.
 void retell(const Home& home, Results& results, const Experiment& experiment);
 
-// A row per point and region: point, arm, shot, region, each axis, each measure.
+// A row per point and region: point, arm, shot, region, each axis, each measure; if a point lacks values it should
+// have, also `note`, which says why.
 std::string csvOf(const Results& results);
 // A row per point that was timed and pass: point, arm, shot, pass, each axis, ms, ms_low, ms_high; "" without times.
 std::string passesCsvOf(const Results& results);

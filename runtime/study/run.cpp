@@ -72,7 +72,7 @@ std::string timesOf(const Experiment& experiment, const Task& task, const Task& 
 
 bool lacksTimes(const Experiment& experiment, const Task& task, const Task& base, const Store& store) {
   if (!task.timed || !store.has(task.key)) return false;
-  Point point = *store.point(task.key);
+  Point point = store.point(task.key).value_or(Point());
   // A search takes times of more rounds too (the text begins with their number): those of its last ones stay.
   bool enough = experiment.is_step && !point.times.empty() && std::stoi(point.times) >= experiment.rounds.least &&
                 point.times.ends_with(baseTextOf(task, base));
@@ -99,7 +99,9 @@ void keepTimes(const Store& store, const Task& task, const std::string& times, c
   Sight sight;
   sight.times_ms = own.frame.ms, sight.base_ms = base.frame.ms;
   sight.own_ms = own.own_ms, sight.own_base_ms = base.own_ms;
-  Point point = *store.point(task.key);
+  std::optional<Point> kept = store.point(task.key);
+  if (!kept) return;  // was damaged meanwhile, and is made again the next time
+  Point& point = *kept;
   point.times = times;
   point.passes = passesOf(own.frame);
   for (const std::string& name : task.measures)
@@ -139,6 +141,16 @@ void timeInTurn(const Experiment& experiment, lab::Batch& batch, const Store& st
   }
 }
 
+// Points whose times cannot be measured fail with the reason.
+void failTimes(const Store& store, const Walk& walk, const std::string& reason) {
+  for (const Task* task : walk.tasks) {
+    Point point = store.point(task->key).value_or(Point());
+    point.failed = "times: " + reason;
+    store.keep(task->key, point);
+  }
+  warn(fmt::format("times of {} points failed: {}", walk.tasks.size(), reason));
+}
+
 void timeHere(const Experiment& experiment, lab::Batch& batch, const Store& store, const std::vector<TaskGroup>& groups,
               Watch& watch) {
   std::vector<Walk> walks = walksLeft(experiment, groups, store);
@@ -147,7 +159,13 @@ void timeHere(const Experiment& experiment, lab::Batch& batch, const Store& stor
   for (const Walk& walk : walks) count += walk.tasks.size();
   watch.begin("times", int(count));
   for (const Walk& walk : walks) {
-    timeInTurn(experiment, batch, store, walk);
+    try {
+      timeInTurn(experiment, batch, store, walk);
+    } catch (const WriteError&) {
+      throw;
+    } catch (const std::exception& error) {
+      failTimes(store, walk, error.what());
+    }
     watch.advance(int(walk.tasks.size()));
   }
   watch.end();
@@ -156,9 +174,8 @@ void timeHere(const Experiment& experiment, lab::Batch& batch, const Store& stor
 // ---- results
 
 // Where the crops lie, and whose scene it is, from a truth of the shot.
-void describeShot(const Experiment& experiment, const TaskGroup& group, const Store& store, ShotSummary& summary) {
-  auto none = []() -> std::shared_ptr<const lab::Picture> { throw Error("truth was not drawn"); };
-  std::shared_ptr<const lab::Picture> truth = store.truth(group.truth_keys.front(), none);
+void describeShot(const Experiment& experiment, const TaskGroup& group, PointRenderer& renderer, ShotSummary& summary) {
+  std::shared_ptr<const lab::Picture> truth = renderer.firstTruth(group);
   if (summary.attribution.empty()) summary.attribution = lab::attributionOf(truth->record);
   if (experiment.shots[group.group->shot].crops.empty()) return;
   PicturesLayout pictures = picturesLayoutOf(experiment.layout).value_or(PicturesLayout());
@@ -167,13 +184,21 @@ void describeShot(const Experiment& experiment, const TaskGroup& group, const St
     summary.crops.push_back(placedCrop(experiment, crop, pictures, against));
 }
 
-void describeShots(const Experiment& experiment, const std::vector<TaskGroup>& groups, const Store& store,
-                   Results& results) {
+void describeShots(const Experiment& experiment, const std::vector<TaskGroup>& groups, lab::Batch& batch,
+                   const Store& store, Results& results) {
   std::set<size_t> described;
+  PointRenderer renderer(experiment, batch, store);
   for (const TaskGroup& group : groups) {
     bool has_truth = !group.truth().key.empty() && store.has(group.truth().key);
-    if (has_truth && described.insert(group.group->shot).second)
-      describeShot(experiment, group, store, results.shots[group.group->shot]);
+    if (!has_truth || !described.insert(group.group->shot).second) continue;
+    ShotSummary& summary = results.shots[group.group->shot];
+    try {
+      describeShot(experiment, group, renderer, summary);
+    } catch (const WriteError&) {
+      throw;
+    } catch (const Error& error) {
+      warn(fmt::format("{}: its crops are left out: {}", summary.title, error.what()));
+    }
   }
 }
 
@@ -232,7 +257,7 @@ Results run(const Experiment& experiment, lab::Batch& batch, const Store& store,
   renderHere(experiment, batch, store, leftOf(groups, store), watch);
   timeHere(experiment, batch, store, groups, watch);
   takePoints(results, store.folder());
-  describeShots(experiment, groups, store, results);
+  describeShots(experiment, groups, batch, store, results);
   if (experiment.expectations) judgeResults(batch.bench().home(), results, experiment.file);
   return results;
 }

@@ -66,6 +66,7 @@ class Sheet {
         cell.crop = areaOf(area), cell.frame = kCropColours[i % kCropColours.size()];
       });
     }
+    if (gallery.shown.size() == 1) return;  // truth alone
     addRow("difference", {});
     addCells(gallery, [&](Cell& cell, const ShownPoint& one) {
       if (one.isTruth()) return figure_.cells.pop_back();

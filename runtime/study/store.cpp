@@ -8,8 +8,11 @@
 #include <filesystem>
 
 #include "base/hash.h"
+#include "base/log.h"
+#include "base/sealed_json.h"
 #include "image/exr.h"
 #include "lab/capture.h"
+#include "lab/record.h"
 
 namespace strobe::study {
 
@@ -49,7 +52,14 @@ std::vector<std::string> numbered(int channels) {
   return names;
 }
 
-std::string encoded(const lab::Picture& picture) {
+// Hash of the texts of a truth's file. The record has the hashes of its images.
+std::string sumOf(const image::ExrFile& file) {
+  std::string texts;
+  for (const char* name : {"key", "outputs", "record", "warnings"}) texts += file.texts.at(name) + "|";
+  return hashText(texts);
+}
+
+std::string encoded(const std::string& key, const lab::Picture& picture) {
   image::ExrFile file;
   const image::Image& color = picture.frame.outputs.at("color").floats;
   Json formats = Json::object();
@@ -60,27 +70,42 @@ std::string encoded(const lab::Picture& picture) {
     if (real) file.add(name, numbered(read.floats.channels), read.floats);
     if (whole || real) formats[name] = {read.format, whole ? read.uints.channels : read.floats.channels, whole};
   }
+  file.texts["key"] = key;
   file.texts["outputs"] = formats.dump();
   file.texts["record"] = picture.record.dump();
   file.texts["warnings"] = Json(picture.warnings).dump();
+  file.texts["sum"] = sumOf(file);
   return image::encodeExr(file);
 }
 
-std::shared_ptr<const lab::Picture> decoded(const Path& name) {
-  image::ExrFile file = image::readExr(name);
-  auto picture = std::make_shared<lab::Picture>();
-  picture->record = Json::parse(file.texts.at("record"));
-  picture->warnings = Json::parse(file.texts.at("warnings")).get<std::vector<std::string>>();
-  Json outputs = Json::parse(file.texts.at("outputs"));
-  for (const auto& [output, form] : outputs.items()) {
-    std::vector<std::string> channels = numbered(form.at(1));
-    for (std::string& channel : channels) channel = output + "." + channel;
-    graph::ReadImage& read = picture->frame.outputs[output];
-    read.format = form.at(0);
-    if (form.at(2).get<bool>()) read.uints = image::idsOf(file, channels, name);
-    else read.floats = image::channelsOf(file, channels, name);
+graph::ReadImage outputOf(const image::ExrFile& file, const std::string& output, const Json& form, const Path& name) {
+  std::vector<std::string> channels = numbered(form.at(1));
+  for (std::string& channel : channels) channel = output + "." + channel;
+  graph::ReadImage read;
+  read.format = form.at(0);
+  if (form.at(2).get<bool>()) read.uints = image::idsOf(file, channels, name);
+  else read.floats = image::channelsOf(file, channels, name);
+  return read;
+}
+
+// Null if the file is damaged, or another truth's.
+std::shared_ptr<const lab::Picture> decoded(const std::string& key, const Path& name) {
+  try {
+    image::ExrFile file = image::readExr(name);
+    if (file.texts.at("key") != key || file.texts.at("sum") != sumOf(file)) return nullptr;
+    auto picture = std::make_shared<lab::Picture>();
+    picture->record = Json::parse(file.texts.at("record"));
+    picture->warnings = Json::parse(file.texts.at("warnings")).get<std::vector<std::string>>();
+    Json outputs = Json::parse(file.texts.at("outputs"));
+    for (const auto& [output, form] : outputs.items()) {
+      graph::ReadImage read = outputOf(file, output, form, name);
+      if (lab::hashOf(read) != picture->record.at("outputs").at(output)) return nullptr;
+      picture->frame.outputs[output] = std::move(read);
+    }
+    return picture;
+  } catch (const std::exception&) {  // not OpenEXR, or without the fields of a truth
+    return nullptr;
   }
-  return picture;
 }
 
 }  // namespace
@@ -89,21 +114,47 @@ Path pointFile(const Path& folder, const std::string& key, const std::string& en
   return folder / "points" / (key + ending);
 }
 
-static std::optional<Point> pointIn(const Path& folder, const std::string& key) {
-  Path file = pointFile(folder, key, ".json");
-  if (!fs::exists(file)) return std::nullopt;
-  return pointFrom(Json::parse(readText(file), nullptr, false), file.string());
+// The point of a file; nothing if the file is damaged, or another point's.
+static std::optional<Point> pointFromFile(const Path& file, const std::string& key) {
+  try {
+    std::optional<Json> json = unsealed(readText(file));
+    if (json && json->value("key", "") == key) return pointFrom(*json, file.string());
+  } catch (const std::exception&) {  // no JSON of a point, or cannot be read
+  }
+  return std::nullopt;
 }
 
-void takePoints(Results& results, const Path& folder) {
+std::vector<Path> takePoints(Results& results, const Path& folder) {
+  std::vector<Path> damaged;
   for (PointGroup& group : results.groups)
     for (Point& point : group.points) {
-      std::optional<Point> known = point.key.empty() ? std::nullopt : pointIn(folder, point.key);
-      if (!known) continue;
+      Path file = pointFile(folder, point.key, ".json");
+      if (point.key.empty() || !fs::exists(file)) continue;
+      std::optional<Point> known = pointFromFile(file, point.key);
+      if (!known) {
+        damaged.push_back(file);
+        continue;
+      }
       if (known->command.empty()) known->command = point.command;
-      known->key = point.key, known->arm = point.arm, known->role = point.role;
+      known->arm = point.arm, known->role = point.role;
       point = std::move(*known);
     }
+  return damaged;
+}
+
+bool isAsWritten(const Point& point, const Path& folder, const std::string& name) {
+  auto hash = point.files.find(name);
+  if (!fs::is_regular_file(folder / name)) return false;
+  return hash == point.files.end() || hashText(readText(folder / name)) == hash->second;
+}
+
+std::vector<Path> alteredFiles(const Results& results, const Path& folder) {
+  std::vector<Path> altered;
+  for (const PointGroup& group : results.groups)
+    for (const Point& point : group.points)
+      for (const auto& [name, hash] : point.files)
+        if (fs::exists(folder / name) && !isAsWritten(point, folder, name)) altered.push_back(folder / name);
+  return altered;
 }
 
 Store::Store(const Path& folder) : folder_(folder), lock_(locked(folder / ".lock", false)) {
@@ -113,51 +164,106 @@ Store::Store(const Path& folder) : folder_(folder), lock_(locked(folder / ".lock
 
 Store::~Store() { ::close(lock_); }
 
+// Under another name it can still be looked into. Of several processes that find it one names it.
+void Store::discard(const Path& file) const {
+  Path kept = file;
+  kept += ".damaged";
+  std::error_code gone;
+  fs::rename(file, kept, gone);
+  if (gone) return;
+  warn(fmt::format("{}: is damaged and counts as missing; it is made again, and the damaged file is now {}",
+                   file.string(), kept.filename().string()));
+}
+
+// Title and version of experiment.json; nothing if it is damaged. Files of earlier programs have no sum.
+static std::optional<std::pair<std::string, int>> titleAndVersion(const std::string& text) {
+  Json whole = Json::parse(text, nullptr, false);
+  bool has_sum = !whole.is_object() || whole.contains("sum");
+  std::optional<Json> known = has_sum ? unsealed(text) : whole;
+  if (!known || known->size() != 2 || !known->contains("title") || !known->contains("version")) return std::nullopt;
+  if (!known->at("title").is_string() || !known->at("version").is_number_integer()) return std::nullopt;
+  return std::pair(known->at("title").get<std::string>(), known->at("version").get<int>());
+}
+
 void Store::belongTo(const std::string& title) const {
   Path file = folder_ / "experiment.json";
-  if (!fs::exists(file))
-    return writeFileAtomically(file, Json({{"title", title}, {"version", kVersion}}).dump(1) + "\n");
-  Json known = Json::parse(readText(file), nullptr, false);
-  if (!known.is_object() || known.value("version", 0) != kVersion)
-    throw Error("is not of this version of Strobe; take another folder", {file.string()}, 2);
-  if (known.value("title", "") != title)
-    throw Error(fmt::format("has points of another experiment, '{}', not of '{}'; take another folder",
-                            known.value("title", ""), title),
+  auto keep = [&] { writeFileAtomically(file, sealed({{"title", title}, {"version", kVersion}})); };
+  if (!fs::exists(file)) return keep();
+  auto known = titleAndVersion(readText(file));
+  if (!known) {
+    discard(file);
+    return keep();
+  }
+  const auto& [other, version] = *known;
+  if (version != kVersion) throw Error("is not of this version of Strobe; take another folder", {file.string()}, 2);
+  if (other != title)
+    throw Error(fmt::format("has points of another experiment, '{}', not of '{}'; take another folder", other, title),
                 {folder_.string()}, 2);
 }
 
-std::optional<Point> Store::point(const std::string& key) const { return pointIn(folder_, key); }
+std::optional<Point> Store::point(const std::string& key) const {
+  Path file = pointFile(folder_, key, ".json");
+  if (!fs::exists(file)) return std::nullopt;
+  std::optional<Point> point = pointFromFile(file, key);
+  if (!point) discard(file);
+  return point;
+}
 
-// Pictures have the names of their arms, so that those of other values may lie there by now.
-static bool hasPictures(const Path& folder, const Point& point) {
-  if (point.picture.empty()) return true;
-  for (const std::string& name : {point.measured, point.shown, point.picture, point.record})
-    if (!fs::exists(folder / name)) return false;
+// Pictures of a layout have the names of their arms, so that pictures of other values may have replaced them.
+static bool isOfAnother(const Path& folder, const Point& point) {
+  if (point.record.empty() || !fs::exists(folder / point.record)) return false;
   Json record = Json::parse(readText(folder / point.record), nullptr, false);
-  return record.is_object() && record["outputs"]["color"] == point.image &&
-         hashText(readText(folder / point.picture)) == point.picture_hash;
+  bool has_color = record.is_object() && record.contains("outputs") && record["outputs"].is_object() &&
+                   record["outputs"].contains("color");
+  return has_color && record["outputs"]["color"] != point.image;
+}
+
+// Files of a point that are kept on request, beside its picture: KEY.exr, KEY.record.json, KEY.timings.json.
+static bool isOnRequest(const std::string& name) { return name.starts_with("points/") && !name.ends_with(".png"); }
+
+bool Store::hasFiles(const Point& point) const {
+  if (isOfAnother(folder_, point)) return false;
+  bool all = true;
+  for (const auto& [name, hash] : point.files) {
+    if (isOnRequest(name) && !requires_exr) continue;
+    if (isAsWritten(point, folder_, name)) continue;
+    discard(folder_ / name);
+    all = false;
+  }
+  return all;
 }
 
 bool Store::has(const std::string& key) const {
+  if (had_.count(key)) return true;
   std::optional<Point> kept = point(key);
-  return kept && kept->failed.empty() && hasPictures(folder_, *kept) &&
-         (!requires_exr || fs::exists(pointFile(folder_, key, ".exr")));
+  bool is_had =
+      kept && kept->failed.empty() && hasFiles(*kept) && (!requires_exr || fs::exists(pointFile(folder_, key, ".exr")));
+  if (is_had) had_.insert(key);
+  return is_had;
 }
 
 void Store::keep(const std::string& key, const Point& point) const {
-  writeFileAtomically(pointFile(folder_, key, ".json"), toJson(point).dump(1) + "\n");
+  if (!point.failed.empty()) had_.erase(key);
+  Json json = toJson(point);
+  json["key"] = key;
+  writeFileAtomically(pointFile(folder_, key, ".json"), sealed(std::move(json)));
 }
 
 std::shared_ptr<const lab::Picture> Store::truth(
     const std::string& key, const std::function<std::shared_ptr<const lab::Picture>()>& draw) const {
   Path file = folder_ / "truth" / (key + ".exr");
-  if (fs::exists(file)) return decoded(file);
+  std::shared_ptr<const lab::Picture> picture = fs::exists(file) ? decoded(key, file) : nullptr;
+  if (picture) return picture;
   Path lock = folder_ / "truth" / (key + ".lock");
   int held = locked(lock, true);
-  std::shared_ptr<const lab::Picture> picture;
   try {
-    if (!fs::exists(file)) writeFileAtomically(file, encoded(*draw()));
-    picture = decoded(file);
+    if (fs::exists(file)) picture = decoded(key, file);
+    if (!picture) {
+      discard(file);
+      writeFileAtomically(file, encoded(key, *draw()));
+      picture = decoded(key, file);
+    }
+    if (!picture) throw Error("does not read back as it was written", {file.string()});
   } catch (...) {
     ::close(held);
     throw;

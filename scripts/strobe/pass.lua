@@ -269,7 +269,7 @@ local function size_of_port(problems, size, result, declared, at, owner)
     problems:add(at, "size of %s is that of '%s', which is optional and may not be there", owner, size.of)
   end
   if size.divide ~= nil then check_divide(problems, size, result.params, declared, at, owner) end
-  return { kind = "port", port = size.of, divide = size.divide }
+  return { kind = "port", port = size.of, divide = size.divide, place = at }
 end
 
 local function declare_size(problems, t, place, result, owner)
@@ -290,7 +290,7 @@ local function declare_size(problems, t, place, result, owner)
   if size.of ~= nil or size.divide ~= nil or not fits then
     problems:add(at, "size of %s is neither { of = \"<read>\" } nor { width, height } from 1 to %d", owner, MAX_SIDE)
   end
-  return { kind = "fixed", width = width, height = height }
+  return { kind = "fixed", width = width, height = height, place = at }
 end
 
 -- Reads and parameters share the braces of a call, writes and updates the fields of its result.

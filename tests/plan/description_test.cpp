@@ -25,7 +25,7 @@ static const char* kCanonical =
                                  {"name":"id","doc":"i","format":"r32ui","place":{"file":"s.lua","line":3}}],
             "updates":[],"params":[],"counters":[],"place":{"file":"s.lua","line":1}},
            {"name":"blur","kind":"compute","shader":"blur","doc":"b","fails":"",
-            "size":{"kind":"port","port":"image","divide":"by"},"scene":false,
+            "size":{"kind":"port","port":"image","divide":"by","place":{"file":"b.lua","line":9}},"scene":false,
             "reads":[{"name":"id","doc":"i","uint":true,"optional":true,"linear":false,
                       "place":{"file":"b.lua","line":2}},
                      {"name":"image","doc":"i","uint":false,"optional":false,"linear":true,

@@ -183,6 +183,39 @@ TEST(Sizes, FrameFixedPortAndDividedRoundingUp) {
   EXPECT_EQ(size("last.color"), std::pair(1920, 1081));
 }
 
+// The picture, masks of regions and truth's error; the place is the size that is not the frame's, wherever it is read.
+TEST(Sizes, OutputsOfPixelsAreAsLargeAsTheFrame) {
+  Builder b;
+  b.compute("first", {}, {"x"});
+  PassDesc& tiles = b.compute("tiles", {{"x", "first.x"}}, {"max"});
+  tiles.size = {SizeDesc::Kind::Port, "x", "tile", 0, 0, {"passes/tiles.lua", 7}};
+  tiles.params = {intParam("tile", 20, 1, 256)};
+  PassDesc& near = b.compute("near", {{"max", "tiles.max"}}, {"max"});
+  near.size = {SizeDesc::Kind::Port, "max", "", 0, 0, {"passes/near.lua", 5}};
+  PassDesc& fixed = b.compute("fixed", {}, {"x"});
+  fixed.size = {SizeDesc::Kind::Fixed, "", "", 64, 36, {"passes/fixed.lua", 3}};
+  auto refusal = [&](const std::string& color, const std::string& name, const std::string& source) -> std::string {
+    PipelineDesc pipeline = b.pipeline;
+    pipeline.outputs = {{"color", color}, {name, source}};
+    if (name == "inner") pipeline.regions = {{"inner", "where it blurs"}};
+    if (name == "error") pipeline.kind = PipelineDesc::Kind::Truth;
+    try {
+      requireWholeOutputs(compile(pipeline, optionsOf(64, 36)));
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal("first.x", "tile", "near.max"), "") << "any other output may have any size";
+  EXPECT_EQ(refusal("near.max", "other", "first.x"),
+            "passes/tiles.lua:7: output 'color' of pipeline 'test' is 'near.max', which is 4x2 in a frame of 64x36; it "
+            "has to be as large as the frame, and pass 'tiles' decides its size");
+  EXPECT_TRUE(refusal("fixed.x", "other", "first.x").starts_with("passes/fixed.lua:3: output 'color'"))
+      << "of the frame's size by chance";
+  EXPECT_TRUE(refusal("first.x", "inner", "tiles.max").starts_with("passes/tiles.lua:7: output 'inner'"));
+  EXPECT_TRUE(refusal("first.x", "error", "near.max").starts_with("passes/tiles.lua:7: output 'error'"));
+}
+
 TEST(Params, DefaultThenBindingThenPipelineThenOverride) {
   Builder b;
   b.compute("first", {}, {"x"}).params = {intParam("a", 1, 0, 99), intParam("b", 2, 0, 99), intParam("c", 3, 0, 99),

@@ -368,6 +368,8 @@ TEST_F(Capture, RefusesWhatIsWrong) {
   fs::remove(script_);
   newer["format_version"] = 1;
   writeText(path("out/manifest.json"), newer.dump());
+  EXPECT_NE(run("verify " + path("out")).err.find("differs from its sum in SHA256SUMS"), std::string::npos);
+  fs::remove(path("out/SHA256SUMS"));
   EXPECT_NE(run("verify " + path("out")).err.find("script 'capture:small.lua' is not there"), std::string::npos);
 }
 

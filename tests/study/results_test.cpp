@@ -8,8 +8,10 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <random>
 
 #include "common/home.h"
+#include "image/exr.h"
 #include "program/run.h"
 #include "study/curves.h"
 #include "study/report.h"
@@ -144,6 +146,103 @@ TEST(Results, ContradictionsAreNamed) {
                                       "expectation holds; it is said to fail: the floor is too high: fourth"}));
 }
 
+// Names and numbers by which results are laid out; and a file that was altered anywhere.
+TEST(Results, DamageIsRefused) {
+  auto refusal = [](auto damage) -> std::string {
+    Json json = toJson(made());
+    damage(json);
+    try {
+      resultsFrom(json, "result.json");
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal([](Json&) {}), "");
+  EXPECT_EQ(refusal([](Json& json) { json["measures"][0] = "rmsf"; }),
+            "result.json: is not a result of an experiment, or is damaged: there is no measure 'rmsf'; the same sweep "
+            "writes it again");
+  for (const auto& [path, value] :
+       std::vector<std::pair<std::string, Json>>{{"/size/0", 0},
+                                                 {"/size/0", 1 << 20},
+                                                 {"/groups/0/shot", "shit"},
+                                                 {"/groups/1/points/1/arm", "god"},
+                                                 {"/groups/0/at/speed", 2},
+                                                 {"/axes/0/labels", {"1"}},
+                                                 {"/axes/0/benign", 5},
+                                                 {"/axes/0/values/0", "x"},
+                                                 {"/shots/0/crops/0/0", 63},
+                                                 {"/shots/0/crops/0/2", -1},
+                                                 {"/layout", {{"front", {{"x", "rsme"}}}}},
+                                                 {"/layout", {{"front", {{"x", 3}}}}},
+                                                 {"/layout", {{"pictures", {{"crop_size", 3}}}}},
+                                                 {"/arms", Json::array()},
+                                                 {"/groups/0/points/0/role", "method"},
+                                                 {"/groups/0/points", 3},
+                                                 {"/device", "x"}}) {
+    auto damage = [&path = path, &value = value](Json& json) { json[Json::json_pointer(path)] = value; };
+    EXPECT_NE(refusal(damage).find("is damaged"), std::string::npos) << path << " = " << value;
+    EXPECT_EQ(refusal(damage).find("json.exception"), std::string::npos) << path;
+  }
+
+  testing::TemporaryFolder folder;
+  std::string text = textOf(made());
+  testing::writeText(folder / "result.json", text);
+  EXPECT_EQ(toJson(resultsIn(folder / "result.json")).dump(), toJson(made()).dump());
+  text[text.find("0.015") + 4] = '6';
+  testing::writeText(folder / "result.json", text);
+  EXPECT_THROW(resultsIn(folder / "result.json"), Error) << "another number";
+}
+
+// A sweep can end at any moment, and a point in many ways.
+TEST(Report, LaysOutWhateverPointsThereAre) {
+  std::mt19937 random(1);
+  for (const char* layout :
+       {R"({"curves": {"factor": 2}})", R"({"pictures": {}})", R"({"front": {"x": "rmse", "y": "rmse"}})",
+        R"({"table": {"axes": ["speed"], "cells": ["rmse"], "once": ["rmse"], "share": true}})", "{}"})
+    for (int i = 0; i < 8; ++i) {
+      Results results = made();
+      results.layout = Json::parse(layout);
+      for (PointGroup& group : results.groups)
+        for (Point& point : group.points) {
+          int fate = i < 2 ? 0 : int(random() % 4);
+          if (i == 1 && &point == &results.groups[0].points[0]) continue;  // truth's own point alone
+          if (fate < 3) point.values.clear();
+          if (fate == 1) point.failed = "a reason";
+          if (fate == 2) point.values["broken"]["all"] = 2;
+        }
+      results = resultsFrom(toJson(results), "made");
+      Report report(results, "");
+      const std::string text = report.text(), page = report.page(), csv = csvOf(results);
+      EXPECT_EQ(text.find("Not drawn yet: ") != std::string::npos, !results.missingText().empty()) << layout;
+      EXPECT_NE(page.find("</html>"), std::string::npos) << layout;
+      EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 5 * 4 * 7) << layout;
+      EXPECT_TRUE(csv.find(",note\n") != std::string::npos) << layout;
+    }
+}
+
+// Truth is drawn first.
+TEST(Report, ShowsTheTruthAlone) {
+  testing::TemporaryFolder folder;
+  image::ExrFile file;
+  file.add("", {"R", "G", "B"}, image::Image(64, 36, 3, 0.5f));
+  image::writeExr(folder / "truth.exr", file);
+  Results results = made();
+  results.layout = {{"pictures", Json::object()}};
+  for (PointGroup& group : results.groups)
+    for (Point& point : group.points) point.values.clear();
+  Point& truth = results.groups[0].points[0];
+  truth = of("truth", Role::truth, 0);
+  truth.measured = truth.shown = "truth.exr";
+  Report report(results, folder.path());
+  ASSERT_TRUE(report.hasSheet());
+  EXPECT_GT(report.sheet().width, 64);
+  EXPECT_NE(report.page().find("Not drawn yet: 20 of 20 points, 4 of 5 truths"), std::string::npos);
+
+  truth.files["truth.exr"] = "of another picture";
+  EXPECT_FALSE(Report(results, folder.path()).hasSheet());
+}
+
 TEST(Report, PageNeedsNoNetwork) {
   std::string page = Report(made(), "").page();
   for (const char* foreign : {"http:", "https:", "@import", "url(", " src="})
@@ -175,6 +274,35 @@ TEST(Measures, HaveNamesUnitsAndWords) {
     EXPECT_FALSE(measure.title.empty() || measure.doc.empty()) << measure.name;
     EXPECT_TRUE(measure.of) << measure.name;
     EXPECT_EQ(&measureNamed(measure.name), &measure) << "another is called so";
+  }
+}
+
+// Numbers of what is not finite would be NaN, or of the other pixels alone.
+TEST(Measures, OfColoursThatAreNotFiniteHaveNoValue) {
+  TruthPicture truth;
+  truth.color = image::Image(4, 4, 3, 0.5f);
+  truth.masks["whole"] = {};
+  truth.sigma["whole"] = 0;
+  lab::Picture picture;
+  picture.record = Json::object();
+  Sight sight;
+  sight.truth = &truth, sight.picture = &picture, sight.bytes = 64;
+  sight.color = image::Image(4, 4, 3, 0.25f);
+  const std::vector<std::string> colours = {"rmse",           "mse",   "flip", "flip_max", "p999", "relmse",
+                                            "relmse_trimmed", "smape", "psnr", "contrast"};
+  std::vector<std::string> names = colours;
+  names.insert(names.end(), {"broken", "pixels", "bytes"});
+  for (const std::string& name : names)
+    for (const auto& [region, value] : measured(sight, names, {"whole"}).at(name))
+      EXPECT_TRUE(std::isfinite(value)) << name;
+  for (float bad : {std::numeric_limits<float>::quiet_NaN(), -std::numeric_limits<float>::infinity()}) {
+    sight.color.at(1, 2, 0) = sight.color.at(1, 2, 1) = sight.color.at(3, 3, 2) = bad;
+    Values values = measured(sight, names, {"whole"});
+    EXPECT_EQ(values["broken"]["all"], 2) << "pixels, not values";
+    EXPECT_EQ(values["pixels"]["whole"], 16);
+    EXPECT_EQ(values["bytes"]["all"], 4);
+    for (const std::string& name : colours)
+      for (const auto& [region, value] : values[name]) EXPECT_TRUE(std::isnan(value)) << name;
   }
 }
 
