@@ -8,7 +8,6 @@
 #include <string>
 
 #include "base/error.h"
-#include "base/numbers.h"
 #include "image/comparison.h"
 #include "image/exr.h"
 #include "image/false_colour.h"
@@ -50,7 +49,7 @@ void printTable(const image::Comparison& result) {
         fmt::format("largest {}; {} exposures, {:.4f} to {:.4f}, from {}", shown(result.hdr_flip_max),
                     result.exposures.count, result.exposures.start, result.exposures.stop,
                     image::exposureSourceName(result.exposures.source)));
-  fmt::print("{}\n{}\n", page::textOf(table), countText(result.pixels, "pixel"));
+  fmt::print("{}\n{} pixels\n", page::textOf(table), result.pixels);
 }
 
 // The HDR map where there is one. A name that ends in .exr gets the values, any other the picture in magma.

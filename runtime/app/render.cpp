@@ -64,7 +64,7 @@ void checkOptions(const RenderOptions& options, const lab::Shot& shot) {
 lab::Picture renderedBy(lab::Workbench& bench, const RenderOptions& options, const lab::Shot& shot, lab::Trail& trail) {
   std::unique_ptr<Progress> progress;
   auto advance = [&](int done, int of) {
-    if (!progress) progress = std::make_unique<Progress>(Path(shot.pipeline).stem().string(), of, "samples");
+    if (!progress) progress = std::make_unique<Progress>(Path(shot.pipeline).stem().string(), of, "time samples");
     progress->reach(done);
   };
   if (options.pixel.empty()) return bench.render(shot, advance, options.exr.cryptomatte);

@@ -30,14 +30,14 @@ class StatusLine {
   double shown_s_ = 0;
 };
 
-// Progress over a known number of units ("samples") as a status line. The rate is measured from the first report on.
+// Progress over a known number of units as a status line. The rate is measured from the first report on.
 class Progress {
  public:
   Progress(std::string label, int total, std::string unit)
       : label_(std::move(label)), unit_(std::move(unit)), total_(total) {}
   // So many units are done, at most the total.
   void reach(int done);
-  // "ground_truth 120/256 samples  41.2/s  3 s left". Without rate and time left within a fifth of a second of the
+  // "truth 120/256 time samples  41.2/s  3 s left". Without rate and time left within a fifth of a second of the
   // first report.
   std::string text(double now_s) const;
 

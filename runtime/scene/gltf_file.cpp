@@ -288,14 +288,6 @@ std::vector<uint8_t> GltfFile::imageBytes(int image_index) {
   return {source.data, source.data + source.size};
 }
 
-Decoded GltfFile::image(int image_index, const std::vector<uint8_t>& bytes) const {
-  std::optional<Decoded> decoded = decodeImage(bytes.data(), bytes.size());
-  if (decoded) return *std::move(decoded);
-  std::string uri = text(all("images").at(image_index), "uri");
-  refuse(fmt::format("images[{}]", image_index),
-         fmt::format("{}is not a readable PNG or JPEG", !uri.empty() && uri.size() < 100 ? uri + " " : ""));
-}
-
 const Json& GltfFile::list(const Json& object, const std::string& key, const std::string& where) const {
   if (!object.is_object() || !object.contains(key)) return kNoList;
   if (!object[key].is_array()) refuse(where, fmt::format("'{}' is not a list", key));

@@ -163,9 +163,18 @@ class MaterialReader {
                                  bytesText(bytes), bytesText(most_bytes_), largest));
   }
 
+  Decoded decode(int image) {
+    const std::vector<uint8_t>& bytes = bytes_.at(image);
+    std::optional<Decoded> decoded = decodeImage(bytes.data(), bytes.size());
+    if (decoded) return *std::move(decoded);
+    const std::string uri = file_.text(file_.all("images").at(image), "uri");
+    file_.refuse(fmt::format("images[{}]", image),
+                 fmt::format("{}is not a readable PNG or JPEG", !uri.empty() && uri.size() < 100 ? uri + " " : ""));
+  }
+
   void fill(Texture& texture, int image) {
     auto decoded = images_.find(image);
-    if (decoded == images_.end()) decoded = images_.emplace(image, file_.image(image, bytes_.at(image))).first;
+    if (decoded == images_.end()) decoded = images_.emplace(image, decode(image)).first;
     texture.width = decoded->second.width;
     texture.height = decoded->second.height;
     texture.levels = {decoded->second.rgba};
