@@ -12,6 +12,7 @@
 #include "app/shot_options.h"
 #include "archive/capture_file.h"
 #include "base/cores.h"
+#include "base/numbers.h"
 #include "graph/pipelines.h"
 #include "lab/frame_facts.h"
 #include "lab/workbench.h"
@@ -207,7 +208,9 @@ struct Own {
 std::string soundText(const Home& home, const std::vector<std::string>& pipelines,
                       const std::vector<std::string>& scenes, const Own& own_scripts) {
   auto text = [](size_t pipelines, size_t scenes) {
-    return fmt::format("{} pipelines and {} scenes are sound\n", pipelines, scenes);
+    if (scenes == 0)
+      return fmt::format("{} {} sound\n", countText(pipelines, "pipeline"), pipelines == 1 ? "is" : "are");
+    return fmt::format("{} and {} are sound\n", countText(pipelines, "pipeline"), countText(scenes, "scene"));
   };
   if (!home.hasProject() || scenes.empty()) return text(pipelines.size(), scenes.size());
   auto own = [&](const char* folder, const std::vector<std::string>& names) {
@@ -216,9 +219,9 @@ std::string soundText(const Home& home, const std::vector<std::string>& pipeline
     });
   };
   size_t own_pipelines = own("scripts/pipelines", pipelines), own_scenes = own("scripts/scenes", scenes);
-  return fmt::format("{}: {} experiments, {} captures, {}{}: {}", home.project().string(), own_scripts.experiments,
-                     own_scripts.captures, text(own_pipelines, own_scenes), home.shipped().string(),
-                     text(pipelines.size() - own_pipelines, scenes.size() - own_scenes));
+  return fmt::format("{}: {}, {}, {}{}: {}", home.project().string(), countText(own_scripts.experiments, "experiment"),
+                     countText(own_scripts.captures, "capture"), text(own_pipelines, own_scenes),
+                     home.shipped().string(), text(pipelines.size() - own_pipelines, scenes.size() - own_scenes));
 }
 
 void check(const Home& home, const CheckOptions& options) {
@@ -256,7 +259,7 @@ void check(const Home& home, const CheckOptions& options) {
     report["scenes"] = scenes;
     report["problems"] = problems;
     std::printf("%s\n", report.dump(2).c_str());
-    if (!problems.empty()) throw Error(fmt::format("{} problems", problems.size()));
+    if (!problems.empty()) throw Error(countText(problems.size(), "problem"));
     return;
   }
   throwIfAny(problems);
@@ -272,8 +275,8 @@ struct PlanOptions {
 std::string treeText(const lab::Shot& shot, const scene::Scene& scene) {
   scene::Pose pose = lab::frameSetup(shot, scene).pose_at(shot.captureTime());
   scene::SceneTree tree = scene::treeOf(scene, pose);
-  std::string text =
-      fmt::format("scene {}: {} triangles in {} instances; ", shot.scene, tree.triangles, tree.instances);
+  std::string text = fmt::format("scene {}: {} in {}; ", shot.scene, countText(tree.triangles, "triangle"),
+                                 countText(tree.instances, "instance"));
   return text + fmt::format("a random line meets {:.0f} nodes of the tree over them, in the file's order {:.0f}\n",
                             tree.visits, tree.visits_as_given);
 }

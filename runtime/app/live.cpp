@@ -60,9 +60,7 @@ void registerLive(CLI::App& program, const Home& home) {
   command->add_option("--window", options->window, "WIDTHxHEIGHT of the window in pixels")->capture_default_str();
   command->add_option("-o,--out", options->out, "folder for what is saved")->capture_default_str();
   command->add_option("--drive", options->drive, "a file of commands that drives the window");
-  command->add_option("--time-limit", options->time_limit_s, "seconds that work on the device may take; 0: any")
-      ->check(CLI::Range(0.0, 86400.0))
-      ->capture_default_str();
+  addTimeLimit(*command, options->time_limit_s);
   addTev(*command, options->tev);
   command->callback([options, &home] { live(home, *options); });
 }

@@ -7,6 +7,7 @@
 
 #include "app/files.h"
 #include "app/shot_options.h"
+#include "base/leftovers.h"
 #include "base/log.h"
 #include "image/png.h"
 #include "lab/capture.h"
@@ -26,6 +27,7 @@ struct RenderOptions {
   std::string out, pixel, tev, views;
   lab::ExrOptions exr;
   bool json = false;
+  double time_limit_s = gpu::kTimeLimit_s;
 
   bool asksForExr() const { return exr.half || exr.multipart || exr.cryptomatte; }
 };
@@ -46,7 +48,9 @@ std::string usualOut(const RenderOptions& options, const lab::Shot& shot) {
 void checkOptions(const RenderOptions& options, const lab::Shot& shot) {
   if (!options.out.empty()) {
     lab::checkPictureName(options.out);
-    requireWritable(std::filesystem::absolute(options.out).parent_path());
+    const Path file = std::filesystem::absolute(options.out);
+    requireWritable(file.parent_path());
+    removeLeftovers(file.parent_path(), file.stem().string() + ".");
   }
   bool held = Path(options.out).extension() == ".exr" || !options.tev.empty() || !options.views.empty();
   if (!options.views.empty()) requireWritable(options.views, "--views");
@@ -59,9 +63,9 @@ void checkOptions(const RenderOptions& options, const lab::Shot& shot) {
 // The picture; with `--pixel` also what every pass left there.
 lab::Picture renderedBy(lab::Workbench& bench, const RenderOptions& options, const lab::Shot& shot, lab::Trail& trail) {
   std::unique_ptr<Progress> progress;
-  auto advance = [&](int, int of) {
-    if (!progress) progress = std::make_unique<Progress>(shot.pipeline, of);
-    progress->advance();
+  auto advance = [&](int done, int of) {
+    if (!progress) progress = std::make_unique<Progress>(Path(shot.pipeline).stem().string(), of, "time samples");
+    progress->reach(done);
   };
   if (options.pixel.empty()) return bench.render(shot, advance, options.exr.cryptomatte);
   auto [x, y] = lab::parsePixel(options.pixel);
@@ -115,6 +119,7 @@ void render(const Home& home, RenderOptions options) {
   script::expectChildren(home, {}, lab::isGltf(shot.scene) ? 1 : 2);
   std::future<void> started = std::async(std::launch::async, shader::startCompiler, std::cref(home));
   lab::Workbench bench(home, shot.device, validationWanted());
+  bench.device().setTimeLimit(options.time_limit_s);
   lab::Trail trail;
   lab::Picture picture = renderedBy(bench, options, shot, trail);
   bench.device().refuseMessages();
@@ -146,6 +151,7 @@ void registerRender(CLI::App& program, const Home& home) {
                     "EXR with mattes by node and by material, as sub-pixel samples (--aa) cover each pixel");
   command->add_flag("--json", options->json,
                     "print the run record (with --pixel: the trail) instead of the files written");
+  addTimeLimit(*command, options->time_limit_s);
   options->shot.addWithPipeline(*command);
   command->callback([options, &home] { render(home, *options); });
 }

@@ -96,6 +96,15 @@ void addTev(CLI::App& command, std::string& address) {
       ->type_name("[HOST:PORT]");
 }
 
+void addTimeLimit(CLI::App& command, double& seconds) {
+  command
+      .add_option("--time-limit", seconds,
+                  "seconds that one pass, or all between two loops, may take on the device; 0: any")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 86400.0))
+      ->capture_default_str();
+}
+
 bool validationWanted() {
   const char* value = std::getenv("STROBE_VALIDATION");
   return value && *value && std::string(value) != "0";

@@ -35,6 +35,9 @@ struct ShotOptions {
 // `--tev [HOST:PORT]`: leaves "" in `address` when it is not given, what was given or the viewer's own port otherwise.
 void addTev(CLI::App& command, std::string& address);
 
+// `--time-limit S`: after how long work on the device ends the program (gpu::Device::setTimeLimit).
+void addTimeLimit(CLI::App& command, double& seconds);
+
 // Validation is on when STROBE_VALIDATION is set to anything but 0.
 bool validationWanted();
 

@@ -2,6 +2,7 @@
 #include "app/sweep.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -12,12 +13,15 @@
 #include "app/shot_options.h"
 #include "archive/capture_run.h"
 #include "base/frozen_home.h"
+#include "base/interruption.h"
 #include "base/log.h"
+#include "base/numbers.h"
 #include "lab/shot_options.h"
 #include "study/points.h"
 #include "study/processes.h"
 #include "study/report.h"
 #include "study/run.h"
+#include "study/watch.h"
 
 namespace strobe::app {
 
@@ -27,7 +31,7 @@ struct SweepOptions {
   std::string file, out, only, size, device;
   bool dry_run = false, json = false, exr = false;
   int jobs = 1;
-  double truth_error = 0;
+  double truth_error = 0, time_limit_s = gpu::kTimeLimit_s;
 };
 
 // Results as far as they are there.
@@ -93,7 +97,8 @@ void list(const study::Experiment& experiment, bool json) {
       points.push_back({{"shot", experiment.shots[group.shot].name}, {"at", at}, {"arm", experiment.arms[arm].name}});
     }
   std::fputs((json ? points.dump(1) + "\n" : study::listOf(experiment)).c_str(), stdout);
-  if (!json) std::printf("%zu points, %zu truths\n", experiment.points(), experiment.groups.size());
+  if (json) return;
+  fmt::print("{}, {}\n", countText(experiment.points(), "point"), countText(experiment.truths(), "truth"));
 }
 
 // What is interrupted can be laid out as far as it came.
@@ -111,6 +116,32 @@ study::Results concluded(study::Results results, const std::string& command, con
   return study::resultsFrom(study::toJson(results), "the results");
 }
 
+// "7 of 18 points are kept; the same command continues", or that alone before anything is known of the points.
+std::string keptIn(const Path& outline) {
+  std::error_code ignored;
+  std::string kept = std::filesystem::exists(outline, ignored) ? study::keptText(resultsIn(outline)) : "";
+  return kept.empty() ? "the same command continues" : kept;
+}
+
+// Adds the number of kept points to the message of a pass that runs too long.
+void limitTime(lab::Workbench& bench, double seconds, const Path& outline) {
+  bench.device().setTimeLimit(seconds, [outline](const std::string& text) {
+    std::fprintf(stderr, "strobe: %s (--time-limit); %s\n", text.c_str(), keptIn(outline).c_str());
+    std::fflush(stderr);
+    std::_Exit(1);
+  });
+}
+
+// The same for a lost device.
+template <class Run>
+study::Results ranTo(const Path& outline, const Run& run) {
+  try {
+    return run();
+  } catch (const gpu::DeviceLost& lost) {
+    throw Error(fmt::format("{}; {}", lost.what(), keptIn(outline)));
+  }
+}
+
 void sweep(const Home& home, const SweepOptions& options) {
   double started_s = clockSeconds();
   std::string file = hereOrAtHome(home, options.file);
@@ -120,20 +151,25 @@ void sweep(const Home& home, const SweepOptions& options) {
   study::Store store(options.out);
   store.requires_exr = options.exr;
   store.belongTo(experiment.title);
+  const ResultNames names;
+  const Path outline = store.folder() / names.outline;
+  Interruption interruption([&outline] { return "interrupted; " + keptIn(outline); });
   FrozenHome frozen(home, store.folder() / ".inputs");
   experiment.file = frozen.at(file);
-  auto make = [&] { return std::make_unique<lab::Workbench>(frozen.home(), options.device, validationWanted()); };
-  const ResultNames names;
+  auto make = [&] {
+    auto bench = std::make_unique<lab::Workbench>(frozen.home(), options.device, validationWanted());
+    limitTime(*bench, options.time_limit_s, outline);
+    return bench;
+  };
   const std::string command = commandOf(home, "sweep", options);
-  Path outline = store.folder() / names.outline;
   study::Started started = keptOutline(outline, command);
   auto now = [&] { return resultsSoFar(outline); };
   bool good = options.jobs <= 1 || study::renderInProcesses(experiment, make, store, options.jobs, started, now);
   std::unique_ptr<lab::Workbench> bench = make();
-  study::Results results = study::run(experiment, *bench, store, started);
+  study::Results results = ranTo(outline, [&] { return study::run(experiment, *bench, store, started); });
   bench->device().refuseMessages();
   if (!good) throw Error("a process of the sweep failed; its message stands above");
-  note(fmt::format("{} points in {:.0f} s", experiment.points(), clockSeconds() - started_s));
+  note(fmt::format("{} in {:.0f} s", countText(experiment.points(), "point"), clockSeconds() - started_s));
   show(concluded(std::move(results), command, outline), options.out, names, options.json);
 }
 
@@ -162,13 +198,16 @@ void demo(const Home& home, const SweepOptions& options) {
   study::Experiment experiment = experimentOf(home, order.file, options);
   study::Store store(options.out);
   store.belongTo(experiment.title);
+  const Path outline = store.folder() / kDemoNames.outline;
+  Interruption interruption([&outline] { return "interrupted; " + keptIn(outline); });
   archive::Capturing capturing(home, order, [](const std::string& line) { note(line); });
+  limitTime(capturing.bench(), options.time_limit_s, outline);
   experiment.file = capturing.inputs().at(order.file);
   const std::string command = commandOf(home, "demo", options);
-  Path outline = store.folder() / kDemoNames.outline;
-  study::Results results = measured(experiment, capturing, store, keptOutline(outline, command));
+  study::Started started = keptOutline(outline, command);
+  study::Results results = ranTo(outline, [&] { return measured(experiment, capturing, store, started); });
   std::vector<Path> figures = capturing.finish().figures;
-  note(fmt::format("{} points in {:.0f} s", experiment.points(), clockSeconds() - started_s));
+  note(fmt::format("{} in {:.0f} s", countText(experiment.points(), "point"), clockSeconds() - started_s));
   figures.push_back(order.folder / archive::kManifestFile);
   show(concluded(std::move(results), command, outline), options.out, kDemoNames, options.json, false, figures);
 }
@@ -177,6 +216,7 @@ void addCommon(CLI::App& command, SweepOptions& options) {
   command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels (default: the file's)");
   command.add_option("--device", options.device, "index or part of the name of a Vulkan device");
   command.add_flag("--json", options.json, "print the results as JSON");
+  addTimeLimit(command, options.time_limit_s);
 }
 
 void addSweep(CLI::App& command, SweepOptions& options) {

@@ -11,6 +11,7 @@
 #include "app/shot_options.h"
 #include "base/frozen_home.h"
 #include "base/log.h"
+#include "base/numbers.h"
 #include "lab/shot_options.h"
 #include "page/table.h"
 #include "study/gallery.h"
@@ -236,7 +237,7 @@ void tune(const Home& home, TuneOptions options) {
     writeFileAtomically(file, study::presetText({what, goal}, tuned.values));
     files.insert(files.begin(), file);
   }
-  note(fmt::format("{} evaluations in {:.0f} s", tuned.evaluations, clockSeconds() - started_s));
+  note(fmt::format("{} in {:.0f} s", countText(size_t(tuned.evaluations), "evaluation"), clockSeconds() - started_s));
   if (options.json) {
     std::printf("%s\n", jsonOf(tuned, file).dump(1).c_str());
   } else {

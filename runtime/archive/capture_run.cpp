@@ -6,6 +6,7 @@
 
 #include "archive/crate.h"
 #include "base/hash.h"
+#include "base/leftovers.h"
 #include "figure/film.h"
 
 namespace strobe::archive {
@@ -45,7 +46,9 @@ Capturing::Capturing(const Home& home, const Order& order, Report report)
       bench_(std::make_unique<lab::Workbench>(frozen_.home(), order.device, order.validation)),
       taker_(*bench_, home, capture_, order_.folder,
              [this](const Home& of) { return std::make_unique<lab::Workbench>(of, order_.device, order_.validation); }),
-      frames_(framesOf(capture_, isFigure(order.only) ? "" : order.only)) {}
+      frames_(framesOf(capture_, isFigure(order.only) ? "" : order.only)) {
+  removeLeftovers(order.folder);
+}
 
 bool Capturing::isFigure(const std::string& name) const {
   for (const auto* list : {&capture_.figures, &capture_.films})

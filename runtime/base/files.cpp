@@ -43,6 +43,15 @@ static void writeAll(int descriptor, std::string_view bytes) {
   }
 }
 
+// EINVAL: the file system does not flush folders. EACCES: the folder may be written to and not read.
+std::error_code flushFolder(const Path& folder) {
+  int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  bool failed = descriptor < 0 || ::fsync(descriptor) != 0;
+  int reason = failed && errno != EINVAL && errno != EACCES ? errno : 0;
+  if (descriptor >= 0) ::close(descriptor);
+  return {reason, std::generic_category()};
+}
+
 void writeFileAtomically(const Path& file, std::string_view bytes, Flush flush) {
   Path temporary = file;
   temporary += fmt::format(".{}.part", ::getpid());
@@ -56,6 +65,8 @@ void writeFileAtomically(const Path& file, std::string_view bytes, Flush flush) 
     if (failed) throw std::system_error(errno, std::generic_category());
     if (::close(std::exchange(descriptor, -1)) != 0) throw std::system_error(errno, std::generic_category());
     fs::rename(temporary, file);
+    std::error_code unflushed = flush == Flush::yes ? flushFolder(file.parent_path()) : std::error_code();
+    if (unflushed) throw std::system_error(unflushed);
   } catch (const std::system_error& error) {
     if (descriptor >= 0) ::close(descriptor);
     std::error_code ignored;

@@ -16,6 +16,7 @@ class FrozenHome {
   // The copy is made in `folder`, in place of what is there. Files in `other`/strobe and `other`/project, named as in
   // those roots, take the place of the home's own; what `other`/absent.txt names, "strobe/passes/x.lua", one a line, is
   // left out. Throws `WriteError` with the system's reason, and `Error` for a name that leads out; leaves nothing then.
+  // Throws `Error` (exit code 2) where another process holds a copy in this folder.
   FrozenHome(const Home& home, const Path& folder, const Path& other = {});
   FrozenHome(const FrozenHome&) = delete;
   ~FrozenHome();
@@ -28,6 +29,7 @@ class FrozenHome {
   const Home original_;
   Path folder_;
   Home home_;
+  int lock_ = -1;
 };
 
 }  // namespace strobe

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -33,21 +34,32 @@ double clockSeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-Progress::Progress(std::string label, int total)
-    : label_(std::move(label)), total_(total), started_s_(clockSeconds()) {}
+static constexpr double kBetween_s = 0.2;
 
-Progress::~Progress() {
-  if (onTerminal() && shown_s_ > 0) std::fprintf(stderr, "\r\033[K");
+StatusLine::~StatusLine() {
+  if (shown_s_ > 0) std::fputs("\r\033[K", stderr);
 }
 
-void Progress::advance(int by) {
-  done_ += by;
-  double now = clockSeconds();
-  if (!onTerminal() || now - shown_s_ < 0.2) return;
-  shown_s_ = now;
-  double rate = done_ / std::max(now - started_s_, 1e-9);
-  double left_s = rate > 0 ? (total_ - done_) / rate : 0;
-  std::fprintf(stderr, "\r\033[K%s %d/%d  %.1f/s  %.0f s left", label_.c_str(), done_, total_, rate, left_s);
+bool StatusLine::isDue() { return onTerminal() && clockSeconds() - shown_s_ >= kBetween_s; }
+
+void StatusLine::print(const std::string& text) {
+  shown_s_ = clockSeconds();
+  std::fprintf(stderr, "\r\033[K%s", text.c_str());
+}
+
+void Progress::reach(int done) {
+  done_ = std::min(done, total_);
+  const double now_s = clockSeconds();
+  if (!first_s_) first_s_ = now_s, first_done_ = done_;
+  line_.show([&] { return text(now_s); });
+}
+
+std::string Progress::text(double now_s) const {
+  std::string text = fmt::format("{} {}/{} {}", label_, done_, total_, unit_);
+  const double elapsed_s = first_s_ ? now_s - *first_s_ : 0;
+  if (elapsed_s < kBetween_s || done_ == first_done_) return text;
+  const double rate = (done_ - first_done_) / elapsed_s;
+  return text + fmt::format("  {:.1f}/s  {:.0f} s left", rate, (total_ - done_) / rate);
 }
 
 }  // namespace strobe

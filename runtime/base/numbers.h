@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace strobe {
@@ -21,6 +22,11 @@ std::optional<std::array<Number, count>> numbersIn(std::string_view text, char b
     at = after;
   }
   return numbers;
+}
+
+// "1 truth", "2 truths": for nouns whose plural ends in "s".
+inline std::string countText(size_t count, std::string_view noun) {
+  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }
 
 }  // namespace strobe

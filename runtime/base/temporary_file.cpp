@@ -30,6 +30,7 @@ void TemporaryFile::keep() {
     reason.clear();
     fs::rename(path_, file_, reason);
   }
+  if (!reason) reason = flushFolder(file_.parent_path());
   if (reason) throw WriteError(fmt::format("cannot be written: {}", reason.message()), {file_.string()});
 }
 

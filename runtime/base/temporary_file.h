@@ -14,7 +14,7 @@ class TemporaryFile {
   TemporaryFile(const TemporaryFile&) = delete;
   const Path& path() const { return path_; }
 
-  // Flushes to disk, then renames to the file. Throws `WriteError` with the system's reason.
+  // Flushes to disk, renames to the file, and flushes the folder. Throws `WriteError` with the system's reason.
   void keep();
 
  private:

@@ -29,7 +29,9 @@ Commands& Commands::operator=(Commands&& other) noexcept {
 
 Commands::~Commands() {
   VkFence fence = fence_.get();
-  if (pending_) device_->vk().WaitForFences(device_->handle(), 1, &fence, VK_TRUE, UINT64_MAX);
+  if (!pending_) return;
+  VkResult waited = device_->vk().WaitForFences(device_->handle(), 1, &fence, VK_TRUE, device_->limitNs(0));
+  if (waited == VK_TIMEOUT) device_->overrun("");
 }
 
 void Commands::submit(const std::function<void(VkCommandBuffer)>& record) {
@@ -47,7 +49,7 @@ void Commands::submit(const std::function<void(VkCommandBuffer)>& record) {
   VkSubmitInfo2 submit{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
   submit.commandBufferInfoCount = 1;
   submit.pCommandBufferInfos = &buffer;
-  check(vk.QueueSubmit2(device_->queue(), 1, &submit, fence_.get()), "submitting commands");
+  device_->check(vk.QueueSubmit2(device_->queue(), 1, &submit, fence_.get()), "submitting commands");
   pending_ = true;
 }
 
@@ -56,8 +58,8 @@ void Commands::wait(const std::string& what, double allowance_s) {
   VkFence fence = fence_.get();
   VkResult waited = device_->vk().WaitForFences(device_->handle(), 1, &fence, VK_TRUE, device_->limitNs(allowance_s));
   if (waited == VK_TIMEOUT) device_->overrun(what);
-  check(waited, "waiting for the device");
-  pending_ = false;
+  pending_ = false;  // on a lost device too, which executes nothing any more
+  device_->check(waited, "waiting for it");
   check(device_->vk().ResetFences(device_->handle(), 1, &fence), "resetting the fence");
 }
 

@@ -22,8 +22,8 @@ class Commands {
   // Records with `record` and submits, behind all that was submitted before. What was submitted through this one must
   // have been waited for.
   void submit(const std::function<void(VkCommandBuffer)>& record);
-  // Waits for what was submitted, if it was not waited for already. Throws `Error` on device loss. `what` names the
-  // work, should it never end; `allowance_s` is added to its time limit (`Device::setTimeLimit`).
+  // Waits for the submitted commands, unless they were waited for already. Throws `DeviceLost`. `what` is the name of
+  // the work in the message of an overrun; `allowance_s` is added to its time limit (`Device::setTimeLimit`).
   void wait(const std::string& what = "", double allowance_s = 0);
   // Submitted, and not waited for.
   bool isPending() const { return pending_; }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <mutex>
@@ -33,8 +34,10 @@ void check(VkResult result, const std::string& what) {
                                                         {VK_TIMEOUT, "timed out"}};
   if (result == VK_SUCCESS) return;
   auto name = names.find(result);
-  throw Error(
-      fmt::format("Vulkan: {}: {}", what, name == names.end() ? fmt::format("result {}", int(result)) : name->second));
+  std::string text =
+      fmt::format("Vulkan: {}: {}", what, name == names.end() ? fmt::format("result {}", int(result)) : name->second);
+  if (result == VK_ERROR_DEVICE_LOST) throw DeviceLost(text);
+  throw Error(text);
 }
 
 // The loader is opened at run time: a machine without Vulkan gets an error message, not a link failure.
@@ -181,6 +184,7 @@ DeviceInfo describe(const Dispatch& vk, VkPhysicalDevice device) {
   info.api = fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(core.apiVersion), VK_API_VERSION_MINOR(core.apiVersion),
                          VK_API_VERSION_PATCH(core.apiVersion));
   info.software = core.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+  info.shares_memory = info.software || core.deviceType == VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU;
 
   // A device older than Vulkan 1.3 does not know the structures below: everything counts as absent.
   std::vector<std::string> extensions = deviceExtensions(vk, device);
@@ -358,8 +362,20 @@ uint64_t Device::limitNs(double allowance_s) const {
 }
 
 void Device::overrun(const std::string& what) const {
-  on_overrun_(what);
-  std::abort();
+  std::string text = fmt::format("{}{} ran for more than {:g} s on the device", subject_.empty() ? "" : subject_ + ": ",
+                                 what.empty() ? "work without a name" : "'" + what + "'", time_limit_s_);
+  if (on_overrun_) on_overrun_(text);
+  // Nothing is destroyed: that would wait for the device.
+  std::fprintf(stderr, "strobe: %s\n", text.c_str());
+  std::fflush(stderr);
+  std::_Exit(1);
+}
+
+void Device::check(VkResult result, const std::string& what) const {
+  if (result == VK_ERROR_DEVICE_LOST)
+    throw DeviceLost(fmt::format("{}the device '{}' was lost ({}): its driver failed or was reset",
+                                 subject_.empty() ? "" : subject_ + ": ", info_.name, what));
+  gpu::check(result, what);
 }
 
 void Device::submit(const std::function<void(VkCommandBuffer)>& record, const std::string& what,

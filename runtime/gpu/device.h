@@ -4,13 +4,19 @@
 
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "gpu/dispatch.h"
 
 namespace strobe::gpu {
+
+// Seconds that work on a device may take where a command sets no limit: far longer than any pass of a picture takes on
+// a software device.
+inline constexpr double kTimeLimit_s = 600;
 
 struct DeviceOptions {
   std::string device;       // index or part of a name; "" takes the best
@@ -33,6 +39,7 @@ struct DeviceInfo {
   std::string api;     // "1.4.305"
   bool software = false;
   bool measures_memory = false;  // says how much of it is free
+  bool shares_memory = false;    // its memory is the machine's: a software device, or one inside of the processor
   std::vector<Feature> features;
 
   bool has(const std::string& feature) const;
@@ -42,6 +49,12 @@ struct DeviceInfo {
 
 // Every device the loader offers, best first, with no device created. Empty without a loader or driver.
 std::vector<DeviceInfo> listDevices();
+
+// The device is lost: nothing can be drawn or read back any more. Not an `Error`, so that no picture, point or frame is
+// reported as failed for it: it ends the program.
+struct DeviceLost : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 struct MessageSink;
 class Commands;
@@ -73,18 +86,23 @@ class Device {
 
   void setName(VkObjectType type, uint64_t handle, const std::string& name) const;
 
-  // Records with `record`, submits and waits: the device is idle then. Throws `Error` on device loss. `what` names the
-  // work, should it never end; `allowance_s` is added to its time limit.
+  // Records with `record`, submits and waits: the device is idle then. Throws `DeviceLost`. `what` names the work,
+  // should it never end; `allowance_s` is added to its time limit.
   void submit(const std::function<void(VkCommandBuffer)>& record, const std::string& what = "",
               double allowance_s = 0) const;
 
-  // Work that takes longer than `seconds` ends in `on_overrun(what)`, which must not return: a shader that never ends
-  // cannot be aborted, so neither can the device be used or destroyed any more. 0 waits for ever.
-  using OnOverrun = std::function<void(const std::string& what)>;
-  void setTimeLimit(double seconds, OnOverrun on_overrun);
+  // Work that takes longer than `seconds` ends in `on_overrun(text)`, which must not return: a shader that never ends
+  // cannot be aborted, so neither can the device be used or destroyed any more. `text` names the work. Without
+  // `on_overrun` the text is printed and the program ends with exit code 1. 0 waits for ever. Default: `kTimeLimit_s`.
+  using OnOverrun = std::function<void(const std::string& text)>;
+  void setTimeLimit(double seconds, OnOverrun on_overrun = {});
+  // The point or picture that is drawn from now on, as overruns and a lost device name it; "": it has no name.
+  void setSubject(std::string subject) { subject_ = std::move(subject); }
   // How long to wait for work, ns, and what ends it.
   uint64_t limitNs(double allowance_s) const;
   [[noreturn]] void overrun(const std::string& what) const;
+  // `gpu::check` with the names of the device and of its subject in `DeviceLost`.
+  void check(VkResult result, const std::string& what) const;
 
   // Validation messages since the last call; always empty without validation.
   std::vector<std::string> takeMessages() const;
@@ -112,11 +130,12 @@ class Device {
   VkPhysicalDeviceRayTracingPipelinePropertiesKHR ray_properties_{};
   uint32_t scratch_alignment_ = 256;
   double timestamp_period_ns_ = 1;
-  double time_limit_s_ = 0;
+  double time_limit_s_ = kTimeLimit_s;
   OnOverrun on_overrun_;
+  std::string subject_;
 };
 
-// Throws `Error` naming `what` and the result unless `result` is VK_SUCCESS.
+// Throws `Error` naming `what` and the result unless `result` is VK_SUCCESS; `DeviceLost` where it says so.
 void check(VkResult result, const std::string& what);
 
 // What a call gives that fills `count` items, or says in it how many there are where the list is null.

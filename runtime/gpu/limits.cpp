@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/memory.h"
+
 namespace strobe::gpu {
 
 // Free of the largest heap of the device's own.
@@ -35,7 +37,9 @@ DeviceLimits limitsOf(const Device& device) {
   const VkPhysicalDeviceLimits& limits = properties.properties.limits;
   DeviceLimits result{limits.maxImageDimension2D, limits.maxStorageBufferRange};
   result.array_bytes = std::min<uint64_t>(buffers.maxBufferSize, allocations.maxMemoryAllocationSize);
+  result.host_bytes = availableMemory();
   result.memory_bytes = freeMemory(device);
+  if (device.info().shares_memory) result.memory_bytes = std::min(result.memory_bytes, result.host_bytes);
   if (!has_structures) return result;
   result.instances = structures.maxInstanceCount;
   result.geometries = structures.maxGeometryCount;

@@ -11,13 +11,16 @@
 namespace strobe::gpu {
 
 struct DeviceLimits {
-  uint64_t image_side = 0;             // px
-  uint64_t buffer_bytes = 0;           // of a buffer that a shader sees as bound
-  uint64_t array_bytes = UINT64_MAX;   // of a buffer that it reads by address
-  uint64_t memory_bytes = UINT64_MAX;  // free on the device, measured; its size where the device does not say
-  uint64_t instances = UINT64_MAX;     // of an acceleration structure; without these any number
-  uint64_t geometries = UINT64_MAX;    // of a mesh
-  uint64_t triangles = UINT64_MAX;     // of a mesh
+  uint64_t image_side = 0;            // px
+  uint64_t buffer_bytes = 0;          // of a buffer that a shader sees as bound
+  uint64_t array_bytes = UINT64_MAX;  // of a buffer that it reads by address
+  // Free on the device, measured; its size where the device does not say. Of a device that shares the machine's memory
+  // no more than is available there.
+  uint64_t memory_bytes = UINT64_MAX;
+  uint64_t host_bytes = UINT64_MAX;  // of the machine's memory that are available to this process
+  uint64_t instances = UINT64_MAX;   // of an acceleration structure; without these any number
+  uint64_t geometries = UINT64_MAX;  // of a mesh
+  uint64_t triangles = UINT64_MAX;   // of a mesh
 };
 
 DeviceLimits limitsOf(const Device& device);
@@ -36,8 +39,10 @@ inline constexpr Limit kBufferLimit{"buffers", Limit::Kind::Refused,
                                     "nothing is drawn; take fewer vertices or instances, fewer `slices` of truth, a "
                                     "smaller picture, or another device"};
 inline constexpr Limit kMemoryLimit{
-    "memory", Limit::Kind::Refused, "a scene takes more memory than the device has free",
-    "nothing is drawn; end other programs, take fewer vertices or smaller textures, or another device"};
+    "memory", Limit::Kind::Refused,
+    "a frame, with its scene, takes more memory than the device or the machine has free",
+    "nothing is drawn; end other programs, take a smaller picture, fewer vertices or smaller textures, or another "
+    "device"};
 inline constexpr Limit kImageLimit{"images", Limit::Kind::Refused,
                                    "a picture or texture is larger than the device's images",
                                    "nothing is drawn; take a smaller one"};

@@ -33,6 +33,15 @@ static bool traces(const Plan& plan, const std::vector<Step>& steps) {
   });
 }
 
+// Time samples of a loop; of one whose iterations have no time of their own, its iterations.
+static int samplesOf(const plan::PlanLoop& loop, int iterations) { return iterations * std::max(loop.slices, 1); }
+
+static int samplesOf(const Plan& plan) {
+  int samples = 0;
+  for (const plan::PlanLoop& loop : plan.loops) samples += samplesOf(loop, loop.count);
+  return samples;
+}
+
 // The nodes with their pipelines; `ms` is what finding and compiling them took.
 static PlanNodes nodesOf(const gpu::Device& device, const Plan& plan, PipelineCache& cache,
                          const world::GpuScene& scene, Backend backend, const PlanNodes* previous,
@@ -51,6 +60,10 @@ static bool waitsForLoops(const Plan& plan) {
   constexpr int kShort = 4;
   return std::any_of(plan.loops.begin(), plan.loops.end(),
                      [](const plan::PlanLoop& loop) { return loop.until >= 0 || loop.count > kShort; });
+}
+
+ImageBytes Graph::bytes(const Plan& plan, size_t in_flight) {
+  return imageBytes(plan, waitsForLoops(plan) ? 1 : in_flight);
 }
 
 Graph::Graph(const gpu::Device& device, PipelineCache& cache, const Plan& plan, world::GpuScene& scene, Backend backend,
@@ -142,6 +155,7 @@ void Graph::draw(const FrameSetup& setup, UnderWay& frame, const OnIteration& on
   poseFixedSlices(scene_, staging, *plan_, setup);
   shared::FrameData data = frameData(*plan_, scene_, setup);
   scene_.setFrame(staging, data);
+  frame.samples = samplesOf(*plan_);
 
   // Steps between loops go to the device together; each iteration of a loop is a submission of its own, because it sees
   // the scene posed anew.
@@ -183,8 +197,9 @@ void Graph::runLoop(const FrameSetup& setup, const Step& step, shared::FrameData
     if (waits_) submission_.wait(frame.index);
     ++iteration;
     if (loop.until >= 0) stop = static_cast<const float*>(images_.readBack(loop.until, frame.index).mapped())[0] != 0;
-    if (on_iteration) on_iteration(iteration, loop.count);
+    if (on_iteration) on_iteration(frame.samples_done + samplesOf(loop, stop ? loop.count : iteration), frame.samples);
   }
+  frame.samples_done += samplesOf(loop, loop.count);
   frame.result.iterations.push_back({plan_->pipeline.loops[size_t(loop.loop)].name, iteration});
 }
 

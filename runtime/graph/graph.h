@@ -12,7 +12,8 @@ namespace strobe::graph {
 // Owns the device memory of one plan. The plan, the scene and the device must outlive it.
 class Graph {
  public:
-  // How often an iteration of a loop is done, of how many.
+  // Time samples of all loops that are done, and how many there are: one total over the frame. A loop that stops early
+  // counts as done.
   using OnIteration = std::function<void(int done, int of)>;
 
   // `in_flight`: how many frames may be under way at once. Throws `Error` for shaders that do not compile or do not
@@ -55,6 +56,8 @@ class Graph {
   // The next frame begins with empty histories.
   void forgetHistories() { images_.forgetHistories(); }
 
+  // Bytes that a graph of the plan takes for its images, before it is made.
+  static ImageBytes bytes(const plan::Plan& plan, size_t in_flight);
   // The sample slices per iteration the plan's loops need, 0 without loops.
   static uint32_t sampleSlices(const plan::Plan& plan);
 
@@ -64,6 +67,7 @@ class Graph {
     size_t index = 0;  // of its buffers and commands
     std::optional<std::set<std::string>> wanted = {};
     FrameResult result = {};
+    int samples_done = 0, samples = 0;  // of all loops
 
     bool wants(const std::string& name) const { return !wanted || wanted->count(name); }
   };

@@ -2,6 +2,7 @@
 #include "graph/images.h"
 
 #include <glm/gtc/packing.hpp>
+#include <set>
 
 #include "gpu/limits.h"
 #include "plan/formats.h"
@@ -123,12 +124,43 @@ void PlanImages::make(PlanImages* previous) {
   });
 }
 
-void PlanImages::makeZeros() {
+// Size of `PlanImages::zeros`; 0 if no slot needs zeros.
+static uint64_t zeroBytes(const Plan& plan) {
   uint64_t most = 0;
-  for (const plan::Slot& slot : plan_->slots)
+  for (const plan::Slot& slot : plan.slots)
     if (slot.zero_outside) most = std::max(most, slot.bytes);
-  if (most == 0) return;
-  zeros_ = madeBuffer(device_, "zeros", (most / 4 + 3) / 4 * 4);
+  return (most / 4 + 3) / 4 * 4;
+}
+
+// Images that are read back: outputs, taps, stop conditions of loops.
+static std::set<int> imagesKept(const Plan& plan) {
+  std::set<int> kept;
+  for (const auto* named : {&plan.outputs, &plan.taps})
+    for (const auto& [name, image] : *named) kept.insert(image);
+  for (const auto& loop : plan.loops)
+    if (loop.until >= 0) kept.insert(loop.until);
+  return kept;
+}
+
+static size_t readBackBytes(const plan::VirtualImage& image) {
+  return size_t(image.width) * image.height * gpu::formatInfo(image.format).bytes;
+}
+
+ImageBytes imageBytes(const Plan& plan, size_t frames) {
+  ImageBytes bytes{plan::bytesAliased(plan) + zeroBytes(plan), 0, 0};
+  for (int index : imagesKept(plan)) bytes.read_back += frames * readBackBytes(plan.images[size_t(index)]);
+  for (const auto* named : {&plan.outputs, &plan.taps})
+    for (const auto& [name, index] : *named) {
+      const plan::VirtualImage& image = plan.images[size_t(index)];
+      bytes.pictures += uint64_t(image.width) * image.height * gpu::formatInfo(image.format).channels * sizeof(float);
+    }
+  return bytes;
+}
+
+void PlanImages::makeZeros() {
+  const uint64_t bytes = zeroBytes(*plan_);
+  if (bytes == 0) return;
+  zeros_ = madeBuffer(device_, "zeros", bytes);
   device_.submit(
       [&](VkCommandBuffer commands) { device_.vk().CmdFillBuffer(commands, zeros_.handle(), 0, VK_WHOLE_SIZE, 0); });
 }
@@ -162,18 +194,14 @@ std::vector<PlanImages::SharedBuffer> PlanImages::readBackOf(const std::string& 
 }
 
 void PlanImages::keepReadBack(size_t frames, const PlanImages* previous) {
-  auto keep = [&](int image) {
+  for (int image : imagesKept(*plan_)) {
     const plan::VirtualImage& kept = plan_->images[size_t(image)];
-    size_t bytes = size_t(kept.width) * kept.height * gpu::formatInfo(kept.format).bytes;
+    const size_t bytes = readBackBytes(kept);
     std::vector<SharedBuffer>& buffers = read_back_[image];
     if (buffers.empty() && previous) buffers = previous->readBackOf(kept.name, bytes);
     while (buffers.size() < frames)
       buffers.push_back(share(gpu::Buffer(device_, kept.name + ".read_back", bytes, 0, gpu::Buffer::Memory::Host)));
-  };
-  for (const auto& [name, image] : plan_->outputs) keep(image);
-  for (const auto& [name, image] : plan_->taps) keep(image);
-  for (const auto& loop : plan_->loops)
-    if (loop.until >= 0) keep(loop.until);
+  }
 }
 
 const gpu::Image& PlanImages::of(int image) const { return slots_[size_t(plan_->images[size_t(image)].slot)]; }

@@ -8,6 +8,13 @@
 
 namespace strobe::graph {
 
+// Bytes of a plan's images, before the first allocation: slots and zeros on the device, read-back buffers, and the
+// pictures that the program makes of these.
+struct ImageBytes {
+  uint64_t on_device = 0, read_back = 0, pictures = 0;
+};
+ImageBytes imageBytes(const plan::Plan& plan, size_t frames);
+
 // The plan and the device must outlive it.
 class PlanImages {
  public:

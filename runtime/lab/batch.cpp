@@ -138,17 +138,18 @@ Drawing& Batch::drawing(const Shot& shot, const std::shared_ptr<HeldScene>& scen
     drawings_.splice(drawings_.begin(), drawings_, found);
     drawings_.front()->become(planned, std::move(evaluation));
   } else {
+    makeRoom(*planned.plan);
     drawings_.push_front(std::make_unique<Drawing>(bench_, scene, planned, std::move(evaluation)));
-    forgetDrawings();
   }
   return *drawings_.front();
 }
 
-void Batch::forgetDrawings() {
-  size_t bytes = 0, count = 0;
+// Forgets drawings before another one is made, so that no more memory is taken than is kept.
+void Batch::makeRoom(const plan::Plan& plan) {
+  size_t bytes = plan::bytesAliased(plan), count = 1;
   for (auto it = drawings_.begin(); it != drawings_.end(); ++count) {
     bytes += plan::bytesAliased((*it)->plan());
-    bool goes = count > 0 && (count >= kept_graphs || bytes > kept_image_bytes);
+    bool goes = count >= kept_graphs || bytes > kept_image_bytes;
     it = goes ? drawings_.erase(it) : std::next(it);
   }
 }

@@ -113,7 +113,7 @@ class Batch {
   std::shared_ptr<const Evaluation> derived(const std::string& pipeline, const script::Settings& sets);
   const KnownPlan& known(const Shot& filled, const HeldScene& scene, const Outputs& outputs = {});
   Drawing& drawing(const Shot& filled, const std::shared_ptr<HeldScene>& scene, const Outputs& outputs = {});
-  void forgetDrawings();
+  void makeRoom(const plan::Plan& plan);
   const std::string& shadersOf(const plan::PassDesc& pass);
   void keep(Kept kept);
 

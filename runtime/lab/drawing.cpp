@@ -6,6 +6,8 @@
 #include <future>
 
 #include "base/log.h"
+#include "base/memory.h"
+#include "gpu/limits.h"
 #include "lab/camera_path.h"
 #include "lab/frame_facts.h"
 #include "lab/record.h"
@@ -16,6 +18,7 @@
 #include "scene/motion.h"
 #include "scene/tree_order.h"
 #include "shader/interface.h"
+#include "world/fits.h"
 
 namespace strobe::lab {
 
@@ -116,12 +119,67 @@ Planned plannedOf(const Workbench& bench, const Shot& shot, const plan::Pipeline
   return plannedFor(bench, shot, pipeline, [] { return std::vector<std::string>(); }, {});
 }
 
+// ---- memory
+
+// Bytes of a drawing, before the first allocation.
+struct DrawingBytes {
+  uint64_t scene = 0;
+  graph::ImageBytes images;
+
+  uint64_t onDevice() const { return scene + images.on_device; }
+  uint64_t onHost() const { return images.read_back + images.pictures; }
+  std::string text() const {
+    return fmt::format("images {}, read back {}, pictures {}, scene {}", bytesText(images.on_device),
+                       bytesText(images.read_back), bytesText(images.pictures), bytesText(scene));
+  }
+};
+
+static DrawingBytes drawingBytes(const HeldScene& held, const Planned& planned, uint32_t slices, size_t frames) {
+  const scene::Scene& scene = held.loaded.scene;
+  const shader::StructureKind structures = shader::rowOf(planned.backend).structures;
+  DrawingBytes bytes{0, graph::Graph::bytes(*planned.plan, frames)};
+  if (!held.unposed) bytes.scene = world::unposedBytes(scene, structures);
+  if (!held.on_device.count({slices, structures})) bytes.scene += world::posedBytes(scene, slices);
+  return bytes;
+}
+
+// Images of a frame of the same size are taken over from the drawing before, as far as they are alike.
+static graph::ImageBytes withoutTaken(graph::ImageBytes bytes, const plan::Plan& plan, const plan::Plan& previous,
+                                      size_t frames) {
+  if (plan.width != previous.width || plan.height != previous.height) return bytes;
+  const graph::ImageBytes taken = graph::Graph::bytes(previous, frames);
+  bytes.on_device -= std::min(bytes.on_device, taken.on_device);
+  bytes.read_back -= std::min(bytes.read_back, taken.read_back);
+  return bytes;
+}
+
+static void requireBytes(const plan::Plan& plan, const std::string& of, uint64_t bytes, uint64_t available,
+                         const std::string& where) {
+  if (bytes <= available) return;
+  throw Error(
+      gpu::kMemoryLimit.text(fmt::format("{} at {}x{} takes {} ({}), of {} available {}", plan.pipeline.name,
+                                         plan.width, plan.height, bytesText(bytes), of, bytesText(available), where)));
+}
+
+// Before the first allocation: where memory is the machine's, the system ends a program that takes too much.
+static void requireBytes(const gpu::Device& device, const plan::Plan& plan, const DrawingBytes& bytes, uint64_t most) {
+  const gpu::DeviceLimits limits = gpu::limitsOf(device);
+  const std::string on_device = fmt::format("on device '{}'", device.info().name);
+  const bool shared = device.info().shares_memory;
+  const uint64_t available = std::min(limits.memory_bytes, most), on_host = std::min(limits.host_bytes, most);
+  requireBytes(plan, bytes.text(), bytes.onDevice() + (shared ? bytes.onHost() : 0), available, on_device);
+  if (!shared) requireBytes(plan, bytes.text(), bytes.onHost(), on_host, "in this machine's memory");
+}
+
 Drawing::Drawing(Workbench& bench, std::shared_ptr<HeldScene> scene, Planned planned,
                  std::shared_ptr<const Evaluation> evaluation, Drawing* previous, std::vector<std::string>* problems)
     : bench_(bench), scene_(std::move(scene)), planned_(std::move(planned)), evaluation_(std::move(evaluation)) {
   const gpu::Device& device = bench.device();
-  on_device_ = scene_->onDevice(device, SLICE_SAMPLE + graph::Graph::sampleSlices(plan()),
-                                shader::rowOf(planned_.backend).structures);
+  const uint32_t slices = SLICE_SAMPLE + graph::Graph::sampleSlices(plan());
+  DrawingBytes bytes = drawingBytes(*scene_, planned_, slices, bench.frames_in_flight);
+  if (previous) bytes.images = withoutTaken(bytes.images, plan(), previous->plan(), bench.frames_in_flight);
+  requireBytes(device, plan(), bytes, bench.most_bytes);
+  on_device_ = scene_->onDevice(device, slices, shader::rowOf(planned_.backend).structures);
   if (previous && previous->graph_) previous->graph_->drop();
   if (previous && !problems && previous->fits(planned_, *scene_)) {
     graph_ = std::move(previous->graph_);

@@ -94,6 +94,9 @@ class Workbench {
   // software device unless it is set, since that has no clock for its passes (graph/submission.cpp).
   size_t frames_in_flight = 2;
 
+  // Bytes that a frame and its scene may take at most, where more is free.
+  uint64_t most_bytes = UINT64_MAX;
+
   // Pipelines compiled, and scripts run for pipelines, since the workbench exists.
   int compilations() const { return cache_.compilations(); }
   int evaluations() const { return evaluations_; }

@@ -7,6 +7,7 @@
 
 #include <cstdio>
 
+#include "base/leftovers.h"
 #include "base/log.h"
 #include "image/png.h"
 #include "live/driven_window.h"
@@ -117,6 +118,7 @@ Live::Live(const Home& home, const LiveOptions& options)
       desk_(bench_, deskOptions(bench_, options)) {
   watch();
   if (options.tev) tev_ = std::make_unique<lab::Tev>(*options.tev);
+  removeLeftovers(options.desk.out, ".recorded.");
   if (!options.drive.empty()) drive_ = std::make_unique<DrivenWindow>(options.drive, drivenParts());
 }
 
@@ -134,7 +136,7 @@ DrivenParts Live::drivenParts() {
 
 // A shader that never ends cannot be stopped: say which, keep what was asked for, and leave the device as it is.
 void Live::watch() {
-  bench_.device().setTimeLimit(options_.time_limit_s, [this](const std::string& what) {
+  bench_.device().setTimeLimit(options_.time_limit_s, [this](const std::string& text) {
     Path file = options_.desk.out / "overrun.record.json";
     std::string kept;
     try {
@@ -145,8 +147,7 @@ void Live::watch() {
     } catch (const Error& error) {
       kept = fmt::format("; the shot could not be kept: {}", error.what());
     }
-    std::fprintf(stderr, "strobe: '%s' ran for more than %g s on the device (--time-limit)%s\n", what.c_str(),
-                 options_.time_limit_s, kept.c_str());
+    std::fprintf(stderr, "strobe: %s (--time-limit)%s\n", text.c_str(), kept.c_str());
     std::fflush(stderr);
     std::_Exit(1);
   });

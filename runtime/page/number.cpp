@@ -23,6 +23,8 @@ std::string shownShare(double share) {
   return fmt::format("{:.{}f} %", percent, digits);
 }
 
+std::string shownCount(double count) { return std::isnan(count) ? kNotMeasured : fmt::format("{:.0f}", count); }
+
 std::string shownMs(double ms) {
   if (std::isnan(ms)) return kNotMeasured;
   return ms < 10 ? fmt::format("{:.2f} ms", ms) : fmt::format("{:.0f} ms", ms);

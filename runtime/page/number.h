@@ -16,6 +16,9 @@ std::string shownError(double value);
 // A share of 1 as a percentage of three significant digits; NaN as kNotMeasured.
 std::string shownShare(double share);
 
+// A number of pixels, rounded to an integer; NaN as kNotMeasured.
+std::string shownCount(double count);
+
 // "9.12 ms", "12 ms"; NaN as kNotMeasured.
 std::string shownMs(double ms);
 

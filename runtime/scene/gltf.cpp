@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/memory.h"
 #include "math/constants.h"
 #include "scene/defaults.h"
 #include "scene/gltf_animation.h"
@@ -25,11 +26,12 @@ class Loader {
  public:
   Loader(const Path& path, const GltfOptions& options) : file_(path, kSupported, options.allow_outside) {
     variant_ = options.variant;
+    most_bytes_ = std::min(options.most_bytes, availableMemory());
   }
 
   Scene load() {
     scene_.name = file_.path().stem().string();
-    readMaterials(file_, scene_);
+    readMaterials(file_, scene_, most_bytes_);
     int variant = readVariants();
     for (size_t i = 0; i < file_.all("meshes").size(); ++i)
       scene_.meshes.push_back(readMesh(file_, int(i), {int(scene_.materials.size()) - 1, variant}, scene_.warnings));
@@ -256,6 +258,7 @@ class Loader {
 
   GltfFile file_;
   std::string variant_;
+  uint64_t most_bytes_ = UINT64_MAX;
   Scene scene_;
 };
 

@@ -278,21 +278,14 @@ std::vector<uint32_t> GltfFile::indices(int accessor_index, const std::string& w
   return {values.numbers.begin(), values.numbers.end()};
 }
 
-Decoded GltfFile::image(int image_index) {
+std::vector<uint8_t> GltfFile::imageBytes(int image_index) {
   const Json& json = all("images").at(image_index);
   std::string where = fmt::format("images[{}]", image_index), uri = text(json, "uri");
   int view_index = index(json, "bufferView", "bufferViews", where);
   if (uri.empty() && view_index < 0) refuse(where, "has neither uri nor bufferView");
-  std::optional<Decoded> decoded;
-  if (view_index >= 0) {
-    View source = view(view_index, where);
-    decoded = decodeImage(source.data, source.size);
-  } else {
-    std::vector<uint8_t> bytes = uriBytes(uri, where);
-    decoded = decodeImage(bytes.data(), bytes.size());
-  }
-  if (!decoded) refuse(where, fmt::format("{}is not a readable PNG or JPEG", uri.size() < 100 ? uri + " " : ""));
-  return *std::move(decoded);
+  if (view_index < 0) return uriBytes(uri, where);
+  View source = view(view_index, where);
+  return {source.data, source.data + source.size};
 }
 
 const Json& GltfFile::list(const Json& object, const std::string& key, const std::string& where) const {

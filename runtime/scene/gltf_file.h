@@ -42,7 +42,8 @@ class GltfFile {
   // `where` says in errors what asked: "meshes[2].primitives[0]". `types` are the accepted accessor types.
   Values accessor(int index, const std::string& where, const std::vector<std::string>& types) const;
   std::vector<uint32_t> indices(int index, const std::string& where) const;
-  Decoded image(int index);
+  // An image as the file holds it.
+  std::vector<uint8_t> imageBytes(int index);
 
   // Throws: "file: where: text".
   [[noreturn]] void refuse(const std::string& where, const std::string& text) const;

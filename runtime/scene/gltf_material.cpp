@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "base/memory.h"
 #include "scene/textures.h"
 
 namespace strobe::scene {
@@ -13,7 +14,8 @@ namespace {
 
 class MaterialReader {
  public:
-  MaterialReader(GltfFile& file, Scene& scene) : file_(file), scene_(scene) {}
+  MaterialReader(GltfFile& file, Scene& scene, uint64_t most_bytes)
+      : file_(file), scene_(scene), most_bytes_(most_bytes) {}
 
   void read() {
     const Json& materials = file_.all("materials");
@@ -25,6 +27,8 @@ class MaterialReader {
     plain.base_color = vec4(0.8f, 0.8f, 0.8f, 1);
     plain.double_sided = false;
     scene_.materials.push_back(plain);
+    requireMemory();
+    for (size_t i = 0; i < scene_.textures.size(); ++i) fill(scene_.textures[i], images_of_[i]);
   }
 
  private:
@@ -105,7 +109,7 @@ class MaterialReader {
     readFilters(sampler, where, lookup);
     std::tuple key(image, is_color, lookup.wrap_u, lookup.wrap_v, lookup.magnify, lookup.minify, lookup.between);
     auto [known, is_new] = textures_.emplace(key, int(scene_.textures.size()));
-    if (is_new) scene_.textures.push_back(makeTexture(image, lookup, is_color));
+    if (is_new) scene_.textures.push_back(emptyTexture(image, lookup, is_color)), images_of_.push_back(image);
     return known->second;
   }
 
@@ -127,29 +131,70 @@ class MaterialReader {
     lookup.between = kind->second.second;
   }
 
-  // `texture`: how it is looked up.
-  Texture makeTexture(int image, Texture texture, bool is_color) {
-    auto decoded = images_.find(image);
-    if (decoded == images_.end()) decoded = images_.emplace(image, file_.image(image)).first;
+  // `texture`: how it is looked up. Its texels come last (`fill`).
+  Texture emptyTexture(int image, Texture texture, bool is_color) {
     texture.name = file_.text(file_.all("images").at(image), "name");
     if (texture.name.empty()) texture.name = fmt::format("image_{}", image);
     texture.format = is_color ? Texture::Format::Rgba8Srgb : Texture::Format::Rgba8Unorm;
+    if (!bytes_.count(image)) bytes_[image] = file_.imageBytes(image);
+    return texture;
+  }
+
+  // A small file may state a large size. All levels have a third more texels than the first; while they are made, the
+  // texels of two are held as floats.
+  void requireMemory() {
+    uint64_t bytes = 0, most_texels = 0;
+    std::string largest;
+    auto texelsOf = [](ImageSize size) { return uint64_t(size.width) * uint64_t(size.height); };
+    std::map<int, ImageSize> sizes;
+    for (const auto& [image, encoded] : bytes_)
+      sizes[image] = imageSize(encoded.data(), encoded.size()).value_or(ImageSize());
+    for (const auto& [image, size] : sizes) bytes += 4 * texelsOf(size);
+    for (size_t i = 0; i < images_of_.size(); ++i) {
+      const ImageSize size = sizes[images_of_[i]];
+      bytes += texelsOf(size) * 16 / 3;
+      if (texelsOf(size) <= most_texels) continue;
+      most_texels = texelsOf(size);
+      largest = fmt::format("images[{}] of {}x{} texels", images_of_[i], size.width, size.height);
+    }
+    bytes += most_texels * 5 / 4 * sizeof(vec4);
+    if (bytes <= most_bytes_) return;
+    file_.refuse("", fmt::format("its images need {} when they are decoded, of {} available; the largest is {}",
+                                 bytesText(bytes), bytesText(most_bytes_), largest));
+  }
+
+  Decoded decode(int image) {
+    const std::vector<uint8_t>& bytes = bytes_.at(image);
+    std::optional<Decoded> decoded = decodeImage(bytes.data(), bytes.size());
+    if (decoded) return *std::move(decoded);
+    const std::string uri = file_.text(file_.all("images").at(image), "uri");
+    file_.refuse(fmt::format("images[{}]", image),
+                 fmt::format("{}is not a readable PNG or JPEG", !uri.empty() && uri.size() < 100 ? uri + " " : ""));
+  }
+
+  void fill(Texture& texture, int image) {
+    auto decoded = images_.find(image);
+    if (decoded == images_.end()) decoded = images_.emplace(image, decode(image)).first;
     texture.width = decoded->second.width;
     texture.height = decoded->second.height;
     texture.levels = {decoded->second.rgba};
     buildLevels(texture);
-    return texture;
   }
 
   using Lookup = std::tuple<int, bool, Texture::Wrap, Texture::Wrap, Texture::Filter, Texture::Filter, Texture::Levels>;
   GltfFile& file_;
   Scene& scene_;
+  const uint64_t most_bytes_;
+  std::map<int, std::vector<uint8_t>> bytes_;  // of images, as the file holds them
   std::map<int, Decoded> images_;
+  std::vector<int> images_of_;  // by texture
   std::map<Lookup, int> textures_;
 };
 
 }  // namespace
 
-void readMaterials(GltfFile& file, Scene& scene) { MaterialReader(file, scene).read(); }
+void readMaterials(GltfFile& file, Scene& scene, uint64_t most_bytes) {
+  MaterialReader(file, scene, most_bytes).read();
+}
 
 }  // namespace strobe::scene

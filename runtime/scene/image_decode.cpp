@@ -18,6 +18,13 @@
 
 namespace strobe::scene {
 
+std::optional<ImageSize> imageSize(const uint8_t* bytes, size_t size) {
+  ImageSize image;
+  int channels = 0;
+  bool is_known = size <= INT_MAX && stbi_info_from_memory(bytes, int(size), &image.width, &image.height, &channels);
+  return is_known ? std::optional(image) : std::nullopt;
+}
+
 std::optional<Decoded> decodeImage(const uint8_t* bytes, size_t size) {
   if (size > INT_MAX) return std::nullopt;
   Decoded image;

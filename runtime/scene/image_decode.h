@@ -13,6 +13,13 @@ struct Decoded {
   std::vector<uint8_t> rgba;  // 8 bits per channel, top row first
 };
 
+struct ImageSize {
+  int width = 0, height = 0;
+};
+
+// Size in the header of a PNG or JPEG; nothing for other bytes.
+std::optional<ImageSize> imageSize(const uint8_t* bytes, size_t size);
+
 // Nothing when the bytes are no image, are cut short in their header, or claim more than 16384 texels a side.
 std::optional<Decoded> decodeImage(const uint8_t* bytes, size_t size);
 

@@ -243,6 +243,12 @@ size_t Experiment::points() const {
   return count;
 }
 
+size_t Experiment::truths() const {
+  std::set<std::string> distinct;
+  for (const Group& group : groups) distinct.insert(lab::canonical(truthShotOf(*this, group)));
+  return distinct.size();
+}
+
 script::Settings joined(script::Settings base, const script::Settings& more) {
   base.insert(base.end(), more.begin(), more.end());
   return base;

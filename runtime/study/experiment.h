@@ -113,6 +113,8 @@ struct Experiment {
 
   void setSize(int width, int height);
   size_t points() const;
+  // Distinct ones: values of an axis that set nothing of truth share one.
+  size_t truths() const;
 };
 
 // An experiment's file, or that of a capture with `measures`, checked without a device; with `evaluate` pipelines,

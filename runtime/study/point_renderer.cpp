@@ -303,7 +303,12 @@ void PointRenderer::write(const TaskGroup& group, const Task& task, const lab::P
     noteFile(point, store_.folder() / file);
 }
 
+// A lost device ends the run: the point is as if it had not been begun.
 void PointRenderer::renderTask(const TaskGroup& group, const Task& task) {
+  std::string at = describe(experiment_, *group.group);
+  std::string name =
+      fmt::format("{}{}, {}", experiment_.shots[group.group->shot].name, at.empty() ? "" : ", " + at, task.arm->name);
+  batch_.bench().device().setSubject(name);
   Point point;
   try {
     point = measuredPoint(group, task);
@@ -312,9 +317,7 @@ void PointRenderer::renderTask(const TaskGroup& group, const Task& task) {
   } catch (const std::exception& error) {
     point = {};
     point.failed = error.what();
-    std::string at = describe(experiment_, *group.group);
-    warn(fmt::format("{}{}, {}: failed: {}", experiment_.shots[group.group->shot].name, at.empty() ? "" : ", " + at,
-                     task.arm->name, point.failed));
+    warn(fmt::format("{}: failed: {}", name, point.failed));
   }
   store_.keep(task.key, point);
 }
@@ -329,6 +332,7 @@ void PointRenderer::render(const TaskGroup& group, const Progress& progress) {
   progress_ = progress;
   for (const Task& task : group.tasks)
     if (!task.key.empty() && !store_.has(task.key)) renderTask(group, task);
+  batch_.bench().device().setSubject("");
 }
 
 }  // namespace strobe::study

@@ -8,6 +8,8 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
+#include <cstring>
 #include <optional>
 
 #include "base/log.h"
@@ -50,6 +52,22 @@ struct Shared {
   ::_exit(code);
 }
 
+// Removes the children that have ended; true if each of them succeeded. Other children of this process stay.
+bool reapEnded(std::vector<pid_t>& children) {
+  bool good = true;
+  std::erase_if(children, [&good](pid_t child) {
+    int status = 0;
+    pid_t ended = ::waitpid(child, &status, WNOHANG);
+    if (ended == 0 || (ended < 0 && errno == EINTR)) return false;
+    if (ended > 0 && WIFSIGNALED(status))
+      warn(fmt::format("process {} of the sweep was ended by signal {} ({})", child, WTERMSIG(status),
+                       ::strsignal(WTERMSIG(status))));
+    good = good && ended > 0 && status == 0;
+    return true;
+  });
+  return good;
+}
+
 }  // namespace
 
 bool renderInProcesses(const Experiment& experiment, const MakeBench& make, const Store& store, int jobs,
@@ -65,6 +83,7 @@ bool renderInProcesses(const Experiment& experiment, const MakeBench& make, cons
       renderShare(experiment, make, store, started, shared);
     }
     if (child > 0) children.push_back(child);
+    else warn(fmt::format("process {} of {} cannot be started: {}", i + 1, jobs, std::strerror(errno)));
   }
   bool good = children.size() == size_t(jobs);
   std::optional<Watch> watch;
@@ -72,10 +91,9 @@ bool renderInProcesses(const Experiment& experiment, const MakeBench& make, cons
     if (!watch && shared.cost > 0) watch.emplace(now).begin("drawing", shared.cost);
     int done = shared.cost_done;
     if (watch) watch->advance(done - shown), shown = done;
-    int status = 0;
-    pid_t ended = ::waitpid(-1, &status, WNOHANG);
-    if (ended <= 0) ::usleep(100000);
-    if (ended > 0) good = good && status == 0, std::erase(children, ended);
+    const size_t running = children.size();
+    good = reapEnded(children) && good;
+    if (children.size() == running) ::usleep(100000);
   }
   if (watch) watch->end();
   ::munmap(memory, sizeof(Shared));

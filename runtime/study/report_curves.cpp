@@ -170,7 +170,7 @@ page::Table numbersTable(const Curve& curve, const std::string& region) {
     }
     row.push_back(group.floor() ? shownRmse(group.floor()->value("rmse", region)) : "–");
     row.push_back(shownRmse(group.truth().value("rmse", region)));
-    row.push_back(fmt::format("{:.0f}", group.truth().value("pixels", region)));
+    row.push_back(page::shownCount(group.truth().value("pixels", region)));
     table.add(std::move(row));
   }
   return table;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numbers.h"
 #include "study/effects.h"
 #include "study/explorer.h"
 #include "study/gallery.h"
@@ -26,7 +27,7 @@ page::Mark markOf(const Estimate& estimate) {
 std::string basisOf(const FactorEffect& one) {
   if (one.comparison == Comparison::slope) return fmt::format("line through {} points", one.slope.observations);
   if (one.comparison == Comparison::unpaired) return "unpaired";
-  std::string text = fmt::format("{} blocks", one.effect.blocks);
+  std::string text = countText(size_t(one.effect.blocks), "block");
   return one.effect.incomplete ? text + fmt::format(", {} incomplete left out", one.effect.incomplete) : text;
 }
 

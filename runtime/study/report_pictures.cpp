@@ -95,7 +95,7 @@ page::Table errorTable(const Results& results, const PointGroup& group) {
       row.push_back(of_itself ? page::Cell("–") : cellOf(*shown.measure, group, *point, shown.region));
       row.back().mark = mark;
     }
-    row.push_back(page::Cell(fmt::format("{:.0f}", point->value("clamped")), mark));
+    row.push_back(page::Cell(page::shownCount(point->value("clamped")), mark));
     table.add(std::move(row));
   }
   for (size_t i = 0; i < columns.size(); ++i) rank(table, i + 1, columns[i], group);
@@ -105,7 +105,7 @@ page::Table errorTable(const Results& results, const PointGroup& group) {
 std::string regionsText(const Results& results, const PointGroup& group) {
   std::vector<std::string> parts;
   for (const std::string& region : results.regions)
-    parts.push_back(fmt::format("{} {:.0f} px", region, group.truth().value("pixels", region)));
+    parts.push_back(fmt::format("{} {} px", region, page::shownCount(group.truth().value("pixels", region))));
   return fmt::format("anchor {}; {}", group.anchor, fmt::join(parts, ", "));
 }
 

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "base/hash.h"
+#include "base/leftovers.h"
 #include "base/log.h"
 #include "base/sealed_json.h"
 #include "image/exr.h"
@@ -22,26 +23,29 @@ namespace {
 
 constexpr int kVersion = 1;
 
+// Processes of a sweep that was just interrupted hold its lock until the system has ended them.
+constexpr int kTries = 100;  // 20 ms apart
+
 // A lock held until the file is closed; -1: another process holds it.
 int locked(const Path& file, bool waits) {
   fs::create_directories(file.parent_path());
   int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor < 0) throw Error(fmt::format("cannot be opened: {}", std::strerror(errno)), {file.string()});
-  while (::flock(descriptor, LOCK_EX | (waits ? 0 : LOCK_NB)) != 0) {
+  for (int tries = 0; ::flock(descriptor, LOCK_EX | (waits ? 0 : LOCK_NB)) != 0; ++tries) {
     if (errno == EINTR) continue;
+    if (errno == EWOULDBLOCK && tries < kTries) {
+      ::usleep(20000);
+      continue;
+    }
     ::close(descriptor);
     return -1;
   }
   return descriptor;
 }
 
-// What a process left that was killed.
-void removeUnfinished(const Path& folder) {
-  if (!fs::exists(folder)) return;
-  std::vector<Path> unfinished;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".part" || entry.path().extension() == ".lock") unfinished.push_back(entry.path());
-  for (const Path& file : unfinished) fs::remove(file);
+// Locks of truths that a killed process was drawing.
+void removeLocks(const Path& folder) {
+  for (const std::string& key : namesIn(folder, ".lock")) fs::remove(folder / (key + ".lock"));
 }
 
 // ---- truth as a file: outputs as large as the color, each a layer with channels "NAME.0", "NAME.1", ...
@@ -159,7 +163,8 @@ std::vector<Path> alteredFiles(const Results& results, const Path& folder) {
 
 Store::Store(const Path& folder) : folder_(folder), lock_(locked(folder / ".lock", false)) {
   if (lock_ < 0) throw Error("another sweep is at work in this folder", {folder_.string()}, 2);
-  for (const char* part : {"points", "truth"}) removeUnfinished(folder_ / part);
+  removeLeftovers(folder_);
+  removeLocks(folder_ / "truth");
 }
 
 Store::~Store() { ::close(lock_); }

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
+#include "base/numbers.h"
 #include "math/pareto.h"
 #include "study/gallery.h"
 #include "study/layout.h"
@@ -61,37 +63,72 @@ std::string frontSoFar(const Results& results) {
   return text;
 }
 
+namespace {
+
+// Points of arms, without truths.
+size_t methodPoints(const Results& results) {
+  size_t count = 0;
+  for (const PointGroup& group : results.groups) count += group.points.size() - 1;
+  return count;
+}
+
+// Values of an axis that truth does not depend on share one.
+size_t distinctTruths(const Results& results) {
+  std::set<std::string> keys;
+  for (const PointGroup& group : results.groups)
+    if (!group.truth().key.empty()) keys.insert(group.truth().key);
+  return keys.size();
+}
+
+size_t keptPoints(const Results& results) {
+  size_t count = 0;
+  for (const PointGroup& group : results.groups)
+    for (const Point& point : group.points)
+      count += point.role != Role::truth && !point.isMissing() && point.failed.empty();
+  return count;
+}
+
+}  // namespace
+
 void announce(const Results& now) {
-  size_t points = 0;
-  for (const PointGroup& group : now.groups) points += group.points.size() - 1;
   if (size_t left = now.missing())
-    note(fmt::format("{} points and {} truths; {} points are left to draw", points, now.groups.size(), left));
+    note(fmt::format("{} and {}; {} left to draw", countText(methodPoints(now), "point"),
+                     countText(distinctTruths(now), "truth"),
+                     left == 1 ? "1 point is" : fmt::format("{} points are", left)));
+}
+
+std::string keptText(const Results& now) {
+  const size_t points = methodPoints(now), kept = keptPoints(now);
+  if (points == 0) return "";
+  return fmt::format("{} of {} {} kept; the same command continues", kept, countText(points, "point"),
+                     kept == 1 ? "is" : "are");
 }
 
 void Watch::begin(const std::string& label, int cost) {
   if (!now_) return;
   label_ = label, cost_ = cost, done_ = quarters_ = 0;
   started_s_ = said_s_ = clockSeconds();
-  line_ = std::make_unique<Progress>(label, cost);
+  line_.emplace();
 }
 
-void Watch::report() {
+std::string Watch::text() const {
   double elapsed_s = clockSeconds() - started_s_;
   double left_s = done_ > 0 ? elapsed_s * std::max(cost_ - done_, 0) / done_ : 0;
-  said_s_ = clockSeconds();
-  note(fmt::format("{}: {:.0f} %, {:.0f} s, about {:.0f} s left", label_, 100.0 * done_ / std::max(cost_, 1), elapsed_s,
-                   left_s));
+  return fmt::format("{}: {:.0f} %, {:.0f} s, about {:.0f} s left", label_,
+                     100.0 * std::min(done_, cost_) / std::max(cost_, 1), elapsed_s, left_s);
 }
 
 void Watch::advance(int cost) {
   if (!now_) return;
   done_ += cost;
-  line_->advance(cost);
+  line_->show([this] { return text(); });
   int quarters = int(4 * int64_t(done_) / std::max(cost_, 1));
   bool is_new = quarters > quarters_ && quarters < 4;
-  double waited_s = clockSeconds() - said_s_;
   bool terminal = ::isatty(STDERR_FILENO);
-  if (!terminal && waited_s > kReportEvery_s) report();
+  if (!terminal && clockSeconds() - said_s_ > kReportEvery_s) {
+    said_s_ = clockSeconds();
+    note(text());
+  }
   // What is over in a moment needs no reports on the way.
   if (!is_new || clockSeconds() - started_s_ < kReportEvery_s) return;
   quarters_ = quarters;
@@ -102,7 +139,7 @@ void Watch::advance(int cost) {
 void Watch::end() {
   if (!now_) return;
   line_.reset();
-  if (!::isatty(STDERR_FILENO)) report();
+  if (!::isatty(STDERR_FILENO)) note(text());
 }
 
 }  // namespace strobe::study

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <functional>
-#include <memory>
+#include <optional>
 
 #include "base/log.h"
 #include "study/results.h"
@@ -14,29 +14,33 @@ namespace strobe::study {
 // are known; before anything is timed the points with the least error. "" where nothing is measured.
 std::string frontSoFar(const Results& results);
 
-// How many points there are and how many are left to draw; nothing where none is.
+// Prints the numbers of points, of truths, and of points left to draw; nothing if all are drawn.
 void announce(const Results& now);
 
-// On a terminal a line that moves; elsewhere a line every ten seconds and at the end. After each quarter of the work
+// "7 of 18 points are kept; the same command continues", of a sweep that ends before its end. "" where nothing is known
+// of its points.
+std::string keptText(const Results& now);
+
+// On a terminal a status line; elsewhere a line every ten seconds and at the end. After each quarter of the work
 // the front so far.
 class Watch {
  public:
   // `now`: the results as far as they are there; without it nothing is reported.
   explicit Watch(std::function<Results()> now) : now_(std::move(now)) {}
 
-  // Work of `cost` units begins; `advance` counts them.
+  // Begins work of `cost` units, counted by `advance`. The share of them that is done is shown.
   void begin(const std::string& label, int cost);
   void advance(int cost);
   void end();
 
  private:
-  void report();
+  std::string text() const;
 
   std::function<Results()> now_;
   std::string label_;
   int cost_ = 0, done_ = 0, quarters_ = 0;
   double started_s_ = 0, said_s_ = 0;
-  std::unique_ptr<Progress> line_;
+  std::optional<StatusLine> line_;
 };
 
 }  // namespace strobe::study

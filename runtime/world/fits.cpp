@@ -73,6 +73,19 @@ void requireFits(const Scene& scene, uint32_t slices, const gpu::DeviceLimits& l
   beyond.finish();
 }
 
+// The least number of nodes of the runtime's own trees: four triangles to a leaf, four children to a node.
+uint64_t unposedBytes(const Scene& scene, shader::StructureKind structures) {
+  const Counts counts(scene);
+  const uint64_t triangles = structures == shader::StructureKind::Own ? counts.indices / 3 : 0;
+  return counts.vertices * sizeof(shared::SceneVertex) + counts.indices * sizeof(uint32_t) + textureBytes(scene) +
+         triangles * sizeof(shared::BvhTriangle) + triangles / 12 * sizeof(shared::BvhNode);
+}
+
+uint64_t posedBytes(const Scene& scene, uint32_t slices) {
+  return slices * (Counts(scene).bending * sizeof(shared::SceneBentVertex) +
+                   instancesOf(scene).size() * sizeof(shared::SceneTransform));
+}
+
 void requireMemory(const Scene& scene, shader::StructureKind structures, const gpu::DeviceLimits& limits) {
   Beyond beyond(scene);
   const Counts counts(scene);
@@ -82,11 +95,8 @@ void requireMemory(const Scene& scene, shader::StructureKind structures, const g
   if (own)
     beyond.require(gpu::kBufferLimit, "the buffer of all triangles of its tree",
                    triangles * sizeof(shared::BvhTriangle), "bytes", limits.array_bytes);
-  uint64_t bytes =
-      counts.vertices * sizeof(shared::SceneVertex) + counts.indices * sizeof(uint32_t) + textureBytes(scene);
-  // Of nodes the fewest there can be: four triangles to a leaf, four children to a node.
-  if (own) bytes += triangles * sizeof(shared::BvhTriangle) + triangles / 12 * sizeof(shared::BvhNode);
-  beyond.require(gpu::kMemoryLimit, "what stays on the device", bytes, "bytes", limits.memory_bytes);
+  beyond.require(gpu::kMemoryLimit, "what stays on the device", unposedBytes(scene, structures), "bytes",
+                 limits.memory_bytes);
   beyond.finish();
 }
 

@@ -15,4 +15,8 @@ void requireFits(const scene::Scene& scene, uint32_t slices, const gpu::DeviceLi
 // own trees can number.
 void requireMemory(const scene::Scene& scene, shader::StructureKind structures, const gpu::DeviceLimits& limits);
 
+// Bytes of a scene on a device: the part that no pose changes, without structures of the driver, and `slices` poses.
+uint64_t unposedBytes(const scene::Scene& scene, shader::StructureKind structures);
+uint64_t posedBytes(const scene::Scene& scene, uint32_t slices);
+
 }  // namespace strobe::world

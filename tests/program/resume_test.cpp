@@ -70,6 +70,24 @@ class Resume : public ::testing::Test {
     ::waitpid(child, nullptr, 0);
   }
 
+  // Interrupts a sweep as Ctrl-C does, with all its processes, when it has drawn so many points.
+  Outcome interruptAt(const std::string& out, size_t points_drawn, const std::string& more) const {
+    const std::string err = folder_ / "interrupted.txt";
+    pid_t child = ::fork();
+    if (child == 0) {
+      ::setpgid(0, 0);
+      std::string line = "exec '" + programPath() + "' " + command(out, more) + " >/dev/null 2>" + err;
+      ::execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
+      ::_exit(127);
+    }
+    for (int waited = 0; points(out).size() < points_drawn && waited < 3000; ++waited)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ::kill(-child, SIGINT);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return {WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status), "", contentOf(err)};
+  }
+
   void expectWholePictures(const std::string& out) const {
     if (!fs::exists(folder_ / (out + "/points"))) return;
     for (const auto& entry : fs::directory_iterator(folder_ / (out + "/points")))
@@ -117,6 +135,28 @@ TEST_F(Resume, KilledAtAnyMomentItLosesNothingAndDrawsNothingTwice) {
     for (const auto& entry : fs::directory_iterator(folder_ / ("killed/" + std::string(part))))
       EXPECT_TRUE(std::regex_match(entry.path().filename().string(), std::regex("[0-9a-f]{32}\\.(json|png|exr)")))
           << entry.path() << " was left unfinished";
+}
+
+// One line, whatever runs; the number is that of the files.
+TEST_F(Resume, InterruptedItSaysWhatIsKeptAndGoesOn) {
+  writeText(folder_ / "x.lua", few("experiment.linear(1, 8, 8)"));
+  for (const std::string more : {"", "--jobs 2"}) {
+    const std::string out = "out" + more.substr(more.size() ? more.size() - 1 : 0);
+    Outcome outcome = interruptAt(out, 4, more);
+    EXPECT_EQ(outcome.exit_code, 128 + SIGINT);
+    std::smatch match;
+    const std::regex line("(^|\n)interrupted; (\\d+) of 16 points (is|are) kept; the same command continues\n$");
+    ASSERT_TRUE(std::regex_search(outcome.err, match, line)) << outcome.err;
+    EXPECT_GE(std::stoi(match[2]), 2) << "two of four files may be truths";
+    EXPECT_LT(std::stoi(match[2]), 16) << "nothing was interrupted";
+    EXPECT_EQ(outcome.err.find("signal"), std::string::npos) << outcome.err;
+  }
+  // The same command at once, while processes of the one before may still end.
+  const std::map<std::string, fs::file_time_type> before = points("out2");
+  fs::create_directories(folder_ / "out2/.inputs_3/0");
+  ASSERT_EQ(run(command("out2"), "STROBE_VALIDATION=0").exit_code, 0);
+  for (const auto& [name, time] : before) EXPECT_EQ(points("out2").at(name), time) << "written again";
+  for (const char* left : {"out2/.inputs_3", "out2/.inputs"}) EXPECT_FALSE(fs::exists(folder_ / left)) << left;
 }
 
 TEST_F(Resume, AnInterruptedDemoIsLaidOutUnderItsOwnNames) {

@@ -153,9 +153,10 @@ TEST(DeviceLimits, MemoryIsAskedForBeforeAnythingIsAllocated) {
   using shader::StructureKind;
   EXPECT_EQ(memoryRefusalOf(StructureKind::Driver, 200), "");
   EXPECT_EQ(memoryRefusalOf(StructureKind::Own, 296), "");
-  EXPECT_EQ(memoryRefusalOf(StructureKind::Driver, 199),
-            "small: what stays on the device has 200 bytes of at most 199; nothing is drawn; end other programs, take "
-            "fewer vertices or smaller textures, or another device");
+  EXPECT_EQ(
+      memoryRefusalOf(StructureKind::Driver, 199),
+      "small: what stays on the device has 200 bytes of at most 199; nothing is drawn; end other programs, take a "
+      "smaller picture, fewer vertices or smaller textures, or another device");
   EXPECT_NE(memoryRefusalOf(StructureKind::Own, 295).find("has 296 bytes of at most 295"), std::string::npos);
 }
 

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Progress of a frame with several loops.
+#include <gtest/gtest.h>
+
+#include "oracle/render.h"
+
+namespace strobe::lab {
+namespace progress_test {
+
+class FrameProgress : public oracle::RenderTest {
+ protected:
+  // Reported (done, of) of a shot's picture, and the iterations of its loops.
+  std::vector<std::pair<int, int>> reported;
+  size_t loops = 0;
+
+  void draw(const Shot& shot) {
+    reported.clear();
+    Picture picture = bench().render(shot, [&](int done, int of) { reported.push_back({done, of}); });
+    loops = picture.frame.iterations.size();
+  }
+  void expectOneTotal(int least) const {
+    ASSERT_FALSE(reported.empty());
+    int before = 0;
+    for (auto [done, of] : reported) {
+      EXPECT_EQ(of, reported.front().second) << "one total";
+      EXPECT_GT(done, before);
+      before = done;
+    }
+    EXPECT_EQ(before, reported.front().second) << "the end is the total";
+    EXPECT_GE(before, least);
+  }
+};
+
+// Adaptive truth: a pilot loop, then loops that end when their tiles have enough.
+TEST_F(FrameProgress, OfTruthCountsSamplesOfOneTotal) {
+  Shot shot = oracle::shotOf("half_plane", 48, 4, {{"edge", 24}, {"d_f", 20}});
+  draw(oracle::with(shot, "ground_truth", {"samples=256"}));
+  EXPECT_GT(loops, 1u) << "or there is nothing to add up";
+  expectOneTotal(256);
+  shot.aa = 2;
+  draw(oracle::with(shot, "ground_truth", {"samples=64", "mode=rays"}));
+  expectOneTotal(128);
+}
+
+}  // namespace progress_test
+}  // namespace strobe::lab

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// Runs that end before their end: lost devices, children of others, counts of what is kept.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "common/home.h"
+#include "program/run.h"
+#include "study/processes.h"
+#include "study/report.h"
+#include "study/watch.h"
+
+namespace strobe::study {
+namespace ends_test {
+
+// Another module's child has ended and waits to be reaped by that module.
+TEST(Processes, ReapNoChildOfOthers) {
+  pid_t other = ::fork();
+  if (other == 0) ::_exit(7);
+  siginfo_t info{};
+  ASSERT_EQ(::waitid(P_PID, id_t(other), &info, WEXITED | WNOWAIT), 0);
+  testing::TemporaryFolder folder;
+  Store store(folder.path());
+  auto none = []() -> std::unique_ptr<lab::Workbench> { throw Error("there is no device"); };
+  Experiment experiment;
+  EXPECT_FALSE(renderInProcesses(experiment, none, store, 2, {}, {}));
+  int status = 0;
+  ASSERT_EQ(::waitpid(other, &status, 0), other) << "it was reaped";
+  EXPECT_EQ(WEXITSTATUS(status), 7);
+}
+
+const char* const kSmall = R"lua(
+local experiment = require "strobe.experiment"
+return experiment {
+  title = "Small", size = { 48, 24 }, regions = { "whole" }, measures = { "rmse" },
+  truth = { pipeline = "ground_truth", set = { samples = 4 } },
+  arms = { { name = "none", pipeline = "none", lacks = { "samples" } }, { name = "mcguire", pipeline = "mcguire2012" } },
+  shots = { { name = "bar", scene = "oracles/bar", frame = 0, ["scene.d_f"] = 6 } },
+  vary = { experiment.each { experiment.list { name = "threshold", values = { 1, 2, 3 },
+                                               at = function(v) return { samples = v } end } } },
+}
+)lua";
+
+// The device is lost once a point is kept. Its work is done nevertheless, so that it can be destroyed.
+Path points;
+gpu::Dispatch calls_before;
+
+VkResult waitOrLose(VkDevice device, uint32_t count, const VkFence* fences, VkBool32 all, uint64_t limit_ns) {
+  VkResult result = calls_before.WaitForFences(device, count, fences, all, limit_ns);
+  if (namesIn(points, ".json").empty()) return result;
+  calls_before.ResetFences(device, count, fences);
+  return VK_ERROR_DEVICE_LOST;
+}
+
+TEST(LostDevice, EndsARunAndFailsNoPoint) {
+  testing::TemporaryFolder folder;
+  testing::writeText(folder / "x.lua", kSmall);
+  Experiment experiment = readExperiment(home(), folder / "x.lua");
+  Store store(folder.path());
+  points = folder.path() / "points";
+  {
+    lab::Workbench bench(home(), gpu::DeviceOptions{});
+    auto& calls = const_cast<gpu::Dispatch&>(bench.device().vk());
+    calls_before = calls;
+    calls.WaitForFences = waitOrLose;
+    try {
+      run(experiment, bench, store);
+      ADD_FAILURE() << "the loss was taken for a point's";
+    } catch (const gpu::DeviceLost& lost) {
+      EXPECT_NE(std::string(lost.what()).find("bar, threshold 1, "), std::string::npos) << lost.what();
+    }
+    calls = calls_before;
+  }
+  EXPECT_EQ(namesIn(points, ".json").size(), 1u) << "no point after it was kept as failed";
+  lab::Workbench bench(home(), gpu::DeviceOptions{});
+  Results results = run(experiment, bench, store);
+  EXPECT_EQ(results.failed(), std::vector<std::string>());
+  EXPECT_EQ(results.missing(), 0u);
+}
+
+// Values that set nothing of truth share one; the list of points has them so before anything is drawn.
+TEST(Counts, OfTruthsAreDistinct) {
+  testing::TemporaryFolder folder;
+  testing::writeText(folder / "x.lua", kSmall);
+  Experiment experiment = readExperiment(home(), folder / "x.lua");
+  EXPECT_EQ(experiment.groups.size(), 3u);
+  EXPECT_EQ(experiment.truths(), 1u);
+  EXPECT_EQ(experiment.points(), 6u);
+}
+
+Results partial() {
+  Results results;
+  for (int g = 0; g < 3; ++g) {
+    PointGroup group{"bar", "close", {}, {}};
+    for (const char* arm : {"truth", "none", "hybrid"}) {
+      Point point;
+      point.arm = arm, point.key = arm + std::to_string(arm == std::string("truth") ? g / 2 : g);
+      point.role = arm == std::string("truth") ? Role::truth : Role::method;
+      group.points.push_back(point);
+    }
+    results.groups.push_back(group);
+  }
+  return results;
+}
+
+std::string announced(const Results& results) {
+  ::testing::internal::CaptureStderr();
+  announce(results);
+  return ::testing::internal::GetCapturedStderr();
+}
+
+TEST(Counts, OfAnInterruptedRun) {
+  Results results = partial();
+  EXPECT_EQ(announced(results), "6 points and 2 truths; 6 points are left to draw\n");
+  EXPECT_EQ(keptText(results), "0 of 6 points are kept; the same command continues");
+  results.groups[0].points[1].values["rmse"]["whole"] = 1;
+  results.groups[0].points[2].failed = "it is drawn again";
+  EXPECT_EQ(keptText(results), "1 of 6 points is kept; the same command continues");
+  EXPECT_EQ(keptText(Results()), "") << "nothing is known";
+  results.groups.resize(1), results.groups[0].points.resize(2), results.groups[0].points[1].values.clear();
+  EXPECT_EQ(announced(results), "1 point and 1 truth; 1 point is left to draw\n");
+}
+
+// What is not measured yet is a dash in every table.
+TEST(Report, OfAnIncompleteSweepHasNoNan) {
+  Results results = partial();
+  results.title = "Partial", results.width = 64, results.height = 36;
+  results.regions = {"whole", "inner"}, results.measures = {"rmse"};
+  results.arms = {{"none", "none", Role::method, true},
+                  {"hybrid", "hybrid", Role::method, true},
+                  {"truth", "ground_truth", Role::truth, true}};
+  results.shots.push_back({"bar", "A bar", "", "", "", 24, 0.5, {}, {}});
+  results.groups.resize(1);
+  results.groups[0].points[1].values["rmse"]["whole"] = 0.5;
+  results.layout = {{"pictures", Json::object()}};
+  const std::string text = Report(results, "").text(), markdown = Report(results, "").markdown("x.html");
+  EXPECT_NE(markdown.find("clamped px"), std::string::npos) << markdown;
+  EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+  EXPECT_EQ(markdown.find("nan"), std::string::npos) << markdown;
+}
+
+}  // namespace ends_test
+}  // namespace strobe::study
