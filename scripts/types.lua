@@ -198,6 +198,14 @@ local pipeline = {}
 ---@param t strobe.LoopTable
 ---@return strobe.Ports
 function pipeline.loop(t) end
+---@param what string names the records in messages
+---@param optional? string[] fields that a record may lack
+---@return fun(t: table): table makes a table a record: reading a field that it lacks is an error
+function pipeline.record(what, optional) end
+---@param t strobe.Ports|table
+---@param name string
+---@return any the field of that name, nil where there is none
+function pipeline.optional(t, name) end
 ---What `body` returns; the names of the nodes made in it start with `prefix`. For a part of a graph that is made twice.
 ---@generic T
 ---@param prefix string

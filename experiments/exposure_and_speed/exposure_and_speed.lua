@@ -52,7 +52,7 @@ end
 arms[#arms + 1] = { name = published, pipeline = "hybrid", set = { preset = "seed", limit = limit } }
 arms[#arms + 1] = { name = best, pipeline = "hybrid", set = { preset = "best", limit = limit } }
 arms[#arms + 1] = { name = "truth, 16 samples", pipeline = "ground_truth", role = "floor",
-                    set = { samples = 16, times = "midpoint" }, lacks = { "limit" } }
+                    set = { samples = 16, times = "midpoint" } }
 
 return experiment {
   title    = "Exposure and speed",

@@ -32,7 +32,7 @@ return experiment {
       note = "The card turns back at the capture." },
   },
   arms     = {
-    { name = "no blur", pipeline = "none", lacks = { "range" } },
+    { name = "no blur", pipeline = "none" },
     { name = "McGuire 2012", pipeline = "mcguire2012" },
     { name = "Jimenez 2014", pipeline = "jimenez2014", set = { limit = 0.1 } },
     { name = "hybrid (as published)", pipeline = "hybrid", set = { preset = "seed" } },

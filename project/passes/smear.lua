@@ -1,13 +1,12 @@
 -- SPDX-License-Identifier: MIT
--- The colour averaged along each pixel's own motion: a first pass to change.
+-- The colour averaged along each pixel's own motion over the exposure: a first pass to change.
 local pass = require "strobe.pass"
 
 return pass.compute {
   name   = "smear",
   shader = "smear",
-  doc    = "Average of the colours along the pixel's own displacement",
+  doc    = "Average of the colours along the pixel's own displacement over the exposure",
   fails  = "What moves is not blurred over what is at rest, and what is at rest not uncovered.",
-  breaks = { uniform = "taps lie at whole pixels, and may be fewer than the pixels on the way" },
   size   = { of = "color" },
   reads  = {
     color    = { doc = "linear" },
@@ -15,6 +14,6 @@ return pass.compute {
   },
   writes = { color = { format = "rgba32f", doc = "linear" } },
   params = {
-    taps = pass.int { 8, min = 1, max = 64, doc = "colours averaged" },
+    taps = pass.int { 8, min = 1, max = 64, role = "sample_count", doc = "colours averaged" },
   },
 }

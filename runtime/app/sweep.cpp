@@ -80,7 +80,7 @@ void show(const study::Results& results, const Path& folder, const ResultNames& 
 
 study::Experiment experimentOf(const Home& home, const std::string& file, const SweepOptions& options) {
   std::array<int, 2> size = options.size.empty() ? std::array<int, 2>{} : lab::parseSize(options.size);
-  study::Experiment experiment = study::readExperiment(home, file, !options.dry_run);
+  study::Experiment experiment = study::readExperiment(home, file);
   if (!options.only.empty()) study::keepOnly(experiment, options.only);
   if (size[0]) experiment.setSize(size[0], size[1]);
   experiment.truth_error = options.truth_error;

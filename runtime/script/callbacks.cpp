@@ -283,12 +283,46 @@ struct Sandbox::Callbacks::Native {
     }
     if (lua_isnil(lua, -1)) luaL_error(lua, "module '%s' returns nothing; it should end in 'return'", name);
     if (lua_isboolean(lua, -1)) luaL_error(lua, "module '%s' returns a boolean", name);
+    close(lua, name);
     lua_pushvalue(lua, 3);
     lua_pushvalue(lua, -2);
     lua_rawset(lua, 2);
     lua_pushvalue(lua, -1);
     lua_setfield(lua, 2, name);
     return 1;
+  }
+
+  // __index of the table that a module returned: a name that it lacks is a mistake at the line that reads it. The
+  // library may look for any name, as in a description that a module holds.
+  static int unknownField(lua_State* lua) {
+    if (lua_type(lua, 2) != LUA_TSTRING) return 0;  // entries of a list, one behind its last among them
+    lua_Debug reader;
+    if (lua_getstack(lua, 1, &reader) && lua_getinfo(lua, "S", &reader) && *reader.source == '@' &&
+        self(lua).isLibrary(reader.source + 1))
+      return 0;
+    const char* name = lua_tostring(lua, 2);
+    const char* module = lua_tostring(lua, lua_upvalueindex(1));
+    Sandbox& sandbox = self(lua);
+    sandbox.guarded([&] {
+      std::vector<std::string> names;
+      for (lua_pushnil(lua); lua_next(lua, 1); lua_pop(lua, 1))
+        if (lua_type(lua, -2) == LUA_TSTRING) names.emplace_back(lua_tostring(lua, -2));
+      std::sort(names.begin(), names.end());
+      sandbox.text_ = fmt::format("the module {} has no '{}'{}", module, name, didYouMean(name, names));
+    });
+    fail(lua);
+    return 0;
+  }
+
+  // Closes the result of the module `name` at the top: a table without a metatable of its own.
+  static void close(lua_State* lua, const char* name) {
+    if (!lua_istable(lua, -1)) return;
+    if (lua_getmetatable(lua, -1)) return lua_pop(lua, 1);
+    lua_createtable(lua, 0, 1);
+    lua_pushstring(lua, name);
+    lua_pushcclosure(lua, unknownField, 1);
+    lua_setfield(lua, -2, "__index");
+    lua_setmetatable(lua, -2);
   }
 
   // Notes in the table at 2 that the chunk named at 3 is running, or not any more.

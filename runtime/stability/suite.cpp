@@ -104,6 +104,7 @@ class Suite {
 
   void fail(const Variant& variant, const Invariant& invariant, const lab::Shot& shot, Count& count) {
     ++count.failed;
+    noteRounding(*variant.description);
     auto still_fails = [&](const lab::Shot& candidate) {
       Finding finding = findingOf(invariant, variant, candidate);
       return finding.applies && !finding.holds;
@@ -114,6 +115,13 @@ class Suite {
     Failure failure{variant.name(), invariant.name, finding.text, {}};
     for (const lab::Shot& one : finding.shots) failure.commands.push_back(lab::commandOf(one));
     report_.failures.push_back(failure);
+  }
+
+  void noteRounding(const plan::PipelineDesc& pipeline) {
+    for (const plan::PassDesc& pass : pipeline.passes)
+      for (const auto* ports : {&pass.writes, &pass.updates})
+        for (const plan::PortDesc& port : *ports)
+          if (port.format.ends_with("16f")) report_.rounded.insert(pass.name + "." + port.name + ", " + port.format);
   }
 
   lab::Batch& batch_;
@@ -163,6 +171,24 @@ std::vector<Declaration> stale(const std::vector<Report>& reports) {
 
 // ---- as text
 
+// Number of failed cases by invariant, and formats that may be the reason.
+static std::string summaryOf(const Report& report) {
+  std::vector<std::string> parts;
+  for (const Invariant& one : invariants()) {
+    Count sum = report.total(one.name);
+    if (sum.failed)
+      parts.push_back(fmt::format("{} {} of {}", one.name, sum.failed, sum.held + sum.broken + sum.failed));
+  }
+  if (parts.empty()) return "";
+  std::string text = fmt::format("  failed by invariant: {}\n", fmt::join(parts, ", "));
+  if (report.rounded.empty()) return text;
+  return text +
+         fmt::format(
+             "  16-bit floats round by up to 1/2048 (4.9e-4) of a value; most invariants allow 1e-5 or nothing: {}; "
+             "rgba32f shows whether the rounding is the cause\n",
+             fmt::join(report.rounded, "; "));
+}
+
 std::string textOf(const Report& report) {
   Count sum = report.total();
   std::string text = fmt::format(
@@ -174,7 +200,7 @@ std::string textOf(const Report& report) {
     text += fmt::format("  FAILED {} with {}\n    {}\n", failure.invariant, failure.variant, failure.text);
     for (const std::string& command : failure.commands) text += "    " + command + "\n";
   }
-  return text;
+  return text + summaryOf(report);
 }
 
 // A number of cases; none is an empty cell.

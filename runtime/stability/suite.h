@@ -3,6 +3,8 @@
 // it.
 #pragma once
 
+#include <set>
+
 #include "stability/invariants.h"
 
 namespace strobe::stability {
@@ -37,6 +39,7 @@ struct Report {
   std::vector<Refused> refused;
   int same = 0;
   std::vector<Failure> failures;
+  std::set<std::string> rounded;  // images in 16-bit floats of variants that failed: "smear.color, rgba16f"
   std::map<std::string, Declaration> declarations;
   int blurred = 0, drawn = 0;  // cases whose picture is not the sharp one, and all cases
   int pictures = 0;
@@ -50,7 +53,7 @@ Report check(lab::Batch& batch, const std::string& pipeline, const Options& opti
 // Declarations that none of at least twelve cases needed, of reports that share them.
 std::vector<Declaration> stale(const std::vector<Report>& reports);
 
-// For the terminal, one line per variant and the failures; the page docs/stability.md; data.
+// For the terminal, a line of counts, the failures, and how many of each invariant; the page docs/stability.md; data.
 std::string textOf(const Report& report);
 std::string pageOf(const std::vector<Report>& reports, const Options& options);
 Json toJson(const Report& report);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <sstream>
 
 #include "lab/shot_data.h"
 #include "lab/shot_options.h"
@@ -14,14 +15,31 @@ namespace strobe::study {
 
 namespace {
 
+const std::vector<std::string> kDefaultRegions = {"whole", "inner", "hidden", "outer"};
+
 template <class Value>
 void take(const Json& from, const char* name, Value& into) {
   if (from.contains(name)) into = from.at(name).get<Value>();
 }
 
+Place placeFrom(const Json& json) { return {json.at("file").get<std::string>(), json.at("line").get<int>()}; }
+
+// Places of an entry and of the settings in these lists; settings of a scene get the prefix "scene.".
+Written writtenIn(const Json& json, const std::vector<const char*>& lists) {
+  Written written;
+  if (json.contains("place")) written.place = placeFrom(json["place"]);
+  for (const char* list : lists)
+    for (const Json& one : json.value(list, Json::array())) {
+      std::string prefix = std::string(list).starts_with("scene") ? "scene." : "";
+      if (one.contains("place")) written.settings[prefix + one.at("name").get<std::string>()] = placeFrom(one["place"]);
+    }
+  return written;
+}
+
 Arm armOf(const Json& json, const Path& script) {
   Arm arm;
   take(json, "name", arm.name);
+  arm.written = writtenIn(json, {"set", "box", "full"});
   arm.pipeline = lab::besideScript(script, json.at("pipeline"));
   take(json, "lacks", arm.lacks);
   take(json, "shown", arm.shown);
@@ -45,6 +63,7 @@ Crop cropOf(const Json& json) {
 StudiedShot shotOf(const Home& home, const Json& json, const Path& script, uint32_t seed) {
   StudiedShot result;
   take(json, "name", result.name);
+  result.written = writtenIn(json, {"scene_set", "options", "truth"});
   result.title = json.value("title", result.name);
   take(json, "note", result.note);
   take(json, "attribution", result.attribution);
@@ -65,6 +84,7 @@ StudiedShot shotOf(const Home& home, const Json& json, const Path& script, uint3
 AxisValue valueOf(const Json& json) {
   AxisValue value;
   value.value = json.at("value");
+  value.written = writtenIn(json, {"scene", "options", "set", "truth"});
   take(json, "label", value.label);
   value.options = json.at("options");
   value.scene = lab::settingsFrom(json, "scene", "scene.");
@@ -118,7 +138,7 @@ Experiment experimentOf(const Home& home, const Json& json, const Path& script) 
   std::array<int, 2> size = json.value("size", std::array<int, 2>{960, 540});
   experiment.file_width = size[0], experiment.file_height = size[1];
   experiment.setSize(size[0], size[1]);
-  experiment.regions = json.value("regions", std::vector<std::string>{"whole", "inner", "hidden", "outer"});
+  experiment.regions = json.value("regions", kDefaultRegions);
   experiment.measures = json.value("measures", std::vector<std::string>{"rmse", "flip", "ms"});
   for (const Json& arm : json.at("arms")) experiment.arms.push_back(armOf(arm, script));
   for (const Json& shot : json.at("shots"))
@@ -139,15 +159,6 @@ Experiment experimentOf(const Home& home, const Json& json, const Path& script) 
 
 // ---- checks
 
-template <class Step>
-void collect(std::vector<std::string>& problems, const Step& step) {
-  try {
-    step();
-  } catch (const Error& error) {
-    if (std::find(problems.begin(), problems.end(), error.what()) == problems.end()) problems.push_back(error.what());
-  }
-}
-
 // What decides whether settings are accepted: their names, and values that are no numbers. Numbers out of range are
 // found when their point is drawn.
 std::string formOf(const lab::Shot& shot, bool of_scene) {
@@ -161,22 +172,85 @@ std::string formOf(const lab::Shot& shot, bool of_scene) {
   return form;
 }
 
+// Entries of an experiment that one picture follows from, later ones on top.
+class Origin {
+ public:
+  void add(const Written& written, const std::string& what) { entries_.push_back({&written, what, false}); }
+  void addAxes(const Experiment& experiment, const Group& group, const std::string& of) {
+    for (const At& at : group.at) {
+      const Axis& axis = experiment.axes[at.axis];
+      entries_.push_back({&axis.values[at.value].written, fmt::format("axis '{}', {}", axis.name, of), true});
+    }
+  }
+
+  // The lines of an error. One about an option, or without a place, gets the place of its setting, or of the first
+  // entry.
+  std::vector<std::string> placed(const Error& error) const {
+    const std::string& file = error.place().file;
+    if (!file.empty() && !file.starts_with("--")) return {error.what()};
+    std::vector<std::string> lines;
+    std::istringstream text(error.what());
+    for (std::string line; std::getline(text, line);) lines.push_back(line);
+    for (std::string& line : lines)
+      if (line.starts_with("--") || lines.size() == 1) line = placed(line);
+    return lines;
+  }
+
+ private:
+  struct Entry {
+    const Written* written;
+    std::string what;
+    bool of_axis;
+  };
+
+  // "tap" of "--set tap=4: ...", "camera" of "--camera x: ...", else "".
+  static std::string settingIn(const std::string& message) {
+    size_t start = message.starts_with("--set ") ? 6 : 2;
+    return message.starts_with("--") ? message.substr(start, message.find_first_of(" =", start) - start) : "";
+  }
+
+  std::string placed(const std::string& message) const {
+    const std::string name = settingIn(message);
+    for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
+      auto found = entry->written->settings.find(name);
+      if (found == entry->written->settings.end()) continue;
+      bool may_lack = entry->of_axis && message.find("has no parameter") != std::string::npos;
+      std::string hint = may_lack ? fmt::format("; lacks = {{ \"{}\" }} draws the arm without it", name) : "";
+      return Error(entry->what + ": " + message + hint, found->second).what();
+    }
+    return Error(entries_.front().what + ": " + message, entries_.front().written->place).what();
+  }
+
+  std::vector<Entry> entries_;  // not empty
+};
+
+template <class Step>
+void collect(std::vector<std::string>& problems, const Origin& origin, const Step& step) {
+  try {
+    step();
+  } catch (const Error& error) {
+    for (const std::string& line : origin.placed(error))
+      if (std::find(problems.begin(), problems.end(), line) == problems.end()) problems.push_back(line);
+  }
+}
+
 class Evaluation {
  public:
   Evaluation(const Home& home, std::vector<std::string>& problems) : home_(home), problems_(problems) {}
 
-  void pipeline(const lab::Shot& shot) {
+  void pipeline(const lab::Shot& shot, const Origin& origin) {
     if (!known_.insert(formOf(shot, false)).second) return;
     pipelines_.push_back({shot.pipeline, shot.sets});
+    origins_.push_back(origin);
   }
-  void scene(lab::Shot shot) {
+  void scene(lab::Shot shot, const Origin& origin) {
     if (!known_.insert("scene " + formOf(shot, true)).second) return;
-    collect(problems_, [&] { lab::loadScene(home_, shot); });
+    collect(problems_, origin, [&] { lab::loadScene(home_, shot); });
   }
   // Of pipelines after those of scenes.
   void finish() {
-    for (auto& outcome : script::PipelineEvaluator(home_).evaluate(pipelines_))
-      collect(problems_, [&] { outcome.take(); });
+    auto outcomes = script::PipelineEvaluator(home_).evaluate(pipelines_);
+    for (size_t i = 0; i < outcomes.size(); ++i) collect(problems_, origins_[i], [&] { outcomes[i].take(); });
   }
 
  private:
@@ -184,6 +258,7 @@ class Evaluation {
   std::vector<std::string>& problems_;
   std::set<std::string> known_;
   std::vector<script::PipelineRequest> pipelines_;
+  std::vector<Origin> origins_;  // one per pipeline
 };
 
 void evaluateAll(const Home& home, const Experiment& experiment, std::vector<std::string>& problems) {
@@ -194,12 +269,24 @@ void evaluateAll(const Home& home, const Experiment& experiment, std::vector<std
   };
   for (const Group& group : experiment.groups) {
     lab::Shot truth = truthShotOf(experiment, group);
-    for (size_t arm : group.arms)
-      for (const script::Settings& more : {script::Settings(), experiment.arms[arm].box})
-        evaluation.pipeline(with(shotOf(experiment, group, experiment.arms[arm]), more));
-    evaluation.pipeline(truth);
-    if (experiment.full_truth) evaluation.pipeline(truthShotOf(experiment, group, *experiment.full_truth));
-    if (experiment.shots[group.shot].missing.empty()) evaluation.scene(truth);
+    for (size_t number : group.arms) {
+      const Arm& arm = experiment.arms[number];
+      Origin origin;
+      origin.add(arm.written, fmt::format("arm '{}'", arm.name));
+      origin.addAxes(experiment, group, fmt::format("arm '{}'", arm.name));
+      for (const script::Settings& more : {script::Settings(), arm.box})
+        evaluation.pipeline(with(shotOf(experiment, group, arm), more), origin);
+    }
+    const StudiedShot& studied = experiment.shots[group.shot];
+    Origin of_truth, of_scene;
+    of_truth.add(experiment.truth.written, "truth");
+    of_scene.add(studied.written, fmt::format("shot '{}'", studied.name));
+    of_truth.add(studied.written, fmt::format("shot '{}', truth", studied.name));
+    of_truth.addAxes(experiment, group, "truth");
+    of_scene.addAxes(experiment, group, fmt::format("shot '{}'", studied.name));
+    evaluation.pipeline(truth, of_truth);
+    if (experiment.full_truth) evaluation.pipeline(truthShotOf(experiment, group, *experiment.full_truth), of_truth);
+    if (studied.missing.empty()) evaluation.scene(truth, of_scene);
   }
   evaluation.finish();
 }
@@ -229,7 +316,12 @@ void check(const Home& home, const Experiment& experiment, const std::string& fi
 const script::Limits kLimits = {.cpu_s = 60, .wall_s = 240, .memory_mb = 1024};
 
 // What the names of a file are checked against.
-Json given() { return {{"options", lab::shotOptionsJson()}, {"regions", regionNames()}, {"measures", measureNames()}}; }
+Json given() {
+  return {{"options", lab::shotOptionsJson()},
+          {"regions", regionNames()},
+          {"measures", measureNames()},
+          {"default_regions", kDefaultRegions}};
+}
 
 }  // namespace
 
@@ -282,10 +374,12 @@ lab::Shot shotOf(const Experiment& experiment, const Group& group, const Arm& ar
   lab::Shot shot = bareShot(experiment, group);
   shot.pipeline = arm.pipeline;
   shot.sets = joined(shot.sets, arm.sets);
+  auto lacks = [&arm](const std::string& name) {
+    return std::find(arm.lacks.begin(), arm.lacks.end(), name) != arm.lacks.end();
+  };
   for (const At& at : group.at)
     for (const auto& [name, value] : experiment.axes[at.axis].values[at.value].sets)
-      if (std::find(arm.lacks.begin(), arm.lacks.end(), name) == arm.lacks.end())
-        lab::putSetting(shot.sets, name, value);
+      if (!lacks(name) && !lacks(experiment.axes[at.axis].name)) lab::putSetting(shot.sets, name, value);
   return shot;
 }
 

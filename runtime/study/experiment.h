@@ -3,8 +3,10 @@
 // them, axes, and the points that follow. Which pipelines the arms are is no business of this code.
 #pragma once
 
+#include <map>
 #include <optional>
 
+#include "base/error.h"
 #include "image/draw.h"
 #include "image/tone.h"
 #include "lab/batch.h"
@@ -13,6 +15,12 @@ namespace strobe::study {
 
 enum class Role { method, floor, truth };
 std::string nameOf(Role role);
+
+// Lines of the experiment: of an entry, and of the settings in it by name.
+struct Written {
+  Place place;
+  std::map<std::string, Place> settings;
+};
 
 // What somebody else measured of an arm in a shot.
 struct Published {
@@ -25,10 +33,11 @@ struct Arm {
   Role role = Role::method;
   script::Settings sets;
   script::Settings box;            // on top of `sets` in a picture of several samples per pixel
-  std::vector<std::string> lacks;  // settings of axes that are not given to it
+  std::vector<std::string> lacks;  // axes, or parameters that they set, which are not given to it
   bool shown = true;               // on sheet and page; tables have every arm
   std::optional<bool> timed;       // where times are measured; without it every method is, and no truth
   std::optional<Published> published;
+  Written written;
 };
 
 // A crop in pixels at the experiment's size, or the densest part of the inner blur.
@@ -44,6 +53,7 @@ struct StudiedShot {
   image::ToneMap tone;
   std::string shared;   // the scene's file in the shared data; "": it is none of it
   std::string missing;  // why it cannot be rendered here; "": it can
+  Written written;
 };
 
 // What one value of an axis sets.
@@ -54,6 +64,7 @@ struct AxisValue {
   script::Settings scene;        // parameters of the scene, as "scene.NAME"
   script::Settings sets;         // parameters of every arm that does not lack them
   script::Settings truth;
+  Written written;  // settings alone
 };
 
 // How the time of a part of a frame is expected to grow along an axis (strobe bench slopes).

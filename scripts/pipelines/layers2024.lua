@@ -15,7 +15,7 @@ local function layer_behind(front, number)
   local name = ("layer_%d"):format(number)
   local hit = peel { front = front.hit, as = name .. "_peel" }.hit
   local g = gbuffer { hit = hit, as = name .. "_gbuffer" }
-  return {
+  return scene.layer {
     hit = hit, depth = g.depth, id = g.id, velocity = g.velocity,
     color = scene.shaded(hit, name .. "_"),
   }

@@ -128,14 +128,46 @@ function check.breaks(problems, given, place, what, path)
   return next(result) and result or nil
 end
 
+local no_field = native.at_caller(function(place, what, key, known)
+  local near = native.nearest(key, known)
+  if near == "" and #known > 0 then
+    table.sort(known)
+    near = "; it has " .. table.concat(known, ", ")
+  end
+  check.fail(place, "%s has no %s%s", what, check.quoted(key), near)
+end)
+
+-- Makes `meta` the metatable of records: reading a named field that a record lacks is an error at the line that reads it,
+-- except for the names in the list `optional`. `what` names the record in messages.
+function check.index_of_records(meta, what, optional)
+  local may_lack = {}
+  for _, name in ipairs(optional or {}) do may_lack[name] = true end
+  function meta.__index(t, key)
+    if type(key) ~= "string" or may_lack[key] then return nil end
+    local known = check.names(t)
+    for name in pairs(may_lack) do
+      if rawget(t, name) == nil then known[#known + 1] = name end
+    end
+    return no_field(what, key, known)
+  end
+  return meta
+end
+
+-- True if `value` is a table without a metatable, or a record.
+function check.is_plain(value)
+  local meta = getmetatable(value)
+  return type(value) == "table" and (meta == nil or meta.is_record == true)
+end
+
+-- A function that makes a table a record: `local layer = record("a layer", { "curve" })`, then `layer { depth = ... }`.
+function check.record(what, optional)
+  local meta = check.index_of_records({ is_record = true }, what, optional)
+  return function(t) return setmetatable(t, meta) end
+end
+
 -- Makes reading an unknown field of a module an error at the line that reads it.
 function check.closed(module, name)
-  local meta = getmetatable(module) or {}
-  meta.__index = native.at_caller(function(place, t, key)
-    local near = type(key) == "string" and native.nearest(key, check.names(t)) or ""
-    check.fail(place, "the module %s has no %s%s", name, check.quoted(key), near)
-  end)
-  return setmetatable(module, meta)
+  return setmetatable(module, check.index_of_records(getmetatable(module) or {}, "the module " .. name))
 end
 
 return check

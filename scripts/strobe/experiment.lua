@@ -34,7 +34,8 @@ experiment.fields = {
     picture_aa = { number, optional = true }, stops = { number, optional = true }, curve = { text, optional = true },
     frames = { list, optional = true },
   },
-  -- role: "method", or "floor" (truth at a method's own samples). lacks: settings of axes that are not given to it.
+  -- role: "method", or "floor" (truth at a method's own samples). lacks: axes whose settings the arm does not get, or single
+  -- parameters of axes.
   -- box: settings of the picture that is shown, where it has several samples per pixel. shown: whether its pictures
   -- are on sheet and page. timed: whether times are measured; of a truth they are not without it. published: frames per
   -- second that somebody else measured in a shot.
@@ -106,6 +107,7 @@ shots.extend(Checker, experiment.fields.shot)
 
 function Checker:arm(t, path)
   local result = copied(self:fields(t, "arm", path, "arm " .. path[2]))
+  result.place = self:place_of(path)
   self:one_of(result.role, experiment.roles, check.joined(path, "role"), "the role of an arm")
   for _, name in ipairs { "set", "box" } do result[name] = self:settings(result[name], check.joined(path, name)) end
   if result.published ~= nil then
@@ -118,6 +120,7 @@ end
 
 function Checker:truth(t)
   local result = copied(self:fields(t, "truth", { "truth" }))
+  result.place = self:place_of { "truth" }
   result.set = self:settings(result.set, { "truth", "set" })
   if result.full then result.full = self:settings(result.full, { "truth", "full" }) end
   result.name = result.name or "ground truth"
@@ -239,25 +242,31 @@ local function allowed(axes, combination, shot)
   return true
 end
 
--- A point as `skip` sees it.
-local function point_of(axes, combination, shot, arm)
-  local point = { shot = shot.name, arm = arm.name }
-  for _, at in ipairs(combination) do point[axes[at.axis].name] = axes[at.axis].values[at.value].value end
-  return point
+-- A function that yields a point as `skip` sees it. A point lacks the axes that do not vary there.
+local function points_of(axes)
+  local names = {}
+  for i, axis in ipairs(axes) do names[i] = axis.name end
+  local point = check.record("a point", names)
+  return function(combination, shot, arm)
+    local result = { shot = shot.name, arm = arm.name }
+    for _, at in ipairs(combination) do result[axes[at.axis].name] = axes[at.axis].values[at.value].value end
+    return point(result)
+  end
 end
 
 -- Points that have one truth: a shot, a value of each axis, and the arms that are drawn there. Shots in their order,
 -- then combinations, then arms; nothing depends on the order of `pairs`.
 function Checker:groups(result, skip, combinations)
-  local groups = {}
+  local groups, point_of = {}, points_of(result.axes)
   for s, shot in ipairs(result.shots) do
     for _, combination in ipairs(combinations) do
       local group = { shot = s, at = combination, arms = {} }
       for a, arm in ipairs(allowed(result.axes, combination, shot) and result.arms or {}) do
         local good, skipped = true, false
-        if skip then good, skipped = pcall(skip, point_of(result.axes, combination, shot, arm)) end
+        if skip then good, skipped = pcall(skip, point_of(combination, shot, arm)) end
         if not good then
-          self:add({ "skip" }, "skip fails: %s", tostring(skipped))
+          local problem = type(skipped) == "table" and skipped.problems and skipped.problems[1].message or tostring(skipped)
+          self:add({ "skip" }, "skip fails: %s", problem)
           return groups
         end
         if not skipped then group.arms[#group.arms + 1] = a end
@@ -270,6 +279,61 @@ function Checker:groups(result, skip, combinations)
 end
 
 -- ---- the rest
+
+-- Names that `lacks` of an arm may have: axes, and the parameters that they set.
+local function lackable(axes)
+  local names = {}
+  for _, axis in ipairs(axes) do
+    if not check.contains(names, axis.name) then names[#names + 1] = axis.name end
+    for _, value in ipairs(axis.values) do
+      for _, set in ipairs(value.set or {}) do
+        if not check.contains(names, set.name) then names[#names + 1] = set.name end
+      end
+    end
+  end
+  return names
+end
+
+function Checker:lacks(arms, axes)
+  local known = lackable(axes)
+  for i, arm in ipairs(arms) do
+    for k, name in ipairs(type(arm.lacks) == "table" and arm.lacks or {}) do
+      if not check.contains(known, name) then
+        local near = type(name) == "string" and native.nearest(name, known) or ""
+        if near == "" and #known > 0 then near = "; there are " .. table.concat(known, ", ") end
+        self:add({ "arms", i, "lacks", k }, "arm '%s' lacks %s, which is neither an axis nor a parameter that an axis sets%s",
+                 tostring(arm.name), check.quoted(name), near)
+      end
+    end
+  end
+end
+
+-- Results of the experiment as expectations see them, with 1 for each measure at each point.
+local function placeholders(result, given)
+  local values = {}
+  for _, name in ipairs(given.measures) do values[name] = { all = 1 } end  -- more than `measures`: layouts add some
+  local arms = copied(result.arms)
+  arms[#arms + 1] = { name = result.truth.name, role = "truth" }
+  local groups = {}
+  for g, group in ipairs(result.groups) do
+    local made = { shot = result.shots[group.shot].name, at = {}, points = {} }
+    for _, at in ipairs(group.at) do
+      made.at[result.axes[at.axis].name] = result.axes[at.axis].values[at.value].value
+    end
+    local numbers = table.move(group.arms, 1, #group.arms, 2, { #arms })
+    for k, a in ipairs(numbers) do
+      made.points[k] = { role = arms[a].role or "method", arm = arms[a].name, values = values }
+    end
+    groups[g] = made
+  end
+  local axes = {}
+  for i, axis in ipairs(result.axes) do
+    axes[i] = { name = axis.name, values = {} }
+    for k, value in ipairs(axis.values) do axes[i].values[k] = value.value end
+  end
+  local regions = result.regions or given.default_regions
+  return { arms = arms, shots = result.shots, regions = regions, axes = axes, groups = groups }
+end
 
 function Checker:expectations(t, shot_names, axes)
   local functions, names = {}, {}
@@ -288,12 +352,30 @@ function Checker:expectations(t, shot_names, axes)
   return functions
 end
 
+-- A layout of curves has an axis to draw.
+function Checker:curves(t, axes)
+  if t.curves == nil then return end
+  local lacking = {}
+  for i, axis in ipairs(axes) do
+    local without = {}
+    for _, key in ipairs { "region", "scale", "benign" } do
+      local given = key == "benign" and axis.benign_index or axis[key]
+      if given == nil then without[#without + 1] = key end
+    end
+    if #without == 0 then return end
+    lacking[i] = ("; axis '%s' has no %s"):format(tostring(axis.name), table.concat(without, ", "))
+  end
+  self:add({ "layout", "curves" }, "there are no curves to draw: they are of axes with `region`, `scale` and `benign`%s",
+           table.concat(lacking))
+end
+
 function Checker:layout(t, axes, regions)
   if t == nil then return nil end
   self:fields(t, "layout", { "layout" })
   for _, kind in ipairs { "pictures", "curves", "front", "table" } do
     if t[kind] ~= nil then self:fields(t[kind], kind, { "layout", kind }, "the layout " .. kind) end
   end
+  self:curves(t, axes)
   if type(t.pictures) == "table" then
     self:numbers(t.pictures.crop_size, 2, { "layout", "pictures", "crop_size" }, "crop_size")
   end
@@ -341,6 +423,7 @@ function Checker:whole(t)
   self.arm_names = arm_names
   local combinations
   result.axes, combinations = self:varied(type(t.vary) == "table" and t.vary or {})
+  self:lacks(result.arms, result.axes)
   if t.background ~= nil then
     local background = self:fields(t.background, "background", { "background" })
     for _, name in ipairs { "arm", "front" } do
@@ -364,7 +447,9 @@ function experiment.finished(t, place, given)
   local self = Checker.at(place)
   self.known, self.options = given, shots.by_name(given.options)
   local plain, expectations = self:whole(t)
-  if given.results then return judge(expectations, given.results, given) end
+  if given.results then return judge.outcomes(expectations, given.results, given) end
+  judge.rehearse(self.problems, expectations, placeholders(plain, given), given)
+  self.problems:raise()
   plain.expectations = #expectations
   return plain
 end

@@ -4,13 +4,18 @@ local check  = require "strobe.check"
 local native = require "strobe.native"
 local shown  = require "strobe.fields".shown
 
+local judge = {}
+
 -- What matches `wanted` { arm =, shot =, region =, AXIS = value } in finished results, as means by measure.
 local Results = {}
 Results.__index = Results
 
-local function require_known(name, allowed_names, what)
+-- Stops an expectation at the line with an unknown name.
+local function mistaken(place, text, ...) error({ mistake = text:format(...), place = place }, 0) end
+
+local function require_known(place, name, allowed_names, what)
   if not check.contains(allowed_names, name) then
-    error(("there is no %s '%s'%s"):format(what, tostring(name), native.nearest(tostring(name), allowed_names)), 0)
+    mistaken(place, "there is no %s '%s'%s", what, tostring(name), native.nearest(tostring(name), allowed_names))
   end
 end
 
@@ -20,23 +25,23 @@ function Results:names(entries)
   return names
 end
 
-function Results:check(wanted)
+function Results:check(place, wanted)
   for _, key in ipairs(check.names(wanted)) do
     local value = wanted[key]
-    if key == "arm" then require_known(value, self:names("arms"), "arm")
-    elseif key == "shot" then require_known(value, self:names("shots"), "shot")
-    elseif key == "region" then require_known(value, self.data.regions, "region")
+    if key == "arm" then require_known(place, value, self:names("arms"), "arm")
+    elseif key == "shot" then require_known(place, value, self:names("shots"), "shot")
+    elseif key == "region" then require_known(place, value, self.data.regions, "region")
     else
-      require_known(key, self:names("axes"), "axis")
-      self:known_value(key, value)
+      require_known(place, key, self:names("axes"), "axis")
+      self:known_value(place, key, value)
     end
   end
 end
 
-function Results:known_value(name, value)
+function Results:known_value(place, name, value)
   for _, axis in ipairs(self.data.axes) do
     if axis.name == name and not check.contains(axis.values, value) then
-      error(("axis '%s' has no value %s"):format(name, shown(value)), 0)
+      mistaken(place, "axis '%s' has no value %s", name, shown(value))
     end
   end
 end
@@ -58,8 +63,8 @@ local function point_matches(point, arm)
   return point.arm == arm
 end
 
-function Results:at(wanted)
-  self:check(wanted)
+function Results:at(place, wanted)
+  self:check(place, wanted)
   local sums, counts, region = {}, {}, wanted.region or "whole"
   for _, group in ipairs(self.data.groups) do
     for _, point in ipairs(group_matches(group, wanted) and group.points or {}) do
@@ -73,10 +78,10 @@ function Results:at(wanted)
   local means, known = { count = 0 }, self.known_measures
   for name, sum in pairs(sums) do means[name] = sum / counts[name] end
   for _, count in pairs(counts) do means.count = math.max(means.count, count) end
-  return setmetatable(means, { __index = function(_, name)
-    require_known(name, known, "measure")
-    error({ unmeasured = ("nothing was measured of '%s' where %s"):format(name, self.shown(wanted)) }, 0)
-  end })
+  return setmetatable(means, { __index = native.at_caller(function(line, _, name)
+    require_known(line, name, known, "measure")
+    error({ unmeasured = ("nothing was measured of '%s' where %s"):format(name, self.shown(wanted)), place = line }, 0)
+  end) })
 end
 
 function Results.shown(wanted)
@@ -95,7 +100,9 @@ local function judged(entry, r, data)
   if entry.shot and is_missing(data, entry.shot) then return outcome end
   local good, holds, detail = pcall(entry[2], r)
   outcome.known = entry.known
-  if not good and type(holds) == "table" then
+  if not good and type(holds) == "table" and not holds.unmeasured then
+    outcome.outcome, outcome.detail = "fails", holds.mistake or holds.problems and holds.problems[1].message
+  elseif not good and type(holds) == "table" then
     outcome.outcome, outcome.detail = (data.partial or data.missing) and "does not apply" or "fails", holds.unmeasured
   elseif not good then
     outcome.outcome, outcome.detail = "fails", tostring(holds)
@@ -106,11 +113,33 @@ local function judged(entry, r, data)
   return outcome
 end
 
+local record = check.record "r"
+
+-- The `r` of an expectation.
+local function results_of(data, known)
+  local results = setmetatable({ data = data, known_measures = known.measures }, Results)
+  return record { at = native.at_caller(function(place, wanted) return results:at(place, wanted) end) }
+end
+
 -- What becomes of expectations { text, function, shot =, axis =, known = }, given finished results as plain data and the
 -- names that are `known`.
-return function(expectations, data, known)
-  local results = setmetatable({ data = data, known_measures = known.measures }, Results)
-  local r, outcomes = { at = function(wanted) return results:at(wanted) end }, {}
+function judge.outcomes(expectations, data, known)
+  local r, outcomes = results_of(data, known), {}
   for i, entry in ipairs(expectations) do outcomes[i] = judged(entry, r, data) end
   return outcomes
 end
+
+-- Adds a mistake for each expectation with an unknown arm, shot, region, axis, value or measure. Each
+-- measure is 1 in `data`, the placeholder results. The outcome is ignored.
+function judge.rehearse(problems, expectations, data, known)
+  local r = results_of(data, known)
+  for _, entry in ipairs(expectations) do
+    local good, failure = pcall(entry[2], r)
+    if not good and type(failure) == "table" then
+      local first = failure.problems and failure.problems[1] or failure
+      problems:add(first.place, "expectation '%s': %s", entry[1], first.mistake or first.unmeasured or first.message)
+    end
+  end
+end
+
+return judge

@@ -68,6 +68,14 @@ function node.ports(name, values, record)
   return setmetatable({ node = name, values = values, record = record }, Ports)
 end
 
+-- The field `name` of outputs, of a record or of any other table, or nil.
+function node.optional(t, name)
+  local is_ports = getmetatable(t) == Ports
+  local value = rawget(is_ports and rawget(t, "values") or t, name)
+  if is_ports and value ~= nil then rawget(t, "record").used = true end
+  return value
+end
+
 -- ---- parameters
 
 -- p.x: a parameter of the pipeline: { name = , declaration = }. Its value is had by a call alone, which is noted: it may
@@ -75,6 +83,10 @@ end
 local Reference = {}
 local taken = setmetatable({}, { __mode = "k" })  -- what a reference's call does
 Reference.__call = function(reference) return taken[reference]() end
+Reference.__index = native.at_caller(function(place, reference, key)
+  check.fail(place, "parameter '%s' has no field %s; its value is p.%s()", rawget(reference, "name"), check.quoted(key),
+             rawget(reference, "name"))
+end)
 Reference.__tostring = function(reference) return ("parameter '%s'"):format(reference.name) end
 
 function node.reference(declaration, value, noted)
@@ -185,7 +197,7 @@ end
 local function wire_reads(problems, pass, arguments, place)
   local inputs = {}
   for _, read in ipairs(pass.reads) do
-    local value = arguments[read.name]
+    local value = rawget(arguments, read.name)
     if value ~= nil then
       inputs[read.name] = wire(problems, pass, read, value, native.key_place(place, read.name))
     elseif not read.optional then
@@ -196,8 +208,9 @@ local function wire_reads(problems, pass, arguments, place)
 end
 
 local function choose_name(problems, pass, arguments, place)
-  local name = arguments.as == nil and pass.name or arguments.as
-  local at = arguments.as == nil and place or native.key_place(place, "as")
+  local given = rawget(arguments, "as")
+  local name = given == nil and pass.name or given
+  local at = given == nil and place or native.key_place(place, "as")
   if type(name) == "string" then name = (node.graph.prefix or "") .. name end
   if not check.is_name(name) or name == "scene" then
     problems:add(at, "%s cannot name a node (a-z, then a-z, 0-9 and _, but not 'scene')", check.quoted(name))
@@ -205,7 +218,7 @@ local function choose_name(problems, pass, arguments, place)
   end
   for _, other in ipairs(node.graph.nodes) do
     if other.name == name then
-      local hint = arguments.as == nil and "; name this one with as = \"...\"" or ""
+      local hint = given == nil and "; name this one with as = \"...\"" or ""
       problems:add(at, "there is a node '%s' already, from %s:%d%s", name, other.place.file, other.place.line, hint)
     end
   end
@@ -213,7 +226,7 @@ local function choose_name(problems, pass, arguments, place)
 end
 
 local function choose_time(problems, pass, arguments, place)
-  local time = arguments.time
+  local time = rawget(arguments, "time")
   if time == nil then return "capture" end
   local at = native.key_place(place, "time")
   if not check.contains(node.times, time) then
@@ -240,7 +253,7 @@ end
 -- Makes the node of a call at `place`; raises all that is wrong with it.
 function node.create(place, pass, arguments)
   if not node.graph then check.fail(place, "pass '%s' is called outside of a pipeline's build", pass.name) end
-  if type(arguments) ~= "table" or getmetatable(arguments) ~= nil then
+  if not check.is_plain(arguments) then
     check.fail(place, "pass '%s' wants a table: %s { port = image, parameter = value }", pass.name, pass.name)
   end
   local problems = check.problems()
@@ -252,7 +265,7 @@ function node.create(place, pass, arguments)
   made.inputs = wire_reads(problems, pass, arguments, place)
   local owner = ("pass '%s'"):format(pass.name)
   for _, wanted in ipairs(pass.params) do
-    local given, at = arguments[wanted.name], place
+    local given, at = rawget(arguments, wanted.name), place
     if given == nil then given = shared(wanted) else at = native.key_place(place, wanted.name) end
     made.params[wanted.name] = node.bind(problems, wanted, given, at, owner)
   end

@@ -25,7 +25,7 @@ for _, word in ipairs {
   "varying", "void", "volatile", "while",
 } do reserved[word] = true end
 
-local Param = {}
+local Param = check.index_of_records({}, "a parameter")
 
 local function constructor(kind)
   return native.at_caller(function(place, given)

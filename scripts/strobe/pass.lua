@@ -327,7 +327,14 @@ end
 -- Descriptions of the passes that files declare; not of those that a build makes, which may be others each time.
 pass.declared = {}
 
-local Pass = {}
+-- A table of declarations of a pass, read by name.
+local function named(what, owner, declared)
+  local copy = {}
+  for name, one in pairs(declared) do copy[name] = one end
+  return check.record(("'%s' of %s"):format(what, owner))(copy)
+end
+
+local Pass = check.index_of_records({}, "a pass")
 
 local function declare(kind, place, t)
   if type(t) ~= "table" then check.fail(place, "pass.%s wants a table: pass.%s { ... }", kind, kind) end
@@ -365,7 +372,8 @@ local function declare(kind, place, t)
   problems:raise()
   param.note_pass(result.params)
   if not require("strobe.node").graph then pass.declared[#pass.declared + 1] = result end
-  return setmetatable({ description = result, params = t.params or {}, counters = t.counters or {} }, Pass)
+  local params, counters = named("params", owner, t.params or {}), named("counters", owner, t.counters or {})
+  return setmetatable({ description = result, params = params, counters = counters }, Pass)
 end
 
 for _, kind in ipairs { "compute", "raster", "trace" } do
@@ -395,7 +403,7 @@ function pass.wired(called, images, arguments)
   local result = {}
   for key, value in pairs(arguments or {}) do result[key] = value end
   for _, read in ipairs(called.description.reads) do
-    if result[read.name] == nil then result[read.name] = images[read.name] end
+    if result[read.name] == nil then result[read.name] = require("strobe.node").optional(images, read.name) end
   end
   return result
 end

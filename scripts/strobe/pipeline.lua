@@ -9,6 +9,9 @@ local preset = require "strobe.preset"
 
 local pipeline = { int = param.int, float = param.float, bool = param.bool, choice = param.choice }
 
+-- Tables whose unknown fields are mistakes, and how to read a field that may be absent.
+pipeline.record, pipeline.optional = check.record, node.optional
+
 pipeline.keys = {
   "doc", "kind", "params", "presets", "default_preset", "build", "breaks", "compare_with", "equals", "regions",
 }
@@ -134,7 +137,7 @@ local times_parameter = { name = "times", type = "choice", choices = { "midpoint
                           default = "midpoint" }
 
 local function check_results(problems, results, place)
-  if type(results) ~= "table" or getmetatable(results) ~= nil then
+  if not check.is_plain(results) then
     problems:add(place, "the body of a loop returns a table of images: return { sum = s.sum }")
     return
   end
@@ -285,7 +288,7 @@ end
 
 local function check_outputs(problems, outputs, build)
   local place = native.return_place(build)
-  if type(outputs) ~= "table" or getmetatable(outputs) ~= nil then
+  if not check.is_plain(outputs) then
     problems:add(place, "build returns a table of images: return { color = x.color }")
     return {}
   end
@@ -306,7 +309,7 @@ local function check_outputs(problems, outputs, build)
       end
     end
   end
-  if outputs.color == nil then
+  if rawget(outputs, "color") == nil then
     local near = native.nearest("color", check.names(outputs))
     problems:add(place, "build returns no output 'color', which every pipeline has%s", near)
   end

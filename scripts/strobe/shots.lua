@@ -13,7 +13,9 @@ shots.tones = { "clamp", "filmic" }
 
 local Methods = {}
 
--- Settings in the order of their names, with typed values.
+function Methods:place_of(path) return native.key_place(self.place, table.unpack(path)) end
+
+-- Settings in the order of their names, with typed values and places.
 function Methods:settings(t, path)
   local result, names = {}, type(t) == "table" and check.names(t) or {}
   table.sort(names)
@@ -22,7 +24,7 @@ function Methods:settings(t, path)
     if kind ~= "string" and kind ~= "number" and kind ~= "boolean" then
       self:add(check.joined(path, name), "'%s' is a %s, no value of a parameter", name, kind)
     end
-    result[i] = { name = name, value = t[name] }
+    result[i] = { name = name, value = t[name], place = self:place_of(check.joined(path, name)) }
   end
   return result
 end
@@ -105,7 +107,7 @@ function Methods:sorted(t, path, what)
     if self.options[name] then
       into, value = result.options, self:option(self.options[name], value, path, what)
     end
-    into[#into + 1] = { name = scene or name, value = value }
+    into[#into + 1] = { name = scene or name, value = value, place = self:place_of(check.joined(path, name)) }
   end
   return result
 end
@@ -147,6 +149,7 @@ function Methods:shot(t, path)
     end
   end
   local result = copied(self:fields(own, "shot", path, what))
+  result.place = self:place_of(path)
   self:one_of(result.curve, shots.tones, check.joined(path, "curve"), "the curve")
   self:sequence(result.frames, options, check.joined(path, "frames"))
   for i, crop in ipairs(type(result.crops) == "table" and result.crops or {}) do

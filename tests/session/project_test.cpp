@@ -2,6 +2,7 @@
 // A project's pass runs while its files, and those that ship, are edited.
 #include "base/frozen_home.h"
 #include "common/source.h"
+#include "lab/capture.h"
 #include "lab/reload_bench.h"
 #include "session/home.h"
 
@@ -87,10 +88,10 @@ TEST_F(ProjectSession, MistakesNameTheirRootAndThePictureStays) {
     EXPECT_EQ(colorHash(session), picture);
   };
   edit(kShader, "vec3 mean = vec3(0);", "vec3 meal = vec3(0);");
-  expect_problem("shaders/smear.glsl:13: ");
+  expect_problem("shaders/smear.glsl:16: ");
   edit(kShader, "vec3 meal = vec3(0);", "vec3 mean = vec3(0);");
   edit(kPass, "of = \"color\"", "of = \"colour\"");
-  expect_problem("passes/smear.lua:11: ");
+  expect_problem("passes/smear.lua:10: ");
   edit(kPass, "of = \"colour\"", "of = \"color\"");
   home_.edit("shaders/scene/shade.glsl", "vec3 color;", "vec3 colour;");
   expect_problem("strobe:shaders/scene/shade.glsl:");
@@ -101,6 +102,30 @@ TEST_F(ProjectSession, MistakesNameTheirRootAndThePictureStays) {
   session.reload(true);
   EXPECT_TRUE(session.problems().empty()) << joined(session.problems());
   EXPECT_EQ(colorHash(session), picture);
+}
+
+// Pixels of a bar that moves by d: the share of the exposure in which the bar is there, by the window of each anchor. A
+// tap stands for 1/64 of the exposure and for what is within half a pixel.
+TEST_F(ProjectSession, FollowsTheExposure) {
+  constexpr double kLeft = 32, kRight = 96, kDisplacement = 20;
+  constexpr int kTaps = 64;
+  lab::Workbench own(home(), bench());
+  for (const auto& [anchor, from] : {std::pair<std::string, double>{"close", -1}, {"centre", -0.5}, {"open", 0}}) {
+    lab::Shot shot = smallShot("smear", 128, 8);
+    shot.scene = "oracles/bar";
+    shot.anchor = anchor;
+    shot.sets = {{"taps", int64_t(kTaps)}};
+    for (const auto& [name, value] : std::initializer_list<std::pair<const char*, double>>{
+             {"width", 128}, {"height", 8}, {"left", kLeft}, {"right", kRight}, {"d_f", kDisplacement}})
+      shot.sets.push_back({std::string("scene.") + name, fmt::format("{}", value)});
+    image::Image color = lab::colorOf(own.render(shot));
+    for (int x = int(kLeft); x < int(kRight); ++x) {
+      // The point at x now shows what is at x - d t at time t: inside from t_right to t_left.
+      double t_left = (x + .5 - kLeft) / kDisplacement, t_right = (x + .5 - kRight) / kDisplacement;
+      double share = std::max(0., std::min(from + 1, t_left) - std::max(from, t_right));
+      EXPECT_NEAR(color.at(x, 4, 0), share, 1. / kTaps + .5 / kDisplacement) << anchor << " " << x;
+    }
+  }
 }
 
 // A copy of both roots is edited, and a pipeline is found in it by its file too.

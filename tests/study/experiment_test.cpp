@@ -93,16 +93,16 @@ return require "strobe.experiment" {
   EXPECT_TRUE(truthShotOf(experiment, experiment.groups[1]).sets.empty());
 }
 
-// Text with fields in the places of ARM, SHOT, AXIS, MORE.
+// Text with fields in the places of ARM, SHOT, AXIS, MORE, LACKS.
 std::string with(const std::string& arm, const std::string& shot = "", const std::string& axis = "",
-                 const std::string& more = "") {
+                 const std::string& more = "", const std::string& lacks = "") {
   std::string text = R"lua(
 local experiment = require "strobe.experiment"
 return experiment {
   title = "A bar", size = { 64, 16 }, size_params = { "width", "height" },
   truth = { pipeline = "ground_truth", set = { samples = 32 } },
   arms = {
-    { name = "no blur", pipeline = "none", lacks = { "samples" } },
+    { name = "no blur", pipeline = "none" LACKS },
     { name = "hybrid", pipeline = "hybrid" ARM },
     { name = "floor", pipeline = "ground_truth", role = "floor", set = { samples = 16 } },
   },
@@ -110,8 +110,11 @@ return experiment {
   vary = { experiment.list { name = "speed", values = { 4.7, 30 },
              at = function(v) return { ["scene.d_f"] = v } end AXIS } } MORE }
 )lua";
-  for (const auto& [what, given] :
-       {std::pair<std::string, std::string>{" ARM", arm}, {" SHOT", shot}, {" AXIS", axis}, {" MORE", more}})
+  for (const auto& [what, given] : {std::pair<std::string, std::string>{" ARM", arm},
+                                    {" SHOT", shot},
+                                    {" AXIS", axis},
+                                    {" MORE", more},
+                                    {" LACKS", lacks}})
     text.replace(text.find(what), what.size(), given.empty() ? "" : ", " + given);
   return text;
 }
@@ -152,6 +155,83 @@ TEST(Mistakes, OfPipelinesAreFoundBeforeADeviceIs) {
   expectRefusal(with("", "", "at = function() return { sampels = 4 } end"), "did you mean 'samples'?", true);
 }
 
+// Names that an arm, an axis, a shot or truth sets: the line, and whose it is.
+TEST(Mistakes, OfSettingsNameTheEntryThatHasThem) {
+  for (const auto& [text, wanted] : {
+           std::pair<std::string, std::string>{
+               with("set = { tap = 4 }"),
+               "x.lua:8: arm 'hybrid': --set tap=4: the pipeline has no parameter 'tap'; did you mean 'taps'?"},
+           {with("set = { [\"edge.depth\"] = 0.01 }"),
+            "x.lua:8: arm 'hybrid': --set edge.depth=0.01: there is no node 'edge'"},
+           {with("box = { tap = 4 }"), "x.lua:8: arm 'hybrid': --set tap=4: "},
+           {with("", "move = { bra = { 1, 0, 0 } }"),
+            "x.lua:11: shot 'bar': bar has no node 'bra'; did you mean 'bar'?"},
+           {with("", "scene = \"oracles/bra\""), "x.lua:11: shot 'bar': there is no scene 'oracles/bra'"},
+           {with("", "[\"scene.lft\"] = 20"),
+            "x.lua:11: shot 'bar': --set scene.lft=20: the scene has no parameter 'lft'"},
+           {with("", "truth = { sampels = 4 }"), "x.lua:11: shot 'bar', truth: --set sampels=4: "},
+           {with("", "", "at = function() return { samples = 4 } end"),
+            "x.lua:13: axis 'speed', arm 'no blur': --set samples=4: the pipeline has no parameter 'samples'; "
+            "lacks = { \"samples\" } draws the arm without it"},
+       })
+    expectRefusal(text, wanted, true);
+  std::string misspelt = with("");
+  misspelt.replace(misspelt.find("\"none\""), 6, "\"noen\"");
+  expectRefusal(misspelt, "x.lua:7: arm 'no blur': there is no pipeline 'noen'; did you mean 'none'?", true);
+}
+
+TEST(Mistakes, OfLacksAreFound) {
+  const std::string axis = "at = function() return { samples = 4 } end";
+  expectRefusal(
+      with("", "", axis, "", "lacks = { \"sample\" }"),
+      "x.lua:7: arm 'no blur' lacks 'sample', which is neither an axis nor a parameter that an axis sets; did "
+      "you mean 'samples'?");
+  for (const char* name : {"samples", "speed"}) {
+    Experiment experiment = readText(with("", "", axis, "", fmt::format("lacks = {{ \"{}\" }}", name)), true);
+    EXPECT_TRUE(shotOf(experiment, experiment.groups[0], experiment.arms[0]).sets.size() <
+                shotOf(experiment, experiment.groups[0], experiment.arms[1]).sets.size())
+        << name;
+  }
+}
+
+// Expectations are tried on placeholder results: names that there are not, and measures that are not taken.
+TEST(Mistakes, OfExpectationsAreFoundBeforeAnythingIsDrawn) {
+  auto expecting = [](const std::string& body) {
+    return with("", "", "", "measures = { \"rmse\" }, expect = { { \"it is\", function(r)\n" + body + "\nend } }");
+  };
+  for (const auto& [body, wanted] : {
+           std::pair<std::string, std::string>{"return r.at { arm = 'hybird' }.rmse < 1",
+                                               "there is no arm 'hybird'; did you mean 'hybrid'?"},
+           {"return r.at { shot = 'bra' }.rmse < 1", "there is no shot 'bra'; did you mean 'bar'?"},
+           {"return r.at { region = 'iner' }.rmse < 1", "there is no region 'iner'; did you mean 'inner'?"},
+           {"return r.at { sped = 30 }.rmse < 1", "there is no axis 'sped'; did you mean 'speed'?"},
+           {"return r.at { speed = 3 }.rmse < 1", "axis 'speed' has no value 3"},
+           {"return r.at { speed = 30 }.rsme < 1", "there is no measure 'rsme'; did you mean 'rmse'?"},
+           {"return r.at { arm = 'floor', shot = 'bar' }.rsme < 1", "there is no measure 'rsme'"},
+           {"return r.att { speed = 30 }.rmse < 1", "r has no 'att'; did you mean 'at'?"},
+       })
+    expectRefusal(expecting(body), "x.lua:14: expectation 'it is': " + wanted);
+  for (const char* body :
+       {"return r.at { speed = 30 }.rmse > 7", "return r.at { arm = 'floor', region = 'hidden' }.rmse < 2",
+        "return nil", "local best\nif r.at {}.rmse > 2 then best = 3 end\nreturn best < 4"})
+    EXPECT_EQ(readText(expecting(body)).expectations, 1u) << body;
+}
+
+TEST(Mistakes, OfAPointThatIsSkippedAreFound) {
+  expectRefusal(with("", "", "", "skip = function(point) return point.sped == 3 end"),
+                "skip fails: a point has no 'sped'; did you mean 'speed'?");
+}
+
+TEST(Mistakes, CurvesWithoutAnAxisToDrawAreNamed) {
+  expectRefusal(
+      with("", "", "region = \"inner\"", "layout = { curves = {} }"),
+      "x.lua:13: there are no curves to draw: they are of axes with `region`, `scale` and `benign`; axis 'speed' "
+      "has no scale, benign");
+  EXPECT_EQ(readText(with("", "", "region = \"inner\", scale = \"log\", benign = 30", "layout = { curves = {} }"))
+                .axes.size(),
+            1u);
+}
+
 TEST(Only, KeepsPointsThatAreAskedFor) {
   auto listed = [](const std::string& only) {
     Experiment experiment = readText(kSamplesAndTiles);
@@ -188,9 +268,10 @@ TEST(Only, KeepsPointsThatAreAskedFor) {
 }
 
 TEST(Each, IsOneAxisAfterTheOther) {
-  Experiment experiment = readText(with("", "", "", R"(vary = { experiment.each {
+  const std::string axes = R"(vary = { experiment.each {
     experiment.list { name = "speed", values = { 1, 2 }, at = function(v) return { ["scene.d_f"] = v } end },
-    experiment.grid { samples = { 4, 8 }, exposure = { 0.5 } } } })"));
+    experiment.grid { samples = { 4, 8 }, exposure = { 0.5 } } } })";
+  Experiment experiment = readText(with("", "", "", axes, "lacks = { \"samples\" }"));
   std::vector<std::string> lines = linesOf(listOf(experiment));
   ASSERT_EQ(lines.size(), 12u);
   EXPECT_EQ(lines[0], "1  bar  speed 1  no blur");
@@ -203,7 +284,10 @@ TEST(Each, IsOneAxisAfterTheOther) {
 std::vector<std::string> pointsOf(const std::string& vary) {
   std::string text = kSamplesAndTiles;
   size_t from = text.find("experiment.grid"), to = text.find(" }", text.find("0.5 } }") + 6);
-  Experiment experiment = readText(text.replace(from, to - from, vary));
+  text.replace(from, to - from, vary);
+  text.erase(text.find("  expect   ="), text.rfind("}\n") - text.find("  expect   ="));
+  text.erase(text.find("  skip     ="), text.find("  regions  =") - text.find("  skip     ="));
+  Experiment experiment = readText(text);
   keepOnly(experiment, "shot=vase,arm=hybrid");
   std::vector<std::string> points;
   for (const Group& group : experiment.groups) points.push_back(describe(experiment, group));

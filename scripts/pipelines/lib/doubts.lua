@@ -14,9 +14,12 @@ local bent_bounds   = require "passes.tile.bent_bounds"
 local joined_bounds = require "passes.tile.bent_bounds_joined"
 local curves        = require "scripts.pipelines.lib.curves"
 local depths        = require "scripts.pipelines.lib.depths"
+local scene         = require "scripts.pipelines.lib.scene"
 local tiles         = require "scripts.pipelines.lib.tiles"
 
 local doubts = {}
+
+local findings = pipeline.record("what doubts.looked_at yields", { "behind" })
 
 -- Does the pipeline trace samples at their own time? Only a composite that leaves them open has any.
 function doubts.are_asked(p)
@@ -96,7 +99,7 @@ function doubts.looked_at(seen, revealed)
     ends[which] = { hit = hits[which], unseen = unseen, velocity = velocity,
                     bounds = bounds_of(which .. "_unseen", velocity, found[which .. "_bend"], unseen) }
   end
-  return { raster = raster, behind = behind, ends = ends }
+  return findings { raster = raster, behind = behind, ends = ends }
 end
 
 -- The cells and times at which something is there of which layers do not say where it is: what bends or grows, and, with
@@ -117,7 +120,7 @@ function doubts.end_layers(p, found)
   for _, which in ipairs { "open", "close" } do
     local seen, end_of = found.ends[which], which == "open" and "start" or "finish"
     local made = end_layer { hit = seen.hit, unseen = seen.unseen, end_of = end_of, as = which .. "_layer" }
-    layers[#layers + 1] = { which, {
+    layers[#layers + 1] = { which, scene.layer {
       color = made.color, depth = made.depth, velocity = seen.velocity, valid = seen.unseen, id = seen.hit, hit = seen.hit,
       seen_at = end_of, depth_change = depths.change(p, which, { depth = made.depth, hit = seen.hit, time = which }),
     } }

@@ -1,9 +1,15 @@
 -- SPDX-License-Identifier: MIT
 -- Blur of one layer.
-local pass   = require "strobe.pass"
-local ranges = require "scripts.pipelines.lib.ranges"
+local pass     = require "strobe.pass"
+local pipeline = require "strobe.pipeline"
+local ranges   = require "scripts.pipelines.lib.ranges"
 
 local gathers = {}
+
+local images_of_gather = pipeline.record("what a gather reads", {
+  "valid", "after_velocity", "curve", "dominant_curve", "second", "after_dominant", "behind_depth", "behind_valid",
+  "depth_change", "behind_depth_change", "slowest", "variance",
+})
 
 -- The choice among the files of passes/gather, or those named.
 function gathers.choice(default, doc, names)
@@ -27,7 +33,7 @@ end
 -- A layer (color, depth, velocity, perhaps valid), what tiles.dominant yields for it and, if something was revealed
 -- behind it, that layer.
 function gathers.images(layer, around, behind)
-  return {
+  return images_of_gather {
     color = layer.color, depth = layer.depth, velocity = layer.velocity, valid = layer.valid,
     after_velocity = layer.after_velocity,
     curve = layer.curve, dominant_curve = around.dominant_curve,

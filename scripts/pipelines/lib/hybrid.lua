@@ -21,6 +21,7 @@ local gathers         = require "scripts.pipelines.lib.gathers"
 local lists           = require "scripts.pipelines.lib.lists"
 local options         = require "scripts.pipelines.lib.options"
 local ranges          = require "scripts.pipelines.lib.ranges"
+local scene           = require "scripts.pipelines.lib.scene"
 local tiles           = require "scripts.pipelines.lib.tiles"
 
 local hybrid = {}
@@ -194,7 +195,7 @@ end
 function hybrid.divided(p, revealed)
   local divided = {}
   for number, of in ipairs(revealed) do
-    local layer = { color = of.color, depth = of.depth, id = of.id, velocity = of.velocity, valid = of.valid }
+    local layer = scene.layer { color = of.color, depth = of.depth, id = of.id, velocity = of.velocity, valid = of.valid }
     if p.reveal_resolution() == "full" then layer.hit = of.found end
     if p.reveal_velocity() == "own" then
       layer = ranges.divided(p, layer, number == 1 and "revealed_halves" or ("revealed_%d_halves"):format(number))

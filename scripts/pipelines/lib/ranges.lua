@@ -4,6 +4,7 @@ local pass     = require "strobe.pass"
 local pipeline = require "strobe.pipeline"
 local either   = require "passes.mask.either"
 local halves   = require "passes.scene.halves"
+local scene    = require "scripts.pipelines.lib.scene"
 
 local ranges = {}
 
@@ -23,15 +24,14 @@ function ranges.are_split(p)
   return p.range() == "split" and p.displacement() == "window"
 end
 
--- What `layer` (a plain table: depth, id, velocity and whatever else) is to a filter: if the range is split, its
--- velocity becomes that before the capture and it gets an after_velocity; what it was is its whole_velocity.
--- `name` names the node.
+-- `layer` (scene.layer) for a filter: if the range is split, a copy with the velocity before the raster time, an
+-- after_velocity, and the former velocity as whole_velocity. `name` names the node.
 function ranges.divided(p, layer, name)
   if not ranges.are_split(p) then return layer end
   local parts = halves {
     depth = layer.depth, id = layer.id, velocity = layer.velocity, as = name,
   }
-  local divided = {}
+  local divided = scene.layer {}
   for key, value in pairs(layer) do divided[key] = value end
   divided.velocity, divided.after_velocity, divided.whole_velocity = parts.before, parts.after, layer.velocity
   return divided
@@ -40,7 +40,7 @@ end
 -- A divided layer as it moves after the capture; made once.
 function ranges.after(layer)
   if layer.after then return layer.after end
-  local after = {}
+  local after = scene.layer {}
   for key, value in pairs(layer) do after[key] = value end
   after.velocity, after.after_velocity, after.motions = layer.after_velocity, nil, nil
   layer.after = after

@@ -1,11 +1,18 @@
 -- SPDX-License-Identifier: MIT
 -- What every pipeline starts from: what the pixels see at the capture, and its colour.
 local visibility = require "passes.scene.visibility"
+local pipeline   = require "strobe.pipeline"
 local gbuffer    = require "passes.scene.gbuffer"
 local shade      = require "passes.scene.shade"
 local shadow_shafts = require "passes.tile.shadow_shafts"
 
 local scene = {}
+
+-- A layer: images of one surface per pixel. These fields may be absent; lib/ranges, lib/curves and lib/depths add some.
+scene.layer = pipeline.record("a layer", {
+  "valid", "normal", "hit", "sure", "seen_at", "motions", "curve", "bend", "bent", "depth_change",
+  "after_velocity", "whole_velocity", "after", "time",
+})
 
 -- The colour of what the pixels see, shaded at the capture, where both ways of shading are the same; which shadow rays that
 -- took none. `prefix` stands before the names of its nodes, nothing by default.
@@ -21,7 +28,9 @@ function scene.captured(visible)
   local hit = (visible or visibility) {}.hit
   local g = gbuffer { hit = hit }
   local color, sure = scene.shaded(hit)
-  return { hit = hit, depth = g.depth, normal = g.normal, id = g.id, velocity = g.velocity, color = color, sure = sure }
+  return scene.layer {
+    hit = hit, depth = g.depth, normal = g.normal, id = g.id, velocity = g.velocity, color = color, sure = sure,
+  }
 end
 
 -- The outputs every pipeline has, and those given. Depth and velocity are what filters read, after whatever formats did

@@ -3,7 +3,11 @@
 --   0              a post-process blur, and nothing else
 --   below 0.75     rays in time where a gather is not certain: first ones `pace` apart, more where they differ
 --   from 0.75 on   truth, at 1 with 16 times `samples`
+local pipeline = require "strobe.pipeline"
+
 local selective = {}
+
+local settings = pipeline.record "settings of the effort"
 
 local truth_from = 0.75  -- effort from which every sample is traced
 local most_parts = 256   -- times of the exposure at which the scene is posed at once
@@ -21,7 +25,7 @@ end
 function selective.settings(effort, samples)
   local tenths = 10 * effort - 1
   local finer = math.floor(math.max(0, math.min(2, tenths / 2)))
-  return {
+  return settings {
     pace = 0.08 * 2 ^ (-tenths / 2),
     allowance = 0.08 * 2 ^ -tenths,
     apart_px = 2 ^ (-tenths / 2),

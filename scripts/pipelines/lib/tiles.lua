@@ -12,13 +12,17 @@ local ranges        = require "scripts.pipelines.lib.ranges"
 
 local tiles = {}
 
+local around_tiles = pipeline.record("what tiles.dominant yields",
+                                     { "second", "dominant_curve", "dominant_place", "after_dominant", "after_second" })
+
 local function in_one_part(p, layer, given)
   local prefix, extra = given.prefix or "", given.extra or {}
+  local extra_curve = pipeline.optional(extra, "curve")
   local tile = tile_max {
     velocity = layer.velocity, valid = layer.valid, extra_velocity = extra.velocity, extra_valid = extra.valid,
-    curve = layer.curve, extra_curve = rawget(extra, "curve"), as = prefix .. "tile_max",
+    curve = layer.curve, extra_curve = extra_curve, as = prefix .. "tile_max",
   }
-  local longest, is_curved = tile.longest, layer.curve or rawget(extra, "curve")
+  local longest, is_curved = tile.longest, layer.curve or extra_curve
   local curve = is_curved and tile.curve_of_it or nil
   local motions = given.second and tiles.motions(layer) or nil
   local reach = longest_motion { longest = longest, curve = curve, as = prefix .. "longest_motion" }.reach
@@ -26,7 +30,7 @@ local function in_one_part(p, layer, given)
     longest = longest, curve = curve, place = is_curved and tile.place_of_it or nil, motions = motions, reach = reach,
     rule = p.tile_rule, seen_at = given.seen_at or "capture", as = prefix .. "neighbour_max",
   }
-  return {
+  return around_tiles {
     dominant = around.dominant, second = around.second, longest = longest, reach = reach,
     dominant_curve = curve and around.dominant_curve or nil, dominant_place = curve and around.dominant_place or nil,
   }
