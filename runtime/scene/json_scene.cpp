@@ -17,7 +17,7 @@ namespace strobe::scene {
 namespace {
 
 constexpr size_t kMostNodes = 100000;
-constexpr size_t kMostVertices = 20000000;
+constexpr size_t kMostSceneVertices = 20000000;
 constexpr int kDeepest = 100;
 
 class Builder {
@@ -194,8 +194,8 @@ class Builder {
     if (parts)
       for (const Json& part : listIn(json["parts"], "parts", fields)) made.push_back(readPart(part, fields.place()));
     for (const Part& part : made) vertices_ += part.shape.points.size();
-    if (vertices_ > kMostVertices) {
-      fields.problem(fmt::format("the scene has more than {} vertices", kMostVertices));
+    if (vertices_ > kMostSceneVertices) {
+      fields.problem(fmt::format("the scene has more than {} vertices", kMostSceneVertices));
       made.clear();
     }
     scene_.meshes.push_back(meshOf(name, made));
