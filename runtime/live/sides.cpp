@@ -154,9 +154,7 @@ void Sides::giveCameraBack() {
   if (a_.session->shot().view) unset("view");
 }
 
-int Sides::lastFrame() const {
-  return first_frame_ + scene::loopFrames(a_.session->scene(), a_.session->shot().fps);
-}
+int Sides::lastFrame() const { return first_frame_ + scene::loopFrames(a_.session->scene(), a_.session->shot().fps); }
 
 // ---- files
 
