@@ -169,7 +169,9 @@ void checkPipelines(const Home& home, const std::vector<script::PipelineRequest>
 void checkScenes(const Home& home, const std::vector<std::string>& names, std::vector<std::string>& problems) {
   auto scenes = script::evaluateScenes(home, names);
   for (size_t i = 0; i < scenes.size(); ++i)
-    collect(problems, [&] { scene::checkScene(scenes[i].take(), names[i], lab::suggestions()); });
+    collect(problems, [&] {
+      scene::checkScene(scenes[i].take(), names[i], lab::suggestions(), lab::filePlaces(home, names[i]));
+    });
 }
 
 // Everything in scripts/pipelines by name, and what looks into a picture, in scripts/inspect, by path.

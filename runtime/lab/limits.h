@@ -12,6 +12,8 @@ namespace strobe::lab {
 inline constexpr Limit kBeforeClipLimit{
     "before_clip", Limit::Kind::Warned, "the exposure begins before a clip of keys does",
     "what is keyed is held at its first keys there; take a later frame, a shorter exposure or another anchor"};
+inline constexpr Limit kSharedTargetLimit{"shared_target", Limit::Kind::Warned, "clips drive one target",
+                                          "the first clip in the file plays; --animation NAME chooses another"};
 inline constexpr Limit kClipSeamLimit{
     "clip_seam", Limit::Kind::Warned, "the exposure spans the end of a clip, which then begins again",
     "what is keyed jumps back within the exposure and is blurred over the whole jump; take a frame whose exposure lies "
@@ -25,7 +27,8 @@ inline constexpr Limit kOutsideLimit{
     "filters of one picture know nothing of it, and what is at the border stands in; truth shows it. Render a larger "
     "picture and crop it"};
 
-inline constexpr std::array kLimits = {kBeforeClipLimit, kClipSeamLimit, kNotFiniteLimit, kOutsideLimit};
+inline constexpr std::array kLimits = {kBeforeClipLimit, kSharedTargetLimit, kClipSeamLimit, kNotFiniteLimit,
+                                       kOutsideLimit};
 
 // Those of devices, of scenes and of shots, in this order.
 std::vector<Limit> allLimits();

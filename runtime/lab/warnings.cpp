@@ -2,9 +2,11 @@
 #include "lab/warnings.h"
 
 #include <algorithm>
+#include <map>
 
 #include "image/regions.h"
 #include "lab/limits.h"
+#include "scene/clips.h"
 #include "scene/motion.h"
 
 namespace strobe::lab {
@@ -39,36 +41,59 @@ std::vector<std::string> limitsMet(const graph::FrameResult& frame) {
                                            found.x, found.y, found.value))};
 }
 
-// Is a clip in another pose at its end than where it begins again?
-static bool jumps(const scene::Animation& clip) {
-  return std::any_of(clip.tracks.begin(), clip.tracks.end(), [&](const scene::Track& track) {
-    dvec4 first = scene::valueAt(track, 0), last = scene::valueAt(track, clip.duration);
-    return glm::length(first - last) > 1e-9 * glm::length(first);
-  });
+// Warnings about clips that do not play since an earlier one drives a target of theirs.
+static std::vector<std::string> sharedTargets(const scene::Scene& scene) {
+  constexpr size_t kMostNames = 12;
+  std::map<std::pair<int, std::string>, std::vector<std::string>> yielding;  // names, by what plays and the target
+  for (const scene::Animation& clip : scene.animations)
+    if (clip.yields_to >= 0) yielding[{clip.yields_to, clip.shared_target}].push_back(clip.name);
+  std::vector<std::string> met;
+  for (auto& [shared, names] : yielding) {
+    names.insert(names.begin(), scene.animations[size_t(shared.first)].name);
+    const size_t more = names.size() - std::min(names.size(), kMostNames);
+    names.resize(names.size() - more);
+    met.push_back(kSharedTargetLimit.text(fmt::format("clips '{}'{} drive {}", fmt::join(names, "', '"),
+                                                      more ? fmt::format(" and {} more", more) : "", shared.second)));
+  }
+  return met;
 }
 
+// True if all of the scene stands still within the exposure, or all that the clip drives.
+static bool isCut(const Shot& shot, const scene::Scene& scene, const scene::Animation& clip, double open_s,
+                  double close_s) {
+  return scene::comesToACut(scene.cuts, open_s, close_s) || scene::comesToACut(clip, open_s, close_s) ||
+         scene::comesToACut(scene::cutsFromOption(shot.cuts), open_s, close_s);
+}
+
+// The first key that blurs; without one the end of the clip.
 static double firstKey(const scene::Animation& clip) {
   double first_s = clip.duration;
-  for (const scene::Track& track : clip.tracks) first_s = std::min(first_s, track.times.front());
+  for (const scene::Track* track : scene::tracksOf(clip))
+    if (track->interpolation != scene::Track::Interpolation::Step) first_s = std::min(first_s, track->times.front());
   return first_s;
+}
+
+static bool jumpsAtTheEnd(const scene::Animation& clip) {
+  const std::vector<const scene::Track*> tracks = scene::tracksOf(clip);
+  return std::any_of(tracks.begin(), tracks.end(),
+                     [&](const scene::Track* track) { return scene::jumpsAtTheEnd(clip, *track); });
 }
 
 std::vector<std::string> limitsMet(const Shot& shot, const scene::Scene& scene) {
   std::vector<std::string> met;
+  if (shot.animation == "all") met = sharedTargets(scene);
   auto [open_s, close_s] = shot.window();
   if (!(close_s > open_s)) return met;
-  for (const scene::Animation& clip : scene.animations) {
-    bool plays = shot.animation == "all" || shot.animation == clip.name;
-    if (!plays || clip.tracks.empty()) continue;
-    std::string times = fmt::format("the exposure from {:.6g} s to {:.6g} s", open_s, close_s);
-    double first_s = firstKey(clip);
-    if (open_s < first_s && close_s >= first_s)
+  const std::string times = fmt::format("the exposure from {:.6g} s to {:.6g} s", open_s, close_s);
+  for (const scene::Animation* clip : scene::clipsOf(scene, shot.animation)) {
+    if (isCut(shot, scene, *clip, open_s, close_s)) continue;
+    const double first_s = firstKey(*clip);
+    if (first_s < clip->duration && scene::isBefore(open_s, first_s) && scene::isBefore(first_s, close_s))
       met.push_back(
-          kBeforeClipLimit.text(fmt::format("{} begins before '{}' does at {:.6g} s", times, clip.name, first_s)));
-    bool seam = scene::clipTime(close_s, clip.duration) < scene::clipTime(open_s, clip.duration);
-    if (seam && jumps(clip))
+          kBeforeClipLimit.text(fmt::format("{} begins before '{}' does at {:.6g} s", times, clip->name, first_s)));
+    if (scene::beginsAgain(*clip, open_s, close_s) && jumpsAtTheEnd(*clip))
       met.push_back(
-          kClipSeamLimit.text(fmt::format("{} spans the end of '{}' at {:.6g} s", times, clip.name, clip.duration)));
+          kClipSeamLimit.text(fmt::format("{} spans the end of '{}' at {:.6g} s", times, clip->name, clip->duration)));
   }
   return met;
 }

@@ -61,6 +61,13 @@ static std::string shownBeside(const std::string& scene, const Path& file) {
   return (Path(scene).parent_path() / file.lexically_relative(own.parent_path())).lexically_normal().string();
 }
 
+scene::FilePlaces filePlaces(const Home& home, const std::string& scene, bool allow_outside) {
+  scene::FilePlaces places{script::sceneScript(home, scene).parent_path(), {}, allow_outside};
+  for (const Path& root : home.roots())
+    if (places.root.empty() && liesIn(places.folder, root)) places.root = root;
+  return places;
+}
+
 LoadedScene loadScene(const Home& home, Shot& shot) {
   LoadedScene loaded;
   const double started_s = clockSeconds();
@@ -78,8 +85,12 @@ LoadedScene loadScene(const Home& home, Shot& shot) {
     if (!shot.variant.empty())
       throw Error(fmt::format("--variant {}: only glTF scenes have variants of materials", shot.variant), {}, 2);
     loaded.description = script::evaluateScene(home, shot.scene, shot.sets, &loaded.dependencies);
-    loaded.scene =
-        scene::sceneFromJson(loaded.description, shot.scene, suggestions(), scene::keptPainter(home.cache()));
+    loaded.scene = scene::sceneFromJson(loaded.description, shot.scene, suggestions(), scene::keptPainter(home.cache()),
+                                        filePlaces(home, shot.scene, shot.allow_outside));
+    for (const scene::SourceFile& file : loaded.scene.files) {
+      loaded.description["files"][home.shown(file.path)] = file.hash;
+      loaded.dependencies.push_back({file.path, home.shown(file.path), file.hash});
+    }
   }
   fillShot(shot, loaded.description);
   checkShot(shot);

@@ -13,6 +13,7 @@
 #include "lab/evaluation.h"
 #include "lab/id_names.h"
 #include "plan/plan.h"
+#include "scene/scene_files.h"
 
 namespace strobe::lab {
 
@@ -28,6 +29,10 @@ struct LoadedScene {
 
 // Not a script, by the ending of its name.
 bool isGltf(const std::string& scene);
+
+// Places of the files that a Lua scene names. Names are relative to the scene's file. Files lie in the root that has
+// the scene (the project or the shipped folder), without such a root in the scene's folder.
+scene::FilePlaces filePlaces(const Home& home, const std::string& scene, bool allow_outside = false);
 
 // Reads the scene, fills in what the shot left open from it (size, fps, frame, exposure), applies --move and --spin.
 LoadedScene loadScene(const Home& home, Shot& shot);

@@ -7,6 +7,7 @@
 #include "live/widgets.h"
 #include "math/bounds.h"
 #include "scene/bend.h"
+#include "scene/clips.h"
 
 namespace strobe::live {
 
@@ -153,13 +154,7 @@ void Sides::giveCameraBack() {
   if (a_.session->shot().view) unset("view");
 }
 
-int Sides::lastFrame() const {
-  double seconds = 0;
-  for (const scene::Animation& animation : a_.session->scene().animations)
-    seconds = std::max(seconds, animation.duration);
-  if (seconds == 0) seconds = 2;
-  return first_frame_ + std::max(1, int(seconds * a_.session->shot().fps));
-}
+int Sides::lastFrame() const { return first_frame_ + scene::loopFrames(a_.session->scene(), a_.session->shot().fps); }
 
 // ---- files
 

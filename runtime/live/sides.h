@@ -53,7 +53,8 @@ class Sides {
   void setViewpoint(const Viewpoint& view) { set("view", toText(view), "window"); }
   void giveCameraBack();
   int firstFrame() const { return first_frame_; }
-  int lastFrame() const;  // of the longest animation, else two seconds; play begins anew after it
+  // The last frame of the loop (`scene::loopFrames`); play begins anew after it.
+  int lastFrame() const;
 
   // Looks for edited files. `swapped`: a new version runs; `news`: that, or one was refused.
   struct Looked {

@@ -53,8 +53,8 @@ dvec3 unitOrNone(const dvec3& normal) {
 // Vertices of one geometry as they are bent.
 class Bending {
  public:
-  Bending(const Mesh& mesh, const Geometry& geometry, const Bend& bend, bool mirrored)
-      : mesh_(mesh), geometry_(geometry), bend_(bend), mirrored_(mirrored) {}
+  Bending(const Mesh& mesh, const Geometry& geometry, const Bend& bend)
+      : mesh_(mesh), geometry_(geometry), bend_(bend) {}
 
   BentVertex at(size_t v) const {
     BentVertex vertex = morphed(v);
@@ -63,7 +63,7 @@ class Bending {
     const dmat4 matrix = matrixOf(v);
     vertex.position = dvec3(matrix * dvec4(mesh_.origin + vertex.position, 1));
     vertex.normal = unitOrNone(normalBy(matrix, vertex.normal));
-    if (mirrored_) vertex.position.x = -vertex.position.x, vertex.normal.x = -vertex.normal.x;
+    if (bend_.mirrored) vertex.position.x = -vertex.position.x, vertex.normal.x = -vertex.normal.x;
     return vertex;
   }
 
@@ -90,7 +90,6 @@ class Bending {
   const Mesh& mesh_;
   const Geometry& geometry_;
   const Bend& bend_;
-  bool mirrored_;
 };
 
 constexpr size_t kWorthAThread = 20000;
@@ -114,7 +113,7 @@ std::vector<BentVertex> bentVertices(const Scene& scene, const Instance& instanc
   const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   BentVertex* to = vertices.data();
   for (const Geometry& geometry : mesh.geometries) {
-    bendAll(Bending(mesh, geometry, bend, instance.mirrored), 0, geometry.vertices.size(), threads, to);
+    bendAll(Bending(mesh, geometry, bend), 0, geometry.vertices.size(), threads, to);
     to += geometry.vertices.size();
   }
   return vertices;

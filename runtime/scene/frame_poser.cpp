@@ -7,11 +7,6 @@
 
 namespace strobe::scene {
 
-// Is there a cut after the first time, up to the second or at it?
-static bool crosses(const std::vector<double>& cuts, double from_s, double to_s) {
-  return std::any_of(cuts.begin(), cuts.end(), [&](double cut_s) { return from_s < cut_s && cut_s <= to_s; });
-}
-
 FramePoser::FramePoser(const Scene& scene, int camera_node, const std::string& animation, const FrameTimes& times)
     : poser_(scene, camera_node, animation), times_(times) {
   NodeTime everything{Clock::Objects, scene.cuts, {}};
@@ -68,7 +63,7 @@ FramePoser::NodeTime FramePoser::ofInstance(const Scene& scene, const Instance& 
 }
 
 bool FramePoser::isCut(const NodeTime& node, double from_s, double to_s) const {
-  if (crosses(node.cuts, from_s, to_s)) return true;
+  if (comesToACut(node.cuts, from_s, to_s)) return true;
   return std::any_of(node.clips.begin(), node.clips.end(),
                      [&](const Animation* clip) { return comesToACut(*clip, from_s, to_s); });
 }

@@ -7,6 +7,7 @@
 
 #include "base/memory.h"
 #include "math/constants.h"
+#include "scene/clips.h"
 #include "scene/defaults.h"
 #include "scene/gltf_animation.h"
 #include "scene/gltf_material.h"
@@ -42,6 +43,8 @@ class Loader {
     readSkins(file_, scene_);
     readShownScene();
     readAnimations(file_, scene_);
+    yieldClips(scene_);
+    findSoleJoints(scene_);
     dropIdleWeights(scene_);
     warnOfUnusedExtensions();
     readAttribution();
@@ -56,9 +59,7 @@ class Loader {
   // The number of the variant asked for, -1 for none.
   int readVariants() {
     const Json& variants = file_.list(file_.extension(file_.json(), "KHR_materials_variants"), "variants", "");
-    std::set<std::string> taken;
-    for (size_t i = 0; i < variants.size(); ++i)
-      scene_.variants.push_back(file_.uniqueName(variants[i], fmt::format("variant_{}", i), taken));
+    scene_.variants = file_.uniqueNames(variants, "variant");
     if (variant_.empty()) return -1;
     auto found = std::find(scene_.variants.begin(), scene_.variants.end(), variant_);
     if (found != scene_.variants.end()) return int(found - scene_.variants.begin());
@@ -128,11 +129,11 @@ class Loader {
   void readNodes() {
     const Json& nodes = file_.all("nodes");
     scene_.nodes.resize(nodes.size());
-    std::set<std::string> taken;
+    const std::vector<std::string> names = file_.uniqueNames(nodes, "node");
     for (size_t i = 0; i < nodes.size(); ++i) {
       Node& node = scene_.nodes[i];
       std::string where = fmt::format("nodes[{}]", i);
-      node.name = file_.uniqueName(nodes[i], fmt::format("node_{}", i), taken);
+      node.name = names[i];
       readTransform(nodes[i], where, node);
       node.cuts = cutsOf(file_, nodes[i], where);
       node.mesh = file_.index(nodes[i], "mesh", "meshes", where);

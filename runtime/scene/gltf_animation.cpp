@@ -6,6 +6,7 @@
 #include <set>
 
 #include "scene/gltf_pointer.h"
+#include "scene/motion.h"
 
 namespace strobe::scene {
 
@@ -17,10 +18,10 @@ class AnimationReader {
 
   void readAnimations() {
     const Json& animations = file_.all("animations");
-    std::set<std::string> taken;
+    const std::vector<std::string> names = file_.uniqueNames(animations, "animation", {"all", "none"});
     for (size_t i = 0; i < animations.size(); ++i) {
       Animation animation;
-      animation.name = file_.uniqueName(animations[i], fmt::format("animation_{}", i), taken);
+      animation.name = names[i];
       const Json& channels = file_.list(animations[i], "channels", "");
       for (const char* key : {"channels", "samplers"})
         if (file_.list(animations[i], key, "").empty())
@@ -148,20 +149,6 @@ class AnimationReader {
       for (size_t i = w; i < values.count; i += count) keys.values.push_back(dvec4(values.numbers[i], 0, 0, 0));
       for (int node : target.morphed) animation.weights.push_back({node, target.first_weight + w, keys});
     }
-  }
-
-  // An animated node needs its transform in parts.
-  static void splitMatrix(Node& node) {
-    if (!node.matrix) return;
-    dmat3 linear(*node.matrix);
-    node.translation = dvec3((*node.matrix)[3]);
-    node.scale = {glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])};
-    if (glm::determinant(linear) < 0) node.scale.x = -node.scale.x;
-    bool flat = node.scale.x == 0 || node.scale.y == 0 || node.scale.z == 0;
-    if (!flat)
-      node.rotation =
-          glm::quat_cast(dmat3(linear[0] / node.scale.x, linear[1] / node.scale.y, linear[2] / node.scale.z));
-    node.matrix.reset();
   }
 
   const GltfFile& file_;

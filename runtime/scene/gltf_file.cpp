@@ -357,11 +357,26 @@ std::string GltfFile::text(const Json& object, const std::string& key, const std
   return object[key].get<std::string>();
 }
 
-std::string GltfFile::uniqueName(const Json& object, const std::string& otherwise, std::set<std::string>& taken) const {
-  std::string name = text(object, "name"), free = name.empty() ? otherwise : name;
-  std::string base = free;
-  for (int i = 2; !taken.insert(free).second; ++i) free = fmt::format("{}#{}", base, i);
-  return free;
+std::vector<std::string> GltfFile::uniqueNames(const Json& list, const std::string& prefix,
+                                               std::set<std::string> reserved) const {
+  std::vector<std::string> names;
+  std::set<std::string> taken = reserved, stated = std::move(reserved);
+  for (const Json& object : list) stated.insert(text(object, "name"));
+  auto claim = [&](const std::string& name, bool is_stated) {
+    return is_stated == stated.contains(name) && taken.insert(name).second;
+  };
+  for (const Json& object : list) {
+    const std::string own = text(object, "name");
+    const std::string base = own.empty() ? fmt::format("{}_{}", prefix, names.size()) : own;
+    std::string name = base;
+    bool is_free = claim(name, !own.empty());
+    for (int i = 2; !is_free; ++i) {
+      name = fmt::format("{}#{}", base, i);
+      is_free = claim(name, false);
+    }
+    names.push_back(name);
+  }
+  return names;
 }
 
 bool GltfFile::flag(const Json& object, const std::string& key, const std::string& where) const {

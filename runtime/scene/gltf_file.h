@@ -64,8 +64,11 @@ class GltfFile {
   std::vector<double> numbers(const Json& object, const std::string& key, std::vector<double> fallback,
                               const std::string& where) const;
   std::string text(const Json& object, const std::string& key, const std::string& where = "") const;
-  // Its name, or `otherwise`, made different from those that are `taken`.
-  std::string uniqueName(const Json& object, const std::string& otherwise, std::set<std::string>& taken) const;
+  // A name for each object of a list, all different. The first object with a name keeps it, a later one has "#2", "#3",
+  // ... added to it, and one without a name is PREFIX_INDEX. Names made up are none that the list states, nor
+  // `reserved`.
+  std::vector<std::string> uniqueNames(const Json& list, const std::string& prefix,
+                                       std::set<std::string> reserved = {}) const;
   bool flag(const Json& object, const std::string& key, const std::string& where) const;
   size_t size(const Json& object, const std::string& key, std::optional<size_t> fallback,
               const std::string& where) const;

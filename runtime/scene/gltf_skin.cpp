@@ -23,9 +23,6 @@ class SkinReader {
     }
     const Json& nodes = file_.all("nodes");
     for (size_t i = 0; i < nodes.size(); ++i) readNode(nodes[i], fmt::format("nodes[{}]", i), scene_.nodes[i]);
-    const std::vector<dmat4> worlds = restWorlds(scene_);
-    for (size_t i = 0; i < nodes.size(); ++i)
-      if (scene_.nodes[i].skin >= 0) scene_.nodes[i].sole_joint = soleJoint(scene_.nodes[i], worlds, worlds[i]);
   }
 
  private:
@@ -79,22 +76,6 @@ class SkinReader {
     }
   }
 
-  // The joint that all vertices follow alone, if it has the handedness of the node; else -1.
-  int soleJoint(const Node& node, const std::vector<dmat4>& worlds, const dmat4& own) const {
-    int sole = -1;
-    for (const Geometry& geometry : scene_.meshes[size_t(node.mesh)].geometries)
-      for (size_t k = 0; k < geometry.influences.shares.size(); ++k) {
-        const int joint = int(geometry.influences.joints[k]);
-        if (geometry.influences.shares[k] == 0 || joint == sole) continue;
-        if (sole >= 0) return -1;
-        sole = joint;
-      }
-    if (sole < 0) return -1;
-    const Skin& skin = scene_.skins[size_t(node.skin)];
-    const dmat4 posed = worlds[size_t(skin.joints[size_t(sole)])] * skin.inverse_binds[size_t(sole)];
-    return (glm::determinant(dmat3(posed)) < 0) == (glm::determinant(dmat3(own)) < 0) ? sole : -1;
-  }
-
   const GltfFile& file_;
   Scene& scene_;
   std::vector<std::vector<double>> weights_;  // of meshes
@@ -103,6 +84,55 @@ class SkinReader {
 }  // namespace
 
 void readSkins(const GltfFile& file, Scene& scene) { SkinReader(file, scene).read(); }
+
+// The joint that all vertices of a mesh follow alone; -1: there are several, or none.
+static int soleJoint(const Mesh& mesh) {
+  int sole = -1;
+  for (const Geometry& geometry : mesh.geometries)
+    for (size_t k = 0; k < geometry.influences.shares.size(); ++k) {
+      const int joint = int(geometry.influences.joints[k]);
+      if (geometry.influences.shares[k] == 0 || joint == sole) continue;
+      if (sole >= 0) return -1;
+      sole = joint;
+    }
+  return sole;
+}
+
+// By node: true if keys may change the sign of its determinant or of a node's above it.
+static std::vector<bool> nodesThatMayMirror(const Scene& scene) {
+  std::vector<bool> may(scene.nodes.size(), false);
+  for (const Animation& clip : scene.animations)
+    for (const Track& track : clip.tracks) {
+      if (track.target != Track::Target::Scale) continue;
+      const dvec3 rest = glm::sign(scene.nodes[size_t(track.node)].scale);
+      const bool keeps = track.interpolation != Track::Interpolation::CubicSpline &&
+                         std::all_of(track.values.begin(), track.values.end(), [&](const dvec4& value) {
+                           return glm::sign(dvec3(value)) == rest && value.x * value.y * value.z != 0;
+                         });
+      if (!keeps) may[size_t(track.node)] = true;
+    }
+  for (int node : hierarchyOrder(scene)) {
+    const int parent = scene.nodes[size_t(node)].parent;
+    if (parent >= 0 && may[size_t(parent)]) may[size_t(node)] = true;
+  }
+  return may;
+}
+
+void findSoleJoints(Scene& scene) {
+  const std::vector<dmat4> worlds = restWorlds(scene);
+  const std::vector<bool> may_mirror = nodesThatMayMirror(scene);
+  for (size_t i = 0; i < scene.nodes.size(); ++i) {
+    Node& node = scene.nodes[i];
+    const int sole = node.skin < 0 ? -1 : soleJoint(scene.meshes[size_t(node.mesh)]);
+    node.sole_joint = -1;
+    if (sole < 0 || may_mirror[i]) continue;
+    const Skin& skin = scene.skins[size_t(node.skin)];
+    const size_t joint = size_t(skin.joints[size_t(sole)]);
+    const dmat4 posed = worlds[joint] * skin.inverse_binds[size_t(sole)];
+    const bool same = (glm::determinant(dmat3(posed)) < 0) == (glm::determinant(dmat3(worlds[i])) < 0);
+    if (same && !may_mirror[joint]) node.sole_joint = sole;
+  }
+}
 
 size_t targetsOf(const GltfFile& file, int mesh) {
   const Json& primitives = file.list(file.all("meshes").at(mesh), "primitives", "");

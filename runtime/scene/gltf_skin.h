@@ -10,6 +10,9 @@ namespace strobe::scene {
 // weights. Throws `Error` where a mesh follows joints that its skin does not have, or none.
 void readSkins(const GltfFile& file, Scene& scene);
 
+// Finds the `sole_joint` of all nodes. Animations are read already.
+void findSoleJoints(Scene& scene);
+
 // How many morph targets a mesh of the file has.
 size_t targetsOf(const GltfFile& file, int mesh);
 

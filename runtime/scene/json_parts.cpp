@@ -236,17 +236,24 @@ static Texture readPattern(Fields& f, const std::string& type, const Painter& pa
   return paint(pattern);
 }
 
-Texture readTexture(const Json& json, const Place& place, Problems& problems, const Painter& paint) {
+static Texture readImage(Fields& fields, SceneFiles& files) {
+  const std::string name = fields.text("file", std::nullopt);
+  return name.empty() ? Texture() : files.image(name, fields).value_or(Texture());
+}
+
+Texture readTexture(const Json& json, const Place& place, Problems& problems, const Painter& paint, SceneFiles& files) {
   std::string type = typeOf(json);
   const std::vector<std::string>& names = patternNames();
   bool pattern = std::find(names.begin(), names.end(), type) != names.end();
   Fields fields(json, type.empty() ? "texture" : "texture " + type, place, problems);
-  if (!isKind(json, "texture") || !(pattern || type == "texels")) {
+  if (!isKind(json, "texture") || !(pattern || type == "texels" || type == "image")) {
     fields.problem("is not a texture; write scene.texture.stripes { ... } or another texture of strobe.scene");
     return {};
   }
   std::string wrap = fields.choice("wrap", "repeat", {"repeat", "mirror", "clamp"});
-  Texture texture = pattern ? readPattern(fields, type, paint) : readTexels(fields);
+  Texture texture = pattern           ? readPattern(fields, type, paint)
+                    : type == "image" ? readImage(fields, files)
+                                      : readTexels(fields);
   texture.name = fields.text("name", type);
   texture.wrap_u = wrap == "repeat"   ? Texture::Wrap::Repeat
                    : wrap == "mirror" ? Texture::Wrap::Mirror

@@ -3,7 +3,7 @@
 // what is returned then is of the right kind but of no use.
 #pragma once
 
-#include "scene/fields.h"
+#include "scene/scene_files.h"
 #include "scene/shapes.h"
 #include "scene/textures.h"
 
@@ -19,7 +19,8 @@ struct Placement {
 Placement readPlacement(Fields& fields);
 
 Shape readShape(const Json& json, const Place& place, Problems& problems);
-Texture readTexture(const Json& json, const Place& place, Problems& problems, const Painter& paint);
+// An image has level 0 alone. Its further levels depend on its use, for colours or for numbers.
+Texture readTexture(const Json& json, const Place& place, Problems& problems, const Painter& paint, SceneFiles& files);
 Light readLight(const Json& json, const Place& place, Problems& problems);
 Camera readCamera(const Json& json, const Place& place, Problems& problems);
 

@@ -2,8 +2,13 @@
 #include "scene/json_scene.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
+#include "scene/attach.h"
+#include "scene/clips.h"
+#include "scene/gltf.h"
+#include "scene/gltf_skin.h"
 #include "scene/json_parts.h"
 #include "scene/motion.h"
 
@@ -12,13 +17,17 @@ namespace strobe::scene {
 namespace {
 
 constexpr size_t kMostNodes = 100000;
-constexpr size_t kMostVertices = 20000000;
+constexpr size_t kMostSceneVertices = 20000000;
 constexpr int kDeepest = 100;
 
 class Builder {
  public:
-  Builder(const std::string& file, const std::vector<Suggestion>& suggestions, const Painter& paint)
-      : file_{file}, suggestions_(suggestions), paint_(paint) {}
+  Builder(const std::string& file, const std::vector<Suggestion>& suggestions, const Painter& paint,
+          const std::optional<FilePlaces>& places)
+      : file_{file},
+        suggestions_(suggestions),
+        paint_(paint),
+        files_(places ? *places : FilePlaces{Path(file).parent_path()}) {}
 
   Scene build(const Json& json) {
     Fields fields(json, "scene", file_, problems_);
@@ -28,11 +37,16 @@ class Builder {
     if (const Json* shot = fields.find("shot")) checkShot(*shot, fields.place());
     if (const Json* environment = fields.find("environment")) readEnvironment(*environment, fields.place());
     if (const Json* nodes = fields.need("nodes")) readNodes(*nodes, -1, fields, 0);
+    for (const auto& attach : attached_) attach();
     if (const Json* animations = fields.find("animations"))
       for (const Json& animation : listIn(*animations, "animations", fields)) readAnimation(animation, fields.place());
     scene_.cuts = readCuts(fields);
+    scene_.loop_s = fields.number("loop", 0, 0, 1e6);
     fields.finish();
     problems_.throwIfAny();
+    yieldClips(scene_);
+    findSoleJoints(scene_);
+    scene_.files = files_.read();
     return std::move(scene_);
   }
 
@@ -114,9 +128,41 @@ class Builder {
     }
     if (const Json* motion = fields.find("motion")) readMotion(*motion, index, fields);
     node.cuts = readCuts(fields);
+    if (const Json* gltf = fields.find("gltf")) readGltf(*gltf, index, fields.place());
     scene_.nodes.push_back(std::move(node));
     if (const Json* children = fields.find("children")) readNodes(*children, index, fields, depth + 1);
     fields.finish();
+  }
+
+  // Notes a glTF file, which is attached after all nodes of the description. The first camera is then the
+  // description's.
+  void readGltf(const Json& json, int node, const Place& outer) {
+    Fields fields(json, "gltf", outer, problems_);
+    if (!isKind(json, "gltf")) return fields.problem("is not a glTF file; write scene.gltf { ... }");
+    const std::string name = fields.text("file", std::nullopt), animation = fields.text("animation", "all");
+    const GltfOptions options{files_.allowOutside(), fields.text("variant", "")};
+    const Place place = fields.place();
+    fields.finish();
+    const std::optional<Path> file = name.empty() ? std::nullopt : files_.find(name, fields);
+    if (!file) return;
+    const std::string key = file->string() + "\n" + options.variant;
+    attached_.push_back([this, file = *file, options, key, node, animation, place] {
+      try {
+        if (!parts_.contains(key)) parts_.emplace(key, loadGltf(file, options));
+        attach(key, node, animation);
+      } catch (const Error& error) {
+        problems_.add(place, fmt::format("gltf: {}", error.what()));
+      }
+    });
+  }
+
+  void attach(const std::string& key, int node, const std::string& animation) {
+    const size_t first = scene_.nodes.size();
+    attacher_.attach(key, parts_.at(key), node, animation);
+    for (const SourceFile& file : parts_.at(key).files) files_.add(file);
+    for (size_t i = first; i < scene_.nodes.size(); ++i)
+      if (!names_.emplace(scene_.nodes[i].name, int(i)).second)
+        throw Error(fmt::format("another node is called '{}'", scene_.nodes[i].name));
   }
 
   void readMotion(const Json& json, int node, Fields& outer) {
@@ -148,8 +194,8 @@ class Builder {
     if (parts)
       for (const Json& part : listIn(json["parts"], "parts", fields)) made.push_back(readPart(part, fields.place()));
     for (const Part& part : made) vertices_ += part.shape.points.size();
-    if (vertices_ > kMostVertices) {
-      fields.problem(fmt::format("the scene has more than {} vertices", kMostVertices));
+    if (vertices_ > kMostSceneVertices) {
+      fields.problem(fmt::format("the scene has more than {} vertices", kMostSceneVertices));
       made.clear();
     }
     scene_.meshes.push_back(meshOf(name, made));
@@ -229,8 +275,9 @@ class Builder {
   int textureIndex(const Json& json, const Place& outer, bool is_color) {
     auto [known, is_new] = textures_.emplace(contentOf(json) + (is_color ? "" : "#"), int(scene_.textures.size()));
     if (!is_new) return known->second;
-    Texture texture = readTexture(json, outer, problems_, paint_);
+    Texture texture = readTexture(json, outer, problems_, paint_, files_);
     if (!is_color && texture.format == Texture::Format::Rgba8Srgb) texture.format = Texture::Format::Rgba8Unorm;
+    if (texture.levels.size() == 1 && texture.format != Texture::Format::Rgba32f) buildLevels(texture);
     scene_.textures.push_back(std::move(texture));
     return known->second;
   }
@@ -240,6 +287,9 @@ class Builder {
     if (!isKind(json, "animation")) return fields.problem("is not an animation; write scene.animation { ... }");
     Animation animation;
     animation.name = fields.text("name", std::nullopt);
+    fields.rename(fmt::format("animation '{}'", animation.name));
+    for (const Animation& other : scene_.animations)
+      if (other.name == animation.name) fields.problem("another animation has this name");
     const Json* tracks = fields.need("tracks");
     if (tracks)
       for (const Json& track : listIn(*tracks, "tracks", fields)) readTrack(track, fields.place(), animation);
@@ -276,6 +326,10 @@ class Builder {
     if (track.values.size() != wanted)
       return fields.problem(
           fmt::format("{} times need {} values, got {}", track.times.size(), wanted, track.values.size()));
+    for (const Track& other : animation.tracks)
+      if (other.node == track.node && other.target == track.target)
+        return fields.problem(fmt::format("another track drives the {} of node '{}'", target, name));
+    if (track.node >= 0) splitMatrix(scene_.nodes[size_t(track.node)]);
     animation.duration = std::max(animation.duration, track.times.back());
     animation.tracks.push_back(std::move(track));
   }
@@ -290,7 +344,11 @@ class Builder {
   const std::vector<Suggestion>& suggestions_;
   const Painter& paint_;
   Problems problems_;
+  SceneFiles files_;
   Scene scene_;
+  Attacher attacher_{scene_};
+  std::map<std::string, Scene> parts_;           // glTF files, by file and variant
+  std::vector<std::function<void()>> attached_;  // of each node that has one
   std::map<std::string, int> names_, meshes_, materials_, textures_;
   size_t vertices_ = 0;
 };
@@ -298,16 +356,17 @@ class Builder {
 }  // namespace
 
 Scene sceneFromJson(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions,
-                    const Painter& paint) {
-  return Builder(file, suggestions, paint).build(description);
+                    const Painter& paint, const std::optional<FilePlaces>& places) {
+  return Builder(file, suggestions, paint, places).build(description);
 }
 
-void checkScene(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions) {
+void checkScene(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions,
+                const std::optional<FilePlaces>& places) {
   const Painter of_one_texel = [](Pattern pattern) {
     pattern.width = pattern.height = 1;
     return paintPattern(pattern);
   };
-  Builder(file, suggestions, of_one_texel).build(description);
+  Builder(file, suggestions, of_one_texel, places).build(description);
 }
 
 }  // namespace strobe::scene

@@ -3,6 +3,7 @@
 // may be written) becomes a `Scene`; shapes and textures are made here.
 #pragma once
 
+#include "scene/scene_files.h"
 #include "scene/textures.h"
 
 namespace strobe::scene {
@@ -15,11 +16,13 @@ struct Suggestion {
 };
 
 // `file` is what errors show for tables that say no place of their own. Equal meshes, materials and textures are made
-// once. Throws one `Error` with all mistakes: unknown keys, wrong types, values out of range, unknown node names.
+// once. Files that the scene names are looked for in `places`, by default the folder of `file`. Throws one `Error` with
+// all mistakes: unknown keys, wrong types, values out of range, unknown node names, files that cannot be read.
 Scene sceneFromJson(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions = {},
-                    const Painter& paint = paintPattern);
+                    const Painter& paint = paintPattern, const std::optional<FilePlaces>& places = std::nullopt);
 
 // Throws what `sceneFromJson` would, without painting its textures.
-void checkScene(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions = {});
+void checkScene(const Json& description, const std::string& file, const std::vector<Suggestion>& suggestions = {},
+                const std::optional<FilePlaces>& places = std::nullopt);
 
 }  // namespace strobe::scene

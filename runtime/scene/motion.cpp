@@ -2,6 +2,7 @@
 #include "scene/motion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "scene/bend.h"
@@ -17,10 +18,52 @@ dmat4 Transform::matrix() const {
   return matrix;
 }
 
+static dmat4 sheared(const Node& node, const dmat4& matrix) {
+  return node.shear ? matrix * dmat4(*node.shear) : matrix;
+}
+
 // The node's own transform at rest.
 static dmat4 restMatrix(const Node& node) {
   if (node.matrix) return *node.matrix;
-  return Transform{node.translation, node.rotation, node.scale}.matrix();
+  return sheared(node, Transform{node.translation, node.rotation, node.scale}.matrix());
+}
+
+// A unit vector that is square to those before it in `axes`: along `column` if that does not lie in their span.
+static std::optional<dvec3> axisAlong(dvec3 column, const std::vector<dvec3>& axes) {
+  const double length = glm::length(column);
+  for (const dvec3& axis : axes) column -= glm::dot(axis, column) * axis;
+  if (!(glm::length(column) > 1e-12 * length)) return std::nullopt;
+  return glm::normalize(column);
+}
+
+// Rotation, scale and shear by Gram-Schmidt: linear = Q * U, U an upper triangle, scale its diagonal. Columns in the
+// span of earlier ones have scale 0, and the axis that is left.
+void splitMatrix(Node& node) {
+  if (!node.matrix) return;
+  const dmat3 linear(*node.matrix);
+  std::vector<dvec3> found;
+  std::array<std::optional<dvec3>, 3> axes;
+  for (int c = 0; c < 3; ++c)
+    if ((axes[c] = axisAlong(linear[c], found))) found.push_back(*axes[c]);
+  for (int c = 0; c < 3; ++c)
+    for (int k = 0; k < 3 && !axes[c]; ++k)
+      if ((axes[c] = axisAlong(dmat3(1)[k], found))) found.push_back(*axes[c]);
+  dmat3 turned(*axes[0], *axes[1], *axes[2]);
+  if (glm::determinant(turned) < 0) turned[0] = -turned[0];
+  const dmat3 upper = glm::transpose(turned) * linear;
+  dmat3 shear(1);
+  for (int row = 0; row < 3; ++row) {
+    const bool flat = std::abs(upper[row][row]) <= 1e-12 * glm::length(linear[row]);
+    node.scale[row] = flat ? 0 : upper[row][row];
+    for (int c = row + 1; c < 3 && !flat; ++c) shear[c][row] = upper[c][row] / upper[row][row];
+  }
+  node.translation = dvec3((*node.matrix)[3]);
+  node.rotation = glm::quat_cast(turned);
+  node.matrix.reset();
+  // Matrices are stored as floats, so a smaller shear than this is rounding.
+  bool square = true;
+  for (int c = 0; c < 3; ++c) square = square && glm::length(shear[c] - dmat3(1)[c]) < 1e-6;
+  if (!square) node.shear = shear;
 }
 
 static dquat quaternion(const dvec4& xyzw) { return dquat(xyzw.w, xyzw.x, xyzw.y, xyzw.z); }
@@ -66,25 +109,51 @@ dvec4 valueAt(const Track& track, double time_s) {
   return slerp(unitIfRotation(track, value(key)), unitIfRotation(track, value(after)), t);
 }
 
+// Largest rounding error of either time.
+static double slackOf(double from_s, double to_s) { return kTimeRounding * std::max(std::abs(from_s), std::abs(to_s)); }
+
+bool isBefore(double time_s, double other_s) { return time_s + slackOf(time_s, other_s) < other_s; }
+
 double clipTime(double time_s, double duration_s) {
-  if (time_s <= duration_s) return time_s;
-  return duration_s > 0 ? std::fmod(time_s, duration_s) : 0;
+  if (!isBefore(duration_s, time_s)) return std::min(time_s, duration_s);
+  if (duration_s <= 0) return 0;
+  const double folded_s = std::fmod(time_s, duration_s);
+  return folded_s + slackOf(time_s, time_s) < duration_s ? folded_s : 0;
 }
 
 bool beginsAgain(const Animation& clip, double from_s, double to_s) {
-  bool goes_round = to_s > clip.duration && to_s - from_s >= clip.duration;
-  return goes_round || clipTime(to_s, clip.duration) < clipTime(from_s, clip.duration);
+  if (!isBefore(clip.duration, to_s)) return false;
+  if (to_s - from_s + slackOf(from_s, to_s) >= clip.duration) return true;
+  return clipTime(to_s, clip.duration) < clipTime(from_s, clip.duration);
+}
+
+bool comesToACut(const std::vector<double>& cuts, double from_s, double to_s) {
+  return std::any_of(cuts.begin(), cuts.end(),
+                     [&](double cut_s) { return isBefore(from_s, cut_s) && !isBefore(to_s, cut_s); });
 }
 
 bool comesToACut(const Animation& clip, double from_s, double to_s) {
   if (clip.cuts.empty()) return false;
   const bool again = beginsAgain(clip, from_s, to_s);
-  if (again && to_s - from_s >= clip.duration) return true;
-  const double from = clipTime(from_s, clip.duration), to = clipTime(to_s, clip.duration);
+  const double slack_s = slackOf(from_s, to_s);
+  if (again && to_s - from_s + slack_s >= clip.duration) return true;
+  const double from = clipTime(from_s, clip.duration) + slack_s, to = clipTime(to_s, clip.duration) + slack_s;
   return std::any_of(clip.cuts.begin(), clip.cuts.end(), [&](double cut) {
     if (cut <= 0 || cut >= clip.duration) return again;
     return again ? from < cut || cut <= to : from < cut && cut <= to;
   });
+}
+
+// The time of a key at most `slack_s` after `time_s`; without such a key `time_s` itself.
+static double keyTime(const Track& track, double time_s, double slack_s) {
+  auto next = std::lower_bound(track.times.begin(), track.times.end(), time_s);
+  return next != track.times.end() && *next <= time_s + slack_s ? *next : time_s;
+}
+
+dvec4 valueAt(const Animation& clip, const Track& track, double time_s, double held_time_s) {
+  if (track.interpolation != Track::Interpolation::Step) return valueAt(track, clipTime(time_s, clip.duration));
+  const double own_s = clipTime(held_time_s, clip.duration);
+  return valueAt(track, keyTime(track, own_s, slackOf(held_time_s, held_time_s)));
 }
 
 bool increase(const std::vector<double>& numbers) {
@@ -135,16 +204,12 @@ static dmat4 movedBy(const ConstantMotion& motion, const dmat4& world, double ti
 }
 
 std::vector<Instance> instancesOf(const Scene& scene) {
-  std::vector<dmat4> worlds = restWorlds(scene);
   std::vector<Instance> instances;
   for (size_t i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];
     if (node.mesh < 0) continue;
     std::vector<dmat4> copies = node.instances.empty() ? std::vector<dmat4>{dmat4(1)} : node.instances;
-    for (const dmat4& copy : copies) {
-      bool mirrored = glm::determinant(dmat3(worlds[i]) * dmat3(copy)) < 0;
-      instances.push_back({int(i), node.mesh, copy, mirrored});
-    }
+    for (const dmat4& copy : copies) instances.push_back({int(i), node.mesh, copy});
   }
   return instances;
 }
@@ -175,7 +240,7 @@ std::vector<const Animation*> clipsOf(const Scene& scene, const std::string& ani
   std::vector<const Animation*> clips;
   std::vector<std::string> names = {"all", "none"};
   for (const Animation& clip : scene.animations) {
-    if (animation == "all" || animation == clip.name) clips.push_back(&clip);
+    if (animation == "all" ? clip.yields_to < 0 : animation == clip.name) clips.push_back(&clip);
     names.push_back(clip.name);
   }
   if (!clips.empty() || animation == "all" || animation == "none") return clips;
@@ -184,8 +249,7 @@ std::vector<const Animation*> clipsOf(const Scene& scene, const std::string& ani
               {}, 2);
 }
 
-static void applyTrack(const Track& track, double time_s, Transform& transform) {
-  dvec4 value = valueAt(track, time_s);
+static void applyTrack(const Track& track, const dvec4& value, Transform& transform) {
   if (track.target == Track::Target::Rotation) transform.rotation = quaternion(value);
   else (track.target == Track::Target::Scale ? transform.scale : transform.translation) = dvec3(value);
 }
@@ -196,17 +260,15 @@ std::vector<dmat4> Poser::nodesAt(double time_s, double held_time_s) const {
     const Node& node = scene_.nodes[size_t(driven.node)];
     if (driven.keyed) transforms[size_t(driven.node)] = {node.translation, node.rotation, node.scale};
   }
-  for (const Animation* clip : clips_) {
-    for (const Track& track : clip->tracks) {
-      bool step = track.interpolation == Track::Interpolation::Step;
-      applyTrack(track, clipTime(step ? held_time_s : time_s, clip->duration), transforms[size_t(track.node)]);
-    }
-  }
+  for (const Animation* clip : clips_)
+    for (const Track& track : clip->tracks)
+      applyTrack(track, valueAt(*clip, track, time_s, held_time_s), transforms[size_t(track.node)]);
 
   std::vector<dmat4> worlds = rest_worlds_;
   for (const auto& [node, keyed, motions] : driven_) {
-    int parent = scene_.nodes[size_t(node)].parent;
-    dmat4 own = keyed ? transforms[size_t(node)].matrix() : restMatrix(scene_.nodes[size_t(node)]);
+    const Node& its = scene_.nodes[size_t(node)];
+    const int parent = its.parent;
+    dmat4 own = keyed ? sheared(its, transforms[size_t(node)].matrix()) : restMatrix(its);
     dmat4& world = worlds[size_t(node)];
     world = parent < 0 ? own : worlds[size_t(parent)] * own;
     for (const ConstantMotion* motion : motions) world = movedBy(*motion, world, time_s);
@@ -217,13 +279,9 @@ std::vector<dmat4> Poser::nodesAt(double time_s, double held_time_s) const {
 std::vector<std::vector<double>> Poser::weightsAt(double time_s, double held_time_s) const {
   std::vector<std::vector<double>> weights;
   for (const Node& node : scene_.nodes) weights.push_back(node.weights);
-  for (const Animation* clip : clips_) {
-    for (const WeightTrack& track : clip->weights) {
-      bool step = track.keys.interpolation == Track::Interpolation::Step;
-      weights[size_t(track.node)][track.target] =
-          valueAt(track.keys, clipTime(step ? held_time_s : time_s, clip->duration)).x;
-    }
-  }
+  for (const Animation* clip : clips_)
+    for (const WeightTrack& track : clip->weights)
+      weights[size_t(track.node)][track.target] = valueAt(*clip, track.keys, time_s, held_time_s).x;
   return weights;
 }
 
@@ -244,16 +302,19 @@ static void place(const Scene& scene, const Instance& instance, const std::vecto
                   const std::vector<double>& weights, std::optional<double> time_s, dmat4& world, Bend& bend) {
   const Node& node = scene.nodes[size_t(instance.node)];
   world = worlds[size_t(instance.node)] * instance.node_from_instance;
-  bend.weights = weights;
-  bend.joints.clear();
+  bend = {{}, weights};
   if (node.skin >= 0) {
     std::vector<dmat4> joints = jointsOf(scene, instance, worlds);
     if (time_s) moveJoints(scene.motions, instance.node, *time_s, joints);
     if (node.sole_joint >= 0) world = joints[size_t(node.sole_joint)];
     else bend.joints = std::move(joints);
   }
-  if (bend.joints.empty()) world = glm::translate(world, scene.meshes[size_t(instance.mesh)].origin);
-  else world = glm::scale(dmat4(1), dvec3(instance.mirrored ? -1 : 1, 1, 1));
+  if (bend.joints.empty()) {
+    world = glm::translate(world, scene.meshes[size_t(instance.mesh)].origin);
+    return;
+  }
+  bend.mirrored = glm::determinant(dmat3(world)) < 0;
+  world = glm::scale(dmat4(1), dvec3(bend.mirrored ? -1 : 1, 1, 1));
 }
 
 static Pose restPose(const Scene& scene, const std::vector<Instance>& instances, const std::vector<dmat4>& worlds) {
@@ -299,8 +360,7 @@ static void applyProperty(PropertyTrack::Property property, const dvec4& value, 
 void Poser::keyProperties(Pose& pose, double time_s, double held_time_s) const {
   for (const Animation* clip : clips_) {
     for (const PropertyTrack& track : clip->properties) {
-      bool step = track.keys.interpolation == Track::Interpolation::Step;
-      dvec4 value = valueAt(track.keys, clipTime(step ? held_time_s : time_s, clip->duration));
+      dvec4 value = valueAt(*clip, track.keys, time_s, held_time_s);
       bool ours = camera_node_ >= 0 && scene_.nodes[camera_node_].camera == track.index;
       if (track.isOfCamera() && ours) applyProperty(track.property, value, pose.camera);
       for (size_t i = 0; i < lights_.size() && !track.isOfCamera(); ++i)

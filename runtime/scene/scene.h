@@ -168,6 +168,10 @@ struct Animation {
   // Seconds of the clip, from 0 to its duration, at which what it drives jumps, each time that it comes there. At 0 and
   // at its end: where it begins again.
   std::vector<double> cuts = {};
+  // Index of an earlier clip that plays and drives a target of this clip; else -1. A clip that yields does not play
+  // with "all". `yieldClips` sets both; `shared_target` is the name of the target.
+  int yields_to = -1;
+  std::string shared_target = {};
 };
 
 // Rigid motion at a constant rate, in world axes: of `--move`, `--spin` and of scenes described in Lua.
@@ -193,10 +197,13 @@ struct Node {
   dquat rotation = dquat(1, 0, 0, 0);
   dvec3 scale = dvec3(1);
   std::optional<dmat4> matrix;  // instead of the three above
+  // Applied before scale, rotation and translation: the shear of a matrix that was taken apart (`splitMatrix`).
+  std::optional<dmat3> shear = {};
   int mesh = -1, camera = -1, light = -1;
   std::vector<dmat4> instances;  // of EXT_mesh_gpu_instancing: node-from-instance; empty means one, identity
   // Of its mesh. With a skin the joints say where that is, and the transform of the node counts for nothing but its
-  // handedness. `sole_joint` (within the skin) has all vertices, which it then moves without bending them; else -1.
+  // handedness. `sole_joint` (within the skin) has all vertices, which it then moves without bending them, and the
+  // handedness of the node at all times; else -1.
   int skin = -1, sole_joint = -1;
   std::vector<double> weights;  // of the morph targets, at rest; empty where none ever counts
   std::vector<double> cuts;     // seconds at which it and all below it jump: no frame blurs over one
@@ -230,10 +237,11 @@ struct Scene {
   std::vector<ConstantMotion> motions;
   Environment environment;
   std::vector<double> cuts;              // seconds at which everything jumps, the camera included
+  double loop_s = 0;                     // seconds after which the window plays it anew; 0: no suggestion
   std::vector<std::string> warnings;     // what was not understood, naming the node
   std::vector<std::string> assumptions;  // defaults supplied for what the file lacks, for the run record
   Json attribution;                      // licence and author where the file or its folder states them
-  std::vector<SourceFile> files;         // of a glTF scene: itself first, then what it names
+  std::vector<SourceFile> files;         // of a glTF scene itself first; then all files that the scene names
 };
 
 // One drawable: a mesh at a node. Its index is its instance id.
@@ -241,7 +249,6 @@ struct Instance {
   int node = -1;
   int mesh = -1;
   dmat4 node_from_instance = dmat4(1);
-  bool mirrored = false;  // at rest
 };
 
 // The drawables in a fixed order (node order, then instance order).
@@ -251,13 +258,16 @@ std::vector<Instance> instancesOf(const Scene& scene);
 struct Bend {
   std::vector<dmat4> joints;    // world-from-mesh of each joint of its skin; empty: it has none, or a sole joint
   std::vector<double> weights;  // of the morph targets
+  // True where the transform of the node mirrors: joints then give vertices with x turned round, so that
+  // `Pose::world_from_instance` mirrors them back and has the sign that says which side is the front.
+  bool mirrored = false;
   bool operator==(const Bend&) const = default;
 };
 
 // Where everything is at one time, in world space.
 struct Pose {
   // One per instance, the mesh's `origin` already included. Where joints bend it, the axes of the world, x turned round
-  // where the instance is mirrored.
+  // if `Bend::mirrored`.
   std::vector<dmat4> world_from_instance;
   std::vector<Bend> bends;              // one per instance; of what does not bend empty
   std::vector<dmat4> world_from_light;  // one per light node, see `lightsOf`
@@ -273,8 +283,8 @@ std::vector<int> lightsOf(const Scene& scene);
 int cameraNode(const Scene& scene, const std::string& name);
 
 // True poses at `time_s`: animations of `animation` ("all", "none" or a clip's name), then constant motions.
-// A clip is at its first keys before them, and repeats from time 0 when the time is past its duration; where several
-// clips drive one channel, the last listed wins. Throws `Error` for an unknown clip, naming the nearest, and for nodes
+// A clip is at its first keys before them, and repeats from time 0 when the time is past its duration; of several clips
+// that drive one target, "all" plays the first. Throws `Error` for an unknown clip, naming the nearest, and for nodes
 // that are their own ancestors. `scene` must outlive the poser.
 class Poser {
  public:

@@ -389,6 +389,10 @@ Json evaluateScene(const Home& home, const std::string& name_or_path, const Sett
   return evaluate(home, main, "scene", argument, dependencies, limits, texts);
 }
 
+Path sceneScript(const Home& home, const std::string& name_or_path) {
+  return fs::absolute(mainOf(home, name_or_path, "scene", {}).file).lexically_normal();
+}
+
 std::vector<Outcome<Json>> evaluateScenes(const Home& home, const std::vector<std::string>& names_or_paths,
                                           const Limits& limits) {
   std::vector<Prepared> all;

@@ -108,6 +108,8 @@ class PipelineEvaluator {
 // one that the scene never reads is an error.
 Json evaluateScene(const Home& home, const std::string& name_or_path, const Settings& sets,
                    std::vector<Dependency>* dependencies = nullptr, const Limits& limits = {}, const Texts& texts = {});
+// The file of a scene, absolute. Throws `Error` as `evaluateScene` does if the file does not exist.
+Path sceneScript(const Home& home, const std::string& name_or_path);
 std::vector<Outcome<Json>> evaluateScenes(const Home& home, const std::vector<std::string>& names_or_paths,
                                           const Limits& limits = {});
 

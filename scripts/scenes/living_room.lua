@@ -30,6 +30,9 @@ end
 local metres_per_pixel = 2 * math.tan(math.rad(fov / 2)) * view_depth(vase_at) / height
 local motion = { velocity = { pixels * metres_per_pixel * fps / exposure, 0, 0 } }
 
+-- Seconds until the vase leaves the picture of camera "main", after 0.42 of the width.
+local loop = 0.42 * width * exposure / fps / math.max(math.abs(pixels), 1)
+
 -- ---- materials
 
 local walnut = material {
@@ -274,7 +277,7 @@ add {
 }
 
 return scene {
-  name = "living_room", nodes = nodes, shot = { width = width, height = height, fps = fps, frame = 0,
+  name = "living_room", nodes = nodes, loop = loop, shot = { width = width, height = height, fps = fps, frame = 0,
     exposure = exposure },
   environment = { sky = { 0.42, 0.45, 0.50 }, ground = { 0.30, 0.25, 0.20 }, background = { 1.15, 1.25, 1.4 } },
 }

@@ -44,9 +44,9 @@ end
 
 -- Textures. All: size = {w, h}, wrap = "repeat" | "mirror" | "clamp", filter = "linear" | "nearest", name. Patterns:
 -- colors = { ... }, count (or {u, v}), widths, amount, line, seed. texels { width, height, texels = { {r, g, b [, a]},
--- ... } } is sampled without any filter, top row first.
+-- ... } } is sampled without any filter, top row first. image { file }: a PNG or JPEG, relative to the scene's file.
 scene.texture = {}
-for _, name in ipairs { "stripes", "checker", "quilt", "rug", "wood", "noise", "weave", "spine", "painting", "gradient",
+for _, name in ipairs { "image", "stripes", "checker", "quilt", "rug", "wood", "noise", "weave", "spine", "painting", "gradient",
                         "leaf", "texels" } do
   scene.texture[name] = constructor("texture", name)
 end
@@ -68,7 +68,11 @@ scene.directional_light = constructor("light", "directional")
 scene.camera = constructor("camera", "perspective")
 scene.orthographic_camera = constructor("camera", "orthographic")
 
--- node { name, position, rotation = {x, y, z} | look_at = {x, y, z}, scale, shape, material | parts, light, camera,
+-- gltf { file, animation = "all" | "none" | "NAME", variant }: a .glb or .gltf file, relative to the scene's file. At a
+-- node "fan" its node "blade" is "fan/blade", and so are its clips, cameras and lights.
+scene.gltf = constructor "gltf"
+
+-- node { name, position, rotation = {x, y, z} | look_at = {x, y, z}, scale, shape, material | parts, gltf, light, camera,
 --        motion = { velocity, axis, degrees_per_second, rest_time }, cuts = { seconds }, children }
 -- parts: a list of { shape, material, position, rotation, look_at, scale }, drawn as one object.
 -- Rotations turn about z, then x, then y. Motion is in world axes, the spin about the node's own origin.
@@ -104,7 +108,7 @@ function scene.param(name, default)
   return value
 end
 
--- scene { name, nodes, environment = { sky, ground, background }, animations, cuts = { seconds },
+-- scene { name, nodes, environment = { sky, ground, background }, animations, cuts = { seconds }, loop = seconds,
 --         shot = { width, height, fps, frame, exposure } }   of its pictures, where the command line is silent
 return setmetatable(scene, { __call = function(_, fields)
   if type(fields) ~= "table" then error("scene takes a table, got a " .. type(fields), 2) end

@@ -41,7 +41,7 @@ std::vector<std::string> commandsIn(const std::string& text) {
 }
 
 void add(Page& page, const Block& block) {
-  bool of_file = block.language == "lua" || block.language == "glsl";
+  bool of_file = block.language == "lua" || block.language == "glsl" || block.language == "json";
   size_t colon = block.target.find(':');
   if (of_file && !block.target.empty()) {
     if (colon == std::string::npos) page.files[block.target] = block.text;

@@ -80,6 +80,8 @@ def unit(q):
 def sampled(times, values, how, t, rotation):
     """Appendix C: C.2 step, C.3 linear, C.4 spherical linear, C.5 cubic spline."""
     cubic = how == "CUBICSPLINE"
+    if how == "STEP":  # files store times as floats: a time within their rounding of a key is the key
+        t *= 1 + 2 ** -22
 
     def key(i):
         return values[3 * i + 1] if cubic else values[i]

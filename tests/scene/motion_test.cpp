@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "math/constants.h"
 
@@ -87,7 +88,98 @@ TEST(Track, ClipsRepeatPastTheirEnd) {
   EXPECT_EQ(clipTime(-1, 2), -1);
   EXPECT_EQ(clipTime(2, 2), 2);
   EXPECT_EQ(clipTime(2.5, 2), 0.5);
+  EXPECT_EQ(clipTime(4, 2), 0);
   EXPECT_EQ(clipTime(7, 0), 0);
+  EXPECT_EQ(clipTime(2 * (1 + 1e-8), 2), 2);
+  EXPECT_EQ(clipTime(4 * (1 - 1e-8), 2), 0);
+}
+
+// Keys on the frames 0 to `last`, stored as floats, x the share of the clip. Exporters divide by the rate, or multiply
+// by a rounded 1 / rate.
+Scene keyedOnFrames(int last, int fps, bool by_product, Track::Interpolation how = Track::Interpolation::Linear) {
+  Node box = named("box");
+  box.mesh = 0;
+  Scene scene = sceneWithCamera({box});
+  Animation clip;
+  clip.tracks.push_back(track(Track::Target::Translation, how, {}, {}));
+  for (int frame = 0; frame <= last; ++frame) {
+    clip.tracks[0].times.push_back(by_product ? float(frame) * (1.f / float(fps)) : float(frame / double(fps)));
+    clip.tracks[0].values.push_back({frame / double(last), 0, 0, 0});
+  }
+  clip.duration = clip.tracks[0].times.back();
+  scene.animations.push_back(clip);
+  return scene;
+}
+
+// For every length of a clip up to 200 frames: `check(scene, last, fps)`.
+void forEachLength(Track::Interpolation how, const std::function<void(const Scene&, int, double)>& check) {
+  for (int fps : {24, 25, 30, 60})
+    for (int last = 1; last <= 200; ++last)
+      for (bool by_product : {false, true}) check(keyedOnFrames(last, fps, by_product, how), last, fps);
+}
+
+TEST(Poser, TheLastFrameOfAClipShowsItsLastKey) {
+  forEachLength(Track::Interpolation::Linear, [](const Scene& scene, int last, double fps) {
+    const Poser poser(scene, 1);
+    auto place = [&](double time_s) { return poser.at(time_s).world_from_instance[0][3].x; };
+    // Times are off by less than 1e-7 of themselves, places by as much of the way.
+    EXPECT_NEAR(place(last / fps), 1, 1e-7 * last) << last << " " << fps;
+    EXPECT_NEAR(place((last + 0.5) / fps), 0.5 / last, 1e-6) << last << " " << fps;
+    const Animation& clip = scene.animations[0];
+    EXPECT_FALSE(beginsAgain(clip, (last - 1) / fps, last / fps)) << last << " " << fps;
+    EXPECT_TRUE(beginsAgain(clip, (last - 0.5) / fps, (last + 0.25) / fps)) << last << " " << fps;
+    EXPECT_TRUE(beginsAgain(clip, last / fps, (last + 0.5) / fps)) << last << " " << fps;
+  });
+}
+
+TEST(Poser, AStepIsAtItsKeyOnTheFrameOfTheKey) {
+  forEachLength(Track::Interpolation::Step, [](const Scene& scene, int last, double fps) {
+    const Poser poser(scene, 1);
+    for (int frame = last; frame >= std::max(0, last - 3); --frame)
+      EXPECT_EQ(poser.at(frame / fps).world_from_instance[0][3].x, frame / double(last)) << frame << " " << fps;
+  });
+}
+
+TEST(Poser, ACutOnAFrameIsBeforeThatFrame) {
+  for (double fps : {24., 25., 30., 60.})
+    for (int frame = 1; frame <= 200; ++frame) {
+      const std::vector<double> cuts = {double(float(frame / fps))};
+      EXPECT_TRUE(comesToACut(cuts, (frame - 1) / fps, frame / fps)) << frame << " " << fps;
+      EXPECT_FALSE(comesToACut(cuts, frame / fps, (frame + 1) / fps)) << frame << " " << fps;
+    }
+}
+
+// A node keyed to where it rests keeps its matrix, whatever that does.
+TEST(Poser, AnAnimatedMatrixKeepsItsShear) {
+  const dmat4 shear(1, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
+  const dmat4 turn = glm::mat4_cast(glm::angleAxis(0.7, glm::normalize(dvec3(1, 2, 3))));
+  const dmat4 mirror = glm::scale(dmat4(1), dvec3(-2, 3, 0.5)), shift = glm::translate(dmat4(1), dvec3(1, 2, 3));
+  const dmat4 flat = glm::scale(dmat4(1), dvec3(0, 2, 1)), needle = glm::scale(dmat4(1), dvec3(0, 2, 0));
+  const dmat4 folded(1, 2, 0, 0, 2, 4, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);  // two columns along one line
+  for (const dmat4& matrix :
+       {shear, turn, mirror, shift * turn * mirror, turn * shear * mirror, mirror * turn * mirror, turn * flat,
+        turn * flat * shear, turn * needle, turn * folded, dmat4(0) + shift - shift}) {
+    Node box = named("box");
+    box.mesh = 0;
+    box.matrix = matrix;
+    (*box.matrix)[3].w = 1;
+    Scene scene = sceneWithCamera({box});
+    splitMatrix(scene.nodes[0]);
+    const Node& node = scene.nodes[0];
+    scene.animations.emplace_back();
+    auto key = [&](Track::Target target, const dvec4& value) {
+      scene.animations[0].tracks.push_back(track(target, Track::Interpolation::Linear, {0}, {value}));
+    };
+    key(Track::Target::Translation, dvec4(node.translation, 0));
+    key(Track::Target::Rotation, dvec4(node.rotation.x, node.rotation.y, node.rotation.z, node.rotation.w));
+    key(Track::Target::Scale, dvec4(node.scale, 0));
+    const dmat4 keyed = Poser(scene, 1).at(0).world_from_instance[0];
+    const dmat4 rest = Poser(scene, 1, "none").at(0).world_from_instance[0];
+    for (int c = 0; c < 4; ++c) {
+      EXPECT_LE(glm::distance(keyed[c], (*box.matrix)[c]), kTiny) << c;
+      EXPECT_LE(glm::distance(rest[c], (*box.matrix)[c]), kTiny) << c;
+    }
+  }
 }
 
 TEST(Poser, HierarchyInAnyOrder) {
@@ -209,9 +301,10 @@ TEST(Instances, OfGpuInstancingAndMirroring) {
   std::vector<Instance> instances = instancesOf(scene);
   ASSERT_EQ(instances.size(), 2u);
   EXPECT_EQ(instances[0].node, 1);
-  EXPECT_TRUE(instances[0].mirrored);
-  EXPECT_FALSE(instances[1].mirrored);
-  expectNear(dvec3(Poser(scene, 2).at(0).world_from_instance[0][3]), {-1, 0, 0});
+  const Pose pose = Poser(scene, 2).at(0);
+  EXPECT_LT(glm::determinant(pose.world_from_instance[0]), 0);
+  EXPECT_GT(glm::determinant(pose.world_from_instance[1]), 0);
+  expectNear(dvec3(pose.world_from_instance[0][3]), {-1, 0, 0});
 }
 
 TEST(Cameras, UnknownNameListsThem) {
