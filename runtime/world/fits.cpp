@@ -13,11 +13,11 @@ using namespace scene;
 namespace {
 
 struct Counts {
-  uint64_t vertices = 0, indices = 0, bending = 0;  // of vertices, those of instances that bend
+  uint64_t vertices = 0, tangents = 0, indices = 0, bending = 0;  // of vertices, those of instances that bend
   explicit Counts(const Scene& scene) {
     for (const Mesh& mesh : scene.meshes)
       for (const Geometry& geometry : mesh.geometries)
-        vertices += geometry.vertices.size(), indices += geometry.indices.size();
+        vertices += geometry.vertices.size(), tangents += geometry.tangents.size(), indices += geometry.indices.size();
     for (const Instance& instance : instancesOf(scene))
       if (bends(scene, instance)) bending += vertexCount(scene, instance);
     vertices += bending;
@@ -82,8 +82,8 @@ void requireMemory(const Scene& scene, shader::StructureKind structures, const g
   if (own)
     beyond.require(gpu::kBufferLimit, "the buffer of all triangles of its tree",
                    triangles * sizeof(shared::BvhTriangle), "bytes", limits.array_bytes);
-  uint64_t bytes =
-      counts.vertices * sizeof(shared::SceneVertex) + counts.indices * sizeof(uint32_t) + textureBytes(scene);
+  uint64_t bytes = counts.vertices * sizeof(shared::SceneVertex) +
+                   (counts.tangents + counts.indices) * sizeof(uint32_t) + textureBytes(scene);
   // Of nodes the fewest there can be: four triangles to a leaf, four children to a node.
   if (own) bytes += triangles * sizeof(shared::BvhTriangle) + triangles / 12 * sizeof(shared::BvhNode);
   beyond.require(gpu::kMemoryLimit, "what stays on the device", bytes, "bytes", limits.memory_bytes);
