@@ -31,8 +31,9 @@ static std::string contentHash(const scene::Scene& scene) {
     for (const scene::Geometry& geometry : mesh.geometries) {
       hashes += hashBytes(geometry.vertices.data(), geometry.vertices.size() * sizeof(scene::Vertex));
       hashes += hashBytes(geometry.indices.data(), geometry.indices.size() * sizeof(uint32_t));
-      add(geometry.influences.joints), add(geometry.influences.shares);
-      for (const scene::MorphTarget& target : geometry.targets) add(target.positions), add(target.normals);
+      add(geometry.influences.joints), add(geometry.influences.shares), add(geometry.tangents);
+      for (const scene::MorphTarget& target : geometry.targets)
+        add(target.positions), add(target.normals), add(target.tangents);
     }
   }
   for (const scene::Skin& skin : scene.skins) add(skin.inverse_binds);
@@ -47,8 +48,9 @@ static uint64_t bytesOf(const scene::Scene& scene) {
     for (const scene::Geometry& geometry : mesh.geometries) {
       bytes += geometry.vertices.size() * sizeof(scene::Vertex) + geometry.indices.size() * sizeof(uint32_t);
       bytes += geometry.influences.joints.size() * (sizeof(uint32_t) + sizeof(double));
+      bytes += geometry.tangents.size() * sizeof(vec4);
       for (const scene::MorphTarget& target : geometry.targets)
-        bytes += (target.positions.size() + target.normals.size()) * sizeof(vec3);
+        bytes += (target.positions.size() + target.normals.size() + target.tangents.size()) * sizeof(vec3);
     }
   for (const scene::Texture& texture : scene.textures)
     for (const auto& level : texture.levels) bytes += level.size();

@@ -15,7 +15,7 @@ const std::vector<Fact>& facts() {
       {"blend", "no material is blended by its alpha", true},
       {"one_sided", "no material is seen from one side alone", true},
       {"shadows", "no light casts shadows", true},
-      {"bends", "nothing is bent by joints or morph targets", true},
+      {"bends", "nothing is deformed by joints, morph targets or a flat transform", true},
       {"before", "the exposure has no part before the capture"},
       {"after", "the exposure has no part after the capture"},
       {"weighted", "all times of the exposure count alike", false, true},

@@ -16,7 +16,7 @@ static bool followsJoints(const Scene& scene, const Instance& instance) {
 }
 
 bool bends(const Scene& scene, const Instance& instance) {
-  bool may = followsJoints(scene, instance) || !scene.nodes[size_t(instance.node)].weights.empty();
+  bool may = followsJoints(scene, instance) || instance.flattens || !scene.nodes[size_t(instance.node)].weights.empty();
   return may && vertexCount(scene, instance) > 0;
 }
 
@@ -38,11 +38,20 @@ std::vector<dmat4> jointsOf(const Scene& scene, const Instance& instance, const 
 
 namespace {
 
-// Normals go with the cofactors of the matrix, and keep their side where it mirrors.
+// Normals go with the cofactors of the matrix, and keep their side where it mirrors. A normal in the plane of a sheet
+// is not one of the sheet: 0.
 dvec3 normalBy(const dmat4& matrix, const dvec3& normal) {
   dvec3 x(matrix[0]), y(matrix[1]), z(matrix[2]);
-  dvec3 turned = glm::cross(y, z) * normal.x + glm::cross(z, x) * normal.y + glm::cross(x, y) * normal.z;
+  dvec3 along_x = glm::cross(y, z) * normal.x, along_y = glm::cross(z, x) * normal.y,
+        along_z = glm::cross(x, y) * normal.z;
+  dvec3 turned = along_x + along_y + along_z;
+  const double largest = glm::length(glm::cross(y, z)) + glm::length(glm::cross(z, x)) + glm::length(glm::cross(x, y));
+  if (glm::length(turned) < 1e-8 * largest) return dvec3(0);
   return glm::dot(x, glm::cross(y, z)) < 0 ? -turned : turned;
+}
+
+double handednessOf(const dmat4& matrix) {
+  return glm::dot(dvec3(matrix[0]), glm::cross(dvec3(matrix[1]), dvec3(matrix[2]))) < 0 ? -1 : 1;
 }
 
 dvec3 unitOrNone(const dvec3& normal) {
@@ -59,28 +68,41 @@ class Bending {
   BentVertex at(size_t v) const {
     BentVertex vertex = morphed(v);
     if (geometry_.faceted) vertex.normal = dvec3(0);
-    if (bend_.joints.empty()) return {vertex.position, unitOrNone(vertex.normal)};
+    const dvec4 tangent = vertex.tangent;
+    if (bend_.joints.empty()) return {vertex.position, unitOrNone(vertex.normal), tangentOf(dvec3(tangent), tangent.w)};
     const dmat4 matrix = matrixOf(v);
     vertex.position = dvec3(matrix * dvec4(mesh_.origin + vertex.position, 1));
     vertex.normal = unitOrNone(normalBy(matrix, vertex.normal));
-    if (bend_.mirrored) vertex.position.x = -vertex.position.x, vertex.normal.x = -vertex.normal.x;
+    if (tangent.w != 0) vertex.tangent = tangentOf(dmat3(matrix) * dvec3(tangent), tangent.w * handednessOf(matrix));
+    if (!bend_.mirrored) return vertex;
+    vertex.position.x = -vertex.position.x, vertex.normal.x = -vertex.normal.x;
+    vertex.tangent.x = -vertex.tangent.x, vertex.tangent.w = -vertex.tangent.w;
     return vertex;
   }
 
  private:
+  // None of a direction without a length.
+  static dvec4 tangentOf(const dvec3& direction, double handedness) {
+    const dvec3 unit = unitOrNone(direction);
+    return unit == dvec3(0) ? dvec4(0) : dvec4(unit, handedness);
+  }
+
   BentVertex morphed(size_t v) const {
     BentVertex vertex{dvec3(geometry_.vertices[v].position), dvec3(geometry_.vertices[v].normal)};
+    if (!geometry_.tangents.empty()) vertex.tangent = dvec4(geometry_.tangents[v]);
     for (size_t t = 0; t < bend_.weights.size() && t < geometry_.targets.size(); ++t) {
       const MorphTarget& target = geometry_.targets[t];
       if (!target.positions.empty()) vertex.position += bend_.weights[t] * dvec3(target.positions[v]);
       if (!target.normals.empty()) vertex.normal += bend_.weights[t] * dvec3(target.normals[v]);
+      if (!target.tangents.empty()) vertex.tangent += bend_.weights[t] * dvec4(target.tangents[v], 0);
     }
     return vertex;
   }
 
-  // The mean of its joints.
+  // Mean matrix of the vertex's joints; the only matrix of an instance that flattens.
   dmat4 matrixOf(size_t v) const {
     const Influences& influences = geometry_.influences;
+    if (bend_.joints.size() == 1) return bend_.joints[0];
     dmat4 matrix(0);
     for (size_t k = v * size_t(influences.count), end = k + size_t(influences.count); k < end; ++k)
       if (influences.shares[k] != 0) matrix += influences.shares[k] * bend_.joints[influences.joints[k]];
@@ -166,6 +188,10 @@ Hull::Hull(const Scene& scene, const Instance& instance) {
       if (geometry.influences.shares[k] != 0)
         addVertex(geometry, k / count, mesh.origin, boxes_[geometry.influences.joints[k]]);
     if (!follows) boxes_[0].add(geometry.bounds ? *geometry.bounds : boundsOf(geometry));
+  }
+  if (instance.flattens) {
+    boxes_[0].joint = 0;
+    boxes_[0].rest.low += mesh.origin, boxes_[0].rest.high += mesh.origin;
   }
   std::erase_if(boxes_, [](const Box& box) { return box.rest.empty(); });
 }

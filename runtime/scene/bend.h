@@ -20,7 +20,8 @@ std::vector<dmat4> jointsOf(const Scene& scene, const Instance& instance, const 
 
 struct BentVertex {
   dvec3 position;
-  dvec3 normal;  // unit; 0: that of the triangle
+  dvec3 normal;              // unit; 0: use the triangle's normal
+  dvec4 tangent = dvec4(0);  // as Geometry::tangents has it
 };
 
 // The vertices of an instance that bends, of all geometries one after the other, as Pose::world_from_instance takes

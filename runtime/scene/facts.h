@@ -29,7 +29,7 @@ struct Facts {
   bool blend = true;         // something with triangles is blended by its alpha
   bool one_sided = true;     // something with triangles is not seen from behind
   bool shadows = true;       // a light casts shadows
-  bool bends = true;         // something with triangles may be bent by joints or morph targets
+  bool bends = true;         // joints, morph targets or a flat transform may deform something with triangles
 };
 
 // By the keys and rates that drive nodes, not by poses, which are equal at both ends of a motion that returns; and by

@@ -36,6 +36,8 @@ class Loader {
     int variant = readVariants();
     for (size_t i = 0; i < file_.all("meshes").size(); ++i)
       scene_.meshes.push_back(readMesh(file_, int(i), {int(scene_.materials.size()) - 1, variant}, scene_.warnings));
+    warnOfUnusedAttributes(file_, scene_.warnings);
+    dropIdleTangents(scene_);
     readCameras();
     readLights();
     readNodes();

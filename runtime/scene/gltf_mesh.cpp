@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "scene/shapes.h"
 
@@ -18,6 +19,7 @@ struct Primitive {
   std::vector<Vertex> vertices;  // all but the position
   std::vector<uint32_t> indices;
   bool has_normals = false;
+  std::vector<vec4> tangents;
   int material = 0;
   Influences influences;
   std::vector<MorphTarget> targets;
@@ -80,10 +82,13 @@ class MeshReader {
     if (mode > 6) file_.refuse(where_, fmt::format("mode {} is unknown", mode));
     const Json& attributes = file_.object(json, "attributes", where_);
     if (attributes.empty()) file_.refuse(where_, "has no attributes");
+    requireNames(attributes, {"TEXCOORD", "COLOR", "JOINTS", "WEIGHTS"});
+    requireAllSets(attributes);
     Primitive primitive;
     primitive.material = materialOf(json, choice);
     if (!readPositions(attributes, primitive)) return std::nullopt;
     readAttributes(attributes, primitive);
+    readTangents(attributes, primitive);
     readInfluences(attributes, primitive);
     readTargets(json, attributes, primitive);
     readIndices(json, int(mode), primitive);
@@ -146,6 +151,28 @@ class MeshReader {
     file_.refuse(where_, fmt::format("{} is of integers, but the file does not use KHR_mesh_quantization", name));
   }
 
+  // Refuse attribute names outside of the standard: neither `sets` with a number nor an underscore first.
+  void requireNames(const Json& attributes, const std::vector<std::string>& sets) {
+    for (const auto& [name, value] : attributes.items()) {
+      const size_t bar = name.find('_');
+      bool is_known = bar == 0 || name == "POSITION" || name == "NORMAL" || name == "TANGENT";
+      if (bar != std::string::npos && std::find(sets.begin(), sets.end(), name.substr(0, bar)) != sets.end())
+        is_known = bar + 1 < name.size() && name.find_first_not_of("0123456789", bar + 1) == std::string::npos;
+      if (!is_known) file_.refuse(where_, fmt::format("attribute '{}' is unknown", name));
+    }
+  }
+
+  // Sets of texture coordinates and of colours are numbered from 0.
+  void requireAllSets(const Json& attributes) {
+    for (const std::string set : {"TEXCOORD_", "COLOR_"}) {
+      size_t count = 0;
+      for (const auto& [name, value] : attributes.items()) count += name.starts_with(set);
+      for (size_t i = 0; i < count; ++i)
+        if (!attributes.contains(fmt::format("{}{}", set, i)))
+          file_.refuse(where_, fmt::format("{}{} is missing", set, i));
+    }
+  }
+
   void readAttributes(const Json& attributes, Primitive& primitive) {
     std::vector<Vertex>& vertices = primitive.vertices;
     size_t count = vertices.size();
@@ -179,6 +206,22 @@ class MeshReader {
       vertices[i].color = sound ? color : vec4(1);
     }
     warnOfUnsound(unsound, "colours that are negative or not finite; white serves instead");
+  }
+
+  // Without normals they do not count, as the standard has it.
+  void readTangents(const Json& attributes, Primitive& primitive) {
+    auto tangents = attribute(attributes, "TANGENT", primitive.vertices.size(), {"VEC4"});
+    size_t unsound = 0;
+    for (size_t i = 0; tangents && i < tangents->count; ++i) {
+      const dvec3 direction = tangents->vector3(i);
+      const double sign = tangents->at(i, 3), length = glm::length(direction);
+      if (sign != 1 && sign != -1) file_.refuse(where_, fmt::format("TANGENT {} has a w of {}, not 1 or -1", i, sign));
+      const bool sound = length > 1e-12 && std::isfinite(length);
+      unsound += !sound;
+      primitive.tangents.push_back(sound ? vec4(direction / length, sign) : vec4(0));
+    }
+    warnOfUnsound(unsound, "tangents of no length or that are not finite; their texture coordinates serve instead");
+    if (!primitive.has_normals) primitive.tangents.clear();
   }
 
   // JOINTS_0 and WEIGHTS_0, JOINTS_1 and WEIGHTS_1, as many as there are.
@@ -233,12 +276,13 @@ class MeshReader {
     for (size_t t = 0; t < targets.size(); ++t) {
       where_ = fmt::format("{}.targets[{}]", own, t);
       if (!targets[t].is_object()) file_.refuse(where_, "is not an object");
+      requireNames(targets[t], {"TEXCOORD", "COLOR"});
       for (const auto& [name, value] : targets[t].items())
         if (!attributes.contains(name)) file_.refuse(where_, fmt::format("changes {}, which is not there", name));
       MorphTarget target;
       target.positions = changesOf(targets[t], "POSITION", primitive);
       target.normals = changesOf(targets[t], "NORMAL", primitive);
-      changesOf(targets[t], "TANGENT", primitive);
+      target.tangents = changesOf(targets[t], "TANGENT", primitive);
       primitive.targets.push_back(std::move(target));
     }
     where_ = own;
@@ -324,8 +368,7 @@ class MeshReader {
     const Influences& influences = primitive.influences;
     flat.influences = {influences.count, picked(influences.joints, corners, size_t(influences.count)),
                        picked(influences.shares, corners, size_t(influences.count))};
-    for (const MorphTarget& target : primitive.targets)
-      flat.targets.push_back({picked(target.positions, corners, 1), {}});
+    for (const MorphTarget& target : primitive.targets) flat.targets.push_back({picked(target.positions, corners, 1)});
     primitive = std::move(flat);
   }
 
@@ -339,6 +382,7 @@ class MeshReader {
         primitive.vertices[i].position = vec3(primitive.positions[i] - mesh.origin);
       Geometry geometry{std::move(primitive.vertices), std::move(primitive.indices), primitive.material};
       geometry.influences = std::move(primitive.influences);
+      geometry.tangents = std::move(primitive.tangents);
       geometry.targets = std::move(primitive.targets);
       geometry.faceted = !primitive.has_normals;
       mesh.geometries.push_back(std::move(geometry));
@@ -354,6 +398,39 @@ class MeshReader {
 
 Mesh readMesh(const GltfFile& file, int index, const MaterialChoice& choice, std::vector<std::string>& warnings) {
   return MeshReader(file, warnings).read(index, choice);
+}
+
+// Adds the names of a primitive's or a target's attributes that have no use here.
+static void addUnused(const Json& attributes, bool is_target, std::map<std::string, size_t>& counts) {
+  for (const auto& [name, value] : attributes.items()) {
+    const bool is_set = name.starts_with("TEXCOORD_") || name.starts_with("COLOR_");
+    const bool is_used = !is_target && (name == "TEXCOORD_0" || name == "TEXCOORD_1" || name == "COLOR_0");
+    if (is_set && !is_used) ++counts[is_target ? name + " of morph targets" : name];
+  }
+}
+
+void warnOfUnusedAttributes(const GltfFile& file, std::vector<std::string>& warnings) {
+  std::map<std::string, size_t> counts;
+  for (const Json& mesh : file.all("meshes"))
+    for (const Json& primitive : file.list(mesh, "primitives", "meshes")) {
+      std::map<std::string, size_t> own;
+      addUnused(file.object(primitive, "attributes", "meshes"), false, own);
+      for (const Json& target : file.list(primitive, "targets", "meshes")) addUnused(target, true, own);
+      for (const auto& [name, count] : own) ++counts[name];
+    }
+  std::vector<std::string> names;
+  for (const auto& [name, count] : counts)
+    names.push_back(fmt::format("{} ({} {})", name, count, count == 1 ? "primitive" : "primitives"));
+  if (!names.empty()) warnings.push_back(fmt::format("attributes are not used: {}", fmt::join(names, ", ")));
+}
+
+void dropIdleTangents(Scene& scene) {
+  for (Mesh& mesh : scene.meshes)
+    for (Geometry& geometry : mesh.geometries) {
+      if (scene.materials[size_t(geometry.material)].normal_texture.texture >= 0) continue;
+      geometry.tangents = {};
+      for (MorphTarget& target : geometry.targets) target.tangents = {};
+    }
 }
 
 }  // namespace strobe::scene

@@ -15,4 +15,11 @@ struct MaterialChoice {
 // that are not finite lose their triangles. What is left out is added to `warnings`.
 Mesh readMesh(const GltfFile& file, int index, const MaterialChoice& choice, std::vector<std::string>& warnings);
 
+// Adds one warning that names the attributes of meshes and of morph targets that have no use here. The meshes are
+// sound.
+void warnOfUnusedAttributes(const GltfFile& file, std::vector<std::string>& warnings);
+
+// Drops the tangents of geometries without a normal map.
+void dropIdleTangents(Scene& scene);
+
 }  // namespace strobe::scene

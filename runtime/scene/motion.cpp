@@ -6,14 +6,25 @@
 #include <cmath>
 
 #include "scene/bend.h"
+#include "scene/flat.h"
 
 namespace strobe::scene {
 
+// A scale that is 0 along one axis alone is the limit of positive ones, so that a sheet keeps its front.
+static dvec3 sheetScale(dvec3 scale) {
+  const bool is_flat = int(scale.x == 0) + int(scale.y == 0) + int(scale.z == 0) == 1;
+  const double thickness = std::ldexp(glm::length(scale), -40);
+  for (int axis = 0; axis < 3 && is_flat; ++axis)
+    if (scale[axis] == 0) scale[axis] = thickness;
+  return scale;
+}
+
 dmat4 Transform::matrix() const {
   dmat4 matrix = glm::mat4_cast(rotation);
-  matrix[0] *= scale.x;
-  matrix[1] *= scale.y;
-  matrix[2] *= scale.z;
+  const dvec3 scales = sheetScale(scale);
+  matrix[0] *= scales.x;
+  matrix[1] *= scales.y;
+  matrix[2] *= scales.z;
   matrix[3] = dvec4(translation, 1);
   return matrix;
 }
@@ -203,13 +214,31 @@ static dmat4 movedBy(const ConstantMotion& motion, const dmat4& world, double ti
   return moved;
 }
 
+// True if the node or the sole joint of a rigid instance may flatten it. `nodes`: flatteningNodes of the scene.
+static bool flattens(const Scene& scene, const Instance& instance, const std::vector<dmat4>& worlds,
+                     const std::vector<bool>& nodes) {
+  const Node& node = scene.nodes[size_t(instance.node)];
+  if (node.skin < 0)
+    return nodes[size_t(instance.node)] ||
+           isFlat(dmat3(worlds[size_t(instance.node)]) * dmat3(instance.node_from_instance));
+  if (node.sole_joint < 0) return false;
+  const Skin& skin = scene.skins[size_t(node.skin)];
+  const size_t joint = size_t(skin.joints[size_t(node.sole_joint)]);
+  return nodes[joint] || isFlat(dmat3(worlds[joint]) * dmat3(skin.inverse_binds[size_t(node.sole_joint)]));
+}
+
 std::vector<Instance> instancesOf(const Scene& scene) {
+  std::vector<dmat4> worlds = restWorlds(scene);
+  const std::vector<bool> flattening = flatteningNodes(scene);
   std::vector<Instance> instances;
   for (size_t i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];
     if (node.mesh < 0) continue;
     std::vector<dmat4> copies = node.instances.empty() ? std::vector<dmat4>{dmat4(1)} : node.instances;
-    for (const dmat4& copy : copies) instances.push_back({int(i), node.mesh, copy});
+    for (const dmat4& copy : copies) {
+      instances.push_back({int(i), node.mesh, copy});
+      instances.back().flattens = flattens(scene, instances.back(), worlds, flattening);
+    }
   }
   return instances;
 }
@@ -309,6 +338,7 @@ static void place(const Scene& scene, const Instance& instance, const std::vecto
     if (node.sole_joint >= 0) world = joints[size_t(node.sole_joint)];
     else bend.joints = std::move(joints);
   }
+  if (instance.flattens) bend.joints = {world};
   if (bend.joints.empty()) {
     world = glm::translate(world, scene.meshes[size_t(instance.mesh)].origin);
     return;

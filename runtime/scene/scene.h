@@ -33,7 +33,7 @@ struct Influences {
 
 // What is added to each vertex, times the weight of the target; empty: nothing.
 struct MorphTarget {
-  std::vector<vec3> positions = {}, normals = {};
+  std::vector<vec3> positions = {}, normals = {}, tangents = {};
 };
 
 // Boxes around vertices, and around what each morph target adds to them.
@@ -55,6 +55,9 @@ struct Geometry {
   int material = 0;
   std::vector<uint32_t> source = {};  // which triangle of the file each was (scene/tree_order.h); empty: the same
   Influences influences = {};
+  // Direction of the normal map's x, unit, and the sign of its y, of each vertex; 0, 0, 0, 0: by the texture
+  // coordinates, as if it is empty.
+  std::vector<vec4> tangents = {};
   std::vector<MorphTarget> targets = {};    // as many as other geometries of the mesh have
   bool faceted = false;                     // normals are those of the triangles, however they bend
   std::optional<VertexBounds> bounds = {};  // of these vertices, once `findBounds` has found them
@@ -249,6 +252,7 @@ struct Instance {
   int node = -1;
   int mesh = -1;
   dmat4 node_from_instance = dmat4(1);
+  bool flattens = false;  // its transform may be flat at some time (scene/flat.h)
 };
 
 // The drawables in a fixed order (node order, then instance order).
@@ -256,7 +260,9 @@ std::vector<Instance> instancesOf(const Scene& scene);
 
 // How an instance is bent: what its vertices are made from (scene/bend.h).
 struct Bend {
-  std::vector<dmat4> joints;    // world-from-mesh of each joint of its skin; empty: it has none, or a sole joint
+  // World-from-mesh of each joint of its skin, or of all vertices of an instance that flattens; empty: it has no skin,
+  // or a sole joint.
+  std::vector<dmat4> joints;
   std::vector<double> weights;  // of the morph targets
   // True where the transform of the node mirrors: joints then give vertices with x turned round, so that
   // `Pose::world_from_instance` mirrors them back and has the sign that says which side is the front.

@@ -2,6 +2,7 @@
 #include "world/bent_instances.h"
 
 #include "scene/bend.h"
+#include "world/tangent.h"
 
 namespace strobe::world {
 
@@ -55,7 +56,7 @@ void BentInstances::bend(size_t item, Posed& posed) {
   posed.bounds = {};
   dvec3 sum(0);  // not finite where one of them is not
   for (const scene::BentVertex& vertex : scene::bentVertices(scene_, instances_[items_[item].instance], posed.bend)) {
-    bent.push_back({vec3(vertex.position - posed.shift), vec3(vertex.normal)});
+    bent.push_back({vec3(vertex.position - posed.shift), vec3(vertex.normal), packedTangent(vec4(vertex.tangent))});
     posed.bounds.add(dvec3(bent.back().position));
     sum += vertex.position;
   }

@@ -12,6 +12,12 @@ namespace {
 constexpr gpu::Touch kBuilt = {VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR,
                                VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR};
 
+// Transforms of instances must have an inverse.
+bool isInvertible(const shared::SceneTransform& transform) {
+  const dvec3 x(transform.row_x), y(transform.row_y), z(transform.row_z);
+  return glm::dot(x, glm::cross(y, z)) != 0;
+}
+
 class DriverStructures : public Structures {
  public:
   DriverStructures(const gpu::Device& device, const scene::Scene& scene, SceneMeshes& meshes, BentInstances& bent,
@@ -59,7 +65,7 @@ class DriverStructures : public Structures {
       instance.mask = moves[i] ? RAYS_TO_ALL : RAYS_TO_ALL & ~RAYS_TO_MOVING;
       instance.flags = flags_[size_t(instances_[i].mesh)];
       const gpu::Acceleration& mesh = bottom_levels_[size_t(instances_[i].mesh)];
-      instance.accelerationStructureReference = mesh.handle() ? mesh.address() : 0;
+      instance.accelerationStructureReference = mesh.handle() && isInvertible(transforms[i]) ? mesh.address() : 0;
       posed[i] = instance;
     }
     for (size_t item = 0; item < bent_.items().size(); ++item)

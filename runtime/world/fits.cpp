@@ -13,11 +13,11 @@ using namespace scene;
 namespace {
 
 struct Counts {
-  uint64_t vertices = 0, indices = 0, bending = 0;  // of vertices, those of instances that bend
+  uint64_t vertices = 0, tangents = 0, indices = 0, bending = 0;  // of vertices, those of instances that bend
   explicit Counts(const Scene& scene) {
     for (const Mesh& mesh : scene.meshes)
       for (const Geometry& geometry : mesh.geometries)
-        vertices += geometry.vertices.size(), indices += geometry.indices.size();
+        vertices += geometry.vertices.size(), tangents += geometry.tangents.size(), indices += geometry.indices.size();
     for (const Instance& instance : instancesOf(scene))
       if (bends(scene, instance)) bending += vertexCount(scene, instance);
     vertices += bending;
@@ -77,7 +77,8 @@ void requireFits(const Scene& scene, uint32_t slices, const gpu::DeviceLimits& l
 uint64_t unposedBytes(const Scene& scene, shader::StructureKind structures) {
   const Counts counts(scene);
   const uint64_t triangles = structures == shader::StructureKind::Own ? counts.indices / 3 : 0;
-  return counts.vertices * sizeof(shared::SceneVertex) + counts.indices * sizeof(uint32_t) + textureBytes(scene) +
+  return counts.vertices * sizeof(shared::SceneVertex) + (counts.tangents + counts.indices) * sizeof(uint32_t) +
+         textureBytes(scene) +
          triangles * sizeof(shared::BvhTriangle) + triangles / 12 * sizeof(shared::BvhNode);
 }
 

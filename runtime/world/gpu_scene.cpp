@@ -15,7 +15,8 @@ using shader::StructureKind;
 
 // What SceneArrays of shaders/shared/bindings.glsl has.
 struct SceneAddresses {
-  VkDeviceAddress vertices, indices, geometries, instances, draws, materials, lights, transforms, cameras, bent;
+  VkDeviceAddress vertices, tangents, indices, geometries, instances, draws, materials, lights, transforms, cameras,
+      bent;
   uint32_t first_bending, bending_count;
 };
 
@@ -42,12 +43,19 @@ GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, uint32_t slice
   lights_ = array("scene.lights", slices_ * light_nodes_.size() * sizeof(SceneLight), gpu::kReadByAddress);
   transforms_ = array("scene.transforms", slices_ * instances_.size() * sizeof(SceneTransform), gpu::kReadByAddress);
   cameras_ = array("scene.cameras", slices_ * sizeof(SceneCamera), gpu::kReadByAddress);
-  const SceneAddresses addresses{meshes.vertices().address(), meshes.indices().address(),
-                                 geometry_buffer_.address(),  instance_buffer_.address(),
-                                 draw_buffer_.address(),      unposed->surfaces.materials().address(),
-                                 lights_.address(),           transforms_.address(),
-                                 cameras_.address(),          bent_.address(),
-                                 meshes.firstBendingVertex(), bent_.vertexCount()};
+  const SceneAddresses addresses{meshes.vertices().address(),
+                                 meshes.tangents().address(),
+                                 meshes.indices().address(),
+                                 geometry_buffer_.address(),
+                                 instance_buffer_.address(),
+                                 draw_buffer_.address(),
+                                 unposed->surfaces.materials().address(),
+                                 lights_.address(),
+                                 transforms_.address(),
+                                 cameras_.address(),
+                                 bent_.address(),
+                                 meshes.firstBendingVertex(),
+                                 bent_.vertexCount()};
   addresses_ =
       gpu::uploadBuffer(device_, "scene.arrays", &addresses, sizeof addresses, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
   makeSet();

@@ -6,6 +6,7 @@
 #include "scene/bend.h"
 #include "world/limits.h"
 #include "world/structures.h"
+#include "world/tangent.h"
 
 namespace strobe::world {
 
@@ -25,6 +26,7 @@ SceneMeshes::SceneMeshes(const gpu::Device& device, const Scene& scene) : device
     usage |= VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR;
   numberGeometries();
   vertices_ = uploadVertices(usage);
+  tangents_ = uploadTangents();
   indices_ = uploadIndices(usage | VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
 }
 
@@ -34,7 +36,9 @@ void SceneMeshes::numberGeometries() {
     bounds_.push_back(ownBounds(mesh));
     for (const Geometry& source : mesh.geometries) {
       geometries_.push_back({uint32_t(index_count_), uint32_t(vertex_count_), uint32_t(source.indices.size() / 3),
-                             uint32_t(source.material)});
+                             uint32_t(source.material),
+                             source.tangents.empty() ? NO_TANGENTS : uint32_t(tangent_count_)});
+      tangent_count_ += source.tangents.size();
       vertex_count_ += source.vertices.size();
       index_count_ += source.indices.size();
     }
@@ -87,6 +91,13 @@ gpu::Buffer SceneMeshes::uploadVertices(VkBufferUsageFlags usage) const {
     for (const Geometry* geometry : geometries)
       upload.append<SceneVertex>(geometry->vertices.size(),
                                  [&](size_t i) { return deviceVertex(geometry->vertices[i]); });
+  return upload.finish();
+}
+
+gpu::Buffer SceneMeshes::uploadTangents() const {
+  gpu::Upload upload(device_, "scene.tangents", tangent_count_ * sizeof(uint32_t), gpu::kReadByAddress);
+  for (const Geometry* geometry : geometriesOf(scene_))
+    upload.append<uint32_t>(geometry->tangents.size(), [&](size_t i) { return packedTangent(geometry->tangents[i]); });
   return upload.finish();
 }
 

@@ -19,6 +19,8 @@ class SceneMeshes {
   SceneMeshes(const gpu::Device& device, const scene::Scene& scene);
 
   const gpu::Buffer& vertices() const { return vertices_; }
+  // Packed (world/tangent.h), of the geometries that have them.
+  const gpu::Buffer& tangents() const { return tangents_; }
   const gpu::Buffer& indices() const { return indices_; }
   // An instance that bends has vertices and geometries of its own, behind those of all meshes, in the order of
   // instances: unbent, and over the indices of its mesh.
@@ -49,6 +51,7 @@ class SceneMeshes {
   void numberGeometries();
   void numberBending();
   gpu::Buffer uploadVertices(VkBufferUsageFlags usage) const;
+  gpu::Buffer uploadTangents() const;
   gpu::Buffer uploadIndices(VkBufferUsageFlags usage) const;
 
   const gpu::Device& device_;
@@ -58,8 +61,8 @@ class SceneMeshes {
   std::vector<Bounds> bounds_;
   std::vector<Bending> bending_;
   uint32_t first_bending_vertex_ = 0;
-  size_t vertex_count_ = 0, index_count_ = 0;
-  gpu::Buffer vertices_, indices_, tree_triangles_;
+  size_t vertex_count_ = 0, tangent_count_ = 0, index_count_ = 0;
+  gpu::Buffer vertices_, tangents_, indices_, tree_triangles_;
   std::unique_ptr<MeshTrees> trees_;
   std::vector<gpu::Acceleration> bottom_levels_;
 };

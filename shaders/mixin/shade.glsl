@@ -102,18 +102,34 @@ Texels texelsOf(Surface surface, int count, mat2x3 footprint_ws) {
   return texels;
 }
 
-// Tangent-space normal map, its frame from the triangle's texture gradients.
-vec3 bumpedNormal(SceneMaterial material, Surface surface, vec4 texel) {
+// Directions of a surface along which the coordinates that a use is looked up with grow, each scaled; false where they do
+// not vary.
+bool textureAxes(SceneTextureUse use, Surface surface, out vec3 along_u, out vec3 along_v) {
+  vec2 d1 = use.uv_set == 0u ? surface.uv0_edge1 : surface.uv1_edge1;
+  vec2 d2 = use.uv_set == 0u ? surface.uv0_edge2 : surface.uv1_edge2;
+  d1 = use.u * d1.x + use.v * d1.y;
+  d2 = use.u * d2.x + use.v * d2.y;
+  float determinant = d1.x * d2.y - d1.y * d2.x;
+  along_u = (surface.edge1_ws * d2.y - surface.edge2_ws * d1.y) * sign(determinant);
+  along_v = (surface.edge2_ws * d1.x - surface.edge1_ws * d2.x) * sign(determinant);
+  return determinant != 0.0;
+}
+
+// Tangent-space normal map, its frame from the vertices' tangents (glTF 2.0, 3.7.2.1), else from the triangle's texture
+// gradients.
+vec3 bumpedNormal(uint slice, Hit hit, SceneMaterial material, Surface surface, vec4 texel) {
   SceneTextureUse use = material.uses[USE_NORMAL];
   if (use.texture < 0) return surface.normal_ws;
   vec3 n = texel.xyz * 2.0 - 1.0;
   n.xy *= material.normal_scale;
-  vec2 d1 = use.uv_set == 0u ? surface.uv0_edge1 : surface.uv1_edge1;
-  vec2 d2 = use.uv_set == 0u ? surface.uv0_edge2 : surface.uv1_edge2;
-  float determinant = d1.x * d2.y - d1.y * d2.x;
-  if (determinant == 0.0) return surface.normal_ws;
-  vec3 tangent = (surface.edge1_ws * d2.y - surface.edge2_ws * d1.y) * sign(determinant);
-  vec3 bitangent = (surface.edge2_ws * d1.x - surface.edge1_ws * d2.x) * sign(determinant);
+  vec3 tangent, bitangent;
+  vec4 given = tangentOf(slice, hit);
+  if (given.w != 0.0) {
+    tangent = given.xyz;
+    bitangent = cross(given.xyz, surface.normal_ws) * (given.w * surface.normal_side);
+  } else if (!textureAxes(use, surface, tangent, bitangent)) {
+    return surface.normal_ws;
+  }
   tangent = unitOr(tangent - surface.normal_ws * dot(surface.normal_ws, tangent), vec3(0));
   bitangent = unitOr(bitangent - surface.normal_ws * dot(surface.normal_ws, bitangent), vec3(0));
   // Texture v runs downwards: green points against it.
@@ -259,7 +275,7 @@ vec3 radianceOf(uint slice, Hit hit) {
   r.specular = mix(vec3(0.04), base, metallic);
   r.alpha = roughness * roughness;
 
-  surface.normal_ws = bumpedNormal(material, surface, texels.normal);
+  surface.normal_ws = bumpedNormal(slice, hit, material, surface, texels.normal);
   SceneCamera camera = scene_cameras[slice];
   vec3 view = camera.orthographic != 0u ? -camera.forward : unitOr(camera.position - surface.position_ws, -camera.forward);
   vec3 radiance = material.emissive * texels.emissive.rgb;

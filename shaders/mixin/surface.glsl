@@ -86,6 +86,7 @@ struct Surface {
   vec3 position_ws;
   vec3 face_normal_ws;  // unit, of the triangle, on the side that is seen
   vec3 normal_ws;       // unit, interpolated, on the side that is seen
+  float normal_side;    // -1 where the vertices have it on the other side
   vec2 uv0, uv1;
   vec4 color;
   vec3 edge1_ws, edge2_ws;      // corner 1 - corner 0, corner 2 - corner 0
@@ -112,8 +113,8 @@ Surface surfaceOf(uint slice, Hit hit) {
       weights.x * vertexNormal(slice, a) + weights.y * vertexNormal(slice, b) + weights.z * vertexNormal(slice, c);
   vec3 normal_ws = unitOr(normalFromObject(transform, normal_os), side * surface.face_normal_ws);
   // Meshes whose normals disagree with their winding exist: the face decides which side is seen.
-  if (dot(normal_ws, surface.face_normal_ws) < 0.0) normal_ws = -normal_ws;
-  surface.normal_ws = normal_ws;
+  surface.normal_side = dot(normal_ws, surface.face_normal_ws) < 0.0 ? -1.0 : 1.0;
+  surface.normal_ws = surface.normal_side * normal_ws;
   vec2 a_uv0 = vertexUv0(a), b_uv0 = vertexUv0(b), c_uv0 = vertexUv0(c);
   vec2 a_uv1 = vertexUv1(a), b_uv1 = vertexUv1(b), c_uv1 = vertexUv1(c);
   surface.uv0 = weights.x * a_uv0 + weights.y * b_uv0 + weights.z * c_uv0;
@@ -129,6 +130,37 @@ Surface surfaceOf(uint slice, Hit hit) {
   surface.uv1_edge2 = c_uv1 - a_uv1;
   surface.material = geometry.material;
   return surface;
+}
+
+// A direction and a handedness of what packedTangent of runtime/world/tangent.h gives; w 0: none.
+vec4 unpackedTangent(uint packed) {
+  if ((packed & TANGENT_PRESENT) == 0u) return vec4(0);
+  const uint mask = (1u << TANGENT_BITS) - 1u;
+  vec2 flat_os = vec2(packed & mask, (packed >> TANGENT_BITS) & mask) / TANGENT_LARGEST - 1.0;
+  vec3 direction = vec3(flat_os, 1.0 - abs(flat_os.x) - abs(flat_os.y));
+  float fold = max(-direction.z, 0.0);
+  direction.x += direction.x >= 0.0 ? -fold : fold;
+  direction.y += direction.y >= 0.0 ? -fold : fold;
+  return vec4(normalize(direction), (packed & TANGENT_NEGATIVE) != 0u ? -1.0 : 1.0);
+}
+
+// World-space tangent of a hit, not of unit length, and its handedness; w = 0 if a vertex has no tangent.
+vec4 tangentOf(uint slice, Hit hit) {
+  SceneGeometry geometry = geometryOf(hit.instance, hit.geometry);
+  Triangle triangle = triangleOf(geometry, hit.primitive);
+  vec3 weights = cornerWeights(hit.barycentrics);
+  vec3 tangent_os = vec3(0);
+  float handedness = 0.0;
+  for (uint corner = 0u; corner < 3u; ++corner) {
+    vec4 tangent = unpackedTangent(vertexTangent(slice, geometry, triangle.vertex[corner]));
+    if (tangent.w == 0.0) return vec4(0);
+    tangent_os += weights[corner] * tangent.xyz;
+    handedness = tangent.w;
+  }
+  SceneTransform m = transformOf(slice, hit.instance);
+  vec3 x = m.row_x.xyz, y = m.row_y.xyz, z = m.row_z.xyz;
+  float mirrored = dot(x, cross(y, z)) < 0.0 ? -1.0 : 1.0;
+  return vec4(dot(x, tangent_os), dot(y, tangent_os), dot(z, tangent_os), handedness * mirrored);
 }
 
 // Where the point a hit names, which is at `capture_ws` at the capture, is at `slice`. Moved by the difference of the

@@ -33,6 +33,15 @@ vec3 vertexPosition(uint slice, uint vertex) { return scene_arrays.vertices.at[v
 vec3 vertexNormal(uint slice, uint vertex) { return scene_arrays.vertices.at[vertex].normal; }
 #endif
 
+// The packed tangent of a vertex of the geometry, at the slice; 0: none.
+uint vertexTangent(uint slice, SceneGeometry geometry, uint vertex) {
+#if FACT_bends
+  if (isBending(vertex)) return scene_arrays.bent.at[bentAt(slice, vertex)].tangent;
+#endif
+  if (geometry.first_tangent == NO_TANGENTS) return 0u;
+  return scene_arrays.tangents.at[geometry.first_tangent + (vertex - geometry.first_vertex)];
+}
+
 vec2 vertexUv0(uint vertex) { return scene_arrays.vertices.at[vertex].uv0; }
 vec2 vertexUv1(uint vertex) { return scene_arrays.vertices.at[vertex].uv1; }
 vec4 vertexColor(uint vertex) { return unpackUnorm4x8(scene_arrays.vertices.at[vertex].color); }

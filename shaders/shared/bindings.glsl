@@ -9,6 +9,7 @@
 // invocation, with branches that take most of a shader's time to compile. No load is checked: an index must be one of the
 // array. The functions below take any id of an instance and of a geometry; mixin/vertex.glsl reads vertices and indices.
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneVertices { SceneVertex at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneTangents { uint at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneIndices { uint at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneGeometries { SceneGeometry at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer SceneInstances { SceneInstance at[]; };
@@ -22,6 +23,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Sce
 #endif
 layout(set = 0, binding = 1, scalar) uniform SceneArrays {
   SceneVertices vertices;
+  SceneTangents tangents;
   SceneIndices indices;
   SceneGeometries geometries;
   SceneInstances instances;

@@ -32,10 +32,20 @@ struct SceneVertex {
   uint color;  // rgba8 unorm, linear
 };
 
+// Tangents of vertices, for normal maps: a direction as two numbers of 15 bits (Cigolle et al., "A Survey of Efficient
+// Representations for Independent Unit Vectors", JCGT 2014), then TANGENT_NEGATIVE for
+// a handedness of -1, then TANGENT_PRESENT. 0: no tangent.
+#define TANGENT_BITS 15u
+#define TANGENT_LARGEST 16383.0
+#define TANGENT_NEGATIVE 0x40000000u
+#define TANGENT_PRESENT 0x80000000u
+#define NO_TANGENTS 0xffffffffu
+
 // Of what bends, at one slice.
 struct SceneBentVertex {
   vec3 position;  // first: acceleration structures read it
   vec3 normal;    // unit; 0: that of the triangle
+  uint tangent;   // 0: by the texture coordinates
 };
 
 struct SceneInstance {
@@ -50,6 +60,7 @@ struct SceneGeometry {
   uint first_vertex;
   uint triangle_count;
   uint material;
+  uint first_tangent;  // of as many as there are vertices; NO_TANGENTS
 };
 
 // A draw of the raster path, one per geometry of each instance.
@@ -120,7 +131,7 @@ struct SceneCamera {
 STROBE_SHARED_END
 #ifdef __cplusplus
 static_assert(sizeof(strobe::shared::SceneVertex) == 44);
-static_assert(sizeof(strobe::shared::SceneBentVertex) == 24);
+static_assert(sizeof(strobe::shared::SceneBentVertex) == 28);
 static_assert(sizeof(strobe::shared::SceneTextureUse) == 36);
 static_assert(sizeof(strobe::shared::SceneMaterial) == 204);
 static_assert(sizeof(strobe::shared::SceneLight) == 56);
