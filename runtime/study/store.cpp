@@ -41,27 +41,10 @@ void removeUnfinished(const Path& folder) {
   for (const Path& file : unfinished) fs::remove(file);
 }
 
-// ---- truth as a file: outputs as large as the color, each a layer with channels "NAME.0", "NAME.1", ...
-
-std::vector<std::string> numbered(int channels) {
-  std::vector<std::string> names;
-  for (int c = 0; c < channels; ++c) names.push_back(std::to_string(c));
-  return names;
-}
+// ---- truth as a file: a part for each output, the color first (docs/exr.md)
 
 std::string encoded(const lab::Picture& picture) {
-  image::ExrFile file;
-  const image::Image& color = picture.frame.outputs.at("color").floats;
-  Json formats = Json::object();
-  for (const auto& [name, read] : picture.frame.outputs) {
-    bool whole = read.uints.width == color.width && read.uints.height == color.height;
-    if (whole) file.add(name, numbered(read.uints.channels), read.uints);
-    bool real = read.floats.width == color.width && read.floats.height == color.height;
-    if (real) file.add(name, numbered(read.floats.channels), read.floats);
-    if (whole || real) formats[name] = {read.format, whole ? read.uints.channels : read.floats.channels, whole};
-  }
-  file.texts["outputs"] = formats.dump();
-  file.texts["record"] = picture.record.dump();
+  image::ExrFile file = lab::exrOf(picture, {.multipart = true});
   file.texts["warnings"] = Json(picture.warnings).dump();
   return image::encodeExr(file);
 }
@@ -69,17 +52,9 @@ std::string encoded(const lab::Picture& picture) {
 std::shared_ptr<const lab::Picture> decoded(const Path& name) {
   image::ExrFile file = image::readExr(name);
   auto picture = std::make_shared<lab::Picture>();
-  picture->record = Json::parse(file.texts.at("record"));
+  picture->record = Json::parse(file.texts.at("strobe"));
   picture->warnings = Json::parse(file.texts.at("warnings")).get<std::vector<std::string>>();
-  Json outputs = Json::parse(file.texts.at("outputs"));
-  for (const auto& [output, form] : outputs.items()) {
-    std::vector<std::string> channels = numbered(form.at(1));
-    for (std::string& channel : channels) channel = output + "." + channel;
-    graph::ReadImage& read = picture->frame.outputs[output];
-    read.format = form.at(0);
-    if (form.at(2).get<bool>()) read.uints = image::idsOf(file, channels, name);
-    else read.floats = image::channelsOf(file, channels, name);
-  }
+  picture->frame.outputs = lab::imagesOf(file, name);
   return picture;
 }
 
