@@ -90,8 +90,9 @@ void registerCompare(CLI::App& program) {
   auto request = std::make_shared<Request>();
   CLI::App* command = program.add_subcommand("compare", "error metrics of two images (PNG or OpenEXR)");
   command->footer(
-      "PNG values are decoded from sRGB, or as the file's gAMA and cHRM say. OpenEXR files lie over each other by their\n"
-      "display windows, and their colours are converted to Rec. 709. PSNR and SSIM are measured on clamped, sRGB-encoded values.\n"
+      "PNG values are decoded from sRGB, or by the gAMA and cHRM of the file. OpenEXR files lie over each other by\n"
+      "their display windows; their colours are converted to Rec. 709. PSNR and SSIM are measured on clamped,\n"
+      "sRGB-encoded values.\n"
       "HDR-FLIP needs two OpenEXR files. JSON: null is \"not measured\", \"inf\" the PSNR of equal images.");
   command->add_option("test", request->test, "the image to judge")->required()->type_name("FILE");
   command->add_option("reference", request->reference, "what it should be")->required()->type_name("FILE");

@@ -394,8 +394,7 @@ void doctor(const Home& home, bool json) {
   if (devices.empty())
     throw Error("no Vulkan device: install a driver (Debian: mesa-vulkan-drivers gives a software device)");
   if (!suffices) throw Error("no device suffices; Mesa 25's software device (Debian: bookworm-backports) does");
-  if (!driver_problems.empty())
-    throw Error(fmt::format("a driver did not load: {}", fmt::join(driver_problems, "; ")));
+  if (!driver_problems.empty()) throw Error(fmt::format("a driver did not load: {}", fmt::join(driver_problems, "; ")));
 }
 
 }  // namespace

@@ -146,7 +146,8 @@ void registerRender(CLI::App& program, const Home& home) {
                     "EXR with mattes by node and by material, as sub-pixel samples (--aa) cover each pixel");
   command->add_flag("--json", options->json,
                     "print the run record (with --pixel: the trail) instead of the files written");
-  command->add_flag("-v,--verbose", options->verbose, "print the counters of the passes; the run record has them always");
+  command->add_flag("-v,--verbose", options->verbose,
+                    "print the counters of the passes; the run record has them always");
   options->shot.addWithPipeline(*command);
   command->callback([options, &home] { render(home, *options); });
 }

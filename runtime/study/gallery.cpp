@@ -71,7 +71,8 @@ std::string describeShot(const Results& results, const ShotSummary& shot) {
                                  shot.exposure, shot.fps, group.anchor);
   double displacement = group.truth().value("displacement");
   if (std::isnan(displacement)) return text;
-  return text + fmt::format(", median displacement of what moves {} px over the exposure", page::shownPixels(displacement));
+  return text +
+         fmt::format(", median displacement of what moves {} px over the exposure", page::shownPixels(displacement));
 }
 
 std::string describeBackground(const PointGroup& group) {
