@@ -265,7 +265,6 @@
       else asButton(line, point, said, pin);
     }
     stopAtOne(lines, ".line");
-    legend(svg, all, right + 40, top, false, true);
     list.forEach((one, index) => {
       const column = svg.append("g").attr("class", "dimension").attr("transform", `translate(${x(one.name)} 0)`);
       path(column, "tickmark", `M0 ${top}V${bottom}`);
@@ -291,6 +290,7 @@
         if (event.sourceEvent) brushed(one, JSON.stringify(event.selection) === before ? null : event.selection);
       });
     });
+    legend(svg, all, right + 40, top, false, true);
   }
 
   Object.assign(explorer, { drawFront, drawParallel, chart: { canvas, text, path, plot, written } });
