@@ -391,10 +391,13 @@ void doctor(const Home& home, bool json) {
     std::printf("shared data: %s\n", data ? data->c_str() : "none (STROBE_DATA names its folder)");
     std::printf("compiled shaders, painted textures: %s\n", home.cache().empty() ? "not kept" : home.cache().c_str());
   }
+  std::string unloaded =
+      driver_problems.empty() ? "" : fmt::format("a driver did not load: {}", fmt::join(driver_problems, "; "));
+  std::string more = unloaded.empty() ? "" : "; " + unloaded;
   if (devices.empty())
-    throw Error("no Vulkan device: install a driver (Debian: mesa-vulkan-drivers gives a software device)");
-  if (!suffices) throw Error("no device suffices; Mesa 25's software device (Debian: bookworm-backports) does");
-  if (!driver_problems.empty()) throw Error(fmt::format("a driver did not load: {}", fmt::join(driver_problems, "; ")));
+    throw Error("no Vulkan device: install a driver (Debian: mesa-vulkan-drivers gives a software device)" + more);
+  if (!suffices) throw Error("no device suffices; Mesa 25's software device (Debian: bookworm-backports) does" + more);
+  if (!unloaded.empty()) throw Error(unloaded);
 }
 
 }  // namespace
