@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/log.h"
 #include "image/comparison.h"
 #include "image/exr.h"
 #include "image/false_colour.h"
@@ -61,17 +62,23 @@ void writeMap(const Path& file, const image::Comparison& result) {
   image::writeExr(file, content);
 }
 
+void warnOf(const std::string& file, const image::Picture& picture) {
+  for (const std::string& note : picture.notes) warn(file + ": " + note);
+}
+
 void compare(const Request& request) {
   if (request.exposures.start > request.exposures.stop) throw Error("--start is above --stop", {}, 2);
   image::Picture test = image::readPicture(request.test, request.layer);
   image::Picture reference = image::readPicture(request.reference, request.layer);
-  image::Image mask = request.mask.empty() ? image::Image() : image::readMask(request.mask);
+  image::Picture mask = request.mask.empty() ? image::Picture() : image::readMask(request.mask);
+  image::alignPictures(test, reference, mask);
+  warnOf(request.test, test), warnOf(request.reference, reference), warnOf(request.mask, mask);
   image::CompareOptions options;
   options.hdr = test.hdr && reference.hdr;
   options.flip.curve = kCurves.at(request.curve);
   options.flip.pixels_per_degree = request.pixels_per_degree;
   if (request.given_exposures) options.flip.exposures = request.exposures;
-  image::Comparison result = image::compareImages(test.linear, reference.linear, mask, options);
+  image::Comparison result = image::compareImages(test.linear, reference.linear, mask.linear, options);
   if (!request.flip_map.empty()) writeMap(request.flip_map, result);
   if (!request.json) return printTable(result);
   fmt::print("{}\n", image::comparisonJson(result).dump(2));
@@ -83,7 +90,9 @@ void registerCompare(CLI::App& program) {
   auto request = std::make_shared<Request>();
   CLI::App* command = program.add_subcommand("compare", "error metrics of two images (PNG or OpenEXR)");
   command->footer(
-      "PNG values are decoded from sRGB. PSNR and SSIM are measured on clamped, sRGB-encoded values.\n"
+      "PNG values are decoded from sRGB, or by the gAMA and cHRM of the file. OpenEXR files lie over each other by\n"
+      "their display windows; their colours are converted to Rec. 709. PSNR and SSIM are measured on clamped,\n"
+      "sRGB-encoded values.\n"
       "HDR-FLIP needs two OpenEXR files. JSON: null is \"not measured\", \"inf\" the PSNR of equal images.");
   command->add_option("test", request->test, "the image to judge")->required()->type_name("FILE");
   command->add_option("reference", request->reference, "what it should be")->required()->type_name("FILE");

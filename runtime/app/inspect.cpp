@@ -356,6 +356,7 @@ bool mayBeWider([[maybe_unused]] const gpu::DeviceInfo& info) {
 
 void doctor(const Home& home, bool json) {
   std::vector<gpu::DeviceInfo> devices = gpu::listDevices();
+  std::vector<std::string> driver_problems = gpu::driverProblems();
   Json report;
   report["strobe"] = STROBE_VERSION;
   report["devices"] = Json::array();
@@ -366,6 +367,7 @@ void doctor(const Home& home, bool json) {
   report["cache"] = home.cache().empty() ? Json(nullptr) : Json(home.cache().string());
   bool suffices = !devices.empty() && devices.front().missing().empty();
   report["suffices"] = suffices;
+  report["driver_problems"] = driver_problems;
   if (json) {
     std::printf("%s\n", report.dump(2).c_str());
   } else {
@@ -382,6 +384,7 @@ void doctor(const Home& home, bool json) {
             "  the processor has vectors of 512 bits: LP_NATIVE_VECTOR_WIDTH=512 gives the same pictures, truth "
             "sooner");
     }
+    for (const std::string& problem : driver_problems) std::printf("driver not loaded: %s\n", problem.c_str());
     for (const Path& root : home.roots()) std::printf("files: %s\n", root.c_str());
     try {
       lab::Shot shot;
@@ -393,9 +396,13 @@ void doctor(const Home& home, bool json) {
     std::printf("shared data: %s\n", data ? data->c_str() : "none (STROBE_DATA names its folder)");
     std::printf("compiled shaders, painted textures: %s\n", home.cache().empty() ? "not kept" : home.cache().c_str());
   }
+  std::string unloaded =
+      driver_problems.empty() ? "" : fmt::format("a driver did not load: {}", fmt::join(driver_problems, "; "));
+  std::string more = unloaded.empty() ? "" : "; " + unloaded;
   if (devices.empty())
-    throw Error("no Vulkan device: install a driver (Debian: mesa-vulkan-drivers gives a software device)");
-  if (!suffices) throw Error("no device suffices; Mesa 25's software device (Debian: bookworm-backports) does");
+    throw Error("no Vulkan device: install a driver (Debian: mesa-vulkan-drivers gives a software device)" + more);
+  if (!suffices) throw Error("no device suffices; Mesa 25's software device (Debian: bookworm-backports) does" + more);
+  if (!unloaded.empty()) throw Error(unloaded);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ struct RenderOptions {
   ShotOptions shot;
   std::string out, pixel, tev, views;
   lab::ExrOptions exr;
-  bool json = false;
+  bool json = false, verbose = false;
   double time_limit_s = gpu::kTimeLimit_s;
 
   bool asksForExr() const { return exr.half || exr.multipart || exr.cryptomatte; }
@@ -104,7 +104,7 @@ void print(const RenderOptions& options, const lab::Picture& picture, const lab:
     return;
   }
   if (pixel) std::printf("%s%s", lab::tableOf(trail).c_str(), files.empty() ? "" : "\n");
-  printCounters(picture.record);
+  if (options.verbose) printCounters(picture.record);
   for (const Path& file : files) std::printf("%s\n", file.c_str());
 }
 
@@ -151,6 +151,8 @@ void registerRender(CLI::App& program, const Home& home) {
                     "EXR with mattes by node and by material, as sub-pixel samples (--aa) cover each pixel");
   command->add_flag("--json", options->json,
                     "print the run record (with --pixel: the trail) instead of the files written");
+  command->add_flag("-v,--verbose", options->verbose,
+                    "print the counters of the passes; the run record has them always");
   addTimeLimit(*command, options->time_limit_s);
   options->shot.addWithPipeline(*command);
   command->callback([options, &home] { render(home, *options); });

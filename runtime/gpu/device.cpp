@@ -7,8 +7,10 @@
 #include <cctype>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <mutex>
+#include <sstream>
 #include <utility>
 
 #include "gpu/commands.h"
@@ -109,14 +111,16 @@ struct Loader {
     return std::find(names.begin(), names.end(), name) != names.end();
   }
 
-  VkInstance create(bool validation, const std::vector<std::string>& more_extensions = {}) const {
+  // Messages of the loader itself go to `messages`, if the loader has the extension for it.
+  VkInstance create(bool validation, const std::vector<std::string>& more_extensions = {},
+                    const VkDebugUtilsMessengerCreateInfoEXT* messages = nullptr) const {
     VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
     application.pApplicationName = "strobe";
     application.apiVersion = VK_API_VERSION_1_3;
     std::vector<const char*> used_layers, used_extensions;
     if (validation) used_layers.push_back("VK_LAYER_KHRONOS_validation");
-    if (contains(extensions, VK_EXT_DEBUG_UTILS_EXTENSION_NAME) || validation)
-      used_extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    bool has_messages = contains(extensions, VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    if (has_messages || validation) used_extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     for (const std::string& name : more_extensions) {
       if (!contains(extensions, name))
         throw Error(fmt::format("no Vulkan driver here has {}, which a window needs", name));
@@ -127,7 +131,8 @@ struct Loader {
     features.enabledValidationFeatureCount = 1;
     features.pEnabledValidationFeatures = &synchronization;
     VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
-    info.pNext = validation ? &features : nullptr;
+    if (validation) info.pNext = &features;
+    else if (has_messages) info.pNext = messages;
     info.pApplicationInfo = &application;
     info.enabledLayerCount = uint32_t(used_layers.size());
     info.ppEnabledLayerNames = used_layers.data();
@@ -236,6 +241,55 @@ std::vector<DeviceInfo> listDevices() {
   std::stable_sort(infos.begin(), infos.end(),
                    [](const DeviceInfo& a, const DeviceInfo& b) { return rank(a) < rank(b); });
   return infos;
+}
+
+static VKAPI_ATTR VkBool32 VKAPI_CALL onLoaderMessage(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
+                                                      VkDebugUtilsMessageTypeFlagsEXT,
+                                                      const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
+  std::string text = data->pMessage ? data->pMessage : "";
+  // Warnings are about layers too.
+  bool is_error = severity >= VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+  if (is_error || text.find("ICD") != std::string::npos)
+    static_cast<std::vector<std::string>*>(user)->push_back(std::move(text));
+  return VK_FALSE;
+}
+
+// Manifests that the environment names and that do not exist. The loader skips them silently.
+static std::vector<std::string> absentManifests() {
+  std::vector<std::string> absent;
+  const char* variables[] = {std::getenv("VK_DRIVER_FILES") ? "VK_DRIVER_FILES" : "VK_ICD_FILENAMES",
+                             "VK_ADD_DRIVER_FILES"};
+  for (const char* variable : variables) {
+    std::istringstream names(std::getenv(variable) ? std::getenv(variable) : "");
+    std::error_code ignored;
+    for (std::string name; std::getline(names, name, ':');)
+      if (!name.empty() && !std::filesystem::exists(name, ignored))
+        absent.push_back(fmt::format("{}: {}: no such file", variable, name));
+  }
+  return absent;
+}
+
+std::vector<std::string> driverProblems() {
+  std::vector<std::string> problems = absentManifests(), messages;
+  VkDebugUtilsMessengerCreateInfoEXT sink{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
+  sink.messageSeverity =
+      VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+  sink.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT;
+  sink.pfnUserCallback = onLoaderMessage;
+  sink.pUserData = &messages;
+  try {
+    Loader loader;
+    VkInstance instance = loader.create(false, {}, &sink);
+    Dispatch vk;
+    loadInstanceCalls(vk, loader.get, instance);
+    physicalDevices(vk, instance);
+    vk.DestroyInstance(instance, nullptr);
+  } catch (const Error& error) {
+    if (messages.empty()) messages.push_back(error.what());
+  }
+  for (std::string& message : messages)
+    if (std::find(problems.begin(), problems.end(), message) == problems.end()) problems.push_back(std::move(message));
+  return problems;
 }
 
 void Device::createInstance(const DeviceOptions& options) {

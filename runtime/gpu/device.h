@@ -50,6 +50,10 @@ struct DeviceInfo {
 // Every device the loader offers, best first, with no device created. Empty without a loader or driver.
 std::vector<DeviceInfo> listDevices();
 
+// Failures to load drivers that are installed or named in the environment: messages of the loader, and manifests that
+// do not exist. A driver without its hardware is not a failure.
+std::vector<std::string> driverProblems();
+
 // The device is lost: nothing can be drawn or read back any more. Not an `Error`, so that no picture, point or frame is
 // reported as failed for it: it ends the program.
 struct DeviceLost : std::runtime_error {

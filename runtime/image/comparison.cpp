@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "image/comparison.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -28,21 +29,122 @@ static void requireFinite(const Image& image, const Path& file) {
     throw Error(fmt::format("pixel {},{} is not finite ({})", found.x, found.y, found.value), {file.string()});
 }
 
-Picture readPicture(const Path& file, const std::string& layer) {
-  if (kindOf(file) == FileKind::exr) {
-    Image linear = colourOf(readExrLayer(file, layer), layer, file);
-    requireFinite(linear, file);
-    return {linear, true};
-  }
-  if (!layer.empty()) throw Error(fmt::format("is a PNG and has no layer '{}'", layer), {file.string()});
-  return {decodeSrgb(threeChannels(readPng(file))), false};
+static Window intersection(const Window& a, const Window& b) {
+  int x0 = std::max(a.x, b.x), y0 = std::max(a.y, b.y);
+  int x1 = std::min(a.x + a.width, b.x + b.width), y1 = std::min(a.y + a.height, b.y + b.height);
+  return {x0, y0, std::max(x1 - x0, 0), std::max(y1 - y0, 0)};
 }
 
-Image readMask(const Path& file) {
-  Image colour = kindOf(file) == FileKind::exr ? colourOf(readExrLayer(file, ""), "", file) : readPng(file);
-  Image mask(colour.width, colour.height, 1);
-  for (size_t i = 0; i < mask.values.size(); ++i) mask.values[i] = colour.values[i * colour.channels];
-  return mask;
+static Window boundsOf(const Window& a, const Window& b) {
+  int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
+  return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
+}
+
+static size_t areaOf(const Window& window) { return size_t(window.width) * size_t(window.height); }
+
+static std::string windowsOf(const Picture& picture) {
+  auto text = [](const Window& w) {
+    return fmt::format("{},{} to {},{}", w.x, w.y, w.x + w.width - 1, w.y + w.height - 1);
+  };
+  return fmt::format("data window {} in the display window {}", text(picture.data), text(picture.display));
+}
+
+static bool fillsDisplay(const Picture& picture) {
+  return areaOf(intersection(picture.data, picture.display)) == areaOf(picture.display) &&
+         areaOf(picture.data) == areaOf(picture.display);
+}
+
+// The pixels of `image`, which has the window `from`, in the window `to`; 0 outside of `from`.
+static Image cutTo(const Image& image, const Window& from, const Window& to) {
+  Image cut(to.width, to.height, image.channels);
+  Window common = intersection(from, to);
+  for (int y = common.y; y < common.y + common.height && common.width > 0; ++y)
+    std::copy_n(image.pixel(common.x - from.x, y - from.y), size_t(common.width) * size_t(image.channels),
+                cut.pixel(common.x - to.x, y - to.y));
+  return cut;
+}
+
+static Picture placed(Image image, const Window& data, const Window& display, bool hdr) {
+  Picture picture;
+  picture.linear = std::move(image);
+  picture.hdr = hdr, picture.data = data, picture.display = display;
+  return picture;
+}
+
+static Picture pngPicture(Image image) {
+  Window whole{0, 0, image.width, image.height};
+  return placed(std::move(image), whole, whole, false);
+}
+
+static Picture exrPicture(const ExrFile& content, Image image) {
+  return placed(std::move(image), {content.x, content.y, content.width, content.height},
+                {0, 0, content.display_width, content.display_height}, true);
+}
+
+Picture readPicture(const Path& file, const std::string& layer) {
+  if (kindOf(file) == FileKind::exr) {
+    ExrFile content = readExrLayer(file, layer);
+    Picture picture = exrPicture(content, colourOf(content, layer, file));
+    requireFinite(picture.linear, file);
+    bool converts = content.primaries && !content.primaries->areRec709();
+    if (converts) picture.notes.push_back(convertStated(picture.linear, *content.primaries));
+    return picture;
+  }
+  if (!layer.empty()) throw Error(fmt::format("is a PNG and has no layer '{}'", layer), {file.string()});
+  LinearPng png = readLinearPng(file);
+  Picture picture = pngPicture(std::move(png.linear));
+  picture.notes = std::move(png.notes);
+  return picture;
+}
+
+static Image firstChannel(const Image& image) {
+  Image first(image.width, image.height, 1);
+  for (size_t i = 0; i < first.values.size(); ++i) first.values[i] = image.values[i * size_t(image.channels)];
+  return first;
+}
+
+Picture readMask(const Path& file) {
+  if (kindOf(file) == FileKind::png) return pngPicture(firstChannel(readPng(file)));
+  ExrFile content = readExrLayer(file, "");
+  return exrPicture(content, firstChannel(colourOf(content, "", file)));
+}
+
+static std::string sizeOf(const Picture& picture) {
+  std::string windows = fillsDisplay(picture) ? "" : fmt::format(" ({})", windowsOf(picture));
+  return fmt::format("{}x{} pixels{}", picture.display.width, picture.display.height, windows);
+}
+
+// Gives a picture the pixels of `area`, which lies in the display window.
+static void placeIn(const Window& area, Picture& picture) {
+  size_t shown = areaOf(intersection(picture.data, picture.display)), hidden = areaOf(picture.data) - shown;
+  if (hidden > 0)
+    picture.notes.push_back(
+        fmt::format("{} pixels outside of the display window are not compared: {}", hidden, windowsOf(picture)));
+  if (size_t lacking = areaOf(area) - shown; lacking > 0)
+    picture.notes.push_back(
+        fmt::format("{} of the pixels compared are black, since they are outside of its data window: {}", lacking,
+                    windowsOf(picture)));
+  picture.linear = cutTo(picture.linear, picture.data, area);
+}
+
+void alignPictures(Picture& test, Picture& reference, Picture& mask) {
+  auto refuse = [&](const char* what, const Picture& other) {
+    throw Error(fmt::format("the {} has {}, the test image {}", what, sizeOf(other), sizeOf(test)));
+  };
+  auto sameSize = [](const Window& a, const Window& b) { return a.width == b.width && a.height == b.height; };
+  auto same = [&](const Window& a, const Window& b) { return sameSize(a, b) && a.x == b.x && a.y == b.y; };
+  if (!sameSize(test.display, reference.display)) refuse("reference", reference);
+  Window area = test.data;
+  if (!same(test.data, reference.data)) {
+    area = boundsOf(intersection(test.data, test.display), intersection(reference.data, reference.display));
+    for (const Picture* one : {&test, &reference})
+      if (areaOf(intersection(one->data, one->display)) == 0) refuse("reference", reference);
+    placeIn(area, test), placeIn(area, reference);
+  }
+  bool covers = mask.linear.empty() || (fillsDisplay(mask) && sameSize(mask.display, area));
+  if (covers) return;
+  if (!sameSize(test.display, mask.display)) refuse("mask", mask);
+  mask.linear = cutTo(mask.linear, mask.data, area);
 }
 
 static void requireComparable(const Image& test, const Image& reference, const Image& mask) {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/files.h"
 #include "base/json.h"
@@ -12,10 +13,18 @@
 
 namespace strobe::image {
 
+// A rectangle of pixels; x and y point right and down.
+struct Window {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
 // A picture from a file, recognised by its first bytes, not its name.
 struct Picture {
-  Image linear;      // RGB; an 8-bit PNG is decoded from sRGB
-  bool hdr = false;  // an OpenEXR file
+  Image linear;                    // RGB, Rec. 709: the pixels of the data window
+  bool hdr = false;                // an OpenEXR file
+  Window data;                     // by the display window, which it may exceed
+  Window display;                  // begins at 0,0
+  std::vector<std::string> notes;  // stated colour and windows, and their treatment
 };
 
 // `layer` picks the colour of an OpenEXR layer and is refused for a PNG. Throws `Error` naming the file, also for a
@@ -23,7 +32,13 @@ struct Picture {
 Picture readPicture(const Path& file, const std::string& layer = "");
 
 // One channel, as metrics.h takes it: red (or the only channel) of a PNG or OpenEXR file, not decoded from sRGB.
-Image readMask(const Path& file);
+Picture readMask(const Path& file);
+
+// Puts pictures over each other by their display windows. If their data windows differ, both get the pixels that either
+// shows, black outside of its own data window; its notes say so. An empty mask selects all pixels; a mask of the
+// compared size applies to those. Throws `Error` with the windows if display windows differ in size, or if a picture
+// shows nothing.
+void alignPictures(Picture& test, Picture& reference, Picture& mask);
 
 struct CompareOptions {
   bool hdr = true;  // HDR-FLIP too

@@ -2,6 +2,7 @@
 #include "image/exr.h"
 
 #include <ImfChannelList.h>
+#include <ImfChromaticitiesAttribute.h>
 #include <ImfFloatAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -48,16 +49,29 @@ void insertAttributes(const ExrFile& content, Imf::Header& header) {
     auto [numerator, denominator] = *content.frames_per_second;
     header.insert("framesPerSecond", Imf::RationalAttribute(Imf::Rational(numerator, unsigned(denominator))));
   }
+  if (content.primaries) {
+    auto exr = [](glm::dvec2 point) { return Imath::V2f(float(point.x), float(point.y)); };
+    const Primaries& p = *content.primaries;
+    Imf::Chromaticities stated(exr(p.red), exr(p.green), exr(p.blue), exr(p.white));
+    header.insert("chromaticities", Imf::ChromaticitiesAttribute(stated));
+  }
   if (content.shutter_angle) header.insert("shutterAngle", Imf::FloatAttribute(*content.shutter_angle));
   if (content.exposure_s) header.insert("expTime", Imf::FloatAttribute(*content.exposure_s));
   if (content.camera_from_world) header.insert("worldToCamera", Imf::M44fAttribute(toExr(*content.camera_from_world)));
   if (content.ndc_from_world) header.insert("worldToNDC", Imf::M44fAttribute(toExr(*content.ndc_from_world)));
 }
 
-Imath::Box2i windowOf(const ExrPart& part) { return {{0, 0}, {part.width - 1, part.height - 1}}; }
+Imath::Box2i windowOf(const ExrPart& part) {
+  return {{part.x, part.y}, {part.x + part.width - 1, part.y + part.height - 1}};
+}
+
+Imath::Box2i displayOf(const ExrFile& content) {
+  if (content.display_width == 0) return {{0, 0}, {content.width - 1, content.height - 1}};
+  return {{0, 0}, {content.display_width - 1, content.display_height - 1}};
+}
 
 Imf::Header headerOf(const ExrPart& part, const ExrFile& content) {
-  Imf::Header header(windowOf(content), windowOf(part));
+  Imf::Header header(displayOf(content), windowOf(part));
   header.compression() = Imf::ZIP_COMPRESSION;
   if (!part.name.empty()) header.setName(part.name);
   if (!content.further.empty()) header.setType(Imf::SCANLINEIMAGE);
@@ -92,8 +106,8 @@ PartSource::PartSource(const ExrPart& part) {
       data = halfs.emplace_back(channel.values.begin(), channel.values.end()).data();
       bytes = sizeof(half);
     }
-    char* start = const_cast<char*>(static_cast<const char*>(data));  // OpenEXR only reads it
-    frame.insert(channel.name, Imf::Slice(pixelType(channel.kind), start, bytes, bytes * part.width));
+    frame.insert(channel.name,
+                 Imf::Slice::Make(pixelType(channel.kind), data, windowOf(part), bytes, bytes * size_t(part.width)));
   }
 }
 
@@ -135,6 +149,13 @@ void readAttributes(const Imf::Header& header, ExrFile& content) {
     content.camera_from_world = fromExr(matrix->value());
   if (auto* matrix = header.findTypedAttribute<Imf::M44fAttribute>("worldToNDC"))
     content.ndc_from_world = fromExr(matrix->value());
+  if (auto* stated = header.findTypedAttribute<Imf::ChromaticitiesAttribute>("chromaticities")) {
+    const Imf::Chromaticities& c = stated->value();
+    content.primaries = {{c.red.x, c.red.y}, {c.green.x, c.green.y}, {c.blue.x, c.blue.y}, {c.white.x, c.white.y}};
+  }
+  Imath::Box2i display = header.displayWindow();
+  content.display_width = display.max.x - display.min.x + 1;
+  content.display_height = display.max.y - display.min.y + 1;
 }
 
 // A file's header may claim any size; refuse before memory is allocated. Even a constant image in OpenEXR's densest
@@ -180,6 +201,8 @@ ExrPart decodedPart(Imf::MultiPartInputFile& input, int index, size_t file_bytes
 
   ExrPart part;
   if (header.hasName()) part.name = header.name();
+  part.x = window.min.x - header.displayWindow().min.x;
+  part.y = window.min.y - header.displayWindow().min.y;
   part.width = window.max.x - window.min.x + 1;
   part.height = window.max.y - window.min.y + 1;
   part.texts = textsIn(header);
@@ -266,9 +289,23 @@ const ExrChannel* ExrPart::find(const std::string& channel) const {
   return nullptr;
 }
 
+// Infinite values (the depth of the sky) stay infinite.
+static size_t clampToHalf(std::vector<float>& values) {
+  constexpr float kLargest = 65504;
+  size_t clamped = 0;
+  for (float& value : values) {
+    if (!std::isfinite(value) || std::abs(value) <= kLargest) continue;
+    value = std::copysign(kLargest, value);
+    ++clamped;
+  }
+  return clamped;
+}
+
 void ExrPart::add(const std::string& layer, const std::vector<std::string>& components, const Image& image,
                   ExrKind kind) {
+  size_t before = channels.size();
   addLayer(*this, layer, components, image, kind, &ExrChannel::values);
+  for (size_t i = before; kind == ExrKind::half && i < channels.size(); ++i) clamped += clampToHalf(channels[i].values);
 }
 
 void ExrPart::add(const std::string& layer, const std::vector<std::string>& components, const UintImage& image) {

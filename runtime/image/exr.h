@@ -13,6 +13,7 @@
 
 #include "base/files.h"
 #include "image/image.h"
+#include "image/primaries.h"
 
 namespace strobe::image {
 
@@ -28,12 +29,15 @@ struct ExrChannel {
 // Channels of one size.
 struct ExrPart {
   std::string name;  // unique among several; of a single part also ""
+  int x = 0, y = 0;  // of the top left pixel in the display window of the file
   int width = 0;
   int height = 0;
   std::vector<ExrChannel> channels;
   std::map<std::string, std::string> texts;  // string attributes (the run record among them)
 
   const ExrChannel* find(const std::string& channel) const;  // nullptr when absent
+
+  size_t clamped = 0;  // finite values beyond the 65504 of a half float, which are stored as that
 
   // Adds the channels of `image` as layer.component, or without a layer when it is empty; `components` has one letter
   // or "name" per channel of the image. Sets the size of an empty part, asserts it otherwise.
@@ -42,11 +46,12 @@ struct ExrPart {
   void add(const std::string& layer, const std::vector<std::string>& components, const UintImage& image);
 };
 
-// The whole content of a file: its first part, what holds for all parts, and the parts that follow. The size of the
-// first part is the display window of all; every part starts at its top left pixel. The standard attributes keep the
-// meaning OpenEXR gives them, and stand in every part.
+// The whole content of a file: its first part, what holds for all parts, and the parts that follow. The standard
+// attributes keep the meaning OpenEXR gives them, and stand in every part.
 struct ExrFile : ExrPart {
   std::vector<ExrPart> further;
+  int display_width = 0, display_height = 0;            // display window of all parts; 0: as large as the first
+  std::optional<Primaries> primaries;                   // chromaticities; none: Rec. 709
   std::optional<std::array<int, 2>> frames_per_second;  // numerator, denominator
   std::optional<float> shutter_angle;                   // degrees
   std::optional<float> exposure_s;                      // expTime
@@ -61,7 +66,8 @@ struct ExrFile : ExrPart {
 std::string encodeExr(const ExrFile& content);
 void writeExr(const Path& file, const ExrFile& content);
 
-// Reads any flat file, scan lines or tiles; the data window of a part becomes its image.
+// Reads any flat file, scan lines or tiles; the data window of a part becomes its image, with its place in the display
+// window.
 // Throws `Error` naming the file when it is missing, cut short, not an OpenEXR, deep or subsampled.
 ExrFile readExr(const Path& file);
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// 8-bit PNG files of display images (sRGB-encoded values in [0,1], see tone.h).
+// PNG files of display images (sRGB-encoded values in [0,1], see tone.h). 8 bits are written, any depth is read.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/files.h"
 #include "image/image.h"
@@ -20,8 +21,18 @@ void writePng(const Path& file, const Image& display);
 // As readPng; `name` is what an error calls the bytes.
 Image decodePng(std::string_view bytes, const std::string& name);
 
-// 3 channels, or 4 when the file has transparency; grey and palettes become RGB, 16 bits become 8.
+// Samples as stored, over the largest of their depth: sRGB unless the chunks of the file say otherwise. 3 channels, or
+// 4 when the file has transparency; grey and palettes become RGB.
 // Throws `Error` naming the file when it is missing, cut short or not a PNG.
 Image readPng(const Path& file);
+
+struct LinearPng {
+  Image linear;                    // RGB, Rec. 709
+  std::vector<std::string> notes;  // colour that the file states and that is converted, or not used
+};
+
+// A PNG is display-referred whatever its depth. The chunks sRGB, gAMA and cHRM are used; without them the values are
+// sRGB. cICP and iCCP are used if they say sRGB, and noted otherwise.
+LinearPng readLinearPng(const Path& file);
 
 }  // namespace strobe::image

@@ -8,6 +8,7 @@
 #include "base/log.h"
 #include "image/cryptomatte.h"
 #include "image/png.h"
+#include "lab/limits.h"
 
 namespace strobe::lab {
 
@@ -127,6 +128,20 @@ static void addMattes(image::ExrFile& file, const Picture& picture, bool multipa
 
 // ---- files
 
+// "" where 16-bit floats hold all values.
+static std::string clampedWarning(const image::ExrFile& file) {
+  size_t clamped = 0;
+  for (const image::ExrPart* part : file.parts()) clamped += part->clamped;
+  return clamped == 0 ? "" : kHalfClampedLimit.text(fmt::format("{} values are beyond 65504", clamped));
+}
+
+// The record of the picture with the warnings of its file.
+static Json recordIn(const image::ExrFile& file, const Picture& picture) {
+  Json record = picture.record;
+  if (std::string warning = clampedWarning(file); !warning.empty()) record["warnings"].push_back(warning);
+  return record;
+}
+
 static void describe(image::ExrFile& file, const Picture& picture) {
   const Json& shot = picture.record["shot"];
   double fps = shot["fps"].get<double>(), exposure = shot["exposure"].get<double>();
@@ -136,7 +151,7 @@ static void describe(image::ExrFile& file, const Picture& picture) {
   file.exposure_s = float(exposure / fps);
   file.camera_from_world = picture.camera_from_world;
   file.ndc_from_world = picture.ndc_from_world;
-  file.texts["strobe"] = picture.record.dump();
+  file.texts["strobe"] = recordIn(file, picture).dump();
   if (!picture.id_names.empty()) file.texts["strobeIds"] = toJson(picture.id_names).dump();
 }
 
@@ -175,6 +190,7 @@ image::ExrFile exrOf(const Picture& picture, const ExrOptions& options) {
   std::for_each(images.begin(), rest, add);
   if (options.cryptomatte) addMattes(file, picture, options.multipart);
   std::for_each(rest, images.end(), add);
+  if (std::string warning = clampedWarning(file); !warning.empty()) warn(warning);
   describe(file, picture);
   return file;
 }
@@ -211,10 +227,16 @@ std::vector<Path> writePicture(const Picture& picture, const Path& file, const E
     Path other = file;
     return other.replace_extension(ending);
   };
-  if (file.extension() == ".exr") image::writeExr(file, exrOf(picture, options));
-  else image::writePng(file, image::toneMap(colorOf(picture)));
+  Json record = picture.record;
+  if (file.extension() == ".exr") {
+    image::ExrFile content = exrOf(picture, options);
+    record = recordIn(content, picture);
+    image::writeExr(file, content);
+  } else {
+    image::writePng(file, image::toneMap(colorOf(picture)));
+  }
   std::vector<Path> written = {file, beside(".record.json"), beside(".timings.json")};
-  writeFileAtomically(written[1], picture.record.dump(2) + "\n");
+  writeFileAtomically(written[1], record.dump(2) + "\n");
   writeFileAtomically(written[2], picture.timings.dump(2) + "\n");
   return written;
 }

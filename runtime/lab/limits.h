@@ -26,9 +26,12 @@ inline constexpr Limit kOutsideLimit{
     "outside", Limit::Kind::Known, "what the exposure shows was outside of the picture at the capture",
     "filters of one picture know nothing of it, and what is at the border stands in; truth shows it. Render a larger "
     "picture and crop it"};
+inline constexpr Limit kHalfClampedLimit{
+    "half_clamped", Limit::Kind::Warned, "a file of 16-bit floats is written of values beyond 65504",
+    "they are stored as 65504, the largest half float; write the file without --half, or scale the lights down"};
 
-inline constexpr std::array kLimits = {kBeforeClipLimit, kSharedTargetLimit, kClipSeamLimit, kNotFiniteLimit,
-                                       kOutsideLimit};
+inline constexpr std::array kLimits = {kBeforeClipLimit, kSharedTargetLimit, kClipSeamLimit,
+                                       kNotFiniteLimit,  kHalfClampedLimit,  kOutsideLimit};
 
 // Those of devices, of scenes and of shots, in this order.
 std::vector<Limit> allLimits();

@@ -11,7 +11,9 @@ namespace strobe::page {
 std::string shownError(double value) {
   if (std::isnan(value)) return kNotMeasured;
   if (value == 0) return "0";
-  return std::abs(value) < 1e-4 ? fmt::format("{:.1e}", value) : fmt::format("{:.5f}", value);
+  if (std::abs(value) < 1e-6) return fmt::format("{:.1e}", value);
+  int digits = 1 - int(std::floor(std::log10(std::abs(value))));
+  return fmt::format("{:.{}f}", value, std::max(5, digits));
 }
 
 std::string shownShare(double share) {
@@ -28,6 +30,10 @@ std::string shownCount(double count) { return std::isnan(count) ? kNotMeasured :
 std::string shownMs(double ms) {
   if (std::isnan(ms)) return kNotMeasured;
   return ms < 10 ? fmt::format("{:.2f} ms", ms) : fmt::format("{:.0f} ms", ms);
+}
+
+std::string shownPixels(double pixels) {
+  return std::abs(pixels) < 999.5 ? fmt::format("{:.1f}", pixels) : fmt::format("{:.0f}", pixels);
 }
 
 static std::string superscript(int number) {

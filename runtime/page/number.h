@@ -9,8 +9,8 @@ namespace strobe::page {
 // Shown where nothing was measured.
 inline constexpr const char* kNotMeasured = "–";
 
-// An error of linear values (RMSE, FLIP): five decimals, so that a column of them lines up; "1.2e-05" below 0.0001;
-// NaN as kNotMeasured.
+// An error of linear values (RMSE, FLIP): five decimals, so that columns line up; two digits below 0.0001, "0.000012";
+// an exponent below a millionth, "1.2e-07"; NaN as kNotMeasured.
 std::string shownError(double value);
 
 // A share of 1 as a percentage of three significant digits; NaN as kNotMeasured.
@@ -21,6 +21,9 @@ std::string shownCount(double count);
 
 // "9.12 ms", "12 ms"; NaN as kNotMeasured.
 std::string shownMs(double ms);
+
+// A length or a count that need not be whole: one decimal below 1000.
+std::string shownPixels(double pixels);
 
 // A round number, as along an axis: "0.01", "1000", "3·10⁻⁶".
 std::string shownNumber(double value);

@@ -200,6 +200,11 @@ std::string portText(const Plan& plan, const std::string& port, int image_index)
   return fmt::format("{} {} (slot {}{})", port, image.format, image.slot, marks);
 }
 
+// The spelling of the command line: "auto" instead of the number that stands for it.
+std::string shownValue(const ParamDesc& param, const Value& value) {
+  return param.has_auto && value == Value(kAuto) ? "auto" : toJson(value).dump();
+}
+
 std::string nodeText(const Plan& plan, int index, const std::string& indent) {
   const PlanNode& node = plan.nodes[index];
   const PassDesc& pass = passOf(plan, index);
@@ -224,7 +229,8 @@ std::string nodeText(const Plan& plan, int index, const std::string& indent) {
     line("updates", portText(plan, pass.updates[i].name, node.updates[i]));
   }
   std::string params;
-  for (const auto& [name, value] : node.params) params += fmt::format(" {}={}", name, toJson(value).dump());
+  for (size_t i = 0; i < pass.params.size(); ++i)
+    params += fmt::format(" {}={}", node.params[i].first, shownValue(pass.params[i], node.params[i].second));
   if (!params.empty()) line("params", params.substr(1));
   return text;
 }
@@ -295,7 +301,9 @@ std::string shapeOf(const Plan& plan) {
 std::string describe(const Plan& plan) {
   std::string text = fmt::format("pipeline {} at {}x{}\n", plan.pipeline.name, plan.width, plan.height);
   if (!plan.pipeline.preset.empty()) text += fmt::format("  preset {}\n", plan.pipeline.preset);
-  for (const auto& [name, value] : plan.pipeline.values) text += fmt::format("  {} = {}\n", name, toJson(value).dump());
+  for (const ParamDesc& param : plan.pipeline.params)
+    if (const Value* value = valueOf(plan.pipeline, param.name))
+      text += fmt::format("  {} = {}\n", param.name, shownValue(param, *value));
   text += fmt::format("\n{} nodes in order\n", plan.nodes.size()) + orderText(plan);
 
   text += "\noutputs\n";

@@ -76,7 +76,7 @@ std::string shownValue(const Measure& measure, double value) {
   if (measure.unit == "MiB") return fmt::format("{:.2f}", value);
   if (measure.unit == "B") return fmt::format("{:.1f}", value);
   if (value == std::floor(value) && std::abs(value) < 1e15) return fmt::format("{:.0f}", value);
-  if (measure.unit == "px") return fmt::format("{:.1f}", value);
+  if (measure.unit == "px") return page::shownPixels(value);
   return measure.name.starts_with("change") ? fmt::format("{:.3g}", value) : page::shownError(value);
 }
 
@@ -91,7 +91,8 @@ std::string describeShot(const Results& results, const ShotSummary& shot) {
                                  shot.exposure, shot.fps, group.anchor);
   double displacement = group.truth().value("displacement");
   if (std::isnan(displacement)) return text;
-  return text + fmt::format(", median displacement of what moves {:.1f} px over the exposure", displacement);
+  return text +
+         fmt::format(", median displacement of what moves {} px over the exposure", page::shownPixels(displacement));
 }
 
 std::string describeBackground(const PointGroup& group) {

@@ -232,6 +232,7 @@ Point PointRenderer::measuredPoint(const TaskGroup& group, const Task& task) {
     frames.push_back(measured(sight, task.measures, experiment_.regions));
     std::string image = picture->record["outputs"]["color"];
     images += (i ? "," : "") + image;
+    point.preset = picture->record["pipeline"].value("preset", "");
     for (const std::string& limit : limitsMet(*picture))
       if (std::find(point.limits.begin(), point.limits.end(), limit) == point.limits.end())
         point.limits.push_back(limit);

@@ -23,23 +23,48 @@ std::string sentenceOf(const Expectation& one) {
   return fmt::format("Expected: {}. This {}{}.{}", one.text, one.outcome, detail, known);
 }
 
-// Sentences where there are no pages, there a table: what was expected beside what became of it.
-Parts outcomesOf(const Expectations& expectations, bool headed) {
-  Parts parts;
+// "1 of 2 hold", of the expectations that apply.
+std::string countOf(const Expectations& expectations) {
+  auto count = [&](const char* outcome) {
+    return std::count_if(expectations.begin(), expectations.end(),
+                         [&](const auto* one) { return one->outcome == outcome; });
+  };
+  auto holds = count("holds"), absent = count("does not apply");
+  std::string text = fmt::format("{} of {} hold", holds, expectations.size() - size_t(absent));
+  return text + (absent ? fmt::format(", {} {} not apply.", absent, absent == 1 ? "does" : "do") : ".");
+}
+
+// A row per expectation: its text, outcome and numbers.
+page::Table outcomeTable(const Expectations& expectations) {
   page::Table table;
   table.columns = {"expected", "outcome", "numbers", "known to fail"};
   for (const Expectation* one : expectations) {
-    parts.push_back(
-        text(sentenceOf(*one), one->contradicts() ? Tone::failure : Tone::finding, Part::kTerminal | Part::kDocument));
     page::Mark mark = one->contradicts()        ? page::Mark::bad
                       : one->outcome == "holds" ? page::Mark::best
                                                 : page::Mark::none;
     table.add({one->text, page::Cell(one->outcome, mark), one->detail, one->known});
   }
-  if (parts.empty()) return parts;
-  if (headed) parts.push_back(heading("Expectations", 2, "expectations", Part::kPage));
-  parts.push_back({page::withoutEmptyColumns(std::move(table)), Part::kPage});
+  return page::withoutEmptyColumns(std::move(table));
+}
+
+// Sentences for terminal and Markdown.
+Parts sentencesOf(const Expectations& expectations) {
+  Parts parts;
+  for (const Expectation* one : expectations)
+    parts.push_back(
+        text(sentenceOf(*one), one->contradicts() ? Tone::failure : Tone::finding, Part::kTerminal | Part::kDocument));
   return parts;
+}
+
+// All expectations of the experiment at the head of the page, also the ones repeated by a section below.
+Parts summaryOf(const Results& results) {
+  Expectations all;
+  for (const Expectation& one : results.expectations) all.push_back(&one);
+  if (all.empty()) return {};
+  bool contradicts = std::any_of(all.begin(), all.end(), [](const auto* one) { return one->contradicts(); });
+  return {heading("Expectations", 2, "expectations", Part::kPage),
+          text(countOf(all), contradicts ? Tone::failure : Tone::finding, Part::kPage),
+          {outcomeTable(all), Part::kPage}};
 }
 
 bool tells(const Parts& sections, const std::string& sentence) {
@@ -63,7 +88,9 @@ Parts expectationParts(const Results& results, const std::string& shot, const st
   Expectations list;
   for (const Expectation& one : results.expectations)
     if (one.shot == shot && one.axis == axis) list.push_back(&one);
-  return outcomesOf(list, false);
+  Parts parts = sentencesOf(list);
+  if (!list.empty()) parts.push_back({outcomeTable(list), Part::kPage});
+  return parts;
 }
 
 namespace {
@@ -151,7 +178,8 @@ Parts Report::parts(const std::optional<PictureSize>& size) const {
   if (frontOf(results_.layout) || table) append(sections, still(effectParts(results_)));
   if (table) append(sections, table->axes.empty() ? still(tableParts(results_)) : tableParts(results_));
 
-  Parts parts = outcomesOf(expectationsBeside(results_, sections), true);
+  Parts parts = summaryOf(results_);
+  append(parts, sentencesOf(expectationsBeside(results_, sections)));
   if (std::string missing = results_.missingText(); !missing.empty())
     parts.push_back(study::text("Not drawn yet: " + missing + ". The same sweep goes on with them.", Tone::failure));
   append(parts, std::move(sections));

@@ -29,7 +29,8 @@ page::Cell nameCell(const Point& point) {
   if (point.role == Role::truth)
     return {point.arm + " ±", page::Mark::faint, "truth; its numbers are its own standard error"};
   if (point.role == Role::floor)
-    return {point.arm + " (floor)", page::Mark::faint, "sampling floor: truth at a method's own times"};
+    return {point.arm == "floor" ? "floor" : point.arm + " (floor)", page::Mark::faint,
+            "sampling floor: truth at a method's own times"};
   return {point.arm};
 }
 

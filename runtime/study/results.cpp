@@ -35,7 +35,7 @@ void forTexts(It& shot, const Visit& visit, const ShotSummary*) {
 template <class It, class Visit>
 void forTexts(It& point, const Visit& visit, const Point*) {
   visit("key", point.key), visit("arm", point.arm), visit("command", point.command), visit("failed", point.failed);
-  visit("image", point.image);
+  visit("image", point.image), visit("preset", point.preset);
   visit("measured", point.measured);
   visit("shown", point.shown), visit("picture", point.picture), visit("record", point.record);
   visit("times", point.times);
@@ -478,9 +478,25 @@ void judgeResults(const Home& home, Results& results, const std::string& file) {
   for (const Json& one : judge(home, file, toJson(results))) takeTexts(one, results.expectations.emplace_back());
 }
 
+static std::string csvMeasured(double value) { return std::isnan(value) ? "" : fmt::format("{:.9g}", value); }
+
+// Errors of truth itself are its standard error.
+static double truthError(const PointGroup& group, const std::string& region) {
+  double rmse = group.truth().value("rmse", region);
+  return std::isnan(rmse) ? std::sqrt(group.truth().value("mse", region)) : rmse;
+}
+
+static std::string csvMethod(const Results& results, const PointGroup& group, const Point& point,
+                             const std::string& region) {
+  if (point.isMissing()) return ",,,";
+  return fmt::format(",{},{},{}", csvMeasured(truthError(group, region)), csvCell(results.arm(point.arm).pipeline),
+                     csvCell(point.preset));
+}
+
 std::string csvOf(const Results& results) {
   std::string text = csvHead(results, "region");
   for (const std::string& measure : results.measures) text += "," + measure;
+  text += ",truth_error,pipeline,preset";
   bool has_notes = false;
   forPoints(results, [&](size_t, const PointGroup& group, const Point& point) {
     has_notes = has_notes || !group.lackOf(point).empty();
@@ -491,11 +507,8 @@ std::string csvOf(const Results& results) {
     for (const std::string& region : results.regions) {
       text += fmt::format("{},{},{},{}{}", number, csvCell(point.arm), csvCell(group.shot), region,
                           csvAxes(results, group));
-      for (const std::string& measure : results.measures) {
-        double value = point.value(measure, region);
-        text += std::isnan(value) ? "," : fmt::format(",{:.9g}", value);
-      }
-      text += (has_notes ? "," + csvCell(note) : "") + "\n";
+      for (const std::string& measure : results.measures) text += "," + csvMeasured(point.value(measure, region));
+      text += csvMethod(results, group, point, region) + (has_notes ? "," + csvCell(note) : "") + "\n";
     }
   });
   return text;

@@ -32,6 +32,7 @@ struct Point {
   std::vector<std::string> limits;  // that were met: "NODE: COUNT WHAT"
   std::string command;              // makes the picture again
   std::string image;                // hash of its color
+  std::string preset;               // of its pipeline; "": it has none
   std::string failed;               // why it could not be drawn; "": it was
   // Beside the results, "" where none was written: linear colour as measured and as shown (OpenEXR), and for people.
   std::string measured, shown, picture, record;
@@ -143,8 +144,9 @@ void judgeResults(const Home& home, Results& results, const std::string& file);
 // Puts the experiment's texts and layout over those of its results, and judges its expectations.
 void retell(const Home& home, Results& results, const Experiment& experiment);
 
-// A row per point and region: point, arm, shot, region, each axis, each measure; if a point lacks values it should
-// have, also `note`, which says why.
+// A row per point and region: point, arm, shot, region, each axis, each measure, truth_error (standard error of truth's
+// RMSE in the region), pipeline, preset; if a point lacks values it should have, also `note`, which says why. All after
+// the axes is empty for a point that is not drawn yet.
 std::string csvOf(const Results& results);
 // A row per point that was timed and pass: point, arm, shot, pass, each axis, ms, ms_low, ms_high; "" without times.
 std::string passesCsvOf(const Results& results);

@@ -48,48 +48,21 @@ void removeLocks(const Path& folder) {
   for (const std::string& key : namesIn(folder, ".lock")) fs::remove(folder / (key + ".lock"));
 }
 
-// ---- truth as a file: outputs as large as the color, each a layer with channels "NAME.0", "NAME.1", ...
-
-std::vector<std::string> numbered(int channels) {
-  std::vector<std::string> names;
-  for (int c = 0; c < channels; ++c) names.push_back(std::to_string(c));
-  return names;
-}
+// ---- truth as a file: a part for each output, the color first (docs/exr.md)
 
 // Hash of the texts of a truth's file. The record has the hashes of its images.
 std::string sumOf(const image::ExrFile& file) {
   std::string texts;
-  for (const char* name : {"key", "outputs", "record", "warnings"}) texts += file.texts.at(name) + "|";
+  for (const char* name : {"key", "strobe", "warnings"}) texts += file.texts.at(name) + "|";
   return hashText(texts);
 }
 
 std::string encoded(const std::string& key, const lab::Picture& picture) {
-  image::ExrFile file;
-  const image::Image& color = picture.frame.outputs.at("color").floats;
-  Json formats = Json::object();
-  for (const auto& [name, read] : picture.frame.outputs) {
-    bool whole = read.uints.width == color.width && read.uints.height == color.height;
-    if (whole) file.add(name, numbered(read.uints.channels), read.uints);
-    bool real = read.floats.width == color.width && read.floats.height == color.height;
-    if (real) file.add(name, numbered(read.floats.channels), read.floats);
-    if (whole || real) formats[name] = {read.format, whole ? read.uints.channels : read.floats.channels, whole};
-  }
+  image::ExrFile file = lab::exrOf(picture, {.multipart = true});
   file.texts["key"] = key;
-  file.texts["outputs"] = formats.dump();
-  file.texts["record"] = picture.record.dump();
   file.texts["warnings"] = Json(picture.warnings).dump();
   file.texts["sum"] = sumOf(file);
   return image::encodeExr(file);
-}
-
-graph::ReadImage outputOf(const image::ExrFile& file, const std::string& output, const Json& form, const Path& name) {
-  std::vector<std::string> channels = numbered(form.at(1));
-  for (std::string& channel : channels) channel = output + "." + channel;
-  graph::ReadImage read;
-  read.format = form.at(0);
-  if (form.at(2).get<bool>()) read.uints = image::idsOf(file, channels, name);
-  else read.floats = image::channelsOf(file, channels, name);
-  return read;
 }
 
 // Null if the file is damaged, or another truth's.
@@ -98,14 +71,11 @@ std::shared_ptr<const lab::Picture> decoded(const std::string& key, const Path& 
     image::ExrFile file = image::readExr(name);
     if (file.texts.at("key") != key || file.texts.at("sum") != sumOf(file)) return nullptr;
     auto picture = std::make_shared<lab::Picture>();
-    picture->record = Json::parse(file.texts.at("record"));
+    picture->record = Json::parse(file.texts.at("strobe"));
     picture->warnings = Json::parse(file.texts.at("warnings")).get<std::vector<std::string>>();
-    Json outputs = Json::parse(file.texts.at("outputs"));
-    for (const auto& [output, form] : outputs.items()) {
-      graph::ReadImage read = outputOf(file, output, form, name);
+    picture->frame.outputs = lab::imagesOf(file, name);
+    for (const auto& [output, read] : picture->frame.outputs)
       if (lab::hashOf(read) != picture->record.at("outputs").at(output)) return nullptr;
-      picture->frame.outputs[output] = std::move(read);
-    }
     return picture;
   } catch (const std::exception&) {  // not OpenEXR, or without the fields of a truth
     return nullptr;

@@ -133,6 +133,8 @@ void Watch::advance(int cost) {
   if (!is_new || clockSeconds() - started_s_ < kReportEvery_s) return;
   quarters_ = quarters;
   std::string front = frontSoFar(now_());
+  if (front == front_) return;
+  front_ = front;
   if (!front.empty()) note((terminal ? "\r\033[K" : "") + front.substr(0, front.size() - 1));
 }
 

@@ -37,7 +37,7 @@ class Watch {
   std::string text() const;
 
   std::function<Results()> now_;
-  std::string label_;
+  std::string label_, front_;  // `front_`: the front of the last report
   int cost_ = 0, done_ = 0, quarters_ = 0;
   double started_s_ = 0, said_s_ = 0;
   std::optional<StatusLine> line_;

@@ -106,6 +106,31 @@ TEST_F(CaptureTest, PartsKeepImagesOfAnotherSize) {
   EXPECT_THROW(imagesOf(single, "single.exr"), Error);
 }
 
+// The largest half float is 65504 (IEEE 754 binary16); infinite depth is a half too.
+TEST_F(CaptureTest, HalvesAreClampedAndCounted) {
+  Picture picture = render(crowd("none"));
+  auto& colour = picture.frame.outputs.at("color").floats;
+  auto& depth = picture.frame.outputs.at("depth").floats;
+  colour.at(3, 4, 0) = 1e6f, colour.at(3, 4, 1) = -65505, colour.at(3, 4, 2) = 65504;
+  depth.at(0, 0, 0) = INFINITY;
+  for (bool multipart : {false, true}) {
+    ::testing::internal::CaptureStderr();
+    image::ExrFile written = exrOf(picture, {.half = true, .multipart = multipart});
+    std::string said = ::testing::internal::GetCapturedStderr();
+    EXPECT_NE(said.find("2 values are beyond 65504; they are stored as 65504"), std::string::npos) << said;
+    EXPECT_NE(Json::parse(written.texts.at("strobe"))["warnings"].dump().find("beyond 65504"), std::string::npos);
+    image::ExrFile read = readBack(written);
+    const size_t pixel = size_t(4 * colour.width + 3);
+    EXPECT_EQ(read.find("R")->values[pixel], 65504);
+    EXPECT_EQ(read.find("G")->values[pixel], -65504);
+    EXPECT_EQ(read.find("B")->values[pixel], 65504);
+    EXPECT_TRUE(std::isinf((multipart ? read.part("depth") : &read)->find("Z")->values[0]));
+  }
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(readBack(exrOf(picture)).find("R")->values[size_t(4 * colour.width + 3)], 1e6f);
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
 TEST_F(CaptureTest, LayersCanBeChosen) {
   Picture picture = render(crowd("none"));
   EXPECT_EQ(channelsOf(exrOf(picture, {.layers = {"depth"}})), (std::set<std::string>{"A", "B", "G", "R", "Z"}));

@@ -99,7 +99,8 @@ TEST(Numbers, AsPeopleWriteThem) {
   EXPECT_EQ(shownNumber(1e7), "10⁷");
   EXPECT_EQ(shownNumber(3e-6), "3·10⁻⁶");
   EXPECT_EQ(shownError(0.012341), "0.01234");
-  EXPECT_EQ(shownError(0.0000123), "1.2e-05");
+  EXPECT_EQ(shownError(0.0000123), "0.000012");
+  EXPECT_EQ(shownError(0.000000123), "1.2e-07");
   EXPECT_EQ(shownError(0), "0");
   EXPECT_EQ(shownError(NAN), "–");
   EXPECT_EQ(shownShare(0.012345), "1.23 %");

@@ -44,6 +44,48 @@ TEST(Inspect, APlanSaysWhatRaysGoThrough) {
   EXPECT_NE(run("doctor").out.find("scene living_room: "), std::string::npos);
 }
 
+// A missing library, a missing manifest, and a manifest that is not JSON, at which some loaders give up.
+TEST(Inspect, DoctorNamesDriversThatDoNotLoad) {
+  std::string device = Json::parse(run("doctor --json").out)["devices"][0]["name"];
+  std::string manifests = runLine("ls /usr/share/vulkan/icd.d/lvp_icd*.json /etc/vulkan/icd.d/*.json 2>/dev/null").out;
+  if (manifests.empty()) GTEST_SKIP() << "no manifest of a driver in the usual places";
+  std::string good = manifests.substr(0, manifests.find('\n'));
+  TemporaryFolder folder;
+  writeText(
+      folder / "missing.json",
+      R"({"file_format_version": "1.0.0", "ICD": {"library_path": "/nowhere/libmissing.so", "api_version": "1.3.0"}})");
+  writeText(folder / "cut.json", "{ \"file_format_version\"");
+  for (const auto& [manifest, named] : {std::pair(folder / "missing.json", std::string("libmissing.so")),
+                                        {folder / "gone.json", folder / "gone.json"},
+                                        {folder / "cut.json", folder / "cut.json"}}) {
+    std::string environment = "VK_DRIVER_FILES=" + manifest + ":" + good;
+    Outcome outcome = run("doctor", environment);
+    EXPECT_EQ(outcome.exit_code, 1) << manifest;
+    EXPECT_NE(outcome.out.find("driver not loaded: "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.err.find(named), std::string::npos) << outcome.err;
+    Json report = Json::parse(run("doctor --json", environment).out);
+    EXPECT_FALSE(report["driver_problems"].empty());
+    if (manifest != folder / "cut.json") EXPECT_FALSE(report["devices"].empty()) << "the other driver";
+  }
+}
+
+TEST(Inspect, CountersAreShownOnRequest) {
+  TemporaryFolder folder;
+  std::string render = "render hybrid" + kShot + " -o " + (folder / "a.png");
+  Outcome quiet = run(render), verbose = run(render + " --verbose");
+  EXPECT_EQ(quiet.err.find("."), std::string::npos) << quiet.err;
+  Json counters = Json::parse(contentOf(folder / "a.record.json"))["counters"];
+  for (const auto& [name, count] : counters.items())
+    EXPECT_EQ(verbose.err.find(name + " " + count.dump()) != std::string::npos, count != 0) << name;
+}
+
+// -1 stands for it in the plan.
+TEST(Inspect, APlanSaysAuto) {
+  std::string text = run("plan hybrid --scene oracles/bar").out;
+  EXPECT_NE(text.find(" = auto\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("-1.0"), std::string::npos) << text;
+}
+
 // Looking changes neither the picture nor its record.
 TEST(Inspect, PixelChangesNoFile) {
   TemporaryFolder folder;

@@ -276,6 +276,14 @@ TEST_F(Resume, MeasuresAreThoseOfCompare) {
     double value = values.begin()->get<double>();
     EXPECT_NEAR(value, said[key].get<double>(), 1e-6 * std::abs(value)) << name;
   }
+  // The file of truth is a colour picture to other programs too.
+  for (const auto& entry : fs::directory_iterator(folder_ / "out/truth")) {
+    Outcome same = run("compare " + picture(0) + " " + entry.path().string() + " --json");
+    ASSERT_EQ(same.exit_code, 0) << same.err;
+    EXPECT_EQ(Json::parse(same.out)["mse"], 0);
+    Outcome info = runLine("oiiotool --info -v '" + entry.path().string() + "'");
+    if (info.exit_code == 0) EXPECT_NE(info.out.find("channel list: R, G, B, A\n"), std::string::npos) << info.out;
+  }
 }
 
 // 1024 samples are the most that a method takes.

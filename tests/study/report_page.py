@@ -140,6 +140,48 @@ def table(page):
     expect("its picture's command", text(page, "#command-picture"), "strobe render third --set samples=4")
 
 
+def rows_choose(page):
+    page.go("about:blank")
+    page.go(f"file://{folder}/report.html#tab=table")
+    page.click('#points tr[data-point="9"] td:nth-of-type(3)')
+    expect("a click in a row chooses its point", page.run("explorer.state.selected"), 9)
+    page.click('#points tr[data-point="14"] input')
+    expect("a box in it keeps its use", page.run("[explorer.state.selected, explorer.state.pins.join()].join()"), "9,14")
+    page.click('#tab-front')
+    page.click('#front-points tr[data-point] td:nth-of-type(2)')
+    expect("also in the table of the front", page.run("explorer.state.selected"),
+           page.run("Number(document.querySelector('#front-points tr[data-point]').dataset.point)"))
+
+
+def pins_wiped(page):
+    """Pinned points against each other, and the parts of their pictures where errors are largest."""
+    page.go("about:blank")
+    page.go(f"file://{folder}/report.html#point=9&pins=9.14&against=14")
+    tags = "[...document.querySelectorAll('#point .tag')].map(one => one.textContent).join(' | ')"
+    under = "explorer.data.pictures.indexOf(document.querySelector('#point .under').getAttribute('src'))"
+    expect("against a pinned point", page.run(tags), "9: third | 14: second <b>")
+    expect("its picture", page.run(f"{under} === explorer.byNumber.get(14).picture"))
+    page.run("(() => { const c = document.querySelector('#choose-against'); c.value = 0; c.onchange(); })()")
+    expect("against truth", page.run(tags), "third | truth")
+    expect("truth's picture", page.run(f"{under} === explorer.byNumber.get(9).group.picture"))
+    expect("address", "against" in page.run("location.hash"), False)
+    page.go(f"file://{folder}/report.html#point=9&pins=9&against=14")
+    expect("what is not pinned is not wiped against", page.run(tags), "third | truth")
+    page.go(f"file://{folder}/report.html#point=9&pins=9.14")
+    eventually(page, "thumbnails are crops", "[...document.querySelectorAll('.pinned-one canvas')].map(one => one.width).join()",
+               page.run("[9, 9].map(n => explorer.byNumber.get(n).worst[2]).join()"))
+
+
+def printed_at_load(page):
+    """Worst crops of a page that is printed as soon as it has loaded."""
+    page.go("about:blank")
+    page.go(f"file://{folder}/report.html#at=load")
+    dark = ("(() => { dispatchEvent(new Event('beforeprint')); return [...document.querySelectorAll('#view-worst .triple"
+            " canvas:first-child')].filter(c => c.getContext('2d').getImageData(0, 0, 1, 1).data[3] === 0).length; })()")
+    expect("no crop is empty", page.run(dark), 0)
+    expect("crops", page.run("document.querySelectorAll('#view-worst .triple').length"), 12)
+
+
 def others(page):
     tab(page, "parallel")
     expect("lines", page.run("document.querySelectorAll('#view-parallel .line').length"), 22)
@@ -301,7 +343,7 @@ def printed(page):
 def main():
     with browser.Page(f"file://{folder}/report.html") as page:
         expect("what stands still is hidden", page.run("document.querySelector('.still').offsetHeight"), 0)
-        for part in (fronts, points, wipe, table, others, lines, notes, address, nonsense, reachable):
+        for part in (fronts, points, wipe, table, rows_choose, pins_wiped, printed_at_load, others, lines, notes, address, nonsense, reachable):
             part(page)
         wrong.extend(page.problems)
         page.problems.clear()

@@ -117,19 +117,36 @@ TEST(Results, AreTheSameFromDisk) {
   EXPECT_THROW(resultsFrom(json, "result.json"), Error);
 }
 
+// Those of a shot or an axis stand in its section too.
+TEST(Results, EveryExpectationIsInTheSummary) {
+  Results results = made();
+  results.expectations = {{"it is good", "", "", "holds", "", ""},
+                          {"it is good along the axis", "", "speed", "fails", "3 > 2", ""},
+                          {"it is good elsewhere", "elsewhere", "", "does not apply", "", ""}};
+  std::string page = Report(results, "").page(), text = Report(results, "").text();
+  EXPECT_NE(page.find("1 of 2 hold, 1 does not apply."), std::string::npos);
+  EXPECT_LT(page.find("it is good along the axis"), page.find("All else stays."));
+  EXPECT_EQ(text.find("along the axis"), text.rfind("along the axis")) << text;
+}
+
 TEST(Results, AsATable) {
-  std::istringstream csv(csvOf(made()));
+  Results results = made();
+  results.groups[0].points[0].values["rmse"] = {{"whole", 0.002}, {"inner", 0.001}};
+  results.groups[0].points[1].preset = "best";
+  results.groups[4].points[4].values.clear();
+  std::istringstream csv(csvOf(results));
   std::string line;
   std::getline(csv, line);
-  EXPECT_EQ(line, "point,arm,shot,region,speed,rmse");
+  EXPECT_EQ(line, "point,arm,shot,region,speed,rmse,truth_error,pipeline,preset");
   std::getline(csv, line);
-  EXPECT_EQ(line, "1,good,shot,whole,1,0.015");
+  EXPECT_EQ(line, "1,good,shot,whole,1,0.015,0.002,none,best");
   std::getline(csv, line);
-  EXPECT_EQ(line, "1,good,shot,inner,1,0.0075");
+  EXPECT_EQ(line, "1,good,shot,inner,1,0.0075,0.001,none,best");
   std::getline(csv, line);
-  EXPECT_EQ(line, "1,good,shot,hidden,1,") << "a region without pixels";
+  EXPECT_EQ(line, "1,good,shot,hidden,1,,,none,best") << "a region without pixels";
   size_t lines = 3;
-  while (std::getline(csv, line)) ++lines;
+  for (std::string next; std::getline(csv, next); line = next) ++lines;
+  EXPECT_TRUE(line.ends_with(",100,,,,")) << line << ": not drawn yet";
   EXPECT_EQ(lines, 5u * 4 * 7) << "5 values, 4 arms, 7 regions";
 }
 

@@ -133,5 +133,6 @@
   fill();
   explorer.takeFragment(location.hash) || explorer.takeFragment("");
   explorer.changed();
+  explorer.prepareWorst();  // now, so that `load` waits for what is printed then
   document.documentElement.classList.add("explores");
 })();

@@ -92,7 +92,12 @@
     return asButton(group, point, said);
   }
 
-  function legend(svg, list, left, top, withFront) {
+  // A digit or letter is at most 8 wide.
+  const widthOf = words => 8 * Math.max(0, ...words.map(word => String(word).length));
+  const legendWidth = 40 + widthOf(methods.map(arm => data.arms[arm].name));
+
+  // `asLines`: of lines instead of marks.
+  function legend(svg, list, left, top, withFront, asLines) {
     const arms = methods.filter(arm => list.some(point => point.a === arm));
     let y = top + 8;
     if (withFront) {
@@ -103,7 +108,8 @@
     }
     for (const arm of arms) {
       const row = svg.append("g").attr("class", styleOf(arm));
-      row.append("path").attr("class", "shape").attr("transform", `translate(${left + 11} ${y})`).attr("d", symbolOf(arm));
+      if (asLines) row.append("path").attr("d", `M${left} ${y}h22`);
+      else row.append("path").attr("class", "shape").attr("transform", `translate(${left + 11} ${y})`).attr("d", symbolOf(arm));
       row.append("text").attr("x", left + 30).attr("y", y + 4).text(data.arms[arm].name);
       y += 18;
     }
@@ -125,7 +131,7 @@
     explorer.append(host, "p", has_front ? `${front.length} of ${list.length} points are on the front: no other that is ` +
       "shown is as good in both." : "No front: a value of " + (measures.get(xName).better === "neither" ? xTitle : yTitle) +
       " is neither better nor worse than another.", { class: "finding" });
-    const width = 940, height = 470, left = 74, right = 740, top = 14, bottom = 414;
+    const height = 470, left = 74, right = 740, top = 14, bottom = 414, width = right + 30 + legendWidth;
     const svg = canvas(host, width, height, title);
     const x = scaleOf(xName, state.logx, list.map(point => of(point, xName)), [left + 4, right - 4]);
     const y = scaleOf(yName, state.logy, list.map(point => of(point, yName)), [bottom - 4, top + 4]);
@@ -175,8 +181,7 @@
     const table = explorer.table(host, columns, [false, false, true, true]);
     table.id = "front-points";
     for (const point of front) {
-      const row = table.tBodies[0].insertRow();
-      row.dataset.point = point.n;
+      const row = explorer.pointRow(table, point);
       explorer.pointButton(row.insertCell(), point, String(point.n));
       row.insertCell().textContent = explorer.describe(point);
       for (const name of [state.x, state.y]) explorer.numberCell(row, point, name);
@@ -244,8 +249,8 @@
       "above do the same from the keyboard. Tab goes to the chosen line, arrow keys from line to line, Enter pins. Lines end " +
       "lower where a point has no value.", { class: "soft" });
     if (!all.length) return;
-    const width = 1100, top = 56, bottom = 400, left = 130, right = width - 40;
-    const list = dimensions(all, top, bottom);
+    const top = 56, bottom = 400, list = dimensions(all, top, bottom);
+    const left = Math.max(60, 16 + widthOf((list[0] || {}).levels || [])), right = left + 780, width = right + 40 + legendWidth;
     const svg = canvas(host, width, 440, "Parallel coordinates of arm, axes and measures");
     const x = d3.scalePoint().domain(list.map(one => one.name)).range([left, right]);
     const lines = svg.append("g").attr("class", "lines");
@@ -285,6 +290,7 @@
         if (event.sourceEvent) brushed(one, JSON.stringify(event.selection) === before ? null : event.selection);
       });
     });
+    legend(svg, all, right + 40, top, false, true);
   }
 
   Object.assign(explorer, { drawFront, drawParallel, chart: { canvas, text, path, plot, written } });

@@ -40,9 +40,10 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
     if (is_axis) return String(number);
     if (unit === "ms") return (number < 10 ? number.toFixed(2) : number.toFixed(0)) + " ms";
     if (unit === "MiB") return number.toFixed(2) + " MiB";
-    if (unit === "B" || unit === "px") return number.toFixed(1) + " " + unit;
-    if (number === 0 || Number.isInteger(number)) return String(number);
-    return Math.abs(number) < 1e-4 ? number.toExponential(1) : number.toFixed(5);
+    const size = Math.abs(number);
+    if (unit === "B" || unit === "px") return number.toFixed(size < 999.5 && !Number.isInteger(number) ? 1 : 0) + " " + unit;
+    if (Number.isInteger(number)) return String(number);
+    return size < 1e-6 ? number.toExponential(1) : number.toFixed(Math.max(5, 1 - Math.floor(Math.log10(size))));
   }
 
   // "RMSE, inner"; without the region where none is given.
@@ -119,7 +120,7 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
   const defaults = {
     tab: "front", shot: data.shots.length === 1 ? data.shots[0].name : data.front.shot,
     region: data.front.region, x: data.front.x, y: data.front.y, logx: "auto", logy: "auto",
-    sort: "n", find: "", selected: 0, last: 0, pins: [], filters: {}, view: "wipe", at: 0.5, pair: "", worst: "12",
+    sort: "n", find: "", selected: 0, last: 0, pins: [], filters: {}, view: "wipe", at: 0.5, against: 0, pair: "", worst: "12",
   };
   const any = data.measures[0] || { name: "" };
   defaults.y = first(defaults.y, (regional[0] || any).name);
@@ -147,6 +148,7 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
     if (state.selected) parts.push("point=" + state.selected);
     if (state.last) parts.push("last=" + state.last);
     if (state.pins.length) parts.push("pins=" + state.pins.join("."));
+    if (state.against) parts.push("against=" + state.against);
     if (state.at !== 0.5) parts.push("wipe=" + Math.round(100 * state.at));
     for (const [name, one] of Object.entries(state.filters))
       parts.push("only." + encodeURIComponent(name) + "=" + encodeURIComponent(filterText(one)));
@@ -164,6 +166,7 @@ const explorer = { data: JSON.parse(document.getElementById("explorer-data").tex
     if (texts.includes(name)) state[name] = given;
     else if (name === "point" && byNumber.has(Number(given))) state.selected = Number(given);
     else if (name === "last" && byNumber.has(Number(given))) state.last = Number(given);
+    else if (name === "against" && byNumber.has(Number(given))) state.against = Number(given);
     else if (name === "pins") state.pins = given.split(".").map(Number).filter(one => byNumber.has(one));
     else if (name === "wipe") state.at = Math.min(1, Math.max(0, Number(given) / 100 || 0));
     else if (canFilter(filtered)) state.filters[filtered] = filterOf(given);

@@ -59,9 +59,11 @@
         "not here.";
       return void append(host, "p", why, { class: "soft" });
     }
-    const has_truth = point.group.picture !== undefined, view = has_truth ? state.view : "picture";
+    const has_truth = point.group.picture !== undefined, others = wipeable(point);
+    const view = has_truth || (others.length && state.view === "wipe") ? state.view : "picture";
     const bar = append(host, "div", undefined, { class: "bar", role: "group", "aria-label": "What the stage shows" });
-    for (const [name, title] of has_truth ? views : [views[1]]) {
+    for (const [name, title] of views) {
+      if (!has_truth && name !== "picture" && (name !== "wipe" || !others.length)) continue;
       if (name === "flip" && point.flip === undefined) continue;
       const button = append(bar, "button", title, { type: "button", "aria-pressed": name === view, "data-view": name });
       button.onclick = () => { state.view = name; explorer.changed(); };
@@ -76,12 +78,34 @@
     if (view === "wipe") wipe(host, box, point, image, said);
   }
 
+  // Pinned points whose pictures `point` can be wiped against.
+  const wipeable = point => state.pins.map(n => explorer.byNumber.get(n))
+    .filter(one => one !== point && one.picture !== undefined);
+
+  // The pinned point that is chosen for that; undefined: truth.
+  const against = point => wipeable(point).find(one => one.n === state.against) ||
+    (point.group.picture === undefined ? wipeable(point)[0] : undefined);
+
+  function chooseAgainst(host, point) {
+    const others = wipeable(point);
+    if (!others.length) return;
+    const label = append(host, "label", "against ", { class: "soft" });
+    const select = append(label, "select", undefined, { id: "choose-against" });
+    if (point.group.picture !== undefined) select.add(new Option("truth", 0));
+    for (const one of others) select.add(new Option(`${one.n}: ${explorer.describe(one)}`, one.n));
+    select.value = (against(point) || { n: 0 }).n;
+    select.onchange = () => { state.against = Number(select.value); explorer.changed(); };
+  }
+
   function wipe(host, box, point, image, said) {
-    image(point.group.picture, "truth of " + said, "under");
+    const other = against(point);
+    if (other) image(other.picture, explorer.describe(other), "under");
+    else image(point.group.picture, "truth of " + said, "under");
     const over = image(point.picture, said, "other");
     const edge = append(box, "div", undefined, { class: "edge" });
-    append(box, "span", point.arm, { class: "tag left" });
-    append(box, "span", "truth", { class: "tag right" });
+    append(box, "span", other ? `${point.n}: ${point.arm}` : point.arm, { class: "tag left" });
+    append(box, "span", other ? `${other.n}: ${other.arm}` : "truth", { class: "tag right" });
+    chooseAgainst(host, point);
     const label = append(host, "label", "wipe ", { class: "soft" });
     const slider = append(label, "input", undefined, { type: "range", min: 0, max: 100, id: "wipe" });
     const show = () => {
@@ -253,6 +277,13 @@
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }
 
+  // The part of the picture in which the first pinned point of the shot has its largest error, so that differences show.
+  function thumbnail(host, point) {
+    if (point.picture === undefined) return;
+    const first = state.pins.map(n => explorer.byNumber.get(n)).find(one => one.shot === point.shot && one.worst);
+    drawn(host, point.picture, first && first.worst, `point ${point.n}` + (first ? `, largest FLIP of point ${first.n}` : ""));
+  }
+
   function drawPins() {
     const host = document.getElementById("pins");
     host.textContent = "";
@@ -262,7 +293,7 @@
     for (const n of state.pins) {
       const point = explorer.byNumber.get(n), box = append(row, "span", undefined, { class: "pinned-one" });
       const button = explorer.pointButton(box, point, "");
-      if (point.picture !== undefined) append(button, "img", undefined, { src: data.pictures[point.picture], alt: "" });
+      thumbnail(button, point);
       append(button, "span", `${n}: ${explorer.describe(point)}`);
       button.setAttribute("aria-current", n === state.selected);
       append(box, "button", "×", { type: "button", "aria-label": `unpin point ${n}` }).onclick = () => explorer.pin(n);

@@ -33,6 +33,17 @@
     return button;
   }
 
+  // A row of a point: a click in it chooses the point. Buttons and boxes in it keep their own use, and so does marked text.
+  function pointRow(made, point) {
+    const row = made.tBodies[0].insertRow();
+    row.dataset.point = point.n;
+    if (point.n === state.selected) row.setAttribute("aria-current", "true");
+    row.onclick = event => {
+      if (!event.target.closest("button, input") && getSelection().isCollapsed) explorer.select(point.n);
+    };
+    return row;
+  }
+
   // A number of a point: a button that shows the commands which make it again.
   function numberCell(row, point, name, region = state.region) {
     const cell = row.insertCell(), number = value(point, name, region);
@@ -131,8 +142,6 @@
   }
 
   function fillRow(row, point, columns) {
-    row.dataset.point = point.n;
-    if (point.n === state.selected) row.setAttribute("aria-current", "true");
     const pin = append(row.insertCell(), "input", undefined, { type: "checkbox", "aria-label": `pin point ${point.n}` });
     pin.checked = state.pins.includes(point.n);
     pin.onchange = () => explorer.pin(point.n);
@@ -146,7 +155,7 @@
     }
     const remarks = [point.failed && "failed: " + point.failed, point.undrawn && "not drawn yet",
                      point.limits && "limit: " + point.limits.join("; "), explorer.note(point) && "noted"];
-    row.insertCell().textContent = remarks.filter(Boolean).join("; ");
+    append(row, "td", remarks.filter(Boolean).join("; "), { class: "remark" });
   }
 
   function drawTable(host) {
@@ -155,10 +164,10 @@
     append(host, "h3", "Points" + explorer.ofShot());
     append(host, "p", "A number shows the commands that make it again; ? marks errors that truth is too coarse to rank.",
            { class: "soft" });
-    const made = table(host, ["pin", ...columns.map(() => ""), ""], [false, ...columns.map(column => column.measure), false]);
+    const made = table(host, ["pin", ...columns.map(() => ""), "limits and failures"], [false, ...columns.map(column => column.measure), false]);
     made.id = "points";
     columns.forEach((column, index) => sortButton(made.tHead.rows[0].cells[index + 1], column.name, column.title));
-    for (const point of list.slice(0, most_rows)) fillRow(made.tBodies[0].insertRow(), point, columns);
+    for (const point of list.slice(0, most_rows)) fillRow(pointRow(made, point), point, columns);
     if (list.length <= most_rows) return;
     const more = append(host, "button", `show all ${list.length}`, { type: "button" });
     more.onclick = () => { most_rows = Infinity; explorer.changed(); };
@@ -199,5 +208,5 @@
     }
   }
 
-  Object.assign(explorer, { element, append, table, pointButton, numberCell, drawFilters, drawTable, drawWorst, prepareWorst });
+  Object.assign(explorer, { element, append, table, pointRow, pointButton, numberCell, drawFilters, drawTable, drawWorst, prepareWorst });
 })();
