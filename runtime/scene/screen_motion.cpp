@@ -17,7 +17,7 @@ namespace {
 constexpr int kTimes = 33;
 constexpr double kTolerancePx = 0.05;
 // What is at rest is not looked at in scenes with more vertices: it would take longer than what it may spare.
-constexpr size_t kMostVertices = 200'000;
+constexpr size_t kMostFollowed = 200'000;
 
 // A world position in the picture: (x, y) / z in px from its middle, y down; z the depth, or 1 before an orthographic
 // camera; w the depth. What is a mean of points at one time is the same mean of these at any time.
@@ -393,7 +393,7 @@ static Crossing crossingOf(const std::vector<std::optional<Hull>>& hulls, const 
 static bool isSmall(const Scene& scene, const std::vector<Instance>& instances) {
   size_t vertices = 0;
   for (const Instance& instance : instances) vertices += vertexCount(scene, instance);
-  return vertices <= kMostVertices;
+  return vertices <= kMostFollowed;
 }
 
 ScreenMotion screenMotionOf(const Scene& scene, const std::function<Pose(double)>& pose_at, const ExposedFrame& frame) {
