@@ -387,7 +387,7 @@ TEST_F(Gltf, DamagedStreamsAreRefusedInOneLine) {
   };
   for (int method : {draco::MESH_SEQUENTIAL_ENCODING, draco::MESH_EDGEBREAKER_ENCODING}) {
     const std::vector<uint8_t> whole = dracoBytes(method, 11);
-    for (int round = 0; round < 400; ++round) damage(whole, dracoAsset);
+    for (int round = 0; round < 150; ++round) damage(whole, dracoAsset);
   }
   for (const char* mode : {"INDICES", "TRIANGLES"}) {
     Json json = compressed(grid(), mode);
@@ -404,7 +404,7 @@ TEST_F(Gltf, DamagedStreamsAreRefusedInOneLine) {
       bytes.insert(bytes.end(), part.begin(), part.end());
     }
     bytes.resize(length);
-    for (int round = 0; round < 200; ++round)
+    for (int round = 0; round < 100; ++round)
       damage(bytes, [&](const std::vector<uint8_t>& damaged) {
         json["buffers"][0]["uri"] = prefix + base64(damaged);
         return json;
