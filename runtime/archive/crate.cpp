@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "archive/capture_run.h"
+#include "base/extension.h"
 
 namespace strobe::archive {
 
@@ -38,7 +39,7 @@ constexpr std::array<std::pair<const char*, const char*>, 16> kFormats = {{{".pn
 
 std::string formatOf(const std::string& name) {
   for (const auto& [ending, format] : kFormats)
-    if (name.ends_with(ending)) return format;
+    if (hasExtension(name, ending)) return format;
   return "application/octet-stream";
 }
 

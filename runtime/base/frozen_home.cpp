@@ -5,12 +5,14 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <set>
 #include <sstream>
 
 #include "base/error.h"
+#include "base/extension.h"
 #include "base/files.h"
 
 namespace strobe {
@@ -20,7 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::set<std::string> kTexts = {".lua", ".glsl", ".h"};
-const std::set<std::string> kData = {".glb", ".gltf", ".bin", ".png", ".jpg", ".jpeg"};
+const std::vector<std::string> kData = {".glb", ".gltf", ".bin", ".png", ".jpg", ".jpeg"};
 
 // The same file under another name where the file system can do that.
 void link(const Path& from, const Path& to) {
@@ -35,7 +37,9 @@ void copyFolder(const Path& from, const Path& to, bool with_data) {
     const fs::directory_entry& entry = *entries;
     if (entry.is_directory() && entry.path().filename().string().starts_with(".")) entries.disable_recursion_pending();
     bool is_text = kTexts.count(entry.path().extension()) || entry.path().filename() == FrozenHome::kAbsent;
-    bool is_data = with_data && kData.count(entry.path().extension());
+    bool is_data = with_data && std::any_of(kData.begin(), kData.end(), [&](const std::string& extension) {
+                     return hasExtension(entry.path().string(), extension);
+                   });
     if (!entry.is_regular_file() || (!is_text && !is_data)) continue;
     Path copy = to / entry.path().lexically_relative(from);
     fs::create_directories(copy.parent_path());

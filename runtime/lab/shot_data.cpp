@@ -4,6 +4,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "base/extension.h"
 #include "lab/shot_options.h"
 
 namespace strobe::lab {
@@ -24,7 +25,7 @@ void setOptions(Shot& shot, const Json& options) {
 }
 
 std::string besideScript(const Path& script, const std::string& name) {
-  bool is_file = name.ends_with(".lua") || name.ends_with(".glb") || name.ends_with(".gltf");
+  bool is_file = hasExtension(name, ".lua") || hasExtension(name, ".glb") || hasExtension(name, ".gltf");
   Path beside = script.parent_path() / name;
   return is_file && Path(name).is_relative() && std::filesystem::exists(beside) ? beside.string() : name;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/extension.h"
 #include "base/hash.h"
 #include "base/log.h"
 #include "lab/drawing.h"
@@ -19,7 +20,7 @@
 
 namespace strobe::lab {
 
-bool isGltf(const std::string& scene) { return scene.ends_with(".glb") || scene.ends_with(".gltf"); }
+bool isGltf(const std::string& scene) { return hasExtension(scene, ".glb") || hasExtension(scene, ".gltf"); }
 
 // Identity of meshes and textures, wherever a file keeps them.
 static std::string contentHash(const scene::Scene& scene) {

@@ -12,26 +12,25 @@
 #include "scene/gltf_animation.h"
 #include "scene/gltf_material.h"
 #include "scene/gltf_mesh.h"
+#include "scene/gltf_schema.h"
 #include "scene/gltf_skin.h"
+#include "scene/gltf_uses.h"
 #include "scene/motion.h"
 
 namespace strobe::scene {
 
 namespace {
 
-const std::vector<std::string> kSupported = {
-    "KHR_lights_punctual",   "KHR_materials_unlit",     "KHR_texture_transform",  "KHR_materials_emissive_strength",
-    "KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_materials_variants", "KHR_animation_pointer"};
-
 class Loader {
  public:
-  Loader(const Path& path, const GltfOptions& options) : file_(path, kSupported, options.allow_outside) {
+  Loader(const Path& path, const GltfOptions& options) : file_(path, options.allow_outside) {
     variant_ = options.variant;
     most_bytes_ = std::min(options.most_bytes, availableMemory());
   }
 
   Scene load() {
     scene_.name = file_.path().stem().string();
+    requireUses(file_, scene_.warnings);
     readMaterials(file_, scene_, most_bytes_);
     int variant = readVariants();
     for (size_t i = 0; i < file_.all("meshes").size(); ++i)
@@ -95,8 +94,7 @@ class Loader {
     if (far <= camera.near) file_.refuse(where, fmt::format("zfar {} is not beyond znear {}", far, camera.near));
     if (camera.orthographic) {
       camera.half_height = file_.numberIn(lens, "ymag", std::nullopt, kLeast, kMost, where);
-      file_.require(lens, "xmag", where);
-      camera.aspect = file_.number(lens, "xmag", 1, where) / camera.half_height;
+      camera.aspect = file_.numberIn(lens, "xmag", std::nullopt, kLeast, kMost, where) / camera.half_height;
       return;
     }
     camera.vertical_fov = file_.numberIn(lens, "yfov", std::nullopt, 1e-4, 3.14, where);
@@ -205,9 +203,7 @@ class Loader {
   }
 
   void readChildren(const Json& json, const std::string& where, int parent) {
-    for (const Json& child : file_.list(json, "children", where)) {
-      Json holder = {{"child", child}};
-      int index = file_.index(holder, "child", "nodes", where);
+    for (int index : file_.indexList(json, "children", "nodes", where)) {
       if (scene_.nodes[index].parent >= 0) file_.refuse(where, fmt::format("its child {} has another parent", index));
       scene_.nodes[index].parent = parent;
     }
@@ -220,13 +216,8 @@ class Loader {
     int shown = std::max(0, file_.index(file_.json(), "scene", "scenes", ""));
     std::string where = fmt::format("scenes[{}]", shown);
     scene_.cuts = cutsOf(file_, scenes.at(shown), where);
-    std::set<int> roots;
-    for (const Json& root : file_.list(scenes.at(shown), "nodes", "scenes")) {
-      Json holder = {{"node", root}};
-      int node = file_.index(holder, "node", "nodes", where);
-      if (!roots.insert(node).second) file_.refuse(where, fmt::format("lists node {} twice", node));
-      if (scene_.nodes[node].parent >= 0) file_.refuse(where, fmt::format("its node {} is a child of another", node));
-    }
+    const std::vector<int> list = file_.indexList(scenes.at(shown), "nodes", "nodes", where);
+    const std::set<int> roots(list.begin(), list.end());
     for (size_t i = 0; i < scene_.nodes.size(); ++i) {
       int node = int(i);
       while (node >= 0 && !roots.count(node)) node = scene_.nodes[node].parent;
@@ -240,10 +231,10 @@ class Loader {
 
   void warnOfUnusedExtensions() {
     for (const Json& name : file_.all("extensionsUsed")) {
-      if (!name.is_string()) continue;
-      std::string extension = name.get<std::string>();
-      bool known = std::find(kSupported.begin(), kSupported.end(), extension) != kSupported.end();
-      if (!known) warn(fmt::format("extension {} is ignored", extension));
+      const std::string extension = name.get<std::string>();
+      const std::vector<std::string>& known = supportedExtensions();
+      if (std::find(known.begin(), known.end(), extension) == known.end())
+        warn(fmt::format("extension {} is ignored", extension));
     }
   }
 

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <map>
 
 #include "base/hash.h"
+#include "scene/gltf_compression.h"
+#include "scene/gltf_needs.h"
+#include "scene/gltf_schema.h"
 #include "scene/motion.h"
 
 namespace strobe::scene {
@@ -15,9 +17,6 @@ namespace {
 
 const Json kNoList = Json::array();
 const Json kNoObject = Json::object();
-
-// More elements than any accessor of a sensible file, so that a short file cannot ask for much memory.
-constexpr size_t kMostElements = size_t(1) << 26;
 
 uint32_t word(const std::vector<uint8_t>& bytes, size_t at) {
   uint32_t value;  // little endian, as this program's machines are
@@ -52,9 +51,36 @@ double component(const uint8_t* at, int type, bool normalized) {
 }
 
 int componentsOf(const std::string& type) {
-  static const std::map<std::string, int> counts = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
+  static const std::map<std::string, int> counts = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4},
+                                                    {"MAT2", 4},   {"MAT3", 9}, {"MAT4", 16}};
   auto found = counts.find(type);
   return found == counts.end() ? 0 : found->second;
+}
+
+// A whole number, also where it is written as "4.0" or "4e0".
+std::optional<uint64_t> wholeNumber(const Json& json) {
+  if (json.is_number_unsigned()) return json.get<uint64_t>();
+  if (!json.is_number_float()) return std::nullopt;
+  const double value = json.get<double>();
+  const bool whole = value >= 0 && value < 9007199254740992.0 && value == std::floor(value);  // 2^53: beyond, all are
+  return whole ? std::optional(uint64_t(value)) : std::nullopt;
+}
+
+bool isVersion(const std::string& text) {
+  const size_t dot = text.find('.');
+  auto digits = [](std::string_view part) {
+    return !part.empty() && std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
+  };
+  return dot != std::string::npos && digits(std::string_view(text).substr(0, dot)) &&
+         digits(std::string_view(text).substr(dot + 1));
+}
+
+// RFC 3986: a letter, then letters, digits, "+", "-" and ".", up to a colon before the first slash.
+bool hasScheme(const std::string& uri) {
+  const size_t end = uri.find_first_of(":/?#");
+  if (end == std::string::npos || uri[end] != ':' || !std::isalpha(uint8_t(uri[0]))) return false;
+  return std::all_of(uri.begin(), uri.begin() + std::ptrdiff_t(end),
+                     [](char c) { return std::isalnum(uint8_t(c)) || c == '+' || c == '-' || c == '.'; });
 }
 
 std::optional<std::vector<uint8_t>> fromBase64(std::string_view text) {
@@ -88,14 +114,26 @@ std::string percentDecoded(const std::string& uri) {
 
 }  // namespace
 
-GltfFile::GltfFile(const Path& file, const std::vector<std::string>& supported, bool allow_outside)
-    : path_(std::filesystem::absolute(file).lexically_normal()), shown_(file), allow_outside_(allow_outside) {
-  readContainer();
-  checkVersion(supported);
-  readBuffers();
+size_t AccessorFormat::elementSize() const {
+  const size_t component = componentSize(component_type);
+  if (!type.starts_with("MAT")) return component * size_t(componentsOf(type));
+  const size_t columns = size_t(type.back() - '0');  // each begins at a multiple of four bytes
+  return columns * ((columns * component + 3) / 4 * 4);
 }
 
-void GltfFile::refuse(const std::string& where, const std::string& text) const {
+GltfFile::GltfFile(const Path& file, bool allow_outside)
+    : GltfJson(file), path_(std::filesystem::absolute(file).lexically_normal()), allow_outside_(allow_outside) {
+  readContainer();
+  checkVersion();
+  requireForm(*this);
+  readBuffers();
+  requireMemory(*this);
+  decodeViews();
+  decodePrimitives();
+  requireElements();
+}
+
+void GltfJson::refuse(const std::string& where, const std::string& text) const {
   throw Error(where.empty() ? text : where + ": " + text, {shown_.string()});
 }
 
@@ -103,23 +141,7 @@ void GltfFile::readContainer() {
   std::string text = readFile(path_);
   std::vector<uint8_t> bytes(text.begin(), text.end());
   size_t json_at = 0, json_size = bytes.size();
-  if (bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0) {
-    if (bytes.size() < 20) refuse("", fmt::format("is cut short: {} bytes are no GLB header", bytes.size()));
-    if (word(bytes, 4) != 2) refuse("", fmt::format("is GLB version {}, not 2", word(bytes, 4)));
-    size_t length = word(bytes, 8);
-    if (length > bytes.size()) refuse("", fmt::format("is cut short: {} of {} bytes", bytes.size(), length));
-    json_at = 20;
-    json_size = word(bytes, 12);
-    if (word(bytes, 16) != 0x4E4F534A) refuse("", "its first chunk is not JSON");
-    if (length < 20 || json_size > length - 20) refuse("", "its JSON chunk is longer than the file");
-    size_t next = json_at + json_size;
-    if (next + 8 <= length && word(bytes, next + 4) == 0x004E4942) {
-      size_t size = word(bytes, next);
-      if (size > length - next - 8) refuse("", "its binary chunk is longer than the file");
-      binary_chunk_.assign(bytes.begin() + next + 8, bytes.begin() + next + 8 + size);
-      has_binary_chunk_ = true;
-    }
-  }
+  if (bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0) readChunks(bytes, json_at, json_size);
   // Nesting is bounded because copying and printing such values recurse.
   auto shallow = [&](int depth, Json::parse_event_t, Json&) {
     if (depth > 200) refuse("", "its JSON is nested deeper than 200");
@@ -129,16 +151,49 @@ void GltfFile::readContainer() {
     json_ = Json::parse(bytes.begin() + json_at, bytes.begin() + json_at + json_size, shallow);
   } catch (const Json::parse_error& error) {
     refuse("", fmt::format("is not valid JSON at byte {} of it", error.byte));
+  } catch (const Json::out_of_range&) {
+    refuse("", "has a number in its JSON that is beyond the range of double precision");
   }
   if (!json_.is_object()) refuse("", "is not a glTF asset: its JSON is no object");
 }
 
-void GltfFile::checkVersion(const std::vector<std::string>& supported) const {
-  std::string version = text(object(json_, "asset", ""), "version");
+// JSON first, then the binary chunk, then chunks of kinds that are not read.
+void GltfFile::readChunks(const std::vector<uint8_t>& bytes, size_t& json_at, size_t& json_size) {
+  constexpr uint32_t kJson = 0x4E4F534A, kBinary = 0x004E4942;
+  if (bytes.size() < 20) refuse("", fmt::format("is cut short: {} bytes are less than a GLB header", bytes.size()));
+  if (word(bytes, 4) != 2) refuse("", fmt::format("is GLB version {}, not 2", word(bytes, 4)));
+  const size_t length = word(bytes, 8);
+  if (length > bytes.size()) refuse("", fmt::format("is cut short: {} of {} bytes", bytes.size(), length));
+  size_t at = 12;
+  for (size_t i = 0; at < length; ++i) {
+    if (length - at < 8)
+      refuse("", fmt::format("chunk {} is cut short: {} bytes are less than a header", i, length - at));
+    const size_t size = word(bytes, at);
+    const uint32_t kind = word(bytes, at + 4);
+    if (size > length - at - 8)
+      refuse("", fmt::format("chunk {} has {} bytes, but {} are left of the file", i, size, length - at - 8));
+    if (size % 4 != 0) refuse("", fmt::format("chunk {} has {} bytes, not a multiple of 4", i, size));
+    at += 8;
+    if ((i == 0) != (kind == kJson)) refuse("", i == 0 ? "its first chunk is not JSON" : "has two chunks of JSON");
+    if (kind == kBinary && i != 1) refuse("", fmt::format("its binary chunk is chunk {}, not 1", i));
+    if (kind == kJson) json_at = at, json_size = size;
+    if (kind == kBinary) {
+      binary_chunk_.assign(bytes.begin() + std::ptrdiff_t(at), bytes.begin() + std::ptrdiff_t(at + size));
+      has_binary_chunk_ = true;
+    }
+    at += size;
+  }
+  if (json_at == 0) refuse("", "has no chunk of JSON");
+}
+
+void GltfFile::checkVersion() const {
+  std::string version = text(object(json_, "asset", ""), "version", "asset");
   if (version.empty()) refuse("", "is not a glTF asset: asset.version is missing");
+  if (!isVersion(version)) refuse("asset", fmt::format("version '{}' is not one", version));
   if (!version.starts_with("2.")) refuse("", fmt::format("is glTF {}, not 2.0", version));
   std::string least = text(object(json_, "asset", ""), "minVersion", "asset");
   if (!least.empty() && least != "2.0") refuse("asset", fmt::format("minVersion is {}, above 2.0", least));
+  const std::vector<std::string>& supported = supportedExtensions();
   std::vector<std::string> missing;
   for (const Json& name : all("extensionsRequired")) {
     std::string extension = name.is_string() ? name.get<std::string>() : name.dump();
@@ -152,6 +207,10 @@ void GltfFile::readBuffers() {
   for (size_t i = 0; i < buffers.size(); ++i) {
     std::string where = fmt::format("buffers[{}]", i), uri = text(buffers[i], "uri");
     size_t length = size(buffers[i], "byteLength", std::nullopt, where);
+    if (isFallback(buffers[i])) {
+      buffers_.emplace_back();
+      continue;
+    }
     if (uri.empty() && !(i == 0 && has_binary_chunk_)) refuse(where, "has no uri and there is no binary chunk");
     buffers_.push_back(uri.empty() ? std::move(binary_chunk_) : uriBytes(uri, where));
     if (buffers_.back().size() < length)
@@ -160,10 +219,18 @@ void GltfFile::readBuffers() {
   }
 }
 
+// True for a buffer of views that are all read from their compressed bytes; its own are not needed.
+bool GltfFile::isFallback(const Json& buffer) const {
+  return flag(extension(buffer, "EXT_meshopt_compression"), "fallback", "");
+}
+
 std::string GltfFile::readFile(const Path& file) {
   std::string text = readText(file);
   auto known = std::find_if(files_.begin(), files_.end(), [&](const SourceFile& one) { return one.path == file; });
-  if (known == files_.end()) files_.push_back({file, hashText(text)});
+  if (known == files_.end()) {
+    files_.push_back({file, hashText(text)});
+    bytes_read_ += text.size();
+  }
   return text;
 }
 
@@ -176,8 +243,7 @@ std::vector<uint8_t> GltfFile::uriBytes(const std::string& uri, const std::strin
     return *bytes;
   }
   Path relative = percentDecoded(uri);
-  bool has_scheme = uri.find(':') != std::string::npos;
-  if (has_scheme || relative.is_absolute()) refuse(where, fmt::format("'{}' is not a relative path", uri));
+  if (hasScheme(uri) || relative.is_absolute()) refuse(where, fmt::format("'{}' is not a relative path", uri));
   Path file = (path_.parent_path() / relative).lexically_normal();
   if (!mayRead(file))
     refuse(where, fmt::format("'{}' lies outside of the scene's folder; --allow-outside lets it be read", uri));
@@ -191,15 +257,25 @@ std::vector<uint8_t> GltfFile::uriBytes(const std::string& uri, const std::strin
 
 GltfFile::View GltfFile::view(int view_index, const std::string& where) const {
   const Json& json = all("bufferViews").at(view_index);
-  std::string name = fmt::format("{}: bufferViews[{}]", where, view_index);
+  std::string name = where.empty() ? "" : where + ": ";
+  name += fmt::format("bufferViews[{}]", view_index);
+  auto decoded = decoded_views_.find(view_index);
+  if (decoded == decoded_views_.end()) return stored(json, name);
+  return {decoded->second.data(), decoded->second.size(), size(json, "byteStride", 0, name)};
+}
+
+// A part of a buffer, as a buffer view or a compressed one states it.
+GltfFile::View GltfFile::stored(const Json& json, const std::string& name) const {
   int buffer = index(json, "buffer", "buffers", name);
   if (buffer < 0) refuse(name, "names no buffer");
+  if (isFallback(all("buffers")[size_t(buffer)])) refuse(name, "is not compressed, but its buffer is a fallback");
   size_t offset = size(json, "byteOffset", 0, name), length = size(json, "byteLength", std::nullopt, name);
   size_t available = buffers_[buffer].size();
   if (offset > available || length > available - offset)
     refuse(name, fmt::format("{} bytes at {} do not lie in a buffer of {}", length, offset, available));
   size_t stride = size(json, "byteStride", 0, name);
-  if (stride > 252) refuse(name, fmt::format("byteStride is {}, above 252", stride));
+  if (stride % 4 != 0 && !json.contains("mode"))
+    refuse(name, fmt::format("byteStride {} is not a multiple of 4", stride));
   return {buffers_[buffer].data() + offset, length, stride};
 }
 
@@ -217,30 +293,139 @@ const uint8_t* GltfFile::elements(const Json& json, size_t count, size_t element
   return source.data + offset;
 }
 
+AccessorFormat GltfFile::format(int accessor) const {
+  const Json& json = all("accessors").at(size_t(accessor));
+  const std::string where = fmt::format("accessors[{}]", accessor);
+  return {text(json, "type", where), int(size(json, "componentType", std::nullopt, where)),
+          flag(json, "normalized", where), size(json, "count", std::nullopt, where)};
+}
+
 Values GltfFile::accessor(int accessor_index, const std::string& asked, const std::vector<std::string>& types) const {
   const Json& json = all("accessors").at(accessor_index);
-  std::string where = fmt::format("{}: accessors[{}]", asked, accessor_index), type = text(json, "type");
-  int component_type = int(size(json, "componentType", std::nullopt, where));
-  size_t component_size = componentSize(component_type);
-  if (component_size == 0) refuse(where, fmt::format("componentType {} is unknown", component_type));
-  if (std::find(types.begin(), types.end(), type) == types.end())
-    refuse(where, fmt::format("type is '{}', not {}", type, fmt::join(types, " or ")));
-  if (type == "MAT4" && component_type != 5126) refuse(where, "is a matrix of integers");
+  std::string where = fmt::format("{}: accessors[{}]", asked, accessor_index);
+  const AccessorFormat stored = format(accessor_index);
+  if (std::find(types.begin(), types.end(), stored.type) == types.end())
+    refuse(where, fmt::format("type is '{}', not {}", stored.type, fmt::join(types, " or ")));
+  if (stored.type == "MAT4" && stored.component_type != 5126) refuse(where, "is a matrix of integers");
   Values values;
-  values.width = componentsOf(type);
-  values.count = size(json, "count", std::nullopt, where);
-  if (values.count == 0 || values.count > kMostElements) refuse(where, fmt::format("count is {}", values.count));
+  values.width = componentsOf(stored.type);
+  values.count = stored.count;
 
-  bool normalized = flag(json, "normalized", where);
-  bool has_view = index(json, "bufferView", "bufferViews", where) >= 0;
-  size_t stride = 0;
-  const uint8_t* at = has_view ? elements(json, values.count, component_size * values.width, stride, where) : nullptr;
+  const size_t component_size = componentSize(stored.component_type);
+  size_t stride = component_size * size_t(values.width);
+  const uint8_t* at = nullptr;
+  auto decoded = decoded_accessors_.find(accessor_index);
+  if (decoded != decoded_accessors_.end()) at = decoded->second.data();
+  else if (json.contains("bufferView")) at = elements(json, values.count, stride, stride, where);
   values.numbers.assign(values.count * values.width, 0.0);
   for (size_t i = 0; at && i < values.count; ++i, at += stride)
     for (int c = 0; c < values.width; ++c)
-      values.numbers[i * values.width + c] = component(at + c * component_size, component_type, normalized);
-  if (json.contains("sparse")) applySparse(json, values, component_type, normalized, where + ".sparse");
+      values.numbers[i * values.width + c] =
+          component(at + c * component_size, stored.component_type, stored.normalized);
+  if (json.contains("sparse")) applySparse(json, values, stored.component_type, stored.normalized, where + ".sparse");
   return values;
+}
+
+// Every buffer view lies in its buffer and every accessor in its view, used or not.
+void GltfFile::requireElements() const {
+  for (size_t i = 0; i < all("bufferViews").size(); ++i) view(int(i), "");
+  const Json& accessors = all("accessors");
+  size_t stride = 0;
+  for (size_t i = 0; i < accessors.size(); ++i) {
+    const AccessorFormat stored = format(int(i));
+    const std::string where = fmt::format("accessors[{}]", i), place = where + ".sparse";
+    if (stored.normalized && (stored.component_type == 5125 || stored.component_type == 5126))
+      refuse(where, fmt::format("componentType {} cannot be normalized", stored.component_type));
+    const size_t width = size_t(componentsOf(stored.type));
+    for (const char* bound : {"min", "max"})
+      if (accessors[i].contains(bound) && accessors[i][bound].size() != width)
+        refuse(where, fmt::format("'{}' has not {} numbers", bound, width));
+    const bool has_view = accessors[i].contains("bufferView");
+    if (accessors[i].contains("byteOffset") && !has_view) refuse(where, "has a byteOffset and no bufferView");
+    if (has_view && !decoded_accessors_.count(int(i)))
+      elements(accessors[i], stored.count, stored.elementSize(), stride, where);
+    if (!accessors[i].contains("sparse")) continue;
+    const Json& sparse = accessors[i]["sparse"];
+    const size_t count = size(sparse, "count", std::nullopt, place);
+    if (count > stored.count) refuse(place, fmt::format("count is {} of {}", count, stored.count));
+    const int index_type = int(size(sparse["indices"], "componentType", std::nullopt, place + ".indices"));
+    elements(sparse["indices"], count, componentSize(index_type), stride, place + ".indices");
+    elements(sparse["values"], count, stored.elementSize(), stride, place + ".values");
+  }
+}
+
+void GltfFile::decodeViews() {
+  const Json& views = all("bufferViews");
+  for (size_t i = 0; i < views.size(); ++i) {
+    bool present = false;
+    const Json& json = extension(views[i], "EXT_meshopt_compression", &present);
+    if (!present) continue;
+    const std::string where = fmt::format("bufferViews[{}].extensions.EXT_meshopt_compression", i);
+    const View source = stored(json, where);
+    MeshoptStream stream = {{source.data, source.size}, size(json, "count", std::nullopt, where), source.stride};
+    stream.mode = text(json, "mode", where);
+    stream.filter = text(json, "filter", where);
+    const size_t length = size(views[i], "byteLength", std::nullopt, where);
+    if (length != stream.count * stream.stride)
+      refuse(where, fmt::format("{} elements of {} bytes are not the {} bytes of the view", stream.count, stream.stride,
+                                length));
+    try {
+      decoded_views_[int(i)] = decodeMeshopt(stream);
+    } catch (const std::exception& error) {
+      refuse(where, error.what());
+    }
+  }
+}
+
+void GltfFile::decodePrimitives() {
+  const Json& meshes = all("meshes");
+  for (size_t m = 0; m < meshes.size(); ++m) {
+    const Json& primitives = list(meshes[m], "primitives", "meshes");
+    for (size_t p = 0; p < primitives.size(); ++p) {
+      bool present = false;
+      const Json& json = extension(primitives[p], "KHR_draco_mesh_compression", &present);
+      const std::string where = fmt::format("meshes[{}].primitives[{}].extensions.KHR_draco_mesh_compression", m, p);
+      if (present) decodePrimitive(primitives[p], json, where);
+    }
+  }
+}
+
+void GltfFile::decodePrimitive(const Json& primitive, const Json& json, const std::string& where) {
+  if (size(primitive, "mode", 4, where) != 4) refuse(where, "its primitive is not a list of triangles");
+  const int indices = index(primitive, "indices", "accessors", where);
+  if (indices < 0) refuse(where, "its primitive has no indices");
+  const View source = view(index(json, "bufferView", "bufferViews", where), where);
+  DracoStream stream = {{source.data, source.size}};
+  stream.indices = format(indices).count;
+  stream.index_type = format(indices).component_type;
+  std::map<std::string, int> accessors;
+  for (const auto& [name, id] : json["attributes"].items()) {
+    const int accessor = index(primitive["attributes"], name, "accessors", where);
+    if (accessor < 0) refuse(where, fmt::format("its primitive has no attribute {}", name));
+    const AccessorFormat asked = format(accessor);
+    if (!accessors.empty() && asked.count != stream.vertices)
+      refuse(where, fmt::format("{} has {} elements, not {}", name, asked.count, stream.vertices));
+    stream.vertices = asked.count;
+    stream.asked[name] = {uint32_t(size(json["attributes"], name, std::nullopt, where)), asked.component_type,
+                          componentsOf(asked.type)};
+    accessors[name] = accessor;
+  }
+  try {
+    DracoMesh mesh = decodeDraco(stream);
+    keepDecoded(indices, std::move(mesh.indices), where);
+    for (const auto& [name, accessor] : accessors) keepDecoded(accessor, std::move(mesh.attributes[name]), where);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {
+    refuse(where, fmt::format("its stream cannot be decoded: {}", error.what()));
+  }
+}
+
+// Primitives may share a stream and its accessors, but an accessor has one content.
+void GltfFile::keepDecoded(int accessor, std::vector<uint8_t> bytes, const std::string& where) {
+  auto [known, is_new] = decoded_accessors_.try_emplace(accessor, bytes);
+  if (!is_new && known->second != bytes)
+    refuse(where, fmt::format("accessors[{}] has another stream already", accessor));
 }
 
 void GltfFile::applySparse(const Json& accessor, Values& values, int component_type, bool normalized,
@@ -249,11 +434,7 @@ void GltfFile::applySparse(const Json& accessor, Values& values, int component_t
   size_t count = size(sparse, "count", std::nullopt, where);
   if (count == 0 || count > values.count) refuse(where, fmt::format("count is {} of {}", count, values.count));
   const Json &indices = object(sparse, "indices", where), &replacing = object(sparse, "values", where);
-  for (const Json* part : {&indices, &replacing})
-    if (index(*part, "bufferView", "bufferViews", where) < 0) refuse(where, "names no bufferView");
   int index_type = int(size(indices, "componentType", std::nullopt, where));
-  if (index_type != 5121 && index_type != 5123 && index_type != 5125)
-    refuse(where, fmt::format("indices have componentType {}", index_type));
   size_t index_stride = 0, stride = 0, width = componentSize(component_type);
   const uint8_t* index_at = elements(indices, count, componentSize(index_type), index_stride, where + ".indices");
   const uint8_t* at = elements(replacing, count, width * values.width, stride, where + ".values");
@@ -271,10 +452,10 @@ void GltfFile::applySparse(const Json& accessor, Values& values, int component_t
 }
 
 std::vector<uint32_t> GltfFile::indices(int accessor_index, const std::string& where) const {
-  Values values = accessor(accessor_index, where, {"SCALAR"});
-  int type = int(size(all("accessors").at(accessor_index), "componentType", std::nullopt, where));
-  if (type != 5121 && type != 5123 && type != 5125)
-    refuse(where, fmt::format("indices have componentType {}, not an unsigned integer", type));
+  const Values values = accessor(accessor_index, where, {"SCALAR"});
+  const double restart = std::pow(256.0, double(componentSize(format(accessor_index).component_type))) - 1;
+  for (size_t i = 0; i < values.count; ++i)
+    if (values.numbers[i] == restart) refuse(where, fmt::format("index {} is {}, which restarts", i, restart));
   return {values.numbers.begin(), values.numbers.end()};
 }
 
@@ -288,36 +469,44 @@ std::vector<uint8_t> GltfFile::imageBytes(int image_index) {
   return {source.data, source.data + source.size};
 }
 
-const Json& GltfFile::list(const Json& object, const std::string& key, const std::string& where) const {
+const Json& GltfJson::list(const Json& object, const std::string& key, const std::string& where) const {
   if (!object.is_object() || !object.contains(key)) return kNoList;
   if (!object[key].is_array()) refuse(where, fmt::format("'{}' is not a list", key));
   return object[key];
 }
 
-const Json& GltfFile::object(const Json& object, const std::string& key, const std::string& where) const {
+const Json& GltfJson::object(const Json& object, const std::string& key, const std::string& where) const {
   if (!object.is_object() || !object.contains(key)) return kNoObject;
   if (!object[key].is_object()) refuse(where, fmt::format("'{}' is not an object", key));
   return object[key];
 }
 
-const Json& GltfFile::extension(const Json& json, const std::string& name, bool* present) const {
+const Json& GltfJson::extension(const Json& json, const std::string& name, bool* present) const {
   const Json& extensions = object(json, "extensions", "");
   if (present) *present = extensions.contains(name);
   return object(extensions, name, "extensions");
 }
 
-int GltfFile::index(const Json& object, const std::string& key, const std::string& list_name,
+int GltfJson::index(const Json& object, const std::string& key, const std::string& list_name,
                     const std::string& where) const {
   if (!object.is_object() || !object.contains(key)) return -1;
   const Json& value = object[key];
   size_t count = all(list_name).size();
-  bool valid = value.is_number_unsigned() && value.get<uint64_t>() < count;
+  const std::optional<uint64_t> whole = wholeNumber(value);
   std::string got = value.is_number() ? value.dump() : value.type_name();
-  if (!valid) refuse(where, fmt::format("'{}' is {}, but the file has {} {}", key, got, count, list_name));
-  return value.get<int>();
+  if (!whole || *whole >= count)
+    refuse(where, fmt::format("'{}' is {}, but the file has {} {}", key, got, count, list_name));
+  return int(*whole);
 }
 
-double GltfFile::number(const Json& object, const std::string& key, double fallback, const std::string& where) const {
+std::vector<int> GltfJson::indexList(const Json& object, const std::string& key, const std::string& list_name,
+                                     const std::string& where) const {
+  std::vector<int> indices;
+  for (const Json& value : list(object, key, where)) indices.push_back(index({{key, value}}, key, list_name, where));
+  return indices;
+}
+
+double GltfJson::number(const Json& object, const std::string& key, double fallback, const std::string& where) const {
   if (!object.is_object() || !object.contains(key)) return fallback;
   if (!object[key].is_number()) refuse(where, fmt::format("'{}' is not a number", key));
   double value = object[key].get<double>();
@@ -325,7 +514,7 @@ double GltfFile::number(const Json& object, const std::string& key, double fallb
   return value;
 }
 
-std::vector<double> GltfFile::numbers(const Json& object, const std::string& key, std::vector<double> fallback,
+std::vector<double> GltfJson::numbers(const Json& object, const std::string& key, std::vector<double> fallback,
                                       const std::string& where) const {
   const Json& values = list(object, key, where);
   if (values.empty()) return fallback;
@@ -338,7 +527,7 @@ std::vector<double> GltfFile::numbers(const Json& object, const std::string& key
   return fallback;
 }
 
-double GltfFile::numberIn(const Json& object, const std::string& key, std::optional<double> fallback, double low,
+double GltfJson::numberIn(const Json& object, const std::string& key, std::optional<double> fallback, double low,
                           double high, const std::string& where) const {
   if (!fallback) require(object, key, where);
   if (!object.contains(key)) return *fallback;
@@ -347,17 +536,17 @@ double GltfFile::numberIn(const Json& object, const std::string& key, std::optio
   return value;
 }
 
-void GltfFile::require(const Json& object, const std::string& key, const std::string& where) const {
+void GltfJson::require(const Json& object, const std::string& key, const std::string& where) const {
   if (!object.contains(key)) refuse(where, fmt::format("'{}' is missing", key));
 }
 
-std::string GltfFile::text(const Json& object, const std::string& key, const std::string& where) const {
+std::string GltfJson::text(const Json& object, const std::string& key, const std::string& where) const {
   if (!object.is_object() || !object.contains(key)) return "";
   if (!object[key].is_string()) refuse(where, fmt::format("'{}' is not a text", key));
   return object[key].get<std::string>();
 }
 
-std::vector<std::string> GltfFile::uniqueNames(const Json& list, const std::string& prefix,
+std::vector<std::string> GltfJson::uniqueNames(const Json& list, const std::string& prefix,
                                                std::set<std::string> reserved) const {
   std::vector<std::string> names;
   std::set<std::string> taken = reserved, stated = std::move(reserved);
@@ -379,21 +568,21 @@ std::vector<std::string> GltfFile::uniqueNames(const Json& list, const std::stri
   return names;
 }
 
-bool GltfFile::flag(const Json& object, const std::string& key, const std::string& where) const {
+bool GltfJson::flag(const Json& object, const std::string& key, const std::string& where) const {
   if (!object.is_object() || !object.contains(key)) return false;
   if (!object[key].is_boolean()) refuse(where, fmt::format("'{}' is neither true nor false", key));
   return object[key].get<bool>();
 }
 
-size_t GltfFile::size(const Json& object, const std::string& key, std::optional<size_t> fallback,
+size_t GltfJson::size(const Json& object, const std::string& key, std::optional<size_t> fallback,
                       const std::string& where) const {
   bool present = object.is_object() && object.contains(key);
   if (!present && fallback) return *fallback;
   if (!present) refuse(where, fmt::format("'{}' is missing", key));
-  if (!object[key].is_number_unsigned()) refuse(where, fmt::format("'{}' is not a whole number", key));
-  uint64_t value = object[key].get<uint64_t>();
-  if (value > uint64_t(1) << 40) refuse(where, fmt::format("'{}' is {}", key, value));
-  return size_t(value);
+  const std::optional<uint64_t> value = wholeNumber(object[key]);
+  if (!value) refuse(where, fmt::format("'{}' is not a whole number", key));
+  if (*value > uint64_t(1) << 40) refuse(where, fmt::format("'{}' is {}", key, *value));
+  return size_t(*value);
 }
 
 std::vector<double> sharesOf(const GltfFile& file, const Json& object, const std::string& key,

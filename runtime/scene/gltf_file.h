@@ -3,6 +3,7 @@
 // trusted: every index, size and type is checked before it is used, and what does not hold is refused in one line.
 #pragma once
 
+#include <map>
 #include <set>
 
 #include "base/home.h"
@@ -22,29 +23,21 @@ struct Values {
   dvec4 vector4(size_t i) const { return {at(i, 0), at(i, 1), at(i, 2), at(i, 3)}; }
 };
 
-class GltfFile {
+// Storage of the elements of an accessor.
+struct AccessorFormat {
+  std::string type;  // "VEC3"
+  int component_type = 0;
+  bool normalized = false;
+  size_t count = 0;
+  size_t elementSize() const;  // bytes
+};
+
+// The JSON of a file, with checked access to the members of its objects.
+class GltfJson {
  public:
-  // Reads a .glb or .gltf with all its buffers. Throws `Error` for a file that is missing, cut short, of another
-  // version, or that requires an extension which is not in `supported`.
-  // What it names lies in its folder, links followed, unless `allow_outside`.
-  GltfFile(const Path& file, const std::vector<std::string>& supported, bool allow_outside);
+  explicit GltfJson(const Path& shown) : shown_(shown) {}
 
   const Json& json() const { return json_; }
-  const Path& path() const { return path_; }
-  // What was read so far, the file itself first.
-  const std::vector<SourceFile>& files() const { return files_; }
-
-  // Whether a file beside it is one that it may name.
-  bool mayRead(const Path& file) const { return allow_outside_ || liesIn(file, path_.parent_path()); }
-  // The content of a file, which is then one of `files`.
-  std::string readFile(const Path& file);
-
-  // `where` says in errors what asked: "meshes[2].primitives[0]". `types` are the accepted accessor types.
-  Values accessor(int index, const std::string& where, const std::vector<std::string>& types) const;
-  std::vector<uint32_t> indices(int index, const std::string& where) const;
-  // An image as the file holds it.
-  std::vector<uint8_t> imageBytes(int index);
-
   // Throws: "file: where: text".
   [[noreturn]] void refuse(const std::string& where, const std::string& text) const;
 
@@ -57,6 +50,9 @@ class GltfFile {
   // The extension's object, or an empty one; `present` says which.
   const Json& extension(const Json& object, const std::string& name, bool* present = nullptr) const;
   int index(const Json& object, const std::string& key, const std::string& list_name, const std::string& where) const;
+  // A list of such indices; a missing one is empty.
+  std::vector<int> indexList(const Json& object, const std::string& key, const std::string& list_name,
+                             const std::string& where) const;
   double number(const Json& object, const std::string& key, double fallback, const std::string& where) const;
   // The same, from `low` to `high`; without a fallback it may not be missing.
   double numberIn(const Json& object, const std::string& key, std::optional<double> fallback, double low, double high,
@@ -73,6 +69,39 @@ class GltfFile {
   size_t size(const Json& object, const std::string& key, std::optional<size_t> fallback,
               const std::string& where) const;
 
+ protected:
+  Json json_;
+  Path shown_;  // as the file was given
+};
+
+class GltfFile : public GltfJson {
+ public:
+  // Reads a .glb or .gltf with all its buffers, and decodes compressed ones. Throws `Error` for a file that is missing,
+  // cut short, of another version or form (`requireForm`), or that requires an extension which is not supported.
+  // Files that it names lie in its folder, links followed, unless `allow_outside`.
+  GltfFile(const Path& file, bool allow_outside);
+
+  const Path& path() const { return path_; }
+  // What was read so far, the file itself first.
+  const std::vector<SourceFile>& files() const { return files_; }
+
+  // Whether a file beside it is one that it may name.
+  bool mayRead(const Path& file) const { return allow_outside_ || liesIn(file, path_.parent_path()); }
+  // The content of a file, which is then one of `files`.
+  std::string readFile(const Path& file);
+
+  // Bytes of the files read so far.
+  size_t bytesRead() const { return bytes_read_; }
+  AccessorFormat format(int accessor) const;
+
+  // `where` says in errors what asked: "meshes[2].primitives[0]". `types` are the accepted accessor types.
+  Values accessor(int index, const std::string& where, const std::vector<std::string>& types) const;
+  std::vector<uint32_t> indices(int index, const std::string& where) const;
+  Decoded image(int index);
+
+  // Its name, or `otherwise`, made different from those that are `taken`.
+  std::string uniqueName(const Json& object, const std::string& otherwise, std::set<std::string>& taken) const;
+
  private:
   struct View {
     const uint8_t* data = nullptr;
@@ -80,22 +109,32 @@ class GltfFile {
     size_t stride = 0;  // 0: tightly packed
   };
   void readContainer();
-  void checkVersion(const std::vector<std::string>& supported) const;
+  void readChunks(const std::vector<uint8_t>& bytes, size_t& json_at, size_t& json_size);
+  void checkVersion() const;
   void readBuffers();
+  bool isFallback(const Json& buffer) const;
+  void requireElements() const;
+  void decodeViews();
+  void decodePrimitives();
+  void decodePrimitive(const Json& json, const Json& extension, const std::string& where);
+  void keepDecoded(int accessor, std::vector<uint8_t> bytes, const std::string& where);
   std::vector<uint8_t> uriBytes(const std::string& uri, const std::string& where);
   View view(int index, const std::string& where) const;
+  View stored(const Json& json, const std::string& where) const;
   const uint8_t* elements(const Json& accessor, size_t count, size_t element_size, size_t& stride,
                           const std::string& where) const;
   void applySparse(const Json& accessor, Values& values, int component_type, bool normalized,
                    const std::string& where) const;
 
-  Path path_, shown_;  // absolute; as it was given
+  Path path_;  // absolute
   bool allow_outside_ = false;
   std::vector<SourceFile> files_;
-  Json json_;
   std::vector<uint8_t> binary_chunk_;
   bool has_binary_chunk_ = false;
+  size_t bytes_read_ = 0;
   std::vector<std::vector<uint8_t>> buffers_;
+  std::map<int, std::vector<uint8_t>> decoded_views_;
+  std::map<int, std::vector<uint8_t>> decoded_accessors_;  // tightly packed
 };
 
 // Numbers from 0 to 1.

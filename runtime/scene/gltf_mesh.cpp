@@ -104,7 +104,8 @@ class MeshReader {
       int material = file_.index(mapping, "material", "materials", where_);
       if (material < 0) file_.refuse(where_, "a mapping of KHR_materials_variants names no material");
       const Json& variants = file_.list(mapping, "variants", where_);
-      if (std::find(variants.begin(), variants.end(), Json(choice.variant)) != variants.end()) return material;
+      if (choice.variant >= 0 && std::find(variants.begin(), variants.end(), Json(choice.variant)) != variants.end())
+        return material;
     }
     return own < 0 ? choice.otherwise : own;
   }

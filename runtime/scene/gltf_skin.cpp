@@ -23,6 +23,7 @@ class SkinReader {
     }
     const Json& nodes = file_.all("nodes");
     for (size_t i = 0; i < nodes.size(); ++i) readNode(nodes[i], fmt::format("nodes[{}]", i), scene_.nodes[i]);
+    for (size_t m = 0; m < scene_.meshes.size(); ++m) followNodes(int(m));
   }
 
  private:
@@ -67,12 +68,44 @@ class SkinReader {
     node.weights = file_.numbers(json, "weights", weights_[size_t(node.mesh)], where);
     if (node.skin < 0) return;
     const size_t joints = scene_.skins[size_t(node.skin)].joints.size();
+    if (!hasJoints(node.mesh)) file_.refuse(where, fmt::format("has a skin, but {} has no joints", mesh_name));
     for (const Geometry& geometry : scene_.meshes[size_t(node.mesh)].geometries) {
-      if (geometry.influences.count == 0)
-        file_.refuse(where, fmt::format("has a skin, but {} has no joints", mesh_name));
       for (uint32_t joint : geometry.influences.joints)
         if (joint >= joints)
           file_.refuse(where, fmt::format("{} follows joint {}, but its skin has {}", mesh_name, joint, joints));
+    }
+  }
+
+  bool hasJoints(int mesh) const {
+    const Json& primitives = file_.all("meshes")[size_t(mesh)]["primitives"];
+    return std::any_of(primitives.begin(), primitives.end(),
+                       [](const Json& primitive) { return primitive["attributes"].contains("JOINTS_0"); });
+  }
+
+  // Primitives without joints, in a mesh that has primitives with joints, follow the node that shows the mesh. The node
+  // becomes a joint, with the same number in each skin that bends the mesh.
+  void followNodes(int mesh) {
+    size_t own = 0;
+    std::vector<int> nodes;
+    for (size_t i = 0; i < scene_.nodes.size(); ++i) {
+      if (scene_.nodes[i].mesh != mesh || scene_.nodes[i].skin < 0) continue;
+      nodes.push_back(int(i));
+      own = std::max(own, scene_.skins[size_t(scene_.nodes[i].skin)].joints.size());
+    }
+    bool any = false;
+    for (Geometry& geometry : scene_.meshes[size_t(mesh)].geometries) {
+      if (nodes.empty() || geometry.influences.count > 0) continue;
+      any = true;
+      geometry.influences = {1, std::vector<uint32_t>(geometry.vertices.size(), uint32_t(own)),
+                             std::vector<double>(geometry.vertices.size(), 1.0)};
+    }
+    for (int node : nodes) {
+      if (!any) continue;
+      Skin skin = scene_.skins[size_t(scene_.nodes[size_t(node)].skin)];
+      skin.joints.resize(own + 1, node);
+      skin.inverse_binds.resize(own + 1, dmat4(1));
+      scene_.nodes[size_t(node)].skin = int(scene_.skins.size());
+      scene_.skins.push_back(std::move(skin));
     }
   }
 

@@ -314,14 +314,16 @@ std::vector<std::vector<double>> Poser::weightsAt(double time_s, double held_tim
   return weights;
 }
 
-// Moves a node that shows a skin: its joints go along, about where the first has the mesh's origin.
-static void moveJoints(const std::vector<ConstantMotion>& motions, int node, double time_s,
-                       std::vector<dmat4>& joints) {
-  for (const ConstantMotion& motion : motions) {
+// Moves a node that shows a skin: its joints go along, about where the first has the mesh's origin. A joint that is the
+// node itself has moved already.
+static void moveJoints(const Scene& scene, int node, double time_s, std::vector<dmat4>& joints) {
+  const Skin& skin = scene.skins[size_t(scene.nodes[size_t(node)].skin)];
+  for (const ConstantMotion& motion : scene.motions) {
     if (motion.node != node) continue;
     const dmat4 pivot = glm::translate(dmat4(1), dvec3(joints[0][3]));
     const dmat4 step = movedBy(motion, pivot, time_s) * glm::inverse(pivot);
-    for (dmat4& joint : joints) joint = step * joint;
+    for (size_t j = 0; j < joints.size(); ++j)
+      if (skin.joints[j] != node) joints[j] = step * joints[j];
   }
 }
 
@@ -334,7 +336,7 @@ static void place(const Scene& scene, const Instance& instance, const std::vecto
   bend = {{}, weights};
   if (node.skin >= 0) {
     std::vector<dmat4> joints = jointsOf(scene, instance, worlds);
-    if (time_s) moveJoints(scene.motions, instance.node, *time_s, joints);
+    if (time_s) moveJoints(scene, instance.node, *time_s, joints);
     if (node.sole_joint >= 0) world = joints[size_t(node.sole_joint)];
     else bend.joints = std::move(joints);
   }

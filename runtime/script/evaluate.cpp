@@ -8,6 +8,7 @@
 #include <map>
 
 #include "base/cores.h"
+#include "base/extension.h"
 #include "base/hash.h"
 #include "base/json_text.h"
 #include "base/project.h"
@@ -67,7 +68,7 @@ std::string noneNamed(const Home& home, const std::string& name, const std::stri
 
 // `what` is "pipeline" or "scene", kept in scripts/<what>s.
 Main mainOf(const Home& home, const std::string& name_or_path, const std::string& what, const Texts& texts) {
-  bool is_path = name_or_path.ends_with(".lua");
+  bool is_path = hasExtension(name_or_path, ".lua");
   if (is_path) return mainFile(home, name_or_path, texts);
   Path folder = Path("scripts") / (what + "s");
   Path file = home.at(folder / (name_or_path + ".lua"));

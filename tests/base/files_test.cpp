@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "base/error.h"
+#include "base/extension.h"
 
 namespace strobe {
 namespace files_test {
@@ -59,6 +60,11 @@ TEST_F(Files, AMissingFileIsNamed) {
     EXPECT_NE(std::string(error.what()).find("absent.txt: cannot be read: No such file"), std::string::npos)
         << error.what();
   }
+}
+
+TEST_F(Files, ExtensionsMayBeInCapitals) {
+  for (const char* name : {"a.glb", "A.GLB", "b/a.gLb", ".glb"}) EXPECT_TRUE(hasExtension(name, ".glb")) << name;
+  for (const char* name : {"", "glb", "a.glb2", "a.gltf", "aglb"}) EXPECT_FALSE(hasExtension(name, ".glb")) << name;
 }
 
 TEST(Names, TheNearestIsAMisspellingOnly) {

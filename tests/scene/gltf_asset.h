@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -56,7 +57,25 @@ inline std::string base64(const std::vector<uint8_t>& bytes) {
   return text.replace(text.size() - padding, padding, padding, '=');
 }
 
-// An asset whose one buffer grows with each accessor.
+// Adds the names of all extensions in `json` to `names`.
+inline void listExtensions(const Json& json, std::set<std::string>& names) {
+  for (const auto& [key, value] : json.items()) {
+    if (key == "extensions" && value.is_object())
+      for (const auto& [name, extension] : value.items()) names.insert(name);
+    if (value.is_structured()) listExtensions(value, names);
+  }
+}
+
+// Declares the extensions that objects of the file use.
+inline void declareExtensions(Json& json) {
+  std::set<std::string> names;
+  listExtensions(json, names);
+  for (const char* key : {"extensionsUsed", "extensionsRequired"})
+    for (const Json& name : json.value(key, Json::array())) names.erase(name.get<std::string>());
+  for (const std::string& name : names) json["extensionsUsed"].push_back(name);
+}
+
+// An asset whose one buffer grows with each accessor. `whole` declares the extensions that it uses.
 struct Asset {
   Json json = Json::parse(R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
     "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[],"bufferViews":[],"buffers":[]})");
@@ -79,6 +98,7 @@ struct Asset {
   }
   Json whole() {
     Json result = json;
+    declareExtensions(result);
     result["buffers"] =
         Json::array({{{"byteLength", bytes.size()}, {"uri", "data:application/octet-stream;base64," + base64(bytes)}}});
     return result;

@@ -113,6 +113,7 @@ TEST_F(Gltf, TexturesAreTransformed) {
   Json& info = json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
   info["extensions"]["KHR_texture_transform"] = {
       {"offset", {0.5, 0.25}}, {"rotation", 0.3}, {"scale", {2, 3}}, {"texCoord", 1}};
+  declareExtensions(json);
   Scene scene = load(json);
   const TextureUse& use = scene.materials[0].base_color_texture;
   EXPECT_EQ(use.uv_set, 1);

@@ -301,19 +301,21 @@ TEST_F(Gltf, DamagedSkinsAreRefusedWithTheirPlace) {
   const std::vector<Damage> damages = {
       {"JOINTS_0", beyond, "nodes[0]: meshes[0] follows joint 2, but its skin has 2"},
       {"JOINTS_0", fewer, "meshes[0].primitives[0]: JOINTS_0 has 2 elements, not 3"},
-      {"JOINTS_0", floats, "meshes[0].primitives[0]: JOINTS_0 is not of bytes or shorts"},
+      {"JOINTS_0", floats,
+       "meshes[0].primitives[0]: JOINTS_0: accessors[8] is VEC4 of floats, not VEC4 of unsigned bytes"},
       {"JOINTS_0", nullptr, "meshes[0].primitives[0]: JOINTS_0 is missing"},
       {"WEIGHTS_0", nullptr, "meshes[0].primitives[0]: WEIGHTS_0 is missing"},
       {"JOINTS_2", beyond, "meshes[0].primitives[0]: JOINTS_1 is missing"},
       {"WEIGHTS_0", none, "meshes[0].primitives[0]: vertex 1 has weights of 0 alone"},
       {"WEIGHTS_0", negative, "meshes[0].primitives[0]: vertex 1 has a weight -0.5"},
       {"WEIGHTS_0", nan, "meshes[0].primitives[0]: vertex 1 has a weight nan"},
-      {"WEIGHTS_0", bytes, "meshes[0].primitives[0]: WEIGHTS_0 is of integers"},
+      {"WEIGHTS_0", bytes,
+       "meshes[0].primitives[0]: WEIGHTS_0: accessors[12] is VEC4 of unsigned bytes, not VEC4 of floats"},
       {"/skins/0/inverseBindMatrices", one_bind, "skins[0]: 2 joints have 1 matrices"},
       {"/skins/0/inverseBindMatrices", not_affine, "skins[0]: its inverse bind matrix 1 is not affine"},
       {"/skins/0/inverseBindMatrices", infinite, "skins[0]: its inverse bind matrix 0 is not finite"},
       {"/skins/0/inverseBindMatrices", 0, "skins[0]: accessors[0]: type is 'VEC3', not MAT4"},
-      {"/skins/0/joints", {1, 9}, "skins[0]: 'joint' is 9, but the file has 3 nodes"},
+      {"/skins/0/joints", {1, 9}, "skins[0]: 'joints' is 9, but the file has 3 nodes"},
       {"/skins/0/joints", {1, 1}, "skins[0]: lists joint 1 twice"},
       {"/skins/0/joints", Json::array(), "skins[0]: has no joints"},
       {"/skins/0/skeleton", 5, "skins[0]: 'skeleton' is 5"},
@@ -354,7 +356,7 @@ TEST_F(Gltf, DamagedMorphsAreRefusedWithTheirPlace) {
            {"/meshes/0/primitives/0/targets/0", 3, "targets[0]: is not an object"},
            {"/meshes/0/weights", {1}, "meshes[0]: 'weights' has not 2 numbers"},
            {"/nodes/0/weights", {1, 2, 3}, "nodes[0]: 'weights' has not 2 numbers"},
-           {"/nodes/0/weights", {1, "x"}, "nodes[0]: 'weights' holds what is not a finite number"}}) {
+           {"/nodes/0/weights", {1, "x"}, "nodes[0].weights[1]: 'weights' is not a number"}}) {
     Json json = whole.asset.whole();
     json[Json::json_pointer(damage.pointer)] = damage.value;
     EXPECT_NE(failure(json).find(damage.text), std::string::npos) << damage.pointer << ": " << failure(json);

@@ -132,7 +132,7 @@ TEST_F(Gltf, DamageIsRefusedInOneLine) {
       {"/buffers/0/uri", "http://x/y.bin"},
       {"/buffers/0/uri", "/etc/hostname"},
       {"/buffers/0/uri", "data:;base64,!!"},
-      {"/extensionsRequired", Json::array({"KHR_draco_mesh_compression"})},
+      {"/extensionsRequired", Json::array({"KHR_texture_basisu"})},
       {"/cameras", Json::array({{{"type", "fisheye"}}})},
       {"/materials", Json::array({{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}})},
       {"/materials", Json::array({{{"alphaMode", "SOMETIMES"}}})},
@@ -178,9 +178,9 @@ TEST_F(Gltf, FilesOutsideOfItsFolderAreRefused) {
 
 TEST_F(Gltf, ExtensionIsRefusedByName) {
   Json json = triangle().whole();
-  json["extensionsRequired"] = {"KHR_mesh_quantization", "KHR_draco_mesh_compression"};
+  json["extensionsRequired"] = {"KHR_mesh_quantization", "KHR_texture_basisu"};
   std::string text = failure(json);
-  EXPECT_NE(text.find("requires KHR_draco_mesh_compression, which"), std::string::npos) << text;
+  EXPECT_NE(text.find("requires KHR_texture_basisu, which"), std::string::npos) << text;
 }
 
 TEST_F(Gltf, AnimationIsItsClosedForm) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the glTF validator of Khronos says of files: prints {file: [codes of its errors]}, warnings of values that no list
-// has among them. NODE_PATH says where it is.
+// Errors that the glTF validator of Khronos finds in files, and its warnings of values that no list has. Reads names of
+// files, one a line, and prints {file: ["CODE POINTER"]}. NODE_PATH says where it is.
 const fs = require("fs");
 const path = require("path");
 const validator = require("gltf-validator");
@@ -10,7 +10,8 @@ async function errorsOf(file) {
   try {
     const options = { externalResourceFunction: read, maxIssues: 0, writeTimestamp: false };
     const report = await validator.validateBytes(new Uint8Array(fs.readFileSync(file)), options);
-    return report.issues.messages.filter((one) => one.severity === 0 || one.code === "VALUE_NOT_IN_LIST").map((one) => one.code);
+    const counts = (one) => one.severity === 0 || one.code === "VALUE_NOT_IN_LIST";
+    return report.issues.messages.filter(counts).map((one) => one.code + " " + (one.pointer || ""));
   } catch (error) {
     return [String(error)];
   }
@@ -18,6 +19,6 @@ async function errorsOf(file) {
 
 (async () => {
   const report = {};
-  for (const file of process.argv.slice(2)) report[file] = await errorsOf(file);
+  for (const file of fs.readFileSync(0, "utf8").split("\n").filter((line) => line)) report[file] = await errorsOf(file);
   console.log(JSON.stringify(report));
 })();

@@ -34,6 +34,7 @@ struct File {
     json["nodes"] = {{{"name", "square"}, {"mesh", 0}}, {{"camera", 0}, {"translation", {0, 0, 2}}}};
     json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}}}}};
     json["materials"] = {{{"name", "paint"}, {"extensions", {{"KHR_materials_unlit", Json::object()}}}}};
+    json["extensionsUsed"] = {"KHR_materials_unlit"};
   }
   // The index of an accessor of these floats.
   int add(const std::vector<float>& values, const char* type, int width) {

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// Extensions of file names.
+#pragma once
+
+#include <string_view>
+
+namespace strobe {
+
+// True if the name ends in `extension` (".lua"), in capital or small letters.
+bool hasExtension(std::string_view name, std::string_view extension);
+
+}  // namespace strobe
