@@ -74,7 +74,7 @@ Home copy(const Home& home, const Path& folder, const Path& other) {
     if (fs::exists(root / Home::kProjectFile))
       fs::copy_file(root / Home::kProjectFile, roots.back() / Home::kProjectFile);
     // An experiment's folder has its results as well.
-    for (const std::string part : {"passes", "shaders", "scripts", "pipelines", "scenes", "captures", "experiments"})
+    for (const std::string part : FrozenHome::kParts)
       if (fs::is_directory(root / part)) copyFolder(root / part, roots.back() / part, part != "experiments");
     Path others = other / rootName(home, root);
     if (!other.empty() && fs::is_directory(others)) copyFolder(others, roots.back(), false);

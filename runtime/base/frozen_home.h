@@ -12,6 +12,9 @@ namespace strobe {
 class FrozenHome {
  public:
   static constexpr const char* kAbsent = "absent.txt";
+  // Folders of a root that are copied.
+  static constexpr const char* kParts[] = {"passes", "shaders",  "scripts",    "pipelines",
+                                           "scenes", "captures", "experiments"};
 
   // The copy is made in `folder`, in place of what is there. Files in `other`/strobe and `other`/project, named as in
   // those roots, take the place of the home's own; what `other`/absent.txt names, "strobe/passes/x.lua", one a line, is

@@ -10,7 +10,7 @@ namespace strobe {
 
 namespace fs = std::filesystem;
 
-// In-place saves are seen when the file is closed, never half written; of what is created, only folders matter.
+// An in-place save counts when the file is closed. A creation counts for folders and links alone.
 static constexpr uint32_t kEvents =
     IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE | IN_CREATE | IN_DELETE_SELF | IN_ONLYDIR;
 
@@ -33,13 +33,32 @@ void Watch::addOne(const Folder& folder) {
 
 void Watch::addFlat(const Path& folder) { addOne({folder, false}); }
 
+void Watch::addBehind(const Path& link) {
+  constexpr int kMostLinks = 40;  // as many as the system follows
+  std::error_code failed;
+  Path at = link;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(at, failed); ++i) {
+    addFlat(at.parent_path());
+    at = at.parent_path() / fs::read_symlink(at, failed);
+    addFlat(at.parent_path());
+  }
+}
+
 void Watch::add(const Path& folder) {
   std::error_code ignored;
   if (descriptor_ < 0 || !fs::is_directory(folder, ignored)) return;
   addOne({folder, true});
   for (auto it = fs::recursive_directory_iterator(folder, ignored); it != fs::recursive_directory_iterator();
-       it.increment(ignored))
+       it.increment(ignored)) {
+    if (it->is_symlink(ignored)) addBehind(it->path());
     if (it->is_directory(ignored)) addOne({it->path(), true});
+  }
+}
+
+// A link has its text at once, and no end of a write follows.
+static bool isLink(const Path& file) {
+  std::error_code ignored;
+  return fs::is_symlink(file, ignored) || fs::hard_link_count(file, ignored) > 1;
 }
 
 bool Watch::changed() {
@@ -57,10 +76,11 @@ bool Watch::changed() {
       bool folder = event.mask & IN_ISDIR;
       bool appeared = event.mask & (IN_CREATE | IN_MOVED_TO);
       auto parent = folders_.find(event.wd);
-      if (folder && appeared && parent != folders_.end() && parent->second.deep)
-        add(Path(parent->second.path) / event.name);
+      const Path file = parent != folders_.end() && event.len > 0 ? parent->second.path / event.name : Path();
+      const bool link = appeared && !folder && !file.empty() && isLink(file);
+      if (appeared && !file.empty() && parent->second.deep) folder ? add(file) : addBehind(file);
       if (event.mask & (IN_DELETE_SELF | IN_IGNORED) && parent != folders_.end()) folders_.erase(parent);
-      changed |= folder || !(event.mask & IN_CREATE);
+      changed |= folder || link || !(event.mask & IN_CREATE);
     }
   }
   return changed;

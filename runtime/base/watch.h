@@ -8,8 +8,9 @@
 
 namespace strobe {
 
-// Sees files that were written and closed, renamed, made by renaming or removed; not those still being written. Folders
-// that appear later are followed too. Where the system cannot watch, `changed` is true ten times a second.
+// Sees files that were written and closed, renamed, made by renaming or linking, or removed; not those still being
+// written. Folders that appear later are followed too. Where the system cannot watch, `changed` is true ten times a
+// second.
 class Watch {
  public:
   Watch();
@@ -17,10 +18,12 @@ class Watch {
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  // `folder` and all below it; nothing happens for one that does not exist.
+  // Watches `folder`, all folders below it, and the targets of links in them. Ignores a missing folder.
   void add(const Path& folder);
   // `folder` alone: what lies around a user's own file may be a whole disk.
   void addFlat(const Path& folder);
+  // Watches the folders of a link and of its targets, along a chain of links. Ignores files that are not links.
+  void addBehind(const Path& link);
   // Whether anything happened since the last call. Does not block.
   bool changed();
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "plan/settings.h"
+
 namespace strobe::lab {
 
 plan::ParamDesc declarationOf(const ShotField& field, const scene::Scene& scene) {
@@ -67,13 +69,36 @@ void addShot(Collector& into, const Shot& shot, const scene::Scene& scene, const
   }
 }
 
-void addPipeline(Collector& into, const plan::PipelineDesc& pipeline) {
+// Nodes that follow a parameter of the pipeline, and are in the plan or not.
+std::vector<std::string> followers(const plan::Plan& plan, const std::string& param, bool in_plan) {
+  std::vector<std::string> names;
+  for (size_t i = 0; i < plan.pipeline.nodes.size(); ++i) {
+    const plan::NodeDesc& node = plan.pipeline.nodes[i];
+    bool planned = std::any_of(plan.nodes.begin(), plan.nodes.end(),
+                               [&](const plan::PlanNode& one) { return size_t(one.node) == i; });
+    bool follows = std::any_of(node.params.begin(), node.params.end(),
+                               [&](const auto& bound) { return bound.second.follows == param; });
+    if (follows && planned == in_plan) names.push_back(node.name);
+  }
+  return names;
+}
+
+std::string idleReason(const plan::Plan& plan, const std::string& param) {
+  if (plan::decidesGraph(plan.pipeline, param) || !followers(plan, param, true).empty()) return "";
+  std::vector<std::string> left_out = followers(plan, param, false);
+  if (left_out.empty()) return "no pass reads it with the present values of the others";
+  return fmt::format("only {} reads it, which this frame does not run", fmt::join(left_out, ", "));
+}
+
+void addPipeline(Collector& into, const plan::Plan& plan) {
+  const plan::PipelineDesc& pipeline = plan.pipeline;
   if (!pipeline.presets.empty())
     into.add(declarationOf(pipeline.presets), pipeline.preset, "pipeline", pipeline.file, "default");
   for (const plan::ParamDesc& declared : pipeline.params) {
     const plan::Value& value = *plan::valueOf(pipeline, declared.name);
     bool by_preset = !pipeline.preset.empty() && !(value == declared.default_value);
     into.add(declared, value, "pipeline", declared.place.text(), by_preset ? "preset " + pipeline.preset : "default");
+    into.controls.back().idle = idleReason(plan, declared.name);
   }
 }
 
@@ -102,7 +127,7 @@ std::vector<Control> controlsOf(const Shot& shot, const Drawing& drawing,
   Collector collector(origins);
   const plan::Plan& plan = drawing.plan();
   addShot(collector, shot, drawing.scene().scene, given_by);
-  addPipeline(collector, plan.pipeline);
+  addPipeline(collector, plan);
   for (const plan::PlanNode& node : plan.nodes) addNode(collector, plan.pipeline, node);
   return std::move(collector.controls);
 }

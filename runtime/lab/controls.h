@@ -14,6 +14,7 @@ struct Control {
   std::string origin;  // who set it: "default", "preset best", "scene", "follows samples", "window", ...
   std::string place;   // where it is declared, "file:line", or ""
   bool set = false;    // `origin` is one of those given
+  std::string idle;    // why its value changes nothing as the plan stands, or ""
 };
 
 // Every value of a shot that is drawn: the shot's first, then the pipeline's, then the nodes' own. `origins` are those

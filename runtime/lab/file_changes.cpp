@@ -42,9 +42,10 @@ void ChangedFiles::watchFolders(const Drawing& running) {
   if (!watch_) watch_ = std::make_unique<Watch>();
   watches_all_ = true;
   for (const char* name : {"passes", "shaders", "scripts", "scripts/pipelines", "scripts/scenes"})
-    for (const Path& folder : bench_.home().folders(name)) watch_->add(folder);
+    for (const Path& folder : bench_.home().folders(name)) watch_->add(folder), watch_->addBehind(folder);
   for (const auto* files : {&running.evaluation().scripts, &running.scene().dependencies})
     for (const auto& file : *files) watch_->addFlat(file.path.parent_path());
+  for (const auto& [path, noted] : noted_) watch_->addBehind(path);
 }
 
 // Editors that keep a copy of the old text put it away first: for a moment the file is not there.

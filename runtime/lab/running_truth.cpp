@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lab/running_truth.h"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/log.h"
 #include "lab/capture.h"
@@ -36,8 +36,8 @@ const script::Settings& RunningTruth::settings() {
 }
 
 void RunningTruth::restart(const Shot& shot) {
-  taken_ = samples_ = 0;
-  next_ = steps_.first;
+  taken_ = samples_ = interrupted_ = 0;
+  next_ = set_ = steps_.first;
   mean_ = {};
   session_.reset();
   if (pipeline_.empty())
@@ -52,21 +52,34 @@ void RunningTruth::restart(const Shot& shot) {
   seed_ = shot.seed;
 }
 
-bool RunningTruth::step() {
-  if (!session_) return false;
+namespace {
+
+struct Interrupted {};
+
+}  // namespace
+
+bool RunningTruth::step(int most, const std::function<bool()>& goes_on) {
+  const int samples = std::min(next_, most);
+  if (!session_ || samples < 1) return false;
   static const std::set<std::string> wanted = {"color"};
   uint32_t seed = seed_ + uint32_t(taken_) * kSeedStride;
   if (session_->shot().seed != seed) session_->set("seed", int64_t(seed), "running truth");
+  if (samples != set_) session_->set(count_, int64_t(set_ = samples), "running truth");
+  auto after_sample = [&](int done, int of) {
+    if (done < of && goes_on && !goes_on()) throw Interrupted();
+  };
   Picture picture;
   double started_s = clockSeconds();
-  picture.frame = session_->draw(&wanted);
-  double took_s = clockSeconds() - started_s;
-  int samples = next_;
-  add(colorOf(picture), samples);
-  if (samples_ >= 2 * samples && 2 * samples <= steps_.most && took_s <= steps_.longest_s) {
-    next_ = 2 * samples;
-    session_->set(count_, int64_t(next_), "running truth");
+  try {
+    picture.frame = session_->draw(&wanted, after_sample);
+  } catch (const Interrupted&) {
+    next_ = std::max(1, samples / 2);
+    ++interrupted_;
+    return true;
   }
+  double took_s = clockSeconds() - started_s;
+  add(colorOf(picture), samples);
+  if (samples_ >= 2 * samples && 2 * samples <= steps_.most && took_s <= steps_.longest_s) next_ = 2 * samples;
   return true;
 }
 

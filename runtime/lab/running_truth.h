@@ -4,6 +4,8 @@
 // them then, and their times lie more evenly.
 #pragma once
 
+#include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,15 +33,17 @@ class RunningTruth {
   // Throws `Error` where the pipeline cannot be drawn.
   void restart(const Shot& shot);
 
-  // Takes one step, with random numbers of its own that depend on the shot's seed and the number of the step alone.
-  // False before a shot is given.
-  bool step();
+  // Takes one step of at most `most` samples, with random numbers of its own that depend on the shot's seed and the
+  // number of the step alone. `goes_on` (may be empty) is called between samples: where it is false, the step is
+  // dropped and the next one has half as many. False before a shot is given, and where `most` is 0.
+  bool step(int most = std::numeric_limits<int>::max(), const std::function<bool()>& goes_on = {});
 
   // "" where it was not given and nothing was started yet.
   const std::string& pipeline() const { return pipeline_; }
   // Linear colour of three channels; empty before the first step.
   const image::Image& mean() const { return mean_; }
   int samples() const { return samples_; }
+  int interrupted() const { return interrupted_; }  // steps dropped since the last restart
 
   // Of the mean: root mean square over pixels and channels, from how the steps differ; infinite before the second.
   double standardError() const;
@@ -56,6 +60,7 @@ class RunningTruth {
   std::unique_ptr<Session> session_;
   uint32_t seed_ = 0;
   int taken_ = 0, samples_ = 0, next_ = 0;     // steps, samples of all, samples of the next
+  int set_ = 0, interrupted_ = 0;              // samples that the session is set to; steps dropped
   std::vector<double> mean_so_far_, squares_;  // of colours by samples, and of the steps' differences from it
   image::Image mean_;
 };

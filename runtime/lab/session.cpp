@@ -214,6 +214,20 @@ std::optional<Reload> Session::reload(bool wait) {
   return result;
 }
 
+// Choices of parameters that `now` has and `before` lacks.
+static std::vector<std::string> addedChoices(const plan::PipelineDesc& before, const plan::PipelineDesc& now) {
+  std::vector<std::string> added;
+  for (const plan::ParamDesc& param : now.params) {
+    auto known = std::find_if(before.params.begin(), before.params.end(),
+                              [&](const plan::ParamDesc& one) { return one.name == param.name; });
+    if (known == before.params.end()) continue;
+    for (const std::string& choice : param.choices)
+      if (std::find(known->choices.begin(), known->choices.end(), choice) == known->choices.end())
+        added.push_back(param.name + " = " + choice);
+  }
+  return added;
+}
+
 // Puts a new version in the place of the running one, as far as it is sound, and reports what became of everything.
 void Session::replace(Shot shot, Attempt evaluated, bool scene, Reload& result) {
   int compiled_before = bench_.compilations();
@@ -235,6 +249,7 @@ void Session::replace(Shot shot, Attempt evaluated, bool scene, Reload& result) 
       if (!before.count(node) || before[node] != pipeline) result.rebuilt.push_back(node);
     bool new_scene = version->held() != running_->held();
     bool new_plan = version->planned().hash != running_->planned().hash;
+    result.choices = addedChoices(running_->plan().pipeline, version->plan().pipeline);
     replaced_ = std::exchange(running_, std::move(version));
     shot_ = shot;
     result.swapped = new_scene || new_plan || !result.rebuilt.empty();
@@ -281,9 +296,11 @@ Reload Session::usePipeline(const std::string& name_or_path) {
 std::string textOf(const Reload& reload) {
   std::string files = fmt::format("{}", fmt::join(reload.changed, ", "));
   double ms = reload.evaluate_ms + reload.compile_ms + reload.build_ms;
-  const char* what = reload.swapped ? "reloaded" : reload.problems.empty() ? "nothing new in" : "kept the last good";
-  std::string text = fmt::format("{} {} ({} compiled, {:.0f} ms)", what, files, reload.compilations, ms);
+  const bool taken = reload.swapped || reload.problems.empty();
+  std::string text = fmt::format("{} {} ({}{} compiled, {:.0f} ms)", taken ? "reloaded" : "kept the last good", files,
+                                 taken && !reload.swapped ? "same picture, " : "", reload.compilations, ms);
   for (const std::string& problem : reload.problems) text += "\n  " + problem;
+  for (const std::string& choice : reload.choices) text += "\n  new choice " + choice;
   for (const std::string& kept : reload.kept) text += "\n  kept " + kept;
   for (const std::string& reset : reload.reset) text += "\n  reset " + reset;
   return text;

@@ -23,6 +23,7 @@ struct Reload {
   std::vector<std::string> problems;  // what keeps (parts of) the newest files from running, each with its place
   std::vector<std::string> kept;      // values and histories that live on: "samples = 8", "history sum.mean"
   std::vector<std::string> reset;     // those that do not, and why
+  std::vector<std::string> choices;   // that came: "edge = dilation"
   std::vector<std::string> rebuilt;   // nodes that run a new pipeline
   int compilations = 0;               // pipelines compiled
   double notice_ms = 0;               // hashing the files to see which changed
@@ -71,8 +72,10 @@ class Session {
   bool evaluates() const { return files_.evaluates(); }
 
   // Draws the frame as it stands, reading back the outputs ("color") and taps ("node.port") named; null: all.
-  graph::FrameResult draw(const std::set<std::string>* outputs = nullptr) {
-    graph::FrameResult frame = running_->draw(shot_, outputs);
+  // `progress` (may be empty) is called after each iteration of a loop; what it throws ends the frame.
+  graph::FrameResult draw(const std::set<std::string>* outputs = nullptr,
+                          const std::function<void(int done, int of)>& progress = {}) {
+    graph::FrameResult frame = running_->draw(shot_, outputs, progress);
     replaced_.reset();
     return frame;
   }

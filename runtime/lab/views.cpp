@@ -333,11 +333,29 @@ Image shown(const ReadImage& image, const std::string& port, int divide, int wid
   return display;
 }
 
+Image pictureOf(const Legend& legend) {
+  if (legend.kind == Legend::Kind::none) return {};
+  // A canvas of this size has letters of 13 px. Cut it to the legend.
+  Image canvas(728, 442, 3);
+  draw(canvas, legend);
+  int left = canvas.width, top = canvas.height, right = 0, bottom = 0;
+  for (int y = 0; y < canvas.height; ++y)
+    for (int x = 0; x < canvas.width; ++x) {
+      const float* pixel = canvas.pixel(x, y);
+      if (pixel[0] == 0 && pixel[1] == 0 && pixel[2] == 0) continue;
+      left = std::min(left, x), right = std::max(right, x + 1);
+      top = std::min(top, y), bottom = std::max(bottom, y + 1);
+    }
+  return right > left ? image::crop(canvas, {left, top, right - left, bottom - top}) : Image();
+}
+
+int wipedFrom(double at, int width) { return int(std::lround(std::clamp(at, 0.0, 1.0) * width)); }
+
 Image wiped(const Image& a, const Image& b, double at) {
   STROBE_ASSERT(a.width == b.width && a.height == b.height && a.channels == 3 && b.channels == 3,
                 "{}x{}x{} and {}x{}x{}", a.width, a.height, a.channels, b.width, b.height, b.channels);
   Image result = a;
-  int split = int(std::lround(std::clamp(at, 0.0, 1.0) * a.width));
+  int split = wipedFrom(at, a.width);
   for (int y = 0; y < a.height; ++y)
     for (int x = split; x < a.width; ++x) std::copy_n(b.pixel(x, y), 3, result.pixel(x, y));
   if (split == 0 || split == a.width) return result;
@@ -347,13 +365,14 @@ Image wiped(const Image& a, const Image& b, double at) {
   return result;
 }
 
-Image difference(const Image& linear_a, const Image& linear_b, double gain, const std::string& title) {
+Image difference(const Image& linear_a, const Image& linear_b, double gain, const std::string& title, Legend* legend) {
   STROBE_ASSERT(gain > 0, "{}", gain);
   Image display = image::differenceHeat(linear_a, linear_b, float(gain));
   shout(display, linear_a, 3);
   shout(display, linear_b, 3);
-  image::drawBar(
-      display, [](float t) { return image::magma(t); }, "0", title, fmt::format("{:.3g}", 1 / gain));
+  Legend made{Legend::Kind::bar, 0, 1 / gain, title};
+  if (legend) *legend = made;
+  else draw(display, made);
   return display;
 }
 

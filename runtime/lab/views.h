@@ -47,7 +47,11 @@ struct Legend {
   Kind kind = Kind::none;
   double low = 0, high = 0;
   std::string text;  // words; in the middle of a bar
+  bool operator==(const Legend&) const = default;
 };
+
+// A legend alone, to be shown beside a picture or on it; empty where there is nothing to say.
+image::Image pictureOf(const Legend& legend);
 
 // At `t` from 0 (low) to 1 (high) of a bar.
 image::Colour barColour(Legend::Kind kind, float t);
@@ -60,9 +64,11 @@ image::Image shown(const graph::ReadImage& image, const std::string& port, int d
 
 // `a` left of `at` (0 to 1 of the width), `b` right of it, a line between.
 image::Image wiped(const image::Image& a, const image::Image& b, double at);
+// The first column of b in a wipe of that width.
+int wipedFrom(double at, int width);
 
-// Mean absolute difference of the colours in magma, its upper end at 1 / gain.
+// Mean absolute difference of the colours in magma, its upper end at 1 / gain; the legend as `shown` has it.
 image::Image difference(const image::Image& linear_a, const image::Image& linear_b, double gain,
-                        const std::string& title = "mean |A - B|");
+                        const std::string& title = "mean |A - B|", Legend* legend = nullptr);
 
 }  // namespace strobe::lab

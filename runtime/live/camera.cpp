@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace strobe::live {
 
@@ -44,6 +45,12 @@ std::string toText(const Viewpoint& view) {
                      view.target.z);
 }
 
+static double rounded(double value) { return std::strtod(fmt::format("{:.7g}", value).c_str(), nullptr); }
+
+static dvec3 rounded(const dvec3& at) { return {rounded(at.x), rounded(at.y), rounded(at.z)}; }
+
+Viewpoint rounded(const Viewpoint& view) { return {rounded(view.eye), rounded(view.target)}; }
+
 dvec3 forwardOf(const Viewpoint& view) { return glm::normalize(view.target - view.eye); }
 
 dvec3 rightOf(const Viewpoint& view) {
@@ -54,9 +61,19 @@ dvec3 rightOf(const Viewpoint& view) {
 
 dvec3 upOf(const Viewpoint& view) { return glm::cross(rightOf(view), forwardOf(view)); }
 
-// Going to the right round the target, the eye looks ever more to the left.
-Viewpoint orbited(const Viewpoint& view, double yaw, double pitch) {
-  return {view.target - turnedDirection(view, -yaw, -pitch) * distanceOf(view), view.target};
+// Going to the right round the pivot, the eye looks ever more to the left.
+Viewpoint orbited(const Viewpoint& view, const dvec3& pivot, double yaw, double pitch) {
+  const Viewpoint ahead{view.eye, view.eye + turnedDirection(view, -yaw, -pitch) * distanceOf(view)};
+  dvec3 from_eye = pivot - view.eye;
+  dvec3 turned = rightOf(ahead) * glm::dot(from_eye, rightOf(view)) + upOf(ahead) * glm::dot(from_eye, upOf(view)) +
+                 forwardOf(ahead) * glm::dot(from_eye, forwardOf(view));
+  dvec3 eye = pivot - turned;
+  return {eye, eye + (ahead.target - ahead.eye)};
+}
+
+dvec3 pointAt(const Viewpoint& view, const dvec2& from_middle_px, double metres_per_px, double depth_m) {
+  dvec2 by = from_middle_px * metres_per_px;
+  return view.eye + forwardOf(view) * depth_m + rightOf(view) * by.x - upOf(view) * by.y;
 }
 
 Viewpoint turned(const Viewpoint& view, double yaw, double pitch) {

@@ -25,13 +25,21 @@ Viewpoint viewpointOf(const dmat4& world_from_camera, double distance_m);
 // "ex,ey,ez,tx,ty,tz", as --view takes it; as short as reads back the same.
 std::string toText(const Viewpoint& view);
 
+// To seven digits, a micrometre of a few metres: a hand needs no more, and the text is short.
+Viewpoint rounded(const Viewpoint& view);
+
 dvec3 forwardOf(const Viewpoint& view);  // unit
 dvec3 rightOf(const Viewpoint& view);    // unit, level
 dvec3 upOf(const Viewpoint& view);       // unit
 
-// The eye goes round the target: `yaw` to the right about the vertical, `pitch` upwards, radians. The distance stays,
-// and the eye stays half a degree off the poles, where up and forward are one.
-Viewpoint orbited(const Viewpoint& view, double yaw, double pitch);
+// Eye and target go round `pivot`, which stays where it is in the picture: `yaw` to the right about the vertical,
+// `pitch` upwards, radians. Distances stay, and the view stays half a degree off the poles, where up and forward are
+// one.
+Viewpoint orbited(const Viewpoint& view, const dvec3& pivot, double yaw, double pitch);
+
+// The point `depth_m` ahead of a camera without roll, `from_middle_px` from the middle of its picture (y down), where a
+// pixel is `metres_per_px` large.
+dvec3 pointAt(const Viewpoint& view, const dvec2& from_middle_px, double metres_per_px, double depth_m);
 
 // The view turns about the eye: `yaw` to the right, `pitch` upwards, radians; same limit.
 Viewpoint turned(const Viewpoint& view, double yaw, double pitch);

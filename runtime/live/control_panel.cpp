@@ -5,9 +5,15 @@
 #include <cstring>
 
 #include "live/sweep_axis.h"
-#include "live/widgets.h"
 
 namespace strobe::live {
+
+void slidePlace(const Widget& slider, double value) {
+  ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  ImU32 color = ImGui::GetColorU32(ImGui::IsItemActive() ? ImGuiCol_SliderGrabActive : ImGuiCol_SliderGrab);
+  float end = low.x + (high.x - low.x) * float(shareOf(slider, value));
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(low.x, high.y - 3), ImVec2(std::max(end, low.x + 3), high.y), color);
+}
 
 namespace {
 
@@ -44,8 +50,11 @@ bool dragOrSlide(const Widget& widget, ImGuiDataType type, Number& shown, float 
   Number low = Number(widget.low), high = Number(widget.high);
   ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | (widget.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
   bool limited = widget.low < widget.high;
-  if (widget.kind == Widget::Kind::IntSlider || widget.kind == Widget::Kind::FloatSlider)
-    return ImGui::SliderScalar("##value", type, &shown, &low, &high, format.c_str(), flags);
+  if (widget.kind == Widget::Kind::IntSlider || widget.kind == Widget::Kind::FloatSlider) {
+    bool changed = slider("##value", type, &shown, &low, &high, format.c_str(), flags);
+    slidePlace(widget, double(shown));
+    return changed;
+  }
   return ImGui::DragScalar("##value", type, &shown, speed, limited ? &low : nullptr, limited ? &high : nullptr,
                            format.c_str(), flags);
 }
@@ -60,7 +69,7 @@ Edit integer(const Widget& widget, const plan::Value& value) {
 
 Edit number(Widget widget, const plan::ParamDesc& declaration, const plan::Value& value) {
   double shown = std::get<double>(value);
-  if (declaration.has_auto && shown == plan::kAuto) widget.format = "auto";
+  if (isOpen(declaration, shown)) widget.format = "auto";
   float speed = float(std::max(1e-3, std::abs(shown) * 0.005));
   bool changed = dragOrSlide(widget, ImGuiDataType_Double, shown, speed, widget.format);
   return {changed, lab::plainText(shown)};
@@ -70,7 +79,8 @@ Edit line(const plan::Value& value) {
   char buffer[512];
   std::string current = lab::plainText(value);
   std::snprintf(buffer, sizeof(buffer), "%s", current.c_str());
-  bool changed = ImGui::InputText("##value", buffer, sizeof(buffer), ImGuiInputTextFlags_EnterReturnsTrue);
+  bool changed =
+      ImGui::InputTextWithHint("##value", "none", buffer, sizeof(buffer), ImGuiInputTextFlags_EnterReturnsTrue);
   return {changed && buffer != current, buffer};
 }
 
@@ -159,13 +169,20 @@ void drawControl(const Fonts& fonts, Desk& desk, PanelState& state, const lab::C
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
   float top = ImGui::GetCursorScreenPos().y;
+  // An idle control can be set: another value may make it count.
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, control.idle.empty() ? 1.0f : 0.42f);
   textIn(fonts.text, nameColour(control), shortName(control));
+  ImGui::PopStyleVar();
   tooltip(tooltipOf(control));
   ImGui::TableNextColumn();
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, control.idle.empty() ? 1.0f : 0.42f);
   Edit edit = showWidget(asHeld(control, of_b));
+  ImGui::PopStyleVar();
   takeEdit(desk, state, control, edit);
   bool plain = control.declaration.values.empty();
-  tooltip(plain ? control.declaration.doc : "");
+  std::string idle = control.idle.empty() ? "" : "changes nothing: " + control.idle;
+  std::string doc = plain ? control.declaration.doc : "";
+  tooltip(doc + (doc.empty() || idle.empty() ? "" : "\n\n") + idle);
   ImGui::TableNextColumn();
   sweepButton(state, control);
   if (isPointed(top)) state.pointed_control = name;

@@ -4,19 +4,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 
-#include "lab/views.h"
-#include "live/gathered_truth.h"
 #include "live/pinned_pixel.h"
-#include "live/sides.h"
+#include "live/shown.h"
 #include "live/widgets.h"
 
 namespace strobe::live {
-
-enum class Mode { Single, Wipe, Flicker, Difference, Error };
-const std::vector<std::string>& modeNames();  // in the order of `Mode`
-Mode modeNamed(const std::string& name);      // throws `Error` with the nearest
-bool comparesWithB(Mode mode);
 
 struct DeskOptions {
   lab::Shot shot;
@@ -24,25 +18,6 @@ struct DeskOptions {
   script::Settings versus_sets;  // of B
   std::string truth;             // what errors are measured against; "" for the pipeline that declares kind = "truth"
   Path out;                      // pictures are saved here
-};
-
-// What is looked at and how.
-struct Look {
-  std::string port = "color";  // an output, or "node.port"
-  lab::ViewOptions view;
-  Mode mode = Mode::Single;
-  bool single_b = false;  // Mode::Single shows B
-  double wipe = 0.5;      // of the width
-  double gain = 4;        // of differences and errors: full scale at 1 / gain
-  bool operator==(const Look&) const = default;
-};
-
-// A value of the picture under the pointer, as the pass wrote it.
-struct PixelValue {
-  std::string port, format;
-  int x = 0, y = 0;            // in its image
-  std::vector<double> values;  // integers are exact
-  bool integers = false;
 };
 
 class Desk {
@@ -69,16 +44,20 @@ class Desk {
   void viewPort(const std::string& port);     // throws `Error` with the nearest name
   std::vector<std::string> viewable() const;  // outputs, then every port
   void setMode(Mode mode);                    // throws `Error` where there is no B to show
-  // The value of what the picture shows at a pixel of the frame; nothing outside of it.
-  std::optional<PixelValue> valueAt(int x, int y) const;
+  // The value that the picture shows at a pixel, of the side that it shows there; after a difference or an error, the
+  // colours behind it. Empty outside of the frame.
+  std::vector<PixelValue> valuesAt(int x, int y, int window_frame) const;
   void pin(int x, int y) { pixel_.pin(shot(), x, y); }
 
   // ---- a turn: looks for edited files, draws what is stale, gathers truth. True where there is something new to show.
-  bool turn();
+  // `felt` (may be empty) is true if input waits; it ends a step of truth early.
+  bool turn(const std::function<bool()>& felt = {});
   // Whether the next turn has work without any input.
   bool busy() const;
   // The picture as it is shown, `window_frame` choosing the side that flickers; cached until something changes.
   const image::Image& picture(int window_frame);
+  // Its legends: of A or of both sides; of B if that is another one.
+  const std::array<lab::Legend, 2>& legends() const { return legends_; }
   bool pictureChanged(int window_frame) const;
 
   // So many are gathered in every mode, the more of the two: for who looks, and for the sweep.
@@ -94,9 +73,7 @@ class Desk {
   bool gathersTruth() const {
     return look_.mode == Mode::Error || std::max(truth_wanted_, truth_of_sweep_) > truth_.samples(shot());
   }
-  const Side& sideShown(int window_frame) const;
-  image::Image shownSide(const Side& side) const;
-  image::Image compose(int window_frame) const;
+  Shown shown(int window_frame) const;
 
   DeskOptions options_;
   Sides sides_;
@@ -105,6 +82,7 @@ class Desk {
   PinnedPixel pixel_;
   Look look_, shown_look_;
   image::Image picture_;
+  std::array<lab::Legend, 2> legends_;
   bool picture_stale_ = true, picture_of_b_ = false;
 };
 

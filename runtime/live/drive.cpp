@@ -16,7 +16,7 @@ const std::vector<CommandForm>& commandForms() {
       {"wait", "N", "let N frames of the window pass"},
       {"frame", "N", "go to frame N"},
       {"play", "on|off", "play from here, one frame number per frame drawn"},
-      {"orbit", "DX DY", "drag the picture by pixels of the window: the camera goes round what it looks at"},
+      {"orbit", "DX DY", "drag the picture by pixels of the window: the camera turns about the point in its middle"},
       {"view", "PORT", "show an output or NODE.PORT"},
       {"kind", "NAME", "show it as colour, depth, ...; auto chooses"},
       {"mode", "MODE", "single, wipe, flicker, difference or error"},

@@ -52,9 +52,11 @@ void DrivenWindow::addShotHandlers(Handlers& handlers) {
   handlers["frame"] = [this](const Command& c) { return parts_.desk.goToFrame(integerOf(c, 0)), true; };
   handlers["play"] = [this](const Command& c) { return parts_.desk.playing = onOff(c), true; };
   handlers["orbit"] = [this](const Command& c) {
-    parts_.desk.sides().setViewpoint(orbited(parts_.desk.sides().viewpoint(), -numberOf(c, 0) * kRadiansPerPixel,
-                                             numberOf(c, 1) * kRadiansPerPixel));
-    return true;
+    Sides& sides = parts_.desk.sides();
+    const lab::Shot& shot = parts_.desk.shot();
+    dvec3 pivot = sides.pivotAt(dvec2(shot.width, shot.height) / 2.0);
+    dvec2 turn = dvec2(-numberOf(c, 0), numberOf(c, 1)) * kRadiansPerPixel;
+    return sides.setViewpoint(orbited(sides.viewpoint(), pivot, turn.x, turn.y)), true;
   };
   handlers["expect"] = [this](const Command& c) {
     for (const lab::Control& control : parts_.desk.a().session->controls()) {

@@ -6,8 +6,7 @@
 
 namespace strobe::live {
 
-static const double kBudget_s = 0.03;  // of a turn, so that the window stays responsive
-static const int kEnough = 4096;       // what is left of the noise then is less than a display's 8 bits show
+static const double kTurn_s = 0.03;  // of a turn, so that the window stays responsive
 
 std::string GatheredTruth::keyOf(const lab::Shot& shot) {
   lab::Shot truth = shot;
@@ -22,7 +21,7 @@ int GatheredTruth::samples(const lab::Shot& shot) const { return key_ == keyOf(s
 
 bool GatheredTruth::isComplete(const lab::Shot& shot) const { return samples(shot) >= kEnough || !problem_.empty(); }
 
-bool GatheredTruth::gather(const lab::Shot& shot) {
+bool GatheredTruth::gather(const lab::Shot& shot, const std::function<bool()>& felt) {
   bool anew = keyOf(shot) != key_;
   if (!anew && isComplete(shot)) return false;
   double started_s = clockSeconds();
@@ -32,7 +31,9 @@ bool GatheredTruth::gather(const lab::Shot& shot) {
       key_ = keyOf(shot);
       truth_.restart(shot);
     }
-    while (truth_.step() && clockSeconds() - started_s < kBudget_s) continue;
+    auto in_time = [&] { return clockSeconds() - started_s < kTurn_s; };
+    auto goes_on = [&] { return !felt || in_time() || !felt(); };
+    while (truth_.step(kEnough - truth_.samples(), goes_on) && in_time()) continue;
   } catch (const Error& error) {
     problem_ = error.what();
   }

@@ -55,7 +55,7 @@ const std::vector<HeldKey>& heldKeys() {
 
 const std::vector<Gesture>& gestures() {
   static const std::vector<Gesture> table = {
-      {"drag", "orbit round what the camera looks at; of a wipe, its line"},
+      {"drag", "orbit round the point under the pointer; of a wipe, its line"},
       {"right drag", "look around"},
       {"Shift + drag", "move the camera sideways"},
       {"wheel", "go nearer or farther"},

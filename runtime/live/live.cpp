@@ -36,6 +36,7 @@ class Gui {
     ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     fonts_ = applyStyle();
     ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
+    window.queueInput();
   }
   ~Gui() {
     ImGui_ImplGlfw_Shutdown();
@@ -45,7 +46,38 @@ class Gui {
   Gui& operator=(const Gui&) = delete;
   const Fonts& fonts() const { return fonts_; }
 
+  // Begins a frame with the keys and buttons whose turn it is.
+  static void beginFrame(Window& window) {
+    for (const InputEvent& event : window.input().take(ImGui::GetIO().WantTextInput)) {
+      if (event.kind == InputEvent::Kind::Key)
+        ImGui_ImplGlfw_KeyCallback(window.handle(), event.code, event.scancode, event.action, event.mods);
+      if (event.kind == InputEvent::Kind::Text) ImGui_ImplGlfw_CharCallback(window.handle(), unsigned(event.code));
+    }
+    ImGui_ImplGlfw_NewFrame();
+    pointAndPress(window.input());
+  }
+
  private:
+  // Replaces the backend's state of pointer and buttons, which is that after all events, by the state after this batch.
+  static void pointAndPress(const InputQueue& input) {
+    ImGuiIO& io = ImGui::GetIO();
+    if (const dvec2* at = input.pointer()) setPointer(*at);
+    for (int button = 0; button < 3; ++button) {
+#if IMGUI_VERSION_NUM >= 18700  // from here on, positions and buttons are events
+      io.AddMouseButtonEvent(button, input.isDown(button));
+#else
+      io.MouseDown[button] = input.isDown(button);
+#endif
+    }
+  }
+  static void setPointer(const dvec2& at) {
+#if IMGUI_VERSION_NUM >= 18700
+    ImGui::GetIO().AddMousePosEvent(float(at.x), float(at.y));
+#else
+    ImGui::GetIO().MousePos = ImVec2(float(at.x), float(at.y));
+#endif
+  }
+
   Fonts fonts_;
 };
 
@@ -85,7 +117,6 @@ class Live {
   void keepRecording();
   Path stopRecording(const Path& script);
   void sendToTev();
-  void holdPressedKeys(bool down);
   DrivenParts drivenParts();
 
   LiveOptions options_;
@@ -261,9 +292,8 @@ std::map<Action, std::function<void()>> Live::actions() {
 }
 
 void Live::takeKeys() {
-  if (!ImGui::GetIO().WantTextInput)
-    for (int key : window_.pressed())
-      if (Action action = actionOf(key); action != Action::None) state_.requests.push_back(action);
+  for (int key : window_.input().takePressed())
+    if (Action action = actionOf(key); action != Action::None) state_.requests.push_back(action);
   for (Action action : std::exchange(state_.requests, {})) attempt(state_, actions_.at(action));
   std::string swept = std::exchange(state_.swept_control, "");
   if (!swept.empty()) attempt(state_, [&] { sweeper_.open(desk_, swept, state_.controls_of_b && desk_.b()); });
@@ -276,14 +306,6 @@ void Live::sendToTev() {
   for (const auto& [name, image] : desk_.a().frame.outputs) tev_->send(name, image);
 }
 
-// A key that went up again since the last frame was down all the same: frames of a software device take long.
-void Live::holdPressedKeys([[maybe_unused]] bool down) {
-#if IMGUI_VERSION_NUM < 18700  // from here on, keys are events
-  for (int key : window_.pressed())
-    if (key >= 256 && !window_.isDown(key)) ImGui::GetIO().KeysDown[key] = down;
-#endif
-}
-
 void Live::drawWindow() {
   const image::Image& shown = desk_.picture(state_.window_frame);
   ++state_.window_frame;
@@ -292,19 +314,18 @@ void Live::drawWindow() {
   // A picture made smaller needs its pixels mixed; one enlarged shows them as they are.
   bool smooth = shown.width > width || shown.height > height;
   surface_.upload(picture_, "picture", shown, smooth);
+  view_.prepare(surface_, desk_);
   sweep_panel_.prepare(surface_, sweeper_, desk_.look().view.exposure_stops);
 
-  ImGui_ImplGlfw_NewFrame();
+  Gui::beginFrame(window_);
   if (drive_) drive_->point(view_);
-  holdPressedKeys(true);
   ImGui::NewFrame();
   Area area = drawPanels(gui_.fonts(), desk_, state_);
   area = sweep_panel_.draw(gui_.fonts(), desk_, sweeper_, state_, area);
-  view_.interact(desk_, state_, area, window_);
+  view_.interact(desk_, state_, area, window_.input());
   view_.draw(gui_.fonts(), desk_, state_, area, *picture_);
   drawOverlays(gui_.fonts(), desk_, state_, area);
   ImGui::Render();
-  holdPressedKeys(false);
   image::Image shot;
   bool done = surface_.show(*ImGui::GetDrawData(), width, height, screenshot_ ? &shot : nullptr);
   if (!screenshot_ || !done) return;
@@ -320,9 +341,11 @@ void Live::turn() {
   bool spoke = state_.speaks();
   bool awake = settle_ > 0 || desk_.busy() || sweeper_.busy() || (drive_ && !drive_->done());
   window_.takeEvents(awake ? 0 : desk_.sides().evaluate() ? kEvaluates_s : kIdle_s);
-  if (window_.stirred() || spoke != state_.speaks()) settle_ = kSettleFrames;
+  if (window_.stirred() || !window_.input().empty() || spoke != state_.speaks()) settle_ = kSettleFrames;
+  window_.settle();
   if (drive_) drive_->advance();
-  bool news = desk_.turn();
+  if (recording_) recording_->lookAtFiles();
+  bool news = desk_.turn([this] { return window_.takeEvents(0), window_.stirred(); });
   if (std::string message = desk_.sides().takeMessage(); !message.empty()) state_.say(message);
   if (news) sendToTev();
   if (recording_) recording_->look(desk_, ImGui::IsAnyMouseDown() || desk_.playing);

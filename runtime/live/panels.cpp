@@ -2,6 +2,7 @@
 #include "live/panels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/log.h"
@@ -12,8 +13,9 @@ namespace strobe::live {
 
 namespace {
 
-constexpr float kSide = 340, kLeastSide = 190, kTop = 40, kBottom = 74, kHelpWidth = 92;
-constexpr double kMessage_s = 4;  // a bad one twice as long
+constexpr float kSide = 340, kLeastSide = 190, kTop = 40, kHelpWidth = 92;
+constexpr float kBottom = 61, kPadding = 12, kMostCommandLines = 3;  // of the bar without its command; of a panel
+constexpr double kMessage_s = 4;                                     // a bad one twice as long
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
@@ -43,6 +45,15 @@ void row(const char* name) {
   ImGui::TextDisabled("%s", name);
   ImGui::SameLine(96);
   ImGui::SetNextItemWidth(-1);
+}
+
+// A slider of a number between `ends`; on a logarithmic scale where the lower one is above 0.
+bool floatSlider(const char* id, float& value, std::array<float, 2> ends, const char* format) {
+  const bool logarithmic = ends[0] > 0;
+  bool changed = slider(id, ImGuiDataType_Float, &value, &ends[0], &ends[1], format,
+                        logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+  slidePlace({Widget::Kind::FloatSlider, ends[0], ends[1], logarithmic, ""}, value);
+  return changed;
 }
 
 // Wide panels in a wide window; a small one leaves nearly half of itself to the picture.
@@ -80,24 +91,31 @@ void viewPart(const Fonts& fonts, Desk& desk, PanelState& state) {
   heading(fonts, "View");
   Look& look = desk.look();
   std::string chosen;
+  // Errors and differences are of the colour, on a scale of their own.
+  const bool compares = desk.look().isOfColour();
+  ImGui::BeginDisabled(compares);
   row("image");
-  if (combo("##port", look.port, desk.viewable(), chosen)) attempt(state, [&] { desk.viewPort(chosen); });
-  tooltip("any output of any pass; Up and Down go through them");
+  if (combo("##port", compares ? "color" : look.port, desk.viewable(), chosen))
+    attempt(state, [&] { desk.viewPort(chosen); });
+  tooltip(compares ? modeNames()[size_t(look.mode)] + " is of the colour, whatever image is chosen"
+                   : "any output of any pass; Up and Down go through them");
   row("as");
   const graph::ReadImage* viewed = desk.a().image();
   std::vector<std::string> kinds = viewed ? lab::viewKinds(*viewed) : std::vector<std::string>{"auto"};
-  if (combo("##kind", look.view.kind, kinds, chosen)) look.view.kind = chosen;
+  if (combo("##kind", compares ? modeNames()[size_t(look.mode)] : look.view.kind, kinds, chosen))
+    look.view.kind = chosen;
   float stops = float(look.view.exposure_stops);
   row("brightness");
-  if (ImGui::SliderFloat("##stops", &stops, -6, 6, "%+.1f stops")) look.view.exposure_stops = stops;
+  if (floatSlider("##stops", stops, {-6, 6}, "%+.1f stops")) look.view.exposure_stops = stops;
   tooltip("of the picture in this window; saved pictures are not touched");
   float range[2] = {float(look.view.low), float(look.view.high)};
   row("scale");
-  if (ImGui::DragFloat2("##range", range, 0.01f, 0, 0, "%.4g")) {
+  if (ImGui::DragFloat2("##range", range, 0.01f, 0, 0, range[0] == range[1] ? "auto" : "%.4g")) {
     look.view.low = range[0];
     look.view.high = range[1];
   }
-  tooltip("ends of the scale of depths, velocities and other numbers; two equal ends: from the image");
+  tooltip("ends of the scale of depths, velocities and other numbers; auto (two equal ends): from the image");
+  ImGui::EndDisabled();
 }
 
 // ---- right: comparison
@@ -127,7 +145,7 @@ void modeButtons(Desk& desk, PanelState& state) {
     if (ImGui::Button(modeNames()[i].c_str())) attempt(state, [&] { desk.setMode(mode); });
     ImGui::PopID();
     ImGui::PopStyleColor();
-    tooltip(keys()[size_t(Action::ShowSingle) - 1 + i].doc);
+    tooltipAbove(keys()[size_t(Action::ShowSingle) - 1 + i].doc);
     ImGui::EndDisabled();
   }
 }
@@ -149,9 +167,13 @@ void errorTable(const Fonts& fonts, Desk& desk) {
   side("A", colours::kAccent, desk.a());
   if (desk.b()) side("B", colours::kOther, *desk.b());
   ImGui::EndTable();
-  if (desk.truth().samples(desk.shot()) > 0)
+  int samples = desk.truth().samples(desk.shot());
+  if (samples > 0)
     textIn(fonts.small, colours::kDim,
-           fmt::format("RMSE against {} of {} samples", desk.truth().pipeline(), desk.truth().samples(desk.shot())));
+           fmt::format("RMSE against {} of {}", desk.truth().pipeline(), samplesText(samples, GatheredTruth::kEnough)));
+  else
+    textIn(fonts.small, colours::kDim,
+           desk.look().mode == Mode::Error ? "truth begins" : "choose error (5) to gather truth for an RMSE");
 }
 
 // What is set differently on the two sides.
@@ -172,21 +194,36 @@ void differences(const Fonts& fonts, Desk& desk) {
   ImGui::TreePop();
 }
 
-void comparePart(const Fonts& fonts, Desk& desk, PanelState& state) {
-  heading(fonts, "Compare");
-  versusChoice(desk, state);
-  modeButtons(desk, state);
+// The setting of the mode, one row in every mode, so that the rows below keep their place.
+void modePart(const Fonts& fonts, Desk& desk) {
   Look& look = desk.look();
-  if (look.mode == Mode::Difference || look.mode == Mode::Error) {
+  if (desk.look().isOfColour()) {
     float gain = float(look.gain);
     row("gain");
-    if (ImGui::SliderFloat("##gain", &gain, 0.5f, 256, "%.3g x", ImGuiSliderFlags_Logarithmic)) look.gain = gain;
-    tooltip("full scale of the colours is 1 / gain of linear radiance");
+    if (floatSlider("##gain", gain, {0.5f, 256}, "%.3g x")) look.gain = gain;
+    return tooltip("full scale of the colours is 1 / gain of linear radiance");
+  }
+  if (look.mode == Mode::Wipe) {
+    float at = 100 * float(look.wipe);
+    row("line at");
+    if (floatSlider("##wipe", at, {0, 100}, "%.0f %% of the width")) look.wipe = at / 100;
+    return tooltip("drag the line in the picture as well");
   }
   if (look.mode == Mode::Single && desk.b()) {
     bool other = look.single_b;
     if (ImGui::Checkbox("show B", &other)) look.single_b = other;
+    return;
   }
+  ImGui::AlignTextToFramePadding();
+  textIn(fonts.small, colours::kDim, desk.b() ? "A and B in turns" : "choose a B, or see the error of A alone (5)");
+}
+
+void comparePart(const Fonts& fonts, Desk& desk, PanelState& state) {
+  heading(fonts, "Compare");
+  versusChoice(desk, state);
+  modeButtons(desk, state);
+  modePart(fonts, desk);
+  Look& look = desk.look();
   if (desk.b() || look.mode == Mode::Error) errorTable(fonts, desk);
   differences(fonts, desk);
 }
@@ -216,29 +253,56 @@ std::string msText(const std::optional<double>& ms) {
   return *ms >= 100 ? fmt::format("{:.0f}", *ms) : *ms >= 10 ? fmt::format("{:.1f}", *ms) : fmt::format("{:.2f}", *ms);
 }
 
-void timeRow(const Fonts& fonts, const TimeHistory::Row& times, ImU32 color) {
-  ImGui::TableNextRow();
+void timeCell(const Fonts& fonts, const TimeHistory::Row* times, ImU32 color) {
   ImGui::TableNextColumn();
-  textIn(fonts.small, color, times.name);
-  ImGui::TableNextColumn();
-  textIn(fonts.mono, color, fmt::format("{:>7}", msText(times.median())));
+  if (!times) return;
+  textIn(fonts.mono, color, fmt::format("{:>7}", msText(times->median())));
   tooltip(fmt::format(
       "{}\nlast frame {} ms, median of the frames at the right {} ms\na void frame (its pipelines were new) "
       "is not counted",
-      times.name, msText(times.latest()), msText(times.median())));
-  ImGui::TableNextColumn();
-  sparkline(times, ImGui::GetContentRegionAvail().x, 14);
+      times->name, msText(times->latest()), msText(times->median())));
 }
 
-void timesPart(const Fonts& fonts, const char* title, const Side& side) {
-  heading(fonts, title);
-  if (!ImGui::BeginTable("times", 3, ImGuiTableFlags_SizingFixedFit)) return;
-  float history = std::clamp(ImGui::GetContentRegionAvail().x - 220, 10.0f, 96.0f);
+// A row of A's time and, where there is a B, of its time; of A's history, or of B's where A has not that pass.
+void timeRow(const Fonts& fonts, const TimeHistory::Row* a, const TimeHistory::Row* b, bool two, ImU32 color) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  textIn(fonts.small, color, (a ? a : b)->name);
+  timeCell(fonts, a, color);
+  if (two) timeCell(fonts, b, color);
+  ImGui::TableNextColumn();
+  sparkline(*(a ? a : b), ImGui::GetContentRegionAvail().x, 14);
+}
+
+const TimeHistory::Row* passNamed(const Side* side, const std::string& name) {
+  if (!side) return nullptr;
+  for (const TimeHistory::Row& row : side->times.passes())
+    if (row.name == name) return &row;
+  return nullptr;
+}
+
+// Passes of A in their order, then the passes of B alone. A and B share rows.
+void timesPart(const Fonts& fonts, Desk& desk) {
+  heading(fonts, "GPU time, ms");
+  const Side &a = desk.a(), *b = desk.b();
+  if (!ImGui::BeginTable("times", b ? 4 : 3, ImGuiTableFlags_SizingFixedFit)) return;
+  float history = std::clamp(ImGui::GetContentRegionAvail().x - 220 - (b ? 58 : 0), 10.0f, 96.0f);
   ImGui::TableSetupColumn("pass", ImGuiTableColumnFlags_WidthStretch);
-  ImGui::TableSetupColumn("ms", ImGuiTableColumnFlags_WidthFixed, 58);
+  ImGui::TableSetupColumn("A", ImGuiTableColumnFlags_WidthFixed, 58);
+  if (b) ImGui::TableSetupColumn("B", ImGuiTableColumnFlags_WidthFixed, 58);
   ImGui::TableSetupColumn("history", ImGuiTableColumnFlags_WidthFixed, history);
-  timeRow(fonts, side.times.total(), colours::kText);
-  for (const TimeHistory::Row& pass : side.times.passes()) timeRow(fonts, pass, colours::kDim);
+  if (b) {
+    ImGui::TableNextRow();
+    ImGui::TableSetColumnIndex(1);
+    textIn(fonts.bold, colours::kAccent, "      A");
+    ImGui::TableNextColumn();
+    textIn(fonts.bold, colours::kOther, "      B");
+  }
+  timeRow(fonts, &a.times.total(), b ? &b->times.total() : nullptr, b, colours::kText);
+  for (const TimeHistory::Row& pass : a.times.passes())
+    timeRow(fonts, &pass, passNamed(b, pass.name), b, colours::kDim);
+  for (const TimeHistory::Row& pass : b ? b->times.passes() : std::vector<TimeHistory::Row>())
+    if (!passNamed(&a, pass.name)) timeRow(fonts, nullptr, &pass, true, colours::kDim);
   ImGui::EndTable();
 }
 
@@ -252,6 +316,21 @@ void limitsPart(const Fonts& fonts, const char* title, const Side& side) {
 
 // ---- right: the pinned pixel
 
+// Name, value and meaning, wrapped.
+void trailLine(const Fonts& fonts, const TrailLine& line) {
+  textIn(fonts.small, line.heading ? colours::kAccent : colours::kText, line.name);
+  tooltip(line.doc);
+  if (!line.value.empty()) {
+    ImVec2 wide = fonts.mono->CalcTextSizeA(fonts.mono->FontSize, FLT_MAX, 0, line.value.c_str());
+    float left = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + 10;
+    bool beside = left + wide.x < ImGui::GetContentRegionMax().x;
+    if (beside) ImGui::SameLine(ImGui::GetContentRegionMax().x - wide.x);
+    wrappedIn(fonts.mono, colours::kText, line.value);
+  }
+  if (!line.meaning.empty()) wrappedIn(fonts.small, colours::kDim, line.meaning);
+  ImGui::Dummy(ImVec2(0, 1));
+}
+
 void trailPart(const Fonts& fonts, Desk& desk, PanelState& state) {
   if (!desk.pixel().at()) return;
   auto [x, y] = *desk.pixel().at();
@@ -263,20 +342,11 @@ void trailPart(const Fonts& fonts, Desk& desk, PanelState& state) {
     });
   ImGui::SameLine();
   if (ImGui::Button("let go")) return desk.pixel().unpin();
-  ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollY;
-  if (!ImGui::BeginTable("trail", 2, flags, ImVec2(0, 240))) return;
-  ImGui::TableSetupColumn("image", ImGuiTableColumnFlags_WidthFixed, 140);
-  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
-  for (const TrailLine& line : desk.pixel().lines()) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    textIn(fonts.small, line.heading ? colours::kAccent : colours::kDim, line.name);
-    tooltip(line.doc);
-    ImGui::TableNextColumn();
-    textIn(fonts.small, colours::kText, line.value);
-    tooltip(line.value);
-  }
-  ImGui::EndTable();
+  // Leaves room for the first times below; longer trails scroll.
+  float height = std::max(240.0f, ImGui::GetContentRegionAvail().y - 130);
+  ImGui::BeginChild("trail", ImVec2(0, height));
+  for (const TrailLine& line : desk.pixel().lines()) trailLine(fonts, line);
+  ImGui::EndChild();
 }
 
 void rightPanel(const Fonts& fonts, Desk& desk, PanelState& state, float x, float width, float height) {
@@ -286,19 +356,20 @@ void rightPanel(const Fonts& fonts, Desk& desk, PanelState& state, float x, floa
   trailPart(fonts, desk, state);
   limitsPart(fonts, desk.b() ? "Limits met by A" : "Limits met", desk.a());
   if (desk.b()) limitsPart(fonts, "Limits met by B", *desk.b());
-  timesPart(fonts, desk.b() ? "GPU time of A, ms" : "GPU time, ms", desk.a());
-  if (desk.b()) {
-    ImGui::PushID("b");
-    timesPart(fonts, "GPU time of B, ms", *desk.b());
-    ImGui::PopID();
-  }
+  timesPart(fonts, desk);
   ImGui::End();
 }
 
 // ---- bottom
 
-void bottomBar(const Fonts& fonts, Desk& desk, PanelState& state, float width, float y) {
-  beginPanel("bottom", 0, y, width, kBottom);
+// Lines that the command takes at the bottom: nearly always one, of a long one most.
+float commandHeight(const Fonts& fonts, const std::string& command, float width) {
+  float tall = fonts.mono->CalcTextSizeA(fonts.mono->FontSize, FLT_MAX, width - 2 * kPadding, command.c_str()).y;
+  return std::min(tall, kMostCommandLines * fonts.mono->FontSize);
+}
+
+void bottomBar(const Fonts& fonts, Desk& desk, PanelState& state, float width, float y, float height) {
+  beginPanel("bottom", 0, y, width, height);
   auto press = [&](const char* label, const char* explanation, Action action, bool lit = false) {
     if (quietButton(label, explanation, lit)) state.requests.push_back(action);
     ImGui::SameLine(0, 2);
@@ -309,7 +380,10 @@ void bottomBar(const Fonts& fonts, Desk& desk, PanelState& state, float width, f
   press("\u25b6\u2759##ahead", "one frame ahead", Action::StepAhead);
   int frame = desk.shot().frame, last = std::max(desk.sides().lastFrame(), frame);
   ImGui::SetNextItemWidth(std::max(120.0f, width - 600));
-  if (ImGui::SliderInt("##frame", &frame, 0, last, "frame %d")) attempt(state, [&] { desk.goToFrame(frame); });
+  const int first = 0;
+  if (slider("##frame", ImGuiDataType_S32, &frame, &first, &last, "frame %d", ImGuiSliderFlags_None))
+    attempt(state, [&] { desk.goToFrame(frame); });
+  slidePlace({Widget::Kind::IntSlider, 0, double(last), false, ""}, frame);
   ImGui::SameLine(0, 14);
   press("save", "the picture with its run record (F2)", Action::Save);
   press("copy command", "that makes this picture (F4)", Action::CopyCommand);
@@ -318,7 +392,7 @@ void bottomBar(const Fonts& fonts, Desk& desk, PanelState& state, float width, f
         "what is done, as a capture script (F6)", Action::Record, state.recorded.has_value());
   press("fit", "the picture into the window (F)", Action::FitPicture);
   ImGui::NewLine();
-  textIn(fonts.mono, colours::kDim, lab::commandOf(desk.shot()));
+  wrappedIn(fonts.mono, colours::kDim, lab::commandOf(desk.shot()));
   tooltip(lab::commandOf(desk.shot()));
   ImGui::End();
 }
@@ -350,14 +424,15 @@ void attempt(PanelState& state, const std::function<void()>& change) {
 Area drawPanels(const Fonts& fonts, Desk& desk, PanelState& state) {
   ImVec2 size = ImGui::GetIO().DisplaySize;
   if (!state.panels) return {0, 0, size.x, size.y};
-  float middle = std::max(50.0f, size.y - kTop - kBottom);
+  float bottom = kBottom + commandHeight(fonts, lab::commandOf(desk.shot()), size.x);
+  float middle = std::max(50.0f, size.y - kTop - bottom);
   topBar(fonts, desk, state, size.x);
   float side = sideWidth(size.x);
   beginPanel("left", 0, kTop, side, middle);
   drawControls(fonts, desk, state);
   ImGui::End();
   rightPanel(fonts, desk, state, size.x - side, side, middle);
-  bottomBar(fonts, desk, state, size.x, kTop + middle);
+  bottomBar(fonts, desk, state, size.x, kTop + middle, bottom);
   return {side + 1, kTop + 1, std::max(50.0, double(size.x) - 2 * side - 2), double(middle) - 2};
 }
 

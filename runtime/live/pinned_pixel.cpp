@@ -35,30 +35,33 @@ Json PinnedPixel::json() const {
   return lab::toJson(*trail_);
 }
 
+// The fewest digits that read back to the same 32-bit float.
 static std::string numbersText(const std::vector<double>& values) {
   std::string text;
-  for (double value : values) text += fmt::format("{}{:.5g}", text.empty() ? "" : "  ", value);
+  for (double value : values) text += fmt::format("{}{}", text.empty() ? "" : "  ", float(value));
   return text;
+}
+
+static std::string valuesText(const lab::TrailRow& row) {
+  if (!row.integers.empty()) return fmt::format("{}", fmt::join(row.integers, "  "));
+  return row.values.empty() ? "-" : numbersText(row.values);
 }
 
 std::vector<TrailLine> PinnedPixel::lines() const {
   std::vector<TrailLine> lines;
   if (!trail_) return lines;
-  for (const lab::TrailRow& row : trail_->rows) {
-    std::vector<double> values = row.values;
-    if (values.empty()) values.assign(row.integers.begin(), row.integers.end());
-    std::string doc = fmt::format("{}.{}, {}, {}x{}, texel {}, {}\n{}", row.node, row.port, row.format, row.width,
-                                  row.height, row.x, row.y, row.doc);
-    lines.push_back({false, row.node + "." + row.port, numbersText(values), doc});
-  }
+  for (const lab::TrailRow& row : trail_->rows)
+    lines.push_back({false, row.node + "." + row.port, valuesText(row), row.doc,
+                     fmt::format("{}, {}x{}, texel {}, {}", row.format, row.width, row.height, row.x, row.y)});
   for (const lab::TrailHit& hit : trail_->hits) {
     lines.push_back(
         {true, fmt::format("{}. {}", hit.layer, hit.instance), fmt::format("{:.4g} m", hit.depth),
-         fmt::format("geometry {}, triangle {}, {} side", hit.geometry, hit.primitive, hit.front ? "front" : "back")});
+         fmt::format("geometry {}, triangle {}, {} side", hit.geometry, hit.primitive, hit.front ? "front" : "back"),
+         "a surface that the ray meets, with its linear view depth"});
     lines.push_back(
-        {false, "  velocity px", numbersText({hit.velocity.x, hit.velocity.y}), "over the exposure, y down"});
-    lines.push_back({false, "  normal", numbersText({hit.normal.x, hit.normal.y, hit.normal.z}), "world space"});
-    lines.push_back({false, "  colour", numbersText({hit.color.x, hit.color.y, hit.color.z}), "linear radiance"});
+        {false, "velocity px", numbersText({hit.velocity.x, hit.velocity.y}), "over the exposure, y down", ""});
+    lines.push_back({false, "normal", numbersText({hit.normal.x, hit.normal.y, hit.normal.z}), "world space", ""});
+    lines.push_back({false, "colour", numbersText({hit.color.x, hit.color.y, hit.color.z}), "linear radiance", ""});
   }
   return lines;
 }

@@ -9,7 +9,8 @@ namespace strobe::live {
 // A line of a pixel's trail, as a table shows it.
 struct TrailLine {
   bool heading = false;  // a surface its ray meets, rather than an image
-  std::string name, value, doc;
+  std::string name, value, meaning;
+  std::string doc;  // the rest: format, size, texel
 };
 
 class PinnedPixel {

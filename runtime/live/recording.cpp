@@ -17,7 +17,10 @@ namespace fs = std::filesystem;
 
 // ---- what the desk has drawn
 
-Recording::Recording(const Home& home, const Path& folder) : home_(home), folder_(folder) {}
+Recording::Recording(const Home& home, const Path& folder) : home_(home), folder_(folder) {
+  for (const Path& root : home.roots())
+    for (const char* part : FrozenHome::kParts) watch_.add(root / part);
+}
 
 namespace {
 
@@ -40,12 +43,49 @@ bool isDrawn(const Side& side) { return !side.stale && side.problem.empty() && s
 
 }  // namespace
 
-size_t Recording::version(const Desk& desk) {
-  if (desk.sides().swaps() != swaps_) {
-    swaps_ = desk.sides().swaps();
-    versions_.push_back(std::make_unique<FrozenHome>(home_, folder_ / std::to_string(versions_.size())));
+// Scripts, shaders and the rest of a version, one folder per root.
+static std::vector<Path> rootsOf(const std::vector<std::unique_ptr<FrozenHome>>& versions, size_t root) {
+  std::vector<Path> folders;
+  for (const auto& version : versions) folders.push_back(version->home().roots()[root]);
+  return folders;
+}
+
+// Names of the files that are not the same in all versions, below a root.
+static std::set<Path> edited(const std::vector<Path>& versions) {
+  std::set<Path> all, differing;
+  for (const Path& version : versions)
+    for (const auto& entry : fs::recursive_directory_iterator(version))
+      if (entry.is_regular_file()) all.insert(entry.path().lexically_relative(version));
+  for (const Path& name : all) {
+    auto content = [&](const Path& version) {
+      return fs::exists(version / name) ? std::optional(readText(version / name)) : std::nullopt;
+    };
+    for (const Path& version : versions)
+      if (content(version) != content(versions.front())) differing.insert(name);
   }
+  return differing;
+}
+
+// A changed file begins a version as soon as the desk has read the scripts, even if the picture stays the same: a new
+// file can be chosen from then on.
+size_t Recording::version(const Desk& desk) {
+  const bool swapped = desk.sides().swaps() != swaps_, read = changed_ && !desk.sides().evaluate();
+  if (!swapped && !read) return versions_.size() - 1;
+  swaps_ = desk.sides().swaps();
+  changed_ = false;
+  versions_.push_back(std::make_unique<FrozenHome>(home_, folder_ / std::to_string(versions_.size())));
+  if (swapped || isNew()) return versions_.size() - 1;
+  versions_.pop_back();
   return versions_.size() - 1;
+}
+
+// True if the last version differs from the one before.
+bool Recording::isNew() const {
+  for (size_t root = 0; root < home_.roots().size(); ++root) {
+    std::vector<Path> folders = rootsOf(versions_, root);
+    if (!edited({folders[folders.size() - 2], folders.back()}).empty()) return true;
+  }
+  return false;
 }
 
 void Recording::look(const Desk& desk, bool goes_on) {
@@ -91,22 +131,6 @@ namespace {
 
 // As inputs of a capture are named.
 std::string rootName(const Home& home, size_t root) { return root + 1 == home.roots().size() ? "strobe" : "project"; }
-
-// Names of the files that are not the same in all versions, below a root.
-std::set<Path> edited(const std::vector<Path>& versions) {
-  std::set<Path> all, differing;
-  for (const Path& version : versions)
-    for (const auto& entry : fs::recursive_directory_iterator(version))
-      if (entry.is_regular_file()) all.insert(entry.path().lexically_relative(version));
-  for (const Path& name : all) {
-    auto content = [&](const Path& version) {
-      return fs::exists(version / name) ? std::optional(readText(version / name)) : std::nullopt;
-    };
-    for (const Path& version : versions)
-      if (content(version) != content(versions.front())) differing.insert(name);
-  }
-  return differing;
-}
 
 }  // namespace
 
@@ -154,8 +178,7 @@ void Recording::write(const Path& script, const script::Limits& limits) const {
     return folder / edit;
   };
   for (size_t root = 0; root < home_.roots().size(); ++root) {
-    std::vector<Path> versions;
-    for (const auto& version : versions_) versions.push_back(version->home().roots()[root]);
+    std::vector<Path> versions = rootsOf(versions_, root);
     for (const Path& file : edited(versions))
       for (size_t i = 0; i < versions.size(); ++i) {
         const Path name = rootName(home_, root) / file;

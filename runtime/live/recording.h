@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "base/frozen_home.h"
+#include "base/watch.h"
 #include "live/desk.h"
 #include "live/moments.h"
 
@@ -18,6 +19,8 @@ class Recording {
   Recording(const Recording&) = delete;
   ~Recording();
 
+  // Before the desk looks at its files in a turn: notes whether any file of the home changed.
+  void lookAtFiles() { changed_ = watch_.changed() || changed_; }
   // Takes in what the desk has drawn, once per turn. `goes_on`: a button is down, or it plays.
   void look(const Desk& desk, bool goes_on);
   void markSaved(const Desk& desk);
@@ -30,11 +33,14 @@ class Recording {
 
  private:
   size_t version(const Desk& desk);  // of the files, as they are now
+  bool isNew() const;
 
   const Home& home_;
   Path folder_;
   std::vector<std::unique_ptr<FrozenHome>> versions_;
   int swaps_ = -1;
+  Watch watch_;
+  bool changed_ = false;  // a file changed since the last version, used by the picture or not
   Moments moments_;
 };
 

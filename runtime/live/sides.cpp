@@ -2,6 +2,7 @@
 #include "live/sides.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/log.h"
 #include "live/widgets.h"
@@ -21,6 +22,15 @@ const graph::ReadImage* Side::image() const {
     if (found != images->end()) return &found->second;
   }
   return nullptr;
+}
+
+std::optional<double> Side::depthAt(int x, int y) const {
+  auto found = frame.outputs.find(kDepth);
+  if (found == frame.outputs.end() || found->second.floats.empty()) return {};
+  const image::Image& depth = found->second.floats;
+  if (x < 0 || y < 0 || x >= depth.width || y >= depth.height) return {};
+  double metres = depth.at(x, y, 0);
+  return std::isfinite(metres) && metres > 0 ? std::optional(metres) : std::nullopt;
 }
 
 Sides::Sides(lab::Workbench& bench, lab::Shot shot, script::Settings versus_sets)
@@ -145,9 +155,25 @@ Viewpoint Sides::viewpoint() const {
   return viewpointOf(pose.world_from_camera, distanceToMiddle(a_.session->scene(), pose));
 }
 
-double Sides::verticalFov() const {
-  const scene::Scene& scene = a_.session->scene();
-  return scene.cameras[size_t(scene.nodes[size_t(cameraNodeOf(*a_.session))].camera)].vertical_fov;
+static const scene::Camera& cameraOf(const lab::Session& session) {
+  const scene::Scene& scene = session.scene();
+  return scene.cameras[size_t(scene.nodes[size_t(cameraNodeOf(session))].camera)];
+}
+
+double Sides::verticalFov() const { return cameraOf(*a_.session).vertical_fov; }
+
+dvec3 Sides::pivotAt(const dvec2& pixel) const {
+  const scene::Camera& camera = cameraOf(*a_.session);
+  const lab::Shot& shot = a_.session->shot();
+  const Viewpoint view = viewpoint();
+  const dvec2 middle = dvec2(shot.width, shot.height) / 2.0;
+  for (const dvec2& at : {pixel, middle}) {
+    std::optional<double> depth = a_.depthAt(int(std::floor(at.x)), int(std::floor(at.y)));
+    if (!depth) continue;
+    double half_height = camera.orthographic ? camera.half_height : *depth * std::tan(camera.vertical_fov / 2);
+    return pointAt(view, at - middle, 2 * half_height / shot.height, *depth);
+  }
+  return view.target;
 }
 
 void Sides::giveCameraBack() {
@@ -163,6 +189,7 @@ void Sides::report(const Side& side, const lab::Reload& reload) {
   std::string who = b_.session ? (&side == &a_ ? "A: " : "B: ") : "";
   note(who + lab::textOf(reload));
   if (!reload.reset.empty()) message_ = fmt::format("{}reset {}", who, fmt::join(reload.reset, "; "));
+  else if (!reload.choices.empty()) message_ = fmt::format("{}new choice {}", who, fmt::join(reload.choices, ", "));
   else if (reload.swapped && reload.problems.empty() && !reload.changed.empty())
     message_ = fmt::format("{}reloaded {}", who, fmt::join(reload.changed, ", "));
 }
@@ -207,7 +234,7 @@ void Sides::draw(Side& side, const std::string& port) {
       side.times.voidNext();
     }
     std::string shown = output || tapped ? port : kColor;
-    std::set<std::string> wanted = {kColor, shown};
+    std::set<std::string> wanted = {kColor, shown, Side::kDepth};
     graph::FrameResult frame = side.session->draw(&wanted);
     side.warnings = side.session->limitsMet(frame);
     side.frame = std::move(frame);

@@ -11,6 +11,8 @@ namespace strobe::live {
 
 // A session and the frame it drew last.
 struct Side {
+  static constexpr const char* kDepth = "depth";  // output that is read back with each frame, where there is one
+
   std::unique_ptr<lab::Session> session;
   graph::FrameResult frame;
   image::Image color;                 // linear, three channels; empty before the first frame
@@ -25,6 +27,8 @@ struct Side {
   bool isDue() const { return session && (stale || (problem.empty() && times.lastIsVoid())); }
   // The image that is looked at as it was read back, or null.
   const graph::ReadImage* image() const;
+  // Linear view depth at a pixel, metres; empty for the sky, and without an output "depth".
+  std::optional<double> depthAt(int x, int y) const;
 };
 
 class Sides {
@@ -50,7 +54,10 @@ class Sides {
 
   Viewpoint viewpoint() const;  // of A's camera
   double verticalFov() const;
-  void setViewpoint(const Viewpoint& view) { set("view", toText(view), "window"); }
+  // Pivot of a drag that begins at a pixel of A, world space: the point seen there, else the point in the middle of the
+  // picture, else the camera's target.
+  dvec3 pivotAt(const dvec2& pixel) const;
+  void setViewpoint(const Viewpoint& view) { set("view", toText(rounded(view)), "window"); }
   void giveCameraBack();
   int firstFrame() const { return first_frame_; }
   // The last frame of the loop (`scene::loopFrames`); play begins anew after it.

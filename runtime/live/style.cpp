@@ -36,9 +36,8 @@ void applyColours(ImGuiStyle& style) {
   c[ImGuiCol_FrameBg] = ImVec4(0.165f, 0.175f, 0.19f, 1);
   c[ImGuiCol_FrameBgHovered] = ImVec4(0.21f, 0.22f, 0.24f, 1);
   c[ImGuiCol_FrameBgActive] = ImVec4(0.24f, 0.25f, 0.275f, 1);
-  // The value is written across the slider: what shows its place must not outshine it.
-  c[ImGuiCol_SliderGrab] = ImVec4(0.55f, 0.60f, 0.68f, 0.42f);
-  c[ImGuiCol_SliderGrabActive] = mixed(colours::kAccent, 0.42f);
+  c[ImGuiCol_SliderGrab] = ImVec4(0.55f, 0.60f, 0.68f, 0.75f);
+  c[ImGuiCol_SliderGrabActive] = mixed(colours::kAccent, 0.85f);
   c[ImGuiCol_CheckMark] = mixed(colours::kAccent, 1);
   c[ImGuiCol_Button] = ImVec4(0.19f, 0.20f, 0.22f, 1);
   c[ImGuiCol_ButtonHovered] = ImVec4(0.25f, 0.265f, 0.29f, 1);
@@ -121,6 +120,22 @@ void tooltip(const std::string& text) {
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
+}
+
+void tooltipAbove(const std::string& text) {
+  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - 8;
+  ImGui::SetNextWindowPos(ImVec2(right, ImGui::GetItemRectMin().y - 4), ImGuiCond_Always, ImVec2(1, 1));
+  tooltip(text);
+}
+
+bool slider(const char* id, ImGuiDataType type, void* value, const void* low, const void* high, const char* format,
+            ImGuiSliderFlags flags) {
+  ImGui::PushStyleColor(ImGuiCol_SliderGrab, 0);
+  ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, 0);
+  bool changed = ImGui::SliderScalar(id, type, value, low, high, format, flags);
+  ImGui::PopStyleColor(2);
+  return changed;
 }
 
 bool quietButton(const char* label, const std::string& explanation, bool lit) {

@@ -39,8 +39,15 @@ void wrappedIn(ImFont* font, ImU32 color, const std::string& text, float width =
 // A heading of a part of a panel, with a line under it.
 void heading(const Fonts& fonts, const char* text);
 
-// The tooltip of the last item, wrapped; shown after a moment.
+// The tooltip of the last item, wrapped.
 void tooltip(const std::string& text);
+
+// The tooltip of the last item, above it: the rows below stay visible.
+void tooltipAbove(const std::string& text);
+
+// A slider without ImGui's grab, which would stand on the value.
+bool slider(const char* id, ImGuiDataType type, void* value, const void* low, const void* high, const char* format,
+            ImGuiSliderFlags flags);
 
 // A small button without a frame.
 bool quietButton(const char* label, const std::string& explanation, bool lit = false);

@@ -6,6 +6,7 @@
 
 #include "image/legend.h"
 #include "image/magma.h"
+#include "live/widgets.h"
 #include "page/number.h"
 
 namespace strobe::live {
@@ -116,10 +117,11 @@ std::string progressText(const Sweep& sweep, const Desk& desk) {
                      : sweep.samplesOwn()    ? "sampling each value's truth"
                      : sweep.timed() < count ? fmt::format("timing, {} of {} done", sweep.timed(), count)
                                              : fmt::format("{} values", count);
-  std::string against = sweep.samples() == 0 ? "no errors yet"
-                        : sweep.sharesTruth()
-                            ? fmt::format("RMSE against {} of {} samples", truth, sweep.samples())
-                            : fmt::format("RMSE against {} samples of each value's own truth", sweep.samples());
+  std::string against =
+      sweep.samples() == 0 ? "no errors yet"
+      : sweep.sharesTruth()
+          ? fmt::format("RMSE against {} of {}", truth, samplesText(sweep.samples(), Sweep::kEnough))
+          : fmt::format("RMSE against {} of each value's own truth", samplesText(sweep.samples(), Sweep::kOwnSamples));
   return fmt::format("{}  ·  {}  ·  ms of {} frames{}", done, against, Sweep::kRounds,
                      software ? ", software device" : "");
 }
@@ -280,6 +282,10 @@ void SweepPanel::drawHead(const Fonts& fonts, Desk& desk, Sweeper& sweeper, Pane
   }
   bool stale = sweeper.isStale(desk);
   std::string progress = progressText(sweeper.sweep(), desk);
+  for (const SweepForm& form : sweeper.forms())
+    if (!form.control.idle.empty())
+      progress =
+          fmt::format("{} changes nothing: {}  ·  {}", form.control.declaration.name, form.control.idle, progress);
   if (stale) progress = "stale: the picture has other values or files by now  ·  " + progress;
   textIn(fonts.small, stale ? colours::kBad : colours::kDim, progress);
   tooltip(progress);

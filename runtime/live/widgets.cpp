@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <sstream>
 
 namespace strobe::live {
@@ -50,6 +51,28 @@ Widget widgetOf(const plan::ParamDesc& declaration) {
   }
 }
 
+std::string samplesText(int have, int of) {
+  return have < of ? fmt::format("{} of {} samples", have, of) : fmt::format("{} samples", have);
+}
+
+double shareOf(const Widget& slider, double value) {
+  double low = slider.low, high = slider.high;
+  if (slider.logarithmic) {
+    // From 0 on, where ImGui begins too.
+    bool whole = slider.kind == Widget::Kind::IntSlider;
+    double least = low > 0 ? low : whole ? 0.1 : 1e-4;
+    return std::clamp(std::log(std::max(value, least) / least) / std::log(high / least), 0.0, 1.0);
+  }
+  return high > low ? std::clamp((value - low) / (high - low), 0.0, 1.0) : 0;
+}
+
+bool isOpen(const plan::ParamDesc& declaration, double value) { return declaration.min && value < *declaration.min; }
+
+static std::string valueText(const plan::ParamDesc& declaration, const plan::Value& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number && isOpen(declaration, *number) ? "auto" : lab::plainText(declaration, value);
+}
+
 static std::string rangeText(const plan::ParamDesc& declaration) {
   std::string unit = declaration.unit.empty() ? "" : " " + declaration.unit;
   std::string or_auto = declaration.has_auto ? ", or auto" : "";
@@ -69,7 +92,8 @@ std::string tooltipOf(const lab::Control& control) {
   if (!range.empty()) text += "\n" + range;
   for (const auto& [choice, meaning] : declaration.values) text += fmt::format("\n\n{}: {}", choice, meaning);
   text += fmt::format("\n\n{}: {}", control.origin.empty() ? "default" : control.origin,
-                      lab::plainText(declaration, control.value));
+                      valueText(declaration, control.value));
+  if (!control.idle.empty()) text += "\nchanges nothing: " + control.idle;
   if (!control.place.empty()) text += "\ndeclared in " + control.place;
   return text;
 }

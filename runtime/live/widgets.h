@@ -17,7 +17,16 @@ struct Widget {
 };
 Widget widgetOf(const plan::ParamDesc& declaration);
 
-// What the tooltip of a control says: description, range, what each choice does, who set it, where it is declared.
+// "312 of 4096 samples"; "5000 samples" where there are as many as there need be.
+std::string samplesText(int have, int of);
+
+// Place of a value on a slider, 0 (low) to 1.
+double shareOf(const Widget& slider, double value);
+
+// True if a number stands for "not set": it is below the declared minimum.
+bool isOpen(const plan::ParamDesc& declaration, double value);
+
+// Tooltip of a control: description, range, choices with their meanings, value and origin, why it is idle, its place.
 std::string tooltipOf(const lab::Control& control);
 
 // Whether a search for `text` finds the control: every word of it in name, group, unit or description, in any case.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "live/window.h"
 
-#include <cctype>
-
 #define GLFW_INCLUDE_NONE
 // GLFW declares its Vulkan calls where Vulkan is declared before it.
 #include <GLFW/glfw3.h>
@@ -32,22 +30,31 @@ Window::Window(int width, int height, const std::string& title) {
   }
   glfwSetWindowUserPointer(window_, this);
   // Panels are told by callbacks that are set later and call these.
-  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
-    of(window).stirred_ = true;
-    bool prints = key < GLFW_KEY_ESCAPE;  // comes as a character, in any layout of the keyboard
-    if (action != GLFW_RELEASE && !prints) of(window).pressed_.push_back(key);
-  });
-  glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned character) {
-    of(window).stirred_ = true;
-    of(window).pressed_.push_back(character < 128 ? std::tolower(int(character)) : int(character));
-  });
   glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double, double) { of(window).stirred_ = true; });
   glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int) { of(window).stirred_ = true; });
-  glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int, int) { of(window).stirred_ = true; });
   glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double) { of(window).stirred_ = true; });
   glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { of(window).stirred_ = true; });
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { of(window).stirred_ = true; });
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int) { of(window).stirred_ = true; });
+}
+
+void Window::queueInput() {
+  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int mods) {
+    of(window).add({InputEvent::Kind::Key, key, scancode, action, mods});
+  });
+  glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned character) {
+    of(window).add({InputEvent::Kind::Text, int(character)});
+  });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int mods) {
+    dvec2 at(0);
+    glfwGetCursorPos(window, &at.x, &at.y);
+    of(window).add({InputEvent::Kind::Button, button, 0, action, mods, at});
+  });
+}
+
+void Window::add(const InputEvent& event) {
+  stirred_ = true;
+  input_.add(event);
 }
 
 Window::~Window() {
@@ -72,13 +79,10 @@ VkSurfaceKHR Window::makeSurface(const gpu::Device& device) const {
 }
 
 void Window::takeEvents(double timeout_s) {
-  stirred_ = false;
-  pressed_.clear();
-  if (timeout_s > 0) glfwWaitEventsTimeout(timeout_s);
+  if (timeout_s > 0 && !stirred_) glfwWaitEventsTimeout(timeout_s);
   else glfwPollEvents();
 }
 
-bool Window::isDown(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
 bool Window::closing() const { return glfwWindowShouldClose(window_); }
 
 std::pair<int, int> Window::size() const {

@@ -4,9 +4,9 @@
 
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "gpu/device.h"
+#include "live/input_queue.h"
 
 struct GLFWwindow;
 
@@ -24,13 +24,17 @@ class Window {
   gpu::DeviceOptions extensions() const;
   VkSurfaceKHR makeSurface(const gpu::Device& device) const;
 
-  // Takes what happened since the last call; with `timeout_s` > 0, waits for something to happen, so long at most.
+  // From here on keys and buttons go to the queue alone: the last callbacks that are set.
+  void queueInput();
+  // Queues what happened since the last call; with `timeout_s` > 0, waits for something to happen, so long at most.
+  // Draws nothing, so it may be called while something else is drawn.
   void takeEvents(double timeout_s);
-  // Whether anything happened in the last `takeEvents`.
+  // True if anything happened since the last `settle`.
   bool stirred() const { return stirred_; }
-  // Keys pressed in the last `takeEvents`, as keys.h counts them.
-  const std::vector<int>& pressed() const { return pressed_; }
-  bool isDown(int key) const;  // by GLFW's code
+  void settle() { stirred_ = false; }
+  // Keys and buttons that wait, and the batch of the last frame.
+  InputQueue& input() { return input_; }
+  const InputQueue& input() const { return input_; }
   bool closing() const;
 
   // In pixels.
@@ -42,10 +46,11 @@ class Window {
 
  private:
   static Window& of(GLFWwindow* window);
+  void add(const InputEvent& event);
 
   GLFWwindow* window_ = nullptr;
   bool stirred_ = true;
-  std::vector<int> pressed_;
+  InputQueue input_;
 };
 
 }  // namespace strobe::live

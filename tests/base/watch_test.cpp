@@ -86,6 +86,46 @@ TEST_F(WatchTest, AFlatOneHasNothingBelowIt) {
   EXPECT_TRUE(watch_.changed());
 }
 
+// An edit of the file happens in the folder where it really lies.
+TEST_F(WatchTest, FollowsLinksToFiles) {
+  const Path store = folder_.parent_path() / "watch_test_store";
+  fs::create_directories(store / "deep");
+  save("../watch_test_store/deep/a.lua");
+  fs::create_symlink("deep/a.lua", store / "mid.lua");
+  fs::create_symlink("../../watch_test_store/mid.lua", folder_ / "inner/a.lua");
+  watch_.add(folder_);
+  save("../watch_test_store/deep/a.lua");
+  EXPECT_TRUE(watch_.changed()) << "written, behind two links";
+  fs::create_symlink("other.lua", store / "next.lua");
+  EXPECT_TRUE(watch_.changed()) << "a link came where one lies";
+  fs::rename(store / "next.lua", store / "mid.lua");
+  EXPECT_TRUE(watch_.changed()) << "a link leads elsewhere";
+
+  Watch flat;
+  flat.addFlat(folder_ / "inner");
+  flat.addBehind(folder_ / "inner/a.lua");
+  flat.addBehind(folder_ / "inner");
+  save("../watch_test_store/other.lua");
+  EXPECT_TRUE(flat.changed()) << "of a link in a folder that is watched alone";
+  fs::remove_all(store);
+}
+
+TEST_F(WatchTest, ALinkThatComesIsAChange) {
+  save("a.lua");
+  watch_.add(folder_);
+  fs::create_symlink("../a.lua", folder_ / "inner/b.lua");
+  EXPECT_TRUE(watch_.changed());
+  fs::create_hard_link(folder_ / "a.lua", folder_ / "inner/c.lua");
+  EXPECT_TRUE(watch_.changed()) << "of the other kind";
+}
+
+TEST_F(WatchTest, ALinkRoundInACircleLeadsNowhere) {
+  fs::create_symlink("b", folder_ / "a");
+  fs::create_symlink("a", folder_ / "b");
+  watch_.add(folder_);
+  EXPECT_FALSE(watch_.changed());
+}
+
 TEST_F(WatchTest, WhatIsNotThereIsNoMistake) {
   watch_.add(folder_ / "nowhere");
   watch_.addFlat(folder_ / "nowhere");

@@ -74,6 +74,35 @@ TEST_F(RunningTruthTest, StepsGrow) {
   EXPECT_EQ(slow.samples(), 8) << "each step takes longer than none";
 }
 
+// Between two samples of a step: what was taken of it is dropped, the rest is as if it had never begun.
+TEST_F(RunningTruthTest, AStepIsInterruptedBetweenSamples) {
+  RunningTruth truth(bench(), "ground_truth", {8, 8}), undisturbed(bench(), "ground_truth", {4, 4});
+  truth.restart(shot());
+  undisturbed.restart(shot());
+  int samples = 0;
+  EXPECT_TRUE(truth.step(8, [&] { return ++samples < 3; }));
+  EXPECT_EQ(samples, 3);
+  EXPECT_EQ(truth.samples(), 0);
+  EXPECT_EQ(truth.interrupted(), 1);
+  EXPECT_TRUE(truth.mean().empty());
+  take(truth, 1);
+  take(undisturbed, 1);
+  EXPECT_EQ(truth.samples(), 4) << "half as many";
+  EXPECT_TRUE(oracle::identical(truth.mean(), undisturbed.mean()));
+  take(truth, 1);
+  EXPECT_EQ(truth.samples(), 8);
+  take(truth, 1);
+  EXPECT_EQ(truth.samples(), 16) << "as many as before again";
+}
+
+// A total is reached exactly, by any steps.
+TEST_F(RunningTruthTest, TakesNoMoreThanAreLeft) {
+  RunningTruth truth(bench(), "ground_truth", {4, 16, std::numeric_limits<double>::infinity()});
+  truth.restart(shot());
+  while (truth.step(27 - truth.samples())) EXPECT_LE(truth.samples(), 27);
+  EXPECT_EQ(truth.samples(), 27);
+}
+
 TEST_F(RunningTruthTest, RestartForgets) {
   RunningTruth truth(bench(), "ground_truth", {2, 2});
   EXPECT_FALSE(truth.step()) << "no shot yet";

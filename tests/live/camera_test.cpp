@@ -34,26 +34,47 @@ TEST(Camera, ViewpointLooksWhereTheCameraDoes) {
 }
 
 TEST(Camera, AQuarterOrbitStandsBeside) {
-  expectNear(orbited(kAhead, glm::radians(90.0), 0).eye, {5, 0, 0});
-  Viewpoint above = orbited(kAhead, 0, glm::radians(30.0));
+  expectNear(orbited(kAhead, kAhead.target, glm::radians(90.0), 0).eye, {5, 0, 0});
+  Viewpoint above = orbited(kAhead, kAhead.target, 0, glm::radians(30.0));
   expectNear(above.eye, {0, 2.5, 5 * std::cos(glm::radians(30.0))});
 }
 
 TEST(Camera, OrbitKeepsTargetAndDistance) {
   Viewpoint view{{3, 2, 1}, {-1, 0.5, -4}};
   double distance = glm::length(view.target - view.eye);
-  for (int i = 0; i < 100; ++i) view = orbited(view, 0.37, i % 2 ? 0.2 : -0.15);
-  expectNear(view.target, {-1, 0.5, -4});
+  for (int i = 0; i < 100; ++i) view = orbited(view, {-1, 0.5, -4}, 0.37, i % 2 ? 0.2 : -0.15);
+  expectNear(view.target, {-1, 0.5, -4}, 1e-10);                      // 100 steps
   EXPECT_NEAR(glm::length(view.target - view.eye), distance, 1e-10);  // 100 steps
 }
 
+// What is under the pointer when a drag begins stays there, and as far away.
+TEST(Camera, AnOrbitLeavesItsPivotInTheSamePlace) {
+  Viewpoint view{{3, 2, 1}, {-1, 0.5, -4}};
+  const dvec2 from_middle_px(-37, 21);
+  const double metres_per_px = 0.01, depth = 2.4;
+  const dvec3 pivot = pointAt(view, from_middle_px, metres_per_px, depth);
+  EXPECT_NEAR(glm::dot(pivot - view.eye, forwardOf(view)), depth, kTiny);
+  for (int i = 0; i < 20; ++i) {
+    view = orbited(view, pivot, 0.2, i % 2 ? 0.2 : -0.15);
+    expectNear(pointAt(view, from_middle_px, metres_per_px, depth), pivot, 1e-11);  // 20 steps
+    EXPECT_NEAR(glm::length(view.target - view.eye), std::sqrt(43.25), 1e-11);
+  }
+}
+
+TEST(Camera, AHandMovedViewIsShortAsText) {
+  const Viewpoint view = rounded(turned({{1.0 / 3, -2e-5 / 3, 1234.5678901234}, {0, 1, 0}}, 0.123, 0.4));
+  EXPECT_LE(toText(view).size(), 6 * 13u) << toText(view);
+  EXPECT_EQ(rounded(view), view);
+  expectNear(view.eye, {1.0 / 3, -2e-5 / 3, 1234.5678901234}, 5e-4);  // half of the last digit of the largest
+}
+
 TEST(Camera, ThePolesAreNeverReached) {
-  Viewpoint top = orbited(kAhead, 0, 10);
+  Viewpoint top = orbited(kAhead, kAhead.target, 0, 10);
   EXPECT_GT(top.eye.y, 4.99);
   EXPECT_GT(glm::length(glm::cross(forwardOf(top), dvec3(0, 1, 0))), 0.008);
   Viewpoint down = turned(kAhead, 0, -10);
   EXPECT_LT(forwardOf(down).y, -0.99);
-  EXPECT_GT(orbited(top, 1, 0).eye.y, 4.99);
+  EXPECT_GT(orbited(top, top.target, 1, 0).eye.y, 4.99);
 }
 
 TEST(Camera, TurningRightLooksRight) {

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <regex>
 #include <thread>
 
@@ -26,6 +27,7 @@ std::string sceneWith(const std::string& exposure) {
 }
 
 void turn(Desk& desk, Recording& recording) {
+  recording.lookAtFiles();
   for (int i = 0; i < 3; ++i) desk.turn();
   recording.look(desk, false);
 }
@@ -68,6 +70,57 @@ TEST_F(RecordedFiles, EachVersionHasWhatWasThereThen) {
        {"{ name = \"view\", scene = \"edited\" }", "{ name = \"view_2\", scene = \"edited\", exposure = 0.75 }",
         "files = \"it/files_1\", shots = { \"view\", \"view_2\" }", "files = \"it/files_2\", shots = { \"view\" }"})
     EXPECT_NE(text.find(line), std::string::npos) << line << "\nin\n" << text;
+}
+
+// A file that came changes no picture until it is chosen, and a shader that came after it is read by no script.
+TEST_F(RecordedFiles, AFileThatCameIsThereFromThenOn) {
+  testing::TemporaryFolder folder;
+  FrozenHome copy(bench().home(), folder.path() / "home");
+  const Home& home = copy.home();
+  const Path made = home.shipped() / "passes/edge/made.lua", shader = home.shipped() / "shaders/edge/made.glsl";
+  lab::Workbench own(home, bench());
+  DeskOptions options;
+  options.shot = oracle::with(oracle::shotOf("bar", 32, 16), "hybrid", {"preset=seed"});
+  Desk desk(own, options);
+  Recording recording(home, folder.path() / "recorded");
+  auto turns_until = [&](auto done) {
+    for (int i = 0; i < 500 && !done(); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      recording.lookAtFiles();
+      desk.turn();
+      recording.look(desk, false);
+    }
+    EXPECT_TRUE(done());
+  };
+  auto drawn = [&] { return !desk.busy(); };
+  turns_until(drawn);
+  recording.markSaved(desk);
+  const std::string declared = readText(home.shipped() / "passes/edge/sobel.lua");
+  writeFileAtomically(made, std::regex_replace(declared, std::regex("edge([_/])sobel"), "edge$1made"));
+  turns_until([&] { return desk.sides().reloads() == 1; });
+  EXPECT_EQ(desk.sides().swaps(), 0) << "nothing is drawn with it";
+  EXPECT_EQ(desk.sides().takeMessage(), "new choice edge = made");
+  writeFileAtomically(shader, readText(home.shipped() / "shaders/edge/sobel.glsl"));
+  desk.sides().set("edge", "made", "window");
+  turns_until(drawn);
+  recording.markSaved(desk);
+  writeFileAtomically(shader, readText(shader) + "\n// edited\nconst float kNothing = 0;\n");
+  turns_until([&] { return desk.sides().swaps() == 1 && !desk.busy(); });
+  recording.markSaved(desk);
+  recording.write(folder.path() / "it.lua", own.limits);
+
+  const std::string text = readText(folder.path() / "it.lua");
+  std::map<std::string, int> arms;  // by the number of their files
+  const std::regex arm("edge = \"made\"[^\\n]*files = \"it/files_([0-9])\"");
+  for (std::sregex_iterator it(text.begin(), text.end(), arm), end; it != end; ++it) ++arms[(*it)[1]];
+  EXPECT_EQ(arms.size(), 2u) << "with the shader as it came, and as it was edited\n" << text;
+  for (const auto& [number, count] : arms) {
+    const Path version = folder.path() / ("it/files_" + number);
+    FrozenHome again(home, folder.path() / "again", version);
+    EXPECT_TRUE(again.home().find("passes/edge/made.lua")) << version;
+    EXPECT_EQ(readText(again.home().at("shaders/edge/made.glsl")).ends_with("kNothing = 0;\n"),
+              number == arms.rbegin()->first);
+  }
 }
 
 TEST(Editor, GetsItsArguments) {

@@ -108,5 +108,38 @@ TEST(Widgets, NamesAreShortInTheirGroup) {
   EXPECT_EQ(shortName(control), "edges.reach");
 }
 
+// A number below the least stands for none, and is called so.
+TEST(Widgets, NoNumberIsCalledAuto) {
+  lab::Control control = sample();
+  control.declaration = number(ParamDesc::Type::Float, 0, 10, "s");
+  control.value = -1.0;
+  EXPECT_TRUE(isOpen(control.declaration, -1));
+  EXPECT_FALSE(isOpen(control.declaration, 0));
+  EXPECT_NE(tooltipOf(control).find("preset best: auto"), std::string::npos) << tooltipOf(control);
+}
+
+TEST(Widgets, AnIdleControlSaysWhy) {
+  lab::Control control = sample();
+  control.idle = "no pass reads it";
+  EXPECT_NE(tooltipOf(control).find("changes nothing: no pass reads it"), std::string::npos);
+}
+
+TEST(Widgets, ABarShowsThePlaceOfAValue) {
+  Widget even = widgetOf(number(ParamDesc::Type::Float, -2, 6)),
+         by_factors = widgetOf(number(ParamDesc::Type::Int, 1, 10000));
+  EXPECT_DOUBLE_EQ(shareOf(even, 0), 0.25);
+  EXPECT_EQ(shareOf(even, 99), 1);
+  ASSERT_TRUE(by_factors.logarithmic);
+  EXPECT_EQ(shareOf(by_factors, 1), 0);
+  EXPECT_DOUBLE_EQ(shareOf(by_factors, 100), 0.5);
+  EXPECT_EQ(shareOf(by_factors, 10000), 1);
+  EXPECT_EQ(shareOf(widgetOf(number(ParamDesc::Type::Float, 0, 5000)), 0), 0);
+}
+
+TEST(Widgets, SamplesCountUpToTheirTotal) {
+  EXPECT_EQ(samplesText(312, 4096), "312 of 4096 samples");
+  EXPECT_EQ(samplesText(4096, 4096), "4096 samples");
+}
+
 }  // namespace widgets_test
 }  // namespace strobe::live

@@ -209,7 +209,7 @@ TEST_F(Live, ASweepIsDrawnTakenAndSaved) {
   for (const char* name : {"sweep.png", "sweep_grid.png"}) {
     image::Image window = image::readPng(picture(name));
     size_t red = 0;  // of the cards in the thumbnails
-    for (int y = window.height / 2 + 60; y < window.height - 90; ++y)
+    for (int y = window.height / 2; y < window.height - 90; ++y)
       for (int x = 350; x < window.width - 350; ++x)
         red += window.at(x, y, 0) > 0.7f && window.at(x, y, 1) < 0.5f && window.at(x, y, 2) < 0.45f;
     EXPECT_GT(red, 100u) << name;
@@ -312,6 +312,26 @@ TEST_F(Live, WhatHandsDoIsRecorded) {
   std::vector<std::string> saved = savedColours(out);
   EXPECT_EQ(std::set<std::string>(saved.begin(), saved.end()).size(), 3u);
   for (const std::string& hash : saved) EXPECT_TRUE(drawn.count(hash)) << hash << "\n" << contentOf(opened);
+}
+
+// Keys at the pace of a typist while truth gathers in steps that take longer than a key: all are letters of the box,
+// none flies the camera. What is swept is the control that the text finds.
+TEST_F(Live, KeysOfATextBoxArriveWhileTruthGathers) {
+  if (runLine("command -v xdotool").exit_code != 0) GTEST_SKIP() << "no xdotool to press keys";
+  const std::string out = folder_ / "out";
+  Outcome outcome = onDisplay(fmt::format(
+      "'{}' live none --scene {} --size 640x360 --move card=0.6,0,0 --window {}x{} --out {} &\npid=$!\n"
+      "xdotool search --sync --onlyvisible --name 'strobe live' windowfocus\nsleep 1\nxdotool key 5\nsleep 2\n"
+      "xdotool type --delay 60 '/wasd'\nxdotool key ctrl+a\nxdotool type --delay 60 'exposure of'\n"
+      "xdotool key Escape\nxdotool type --delay 60 '/anchor'\nxdotool key Return r\nsleep 1\nxdotool key F5\n"
+      "for i in $(seq 100); do ls {}/*.lua >/dev/null 2>&1 && break; sleep 0.1; done\nxdotool key F10\nwait $pid\n",
+      programPath(), folder_ / "scene.lua", kWidth, kHeight, out, out));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  ASSERT_TRUE(fs::exists(out)) << outcome.err;
+  std::vector<std::string> saved;
+  for (const auto& entry : fs::directory_iterator(out)) saved.push_back(entry.path().filename());
+  ASSERT_EQ(saved, std::vector<std::string>{"none_scene_f1_001.anchor.lua"});
+  EXPECT_EQ(contentOf(fs::path(out) / saved[0]).find("view"), std::string::npos) << "the camera stayed";
 }
 
 TEST_F(Live, AFailedCommandEndsWithItsLine) {

@@ -61,6 +61,42 @@ TEST_F(ReloadTest, EveryWayOfSavingIsSeen) {
   EXPECT_FALSE(session.reload(true)) << "the same text is no change";
 }
 
+// Scripts and shaders that lie elsewhere, behind a chain of links.
+TEST_F(ReloadTest, EditsBehindLinksAreSeen) {
+  namespace fs = std::filesystem;
+  for (const std::string file : {"passes/gather/mcguire2012.lua", kGather}) {
+    const Path name = Path(file).filename();
+    fs::create_directories(home_.path("store/deep"));
+    fs::rename(home_.path(file), home_.path("store/deep") / name);
+    fs::create_symlink("deep" / name, home_.path("store") / name);
+    fs::create_symlink("../../store" / name, home_.path(file));
+  }
+  Session session(bench(), smallShot("mcguire2012"));
+  EXPECT_FALSE(session.reload(false));
+  std::string before = colorHash(session);
+  home_.edit("store/deep/mcguire2012.glsl", "float all = 1.0 / here.radius;", "float all = 2.0 / here.radius;",
+             Save::Rename);
+  EXPECT_TRUE(awaited(session).swapped);
+  EXPECT_NE(colorHash(session), before);
+  home_.edit("store/deep/mcguire2012.lua", "doc", "doc = nil, dok");
+  EXPECT_FALSE(awaited(session).problems.empty());
+  fs::remove_all(home_.path("store"));
+}
+
+// A pass in a folder of alternatives is a new choice, though nothing is drawn with it.
+TEST_F(ReloadTest, ANewChoiceIsNamed) {
+  Session session(bench(), smallShot("hybrid"));
+  EXPECT_FALSE(session.reload(false));
+  home_.write("passes/edge/made.lua", home_.read("passes/edge/sobel.lua"));
+  Reload told = awaited(session);
+  EXPECT_FALSE(told.swapped);
+  EXPECT_EQ(told.choices, std::vector<std::string>{"edge = made"});
+  const std::string text = lab::textOf(told);
+  EXPECT_TRUE(text.starts_with("reloaded passes/edge (same picture, ")) << text;
+  EXPECT_NE(text.find("\n  new choice edge = made"), std::string::npos) << text;
+  home_.remove("passes/edge/made.lua");
+}
+
 TEST_F(ReloadTest, TheDriverKeepsWhatCompilesToTheSameCode) {
   Session session(bench(), smallShot("mcguire2012"));
   auto gather = [&] { return session.running().graph().pipelines().at("gather"); };

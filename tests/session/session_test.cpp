@@ -188,5 +188,36 @@ TEST_F(SessionTest, AnImageIsKeptFromFrameToFrame) {
   EXPECT_EQ(session.capture().frame.outputs.at("sum").floats.values[3], 2);
 }
 
+// Another value than a control has; nothing for a text.
+std::optional<plan::Value> otherValue(const lab::Control& control) {
+  const plan::ParamDesc& declared = control.declaration;
+  std::vector<plan::Value> values(declared.choices.begin(), declared.choices.end());
+  if (declared.type == plan::ParamDesc::Type::Bool) values = {true, false};
+  for (const auto& end : {declared.min, declared.max})
+    if (end) values.push_back(declared.type == plan::ParamDesc::Type::Int ? plan::Value(int64_t(*end)) : *end);
+  auto other = std::find_if(values.begin(), values.end(), [&](const auto& value) { return value != control.value; });
+  return other == values.end() ? std::nullopt : std::optional(*other);
+}
+
+// Whatever idle controls are set to, the pictures are the same ones; and there are such controls.
+TEST_F(SessionTest, AnIdleControlChangesNothing) {
+  Session session(bench(), smallShot("hybrid"));
+  const auto before = hashes(session.draw());
+  std::set<std::string> idle;
+  for (const lab::Control& control : session.controls()) {
+    if (control.idle.empty()) continue;
+    idle.insert(control.declaration.name);
+    if (auto value = otherValue(control)) session.set(control.declaration.name, *value, "test");
+  }
+  EXPECT_EQ(hashes(session.draw()), before);
+  EXPECT_TRUE(idle.count("edge")) << "the mask of the default preset is found by motion";
+  EXPECT_FALSE(idle.count("samples"));
+  session.set("mask", "seed", "test");
+  std::vector<lab::Control> controls = session.controls();
+  std::erase_if(controls, [](const lab::Control& control) { return control.declaration.name != "edge"; });
+  ASSERT_EQ(controls.size(), 1u);
+  EXPECT_EQ(controls[0].idle, "") << "of a mask from edges";
+}
+
 }  // namespace session_test
 }  // namespace strobe::session
