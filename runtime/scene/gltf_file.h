@@ -97,10 +97,8 @@ class GltfFile : public GltfJson {
   // `where` says in errors what asked: "meshes[2].primitives[0]". `types` are the accepted accessor types.
   Values accessor(int index, const std::string& where, const std::vector<std::string>& types) const;
   std::vector<uint32_t> indices(int index, const std::string& where) const;
-  Decoded image(int index);
-
-  // Its name, or `otherwise`, made different from those that are `taken`.
-  std::string uniqueName(const Json& object, const std::string& otherwise, std::set<std::string>& taken) const;
+  // An image as the file holds it.
+  std::vector<uint8_t> imageBytes(int index);
 
  private:
   struct View {

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+
+#include "base/memory.h"
 
 namespace strobe::scene {
 
@@ -20,15 +21,6 @@ constexpr double kInstanceBytes = 512;
 
 std::string gibibytes(double bytes) { return fmt::format("{:.1f} GiB", bytes / kGibibyte); }
 
-// Free memory as Linux states it; infinite elsewhere.
-double freeBytes() {
-  std::ifstream file("/proc/meminfo");
-  std::string name;
-  for (double kilobytes = 0; file >> name >> kilobytes; file.ignore(64, '\n'))
-    if (name == "MemAvailable:") return kilobytes * 1024;
-  return HUGE_VAL;
-}
-
 // Sums of doubles: products of counts from the file stay in range.
 class Needs {
  public:
@@ -41,7 +33,7 @@ class Needs {
     addAnimations();
     addViews();
     refuseAbove(kGibibyte + kMostPerByte * double(file_.bytesRead()), "that its size allows");
-    refuseAbove(freeBytes(), "that is free");
+    refuseAbove(double(availableMemory()), "that is available");
   }
 
  private:
