@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <set>
 
 #include "app/bench.h"
 #include "app/capture.h"
@@ -21,6 +22,7 @@
 #include "app/sweep.h"
 #include "app/tune.h"
 #include "base/error.h"
+#include "base/project.h"
 #include "script/evaluate.h"
 
 // Every failure ends here: one line (or one per mistake) on stderr, exit code 1, or 2 for a wrong command line.
@@ -69,6 +71,15 @@ static std::string usageText(const CLI::App& program, const CLI::ParseError& err
   return text.ends_with('?') ? text : fmt::format("{}; {} --help lists what it takes", text, called);
 }
 
+// Refuses a project with files under shipped names, even if the command does not need the files. Commands that explain
+// or create something still work; `check` lists all mistakes itself.
+static void requireNames(const CLI::App& program, const strobe::Home& home) {
+  const std::set<std::string> always = {"help", "doctor", "new", "complete", "compare", "check"};
+  for (const CLI::App* command : program.get_subcommands())
+    if (always.count(command->get_name())) return;
+  strobe::throwIfAny(strobe::misnamedInProject(home));
+}
+
 int main(int argc, char** argv) {
   if (argc > 1 && std::strcmp(argv[1], "--script-child") == 0) strobe::script::runScriptChild();
   const strobe::Home home = strobe::Home::fromEnvironment();
@@ -91,6 +102,7 @@ int main(int argc, char** argv) {
   strobe::app::registerNew(program, home);
   strobe::app::registerDoctor(program, home);
   strobe::app::registerCompletion(program, home);
+  program.parse_complete_callback([&] { requireNames(program, home); });
   try {
     program.parse(argc, argv);
     if (program.get_subcommands().empty()) std::fputs(program.help().c_str(), stdout);

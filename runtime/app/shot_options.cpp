@@ -3,6 +3,8 @@
 
 #include <cstdlib>
 
+#include "base/log.h"
+
 namespace strobe::app {
 
 void ShotOptions::addWithPipeline(CLI::App& command) {
@@ -50,6 +52,14 @@ void ShotOptions::addTo(CLI::App& command, const std::set<std::string>& several)
       ->allow_extra_args(false);
 }
 
+// More frame intervals than a shutter is open for, or its angle in degrees.
+static void warnOfLongExposure(const lab::Shot& shot) {
+  constexpr double kLongest = 4;
+  if (shot.exposure <= kLongest) return;
+  warn(fmt::format("--exposure {:g} is {:g} frame intervals; a shutter of {:g} degrees is --exposure {:g}",
+                   shot.exposure, shot.exposure, shot.exposure, shot.exposure / 360));
+}
+
 lab::Shot ShotOptions::resolve() const {
   lab::Shot shot;
   if (!record.empty()) shot = lab::shotFromRecord(record);
@@ -61,6 +71,7 @@ lab::Shot ShotOptions::resolve() const {
   }
   if (!given("exposure").empty() && !given("exposure_time").empty())
     throw Error("--exposure and --exposure-time exclude one another", {}, 2);
+  if (!given("exposure").empty()) warnOfLongExposure(shot);
   if (samples) shot.sets.push_back({"samples", int64_t(samples)});
   if (!shading.empty()) shot.sets.push_back({"shading", shading});
   for (const std::string& set : sets) shot.sets.push_back(script::settingFromText(set));

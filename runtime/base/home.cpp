@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/project.h"
 
 namespace strobe {
 
@@ -258,6 +259,30 @@ std::string Home::read(const Path& file) const {
   } catch (const Error& error) {
     throw Error(error.message(), {shown(file)});
   }
+}
+
+// A link that leads out of the project is left to whatever reads it.
+std::vector<std::string> misnamedInProject(const Home& home) {
+  std::vector<std::string> mistakes;
+  std::error_code ignored;
+  for (const auto& [name, folder] : kProjectFolders) {
+    if (!home.hasProject()) break;
+    for (const auto& entry : fs::recursive_directory_iterator(home.project() / folder, ignored)) try {
+        const Path& file = entry.path();
+        bool is_read = file.extension() == ".lua" || file.extension() == ".glsl";
+        if (is_read && liesIn(file, home.project()))
+          home.find(Path(name) / file.lexically_relative(home.project() / folder));
+      } catch (const Error& error) {
+        mistakes.push_back(error.what());
+      }
+  }
+  return mistakes;
+}
+
+std::string placesText(const Home& home, const Path& folder) {
+  std::vector<std::string> texts;
+  for (const Path& place : home.places(folder)) texts.push_back(place.string());
+  return fmt::format("{}", fmt::join(texts, " or "));
 }
 
 }  // namespace strobe

@@ -39,12 +39,12 @@ Fields::Fields(const Json& json, std::string what, const Place& outer, Problems&
   if (has("place") && !isPlace(json["place"])) problem("'place' is not a file and a line");
 }
 
-bool Fields::has(const std::string& key) const { return json_.is_object() && json_.contains(key); }
-
-const Json* Fields::find(const std::string& key) {
-  known_.insert(key);
-  return has(key) ? &json_[key] : nullptr;
+bool Fields::has(const std::string& key) {
+  if (!allowed_.count(key)) known_.insert(key);
+  return json_.is_object() && json_.contains(key);
 }
+
+const Json* Fields::find(const std::string& key) { return has(key) ? &json_[key] : nullptr; }
 
 const Json* Fields::need(const std::string& key) {
   const Json* value = find(key);

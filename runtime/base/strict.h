@@ -40,8 +40,8 @@ class Fields {
   const std::string& what() const { return what_; }
   void rename(std::string what) { what_ = std::move(what); }
   void setPlace(const Place& place) { place_ = place; }
-  bool has(const std::string& key) const;
-  // The value, or null; marks the key as known.
+  // Both mark the key as known. The value, or null.
+  bool has(const std::string& key);
   const Json* find(const std::string& key);
   // A key that another reader takes: known, and never suggested.
   void allow(const std::string& key) { allowed_.insert(key); }

@@ -7,6 +7,7 @@
 
 #include "base/cores.h"
 #include "base/hash.h"
+#include "base/project.h"
 #include "plan/facts.h"
 #include "plan/formats.h"
 #include "shared/scene.h"
@@ -159,11 +160,17 @@ std::vector<Path> shaderFiles(const Home& home, const PassDesc& pass) {
   return {shaderFile(home, pass, ".glsl")};
 }
 
+static std::string noShader(const Home& home, const PassDesc& pass, const Path& file) {
+  const Path name = Path(pass.shader).parent_path() / file;
+  return fmt::format("pass '{}': shader {} is missing in {}{}", pass.name, name.string(), placesText(home, "shaders"),
+                     didYouMean(Path(name).replace_extension().string(), home.namesBelow("shaders", ".glsl")));
+}
+
 static void requireFiles(const Home& home, const PassDesc& pass) {
   for (const Path& file : shaderFiles(home, pass)) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored))
-      throw Error(fmt::format("pass '{}': there is no shader {}", pass.name, home.shown(file)), pass.place);
+      throw Error(noShader(home, pass, file.filename()), pass.place);
   }
 }
 

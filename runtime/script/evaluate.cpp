@@ -10,6 +10,7 @@
 #include "base/cores.h"
 #include "base/hash.h"
 #include "base/json_text.h"
+#include "base/project.h"
 #include "script/batch.h"
 
 namespace strobe::script {
@@ -50,6 +51,20 @@ Main mainFile(const Home& home, const std::string& path, const Texts& texts = {}
   throw Error(fmt::format("is a folder{}", is_there ? "; did you mean '" + inside.string() + "'?" : ""), {path});
 }
 
+// Message about an unknown name of a pipeline or scene: the nearest of `names`, or the folders searched.
+std::string noneNamed(const Home& home, const std::string& name, const std::string& what,
+                      const std::vector<std::string>& names) {
+  std::error_code ignored;
+  if (fs::is_regular_file(name, ignored))
+    return fmt::format("'{}' is not a {}: {}s are names, or files that end in {}", name, what, what,
+                       what == "scene" ? ".lua, .glb or .gltf" : ".lua");
+  std::string text = fmt::format("there is no {} '{}'", what, name), near = didYouMean(name, names);
+  if (!near.empty()) return text + near;
+  text += " in " + placesText(home, Path("scripts") / (what + "s"));
+  return home.hasProject() ? text
+                           : text + fmt::format("; the current folder is in no project ({})", Home::kProjectFile);
+}
+
 // `what` is "pipeline" or "scene", kept in scripts/<what>s.
 Main mainOf(const Home& home, const std::string& name_or_path, const std::string& what, const Texts& texts) {
   bool is_path = name_or_path.ends_with(".lua");
@@ -61,8 +76,7 @@ Main mainOf(const Home& home, const std::string& name_or_path, const std::string
   bool is_name = !name.empty() && name.is_relative() && name_or_path == name.lexically_normal().string() &&
                  *name.begin() != ".." && !isInLib(name);
   if (!(is_name && fs::is_regular_file(file)) && !texts.count(file)) {
-    std::vector<std::string> names = mainNames(home, folder);
-    throw Error(fmt::format("there is no {} '{}'{}", what, name_or_path, didYouMean(name_or_path, names)), {}, 2);
+    throw Error(noneNamed(home, name_or_path, what, mainNames(home, folder)), {}, 2);
   }
   Main main = mainFile(home, file.string(), texts);
   main.own_folder = false;

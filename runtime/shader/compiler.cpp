@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "base/hash.h"
+#include "base/project.h"
 #include "shader/sources.h"
 #include "shader/spirv_cache.h"
 #include "shader/start.h"
@@ -109,6 +110,26 @@ std::string errorBehind(const std::string& line, const std::string& message) {
   return fmt::format("{} (line {} of the {} behind the shader)", message, line, kBehind);
 }
 
+// glslang says only that a header cannot be processed.
+std::string errorOfInclude(const Home& home, const std::string& message) {
+  const std::string before = "for header name: ";
+  size_t at = message.find(before);
+  if (!message.starts_with("'#include'") || at == std::string::npos) return message;
+  std::string name = message.substr(at + before.size());
+  std::vector<std::string> names;
+  for (const std::string& known : home.namesBelow("shaders", ".glsl")) names.push_back(known + ".glsl");
+  return fmt::format("'#include': there is no '{}' beside the file or in {}{}", name, placesText(home, "shaders"),
+                     didYouMean(name, names));
+}
+
+// Line of the function main in a shader without a function run, else 0.
+int lineOfMain(const std::string& text) {
+  static const std::regex main(R"((^|\n)[ \t]*void\s+main\s*\()"), run(R"((^|\n)[ \t]*void\s+run\s*\()");
+  std::smatch found;
+  if (std::regex_search(text, run) || !std::regex_search(text, found, main)) return 0;
+  return 1 + int(std::count(text.begin(), text.begin() + found.position() + found.length(1), '\n'));
+}
+
 // glslang says "ERROR: file:line: 'token' : message"; users read "file:line: 'token': message", paths as they know
 // them.
 std::string readable(const Home& home, const std::string& log, const Path& file) {
@@ -123,7 +144,8 @@ std::string readable(const Home& home, const std::string& log, const Path& file)
     if (std::regex_match(line, match, form) && match[1] == kBehind) {
       message = fmt::format("{}: {}", home.shown(file), errorBehind(match[2].str(), match[3].str()));
     } else if (!match.empty()) {
-      message = fmt::format("{}:{}: {}", home.shown(Path(match[1].str())), match[2].str(), match[3].str());
+      message = fmt::format("{}:{}: {}", home.shown(Path(match[1].str())), match[2].str(),
+                            errorOfInclude(home, match[3].str()));
     } else {
       message = fmt::format("{}: {}", home.shown(file), line.substr(std::min<size_t>(7, line.size())));
     }
@@ -185,6 +207,10 @@ static std::string keyOf(const Source& source, Stage stage, const Texts& texts) 
 static KeptCode compileAnew(const Home& home, const Source& source, Stage stage, Sources& sources, const Texts& texts,
                             Output output) {
   startOnce();
+  bool calls_run = source.epilogue.find("run(") != std::string::npos;
+  if (int line = calls_run ? lineOfMain(*texts.all.front().text) : 0)
+    throw Error("'main': the shader of a pass has 'void run(ivec2 pixel)' instead; main is generated and calls it",
+                {home.shown(source.file), line});
   std::string end = "\n" + source.epilogue;
   std::string name = source.file.string();
   const char* strings[] = {source.preamble.c_str(), texts.all.front().text->c_str(), end.c_str()};

@@ -54,6 +54,17 @@ TEST(BadInput, WrongCommandLinesSayWhatWouldBeRight) {
   expectRefusal("render none" + kScene + " --spin bar=0,0,0,1", 2, "--spin 'bar=0,0,0,1': the axis is 0,0,0");
 }
 
+// An angle of the shutter where frame intervals are meant.
+TEST(BadInput, LongExposuresAreWarnedOf) {
+  const std::string warning = "--exposure 180 is 180 frame intervals; a shutter of 180 degrees is --exposure 0.5";
+  Outcome angle = run("plan none" + kScene + " --exposure 180");
+  EXPECT_EQ(angle.exit_code, 0);
+  EXPECT_NE(angle.err.find(warning), std::string::npos) << angle.err;
+  EXPECT_EQ(angle.err.find(warning), angle.err.rfind(warning)) << "once";
+  for (const char* shorter : {" --exposure 4", " --exposure-time 3", ""})
+    EXPECT_EQ(run("plan none" + kScene + shorter).err.find("--exposure"), std::string::npos) << shorter;
+}
+
 TEST(BadInput, ValuesAreRefusedWithTheirRange) {
   expectRefusal("render hybrid" + kScene + " --set samples=0", 2, "range 1 to 1024");
   expectRefusal("render hybrid" + kScene + " --set samples=many", 2, "not an integer");

@@ -137,6 +137,15 @@ TEST_F(Project, IsTriedByTheStabilitySuite) {
   EXPECT_NE(tried.out.find("\"smear\""), std::string::npos) << tried.err;
   EXPECT_EQ(tried.exit_code, 0) << tried.out;
   EXPECT_EQ(inside("stability smer").exit_code, 2);
+  // The sharp picture has more digits than 16-bit floats hold.
+  std::string pass = contentOf(path("passes/smear.lua"));
+  write("passes/smear.lua", std::regex_replace(pass, std::regex("rgba32f"), "rgba16f"));
+  tried = inside("stability smear --cases 1 --invariant still --variant defaults");
+  EXPECT_EQ(tried.exit_code, 1) << tried.out;
+  EXPECT_NE(tried.out.find("\n  failed by invariant: still 1 of 1\n  16-bit floats round by up to 1/2048"),
+            std::string::npos)
+      << tried.out;
+  EXPECT_NE(tried.out.find(": smear.color, rgba16f; "), std::string::npos) << tried.out;
 }
 
 TEST_F(Project, AShippedNameIsRefusedUnlessItReplaces) {
@@ -148,8 +157,61 @@ TEST_F(Project, AShippedNameIsRefusedUnlessItReplaces) {
   Outcome planned = inside("plan none");
   EXPECT_EQ(planned.exit_code, 0) << planned.err;
   write("passes/unused.lua", "\n-- replaces = true\nreturn {}\n");
-  expectRefused("check",
-                "passes/unused.lua:2: 'replaces = true', but there is no shipped file strobe:passes/unused.lua");
+  for (const char* command : {"check", "plan none"})
+    expectRefused(command,
+                  "passes/unused.lua:2: 'replaces = true', but there is no shipped file strobe:passes/unused.lua");
+}
+
+// Whether what the command does would reach the file or not.
+TEST_F(Project, AShippedNameIsRefusedWhereverItLies) {
+  for (const std::string& command :
+       {std::string("plan smear"), "render smear" + kSmall, std::string("stability smear --invariant still")}) {
+    write("passes/edge/sobel.lua", "return {}\n");
+    expectRefused(command, "passes/edge/sobel.lua: has the name of a shipped file, strobe:passes/edge/sobel.lua");
+    fs::remove(path("passes/edge/sobel.lua"));
+    write("shaders/edge/sobel.glsl", "\n");
+    expectRefused(command, "shaders/edge/sobel.glsl: has the name of a shipped file, strobe:shaders/edge/sobel.glsl");
+    EXPECT_EQ(inside("help smear").exit_code, 0);
+    fs::remove(path("shaders/edge/sobel.glsl"));
+  }
+  EXPECT_EQ(inside("plan smear").exit_code, 0);
+}
+
+// What is not there is looked for in both roots, which the message names.
+TEST_F(Project, NamesTheFoldersThatWereSearched) {
+  const std::string own = fs::canonical(path("")).string(), shipped = sourceFolder().string();
+  fs::rename(path("shaders/smear.glsl"), path("shaders/smaer.glsl"));
+  expectRefused("check smear",
+                fmt::format("passes/smear.lua:5: pass 'smear': shader smear.glsl is missing in {}/shaders or "
+                            "{}/shaders; did you mean 'smaer'?",
+                            own, shipped));
+  fs::rename(path("shaders/smaer.glsl"), path("shaders/smear.glsl"));
+  const std::string shader = contentOf(path("shaders/smear.glsl"));
+  write("shaders/smear.glsl", std::regex_replace(shader, std::regex("lib/times"), "lib/tims"));
+  expectRefused(
+      "check smear",
+      fmt::format("shaders/smear.glsl:7: '#include': there is no 'lib/tims.glsl' beside the file or in {}/shaders or "
+                  "{}/shaders; did you mean 'lib/times.glsl'?",
+                  own, shipped));
+  write("shaders/smear.glsl", std::regex_replace(shader, std::regex("void run\\(ivec2 pixel\\)"), "void main()"));
+  expectRefused("check smear",
+                "strobe: shaders/smear.glsl:9: 'main': the shader of a pass has 'void run(ivec2 pixel)' instead");
+  EXPECT_NE(inside("plan chroma")
+                .err.find(fmt::format("there is no pipeline 'chroma' in {}/pipelines or {}/scripts/pipelines\n", own,
+                                      shipped)),
+            std::string::npos);
+  Outcome outside = run("plan chroma");
+  EXPECT_EQ(outside.exit_code, 2);
+  EXPECT_NE(
+      outside.err.find(fmt::format("there is no pipeline 'chroma' in {}/scripts/pipelines; the current folder is in no "
+                                   "project (strobe.project.lua)",
+                                   shipped)),
+      std::string::npos)
+      << outside.err;
+  write("a.obj", "v 0 0 0\n");
+  EXPECT_NE(inside("plan smear --scene a.obj")
+                .err.find("'a.obj' is not a scene: scenes are names, or files that end in .lua, .glb or .gltf"),
+            std::string::npos);
 }
 
 // A triangle as glTF beside the capture, with its numbers in another file; a shader of the project edited for one arm.

@@ -94,6 +94,19 @@ TEST(JsonScene, AllMistakesAtOnceWithTheirPlaces) {
   }
 }
 
+// Keys of which only the presence is asked, and those of another branch, are named too.
+TEST(JsonScene, AnUnknownKeyIsAnsweredWithAllKeys) {
+  std::string text = failure(parsed(R"({"kind":"scene","nodes":[{"kind":"node","name":"eye","lookat":[0,0,0]},
+    {"kind":"node","name":"b","qqqqqqqq":1}]})"));
+  EXPECT_NE(text.find("node 'eye': unknown key 'lookat'; did you mean 'look_at'?"), std::string::npos) << text;
+  EXPECT_NE(
+      text.find(
+          "node 'b': unknown key 'qqqqqqqq'; it has camera, children, cuts, light, look_at, material, motion, name, "
+          "parts, position, rotation, scale, shape"),
+      std::string::npos)
+      << text;
+}
+
 TEST(JsonScene, WrongKindsAreRefused) {
   for (const char* bad :
        {"null", "[]", "{}", "3", R"({"kind":"scene"})", R"({"kind":"scene","nodes":3})",
