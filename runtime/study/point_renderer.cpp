@@ -137,6 +137,8 @@ void PointRenderer::prepareTruth(const TaskGroup& group) {
     loadTruth(group);
   } catch (const WriteError&) {
     throw;
+  } catch (const gpu::DeviceLost&) {
+    throw;
   } catch (const std::exception& error) {
     failed = error.what();
     throw;
@@ -314,6 +316,8 @@ void PointRenderer::renderTask(const TaskGroup& group, const Task& task) {
   try {
     point = measuredPoint(group, task);
   } catch (const WriteError&) {
+    throw;
+  } catch (const gpu::DeviceLost&) {
     throw;
   } catch (const std::exception& error) {
     point = {};

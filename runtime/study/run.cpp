@@ -163,6 +163,8 @@ void timeHere(const Experiment& experiment, lab::Batch& batch, const Store& stor
       timeInTurn(experiment, batch, store, walk);
     } catch (const WriteError&) {
       throw;
+    } catch (const gpu::DeviceLost&) {
+      throw;
     } catch (const std::exception& error) {
       failTimes(store, walk, error.what());
     }
