@@ -78,8 +78,7 @@ uint64_t unposedBytes(const Scene& scene, shader::StructureKind structures) {
   const Counts counts(scene);
   const uint64_t triangles = structures == shader::StructureKind::Own ? counts.indices / 3 : 0;
   return counts.vertices * sizeof(shared::SceneVertex) + (counts.tangents + counts.indices) * sizeof(uint32_t) +
-         textureBytes(scene) +
-         triangles * sizeof(shared::BvhTriangle) + triangles / 12 * sizeof(shared::BvhNode);
+         textureBytes(scene) + triangles * sizeof(shared::BvhTriangle) + triangles / 12 * sizeof(shared::BvhNode);
 }
 
 uint64_t posedBytes(const Scene& scene, uint32_t slices) {
