@@ -159,9 +159,10 @@ void compileAll(const Home& home, std::vector<MutationResult>& results, Kept& ke
   if (std::none_of(results.begin(), results.end(), unknown)) return;
   note("compiling the mutants");
   ShaderCode code(home);
-  Progress progress("compiling", int(results.size()));
+  Progress progress("compiling", int(results.size()), "mutants");
+  int done = 0;
   for (MutationResult& result : results) {
-    progress.advance();
+    progress.reach(++done);
     if (!unknown(result)) continue;
     CodeChange change = code.changeBy(result.mutant);
     result.compiles = change == CodeChange::Different;

@@ -170,7 +170,8 @@ void surveyTests(const TestFolder& tests, const Path& original, const std::vecto
   std::atomic<size_t> next = 0;
   std::mutex mutex;
   std::string failure;
-  Progress progress("survey of the tests", int(all.size()));
+  Progress progress("survey", int(all.size()), "tests");
+  int done = 0;
   auto work = [&] {
     try {
       HomeCopy home(original);
@@ -180,7 +181,7 @@ void surveyTests(const TestFolder& tests, const Path& original, const std::vecto
         std::lock_guard lock(mutex);
         if (problem.empty()) passed(test);
         else warn(test.name + " " + problem + " and takes no part");
-        progress.advance();
+        progress.reach(++done);
       }
     } catch (const Error& error) {
       std::lock_guard lock(mutex);
