@@ -16,7 +16,8 @@ bool jumpsAtTheEnd(const Animation& clip, const Track& track);
 // Sets `yields_to` and `shared_target` of clips that drive a target of an earlier clip that plays.
 void yieldClips(Scene& scene);
 
-// Frames after which play begins anew: of the loop that the scene suggests, else of its longest clip, else of two seconds.
+// Frames after which play begins anew: of the loop that the scene suggests, else of its longest clip, else of two
+// seconds.
 int loopFrames(const Scene& scene, double fps);
 
 }  // namespace strobe::scene

@@ -46,8 +46,8 @@ end
 -- colors = { ... }, count (or {u, v}), widths, amount, line, seed. texels { width, height, texels = { {r, g, b [, a]},
 -- ... } } is sampled without any filter, top row first. image { file }: a PNG or JPEG, relative to the scene's file.
 scene.texture = {}
-for _, name in ipairs { "image", "stripes", "checker", "quilt", "rug", "wood", "noise", "weave", "spine", "painting", "gradient",
-                        "leaf", "texels" } do
+for _, name in ipairs { "image", "stripes", "checker", "quilt", "rug", "wood", "noise", "weave", "spine", "painting",
+                        "gradient", "leaf", "texels" } do
   scene.texture[name] = constructor("texture", name)
 end
 

@@ -156,10 +156,9 @@ TEST(ClipWarnings, ClipsOfOneTargetAreNamedUnlessOneIsChosen) {
   shot.exposure = 0;
   const std::vector<std::string> all = limitsMet(shot, scene);
   ASSERT_EQ(all.size(), 1u);
-  EXPECT_EQ(
-      all[0],
-      "clips 'walk', 'run' drive translation of node 'box'; the first clip in the file plays; --animation NAME "
-      "chooses another");
+  EXPECT_EQ(all[0],
+            "clips 'walk', 'run' drive translation of node 'box'; the first clip in the file plays; --animation NAME "
+            "chooses another");
   for (const char* name : {"walk", "run", "nod", "none"}) {
     shot.animation = name;
     EXPECT_TRUE(limitsMet(shot, scene).empty()) << name;
