@@ -162,7 +162,7 @@ function pass.choice(t) end
 ---@class strobe.PipelineTable
 ---@field doc string what it computes, and whose method it is
 ---@field params? table<string, strobe.Param>
----@field kind? "method"|"sharp"|"truth" draws the capture as it is, or what is true (with an output `error`); default "method"
+---@field kind? "method"|"sharp"|"truth"|"list" truth has an output `error`; of a list texels are not pixels; default "method"
 ---@field presets? table<string, strobe.Preset> by name, for `--set preset=NAME`
 ---@field default_preset? string without it the default is "none"
 ---@field breaks? table<strobe.Invariant, string> invariants that do not hold, whatever its values, each with the reason

@@ -10,7 +10,7 @@ namespace strobe::live {
 
 static const char* const kErrorName = "mean |x - truth|";
 static const char* const kDifferenceName = "mean |A - B|";
-static const int kFlickerFrames = 12;  // frames of the window for which each side shows
+static const int kFlickerFrames = 12;  // frames of the window for each side
 
 const std::vector<std::string>& modeNames() {
   static const std::vector<std::string> names = {"single", "wipe", "flicker", "difference", "error"};

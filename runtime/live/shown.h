@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The picture in the middle of the window: one side, or what a comparison makes of both; and the values in it.
+// The picture in the middle of the window, of one side or of a comparison of both, and the values in it.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ const std::vector<std::string>& modeNames();  // in the order of `Mode`
 Mode modeNamed(const std::string& name);      // throws `Error` with the nearest
 bool comparesWithB(Mode mode);
 
-// What is looked at and how.
+// Image, view and comparison that the window shows.
 struct Look {
   std::string port = "color";  // an output, or "node.port"
   lab::ViewOptions view;

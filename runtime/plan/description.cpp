@@ -35,7 +35,7 @@ const std::vector<std::string>& roleNames() {
 }
 
 const std::vector<std::string>& pipelineKindNames() {
-  static const std::vector<std::string> names = {"method", "sharp", "truth"};
+  static const std::vector<std::string> names = {"method", "sharp", "truth", "list"};
   return names;
 }
 

@@ -225,8 +225,8 @@ struct RegionDesc {
 
 struct PipelineDesc {
   // What it is to other pipelines: one of many methods; the capture as it is, without blur; what is true, which has an
-  // output "error", the standard error of its colour per pixel.
-  enum class Kind { Method, Sharp, Truth };
+  // output "error", the standard error of its colour per pixel; a list, whose texels are not pixels of the frame.
+  enum class Kind { Method, Sharp, Truth, List };
   std::string name;  // "mine" of mine.lua
   std::string file;  // as shown to people
   std::string doc;
@@ -246,7 +246,7 @@ struct PipelineDesc {
   std::vector<RegionDesc> regions;                           // those of its outputs that are regions
 };
 
-// "method", "sharp", "truth".
+// "method", "sharp", "truth", "list".
 const std::vector<std::string>& pipelineKindNames();
 
 // The pipeline's parameter of that name or role; null where there is none.

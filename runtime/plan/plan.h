@@ -146,6 +146,7 @@ Plan compile(const PipelineDesc& pipeline, const CompileOptions& options);
 bool lacks(const Plan& plan, const std::string& fact);
 
 // Throws `Error` if an output that has to be as large as the frame is not: the colour, a region's mask, truth's error.
+// Lists (PipelineDesc::Kind) may have any size.
 // Its place is the `size` of the pass that decides the size.
 void requireWholeOutputs(const Plan& plan);
 

@@ -82,10 +82,10 @@ class GltfFile : public GltfJson {
   GltfFile(const Path& file, bool allow_outside);
 
   const Path& path() const { return path_; }
-  // What was read so far, the file itself first.
+  // Files read so far, the glTF file first.
   const std::vector<SourceFile>& files() const { return files_; }
 
-  // Whether a file beside it is one that it may name.
+  // True if the glTF file may name `file`.
   bool mayRead(const Path& file) const { return allow_outside_ || liesIn(file, path_.parent_path()); }
   // The content of a file, which is then one of `files`.
   std::string readFile(const Path& file);

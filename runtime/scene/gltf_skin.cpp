@@ -156,8 +156,9 @@ void findSoleJoints(Scene& scene) {
   const std::vector<bool> may_mirror = nodesThatMayMirror(scene);
   for (size_t i = 0; i < scene.nodes.size(); ++i) {
     Node& node = scene.nodes[i];
-    const int sole = node.skin < 0 ? -1 : soleJoint(scene.meshes[size_t(node.mesh)]);
     node.sole_joint = -1;
+    if (node.skin < 0 || node.mesh < 0) continue;  // nodes outside of the file's scene have no mesh
+    const int sole = soleJoint(scene.meshes[size_t(node.mesh)]);
     if (sole < 0 || may_mirror[i]) continue;
     const Skin& skin = scene.skins[size_t(node.skin)];
     const size_t joint = size_t(skin.joints[size_t(sole)]);

@@ -503,7 +503,7 @@ std::string csvOf(const Results& results) {
   });
   text += has_notes ? ",note\n" : "\n";
   forPoints(results, [&](size_t number, const PointGroup& group, const Point& point) {
-    std::string note = group.lackOf(point) + (point.failed.empty() ? "" : ": " + point.failed);
+    std::string note = group.lackOf(point) + (point.failed.empty() || point.isMissing() ? "" : ": " + point.failed);
     for (const std::string& region : results.regions) {
       text += fmt::format("{},{},{},{}{}", number, csvCell(point.arm), csvCell(group.shot), region,
                           csvAxes(results, group));

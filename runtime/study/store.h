@@ -47,8 +47,8 @@ class Store {
   bool has(const std::string& key) const;
   void keep(const std::string& key, const Point& point) const;
 
-  // folder/truth/KEY.exr: the outputs, a part each, and the record. A missing file is drawn by `draw`; of several
-  // processes that ask for it one draws.
+  // folder/truth/KEY.exr: the outputs, a part each, and the record. A missing file is drawn by `draw`, in one
+  // of the processes that need it.
   std::shared_ptr<const lab::Picture> truth(const std::string& key,
                                             const std::function<std::shared_ptr<const lab::Picture>()>& draw) const;
 

@@ -13,7 +13,7 @@ using namespace scene;
 namespace {
 
 struct Counts {
-  uint64_t vertices = 0, tangents = 0, indices = 0, bending = 0;  // of vertices, those of instances that bend
+  uint64_t vertices = 0, tangents = 0, indices = 0, bending = 0;  // bending: vertices of deformed instances
   explicit Counts(const Scene& scene) {
     for (const Mesh& mesh : scene.meshes)
       for (const Geometry& geometry : mesh.geometries)

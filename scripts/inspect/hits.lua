@@ -5,6 +5,7 @@ local hits     = require "passes.inspect.hits"
 
 return pipeline {
   doc    = "The first 16 hits of the camera's ray through one pixel, one per texel, nearest first",
+  kind   = "list",
   params = { pixel_x = hits.params.pixel_x, pixel_y = hits.params.pixel_y },
   build  = function()
     local found = hits {}

@@ -189,10 +189,10 @@ TEST(Demo, TheShippedOneIsACaptureWithATable) {
   EXPECT_NE(outcome.out.find("This holds (RMSE"), std::string::npos) << outcome.out;
   EXPECT_GT(image::readPng(out + "/demo.png").width, 6 * 480);
   std::string table = contentOf(out + "/table.csv");
-  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 2 * 6 * 4) << "shots, arms, regions";
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 2 * 7 * 4) << "shots, arms, regions";
   Json manifest = Json::parse(contentOf(out + "/manifest.json"));
   EXPECT_EQ(manifest["capture"]["file"], "strobe:scripts/captures/demo.lua");
-  EXPECT_EQ(manifest["pictures"].size(), 14u);
+  EXPECT_EQ(manifest["pictures"].size(), 16u);
   Outcome verified = run("verify " + out, "STROBE_VALIDATION=0");
   EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
 }

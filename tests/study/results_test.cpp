@@ -137,16 +137,16 @@ TEST(Results, AsATable) {
   std::istringstream csv(csvOf(results));
   std::string line;
   std::getline(csv, line);
-  EXPECT_EQ(line, "point,arm,shot,region,speed,rmse,truth_error,pipeline,preset");
+  EXPECT_EQ(line, "point,arm,shot,region,speed,rmse,truth_error,pipeline,preset,note");
   std::getline(csv, line);
-  EXPECT_EQ(line, "1,good,shot,whole,1,0.015,0.002,none,best");
+  EXPECT_EQ(line, "1,good,shot,whole,1,0.015,0.002,none,best,");
   std::getline(csv, line);
-  EXPECT_EQ(line, "1,good,shot,inner,1,0.0075,0.001,none,best");
+  EXPECT_EQ(line, "1,good,shot,inner,1,0.0075,0.001,none,best,");
   std::getline(csv, line);
-  EXPECT_EQ(line, "1,good,shot,hidden,1,,,none,best") << "a region without pixels";
+  EXPECT_EQ(line, "1,good,shot,hidden,1,,,none,best,") << "a region without pixels";
   size_t lines = 3;
   for (std::string next; std::getline(csv, next); line = next) ++lines;
-  EXPECT_TRUE(line.ends_with(",100,,,,")) << line << ": not drawn yet";
+  EXPECT_TRUE(line.ends_with(",100,,,,,not drawn")) << line;
   EXPECT_EQ(lines, 5u * 4 * 7) << "5 values, 4 arms, 7 regions";
 }
 
@@ -309,9 +309,9 @@ TEST(Measures, OfColoursThatAreNotFiniteHaveNoValue) {
                                             "relmse_trimmed", "smape", "psnr", "contrast"};
   std::vector<std::string> names = colours;
   names.insert(names.end(), {"broken", "pixels", "bytes"});
+  Values sound = measured(sight, names, {"whole"});
   for (const std::string& name : names)
-    for (const auto& [region, value] : measured(sight, names, {"whole"}).at(name))
-      EXPECT_TRUE(std::isfinite(value)) << name;
+    for (const auto& [region, value] : sound.at(name)) EXPECT_TRUE(std::isfinite(value)) << name;
   for (float bad : {std::numeric_limits<float>::quiet_NaN(), -std::numeric_limits<float>::infinity()}) {
     sight.color.at(1, 2, 0) = sight.color.at(1, 2, 1) = sight.color.at(3, 3, 2) = bad;
     Values values = measured(sight, names, {"whole"});
