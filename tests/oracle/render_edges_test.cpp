@@ -262,7 +262,7 @@ class RenderEdges : public RenderTest {
 // Single precision decides differently only where the answer is 1 within 1e-4: depths have 7 digits, and their
 // differences are not below a hundredth of them.
 TEST_F(RenderEdges, EachIsItsFormula) {
-  for (const std::string& scene : {"crowd", "solids"}) {
+  for (const std::string scene : {"crowd", "solids"}) {
     for (std::string name : {"sobel", "prewitt", "scharr", "roberts", "laplacian four", "laplacian eight",
                              "laplacian log", "plane", "silhouette", "id"}) {
       size_t space = name.find(' ');
@@ -287,8 +287,8 @@ TEST_F(RenderEdges, EachIsItsFormula) {
 TEST_F(RenderEdges, DepthAndNormalAddUpOrAreBothAskedFor) {
   auto in_x = [](int i, int j) { return kSobel[size_t(j + 1)][size_t(i + 1)]; };
   auto in_y = [&](int i, int j) { return in_x(j, i); };
-  for (const std::string& scene : {"crowd", "solids"}) {
-    for (const std::string& combine : {"sum", "and"}) {
+  for (const std::string scene : {"crowd", "solids"}) {
+    for (const std::string combine : {"sum", "and"}) {
       lab::Picture picture = render(detected(shotOf(scene, 64, 40), "sobel", {"edge.combine=" + combine}));
       Seen seen(picture);
       int wrong = 0, edges = 0;
@@ -309,7 +309,7 @@ TEST_F(RenderEdges, DepthAndNormalAddUpOrAreBothAskedFor) {
 
 // No answer in these pictures is so near a threshold, a neighbour's answer or a sector's border that rounding decides.
 TEST_F(RenderEdges, CannyIsItsFourSteps) {
-  for (const std::string& scene : {"crowd", "solids"}) {
+  for (const std::string scene : {"crowd", "solids"}) {
     lab::Picture picture = render(detected(shotOf(scene, 64, 40), "canny"));
     Seen seen(picture);
     std::vector<bool> expected = cannyOf(seen);
@@ -456,7 +456,7 @@ TEST_F(RenderEdges, WhereABoxTouchesTheFloorIsNoSilhouette) {
 // --- Canny
 
 TEST_F(RenderEdges, CannyIsOnePixelThin) {
-  for (const std::string& scene : {"crowd", "slanted_quad", "solids"}) {
+  for (const std::string scene : {"crowd", "slanted_quad", "solids"}) {
     image::Image edges = edgesOf(detected(shotOf(scene, 72, 56), "canny"));
     int blocks = 0;
     for (int y = 0; y + 1 < edges.height; ++y)

@@ -199,7 +199,7 @@ TEST_F(RenderMasks, WhatGoesBeyondNumbersHidesNothingOfTheRest) {
 // --- Cost and worth
 
 TEST_F(RenderMasks, WhatMovesCoversWhatTheSeedMarks) {
-  for (const std::string& scene : {"crowd", "comb", "slanted_quad"})
+  for (const std::string scene : {"crowd", "comb", "slanted_quad"})
     for (const Anchor& anchor : anchors()) {
       lab::Shot shot = shotOf(scene, 64, 40);
       image::Image moving = imageOf(marked(shot, "moving", {}, anchor.name), "mask");

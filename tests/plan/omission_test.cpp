@@ -158,7 +158,7 @@ TEST(Omission, WhatStandsInOutsideHasTheFormatOfTheWrite) {
 
 // What stands in holds there what its own pass wrote, not what stands in for that.
 TEST(Omission, WhatStandsInOutsideIsNotOfAPassThatRunsThere) {
-  for (const std::string& format : {"rgba16f", "rgba32f"}) {
+  for (const std::string format : {"rgba16f", "rgba32f"}) {
     Builder b = reached(format);
     b.compute("last", {{"x", "filter.z"}}, {"z " + format}).without = {without("reached", {{"z", "x"}})};
     b.output("other", "last.z");

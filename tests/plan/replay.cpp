@@ -151,7 +151,7 @@ class Replay {
       if (pass.reads[i].name == pass.over && node.reads[i] >= 0)
         touches.push_back(image(node.reads[i], kStageIndirect, kAccessIndirectRead, 0));
     for (int write : node.writes) {
-      const uint32_t reads = isBuffer(plan_.images[write].format) ? kAccessStorageRead : 0;  // its atomics
+      const uint32_t reads = isBuffer(plan_.images[write].format) ? uint32_t(kAccessStorageRead) : 0;  // its atomics
       touches.push_back(raster ? image(write, kStageColor, 0, kAccessColorWrite)
                                : image(write, stage, reads, kAccessStorageWrite));
     }
