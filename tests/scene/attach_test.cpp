@@ -36,6 +36,7 @@ class Attached : public Gltf {
     asset.json["textures"] = Json::parse(R"([{"source":0}])");
     asset.json["images"] = Json::parse(R"([{"uri":"two.png"}])");
     asset.primitive()["material"] = 0;
+    asset.primitive()["attributes"]["TEXCOORD_0"] = asset.add<float>({0, 0, 1, 0, 0, 1}, "VEC2", 2, 5126);
     const int times = asset.add<float>({0, 1}, "SCALAR", 1, 5126);
     asset.json["animations"] = Json::array();
     for (const char* name : {"spin", "shake"}) {

@@ -11,6 +11,7 @@ using GltfAttributes = Gltf;
 Asset bumped() {
   Asset asset = triangle();
   asset.primitive()["attributes"]["NORMAL"] = asset.add<float>({0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3", 3, 5126);
+  asset.primitive()["attributes"]["TEXCOORD_0"] = asset.add<float>({0, 0, 1, 0, 0, 1}, "VEC2", 2, 5126);
   asset.json["images"] = Json::parse(
       R"([{"uri":"data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR42mO41XALAARsAjUuHifuAAAAAElFTkSuQmCC"}])");
   asset.json["textures"] = Json::parse(R"([{"source":0}])");
