@@ -310,7 +310,7 @@ const Measure& measureNamed(const std::string& name) {
 
 Values measured(const Sight& sight, const std::vector<std::string>& names, const std::vector<std::string>& regions) {
   Values values;
-  const bool finite = isFinite(sight.color) && isFinite(sight.truth->color);
+  const bool finite = isFinite(sight.color) && (!sight.truth || isFinite(sight.truth->color));
   for (const std::string& name : names) {
     const Measure& measure = measureNamed(name);
     const bool is_defined = isDefined(measure, sight, finite);
