@@ -248,7 +248,7 @@ return capture {
   EXPECT_NE(pictures[0]["record"]["outputs"]["color"], pictures[1]["record"]["outputs"]["color"]);
   Outcome verified = inside("verify out/look");
   EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
-  EXPECT_NE(inside("check").out.find(": 0 experiments, 1 captures, "), std::string::npos);
+  EXPECT_NE(inside("check").out.find(": 0 experiments, 1 capture, "), std::string::npos);
   ASSERT_EQ(inside("capture captures/look.lua --bundle -o out/bundle").exit_code, 0);
   fs::remove_all(path("captures"));
   verified = inside("verify out/bundle");
