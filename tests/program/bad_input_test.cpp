@@ -42,7 +42,7 @@ TEST(BadInput, WrongCommandLinesSayWhatWouldBeRight) {
   expectRefusal("render hybrid --sise=64x32", 2, "there is no option '--sise'; did you mean '--size'?");
   expectRefusal("--hlep", 2, "there is no option '--hlep'; did you mean '--help'?");
   expectRefusal("bench reload --repeat 3", 2, "there is no option '--repeat'; did you mean '--repeats'?");
-  expectRefusal("render hybrid -v", 2, "there is no option '-v'; strobe render --help lists what it takes");
+  expectRefusal("render hybrid -q", 2, "there is no option '-q'; strobe render --help lists what it takes");
   expectRefusal("render hybrid none", 2, "not expected: none; strobe render --help lists what it takes");
   expectRefusal("sweep", 2, "file is required; strobe sweep --help lists what it takes");
   expectRefusal("sweep nowhere.lua", 1, "strobe: nowhere.lua: there is no such file");
