@@ -107,6 +107,7 @@ std::vector<Path> takePoints(Results& results, const Path& folder) {
       std::optional<Point> known = pointFromFile(file, point.key);
       if (!known) {
         damaged.push_back(file);
+        point.values.clear(), point.failed.clear();  // it counts as missing
         continue;
       }
       if (known->command.empty()) known->command = point.command;
