@@ -119,7 +119,12 @@ study::Results concluded(study::Results results, const std::string& command, con
 // "7 of 18 points are kept; the same command continues", or that alone before anything is known of the points.
 std::string keptIn(const Path& outline) {
   std::error_code ignored;
-  std::string kept = std::filesystem::exists(outline, ignored) ? study::keptText(study::resultsIn(outline)) : "";
+  std::string kept;
+  if (std::filesystem::exists(outline, ignored)) {
+    study::Results results = study::resultsIn(outline);
+    study::takePoints(results, outline.parent_path());
+    kept = study::keptText(results);
+  }
   return kept.empty() ? "the same command continues" : kept;
 }
 

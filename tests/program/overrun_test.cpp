@@ -2,8 +2,6 @@
 // A shader that never ends, where no window waits for it.
 #include <gtest/gtest.h>
 
-#include <regex>
-
 #include "common/home.h"
 #include "program/run.h"
 
@@ -54,10 +52,10 @@ TEST_F(Overrun, OfASweepNamesThePointAndWhatIsKept) {
   Outcome outcome = limited("sweep " + (folder_ / "x.lua") + " -o " + (folder_ / "out"));
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.err.find("strobe: bar, endless: '"), std::string::npos) << outcome.err;
-  // A point that is still being written when the program ends is not among the kept ones.
-  const std::regex kept("ran for more than 1 s on the device \\(--time-limit\\); (0 of 3 points are|1 of 3 points is) "
-                        "kept; the same command continues\n");
-  EXPECT_TRUE(std::regex_search(outcome.err, kept)) << outcome.err;
+  EXPECT_NE(outcome.err.find("ran for more than 1 s on the device (--time-limit); 1 of 3 points is kept; the same "
+                             "command continues\n"),
+            std::string::npos)
+      << outcome.err;
 }
 
 }  // namespace overrun_test
