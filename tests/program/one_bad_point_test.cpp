@@ -84,8 +84,10 @@ TEST_F(OneBadPoint, IsFlaggedAndAllElseIsLaidOut) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("color: 1 of 2304 pixels is not finite, the first at 3,3"), std::string::npos);
     const std::string table = file("out/table.csv");
-    EXPECT_TRUE(std::regex_search(table, std::regex("\n1,smear,bar,whole,,,,[0-9.]+,[0-9.]+,smear,,1 px not finite\n"))) << table;
-    EXPECT_TRUE(std::regex_search(table, std::regex("\n2,none,bar,whole,[0-9.e-]+,[0-9.e-]+,[0-9.]+,[0-9.]+,[0-9.]+,none,,\n")))
+    EXPECT_TRUE(std::regex_search(table, std::regex("\n1,smear,bar,whole,,,,[0-9.]+,[0-9.]+,smear,,1 px not finite\n")))
+        << table;
+    EXPECT_TRUE(
+        std::regex_search(table, std::regex("\n2,none,bar,whole,[0-9.e-]+,[0-9.e-]+,[0-9.]+,[0-9.]+,[0-9.]+,none,,\n")))
         << table;
     EXPECT_NE(file("out/result.md").find("| 1 px not finite |"), std::string::npos) << file("out/result.md");
     EXPECT_TRUE(fs::exists(folder_ / "p/out/report.png"));
@@ -119,7 +121,8 @@ TEST_F(OneBadPoint, OfAnotherSizeIsRefused) {
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
   const std::string table = file("out/table.csv");
-  EXPECT_TRUE(std::regex_search(table, std::regex("\n1,smear,bar,whole,,,,,[0-9.]+,smear,,\"?failed: passes/smear.lua:10: ")))
+  EXPECT_TRUE(
+      std::regex_search(table, std::regex("\n1,smear,bar,whole,,,,,[0-9.]+,smear,,\"?failed: passes/smear.lua:10: ")))
       << table;
   EXPECT_TRUE(std::regex_search(table, std::regex("\n2,none,bar,whole,[0-9.e-]+,"))) << table;
 }
