@@ -24,8 +24,8 @@ struct Share {
 
 void PrintTo(const Share& share, std::ostream* out) { *out << share.pipeline << " " << share.shard; }
 
-// A pipeline with presets has several times as many variants as others. No mistake that
-// tools/mutate draws was caught by these cases alone, so few are drawn here; `strobe stability` draws all.
+// A pipeline with presets has several times as many variants as others. In the run of tools/mutate none of these cases
+// was the first to fail for a mistake, so few are drawn here; `strobe stability` draws all.
 std::vector<Share> shares() {
   std::vector<Share> list;
   for (const std::string& name : home().namesIn("scripts/pipelines", ".lua")) {
