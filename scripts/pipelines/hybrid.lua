@@ -1,44 +1,81 @@
 -- SPDX-License-Identifier: MIT
--- Raster and ray-revealed background, blurred and composited. Tan, Cui and Bhojan 2020, "Hybrid MBlur".
-local pipeline = require "strobe.pipeline"
-local budget   = require "scripts.pipelines.lib.budget"
-local curves   = require "scripts.pipelines.lib.curves"
-local hybrid   = require "scripts.pipelines.lib.hybrid"
-local masks    = require "scripts.pipelines.lib.masks"
-local ranges   = require "scripts.pipelines.lib.ranges"
-local scene    = require "scripts.pipelines.lib.scene"
+-- Tan, Cui and Bhojan 2020, "Hybrid MBlur: Using Ray Tracing to Solve the Partial Occlusion Artifacts in Real-Time
+-- Rendering of Motion Blur Effect", SIGGRAPH '20 Posters. One function per section of the paper.
+local pipeline    = require "strobe.pipeline"
+local candidate   = require "passes.mask.candidate"
+local range_check = require "passes.mask.range_check"
+local reveal      = require "passes.scene.reveal"
+local alpha_over  = require "passes.composite.alpha_over"
+local mcguire2012 = require "passes.gather.mcguire2012"
+local edges       = require "scripts.pipelines.lib.edges"
+local gathers     = require "scripts.pipelines.lib.gathers"
+local options     = require "scripts.pipelines.lib.options"
+local scene       = require "scripts.pipelines.lib.scene"
+local tiles       = require "scripts.pipelines.lib.tiles"
 
--- Without rays the hybrid is the post-process that its layers are blurred by.
-local function without_rays(weights, other, set)
-  local when = { mask = "none", composite = "alpha_over", weights = weights, directions = "one" }
-  return { when = when, pipeline = other, set = set }
+-- Ray Mask: the displaced position is farther and another object, an edge is there, and the pixel is in range of it.
+local function ray_mask(p, raster)
+  local where = candidate { depth = raster.depth, id = raster.id, velocity = raster.velocity, taps = p.mask_taps }.candidate
+  local edge = edges.detected(p.edge(), raster, where)
+  return range_check { edge = edge, id = raster.id, velocity = raster.velocity, own_edge = p.own_edge, as = "mask" }.mask
 end
 
+-- Ray Reveal: a ray per masked pixel, advanced past the foreground to the next object.
+local function ray_reveal(raster, mask)
+  local found = reveal { hit = raster.hit, mask = mask }
+  return scene.layer {
+    color = found.color, depth = found.depth, velocity = found.velocity, id = found.id, valid = found.valid,
+  }
+end
+
+-- Post-Process: tile-dilate, then the gather, of one layer. `behind`: the layer that it uncovers.
+local function blurred(p, layer, name, behind)
+  local dominant = tiles.dominant(p, layer, { prefix = name .. "_" })
+  return gathers.blurred(p.weights(), gathers.images(layer, dominant, behind), "gather_" .. name, p.color_format)
+end
+
+local edge_choice = { default = "sobel", doc = "edge detector of the ray mask", values = edges.texts(), table.unpack(edges.names) }
+
+local text = {
+  edge = "sobel", own_edge = false, termination = "luminance", advance = "restart", on_cap = "last_hit", weights = "mcguire2012",
+}
+-- Two readings where the text is silent or contradicts its claims: rays pass the object in front at once, and each tap is
+-- an equal share of the exposure.
+local paper = options.with(options.with({}, text), { advance = "instance_filter", weights = "uniform" })
+
 return pipeline {
-  doc = "What raster sees and what rays reveal behind it, blurred and composited (Tan, Cui and Bhojan 2020)",
-  params = hybrid.params(),
-  presets = hybrid.presets,
-  default_preset = "best",
-  compare_with = "mcguire2012",
-  equals = {
-    without_rays("mcguire2012", "mcguire2012", { weights = "mcguire2012" }),
-    without_rays("uniform", "mcguire2012", { weights = "uniform" }),
-    without_rays("jimenez2014", "jimenez2014", { cheap = false }),
-    without_rays("guertin2014", "guertin2014", { uniform_path = false }),
+  doc = "The published method: raster and ray-revealed background, blurred and composited (Tan, Cui and Bhojan 2020)",
+  params = options.with(options.blur(40), {
+    mask_taps    = pipeline.int { 1, min = 1, max = 64, doc = "positions along the displacement that the ray mask tests" },
+    edge         = pipeline.choice(edge_choice),
+    own_edge     = pipeline.bool { true, doc = "the edge in range must belong to the instance of the pixel" },
+    termination  = reveal.params.termination,
+    tolerance    = reveal.params.tolerance,
+    luminance_of = reveal.params.luminance_of,
+    same_motion  = reveal.params.same_motion,
+    advance      = reveal.params.advance,
+    max_layers   = reveal.params.max_layers,
+    on_cap       = reveal.params.on_cap,
+    weights      = pipeline.choice(gathers.choice("uniform", "weights of the taps")),
+    directions   = mcguire2012.params.directions,
+  }),
+  presets = {
+    paper = { doc = "the paper, read so that its claims hold: rays pass the object in front at once, taps count alike", set = paper },
+    text = { doc = "the paper to the letter", set = text },
+    geometry_index = { doc = "the paper with the termination that it proposes: another geometry, in place of another luminance",
+                       set = options.with(options.with({}, paper), { termination = "geometry" }) },
   },
+  default_preset = "paper",
+  compare_with = "mcguire2012",
   build = function(p)
-    local seen = scene.captured()
-    if curves.are_foretold(p) then curves.add(p, { { "raster", seen } }) end
-    local moving = ranges.divided(p, seen, "halves")
-    local mask = budget.masked(p, seen, ranges.mask(p, moving, masks[p.mask()]))
-    local revealed = hybrid.revealed(p, seen, mask)
-    local first, layers = revealed[1], hybrid.divided(p, revealed)
-    local color, traced = hybrid.composited(p, moving, layers, mask)
-    return scene.outputs(seen, {
-      color = color, mask = mask, traced = budget.is_set(p) and traced or nil,
-      revealed = first.color, revealed_depth = first.depth,
-      revealed_velocity = curves.are_foretold(p) and layers[1].velocity or first.velocity,
-      revealed_id = first.id, revealed_valid = first.valid,
+    local raster = scene.captured()
+    local mask = ray_mask(p, raster)
+    local revealed = ray_reveal(raster, mask)
+    local front, back = blurred(p, raster, "raster", revealed), blurred(p, revealed, "revealed")
+    return scene.outputs(raster, {
+      color = alpha_over { front = front, back = back, as = "composite" }.color, mask = mask,
+      revealed = revealed.color, revealed_depth = revealed.depth, revealed_velocity = revealed.velocity,
+      revealed_id = revealed.id, revealed_valid = revealed.valid,
     })
   end,
 }

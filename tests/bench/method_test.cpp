@@ -21,11 +21,11 @@ TEST(Method, IsAPipelineWithSettings) {
   Method plain = methodFrom("hybrid");
   EXPECT_EQ(plain.pipeline, "hybrid");
   EXPECT_TRUE(plain.sets.empty());
-  Method set = methodFrom("pipelines/x.lua:preset=seed,samples=32,gain=0.5,edge.size=3");
-  EXPECT_EQ(set.text, "pipelines/x.lua:preset=seed,samples=32,gain=0.5,edge.size=3");
+  Method set = methodFrom("pipelines/x.lua:preset=text,samples=32,gain=0.5,edge.size=3");
+  EXPECT_EQ(set.text, "pipelines/x.lua:preset=text,samples=32,gain=0.5,edge.size=3");
   EXPECT_EQ(set.pipeline, "pipelines/x.lua");
   EXPECT_EQ(set.sets,
-            (script::Settings{{"preset", "seed"}, {"samples", int64_t(32)}, {"gain", 0.5}, {"edge.size", int64_t(3)}}));
+            (script::Settings{{"preset", "text"}, {"samples", int64_t(32)}, {"gain", 0.5}, {"edge.size", int64_t(3)}}));
 }
 
 TEST(Method, OtherSpellingsAreRefused) {

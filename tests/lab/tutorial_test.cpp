@@ -77,7 +77,7 @@ Shot movingThings() {
   shot.scene = sourceFolder() / "tests/oracle/scenes/solids.lua";
   shot.width = 64, shot.height = 40, shot.frame = 0;
   shot.moves = {"box=0.6,0,0", "ball=-0.6,0.2,0"};
-  shot.sets = {{"mask", "seed"}, {"scene.width", "64"}, {"scene.height", "40"}};
+  shot.sets = {{"scene.width", "64"}, {"scene.height", "40"}};
   return shot;
 }
 
@@ -87,7 +87,7 @@ Shot movingBar() {
   shot.pipeline = "hybrid";
   shot.scene = "oracles/bar";
   shot.width = 256, shot.height = 16, shot.frame = 0;
-  shot.sets = {{"mask", "seed"},       {"edge", "dilation"},   {"tile", "8"},      {"limit", "0.25"},
+  shot.sets = {{"edge", "dilation"},   {"tile", "8"},      {"limit", "0.25"},
                {"scene.width", "256"}, {"scene.height", "16"}, {"scene.d_f", "20"}};
   return shot;
 }
@@ -191,7 +191,7 @@ TEST_F(Following, CheckFindsTheMistake) {
   writeAll();
   const Page::Mistake& mistake = page_.mistakes.front();
   write(mistake.file, withLine(page_.files.at(mistake.file), mistake.number, mistake.line));
-  Outcome outcome = inside("check hybrid --set mask=seed --set edge=dilation");
+  Outcome outcome = inside("check hybrid --set edge=dilation");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.err, "strobe: " + mistake.error + "\n");
 }

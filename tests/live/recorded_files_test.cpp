@@ -80,7 +80,7 @@ TEST_F(RecordedFiles, AFileThatCameIsThereFromThenOn) {
   const Path made = home.shipped() / "passes/edge/made.lua", shader = home.shipped() / "shaders/edge/made.glsl";
   lab::Workbench own(home, bench());
   DeskOptions options;
-  options.shot = oracle::with(oracle::shotOf("bar", 32, 16), "hybrid", {"preset=seed"});
+  options.shot = oracle::with(oracle::shotOf("bar", 32, 16), "hybrid", {});
   Desk desk(own, options);
   Recording recording(home, folder.path() / "recorded");
   auto turns_until = [&](auto done) {

@@ -53,6 +53,11 @@ lab::Shot shotOf(const std::string& scene, int width, int height, const Numbers&
   return shot;
 }
 
+const std::string& hybridSteps() {
+  static const std::string file = sourceFolder() / "experiments/pipelines/hybrid_steps.lua";
+  return file;
+}
+
 lab::Shot with(lab::Shot shot, const std::string& pipeline, const std::vector<std::string>& settings,
                const std::string& anchor) {
   shot.pipeline = pipeline;

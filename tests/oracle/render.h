@@ -30,6 +30,9 @@ using Numbers = std::vector<std::pair<std::string, double>>;
 lab::Shot shotOf(const std::string& scene, int width, int height, const Numbers& numbers = {});
 
 // The same with another pipeline and more settings of it ("NAME=VALUE"); the anchor's name or "" to leave it.
+// The pipeline in which experiments combine steps of the hybrids.
+const std::string& hybridSteps();
+
 lab::Shot with(lab::Shot shot, const std::string& pipeline, const std::vector<std::string>& settings = {},
                const std::string& anchor = "");
 

@@ -21,9 +21,9 @@ class RenderCells : public RenderTest {
     return shot;
   }
   static lab::Picture celled(const lab::Shot& shot, const std::vector<std::string>& nodes, int cell) {
-    std::vector<std::string> settings = {"preset=captured", "tile=20"};
+    std::vector<std::string> settings = {"tile=20"};
     for (const std::string& node : nodes) settings.push_back(fmt::format("{}.cell_side={}", node, cell));
-    return render(with(shot, "hybrid", settings));
+    return render(with(shot, "hybrid_layered", settings));
   }
 };
 
@@ -33,9 +33,9 @@ const std::vector<std::string> kOfComposite = {"raster_bounds", "revealed_bounds
 // Those of its pixels and of no others; the last cells are cut off by the picture's border.
 TEST_F(RenderCells, KnowTheInstancesThatTheyShow) {
   constexpr int kSide = 7;
-  std::vector<std::string> settings = {"preset=captured"};
+  std::vector<std::string> settings;
   for (const std::string& node : kOfMask) settings.push_back(fmt::format("{}.cell_side={}", node, kSide));
-  lab::Shot shot = with(shotOf("crowd", 64, 40), "hybrid", settings);
+  lab::Shot shot = with(shotOf("crowd", 64, 40), "hybrid_layered", settings);
   shot.taps = {"mask_ids.ids"};
   const lab::Picture picture = render(shot);
   const image::UintImage &ids = picture.frame.taps.at(shot.taps[0]).uints, &id = picture.frame.outputs.at("id").uints;
@@ -109,8 +109,8 @@ struct MaskCells {
 TEST_F(RenderCells, HaveTheMotionsThatCross) {
   constexpr int kSide = 10, kTile = 20, kPicture = 96, kLimit = 24, kMargin = 1;
   for (const Anchor& anchor : anchors()) {
-    lab::Shot shot = with(shotOf("wedge", kPicture, kPicture, {{"from", 20}, {"to", 65}, {"degrees", 60}}), "hybrid",
-                          {"preset=captured", fmt::format("tile={}", kTile), "limit=0.25"}, anchor.name);
+    lab::Shot shot = with(shotOf("wedge", kPicture, kPicture, {{"from", 20}, {"to", 65}, {"degrees", 60}}), "hybrid_layered",
+                          {fmt::format("tile={}", kTile), "limit=0.25"}, anchor.name);
     shot.taps = {"mask_bounds.bounds", "mask_ids.ids"};
     for (int k = 0; k < 4; ++k) shot.taps.push_back(fmt::format("mask_near_motions.motions_{}", k));
     for (int k = 0; k < 4; ++k) shot.taps.push_back(fmt::format("mask_crossings.crossing_{}", k));
@@ -191,7 +191,7 @@ TEST_F(RenderCells, DoNotShowInThePicture) {
 TEST_F(RenderCells, LeaveOutWhatNothingReaches) {
   lab::Shot shot = room("main", "close");
   shot.taps = {"motion_reach.moved"};
-  lab::Picture picture = render(with(shot, "hybrid", {"tile=20"}));
+  lab::Picture picture = render(with(shot, "hybrid_traced", {"tile=20"}));
   shot.taps.clear();
   const image::Image& moved = picture.frame.taps.at("motion_reach.moved").floats;
   lab::Shot at_once = shot;

@@ -92,21 +92,12 @@ const std::map<std::string, std::vector<std::vector<std::string>>> kGraphs = {
     {"bevy", {{"trajectory=cubic"}}},
     {"layers2024", {{"trajectory=cubic"}}},
     {"hybrid",
-     {{"mask=all"},
-      {"preset=captured", "trajectory=cubic"},
-      {"preset=captured", "trajectory=arc", "depths=tap"},
-      {"preset=layers", "trajectory=cubic"},
-      {"composite=in_gather", "trajectory=cubic"},
-      {"mask=moving", "mask.min_displacement=0"},
-      {"mask=none"},
-      {"mask=seed", "mask.min_displacement=0", "mask_candidate.min_displacement=0", "edge=canny"},
-      {"mask=seed", "edge=plane"},
-      {"composite=in_gather"},
-      {"composite=alpha_over", "weights=guertin2014", "tiles=separate"},
-      {"range=split"},
-      {"reveal_resolution=half", "depths=tap"},
-      {"velocity_format=fp16", "color_format=fp16", "depth_encoding=reversed"},
-      {"termination=motion", "advance=origin_kept", "mask=all"}}},
+     {{"mask.min_displacement=0", "mask_candidate.min_displacement=0", "edge=canny"},
+      {"edge=plane"},
+      {"weights=guertin2014"},
+      {"velocity_format=fp16", "color_format=fp16", "depth_encoding=reversed"}}},
+    {"hybrid_layered", {{"trajectory=quadratic"}, {"trajectory=arc"}, {"range=split"}, {"termination=motion", "advance=origin_kept"}}},
+    {"hybrid_traced", {{"range=split"}, {"velocity_format=fp16", "color_format=fp16", "depth_encoding=reversed"}}},
     {"accumulation", {{"samples=4", "reuse=none"}, {"samples=3", "reuse=blended"}}},
     {"ground_truth", {{"samples=4"}, {"samples=2", "mode=raster"}}},
 };
@@ -227,7 +218,7 @@ TEST_F(RenderFacts, OfEachAnchor) {
   const std::map<std::string, std::vector<std::string>> lacked = {
       {"close", {"after"}}, {"centre", {}}, {"open", {"before"}}};
   for (const auto& [anchor, absent] : lacked) {
-    Shot shot = with(cases()[1].shot, "hybrid", {}, anchor);
+    Shot shot = with(cases()[1].shot, "hybrid_traced", {}, anchor);
     std::vector<std::string> found = absentFacts(shot, bench().scene(shot)->loaded.scene);
     std::erase_if(found, [](const std::string& fact) { return fact != "before" && fact != "after"; });
     EXPECT_EQ(found, absent) << anchor;
@@ -238,16 +229,18 @@ TEST_F(RenderFacts, OfEachAnchor) {
 
 TEST_F(RenderFacts, OfEveryPipelineThatShips) {
   for (const std::string& name : script::pipelineNames(bench().home()))
-    if (name != "hybrid") compareAll(name);
+    if (name.rfind("hybrid", 0) != 0) compareAll(name);
 }
 
-TEST_F(RenderFacts, OfTheHybrid) { compareAll("hybrid"); }
+TEST_F(RenderFacts, OfTheHybrids) {
+  for (const char* name : {"hybrid", "hybrid_layered", "hybrid_traced"}) compareAll(name);
+}
 
 TEST_F(RenderFacts, AreInTheRecord) {
-  Picture still = render(with(cases()[0].shot, "hybrid")), moving = render(with(cases()[1].shot, "hybrid"));
+  Picture still = render(with(cases()[0].shot, "hybrid_traced")), moving = render(with(cases()[1].shot, "hybrid_traced"));
   EXPECT_EQ(still.record["facts"], Json::array({"shadows", "before"}));
   EXPECT_EQ(moving.record["facts"], Json::array({"motion", "covered", "arrives", "shadows", "before"}));
-  EXPECT_EQ(everythingOf(with(cases()[0].shot, "hybrid")).record["facts"].size(), 12u);
+  EXPECT_EQ(everythingOf(with(cases()[0].shot, "hybrid_traced")).record["facts"].size(), 12u);
 }
 
 // What goes on otherwise after the capture than displacements say is blurred as they do, to where it never comes.
@@ -260,8 +253,7 @@ TEST_F(RenderFacts, WhatIsForetoldIsReached) {
     for (const char* anchor : {"close", "centre", "open"})
       for (std::vector<std::string> settings : paths) {
         Shot shot = shotOf("bent", 256, 32, {{"before", 20}, {"after", after}, {"top", 8}, {"bottom", 20}});
-        settings.push_back("preset=captured");
-        const Shot foretold = with(shot, "hybrid", settings, anchor);
+        const Shot foretold = with(shot, "hybrid_layered", settings, anchor);
         const scene::PixelArea reach = lab::frameSetup(foretold, bench().scene(shot)->loaded.scene).reach;
         EXPECT_LT(reach.x1 - reach.x0, 256) << anchor << ' ' << after;
         EXPECT_EQ(hashOf(render(foretold).frame.outputs.at("color")),
@@ -273,7 +265,7 @@ TEST_F(RenderFacts, WhatIsForetoldIsReached) {
 // Outside of where anything moves, passes that know what stands in for them do not run; what they leave is the same.
 TEST_F(RenderFacts, OfPixelsThatNothingReaches) {
   const Shot square = shotOf("quad_2d", kWidth, kHeight, {{"left", 18}, {"right", 24}, {"top", 10}, {"bottom", 15}});
-  Shot shot = with(square, "hybrid", {"preset=best"}, "close");
+  Shot shot = with(square, "hybrid_traced", {}, "close");
   shot.taps = {"composite.open",   "mask.mask",        "reveal.found",
                "raster_bend.bend", "tile_max.longest", "composite.blurred"};
   Picture required = render(shot), everything = everythingOf(shot);
@@ -285,7 +277,7 @@ TEST_F(RenderFacts, OfPixelsThatNothingReaches) {
 
 // A tap of what is left out is what stands in for it.
 TEST_F(RenderFacts, TapsOfWhatIsLeftOut) {
-  Shot shot = with(cases()[0].shot, "hybrid");
+  Shot shot = with(cases()[0].shot, "hybrid_traced");
   shot.taps = {"composite.blurred", "mask.mask", "tile_max.longest", "mask_near_motions.motions_0"};
   Picture required = render(shot), everything = everythingOf(shot);
   for (const auto& [name, image] : everything.frame.taps)
@@ -302,31 +294,28 @@ TEST_F(RenderFacts, AStillFrameCostsWhatTheCaptureCosts) {
   }
 }
 
-// Rays at their own time, more layers, layers of the ends: what is not asked for does not run, and of the ends of the
-// exposure that which is the capture does not.
+// Rays at their own time run in hybrid_traced alone; the end of the exposure that is the raster time is not drawn again.
 TEST_F(RenderFacts, WhatIsNotAskedForDoesNotRun) {
   const Shot crowd = cases()[1].shot;
-  auto runs = [&](const std::string& anchor, const std::vector<std::string>& settings, const std::string& node) {
-    std::vector<std::string> nodes = nodesOf(render(with(crowd, "hybrid", settings, anchor)));
+  auto runs = [&](const std::string& anchor, const std::string& pipeline, const std::string& node) {
+    std::vector<std::string> nodes = nodesOf(render(with(crowd, pipeline, {}, anchor)));
     return std::count(nodes.begin(), nodes.end(), node) > 0;
   };
   for (const char* node : {"own_time", "open_visibility", "unseen_open", "raster_bend", "doubtful",
-                           "mask_moving_silhouettes", "open_layer", "moving_behind_2", "reveal_2"})
-    EXPECT_FALSE(runs("close", {"preset=captured"}, node)) << node;
-  EXPECT_TRUE(runs("close", {"preset=captured", "revealed_layers=2"}, "reveal_2"));
-  EXPECT_TRUE(runs("close", {"preset=captured", "end_layers=true"}, "open_layer"));
+                           "mask_moving_silhouettes"})
+    EXPECT_FALSE(runs("close", "hybrid_layered", node)) << node;
   const std::map<std::string, std::pair<bool, bool>> ends = {
       {"close", {true, false}}, {"centre", {true, true}}, {"open", {false, true}}};
   for (const auto& [anchor, seen] : ends) {
-    EXPECT_EQ(runs(anchor, {}, "open_visibility"), seen.first) << anchor;
-    EXPECT_EQ(runs(anchor, {}, "close_visibility"), seen.second) << anchor;
+    EXPECT_EQ(runs(anchor, "hybrid_traced", "open_visibility"), seen.first) << anchor;
+    EXPECT_EQ(runs(anchor, "hybrid_traced", "close_visibility"), seen.second) << anchor;
   }
 }
 
 // Before a camera at rest an end of the exposure is drawn without what is at rest; before one that moves with it.
 TEST_F(RenderFacts, EndsAreDrawnWithoutWhatIsAtRest) {
   auto seenAtOpen = [](Shot shot) {
-    shot = with(shot, "hybrid", {}, "close");
+    shot = with(shot, "hybrid_traced", {}, "close");
     shot.taps = {"open_visibility.hit"};
     Picture picture = render(shot);
     std::set<uint32_t> seen;
@@ -335,13 +324,13 @@ TEST_F(RenderFacts, EndsAreDrawnWithoutWhatIsAtRest) {
       for (int x = 0; x < kWidth; ++x) seen.insert(hit.at(x, y, 0));
     return seen;
   };
-  Shot before_rest = with(cases()[1].shot, "hybrid", {}, "close");
+  Shot before_rest = with(cases()[1].shot, "hybrid_traced", {}, "close");
   const std::vector<bool> moves = lab::factsOf(before_rest, bench().scene(before_rest)->loaded.scene, 0).moves;
   ASSERT_GT(std::count(moves.begin(), moves.end(), false), 0);
   for (uint32_t id : seenAtOpen(before_rest)) {
     if (id > 0) EXPECT_TRUE(moves[id - 1]) << id;
   }
-  const Shot before_motion = with(cases()[2].shot, "hybrid", {}, "close");
+  const Shot before_motion = with(cases()[2].shot, "hybrid_traced", {}, "close");
   EXPECT_GT(seenAtOpen(before_motion).size(), 2u);
 }
 

@@ -152,7 +152,7 @@ TEST_F(RenderGathers, JittersAreTheirDefinitions) {
 TEST_F(RenderGathers, FrozenJitterStandsStill) {
   // Of the hybrid the layers of the capture: rays at own times have no jitter.
   using Method = std::pair<const char*, std::vector<std::string>>;
-  for (const auto& [pipeline, set] : {Method{"guertin2014", {}}, {"hybrid", {"preset=captured"}}})
+  for (const auto& [pipeline, set] : {Method{"guertin2014", {}}, {"hybrid_layered", {}}})
     for (bool per_frame : {false, true}) {
       image::Image frames[2];
       for (int frame : {0, 1}) {
@@ -380,8 +380,8 @@ TEST_F(RenderGathers, TellForegroundFromWhatWasRevealed) {
   Strips strips = stripes(20, 0);
   auto inner_error = [&](const std::string& weights) {
     lab::Shot shot =
-        with(shotOf("textured_bar", kWidth, 8), "hybrid",
-             {"preset=seed_linear", "mask=relative", "tile=20", "limit=0.1", "weights=" + weights}, "close");
+        with(shotOf("textured_bar", kWidth, 8), hybridSteps(),
+             {"composite=alpha_over", "tile=20", "limit=0.1", "weights=" + weights}, "close");
     image::Image color = colorOf(render(shot));
     double worst = 0;
     for (int x = 140; x < 160; ++x)
@@ -400,7 +400,7 @@ TEST_F(RenderGathers, WhatRestsInFrontIsNotLost) {
     lab::Shot shot = shotOf("textured_bar", kWidth, 8, motions(0, 20));
     image::Image seen = colorOf(render(with(shot, "none", {}, "close")));
     image::Image color = colorOf(
-        render(with(shot, "hybrid", {"preset=seed_linear", "mask=all", "tile=20", "limit=0.1", samples}, "close")));
+        render(with(shot, hybridSteps(), {"composite=alpha_over", "mask=all", "tile=20", "limit=0.1", samples}, "close")));
     for (int x = 96; x < 160; ++x) EXPECT_NEAR(color.at(x, 4, 0), seen.at(x, 4, 0), 1e-6) << samples << " " << x;
   }
 }

@@ -22,11 +22,11 @@ const std::vector<Method>& methods() {
       {"guertin2014", {}},
       {"jimenez2014", {}},
       {"mcguire2012", {"weights=uniform"}},
-      {"hybrid", {"preset=seed"}},
-      {"hybrid", {"preset=best"}},
-      {"hybrid", {"composite=in_gather"}},
-      {"hybrid", {"composite=layered", "range=split"}},
-      {"hybrid", {"displacement=extrapolated"}},
+      {"hybrid", {}},
+      {"hybrid_traced", {}},
+      {hybridSteps(), {"composite=in_gather"}},
+      {"hybrid_layered", {"range=split"}},
+      {"hybrid_traced", {"displacement=extrapolated"}},
       {"ground_truth", {"samples=16"}},
       {"ground_truth", {"samples=16", "times=stratified", "shading=full"}},
       {"ground_truth", {"samples=16", "mode=raster"}},
@@ -75,7 +75,7 @@ TEST_F(RenderJumps, ACutOutsideOfTheExposureChangesNothing) {
 
 // The path of the frame before is no path over a cut.
 TEST_F(RenderJumps, ACutBeforeTheExposureIsNoPathToExtrapolate) {
-  Method extrapolated{"hybrid", {"preset=seed", "displacement=extrapolated"}};  // without rays at their own time
+  Method extrapolated{"hybrid", {"displacement=extrapolated"}};  // without rays at their own time
   EXPECT_TRUE(
       identical(drawn(jumps({{"scene_cut", -1.5}}), extrapolated, "close"), drawn(jumps({}), {"none", {}}, "close")));
 }
@@ -135,7 +135,7 @@ class RenderJumpsInGltf : public RenderJumps {
 
   static std::vector<image::Image> pictures(const lab::Shot& shot) {
     std::vector<image::Image> all;
-    for (const Method& method : {methods()[0], Method{"hybrid", {"preset=captured"}}, methods()[9]})
+    for (const Method& method : {methods()[0], Method{"hybrid_layered", {}}, methods()[9]})
       all.push_back(drawn(shot, method, "close"));
     return all;
   }

@@ -107,11 +107,11 @@ class RenderLayers : public RenderTest {
  protected:
   lab::Picture layered(const Stripes& stripes, Case c, const std::string& mask, int samples = 32,
                        const std::string& anchor = "close") {
-    std::vector<std::string> more = {"preset=captured", "mask=" + mask, "edge=id", "own_edge=true"};
-    return render(with(stripes.shot(c), "hybrid", settings(samples, more), anchor));
+    std::vector<std::string> more = {"mask=" + mask, "edge=id", "own_edge=true"};
+    return render(with(stripes.shot(c), hybridSteps(), settings(samples, more), anchor));
   }
-  RowError preset(const Stripes& stripes, Case c, const std::string& name) {
-    return errorOf(render(with(stripes.shot(c), "hybrid", settings(16, {"preset=" + name}))), stripes, c);
+  RowError error(const Stripes& stripes, Case c, const std::string& pipeline, const std::vector<std::string>& set) {
+    return errorOf(render(with(stripes.shot(c), pipeline, settings(16, set))), stripes, c);
   }
 
   RowError checkOwn(const Stripes& stripes, Case c, const std::string& what);
@@ -122,7 +122,7 @@ class RenderLayers : public RenderTest {
 // The mask along the foreground's own motion. It is one pixel wider than the exact one (a silhouette that is reached at
 // the very end of the exposure counts), which the table's does not allow for: compared with that mask.
 RowError RenderLayers::checkOwn(const Stripes& stripes, Case c, const std::string& what) {
-  lab::Picture picture = layered(stripes, c, "seed");
+  lab::Picture picture = layered(stripes, c, "paper");
   expectSimulated(picture, stripes.bar(c).strips(), 32, what + " own");
   return errorOf(picture, stripes, c);
 }
@@ -130,7 +130,7 @@ RowError RenderLayers::checkOwn(const Stripes& stripes, Case c, const std::strin
 // rms within .002 of the table: the candidates' order is worth .0008 at most. .015 is what 32 samples of an exact
 // picture allow for (.010), and .033 their largest error.
 RowError RenderLayers::checkRelative(const Stripes& stripes, Case c, const std::string& what) {
-  lab::Picture picture = layered(stripes, c, "relative");
+  lab::Picture picture = layered(stripes, c, "disocclusion");
   expectSimulated(picture, stripes.bar(c).strips(), 32, what + " relative");
   EXPECT_EQ(counterOf(picture, "tile_max.clamped"), 0u) << what;
   RowError error = errorOf(picture, stripes, c);
@@ -144,22 +144,23 @@ RowError RenderLayers::checkRelative(const Stripes& stripes, Case c, const std::
 
 void RenderLayers::checkTable(const Stripes& stripes) {
   std::string table =
-      fmt::format("| {}: f, b | own N=32 | relative N=32 | seed_text | seed_linear | captured |\n", stripes.name);
+      fmt::format("| {}: f, b | own N=32 | relative N=32 | letter | letter, even weights | hybrid_layered |\n", stripes.name);
   for (Case c : kCases) {
     std::string what = fmt::format("{} f {} b {}", stripes.name, c.d_front, c.d_back);
     RowError own = checkOwn(stripes, c, what), relative = checkRelative(stripes, c, what);
     bool own_is_wrong = c.d_front * c.d_back < 0 || c.d_front == 0;
     EXPECT_GE(own.rms, own_is_wrong ? 2.5 * relative.rms : 0) << what;
 
-    RowError seed = preset(stripes, c, "seed_text"), linear = preset(stripes, c, "seed_linear"),
-             best = preset(stripes, c, "captured");
+    RowError letter = error(stripes, c, "hybrid", {"preset=text"}),
+             linear = error(stripes, c, "hybrid", {"preset=text", "weights=uniform"}),
+             best = error(stripes, c, "hybrid_layered", {});
     RowError simulated_best = layeredError(stripes.bar(c), Mask::kRelative,
                                            {.samples = 16, .both_ways = true, .ask_twice = true}, kCloseAnchor);
     EXPECT_NEAR(best.rms, simulated_best.rms, .002) << what;
     // Over a background at rest alpha-over is exact, up to 16 samples.
     EXPECT_LE(linear.rms, c.d_back == 0 ? simulated_best.rms + .001 : kInfinity) << what;
     table += fmt::format("| {}, {} | {} | {} | {} | {} | {} |\n", c.d_front, c.d_back, shown(own), shown(relative),
-                         shown(seed), shown(linear), shown(best));
+                         shown(letter), shown(linear), shown(best));
   }
   fmt::print("{}", table);
 }
@@ -171,7 +172,7 @@ TEST_F(RenderLayers, GentleStripesGiveTheTable) { checkTable(kGentle); }
 TEST_F(RenderLayers, EveryAnchorIsAsGood) {
   for (const Anchor& anchor : anchors()) {
     for (Case c : {kCases[2], kCases[4], kCases[6], kCases[7]}) {
-      RowError error = errorOf(layered(kGentle, c, "relative", 32, anchor.name), kGentle, c, anchor.window);
+      RowError error = errorOf(layered(kGentle, c, "disocclusion", 32, anchor.name), kGentle, c, anchor.window);
       EXPECT_LE(error.rms, .0065) << anchor.name << " f " << c.d_front << " b " << c.d_back;
       EXPECT_LE(error.max, .03) << anchor.name << " f " << c.d_front << " b " << c.d_back;
     }
@@ -183,7 +184,7 @@ TEST_F(RenderLayers, RelativeMaskCoversWhatIsUncovered) {
   for (const Anchor& anchor : anchors()) {
     for (Case c : {kCases[0], kCases[4], kCases[6], kCases[7]}) {
       std::string what = fmt::format("{} f {} b {}", anchor.name, c.d_front, c.d_back);
-      std::vector<bool> marked = markedIn(layered(kGentle, c, "relative", 1, anchor.name));
+      std::vector<bool> marked = markedIn(layered(kGentle, c, "disocclusion", 1, anchor.name));
       Row raster = rasterise(kGentle.bar(c).strips(), kWidth);
       std::vector<bool> needed = hiddenMask(raster, Mask::kRelative, anchor.window);
       int more = 0;
@@ -200,7 +201,7 @@ TEST_F(RenderLayers, RelativeMaskCoversWhatIsUncovered) {
 TEST_F(RenderLayers, RevealingHelps) {
   for (Case c : {kCases[1], kCases[4], kCases[6], kCases[9]}) {
     RowError without = errorOf(layered(kHarsh, c, "none"), kHarsh, c);
-    RowError revealed = errorOf(layered(kHarsh, c, "relative"), kHarsh, c);
+    RowError revealed = errorOf(layered(kHarsh, c, "disocclusion"), kHarsh, c);
     EXPECT_LE(revealed.rms, without.rms + 1e-4) << c.d_front << " " << c.d_back;
   }
 }
@@ -267,7 +268,7 @@ TEST_F(RenderLayers, TapsAlongTheSecondDisplacementFindWhatOthersStepOver) {
                                  {"d2", kSmall}});
   const Strips strips{{kFrom, kTo, kSmall, {1}}, {-kInfinity, kInfinity, 0, {.1}}};
   const lab::Picture picture = render(with(
-      shot, "hybrid", {"preset=captured", "tile=128", "limit=0.5", fmt::format("samples={}", kSamples)}, "centre"));
+      shot, "hybrid_layered", {"tile=128", "limit=0.5", fmt::format("samples={}", kSamples)}, "centre"));
   const image::Image& color = colorOf(picture);
   // Left of where the second card comes.
   for (int x = 0; x < 40; ++x) {
@@ -282,7 +283,7 @@ TEST_F(RenderLayers, TapsAlongTheSecondDisplacementFindWhatOthersStepOver) {
 TEST_F(RenderLayers, TilesHaveTheOtherMotionToo) {
   constexpr int kTile = 40;
   for (Case c : {Case{20, 12}, {6, 20}, {12, -12.5}}) {
-    lab::Shot shot = with(kGentle.shot(c), "hybrid", {"preset=captured", fmt::format("tile={}", kTile)});
+    lab::Shot shot = with(kGentle.shot(c), "hybrid_layered", {fmt::format("tile={}", kTile)});
     shot.taps = {"neighbour_max.dominant", "neighbour_max.second"};
     const lab::Picture picture = render(shot);
     const image::Image &dominant = picture.frame.taps.at(shot.taps[0]).floats,
@@ -318,17 +319,12 @@ TEST_F(RenderLayers, WhatIsHiddenAtTheCaptureComesOut) {
                            {"v1", 1},
                            {"d1", 20}});
   Strips strips{{40, 72, 0, {.5}}, {50, 62, 20, {1}}, {-kInfinity, kInfinity, 0, {.1}}};
-  for (const char* tiles : {"separate", "union"}) {
-    for (const Anchor& anchor : anchors()) {
-      lab::Picture picture = render(with(shot, "hybrid",
-                                         {"preset=captured", "mask=all", "tile=20", "limit=0.2",
-                                          fmt::format("tiles={}", tiles), fmt::format("samples={}", kSamples)},
-                                         anchor.name));
-      expectWithin(
-          colorOf(picture), [&](int x, int) { return exposeCentre(strips, anchor.window, x); },
-          [&](const Exposure& e) { return e.variation * (1. / (2 * kSamples) + .5 / 20) + 1e-4; },
-          fmt::format("{} {}", tiles, anchor.name));
-    }
+  for (const Anchor& anchor : anchors()) {
+    lab::Picture picture =
+        render(with(shot, hybridSteps(), {"mask=all", "tile=20", "limit=0.2", fmt::format("samples={}", kSamples)}, anchor.name));
+    expectWithin(
+        colorOf(picture), [&](int x, int) { return exposeCentre(strips, anchor.window, x); },
+        [&](const Exposure& e) { return e.variation * (1. / (2 * kSamples) + .5 / 20) + 1e-4; }, anchor.name);
   }
 }
 

@@ -105,7 +105,7 @@ TEST_F(RenderLenses, NearPlanesMoveFromWhatTheCaptureSees) {
   constexpr double kFov = .6, kStretch = 5.5 / 5;  // of the card, from the start to the capture
   lab::Shot nearing = shot("/cameras/0/perspective/znear", 8.84f, .84f, true, kFov);
   nearing.moves = {"eye=0,0,-1"};
-  nearing = with(nearing, "hybrid", {"preset=best"}, "centre");
+  nearing = with(nearing, "hybrid_traced", {}, "centre");
   nearing.taps = {"unseen_open.unseen", "unseen_close.unseen"};
   const lab::Picture picture = render(nearing);
   const image::Image &open = picture.frame.taps.at(nearing.taps[0]).floats,

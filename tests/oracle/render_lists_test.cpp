@@ -90,22 +90,5 @@ TEST_F(RenderLists, AWidePictureHasALongList) {
   EXPECT_GT(std::count(times.begin(), times.end(), 1u), 0);
 }
 
-TEST_F(RenderLists, RevealIsTheSameOverAList) {
-  const std::vector<std::pair<std::string, std::string>> cases = {{"bvh", "preset=best"},
-                                                                  {"bvh", "preset=layers"},
-                                                                  {"bvh", "reveal_resolution=half"},
-                                                                  {"query", "preset=seed"},
-                                                                  {"pipeline", "preset=seed"}};
-  for (const auto& [backend, settings] : cases) {
-    lab::Shot shot = crowd();
-    shot.backend = backend;
-    const lab::Picture over_list = render(with(shot, "hybrid", {settings, "reveal_over=list"}));
-    const lab::Picture over_picture = render(with(shot, "hybrid", {settings, "reveal_over=picture"}));
-    EXPECT_TRUE(identical(colorOf(over_list), colorOf(over_picture))) << backend << ", " << settings;
-    EXPECT_EQ(counterOf(over_list, "reveal.revealed"), counterOf(over_picture, "reveal.revealed")) << settings;
-    EXPECT_GT(counterOf(over_list, "reveal.revealed"), 0u) << settings;
-  }
-}
-
 }  // namespace render_lists_test
 }  // namespace strobe::oracle

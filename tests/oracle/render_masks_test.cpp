@@ -45,15 +45,14 @@ class RenderMasks : public RenderTest {
  protected:
   static lab::Picture masked(const lab::Shot& shot, const std::string& mask, std::vector<std::string> settings = {},
                              const std::string& anchor = "close") {
-    settings.insert(settings.end(), {"preset=captured", "mask=" + mask, "tile=8", "limit=0.25"});
-    return render(with(shot, "hybrid", settings, anchor));
+    settings.insert(settings.end(), {"mask=" + mask, "tile=8", "limit=0.25"});
+    return render(with(shot, hybridSteps(), settings, anchor));
   }
-  // The mask alone.
+  // The mask of one detector.
   static lab::Picture marked(const lab::Shot& shot, const std::string& mask, std::vector<std::string> settings = {},
                              const std::string& anchor = "close") {
     settings.insert(settings.end(), {"mask=" + mask, "tile=8", "limit=0.25"});
-    std::string pipeline = sourceFolder().string() + "/tests/oracle/pipelines/masks_alone.lua";
-    return render(with(shot, pipeline, settings, anchor));
+    return render(with(shot, hybridSteps(), settings, anchor));
   }
   static image::Image truth(const lab::Shot& shot) {
     return colorOf(render(with(shot, "ground_truth", {"samples=256", "mark_regions=false"})));
@@ -65,11 +64,11 @@ class RenderMasks : public RenderTest {
 TEST_F(RenderMasks, TheBarIsMarkedByItsMotion) {
   lab::Shot right = shotOf("bar", 256, 16, {{"d_f", 20}}), left = shotOf("bar", 256, 16, {{"d_f", -20}});
   for (const char* own : {"own_edge=true", "own_edge=false"})
-    EXPECT_EQ(markedIn(marked(right, "seed", {"edge=sobel", own})), range(139, 160)) << own;
-  EXPECT_EQ(markedIn(marked(left, "seed", {"edge=sobel"})), range(96, 117));
-  EXPECT_EQ(markedIn(marked(right, "relative")), range(139, 160));
+    EXPECT_EQ(markedIn(marked(right, "paper", {"edge=sobel", own})), range(139, 160)) << own;
+  EXPECT_EQ(markedIn(marked(left, "paper", {"edge=sobel"})), range(96, 117));
+  EXPECT_EQ(markedIn(marked(right, "disocclusion")), range(139, 160));
   // Edges of two pixels on the near side are reached a pixel earlier.
-  EXPECT_EQ(markedIn(marked(right, "seed", {"edge=laplacian", "edge.kernel=log"})), range(138, 160));
+  EXPECT_EQ(markedIn(marked(right, "paper", {"edge=laplacian", "edge.kernel=log"})), range(138, 160));
 }
 
 // Half of 40 px to either side: both bands. What Roberts answers for is half a pixel to the right: a left silhouette
@@ -79,14 +78,14 @@ TEST_F(RenderMasks, EveryDetectorLeadsToTheSameMask) {
   Columns both = range(96, 117), right = range(139, 160);
   both.insert(both.end(), right.begin(), right.end());
   for (const char* detector : {"canny", "id", "laplacian", "plane", "prewitt", "scharr", "silhouette", "sobel"})
-    EXPECT_EQ(markedIn(marked(bar, "seed", {fmt::format("edge={}", detector)}, "centre")), both) << detector;
-  EXPECT_EQ(markedIn(marked(bar, "seed", {"edge=roberts"}, "centre")), right);
+    EXPECT_EQ(markedIn(marked(bar, "paper", {fmt::format("edge={}", detector)}, "centre")), both) << detector;
+  EXPECT_EQ(markedIn(marked(bar, "paper", {"edge=roberts"}, "centre")), right);
 }
 
 TEST_F(RenderMasks, OverABackgroundAtRestEveryMaskReachesTheBound) {
   const Strips strips{{96, 160, 20, {1}}, {-kInfinity, kInfinity, 0, {0}}};
   for (const Anchor& anchor : anchors())
-    for (const char* mask : {"seed", "relative", "moving", "all"}) {
+    for (const char* mask : {"paper", "disocclusion", "moving", "all"}) {
       lab::Picture picture = masked(shotOf("bar", 256, 16), mask, {"edge=silhouette"}, anchor.name);
       // One of 16 samples for each border of the bar, half of it by their times and half by rounding to pixels.
       expectWithin(
@@ -100,7 +99,7 @@ TEST_F(RenderMasks, TilesKnowTheFarthestThatMoves) {
   constexpr int kTile = 8;
   lab::Shot shot = shotOf("crowd", 64, 40, {{"scale", .01}});
   shot.taps = {"mask_tile_motions.farthest"};
-  const lab::Picture picture = marked(shot, "relative");
+  const lab::Picture picture = marked(shot, "disocclusion");
   const image::Image &farthest = picture.frame.taps.at(shot.taps[0]).floats, &depth = imageOf(picture, "depth"),
                      &velocity = imageOf(picture, "velocity");
   int moving = 0, still = 0;
@@ -142,7 +141,7 @@ TEST_F(RenderMasks, SilhouettesAreWhereDisplacementsDiffer) {
                              {"v1", 1},
                              {"d1", pair.right}});
     shot.taps = {"mask_moving_silhouettes.near"};
-    const lab::Picture picture = render(with(shot, "hybrid", {"preset=best"}));
+    const lab::Picture picture = render(with(shot, "hybrid_traced", {}));
     const image::Image& near = picture.frame.taps.at(shot.taps[0]).floats;
     EXPECT_NEAR(imageOf(picture, "velocity").at(15, 1, 0), pair.left, 1e-3);
     for (int x : {15, 16}) EXPECT_EQ(near.at(x, 1, 0) > .5f, pair.expected) << pair.left << ' ' << pair.right;
@@ -156,8 +155,8 @@ TEST_F(RenderMasks, SilhouettesAreWhereDisplacementsDiffer) {
 // find the right half of each tooth by one and the left by the other.
 TEST_F(RenderMasks, SeveralTapsFindGapsThatOneJumpsOver) {
   lab::Shot comb = shotOf("comb", 128, 16);
-  lab::Picture one = masked(comb, "seed", {"edge=silhouette"});
-  lab::Picture four = masked(comb, "seed", {"edge=silhouette", "mask_taps=4"});
+  lab::Picture one = masked(comb, "paper", {"edge=silhouette"});
+  lab::Picture four = masked(comb, "paper", {"edge=silhouette", "mask_taps=4"});
   int in_teeth = 0, found = 0;
   for (int x = 20; x < 88; ++x) {  // from 108 on pixels leave the picture, which counts as uncovering; 20 px before
     bool tooth = (x - 4) % 20 < 10;
@@ -174,12 +173,11 @@ TEST_F(RenderMasks, SeveralTapsFindGapsThatOneJumpsOver) {
 // However far something goes, by more pixels than there are whole numbers: what the others uncover is looked for. Its
 // own paths leave the picture.
 TEST_F(RenderMasks, WhatGoesBeyondNumbersHidesNothingOfTheRest) {
-  const std::string pipeline = sourceFolder().string() + "/tests/oracle/pipelines/masks_alone.lua";
   lab::Shot slow = shotOf("crowd", 64, 40, {{"scale", 1e-8}}), fast = slow;
   slow.moves = {"near=0,0,0"}, fast.moves = {"near=1e5,0,0"};
   for (const Anchor& anchor : anchors()) {
     auto maskOf = [&](const lab::Shot& shot) {
-      return render(with(shot, pipeline, {"mask=relative", "tile=8", "limit=auto"}, anchor.name));
+      return render(with(shot, hybridSteps(), {"mask=disocclusion", "tile=8", "limit=auto"}, anchor.name));
     };
     const lab::Picture without = maskOf(slow), with_it = maskOf(fast);
     int marked = 0, missing = 0, beyond = 0;
@@ -204,18 +202,18 @@ TEST_F(RenderMasks, WhatMovesCoversWhatTheSeedMarks) {
       lab::Shot shot = shotOf(scene, 64, 40);
       image::Image moving = imageOf(marked(shot, "moving", {}, anchor.name), "mask");
       for (const char* taps : {"mask_taps=1", "mask_taps=4"}) {
-        image::Image seed = imageOf(marked(shot, "seed", {taps, "own_edge=false"}, anchor.name), "mask");
+        image::Image seed = imageOf(marked(shot, "paper", {taps, "own_edge=false"}, anchor.name), "mask");
         EXPECT_EQ(countMissing(seed, moving), 0) << scene << " " << anchor.name << " " << taps;
         EXPECT_GE(countMarked(seed), 1) << scene;
       }
-      image::Image relative = imageOf(marked(shot, "relative", {}, anchor.name), "mask");
+      image::Image relative = imageOf(marked(shot, "disocclusion", {}, anchor.name), "mask");
       EXPECT_EQ(countMissing(relative, moving), 0) << scene << " " << anchor.name;
     }
 }
 
 TEST_F(RenderMasks, WhatIsStillIsNotMarked) {
   lab::Shot still = shotOf("crowd", 64, 40, {{"speed", 0}});
-  for (const char* mask : {"none", "seed", "relative", "moving"})
+  for (const char* mask : {"none", "paper", "disocclusion", "moving"})
     EXPECT_EQ(countMarked(imageOf(marked(still, mask), "mask")), 0) << mask;
   // A bar of 20 px of motion and all it comes by: tiles farther than that from its path stay out.
   Columns moving = markedIn(marked(shotOf("bar", 256, 16), "moving"));
@@ -241,8 +239,8 @@ TEST_F(RenderMasks, WhatMovesAlikeIsNotMarkedByRelativeMotion) {
   lab::Shot alike = shotOf(
       "cards", 128, 8,
       {{"left0", 40}, {"right0", 72}, {"z0", 0}, {"d0", 16}, {"left1", -80}, {"right1", 208}, {"z1", -20}, {"d1", 16}});
-  EXPECT_EQ(countMarked(imageOf(marked(alike, "relative"), "mask")), 0);
-  EXPECT_GT(countMarked(imageOf(marked(alike, "seed"), "mask")), 0);
+  EXPECT_EQ(countMarked(imageOf(marked(alike, "disocclusion"), "mask")), 0);
+  EXPECT_GT(countMarked(imageOf(marked(alike, "paper"), "mask")), 0);
 }
 
 // Cards that move across each other. Without a mask the error is .33 rms; .063 with the seed's, .057 with the relative
@@ -252,13 +250,13 @@ TEST_F(RenderMasks, RevealingIsWorthMoreThanRevealingEverything) {
   lab::Shot crowd = shotOf("crowd", 64, 40);
   image::Image exact = truth(crowd);
   std::map<std::string, double> error;
-  for (const char* mask : {"none", "seed", "relative", "moving", "all"}) {
+  for (const char* mask : {"none", "paper", "disocclusion", "moving", "all"}) {
     lab::Picture picture = masked(crowd, mask, {"edge=silhouette", "samples=32"});
     error[mask] = rmsDifference(colorOf(picture), exact);
   }
-  for (const char* mask : {"seed", "relative", "moving", "all"}) EXPECT_LE(error[mask], error["none"] / 4) << mask;
-  EXPECT_LE(error["relative"], error["seed"]);
-  EXPECT_LE(error["relative"], error["all"]);
+  for (const char* mask : {"paper", "disocclusion", "moving", "all"}) EXPECT_LE(error[mask], error["none"] / 4) << mask;
+  EXPECT_LE(error["disocclusion"], error["paper"]);
+  EXPECT_LE(error["disocclusion"], error["all"]);
   EXPECT_NEAR(error["moving"], error["all"], 1e-3);  // what is still and stays uncovered needs nothing
 }
 

@@ -55,7 +55,7 @@ TEST_F(RenderMaterials, BacksAreSeenOfWhatHasTwoSides) {
       expectCards(imageOf(picture, "ray_color"), expected, backend + ", rays");
       expectCards(colorOf(render(with(shot, "ground_truth", {"samples=2"}))), expected, backend + ", truth");
       std::vector<std::string> passing = {"mask=all", "termination=instance", "advance=instance_filter"};
-      expectCards(colorOf(render(with(shot, "hybrid", passing))), expected, backend + ", hybrid");
+      expectCards(colorOf(render(with(shot, hybridSteps(), passing))), expected, backend + ", hybrid");
     }
   }
 }

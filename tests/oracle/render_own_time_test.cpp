@@ -39,43 +39,31 @@ const Bar kBars[] = {{"has left", 70.3, 90.3, 40}, {"leaves", 50.3, 80.3, 30}, {
 // It is outside at the capture, which ends the exposure, and where that begins.
 const Bar kCrosses = {"crosses", 80.3, 100.3, 220};
 
-std::vector<std::string> settings(const std::string& preset, const std::vector<std::string>& more = {}) {
-  std::vector<std::string> all = {"preset=" + preset, "tile=16"};
-  all.insert(all.end(), more.begin(), more.end());
-  return all;
-}
-
 class RenderOwnTime : public RenderTest {
  protected:
-  static double largestError(const Bar& bar, std::vector<std::string> set, int samples = kSamples) {
-    set.push_back(fmt::format("samples={}", samples));
-    const lab::Picture picture = render(with(bar.shot(), "hybrid", set, "close"));
+  static double largestError(const Bar& bar, const std::string& pipeline, std::vector<std::string> set = {},
+                             int samples = kSamples) {
+    set.insert(set.end(), {"tile=16", fmt::format("samples={}", samples)});
+    const lab::Picture picture = render(with(bar.shot(), pipeline, set, "close"));
     double largest = 0;
     for (int x = 0; x < kWidth; ++x)
       largest = std::max(largest, std::abs(colorOf(picture).at(x, kRow, 0) - bar.sampledAt(x, samples)));
     return largest;
-  }
-  static lab::Picture stacked(int count, bool equal, const std::vector<std::string>& set) {
-    lab::Shot shot = shotOf("../objects/stacked", 96, 54, {{"count", double(count)}, {"pixels", 16}});
-    shot.sets.push_back({"scene.equal", std::string(equal ? "true" : "false")});
-    return render(with(shot, set.empty() ? "ground_truth" : "hybrid",
-                       set.empty() ? std::vector<std::string>{"samples=32", "times=stratified"} : set));
   }
 };
 
 // The capture does not see it, or not all of it; a ray at each sample's time does.
 TEST_F(RenderOwnTime, FindsWhatTheCaptureDoesNotSee) {
   for (const Bar& bar : kBars) {
-    EXPECT_LE(largestError(bar, settings("best", {"taps=nearest"})), 1e-5) << bar.what;
-    EXPECT_LE(largestError(bar, settings("best", {"taps=nearest", "mask=none"})), 1e-5) << bar.what;
+    EXPECT_LE(largestError(bar, "hybrid_traced", {"composite.taps=nearest"}), 1e-5) << bar.what;
   }
-  EXPECT_GE(largestError(kBars[0], settings("captured")), .25);
+  EXPECT_GE(largestError(kBars[0], "hybrid_layered"), .25);
 }
 
 TEST_F(RenderOwnTime, FindsWhatCrossesThePictureBetweenTheEnds) {
-  EXPECT_LE(largestError(kCrosses, settings("best", {"taps=nearest"})), 1e-5);
-  EXPECT_LE(largestError(kCrosses, settings("best", {"taps=nearest"}), 64), 1e-5);
-  EXPECT_GE(largestError(kCrosses, settings("captured", {"end_layers=true"})), .05);
+  EXPECT_LE(largestError(kCrosses, "hybrid_traced", {"composite.taps=nearest"}), 1e-5);
+  EXPECT_LE(largestError(kCrosses, "hybrid_traced", {"composite.taps=nearest"}, 64), 1e-5);
+  EXPECT_GE(largestError(kCrosses, "hybrid_layered"), .05);
 }
 
 // However slow the bar: to a part of a pixel, as rays at the samples' times do.
@@ -83,84 +71,35 @@ TEST_F(RenderOwnTime, OfDetailMeetsEdgesBetweenPixels) {
   for (double d : {.3, .9, 2.6, 6.1}) {
     const Bar bar = {"slow", 20.27, 41.73, d};
     const std::string what = fmt::format("{} px", d);
-    EXPECT_LE(largestError(bar, settings("best")), 1e-5) << what;
-    EXPECT_LE(largestError(bar, settings("best", {"taps=nearest"})), 1e-5) << what;
-    EXPECT_GE(largestError(bar, settings("captured")), .02) << what;
+    EXPECT_LE(largestError(bar, "hybrid_traced"), 1e-5) << what;
+    EXPECT_LE(largestError(bar, "hybrid_traced", {"composite.taps=nearest"}), 1e-5) << what;
+    EXPECT_GE(largestError(bar, "hybrid_layered"), .02) << what;
   }
 }
 
 // Texture too: as truth of the same samples, of which there may be more than 32. Where samples lie farther apart than
 // `detail_below` texels are blended.
 TEST_F(RenderOwnTime, OfDetailMeetsTextureBetweenPixels) {
-  auto rendered = [](double speed, const std::string& samples, const std::string& pipeline, const std::string& set) {
-    return render(with(shotOf("../stability/passage", 96, 54, {{"speed", speed}, {"angle", 17}}), pipeline,
-                       {"samples=" + samples, set}));
+  auto rendered = [](double speed, const std::string& samples, const std::string& pipeline, std::vector<std::string> set = {}) {
+    set.push_back("samples=" + samples);
+    return render(with(shotOf("../stability/passage", 96, 54, {{"speed", speed}, {"angle", 17}}), pipeline, set));
   };
   for (auto [speed, samples] : {std::pair{.4, "16"}, {3.0, "16"}, {3.0, "64"}, {20.0, "64"}}) {
-    const lab::Picture truth = rendered(speed, samples, "ground_truth", "times=midpoint");
-    const lab::Picture best = rendered(speed, samples, "hybrid", "preset=best");
+    const lab::Picture truth = rendered(speed, samples, "ground_truth", {"times=midpoint"});
+    const lab::Picture best = rendered(speed, samples, "hybrid_traced");
     EXPECT_LE(largestDifference(colorOf(best), colorOf(truth)), 1e-5) << speed << ", " << samples << " samples";
   }
-  const lab::Picture truth = rendered(20, "16", "ground_truth", "times=midpoint");
-  EXPECT_GE(largestDifference(colorOf(rendered(20, "16", "hybrid", "preset=best")), colorOf(truth)), .01);
+  const lab::Picture truth = rendered(20, "16", "ground_truth", {"times=midpoint"});
+  EXPECT_GE(largestDifference(colorOf(rendered(20, "16", "hybrid_traced")), colorOf(truth)), .01);
 }
 
 // Raster rounds places: at some pixels of the cage's wires it sees one where rays pass beside it, at some the other way
 // round. What rays at rest know of a pixel is what they see there themselves.
 TEST_F(RenderOwnTime, SilhouettesAtRestAreThoseOfRays) {
-  lab::Shot shot = with(shotOf("../objects/caged_fan", 320, 180, {}), "hybrid", {"preset=best"}, "close");
+  lab::Shot shot = with(shotOf("../objects/caged_fan", 320, 180, {}), "hybrid_traced", {}, "close");
   const lab::Picture known = render(shot);
   shot.model_everything = true;  // every ray asks for what is at rest too
   EXPECT_LE(largestDifference(colorOf(known), colorOf(render(shot))), 1e-4) << "rounding; a wrong pixel is off by .3";
-}
-
-// Edges to within a pixel and a half, which is less than two samples at these speeds. Rays reveal behind all that
-// moves: a path that leaves the picture tells the relative mask nothing.
-TEST_F(RenderOwnTime, LayersOfTheEndsHoldWhatTheEndsSee) {
-  const double sample = (kLight - kDark) / kSamples;
-  for (const Bar& bar : kBars)
-    EXPECT_LE(largestError(bar, settings("captured", {"end_layers=true", "mask=moving"})), 2.01 * sample) << bar.what;
-}
-
-// And save the rays that would look for it.
-TEST_F(RenderOwnTime, LayersOfTheEndsSaveRays) {
-  auto traced = [](const std::vector<std::string>& set) {
-    return counterOf(render(with(kBars[0].shot(), "hybrid", set, "close")), "own_time.samples");
-  };
-  EXPECT_LT(2 * traced(settings("best", {"end_layers=true"})), traced(settings("best")));
-}
-
-// Composites that know one layer behind take no notice.
-TEST_F(RenderOwnTime, OtherCompositesKnowOneLayer) {
-  for (const char* composite : {"alpha_over", "in_gather"}) {
-    auto drawn = [&](const std::vector<std::string>& more) {
-      std::vector<std::string> set = settings("captured", more);
-      set.push_back(fmt::format("composite={}", composite));
-      return render(with(kBars[1].shot(), "hybrid", set, "close"));
-    };
-    EXPECT_TRUE(identical(colorOf(drawn({})), colorOf(drawn({"end_layers=true", "revealed_layers=4"})))) << composite;
-  }
-}
-
-// Of boxes behind each other, each moving its own way: up to three layers, each lowers the error, whatever
-// colours they have, and finds the same pixels.
-TEST_F(RenderOwnTime, EachLayerBehindLowersTheError) {
-  for (int count : {2, 4}) {
-    std::vector<uint64_t> revealed;
-    for (bool equal : {false, true}) {
-      const lab::Picture truth = stacked(count, equal, {});
-      double last = INFINITY;
-      const int most = std::min(count, 3);
-      for (int layers = 1; layers <= most; ++layers) {
-        const lab::Picture own = stacked(count, equal, {"preset=captured", fmt::format("revealed_layers={}", layers)});
-        double error = rmsDifference(colorOf(own), colorOf(truth));
-        EXPECT_LT(error, last) << count << " boxes, " << layers << " layers, alike: " << equal;
-        last = error;
-        if (layers == most) revealed.push_back(counterOf(own, fmt::format("reveal_{}.revealed", layers)));
-      }
-    }
-    EXPECT_EQ(revealed[0], revealed[1]) << count;
-  }
 }
 
 }  // namespace render_own_time_test

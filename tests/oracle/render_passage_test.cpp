@@ -100,7 +100,7 @@ TEST_F(RenderPassage, IsFollowedByBestAtEverySpeedAndNumberOfSamples) {
   for (const Anchor& anchor : anchors())
     for (double speed : {.3, 1., 3., 10., 30., 100., 300.})
       for (const char* samples : {"samples=1", "samples=4", "samples=16", "samples=64"}) {
-        const double best = errorOf(drawn(speed, anchor, "hybrid", {"preset=best", samples}), speed, anchor.window);
+        const double best = errorOf(drawn(speed, anchor, "hybrid_traced", {samples}), speed, anchor.window);
         const double floor =
             errorOf(drawn(speed, anchor, "ground_truth", {samples, "times=midpoint"}), speed, anchor.window);
         EXPECT_LE(best, 1.3 * floor) << anchor.name << ", " << speed << " px, " << samples;

@@ -86,10 +86,10 @@ struct Method {
 
   std::string name() const { return fmt::format("{} {}", pipeline, fmt::join(settings, " ")); }
 };
-const Method kUniform{"mcguire2012", {"weights=uniform"}}, kLinear{"hybrid", {"preset=seed_linear"}},
-    kBest{"hybrid", {"preset=captured"}};
-const Method kInGather{"hybrid", {"composite=in_gather"}};
-const std::vector<Method> kSplitting = {kUniform, kLinear, kBest, kInGather};
+const Method kUniform{"mcguire2012", {"weights=uniform"}}, kLinear{"hybrid", {"preset=text", "weights=uniform"}},
+    kBest{"hybrid_layered", {}};
+const Method kInGather{hybridSteps(), {"composite=in_gather"}};
+const std::vector<Method> kSplitting = {kUniform, kBest, kInGather};
 
 class RenderRanges : public RenderTest {
  protected:
@@ -134,7 +134,7 @@ TEST_F(RenderRanges, EachAnchorIsNearestToItsOwnExposure) {
                                        {"ue4", {}},
                                        {"guertin2014", {}},
                                        {"jimenez2014", {}},
-                                       {"hybrid", {"preset=seed_text"}},
+                                       {"hybrid", {"preset=text"}},
                                        kLinear,
                                        kBest};
   for (const Method& method : methods) {
@@ -343,7 +343,7 @@ TEST_F(RenderRanges, SkyMovesWithTheTurningCamera) {
 TEST_F(RenderRanges, WhatIsNotThereDoesNotMoveWithTheTurningCamera) {
   lab::Shot shot = crowd();
   shot.spins = {"camera=0,1,0,8"};
-  shot = with(shot, "hybrid", {"preset=captured", "range=split"}, "centre");
+  shot = with(shot, "hybrid_layered", {"range=split"}, "centre");
   shot.taps = {"revealed_halves.before", "revealed_halves.after"};
   const lab::Picture picture = render(shot);
   const image::Image& depth = imageOf(picture, "revealed_depth");

@@ -177,8 +177,8 @@ struct Method {
   std::vector<std::string> settings;
 };
 const Method kUniform{"mcguire2012", {"weights=uniform"}}, kPairs{"jimenez2014", {}},
-    kLayered{"hybrid", {"composite=layered", "own_time=none"}}, kInGather{"hybrid", {"composite=in_gather"}},
-    kAlphaOver{"hybrid", {"composite=alpha_over", "weights=uniform"}};
+    kLayered{hybridSteps(), {"composite=layered"}}, kInGather{hybridSteps(), {"composite=in_gather"}},
+    kAlphaOver{hybridSteps(), {"composite=alpha_over", "weights=uniform"}};
 
 // A moving edge covers a pixel for the share of the weight of the times at which it does, within .01: half a sample per
 // edge, and the quarter of a pixel by which layers may place an edge, 96 px of which pass.
@@ -226,7 +226,7 @@ TEST_F(RenderShutterCurves, RaysAtTheirOwnTimeFollowTheCurve) {
     lab::Shot shot = curved(shotOf("bar", 64, 4, {{"left", 70.3}, {"right", 90.3}, {"d_f", 40}}), curve.text);
     const Exact exact(Strips{{70.3, 90.3, 40, {1}}, {}}, curve, kCloseAnchor);
     expectWithin(
-        drawn(shot, "hybrid", "close", {"preset=best", "samples=32", "tile=16", "taps=nearest"}),
+        drawn(shot, "hybrid_traced", "close", {"samples=32", "tile=16", "composite.taps=nearest"}),
         [&](int x, int) { return exact.at(x); },
         [&](const Exposure& e) { return e.variation * (.5 / 32 + curve.stated) + 1e-3; }, curve.text);
   }

@@ -42,8 +42,6 @@ std::vector<Kept> joined(std::vector<Kept> list, const std::vector<Kept>& more) 
 }
 
 std::vector<Keeper> keepers() {
-  std::vector<Kept> halved = {
-      {"reveal_upsample.velocity", "velocity"}, {"reveal_upsample.depth", "depth"}, {"reveal_upsample.color", "color"}};
   std::vector<Kept> parts = {{"halves.before", "velocity"},
                              {"halves.after", "velocity"},
                              {"revealed_halves.before", "velocity"},
@@ -54,12 +52,11 @@ std::vector<Keeper> keepers() {
       {"guertin2014", {}, kSeen},
       {"jimenez2014", {}, kSeen},
       {"ue4", {}, kSeen},
-      {"hybrid", {"mask=all"}, joined(kSeen, kRevealed)},
-      {"hybrid", {"mask=all", "range=split"}, joined(kSeen, parts)},
-      {"hybrid", {"mask=all", "reveal_resolution=half"}, joined(kSeen, halved)},
+      {hybridSteps(), {"mask=all"}, joined(kSeen, kRevealed)},
+      {hybridSteps(), {"mask=all", "range=split"}, joined(kSeen, parts)},
   };
   for (const char* weights : {"uniform", "mcguire2012", "guertin2014", "jimenez2014"})
-    list.push_back({"hybrid", {"mask=all", "composite=alpha_over", fmt::format("weights={}", weights)}, blurred});
+    list.push_back({hybridSteps(), {"mask=all", "composite=alpha_over", fmt::format("weights={}", weights)}, blurred});
   return list;
 }
 
@@ -101,7 +98,7 @@ void expectClose(const image::Image& exact, const image::Image& stored, double r
 // The images of the passes that shade and project: rounded once from what fp32 holds.
 TEST_F(RenderStored, WhatIsSeenAndRevealedIsRoundedOnce) {
   for (const Keeper& keeper : keepers()) {
-    if (name(keeper).find('=') != std::string::npos && name(keeper) != "hybrid mask=all") continue;
+    if (name(keeper).find('=') != std::string::npos && name(keeper) != hybridSteps() + " mask=all") continue;
     lab::Picture exact = render(crowd(keeper, {}));
     lab::Picture half = render(crowd(keeper, kOther));
     for (const Kept& one : keeper.kept)
@@ -164,7 +161,7 @@ TEST_F(RenderStored, SkySurvivesEveryEncoding) {
 }
 
 TEST_F(RenderStored, NothingRevealedStaysNothing) {
-  lab::Picture picture = render(crowd({"hybrid", {"mask=all"}, kRevealed}, kOther));
+  lab::Picture picture = render(crowd({hybridSteps(), {"mask=all"}, kRevealed}, kOther));
   expectSkyWhereNothingIs(picture, "hybrid");
   const image::Image& valid = imageOf(picture, "revealed_valid");
   const image::Image& behind = imageOf(picture, "revealed_depth");
@@ -232,9 +229,8 @@ TEST_F(RenderStored, ThePictureMovesByNoMoreThanItsColours) {
 
 // What is at rest is copied: with half floats the picture is what was stored, bit for bit.
 TEST_F(RenderStored, StillPicturesAreWhatWasStored) {
-  for (const char* pipeline : {"mcguire2012", "guertin2014", "jimenez2014", "ue4", "hybrid"}) {
-    lab::Shot shot = crowd({pipeline, {"mask=all"}, {{"shade.color", "color"}}}, kOther);
-    if (shot.pipeline != "hybrid") std::erase(shot.sets, script::Setting("mask", "all"));
+  for (const char* pipeline : {"mcguire2012", "guertin2014", "jimenez2014", "ue4", "hybrid", "hybrid_traced"}) {
+    lab::Shot shot = crowd({pipeline, {}, {{"shade.color", "color"}}}, kOther);
     shot.exposure = 0;
     lab::Picture picture = render(shot);
     EXPECT_TRUE(identical(colorOf(picture), picture.frame.taps.at("shade.color").floats)) << pipeline;

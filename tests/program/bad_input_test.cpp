@@ -28,9 +28,9 @@ const std::string kScene = " --scene oracles/bar --size 64x32";
 
 TEST(BadInput, NamesAreRefusedWithTheNearest) {
   expectRefusal("render hybrd" + kScene, 2, "did you mean 'hybrid'?");
-  expectRefusal("render hybrid" + kScene + " --set compsite=layered", 2, "did you mean 'composite'?");
-  expectRefusal("render hybrid" + kScene + " --set tile_max.tle=4", 2, "did you mean 'tile_max.tile'?");
-  expectRefusal("render hybrid" + kScene + " --tap composite.blurrd", 2, "did you mean 'blurred'?");
+  expectRefusal("render hybrid" + kScene + " --set wights=uniform", 2, "did you mean 'weights'?");
+  expectRefusal("render hybrid" + kScene + " --set raster_tile_max.tle=4", 2, "did you mean 'raster_tile_max.tile'?");
+  expectRefusal("render hybrid" + kScene + " --tap gather_raster.blurrd", 2, "did you mean 'blurred'?");
   expectRefusal("render none --scene oracles/bra --size 64x32", 2, "did you mean 'oracles/bar'?");
   expectRefusal("render none" + kScene + " --move bra=1,0,0", 2, "did you mean 'bar'?");
   expectRefusal("render none" + kScene + " --camera mian", 2, "no camera 'mian'");
@@ -68,7 +68,7 @@ TEST(BadInput, LongExposuresAreWarnedOf) {
 TEST(BadInput, ValuesAreRefusedWithTheirRange) {
   expectRefusal("render hybrid" + kScene + " --set samples=0", 2, "range 1 to 1024");
   expectRefusal("render hybrid" + kScene + " --set samples=many", 2, "not an integer");
-  expectRefusal("render hybrid" + kScene + " --set mask=sead", 2, "did you mean 'seed'?");
+  expectRefusal("render hybrid" + kScene + " --set edge=sobl", 2, "did you mean 'sobel'?");
   for (const char* option : {"--exposure -2", "--exposure -1", "--frame -1", "--fps 0"})
     expectRefusal("render none" + kScene + " " + option, 2, std::string(option).substr(0, 5));
   expectRefusal("render none" + kScene + " --anchor middle", 2, "close, centre, open");

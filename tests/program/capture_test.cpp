@@ -27,7 +27,7 @@ return capture {
       path = capture.dolly { from = { -0.2, 0, 2 }, to = { 0.2, 0, 2 }, target = { -0.2, 0, 0 }, to_target = { 0.2, 0, 0 },
                              first = 0, last = 2 } },
   },
-  arms = { { name = "none", pipeline = "none" }, { name = "hybrid", pipeline = "hybrid", shots = { "card" }, set = { preset = "captured" } } },
+  arms = { { name = "none", pipeline = "none" }, { name = "hybrid", pipeline = "hybrid_layered", shots = { "card" } } },
   figures = { { name = "both", shot = "card", columns = { { arm = "none" }, { arm = "hybrid" } } } },
 }
 )lua";

@@ -19,8 +19,8 @@ TEST(Help, ListsTopicsAndPrintsPages) {
   EXPECT_EQ(run("help edge/sobel").out, page.out);
   EXPECT_EQ(run("help sobel").out, page.out);
   EXPECT_NE(page.out.find("| `depth_threshold` | float |"), std::string::npos);
-  Outcome param = run("help hybrid.mask");
-  EXPECT_EQ(param.out.rfind("# hybrid.mask\n\n", 0), 0u) << param.out;
+  Outcome param = run("help hybrid.edge");
+  EXPECT_EQ(param.out.rfind("# hybrid.edge\n\n", 0), 0u) << param.out;
   EXPECT_EQ(param.out.find("mask_taps"), std::string::npos) << "other parameters are left out";
   Outcome bare = run("help limit");
   for (const char* heading : {"# hybrid.limit\n", "# mcguire2012.limit\n"})
@@ -42,7 +42,7 @@ TEST(Help, TheProgramAloneListsItsCommands) {
 TEST(Help, UnknownTopicsAreRefusedWithTheNearest) {
   for (auto [topic, nearest] : {std::pair("edge_sobl", "edge_sobel"),
                                 {"hybrd", "hybrid"},
-                                {"hybrid.compsite", "hybrid.composite"},
+                                {"hybrid.terminaton", "hybrid.termination"},
                                 {"edge_sobel.nrm", "edge_sobel.norm"}}) {
     Outcome outcome = run(std::string("help ") + topic);
     EXPECT_EQ(outcome.exit_code, 2) << topic;

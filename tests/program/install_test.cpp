@@ -122,7 +122,7 @@ TEST_F(Completion, KnowsNamesOfTheProjectToo) {
 
 TEST_F(Completion, KnowsParametersOfThePipeline) {
   EXPECT_EQ(of("strobe render smear --set t"), "taps= ");
-  EXPECT_EQ(of("strobe render hybrid --set preset=seed_l"), "seed_linear ") << "behind the = that bash ends a word at";
+  EXPECT_EQ(of("strobe render hybrid --set preset=geo"), "geometry_index ") << "behind the = that bash ends a word at";
   EXPECT_EQ(of("strobe render hybrid --set edge=sil"), "silhouette ");
   EXPECT_EQ(of("strobe render nothing --set edge="), " ");
 }

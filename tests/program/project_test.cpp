@@ -86,9 +86,9 @@ TEST_F(Project, Runs) {
 
 TEST_F(Project, AddsMembersToFamilies) {
   addMember("edge", "roberts");
-  Outcome menu = inside("check hybrid --set mask=seed --set edge=mine");
+  Outcome menu = inside("check hybrid --set edge=mine");
   EXPECT_EQ(menu.exit_code, 0) << menu.err;
-  EXPECT_EQ(inside("render hybrid --set mask=seed --set edge=mine" + kSmall).exit_code, 0);
+  EXPECT_EQ(inside("render hybrid --set edge=mine" + kSmall).exit_code, 0);
   EXPECT_NE(inside("plan hybrid --set edge=mone").err.find("did you mean 'mine'"), std::string::npos);
 }
 

@@ -47,7 +47,7 @@ TEST(Settings, PutInAsTheScriptsDo) {
 
 TEST(Settings, ThatDecideTheGraphAreNoted) {
   plan::PipelineDesc hybrid = evaluatePipeline(home(), {"hybrid", {}});
-  for (const char* name : {"preset", "mask"}) EXPECT_TRUE(plan::decidesGraph(hybrid, name)) << name;
+  for (const char* name : {"preset", "edge"}) EXPECT_TRUE(plan::decidesGraph(hybrid, name)) << name;
   for (const char* name : {"tile", "limit", "gbuffer.x"}) EXPECT_FALSE(plan::decidesGraph(hybrid, name)) << name;
 }
 

@@ -48,7 +48,7 @@ TEST_F(EvaluatorTest, OtherSettingsGiveWhatAProcessOfTheirOwnGives) {
                                       {{"samples", int64_t{4}}},
                                       {{"samples", std::string("many")}},
                                       {{"nothing", true}},
-                                      {{"preset", std::string("seed")}}};
+                                      {{"preset", std::string("text")}}};
   for (int round = 0; round < 2; ++round)
     for (const char* pipeline : {"mcguire2012", "hybrid", "nowhere"})
       for (const Settings& sets : some) EXPECT_EQ(forked(pipeline, sets), alone(pipeline, sets)) << pipeline;

@@ -69,8 +69,8 @@ TEST_F(InFlightTest, FramesAreWhatTheyAreAlone) {
 TEST_F(InFlightTest, WithRaysOfEachBackendOverAList) {
   for (const shader::BackendRow& row : shader::backends()) {
     if (!shader::isPresent(row, bench().device().info())) continue;
-    Shot shot = smallShot("hybrid");
-    shot.sets.push_back({"reveal_over", std::string("list")});
+    Shot shot = smallShot("ground_truth");
+    shot.sets = {{"pixel", std::string("box")}, {"samples", int64_t(32)}};
     shot.backend = row.name;
     expectSame(shot, 7);
   }
@@ -83,7 +83,7 @@ TEST_F(InFlightTest, WithWhatBends) {
   for (const shader::BackendRow& row : shader::backends()) {
     if (!shader::isPresent(row, bench().device().info())) continue;
     Shot shot;
-    shot.pipeline = "hybrid";
+    shot.pipeline = "hybrid_traced";
     shot.scene = *data / "scenes/khronos_samples/CesiumMan.glb";
     shot.width = 64, shot.height = 40, shot.fps = 12, shot.frame = 6;
     shot.backend = row.name;

@@ -200,16 +200,16 @@ TEST_F(ReloadTest, ABrokenScriptKeepsThePicture) {
   for (const Mistake& mistake : {Mistake{"return pipeline {", "return pipeline {{", "hybrid.lua"},
                                  Mistake{"return pipeline", "while true do end return pipeline", "endless loop"},
                                  Mistake{"return pipeline {", "return 3 --{", "hybrid"},
-                                 Mistake{"first.velocity,", "first.velocty,", "did you mean 'velocity'"}}) {
+                                 Mistake{"found.velocity,", "found.velocty,", "did you mean 'velocity'"}}) {
     home_.edit(file, mistake.from, mistake.to);
     Reload told = awaited(session);
     EXPECT_FALSE(told.swapped) << mistake.to;
     EXPECT_NE(joined(told.problems).find(mistake.says), std::string::npos) << joined(told.problems);
     EXPECT_EQ(colorHash(session), before);
     // A graph of another shape is built from the scripts as they were when they were good.
-    session.set("composite", "alpha_over", "window");
+    session.set("weights", "guertin2014", "window");
     EXPECT_NE(colorHash(session), before);
-    session.unset("composite");
+    session.unset("weights");
     EXPECT_EQ(colorHash(session), before);
     home_.write(file, good);
     awaited(session);
@@ -220,7 +220,7 @@ TEST_F(ReloadTest, ABrokenScriptKeepsThePicture) {
 }
 
 TEST_F(ReloadTest, OneBrokenPassDoesNotStopOthers) {
-  Session session(bench(), smallShot("hybrid"));
+  Session session(bench(), smallShot("hybrid_layered"));
   session.reload(false);
   // GLSL: one shader broken, another changed.
   std::string good = home_.read("shaders/mask/relative.glsl"), before = colorHash(session);
@@ -345,7 +345,6 @@ TEST_F(ReloadTest, ANewFileOfAFamilyIsANewChoice) {
   home_.write("passes/edge/twin.lua", text);
   auto told = session.reload(true);
   ASSERT_TRUE(told && told->problems.empty()) << joined(told->problems);
-  session.set("mask", "seed", "window");
   session.set("edge", "id", "window");
   std::string by_id = colorHash(session);
   session.set("edge", "twin", "window");

@@ -73,16 +73,16 @@ TEST_F(SessionTest, OptionsOfTheShotAreValuesToo) {
 
 TEST_F(SessionTest, AShapeCanBeChangedAndChangedBack) {
   Session session(bench(), smallShot("hybrid"));
-  std::string best = colorHash(session);
-  session.set("preset", "seed", "window");
-  std::string seed = colorHash(session);
-  EXPECT_NE(seed, best);
-  EXPECT_EQ(controlOf(session.controls(), "mask").origin, "preset seed");
-  session.set("preset", "best", "window");
-  EXPECT_EQ(colorHash(session), best);
+  std::string paper = colorHash(session);
+  session.set("preset", "text", "window");
+  std::string text = colorHash(session);
+  EXPECT_NE(text, paper);
+  EXPECT_EQ(controlOf(session.controls(), "weights").origin, "preset text");
+  session.set("preset", "paper", "window");
+  EXPECT_EQ(colorHash(session), paper);
   int compiled = bench().compilations();
-  session.set("preset", "seed", "window");
-  EXPECT_EQ(colorHash(session), seed);
+  session.set("preset", "text", "window");
+  EXPECT_EQ(colorHash(session), text);
   EXPECT_EQ(bench().compilations(), compiled) << "what was compiled once is kept";
 }
 
@@ -127,17 +127,20 @@ TEST_F(SessionTest, LookingChangesNothing) {
   EXPECT_EQ(lab::hashOf(one.taps.at("gbuffer.depth")), lab::hashOf(frame.taps.at("gbuffer.depth")));
   EXPECT_THROW(session.tap({"gbuffer.dept"}), Error);
   // A graph that has not all of it can be had all the same.
-  session.set("preset", "seed", "window");
-  EXPECT_EQ(session.draw().taps.count("mask_tile_motions.motions"), 0u);
+  session.set("edge", "canny", "window");
+  session.tap(session.ports());
+  EXPECT_EQ(session.draw().taps.count("edge_thin.ridge"), 1u);
+  session.set("edge", "sobel", "window");
+  EXPECT_EQ(session.draw().taps.count("edge_thin.ridge"), 0u);
 }
 
 TEST_F(SessionTest, AnotherPipelineKeepsTheValuesItShares) {
   Session session(bench(), smallShot("hybrid"));
   session.set("samples", "7", "window");
-  session.set("mask", "all", "window");
+  session.set("own_edge", "true", "window");
   lab::Reload told = session.usePipeline("mcguire2012");
   EXPECT_NE(joined(told.kept).find("samples = 7"), std::string::npos);
-  EXPECT_NE(joined(told.reset).find("mask = all: the pipeline has no parameter 'mask'"), std::string::npos)
+  EXPECT_NE(joined(told.reset).find("own_edge = true: the pipeline has no parameter 'own_edge'"), std::string::npos)
       << joined(told.reset);
   EXPECT_EQ(shownValue(session, "samples"), "7");
   Shot cold = smallShot("mcguire2012");
@@ -210,13 +213,13 @@ TEST_F(SessionTest, AnIdleControlChangesNothing) {
     if (auto value = otherValue(control)) session.set(control.declaration.name, *value, "test");
   }
   EXPECT_EQ(hashes(session.draw()), before);
-  EXPECT_TRUE(idle.count("edge")) << "the mask of the default preset is found by motion";
+  EXPECT_TRUE(idle.count("jitter_frame")) << "no sample is jittered";
   EXPECT_FALSE(idle.count("samples"));
-  session.set("mask", "seed", "test");
+  session.set("jitter", "hash", "test");
   std::vector<lab::Control> controls = session.controls();
-  std::erase_if(controls, [](const lab::Control& control) { return control.declaration.name != "edge"; });
+  std::erase_if(controls, [](const lab::Control& control) { return control.declaration.name != "jitter_frame"; });
   ASSERT_EQ(controls.size(), 1u);
-  EXPECT_EQ(controls[0].idle, "") << "of a mask from edges";
+  EXPECT_EQ(controls[0].idle, "");
 }
 
 }  // namespace session_test

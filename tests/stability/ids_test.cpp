@@ -27,29 +27,30 @@ void raiseIds(const session::EditableHome& home, const std::string& base) {
             "uvec2(hit.instance, hit.geometry) + uvec2(1u + " + base + ", 1u)");
 }
 
-// Every setting of a pipeline that compares ids: edge detectors, masks, composites.
-std::vector<std::vector<std::string>> settings() {
-  return {{"preset=seed", "edge=id"},
-          {"preset=seed", "edge=silhouette"},
-          {"preset=seed", "edge=sobel"},
-          {"preset=seed", "own_edge=true"},
-          {"preset=captured"},
-          {"preset=captured", "composite=in_gather"},
-          {"preset=captured", "mask=moving"}};
+// Steps that compare ids: edge detectors, masks, composites.
+std::vector<lab::Shot> shotsThatCompareIds() {
+  const lab::Shot crowd = oracle::shotOf("crowd", 48, 30);
+  return {with(crowd, "hybrid", {"edge=id"}),
+          with(crowd, "hybrid", {"edge=silhouette"}),
+          with(crowd, "hybrid", {"edge=sobel"}),
+          with(crowd, "hybrid", {"own_edge=true"}),
+          with(crowd, "hybrid_layered"),
+          with(crowd, oracle::hybridSteps(), {"composite=in_gather"}),
+          with(crowd, oracle::hybridSteps(), {"mask=moving"})};
 }
 
 TEST_F(Ids, BeyondTheirLowestBitInSinglePrecisionAreTold) {
-  lab::Shot shot = oracle::shotOf("crowd", 48, 30);
+  const std::vector<lab::Shot> shots = shotsThatCompareIds();
   std::vector<lab::Picture> small;
-  for (const auto& setting : settings()) small.push_back(render(with(shot, "hybrid", setting)));
+  for (const lab::Shot& shot : shots) small.push_back(render(shot));
   for (const char* base : {"0x1000000u", "0xfffffff8u"}) {  // 2^24 and up; up to 2^32 - 2 of six instances
     session::EditableHome home;
     raiseIds(home, base);
     for (size_t i = 0; i < small.size(); ++i) {
-      lab::Picture large = render(home, with(shot, "hybrid", settings()[i]));
+      lab::Picture large = render(home, shots[i]);
       EXPECT_NE(large.frame.outputs.at("id").uints.values, small[i].frame.outputs.at("id").uints.values);
       EXPECT_TRUE(oracle::identical(oracle::colorOf(large), oracle::colorOf(small[i])))
-          << base << " " << settings()[i].back();
+          << base << " " << i;
       EXPECT_TRUE(oracle::identical(oracle::imageOf(large, "mask"), oracle::imageOf(small[i], "mask"))) << base;
     }
   }

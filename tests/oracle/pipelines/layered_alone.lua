@@ -3,7 +3,7 @@
 local pipeline = require "strobe.pipeline"
 local layered  = require "passes.composite.layered"
 local reveal   = require "passes.scene.reveal"
-local masks    = require "scripts.pipelines.lib.masks"
+local layers   = require "scripts.pipelines.lib.layers"
 local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
@@ -18,7 +18,7 @@ return pipeline {
   params = params,
   build = function(p)
     local seen = scene.captured()
-    local revealed = reveal { hit = seen.hit, mask = masks["relative"](p, seen) }
+    local revealed = reveal { hit = seen.hit, mask = layers.disocclusion_mask(seen) }
     local blurred = layered {
       color = seen.color, depth = seen.depth, velocity = seen.velocity,
       dominant = tiles.dominant(p, seen, { extra = revealed }).dominant,

@@ -1,0 +1,91 @@
+-- SPDX-License-Identifier: MIT
+-- The steps of hybrid and hybrid_layered in any combination, for experiments that change one step and keep the others.
+local pass        = require "strobe.pass"
+local pipeline    = require "strobe.pipeline"
+local candidate   = require "passes.mask.candidate"
+local constant    = require "passes.mask.constant"
+local moving      = require "passes.mask.moving"
+local range_check = require "passes.mask.range_check"
+local reveal      = require "passes.scene.reveal"
+local mcguire2012 = require "passes.gather.mcguire2012"
+local edges       = require "scripts.pipelines.lib.edges"
+local gathers     = require "scripts.pipelines.lib.gathers"
+local layers      = require "scripts.pipelines.lib.layers"
+local options     = require "scripts.pipelines.lib.options"
+local ranges      = require "scripts.pipelines.lib.ranges"
+local scene       = require "scripts.pipelines.lib.scene"
+local tiles       = require "scripts.pipelines.lib.tiles"
+
+local masks = { disocclusion = function(_, raster) return layers.disocclusion_mask(raster) end }
+
+function masks.none() return constant { everywhere = false, as = "mask" }.mask end
+function masks.all() return constant { everywhere = true, as = "mask" }.mask end
+
+function masks.moving(p, raster)
+  local dominant = tiles.dominant(p, raster, { prefix = "mask_" }).dominant
+  return moving { velocity = raster.velocity, dominant = dominant, as = "mask" }.mask
+end
+
+function masks.paper(p, raster)
+  local where = candidate { depth = raster.depth, id = raster.id, velocity = raster.velocity, taps = p.mask_taps }.candidate
+  local edge = edges.detected(p.edge(), raster, where)
+  return range_check { edge = edge, id = raster.id, velocity = raster.velocity, own_edge = p.own_edge, as = "mask" }.mask
+end
+
+-- Both layers blurred apart, for the composite alpha_over.
+local function blurred(p, raster, revealed)
+  local dominant = tiles.dominant(p, raster, { extra = revealed })
+  local function blur(layer, name, behind)
+    return gathers.blurred(p.weights(), gathers.images(layer, dominant, behind), "gather_" .. name, p.color_format)
+  end
+  return { front = blur(raster, "raster", revealed), back = blur(revealed, "revealed") }
+end
+
+local edge_choice = { default = "sobel", doc = "edge detector of the mask `paper`", table.unpack(edges.names) }
+
+local composites = pass.family "composite"
+composites.default, composites.doc = "layered", "how the two layers become one picture"
+
+return pipeline {
+  doc = "The steps of hybrid and hybrid_layered in any combination",
+  params = options.with(options.blur(40), {
+    mask = pipeline.choice { "disocclusion", "paper", "moving", "all", "none", default = "disocclusion",
+      doc = "pixels behind which a background is revealed",
+      values = {
+        disocclusion = "The mask of hybrid_layered.",
+        paper  = "The ray mask of hybrid.",
+        moving = "Every pixel that moves, or that something may move over.",
+        all    = "Every pixel.",
+        none   = "No pixel.",
+      } },
+    mask_taps    = pipeline.int { 1, min = 1, max = 64, doc = "positions along the displacement that the mask `paper` tests" },
+    edge         = pipeline.choice(edge_choice),
+    own_edge     = pipeline.bool { true, doc = "the edge in range must belong to the instance of the pixel" },
+    termination  = reveal.params.termination,
+    advance      = reveal.params.advance,
+    composite    = pipeline.choice(composites),
+    weights      = pipeline.choice(gathers.choice("uniform", "of the taps, under composite = alpha_over")),
+    directions   = mcguire2012.params.directions,
+    reveal_velocity = reveal.params.reveal_velocity,
+    range        = ranges.param,
+  }),
+  compare_with = "mcguire2012",
+  build = function(p)
+    local raster = scene.captured()
+    local moved = ranges.divided(p, raster, "halves")
+    local mask = ranges.mask(p, moved, masks[p.mask()])
+    local own = p.reveal_velocity() == "own"
+    local found = layers.revealed(raster, mask, p.mask() == "disocclusion")
+    local revealed = layers.divided(p, found, own)
+    local composite = pass.member("composite", p.composite())
+    local apart = pass.reads(composite, "front")
+    if not apart then layers.bend(p, moved, revealed, own) end
+    local images = apart and blurred(p, moved, revealed) or layers.images(p, moved, revealed, composite)
+    local made = composite(pass.wired(composite, images, { as = "composite" }))
+    return scene.outputs(raster, {
+      color = apart and made.color or made.blurred, mask = mask,
+      revealed = found.color, revealed_depth = found.depth, revealed_velocity = found.velocity,
+      revealed_id = found.id, revealed_valid = found.valid,
+    })
+  end,
+}

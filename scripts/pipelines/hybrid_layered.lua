@@ -1,0 +1,45 @@
+-- SPDX-License-Identifier: MIT
+-- Extension of the hybrid: rays where relative motion uncovers a background, and a composite of both layers per time sample.
+local pass     = require "strobe.pass"
+local pipeline = require "strobe.pipeline"
+local layered  = require "passes.composite.layered"
+local reveal   = require "passes.scene.reveal"
+local curves   = require "scripts.pipelines.lib.curves"
+local layers   = require "scripts.pipelines.lib.layers"
+local options  = require "scripts.pipelines.lib.options"
+local ranges   = require "scripts.pipelines.lib.ranges"
+local scene    = require "scripts.pipelines.lib.scene"
+
+return pipeline {
+  doc = "Hybrid with a disocclusion mask by relative motion and a composite of its layers per time sample",
+  params = options.with(options.blur(40), {
+    termination  = reveal.params.termination,
+    tolerance    = reveal.params.tolerance,
+    luminance_of = reveal.params.luminance_of,
+    same_motion  = reveal.params.same_motion,
+    advance      = reveal.params.advance,
+    max_layers   = reveal.params.max_layers,
+    on_cap       = reveal.params.on_cap,
+    reveal_velocity = reveal.params.reveal_velocity,
+    range        = ranges.param,
+  }),
+  compare_with = "mcguire2012",
+  build = function(p)
+    local raster = scene.captured()
+    if curves.are_foretold(p) then curves.add(p, { { "raster", raster } }) end
+    local moving = ranges.divided(p, raster, "halves")
+    local mask = ranges.mask(p, moving, function(_, layer) return layers.disocclusion_mask(layer) end)
+    local own = p.reveal_velocity() == "own"
+    local found = layers.revealed(raster, mask, true)
+    local revealed = layers.divided(p, found, own)
+    curves.require(p, layered, "hybrid_layered")
+    layers.bend(p, moving, revealed, own)
+    local images = layers.images(p, moving, revealed, layered)
+    return scene.outputs(raster, {
+      color = layered(pass.wired(layered, images, { as = "composite" })).blurred, mask = mask,
+      revealed = found.color, revealed_depth = found.depth,
+      revealed_velocity = curves.are_foretold(p) and revealed.velocity or found.velocity,
+      revealed_id = found.id, revealed_valid = found.valid,
+    })
+  end,
+}

@@ -1,0 +1,98 @@
+-- SPDX-License-Identifier: MIT
+-- The raster layer and the layer that rays reveal behind it, for composites per time sample.
+local pass             = require "strobe.pass"
+local crossing_motions = require "passes.mask.crossing_motions"
+local near_motions     = require "passes.mask.near_motions"
+local relative         = require "passes.mask.relative"
+local reveal           = require "passes.scene.reveal"
+local id_bounds        = require "passes.tile.id_bounds"
+local longest_motion   = require "passes.tile.longest_motion"
+local motion_bounds    = require "passes.tile.motion_bounds"
+local motion_reach     = require "passes.tile.motion_reach"
+local curves           = require "scripts.pipelines.lib.curves"
+local depths           = require "scripts.pipelines.lib.depths"
+local ranges           = require "scripts.pipelines.lib.ranges"
+local scene            = require "scripts.pipelines.lib.scene"
+local tiles            = require "scripts.pipelines.lib.tiles"
+
+local layers = {}
+
+-- Pixels that a silhouette uncovers, by its motion relative to its background.
+function layers.disocclusion_mask(raster)
+  local motions, farthest = tiles.motions(raster)
+  local reach = longest_motion { longest = motions, as = "mask_longest_motion" }.reach
+  local near = near_motions { motions = motions, farthest = farthest, reach = reach }
+  local bounds = motion_bounds { velocity = raster.velocity, all_count = true, as = "mask_bounds" }.bounds
+  local ids = id_bounds { id = raster.id, as = "mask_ids" }.ids
+  local crossing = crossing_motions {
+    bounds = bounds, ids = ids, reach = reach,
+    motions_0 = near.motions_0, motions_1 = near.motions_1, motions_2 = near.motions_2, motions_3 = near.motions_3,
+  }
+  return relative {
+    depth = raster.depth, id = raster.id, velocity = raster.velocity, as = "mask", bounds = bounds, ids = ids, reach = reach,
+    farthest_around = near.farthest_around, crossing_0 = crossing.crossing_0, crossing_1 = crossing.crossing_1,
+    crossing_2 = crossing.crossing_2, crossing_3 = crossing.crossing_3,
+  }.mask
+end
+
+-- The ports of `reveal`. `mask_reached`: the mask is 0 wherever no motion comes.
+function layers.revealed(raster, mask, mask_reached)
+  return reveal { hit = raster.hit, mask = mask, mask_reached = mask_reached }
+end
+
+-- The revealed layer for a composite. A velocity that is not its `own` stays one for both segments.
+function layers.divided(p, found, own)
+  local layer = scene.layer {
+    color = found.color, depth = found.depth, id = found.id, velocity = found.velocity, valid = found.valid, hit = found.found,
+  }
+  if own then return ranges.divided(p, layer, "revealed_halves") end
+  if ranges.are_split(p) then layer.after_velocity = layer.velocity end
+  return layer
+end
+
+-- Cells through which anything moves; the composite copies the others.
+local function moving_cells(raster, revealed, images, slowest)
+  local function bounds(layer, name)
+    return motion_bounds {
+      velocity = layer.velocity, after_velocity = layer.after_velocity, curve = layer.curve, valid = layer.valid,
+      all_count = not layer.valid or nil, as = name,
+    }.bounds
+  end
+  return motion_reach {
+    behind_bounds = bounds(revealed, "revealed_bounds"), bounds = bounds(raster, "raster_bounds"), slowest = slowest,
+    dominant = images.dominant, after_dominant = images.after_dominant,
+    second = images.second, after_second = images.after_second,
+    reach = longest_motion {
+      longest = images.dominant, curve = images.dominant_curve, after = images.after_dominant, as = "longest_of_all",
+    }.reach,
+  }
+end
+
+local function put(images, prefix, layer)
+  for name, image in pairs(layer) do images[prefix .. name] = image end
+end
+
+-- Curves of both layers, where paths are not straight lines, and changes of their depths. The revealed layer keeps a
+-- velocity that is not its `own`.
+function layers.bend(p, raster, revealed, own)
+  local behind = { "revealed", revealed, not own }
+  curves.add(p, curves.are_foretold(p) and { behind } or { { "raster", raster }, behind })
+  depths.add(p, { { "raster", raster }, behind })
+end
+
+-- The images that a composite reads: `x` of the raster layer, `revealed_x` of the revealed one, displacements per tile.
+-- `slowest`: displacement, px, up to which a pixel counts as static; nil: that of every blur.
+function layers.images(p, raster, revealed, composite, slowest)
+  ranges.require_parts(raster, composite, "the composite")
+  local images = {}
+  put(images, "", raster)
+  put(images, "revealed_", revealed)
+  put(images, "", tiles.dominant(p, raster, { extra = revealed, second = pass.reads(composite, "second") }))
+  if pass.reads(composite, "moved") then
+    local cells = moving_cells(raster, revealed, images, slowest)
+    images.moved, images.behind, images.missed = cells.moved, cells.behind, cells.missed
+  end
+  return images
+end
+
+return layers
