@@ -47,8 +47,8 @@ return experiment {
   },
   arms     = {
     { name = base, pipeline = "mcguire2012", set = { samples = 16 } },
-    { name = layers, pipeline = "hybrid", set = { preset = "best", own_time = "none" } },
-    { name = best, pipeline = "hybrid", set = { preset = "best" } },
+    { name = layers, pipeline = "hybrid_layered", set = { ["composite.taps"] = "linear" } },
+    { name = best, pipeline = "hybrid_traced" },
     { name = drawn, pipeline = "accumulation", timed = true, set = { samples = 16 } },
     { name = few, pipeline = "ground_truth", timed = true, set = { samples = 16, mark_regions = false } },
   },

@@ -151,10 +151,10 @@ for _, list in ipairs { postprocesses, others } do
   for _, pipeline in ipairs(list) do arms[#arms + 1] = { name = baselines[pipeline], pipeline = pipeline } end
 end
 arms[#arms + 1] = { name = "selective", pipeline = "selective" }
-arms[#arms + 1] = { name = "hybrid (captured)", pipeline = "hybrid", set = { preset = "captured" } }
-arms[#arms + 1] = { name = hybrid, pipeline = "hybrid", set = { preset = "best" } }
-arms[#arms + 1] = { name = shaded, pipeline = "hybrid", shown = false,
-  set = { preset = "best", ["own_time.same_depth"] = 0, ["raster_bend.most_bend"] = 0 } }
+arms[#arms + 1] = { name = "hybrid (captured)", pipeline = "hybrid_layered" }
+arms[#arms + 1] = { name = hybrid, pipeline = "hybrid_traced" }
+arms[#arms + 1] = { name = shaded, pipeline = "hybrid_traced", shown = false,
+  set = { ["own_time.same_depth"] = 0, ["raster_bend.most_bend"] = 0 } }
 arms[#arms + 1] = { name = floor, pipeline = "ground_truth", role = "floor", shown = false,
   set = { samples = 16, times = "midpoint" } }
 

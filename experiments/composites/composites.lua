@@ -15,7 +15,7 @@ local function error_of(r, shot, arm, samples)
 end
 
 local function over(weights)
-  return { name = names[weights], pipeline = "hybrid", set = { preset = "captured", composite = "alpha_over",
+  return { name = names[weights], pipeline = "experiments/pipelines/hybrid_steps.lua", set = { composite = "alpha_over",
     weights = weights } }
 end
 
@@ -27,7 +27,7 @@ end
 return experiment {
   title    = "Composites and weights",
   question = "How do two layers become one picture, and how do taps count? The paper says neither.",
-  note     = "All arms are the hybrid with preset captured but for composite and weights: \"over\" lays the blurred raster " ..
+  note     = "All arms are hybrid_layered but for composite and weights: \"over\" lays the blurred raster " ..
              "layer over the blurred revealed one. Times are ratios to over, McGuire with 8 samples.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
@@ -43,8 +43,8 @@ return experiment {
   },
   arms     = {
     over "mcguire2012", over "guertin2014", over "jimenez2014", over "uniform",
-    { name = "in gather", pipeline = "hybrid", set = { preset = "captured", composite = "in_gather" } },
-    { name = "layered", pipeline = "hybrid", set = { preset = "captured", composite = "layered" } },
+    { name = "in gather", pipeline = "experiments/pipelines/hybrid_steps.lua", set = { composite = "in_gather" } },
+    { name = "layered", pipeline = "experiments/pipelines/hybrid_steps.lua", set = { composite = "layered" } },
   },
   truth    = { pipeline = "ground_truth", set = { samples = 256, times = "stratified" } },
   base     = names.mcguire2012,

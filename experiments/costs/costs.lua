@@ -118,8 +118,8 @@ return experiment {
   arms     = {
     { name = "no blur", pipeline = "none", lacks = { "samples" } },
     { name = "McGuire 2012", pipeline = "mcguire2012", published = published(295) },
-    { name = seed, pipeline = "hybrid", set = { preset = "seed" }, published = published(205) },
-    { name = best, pipeline = "hybrid", set = { preset = "best" } },
+    { name = seed, pipeline = "hybrid", published = published(205) },
+    { name = best, pipeline = "hybrid_traced" },
   },
   truth    = { pipeline = "ground_truth", set = { samples = 16 } },
   rounds   = 15,

@@ -19,14 +19,14 @@ end
 local arms = {}
 local function add(name, pipeline, set) arms[#arms + 1] = { name = name, pipeline = pipeline, set = set } end
 for _, curve in ipairs(curves) do
-  add(layers(curve), "hybrid", { preset = "captured", taps = "linear", mask = "moving", trajectory = curve })
+  add(layers(curve), "experiments/pipelines/hybrid_steps.lua", { ["composite.taps"] = "linear", mask = "moving", trajectory = curve })
 end
 for _, baseline in ipairs { { "McGuire 2012", "mcguire2012" }, { "UE4-style", "ue4" } } do
   for _, curve in ipairs { "line", "cubic" } do
     add(baseline[1] .. ", " .. curve, baseline[2], { trajectory = curve, limit = "auto" })
   end
 end
-add("own times", "hybrid", { preset = "best" })
+add("own times", "hybrid_traced")
 arms[#arms + 1] = { name = "truth, 16 samples", pipeline = "ground_truth", role = "floor",
   set = { samples = 16, times = "midpoint" } }
 

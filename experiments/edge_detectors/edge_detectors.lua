@@ -14,7 +14,7 @@ local canny_normal = "edge_gradient.normal_threshold"
 
 -- Thresholds of a detector that does not have them.
 local function arm(name, lacks)
-  return { name = name, pipeline = "hybrid", set = { preset = "captured", mask = "seed", edge = name }, lacks = lacks }
+  return { name = name, pipeline = "experiments/pipelines/hybrid_steps.lua", set = { mask = "paper", edge = name }, lacks = lacks }
 end
 
 local has_normals = { sobel = true, scharr = true, prewitt = true, roberts = true, laplacian = true, canny = true }
@@ -26,7 +26,7 @@ local function error_of(r, shot, name, wanted)
 end
 
 local arms = {
-  { name = "no rays", pipeline = "hybrid", set = { preset = "captured", mask = "none" },
+  { name = "no rays", pipeline = "experiments/pipelines/hybrid_steps.lua", set = { mask = "none" },
     lacks = { of_depth, of_normal, of_canny, canny_normal } },
 }
 for _, name in ipairs(gradients) do arms[#arms + 1] = arm(name, { of_canny, canny_normal }) end
@@ -39,7 +39,7 @@ arms[#arms + 1] = arm("id", { of_depth, of_normal, of_canny, canny_normal })
 return experiment {
   title    = "Edge detectors",
   question = "Which edge detector does the published mask need, and which thresholds?",
-  note     = "All arms are the hybrid with preset captured but for the mask, which is the published one with each detector: " ..
+  note     = "All arms are hybrid_layered but for the mask, which is the published one with each detector: " ..
              "a detector only looks at pixels whose displaced position is farther and of another instance. One shot is the " ..
              "living room, the others a panel before a wall at 1.5 and at 1.03 times its depth. Times are ratios to no rays.",
   size     = { 320, 180 },

@@ -49,8 +49,8 @@ local arms = { { name = "no blur", pipeline = "none" } }
 for i, pipeline in ipairs { "mcguire2012", "guertin2014", "jimenez2014", "ue4" } do
   arms[#arms + 1] = { name = baselines[i], pipeline = pipeline, set = { limit = limit } }
 end
-arms[#arms + 1] = { name = published, pipeline = "hybrid", set = { preset = "seed", limit = limit } }
-arms[#arms + 1] = { name = best, pipeline = "hybrid", set = { preset = "best", limit = limit } }
+arms[#arms + 1] = { name = published, pipeline = "hybrid", set = { limit = limit } }
+arms[#arms + 1] = { name = best, pipeline = "hybrid_traced", set = { limit = limit } }
 arms[#arms + 1] = { name = "truth, 16 samples", pipeline = "ground_truth", role = "floor",
                     set = { samples = 16, times = "midpoint" } }
 

@@ -161,8 +161,8 @@ return experiment {
     { name = "UE4-style", pipeline = "ue4" },
     { name = "Guertin 2014", pipeline = "guertin2014" },
     { name = "Jimenez 2014", pipeline = "jimenez2014" },
-    { name = "hybrid (to the letter)", pipeline = "hybrid", set = { preset = "seed_text" } },
-    { name = "hybrid (best)", pipeline = "hybrid", set = { preset = "best" } },
+    { name = "hybrid (to the letter)", pipeline = "hybrid", set = { preset = "text" } },
+    { name = "hybrid (best)", pipeline = "hybrid_traced" },
     { name = "floor", pipeline = "ground_truth", role = "floor", set = { samples = 16, times = "midpoint" } },
   },
   shots = {

@@ -5,19 +5,11 @@ local experiment = require "strobe.experiment"
 
 local moving = { "vase", "panel", "fan", "stacked", "tracking" }  -- the shots in which something does
 
--- Of a knob `set` are parameters of the hybrid and `run` options of the shot that it changes. `needed` names the shots whose
+-- Of a knob `pipeline` is another pipeline, `set` are parameters and `run` options of the shot that it changes. `needed` names the shots whose
 -- error it raises by more than a twentieth: what it takes away is required there.
 local knobs = {
-  { name = "no revealed layer", set = { mask = "none" }, needed = {} },
-  { name = "reveal behind all that moves", set = { mask = "moving" }, needed = {} },
-  { name = "a ray for four pixels", set = { reveal_resolution = "half" }, needed = moving },
-  { name = "rays over a list", set = { reveal_over = "list" }, needed = {} },
-  { name = "two revealed layers", set = { revealed_layers = 2 }, needed = {} },
-  { name = "layers of the ends", set = { end_layers = true }, needed = {} },
   { name = "arcs", set = { trajectory = "arc" }, needed = {} },
-  { name = "texels blended", set = { own_time = "uncertain" }, needed = { "vase" } },
-  { name = "silhouettes too", set = { own_time = "unexplained" }, needed = { "vase", "stacked" } },
-  { name = "no rays at own times", set = { own_time = "none", taps = "nearest" }, needed = moving },
+  { name = "no rays at own times", pipeline = "hybrid_layered", needed = moving },
   { name = "every hit shaded", set = { ["own_time.same_depth"] = 0 }, needed = { "fan", "stacked" } },
   { name = "four samples", set = { samples = 4 }, needed = moving },
   { name = "64 samples", set = { samples = 64 }, needed = {} },
@@ -32,11 +24,11 @@ local plain, best, base = "as it is", "hybrid (best)", "McGuire 2012"
 
 local arms, runs, ways = {
   { name = base, pipeline = "mcguire2012" },
-  { name = best, pipeline = "hybrid" },
+  { name = best, pipeline = "hybrid_traced" },
 }, { plain }, { [plain] = {} }
 for _, knob in ipairs(knobs) do
-  if knob.set then
-    arms[#arms + 1] = { name = knob.name, pipeline = "hybrid", set = knob.set }
+  if not knob.run then
+    arms[#arms + 1] = { name = knob.name, pipeline = knob.pipeline or "hybrid_traced", set = knob.set }
   else
     runs[#runs + 1], ways[knob.name] = knob.name, knob.run
   end

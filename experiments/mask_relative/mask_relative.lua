@@ -29,14 +29,13 @@ local function bar(name, title, d_f, d_b, note)
 end
 
 local function arm(name, set)
-  set.preset = "captured"
-  return { name = name, pipeline = "hybrid", set = set }
+  return { name = name, pipeline = "experiments/pipelines/hybrid_steps.lua", set = set }
 end
 
 return experiment {
   title    = "Which pixels get a ray",
   question = "Where does a mask by relative motion gain over the published one, in tracking shots and opposite motion?",
-  note     = "All arms are the hybrid with preset captured but for the mask. A striped bar moves over a striped background " ..
+  note     = "All arms are hybrid_layered but for the mask. A striped bar moves over a striped background " ..
              "that moves too; and the living room, before a camera at rest and one that goes with the vase. Times are " ..
              "ratios to no rays.",
   size     = { 320, 180 },
@@ -54,9 +53,9 @@ return experiment {
   },
   arms     = {
     arm("no rays", { mask = "none" }),
-    arm("seed", { mask = "seed" }),
-    arm("seed, 4 taps", { mask = "seed", mask_taps = 4 }),
-    arm("relative", { mask = "relative" }),
+    arm("seed", { mask = "paper" }),
+    arm("seed, 4 taps", { mask = "paper", mask_taps = 4 }),
+    arm("relative", { mask = "disocclusion" }),
     arm("moving", { mask = "moving" }),
     arm("all", { mask = "all" }),
   },

@@ -7,21 +7,19 @@ local base, own_times = "layers of the capture", "+ rays where no layer explains
 
 -- Parts of the hybrid that a panel which slides before a wall does not need.
 local parts = {
-  { "four revealed layers", { revealed_layers = 4 } },
-  { "layers of the ends", { end_layers = true } },
   { "paths of third order", { trajectory = "cubic" } },
   { "no limit", { limit = "auto" } },
 }
 
 local arms = {}
-local function add(name, more)
-  local set = { preset = "captured", limit = 0.5 }
+local function add(name, more, pipeline)
+  local set = { limit = 0.5 }
   for key, value in pairs(more) do set[key] = value end
-  arms[#arms + 1] = { name = name, pipeline = "hybrid", set = set }
+  arms[#arms + 1] = { name = name, pipeline = pipeline or "hybrid_layered", set = set }
 end
 add(base, {})
 for _, part in ipairs(parts) do add("+ " .. part[1], part[2]) end
-add(own_times, { own_time = "unexplained" })
+add(own_times, {}, "hybrid_traced")
 
 return experiment {
   title    = "What is not required",

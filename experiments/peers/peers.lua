@@ -43,7 +43,7 @@ return experiment {
     { name = "HDRP", pipeline = "hdrp" },
     { name = "temporal1", pipeline = "temporal1" },
     { name = layers, pipeline = "layers2024" },
-    { name = best, pipeline = "hybrid", set = { preset = "best" } },
+    { name = best, pipeline = "hybrid_traced" },
     { name = "truth, 16 samples", pipeline = "ground_truth", role = "floor", set = { samples = 16, times = "midpoint" } },
   },
   truth    = { pipeline = "ground_truth", set = { samples = 256, times = "stratified" } },

@@ -34,7 +34,7 @@ return experiment {
   regions = { "whole" },
   measures = { "rmse", "change_rms", "change", "bytes" },
   arms = {
-    { name = "hybrid", pipeline = "hybrid", set = { preset = "captured", limit = 10 } },
+    { name = "hybrid", pipeline = "hybrid_layered", set = { limit = 10 } },
     { name = "McGuire 2012", pipeline = "mcguire2012", set = { limit = 10 } },
     { name = "Guertin 2014", pipeline = "guertin2014", set = { limit = 10 } },
     { name = "Jimenez 2014", pipeline = "jimenez2014", set = { limit = 10 } },

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- Rays for a share of the pixels, chosen by what they promise, against full layers drawn everywhere.
---   strobe sweep experiments/ray_budget/ray_budget.lua -o out/ray_budget
+--   cd experiments/ray_budget; strobe sweep ray_budget.lua -o out/ray_budget
 local experiment = require "strobe.experiment"
 
 local width, height = 160, 90
@@ -51,7 +51,8 @@ for _, share in ipairs { 0, 0.05, most, 0.3, 1 } do
   local name = share == 1 and "hybrid, best" or ("hybrid, rays for %g %%"):format(100 * share)
   curve[#curve + 1] = name
   only_there[name] = share ~= most
-  arms[#arms + 1] = { name = name, pipeline = "hybrid", set = { preset = "best", most_rays = share } }
+  arms[#arms + 1] = share == 1 and { name = name, pipeline = "hybrid_traced" } or
+    { name = name, pipeline = "ray_budget", set = { most_rays = share } }
 end
 local limited = curve[3]
 

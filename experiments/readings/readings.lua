@@ -10,8 +10,8 @@ local steps = {
   { "as written", {} },
   { "passes over its own instance", { advance = "instance_filter" } },
   { "even weights", { weights = "uniform" } },
-  { "relative mask", { mask = "relative" } },
-  { "layered composite", { composite = "layered", tiles = "union" } },
+  { "relative mask", { mask = "disocclusion" } },
+  { "layered composite", { composite = "layered" } },
   { "instance ends the ray", { termination = "instance", on_cap = "fallback" } },
 }
 
@@ -24,7 +24,6 @@ local alone = {
   { "tolerance 0", { tolerance = 0 } },
   { "origin kept", { advance = "origin_kept" } },
   { "nothing at the cap", { on_cap = "fallback" } },
-  { "one maximum for both layers", { tiles = "union" } },
   { "own edges only", { own_edge = true } },
   { "even weights alone", { weights = "uniform" } },
   { "Jimenez' weights", { weights = "jimenez2014" } },
@@ -38,8 +37,28 @@ local arms = {
   { name = ue4, pipeline = "ue4", set = { limit = 0.1 } },
 }
 
+-- Steps of which another pipeline than the paper's has alternatives.
+local is_step = { mask = true, composite = true }
+local written = { mask = "paper", composite = "alpha_over", own_edge = false, termination = "luminance", advance = "restart",
+                  on_cap = "last_hit", weights = "mcguire2012" }
+
+-- An arm: the text of the paper but for `set`.
+local function arm(name, set)
+  for key in pairs(set) do
+    if is_step[key] then
+      local all = {}
+      for _, from in ipairs { written, set } do
+        for parameter, value in pairs(from) do all[parameter] = value end
+      end
+      return { name = name, pipeline = "experiments/pipelines/hybrid_steps.lua", set = all }
+    end
+  end
+  set.preset = "text"
+  return { name = name, pipeline = "hybrid", set = set }
+end
+
 local function with(set, more)
-  local merged = { preset = "seed_text" }
+  local merged = {}
   for _, from in ipairs { set, more } do
     for name, value in pairs(from) do merged[name] = value end
   end
@@ -49,14 +68,13 @@ end
 local so_far = {}
 for i, step in ipairs(steps) do
   so_far = with(so_far, step[2])
-  arms[#arms + 1] = { name = i == 1 and "as written" or "+ " .. step[1], pipeline = "hybrid", set = so_far }
+  arms[#arms + 1] = arm(i == 1 and "as written" or "+ " .. step[1], with(so_far, {}))
 end
 local material = "luminance of material, even weights"
 for _, reading in ipairs(alone) do
-  arms[#arms + 1] = { name = reading[1], pipeline = "hybrid", set = with({}, reading[2]) }
+  arms[#arms + 1] = arm(reading[1], with({}, reading[2]))
 end
-arms[#arms + 1] = { name = material, pipeline = "hybrid",
-  set = with({}, { luminance_of = "material", weights = "uniform" }) }
+arms[#arms + 1] = arm(material, { luminance_of = "material", weights = "uniform" })
 
 local function at(r, shot, arm, region) return r.at { shot = shot, arm = arm, region = region or "whole" } end
 
@@ -73,7 +91,7 @@ return experiment {
   title    = "Readings of the paper",
   question = "Which readings of what the paper leaves open bear its claims out, that the hybrid corresponds to ground " ..
              "truth where post-process does not?",
-  note     = "\"as written\" is the preset seed_text, \"+ even weights\" the preset seed. Arms with + change one thing and " ..
+  note     = "\"as written\" is the preset text of hybrid, \"+ even weights\" its preset paper. Arms with + change one thing and " ..
              "keep what came before; the others change one thing of as written. A vase slides past a striped cushion: " ..
              "hollow and of one colour, as the paper's is; hollow and patterned; solid; and the living room's.",
   size     = { 320, 180 },

@@ -18,7 +18,7 @@ return experiment {
   arms     = {
     { name = "McGuire 2012", pipeline = "mcguire2012" },
     { name = "UE4-style", pipeline = "ue4" },
-    { name = "hybrid (best)", pipeline = "hybrid", set = { preset = "best" } },
+    { name = "hybrid (best)", pipeline = "hybrid_traced" },
   },
   truth    = { pipeline = "ground_truth", set = { samples = 512, times = "stratified" } },
   base     = "McGuire 2012",

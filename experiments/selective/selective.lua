@@ -47,9 +47,9 @@ local function arm(list, name, pipeline, set)
 end
 arm(others, base, "mcguire2012")
 arm(others, "no blur", "none")
-for _, preset in ipairs { "seed", "captured", "layers", "best" } do
-  arm(others, "hybrid, " .. preset, "hybrid", { preset = preset })
-end
+arm(others, "hybrid, seed", "hybrid")
+arm(others, "hybrid, captured", "hybrid_layered")
+arm(others, "hybrid, best", "hybrid_traced")
 arm(others, "Guertin 2014", "guertin2014")
 arm(others, "Jimenez 2014", "jimenez2014")
 arm(others, postprocess, "ue4")

@@ -56,7 +56,7 @@ return experiment {
     { name = none, pipeline = "none" },
     { name = mcguire, pipeline = "mcguire2012" },
     { name = ue4, pipeline = "ue4" },
-    { name = best, pipeline = "hybrid", set = { preset = "best" } },
+    { name = best, pipeline = "hybrid_traced" },
     { name = floor, pipeline = "ground_truth", role = "floor", set = { samples = 16, times = "midpoint" } },
     { name = moving, pipeline = "ground_truth", role = "floor",
       set = { samples = 256, times = "stratified", shading = "full" } },

@@ -4,7 +4,7 @@
 local experiment = require "strobe.experiment"
 
 local speeds, counts = { 0.3, 1, 3, 10, 30, 100 }, { 1, 4, 16, 64 }
-local best, blended, floor = "hybrid (best)", "hybrid (blended)", "truth, as many samples"
+local best, floor = "hybrid (best)", "truth, as many samples"
 
 -- The largest and least ratio of two arms' errors over all speeds and numbers of samples, and where these are.
 local function ratios(r, arm, other)
@@ -31,8 +31,7 @@ return experiment {
   shots    = { { name = "passage", title = "A panel passes a wall", scene = "stability/passage", ["scene.angle"] = 17 } },
   arms     = {
     arm("McGuire 2012", "mcguire2012", { limit = "auto" }),
-    arm(blended, "hybrid", { preset = "blended" }),
-    arm(best, "hybrid", { preset = "best" }),
+    arm(best, "hybrid_traced"),
     { name = floor, pipeline = "ground_truth", role = "floor", set = { times = "midpoint" } },
   },
   truth    = { pipeline = "ground_truth", set = { samples = 1024, times = "midpoint" } },
@@ -59,10 +58,6 @@ return experiment {
         end
       end
       return most <= 0.1, ("at most %.3f (%s)"):format(most, where)
-    end },
-    { "the preset blended does not, where what moves slowly has many samples", function(r)
-      local most, where = ratios(r, blended, floor)
-      return most > 1.3, ("up to %.0f times its error (%s)"):format(most, where)
     end },
     { "no gather does, anywhere beyond a pixel and a sample", function(r)
       local least, where = math.huge, ""

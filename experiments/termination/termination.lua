@@ -28,13 +28,13 @@ local function alike(shot, arm, other, text, known)
   end }
 end
 
-local arms = { { name = "no rays", pipeline = "hybrid", set = { preset = "captured", mask = "none" }, shown = false } }
+local arms = { { name = "no rays", pipeline = "experiments/pipelines/hybrid_steps.lua", set = { mask = "none" }, shown = false } }
 for _, way in ipairs(ways) do
-  arms[#arms + 1] = { name = way, pipeline = "hybrid", shown = way ~= "motion",
-    set = { preset = "captured", mask = "moving", termination = way, advance = "origin_kept" } }
+  arms[#arms + 1] = { name = way, pipeline = "experiments/pipelines/hybrid_steps.lua", shown = way ~= "motion",
+    set = { mask = "moving", termination = way, advance = "origin_kept" } }
 end
-arms[#arms + 1] = { name = "instance, one ray", pipeline = "hybrid", shown = false,
-  set = { preset = "captured", mask = "moving", termination = "instance", advance = "instance_filter" } }
+arms[#arms + 1] = { name = "instance, one ray", pipeline = "experiments/pipelines/hybrid_steps.lua", shown = false,
+  set = { mask = "moving", termination = "instance", advance = "instance_filter" } }
 
 local function panels(name, title, front, behind, note)
   return { name = name, title = title, note = note, scene = "behind",
@@ -44,7 +44,7 @@ end
 return experiment {
   title    = "What counts as another object",
   question = "What does GeometryIndex gain over luminance as the sign of another object, and where? The paper asks this.",
-  note     = "All arms are the hybrid with all of preset captured, but a ray behind everything that moves; they differ in " ..
+  note     = "All arms are hybrid_layered, but with a ray behind everything that moves; they differ in " ..
              "what ends the ray. It goes from hit to hit, up to 8, but under \"instance, one ray\", which ignores the " ..
              "instance in front. Where no hit ends it the pixel is blurred as without rays. Times are ratios to no rays.",
   size     = { 320, 180 },

@@ -69,7 +69,7 @@ return experiment {
   arms     = {
     { name = "no blur", pipeline = "none", lacks = { "samples" } },
     { name = "McGuire 2012", pipeline = "mcguire2012", lacks = { "samples" } },
-    { name = "hybrid (best)", pipeline = "hybrid", lacks = { "samples" } },
+    { name = "hybrid (best)", pipeline = "hybrid_traced", lacks = { "samples" } },
     { name = truths[1], pipeline = "ground_truth", set = { samples = 64, pixel = "box", times = "stratified" } },
     { name = truths[2], pipeline = "ground_truth",
       set = { mode = "adaptive", samples = 64, pixel = "box", times = "stratified" } },

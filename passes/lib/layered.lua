@@ -36,7 +36,7 @@ return function(name, guesses)
   local copied = { blurred = "color", open = 0, guess = guesses and 0 or nil }
   return {
     name   = name,
-    shader = guesses and "composite/layered_guessing" or "composite/layered",
+    shader = guesses and "layered_guessing" or "composite/layered",
     doc    = "For each time sample, the nearest surface of any layer that is at the pixel then" ..
              (guesses and "; and what stands in for the samples that are left open" or ""),
     fails  = "A surface hidden at the capture and not revealed (a second layer behind, or outside of the mask) is " ..

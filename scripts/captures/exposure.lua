@@ -13,7 +13,7 @@ return capture {
     { name = "vase", scene = "living_room", camera = "main", ["scene.exposure"] = 0.5, vary = { exposure = exposures } },
   },
   arms = {
-    { name = "hybrid", pipeline = "hybrid" },
+    { name = "hybrid", pipeline = "hybrid_traced" },
     { name = "truth", pipeline = "ground_truth", set = { samples = 32 } },
   },
   truth = "truth",

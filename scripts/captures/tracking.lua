@@ -13,7 +13,7 @@ return capture {
   arms = {
     { name = "McGuire 2012", pipeline = "mcguire2012", shots = { "moment" } },
     { name = "UE4-style", pipeline = "ue4", shots = { "moment" } },
-    { name = "hybrid", pipeline = "hybrid" },
+    { name = "hybrid", pipeline = "hybrid_traced" },
     { name = "truth", pipeline = "ground_truth", set = { samples = 64, times = "stratified" }, shots = { "moment" } },
   },
   truth = "truth",

@@ -34,7 +34,6 @@ def history(id, because, date, revision):
 
 EXPERIMENTS = [
     experiment("any_object", "shot=door", 60, 900),
-    experiment("layers", "shot=two", 60, 600),
     experiment("not_required", "", 80, 80),
     experiment("all_moves", "shot=vase", 40, 110),
     experiment("curves", "shot=pendulum", 30, 60),
@@ -119,9 +118,9 @@ OF_A_MACHINE = [
     Numbers("reload_added", "./strobe bench reload hybrid", 90, TIMES, read=read.reload_added, asserted=False),
     Numbers("pass_shares", "docs/pictures/make passes", 40, TIMES, read=read.pass_shares, asserted=False),
     Numbers("tile_pass_share", "docs/pictures/make passes", 40, TIMES, read=read.tile_pass_share, asserted=False),
-    Numbers("frames_at_rest", "./strobe bench frames hybrid accumulation mcguire2012 --size 960x540", 60, TIMES,
+    Numbers("frames_at_rest", "./strobe bench frames hybrid_traced accumulation mcguire2012 --size 960x540", 60, TIMES,
             read=read.frames_at_rest, asserted=False),
-    Numbers("live_rate", "xvfb-run ./strobe live hybrid --size WxH --drive FILE", 50, TIMES, read=read.live_rate,
+    Numbers("live_rate", "xvfb-run ./strobe live hybrid_traced --size WxH --drive FILE", 50, TIMES, read=read.live_rate,
             asserted=False),
     Numbers("sweep_seconds", "./strobe sweep tools/reproduce/thousand.lua -o FOLDER", 100, TIMES,
             read=read.thousand_points, asserted=False),

@@ -73,7 +73,7 @@ def rendered_layers(bench):
 
 
 def seed_linear(bench):
-    return [rendered(bench, stripes, "12, -12", "seed_linear")[0] for stripes in ("harsh", "gentle")]
+    return [rendered(bench, stripes, "12, -12", "letter, even weights")[0] for stripes in ("harsh", "gentle")]
 
 
 def correlated(bench):
@@ -102,7 +102,7 @@ def reveal_counter(bench, name, *settings):
     """A counter of the pass `reveal` in a picture of the living room."""
     file = bench.folder("room") / ("_".join(("room",) + settings) + ".exr")
     sets = [word for setting in settings for word in ("--set", setting)]
-    bench.run("strobe", "render", "hybrid", "--scene", "living_room", "--size", "320x180", *sets, "-o", file)
+    bench.run("strobe", "render", "hybrid_layered", "--scene", "living_room", "--size", "320x180", *sets, "-o", file)
     return json.loads(file.with_suffix(".record.json").read_text())["counters"]["reveal." + name]
 
 
@@ -140,7 +140,7 @@ DERIVED = [
     gather("no_harvest", lines(LAYERED, "no_harvest"), LAYERED),
     gather("one_way", lines(LAYERED, "one_way", (0, 1)), LAYERED),
     layers("rendered_layers", rendered_layers),
-    layers("rendered_best", lambda bench: rendered(bench, "harsh", "0, 20", "captured")),
+    layers("rendered_best", lambda bench: rendered(bench, "harsh", "0, 20", "hybrid_layered")),
     layers("rendered_seed_linear", seed_linear),
     Numbers("correlated", PROGRAM + "RenderReveal.CompositesOnCorrelatedStripes", 10, "one time sample in one pixel",
             read=correlated, places=1),

@@ -156,7 +156,7 @@ def tutorial_row(bench):
     bench.run("strobe", "sweep", "experiments/detectors.lua", "-o", "out/detectors", cwd=project)
     results = Results(project / "out/detectors/result.json", fresh=True)
     return [results.value("rmse", "inner", arm=arm)
-            for arm in ("no mask", "canny", "sobel", "dilation", "id", "plane")]
+            for arm in ("McGuire 2012", "canny", "sobel", "dilation", "id", "plane")]
 
 
 def caught_mutants(bench):
@@ -326,10 +326,10 @@ def frames_at_rest(bench):
     pot = ["--scene", bench.shared_scenes() / "country_kitchen/country_kitchen.glb", "--move", "Mesh080_SteelPot=0.4,0,-0.195"]
     ratios = []
     for shot in pot, ["--scene", "living_room"]:
-        bench_of = json.loads(bench.run(bench.program, "bench", "frames", "hybrid", "accumulation", "mcguire2012", *shot,
+        bench_of = json.loads(bench.run(bench.program, "bench", "frames", "hybrid_traced", "accumulation", "mcguire2012", *shot,
                                         "--size", "960x540", "--rounds", "9", "--json"))
         ms = {one["method"]: one["ms"] for one in bench_of["shots"]}
-        for method in "hybrid", "accumulation":
+        for method in "hybrid_traced", "accumulation":
             ratios.append(statistics.median(a / b for a, b in zip(ms[method], ms["mcguire2012"])))
     return ratios
 
@@ -353,7 +353,7 @@ def live_rate(bench):
         for frames in (10, 50):
             drive = bench.folder("live") / f"{frames}.drive"
             drive.write_text(f"wait 5\nplay on\nwait {frames}\nquit\n")
-            spent.append(timed(bench, "xvfb-run", "-a", "-s", "-screen 0 1400x900x24 -noreset", bench.program, "live", "hybrid",
+            spent.append(timed(bench, "xvfb-run", "-a", "-s", "-screen 0 1400x900x24 -noreset", bench.program, "live", "hybrid_traced",
                                "--scene", "living_room", "--size", size, "--drive", drive, "--out", bench.folder("live")))
         rates.append(40 / (spent[1] - spent[0]))
     return rates

@@ -78,13 +78,13 @@ function time_samples.silhouettes(raster, slowest)
   }.near
 end
 
--- The picture: rays for the samples that the composite `made` left unresolved.
-function time_samples.traced(p, raster, revealed, made)
+-- The picture: rays for the samples that the composite `made` left unresolved. `audit`: share of blocks checked; nil: a hundredth.
+function time_samples.traced(p, raster, revealed, made, audit)
   return pipeline.loop {
     name = "own_times", count = 1, times = "midpoint", slices = math.min(p.samples(), 64),
     body = function()
       return { picture = own_time {
-        seen = made.blurred, open = made.open, time = "sample", shades_unlike = true,
+        seen = made.blurred, open = made.open, time = "sample", shades_unlike = true, audit = audit,
         hit = raster.hit, color = raster.color, depth = raster.depth, id = raster.id, revealed_color = revealed.color,
         revealed_depth = revealed.depth, revealed_id = revealed.id, revealed_valid = revealed.valid,
       }.picture }

@@ -5,7 +5,7 @@ local blur = require "passes.lib.blur"
 
 return pass.compute {
   name   = "mask_uncovered_rank",
-  shader = "mask/uncovered_rank",
+  shader = "uncovered_rank",
   doc    = "Of a mask, how long what is behind each pixel is uncovered, times how much that differs from what is in front",
   fails  = "What is behind is taken to be at rest, or to move and look like what the longest motion around leads to.",
   size   = { of = "mask" },

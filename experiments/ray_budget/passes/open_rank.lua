@@ -4,7 +4,7 @@ local pass = require "strobe.pass"
 
 return pass.compute {
   name   = "mask_open_rank",
-  shader = "mask/open_rank",
+  shader = "open_rank",
   doc    = "Pixels that had a ray, then those with open samples by how much a guess of them may be off",
   fails  = "Never: it compares what it is given.",
   size   = { of = "guess" },

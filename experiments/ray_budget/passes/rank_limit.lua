@@ -4,7 +4,7 @@ local pass = require "strobe.pass"
 
 return pass.compute {
   name   = "rank_limit",
-  shader = "tile/rank_limit",
+  shader = "rank_limit",
   doc    = "The first rank with which more pixels than a share of them would be ahead",
   fails  = "Pixels of one rank are ahead together or not at all: where many are alike the share is not used up.",
   size   = { 1, 1 },

@@ -4,7 +4,7 @@ local pass = require "strobe.pass"
 
 return pass.compute {
   name   = "mask_first_ranks",
-  shader = "mask/first_ranks",
+  shader = "first_ranks",
   doc    = "Pixels ahead of a rank",
   fails  = "Never.",
   size   = { of = "rank" },

@@ -4,7 +4,7 @@ local pass = require "strobe.pass"
 
 return pass.compute {
   name   = "guessed",
-  shader = "filter/guessed",
+  shader = "guessed",
   doc    = "Outside of a mask, the guess of the samples that are left open in place of rays",
   fails  = "As the guess does.",
   size   = { of = "seen" },

@@ -4,7 +4,7 @@ local pass = require "strobe.pass"
 
 return pass.compute {
   name   = "rank_counts",
-  shader = "tile/rank_counts",
+  shader = "rank_counts",
   doc    = "How many pixels have each rank",
   fails  = "Never: it counts.",
   size   = { 64, 64 },
