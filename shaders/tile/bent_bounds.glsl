@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Per cell, between which displacements, and between which bends, all of what counts in it lies.
-// In:  velocity (px over the exposure), bend (px in the middle of the exposure), valid (> 1/2: the texel counts);
-//      others_bounds, others_bends (of another layer).
-// Out: bounds, bends (of both; least x and y, greatest x and y, shortened to the limit as by filters). A cell without
+// In:  velocity (px over the exposure), bend (px in the middle of the exposure), valid (> 1/2: the texel counts).
+// Out: bounds, bends (least x and y, greatest x and y, shortened to the limit as by filters). A cell without
 //      texels that count holds 0: what does not move. The last cells may be partial.
 #include "lib/bounds.glsl"
 #include "lib/sanitise.glsl"
@@ -17,10 +16,6 @@ void run(ivec2 cell) {
   ivec2 first = cell * params.cell_side;
   ivec2 end = min(first + params.cell_side, textureSize(velocity_tex, 0));
   vec4 bounds = kNoBounds, bends = kNoBounds;
-#if HAS_others_bounds && HAS_others_bends
-  vec4 others = texelFetch(others_bounds_tex, cell, 0);
-  if (others != vec4(0)) bounds = others, bends = texelFetch(others_bends_tex, cell, 0);
-#endif
   for (int y = first.y; y < end.y; ++y) {
     for (int x = first.x; x < end.x; ++x) {
       ivec2 pixel = ivec2(x, y);

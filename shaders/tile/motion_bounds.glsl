@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Per cell, between which displacements all of it lie.
 // In:  velocity, after_velocity (px over the exposure; absent: velocity), valid (> 1/2: the texel counts);
-//      curve (of their paths, px; absent: lines): counted as the straight displacements that hold a path;
-//      others (bounds of another layer).
-// Out: bounds (of both; least x and y, greatest x and y, px over the exposure, shortened to the limit as by filters).
+//      curve (of their paths, px; absent: lines): counted as the straight displacements that hold a path.
+// Out: bounds (least x and y, greatest x and y, px over the exposure, shortened to the limit as by filters).
 //      A cell without texels that count holds kNoBounds. The last cells may be partial.
 #include "lib/bounds.glsl"
 #include "mixin/path.glsl"
@@ -34,11 +33,7 @@ bool counts(ivec2 pixel) {
 void run(ivec2 cell) {
   ivec2 first = cell * params.cell_side;
   ivec2 end = min(first + params.cell_side, textureSize(velocity_tex, 0));
-#if HAS_others
-  vec4 bounds = texelFetch(others_tex, cell, 0);
-#else
   vec4 bounds = kNoBounds;
-#endif
   for (int y = first.y; y < end.y; ++y) {
     for (int x = first.x; x < end.x; ++x) {
       ivec2 pixel = ivec2(x, y);
