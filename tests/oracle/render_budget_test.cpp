@@ -129,7 +129,7 @@ TEST_F(RenderBudget, EnoughIsAll) {
 TEST_F(RenderBudget, WithoutRaysLayersSayWhatIsSeen) {
   const lab::Shot shot = moving("textured_bar", kBar);
   const lab::Picture layers = render(with(shot, "hybrid", {"preset=captured", "taps=linear", "mask=none"}));
-  EXPECT_LE(largestDifference(colorOf(limited(shot, 0)), colorOf(layers)), 1e-5) << "rounding of two sums";
+  EXPECT_LE(oracle::largestDifference(colorOf(limited(shot, 0)), colorOf(layers)), 1e-5) << "rounding of two sums";
   EXPECT_GT(counterOf(layers, "composite.fallback"), 0u) << "something is guessed";
 }
 

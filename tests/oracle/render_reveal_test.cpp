@@ -339,8 +339,9 @@ TEST_F(RenderReveal, HalfResolutionIsTheSameOverAConstantBackground) {
     lab::Picture full = render(with(shot, "hybrid", {masked, "tile=20", "limit=0.2"}));
     lab::Picture half = render(with(shot, "hybrid", {masked, "reveal_resolution=half", "tile=20", "limit=0.2"}));
     for (const char* output : {"color", "revealed", "revealed_velocity", "revealed_valid"})
-      EXPECT_LE(largestDifference(imageOf(full, output), imageOf(half, output)), 1e-6) << mask << " " << output;
-    EXPECT_LE(largestDifference(imageOf(full, "revealed_depth"), imageOf(half, "revealed_depth")), 1e-4) << mask;
+      EXPECT_LE(oracle::largestDifference(imageOf(full, output), imageOf(half, output)), 1e-6) << mask << " " << output;
+    EXPECT_LE(oracle::largestDifference(imageOf(full, "revealed_depth"), imageOf(half, "revealed_depth")), 1e-4)
+        << mask;
     EXPECT_EQ(counterOf(half, "reveal_upsample.unmatched"), 0u) << mask;
     uint64_t squares = 0, pixels = 0;
     const image::Image& marked = imageOf(full, "mask");
