@@ -13,7 +13,6 @@ local doubtful      = require "passes.tile.doubtful"
 local bent_bounds   = require "passes.tile.bent_bounds"
 local joined_bounds = require "passes.tile.bent_bounds_joined"
 local curves        = require "scripts.pipelines.lib.curves"
-local depths        = require "scripts.pipelines.lib.depths"
 local scene         = require "scripts.pipelines.lib.scene"
 local tiles         = require "scripts.pipelines.lib.tiles"
 
@@ -122,7 +121,7 @@ function doubts.end_layers(p, found)
     local made = end_layer { hit = seen.hit, unseen = seen.unseen, end_of = end_of, as = which .. "_layer" }
     layers[#layers + 1] = { which, scene.layer {
       color = made.color, depth = made.depth, velocity = seen.velocity, valid = seen.unseen, id = seen.hit, hit = seen.hit,
-      seen_at = end_of, depth_change = depths.change(p, which, { depth = made.depth, hit = seen.hit, time = which }),
+      seen_at = end_of,
     } }
   end
   -- Who knows poses of earlier frames has none at the ends.
@@ -131,7 +130,7 @@ function doubts.end_layers(p, found)
   for _, given in ipairs(layers) do
     local which, own = given[1], given[2]
     local around = tiles.dominant(p, own, { prefix = which .. "_", seen_at = own.seen_at })
-    for _, part in ipairs { "color", "depth", "velocity", "valid", "curve", "depth_change" } do
+    for _, part in ipairs { "color", "depth", "velocity", "valid", "curve" } do
       images[which .. "_" .. part] = own[part]
     end
     for _, part in ipairs { "dominant", "dominant_curve", "dominant_place" } do

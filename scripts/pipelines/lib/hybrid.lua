@@ -14,7 +14,6 @@ local reveal          = require "passes.scene.reveal"
 local reveal_upsample = require "passes.scene.reveal_upsample"
 local budget          = require "scripts.pipelines.lib.budget"
 local curves          = require "scripts.pipelines.lib.curves"
-local depths          = require "scripts.pipelines.lib.depths"
 local doubts          = require "scripts.pipelines.lib.doubts"
 local edges           = require "scripts.pipelines.lib.edges"
 local gathers         = require "scripts.pipelines.lib.gathers"
@@ -294,7 +293,6 @@ function hybrid.composited(p, seen, revealed, mask)
   local all = named(p, seen, revealed)
   -- From earlier frames the raster layer has had its curves (pipelines/hybrid.lua).
   curves.add(p, curves.are_foretold(p) and { table.unpack(all, 2) } or all)
-  depths.add(p, all)
   local images = apart and blurred(p, seen, revealed[1]) or layers(p, seen, revealed, composite)
   if pass.reads(composite, "moved") then put(images, "", reached_cells(p, seen, revealed, images)) end
   local doubted, ends = doubts.are_asked(p), p.end_layers() and knows(p, "open_color")
