@@ -18,7 +18,6 @@ for number = 2, 4 do
   more[layer .. "depth"]    = { optional = true, doc = "linear view depth, metres, sky = +inf" }
   more[layer .. "velocity"] = { optional = true, doc = "px over the exposure" }
   more[layer .. "curve"]    = { optional = true, needs = layer .. "curve", doc = "of its path, px; absent: lines" }
-  more[layer .. "depth_change"] = { optional = true, doc = "of its depth, metres over the exposure" }
 end
 
 return pass.compute {
@@ -33,7 +32,7 @@ return pass.compute {
     mirrored = "of displacements equally long, and of surfaces equally deep, those first in raster order count",
   },
   size   = { of = "color" },
-  reads  = ports.of({ "color", "depth", "velocity", "curve", "dominant_curve", "dominant_place", "depth_change" }, more),
+  reads  = ports.of({ "color", "depth", "velocity", "curve", "dominant_curve", "dominant_place" }, more),
   writes = ports.picture,
   without = ports.still,
   params = {

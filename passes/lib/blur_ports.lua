@@ -25,14 +25,10 @@ local docs = {
   dominant_curve = { optional = true, needs = "curve", doc = "of the path of dominant, px; absent: a line" },
   dominant_place = { optional = true, needs = "curve", doc = "px, the texel that has dominant" },
 
-  depth_change   = { optional = true, needs = "depth_change",
-    doc = "of depth, metres over the exposure, before and after the capture; absent: depths at the capture are compared" },
-
   -- Of one layer, where another lies behind it.
   valid        = { optional = true, doc = "above 1/2 where the layer holds something; absent: everywhere" },
   behind_depth = { optional = true, doc = "linear view depth of what was revealed behind each pixel" },
   behind_valid = { optional = true, doc = "above 1/2 where something was; absent: nowhere" },
-  behind_depth_change = { optional = true, needs = "behind_depth_change", doc = "depth_change of what was revealed" },
 
   -- The layer behind.
   revealed_color    = { doc = "linear" },
@@ -42,7 +38,6 @@ local docs = {
   revealed_dominant = { optional = true, doc = "px over the exposure, per tile, of that layer alone" },
   revealed_after_velocity = { optional = true, doc = "revealed_velocity at times after the capture" },
   revealed_after_dominant = { optional = true, doc = "revealed_dominant at times after the capture" },
-  revealed_depth_change   = { optional = true, needs = "revealed_depth_change", doc = "depth_change of that layer" },
 }
 
 -- Those behind it.
@@ -54,7 +49,6 @@ for number = 2, 4 do
   docs[layer .. "valid"]    = { optional = true, doc = "above 1/2 where something was revealed" }
   docs[layer .. "after_velocity"] = { optional = true, doc = layer .. "velocity at times after the capture" }
   docs[layer .. "curve"] = { optional = true, needs = layer .. "curve", doc = "of its path, px; absent: lines" }
-  docs[layer .. "depth_change"]   = { optional = true, doc = "depth_change of that layer" }
 end
 
 -- Without a surface that it holds no image of a layer is of use.
@@ -62,7 +56,7 @@ local function needing_valid(layer, names)
   for _, name in ipairs(names) do docs[layer .. name].needs = layer .. "valid" end
 end
 for number = 2, 4 do
-  needing_valid(("revealed_%d_"):format(number), { "color", "depth", "velocity", "valid", "after_velocity", "depth_change" })
+  needing_valid(("revealed_%d_"):format(number), { "color", "depth", "velocity", "valid", "after_velocity" })
 end
 
 -- What an end of the exposure sees and none of the others holds, where it is then.
@@ -78,8 +72,7 @@ for _, which in ipairs { "open", "close" } do
   docs[curve] = { optional = true, needs = curve, doc = "of its path, px; absent: lines" }
   docs[layer .. "dominant_curve"] = { optional = true, needs = curve, doc = "of the path of dominant, px; absent: a line" }
   docs[layer .. "dominant_place"] = { optional = true, needs = curve, doc = "px, the texel that has dominant" }
-  docs[layer .. "depth_change"] = { optional = true, doc = "of its depth, metres over the exposure" }
-  needing_valid(layer, { "color", "depth", "velocity", "valid", "dominant", "depth_change" })
+  needing_valid(layer, { "color", "depth", "velocity", "valid", "dominant" })
 end
 
 local function reads(names, more)
@@ -94,22 +87,20 @@ function blur_ports.of(names, more) return reads(names, more) end
 
 -- A filter of one layer that another may lie behind, with what else it reads: by name, and in `more`.
 function blur_ports.of_layer(names, more)
-  local all = { "color", "depth", "velocity", "dominant", "valid", "behind_depth", "behind_valid", "depth_change",
-                "behind_depth_change" }
+  local all = { "color", "depth", "velocity", "dominant", "valid", "behind_depth", "behind_valid" }
   return reads(table.move(names, 1, #names, #all + 1, all), more)
 end
 
 -- A filter of both layers at once.
 function blur_ports.of_both(names, more)
   local all = { "color", "depth", "velocity", "dominant", "after_velocity", "after_dominant", "revealed_color",
-                "revealed_depth", "revealed_velocity", "revealed_valid", "revealed_after_velocity", "depth_change",
-                "revealed_depth_change" }
+                "revealed_depth", "revealed_velocity", "revealed_valid", "revealed_after_velocity" }
   return reads(table.move(names, 1, #names, #all + 1, all), more)
 end
 
 -- What a filter reads of further layers behind.
 function blur_ports.further(names)
-  local parts = { "color", "depth", "velocity", "valid", "after_velocity", "curve", "depth_change" }
+  local parts = { "color", "depth", "velocity", "valid", "after_velocity", "curve" }
   for number = 2, 4 do
     for _, part in ipairs(parts) do names[#names + 1] = ("revealed_%d_%s"):format(number, part) end
   end
@@ -119,8 +110,7 @@ end
 -- What it reads of the ends of the exposure.
 function blur_ports.ends(names)
   for _, which in ipairs { "open", "close" } do
-    local parts = { "color", "depth", "velocity", "valid", "dominant", "curve", "dominant_curve", "dominant_place",
-                    "depth_change" }
+    local parts = { "color", "depth", "velocity", "valid", "dominant", "curve", "dominant_curve", "dominant_place" }
     for _, part in ipairs(parts) do names[#names + 1] = which .. "_" .. part end
   end
   return names

@@ -10,7 +10,6 @@ local scatter_max    = require "passes.tile.scatter_max"
 local longest_motion = require "passes.tile.longest_motion"
 local tile_max       = require "passes.tile.tile_max"
 local curves   = require "scripts.pipelines.lib.curves"
-local depths   = require "scripts.pipelines.lib.depths"
 local gathers  = require "scripts.pipelines.lib.gathers"
 local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
@@ -34,7 +33,6 @@ return pipeline {
   params = options.of_picture {
     tile         = blur.tile { 16 },
     depth_extent = blur.depth_extent,
-    depths       = depths.param,
     trajectory   = blur.trajectory,
     jitter       = jitter.jitter,
     mirror       = gather.params.mirror,

@@ -6,7 +6,6 @@ local filter   = require "passes.filter.layers2024"
 local gbuffer  = require "passes.scene.gbuffer"
 local peel     = require "passes.scene.peel"
 local curves   = require "scripts.pipelines.lib.curves"
-local depths   = require "scripts.pipelines.lib.depths"
 local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
@@ -24,9 +23,9 @@ end
 -- What a filter reads of the layers, the first of which is what is seen.
 local function images(p, layers)
   local read = { id = layers[1].id, color = layers[1].color, depth = layers[1].depth, velocity = layers[1].velocity,
-                 curve = layers[1].curve, depth_change = layers[1].depth_change }
+                 curve = layers[1].curve }
   for number = 2, #layers do
-    for _, part in ipairs { "color", "depth", "velocity", "curve", "depth_change" } do
+    for _, part in ipairs { "color", "depth", "velocity", "curve" } do
       read[("layer_%d_%s"):format(number, part)] = layers[number][part]
     end
   end
@@ -51,7 +50,6 @@ return pipeline {
       } },
     agreement = filter.params.agreement,
     trajectory = blur.trajectory,
-    depths    = depths.param,
   }),
   build = function(p)
     curves.require(p, filter, "layers2024")
@@ -62,7 +60,6 @@ return pipeline {
       named[number] = { ("layer_%d"):format(number), layers[number] }
     end
     curves.add(p, named)
-    depths.add(p, named)
     local read = images(p, layers)
     read.as = "search"
     return scene.outputs(seen, { color = filter(read).blurred })

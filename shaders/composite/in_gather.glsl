@@ -4,15 +4,14 @@
 // In:  color (linear), depth (view depth, sky +inf), id, velocity (px over the exposure), dominant (the same, per tile)
 //      of what raster saw; revealed_color, _depth, _id, _velocity, _valid (> 1/2) of what lies behind; after_*,
 //      revealed_after_*: displacements for times after the capture, where the exposure is split there; curve, revealed_curve,
-//      dominant_curve (of these paths, px; absent: lines), dominant_place (px: the texel that has dominant); depth_change,
-//      revealed_depth_change (m over the exposure, mixin/depths.glsl; absent: depths are those of the capture).
+//      dominant_curve (of these paths, px; absent: lines), dominant_place (px: the texel that has dominant).
 // Out: blurred (linear, alpha 1).
 // The background B of X is what was revealed there, else what raster saw there. For t_i at the midpoints
 //   (i + 1/2 + jitter)/N of the exposure:
 //   Foreground: the tap Y = X - t_i*d along the tile's dominant displacement, and that along X's own. A tap that by its
 //   own motion is not at X at t_i (|Y + t_i*d(Y) - X| > max(3/4, |d|/(2N)) px) leads once to another, by its own d. Of
-//   those that are, the nearest counts to the degree that it is in front of B, by depths at t_i. Along curves it is Newton's step
-//   that leads to another, up to three times, and the first tap is the texel that has the dominant displacement
+//   those that are, the nearest counts to the degree that it is in front of B. Along curves it is Newton's step that leads to
+//   another, up to three times, and the first tap is the texel that has the dominant displacement
 //   (mixin/search.glsl).
 //   Background: the tap Y = X - t_i*d(B). Where raster shows B's instance, or nothing in front of it, that; else what
 //   was revealed at Y; else B itself (counter `fallback`).
@@ -44,11 +43,6 @@ Tap backgroundOf(ivec2 pixel, bool after) {
              texelFetch(revealed_id_tex, pixel, 0).x);
 }
 
-// Of that background, the depth at time t.
-float backgroundDepthAt(ivec2 pixel, float depth, float t) {
-  return isHeld(kRevealed, pixel) ? depthAt(kRevealed, pixel, t) : depthAt(pixel, depth, t);
-}
-
 Path dominantOf(ivec2 pixel, bool after) {
   ivec2 tile = pixel / params.tile;
 #if HAS_after_dominant
@@ -76,17 +70,14 @@ struct Cover {
 
 const Cover kNoCover = Cover(vec3(0), 0.0, 0.0);
 
-// What raster saw in front of the background that is at the pixel at t, if it moves about so; from a tap on. Depths are those
-// at t.
+// What raster saw in front of the background that is at the pixel at t, if it moves about so; from a tap on.
 Cover coverAt(ivec2 pixel, Path path, ivec2 now, float t, Tap back) {
   float tolerance_px = max(0.75, lengthOf(path.d) / float(2 * params.samples));
   for (int guess = 0; guess < kCurvedGuesses; ++guess) {
     if (!isInside(now, textureSize(color_tex, 0))) return kNoCover;
     Tap tap = rasterAt(now, t > 0.0);
-    if (isAt(pixel, now, tap.path, t, tolerance_px)) {
-      float depth = depthAt(now, tap.depth, t), behind = backgroundDepthAt(pixel, back.depth, t);
-      return Cover(tap.color, depth, inFrontOf(depth, behind, params.depth_extent));
-    }
+    if (isAt(pixel, now, tap.path, t, tolerance_px))
+      return Cover(tap.color, tap.depth, inFrontOf(tap.depth, back.depth, params.depth_extent));
     if (!isAskedAgain(guess, tap.path)) break;
     now = askedOf(kRaster, pixel, now, tap.path, t, frame.shutter);
   }

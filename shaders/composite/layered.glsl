@@ -10,8 +10,7 @@
 //      doubtful (a bit for each sample, per cell): what comes then is not where layers say; silhouettes (> 1/2: next to
 //      something that moves otherwise); revealed_2_*, revealed_3_*, revealed_4_*: the surfaces behind what was revealed;
 //      open_*, close_*: what an end of the exposure sees and none of these holds, where it is then (open_valid > 1/2), with
-//      the displacement open_dominant per tile; arriving (> 0, per cell): that comes there; depth_change,
-//      revealed_depth_change, ...: m over the exposure (mixin/depths.glsl; absent: depths are those of the layers).
+//      the displacement open_dominant per tile; arriving (> 0, per cell): that comes there.
 // Out: blurred (linear, alpha 1). Where nothing moved it is color. With `leaves_open`: of the samples that layers explain, the
 //      sum over the number of all, and in alpha their share; open: a bit for each of the others (of more than 64 samples one
 //      for several). guess (layered_guessing.glsl alone): of what is left open the sum over the number of all of what layers
@@ -19,7 +18,7 @@
 // For t_i at the midpoints (i + 1/2 + jitter)/N of the exposure: each candidate displacement g says where a surface
 //   that is at X at t_i would be now, Y = X - t_i*g. A texel Y of a layer is at X then if |Y + t_i*d(Y) - X| <=
 //   max(3/4, .99 min(|g|, |d(Y)|)/(2N)) (3/4 px: the rounding of Y); one that is not leads to a second guess, by its own d.
-//   The nearest texel that is there, by its depth at t_i, is what X shows at t_i; of equal depths the earlier candidate
+//   The nearest texel that is there is what X shows at t_i; of equal depths the earlier candidate
 //   and the raster layer win. The mean over i is the result: weights add up to 1 by construction, order in depth and
 //   correlation of movements come out right.
 // Candidates: the tile's displacements (dominant, second, revealed), those of X in all layers, and those met in all
@@ -73,17 +72,12 @@ Seen nearer(Seen seen, int layer, ivec2 now, float depth) {
 struct Own {
   Path before, after;
   float depth;
-  vec4 depth_change;
   vec3 color;
 };
 
 Own ownOf(ivec2 pixel) {
   float depth = saneDepth(texelFetch(depth_tex, pixel, 0).x);
-  Own own = Own(pathOf(kRaster, pixel, false), pathOf(kRaster, pixel, true), depth, vec4(0), colorOf(kRaster, pixel));
-#if HAS_depth_change
-  own.depth_change = texelFetch(depth_change_tex, pixel, 0);
-#endif
-  return own;
+  return Own(pathOf(kRaster, pixel, false), pathOf(kRaster, pixel, true), depth, colorOf(kRaster, pixel));
 }
 
 Path rasterPath(Own own, ivec2 pixel, ivec2 now, bool after) {
@@ -92,13 +86,8 @@ Path rasterPath(Own own, ivec2 pixel, ivec2 now, bool after) {
   return own.before;
 }
 
-float rasterDepth(Own own, ivec2 pixel, ivec2 now, float t) {
-  if (now != pixel) return depthAt(now, saneDepth(texelFetch(depth_tex, now, 0).x), t);
-#if HAS_depth_change
-  return depthThen(own.depth, own.depth_change, t);
-#else
-  return own.depth;
-#endif
+float rasterDepth(Own own, ivec2 pixel, ivec2 now) {
+  return now == pixel ? own.depth : saneDepth(texelFetch(depth_tex, now, 0).x);
 }
 
 Seen nearerRaster(Seen seen, Own own, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
@@ -106,7 +95,7 @@ Seen nearerRaster(Seen seen, Own own, ivec2 pixel, ivec2 now, float t, float tol
   for (int i = 0; i < kCurvedGuesses; ++i) {
     Path path = rasterPath(own, pixel, now, after);
     if (isThere(pixel, now, path, t, tolerance_px, frame.shutter))
-      return nearer(seen, kRaster, now, rasterDepth(own, pixel, now, t));
+      return nearer(seen, kRaster, now, rasterDepth(own, pixel, now));
     if (!isAskedAgain(i, path)) break;
     ivec2 next = askedOf(kRaster, pixel, now, path, t, frame.shutter);
     if (next == now || !isInside(next, textureSize(color_tex, 0))) break;
@@ -121,7 +110,7 @@ Seen nearerHeld(Seen seen, int layer, ivec2 pixel, ivec2 now, float t, float tol
   vec2 window = windowFrom(layer);
   for (int i = 0; i < kCurvedGuesses && isHeld(layer, now); ++i) {
     Path path = pathOf(layer, now, after);
-    if (isThere(pixel, now, path, way, tolerance_px, window)) return nearer(seen, layer, now, depthAt(layer, now, way));
+    if (isThere(pixel, now, path, way, tolerance_px, window)) return nearer(seen, layer, now, depthOf(layer, now));
     if (!isAskedAgain(i, path)) break;
     ivec2 next = askedOf(layer, pixel, now, path, way, window);
     if (next == now || !isInside(next, textureSize(color_tex, 0))) break;

@@ -2,14 +2,13 @@
 // Lee, Kwon, Oh 2024, "Real-Time Motion Blur Using Multi-Layer Motion Vectors" (Applied Sciences 14, 4626), for any anchor.
 // In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure) of what is seen at the capture;
 //      layer_2_* to layer_4_*: the same of what lies behind it, all over the picture;
-//      depth_change, layer_2_depth_change, ... (m over the exposure, mixin/depths.glsl; absent: depths are those of the capture);
 //      dominant, deep_dominant (px over the exposure, per tile): of the first two layers, and of those behind (absent: none);
 //      curve, layer_2_curve ..., dominant_curve, deep_dominant_curve (of these paths, px; absent: lines), dominant_place,
 //      deep_dominant_place (px: the texel that has that).
 // Out: blurred (linear, alpha 1).
 // For each t_i at the midpoints (i + 1/2 + jitter)/N of the exposure, each displacement g searched and each layer: the texel
 //   Y = X - t_i*g (outside of the picture the one at its border) counts if its own displacement is within `agreement` of g, and
-//   nearer to it than half of the longer one. The nearest at t_i counts alone; of equal depths that of the first displacement.
+//   nearer to it than half of the longer one. The nearest counts alone; of equal depths that of the first displacement.
 //   The mean over the i at which there is any is the result.
 //   A texel whose path is curved counts if that brings it to within `agreement` of X at t_i; one that does not leads to
 //   another, as in mixin/search.glsl: what turns has as many displacements as texels, none of which agree.
@@ -21,7 +20,6 @@
 // Fails: what is in no layer; displacements that are neither the pixel's nor its tile's longest.
 #include "lib/times.glsl"
 #include "mixin/jitter.glsl"
-#include "mixin/depths.glsl"
 #include "mixin/limit.glsl"
 #include "mixin/search.glsl"
 #include "lib/sanitise.glsl"
@@ -62,20 +60,6 @@ float depthOf(int layer, ivec2 at) {
   if (layer == 3) return saneDepth(texelFetch(layer_4_depth_tex, at, 0).x);
 #endif
   return saneDepth(texelFetch(depth_tex, at, 0).x);
-}
-
-// The same at time t.
-float depthAt(int layer, ivec2 at, float t) {
-#if HAS_layer_2_depth_change
-  if (layer == 1) return depthThen(depthOf(layer, at), texelFetch(layer_2_depth_change_tex, at, 0), t);
-#endif
-#if HAS_layer_3_depth_change
-  if (layer == 2) return depthThen(depthOf(layer, at), texelFetch(layer_3_depth_change_tex, at, 0), t);
-#endif
-#if HAS_layer_4_depth_change
-  if (layer == 3) return depthThen(depthOf(layer, at), texelFetch(layer_4_depth_change_tex, at, 0), t);
-#endif
-  return layer == 0 ? depthAt(at, depthOf(layer, at), t) : depthOf(layer, at);
 }
 
 vec4 displacementOf(int layer, ivec2 at) {
@@ -208,7 +192,7 @@ bool comes(ivec2 pixel, int layer, inout ivec2 at, Path path, float t) {
 // The nearer of what was seen and what a layer has where a path leads.
 Seen nearer(Seen seen, ivec2 pixel, int layer, ivec2 at, Path path, float t) {
   if (!comes(pixel, layer, at, path, t)) return seen;
-  float depth = depthAt(layer, at, t);
+  float depth = depthOf(layer, at);
   if (seen.layer >= 0 && depth >= seen.depth * kSameDepth) return seen;
   return Seen(layer, at, depth);
 }

@@ -6,8 +6,7 @@
 //      valid (> 1/2: the layer has a texel there; absent: everywhere);
 //      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere);
 //      curve, dominant_curve (of the paths of velocity and dominant, px; absent: lines): taps then lie on the curve of the
-//      dominant one, and a pixel spreads as far as its own goes; all else is as it was;
-//      depth_change, behind_depth_change (m over the exposure, mixin/depths.glsl; absent: depths are those of the capture).
+//      dominant one, and a pixel spreads as far as its own goes; all else is as it was.
 // Out: blurred, colour times alpha and alpha.
 // Paths: copy where nothing around spreads farther than copy_below; cheap, the plain mean of the taps, where the
 //   slowest displacement around is longer than cheap_ratio times the dominant one; else full. Counters tell how many took each.
@@ -18,8 +17,7 @@
 //   w = back * clamp(u*r(X) - max(s - 1, 0), 0, 1) + front * clamp(u*r(Y) - max(s - 1, 0), 0, 1), where back + front =
 //   1 by the order of the depths (1/2 each where equal). Of a pair the nearer and faster tap gives both their weight
 //   (the mirror); both comparisons are strict, so that ties give a mirrored picture a mirrored result. `direction`
-//   scales what Y spreads by how far it moves along d. With depth_change, front is of depths at the tap's time (Y is in front
-//   then and passes over X), back and the mirror of those at the capture (X hides Y, and goes); w is at most 1.
+//   scales what Y spreads by how far it moves along d.
 //   Result: sum of w*C / N, the rest of the exposure goes to the pixel itself.
 // Alpha: 1, unless something was revealed behind the pixel. Then the result is the foreground alone, to be laid over
 //   the blurred background: every tap counts as far as it is in front of what was revealed and spreads over X, the rest
@@ -35,7 +33,6 @@
 struct Tap {
   vec3 color;
   float depth;
-  float then;    // depth at the time of the tap that is looked at
   vec2 d;        // px over the exposure
   float radius;  // px
 };
@@ -48,7 +45,6 @@ struct Gather {
   float step_length;  // px
   bool over;          // something was revealed behind
   float behind;
-  int count;          // of samples
 };
 
 // Sums over taps: weighted colours and weights of what is shown, and all weights.
@@ -57,21 +53,9 @@ struct Sums {
   float all;
 };
 
-Tap tapAt(ivec2 pixel, float reach, float t) {
+Tap tapAt(ivec2 pixel, float reach) {
   Texel texel = texelAt(pixel);
-  return Tap(texel.color, texel.depth, depthAt(pixel, texel.depth, t), texel.d, reach * spreadAt(pixel, texel.d));
-}
-
-// The time of a tap that is so many steps away.
-float timeAway(Gather gather, float steps, bool after) {
-  return timeOutwards(after, (isCentred(frame.shutter) ? 2.0 : 1.0) * steps / float(gather.count));
-}
-
-// What is gathered, with depths at the time of a tap.
-Gather atTime(Gather gather, ivec2 pixel, float t) {
-  gather.here.then = depthAt(pixel, gather.here.depth, t);
-  gather.behind = behindAt(pixel, gather.behind, t);
-  return gather;
+  return Tap(texel.color, texel.depth, texel.d, reach * spreadAt(pixel, texel.d));
 }
 
 // How much of what a tap spreads along its own motion falls along the dominant one.
@@ -106,13 +90,7 @@ float tapWeight(Gather gather, Tap tap, float steps, ivec2 offset, bool after) {
   float back = 0.5 + 0.5 * depthOrder(gather.here.depth, tap.depth, params.depth_extent);
   float spread_here = spreadOver(gather, gather.here.radius, steps, after);
   float spread_tap = spreadOver(gather, tap.radius, steps, after) * alongDominant(gather, tap, offset);
-#if HAS_depth_change
-  // What is in front by then passes over the pixel; what the pixel's surface hides is seen once that has gone.
-  float front = 0.5 - 0.5 * depthOrder(gather.here.then, tap.then, params.depth_extent);
-  return min(back * spread_here + front * spread_tap, 1.0);
-#else
   return back * spread_here + (1.0 - back) * spread_tap;
-#endif
 }
 
 vec2 mirrored(Tap a, Tap b, vec2 weights) {
@@ -123,7 +101,7 @@ vec2 mirrored(Tap a, Tap b, vec2 weights) {
 
 // The part of a tap's weight that is foreground, where the background is known from elsewhere.
 float frontShare(Gather gather, Tap tap, float steps, bool after) {
-  return inFrontOf(tap.then, gather.behind, params.depth_extent) * spreadOver(gather, tap.radius, steps, after);
+  return inFrontOf(tap.depth, gather.behind, params.depth_extent) * spreadOver(gather, tap.radius, steps, after);
 }
 
 // Where the two taps of a pair are, relative to the pixel: for a time before the capture and for one after it.
@@ -149,10 +127,8 @@ Pair pairAt(Path path, int count, float steps) {
 Sums withPairOf(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps, vec2 sides) {
   ivec2 size = textureSize(color_tex, 0);
   ivec2 at_a = clampToImage(pixel + pair.before, size), at_b = clampToImage(pixel + pair.after, size);
-  float t_a = timeAway(gather, steps, false), t_b = timeAway(gather, steps, true);
-  Gather before = atTime(gather, pixel, t_a), after = atTime(gather, pixel, t_b);
-  Tap a = tapAt(at_a, gather.reach, t_a), b = tapAt(at_b, gather.reach, t_b);
-  vec2 weights = vec2(tapWeight(before, a, steps, pair.before, false), tapWeight(after, b, steps, pair.after, true));
+  Tap a = tapAt(at_a, gather.reach), b = tapAt(at_b, gather.reach);
+  vec2 weights = vec2(tapWeight(gather, a, steps, pair.before, false), tapWeight(gather, b, steps, pair.after, true));
 #if PARAM_mirror
   if (isValid(at_a) && isValid(at_b)) weights = mirrored(a, b, weights);
 #endif
@@ -160,7 +136,7 @@ Sums withPairOf(Sums sums, Gather gather, ivec2 pixel, Pair pair, float steps, v
   if (!isValid(at_b)) weights.y = 0.0;
   weights *= sides;
   sums.all += weights.x + weights.y;
-  if (gather.over) weights *= vec2(frontShare(before, a, steps, false), frontShare(after, b, steps, true));
+  if (gather.over) weights *= vec2(frontShare(gather, a, steps, false), frontShare(gather, b, steps, true));
   sums.shown += vec4(weights.x * toSum(a.color) + weights.y * toSum(b.color), weights.x + weights.y);
   return sums;
 }
@@ -179,9 +155,7 @@ Sums withTap(Sums sums, Gather gather, ivec2 pixel, ivec2 offset, float steps) {
   ivec2 at = clampToImage(pixel + offset, textureSize(color_tex, 0));
   if (!isValid(at)) return sums;
   bool after = frame.shutter.y > 0.0;
-  float t = timeAway(gather, steps, after);
-  gather = atTime(gather, pixel, t);
-  Tap tap = tapAt(at, gather.reach, t);
+  Tap tap = tapAt(at, gather.reach);
   float weight = tapWeight(gather, tap, steps, offset, after);
   sums.all += weight;
   if (gather.over) weight *= frontShare(gather, tap, steps, after);
@@ -275,7 +249,7 @@ void run(ivec2 pixel) {
   }
 
   count_full(1u);
-  Tap here = tapAt(pixel, reach, 0.0);
-  Gather gather = Gather(here, d, reach, lengthOf(d) / float(count), over, behindDepth(pixel, here.depth), count);
+  Tap here = tapAt(pixel, reach);
+  Gather gather = Gather(here, d, reach, lengthOf(d) / float(count), over, behindDepth(pixel, here.depth));
   imageStore(blurred_img, pixel, storedColor(fullGather(pixel, gather, dominantPath(d, pixel / params.tile), count, jitter)));
 }

@@ -5,8 +5,7 @@
 //      valid (> 1/2: the layer has a texel there; absent: everywhere);
 //      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere);
 //      curve, dominant_curve (of the paths of velocity and dominant, px; absent: lines): taps then lie on the curve of the
-//      dominant one, and a pixel spreads as far as its own goes; all else is as it was;
-//      depth_change, behind_depth_change (m over the exposure, mixin/depths.glsl; absent: depths are those of the capture).
+//      dominant one, and a pixel spreads as far as its own goes; all else is as it was.
 // Out: blurred, colour times alpha and alpha.
 // Samples: t_i = lerp(-1, 1, (i + jitter + 1) / (S + 1)), along the tile's dominant displacement d. With the capture in
 //   the middle of the exposure, as in the paper, taps lie at X + d/2 * t_i, a pixel spreads over |d|/2, and the one
@@ -15,8 +14,7 @@
 //   spreads over |d|, and all S taps count (Tan, Cui, Bhojan 2020). With two directions odd samples lie as far along
 //   the second one of mixin/directions.glsl, if there is one, gamma = 3/2 px (not in the paper; later code has them).
 // Weights: f*cone(D, rY) + b*cone(D, rX) + 2*cylinder(D, rY)*cylinder(D, rX), centre 1/rX, divided by their sum.
-//   f and b compare depths as shares of the depth instead of metres: no scale is built in. f is of depths at the tap's time:
-//   a tap in front then passes over X. b is of those at the capture: what X hides is seen once X has gone.
+//   f and b compare depths as shares of the depth instead of metres: no scale is built in.
 // Alpha: 1, unless something was revealed behind the pixel. Then the result is the foreground alone, to be laid over
 //   the blurred background: alpha = its share of all weights. A tap is foreground to the degree that it is in front of
 //   what was revealed at X (else it is a sample of that background, which the revealed layer knows better) and that
@@ -42,10 +40,8 @@ Tap tapAt(ivec2 pixel, float reach) {
   return Tap(texel.color, texel.depth, max(reach * spreadAt(pixel, texel.d), 0.5));
 }
 
-// `then`: depths of the pixel and of the tap at the tap's time. What is in front by then passes over the pixel; what the
-// pixel's surface hides is seen once that has gone, in front by then or not.
-float tapWeight(Tap here, Tap tap, vec2 then, float distance_px) {
-  float in_front = softDepth(then.x, then.y, params.depth_extent);
+float tapWeight(Tap here, Tap tap, float distance_px) {
+  float in_front = softDepth(here.depth, tap.depth, params.depth_extent);
   float at_back = softDepth(tap.depth, here.depth, params.depth_extent);
   return in_front * cone(distance_px, tap.radius) + at_back * cone(distance_px, here.radius) +
          2.0 * cylinder(distance_px, tap.radius) * cylinder(distance_px, here.radius);
@@ -85,11 +81,10 @@ void run(ivec2 pixel) {
     if (!isValid(at)) continue;
 
     Tap tap = tapAt(at, reach);
-    vec2 then = vec2(depthAt(pixel, here.depth, t), depthAt(at, tap.depth, t));
     float distance_px = length(vec2(at - pixel));
-    float weight = tapWeight(here, tap, then, distance_px);
+    float weight = tapWeight(here, tap, distance_px);
     all += weight;
-    if (over) weight *= inFrontOf(then.y, behindAt(pixel, behind, t), params.depth_extent) * cylinder(distance_px, tap.radius);
+    if (over) weight *= inFrontOf(tap.depth, behind, params.depth_extent) * cylinder(distance_px, tap.radius);
     front += weight;
     sum += weight * toSum(tap.color);
   }

@@ -6,13 +6,12 @@
 //      after_velocity, after_dominant: the same two for the times after the capture, where the exposure is split there
 //      (absent: motion is linear throughout);
 //      curve, dominant_curve (of the paths of both, px; absent: lines);
-//      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere);
-//      depth_change, behind_depth_change (m over the exposure, mixin/depths.glsl; absent: depths are those of the capture).
+//      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere).
 // Out: blurred, colour times alpha and alpha.
 // Taps: N at the midpoints (i + 1/2 + jitter)/N of the exposure, Y = X - d*t.
 // Foreground: a tap in front of what lies behind X (what was revealed there, else the surface X itself shows) whose own
-//   motion passes over X within the exposure; in front by depths at the tap's time. Its weight is 1/N of the exposure,
-//   times |d|/|d(Y)|: a slower surface is met by fewer of the taps but passes over X for the whole of the exposure.
+//   motion passes over X within the exposure. Its weight is 1/N of the exposure, times |d|/|d(Y)|: a slower surface is met
+//   by fewer of the taps but passes over X for the whole of the exposure.
 //   alpha = sum of the weights, at most 1.
 //   What rests at X in front of what was revealed takes what is left of the exposure.
 // Split: taps before the capture follow the displacements before it, taps after it those after. A tap's surface counts
@@ -24,7 +23,7 @@
 //   layer. Else alpha becomes 1 by adding (1 - alpha) times the mean of the other taps that X or they themselves
 //   reach: the taps at X's own depth whose motion passes over X, and farther ones no farther away than X's own surface
 //   moves, which stand in for what it uncovers. X itself makes up what their weights lack of one tap, so that a tap
-//   which hardly counts does not become all there is. What X hides is told by depths at the capture.
+//   which hardly counts does not become all there is.
 // Fails: without revealed layer the background inside of a silhouette is that from outside of it; background that
 //   moves is uncorrelated in time with what covers it (a product of two means); one direction per tile.
 #include "mixin/jitter.glsl"
@@ -170,14 +169,13 @@ void run(ivec2 pixel) {
     Tap tap = tapAt(at);
     float in_front = inFrontOf(tap.depth, behind, params.depth_extent);
     Passing passing = passingOf(tap, at - pixel, t, turns_back);
-    float then = inFrontOf(depthAt(at, tap.depth, t), behindAt(pixel, behind, t), params.depth_extent);
-    float hides = passing.passes ? then : 0.0;
+    float hides = passing.passes ? in_front : 0.0;
     float weight = hides > 0.0 ? hides * timeShare(i, passing.d, along) : 0.0;
     front += weight;
     front_sum += weight * toSum(tap.color);
 
     vec2 here_d = after ? here.d_after : here.d;
-    float back_weight = (1.0 - max(in_front, hides)) * backgroundWeight(here, tap, i, at - pixel, here_d, passing, along);
+    float back_weight = (1.0 - in_front) * backgroundWeight(here, tap, i, at - pixel, here_d, passing, along);
     back += back_weight;
     back_sum += back_weight * toSum(tap.color);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Needs: color_tex, depth_tex, velocity_tex, params.limit, params.samples, PARAM_directions; may have:
-//   behind_depth_change_tex, behind_depth_tex, behind_valid_tex, depth_change_tex, reach_tex, second_tex, valid_tex.
+// Needs: PARAM_directions, color_tex, depth_tex, params.limit, params.samples, velocity_tex; may have:
+//   behind_depth_tex, behind_valid_tex, reach_tex, second_tex, valid_tex.
 // The second direction along which a gather looks. Guertin, McGuire and Nowrouzezahrai 2014, "A Fast and Stable
 // Feature-Aware Motion Blur Filter", section 3. `second` is what else moves around, px over the exposure, per tile.
 #ifndef STROBE_DIRECTIONS_GLSL

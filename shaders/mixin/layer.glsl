@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Needs: color_tex, depth_tex, velocity_tex, params.limit; may have: behind_depth_change_tex,
-//   behind_depth_tex, behind_valid_tex, depth_change_tex, reach_tex, valid_tex.
+// Needs: color_tex, depth_tex, velocity_tex, params.limit; may have: behind_depth_tex,
+//   behind_valid_tex, reach_tex, valid_tex.
 // One layer of the picture as gathers read it, and what was revealed behind it.
 #ifndef STROBE_LAYER_GLSL
 #define STROBE_LAYER_GLSL
-#include "mixin/depths.glsl"
 #include "mixin/limit.glsl"
 #include "lib/sanitise.glsl"
 
@@ -44,14 +43,6 @@ float behindDepth(ivec2 pixel, float otherwise) {
   if (hasBehind(pixel)) return saneDepth(texelFetch(behind_depth_tex, pixel, 0).x);
 #endif
   return otherwise;
-}
-
-// That depth at time t; `behind` is what it is at the capture.
-float behindAt(ivec2 pixel, float behind, float t) {
-#if HAS_behind_depth_change
-  if (hasBehind(pixel)) return depthThen(behind, texelFetch(behind_depth_change_tex, pixel, 0), t);
-#endif
-  return hasBehind(pixel) ? behind : depthAt(pixel, behind, t);
 }
 
 #endif

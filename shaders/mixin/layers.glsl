@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Needs: color_tex, params.limit, revealed_color_tex, revealed_depth_tex, revealed_valid_tex, revealed_velocity_tex,
-//   velocity_tex; may have: PARAM_trajectory, after_velocity_tex, close_color_tex, close_curve_tex,
-//   close_depth_change_tex, close_depth_tex, close_valid_tex, close_velocity_tex, curve_tex, depth_change_tex,
-//   dominant_curve_tex, open_color_tex, open_curve_tex, open_depth_change_tex, open_depth_tex, open_valid_tex,
-//   open_velocity_tex, reach_tex, revealed_2_after_velocity_tex, revealed_2_color_tex, revealed_2_curve_tex,
-//   revealed_2_depth_change_tex, revealed_2_depth_tex, revealed_2_valid_tex, revealed_2_velocity_tex,
-//   revealed_3_after_velocity_tex, revealed_3_color_tex, revealed_3_curve_tex, revealed_3_depth_change_tex,
-//   revealed_3_depth_tex, revealed_3_valid_tex, revealed_3_velocity_tex, revealed_4_after_velocity_tex,
-//   revealed_4_color_tex, revealed_4_curve_tex, revealed_4_depth_change_tex, revealed_4_depth_tex,
-//   revealed_4_valid_tex, revealed_4_velocity_tex, revealed_after_velocity_tex, revealed_curve_tex,
-//   revealed_depth_change_tex.
+//   velocity_tex; may have: PARAM_trajectory, after_velocity_tex, close_color_tex, close_curve_tex, close_depth_tex,
+//   close_valid_tex, close_velocity_tex, curve_tex, dominant_curve_tex, open_color_tex, open_curve_tex,
+//   open_depth_tex, open_valid_tex, open_velocity_tex, reach_tex, revealed_2_after_velocity_tex,
+//   revealed_2_color_tex, revealed_2_curve_tex, revealed_2_depth_tex, revealed_2_valid_tex, revealed_2_velocity_tex,
+//   revealed_3_after_velocity_tex, revealed_3_color_tex, revealed_3_curve_tex, revealed_3_depth_tex,
+//   revealed_3_valid_tex, revealed_3_velocity_tex, revealed_4_after_velocity_tex, revealed_4_color_tex,
+//   revealed_4_curve_tex, revealed_4_depth_tex, revealed_4_valid_tex, revealed_4_velocity_tex,
+//   revealed_after_velocity_tex, revealed_curve_tex.
 // The layers that a composite chooses from, by number: what raster saw, what was revealed behind it, what the ends of the
 // exposure alone see. Raster is everywhere; the others hold something here and there.
 #ifndef STROBE_LAYERS_GLSL
 #define STROBE_LAYERS_GLSL
-#include "mixin/depths.glsl"
 #include "mixin/path.glsl"
 #include "lib/sanitise.glsl"
 
@@ -68,38 +65,6 @@ float depthOf(int layer, ivec2 pixel) {
   if (layer == kRevealed + 3) return saneDepth(texelFetch(revealed_4_depth_tex, pixel, 0).x);
 #endif
   return saneDepth(texelFetch(revealed_depth_tex, pixel, 0).x);
-}
-
-// How the depths of the layers behind raster and of the ends change; 0 of those that do not.
-vec4 depthChangeOf(int layer, ivec2 pixel) {
-#if HAS_open_depth_change
-  if (layer == kOpenEnd) return texelFetch(open_depth_change_tex, pixel, 0);
-#endif
-#if HAS_close_depth_change
-  if (layer == kCloseEnd) return texelFetch(close_depth_change_tex, pixel, 0);
-#endif
-#if HAS_revealed_2_depth_change
-  if (layer == kRevealed + 1) return texelFetch(revealed_2_depth_change_tex, pixel, 0);
-#endif
-#if HAS_revealed_3_depth_change
-  if (layer == kRevealed + 2) return texelFetch(revealed_3_depth_change_tex, pixel, 0);
-#endif
-#if HAS_revealed_4_depth_change
-  if (layer == kRevealed + 3) return texelFetch(revealed_4_depth_change_tex, pixel, 0);
-#endif
-#if HAS_revealed_depth_change
-  if (layer == kRevealed) return texelFetch(revealed_depth_change_tex, pixel, 0);
-#endif
-  return vec4(0);
-}
-
-// The depth of one of these at a time `way` from when it has things where they are.
-float depthAt(int layer, ivec2 pixel, float way) {
-#if HAS_depth_change
-  return depthThen(depthOf(layer, pixel), depthChangeOf(layer, pixel), way);
-#else
-  return depthOf(layer, pixel);
-#endif
 }
 
 // How paths are curved.

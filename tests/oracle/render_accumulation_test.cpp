@@ -62,7 +62,7 @@ TEST_F(RenderAccumulation, IsTruthOfAsManySamples) {
           colorOf(render(with(shot, "ground_truth", {"mode=raster", "samples=7", "shading=frozen"}, anchor.name)));
       image::Image color = accumulated(shot, {"samples=7", "reuse=none"}, anchor.name);
       EXPECT_GT(rmsDifference(truth, colorOf(render(with(shot, "none")))), .005);
-      EXPECT_LT(largestDifference(truth, color), 1e-5) << anchor.name << ' ' << moves.size();
+      EXPECT_LT(oracle::largestDifference(truth, color), 1e-5) << anchor.name << ' ' << moves.size();
     }
 }
 

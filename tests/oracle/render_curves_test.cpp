@@ -645,9 +645,9 @@ TEST_F(RenderCurves, FromEarlierFramesEndAtACut) {
   const image::Image line = drawn("line", ""), quadratic = drawn("quadratic", "");
   EXPECT_TRUE(identical(drawn("quadratic", in_the_second), line));
   EXPECT_TRUE(identical(drawn("cubic", in_the_second), line));
-  EXPECT_LE(largestDifference(drawn("cubic", in_the_third), quadratic), 1e-5);  // a curve of 0 beyond it
+  EXPECT_LE(oracle::largestDifference(drawn("cubic", in_the_third), quadratic), 1e-5);  // a curve of 0 beyond it
   EXPECT_TRUE(identical(drawn("quadratic", in_the_third), quadratic));
-  EXPECT_GT(largestDifference(line, quadratic), .01);
+  EXPECT_GT(oracle::largestDifference(line, quadratic), .01);
 }
 
 }  // namespace render_curves_test

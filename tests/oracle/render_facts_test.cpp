@@ -87,7 +87,7 @@ const std::map<std::string, std::vector<std::vector<std::string>>> kGraphs = {
       {"trajectory=quadratic"}}},
     {"selective", {{"effort=0", "trajectory=quadratic"}, {"effort=0.6"}, {"effort=0.8", "samples=4"}}},
     {"guertin2014", {{"second_share=variance", "color_format=fp16"}, {"uniform_path=false"}}},
-    {"jimenez2014", {{"color_format=fp16", "copy_below=0", "depths=tap"}}},
+    {"jimenez2014", {{"color_format=fp16", "copy_below=0"}}},
     {"hdrp", {{"trajectory=cubic"}}},
     {"bevy", {{"trajectory=cubic"}}},
     {"layers2024", {{"trajectory=cubic"}}},

@@ -193,7 +193,7 @@ TEST_F(RenderJumps, WhatTheCameraFollowsStaysSharp) {
   expectAlike(followed, jumps({{"a_x", 0}, {"camera_x", 0}}), "close", "followed");
   lab::Shot left = jumps(together);
   left.camera_blur = 0;
-  EXPECT_GT(largestDifference(drawn(left, methods()[0], "close"), drawn(followed, methods()[0], "close")), .1);
+  EXPECT_GT(oracle::largestDifference(drawn(left, methods()[0], "close"), drawn(followed, methods()[0], "close")), .1);
   followed.follow = "nobody";
   EXPECT_THROW(render(with(followed, "none")), Error);
 }
@@ -215,7 +215,7 @@ TEST_F(RenderJumps, BetweenDepthsOtherThingsStandStill) {
   lab::Shot none = jumps({});
   none.motion_depths = "1,2";
   for (const Method& method : methods())
-    EXPECT_LE(largestDifference(drawn(none, method, "close"), drawn(jumps({}), {"none", {}}, "close")), 1e-5)
+    EXPECT_LE(oracle::largestDifference(drawn(none, method, "close"), drawn(jumps({}), {"none", {}}, "close")), 1e-5)
         << method.pipeline;
 }
 

@@ -87,10 +87,10 @@ TEST_F(RenderOwnTime, OfDetailMeetsTextureBetweenPixels) {
   for (auto [speed, samples] : {std::pair{.4, "16"}, {3.0, "16"}, {3.0, "64"}, {20.0, "64"}}) {
     const lab::Picture truth = rendered(speed, samples, "ground_truth", {"times=midpoint"});
     const lab::Picture best = rendered(speed, samples, "hybrid_traced");
-    EXPECT_LE(largestDifference(colorOf(best), colorOf(truth)), 1e-5) << speed << ", " << samples << " samples";
+    EXPECT_LE(oracle::largestDifference(colorOf(best), colorOf(truth)), 1e-5) << speed << ", " << samples << " samples";
   }
   const lab::Picture truth = rendered(20, "16", "ground_truth", {"times=midpoint"});
-  EXPECT_GE(largestDifference(colorOf(rendered(20, "16", "hybrid_traced")), colorOf(truth)), .01);
+  EXPECT_GE(oracle::largestDifference(colorOf(rendered(20, "16", "hybrid_traced")), colorOf(truth)), .01);
 }
 
 // Raster rounds places: at some pixels of the cage's wires it sees one where rays pass beside it, at some the other way
@@ -99,7 +99,8 @@ TEST_F(RenderOwnTime, SilhouettesAtRestAreThoseOfRays) {
   lab::Shot shot = with(shotOf("../objects/caged_fan", 320, 180, {}), "hybrid_traced", {}, "close");
   const lab::Picture known = render(shot);
   shot.model_everything = true;  // every ray asks for what is at rest too
-  EXPECT_LE(largestDifference(colorOf(known), colorOf(render(shot))), 1e-4) << "rounding; a wrong pixel is off by .3";
+  EXPECT_LE(oracle::largestDifference(colorOf(known), colorOf(render(shot))), 1e-4)
+      << "rounding; a wrong pixel is off by .3";
 }
 
 }  // namespace render_own_time_test

@@ -266,7 +266,7 @@ TEST_F(RenderShadingInMotion, LightsMoveInFullTruthAlone) {
     });
   };
   expect(truth(lit, "full", move), lit, moved, "full");
-  EXPECT_LE(largestDifference(truth(lit, "frozen", move), colorOf(render(lit.shot()))), 1e-6)
+  EXPECT_LE(oracle::largestDifference(truth(lit, "frozen", move), colorOf(render(lit.shot()))), 1e-6)
       << "the capture's picture";
 }
 

@@ -278,7 +278,7 @@ TEST_F(RenderShutterCurves, MirroredWindowsStayMirrored) {
       method.settings.insert(method.settings.end(), {"samples=15", "tile=16", "limit=0.2", "jitter=none"});
       image::Image forward = drawn(curved(whiteBar(20), curve.text), method.pipeline, "close", method.settings);
       image::Image back = drawn(curved(whiteBar(-20), curve.mirrored), method.pipeline, "open", method.settings);
-      EXPECT_LE(largestDifference(forward, back), 2e-6) << method.pipeline << " " << curve.text;
+      EXPECT_LE(oracle::largestDifference(forward, back), 2e-6) << method.pipeline << " " << curve.text;
     }
 }
 
@@ -292,7 +292,8 @@ TEST_F(RenderShutterCurves, EvenCurvesAreTheBoxBitForBit) {
   }
   lab::Shot whole = stripes();  // with all that curves need compiled in
   whole.model_everything = true;
-  EXPECT_LE(largestDifference(drawn(whole, "jimenez2014", "centre", {}), drawn(stripes(), "jimenez2014", "centre", {})),
+  EXPECT_LE(oracle::largestDifference(drawn(whole, "jimenez2014", "centre", {}),
+                                      drawn(stripes(), "jimenez2014", "centre", {})),
             1e-6);
 }
 

@@ -221,7 +221,7 @@ TEST_F(RenderStored, ThePictureMovesByNoMoreThanItsColours) {
     double brightest = 0;
     for (float value : colorOf(full).values) brightest = std::max(brightest, double(value));
     EXPECT_GT(rmsDifference(colorOf(full), colorOf(half)), 0) << pipeline;
-    EXPECT_LE(largestDifference(colorOf(full), colorOf(half)), kHalf * brightest * 2) << pipeline;
+    EXPECT_LE(oracle::largestDifference(colorOf(full), colorOf(half)), kHalf * brightest * 2) << pipeline;
     EXPECT_TRUE(identical(imageOf(full, "velocity"), imageOf(half, "velocity"))) << pipeline;
     EXPECT_TRUE(identical(imageOf(full, "depth"), imageOf(half, "depth"))) << pipeline;
   }

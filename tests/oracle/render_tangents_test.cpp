@@ -118,7 +118,7 @@ TEST_F(RenderTangents, StandInForTheCoordinates) {
     scene::Asset with_tangents = square({1, 0, 0, 1}), without = square({});
     with_tangents.json["nodes"][0].update(part), without.json["nodes"][0].update(part);
     const image::Image a = colorOf(render(shot(with_tangents))), b = colorOf(render(shot(without)));
-    EXPECT_LE(largestDifference(a, b), 1e-5) << part.dump();
+    EXPECT_LE(oracle::largestDifference(a, b), 1e-5) << part.dump();
   }
 }
 

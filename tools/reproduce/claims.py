@@ -37,7 +37,6 @@ EXPERIMENTS = [
     experiment("not_required", "", 80, 80),
     experiment("all_moves", "shot=vase", 40, 110),
     experiment("curves", "shot=pendulum", 30, 60),
-    experiment("depths", "shot=nearer", 20, 40),
     experiment("sub_pixel", "speed=3,samples=16", 20, 60),
     experiment("peers", "shot=enters", 40, 60),
     experiment("ray_budget", "shot=enters", 40, 240),

@@ -4,7 +4,6 @@ local pass          = require "strobe.pass"
 local pipeline      = require "strobe.pipeline"
 local earlier_curve = require "passes.scene.earlier_curve"
 local path_curve    = require "passes.scene.path_curve"
-local depths        = require "scripts.pipelines.lib.depths"
 local ranges        = require "scripts.pipelines.lib.ranges"
 local scene         = require "scripts.pipelines.lib.scene"
 
@@ -82,11 +81,9 @@ function curves.seen(p, filter, setting)
   return seen
 end
 
--- The same for a file of passes/gather, with the changes of depths.
+-- The same for a file of passes/gather.
 function curves.captured(p, weights)
-  local seen = curves.seen(p, pass.member("gather", weights), "weights = " .. weights)
-  depths.add(p, { { "raster", seen } })
-  return seen
+  return curves.seen(p, pass.member("gather", weights), "weights = " .. weights)
 end
 
 return curves

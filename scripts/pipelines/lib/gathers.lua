@@ -8,7 +8,7 @@ local gathers = {}
 
 local images_of_gather = pipeline.record("what a gather reads", {
   "valid", "after_velocity", "curve", "dominant_curve", "second", "after_dominant", "behind_depth", "behind_valid",
-  "depth_change", "behind_depth_change", "slowest", "variance",
+  "slowest", "variance",
 })
 
 -- The choice among the files of passes/gather, or those named.
@@ -39,7 +39,6 @@ function gathers.images(layer, around, behind)
     curve = layer.curve, dominant_curve = around.dominant_curve,
     dominant = around.dominant, second = around.second, after_dominant = around.after_dominant,
     behind_depth = behind and behind.depth, behind_valid = behind and behind.valid,
-    depth_change = layer.depth_change, behind_depth_change = behind and behind.depth_change,
   }
 end
 

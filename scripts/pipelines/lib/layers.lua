@@ -10,7 +10,6 @@ local longest_motion   = require "passes.tile.longest_motion"
 local motion_bounds    = require "passes.tile.motion_bounds"
 local motion_reach     = require "passes.tile.motion_reach"
 local curves           = require "scripts.pipelines.lib.curves"
-local depths           = require "scripts.pipelines.lib.depths"
 local ranges           = require "scripts.pipelines.lib.ranges"
 local scene            = require "scripts.pipelines.lib.scene"
 local tiles            = require "scripts.pipelines.lib.tiles"
@@ -72,12 +71,10 @@ local function put(images, prefix, layer)
   for name, image in pairs(layer) do images[prefix .. name] = image end
 end
 
--- Curves of both layers, where paths are not straight lines, and changes of their depths. The revealed layer keeps a
--- velocity that is not its `own`.
+-- Curves of both layers, where paths are not straight lines. The revealed layer keeps a velocity that is not its `own`.
 function layers.bend(p, raster, revealed, own)
   local behind = { "revealed", revealed, not own }
   curves.add(p, curves.are_foretold(p) and { behind } or { { "raster", raster }, behind })
-  depths.add(p, { { "raster", raster }, behind })
 end
 
 -- The images that a composite reads: `x` of the raster layer, `revealed_x` of the revealed one, displacements per tile.

@@ -5,7 +5,6 @@ local jitter        = require "passes.lib.jitter"
 local stored        = require "passes.lib.stored"
 local gbuffer       = require "passes.scene.gbuffer"
 local neighbour_max = require "passes.tile.neighbour_max"
-local depths        = require "scripts.pipelines.lib.depths"
 
 local options = {}
 
@@ -38,9 +37,7 @@ function options.by_tiles(tile, more)
 end
 
 function options.blur(tile)
-  return options.by_tiles(tile, {
-    depth_extent = blur.depth_extent, depths = depths.param, trajectory = blur.trajectory,
-  })
+  return options.by_tiles(tile, { depth_extent = blur.depth_extent, trajectory = blur.trajectory })
 end
 
 return options

@@ -8,10 +8,10 @@ local shadow_shafts = require "passes.tile.shadow_shafts"
 
 local scene = {}
 
--- A layer: images of one surface per pixel. These fields may be absent; lib/ranges, lib/curves and lib/depths add some.
+-- A layer: images of one surface per pixel. These fields may be absent; lib/ranges and lib/curves add some.
 scene.layer = pipeline.record("a layer", {
-  "valid", "normal", "hit", "sure", "seen_at", "motions", "curve", "bend", "bent", "depth_change",
-  "after_velocity", "whole_velocity", "after", "time",
+  "valid", "normal", "hit", "sure", "seen_at", "motions", "curve", "bend", "bent",
+  "after_velocity", "whole_velocity", "after",
 })
 
 -- The colour of what the pixels see, shaded at the capture, where both ways of shading are the same; which shadow rays that

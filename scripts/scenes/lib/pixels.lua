@@ -13,11 +13,10 @@ function pixels.picture(width, height)
   }
 end
 
--- The motion that displaces by `dx`, `dy` pixels and by `rise` towards the camera over the exposure; at rest, as placed, at
--- the time of frame 0.
-function pixels.motion(picture, dx, dy, rise)
+-- The motion that displaces by `dx`, `dy` pixels over the exposure; at rest, as placed, at the time of frame 0.
+function pixels.motion(picture, dx, dy)
   local per_second = picture.fps / picture.exposure
-  return { velocity = { dx * per_second, -(dy or 0) * per_second, (rise or 0) * per_second } }
+  return { velocity = { dx * per_second, -(dy or 0) * per_second, 0 } }
 end
 
 -- A rectangle of [left, right) x [top, bottom) pixels at depth `z` (larger is nearer).

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- A bright rectangle whose motion bends at the capture (frame 0) and may be accelerated, over a checker of 8 pixels that
 -- moves by `d_b` pixels over the exposure. At t exposures from the capture the rectangle is displaced by
--- before * t for t < 0 and after * t for t > 0, plus bend * t^2 / 2 along x; pixels, x right, y down, z to the camera.
+-- before * t for t < 0 and after * t for t > 0, plus bend * t^2 / 2 along x; pixels, x right, y down.
 local scene = require "strobe.scene"
 local pixels = require "scripts.scenes.lib.pixels"
 
@@ -10,7 +10,6 @@ local left, right = scene.param("left", 30), scene.param("right", 62)
 local top, bottom = scene.param("top", -8), scene.param("bottom", 40)
 local before, after = scene.param("before", 20), scene.param("after", 20)
 local before_y, after_y = scene.param("before_y", 0), scene.param("after_y", 0)
-local before_z, after_z = scene.param("before_z", 0), scene.param("after_z", 0)
 local bend, d_b = scene.param("bend", 0), scene.param("d_b", 0)
 local light, dark = scene.param("light", 0.4), scene.param("dark", 0.1)
 
@@ -19,11 +18,11 @@ local bar = pixels.rectangle(picture, "bar", { left, top, right, bottom }, 0, pi
 -- Quadratic on either side of the capture, which one cubic each holds exactly.
 local reach, exposure_s = 8, picture.exposure / picture.fps
 local function place(t)
-  local vx, vy, vz = t < 0 and before or after, t < 0 and before_y or after_y, t < 0 and before_z or after_z
+  local vx, vy = t < 0 and before or after, t < 0 and before_y or after_y
   local x, y, z = table.unpack(bar.position)
-  return { x + vx * t + bend * t * t / 2, y - vy * t, z + vz * t }
+  return { x + vx * t + bend * t * t / 2, y - vy * t, z }
 end
-local function tangent(vx, vy, vz, t) return { (vx + bend * t) / exposure_s, -vy / exposure_s, vz / exposure_s } end
+local function tangent(vx, vy, t) return { (vx + bend * t) / exposure_s, -vy / exposure_s, 0 } end
 
 local motion = scene.animation {
   name = "bent",
@@ -31,9 +30,9 @@ local motion = scene.animation {
     node = "bar", target = "translation", interpolation = "cubic",
     times = { -reach * exposure_s, 0, reach * exposure_s },
     values = {
-      { 0, 0, 0 }, place(-reach), tangent(before, before_y, before_z, -reach),
-      tangent(before, before_y, before_z, 0), place(0), tangent(after, after_y, after_z, 0),
-      tangent(after, after_y, after_z, reach), place(reach), { 0, 0, 0 },
+      { 0, 0, 0 }, place(-reach), tangent(before, before_y, -reach),
+      tangent(before, before_y, 0), place(0), tangent(after, after_y, 0),
+      tangent(after, after_y, reach), place(reach), { 0, 0, 0 },
     },
   } },
 }
