@@ -47,16 +47,14 @@ return function(name, guesses)
       reversed = "of more than 4 motions around a pixel the nearest count, of equally near ones those before the capture",
     },
     size   = { of = "color" },
-    reads  = ports.of_both(ports.ends(ports.further {
+    reads  = ports.of_both({
       "second", "after_second", "revealed_dominant", "revealed_after_dominant", "curve", "revealed_curve", "dominant_curve",
       "dominant_place",
-    }), {
+    }, {
       moved  = { optional = true,
         doc = "per cell, above 1/2 where something that moves is at some time, elsewhere the picture is copied; absent: 1" },
       doubtful = { optional = true, uint = true,
         doc = "per cell, a bit for each sample at which no layer is to be trusted; with leaves_open" },
-      arriving = { optional = true, uint = true, needs = { "open_valid", "close_valid" },
-        doc = "per cell, above 0 where something comes that an end of the exposure alone sees; absent: 0" },
       silhouettes = { optional = true,
         doc = "above 1/2 next to something that moves otherwise; with it, samples within a pixel of that are left open" },
       missed = { optional = true,

@@ -38,8 +38,8 @@ Tap rasterAt(ivec2 pixel, bool after) {
 
 // The background of a pixel: what was revealed there, else what raster saw there.
 Tap backgroundOf(ivec2 pixel, bool after) {
-  if (!isHeld(kRevealed, pixel)) return rasterAt(pixel, after);
-  return Tap(colorOf(kRevealed, pixel), depthOf(kRevealed, pixel), pathOf(kRevealed, pixel, after),
+  if (!isRevealed(pixel)) return rasterAt(pixel, after);
+  return Tap(colorOf(kRevealed, pixel), revealedDepth(pixel), pathOf(kRevealed, pixel, after),
              texelFetch(revealed_id_tex, pixel, 0).x);
 }
 
@@ -97,7 +97,7 @@ vec3 backgroundAt(ivec2 pixel, float t, Tap back, inout uint fallbacks) {
     Tap tap = rasterAt(now, t > 0.0);
     bool in_view = tap.instance == back.instance || inFrontOf(tap.depth, back.depth, params.depth_extent) == 0.0;
     if (in_view) return tap.color;
-    if (isHeld(kRevealed, now)) return colorOf(kRevealed, now);
+    if (isRevealed(now)) return colorOf(kRevealed, now);
   }
   fallbacks += 1u;
   return back.color;

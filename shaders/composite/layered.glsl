@@ -8,9 +8,7 @@
 //      moved, behind (> 1/2, per cell): something that moves, something revealed may be at its pixels at some time
 //      (absent: everywhere); missed (> 1/2, per cell): something comes that no displacement of the tile leads to;
 //      doubtful (a bit for each sample, per cell): what comes then is not where layers say; silhouettes (> 1/2: next to
-//      something that moves otherwise); revealed_2_*, revealed_3_*, revealed_4_*: the surfaces behind what was revealed;
-//      open_*, close_*: what an end of the exposure sees and none of these holds, where it is then (open_valid > 1/2), with
-//      the displacement open_dominant per tile; arriving (> 0, per cell): that comes there.
+//      something that moves otherwise).
 // Out: blurred (linear, alpha 1). Where nothing moved it is color. With `leaves_open`: of the samples that layers explain, the
 //      sum over the number of all, and in alpha their share; open: a bit for each of the others (of more than 64 samples one
 //      for several). guess (layered_guessing.glsl alone): of what is left open the sum over the number of all of what layers
@@ -104,78 +102,16 @@ Seen nearerRaster(Seen seen, Own own, ivec2 pixel, ivec2 now, float t, float tol
   return seen;
 }
 
-Seen nearerHeld(Seen seen, int layer, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
+Seen nearerRevealed(Seen seen, ivec2 pixel, ivec2 now, float t, float tolerance_px) {
   bool after = t > 0.0;
-  float way = timeFrom(layer, t);
-  vec2 window = windowFrom(layer);
-  for (int i = 0; i < kCurvedGuesses && isHeld(layer, now); ++i) {
-    Path path = pathOf(layer, now, after);
-    if (isThere(pixel, now, path, way, tolerance_px, window)) return nearer(seen, layer, now, depthOf(layer, now));
+  for (int i = 0; i < kCurvedGuesses && isRevealed(now); ++i) {
+    Path path = pathOf(kRevealed, now, after);
+    if (isThere(pixel, now, path, t, tolerance_px, frame.shutter)) return nearer(seen, kRevealed, now, revealedDepth(now));
     if (!isAskedAgain(i, path)) break;
-    ivec2 next = askedOf(layer, pixel, now, path, way, window);
+    ivec2 next = askedOf(kRevealed, pixel, now, path, t, frame.shutter);
     if (next == now || !isInside(next, textureSize(color_tex, 0))) break;
     now = next;
   }
-  return seen;
-}
-
-// Of what an end of the exposure alone sees, by a path; what it is at is followed from there. On curves from the texel that
-// the path is of, where that is known.
-Seen nearerEnd(Seen seen, int layer, ivec2 pixel, Path path, ivec2 texel, float t) {
-  ivec2 now = isCurved(path) && holds(layer, texel) ? texel : asked(pixel, path, timeFrom(layer, t), windowFrom(layer));
-  if (!isInside(now, textureSize(color_tex, 0))) return seen;
-  return nearerHeld(seen, layer, pixel, now, t, toleranceOf(path.d));
-}
-
-#if HAS_open_valid
-Path openDominant(ivec2 tile) {
-  vec2 d = vec2(texelFetch(open_dominant_tex, tile, 0));
-#if HAS_open_dominant_curve
-  return onCurve(d, texelFetch(open_dominant_curve_tex, tile, 0));
-#else
-  return straight(d);
-#endif
-}
-
-ivec2 openPlace(ivec2 tile) {
-#if HAS_open_dominant_place
-  return ivec2(texelFetch(open_dominant_place_tex, tile, 0).xy);
-#else
-  return kNoTexel;
-#endif
-}
-#endif
-
-#if HAS_close_valid
-Path closeDominant(ivec2 tile) {
-  vec2 d = vec2(texelFetch(close_dominant_tex, tile, 0));
-#if HAS_close_dominant_curve
-  return onCurve(d, texelFetch(close_dominant_curve_tex, tile, 0));
-#else
-  return straight(d);
-#endif
-}
-
-ivec2 closePlace(ivec2 tile) {
-#if HAS_close_dominant_place
-  return ivec2(texelFetch(close_dominant_place_tex, tile, 0).xy);
-#else
-  return kNoTexel;
-#endif
-}
-#endif
-
-// By the displacement of its tile and by that at the pixel, which are no candidates for other layers.
-Seen nearerEnds(Seen seen, ivec2 pixel, float t) {
-  ivec2 tile = pixel / params.tile;
-#if HAS_open_valid
-  seen = nearerEnd(seen, kOpenEnd, pixel, openDominant(tile), openPlace(tile), t);
-  if (isHeld(kOpenEnd, pixel)) seen = nearerEnd(seen, kOpenEnd, pixel, pathOf(kOpenEnd, pixel, false), pixel, t);
-#endif
-#if HAS_close_valid
-  seen = nearerEnd(seen, kCloseEnd, pixel, closeDominant(tile), closePlace(tile), t);
-  if (isHeld(kCloseEnd, pixel)) seen = nearerEnd(seen, kCloseEnd, pixel, pathOf(kCloseEnd, pixel, false), pixel, t);
-#endif
   return seen;
 }
 
@@ -211,32 +147,25 @@ bool isUnsure(ivec2 pixel, ivec2 now, vec2 offset, float t) {
 ivec2 startAt(int layer, Candidates candidates, int k, ivec2 now) {
 #if HAS_curve
   ivec2 texel = candidates.texels[k];
-  if (isCurved(candidate(candidates, k)) && holds(layer, texel)) return texel;
+  if (isCurved(candidate(candidates, k)) && hasSurface(layer, texel)) return texel;
 #endif
   return now;
 }
 
 Seen seenAt(ivec2 pixel, Own own, Candidates candidates, bool behind, float t) {
   ivec2 size = textureSize(color_tex, 0);
-  Seen seen = nearerEnds(Seen(kNothing, pixel, 0.0, false), pixel, t);
+  Seen seen = Seen(kNothing, pixel, 0.0, false);
   for (int k = 0; k < candidates.count; ++k) {
     Path path = candidate(candidates, k);
     float tolerance_px = candidates.tolerance_px[k];
-#if HAS_open_valid
-    seen = nearerEnd(seen, kOpenEnd, pixel, path, kNoTexel, t);
-#endif
-#if HAS_close_valid
-    seen = nearerEnd(seen, kCloseEnd, pixel, path, kNoTexel, t);
-#endif
     vec2 offset = tapOffset(path, t);
     ivec2 now = pixel + roundSymmetric(offset), start = startAt(kRaster, candidates, k, now);
     if (!isInside(start, size)) continue;
     if (isInside(now, size)) seen.unsure = seen.unsure || isUnsure(pixel, now, offset, t);
     seen = nearerRaster(seen, own, pixel, start, t, tolerance_px);
-    for (int layer = kRevealed; behind && layer <= kLastRevealed; ++layer) {
-      start = startAt(layer, candidates, k, now);
-      if (isInside(start, size)) seen = nearerHeld(seen, layer, pixel, start, t, tolerance_px);
-    }
+    if (!behind) continue;
+    start = startAt(kRevealed, candidates, k, now);
+    if (isInside(start, size)) seen = nearerRevealed(seen, pixel, start, t, tolerance_px);
   }
   return seen;
 }
@@ -247,15 +176,6 @@ bool isMoved(ivec2 cell) {
   return texelFetch(moved_tex, cell, 0).x > 0.5;
 #else
   return true;
-#endif
-}
-
-// Does something come that an end of the exposure alone sees?
-bool isArriving(ivec2 cell) {
-#if HAS_arriving
-  return texelFetch(arriving_tex, cell, 0).x != 0u;
-#else
-  return false;
 #endif
 }
 
@@ -292,8 +212,7 @@ vec3 colorFound(Seen seen, ivec2 pixel, float t, out bool alike, out Spread spre
   spread = noSpread();
 #if PARAM_taps == taps_linear || PARAM_leaves_unlike
   bool after = t > 0.0;
-  float way = timeFrom(seen.layer, t);
-  vec2 window = windowFrom(seen.layer), offset = tapOffset(pathOf(seen.layer, seen.now, after), way, window);
+  vec2 offset = tapOffset(pathOf(seen.layer, seen.now, after), t);
   vec2 low = floor(offset), share = offset - low;
   ivec2 first = pixel + wholeOf(low);
   vec3 sum = vec3(0);
@@ -303,7 +222,7 @@ vec3 colorFound(Seen seen, ivec2 pixel, float t, out bool alike, out Spread spre
     vec2 part = mix(1.0 - share, share, equal(corner, ivec2(1)));
     float weight = part.x * part.y;
     if (weight < 1e-3) continue;
-    if (!holds(seen.layer, at) || !isAt(pixel, at, pathOf(seen.layer, at, after), way, 1.5, window)) {
+    if (!hasSurface(seen.layer, at) || !isAt(pixel, at, pathOf(seen.layer, at, after), t, 1.5)) {
       alike = false;
 #ifdef GUESSES
       spread = withColor(spread, colorOf(kRaster, clampToImage(at, textureSize(color_tex, 0))));
@@ -407,7 +326,7 @@ void run(ivec2 pixel) {
     finish(pixel, vec3(0), 0.0, open);
     return;
   }
-  if (!isMoved(cell) && !isArriving(cell)) {
+  if (!isMoved(cell)) {
     float share = 1.0 - float(countParts(open)) / float(min(params.samples, kMostParts));
     vec3 color = vec3(texelFetch(color_tex, pixel, 0));
     finishGuess(pixel, (1.0 - share) * color, (1.0 - share) * mostOf(finiteColor(vec4(color, 1))));
@@ -443,7 +362,7 @@ void run(ivec2 pixel) {
     Seen seen = seenAt(pixel, own, t > 0.0 ? after : before, behind, t);
     bool is_found = seen.layer != kNothing, is_known = is_found && !seen.unsure, alike = true;
     if (!is_known) fallbacks += 1u;
-    if (!is_known && !(kIsGuessed && is_found)) seen.layer = isHeld(kRevealed, pixel) ? kRevealed : kRaster;
+    if (!is_known && !(kIsGuessed && is_found)) seen.layer = isRevealed(pixel) ? kRevealed : kRaster;
     Spread spread = noSpread();
     bool is_asked = is_known || PARAM_leaves_open == 0 || kIsGuessed;
     vec3 color = vec3(0);

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Needs: PARAM_harvest, PARAM_leaves_open, color_tex, dominant_tex, params.limit, params.samples, revealed_color_tex,
 //   revealed_depth_tex, revealed_valid_tex, revealed_velocity_tex, velocity_tex; may have: PARAM_trajectory,
-//   after_dominant_tex, after_second_tex, after_velocity_tex, close_color_tex, close_curve_tex, close_depth_tex,
-//   close_valid_tex, close_velocity_tex, curve_tex, dominant_curve_tex, dominant_place_tex, open_color_tex,
-//   open_curve_tex, open_depth_tex, open_valid_tex, open_velocity_tex, reach_tex, revealed_2_after_velocity_tex,
-//   revealed_2_color_tex, revealed_2_curve_tex, revealed_2_depth_tex, revealed_2_valid_tex, revealed_2_velocity_tex,
-//   revealed_3_after_velocity_tex, revealed_3_color_tex, revealed_3_curve_tex, revealed_3_depth_tex,
-//   revealed_3_valid_tex, revealed_3_velocity_tex, revealed_4_after_velocity_tex, revealed_4_color_tex,
-//   revealed_4_curve_tex, revealed_4_depth_tex, revealed_4_valid_tex, revealed_4_velocity_tex,
+//   after_dominant_tex, after_second_tex, after_velocity_tex, curve_tex, dominant_curve_tex, dominant_place_tex, reach_tex,
 //   revealed_after_dominant_tex, revealed_after_velocity_tex, revealed_curve_tex, revealed_dominant_tex, second_tex.
 // The displacements by which a composite of layers looks for what is at a pixel at some time: those of its tile, its own, and
 // those met along the way, as far as they differ. composite/layered.glsl says which, and why.
@@ -82,7 +76,7 @@ Candidates withCandidate(Candidates candidates, Path path, ivec2 texel) {
 
 // Those of all layers at a texel: of what is behind raster, where it holds something.
 Candidates withAllLayers(Candidates candidates, ivec2 at, bool behind, bool after) {
-  for (int layer = kRaster; layer == kRaster || (behind && layer <= kLastRevealed && isHeld(layer, at)); ++layer)
+  for (int layer = kRaster; layer == kRaster || (behind && layer <= kRevealed && isRevealed(at)); ++layer)
     candidates = withCandidate(candidates, pathOf(layer, at, after), at);
   return candidates;
 }
