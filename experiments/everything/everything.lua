@@ -16,7 +16,6 @@ local knobs = {
   { "termination", { "luminance", "geometry", "instance", "motion" } },
   { "advance", { "restart", "origin_kept", "instance_filter" } },
   { "on_cap", { "fallback", "last_hit" } },
-  { "reveal_resolution", { "full", "half" } },
   { "tiles", { "separate", "union" } },
   { "composite", { "alpha_over", "in_gather", "layered" } },
   { "weights", { "mcguire2012", "guertin2014", "jimenez2014", "uniform" } },
@@ -171,13 +170,12 @@ matters("weights", 1.1)
 matters("samples", 1.1)
 matters("advance", 1.1)
 hardly_matters("tile", 1.15, "128 points do not quite cancel the other knobs: by itself it changes less (samples)")
-hardly_matters("reveal_resolution", 1.15, "a ray for four pixels errs many times as much (reveal_resolution)")
 for _, name in ipairs { "edge", "on_cap", "tiles", "jitter" } do hardly_matters(name, 1.15) end
 
 return experiment {
   title    = "Everything",
   question = "Which knobs of the hybrid are on the front, and what does a millisecond buy?",
-  note     = ("%d settings of 12 parameters of the hybrid, spread evenly by the Sobol sequence, and the post-process "):format(
+  note     = ("%d settings of 11 parameters of the hybrid, spread evenly by the Sobol sequence, and the post-process "):format(
              count) .. "methods. The living room's vase slides past the cushions by 24 px. Times are ratios to McGuire 2012 " ..
              "with 16 samples. A knob's mean error is the geometric mean over all settings with that value.",
   size     = { 320, 180 },

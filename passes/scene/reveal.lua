@@ -12,7 +12,7 @@ return pass.trace {
   name   = "reveal",
   shader = "scene/reveal",
   doc    = "Colour, depth, ids and displacement of the surface behind the masked foreground",
-  size   = { of = "hit", divide = "divide" },
+  size   = { of = "hit" },
   reads  = {
     hit  = { uint = true, doc = "instance + 1 (0 = sky), geometry, primitive of the foreground" },
     mask = { doc = "1 where a ray is wanted" },
@@ -112,7 +112,6 @@ return pass.trace {
         zero       = "None: the revealed surface is taken to be at rest on the screen. Wrong when it moves or the " ..
                      "camera does.",
       } },
-    divide = pass.int { 1, min = 1, max = 2, unit = "px", doc = "side of the squares of pixels that share one ray" },
   },
   counters = {
     revealed  = "rays that revealed a surface or sky",

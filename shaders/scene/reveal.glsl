@@ -3,7 +3,6 @@
 // In:  hit_tex (foreground), mask_tex (> 0.5: reveal).
 // Out: color, depth, id, velocity, valid as the G-buffer has them, found (instance + 1, geometry, primitive); everything 0
 //      where nothing is revealed.
-//      With `divide` = 2 a texel stands for a square of 2x2 pixels, and its ray is that of sourcePixel().
 // Goes from hit to hit by `advance` until `termination` holds or `max_layers` hits did not end it (counter `capped`).
 // Under instance_filter the foreground is passed over within the traversal: instance and geometry termination then end
 // at the first hit and meet no cap. A surface within 4 representable numbers of the one before reads as one with it
@@ -13,7 +12,6 @@
 //   foreground that covers itself, nor that several instances are one object; motion sees the latter.
 #include "mixin/advance.glsl"
 #include "mixin/shade.glsl"
-#include "mixin/square.glsl"
 #include "mixin/stored.glsl"
 
 float luminance(vec3 color) { return dot(color, vec3(0.2126, 0.7152, 0.0722)); }
@@ -197,15 +195,19 @@ Revealed revealedBehind(ivec2 pixel) {
   return isHit(found.hit) ? surfaceSeen(ray, found, front) : skySeen(ray, front);
 }
 
-void run(ivec2 texel) {
-  ivec2 pixel = sourcePixel(texel, params.divide);
-  if (pixel.x < 0) return;  // all is 0
+// Is something to be revealed behind this pixel? Behind the sky there is nothing.
+bool isMasked(ivec2 pixel) {
+  return texelFetch(mask_tex, pixel, 0).r > 0.5 && texelFetch(hit_tex, pixel, 0).x != 0u;
+}
+
+void run(ivec2 pixel) {
+  if (!isMasked(pixel)) return;  // all is 0
   Revealed revealed = revealedBehind(pixel);
   if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
-  imageStore(color_img, texel, storedColor(revealed.color));
-  imageStore(depth_img, texel, vec4(storedDepth(revealed.depth)));
-  imageStore(id_img, texel, uvec4(revealed.id, 0u, 0u));
-  imageStore(velocity_img, texel, vec4(storedVelocity(revealed.velocity), 0, 0));
-  imageStore(valid_img, texel, vec4(revealed.valid ? 1.0 : 0.0));
-  imageStore(found_img, texel, uvec4(revealed.hit, 0u));
+  imageStore(color_img, pixel, storedColor(revealed.color));
+  imageStore(depth_img, pixel, vec4(storedDepth(revealed.depth)));
+  imageStore(id_img, pixel, uvec4(revealed.id, 0u, 0u));
+  imageStore(velocity_img, pixel, vec4(storedVelocity(revealed.velocity), 0, 0));
+  imageStore(valid_img, pixel, vec4(revealed.valid ? 1.0 : 0.0));
+  imageStore(found_img, pixel, uvec4(revealed.hit, 0u));
 }

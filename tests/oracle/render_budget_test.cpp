@@ -31,13 +31,13 @@ class RenderBudget : public RenderTest {
 const Numbers kBar = {{"left", 20}, {"right", 42}, {"d_f", 16}};
 const char* const kTracking = "../objects/tracking_parallax";
 
-// Whatever asks for them: masks, samples that layers do not explain, one ray for four pixels.
+// Whatever asks for them: masks, samples that layers do not explain.
 TEST_F(RenderBudget, NoMorePixelsThanTheShareHaveRays) {
-  const std::vector<std::string> all_masked = {"preset=captured", "mask=all"}, half = {"reveal_resolution=half"};
+  const std::vector<std::string> all_masked = {"preset=captured", "mask=all"};
   for (const lab::Shot& shot : {moving(kTracking, {{"pixels", 8}}), moving("../objects/enters", {{"pixels", 14}}),
                                 moving("textured_bar", kBar)}) {
     for (double share : {0., .03, .15}) {
-      for (const std::vector<std::string>& set : {std::vector<std::string>{"preset=best"}, all_masked, half}) {
+      for (const std::vector<std::string>& set : {std::vector<std::string>{"preset=best"}, all_masked}) {
         const lab::Picture picture = limited(shot, share, set);
         const int64_t most = int64_t(share * kWidth * kHeight), pixels = traced(picture);
         EXPECT_LE(pixels, most) << shot.scene << ' ' << share;

@@ -104,7 +104,7 @@ const std::map<std::string, std::vector<std::vector<std::string>>> kGraphs = {
       {"composite=in_gather"},
       {"composite=alpha_over", "weights=guertin2014", "tiles=separate"},
       {"range=split"},
-      {"reveal_resolution=half", "depths=tap"},
+      {"depths=tap"},
       {"velocity_format=fp16", "color_format=fp16", "depth_encoding=reversed"},
       {"termination=motion", "advance=origin_kept", "mask=all"}}},
     {"accumulation", {{"samples=4", "reuse=none"}, {"samples=3", "reuse=blended"}}},

@@ -93,7 +93,6 @@ TEST_F(RenderLists, AWidePictureHasALongList) {
 TEST_F(RenderLists, RevealIsTheSameOverAList) {
   const std::vector<std::pair<std::string, std::string>> cases = {{"bvh", "preset=best"},
                                                                   {"bvh", "preset=layers"},
-                                                                  {"bvh", "reveal_resolution=half"},
                                                                   {"query", "preset=seed"},
                                                                   {"pipeline", "preset=seed"}};
   for (const auto& [backend, settings] : cases) {

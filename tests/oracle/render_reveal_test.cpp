@@ -329,64 +329,6 @@ TEST_F(RenderReveal, OwnDisplacementIsTheRightOne) {
               imageOf(foreground, "revealed_valid").at(x, 1, 0) * imageOf(foreground, "velocity").at(x, 1, 0));
 }
 
-// A quarter of the rays, rounded up to whole squares, and the same picture where nothing varies: to 1e-6, since colours
-// are interpolated over triangles in single precision (depths of 110 to 1e-4).
-TEST_F(RenderReveal, HalfResolutionIsTheSameOverAConstantBackground) {
-  constexpr int kOddWidth = 65, kOddHeight = 7;
-  lab::Shot shot = shotOf("bar", kOddWidth, kOddHeight, {{"left", 20}, {"right", 45}, {"d_f", 9}, {"background", .25}});
-  for (const char* mask : {"all", "relative"}) {
-    std::string masked = fmt::format("mask={}", mask);
-    lab::Picture full = render(with(shot, "hybrid", {masked, "tile=20", "limit=0.2"}));
-    lab::Picture half = render(with(shot, "hybrid", {masked, "reveal_resolution=half", "tile=20", "limit=0.2"}));
-    for (const char* output : {"color", "revealed", "revealed_velocity", "revealed_valid"})
-      EXPECT_LE(largestDifference(imageOf(full, output), imageOf(half, output)), 1e-6) << mask << " " << output;
-    EXPECT_LE(largestDifference(imageOf(full, "revealed_depth"), imageOf(half, "revealed_depth")), 1e-4) << mask;
-    EXPECT_EQ(counterOf(half, "reveal_upsample.unmatched"), 0u) << mask;
-    uint64_t squares = 0, pixels = 0;
-    const image::Image& marked = imageOf(full, "mask");
-    for (int y = 0; y < kOddHeight; ++y)
-      for (int x = 0; x < kOddWidth; ++x) {
-        pixels += marked.at(x, y, 0) > .5f;
-        bool any = false;
-        for (int i = 0; i < 4; ++i) {
-          int px = x + i % 2, py = y + i / 2;
-          any = any || (px < kOddWidth && py < kOddHeight && marked.at(px, py, 0) > .5f);
-        }
-        squares += x % 2 == 0 && y % 2 == 0 && any;
-      }
-    EXPECT_EQ(counterOf(full, raysOf(full, "reveal")), pixels) << mask;
-    EXPECT_EQ(counterOf(half, raysOf(half, "reveal")), squares) << mask;
-    EXPECT_LE(squares, .36 * double(pixels)) << mask;  // 1/4, and the odd row and column
-  }
-}
-
-// Only within 2 px of a change of the background, and never outside of what it shows there.
-// Rays that meet the cap reveal nothing, and nothing is shared out.
-TEST_F(RenderReveal, HalfResolutionOfNothingIsNothing) {
-  lab::Shot shot =
-      with(Planes{}.shot(), "hybrid", {"mask=all", "reveal_resolution=half", "advance=origin_kept", "max_layers=1"});
-  lab::Picture picture = render(shot);
-  EXPECT_EQ(counterOf(picture, "reveal.capped"), uint64_t(kWidth * kHeight / 4));
-  EXPECT_EQ(rms(imageOf(picture, "revealed_valid")), 0);
-  EXPECT_EQ(rms(imageOf(picture, "revealed")), 0);
-}
-
-TEST_F(RenderReveal, HalfResolutionIsWrongOnlyNearEdges) {
-  Striped scene;
-  lab::Picture full = render(scene.hybrid({})), half = render(scene.hybrid({"reveal_resolution=half"}));
-  EXPECT_EQ(counterOf(half, "reveal_upsample.unmatched"), 0u);
-  for (int x = 0; x < Striped::kAll; ++x) {
-    bool beside = x % 10 < 2 || x % 10 > 7;
-    double exact = imageOf(full, "revealed").at(x, 1, 0), found = imageOf(half, "revealed").at(x, 1, 0);
-    EXPECT_EQ(imageOf(full, "revealed_valid").at(x, 1, 0), imageOf(half, "revealed_valid").at(x, 1, 0)) << x;
-    EXPECT_LE(std::abs(found - exact), beside ? .8 : 1e-6) << x;
-    if (imageOf(half, "revealed_valid").at(x, 1, 0) == 0) continue;
-    EXPECT_GE(found, .1 - 1e-6) << x;
-    EXPECT_LE(found, .9 + 1e-6) << x;
-  }
-  EXPECT_LE(scene.error(half).rms, .05);
-}
-
 // N time samples of an exact picture, edges placed to 3/4 px of the 20 moved (motion is followed from pixel to pixel),
 // and 1e-4 for single precision.
 TEST_F(RenderReveal, InGatherIsExactOverABackgroundAtRest) {

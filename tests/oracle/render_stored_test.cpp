@@ -42,8 +42,6 @@ std::vector<Kept> joined(std::vector<Kept> list, const std::vector<Kept>& more) 
 }
 
 std::vector<Keeper> keepers() {
-  std::vector<Kept> halved = {
-      {"reveal_upsample.velocity", "velocity"}, {"reveal_upsample.depth", "depth"}, {"reveal_upsample.color", "color"}};
   std::vector<Kept> parts = {{"halves.before", "velocity"},
                              {"halves.after", "velocity"},
                              {"revealed_halves.before", "velocity"},
@@ -56,7 +54,6 @@ std::vector<Keeper> keepers() {
       {"ue4", {}, kSeen},
       {"hybrid", {"mask=all"}, joined(kSeen, kRevealed)},
       {"hybrid", {"mask=all", "range=split"}, joined(kSeen, parts)},
-      {"hybrid", {"mask=all", "reveal_resolution=half"}, joined(kSeen, halved)},
   };
   for (const char* weights : {"uniform", "mcguire2012", "guertin2014", "jimenez2014"})
     list.push_back({"hybrid", {"mask=all", "composite=alpha_over", fmt::format("weights={}", weights)}, blurred});

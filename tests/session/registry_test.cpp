@@ -118,7 +118,6 @@ const std::map<std::string, std::vector<Context>> kContexts = {
       {{"composite=alpha_over", "weights=mcguire2012"}, {"directions"}},
       {{"composite=alpha_over", "weights=guertin2014", "jitter=hash"}, {}},
       {{"composite=alpha_over", "weights=jimenez2014", "anchor=centre"}, {}},
-      {{"reveal_resolution=half"}, {}},
       {{"tile=8"}, {"tile_rule", "tiles"}}}},
     {"ground_truth",
      {{{"samples=8"}, {}},

@@ -11,7 +11,6 @@ local motion_bounds   = require "passes.tile.motion_bounds"
 local joined_bounds   = require "passes.tile.motion_bounds_joined"
 local motion_reach    = require "passes.tile.motion_reach"
 local reveal          = require "passes.scene.reveal"
-local reveal_upsample = require "passes.scene.reveal_upsample"
 local budget          = require "scripts.pipelines.lib.budget"
 local curves          = require "scripts.pipelines.lib.curves"
 local depths          = require "scripts.pipelines.lib.depths"
@@ -88,13 +87,6 @@ function hybrid.params()
       doc = "composite layered: surfaces revealed one behind another; the next where the last one moves on the screen" },
     on_cap      = reveal.params.on_cap,
     reveal_velocity   = reveal.params.reveal_velocity,
-    reveal_resolution = choice { "full", "half", default = "full", doc = "rays per masked pixel",
-      values = {
-        full = "One ray per masked pixel.",
-        half = "One ray per square of 2x2 pixels of which any is masked, shared out by ids and depths. Smooths what " ..
-               "is revealed, and moves silhouettes in it by up to a pixel.",
-      },
-      breaks = { half = { mirrored = "which pixel of a square has the ray is not mirrored" } } },
     reveal_over = choice { "picture", "list", default = "picture", doc = "what the ray reveal runs over: no matter to pictures",
       values = {
         picture = "The whole picture; pixels outside of the mask end at once, beside others that do not.",
@@ -167,26 +159,17 @@ local function knows(p, image) return pass.reads(pass.member("composite", p.comp
 
 -- What lies behind the masked pixels: a list of layers, nearest first, each the ports of the pass `reveal`.
 function hybrid.revealed(p, seen, mask)
-  local half, count = p.reveal_resolution() == "half", knows(p, "revealed_2_color") and p.revealed_layers() or 1
-  if half and count > 1 then error("revealed_layers > 1: a ray per pixel is needed, reveal_resolution = full", 0) end
-  local function revealed(hit, on, divide, name)
-    local listed = p.reveal_over() == "list" and lists.of(on, name, divide) or nil
-    return reveal { hit = hit, mask = on, listed = listed, divide = divide, mask_reached = p.mask() == "relative", as = name }
+  local function revealed(hit, on, name)
+    local listed = p.reveal_over() == "list" and lists.of(on, name) or nil
+    return reveal { hit = hit, mask = on, listed = listed, mask_reached = p.mask() == "relative", as = name }
   end
-  local rays = revealed(seen.hit, mask, half and 2 or 1, "reveal")
-  if half then
-    return { reveal_upsample {
-      hit = seen.hit, mask = mask, front_depth = seen.depth, color = rays.color, depth = rays.depth, id = rays.id,
-      velocity = rays.velocity, valid = rays.valid,
-    } }
-  end
-  local layers = { rays }
-  for number = 2, count do
+  local layers = { revealed(seen.hit, mask, "reveal") }
+  for number = 2, knows(p, "revealed_2_color") and p.revealed_layers() or 1 do
     local last = layers[number - 1]
     local on = moving_behind {
       valid = last.valid, id = last.id, velocity = last.velocity, as = "moving_behind_" .. number,
     }.mask
-    layers[number] = revealed(last.found, on, 1, "reveal_" .. number)
+    layers[number] = revealed(last.found, on, "reveal_" .. number)
   end
   return layers
 end
@@ -195,8 +178,9 @@ end
 function hybrid.divided(p, revealed)
   local divided = {}
   for number, of in ipairs(revealed) do
-    local layer = scene.layer { color = of.color, depth = of.depth, id = of.id, velocity = of.velocity, valid = of.valid }
-    if p.reveal_resolution() == "full" then layer.hit = of.found end
+    local layer = scene.layer {
+      color = of.color, depth = of.depth, id = of.id, velocity = of.velocity, valid = of.valid, hit = of.found,
+    }
     if p.reveal_velocity() == "own" then
       layer = ranges.divided(p, layer, number == 1 and "revealed_halves" or ("revealed_%d_halves"):format(number))
     elseif ranges.are_split(p) then

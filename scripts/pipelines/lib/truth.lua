@@ -89,7 +89,7 @@ function truth.everywhere(p, seen)
   local has_list = agreed and valued(p.pixel) == "box"  -- through centres what nothing reaches is left out already
   local more = truth.shutter(p, seen, {
     name = "shutter", count = count - few, first = few, parts = count, every_ray = every_ray, before = before,
-    agreed = agreed, listed = has_list and lists.of(agreed.more, "truth", 1) or nil,
+    agreed = agreed, listed = has_list and lists.of(agreed.more, "truth") or nil,
   })
   return truth.joined(before, more, "truth_sum")
 end

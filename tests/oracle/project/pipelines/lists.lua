@@ -18,7 +18,7 @@ return pipeline {
   build = function(p)
     local seen = scene.captured()
     local mask = moving { velocity = seen.velocity, dominant = tiles.dominant(p, seen).dominant }.mask
-    local listed = p.over() == "list" and lists.of(mask, "moving", 1) or nil
+    local listed = p.over() == "list" and lists.of(mask, "moving") or nil
     local made = marked { color = seen.color, listed = listed }
     return scene.outputs(seen, {
       color = seen.color, mask = mask, times = made.times, copied = made.copied,
