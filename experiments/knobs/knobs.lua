@@ -10,7 +10,6 @@ local moving = { "vase", "panel", "fan", "stacked", "tracking" }  -- the shots i
 local knobs = {
   { name = "no revealed layer", set = { mask = "none" }, needed = {} },
   { name = "reveal behind all that moves", set = { mask = "moving" }, needed = {} },
-  { name = "rays over a list", set = { reveal_over = "list" }, needed = {} },
   { name = "two revealed layers", set = { revealed_layers = 2 }, needed = {} },
   { name = "layers of the ends", set = { end_layers = true }, needed = {} },
   { name = "arcs", set = { trajectory = "arc" }, needed = {} },

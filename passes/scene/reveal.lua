@@ -16,7 +16,6 @@ return pass.trace {
   reads  = {
     hit  = { uint = true, doc = "instance + 1 (0 = sky), geometry, primitive of the foreground" },
     mask = { doc = "1 where a ray is wanted" },
-    listed = { buffer = true, optional = true, doc = "the pixels where one is, which it runs for alone" },
   },
   writes = {
     color    = { cleared = true, format = stored.color, doc = "linear radiance of what is revealed; 0 where nothing is" },
@@ -28,7 +27,6 @@ return pass.trace {
       doc = "what is revealed: instance + 1 (0 = sky, or nothing), geometry, primitive" },
     valid    = { cleared = true, format = "r8_unorm", doc = "1 where something is revealed" },
   },
-  over = "listed",
   without = { mask = nothing, reached = nothing },
   fails  = "A second layer behind the revealed one stays hidden. Of two surfaces in one place (within 4 " ..
            "representable numbers of depth, more under restart and offset) the second is lost. Glass is revealed " ..

@@ -28,7 +28,7 @@ void run(ivec2 square) {
   for (int y = 0; y < kListedSide; y += 2)
     for (int x = 0; x < kListedSide; x += 2) {
       ivec2 place = ivec2(x, y);
-      bvec4 four = maskedFrom(square * kListedSide + place);
+      bvec4 four = maskedFrom(square * params.listed_side + place);
       for (int i = 0; i < 4; ++i) add(bits, place + ivec2(i & 1, i >> 1), four[i]);
     }
   imageStore(bits_img, square, uvec4(bits, 0u, 0u));

@@ -17,7 +17,6 @@ local depths          = require "scripts.pipelines.lib.depths"
 local doubts          = require "scripts.pipelines.lib.doubts"
 local edges           = require "scripts.pipelines.lib.edges"
 local gathers         = require "scripts.pipelines.lib.gathers"
-local lists           = require "scripts.pipelines.lib.lists"
 local options         = require "scripts.pipelines.lib.options"
 local ranges          = require "scripts.pipelines.lib.ranges"
 local scene           = require "scripts.pipelines.lib.scene"
@@ -87,12 +86,6 @@ function hybrid.params()
       doc = "composite layered: surfaces revealed one behind another; the next where the last one moves on the screen" },
     on_cap      = reveal.params.on_cap,
     reveal_velocity   = reveal.params.reveal_velocity,
-    reveal_over = choice { "picture", "list", default = "picture", doc = "what the ray reveal runs over: no matter to pictures",
-      values = {
-        picture = "The whole picture; pixels outside of the mask end at once, beside others that do not.",
-        list    = "A list of the masked pixels, so that invocations which run together all have a ray. Three small " ..
-                  "passes make it.",
-      } },
     tiles       = choice { "separate", "union", default = "union", doc = "dominant motion per layer, or of both",
       values = {
         separate = "Each layer has the longest displacements of its own, as published. Fails where only the " ..
@@ -160,8 +153,7 @@ local function knows(p, image) return pass.reads(pass.member("composite", p.comp
 -- What lies behind the masked pixels: a list of layers, nearest first, each the ports of the pass `reveal`.
 function hybrid.revealed(p, seen, mask)
   local function revealed(hit, on, name)
-    local listed = p.reveal_over() == "list" and lists.of(on, name) or nil
-    return reveal { hit = hit, mask = on, listed = listed, mask_reached = p.mask() == "relative", as = name }
+    return reveal { hit = hit, mask = on, mask_reached = p.mask() == "relative", as = name }
   end
   local layers = { revealed(seen.hit, mask, "reveal") }
   for number = 2, knows(p, "revealed_2_color") and p.revealed_layers() or 1 do
