@@ -36,11 +36,11 @@ TEST_F(RenderBackends, AllGiveTheSamePictures) {
       {"shade", crowd("none", {"shadow_shafts.shafts=false"})},
       {"reveal", crowd("hybrid", {"preset=best", "tile=8", "limit=0.25"})},
       {"reveal", crowd("hybrid", {"preset=seed_text", "tile=8", "limit=0.25"})},
-      {"reveal", crowd("hybrid", {"mask=all", "advance=offset", "tile=8", "limit=0.25"})},
+      {"reveal", crowd("hybrid", {"mask=none", "mask.everywhere=true", "advance=restart", "tile=8", "limit=0.25"})},
       // Many at rest, over which the runtime's own tree is built once.
       {"reveal", with(shotOf("crowd", 64, 40, {{"crumbs", 300}}), "hybrid", {"preset=best", "tile=8", "limit=0.25"})},
       // A box has a back, which rays that skip it pass over at once.
-      {"reveal", with(shotOf("turning_box", 64, 36, {}), "hybrid", {"mask=all"})},
+      {"reveal", with(shotOf("turning_box", 64, 36, {}), "hybrid", {"mask=none", "mask.everywhere=true"})},
       {"truth_trace", crowd("ground_truth", {"samples=12", "pixel=box", "times=stratified", "slices=4"}), false},
   };
   for (Traced traced : cases) {

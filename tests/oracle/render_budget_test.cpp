@@ -33,7 +33,7 @@ const char* const kTracking = "../objects/tracking_parallax";
 
 // Whatever asks for them: masks, samples that layers do not explain.
 TEST_F(RenderBudget, NoMorePixelsThanTheShareHaveRays) {
-  const std::vector<std::string> all_masked = {"preset=captured", "mask=all"};
+  const std::vector<std::string> all_masked = {"preset=captured", "mask=none", "mask.everywhere=true"};
   for (const lab::Shot& shot : {moving(kTracking, {{"pixels", 8}}), moving("../objects/enters", {{"pixels", 14}}),
                                 moving("textured_bar", kBar)}) {
     for (double share : {0., .03, .15}) {

@@ -184,7 +184,7 @@ TEST_F(RenderDepths, ChangesOfOtherLayersAreToo) {
   const Cards covered{{{40, 72, 0, .5}, {50, 62, -5, 1, 20, -30}}};
   const std::string change = "revealed_depth_change.change";
   for (const Anchor& anchor : anchors()) {
-    const std::vector<std::string> set = {"preset=captured", "mask=all", "depths=tap"};
+    const std::vector<std::string> set = {"preset=captured", "mask=none", "mask.everywhere=true", "depths=tap"};
     lab::Picture picture = render(tapped(with(covered.shot(), "hybrid", set, anchor.name), {change}));
     EXPECT_EQ(expectChange(picture, imageOf(picture, "revealed_depth"), change, 105, glm::dvec2(30)), 12 * kHeight);
   }
@@ -208,12 +208,14 @@ TEST_F(RenderDepths, LayersChangePlacesWithinTheExposure) {
     std::vector<std::string> set;
     double slowest;  // px
   };
-  const std::vector<std::string> captured = {"preset=captured", "mask=all", "revealed_layers=2"};
+  const std::vector<std::string> captured = {"preset=captured", "mask=none", "mask.everywhere=true",
+                                             "revealed_layers=2"};
   const Anchor open = anchors().back();
   ASSERT_EQ(open.name, "open");
-  std::vector<Case> cases = {{"passing", passing(), open, "hybrid", captured, 20},
-                             {"passing", passing(), open, "layers2024", {}, 20},
-                             {"entering", entering(), open, "hybrid", {"preset=layers", "mask=all"}, 40}};
+  std::vector<Case> cases = {
+      {"passing", passing(), open, "hybrid", captured, 20},
+      {"passing", passing(), open, "layers2024", {}, 20},
+      {"entering", entering(), open, "hybrid", {"preset=layers", "mask=none", "mask.everywhere=true"}, 40}};
   for (const Anchor& anchor : anchors()) {
     cases.push_back({"crossing", crossing(anchor.window), anchor, "hybrid", captured, 12});
     cases.push_back({"rising", rising(anchor.window), anchor, "hybrid", captured, 20});
@@ -245,7 +247,7 @@ TEST_F(RenderDepths, EveryFilterHasThem) {
     std::vector<std::string> set;
     double share;
   };
-  const std::string all = "mask=all", over = "composite=alpha_over";
+  const std::string none = "mask=none", all = "mask.everywhere=true", over = "composite=alpha_over";
   const Filter filters[] = {
       {"mcguire2012", {}, .85},
       {"mcguire2012", {"weights=uniform"}, .1},
@@ -253,11 +255,11 @@ TEST_F(RenderDepths, EveryFilterHasThem) {
       {"jimenez2014", {}, .1},
       {"ue4", {}, .1},
       {"hdrp", {}, .15},
-      {"hybrid", {all, "composite=in_gather"}, .1},
-      {"hybrid", {all, over, "weights=uniform"}, .6},
-      {"hybrid", {all, over, "weights=mcguire2012"}, .85},
-      {"hybrid", {all, over, "weights=jimenez2014"}, .15},
-      {"hybrid", {all, over, "weights=guertin2014"}, .85},
+      {"hybrid", {none, all, "composite=in_gather"}, .1},
+      {"hybrid", {none, all, over, "weights=uniform"}, .6},
+      {"hybrid", {none, all, over, "weights=mcguire2012"}, .85},
+      {"hybrid", {none, all, over, "weights=jimenez2014"}, .15},
+      {"hybrid", {none, all, over, "weights=guertin2014"}, .85},
   };
   for (const Filter& filter : filters)
     for (const Anchor& anchor : anchors())
@@ -280,7 +282,7 @@ TEST_F(RenderDepths, EachPartHasItsPace) {
   ASSERT_EQ(centre.name, "centre");
   lab::Shot shot = shotOf("bent", kWidth, 8, {{"before_z", 40}, {"light", .1}, {"dark", .1}});
   auto errorAt = [&](const char* depths) {
-    const std::vector<std::string> set = settings(depths, {"preset=captured", "mask=all"});
+    const std::vector<std::string> set = settings(depths, {"preset=captured", "mask=none", "mask.everywhere=true"});
     return like.errorOf(render(with(shot, "hybrid", set, "centre")), centre.window);
   };
   EXPECT_LE(errorAt("tap"), .1 * errorAt("capture"));  // as the card of the test above

@@ -92,7 +92,7 @@ const std::map<std::string, std::vector<std::vector<std::string>>> kGraphs = {
     {"bevy", {{"trajectory=cubic"}}},
     {"layers2024", {{"trajectory=cubic"}}},
     {"hybrid",
-     {{"mask=all"},
+     {{"mask=none", "mask.everywhere=true"},
       {"preset=captured", "trajectory=cubic"},
       {"preset=captured", "trajectory=arc", "depths=tap"},
       {"preset=layers", "trajectory=cubic"},
@@ -106,7 +106,7 @@ const std::map<std::string, std::vector<std::vector<std::string>>> kGraphs = {
       {"range=split"},
       {"depths=tap"},
       {"velocity_format=fp16", "color_format=fp16", "depth_encoding=reversed"},
-      {"termination=motion", "advance=origin_kept", "mask=all"}}},
+      {"termination=motion", "advance=origin_kept", "mask=none", "mask.everywhere=true"}}},
     {"accumulation", {{"samples=4", "reuse=none"}, {"samples=3", "reuse=blended"}}},
     {"ground_truth", {{"samples=4"}, {"samples=2", "mode=raster"}}},
 };

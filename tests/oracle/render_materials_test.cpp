@@ -54,7 +54,8 @@ TEST_F(RenderMaterials, BacksAreSeenOfWhatHasTwoSides) {
       expectCards(colorOf(picture), expected, backend + ", raster");
       expectCards(imageOf(picture, "ray_color"), expected, backend + ", rays");
       expectCards(colorOf(render(with(shot, "ground_truth", {"samples=2"}))), expected, backend + ", truth");
-      std::vector<std::string> passing = {"mask=all", "termination=instance", "advance=instance_filter"};
+      std::vector<std::string> passing = {"mask=none", "mask.everywhere=true", "termination=instance",
+                                          "advance=instance_filter"};
       expectCards(colorOf(render(with(shot, "hybrid", passing))), expected, backend + ", hybrid");
     }
   }

@@ -52,11 +52,13 @@ std::vector<Keeper> keepers() {
       {"guertin2014", {}, kSeen},
       {"jimenez2014", {}, kSeen},
       {"ue4", {}, kSeen},
-      {"hybrid", {"mask=all"}, joined(kSeen, kRevealed)},
-      {"hybrid", {"mask=all", "range=split"}, joined(kSeen, parts)},
+      {"hybrid", {"mask=none", "mask.everywhere=true"}, joined(kSeen, kRevealed)},
+      {"hybrid", {"mask=moving", "range=split"}, joined(kSeen, parts)},
   };
   for (const char* weights : {"uniform", "mcguire2012", "guertin2014", "jimenez2014"})
-    list.push_back({"hybrid", {"mask=all", "composite=alpha_over", fmt::format("weights={}", weights)}, blurred});
+    list.push_back({"hybrid",
+                    {"mask=none", "mask.everywhere=true", "composite=alpha_over", fmt::format("weights={}", weights)},
+                    blurred});
   return list;
 }
 
@@ -98,7 +100,7 @@ void expectClose(const image::Image& exact, const image::Image& stored, double r
 // The images of the passes that shade and project: rounded once from what fp32 holds.
 TEST_F(RenderStored, WhatIsSeenAndRevealedIsRoundedOnce) {
   for (const Keeper& keeper : keepers()) {
-    if (name(keeper).find('=') != std::string::npos && name(keeper) != "hybrid mask=all") continue;
+    if (!keeper.settings.empty() && name(keeper) != "hybrid mask=none mask.everywhere=true") continue;
     lab::Picture exact = render(crowd(keeper, {}));
     lab::Picture half = render(crowd(keeper, kOther));
     for (const Kept& one : keeper.kept)
@@ -161,7 +163,7 @@ TEST_F(RenderStored, SkySurvivesEveryEncoding) {
 }
 
 TEST_F(RenderStored, NothingRevealedStaysNothing) {
-  lab::Picture picture = render(crowd({"hybrid", {"mask=all"}, kRevealed}, kOther));
+  lab::Picture picture = render(crowd({"hybrid", {"mask=none", "mask.everywhere=true"}, kRevealed}, kOther));
   expectSkyWhereNothingIs(picture, "hybrid");
   const image::Image& valid = imageOf(picture, "revealed_valid");
   const image::Image& behind = imageOf(picture, "revealed_depth");
@@ -230,8 +232,9 @@ TEST_F(RenderStored, ThePictureMovesByNoMoreThanItsColours) {
 // What is at rest is copied: with half floats the picture is what was stored, bit for bit.
 TEST_F(RenderStored, StillPicturesAreWhatWasStored) {
   for (const char* pipeline : {"mcguire2012", "guertin2014", "jimenez2014", "ue4", "hybrid"}) {
-    lab::Shot shot = crowd({pipeline, {"mask=all"}, {{"shade.color", "color"}}}, kOther);
-    if (shot.pipeline != "hybrid") std::erase(shot.sets, script::Setting("mask", "all"));
+    std::vector<std::string> settings;
+    if (pipeline == std::string("hybrid")) settings = {"mask=none", "mask.everywhere=true"};
+    lab::Shot shot = crowd({pipeline, settings, {{"shade.color", "color"}}}, kOther);
     shot.exposure = 0;
     lab::Picture picture = render(shot);
     EXPECT_TRUE(identical(colorOf(picture), picture.frame.taps.at("shade.color").floats)) << pipeline;

@@ -34,8 +34,6 @@ hybrid.mask_texts = {
              "near, and on self-occlusion of one instance.",
   moving   = "Everything that moves or that something may move over. Fails to save rays, most of what it marks " ..
              "uncovers nothing, and at the picture's border as all does.",
-  all      = "Every pixel. Fails to save any rays, and at the picture's border: where something comes in from " ..
-             "outside, which no layer has, the surface revealed behind it is taken.",
 }
 
 -- A file of passes/composite is a value.
@@ -58,7 +56,7 @@ function hybrid.mask_params()
   local edge_names = { default = "sobel", doc = "edge detector of the mask `seed`", values = edges.texts() }
   for _, name in ipairs(edges.names) do edge_names[#edge_names + 1] = name end
   return {
-    mask      = pipeline.choice { "none", "seed", "relative", "moving", "all", default = "relative",
+    mask      = pipeline.choice { "none", "seed", "relative", "moving", default = "relative",
       doc = "pixels to reveal behind: by their own motion, or by motion relative to what is beyond their silhouette",
       values = hybrid.mask_texts },
     mask_taps = pipeline.int { 1, min = 1, max = 64,
@@ -85,7 +83,6 @@ function hybrid.params()
     revealed_layers = pipeline.int { 1, min = 1, max = 4,
       doc = "composite layered: surfaces revealed one behind another; the next where the last one moves on the screen" },
     on_cap      = reveal.params.on_cap,
-    reveal_velocity   = reveal.params.reveal_velocity,
     tiles       = choice { "separate", "union", default = "union", doc = "dominant motion per layer, or of both",
       values = {
         separate = "Each layer has the longest displacements of its own, as published. Fails where only the " ..
@@ -166,19 +163,14 @@ function hybrid.revealed(p, seen, mask)
   return layers
 end
 
--- The revealed layers as filters see them (ranges.divided). A displacement that is not its own stays one for both parts.
+-- The revealed layers as filters see them (ranges.divided).
 function hybrid.divided(p, revealed)
   local divided = {}
   for number, of in ipairs(revealed) do
     local layer = scene.layer {
       color = of.color, depth = of.depth, id = of.id, velocity = of.velocity, valid = of.valid, hit = of.found,
     }
-    if p.reveal_velocity() == "own" then
-      layer = ranges.divided(p, layer, number == 1 and "revealed_halves" or ("revealed_%d_halves"):format(number))
-    elseif ranges.are_split(p) then
-      layer.after_velocity = layer.velocity
-    end
-    divided[number] = layer
+    divided[number] = ranges.divided(p, layer, number == 1 and "revealed_halves" or ("revealed_%d_halves"):format(number))
   end
   return divided
 end
@@ -251,11 +243,11 @@ local function reached_cells(p, seen, revealed, images)
   return { moved = cells.moved, behind = cells.behind, missed = cells.missed }
 end
 
--- The layers with their names. What was revealed keeps a displacement that is not its own.
-local function named(p, seen, revealed)
+-- The layers with their names.
+local function named(seen, revealed)
   local all = { { "raster", seen } }
   for number, layer in ipairs(revealed) do
-    all[#all + 1] = { number == 1 and "revealed" or ("revealed_%d"):format(number), layer, p.reveal_velocity() ~= "own" }
+    all[#all + 1] = { number == 1 and "revealed" or ("revealed_%d"):format(number), layer }
   end
   return all
 end
@@ -267,7 +259,7 @@ function hybrid.composited(p, seen, revealed, mask)
   local apart = pass.reads(composite, "front")
   curves.require(p, apart and pass.member("gather", p.weights()) or composite,
     apart and "weights = " .. p.weights() or "composite = " .. p.composite())
-  local all = named(p, seen, revealed)
+  local all = named(seen, revealed)
   -- From earlier frames the raster layer has had its curves (pipelines/hybrid.lua).
   curves.add(p, curves.are_foretold(p) and { table.unpack(all, 2) } or all)
   depths.add(p, all)

@@ -15,8 +15,7 @@ local tiles            = require "scripts.pipelines.lib.tiles"
 
 local masks = {}
 
-masks["none"] = function() return constant { everywhere = false, as = "mask" }.mask end
-masks["all"]  = function() return constant { everywhere = true, as = "mask" }.mask end
+masks["none"] = function() return constant { as = "mask" }.mask end
 
 -- Tan, Cui and Bhojan 2020: displaced position, edges there, everything from which such an edge is in range.
 masks["seed"] = function(p, seen)
