@@ -57,7 +57,6 @@ return experiment {
     arm("seed, 4 taps", { mask = "paper", mask_taps = 4 }),
     arm("relative", { mask = "disocclusion" }),
     arm("moving", { mask = "moving" }),
-    arm("all", { mask = "all" }),
   },
   truth    = { pipeline = "ground_truth", set = { samples = 256, times = "stratified" } },
   base     = "no rays",
@@ -112,14 +111,13 @@ return experiment {
       function(r)
         local function marked(name) return r.at { shot = "vase", arm = name }.masked end
         return marked "relative" < marked "moving" / 2,
-          ("seed %d, relative %d, moving %d, all %d pixels; hidden %d"):format(marked "seed", marked "relative",
-            marked "moving", marked "all", r.at { shot = "vase", arm = "relative", region = "hidden" }.pixels)
+          ("seed %d, relative %d, moving %d pixels; hidden %d"):format(marked "seed", marked "relative",
+            marked "moving", r.at { shot = "vase", arm = "relative", region = "hidden" }.pixels)
       end },
     { "the relative mask saves time over a ray behind everything that moves, in the living room", function(r)
       local function cost(name) return r.at { shot = "vase", arm = name }.ms_ratio end
       return cost "relative" < cost "moving",
-        ("no rays 1, seed %.2f, relative %.2f, moving %.2f, all %.2f"):format(cost "seed", cost "relative", cost "moving",
-                                                                              cost "all")
+        ("no rays 1, seed %.2f, relative %.2f, moving %.2f"):format(cost "seed", cost "relative", cost "moving")
     end },
   },
   layout   = { front = { x = "ms_ratio", y = "rmse", region = "hidden" }, table = {} },

@@ -71,7 +71,6 @@ return pipeline {
     composite    = pipeline.choice(composites),
     weights      = pipeline.choice(gathers.choice("uniform", "of the taps, under composite = alpha_over")),
     directions   = mcguire2012.params.directions,
-    reveal_velocity = reveal.params.reveal_velocity,
     range        = ranges.param,
   }),
   compare_with = "mcguire2012",
@@ -79,12 +78,11 @@ return pipeline {
     local raster = scene.captured()
     local moved = ranges.divided(p, raster, "halves")
     local mask = ranges.mask(p, moved, masks[p.mask()])
-    local own = p.reveal_velocity() == "own"
     local found = layers.revealed(raster, mask, p.mask() == "disocclusion")
-    local revealed = layers.divided(p, found, own)
+    local revealed = layers.divided(p, found)
     local composite = pass.member("composite", p.composite())
     local apart = pass.reads(composite, "front")
-    if not apart then layers.bend(p, moved, revealed, own) end
+    if not apart then layers.bend(p, moved, revealed) end
     local images = apart and blurred(p, moved, revealed) or layers.images(p, moved, revealed, composite)
     local made = composite(pass.wired(composite, images, { as = "composite" }))
     return scene.outputs(raster, {

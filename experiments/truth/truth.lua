@@ -1,9 +1,9 @@
 -- SPDX-License-Identifier: MIT
--- What truth through whole pixels costs for an error: every ray traced, what is known spared, samples where they differ.
+-- What truth through whole pixels costs for an error: every ray traced, or what is known spared.
 --   strobe sweep experiments/truth/truth.lua -o out/truth
 local experiment = require "strobe.experiment"
 
-local brute, spared, adaptive = "every ray", "what is known is spared", "adaptive"
+local brute, spared = "every ray", "what is known is spared"
 local counts = { 8, 16, 32, 64, 128, 256 }
 local shots = {
   { name = "plain", title = "A bar, unlit", scene = "oracles/bar" },
@@ -27,31 +27,14 @@ local function share(r, shot, name, samples, of)
   return own.ms_ratio / (a.ms_ratio * (own.rmse / a.rmse) ^ slope)
 end
 
--- "Living room: .71 to .98; ..." over the counts from `least` on; and the largest.
-local function shares(r, name, of, least)
-  local texts, most = {}, 0
-  for _, shot in ipairs(shots) do
-    local low, high = math.huge, 0
-    for _, samples in ipairs(counts) do
-      if samples >= least then
-        local one = share(r, shot, name, samples, of)
-        low, high = math.min(low, one), math.max(high, one)
-      end
-    end
-    texts[#texts + 1] = ("%s %.2f to %.2f"):format(shot.name, low, high)
-    most = math.max(most, high)
-  end
-  return most, table.concat(texts, ", ")
-end
-
 return experiment {
   title    = "What truth costs",
-  question = "How much of the time for an error does truth save by what it knows, and by samples where they differ?",
-  note     = "Samples anywhere in the pixel. Of `adaptive` they are those that the error is to equal. Times are ratios to " ..
-             "8 samples of every ray in the same shot; the reference has its own noise, which is in all errors alike.",
+  question = "How much of the time for an error does truth save by what it knows?",
+  note     = "Samples anywhere in the pixel. Times are ratios to 8 samples of every ray in the same shot; the reference has its " ..
+             "own noise, which is in all errors alike.",
   size     = { 320, 180 },
   shots    = shots,
-  arms     = { arm(brute, "brute"), arm(spared, "rays"), arm(adaptive, "adaptive") },
+  arms     = { arm(brute, "brute"), arm(spared, "rays") },
   base     = brute,
   truth    = { pipeline = "ground_truth", set = { samples = 4096, pixel = "box", mode = "brute", mark_regions = false } },
   rounds   = 3,
@@ -75,13 +58,6 @@ return experiment {
       end
       return most <= 0.8, ("at most %.2f"):format(most)
     end },
-    { "more samples where they differ take less time for an error than the same number everywhere, from 32 on",
-      known = "few samples foretell little, and of those everywhere what the first ones agree about is spared too; where " ..
-              "one edge moves evenly, the pixels that it passes differ all alike",
-      function(r)
-        local most, text = shares(r, adaptive, spared, 32)
-        return most < 1, text
-      end },
     { "twice the samples leave less of the error than the .71 that independent ones would", function(r)
       local most = 0
       for _, shot in ipairs(shots) do

@@ -22,7 +22,7 @@ return pass.compute {
     trajectory   = blur.trajectory,
     copy_below   = pass.float { 1, min = 0, max = 16, unit = "px",
       doc = "a pixel that moves less than this over the exposure is copied, as is one that moves half a pixel or less" },
-    jitter       = jitter.without_tiles,
+    jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
   },
   counters = {

@@ -11,7 +11,6 @@ return pass.compute {
   reads  = { mask = { doc = "above 0.5 at the pixels that are listed" } },
   writes = { bits = { format = "rg32ui", doc = "a bit for each pixel of a square, in the order of the list" } },
   params = {
-    listed_side = pass.int { 8, min = 8, max = 16, unit = "px",
-      doc = "side of a square: 8, or 16 where each pixel listed stands for 2x2 of the mask, any of which is masked" },
+    listed_side = pass.int { 8, min = 8, max = 8, unit = "px", wired = true, doc = "side of a square" },
   },
 }

@@ -1,7 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- What no layer explains, by rays at their own time.
 local pass  = require "strobe.pass"
-local adaptive = require "passes.lib.adaptive"
 local captured_color = require "passes.lib.captured_color"
 local shade = require "passes.scene.shade"
 
@@ -25,8 +24,8 @@ return pass.trace {
   writes = { picture = { format = "rgba32f", doc = "linear; alpha 1" } },
   without = { motion = { picture = "seen" }, reached = { picture = "seen" } },
   params = {
-    audit      = adaptive.audit {
-      0.01, doc = "share of the blocks of 4x2 pixels that motion may reach, in which rays check what layers explain" },
+    audit      = pass.float { 0.01, min = 0, max = 1,
+      doc = "share of the blocks of 4x2 pixels that motion may reach, in which rays check what layers explain" },
     wrong_by   = pass.float { 0.1, min = 0, max = 1,
       doc = "share of its colour by which the mean of a pixel's explained samples may be off" },
     shades_unlike = captured_color.shades_unlike,

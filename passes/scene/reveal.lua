@@ -12,11 +12,10 @@ return pass.trace {
   name   = "reveal",
   shader = "scene/reveal",
   doc    = "Colour, depth, ids and displacement of the surface behind the masked foreground",
-  size   = { of = "hit", divide = "divide" },
+  size   = { of = "hit" },
   reads  = {
     hit  = { uint = true, doc = "instance + 1 (0 = sky), geometry, primitive of the foreground" },
     mask = { doc = "1 where a ray is wanted" },
-    listed = { buffer = true, optional = true, doc = "the pixels where one is, which it runs for alone" },
   },
   writes = {
     color    = { cleared = true, format = stored.color, doc = "linear radiance of what is revealed; 0 where nothing is" },
@@ -28,10 +27,9 @@ return pass.trace {
       doc = "what is revealed: instance + 1 (0 = sky, or nothing), geometry, primitive" },
     valid    = { cleared = true, format = "r8_unorm", doc = "1 where something is revealed" },
   },
-  over = "listed",
   without = { mask = nothing, reached = nothing },
   fails  = "A second layer behind the revealed one stays hidden. Of two surfaces in one place (within 4 " ..
-           "representable numbers of depth, more under restart and offset) the second is lost. Glass is revealed " ..
+           "representable numbers of depth, more under restart) the second is lost. Glass is revealed " ..
            "as if it were opaque.",
   params = {
     mask_reached = pass.bool { false, wired = true, role = "within_reach",
@@ -60,7 +58,7 @@ return pass.trace {
                     "object, seen from both sides, that turns.",
       },
       breaks = { luminance = { linear = "luminances are compared: another light may reveal another layer" } } },
-    advance = pass.choice { "instance_filter", "origin_kept", "restart", "offset", default = "instance_filter",
+    advance = pass.choice { "instance_filter", "origin_kept", "restart", default = "instance_filter",
       doc = "how a ray goes on past a hit",
       values = {
         instance_filter = "One traversal of the same ray that ignores the instance in front (under geometry " ..
@@ -73,9 +71,6 @@ return pass.trace {
         restart         = "Hit by hit, a new ray from the hit that starts 0.00001 of the depth later, as " ..
                           "published. Loses layers closer together than that, and far from the origin may find " ..
                           "the same hit again.",
-        offset          = "Hit by hit, a new ray from a point moved off the surface to its far side (Waechter and " ..
-                          "Binder 2019, with the constants scaled to the point's distance). Loses layers closer " ..
-                          "together than about 0.00003 of the distance, and shifts the ray sideways by as much.",
       } },
     max_layers = pass.int { 8, min = 1, max = 31, doc = "most hits tried that are no other object" },
     on_cap = pass.choice { "fallback", "last_hit", default = "fallback",
@@ -101,18 +96,6 @@ return pass.trace {
         material   = "Of the mean base colour of the material: one luminance for all of an object. Cannot tell two " ..
                      "objects of one material; vertex colours and emission do not count.",
       } },
-    reveal_velocity = pass.choice { "own", "foreground", "zero", default = "own",
-      doc = "displacement that the revealed surface is given",
-      values = {
-        own        = "Its own, from its true poses. Nothing to fail: it is what raster would say.",
-        foreground = "That of the surface in front, for renderers that know no other at the pixel. A background at " ..
-                     "rest is smeared along the foreground's motion, but not under the composite layered, where a " ..
-                     "surface that goes along with what hides it is never uncovered and what was revealed at the " ..
-                     "pixel stands in. Wrong under all of them when the background moves.",
-        zero       = "None: the revealed surface is taken to be at rest on the screen. Wrong when it moves or the " ..
-                     "camera does.",
-      } },
-    divide = pass.int { 1, min = 1, max = 2, unit = "px", doc = "side of the squares of pixels that share one ray" },
   },
   counters = {
     revealed  = "rays that revealed a surface or sky",

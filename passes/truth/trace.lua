@@ -3,7 +3,6 @@
 -- Source: Cook, Porter, Carpenter, "Distributed Ray Tracing", SIGGRAPH '84.
 local pass  = require "strobe.pass"
 local shade = require "passes.scene.shade"
-local adaptive = require "passes.lib.adaptive"
 
 return pass.trace {
   name   = "truth_trace",
@@ -13,7 +12,6 @@ return pass.trace {
   reads  = {
     hit = { uint = true, doc = "what each pixel sees at the capture: instance + 1 (0 = sky), geometry, primitive" },
     listed = { buffer = true, optional = true, doc = "the pixels that take part; absent: all" },
-    budget = { optional = true, doc = "samples of each tile; absent: all take all" },
     sure = { optional = true, uint = true, doc = "shadows that no ray has to find, of shadow_shafts" },
     known_hit     = { optional = true, uint = true, doc = "surfaces and triangles that samples see, of truth_agreement" },
     known_shadows = { optional = true, uint = true, doc = "shadows that no ray has to find, of truth_agreement" },
@@ -46,9 +44,6 @@ return pass.trace {
       doc = "pose at which points are shaded: the capture's (what a blur filter can reach), or the sample's own time" },
     pixel   = pass.choice { "centre", "box", default = "centre",
       doc = "sample positions: the centre, or all over the pixel" },
-    taken = pass.int { 0, min = 0, max = 1048576, doc = "samples that loops before this one have taken" },
-    least_budget = pass.float { 0, min = 0, max = 1e6, doc = "samples of a tile that takes part" },
-    tile = adaptive.tile,
     in_turn = pass.bool { false, wired = true,
       doc = "places in the pixel go by the sample's turn, evenly spread wherever the loop stops; else by its part of the " ..
             "exposure, evenly spread together with the times" },
@@ -57,7 +52,8 @@ return pass.trace {
     keeps_notes = pass.bool { false, wired = true, doc = "keep what samples see, for truth_agreement" },
     surveys = pass.bool { false, wired = true,
       doc = "before a moving camera, see and keep what the capture shows: a second ray, and its shadows" },
-    audit = adaptive.audit,
+    audit = pass.float { 0.01, min = 0, max = 1,
+      doc = "share of the blocks of 4x2 pixels in which every ray is traced, to check what is known without" },
     once_where_still = pass.bool { false, role = "still_once",
       doc = "what nothing in motion reaches is sampled once, for all samples: right for centres under frozen shading" },
     mark_regions = pass.bool { true, doc = "find the regions in which methods differ; one more ray per sample" },

@@ -1,22 +1,16 @@
 -- SPDX-License-Identifier: MIT
 -- Truth: the mean over true poses at many times of the exposure. Never clamped, no tiles, no layers.
-local pipeline      = require "strobe.pipeline"
-local shared        = require "passes.lib.adaptive"
-local shade         = require "passes.scene.shade"
-local visibility    = require "passes.scene.visibility"
-local traced        = require "passes.scene.visibility_traced"
-local accumulate    = require "passes.truth.accumulate"
-local agreement     = require "passes.truth.agreement"
-local audit         = require "passes.truth.audit"
-local budget_met    = require "passes.truth.budget_met"
-local mean          = require "passes.truth.mean"
-local regions       = require "passes.truth.regions"
-local sample_budget = require "passes.truth.sample_budget"
-local sample_rate   = require "passes.truth.sample_rate"
-local spread        = require "passes.truth.spread"
-local tile_error    = require "passes.truth.tile_error"
-local scene         = require "scripts.pipelines.lib.scene"
-local truth         = require "scripts.pipelines.lib.truth"
+local pipeline   = require "strobe.pipeline"
+local shade      = require "passes.scene.shade"
+local visibility = require "passes.scene.visibility"
+local traced     = require "passes.scene.visibility_traced"
+local accumulate = require "passes.truth.accumulate"
+local agreement  = require "passes.truth.agreement"
+local mean       = require "passes.truth.mean"
+local regions    = require "passes.truth.regions"
+local trace      = require "passes.truth.trace"
+local scene      = require "scripts.pipelines.lib.scene"
+local truth      = require "scripts.pipelines.lib.truth"
 
 local drawn = "a sample's time or place is drawn by its pixel on the screen"
 local smooth = "a pixel sees all of its square, whose silhouettes are smooth where they rest too"
@@ -32,8 +26,6 @@ local function rastered_sample(p)
   return accumulate { color = color }
 end
 
--- ---- one number of samples for all pixels
-
 local function rastered(p)
   return pipeline.loop {
     name = "shutter", count = p.samples, times = p.times,
@@ -44,67 +36,6 @@ local function rastered(p)
     end,
   }
 end
-
--- ---- more samples where they differ more
-
-local most_per_tile = 4  -- in `samples`
-
--- `count` samples of the tiles in `budget` that have `least` or more; of all without it.
-local function level(p, seen, t)
-  return pipeline.loop {
-    name = t.name, count = t.count, times = "stratified", slices = p.slices,
-    until_ = t.budget and function(results) return results.stop end or nil,
-    body = function()
-      local s = truth.traced_sample(p, seen, {
-        as = "truth_" .. t.name, budget = t.budget, taken = t.taken, least = t.least, adaptive = true,
-        notes = not t.budget, before = t.before, agreed = t.agreed,
-      })
-      local stopped = t.budget and budget_met { rate = t.rate, least_budget = t.least, as = t.name .. "_stop" }.stop or nil
-      return {
-        mean_a = s.mean_a, mean_b = s.mean_b, regions = s.regions, stop = stopped, ground = s.ground, still = s.still,
-        unlike = s.unlike, shadows = s.shadows,
-      }
-    end,
-  }
-end
-
--- A few everywhere; by these, each tile its own number. Each level has as many as all before it, in strata of its own
--- over the whole exposure. Yields also what checks the error of the whole, unless all have the same number.
-local function adaptive(p, seen)
-  -- At pixel centres one time is right or wrong for all of a tile: its error tells little of what more samples gain.
-  if p.pixel() == "centre" then error("mode = adaptive sees whole pixels: it needs pixel = box", 0) end
-  if p.tolerance() > 0 then error("mode = adaptive shares out `samples`: tolerance > 0 needs mode = rays", 0) end
-  local few = math.min(p.pilot(), p.samples())
-  local before = level(p, seen, { name = "pilot", count = few, taken = 0, least = 0 })
-  local sum = before
-  if few == p.samples() then return sum end
-  local agreed = truth.agreement_of(p, before)
-  local blocks = spread { mean_a = sum.mean_a, mean_b = sum.mean_b, block = p.tile }.spread
-  local errors = tile_error { spread = blocks }.tile_error
-  local rate = sample_rate { tile_error = errors, samples = p.samples, order = p.order, most = most_per_tile }.rate
-  local budget = sample_budget {
-    tile_error = errors, rate = rate, samples = p.samples, order = p.order, tile = p.tile, least = p.least, audit = p.audit,
-  }.budget
-  local taken, number = few, 0
-  while taken < most_per_tile * p.samples() do
-    number = number + 1
-    local least = math.sqrt(2) * taken  -- nearer to twice as many, as a factor
-    local more = level(p, seen, {
-      name = "level_" .. number, count = taken, taken = taken, budget = budget, rate = rate, least = least,
-      before = before, agreed = agreed,
-    })
-    sum = truth.joined(sum, more, "truth_sum_" .. number)
-    taken = 2 * taken
-  end
-  local function audited(error)
-    return audit {
-      error = error, tile_error = errors, tile = p.tile, pilot = few, order = p.order, audit = p.audit,
-    }.error
-  end
-  return sum, audited
-end
-
-local by_tile = "a tile has one number of samples, and tiles begin at the picture's corner"
 
 local bool, choice, float, int = pipeline.bool, pipeline.choice, pipeline.float, pipeline.int
 
@@ -118,7 +49,7 @@ return pipeline {
     self   = "pixels of an object that see within the exposure what the capture could not see of that same object",
   },
   params = {
-    mode         = choice { "rays", "brute", "adaptive", "raster", default = "rays",
+    mode         = choice { "rays", "brute", "raster", default = "rays",
       doc = "what finds the nearest surface at each time; only rays tell regions",
       values = {
         rays   = "Rays: whole pixels or their centres, several times at once, and regions. What is at rest is found " ..
@@ -128,14 +59,10 @@ return pipeline {
                  "capture shows; an audit traces it all the same in some pixels. Fails to see what lies between all of " ..
                  "these samples.",
         brute  = "The same samples, each traced in full with its shadows: what the audit compares with, everywhere.",
-        adaptive = "Rays through whole pixels (needs pixel = box), more of them where they differ more, in strata: up to " ..
-                   "the error of `samples` everywhere as the first ones foretell it, for a fraction of the rays. Fails " ..
-                   "to foretell it well from few samples, and to see what crosses a place between two of the first ones " ..
-                   "where nothing else moves; regions are those of the samples that were taken.",
         raster = "Raster, one time after another: a check of the rays that shares none of their traversal. Fails to " ..
                  "tell regions, and samples pixel centres only.",
       },
-      breaks = { raster = { mirrored = snapped }, adaptive = { mirrored = by_tile, shifted = by_tile } } },
+      breaks = { raster = { mirrored = snapped } } },
     samples      = int { 1024, min = 1, max = 65536, role = "sample_count", doc = "time samples, at most" },
     times        = choice { "midpoint", "stratified", default = "midpoint", role = "sample_times",
       doc = "where a sample is in its stratum",
@@ -164,22 +91,17 @@ return pipeline {
     even_within  = agreement.params.even_within,
     mark_regions = bool { true, role = "regions",
       doc = "find the regions in which methods differ; one more ray per sample" },
-    pilot        = shared.pilot,
-    order        = shared.order,
-    tile         = shared.tile,
-    least        = sample_budget.params.least,
-    audit        = shared.audit,
+    audit        = trace.params.audit,
     tolerance    = float { 0, min = 0, max = 1e6, doc = "stop at this standard error of the mean; 0 = never" },
   },
   build = function(p)
     local rays = p.mode() ~= "raster"
     local seen = scene.captured(rays and traced or visibility)
-    local sampled = { adaptive = adaptive, raster = rastered }
-    local means, audited = (sampled[p.mode()] or truth.everywhere)(p, seen)
+    local means = (rays and truth.everywhere or rastered)(p, seen)
     local result = mean { mean_a = means.mean_a, mean_b = means.mean_b }
     local where = rays and regions { regions = means.regions } or {}
     return scene.outputs(seen, {
-      color = result.color, error = audited and audited(result.error) or result.error,
+      color = result.color, error = result.error,
       inner = where.inner, hidden = where.hidden, outer = where.outer, self = where.self,
     })
   end,

@@ -20,7 +20,6 @@ return pipeline {
     advance      = reveal.params.advance,
     max_layers   = reveal.params.max_layers,
     on_cap       = reveal.params.on_cap,
-    reveal_velocity = reveal.params.reveal_velocity,
     range        = ranges.param,
   }),
   compare_with = "mcguire2012",
@@ -29,11 +28,10 @@ return pipeline {
     if curves.are_foretold(p) then curves.add(p, { { "raster", raster } }) end
     local moving = ranges.divided(p, raster, "halves")
     local mask = ranges.mask(p, moving, function(_, layer) return layers.disocclusion_mask(layer) end)
-    local own = p.reveal_velocity() == "own"
     local found = layers.revealed(raster, mask, true)
-    local revealed = layers.divided(p, found, own)
+    local revealed = layers.divided(p, found)
     curves.require(p, layered, "hybrid_layered")
-    layers.bend(p, moving, revealed, own)
+    layers.bend(p, moving, revealed)
     local images = layers.images(p, moving, revealed, layered)
     return scene.outputs(raster, {
       color = layered(pass.wired(layered, images, { as = "composite" })).blurred, mask = mask,

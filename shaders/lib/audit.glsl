@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tiles that have as many samples as if all had one number, to check those that do not: by chance, the same each time.
+// Blocks of pixels in which every ray is traced, to check what is known without: drawn by chance, the same each time.
 #ifndef STROBE_AUDIT_GLSL
 #define STROBE_AUDIT_GLSL
 #include "lib/random.glsl"
@@ -7,8 +7,8 @@
 // Pixels that run as one on a software device: audited together they cost as one.
 const ivec2 kAuditBlock = ivec2(4, 2);
 
-bool isAudited(ivec2 tile, float share) {
-  return float(pcgHash(uint(tile.x) ^ pcgHash(uint(tile.y))) >> 8) < share * 16777216.0;
+bool isAudited(ivec2 block, float share) {
+  return float(pcgHash(uint(block.x) ^ pcgHash(uint(block.y))) >> 8) < share * 16777216.0;
 }
 
 #endif

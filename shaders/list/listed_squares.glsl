@@ -25,16 +25,10 @@ void add(inout uvec2 bits, ivec2 place, bool is) {
 
 void run(ivec2 square) {
   uvec2 bits = uvec2(0u);
-  bool pairs = params.listed_side > kListedSide;  // a pixel of the list stands for 2x2 of the mask
-  int step_px = pairs ? 1 : 2;
-  for (int y = 0; y < kListedSide; y += step_px)
-    for (int x = 0; x < kListedSide; x += step_px) {
+  for (int y = 0; y < kListedSide; y += 2)
+    for (int x = 0; x < kListedSide; x += 2) {
       ivec2 place = ivec2(x, y);
-      bvec4 four = maskedFrom(square * params.listed_side + place * (pairs ? 2 : 1));
-      if (pairs) {
-        add(bits, place, any(four));
-        continue;
-      }
+      bvec4 four = maskedFrom(square * params.listed_side + place);
       for (int i = 0; i < 4; ++i) add(bits, place + ivec2(i & 1, i >> 1), four[i]);
     }
   imageStore(bits_img, square, uvec4(bits, 0u, 0u));

@@ -29,27 +29,4 @@ Hit nextFromHit(Ray ray, Hit last) {
   return hit;
 }
 
-// A point of a surface, moved off it to the side that is not seen: 256 representable numbers per coordinate along the
-// normal, and where a coordinate is below 1/32 of the largest, 1/65536 of that. Waechter and Binder, "A Fast and Robust
-// Method for Avoiding Self-Intersection" (Ray Tracing Gems, 2019), whose scene is about as large as 1.
-vec3 onFarSide(Hit hit) {
-  Surface surface = surfaceOf(SLICE_CAPTURE, hit);
-  vec3 p = surface.position_ws, normal = -surface.face_normal_ws;
-  float largest = max(abs(p.x), max(abs(p.y), abs(p.z)));
-  vec3 moved;
-  for (int axis = 0; axis < 3; ++axis) {
-    int steps = int(256.0 * normal[axis]);
-    float stepped = intBitsToFloat(floatBitsToInt(p[axis]) + (p[axis] < 0.0 ? -steps : steps));
-    moved[axis] = abs(p[axis]) < largest / 32.0 ? p[axis] + largest / 65536.0 * normal[axis] : stepped;
-  }
-  return moved;
-}
-
-// A new ray from the far side of the surface that was hit.
-Hit nextFromFarSide(Ray ray, Hit last) {
-  Hit hit = traceNearest(SLICE_CAPTURE, Ray(onFarSide(last), ray.direction), 0.0, kFar);
-  hit.t += last.t;
-  return hit;
-}
-
 #endif

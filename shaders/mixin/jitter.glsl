@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Needs: PARAM_jitter, PARAM_jitter_frame.
 // The jitter of a pass with the choice parameters `jitter` and `jitter_frame` (passes/lib/jitter.lua): in
-// [-1/2, 1/2] of the distance between two samples, one value per pixel. Per frame, `hash` draws anew and the others are
+// [-1/2, 1/2] of the distance between two samples, one value per pixel. Per frame, `hash` draws anew and `ign` is
 // shifted by the golden ratio, which spreads successive frames evenly over the range.
 #ifndef STROBE_JITTER_GLSL
 #define STROBE_JITTER_GLSL
@@ -20,15 +20,7 @@ float jitterOf(ivec2 pixel) {
   return hashNoise(pixel, 0u, frame.seed) - 0.5;
 #endif
 #else
-#if PARAM_jitter == jitter_ign
   float value = gradientNoise(pixel);
-#elif PARAM_jitter == jitter_r2
-  float value = latticeNoise(pixel);
-#elif PARAM_jitter == jitter_blue
-  float value = rankNoise(pixel, frame.seed);
-#else
-  float value = (pixel.x + pixel.y) % 2 == 0 ? 0.25 : 0.75;
-#endif
 #if PARAM_jitter_frame == jitter_frame_per_frame
   value = fract(value + frameShift());
 #endif

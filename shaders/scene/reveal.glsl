@@ -3,17 +3,15 @@
 // In:  hit_tex (foreground), mask_tex (> 0.5: reveal).
 // Out: color, depth, id, velocity, valid as the G-buffer has them, found (instance + 1, geometry, primitive); everything 0
 //      where nothing is revealed.
-//      With `divide` = 2 a texel stands for a square of 2x2 pixels, and its ray is that of sourcePixel().
 // Goes from hit to hit by `advance` until `termination` holds or `max_layers` hits did not end it (counter `capped`).
 // Under instance_filter the foreground is passed over within the traversal: instance and geometry termination then end
 // at the first hit and meet no cap. A surface within 4 representable numbers of the one before reads as one with it
-// (restart: within 1e-5 of its depth; offset: within 1/32768 of it).
+// (restart: within 1e-5 of its depth).
 // Fails: luminance stops inside an object whose back is lit differently, passes through a background of the same
 //   luminance, and makes the picture depend on brightness (no linear filter; base colours do not); instance and geometry never see a
 //   foreground that covers itself, nor that several instances are one object; motion sees the latter.
 #include "mixin/advance.glsl"
 #include "mixin/shade.glsl"
-#include "mixin/square.glsl"
 #include "mixin/stored.glsl"
 
 float luminance(vec3 color) { return dot(color, vec3(0.2126, 0.7152, 0.0722)); }
@@ -48,8 +46,6 @@ bool goesAlong(Hit hit, uint instance) {
 Hit nextHit(Ray ray, Hit front, Hit last) {
 #if PARAM_advance == advance_restart
   return nextFromHit(ray, last);
-#elif PARAM_advance == advance_offset
-  return nextFromFarSide(ray, last);
 #elif PARAM_advance == advance_instance_filter && PARAM_termination == termination_geometry
   return nextAlong(ray, last, front.instance, front.geometry);
 #elif PARAM_advance == advance_instance_filter && PARAM_termination != termination_uncovered
@@ -146,17 +142,6 @@ Found firstBehind(Ray ray, Hit front) {
   return found;
 }
 
-// What `reveal_velocity` says the surface is displaced by, px over the exposure.
-vec2 givenDisplacement(vec2 own, Ray ray, Hit front) {
-#if PARAM_reveal_velocity == reveal_velocity_foreground
-  return displacementOf(front, pointOn(ray, front));
-#elif PARAM_reveal_velocity == reveal_velocity_zero
-  return vec2(0);
-#else
-  return own;
-#endif
-}
-
 struct Revealed {
   vec4 color;
   float depth;
@@ -168,7 +153,7 @@ struct Revealed {
 
 const Revealed kNothing = Revealed(vec4(0), 0.0, uvec2(0), vec2(0), false, uvec3(0));
 
-Revealed surfaceSeen(Ray ray, Found found, Hit front) {
+Revealed surfaceSeen(Ray ray, Found found) {
   Hit hit = exactly(ray, found.hit);
 #if COLOR_IS_FOUND
   vec3 color = found.color;
@@ -176,13 +161,12 @@ Revealed surfaceSeen(Ray ray, Found found, Hit front) {
   vec3 color = shade(SLICE_CAPTURE, hit);
 #endif
   return Revealed(vec4(color, 1), hit.t, uvec2(hit.instance, hit.geometry) + 1u,
-                  givenDisplacement(displacementOf(hit, pointOn(ray, hit)), ray, front), true,
-                  uvec3(hit.instance + 1u, hit.geometry, hit.primitive));
+                  displacementOf(hit, pointOn(ray, hit)), true, uvec3(hit.instance + 1u, hit.geometry, hit.primitive));
 }
 
-Revealed skySeen(Ray ray, Hit front) {
+Revealed skySeen(Ray ray) {
   return Revealed(vec4(environment(ray.direction), 1), uintBitsToFloat(0x7f800000u), uvec2(0),
-                  givenDisplacement(displacementOfSky(ray.direction), ray, front), true, uvec3(0));
+                  displacementOfSky(ray.direction), true, uvec3(0));
 }
 
 Revealed revealedBehind(ivec2 pixel) {
@@ -194,18 +178,22 @@ Revealed revealedBehind(ivec2 pixel) {
   if (found.passed) count_passed(1u);
   if (found.capped && PARAM_on_cap == on_cap_fallback) return kNothing;
   count_revealed(1u);
-  return isHit(found.hit) ? surfaceSeen(ray, found, front) : skySeen(ray, front);
+  return isHit(found.hit) ? surfaceSeen(ray, found) : skySeen(ray);
 }
 
-void run(ivec2 texel) {
-  ivec2 pixel = sourcePixel(texel, params.divide);
-  if (pixel.x < 0) return;  // all is 0
+// Is something to be revealed behind this pixel? Behind the sky there is nothing.
+bool isMasked(ivec2 pixel) {
+  return texelFetch(mask_tex, pixel, 0).r > 0.5 && texelFetch(hit_tex, pixel, 0).x != 0u;
+}
+
+void run(ivec2 pixel) {
+  if (!isMasked(pixel)) return;  // all is 0
   Revealed revealed = revealedBehind(pixel);
   if (replaced_radiances > 0u) count_not_finite(replaced_radiances);
-  imageStore(color_img, texel, storedColor(revealed.color));
-  imageStore(depth_img, texel, vec4(storedDepth(revealed.depth)));
-  imageStore(id_img, texel, uvec4(revealed.id, 0u, 0u));
-  imageStore(velocity_img, texel, vec4(storedVelocity(revealed.velocity), 0, 0));
-  imageStore(valid_img, texel, vec4(revealed.valid ? 1.0 : 0.0));
-  imageStore(found_img, texel, uvec4(revealed.hit, 0u));
+  imageStore(color_img, pixel, storedColor(revealed.color));
+  imageStore(depth_img, pixel, vec4(storedDepth(revealed.depth)));
+  imageStore(id_img, pixel, uvec4(revealed.id, 0u, 0u));
+  imageStore(velocity_img, pixel, vec4(storedVelocity(revealed.velocity), 0, 0));
+  imageStore(valid_img, pixel, vec4(revealed.valid ? 1.0 : 0.0));
+  imageStore(found_img, pixel, uvec4(revealed.hit, 0u));
 }

@@ -134,15 +134,6 @@ void setSamples(ivec2 pixel, vec3 color) {
   imageStore(mean_b_img, pixel, vec4(color, float(frame.iteration_count / 2u)));
 }
 
-// Does the pixel's tile take part in these samples?
-bool takesPart(ivec2 pixel) {
-#if HAS_budget
-  return texelFetch(budget_tex, pixel / params.tile, 0).x >= params.least_budget;
-#else
-  return true;
-#endif
-}
-
 // What samples before this one have found at rest, in this loop or the one before it.
 uvec4 groundBefore(ivec2 pixel) {
   uvec4 ground = imageLoad(ground_img, pixel);
@@ -342,9 +333,8 @@ void survey(ivec2 pixel, vec2 position_px) {
 #endif
 
 void run(ivec2 pixel) {
-  if (!takesPart(pixel)) return;
   uint index = uint(pixel.y) * frame.size.x + uint(pixel.x);
-  uint number = (PARAM_in_turn != 0 ? frame.iteration : frame.part) + uint(params.taken);
+  uint number = PARAM_in_turn != 0 ? frame.iteration : frame.part;
   uint slice = TIME_SLICE;
   if (frame.slice_count > 1u) slice += randomUint(index, number, 0u) % frame.slice_count;
   vec2 position_px = samplePosition(pixel);

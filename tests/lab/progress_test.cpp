@@ -31,7 +31,7 @@ class FrameProgress : public oracle::RenderTest {
   }
 };
 
-// Adaptive truth: a pilot loop, then loops that end when their tiles have enough.
+// Truth: a loop of first samples, then one of the others.
 TEST_F(FrameProgress, OfTruthCountsSamplesOfOneTotal) {
   Shot shot = oracle::shotOf("half_plane", 48, 4, {{"edge", 24}, {"d_f", 20}});
   draw(oracle::with(shot, "ground_truth", {"samples=256"}));

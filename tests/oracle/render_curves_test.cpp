@@ -281,10 +281,11 @@ TEST_F(RenderCurves, FollowATurningWedge) {
   for (const Anchor& anchor : anchors()) {
     std::map<std::string, double> errors;
     for (const char* curve : {"line", "quadratic", "cubic"})
-      errors[curve] = errorOf(
-          render(with(wedge(), "hybrid",
-                      {"preset=captured", "mask=all", "samples=64", fmt::format("trajectory={}", curve)}, anchor.name)),
-          anchor.window);
+      errors[curve] = errorOf(render(with(wedge(), "hybrid",
+                                          {"preset=captured", "mask=none", "mask.everywhere=true", "samples=64",
+                                           fmt::format("trajectory={}", curve)},
+                                          anchor.name)),
+                              anchor.window);
     EXPECT_LE(errors["cubic"], errors["line"] / 5) << anchor.name;
     EXPECT_LE(errors["quadratic"], errors["line"] / 5) << anchor.name;
     EXPECT_LE(errors["cubic"], errors["quadratic"] + 1e-3) << anchor.name;
@@ -298,12 +299,12 @@ TEST_F(RenderCurves, FollowABladeAndAWheelThatRolls) {
     for (const Anchor& anchor : anchors()) {
       std::map<std::string, double> errors;
       for (const char* curve : {"line", "cubic"})
-        errors[curve] =
-            errorOf(wheel,
-                    render(with(shotOfWheel(wheel), "hybrid",
-                                {"preset=captured", "mask=all", "samples=64", fmt::format("trajectory={}", curve)},
-                                anchor.name)),
-                    anchor.window);
+        errors[curve] = errorOf(wheel,
+                                render(with(shotOfWheel(wheel), "hybrid",
+                                            {"preset=captured", "mask=none", "mask.everywhere=true", "samples=64",
+                                             fmt::format("trajectory={}", curve)},
+                                            anchor.name)),
+                                anchor.window);
       EXPECT_LE(errors["cubic"], errors["line"] / 5) << wheel.what << ", " << anchor.name;
       fmt::print("{} {}: {:.4f}, {:.4f}\n", wheel.what, anchor.name, errors["line"], errors["cubic"]);
     }
@@ -317,8 +318,9 @@ struct Follower {
 };
 
 TEST_F(RenderCurves, EachMethodFollowsATurningWedge) {
-  for (const Follower& method : {Follower{"hybrid", {"preset=captured", "mask=all", "composite=in_gather"}},
-                                 Follower{"layers2024", {"layer_count=2"}}, Follower{"bevy", {"jitter=none"}, true}})
+  for (const Follower& method :
+       {Follower{"hybrid", {"preset=captured", "mask=none", "mask.everywhere=true", "composite=in_gather"}},
+        Follower{"layers2024", {"layer_count=2"}}, Follower{"bevy", {"jitter=none"}, true}})
     for (const Anchor& anchor : anchors()) {
       std::map<std::string, double> errors;
       for (const char* curve : {"line", "cubic"}) {
@@ -344,8 +346,8 @@ TEST_F(RenderCurves, LayersOfTheEndsFollowABladeThatLeaves) {
     auto errorWith = [&](const std::string& trajectory) {
       return errorOf(blade,
                      render(with(shotOfWheel(blade), "hybrid",
-                                 {"preset=captured", "end_layers=true", "tile=8", "mask=all", "samples=64",
-                                  fmt::format("trajectory={}", trajectory)},
+                                 {"preset=captured", "end_layers=true", "tile=8", "mask=none", "mask.everywhere=true",
+                                  "samples=64", fmt::format("trajectory={}", trajectory)},
                                  anchor.name)),
                      anchor.window);
     };
@@ -363,8 +365,8 @@ TEST_F(RenderCurves, FurtherLayersFollowAWedgeBehindCards) {
   for (const char* curve : {"line", "cubic"})
     errors[curve] = errorOf(wedge,
                             render(with(shotOfWheel(wedge), "hybrid",
-                                        {"preset=captured", "revealed_layers=2", "mask=all", "samples=64",
-                                         fmt::format("trajectory={}", curve)},
+                                        {"preset=captured", "revealed_layers=2", "mask=none", "mask.everywhere=true",
+                                         "samples=64", fmt::format("trajectory={}", curve)},
                                         "open")),
                             kOpenAnchor);
   EXPECT_LE(errors["cubic"], errors["line"] / 5);
@@ -442,12 +444,12 @@ TEST_F(RenderCurves, ArcsFollowFurtherThanCubics) {
     for (const Anchor& anchor : anchors()) {
       std::map<std::string, double> errors;
       for (const char* curve : {"line", "cubic", "arc"})
-        errors[curve] =
-            errorOf(wheel,
-                    render(with(shotOfWheel(wheel), "hybrid",
-                                {"preset=captured", "mask=all", "samples=64", fmt::format("trajectory={}", curve)},
-                                anchor.name)),
-                    anchor.window);
+        errors[curve] = errorOf(wheel,
+                                render(with(shotOfWheel(wheel), "hybrid",
+                                            {"preset=captured", "mask=none", "mask.everywhere=true", "samples=64",
+                                             fmt::format("trajectory={}", curve)},
+                                            anchor.name)),
+                                anchor.window);
       const std::string what = wheel.what + ", " + anchor.name;
       EXPECT_LE(errors["arc"], errors["line"] / 5) << what;
       EXPECT_LE(errors["arc"], wheel.degrees > 200 ? errors["cubic"] / 2 : errors["cubic"] + 1e-3) << what;

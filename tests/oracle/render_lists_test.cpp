@@ -7,6 +7,7 @@
 #include "common/home.h"
 #include "common/source.h"
 #include "oracle/render.h"
+#include "shader/backends.h"
 
 namespace strobe::oracle {
 namespace render_lists_test {

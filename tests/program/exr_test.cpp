@@ -102,12 +102,12 @@ TEST_F(Exr, OnePartAsOpenImageIoReadsIt) {
 
 // Every pass: what the record says of each image is what the file holds.
 TEST_F(Exr, PartsAsOpenImageIoReadsThem) {
-  std::string taps = "--tap raster_neighbour_max.dominant --tap raster_tile_max.longest --tap reveal.color --tap reveal.id";
-  std::string file = drawn("hybrid", "--multipart --cryptomatte " + taps);
+  std::string taps = "--tap neighbour_max.dominant --tap tile_max.longest --tap mask_bounds.bounds --tap reveal.id";
+  std::string file = drawn("hybrid_layered", "--multipart --cryptomatte " + taps);
   image::ExrFile read = image::readExr(file);
   std::set<std::string> sizes;
   for (const image::ExrPart* part : read.parts()) sizes.insert(fmt::format("{}x{}", part->width, part->height));
-  EXPECT_TRUE(sizes.count("64x36") && sizes.count("2x1")) << fmt::format("{}", fmt::join(sizes, " "));
+  EXPECT_TRUE(sizes.count("64x36") && sizes.count("7x4")) << fmt::format("{}", fmt::join(sizes, " "));
   EXPECT_GE(sizes.size(), 3u);
   auto images = lab::imagesOf(read, file);
   Json known = record();
@@ -164,17 +164,17 @@ TEST_F(Exr, ExrheaderReadsIt) {
     EXPECT_NE(outcome.out.find(line), std::string::npos) << line << "\n" << outcome.out.substr(0, 4000);
 }
 
-// A layer is compared by its name.
+// A layer of another size (bounds of cells of 10 px) is compared by its name.
 TEST_F(Exr, CompareTakesAPart) {
-  std::string file = drawn("hybrid", "--multipart --tap reveal.color");
-  for (const char* layer : {"reveal.color", "color"}) {
+  std::string file = drawn("hybrid_layered", "--multipart --tap mask_bounds.bounds");
+  for (const char* layer : {"mask_bounds.bounds", "color"}) {
     Outcome outcome = run(fmt::format("compare --json {} {} --layer {}", file, file, layer));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(Json::parse(outcome.out)["pixels"], 64 * 36);
+    EXPECT_EQ(Json::parse(outcome.out)["pixels"], std::string(layer) == "color" ? 64 * 36 : 7 * 4);
   }
-  Outcome missing = run(fmt::format("compare {} {} --layer reveal.colour", file, file));
+  Outcome missing = run(fmt::format("compare {} {} --layer mask_bounds.bound", file, file));
   EXPECT_EQ(missing.exit_code, 1);
-  EXPECT_NE(missing.err.find("has no colour in a layer 'reveal.colour'"), std::string::npos) << missing.err;
+  EXPECT_NE(missing.err.find("has no colour in a layer 'mask_bounds.bound'"), std::string::npos) << missing.err;
 }
 
 TEST_F(Exr, OptionsOfExrFilesNeedOne) {

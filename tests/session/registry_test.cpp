@@ -123,10 +123,7 @@ const std::map<std::string, std::vector<Context>> kContexts = {
      {{{"samples=8"}, {}},
       {{"samples=8", "times=stratified"}, {"slices"}},
       {{"samples=4", "mode=raster"}, {}},
-      {{"samples=32", "pixel=box"}, {"first_samples", "even_within"}},
-      {{"samples=32", "pilot=4", "mode=adaptive", "pixel=box"},
-       {"audit", "least", "order", "pilot", "tile", "truth_trace.least_budget", "truth_trace.taken",
-        "truth_trace.tile"}},
+      {{"samples=32", "pixel=box"}, {"audit", "first_samples", "even_within"}},
       {{"samples=256", "tolerance=0.1"}, {"tolerance"}}}},
 };
 
@@ -142,7 +139,6 @@ const std::map<std::string, std::string> kNoPicture = {
     {"accumulated.where_reached", "elsewhere there is nothing to add"},
     {"truth_trace.once_where_still", "what is at rest comes out the same however often it is sampled"},
     {"truth_spread.block", "in which groups differences are added up"},
-    {"truth_audit.audit", "which tiles are checked; which have all samples is decided before"},
     {"own_time.audit", "which pixels are checked"},
     {"own_time.wrong_by", "what a check counts"},
     {"temporal1: tile_max.trajectory", kLines},
@@ -153,12 +149,6 @@ const std::map<std::string, std::string> kNoPicture = {
     {"uniform_motion.audit_rays", "which cells are checked; where no ray finds anything they stay what they are"},
     {"selective: truth_agreement.even_within", "centres are sampled alone, whose rays are one"},
     {"selective: truth_trace.audit", "which pixels are checked"},
-    {"selective: truth_trace.least_budget", "all tiles have the same number of samples"},
-    {"selective: truth_trace.taken", "numbers of samples that are at no random place"},
-    {"selective: truth_trace.tile", "all tiles have the same number of samples"},
-    {"truth_audit.order", "of what a check expects"},
-    {"truth_audit.pilot", "of what a check expects"},
-    {"truth_audit.tile", "the tiles that are checked"},
     {"truth_stop.min_samples", "keeps truth from stopping on few samples; the tolerance decides after that"},
 };
 

@@ -53,7 +53,7 @@ EXPERIMENTS = [
     experiment("precision", "shot=wedge", 50, 400),
     experiment("readings", "shot=plain", 50, 900),
     experiment("real_scenes", "", 180, 180, shared=True),
-    experiment("reveal_resolution", "shot=cells_9,cap=8", 50, 900),
+    experiment("hits_tried", "shot=cells_9,cap=8", 50, 600),
     experiment("tracing", "shot=cells,backend=bvh", 60, 650),
     experiment("truth", "shot=plain,samples=16", 100, 1100),
     experiment("knobs", "shot=panel", 60, 400),

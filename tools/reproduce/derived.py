@@ -111,11 +111,6 @@ def room_cap(bench):
     return [reveal_counter(bench, "capped", "advance=origin_kept"), masked]
 
 
-def room_half(bench):
-    rays = [reveal_counter(bench, "revealed", "reveal_resolution=half"), reveal_counter(bench, "revealed")]
-    return rays + layer_errors(("half", "hidden"), ("layered", "hidden"))(bench)
-
-
 PROGRAM = "build/tests/test_oracle --gtest_filter="
 
 
@@ -151,6 +146,5 @@ DERIVED = [
         ("room_composites", layer_errors(*[(arm, region) for arm in ("layered", "in_gather", "alpha_over")
                                            for region in ("whole", "hidden")])),
         ("room_cap", room_cap),
-        ("room_cap_error", layer_errors(("capped", "hidden"), ("layered", "hidden"))),
-        ("room_half", room_half))],
+        ("room_cap_error", layer_errors(("capped", "hidden"), ("layered", "hidden"))))],
 ]

@@ -109,7 +109,7 @@ def exhibits():
 BEST = "hybrid, best"
 EXHIBITS_REGIONS = [(x, y, 144, 81) for x, y in ((90, 64), (100, 62), (60, 70), (100, 30), (60, 20), (90, 70), (150, 60), (60, 70),
                                                  (60, 70), (50, 50), (85, 80), (20, 60), (85, 15))]
-ROOM, ROOM_WIDE, CARD, ALL_OF_IT = (148, 72, 72, 64), (120, 60, 100, 90), (164, 48, 72, 64), (110, 45, 100, 90)
+ROOM, ROOM_WIDE, CARD = (148, 72, 72, 64), (120, 60, 100, 90), (164, 48, 72, 64)
 OVER = ("over, McGuire", "over, Guertin", "over, Jimenez", "over, uniform", "in gather", "layered", "ground truth")
 ENDS = ("no rays", "luminance", "geometry", "instance", "motion", "ground truth")
 MASKS = ("no rays", "seed", "relative", "moving", "ground truth")
@@ -133,10 +133,6 @@ SHEETS = [
     crops("edge_detectors", [columns(shot, EDGES, depth=0.05) for shot in ("vase", "near")], [ROOM, (176, 64, 72, 64)]),
     crops("exposure_and_speed", [columns(shot, SPEEDS, speed=26, exposure=1) for shot in ("object", "tracking")],
           [(140, 72, 88, 64), (178, 72, 88, 64)]),
-    crops("reveal_resolution", [[{"shot": shot, "arm": "one ray", "resolution": "full"},
-                                 {"shot": shot, "arm": "one ray", "resolution": "half"},
-                                 {"shot": shot, "arm": "ground truth", "resolution": "full"}]
-                                for shot in ("vase", "cells_3", "cells_9")], [ROOM_WIDE, ALL_OF_IT, ALL_OF_IT], 4),
     crops("everything", front, [ROOM_WIDE], 4),
     crops("exhibits", lambda bench: [[bench.results("exhibits").point(**at) for at in row] for row in exhibits()],
           EXHIBITS_REGIONS),

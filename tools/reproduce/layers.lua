@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- What docs/derivations.md states of pictures: composites, caps and rays for four pixels in the living room, and the
--- published composite on harsh stripes that move against each other.
+-- What docs/derivations.md states of pictures: composites and caps in the living room, and the published composite on
+-- harsh stripes that move against each other.
 local experiment = require "strobe.experiment"
 
 local in_stripes = { ["seed_linear"] = true, ["seed_linear, own edge"] = true }
@@ -20,7 +20,6 @@ return experiment {
     { name = "in_gather", pipeline = "experiments/pipelines/hybrid_steps.lua", set = { composite = "in_gather" } },
     { name = "alpha_over", pipeline = "experiments/pipelines/hybrid_steps.lua", set = { composite = "alpha_over" } },
     { name = "capped", pipeline = "hybrid_layered", set = { advance = "origin_kept" } },
-    { name = "half", pipeline = "hybrid_layered", set = { reveal_resolution = "half" } },
     { name = "seed_linear", pipeline = "hybrid", set = { preset = "text", weights = "uniform", tile = 20, limit = 0.1 } },
     { name = "seed_linear, own edge", pipeline = "hybrid",
       set = { preset = "text", weights = "uniform", tile = 20, limit = 0.1, own_edge = true } },

@@ -42,7 +42,7 @@ return pipeline {
       velocity = raster.velocity, dominant = dominant,
     }.rank
     local mask = select_top(p, rank, "masked", revealing)
-    local revealed = layers.divided(p, layers.revealed(raster, mask, true), true)
+    local revealed = layers.divided(p, layers.revealed(raster, mask, true))
     local images = layers.images(p, raster, revealed, layered, slowest)
     images.doubtful = time_samples.unreliable(p, raster, revealed)
     images.silhouettes = time_samples.silhouettes(raster, slowest)

@@ -45,10 +45,10 @@ local function curve_of(p, name, layer)
   return path_curve(images)
 end
 
--- Gives each of the layers, { name, layer (plain tables: depth, id, velocity, perhaps hit, normal, seen_at), keeps_velocity },
--- its curve, and what that does not say: bend, bent. From poses inside of the exposure; or from those of earlier frames, and
--- then its velocity too, unless it keeps its own. The loop over the poses is called after the first layer, or `inside`, or
--- as `loop_name` says. Nothing where paths are lines.
+-- Gives each of the layers, { name, layer (plain tables: depth, id, velocity, perhaps hit, normal, seen_at) }, its curve, and
+-- what that does not say: bend, bent. From poses inside of the exposure; or from those of earlier frames, and then its
+-- velocity too. The loop over the poses is called after the first layer, or `inside`, or as `loop_name` says. Nothing where
+-- paths are lines.
 function curves.add(p, layers, loop_name)
   if not curves.are_asked(p) then return end
   local foretold = curves.are_foretold(p)
@@ -66,10 +66,8 @@ function curves.add(p, layers, loop_name)
     end,
   }
   for _, given in ipairs(layers) do
-    local name, layer, keeps_velocity = given[1], given[2], given[3]
-    for _, image in ipairs(images) do
-      if image ~= "velocity" or not keeps_velocity then layer[image] = found[name .. "_" .. image] end
-    end
+    local name, layer = given[1], given[2]
+    for _, image in ipairs(images) do layer[image] = found[name .. "_" .. image] end
   end
 end
 

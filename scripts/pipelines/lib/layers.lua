@@ -39,14 +39,12 @@ function layers.revealed(raster, mask, mask_reached)
   return reveal { hit = raster.hit, mask = mask, mask_reached = mask_reached }
 end
 
--- The revealed layer for a composite. A velocity that is not its `own` stays one for both segments.
-function layers.divided(p, found, own)
+-- The revealed layer for a composite.
+function layers.divided(p, found)
   local layer = scene.layer {
     color = found.color, depth = found.depth, id = found.id, velocity = found.velocity, valid = found.valid, hit = found.found,
   }
-  if own then return ranges.divided(p, layer, "revealed_halves") end
-  if ranges.are_split(p) then layer.after_velocity = layer.velocity end
-  return layer
+  return ranges.divided(p, layer, "revealed_halves")
 end
 
 -- Cells through which anything moves; the composite copies the others.
@@ -71,9 +69,9 @@ local function put(images, prefix, layer)
   for name, image in pairs(layer) do images[prefix .. name] = image end
 end
 
--- Curves of both layers, where paths are not straight lines. The revealed layer keeps a velocity that is not its `own`.
-function layers.bend(p, raster, revealed, own)
-  local behind = { "revealed", revealed, not own }
+-- Curves of both layers, where paths are not straight lines.
+function layers.bend(p, raster, revealed)
+  local behind = { "revealed", revealed }
   curves.add(p, curves.are_foretold(p) and { behind } or { { "raster", raster }, behind })
 end
 

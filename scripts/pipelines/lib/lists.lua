@@ -6,10 +6,9 @@ local listed_pixels  = require "passes.list.listed_pixels"
 
 local lists = {}
 
--- The pixels of a mask; of `divide` = 2, one for each square of 2x2 of which any is masked. `name` begins the names of the
--- nodes.
-function lists.of(mask, name, divide)
-  local bits = listed_squares { mask = mask, listed_side = 8 * divide, as = name .. "_squares" }.bits
+-- The pixels of a mask. `name` begins the names of the nodes.
+function lists.of(mask, name)
+  local bits = listed_squares { mask = mask, as = name .. "_squares" }.bits
   local rows = listed_rows { bits = bits, as = name .. "_rows" }
   return listed_pixels { bits = bits, before = rows.before, totals = rows.totals, as = name .. "_list" }.list
 end

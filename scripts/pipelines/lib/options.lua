@@ -18,7 +18,7 @@ function options.of_picture(more)
   return options.with({
     samples      = blur.samples,
     limit        = blur.limit,
-    jitter       = jitter.without_tiles,
+    jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
     displacement = gbuffer.params.displacement,
     velocity_format = stored.velocity_format,

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- Truth by rays at many times. `p` are parameters of a pipeline, or plain values under their names: mode, samples, times,
--- slices, pixel, shading, mark_regions, tolerance, first_samples, even_within, audit; tile where samples are shared out.
+-- slices, pixel, shading, mark_regions, tolerance, first_samples, even_within, audit.
 local pipeline      = require "strobe.pipeline"
 local agreement     = require "passes.truth.agreement"
 local joined_halves = require "passes.truth.joined_halves"
@@ -25,14 +25,13 @@ function truth.traced_sample(p, seen, t)
   local frozen = valued(p.shading) == "frozen"
   return trace {
     hit = seen.hit, pixel = p.pixel, mark_regions = p.mark_regions, time = "sample", every_ray = t.every_ray,
-    keeps_notes = t.notes, surveys = t.surveys, in_turn = not t.adaptive and valued(p.tolerance) > 0 or nil,
+    keeps_notes = t.notes, surveys = t.surveys, in_turn = valued(p.tolerance) > 0 or nil,
     audit = p.audit, as = t.as,
     sure = frozen and not t.every_ray and not t.agreed and seen.sure or nil,
     listed = t.listed, known_hit = agreed.known_hit, known_shadows = agreed.known_shadows,
-    even_color = not t.adaptive and agreed.even_color or nil,
+    even_color = agreed.even_color,
     first_ground = before.ground, first_still = before.still, first_regions = before.regions,
-    budget = t.budget, taken = t.taken, least_budget = t.least, tile = t.budget and p.tile or nil,
-    once_where_still = not t.every_ray and not t.adaptive and valued(p.pixel) == "centre" and frozen,
+    once_where_still = not t.every_ray and valued(p.pixel) == "centre" and frozen,
   }
 end
 
@@ -90,7 +89,7 @@ function truth.everywhere(p, seen)
   local has_list = agreed and valued(p.pixel) == "box"  -- through centres what nothing reaches is left out already
   local more = truth.shutter(p, seen, {
     name = "shutter", count = count - few, first = few, parts = count, every_ray = every_ray, before = before,
-    agreed = agreed, listed = has_list and lists.of(agreed.more, "truth", 1) or nil,
+    agreed = agreed, listed = has_list and lists.of(agreed.more, "truth") or nil,
   })
   return truth.joined(before, more, "truth_sum")
 end

@@ -18,7 +18,7 @@ return pipeline {
       }
       outputs[name] = found.depth
     end
-    for _, advance in ipairs { "origin_kept", "restart", "offset", "instance_filter" } do
+    for _, advance in ipairs { "origin_kept", "restart", "instance_filter" } do
       for most = 1, 4 do revealed(("%s_%d"):format(advance, most), advance, most, "last_hit") end
       revealed(advance .. "_all", advance, 31, "fallback")
       revealed(advance .. "_few", advance, 2, "fallback")

@@ -1,8 +1,9 @@
 -- SPDX-License-Identifier: MIT
--- A pass over the list of what moves, or over the picture.
+-- Passes over the list of what moves, or over the picture.
 local pipeline   = require "strobe.pipeline"
 local moving     = require "passes.mask.moving"
 local marked     = require "passes.marked"
+local traced     = require "passes.traced"
 local drawn_bins = require "passes.drawn_bins"
 local lists      = require "scripts.pipelines.lib.lists"
 local options    = require "scripts.pipelines.lib.options"
@@ -13,16 +14,16 @@ local params = options.blur(8, 0.1)
 params.over = pipeline.choice { "list", "picture", default = "list", doc = "what the pass runs over" }
 
 return pipeline {
-  doc = "How often a pass runs at each pixel",
+  doc = "How often a pass runs at each pixel, and what rays meet there",
   params = params,
   build = function(p)
     local seen = scene.captured()
     local mask = moving { velocity = seen.velocity, dominant = tiles.dominant(p, seen).dominant }.mask
-    local listed = p.over() == "list" and lists.of(mask, "moving", 1) or nil
+    local listed = p.over() == "list" and lists.of(mask, "moving") or nil
     local made = marked { color = seen.color, listed = listed }
     return scene.outputs(seen, {
       color = seen.color, mask = mask, times = made.times, copied = made.copied,
-      bins = drawn_bins { bins = made.bins }.drawn,
+      distance = traced { listed = listed }.distance, bins = drawn_bins { bins = made.bins }.drawn,
     })
   end,
 }
