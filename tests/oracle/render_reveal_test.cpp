@@ -303,30 +303,6 @@ TEST_F(RenderReveal, MotionPassesWhatGoesAlong) {
   }
 }
 
-// A background that moves wants its own displacement; one at rest has none.
-TEST_F(RenderReveal, OwnDisplacementIsTheRightOne) {
-  auto picture = [&](const Striped& scene, const char* velocity) {
-    return render(scene.hybrid({fmt::format("reveal_velocity={}", velocity)}));
-  };
-  for (double d_back : {12., -12.}) {
-    Striped moving{20, d_back};
-    double own = moving.error(picture(moving, "own")).rms;
-    EXPECT_GE(moving.error(picture(moving, "zero")).rms, 2 * own) << d_back;
-    EXPECT_GE(moving.error(picture(moving, "foreground")).rms, 2 * own) << d_back;
-  }
-  // Of a background at rest the two are the same, and the foreground's displacement smears it.
-  Striped resting;
-  auto laid_over = [&](const char* velocity) {
-    return render(resting.hybrid({"composite=alpha_over", fmt::format("reveal_velocity={}", velocity)}));
-  };
-  lab::Picture own = laid_over("own"), foreground = laid_over("foreground");
-  EXPECT_TRUE(identical(colorOf(own), colorOf(laid_over("zero"))));
-  EXPECT_GE(resting.error(foreground).rms, 2 * resting.error(own).rms);
-  for (int x = Striped::kLeft; x < Striped::kRight; ++x)  // as the bar's, wherever something is revealed
-    EXPECT_EQ(imageOf(foreground, "revealed_velocity").at(x, 1, 0),
-              imageOf(foreground, "revealed_valid").at(x, 1, 0) * imageOf(foreground, "velocity").at(x, 1, 0));
-}
-
 // N time samples of an exact picture, edges placed to 3/4 px of the 20 moved (motion is followed from pixel to pixel),
 // and 1e-4 for single precision.
 TEST_F(RenderReveal, InGatherIsExactOverABackgroundAtRest) {
