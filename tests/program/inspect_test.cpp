@@ -44,7 +44,7 @@ TEST(Inspect, APlanSaysWhatRaysGoThrough) {
   EXPECT_NE(run("doctor").out.find("scene living_room: "), std::string::npos);
 }
 
-// A missing library and a missing manifest; the other driver still gives devices.
+// A missing library, a missing manifest and damaged ones; the other driver still gives devices.
 TEST(Inspect, DoctorNamesDriversThatDoNotLoad) {
   std::string device = Json::parse(run("doctor --json").out)["devices"][0]["name"];
   std::string manifests = runLine("ls /usr/share/vulkan/icd.d/lvp_icd*.json /etc/vulkan/icd.d/*.json 2>/dev/null").out;
@@ -54,9 +54,15 @@ TEST(Inspect, DoctorNamesDriversThatDoNotLoad) {
   writeText(
       folder / "missing.json",
       R"({"file_format_version": "1.0.0", "ICD": {"library_path": "/nowhere/libmissing.so", "api_version": "1.3.0"}})");
+  writeText(folder / "broken.json", R"({"ICD": {"library_path")");
+  writeText(folder / "list.json", "[1]");
+  writeText(folder / "bare.json", R"({"file_format_version": "1.0.0", "ICD": {"library_path": 3}})");
   for (const auto& [manifest, named] : {std::pair(folder / "missing.json", std::string("libmissing.so")),
-                                        {folder / "gone.json", folder / "gone.json"}}) {
-    std::string environment = "VK_DRIVER_FILES=" + manifest + ":" + good;
+                                        {folder / "gone.json", folder / "gone.json: no such file"},
+                                        {folder / "broken.json", folder / "broken.json: is not valid JSON"},
+                                        {folder / "list.json", folder / "list.json: has no ICD.library_path"},
+                                        {folder / "bare.json", folder / "bare.json: has no ICD.library_path"}}) {
+    const std::string environment = "VK_DRIVER_FILES=" + manifest + ":" + good;
     Outcome outcome = run("doctor", environment);
     EXPECT_EQ(outcome.exit_code, 1) << manifest;
     EXPECT_NE(outcome.out.find("driver not loaded: "), std::string::npos) << outcome.out;
