@@ -73,6 +73,37 @@ TEST(Inspect, DoctorNamesDriversThatDoNotLoad) {
   }
 }
 
+// Experiments and captures, with pipelines or alone.
+TEST(Inspect, CheckReadsFilesByTheirKind) {
+  TemporaryFolder folder;
+  auto experiment = [](const std::string& camera, const std::string& arm) {
+    return "return require 'strobe.experiment' { title = 'Bar', size = { 64, 16 },\n"
+           "  truth = { pipeline = 'ground_truth' },\n"
+           "  shots = { { name = 'bar', scene = 'oracles/bar', camera = '" +
+           camera + "' } },\n  arms = { { name = 'hybrid', pipeline = 'hybrid'" + arm + " } } }\n";
+  };
+  const std::string capture =
+      "return require 'strobe.capture' { title = 'Bar', size = { 64, 16 },\n"
+      "  shots = { { name = 'bar', scene = 'oracles/bar' } },\n  arms = { { name = 'none', pipeline = 'none' } } }\n";
+  writeText(folder / "good.lua", experiment("main", ""));
+  writeText(folder / "wrong.lua", experiment("mian", ", set = { tap = 4 }"));
+  writeText(folder / "capture.lua", capture);
+  writeText(folder / "half.lua", capture.substr(0, capture.find("shots")) + "}\n");
+  Outcome good = run("check none " + (folder / "good.lua") + " " + (folder / "capture.lua"));
+  EXPECT_EQ(good.out, "1 pipeline and 1 experiment and 1 capture are sound\n") << good.err;
+  EXPECT_EQ(run("check " + (folder / "good.lua")).out, "1 experiment is sound\n");
+  Outcome wrong = run("check " + (folder / "wrong.lua") + " " + (folder / "half.lua"));
+  EXPECT_EQ(wrong.exit_code, 1);
+  for (const char* mistake :
+       {"wrong.lua:3: shot 'bar': --camera mian: bar has no camera 'mian'; did you mean 'main'?\n",
+        "wrong.lua:4: arm 'hybrid': --set tap=4: the pipeline has no parameter 'tap'; did you mean 'taps'?\n",
+        "half.lua:1: "})
+    EXPECT_NE(wrong.err.find(mistake), std::string::npos) << wrong.err;
+  Outcome set = run("check " + (folder / "good.lua") + " --set samples=4");
+  EXPECT_EQ(set.exit_code, 2);
+  EXPECT_NE(set.err.find("--set needs a pipeline to set it in"), std::string::npos) << set.err;
+}
+
 TEST(Inspect, CountersAreShownOnRequest) {
   TemporaryFolder folder;
   std::string render = "render hybrid" + kShot + " -o " + (folder / "a.png");
