@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/json.h"
 #include "base/log.h"
 #include "image/comparison.h"
 #include "image/exr.h"

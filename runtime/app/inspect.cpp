@@ -12,6 +12,7 @@
 #include "app/shot_options.h"
 #include "archive/capture_file.h"
 #include "base/cores.h"
+#include "base/extension.h"
 #include "base/numbers.h"
 #include "graph/pipelines.h"
 #include "lab/frame_facts.h"
@@ -188,84 +189,124 @@ struct CheckOptions {
   bool json = false;
 };
 
-// The scripts of the project in a folder, experiments or captures; adds what `read` finds wrong in them.
-template <class Read>
-size_t checkOwn(const Home& home, const Path& folder, std::vector<std::string>& problems, const Read& read) {
+void checkExperiment(const Home& home, const std::string& file) { study::readExperiment(home, file, true); }
+
+void checkCapture(const Home& home, const std::string& file) {
+  if (archive::readCapture(home, file).measured) checkExperiment(home, file);
+}
+
+// The scripts of the project in a folder, experiments or captures.
+std::vector<std::string> ownFiles(const Home& home, const Path& folder) {
   std::vector<std::string> files;
   for (const std::string& name : home.namesBelow(folder, ".lua")) {
     Path file = home.at(folder / (name + ".lua"));
     bool is_own = liesIn(file, home.project()) && file.parent_path().filename() != "lib";
     if (is_own && !isPreset(home, file)) files.push_back(file);
   }
-  for (const std::string& file : files) collect(problems, [&] { read(file); });
-  return files.size();
+  return files;
 }
 
-// How many there are of the project's own.
-struct Own {
-  size_t experiments = 0, captures = 0;
+// Names or files to check.
+struct Checked {
+  std::vector<std::string> pipelines, scenes, experiments, captures;
 };
 
+// "" of a pipeline, and of a file with a mistake, which is named where it is read as one.
+std::string kindOf(const Home& home, const std::string& name_or_file) {
+  try {
+    return hasExtension(name_or_file, ".lua") ? script::kindOfFile(home, name_or_file) : "";
+  } catch (const Error&) {
+    return "";
+  }
+}
+
+Checked byKind(const Home& home, const std::vector<std::string>& files) {
+  Checked checked;
+  for (const std::string& file : files) {
+    const std::string kind = kindOf(home, file);
+    auto& list = kind == "experiment" ? checked.experiments : kind == "capture" ? checked.captures : checked.pipelines;
+    list.push_back(file);
+  }
+  return checked;
+}
+
+// Everything that ships, and the scripts of a project.
+Checked allFiles(const Home& home) {
+  Checked checked{shippedPipelines(home), script::sceneNames(home), {}, {}};
+  if (!home.hasProject()) return checked;
+  throwIfAny(home.mistakesOfProject());
+  checked.experiments = ownFiles(home, "experiments");
+  checked.captures = ownFiles(home, "scripts/captures");
+  return checked;
+}
+
+// "1 pipeline and 2 experiments are sound", of files that were given.
+std::string soundText(const Checked& checked) {
+  std::vector<std::string> counts;
+  const size_t pipelines = checked.pipelines.size(), experiments = checked.experiments.size(),
+               captures = checked.captures.size();
+  if (pipelines > 0) counts.push_back(countText(pipelines, "pipeline"));
+  if (experiments > 0) counts.push_back(countText(experiments, "experiment"));
+  if (captures > 0) counts.push_back(countText(captures, "capture"));
+  return fmt::format("{} {} sound\n", fmt::join(counts, " and "),
+                     pipelines + experiments + captures == 1 ? "is" : "are");
+}
+
 // The numbers of pipelines and scenes; in a project those of each root.
-std::string soundText(const Home& home, const std::vector<std::string>& pipelines,
-                      const std::vector<std::string>& scenes, const Own& own_scripts) {
+std::string soundText(const Home& home, const Checked& checked) {
+  const auto& [pipelines, scenes, experiments, captures] = checked;
   auto text = [](size_t pipelines, size_t scenes) {
     if (scenes == 0)
       return fmt::format("{} {} sound\n", countText(pipelines, "pipeline"), pipelines == 1 ? "is" : "are");
     return fmt::format("{} and {} are sound\n", countText(pipelines, "pipeline"), countText(scenes, "scene"));
   };
-  if (!home.hasProject() || scenes.empty()) return text(pipelines.size(), scenes.size());
+  if (!home.hasProject()) return text(pipelines.size(), scenes.size());
   auto own = [&](const char* folder, const std::vector<std::string>& names) {
     return std::count_if(names.begin(), names.end(), [&](const std::string& name) {
       return home.shown(home.at(Path(folder) / (name + ".lua"))).find(':') == std::string::npos;
     });
   };
   size_t own_pipelines = own("scripts/pipelines", pipelines), own_scenes = own("scripts/scenes", scenes);
-  return fmt::format("{}: {}, {}, {}{}: {}", home.project().string(), countText(own_scripts.experiments, "experiment"),
-                     countText(own_scripts.captures, "capture"), text(own_pipelines, own_scenes),
-                     home.shipped().string(), text(pipelines.size() - own_pipelines, scenes.size() - own_scenes));
+  return fmt::format("{}: {}, {}, {}{}: {}", home.project().string(), countText(experiments.size(), "experiment"),
+                     countText(captures.size(), "capture"), text(own_pipelines, own_scenes), home.shipped().string(),
+                     text(pipelines.size() - own_pipelines, scenes.size() - own_scenes));
 }
 
 void check(const Home& home, const CheckOptions& options) {
   const std::vector<std::string>& files = options.files;
-  if (files.empty() && !options.sets.empty()) throw Error("--set needs a pipeline to set it in", {}, 2);
   script::Settings sets;
   for (const std::string& set : options.sets) sets.push_back(script::settingFromText(set));
-  std::vector<std::string> problems, scenes;
+  const Checked checked = files.empty() ? allFiles(home) : byKind(home, files);
+  if (!sets.empty() && (files.empty() || checked.pipelines.empty()))
+    throw Error("--set needs a pipeline to set it in", {}, 2);
+  std::vector<std::string> problems;
+  for (const std::string& file : checked.experiments) collect(problems, [&] { checkExperiment(home, file); });
+  for (const std::string& file : checked.captures) collect(problems, [&] { checkCapture(home, file); });
   std::vector<std::future<std::vector<std::string>>> passes_and_scenes;
-  Own own;
   if (files.empty()) {
-    if (home.hasProject()) throwIfAny(home.mistakesOfProject());
-    if (home.hasProject()) {
-      own.experiments = checkOwn(home, "experiments", problems,
-                                 [&](const std::string& file) { study::readExperiment(home, file, true); });
-      own.captures = checkOwn(home, "scripts/captures", problems, [&](const std::string& file) {
-        if (archive::readCapture(home, file).measured) study::readExperiment(home, file, true);
-      });
-    }
-    scenes = script::sceneNames(home);
     passes_and_scenes.push_back(
         beside([&](auto& problems) { collect(problems, [&] { script::evaluateAllPasses(home); }); }));
-    passes_and_scenes.push_back(beside([&](auto& problems) { checkScenes(home, scenes, problems); }));
+    passes_and_scenes.push_back(beside([&](auto& problems) { checkScenes(home, checked.scenes, problems); }));
   }
-  std::vector<std::string> pipelines = files.empty() ? shippedPipelines(home) : files;
   std::vector<script::PipelineRequest> requests;
-  for (const std::string& name : pipelines) requests.push_back({name, sets});
+  for (const std::string& name : checked.pipelines) requests.push_back({name, sets});
   checkPipelines(home, requests, sets.empty(), problems);
   for (auto& some : passes_and_scenes)
     for (const std::string& problem : some.get()) addOnce(problems, problem);
   if (options.json) {
     Json report;
     report["roots"] = home.roots();
-    report["pipelines"] = pipelines;
-    report["scenes"] = scenes;
+    report["pipelines"] = checked.pipelines;
+    report["scenes"] = checked.scenes;
+    report["experiments"] = checked.experiments;
+    report["captures"] = checked.captures;
     report["problems"] = problems;
     std::printf("%s\n", report.dump(2).c_str());
     if (!problems.empty()) throw Error(countText(problems.size(), "problem"));
     return;
   }
   throwIfAny(problems);
-  std::fputs(soundText(home, pipelines, scenes, own).c_str(), stdout);
+  std::fputs((files.empty() ? soundText(home, checked) : soundText(checked)).c_str(), stdout);
 }
 
 struct PlanOptions {
@@ -410,7 +451,9 @@ void doctor(const Home& home, bool json) {
 void registerCheck(CLI::App& program, const Home& home) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = program.add_subcommand("check", "Validate scripts and shaders; needs no device");
-  command->add_option("pipelines", options->files, "names or .lua files (default: everything that ships)");
+  command->add_option("pipelines", options->files,
+                      "names of pipelines, or .lua files of pipelines, experiments, captures (default: everything that "
+                      "ships)");
   command
       ->add_option("--set", options->sets, "PARAM=VALUE: the pipeline with this alone, not with each preset and pass")
       ->allow_extra_args(false);

@@ -116,22 +116,10 @@ study::Results concluded(study::Results results, const std::string& command, con
   return study::resultsFrom(study::toJson(results), "the results");
 }
 
-// "7 of 18 points are kept; the same command continues", or that alone before anything is known of the points.
-std::string keptIn(const Path& outline) {
-  std::error_code ignored;
-  std::string kept;
-  if (std::filesystem::exists(outline, ignored)) {
-    study::Results results = study::resultsIn(outline);
-    study::takePoints(results, outline.parent_path());
-    kept = study::keptText(results);
-  }
-  return kept.empty() ? "the same command continues" : kept;
-}
-
 // Adds the number of kept points to the message of a pass that runs too long.
 void limitTime(lab::Workbench& bench, double seconds, const Path& outline) {
   bench.device().setTimeLimit(seconds, [outline](const std::string& text) {
-    std::fprintf(stderr, "strobe: %s (--time-limit); %s\n", text.c_str(), keptIn(outline).c_str());
+    std::fprintf(stderr, "strobe: %s (--time-limit); %s\n", text.c_str(), study::keptIn(outline).c_str());
     std::fflush(stderr);
     std::_Exit(1);
   });
@@ -143,7 +131,7 @@ study::Results ranTo(const Path& outline, const Run& run) {
   try {
     return run();
   } catch (const gpu::DeviceLost& lost) {
-    throw Error(fmt::format("{}; {}", lost.what(), keptIn(outline)));
+    throw Error(fmt::format("{}; {}", lost.what(), study::keptIn(outline)));
   }
 }
 
@@ -158,7 +146,7 @@ void sweep(const Home& home, const SweepOptions& options) {
   store.belongTo(experiment.title);
   const ResultNames names;
   const Path outline = store.folder() / names.outline;
-  Interruption interruption([&outline] { return "interrupted; " + keptIn(outline); });
+  Interruption interruption([&outline] { return "interrupted; " + study::keptIn(outline); });
   FrozenHome frozen(home, store.folder() / ".inputs");
   experiment.file = frozen.at(file);
   auto make = [&] {
@@ -204,7 +192,7 @@ void demo(const Home& home, const SweepOptions& options) {
   study::Store store(options.out);
   store.belongTo(experiment.title);
   const Path outline = store.folder() / kDemoNames.outline;
-  Interruption interruption([&outline] { return "interrupted; " + keptIn(outline); });
+  Interruption interruption([&outline] { return "interrupted; " + study::keptIn(outline); });
   archive::Capturing capturing(home, order, [](const std::string& line) { note(line); });
   limitTime(capturing.bench(), options.time_limit_s, outline);
   experiment.file = capturing.inputs().at(order.file);

@@ -4,6 +4,4 @@
 
 #include <nlohmann/json.hpp>
 
-namespace strobe {
-using Json = nlohmann::ordered_json;
-}
+#include "base/json_fwd.h"

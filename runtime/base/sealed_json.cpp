@@ -2,6 +2,7 @@
 #include "base/sealed_json.h"
 
 #include "base/hash.h"
+#include "base/json.h"
 
 namespace strobe {
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/json.h"
+
 namespace strobe {
 
 void Problems::add(const Place& place, const std::string& text) {

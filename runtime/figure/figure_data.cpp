@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "base/json.h"
 #include "base/strict.h"
 
 namespace strobe::figure {

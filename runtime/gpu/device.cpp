@@ -13,6 +13,8 @@
 #include <sstream>
 #include <utility>
 
+#include "base/files.h"
+#include "base/json.h"
 #include "gpu/commands.h"
 #include "gpu/features.h"
 
@@ -254,23 +256,37 @@ static VKAPI_ATTR VkBool32 VKAPI_CALL onLoaderMessage(VkDebugUtilsMessageSeverit
   return VK_FALSE;
 }
 
-// Manifests that the environment names and that do not exist. The loader skips them silently.
-static std::vector<std::string> absentManifests() {
-  std::vector<std::string> absent;
+// Reason why the loader skips a manifest without a message; "" if it does not.
+static std::string faultOfManifest(const std::string& file) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return "no such file";
+  if (!std::filesystem::is_regular_file(file, ignored)) return "";  // a folder of manifests
+  try {
+    const Json json = Json::parse(readText(file), nullptr, false);
+    if (json.is_discarded()) return "is not valid JSON";
+    const Json::json_pointer library("/ICD/library_path");
+    return json.contains(library) && json[library].is_string() ? "" : "has no ICD.library_path";
+  } catch (const Error& error) {
+    return error.message();
+  }
+}
+
+// Manifests that the environment names and that the loader skips silently.
+static std::vector<std::string> skippedManifests() {
+  std::vector<std::string> skipped;
   const char* variables[] = {std::getenv("VK_DRIVER_FILES") ? "VK_DRIVER_FILES" : "VK_ICD_FILENAMES",
                              "VK_ADD_DRIVER_FILES"};
   for (const char* variable : variables) {
     std::istringstream names(std::getenv(variable) ? std::getenv(variable) : "");
-    std::error_code ignored;
     for (std::string name; std::getline(names, name, ':');)
-      if (!name.empty() && !std::filesystem::exists(name, ignored))
-        absent.push_back(fmt::format("{}: {}: no such file", variable, name));
+      if (const std::string fault = name.empty() ? "" : faultOfManifest(name); !fault.empty())
+        skipped.push_back(fmt::format("{}: {}: {}", variable, name, fault));
   }
-  return absent;
+  return skipped;
 }
 
 std::vector<std::string> driverProblems() {
-  std::vector<std::string> problems = absentManifests(), messages;
+  std::vector<std::string> problems = skippedManifests(), messages;
   VkDebugUtilsMessengerCreateInfoEXT sink{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
   sink.messageSeverity =
       VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;

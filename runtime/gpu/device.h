@@ -51,7 +51,7 @@ struct DeviceInfo {
 std::vector<DeviceInfo> listDevices();
 
 // Failures to load drivers that are installed or named in the environment: messages of the loader, and manifests that
-// do not exist. A driver without its hardware is not a failure.
+// do not exist or are damaged. A driver without its hardware is not a failure.
 std::vector<std::string> driverProblems();
 
 // The device is lost: nothing can be drawn or read back any more. Not an `Error`, so that no picture, point or frame is

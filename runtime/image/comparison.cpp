@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "base/json.h"
 #include "image/exr.h"
 #include "image/metrics.h"
 #include "image/png.h"

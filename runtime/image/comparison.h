@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/files.h"
-#include "base/json.h"
+#include "base/json_fwd.h"
 #include "image/flip.h"
 #include "image/image.h"
 

@@ -71,6 +71,26 @@ scene::FilePlaces filePlaces(const Home& home, const std::string& scene, bool al
   return places;
 }
 
+// Throws the error of `find` with the place "--camera NAME" if an option names a part that the scene lacks.
+template <class Find>
+static void requirePart(const std::string& option, const std::string& name, const Find& find) {
+  try {
+    find();
+  } catch (const Error& error) {
+    throw Error(error.message(), {"--" + option + " " + name}, error.exitCode());
+  }
+}
+
+// Default camera and light, and a check of the parts that the shot names.
+static void completeScene(scene::Scene& scene, const Shot& shot) {
+  requirePart("camera", shot.camera, [&] {
+    scene::supplyDefaults(scene, shot.camera);
+    scene::cameraNode(scene, shot.camera);
+  });
+  requirePart("animation", shot.animation, [&] { scene::clipsOf(scene, shot.animation); });
+  if (!shot.follow.empty()) requirePart("follow", shot.follow, [&] { scene::nodeByName(scene, shot.follow); });
+}
+
 LoadedScene loadScene(const Home& home, Shot& shot) {
   LoadedScene loaded;
   const double started_s = clockSeconds();
@@ -103,7 +123,7 @@ LoadedScene loadScene(const Home& home, Shot& shot) {
     loaded.scene.motions.push_back(scene::spinFromOption(loaded.scene, spin, shot.fps, shot.restTime()));
   for (scene::Material& material : loaded.scene.materials)
     material.double_sided = material.double_sided || shot.faces == "both";
-  scene::supplyDefaults(loaded.scene, shot.camera);
+  completeScene(loaded.scene, shot);
   loaded.hash = hashText(loaded.description.dump());
   loaded.bytes = bytesOf(loaded.scene);
   const double read_s = clockSeconds();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/json.h"
 #include "base/utf8.h"
 #include "page/markup.h"
 #include "page/templates.h"

@@ -5,6 +5,7 @@
 #include <kainjow/mustache.hpp>
 
 #include "base/error.h"
+#include "base/json.h"
 #include "page/embedded.h"
 #include "page/markup.h"
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "base/hash.h"
+#include "base/json.h"
 #include "plan/facts.h"
 
 namespace strobe::plan {

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/json.h"
 #include "plan/description_words.h"
 #include "plan/formats.h"
 #include "plan/without.h"

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/json.h"
 #include "plan/description_words.h"
 
 namespace strobe::plan {

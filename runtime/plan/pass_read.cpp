@@ -2,6 +2,7 @@
 // A pass of the canonical form, trusting nothing.
 #include <algorithm>
 
+#include "base/json.h"
 #include "plan/description_reader.h"
 #include "plan/description_words.h"
 #include "plan/formats.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/json.h"
 #include "plan/description_reader.h"
 #include "plan/description_words.h"
 #include "plan/formats.h"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/json.h"
 #include "base/strict.h"
 #include "plan/facts.h"
 #include "plan/formats.h"

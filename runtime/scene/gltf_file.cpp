@@ -6,17 +6,13 @@
 #include <cstring>
 
 #include "base/hash.h"
-#include "scene/gltf_compression.h"
 #include "scene/gltf_needs.h"
 #include "scene/gltf_schema.h"
-#include "scene/motion.h"
+#include "scene/gltf_uri.h"
 
 namespace strobe::scene {
 
 namespace {
-
-const Json kNoList = Json::array();
-const Json kNoObject = Json::object();
 
 uint32_t word(const std::vector<uint8_t>& bytes, size_t at) {
   uint32_t value;  // little endian, as this program's machines are
@@ -50,22 +46,6 @@ double component(const uint8_t* at, int type, bool normalized) {
   return normalized && component.largest > 0 ? std::max(value / component.largest, -1.0) : value;
 }
 
-int componentsOf(const std::string& type) {
-  static const std::map<std::string, int> counts = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4},
-                                                    {"MAT2", 4},   {"MAT3", 9}, {"MAT4", 16}};
-  auto found = counts.find(type);
-  return found == counts.end() ? 0 : found->second;
-}
-
-// A whole number, also where it is written as "4.0" or "4e0".
-std::optional<uint64_t> wholeNumber(const Json& json) {
-  if (json.is_number_unsigned()) return json.get<uint64_t>();
-  if (!json.is_number_float()) return std::nullopt;
-  const double value = json.get<double>();
-  const bool whole = value >= 0 && value < 9007199254740992.0 && value == std::floor(value);  // 2^53: beyond, all are
-  return whole ? std::optional(uint64_t(value)) : std::nullopt;
-}
-
 bool isVersion(const std::string& text) {
   const size_t dot = text.find('.');
   auto digits = [](std::string_view part) {
@@ -75,48 +55,18 @@ bool isVersion(const std::string& text) {
          digits(std::string_view(text).substr(dot + 1));
 }
 
-// RFC 3986: a letter, then letters, digits, "+", "-" and ".", up to a colon before the first slash.
-bool hasScheme(const std::string& uri) {
-  const size_t end = uri.find_first_of(":/?#");
-  if (end == std::string::npos || uri[end] != ':' || !std::isalpha(uint8_t(uri[0]))) return false;
-  return std::all_of(uri.begin(), uri.begin() + std::ptrdiff_t(end),
-                     [](char c) { return std::isalnum(uint8_t(c)) || c == '+' || c == '-' || c == '.'; });
-}
-
-std::optional<std::vector<uint8_t>> fromBase64(std::string_view text) {
-  std::vector<uint8_t> bytes;
-  uint32_t bits = 0;
-  int held = 0;
-  while (!text.empty() && text.back() == '=') text.remove_suffix(1);
-  for (char c : text) {
-    static constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    size_t digit = kDigits.find(c);
-    if (digit == std::string_view::npos) return std::nullopt;
-    bits = bits << 6 | uint32_t(digit);
-    held += 6;
-    if (held < 8) continue;
-    held -= 8;
-    bytes.push_back(uint8_t(bits >> held));
-  }
-  return bytes;
-}
-
-std::string percentDecoded(const std::string& uri) {
-  std::string text;
-  for (size_t i = 0; i < uri.size(); ++i) {
-    bool escape =
-        uri[i] == '%' && i + 2 < uri.size() && std::isxdigit(uint8_t(uri[i + 1])) && std::isxdigit(uint8_t(uri[i + 2]));
-    text += escape ? char(std::stoi(uri.substr(i + 1, 2), nullptr, 16)) : uri[i];
-    if (escape) i += 2;
-  }
-  return text;
-}
-
 }  // namespace
+
+int AccessorFormat::width() const {
+  static const std::map<std::string, int> counts = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4},
+                                                    {"MAT2", 4},   {"MAT3", 9}, {"MAT4", 16}};
+  auto found = counts.find(type);
+  return found == counts.end() ? 0 : found->second;
+}
 
 size_t AccessorFormat::elementSize() const {
   const size_t component = componentSize(component_type);
-  if (!type.starts_with("MAT")) return component * size_t(componentsOf(type));
+  if (!type.starts_with("MAT")) return component * size_t(width());
   const size_t columns = size_t(type.back() - '0');  // each begins at a multiple of four bytes
   return columns * ((columns * component + 3) / 4 * 4);
 }
@@ -131,10 +81,6 @@ GltfFile::GltfFile(const Path& file, bool allow_outside)
   decodeViews();
   decodePrimitives();
   requireElements();
-}
-
-void GltfJson::refuse(const std::string& where, const std::string& text) const {
-  throw Error(where.empty() ? text : where + ": " + text, {shown_.string()});
 }
 
 void GltfFile::readContainer() {
@@ -308,7 +254,7 @@ Values GltfFile::accessor(int accessor_index, const std::string& asked, const st
     refuse(where, fmt::format("type is '{}', not {}", stored.type, fmt::join(types, " or ")));
   if (stored.type == "MAT4" && stored.component_type != 5126) refuse(where, "is a matrix of integers");
   Values values;
-  values.width = componentsOf(stored.type);
+  values.width = stored.width();
   values.count = stored.count;
 
   const size_t component_size = componentSize(stored.component_type);
@@ -336,7 +282,7 @@ void GltfFile::requireElements() const {
     const std::string where = fmt::format("accessors[{}]", i), place = where + ".sparse";
     if (stored.normalized && (stored.component_type == 5125 || stored.component_type == 5126))
       refuse(where, fmt::format("componentType {} cannot be normalized", stored.component_type));
-    const size_t width = size_t(componentsOf(stored.type));
+    const size_t width = size_t(stored.width());
     for (const char* bound : {"min", "max"})
       if (accessors[i].contains(bound) && accessors[i][bound].size() != width)
         refuse(where, fmt::format("'{}' has not {} numbers", bound, width));
@@ -352,80 +298,6 @@ void GltfFile::requireElements() const {
     elements(sparse["indices"], count, componentSize(index_type), stride, place + ".indices");
     elements(sparse["values"], count, stored.elementSize(), stride, place + ".values");
   }
-}
-
-void GltfFile::decodeViews() {
-  const Json& views = all("bufferViews");
-  for (size_t i = 0; i < views.size(); ++i) {
-    bool present = false;
-    const Json& json = extension(views[i], "EXT_meshopt_compression", &present);
-    if (!present) continue;
-    const std::string where = fmt::format("bufferViews[{}].extensions.EXT_meshopt_compression", i);
-    const View source = stored(json, where);
-    MeshoptStream stream = {{source.data, source.size}, size(json, "count", std::nullopt, where), source.stride};
-    stream.mode = text(json, "mode", where);
-    stream.filter = text(json, "filter", where);
-    const size_t length = size(views[i], "byteLength", std::nullopt, where);
-    if (length != stream.count * stream.stride)
-      refuse(where, fmt::format("{} elements of {} bytes are not the {} bytes of the view", stream.count, stream.stride,
-                                length));
-    try {
-      decoded_views_[int(i)] = decodeMeshopt(stream);
-    } catch (const std::exception& error) {
-      refuse(where, error.what());
-    }
-  }
-}
-
-void GltfFile::decodePrimitives() {
-  const Json& meshes = all("meshes");
-  for (size_t m = 0; m < meshes.size(); ++m) {
-    const Json& primitives = list(meshes[m], "primitives", "meshes");
-    for (size_t p = 0; p < primitives.size(); ++p) {
-      bool present = false;
-      const Json& json = extension(primitives[p], "KHR_draco_mesh_compression", &present);
-      const std::string where = fmt::format("meshes[{}].primitives[{}].extensions.KHR_draco_mesh_compression", m, p);
-      if (present) decodePrimitive(primitives[p], json, where);
-    }
-  }
-}
-
-void GltfFile::decodePrimitive(const Json& primitive, const Json& json, const std::string& where) {
-  if (size(primitive, "mode", 4, where) != 4) refuse(where, "its primitive is not a list of triangles");
-  const int indices = index(primitive, "indices", "accessors", where);
-  if (indices < 0) refuse(where, "its primitive has no indices");
-  const View source = view(index(json, "bufferView", "bufferViews", where), where);
-  DracoStream stream = {{source.data, source.size}};
-  stream.indices = format(indices).count;
-  stream.index_type = format(indices).component_type;
-  std::map<std::string, int> accessors;
-  for (const auto& [name, id] : json["attributes"].items()) {
-    const int accessor = index(primitive["attributes"], name, "accessors", where);
-    if (accessor < 0) refuse(where, fmt::format("its primitive has no attribute {}", name));
-    const AccessorFormat asked = format(accessor);
-    if (!accessors.empty() && asked.count != stream.vertices)
-      refuse(where, fmt::format("{} has {} elements, not {}", name, asked.count, stream.vertices));
-    stream.vertices = asked.count;
-    stream.asked[name] = {uint32_t(size(json["attributes"], name, std::nullopt, where)), asked.component_type,
-                          componentsOf(asked.type)};
-    accessors[name] = accessor;
-  }
-  try {
-    DracoMesh mesh = decodeDraco(stream);
-    keepDecoded(indices, std::move(mesh.indices), where);
-    for (const auto& [name, accessor] : accessors) keepDecoded(accessor, std::move(mesh.attributes[name]), where);
-  } catch (const Error&) {
-    throw;
-  } catch (const std::exception& error) {
-    refuse(where, fmt::format("its stream cannot be decoded: {}", error.what()));
-  }
-}
-
-// Primitives may share a stream and its accessors, but an accessor has one content.
-void GltfFile::keepDecoded(int accessor, std::vector<uint8_t> bytes, const std::string& where) {
-  auto [known, is_new] = decoded_accessors_.try_emplace(accessor, bytes);
-  if (!is_new && known->second != bytes)
-    refuse(where, fmt::format("accessors[{}] has another stream already", accessor));
 }
 
 void GltfFile::applySparse(const Json& accessor, Values& values, int component_type, bool normalized,
@@ -467,140 +339,6 @@ std::vector<uint8_t> GltfFile::imageBytes(int image_index) {
   if (view_index < 0) return uriBytes(uri, where);
   View source = view(view_index, where);
   return {source.data, source.data + source.size};
-}
-
-const Json& GltfJson::list(const Json& object, const std::string& key, const std::string& where) const {
-  if (!object.is_object() || !object.contains(key)) return kNoList;
-  if (!object[key].is_array()) refuse(where, fmt::format("'{}' is not a list", key));
-  return object[key];
-}
-
-const Json& GltfJson::object(const Json& object, const std::string& key, const std::string& where) const {
-  if (!object.is_object() || !object.contains(key)) return kNoObject;
-  if (!object[key].is_object()) refuse(where, fmt::format("'{}' is not an object", key));
-  return object[key];
-}
-
-const Json& GltfJson::extension(const Json& json, const std::string& name, bool* present) const {
-  const Json& extensions = object(json, "extensions", "");
-  if (present) *present = extensions.contains(name);
-  return object(extensions, name, "extensions");
-}
-
-int GltfJson::index(const Json& object, const std::string& key, const std::string& list_name,
-                    const std::string& where) const {
-  if (!object.is_object() || !object.contains(key)) return -1;
-  const Json& value = object[key];
-  size_t count = all(list_name).size();
-  const std::optional<uint64_t> whole = wholeNumber(value);
-  std::string got = value.is_number() ? value.dump() : value.type_name();
-  if (!whole || *whole >= count)
-    refuse(where, fmt::format("'{}' is {}, but the file has {} {}", key, got, count, list_name));
-  return int(*whole);
-}
-
-std::vector<int> GltfJson::indexList(const Json& object, const std::string& key, const std::string& list_name,
-                                     const std::string& where) const {
-  std::vector<int> indices;
-  for (const Json& value : list(object, key, where)) indices.push_back(index({{key, value}}, key, list_name, where));
-  return indices;
-}
-
-double GltfJson::number(const Json& object, const std::string& key, double fallback, const std::string& where) const {
-  if (!object.is_object() || !object.contains(key)) return fallback;
-  if (!object[key].is_number()) refuse(where, fmt::format("'{}' is not a number", key));
-  double value = object[key].get<double>();
-  if (!std::isfinite(value)) refuse(where, fmt::format("'{}' is not finite", key));
-  return value;
-}
-
-std::vector<double> GltfJson::numbers(const Json& object, const std::string& key, std::vector<double> fallback,
-                                      const std::string& where) const {
-  const Json& values = list(object, key, where);
-  if (values.empty()) return fallback;
-  if (values.size() != fallback.size()) refuse(where, fmt::format("'{}' has not {} numbers", key, fallback.size()));
-  for (size_t i = 0; i < values.size(); ++i) {
-    bool finite = values[i].is_number() && std::isfinite(values[i].get<double>());
-    if (!finite) refuse(where, fmt::format("'{}' holds what is not a finite number", key));
-    fallback[i] = values[i].get<double>();
-  }
-  return fallback;
-}
-
-double GltfJson::numberIn(const Json& object, const std::string& key, std::optional<double> fallback, double low,
-                          double high, const std::string& where) const {
-  if (!fallback) require(object, key, where);
-  if (!object.contains(key)) return *fallback;
-  double value = number(object, key, 0, where);
-  if (value < low || value > high) refuse(where, fmt::format("'{}' is {}, not from {} to {}", key, value, low, high));
-  return value;
-}
-
-void GltfJson::require(const Json& object, const std::string& key, const std::string& where) const {
-  if (!object.contains(key)) refuse(where, fmt::format("'{}' is missing", key));
-}
-
-std::string GltfJson::text(const Json& object, const std::string& key, const std::string& where) const {
-  if (!object.is_object() || !object.contains(key)) return "";
-  if (!object[key].is_string()) refuse(where, fmt::format("'{}' is not a text", key));
-  return object[key].get<std::string>();
-}
-
-std::vector<std::string> GltfJson::uniqueNames(const Json& list, const std::string& prefix,
-                                               std::set<std::string> reserved) const {
-  std::vector<std::string> names;
-  std::set<std::string> taken = reserved, stated = std::move(reserved);
-  for (const Json& object : list) stated.insert(text(object, "name"));
-  auto claim = [&](const std::string& name, bool is_stated) {
-    return is_stated == stated.contains(name) && taken.insert(name).second;
-  };
-  for (const Json& object : list) {
-    const std::string own = text(object, "name");
-    const std::string base = own.empty() ? fmt::format("{}_{}", prefix, names.size()) : own;
-    std::string name = base;
-    bool is_free = claim(name, !own.empty());
-    for (int i = 2; !is_free; ++i) {
-      name = fmt::format("{}#{}", base, i);
-      is_free = claim(name, false);
-    }
-    names.push_back(name);
-  }
-  return names;
-}
-
-bool GltfJson::flag(const Json& object, const std::string& key, const std::string& where) const {
-  if (!object.is_object() || !object.contains(key)) return false;
-  if (!object[key].is_boolean()) refuse(where, fmt::format("'{}' is neither true nor false", key));
-  return object[key].get<bool>();
-}
-
-size_t GltfJson::size(const Json& object, const std::string& key, std::optional<size_t> fallback,
-                      const std::string& where) const {
-  bool present = object.is_object() && object.contains(key);
-  if (!present && fallback) return *fallback;
-  if (!present) refuse(where, fmt::format("'{}' is missing", key));
-  const std::optional<uint64_t> value = wholeNumber(object[key]);
-  if (!value) refuse(where, fmt::format("'{}' is not a whole number", key));
-  if (*value > uint64_t(1) << 40) refuse(where, fmt::format("'{}' is {}", key, *value));
-  return size_t(*value);
-}
-
-std::vector<double> sharesOf(const GltfFile& file, const Json& object, const std::string& key,
-                             std::vector<double> fallback, const std::string& where) {
-  std::vector<double> values = file.numbers(object, key, std::move(fallback), where);
-  for (double value : values)
-    if (value < 0 || value > 1) file.refuse(where, fmt::format("'{}' has {}, not from 0 to 1", key, value));
-  return values;
-}
-
-std::vector<double> cutsOf(const GltfFile& file, const Json& object, const std::string& where) {
-  if (!object.is_object() || !object.contains("extras")) return {};
-  const Json& extras = object["extras"];
-  const std::string place = where + ".extras";
-  const std::vector<double> none(file.list(extras, "cuts", place).size());
-  std::vector<double> cuts = file.numbers(extras, "cuts", none, place);
-  if (!increase(cuts)) file.refuse(place, "'cuts' do not increase");
-  return cuts;
 }
 
 }  // namespace strobe::scene

@@ -115,7 +115,7 @@ class UseChecker {
     const size_t count = file_.format(positions).count;
     for (const auto& [name, value] : attributes.items()) {
       checkAttribute(attributes, name, count, kAttributeFormats, where);
-      requireSetBefore(attributes, name, where);
+      requireSets(attributes, name, where);
     }
     checkTangents(attributes, where);
     const Json& targets = file_.list(json, "targets", where);
@@ -123,8 +123,8 @@ class UseChecker {
       const std::string place = fmt::format("{}.targets[{}]", where, t);
       if (targets[t].empty()) file_.refuse(place, "changes nothing");
       for (const auto& [name, value] : targets[t].items()) {
-        if (!attributes.contains(name)) file_.refuse(place, fmt::format("changes {}, which is not there", name));
         checkAttribute(targets[t], name, count, kChangeFormats, place);
+        if (!attributes.contains(name)) file_.refuse(place, fmt::format("changes {}, which is not there", name));
       }
     }
     const int indices = file_.index(json, "indices", "accessors", where);
@@ -161,13 +161,17 @@ class UseChecker {
     requireFormat(accessor, kind->second, name, where);
   }
 
-  // Sets of an attribute are numbered from 0.
-  void requireSetBefore(const Json& attributes, const std::string& name, const std::string& where) {
+  // Sets of an attribute are numbered from 0; joints and weights have as many.
+  void requireSets(const Json& attributes, const std::string& name, const std::string& where) {
     const std::string semantic = semanticOf(name);
     if (name.starts_with('_') || semantic == name) return;
     const int set = std::stoi(name.substr(semantic.size() + 1));
-    const std::string before = fmt::format("{}_{}", semantic, set - 1);
-    if (set > 0 && !attributes.contains(before)) file_.refuse(where, before + " is missing");
+    std::vector<std::string> needed;
+    if (set > 0) needed.push_back(fmt::format("{}_{}", semantic, set - 1));
+    if (semantic == "JOINTS") needed.push_back(fmt::format("WEIGHTS_{}", set));
+    if (semantic == "WEIGHTS") needed.push_back(fmt::format("JOINTS_{}", set));
+    for (const std::string& other : needed)
+      if (!attributes.contains(other)) file_.refuse(where, other + " is missing");
   }
 
   void checkTangents(const Json& attributes, const std::string& where) {
@@ -181,10 +185,10 @@ class UseChecker {
 
   // "TEXCOORD" of "TEXCOORD_0"; of other names themselves, "" of numbers that are not written so.
   static std::string semanticOf(const std::string& name) {
+    auto is_single = [](const std::string& one) { return one == "POSITION" || one == "NORMAL" || one == "TANGENT"; };
+    if (is_single(name)) return name;
     const size_t end = name.find('_');
-    const bool numbered = !(name == "POSITION" || name == "NORMAL" || name == "TANGENT");
-    if (!numbered) return name;
-    if (end == std::string::npos) return "";
+    if (end == std::string::npos || is_single(name.substr(0, end))) return "";
     const std::string number = name.substr(end + 1);
     const bool digits = !number.empty() && number.size() < 4 && std::all_of(number.begin(), number.end(), ::isdigit);
     return digits && (number == "0" || number.front() != '0') ? name.substr(0, end) : "";

@@ -408,6 +408,10 @@ std::vector<Outcome<Json>> evaluateScenes(const Home& home, const std::vector<st
   return outcomesOf<Json>(children, none, all, limits, [](const Main&, Json result, const auto&) { return result; });
 }
 
+std::string kindOfFile(const Home& home, const std::string& path) {
+  return evaluate(home, mainFile(home, path), "kind", Json::object(), nullptr, {}).at("kind");
+}
+
 Json evaluateData(const Home& home, const std::string& path, const Json& arguments,
                   std::vector<Dependency>* dependencies, const Limits& limits) {
   Main main = mainFile(home, path);

@@ -113,6 +113,9 @@ Path sceneScript(const Home& home, const std::string& name_or_path);
 std::vector<Outcome<Json>> evaluateScenes(const Home& home, const std::vector<std::string>& names_or_paths,
                                           const Limits& limits = {});
 
+// "experiment" or "capture" of a file that returns one, else "".
+std::string kindOfFile(const Home& home, const std::string& path);
+
 // The plain data any other file returns (experiments, extreme cases); `arguments` is what `...` holds in its main
 // chunk.
 Json evaluateData(const Home& home, const std::string& path, const Json& arguments = {},

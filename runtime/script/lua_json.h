@@ -4,7 +4,7 @@
 
 #include <lua.hpp>
 
-#include "base/json.h"
+#include "base/json_fwd.h"
 
 namespace strobe::script {
 

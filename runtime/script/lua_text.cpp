@@ -5,6 +5,8 @@
 #include <cctype>
 #include <set>
 
+#include "base/json.h"
+
 namespace strobe::script {
 
 std::string quoted(const std::string& text) {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/home.h"
-#include "base/json.h"
+#include "base/json_fwd.h"
 #include "base/stamps.h"
 #include "script/evaluate.h"
 #include "script/locate.h"

@@ -163,7 +163,9 @@ Experiment experimentOf(const Home& home, const Json& json, const Path& script) 
 // found when their point is drawn.
 std::string formOf(const lab::Shot& shot, bool of_scene) {
   std::string form = of_scene ? shot.scene : shot.pipeline;
-  if (of_scene) form += fmt::format("|{}|{}|{}", shot.camera, fmt::join(shot.moves, " "), fmt::join(shot.spins, " "));
+  if (of_scene)
+    form += fmt::format("|{}|{}|{}|{}|{}", shot.camera, shot.animation, shot.follow, fmt::join(shot.moves, " "),
+                        fmt::join(shot.spins, " "));
   for (const script::Setting& set : shot.sets) {
     if (lab::isOfScene(set) != of_scene) continue;
     form += "|" + set.first + "=";

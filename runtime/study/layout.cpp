@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "base/json.h"
+
 namespace strobe::study {
 
 std::optional<PicturesLayout> picturesLayoutOf(const Json& layout) {

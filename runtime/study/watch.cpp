@@ -11,6 +11,7 @@
 #include "math/pareto.h"
 #include "study/gallery.h"
 #include "study/layout.h"
+#include "study/store.h"
 
 namespace strobe::study {
 
@@ -102,6 +103,17 @@ std::string keptText(const Results& now) {
   if (points == 0) return "";
   return fmt::format("{} of {} {} kept; the same command continues", kept, countText(points, "point"),
                      kept == 1 ? "is" : "are");
+}
+
+std::string keptIn(const Path& outline) noexcept {
+  std::string kept;
+  try {
+    Results results = resultsIn(outline);
+    takePoints(results, outline.parent_path());
+    kept = keptText(results);
+  } catch (const std::exception&) {  // no outline yet, or a damaged one
+  }
+  return kept.empty() ? "the same command continues" : kept;
 }
 
 void Watch::begin(const std::string& label, int cost) {

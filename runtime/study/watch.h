@@ -21,6 +21,10 @@ void announce(const Results& now);
 // of its points.
 std::string keptText(const Results& now);
 
+// The same for the points beside an outline. "the same command continues" if the outline is missing or damaged. Does
+// not throw.
+std::string keptIn(const Path& outline) noexcept;
+
 // On a terminal a status line; elsewhere a line every ten seconds and at the end. After each quarter of the work
 // the front so far.
 class Watch {

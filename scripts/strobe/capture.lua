@@ -203,7 +203,7 @@ local function as_experiment(t)
   return result
 end
 
-local Made = {}
+local Made = { kind = "capture" }
 
 -- What a file returned, as plain data, checked against what is `given`: the `options` of shots that there are. Where
 -- experiments are asked for, by the names of `measures`, a capture that is measured is one.

@@ -454,7 +454,7 @@ function experiment.finished(t, place, given)
   return plain
 end
 
-local Made = {}
+local Made = { kind = "experiment" }
 
 -- What a file returned. Where no experiment is asked for, only that it is one.
 function Made.finished(result, given)

@@ -82,6 +82,11 @@ function run.data(request)
   return finished and finished(result, request.arguments) or result
 end
 
+-- "experiment" or "capture" of a file that returns one, else "".
+function run.kind()
+  return { kind = (getmetatable(native.main()) or {}).kind or "" }
+end
+
 -- All mistakes of all files.
 function run.passes(request)
   local problems, passes, by_name = check.problems(), {}, {}

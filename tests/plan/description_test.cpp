@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/json.h"
+
 namespace strobe::plan {
 namespace description_test {
 

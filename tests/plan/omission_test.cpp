@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/json.h"
 #include "plan/builder.h"
 #include "plan/canonical.h"
 #include "plan/plan.h"

@@ -6,6 +6,7 @@
 
 #include <set>
 
+#include "base/json.h"
 #include "plan/builder.h"
 #include "plan/canonical.h"
 #include "plan/formats.h"

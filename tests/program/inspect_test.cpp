@@ -44,7 +44,7 @@ TEST(Inspect, APlanSaysWhatRaysGoThrough) {
   EXPECT_NE(run("doctor").out.find("scene living_room: "), std::string::npos);
 }
 
-// A missing library and a missing manifest; the other driver still gives devices.
+// A missing library, a missing manifest and damaged ones; the other driver still gives devices.
 TEST(Inspect, DoctorNamesDriversThatDoNotLoad) {
   std::string device = Json::parse(run("doctor --json").out)["devices"][0]["name"];
   std::string manifests = runLine("ls /usr/share/vulkan/icd.d/lvp_icd*.json /etc/vulkan/icd.d/*.json 2>/dev/null").out;
@@ -54,9 +54,15 @@ TEST(Inspect, DoctorNamesDriversThatDoNotLoad) {
   writeText(
       folder / "missing.json",
       R"({"file_format_version": "1.0.0", "ICD": {"library_path": "/nowhere/libmissing.so", "api_version": "1.3.0"}})");
+  writeText(folder / "broken.json", R"({"ICD": {"library_path")");
+  writeText(folder / "list.json", "[1]");
+  writeText(folder / "bare.json", R"({"file_format_version": "1.0.0", "ICD": {"library_path": 3}})");
   for (const auto& [manifest, named] : {std::pair(folder / "missing.json", std::string("libmissing.so")),
-                                        {folder / "gone.json", folder / "gone.json"}}) {
-    std::string environment = "VK_DRIVER_FILES=" + manifest + ":" + good;
+                                        {folder / "gone.json", folder / "gone.json: no such file"},
+                                        {folder / "broken.json", folder / "broken.json: is not valid JSON"},
+                                        {folder / "list.json", folder / "list.json: has no ICD.library_path"},
+                                        {folder / "bare.json", folder / "bare.json: has no ICD.library_path"}}) {
+    const std::string environment = "VK_DRIVER_FILES=" + manifest + ":" + good;
     Outcome outcome = run("doctor", environment);
     EXPECT_EQ(outcome.exit_code, 1) << manifest;
     EXPECT_NE(outcome.out.find("driver not loaded: "), std::string::npos) << outcome.out;
@@ -65,6 +71,37 @@ TEST(Inspect, DoctorNamesDriversThatDoNotLoad) {
     EXPECT_FALSE(report["driver_problems"].empty());
     EXPECT_FALSE(report["devices"].empty()) << "the other driver";
   }
+}
+
+// Experiments and captures, with pipelines or alone.
+TEST(Inspect, CheckReadsFilesByTheirKind) {
+  TemporaryFolder folder;
+  auto experiment = [](const std::string& camera, const std::string& arm) {
+    return "return require 'strobe.experiment' { title = 'Bar', size = { 64, 16 },\n"
+           "  truth = { pipeline = 'ground_truth' },\n"
+           "  shots = { { name = 'bar', scene = 'oracles/bar', camera = '" +
+           camera + "' } },\n  arms = { { name = 'hybrid', pipeline = 'hybrid'" + arm + " } } }\n";
+  };
+  const std::string capture =
+      "return require 'strobe.capture' { title = 'Bar', size = { 64, 16 },\n"
+      "  shots = { { name = 'bar', scene = 'oracles/bar' } },\n  arms = { { name = 'none', pipeline = 'none' } } }\n";
+  writeText(folder / "good.lua", experiment("main", ""));
+  writeText(folder / "wrong.lua", experiment("mian", ", set = { tap = 4 }"));
+  writeText(folder / "capture.lua", capture);
+  writeText(folder / "half.lua", capture.substr(0, capture.find("shots")) + "}\n");
+  Outcome good = run("check none " + (folder / "good.lua") + " " + (folder / "capture.lua"));
+  EXPECT_EQ(good.out, "1 pipeline and 1 experiment and 1 capture are sound\n") << good.err;
+  EXPECT_EQ(run("check " + (folder / "good.lua")).out, "1 experiment is sound\n");
+  Outcome wrong = run("check " + (folder / "wrong.lua") + " " + (folder / "half.lua"));
+  EXPECT_EQ(wrong.exit_code, 1);
+  for (const char* mistake :
+       {"wrong.lua:3: shot 'bar': --camera mian: bar has no camera 'mian'; did you mean 'main'?\n",
+        "wrong.lua:4: arm 'hybrid': --set tap=4: the pipeline has no parameter 'tap'; did you mean 'taps'?\n",
+        "half.lua:1: "})
+    EXPECT_NE(wrong.err.find(mistake), std::string::npos) << wrong.err;
+  Outcome set = run("check " + (folder / "good.lua") + " --set samples=4");
+  EXPECT_EQ(set.exit_code, 2);
+  EXPECT_NE(set.err.find("--set needs a pipeline to set it in"), std::string::npos) << set.err;
 }
 
 TEST(Inspect, CountersAreShownOnRequest) {

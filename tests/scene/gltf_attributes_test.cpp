@@ -88,7 +88,8 @@ TEST_F(GltfAttributes, WhatIsNotUsedIsNamedInOneWarning) {
 
 // MESH_PRIMITIVE_INVALID_ATTRIBUTE and MESH_PRIMITIVE_INDEXED_SEMANTIC_CONTINUITY of the validator.
 TEST_F(GltfAttributes, UnknownNamesAreRefused) {
-  for (const char* name : {"FOO", "TEXCOORD", "TEXCOORD_", "TEXCOORD_X", "COLOR_0_0", "NORMAL_0", "position", ""}) {
+  for (const char* name :
+       {"FOO", "TEXCOORD", "TEXCOORD_", "TEXCOORD_X", "COLOR_0_0", "COLOR_00", "NORMAL_0", "position", ""}) {
     Asset asset = triangle();
     asset.primitive()["attributes"][name] = 0;
     EXPECT_NE(failure(asset.whole()).find(fmt::format("primitives[0]: attribute '{}' is unknown", name)),
@@ -98,9 +99,23 @@ TEST_F(GltfAttributes, UnknownNamesAreRefused) {
   Asset asset = triangle();
   asset.primitive()["attributes"]["TEXCOORD_1"] = asset.add(std::vector<float>(6, 0), "VEC2", 2, 5126);
   EXPECT_NE(failure(asset.whole()).find("TEXCOORD_0 is missing"), std::string::npos);
-  asset = triangle();
-  asset.primitive()["targets"] = Json::array({{{"JOINTS_0", 0}}});
-  EXPECT_NE(failure(asset.whole()).find("JOINTS_0"), std::string::npos);
+  for (const char* name : {"JOINTS_0", "WEIGHTS_0", "FOO", "NORMAL_0", "TEXCOORD", "position"}) {
+    asset = triangle();
+    asset.primitive()["targets"] = Json::array({{{"POSITION", 0}}, {{name, 0}}});
+    const std::string refusal = failure(asset.whole());
+    const std::string wanted = fmt::format(": meshes[0].primitives[0].targets[1]: attribute '{}' is unknown", name);
+    EXPECT_TRUE(refusal.ends_with(wanted)) << refusal;
+  }
+}
+
+TEST_F(GltfAttributes, OfLinesAreCheckedToo) {
+  Asset asset = triangle();
+  asset.primitive()["mode"] = 1;
+  asset.primitive()["attributes"]["JOINTS_0"] = asset.add<uint8_t>(std::vector<uint8_t>(12), "VEC4", 4, 5121);
+  EXPECT_TRUE(failure(asset.whole()).ends_with(": meshes[0].primitives[0]: WEIGHTS_0 is missing"));
+  asset.primitive()["attributes"].erase("JOINTS_0");
+  asset.primitive()["attributes"]["TANGENT"] = tangents(asset, {1, 0, 0, .5f});
+  EXPECT_TRUE(failure(asset.whole()).ends_with("TANGENT 0 has a w of 0.5, not 1 or -1"));
 }
 
 }  // namespace gltf_attributes_test

@@ -121,6 +121,26 @@ TEST(Counts, OfAnInterruptedRun) {
   EXPECT_EQ(announced(results), "1 point and 1 truth; 1 point is left to draw\n");
 }
 
+// The line of an interrupted sweep, whatever is in its folder.
+TEST(Counts, OfADamagedFolder) {
+  testing::TemporaryFolder folder;
+  Results results = partial();
+  results.title = "Partial", results.width = 64, results.height = 36;
+  results.regions = {"whole"}, results.measures = {"rmse"};
+  results.arms = {{"none", "none", Role::method, true}, {"hybrid", "hybrid", Role::method, true}};
+  const std::string whole = textOf(results);
+  fs::create_directories(folder / "points");
+  writeText(pointFile(folder.path(), "none0", ".json"), "{");
+  EXPECT_EQ(keptIn(folder / "outline.json"), "the same command continues") << "no outline";
+  writeText(folder / "outline.json", whole);
+  EXPECT_EQ(keptIn(folder / "outline.json"), "0 of 6 points are kept; the same command continues");
+  for (const std::string& damaged :
+       {std::string(), whole.substr(0, whole.size() / 2), std::string("{\"groups\": 3}")}) {
+    writeText(folder / "outline.json", damaged);
+    EXPECT_EQ(keptIn(folder / "outline.json"), "the same command continues") << damaged;
+  }
+}
+
 // What is not measured yet is a dash in every table.
 TEST(Report, OfAnIncompleteSweepHasNoNan) {
   Results results = partial();
