@@ -106,7 +106,7 @@ bool Sweep::draw() {
   return true;
 }
 
-// Squared error of each pixel, summed over channels; one that is not finite counts as a large one.
+// Squared error of each pixel, summed over channels and limited; errors that are not finite are the limit.
 static image::Image squaredErrors(const image::Image& color, const image::Image& truth) {
   constexpr float kMost = 1e6f;
   image::Image errors(color.width, color.height, 1);

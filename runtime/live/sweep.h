@@ -58,7 +58,7 @@ class Sweep {
   bool samplesOwn() const { return !stopped_ && next_own_ < own_keys_.size(); }
   // Samples of the truth that errors are measured against, the least of all points; 0 while one has no error.
   int samples() const;
-  // Point that has the crop with the largest error of all; null while there is no error.
+  // Point with the crop of the largest error; null before the first error.
   const SweepPoint* worst() const;
 
  private:

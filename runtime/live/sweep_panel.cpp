@@ -123,9 +123,9 @@ std::string progressText(const Sweep& sweep, const Desk& desk) {
           ? fmt::format("RMSE against {} of {}", truth, samplesText(sweep.samples(), Sweep::kEnough))
           : fmt::format("RMSE against {} of each value's own truth", samplesText(sweep.samples(), Sweep::kOwnSamples));
   const SweepPoint* worst = sweep.worst();
-  std::string shown = worst ? fmt::format("  ·  pictures: the {}x{} px with the largest error", worst->worst.width,
-                                          worst->worst.height)
-                            : "";
+  std::string shown =
+      worst ? fmt::format("  ·  pictures: the {}x{} px with the largest error", worst->worst.width, worst->worst.height)
+            : "";
   return fmt::format("{}  ·  {}  ·  ms of {} frames{}{}", done, against, Sweep::kRounds,
                      software ? ", software device" : "", shown);
 }
@@ -142,7 +142,7 @@ bool pointButton(Desk& desk, Sweeper& sweeper, PanelState& state, size_t point, 
   return ImGui::IsItemHovered();
 }
 
-// A curve over columns; points without a value leave a gap, and those of categories are not joined.
+// A curve over columns; points without a value leave a gap, and points of categories are not joined.
 struct Curve {
   std::vector<std::optional<double>> values;
   double full = 1;  // at the top
@@ -165,8 +165,8 @@ void drawCurve(const Curve& curve, ImVec2 at, float column, float height) {
 }
 
 Curve curveOf(const Sweep& sweep, const std::function<std::optional<double>(const SweepPoint&)>& of, ImU32 color) {
-  Curve curve{{}, image::niceCeiling(largest(sweep, of).value_or(0)), color,
-              hasRange(sweep.axes().front().declaration)};
+  Curve curve{
+      {}, image::niceCeiling(largest(sweep, of).value_or(0)), color, hasRange(sweep.axes().front().declaration)};
   for (const SweepPoint& point : sweep.points()) {
     std::optional<double> value = of(point);
     curve.values.push_back(value && std::isfinite(*value) ? value : std::nullopt);

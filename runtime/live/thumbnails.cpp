@@ -38,12 +38,11 @@ image::Image reduced(const image::Image& linear) {
   return small;
 }
 
-// The crop with the largest error of all points, its pixels as squares; the whole picture while there is no error.
+// The crop with the largest error of all points, its pixels as squares; the whole picture before the first error.
 static image::Image thumbnailOf(const SweepPoint& point, const SweepPoint* worst) {
   if (!worst || point.color.empty()) return point.thumbnail;
-  const image::Rectangle area =
-      image::scaledCrop(worst->worst, double(point.color.width) / worst->color.width,
-                        double(point.color.height) / worst->color.height, point.color);
+  const image::Rectangle area = image::scaledCrop(worst->worst, double(point.color.width) / worst->color.width,
+                                                  double(point.color.height) / worst->color.height, point.color);
   const image::Image small = reduced(image::crop(point.color, area));
   return image::magnify(small, std::max(1, kCell / std::max(small.width, small.height)));
 }
