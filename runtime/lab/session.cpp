@@ -237,8 +237,8 @@ static std::vector<std::string> addedChoices(const plan::PipelineDesc& before, c
   return added;
 }
 
-// Replaces the running version as far as the new version is sound (`whole`: only if all of it is). Reports the values and
-// histories that are kept and reset.
+// Replaces the running version by the sound parts of a new version; with `whole`, only if the new version is all sound.
+// Reports kept and reset values and histories.
 void Session::replace(Shot shot, const std::shared_ptr<const Evaluation>& evaluation, bool scene, bool whole,
                       Reload& result) {
   int compiled_before = bench_.compilations();
