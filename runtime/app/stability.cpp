@@ -24,7 +24,7 @@ struct StabilityOptions {
 std::vector<stability::Declaration> staleIn(const StabilityOptions& options,
                                             const std::vector<stability::Report>& reports) {
   bool all = options.suite.invariants.empty() && options.suite.only.empty();
-  return all ? stability::stale(reports) : std::vector<stability::Declaration>();
+  return all ? stability::stale(reports, options.pipelines.empty()) : std::vector<stability::Declaration>();
 }
 
 Json jsonOf(const std::vector<stability::Report>& reports, const std::vector<stability::Declaration>& stale) {

@@ -19,8 +19,8 @@ class Graph {
   // `in_flight`: how many frames may be under way at once. Throws `Error` for shaders that do not compile or do not
   // match their declarations. With `previous`, takes its place and takes over the images and histories that are
   // described alike, while none of its frames is under way; a shader that does not compile keeps the pipeline of the
-  // node of that name, if that serves the same interface; what was wrong is added to `problems`. Throws where nothing
-  // serves or memory runs out, and `previous` is as it was.
+  // node of that name, if that serves the same interface; what was wrong is added to `problems` (null: thrown). Throws
+  // where nothing serves or memory runs out, and `previous` is as it was.
   Graph(const gpu::Device& device, PipelineCache& cache, const plan::Plan& plan, world::GpuScene& scene,
         Backend backend, size_t in_flight, Graph* previous = nullptr, std::vector<std::string>* problems = nullptr);
   // Waits for the frames that are under way.

@@ -56,7 +56,7 @@ void PlanNodes::findPipelines(PipelineCache& cache, const world::GpuScene& scene
       std::rethrow_exception(found[i].error);
     } catch (const Error& error) {
       const Node* before = previous ? previous->named(name(i)) : nullptr;
-      if (before) nodes_[i].pipeline = ifItServes(before->pipeline, requests[i].interface);
+      if (before && problems) nodes_[i].pipeline = ifItServes(before->pipeline, requests[i].interface);
       (nodes_[i].pipeline ? *problems : fatal).push_back(error.what());
     }
   }

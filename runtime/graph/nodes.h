@@ -38,7 +38,8 @@ class PlanNodes {
   PlanNodes(const gpu::Device& device, const plan::Plan& plan);
 
   // A shader that does not compile keeps the pipeline of the node of that name in `previous` (may be null), if that
-  // serves the same interface; what was wrong is then added to `problems`. Throws `Error` with all that nothing serves.
+  // serves the same interface; what was wrong is then added to `problems` (null: thrown). Throws `Error` with all that
+  // nothing serves.
   void findPipelines(PipelineCache& cache, const world::GpuScene& scene, Backend backend, const PlanNodes* previous,
                      std::vector<std::string>* problems);
   // Makes buffers and sets for the images and for each of the frames that are under way at once.

@@ -36,4 +36,21 @@ Rectangle densestCrop(const Image& mask, int width, int height) {
   return best;
 }
 
+Rectangle worstWindow(const Image& map, int width, int height) {
+  width = std::clamp(width, 1, map.width), height = std::clamp(height, 1, map.height);
+  std::vector<double> sums(size_t(map.width + 1) * size_t(map.height + 1), 0);
+  auto sum = [&](int x, int y) -> double& { return sums[size_t(y) * size_t(map.width + 1) + size_t(x)]; };
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x)
+      sum(x + 1, y + 1) = double(map.at(x, y, 0)) + sum(x, y + 1) + sum(x + 1, y) - sum(x, y);
+  Rectangle worst{0, 0, width, height};
+  double most = -1;
+  for (int y = 0; y + height <= map.height; ++y)
+    for (int x = 0; x + width <= map.width; ++x) {
+      double inside = sum(x + width, y + height) - sum(x, y + height) - sum(x + width, y) + sum(x, y);
+      if (inside > most + 1e-9) most = inside, worst = {x, y, width, height};
+    }
+  return worst;
+}
+
 }  // namespace strobe::image

@@ -14,4 +14,7 @@ Rectangle scaledCrop(const Rectangle& crop, double scale_x, double scale_y, cons
 // middle.
 Rectangle densestCrop(const Image& mask, int width, int height);
 
+// Window of this size with the largest sum of a map of one channel; the first of several.
+Rectangle worstWindow(const Image& map, int width, int height);
+
 }  // namespace strobe::image

@@ -172,7 +172,8 @@ static void requireBytes(const gpu::Device& device, const plan::Plan& plan, cons
 }
 
 Drawing::Drawing(Workbench& bench, std::shared_ptr<HeldScene> scene, Planned planned,
-                 std::shared_ptr<const Evaluation> evaluation, Drawing* previous, std::vector<std::string>* problems)
+                 std::shared_ptr<const Evaluation> evaluation, Drawing* previous, std::vector<std::string>* problems,
+                 bool whole)
     : bench_(bench), scene_(std::move(scene)), planned_(std::move(planned)), evaluation_(std::move(evaluation)) {
   const gpu::Device& device = bench.device();
   const uint32_t slices = SLICE_SAMPLE + graph::Graph::sampleSlices(plan());
@@ -187,9 +188,10 @@ Drawing::Drawing(Workbench& bench, std::shared_ptr<HeldScene> scene, Planned pla
     return;
   }
   std::vector<std::string> known;  // reported when they were found
+  if (!problems) problems = &known;
   graph_ = std::make_unique<graph::Graph>(device, bench.pipelines(), plan(), *on_device_, planned_.backend,
                                           bench.frames_in_flight, previous ? previous->graph_.get() : nullptr,
-                                          problems ? problems : &known);
+                                          whole ? nullptr : problems);
 }
 
 bool Drawing::fits(const Planned& planned, const HeldScene& scene) const {

@@ -32,11 +32,12 @@ class Drawing {
  public:
   // Makes images and finds pipelines; throws `Error` where that fails. With `previous`, images and histories that are
   // described alike are taken over from it, all of them where the shape is the same; a shader that does not compile
-  // keeps the pipeline it had, and what is wrong is added to `problems` (may be null: such a shader is not looked at).
-  // `previous` is good for nothing afterwards, unless this throws. The bench must outlive it.
+  // keeps the pipeline it had, and what is wrong is added to `problems` (may be null: such a shader is not looked at);
+  // `whole`: such a shader is thrown as an `Error`. `previous` is good for nothing afterwards, unless this throws. The
+  // bench must outlive it.
   Drawing(Workbench& bench, std::shared_ptr<HeldScene> scene, Planned planned,
           std::shared_ptr<const Evaluation> evaluation, Drawing* previous = nullptr,
-          std::vector<std::string>* problems = nullptr);
+          std::vector<std::string>* problems = nullptr, bool whole = false);
 
   const plan::Plan& plan() const { return *planned_.plan; }
   const Planned& planned() const { return planned_; }

@@ -8,6 +8,9 @@
 
 namespace strobe::lab {
 
+// Longest time between the steps of saving one file.
+static constexpr double kMoment_s = 0.1;
+
 void ChangedFiles::note(const Path& path, const std::string& hash) {
   Noted& noted = noted_[path];
   if (noted.hash != hash) noted = {hash};
@@ -50,7 +53,6 @@ void ChangedFiles::watchFolders(const Drawing& running) {
 
 // Editors that keep a copy of the old text put it away first: for a moment the file is not there.
 bool ChangedFiles::isBeingSaved(Noted& noted, const std::string& now) {
-  constexpr double kMoment_s = 0.1;
   if (!now.empty() || noted.hash.empty()) return noted.gone_at_s = 0, false;
   if (noted.gone_at_s == 0) noted.gone_at_s = clockSeconds();
   return clockSeconds() < noted.gone_at_s + kMoment_s;
@@ -86,42 +88,75 @@ FileChanges ChangedFiles::changedSince(const Drawing& running, bool wait) {
   return changes;
 }
 
+std::optional<FileChanges> ChangedFiles::evaluatedInBackground(bool wait) {
+  bool done = wait || pending_->evaluated.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  if (!done) return {};
+  FileChanges changes = std::move(pending_->changes);
+  changes.evaluated = pending_->evaluated.get();
+  pending_.reset();
+  return changes;
+}
+
+std::optional<FileChanges> ChangedFiles::failureAtItsTime(bool wait) {
+  if (!failed_ || (!wait && failed_->mayBeUnfinished())) return {};
+  return std::exchange(failed_, {});
+}
+
+// Adds earlier changes that failed to those since.
+static void add(FileChanges& changes, const FileChanges& failed) {
+  if (changes.files.empty()) changes.show_failure_at_s = failed.show_failure_at_s;
+  std::vector<std::string> files = failed.files;
+  for (const std::string& file : changes.files)
+    if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+  changes.files = std::move(files);
+  changes.scripts |= failed.scripts;
+  changes.scene |= failed.scene;
+  changes.ms += failed.ms;
+}
+
+std::optional<FileChanges> ChangedFiles::newChanges(const Running& running, bool first, bool wait) {
+  const bool event = watch_->changed();
+  FileChanges changes;
+  if (event || first || wait || looks_again_) changes = changedSince(running.drawing, wait);
+  // After a failure a file that nothing could name yet may have appeared.
+  const bool retry = event && (running.failed || failed_);
+  if (changes.files.empty() && !retry) return failureAtItsTime(wait);
+  changes.scripts |= running.scripts_failed;
+  if (failed_) add(changes, *std::exchange(failed_, {}));
+  return changes;
+}
+
 std::optional<FileChanges> ChangedFiles::look(const Running& running, bool wait) {
   if (!wait && !pending_) script::expectChildren(bench_.home(), bench_.limits, 1, running.drawing.evaluation().scripts);
   const bool first = !watches_all_;
   if (first) watchFolders(running.drawing);
-  FileChanges changes;
-  if (pending_) {
-    bool done = wait || pending_->evaluated.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-    if (!done) return {};
-    changes = std::move(pending_->changes);
-    changes.evaluated = pending_->evaluated.get();
-    // Values set in the meantime are not in what was evaluated.
-    bool overtaken = running.shot.pipeline != pending_->shot.pipeline || running.shot.sets != pending_->shot.sets;
-    pending_.reset();
-    if (!overtaken) return changes;
-  } else {
-    bool event = watch_->changed();
-    if (!event && !first && !wait && !looks_again_) return {};
-    changes = changedSince(running.drawing, wait);
-    // After a failure a file that nothing could name yet may have appeared.
-    bool retry = event && running.failed;
-    if (changes.files.empty() && !retry) return {};
-    changes.scripts |= running.scripts_failed;
-    if (!changes.scripts) {
-      changes.evaluated.good = running.drawing.evaluation();
-      changes.evaluated.usable = true;
-      return changes;
+  std::optional<FileChanges> changes = pending_ ? evaluatedInBackground(wait) : newChanges(running, first, wait);
+  if (!changes) return {};
+  // The evaluation lacks values that were set in the meantime.
+  const bool current =
+      changes->shot && running.shot.pipeline == changes->shot->pipeline && running.shot.sets == changes->shot->sets;
+  if (!current) {
+    changes->shot = running.shot;
+    auto evaluate = [&home = bench_.home(), shot = running.shot, good = running.drawing.heldEvaluation(),
+                     limits = bench_.limits] { return attemptAround(home, shot, *good, limits); };
+    if (!changes->scripts) {
+      changes->evaluated.good = running.drawing.evaluation();
+      changes->evaluated.usable = true;
+    } else if (wait) {
+      changes->evaluated = evaluate();
+    } else {
+      pending_ = Pending{std::move(*changes), std::async(std::launch::async, evaluate)};
+      return {};
     }
   }
-  auto evaluate = [&home = bench_.home(), shot = running.shot, good = running.drawing.heldEvaluation(),
-                   limits = bench_.limits] { return attemptAround(home, shot, *good, limits); };
-  if (wait) {
-    changes.evaluated = evaluate();
-    return changes;
-  }
-  pending_ = Pending{std::move(changes), running.shot, std::async(std::launch::async, evaluate)};
-  return {};
+  return changes;
+}
+
+bool FileChanges::mayBeUnfinished() const { return show_failure_at_s == 0 || clockSeconds() < show_failure_at_s; }
+
+void ChangedFiles::holdBack(FileChanges failed) {
+  failed_ = std::move(failed);
+  if (failed_->show_failure_at_s == 0) failed_->show_failure_at_s = clockSeconds() + kMoment_s;
 }
 
 }  // namespace strobe::lab

@@ -17,6 +17,11 @@ struct FileChanges {
   bool scripts = false, scene = false;
   double ms = 0;  // hashing the files to see which changed
   Attempt evaluated;
+  std::optional<Shot> shot;      // as it was when the evaluation began; empty before that
+  double show_failure_at_s = 0;  // of a failure that was held back
+
+  // True if a failure may come from the first of two steps in which a file is saved.
+  bool mayBeUnfinished() const;
 };
 
 class ChangedFiles {
@@ -37,8 +42,10 @@ class ChangedFiles {
   // Looks for changes. Without `wait`, scripts are evaluated in the background: nothing is returned until a later call
   // finds them done, on the settings as they are then. From the first call on, folders are watched.
   std::optional<FileChanges> look(const Running& running, bool wait);
-  // Whether scripts are evaluated in the background.
-  bool evaluates() const { return pending_.has_value(); }
+  // Keeps changes that failed back: a later look returns them again, or with the next changes in their place.
+  void holdBack(FileChanges failed);
+  // True if scripts are evaluated in the background, or a failure is held back.
+  bool evaluates() const { return pending_ || failed_; }
 
  private:
   // A file or folder.
@@ -49,13 +56,15 @@ class ChangedFiles {
   };
   struct Pending {
     FileChanges changes;
-    Shot shot;                       // as it was when the evaluation began
     std::future<Attempt> evaluated;  // its destructor waits
   };
   void note(const Path& path, const std::string& hash);
   bool isBeingSaved(Noted& noted, const std::string& now);
   void watchFolders(const Drawing& running);
   FileChanges changedSince(const Drawing& running, bool wait);
+  std::optional<FileChanges> evaluatedInBackground(bool wait);
+  std::optional<FileChanges> failureAtItsTime(bool wait);
+  std::optional<FileChanges> newChanges(const Running& running, bool first, bool wait);
 
   Workbench& bench_;
   std::map<Path, Noted> noted_;
@@ -63,6 +72,7 @@ class ChangedFiles {
   bool watches_all_ = false;  // the folders of all files that are noted
   bool looks_again_ = false;  // even if no event of a folder comes
   std::optional<Pending> pending_;
+  std::optional<FileChanges> failed_;
 };
 
 }  // namespace strobe::lab

@@ -15,11 +15,12 @@ namespace strobe::lab {
 // ---- versions
 
 std::unique_ptr<Drawing> Session::build(const Shot& shot, std::shared_ptr<const Evaluation> evaluation,
-                                        std::vector<std::string>* problems) {
+                                        std::vector<std::string>* problems, bool whole) {
   Shot filled = shot;
   std::shared_ptr<HeldScene> scene = bench_.scene(filled);
   Planned planned = plannedOf(bench_, filled, scene->loaded.scene, evaluation->pipeline);
-  return std::make_unique<Drawing>(bench_, scene, std::move(planned), std::move(evaluation), running_.get(), problems);
+  return std::make_unique<Drawing>(bench_, scene, std::move(planned), std::move(evaluation), running_.get(), problems,
+                                   whole);
 }
 
 Session::Session(Workbench& bench, const Shot& shot, const std::string& origin)
@@ -201,13 +202,21 @@ std::optional<Reload> Session::reload(bool wait) {
   result.notice_ms = changes->ms;
   result.evaluate_ms = evaluated.ms;
   result.problems = evaluated.problems;
-  script_problem_ = !evaluated.problems.empty();
   std::vector<script::Dependency> tried = evaluated.good.scripts;
   tried.insert(tried.end(), evaluated.refused.begin(), evaluated.refused.end());
   Shot shot = shot_;
   if (evaluated.usable) drop(evaluated.dropped, shot, result);
-  else evaluated.good = running_->evaluation();
-  replace(shot, std::move(evaluated), changes->scene, result);
+  auto evaluation =
+      evaluated.usable ? std::make_shared<const Evaluation>(std::move(evaluated.good)) : running_->heldEvaluation();
+  const bool whole = !wait && changes->mayBeUnfinished();
+  if (!whole || result.problems.empty()) replace(shot, evaluation, changes->scene, whole, result);
+  if (whole && !result.problems.empty()) {
+    if (evaluated.usable) evaluated.good = *evaluation;
+    files_.holdBack(std::move(*changes));
+    files_.remember(*running_, tried, false);
+    return std::nullopt;
+  }
+  script_problem_ = !evaluated.problems.empty();
   for (const auto& name : result.reset) origins_.erase(name.substr(0, name.find(" = ")));
   problems_ = result.problems;
   files_.remember(*running_, tried, problems_.empty());
@@ -228,8 +237,10 @@ static std::vector<std::string> addedChoices(const plan::PipelineDesc& before, c
   return added;
 }
 
-// Puts a new version in the place of the running one, as far as it is sound, and reports what became of everything.
-void Session::replace(Shot shot, Attempt evaluated, bool scene, Reload& result) {
+// Replaces the running version by the sound parts of a new version; with `whole`, only if the new version is all sound.
+// Reports kept and reset values and histories.
+void Session::replace(Shot shot, const std::shared_ptr<const Evaluation>& evaluation, bool scene, bool whole,
+                      Reload& result) {
   int compiled_before = bench_.compilations();
   double started_s = clockSeconds();
   auto before = running_->graph().pipelines();
@@ -241,10 +252,11 @@ void Session::replace(Shot shot, Attempt evaluated, bool scene, Reload& result) 
     if (scene) try {
         bench_.scene(shot, true);
       } catch (const Error& error) {
+        if (whole) throw;
         problems.push_back(error.what());
       }
-    dropLostTaps(shot, evaluated.good.pipeline);
-    auto version = build(shot, std::make_shared<Evaluation>(std::move(evaluated.good)), &problems);
+    dropLostTaps(shot, evaluation->pipeline);
+    auto version = build(shot, evaluation, &problems, whole);
     for (const auto& [node, pipeline] : version->graph().pipelines())
       if (!before.count(node) || before[node] != pipeline) result.rebuilt.push_back(node);
     bool new_scene = version->held() != running_->held();

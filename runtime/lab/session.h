@@ -65,10 +65,11 @@ class Session {
   std::vector<std::string> ports() const;
 
   // Looks whether files changed and brings what is sound up to date. Without `wait`, Lua is evaluated in the
-  // background: nothing is returned until a later call finds it done, on the values as they are then. Nothing is
-  // returned when nothing changed. Never throws for what users write.
+  // background: nothing is returned until a later call finds it done, on the values as they are then; and what fails
+  // is tried again if a file changes within a tenth of a second, and takes effect and is returned after that. Nothing
+  // is returned when nothing changed. Never throws for what users write.
   std::optional<Reload> reload(bool wait);
-  // Whether Lua is evaluated in the background for a later call.
+  // True if a later call may return a change of now.
   bool evaluates() const { return files_.evaluates(); }
 
   // Draws the frame as it stands, reading back the outputs ("color") and taps ("node.port") named; null: all.
@@ -90,11 +91,11 @@ class Session {
 
  private:
   std::unique_ptr<Drawing> build(const Shot& shot, std::shared_ptr<const Evaluation> evaluation,
-                                 std::vector<std::string>* problems);
+                                 std::vector<std::string>* problems, bool whole = false);
   std::shared_ptr<const Evaluation> evaluationOf(const Shot& shot) const;
   void apply(const Shot& shot);
   void drop(const std::vector<script::DroppedSetting>& dropped, Shot& shot, Reload& result);
-  void replace(Shot shot, Attempt evaluated, bool scene, Reload& result);
+  void replace(Shot shot, const std::shared_ptr<const Evaluation>& evaluation, bool scene, bool whole, Reload& result);
 
   Workbench& bench_;
   Shot shot_;

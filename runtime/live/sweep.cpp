@@ -2,9 +2,11 @@
 #include "live/sweep.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "base/log.h"
+#include "image/crops.h"
 #include "image/metrics.h"
 #include "live/thumbnails.h"
 #include "math/statistics.h"
@@ -104,12 +106,34 @@ bool Sweep::draw() {
   return true;
 }
 
+// Squared error of each pixel, summed over channels and limited; errors that are not finite are the limit.
+static image::Image squaredErrors(const image::Image& color, const image::Image& truth) {
+  constexpr float kMost = 1e6f;
+  image::Image errors(color.width, color.height, 1);
+  for (size_t i = 0; i < color.values.size(); ++i) {
+    float off = color.values[i] - truth.values[i];
+    errors.values[i / size_t(color.channels)] += off * off < kMost ? off * off : kMost;
+  }
+  return errors;
+}
+
+static void measureAgainst(const image::Image& truth, SweepPoint& point) {
+  point.error = image::rootMeanSquaredError(point.color, truth);
+  const image::Image errors = squaredErrors(point.color, truth);
+  const int width = std::min(Sweep::kCrop, errors.width);
+  point.worst = image::worstWindow(errors, width, width * errors.height / errors.width);
+  point.worst_sum = 0;
+  for (int y = 0; y < point.worst.height; ++y)
+    for (int x = 0; x < point.worst.width; ++x)
+      point.worst_sum += double(errors.at(point.worst.x + x, point.worst.y + y, 0));
+}
+
 bool Sweep::measure(const GatheredTruth& shared) {
   if (!sharesTruth()) return false;
   for (SweepPoint& point : points_) {
     int samples = point.color.empty() ? 0 : shared.samples(point.shot);
     if (samples == 0 || (point.error && samples < kBetter * point.samples)) continue;
-    point.error = shared.errorOf(point.shot, point.color);
+    if (image::sameSize(point.color, shared.mean())) measureAgainst(shared.mean(), point);
     point.samples = samples;
     return true;
   }
@@ -132,8 +156,7 @@ bool Sweep::sampleOwn() {
   }
   for (SweepPoint* point : of_it) {
     point->samples = own_.samples();
-    if (image::sameSize(point->color, own_.mean()))
-      point->error = image::rootMeanSquaredError(point->color, own_.mean());
+    if (image::sameSize(point->color, own_.mean())) measureAgainst(own_.mean(), *point);
   }
   if (own_.samples() >= kOwnSamples) next();
   return true;
@@ -165,6 +188,13 @@ size_t Sweep::timed() const {
   return size_t(std::count_if(points_.begin(), points_.end(), [](const SweepPoint& point) {
     return point.ms.size() >= kRounds || !point.problem.empty();
   }));
+}
+
+const SweepPoint* Sweep::worst() const {
+  const auto most = std::max_element(points_.begin(), points_.end(), [](const SweepPoint& a, const SweepPoint& b) {
+    return a.worst_sum < b.worst_sum;
+  });
+  return samples() == 0 || most->worst_sum == 0 ? nullptr : &*most;
 }
 
 int Sweep::samples() const {

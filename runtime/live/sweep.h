@@ -3,6 +3,7 @@
 // while the window goes on. Files are read once, when they are first needed.
 #pragma once
 
+#include "image/draw.h"
 #include "lab/batch.h"
 #include "live/gathered_truth.h"
 #include "live/sweep_axis.h"
@@ -18,6 +19,8 @@ struct SweepPoint {
   std::vector<double> ms;       // device time of a frame, by round
   std::optional<double> error;  // RMSE of the linear colour against truth of `samples`
   int samples = 0;
+  image::Rectangle worst;  // crop of the shape of the picture with the largest squared error, which is `worst_sum`
+  double worst_sum = 0;
 
   std::optional<double> median() const;  // of `ms`
 };
@@ -27,6 +30,7 @@ class Sweep {
   static constexpr int kRounds = 3;       // of frames that are timed
   static constexpr int kOwnSamples = 64;  // of truths that belong to a value each
   static constexpr int kEnough = 1024;    // of the truth that all values share
+  static constexpr int kCrop = 48;        // px, width of the crop with the largest error
 
   // `shown`: what the window's truth is of. `truth`: as in GatheredTruth. Throws `Error` where there are no values or
   // the pictures are too large to be kept. The bench must outlive it.
@@ -54,6 +58,8 @@ class Sweep {
   bool samplesOwn() const { return !stopped_ && next_own_ < own_keys_.size(); }
   // Samples of the truth that errors are measured against, the least of all points; 0 while one has no error.
   int samples() const;
+  // Point with the crop of the largest error; null before the first error.
+  const SweepPoint* worst() const;
 
  private:
   bool step(const GatheredTruth& shared);

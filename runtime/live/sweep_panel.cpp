@@ -122,8 +122,12 @@ std::string progressText(const Sweep& sweep, const Desk& desk) {
       : sweep.sharesTruth()
           ? fmt::format("RMSE against {} of {}", truth, samplesText(sweep.samples(), Sweep::kEnough))
           : fmt::format("RMSE against {} of each value's own truth", samplesText(sweep.samples(), Sweep::kOwnSamples));
-  return fmt::format("{}  ·  {}  ·  ms of {} frames{}", done, against, Sweep::kRounds,
-                     software ? ", software device" : "");
+  const SweepPoint* worst = sweep.worst();
+  std::string shown =
+      worst ? fmt::format("  ·  pictures: the {}x{} px with the largest error", worst->worst.width, worst->worst.height)
+            : "";
+  return fmt::format("{}  ·  {}  ·  ms of {} frames{}{}", done, against, Sweep::kRounds,
+                     software ? ", software device" : "", shown);
 }
 
 // ---- points
@@ -138,11 +142,12 @@ bool pointButton(Desk& desk, Sweeper& sweeper, PanelState& state, size_t point, 
   return ImGui::IsItemHovered();
 }
 
-// A curve over columns; points without a value leave a gap.
+// A curve over columns; points without a value leave a gap, and points of categories are not joined.
 struct Curve {
   std::vector<std::optional<double>> values;
   double full = 1;  // at the top
   ImU32 color = 0;
+  bool joined = true;
 };
 
 void drawCurve(const Curve& curve, ImVec2 at, float column, float height) {
@@ -153,14 +158,15 @@ void drawCurve(const Curve& curve, ImVec2 at, float column, float height) {
   };
   for (size_t i = 0; i < curve.values.size(); ++i) {
     if (!curve.values[i]) continue;
-    if (i > 0 && curve.values[i - 1]) list->AddLine(place(i - 1), place(i), curve.color, 1.5f);
+    if (i > 0 && curve.joined && curve.values[i - 1]) list->AddLine(place(i - 1), place(i), curve.color, 1.5f);
   }
   for (size_t i = 0; i < curve.values.size(); ++i)
     if (curve.values[i]) list->AddCircleFilled(place(i), 3.5f, curve.color);
 }
 
 Curve curveOf(const Sweep& sweep, const std::function<std::optional<double>(const SweepPoint&)>& of, ImU32 color) {
-  Curve curve{{}, image::niceCeiling(largest(sweep, of).value_or(0)), color};
+  Curve curve{
+      {}, image::niceCeiling(largest(sweep, of).value_or(0)), color, hasRange(sweep.axes().front().declaration)};
   for (const SweepPoint& point : sweep.points()) {
     std::optional<double> value = of(point);
     curve.values.push_back(value && std::isfinite(*value) ? value : std::nullopt);
@@ -225,7 +231,8 @@ float heightOf(const Sweeper& sweeper, const Area& area) {
 
 void SweepPanel::prepare(Surface& surface, const Sweeper& sweeper, double stops) {
   if (!sweeper.isOpen()) return;
-  Made made{sweeper.serial(), sweeper.sweep().drawn(), stops};
+  Made made{sweeper.serial(), sweeper.sweep().drawn(), stops, sweeper.sweep().worst()};
+  if (made.worst) made.x = made.worst->worst.x, made.y = made.worst->worst.y;
   if (made_ == made) return;
   thumbnails_ = thumbnailsOf(sweeper.sweep(), stops);
   surface.upload(sheet_, "sweep", thumbnails_.sheet, true);

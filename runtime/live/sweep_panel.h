@@ -40,6 +40,8 @@ class SweepPanel {
     int serial = 0;
     size_t drawn = 0;
     double stops = 0;
+    const SweepPoint* worst = nullptr;
+    int x = 0, y = 0;  // of its crop
     bool operator==(const Made&) const = default;
   };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image/crops.h"
 #include "image/draw.h"
 #include "image/tone.h"
 #include "live/sweep.h"
@@ -37,15 +38,25 @@ image::Image reduced(const image::Image& linear) {
   return small;
 }
 
+// The crop with the largest error of all points, its pixels as squares; the whole picture before the first error.
+static image::Image thumbnailOf(const SweepPoint& point, const SweepPoint* worst) {
+  if (!worst || point.color.empty()) return point.thumbnail;
+  const image::Rectangle area = image::scaledCrop(worst->worst, double(point.color.width) / worst->color.width,
+                                                  double(point.color.height) / worst->color.height, point.color);
+  const image::Image small = reduced(image::crop(point.color, area));
+  return image::magnify(small, std::max(1, kCell / std::max(small.width, small.height)));
+}
+
 Thumbnails thumbnailsOf(const Sweep& sweep, double stops) {
   const auto& points = sweep.points();
+  const SweepPoint* worst = sweep.worst();
   int columns = int(std::ceil(std::sqrt(double(points.size()))));
   int rows = (int(points.size()) + columns - 1) / columns;
   Thumbnails result{image::filled(columns * kCell, rows * kCell, kEmpty), {}};
   for (size_t i = 0; i < points.size(); ++i) {
     auto [width, height] = sizeOf(points[i].shot.width, points[i].shot.height);
     int x = int(i) % columns * kCell, y = int(i) / columns * kCell;
-    const image::Image& small = points[i].thumbnail;
+    const image::Image small = thumbnailOf(points[i], worst);
     if (!small.empty()) {
       width = small.width, height = small.height;
       image::paste(result.sheet, image::toneMap(small, {float(stops)}), x, y);

@@ -162,10 +162,12 @@ static std::map<std::string, Declaration> merged(const std::vector<Report>& repo
   return all;
 }
 
-std::vector<Declaration> stale(const std::vector<Report>& reports) {
+std::vector<Declaration> stale(const std::vector<Report>& reports, bool all_pipelines) {
   std::vector<Declaration> list;
-  for (const auto& [key, one] : merged(reports))
-    if (one.seen == 0 && one.used >= kEnough) list.push_back(one);
+  for (const auto& [key, one] : merged(reports)) {
+    const bool whole = all_pipelines || one.where.starts_with("pipeline ");
+    if (whole && one.seen == 0 && one.used >= kEnough) list.push_back(one);
+  }
   return list;
 }
 

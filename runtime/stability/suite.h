@@ -50,8 +50,9 @@ struct Report {
 // Throws `Error` where the pipeline cannot be evaluated; what a single variant refuses is counted.
 Report check(lab::Batch& batch, const std::string& pipeline, const Options& options);
 
-// Declarations that none of at least twelve cases needed, of reports that share them.
-std::vector<Declaration> stale(const std::vector<Report>& reports);
+// Declarations that none of at least twelve cases needed, of reports that share them. Without `all_pipelines`, only
+// declarations of the pipelines themselves: those of passes and values may be needed by other pipelines.
+std::vector<Declaration> stale(const std::vector<Report>& reports, bool all_pipelines = true);
 
 // For the terminal, a line of counts, the failures, and how many of each invariant; the page docs/stability.md; data.
 std::string textOf(const Report& report);

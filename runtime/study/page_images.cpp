@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "base/hash.h"
+#include "image/crops.h"
 #include "image/draw.h"
 #include "image/flip.h"
 #include "image/jpeg.h"
@@ -126,7 +127,7 @@ void Collection::map(Pair& pair) const {
   Image flip = image::ldrFlip(test, reference);
   double scale_x = double(flip.width) / results_.width, scale_y = double(flip.height) / results_.height;
   auto scaled = [](int value, double scale) { return int(std::lround(value * scale)); };
-  image::Rectangle window = worstWindow(flip, scaled(kWorstWidth, scale_x), scaled(kWorstHeight, scale_y));
+  image::Rectangle window = image::worstWindow(flip, scaled(kWorstWidth, scale_x), scaled(kWorstHeight, scale_y));
   pair.worst = {scaled(window.x, 1 / scale_x), scaled(window.y, 1 / scale_y), scaled(window.width, 1 / scale_x),
                 scaled(window.height, 1 / scale_y)};
   pair.png = image::encodePng(flip);
@@ -170,23 +171,6 @@ PageImages Collection::collected() {
 }
 
 }  // namespace
-
-image::Rectangle worstWindow(const Image& map, int width, int height) {
-  width = std::clamp(width, 1, map.width), height = std::clamp(height, 1, map.height);
-  std::vector<double> sums(size_t(map.width + 1) * size_t(map.height + 1), 0);
-  auto sum = [&](int x, int y) -> double& { return sums[size_t(y) * size_t(map.width + 1) + size_t(x)]; };
-  for (int y = 0; y < map.height; ++y)
-    for (int x = 0; x < map.width; ++x)
-      sum(x + 1, y + 1) = double(map.at(x, y, 0)) + sum(x, y + 1) + sum(x + 1, y) - sum(x, y);
-  image::Rectangle worst{0, 0, width, height};
-  double most = -1;
-  for (int y = 0; y + height <= map.height; ++y)
-    for (int x = 0; x + width <= map.width; ++x) {
-      double inside = sum(x + width, y + height) - sum(x, y + height) - sum(x + width, y) + sum(x, y);
-      if (inside > most + 1e-9) most = inside, worst = {x, y, width, height};
-    }
-  return worst;
-}
 
 PageImages pageImagesOf(const Results& results, const Path& folder) { return Collection(results, folder).collected(); }
 

@@ -39,7 +39,4 @@ WrittenImages written(const std::vector<ImageSource>& sources, size_t most_bytes
 // Width and height of a worst crop, in pixels of the experiment's size.
 inline constexpr int kWorstWidth = 48, kWorstHeight = 27;
 
-// Where a window of this size has the largest sum of a map of one channel; the first of equal ones.
-image::Rectangle worstWindow(const image::Image& map, int width, int height);
-
 }  // namespace strobe::study

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "image/crops.h"
+
 namespace strobe::image {
 namespace regions_test {
 
@@ -38,6 +40,16 @@ TEST(Regions, TheLargestDifferenceHasAPlace) {
   EXPECT_EQ(largestDifference(a, b, leftMask()).value, 0.5);
   EXPECT_EQ(largestColour(b), 2);
   EXPECT_EQ(largestColour(b, leftMask()), 0.5);
+}
+
+TEST(WorstWindow, IsWhereTheMapIsLargest) {
+  Image map(20, 10, 1);
+  map.at(12, 6, 0) = 1;
+  map.at(15, 7, 0) = 1;
+  Rectangle worst = worstWindow(map, 4, 3);
+  EXPECT_TRUE(worst.x == 12 && worst.y == 5) << worst.x << ", " << worst.y << ": the first window with both";
+  worst = worstWindow(map, 40, 30);
+  EXPECT_TRUE(worst.width == 20 && worst.height == 10 && worst.x == 0);
 }
 
 TEST(Regions, WhatIsNoNumberDiffers) {

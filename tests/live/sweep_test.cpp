@@ -223,5 +223,35 @@ TEST_F(SweepTest, ThumbnailsAreMeans) {
       << "as the window's brightness has it";
 }
 
+// Whole pictures are too small for differences to show.
+TEST_F(SweepTest, ThumbnailsShowTheCropWithTheLargestError) {
+  Desk desk(bench(), options());
+  Sweeper sweeper;
+  desk.sides().set("width", "192", "window");
+  desk.sides().set("height", "108", "window");
+  sweeper.open(desk, "samples", false, {"1", "16"});
+  finish(desk, sweeper, 64);
+  const Sweep& sweep = sweeper.sweep();
+  ASSERT_TRUE(sweep.worst());
+  const image::Rectangle area = sweep.worst()->worst;
+  EXPECT_EQ(area.width, Sweep::kCrop);
+  EXPECT_EQ(area.height, 27);
+  // No other crop of any point has a larger error.
+  for (const SweepPoint& point : sweep.points())
+    for (int y = 0; y + area.height <= point.color.height; y += 9)
+      for (int x = 0; x + area.width <= point.color.width; x += 6) {
+        const image::Rectangle at{x, y, area.width, area.height};
+        double error = image::meanSquaredError(image::crop(point.color, at), image::crop(desk.truth().mean(), at));
+        EXPECT_LE(error * 3 * area.width * area.height, 1.5 * sweep.worst()->worst_sum) << x << ", " << y;
+      }
+  const Thumbnails thumbnails = thumbnailsOf(sweep, 0);
+  const image::Image& color = sweep.points()[1].color;
+  const int left = int(thumbnails.places[1][0] * float(thumbnails.sheet.width));
+  for (int x : {0, 20, 47})
+    EXPECT_NEAR(thumbnails.sheet.at(left + 4 * x + 1, 4 * 13 + 1, 0),
+                image::encodeSrgb(color.at(area.x + x, area.y + 13, 0)), 1e-5)
+        << x;
+}
+
 }  // namespace sweep_test
 }  // namespace strobe::live

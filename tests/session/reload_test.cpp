@@ -151,6 +151,68 @@ TEST_F(ReloadTest, AFileThatIsPutAwayWhileItIsSavedIsNotMissed) {
   EXPECT_NE(joined(awaited(session).problems), "") << "it stays away";
 }
 
+// Looks at the files for 40 ms, in which nothing is reloaded.
+void expectNoReload(Session& session, const std::string& what) {
+  for (int i = 0; i < 20; ++i) {
+    std::optional<Reload> told = session.reload(false);
+    EXPECT_FALSE(told) << what << ": " << joined(told->problems);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+}
+
+// The file is closed between the steps. Its first half is a mistake.
+TEST_F(ReloadTest, AFileSavedInTwoStepsIsOneReload) {
+  Session session(bench(), smallShot("mcguire2012"));
+  session.reload(false);
+  for (const std::string file : {"passes/gather/mcguire2012.lua", kGather}) {
+    const std::string before = colorHash(session), text = home_.read(file);
+    for (const std::string& first : {std::string(), text.substr(0, text.size() / 2)}) {
+      home_.write(file, first);
+      expectNoReload(session, file);
+      EXPECT_EQ(colorHash(session), before);
+      home_.write(file, text);
+      Reload told = awaited(session);
+      EXPECT_EQ(joined(told.problems), "");
+      EXPECT_EQ(joined(told.changed), file);
+    }
+    home_.remove(file);
+    expectNoReload(session, file);
+    home_.write(file, text + (file == kGather ? "// more\n" : "-- more\n"));
+    EXPECT_EQ(joined(awaited(session).problems), "");
+    EXPECT_FALSE(session.evaluates());
+    EXPECT_FALSE(session.reload(true));
+  }
+  expectColdStart(session, "after both");
+}
+
+// As a program saves all files that it holds.
+TEST_F(ReloadTest, FilesSavedOneAfterAnotherAreOneReload) {
+  Session session(bench(), smallShot("hybrid"));
+  session.reload(false);
+  const std::string before = colorHash(session), good = home_.read("shaders/mask/relative.glsl");
+  home_.write("shaders/mask/relative.glsl", "void run(ivec2 pixel) { nonsense }");
+  home_.edit("shaders/composite/layered.glsl", "fromSum(sum / n)", "fromSum(0.5 * sum / n)");
+  expectNoReload(session, "a mistake in one of two files");
+  EXPECT_EQ(colorHash(session), before);
+  home_.write("shaders/mask/relative.glsl", good);
+  Reload told = awaited(session);
+  EXPECT_EQ(joined(told.problems), "");
+  EXPECT_EQ(joined(told.rebuilt), "composite");
+  EXPECT_EQ(told.changed.size(), 2u);
+  expectColdStart(session, "after both");
+}
+
+TEST_F(ReloadTest, AValueSetBeforeAFailureIsShownStays) {
+  Session session(bench(), smallShot("mcguire2012"));
+  session.reload(false);
+  home_.write("passes/gather/mcguire2012.lua", "return");
+  expectNoReload(session, "a mistake");
+  session.set("samples", "8", "window");
+  const std::string of_eight = colorHash(session);
+  EXPECT_NE(joined(awaited(session).problems).find("mcguire2012.lua"), std::string::npos);
+  EXPECT_EQ(colorHash(session), of_eight);
+}
+
 TEST_F(ReloadTest, ABrokenShaderKeepsThePicture) {
   Session session(bench(), smallShot("mcguire2012"));
   session.reload(false);

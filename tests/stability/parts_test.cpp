@@ -7,6 +7,7 @@
 
 #include "stability/box_filter.h"
 #include "stability/shrink.h"
+#include "stability/suite.h"
 #include "stability/variants.h"
 
 namespace strobe::stability {
@@ -49,6 +50,21 @@ TEST(MeanAlong, IsWhatVeryManySamplesGive) {
       }
       EXPECT_NEAR(meanAlong(picture, 20, 19, d[0], d[1], window).color[0], sum / count, 1e-3) << d[0] << " " << d[1];
     }
+}
+
+// ---- declarations
+
+// A pipeline that is checked alone need not need what its passes and values declare.
+TEST(Stale, NamedPipelinesAreNotChargedWithWhatOthersMayNeed) {
+  Report report;
+  for (const char* where : {"pipeline smear", "pass shade", "color_format = fp16"})
+    report.declarations[where] = {where, "linear", "rounded", 12, 0};
+  report.declarations["needed"] = {"pipeline smear", "convex", "rounded", 12, 1};
+  report.declarations["too few cases"] = {"pipeline smear", "still", "rounded", 11, 0};
+  EXPECT_EQ(stale({report}).size(), 3u);
+  std::vector<Declaration> own = stale({report}, false);
+  ASSERT_EQ(own.size(), 1u);
+  EXPECT_EQ(own[0].where, "pipeline smear");
 }
 
 // ---- shrinking

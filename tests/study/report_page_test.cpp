@@ -89,16 +89,6 @@ page::Library library() { return {"window.d3 = {};", "a library", "its licence *
 
 // ---- data
 
-TEST(WorstWindow, IsWhereTheMapIsLargest) {
-  Image map(20, 10, 1);
-  map.at(12, 6, 0) = 1;
-  map.at(15, 7, 0) = 1;
-  image::Rectangle worst = worstWindow(map, 4, 3);
-  EXPECT_TRUE(worst.x == 12 && worst.y == 5) << worst.x << ", " << worst.y << ": the first window with both";
-  worst = worstWindow(map, 40, 30);
-  EXPECT_TRUE(worst.width == 20 && worst.height == 10 && worst.x == 0);
-}
-
 size_t bytesOf(const WrittenImages& images) {
   size_t bytes = 0;
   for (const std::string& url : images.urls) bytes += url.size();
