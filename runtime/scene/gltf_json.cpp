@@ -143,7 +143,7 @@ size_t GltfJson::size(const Json& object, const std::string& key, std::optional<
   return size_t(*value);
 }
 
-std::vector<double> sharesOf(const GltfFile& file, const Json& object, const std::string& key,
+std::vector<double> sharesOf(const GltfJson& file, const Json& object, const std::string& key,
                              std::vector<double> fallback, const std::string& where) {
   std::vector<double> values = file.numbers(object, key, std::move(fallback), where);
   for (double value : values)
@@ -151,7 +151,7 @@ std::vector<double> sharesOf(const GltfFile& file, const Json& object, const std
   return values;
 }
 
-std::vector<double> cutsOf(const GltfFile& file, const Json& object, const std::string& where) {
+std::vector<double> cutsOf(const GltfJson& file, const Json& object, const std::string& where) {
   if (!object.is_object() || !object.contains("extras")) return {};
   const Json& extras = object["extras"];
   const std::string place = where + ".extras";
