@@ -16,12 +16,21 @@ local tiles            = require "scripts.pipelines.lib.tiles"
 
 local layers = {}
 
+-- Velocity interval of each cell of a layer.
+local function bounds_of(layer, name)
+  return motion_bounds {
+    velocity = layer.velocity, after_velocity = layer.after_velocity, curve = layer.curve, valid = layer.valid,
+    all_count = not layer.valid or nil, as = name,
+  }.bounds
+end
+
 -- Pixels that a silhouette uncovers, by its motion relative to its background.
 function layers.disocclusion_mask(raster)
   local motions, farthest = tiles.motions(raster)
   local reach = longest_motion { longest = motions, as = "mask_longest_motion" }.reach
   local near = near_motions { motions = motions, farthest = farthest, reach = reach }
   local bounds = motion_bounds { velocity = raster.velocity, all_count = true, as = "mask_bounds" }.bounds
+  if not (raster.curve or raster.after_velocity) then raster.bounds = bounds end
   local ids = id_bounds { id = raster.id, as = "mask_ids" }.ids
   local crossing = crossing_motions {
     bounds = bounds, ids = ids, reach = reach,
@@ -49,19 +58,17 @@ end
 
 -- Cells through which anything moves; the composite copies the others.
 local function moving_cells(raster, revealed, images, slowest)
-  local function bounds(layer, name)
-    return motion_bounds {
-      velocity = layer.velocity, after_velocity = layer.after_velocity, curve = layer.curve, valid = layer.valid,
-      all_count = not layer.valid or nil, as = name,
-    }.bounds
+  -- Those of the mask, unless it took the paths to be straight and even where they are not.
+  local is_simple = raster.bounds and not (raster.curve or raster.after_velocity)
+  local bounds = is_simple and raster.bounds or bounds_of(raster, "raster_bounds")
+  local reach = images.reach
+  if images.after_dominant then
+    reach = longest_motion { longest = images.dominant, after = images.after_dominant, as = "longest_of_all" }.reach
   end
   return motion_reach {
-    behind_bounds = bounds(revealed, "revealed_bounds"), bounds = bounds(raster, "raster_bounds"), slowest = slowest,
+    behind_bounds = bounds_of(revealed, "revealed_bounds"), bounds = bounds, slowest = slowest,
     dominant = images.dominant, after_dominant = images.after_dominant,
-    second = images.second, after_second = images.after_second,
-    reach = longest_motion {
-      longest = images.dominant, curve = images.dominant_curve, after = images.after_dominant, as = "longest_of_all",
-    }.reach,
+    second = images.second, after_second = images.after_second, reach = reach,
   }
 end
 

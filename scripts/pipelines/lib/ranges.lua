@@ -42,7 +42,7 @@ function ranges.after(layer)
   if layer.after then return layer.after end
   local after = scene.layer {}
   for key, value in pairs(layer) do after[key] = value end
-  after.velocity, after.after_velocity, after.motions = layer.after_velocity, nil, nil
+  after.velocity, after.after_velocity, after.motions, after.bounds = layer.after_velocity, nil, nil, nil
   layer.after = after
   return after
 end
