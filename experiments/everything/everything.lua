@@ -7,7 +7,7 @@ local sequences = require "strobe.sequences"
 -- Why a failed expectation fails.
 local gather = "in one gather is as good here, where nothing but the vase moves"
 
-local count = 128
+local count = 64
 local knobs = {
   { "samples", { 4, 8, 16, 32 } },
   { "tile", { 10, 20, 40 } },
@@ -168,7 +168,7 @@ matters("composite", 1.3)
 matters("weights", 1.1)
 matters("samples", 1.1)
 matters("advance", 1.1)
-hardly_matters("tile", 1.15, "128 points do not quite cancel the other knobs: by itself it changes less (samples)")
+hardly_matters("tile", 1.15, "64 points do not quite cancel the other knobs: by itself it changes less (samples)")
 for _, name in ipairs { "edge", "on_cap", "jitter" } do hardly_matters(name, 1.15) end
 
 return experiment {

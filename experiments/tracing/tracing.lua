@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- What rays cost, by backend.
+-- The cost of rays, by backend.
 local experiment = require "strobe.experiment"
 
 local list = experiment.list

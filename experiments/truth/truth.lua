@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- What truth through whole pixels costs for an error: every ray traced, or what is known spared.
+-- The cost of truth through whole pixels for an error: every ray traced, or known ones spared.
 --   strobe sweep experiments/truth/truth.lua -o out/truth
 local experiment = require "strobe.experiment"
 

@@ -25,7 +25,7 @@ return pass.trace {
   without = { motion = { picture = "seen" }, reached = { picture = "seen" } },
   params = {
     audit      = pass.float { 0.01, min = 0, max = 1,
-      doc = "share of the blocks of 4x2 pixels that motion may reach, in which rays check what layers explain" },
+      doc = "share of the blocks of 4x2 pixels within reach of motion whose resolved samples are checked by rays" },
     wrong_by   = pass.float { 0.1, min = 0, max = 1,
       doc = "share of its colour by which the mean of a pixel's explained samples may be off" },
     shades_unlike = captured_color.shades_unlike,

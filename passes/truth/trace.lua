@@ -53,7 +53,7 @@ return pass.trace {
     surveys = pass.bool { false, wired = true,
       doc = "before a moving camera, see and keep what the capture shows: a second ray, and its shadows" },
     audit = pass.float { 0.01, min = 0, max = 1,
-      doc = "share of the blocks of 4x2 pixels in which every ray is traced, to check what is known without" },
+      doc = "share of the blocks of 4x2 pixels that trace every ray, to check the rays that others are spared" },
     once_where_still = pass.bool { false, role = "still_once",
       doc = "what nothing in motion reaches is sampled once, for all samples: right for centres under frozen shading" },
     mark_regions = pass.bool { true, doc = "find the regions in which methods differ; one more ray per sample" },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Blocks of pixels in which every ray is traced, to check what is known without: drawn by chance, the same each time.
+// Blocks of pixels that trace every ray, to check the rays that others are spared. Drawn by chance, the same each time.
 #ifndef STROBE_AUDIT_GLSL
 #define STROBE_AUDIT_GLSL
 #include "lib/random.glsl"

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- What docs/derivations.md states of pictures: composites and caps in the living room, and the published composite on
--- harsh stripes that move against each other.
+-- Pictures that docs/derivations.md gives numbers of: composites and caps in the living room, and the published composite
+-- on harsh stripes that move against each other.
 local experiment = require "strobe.experiment"
 
 local in_stripes = { ["seed_linear"] = true, ["seed_linear, own edge"] = true }

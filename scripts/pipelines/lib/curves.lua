@@ -45,10 +45,9 @@ local function curve_of(p, name, layer)
   return path_curve(images)
 end
 
--- Gives each of the layers, { name, layer (plain tables: depth, id, velocity, perhaps hit, normal, seen_at) }, its curve, and
--- what that does not say: bend, bent. From poses inside of the exposure; or from those of earlier frames, and then its
--- velocity too. The loop over the poses is called after the first layer, or `inside`, or as `loop_name` says. Nothing where
--- paths are lines.
+-- Adds `curve`, `bend` and `bent` to each of the layers, { name, layer (plain tables: depth, id, velocity, perhaps hit, normal,
+-- seen_at) }: from poses inside of the exposure, or from poses of earlier frames, which give a velocity too. The loop over
+-- the poses is named after the first layer, or `inside`, or `loop_name`. Does nothing where paths are lines.
 function curves.add(p, layers, loop_name)
   if not curves.are_asked(p) then return end
   local foretold = curves.are_foretold(p)
