@@ -9,7 +9,7 @@ local base, own_times = "layers of the capture", "+ rays where no layer explains
 local parts = {
   { "four revealed layers", { revealed_layers = 4 } },
   { "layers of the ends", { end_layers = true } },
-  { "paths of third order", { trajectory = "cubic" } },
+  { "curved paths", { trajectory = "arc" } },
   { "no limit", { limit = "auto" } },
 }
 

@@ -26,7 +26,7 @@ return function(name, joined)
     params = {
       cell_side = blur.cell_side,
       limit     = blur.limit,
-      trajectory = blur.trajectory,
+      trajectory = blur.trajectory { wired = true },
       all_count = not joined and param.bool { false, wired = true, role = "within_reach",
         doc = "`valid` is absent, so that cells at rest lie between zeros" } or nil,
     },

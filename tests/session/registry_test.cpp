@@ -70,7 +70,7 @@ const std::map<std::string, std::vector<Context>> kContexts = {
     {"selective",
      {{{"effort=0"}, {}},
       {{"effort=0", "jitter=hash", "frame=1"}, {"jitter_frame"}},
-      {{"effort=0", "scene=bent", "anchor=centre"}, {"displacement", "trajectory"}},
+      {{"effort=0", "scene=bent", "anchor=centre"}, {"displacement"}},
       {{"effort=0", "anchor=centre"}, {"gather_jimenez2014.mirror"}},
       {{"effort=0", "tile=8"}, {"tile_rule"}},
       {{}, {"preset"}},
@@ -89,7 +89,7 @@ const std::map<std::string, std::vector<Context>> kContexts = {
       kJitter,
       kBent,
       {{"scene=bent", "anchor=centre", "mask=all"}, {"range"}},
-      {{"scene=solids", "trajectory=cubic"}, {}},
+      {{"scene=solids", "trajectory=quadratic"}, {}},
       {{"termination=luminance", "advance=origin_kept", "mask=all"}, {"tolerance", "max_layers", "advance"}},
       {{"termination=motion", "advance=origin_kept", "mask=all"}, {"same_motion"}},
       {{"termination=luminance", "advance=origin_kept", "mask=all", "max_layers=1", "tolerance=0.5"}, {"on_cap"}},
@@ -131,8 +131,6 @@ const std::map<std::string, std::vector<Context>> kContexts = {
       {{"samples=256", "tolerance=0.1"}, {"tolerance"}}}},
 };
 
-const char* const kLines = "of this pipeline all paths are lines";
-
 // Parameters that change how a picture comes about and never the picture, with the reason.
 const std::map<std::string, std::string> kNoPicture = {
     {"shade.shading", "at the capture both ways of shading are the same; truth shades at other times"},
@@ -146,9 +144,6 @@ const std::map<std::string, std::string> kNoPicture = {
     {"truth_audit.audit", "which tiles are checked; which have all samples is decided before"},
     {"own_time.audit", "which pixels are checked"},
     {"own_time.wrong_by", "what a check counts"},
-    {"temporal1: tile_max.trajectory", kLines},
-    {"temporal1: longest_motion.trajectory", kLines},
-    {"temporal1: neighbour_max.trajectory", kLines},
     {"neighbour_max.seen_at", "of curved paths alone, from another time than that at which a layer has things"},
     {"visibility_moving.only_moving", "what is at rest is passed over when it is drawn too"},
     {"uniform_motion.audit_rays", "which cells are checked; where no ray finds anything they stay what they are"},

@@ -108,6 +108,7 @@ function hybrid.params()
                 "where the other is sampled.",
       } },
     range       = ranges.param,
+    trajectory  = layered.params.trajectory,
     weights     = choice(gathers.choice("uniform", "of the taps, under alpha_over")),
     directions  = mcguire2012.params.directions,
     composite   = choice(composite_choice()),
