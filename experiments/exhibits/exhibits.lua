@@ -5,12 +5,12 @@ local experiment = require "strobe.experiment"
 
 local none, bevy, mcguire, best = "no vectors", "Bevy", "McGuire 2012", "hybrid, best"
 local short, ue4, last_frame = "UE4-style, limit 0.05", "UE4-style", "McGuire 2012, last frame's path"
-local straight, cubic = "layers, straight paths", "layers, cubic paths"
+local straight, curved = "layers, straight paths", "layers, curved paths"
 local frozen = "truth, light of the capture"
 
 -- What is drawn in each exhibit: what goes wrong first, to which times are ratios; then what mends it.
 local drawn = {
-  wheel      = { { straight }, { cubic, best } },
+  wheel      = { { straight }, { curved, best } },
   silhouette = { { bevy }, { mcguire, best } },
   halo       = { { mcguire, ue4 }, { best } },
   glass      = { { mcguire }, { best } },
@@ -82,7 +82,7 @@ return experiment {
   shots    = labelled {
     { name = "wheel", title = "1 Wheels blur in straight lines", scene = "objects/spoked_wheel", ["scene.pixels"] = 40,
       note = "A displacement is a straight line, on which a spoke that turns by 45 degrees grows and shrinks. Mended by " ..
-             "paths of third order (trajectory=cubic) where layers are composed, or by rays at their own time." },
+             "curved paths (trajectory=arc) where layers are composed, or by rays at their own time." },
     { name = "silhouette", title = "2 Blur stops at the silhouette", scene = "living_room", camera = "main",
       ["scene.pixels"] = 26,
       note = "Each pixel gathers along its own displacement, and beside the vase that is zero. Dominant displacements of " ..
@@ -139,7 +139,7 @@ return experiment {
     { name = mcguire, pipeline = "mcguire2012" },
     { name = ue4, pipeline = "ue4" },
     { name = straight, pipeline = "experiments/pipelines/hybrid_steps.lua", set = { ["composite.taps"] = "linear", mask = "moving" } },
-    { name = cubic, pipeline = "experiments/pipelines/hybrid_steps.lua", set = { ["composite.taps"] = "linear", mask = "moving", trajectory = "cubic" } },
+    { name = curved, pipeline = "experiments/pipelines/hybrid_steps.lua", set = { ["composite.taps"] = "linear", mask = "moving", trajectory = "arc" } },
     { name = best, pipeline = "hybrid_traced" },
     { name = frozen, pipeline = "ground_truth", role = "floor",
       set = { samples = 256, times = "stratified", shading = "frozen" } },
@@ -160,7 +160,7 @@ return experiment {
   measures = { "rmse", "flip", "rays", "ms_ratio", "displacement", "clamped", "change_rms" },
   rounds   = 7,
   expect   = {
-    mends("wheel", straight, cubic, 0.75), mends("wheel", straight, best, 0.5),
+    mends("wheel", straight, curved, 0.75), mends("wheel", straight, best, 0.5),
     mends("silhouette", bevy, mcguire, 0.8, { region = "outer" }), mends("silhouette", bevy, best, 0.2),
     mends("halo", mcguire, best, 0.5), mends("halo", ue4, best, 0.5),
     mends("glass", mcguire, best, 0.5),

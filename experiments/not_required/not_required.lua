@@ -7,7 +7,7 @@ local base, own_times = "layers of the capture", "+ rays where no layer explains
 
 -- Parts of the hybrid that a panel which slides before a wall does not need.
 local parts = {
-  { "paths of third order", { trajectory = "cubic" } },
+  { "curved paths", { trajectory = "arc" } },
   { "no limit", { limit = "auto" } },
 }
 

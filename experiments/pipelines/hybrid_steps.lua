@@ -6,8 +6,10 @@ local candidate   = require "passes.mask.candidate"
 local constant    = require "passes.mask.constant"
 local moving      = require "passes.mask.moving"
 local range_check = require "passes.mask.range_check"
+local layered     = require "passes.composite.layered"
 local reveal      = require "passes.scene.reveal"
 local mcguire2012 = require "passes.gather.mcguire2012"
+local curves      = require "scripts.pipelines.lib.curves"
 local edges       = require "scripts.pipelines.lib.edges"
 local gathers     = require "scripts.pipelines.lib.gathers"
 local layers      = require "scripts.pipelines.lib.layers"
@@ -72,6 +74,7 @@ return pipeline {
     weights      = pipeline.choice(gathers.choice("uniform", "of the taps, under composite = alpha_over")),
     directions   = mcguire2012.params.directions,
     range        = ranges.param,
+    trajectory   = layered.params.trajectory,
   }),
   compare_with = "mcguire2012",
   build = function(p)
@@ -81,6 +84,7 @@ return pipeline {
     local found = layers.revealed(raster, mask, p.mask() == "disocclusion")
     local revealed = layers.divided(p, found)
     local composite = pass.member("composite", p.composite())
+    curves.require(p, composite, "composite = " .. p.composite())
     local apart = pass.reads(composite, "front")
     if not apart then layers.bend(p, moved, revealed) end
     local images = apart and blurred(p, moved, revealed) or layers.images(p, moved, revealed, composite)

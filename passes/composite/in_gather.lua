@@ -14,7 +14,7 @@ return pass.compute {
            "may be missed, above all if it moves against them. The background is taken to move as it does at the " ..
            "pixel: wrong where two backgrounds meet or where it turns. One layer behind the first, no more.",
   size   = { of = "color" },
-  reads  = ports.of_both({ "curve", "revealed_curve", "dominant_curve", "dominant_place" }, {
+  reads  = ports.of_both({}, {
     id          = { uint = true, doc = "instance + 1, geometry + 1; sky = 0" },
     revealed_id = { uint = true, doc = "instance + 1, geometry + 1; sky = 0" },
   }),
@@ -24,7 +24,6 @@ return pass.compute {
     samples      = blur.samples { doc = "time samples" },
     tile         = blur.tile,
     limit        = blur.limit,
-    trajectory   = blur.trajectory,
     depth_extent = blur.depth_extent,
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,

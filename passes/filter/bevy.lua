@@ -13,13 +13,12 @@ return pass.compute {
     .. "background is the picture from outside. Nearer things that move along the same line count although they never "
     .. "come to the pixel, since which way they go is not asked.",
   size   = { of = "color" },
-  reads  = ports.of { "color", "depth", "velocity", "curve" },
+  reads  = ports.of { "color", "depth", "velocity" },
   writes = ports.picture,
   without = ports.still,
   params = {
     samples      = blur.samples { doc = "taps along the displacement" },
     limit        = blur.limit,
-    trajectory   = blur.trajectory,
     copy_below   = pass.float { 1, min = 0, max = 16, unit = "px",
       doc = "a pixel that moves less than this over the exposure is copied, as is one that moves half a pixel or less" },
     jitter       = jitter.jitter,

@@ -9,15 +9,12 @@ local more = {
   id = { uint = true, doc = "instance + 1, geometry + 1; sky = 0" },
   dominant      = { optional = true, doc = "px over the exposure, per tile, of the first two layers; absent: own ones only" },
   deep_dominant = { optional = true, doc = "the same of the layers behind them" },
-  deep_dominant_curve = { optional = true, needs = "deep_dominant_curve", doc = "of its path, px; absent: a line" },
-  deep_dominant_place = { optional = true, needs = "deep_dominant_curve", doc = "px, the texel that has it" },
 }
 for number = 2, 4 do
   local layer = ("layer_%d_"):format(number)
   more[layer .. "color"]    = { optional = true, doc = "linear, of the next surface behind; absent: there is none" }
   more[layer .. "depth"]    = { optional = true, doc = "linear view depth, metres, sky = +inf" }
   more[layer .. "velocity"] = { optional = true, doc = "px over the exposure" }
-  more[layer .. "curve"]    = { optional = true, needs = layer .. "curve", doc = "of its path, px; absent: lines" }
 end
 
 return pass.compute {
@@ -32,17 +29,15 @@ return pass.compute {
     mirrored = "of displacements equally long, and of surfaces equally deep, those first in raster order count",
   },
   size   = { of = "color" },
-  reads  = ports.of({ "color", "depth", "velocity", "curve", "dominant_curve", "dominant_place" }, more),
+  reads  = ports.of({ "color", "depth", "velocity" }, more),
   writes = ports.picture,
   without = ports.still,
   params = {
     samples      = blur.samples { doc = "time samples" },
     tile         = blur.tile,
     limit        = blur.limit,
-    trajectory   = blur.trajectory,
     agreement    = pass.float { 1, min = 0, max = 1000, unit = "px",
-      doc = "a texel counts whose displacement is no farther than this from the one that led to it; on curves one that " ..
-        "comes as near to the pixel" },
+      doc = "a texel counts whose displacement is no farther than this from the one that led to it" },
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
   },

@@ -17,7 +17,7 @@ return pass.compute {
     .. "background in them is the picture from outside. Things that move along neither of the two directions stay "
     .. "sharp or leave noise, and half of the samples see each direction.",
   size   = { of = "color" },
-  reads  = ports.of_layer({ "second", "slowest", "curve", "dominant_curve" }, {
+  reads  = ports.of_layer({ "second", "slowest" }, {
     variance = { optional = true, doc = "0 (alike) to 1, of directions, per tile; absent: half of the samples" },
   }),
   writes = ports.layer,
@@ -33,7 +33,6 @@ return pass.compute {
       breaks = { two = { reversed = every_other } } },
     tile         = blur.tile,
     limit        = blur.limit,
-    trajectory   = blur.trajectory,
     depth_extent = blur.depth_extent,
     kappa        = pass.float { 40, min = 1e-3, max = 1e6,
       doc = "the pixel itself weighs samples / (kappa * its radius): larger hides what is at rest under blur" },

@@ -14,7 +14,7 @@ return pass.compute {
     .. "second time; outside, the background under a blurred object comes from the opposite side. Motions that cross "
     .. "the dominant one are blurred along it.",
   size   = { of = "color" },
-  reads  = ports.of_layer { "slowest", "curve", "dominant_curve" },
+  reads  = ports.of_layer { "slowest" },
   writes = ports.layer,
   without = ports.still,
   params = {
@@ -27,7 +27,6 @@ return pass.compute {
       } },
     tile         = blur.tile { 16 },
     limit        = blur.limit,
-    trajectory   = blur.trajectory,
     depth_extent = blur.depth_extent { doc = "share of the depth over which order is undecided" },
     mirror       = pass.bool { true, doc = "the nearer and faster tap of a pair gives both their weight" },
     direction    = pass.choice { "none", "projected", "cosine", "opposing", default = "none",

@@ -19,7 +19,7 @@ return pass.compute {
     converging = "opacity grows with the number of samples: the pixel itself weighs as much however many there are",
   },
   size   = { of = "color" },
-  reads  = ports.of_layer { "second", "curve", "dominant_curve" },
+  reads  = ports.of_layer { "second" },
   writes = ports.layer,
   without = ports.still,
   params = {
@@ -33,7 +33,6 @@ return pass.compute {
       breaks = { two = { reversed = every_other } } },
     tile         = blur.tile,
     limit        = blur.limit,
-    trajectory   = blur.trajectory,
     depth_extent = blur.depth_extent,
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,

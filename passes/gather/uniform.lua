@@ -14,14 +14,13 @@ return pass.compute {
     .. "moves under a moving silhouette the product of two means is not the mean of the product. Motions that cross "
     .. "the dominant one by more than 3/4 px are not found.",
   size   = { of = "color" },
-  reads  = ports.of_layer { "after_velocity", "after_dominant", "curve", "dominant_curve" },
+  reads  = ports.of_layer { "after_velocity", "after_dominant" },
   writes = ports.layer,
   without = ports.still,
   params = {
     samples      = blur.samples { doc = "taps along the displacement" },
     tile         = blur.tile,
     limit        = blur.limit,
-    trajectory   = blur.trajectory,
     depth_extent = blur.depth_extent,
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,

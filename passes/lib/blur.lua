@@ -16,18 +16,15 @@ return {
   depth_extent = param.float { 0.01, min = 1e-6, max = 1, role = "depth_tolerance",
     doc = "share of the depth over which two depths count as one" },
 
-  trajectory = param.choice { "line", "quadratic", "cubic", "arc", default = "line",
+  trajectory = param.choice { "line", "quadratic", "arc", default = "line",
     doc = "how a point goes over the picture within the exposure; with displacement = extrapolated, as places in earlier " ..
       "frames tell",
     values = {
       line = "In a straight line at an even pace. Fails where things turn: wheels blur in straight lines.",
       quadratic = "On a parabola, through its places at the ends and in the middle, or in this frame and the two before it. " ..
         "Fails beyond a sixth of a turn.",
-      cubic = "On a curve of third order, from five poses, or this frame's and those of three before it. Fails beyond about " ..
-        "a third of a turn.",
       arc = "On an arc about a centre that may go along a line, from seven poses: what turns in the picture, wheels that " ..
-        "roll, up to one and a quarter turns. Needs displacement = window. Fails where circles are seen aslant: cubics are " ..
-        "nearer to these.",
+        "roll, up to one and a quarter turns. Needs displacement = window. Fails where circles are seen aslant.",
     } },
 
   seen_at = param.choice { "capture", "start", "finish", default = "capture",

@@ -1,7 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- How paths are curved over the exposure, as poses of earlier frames foretell it.
 local pass       = require "strobe.pass"
-local blur       = require "passes.lib.blur"
 local followed   = require "passes.lib.followed"
 local stored     = require "passes.lib.stored"
 local path_curve = require "passes.scene.path_curve"
@@ -11,7 +10,7 @@ local straight = { velocity = "velocity", bend = 0, bent = 0, curve = 0 }
 return pass.compute {
   name   = "earlier_curve",
   shader = "scene/earlier_curve",
-  doc    = "Polynomials in time for the paths of the surfaces of a layer, through their places in this frame and earlier ones",
+  doc    = "Parabolas for the paths of the surfaces of a layer, through their places in this frame and the two before it",
   size   = { of = "velocity" },
   scene  = true,
   reads  = followed,
@@ -19,12 +18,11 @@ return pass.compute {
     velocity = { format = stored.velocity, doc = "px between the ends of the curve; what is straight keeps its own" },
     bend = { format = stored.velocity, doc = "px in the middle of the exposure" },
     bent = { format = "r8_unorm", doc = "1 where an end of the exposure is not where the curve has it; true poses tell" },
-    curve = { format = "rgba32f", doc = "px: b and c of 4 u (1 - u) (b + (2u - 1) c), by which a path leaves its line" },
+    curve = { format = "rgba32f", doc = "px: b of 4 u (1 - u) b, by which a path leaves its line" },
   },
   without = { motion = straight, curves = straight },
   params = {
     velocity_format = stored.velocity_format,
-    trajectory  = blur.trajectory,
     most_bend   = path_curve.params.most_bend,
     most_growth = path_curve.params.most_growth,
   },

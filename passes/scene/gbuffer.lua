@@ -25,7 +25,7 @@ return pass.compute {
         window = "The true poses at both ends of the exposure. Fails where the motion bends within it.",
         extrapolated = "The path since the frame before the capture, times the exposure in frames: all that a renderer " ..
                        "knows that keeps one frame. Fails where the velocity changes from frame to frame, and at the " ..
-                       "first frame of a clip. With a trajectory of second or third order more frames are kept.",
+                       "first frame of a clip. With trajectory = quadratic two frames are kept.",
       } },
   },
   counters = {

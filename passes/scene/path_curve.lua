@@ -8,14 +8,14 @@ local stored   = require "passes.lib.stored"
 return pass.compute {
   name   = "path_curve",
   shader = "scene/path_curve",
-  doc    = "Polynomials in time, or arcs, for the paths of the surfaces of a layer, through poses inside of the exposure",
+  doc    = "Parabolas, or arcs, for the paths of the surfaces of a layer, through poses inside of the exposure",
   size   = { of = "velocity" },
   scene  = true,
   reads  = followed,
   writes = {
     bend = { format = stored.velocity, doc = "px in the middle of the exposure" },
     bent = { format = "r8_unorm", doc = "1 where the curve does not say where the surface is" },
-    curve = { format = "rgba32f", doc = "px: b and c of 4 u (1 - u) (b + (2u - 1) c), by which a path leaves its line; " ..
+    curve = { format = "rgba32f", doc = "px: b of 4 u (1 - u) b, by which a path leaves its line; " ..
       "of arcs b, and the logarithm of a factor and radians by which it grows and turns over the exposure" },
   },
   without = { motion = { bend = 0, bent = 0, curve = 0 }, curves = { bend = 0, bent = 0, curve = 0 },
@@ -30,6 +30,6 @@ return pass.compute {
       doc = "to how much a side of a pixel of a surface may grow; a filter's taps have holes beyond" },
   },
   counters = { velocity_clamped = stored.counters.velocity_clamped },
-  fails  = "What turns by more than about a third of a turn leaves a cubic, and a quadratic from a sixth of a turn on; " ..
-    "an arc is left by what turns aslant to the picture, and by what turns by more than one and a quarter turns.",
+  fails  = "A parabola is left by what turns by more than a sixth of a turn; " ..
+    "an arc by what turns aslant to the picture, and by what turns by more than one and a quarter turns.",
 }

@@ -18,5 +18,5 @@ return pass.compute {
   },
   writes = { reach = { format = "r32f", doc = "px over the exposure, one texel" } },
   without = { motion = { reach = 0 } },
-  params = { trajectory = blur.trajectory },
+  params = { trajectory = blur.trajectory { wired = true } },
 }

@@ -21,7 +21,7 @@ return pass.compute {
   params = {
     cell_side = blur.cell_side,
     limit     = blur.limit,
-    trajectory = blur.trajectory,
+    trajectory = blur.trajectory { wired = true },
     all_count = pass.bool { false, wired = true, role = "within_reach",
       doc = "`valid` is absent, so that cells at rest lie between zeros" },
   },

@@ -29,7 +29,7 @@ return pass.compute {
   params = {
     tile  = blur.tile,
     limit = blur.limit,
-    trajectory = blur.trajectory,
+    trajectory = blur.trajectory { wired = true },
     seen_at = blur.seen_at,
     rule  = pass.choice { "reach", "sign", "all", default = "reach", doc = "which of the tiles around count",
       values = {

@@ -9,10 +9,7 @@ return pass.compute {
   doc    = "Length of the longest displacement whose tile comes over each tile within the exposure",
   fails  = "A tile is judged by its longest displacement, and its way is the line of its centre: two that cross in it are one.",
   size   = { of = "longest" },
-  reads  = {
-    longest = { doc = "px over the exposure, longest of each tile" },
-    curve = { optional = true, needs = "curve", doc = "of its path, px; absent: lines" },
-  },
+  reads  = { longest = { doc = "px over the exposure, longest of each tile" } },
   updates = { length = { format = "r32ui", doc = "px over the exposure, the bits of a float; 0: nothing" } },
-  params = { tile = blur.tile, trajectory = blur.trajectory },
+  params = { tile = blur.tile },
 }

@@ -1,7 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- The longest displacement that was scattered to a tile or beside it, as Unity's HDRP does it.
 local pass = require "strobe.pass"
-local blur = require "passes.lib.blur"
 
 return pass.compute {
   name   = "scatter_max",
@@ -11,13 +10,8 @@ return pass.compute {
   size   = { of = "longest" },
   reads  = {
     longest = { doc = "px over the exposure, longest of each tile" },
-    curve = { optional = true, needs = "curve", doc = "of its path, px; absent: lines" },
     source  = { uint = true, doc = "tile that the longest comes from, of scatter_source" },
   },
-  writes = {
-    dominant = { format = "rg32f", doc = "px over the exposure" },
-    dominant_curve = { format = "rgba32f", doc = "of its path, px" },
-  },
-  without = { motion = { dominant = 0, dominant_curve = 0 } },
-  params = { trajectory = blur.trajectory },
+  writes = { dominant = { format = "rg32f", doc = "px over the exposure" } },
+  without = { motion = { dominant = 0 } },
 }

@@ -11,10 +11,9 @@ return pass.compute {
   size   = { of = "longest" },
   reads  = {
     longest = { doc = "px over the exposure, longest of each tile" },
-    curve = { optional = true, needs = "curve", doc = "of its path, px; absent: lines" },
     length  = { uint = true, doc = "of the longest that comes to each tile, of scatter_length" },
   },
   updates = { source = { format = "r32ui",
     doc = "number of tiles less that of the tile in raster order; 0: none" } },
-  params = { tile = blur.tile, trajectory = blur.trajectory },
+  params = { tile = blur.tile },
 }

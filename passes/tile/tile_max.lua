@@ -27,7 +27,7 @@ return pass.compute {
   params = {
     tile  = blur.tile,
     limit = blur.limit,
-    trajectory = blur.trajectory,
+    trajectory = blur.trajectory { wired = true },
   },
   counters = { clamped = {
     doc   = "pixels (of either layer) that move farther than the limit",

@@ -188,7 +188,7 @@ static double offTheForetold(const Track8& box, const std::vector<double>& times
 }
 
 // How far a corner is at most from the straight and even way between the ends of the exposure. A line through the
-// capture is off by as much, and a parabola, a cubic or an arc through poses on the way by at most about as much again.
+// capture is off by as much, and a parabola or an arc through poses on the way by at most about as much again.
 static double offTheLine(const Track8& box, const std::vector<double>& times, const ExposedFrame& frame) {
   double off_px = 0;
   if (!(frame.open_s < frame.close_s)) return off_px;

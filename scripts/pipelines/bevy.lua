@@ -1,21 +1,17 @@
 -- SPDX-License-Identifier: MIT
 -- The motion blur of the Bevy engine (2024), for any anchor.
 local pipeline = require "strobe.pipeline"
-local blur     = require "passes.lib.blur"
 local filter   = require "passes.filter.bevy"
-local curves   = require "scripts.pipelines.lib.curves"
 local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
 
 return pipeline {
   doc = "Bevy engine: each pixel along its own displacement, no tiles; nothing blurs beyond its silhouette",
-  params = options.of_picture { trajectory = blur.trajectory, copy_below = filter.params.copy_below },
-  build = function(p)
-    local seen = curves.seen(p, filter, "bevy")
+  params = options.of_picture { copy_below = filter.params.copy_below },
+  build = function()
+    local seen = scene.captured()
     return scene.outputs(seen, {
-      color = filter {
-        color = seen.color, depth = seen.depth, velocity = seen.velocity, curve = seen.curve, as = "gather",
-      }.blurred,
+      color = filter { color = seen.color, depth = seen.depth, velocity = seen.velocity, as = "gather" }.blurred,
     })
   end,
 }

@@ -2,7 +2,6 @@
 -- Post-process blur of Guertin, McGuire and Nowrouzezahrai 2014, for any anchor.
 local pipeline = require "strobe.pipeline"
 local gather   = require "passes.gather.guertin2014"
-local curves   = require "scripts.pipelines.lib.curves"
 local gathers  = require "scripts.pipelines.lib.gathers"
 local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
@@ -26,7 +25,7 @@ return pipeline {
       doc = "where the shortest displacement around is at least 0.65 of the dominant one, all are taken to be that" },
   }),
   build = function(p)
-    local seen = curves.captured(p, "guertin2014")
+    local seen = scene.captured()
     local two = p.directions() == "two"
     local around = tiles.dominant(p, seen, { second = two })
     local images = gathers.images(seen, around)

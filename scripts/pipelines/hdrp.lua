@@ -9,7 +9,6 @@ local scatter_source = require "passes.tile.scatter_source"
 local scatter_max    = require "passes.tile.scatter_max"
 local longest_motion = require "passes.tile.longest_motion"
 local tile_max       = require "passes.tile.tile_max"
-local curves   = require "scripts.pipelines.lib.curves"
 local gathers  = require "scripts.pipelines.lib.gathers"
 local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
@@ -17,14 +16,12 @@ local tiles    = require "scripts.pipelines.lib.tiles"
 
 -- As tiles.dominant, from where things are instead of from where they come to.
 local function dominant(seen)
-  local tile = tile_max { velocity = seen.velocity, curve = seen.curve }
-  local longest, curve = tile.longest, seen.curve and tile.curve_of_it or nil
-  local length = scatter_length { longest = longest, curve = curve }.length
-  local source = scatter_source { longest = longest, curve = curve, length = length }.source
-  local scattered = scatter_max { longest = longest, curve = curve, source = source }
+  local longest = tile_max { velocity = seen.velocity }.longest
+  local length = scatter_length { longest = longest }.length
+  local source = scatter_source { longest = longest, length = length }.source
   return {
-    dominant = scattered.dominant, dominant_curve = curve and scattered.dominant_curve or nil,
-    reach = longest_motion { longest = longest, curve = curve }.reach,
+    dominant = scatter_max { longest = longest, source = source }.dominant,
+    reach = longest_motion { longest = longest }.reach,
   }
 end
 
@@ -33,7 +30,6 @@ return pipeline {
   params = options.of_picture {
     tile         = blur.tile { 16 },
     depth_extent = blur.depth_extent,
-    trajectory   = blur.trajectory,
     jitter       = jitter.jitter,
     mirror       = gather.params.mirror,
     count        = gather.params.count { default = "adaptive" },
@@ -43,7 +39,7 @@ return pipeline {
     cheap        = pipeline.bool { true, doc = "where all around moves alike, taps are averaged instead of weighed" },
   },
   build = function(p)
-    local seen = curves.captured(p, "jimenez2014")
+    local seen = scene.captured()
     local around = dominant(seen)
     local images = gathers.images(seen, around)
     if p.cheap() then images.slowest = tiles.slowest(seen, around) end

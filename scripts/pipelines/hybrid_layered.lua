@@ -21,6 +21,7 @@ return pipeline {
     max_layers   = reveal.params.max_layers,
     on_cap       = reveal.params.on_cap,
     range        = ranges.param,
+    trajectory   = layered.params.trajectory,
   }),
   compare_with = "mcguire2012",
   build = function(p)

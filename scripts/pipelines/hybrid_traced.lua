@@ -16,7 +16,7 @@ local slowest = 0.02  -- px over the exposure; slower silhouettes differ from a 
 
 return pipeline {
   doc = "Hybrid in layers, with a ray at its own time for each time sample that the layers do not resolve",
-  params = options.with(options.blur(40), { range = ranges.param }),
+  params = options.with(options.blur(40), { range = ranges.param, trajectory = layered.params.trajectory }),
   breaks = { mirrored = by_cell, shifted = by_cell, scaled = by_threshold },
   compare_with = "mcguire2012",
   build = function(p)

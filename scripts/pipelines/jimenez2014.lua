@@ -2,7 +2,6 @@
 -- Post-process blur of Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare", any anchor.
 local pipeline = require "strobe.pipeline"
 local gather   = require "passes.gather.jimenez2014"
-local curves   = require "scripts.pipelines.lib.curves"
 local gathers  = require "scripts.pipelines.lib.gathers"
 local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
@@ -19,7 +18,7 @@ return pipeline {
     cheap       = pipeline.bool { true, doc = "where all around moves alike, taps are averaged instead of weighed" },
   }),
   build = function(p)
-    local seen = curves.captured(p, "jimenez2014")
+    local seen = scene.captured()
     local around = tiles.dominant(p, seen)
     local images = gathers.images(seen, around)
     if p.cheap() then images.slowest = tiles.slowest(seen, around) end

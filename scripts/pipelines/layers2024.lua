@@ -1,11 +1,9 @@
 -- SPDX-License-Identifier: MIT
 -- Lee, Kwon and Oh 2024, "Real-Time Motion Blur Using Multi-Layer Motion Vectors": full layers by depth peeling.
 local pipeline = require "strobe.pipeline"
-local blur     = require "passes.lib.blur"
 local filter   = require "passes.filter.layers2024"
 local gbuffer  = require "passes.scene.gbuffer"
 local peel     = require "passes.scene.peel"
-local curves   = require "scripts.pipelines.lib.curves"
 local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
 local tiles    = require "scripts.pipelines.lib.tiles"
@@ -22,19 +20,17 @@ end
 
 -- What a filter reads of the layers, the first of which is what is seen.
 local function images(p, layers)
-  local read = { id = layers[1].id, color = layers[1].color, depth = layers[1].depth, velocity = layers[1].velocity,
-                 curve = layers[1].curve }
+  local read = { id = layers[1].id, color = layers[1].color, depth = layers[1].depth, velocity = layers[1].velocity }
   for number = 2, #layers do
-    for _, part in ipairs { "color", "depth", "velocity", "curve" } do
+    for _, part in ipairs { "color", "depth", "velocity" } do
       read[("layer_%d_%s"):format(number, part)] = layers[number][part]
     end
   end
   if p.paths() == "own" then return read end
-  local function put(prefix, around)
-    for _, part in ipairs { "dominant", "dominant_curve", "dominant_place" } do read[prefix .. part] = around[part] end
+  read.dominant = tiles.dominant(p, layers[1], { extra = layers[2] }).dominant
+  if layers[3] then
+    read.deep_dominant = tiles.dominant(p, layers[3], { extra = layers[4], prefix = "deep_" }).dominant
   end
-  put("", tiles.dominant(p, layers[1], { extra = layers[2] }))
-  if layers[3] then put("deep_", tiles.dominant(p, layers[3], { extra = layers[4], prefix = "deep_" })) end
   return read
 end
 
@@ -49,17 +45,11 @@ return pipeline {
         own = "Its own in every layer. Fails beside silhouettes: what passes over a pixel that it is not at is not found.",
       } },
     agreement = filter.params.agreement,
-    trajectory = blur.trajectory,
   }),
   build = function(p)
-    curves.require(p, filter, "layers2024")
     local seen = scene.captured()
-    local layers, named = { seen }, { { "raster", seen } }
-    for number = 2, p.layer_count() do
-      layers[number] = layer_behind(layers[number - 1], number)
-      named[number] = { ("layer_%d"):format(number), layers[number] }
-    end
-    curves.add(p, named)
+    local layers = { seen }
+    for number = 2, p.layer_count() do layers[number] = layer_behind(layers[number - 1], number) end
     local read = images(p, layers)
     read.as = "search"
     return scene.outputs(seen, { color = filter(read).blurred })

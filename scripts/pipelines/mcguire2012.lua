@@ -6,7 +6,6 @@ local scene    = require "scripts.pipelines.lib.scene"
 local options  = require "scripts.pipelines.lib.options"
 local ranges   = require "scripts.pipelines.lib.ranges"
 local tiles    = require "scripts.pipelines.lib.tiles"
-local curves   = require "scripts.pipelines.lib.curves"
 local gathers  = require "scripts.pipelines.lib.gathers"
 
 return pipeline {
@@ -18,7 +17,7 @@ return pipeline {
     range = ranges.param,
   }),
   build = function(p)
-    local seen = curves.captured(p, p.weights())
+    local seen = scene.captured()
     local moving = ranges.divided(p, seen, "halves")
     local images = gathers.images(moving, tiles.dominant(p, moving))
     return scene.outputs(seen, {

@@ -8,7 +8,6 @@ local uniform_motion = require "passes.tile.uniform_motion"
 local refined_time   = require "passes.scene.refined_time"
 local traced         = require "passes.scene.visibility_traced"
 local mean           = require "passes.truth.mean"
-local curves    = require "scripts.pipelines.lib.curves"
 local gathers   = require "scripts.pipelines.lib.gathers"
 local options   = require "scripts.pipelines.lib.options"
 local scene     = require "scripts.pipelines.lib.scene"
@@ -19,7 +18,7 @@ local truth     = require "scripts.pipelines.lib.truth"
 local weights = "jimenez2014"
 
 local function gathered(p)
-  local seen = curves.captured(p, weights)
+  local seen = scene.captured()
   local images = gathers.images(seen, tiles.dominant(p, seen))
   return scene.outputs(seen, { color = gathers.blurred(weights, images, "gather") })
 end

@@ -1,6 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- One ray per pixel at a time of its own, and a filter along the motion. Oberberger, Chajdas and Westermann 2022. It has no
--- `trajectory`: rays meet things where they truly are, and the filter needs a direction, no path.
+-- One ray per pixel at a time of its own, and a filter along the motion. Oberberger, Chajdas and Westermann 2022.
 local pipeline = require "strobe.pipeline"
 local blur     = require "passes.lib.blur"
 local jitter   = require "passes.lib.jitter"

@@ -2,7 +2,6 @@
 -- A stand-in for the post-process blur of game engines around 2020 (filter of Jimenez 2014, mirrored background).
 local pipeline = require "strobe.pipeline"
 local gather   = require "passes.gather.jimenez2014"
-local curves   = require "scripts.pipelines.lib.curves"
 local gathers  = require "scripts.pipelines.lib.gathers"
 local options  = require "scripts.pipelines.lib.options"
 local scene    = require "scripts.pipelines.lib.scene"
@@ -14,7 +13,7 @@ return pipeline {
     mirror = gather.params.mirror,
   }),
   build = function(p)
-    local seen = curves.captured(p, "jimenez2014")
+    local seen = scene.captured()
     local images = gathers.images(seen, tiles.dominant(p, seen))
     return scene.outputs(seen, {
       color = gathers.blurred("jimenez2014", images, "gather"),

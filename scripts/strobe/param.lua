@@ -42,10 +42,10 @@ end
 
 -- What may be said otherwise of a parameter that is declared elsewhere: `blur.tile { 16 }`. It stays the same one.
 param.changed_keys = {
-  bool = { 1, "default", "doc", "breaks" },
-  int = { 1, "default", "min", "max", "doc" },
-  float = { 1, "default", "min", "max", "doc" },
-  choice = { "default", "doc", "values", "breaks" },
+  bool = { 1, "default", "doc", "wired", "breaks" },
+  int = { 1, "default", "min", "max", "doc", "wired" },
+  float = { 1, "default", "min", "max", "doc", "wired" },
+  choice = { "default", "doc", "wired", "values", "breaks" },
 }
 
 Param.__call = native.at_caller(function(place, self, changes)

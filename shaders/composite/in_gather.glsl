@@ -3,16 +3,13 @@
 // read from the revealed layer where raster saw something in front of it.
 // In:  color (linear), depth (view depth, sky +inf), id, velocity (px over the exposure), dominant (the same, per tile)
 //      of what raster saw; revealed_color, _depth, _id, _velocity, _valid (> 1/2) of what lies behind; after_*,
-//      revealed_after_*: displacements for times after the capture, where the exposure is split there; curve, revealed_curve,
-//      dominant_curve (of these paths, px; absent: lines), dominant_place (px: the texel that has dominant).
+//      revealed_after_*: displacements for times after the capture, where the exposure is split there.
 // Out: blurred (linear, alpha 1).
 // The background B of X is what was revealed there, else what raster saw there. For t_i at the midpoints
 //   (i + 1/2 + jitter)/N of the exposure:
 //   Foreground: the tap Y = X - t_i*d along the tile's dominant displacement, and that along X's own. A tap that by its
 //   own motion is not at X at t_i (|Y + t_i*d(Y) - X| > max(3/4, |d|/(2N)) px) leads once to another, by its own d. Of
-//   those that are, the nearest counts to the degree that it is in front of B. Along curves it is Newton's step that leads to
-//   another, up to three times, and the first tap is the texel that has the dominant displacement
-//   (mixin/search.glsl).
+//   those that are, the nearest counts to the degree that it is in front of B.
 //   Background: the tap Y = X - t_i*d(B). Where raster shows B's instance, or nothing in front of it, that; else what
 //   was revealed at Y; else B itself (counter `fallback`).
 // Each t_i has the weight 1/N: weights add up to 1, and coverage and background vary together as they do in truth.
@@ -48,18 +45,10 @@ Path dominantOf(ivec2 pixel, bool after) {
 #if HAS_after_dominant
   if (after) return straight(vec2(texelFetch(after_dominant_tex, tile, 0)));
 #endif
-  return dominantPath(vec2(texelFetch(dominant_tex, tile, 0)), tile);
+  return straight(vec2(texelFetch(dominant_tex, tile, 0)));
 }
 
 ivec2 tapFor(ivec2 pixel, Path path, float t) { return asked(pixel, path, t, frame.shutter); }
-
-// The first tap along the dominant displacement: on curves the texel that has it.
-ivec2 dominantTap(ivec2 pixel, Path path, float t) {
-#if HAS_dominant_place
-  if (isCurved(path)) return ivec2(texelFetch(dominant_place_tex, pixel / params.tile, 0).xy);
-#endif
-  return tapFor(pixel, path, t);
-}
 
 // A surface in front of the background, to the degree `share`.
 struct Cover {
@@ -73,13 +62,12 @@ const Cover kNoCover = Cover(vec3(0), 0.0, 0.0);
 // What raster saw in front of the background that is at the pixel at t, if it moves about so; from a tap on.
 Cover coverAt(ivec2 pixel, Path path, ivec2 now, float t, Tap back) {
   float tolerance_px = max(0.75, lengthOf(path.d) / float(2 * params.samples));
-  for (int guess = 0; guess < kCurvedGuesses; ++guess) {
+  for (int guess = 0; guess < kGuesses; ++guess) {
     if (!isInside(now, textureSize(color_tex, 0))) return kNoCover;
     Tap tap = rasterAt(now, t > 0.0);
     if (isAt(pixel, now, tap.path, t, tolerance_px))
       return Cover(tap.color, tap.depth, inFrontOf(tap.depth, back.depth, params.depth_extent));
-    if (!isAskedAgain(guess, tap.path)) break;
-    now = askedOf(kRaster, pixel, now, tap.path, t, frame.shutter);
+    now = tapFor(pixel, tap.path, t);
   }
   return kNoCover;
 }
@@ -117,7 +105,7 @@ void run(ivec2 pixel) {
     float t = sampleTime(i, params.samples, jitter);
     Tap back = backgroundOf(pixel, t > 0.0);
     Path dominant = dominantOf(pixel, t > 0.0), own = pathOf(kRaster, pixel, t > 0.0);
-    Cover cover = nearer(coverAt(pixel, dominant, dominantTap(pixel, dominant, t), t, back),
+    Cover cover = nearer(coverAt(pixel, dominant, tapFor(pixel, dominant, t), t, back),
                          coverAt(pixel, own, tapFor(pixel, own, t), t, back));
     vec3 color = cover.color;
     if (cover.share < 1.0) color = mix(backgroundAt(pixel, t, back, fallbacks), color, cover.share);

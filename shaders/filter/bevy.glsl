@@ -1,32 +1,23 @@
 // SPDX-License-Identifier: MIT
 // The motion blur of the Bevy engine (bevy_core_pipeline, motion_blur; since 0.14, 2024), for any anchor: no tiles, each
 // pixel looks along its own displacement alone. Written from what the engine's documentation and source say it does.
-// In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure), curve (of its path, px; absent: lines).
+// In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure).
 // Out: blurred (linear, alpha 1).
 // Taps: N at the midpoints (i + 1/2 + jitter)/N of the exposure, Y = X - d(X)*t; those outside of the picture are left out.
 //   The engine's window is that around the capture, which is `centre` here.
 // Weights: a tap that is farther than X, or sky, counts. One that is nearer or as near counts if its own displacement's
 //   share along that of X covers the way to it, whichever way it goes: |d(Y) . d(X)|/|d(X)| * reach >= |Y - X|; reach is
-//   1 one-sided, 1/2 centred. On curves Y is where Newton's step leads from X (mixin/search.glsl), and d(Y) is as long as the
-//   tap's own path comes far, in the direction in which it is moved by t; that of X is the way from Y to X. The rest is not there: the result is the mean of the taps that count.
+//   1 one-sided, 1/2 centred. The rest is not there: the result is the mean of the taps that count.
 // Paths: what moves less than copy_below, and what has no tap that counts, is copied.
 // Fails: nothing blurs beyond its silhouette; background inside of it is the picture from outside.
 #include "lib/times.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/limit.glsl"
-#include "mixin/search.glsl"
 #include "lib/sanitise.glsl"
 
-// Of the one layer there is.
-Path pathOf(int layer, ivec2 pixel, bool after) {
-#if HAS_curve
-  return limitedPath(texelFetch(velocity_tex, pixel, 0), texelFetch(curve_tex, pixel, 0));
-#else
-  return limitedPath(texelFetch(velocity_tex, pixel, 0), vec4(0));
-#endif
+vec2 displacementAt(ivec2 pixel) {
+  return clampLength(finiteDisplacement(texelFetch(velocity_tex, pixel, 0)), limitPx());
 }
-
-bool holds(int layer, ivec2 pixel) { return isInside(pixel, textureSize(color_tex, 0)); }
 
 float depthAt(ivec2 pixel) { return saneDepth(texelFetch(depth_tex, pixel, 0).x); }
 
@@ -36,32 +27,18 @@ bool comesAsFar(vec2 d_tap, vec2 d, float distance_px, float reach) {
   return abs(dot(d_tap / d_length, d)) * reach >= distance_px * (1.0 - 1e-4);
 }
 
-// What a tap's path is to `comesAsFar`: its displacement; of a curve as far as it comes, to where it is at the time t.
-vec2 comingOf(Path path, float t) {
-  if (!isCurved(path)) return path.d;
-  vec2 moved = tapOffset(path, t);
-  return moved == vec2(0) ? moved : moved * (reachOf(path) / lengthOf(moved));
-}
-
-// Does a tap, which is `offset` from the pixel?
-bool counts(ivec2 at, vec2 offset, float depth, Path path, float t, float reach) {
+// True if a tap `offset` px from the pixel counts.
+bool counts(ivec2 at, vec2 offset, float depth, vec2 d, float reach) {
   float tap_depth = depthAt(at);
   if (tap_depth > depth || isinf(tap_depth)) return true;
-  vec2 way = isCurved(path) ? offset : path.d;
-  return way == vec2(0) || comesAsFar(comingOf(pathOf(0, at, false), t), way, lengthOf(offset), reach);
-}
-
-// Where, relative to the pixel, what is there at time t is now.
-vec2 offsetOf(ivec2 pixel, Path path, float t) {
-  if (!isCurved(path)) return tapOffset(path, t);
-  return vec2(askedOf(0, pixel, pixel, path, t, frame.shutter) - pixel);
+  return d == vec2(0) || comesAsFar(displacementAt(at), d, lengthOf(offset), reach);
 }
 
 void run(ivec2 pixel) {
   vec4 own = texelFetch(color_tex, pixel, 0);
   if (lengthOf(finiteDisplacement(texelFetch(velocity_tex, pixel, 0))) > limitPx()) count_clamped(1u);
-  Path path = pathOf(0, pixel, false);
-  float reach = reachFactor(frame.shutter), longest = reachOf(path);
+  vec2 d = displacementAt(pixel);
+  float reach = reachFactor(frame.shutter), longest = lengthOf(d);
   if (longest < params.copy_below || reach * longest <= kStillRadius) {
     count_copied(1u);
     imageStore(blurred_img, pixel, vec4(vec3(own), 1));
@@ -74,9 +51,9 @@ void run(ivec2 pixel) {
   float weights = 0.0;
   for (int i = 0; i < params.samples; ++i) {
     float t = sampleTime(i, params.samples, jitter);
-    vec2 offset = offsetOf(pixel, path, t);
+    vec2 offset = tapOffset(d, t);
     ivec2 at = pixel + roundSymmetric(offset);
-    if (!isInside(at, size) || !counts(at, offset, depth, path, t, reach)) continue;
+    if (!isInside(at, size) || !counts(at, offset, depth, d, reach)) continue;
     sum += toSum(finiteColor(texelFetch(color_tex, at, 0)));
     weights += 1.0;
   }

@@ -2,16 +2,12 @@
 // Lee, Kwon, Oh 2024, "Real-Time Motion Blur Using Multi-Layer Motion Vectors" (Applied Sciences 14, 4626), for any anchor.
 // In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure) of what is seen at the capture;
 //      layer_2_* to layer_4_*: the same of what lies behind it, all over the picture;
-//      dominant, deep_dominant (px over the exposure, per tile): of the first two layers, and of those behind (absent: none);
-//      curve, layer_2_curve ..., dominant_curve, deep_dominant_curve (of these paths, px; absent: lines), dominant_place,
-//      deep_dominant_place (px: the texel that has that).
+//      dominant, deep_dominant (px over the exposure, per tile): of the first two layers, and of those behind (absent: none).
 // Out: blurred (linear, alpha 1).
 // For each t_i at the midpoints (i + 1/2 + jitter)/N of the exposure, each displacement g searched and each layer: the texel
 //   Y = X - t_i*g (outside of the picture the one at its border) counts if its own displacement is within `agreement` of g, and
 //   nearer to it than half of the longer one. The nearest counts alone; of equal depths that of the first displacement.
 //   The mean over the i at which there is any is the result.
-//   A texel whose path is curved counts if that brings it to within `agreement` of X at t_i; one that does not leads to
-//   another, as in mixin/search.glsl: what turns has as many displacements as texels, none of which agree.
 // Searched: the displacements of X in all layers, and those of its tile. The paper's text says that a colour is taken where it
 //   shares its displacement with where the search began; which displacements begin at a pixel that something else passes over it
 //   was not at hand for: here they are found as other filters find them.
@@ -21,7 +17,6 @@
 #include "lib/times.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/limit.glsl"
-#include "mixin/search.glsl"
 #include "lib/sanitise.glsl"
 
 const int kLayers = 1 + HAS_layer_2_depth + HAS_layer_3_depth + HAS_layer_4_depth;
@@ -32,9 +27,6 @@ const float kSameDepth = 1.0 - 1.0 / 65536.0;
 
 // Displacements as near to each other as this lead to the same texels, px.
 const float kSamePath = 1.0 / 16.0;
-
-// The rounding of a place to a texel, px.
-const float kNearest = 0.75;
 
 vec3 colorOf(int layer, ivec2 at) {
 #if HAS_layer_2_color
@@ -75,68 +67,30 @@ vec4 displacementOf(int layer, ivec2 at) {
   return texelFetch(velocity_tex, at, 0);
 }
 
-vec4 curveOf(int layer, ivec2 at) {
-#if HAS_layer_2_curve
-  if (layer == 1) return texelFetch(layer_2_curve_tex, at, 0);
-#endif
-#if HAS_layer_3_curve
-  if (layer == 2) return texelFetch(layer_3_curve_tex, at, 0);
-#endif
-#if HAS_layer_4_curve
-  if (layer == 3) return texelFetch(layer_4_curve_tex, at, 0);
-#endif
-#if HAS_curve
-  if (layer == 0) return texelFetch(curve_tex, at, 0);
-#endif
-  return vec4(0);
+vec2 limitedDisplacementOf(int layer, ivec2 at) {
+  return clampLength(finiteDisplacement(displacementOf(layer, at)), limitPx());
 }
 
-Path pathOf(int layer, ivec2 at, bool after) { return limitedPath(displacementOf(layer, at), curveOf(layer, at)); }
-
-bool holds(int layer, ivec2 at) { return isInside(at, textureSize(color_tex, 0)); }
-
 struct Searched {
-  Path paths[kMost];
-  ivec2 texels[kMost];  // that have them
+  vec2 displacements[kMost];  // px over the exposure
   int count;
   float longest;  // px
 };
 
-bool isSamePath(Path a, Path b) {
-#if HAS_curve
-  if (apartSquared(a.curve, b.curve) > kSamePath * kSamePath) return false;
-#endif
-  return lengthOf(a.d - b.d) <= kSamePath;
-}
-
-void search(inout Searched searched, Path path, ivec2 texel) {
+void search(inout Searched searched, vec2 d) {
   for (int k = 0; k < searched.count; ++k)
-    if (isSamePath(searched.paths[k], path)) return;
-  searched.paths[searched.count] = path;
-  searched.texels[searched.count] = texel;
+    if (lengthOf(searched.displacements[k] - d) <= kSamePath) return;
+  searched.displacements[searched.count] = d;
   searched.count += 1;
-  searched.longest = max(searched.longest, reachOf(path));
+  searched.longest = max(searched.longest, lengthOf(d));
 }
 
 void searchDominant(inout Searched searched, ivec2 tile) {
 #if HAS_dominant
-  ivec2 place = kNoTexel;
-#if HAS_dominant_place
-  place = ivec2(texelFetch(dominant_place_tex, tile, 0).xy);
+  search(searched, vec2(texelFetch(dominant_tex, tile, 0)));
 #endif
-  search(searched, dominantPath(vec2(texelFetch(dominant_tex, tile, 0)), tile), place);
-#endif
-}
-
-void searchDeep(inout Searched searched, ivec2 tile) {
 #if HAS_deep_dominant
-  ivec2 place = kNoTexel;
-  vec4 curve = vec4(0);
-#if HAS_deep_dominant_place && HAS_deep_dominant_curve
-  place = ivec2(texelFetch(deep_dominant_place_tex, tile, 0).xy);
-  curve = texelFetch(deep_dominant_curve_tex, tile, 0);
-#endif
-  search(searched, onCurve(vec2(texelFetch(deep_dominant_tex, tile, 0)), curve), place);
+  search(searched, vec2(texelFetch(deep_dominant_tex, tile, 0)));
 #endif
 }
 
@@ -144,9 +98,8 @@ Searched searchedAt(ivec2 pixel) {
   Searched searched;
   searched.count = 0;
   searched.longest = 0.0;
-  for (int layer = 0; layer < kLayers; ++layer) search(searched, pathOf(layer, pixel, false), kNoTexel);
+  for (int layer = 0; layer < kLayers; ++layer) search(searched, limitedDisplacementOf(layer, pixel));
   searchDominant(searched, pixel / params.tile);
-  searchDeep(searched, pixel / params.tile);
   return searched;
 }
 
@@ -162,36 +115,12 @@ bool agree(vec2 a, vec2 b) {
   return apart <= params.agreement && apart <= max(0.5 * max(lengthOf(a), lengthOf(b)), 0.5);
 }
 
-#if HAS_curve
-// Does what a texel shows come to the pixel by its curve? If not, another texel is asked, and left in `at`; one that has no
-// curve is something else.
-bool comesOnCurve(ivec2 pixel, int layer, inout ivec2 at, float t) {
-  for (int i = 0; i < kCurvedGuesses; ++i) {
-    Path path = pathOf(layer, at, false);
-    if (!isCurved(path)) return false;
-    float tolerance_px = max(kNearest, min(params.agreement, 0.5 * reachOf(path)));
-    if (isAt(pixel, at, path, t, tolerance_px)) return true;
-    ivec2 next = askedOf(layer, pixel, at, path, t, frame.shutter);
-    if (next == at || !holds(layer, next)) return false;
-    at = next;
-  }
-  return false;
-}
-#endif
-
-// Is what a layer has where a path leads on that path?
-bool comes(ivec2 pixel, int layer, inout ivec2 at, Path path, float t) {
-  Path own = pathOf(layer, at, false);
-#if HAS_curve
-  if (isCurved(own)) return comesOnCurve(pixel, layer, at, t);
-  if (isCurved(path)) return false;
-#endif
-  return agree(own.d, path.d);
-}
+// True if a texel's own displacement is the one that led to it.
+bool comes(int layer, ivec2 at, vec2 d) { return agree(limitedDisplacementOf(layer, at), d); }
 
 // The nearer of what was seen and what a layer has where a path leads.
-Seen nearer(Seen seen, ivec2 pixel, int layer, ivec2 at, Path path, float t) {
-  if (!comes(pixel, layer, at, path, t)) return seen;
+Seen nearer(Seen seen, int layer, ivec2 at, vec2 d) {
+  if (!comes(layer, at, d)) return seen;
   float depth = depthOf(layer, at);
   if (seen.layer >= 0 && depth >= seen.depth * kSameDepth) return seen;
   return Seen(layer, at, depth);
@@ -200,19 +129,18 @@ Seen nearer(Seen seen, ivec2 pixel, int layer, ivec2 at, Path path, float t) {
 Seen seenAt(ivec2 pixel, Searched searched, float t, ivec2 size) {
   Seen seen = Seen(-1, pixel, 0.0);
   for (int k = 0; k < searched.count; ++k) {
-    Path path = searched.paths[k];
-    ivec2 at = clampToImage(asked(pixel, path, t, frame.shutter), size);
-    if (isCurved(path) && searched.texels[k] != kNoTexel) at = searched.texels[k];
-    for (int layer = 0; layer < kLayers; ++layer) seen = nearer(seen, pixel, layer, at, path, t);
+    vec2 d = searched.displacements[k];
+    ivec2 at = clampToImage(pixel + roundSymmetric(tapOffset(d, t)), size);
+    for (int layer = 0; layer < kLayers; ++layer) seen = nearer(seen, layer, at, d);
   }
   return seen;
 }
 
 // Does the path of what is seen at the pixel lead to more of it, which moves otherwise?
 bool isVaried(ivec2 pixel, float t, ivec2 size) {
-  Path path = pathOf(0, pixel, false);
-  ivec2 at = clampToImage(asked(pixel, path, t, frame.shutter), size);
-  return texelFetch(id_tex, at, 0).xy == texelFetch(id_tex, pixel, 0).xy && !comes(pixel, 0, at, path, t);
+  vec2 d = limitedDisplacementOf(0, pixel);
+  ivec2 at = clampToImage(pixel + roundSymmetric(tapOffset(d, t)), size);
+  return texelFetch(id_tex, at, 0).xy == texelFetch(id_tex, pixel, 0).xy && !comes(0, at, d);
 }
 
 void run(ivec2 pixel) {

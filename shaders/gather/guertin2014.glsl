@@ -5,9 +5,7 @@
 //      of the samples go along the second direction); slowest (px over the exposure, the shortest displacement around,
 //      per tile; absent: no path for uniform motion);
 //      valid (> 1/2: the layer has a texel there; absent: everywhere);
-//      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere);
-//      curve, dominant_curve (of the paths of velocity and dominant, px; absent: lines): taps then lie on the curve of the
-//      dominant one, and a pixel spreads as far as its own goes; all else is as it was.
+//      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere).
 // Out: blurred, colour times alpha and alpha.
 // Samples: t_i = lerp(-1, 1, (i + eta*jitter + 1) / (N + 1)) of the length r_N that the dominant displacement spreads
 //   over: |d|/2 to both sides with the capture in the middle of the exposure (where the tap on the pixel itself, which
@@ -26,7 +24,6 @@
 #include "mixin/directions.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/layer.glsl"
-#include "mixin/path.glsl"
 #include "mixin/stored.glsl"
 #include "mixin/tile_lookup.glsl"
 #include "lib/times.glsl"
@@ -42,8 +39,8 @@ struct Tap {
   vec2 direction;  // unit, 0 at rest
 };
 
-Tap tapFrom(Texel texel, vec2 d, float spread) {
-  return Tap(texel.color, texel.depth, max(spread, 0.5), unitOf(d));
+Tap tapFrom(Texel texel, vec2 d, float reach) {
+  return Tap(texel.color, texel.depth, max(reach * lengthOf(d), 0.5), unitOf(d));
 }
 
 struct Sample {
@@ -53,11 +50,11 @@ struct Sample {
   vec2 direction;  // unit
 };
 
-Sample sampleAt(int i, Path path, vec2 second, bool along_second, float jitter) {
+Sample sampleAt(int i, vec2 d, vec2 second, bool along_second, float jitter) {
   float t = timeAt(float(params.samples - i) - params.eta * jitter, params.samples + 1);
-  float d_length = lengthOf(path.d);
-  vec2 offset = tapOffset(along_second ? straight(d_length * second) : path, t);
-  return Sample(t, roundSymmetric(offset), abs(t) * d_length, along_second ? second : unitOf(path.d));
+  float d_length = lengthOf(d);
+  vec2 offset = tapOffset(along_second ? d_length * second : d, t);
+  return Sample(t, roundSymmetric(offset), abs(t) * d_length, along_second ? second : unitOf(d));
 }
 
 // How many samples go along the second direction.
@@ -113,7 +110,7 @@ void run(ivec2 pixel) {
   bool uniform_motion = movesAsOne(tile, d, reach);
   if (uniform_motion) count_uniform(1u);
   Texel own = texelAt(pixel);
-  Tap here = tapFrom(own, own.d, reach * spreadAt(pixel, own.d));
+  Tap here = tapFrom(own, own.d, reach);
   vec2 second = secondAt(pixel, tile, d, here.radius, params.gamma);
   int second_count = secondCount(tile);
   int skipped = sampleAtCapture(params.samples);
@@ -128,13 +125,12 @@ void run(ivec2 pixel) {
     if (i == skipped) continue;
     bool along_second = isAlongSecond(i, second_count);
     if (along_second && second == vec2(0)) continue;
-    Sample taken = sampleAt(i, dominantPath(d, tile), second, along_second, jitter);
+    Sample taken = sampleAt(i, d, second, along_second, jitter);
     ivec2 at = clampToImage(pixel + taken.offset, size);
     if (!isValid(at)) continue;
 
     Texel texel = texelAt(at);
-    vec2 tap_d = uniform_motion ? d : texel.d;
-    Tap tap = tapFrom(texel, tap_d, reach * (uniform_motion ? lengthOf(d) : spreadAt(at, texel.d)));
+    Tap tap = tapFrom(texel, uniform_motion ? d : texel.d, reach);
     float weight = tapWeight(here, tap, taken, second);
     all += weight;
     if (over) weight *= inFrontOf(tap.depth, behind, params.depth_extent) * covers(tap, taken);

@@ -4,9 +4,7 @@
 // In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure), dominant (the same, per tile);
 //      slowest (px over the exposure, the shortest displacement around, per tile; absent: no cheap path);
 //      valid (> 1/2: the layer has a texel there; absent: everywhere);
-//      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere);
-//      curve, dominant_curve (of the paths of velocity and dominant, px; absent: lines): taps then lie on the curve of the
-//      dominant one, and a pixel spreads as far as its own goes; all else is as it was.
+//      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere).
 // Out: blurred, colour times alpha and alpha.
 // Paths: copy where nothing around spreads farther than copy_below; cheap, the plain mean of the taps, where the
 //   slowest displacement around is longer than cheap_ratio times the dominant one; else full. Counters tell how many took each.
@@ -26,7 +24,6 @@
 //   there appear a second time; outside, the background under the object comes from the opposite side. One direction.
 #include "mixin/jitter.glsl"
 #include "mixin/layer.glsl"
-#include "mixin/path.glsl"
 #include "mixin/stored.glsl"
 #include "lib/times.glsl"
 
@@ -55,7 +52,7 @@ struct Sums {
 
 Tap tapAt(ivec2 pixel, float reach) {
   Texel texel = texelAt(pixel);
-  return Tap(texel.color, texel.depth, texel.d, reach * spreadAt(pixel, texel.d));
+  return Tap(texel.color, texel.depth, texel.d, reach * lengthOf(texel.d));
 }
 
 // How much of what a tap spreads along its own motion falls along the dominant one.
@@ -109,17 +106,15 @@ struct Pair {
   ivec2 before, after;
 };
 
-Pair pairAt(Path path, int count, float steps) {
+Pair pairAt(vec2 d, int count, float steps) {
 #if FACT_weighted
   if (isWeighted()) {
     float share = 2.0 * steps / float(count);
-    return Pair(roundSymmetric(tapOffset(path, timeOutwards(false, share))),
-                roundSymmetric(tapOffset(path, timeOutwards(true, share))));
+    return Pair(roundSymmetric(tapOffset(d, timeOutwards(false, share))),
+                roundSymmetric(tapOffset(d, timeOutwards(true, share))));
   }
 #endif
-  float part = steps / float(count);
-  if (isCurved(path)) return Pair(roundSymmetric(tapOffset(path, -part)), roundSymmetric(tapOffset(path, part)));
-  ivec2 offset = roundSymmetric(path.d * part);
+  ivec2 offset = roundSymmetric(d * (steps / float(count)));
   return Pair(offset, -offset);
 }
 
@@ -175,9 +170,6 @@ int sampleCount(vec2 d) {
 
 // Does everything around move nearly as fast as the dominant displacement?
 bool movesAsOne(ivec2 pixel, vec2 d) {
-#if HAS_curve && HAS_dominant_curve
-  if (texelFetch(dominant_curve_tex, pixel / params.tile, 0) != vec4(0)) return false;  // the mean is taken along a line
-#endif
 #if HAS_slowest
   return texelFetch(slowest_tex, pixel / params.tile, 0).x > params.cheap_ratio * lengthOf(d);
 #else
@@ -186,13 +178,13 @@ bool movesAsOne(ivec2 pixel, vec2 d) {
 }
 
 // A single tap, where the window has only one side.
-ivec2 singleAt(Path path, int count, float steps) {
+ivec2 singleAt(vec2 d, int count, float steps) {
   bool after = frame.shutter.y > 0.0;
   float end = after ? frame.shutter.y : frame.shutter.x, part = steps / float(count);
 #if FACT_weighted
-  if (isWeighted()) return roundSymmetric(tapOffset(path, timeOutwards(after, part)));
+  if (isWeighted()) return roundSymmetric(tapOffset(d, timeOutwards(after, part)));
 #endif
-  return roundSymmetric(isCurved(path) ? tapOffset(path, end * part) : tapOffset(path.d, end) * part);
+  return roundSymmetric(tapOffset(d, end) * part);
 }
 
 vec3 plainMean(ivec2 pixel, vec2 d, int count, float jitter) {
@@ -202,22 +194,22 @@ vec3 plainMean(ivec2 pixel, vec2 d, int count, float jitter) {
   int taken = centred ? count / 2 : count;
   for (int i = 0; i < taken; ++i) {
     float steps = float(i) + 0.5 + jitter;
-    Pair pair = pairAt(straight(d), count, steps);
-    ivec2 offset = centred ? pair.before : singleAt(straight(d), count, steps);
+    Pair pair = pairAt(d, count, steps);
+    ivec2 offset = centred ? pair.before : singleAt(d, count, steps);
     sum += sideFactor(false) * toSum(texelAt(clampToImage(pixel + offset, size)).color);
     if (centred) sum += sideFactor(true) * toSum(texelAt(clampToImage(pixel + pair.after, size)).color);
   }
   return fromSum(sum / float(count));
 }
 
-vec4 fullGather(ivec2 pixel, Gather gather, Path path, int count, float jitter) {
+vec4 fullGather(ivec2 pixel, Gather gather, int count, float jitter) {
   Sums sums = Sums(vec4(0), 0.0);
   bool centred = isCentred(frame.shutter);
   int taken = centred ? count / 2 : count;
   for (int i = 0; i < taken; ++i) {
     float steps = float(i) + 0.5 + jitter;
-    if (centred) sums = withPair(sums, gather, pixel, pairAt(path, count, steps), steps);
-    else sums = withTap(sums, gather, pixel, singleAt(path, count, steps), steps);
+    if (centred) sums = withPair(sums, gather, pixel, pairAt(gather.d, count, steps), steps);
+    else sums = withTap(sums, gather, pixel, singleAt(gather.d, count, steps), steps);
   }
   vec4 shown = sums.shown / float(count);
   float rest = 1.0 - sums.all / float(count);
@@ -251,5 +243,5 @@ void run(ivec2 pixel) {
   count_full(1u);
   Tap here = tapAt(pixel, reach);
   Gather gather = Gather(here, d, reach, lengthOf(d) / float(count), over, behindDepth(pixel, here.depth));
-  imageStore(blurred_img, pixel, storedColor(fullGather(pixel, gather, dominantPath(d, pixel / params.tile), count, jitter)));
+  imageStore(blurred_img, pixel, storedColor(fullGather(pixel, gather, count, jitter)));
 }

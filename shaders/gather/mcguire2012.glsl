@@ -3,9 +3,7 @@
 // In:  color (linear), depth (view depth, sky +inf), velocity (px over the exposure), dominant (the same, per tile);
 //      second (per tile): what else moves around, for the second direction of pixels at rest;
 //      valid (> 1/2: the layer has a texel there; absent: everywhere);
-//      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere);
-//      curve, dominant_curve (of the paths of velocity and dominant, px; absent: lines): taps then lie on the curve of the
-//      dominant one, and a pixel spreads as far as its own goes; all else is as it was.
+//      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere).
 // Out: blurred, colour times alpha and alpha.
 // Samples: t_i = lerp(-1, 1, (i + jitter + 1) / (S + 1)), along the tile's dominant displacement d. With the capture in
 //   the middle of the exposure, as in the paper, taps lie at X + d/2 * t_i, a pixel spreads over |d|/2, and the one
@@ -25,7 +23,6 @@
 #include "mixin/directions.glsl"
 #include "mixin/jitter.glsl"
 #include "mixin/layer.glsl"
-#include "mixin/path.glsl"
 #include "mixin/stored.glsl"
 #include "lib/times.glsl"
 
@@ -37,7 +34,7 @@ struct Tap {
 
 Tap tapAt(ivec2 pixel, float reach) {
   Texel texel = texelAt(pixel);
-  return Tap(texel.color, texel.depth, max(reach * spreadAt(pixel, texel.d), 0.5));
+  return Tap(texel.color, texel.depth, max(reach * lengthOf(texel.d), 0.5));
 }
 
 float tapWeight(Tap here, Tap tap, float distance_px) {
@@ -71,12 +68,11 @@ void run(ivec2 pixel) {
   vec3 sum = toSum(here.color) * front;
 
   vec2 second = secondAt(pixel, pixel / params.tile, d, here.radius, 1.5);
-  Path path = dominantPath(d, pixel / params.tile);
   vec2 second_d = second == vec2(0) ? d : lengthOf(d) * second;
   for (int i = 0; i < params.samples; ++i) {
     if (i == skipped) continue;
     float t = timeAt(float(params.samples - i) - jitter, params.samples + 1);
-    vec2 offset = tapOffset(isAlongSecond(i, params.samples / 2) ? straight(second_d) : path, t);
+    vec2 offset = tapOffset(isAlongSecond(i, params.samples / 2) ? second_d : d, t);
     ivec2 at = clampToImage(pixel + roundSymmetric(offset), size);
     if (!isValid(at)) continue;
 

@@ -5,7 +5,6 @@
 //      valid (> 1/2: the layer has a texel there; absent: everywhere);
 //      after_velocity, after_dominant: the same two for the times after the capture, where the exposure is split there
 //      (absent: motion is linear throughout);
-//      curve, dominant_curve (of the paths of both, px; absent: lines);
 //      behind_depth, behind_valid: what lies behind each pixel, where something was revealed (absent: nowhere).
 // Out: blurred, colour times alpha and alpha.
 // Taps: N at the midpoints (i + 1/2 + jitter)/N of the exposure, Y = X - d*t.
@@ -28,12 +27,10 @@
 //   moves is uncorrelated in time with what covers it (a product of two means); one direction per tile.
 #include "mixin/jitter.glsl"
 #include "mixin/layer.glsl"
-#include "mixin/path.glsl"
 #include "mixin/stored.glsl"
 #include "lib/times.glsl"
 
 struct Tap {
-  ivec2 at;
   vec3 color;
   float depth;
   vec2 d, d_after;  // px over the exposure, before and after the capture
@@ -45,7 +42,7 @@ Tap tapAt(ivec2 pixel) {
 #if HAS_after_velocity
   d_after = limited(texelFetch(after_velocity_tex, pixel, 0));
 #endif
-  return Tap(pixel, texel.color, texel.depth, texel.d, d_after);
+  return Tap(texel.color, texel.depth, texel.d, d_after);
 }
 
 // By which displacement, in px over the exposure, a tap taken at `offset` for time t passes over the pixel.
@@ -54,29 +51,8 @@ struct Passing {
   vec2 d;
 };
 
-#if HAS_curve
-// Velocity at time t on a path, px over the exposure.
-vec2 velocityAt(Path path, float t) { return 32.0 * (tapOffset(path, t - 1.0 / 64.0) - tapOffset(path, t + 1.0 / 64.0)); }
-
-// The same on a curve: from the tap's time on to that at which the tap's own surface is nearest to the pixel.
-Passing passingOnCurve(Tap tap, ivec2 offset, float t) {
-  Path path = onCurve(tap.d, texelFetch(curve_tex, tap.at, 0));
-  for (int i = 0; i < 2; ++i) {
-    vec2 velocity = velocityAt(path, t);
-    float speed = dot(velocity, velocity);
-    if (speed < 0.25) break;
-    t = clamp(t - dot(vec2(offset) - tapOffset(path, t), velocity) / speed, frame.shutter.x, frame.shutter.y);
-  }
-  vec2 off = vec2(offset) - tapOffset(path, t);
-  return Passing(dot(off, off) <= 0.75 * 0.75, velocityAt(path, t));
-}
-#endif
-
 Passing passingOf(Tap tap, ivec2 offset, float t, bool turns_back) {
   bool after = t > 0.0;
-#if HAS_curve
-  if (texelFetch(curve_tex, tap.at, 0) != vec4(0)) return passingOnCurve(tap, offset, t);
-#endif
 #if HAS_after_velocity
   vec2 own = after ? tap.d_after : tap.d, other = after ? tap.d : tap.d_after;
   vec2 before_part = partBefore(frame.shutter), after_part = partAfter(frame.shutter);
@@ -163,7 +139,7 @@ void run(ivec2 pixel) {
     float t = sampleTime(i, params.samples, jitter);
     bool after = t > 0.0;
     vec2 along = after ? d_after : d;
-    ivec2 at = clampToImage(pixel + roundSymmetric(tapOffset(dominantPath(along, pixel / params.tile), t)), size);
+    ivec2 at = clampToImage(pixel + roundSymmetric(tapOffset(along, t)), size);
     if (!isValid(at)) continue;
 
     Tap tap = tapAt(at);

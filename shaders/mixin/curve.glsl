@@ -2,10 +2,9 @@
 // Needs: nothing; may have: PARAM_trajectory.
 // Paths over the picture that are no straight lines, through poses inside of the exposure. With u in [0, 1] from its start
 // to its end, and x = u - 1/2, a point leaves the line between the ends of its path
-//   on a polynomial of second or third order by   4 u (1 - u) (b + 2 x c),   b = curve.xy, c = curve.zw, px;
-//   on an arc by                                  b (exp(w x) - cosh(w/2) - 2 x sinh(w/2)) / (1 - cosh(w/2)),   w = curve.zw,
-// products of complex numbers. b is how far it is from that line in the middle; c, by how much more on the way to the end
-// than from the start; w turns and stretches a circle about a centre that goes along a line: w.y radians and a factor of
+//   on a parabola by   4 u (1 - u) b,   b = curve.xy, px;
+//   on an arc by       b (exp(w x) - cosh(w/2) - 2 x sinh(w/2)) / (1 - cosh(w/2)),   w = curve.zw,
+// products of complex numbers. b is how far it is from that line in the middle; w turns and stretches a circle about a centre that goes along a line: w.y radians and a factor of
 // exp(w.x) over the exposure. Wheels that roll are arcs. w = 0 is the parabola, and a curve of 0 the straight line, bit
 // for bit.
 #ifndef STROBE_CURVE_GLSL
@@ -45,7 +44,7 @@ vec2 fromLine(vec4 curve, float u) {
   return complexProduct(curve.xy, share);
 }
 #else
-vec2 fromLine(vec4 curve, float u) { return 4.0 * u * (1.0 - u) * (curve.xy + (2.0 * u - 1.0) * curve.zw); }
+vec2 fromLine(vec4 curve, float u) { return 4.0 * u * (1.0 - u) * curve.xy; }
 #endif
 
 // Where what moves by d over the exposure, on that curve, is at time t, from where it is at the capture, px.
@@ -76,8 +75,8 @@ vec4 shortenedCurve(vec4 curve, float share) {
 // The three control points of the path as a cubic Bezier curve but the first, from where it is at the start, px: the path is
 // within their hull.
 void controlPoints(vec2 d, vec4 curve, out vec2 points[3]) {
-  points[0] = d / 3.0 + 4.0 / 3.0 * (curve.xy - curve.zw);
-  points[1] = 2.0 / 3.0 * d + 4.0 / 3.0 * (curve.xy + curve.zw);
+  points[0] = d / 3.0 + 4.0 / 3.0 * curve.xy;
+  points[1] = 2.0 / 3.0 * d + 4.0 / 3.0 * curve.xy;
   points[2] = d;
 }
 

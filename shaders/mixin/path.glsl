@@ -43,16 +43,6 @@ Path limitedPath(vec4 velocity, vec4 curve) {
   return onCurve(shortened, curve);
 }
 
-// How far the surface at a texel, which moves by d, comes: the length of d, or of the straight displacement that holds its
-// curve, px.
-float spreadAt(ivec2 texel, vec2 d) {
-#if HAS_curve
-  return reachOf(d, texelFetch(curve_tex, texel, 0), frame.shutter);
-#else
-  return lengthOf(d);
-#endif
-}
-
 // How far a path comes: the length of its displacement, or of the straight one that holds its curve, px.
 float reachOf(Path path) {
 #if HAS_curve

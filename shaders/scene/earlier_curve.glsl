@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: MIT
-// How a layer's paths go on: polynomials of second order through the places of their points at the capture and the two frames
-// before it, of third order through those of three, taken over the exposure, wherever that lies. In a loop of the times
-// "frames" with as many slices.
+// How a layer's paths go on: parabolas through the places of their points at the capture and the two frames before it, taken
+// over the exposure, wherever that lies. In a loop of the times "frames" with two slices.
 // In:  depth, id, hit, normal as path_bend has them; velocity (px over the exposure, from the frame before alone).
 // Out: velocity (px between the ends of the curve), curve (px, mixin/curve.glsl), bend (px: how far the curve is from the line
 //      between its ends in the middle), bent (1 where an end of the exposure is more than `most_bend` px from where the curve
 //      has it, by true poses, or a pixel grows to more than `most_growth` px).
-// With the differences of places from frame to frame, D = p0 - p1, of these, D2 = p0 - 2 p1 + p2, and of these, D3, the point
-// is f frames after the capture at p0 + f D + f (f + 1) / 2 D2 + f (f + 1) (f + 2) / 6 D3 (Newton).
-// Fails: what changes its way after the capture. Poses beyond a cut are none: fewer of them make a lower order, and one alone
-// the straight path. What comes back to its pose of the capture in the second or third frame before is taken for cut.
+// With the differences of places from frame to frame, D = p0 - p1, and of these, D2 = p0 - 2 p1 + p2, the point is f frames
+// after the capture at p0 + f D + f (f + 1) / 2 D2 (Newton).
+// Fails: what changes its way after the capture. Poses beyond a cut are none: one alone makes the straight path. What comes
+// back to its pose of the capture in the second frame before is taken for cut.
 #include "mixin/stored.glsl"
 #include "mixin/texel_path.glsl"
 #include "mixin/curve.glsl"
 
-const int kPoses = PARAM_trajectory == trajectory_cubic ? 3 : 2;
+const int kPoses = 2;
 
 bool cameraStands(uint slice) {
   SceneCamera then = scene_cameras[slice], now = scene_cameras[SLICE_CAPTURE];
@@ -28,40 +27,30 @@ bool instanceStands(uint slice, uint id) {
   return then.row_x == now.row_x && then.row_y == now.row_y && then.row_z == now.row_z;
 }
 
-// How many of the poses come before one that stands as the capture does, which is beyond a cut.
-int knownPoses(uint id, vec2 places[kPoses]) {
-  for (int k = 1; k < kPoses; ++k) {
-    uint slice = SLICE_SAMPLE + uint(k);
-    bool camera_is_cut = cameraStands(slice) && !cameraStands(slice - 1u);
-    bool instance_is_cut = instanceStands(slice, id) && !instanceStands(slice - 1u, id);
-    if (camera_is_cut || instance_is_cut || places[k] == vec2(0)) return k;
-  }
-  return kPoses;
+// True if the pose two frames before the capture is that of the capture: it is beyond a cut.
+bool isSecondPoseCut(uint id) {
+  uint slice = SLICE_SAMPLE + 1u;
+  bool camera_is_cut = cameraStands(slice) && !cameraStands(slice - 1u);
+  return camera_is_cut || (instanceStands(slice, id) && !instanceStands(slice - 1u, id));
 }
 
 struct Differences {
-  vec2 first, second, third;  // px per frame, per frame^2, per frame^3
+  vec2 first, second;  // px per frame, per frame^2
 };
 
-Differences differencesOf(vec2 places[kPoses], int known) {
-  Differences d = Differences(-places[0], vec2(0), vec2(0));
-  if (known > 1) d.second = places[1] - 2.0 * places[0];
-#if PARAM_trajectory == trajectory_cubic
-  if (known > 2) d.third = 3.0 * (places[1] - places[0]) - places[2];
-#endif
-  return d;
+// False if the path has fewer than two poses before the capture.
+bool hasDifferences(uint id, vec2 places[kPoses]) {
+  return places[0] != vec2(0) && places[1] != vec2(0) && !isSecondPoseCut(id);
 }
 
-// Px from the capture, so many frames after it.
-vec2 placeAt(Differences d, float f) {
-  return f * (d.first + 0.5 * (f + 1.0) * (d.second + (f + 2.0) / 3.0 * d.third));
+Differences differencesOf(vec2 places[kPoses], bool is_curved) {
+  return Differences(-places[0], is_curved ? places[1] - 2.0 * places[0] : vec2(0));
 }
 
-vec4 curveOf(Differences d) {
-  float exposure = frame.exposure, middle = 0.5 * exposure * (frame.shutter.x + frame.shutter.y);
-  vec2 b = -exposure * exposure / 8.0 * (d.second + (1.0 + middle) * d.third);
-  return vec4(b, -exposure * exposure * exposure / 48.0 * d.third);
-}
+// Place f frames after the capture, px from that at the capture.
+vec2 placeAt(Differences d, float f) { return f * (d.first + 0.5 * (f + 1.0) * d.second); }
+
+vec4 curveOf(Differences d) { return vec4(-frame.exposure * frame.exposure / 8.0 * d.second, 0, 0); }
 
 void run(ivec2 pixel) {
   uint id = texelFetch(id_tex, pixel, 0).x, kind = pathKind(id);
@@ -74,11 +63,11 @@ void run(ivec2 pixel) {
     if (is_curved) {
       vec2 places[kPoses];
       for (int k = 0; k < kPoses; ++k) places[k] = pathOfTexel(SLICE_SAMPLE + uint(k), pixel);
-      int known = places[0] == vec2(0) ? 0 : knownPoses(id, places);
-      Differences d = differencesOf(places, known);
+      bool has_differences = hasDifferences(id, places);
+      Differences d = differencesOf(places, has_differences);
       vec2 open = placeAt(d, frame.exposure * frame.shutter.x), close = placeAt(d, frame.exposure * frame.shutter.y);
       vec2 between = close - open;
-      if (known > 1 && !any(isnan(between)) && !any(isinf(between))) {
+      if (has_differences && !any(isnan(between)) && !any(isinf(between))) {
         velocity = storedVelocity(between);
         curve = curveOf(d);
       }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How a layer's paths are curved: polynomials of second or third order or arcs (mixin/curve.glsl) through poses inside of the
+// How a layer's paths are curved: parabolas or arcs (mixin/curve.glsl) through poses inside of the
 // exposure, and what these do not say. In a loop of three times, at 1/6, 1/2 and 5/6 of the exposure; for arcs of five, at
 // 1/10, 3/10, ... of it.
 // In:  depth, id, velocity, hit, normal as path_bend has them.
-// Out: curve (px: of second order the first two, of third order all four; of arcs px and a turn), bend (px: how far the path
+// Out: curve (px; of arcs px and a turn), bend (px: how far the path
 //      is from the line between its ends in the middle), bent (1 where the curve is farther than `most_bend` px from the path
 //      at one of the times, or a pixel grows to more than `most_growth` px).
-// The second order meets the path in the middle; the third order takes from the other two times by how much more it is off
-// the line late than early, which leaves what both have in common to `bent`. On an arc second differences turn and grow as
+// A parabola meets the path in the middle. On an arc second differences turn and grow as
 // it does, whatever its centre and the line that this goes along: two of them say by how much.
 // Fails: of a full turn three poses see a third each: what turns by more than half a turn is `bent`. Five poses tell turns
 // apart up to one and a quarter; a circle seen aslant is no arc.
@@ -50,9 +49,7 @@ void run(ivec2 pixel) {
         else from_line[k] = path - mix(open, close, timeOfPose(k));
       }
       curve.xy = from_line[kPoses / 2];
-#if PARAM_trajectory == trajectory_cubic
-      curve.zw = 27.0 / 20.0 * (from_line[2] - from_line[0]);
-#elif ON_ARCS
+#if ON_ARCS
       curve.zw = turnOf(from_line);
 #endif
       for (int k = 0; k < kPoses; ++k) off_px = max(off_px, lengthOf(from_line[k] - fromLine(curve, timeOfPose(k))));

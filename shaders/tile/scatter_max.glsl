@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Per tile, the longest displacement that came to it or to one of the 8 around it: a tile is wider than the line of its centre.
-// In:  longest (px over the exposure, per tile), curve (of its path, px; absent: lines), source (of tile/scatter_source.glsl).
-// Out: dominant (px over the exposure), dominant_curve (of its path, px); of equally long ones that of the first tile in raster order around.
-#include "mixin/curve.glsl"
-
-vec4 curveOf(ivec2 tile) {
-#if HAS_curve
-  return texelFetch(curve_tex, tile, 0);
-#else
-  return vec4(0);
-#endif
-}
+// In:  longest (px over the exposure, per tile), source (of tile/scatter_source.glsl).
+// Out: dominant (px over the exposure); of equally long ones that of the first tile in raster order around.
+#include "lib/blur.glsl"
 
 void run(ivec2 pixel) {
   ivec2 tiles = textureSize(longest_tex, 0);
   vec2 dominant = vec2(0);
-  vec4 dominant_curve = vec4(0);
   float dominant_length = 0.0;
   for (int y = -1; y <= 1; ++y) {
     for (int x = -1; x <= 1; ++x) {
@@ -25,14 +16,11 @@ void run(ivec2 pixel) {
       int number = tiles.x * tiles.y - int(source);
       ivec2 from = ivec2(number % tiles.x, number / tiles.x);
       vec2 d = vec2(texelFetch(longest_tex, from, 0));
-      vec4 curve = curveOf(from);
-      float d_length = reachOf(d, curve, frame.shutter);
+      float d_length = lengthOf(d);
       if (d_length <= dominant_length) continue;
       dominant = d;
-      dominant_curve = curve;
       dominant_length = d_length;
     }
   }
   imageStore(dominant_img, pixel, vec4(dominant, 0, 0));
-  imageStore(dominant_curve_img, pixel, dominant_curve);
 }

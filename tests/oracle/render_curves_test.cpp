@@ -156,11 +156,11 @@ struct Doubts {
   }
 };
 
-// In the middle of the exposure a curve is where the point is, and the third order takes up what differs between early
-// and late; both leave what they should leave of 60 degrees: less than half a pixel.
-TEST_F(RenderCurves, ArePolynomialsThroughTurningPoints) {
+// A parabola meets the point at both ends of the exposure and in the middle; `bent` marks points that are more than
+// half a pixel off it a third of the exposure before or after.
+TEST_F(RenderCurves, AreParabolasThroughTurningPoints) {
   for (const Anchor& anchor : anchors()) {
-    lab::Shot shot = with(wedge(), "mcguire2012", {"trajectory=cubic"}, anchor.name);
+    lab::Shot shot = with(wedge(), "hybrid_layered", {"trajectory=quadratic"}, anchor.name);
     shot.taps = {"raster_curve.curve", "raster_curve.bent"};
     lab::Picture picture = render(shot);
     const image::Image &curve = picture.frame.taps.at("raster_curve.curve").floats,
@@ -172,10 +172,12 @@ TEST_F(RenderCurves, ArePolynomialsThroughTurningPoints) {
         ++seen;
         auto at = [&](double u) { return turned(placeOf(x, y), glm::mix(anchor.window.open, anchor.window.close, u)); };
         auto fromLine = [&](double u) { return at(u) - glm::mix(at(0), at(1), u); };
-        glm::dvec2 b = fromLine(.5), c = 27 / 20. * (fromLine(5 / 6.) - fromLine(1 / 6.));
-        const double expected[] = {b.x, b.y, c.x, c.y};
-        for (int k = 0; k < 4; ++k) EXPECT_NEAR(curve.at(x, y, k), expected[k], 1e-3) << anchor.name;
-        EXPECT_EQ(bent.at(x, y, 0), 0) << anchor.name;
+        const glm::dvec2 b = fromLine(.5);
+        for (int k = 0; k < 2; ++k) EXPECT_NEAR(curve.at(x, y, k), b[k], 1e-3) << anchor.name;
+        for (int k = 2; k < 4; ++k) EXPECT_EQ(curve.at(x, y, k), 0) << anchor.name;
+        double off_px = 0;
+        for (double u : {1 / 6., 5 / 6.}) off_px = std::max(off_px, glm::length(fromLine(u) - 4 * u * (1 - u) * b));
+        if (std::abs(off_px - .5) > .01) EXPECT_EQ(bent.at(x, y, 0), off_px > .5) << anchor.name << ' ' << off_px;
       }
     EXPECT_GT(seen, 500);
   }
@@ -185,7 +187,7 @@ TEST_F(RenderCurves, ArePolynomialsThroughTurningPoints) {
 // more than they may be.
 TEST_F(RenderCurves, BendsAreThoseOfTurningPoints) {
   for (const Anchor& anchor : anchors()) {
-    lab::Shot shot = with(wedge(), "hybrid", {"preset=best", "raster_bend.most_bend=2"}, anchor.name);
+    lab::Shot shot = with(wedge(), "hybrid_traced", {"raster_bend.most_bend=2"}, anchor.name);
     shot.taps = {"raster_bend.bend", "raster_bend.bent"};
     lab::Picture picture = render(shot);
     const image::Image &bend = picture.frame.taps.at("raster_bend.bend").floats,
@@ -211,10 +213,10 @@ TEST_F(RenderCurves, BendsAreThoseOfTurningPoints) {
 // sixteenth of the arc bends.
 TEST_F(RenderCurves, BoundsOfArcsHoldEveryPoint) {
   for (const Anchor& anchor : anchors()) {
-    std::vector<std::string> settings = {"preset=captured", "trajectory=arc"};
+    std::vector<std::string> settings = {"trajectory=arc"};
     for (const char* node : {"raster_bounds", "revealed_bounds", "motion_reach", "composite"})
       settings.push_back(fmt::format("{}.cell_side=1", node));
-    lab::Shot shot = with(wedge(), "hybrid", settings, anchor.name);
+    lab::Shot shot = with(wedge(), "hybrid_layered", settings, anchor.name);
     shot.taps = {"raster_bounds.bounds"};
     const lab::Picture picture = render(shot);
     const image::Image& bounds = picture.frame.taps.at(shot.taps[0]).floats;
@@ -247,8 +249,8 @@ TEST_F(RenderCurves, BoundsOfArcsHoldEveryPoint) {
 // In each part of the exposure, in which a jittered sample may be anywhere, cells are doubted in which something
 // doubtful is; and none farther off than the pixel and a half that rounding and the width of a tap make.
 TEST_F(RenderCurves, CellsAreDoubtedWhereWhatBendsMayBe) {
-  lab::Shot shot = with(shotOf("swerve", kSide, 64), "hybrid",
-                        {"preset=best", fmt::format("samples={}", Doubts::kParts), "jitter=hash"}, "centre");
+  lab::Shot shot = with(shotOf("swerve", kSide, 64), "hybrid_traced",
+                        {fmt::format("samples={}", Doubts::kParts), "jitter=hash"}, "centre");
   shot.taps = {"doubtful.doubtful"};
   const std::pair<const char*, double> layers[] = {{"raster_bent_bounds", 0},
                                                    {"revealed_1_bent_bounds", 0},
@@ -280,15 +282,14 @@ TEST_F(RenderCurves, CellsAreDoubtedWhereWhatBendsMayBe) {
 TEST_F(RenderCurves, FollowATurningWedge) {
   for (const Anchor& anchor : anchors()) {
     std::map<std::string, double> errors;
-    for (const char* curve : {"line", "quadratic", "cubic"})
-      errors[curve] = errorOf(render(with(wedge(), "hybrid",
-                                          {"preset=captured", "mask=none", "mask.everywhere=true", "samples=64",
-                                           fmt::format("trajectory={}", curve)},
-                                          anchor.name)),
-                              anchor.window);
-    EXPECT_LE(errors["cubic"], errors["line"] / 5) << anchor.name;
+    for (const char* curve : {"line", "quadratic", "arc"})
+      errors[curve] = errorOf(
+          render(with(wedge(), hybridSteps(),
+                      {"mask=all", "samples=64", fmt::format("trajectory={}", curve)}, anchor.name)),
+          anchor.window);
+    EXPECT_LE(errors["arc"], errors["line"] / 5) << anchor.name;
     EXPECT_LE(errors["quadratic"], errors["line"] / 5) << anchor.name;
-    EXPECT_LE(errors["cubic"], errors["quadratic"] + 1e-3) << anchor.name;
+    EXPECT_LE(errors["arc"], errors["quadratic"] + 1e-3) << anchor.name;
     for (const auto& [curve, error] : errors) fmt::print("{} {}: {:.4f}\n", anchor.name, curve, error);
   }
 }
@@ -298,118 +299,16 @@ TEST_F(RenderCurves, FollowABladeAndAWheelThatRolls) {
        {Wheel{"blade", 30, 50, 1, 0, 8}, Wheel{"wheel", 0, 45, 4, 20, 4}, Wheel{"fan", 0, 30, 5, 0, 6}})
     for (const Anchor& anchor : anchors()) {
       std::map<std::string, double> errors;
-      for (const char* curve : {"line", "cubic"})
-        errors[curve] = errorOf(wheel,
-                                render(with(shotOfWheel(wheel), "hybrid",
-                                            {"preset=captured", "mask=none", "mask.everywhere=true", "samples=64",
-                                             fmt::format("trajectory={}", curve)},
-                                            anchor.name)),
-                                anchor.window);
-      EXPECT_LE(errors["cubic"], errors["line"] / 5) << wheel.what << ", " << anchor.name;
-      fmt::print("{} {}: {:.4f}, {:.4f}\n", wheel.what, anchor.name, errors["line"], errors["cubic"]);
-    }
-}
-
-// Methods that know at each time what covers a pixel; one that does where the pixel sees the wedge at the capture.
-struct Follower {
-  std::string pipeline;
-  std::vector<std::string> settings;
-  bool inside = false;
-};
-
-TEST_F(RenderCurves, EachMethodFollowsATurningWedge) {
-  for (const Follower& method :
-       {Follower{"hybrid", {"preset=captured", "mask=none", "mask.everywhere=true", "composite=in_gather"}},
-        Follower{"layers2024", {"layer_count=2"}}, Follower{"bevy", {"jitter=none"}, true}})
-    for (const Anchor& anchor : anchors()) {
-      std::map<std::string, double> errors;
-      for (const char* curve : {"line", "cubic"}) {
-        std::vector<std::string> settings = method.settings;
-        settings.insert(settings.end(), {"samples=64", fmt::format("trajectory={}", curve)});
+      for (const char* curve : {"line", "arc"})
         errors[curve] =
-            errorOf(render(with(wedge(), method.pipeline, settings, anchor.name)), anchor.window, method.inside);
-      }
-      const std::string what = fmt::format("{}, {}", method.pipeline, anchor.name);
-      // Of the middle of the wedge, which half of 60 degrees never uncovers, there is no error to fall.
-      double share = method.inside && anchor.name == "centre" ? .5 : .2;
-      EXPECT_LE(errors["cubic"], errors["line"] * share) << what;
-      fmt::print("{}: {:.4f}, {:.4f}\n", what, errors["line"], errors["cubic"]);
+            errorOf(wheel,
+                    render(with(shotOfWheel(wheel), hybridSteps(),
+                                {"mask=all", "samples=64", fmt::format("trajectory={}", curve)},
+                                anchor.name)),
+                    anchor.window);
+      EXPECT_LE(errors["arc"], errors["line"] / 5) << wheel.what << ", " << anchor.name;
+      fmt::print("{} {}: {:.4f}, {:.4f}\n", wheel.what, anchor.name, errors["line"], errors["arc"]);
     }
-}
-
-// Low pictures, which a blade leaves above at the capture: the end of the exposure at which it lies in them sees it.
-TEST_F(RenderCurves, LayersOfTheEndsFollowABladeThatLeaves) {
-  const Anchor close{"close", kCloseAnchor}, open{"open", kOpenAnchor};
-  for (const auto& [anchor, curve] : {std::pair{close, "cubic"}, std::pair{open, "arc"}}) {
-    double from = anchor.name == "close" ? 50 : -70;
-    const Wheel blade{"leaves", from, from + 20, 1, 0, 8, kDegrees, 32};
-    auto errorWith = [&](const std::string& trajectory) {
-      return errorOf(blade,
-                     render(with(shotOfWheel(blade), "hybrid",
-                                 {"preset=captured", "end_layers=true", "tile=8", "mask=none", "mask.everywhere=true",
-                                  "samples=64", fmt::format("trajectory={}", trajectory)},
-                                 anchor.name)),
-                     anchor.window);
-    };
-    double straight = errorWith("line"), curved = errorWith(curve);
-    EXPECT_LE(curved, straight / 5) << anchor.name << ", " << curve;
-    fmt::print("ends, {} {}: {:.4f}, {:.4f}\n", anchor.name, curve, straight, curved);
-  }
-}
-
-// Behind two cards that slide away: the second surface that was revealed.
-TEST_F(RenderCurves, FurtherLayersFollowAWedgeBehindCards) {
-  Wheel wedge{"behind cards", 20, 65, 1, 0, 4};
-  wedge.slides_off = 40;
-  std::map<std::string, double> errors;
-  for (const char* curve : {"line", "cubic"})
-    errors[curve] = errorOf(wedge,
-                            render(with(shotOfWheel(wedge), "hybrid",
-                                        {"preset=captured", "revealed_layers=2", "mask=none", "mask.everywhere=true",
-                                         "samples=64", fmt::format("trajectory={}", curve)},
-                                        "open")),
-                            kOpenAnchor);
-  EXPECT_LE(errors["cubic"], errors["line"] / 5);
-  fmt::print("behind cards: {:.4f}, {:.4f}\n", errors["line"], errors["cubic"]);
-}
-
-// What goes along a parabola without turning is blurred along it by a gather that has one curve per tile: the place of
-// each of its points is that of all.
-TEST_F(RenderCurves, ScatteredTilesFollowAParabola) {
-  constexpr double kLeft = 36, kRight = 60, kTop = 24, kBottom = 40, kDown = 24, kBend = 96, kBright = .9;
-  const lab::Shot shot = shotOf("bent", kSide, 64,
-                                {{"left", kLeft},
-                                 {"right", kRight},
-                                 {"top", kTop},
-                                 {"bottom", kBottom},
-                                 {"before", 0},
-                                 {"after", 0},
-                                 {"before_y", kDown},
-                                 {"after_y", kDown},
-                                 {"bend", kBend},
-                                 {"light", 0},
-                                 {"dark", 0}});
-  for (const Anchor& anchor : anchors()) {
-    auto errorWith = [&](const std::string& curve) {
-      image::Image color =
-          colorOf(render(with(shot, "hdrp", {"samples=32", "jitter=none", "trajectory=" + curve}, anchor.name)));
-      double sum = 0;
-      for (int y = 0; y < color.height; ++y)
-        for (int x = 0; x < color.width; ++x) {
-          double covered = 0;
-          for (int k = 0; k < 256; ++k) {
-            double t = glm::mix(anchor.window.open, anchor.window.close, (k + .5) / 256);
-            double own_x = x + .5 - kBend * t * t / 2, own_y = y + .5 - kDown * t;
-            covered += own_x >= kLeft && own_x < kRight && own_y >= kTop && own_y < kBottom;
-          }
-          sum += std::pow(color.at(x, y, 0) - kBright * covered / 256, 2);
-        }
-      return std::sqrt(sum / (color.width * color.height));
-    };
-    double straight = errorWith("line"), curved = errorWith("quadratic");
-    EXPECT_LE(curved, straight / 2) << anchor.name;
-    fmt::print("hdrp, {}: {:.4f}, {:.4f}\n", anchor.name, straight, curved);
-  }
 }
 
 // An arc says by how much a point turns, whatever its centre does; over a full turn too, whose ends are in one place.
@@ -418,8 +317,8 @@ TEST_F(RenderCurves, ArcsSayHowFarPointsTurn) {
     for (double degrees : {30., 170., 360., 430.})
       for (const Anchor& anchor : anchors()) {
         const std::string what = fmt::format("{}, {} degrees, {} px", anchor.name, degrees, slide);
-        lab::Shot shot =
-            with(shotOfWheel({what, 20, 65, 1, slide, 0, degrees}), "mcguire2012", {"trajectory=arc"}, anchor.name);
+        lab::Shot shot = with(shotOfWheel({what, 20, 65, 1, slide, 0, degrees}), "hybrid_layered",
+                              {"trajectory=arc"}, anchor.name);
         shot.taps = {"raster_curve.curve", "raster_curve.bent"};
         const lab::Picture picture = render(shot);
         const image::Image &curve = picture.frame.taps.at("raster_curve.curve").floats,
@@ -437,79 +336,78 @@ TEST_F(RenderCurves, ArcsSayHowFarPointsTurn) {
       }
 }
 
-// Beyond a third of a turn, which cubics leave.
-TEST_F(RenderCurves, ArcsFollowFurtherThanCubics) {
+// Beyond a sixth of a turn, which parabolas leave.
+TEST_F(RenderCurves, ArcsFollowFurtherThanParabolas) {
   for (const Wheel& wheel : {Wheel{"half a turn", 20, 65, 1, 0, 4, 180}, Wheel{"a full turn", 20, 65, 1, 0, 4, 360},
                              Wheel{"rolls", 0, 45, 3, 12, 6, 300}})
     for (const Anchor& anchor : anchors()) {
       std::map<std::string, double> errors;
-      for (const char* curve : {"line", "cubic", "arc"})
-        errors[curve] = errorOf(wheel,
-                                render(with(shotOfWheel(wheel), "hybrid",
-                                            {"preset=captured", "mask=none", "mask.everywhere=true", "samples=64",
-                                             fmt::format("trajectory={}", curve)},
-                                            anchor.name)),
-                                anchor.window);
+      for (const char* curve : {"line", "quadratic", "arc"})
+        errors[curve] =
+            errorOf(wheel,
+                    render(with(shotOfWheel(wheel), hybridSteps(),
+                                {"mask=all", "samples=64", fmt::format("trajectory={}", curve)},
+                                anchor.name)),
+                    anchor.window);
       const std::string what = wheel.what + ", " + anchor.name;
       EXPECT_LE(errors["arc"], errors["line"] / 5) << what;
-      EXPECT_LE(errors["arc"], wheel.degrees > 200 ? errors["cubic"] / 2 : errors["cubic"] + 1e-3) << what;
-      fmt::print("{}: {:.4f}, {:.4f}, {:.4f}\n", what, errors["line"], errors["cubic"], errors["arc"]);
+      EXPECT_LE(errors["arc"], errors["quadratic"] / 2) << what;
+      fmt::print("{}: {:.4f}, {:.4f}, {:.4f}\n", what, errors["line"], errors["quadratic"], errors["arc"]);
     }
 }
 
 // Where nothing turns no curve is looked for, and every picture is that of straight paths.
 TEST_F(RenderCurves, StraightPathsCostNothing) {
+  auto drawn = [&](const lab::Shot& shot, const std::string& curve) {
+    return render(with(shot, "hybrid_layered", {"trajectory=" + curve}));
+  };
   const lab::Shot slides = shotOf("textured_bar", 64, 24);
-  for (const char* pipeline :
-       {"hybrid", "mcguire2012", "guertin2014", "jimenez2014", "ue4", "hdrp", "bevy", "layers2024"}) {
-    lab::Picture line = render(with(slides, pipeline, {"trajectory=line"}));
-    for (const char* curve : {"cubic", "arc"}) {
-      lab::Picture curved = render(with(slides, pipeline, {fmt::format("trajectory={}", curve)}));
-      EXPECT_TRUE(identical(colorOf(line), colorOf(curved))) << pipeline << ", " << curve;
-      for (const auto& step : curved.frame.times) EXPECT_EQ(step.name.find("_curve"), std::string::npos) << step.name;
-    }
-    lab::Shot turning = with(wedge(), pipeline, {"trajectory=cubic"});
-    lab::Picture turned = render(turning);
+  const lab::Picture line = drawn(slides, "line");
+  for (const char* curve : {"quadratic", "arc"}) {
+    const lab::Picture curved = drawn(slides, curve);
+    EXPECT_TRUE(identical(colorOf(line), colorOf(curved))) << curve;
+    for (const auto& step : curved.frame.times) EXPECT_EQ(step.name.find("_curve"), std::string::npos) << step.name;
+    const lab::Picture turned = drawn(wedge(), curve);
     bool runs = std::any_of(turned.frame.times.begin(), turned.frame.times.end(),
                             [](const auto& step) { return step.name == "raster_curve"; });
-    EXPECT_TRUE(runs) << pipeline;
+    EXPECT_TRUE(runs) << curve;
   }
 }
 
 // What goes straight is blurred as if all did, whatever turns beside it, farther off than either goes.
 TEST_F(RenderCurves, BesideWhatTurnsStraightPathsAreWhatTheyWere) {
   const lab::Shot shot = shotOf("beside", 160, 32);
-  const std::vector<std::pair<std::string, std::string>> methods = {{"hybrid", "preset=captured"},
-                                                                    {"mcguire2012", "directions=two"},
-                                                                    {"guertin2014", "samples=16"},
-                                                                    {"jimenez2014", "samples=16"}};
-  for (const auto& [pipeline, setting] : methods) {
-    const image::Image line = colorOf(render(with(shot, pipeline, {"tile=8", setting, "trajectory=line"}))),
-                       curved = colorOf(render(with(shot, pipeline, {"tile=8", setting, "trajectory=cubic"})));
+  auto drawn = [&](const std::string& curve) {
+    return colorOf(render(with(shot, "hybrid_layered", {"tile=8", "trajectory=" + curve})));
+  };
+  const image::Image line = drawn("line");
+  for (const char* curve : {"quadratic", "arc"}) {
+    const image::Image curved = drawn(curve);
     int different = 0, turned = 0;
     for (int y = 0; y < line.height; ++y)
       for (int x = 0; x < line.width; ++x)
         for (int k = 0; k < 3; ++k) (x < 56 ? turned : different) += line.at(x, y, k) != curved.at(x, y, k);
-    EXPECT_EQ(different, 0) << pipeline;
-    EXPECT_GT(turned, 0) << pipeline;
+    EXPECT_EQ(different, 0) << curve;
+    EXPECT_GT(turned, 0) << curve;
   }
 }
 
 TEST_F(RenderCurves, AreRefusedWhereTheySayNothing) {
-  auto problemOf = [&](const std::string& pipeline, const std::vector<std::string>& settings) -> std::string {
+  auto problemOf = [&](const std::vector<std::string>& settings) -> std::string {
     try {
-      render(with(wedge(), pipeline, settings));
+      render(with(wedge(), hybridSteps(), settings));
     } catch (const Error& error) {
       return error.what();
     }
     return "";
   };
-  EXPECT_NE(problemOf("hybrid", {"trajectory=cubic", "range=split"}).find("needs range = whole"), std::string::npos);
-  for (const char* pipeline : {"ue4", "hybrid"})
-    EXPECT_NE(problemOf(pipeline, {"trajectory=arc", "displacement=extrapolated"})
-                  .find("trajectory = arc: arcs need poses inside of the exposure"),
-              std::string::npos)
-        << pipeline;
+  EXPECT_NE(problemOf({"trajectory=arc", "range=split"}).find("needs range = whole"), std::string::npos);
+  EXPECT_NE(problemOf({"trajectory=arc", "displacement=extrapolated"})
+                .find("trajectory = arc: arcs need poses inside of the exposure"),
+            std::string::npos);
+  EXPECT_NE(
+      problemOf({"trajectory=arc", "composite=in_gather"}).find("composite = in_gather follows straight paths only"),
+      std::string::npos);
 }
 
 // --- From poses of earlier frames
@@ -519,74 +417,64 @@ constexpr double kPerFrame = 2 * kSlow;
 
 lab::Shot slowWedge() { return shotOf("wedge", kSide, kSide, {{"from", 20}, {"to", 65}, {"degrees", kSlow}}); }
 
-const std::map<std::string, int> kFramesOf = {{"quadratic", 2}, {"cubic", 3}};
-
 std::vector<std::string> foretold(const std::string& trajectory) {
   return {"displacement=extrapolated", "trajectory=" + trajectory};
 }
 
-// As many frames as the curve has poses of earlier ones, up to the capture: it goes through all of them.
+// Over two frames up to the raster time: the curve goes through the poses of both.
 TEST_F(RenderCurves, MeetThePosesOfEarlierFrames) {
-  for (const auto& [trajectory, frames] : kFramesOf) {
-    lab::Shot shot = with(slowWedge(), "mcguire2012", foretold(trajectory), "close");
-    shot.exposure = frames;
-    shot.taps = {"raster_curve.curve"};
-    const lab::Picture picture = render(shot);
-    const image::Image &velocity = imageOf(picture, "velocity"),
-                       &curve = picture.frame.taps.at("raster_curve.curve").floats;
-    int seen = 0;
-    for (int y = 0; y < kSide; ++y)
-      for (int x = 0; x < kSide; ++x) {
-        const glm::dvec2 d(velocity.at(x, y, 0), velocity.at(x, y, 1)), b(curve.at(x, y, 0), curve.at(x, y, 1)),
-            c(curve.at(x, y, 2), curve.at(x, y, 3));
-        if (glm::length(d) == 0) continue;
-        ++seen;
-        for (int k = 1; k <= frames; ++k) {
-          const double u = 1 - double(k) / frames;
-          const glm::dvec2 at = d * (u - 1) + 4 * u * (1 - u) * (b + (2 * u - 1) * c);
-          const glm::dvec2 expected = turned(placeOf(x, y), -k * kPerFrame / kDegrees) - placeOf(x, y);
-          // Places of single precision, times the sums of their coefficients, which are below 32.
-          EXPECT_LE(glm::length(at - expected), 1e-3) << trajectory << ", " << -k << ", " << x << " " << y;
-        }
+  constexpr int kFrames = 2;
+  lab::Shot shot = with(slowWedge(), "hybrid_layered", foretold("quadratic"), "close");
+  shot.exposure = kFrames;
+  shot.taps = {"raster_curve.curve"};
+  const lab::Picture picture = render(shot);
+  const image::Image &velocity = imageOf(picture, "velocity"),
+                     &curve = picture.frame.taps.at("raster_curve.curve").floats;
+  int seen = 0;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const glm::dvec2 d(velocity.at(x, y, 0), velocity.at(x, y, 1)), b(curve.at(x, y, 0), curve.at(x, y, 1));
+      if (glm::length(d) == 0) continue;
+      ++seen;
+      for (int k = 1; k <= kFrames; ++k) {
+        const double u = 1 - double(k) / kFrames;
+        const glm::dvec2 at = d * (u - 1) + 4 * u * (1 - u) * b;
+        const glm::dvec2 expected = turned(placeOf(x, y), -k * kPerFrame / kDegrees) - placeOf(x, y);
+        // Places of single precision, times the sums of their coefficients, which are below 32.
+        EXPECT_LE(glm::length(at - expected), 1e-3) << -k << ", " << x << " " << y;
       }
-    EXPECT_GT(seen, 500) << trajectory;
-  }
+    }
+  EXPECT_GT(seen, 500);
 }
 
 // x = 12 t + 5 t^2 / 2, t in exposures: the curve of second order is the path, wherever the exposure lies.
 TEST_F(RenderCurves, AreWhatAcceleratesEvenly) {
   const lab::Shot bent = shotOf("bent", 96, 32, {{"before", 12}, {"after", 12}, {"bend", 5}});
-  for (const auto& [trajectory, frames] : kFramesOf)
-    for (const char* pipeline : {"mcguire2012", "hybrid"})
-      for (const Anchor& anchor : anchors()) {
-        if (pipeline == std::string("hybrid") && anchor.name != "open") continue;
-        lab::Shot shot = with(bent, pipeline, foretold(trajectory), anchor.name);
-        if (pipeline == std::string("hybrid")) lab::putSetting(shot.sets, "preset", std::string("captured"));
-        shot.taps = {"raster_curve.curve", "raster_curve.bent"};
-        const lab::Picture picture = render(shot);
-        const image::Image& curve = picture.frame.taps.at("raster_curve.curve").floats;
-        const std::string what = fmt::format("{}, {}, {}", trajectory, pipeline, anchor.name);
-        for (int x = 32; x < 60; ++x) {
-          EXPECT_NEAR(imageOf(picture, "velocity").at(x, 16, 0),
-                      12 + 5 * (anchor.window.open + anchor.window.close) / 2, 1e-3)
-              << what;
-          EXPECT_NEAR(curve.at(x, 16, 0), -5. / 8, 1e-3) << what;
-          for (int k = 1; k < 4; ++k) EXPECT_NEAR(curve.at(x, 16, k), 0, 1e-3) << what;
-          EXPECT_EQ(picture.frame.taps.at("raster_curve.bent").floats.at(x, 16, 0), 0) << what;
-        }
-      }
+  for (const Anchor& anchor : anchors()) {
+    lab::Shot shot = with(bent, "hybrid_layered", foretold("quadratic"), anchor.name);
+    shot.taps = {"raster_curve.curve", "raster_curve.bent"};
+    const lab::Picture picture = render(shot);
+    const image::Image& curve = picture.frame.taps.at("raster_curve.curve").floats;
+    for (int x = 32; x < 60; ++x) {
+      EXPECT_NEAR(imageOf(picture, "velocity").at(x, 16, 0), 12 + 5 * (anchor.window.open + anchor.window.close) / 2,
+                  1e-3)
+          << anchor.name;
+      EXPECT_NEAR(curve.at(x, 16, 0), -5. / 8, 1e-3) << anchor.name;
+      for (int k = 1; k < 4; ++k) EXPECT_NEAR(curve.at(x, 16, k), 0, 1e-3) << anchor.name;
+      EXPECT_EQ(picture.frame.taps.at("raster_curve.bent").floats.at(x, 16, 0), 0) << anchor.name;
+    }
+  }
 }
 
-// Over an exposure of half a frame, twenty degrees from frame to frame. Of the path that turns, the straight one leaves
-// out what second differences say, f (f + 1) / 2 of them at f frames, the second order f (f + 1) (f + 2) / 6 of the
-// third ones, and each difference is a third of the one before: at the ends of these exposures less than a third is
-// left by each order.
+// Over an exposure of half a frame, twenty degrees from frame to frame. Of the path that turns, a line leaves out
+// f (f + 1) / 2 second differences at f frames, a parabola f (f + 1) (f + 2) / 6 third ones, and a third difference is
+// a third of a second one: at the ends of these exposures a parabola leaves less than a third of what a line leaves.
 TEST_F(RenderCurves, FromEarlierFramesFollowWhatTurns) {
   for (const Anchor& anchor : anchors()) {
     std::map<std::string, double> farthest;
-    for (const char* trajectory : {"line", "quadratic", "cubic"}) {
+    for (const char* trajectory : {"line", "quadratic"}) {
       lab::Shot shot = shotOf("wedge", kSide, kSide, {{"from", 20}, {"to", 65}, {"degrees", 2 * kSlow}});
-      shot = with(shot, "mcguire2012", foretold(trajectory), anchor.name);
+      shot = with(shot, "hybrid_layered", foretold(trajectory), anchor.name);
       const bool is_line = trajectory == std::string("line");
       if (!is_line) shot.taps = {"raster_curve.curve"};
       const lab::Picture picture = render(shot);
@@ -595,13 +483,13 @@ TEST_F(RenderCurves, FromEarlierFramesFollowWhatTurns) {
         for (int x = 0; x < kSide; ++x) {
           const glm::dvec2 d(velocity.at(x, y, 0), velocity.at(x, y, 1));
           if (glm::length(d) == 0) continue;
-          glm::dvec2 b(0), c(0);
+          glm::dvec2 b(0);
           if (!is_line) {
             const image::Image& curve = picture.frame.taps.at("raster_curve.curve").floats;
-            b = {curve.at(x, y, 0), curve.at(x, y, 1)}, c = {curve.at(x, y, 2), curve.at(x, y, 3)};
+            b = {curve.at(x, y, 0), curve.at(x, y, 1)};
           }
           const double open = anchor.window.open;
-          auto off = [&](double t) { return 4 * (t - open) * (1 - t + open) * (b + (2 * (t - open) - 1) * c); };
+          auto off = [&](double t) { return 4 * (t - open) * (1 - t + open) * b; };
           for (double t : {open, open + .25, open + .5, open + .75, open + 1}) {
             const glm::dvec2 at = d * t + off(t) - off(0);
             const glm::dvec2 exact = turned(placeOf(x, y), t * 2 * kSlow / kDegrees) - placeOf(x, y);
@@ -611,43 +499,36 @@ TEST_F(RenderCurves, FromEarlierFramesFollowWhatTurns) {
     }
     EXPECT_GT(farthest["line"], .5) << anchor.name;
     EXPECT_LE(farthest["quadratic"], farthest["line"] / 2.5) << anchor.name;
-    EXPECT_LE(farthest["cubic"], farthest["quadratic"] / 2.5) << anchor.name;
   }
 }
 
 // What is straight is not looked at; and where all is modelled, each texel of it keeps its displacement bit for bit.
 TEST_F(RenderCurves, FromEarlierFramesStraightPathsAreWhatTheyWere) {
-  for (const char* pipeline : {"hybrid", "mcguire2012"}) {
-    auto drawn = [&](const std::string& trajectory, bool everything) {
-      lab::Shot shot = with(shotOf("textured_bar", 64, 24), pipeline, foretold(trajectory));
-      if (pipeline == std::string("hybrid")) lab::putSetting(shot.sets, "preset", std::string("captured"));
-      shot.model_everything = everything;
-      return render(shot);
-    };
-    const image::Image expected = colorOf(drawn("line", false));
-    for (const auto& [trajectory, everything] : {std::pair("quadratic", false), {"cubic", false}, {"cubic", true}}) {
-      if (everything && pipeline == std::string("hybrid")) continue;  // which has many more shaders then
-      const lab::Picture picture = drawn(trajectory, everything);
-      EXPECT_TRUE(identical(colorOf(picture), expected)) << pipeline << ", " << trajectory << ", " << everything;
-      bool runs = std::any_of(picture.frame.times.begin(), picture.frame.times.end(),
-                              [](const auto& step) { return step.name == "raster_curve"; });
-      EXPECT_EQ(runs, everything) << pipeline << ", " << trajectory;
-    }
+  auto drawn = [&](const std::string& trajectory, bool everything) {
+    lab::Shot shot = with(shotOf("textured_bar", 64, 24), "hybrid_layered", foretold(trajectory));
+    shot.model_everything = everything;
+    return render(shot);
+  };
+  const image::Image expected = colorOf(drawn("line", false));
+  for (bool everything : {false, true}) {
+    const lab::Picture picture = drawn("quadratic", everything);
+    EXPECT_TRUE(identical(colorOf(picture), expected)) << everything;
+    bool runs = std::any_of(picture.frame.times.begin(), picture.frame.times.end(),
+                            [](const auto& step) { return step.name == "raster_curve"; });
+    EXPECT_EQ(runs, everything);
   }
 }
 
-// Poses beyond a cut are none: of one pose the path is straight, of two a curve of second order.
+// Poses beyond a cut are none: of one pose the path is straight.
 TEST_F(RenderCurves, FromEarlierFramesEndAtACut) {
   auto drawn = [&](const std::string& trajectory, const std::string& cuts) {
-    lab::Shot shot = with(slowWedge(), "mcguire2012", foretold(trajectory));
+    lab::Shot shot = with(slowWedge(), "hybrid_layered", foretold(trajectory));
     shot.cuts = cuts;
     return colorOf(render(shot));
   };
   const std::string in_the_second = fmt::format("{}", -1.5 / 24), in_the_third = fmt::format("{}", -2.5 / 24);
   const image::Image line = drawn("line", ""), quadratic = drawn("quadratic", "");
   EXPECT_TRUE(identical(drawn("quadratic", in_the_second), line));
-  EXPECT_TRUE(identical(drawn("cubic", in_the_second), line));
-  EXPECT_LE(oracle::largestDifference(drawn("cubic", in_the_third), quadratic), 1e-5);  // a curve of 0 beyond it
   EXPECT_TRUE(identical(drawn("quadratic", in_the_third), quadratic));
   EXPECT_GT(oracle::largestDifference(line, quadratic), .01);
 }

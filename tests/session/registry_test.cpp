@@ -70,7 +70,7 @@ const std::map<std::string, std::vector<Context>> kContexts = {
     {"selective",
      {{{"effort=0"}, {}},
       {{"effort=0", "jitter=hash", "frame=1"}, {"jitter_frame"}},
-      {{"effort=0", "scene=bent", "anchor=centre"}, {"displacement", "trajectory"}},
+      {{"effort=0", "scene=bent", "anchor=centre"}, {"displacement"}},
       {{"effort=0", "anchor=centre"}, {"gather_jimenez2014.mirror"}},
       {{"effort=0", "tile=8"}, {"tile_rule"}},
       {{}, {"preset"}},
@@ -127,8 +127,6 @@ const std::map<std::string, std::vector<Context>> kContexts = {
       {{"samples=256", "tolerance=0.1"}, {"tolerance"}}}},
 };
 
-const char* const kLines = "of this pipeline all paths are lines";
-
 // Parameters that change how a picture comes about and never the picture, with the reason.
 const std::map<std::string, std::string> kNoPicture = {
     {"shade.shading", "at the capture both ways of shading are the same; truth shades at other times"},
@@ -141,9 +139,6 @@ const std::map<std::string, std::string> kNoPicture = {
     {"truth_spread.block", "in which groups differences are added up"},
     {"own_time.audit", "which pixels are checked"},
     {"own_time.wrong_by", "what a check counts"},
-    {"temporal1: tile_max.trajectory", kLines},
-    {"temporal1: longest_motion.trajectory", kLines},
-    {"temporal1: neighbour_max.trajectory", kLines},
     {"neighbour_max.seen_at", "of curved paths alone, from another time than that at which a layer has things"},
     {"visibility_moving.only_moving", "what is at rest is passed over when it is drawn too"},
     {"uniform_motion.audit_rays", "which cells are checked; where no ray finds anything they stay what they are"},

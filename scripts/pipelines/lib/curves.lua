@@ -5,7 +5,6 @@ local pipeline      = require "strobe.pipeline"
 local earlier_curve = require "passes.scene.earlier_curve"
 local path_curve    = require "passes.scene.path_curve"
 local ranges        = require "scripts.pipelines.lib.ranges"
-local scene         = require "scripts.pipelines.lib.scene"
 
 local curves = {}
 
@@ -14,14 +13,14 @@ function curves.are_asked(p) return p.trajectory() ~= "line" end
 -- From poses of earlier frames, which say displacements too?
 function curves.are_foretold(p) return curves.are_asked(p) and p.displacement() == "extrapolated" end
 
--- Stops where a filter would take no notice of them.
+-- Refuses a filter that would ignore curves. `setting` names the filter.
 function curves.require(p, filter, setting)
   if not curves.are_asked(p) then return end
   if pass.reads(filter, "after_velocity") and ranges.are_split(p) then
     error(("trajectory = %s: range = split has straight paths; it needs range = whole"):format(p.trajectory()), 0)
   end
   if not pass.reads(filter, "curve") then
-    error(("trajectory = %s: %s knows straight paths alone; it needs trajectory = line"):format(p.trajectory(), setting), 0)
+    error(("trajectory = %s: %s follows straight paths only; it needs trajectory = line"):format(p.trajectory(), setting), 0)
   end
 end
 
@@ -30,9 +29,9 @@ local function poses_of(p)
   if not curves.are_foretold(p) then return p.trajectory() == "arc" and 5 or 3 end
   if p.trajectory() == "arc" then
     error("trajectory = arc: arcs need poses inside of the exposure, displacement = window; poses of earlier frames make " ..
-          "a quadratic or a cubic", 0)
+          "a quadratic", 0)
   end
-  return p.trajectory() == "cubic" and 3 or 2
+  return 2
 end
 
 local function curve_of(p, name, layer)
@@ -68,19 +67,6 @@ function curves.add(p, layers, loop_name)
     local name, layer = given[1], given[2]
     for _, image in ipairs(images) do layer[image] = found[name .. "_" .. image] end
   end
-end
-
--- What raster sees, with its curves, for a filter that is called so in what is said where it knows none.
-function curves.seen(p, filter, setting)
-  local seen = scene.captured()
-  curves.require(p, filter, setting)
-  curves.add(p, { { "raster", seen } })
-  return seen
-end
-
--- The same for a file of passes/gather.
-function curves.captured(p, weights)
-  return curves.seen(p, pass.member("gather", weights), "weights = " .. weights)
 end
 
 return curves

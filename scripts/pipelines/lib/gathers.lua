@@ -7,7 +7,7 @@ local ranges   = require "scripts.pipelines.lib.ranges"
 local gathers = {}
 
 local images_of_gather = pipeline.record("what a gather reads", {
-  "valid", "after_velocity", "curve", "dominant_curve", "second", "after_dominant", "behind_depth", "behind_valid",
+  "valid", "after_velocity", "second", "after_dominant", "behind_depth", "behind_valid",
   "slowest", "variance",
 })
 
@@ -36,7 +36,6 @@ function gathers.images(layer, around, behind)
   return images_of_gather {
     color = layer.color, depth = layer.depth, velocity = layer.velocity, valid = layer.valid,
     after_velocity = layer.after_velocity,
-    curve = layer.curve, dominant_curve = around.dominant_curve,
     dominant = around.dominant, second = around.second, after_dominant = around.after_dominant,
     behind_depth = behind and behind.depth, behind_valid = behind and behind.valid,
   }

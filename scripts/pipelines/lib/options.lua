@@ -37,7 +37,7 @@ function options.by_tiles(tile, more)
 end
 
 function options.blur(tile)
-  return options.by_tiles(tile, { depth_extent = blur.depth_extent, trajectory = blur.trajectory })
+  return options.by_tiles(tile, { depth_extent = blur.depth_extent })
 end
 
 return options
