@@ -25,7 +25,7 @@ const float kMostSlope = 2.0;
 
 // Of the layers that are searched: the path of what a texel shows, and whether it shows anything. Whoever searches has these.
 Path pathOf(int layer, ivec2 texel, bool after);
-bool holds(int layer, ivec2 texel);
+bool hasSurface(int layer, ivec2 texel);
 
 ivec2 asked(ivec2 pixel, Path path, float t, vec2 window) { return pixel + roundSymmetric(tapOffset(path, t, window)); }
 
@@ -41,7 +41,7 @@ Slope slopeOf(int layer, ivec2 now, ivec2 axis, Path path, float t, vec2 window)
   vec2 offset = tapOffset(path, t, window);
   for (int side = 1; side >= -1; side -= 2) {
     ivec2 at = now + side * axis;
-    if (!holds(layer, at)) continue;
+    if (!hasSurface(layer, at)) continue;
     Path beside = pathOf(layer, at, t > 0.0);
     vec2 slope = tapOffset(beside, t, window) - offset, over_all = beside.d - path.d;
     if (max(dot(slope, slope), dot(over_all, over_all)) <= kMostSlope * kMostSlope) return Slope(float(side) * slope, true);

@@ -66,7 +66,7 @@ TEST_F(FactsTest, AFrameWithTheSameFactsGoesOnWithThePlan) {
 }
 
 TEST_F(FactsTest, WhatIsLeftOutCanBeLookedAt) {
-  Session session(bench(), shotAt("hybrid", kStill));
+  Session session(bench(), shotAt("hybrid_layered", kStill));
   std::vector<std::string> ports = session.ports();
   EXPECT_TRUE(std::count(ports.begin(), ports.end(), "composite.blurred"));
   session.tap({"composite.blurred", "mask.mask"});

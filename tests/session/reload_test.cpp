@@ -465,7 +465,7 @@ void reachedFrom(const EditableHome& home, const std::string& file, std::set<std
 }
 
 TEST_F(ReloadTest, CompilesWhatDependsOnTheEditAndNothingElse) {
-  Session session(bench(), smallShot("hybrid"));
+  Session session(bench(), smallShot("hybrid_layered"));
   session.reload(false);
   for (const char* file : {"shaders/lib/blur.glsl", "shaders/lib/sanitise.glsl", "shaders/mixin/camera.glsl",
                            "shaders/mask/relative.glsl", "shaders/shared/bindings.glsl", "shaders/mixin/jitter.glsl"}) {

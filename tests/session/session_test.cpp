@@ -50,8 +50,8 @@ TEST_F(SessionTest, AValueCanBeSetAndGivenBack) {
   EXPECT_NE(session.running().planned().hash, plan);
   EXPECT_EQ(bench().compilations(), compiled) << "a number is no reason to compile";
   EXPECT_EQ(controlOf(session.controls(), "samples").origin, "window");
-  EXPECT_EQ(controlOf(session.controls(), "composite.samples").origin, "follows samples");
-  EXPECT_EQ(shownValue(session, "composite.samples"), "5");
+  EXPECT_EQ(controlOf(session.controls(), "gather_raster.samples").origin, "follows samples");
+  EXPECT_EQ(shownValue(session, "gather_raster.samples"), "5");
   session.unset("samples");
   EXPECT_EQ(colorHash(session), before);
   EXPECT_EQ(session.running().planned().hash, plan);
@@ -103,7 +103,7 @@ TEST_F(SessionTest, WhatIsRefusedChangesNothing) {
   EXPECT_NE(refusal("anchor", "clos").find("close"), std::string::npos);
   EXPECT_NE(refusal("backend", "x").find("auto"), std::string::npos);
   EXPECT_NE(refusal("size", "3").find("WIDTHxHEIGHT"), std::string::npos);
-  EXPECT_NE(refusal("composite.sampels", "3").find("did you mean"), std::string::npos);
+  EXPECT_NE(refusal("gather_raster.sampels", "3").find("did you mean"), std::string::npos);
   EXPECT_EQ(colorHash(session), before);
   EXPECT_EQ(session.running().planned().hash, plan);
 }
