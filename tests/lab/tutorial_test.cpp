@@ -87,7 +87,7 @@ Shot movingBar() {
   shot.pipeline = "hybrid";
   shot.scene = "oracles/bar";
   shot.width = 256, shot.height = 16, shot.frame = 0;
-  shot.sets = {{"edge", "dilation"},   {"tile", "8"},      {"limit", "0.25"},
+  shot.sets = {{"edge", "dilation"},   {"tile", "8"},          {"limit", "0.25"},
                {"scene.width", "256"}, {"scene.height", "16"}, {"scene.d_f", "20"}};
   return shot;
 }

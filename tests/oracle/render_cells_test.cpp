@@ -109,8 +109,8 @@ struct MaskCells {
 TEST_F(RenderCells, HaveTheMotionsThatCross) {
   constexpr int kSide = 10, kTile = 20, kPicture = 96, kLimit = 24, kMargin = 1;
   for (const Anchor& anchor : anchors()) {
-    lab::Shot shot = with(shotOf("wedge", kPicture, kPicture, {{"from", 20}, {"to", 65}, {"degrees", 60}}), "hybrid_layered",
-                          {fmt::format("tile={}", kTile), "limit=0.25"}, anchor.name);
+    lab::Shot shot = with(shotOf("wedge", kPicture, kPicture, {{"from", 20}, {"to", 65}, {"degrees", 60}}),
+                          "hybrid_layered", {fmt::format("tile={}", kTile), "limit=0.25"}, anchor.name);
     shot.taps = {"mask_bounds.bounds", "mask_ids.ids"};
     for (int k = 0; k < 4; ++k) shot.taps.push_back(fmt::format("mask_near_motions.motions_{}", k));
     for (int k = 0; k < 4; ++k) shot.taps.push_back(fmt::format("mask_crossings.crossing_{}", k));

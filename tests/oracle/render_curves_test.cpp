@@ -283,10 +283,10 @@ TEST_F(RenderCurves, FollowATurningWedge) {
   for (const Anchor& anchor : anchors()) {
     std::map<std::string, double> errors;
     for (const char* curve : {"line", "quadratic", "arc"})
-      errors[curve] = errorOf(
-          render(with(wedge(), hybridSteps(),
-                      {"mask=all", "samples=64", fmt::format("trajectory={}", curve)}, anchor.name)),
-          anchor.window);
+      errors[curve] =
+          errorOf(render(with(wedge(), hybridSteps(), {"mask=all", "samples=64", fmt::format("trajectory={}", curve)},
+                              anchor.name)),
+                  anchor.window);
     EXPECT_LE(errors["arc"], errors["line"] / 5) << anchor.name;
     EXPECT_LE(errors["quadratic"], errors["line"] / 5) << anchor.name;
     EXPECT_LE(errors["arc"], errors["quadratic"] + 1e-3) << anchor.name;
@@ -303,8 +303,7 @@ TEST_F(RenderCurves, FollowABladeAndAWheelThatRolls) {
         errors[curve] =
             errorOf(wheel,
                     render(with(shotOfWheel(wheel), hybridSteps(),
-                                {"mask=all", "samples=64", fmt::format("trajectory={}", curve)},
-                                anchor.name)),
+                                {"mask=all", "samples=64", fmt::format("trajectory={}", curve)}, anchor.name)),
                     anchor.window);
       EXPECT_LE(errors["arc"], errors["line"] / 5) << wheel.what << ", " << anchor.name;
       fmt::print("{} {}: {:.4f}, {:.4f}\n", wheel.what, anchor.name, errors["line"], errors["arc"]);
@@ -317,8 +316,8 @@ TEST_F(RenderCurves, ArcsSayHowFarPointsTurn) {
     for (double degrees : {30., 170., 360., 430.})
       for (const Anchor& anchor : anchors()) {
         const std::string what = fmt::format("{}, {} degrees, {} px", anchor.name, degrees, slide);
-        lab::Shot shot = with(shotOfWheel({what, 20, 65, 1, slide, 0, degrees}), "hybrid_layered",
-                              {"trajectory=arc"}, anchor.name);
+        lab::Shot shot =
+            with(shotOfWheel({what, 20, 65, 1, slide, 0, degrees}), "hybrid_layered", {"trajectory=arc"}, anchor.name);
         shot.taps = {"raster_curve.curve", "raster_curve.bent"};
         const lab::Picture picture = render(shot);
         const image::Image &curve = picture.frame.taps.at("raster_curve.curve").floats,
@@ -346,8 +345,7 @@ TEST_F(RenderCurves, ArcsFollowFurtherThanParabolas) {
         errors[curve] =
             errorOf(wheel,
                     render(with(shotOfWheel(wheel), hybridSteps(),
-                                {"mask=all", "samples=64", fmt::format("trajectory={}", curve)},
-                                anchor.name)),
+                                {"mask=all", "samples=64", fmt::format("trajectory={}", curve)}, anchor.name)),
                     anchor.window);
       const std::string what = wheel.what + ", " + anchor.name;
       EXPECT_LE(errors["arc"], errors["line"] / 5) << what;

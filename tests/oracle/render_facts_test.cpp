@@ -89,7 +89,8 @@ const std::map<std::string, std::vector<std::vector<std::string>>> kGraphs = {
       {"edge=plane"},
       {"weights=guertin2014"},
       {"velocity_format=fp16", "color_format=fp16", "depth_encoding=reversed"}}},
-    {"hybrid_layered", {{"trajectory=quadratic"}, {"trajectory=arc"}, {"range=split"}, {"termination=motion", "advance=origin_kept"}}},
+    {"hybrid_layered",
+     {{"trajectory=quadratic"}, {"trajectory=arc"}, {"range=split"}, {"termination=motion", "advance=origin_kept"}}},
     {"hybrid_traced", {{"range=split"}, {"velocity_format=fp16", "color_format=fp16", "depth_encoding=reversed"}}},
     {"accumulation", {{"samples=4", "reuse=none"}, {"samples=3", "reuse=blended"}}},
     {"ground_truth", {{"samples=4"}, {"samples=2", "mode=raster"}}},
@@ -230,7 +231,8 @@ TEST_F(RenderFacts, OfTheHybrids) {
 }
 
 TEST_F(RenderFacts, AreInTheRecord) {
-  Picture still = render(with(cases()[0].shot, "hybrid_traced")), moving = render(with(cases()[1].shot, "hybrid_traced"));
+  Picture still = render(with(cases()[0].shot, "hybrid_traced")),
+          moving = render(with(cases()[1].shot, "hybrid_traced"));
   EXPECT_EQ(still.record["facts"], Json::array({"shadows", "before"}));
   EXPECT_EQ(moving.record["facts"], Json::array({"motion", "covered", "arrives", "shadows", "before"}));
   EXPECT_EQ(everythingOf(with(cases()[0].shot, "hybrid_traced")).record["facts"].size(), 12u);
@@ -288,15 +290,16 @@ TEST_F(RenderFacts, AStillFrameCostsWhatTheCaptureCosts) {
   }
 }
 
-// Rays at their own time run in hybrid_traced alone; the end of the exposure that is the raster time is not drawn again.
+// Rays at their own time run in hybrid_traced alone; the end of the exposure that is the raster time is not drawn
+// again.
 TEST_F(RenderFacts, WhatIsNotAskedForDoesNotRun) {
   const Shot crowd = cases()[1].shot;
   auto runs = [&](const std::string& anchor, const std::string& pipeline, const std::string& node) {
     std::vector<std::string> nodes = nodesOf(render(with(crowd, pipeline, {}, anchor)));
     return std::count(nodes.begin(), nodes.end(), node) > 0;
   };
-  for (const char* node : {"own_time", "open_visibility", "unseen_open", "raster_bend", "doubtful",
-                           "mask_moving_silhouettes"})
+  for (const char* node :
+       {"own_time", "open_visibility", "unseen_open", "raster_bend", "doubtful", "mask_moving_silhouettes"})
     EXPECT_FALSE(runs("close", "hybrid_layered", node)) << node;
   const std::map<std::string, std::pair<bool, bool>> ends = {
       {"close", {true, false}}, {"centre", {true, true}}, {"open", {false, true}}};

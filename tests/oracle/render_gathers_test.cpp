@@ -379,9 +379,8 @@ TEST_F(RenderGathers, AreLinearInTheColours) {
 TEST_F(RenderGathers, TellForegroundFromWhatWasRevealed) {
   Strips strips = stripes(20, 0);
   auto inner_error = [&](const std::string& weights) {
-    lab::Shot shot =
-        with(shotOf("textured_bar", kWidth, 8), hybridSteps(),
-             {"composite=alpha_over", "tile=20", "limit=0.1", "weights=" + weights}, "close");
+    lab::Shot shot = with(shotOf("textured_bar", kWidth, 8), hybridSteps(),
+                          {"composite=alpha_over", "tile=20", "limit=0.1", "weights=" + weights}, "close");
     image::Image color = colorOf(render(shot));
     double worst = 0;
     for (int x = 140; x < 160; ++x)
@@ -399,8 +398,8 @@ TEST_F(RenderGathers, WhatRestsInFrontIsNotLost) {
   for (const char* samples : {"samples=5", "samples=16"}) {
     lab::Shot shot = shotOf("textured_bar", kWidth, 8, motions(0, 20));
     image::Image seen = colorOf(render(with(shot, "none", {}, "close")));
-    image::Image color = colorOf(
-        render(with(shot, hybridSteps(), {"composite=alpha_over", "mask=all", "tile=20", "limit=0.1", samples}, "close")));
+    image::Image color = colorOf(render(
+        with(shot, hybridSteps(), {"composite=alpha_over", "mask=all", "tile=20", "limit=0.1", samples}, "close")));
     for (int x = 96; x < 160; ++x) EXPECT_NEAR(color.at(x, 4, 0), seen.at(x, 4, 0), 1e-6) << samples << " " << x;
   }
 }

@@ -143,8 +143,8 @@ RowError RenderLayers::checkRelative(const Stripes& stripes, Case c, const std::
 }
 
 void RenderLayers::checkTable(const Stripes& stripes) {
-  std::string table =
-      fmt::format("| {}: f, b | own N=32 | relative N=32 | letter | letter, even weights | hybrid_layered |\n", stripes.name);
+  std::string table = fmt::format(
+      "| {}: f, b | own N=32 | relative N=32 | letter | letter, even weights | hybrid_layered |\n", stripes.name);
   for (Case c : kCases) {
     std::string what = fmt::format("{} f {} b {}", stripes.name, c.d_front, c.d_back);
     RowError own = checkOwn(stripes, c, what), relative = checkRelative(stripes, c, what);
@@ -267,8 +267,8 @@ TEST_F(RenderLayers, TapsAlongTheSecondDisplacementFindWhatOthersStepOver) {
                                  {"v2", 1},
                                  {"d2", kSmall}});
   const Strips strips{{kFrom, kTo, kSmall, {1}}, {-kInfinity, kInfinity, 0, {.1}}};
-  const lab::Picture picture = render(with(
-      shot, "hybrid_layered", {"tile=128", "limit=0.5", fmt::format("samples={}", kSamples)}, "centre"));
+  const lab::Picture picture =
+      render(with(shot, "hybrid_layered", {"tile=128", "limit=0.5", fmt::format("samples={}", kSamples)}, "centre"));
   const image::Image& color = colorOf(picture);
   // Left of where the second card comes.
   for (int x = 0; x < 40; ++x) {
@@ -320,8 +320,8 @@ TEST_F(RenderLayers, WhatIsHiddenAtTheCaptureComesOut) {
                            {"d1", 20}});
   Strips strips{{40, 72, 0, {.5}}, {50, 62, 20, {1}}, {-kInfinity, kInfinity, 0, {.1}}};
   for (const Anchor& anchor : anchors()) {
-    lab::Picture picture =
-        render(with(shot, hybridSteps(), {"mask=all", "tile=20", "limit=0.2", fmt::format("samples={}", kSamples)}, anchor.name));
+    lab::Picture picture = render(with(
+        shot, hybridSteps(), {"mask=all", "tile=20", "limit=0.2", fmt::format("samples={}", kSamples)}, anchor.name));
     expectWithin(
         colorOf(picture), [&](int x, int) { return exposeCentre(strips, anchor.window, x); },
         [&](const Exposure& e) { return e.variation * (1. / (2 * kSamples) + .5 / 20) + 1e-4; }, anchor.name);

@@ -80,7 +80,8 @@ TEST_F(RenderOwnTime, OfDetailMeetsEdgesBetweenPixels) {
 // Texture too: as truth of the same samples, of which there may be more than 32. Where samples lie farther apart than
 // `detail_below` texels are blended.
 TEST_F(RenderOwnTime, OfDetailMeetsTextureBetweenPixels) {
-  auto rendered = [](double speed, const std::string& samples, const std::string& pipeline, std::vector<std::string> set = {}) {
+  auto rendered = [](double speed, const std::string& samples, const std::string& pipeline,
+                     std::vector<std::string> set = {}) {
     set.push_back("samples=" + samples);
     return render(with(shotOf("../stability/passage", 96, 54, {{"speed", speed}, {"angle", 17}}), pipeline, set));
   };

@@ -129,14 +129,9 @@ lab::Shot crowd(const Numbers& numbers = {}) { return shotOf("crowd", 64, 40, nu
 TEST_F(RenderRanges, EachAnchorIsNearestToItsOwnExposure) {
   Strips bar{{36, 68, 14, {1}}, {-kInfinity, kInfinity, 0, {0}}};
   lab::Shot shot = shotOf("bar", kWidth, 4, {{"left", 36}, {"right", 68}, {"d_f", 14}});
-  const std::vector<Method> methods = {{"mcguire2012", {}},
-                                       kUniform,
-                                       {"ue4", {}},
-                                       {"guertin2014", {}},
-                                       {"jimenez2014", {}},
-                                       {"hybrid", {"preset=text"}},
-                                       kLinear,
-                                       kBest};
+  const std::vector<Method> methods = {
+      {"mcguire2012", {}},         kUniform, {"ue4", {}}, {"guertin2014", {}}, {"jimenez2014", {}},
+      {"hybrid", {"preset=text"}}, kLinear,  kBest};
   for (const Method& method : methods) {
     for (const Anchor& anchor : anchors()) {
       image::Image color = colorBy(method, shot, {}, anchor.name);

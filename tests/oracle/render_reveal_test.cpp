@@ -202,8 +202,8 @@ TEST_F(RenderReveal, LuminanceIsOfWhatItSays) {
 // Of one instance the planes are its own layers, of several others that were not told from it.
 TEST_F(RenderReveal, WhatLuminancePassesThroughIsCounted) {
   for (int split : {0, 1}) {
-    lab::Shot shot =
-        with(Planes{.split = split}.shot(), hybridSteps(), {"mask=all", "termination=luminance", "advance=origin_kept"});
+    lab::Shot shot = with(Planes{.split = split}.shot(), hybridSteps(),
+                          {"mask=all", "termination=luminance", "advance=origin_kept"});
     EXPECT_EQ(counterOf(render(shot), "reveal.passed"), split ? uint64_t(kWidth * kHeight) : 0u) << split;
   }
 }

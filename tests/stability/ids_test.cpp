@@ -49,8 +49,7 @@ TEST_F(Ids, BeyondTheirLowestBitInSinglePrecisionAreTold) {
     for (size_t i = 0; i < small.size(); ++i) {
       lab::Picture large = render(home, shots[i]);
       EXPECT_NE(large.frame.outputs.at("id").uints.values, small[i].frame.outputs.at("id").uints.values);
-      EXPECT_TRUE(oracle::identical(oracle::colorOf(large), oracle::colorOf(small[i])))
-          << base << " " << i;
+      EXPECT_TRUE(oracle::identical(oracle::colorOf(large), oracle::colorOf(small[i]))) << base << " " << i;
       EXPECT_TRUE(oracle::identical(oracle::imageOf(large, "mask"), oracle::imageOf(small[i], "mask"))) << base;
     }
   }
