@@ -129,14 +129,14 @@ TEST(Counts, OfADamagedFolder) {
   results.regions = {"whole"}, results.measures = {"rmse"};
   results.arms = {{"none", "none", Role::method, true}, {"hybrid", "hybrid", Role::method, true}};
   const std::string whole = textOf(results);
-  fs::create_directories(folder / "points");
-  writeText(pointFile(folder.path(), "none0", ".json"), "{");
+  std::filesystem::create_directories(folder / "points");
+  testing::writeText(pointFile(folder.path(), "none0", ".json"), "{");
   EXPECT_EQ(keptIn(folder / "outline.json"), "the same command continues") << "no outline";
-  writeText(folder / "outline.json", whole);
+  testing::writeText(folder / "outline.json", whole);
   EXPECT_EQ(keptIn(folder / "outline.json"), "0 of 6 points are kept; the same command continues");
   for (const std::string& damaged :
        {std::string(), whole.substr(0, whole.size() / 2), std::string("{\"groups\": 3}")}) {
-    writeText(folder / "outline.json", damaged);
+    testing::writeText(folder / "outline.json", damaged);
     EXPECT_EQ(keptIn(folder / "outline.json"), "the same command continues") << damaged;
   }
 }
