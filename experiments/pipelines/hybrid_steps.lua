@@ -36,8 +36,9 @@ end
 
 -- Both layers blurred apart, for the composite alpha_over.
 local function blurred(p, raster, revealed)
-  local dominant = tiles.dominant(p, raster, { extra = revealed })
+  local both = p.tiles() == "union" and tiles.dominant(p, raster, { extra = revealed }) or nil
   local function blur(layer, name, behind)
+    local dominant = both or tiles.dominant(p, layer, { prefix = name .. "_" })
     return gathers.blurred(p.weights(), gathers.images(layer, dominant, behind), "gather_" .. name, p.color_format)
   end
   return { front = blur(raster, "raster", revealed), back = blur(revealed, "revealed") }
@@ -71,6 +72,8 @@ return pipeline {
     max_layers   = reveal.params.max_layers,
     on_cap       = reveal.params.on_cap,
     composite    = pipeline.choice(composites),
+    tiles        = pipeline.choice { "union", "separate", default = "union", doc = "displacements per tile",
+      values = { union = "The longest of both layers.", separate = "The longest of each layer, as published." } },
     weights      = pipeline.choice(gathers.choice("uniform", "of the taps, under composite = alpha_over")),
     directions   = mcguire2012.params.directions,
     range        = ranges.param,
@@ -87,7 +90,7 @@ return pipeline {
     curves.require(p, composite, "composite = " .. p.composite())
     local apart = pass.reads(composite, "front")
     if not apart then layers.bend(p, moved, revealed) end
-    local images = apart and blurred(p, moved, revealed) or layers.images(p, moved, revealed, composite)
+    local images = apart and blurred(p, moved, revealed) or layers.images(p, moved, revealed, composite, nil, p.tiles() == "separate")
     local made = composite(pass.wired(composite, images, { as = "composite" }))
     return scene.outputs(raster, {
       color = apart and made.color or made.blurred, mask = mask,

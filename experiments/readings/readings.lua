@@ -11,7 +11,7 @@ local steps = {
   { "passes over its own instance", { advance = "instance_filter" } },
   { "even weights", { weights = "uniform" } },
   { "relative mask", { mask = "disocclusion" } },
-  { "layered composite", { composite = "layered" } },
+  { "layered composite", { composite = "layered", tiles = "union" } },
   { "instance ends the ray", { termination = "instance", on_cap = "fallback" } },
 }
 
@@ -24,6 +24,7 @@ local alone = {
   { "tolerance 0", { tolerance = 0 } },
   { "origin kept", { advance = "origin_kept" } },
   { "nothing at the cap", { on_cap = "fallback" } },
+  { "one maximum for both layers", { tiles = "union" } },
   { "own edges only", { own_edge = true } },
   { "even weights alone", { weights = "uniform" } },
   { "Jimenez' weights", { weights = "jimenez2014" } },
@@ -38,16 +39,16 @@ local arms = {
 }
 
 -- Steps of which another pipeline than the paper's has alternatives.
-local is_step = { mask = true, composite = true }
-local written = { mask = "paper", composite = "alpha_over", own_edge = false, termination = "luminance", advance = "restart",
-                  on_cap = "last_hit", weights = "mcguire2012" }
+local is_step = { mask = true, composite = true, tiles = true }
+local as_written = { mask = "paper", composite = "alpha_over", tiles = "separate", own_edge = false,
+                     termination = "luminance", advance = "restart", on_cap = "last_hit", weights = "mcguire2012" }
 
 -- An arm: the text of the paper but for `set`.
-local function arm(name, set)
+local function reading_of(name, set)
   for key in pairs(set) do
     if is_step[key] then
       local all = {}
-      for _, from in ipairs { written, set } do
+      for _, from in ipairs { as_written, set } do
         for parameter, value in pairs(from) do all[parameter] = value end
       end
       return { name = name, pipeline = "experiments/pipelines/hybrid_steps.lua", set = all }
@@ -68,13 +69,13 @@ end
 local so_far = {}
 for i, step in ipairs(steps) do
   so_far = with(so_far, step[2])
-  arms[#arms + 1] = arm(i == 1 and "as written" or "+ " .. step[1], with(so_far, {}))
+  arms[#arms + 1] = reading_of(i == 1 and "as written" or "+ " .. step[1], with(so_far, {}))
 end
 local material = "luminance of material, even weights"
 for _, reading in ipairs(alone) do
-  arms[#arms + 1] = arm(reading[1], with({}, reading[2]))
+  arms[#arms + 1] = reading_of(reading[1], with({}, reading[2]))
 end
-arms[#arms + 1] = arm(material, { luminance_of = "material", weights = "uniform" })
+arms[#arms + 1] = reading_of(material, { luminance_of = "material", weights = "uniform" })
 
 local function at(r, shot, arm, region) return r.at { shot = shot, arm = arm, region = region or "whole" } end
 

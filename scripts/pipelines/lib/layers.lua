@@ -62,13 +62,17 @@ local function moving_cells(raster, revealed, images, slowest)
   local is_simple = raster.bounds and not (raster.curve or raster.after_velocity)
   local bounds = is_simple and raster.bounds or bounds_of(raster, "raster_bounds")
   local reach = images.reach
-  if images.after_dominant then
-    reach = longest_motion { longest = images.dominant, after = images.after_dominant, as = "longest_of_all" }.reach
+  if images.after_dominant or images.revealed_dominant then
+    reach = longest_motion {
+      longest = images.dominant, after = images.after_dominant, revealed = images.revealed_dominant,
+      revealed_after = images.revealed_after_dominant, as = "longest_of_all",
+    }.reach
   end
   return motion_reach {
     behind_bounds = bounds_of(revealed, "revealed_bounds"), bounds = bounds, slowest = slowest,
     dominant = images.dominant, after_dominant = images.after_dominant,
     second = images.second, after_second = images.after_second, reach = reach,
+    revealed_dominant = images.revealed_dominant, revealed_after_dominant = images.revealed_after_dominant,
   }
 end
 
@@ -83,13 +87,20 @@ function layers.bend(p, raster, revealed)
 end
 
 -- The images that a composite reads: `x` of the raster layer, `revealed_x` of the revealed one, displacements per tile.
--- `slowest`: displacement, px, up to which a pixel counts as static; nil: that of every blur.
-function layers.images(p, raster, revealed, composite, slowest)
+-- `slowest`: displacement, px, up to which a pixel counts as static; nil: that of every blur. `apart`: displacements per tile
+-- of each layer, in place of one for both.
+function layers.images(p, raster, revealed, composite, slowest, apart)
   ranges.require_parts(raster, composite, "the composite")
   local images = {}
   put(images, "", raster)
   put(images, "revealed_", revealed)
-  put(images, "", tiles.dominant(p, raster, { extra = revealed, second = pass.reads(composite, "second") }))
+  local second = pass.reads(composite, "second")
+  put(images, "", tiles.dominant(p, raster, { extra = not apart and revealed or nil, second = second,
+                                              prefix = apart and "raster_" or "" }))
+  if apart and pass.reads(composite, "revealed_dominant") then
+    local around = tiles.dominant(p, revealed, { prefix = "revealed_" })
+    images.revealed_dominant, images.revealed_after_dominant = around.dominant, around.after_dominant
+  end
   if pass.reads(composite, "moved") then
     local cells = moving_cells(raster, revealed, images, slowest)
     images.moved, images.behind, images.missed = cells.moved, cells.behind, cells.missed
