@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- What curved paths are worth: lines, parabolas and arcs for things that turn or come nearer.
+-- Error of lines, parabolas and arcs as paths of objects that turn or come nearer.
 --   strobe sweep experiments/curves/curves.lua -o out/curves
 local experiment = require "strobe.experiment"
 
@@ -37,7 +37,7 @@ end
 
 return experiment {
   title    = "Curved paths",
-  question = "What are curved paths worth where things turn or come nearer?",
+  question = "How much error do curved paths save where objects turn or come nearer?",
   note     = "Layers of the capture alone, revealed behind all that moves, along lines, parabolas and arcs; rays at their " ..
              "own time.",
   size     = { 320, 180 },

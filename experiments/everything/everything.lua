@@ -88,16 +88,16 @@ local function effect(r, name, order)
 end
 
 local expected = {
-  { "no setting without rays errs less than the worst half of those with a relative mask", function(r)
+  { "no setting without rays errs less than the worst half of those with a disocclusion mask", function(r)
     local none, relative = math.huge, {}
     for i = 1, count do
       local error = r.at(point(i)).rmse
       if values.mask[i] == "none" then none = math.min(none, error) end
-      if values.mask[i] == "relative" then relative[#relative + 1] = error end
+      if values.mask[i] == "disocclusion" then relative[#relative + 1] = error end
     end
     table.sort(relative)
     local median = relative[#relative // 2 + 1]
-    return none > median, ("the least without rays is %.4f, the median with the relative mask %.4f"):format(none, median)
+    return none > median, ("the least without rays is %.4f, the median with the disocclusion mask %.4f"):format(none, median)
   end },
   { "on the front, beyond what is fastest, rays are used: at most a third of it is without rays", function(r)
     local counts, text = on_front(r, "mask")

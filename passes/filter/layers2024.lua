@@ -37,7 +37,7 @@ return pass.compute {
     tile         = blur.tile,
     limit        = blur.limit,
     agreement    = pass.float { 1, min = 0, max = 1000, unit = "px",
-      doc = "a texel counts whose displacement is no farther than this from the one that led to it" },
+      doc = "largest difference of displacements between a texel that counts and the path that leads to the texel" },
     jitter       = jitter.jitter,
     jitter_frame = jitter.jitter_frame,
   },

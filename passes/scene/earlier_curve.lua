@@ -18,7 +18,7 @@ return pass.compute {
     velocity = { format = stored.velocity, doc = "px between the ends of the curve; what is straight keeps its own" },
     bend = { format = stored.velocity, doc = "px in the middle of the exposure" },
     bent = { format = "r8_unorm", doc = "1 where an end of the exposure is not where the curve has it; true poses tell" },
-    curve = { format = "rgba32f", doc = "px: b of 4 u (1 - u) b, by which a path leaves its line" },
+    curve = { format = "rgba32f", doc = "px: b; the path is 4 u (1 - u) b away from its line" },
   },
   without = { motion = straight, curves = straight },
   params = {

@@ -15,8 +15,8 @@ return pass.compute {
   writes = {
     bend = { format = stored.velocity, doc = "px in the middle of the exposure" },
     bent = { format = "r8_unorm", doc = "1 where the curve does not say where the surface is" },
-    curve = { format = "rgba32f", doc = "px: b of 4 u (1 - u) b, by which a path leaves its line; " ..
-      "of arcs b, and the logarithm of a factor and radians by which it grows and turns over the exposure" },
+    curve = { format = "rgba32f", doc = "px: b; the path is 4 u (1 - u) b away from its line; " ..
+      "for arcs also the logarithm of a factor and radians by which it grows and turns over the exposure" },
   },
   without = { motion = { bend = 0, bent = 0, curve = 0 }, curves = { bend = 0, bent = 0, curve = 0 },
     depth = { bend = 0, bent = 0, curve = 0 } },
@@ -30,6 +30,5 @@ return pass.compute {
       doc = "to how much a side of a pixel of a surface may grow; a filter's taps have holes beyond" },
   },
   counters = { velocity_clamped = stored.counters.velocity_clamped },
-  fails  = "A parabola is left by what turns by more than a sixth of a turn; " ..
-    "an arc by what turns aslant to the picture, and by what turns by more than one and a quarter turns.",
+  fails  = "Parabolas beyond a sixth of a turn; arcs beyond one and a quarter turns, and for circles seen aslant.",
 }

@@ -59,7 +59,7 @@ struct Cover {
 
 const Cover kNoCover = Cover(vec3(0), 0.0, 0.0);
 
-// What raster saw in front of the background that is at the pixel at t, if it moves about so; from a tap on.
+// Raster surface in front of the background at the pixel at t, from the tap `now` on, if the surface moves by about `path`.
 Cover coverAt(ivec2 pixel, Path path, ivec2 now, float t, Tap back) {
   float tolerance_px = max(0.75, lengthOf(path.d) / float(2 * params.samples));
   for (int guess = 0; guess < kGuesses; ++guess) {

@@ -115,7 +115,7 @@ bool agree(vec2 a, vec2 b) {
   return apart <= params.agreement && apart <= max(0.5 * max(lengthOf(a), lengthOf(b)), 0.5);
 }
 
-// True if a texel's own displacement is the one that led to it.
+// True if the displacement of a texel agrees with the displacement d that leads to the texel.
 bool comes(int layer, ivec2 at, vec2 d) { return agree(limitedDisplacementOf(layer, at), d); }
 
 // The nearer of what was seen and what a layer has where a path leads.

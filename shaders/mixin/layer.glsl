@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Needs: color_tex, depth_tex, velocity_tex, params.limit; may have: behind_depth_tex,
 //   behind_valid_tex, reach_tex, valid_tex.
-// One layer of the picture as gathers read it, and what was revealed behind it.
+// One layer of the picture as gathers read it, and the revealed layer behind it.
 #ifndef STROBE_LAYER_GLSL
 #define STROBE_LAYER_GLSL
 #include "mixin/limit.glsl"

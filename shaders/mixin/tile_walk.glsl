@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Needs: longest_tex, params.tile.
-// Where a tile goes within the exposure, if all of it moves by its longest displacement: tiles along the line of its centre, one
-// for each along the longer axis, from where it begins to where it ends.
+// Tiles that a tile passes within the exposure, if all its pixels move by its longest displacement: along the line of its centre,
+// one tile for each step along the longer axis, from the start of the exposure to the end.
 #ifndef STROBE_TILE_WALK_GLSL
 #define STROBE_TILE_WALK_GLSL
 #include "lib/blur.glsl"

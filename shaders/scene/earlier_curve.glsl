@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a layer's paths go on: parabolas through the places of their points at the capture and the two frames before it, taken
-// over the exposure, wherever that lies. In a loop of the times "frames" with two slices.
+// Extrapolated curves of a layer: parabolas through the places of its points at the raster time and in the two frames before,
+// taken over the exposure. In a loop of the times "frames" with two slices.
 // In:  depth, id, hit, normal as path_bend has them; velocity (px over the exposure, from the frame before alone).
 // Out: velocity (px between the ends of the curve), curve (px, mixin/curve.glsl), bend (px: how far the curve is from the line
 //      between its ends in the middle), bent (1 where an end of the exposure is more than `most_bend` px from where the curve
@@ -27,7 +27,7 @@ bool instanceStands(uint slice, uint id) {
   return then.row_x == now.row_x && then.row_y == now.row_y && then.row_z == now.row_z;
 }
 
-// True if the pose two frames before the capture is that of the capture: it is beyond a cut.
+// True if a cut lies between the two frames before the raster time: the older pose then equals the pose at the raster time.
 bool isSecondPoseCut(uint id) {
   uint slice = SLICE_SAMPLE + 1u;
   bool camera_is_cut = cameraStands(slice) && !cameraStands(slice - 1u);

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-// How a layer's paths are curved: parabolas or arcs (mixin/curve.glsl) through poses inside of the
-// exposure, and what these do not say. In a loop of three times, at 1/6, 1/2 and 5/6 of the exposure; for arcs of five, at
-// 1/10, 3/10, ... of it.
-// In:  depth, id, velocity, hit, normal as path_bend has them.
-// Out: curve (px; of arcs px and a turn), bend (px: how far the path
-//      is from the line between its ends in the middle), bent (1 where the curve is farther than `most_bend` px from the path
-//      at one of the times, or a pixel grows to more than `most_growth` px).
-// A parabola meets the path in the middle. On an arc second differences turn and grow as
-// it does, whatever its centre and the line that this goes along: two of them say by how much.
-// Fails: of a full turn three poses see a third each: what turns by more than half a turn is `bent`. Five poses tell turns
-// apart up to one and a quarter; a circle seen aslant is no arc.
+// Curves of the paths of a layer (mixin/curve.glsl), parabolas or arcs, through poses inside of the exposure. In a loop of three
+// times, at 1/6, 1/2 and 5/6 of the exposure; for arcs of five, at 1/10, 3/10, ... of it.
+// In:  depth, id, velocity, hit, normal as in scene/path_bend.glsl.
+// Out: curve (px; of arcs px and a turn), bend (px: distance of the path from the line between its ends in the middle of the
+//      exposure), bent (1 where the curve is farther than `most_bend` px from the path at one of the times, or a pixel grows to
+//      more than `most_growth` px).
+// Method: a parabola meets the path in the middle. Second differences of the places on an arc turn and grow as the arc does,
+// whatever its centre and the line of the centre: two of them give the turn.
+// Fails: a turn beyond half a turn, for parabolas, or one and a quarter turns, for arcs; circles seen aslant.
 #include "mixin/stored.glsl"
 #include "mixin/texel_path.glsl"
 #include "mixin/curve.glsl"
