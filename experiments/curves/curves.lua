@@ -16,10 +16,11 @@ local function beyond(r, shot, arm, region)
   return math.sqrt(math.max(own * own - floor * floor, 0))
 end
 
+local steps = "experiments/pipelines/hybrid_steps.lua"
 local arms = {}
 local function add(name, pipeline, set) arms[#arms + 1] = { name = name, pipeline = pipeline, set = set } end
 for _, curve in ipairs(curves) do
-  add(layers(curve), "experiments/pipelines/hybrid_steps.lua", { ["composite.taps"] = "linear", mask = "moving", trajectory = curve })
+  add(layers(curve), steps, { ["composite.taps"] = "linear", mask = "moving", trajectory = curve })
 end
 add("own times", "hybrid_traced")
 arms[#arms + 1] = { name = "truth, 16 samples", pipeline = "ground_truth", role = "floor",

@@ -12,9 +12,11 @@ local depths, normals = { 0.005, 0.05, 0.2, 1 }, { 0.1, 0.4, 0.8, 1.6 }
 local of_depth, of_normal, of_canny = "edge.depth_threshold", "edge.normal_threshold", "edge_gradient.depth_threshold"
 local canny_normal = "edge_gradient.normal_threshold"
 
+local steps = "experiments/pipelines/hybrid_steps.lua"
+
 -- Thresholds of a detector that does not have them.
 local function arm(name, lacks)
-  return { name = name, pipeline = "experiments/pipelines/hybrid_steps.lua", set = { mask = "paper", edge = name }, lacks = lacks }
+  return { name = name, pipeline = steps, set = { mask = "paper", edge = name }, lacks = lacks }
 end
 
 local has_normals = { sobel = true, scharr = true, prewitt = true, roberts = true, laplacian = true, canny = true }
@@ -26,7 +28,7 @@ local function error_of(r, shot, name, wanted)
 end
 
 local arms = {
-  { name = "no rays", pipeline = "experiments/pipelines/hybrid_steps.lua", set = { mask = "none" },
+  { name = "no rays", pipeline = steps, set = { mask = "none" },
     lacks = { of_depth, of_normal, of_canny, canny_normal } },
 }
 for _, name in ipairs(gradients) do arms[#arms + 1] = arm(name, { of_canny, canny_normal }) end

@@ -5,6 +5,7 @@ local experiment = require "strobe.experiment"
 
 local none, bevy, mcguire, best = "no vectors", "Bevy", "McGuire 2012", "hybrid, best"
 local short, ue4, last_frame = "UE4-style, limit 0.05", "UE4-style", "McGuire 2012, last frame's path"
+local steps = "experiments/pipelines/hybrid_steps.lua"
 local straight, curved = "layers, straight paths", "layers, curved paths"
 local frozen = "truth, light of the capture"
 
@@ -138,8 +139,9 @@ return experiment {
     { name = bevy, pipeline = "bevy" },
     { name = mcguire, pipeline = "mcguire2012" },
     { name = ue4, pipeline = "ue4" },
-    { name = straight, pipeline = "experiments/pipelines/hybrid_steps.lua", set = { ["composite.taps"] = "linear", mask = "moving" } },
-    { name = curved, pipeline = "experiments/pipelines/hybrid_steps.lua", set = { ["composite.taps"] = "linear", mask = "moving", trajectory = "arc" } },
+    { name = straight, pipeline = steps, set = { ["composite.taps"] = "linear", mask = "moving" } },
+    { name = curved, pipeline = steps,
+      set = { ["composite.taps"] = "linear", mask = "moving", trajectory = "arc" } },
     { name = best, pipeline = "hybrid_traced" },
     { name = frozen, pipeline = "ground_truth", role = "floor",
       set = { samples = 256, times = "stratified", shading = "frozen" } },

@@ -90,7 +90,8 @@ return pipeline {
     curves.require(p, composite, "composite = " .. p.composite())
     local apart = pass.reads(composite, "front")
     if not apart then layers.bend(p, moved, revealed) end
-    local images = apart and blurred(p, moved, revealed) or layers.images(p, moved, revealed, composite, nil, p.tiles() == "separate")
+    local images = apart and blurred(p, moved, revealed) or
+      layers.images(p, moved, revealed, composite, nil, p.tiles() == "separate")
     local made = composite(pass.wired(composite, images, { as = "composite" }))
     return scene.outputs(raster, {
       color = apart and made.color or made.blurred, mask = mask,

@@ -28,12 +28,13 @@ local function alike(shot, arm, other, text, known)
   end }
 end
 
-local arms = { { name = "no rays", pipeline = "experiments/pipelines/hybrid_steps.lua", set = { mask = "none" }, shown = false } }
+local steps = "experiments/pipelines/hybrid_steps.lua"
+local arms = { { name = "no rays", pipeline = steps, set = { mask = "none" }, shown = false } }
 for _, way in ipairs(ways) do
-  arms[#arms + 1] = { name = way, pipeline = "experiments/pipelines/hybrid_steps.lua", shown = way ~= "motion",
+  arms[#arms + 1] = { name = way, pipeline = steps, shown = way ~= "motion",
     set = { mask = "moving", termination = way, advance = "origin_kept" } }
 end
-arms[#arms + 1] = { name = "instance, one ray", pipeline = "experiments/pipelines/hybrid_steps.lua", shown = false,
+arms[#arms + 1] = { name = "instance, one ray", pipeline = steps, shown = false,
   set = { mask = "moving", termination = "instance", advance = "instance_filter" } }
 
 local function panels(name, title, front, behind, note)

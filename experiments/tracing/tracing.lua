@@ -40,9 +40,9 @@ local borders = "of truth's tens of millions of rays some pass a triangle within
 return experiment {
   title    = "Rays: backends",
   question = "What does the runtime's own tree save?",
-  note     = "Backends are three ways to trace one set of rays. Truth sees whole pixels, at times drawn in strata. Errors are " ..
-             "held against truth with 1024 samples. Times are ratios to McGuire 2012 with ray queries in the same shot; of " ..
-             "truth, which is not timed, rays count.",
+  note     = "Backends are three ways to trace one set of rays. Truth sees whole pixels, at times drawn in strata. Errors " ..
+             "are held against truth with 1024 samples. Times are ratios to McGuire 2012 with ray queries in the same shot; " ..
+             "of truth, which is not timed, rays count.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {

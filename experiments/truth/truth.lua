@@ -30,8 +30,8 @@ end
 return experiment {
   title    = "What truth costs",
   question = "How much of the time for an error does truth save by what it knows?",
-  note     = "Samples anywhere in the pixel. Times are ratios to 8 samples of every ray in the same shot; the reference has its " ..
-             "own noise, which is in all errors alike.",
+  note     = "Samples anywhere in the pixel. Times are ratios to 8 samples of every ray in the same shot; the reference has " ..
+             "its own noise, which is in all errors alike.",
   size     = { 320, 180 },
   shots    = shots,
   arms     = { arm(brute, "brute"), arm(spared, "rays") },

@@ -34,10 +34,12 @@ local function blurred(p, layer, name, behind)
   return gathers.blurred(p.weights(), gathers.images(layer, dominant, behind), "gather_" .. name, p.color_format)
 end
 
-local edge_choice = { default = "sobel", doc = "edge detector of the ray mask", values = edges.texts(), table.unpack(edges.names) }
+local edge_choice = { default = "sobel", doc = "edge detector of the ray mask", values = edges.texts(),
+                      table.unpack(edges.names) }
 
 local text = {
-  edge = "sobel", own_edge = false, termination = "luminance", advance = "restart", on_cap = "last_hit", weights = "mcguire2012",
+  edge = "sobel", own_edge = false, termination = "luminance", advance = "restart", on_cap = "last_hit",
+  weights = "mcguire2012",
 }
 -- Two readings where the text is silent or contradicts its claims: rays pass the object in front at once, and each tap is
 -- an equal share of the exposure.
@@ -60,7 +62,8 @@ return pipeline {
     directions   = mcguire2012.params.directions,
   }),
   presets = {
-    paper = { doc = "the paper, read so that its claims hold: rays pass the object in front at once, taps count alike", set = paper },
+    paper = { doc = "the paper, read so that its claims hold: rays pass the object in front at once, taps count alike",
+              set = paper },
     text = { doc = "the paper to the letter", set = text },
     geometry_index = { doc = "the paper with the termination that it proposes: another geometry, in place of another luminance",
                        set = options.with(options.with({}, paper), { termination = "geometry" }) },

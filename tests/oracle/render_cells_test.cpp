@@ -27,14 +27,15 @@ class RenderCells : public RenderTest {
   }
 };
 
-const std::vector<std::string> kOfMask = {"mask_bounds", "mask_ids", "mask_crossings", "mask"};
-const std::vector<std::string> kOfComposite = {"raster_bounds", "revealed_bounds", "motion_reach", "composite"};
+// Nodes that share cells: the mask's bounds serve the composite too.
+const std::vector<std::string> kNodes = {"mask_bounds",     "mask_ids",     "mask_crossings", "mask",
+                                         "revealed_bounds", "motion_reach", "composite"};
 
 // Those of its pixels and of no others; the last cells are cut off by the picture's border.
 TEST_F(RenderCells, KnowTheInstancesThatTheyShow) {
   constexpr int kSide = 7;
   std::vector<std::string> settings;
-  for (const std::string& node : kOfMask) settings.push_back(fmt::format("{}.cell_side={}", node, kSide));
+  for (const std::string& node : kNodes) settings.push_back(fmt::format("{}.cell_side={}", node, kSide));
   lab::Shot shot = with(shotOf("crowd", 64, 40), "hybrid_layered", settings);
   shot.taps = {"mask_ids.ids"};
   const lab::Picture picture = render(shot);
@@ -149,10 +150,10 @@ TEST_F(RenderCells, DoNotShowInTheMask) {
   for (const char* camera : {"main", "tracking"})
     for (const char* anchor : {"close", "centre"}) {
       SCOPED_TRACE(fmt::format("{} {}", camera, anchor));
-      lab::Picture finest = celled(room(camera, anchor), kOfMask, 1);
+      lab::Picture finest = celled(room(camera, anchor), kNodes, 1);
       ASSERT_GT(rms(imageOf(finest, "mask")), 0.05);
       for (int cell : {4, 10, 20})
-        EXPECT_TRUE(identical(imageOf(celled(room(camera, anchor), kOfMask, cell), "mask"), imageOf(finest, "mask")))
+        EXPECT_TRUE(identical(imageOf(celled(room(camera, anchor), kNodes, cell), "mask"), imageOf(finest, "mask")))
             << "cells of " << cell << " px";
     }
 }
@@ -177,10 +178,10 @@ TEST_F(RenderCells, DoNotShowInThePicture) {
     SCOPED_TRACE(camera);
     lab::Shot shot = room(camera, "close");
     image::Image truth = colorOf(render(with(shot, "ground_truth", {"samples=64", "mark_regions=false"})));
-    image::Image whole = colorOf(celled(shot, kOfComposite, 1024));
+    image::Image whole = colorOf(celled(shot, kNodes, 1024));
     for (int cell : {1, 10, 33}) {
       SCOPED_TRACE(fmt::format("cells of {} px", cell));
-      image::Image left_out = colorOf(celled(shot, kOfComposite, cell));
+      image::Image left_out = colorOf(celled(shot, kNodes, cell));
       EXPECT_LE(countDifferent(left_out, whole, 2e-6f), whole.width * whole.height / 500);
       EXPECT_LE(rmsDifference(left_out, truth), rmsDifference(whole, truth) * 1.0001);
     }

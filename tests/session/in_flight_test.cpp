@@ -2,6 +2,8 @@
 // Several frames under way at once: each is what it is by itself, and in its order.
 #include <gtest/gtest.h>
 
+#include "base/files.h"
+#include "common/source.h"
 #include "lab/batch.h"
 #include "lab/drawing.h"
 #include "session/home.h"
@@ -66,10 +68,15 @@ TEST_F(InFlightTest, FramesAreWhatTheyAreAlone) {
   for (const char* pipeline : {"none", "hybrid", "temporal1"}) expectSame(smallShot(pipeline), 7);
 }
 
-TEST_F(InFlightTest, WithRaysOfEachBackend) {
+TEST_F(InFlightTest, WithRaysOfEachBackendOverAList) {
+  const Path tests = sourceFolder() / "tests";
+  for (const char* file : {"passes/traced.lua", "shaders/traced.glsl"})
+    home_.write(file, readText(tests / "oracle/project" / file));
+  home_.write("scripts/pipelines/rays_over_a_list.lua", readText(tests / "session/pipelines/rays_over_a_list.lua"));
   for (const shader::BackendRow& row : shader::backends()) {
     if (!shader::isPresent(row, bench().device().info())) continue;
-    Shot shot = smallShot("hybrid");
+    Shot shot = smallShot("rays_over_a_list");
+    lab::putSetting(shot.sets, "scene.d_b", std::string("0"));  // what rests is not on the list
     shot.backend = row.name;
     expectSame(shot, 7);
   }
@@ -82,7 +89,7 @@ TEST_F(InFlightTest, WithWhatBends) {
   for (const shader::BackendRow& row : shader::backends()) {
     if (!shader::isPresent(row, bench().device().info())) continue;
     Shot shot;
-    shot.pipeline = "hybrid_traced";
+    shot.pipeline = "hybrid";
     shot.scene = *data / "scenes/khronos_samples/CesiumMan.glb";
     shot.width = 64, shot.height = 40, shot.fps = 12, shot.frame = 6;
     shot.backend = row.name;

@@ -187,7 +187,7 @@ TEST_F(ReloadTest, AFileSavedInTwoStepsIsOneReload) {
 
 // As a program saves all files that it holds.
 TEST_F(ReloadTest, FilesSavedOneAfterAnotherAreOneReload) {
-  Session session(bench(), smallShot("hybrid"));
+  Session session(bench(), smallShot("hybrid_layered"));
   session.reload(false);
   const std::string before = colorHash(session), good = home_.read("shaders/mask/relative.glsl");
   home_.write("shaders/mask/relative.glsl", "void run(ivec2 pixel) { nonsense }");
@@ -324,11 +324,10 @@ TEST_F(ReloadTest, ARenamedOrRetypedBindingIsRefusedByTheNameOfItsPass) {
     std::string file, from, to, says;
   };
   for (const Case& one :
-       {Case{"passes/gather/mcguire2012.lua", "of_layer { \"second\", \"curve\", \"dominant_curve\" }",
-             "of_layer({ \"second\", \"curve\", \"dominant_curve\" }, { prevailing = { doc = \"x\" } })",
-             "pass 'gather_mcguire2012' is not given"},
-        Case{"passes/gather/mcguire2012.lua", "of_layer { \"second\", \"curve\", \"dominant_curve\" }",
-             "of_layer({ \"second\", \"curve\", \"dominant_curve\" }, { velocity = { uint = true, doc = \"x\" } })",
+       {Case{"passes/gather/mcguire2012.lua", "of_layer { \"second\" }",
+             "of_layer({ \"second\" }, { prevailing = { doc = \"x\" } })", "pass 'gather_mcguire2012' is not given"},
+        Case{"passes/gather/mcguire2012.lua", "of_layer { \"second\" }",
+             "of_layer({ \"second\" }, { velocity = { uint = true, doc = \"x\" } })",
              "read 'velocity' of pass 'gather_mcguire2012' wants unsigned integers"},
         Case{"passes/gather/mcguire2012.lua", "depth_extent = blur", "depth_range = blur", "gather_mcguire2012"},
         Case{"shaders/gather/mcguire2012.glsl", "dominant_tex", "prevailing_tex", "gather_mcguire2012"}}) {

@@ -213,11 +213,11 @@ TEST_F(SessionTest, AnIdleControlChangesNothing) {
     if (auto value = otherValue(control)) session.set(control.declaration.name, *value, "test");
   }
   EXPECT_EQ(hashes(session.draw()), before);
-  EXPECT_TRUE(idle.count("jitter_frame")) << "no sample is jittered";
+  EXPECT_TRUE(idle.count("directions")) << "uniform weights have one direction";
   EXPECT_FALSE(idle.count("samples"));
-  session.set("jitter", "hash", "test");
+  session.set("weights", "mcguire2012", "test");
   std::vector<lab::Control> controls = session.controls();
-  std::erase_if(controls, [](const lab::Control& control) { return control.declaration.name != "jitter_frame"; });
+  std::erase_if(controls, [](const lab::Control& control) { return control.declaration.name != "directions"; });
   ASSERT_EQ(controls.size(), 1u);
   EXPECT_EQ(controls[0].idle, "");
 }

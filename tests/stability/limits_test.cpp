@@ -36,7 +36,7 @@ lab::Shot crowd(const std::string& pipeline, const std::vector<std::string>& set
 }
 
 TEST_F(Limits, NoneIsMetByAnOrdinaryShot) {
-  for (const char* pipeline : {"none", "mcguire2012", "hybrid"})
+  for (const char* pipeline : {"none", "mcguire2012", "hybrid_layered"})
     EXPECT_EQ(warningsOf(crowd(pipeline)), std::vector<std::string>()) << pipeline;
 }
 

@@ -78,7 +78,8 @@ function time_samples.silhouettes(raster, slowest)
   }.near
 end
 
--- The picture: rays for the samples that the composite `made` left unresolved. `audit`: share of blocks checked; nil: a hundredth.
+-- The picture: rays for the samples that the composite `made` left unresolved. `audit`: share of the blocks that are checked;
+-- nil: a hundredth.
 function time_samples.traced(p, raster, revealed, made, audit)
   return pipeline.loop {
     name = "own_times", count = 1, times = "midpoint", slices = math.min(p.samples(), 64),

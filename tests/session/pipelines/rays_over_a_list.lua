@@ -1,0 +1,20 @@
+-- SPDX-License-Identifier: MIT
+-- Rays for the pixels that move, over a list of them.
+local pipeline = require "strobe.pipeline"
+local moving   = require "passes.mask.moving"
+local traced   = require "passes.traced"
+local lists    = require "scripts.pipelines.lib.lists"
+local options  = require "scripts.pipelines.lib.options"
+local scene    = require "scripts.pipelines.lib.scene"
+local tiles    = require "scripts.pipelines.lib.tiles"
+
+return pipeline {
+  doc = "Distances by rays, of the pixels that move",
+  params = options.blur(8),
+  build = function(p)
+    local seen = scene.captured()
+    local mask = moving { velocity = seen.velocity, dominant = tiles.dominant(p, seen).dominant }.mask
+    local distance = traced { listed = lists.of(mask, "moving") }.distance
+    return scene.outputs(seen, { color = seen.color, distance = distance })
+  end,
+}
