@@ -93,8 +93,8 @@ return experiment {
   question = "Which readings of what the paper leaves open bear its claims out, that the hybrid corresponds to ground " ..
              "truth where post-process does not?",
   note     = "\"as written\" is the preset text of hybrid, \"+ even weights\" its preset paper. Arms with + change one " ..
-             "thing and keep what came before; the others change one thing of as written. A vase slides past a striped cushion: " ..
-             "hollow and of one colour, as the paper's is; hollow and patterned; solid; and the living room's.",
+             "thing and keep what came before; the others change one thing of as written. A vase slides past a striped " ..
+             "cushion: hollow and of one colour, as the paper's is; hollow and patterned; solid; and the living room's.",
   size     = { 320, 180 },
   size_params = { "width", "height" },
   shots    = {

@@ -125,7 +125,7 @@ TEST(Counts, OfAnInterruptedRun) {
 TEST(Counts, OfADamagedFolder) {
   testing::TemporaryFolder folder;
   Results results = partial();
-  results.title = "Partial", results.width = 64, results.height = 36;
+  results.title = "Partial", results.width = 64, results.height = 36, results.shots = {{"bar"}};
   results.regions = {"whole"}, results.measures = {"rmse"};
   results.arms = {{"none", "none", Role::method, true}, {"hybrid", "hybrid", Role::method, true}};
   const std::string whole = textOf(results);
@@ -144,7 +144,7 @@ TEST(Counts, OfADamagedFolder) {
 // What is not measured yet is a dash in every table.
 TEST(Report, OfAnIncompleteSweepHasNoNan) {
   Results results = partial();
-  results.title = "Partial", results.width = 64, results.height = 36;
+  results.title = "Partial", results.width = 64, results.height = 36, results.shots = {{"bar"}};
   results.regions = {"whole", "inner"}, results.measures = {"rmse"};
   results.arms = {{"none", "none", Role::method, true},
                   {"hybrid", "hybrid", Role::method, true},

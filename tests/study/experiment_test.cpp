@@ -151,7 +151,7 @@ TEST(Mistakes, HaveTheirPlaceAndTheNearestName) {
 }
 
 TEST(Mistakes, OfPipelinesAreFoundBeforeADeviceIs) {
-  expectRefusal(with("set = { preset = \"bset\" }"), "did you mean 'best'?", true);
+  expectRefusal(with("set = { preset = \"papr\" }"), "did you mean 'paper'?", true);
   expectRefusal(with("", "", "at = function() return { sampels = 4 } end"), "did you mean 'samples'?", true);
 }
 
@@ -159,10 +159,10 @@ TEST(Mistakes, OfPipelinesAreFoundBeforeADeviceIs) {
 TEST(Mistakes, OfSettingsNameTheEntryThatHasThem) {
   for (const auto& [text, wanted] : {
            std::pair<std::string, std::string>{
-               with("set = { tap = 4 }"),
-               "x.lua:8: arm 'hybrid': --set tap=4: the pipeline has no parameter 'tap'; did you mean '"},
-           {with("set = { [\"edge.depth\"] = 0.01 }"),
-            "x.lua:8: arm 'hybrid': --set edge.depth=0.01: there is no node 'edge'"},
+               with("set = { edg = 4 }"),
+               "x.lua:8: arm 'hybrid': --set edg=4: the pipeline has no parameter 'edg'; did you mean 'edge'?"},
+           {with("set = { [\"edges.depth\"] = 0.01 }"),
+            "x.lua:8: arm 'hybrid': --set edges.depth=0.01: there is no node 'edges'"},
            {with("box = { tap = 4 }"), "x.lua:8: arm 'hybrid': --set tap=4: "},
            {with("", "move = { bra = { 1, 0, 0 } }"),
             "x.lua:11: shot 'bar': bar has no node 'bra'; did you mean 'bar'?"},
