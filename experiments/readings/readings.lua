@@ -38,7 +38,7 @@ local arms = {
   { name = ue4, pipeline = "ue4", set = { limit = 0.1 } },
 }
 
--- Steps of which another pipeline than the paper's has alternatives.
+-- Steps with alternatives in experiments/pipelines/hybrid_steps.lua.
 local is_step = { mask = true, composite = true, tiles = true }
 local as_written = { mask = "paper", composite = "alpha_over", tiles = "separate", own_edge = false,
                      termination = "luminance", advance = "restart", on_cap = "last_hit", weights = "mcguire2012" }

@@ -13,7 +13,7 @@ local options     = require "scripts.pipelines.lib.options"
 local scene       = require "scripts.pipelines.lib.scene"
 local tiles       = require "scripts.pipelines.lib.tiles"
 
--- Ray Mask: the displaced position is farther and another object, an edge is there, and the pixel is in range of it.
+-- Ray Mask: pixels in range of an edge at which the displaced position is farther and belongs to another object.
 local function ray_mask(p, raster)
   local where = candidate { depth = raster.depth, id = raster.id, velocity = raster.velocity, taps = p.mask_taps }.candidate
   local edge = edges.detected(p.edge(), raster, where)
@@ -28,7 +28,7 @@ local function ray_reveal(raster, mask)
   }
 end
 
--- Post-Process: tile-dilate, then the gather, of one layer. `behind`: the layer that it uncovers.
+-- Post-Process: tile-dilate and gather of one layer. `behind`: the layer that its silhouettes uncover.
 local function blurred(p, layer, name, behind)
   local dominant = tiles.dominant(p, layer, { prefix = name .. "_" })
   return gathers.blurred(p.weights(), gathers.images(layer, dominant, behind), "gather_" .. name, p.color_format)

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Extension of hybrid_layered: time samples that its layers do not resolve are traced at their own times.
+-- Extension of hybrid_layered: time samples that its layers do not resolve are traced, each at its time.
 local pass     = require "strobe.pass"
 local pipeline = require "strobe.pipeline"
 local layered  = require "passes.composite.layered"
@@ -12,10 +12,10 @@ local time_samples = require "scripts.pipelines.lib.time_samples"
 
 local by_cell = "cells decide which samples are traced, and cells begin at the corner of the picture"
 local by_threshold = "thresholds decide which samples are traced, and rounding may lead to their other side"
-local slowest = 0.02  -- px over the exposure; slower silhouettes differ from a static one by at most 2 % of a texel's contrast
+local slowest = 0.02  -- px over the exposure; a slower silhouette changes the coverage of a pixel by less than 0.02
 
 return pipeline {
-  doc = "Hybrid in layers, with a ray at its own time for each time sample that the layers do not resolve",
+  doc = "hybrid_layered with a ray for each time sample that the layers do not resolve",
   params = options.with(options.blur(40), { range = ranges.param, trajectory = layered.params.trajectory }),
   breaks = { mirrored = by_cell, shifted = by_cell, scaled = by_threshold },
   compare_with = "mcguire2012",

@@ -127,7 +127,9 @@ TEST(Counts, OfADamagedFolder) {
   Results results = partial();
   results.title = "Partial", results.width = 64, results.height = 36, results.shots = {{"bar"}};
   results.regions = {"whole"}, results.measures = {"rmse"};
-  results.arms = {{"none", "none", Role::method, true}, {"hybrid", "hybrid", Role::method, true}};
+  results.arms = {{"truth", "ground_truth", Role::truth, true},
+                  {"none", "none", Role::method, true},
+                  {"hybrid", "hybrid", Role::method, true}};
   const std::string whole = textOf(results);
   std::filesystem::create_directories(folder / "points");
   testing::writeText(pointFile(folder.path(), "none0", ".json"), "{");

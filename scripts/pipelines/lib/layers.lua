@@ -58,7 +58,7 @@ end
 
 -- Cells through which anything moves; the composite copies the others.
 local function moving_cells(raster, revealed, images, slowest)
-  -- Those of the mask, unless it took the paths to be straight and even where they are not.
+  -- The mask's bounds hold for straight paths with one segment.
   local is_simple = raster.bounds and not (raster.curve or raster.after_velocity)
   local bounds = is_simple and raster.bounds or bounds_of(raster, "raster_bounds")
   local reach = images.reach
@@ -86,9 +86,9 @@ function layers.bend(p, raster, revealed)
   curves.add(p, curves.are_foretold(p) and { behind } or { { "raster", raster }, behind })
 end
 
--- The images that a composite reads: `x` of the raster layer, `revealed_x` of the revealed one, displacements per tile.
--- `slowest`: displacement, px, up to which a pixel counts as static; nil: that of every blur. `apart`: displacements per tile
--- of each layer, in place of one for both.
+-- Images for a composite: `x` of the raster layer, `revealed_x` of the revealed layer, displacements per tile.
+-- `slowest`: displacement, px, up to which a pixel counts as static; nil: 0.5. `apart`: each layer has its own displacements
+-- per tile.
 function layers.images(p, raster, revealed, composite, slowest, apart)
   ranges.require_parts(raster, composite, "the composite")
   local images = {}

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Samples that no layer resolves reliably, and rays at their own times that do.
+-- Time samples that the layers do not resolve, and rays that resolve them.
 local pipeline          = require "strobe.pipeline"
 local moving_silhouettes = require "passes.mask.moving_silhouettes"
 local own_time          = require "passes.scene.own_time"
@@ -22,7 +22,7 @@ local function bend_of(layer, name)
   }
 end
 
--- Surfaces that an end of the exposure shows and no layer has.
+-- Surfaces that are visible at an end of the exposure and in no layer.
 local function unseen_of(which, unseen, hit, raster, revealed)
   return unseen {
     time = which, hit = hit, depth = raster.depth, id = raster.id,
@@ -47,7 +47,7 @@ local function at_the_middle(raster, revealed)
   end }
 end
 
--- Cells and times at which a layer does not tell where its surfaces are: paths deviate, or only an end shows something.
+-- Cells and time strata in which layers are unreliable: paths deviate, or a surface is visible only at an end of the exposure.
 function time_samples.unreliable(p, raster, revealed)
   local found = at_the_middle(raster, revealed)
   local function bounds_of_layer(name, layer)
@@ -71,7 +71,7 @@ function time_samples.unreliable(p, raster, revealed)
   }.doubtful
 end
 
--- Pixels beside something that moves otherwise by more than `slowest` px, where a sample may fall to either side.
+-- Pixels beside a silhouette in motion: displacements differ by more than `slowest` px, so a sample may fall to either side.
 function time_samples.silhouettes(raster, slowest)
   return moving_silhouettes {
     velocity = raster.velocity, after_velocity = raster.after_velocity, slowest = slowest,
