@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- The preset of experiments/tune, and the other setting of docs/tuning.md, beside the hybrid as it is given.
+-- The preset of experiments/tune, and the other setting of docs/tuning.md, beside hybrid_traced.
 local experiment = require "strobe.experiment"
 
 return experiment {
@@ -7,9 +7,10 @@ return experiment {
   size = { 320, 180 },
   shots = { { name = "living_room", scene = "living_room" } },
   arms = {
-    { name = "as given", pipeline = "hybrid" },
-    { name = "preset", pipeline = "hybrid", set = { preset = "experiments/tune/living_room.lua" } },
-    { name = "other", pipeline = "hybrid", set = { own_time = "none" } },
+    { name = "as given", pipeline = "hybrid_traced" },
+    { name = "preset", pipeline = "experiments/pipelines/hybrid_steps.lua",
+      set = { preset = "experiments/tune/living_room.lua" } },
+    { name = "other", pipeline = "hybrid_layered", set = { ["composite.taps"] = "linear" } },
   },
   truth = { pipeline = "ground_truth", set = { samples = 256 } },
   regions = { "whole", "inner" },
