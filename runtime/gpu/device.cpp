@@ -256,7 +256,7 @@ static VKAPI_ATTR VkBool32 VKAPI_CALL onLoaderMessage(VkDebugUtilsMessageSeverit
   return VK_FALSE;
 }
 
-// Reason why the loader skips a manifest without a message; "" if it does not.
+// Reason why the loader cannot read a manifest; "" if it can.
 static std::string faultOfManifest(const std::string& file) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) return "no such file";
@@ -271,22 +271,28 @@ static std::string faultOfManifest(const std::string& file) {
   }
 }
 
-// Manifests that the environment names and that the loader skips silently.
-static std::vector<std::string> skippedManifests() {
-  std::vector<std::string> skipped;
+// Faults of manifests that the environment names. They are taken out of it: with one of them the loader finds no driver
+// at all, or crashes. A list without any sound manifest becomes the name of none. Not thread-safe.
+static std::vector<std::string> leaveOutDamagedManifests() {
+  std::vector<std::string> faults;
   const char* variables[] = {std::getenv("VK_DRIVER_FILES") ? "VK_DRIVER_FILES" : "VK_ICD_FILENAMES",
                              "VK_ADD_DRIVER_FILES"};
   for (const char* variable : variables) {
     std::istringstream names(std::getenv(variable) ? std::getenv(variable) : "");
-    for (std::string name; std::getline(names, name, ':');)
-      if (const std::string fault = name.empty() ? "" : faultOfManifest(name); !fault.empty())
-        skipped.push_back(fmt::format("{}: {}: {}", variable, name, fault));
+    std::string sound;
+    const size_t before = faults.size();
+    for (std::string name; std::getline(names, name, ':');) {
+      const std::string fault = name.empty() ? "" : faultOfManifest(name);
+      if (fault.empty()) sound += (sound.empty() ? "" : ":") + name;
+      else faults.push_back(fmt::format("{}: {}: {}", variable, name, fault));
+    }
+    if (faults.size() > before) ::setenv(variable, sound.empty() ? "none" : sound.c_str(), 1);
   }
-  return skipped;
+  return faults;
 }
 
 std::vector<std::string> driverProblems() {
-  std::vector<std::string> problems = skippedManifests(), messages;
+  std::vector<std::string> problems = leaveOutDamagedManifests(), messages;
   VkDebugUtilsMessengerCreateInfoEXT sink{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
   sink.messageSeverity =
       VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;

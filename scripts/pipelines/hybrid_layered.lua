@@ -12,7 +12,7 @@ local scene    = require "scripts.pipelines.lib.scene"
 
 return pipeline {
   doc = "Hybrid with a disocclusion mask by relative motion and a composite of its layers per time sample",
-  params = options.with(options.blur(40), {
+  params = options.by_tiles(40, {
     termination  = reveal.params.termination,
     tolerance    = reveal.params.tolerance,
     luminance_of = reveal.params.luminance_of,

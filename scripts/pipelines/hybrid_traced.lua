@@ -16,7 +16,7 @@ local slowest = 0.02  -- px over the exposure; a slower silhouette changes the c
 
 return pipeline {
   doc = "hybrid_layered with a ray for each time sample that the layers do not resolve",
-  params = options.with(options.blur(40), { range = ranges.param, trajectory = layered.params.trajectory }),
+  params = options.by_tiles(40, { range = ranges.param, trajectory = layered.params.trajectory }),
   breaks = { mirrored = by_cell, shifted = by_cell, scaled = by_threshold },
   compare_with = "mcguire2012",
   build = function(p)

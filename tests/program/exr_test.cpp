@@ -158,9 +158,9 @@ TEST_F(Exr, ExrheaderReadsIt) {
   Outcome outcome = runLine("exrheader '" + drawn("mcguire2012", "--multipart --tap tile_max.longest") + "'");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* line :
-       {"type (type string): \"scanlineimage\"", "name (type string): \"raster_tile_max.longest\"",
-        "id, 32-bit unsigned", "Z, 32-bit floating-point", "velocity.Y, 32-bit floating-point",
-        "worldToCamera (type m44f)", "framesPerSecond (type rational): 30/1", "strobeFormat (type string): \"rg32ui\""})
+       {"type (type string): \"scanlineimage\"", "name (type string): \"tile_max.longest\"", "id, 32-bit unsigned",
+        "Z, 32-bit floating-point", "velocity.Y, 32-bit floating-point", "worldToCamera (type m44f)",
+        "framesPerSecond (type rational): 30/1", "strobeFormat (type string): \"rg32ui\""})
     EXPECT_NE(outcome.out.find(line), std::string::npos) << line << "\n" << outcome.out.substr(0, 4000);
 }
 

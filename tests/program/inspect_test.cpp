@@ -86,7 +86,7 @@ TEST(Inspect, CheckReadsFilesByTheirKind) {
       "return require 'strobe.capture' { title = 'Bar', size = { 64, 16 },\n"
       "  shots = { { name = 'bar', scene = 'oracles/bar' } },\n  arms = { { name = 'none', pipeline = 'none' } } }\n";
   writeText(folder / "good.lua", experiment("main", ""));
-  writeText(folder / "wrong.lua", experiment("mian", ", set = { tap = 4 }"));
+  writeText(folder / "wrong.lua", experiment("mian", ", set = { edg = 4 }"));
   writeText(folder / "capture.lua", capture);
   writeText(folder / "half.lua", capture.substr(0, capture.find("shots")) + "}\n");
   Outcome good = run("check none " + (folder / "good.lua") + " " + (folder / "capture.lua"));
@@ -96,7 +96,7 @@ TEST(Inspect, CheckReadsFilesByTheirKind) {
   EXPECT_EQ(wrong.exit_code, 1);
   for (const char* mistake :
        {"wrong.lua:3: shot 'bar': --camera mian: bar has no camera 'mian'; did you mean 'main'?\n",
-        "wrong.lua:4: arm 'hybrid': --set tap=4: the pipeline has no parameter 'tap'; did you mean 'taps'?\n",
+        "wrong.lua:4: arm 'hybrid': --set edg=4: the pipeline has no parameter 'edg'; did you mean 'edge'?\n",
         "half.lua:1: "})
     EXPECT_NE(wrong.err.find(mistake), std::string::npos) << wrong.err;
   Outcome set = run("check " + (folder / "good.lua") + " --set samples=4");

@@ -30,7 +30,7 @@ end
 
 return pipeline {
   doc = "hybrid_traced with rays for at most a share of the pixels",
-  params = options.with(options.blur(40), {
+  params = options.by_tiles(40, {
     most_rays = pipeline.float { 0.15, min = 0, max = 1, doc = "share of the pixels that may have rays" },
     range = ranges.param, trajectory = layered.params.trajectory,
   }),
