@@ -396,8 +396,8 @@ bool mayBeWider([[maybe_unused]] const gpu::DeviceInfo& info) {
 }
 
 void doctor(const Home& home, bool json) {
+  std::vector<std::string> driver_problems = gpu::driverProblems();  // first: it leaves damaged manifests out
   std::vector<gpu::DeviceInfo> devices = gpu::listDevices();
-  std::vector<std::string> driver_problems = gpu::driverProblems();
   Json report;
   report["strobe"] = STROBE_VERSION;
   report["devices"] = Json::array();

@@ -95,7 +95,7 @@ TEST(Inspect, CheckReadsFilesByTheirKind) {
   Outcome wrong = run("check " + (folder / "wrong.lua") + " " + (folder / "half.lua"));
   EXPECT_EQ(wrong.exit_code, 1);
   for (const char* mistake :
-       {"wrong.lua:3: shot 'bar': --camera mian: bar has no camera 'mian'; did you mean 'main'?\n",
+       {"wrong.lua:3: shot 'bar': --camera mian: bar has no camera 'mian'; did you mean 'main'?",
         "wrong.lua:4: arm 'hybrid': --set edg=4: the pipeline has no parameter 'edg'; did you mean 'edge'?\n",
         "half.lua:1: "})
     EXPECT_NE(wrong.err.find(mistake), std::string::npos) << wrong.err;
