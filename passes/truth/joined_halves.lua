@@ -1,9 +1,9 @@
 -- SPDX-License-Identifier: MIT
--- Two sets of samples as one.
+-- Sum of two sets of samples.
 local pass = require "strobe.pass"
 
 local half = { doc = "rgb: mean of one half of the samples, linear; a: their number" }
-local bits = { uint = true, doc = "bits: 1 inner, 2 hidden, 4 outer" }
+local bits = { uint = true, doc = "bits: 1 inner, 2 hidden, 4 outer, 8 self" }
 
 return pass.compute {
   name   = "truth_joined_halves",
@@ -13,7 +13,7 @@ return pass.compute {
   reads  = { first_a = half, first_b = half, more_a = half, more_b = half, first_regions = bits, more_regions = bits },
   writes = {
     mean_a  = { format = "rgba32f", doc = "mean radiance of one half of all samples; a = their number" },
-    mean_b  = { format = "rgba32f", doc = "mean radiance of the other; a = their number" },
-    regions = { format = "r32ui", doc = "bits: 1 inner, 2 hidden, 4 outer" },
+    mean_b  = { format = "rgba32f", doc = "mean radiance of the other half; a = their number" },
+    regions = { format = "r32ui", doc = "bits: 1 inner, 2 hidden, 4 outer, 8 self" },
   },
 }
