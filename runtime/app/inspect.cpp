@@ -396,7 +396,7 @@ bool mayBeWider([[maybe_unused]] const gpu::DeviceInfo& info) {
 }
 
 void doctor(const Home& home, bool json) {
-  std::vector<std::string> driver_problems = gpu::driverProblems();  // first: it leaves damaged manifests out
+  std::vector<std::string> driver_problems = gpu::driverProblems();
   std::vector<gpu::DeviceInfo> devices = gpu::listDevices();
   Json report;
   report["strobe"] = STROBE_VERSION;

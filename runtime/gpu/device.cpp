@@ -94,12 +94,47 @@ void Device::destroy() {
 
 namespace {
 
+// Reason why the loader cannot read a manifest; "" if it can.
+std::string faultOfManifest(const std::string& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return "";  // absent, or a folder of manifests
+  try {
+    const Json json = Json::parse(readText(file), nullptr, false);
+    if (json.is_discarded()) return "is not valid JSON";
+    const Json::json_pointer library("/ICD/library_path");
+    return json.contains(library) && json[library].is_string() ? "" : "has no ICD.library_path";
+  } catch (const Error& error) {
+    return error.message();
+  }
+}
+
+// Manifests that the environment names: with `absent` those that do not exist, which the loader skips silently; else
+// the damaged ones, with one of which it finds no driver at all, or crashes.
+std::vector<std::string> faultyManifests(bool absent) {
+  std::vector<std::string> faults;
+  const char* variables[] = {std::getenv("VK_DRIVER_FILES") ? "VK_DRIVER_FILES" : "VK_ICD_FILENAMES",
+                             "VK_ADD_DRIVER_FILES"};
+  std::error_code ignored;
+  for (const char* variable : variables) {
+    std::istringstream names(std::getenv(variable) ? std::getenv(variable) : "");
+    for (std::string name; std::getline(names, name, ':');) {
+      if (name.empty()) continue;
+      const bool is_there = std::filesystem::exists(name, ignored);
+      const std::string fault = !absent ? faultOfManifest(name) : is_there ? "" : "no such file";
+      if (!fault.empty()) faults.push_back(fmt::format("{}: {}: {}", variable, name, fault));
+    }
+  }
+  return faults;
+}
+
 struct Loader {
   void* library = nullptr;
   PFN_vkGetInstanceProcAddr get = nullptr;
   std::vector<std::string> extensions;
 
   Loader() {
+    const std::vector<std::string> damaged = faultyManifests(false);
+    if (!damaged.empty()) throw Error(fmt::format("{}", fmt::join(damaged, "; ")));
     get = openLoader(&library);
     if (!get) throw Error(kNoDevice);
     auto list_extensions = reinterpret_cast<PFN_vkEnumerateInstanceExtensionProperties>(
@@ -256,43 +291,8 @@ static VKAPI_ATTR VkBool32 VKAPI_CALL onLoaderMessage(VkDebugUtilsMessageSeverit
   return VK_FALSE;
 }
 
-// Reason why the loader cannot read a manifest; "" if it can.
-static std::string faultOfManifest(const std::string& file) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored)) return "no such file";
-  if (!std::filesystem::is_regular_file(file, ignored)) return "";  // a folder of manifests
-  try {
-    const Json json = Json::parse(readText(file), nullptr, false);
-    if (json.is_discarded()) return "is not valid JSON";
-    const Json::json_pointer library("/ICD/library_path");
-    return json.contains(library) && json[library].is_string() ? "" : "has no ICD.library_path";
-  } catch (const Error& error) {
-    return error.message();
-  }
-}
-
-// Faults of manifests that the environment names. They are taken out of it: with one of them the loader finds no driver
-// at all, or crashes. A list without any sound manifest becomes the name of none. Not thread-safe.
-static std::vector<std::string> leaveOutDamagedManifests() {
-  std::vector<std::string> faults;
-  const char* variables[] = {std::getenv("VK_DRIVER_FILES") ? "VK_DRIVER_FILES" : "VK_ICD_FILENAMES",
-                             "VK_ADD_DRIVER_FILES"};
-  for (const char* variable : variables) {
-    std::istringstream names(std::getenv(variable) ? std::getenv(variable) : "");
-    std::string sound;
-    const size_t before = faults.size();
-    for (std::string name; std::getline(names, name, ':');) {
-      const std::string fault = name.empty() ? "" : faultOfManifest(name);
-      if (fault.empty()) sound += (sound.empty() ? "" : ":") + name;
-      else faults.push_back(fmt::format("{}: {}: {}", variable, name, fault));
-    }
-    if (faults.size() > before) ::setenv(variable, sound.empty() ? "none" : sound.c_str(), 1);
-  }
-  return faults;
-}
-
 std::vector<std::string> driverProblems() {
-  std::vector<std::string> problems = leaveOutDamagedManifests(), messages;
+  std::vector<std::string> problems = faultyManifests(true), messages;
   VkDebugUtilsMessengerCreateInfoEXT sink{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
   sink.messageSeverity =
       VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
