@@ -27,8 +27,5 @@ return {
         "roll, up to one and a quarter turns. Needs displacement = window. Fails where circles are seen aslant.",
     } },
 
-  seen_at = param.choice { "capture", "start", "finish", default = "capture",
-    doc = "the time at which a layer has things where they are then: the capture, or an end of the exposure" },
-
   directions = param.choice { "one", "two", default = "one", doc = "along how many directions taps are taken" },
 }

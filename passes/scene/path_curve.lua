@@ -23,7 +23,6 @@ return pass.compute {
   params = {
     velocity_format = stored.velocity_format,
     trajectory = blur.trajectory,
-    seen_at    = blur.seen_at,
     most_bend = pass.float { 0.5, min = 0, max = 1000, unit = "px",
       doc = "how far the path may be from the curve" },
     most_growth = pass.float { 1.5, min = 1, max = 1000, unit = "px",

@@ -30,7 +30,6 @@ return pass.compute {
     tile  = blur.tile,
     limit = blur.limit,
     trajectory = blur.trajectory { wired = true },
-    seen_at = blur.seen_at,
     rule  = pass.choice { "reach", "sign", "all", default = "reach", doc = "which of the tiles around count",
       values = {
         reach = "Those whose box moves over this one within the exposure. Fails for a slow pixel of a tile whose "

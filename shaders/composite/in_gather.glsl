@@ -48,7 +48,7 @@ Path dominantOf(ivec2 pixel, bool after) {
   return straight(vec2(texelFetch(dominant_tex, tile, 0)));
 }
 
-ivec2 tapFor(ivec2 pixel, Path path, float t) { return asked(pixel, path, t, frame.shutter); }
+ivec2 tapFor(ivec2 pixel, Path path, float t) { return asked(pixel, path, t); }
 
 // A surface in front of the background, to the degree `share`.
 struct Cover {

@@ -92,10 +92,10 @@ Seen nearerRaster(Seen seen, Own own, ivec2 pixel, ivec2 now, float t, float tol
   bool after = t > 0.0;
   for (int i = 0; i < kCurvedGuesses; ++i) {
     Path path = rasterPath(own, pixel, now, after);
-    if (isThere(pixel, now, path, t, tolerance_px, frame.shutter))
+    if (isThere(pixel, now, path, t, tolerance_px))
       return nearer(seen, kRaster, now, rasterDepth(own, pixel, now));
     if (!isAskedAgain(i, path)) break;
-    ivec2 next = askedOf(kRaster, pixel, now, path, t, frame.shutter);
+    ivec2 next = askedOf(kRaster, pixel, now, path, t);
     if (next == now || !isInside(next, textureSize(color_tex, 0))) break;
     now = next;
   }
@@ -106,9 +106,9 @@ Seen nearerRevealed(Seen seen, ivec2 pixel, ivec2 now, float t, float tolerance_
   bool after = t > 0.0;
   for (int i = 0; i < kCurvedGuesses && isRevealed(now); ++i) {
     Path path = pathOf(kRevealed, now, after);
-    if (isThere(pixel, now, path, t, tolerance_px, frame.shutter)) return nearer(seen, kRevealed, now, revealedDepth(now));
+    if (isThere(pixel, now, path, t, tolerance_px)) return nearer(seen, kRevealed, now, revealedDepth(now));
     if (!isAskedAgain(i, path)) break;
-    ivec2 next = askedOf(kRevealed, pixel, now, path, t, frame.shutter);
+    ivec2 next = askedOf(kRevealed, pixel, now, path, t);
     if (next == now || !isInside(next, textureSize(color_tex, 0))) break;
     now = next;
   }

@@ -37,9 +37,9 @@ float toleranceOf(vec2 d) { return 0.99 * lengthOf(d) / float(2 * params.samples
 
 // Is what a texel shows at the pixel at time t, as far as nearest texels tell? Where displacements vary over a surface none
 // may be nearer than about half-way to the next sample; so far off may be what moves as fast.
-bool isThere(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px, vec2 window) {
-  if (!isAt(pixel, now, path, t, max(kNearest, tolerance_px), window)) return false;
-  return isAt(pixel, now, path, t, kNearest, window) || isAt(pixel, now, path, t, min(tolerance_px, toleranceOf(path.d)), window);
+bool isThere(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px) {
+  if (!isAt(pixel, now, path, t, max(kNearest, tolerance_px))) return false;
+  return isAt(pixel, now, path, t, kNearest) || isAt(pixel, now, path, t, min(tolerance_px, toleranceOf(path.d)));
 }
 
 Path candidate(Candidates candidates, int k) {

@@ -61,30 +61,24 @@ Path dominantPath(vec2 d, ivec2 tile) {
 #endif
 }
 
-// Where, relative to the pixel, the surface that is there at time t is now. `window` is that of the exposure from the time at
-// which things are where they are now; t as well.
-vec2 tapOffset(Path path, float t, vec2 window) {
+// Position at the raster time, relative to the pixel, of the surface that is at the pixel at time t.
+vec2 tapOffset(Path path, float t) {
 #if HAS_curve
-  return -movedBy(path.d, path.curve, t, window);
+  return -movedBy(path.d, path.curve, t, frame.shutter);
 #else
   return tapOffset(path.d, t);
 #endif
 }
 
-vec2 tapOffset(Path path, float t) { return tapOffset(path, t, frame.shutter); }
-
-bool isAt(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px, vec2 window) {
+// True if the surface at the texel `now` at the raster time is at the pixel at time t, within the tolerance.
+bool isAt(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px) {
 #if HAS_curve
-  vec2 off = vec2(now - pixel) + movedBy(path.d, path.curve, t, window);
+  vec2 off = vec2(now - pixel) + movedBy(path.d, path.curve, t, frame.shutter);
   float within_px = tolerance_px * (1.0 + 1e-4);
   return dot(off, off) <= within_px * within_px;
 #else
   return isAt(pixel, now, path.d, t, tolerance_px);
 #endif
-}
-
-bool isAt(ivec2 pixel, ivec2 now, Path path, float t, float tolerance_px) {
-  return isAt(pixel, now, path, t, tolerance_px, frame.shutter);
 }
 
 #endif

@@ -27,7 +27,7 @@ const float kMostSlope = 2.0;
 Path pathOf(int layer, ivec2 texel, bool after);
 bool hasSurface(int layer, ivec2 texel);
 
-ivec2 asked(ivec2 pixel, Path path, float t, vec2 window) { return pixel + roundSymmetric(tapOffset(path, t, window)); }
+ivec2 asked(ivec2 pixel, Path path, float t) { return pixel + roundSymmetric(tapOffset(path, t)); }
 
 #if HAS_curve
 // By how much a path changes from a texel to the next along an axis, px at time t; not known where the texels beside it are
@@ -37,13 +37,13 @@ struct Slope {
   bool is_known;
 };
 
-Slope slopeOf(int layer, ivec2 now, ivec2 axis, Path path, float t, vec2 window) {
-  vec2 offset = tapOffset(path, t, window);
+Slope slopeOf(int layer, ivec2 now, ivec2 axis, Path path, float t) {
+  vec2 offset = tapOffset(path, t);
   for (int side = 1; side >= -1; side -= 2) {
     ivec2 at = now + side * axis;
     if (!hasSurface(layer, at)) continue;
     Path beside = pathOf(layer, at, t > 0.0);
-    vec2 slope = tapOffset(beside, t, window) - offset, over_all = beside.d - path.d;
+    vec2 slope = tapOffset(beside, t) - offset, over_all = beside.d - path.d;
     if (max(dot(slope, slope), dot(over_all, over_all)) <= kMostSlope * kMostSlope) return Slope(float(side) * slope, true);
   }
   return Slope(vec2(0), false);
@@ -51,8 +51,8 @@ Slope slopeOf(int layer, ivec2 now, ivec2 axis, Path path, float t, vec2 window)
 
 // By how much the place at time t changes with the texel. At corners, where one axis alone is known, as if what is there
 // turned and grew alike in all directions: half-known it would lead far astray from afar.
-mat2 changeOf(int layer, ivec2 now, Path path, float t, vec2 window) {
-  Slope x = slopeOf(layer, now, ivec2(1, 0), path, t, window), y = slopeOf(layer, now, ivec2(0, 1), path, t, window);
+mat2 changeOf(int layer, ivec2 now, Path path, float t) {
+  Slope x = slopeOf(layer, now, ivec2(1, 0), path, t), y = slopeOf(layer, now, ivec2(0, 1), path, t);
   if (!x.is_known) x.px = vec2(y.px.y, -y.px.x);
   if (!y.is_known) y.px = vec2(-x.px.y, x.px.x);
   return mat2(vec2(1, 0) - x.px, vec2(0, 1) - y.px);
@@ -62,18 +62,18 @@ mat2 changeOf(int layer, ivec2 now, Path path, float t, vec2 window) {
 // Where a texel `now` of a layer leads. Where paths are curved things turn: they vary over a surface by as much as it turns,
 // which is known of what turns on an arc and which the texels beside it show of others, so that Newton's step is taken. It
 // leads there at once where a surface is turned or stretched alike.
-ivec2 askedOf(int layer, ivec2 pixel, ivec2 now, Path path, float t, vec2 window) {
+ivec2 askedOf(int layer, ivec2 pixel, ivec2 now, Path path, float t) {
 #if HAS_curve
-  if (!isCurved(path)) return asked(pixel, path, t, window);
-  vec2 offset = tapOffset(path, t, window);
+  if (!isCurved(path)) return asked(pixel, path, t);
+  vec2 offset = tapOffset(path, t);
   vec2 off = vec2(now - pixel) - offset;
 #if ON_ARCS
   if (isTurning(path.curve)) return ivec2(round(vec2(now) - complexQuotient(off, complexExp(t * path.curve.zw))));
 #endif
-  mat2 change = changeOf(layer, now, path, t, window);
+  mat2 change = changeOf(layer, now, path, t);
   if (abs(determinant(change)) >= 0.1) return ivec2(round(vec2(now) - inverse(change) * off));
 #endif
-  return asked(pixel, path, t, window);
+  return asked(pixel, path, t);
 }
 
 #endif

@@ -1,30 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Needs: depth_tex, id_tex, scene, velocity_tex; may have: PARAM_displacement, PARAM_seen_at, hit_tex, normal_tex, params.most_growth.
+// Needs: depth_tex, id_tex, scene, velocity_tex; may have: PARAM_displacement, hit_tex, normal_tex, params.most_growth.
 // How what the texels of a layer show goes over the picture, from true poses, and whether it covers more of it on the way.
 #ifndef STROBE_TEXEL_PATH_GLSL
 #define STROBE_TEXEL_PATH_GLSL
 #include "lib/blur.glsl"
 #include "mixin/surface.glsl"
 
-// When the texels show it.
-#if defined(PARAM_seen_at) && PARAM_seen_at == seen_at_start
-const uint kSeenAt = SLICE_OPEN;
-#elif defined(PARAM_seen_at) && PARAM_seen_at == seen_at_finish
-const uint kSeenAt = SLICE_CLOSE;
-#else
-const uint kSeenAt = SLICE_CAPTURE;
-#endif
-
 // Screen path of what a texel shows, px, from the capture to the pose of `slice`.
 vec2 pathOfTexel(uint slice, ivec2 at) {
-  Ray ray = cameraRay(kSeenAt, samplePosition(at));
+  Ray ray = cameraRay(SLICE_CAPTURE, samplePosition(at));
   uint id = texelFetch(id_tex, at, 0).x;
   if (id == 0u) return pathOfSky(slice, ray.direction);
   vec3 point_ws = ray.origin + ray.direction * texelFetch(depth_tex, at, 0).x;
 #if HAS_hit
   uvec4 seen = texelFetch(hit_tex, at, 0);
-  Hit hit = hitOnTriangle(kSeenAt, ray, id - 1u, seen.y, seen.z);
-  return pathOf(slice, hit, kSeenAt == SLICE_CAPTURE ? point_ws : positionOf(SLICE_CAPTURE, hit));
+  Hit hit = hitOnTriangle(SLICE_CAPTURE, ray, id - 1u, seen.y, seen.z);
+  return pathOf(slice, hit, point_ws);
 #else
   return pathOfPoint(slice, id - 1u, point_ws);
 #endif

@@ -62,17 +62,6 @@ bool isCurved(ivec2 tile) {
 #endif
 }
 
-// The exposure, from the time at which things are in these tiles.
-vec2 windowFrom() {
-#if PARAM_seen_at == seen_at_start
-  return frame.shutter - frame.shutter.x;
-#elif PARAM_seen_at == seen_at_finish
-  return frame.shutter - frame.shutter.y;
-#else
-  return frame.shutter;
-#endif
-}
-
 // Does the tile's box, moved along its curve, overlap this tile within the exposure? Looked at in steps of half a tile, or
 // of 1/64 of the exposure, whatever the rule.
 bool comesHere(ivec2 tile, ivec2 offset, vec2 d) {
@@ -80,9 +69,8 @@ bool comesHere(ivec2 tile, ivec2 offset, vec2 d) {
   vec4 curve = texelFetch(curve_tex, tile, 0);
   vec2 at = vec2(offset * params.tile), side = vec2(params.tile);
   int steps = stepsAlong(d, curve, params.tile);
-  vec2 window = windowFrom();
   for (int i = 0; i <= steps; ++i) {
-    vec2 moved = movedBy(d, curve, evenTimeAt(float(i), steps, window), window);
+    vec2 moved = movedBy(d, curve, evenTimeAt(float(i), steps, frame.shutter), frame.shutter);
     if (all(lessThan(abs(at + moved), side))) return true;
   }
 #endif

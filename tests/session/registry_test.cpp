@@ -156,7 +156,6 @@ const std::map<std::string, std::string> kNoPicture = {
     {"truth_spread.block", "in which groups differences are added up"},
     {"own_time.audit", "which pixels are checked"},
     {"own_time.wrong_by", "what a check counts"},
-    {"neighbour_max.seen_at", "of curved paths alone, from another time than that at which a layer has things"},
     {"visibility_moving.only_moving", "what is at rest is passed over when it is drawn too"},
     {"uniform_motion.audit_rays", "which cells are checked; where no ray finds anything they stay what they are"},
     {"selective: truth_agreement.even_within", "centres are sampled alone, whose rays are one"},

@@ -40,12 +40,11 @@ local function curve_of(p, name, layer)
     as = name .. "_curve",
   }
   if curves.are_foretold(p) then return earlier_curve(images) end
-  images.seen_at = layer.seen_at or "capture"
   return path_curve(images)
 end
 
--- Adds `curve`, `bend` and `bent` to each of the layers, { name, layer (plain tables: depth, id, velocity, perhaps hit, normal,
--- seen_at) }: from poses inside of the exposure, or from poses of earlier frames, which give a velocity too. The loop over
+-- Adds `curve`, `bend` and `bent` to each of the layers, { name, layer (plain tables: depth, id, velocity, perhaps hit,
+-- normal) }: from poses inside of the exposure, or from poses of earlier frames, which give a velocity too. The loop over
 -- the poses is named after the first layer, or `inside`, or `loop_name`. Does nothing where paths are lines.
 function curves.add(p, layers, loop_name)
   if not curves.are_asked(p) then return end

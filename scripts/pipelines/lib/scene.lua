@@ -10,7 +10,7 @@ local scene = {}
 
 -- A layer: images of one surface per pixel. These fields may be absent; lib/ranges and lib/curves add some.
 scene.layer = pipeline.record("a layer", {
-  "valid", "normal", "hit", "sure", "seen_at", "motions", "bounds", "curve", "bend", "bent",
+  "valid", "normal", "hit", "sure", "motions", "bounds", "curve", "bend", "bent",
   "after_velocity", "whole_velocity", "after",
 })
 

@@ -28,7 +28,7 @@ local function in_one_part(p, layer, given)
   local reach = longest_motion { longest = longest, curve = curve, as = prefix .. "longest_motion" }.reach
   local around = neighbour_max {
     longest = longest, curve = curve, place = is_curved and tile.place_of_it or nil, motions = motions, reach = reach,
-    rule = p.tile_rule, seen_at = given.seen_at or "capture", as = prefix .. "neighbour_max",
+    rule = p.tile_rule, as = prefix .. "neighbour_max",
   }
   return around_tiles {
     dominant = around.dominant, second = around.second, longest = longest, reach = reach,
@@ -37,7 +37,7 @@ local function in_one_part(p, layer, given)
 end
 
 -- `layer` has velocity and may have valid. Options: `extra`, a second layer united with it; `second` = true, to look
--- for a second displacement too; `prefix`, to tell the nodes of several uses apart; `seen_at`, when things are there.
+-- for a second displacement too; `prefix`, to tell the nodes of several uses apart.
 -- Yields dominant, second, longest, dominant_curve and dominant_place where paths are curved, and for a layer that moves
 -- otherwise after the capture (ranges.divided) after_dominant and after_second.
 function tiles.dominant(p, layer, given)
