@@ -194,6 +194,28 @@ TEST_F(RenderMasks, WhatGoesBeyondNumbersHidesNothingOfTheRest) {
   }
 }
 
+// Without rays, and with displacements per tile of each layer, a hybrid is the post-process that blurs its layers.
+TEST_F(RenderMasks, WithoutRaysAHybridIsItsGather) {
+  const lab::Shot crowd = shotOf("crowd", 64, 40);
+  const std::vector<std::string> none = {"mask=none", "composite=alpha_over", "tiles=separate"};
+  struct Gather {
+    std::string weights, pipeline;
+    std::vector<std::string> settings;
+  };
+  for (const Gather& gather : {Gather{"mcguire2012", "mcguire2012", {"weights=mcguire2012"}},
+                               {"uniform", "mcguire2012", {"weights=uniform"}},
+                               {"jimenez2014", "jimenez2014", {"cheap=false"}},
+                               {"guertin2014", "guertin2014", {"uniform_path=false", "directions=one"}}})
+    for (const Anchor& anchor : anchors()) {
+      std::vector<std::string> hybrid = none, alone = gather.settings;
+      hybrid.insert(hybrid.end(), {"weights=" + gather.weights, "tile=8"});
+      alone.push_back("tile=8");
+      EXPECT_TRUE(identical(colorOf(render(with(crowd, hybridSteps(), hybrid, anchor.name))),
+                            colorOf(render(with(crowd, gather.pipeline, alone, anchor.name)))))
+          << gather.weights << " " << anchor.name;
+    }
+}
+
 // --- Cost and worth
 
 TEST_F(RenderMasks, WhatMovesCoversWhatTheSeedMarks) {
