@@ -5,8 +5,8 @@ local experiment = require "strobe.experiment"
 
 local moving = { "vase", "panel", "fan", "stacked", "tracking" }  -- the shots in which something does
 
--- A knob has another pipeline, parameters (`set`) or options of the shot (`run`). `needed`: the shots whose
--- error it raises by more than a twentieth: what it takes away is required there.
+-- A knob has another pipeline, parameters (`set`) or options of the shot (`run`). `needed`: the shots in which the knob
+-- raises the error by more than a twentieth.
 local knobs = {
   { name = "arcs", set = { trajectory = "arc" }, needed = {} },
   { name = "no rays at own times", pipeline = "hybrid_layered", needed = moving },

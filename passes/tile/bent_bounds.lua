@@ -15,8 +15,8 @@ return pass.compute {
     valid    = { doc = "above 1/2 where they count" },
   },
   writes = {
-    bounds = { format = "rgba32f", doc = "least x and y, greatest x and y, px over the exposure; 0 where nothing counts" },
-    bends  = { format = "rgba32f", doc = "the same of the bends" },
+    bounds = { format = "rgba32f", doc = "least x and y, greatest x and y, px over the exposure; 0 where no texel counts" },
+    bends  = { format = "rgba32f", doc = "least x and y, greatest x and y of the path deviations, px; 0 where no texel counts" },
   },
   without = { valid = { bounds = 0, bends = 0 }, reached = { bounds = 0, bends = 0 } },
   params = {

@@ -20,7 +20,7 @@ struct FileChanges {
   std::optional<Shot> shot;      // as it was when the evaluation began; empty before that
   double show_failure_at_s = 0;  // of a failure that was held back
 
-  // True if a failure may come from the first of two steps in which a file is saved.
+  // True if the file may be saved only in part: its failure is younger than a tenth of a second.
   bool mayBeUnfinished() const;
 };
 
