@@ -2,9 +2,9 @@
 // One level of an a-trous wavelet filter in one direction (Oberberger, Chajdas, Westermann 2022, "Spatiotemporal Variance-Guided
 // Filtering for Motion Blur", after Schied et al. 2017, SVGF).
 // In:  noisy (linear), variance (of its tone, mixin/along_motion.glsl), dominant (px over the exposure, per tile).
-// Out: blurred = sum of h(k) w(k) C(k) over that of h(k) w(k), k = -2..2 at k * 2^octave px along the dominant displacement, with the
-//   B-spline h = 1/16, 1/4, 3/8, 1/4, 1/16 and w = exp(-|difference of tones| / (deviations * standard deviation + kSlack)), the deviation from 3
-//   pixels along the line; less = sum of h^2 w^2 variance over the square of that.
+// Out: blurred = sum of h(k) w(k) C(k) over that of h(k) w(k), k = -2..2 at k * 2^octave px along the dominant displacement,
+//   with the B-spline h = 1/16, 1/4, 3/8, 1/4, 1/16 and w = exp(-|difference of tones| / (deviations * standard deviation
+//   + kSlack)), the deviation from 3 pixels along the line; less = sum of h^2 w^2 variance over the square of that.
 // Where the variance is 0, and where pixels lie farther apart than half of the displacement, the level does nothing.
 #include "mixin/along_motion.glsl"
 

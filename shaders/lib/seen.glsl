@@ -13,7 +13,8 @@ bool isOneTriangle(uvec4 seen) { return isOneSurface(seen) && seen.z != kSeenSev
 uint instanceOf(uvec4 seen) { return seen.x - 2u; }
 
 // Shadows of the first 16 lights by bits: free at all samples that asked, and from bit 16 on blocked at all of them; both where
-// none asked, as where a surface turns away from the light. Of two instances: (the first + 2, its shadows, the second + 2, its shadows). With a third the second is kSeenSeveral.
+// none asked, as where a surface turns away from the light. Of two instances: (the first + 2, its shadows, the second + 2, its
+// shadows). With a third the second is kSeenSeveral.
 uint shadowsFrom(uvec2 free_and_blocked) {
   uvec2 never = ~free_and_blocked.yx;
   return (never.x & 0xffffu) | (never.y << 16u);

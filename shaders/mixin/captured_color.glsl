@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Needs: PARAM_shades_unlike, count_shaded, depth_tex, id_tex, params.detail_below, params.same_depth, params.unlike, rays, scene; may have: PARAM_displacement, color_tex, revealed_color_tex, revealed_depth_tex, revealed_id_tex, revealed_valid_tex.
+// Needs: PARAM_shades_unlike, count_shaded, depth_tex, id_tex, params.detail_below, params.same_depth, params.unlike, rays,
+//   scene; may have: PARAM_displacement, color_tex, revealed_color_tex, revealed_depth_tex, revealed_id_tex,
+//   revealed_valid_tex.
 // The colour that what is seen at another time has at the capture: that of a layer of the capture which holds it, blended as
 // that of a filter's tap, else shaded anew. With `shades_unlike` the layer's only where the four texels around hold it and
 // differ by no more than the share `unlike`, or it moves by more than `detail_below` px from sample to sample.

@@ -4,9 +4,9 @@
 // to its end, and x = u - 1/2, a point leaves the line between the ends of its path
 //   on a parabola by   4 u (1 - u) b,   b = curve.xy, px;
 //   on an arc by       b (exp(w x) - cosh(w/2) - 2 x sinh(w/2)) / (1 - cosh(w/2)),   w = curve.zw,
-// products of complex numbers. b is how far it is from that line in the middle; w turns and stretches a circle about a centre that goes along a line: w.y radians and a factor of
-// exp(w.x) over the exposure. Wheels that roll are arcs. w = 0 is the parabola, and a curve of 0 the straight line, bit
-// for bit.
+// products of complex numbers. b is the distance from that line in the middle. w turns and stretches a circle about a centre
+// that goes along a line: by w.y radians and a factor of exp(w.x) over the exposure. Wheels that roll are arcs. w = 0 is the
+// parabola, and a curve of 0 the straight line, bit for bit.
 #ifndef STROBE_CURVE_GLSL
 #define STROBE_CURVE_GLSL
 #include "lib/blur.glsl"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// In:  hit_tex, sure_tex (rays that need not be traced, of `shadow_shafts`). Out: color (linear radiance), as memory keeps it (mixin/stored.glsl).
+// In:  hit_tex, sure_tex (rays that need not be traced, of `shadow_shafts`).
+// Out: color (linear radiance), as memory keeps it (mixin/stored.glsl).
 #if HAS_sure
 #define STROBE_KEEPS_SHADOWS
 #endif

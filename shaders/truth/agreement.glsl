@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the first samples of a pixel and of the eight around it agree about. A silhouette that cuts off less of a pixel
 // than samples lie apart is seen by its neighbours.
-// In:  ground (what samples have seen at rest, or where that is nothing in motion: whose, geometry, triangle), still (rgb: mean colour of that), unlike (how
-//      far the colours are from it), shadows (of two instances, as lib/seen.glsl has them).
+// In:  ground (what samples have seen at rest, or where that is nothing in motion: whose, geometry, triangle), still (rgb: mean
+//      colour of that), unlike (how far the colours are from it), shadows (of two instances, as lib/seen.glsl has them).
 // Out: known_hit (the surface that all see, and its triangle if that is one; whose = 0 without any),
 //      known_shadows (of the pixel's instances, where all samples that see one agree), even_color (rgb: that colour,
 //      a = 1 where all see one surface, in colours as good as equal), more (0 where these samples are enough: of one colour
